@@ -1,0 +1,31 @@
+#pragma once
+// Wall-clock accounting: a Stopwatch measures, a ScopedTimer adds what its scope took to an account.
+
+#include <chrono>
+
+namespace signorini {
+
+class Stopwatch {
+public:
+  /// Seconds since construction or the last restart.
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+  void restart() { start_ = Clock::now(); }
+
+private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_ = Clock::now();
+};
+
+class ScopedTimer {
+public:
+  explicit ScopedTimer(double& account) : account_(account) {}
+  ~ScopedTimer() { account_ += watch_.seconds(); }
+  ScopedTimer(const ScopedTimer&) = delete;
+  ScopedTimer& operator=(const ScopedTimer&) = delete;
+
+private:
+  double& account_;
+  Stopwatch watch_;
+};
+
+} // namespace signorini

@@ -1,0 +1,55 @@
+#pragma once
+// Knot vectors: the open (clamped) knot vector of one parametric direction together with its degree.
+
+#include <vector>
+
+namespace signorini::nurbs {
+
+/// Highest degree that any basis here takes; small buffers on the stack rely on it.
+inline constexpr int max_degree = 15;
+
+/// An open knot vector of a given degree. A value: checked when made, never changed.
+///
+/// Throws Error unless the knots are finite and sorted, both ends are repeated exactly degree+1 times, and no interior
+/// knot is repeated more than degree times (so every function is at least C⁰).
+class KnotVector {
+public:
+  KnotVector(int degree, std::vector<double> knots);
+
+  /// The open knot vector of one element on [0, 1].
+  static KnotVector single(int degree);
+
+  int degree() const { return degree_; }
+  const std::vector<double>& knots() const { return knots_; }
+  /// The distinct knots, elements()+1 of them.
+  const std::vector<double>& breaks() const { return breaks_; }
+  double first() const { return breaks_.front(); }
+  double last() const { return breaks_.back(); }
+
+  /// Number of B-spline functions, knots − degree − 1.
+  int functions() const { return static_cast<int>(knots_.size()) - degree_ - 1; }
+  /// Number of non-empty knot spans.
+  int elements() const { return static_cast<int>(breaks_.size()) - 1; }
+
+  /// Index i of the span [knots[i], knots[i+1]) that is element e (counted from 0). The functions that do not vanish on
+  /// it are i − degree … i.
+  int span(int element) const { return spans_[static_cast<std::size_t>(element)]; }
+  /// First function that does not vanish on element e.
+  int first_function(int element) const { return span(element) - degree_; }
+  /// The element that holds xi; the last one at the right end. Throws Error when xi is outside [first, last] or NaN.
+  int find_element(double xi) const;
+
+  /// How often `knot` occurs (exact comparison).
+  int multiplicity(double knot) const;
+  /// Greville abscissae, one per function: (ξ_{i+1} + … + ξ_{i+p})/p; for degree 0 the span's middle.
+  std::vector<double> greville() const;
+
+  bool operator==(const KnotVector& other) const { return degree_ == other.degree_ && knots_ == other.knots_; }
+
+private:
+  int degree_;
+  std::vector<double> knots_, breaks_;
+  std::vector<int> spans_;
+};
+
+} // namespace signorini::nurbs

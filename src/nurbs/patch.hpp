@@ -1,0 +1,81 @@
+#pragma once
+// A tensor-product NURBS: curve, surface or volume in 2D or 3D space. An immutable value.
+
+#include "base/eigen.hpp"
+#include "nurbs/knots.hpp"
+
+#include <string>
+#include <vector>
+
+namespace signorini::nurbs {
+
+/// A NURBS of parametric dimension 1 to 3 in space of dimension 2 or 3.
+class Patch {
+public:
+  /// `homogeneous` is (dimension+1) × functions: weighted points (w x, w y[, w z], w), ξ¹ runs fastest.
+  /// Throws Error when the number of points is not the product of the directions' functions, when a weight is not
+  /// positive, a value not finite, or the dimensions do not fit.
+  Patch(std::vector<KnotVector> directions, MatrixX homogeneous);
+
+  int parametric_dimension() const { return static_cast<int>(directions_.size()); }
+  int dimension() const { return static_cast<int>(homogeneous_.rows()) - 1; }
+  /// Number of control points.
+  int functions() const { return static_cast<int>(homogeneous_.cols()); }
+
+  const KnotVector& direction(int d) const { return directions_[static_cast<std::size_t>(d)]; }
+  const std::vector<KnotVector>& directions() const { return directions_; }
+  const MatrixX& homogeneous() const { return homogeneous_; }
+
+  /// Control points, dimension × functions.
+  MatrixX points() const;
+  VectorX weights() const;
+
+private:
+  std::vector<KnotVector> directions_;
+  MatrixX homogeneous_;
+};
+
+/// Makes a patch of points (dimension × functions) and weights (all 1 when empty).
+Patch make_patch(std::vector<KnotVector> directions, const MatrixX& points, const VectorX& weights = {});
+
+/// The point at xi. Throws Error when xi has the wrong length or lies outside the knots.
+VectorX evaluate(const Patch& patch, const VectorX& xi);
+
+/// One partial derivative of the map: how often each direction is differentiated, and the vector.
+struct Derivative {
+  std::vector<int> orders;
+  VectorX value;
+};
+
+/// All partial derivatives of the rational map up to total order n at xi, by total order, then lexicographically
+/// falling in ξ¹ ((0,0); (1,0), (0,1); (2,0), (1,1), (0,2); …). Piegl & Tiller eq. (4.20) generalised to any dimension.
+std::vector<Derivative> derivatives(const Patch& patch, const VectorX& xi, int n);
+
+/// One rational function that does not vanish at xi.
+struct BasisValue {
+  int function;
+  double value;
+};
+
+/// The rational functions R_A(xi) that do not vanish on the element of xi, by rising index.
+std::vector<BasisValue> rational_basis(const Patch& patch, const VectorX& xi);
+
+/// A side of a patch: the parametric direction it is normal to, and which end.
+struct Side {
+  int direction; ///< 0-based parametric direction normal to the face
+  bool at_end;   ///< false: first knot, true: last knot
+  bool operator==(const Side&) const = default;
+};
+
+/// west/east (ξ¹), south/north (ξ²), front/back (ξ³). Throws Error that lists the names that fit.
+Side side_of(const std::string& name, int parametric_dimension);
+std::string name_of(Side side);
+
+/// The face as a patch of one parametric dimension less (parametric dimension ≥ 2).
+Patch face(const Patch& patch, Side side);
+
+/// The control row j normal to direction `through` as a patch of one parametric dimension less: control points with
+/// index j in that direction. Row 0 and the last row are faces; inner rows are not part of the geometry.
+Patch control_row(const Patch& patch, int through, int j);
+
+} // namespace signorini::nurbs
