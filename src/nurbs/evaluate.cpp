@@ -1,0 +1,115 @@
+// The map of a patch: its point, its derivatives, and its rational functions at a parameter.
+#include "nurbs/patch.hpp"
+
+#include "base/error.hpp"
+#include "nurbs/basis.hpp"
+
+namespace signorini::nurbs {
+
+namespace {
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// The functions that do not vanish on the element of xi, direction by direction; missing directions are constant 1.
+struct LocalBasis {
+  int first[3] = {0, 0, 0}, count[3] = {1, 1, 1}, stride[3] = {0, 0, 0};
+  std::vector<double> values[3] = {{1.0}, {1.0}, {1.0}}; ///< row k: k-th derivatives
+
+  LocalBasis(const Patch& patch, const VectorX& xi, int order) {
+    require(xi.size() == patch.parametric_dimension(), "xi: the patch has ", patch.parametric_dimension(),
+            " parametric directions, got ", xi.size(), " parameters");
+    int size = 1;
+    for (int d = 0; d < patch.parametric_dimension(); ++d) {
+      const KnotVector& knots = patch.direction(d);
+      const int element = knots.find_element(xi(d));
+      first[d] = knots.first_function(element);
+      count[d] = knots.degree() + 1;
+      stride[d] = size;
+      size *= knots.functions();
+      values[d].resize(at((order + 1) * count[d]));
+      basis_derivatives(knots, element, xi(d), order, values[d].data());
+    }
+  }
+
+  /// Calls visit(function, value) for the product of the directions' derivatives of the given orders.
+  template <class Visit> void each(const int (&orders)[3], Visit visit) const {
+    const double* n[3];
+    for (int d = 0; d < 3; ++d) n[d] = values[d].data() + orders[d] * count[d];
+    for (int c = 0; c < count[2]; ++c)
+      for (int b = 0; b < count[1]; ++b)
+        for (int a = 0; a < count[0]; ++a)
+          visit((first[0] + a) * stride[0] + (first[1] + b) * stride[1] + (first[2] + c) * stride[2],
+                n[0][a] * n[1][b] * n[2][c]);
+  }
+
+  VectorX sum(const MatrixX& homogeneous, const int (&orders)[3]) const {
+    VectorX result = VectorX::Zero(homogeneous.rows());
+    each(orders, [&](int function, double value) { result += value * homogeneous.col(function); });
+    return result;
+  }
+};
+
+double binomial(int n, int k) {
+  double result = 1;
+  for (int i = 1; i <= k; ++i) result = result * (n - k + i) / i;
+  return result;
+}
+
+} // namespace
+
+VectorX evaluate(const Patch& patch, const VectorX& xi) {
+  const VectorX x = LocalBasis(patch, xi, 0).sum(patch.homogeneous(), {0, 0, 0});
+  return x.head(patch.dimension()) / x(patch.dimension());
+}
+
+std::vector<Derivative> derivatives(const Patch& patch, const VectorX& xi, int n) {
+  require(n >= 0 && n <= max_degree + 2, "derivatives: order ", n, " is not in 0 … ", max_degree + 2);
+  const LocalBasis basis(patch, xi, n);
+  const int dimension = patch.dimension();
+  const int last[3] = {n, patch.parametric_dimension() > 1 ? n : 0, patch.parametric_dimension() > 2 ? n : 0};
+
+  // By orders (a, b, c): w^(β), and the finished derivatives S^(α).
+  const auto index = [&](int a, int b, int c) { return at((a * (n + 1) + b) * (n + 1) + c); };
+  const std::size_t size = at((n + 1) * (n + 1) * (n + 1));
+  std::vector<double> weight(size);
+  std::vector<VectorX> map(size);
+  std::vector<Derivative> result;
+  for (int total = 0; total <= n; ++total)
+    for (int a = total; a >= 0; --a)
+      for (int b = total - a; b >= 0; --b) {
+        const int c = total - a - b;
+        if (b > last[1] || c > last[2]) continue;
+        // S^(α) = (A^(α) − Σ_{0≠β≤α} (α over β) w^(β) S^(α−β)) / w   (NURBS Book, eq. 4.20, in any dimension)
+        const VectorX homogeneous = basis.sum(patch.homogeneous(), {a, b, c});
+        VectorX value = homogeneous.head(dimension);
+        weight[index(a, b, c)] = homogeneous(dimension);
+        for (int i = 0; i <= a; ++i)
+          for (int j = 0; j <= b; ++j)
+            for (int k = 0; k <= c; ++k)
+              if (i + j + k > 0)
+                value -= binomial(a, i) * binomial(b, j) * binomial(c, k) * weight[index(i, j, k)] *
+                         map[index(a - i, b - j, c - k)];
+        value /= weight[0];
+        map[index(a, b, c)] = value;
+        std::vector<int> orders{a, b, c};
+        orders.resize(at(patch.parametric_dimension()));
+        result.push_back({std::move(orders), std::move(value)});
+      }
+  return result;
+}
+
+std::vector<BasisValue> rational_basis(const Patch& patch, const VectorX& xi) {
+  // R_A = w_A N_A / Σ_B w_B N_B   (NURBS Book, eq. 4.12)
+  std::vector<BasisValue> result;
+  double sum = 0;
+  LocalBasis(patch, xi, 0).each({0, 0, 0}, [&](int function, double value) {
+    result.push_back({function, value * patch.homogeneous()(patch.dimension(), function)});
+    sum += result.back().value;
+  });
+  for (BasisValue& basis : result) basis.value /= sum;
+  return result;
+}
+
+} // namespace signorini::nurbs

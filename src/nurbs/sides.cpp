@@ -1,0 +1,75 @@
+// Names of a patch's sides, and the patches that lie on them.
+#include "nurbs/patch.hpp"
+
+#include "base/error.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace signorini::nurbs {
+
+namespace {
+
+const char* const names[] = {"west", "east", "south", "north", "front", "back"};
+
+/// Levenshtein's distance: the least number of letters inserted, removed or replaced.
+int edits(const std::string& a, const std::string& b) {
+  std::vector<int> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), 0);
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    int diagonal = std::exchange(row[0], static_cast<int>(i));
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const int replaced = diagonal + (a[i - 1] != b[j - 1]);
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, replaced});
+    }
+  }
+  return row.back();
+}
+
+} // namespace
+
+Side side_of(const std::string& name, int parametric_dimension) {
+  require(parametric_dimension >= 1 && parametric_dimension <= 3,
+          "face: a patch has 1 to 3 parametric directions, got ", parametric_dimension);
+  const auto end = names + 2 * parametric_dimension;
+  const auto found = std::find(names, end, name);
+  if (found == end) {
+    std::string fitting;
+    for (auto it = names; it != end; ++it) fitting += (it == names ? "" : ", ") + std::string(*it);
+    const auto nearest = std::min_element(names, end, [&](auto a, auto b) { return edits(name, a) < edits(name, b); });
+    fail("face: '", name, "' is unknown; expected one of ", fitting, " (did you mean '", *nearest, "'?)");
+  }
+  const int i = static_cast<int>(found - names);
+  return {i / 2, i % 2 == 1};
+}
+
+std::string name_of(Side side) {
+  return names[2 * side.direction + (side.at_end ? 1 : 0)];
+}
+
+Patch face(const Patch& patch, Side side) {
+  require(side.direction >= 0 && side.direction < patch.parametric_dimension(), "face: direction ", side.direction + 1,
+          " is not one of the patch's ", patch.parametric_dimension());
+  return control_row(patch, side.direction, side.at_end ? patch.direction(side.direction).functions() - 1 : 0);
+}
+
+Patch control_row(const Patch& patch, int through, int j) {
+  require(patch.parametric_dimension() >= 2, "face: a curve has end points, not faces; take a surface or a volume");
+  require(through >= 0 && through < patch.parametric_dimension(), "row: direction ", through + 1,
+          " is not one of the patch's ", patch.parametric_dimension());
+  const int count = patch.direction(through).functions();
+  require(j >= 0 && j < count, "row: ", j + 1, " is not in 1 … ", count);
+  int stride = 1;
+  for (int d = 0; d < through; ++d) stride *= patch.direction(d).functions();
+  std::vector<KnotVector> directions = patch.directions();
+  directions.erase(directions.begin() + through);
+  // Index = inner + stride·(i_through + count·outer)
+  MatrixX homogeneous(patch.dimension() + 1, patch.functions() / count);
+  for (int n = 0; n < homogeneous.cols(); ++n)
+    homogeneous.col(n) = patch.homogeneous().col(n % stride + stride * (j + count * (n / stride)));
+  return {std::move(directions), std::move(homogeneous)};
+}
+
+} // namespace signorini::nurbs

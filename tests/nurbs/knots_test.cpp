@@ -1,0 +1,73 @@
+#include "nurbs/knots.hpp"
+
+#include "random_patch.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace signorini::nurbs {
+namespace {
+
+using namespace test;
+
+TEST(Knots, CountsSpansAndFunctions) {
+  const KnotVector knots(2, {0, 0, 0, 1, 1, 3, 4, 4, 4});
+  EXPECT_EQ(knots.functions(), 6);
+  EXPECT_EQ(knots.elements(), 3);
+  EXPECT_EQ(knots.breaks(), (std::vector<double>{0, 1, 3, 4}));
+  EXPECT_EQ(knots.span(0), 2);
+  EXPECT_EQ(knots.span(1), 4);
+  EXPECT_EQ(knots.span(2), 5);
+  EXPECT_EQ(knots.first_function(1), 2);
+  EXPECT_EQ(knots.multiplicity(0), 3);
+  EXPECT_EQ(knots.multiplicity(1), 2);
+  EXPECT_EQ(knots.multiplicity(3), 1);
+  EXPECT_EQ(knots.multiplicity(2), 0);
+}
+
+TEST(Knots, FindsTheElementFromTheLeftAndTheLastAtTheEnd) {
+  const KnotVector knots(2, {0, 0, 0, 1, 1, 3, 4, 4, 4});
+  EXPECT_EQ(knots.find_element(0), 0);
+  EXPECT_EQ(knots.find_element(0.999), 0);
+  EXPECT_EQ(knots.find_element(1), 1);
+  EXPECT_EQ(knots.find_element(3), 2);
+  EXPECT_EQ(knots.find_element(4), 2);
+  EXPECT_ERROR(knots.find_element(-1e-9), "outside the knots, [0, 4]");
+  EXPECT_ERROR(knots.find_element(4.1), "xi: 4.1");
+  EXPECT_ERROR(knots.find_element(std::numeric_limits<double>::quiet_NaN()), "outside");
+}
+
+TEST(Knots, GrevilleAbscissaeAreKnotAverages) {
+  EXPECT_EQ(KnotVector(2, {0, 0, 0, 1, 1, 3, 4, 4, 4}).greville(), (std::vector<double>{0, 0.5, 1, 2, 3.5, 4}));
+  EXPECT_EQ(KnotVector(0, {0, 1, 4}).greville(), (std::vector<double>{0.5, 2.5}));
+  const std::vector<double> ends = KnotVector(3, {0.1, 0.1, 0.1, 0.1, 0.7, 0.7, 0.7, 0.7}).greville();
+  EXPECT_EQ(ends.front(), 0.1);
+  EXPECT_EQ(ends.back(), 0.7);
+}
+
+TEST(Knots, SingleIsOneBezierElement) {
+  EXPECT_EQ(KnotVector::single(2), KnotVector(2, {0, 0, 0, 1, 1, 1}));
+  EXPECT_FALSE(KnotVector::single(2) == KnotVector::single(1));
+  EXPECT_ERROR(KnotVector::single(16), "degree: 16");
+}
+
+TEST(Knots, WrongOnesAreRefusedWithTheReason) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_ERROR(KnotVector(-1, {0, 1}), "degree: -1 is not in 0 … 15");
+  EXPECT_ERROR(KnotVector(16, std::vector<double>(40)), "degree: 16");
+  EXPECT_ERROR(KnotVector(2, {0, 0, 1, 1}), "at least 6 knots (3 at each end), got 4");
+  EXPECT_ERROR(KnotVector(1, {}), "got 0");
+  EXPECT_ERROR(KnotVector(1, {0, 0, nan, 1, 1}), "knot 3 is nan");
+  EXPECT_ERROR(KnotVector(1, {0, 0, 1, std::numeric_limits<double>::infinity()}), "knot 4 is inf");
+  EXPECT_ERROR(KnotVector(1, {0, 0, 0.6, 0.4, 1, 1}), "knot 4 (0.4) is below knot 3 (0.6)");
+  EXPECT_ERROR(KnotVector(1, {2, 2, 2, 2}), "all are 2");
+  EXPECT_ERROR(KnotVector(2, {0, 0, 0.5, 1, 1, 1}), "the first knot, 0, occurs 2 times");
+  EXPECT_ERROR(KnotVector(2, {0, 0, 0, 0, 1, 1, 1}), "repeats it 3 times");
+  EXPECT_ERROR(KnotVector(2, {0, 0, 0, 1, 1, 1, 1}), "the last knot, 1, occurs 4 times");
+  EXPECT_ERROR(KnotVector(2, {0, 0, 0, 0.5, 0.5, 0.5, 1, 1, 1}), "interior knot 0.5 occurs 3 times");
+  EXPECT_ERROR(KnotVector(1, {0, 0, 0.5, 0.5 + 1e-15, 1, 1}), "make them equal or move them apart");
+}
+
+} // namespace
+} // namespace signorini::nurbs
