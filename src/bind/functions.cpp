@@ -1,0 +1,95 @@
+#include "bind/functions.hpp"
+
+namespace signorini::bind {
+
+namespace {
+
+/// Gives the value on top of the stack (left there) its help page under a qualified name.
+void document(lua_State* L, const std::string& name, const char* doc) {
+  push_table(L, "core.docs");
+  push(L, doc);
+  lua_setfield(L, -2, name.c_str());
+  lua_pop(L, 1);
+  push_table(L, "core.names");
+  lua_pushvalue(L, -2);
+  push(L, name);
+  lua_rawset(L, -3);
+  lua_pop(L, 1);
+}
+
+/// The function as a closure that knows its qualified name.
+void push_function(lua_State* L, const std::string& name, const Function& row) {
+  push(L, name);
+  lua_pushcclosure(L, row.function, 1);
+  document(L, name, row.doc);
+}
+
+int unknown_method(lua_State* L) {
+  const std::string type = lua_tostring(L, lua_upvalueindex(1));
+  const std::string name = describe(L, 2);
+  std::vector<std::string> known;
+  lua_pushnil(L);
+  while (lua_next(L, 1)) {
+    lua_pop(L, 1);
+    known.emplace_back(lua_tostring(L, -1));
+  }
+  const std::string hint = lua_type(L, 2) == LUA_TSTRING ? did_you_mean(lua_tostring(L, 2), known) : "";
+  throw ArgumentError(
+      text("a ", type, " has no ",
+           lua_type(L, 2) == LUA_TSTRING ? text("method '", lua_tostring(L, 2), "'") : text("entry for ", name), hint,
+           hint.empty() ? "; it has " : " It has ", one_of(known)));
+}
+
+} // namespace
+
+int raise(lua_State* L, const std::exception& error) {
+  std::string message = user_position(L);
+  const char* name = lua_isstring(L, lua_upvalueindex(1)) ? function_name(L) : "";
+  if (!dynamic_cast<const ArgumentError*>(&error)) message += text(name, ": ");
+  message += error.what();
+  push(L, message);
+  return 1;
+}
+
+void push_table(lua_State* L, const std::string& name) {
+  lua_pushvalue(L, LUA_REGISTRYINDEX);
+  for (std::size_t begin = 0; begin <= name.size();) {
+    const std::size_t end = std::min(name.find('.', begin), name.size());
+    const std::string part = (begin == 0 ? "signorini." : "") + name.substr(begin, end - begin);
+    luaL_getsubtable(L, -1, part.c_str());
+    lua_remove(L, -2);
+    begin = end + 1;
+  }
+}
+
+void register_functions(lua_State* L, const std::string& table, std::span<const Function> rows) {
+  push_table(L, table);
+  for (const Function& row : rows) {
+    push_function(L, table + "." + row.name, row);
+    lua_setfield(L, -2, row.name);
+  }
+  lua_pop(L, 1);
+}
+
+void register_type(lua_State* L, const char* name, lua_CFunction collect, std::span<const Function> rows) {
+  luaL_newmetatable(L, name);
+  push_table(L, text("core.types.", name));
+  for (const Function& row : rows) {
+    const bool metamethod = std::string(row.name).starts_with("__");
+    push_function(L, metamethod ? name : text(name, ":", row.name), row);
+    lua_setfield(L, metamethod ? -3 : -2, row.name);
+  }
+  lua_createtable(L, 0, 1);
+  push(L, name);
+  lua_pushcclosure(L, wrap<unknown_method>, 1);
+  lua_setfield(L, -2, "__index");
+  lua_setmetatable(L, -2);
+  lua_setfield(L, -2, "__index");
+  lua_pushcfunction(L, collect);
+  lua_setfield(L, -2, "__gc");
+  lua_pushboolean(L, false); // getmetatable() shows nothing, so __gc cannot be called by hand
+  lua_setfield(L, -2, "__metatable");
+  lua_pop(L, 1);
+}
+
+} // namespace signorini::bind

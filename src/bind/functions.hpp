@@ -1,0 +1,54 @@
+#pragma once
+// How C++ functions get into Lua: rows {name, function, doc}, from which registration and help both come.
+
+#include "bind/stack.hpp"
+
+#include <span>
+
+namespace signorini::bind {
+
+/// One row. `doc`: the first line is how to call it, the rest what it does, with units and defaults.
+struct Function {
+  const char* name;
+  lua_CFunction function;
+  const char* doc;
+};
+
+/// Raises a Lua error with the message of a C++ exception, at the user's own script line.
+int raise(lua_State* L, const std::exception& error);
+
+/// A C++ function as Lua calls it. Only std::exception is caught: Lua's own throw must pass.
+template <int (*function)(lua_State*)> int wrap(lua_State* L) {
+  try {
+    return function(L);
+  } catch (const std::exception& error) {
+    raise(L, error);
+  }
+  return lua_error(L);
+}
+
+/// Registers rows below a dotted name, "sg.nurbs" or "core"; tables are made where missing.
+void register_functions(lua_State* L, const std::string& table, std::span<const Function> rows);
+
+/// Pushes the table of a dotted name, made where missing.
+void push_table(lua_State* L, const std::string& name);
+
+/// Makes a Lua type: rows whose name begins with two underscores are metamethods, all others methods. The methods'
+/// table is core.types[name], so that Lua code can add to it. An unknown method is an error that lists the known ones.
+void register_type(lua_State* L, const char* name, lua_CFunction collect, std::span<const Function> rows);
+
+/// __gc: ends the C++ object's life once, and makes the userdata useless for whoever still holds it.
+template <class T> int collect(lua_State* L) {
+  if (T* object = test_object<T>(L, 1)) {
+    object->~T();
+    lua_pushnil(L);
+    lua_setmetatable(L, 1);
+  }
+  return 0;
+}
+
+template <class T> void register_type(lua_State* L, std::span<const Function> rows) {
+  register_type(L, Type<T>::name, collect<T>, rows);
+}
+
+} // namespace signorini::bind

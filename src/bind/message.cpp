@@ -1,0 +1,134 @@
+#include "bind/message.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace signorini::bind {
+
+namespace {
+
+constexpr const char* folder_key = "signorini.folder";
+
+/// Levenshtein's distance, row by row; a swap of neighbours counts as one edit less than two.
+std::size_t distance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> before, previous(b.size() + 1), row(b.size() + 1);
+  std::iota(previous.begin(), previous.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      row[j] = std::min({previous[j] + 1, row[j - 1] + 1, previous[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) row[j] = std::min(row[j], before[j - 2] + 1);
+    }
+    before = previous;
+    std::swap(previous, row);
+  }
+  return previous.back();
+}
+
+std::string describe_table(lua_State* L, int index) {
+  const auto length = lua_rawlen(L, index);
+  if (length == 1) return "a list of 1 value";
+  if (length > 1) return text("a list of ", length, " values");
+  lua_pushnil(L);
+  if (!lua_next(L, index)) return "an empty table";
+  lua_pop(L, 1);
+  const std::string key =
+      lua_type(L, -1) == LUA_TSTRING ? text("the key '", lua_tostring(L, -1), "'") : std::string("keys");
+  lua_pop(L, 1);
+  return "a table with " + key;
+}
+
+std::string describe_number(lua_State* L, int index) {
+  if (lua_isinteger(L, index)) return text("the number ", lua_tointeger(L, index));
+  const double value = lua_tonumber(L, index);
+  if (std::isnan(value)) return "nan (not a number)";
+  if (std::isinf(value)) return value > 0 ? "infinity" : "minus infinity";
+  return text("the number ", value);
+}
+
+} // namespace
+
+void set_library_folder(lua_State* L, const std::string& folder) {
+  lua_pushlstring(L, folder.data(), folder.size());
+  lua_setfield(L, LUA_REGISTRYINDEX, folder_key);
+}
+
+bool in_library(lua_State* L, const lua_Debug& frame) {
+  lua_getfield(L, LUA_REGISTRYINDEX, folder_key);
+  const std::string folder = lua_isstring(L, -1) ? lua_tostring(L, -1) : "";
+  lua_pop(L, 1);
+  return !folder.empty() && std::string(frame.source).starts_with("@" + folder + "/");
+}
+
+std::string user_position(lua_State* L) {
+  lua_Debug frame;
+  for (int level = 0; lua_getstack(L, level, &frame); ++level) {
+    lua_getinfo(L, "Sl", &frame);
+    if (frame.currentline > 0 && !in_library(L, frame)) return text(frame.short_src, ":", frame.currentline, ": ");
+  }
+  return "";
+}
+
+const char* function_name(lua_State* L) {
+  return lua_tostring(L, lua_upvalueindex(1));
+}
+
+std::string describe(lua_State* L, int index) {
+  index = lua_absindex(L, index);
+  switch (lua_type(L, index)) {
+  case LUA_TNONE:
+  case LUA_TNIL:
+    return "nothing";
+  case LUA_TBOOLEAN:
+    return lua_toboolean(L, index) ? "true" : "false";
+  case LUA_TNUMBER:
+    return describe_number(L, index);
+  case LUA_TSTRING:
+    return text("the string '", lua_tostring(L, index), "'");
+  case LUA_TTABLE:
+    return describe_table(L, index);
+  case LUA_TUSERDATA: {
+    const bool named = luaL_getmetafield(L, index, "__name") == LUA_TSTRING;
+    const std::string name = named ? lua_tostring(L, -1) : "userdata";
+    if (named) lua_pop(L, 1);
+    return "a " + name;
+  }
+  default:
+    return text("a ", luaL_typename(L, index));
+  }
+}
+
+std::string nearest(const std::string& word, const std::vector<std::string>& words) {
+  std::string best;
+  std::size_t least = std::max<std::size_t>(1, word.size() / 3) + 1;
+  for (const auto& candidate : words)
+    if (const auto d = distance(word, candidate); d < least && d < candidate.size()) {
+      least = d;
+      best = candidate;
+    }
+  return best;
+}
+
+std::string one_of(const std::vector<std::string>& words) {
+  std::string list;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    list += (i == 0 ? "'" : i + 1 == words.size() ? " or '" : ", '") + words[i] + "'";
+  return list;
+}
+
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& words) {
+  const std::string best = nearest(word, words);
+  return best.empty() ? "" : "; did you mean '" + best + "'?";
+}
+
+void reject(lua_State* L, int index, const Argument& argument, const std::string& expected, const std::string& cure) {
+  const std::string meaning = *argument.meaning ? text(" (", argument.meaning, ")") : "";
+  const std::string ending = cure.empty() ? "" : ": " + cure;
+  if (lua_isnoneornil(L, index))
+    throw ArgumentError(text(function_name(L), ": ", argument.name, meaning, " is missing: it must be ", expected));
+  throw ArgumentError(text(function_name(L), ": ", argument.name, " must be ", expected, meaning, ", got ",
+                           describe(L, index), ending));
+}
+
+} // namespace signorini::bind

@@ -1,0 +1,50 @@
+#pragma once
+// What error messages are made of: where the user's script stands, what a Lua value looks like, which word was meant.
+
+#include <lua.hpp>
+
+#include "base/error.hpp"
+
+#include <string>
+#include <vector>
+
+namespace signorini::bind {
+
+/// A complete message about an argument, function name included.
+class ArgumentError : public Error {
+public:
+  using Error::Error;
+};
+
+/// An argument as messages name it: "E", "points[3]", and what it stands for ("Young's modulus"; may be empty).
+struct Argument {
+  std::string name;
+  const char* meaning = "";
+};
+
+/// "script.lua:12: " of the innermost Lua frame that is not part of the standard library; empty when there is none.
+std::string user_position(lua_State* L);
+/// Declares that chunks below this folder belong to the standard library.
+void set_library_folder(lua_State* L, const std::string& folder);
+/// Whether a stack frame (lua_getinfo "S" done) runs a chunk of the standard library.
+bool in_library(lua_State* L, const lua_Debug& frame);
+
+/// The qualified name ("sg.nurbs.arc", "patch:insert") under which the running C function was registered.
+const char* function_name(lua_State* L);
+
+/// A value as a user would recognise it: "the string '1000'", "nan", "a list of 3 values", "a patch", "nothing".
+std::string describe(lua_State* L, int index);
+
+/// The word of a list that is nearest to the given one by edit distance; empty when none is near.
+std::string nearest(const std::string& word, const std::vector<std::string>& words);
+/// "'a', 'b' or 'c'".
+std::string one_of(const std::vector<std::string>& words);
+/// "; did you mean 'order'?" or nothing.
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& words);
+
+/// Throws ArgumentError: "sg.f: E must be <expected> (<meaning>), got <value>: <cure>", or that the argument is
+/// missing.
+[[noreturn]] void reject(lua_State* L, int index, const Argument& argument, const std::string& expected,
+                         const std::string& cure = "");
+
+} // namespace signorini::bind

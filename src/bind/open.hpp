@@ -1,0 +1,14 @@
+#pragma once
+// What each binding file adds to the language; library.cpp calls them all.
+
+#include <lua.hpp>
+
+namespace signorini::bind {
+
+void open_core(lua_State* L);   ///< core.*: what the library in lua/ needs from C++
+void open_curves(lua_State* L); ///< sg.nurbs.*
+void open_shapes(lua_State* L); ///< sg.shapes.*
+void open_patch(lua_State* L);  ///< the patch type and its methods
+void open_chart(lua_State* L);  ///< sg.chart
+
+} // namespace signorini::bind

@@ -1,0 +1,24 @@
+#pragma once
+// Patches as Lua sees them, and the pieces of their language that other bindings share.
+
+#include "bind/options.hpp"
+#include "nurbs/patch.hpp"
+#include "nurbs/refine.hpp"
+
+namespace signorini::bind {
+
+template <> struct Type<nurbs::Patch> { static constexpr auto name = "patch"; };
+
+/// Parametric coordinates: a number for a curve, a list else.
+VectorX read_parameters(lua_State* L, int index, const nurbs::Patch& patch);
+
+/// One grading per direction from { elements = 0.8, length = 0.1, at = "start" | "end" } or false, in a list; a curve
+/// takes the table itself.
+std::vector<std::optional<nurbs::Grading>> read_gradings(lua_State* L, int index, const Argument& argument,
+                                                         int directions);
+
+/// One whole number per direction: a list, or a single number where there is one direction.
+std::vector<int> read_per_direction(lua_State* L, int index, const Argument& argument, int directions, int low,
+                                    int high);
+
+} // namespace signorini::bind

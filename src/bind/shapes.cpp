@@ -1,0 +1,113 @@
+#include "nurbs/shapes.hpp"
+#include "bind/functions.hpp"
+#include "bind/open.hpp"
+#include "bind/patch.hpp"
+
+namespace signorini::bind {
+
+namespace {
+
+VectorX origin(int dimension) {
+  return VectorX::Zero(dimension);
+}
+
+int rectangle(lua_State* L) {
+  const Options o(L, 1, {"width", "height", "corner"});
+  push_object(L, nurbs::rectangle(o.positive("width", "size along x"), o.positive("height", "size along y"),
+                                  o.point("corner", "lower left corner", 2, 2, origin(2))));
+  return 1;
+}
+
+int half_annulus(lua_State* L) {
+  const Options o(L, 1, {"inner", "outer", "centre"});
+  push_object(L, nurbs::half_annulus(o.positive("inner", "inner radius"), o.positive("outer", "outer radius"),
+                                     o.point("centre", "centre of the circles", 2, 2, origin(2))));
+  return 1;
+}
+
+int quarter_annulus(lua_State* L) {
+  const Options o(L, 1, {"inner", "outer", "centre", "start"});
+  push_object(L, nurbs::quarter_annulus(o.positive("inner", "inner radius"), o.positive("outer", "outer radius"),
+                                        o.point("centre", "centre of the circles", 2, 2, origin(2)),
+                                        o.number("start", "angle of the first end, degrees", 270.0)));
+  return 1;
+}
+
+int block(lua_State* L) {
+  const Options o(L, 1, {"size", "corner"});
+  const VectorX size = o.point("size", "sizes along x, y, z", 3, 3);
+  push_object(L,
+              nurbs::block({size[0], size[1], size[2]}, o.point("corner", "corner of least x, y, z", 3, 3, origin(3))));
+  return 1;
+}
+
+int half_cylinder_shell(lua_State* L) {
+  const Options o(L, 1, {"inner", "outer", "width", "centre"});
+  push_object(L, nurbs::half_cylinder_shell(o.positive("inner", "inner radius"), o.positive("outer", "outer radius"),
+                                            o.positive("width", "size along y"),
+                                            o.point("centre", "start of the axis", 3, 3, origin(3))));
+  return 1;
+}
+
+int sphere_octant(lua_State* L) {
+  const Options o(L, 1, {"inner", "outer", "centre"});
+  push_object(L, nurbs::sphere_octant(o.positive("inner", "inner radius"), o.positive("outer", "outer radius"),
+                                      o.point("centre", "centre of the spheres", 3, 3, origin(3))));
+  return 1;
+}
+
+int spherical_indenter(lua_State* L) {
+  const Options o(L, 1, {"width", "depth", "height", "radius", "elements", "corner"});
+  push_object(L, nurbs::spherical_indenter(
+                     o.positive("width", "size along x"), o.positive("depth", "size along y"),
+                     o.positive("height", "from the cap's lowest point to the flat top"),
+                     o.positive("radius", "radius of the cap"), o.integer("elements", "spans of the cap", 1),
+                     o.point("corner", "x, y of the corner and z of the lowest point", 3, 3, origin(3))));
+  return 1;
+}
+
+constexpr Function rows[] = {
+    {"rectangle", wrap<rectangle>,
+     "sg.shapes.rectangle{ width, height, corner = {0, 0} }\n"
+     "Rectangle with its lower left corner at `corner`, degree 1; xi1 along x, xi2 along y.\n"
+     "Example: sg.shapes.rectangle{ width = 3, height = 1 }"},
+    {"half_annulus", wrap<half_annulus>,
+     "sg.shapes.half_annulus{ inner, outer, centre = {0, 0} }\n"
+     "Half ring below its centre: xi1 along the arc from the left end over the bottom to the right end (two quarter\n"
+     "arcs, degree 2), xi2 from the outer (south) to the inner radius (north). The flat ends are west and east.\n"
+     "Example: sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, centre = {0.75, 1.5} }"},
+    {"quarter_annulus", wrap<quarter_annulus>,
+     "sg.shapes.quarter_annulus{ inner, outer, centre = {0, 0}, start = 270 }\n"
+     "Quarter ring from the angle `start` (degrees) counter-clockwise by 90: xi1 along the arc (degree 2), xi2 from "
+     "the\n"
+     "outer (south) to the inner radius (north).\n"
+     "Example: sg.shapes.quarter_annulus{ inner = 0.5, outer = 1, start = 0 }"},
+    {"block", wrap<block>,
+     "sg.shapes.block{ size = {a, b, c}, corner = {0, 0, 0} }\n"
+     "Block with its corner of least coordinates at `corner`, degree 1; xi1, xi2, xi3 along x, y, z.\n"
+     "Example: sg.shapes.block{ size = {6, 4, 2} }"},
+    {"half_cylinder_shell", wrap<half_cylinder_shell>,
+     "sg.shapes.half_cylinder_shell{ inner, outer, width, centre = {0, 0, 0} }\n"
+     "Lower half of a pipe along y: xi1 along the arc (degree 2), xi2 along y, xi3 from the outer (front) to the "
+     "inner\n"
+     "radius (back).\n"
+     "Example: sg.shapes.half_cylinder_shell{ inner = 0.3, outer = 0.5, width = 2 }"},
+    {"sphere_octant", wrap<sphere_octant>,
+     "sg.shapes.sphere_octant{ inner, outer, centre = {0, 0, 0} }\n"
+     "Lower octant of a hollow sphere: xi1 around the z axis, xi2 from the equator to the pole, xi3 from the outer\n"
+     "(front) to the inner radius (back).\n"
+     "Example: sg.shapes.sphere_octant{ inner = 0.5, outer = 1 }"},
+    {"spherical_indenter", wrap<spherical_indenter>,
+     "sg.shapes.spherical_indenter{ width, depth, height, radius, elements, corner = {0, 0, 0} }\n"
+     "Block with a flat top whose bottom (front) bulges down as a spherical cap of the given radius, approximated by\n"
+     "elements x elements biquadratic spans that pass through the sphere. `height` is measured at the lowest point.\n"
+     "Example: sg.shapes.spherical_indenter{ width = 1, depth = 1, height = 0.6, radius = 2, elements = 4 }"},
+};
+
+} // namespace
+
+void open_shapes(lua_State* L) {
+  register_functions(L, "sg.shapes", rows);
+}
+
+} // namespace signorini::bind

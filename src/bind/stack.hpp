@@ -1,0 +1,112 @@
+#pragma once
+// The typed layer over Lua's stack: reading checked values, pushing results, userdata of C++ types.
+
+#include "base/eigen.hpp"
+#include "bind/message.hpp"
+
+#include <memory>
+#include <new>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace signorini::bind {
+
+// ── Reading: each throws an ArgumentError that says what came and what was expected ──────────────────────────────────
+
+/// A finite number; strings are not converted.
+double read_number(lua_State* L, int index, const Argument& argument, const char* expected = "a number");
+double read_positive(lua_State* L, int index, const Argument& argument);
+double read_non_negative(lua_State* L, int index, const Argument& argument);
+/// A whole number in [low, high].
+int read_integer(lua_State* L, int index, const Argument& argument, int low, int high);
+bool read_flag(lua_State* L, int index, const Argument& argument);
+std::string read_string(lua_State* L, int index, const Argument& argument);
+std::string read_choice(lua_State* L, int index, const Argument& argument, const std::vector<std::string>& choices);
+
+/// The length of a list. Throws for anything but a table whose keys are 1…n.
+int read_list(lua_State* L, int index, const Argument& argument, const char* expected = "a list");
+/// A list of numbers; NaN only where gaps are meant.
+std::vector<double> read_numbers(lua_State* L, int index, const Argument& argument, bool nan_allowed = false);
+std::vector<int> read_integers(lua_State* L, int index, const Argument& argument, int low, int high);
+/// A point or vector {x, y} or {x, y, z} with low … high coordinates.
+VectorX read_point(lua_State* L, int index, const Argument& argument, int low = 2, int high = 3);
+/// A list of points of equal dimension, as dimension × number.
+MatrixX read_points(lua_State* L, int index, const Argument& argument);
+
+/// A direction or index counted from 1, returned counted from 0.
+inline int read_index(lua_State* L, int index, const Argument& argument, int count) {
+  return read_integer(L, index, argument, 1, count) - 1;
+}
+
+// ── Pushing ──────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+inline void push(lua_State* L, double value) {
+  lua_pushnumber(L, value);
+}
+inline void push(lua_State* L, int value) {
+  lua_pushinteger(L, value);
+}
+inline void push(lua_State* L, bool value) {
+  lua_pushboolean(L, value);
+}
+inline void push(lua_State* L, const char* value) {
+  lua_pushstring(L, value);
+}
+inline void push(lua_State* L, const std::string& value) {
+  lua_pushlstring(L, value.data(), value.size());
+}
+void push(lua_State* L, const VectorX& values);
+/// A list of the columns, each a list: points.
+void push(lua_State* L, const MatrixX& points);
+
+template <class T> void push(lua_State* L, const std::vector<T>& values) {
+  lua_createtable(L, static_cast<int>(values.size()), 0);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    push(L, values[i]);
+    lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
+  }
+}
+
+/// Sets a field of the table on top of the stack.
+template <class T> void set_field(lua_State* L, const char* name, const T& value) {
+  push(L, value);
+  lua_setfield(L, -2, name);
+}
+
+// ── Userdata ─────────────────────────────────────────────────────────────────────────────────────────────────────────
+// A T lives inside its userdata: an immutable value (Patch) or a shared pointer (std::shared_ptr<Body>), whose other
+// owners keep the object alive when Lua lets go of it. What Lua itself must keep for an object (functions, tables) goes
+// into its user values.
+
+/// The name of a type in messages and help: template <> struct Type<Patch> { static constexpr auto name = "patch"; };
+template <class T> struct Type;
+
+/// The object at an index, or nullptr when it is something else.
+template <class T> T* test_object(lua_State* L, int index) {
+  return static_cast<T*>(luaL_testudata(L, index, Type<T>::name));
+}
+
+template <class T> T& read_object(lua_State* L, int index, const Argument& argument) {
+  T* object = test_object<T>(L, index);
+  if (!object) reject(L, index, argument, text("a ", Type<T>::name));
+  return *object;
+}
+
+/// The object a method was called on: its first argument.
+template <class T> T& self(lua_State* L) {
+  T* object = test_object<T>(L, 1);
+  if (!object)
+    throw ArgumentError(text(function_name(L), " must be called on a ", Type<T>::name, ", not on ", describe(L, 1),
+                             ": write object:method(…) with a colon"));
+  return *object;
+}
+
+template <class T> T& push_object(lua_State* L, T value, int user_values = 0) {
+  void* memory = lua_newuserdatauv(L, sizeof(T), user_values);
+  T* object = new (memory) T(std::move(value));
+  luaL_setmetatable(L, Type<T>::name);
+  return *object;
+}
+
+} // namespace signorini::bind
