@@ -1,0 +1,140 @@
+#include "nurbs/refine.hpp"
+
+#include "base/error.hpp"
+
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cmath>
+
+namespace signorini::nurbs {
+
+namespace {
+
+using Triplet = Eigen::Triplet<double>;
+
+void check_direction(const Patch& patch, int d) {
+  require(d >= 0 && d < patch.parametric_dimension(), "direction: ", d + 1, " is not in 1 … ",
+          patch.parametric_dimension(), ", the patch's parametric directions");
+}
+
+/// Adds factor·F(t_1, …, t_p) to row j, F being the blossom of the B-spline on `knots` as a combination of its control
+/// points, t_1 … t_p consecutive knots of some refinement and t_0 the one before.
+///
+/// Oslo algorithm (Cohen, Lyche, Riesenfeld 1980): the basis recursion of the span that holds t_0 with the argument t_k
+/// in its k-th step. All coefficients are ≥ 0, so rounding does not grow.
+void add_blossom(const KnotVector& knots, double before, const double* t, double factor, int j,
+                 std::vector<Triplet>& triplets) {
+  const int p = knots.degree();
+  const int i = knots.span(knots.find_element(before));
+  const double* u = knots.knots().data() + i;
+  double c[max_degree + 1] = {1};
+  for (int k = 1; k <= p; ++k) {
+    double carried = 0;
+    for (int s = 0; s < k; ++s) {
+      // A function whose support does not hold t_k has coefficient 0 already.
+      const double left = u[1 + s - k], right = u[1 + s];
+      const double share = c[s] / (right - left);
+      c[s] = carried + (right - t[k - 1]) * share;
+      carried = (t[k - 1] - left) * share;
+    }
+    c[k] = carried;
+  }
+  for (int s = 0; s <= p; ++s)
+    if (c[s] != 0) triplets.emplace_back(j, i - p + s, factor * c[s]);
+}
+
+/// Replaces direction d by `knots`, the control points along it by the combinations in `triplets`.
+Patch replace_direction(const Patch& patch, int d, KnotVector knots, const std::vector<Triplet>& triplets) {
+  const int before = patch.direction(d).functions(), after = knots.functions();
+  Eigen::SparseMatrix<double, Eigen::RowMajor> combine(after, before);
+  combine.setFromTriplets(triplets.begin(), triplets.end());
+
+  int stride = 1;
+  for (int k = 0; k < d; ++k) stride *= patch.direction(k).functions();
+  const int outer = patch.functions() / (stride * before);
+  // Columns of one index along d are blocks of `stride`.
+  MatrixX points = MatrixX::Zero(patch.dimension() + 1, stride * after * outer);
+  for (int o = 0; o < outer; ++o)
+    for (int j = 0; j < after; ++j)
+      for (decltype(combine)::InnerIterator it(combine, j); it; ++it)
+        points.middleCols(stride * (j + after * o), stride) +=
+            it.value() * patch.homogeneous().middleCols(stride * (static_cast<int>(it.col()) + before * o), stride);
+
+  std::vector<KnotVector> directions = patch.directions();
+  directions[static_cast<std::size_t>(d)] = std::move(knots);
+  return {std::move(directions), std::move(points)};
+}
+
+Patch elevate_once(const Patch& patch, int d) {
+  const KnotVector& old = patch.direction(d);
+  const int p = old.degree();
+  std::vector<double> knots;
+  for (double knot : old.breaks())
+    knots.insert(knots.end(), static_cast<std::size_t>(old.multiplicity(knot)) + 1, knot);
+  KnotVector elevated(p + 1, knots);
+
+  // The elevated blossom is the mean of the old one over all ways to leave out one argument:
+  //   Q_j = 1/(p+1) Σ_k F(t_{j+1}, …, t_{j+p+1} without t_{j+k})   (Prautzsch 1984; Goldman, Pyramid Algorithms, ch. 6)
+  // The knots without every (p+1)-th one still refine the old, so each term is a knot insertion.
+  std::vector<Triplet> triplets;
+  for (int j = 0; j < elevated.functions(); ++j) {
+    const double* t = knots.data() + j;
+    for (int k = 1; k <= p + 1; ++k) {
+      double arguments[max_degree + 1];
+      std::copy(t + k + 1, t + p + 2, std::copy(t + 1, t + k, arguments));
+      const double before = k == p + 1 && j > 0 ? t[-1] : t[0];
+      add_blossom(old, before, arguments, 1.0 / (p + 1), j, triplets);
+    }
+  }
+  return replace_direction(patch, d, std::move(elevated), triplets);
+}
+
+} // namespace
+
+Patch insert_knots(const Patch& patch, int d, std::vector<double> knots) {
+  check_direction(patch, d);
+  if (knots.empty()) return patch;
+  const KnotVector& old = patch.direction(d);
+  for (double knot : knots)
+    require(knot > old.first() && knot < old.last(), "knots: ", knot, " cannot be inserted, it does not lie between ",
+            old.first(), " and ", old.last());
+  std::sort(knots.begin(), knots.end());
+  std::vector<double> all(old.knots().size() + knots.size());
+  std::merge(old.knots().begin(), old.knots().end(), knots.begin(), knots.end(), all.begin());
+  for (double knot : knots) {
+    const auto [from, to] = std::equal_range(all.begin(), all.end(), knot);
+    require(to - from <= old.degree(), "knots: ", knot, " would occur ", to - from, " times, more than the degree ",
+            old.degree(), "; it is there ", old.multiplicity(knot), " times already");
+  }
+  KnotVector refined(old.degree(), all);
+
+  std::vector<Triplet> triplets;
+  for (int j = 0; j < refined.functions(); ++j) {
+    const double* t = all.data() + j;
+    add_blossom(old, t[0], t + 1, 1.0, j, triplets);
+  }
+  return replace_direction(patch, d, std::move(refined), triplets);
+}
+
+Patch elevate(const Patch& patch, int d, int times) {
+  check_direction(patch, d);
+  const int degree = patch.direction(d).degree();
+  require(times >= 0, "elevate: times is ", times, ", expected 0 or more");
+  require(times <= max_degree - degree, "elevate: degree ", degree, " + ", times, " is above the highest, ",
+          max_degree);
+  Patch result = patch;
+  for (int i = 0; i < times; ++i) result = elevate_once(result, d);
+  return result;
+}
+
+Patch k_refine(const Patch& patch, int d, int degree, const std::vector<double>& knots) {
+  check_direction(patch, d);
+  const int own = patch.direction(d).degree();
+  require(degree >= own, "degree: ", degree, " is below the patch's own, ", own, ", in direction ", d + 1,
+          "; degrees are raised, never lowered");
+  require(degree <= max_degree, "degree: ", degree, " is above the highest, ", max_degree);
+  return insert_knots(elevate(patch, d, degree - own), d, knots);
+}
+
+} // namespace signorini::nurbs
