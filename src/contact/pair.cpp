@@ -1,0 +1,253 @@
+#include "contact/pair.hpp"
+
+#include "base/error.hpp"
+#include "contact/slip.hpp"
+#include "solid/quadrature.hpp"
+
+#include <algorithm>
+
+namespace signorini::contact {
+
+template <int D>
+Pair<D>::Pair(Surface<D> slave, Surface<D> master, PenaltyLaw law, int points)
+    : slave_(std::move(slave)), master_(std::move(master)), law_(law) {
+  require(law.normal > 0, "penalty must be positive (pressure per length), got ", law.normal);
+  require(law.friction >= 0, "friction: mu must not be negative, got ", law.friction);
+  require(law.friction == 0 || law.tangential > 0, "friction: penalty must be positive (pressure per length), got ",
+          law.tangential);
+  const int n = slave_.functions_per_element();
+  FacePoint<D> face;
+  for (int e = 0; e < slave_.elements(); ++e) {
+    std::array<solid::QuadratureRule, D - 1> rules;
+    int count = 1;
+    for (int a = 0; a < D - 1; ++a) {
+      const auto [from, to] = slave_.interval(e, a);
+      rules[static_cast<std::size_t>(a)] = solid::gauss_legendre(points, from, to);
+      count *= points;
+    }
+    for (int q = 0; q < count; ++q) {
+      FaceCoordinates<D> xi;
+      double weight = 1;
+      for (int a = 0, rest = q; a < D - 1; ++a, rest /= points) {
+        const auto& rule = rules[static_cast<std::size_t>(a)];
+        xi(a) = rule.points[static_cast<std::size_t>(rest % points)];
+        weight *= rule.weights[static_cast<std::size_t>(rest % points)];
+      }
+      slave_.evaluate(e, xi, 1, face);
+      points_.push_back({e, weight, values_.size()});
+      values_.insert(values_.end(), face.value.begin(), face.value.begin() + n);
+      for (const auto& derivative : face.derivative)
+        values_.insert(values_.end(), derivative.begin(), derivative.begin() + n);
+    }
+  }
+  accepted_.resize(points_.size());
+  memory_.resize(points_.size());
+  results_.resize(points_.size());
+  previous_slave_ = slave_.points();
+  previous_master_ = master_.points();
+  const int widest = D * (n + 2 * master_.functions_per_element());
+  rows_.resize(static_cast<std::size_t>(widest * (2 * D - 1)));
+  boxes_.update(master_);
+}
+
+template <int D> void Pair<D>::move(const double* slave_displacement, const double* master_displacement) {
+  slave_.move(slave_displacement);
+  master_.move(master_displacement);
+  boxes_.update(master_);
+  // A surface point is a convex combination of control points: none moves farther than the farthest of those.
+  travel_ += std::sqrt((slave_.points() - previous_slave_).colwise().squaredNorm().maxCoeff()) +
+             std::sqrt((master_.points() - previous_master_).colwise().squaredNorm().maxCoeff());
+  previous_slave_ = slave_.points();
+  previous_master_ = master_.points();
+}
+
+template <int D> void Pair<D>::evaluate(const double* slave_displacement, const double* master_displacement) {
+  move(slave_displacement, master_displacement);
+  for (Group& old : groups_) spare_.push_back(std::move(old));
+  groups_.clear();
+
+  const int n = slave_.functions_per_element();
+  FacePoint<D> master, slip_point;
+  LocalGeometry<D> geometry;
+  LocalForce<D> force;
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const Point& point = points_[i];
+    Memory& memory = memory_[i];
+    PointResult<D>& result = results_[i];
+    const int* nodes = slave_.nodes(point.element);
+    const double* values = values_.data() + point.values;
+    geometry.slave.setZero();
+    for (int a = 0; a < n; ++a) geometry.slave += values[a] * slave_.points().col(nodes[a]);
+    result = {.position = geometry.slave, .gap = memory.projection.gap};
+    if (travel_ < memory.cleared) continue;
+
+    memory.projection = project(master_, boxes_, geometry.slave, memory.projection, master);
+    result.gap = memory.projection.gap;
+    const bool touching = memory.projection.foot != Foot::none && result.gap < 0;
+    memory.cleared = memory.projection.foot == Foot::regular && result.gap > 0 ? travel_ + result.gap : 0;
+    if (!touching) continue;
+
+    for (int k = 0; k < D - 1; ++k) {
+      Vec<D>& tangent = geometry.slave_tangent[static_cast<std::size_t>(k)];
+      tangent.setZero();
+      for (int a = 0; a < n; ++a) tangent += values[(k + 1) * n + a] * slave_.points().col(nodes[a]);
+    }
+    geometry.master = &master;
+    geometry.foot = memory.projection.foot;
+    geometry.gap = result.gap;
+    geometry.normal = memory.projection.foot == Foot::corner ? Vec<D>((geometry.slave - master.position) / result.gap)
+                                                             : Vec<D>(master_.outward(master.tangent).normalized());
+    geometry.slip_point = nullptr;
+    if (law_.friction > 0 && memory.slip_element >= 0) {
+      master_.evaluate(memory.slip_element, memory.slip, 0, slip_point);
+      geometry.slip_point = &slip_point.position;
+    }
+    penalty_force(law_, geometry, force);
+    result.state = force.state;
+    result.pressure = force.pressure;
+    result.friction = force.friction;
+    result.force = point.weight * force.force;
+    result.area = point.weight * force.measure;
+    add(point, master, memory, slip_point, force);
+  }
+}
+
+template <int D> Group& Pair<D>::group(int slave_element, int master_element, int slip_element) {
+  // Points come element by element, so a group to add to is among the last ones.
+  for (auto it = groups_.rbegin(); it != groups_.rend() && it->slave_element == slave_element; ++it)
+    if (it->master_element == master_element && it->slip_element == slip_element) return *it;
+  if (spare_.empty()) {
+    groups_.emplace_back();
+  } else {
+    groups_.push_back(std::move(spare_.back()));
+    spare_.pop_back();
+  }
+  Group& result = groups_.back();
+  const int ns = slave_.functions_per_element(), nm = master_.functions_per_element();
+  result.slave_element = slave_element;
+  result.master_element = master_element;
+  result.slip_element = slip_element;
+  result.rows = D * (ns + nm);
+  result.columns = D * (ns + nm + (slip_element >= 0 ? nm : 0));
+  result.force.assign(static_cast<std::size_t>(result.rows), 0.0);
+  result.matrix.assign(static_cast<std::size_t>(result.rows * result.columns), 0.0);
+  return result;
+}
+
+template <int D>
+void Pair<D>::add(const Point& point, const FacePoint<D>& master, const Memory& memory, const FacePoint<D>& slip_point,
+                  const LocalForce<D>& force) {
+  using Force = LocalForce<D>;
+  const bool slips = law_.friction > 0 && memory.slip_element >= 0;
+  const bool own_columns = slips && memory.slip_element != master.element;
+  Group& block = group(point.element, master.element, own_columns ? memory.slip_element : -1);
+  const int ns = slave_.functions_per_element(), nm = master_.functions_per_element(), width = block.columns;
+  const double* r = values_.data() + point.values;
+  const double w = point.weight;
+
+  // ∂T/∂x_B and ∂ξ̄/∂x_B of every column node B: the local derivatives times the functions that carry the variables.
+  double* dt = rows_.data();
+  double* dxi = dt + D * width;
+  for (int c = 0; c < D; ++c) {
+    for (int b = 0; b < ns; ++b) {
+      const int column = b * D + c;
+      for (int i = 0; i < D; ++i) {
+        double sum = force.tangent(i, c) * r[b];
+        for (int k = 0; k < D - 1; ++k)
+          sum += force.tangent(i, Force::slave_tangent_column + k * D + c) * r[(k + 1) * ns + b];
+        dt[i * width + column] = w * sum;
+      }
+      for (int k = 0; k < D - 1; ++k) dxi[k * width + column] = w * force.shift(k, c) * r[b];
+    }
+    for (int b = 0; b < nm; ++b) {
+      const int column = (ns + b) * D + c;
+      const std::size_t m = static_cast<std::size_t>(b);
+      for (int i = 0; i < D; ++i) {
+        double sum = force.tangent(i, Force::master_column + c) * master.value[m];
+        for (int k = 0; k < D - 1; ++k)
+          sum +=
+              force.tangent(i, Force::tangent_column + k * D + c) * master.derivative[static_cast<std::size_t>(k)][m];
+        const double slip = slips ? force.tangent(i, Force::slip_column + c) * slip_point.value[m] : 0.0;
+        dt[i * width + column] = w * (own_columns ? sum : sum + slip);
+        if (own_columns) dt[i * width + column + nm * D] = w * slip;
+      }
+      for (int k = 0; k < D - 1; ++k) {
+        double sum = force.shift(k, Force::master_column + c) * master.value[m];
+        for (int l = 0; l < D - 1; ++l)
+          sum += force.shift(k, Force::tangent_column + l * D + c) * master.derivative[static_cast<std::size_t>(l)][m];
+        dxi[k * width + column] = w * sum;
+        if (own_columns) dxi[k * width + column + nm * D] = 0;
+      }
+    }
+  }
+
+  // f_A = −R_A T on the slave, +R̄_A(ξ̄) T on the master, so ∂f_A = R̄_A ∂T + T R̄_A,α ∂ξ̄^α there.
+  double* out = block.force.data();
+  double* matrix = block.matrix.data();
+  for (int a = 0; a < ns; ++a)
+    for (int i = 0; i < D; ++i, ++out, matrix += width) {
+      *out -= w * r[a] * force.force(i);
+      const double factor = -r[a];
+      const double* row = dt + i * width;
+      for (int c = 0; c < width; ++c) matrix[c] += factor * row[c];
+    }
+  for (int a = 0; a < nm; ++a) {
+    const std::size_t m = static_cast<std::size_t>(a);
+    for (int i = 0; i < D; ++i, ++out, matrix += width) {
+      *out += w * master.value[m] * force.force(i);
+      const double factor = master.value[m];
+      const double* row = dt + i * width;
+      for (int c = 0; c < width; ++c) matrix[c] += factor * row[c];
+      for (std::size_t k = 0; k < D - 1; ++k) {
+        const double turn = master.derivative[k][m] * force.force(i);
+        const double* shift = dxi + static_cast<int>(k) * width;
+        for (int c = 0; c < width; ++c) matrix[c] += turn * shift[c];
+      }
+    }
+  }
+}
+
+template <int D> void Pair<D>::accept() {
+  FacePoint<D> master;
+  for (std::size_t i = 0; law_.friction > 0 && i < points_.size(); ++i) {
+    Memory& memory = memory_[i];
+    const PointResult<D>& result = results_[i];
+    if (result.state == ContactState::stick && memory.slip_element >= 0) continue;
+    if (result.state == ContactState::slip) {
+      master_.evaluate(memory.projection.element, memory.projection.xi, 0, master);
+      const double length = law_.friction * result.pressure / law_.tangential;
+      memory.slip(0) = advance_slip(master_, memory.slip(0), master, length);
+      memory.slip_element = master_.direction(0).find_element(memory.slip(0));
+      continue;
+    }
+    // Open, or touching without friction so far: where it is now is where friction will count from.
+    if (result.state == ContactState::open)
+      memory.projection = project(master_, boxes_, result.position, memory.projection, master);
+    const bool usable = memory.projection.foot != Foot::none;
+    memory.slip_element = usable ? memory.projection.element : -1;
+    memory.slip = memory.projection.xi;
+  }
+  accepted_ = memory_;
+}
+
+template <int D> void Pair<D>::rollback() {
+  memory_ = accepted_;
+}
+
+template <int D> Resultant<D> Pair<D>::resultant() const {
+  Resultant<D> sum;
+  for (const PointResult<D>& point : results_) {
+    if (point.state == ContactState::open) continue;
+    sum.force += point.force;
+    sum.area += point.area;
+    sum.max_pressure = std::max(sum.max_pressure, point.pressure);
+    sum.max_penetration = std::max(sum.max_penetration, -point.gap);
+    ++sum.active;
+    if (point.state == ContactState::slip) ++sum.slipping;
+  }
+  return sum;
+}
+
+template class Pair<2>;
+
+} // namespace signorini::contact

@@ -1,0 +1,96 @@
+#pragma once
+// Gauss-point-to-surface contact between a slave and a master face: residual, tangent and history.
+
+#include "contact/penalty.hpp"
+
+#include <vector>
+
+namespace signorini::contact {
+
+/// The contributions of all active points that share a slave, a master and a slip-point element, as one dense block.
+/// Row nodes: the slave element's functions, then the master element's. Column nodes: the same, then the slip element's
+/// unless that is the master element. D rows (columns) per node; face-local indices.
+struct Group {
+  int slave_element, master_element;
+  int slip_element;           ///< −1 when the slip points lie in the master element or play no part
+  int rows, columns;          ///< of the matrix, in scalars
+  std::vector<double> force;  ///< residual contribution
+  std::vector<double> matrix; ///< ∂force, row by row
+};
+
+/// What a contact point did in the last evaluation.
+template <int D> struct PointResult {
+  ContactState state = ContactState::open;
+  Vec<D> position = Vec<D>::Zero(); ///< current slave point
+  double gap = 0;                   ///< to the closest point (meaningless for an open point that was not looked at)
+  double pressure = 0;
+  Vec<D> friction = Vec<D>::Zero(); ///< t_T; the traction on the slave is t_N n̄ − t_T
+  Vec<D> force = Vec<D>::Zero();    ///< on the slave: traction × current area of the point
+  double area = 0;                  ///< current area of the point
+};
+
+/// Sums over a contact.
+template <int D> struct Resultant {
+  Vec<D> force = Vec<D>::Zero(); ///< that the master exerts on the slave
+  double area = 0, max_pressure = 0, max_penetration = 0;
+  int active = 0, slipping = 0;
+};
+
+/// One contact: integrates over the slave face with Gauss points, projects onto the master face.
+template <int D> class Pair {
+public:
+  /// `points` Gauss points per slave element and direction.
+  Pair(Surface<D> slave, Surface<D> master, PenaltyLaw law, int points);
+
+  /// Computes groups and results at the given displacements (D values per function of the two bodies).
+  void evaluate(const double* slave_displacement, const double* master_displacement);
+  const std::vector<Group>& groups() const { return groups_; }
+
+  /// Takes the state of the last evaluation as accepted: slip points advance, open points remember where they would
+  /// touch. Call after evaluate() at the converged displacements.
+  void accept();
+  /// Forgets what happened since the last accept().
+  void rollback();
+
+  const Surface<D>& slave() const { return slave_; }
+  const Surface<D>& master() const { return master_; }
+  const PenaltyLaw& law() const { return law_; }
+  /// Per contact point, along the slave face (element by element).
+  const std::vector<PointResult<D>>& results() const { return results_; }
+  Resultant<D> resultant() const;
+
+private:
+  /// A Gauss point of the slave face: constant data.
+  struct Point {
+    int element;
+    double weight;      ///< parametric
+    std::size_t values; ///< offset into values_: R_A, then R_A,1 …
+  };
+  /// What is remembered between evaluations.
+  struct Memory {
+    Projection<D> projection;
+    double cleared = 0;    ///< value of travel_ up to which an open point cannot touch
+    int slip_element = -1; ///< −1: no slip point yet
+    FaceCoordinates<D> slip = FaceCoordinates<D>::Zero();
+  };
+
+  void move(const double* slave_displacement, const double* master_displacement);
+  void add(const Point& point, const FacePoint<D>& master, const Memory& memory, const FacePoint<D>& slip_point,
+           const LocalForce<D>& force);
+  Group& group(int slave_element, int master_element, int slip_element);
+
+  Surface<D> slave_, master_;
+  PenaltyLaw law_;
+  std::vector<Point> points_;
+  std::vector<double> values_;
+  std::vector<Memory> accepted_, memory_;
+  std::vector<PointResult<D>> results_;
+  ElementBoxes<D> boxes_;
+  std::vector<Group> groups_, spare_;
+  /// Bound on how far slave and master points have moved towards each other, summed over all evaluations.
+  double travel_ = 0;
+  Eigen::Matrix<double, D, Eigen::Dynamic> previous_slave_, previous_master_;
+  std::vector<double> rows_; ///< working space of add(): ∂force and ∂ξ̄ by column
+};
+
+} // namespace signorini::contact

@@ -1,0 +1,154 @@
+#include "contact/projection.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace signorini::contact {
+
+template <int D> void ElementBoxes<D>::update(const Surface<D>& surface) {
+  lower_.resize(D, surface.elements());
+  upper_.resize(D, surface.elements());
+  for (int e = 0; e < surface.elements(); ++e) {
+    const int* nodes = surface.nodes(e);
+    Vec<D> lower = surface.points().col(nodes[0]), upper = lower;
+    for (int a = 1; a < surface.functions_per_element(); ++a) {
+      lower = lower.cwiseMin(surface.points().col(nodes[a]));
+      upper = upper.cwiseMax(surface.points().col(nodes[a]));
+    }
+    lower_.col(e) = lower;
+    upper_.col(e) = upper;
+  }
+}
+
+template class ElementBoxes<2>;
+template class ElementBoxes<3>;
+
+namespace {
+
+using Coordinates = FaceCoordinates<2>;
+
+/// Where a search within one element ended: inside, or held back at its start or end.
+enum class Stop { inside, start, end };
+
+/// Half the derivative of the squared distance, −(x − x(ξ))·τ.
+double slope(const Vec<2>& x, const FacePoint<2>& point) {
+  return (point.position - x).dot(point.tangent[0]);
+}
+
+/// Minimises the distance within one element by Newton's method, safeguarded by Gauss–Newton and the element's ends.
+/// Leaves the face at the minimum in `point` (order 2).
+Stop descend(const Surface<2>& surface, const Vec<2>& x, int element, double start, FacePoint<2>& point) {
+  const auto [a, b] = surface.interval(element, 0);
+  double xi = std::clamp(start, a, b);
+  for (int iteration = 0;; ++iteration) {
+    surface.evaluate(element, Coordinates(xi), 2, point);
+    const double gradient = slope(x, point);
+    if (xi <= a && gradient > 0) return Stop::start;
+    if (xi >= b && gradient < 0) return Stop::end;
+    // ξ ← ξ − f'/f'',  f' = (x(ξ) − x)·τ,  f'' = τ·τ + (x(ξ) − x)·x_,11; where f'' is small or negative, τ·τ instead
+    const double metric = point.tangent[0].squaredNorm();
+    const double curvature = metric + (point.position - x).dot(point.second[0]);
+    double step = -gradient / (curvature > 0.1 * metric ? curvature : metric);
+    if (iteration > 12 && std::abs(step) > 1e-3 * (b - a)) step *= 0.5;
+    const double next = std::clamp(xi + step, a, b);
+    // The step just taken squares the error: from 1e-8 of the element it goes to rounding.
+    const bool done = std::abs(next - xi) <= 1e-8 * (b - a) || iteration == 60;
+    xi = next;
+    if (done) {
+      surface.evaluate(element, Coordinates(xi), 2, point);
+      return Stop::inside;
+    }
+  }
+}
+
+/// Follows the curve downhill from one element to the next until the distance grows both ways.
+Foot walk(const Surface<2>& surface, const Vec<2>& x, int element, double start, FacePoint<2>& point) {
+  Stop stop = descend(surface, x, element, start, point);
+  for (int moves = 0; stop != Stop::inside && moves < surface.elements(); ++moves) {
+    const bool forward = stop == Stop::end;
+    const int next = surface.neighbour(element, 0, forward);
+    if (next < 0) return Foot::none;
+    const double border = point.xi(0);
+    FacePoint<2> beyond;
+    const Stop other = descend(surface, x, next, border, beyond);
+    if (other == (forward ? Stop::start : Stop::end)) {
+      // Both sides climb away from the border. On a smooth curve that is rounding at a minimum on the border itself.
+      const double sine = std::abs(point.tangent[0].normalized().dot(
+          Vec<2>(-beyond.tangent[0].normalized()(1), beyond.tangent[0].normalized()(0))));
+      return sine < 1e-10 ? Foot::regular : Foot::corner;
+    }
+    element = next;
+    point = beyond;
+    stop = other;
+  }
+  return stop == Stop::inside ? Foot::regular : Foot::none;
+}
+
+/// The nearest of degree+2 equidistant points of an element: the squared distance to one polynomial piece can have
+/// several minima, and this one starts the descent into the deepest.
+double nearest_sample(const Surface<2>& surface, const Vec<2>& x, int element) {
+  const auto [a, b] = surface.interval(element, 0);
+  double start = a, lowest = std::numeric_limits<double>::infinity();
+  FacePoint<2> sample;
+  for (int k = 0, last = surface.degree(0) + 1; k <= last; ++k) {
+    surface.evaluate(element, Coordinates(a + (b - a) * k / last), 0, sample);
+    const double distance2 = (x - sample.position).squaredNorm();
+    if (distance2 >= lowest) continue;
+    lowest = distance2;
+    start = sample.xi(0);
+  }
+  return start;
+}
+
+/// Signed gap at the closest point. At a corner the two one-sided normals decide which side x is on.
+double signed_gap(const Surface<2>& surface, const Vec<2>& x, Foot foot, const FacePoint<2>& point) {
+  const Vec<2> difference = x - point.position;
+  Vec<2> normal = surface.outward(point.tangent).normalized();
+  if (foot == Foot::regular) return difference.dot(normal);
+  if (foot == Foot::corner) {
+    const bool at_end = point.xi(0) >= surface.interval(point.element, 0)[1];
+    const int other = surface.neighbour(point.element, 0, at_end);
+    if (other >= 0) {
+      FacePoint<2> beyond;
+      surface.evaluate(other, point.xi, 1, beyond);
+      normal += surface.outward(beyond.tangent).normalized();
+    }
+  }
+  return std::copysign(difference.norm(), difference.dot(normal));
+}
+
+} // namespace
+
+Projection<2> project(const Surface<2>& surface, const ElementBoxes<2>& boxes, const Vec<2>& x,
+                      const Projection<2>& seed, FacePoint<2>& point) {
+  Projection<2> best;
+  double nearest = std::numeric_limits<double>::infinity();
+  int settled = -1; // an element that needs no second look
+  if (seed.element >= 0) {
+    best.foot = walk(surface, x, seed.element, seed.xi(0), point);
+    nearest = (x - point.position).squaredNorm();
+    // A foot much nearer than the element is long is the only one on it; a curve does not fold within one element.
+    if (nearest < boxes.diagonal2(point.element) / 16) settled = point.element;
+  }
+
+  FacePoint<2> candidate;
+  for (int e = 0; e < surface.elements(); ++e) {
+    // A minimum on a border is reached from both sides; the factor lets rounding not choose between them.
+    if (e == settled || boxes.distance2(e, x) >= nearest * (1 - 1e-12)) continue;
+    const Foot foot = walk(surface, x, e, nearest_sample(surface, x, e), candidate);
+    const double distance2 = (x - candidate.position).squaredNorm();
+    if (distance2 >= nearest * (1 - 1e-12)) continue;
+    nearest = distance2;
+    best.foot = foot;
+    point = candidate;
+  }
+
+  best.element = point.element;
+  best.xi = point.xi;
+  best.distance = std::sqrt(nearest);
+  best.gap = signed_gap(surface, x, best.foot, point);
+  return best;
+}
+
+} // namespace signorini::contact

@@ -1,0 +1,79 @@
+#pragma once
+// A contact face in motion: the NURBS face of a body evaluated at the current control points.
+
+#include "base/eigen.hpp"
+#include "nurbs/discretisation.hpp"
+
+#include <array>
+#include <vector>
+
+namespace signorini::contact {
+
+/// Most functions that live on one element of a face of a body in D dimensions.
+template <int D>
+inline constexpr int most_face_functions = D == 2 ? nurbs::max_degree + 1
+                                                  : (nurbs::max_degree + 1) * (nurbs::max_degree + 1);
+
+/// Parametric coordinates on a face.
+template <int D> using FaceCoordinates = Eigen::Matrix<double, D - 1, 1>;
+
+/// The face at one parametric point: rational functions with first derivatives, position, tangents τ_α, second
+/// derivatives x_,αβ (2D: x_,11; 3D: x_,11 x_,12 x_,22).
+template <int D> struct FacePoint {
+  static constexpr int tangents = D - 1;
+  static constexpr int seconds = (D - 1) * D / 2;
+  int element;
+  FaceCoordinates<D> xi;
+  Vec<D> position;
+  std::array<Vec<D>, tangents> tangent;
+  std::array<Vec<D>, seconds> second;
+  std::array<double, most_face_functions<D>> value;
+  std::array<std::array<double, most_face_functions<D>>, tangents> derivative;
+};
+
+/// A face of a body; all face-local indices count the face's own control points.
+template <int D> class Surface {
+public:
+  /// `side` must be a tensor-product face of the body. Throws Error otherwise (see Discretisation::face_patch).
+  Surface(const nurbs::Discretisation& body, nurbs::Side side);
+
+  int elements() const { return static_cast<int>(nodes_.size()) / per_element_; }
+  /// Functions on every element, Π (p_α+1).
+  int functions_per_element() const { return per_element_; }
+  /// Control points of the face.
+  int functions() const { return static_cast<int>(functions_.size()); }
+  /// Face-local indices of the functions of an element.
+  const int* nodes(int element) const { return nodes_.data() + element * per_element_; }
+  /// The body's function behind face-local index i.
+  int body_function(int i) const { return functions_[static_cast<std::size_t>(i)]; }
+  /// Degree along the face's direction α.
+  int degree(int alpha) const { return directions_[static_cast<std::size_t>(alpha)].degree(); }
+  const nurbs::KnotVector& direction(int alpha) const { return directions_[static_cast<std::size_t>(alpha)]; }
+  /// Knot interval of an element in direction α.
+  std::array<double, 2> interval(int element, int alpha) const;
+  /// The element that shares the border of `element` at the start or end of direction α; −1 at the face's end.
+  int neighbour(int element, int alpha, bool at_end) const;
+
+  /// Takes over current control points: reference positions plus displacement (D values per function of the body).
+  void move(const double* displacement);
+  /// Current control points, D × functions.
+  const Eigen::Matrix<double, D, Eigen::Dynamic>& points() const { return points_; }
+
+  /// Evaluates the face at xi on an element's polynomial pieces. `order` 0: functions and position, 1: also tangents
+  /// and derivatives of the functions, 2: also second derivatives.
+  void evaluate(int element, const FaceCoordinates<D>& xi, int order, FacePoint<D>& point) const;
+
+  /// Outward normal times the surface measure: ± the tangent turned by 90° (2D), ± τ₁×τ₂ (3D).
+  Vec<D> outward(const std::array<Vec<D>, D - 1>& tangent) const;
+
+private:
+  std::vector<nurbs::KnotVector> directions_;
+  std::vector<int> functions_, nodes_;
+  VectorX weights_;
+  bool polynomial_; ///< all weights equal: no quotient to take
+  double orientation_;
+  int per_element_;
+  Eigen::Matrix<double, D, Eigen::Dynamic> reference_, points_;
+};
+
+} // namespace signorini::contact

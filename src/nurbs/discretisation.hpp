@@ -1,0 +1,81 @@
+#pragma once
+// From a patch and a label to the element-wise function space of a body: a stack of rows of control points.
+
+#include "nurbs/label.hpp"
+#include "nurbs/refine.hpp"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace signorini::nurbs {
+
+/// How a patch is discretised. All lists have one entry per parametric direction unless said otherwise.
+struct Plan {
+  std::vector<int> elements;
+  std::vector<std::optional<Grading>> grading; ///< may be empty: uniform in every direction
+  std::vector<Label> labels;                   ///< one per direction along the contact face; without one, per direction
+  std::vector<Side> contact;                   ///< no face, one, or two opposite ones
+  std::optional<int> through;                  ///< degree through the body; the geometry's own when absent
+};
+
+/// The functions that do not vanish on one element.
+struct ElementBasis {
+  std::vector<int> functions;
+  VectorX values;    ///< R_A(ξ)
+  MatrixX gradients; ///< ∂R_A/∂ξ^d, parametric dimension × functions
+};
+
+/// A patch as a stack of rows of control points along the direction through the body,
+///   x(ξ) = Σ_j N_j(ξᵗ) C_j(ξ along the face)   in homogeneous coordinates,
+/// every row C_j a NURBS of one parametric dimension less that is refined exactly on its own. The geometry and the one
+/// weight function never change, so partition of unity and the exact shape hold for any choice of rows (thesis 5.1, 5.2
+/// generalised from one row to any). All rows share the same elements.
+class Discretisation {
+public:
+  Discretisation(const Patch& patch, const Plan& plan);
+
+  int parametric_dimension() const { return static_cast<int>(elements_.size()); }
+  int dimension() const { return static_cast<int>(homogeneous_.rows()) - 1; }
+  int functions() const { return static_cast<int>(homogeneous_.cols()); }
+  /// Weighted control points of all rows, row after row, (dimension+1) × functions.
+  const MatrixX& homogeneous() const { return homogeneous_; }
+  MatrixX points() const;
+
+  /// Parametric direction through the body (0-based).
+  int through() const { return through_; }
+  const KnotVector& through_knots() const { return through_knots_; }
+  const std::vector<Patch>& rows() const { return rows_; }
+  /// Index of row j's first function.
+  int first_function(int row) const { return first_[static_cast<std::size_t>(row)]; }
+
+  int elements(int d) const { return elements_[static_cast<std::size_t>(d)]; }
+  int elements() const;
+  /// Knot interval of element e (counted with ξ¹ fastest) in direction d.
+  std::array<double, 2> interval(int e, int d) const;
+  /// Highest degree in direction d of the functions that live on element e: fixes the quadrature.
+  int degree(int e, int d) const;
+  /// The element that holds xi. Throws Error when xi is outside.
+  int find_element(const VectorX& xi) const;
+  ElementBasis basis(int e, const VectorX& xi) const;
+
+  const std::vector<Side>& contact() const { return contact_; }
+  /// Functions that do not vanish on a side, in the order of face_patch's control points.
+  std::vector<int> face_functions(Side side) const;
+  /// The side as a NURBS of its own; the control points are those of face_functions. Throws Error for a side of a
+  /// layered volume where the rows' spaces differ: that is no tensor product.
+  Patch face_patch(Side side) const;
+
+private:
+  /// Index of element e in direction d.
+  int element_index(int e, int d) const;
+
+  int through_;
+  KnotVector through_knots_;
+  std::vector<Patch> rows_;
+  std::vector<int> first_, elements_;
+  std::vector<Side> contact_;
+  MatrixX homogeneous_;
+};
+
+} // namespace signorini::nurbs

@@ -1,0 +1,51 @@
+#include "nurbs/label.hpp"
+
+#include "base/error.hpp"
+#include "nurbs/knots.hpp"
+
+#include <regex>
+
+namespace signorini::nurbs {
+
+namespace {
+
+int number(const std::ssub_match& digits, int otherwise) {
+  return digits.matched ? std::stoi(digits.str()) : otherwise;
+}
+
+void check_degree(const std::string& text, const Space& space) {
+  require(space.degree >= 1 && space.full_degree() <= max_degree, "label '", text, "': degree ", space.full_degree(),
+          " is outside 1 … ", max_degree);
+}
+
+} // namespace
+
+Label parse_label(const std::string& text) {
+  static const std::regex lagrange("L(\\d{1,2})");
+  static const std::regex nurbs("N(\\d{1,2})(?:\\.(\\d{1,2}))?(?:-N(\\d{1,2})(?:\\.(\\d{1,2}))?(?:x(\\d{1,4}))?)?");
+  std::smatch part;
+  Label label;
+  label.text = text;
+  if (std::regex_match(text, part, lagrange)) {
+    label.lagrange = true;
+    label.bulk = {number(part[1], 0)};
+  } else {
+    require(std::regex_match(text, part, nurbs), "unknown discretisation label '", text,
+            "'; labels read Np (N2), Np.s (N2.1), Lp (L2), Nb-Nc (N2-N4), Nb-Nc.s (N2-N2.2), or Nb-Nc.sxr (N2-N2.2x2)");
+    label.bulk = {number(part[1], 0), number(part[2], 0)};
+    if (part[3].matched) {
+      label.layer = Space{number(part[3], 0), number(part[4], 0)};
+      label.rows = number(part[5], 1);
+      check_degree(text, *label.layer);
+      require(label.bulk.elevations == 0, "label '", text, "': the bulk of a layered label is plain Np; write N",
+              label.bulk.degree, text.substr(text.find('-')));
+      require(label.layer->degree >= label.bulk.degree, "label '", text, "': the layer's degree ", label.layer->degree,
+              " is below the bulk's ", label.bulk.degree, "; a layer is of the bulk's degree or higher");
+      require(label.rows >= 1, "label '", text, "': the layer is ", label.rows, " rows deep; x1 is the least");
+    }
+  }
+  check_degree(text, label.bulk);
+  return label;
+}
+
+} // namespace signorini::nurbs

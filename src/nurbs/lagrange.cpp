@@ -1,0 +1,85 @@
+#include "nurbs/lagrange.hpp"
+
+#include "nurbs/basis.hpp"
+
+namespace signorini::nurbs {
+
+namespace {
+
+KnotVector lagrange_knots(int degree, const std::vector<double>& breaks) {
+  std::vector<double> knots{breaks.front()};
+  for (double knot : breaks) knots.insert(knots.end(), static_cast<std::size_t>(degree), knot);
+  knots.push_back(breaks.back());
+  return {degree, std::move(knots)};
+}
+
+/// Parameters where the geometry is interpolated: degree per span, and the last end.
+std::vector<double> nodes(const KnotVector& knots) {
+  std::vector<double> result;
+  const auto& breaks = knots.breaks();
+  const int p = knots.degree();
+  for (int e = 0; e < knots.elements(); ++e)
+    for (int k = 0; k < p; ++k) {
+      const std::size_t i = static_cast<std::size_t>(e);
+      result.push_back(breaks[i] + (breaks[i + 1] - breaks[i]) * k / p);
+    }
+  result.push_back(breaks.back());
+  return result;
+}
+
+/// Replaces nodal values by Bernstein coefficients along one direction: entries start, start+stride, … of the columns.
+void to_coefficients(const KnotVector& knots, int start, int stride, MatrixX& values) {
+  const int p = knots.degree();
+  MatrixX collocation(p + 1, p + 1), local(values.rows(), p + 1);
+  const std::vector<double> at = nodes(knots);
+  MatrixX line(values.rows(), knots.functions());
+  for (int i = 0; i < knots.functions(); ++i) line.col(i) = values.col(start + i * stride);
+  for (int e = 0; e < knots.elements(); ++e) {
+    for (int k = 0; k <= p; ++k) {
+      Eigen::RowVectorXd row(p + 1);
+      basis_derivatives(knots, e, at[static_cast<std::size_t>(e * p + k)], 0, row.data());
+      collocation.row(k) = row;
+    }
+    // v_k = Σ_j B_j(ξ_k) c_j on every span
+    local = collocation.partialPivLu().solve(line.middleCols(e * p, p + 1).transpose()).transpose();
+    for (int k = 0; k <= p; ++k) values.col(start + (e * p + k) * stride) = local.col(k);
+  }
+}
+
+} // namespace
+
+Patch interpolate_lagrange(const Patch& patch, const std::vector<int>& degrees,
+                           const std::vector<std::vector<double>>& breaks) {
+  const int dimensions = patch.parametric_dimension();
+  std::vector<KnotVector> directions;
+  std::vector<std::vector<double>> parameters;
+  int size = 1;
+  for (int d = 0; d < dimensions; ++d) {
+    const std::size_t i = static_cast<std::size_t>(d);
+    directions.push_back(lagrange_knots(degrees[i], breaks[i]));
+    parameters.push_back(nodes(directions.back()));
+    size *= directions.back().functions();
+  }
+
+  MatrixX values(patch.dimension(), size);
+  VectorX xi(dimensions);
+  for (int n = 0; n < size; ++n) {
+    for (int d = 0, rest = n; d < dimensions; ++d) {
+      const auto& line = parameters[static_cast<std::size_t>(d)];
+      const int count = static_cast<int>(line.size());
+      xi(d) = line[static_cast<std::size_t>(rest % count)];
+      rest /= count;
+    }
+    values.col(n) = evaluate(patch, xi);
+  }
+
+  for (int d = 0, stride = 1; d < dimensions; ++d) {
+    const int count = directions[static_cast<std::size_t>(d)].functions();
+    for (int n = 0; n < size; ++n)
+      if ((n / stride) % count == 0) to_coefficients(directions[static_cast<std::size_t>(d)], n, stride, values);
+    stride *= count;
+  }
+  return make_patch(std::move(directions), values);
+}
+
+} // namespace signorini::nurbs

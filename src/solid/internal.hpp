@@ -1,0 +1,35 @@
+#pragma once
+// Internal force and its exact tangent, element by element.
+
+#include "solid/body.hpp"
+
+#include <optional>
+
+namespace signorini::solid {
+
+/// Force and tangent of one element, laid out for the scatter that follows. Reused between elements.
+///   force:  D rows of n values, f_iA
+///   blocks: for each pair of components i ≤ j in the order (0,0), (0,1), …, (1,1), … an n×n matrix K^{ij}_{AB}, A
+///   slowest;
+///           K^{ji}_{BA} = K^{ij}_{AB}.
+template <int D> struct ElementArrays {
+  explicit ElementArrays(int most_functions)
+      : force(static_cast<std::size_t>(D * most_functions)),
+        blocks(static_cast<std::size_t>(D * (D + 1) / 2 * most_functions * most_functions)),
+        local(static_cast<std::size_t>(2 * D * most_functions)) {}
+  std::vector<double> force, blocks;
+  std::vector<double> local; ///< working space: element displacements and current gradients
+};
+
+/// f_iA = ∫ P_ik ∂R_A/∂X_k dV and ∂f_iA/∂u_jB for element e.
+///
+/// `displacement` holds u of the body's control points, D values each. Returns where J ≤ 0 when the element is inverted
+/// (the arrays are then meaningless), nothing otherwise.
+template <int D>
+std::optional<Inversion> internal_force(const Body<D>& body, int e, const double* displacement,
+                                        ElementArrays<D>& arrays);
+
+/// Stored energy of the whole body; infinity when an element is inverted.
+template <int D> double stored_energy(const Body<D>& body, const double* displacement);
+
+} // namespace signorini::solid

@@ -1,0 +1,121 @@
+#include "solve/linear.hpp"
+
+#include "base/error.hpp"
+
+#include <klu.h>
+#include <umfpack.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace signorini::solve {
+
+namespace {
+
+/// KLU (Davis & Palamadai Natarajan, ACM TOMS 37, 2010): a refactorisation keeps the pivots of the last full one and
+/// costs a fraction of it; growth of the factors tells when the pivots no longer fit.
+class Klu final : public LinearSolver {
+public:
+  explicit Klu(const Pattern& pattern) : pattern_(pattern) {
+    klu_defaults(&common_);
+    common_.btf = 0; // the tangent is structurally symmetric and irreducible
+    common_.ordering = 0;
+    symbolic_ = klu_analyze(pattern_.size, pattern_.starts.data(), pattern_.rows.data(), &common_);
+    require(symbolic_ != nullptr || pattern_.size == 0, "the sparse solver could not analyse the tangent (KLU status ",
+            common_.status, ")");
+  }
+  ~Klu() override {
+    klu_free_numeric(&numeric_, &common_);
+    klu_free_symbolic(&symbolic_, &common_);
+  }
+
+  bool factor(const double* values) override {
+    // KLU reads the values only.
+    double* numbers = const_cast<double*>(values);
+    if (numeric_ && refactor(numbers)) return true;
+    klu_free_numeric(&numeric_, &common_);
+    numeric_ = klu_factor(pattern_.starts.data(), pattern_.rows.data(), numbers, symbolic_, &common_);
+    return numeric_ != nullptr && common_.status == KLU_OK;
+  }
+
+  void solve(double* b) override { klu_solve(symbolic_, numeric_, pattern_.size, 1, b, &common_); }
+  LinearKind kind() const override { return LinearKind::klu; }
+
+private:
+  bool refactor(double* values) {
+    // A pivot below this share of the largest entry of its column means that another row should have been taken.
+    constexpr double least_growth = 1e-8;
+    return klu_refactor(pattern_.starts.data(), pattern_.rows.data(), values, symbolic_, numeric_, &common_) &&
+           common_.status == KLU_OK &&
+           klu_rgrowth(pattern_.starts.data(), pattern_.rows.data(), values, symbolic_, numeric_, &common_) &&
+           common_.rgrowth > least_growth;
+  }
+
+  Pattern pattern_;
+  klu_common common_{};
+  klu_symbolic* symbolic_ = nullptr;
+  klu_numeric* numeric_ = nullptr;
+};
+
+/// UMFPACK (Davis, ACM TOMS 30, 2004). Its analysis looks at values too, so it waits for the first real matrix.
+class Umfpack final : public LinearSolver {
+public:
+  explicit Umfpack(const Pattern& pattern) : pattern_(pattern), scratch_(static_cast<std::size_t>(pattern.size)) {
+    umfpack_di_defaults(control_);
+    control_[UMFPACK_STRATEGY] = UMFPACK_STRATEGY_SYMMETRIC; // the pattern is symmetric
+    control_[UMFPACK_ORDERING] = UMFPACK_ORDERING_METIS;
+    control_[UMFPACK_IRSTEP] = 0;
+  }
+  ~Umfpack() override {
+    umfpack_di_free_numeric(&numeric_);
+    umfpack_di_free_symbolic(&symbolic_);
+  }
+
+  bool factor(const double* values) override {
+    values_ = values;
+    const int *starts = pattern_.starts.data(), *rows = pattern_.rows.data();
+    if (!symbolic_) {
+      const int status =
+          umfpack_di_symbolic(pattern_.size, pattern_.size, starts, rows, values, &symbolic_, control_, nullptr);
+      require(status == UMFPACK_OK, "the sparse solver could not analyse the tangent (UMFPACK status ", status, ")");
+    }
+    umfpack_di_free_numeric(&numeric_);
+    return umfpack_di_numeric(starts, rows, values, symbolic_, &numeric_, control_, nullptr) == UMFPACK_OK;
+  }
+
+  void solve(double* b) override {
+    umfpack_di_solve(UMFPACK_A, pattern_.starts.data(), pattern_.rows.data(), values_, scratch_.data(), b, numeric_,
+                     control_, nullptr);
+    std::copy(scratch_.begin(), scratch_.end(), b);
+  }
+  LinearKind kind() const override { return LinearKind::umfpack; }
+
+private:
+  Pattern pattern_;
+  std::vector<double> scratch_;
+  const double* values_ = nullptr;
+  double control_[UMFPACK_CONTROL];
+  void* symbolic_ = nullptr;
+  void* numeric_ = nullptr;
+};
+
+} // namespace
+
+LinearKind linear_kind(const std::string& name) {
+  if (name == "auto") return LinearKind::automatic;
+  if (name == "klu") return LinearKind::klu;
+  if (name == "umfpack") return LinearKind::umfpack;
+  fail("linear: unknown solver '", name, "'; known are 'auto', 'klu', 'umfpack'");
+}
+
+std::string name_of(LinearKind kind) {
+  return kind == LinearKind::automatic ? "auto" : kind == LinearKind::klu ? "klu" : "umfpack";
+}
+
+std::unique_ptr<LinearSolver> make_solver(LinearKind kind, const Pattern& pattern) {
+  if (kind == LinearKind::automatic) kind = pattern.size <= klu_limit ? LinearKind::klu : LinearKind::umfpack;
+  if (kind == LinearKind::klu) return std::make_unique<Klu>(pattern);
+  return std::make_unique<Umfpack>(pattern);
+}
+
+} // namespace signorini::solve

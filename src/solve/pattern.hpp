@@ -1,0 +1,25 @@
+#pragma once
+// The fixed sparse pattern of a tangent, built from the groups of unknowns that are coupled.
+
+#include <vector>
+
+namespace signorini::solve {
+
+/// Compressed columns without values: row indices of column j are rows[starts[j] … starts[j+1]), sorted.
+struct Pattern {
+  int size = 0;
+  std::vector<int> starts, rows;
+
+  int entries() const { return static_cast<int>(rows.size()); }
+  /// Position of entry (row, column) in the value array; −1 when it is not part of the pattern.
+  int find(int row, int column) const;
+};
+
+/// A structurally symmetric pattern with a full diagonal: within every group all unknowns are coupled with each other.
+/// Negative entries (prescribed unknowns) are passed over.
+Pattern couple(int size, const std::vector<std::vector<int>>& groups);
+
+/// `base` with further groups coupled. `moved[k]` becomes the position of base entry k in the result.
+Pattern extend(const Pattern& base, const std::vector<std::vector<int>>& groups, std::vector<int>& moved);
+
+} // namespace signorini::solve
