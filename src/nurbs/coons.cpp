@@ -1,0 +1,131 @@
+// Transfinite interpolation of a closed boundary by curves or surfaces.
+#include "nurbs/constructions.hpp"
+
+#include "base/error.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace signorini::nurbs {
+
+namespace {
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// The boundary as faces of one lattice of control points.
+struct Lattice {
+  std::vector<Patch> faces; ///< west, east, south, …
+  std::array<int, 3> count{1, 1, 1};
+
+  int dimensions() const { return static_cast<int>(faces.size()) / 2; }
+
+  /// Lattice point `index` (at an end in direction d), homogeneous, as the face normal to d has it.
+  VectorX value(const std::array<int, 3>& index, int d) const {
+    const Patch& face = faces[at(2 * d + (index[at(d)] > 0 ? 1 : 0))];
+    int function = 0;
+    for (int k = dimensions() - 1; k >= 0; --k)
+      if (k != d) function = function * count[at(k)] + index[at(k)];
+    return face.homogeneous().col(function);
+  }
+};
+
+/// Calls visit(index) for every point of the lattice.
+template <class Visit> void each_point(const Lattice& lattice, Visit visit) {
+  std::array<int, 3> index;
+  for (index[2] = 0; index[2] < lattice.count[2]; ++index[2])
+    for (index[1] = 0; index[1] < lattice.count[1]; ++index[1])
+      for (index[0] = 0; index[0] < lattice.count[0]; ++index[0]) visit(index);
+}
+
+/// Points on two or three faces must be the same on each.
+void check_meeting(const Lattice& lattice, double size) {
+  const int space = lattice.faces.front().dimension();
+  each_point(lattice, [&](const std::array<int, 3>& index) {
+    int known = -1;
+    for (int d = 0; d < lattice.dimensions(); ++d) {
+      if (index[at(d)] > 0 && index[at(d)] < lattice.count[at(d)] - 1) continue;
+      if (known >= 0) {
+        const VectorX a = lattice.value(index, known), b = lattice.value(index, d);
+        const VectorX x = a.head(space) / a(space), y = b.head(space) / b(space);
+        const std::string first = name_of({known, index[at(known)] > 0}), second = name_of({d, index[at(d)] > 0});
+        require((x - y).norm() <= 1e-9 * size, "coons: '", first, "' and '", second, "' do not meet: one is at (",
+                x.transpose(), "), the other at (", y.transpose(),
+                "); each must run along the rising parameter, west to east, south to north, front to back");
+        require(std::abs(a(space) - b(space)) <= 1e-9 * std::abs(a(space)), "coons: '", first, "' and '", second,
+                "' meet at (", x.transpose(), ") with different weights, ", a(space), " and ", b(space));
+      }
+      known = d;
+    }
+  });
+}
+
+void check_boundary(const std::vector<Patch>& boundary) {
+  require(boundary.size() == 4 || boundary.size() == 6,
+          "coons: four curves (west, east, south, north) or six surfaces (also front, back) are needed, got ",
+          boundary.size());
+  const int parametric = static_cast<int>(boundary.size()) / 2 - 1;
+  for (std::size_t i = 0; i < boundary.size(); ++i) {
+    const std::string name = name_of({static_cast<int>(i) / 2, i % 2 == 1});
+    require(boundary[i].parametric_dimension() == parametric, "coons: '", name, "' has ",
+            boundary[i].parametric_dimension(), " parametric directions, expected ", parametric, " as one of ",
+            boundary.size());
+    require(boundary[i].dimension() == boundary[0].dimension(), "coons: '", name, "' lies in space of dimension ",
+            boundary[i].dimension(), ", 'west' in ", boundary[0].dimension());
+  }
+}
+
+} // namespace
+
+Patch coons(const std::vector<Patch>& boundary) {
+  check_boundary(boundary);
+  Lattice lattice{boundary, {1, 1, 1}};
+  const int dimensions = lattice.dimensions(), space = boundary.front().dimension();
+  std::vector<KnotVector> directions;
+  std::vector<std::vector<double>> blends; // per direction and function: the share of the end
+  for (int d = 0; d < dimensions; ++d) {
+    std::vector<Along> along;
+    for (int f = 0; f < 2 * dimensions; ++f)
+      if (f / 2 != d) along.push_back({&lattice.faces[at(f)], d < f / 2 ? d : d - 1});
+    unify(along);
+    directions.push_back(along.front().patch->direction(along.front().direction));
+    lattice.count[at(d)] = directions.back().functions();
+    blends.push_back(directions.back().greville());
+    for (double& blend : blends.back())
+      blend = (blend - directions.back().first()) / (directions.back().last() - directions.back().first());
+  }
+  double size = 0;
+  for (const Patch& face : boundary)
+    size = std::max(size, (face.points().colwise() - boundary.front().points().col(0)).cwiseAbs().maxCoeff());
+  check_meeting(lattice, size);
+
+  // The boolean sum of the linear blends (Gordon & Hall 1973): over all sets D of directions
+  //   Q = Σ_{D≠∅} (−1)^{|D|+1} Σ_{ends of D} Π_{d∈D} blend_d(end) · Q(at those ends)
+  // A linear function's control values are the Greville abscissae, so the blend holds control point by control point.
+  MatrixX homogeneous(space + 1, lattice.count[0] * lattice.count[1] * lattice.count[2]);
+  int column = 0;
+  each_point(lattice, [&](const std::array<int, 3>& index) {
+    VectorX sum = VectorX::Zero(space + 1);
+    for (int set = 1; set < 1 << dimensions; ++set)
+      for (int ends = set;; ends = (ends - 1) & set) { // all subsets of `set`: the directions taken at their end
+        std::array<int, 3> clamped = index;
+        double factor = -1;
+        int last = 0;
+        for (int d = 0; d < dimensions; ++d) {
+          if (!(set >> d & 1)) continue;
+          const bool at_end = ends >> d & 1;
+          const double blend = blends[at(d)][at(index[at(d)])];
+          factor *= at_end ? -blend : blend - 1;
+          clamped[at(d)] = at_end ? lattice.count[at(d)] - 1 : 0;
+          last = d;
+        }
+        sum += factor * lattice.value(clamped, last);
+        if (ends == 0) break;
+      }
+    homogeneous.col(column++) = sum;
+  });
+  return {std::move(directions), std::move(homogeneous)};
+}
+
+} // namespace signorini::nurbs

@@ -1,0 +1,52 @@
+#include "nurbs/curves.hpp"
+
+#include "base/error.hpp"
+
+#include <cmath>
+
+namespace signorini::nurbs {
+
+Patch line(const Point& from, const Point& to) {
+  check_point("from", from, from.size() == 3 ? 3 : 2);
+  check_point("to", to, static_cast<int>(from.size()));
+  require(from != to, "line: it starts and ends at the same point, (", from.transpose(), ")");
+  MatrixX points(from.size(), 2);
+  points << from, to;
+  return make_patch({KnotVector::single(1)}, points);
+}
+
+Patch arc(const Point& centre, double radius, double start, double stop) {
+  check_point("centre", centre, centre.size() == 3 ? 3 : 2);
+  require(radius > 0 && std::isfinite(radius), "radius: it is ", radius, ", expected a positive length");
+  require(std::isfinite(start) && std::isfinite(stop), "arc: its angles are ", start, " and ", stop,
+          ", expected finite numbers of degrees");
+  const double turn = stop - start;
+  require(turn != 0, "arc: it starts and ends at ", start, " degrees; give two different angles");
+  // Slack for angles that were computed: 90·(1 + ε) is still one quarter.
+  constexpr double slack = 1e-12;
+  require(std::abs(turn) <= 360 * (1 + slack), "arc: from ", start, " to ", stop, " degrees is more than a full turn");
+  const int segments = std::max(1, static_cast<int>(std::ceil(std::abs(turn) / 90 - slack)));
+
+  // Between two points on the circle stands the crossing of their tangents at r/cos(θ/2), weight cos(θ/2), θ being the
+  // segment's angle (NURBS Book, 7.3).
+  const double weight = direction_of(turn / segments / 2)(0);
+  std::vector<double> knots(3, 0.0);
+  MatrixX homogeneous = MatrixX::Ones(centre.size() + 1, 2 * segments + 1);
+  for (int i = 0; i <= 2 * segments; ++i) {
+    const bool corner = i % 2 == 1;
+    const double angle = i == 2 * segments ? stop : start + turn * i / (2 * segments);
+    const double w = corner ? weight : 1;
+    homogeneous.col(i).head(centre.size()) = w * centre;
+    homogeneous.col(i).head(2) += radius * direction_of(angle);
+    homogeneous(centre.size(), i) = w;
+    if (!corner && i > 0) knots.insert(knots.end(), 2, i / (2.0 * segments));
+  }
+  knots.push_back(1);
+  return {{KnotVector(2, std::move(knots))}, std::move(homogeneous)};
+}
+
+Patch circle(const Point& centre, double radius) {
+  return arc(centre, radius, 0, 360);
+}
+
+} // namespace signorini::nurbs

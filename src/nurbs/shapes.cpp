@@ -1,0 +1,144 @@
+#include "nurbs/shapes.hpp"
+
+#include "base/error.hpp"
+#include "nurbs/basis.hpp"
+#include "nurbs/refine.hpp"
+
+#include <cmath>
+
+namespace signorini::nurbs {
+
+namespace {
+
+void check_length(const char* name, double length) {
+  require(length > 0 && std::isfinite(length), name, ": it is ", length, ", expected a positive length");
+}
+
+void check_radii(double inner, double outer) {
+  check_length("inner", inner);
+  check_length("outer", outer);
+  require(inner < outer, "inner: the inner radius, ", inner, ", must be below the outer, ", outer);
+}
+
+/// The annulus' piece from angle `start` to `stop`, ξ² from the outer to the inner radius.
+Patch annulus(double inner, double outer, const Point& centre, double start, double stop) {
+  check_point("centre", centre, 2);
+  check_radii(inner, outer);
+  return ruled(arc(centre, outer, start, stop), arc(centre, inner, start, stop));
+}
+
+/// The octant x, y ≥ 0, z ≤ 0 of the sphere about the origin: ξ¹ around the z axis, ξ² down to the pole.
+Patch octant(double radius) {
+  const Patch around = arc(Point::Zero(2), 1, 0, 90), down = arc(Point::Zero(2), radius, 0, -90);
+  MatrixX homogeneous(4, around.functions() * down.functions());
+  for (int l = 0; l < down.functions(); ++l)
+    for (int k = 0; k < around.functions(); ++k) {
+      // The meridian (r, z) turned by the angle of (X, Y): (X r, Y r, W z, W w), homogeneous.
+      const Vec<3> turn = around.homogeneous().col(k), meridian = down.homogeneous().col(l);
+      homogeneous.col(k + around.functions() * l) << turn(0) * meridian(0), turn(1) * meridian(0),
+          turn(2) * meridian(1), turn(2) * meridian(2);
+    }
+  return {{around.direction(0), down.direction(0)}, std::move(homogeneous)};
+}
+
+/// Values N_i(ξ_j) of the functions at their own Greville abscissae: row j, column i.
+MatrixX collocation(const KnotVector& knots) {
+  const std::vector<double> nodes = knots.greville();
+  MatrixX result = MatrixX::Zero(knots.functions(), knots.functions());
+  for (int j = 0; j < knots.functions(); ++j) {
+    double values[max_degree + 1];
+    const double xi = nodes[static_cast<std::size_t>(j)];
+    const int element = knots.find_element(xi);
+    basis_derivatives(knots, element, xi, 0, values);
+    for (int s = 0; s <= knots.degree(); ++s) result(j, knots.first_function(element) + s) = values[s];
+  }
+  return result;
+}
+
+} // namespace
+
+Patch rectangle(double width, double height, const Point& corner) {
+  check_length("width", width);
+  check_length("height", height);
+  check_point("corner", corner, 2);
+  return extrude(line(corner, corner + Vec<2>(width, 0)), Vec<2>(0, height));
+}
+
+Patch half_annulus(double inner, double outer, const Point& centre) {
+  return annulus(inner, outer, centre, 180, 360);
+}
+
+Patch quarter_annulus(double inner, double outer, const Point& centre, double start) {
+  return annulus(inner, outer, centre, start, start + 90);
+}
+
+Patch block(const std::array<double, 3>& size, const Point& corner) {
+  const char* const names[] = {"size x", "size y", "size z"};
+  for (std::size_t i = 0; i < 3; ++i) check_length(names[i], size[i]);
+  check_point("corner", corner, 3);
+  const Patch edge = line(corner, corner + Vec<3>(size[0], 0, 0));
+  return extrude(extrude(edge, Vec<3>(0, size[1], 0)), Vec<3>(0, 0, size[2]));
+}
+
+Patch half_cylinder_shell(double inner, double outer, double width, const Point& centre) {
+  check_radii(inner, outer);
+  check_length("width", width);
+  check_point("centre", centre, 3);
+  const MatrixX upright = (MatrixX(3, 2) << 1, 0, 0, 0, 0, 1).finished(); // (x, y) ↦ (x, 0, y)
+  const auto half_cylinder = [&](double radius) {
+    const Patch half_circle = arc(Point::Zero(2), radius, 180, 360);
+    return extrude(transform(half_circle, upright, centre), Vec<3>(0, width, 0));
+  };
+  return ruled(half_cylinder(outer), half_cylinder(inner));
+}
+
+Patch sphere_octant(double inner, double outer, const Point& centre) {
+  check_radii(inner, outer);
+  check_point("centre", centre, 3);
+  return translate(ruled(octant(outer), octant(inner)), centre);
+}
+
+Patch spherical_indenter(double width, double depth, double height, double radius, int elements, const Point& corner) {
+  check_length("width", width);
+  check_length("depth", depth);
+  check_length("height", height);
+  check_length("radius", radius);
+  check_point("corner", corner, 3);
+  require(elements >= 1, "elements: the cap has ", elements, " spans per direction, expected 1 or more");
+  const double half_diagonal = std::hypot(width, depth) / 2;
+  require(half_diagonal <= radius, "radius: a sphere of radius ", radius,
+          " does not reach the corners, half the diagonal is ", half_diagonal);
+  const double cap = radius - std::sqrt(radius * radius - half_diagonal * half_diagonal);
+  require(cap < height, "height: the cap rises by ", cap, " to its corners and the whole height is only ", height,
+          "; give a larger height or radius");
+
+  const KnotVector single = KnotVector::single(2);
+  std::vector<double> spans = element_knots(single, elements);
+  spans.insert(spans.begin(), 3, 0.0);
+  spans.insert(spans.end(), 3, 1.0);
+  const KnotVector knots(2, std::move(spans));
+  const std::vector<double> nodes = knots.greville();
+  const int n = knots.functions();
+  MatrixX heights(n, n);
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) {
+      // z = r − √(r² − Δx² − Δy²)
+      const double x = (nodes[static_cast<std::size_t>(i)] - 0.5) * width;
+      const double y = (nodes[static_cast<std::size_t>(j)] - 0.5) * depth;
+      heights(i, j) = radius - std::sqrt(std::max(0.0, radius * radius - x * x - y * y));
+    }
+  // heights = N c Nᵀ
+  const Eigen::PartialPivLU<MatrixX> solver(collocation(knots));
+  const MatrixX coefficients = solver.solve(solver.solve(heights).transpose()).transpose();
+
+  // x and y are linear: their control values are the Greville abscissae.
+  MatrixX points(3, 2 * n * n);
+  for (int k = 0; k < 2; ++k)
+    for (int j = 0; j < n; ++j)
+      for (int i = 0; i < n; ++i)
+        points.col(i + n * (j + n * k)) << nodes[static_cast<std::size_t>(i)] * width,
+            nodes[static_cast<std::size_t>(j)] * depth, k == 0 ? coefficients(i, j) : height;
+  return make_patch({knots, knots, KnotVector::single(1)}, points.colwise() + corner);
+}
+
+} // namespace signorini::nurbs

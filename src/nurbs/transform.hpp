@@ -1,0 +1,28 @@
+#pragma once
+// Affine maps of a whole patch: they act on the control points alone.
+
+#include "nurbs/patch.hpp"
+
+namespace signorini::nurbs {
+
+using Point = VectorX; ///< 2 or 3 coordinates
+
+/// x ↦ linear·x + shift for every point; a 3 × 2 `linear` carries a plane patch into space.
+Patch transform(const Patch& patch, const MatrixX& linear, const VectorX& shift);
+
+/// Moves every point by the vector `by`.
+Patch translate(const Patch& patch, const Point& by);
+/// Rotation by `angle` degrees, counter-clockwise: about `centre` in 2D (`axis` stays empty), about the axis through
+/// `centre` along `axis` (any length) in 3D.
+Patch rotate(const Patch& patch, double angle, const Point& centre, const Point& axis = {});
+/// Scales by one factor per coordinate about `centre`. Throws Error for a factor that is not positive.
+Patch scale(const Patch& patch, const Point& factors, const Point& centre);
+
+/// Throws Error unless `point`, the argument `name`, has `dimension` finite coordinates.
+void check_point(const char* name, const Point& point, int dimension);
+/// (cos, sin) of an angle in degrees, exact at quarter turns.
+Eigen::Vector2d direction_of(double degrees);
+/// The matrix of a rotation by `angle` degrees about `axis` (3 coordinates, any length but 0) through the origin.
+Mat<3> rotation(double angle, const Point& axis);
+
+} // namespace signorini::nurbs

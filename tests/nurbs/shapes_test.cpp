@@ -1,0 +1,190 @@
+#include "nurbs/shapes.hpp"
+
+#include "measure.hpp"
+#include "random_patch.hpp"
+
+#include <gtest/gtest.h>
+
+namespace signorini::nurbs {
+namespace {
+
+using namespace test;
+using std::numbers::pi;
+
+VectorX parameters(std::initializer_list<double> values) {
+  return Eigen::Map<const VectorX>(values.begin(), static_cast<int>(values.size()));
+}
+
+template <class Expected> void expect_point(const Patch& patch, std::initializer_list<double> xi, const Expected& x) {
+  EXPECT_LT((evaluate(patch, parameters(xi)) - x).norm(), 1e-14) << evaluate(patch, parameters(xi)).transpose();
+}
+
+TEST(Shapes, RectangleFollowsXAndY) {
+  const Patch patch = rectangle(3, 1, Vec<2>(-1, 2));
+  expect_point(patch, {0, 0}, Vec<2>(-1, 2));
+  expect_point(patch, {1, 0}, Vec<2>(2, 2));
+  expect_point(patch, {0.5, 1}, Vec<2>(0.5, 3));
+  EXPECT_NEAR(measure(patch).content, 3, 1e-14);
+  EXPECT_ERROR(rectangle(0, 1, Vec<2>(0, 0)), "width: it is 0, expected a positive length");
+  EXPECT_ERROR(rectangle(1, -1, Vec<2>(0, 0)), "height: it is -1");
+  EXPECT_ERROR(rectangle(1, 1, Vec<3>(0, 0, 0)), "corner: 2 coordinates");
+}
+
+TEST(Shapes, HalfAnnulusRunsFromLeftOverTheBottomToRight) {
+  const Patch patch = half_annulus(0.3, 0.5, Vec<2>(0.75, 1.5));
+  EXPECT_EQ(patch.direction(0), KnotVector(2, {0, 0, 0, 0.5, 0.5, 1, 1, 1}));
+  EXPECT_EQ(patch.direction(1), KnotVector::single(1));
+  expect_point(patch, {0, 0}, Vec<2>(0.25, 1.5));
+  expect_point(patch, {0.5, 0}, Vec<2>(0.75, 1));
+  expect_point(patch, {1, 0}, Vec<2>(1.25, 1.5));
+  expect_point(patch, {0.5, 1}, Vec<2>(0.75, 1.2));
+  const Measure half = measure(patch);
+  EXPECT_NEAR(half.content, pi / 2 * (0.25 - 0.09), 1e-13);
+  EXPECT_NEAR(half.centroid(1), 1.5 - 4 * (0.125 - 0.027) / (3 * pi * 0.16), 1e-13);
+  EXPECT_GT(half.least, 0);
+}
+
+TEST(Shapes, QuarterAnnulus) {
+  const Patch patch = quarter_annulus(1, 2, Vec<2>(1, 1), 180);
+  EXPECT_EQ(patch.functions(), 6);
+  expect_point(patch, {0, 0}, Vec<2>(-1, 1));
+  expect_point(patch, {1, 1}, Vec<2>(1, 0));
+  EXPECT_NEAR(measure(patch).content, 3 * pi / 4, 1e-13);
+  EXPECT_GT(measure(patch).least, 0);
+  EXPECT_ERROR(quarter_annulus(2, 1, Vec<2>(0, 0), 0), "the inner radius, 2, must be below the outer, 1");
+  EXPECT_ERROR(quarter_annulus(1, 1, Vec<2>(0, 0), 0), "must be below");
+  EXPECT_ERROR(quarter_annulus(0, 1, Vec<2>(0, 0), 0), "inner: it is 0");
+  EXPECT_ERROR(half_annulus(0.3, std::nan(""), Vec<2>(0, 0)), "outer: it is nan");
+  EXPECT_ERROR(quarter_annulus(1, 2, Vec<2>(0, 0), HUGE_VAL), "expected finite numbers of degrees");
+}
+
+TEST(Shapes, BlockFollowsXYZ) {
+  const Patch patch = block({1, 2, 3}, Vec<3>(1, 1, 1));
+  expect_point(patch, {1, 0, 0}, Vec<3>(2, 1, 1));
+  expect_point(patch, {0, 1, 0}, Vec<3>(1, 3, 1));
+  expect_point(patch, {0, 0, 1}, Vec<3>(1, 1, 4));
+  EXPECT_NEAR(measure(patch).content, 6, 1e-13);
+  EXPECT_NEAR(measure(patch).least, 6, 1e-13);
+  EXPECT_ERROR(block({1, 0, 3}, Vec<3>(0, 0, 0)), "size y: it is 0");
+}
+
+TEST(Shapes, HalfCylinderShellHasItsOuterFaceInFront) {
+  const Patch patch = half_cylinder_shell(0.4, 0.5, 0.6, Vec<3>(1, 2, 3));
+  expect_point(patch, {0, 0, 0}, Vec<3>(0.5, 2, 3));
+  expect_point(patch, {0.5, 0, 0}, Vec<3>(1, 2, 2.5));
+  expect_point(patch, {0.5, 1, 1}, Vec<3>(1, 2.6, 2.6));
+  expect_point(patch, {1, 0, 0}, Vec<3>(1.5, 2, 3));
+  const Measure shell = measure(patch, 8);
+  EXPECT_NEAR(shell.content, pi / 2 * 0.09 * 0.6, 1e-12);
+  EXPECT_GT(shell.least, 0);
+  EXPECT_NEAR(measure(face(patch, {2, false})).content, pi * 0.5 * 0.6, 1e-12);
+  EXPECT_ERROR(half_cylinder_shell(0.4, 0.5, 0, Vec<3>(0, 0, 0)), "width: it is 0");
+  EXPECT_ERROR(half_cylinder_shell(0.5, 0.4, 1, Vec<3>(0, 0, 0)), "must be below");
+}
+
+TEST(Shapes, SphereOctantIsExactAndDegenerateOnlyAtThePole) {
+  const Vec<3> centre(1, 2, 3);
+  const Patch patch = sphere_octant(1, 2, centre);
+  expect_point(patch, {0, 0, 0}, centre + Vec<3>(2, 0, 0));
+  expect_point(patch, {1, 0, 0}, centre + Vec<3>(0, 2, 0));
+  for (double t : {0.0, 0.4, 1.0}) expect_point(patch, {t, 1, 1}, centre + Vec<3>(0, 0, -1));
+  for (double a : {0.1, 0.6})
+    for (double b : {0.2, 0.9}) {
+      EXPECT_NEAR((evaluate(patch, parameters({a, b, 0})) - centre).norm(), 2, 1e-14);
+      EXPECT_NEAR((evaluate(patch, parameters({a, b, 1})) - centre).norm(), 1, 1e-14);
+    }
+  const Measure octant = measure(patch, 10);
+  EXPECT_NEAR(octant.content, pi / 6 * 7, 1e-11);
+  EXPECT_GT(octant.least, 0);
+  // Of a half ball shell: z = −3/8 (b⁴ − a⁴)/(b³ − a³)
+  EXPECT_NEAR(octant.centroid(2), 3 - 3 * 15.0 / (8 * 7), 1e-11);
+  EXPECT_ERROR(sphere_octant(1, 1, centre), "must be below");
+  EXPECT_ERROR(sphere_octant(1, 2, Vec<2>(0, 0)), "centre: 3 coordinates");
+}
+
+/// Worst distance of the indenter's cap from its sphere.
+double cap_error(int elements) {
+  const Patch patch = spherical_indenter(10, 8, 11, 12, elements, Vec<3>(1, 2, 3));
+  const Vec<3> centre(6, 6, 3 + 12);
+  double worst = 0;
+  for (int i = 0; i <= 40; ++i)
+    for (int j = 0; j <= 40; ++j)
+      worst = std::max(worst, std::abs((evaluate(patch, parameters({i / 40.0, j / 40.0, 0})) - centre).norm() - 12));
+  return worst;
+}
+
+TEST(Shapes, SphericalIndenterConvergesToItsSphereAtThirdOrder) {
+  const double coarse = cap_error(5), fine = cap_error(10), finest = cap_error(20);
+  EXPECT_LT(coarse, 5e-3);
+  EXPECT_GT(std::log2(coarse / fine), 2.6);
+  EXPECT_GT(std::log2(fine / finest), 2.6);
+}
+
+TEST(Shapes, SphericalIndenterIsABlockWithALowestPointInTheMiddle) {
+  const Patch patch = spherical_indenter(10, 10, 11, 8, 5, Vec<3>(12.5, 10, 22));
+  EXPECT_EQ(patch.direction(0).functions(), 7);
+  EXPECT_EQ(patch.direction(1).functions(), 7);
+  EXPECT_EQ(patch.direction(2), KnotVector::single(1));
+  expect_point(patch, {0.5, 0.5, 0}, Vec<3>(17.5, 15, 22));
+  const double cap = 8 - std::sqrt(64.0 - 50);
+  expect_point(patch, {0, 1, 0}, Vec<3>(12.5, 20, 22 + cap));
+  expect_point(patch, {0.3, 0.8, 1}, Vec<3>(15.5, 18, 33));
+  for (double x : {0.1, 0.4, 0.7}) EXPECT_GT(evaluate(patch, parameters({x, 0.3, 0}))(2), 22);
+  EXPECT_GT(measure(patch, 4).least, 0);
+}
+
+TEST(Shapes, SphericalIndenterRefusesWhatCannotBe) {
+  const Vec<3> corner(0, 0, 0);
+  EXPECT_ERROR(spherical_indenter(10, 10, 11, 7, 5, corner), "radius: a sphere of radius 7 does not reach the corners");
+  EXPECT_ERROR(spherical_indenter(10, 10, 2, 8, 5, corner), "height: the cap rises by 4.25834");
+  EXPECT_ERROR(spherical_indenter(10, 10, 11, 8, 0, corner), "elements: the cap has 0");
+  EXPECT_ERROR(spherical_indenter(0, 10, 11, 8, 5, corner), "width: it is 0");
+  EXPECT_ERROR(spherical_indenter(10, -1, 11, 8, 5, corner), "depth: it is -1");
+  EXPECT_ERROR(spherical_indenter(10, 10, 11, std::nan(""), 5, corner), "radius: it is nan");
+}
+
+TEST(Transform, MovesTurnsAndScalesEveryPoint) {
+  Random random(41);
+  for (int run = 0; run < 20; ++run) {
+    const int dimension = 2 + run % 2;
+    const Patch patch = random_patch(random, 1 + run % dimension, dimension);
+    const VectorX xi = random_parameter(random, patch), x = evaluate(patch, xi), centre = VectorX::Random(dimension);
+    const VectorX by = VectorX::Random(dimension), factors = VectorX::Random(dimension).cwiseAbs();
+    const double angle = uniform(random, -720, 720);
+    EXPECT_LT((evaluate(translate(patch, by), xi) - (x + by)).norm(), 1e-14);
+    EXPECT_LT((evaluate(scale(patch, factors, centre), xi) - (centre + factors.cwiseProduct(x - centre))).norm(),
+              1e-14);
+    if (dimension == 2) {
+      const VectorX turned = Eigen::Rotation2Dd(angle * pi / 180) * Vec<2>(x - centre);
+      EXPECT_LT((evaluate(rotate(patch, angle, centre), xi) - (centre + turned)).norm(), 1e-13);
+    } else {
+      const Vec<3> axis = Vec<3>::Random();
+      const VectorX turned = Eigen::AngleAxisd(angle * pi / 180, axis.normalized()) * Vec<3>(x - centre);
+      EXPECT_LT((evaluate(rotate(patch, angle, centre, axis), xi) - (centre + turned)).norm(), 1e-13);
+    }
+  }
+}
+
+TEST(Transform, QuarterTurnsAreExact) {
+  const Patch patch = rotate(rectangle(2, 1, Vec<2>(0, 0)), 90, Vec<2>(0, 0));
+  EXPECT_EQ(patch.points(), (MatrixX(2, 4) << 0, 0, -1, -1, 0, 2, 0, 2).finished());
+  EXPECT_EQ(direction_of(-270), Vec<2>(0, 1));
+  EXPECT_EQ(direction_of(540), Vec<2>(-1, 0));
+  EXPECT_NEAR(direction_of(30)(1), 0.5, 1e-16);
+}
+
+TEST(Transform, RefusesWhatCannotBe) {
+  const Patch flat = rectangle(1, 1, Vec<2>(0, 0)), solid = block({1, 1, 1}, Vec<3>(0, 0, 0));
+  const Vec<2> origin(0, 0);
+  EXPECT_ERROR(translate(flat, Vec<3>(0, 0, 1)), "by: 2 coordinates are needed, got 3");
+  EXPECT_ERROR(scale(flat, Vec<2>(1, 0), origin), "factors: 0 is not positive");
+  EXPECT_ERROR(scale(flat, Vec<2>(1, -2), origin), "factors: -2 is not positive");
+  EXPECT_ERROR(scale(flat, Vec<2>(1, std::nan("")), origin), "factors: every coordinate must be a finite number");
+  EXPECT_ERROR(rotate(flat, std::nan(""), origin), "angle: it is nan");
+  EXPECT_ERROR(rotate(flat, 30, origin, Vec<3>(0, 0, 1)), "leave the axis out");
+  EXPECT_ERROR(rotate(solid, 30, Vec<3>(0, 0, 0)), "axis: 3 coordinates are needed, got 0");
+  EXPECT_ERROR(rotate(solid, 30, Vec<3>(0, 0, 0), Vec<3>(0, 0, 0)), "axis: it has no length");
+}
+
+} // namespace
+} // namespace signorini::nurbs
