@@ -1,0 +1,75 @@
+-- Checks of what a user gives to a function written in Lua, with the same kind of message as those written in C++:
+-- function, argument, what came, what was expected, cure.
+
+local core = require "signorini.core"
+
+local arguments = {}
+
+--- Raises an error at the user's line: "model:run: steps must be …, got …: cure".
+function arguments.reject(where, name, expected, value, cure)
+  local what = value == nil and ("%s is missing: it must be %s"):format(name, expected)
+    or ("%s must be %s, got %s"):format(name, expected, core.describe(value))
+  core.fail(("%s: %s%s"):format(where, what, cure and ": " .. cure or ""))
+end
+
+--- Raises an error about a key that is none of the known ones (a list), with the one that was probably meant.
+function arguments.unknown(where, key, name, known)
+  local meant = type(key) == "string" and core.nearest(key, known)
+  core.fail(("%s: unknown argument '%s' in %s; %s%s"):format(where, tostring(key), name,
+    meant and ("did you mean '%s'? Known: "):format(meant) or "known: ", table.concat(known, ", ")))
+end
+
+--- The table itself, with no other keys than the known ones (a list). Absent means empty.
+function arguments.table(where, name, value, known)
+  if value == nil then return {} end
+  if type(value) ~= "table" then arguments.reject(where, name, "a table of named arguments", value) end
+  local allowed = {}
+  for _, key in ipairs(known) do allowed[key] = true end
+  for key in pairs(value) do
+    if not allowed[key] then arguments.unknown(where, key, name, known) end
+  end
+  return value
+end
+
+local function is_finite(value)
+  return type(value) == "number" and value == value and math.abs(value) < math.huge
+end
+
+--- A finite number.
+function arguments.number(where, name, value)
+  if not is_finite(value) then
+    local cure = tonumber(value) and type(value) == "string" and "remove the quotes" or nil
+    arguments.reject(where, name, "a finite number", value, cure)
+  end
+  return value
+end
+
+--- A finite number above zero, or the default when absent.
+function arguments.positive(where, name, value, default)
+  if value == nil and default then return default end
+  if not is_finite(value) or value <= 0 then arguments.reject(where, name, "a positive number", value) end
+  return value
+end
+
+--- A whole number of at least 1, or the default when absent.
+function arguments.count(where, name, value, default)
+  if value == nil and default then return default end
+  local whole = type(value) == "number" and math.tointeger(value)
+  if not whole or whole < 1 then arguments.reject(where, name, "a whole number of at least 1", value) end
+  return whole
+end
+
+--- A string, or the default when absent.
+function arguments.string(where, name, value, default)
+  if value == nil and default then return default end
+  if type(value) ~= "string" then arguments.reject(where, name, "a string", value) end
+  return value
+end
+
+--- A function or nothing.
+function arguments.callback(where, name, value)
+  if value ~= nil and type(value) ~= "function" then arguments.reject(where, name, "a function", value) end
+  return value
+end
+
+return arguments

@@ -1,0 +1,55 @@
+-- How far a long run has come, on stderr: a bar that redraws itself on a terminal, one line per finished stage elsewhere,
+-- nothing when the program runs quietly (-q).
+
+local core = require "signorini.core"
+
+local Progress = {}
+Progress.__index = Progress
+
+local bar_width = 30
+local redraw_after = 0.1 -- seconds
+
+local function seconds_text(seconds)
+  if seconds < 60 then return ("%.1f s"):format(seconds) end
+  return ("%d:%02d min"):format(seconds // 60, seconds % 60)
+end
+
+--- A progress display over `total` steps.
+local function start(total)
+  local now = core.now()
+  return setmetatable({ total = total, done = 0, began = now, drawn = now, terminal = core.terminal() }, Progress)
+end
+
+function Progress:clear()
+  if self.visible then io.stderr:write "\r\27[K" end
+  self.visible = false
+end
+
+--- One more step is done.
+function Progress:step(stage)
+  self.done = self.done + 1
+  if core.quiet or not self.terminal then return end
+  local now = core.now()
+  if now - self.drawn < redraw_after then return end
+  self.drawn, self.visible = now, true
+  local part = self.done / self.total
+  local filled = math.floor(bar_width * part)
+  io.stderr:write(("\r\27[K%s [%s%s] %d/%d, %s to go"):format(stage, ("#"):rep(filled), ("."):rep(bar_width - filled),
+    self.done, self.total, seconds_text((now - self.began) * (1 / part - 1))))
+  io.stderr:flush()
+end
+
+--- A line that stays, in place of the bar.
+function Progress:line(text)
+  if core.quiet then return end
+  self:clear()
+  io.stderr:write(text, "\n")
+end
+
+--- A stage has ended; on a terminal the bar alone tells.
+function Progress:stage_end(stage, steps, iterations, wall)
+  if self.terminal then return end
+  self:line(("%s: %d steps, %d iterations, %s"):format(stage, steps, iterations, seconds_text(wall)))
+end
+
+return start

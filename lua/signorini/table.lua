@@ -1,0 +1,43 @@
+-- Tables as aligned text.
+
+local arguments = require "signorini.arguments"
+
+--- A cell as text: by the column's format, whole numbers as such, others with six digits, nothing as a dash.
+local function cell_text(value, format)
+  if value == nil then return "–" end
+  if type(value) ~= "number" then return tostring(value) end
+  if format then return format:format(value) end
+  return math.type(value) == "integer" and ("%d"):format(value) or ("%.6g"):format(value)
+end
+
+local function pad(text, width, right)
+  local blanks = (" "):rep(width - (utf8.len(text) or #text))
+  return right and blanks .. text or text .. blanks
+end
+
+--- The text of a table without a final line break:
+---   sg.table{ columns = {names}, rows = {{…}, …}, units = {…}, formats = {…} }
+--- `units` is a second line of heads; `formats` are string.format patterns for numbers by position or column name.
+--- Columns that hold numbers are aligned to the right. Missing values (nil) are shown as a dash.
+return function(options)
+  arguments.table("sg.table", "its argument", options, { "columns", "rows", "units", "formats" })
+  local columns, formats = options.columns, options.formats or {}
+  if type(columns) ~= "table" then arguments.reject("sg.table", "columns", "a list of names", columns) end
+  if type(options.rows) ~= "table" then arguments.reject("sg.table", "rows", "a list of rows", options.rows) end
+
+  local heads = options.units and { columns, options.units } or { columns }
+  local lines = {}
+  for i = 1, #heads + #options.rows do lines[i] = {} end
+  for j, name in ipairs(columns) do
+    local texts, width, right = {}, 0, false
+    for i, head in ipairs(heads) do texts[i] = tostring(head[j] or "") end
+    for i, row in ipairs(options.rows) do
+      texts[#heads + i] = cell_text(row[j], formats[name] or formats[j])
+      right = right or type(row[j]) == "number"
+    end
+    for _, text in ipairs(texts) do width = math.max(width, utf8.len(text) or #text) end
+    for i, text in ipairs(texts) do lines[i][j] = pad(text, width, right) end
+  end
+  for i, line in ipairs(lines) do lines[i] = table.concat(line, "  "):gsub("%s+$", "") end
+  return table.concat(lines, "\n")
+end
