@@ -43,11 +43,14 @@ int unknown_method(lua_State* L) {
 } // namespace
 
 int raise(lua_State* L, const std::exception& error) {
-  std::string message = user_position(L);
-  const char* name = lua_isstring(L, lua_upvalueindex(1)) ? function_name(L) : "";
-  if (!dynamic_cast<const ArgumentError*>(&error)) message += text(name, ": ");
-  message += error.what();
-  push(L, message);
+  std::string message = user_position(L), reason = error.what();
+  if (!dynamic_cast<const ArgumentError*>(&error) && lua_isstring(L, lua_upvalueindex(1))) {
+    // Errors of the rooms below name the C++ function ("face: …"); the name in the script takes its place.
+    const std::string name = function_name(L), last = name.substr(name.find_last_of(".:") + 1) + ": ";
+    message += name + ": ";
+    if (reason.starts_with(last)) reason.erase(0, last.size());
+  }
+  push(L, message + reason);
   return 1;
 }
 

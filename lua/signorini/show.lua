@@ -1,0 +1,67 @@
+-- How the prompt shows values: numbers and texts as one would write them, tables two levels deep and cut where they are
+-- long.
+
+local show = {}
+
+local width = 100   -- characters of a line
+local most = 40     -- entries of a table
+local levels = 2    -- of nested tables
+
+local function is_name(key) return type(key) == "string" and key:find "^[%a_][%w_]*$" ~= nil end
+
+local function sorted_keys(value)
+  local keys = {}
+  for key in next, value do
+    if not (math.type(key) == "integer" and key >= 1 and key <= #value) then keys[#keys + 1] = key end
+  end
+  table.sort(keys, function(a, b)
+    if type(a) == type(b) and (type(a) == "string" or type(a) == "number") then return a < b end
+    return tostring(a) < tostring(b)
+  end)
+  return keys
+end
+
+local text
+
+local function table_text(value, level, indent)
+  if level > levels then return next(value) == nil and "{}" or "{…}" end
+  local inner = indent .. "  "
+  local entries, left_out = {}, 0
+  local function add(make)
+    if #entries < most then entries[#entries + 1] = make() else left_out = left_out + 1 end
+  end
+  for i = 1, #value do add(function() return text(rawget(value, i), level + 1, inner) end) end
+  for _, key in ipairs(sorted_keys(value)) do
+    add(function()
+      local label = is_name(key) and key or ("[%s]"):format(text(key, levels + 1, inner))
+      return label .. " = " .. text(rawget(value, key), level + 1, inner)
+    end)
+  end
+  if left_out > 0 then entries[#entries + 1] = ("… %d more"):format(left_out) end
+  if #entries == 0 then return "{}" end
+  local line = table.concat(entries, ", ")
+  if #indent + #line + 2 <= width and not line:find "\n" then return "{" .. line .. "}" end
+  return "{\n" .. inner .. table.concat(entries, ",\n" .. inner) .. "\n" .. indent .. "}"
+end
+
+--- One value; tables and objects that know how to write themselves do so.
+function text(value, level, indent)
+  if type(value) == "string" then
+    return level == 1 and value:find "\n" and value or ("%q"):format(value):gsub("\\\n", "\\n")
+  end
+  local own = type(value) == "table" and getmetatable(value)
+  if type(value) == "table" and not (type(own) == "table" and own.__tostring) then
+    return table_text(value, level, indent)
+  end
+  return tostring(value)
+end
+
+--- The text of a value as the prompt shows it.
+function show.text(value) return (text(value, 1, "")) end
+
+--- Prints values one below the other.
+function show.print(...)
+  for i = 1, select("#", ...) do print(show.text((select(i, ...)))) end
+end
+
+return show

@@ -1,0 +1,33 @@
+-- Reading a variable that was never set is an error in every script: a misspelt name must not pass as nil.
+
+local core = require "signorini.core"
+
+--- The names that can be read where a function stands: its local variables, its upvalues, and the globals.
+local function names_in_sight(level)
+  local names = {}
+  for i = 1, math.huge do
+    local name = debug.getlocal(level + 1, i)
+    if not name then break end
+    names[#names + 1] = name
+  end
+  local frame = debug.getinfo(level + 1, "f")
+  for i = 1, math.huge do
+    local name = debug.getupvalue(frame.func, i)
+    if not name then break end
+    names[#names + 1] = name
+  end
+  for name in next, _G do names[#names + 1] = tostring(name) end
+  return names
+end
+
+local function cure(name, level)
+  if name == "sg" then return [[; write local sg = require "signorini" at the top]] end
+  local meant = core.nearest(name, names_in_sight(level + 1))
+  return meant and ("; did you mean '%s'?"):format(meant) or ""
+end
+
+setmetatable(_G, {
+  __index = function(_, name)
+    error(("undefined variable '%s'%s"):format(name, cure(tostring(name), 2)), 2)
+  end,
+})

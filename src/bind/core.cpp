@@ -1,0 +1,81 @@
+#include "base/interrupt.hpp"
+#include "base/timer.hpp"
+#include "bind/functions.hpp"
+#include "bind/open.hpp"
+
+#include <filesystem>
+
+namespace signorini::bind {
+
+namespace {
+
+int core_fail(lua_State* L) {
+  luaL_tolstring(L, 1, nullptr);
+  push(L, user_position(L) + lua_tostring(L, -1));
+  return lua_error(L);
+}
+
+int now(lua_State* L) {
+  static const Stopwatch since_start;
+  push(L, since_start.seconds());
+  return 1;
+}
+
+int mkdir(lua_State* L) {
+  const std::string path = read_string(L, 1, {"path", "a folder"});
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (error || !std::filesystem::is_directory(path))
+    fail("cannot make the folder '", path, "' (", error ? error.message() : "it is a file",
+         "): choose a place that can be written to");
+  return 0;
+}
+
+int is_interrupted(lua_State* L) {
+  push(L, interrupted());
+  return 1;
+}
+
+int core_describe(lua_State* L) {
+  push(L, describe(L, 1));
+  return 1;
+}
+
+int core_nearest(lua_State* L) {
+  const std::string word = read_string(L, 1, {"word"});
+  const int count = read_list(L, 2, {"words"});
+  std::vector<std::string> words;
+  for (int i = 1; i <= count; ++i) {
+    lua_rawgeti(L, 2, i);
+    words.push_back(read_string(L, -1, {text("words[", i, "]")}));
+    lua_pop(L, 1);
+  }
+  const std::string best = nearest(word, words);
+  if (best.empty()) return 0;
+  push(L, best);
+  return 1;
+}
+
+int kind(lua_State* L) {
+  if (lua_isuserdata(L, 1) && luaL_getmetafield(L, 1, "__name") == LUA_TSTRING) return 1;
+  push(L, luaL_typename(L, 1));
+  return 1;
+}
+
+constexpr Function rows[] = {
+    {"fail", wrap<core_fail>, "core.fail(message)\nEnds with an error at the line of the user's own script."},
+    {"now", wrap<now>, "core.now()\nWall-clock seconds since some moment in the past."},
+    {"mkdir", wrap<mkdir>, "core.mkdir(path)\nMakes a folder and those above it; an existing folder is fine."},
+    {"interrupted", wrap<is_interrupted>, "core.interrupted()\nWhether Ctrl-C was pressed."},
+    {"describe", wrap<core_describe>, "core.describe(value)\nA value in the words of error messages."},
+    {"nearest", wrap<core_nearest>, "core.nearest(word, words)\nThe word of a list that is nearest, or nil."},
+    {"kind", wrap<kind>, "core.kind(value)\nThe type, with the names of the program's own types such as \"patch\"."},
+};
+
+} // namespace
+
+void open_core(lua_State* L) {
+  register_functions(L, "core", rows);
+}
+
+} // namespace signorini::bind

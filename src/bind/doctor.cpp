@@ -1,0 +1,77 @@
+#include "bind/doctor.hpp"
+
+#include "base/eigen.hpp"
+#include "base/error.hpp"
+#include "bind/library.hpp"
+#include "bind/threads.hpp"
+#include "view/picture.hpp"
+#include "view/renderer.hpp"
+
+#include <dlfcn.h>
+#include <filesystem>
+#include <iomanip>
+#include <ostream>
+#include <unistd.h>
+
+namespace signorini::bind {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string suitesparse_version() {
+  int v[3] = {0, 0, 0};
+  auto* version = reinterpret_cast<int (*)(int*)>(dlsym(RTLD_DEFAULT, "SuiteSparse_version"));
+  if (!version) return "not loaded";
+  version(v);
+  return text(v[0], ".", v[1], ".", v[2]);
+}
+
+/// A coloured square, drawn and thrown away.
+std::string test_picture() {
+  view::Body square;
+  square.points.resize(3, 4);
+  square.points << 0, 1, 1, 0, 0, 0, 1, 1, 0, 0, 0, 0;
+  square.triangles.resize(3, 2);
+  square.triangles << 0, 0, 1, 2, 2, 3;
+  square.values = VectorX::LinSpaced(4, 0, 1);
+  view::PictureOptions options;
+  options.title = "signorini";
+  options.size = {400, 300};
+  const fs::path file = fs::temp_directory_path() / text("signorini-doctor-", getpid(), ".png");
+  view::draw_picture({square}, options, file.string());
+  const auto bytes = fs::file_size(file);
+  fs::remove(file);
+  return text("ok (", bytes, " bytes)");
+}
+
+} // namespace
+
+bool doctor(std::ostream& out, int threads, const std::string& readline) {
+  const auto row = [&](const char* name, const std::string& value) {
+    out << std::left << std::setw(14) << name << value << std::endl;
+  };
+  bool well = true;
+  const auto attempt = [&](const char* name, auto&& check) {
+    try {
+      row(name, check());
+    } catch (const std::exception& error) {
+      well = false;
+      row(name, text("FAILED: ", error.what()));
+    }
+  };
+  row("signorini", SIGNORINI_VERSION);
+  attempt("library", [] { return find_home().string(); });
+  row("Lua", LUA_RELEASE);
+  row("Eigen", text(EIGEN_WORLD_VERSION, ".", EIGEN_MAJOR_VERSION, ".", EIGEN_MINOR_VERSION));
+  row("SuiteSparse", suitesparse_version());
+  row("BLAS", blas_description());
+  row("threads", std::to_string(threads));
+  row("readline", readline);
+  attempt("renderer", [] { return view::renderer_description(); });
+  attempt("test picture", test_picture);
+  row("all in all", well ? "ok" : "something is missing, see above");
+  return well;
+}
+
+} // namespace signorini::bind

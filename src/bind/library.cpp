@@ -1,0 +1,77 @@
+#include "bind/library.hpp"
+
+#include "bind/functions.hpp"
+#include "bind/open.hpp"
+
+#include <cstdlib>
+#include <unistd.h>
+#include <vector>
+
+namespace signorini::bind {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+int core_module(lua_State* L) {
+  push_table(L, "core");
+  return 1;
+}
+
+} // namespace
+
+fs::path find_home() {
+  std::vector<fs::path> places;
+  if (const char* home = std::getenv("SIGNORINI_HOME"); home && *home)
+    places = {home};
+  else {
+    const fs::path folder = fs::read_symlink("/proc/self/exe").parent_path();
+    places = {folder / "../share/signorini", folder / ".."};
+  }
+  std::string tried;
+  for (const fs::path& place : places) {
+    if (fs::exists(place / "lua/signorini.lua")) return fs::canonical(place);
+    tried += (tried.empty() ? "" : ", ") + place.lexically_normal().string();
+  }
+  fail("the library lua/signorini.lua is not in ", tried,
+       ": install the program with cmake --install, or set SIGNORINI_HOME to the folder that holds lua/");
+}
+
+void open_library(lua_State* L, const Settings& settings) {
+  const fs::path home = find_home(), lua = home / "lua";
+  luaL_openlibs(L);
+  set_library_folder(L, lua.string());
+
+  lua_getglobal(L, "package");
+  lua_getfield(L, -1, "path");
+  const std::string path = text((lua / "?.lua").string(), ";", lua_tostring(L, -1));
+  lua_pop(L, 1);
+  set_field(L, "path", path);
+  lua_getfield(L, -1, "preload");
+  lua_pushcfunction(L, core_module);
+  lua_setfield(L, -2, "signorini.core");
+  lua_pop(L, 2);
+
+  open_core(L);
+  open_patch(L);
+  open_curves(L);
+  open_shapes(L);
+  open_body(L);
+  open_model(L);
+  open_chart(L);
+  open_picture(L);
+
+  push_table(L, "core");
+  push_table(L, "sg");
+  lua_setfield(L, -2, "sg");
+  set_field(L, "terminal", isatty(STDERR_FILENO) == 1); // where progress is shown
+  set_field(L, "quiet", settings.quiet);
+  set_field(L, "threads", settings.threads);
+  set_field(L, "version", SIGNORINI_VERSION);
+  // In the source tree the shared data stand in share/, in an installed tree beside lua/.
+  set_field(L, "share", (fs::exists(home / "share") ? home / "share" : home).string());
+  set_field(L, "home", home.string());
+  lua_pop(L, 1);
+}
+
+} // namespace signorini::bind

@@ -1,0 +1,22 @@
+#pragma once
+// The whole language in a Lua state: bindings, the library of the lua/ folder, and where that folder is.
+
+#include <lua.hpp>
+
+#include <filesystem>
+
+namespace signorini::bind {
+
+struct Settings {
+  bool quiet = false; ///< no progress, no banner
+  int threads = 1;    ///< for BLAS and loops
+};
+
+/// The folder that holds lua/: $SIGNORINI_HOME, else ../share/signorini or .. seen from the executable.
+/// Throws Error that lists where it looked.
+std::filesystem::path find_home();
+
+/// Opens Lua's own libraries, the bindings (module "signorini.core"), and package.path for `require "signorini"`.
+void open_library(lua_State* L, const Settings& settings);
+
+} // namespace signorini::bind

@@ -1,0 +1,35 @@
+#include "bind/threads.hpp"
+
+#include <cstdlib>
+#include <dlfcn.h>
+#include <filesystem>
+
+namespace signorini::bind {
+
+namespace {
+
+/// A function of whichever library is loaded, or nullptr: BLAS is a choice of the machine's owner, so nothing of one
+/// particular BLAS is linked.
+template <class F> F* loaded(const char* name) {
+  return reinterpret_cast<F*>(dlsym(RTLD_DEFAULT, name));
+}
+
+} // namespace
+
+void set_threads(int threads) {
+  const std::string number = std::to_string(threads);
+  for (const char* variable : {"OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS"}) setenv(variable, number.c_str(), 1);
+  for (const char* name : {"openblas_set_num_threads", "omp_set_num_threads"})
+    if (auto* set = loaded<void(int)>(name)) set(threads);
+}
+
+std::string blas_description() {
+  void* dgemm = dlsym(RTLD_DEFAULT, "dgemm_");
+  Dl_info info;
+  if (!dgemm || !dladdr(dgemm, &info)) return "none loaded";
+  const std::string file = std::filesystem::weakly_canonical(info.dli_fname).string();
+  auto* config = loaded<char*()>("openblas_get_config");
+  return (config ? std::string(config()) + ", " : "") + file;
+}
+
+} // namespace signorini::bind

@@ -1,0 +1,57 @@
+#include "base/interrupt.hpp"
+#include "bind/doctor.hpp"
+#include "bind/threads.hpp"
+#include "repl/command_line.hpp"
+#include "repl/interpreter.hpp"
+#include "repl/interrupt.hpp"
+#include "repl/prompt.hpp"
+
+#include <iostream>
+
+using namespace signorini;
+
+namespace {
+
+enum Status { success = 0, failure = 1, wrong_usage = 2, stopped_by_user = 130 };
+
+bool run(const repl::CommandLine& line, const std::string& program) {
+  repl::Interpreter interpreter({line.quiet, line.threads});
+  repl::catch_interrupts(interpreter.state());
+  interpreter.set_arguments(program, line.script, line.arguments);
+  // A script in a file says what it needs; whatever is typed finds the language already there.
+  const bool typed = line.interactive || line.script.empty() || line.script == "-" || !line.code.empty();
+  if (typed && !interpreter.open_globals()) return false;
+  for (const auto& code : line.code)
+    if (!interpreter.run_code(code, "=(command line)")) return false;
+  if (!line.script.empty() && !interpreter.run_file(line.script)) return false;
+  return (line.prompt_only() || line.interactive) ? repl::prompt(interpreter, line.quiet) : true;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  try {
+    const repl::CommandLine line = repl::parse({argv + 1, argv + argc});
+    bind::set_threads(line.threads);
+    switch (line.wish) {
+    case repl::CommandLine::Wish::version:
+      std::cout << "signorini " SIGNORINI_VERSION "\n";
+      return success;
+    case repl::CommandLine::Wish::help:
+      std::cout << repl::usage();
+      return success;
+    case repl::CommandLine::Wish::doctor:
+      return bind::doctor(std::cout, line.threads, repl::readline_version()) ? success : failure;
+    case repl::CommandLine::Wish::run:
+      break;
+    }
+    const bool ok = run(line, argv[0]);
+    return interrupted() ? stopped_by_user : ok ? success : failure;
+  } catch (const repl::UsageError& error) {
+    std::cerr << "signorini: " << error.what() << "\n";
+    return wrong_usage;
+  } catch (const std::exception& error) {
+    std::cerr << "signorini: " << error.what() << "\n";
+    return failure;
+  }
+}

@@ -1,0 +1,37 @@
+#pragma once
+// What stands on the command line.
+
+#include "base/error.hpp"
+
+#include <string>
+#include <vector>
+
+namespace signorini::repl {
+
+/// A command line that cannot be understood.
+class UsageError : public Error {
+public:
+  using Error::Error;
+};
+
+struct CommandLine {
+  enum class Wish { run, version, help, doctor };
+  Wish wish = Wish::run;
+  std::vector<std::string> code;      ///< of each -e
+  std::string script;                 ///< a file, "-" for standard input, or empty
+  std::vector<std::string> arguments; ///< of the script
+  bool interactive = false;           ///< -i
+  bool quiet = false;                 ///< -q
+  int threads = 1;
+
+  /// Whether there is nothing to run but the prompt.
+  bool prompt_only() const { return code.empty() && script.empty(); }
+};
+
+/// Throws UsageError with a hint.
+CommandLine parse(const std::vector<std::string>& words);
+
+/// The text of --help.
+const char* usage();
+
+} // namespace signorini::repl

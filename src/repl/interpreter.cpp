@@ -1,0 +1,99 @@
+#include "repl/interpreter.hpp"
+
+#include "base/interrupt.hpp"
+#include "bind/functions.hpp"
+
+#include <filesystem>
+#include <iostream>
+
+namespace signorini::repl {
+
+namespace {
+
+/// How many of the user's own functions stand on the stack.
+int user_frames(lua_State* L) {
+  int count = 0;
+  lua_Debug frame;
+  for (int level = 0; lua_getstack(L, level, &frame); ++level) {
+    lua_getinfo(L, "Sl", &frame);
+    count += frame.currentline > 0 && !bind::in_library(L, frame);
+  }
+  return count;
+}
+
+/// Message handler: any error value as text, with the traceback below it unless it tells nothing new.
+int add_traceback(lua_State* L) {
+  const bool brief = lua_toboolean(L, lua_upvalueindex(1));
+  luaL_tolstring(L, 1, nullptr);
+  if (interrupted() || (brief && user_frames(L) < 2)) return 1;
+  luaL_traceback(L, L, lua_tostring(L, -1), 1);
+  return 1;
+}
+
+int open_all(lua_State* L) {
+  bind::open_library(L, *static_cast<const bind::Settings*>(lua_touserdata(L, 1)));
+  luaL_loadstring(L, "require 'signorini.strict'");
+  lua_call(L, 0, 0);
+  return 0;
+}
+
+} // namespace
+
+Interpreter::Interpreter(const bind::Settings& settings) : state_(luaL_newstate()) {
+  lua_State* L = state();
+  lua_pushcfunction(L, bind::wrap<open_all>);
+  lua_pushlightuserdata(L, const_cast<bind::Settings*>(&settings));
+  if (lua_pcall(L, 1, 0, 0) != LUA_OK) fail(lua_tostring(L, -1));
+}
+
+void Interpreter::set_arguments(const std::string& program, const std::string& script,
+                                const std::vector<std::string>& arguments) {
+  lua_State* L = state();
+  bind::push(L, arguments);
+  bind::push(L, script);
+  lua_rawseti(L, -2, 0);
+  bind::push(L, program);
+  lua_rawseti(L, -2, -1);
+  lua_setglobal(L, "arg");
+  if (script.empty() || script == "-") return;
+  const std::filesystem::path folder = std::filesystem::path(script).parent_path();
+  lua_getglobal(L, "package");
+  lua_getfield(L, -1, "path");
+  // Behind the library, so that a script named like one of its modules does not hide it.
+  const std::string path = lua_tostring(L, -1), own = (folder.empty() ? "." : folder.string()) + "/?.lua";
+  const auto end = path.find(';');
+  bind::push(L, path.substr(0, end) + ";" + own + path.substr(end));
+  lua_setfield(L, -3, "path");
+  lua_pop(L, 2);
+}
+
+bool Interpreter::open_globals() {
+  return run_code("sg = require 'signorini'; help = sg.help", "=signorini");
+}
+
+bool Interpreter::call(int arguments, bool brief_traceback) {
+  lua_State* L = state();
+  const int base = lua_gettop(L) - arguments;
+  lua_pushboolean(L, brief_traceback);
+  lua_pushcclosure(L, add_traceback, 1);
+  lua_insert(L, base);
+  const int status = lua_pcall(L, arguments, LUA_MULTRET, base);
+  lua_remove(L, base);
+  return status == LUA_OK;
+}
+
+bool Interpreter::report(bool ok) {
+  if (!ok) std::cerr << "signorini: " << lua_tostring(state(), -1) << std::endl;
+  lua_settop(state(), 0);
+  return ok;
+}
+
+bool Interpreter::run_code(const std::string& code, const std::string& name) {
+  return report(luaL_loadbufferx(state(), code.data(), code.size(), name.c_str(), "t") == LUA_OK && call(0));
+}
+
+bool Interpreter::run_file(const std::string& file) {
+  return report(luaL_loadfilex(state(), file == "-" ? nullptr : file.c_str(), "t") == LUA_OK && call(0));
+}
+
+} // namespace signorini::repl

@@ -1,0 +1,40 @@
+#pragma once
+// A Lua state with the whole language, and chunks run in it with their errors reported.
+
+#include "bind/library.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace signorini::repl {
+
+class Interpreter {
+public:
+  explicit Interpreter(const bind::Settings& settings);
+
+  lua_State* state() const { return state_.get(); }
+
+  /// The table `arg`: program, script and its arguments; also puts the script's folder on package.path.
+  void set_arguments(const std::string& program, const std::string& script, const std::vector<std::string>& arguments);
+  /// Makes `sg` and `help` global. Returns whether the library could be loaded.
+  bool open_globals();
+
+  /// Each returns whether the chunk ran without error; an error goes to standard error with a traceback.
+  bool run_code(const std::string& code, const std::string& name);
+  bool run_file(const std::string& file);
+
+  /// Calls the function below `arguments` values on the stack with a traceback for errors: true with all its results on
+  /// the stack, or false with the message.
+  bool call(int arguments, bool brief_traceback = false);
+
+private:
+  bool report(bool ok);
+
+  struct Close {
+    void operator()(lua_State* L) const { lua_close(L); }
+  };
+  std::unique_ptr<lua_State, Close> state_;
+};
+
+} // namespace signorini::repl

@@ -1,0 +1,120 @@
+#include "repl/line_editor.hpp"
+
+#include "base/interrupt.hpp"
+#include "repl/interrupt.hpp"
+#include "repl/prompt.hpp"
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+
+#include <readline/history.h>
+#include <readline/readline.h>
+
+namespace signorini::repl {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+lua_State* state = nullptr;
+
+/// $XDG_STATE_HOME/signorini/history, ~/.local/state/signorini/history, or nothing when there is no home.
+std::string find_history() {
+  const char *state_home = std::getenv("XDG_STATE_HOME"), *home = std::getenv("HOME");
+  fs::path folder;
+  if (state_home && *state_home)
+    folder = state_home;
+  else if (home && *home)
+    folder = fs::path(home) / ".local/state";
+  else
+    return "";
+  std::error_code error;
+  fs::create_directories(folder / "signorini", error);
+  return error ? "" : (folder / "signorini/history").string();
+}
+
+/// The n-th completion of `word` according to signorini.complete, or nullptr behind the last.
+char* next_completion(const char* word, int n) {
+  const int top = lua_gettop(state);
+  char* result = nullptr;
+  lua_getglobal(state, "require");
+  lua_pushstring(state, "signorini.complete");
+  if (lua_pcall(state, 1, 1, 0) == LUA_OK) {
+    lua_pushstring(state, word);
+    lua_pushinteger(state, n + 1);
+    if (lua_pcall(state, 2, 1, 0) == LUA_OK && lua_isstring(state, -1)) result = strdup(lua_tostring(state, -1));
+  }
+  lua_settop(state, top);
+  return result;
+}
+
+char* completion_entry(const char* word, int first) {
+  static int n = 0;
+  n = first == 0 ? 0 : n + 1;
+  return next_completion(word, n);
+}
+
+char** complete(const char* word, int start, int) {
+  // Inside quotes readline's own completion of file names takes over.
+  if (start > 0 && (rl_line_buffer[start - 1] == '"' || rl_line_buffer[start - 1] == '\'')) return nullptr;
+  rl_attempted_completion_over = 1;
+  rl_completion_append_character = '\0';
+  return rl_completion_matches(word, completion_entry);
+}
+
+int leave_line() {
+  if (!interrupted()) return 0;
+  rl_replace_line("", 0);
+  rl_done = 1;
+  return 0;
+}
+
+} // namespace
+
+const char* readline_version() {
+  return rl_library_version;
+}
+
+LineEditor::LineEditor(lua_State* L) : history_file_(find_history()) {
+  state = L;
+  rl_readline_name = "signorini";
+  rl_basic_word_break_characters = " \t\n\"'`@$><=;|&{}()[],+-*/^%#~";
+  rl_attempted_completion_function = complete;
+  rl_signal_event_hook = leave_line;
+  using_history();
+  stifle_history(2000);
+  if (!history_file_.empty()) read_history(history_file_.c_str());
+}
+
+Input LineEditor::read(const char* prompt, std::string& line) {
+  char* typed = readline(prompt);
+  if (interrupted()) {
+    forget_interrupt(state);
+    std::free(typed);
+    std::puts("");
+    return Input::interrupted;
+  }
+  if (!typed) {
+    std::puts("");
+    return Input::end;
+  }
+  line = typed;
+  std::free(typed);
+  return Input::line;
+}
+
+void LineEditor::remember(const std::string& line) {
+  if (line.find_first_not_of(" \t") == std::string::npos) return;
+  const HIST_ENTRY* last = history_get(history_base + history_length - 1);
+  if (last && line == last->line) return;
+  add_history(line.c_str());
+  if (history_file_.empty()) return;
+  // append_history needs a file that exists
+  if (!fs::exists(history_file_))
+    write_history(history_file_.c_str());
+  else
+    append_history(1, history_file_.c_str());
+}
+
+} // namespace signorini::repl

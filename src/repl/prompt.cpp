@@ -1,0 +1,90 @@
+#include "repl/prompt.hpp"
+
+#include "base/interrupt.hpp"
+#include "bind/functions.hpp"
+#include "repl/interrupt.hpp"
+#include "repl/line_editor.hpp"
+
+#include <iostream>
+#include <optional>
+#include <unistd.h>
+
+namespace signorini::repl {
+
+namespace {
+
+/// Whether a syntax error only says that the chunk goes on in the next line.
+bool unfinished(const std::string& message) {
+  return message.ends_with("<eof>");
+}
+
+/// Loads the lines so far as an expression or as statements. True with a function or an error message on the stack,
+/// false when more lines are needed.
+bool load(lua_State* L, const std::string& code) {
+  const std::string expression = "return " + code;
+  if (luaL_loadbufferx(L, expression.data(), expression.size(), "=prompt", "t") == LUA_OK) return true;
+  lua_pop(L, 1);
+  return luaL_loadbufferx(L, code.data(), code.size(), "=prompt", "t") == LUA_OK || !unfinished(lua_tostring(L, -1));
+}
+
+/// Runs what load() left, and prints its results.
+bool run(Interpreter& interpreter) {
+  lua_State* L = interpreter.state();
+  bool ok = lua_isfunction(L, -1) && interpreter.call(0, true);
+  if (ok && lua_gettop(L) > 0) {
+    lua_getglobal(L, "require");
+    bind::push(L, "signorini.show");
+    lua_call(L, 1, 1);
+    lua_getfield(L, -1, "print");
+    lua_insert(L, 1);
+    lua_pop(L, 1);
+    ok = interpreter.call(lua_gettop(L) - 1);
+  }
+  if (!ok) std::cerr << (interrupted() ? "interrupted" : lua_tostring(L, -1)) << std::endl;
+  lua_settop(L, 0);
+  forget_interrupt(L);
+  return ok;
+}
+
+} // namespace
+
+bool prompt(Interpreter& interpreter, bool quiet) {
+  lua_State* L = interpreter.state();
+  std::optional<LineEditor> editor;
+  if (isatty(STDIN_FILENO)) {
+    editor.emplace(L);
+    if (!quiet) std::cout << "signorini " SIGNORINI_VERSION "; help() helps, Ctrl-D leaves" << std::endl;
+  }
+  const auto read = [&](const char* sign, std::string& line) {
+    if (editor) return editor->read(sign, line);
+    return std::getline(std::cin, line) ? Input::line : Input::end;
+  };
+
+  bool all_well = true;
+  std::string code, line;
+  for (Input input; (input = read(code.empty() ? "sg> " : "..> ", line)) != Input::end;) {
+    if (input == Input::interrupted) {
+      code.clear();
+      continue;
+    }
+    if (editor) editor->remember(line);
+    code += (code.empty() ? "" : "\n") + line;
+    if (code.find_first_not_of(" \t\n") == std::string::npos) {
+      code.clear();
+      continue;
+    }
+    if (!load(L, code)) {
+      lua_settop(L, 0);
+      continue;
+    }
+    code.clear();
+    all_well = run(interpreter) && all_well;
+  }
+  if (!code.empty()) {
+    std::cerr << "prompt: the input ends inside a statement" << std::endl;
+    all_well = false;
+  }
+  return all_well;
+}
+
+} // namespace signorini::repl
