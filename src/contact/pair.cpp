@@ -78,13 +78,14 @@ template <int D> void Pair<D>::evaluate(const double* slave_displacement, const 
     const double* values = values_.data() + point.values;
     geometry.slave.setZero();
     for (int a = 0; a < n; ++a) geometry.slave += values[a] * slave_.points().col(nodes[a]);
-    result = {.position = geometry.slave, .gap = memory.projection.gap};
+    result = {};
+    result.position = geometry.slave;
     if (travel_ < memory.cleared) continue;
 
     memory.projection = project(master_, boxes_, geometry.slave, memory.projection, master);
-    result.gap = memory.projection.gap;
-    const bool touching = memory.projection.foot != Foot::none && result.gap < 0;
-    memory.cleared = memory.projection.foot == Foot::regular && result.gap > 0 ? travel_ + result.gap : 0;
+    const double gap = memory.projection.gap;
+    const bool touching = memory.projection.foot != Foot::none && gap < 0;
+    memory.cleared = memory.projection.foot == Foot::regular && gap > 0 ? travel_ + gap : 0;
     if (!touching) continue;
 
     for (int k = 0; k < D - 1; ++k) {
@@ -94,8 +95,8 @@ template <int D> void Pair<D>::evaluate(const double* slave_displacement, const 
     }
     geometry.master = &master;
     geometry.foot = memory.projection.foot;
-    geometry.gap = result.gap;
-    geometry.normal = memory.projection.foot == Foot::corner ? Vec<D>((geometry.slave - master.position) / result.gap)
+    geometry.gap = gap;
+    geometry.normal = memory.projection.foot == Foot::corner ? Vec<D>((geometry.slave - master.position) / gap)
                                                              : Vec<D>(master_.outward(master.tangent).normalized());
     geometry.slip_point = nullptr;
     if (law_.friction > 0 && memory.slip_element >= 0) {
@@ -104,7 +105,9 @@ template <int D> void Pair<D>::evaluate(const double* slave_displacement, const 
     }
     penalty_force(law_, geometry, force);
     result.state = force.state;
+    result.gap = gap;
     result.pressure = force.pressure;
+    for (int k = 0; k < D - 1; ++k) result.tangents.col(k) = geometry.slave_tangent[static_cast<std::size_t>(k)];
     result.friction = force.friction;
     result.force = point.weight * force.force;
     result.area = point.weight * force.measure;
@@ -246,6 +249,14 @@ template <int D> Resultant<D> Pair<D>::resultant() const {
     if (point.state == ContactState::slip) ++sum.slipping;
   }
   return sum;
+}
+
+template <int D> std::vector<double> Pair<D>::gaps() const {
+  std::vector<double> gaps;
+  FacePoint<D> master;
+  for (std::size_t i = 0; i < points_.size(); ++i)
+    gaps.push_back(project(master_, boxes_, results_[i].position, memory_[i].projection, master).gap);
+  return gaps;
 }
 
 template class Pair<2>;

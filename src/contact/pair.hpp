@@ -22,8 +22,10 @@ struct Group {
 template <int D> struct PointResult {
   ContactState state = ContactState::open;
   Vec<D> position = Vec<D>::Zero(); ///< current slave point
-  double gap = 0;                   ///< to the closest point (meaningless for an open point that was not looked at)
+  double gap = 0;                   ///< of a touching point
   double pressure = 0;
+  /// Of the slave face at a touching point, current, not of unit length
+  Eigen::Matrix<double, D, D - 1> tangents = Eigen::Matrix<double, D, D - 1>::Zero();
   Vec<D> friction = Vec<D>::Zero(); ///< t_T; the traction on the slave is t_N n̄ − t_T
   Vec<D> force = Vec<D>::Zero();    ///< on the slave: traction × current area of the point
   double area = 0;                  ///< current area of the point
@@ -58,6 +60,8 @@ public:
   /// Per contact point, along the slave face (element by element).
   const std::vector<PointResult<D>>& results() const { return results_; }
   Resultant<D> resultant() const;
+  /// Gaps of all points in the configuration of the last evaluation (evaluate() looks at those only that may touch).
+  std::vector<double> gaps() const;
 
 private:
   /// A Gauss point of the slave face: constant data.

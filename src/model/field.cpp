@@ -1,0 +1,89 @@
+#include "model/field.hpp"
+
+#include "base/error.hpp"
+
+#include <cmath>
+
+namespace signorini::model {
+
+namespace {
+
+using Material = solid::NeoHookean;
+
+template <int D, int I> double displacement(const Material&, const FieldPoint<D>& point) {
+  return point.displacement(I);
+}
+
+template <int D> double displacement_norm(const Material&, const FieldPoint<D>& point) {
+  return point.displacement.norm();
+}
+
+template <int D, int I, int J> double stress(const Material& material, const FieldPoint<D>& point) {
+  return solid::cauchy_stress<D>(material, point.deformation)(I, J);
+}
+
+template <int D> double trace(const Material& material, const FieldPoint<D>& point) {
+  return solid::cauchy_stress<D>(material, point.deformation).trace();
+}
+
+template <int D> double pressure(const Material& material, const FieldPoint<D>& point) {
+  return -trace<D>(material, point) / 3;
+}
+
+template <int D> double von_mises(const Material& material, const FieldPoint<D>& point) {
+  const Mat<3> sigma = solid::cauchy_stress<D>(material, point.deformation);
+  // √(3/2 s:s), s = σ − tr σ/3 I
+  return std::sqrt(1.5 * (sigma - sigma.trace() / 3 * Mat<3>::Identity()).squaredNorm());
+}
+
+template <int D, int I, int J> double gradient(const Material&, const FieldPoint<D>& point) {
+  return point.deformation(I, J);
+}
+
+template <int D> std::vector<Field<D>> common_fields() {
+  return {
+      {"ux", "displacement u_x", displacement<D, 0>},         {"uy", "displacement u_y", displacement<D, 1>},
+      {"u", "displacement |u|", displacement_norm<D>},        {"sxx", "Cauchy stress σ_xx", stress<D, 0, 0>},
+      {"syy", "Cauchy stress σ_yy", stress<D, 1, 1>},         {"szz", "Cauchy stress σ_zz", stress<D, 2, 2>},
+      {"sxy", "Cauchy stress σ_xy", stress<D, 0, 1>},         {"von_mises", "von Mises stress", von_mises<D>},
+      {"pressure", "pressure −tr σ/3", pressure<D>},          {"I1", "first stress invariant tr σ", trace<D>},
+      {"F11", "deformation gradient F11", gradient<D, 0, 0>}, {"F12", "deformation gradient F12", gradient<D, 0, 1>},
+      {"F21", "deformation gradient F21", gradient<D, 1, 0>}, {"F22", "deformation gradient F22", gradient<D, 1, 1>}};
+}
+
+} // namespace
+
+template <> const std::vector<Field<2>>& fields<2>() {
+  static const std::vector<Field<2>> all = common_fields<2>();
+  return all;
+}
+
+template <> const std::vector<Field<3>>& fields<3>() {
+  static const std::vector<Field<3>> all = [] {
+    std::vector<Field<3>> list = common_fields<3>();
+    list.push_back({"uz", "displacement u_z", displacement<3, 2>});
+    list.push_back({"sxz", "Cauchy stress σ_xz", stress<3, 0, 2>});
+    list.push_back({"syz", "Cauchy stress σ_yz", stress<3, 1, 2>});
+    list.push_back({"F13", "deformation gradient F13", gradient<3, 0, 2>});
+    list.push_back({"F23", "deformation gradient F23", gradient<3, 1, 2>});
+    list.push_back({"F31", "deformation gradient F31", gradient<3, 2, 0>});
+    list.push_back({"F32", "deformation gradient F32", gradient<3, 2, 1>});
+    list.push_back({"F33", "deformation gradient F33", gradient<3, 2, 2>});
+    return list;
+  }();
+  return all;
+}
+
+template <int D> const Field<D>& find_field(const std::string& name) {
+  std::string known;
+  for (const Field<D>& field : fields<D>()) {
+    if (field.name == name) return field;
+    known += (known.empty() ? "" : ", ") + field.name;
+  }
+  fail("unknown field '", name, "'; known: ", known);
+}
+
+template const Field<2>& find_field<2>(const std::string&);
+template const Field<3>& find_field<3>(const std::string&);
+
+} // namespace signorini::model

@@ -1,0 +1,30 @@
+#pragma once
+// The fields that can be sampled in a deformed body, by name.
+
+#include "solid/material.hpp"
+
+#include <string>
+#include <vector>
+
+namespace signorini::model {
+
+/// The state at one material point.
+template <int D> struct FieldPoint {
+  Vec<D> displacement;
+  Mat<D> deformation; ///< F
+};
+
+/// A scalar field: what users call it, how a colour bar calls it, how it is computed.
+template <int D> struct Field {
+  std::string name, label;
+  double (*value)(const solid::NeoHookean& material, const FieldPoint<D>& point);
+};
+
+/// All fields: components and size of the displacement (ux uy u), of the Cauchy stress (sxx syy szz sxy), its von Mises
+/// value, pressure = −tr σ/3, I1 = tr σ, and the deformation gradient (F11 F12 F21 F22); in 3D those of z as well.
+template <int D> const std::vector<Field<D>>& fields();
+
+/// Throws Error that lists the known names.
+template <int D> const Field<D>& find_field(const std::string& name);
+
+} // namespace signorini::model
