@@ -34,7 +34,7 @@ Patch arc(const Point& centre, double radius, double start, double stop) {
   MatrixX homogeneous = MatrixX::Ones(centre.size() + 1, 2 * segments + 1);
   for (int i = 0; i <= 2 * segments; ++i) {
     const bool corner = i % 2 == 1;
-    const double angle = i == 2 * segments ? stop : start + turn * i / (2 * segments);
+    const double angle = start + turn * i / (2 * segments);
     const double w = corner ? weight : 1;
     homogeneous.col(i).head(centre.size()) = w * centre;
     homogeneous.col(i).head(2) += radius * direction_of(angle);

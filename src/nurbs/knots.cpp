@@ -61,7 +61,7 @@ KnotVector KnotVector::single(int degree) {
 int KnotVector::find_element(double xi) const {
   require(xi >= first() && xi <= last(), "xi: ", xi, " is outside the knots, [", first(), ", ", last(), "]");
   const auto next = std::upper_bound(breaks_.begin(), breaks_.end() - 1, xi);
-  return std::min(static_cast<int>(next - breaks_.begin()), elements()) - 1;
+  return static_cast<int>(next - breaks_.begin()) - 1;
 }
 
 int KnotVector::multiplicity(double knot) const {

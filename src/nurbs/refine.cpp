@@ -76,15 +76,14 @@ Patch elevate_once(const Patch& patch, int d) {
 
   // The elevated blossom is the mean of the old one over all ways to leave out one argument:
   //   Q_j = 1/(p+1) Σ_k F(t_{j+1}, …, t_{j+p+1} without t_{j+k})   (Prautzsch 1984; Goldman, Pyramid Algorithms, ch. 6)
-  // The knots without every (p+1)-th one still refine the old, so each term is a knot insertion.
+  // The knots without every (p+1)-th one (t_j kept) still refine the old ones, so each term is a knot insertion.
   std::vector<Triplet> triplets;
   for (int j = 0; j < elevated.functions(); ++j) {
     const double* t = knots.data() + j;
     for (int k = 1; k <= p + 1; ++k) {
       double arguments[max_degree + 1];
       std::copy(t + k + 1, t + p + 2, std::copy(t + 1, t + k, arguments));
-      const double before = k == p + 1 && j > 0 ? t[-1] : t[0];
-      add_blossom(old, before, arguments, 1.0 / (p + 1), j, triplets);
+      add_blossom(old, t[0], arguments, 1.0 / (p + 1), j, triplets);
     }
   }
   return replace_direction(patch, d, std::move(elevated), triplets);

@@ -59,6 +59,7 @@ TEST(Arc, QuarterPointsAreExactAndKnotsEquallySpaced) {
   EXPECT_LT((points.col(1) - Vec<2>(2, 2)).norm(), 1e-15);
   EXPECT_DOUBLE_EQ(patch.weights()(1), std::sqrt(0.5));
   EXPECT_EQ(arc(Vec<2>(0, 0), 1, 10, 100).direction(0).elements(), 1);
+  EXPECT_EQ(arc(Vec<2>(0, 0), 1, 59.3, 149.3).direction(0).elements(), 1); // 149.3 − 59.3 > 90 in doubles
   EXPECT_EQ(arc(Vec<2>(0, 0), 1, 0, 90.001).direction(0).elements(), 2);
 }
 
