@@ -14,15 +14,15 @@ namespace signorini::view {
 struct Series {
   std::string label;
   std::vector<double> x, y;
-  bool line = true;    ///< draw the line
-  bool markers = false;///< draw markers
+  bool line = true;     ///< draw the line
+  bool markers = false; ///< draw markers
   bool dashed = false;
 };
 
 struct ChartOptions {
   std::string title, xlabel, ylabel;
   bool log_x = false, log_y = false;
-  bool legend = true;                    ///< right of the data, never over it; left out for a single unlabelled series
+  bool legend = true; ///< right of the data, never over it; left out for a single unlabelled series
   std::optional<std::array<double, 2>> xrange, yrange;
   std::array<int, 2> size = {1600, 1000};
 };

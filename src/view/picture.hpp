@@ -25,8 +25,8 @@ struct Body {
 
 struct PictureOptions {
   std::string title;
-  std::string field_label;                   ///< title of the colour bar, with unit when known
-  std::optional<std::array<double, 2>> range;///< colour range; the values' own when absent
+  std::string field_label;                    ///< title of the colour bar, with unit when known
+  std::optional<std::array<double, 2>> range; ///< colour range; the values' own when absent
   std::string colormap = "viridis";
   std::array<int, 2> size = {1600, 1000};    ///< pixels
   std::optional<std::array<double, 4>> crop; ///< xmin, xmax, ymin, ymax in model units

@@ -1,0 +1,72 @@
+#include "view/colorbar.hpp"
+
+#include "view/text.hpp"
+
+#include <algorithm>
+
+namespace signorini::view {
+namespace {
+
+constexpr Rgb rim = {70, 70, 70};
+
+double bar_width(const Style& style) {
+  return 30 * style.unit;
+}
+
+double widest(const Ticks& ticks, double size) {
+  double width = text_width(ticks.factor, size) - 0.5 * size; // the factor stands over the bar itself
+  for (const std::string& label : ticks.labels) width = std::max(width, text_width(label, size));
+  return width;
+}
+
+} // namespace
+
+double colorbar_room(const std::array<double, 2>& range, const std::string& title, double height, const Style& style) {
+  const Ticks ticks = stacked_ticks(range[0], range[1], false, height, style);
+  return 1.3 * style.margin + bar_width(style) + 0.5 * style.tick_size + widest(ticks, style.tick_size) +
+         (title.empty() ? 0.0 : 1.6 * style.label_size);
+}
+
+void draw_colorbar(Drawing& drawing, const BarPlace& place, const std::array<double, 2>& range,
+                   std::array<bool, 2> beyond, const std::vector<Rgb>& colours, const std::string& title,
+                   const Style& style) {
+  const double width = bar_width(style), right = place.left + width, size = style.tick_size, point = 0.8 * width;
+  const Ticks ticks = stacked_ticks(range[0], range[1], false, place.top - place.bottom, style);
+  const double room_above = ticks.factor.empty() ? 0 : 1.2 * size;
+  const double low = place.bottom + (beyond[0] ? point : 0), high = place.top - room_above - (beyond[1] ? point : 0);
+  const double middle = 0.5 * (place.left + right);
+  const Scale scale{range[0], range[1], false, low, high};
+
+  const double step = (high - low) / static_cast<double>(colours.size());
+  for (std::size_t i = 0; i < colours.size(); ++i) {
+    const double from = low + step * i, to = i + 1 == colours.size() ? high : from + 1.5 * step; // overlap hides seams
+    drawing.marks.push_back(Fill{{{place.left, from}, {right, from}, {right, to}, {place.left, to}}, colours[i]});
+  }
+  std::vector<Vec2> outline = {{place.left, high}, {place.left, low}};
+  if (beyond[0]) {
+    drawing.marks.push_back(Fill{{{place.left, low}, {middle, low - point}, {right, low}}, colours.front()});
+    outline.push_back({middle, low - point});
+  }
+  outline.insert(outline.end(), {{right, low}, {right, high}});
+  if (beyond[1]) {
+    drawing.marks.push_back(Fill{{{place.left, high}, {right, high}, {middle, high + point}}, colours.back()});
+    outline.push_back({middle, high + point});
+  }
+  outline.insert(outline.end(), {{place.left, high}, {place.left, low}});
+  drawing.marks.push_back(Stroke{outline, rim, 1.6 * style.unit});
+
+  for (std::size_t i = 0; i < ticks.at.size(); ++i) {
+    const double y = scale(ticks.at[i]);
+    drawing.marks.push_back(Stroke{{{right - 0.3 * size, y}, {right, y}}, rim, 1.6 * style.unit});
+    drawing.marks.push_back(Text{{right + 0.4 * size, y - 0.36 * size}, ticks.labels[i], size, Align::left, ink});
+  }
+  if (!ticks.factor.empty())
+    drawing.marks.push_back(Text{{place.left, place.top - 0.8 * size}, ticks.factor, size, Align::left, ink});
+  if (!title.empty()) {
+    const double x = right + 0.5 * size + widest(ticks, size) + 1.15 * style.label_size;
+    const double fit = fitting_size(title, style.label_size, place.top - place.bottom);
+    drawing.marks.push_back(Text{{x, 0.5 * (low + high)}, title, fit, Align::centre, ink, true});
+  }
+}
+
+} // namespace signorini::view

@@ -1,0 +1,144 @@
+#include "view/frame.hpp"
+
+#include "base/error.hpp"
+#include "view/text.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace signorini::view {
+namespace {
+
+constexpr Rgb grid_colour = {226, 226, 226}, minor_grid_colour = {242, 242, 242}, axis_colour = {70, 70, 70};
+constexpr double digit_height = 0.72; // of digits and capitals, in the font's size
+
+void line(Drawing& drawing, const Vec2& a, const Vec2& b, const Rgb& colour, double width) {
+  drawing.marks.push_back(Stroke{{a, b}, colour, width});
+}
+
+double widest(const Ticks& ticks, double size) {
+  double width = 0;
+  for (const std::string& label : ticks.labels) width = std::max(width, text_width(label, size));
+  return width;
+}
+
+Ticks make_ticks(double low, double high, bool log, int count) {
+  return log ? log_ticks(low, high, count) : linear_ticks(low, high, count);
+}
+
+} // namespace
+
+Style style_for(const std::array<int, 2>& size) {
+  require(size[0] >= 160 && size[1] >= 120 && size[0] <= 5000 && size[1] <= 5000, "size is ", size[0], " × ", size[1],
+          " pixels; expected from 160 × 120 to 5000 × 5000, such as {1600, 1000}");
+  // Small figures keep their text a little larger, so that it stays legible.
+  const double scale = std::min(size[0] / 1600.0, size[1] / 1000.0), unit = scale < 1 ? std::pow(scale, 0.75) : scale;
+  return {unit, 27 * unit, 30 * unit, 34 * unit, 26 * unit};
+}
+
+double Scale::operator()(double value) const {
+  const double t = log ? std::log(value / low) / std::log(high / low) : (value - low) / (high - low);
+  return from + t * (to - from);
+}
+
+double room_below(const Style& style, const std::string& label) {
+  return 1.45 * style.tick_size + (label.empty() ? 0.0 : 1.5 * style.label_size);
+}
+
+double room_left(const Style& style, const Ticks& ticks, const std::string& label) {
+  return widest(ticks, style.tick_size) + 0.55 * style.tick_size + (label.empty() ? 0.0 : 1.4 * style.label_size);
+}
+
+Ticks fitting_ticks(double low, double high, bool log, double pixels, const Style& style) {
+  for (int count = 9; count > 2; --count) {
+    Ticks ticks = make_ticks(low, high, log, count);
+    const Scale scale{low, high, log, 0, pixels};
+    bool fits = true;
+    for (std::size_t i = 1; i < ticks.at.size() && fits; ++i) {
+      const double needed =
+          0.5 * (text_width(ticks.labels[i - 1], style.tick_size) + text_width(ticks.labels[i], style.tick_size));
+      fits = scale(ticks.at[i]) - scale(ticks.at[i - 1]) > needed + 0.8 * style.tick_size;
+    }
+    if (fits) return ticks;
+  }
+  return make_ticks(low, high, log, 2);
+}
+
+Ticks stacked_ticks(double low, double high, bool log, double pixels, const Style& style) {
+  return make_ticks(low, high, log, std::clamp(static_cast<int>(pixels / (2.6 * style.tick_size)), 2, 9));
+}
+
+void draw_grid(Drawing& drawing, const Frame& frame, const Style& style) {
+  const auto& [left, right, bottom, top] = frame.box;
+  const double width = 1.4 * style.unit;
+  for (double v : frame.xticks.minor) line(drawing, {frame.x(v), bottom}, {frame.x(v), top}, minor_grid_colour, width);
+  for (double v : frame.yticks.minor) line(drawing, {left, frame.y(v)}, {right, frame.y(v)}, minor_grid_colour, width);
+  for (double v : frame.xticks.at) line(drawing, {frame.x(v), bottom}, {frame.x(v), top}, grid_colour, width);
+  for (double v : frame.yticks.at) line(drawing, {left, frame.y(v)}, {right, frame.y(v)}, grid_colour, width);
+}
+
+void draw_frame(Drawing& drawing, const Frame& frame, const Style& style) {
+  const auto& [left, right, bottom, top] = frame.box;
+  const double width = 1.6 * style.unit, tick = 9 * style.unit;
+  const auto x_tick = [&](double v, double length) {
+    line(drawing, {frame.x(v), bottom}, {frame.x(v), bottom + length}, axis_colour, width);
+  };
+  const auto y_tick = [&](double v, double length) {
+    line(drawing, {left, frame.y(v)}, {left + length, frame.y(v)}, axis_colour, width);
+  };
+  drawing.marks.push_back(
+      Stroke{{{left, bottom}, {right, bottom}, {right, top}, {left, top}, {left, bottom}, {right, bottom}},
+             axis_colour,
+             width});
+  for (double v : frame.xticks.minor) x_tick(v, 0.5 * tick);
+  for (double v : frame.yticks.minor) y_tick(v, 0.5 * tick);
+
+  const double size = style.tick_size;
+  const double below = bottom - 1.2 * size;
+  for (std::size_t i = 0; i < frame.xticks.at.size(); ++i) {
+    const double x = frame.x(frame.xticks.at[i]);
+    x_tick(frame.xticks.at[i], tick);
+    drawing.marks.push_back(Text{{x, below}, frame.xticks.labels[i], size, Align::centre, ink});
+  }
+  for (std::size_t i = 0; i < frame.yticks.at.size(); ++i) {
+    const double y = frame.y(frame.yticks.at[i]);
+    y_tick(frame.yticks.at[i], tick);
+    drawing.marks.push_back(
+        Text{{left - 0.45 * size, y - 0.5 * digit_height * size}, frame.yticks.labels[i], size, Align::right, ink});
+  }
+  if (!frame.yticks.factor.empty())
+    drawing.marks.push_back(Text{{left, top + 0.4 * size}, frame.yticks.factor, size, Align::left, ink});
+
+  const double label_base = bottom - 1.45 * size - 1.05 * style.label_size;
+  if (!frame.xlabel.empty()) {
+    const double fit = fitting_size(frame.xlabel, style.label_size, right - left);
+    drawing.marks.push_back(Text{{0.5 * (left + right), label_base}, frame.xlabel, fit, Align::centre, ink});
+  }
+  // The common factor stands at the axis' end in the label's row, or in the numbers' row where there is no label.
+  if (!frame.xticks.factor.empty())
+    drawing.marks.push_back(Text{{right, frame.xlabel.empty() ? bottom - 2.4 * size : label_base},
+                                 frame.xticks.factor,
+                                 size,
+                                 Align::right,
+                                 ink});
+  if (!frame.ylabel.empty()) {
+    const double fit = fitting_size(frame.ylabel, style.label_size, top - bottom);
+    const double at = left - 0.55 * size - widest(frame.yticks, size) - 0.45 * style.label_size;
+    drawing.marks.push_back(Text{{at, 0.5 * (bottom + top)}, frame.ylabel, fit, Align::centre, ink, true});
+  }
+}
+
+void draw_title(Drawing& drawing, const std::string& title, const Box& box, const Style& style) {
+  if (title.empty()) return;
+  const double room = drawing.size[0] - 2 * style.margin;
+  const double size = fitting_size(title, style.title_size, room);
+  const double half = 0.5 * text_width(title, size);
+  const double centre = std::clamp(0.5 * (box[0] + box[1]), style.margin + half, drawing.size[0] - style.margin - half);
+  drawing.marks.push_back(Text{{centre, box[3] + 0.7 * style.title_size}, title, size, Align::centre, black});
+}
+
+double fitting_size(const std::string& text, double wanted, double room) {
+  return std::min(wanted, wanted * room / std::max(text_width(text, wanted), 1.0));
+}
+
+} // namespace signorini::view

@@ -1,0 +1,58 @@
+#pragma once
+// The frame round a plot: scales, ticks, grid, labels.
+
+#include "view/drawing.hpp"
+#include "view/strokes.hpp"
+#include "view/ticks.hpp"
+
+#include <string>
+
+namespace signorini::view {
+
+/// Sizes in pixels that follow the figure's own size.
+struct Style {
+  double unit;       ///< 1 in a figure of 1600 × 1000
+  double tick_size;  ///< of the numbers
+  double label_size; ///< of axis labels and legends
+  double title_size;
+  double margin; ///< at the figure's rim
+};
+
+/// Throws Error on a size below 160 × 120 or above 5000 pixels a side (OpenGL's limit after supersampling).
+Style style_for(const std::array<int, 2>& size);
+
+/// One axis: values from low to high on pixels from `from` to `to`.
+struct Scale {
+  double low, high;
+  bool log;
+  double from, to;
+
+  double operator()(double value) const;
+};
+
+struct Frame {
+  Box box; ///< of the plot, in pixels
+  Scale x, y;
+  Ticks xticks, yticks;
+  std::string xlabel, ylabel;
+};
+
+/// Room in pixels that numbers and label need below the box, or left of it.
+double room_below(const Style& style, const std::string& label);
+double room_left(const Style& style, const Ticks& ticks, const std::string& label);
+
+/// As many ticks along x as have room for their numbers.
+Ticks fitting_ticks(double low, double high, bool log, double pixels, const Style& style);
+/// The same along y, where only the height of a number counts.
+Ticks stacked_ticks(double low, double high, bool log, double pixels, const Style& style);
+
+void draw_grid(Drawing& drawing, const Frame& frame, const Style& style);
+void draw_frame(Drawing& drawing, const Frame& frame, const Style& style);
+
+/// The title above the box, smaller when it is too long for the figure.
+void draw_title(Drawing& drawing, const std::string& title, const Box& box, const Style& style);
+
+/// The greatest size up to `wanted` at which the text is no wider than `room`.
+double fitting_size(const std::string& text, double wanted, double room);
+
+} // namespace signorini::view

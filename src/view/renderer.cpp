@@ -1,0 +1,68 @@
+#include "view/renderer.hpp"
+
+#include "base/error.hpp"
+#include "view/strokes.hpp"
+
+#include <dlfcn.h>
+#include <filesystem>
+
+namespace signorini::view {
+namespace {
+
+constexpr const char* module_name = "signorini_view.so";
+
+/// The module stands in lib/signorini beside the program or beside the program's folder (bin, tests).
+std::filesystem::path module_file() {
+  const auto here = std::filesystem::read_symlink("/proc/self/exe").parent_path();
+  for (const auto& folder : {here / "lib/signorini", here.parent_path() / "lib/signorini"})
+    if (std::filesystem::exists(folder / module_name)) return folder / module_name;
+  fail("pictures need ", module_name, ", which is neither in ", (here / "lib/signorini").string(), " nor in ",
+       (here.parent_path() / "lib/signorini").string(), "; build it or install the program as a whole");
+}
+
+const Renderer& renderer() {
+  static const Renderer* const loaded = [] {
+    const std::string file = module_file().string();
+    // Never unloaded: VTK's factories and Mesa's threads do not survive that.
+    void* module = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
+    if (module == nullptr) fail("cannot load ", file, " for pictures: ", ::dlerror());
+    const auto* table = static_cast<const Renderer*>(::dlsym(module, "signorini_renderer"));
+    require(table != nullptr, file, " is not Signorini's renderer; install the program as a whole");
+    return table;
+  }();
+  return *loaded;
+}
+
+struct Collector {
+  Raster& raster;
+
+  void operator()(const Stroke& stroke) const { add(stroke_triangles(stroke), stroke.colour); }
+
+  void operator()(const Fill& fill) const {
+    std::vector<Vec2> corners;
+    for (std::size_t i = 2; i < fill.outline.size(); ++i)
+      corners.insert(corners.end(), {fill.outline[0], fill.outline[i - 1], fill.outline[i]});
+    add(corners, fill.colour);
+  }
+
+  void operator()(const Text& text) const { raster.texts.push_back(text); }
+
+  void add(const std::vector<Vec2>& corners, const Rgb& colour) const {
+    raster.corners.insert(raster.corners.end(), corners.begin(), corners.end());
+    raster.colours.insert(raster.colours.end(), corners.size() / 3, colour);
+  }
+};
+
+} // namespace
+
+std::string png(const Drawing& drawing, std::vector<Field> fields) {
+  Raster raster{drawing.size, std::move(fields), {}, {}, {}};
+  for (const Mark& mark : drawing.marks) std::visit(Collector{raster}, mark);
+  return renderer().png(raster);
+}
+
+std::string renderer_description() {
+  return renderer().description();
+}
+
+} // namespace signorini::view

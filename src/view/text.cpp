@@ -1,0 +1,97 @@
+#include "view/text.hpp"
+
+#include <array>
+
+namespace signorini::view {
+namespace {
+
+// Advance widths of Helvetica for U+0020 … U+007E in thousandths of the size (Adobe's core font metrics).
+constexpr std::array<int, 95> helvetica = {
+    278, 278, 355, 556, 556, 889, 667, 191, 333, 333, 389, 584, 278, 333,  278, 278, 556, 556, 556,
+    556, 556, 556, 556, 556, 556, 556, 278, 278, 584, 584, 584, 556, 1015, 667, 667, 722, 722, 667,
+    611, 778, 722, 278, 500, 667, 556, 833, 722, 778, 667, 778, 722, 667,  611, 722, 667, 944, 667,
+    667, 611, 278, 278, 278, 469, 556, 333, 556, 556, 500, 556, 556, 278,  556, 556, 222, 222, 500,
+    222, 833, 556, 556, 556, 556, 333, 500, 278, 556, 500, 722, 500, 500,  500, 334, 260, 334, 584};
+
+int advance(char32_t point) {
+  if (point >= 0x20 && point <= 0x7E) return helvetica[point - 0x20];
+  if (point == U'−' || point == U'×' || point == U'±') return 584;
+  if (point == U'·') return 278;
+  if (point == U'…' || point == U'—') return 1000;
+  return point < 0x2E80 ? 576 : 1000; // Greek and accented letters; ideographs
+}
+
+struct Shifted {
+  char32_t point, plain;
+  int level;
+};
+
+constexpr Shifted shifted_signs[] = {
+    {U'¹', U'1', 1},  {U'²', U'2', 1},  {U'³', U'3', 1},  {U'⁰', U'0', 1},  {U'⁺', U'+', 1},
+    {U'⁻', U'−', 1},  {U'ⁿ', U'n', 1},  {U'₊', U'+', -1}, {U'₋', U'−', -1}, {U'ₐ', U'a', -1},
+    {U'ₑ', U'e', -1}, {U'ₙ', U'n', -1}, {U'ₓ', U'x', -1},
+};
+
+TextRun shift(char32_t point) {
+  if (point >= U'⁴' && point <= U'⁹') return {to_utf8(U'4' + (point - U'⁴')), 1};
+  if (point >= U'₀' && point <= U'₉') return {to_utf8(U'0' + (point - U'₀')), -1};
+  for (const Shifted& sign : shifted_signs)
+    if (sign.point == point) return {to_utf8(sign.plain), sign.level};
+  return {to_utf8(point), 0};
+}
+
+} // namespace
+
+std::string to_utf8(char32_t p) {
+  const auto tail = [&](int shift) { return static_cast<char>(0x80 | ((p >> shift) & 0x3F)); };
+  if (p < 0x80) return {static_cast<char>(p)};
+  if (p < 0x800) return {static_cast<char>(0xC0 | (p >> 6)), tail(0)};
+  if (p < 0x10000) return {static_cast<char>(0xE0 | (p >> 12)), tail(6), tail(0)};
+  return {static_cast<char>(0xF0 | (p >> 18)), tail(12), tail(6), tail(0)};
+}
+
+std::vector<char32_t> code_points(std::string_view utf8) {
+  std::vector<char32_t> points;
+  for (std::size_t i = 0; i < utf8.size();) {
+    const auto lead = static_cast<unsigned char>(utf8[i++]);
+    const int tails = lead < 0x80 ? 0 : (lead >> 5) == 6 ? 1 : (lead >> 4) == 14 ? 2 : (lead >> 3) == 30 ? 3 : -1;
+    char32_t point = tails < 0 ? 0xFFFD : tails == 0 ? lead : lead & (0x3F >> tails);
+    for (int t = 0; t < tails; ++t) {
+      if (i == utf8.size() || (static_cast<unsigned char>(utf8[i]) >> 6) != 2) {
+        point = 0xFFFD;
+        break;
+      }
+      point = (point << 6) | (static_cast<unsigned char>(utf8[i++]) & 0x3F);
+    }
+    points.push_back(point);
+  }
+  return points;
+}
+
+std::vector<TextRun> text_runs(std::string_view utf8) {
+  std::vector<TextRun> runs;
+  for (char32_t point : code_points(utf8)) {
+    TextRun next = shift(point < 0x20 ? U' ' : point);
+    if (!runs.empty() && runs.back().level == next.level)
+      runs.back().string += next.string;
+    else
+      runs.push_back(std::move(next));
+  }
+  return runs;
+}
+
+double run_size(int level) {
+  return level == 0 ? 1.0 : 0.7;
+}
+double run_rise(int level) {
+  return level > 0 ? 0.36 : level < 0 ? -0.17 : 0.0;
+}
+
+double text_width(std::string_view utf8, double size) {
+  double width = 0;
+  for (const TextRun& run : text_runs(utf8))
+    for (char32_t point : code_points(run.string)) width += advance(point) * 1e-3 * run_size(run.level);
+  return width * size;
+}
+
+} // namespace signorini::view

@@ -1,0 +1,31 @@
+#pragma once
+// Lines of text: raised and lowered digits, and how wide a line will be.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace signorini::view {
+
+/// A stretch of text on one level: 0 on the baseline, +1 raised, −1 lowered.
+struct TextRun {
+  std::string string;
+  int level;
+};
+
+/// Splits at Unicode's superscripts and subscripts (10⁻³, σ₁₁), which come back as plain characters on their level:
+/// few fonts hold all of them.
+std::vector<TextRun> text_runs(std::string_view utf8);
+
+/// Size of a run's characters and height of its baseline, relative to the line's size.
+double run_size(int level);
+double run_rise(int level);
+
+/// The code points of UTF-8 text; a byte that is no UTF-8 comes back as U+FFFD.
+std::vector<char32_t> code_points(std::string_view utf8);
+std::string to_utf8(char32_t point);
+
+/// Width in pixels of a line set in Helvetica or a font with its metrics (Arial, Liberation Sans).
+double text_width(std::string_view utf8, double size);
+
+} // namespace signorini::view

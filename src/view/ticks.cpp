@@ -1,0 +1,101 @@
+#include "view/ticks.hpp"
+
+#include "view/text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace signorini::view {
+namespace {
+
+constexpr double slack = 1e-9; // of one step: a tick on the range's very end belongs to it
+
+std::string number(double value, int decimals) {
+  char digits[64];
+  std::snprintf(digits, sizeof digits, "%.*f", decimals, std::abs(value));
+  return (value < 0 ? "−" : "") + std::string(digits);
+}
+
+std::string power_of_ten(int exponent) {
+  std::string result = "10";
+  if (exponent < 0) result += "⁻";
+  for (char digit : std::to_string(std::abs(exponent))) {
+    static constexpr char32_t raised[] = U"⁰¹²³⁴⁵⁶⁷⁸⁹";
+    result += to_utf8(raised[digit - '0']);
+  }
+  return result;
+}
+
+/// "0.02", or "2×10⁻⁶" where the plain number would be long.
+std::string multiple(int digit, int exponent) {
+  if (exponent < -4 || exponent > 4) return (digit == 1 ? "" : std::to_string(digit) + "×") + power_of_ten(exponent);
+  return number(digit * std::pow(10.0, exponent), std::max(0, -exponent));
+}
+
+/// The least of 1, 2, 5 × 10ᵏ whose multiples within [low, high] are no more than `count`.
+double round_step(double low, double high, int count) {
+  double power = std::pow(10.0, std::floor(std::log10((high - low) / count)));
+  for (;; power *= 10)
+    for (double factor : {1.0, 2.0, 5.0}) {
+      const double step = factor * power;
+      if (std::floor(high / step + slack) - std::ceil(low / step - slack) < count) return step;
+    }
+}
+
+Ticks decades(int first, int last, int count) {
+  Ticks ticks;
+  const int stride = (last - first) / count + 1;
+  for (int k = first - 1; k <= last; ++k) {
+    if (k >= first && (k - first) % stride == 0) {
+      ticks.at.push_back(std::pow(10.0, k));
+      ticks.labels.push_back(power_of_ten(k));
+    } else if (k >= first) {
+      ticks.minor.push_back(std::pow(10.0, k));
+    }
+    for (int digit = 2; digit <= 9 && stride == 1; ++digit) ticks.minor.push_back(digit * std::pow(10.0, k));
+  }
+  return ticks;
+}
+
+} // namespace
+
+Ticks linear_ticks(double low, double high, int count) {
+  Ticks ticks;
+  const double step = round_step(low, high, count);
+  const int size = static_cast<int>(std::floor(std::log10(std::max(std::abs(low), std::abs(high))) + slack));
+  const int exponent = size >= 5 || size <= -4 ? size : 0;
+  const double scale = std::pow(10.0, -exponent);
+  const int decimals = std::clamp(-static_cast<int>(std::floor(std::log10(step * scale) + slack)), 0, 15);
+  for (double k = std::ceil(low / step - slack); k <= high / step + slack; ++k) {
+    ticks.at.push_back(k * step);
+    ticks.labels.push_back(number(k * step * scale, decimals));
+  }
+  if (exponent != 0) ticks.factor = "×" + power_of_ten(exponent);
+  return ticks;
+}
+
+Ticks log_ticks(double low, double high, int count) {
+  const double from = std::log10(low), to = std::log10(high);
+  const int first = static_cast<int>(std::ceil(from - slack)), last = static_cast<int>(std::floor(to + slack));
+  Ticks ticks;
+  if (last > first) {
+    ticks = decades(first, last, count);
+    std::erase_if(ticks.minor, [&](double v) { return v < low || v > high; });
+    return ticks;
+  }
+  for (int k = first - 1; k <= last; ++k)
+    for (int digit = 1; digit <= 9; ++digit) {
+      const double value = digit * std::pow(10.0, k);
+      if (value < low * (1 - slack) || value > high * (1 + slack)) continue;
+      if (digit == 1 || digit == 2 || digit == 5) {
+        ticks.at.push_back(value);
+        ticks.labels.push_back(multiple(digit, k));
+      } else {
+        ticks.minor.push_back(value);
+      }
+    }
+  return ticks.at.size() >= 2 ? ticks : linear_ticks(low, high, count);
+}
+
+} // namespace signorini::view

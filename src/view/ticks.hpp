@@ -1,0 +1,22 @@
+#pragma once
+// Where an axis is marked, and with which numbers.
+
+#include <string>
+#include <vector>
+
+namespace signorini::view {
+
+struct Ticks {
+  std::vector<double> at;
+  std::vector<std::string> labels; ///< one per tick
+  std::vector<double> minor;       ///< unlabelled marks between them
+  std::string factor;              ///< common power of ten of all labels, "×10⁻³", or empty
+};
+
+/// At most `count` (≥ 2) round numbers 1, 2, 5 × 10ᵏ apart within [low, high]. Needs low < high.
+Ticks linear_ticks(double low, double high, int count);
+
+/// Powers of ten within [low, high]; below two decades also multiples. Needs 0 < low < high.
+Ticks log_ticks(double low, double high, int count);
+
+} // namespace signorini::view

@@ -1,0 +1,175 @@
+// The module's entry: a Raster through VTK and OpenGL into the bytes of a PNG file.
+
+#include "base/error.hpp"
+#include "view/renderer.hpp"
+#include "view/vtk/glyphs.hpp"
+#include "view/vtk/window.hpp"
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkLookupTable.h>
+#include <vtkNew.h>
+#include <vtkPNGWriter.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkVersion.h>
+
+#include <algorithm>
+
+namespace signorini::view {
+namespace {
+
+constexpr int supersampling = 3; // rendered this many times larger each way, then averaged: smooth edges
+
+vtkSmartPointer<vtkActor> flat_actor(vtkPolyDataMapper& mapper) {
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(&mapper);
+  actor->GetProperty()->LightingOff();
+  return actor;
+}
+
+vtkSmartPointer<vtkActor> field_actor(const Field& field) {
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkFloatArray> values;
+  for (std::size_t i = 0; i < field.points.size(); ++i) {
+    points->InsertNextPoint(field.points[i][0], field.points[i][1], 0);
+    values->InsertNextValue(static_cast<float>(field.values[i]));
+  }
+  vtkNew<vtkCellArray> cells;
+  for (const auto& t : field.triangles) cells->InsertNextCell({t[0], t[1], t[2]});
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetPolys(cells);
+  data->GetPointData()->SetScalars(values);
+
+  vtkNew<vtkLookupTable> table;
+  table->SetNumberOfTableValues(static_cast<vtkIdType>(field.colours.size()));
+  for (std::size_t i = 0; i < field.colours.size(); ++i) {
+    const Rgb& c = field.colours[i];
+    table->SetTableValue(static_cast<vtkIdType>(i), c[0] / 255.0, c[1] / 255.0, c[2] / 255.0);
+  }
+  table->SetTableRange(field.range[0], field.range[1]);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(data);
+  mapper->SetLookupTable(table);
+  mapper->UseLookupTableScalarRangeOn();
+  mapper->InterpolateScalarsBeforeMappingOn(); // the value is interpolated, then coloured
+  return flat_actor(*mapper);
+}
+
+vtkSmartPointer<vtkActor> triangles_actor(const Raster& raster) {
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  vtkNew<vtkUnsignedCharArray> colours;
+  colours->SetNumberOfComponents(3);
+  // Later triangles lie nearer to the eye, all of them between the fields at 0 and 1.
+  const double step = 1.0 / static_cast<double>(raster.colours.size());
+  double height = step;
+  for (std::size_t t = 0; t < raster.colours.size(); ++t) {
+    if (t > 0 && raster.colours[t] != raster.colours[t - 1]) height += step;
+    for (int c = 0; c < 3; ++c)
+      points->InsertNextPoint(raster.corners[3 * t + c][0], raster.corners[3 * t + c][1], height);
+    const auto first = static_cast<vtkIdType>(3 * t);
+    cells->InsertNextCell({first, first + 1, first + 2});
+    colours->InsertNextTypedTuple(raster.colours[t].data());
+  }
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetPolys(cells);
+  data->GetCellData()->SetScalars(colours);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(data);
+  return flat_actor(*mapper);
+}
+
+/// Draws everything but text, at the larger size.
+Pixels render(const Raster& raster) {
+  vtkNew<vtkRenderer> renderer;
+  renderer->SetBackground(1, 1, 1);
+  for (const Field& field : raster.fields) renderer->AddActor(field_actor(field));
+  if (!raster.colours.empty()) renderer->AddActor(triangles_actor(raster));
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->ParallelProjectionOn();
+  camera->SetFocalPoint(0.5 * raster.size[0], 0.5 * raster.size[1], 0);
+  camera->SetPosition(0.5 * raster.size[0], 0.5 * raster.size[1], 10);
+  camera->SetParallelScale(0.5 * raster.size[1]);
+  camera->SetClippingRange(8, 11);
+
+  const std::array<int, 2> size = {supersampling * raster.size[0], supersampling * raster.size[1]};
+  vtkRenderWindow& window = offscreen_window(size);
+  window.SetMultiSamples(0);
+  window.AddRenderer(renderer);
+  window.Render();
+  vtkNew<vtkUnsignedCharArray> pixels;
+  const int failed = window.GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels);
+  window.RemoveRenderer(renderer);
+  require(failed != VTK_ERROR && pixels->GetNumberOfValues() == vtkIdType(3) * size[0] * size[1],
+          "OpenGL did not draw a picture of ", raster.size[0], " × ", raster.size[1], " pixels; choose a smaller size");
+  return {size, {pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues()}};
+}
+
+/// The mean over squares of n × n pixels.
+Pixels shrink(const Pixels& large, int n) {
+  const int width = large.size[0] / n, height = large.size[1] / n;
+  Pixels small{{width, height}, std::vector<std::uint8_t>(std::size_t(3) * width * height)};
+  std::vector<int> sums(std::size_t(3) * width);
+  for (int y = 0; y < height; ++y) {
+    std::fill(sums.begin(), sums.end(), 0);
+    for (int j = 0; j < n; ++j) {
+      const std::uint8_t* row = &large.rgb[std::size_t(3) * large.size[0] * (std::size_t(n) * y + j)];
+      for (int x = 0; x < width; ++x)
+        for (int i = 0; i < n; ++i)
+          for (int c = 0; c < 3; ++c) sums[3 * x + c] += row[3 * (n * x + i) + c];
+    }
+    std::transform(sums.begin(), sums.end(), &small.rgb[std::size_t(3) * width * y],
+                   [n](int sum) { return static_cast<std::uint8_t>((sum + n * n / 2) / (n * n)); });
+  }
+  return small;
+}
+
+std::string encode(const Pixels& image) {
+  vtkNew<vtkImageData> data;
+  data->SetDimensions(image.size[0], image.size[1], 1);
+  data->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  std::copy(image.rgb.begin(), image.rgb.end(), static_cast<std::uint8_t*>(data->GetScalarPointer()));
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputData(data);
+  writer->WriteToMemoryOn();
+  writer->Write();
+  const vtkUnsignedCharArray& bytes = *writer->GetResult();
+  return {reinterpret_cast<const char*>(const_cast<vtkUnsignedCharArray&>(bytes).GetPointer(0)),
+          static_cast<std::size_t>(bytes.GetNumberOfValues())};
+}
+
+std::string draw_png(const Raster& raster) {
+  Pixels image = shrink(render(raster), supersampling);
+  for (const Text& text : raster.texts) draw_text(image, text);
+  return encode(image);
+}
+
+std::string describe() {
+  vtkRenderWindow& window = offscreen_window({16, 16});
+  window.Render();
+  const std::string report = window.ReportCapabilities();
+  const auto value = [&](const std::string& key) {
+    const std::size_t at = report.find(key);
+    if (at == std::string::npos) return std::string("unknown");
+    const std::size_t start = report.find_first_not_of(' ', at + key.size());
+    return report.substr(start, report.find('\n', start) - start);
+  };
+  return std::string("VTK ") + vtkVersion::GetVTKVersion() + ", " + value("OpenGL renderer string:") + ", OpenGL " +
+         value("OpenGL version string:");
+}
+
+} // namespace
+} // namespace signorini::view
+
+extern "C" const signorini::view::Renderer signorini_renderer = {signorini::view::draw_png, signorini::view::describe};

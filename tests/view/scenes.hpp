@@ -1,0 +1,29 @@
+#pragma once
+// Made-up bodies and curves that look like those of a study.
+
+#include "view/chart.hpp"
+#include "view/picture.hpp"
+
+#include <string>
+
+namespace signorini::view {
+
+/// A quarter ring pressed a little out of shape, finely tessellated, with a value per point, `across` × `around` elements
+/// and a control net.
+Body bent_ring(Vec<2> centre, double inner, double outer, double start_degrees, int around, int across);
+
+/// Noisy periodic forces over load steps, one series per label.
+std::vector<Series> oscillating_forces(int count);
+
+/// Errors that fall with the number of unknowns, in double-logarithmic scales.
+std::vector<Series> convergence_lines();
+
+std::string file_bytes(const std::string& file);
+
+/// A file in a folder of this process that goes away at the end.
+std::string scratch(const std::string& name);
+
+/// Width and height from a PNG file's header; zeros when it is none.
+std::array<int, 2> png_size(const std::string& bytes);
+
+} // namespace signorini::view
