@@ -4,6 +4,7 @@
 #include "repl/command_line.hpp"
 #include "repl/interpreter.hpp"
 #include "repl/interrupt.hpp"
+#include "repl/line_editor.hpp"
 #include "repl/prompt.hpp"
 
 #include <iostream>
@@ -23,7 +24,7 @@ bool run(const repl::CommandLine& line, const std::string& program) {
   if (typed && !interpreter.open_globals()) return false;
   for (const auto& code : line.code)
     if (!interpreter.run_code(code, "=(command line)")) return false;
-  if (!line.script.empty() && !interpreter.run_file(line.script)) return false;
+  if (!line.script.empty() && !interpreter.run_file(line.script, line.arguments)) return false;
   return (line.prompt_only() || line.interactive) ? repl::prompt(interpreter, line.quiet) : true;
 }
 

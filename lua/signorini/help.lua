@@ -41,7 +41,7 @@ local function head(name) return core.docs[name]:match "^[^\n]*" end
 
 local function list(title, names)
   local lines = { title }
-  for _, name in ipairs(names) do lines[#lines + 1] = ("  %-28s %s"):format(name, head(name)) end
+  for _, name in ipairs(names) do lines[#lines + 1] = "  " .. head(name) end
   return table.concat(lines, "\n")
 end
 

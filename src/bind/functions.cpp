@@ -1,5 +1,7 @@
 #include "bind/functions.hpp"
 
+#include <algorithm>
+
 namespace signorini::bind {
 
 namespace {
@@ -26,18 +28,17 @@ void push_function(lua_State* L, const std::string& name, const Function& row) {
 
 int unknown_method(lua_State* L) {
   const std::string type = lua_tostring(L, lua_upvalueindex(1));
-  const std::string name = describe(L, 2);
   std::vector<std::string> known;
   lua_pushnil(L);
   while (lua_next(L, 1)) {
     lua_pop(L, 1);
     known.emplace_back(lua_tostring(L, -1));
   }
-  const std::string hint = lua_type(L, 2) == LUA_TSTRING ? did_you_mean(lua_tostring(L, 2), known) : "";
-  throw ArgumentError(
-      text("a ", type, " has no ",
-           lua_type(L, 2) == LUA_TSTRING ? text("method '", lua_tostring(L, 2), "'") : text("entry for ", name), hint,
-           hint.empty() ? "; it has " : " It has ", one_of(known)));
+  std::sort(known.begin(), known.end());
+  const bool named = lua_type(L, 2) == LUA_TSTRING;
+  const std::string hint = named ? did_you_mean(lua_tostring(L, 2), known) : "";
+  throw ArgumentError(text("a ", type, " has no method ", named ? text("'", lua_tostring(L, 2), "'") : describe(L, 2),
+                           hint, hint.empty() ? "; it has " : " It has ", listed(known)));
 }
 
 } // namespace

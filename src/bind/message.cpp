@@ -36,7 +36,7 @@ std::string describe_table(lua_State* L, int index) {
   const std::string key =
       lua_type(L, -1) == LUA_TSTRING ? text("the key '", lua_tostring(L, -1), "'") : std::string("keys");
   lua_pop(L, 1);
-  return "a table with " + key;
+  return text("a table with ", key);
 }
 
 std::string describe_number(lua_State* L, int index) {
@@ -58,7 +58,7 @@ bool in_library(lua_State* L, const lua_Debug& frame) {
   lua_getfield(L, LUA_REGISTRYINDEX, folder_key);
   const std::string folder = lua_isstring(L, -1) ? lua_tostring(L, -1) : "";
   lua_pop(L, 1);
-  return !folder.empty() && std::string(frame.source).starts_with("@" + folder + "/");
+  return !folder.empty() && std::string(frame.source).starts_with(text("@", folder, "/"));
 }
 
 std::string user_position(lua_State* L) {
@@ -92,7 +92,7 @@ std::string describe(lua_State* L, int index) {
     const bool named = luaL_getmetafield(L, index, "__name") == LUA_TSTRING;
     const std::string name = named ? lua_tostring(L, -1) : "userdata";
     if (named) lua_pop(L, 1);
-    return "a " + name;
+    return text("a ", name);
   }
   default:
     return text("a ", luaL_typename(L, index));
@@ -117,14 +117,20 @@ std::string one_of(const std::vector<std::string>& words) {
   return list;
 }
 
+std::string listed(const std::vector<std::string>& words) {
+  std::string list;
+  for (const auto& word : words) list += (list.empty() ? "" : ", ") + word;
+  return list;
+}
+
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& words) {
   const std::string best = nearest(word, words);
-  return best.empty() ? "" : "; did you mean '" + best + "'?";
+  return best.empty() ? "" : text("; did you mean '", best, "'?");
 }
 
 void reject(lua_State* L, int index, const Argument& argument, const std::string& expected, const std::string& cure) {
   const std::string meaning = *argument.meaning ? text(" (", argument.meaning, ")") : "";
-  const std::string ending = cure.empty() ? "" : ": " + cure;
+  const std::string ending = cure.empty() ? "" : text(": ", cure);
   if (lua_isnoneornil(L, index))
     throw ArgumentError(text(function_name(L), ": ", argument.name, meaning, " is missing: it must be ", expected));
   throw ArgumentError(text(function_name(L), ": ", argument.name, " must be ", expected, meaning, ", got ",

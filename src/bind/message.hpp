@@ -39,6 +39,8 @@ std::string describe(lua_State* L, int index);
 std::string nearest(const std::string& word, const std::vector<std::string>& words);
 /// "'a', 'b' or 'c'".
 std::string one_of(const std::vector<std::string>& words);
+/// "a, b, c".
+std::string listed(const std::vector<std::string>& words);
 /// "; did you mean 'order'?" or nothing.
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& words);
 

@@ -6,27 +6,22 @@ namespace signorini::bind {
 
 Options::Options(lua_State* L, int index, std::vector<std::string> known, bool positional, std::string path)
     : L_(L), index_(lua_absindex(L, index)), known_(std::move(known)), path_(std::move(path)) {
-  const std::string known_text = known_.empty() ? "" : "; known: " + [&] {
-    std::string list;
-    for (const auto& key : known_) list += (list.empty() ? "" : ", ") + key;
-    return list;
-  }();
-  const std::string where = text(function_name(L), path_.empty() ? "" : ": " + path_);
+  const auto reject = [&](const auto&... parts) {
+    throw ArgumentError(text(function_name(L), path_.empty() ? "" : ": ", path_, parts...,
+                             " known: ", known_.empty() ? "none" : listed(known_)));
+  };
   luaL_checkstack(L, 16, "too many nested arguments");
-  if (!lua_istable(L, index_)) {
-    const std::string call = path_.empty() ? function_name(L) : path_ + " = ";
-    throw ArgumentError(text(where, " takes a table of named arguments, got ", describe(L, index_), ": write ", call,
-                             "{ ", known_.empty() ? "" : known_.front() + " = …", " }", known_text));
-  }
+  if (!lua_istable(L, index_))
+    reject(" takes a table of named arguments, got ", describe(L, index_), ": write ",
+           path_.empty() ? function_name(L) : path_ + " = ", "{ ", known_.empty() ? "" : known_.front() + " = …",
+           " };");
   for (lua_pushnil(L); lua_next(L, index_); lua_pop(L, 1)) {
-    if (lua_type(L, -2) != LUA_TSTRING) {
-      if (positional && lua_isinteger(L, -2)) continue;
-      throw ArgumentError(text(where, " takes named arguments, got ", describe(L, -1), " without a name", known_text));
-    }
+    if (positional && lua_isinteger(L, -2)) continue;
+    if (lua_type(L, -2) != LUA_TSTRING) reject(" takes named arguments, got ", describe(L, -1), " without a name;");
     const std::string key = lua_tostring(L, -2);
-    if (std::find(known_.begin(), known_.end(), key) == known_.end())
-      throw ArgumentError(
-          text(where, ": unknown argument '", key, "' (", describe(L, -1), ")", did_you_mean(key, known_), known_text));
+    if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
+    const std::string hint = did_you_mean(key, known_);
+    reject(": unknown argument '", key, "' (", describe(L, -1), ")", hint.empty() ? ";" : hint);
   }
 }
 
@@ -39,7 +34,7 @@ int Options::push_value(const char* key) const {
 }
 
 Argument Options::argument(const char* key, const char* meaning) const {
-  return {path_.empty() ? key : path_ + "." + key, meaning};
+  return {path_.empty() ? key : text(path_, ".", key), meaning};
 }
 
 bool Options::has(const char* key) const {
@@ -139,7 +134,7 @@ void each_entry(lua_State* L, int index, const Argument& argument,
     luaL_checkstack(L, 16, "too many entries");
     lua_getfield(L, index, name.c_str());
     const int position = lua_gettop(L);
-    visit(name, position, {argument.name + "." + name, ""});
+    visit(name, position, {text(argument.name, ".", name)});
     lua_settop(L, position - 1);
   }
 }

@@ -84,7 +84,7 @@ std::string read_choice(lua_State* L, int index, const Argument& argument, const
   for (const auto& choice : choices)
     if (value == choice) return value;
   const std::string best = nearest(value, choices);
-  reject(L, index, argument, one_of(choices), best.empty() ? "take one of these" : "did you mean '" + best + "'?");
+  reject(L, index, argument, one_of(choices), best.empty() ? "take one of these" : text("did you mean '", best, "'?"));
 }
 
 int read_list(lua_State* L, int index, const Argument& argument, const char* expected) {

@@ -92,8 +92,12 @@ bool Interpreter::run_code(const std::string& code, const std::string& name) {
   return report(luaL_loadbufferx(state(), code.data(), code.size(), name.c_str(), "t") == LUA_OK && call(0));
 }
 
-bool Interpreter::run_file(const std::string& file) {
-  return report(luaL_loadfilex(state(), file == "-" ? nullptr : file.c_str(), "t") == LUA_OK && call(0));
+bool Interpreter::run_file(const std::string& file, const std::vector<std::string>& arguments) {
+  lua_State* L = state();
+  if (luaL_loadfilex(L, file == "-" ? nullptr : file.c_str(), "t") != LUA_OK) return report(false);
+  luaL_checkstack(L, static_cast<int>(arguments.size()), "too many arguments");
+  for (const auto& argument : arguments) bind::push(L, argument);
+  return report(call(static_cast<int>(arguments.size())));
 }
 
 } // namespace signorini::repl

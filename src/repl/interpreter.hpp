@@ -22,7 +22,7 @@ public:
 
   /// Each returns whether the chunk ran without error; an error goes to standard error with a traceback.
   bool run_code(const std::string& code, const std::string& name);
-  bool run_file(const std::string& file);
+  bool run_file(const std::string& file, const std::vector<std::string>& arguments);
 
   /// Calls the function below `arguments` values on the stack with a traceback for errors: true with all its results on
   /// the stack, or false with the message.

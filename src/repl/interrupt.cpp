@@ -20,7 +20,10 @@ void stop(lua_State* L, lua_Debug* frame) {
   }
   lua_getinfo(L, "S", frame);
   if (std::string_view(frame->what) == "C" || bind::in_library(L, *frame)) return;
-  luaL_error(L, "interrupted");
+  luaL_where(L, 0);
+  lua_pushstring(L, "interrupted");
+  lua_concat(L, 2);
+  lua_error(L);
 }
 
 /// lua_sethook is the one function of Lua that may be called from a signal handler.

@@ -2,11 +2,12 @@
 
 #include "base/interrupt.hpp"
 #include "repl/interrupt.hpp"
-#include "repl/prompt.hpp"
 
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <poll.h>
 
 #include <readline/history.h>
 #include <readline/readline.h>
@@ -63,16 +64,29 @@ char** complete(const char* word, int start, int) {
   return rl_completion_matches(word, completion_entry);
 }
 
-int leave_line() {
-  if (!interrupted()) return 0;
-  rl_replace_line("", 0);
-  rl_done = 1;
-  return 0;
+bool finished = false;
+char* typed = nullptr; ///< the finished line; nullptr at the end of the input
+
+void on_line(char* line) {
+  rl_callback_handler_remove();
+  finished = true;
+  typed = line;
+}
+
+/// Waits for a key. Ctrl-C is only let through while waiting, so that none is missed between the check and the wait.
+void wait_for_key() {
+  sigset_t interrupt, others;
+  sigemptyset(&interrupt);
+  sigaddset(&interrupt, SIGINT);
+  sigprocmask(SIG_BLOCK, &interrupt, &others);
+  pollfd input{fileno(rl_instream ? rl_instream : stdin), POLLIN, 0};
+  if (!interrupted()) ppoll(&input, 1, nullptr, &others);
+  sigprocmask(SIG_SETMASK, &others, nullptr);
 }
 
 } // namespace
 
-const char* readline_version() {
+std::string readline_version() {
   return rl_library_version;
 }
 
@@ -81,19 +95,26 @@ LineEditor::LineEditor(lua_State* L) : history_file_(find_history()) {
   rl_readline_name = "signorini";
   rl_basic_word_break_characters = " \t\n\"'`@$><=;|&{}()[],+-*/^%#~";
   rl_attempted_completion_function = complete;
-  rl_signal_event_hook = leave_line;
   using_history();
   stifle_history(2000);
   if (!history_file_.empty()) read_history(history_file_.c_str());
 }
 
+// readline() would swallow the keys that follow a Ctrl-C, so the loop over the keys is our own.
 Input LineEditor::read(const char* prompt, std::string& line) {
-  char* typed = readline(prompt);
-  if (interrupted()) {
-    forget_interrupt(state);
-    std::free(typed);
-    std::puts("");
-    return Input::interrupted;
+  finished = false;
+  rl_callback_handler_install(prompt, on_line);
+  while (!finished) {
+    wait_for_key();
+    if (interrupted()) {
+      rl_echo_signal_char(SIGINT);
+      rl_callback_sigcleanup();
+      rl_callback_handler_remove();
+      forget_interrupt(state);
+      std::puts("");
+      return Input::interrupted;
+    }
+    rl_callback_read_char();
   }
   if (!typed) {
     std::puts("");

@@ -21,4 +21,6 @@ private:
   std::string history_file_;
 };
 
+std::string readline_version();
+
 } // namespace signorini::repl

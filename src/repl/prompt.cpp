@@ -21,7 +21,7 @@ bool unfinished(const std::string& message) {
 /// Loads the lines so far as an expression or as statements. True with a function or an error message on the stack,
 /// false when more lines are needed.
 bool load(lua_State* L, const std::string& code) {
-  const std::string expression = "return " + code;
+  const std::string expression = text("return ", code);
   if (luaL_loadbufferx(L, expression.data(), expression.size(), "=prompt", "t") == LUA_OK) return true;
   lua_pop(L, 1);
   return luaL_loadbufferx(L, code.data(), code.size(), "=prompt", "t") == LUA_OK || !unfinished(lua_tostring(L, -1));
@@ -84,7 +84,7 @@ bool prompt(Interpreter& interpreter, bool quiet) {
     std::cerr << "prompt: the input ends inside a statement" << std::endl;
     all_well = false;
   }
-  return all_well;
+  return all_well || editor;
 }
 
 } // namespace signorini::repl

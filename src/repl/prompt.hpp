@@ -5,10 +5,7 @@
 
 namespace signorini::repl {
 
-/// Reads, runs and prints until the input ends. Returns whether every line ran without error.
+/// Reads, runs and prints until the input ends. Returns false when a line failed that was not typed on a terminal.
 bool prompt(Interpreter& interpreter, bool quiet);
-
-/// The version of the line-editing library.
-const char* readline_version();
 
 } // namespace signorini::repl
