@@ -28,8 +28,8 @@ struct SymbolSign {
   unsigned char byte;
 };
 constexpr SymbolSign symbol_signs[] = {
-    {U'−', 0x2D}, {U'≤', 0xA3}, {U'∞', 0xA5}, {U'→', 0xAE}, {U'≥', 0xB3}, {U'∂', 0xB6}, {U'≠', 0xB9}, {U'≈', 0xBB},
-    {U'∇', 0xD1}, {U'√', 0xD6}, {U'∆', 0x44}, {U'∑', 0xE5}, {U'∫', 0xF2}, {U'←', 0xAC}, {U'ϕ', 0x6A}, {U'∝', 0xB5},
+    {U'≤', 0xA3}, {U'∞', 0xA5}, {U'→', 0xAE}, {U'≥', 0xB3}, {U'∂', 0xB6}, {U'≠', 0xB9}, {U'≈', 0xBB}, {U'∇', 0xD1},
+    {U'√', 0xD6}, {U'∆', 0x44}, {U'∑', 0xE5}, {U'∫', 0xF2}, {U'←', 0xAC}, {U'ϕ', 0x6A}, {U'∝', 0xB5},
 };
 
 /// A byte and the font that draws it: 1 Helvetica, 2 Symbol.
@@ -39,6 +39,7 @@ struct Glyph {
 };
 
 std::optional<Glyph> find_glyph(char32_t p) {
+  if (p == U'−') p = U'–'; // Helvetica's dash looks the same; Symbol's minus is missing where viewers replace that font
   if ((p >= 0x20 && p <= 0x7E) || (p >= 0xA0 && p <= 0xFF)) return Glyph{static_cast<unsigned char>(p), 1};
   const auto* ansi = std::find(std::begin(winansi_from_80), std::end(winansi_from_80), p);
   if (p != 0 && ansi != std::end(winansi_from_80))

@@ -93,7 +93,8 @@ struct Writer {
 
 std::string svg(const Drawing& drawing) {
   const std::string width = std::to_string(drawing.size[0]), height = std::to_string(drawing.size[1]);
-  std::string out = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" +
+  std::string out = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" "
+                    "xml:space=\"preserve\" width=\"" +
                     width + "\" height=\"" + height + "\" viewBox=\"0 0 " + width + " " + height +
                     "\" font-family=\"Helvetica, Arial, 'Liberation Sans', sans-serif\">\n<rect width=\"" + width +
                     "\" height=\"" + height + "\" fill=\"#ffffff\"/>\n";

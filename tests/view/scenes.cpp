@@ -1,5 +1,7 @@
 #include "scenes.hpp"
 
+#include "base/error.hpp"
+
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -12,7 +14,7 @@ namespace signorini::view {
 namespace {
 
 struct ScratchFolder {
-  std::filesystem::path path = std::filesystem::temp_directory_path() / ("signorini-view-" + std::to_string(::getpid()));
+  std::filesystem::path path = std::filesystem::temp_directory_path() / text("signorini-view-", ::getpid());
 
   ScratchFolder() { std::filesystem::create_directories(path); }
   ~ScratchFolder() {
@@ -65,8 +67,10 @@ Body bent_ring(Vec<2> centre, double inner, double outer, double start_degrees, 
       body.triangles.col(t++) << k, k + 1, k + nu + 2;
       body.triangles.col(t++) << k, k + nu + 2, k + nu + 1;
     }
-  for (int i = 0; i <= around; ++i) body.mesh_lines.push_back(ring.line({double(i) / around, 0}, {double(i) / around, 1}));
-  for (int j = 0; j <= across; ++j) body.mesh_lines.push_back(ring.line({0, double(j) / across}, {1, double(j) / across}));
+  for (int i = 0; i <= around; ++i)
+    body.mesh_lines.push_back(ring.line({double(i) / around, 0}, {double(i) / around, 1}));
+  for (int j = 0; j <= across; ++j)
+    body.mesh_lines.push_back(ring.line({0, double(j) / across}, {1, double(j) / across}));
 
   const int columns = around + 2, rows = across + 1;
   body.control_points.resize(3, columns * rows);
@@ -105,7 +109,7 @@ std::vector<Series> convergence_lines() {
   std::vector<Series> series;
   for (int order = 1; order <= 4; ++order) {
     Series s;
-    s.label = "N" + std::to_string(order) + ", slope −" + std::to_string(order + 1);
+    s.label = text("N", order, ", slope −", order + 1);
     s.markers = true;
     s.dashed = order % 2 == 0;
     for (double n = 8; n <= 600; n *= 2) {

@@ -1,0 +1,175 @@
+#include "view/picture.hpp"
+
+#include "messages.hpp"
+#include "scenes.hpp"
+#include "view/colormap.hpp"
+#include "view/renderer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <unistd.h>
+
+namespace signorini::view {
+namespace {
+
+std::vector<Body> rings() {
+  return {bent_ring({0, 0}, 0.5, 1.0, 0, 6, 3), bent_ring({1.62, 1.1}, 0.4, 0.8, 180, 8, 2)};
+}
+
+PictureOptions displacement() {
+  PictureOptions options;
+  options.title = "Two quarter rings, load step 160";
+  options.field_label = "vertical displacement [mm]";
+  return options;
+}
+
+std::string refusal(const std::vector<Body>& bodies, const PictureOptions& options = {},
+                    const std::string& name = "no.png") {
+  const std::string message = message_of([&] { draw_picture(bodies, options, scratch(name)); });
+  EXPECT_FALSE(std::filesystem::exists(scratch(name)));
+  return message;
+}
+
+/// Memory in use, in megabytes.
+double resident() {
+  std::ifstream in("/proc/self/statm");
+  double total = 0, pages = 0;
+  in >> total >> pages;
+  return pages * static_cast<double>(::sysconf(_SC_PAGESIZE)) / 1e6;
+}
+
+bool holds_x_socket() {
+  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd")) {
+    std::error_code ignored;
+    if (std::filesystem::read_symlink(entry.path(), ignored).string().rfind("socket:", 0) == 0) return true;
+  }
+  return false;
+}
+
+TEST(Picture, GivesTheSameBytesForTheSameCall) {
+  draw_picture(rings(), displacement(), scratch("first.png"));
+  PictureOptions other = displacement();
+  other.size = {700, 900};
+  draw_picture(rings(), other, scratch("other.png")); // a change of size between must leave no trace
+  draw_picture(rings(), displacement(), scratch("second.png"));
+  EXPECT_EQ(file_bytes(scratch("first.png")), file_bytes(scratch("second.png")));
+  EXPECT_EQ(png_size(file_bytes(scratch("first.png"))), (std::array<int, 2>{1600, 1000}));
+  EXPECT_EQ(png_size(file_bytes(scratch("other.png"))), (std::array<int, 2>{700, 900}));
+}
+
+// Run by the next test in a process of its own.
+TEST(Picture, DISABLED_DrawsForAnotherProcess) {
+  const char* folder = std::getenv("SIGNORINI_DRAW_TO");
+  ASSERT_NE(folder, nullptr);
+  draw_picture(rings(), displacement(), std::string(folder) + "/process.png");
+}
+
+TEST(Picture, GivesTheSameBytesInAnotherProcess) {
+  draw_picture(rings(), displacement(), scratch("here.png"));
+  const std::string folder = std::filesystem::path(scratch("process.png")).parent_path().string();
+  const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
+  const std::string command =
+      text("SIGNORINI_DRAW_TO='", folder, "' '", program,
+           "' --gtest_also_run_disabled_tests --gtest_filter='*DrawsForAnotherProcess' >/dev/null");
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  EXPECT_EQ(file_bytes(scratch("process.png")), file_bytes(scratch("here.png")));
+}
+
+TEST(Picture, ChangesWithFieldLinesAndColours) {
+  const auto bytes = [](const std::vector<Body>& bodies, const PictureOptions& options) {
+    draw_picture(bodies, options, scratch("change.png"));
+    return file_bytes(scratch("change.png"));
+  };
+  const std::string all = bytes(rings(), displacement());
+  auto bodies = rings();
+  bodies[0].values[5] += 0.5;
+  EXPECT_NE(bytes(bodies, displacement()), all);
+  bodies = rings();
+  bodies[1].mesh_lines.clear();
+  EXPECT_NE(bytes(bodies, displacement()), all);
+  PictureOptions cividis = displacement();
+  cividis.colormap = "cividis";
+  EXPECT_NE(bytes(rings(), cividis), all);
+}
+
+TEST(Picture, ManyInOneProcessNeitherLeakNorSlowDown) {
+  PictureOptions options = displacement();
+  options.size = {640, 400};
+  const auto bodies = rings();
+  const auto batch = [&](int count) {
+    const auto start = std::chrono::steady_clock::now();
+    for (int i = 0; i < count; ++i) draw_picture(bodies, options, scratch("many.png"));
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  batch(5); // fills the caches
+  const double before = resident(), first = batch(15);
+  const double second = batch(15), after = resident();
+  EXPECT_LT(after - before, 15) << "megabytes in 30 pictures";
+  EXPECT_LT(second, 4 * first + 0.5) << "seconds";
+}
+
+TEST(Picture, OpensNoConnectionToADisplay) {
+  draw_picture(rings(), {}, scratch("display.png"));
+  EXPECT_FALSE(holds_x_socket());
+}
+
+TEST(Picture, TakesBodiesWithoutFieldAndFieldsWithoutWidth) {
+  auto bodies = rings();
+  bodies[0].values.resize(0);
+  bodies[1].values.setConstant(0);
+  draw_picture(bodies, displacement(), scratch("constant.png"));
+  bodies[1].values.resize(0);
+  draw_picture(bodies, {}, scratch("grey.png"));
+  EXPECT_TRUE(std::filesystem::exists(scratch("grey.png")));
+}
+
+TEST(Picture, RefusesWhatItCannotDraw) {
+  EXPECT_TRUE(holds(refusal({}), {"at least one body"}));
+  PictureOptions options;
+  options.colormap = "jet";
+  EXPECT_TRUE(holds(refusal(rings(), options), {"'jet'", "viridis", "coolwarm"}));
+  options = {};
+  options.range = {1, 1};
+  EXPECT_TRUE(holds(refusal(rings(), options), {"range is {1, 1}"}));
+  options = {};
+  options.crop = {0, 1, 2, 1};
+  EXPECT_TRUE(holds(refusal(rings(), options), {"crop", "min below max"}));
+  auto bodies = rings();
+  bodies[1].values[3] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(holds(refusal(bodies), {"body 2", "not finite"}));
+  bodies = rings();
+  bodies[0].triangles(0, 0) = 100000;
+  EXPECT_TRUE(holds(refusal(bodies), {"body 1", "triangles"}));
+  EXPECT_TRUE(holds(refusal(rings(), {}, "no.jpg"), {"no.jpg", ".png"}));
+  EXPECT_TRUE(holds(refusal(rings(), {}, "missing/no.png"), {"does not exist", "create it first"}));
+}
+
+TEST(Colormap, RunsMonotonicallyFromDarkToLightUnlessDiverging) {
+  for (const std::string& name : colormaps()) {
+    const auto colours = colormap(name);
+    ASSERT_EQ(colours.size(), 256u);
+    const auto lightness = [&](int i) {
+      return 0.2126 * colours[i][0] + 0.7152 * colours[i][1] + 0.0722 * colours[i][2];
+    };
+    const int top = is_diverging(name) ? 128 : 255;
+    for (int i = 4; i <= top; i += 4) EXPECT_GT(lightness(i), lightness(i - 4) - 0.6) << name << " " << i;
+    if (is_diverging(name)) {
+      for (int i = 132; i < 256; i += 4) EXPECT_LT(lightness(i), lightness(i - 4) + 0.6) << name << " " << i;
+    }
+  }
+  EXPECT_EQ(colormap("viridis").front(), (Rgb{0x44, 0x01, 0x54}));
+  EXPECT_EQ(colormap("viridis").back(), (Rgb{0xFD, 0xE7, 0x25}));
+}
+
+TEST(Renderer, SaysWhatItIs) {
+  EXPECT_TRUE(holds(renderer_description(), {"VTK 9", "OpenGL"}));
+}
+
+} // namespace
+} // namespace signorini::view

@@ -1,0 +1,35 @@
+#include "view/text.hpp"
+
+#include <gtest/gtest.h>
+
+namespace signorini::view {
+namespace {
+
+TEST(TextRuns, RaiseAndLowerDigits) {
+  const auto runs = text_runs("σ₁₁ 10⁻³⁴");
+  ASSERT_EQ(runs.size(), 4u);
+  EXPECT_EQ(runs[0].string, "σ");
+  EXPECT_EQ(runs[1].string, "11");
+  EXPECT_EQ(runs[1].level, -1);
+  EXPECT_EQ(runs[2].string, " 10");
+  EXPECT_EQ(runs[3].string, "−34");
+  EXPECT_EQ(runs[3].level, 1);
+}
+
+TEST(CodePoints, RoundTripAndMarkBrokenBytes) {
+  const std::string all = "Aµ−𝄞";
+  std::string again;
+  for (char32_t p : code_points(all)) again += to_utf8(p);
+  EXPECT_EQ(again, all);
+  EXPECT_EQ(code_points("a\xFFz"), (std::vector<char32_t>{U'a', 0xFFFD, U'z'}));
+  EXPECT_EQ(code_points("\xE2\x88"), (std::vector<char32_t>{0xFFFD}));
+}
+
+TEST(TextWidth, IsHelveticas) {
+  EXPECT_DOUBLE_EQ(text_width("0123456789", 100), 556);
+  EXPECT_DOUBLE_EQ(text_width("Wi", 10), 9.44 + 2.22);
+  EXPECT_DOUBLE_EQ(text_width("1²", 10), 5.56 * 1.7);
+}
+
+} // namespace
+} // namespace signorini::view

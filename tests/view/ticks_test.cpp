@@ -1,0 +1,63 @@
+#include "view/ticks.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace signorini::view {
+namespace {
+
+using Labels = std::vector<std::string>;
+
+TEST(LinearTicks, AreRoundNumbersWithTheSameDecimals) {
+  EXPECT_EQ(linear_ticks(0, 1, 6).labels, (Labels{"0.0", "0.2", "0.4", "0.6", "0.8", "1.0"}));
+  EXPECT_EQ(linear_ticks(-0.27, 0.12, 5).labels, (Labels{"−0.2", "−0.1", "0.0", "0.1"}));
+  EXPECT_EQ(linear_ticks(0, 296, 9).labels, (Labels{"0", "50", "100", "150", "200", "250"}));
+}
+
+TEST(LinearTicks, ShareThePowerOfTenOfVeryLargeAndVerySmallNumbers) {
+  const Ticks large = linear_ticks(0, 2.4e6, 6);
+  EXPECT_EQ(large.factor, "×10⁶");
+  EXPECT_EQ(large.labels, (Labels{"0.0", "0.5", "1.0", "1.5", "2.0"}));
+  EXPECT_EQ(linear_ticks(-3e-12, 1e-12, 6).factor, "×10⁻¹²");
+  EXPECT_EQ(linear_ticks(0, 0.01, 6).factor, "");
+}
+
+TEST(LinearTicks, StayInsideTheRangeAndBelowTheCountForAnyRange) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> exponent(-20, 20), fraction(-1, 1);
+  for (int trial = 0; trial < 2000; ++trial) {
+    const double width = std::pow(10, exponent(random)), low = 50 * width * fraction(random), high = low + width;
+    for (int count : {2, 5, 9}) {
+      const Ticks ticks = linear_ticks(low, high, count);
+      ASSERT_EQ(ticks.at.size(), ticks.labels.size());
+      ASSERT_LE(static_cast<int>(ticks.at.size()), count);
+      ASSERT_GE(static_cast<int>(ticks.at.size()), count / 3) << low << " " << high << " " << count;
+      for (std::size_t i = 0; i < ticks.at.size(); ++i) {
+        ASSERT_GE(ticks.at[i], low - 1e-8 * width);
+        ASSERT_LE(ticks.at[i], high + 1e-8 * width);
+        if (i > 0) {
+          ASSERT_NE(ticks.labels[i], ticks.labels[i - 1]);
+        }
+      }
+    }
+  }
+}
+
+TEST(LogTicks, ArePowersOfTenWithTheirMultiplesAsMinorTicks) {
+  const Ticks ticks = log_ticks(0.5, 200, 9);
+  EXPECT_EQ(ticks.labels, (Labels{"10⁰", "10¹", "10²"}));
+  EXPECT_EQ(ticks.minor.front(), 0.5);
+  EXPECT_EQ(ticks.minor.back(), 200);
+  EXPECT_EQ(log_ticks(1e-12, 1e6, 7).labels, (Labels{"10⁻¹²", "10⁻⁹", "10⁻⁶", "10⁻³", "10⁰", "10³", "10⁶"}));
+}
+
+TEST(LogTicks, ShowMultiplesWhereFewPowersLieInTheRange) {
+  EXPECT_EQ(log_ticks(0.015, 0.6, 9).labels, (Labels{"0.02", "0.05", "0.1", "0.2", "0.5"}));
+  EXPECT_EQ(log_ticks(1.5e-7, 9e-7, 9).labels, (Labels{"2×10⁻⁷", "5×10⁻⁷"}));
+  EXPECT_EQ(log_ticks(3.1, 4.4, 5).labels, (Labels{"3.5", "4.0"}));
+}
+
+} // namespace
+} // namespace signorini::view
