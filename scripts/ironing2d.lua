@@ -123,9 +123,9 @@ local function compare(cases)
   local reference = cases[reference_label]
   for _, case in ipairs(cases) do
     for _, force in ipairs { "dPx", "dPy" } do
-      for kind, amplitude in pairs(case[force]) do
-        local whole = reference and reference[force][kind]
-        case[force][kind .. "_percent"] = whole and 100 * amplitude / whole
+      for _, kind in ipairs { "raw", "detrended" } do
+        local part, whole = case[force][kind], reference and reference[force][kind]
+        case[force][kind .. "_percent"] = part and whole and 100 * part / whole or nil
       end
     end
   end
@@ -167,18 +167,22 @@ end
 local function draw_forces(cases, mesh, file)
   local chart = { file = file, xlabel = "load step", ylabel = "force on the die per unit depth (N/mm)",
                   title = ("Ironing, mesh %s: pressing force Py (full) and drag Px (dashed)"):format(mesh) }
-  for _, force in ipairs { "fy", "fx" } do
+  local function curves(name, column, sign, dashed)
     for _, case in ipairs(cases) do
-      local values = case.run:column("grip." .. force)
-      if force == "fy" then for i, value in ipairs(values) do values[i] = -value end end
-      chart[#chart + 1] = { x = case.run:column "step", y = values, dashed = force == "fx",
-                            label = (force == "fy" and "Py " or "Px ") .. case.label }
+      local values = case.run:column(column)
+      for i, value in ipairs(values) do values[i] = sign * value end
+      if #values > 0 then
+        chart[#chart + 1] = { x = case.run:column "step", y = values, label = name .. " " .. case.label, dashed = dashed }
+      end
     end
   end
-  sg.chart(chart)
+  curves("Py", "grip.fy", -1, false)
+  curves("Px", "grip.fx", 1, true)
+  if #chart > 0 then sg.chart(chart) end
+  return #chart > 0
 end
 
-local function draw_amplitudes(cases, mesh, published, file)
+local function draw_amplitudes(cases, mesh, file, published)
   local names, curves = {}, {}
   local function curve(label, percent)
     local line = { x = {}, y = {}, label = label, line = false, markers = true }
@@ -201,6 +205,7 @@ local function draw_amplitudes(cases, mesh, published, file)
   if #curves == 0 then return false end
   curves.file, curves.title = file, ("Ironing, mesh %s: amplitude of the contact forces"):format(mesh)
   curves.xlabel, curves.ylabel, curves.log = table.concat(names, "   "), "% of N2", "y"
+  curves.xrange = { 0.5, #cases + 0.5 }
   sg.chart(curves)
   return true
 end
@@ -241,12 +246,16 @@ print(("\nAmplitude of the contact forces, max − min over steps %d to %d%s"):f
   published and ", beside Table 7.3" or ", as it is and without a parabola"))
 print(amplitude_table(cases, published))
 
-draw_forces(cases, options.mesh, path "forces.png")
-if not draw_amplitudes(cases, options.mesh, published, options.out .. "/amplitudes.png") then
-  print "amplitudes.png is left out: it needs N2 among the labels, and runs that reach the window"
-else
-  path "amplitudes.png"
+--- Draws a chart, or says why there is none.
+local function chart(name, draw, need)
+  if draw(cases, options.mesh, options.out .. "/" .. name, published) then
+    path(name)
+  else
+    print(name .. " is left out: it needs " .. need)
+  end
 end
+chart("forces.png", draw_forces, "an accepted step")
+chart("amplitudes.png", draw_amplitudes, "N2 among the labels, and runs that reach the window")
 print("\nWritten: " .. table.concat(files, "\n         "))
 
 return { mesh = options.mesh, cases = cases, files = files }
