@@ -17,7 +17,7 @@ end
 --- A progress display over `total` steps.
 local function start(total)
   local now = core.now()
-  return setmetatable({ total = total, done = 0, began = now, drawn = now, terminal = core.terminal() }, Progress)
+  return setmetatable({ total = total, done = 0, began = now, drawn = now, terminal = core.terminal }, Progress)
 end
 
 function Progress:clear()
