@@ -1,0 +1,75 @@
+-- sg.chart: what it writes, and what it refuses.
+
+local sg = require "signorini"
+local check = require "check"
+
+local folder = os.tmpname()
+os.remove(folder)
+os.execute("mkdir " .. folder)
+
+local function content(file)
+  local stream = assert(io.open(file, "rb"))
+  return stream:read "a", stream:close()
+end
+
+local function chart(more)
+  local options = { file = folder .. "/chart.png", x = { 1, 2, 3 }, { y = { 1, 4, 9 }, label = "x squared" } }
+  for key, value in pairs(more or {}) do options[key] = value end
+  return options
+end
+
+check.case("each ending writes its kind of file, the same bytes each time", function()
+  local beginnings = { png = "\137PNG", svg = "<", pdf = "%PDF" }
+  for ending, beginning in pairs(beginnings) do
+    local file = folder .. "/a." .. ending
+    sg.chart(chart { file = file, xlabel = "x", ylabel = "y", title = "squares", size = { 400, 300 } })
+    local first = content(file)
+    check.equal(first:sub(1, #beginning), beginning)
+    sg.chart(chart { file = file, xlabel = "x", ylabel = "y", title = "squares", size = { 400, 300 } })
+    check.equal(content(file) == first, true)
+  end
+end)
+
+check.case("options change the picture", function()
+  local seen = {}
+  local variants = {
+    {}, { log = "y" }, { log = "xy" }, { xrange = { 0, 10 } }, { yrange = { -5, 20 } }, { legend = false }, { title = "t" },
+    { [1] = { y = { 1, 4, 9 }, label = "x squared", markers = true } },
+    { [1] = { y = { 1, 4, 9 }, label = "x squared", dashed = true } },
+    { [1] = { y = { 1, 4, 9 }, label = "x squared", line = false, markers = true } },
+    { [1] = { y = { 1, 4 }, x = { 1, 3 }, label = "x squared" } },
+    { [1] = { y = { 1, 0 / 0, 9 }, label = "x squared", markers = true } },
+    { [2] = { y = { 3, 2, 1 }, label = "falling" } },
+  }
+  for i, variant in ipairs(variants) do
+    variant.size = { 400, 300 }
+    sg.chart(chart(variant))
+    local bytes = content(folder .. "/chart.png")
+    if seen[bytes] then error(("variants %d and %d look alike"):format(seen[bytes], i)) end
+    seen[bytes] = i
+  end
+end)
+
+check.case("wrong arguments", function()
+  local wrong = {
+    { { xlable = "a" }, "unknown argument 'xlable' (the string 'a'); did you mean 'xlabel'?" },
+    { { log = "z" }, "log must be 'x', 'y' or 'xy'" },
+    { { xrange = { 2, 1 } }, "xrange must rise" },
+    { { size = { 10, 300 } }, "size[1]" },
+    { { [1] = { 1, 2, 3 } }, "[1] takes named arguments" },
+    { { [1] = { x = { 1 } } }, "[1].y", "is missing" },
+    { { [1] = { y = { 1, 2 } } }, "[1].y must have as many values as x, 3, got 2" },
+    { { [1] = { y = { 1, "2", 3 } } }, "[1].y[2] must be a number", "remove the quotes" },
+    { { [1] = { y = { 1, 2, 3 }, line = false } }, "neither line nor markers" },
+    { { file = folder .. "/chart.gif" }, "sg.chart", "chart.gif" },
+    { { file = folder .. "/none/chart.png" }, "sg.chart", "none" },
+    { { log = "y", [1] = { y = { 0, 1, 2 } } }, "sg.chart", "log" },
+  }
+  for _, case in ipairs(wrong) do check.fails(function() sg.chart(chart(case[1])) end, table.unpack(case, 2)) end
+  check.fails(function() sg.chart { file = "a.png" } end, "no curve is given")
+  check.fails(function() sg.chart { file = "a.png", { y = { 1 } } } end, "[1].x is missing")
+  check.fails(function() sg.chart { { y = { 1 } } } end, "file", "is missing")
+end)
+
+os.execute("rm -r " .. folder)
+check.done()

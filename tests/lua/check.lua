@@ -1,0 +1,101 @@
+-- A harness of one page: cases with names, a few comparisons, and the program run as a user runs it.
+
+local check = {}
+
+local failures, cases = 0, 0
+
+--- Runs one case; a failure is reported and the rest goes on.
+function check.case(name, body)
+  cases = cases + 1
+  local ok, message = xpcall(body, debug.traceback)
+  if ok then return end
+  failures = failures + 1
+  io.stderr:write(("FAILED: %s\n%s\n"):format(name, message))
+end
+
+--- Ends the test program.
+function check.done()
+  print(("%d cases, %d failed"):format(cases, failures))
+  os.exit(failures == 0 and cases > 0, true)
+end
+
+local function text(value)
+  if type(value) ~= "table" then return tostring(value) end
+  local parts = {}
+  for i, entry in ipairs(value) do parts[i] = text(entry) end
+  return "{" .. table.concat(parts, ", ") .. "}"
+end
+
+local function same(a, b, tolerance)
+  if type(a) == "table" and type(b) == "table" then
+    if #a ~= #b then return false end
+    for i = 1, #a do
+      if not same(a[i], b[i], tolerance) then return false end
+    end
+    return true
+  end
+  if tolerance and type(a) == "number" and type(b) == "number" then return math.abs(a - b) <= tolerance end
+  return a == b
+end
+
+--- Equal values, or lists of equal values.
+function check.equal(actual, expected)
+  if not same(actual, expected) then error(("expected %s, got %s"):format(text(expected), text(actual)), 2) end
+end
+
+--- Numbers, points or lists of points that agree within a tolerance.
+function check.near(actual, expected, tolerance)
+  if not same(actual, expected, tolerance or 1e-13) then
+    error(("expected %s, got %s"):format(text(expected), text(actual)), 2)
+  end
+end
+
+--- The text holds every fragment.
+function check.holds(whole, ...)
+  for _, fragment in ipairs { ... } do
+    if not tostring(whole):find(fragment, 1, true) then error(("'%s' is missing in:\n%s"):format(fragment, whole), 2) end
+  end
+end
+
+--- The function ends with an error whose message holds every fragment; returns the message.
+function check.fails(body, ...)
+  local ok, message = pcall(body)
+  if ok then error("an error was expected, there was none", 2) end
+  check.holds(message, ...)
+  return message
+end
+
+local function quoted(word) return "'" .. word:gsub("'", [['\'']]) .. "'" end
+
+--- A command of the shell: everything it writes, and its exit status.
+function check.shell(command)
+  local pipe = assert(io.popen(("{ %s; } 2>&1"):format(command)))
+  local output = pipe:read "a"
+  local _, _, status = pipe:close()
+  return output, status
+end
+
+--- The program with a list of arguments, as check.shell runs it. `input` is its standard input, `before` goes in front of
+--- the command.
+function check.program(arguments, input, before)
+  local words = { before or "", quoted(arg[-1]) }
+  for _, word in ipairs(arguments) do words[#words + 1] = quoted(word) end
+  local source = os.tmpname()
+  local file = assert(io.open(source, "wb"))
+  file:write(input or ""):close()
+  local output, status = check.shell(("%s <%s"):format(table.concat(words, " "), quoted(source)))
+  os.remove(source)
+  return output, status
+end
+
+--- A script with this text, run by the program.
+function check.script(code, ...)
+  local name = os.tmpname()
+  local file = assert(io.open(name, "wb"))
+  file:write(code):close()
+  local output, status = check.program { name, ... }
+  os.remove(name)
+  return output:gsub(name:gsub("%p", "%%%0"), "study.lua"), status
+end
+
+return check

@@ -1,0 +1,136 @@
+-- The command line: options, exit status, standard input, the prompt without a terminal, Ctrl-C.
+
+local check = require "check"
+
+local function run(arguments, input, before)
+  local output, status = check.program(arguments, input, before)
+  return { output = output, status = status }
+end
+
+local function gives(result, output, status)
+  check.equal(result.output, output)
+  check.equal(result.status, status or 0)
+end
+
+check.case("-e runs code, several in a row, with sg at hand", function()
+  gives(run { "-e", "print(1)" }, "1\n")
+  gives(run { "-e", "x = 2", "-e", "print(x + 1)" }, "3\n")
+  gives(run { "-e", "print(sg.shapes.rectangle{ width = 1, height = 1 })" },
+    "NURBS surface in 2D: degree 1 x 1, elements 1 x 1, 4 control points\n")
+end)
+
+check.case("scripts get their arguments, and find modules beside themselves", function()
+  local name = os.tmpname()
+  os.remove(name)
+  os.execute("mkdir " .. name)
+  local function write(file, text) assert(io.open(name .. "/" .. file, "w")):write(text):close() end
+  write("study.lua", "print(require 'scene', arg[1], arg[2], #arg, arg[0]:match '[^/]*$', ...)")
+  write("scene.lua", "return 'a scene'")
+  gives(run { name .. "/study.lua", "mesh=m1", "-q" }, "a scene\tmesh=m1\t-q\t2\tstudy.lua\tmesh=m1\t-q\n")
+  os.execute("rm -r " .. name)
+end)
+
+check.case("- reads standard input", function()
+  gives(run({ "-", "a" }, "print(1 + 1, arg[1], sg ~= nil)"), "2\ta\ttrue\n")
+  local result = run({ "-" }, "print(1)\nerror 'no'")
+  check.equal(result.status, 1)
+  check.holds(result.output, "signorini: stdin:2: no")
+end)
+
+check.case("--version and --help", function()
+  local result = run { "--version" }
+  check.equal(result.status, 0)
+  assert(result.output:find "^signorini %d+%.%d+%.%d+\n$")
+  result = run { "--help" }
+  check.equal(result.status, 0)
+  check.holds(result.output, "-e ", "-i ", "-q ", "--threads", "--doctor", "Exit status")
+end)
+
+check.case("--doctor draws without a display", function()
+  for _, display in ipairs { "env -u DISPLAY", "env DISPLAY=nowhere.invalid:7" } do
+    local result = run({ "--doctor", "--threads", "2" }, nil, display)
+    check.equal(result.status, 0)
+    check.holds(result.output, "Lua 5.4", "Eigen", "SuiteSparse", "BLAS", "readline", "VTK", "threads       2",
+      "test picture  ok")
+  end
+end)
+
+check.case("-q and --threads are known to the library", function()
+  gives(run { "-q", "--threads", "3", "-e", "local core = require 'signorini.core' print(core.quiet, core.threads)" },
+    "true\t3\n")
+end)
+
+check.case("a wrong command line ends with status 2 and a hint", function()
+  for arguments, hint in pairs {
+    [{ "--doctr" }] = "unknown option '--doctr'; did you mean '--doctor'?",
+    [{ "-x" }] = "unknown option '-x'",
+    [{ "--threads", "0" }] = "--threads takes a whole number from 1 to 1024, got '0'",
+    [{ "--threads", "2x" }] = "got '2x'",
+    [{ "--threads" }] = "--threads needs a number behind it",
+    [{ "-e" }] = "-e needs code",
+  } do
+    local result = run(arguments)
+    check.equal(result.status, 2)
+    check.holds(result.output, "signorini: ", hint)
+  end
+end)
+
+check.case("the library is found by SIGNORINI_HOME, or the message says where it was looked for", function()
+  local result = run({ "-e", "print(1)" }, nil, "env SIGNORINI_HOME=/nowhere")
+  check.equal(result.status, 1)
+  check.holds(result.output, "/nowhere", "SIGNORINI_HOME")
+end)
+
+check.case("the prompt reads lines from a pipe: expressions, statements over several lines, errors", function()
+  gives(run({}, "1 + 1\nx = {1, 2, name = 'a'}\nx\nfor i = 1, 2 do\n  print(i)\nend\n'text'\n"),
+    '2\n{1, 2, name = "a"}\n1\n2\n"text"\n')
+  local result = run({}, "y = 1\nerror 'no'\ny\n")
+  check.equal(result.status, 1)
+  check.holds(result.output, "prompt:1: no", "\n1\n")
+  result = run({}, "for i = 1, 2 do\n")
+  check.equal(result.status, 1)
+  check.holds(result.output, "ends inside a statement")
+  gives(run({ "-i", "-e", "z = 5" }, "z\n"), "5\n")
+end)
+
+check.case("the prompt cuts long tables and does not follow cycles", function()
+  local result = run({}, "t = {} for i = 1, 100 do t[i] = i end\nt\nt = {} t.t = t\nt\n{{1, 2}, {{3}}}\n")
+  check.equal(result.status, 0)
+  check.holds(result.output, "… 60 more", "{t = {t = {…}}}", "{{1, 2}, {{…}}}")
+end)
+
+check.case("help finds functions, methods, tables and words", function()
+  local result = run({}, 'help()\nhelp(sg.shapes.block)\nhelp "patch:refine"\nhelp(sg.nurbs)\nhelp "labels"\nhelp "refin"\nhelp "rectangel"\n')
+  check.equal(result.status, 0)
+  check.holds(result.output, "signorini: isogeometric", "sg.shapes.block{ size", "p:refine{ elements", "sg.nurbs.coons{",
+    "N2-N2.2x2", "Pages with 'refin'", "did you mean 'rectangle'?")
+end)
+
+check.case("every function of the language has a help page that says how to call it", function()
+  local core = require "signorini.core"
+  local sg = require "signorini"
+  local function visit(entries, path, seen)
+    for key, value in pairs(entries) do
+      if type(value) == "function" then
+        local page = core.names[value] and core.docs[core.names[value]]
+        if not page then error(path .. "." .. key .. " has no help page") end
+        if not page:find "\n" then error(path .. "." .. key .. " has a page of one line only") end
+      elseif type(value) == "table" and not seen[value] then
+        seen[value] = true
+        visit(value, path .. "." .. key, seen)
+      end
+    end
+  end
+  visit(sg, "sg", { [sg] = true })
+  visit(core.types, "types", {})
+end)
+
+check.case("Ctrl-C ends a script with status 130, wherever it is", function()
+  for _, code in ipairs { "while true do end", "pcall(function() while true do end end) while true do end" } do
+    local output, status = check.shell(("%s -e '%s' & sleep 0.3; kill -INT $!; wait $!"):format(arg[-1], code))
+    check.equal(status, 130)
+    check.holds(output, "signorini: (command line):1: interrupted")
+  end
+end)
+
+check.done()

@@ -1,0 +1,128 @@
+-- Wrong input ends with a message that names the user's line, the function, the argument, what came, and the cure.
+
+local sg = require "signorini"
+local check = require "check"
+
+local p = sg.shapes.rectangle { width = 3, height = 1 }
+local nan = 0 / 0
+
+check.case("wrong named arguments", function()
+  local rectangle = sg.shapes.rectangle
+  local wrong = {
+    { { width = 3, hieght = 1 }, "unknown argument 'hieght' (the number 1); did you mean 'height'? known: width, height, corner" },
+    { { width = 3, height = 1, frobnicate = 2 }, "unknown argument 'frobnicate' (the number 2); known: width" },
+    { { width = 3 }, "height (size along y) is missing: it must be a positive number" },
+    { { width = "3", height = 1 }, "width must be a positive number (size along x), got the string '3': remove the quotes" },
+    { { width = -3, height = 1 }, "width must be a positive number", "got the number -3", "above 0" },
+    { { width = 0, height = 1 }, "got the number 0" },
+    { { width = nan, height = 1 }, "width must be a finite number", "nan", "division by zero" },
+    { { width = math.huge, height = 1 }, "got infinity" },
+    { { width = { 3 }, height = 1 }, "got a list of 1 value", "without braces" },
+    { { width = true, height = 1 }, "got true" },
+    { { width = 3, height = 1, corner = 5 }, "corner must be a list of 2 numbers {x, y}", "put it into braces" },
+    { { width = 3, height = 1, corner = { 0, 0, 0 } }, "corner must be a list of 2 numbers", "got a list of 3 values" },
+    { { width = 3, height = 1, corner = { x = 0, y = 0 } }, "corner must be", "a table with the key", "without names" },
+    { { width = 3, height = 1, corner = { 0, "0" } }, "corner[2] must be a number", "got the string '0'" },
+    { { 3, 1 }, "takes named arguments, got the number", "without a name; known: width, height, corner" },
+  }
+  for _, case in ipairs(wrong) do
+    check.fails(function() rectangle(case[1]) end, "sg.shapes.rectangle", table.unpack(case, 2))
+  end
+  check.fails(function() rectangle(3, 1) end, "takes a table of named arguments, got the number 3: write sg.shapes.rectangle{ width")
+  check.fails(function() rectangle() end, "got nothing")
+end)
+
+check.case("wrong arguments of methods", function()
+  check.fails(function() p:face "nroth" end, "patch:face", "nroth", "north")
+  check.fails(function() p:face(3) end, "name must be a string", "got the number 3")
+  check.fails(function() p:elevate(0) end, "patch:elevate: dir must be a whole number from 1 to 2", "got the number 0")
+  check.fails(function() p:elevate(3) end, "got the number 3")
+  check.fails(function() p:elevate(1.5) end, "without a fraction")
+  check.fails(function() p(0.5) end, "xi must be a list of 2 numbers", "braces")
+  check.fails(function() p { 0.5 } end, "got a list of 1 value")
+  check.fails(function() p { 0.5, 2 } end, "patch", "2")
+  check.fails(function() p { 0.5, nan } end, "xi[2]", "nan")
+  check.fails(function() p:insert(1, { 7 }) end, "patch:insert", "7")
+  check.fails(function() p:insert(1, 0.5) end, "knots must be a list", "braces")
+  check.fails(function() p:refine { elements = { 0, 1 } } end, "elements[1]", "got the number 0")
+  check.fails(function() p:refine { elements = 4 } end, "elements must be a list of 2 whole numbers")
+  check.fails(function() p:refine { elements = { 4, 4 }, grading = { false } } end, "grading must be a list of 2 entries")
+  check.fails(function() p:refine { elements = { 4, 4 }, grading = { false, { elements = 1.5, length = 0.1, at = "end" } } } end,
+    "grading[2].elements", "1.5")
+  check.fails(function() p:refine { elements = { 4, 4 }, grading = { false, { elements = 0.5, length = 0.1, at = "ende" } } } end,
+    "grading[2].at must be 'start' or 'end'", "did you mean 'end'?")
+  check.fails(function() p:refine { grading = { false, false } } end, "grading needs elements")
+  check.fails(function() p:translate { 1 } end, "by must be a list of 2 numbers")
+  check.fails(function() p:rotate { angle = 90, axis = { 0, 0, 1 } } end, "unknown argument 'axis'")
+  check.fails(function() p:refinne {} end, "a patch has no method 'refinne'; did you mean 'refine'?")
+  check.fails(function() p.face("north") end, "patch:face must be called on a patch", "colon")
+end)
+
+check.case("wrong geometry", function()
+  check.fails(function() sg.shapes.half_annulus { inner = 2, outer = 1 } end, "sg.shapes.half_annulus", "2", "1")
+  check.fails(function() sg.nurbs.curve { degree = 2, knots = { 0, 0, 1, 1 }, points = { { 0, 0 }, { 1, 1 } } } end, "sg.nurbs.curve", "knot")
+  check.fails(function() sg.nurbs.curve { degree = 1, knots = { 0, 0, 1, 1 }, points = { { 0, 0 }, { 1, 1, 1 } } } end, "points[2]")
+  check.fails(function() sg.nurbs.surface { degrees = { 1, 1 }, knots = { { 0, 0, 1, 1 } }, points = { { 0, 0 } } } end,
+    "knots must be a list of 2 knot vectors")
+  check.fails(function() sg.nurbs.ruled { a = p, b = 3 } end, "b must be a patch", "got the number 3")
+  check.fails(function() sg.nurbs.extrude { along = { 0, 0, 1 } } end, "patch (what is swept) is missing")
+end)
+
+check.case("the message begins with the user's line, also in functions, coroutines and tail calls", function()
+  local function line() return debug.getinfo(2, "l").currentline end
+  local expected
+  local function f()
+    expected = line() + 1
+    local q = sg.shapes.block { size = 3 }
+    return q
+  end
+  check.fails(f, ("errors_test.lua:%d: sg.shapes.block: size"):format(0 + (pcall(f) and 0 or expected)))
+  local function tail() expected = line(); return sg.shapes.block { size = 3 } end
+  check.fails(tail, ("errors_test.lua:%d: "):format(0 + (pcall(tail) and 0 or expected)))
+  local thread = coroutine.create(f)
+  local _, message = coroutine.resume(thread)
+  check.holds(message, ("errors_test.lua:%d: "):format(expected))
+end)
+
+check.case("errors of the library written in Lua stand at the user's line too", function()
+  local expected = debug.getinfo(1, "l").currentline + 1
+  local _, message = pcall(function() sg.csv.write(3, {}) end)
+  check.holds(message, ("errors_test.lua:%d: sg.csv.write"):format(expected))
+end)
+
+check.case("a variable that was never set is an error", function()
+  check.fails(function() return undefined_name end, "errors_test.lua", "undefined variable 'undefined_name'")
+  local model = 1
+  check.fails(function() return modle, model end, "undefined variable 'modle'; did you mean 'model'?")
+  check.fails(function() return pritn end, "did you mean 'print'?")
+end)
+
+check.case("a script that fails ends with status 1, the message and a traceback", function()
+  local output, status = check.script [[
+local sg = require "signorini"
+local function die()
+  return sg.shapes.half_annulus{ inner = 0.3, outer = "0.5" }
+end
+local patch = die()
+]]
+  check.equal(status, 1)
+  check.holds(output, "signorini: study.lua:3: sg.shapes.half_annulus: outer must be a positive number (outer radius), "
+    .. "got the string '0.5': remove the quotes", "stack traceback", "study.lua:5: in main chunk")
+end)
+
+check.case("syntax errors, missing files and thrown values are reported", function()
+  local output, status = check.script "local x = = 1"
+  check.equal(status, 1)
+  check.holds(output, "signorini: study.lua:1: unexpected symbol near '='")
+  output, status = check.program { "/nowhere/study.lua" }
+  check.equal(status, 1)
+  check.holds(output, "/nowhere/study.lua")
+  output, status = check.script "error(setmetatable({}, { __tostring = function() return 'an object' end }))"
+  check.equal(status, 1)
+  check.holds(output, "signorini: an object")
+  output, status = check.script "print(sg)"
+  check.equal(status, 1)
+  check.holds(output, [[undefined variable 'sg'; write local sg = require "signorini" at the top]])
+end)
+
+check.done()

@@ -1,0 +1,165 @@
+-- Patches from Lua: every constructor and every method against closed forms. Directions and indices count from 1.
+
+local sg = require "signorini"
+local check = require "check"
+
+local function length(p) return math.sqrt(p[1] ^ 2 + p[2] ^ 2 + (p[3] or 0) ^ 2) end
+
+check.case("a curve from knots and points is its Bernstein polynomial", function()
+  local p = sg.nurbs.curve { degree = 2, knots = { 0, 0, 0, 1, 1, 1 }, points = { { 0, 0 }, { 1, 2 }, { 2, 0 } } }
+  for _, t in ipairs { 0, 0.25, 0.7, 1 } do check.near(p(t), { 2 * t, 4 * t * (1 - t) }) end
+  check.near(p:evaluate(0.25), p { 0.25 })
+  check.equal(p:degrees(), { 2 })
+  check.equal(p:knots(1), { 0, 0, 0, 1, 1, 1 })
+  check.equal(p:weights(), { 1, 1, 1 })
+  check.equal(tostring(p), "NURBS curve in 2D: degree 2, elements 1, 3 control points")
+end)
+
+check.case("weights make a circle", function()
+  local w = math.sqrt(0.5)
+  local p = sg.nurbs.curve { degree = 2, knots = { 0, 0, 0, 1, 1, 1 }, points = { { 1, 0 }, { 1, 1 }, { 0, 1 } },
+    weights = { 1, w, 1 } }
+  for i = 0, 10 do check.near(length(p(i / 10)), 1) end
+end)
+
+check.case("surfaces and volumes take one knot vector per direction, points fastest in xi1", function()
+  local U = { 0, 0, 1, 1 }
+  local s = sg.nurbs.surface { degrees = { 1, 1 }, knots = { U, U }, points = { { 0, 0 }, { 2, 0 }, { 0, 1 }, { 2, 1 } } }
+  check.near(s { 0.25, 0.5 }, { 0.5, 0.5 })
+  local points = {}
+  for z = 0, 1 do for y = 0, 1 do for x = 0, 1 do points[#points + 1] = { x, 2 * y, 3 * z } end end end
+  local v = sg.nurbs.volume { degrees = { 1, 1, 1 }, knots = { U, U, U }, points = points }
+  check.near(v { 0.25, 0.5, 0.75 }, { 0.25, 1, 2.25 })
+  check.equal(v:points(), points)
+end)
+
+check.case("lines, arcs and circles", function()
+  check.near(sg.nurbs.line { from = { 0, 1, 2 }, to = { 2, 1, 0 } }(0.5), { 1, 1, 1 })
+  local arc = sg.nurbs.arc { centre = { 1, 1 }, radius = 2, from = 180, to = 360 }
+  check.near(arc(0), { -1, 1 })
+  check.near(arc(arc:knots(1)[#arc:knots(1)]), { 3, 1 })
+  local circle = sg.nurbs.circle { radius = 0.5, centre = { 0, 0, 4 } }
+  check.near(circle(0), { 0.5, 0, 4 })
+  check.equal(circle:elements(), { 4 })
+end)
+
+check.case("ruled, extruded, revolved and Coons patches", function()
+  local ring = sg.nurbs.ruled { a = sg.nurbs.circle { radius = 2 }, b = sg.nurbs.circle { radius = 1 } }
+  check.near(length(ring { 0.3, 0.5 }), 1.5)
+  local box = sg.nurbs.extrude { patch = sg.shapes.rectangle { width = 2, height = 1 }, along = { 0, 0, 3 } }
+  check.near(box { 0.5, 0.5, 0.5 }, { 1, 0.5, 1.5 })
+  local pipe = sg.nurbs.revolve { patch = sg.nurbs.line { from = { 2, 0, 0 }, to = { 2, 0, 5 } }, angle = 90 }
+  local last = pipe:knots(2)[#pipe:knots(2)]
+  check.near(pipe { 0.5, last }, { 0, 2, 2.5 })
+  local square = sg.nurbs.coons {
+    west = sg.nurbs.line { from = { 0, 0 }, to = { 0, 1 } }, east = sg.nurbs.line { from = { 1, 0 }, to = { 1, 1 } },
+    south = sg.nurbs.line { from = { 0, 0 }, to = { 1, 0 } }, north = sg.nurbs.line { from = { 0, 1 }, to = { 1, 1 } },
+  }
+  check.near(square { 0.25, 0.75 }, { 0.25, 0.75 })
+end)
+
+check.case("the ready-made shapes stand where their pages say", function()
+  local function corners(p)
+    local first, last = {}, {}
+    for d = 1, #p:degrees() do
+      local knots = p:knots(d)
+      first[d], last[d] = knots[1], knots[#knots]
+    end
+    return p(first), p(last)
+  end
+  local a, b = corners(sg.shapes.rectangle { width = 3, height = 1, corner = { 1, 2 } })
+  check.near({ a, b }, { { 1, 2 }, { 4, 3 } })
+  a, b = corners(sg.shapes.half_annulus { inner = 0.3, outer = 0.5, centre = { 0.75, 1.5 } })
+  check.near({ a, b }, { { 0.25, 1.5 }, { 1.05, 1.5 } })
+  a, b = corners(sg.shapes.quarter_annulus { inner = 1, outer = 2 })
+  check.near({ a, b }, { { 0, -2 }, { 1, 0 } })
+  a, b = corners(sg.shapes.quarter_annulus { inner = 1, outer = 2, start = 0 })
+  check.near({ a, b }, { { 2, 0 }, { 0, 1 } })
+  a, b = corners(sg.shapes.block { size = { 6, 4, 2 }, corner = { 1, 1, 1 } })
+  check.near({ a, b }, { { 1, 1, 1 }, { 7, 5, 3 } })
+  a, b = corners(sg.shapes.half_cylinder_shell { inner = 1, outer = 2, width = 3 })
+  check.near({ a, b }, { { -2, 0, 0 }, { 1, 3, 0 } })
+  local octant = sg.shapes.sphere_octant { inner = 1, outer = 2 }
+  check.near(length(octant { 0.3, 0.6, 0 }), 2)
+  local indenter = sg.shapes.spherical_indenter { width = 1, depth = 1, height = 0.6, radius = 2, elements = 4 }
+  check.near(indenter { 0.5, 0.5, 1 }[3], 0.6)
+  check.near(indenter { 0.5, 0.5, 0 }[3], 0, 1e-2)
+end)
+
+check.case("derivatives name their orders and are those of the map", function()
+  local p = sg.shapes.quarter_annulus { inner = 1, outer = 2 }
+  local all = p:derivatives({ 0.4, 0.5 }, 2)
+  check.equal(#all, 6)
+  local orders = {}
+  for i, d in ipairs(all) do orders[i] = d.orders end
+  check.equal(orders, { { 0, 0 }, { 1, 0 }, { 0, 1 }, { 2, 0 }, { 1, 1 }, { 0, 2 } })
+  local h = 1e-5
+  local ahead, behind = p { 0.4 + h, 0.5 }, p { 0.4 - h, 0.5 }
+  for i = 1, 2 do check.near(all[2].value[i], (ahead[i] - behind[i]) / (2 * h), 1e-8) end
+end)
+
+check.case("the basis adds up to one and points to control points from 1", function()
+  local p = sg.shapes.half_annulus { inner = 1, outer = 2 }:refine { elements = { 6, 2 }, degree = { 3, 2 } }
+  local points, xi = p:points(), { 0.37, 0.81 }
+  local sum, x, y = 0, 0, 0
+  for _, function_ in ipairs(p:basis(xi)) do
+    sum = sum + function_.value
+    x, y = x + function_.value * points[function_.index][1], y + function_.value * points[function_.index][2]
+  end
+  check.near(sum, 1)
+  check.near({ x, y }, p(xi))
+  check.equal(p:basis({ 0, 0 })[1].index, 1)
+end)
+
+check.case("insert, elevate and refine keep the shape and the old patch", function()
+  local p = sg.shapes.quarter_annulus { inner = 1, outer = 2 }
+  local finer = p:insert(1, { 0.25, 0.5 }):elevate(2):elevate(1, 2)
+  check.equal(p:degrees(), { 2, 1 })
+  check.equal(finer:degrees(), { 4, 2 })
+  check.equal(finer:elements(), { 3, 1 })
+  check.near(finer { 0.3, 0.4 }, p { 0.3, 0.4 })
+  local refined = p:refine { elements = { 8, 3 }, degree = { 4, 2 } }
+  check.equal(refined:elements(), { 8, 3 })
+  check.equal(refined:degrees(), { 4, 2 })
+  check.near(refined { 0.3, 0.4 }, p { 0.3, 0.4 })
+  check.equal(sg.nurbs.circle { radius = 1 }:refine { elements = 8, degree = 3 }:degrees(), { 3 })
+end)
+
+check.case("grading puts a share of the elements into a share of the length", function()
+  local p = sg.shapes.rectangle { width = 1, height = 1 }
+  local q = p:refine { elements = { 2, 10 }, grading = { false, { elements = 0.8, length = 0.1, at = "end" } } }
+  local crowded = 0
+  for _, knot in ipairs(q:knots(2)) do if knot > 0.9 + 1e-12 and knot < 1 then crowded = crowded + 1 end end
+  check.equal(crowded, 7) -- eight elements between 0.9 and 1
+  local line = sg.nurbs.line { from = { 0, 0 }, to = { 1, 0 } }
+  local graded = line:refine { elements = 10, grading = { elements = 0.5, length = 0.1, at = "start" } }
+  check.near(graded:knots(1)[7], 0.1)
+end)
+
+check.case("faces, motions and scaling return new patches", function()
+  local p = sg.shapes.rectangle { width = 3, height = 1 }
+  check.near(p:face "north" (0.5), { 1.5, 1 })
+  check.near(p:face "west" (0.5), { 0, 0.5 })
+  check.near(p:translate { 1, -1 } { 0, 0 }, { 1, -1 })
+  check.near(p:rotate { angle = 90 } { 1, 0 }, { 0, 3 })
+  check.near(p:rotate { angle = 180, centre = { 1, 0 } } { 0, 0 }, { 2, 0 })
+  check.near(p:scale { factor = 2 } { 1, 1 }, { 6, 2 })
+  check.near(p:scale { factor = { 1, 3 }, centre = { 0, 1 } } { 0, 0 }, { 0, -2 })
+  check.near(p { 1, 1 }, { 3, 1 })
+  local block = sg.shapes.block { size = { 1, 2, 3 } }
+  check.near(block:rotate { angle = 90, axis = { 1, 0, 0 } } { 0, 1, 0 }, { 0, 0, 2 })
+end)
+
+check.case("patches outlive the garbage collector as long as Lua holds them", function()
+  local kept = {}
+  for i = 1, 200 do
+    local p = sg.shapes.rectangle { width = i, height = 1 }
+    kept[i] = i % 10 == 0 and p:face "north" or nil
+  end
+  collectgarbage()
+  collectgarbage()
+  for i = 10, 200, 10 do check.near(kept[i](1), { i, 1 }) end
+  check.equal(getmetatable(kept[10]), false)
+end)
+
+check.done()

@@ -1,0 +1,42 @@
+-- The prompt on a terminal, which util-linux' `script` provides: editing, history, completion, Ctrl-C.
+
+local check = require "check"
+
+local state = os.tmpname()
+os.remove(state)
+
+--- What the terminal shows when these keys are typed, with a pause after each; and the exit status.
+local function session(...)
+  local typing = {}
+  for _, keys in ipairs { ... } do
+    typing[#typing + 1] = ("printf '%s'; sleep 0.5"):format((keys:gsub(".", function(c) return ("\\%03o"):format(c:byte()) end)))
+  end
+  local output, status = check.shell(("(sleep 1; %s) | XDG_STATE_HOME=%s TERM=dumb script -qec '%s' /dev/null")
+    :format(table.concat(typing, "; "), state, arg[-1]))
+  return output:gsub("\r", ""), status
+end
+
+check.case("a session: expressions, several lines, Ctrl-C in a loop and at the prompt, Ctrl-D", function()
+  local output, status = session("1 + 1\n", "while true do end\n", "\3", "abc def", "\3", "40 + 2\n",
+    "for i = 7, 8 do\n", "print(i) end\n", "for\n", "\3", "'still here'\n", "\4")
+  check.equal(status, 0)
+  check.holds(output, "help() helps", "sg> 1 + 1\n2\n", "^Cinterrupted\n", "abc def^C\n", "sg> 40 + 2\n42\n",
+    "..> print(i) end\n7\n8\n", 'sg> \'still here\'\n"still here"\n')
+end)
+
+check.case("Tab completes names, fields and methods", function()
+  local output = session("p = sg.shapes.rec\t{ width = 1, height = 1 }\n", "p:transl\t{ 1, 1 }\n", "\4")
+  check.holds(output, "sg.shapes.rectangle{ width", "p:translate{ 1, 1 }\nNURBS surface in 2D")
+end)
+
+check.case("history is kept between sessions", function()
+  session("marker = 4711\n", "\4")
+  local output = session("\16\n", "\4") -- Ctrl-P
+  check.holds(output, "marker = 4711\n")
+  local file = assert(io.open(state .. "/signorini/history"))
+  check.holds(file:read "a", "40 + 2\n", "marker = 4711\n")
+  file:close()
+end)
+
+os.execute("rm -r " .. state)
+check.done()
