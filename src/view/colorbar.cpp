@@ -57,8 +57,8 @@ void draw_colorbar(Drawing& drawing, const BarPlace& place, const std::array<dou
 
   for (std::size_t i = 0; i < ticks.at.size(); ++i) {
     const double y = scale(ticks.at[i]);
-    drawing.marks.push_back(Stroke{{{right - 0.3 * size, y}, {right, y}}, rim, 1.6 * style.unit});
-    drawing.marks.push_back(Text{{right + 0.4 * size, y - 0.36 * size}, ticks.labels[i], size, Align::left, ink});
+    drawing.marks.push_back(Stroke{{{right, y}, {right + 0.22 * size, y}}, rim, 1.6 * style.unit});
+    drawing.marks.push_back(Text{{right + 0.45 * size, y - 0.36 * size}, ticks.labels[i], size, Align::left, ink});
   }
   if (!ticks.factor.empty())
     drawing.marks.push_back(Text{{place.left, place.top - 0.8 * size}, ticks.factor, size, Align::left, ink});

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace signorini::view {
 namespace {
@@ -142,7 +143,8 @@ void draw_lines(Drawing& drawing, const Body& body, const View& view, const Styl
     if (p[0] < box[0] || p[0] > box[1] || p[1] < box[2] || p[1] > box[3]) continue;
     std::vector<Vec2> rim, dot;
     for (int k = 0; k < 24; ++k) {
-      const double c = std::cos(k * M_PI / 12) * style.unit, s = std::sin(k * M_PI / 12) * style.unit;
+      const double c = std::cos(k * std::numbers::pi / 12) * style.unit,
+                   s = std::sin(k * std::numbers::pi / 12) * style.unit;
       rim.push_back({p[0] + 6.4 * c, p[1] + 6.4 * s});
       dot.push_back({p[0] + 4.8 * c, p[1] + 4.8 * s});
     }

@@ -90,8 +90,8 @@ vtkSmartPointer<vtkActor> triangles_actor(const Raster& raster) {
   return flat_actor(*mapper);
 }
 
-/// Draws everything but text, at the larger size.
-Pixels render(const Raster& raster) {
+/// Draws everything but text, at the larger size; returns red, green, blue, opacity per pixel, rows from the bottom up.
+vtkUnsignedCharArray& render(const Raster& raster) {
   vtkNew<vtkRenderer> renderer;
   renderer->SetBackground(1, 1, 1);
   for (const Field& field : raster.fields) renderer->AddActor(field_actor(field));
@@ -108,29 +108,31 @@ Pixels render(const Raster& raster) {
   window.SetMultiSamples(0);
   window.AddRenderer(renderer);
   window.Render();
-  vtkNew<vtkUnsignedCharArray> pixels;
-  const int failed = window.GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels);
+  // Kept from picture to picture: fresh pages for so many pixels cost as much as drawing them.
+  static vtkNew<vtkUnsignedCharArray> pixels;
+  const int failed = window.GetRGBACharPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels);
   window.RemoveRenderer(renderer);
-  require(failed != VTK_ERROR && pixels->GetNumberOfValues() == vtkIdType(3) * size[0] * size[1],
+  require(failed != VTK_ERROR && pixels->GetNumberOfValues() == vtkIdType(4) * size[0] * size[1],
           "OpenGL did not draw a picture of ", raster.size[0], " × ", raster.size[1], " pixels; choose a smaller size");
-  return {size, {pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues()}};
+  return *pixels.Get();
 }
 
-/// The mean over squares of n × n pixels.
-Pixels shrink(const Pixels& large, int n) {
-  const int width = large.size[0] / n, height = large.size[1] / n;
-  Pixels small{{width, height}, std::vector<std::uint8_t>(std::size_t(3) * width * height)};
+/// The mean over squares of pixels.
+Pixels shrink(vtkUnsignedCharArray& large, const std::array<int, 2>& size) {
+  constexpr int n = supersampling;
+  const int width = size[0], height = size[1];
+  Pixels small{size, std::vector<std::uint8_t>(std::size_t(3) * width * height)};
   std::vector<int> sums(std::size_t(3) * width);
   for (int y = 0; y < height; ++y) {
     std::fill(sums.begin(), sums.end(), 0);
     for (int j = 0; j < n; ++j) {
-      const std::uint8_t* row = &large.rgb[std::size_t(3) * large.size[0] * (std::size_t(n) * y + j)];
+      const std::uint8_t* row = large.GetPointer(vtkIdType(4) * n * width * (n * y + j));
       for (int x = 0; x < width; ++x)
         for (int i = 0; i < n; ++i)
-          for (int c = 0; c < 3; ++c) sums[3 * x + c] += row[3 * (n * x + i) + c];
+          for (int c = 0; c < 3; ++c) sums[3 * x + c] += row[4 * (n * x + i) + c];
     }
     std::transform(sums.begin(), sums.end(), &small.rgb[std::size_t(3) * width * y],
-                   [n](int sum) { return static_cast<std::uint8_t>((sum + n * n / 2) / (n * n)); });
+                   [](int sum) { return static_cast<std::uint8_t>((sum + n * n / 2) / (n * n)); });
   }
   return small;
 }
@@ -150,7 +152,7 @@ std::string encode(const Pixels& image) {
 }
 
 std::string draw_png(const Raster& raster) {
-  Pixels image = shrink(render(raster), supersampling);
+  Pixels image = shrink(render(raster), raster.size);
   for (const Text& text : raster.texts) draw_text(image, text);
   return encode(image);
 }
