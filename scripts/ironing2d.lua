@@ -184,23 +184,23 @@ end
 
 local function draw_amplitudes(cases, mesh, file, published)
   local names, curves = {}, {}
-  local function curve(label, percent)
+  local function curve(label, shift, percent)
     local line = { x = {}, y = {}, label = label, line = false, markers = true }
     for i, case in ipairs(cases) do
       local value = percent(case)
-      if value then line.x[#line.x + 1], line.y[#line.y + 1] = i, value end
+      if value then line.x[#line.x + 1], line.y[#line.y + 1] = i + shift, value end
     end
     if #line.x > 0 then curves[#curves + 1] = line end
   end
   for i, case in ipairs(cases) do names[i] = ("%d: %s"):format(i, case.label) end
-  curve("dPy", function(case) return case.dPy.raw_percent end)
-  curve("dPx", function(case) return case.dPx.raw_percent end)
+  curve("dPy", -0.1, function(case) return case.dPy.raw_percent end)
+  curve("dPx", -0.1, function(case) return case.dPx.raw_percent end)
   if published then
-    curve("dPy published", function(case) return (published[case.label] or {}).dPy_percent_of_N2 end)
-    curve("dPx published", function(case) return (published[case.label] or {}).dPx_percent_of_N2 end)
+    curve("dPy published", 0.1, function(case) return (published[case.label] or {}).dPy_percent_of_N2 end)
+    curve("dPx published", 0.1, function(case) return (published[case.label] or {}).dPx_percent_of_N2 end)
   else
-    curve("dPy detrended", function(case) return case.dPy.detrended_percent end)
-    curve("dPx detrended", function(case) return case.dPx.detrended_percent end)
+    curve("dPy detrended", 0.1, function(case) return case.dPy.detrended_percent end)
+    curve("dPx detrended", 0.1, function(case) return case.dPx.detrended_percent end)
   end
   if #curves == 0 then return false end
   curves.file, curves.title = file, ("Ironing, mesh %s: amplitude of the contact forces"):format(mesh)
@@ -224,7 +224,7 @@ end
 --- Pictures as in Figure 7.3, of the first label.
 local function draw_state(model, step)
   if not picture_steps[step] then return end
-  sg.picture{ model = model, field = "uy", file = path(("uy_%03d.png"):format(step)), mesh = true,
+  sg.picture{ model = model, field = "uy", file = path(("uy_%03d.png"):format(step)), size = { 1600, 760 }, mesh = true,
               title = ("Ironing, %s at %s, load step %d"):format(options.labels[1], options.mesh, step) }
 end
 

@@ -1,0 +1,134 @@
+-- CSV files: what goes in comes out, files appear whole or not at all, wrong input is named.
+
+local sg = require "signorini"
+local check = require "check"
+
+local folder = os.tmpname()
+os.remove(folder)
+sg.mkdir(folder)
+local file = folder .. "/a.csv"
+
+local function content(name)
+  local stream = assert(io.open(name or file, "rb"))
+  local text = stream:read "a"
+  stream:close()
+  return text
+end
+
+local function write_text(text)
+  local stream = assert(io.open(file, "wb"))
+  stream:write(text):close()
+end
+
+check.case("rows, comments and awkward values survive", function()
+  local rows = { { 1, 0.1, "N2" }, { 2, nil, 'a,"b"\nc' }, { 3, 1 / 3, "2" }, { -4, 1e300, " edges " }, { 5, 2 ^ -1074, "#5" },
+                 { 6, true, "true" }, { math.maxinteger, false, "ξ" } }
+  sg.csv.write(file, { columns = { "step", "fx", "label" }, rows = rows, comments = { "source: a test", "one\ntwo" } })
+  local read = sg.csv.read(file)
+  check.equal(read.columns, { "step", "fx", "label" })
+  check.equal(read.comments, { "source: a test", "one two" })
+  check.equal(#read.rows, #rows)
+  for i, row in ipairs(rows) do
+    for j = 1, 3 do
+      check.equal(read.rows[i][j], row[j])
+      check.equal(math.type(read.rows[i][j]), math.type(row[j]))
+    end
+  end
+  check.equal(read:column "step", { 1, 2, 3, -4, 5, 6, math.maxinteger })
+  check.equal(read:by("label")["2"].fx, 1 / 3)
+end)
+
+check.case("random numbers survive to the last bit", function()
+  math.randomseed(7)
+  local numbers = {}
+  for i = 1, 200 do numbers[i] = (math.random() - 0.5) * 10 ^ math.random(-200, 200) end
+  sg.csv.write(file, { columns = { "x" }, x = numbers })
+  check.equal(sg.csv.read(file):column "x", numbers)
+end)
+
+check.case("named lists are columns, in the order asked for or of their names", function()
+  sg.csv.write(file, { b = { 1, 2 }, a = { 3, 4.5 }, columns = { "b", "a" } })
+  check.equal(content(), "b,a\n1,3\n2,4.5\n")
+  sg.csv.write(file, { b = { 1 }, a = { "x" } })
+  check.equal(content(), "a,b\nx,1\n")
+end)
+
+check.case("files from elsewhere: byte-order mark, carriage returns, blanks, blank lines, no last line break", function()
+  write_text "\xEF\xBB\xBF# from a spreadsheet\r\nname , value\r\n\r\n\"x, y\" , 2\r\nz,"
+  local ok, message = pcall(sg.csv.read, file)
+  check.equal(ok, false)
+  check.holds(message, "a.csv:4: after a quoted field comes ' ', not a comma")
+  write_text "\xEF\xBB\xBF# from a spreadsheet\r\nname , value\r\n\r\n\"x, y\",2\r\nz,"
+  local read = sg.csv.read(file)
+  check.equal(read.columns, { "name", "value" })
+  check.equal(read.rows[1], { "x, y", 2 })
+  check.equal(read.rows[2][1], "z")
+  check.equal(read.rows[2][2], nil)
+end)
+
+check.case("wrong tables are not written, and leave the old file alone", function()
+  sg.csv.write(file, { a = { 1 } })
+  local wrong = {
+    { { columns = { "a" }, rows = { { 0 / 0 } } }, "row 1, column 'a'", "nan", "leave the value out" },
+    { { columns = { "a" }, rows = { { math.huge } } }, "infinity" },
+    { { columns = { "a" }, rows = { { 1, 2 } } }, "rows[1] has an entry '2', but there are 1 columns" },
+    { { columns = { "a" }, rows = { { a = 1 } } }, "an entry 'a'" },
+    { { columns = { "a" }, rows = { { {} } } }, "must be a number, a string" },
+    { { columns = { "a", "a" }, rows = {} }, "the column 'a' is there twice" },
+    { { rows = { { 1 } } }, "columns is missing" },
+    { { a = { 1 }, b = { 1, 2 }, columns = { "a", "b" } }, "'b' has 2 values, the column 'a' has 1" },
+    { { a = { 1 }, columns = { "a", "c" } }, "'c' has no list of values" },
+  }
+  for _, case in ipairs(wrong) do
+    check.fails(function() sg.csv.write(file, case[1]) end, "csv_test.lua:", "sg.csv.write: ", table.unpack(case, 2))
+  end
+  check.equal(content(), "a\n1\n")
+  check.fails(function() sg.csv.write(folder .. "/none/a.csv", { a = { 1 } }) end, "cannot write", "none/a.csv")
+  check.fails(function() sg.csv.write(folder, { a = { 1 } }) end, "cannot write")
+  check.equal(io.open(folder .. ".part"), nil)
+end)
+
+check.case("broken files are refused with file and line", function()
+  local broken = {
+    { "a,b\n1,2\n3\n", "a.csv:3: 1 fields, but there are 2 columns" },
+    { "a\n\"1\n", "a.csv:2: a quoted field does not end" },
+    { "a,a\n", "a.csv:1: the column 'a' is there twice" },
+    { "a,,b\n", "a.csv:1: column 2 has no name" },
+    { "# only a comment\n", "holds no table" },
+  }
+  for _, case in ipairs(broken) do
+    write_text(case[1])
+    check.fails(function() sg.csv.read(file) end, "csv_test.lua:", "sg.csv.read: ", case[2])
+  end
+  check.fails(function() sg.csv.read(folder .. "/none.csv") end, "cannot read", "none.csv")
+  check.fails(function() sg.csv.read(folder) end, "sg.csv.read")
+  write_text "a\n1\n"
+  check.fails(function() sg.csv.read(file):column "b" end, "no column 'b'; known: a")
+end)
+
+check.case("published tables say where they were printed", function()
+  local sizes = { ironing2d_dofs_table7_2 = 8, ironing2d_oscillation_table7_3 = 8, hertz2d_dofs_table7_4 = 21,
+                  rings2d_error_table7_5 = 8, rings2d_time_table7_6 = 8, peeling2d_table7_8_and_B2 = 39,
+                  ironing3d_oscillation_table7_10 = 8, ironing3d_dofs_table7_11 = 8 }
+  for name, rows in pairs(sizes) do
+    local published = sg.reference(name)
+    check.equal(#published.rows, rows)
+    check.holds(published.comments[1], "source: V. Agrawal", "Table")
+  end
+  local dofs = sg.reference "ironing2d_dofs_table7_2":by "discretisation"
+  check.equal(dofs["N2-N6"].die_interface, 34)
+  for _, row in pairs(dofs) do check.equal(row.die_total + row.slab_total, row.total) end
+  check.fails(function() sg.reference "table9" end, "table9")
+end)
+
+check.case("text tables: numbers to the right, words to the left, a dash for what is missing", function()
+  check.equal(sg.table{
+    columns = { "label", "Δ", "n" }, units = { "", "%" }, formats = { ["Δ"] = "%.1f" },
+    rows = { { "N2", 100, 7 }, { "N2-N4", nil, 12 } },
+  }, "label      Δ   n\n           %\nN2     100.0   7\nN2-N4      –  12")
+  check.fails(function() sg.table{ columns = { "a" } } end, "sg.table", "rows is missing")
+  check.fails(function() sg.table{ columns = { "a" }, rows = {}, colour = 1 } end, "unknown argument 'colour'")
+end)
+
+os.execute("rm -r '" .. folder .. "'")
+check.done()

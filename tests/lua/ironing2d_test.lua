@@ -1,0 +1,85 @@
+-- scripts/ironing2d.lua as a user runs it: the published figures, the work it takes, the files it leaves.
+
+local sg = require "signorini"
+local core = require "signorini.core"
+local check = require "check"
+
+local folder = os.tmpname()
+os.remove(folder)
+local study = assert(loadfile(core.home .. "/scripts/ironing2d.lua"))("out=" .. folder)
+
+local function within(what, value, expected, tolerance)
+  if not value or math.abs(value - expected) > tolerance then
+    error(("%s: expected %g ± %g, got %s"):format(what, expected, tolerance, tostring(value)), 2)
+  end
+end
+
+check.case("Table 7.2: degrees of freedom", function()
+  local printed = sg.reference "ironing2d_dofs_table7_2"
+  check.equal(#study.cases, #printed.rows)
+  for label, row in pairs(printed:by "discretisation") do
+    for _, part in ipairs { "interface", "bulk", "total" } do
+      check.equal(study.cases[label].die_dofs[part], row["die_" .. part])
+      check.equal(study.cases[label].slab_dofs[part], row["slab_" .. part])
+    end
+  end
+end)
+
+check.case("Table 7.3: amplitudes within 1.5 percentage points", function()
+  local printed = sg.reference "ironing2d_oscillation_table7_3":by "discretisation"
+  for _, label in ipairs { "N4", "N6", "N2-N6", "N2-N2.1", "N2-N2.2" } do
+    local case, row = study.cases[label], printed[label]
+    within(label .. " dPy", case.dPy.raw_percent, row.dPy_percent_of_N2, 1.5)
+    within(label .. " dPx", case.dPx.raw_percent, row.dPx_percent_of_N2, 1.5)
+  end
+end)
+
+check.case("amplitudes that differ from print, and N2's own, stay what they are", function()
+  within("N2 dPy", study.cases.N2.dPy.raw, 1.742e-2, 1e-5)
+  within("N2 dPx", study.cases.N2.dPx.raw, 1.300e-2, 1e-5)
+  within("N2-N4 dPy", study.cases["N2-N4"].dPy.raw_percent, 47.69, 0.05)
+  within("N2-N4 dPx", study.cases["N2-N4"].dPx.raw_percent, 31.38, 0.05)
+  within("N2-N2.3 dPy", study.cases["N2-N2.3"].dPy.raw_percent, 3.45, 0.05)
+  within("N2-N2.3 dPx", study.cases["N2-N2.3"].dPx.raw_percent, 5.94, 0.05)
+end)
+
+check.case("every run is complete, in at most 4.5 plain Newton iterations a step", function()
+  for _, case in ipairs(study.cases) do
+    check.equal({ case.run.failed, case.run.steps }, { false, 296 })
+    if case.run.iterations > 4.5 * 296 then error(case.label .. " took " .. case.run.iterations .. " iterations") end
+  end
+end)
+
+check.case("the pressing force is as large as the slab's reaction, step by step", function()
+  local run = study.cases["N2-N2.2"].run
+  for _, axis in ipairs { ".fx", ".fy" } do
+    local bed, grip = run:column("bed" .. axis), run:column("grip" .. axis)
+    for step = 1, run.steps do within("balance in step " .. step, bed[step] + grip[step], 0, 1e-9) end
+  end
+end)
+
+check.case("pictures of six states, two charts, and a file per label that tells what the run does", function()
+  for _, name in ipairs { "uy_004", "uy_023", "uy_046", "uy_080", "uy_160", "uy_250", "forces", "amplitudes" } do
+    local stream = assert(io.open(("%s/%s.png"):format(folder, name), "rb"))
+    check.equal(stream:read(8), "\137PNG\r\n\26\n")
+    stream:close()
+  end
+  for _, case in ipairs(study.cases) do
+    local read = sg.csv.read(("%s/%s.csv"):format(folder, case.label))
+    check.equal(read:column "grip.fx", case.run:column "grip.fx")
+  end
+  check.equal(#study.files, 6 + 2 + 8)
+end)
+
+check.case("wrong arguments", function()
+  local script = core.home .. "/scripts/ironing2d.lua"
+  for word, message in pairs { ["msh=m1"] = "unknown argument 'msh=m1'; known: mesh=m1", ["mesh=m9"] = "got 'm9'",
+                               ["labels=N2,Q7"] = "Q7" } do
+    local output, status = check.program { "-q", script, "out=" .. folder, word }
+    check.equal(status, 1)
+    check.holds(output, message)
+  end
+end)
+
+os.execute("rm -r '" .. folder .. "'")
+check.done()
