@@ -179,8 +179,8 @@ int rotate(lua_State* L) {
                           : std::vector<std::string>{"angle", "centre"});
   const double angle = o.number("angle", "degrees, counter-clockwise");
   const VectorX centre = o.point("centre", "the point that stays", dimension, dimension, origin);
-  push_object(L,
-              nurbs::rotate(patch, angle, centre, spatial ? o.point("axis", "direction of the axis", 3, 3) : VectorX()));
+  push_object(
+      L, nurbs::rotate(patch, angle, centre, spatial ? o.point("axis", "direction of the axis", 3, 3) : VectorX()));
   return 1;
 }
 
