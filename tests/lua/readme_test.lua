@@ -1,0 +1,19 @@
+-- The README's example runs as printed, and stays short.
+
+local core = require "signorini.core"
+local check = require "check"
+
+check.case("the example", function()
+  local page = assert(io.open(core.home .. "/README.md", "rb"))
+  local example = page:read("a"):match "```lua\n(.-)```"
+  page:close()
+  local picture = os.tmpname()
+  local output, status = check.script(example:gsub('"die.png"', ("%q"):format(picture .. ".png")), "-q")
+  check.equal(status, 0)
+  check.holds(output, "press     46", "slide    100", "factorisation and solve")
+  check.equal(select(2, example:gsub("\n", "\n")) <= 20, true)
+  check.equal(os.remove(picture .. ".png"), true)
+  os.remove(picture)
+end)
+
+check.done()
