@@ -34,8 +34,9 @@ void check(const Patch& patch, const Plan& plan) {
   for (const Side& side : plan.contact)
     require(side.direction == plan.contact.front().direction, "contact: '", name_of(plan.contact.front()), "' and '",
             name_of(side), "' meet; two contact faces of a body must be opposite ones");
-  require(plan.contact.size() < 2 || plan.contact[0].at_end != plan.contact[1].at_end, "contact: face '",
-          name_of(plan.contact.front()), "' is named twice");
+  if (plan.contact.size() == 2)
+    require(plan.contact[0].at_end != plan.contact[1].at_end, "contact: face '", name_of(plan.contact[0]),
+            "' is named twice");
   const int along = plan.contact.empty() ? dimensions : dimensions - 1;
   require(static_cast<int>(plan.labels.size()) == along, "order: ", along, " label", along == 1 ? "" : "s",
           " needed, one per direction along the contact face; got ", plan.labels.size());
@@ -265,9 +266,10 @@ Patch Discretisation::face_patch(Side side) const {
     }
     const int a = d < through_ ? d : d - 1;
     for (const Patch& row : rows_)
-      require(row.direction(a) == rows_.front().direction(a), "face '", name_of(side),
-              "' crosses the layer of this body, so it is no NURBS of its own; contact and loads act on '",
-              name_of(contact_.front()), "', or take a uniform label");
+      if (!(row.direction(a) == rows_.front().direction(a)))
+        fail("face '", name_of(side),
+             "' crosses the layer of this body, so it is no NURBS of its own; contact and loads act on '",
+             name_of(contact_.front()), "', or take a uniform label");
     directions.push_back(rows_.front().direction(a));
   }
   return {std::move(directions), std::move(points)};

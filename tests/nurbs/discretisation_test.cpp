@@ -1,0 +1,302 @@
+// Rows with spaces of their own: exact geometry, partition of unity, gradients, continuity, faces, errors.
+#include "nurbs/discretisation.hpp"
+
+#include "nurbs/random_patch.hpp"
+#include "nurbs/shapes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace signorini::nurbs {
+namespace {
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// A random label for a direction of the geometry's degree, layered or not.
+Label random_label(test::Random& random, int degree, bool layered, int rows) {
+  const int bulk = degree + test::integer(random, 0, 1);
+  if (!layered) return parse_label(text("N", bulk, ".", test::integer(random, 0, 2)));
+  const int layer = bulk + test::integer(random, 0, 2);
+  return parse_label(text("N", bulk, "-N", layer, ".", test::integer(random, 0, 2), "x", rows));
+}
+
+/// Layers on any face or on two opposite ones, 1 to 3 rows deep where there are as many.
+Plan random_plan(test::Random& random, const Patch& patch) {
+  const int dimensions = patch.parametric_dimension();
+  Plan plan;
+  const int through = test::integer(random, 0, dimensions - 1);
+  const int faces = test::integer(random, 1, 2);
+  const bool at_end = test::integer(random, 0, 1) == 1;
+  plan.contact.push_back({through, at_end});
+  if (faces == 2) plan.contact.push_back({through, !at_end});
+  plan.through = patch.direction(through).degree() + test::integer(random, 0, 1);
+  const bool layered = test::integer(random, 0, 4) > 0;
+  for (int d = 0; d < dimensions; ++d)
+    plan.elements.push_back(patch.direction(d).elements() + test::integer(random, 0, 3));
+  const int most = std::min(3, plan.elements[at(through)] + *plan.through);
+  const int rows = test::integer(random, 1, most);
+  for (int d = 0; d < dimensions; ++d)
+    if (d != through) plan.labels.push_back(random_label(random, patch.direction(d).degree(), layered, rows));
+  return plan;
+}
+
+VectorX position(const Discretisation& space, const ElementBasis& basis) {
+  const MatrixX points = space.points();
+  VectorX x = VectorX::Zero(space.dimension());
+  for (std::size_t a = 0; a < basis.functions.size(); ++a)
+    x += basis.values(static_cast<int>(a)) * points.col(basis.functions[a]);
+  return x;
+}
+
+TEST(Discretisation, RandomLayersKeepGeometryPartitionAndSign) {
+  test::Random random(5);
+  for (int trial = 0; trial < 120; ++trial) {
+    const int dimensions = trial % 4 == 3 ? 3 : 2;
+    const Patch patch = test::random_patch(random, dimensions, dimensions, dimensions == 3 ? 2 : 3);
+    const Discretisation space(patch, random_plan(random, patch));
+    for (int n = 0; n < 12; ++n) {
+      const VectorX xi = test::random_parameter(random, patch);
+      const ElementBasis basis = space.basis(space.find_element(xi), xi);
+      EXPECT_NEAR(basis.values.sum(), 1, 1e-14);
+      EXPECT_GE(basis.values.minCoeff(), 0);
+      EXPECT_NEAR((position(space, basis) - evaluate(patch, xi)).norm(), 0, 1e-13) << "trial " << trial;
+      EXPECT_NEAR(basis.gradients.rowwise().sum().norm(), 0, 1e-11);
+      const std::set<int> distinct(basis.functions.begin(), basis.functions.end());
+      EXPECT_EQ(distinct.size(), basis.functions.size());
+    }
+  }
+}
+
+TEST(Discretisation, GradientsMatchFiniteDifferences) {
+  test::Random random(6);
+  for (int trial = 0; trial < 40; ++trial) {
+    const int dimensions = trial % 4 == 3 ? 3 : 2;
+    const Patch patch = test::random_patch(random, dimensions, dimensions, dimensions == 3 ? 2 : 3);
+    const Discretisation space(patch, random_plan(random, patch));
+    for (int n = 0; n < 4; ++n) {
+      const int e = test::integer(random, 0, space.elements() - 1);
+      VectorX xi(dimensions);
+      for (int d = 0; d < dimensions; ++d) {
+        const auto [a, b] = space.interval(e, d);
+        xi(d) = a + (b - a) * test::uniform(random, 0.2, 0.8);
+      }
+      const ElementBasis basis = space.basis(e, xi);
+      EXPECT_EQ(space.find_element(xi), e);
+      for (int d = 0; d < dimensions; ++d) {
+        const auto [a, b] = space.interval(e, d);
+        const double h = 1e-3 * (b - a);
+        const auto value = [&](double step) {
+          VectorX moved = xi;
+          moved(d) += step;
+          return space.basis(e, moved).values;
+        };
+        // Central differences, the h² and h⁴ terms extrapolated away
+        const auto central = [&](double step) { return VectorX((value(step) - value(-step)) / (2 * step)); };
+        const VectorX once = (4 * central(h / 2) - central(h)) / 3, twice = (4 * central(h) - central(2 * h)) / 3;
+        const VectorX slope = (16 * once - twice) / 15;
+        EXPECT_NEAR((slope - basis.gradients.row(d).transpose()).norm(), 0, 1e-9 * (1 + basis.gradients.norm()));
+      }
+    }
+  }
+}
+
+/// Knots of lower continuity keep it: k-refinement and elevation raise multiplicities with the degree, inserted knots
+/// occur 1+s times.
+TEST(Discretisation, ContinuityOfOwnAndInsertedKnots) {
+  test::Random random(7);
+  for (int trial = 0; trial < 60; ++trial) {
+    const Patch patch = test::random_patch(random, 2, 2, 3);
+    const Plan plan = random_plan(random, patch);
+    const Discretisation space(patch, plan);
+    const int along = 1 - space.through(), own = patch.direction(along).degree();
+    const Label& label = plan.labels.front();
+    const int count = space.through_knots().functions();
+    for (int j = 0; j < count; ++j) {
+      bool in_layer = false;
+      for (const Side& side : plan.contact) in_layer |= (side.at_end ? count - 1 - j : j) < label.rows;
+      const Space wanted = label.layer && in_layer ? *label.layer : label.bulk;
+      const KnotVector& row = space.rows()[at(j)].direction(0);
+      EXPECT_EQ(row.degree(), wanted.full_degree());
+      EXPECT_EQ(row.breaks(), space.rows().front().direction(0).breaks());
+      for (std::size_t k = 1; k + 1 < row.breaks().size(); ++k) {
+        const double knot = row.breaks()[k];
+        const int before = patch.direction(along).multiplicity(knot);
+        EXPECT_EQ(row.multiplicity(knot), before > 0 ? before + wanted.full_degree() - own : 1 + wanted.elevations);
+      }
+    }
+    EXPECT_EQ(space.through_knots().degree(), *plan.through);
+    EXPECT_EQ(space.elements(0), plan.elements[0]);
+    EXPECT_EQ(space.elements(1), plan.elements[1]);
+  }
+}
+
+/// Thesis (5.1), (5.2) by the book: the k-refined bulk patch with its first row's functions replaced by the ones of the
+/// face's curve on the layer's knots, B-splines by the Cox–de Boor recursion, one common weight function.
+TEST(Discretisation, AgreesWithTheBookOnADie) {
+  test::Random random(8);
+  const Patch die = half_annulus(0.3, 0.5, Eigen::Vector2d(0.75, 1.5));
+  Plan plan;
+  plan.elements = {6, 2};
+  plan.contact = {side_of("south", 2)};
+  plan.labels = {parse_label("N2-N2.2")};
+  const Discretisation space(die, plan);
+
+  const std::vector<double> inserted{1.0 / 6, 1.0 / 3, 2.0 / 3, 5.0 / 6};
+  const Patch bulk = k_refine(k_refine(die, 0, 2, inserted), 1, 1, {0.5});
+  const Patch layer = elevate(k_refine(face(die, side_of("south", 2)), 0, 2, inserted), 0, 2);
+  const int n = layer.functions(), width = bulk.direction(0).functions();
+  ASSERT_EQ(space.functions(), n + 2 * width);
+  for (int trial = 0; trial < 200; ++trial) {
+    const VectorX xi = test::random_parameter(random, die);
+    VectorX values(space.functions());
+    for (int i = 0; i < n; ++i)
+      values(i) = layer.weights()(i) * test::cox_de_boor(layer.direction(0), i, 4, xi(0)) *
+                  test::cox_de_boor(bulk.direction(1), 0, 1, xi(1));
+    for (int j = 1; j < 3; ++j)
+      for (int i = 0; i < width; ++i)
+        values(n + (j - 1) * width + i) = bulk.weights()(j * width + i) *
+                                          test::cox_de_boor(bulk.direction(0), i, 2, xi(0)) *
+                                          test::cox_de_boor(bulk.direction(1), j, 1, xi(1));
+    values /= values.sum();
+    const ElementBasis basis = space.basis(space.find_element(xi), xi);
+    for (std::size_t a = 0; a < basis.functions.size(); ++a) {
+      EXPECT_NEAR(basis.values(static_cast<int>(a)), values(basis.functions[a]), 1e-13);
+      values(basis.functions[a]) = 0;
+    }
+    EXPECT_NEAR(values.norm(), 0, 1e-15) << "functions left out";
+  }
+  EXPECT_NEAR((space.points().leftCols(n) - layer.points()).norm(), 0, 1e-13);
+}
+
+TEST(Discretisation, LayerOfAllRowsIsTheUniformElevatedSpace) {
+  test::Random random(9);
+  const Patch patch = quarter_annulus(0.5, 1, Eigen::Vector2d(0, 0), 20);
+  const auto make = [&](const char* label) {
+    Plan plan;
+    plan.elements = {5, 3};
+    plan.contact = {side_of("south", 2)};
+    plan.labels = {parse_label(label)};
+    return Discretisation(patch, plan);
+  };
+  const Discretisation layered = make("N2-N2.1x4"), uniform = make("N2.1");
+  ASSERT_EQ(layered.functions(), uniform.functions());
+  EXPECT_NEAR((layered.homogeneous() - uniform.homogeneous()).norm(), 0, 1e-14);
+  for (int n = 0; n < 50; ++n) {
+    const VectorX xi = test::random_parameter(random, patch);
+    const int e = layered.find_element(xi);
+    EXPECT_EQ(layered.basis(e, xi).functions, uniform.basis(e, xi).functions);
+    EXPECT_NEAR((layered.basis(e, xi).values - uniform.basis(e, xi).values).norm(), 0, 1e-14);
+    EXPECT_EQ(layered.degree(e, 0), 3);
+  }
+}
+
+TEST(Discretisation, DegreeOfElementsRisesOnlyWhereTheLayerReaches) {
+  Plan plan;
+  plan.elements = {4, 5};
+  plan.contact = {side_of("north", 2)};
+  plan.labels = {parse_label("N2-N4.1x2")};
+  const Discretisation space(rectangle(2, 1, Eigen::Vector2d(0, 0)), plan);
+  // Two rows of linear functions live on the last two element rows.
+  for (int e = 0; e < space.elements(); ++e) {
+    EXPECT_EQ(space.degree(e, 0), e / 4 >= 3 ? 5 : 2) << "element " << e;
+    EXPECT_EQ(space.degree(e, 1), 1);
+  }
+}
+
+/// Where the functions of a side do not vanish is the side, and its patch is the body's map there.
+TEST(Discretisation, FacesAreTheBodysBorder) {
+  test::Random random(10);
+  for (int trial = 0; trial < 40; ++trial) {
+    const int dimensions = trial % 2 == 0 ? 2 : 3;
+    const Patch patch = test::random_patch(random, dimensions, dimensions, 2);
+    Plan plan = random_plan(random, patch);
+    for (Label& label : plan.labels) label.layer.reset();
+    const Discretisation space(patch, plan);
+    for (int d = 0; d < dimensions; ++d)
+      for (bool at_end : {false, true}) {
+        const Side side{d, at_end};
+        const Patch border = space.face_patch(side);
+        const std::vector<int> functions = space.face_functions(side);
+        ASSERT_EQ(border.functions(), static_cast<int>(functions.size()));
+        for (int n = 0; n < 3; ++n) {
+          VectorX xi = test::random_parameter(random, patch);
+          xi(d) = at_end ? patch.direction(d).last() : patch.direction(d).first();
+          VectorX on_face(dimensions - 1);
+          for (int k = 0, i = 0; k < dimensions; ++k)
+            if (k != d) on_face(i++) = xi(k);
+          EXPECT_NEAR((evaluate(border, on_face) - evaluate(patch, xi)).norm(), 0, 1e-13);
+          // The body's functions on the side are the face's, one by one.
+          VectorX expected = VectorX::Zero(space.functions());
+          for (const BasisValue& basis : rational_basis(border, on_face))
+            expected(functions[at(basis.function)]) = basis.value;
+          VectorX found = VectorX::Zero(space.functions());
+          const ElementBasis basis = space.basis(space.find_element(xi), xi);
+          for (std::size_t a = 0; a < basis.functions.size(); ++a)
+            found(basis.functions[a]) = basis.values(static_cast<int>(a));
+          EXPECT_NEAR((found - expected).norm(), 0, 1e-13) << name_of(side) << " trial " << trial;
+        }
+      }
+  }
+}
+
+TEST(Discretisation, WithoutContactFaceTheLabelsHoldPerDirection) {
+  Plan plan;
+  plan.elements = {3, 2};
+  plan.labels = {parse_label("N2"), parse_label("N3.1")};
+  const Discretisation space(rectangle(3, 1, Eigen::Vector2d(0, 0)), plan);
+  // N2 has 3+2 functions; N3.1, degree 4 with one double knot, 2·4+1−2
+  EXPECT_EQ(space.functions(), 5 * 7);
+  EXPECT_EQ(space.face_patch(side_of("east", 2)).functions(), 7);
+  EXPECT_EQ(space.face_patch(side_of("north", 2)).functions(), 5);
+}
+
+TEST(Discretisation, SideAcrossALayerIsNoPatchInSpace) {
+  Plan plan;
+  plan.elements = {2, 2, 2};
+  plan.contact = {side_of("back", 3)};
+  plan.labels.assign(2, parse_label("N2-N4"));
+  const Discretisation space(block({1, 1, 1}, Eigen::Vector3d(0, 0, 0)), plan);
+  EXPECT_ERROR(space.face_patch(side_of("west", 3)), "crosses the layer");
+  // Supports need its functions all the same: 4 control points in each of two rows, 6 in the layer's.
+  EXPECT_EQ(space.face_functions(side_of("west", 3)).size(), 4u + 4u + 6u);
+}
+
+TEST(Discretisation, ErrorsNameTheArgument) {
+  const Patch slab = rectangle(3, 1, Eigen::Vector2d(0, 0));
+  const auto plan = [](std::vector<int> elements, std::vector<std::string> labels, std::vector<std::string> contact) {
+    Plan result;
+    result.elements = std::move(elements);
+    for (const auto& label : labels) result.labels.push_back(parse_label(label));
+    for (const auto& face : contact) result.contact.push_back(side_of(face, 2));
+    return result;
+  };
+  const auto build = [&](const Plan& wanted) { Discretisation(slab, wanted); };
+  EXPECT_ERROR(build(plan({3}, {"N2"}, {"north"})), "elements: 2 numbers are needed");
+  EXPECT_ERROR(build(plan({0, 1}, {"N2"}, {"north"})), "elements: 0 is below the 1");
+  EXPECT_ERROR(build(plan({3, 1}, {"N2"}, {"north", "west"})), "'north' and 'west' meet");
+  EXPECT_ERROR(build(plan({3, 1}, {"N2"}, {"north", "north"})), "'north' is named twice");
+  EXPECT_ERROR(build(plan({3, 1}, {"N2"}, {"north", "south", "north"})), "one face or two opposite ones");
+  EXPECT_ERROR(build(plan({3, 1}, {"N2", "N2"}, {"north"})), "order: 1 label needed");
+  EXPECT_ERROR(build(plan({3, 1}, {"N2"}, {})), "order: 2 labels needed");
+  EXPECT_ERROR(build(plan({3, 1}, {"N2", "L2"}, {})), "cannot be mixed");
+  EXPECT_ERROR(build(plan({3, 1}, {"N2-N4", "N2-N4"}, {})), "names no contact face");
+  EXPECT_ERROR(build(plan({3, 2}, {"N2-N4x4"}, {"north"})), "4 rows deep, but the body has only 3");
+  Plan graded = plan({3, 1}, {"N2"}, {"north"});
+  graded.grading.resize(1);
+  EXPECT_ERROR(build(graded), "grading: 2 entries");
+  Plan lowered = plan({3, 1}, {"N2"}, {"north"});
+  lowered.through = 0;
+  EXPECT_ERROR(build(lowered), "through: degree 0 is below the geometry's own, 1");
+  EXPECT_ERROR(Discretisation(half_annulus(0.3, 0.5, Eigen::Vector2d(0, 0)), plan({6, 2}, {"N1"}, {"south"})),
+               "asks for degree 1, but the geometry is of degree 2");
+  const Patch arc = face(half_annulus(0.3, 0.5, Eigen::Vector2d(0, 0)), side_of("south", 2));
+  EXPECT_ERROR(Discretisation(arc, plan({6}, {"N2"}, {})), "needs a surface");
+  const Discretisation space(slab, plan({3, 2}, {"N2"}, {"north"}));
+  EXPECT_ERROR(space.find_element(Eigen::Vector2d(0.5, 1.5)), "1.5");
+}
+
+} // namespace
+} // namespace signorini::nurbs
