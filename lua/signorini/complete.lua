@@ -5,24 +5,35 @@ local core = require "signorini.core"
 local words = { "and", "break", "do", "else", "elseif", "end", "false", "for", "function", "goto", "if", "in", "local",
   "nil", "not", "or", "repeat", "return", "then", "true", "until", "while" }
 
---- The table of entries behind a value: itself, or the methods of an object.
+--- The tables of entries behind a value: its own, and the methods of its type.
 local function entries_of(value)
-  if type(value) == "table" then return value end
-  if type(value) == "userdata" then return rawget(core.types, core.kind(value)) end
-  if type(value) == "string" then return string end
+  local tables = { type(value) == "table" and value or nil }
+  if type(value) == "userdata" then tables[#tables + 1] = rawget(core.types, core.kind(value)) end
+  local own = type(value) ~= "userdata" and value ~= _G and getmetatable(value)
+  if type(own) == "table" and type(own.__index) == "table" then tables[#tables + 1] = own.__index end
+  return tables
+end
+
+local function field(tables, name)
+  for _, entries in ipairs(tables) do
+    local value = rawget(entries, name)
+    if value ~= nil then return value end
+  end
 end
 
 local function candidates(path)
-  local entries = _G
+  local tables = { _G }
   local owner, sign, beginning = path:match "^(.-)([.:]?)([%w_]*)$"
   for name in owner:gmatch "[%w_]+" do
-    entries = entries and entries_of(rawget(entries, name))
+    tables = entries_of(field(tables, name))
   end
   local found = {}
-  for name, value in next, entries or {} do
-    if type(name) == "string" and name:sub(1, #beginning) == beginning and
-       (sign ~= ":" or type(value) == "function") then
-      found[#found + 1] = owner .. sign .. name
+  for _, entries in ipairs(tables) do
+    for name, value in next, entries do
+      if type(name) == "string" and name:sub(1, #beginning) == beginning and
+         (sign ~= ":" or type(value) == "function") then
+        found[#found + 1] = owner .. sign .. name
+      end
     end
   end
   if owner == "" and sign == "" then

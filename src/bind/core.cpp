@@ -1,4 +1,3 @@
-#include "base/interrupt.hpp"
 #include "base/timer.hpp"
 #include "bind/functions.hpp"
 #include "bind/open.hpp"
@@ -31,11 +30,6 @@ int mkdir(lua_State* L) {
   return 0;
 }
 
-int is_interrupted(lua_State* L) {
-  push(L, interrupted());
-  return 1;
-}
-
 int core_describe(lua_State* L) {
   push(L, describe(L, 1));
   return 1;
@@ -66,7 +60,6 @@ constexpr Function rows[] = {
     {"fail", wrap<core_fail>, "core.fail(message)\nEnds with an error at the line of the user's own script."},
     {"now", wrap<now>, "core.now()\nWall-clock seconds since some moment in the past."},
     {"mkdir", wrap<mkdir>, "core.mkdir(path)\nMakes a folder and those above it; an existing folder is fine."},
-    {"interrupted", wrap<is_interrupted>, "core.interrupted()\nWhether Ctrl-C was pressed."},
     {"describe", wrap<core_describe>, "core.describe(value)\nA value in the words of error messages."},
     {"nearest", wrap<core_nearest>, "core.nearest(word, words)\nThe word of a list that is nearest, or nil."},
     {"kind", wrap<kind>, "core.kind(value)\nThe type, with the names of the program's own types such as \"patch\"."},

@@ -67,7 +67,6 @@ void open_library(lua_State* L, const Settings& settings) {
   set_field(L, "terminal", isatty(STDERR_FILENO) == 1); // where progress is shown
   set_field(L, "quiet", settings.quiet);
   set_field(L, "threads", settings.threads);
-  set_field(L, "version", SIGNORINI_VERSION);
   // In the source tree the shared data stand in share/, in an installed tree beside lua/.
   set_field(L, "share", (fs::exists(home / "share") ? home / "share" : home).string());
   set_field(L, "home", home.string());

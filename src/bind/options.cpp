@@ -85,11 +85,6 @@ std::vector<double> Options::numbers(const char* key, const char* meaning,
   return read(key, meaning, otherwise, [this](int i, const Argument& a) { return read_numbers(L_, i, a); });
 }
 
-std::vector<int> Options::integers(const char* key, const char* meaning, int low, int high) const {
-  return read(key, meaning, std::optional<std::vector<int>>{},
-              [&](int i, const Argument& a) { return read_integers(L_, i, a, low, high); });
-}
-
 VectorX Options::point(const char* key, const char* meaning, int low, int high,
                        std::optional<VectorX> otherwise) const {
   return read(key, meaning, otherwise, [&](int i, const Argument& a) { return read_point(L_, i, a, low, high); });
@@ -105,38 +100,25 @@ Options Options::table(const char* key, std::vector<std::string> known) const {
   return Options(L_, position, std::move(known), false, argument(key).name);
 }
 
-int Options::function(const char* key, const char* meaning) const {
-  const int position = push_value(key);
-  if (!lua_isfunction(L_, position)) reject(L_, position, argument(key, meaning), "a function");
-  return position;
-}
-
 void Options::each(const char* key, const char* meaning,
                    const std::function<void(const std::string& name, int index, const Argument& entry)>& visit) const {
-  const int position = push_value(key);
-  each_entry(L_, position, argument(key, meaning), visit);
-  lua_settop(L_, position - 1);
-}
-
-void each_entry(lua_State* L, int index, const Argument& argument,
-                const std::function<void(const std::string& name, int index, const Argument& entry)>& visit) {
-  if (!lua_istable(L, index)) reject(L, index, argument, "a table of names", "write { name = … }");
-  index = lua_absindex(L, index);
+  const int table = push_value(key);
+  const Argument whole = argument(key, meaning);
+  if (!lua_istable(L_, table)) reject(L_, table, whole, "a table of names", "write { name = … }");
   std::vector<std::string> names;
-  for (lua_pushnil(L); lua_next(L, index); lua_pop(L, 1)) {
-    if (lua_type(L, -2) != LUA_TSTRING)
-      throw ArgumentError(text(function_name(L), ": every entry of ", argument.name, " needs a name, got ",
-                               describe(L, -1), " without one: write name = …"));
-    names.emplace_back(lua_tostring(L, -2));
+  for (lua_pushnil(L_); lua_next(L_, table); lua_pop(L_, 1)) {
+    if (lua_type(L_, -2) != LUA_TSTRING)
+      throw ArgumentError(text(function_name(L_), ": every entry of ", whole.name, " needs a name, got ",
+                               describe(L_, -1), " without one: write name = …"));
+    names.emplace_back(lua_tostring(L_, -2));
   }
   std::sort(names.begin(), names.end());
   for (const auto& name : names) {
-    luaL_checkstack(L, 16, "too many entries");
-    lua_getfield(L, index, name.c_str());
-    const int position = lua_gettop(L);
-    visit(name, position, {text(argument.name, ".", name)});
-    lua_settop(L, position - 1);
+    lua_getfield(L_, table, name.c_str());
+    visit(name, table + 1, {text(whole.name, ".", name)});
+    lua_settop(L_, table);
   }
+  lua_settop(L_, table - 1);
 }
 
 } // namespace signorini::bind

@@ -18,13 +18,12 @@ namespace signorini::bind {
 /// Readers without a default throw when the argument is missing. `meaning` says what the argument stands for.
 class Options {
 public:
-  /// The table at `index`; `positional` allows a list part beside the names (read with lua_rawgeti at index()).
+  /// The table at `index`; `positional` allows a list part beside the names.
   /// `path` names a nested table in messages ("friction").
   Options(lua_State* L, int index, std::vector<std::string> known, bool positional = false, std::string path = "");
 
   bool has(const char* key) const;
-  /// Position of the table on the stack.
-  int index() const { return index_; }
+  /// The name of this table in messages; empty for a function's own arguments.
   const std::string& path() const { return path_; }
 
   double number(const char* key, const char* meaning, std::optional<double> otherwise = {}) const;
@@ -38,8 +37,6 @@ public:
                      std::optional<std::string> otherwise = {}) const;
   std::vector<double> numbers(const char* key, const char* meaning,
                               std::optional<std::vector<double>> otherwise = {}) const;
-  std::vector<int> integers(const char* key, const char* meaning, int low,
-                            int high = std::numeric_limits<int>::max()) const;
   /// A point or vector with low … high coordinates.
   VectorX point(const char* key, const char* meaning, int low = 2, int high = 3,
                 std::optional<VectorX> otherwise = {}) const;
@@ -52,8 +49,6 @@ public:
 
   /// A nested table of named arguments.
   Options table(const char* key, std::vector<std::string> known) const;
-  /// Pushes a function and returns its position on the stack.
-  int function(const char* key, const char* meaning) const;
   /// Calls `visit` for each entry of a table whose keys are names, sorted by name; `index` is the value's position on
   /// the stack, which is put back after each call. The argument names the entry in messages.
   void each(const char* key, const char* meaning,
@@ -73,9 +68,5 @@ private:
   std::vector<std::string> known_;
   std::string path_;
 };
-
-/// Visits the entries of the table of names at `index`, sorted by name; see Options::each.
-void each_entry(lua_State* L, int index, const Argument& argument,
-                const std::function<void(const std::string& name, int index, const Argument& entry)>& visit);
 
 } // namespace signorini::bind

@@ -76,8 +76,7 @@ template <class T> void set_field(lua_State* L, const char* name, const T& value
 
 // ── Userdata ─────────────────────────────────────────────────────────────────────────────────────────────────────────
 // A T lives inside its userdata: an immutable value (Patch) or a shared pointer (std::shared_ptr<Body>), whose other
-// owners keep the object alive when Lua lets go of it. What Lua itself must keep for an object (functions, tables) goes
-// into its user values.
+// owners keep the object alive when Lua lets go of it.
 
 /// The name of a type in messages and help: template <> struct Type<Patch> { static constexpr auto name = "patch"; };
 template <class T> struct Type;
@@ -102,8 +101,8 @@ template <class T> T& self(lua_State* L) {
   return *object;
 }
 
-template <class T> T& push_object(lua_State* L, T value, int user_values = 0) {
-  void* memory = lua_newuserdatauv(L, sizeof(T), user_values);
+template <class T> T& push_object(lua_State* L, T value) {
+  void* memory = lua_newuserdatauv(L, sizeof(T), 0);
   T* object = new (memory) T(std::move(value));
   luaL_setmetatable(L, Type<T>::name);
   return *object;

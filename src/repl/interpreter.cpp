@@ -3,6 +3,7 @@
 #include "base/interrupt.hpp"
 #include "bind/functions.hpp"
 
+#include <cstdio>
 #include <filesystem>
 #include <iostream>
 
@@ -83,6 +84,7 @@ bool Interpreter::call(int arguments, bool brief_traceback) {
 }
 
 bool Interpreter::report(bool ok) {
+  std::fflush(stdout);
   if (!ok) std::cerr << "signorini: " << lua_tostring(state(), -1) << std::endl;
   lua_settop(state(), 0);
   return ok;

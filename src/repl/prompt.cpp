@@ -5,6 +5,7 @@
 #include "repl/interrupt.hpp"
 #include "repl/line_editor.hpp"
 
+#include <cstdio>
 #include <iostream>
 #include <optional>
 #include <unistd.h>
@@ -40,6 +41,7 @@ bool run(Interpreter& interpreter) {
     lua_pop(L, 1);
     ok = interpreter.call(lua_gettop(L) - 1);
   }
+  std::fflush(stdout);
   if (!ok) std::cerr << (interrupted() ? "interrupted" : lua_tostring(L, -1)) << std::endl;
   lua_settop(L, 0);
   forget_interrupt(L);
