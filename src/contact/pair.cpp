@@ -33,7 +33,8 @@ Pair<D>::Pair(Surface<D> slave, Surface<D> master, PenaltyLaw law, int points)
         xi(a) = rule.points[static_cast<std::size_t>(rest % points)];
         weight *= rule.weights[static_cast<std::size_t>(rest % points)];
       }
-      slave_.evaluate(e, xi, 1, face);
+      slave_.locate(e, xi, 0, face);
+      slave_.functions(face, 1);
       points_.push_back({e, weight, values_.size()});
       values_.insert(values_.end(), face.value.begin(), face.value.begin() + n);
       for (const auto& derivative : face.derivative)
@@ -93,6 +94,7 @@ template <int D> void Pair<D>::evaluate(const double* slave_displacement, const 
       tangent.setZero();
       for (int a = 0; a < n; ++a) tangent += values[(k + 1) * n + a] * slave_.points().col(nodes[a]);
     }
+    master_.functions(master, 1);
     geometry.master = &master;
     geometry.foot = memory.projection.foot;
     geometry.gap = gap;
@@ -100,7 +102,8 @@ template <int D> void Pair<D>::evaluate(const double* slave_displacement, const 
                                                              : Vec<D>(master_.outward(master.tangent).normalized());
     geometry.slip_point = nullptr;
     if (law_.friction > 0 && memory.slip_element >= 0) {
-      master_.evaluate(memory.slip_element, memory.slip, 0, slip_point);
+      master_.locate(memory.slip_element, memory.slip, 0, slip_point);
+      master_.functions(slip_point, 0);
       geometry.slip_point = &slip_point.position;
     }
     penalty_force(law_, geometry, force);
@@ -217,7 +220,7 @@ template <int D> void Pair<D>::accept() {
     const PointResult<D>& result = results_[i];
     if (result.state == ContactState::stick && memory.slip_element >= 0) continue;
     if (result.state == ContactState::slip) {
-      master_.evaluate(memory.projection.element, memory.projection.xi, 0, master);
+      master_.locate(memory.projection.element, memory.projection.xi, 0, master);
       const double length = law_.friction * result.pressure / law_.tangential;
       memory.slip(0) = advance_slip(master_, memory.slip(0), master, length);
       memory.slip_element = master_.direction(0).find_element(memory.slip(0));

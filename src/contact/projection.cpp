@@ -9,13 +9,9 @@ namespace signorini::contact {
 template <int D> void ElementBoxes<D>::update(const Surface<D>& surface) {
   lower_.resize(D, surface.elements());
   upper_.resize(D, surface.elements());
+  Vec<D> lower, upper;
   for (int e = 0; e < surface.elements(); ++e) {
-    const int* nodes = surface.nodes(e);
-    Vec<D> lower = surface.points().col(nodes[0]), upper = lower;
-    for (int a = 1; a < surface.functions_per_element(); ++a) {
-      lower = lower.cwiseMin(surface.points().col(nodes[a]));
-      upper = upper.cwiseMax(surface.points().col(nodes[a]));
-    }
+    surface.bounds(e, lower, upper);
     lower_.col(e) = lower;
     upper_.col(e) = upper;
   }
@@ -42,7 +38,7 @@ Stop descend(const Surface<2>& surface, const Vec<2>& x, int element, double sta
   const auto [a, b] = surface.interval(element, 0);
   double xi = std::clamp(start, a, b);
   for (int iteration = 0;; ++iteration) {
-    surface.evaluate(element, Coordinates(xi), 2, point);
+    surface.locate(element, Coordinates(xi), 2, point);
     const double gradient = slope(x, point);
     if (xi <= a && gradient > 0) return Stop::start;
     if (xi >= b && gradient < 0) return Stop::end;
@@ -56,7 +52,7 @@ Stop descend(const Surface<2>& surface, const Vec<2>& x, int element, double sta
     const bool done = std::abs(next - xi) <= 1e-8 * (b - a) || iteration == 60;
     xi = next;
     if (done) {
-      surface.evaluate(element, Coordinates(xi), 2, point);
+      surface.locate(element, Coordinates(xi), 2, point);
       return Stop::inside;
     }
   }
@@ -92,7 +88,7 @@ double nearest_sample(const Surface<2>& surface, const Vec<2>& x, int element) {
   double start = a, lowest = std::numeric_limits<double>::infinity();
   FacePoint<2> sample;
   for (int k = 0, last = surface.degree(0) + 1; k <= last; ++k) {
-    surface.evaluate(element, Coordinates(a + (b - a) * k / last), 0, sample);
+    surface.locate(element, Coordinates(a + (b - a) * k / last), 0, sample);
     const double distance2 = (x - sample.position).squaredNorm();
     if (distance2 >= lowest) continue;
     lowest = distance2;
@@ -111,7 +107,7 @@ double signed_gap(const Surface<2>& surface, const Vec<2>& x, Foot foot, const F
     const int other = surface.neighbour(point.element, 0, at_end);
     if (other >= 0) {
       FacePoint<2> beyond;
-      surface.evaluate(other, point.xi, 1, beyond);
+      surface.locate(other, point.xi, 1, beyond);
       normal += surface.outward(beyond.tangent).normalized();
     }
   }

@@ -23,7 +23,7 @@ template <int D> struct Projection {
   double gap = 0;
 };
 
-/// Bounding boxes of a face's elements; each holds its element, as a NURBS lies in the hull of its control points.
+/// Bounding boxes of a face's elements, for a lower bound of the distance to each.
 template <int D> class ElementBoxes {
 public:
   void update(const Surface<D>& surface);
@@ -40,7 +40,7 @@ private:
 
 /// The closest point of `surface` to x. Starts from the element and parameter of `seed` (when it has any), follows the
 /// curve across element borders, then looks into every element whose box is nearer than what was found. `point` holds
-/// the face at the closest point, order 2.
+/// the face's geometry at the closest point, order 2; its functions are left alone.
 ///
 /// Rules where the connecting line is not normal to the curve: an open end of the master is no contact (Foot::none); at
 /// a kink the vertex itself is the master point, with gap −distance when x lies on the inside (Foot::corner).

@@ -10,7 +10,7 @@ double advance_slip(const Surface<2>& surface, double slip, const FacePoint<2>& 
   double outer = slip, inner = foot.xi(0), xi = slip;
   FacePoint<2> point;
   for (int iteration = 0; iteration < 100; ++iteration) {
-    surface.evaluate(knots.find_element(xi), FaceCoordinates<2>(xi), 1, point);
+    surface.locate(knots.find_element(xi), FaceCoordinates<2>(xi), 1, point);
     const Vec<2> chord = point.position - foot.position;
     const double distance = chord.norm(), h = distance - length;
     if (std::abs(h) <= 1e-15 * distance || std::abs(outer - inner) <= 1e-15 * (knots.last() - knots.first())) break;

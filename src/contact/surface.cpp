@@ -1,12 +1,21 @@
 #include "contact/surface.hpp"
 
-#include "nurbs/basis.hpp"
+#include "nurbs/bezier.hpp"
+
+#include <algorithm>
 
 namespace signorini::contact {
 
 namespace {
 
 constexpr int row = nurbs::max_degree + 1;
+
+/// Value and derivatives up to the second: how many there are.
+template <int D> constexpr int derivatives = D == 2 ? 3 : 6;
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
 
 /// Sign that makes the natural normal (2D: tangent turned by −90°; 3D: τ₁×τ₂, both in parametric order) point outward
 /// from a right-handed body.
@@ -34,17 +43,44 @@ template <int D> Surface<D>::Surface(const nurbs::Discretisation& body, nurbs::S
     per_element_ *= knots.degree() + 1;
     elements *= knots.elements();
   }
+  const nurbs::KnotVector &u = directions_.front(), &v = directions_.back();
+  const int n = per_element_, nu = u.degree() + 1;
+  rows_ = polynomial_ ? D : D + 1;
+  bezier_.resize(at(elements * n * rows_));
+  extraction_.resize(at(elements * n * n));
   for (int e = 0; e < elements; ++e) {
-    const nurbs::KnotVector& u = directions_.front();
-    const int first_u = u.first_function(e % u.elements());
-    if constexpr (D == 2) {
-      for (int m = 0; m <= u.degree(); ++m) nodes_.push_back(first_u + m);
-    } else {
-      const nurbs::KnotVector& v = directions_.back();
-      const int first_v = v.first_function(e / u.elements());
-      for (int n = 0; n <= v.degree(); ++n)
-        for (int m = 0; m <= u.degree(); ++m) nodes_.push_back(first_u + m + u.functions() * (first_v + n));
+    const int first_u = u.first_function(e % u.elements()), first_v = D == 2 ? 0 : v.first_function(e / u.elements());
+    const MatrixX cu = nurbs::bezier_extraction(u, e % u.elements());
+    const MatrixX cv = D == 2 ? MatrixX::Ones(1, 1) : nurbs::bezier_extraction(v, e / u.elements());
+    double* c = extraction_.data() + e * n * n;
+    for (int a = 0; a < n; ++a) {
+      nodes_.push_back(first_u + a % nu + u.functions() * (first_v + a / nu));
+      for (int k = 0; k < n; ++k) c[a * n + k] = cu(a % nu, k % nu) * cv(a / nu, k / nu);
     }
+    if (!polynomial_)
+      for (int k = 0; k < n; ++k) {
+        double& weight = bezier_[at((e * rows_ + D) * n + k)];
+        for (int a = 0; a < n; ++a) weight += c[a * n + k] * weights_(nodes_[at(e * n + a)]);
+      }
+  }
+  move(std::vector<double>(at(D * body.functions()), 0.0).data());
+}
+
+/// Products of the directions' Bernstein polynomials: value; ,1 (,2); ,11 (,12 ,22), per_element_ values each.
+template <int D> void Surface<D>::bernstein(int element, const FaceCoordinates<D>& xi, int order, double* out) const {
+  const auto [a, b] = interval(element, 0);
+  if constexpr (D == 2) {
+    nurbs::bernstein(degree(0), (xi(0) - a) / (b - a), b - a, order, out);
+  } else {
+    double u[3 * row], v[3 * row];
+    const auto [c, d] = interval(element, 1);
+    nurbs::bernstein(degree(0), (xi(0) - a) / (b - a), b - a, order, u);
+    nurbs::bernstein(degree(1), (xi(1) - c) / (d - c), d - c, order, v);
+    const int nu = degree(0) + 1, nv = degree(1) + 1;
+    constexpr int orders[6][2] = {{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}};
+    for (int k = 0, count = (order + 1) * (order + 2) / 2; k < count; ++k)
+      for (int j = 0; j < nv; ++j)
+        for (int i = 0; i < nu; ++i) *out++ = u[orders[k][0] * nu + i] * v[orders[k][1] * nv + j];
   }
 }
 
@@ -66,90 +102,97 @@ template <int D> int Surface<D>::neighbour(int element, int alpha, bool at_end) 
 template <int D> void Surface<D>::move(const double* displacement) {
   for (int i = 0; i < functions(); ++i)
     for (int k = 0; k < D; ++k) points_(k, i) = reference_(k, i) + displacement[D * body_function(i) + k];
+  // Q_k = Σ_a C(a, k) w_a x_a
+  const int n = per_element_;
+  for (int e = 0; e < elements(); ++e) {
+    const int* local = nodes(e);
+    const double* c = extraction_.data() + e * n * n;
+    double* q = bezier_.data() + e * n * rows_;
+    std::fill_n(q, n * D, 0.0);
+    for (int a = 0; a < n; ++a, c += n)
+      for (int i = 0; i < D; ++i) {
+        const double x = polynomial_ ? points_(i, local[a]) : weights_(local[a]) * points_(i, local[a]);
+        for (int k = 0; k < n; ++k) q[i * n + k] += c[k] * x;
+      }
+  }
+}
+
+template <int D> void Surface<D>::bounds(int element, Vec<D>& lower, Vec<D>& upper) const {
+  const int n = per_element_;
+  const double* q = bezier_.data() + element * n * rows_;
+  for (int i = 0; i < D; ++i) {
+    lower(i) = upper(i) = polynomial_ ? q[i * n] : q[i * n] / q[D * n];
+    for (int k = 1; k < n; ++k) {
+      const double x = polynomial_ ? q[i * n + k] : q[i * n + k] / q[D * n + k];
+      lower(i) = std::min(lower(i), x);
+      upper(i) = std::max(upper(i), x);
+    }
+  }
 }
 
 template <int D>
-void Surface<D>::evaluate(int element, const FaceCoordinates<D>& xi, int order, FacePoint<D>& point) const {
+void Surface<D>::locate(int element, const FaceCoordinates<D>& xi, int order, FacePoint<D>& point) const {
   point.element = element;
   point.xi = xi;
-  const int* local = nodes(element);
+  double b[derivatives<D> * most_face_functions<D>];
+  bernstein(element, xi, order, b);
+  const int n = per_element_, count = D == 2 ? order + 1 : (order + 1) * (order + 2) / 2;
+  const double* q = bezier_.data() + element * n * rows_;
+  // Derivatives of W x and of W, in the order value; ,1 (,2); ,11 (,12 ,22)
+  double sums[(D + 1) * derivatives<D>] = {};
+  for (int d = 0; d < count; ++d)
+    for (int i = 0; i < rows_; ++i) {
+      double sum = 0;
+      for (int k = 0; k < n; ++k) sum += q[i * n + k] * b[d * n + k];
+      sums[d * (D + 1) + i] = sum;
+    }
+  const auto sum = [&](int d) { return Eigen::Map<const Vec<D>>(sums + d * (D + 1)); };
+  if (polynomial_) {
+    point.position = sum(0);
+    for (int a = 0; a < D - 1 && order > 0; ++a) point.tangent[at(a)] = sum(1 + a);
+    for (int k = 0; k < FacePoint<D>::seconds && order > 1; ++k) point.second[at(k)] = sum(D + k);
+    return;
+  }
+  // Quotient rule: W x = X; W x_,α = X_,α − W_,α x; W x_,αβ = X_,αβ − W_,α x_,β − W_,β x_,α − W_,αβ x
+  const auto weight = [&](int d) { return sums[d * (D + 1) + D]; };
+  const double scale = 1 / weight(0);
+  point.position = scale * sum(0);
+  for (int a = 0; a < D - 1 && order > 0; ++a)
+    point.tangent[at(a)] = scale * (sum(1 + a) - weight(1 + a) * point.position);
+  for (int k = 0; k < FacePoint<D>::seconds && order > 1; ++k) {
+    const int alpha = k == 2 ? 1 : 0, beta = k == 0 ? 0 : 1;
+    point.second[at(k)] = scale * (sum(D + k) - weight(1 + alpha) * point.tangent[at(beta)] -
+                                   weight(1 + beta) * point.tangent[at(alpha)] - weight(D + k) * point.position);
+  }
+}
+
+template <int D> void Surface<D>::functions(FacePoint<D>& point, int order) const {
+  double b[derivatives<D> * most_face_functions<D>];
+  bernstein(point.element, point.xi, order, b);
   const int n = per_element_;
-  if constexpr (D == 2) {
-    double b[3 * row];
-    nurbs::basis_derivatives(directions_.front(), element, xi(0), order, b);
-    double *r = point.value.data(), *dr = point.derivative[0].data(), *ddr = b + 2 * n;
-    if (polynomial_) {
-      for (int a = 0; a < n; ++a) r[a] = b[a];
-      if (order > 0)
-        for (int a = 0; a < n; ++a) dr[a] = b[n + a];
-    } else {
-      double w[3] = {0, 0, 0};
-      for (int k = 0; k <= order; ++k)
-        for (int a = 0; a < n; ++a) {
-          b[k * n + a] *= weights_(local[a]);
-          w[k] += b[k * n + a];
-        }
-      // R = wN/W, R' = (wN' − R W')/W, R'' = (wN'' − 2 R' W' − R W'')/W
-      const double scale = 1 / w[0];
-      for (int a = 0; a < n; ++a) r[a] = b[a] * scale;
-      if (order > 0)
-        for (int a = 0; a < n; ++a) dr[a] = (b[n + a] - r[a] * w[1]) * scale;
-      if (order > 1)
-        for (int a = 0; a < n; ++a) ddr[a] = (ddr[a] - 2 * dr[a] * w[1] - r[a] * w[2]) * scale;
-    }
-    point.position.setZero();
-    point.tangent[0].setZero();
-    point.second[0].setZero();
+  const int* local = nodes(point.element);
+  const double* c = extraction_.data() + point.element * n * n;
+  // N_a = Σ_k C(a, k) B_k;  R = wN/W,  R_,α = (w N_,α − R W_,α)/W
+  double total = 0;
+  for (int a = 0; a < n; ++a) {
+    double sum = 0;
+    for (int k = 0; k < n; ++k) sum += c[a * n + k] * b[k];
+    point.value[at(a)] = sum * (polynomial_ ? 1 : weights_(local[a]));
+    total += point.value[at(a)];
+  }
+  const double scale = polynomial_ ? 1 : 1 / total;
+  for (int a = 0; a < n; ++a) point.value[at(a)] *= scale;
+  for (int d = 0; d < D - 1 && order > 0; ++d) {
+    auto& derivative = point.derivative[at(d)];
+    double rate = 0;
     for (int a = 0; a < n; ++a) {
-      const auto x = points_.col(local[a]);
-      point.position += r[a] * x;
-      if (order > 0) point.tangent[0] += dr[a] * x;
-      if (order > 1) point.second[0] += ddr[a] * x;
+      double sum = 0;
+      for (int k = 0; k < n; ++k) sum += c[a * n + k] * b[(d + 1) * n + k];
+      derivative[at(a)] = sum * (polynomial_ ? 1 : weights_(local[a]));
+      rate += derivative[at(a)];
     }
-  } else {
-    double u[3 * row], v[3 * row];
-    const nurbs::KnotVector &ku = directions_.front(), &kv = directions_.back();
-    nurbs::basis_derivatives(ku, element % ku.elements(), xi(0), order, u);
-    nurbs::basis_derivatives(kv, element / ku.elements(), xi(1), order, v);
-    const int nu = ku.degree() + 1, nv = kv.degree() + 1;
-    // Orders of differentiation (i, j) in the order of the results: value; ,1 ,2; ,11 ,12 ,22
-    constexpr int orders[6][2] = {{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}};
-    const int count = (order + 1) * (order + 2) / 2;
-    double w[6] = {};
-    Vec<D> x[6];
-    for (auto& sum : x) sum.setZero();
-    for (int j = 0, a = 0; j < nv; ++j)
-      for (int i = 0; i < nu; ++i, ++a) {
-        const double weight = weights_(local[a]);
-        const auto position = points_.col(local[a]);
-        for (int c = 0; c < count; ++c) {
-          const double b = weight * u[orders[c][0] * nu + i] * v[orders[c][1] * nv + j];
-          w[c] += b;
-          x[c] += b * position;
-          if (c == 0) point.value[static_cast<std::size_t>(a)] = b;
-          if (c == 1 || c == 2) point.derivative[static_cast<std::size_t>(c - 1)][static_cast<std::size_t>(a)] = b;
-        }
-      }
-    const double scale = 1 / w[0];
-    for (int a = 0; a < n; ++a) {
-      const std::size_t i = static_cast<std::size_t>(a);
-      point.value[i] *= scale;
-      if (order > 0)
-        for (std::size_t k = 0; k < 2; ++k)
-          point.derivative[k][i] = (point.derivative[k][i] - point.value[i] * w[k + 1]) * scale;
-    }
-    // Quotient rule: W x = X; W x_,α = X_,α − W_,α x; W x_,αβ = X_,αβ − W_,α x_,β − W_,β x_,α − W_,αβ x
-    point.position = x[0] * scale;
-    if (order > 0)
-      for (int k = 1; k < 3; ++k)
-        point.tangent[static_cast<std::size_t>(k - 1)] = (x[k] - w[k] * point.position) * scale;
-    if (order > 1)
-      for (int k = 0; k < 3; ++k) {
-        const std::size_t alpha = k == 2 ? 1 : 0, beta = k == 0 ? 0 : 1;
-        point.second[static_cast<std::size_t>(k)] = (x[3 + k] - w[1 + alpha] * point.tangent[beta] -
-                                                     w[1 + beta] * point.tangent[alpha] - w[3 + k] * point.position) *
-                                                    scale;
-      }
+    if (polynomial_) continue;
+    for (int a = 0; a < n; ++a) derivative[at(a)] = (derivative[at(a)] - point.value[at(a)] * rate) * scale;
   }
 }
 

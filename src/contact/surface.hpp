@@ -17,8 +17,8 @@ inline constexpr int most_face_functions = D == 2 ? nurbs::max_degree + 1
 /// Parametric coordinates on a face.
 template <int D> using FaceCoordinates = Eigen::Matrix<double, D - 1, 1>;
 
-/// The face at one parametric point: rational functions with first derivatives, position, tangents τ_α, second
-/// derivatives x_,αβ (2D: x_,11; 3D: x_,11 x_,12 x_,22).
+/// The face at one parametric point: position, tangents τ_α, second derivatives x_,αβ (2D: x_,11; 3D: x_,11 x_,12
+/// x_,22), and, where asked for, the rational functions with first derivatives.
 template <int D> struct FacePoint {
   static constexpr int tangents = D - 1;
   static constexpr int seconds = (D - 1) * D / 2;
@@ -59,14 +59,21 @@ public:
   /// Current control points, D × functions.
   const Eigen::Matrix<double, D, Eigen::Dynamic>& points() const { return points_; }
 
-  /// Evaluates the face at xi on an element's polynomial pieces. `order` 0: functions and position, 1: also tangents
-  /// and derivatives of the functions, 2: also second derivatives.
-  void evaluate(int element, const FaceCoordinates<D>& xi, int order, FacePoint<D>& point) const;
+  /// The box of an element's Bézier points: as a NURBS lies in their hull, it holds the element.
+  void bounds(int element, Vec<D>& lower, Vec<D>& upper) const;
+
+  /// The face's geometry at xi on an element's polynomial pieces. `order` 0: position, 1: also tangents, 2: also second
+  /// derivatives. Leaves the functions of `point` alone.
+  void locate(int element, const FaceCoordinates<D>& xi, int order, FacePoint<D>& point) const;
+  /// The functions at point.element, point.xi, with first derivatives when `order` is 1.
+  void functions(FacePoint<D>& point, int order) const;
 
   /// Outward normal times the surface measure: ± the tangent turned by 90° (2D), ± τ₁×τ₂ (3D).
   Vec<D> outward(const std::array<Vec<D>, D - 1>& tangent) const;
 
 private:
+  void bernstein(int element, const FaceCoordinates<D>& xi, int order, double* out) const;
+
   std::vector<nurbs::KnotVector> directions_;
   std::vector<int> functions_, nodes_;
   VectorX weights_;
@@ -74,6 +81,11 @@ private:
   double orientation_;
   int per_element_;
   Eigen::Matrix<double, D, Eigen::Dynamic> reference_, points_;
+  /// Bézier extraction of every element, per_element_² values C(a, k) with a slowest (nurbs/bezier.hpp).
+  std::vector<double> extraction_;
+  /// Bézier points of every element: D rows of w x and, unless polynomial_, one row of w, per_element_ values each.
+  std::vector<double> bezier_;
+  int rows_; ///< D or D+1
 };
 
 } // namespace signorini::contact

@@ -25,7 +25,7 @@ template <int D>
 Assembly<D>::Assembly(const Scene<D>& scene, const Unknowns<D>& unknowns)
     : scene_(scene), unknowns_(unknowns), placements_(scene.contacts.size()), residual_(unknowns.dofs()) {
   build_bulk();
-  for (const auto& named : scene_.bodies) arrays_.emplace_back(named.body->most_functions());
+  for (const auto& named : scene_.bodies) arrays_.emplace_back(*named.body);
   cover({});
 }
 

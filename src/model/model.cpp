@@ -69,7 +69,7 @@ template <int D> bool Model<D>::advance(const StepOptions& options, VectorX& inc
   if (unknowns_.size() > 0 && !solver_->factor(assembly_.values().data())) return false;
   VectorX step = -assembly_.residual()(unknowns_.free());
   const VectorX force = step;
-  if (unknowns_.size() > 0) solver_->solve(step.data());
+  if (unknowns_.size() > 0 && !solver_->solve(step.data())) return false;
   if (!step.allFinite()) return false;
   energy = std::abs(force.dot(step));
   displacement_(unknowns_.free()) += step;

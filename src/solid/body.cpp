@@ -39,13 +39,15 @@ Body<D>::Body(nurbs::Discretisation space, NeoHookean material) : space_(std::mo
                        functions_.size(),
                        weights_.size(),
                        gradients_.size(),
-                       constants_.size()};
+                       constants_.size(),
+                       nullptr};
     MatrixX constant;
     for (int q = 0; q < table.points; ++q) {
       const nurbs::ElementBasis basis = space_.basis(e, rule.points.col(q));
       if (q == 0) {
         table.functions = static_cast<int>(basis.functions.size());
         functions_.insert(functions_.end(), basis.functions.begin(), basis.functions.end());
+        table.kernel = element_kernel<D>(table.functions);
         constant = MatrixX::Zero(table.functions, table.functions);
       }
       // ∂X/∂ξ = Σ_A X_A ⊗ ∂R_A/∂ξ,  ∂R/∂X = ∂R/∂ξ (∂X/∂ξ)⁻¹
@@ -68,6 +70,7 @@ Body<D>::Body(nurbs::Discretisation space, NeoHookean material) : space_(std::mo
     }
     constants_.insert(constants_.end(), constant.data(), constant.data() + constant.size());
     most_functions_ = std::max(most_functions_, table.functions);
+    most_points_ = std::max(most_points_, table.points);
     elements_.push_back(table);
   }
 }

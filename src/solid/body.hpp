@@ -3,6 +3,7 @@
 
 #include "base/eigen.hpp"
 #include "nurbs/discretisation.hpp"
+#include "solid/kernel.hpp"
 #include "solid/material.hpp"
 
 #include <span>
@@ -25,6 +26,7 @@ struct ElementTable {
   std::size_t point;    ///< offset of its point weights
   std::size_t gradient; ///< offset of its reference gradients: per point, D rows of n values ∂R_A/∂X_k
   std::size_t constant; ///< offset of its constant n×n matrix Σ w μ ∇R_A·∇R_B
+  Kernel kernel;        ///< for its number of functions
 };
 
 /// A body in D dimensions, total Lagrangian: gradients with respect to the reference configuration are stored once.
@@ -39,8 +41,9 @@ public:
   int functions() const { return space_.functions(); }
   int elements() const { return static_cast<int>(elements_.size()); }
   const ElementTable& element(int e) const { return elements_[static_cast<std::size_t>(e)]; }
-  /// Most functions on one element.
+  /// Most functions, and most Gauss points, on one element.
   int most_functions() const { return most_functions_; }
+  int most_points() const { return most_points_; }
 
   std::span<const int> functions_of(int e) const {
     return {functions_.data() + element(e).function, static_cast<std::size_t>(element(e).functions)};
@@ -57,7 +60,7 @@ private:
   std::vector<ElementTable> elements_;
   std::vector<int> functions_;
   std::vector<double> weights_, gradients_, constants_;
-  int most_functions_ = 0;
+  int most_functions_ = 0, most_points_ = 0;
 };
 
 /// Tensor-product Gauss points of an element: parametric positions (columns) and weights of the parametric box.

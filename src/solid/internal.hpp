@@ -13,12 +13,12 @@ namespace signorini::solid {
 ///   slowest;
 ///           K^{ji}_{BA} = K^{ij}_{AB}.
 template <int D> struct ElementArrays {
-  explicit ElementArrays(int most_functions)
-      : force(static_cast<std::size_t>(D * most_functions)),
-        blocks(static_cast<std::size_t>(D * (D + 1) / 2 * most_functions * most_functions)),
-        local(static_cast<std::size_t>(2 * D * most_functions)) {}
+  /// Room for the largest element of a body.
+  explicit ElementArrays(const Body<D>& body);
   std::vector<double> force, blocks;
-  std::vector<double> local; ///< working space: element displacements and current gradients
+  std::vector<double> local;   ///< working space: displacements, D rows of n values
+  std::vector<double> current; ///< working space: per Gauss point, D rows of n current gradients
+  std::vector<double> factors; ///< working space: two per Gauss point
 };
 
 /// f_iA = ∫ P_ik ∂R_A/∂X_k dV and ∂f_iA/∂u_jB for element e.

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace signorini::solve {
 
@@ -16,10 +17,11 @@ namespace {
 /// costs a fraction of it; growth of the factors tells when the pivots no longer fit.
 class Klu final : public LinearSolver {
 public:
-  explicit Klu(const Pattern& pattern) : pattern_(pattern) {
+  explicit Klu(const Pattern& pattern) : pattern_(pattern), right_(static_cast<std::size_t>(pattern.size)) {
     klu_defaults(&common_);
-    common_.btf = 0; // the tangent is structurally symmetric and irreducible
-    common_.ordering = 0;
+    common_.btf = 0;      // the tangent is structurally symmetric and irreducible
+    common_.ordering = 0; // approximate minimum degree
+    common_.scale = -1;   // none: pivots are compared within a column, where the entries are of one kind
     symbolic_ = klu_analyze(pattern_.size, pattern_.starts.data(), pattern_.rows.data(), &common_);
     require(symbolic_ != nullptr || pattern_.size == 0, "the sparse solver could not analyse the tangent (KLU status ",
             common_.status, ")");
@@ -30,28 +32,54 @@ public:
   }
 
   bool factor(const double* values) override {
-    // KLU reads the values only.
-    double* numbers = const_cast<double*>(values);
-    if (numeric_ && refactor(numbers)) return true;
-    klu_free_numeric(&numeric_, &common_);
-    numeric_ = klu_factor(pattern_.starts.data(), pattern_.rows.data(), numbers, symbolic_, &common_);
-    return numeric_ != nullptr && common_.status == KLU_OK;
+    values_ = const_cast<double*>(values); // KLU reads the values only
+    refactored_ = numeric_ &&
+                  klu_refactor(pattern_.starts.data(), pattern_.rows.data(), values_, symbolic_, numeric_, &common_) &&
+                  common_.status == KLU_OK;
+    return refactored_ || factor_with_pivots();
   }
 
-  void solve(double* b) override { klu_solve(symbolic_, numeric_, pattern_.size, 1, b, &common_); }
+  bool solve(double* b) override {
+    if (refactored_) {
+      // Kept pivots can be bad ones for the new values: then K x = b is missed, and new pivots are taken.
+      std::copy_n(b, pattern_.size, right_.data());
+      if (!klu_solve(symbolic_, numeric_, pattern_.size, 1, b, &common_)) return false;
+      if (residual(b) <= 1e-8) return true;
+      std::copy(right_.begin(), right_.end(), b);
+      if (!factor_with_pivots()) return false;
+    }
+    return klu_solve(symbolic_, numeric_, pattern_.size, 1, b, &common_);
+  }
   LinearKind kind() const override { return LinearKind::klu; }
 
 private:
-  bool refactor(double* values) {
-    // A pivot below this share of the largest entry of its column means that another row should have been taken.
-    constexpr double least_growth = 1e-8;
-    return klu_refactor(pattern_.starts.data(), pattern_.rows.data(), values, symbolic_, numeric_, &common_) &&
-           common_.status == KLU_OK &&
-           klu_rgrowth(pattern_.starts.data(), pattern_.rows.data(), values, symbolic_, numeric_, &common_) &&
-           common_.rgrowth > least_growth;
+  bool factor_with_pivots() {
+    refactored_ = false;
+    klu_free_numeric(&numeric_, &common_);
+    numeric_ = klu_factor(pattern_.starts.data(), pattern_.rows.data(), values_, symbolic_, &common_);
+    return numeric_ != nullptr && common_.status == KLU_OK;
+  }
+
+  /// ‖b − K x‖ / ‖b‖ for the b kept in right_; infinite when x is not finite.
+  double residual(const double* x) {
+    double square = 0, scale = 0;
+    difference_ = right_;
+    for (int j = 0; j < pattern_.size; ++j)
+      for (int k = pattern_.starts[static_cast<std::size_t>(j)]; k < pattern_.starts[static_cast<std::size_t>(j) + 1];
+           ++k)
+        difference_[static_cast<std::size_t>(pattern_.rows[static_cast<std::size_t>(k)])] -= values_[k] * x[j];
+    for (std::size_t i = 0; i < right_.size(); ++i) {
+      square += difference_[i] * difference_[i];
+      scale += right_[i] * right_[i];
+    }
+    if (!std::isfinite(square)) return std::numeric_limits<double>::infinity();
+    return scale > 0 ? std::sqrt(square / scale) : 0;
   }
 
   Pattern pattern_;
+  std::vector<double> right_, difference_;
+  double* values_ = nullptr;
+  bool refactored_ = false;
   klu_common common_{};
   klu_symbolic* symbolic_ = nullptr;
   klu_numeric* numeric_ = nullptr;
@@ -83,10 +111,11 @@ public:
     return umfpack_di_numeric(starts, rows, values, symbolic_, &numeric_, control_, nullptr) == UMFPACK_OK;
   }
 
-  void solve(double* b) override {
-    umfpack_di_solve(UMFPACK_A, pattern_.starts.data(), pattern_.rows.data(), values_, scratch_.data(), b, numeric_,
-                     control_, nullptr);
+  bool solve(double* b) override {
+    const int status = umfpack_di_solve(UMFPACK_A, pattern_.starts.data(), pattern_.rows.data(), values_,
+                                        scratch_.data(), b, numeric_, control_, nullptr);
     std::copy(scratch_.begin(), scratch_.end(), b);
+    return status == UMFPACK_OK;
   }
   LinearKind kind() const override { return LinearKind::umfpack; }
 

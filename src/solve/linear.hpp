@@ -21,8 +21,9 @@ public:
   /// Takes over new values in the order of the pattern; the first call also analyses. Returns false when the matrix is
   /// singular to working precision.
   virtual bool factor(const double* values) = 0;
-  /// Overwrites b by K⁻¹ b. Call after a successful factor().
-  virtual void solve(double* b) = 0;
+  /// Overwrites b by K⁻¹ b. Call after a successful factor(), whose values must still be there. Returns false when the
+  /// matrix turns out to be singular to working precision.
+  virtual bool solve(double* b) = 0;
   virtual LinearKind kind() const = 0;
 };
 
