@@ -1,0 +1,97 @@
+#pragma once
+// Bodies for tests, and the slow dense way to assemble and solve them.
+
+#include "nurbs/random_patch.hpp"
+#include "nurbs/shapes.hpp"
+#include "solid/internal.hpp"
+
+#include <map>
+
+namespace signorini::solid::test {
+
+using nurbs::test::Random;
+using nurbs::test::uniform;
+
+/// A body with one contact face; the label holds along it.
+template <int D>
+Body<D> make_body(const nurbs::Patch& patch, std::vector<int> elements, const std::string& label,
+                  const std::string& contact, const NeoHookean& material, std::optional<int> through = {}) {
+  nurbs::Plan plan;
+  plan.elements = std::move(elements);
+  plan.contact = {nurbs::side_of(contact, D)};
+  plan.labels.assign(D - 1, nurbs::parse_label(label));
+  plan.through = through;
+  return {nurbs::Discretisation(patch, plan), material};
+}
+
+template <int D> VectorX random_displacement(Random& random, const Body<D>& body, double size) {
+  VectorX u(D * body.functions());
+  for (int i = 0; i < u.size(); ++i) u(i) = uniform(random, -size, size);
+  return u;
+}
+
+/// Displacements x ↦ F x + shift of the control points.
+template <int D> VectorX affine(const Body<D>& body, const Mat<D>& f, const Vec<D>& shift = Vec<D>::Zero()) {
+  const MatrixX points = body.space().points();
+  VectorX u(points.size());
+  for (int a = 0; a < points.cols(); ++a)
+    u.segment<D>(D * a) = f * Vec<D>(points.col(a)) + shift - Vec<D>(points.col(a));
+  return u;
+}
+
+struct Assembled {
+  VectorX force;
+  MatrixX tangent;
+  std::optional<Inversion> inversion;
+};
+
+template <int D> Assembled assemble(const Body<D>& body, const VectorX& u) {
+  Assembled sum{VectorX::Zero(u.size()), MatrixX::Zero(u.size(), u.size()), {}};
+  ElementArrays<D> arrays(body);
+  for (int e = 0; e < body.elements(); ++e) {
+    if ((sum.inversion = internal_force(body, e, u.data(), arrays))) return sum;
+    const auto functions = body.functions_of(e);
+    const int n = static_cast<int>(functions.size());
+    const auto dof = [&](int a, int i) { return D * functions[static_cast<std::size_t>(a)] + i; };
+    const double* block = arrays.blocks.data();
+    for (int i = 0; i < D; ++i) {
+      for (int a = 0; a < n; ++a) sum.force(dof(a, i)) += arrays.force[static_cast<std::size_t>(i * n + a)];
+      for (int j = i; j < D; ++j, block += n * n)
+        for (int a = 0; a < n; ++a)
+          for (int b = 0; b < n; ++b) {
+            sum.tangent(dof(a, i), dof(b, j)) += block[a * n + b];
+            if (i != j) sum.tangent(dof(b, j), dof(a, i)) += block[a * n + b];
+          }
+    }
+  }
+  return sum;
+}
+
+/// Adds "component c of all control points of a face is `value`(X)" to the prescribed degrees of freedom.
+template <int D, class Value>
+void prescribe(const Body<D>& body, const std::string& face, int component, Value value, std::map<int, double>& dofs) {
+  const MatrixX points = body.space().points();
+  for (int function : body.space().face_functions(nurbs::side_of(face, D)))
+    dofs[D * function + component] = value(Vec<D>(points.col(function)));
+}
+
+/// Newton's method from zero displacement with dense algebra; the residual at the end is the reactions.
+template <int D>
+Assembled equilibrate(const Body<D>& body, const std::map<int, double>& prescribed, int iterations, VectorX& u) {
+  u = VectorX::Zero(D * body.functions());
+  std::vector<int> free;
+  for (int i = 0; i < u.size(); ++i)
+    if (!prescribed.count(i)) free.push_back(i);
+  VectorX increment = VectorX::Zero(u.size());
+  for (const auto& [dof, value] : prescribed) increment(dof) = value;
+  for (int k = 0; k < iterations; ++k) {
+    const Assembled now = assemble(body, u);
+    const VectorX right = -(now.force + now.tangent * increment);
+    increment(free) += MatrixX(now.tangent(free, free)).ldlt().solve(VectorX(right(free)));
+    u += increment;
+    increment.setZero();
+  }
+  return assemble(body, u);
+}
+
+} // namespace signorini::solid::test

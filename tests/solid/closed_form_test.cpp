@@ -1,0 +1,120 @@
+// Whole bodies against closed forms: uniaxial tension at finite strain, a thick ring at small strain.
+#include "solid/bodies.hpp"
+#include "solid/internal.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace signorini::solid {
+namespace {
+
+using namespace test;
+
+/// Lateral stretch b of a neo-Hooke bar at axial stretch a with free sides: λ ln J + μ(b² − 1) = 0, where J = a b in
+/// plane strain and a b² in space. By bisection.
+double lateral_stretch(const NeoHookean& material, double a, int dimension) {
+  double low = 0.1, high = 3;
+  for (int i = 0; i < 200; ++i) {
+    const double b = 0.5 * (low + high);
+    const double log_j = std::log(a) + (dimension - 1) * std::log(b);
+    (material.lambda * log_j + material.mu * (b * b - 1) > 0 ? high : low) = b;
+  }
+  return 0.5 * (low + high);
+}
+
+template <int D> void uniaxial(const Body<D>& bar, double length, double section, double stretch) {
+  std::map<int, double> held;
+  prescribe(
+      bar, "west", 0, [](const Vec<D>&) { return 0.0; }, held);
+  prescribe(
+      bar, "east", 0, [&](const Vec<D>&) { return (stretch - 1) * length; }, held);
+  prescribe(
+      bar, "south", 1, [](const Vec<D>&) { return 0.0; }, held);
+  if (D == 3)
+    prescribe(
+        bar, "front", D - 1, [](const Vec<D>&) { return 0.0; }, held);
+  VectorX u;
+  const Assembled at = equilibrate(bar, held, 12, u);
+  ASSERT_FALSE(at.inversion);
+
+  const NeoHookean& material = bar.material();
+  const double b = lateral_stretch(material, stretch, D);
+  Mat<D> f = b * Mat<D>::Identity();
+  f(0, 0) = stretch;
+  EXPECT_LT((u - affine<D>(bar, f)).norm(), 1e-10 * u.norm());
+  // P₁₁ = μ a + (λ ln J − μ)/a
+  const double log_j = std::log(stretch) + (D - 1) * std::log(b);
+  const double stress = material.mu * stretch + (material.lambda * log_j - material.mu) / stretch;
+  double pull = 0;
+  for (int a : bar.space().face_functions(nurbs::side_of("east", D))) pull += at.force(D * a);
+  EXPECT_NEAR(pull, stress * section, 1e-10 * std::abs(stress * section));
+}
+
+TEST(ClosedForm, UniaxialTensionInPlaneStrain) {
+  for (double stretch : {0.6, 1.4, 2.0})
+    uniaxial<2>(
+        make_body<2>(nurbs::rectangle(2, 0.5, Eigen::Vector2d(0, 0)), {3, 2}, "N2-N2.1", "north", neo_hookean(3, 0.35)),
+        2, 0.5, stretch);
+}
+
+TEST(ClosedForm, UniaxialTensionInSpace) {
+  uniaxial<3>(make_body<3>(nurbs::block({2, 0.5, 0.4}, Eigen::Vector3d(0, 0, 0)), {2, 1, 1}, "N2", "back",
+                           neo_hookean(3, 0.35)),
+              2, 0.5 * 0.4, 1.5);
+}
+
+/// Lamé's ring in plane strain, u_r = A r + B/r, so small that the law is Hooke's: relative error of the stress in L₂.
+double ring_stress_error(int elements) {
+  const double inner = 1, outer = 2, a = 2e-7, b = -3e-7;
+  const NeoHookean material = neo_hookean(1, 0.3);
+  const Body<2> ring = make_body<2>(nurbs::quarter_annulus(inner, outer, Eigen::Vector2d(0, 0), 0),
+                                    {elements, elements}, "N2", "south", material, 2);
+  // A circle's control points move with it: u = (A + B/r²) X there.
+  std::map<int, double> held;
+  for (int c = 0; c < 2; ++c) {
+    prescribe(
+        ring, "south", c, [&](const Vec<2>& x) { return (a + b / (outer * outer)) * x(c); }, held);
+    prescribe(
+        ring, "north", c, [&](const Vec<2>& x) { return (a + b / (inner * inner)) * x(c); }, held);
+  }
+  prescribe(
+      ring, "west", 1, [](const Vec<2>&) { return 0.0; }, held);
+  prescribe(
+      ring, "east", 0, [](const Vec<2>&) { return 0.0; }, held);
+  VectorX u;
+  equilibrate(ring, held, 2, u);
+
+  double error = 0, size = 0;
+  for (int e = 0; e < ring.elements(); ++e) {
+    const auto functions = ring.functions_of(e);
+    const int n = static_cast<int>(functions.size());
+    for (int q = 0; q < ring.element(e).points; ++q) {
+      Mat<2> f = Mat<2>::Identity();
+      for (int i = 0; i < 2; ++i)
+        for (int k = 0; k < 2; ++k)
+          for (int c = 0; c < n; ++c)
+            f(i, k) += u(2 * functions[static_cast<std::size_t>(c)] + i) * ring.gradients_of(e)[(2 * q + k) * n + c];
+      const Vec<2> x = ring.reference_point(e, q), radial = x.normalized(), hoop(-radial(1), radial(0));
+      const double r2 = x.squaredNorm();
+      // ε_r = A − B/r², ε_θ = A + B/r², σ = λ tr ε I + 2 μ ε
+      const Mat<2> exact =
+          2 * a * material.lambda * Mat<2>::Identity() +
+          2 * material.mu * ((a - b / r2) * radial * radial.transpose() + (a + b / r2) * hoop * hoop.transpose());
+      const Mat<2> found = cauchy_stress<2>(material, f).topLeftCorner<2, 2>();
+      error += ring.weights_of(e)[q] * (found - exact).squaredNorm();
+      size += ring.weights_of(e)[q] * exact.squaredNorm();
+    }
+  }
+  return std::sqrt(error / size);
+}
+
+TEST(ClosedForm, StressOfLamesRingConvergesWithOrderP) {
+  const double coarse = ring_stress_error(3), middle = ring_stress_error(6), fine = ring_stress_error(12);
+  EXPECT_GT(std::log2(coarse / middle), 1.8);
+  EXPECT_GT(std::log2(middle / fine), 1.9);
+  EXPECT_LT(fine, 2e-3);
+}
+
+} // namespace
+} // namespace signorini::solid

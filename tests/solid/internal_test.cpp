@@ -1,0 +1,187 @@
+// Internal force against the stored energy's derivative, tangent against the force's, and what must not depend on the
+// discretisation: homogeneous states, rigid motions, inversion.
+#include "solid/internal.hpp"
+
+#include "differences.hpp"
+#include "solid/bodies.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace signorini::solid {
+namespace {
+
+using signorini::test::derivative;
+using namespace test;
+
+const NeoHookean rubber = neo_hookean(2, 0.3);
+
+/// A plane patch whose inner and border points are shifted and whose weights differ.
+nurbs::Patch crooked(Random& random, bool rational) {
+  const nurbs::Patch flat = nurbs::elevate(nurbs::rectangle(2, 1, Eigen::Vector2d(0, 0)), 0, 1);
+  MatrixX points = flat.points();
+  VectorX weights = flat.weights();
+  for (int a = 0; a < points.cols(); ++a) {
+    points.col(a) += Eigen::Vector2d(uniform(random, -0.1, 0.1), uniform(random, -0.1, 0.1));
+    if (rational) weights(a) = uniform(random, 0.7, 1.4);
+  }
+  return nurbs::make_patch(flat.directions(), points, weights);
+}
+
+std::vector<Body<2>> plane_bodies() {
+  Random random(3);
+  std::vector<Body<2>> bodies;
+  const nurbs::Patch ring = nurbs::half_annulus(0.3, 0.6, Eigen::Vector2d(0, 0));
+  for (const char* label : {"N2", "N2-N4", "N2-N2.2x2", "L2"})
+    bodies.push_back(make_body<2>(ring, {4, 2}, label, "south", rubber));
+  bodies.push_back(make_body<2>(crooked(random, true), {3, 2}, "N3.1", "north", neo_hookean(5, 0.45), 2));
+  bodies.push_back(make_body<2>(nurbs::rectangle(1, 2, Eigen::Vector2d(0, 0)), {2, 3}, "N2-N2.1", "west", rubber));
+  return bodies;
+}
+
+std::vector<Body<3>> space_bodies() {
+  std::vector<Body<3>> bodies;
+  const nurbs::Patch block = nurbs::block({1, 1, 0.5}, Eigen::Vector3d(0, 0, 0));
+  bodies.push_back(make_body<3>(block, {2, 1, 2}, "N2-N2.1", "back", rubber));
+  const nurbs::Patch shell = nurbs::half_cylinder_shell(0.4, 0.7, 0.5, Eigen::Vector3d(0, 0, 0));
+  bodies.push_back(make_body<3>(shell, {2, 1, 1}, "N2", "front", rubber));
+  return bodies;
+}
+
+template <int D> void force_and_tangent_are_derivatives(const std::vector<Body<D>>& bodies) {
+  Random random(4);
+  for (const Body<D>& body : bodies) {
+    const VectorX u = random_displacement(random, body, 0.015);
+    const Assembled at = assemble(body, u);
+    ASSERT_FALSE(at.inversion);
+    VectorX gradient(u.size());
+    MatrixX slopes(u.size(), u.size());
+    for (int i = 0; i < u.size(); ++i) {
+      const auto moved = [&](double h) {
+        VectorX v = u;
+        v(i) += h;
+        return v;
+      };
+      gradient(i) = derivative<double>([&](double h) { return stored_energy(body, moved(h).data()); }, 2e-4);
+      slopes.col(i) = derivative<VectorX>([&](double h) { return assemble(body, moved(h)).force; }, 1e-4);
+    }
+    EXPECT_LT((gradient - at.force).norm(), 1e-8 * at.force.norm());
+    EXPECT_LT((slopes - at.tangent).norm(), 1e-8 * at.tangent.norm());
+    EXPECT_LT((at.tangent - at.tangent.transpose()).norm(), 1e-13 * at.tangent.norm());
+  }
+}
+
+TEST(Internal, ForceAndTangentAreDerivativesInThePlane) {
+  force_and_tangent_are_derivatives(plane_bodies());
+}
+TEST(Internal, ForceAndTangentAreDerivativesInSpace) {
+  force_and_tangent_are_derivatives(space_bodies());
+}
+
+/// f(R(X + u) + c − X) = R f(u): no force from rigid motion, and forces turn with the body.
+template <int D> void forces_turn_with_the_body(const std::vector<Body<D>>& bodies, const Mat<D>& rotation) {
+  Random random(5);
+  for (const Body<D>& body : bodies) {
+    const Vec<D> shift = Vec<D>::Constant(0.7);
+    const double scale = assemble(body, VectorX::Zero(D * body.functions())).tangent.norm();
+    EXPECT_LT(assemble(body, affine<D>(body, rotation, shift)).force.norm(), 1e-14 * scale);
+    const VectorX u = random_displacement(random, body, 0.01);
+    const VectorX force = assemble(body, u).force;
+    VectorX turned = affine<D>(body, rotation, shift), expected(u.size());
+    for (int a = 0; a < body.functions(); ++a) {
+      turned.template segment<D>(D * a) += rotation * u.template segment<D>(D * a);
+      expected.template segment<D>(D * a) = rotation * force.template segment<D>(D * a);
+    }
+    EXPECT_LT((assemble(body, turned).force - expected).norm(), 1e-13 * scale);
+  }
+}
+
+TEST(Internal, ForcesTurnWithTheBody) {
+  forces_turn_with_the_body<2>(plane_bodies(), nurbs::rotation(140, Eigen::Vector3d(0, 0, 1)).topLeftCorner<2, 2>());
+  forces_turn_with_the_body<3>(space_bodies(), nurbs::rotation(140, Eigen::Vector3d(1, -2, 0.5)));
+}
+
+/// Functions that vanish on all faces.
+template <int D> std::vector<int> inner_functions(const nurbs::Discretisation& space) {
+  std::vector<bool> outer(static_cast<std::size_t>(space.functions()), false);
+  for (int d = 0; d < D; ++d)
+    for (bool at_end : {false, true})
+      for (int a : space.face_functions({d, at_end})) outer[static_cast<std::size_t>(a)] = true;
+  std::vector<int> inner;
+  for (int a = 0; a < space.functions(); ++a)
+    if (!outer[static_cast<std::size_t>(a)]) inner.push_back(a);
+  return inner;
+}
+
+/// Patch test: linear displacements strain and stress every point alike, inner forces vanish, forces and moments
+/// balance, energy is W(F) times the volume.
+template <int D> void homogeneous_state(const Body<D>& body, const Mat<D>& f, double volume) {
+  const VectorX u = affine<D>(body, f);
+  const Assembled at = assemble(body, u);
+  ASSERT_FALSE(at.inversion);
+  const double scale = at.force.cwiseAbs().maxCoeff();
+  const std::vector<int> inner = inner_functions<D>(body.space());
+  ASSERT_FALSE(inner.empty());
+  for (int a : inner) EXPECT_LT(at.force.segment<D>(D * a).norm(), 1e-13 * scale);
+  EXPECT_NEAR(stored_energy(body, u.data()), energy<D>(body.material(), f) * volume, 1e-13 * volume);
+
+  const MatrixX points = body.space().points();
+  Vec<D> sum = Vec<D>::Zero();
+  Mat<D> virial = Mat<D>::Zero();
+  for (int a = 0; a < body.functions(); ++a) {
+    sum += at.force.segment<D>(D * a);
+    virial += at.force.segment<D>(D * a) * points.col(a).transpose();
+  }
+  // Σ_A f_A ⊗ X_A = ∫ P dV
+  EXPECT_LT(sum.norm(), 1e-12 * scale);
+  EXPECT_LT((virial - volume * first_piola_stress<D>(body.material(), f)).norm(), 1e-12);
+}
+
+TEST(Internal, PatchTestInThePlane) {
+  Random random(6);
+  Mat<2> f;
+  f << 1.2, 0.3, -0.1, 0.8;
+  for (const char* label : {"N2", "N3.1", "N2-N4", "N2-N2.2", "N2-N2.1x2"}) {
+    const nurbs::Patch patch = crooked(random, false);
+    double area = 0;
+    const Body<2> body = make_body<2>(patch, {4, 3}, label, "north", rubber);
+    for (int e = 0; e < body.elements(); ++e)
+      for (int q = 0; q < body.element(e).points; ++q) area += body.weights_of(e)[q];
+    homogeneous_state<2>(body, f, area);
+  }
+}
+
+TEST(Internal, PatchTestInSpace) {
+  Mat<3> f;
+  f << 1.2, 0.3, 0, -0.1, 0.8, 0.2, 0.1, 0, 1.1;
+  const nurbs::Patch block = nurbs::block({2, 1, 1}, Eigen::Vector3d(0, 0, 0));
+  homogeneous_state<3>(make_body<3>(block, {2, 2, 2}, "N2-N2.1", "back", rubber), f, 2);
+}
+
+TEST(Internal, InvertedElementIsReported) {
+  const Body<2> strip = make_body<2>(nurbs::rectangle(3, 1, Eigen::Vector2d(0, 0)), {3, 1}, "N1", "north", rubber);
+  VectorX u = VectorX::Zero(2 * strip.functions());
+  // The right end moves past the column of nodes before it: only the last element turns inside out.
+  for (int a : strip.space().face_functions(nurbs::side_of("east", 2))) u(2 * a) = -1.5;
+  const Assembled at = assemble(strip, u);
+  ASSERT_TRUE(at.inversion);
+  EXPECT_EQ(at.inversion->element, 2);
+  EXPECT_LE(at.inversion->jacobian, 0);
+  EXPECT_GT(at.inversion->point(0), 2);
+  EXPECT_LT(at.inversion->point(0), 3);
+  EXPECT_EQ(stored_energy(strip, u.data()), std::numeric_limits<double>::infinity());
+  u(0) = std::numeric_limits<double>::quiet_NaN();
+  ASSERT_TRUE(assemble(strip, u).inversion);
+  EXPECT_EQ(assemble(strip, u).inversion->element, 0);
+}
+
+TEST(Internal, LeftHandedPatchIsAnError) {
+  const nurbs::Patch mirrored =
+      nurbs::transform(nurbs::rectangle(3, 1, Eigen::Vector2d(0, 0)),
+                       Eigen::Vector2d(-1, 1).asDiagonal().toDenseMatrix(), Eigen::Vector2d(0, 0));
+  EXPECT_ERROR(make_body<2>(mirrored, {3, 1}, "N2", "north", rubber), "not right-handed");
+}
+
+} // namespace
+} // namespace signorini::solid
