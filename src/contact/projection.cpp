@@ -50,6 +50,13 @@ Stop descend(const Surface<2>& surface, const Vec<2>& x, int element, double sta
     const double next = std::clamp(xi + step, a, b);
     // The step just taken squares the error: from 1e-8 of the element it goes to rounding.
     const bool done = std::abs(next - xi) <= 1e-8 * (b - a) || iteration == 60;
+    if (done && std::abs(next - xi) <= 1e-12 * (b - a)) {
+      // A first-order shift is exact to rounding here.
+      point.position += (next - xi) * point.tangent[0];
+      point.tangent[0] += (next - xi) * point.second[0];
+      point.xi(0) = next;
+      return Stop::inside;
+    }
     xi = next;
     if (done) {
       surface.locate(element, Coordinates(xi), 2, point);

@@ -66,11 +66,14 @@ template <int D> Surface<D>::Surface(const nurbs::Discretisation& body, nurbs::S
   move(std::vector<double>(at(D * body.functions()), 0.0).data());
 }
 
-/// Products of the directions' Bernstein polynomials: value; ,1 (,2); ,11 (,12 ,22), per_element_ values each.
-template <int D> void Surface<D>::bernstein(int element, const FaceCoordinates<D>& xi, int order, double* out) const {
+/// Products of the directions' Bernstein polynomials: value; ,1 (,2); ,11 (,12 ,22), per_element_ values each (N where
+/// the compiler knows).
+template <int D>
+template <int N>
+void Surface<D>::bernstein(int element, const FaceCoordinates<D>& xi, int order, double* out) const {
   const auto [a, b] = interval(element, 0);
   if constexpr (D == 2) {
-    nurbs::bernstein(degree(0), (xi(0) - a) / (b - a), b - a, order, out);
+    nurbs::bernstein<(N > 0 ? N - 1 : 0)>(degree(0), (xi(0) - a) / (b - a), b - a, order, out);
   } else {
     double u[3 * row], v[3 * row];
     const auto [c, d] = interval(element, 1);
@@ -131,12 +134,13 @@ template <int D> void Surface<D>::bounds(int element, Vec<D>& lower, Vec<D>& upp
 }
 
 template <int D>
-void Surface<D>::locate(int element, const FaceCoordinates<D>& xi, int order, FacePoint<D>& point) const {
+template <int N>
+void Surface<D>::locate_with(int element, const FaceCoordinates<D>& xi, int order, FacePoint<D>& point) const {
   point.element = element;
   point.xi = xi;
   double b[derivatives<D> * most_face_functions<D>];
-  bernstein(element, xi, order, b);
-  const int n = per_element_, count = D == 2 ? order + 1 : (order + 1) * (order + 2) / 2;
+  bernstein<N>(element, xi, order, b);
+  const int n = N > 0 ? N : per_element_, count = D == 2 ? order + 1 : (order + 1) * (order + 2) / 2;
   const double* q = bezier_.data() + element * n * rows_;
   // Derivatives of W x and of W, in the order value; ,1 (,2); ,11 (,12 ,22)
   double sums[(D + 1) * derivatives<D>] = {};
@@ -166,9 +170,28 @@ void Surface<D>::locate(int element, const FaceCoordinates<D>& xi, int order, Fa
   }
 }
 
+template <int D>
+void Surface<D>::locate(int element, const FaceCoordinates<D>& xi, int order, FacePoint<D>& point) const {
+  if constexpr (D == 2) switch (per_element_) {
+    case 2:
+      return locate_with<2>(element, xi, order, point);
+    case 3:
+      return locate_with<3>(element, xi, order, point);
+    case 4:
+      return locate_with<4>(element, xi, order, point);
+    case 5:
+      return locate_with<5>(element, xi, order, point);
+    case 6:
+      return locate_with<6>(element, xi, order, point);
+    case 7:
+      return locate_with<7>(element, xi, order, point);
+    }
+  locate_with<0>(element, xi, order, point);
+}
+
 template <int D> void Surface<D>::functions(FacePoint<D>& point, int order) const {
   double b[derivatives<D> * most_face_functions<D>];
-  bernstein(point.element, point.xi, order, b);
+  bernstein<0>(point.element, point.xi, order, b);
   const int n = per_element_;
   const int* local = nodes(point.element);
   const double* c = extraction_.data() + point.element * n * n;

@@ -72,7 +72,8 @@ public:
   Vec<D> outward(const std::array<Vec<D>, D - 1>& tangent) const;
 
 private:
-  void bernstein(int element, const FaceCoordinates<D>& xi, int order, double* out) const;
+  template <int N> void locate_with(int element, const FaceCoordinates<D>& xi, int order, FacePoint<D>& point) const;
+  template <int N> void bernstein(int element, const FaceCoordinates<D>& xi, int order, double* out) const;
 
   std::vector<nurbs::KnotVector> directions_;
   std::vector<int> functions_, nodes_;
