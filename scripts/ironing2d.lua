@@ -234,7 +234,6 @@ for i, label in ipairs(options.labels) do
   print(case.run)
   case.run:csv(path(label .. ".csv"))
   cases[i], cases[label] = case, case
-  if case.run.reason == "interrupted" then break end
 end
 compare(cases)
 
