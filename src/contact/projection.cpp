@@ -32,24 +32,29 @@ double slope(const Vec<2>& x, const FacePoint<2>& point) {
   return (point.position - x).dot(point.tangent[0]);
 }
 
-/// Minimises the distance within one element by Newton's method, safeguarded by Gauss–Newton and the element's ends.
-/// Leaves the face at the minimum in `point` (order 2).
+/// Minimises the distance within one element by Newton's method, safeguarded by Gauss–Newton, the element's ends and,
+/// once the slope has been seen with both signs, bisection. Leaves the face at the minimum in `point` (order 2).
 Stop descend(const Surface<2>& surface, const Vec<2>& x, int element, double start, FacePoint<2>& point) {
   const auto [a, b] = surface.interval(element, 0);
-  double xi = std::clamp(start, a, b);
+  double xi = std::clamp(start, a, b), low = a, high = b;
+  bool falls = false, rises = false; // at low, at high
   for (int iteration = 0;; ++iteration) {
     surface.locate(element, Coordinates(xi), 2, point);
     const double gradient = slope(x, point);
     if (xi <= a && gradient > 0) return Stop::start;
     if (xi >= b && gradient < 0) return Stop::end;
-    // ξ ← ξ − f'/f'',  f' = (x(ξ) − x)·τ,  f'' = τ·τ + (x(ξ) − x)·x_,11; where f'' is small or negative, τ·τ instead
+    (gradient > 0 ? high : low) = xi;
+    (gradient > 0 ? rises : falls) = true;
+    // ξ ← ξ − f'/f'',  f' = (x(ξ) − x)·τ,  f'' = τ·τ + (x(ξ) − x)·x_,11; where f'' is small or negative and the step
+    // long, τ·τ instead
     const double metric = point.tangent[0].squaredNorm();
     const double curvature = metric + (point.position - x).dot(point.second[0]);
-    double step = -gradient / (curvature > 0.1 * metric ? curvature : metric);
-    if (iteration > 12 && std::abs(step) > 1e-3 * (b - a)) step *= 0.5;
-    const double next = std::clamp(xi + step, a, b);
-    // The step just taken squares the error: from 1e-8 of the element it goes to rounding.
-    const bool done = std::abs(next - xi) <= 1e-8 * (b - a) || iteration == 60;
+    const bool trusted = curvature > 0.1 * metric || (curvature > 0 && std::abs(gradient) < 0.01 * (b - a) * curvature);
+    const double step = -gradient / (trusted ? curvature : metric);
+    double next = std::clamp(xi + step, a, b);
+    // The step just taken squares the error: from 1e-8 of the element it goes to rounding. A step out of the element
+    // is none to end with: at the end itself the slope decides.
+    const bool done = (std::abs(step) <= 1e-8 * (b - a) && next == xi + step) || iteration == 60;
     if (done && std::abs(next - xi) <= 1e-12 * (b - a)) {
       // A first-order shift is exact to rounding here.
       point.position += (next - xi) * point.tangent[0];
@@ -57,6 +62,8 @@ Stop descend(const Surface<2>& surface, const Vec<2>& x, int element, double sta
       point.xi(0) = next;
       return Stop::inside;
     }
+    if (!done && falls && rises && (next <= low || next >= high || (iteration > 8 && iteration % 3 == 0)))
+      next = 0.5 * (low + high);
     xi = next;
     if (done) {
       surface.locate(element, Coordinates(xi), 2, point);
@@ -88,20 +95,25 @@ Foot walk(const Surface<2>& surface, const Vec<2>& x, int element, double start,
   return stop == Stop::inside ? Foot::regular : Foot::none;
 }
 
-/// The nearest of degree+2 equidistant points of an element: the squared distance to one polynomial piece can have
-/// several minima, and this one starts the descent into the deepest.
-double nearest_sample(const Surface<2>& surface, const Vec<2>& x, int element) {
+/// Calls search(ξ) at those of 2(degree+1) equidistant points of an element that are nearer to x than their neighbours:
+/// the squared distance to one polynomial piece can have several minima, and one descent starts near each.
+template <class Search> void each_dip(const Surface<2>& surface, const Vec<2>& x, int element, Search search) {
   const auto [a, b] = surface.interval(element, 0);
-  double start = a, lowest = std::numeric_limits<double>::infinity();
+  constexpr double far = std::numeric_limits<double>::infinity();
+  double before = far, here = far, xi = a;
   FacePoint<2> sample;
-  for (int k = 0, last = surface.degree(0) + 1; k <= last; ++k) {
-    surface.locate(element, Coordinates(a + (b - a) * k / last), 0, sample);
-    const double distance2 = (x - sample.position).squaredNorm();
-    if (distance2 >= lowest) continue;
-    lowest = distance2;
-    start = sample.xi(0);
+  for (int k = 0, last = 2 * surface.degree(0) + 1; k <= last + 1; ++k) {
+    const double next = a + (b - a) * std::min(k, last) / last;
+    double there = far;
+    if (k <= last) {
+      surface.locate(element, Coordinates(next), 0, sample);
+      there = (x - sample.position).squaredNorm();
+    }
+    if (here <= before && here < there) search(xi);
+    before = here;
+    here = there;
+    xi = next;
   }
-  return start;
 }
 
 /// Signed gap at the closest point. At a corner the two one-sided normals decide which side x is on.
@@ -132,19 +144,21 @@ Projection<2> project(const Surface<2>& surface, const ElementBoxes<2>& boxes, c
     best.foot = walk(surface, x, seed.element, seed.xi(0), point);
     nearest = (x - point.position).squaredNorm();
     // A foot much nearer than the element is long is the only one on it; a curve does not fold within one element.
-    if (nearest < boxes.diagonal2(point.element) / 16) settled = point.element;
+    if (nearest < boxes.diagonal2(point.element) / 256) settled = point.element;
   }
 
   FacePoint<2> candidate;
   for (int e = 0; e < surface.elements(); ++e) {
     // A minimum on a border is reached from both sides; the factor lets rounding not choose between them.
     if (e == settled || boxes.distance2(e, x) >= nearest * (1 - 1e-12)) continue;
-    const Foot foot = walk(surface, x, e, nearest_sample(surface, x, e), candidate);
-    const double distance2 = (x - candidate.position).squaredNorm();
-    if (distance2 >= nearest * (1 - 1e-12)) continue;
-    nearest = distance2;
-    best.foot = foot;
-    point = candidate;
+    each_dip(surface, x, e, [&](double start) {
+      const Foot foot = walk(surface, x, e, start, candidate);
+      const double distance2 = (x - candidate.position).squaredNorm();
+      if (distance2 >= nearest * (1 - 1e-12)) return;
+      nearest = distance2;
+      best.foot = foot;
+      point = candidate;
+    });
   }
 
   best.element = point.element;

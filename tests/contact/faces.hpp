@@ -1,0 +1,88 @@
+#pragma once
+// Bodies whose north or south face is a given curve, and dense assembly of a contact's groups.
+
+#include "contact/pair.hpp"
+#include "nurbs/random_patch.hpp"
+#include "nurbs/shapes.hpp"
+
+namespace signorini::contact::test {
+
+using nurbs::test::integer;
+using nurbs::test::Random;
+using nurbs::test::uniform;
+
+inline nurbs::Discretisation discretise(const nurbs::Patch& patch, std::vector<int> elements, const std::string& label,
+                                        const std::string& contact) {
+  nurbs::Plan plan;
+  plan.elements = std::move(elements);
+  plan.contact = {nurbs::side_of(contact, patch.dimension())};
+  plan.labels.assign(static_cast<std::size_t>(patch.dimension()) - 1, nurbs::parse_label(label));
+  return {patch, plan};
+}
+
+/// A strip of unit thickness below a curve, without any refinement: the curve is its north face, outward is up for a
+/// curve that runs to the right.
+inline nurbs::Discretisation below(const nurbs::KnotVector& knots, const MatrixX& points, const VectorX& weights) {
+  const int n = knots.functions();
+  MatrixX both(2, 2 * n);
+  both << points.colwise() - Eigen::Vector2d(0, 1), points;
+  VectorX twice(2 * n);
+  twice << weights, weights;
+  return discretise(nurbs::make_patch({knots, nurbs::KnotVector::single(1)}, both, twice), {knots.elements(), 1},
+                    text("N", knots.degree()), "north");
+}
+
+/// A random wavy rational curve from x = 0 to `length`, with kinks where a knot is repeated degree times.
+inline nurbs::Discretisation wavy(Random& random, double length, double amplitude, int degree, int breaks) {
+  const nurbs::KnotVector knots = nurbs::test::random_knots(random, degree, breaks);
+  const int n = knots.functions();
+  MatrixX points(2, n);
+  VectorX weights(n);
+  for (int i = 0; i < n; ++i) {
+    points.col(i) << length * (i + (i > 0 && i + 1 < n ? uniform(random, -0.4, 0.4) : 0)) / (n - 1),
+        uniform(random, -amplitude, amplitude);
+    weights(i) = uniform(random, 0.6, 1.5);
+  }
+  return below(knots, points, weights);
+}
+
+/// A polyline as a degree-1 face.
+inline nurbs::Discretisation polyline(const std::vector<Eigen::Vector2d>& points) {
+  std::vector<double> knots{0};
+  for (std::size_t i = 0; i < points.size(); ++i) knots.push_back(static_cast<double>(i));
+  knots.push_back(knots.back());
+  MatrixX columns(2, static_cast<int>(points.size()));
+  for (std::size_t i = 0; i < points.size(); ++i) columns.col(static_cast<int>(i)) = points[i];
+  return below({1, knots}, columns, VectorX::Ones(columns.cols()));
+}
+
+/// Residual and tangent of a contact over all degrees of freedom, the slave body's before the master body's.
+struct Dense {
+  VectorX force;
+  MatrixX tangent;
+};
+
+template <int D> Dense dense(const Pair<D>& pair, int slave_dofs, int master_dofs) {
+  const int size = slave_dofs + master_dofs;
+  Dense sum{VectorX::Zero(size), MatrixX::Zero(size, size)};
+  for (const Group& group : pair.groups()) {
+    std::vector<int> dofs;
+    const auto append = [&](const Surface<D>& surface, int element, int offset) {
+      for (int a = 0; a < surface.functions_per_element(); ++a)
+        for (int c = 0; c < D; ++c) dofs.push_back(offset + D * surface.body_function(surface.nodes(element)[a]) + c);
+    };
+    append(pair.slave(), group.slave_element, 0);
+    append(pair.master(), group.master_element, slave_dofs);
+    if (group.slip_element >= 0) append(pair.master(), group.slip_element, slave_dofs);
+    for (int r = 0; r < group.rows; ++r) {
+      const std::size_t row = static_cast<std::size_t>(r);
+      sum.force(dofs[row]) += group.force[row];
+      for (int c = 0; c < group.columns; ++c)
+        sum.tangent(dofs[row], dofs[static_cast<std::size_t>(c)]) +=
+            group.matrix[row * static_cast<std::size_t>(group.columns) + static_cast<std::size_t>(c)];
+    }
+  }
+  return sum;
+}
+
+} // namespace signorini::contact::test
