@@ -13,6 +13,10 @@ namespace signorini::solve {
 
 namespace {
 
+/// Least ratio of the smallest to the largest pivot. Below, rounding alone keeps the matrix from being singular: the
+/// pivot of a rigid motion that nothing holds.
+constexpr double least_pivot = 1e-14;
+
 /// KLU (Davis & Palamadai Natarajan, ACM TOMS 37, 2010): a refactorisation keeps the pivots of the last full one and
 /// costs a fraction of it; growth of the factors tells when the pivots no longer fit.
 class Klu final : public LinearSolver {
@@ -35,7 +39,7 @@ public:
     values_ = const_cast<double*>(values); // KLU reads the values only
     refactored_ = numeric_ &&
                   klu_refactor(pattern_.starts.data(), pattern_.rows.data(), values_, symbolic_, numeric_, &common_) &&
-                  common_.status == KLU_OK;
+                  common_.status == KLU_OK && regular();
     return refactored_ || factor_with_pivots();
   }
 
@@ -57,8 +61,10 @@ private:
     refactored_ = false;
     klu_free_numeric(&numeric_, &common_);
     numeric_ = klu_factor(pattern_.starts.data(), pattern_.rows.data(), values_, symbolic_, &common_);
-    return numeric_ != nullptr && common_.status == KLU_OK;
+    return numeric_ != nullptr && common_.status == KLU_OK && regular();
   }
+
+  bool regular() { return klu_rcond(symbolic_, numeric_, &common_) && common_.rcond > least_pivot; }
 
   /// ‖b − K x‖ / ‖b‖ for the b kept in right_; infinite when x is not finite.
   double residual(const double* x) {
@@ -108,7 +114,9 @@ public:
       require(status == UMFPACK_OK, "the sparse solver could not analyse the tangent (UMFPACK status ", status, ")");
     }
     umfpack_di_free_numeric(&numeric_);
-    return umfpack_di_numeric(starts, rows, values, symbolic_, &numeric_, control_, nullptr) == UMFPACK_OK;
+    double info[UMFPACK_INFO];
+    return umfpack_di_numeric(starts, rows, values, symbolic_, &numeric_, control_, info) == UMFPACK_OK &&
+           info[UMFPACK_RCOND] > least_pivot;
   }
 
   bool solve(double* b) override {
