@@ -1,0 +1,169 @@
+// The whole assembled tangent against finite differences of the residual, in states of the ironing problem.
+#include "model/scenes.hpp"
+
+#include "differences.hpp"
+
+#include <gtest/gtest.h>
+
+namespace signorini::model {
+namespace {
+
+using namespace test;
+
+/// A model's parts, so that states can be set that are no equilibria.
+struct Bench {
+  Scene<2> scene;
+  Unknowns<2> unknowns;
+  Assembly<2> assembly;
+  std::vector<contact::Pair<2>> pairs;
+  Timings timings;
+
+  explicit Bench(Scene<2> wanted) : scene(std::move(wanted)), unknowns(scene), assembly(scene, unknowns) {
+    for (const Contact& contact : scene.contacts) {
+      const auto surface = [&](const FaceReference& face) {
+        return contact::Surface<2>(scene.bodies[static_cast<std::size_t>(face.body)].body->space(), face.side);
+      };
+      pairs.emplace_back(surface(contact.slave), surface(contact.master), contact.law, contact.points);
+    }
+  }
+  VectorX residual(const VectorX& u, const VectorX* increment = nullptr) {
+    EXPECT_FALSE(assembly.assemble(pairs, u, increment, timings));
+    return assembly.residual();
+  }
+  /// Of the unknowns.
+  MatrixX tangent() const {
+    const solve::Pattern& pattern = assembly.pattern();
+    MatrixX full = MatrixX::Zero(pattern.size, pattern.size);
+    for (int j = 0; j < pattern.size; ++j)
+      for (int k = pattern.starts[static_cast<std::size_t>(j)]; k < pattern.starts[static_cast<std::size_t>(j) + 1];
+           ++k)
+        full(pattern.rows[static_cast<std::size_t>(k)], j) = assembly.values()[static_cast<std::size_t>(k)];
+    return full;
+  }
+  std::vector<int> signature() const {
+    std::vector<int> result;
+    for (const auto& point : pairs[0].results()) result.push_back(static_cast<int>(point.state));
+    for (const auto& group : pairs[0].groups())
+      result.insert(result.end(), {group.slave_element, group.master_element, group.slip_element});
+    return result;
+  }
+};
+
+/// Compares at u; false when a difference steps over a change of state. Also: the tangent times an increment of the
+/// prescribed displacements is what assembly adds.
+bool compare(Bench& bench, const VectorX& u) {
+  bench.residual(u);
+  const MatrixX tangent = bench.tangent();
+  const std::vector<int> before = bench.signature();
+  bool same = true;
+  const auto along = [&](const VectorX& direction) {
+    return signorini::test::derivative<VectorX>(
+        [&](double h) {
+          const VectorX residual = bench.residual(u + h * direction);
+          same = same && bench.signature() == before;
+          return residual;
+        },
+        2e-6);
+  };
+  MatrixX slopes(tangent.rows(), tangent.cols());
+  for (int i = 0; i < tangent.cols() && same; ++i) {
+    const VectorX unit = VectorX::Unit(u.size(), bench.unknowns.free()[static_cast<std::size_t>(i)]);
+    slopes.col(i) = along(unit)(bench.unknowns.free());
+  }
+  nurbs::test::Random random(1);
+  VectorX increment = VectorX::Zero(u.size());
+  for (int dof : bench.unknowns.prescribed()) increment(dof) = nurbs::test::uniform(random, -0.1, 0.1);
+  const VectorX added = along(increment);
+  if (!same) return false;
+  EXPECT_LT((slopes - tangent).norm(), 1e-8 * tangent.norm());
+  EXPECT_LT((bench.residual(u, &increment) - bench.residual(u) - added).norm(), 1e-7 * added.norm());
+  return true;
+}
+
+struct States {
+  int open = 0, stick = 0, slip = 0, elsewhere = 0;
+};
+
+States states(const contact::Pair<2>& pair) {
+  States result;
+  for (const auto& point : pair.results())
+    ++(point.state == contact::ContactState::open    ? result.open
+       : point.state == contact::ContactState::stick ? result.stick
+                                                     : result.slip);
+  for (const auto& group : pair.groups()) result.elsewhere += group.slip_element >= 0;
+  return result;
+}
+
+TEST(Assembly, TangentIsTheResidualsDerivativeInEveryState) {
+  nurbs::test::Random random(2);
+  for (const char* label : {"N2", "N2-N2.2"}) {
+    Bench bench(ironing(label));
+    VectorX u = VectorX::Zero(bench.unknowns.dofs());
+    const auto move_die = [&](double x, double y) {
+      for (int i = 0; i < bench.unknowns.offset(1); i += 2) u.segment<2>(i) += Eigen::Vector2d(x, y);
+    };
+    const auto shaken = [&](double size) {
+      VectorX moved = u;
+      for (int i = 0; i < moved.size(); ++i) moved(i) += nurbs::test::uniform(random, -size, size);
+      return moved;
+    };
+    States seen;
+    int compared = 0;
+    const auto check = [&](double size) {
+      for (int trial = 0; trial < 3; ++trial)
+        if (compare(bench, shaken(size))) {
+          ++compared;
+          const States now = states(bench.pairs[0]);
+          seen.open += now.open;
+          seen.stick += now.stick;
+          seen.slip += now.slip;
+          seen.elsewhere += now.elsewhere;
+        }
+    };
+    bench.residual(u);
+    bench.pairs[0].accept();
+    move_die(0, -0.05);
+    check(2e-3);
+    bench.residual(u);
+    bench.pairs[0].accept();
+    move_die(2e-3, 0);
+    check(2e-4);
+    move_die(0.03, 0);
+    check(1e-3);
+    move_die(0.4, 0); // the slip points stay behind in other elements
+    check(1e-3);
+    EXPECT_GE(compared, 8) << label;
+    EXPECT_GT(seen.open, 50) << label;
+    EXPECT_GT(seen.stick, 10) << label;
+    EXPECT_GT(seen.slip, 50) << label;
+    EXPECT_GT(seen.elsewhere, 1) << label;
+  }
+}
+
+TEST(Assembly, PatternStaysWhileTheSameElementsTouch) {
+  Bench bench(ironing("N2"));
+  VectorX u = VectorX::Zero(bench.unknowns.dofs());
+  for (int i = 1; i < bench.unknowns.offset(1); i += 2) u(i) = -0.05;
+  bench.residual(u);
+  const int version = bench.assembly.pattern_version();
+  for (int i = 0; i < bench.unknowns.offset(1); i += 2) u(i) = 0.01;
+  bench.residual(u);
+  EXPECT_EQ(bench.assembly.pattern_version(), version);
+  for (int i = 0; i < bench.unknowns.offset(1); i += 2) u(i) = 1.2;
+  bench.residual(u);
+  EXPECT_GT(bench.assembly.pattern_version(), version);
+}
+
+TEST(Assembly, InvertedElementNamesItsBody) {
+  Bench bench(ironing("N2"));
+  VectorX u = VectorX::Zero(bench.unknowns.dofs());
+  const auto& slab = *bench.scene.bodies[1].body;
+  for (int a : slab.space().face_functions(nurbs::side_of("south", 2))) u(bench.unknowns.offset(1) + 2 * a + 1) = 0.9;
+  const auto inverted = bench.assembly.assemble(bench.pairs, u, nullptr, bench.timings);
+  ASSERT_TRUE(inverted);
+  EXPECT_EQ(inverted->body, 1);
+  EXPECT_LT(inverted->inversion.point(1), 1.0 / 3);
+}
+
+} // namespace
+} // namespace signorini::model

@@ -1,0 +1,66 @@
+// The published ironing problem at mesh m1 with plain Newton: every label converges, quadratically, in few iterations,
+// and forces balance.
+#include "model/model.hpp"
+
+#include "model/scenes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace signorini::model {
+namespace {
+
+using namespace test;
+
+class Ironing : public testing::TestWithParam<const char*> {};
+
+TEST_P(Ironing, ConvergesQuadraticallyAndBalances) {
+  Model<2> model(ironing(GetParam()));
+  constexpr int steps = 106;
+  int iterations = 0, quadratic = 0;
+  for (int step = 1; step <= steps; ++step) {
+    const solve::NewtonReport report = ironing_step(model, step);
+    ASSERT_EQ(report.outcome, solve::Outcome::converged) << "step " << step << ": " << report.message;
+    iterations += report.iterations;
+
+    const auto contact = model.contact_resultant(0);
+    const Vec<2> by_bed = model.reaction(bed), by_grip = model.reaction(grip);
+    const double scale = by_grip.norm();
+    // What the free control points lack to equilibrium is all that may be missing: |Σ r| ≤ √n |r|.
+    const double missing = std::sqrt(model.unknowns().size()) * report.residuals.back() + 1e-12 * scale;
+    EXPECT_LT((by_bed + by_grip).norm(), missing) << "step " << step;
+    // The die is held by its grip against what the slab exerts on it.
+    EXPECT_LT((contact.force + by_grip).norm(), missing) << "step " << step;
+    EXPECT_GT(contact.active, 0);
+    if (step > 60) {
+      EXPECT_GT(contact.force(1), 0);
+      EXPECT_LT(contact.force(0), 0);
+      EXPECT_GT(contact.slipping, 0);
+    }
+
+    // The last reduction squares the error, r_{k+1} ≤ C r_k²/scale, unless it starts where a change of contact states
+    // may still come (above) or ends where rounding does (below).
+    const double last = report.residuals.back(), before = report.residuals[report.residuals.size() - 2];
+    if (before < 1e-3 * scale && before > 3e-7 * scale) {
+      ++quadratic;
+      EXPECT_LT(last, 100 * before * before / scale + 1e-11 * scale) << "step " << step;
+    }
+    model.accept();
+  }
+  EXPECT_LE(iterations, 4.5 * steps);
+  EXPECT_GT(quadratic, 5);
+}
+
+INSTANTIATE_TEST_SUITE_P(Labels, Ironing,
+                         testing::Values("N2", "N4", "N6", "N2-N4", "N2-N6", "N2-N2.1", "N2-N2.2", "N2-N2.3"),
+                         [](const auto& info) {
+                           std::string name = info.param;
+                           std::replace_if(
+                               name.begin(), name.end(), [](char c) { return c == '-' || c == '.'; }, '_');
+                           return name;
+                         });
+
+} // namespace
+} // namespace signorini::model

@@ -1,0 +1,66 @@
+#pragma once
+// Scenes for tests: the published ironing problem, and small ones of one body.
+
+#include "model/model.hpp"
+#include "nurbs/random_patch.hpp"
+#include "nurbs/shapes.hpp"
+
+namespace signorini::model::test {
+
+inline std::shared_ptr<const solid::Body<2>> make_body(const nurbs::Patch& patch, std::vector<int> elements,
+                                                       const std::string& label, const std::string& contact,
+                                                       const solid::NeoHookean& material) {
+  nurbs::Plan plan;
+  plan.elements = std::move(elements);
+  plan.contact = {nurbs::side_of(contact, 2)};
+  plan.labels = {nurbs::parse_label(label)};
+  return std::make_shared<const solid::Body<2>>(nurbs::Discretisation(patch, plan), material);
+}
+
+inline Held held(const Scene<2>& scene, int body, const std::string& face) {
+  return {body, scene.bodies[static_cast<std::size_t>(body)].body->space().face_functions(nurbs::side_of(face, 2))};
+}
+
+enum Supports { bed, grip };
+
+/// 2D frictional ironing (thesis 7.1) at mesh m1: the die's flat ends are driven, the slab's bottom is clamped.
+inline Scene<2> ironing(const std::string& label) {
+  Scene<2> scene;
+  const nurbs::Patch arc = nurbs::half_annulus(0.3, 0.5, Eigen::Vector2d(0.75, 1.5));
+  scene.bodies.push_back({"die", make_body(arc, {6, 2}, label, "south", solid::neo_hookean(1000, 0.3))});
+  const nurbs::Patch block = nurbs::rectangle(3, 1, Eigen::Vector2d(0, 0));
+  scene.bodies.push_back({"slab", make_body(block, {8, 3}, label, "north", solid::neo_hookean(1, 0.3))});
+  scene.supports.push_back({"bed", {held(scene, 1, "south")}, {Hold::fixed, Hold::fixed}});
+  scene.supports.push_back({"grip", {held(scene, 0, "west"), held(scene, 0, "east")}, {Hold::driven, Hold::driven}});
+  const nurbs::Side south = nurbs::side_of("south", 2), north = nurbs::side_of("north", 2);
+  const int degree = scene.bodies[0].body->space().face_patch(south).direction(0).degree();
+  scene.contacts.push_back({"interface", {0, south}, {1, north}, {100, 100, 0.2}, 3 * (degree + 1)});
+  return scene;
+}
+
+/// A unit square of one material with given supports on its faces.
+struct Grip {
+  const char *name, *face;
+  std::array<Hold, 2> hold;
+};
+inline Scene<2> square(const std::vector<Grip>& grips) {
+  Scene<2> scene;
+  scene.bodies.push_back({"block", make_body(nurbs::rectangle(1, 1, Eigen::Vector2d(0, 0)), {2, 2}, "N2", "north",
+                                             solid::neo_hookean(1, 0.3))});
+  for (const Grip& grip : grips) scene.supports.push_back({grip.name, {held(scene, 0, grip.face)}, grip.hold});
+  return scene;
+}
+
+inline solve::NewtonReport step_to(Model<2>& model, int support, double x, double y, const StepOptions& options = {}) {
+  model.set_target(support, 0, x);
+  model.set_target(support, 1, y);
+  return model.solve_step(options);
+}
+
+/// Solves step 1 … 296 of the published path: 46 of pressing to −0.23, then 250 of sliding to 1.5.
+inline solve::NewtonReport ironing_step(Model<2>& model, int step, const StepOptions& options = {}) {
+  const double press = std::min(step, 46) / 46.0, slide = std::max(step - 46, 0) / 250.0;
+  return step_to(model, grip, 1.5 * slide, -0.23 * press, options);
+}
+
+} // namespace signorini::model::test
