@@ -10,7 +10,7 @@ namespace signorini::contact {
 
 template <int D>
 Pair<D>::Pair(Surface<D> slave, Surface<D> master, PenaltyLaw law, int points)
-    : slave_(std::move(slave)), master_(std::move(master)), law_(law) {
+    : slave_(std::move(slave)), master_(std::move(master)), accepted_master_(master_), law_(law) {
   require(law.normal > 0, "penalty must be positive (pressure per length), got ", law.normal);
   require(law.friction >= 0, "friction: mu must not be negative, got ", law.friction);
   require(law.friction == 0 || law.tangential > 0, "friction: penalty must be positive (pressure per length), got ",
@@ -49,6 +49,14 @@ Pair<D>::Pair(Surface<D> slave, Surface<D> master, PenaltyLaw law, int points)
   const int widest = D * (n + 2 * master_.functions_per_element());
   rows_.resize(static_cast<std::size_t>(widest * (2 * D - 1)));
   boxes_.update(master_);
+  accepted_boxes_ = boxes_;
+  for (const Point& point : points_) {
+    Vec<D> position = Vec<D>::Zero();
+    for (int a = 0; a < n; ++a)
+      position +=
+          values_[point.values + static_cast<std::size_t>(a)] * slave_.points().col(slave_.nodes(point.element)[a]);
+    accepted_positions_.push_back(position);
+  }
 }
 
 template <int D> void Pair<D>::move(const double* slave_displacement, const double* master_displacement) {
@@ -101,6 +109,7 @@ template <int D> void Pair<D>::evaluate(const double* slave_displacement, const 
     geometry.normal = memory.projection.foot == Foot::corner ? Vec<D>((geometry.slave - master.position) / gap)
                                                              : Vec<D>(master_.outward(master.tangent).normalized());
     geometry.slip_point = nullptr;
+    if (law_.friction > 0 && memory.slip_element < 0) remember_touch(i);
     if (law_.friction > 0 && memory.slip_element >= 0) {
       master_.locate(memory.slip_element, memory.slip, 0, slip_point);
       master_.functions(slip_point, 0);
@@ -152,8 +161,8 @@ void Pair<D>::add(const Point& point, const FacePoint<D>& master, const Memory& 
   const double w = point.weight;
 
   // ∂T/∂x_B and ∂ξ̄/∂x_B of every column node B: the local derivatives times the functions that carry the variables.
-  double* dt = rows_.data();
-  double* dxi = dt + D * width;
+  double* __restrict dt = rows_.data();
+  double* __restrict dxi = dt + D * width;
   for (int c = 0; c < D; ++c) {
     for (int b = 0; b < ns; ++b) {
       const int column = b * D + c;
@@ -189,13 +198,13 @@ void Pair<D>::add(const Point& point, const FacePoint<D>& master, const Memory& 
 
   // f_A = −R_A T on the slave, +R̄_A(ξ̄) T on the master, so ∂f_A = R̄_A ∂T + T R̄_A,α ∂ξ̄^α there.
   double* out = block.force.data();
-  double* matrix = block.matrix.data();
+  double* __restrict matrix = block.matrix.data();
   for (int a = 0; a < ns; ++a)
     for (int i = 0; i < D; ++i, ++out, matrix += width) {
       *out -= w * r[a] * force.force(i);
-      const double factor = -r[a];
+      const double factor = r[a];
       const double* row = dt + i * width;
-      for (int c = 0; c < width; ++c) matrix[c] += factor * row[c];
+      for (int c = 0; c < width; ++c) matrix[c] -= factor * row[c];
     }
   for (int a = 0; a < nm; ++a) {
     const std::size_t m = static_cast<std::size_t>(a);
@@ -203,14 +212,26 @@ void Pair<D>::add(const Point& point, const FacePoint<D>& master, const Memory& 
       *out += w * master.value[m] * force.force(i);
       const double factor = master.value[m];
       const double* row = dt + i * width;
-      for (int c = 0; c < width; ++c) matrix[c] += factor * row[c];
-      for (std::size_t k = 0; k < D - 1; ++k) {
-        const double turn = master.derivative[k][m] * force.force(i);
-        const double* shift = dxi + static_cast<int>(k) * width;
-        for (int c = 0; c < width; ++c) matrix[c] += turn * shift[c];
+      double turn[D - 1];
+      for (std::size_t k = 0; k < D - 1; ++k) turn[k] = master.derivative[k][m] * force.force(i);
+      for (int c = 0; c < width; ++c) {
+        double sum = factor * row[c];
+        for (int k = 0; k < D - 1; ++k) sum += turn[k] * dxi[k * width + c];
+        matrix[c] += sum;
       }
     }
   }
+}
+
+/// A point that touches first slips from where it would have touched in the accepted state.
+template <int D> void Pair<D>::remember_touch(std::size_t i) {
+  Memory& memory = memory_[i];
+  FacePoint<D> point;
+  const Projection<D> projection =
+      project(accepted_master_, accepted_boxes_, accepted_positions_[i], memory.projection, point);
+  if (projection.foot == Foot::none) return;
+  memory.slip_element = projection.element;
+  memory.slip = projection.xi;
 }
 
 template <int D> void Pair<D>::accept() {
@@ -218,22 +239,25 @@ template <int D> void Pair<D>::accept() {
   for (std::size_t i = 0; law_.friction > 0 && i < points_.size(); ++i) {
     Memory& memory = memory_[i];
     const PointResult<D>& result = results_[i];
-    if (result.state == ContactState::stick && memory.slip_element >= 0) continue;
-    if (result.state == ContactState::slip) {
+    accepted_positions_[i] = result.position;
+    if (result.state == ContactState::open) {
+      memory.slip_element = -1;
+    } else if (memory.slip_element < 0) {
+      // It came from beyond the master's end: friction counts from here.
+      memory.slip_element = memory.projection.element;
+      memory.slip = memory.projection.xi;
+    } else if (result.state == ContactState::slip) {
       master_.locate(memory.projection.element, memory.projection.xi, 0, master);
       const double length = law_.friction * result.pressure / law_.tangential;
       memory.slip(0) = advance_slip(master_, memory.slip(0), master, length);
       memory.slip_element = master_.direction(0).find_element(memory.slip(0));
-      continue;
     }
-    // Open, or touching without friction so far: where it is now is where friction will count from.
-    if (result.state == ContactState::open)
-      memory.projection = project(master_, boxes_, result.position, memory.projection, master);
-    const bool usable = memory.projection.foot != Foot::none;
-    memory.slip_element = usable ? memory.projection.element : -1;
-    memory.slip = memory.projection.xi;
   }
   accepted_ = memory_;
+  if (law_.friction > 0) {
+    accepted_master_ = master_;
+    accepted_boxes_ = boxes_;
+  }
 }
 
 template <int D> void Pair<D>::rollback() {

@@ -48,8 +48,8 @@ public:
   void evaluate(const double* slave_displacement, const double* master_displacement);
   const std::vector<Group>& groups() const { return groups_; }
 
-  /// Takes the state of the last evaluation as accepted: slip points advance, open points remember where they would
-  /// touch. Call after evaluate() at the converged displacements.
+  /// Takes the state of the last evaluation as accepted: slip points advance; points that touch later slip from where
+  /// they would have touched now. Call after evaluate() at the converged displacements.
   void accept();
   /// Forgets what happened since the last accept().
   void rollback();
@@ -81,15 +81,17 @@ private:
   void move(const double* slave_displacement, const double* master_displacement);
   void add(const Point& point, const FacePoint<D>& master, const Memory& memory, const FacePoint<D>& slip_point,
            const LocalForce<D>& force);
+  void remember_touch(std::size_t i);
   Group& group(int slave_element, int master_element, int slip_element);
 
-  Surface<D> slave_, master_;
+  Surface<D> slave_, master_, accepted_master_;
   PenaltyLaw law_;
   std::vector<Point> points_;
   std::vector<double> values_;
   std::vector<Memory> accepted_, memory_;
   std::vector<PointResult<D>> results_;
-  ElementBoxes<D> boxes_;
+  std::vector<Vec<D>> accepted_positions_; ///< of the slave points
+  ElementBoxes<D> boxes_, accepted_boxes_;
   std::vector<Group> groups_, spare_;
   /// Bound on how far slave and master points have moved towards each other, summed over all evaluations.
   double travel_ = 0;

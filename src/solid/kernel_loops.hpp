@@ -46,19 +46,20 @@ template <int D, int N> void deformation(const double* local, const double* grad
     }
 }
 
-/// f_iA += P_ik ∂R_A/∂X_k (P times the point's weight) and g_iA = (F⁻¹)_ki ∂R_A/∂X_k, the current gradients.
+/// f_iA += P_ik ∂R_A/∂X_k (P times the point's weight; the first point starts the sum) and g_iA = (F⁻¹)_ki ∂R_A/∂X_k,
+/// the current gradients.
 template <int D, int N>
 void push_forward(const double* stress, const double* inverse, const double* __restrict gradients, int count,
-                  double* __restrict force, double* __restrict current) {
+                  bool first, double* __restrict force, double* __restrict current) {
   const int n = N > 0 ? N : count;
   for (int i = 0; i < D; ++i)
     for (int a = 0; a < n; ++a) {
-      double p = 0, g = 0;
+      double p = first ? 0 : force[i * n + a], g = 0;
       for (int k = 0; k < D; ++k) {
         p += stress[i * D + k] * gradients[k * n + a];
         g += inverse[k * D + i] * gradients[k * n + a];
       }
-      force[i * n + a] += p;
+      force[i * n + a] = p;
       current[i * n + a] = g;
     }
 }
@@ -93,7 +94,6 @@ void tangent(const double* __restrict current, const double* __restrict factors,
 
 template <int D, int N> KernelResult run(const KernelArguments& in) {
   const int n = N > 0 ? N : in.functions;
-  for (int a = 0; a < D * n; ++a) in.force[a] = 0;
   double f[D * D], inverse[D * D], stress[D * D];
   const double* gradients = in.gradients;
   double* current = in.current;
@@ -105,7 +105,7 @@ template <int D, int N> KernelResult run(const KernelArguments& in) {
     // P = μ F − (μ − λ ln J) F⁻ᵀ
     for (int i = 0; i < D; ++i)
       for (int k = 0; k < D; ++k) stress[i * D + k] = weight * (in.mu * f[i * D + k] - bracket * inverse[k * D + i]);
-    push_forward<D, N>(stress, inverse, gradients, n, in.force, current);
+    push_forward<D, N>(stress, inverse, gradients, n, q == 0, in.force, current);
     in.factors[2 * q] = weight * bracket;
     in.factors[2 * q + 1] = weight * in.lambda;
   }
