@@ -21,7 +21,9 @@ template <class... Parts> std::string text(const Parts&... parts) {
   return out.str();
 }
 
-template <class... Parts> [[noreturn]] void fail(const Parts&... parts) { throw Error(text(parts...)); }
+template <class... Parts> [[noreturn]] void fail(const Parts&... parts) {
+  throw Error(text(parts...));
+}
 
 /// Throws Error with the joined parts unless `ok`; the message is only built on failure.
 template <class... Parts> void require(bool ok, const Parts&... parts) {

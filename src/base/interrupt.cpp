@@ -18,9 +18,17 @@ void on_interrupt(int signal) {
 
 } // namespace
 
-void catch_interrupts() { std::signal(SIGINT, on_interrupt); }
-void request_interrupt() { flag = 1; }
-bool interrupted() { return flag != 0; }
-void clear_interrupt() { flag = 0; }
+void catch_interrupts() {
+  std::signal(SIGINT, on_interrupt);
+}
+void request_interrupt() {
+  flag = 1;
+}
+bool interrupted() {
+  return flag != 0;
+}
+void clear_interrupt() {
+  flag = 0;
+}
 
 } // namespace signorini

@@ -11,7 +11,7 @@ local function session(...)
   for _, keys in ipairs { ... } do
     typing[#typing + 1] = ("printf '%s'; sleep 0.5"):format((keys:gsub(".", function(c) return ("\\%03o"):format(c:byte()) end)))
   end
-  local output, status = check.shell(("(sleep 1; %s) | XDG_STATE_HOME=%s TERM=dumb script -qec '%s' /dev/null")
+  local output, status = check.shell(("(sleep 1; %s) | XDG_STATE_HOME=%s TERM=dumb script -qec 'exec %s' /dev/null")
     :format(table.concat(typing, "; "), state, arg[-1]))
   return output:gsub("\r", ""), status
 end

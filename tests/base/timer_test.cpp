@@ -1,0 +1,23 @@
+#include "base/timer.hpp"
+
+#include <chrono>
+#include <gtest/gtest.h>
+#include <thread>
+
+namespace signorini {
+namespace {
+
+TEST(Timer, AnAccountGrowsByWhatItsScopesTook) {
+  double account = 1;
+  {
+    ScopedTimer timer(account);
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  const double once = account;
+  EXPECT_GE(once, 1.005);
+  { ScopedTimer timer(account); }
+  EXPECT_GE(account, once);
+}
+
+} // namespace
+} // namespace signorini
