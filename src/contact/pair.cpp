@@ -70,7 +70,8 @@ template <int D> void Pair<D>::move(const double* slave_displacement, const doub
   previous_master_ = master_.points();
 }
 
-template <int D> void Pair<D>::evaluate(const double* slave_displacement, const double* master_displacement) {
+template <int D>
+void Pair<D>::evaluate(const double* slave_displacement, const double* master_displacement, bool tangent) {
   move(slave_displacement, master_displacement);
   for (Group& old : groups_) spare_.push_back(std::move(old));
   groups_.clear();
@@ -123,11 +124,11 @@ template <int D> void Pair<D>::evaluate(const double* slave_displacement, const 
     result.friction = force.friction;
     result.force = point.weight * force.force;
     result.area = point.weight * force.measure;
-    add(point, master, memory, slip_point, force);
+    add(point, master, memory, slip_point, force, tangent);
   }
 }
 
-template <int D> Group& Pair<D>::group(int slave_element, int master_element, int slip_element) {
+template <int D> Group& Pair<D>::group(int slave_element, int master_element, int slip_element, bool tangent) {
   // Points come element by element, so a group to add to is among the last ones.
   for (auto it = groups_.rbegin(); it != groups_.rend() && it->slave_element == slave_element; ++it)
     if (it->master_element == master_element && it->slip_element == slip_element) return *it;
@@ -145,20 +146,28 @@ template <int D> Group& Pair<D>::group(int slave_element, int master_element, in
   result.rows = D * (ns + nm);
   result.columns = D * (ns + nm + (slip_element >= 0 ? nm : 0));
   result.force.assign(static_cast<std::size_t>(result.rows), 0.0);
-  result.matrix.assign(static_cast<std::size_t>(result.rows * result.columns), 0.0);
+  result.matrix.assign(tangent ? static_cast<std::size_t>(result.rows * result.columns) : 0, 0.0);
   return result;
 }
 
 template <int D>
 void Pair<D>::add(const Point& point, const FacePoint<D>& master, const Memory& memory, const FacePoint<D>& slip_point,
-                  const LocalForce<D>& force) {
+                  const LocalForce<D>& force, bool tangent) {
   using Force = LocalForce<D>;
   const bool slips = law_.friction > 0 && memory.slip_element >= 0;
   const bool own_columns = slips && memory.slip_element != master.element;
-  Group& block = group(point.element, master.element, own_columns ? memory.slip_element : -1);
+  Group& block = group(point.element, master.element, own_columns ? memory.slip_element : -1, tangent);
   const int ns = slave_.functions_per_element(), nm = master_.functions_per_element(), width = block.columns;
   const double* r = values_.data() + point.values;
   const double w = point.weight;
+
+  // f_A = −R_A T on the slave, +R̄_A(ξ̄) T on the master
+  double* out = block.force.data();
+  for (int a = 0; a < ns; ++a)
+    for (int i = 0; i < D; ++i) *out++ -= w * r[a] * force.force(i);
+  for (int a = 0; a < nm; ++a)
+    for (int i = 0; i < D; ++i) *out++ += w * master.value[static_cast<std::size_t>(a)] * force.force(i);
+  if (!tangent) return;
 
   // ∂T/∂x_B and ∂ξ̄/∂x_B of every column node B: the local derivatives times the functions that carry the variables.
   double* __restrict dt = rows_.data();
@@ -196,20 +205,17 @@ void Pair<D>::add(const Point& point, const FacePoint<D>& master, const Memory& 
     }
   }
 
-  // f_A = −R_A T on the slave, +R̄_A(ξ̄) T on the master, so ∂f_A = R̄_A ∂T + T R̄_A,α ∂ξ̄^α there.
-  double* out = block.force.data();
+  // ∂f_A = −R_A ∂T on the slave, R̄_A ∂T + T R̄_A,α ∂ξ̄^α on the master
   double* __restrict matrix = block.matrix.data();
   for (int a = 0; a < ns; ++a)
-    for (int i = 0; i < D; ++i, ++out, matrix += width) {
-      *out -= w * r[a] * force.force(i);
+    for (int i = 0; i < D; ++i, matrix += width) {
       const double factor = r[a];
       const double* row = dt + i * width;
       for (int c = 0; c < width; ++c) matrix[c] -= factor * row[c];
     }
   for (int a = 0; a < nm; ++a) {
     const std::size_t m = static_cast<std::size_t>(a);
-    for (int i = 0; i < D; ++i, ++out, matrix += width) {
-      *out += w * master.value[m] * force.force(i);
+    for (int i = 0; i < D; ++i, matrix += width) {
       const double factor = master.value[m];
       const double* row = dt + i * width;
       double turn[D - 1];

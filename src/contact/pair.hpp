@@ -15,7 +15,7 @@ struct Group {
   int slip_element;           ///< −1 when the slip points lie in the master element or play no part
   int rows, columns;          ///< of the matrix, in scalars
   std::vector<double> force;  ///< residual contribution
-  std::vector<double> matrix; ///< ∂force, row by row
+  std::vector<double> matrix; ///< ∂force, row by row; empty when it was not wanted
 };
 
 /// What a contact point did in the last evaluation.
@@ -44,8 +44,9 @@ public:
   /// `points` Gauss points per slave element and direction.
   Pair(Surface<D> slave, Surface<D> master, PenaltyLaw law, int points);
 
-  /// Computes groups and results at the given displacements (D values per function of the two bodies).
-  void evaluate(const double* slave_displacement, const double* master_displacement);
+  /// Computes groups and results at the given displacements (D values per function of the two bodies). Without
+  /// `tangent` the groups' matrices are left empty.
+  void evaluate(const double* slave_displacement, const double* master_displacement, bool tangent = true);
   const std::vector<Group>& groups() const { return groups_; }
 
   /// Takes the state of the last evaluation as accepted: slip points advance; points that touch later slip from where
@@ -80,9 +81,9 @@ private:
 
   void move(const double* slave_displacement, const double* master_displacement);
   void add(const Point& point, const FacePoint<D>& master, const Memory& memory, const FacePoint<D>& slip_point,
-           const LocalForce<D>& force);
+           const LocalForce<D>& force, bool tangent);
   void remember_touch(std::size_t i);
-  Group& group(int slave_element, int master_element, int slip_element);
+  Group& group(int slave_element, int master_element, int slip_element, bool tangent);
 
   Surface<D> slave_, master_, accepted_master_;
   PenaltyLaw law_;

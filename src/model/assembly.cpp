@@ -136,13 +136,13 @@ template <int D> bool Assembly<D>::locate(const std::vector<contact::Pair<D>>& p
 
 template <int D>
 std::optional<BodyInversion> Assembly<D>::assemble(std::vector<contact::Pair<D>>& pairs, const VectorX& displacement,
-                                                   const VectorX* increment, Timings& timings) {
+                                                   const VectorX* increment, bool tangent, Timings& timings) {
   residual_.setZero();
   {
     ScopedTimer timer(timings.contact);
     for (std::size_t k = 0; k < pairs.size(); ++k)
       pairs[k].evaluate(displacement.data() + unknowns_.offset(scene_.contacts[k].slave.body),
-                        displacement.data() + unknowns_.offset(scene_.contacts[k].master.body));
+                        displacement.data() + unknowns_.offset(scene_.contacts[k].master.body), tangent);
     if (!locate(pairs)) {
       cover(pairs);
       locate(pairs);
@@ -150,19 +150,20 @@ std::optional<BodyInversion> Assembly<D>::assemble(std::vector<contact::Pair<D>>
   }
   {
     ScopedTimer timer(timings.bulk);
-    std::fill(values_.begin(), values_.end(), 0.0);
+    if (tangent) std::fill(values_.begin(), values_.end(), 0.0);
     for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
       const solid::Body<D>& body = *scene_.bodies[b].body;
       const int offset = unknowns_.offset(static_cast<int>(b));
       solid::ElementArrays<D>& arrays = arrays_[b];
       for (int e = 0; e < body.elements(); ++e) {
-        if (auto inversion = internal_force(body, e, displacement.data() + offset, arrays))
+        if (auto inversion = internal_force(body, e, displacement.data() + offset, arrays, tangent))
           return BodyInversion{static_cast<int>(b), *inversion};
         const auto functions = body.functions_of(e);
         const std::size_t n = functions.size();
         for (std::size_t a = 0; a < n; ++a)
           for (std::size_t i = 0; i < D; ++i)
             residual_(offset + D * functions[a] + static_cast<int>(i)) += arrays.force[i * n + a];
+        if (!tangent) continue;
         const int* position = positions_.data() + first_position_[b][at(e)];
         const double* block = arrays.blocks.data();
         for (int i = 0; i < D; ++i)
@@ -174,7 +175,8 @@ std::optional<BodyInversion> Assembly<D>::assemble(std::vector<contact::Pair<D>>
     }
   }
   ScopedTimer timer(timings.contact);
-  add_contacts(pairs, increment);
+  add_contacts(pairs, increment, tangent);
+  if (tangent) find_largest_diagonal();
   return std::nullopt;
 }
 
@@ -193,7 +195,8 @@ void Assembly<D>::add_bulk_increment(int b, int e, const solid::ElementArrays<D>
         }
 }
 
-template <int D> void Assembly<D>::add_contacts(const std::vector<contact::Pair<D>>& pairs, const VectorX* increment) {
+template <int D>
+void Assembly<D>::add_contacts(const std::vector<contact::Pair<D>>& pairs, const VectorX* increment, bool tangent) {
   for (std::size_t k = 0; k < pairs.size(); ++k)
     for (const contact::Group& group : pairs[k].groups()) {
       const Placement& placement = placements_[k].find(key(group))->second;
@@ -204,15 +207,15 @@ template <int D> void Assembly<D>::add_contacts(const std::vector<contact::Pair<
         if (increment)
           for (int c = 0; c < group.columns; ++c) sum += matrix[c] * (*increment)(placement.columns[at(c)]);
         residual_(placement.rows[at(r)]) += sum;
+        if (!tangent) continue;
         for (int c = 0; c < group.columns; ++c) values_[at(position[c])] += matrix[c];
       }
     }
 }
 
-template <int D> double Assembly<D>::largest_diagonal() const {
-  double largest = 0;
-  for (int position : diagonal_) largest = std::max(largest, values_[at(position)]);
-  return largest;
+template <int D> void Assembly<D>::find_largest_diagonal() {
+  largest_diagonal_ = 0;
+  for (int position : diagonal_) largest_diagonal_ = std::max(largest_diagonal_, values_[at(position)]);
 }
 
 template class Assembly<2>;

@@ -30,8 +30,10 @@ public:
   /// freedom). The tangent times `increment` (all degrees of freedom, may be null) is added to the residual: how
   /// prescribed displacements enter the first iteration. Returns where an element is inverted; the results are then
   /// meaningless.
+  ///
+  /// Without `tangent` the residual alone is computed, and values() no longer belong to it; there must be no increment.
   std::optional<BodyInversion> assemble(std::vector<contact::Pair<D>>& pairs, const VectorX& displacement,
-                                        const VectorX* increment, Timings& timings);
+                                        const VectorX* increment, bool tangent, Timings& timings);
 
   const VectorX& residual() const { return residual_; }
   /// Values of the tangent in the order of pattern().
@@ -39,8 +41,8 @@ public:
   const solve::Pattern& pattern() const { return pattern_; }
   /// Grows by one whenever the pattern is a new one.
   int pattern_version() const { return version_; }
-  /// Largest diagonal entry of the tangent.
-  double largest_diagonal() const;
+  /// Largest diagonal entry of the last tangent; 0 before the first.
+  double largest_diagonal() const { return largest_diagonal_; }
 
 private:
   using Nodes = std::vector<int>;
@@ -51,7 +53,8 @@ private:
   void cover(const std::vector<contact::Pair<D>>& pairs);
   bool locate(const std::vector<contact::Pair<D>>& pairs);
   void add_bulk_increment(int body, int e, const solid::ElementArrays<D>& arrays, const VectorX& increment);
-  void add_contacts(const std::vector<contact::Pair<D>>& pairs, const VectorX* increment);
+  void add_contacts(const std::vector<contact::Pair<D>>& pairs, const VectorX* increment, bool tangent);
+  void find_largest_diagonal();
 
   /// Where a contact group's entries go; found once per pattern.
   struct Placement {
@@ -70,6 +73,7 @@ private:
   std::vector<int> diagonal_;
   std::vector<double> values_; ///< one more than entries: what belongs to prescribed degrees of freedom lands there
   VectorX residual_;
+  double largest_diagonal_ = 0;
   int version_ = 0;
 };
 

@@ -38,7 +38,7 @@ Model<D>::Model(Scene<D> scene)
   for (const auto& named : scene_.bodies) size_ = std::max(size_, named.body->space().points().cwiseAbs().maxCoeff());
   // Friction at points that touch later counts from where they would touch now.
   std::string why;
-  assemble(nullptr, why);
+  assemble(nullptr, false, why);
   for (auto& pair : pairs_) pair.accept();
 }
 
@@ -50,8 +50,8 @@ template <int D> double Model<D>::accepted_target(int support, int component) co
   return accepted_targets_[at(support * D + component)];
 }
 
-template <int D> solve::Outcome Model<D>::assemble(const VectorX* increment, std::string& why) {
-  const auto inverted = assembly_.assemble(pairs_, displacement_, increment, timings_);
+template <int D> solve::Outcome Model<D>::assemble(const VectorX* increment, bool tangent, std::string& why) {
+  const auto inverted = assembly_.assemble(pairs_, displacement_, increment, tangent, timings_);
   if (!inverted) return solve::Outcome::converged;
   const auto& [body, inversion] = *inverted;
   why = text("an element of body '", scene_.bodies[at(body)].name, "' is inverted (J = ", inversion.jacobian,
@@ -97,10 +97,10 @@ template <int D> solve::NewtonReport Model<D>::solve_step(const StepOptions& opt
   bool first = pending;
 
   solve::NewtonSystem system;
-  system.assemble = [&](std::string& why) {
+  system.assemble = [&](bool tangent, std::string& why) {
     const VectorX* add = first ? &increment : nullptr;
     first = false;
-    return assemble(add, why);
+    return assemble(add, tangent, why);
   };
   system.residual = [&] { return assembly_.residual()(unknowns_.free()).norm(); };
   system.scale = [&] { return std::max(force_scale_, reaction_norm()); };
@@ -123,7 +123,7 @@ template <int D> void Model<D>::rollback() {
   for (auto& pair : pairs_) pair.rollback();
   // Reactions and contact results belong to the state again.
   std::string why;
-  assemble(nullptr, why);
+  assemble(nullptr, false, why);
 }
 
 template <int D>

@@ -55,7 +55,7 @@ public:
   solve::LinearKind linear_kind() const;
 
 private:
-  solve::Outcome assemble(const VectorX* increment, std::string& why);
+  solve::Outcome assemble(const VectorX* increment, bool tangent, std::string& why);
   bool advance(const StepOptions& options, VectorX& increment, double& energy);
   double reaction_norm() const;
   double rounding_floor() const;

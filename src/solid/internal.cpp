@@ -27,13 +27,13 @@ template <int D> ElementArrays<D>::ElementArrays(const Body<D>& body) {
 
 template <int D>
 std::optional<Inversion> internal_force(const Body<D>& body, int e, const double* displacement,
-                                        ElementArrays<D>& arrays) {
+                                        ElementArrays<D>& arrays, bool tangent) {
   const ElementTable& table = body.element(e);
   gather(body, e, displacement, arrays.local.data());
   const KernelResult result =
       table.kernel({table.functions, table.points, body.material().lambda, body.material().mu, arrays.local.data(),
                     body.gradients_of(e), body.weights_of(e), body.constant_of(e), arrays.force.data(),
-                    arrays.current.data(), arrays.factors.data(), arrays.blocks.data()});
+                    arrays.current.data(), arrays.factors.data(), tangent ? arrays.blocks.data() : nullptr});
   if (result.point < 0) return std::nullopt;
   return Inversion{e, body.reference_point(e, result.point), result.jacobian};
 }
@@ -60,8 +60,8 @@ template <int D> double stored_energy(const Body<D>& body, const double* displac
 
 template struct ElementArrays<2>;
 template struct ElementArrays<3>;
-template std::optional<Inversion> internal_force<2>(const Body<2>&, int, const double*, ElementArrays<2>&);
-template std::optional<Inversion> internal_force<3>(const Body<3>&, int, const double*, ElementArrays<3>&);
+template std::optional<Inversion> internal_force<2>(const Body<2>&, int, const double*, ElementArrays<2>&, bool);
+template std::optional<Inversion> internal_force<3>(const Body<3>&, int, const double*, ElementArrays<3>&, bool);
 template double stored_energy<2>(const Body<2>&, const double*);
 template double stored_energy<3>(const Body<3>&, const double*);
 

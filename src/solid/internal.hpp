@@ -21,13 +21,13 @@ template <int D> struct ElementArrays {
   std::vector<double> factors; ///< working space: two per Gauss point
 };
 
-/// f_iA = ∫ P_ik ∂R_A/∂X_k dV and ∂f_iA/∂u_jB for element e.
+/// f_iA = ∫ P_ik ∂R_A/∂X_k dV and, when `tangent` is wanted, ∂f_iA/∂u_jB for element e.
 ///
 /// `displacement` holds u of the body's control points, D values each. Returns where J ≤ 0 when the element is inverted
 /// (the arrays are then meaningless), nothing otherwise.
 template <int D>
 std::optional<Inversion> internal_force(const Body<D>& body, int e, const double* displacement,
-                                        ElementArrays<D>& arrays);
+                                        ElementArrays<D>& arrays, bool tangent = true);
 
 /// Stored energy of the whole body; infinity when an element is inverted.
 template <int D> double stored_energy(const Body<D>& body, const double* displacement);

@@ -15,7 +15,7 @@ struct KernelArguments {
   double* force;           ///< f_iA, D rows of n values
   double* current;         ///< working space, g_iA per Gauss point
   double* factors;         ///< working space, two per Gauss point
-  double* blocks;          ///< K^{ij}_{AB}, i ≤ j, n×n each
+  double* blocks;          ///< K^{ij}_{AB}, i ≤ j, n×n each; null: not wanted
 };
 
 /// Where an element is inverted: the Gauss point and its J; point −1 when it is not.

@@ -111,7 +111,7 @@ template <int D, int N> KernelResult run(const KernelArguments& in) {
   }
   // K^{ij}_{AB} = ∫ μ ∇R_A·∇R_B δ_ij + (μ − λ ln J) g_jA g_iB + λ g_iA g_jB dV,
   // from ∂P = μ ∂F + (μ − λ ln J) F⁻ᵀ ∂Fᵀ F⁻ᵀ + λ (F⁻ᵀ:∂F) F⁻ᵀ; the first term never changes.
-  tangent<D, N>(in.current, in.factors, in.constant, in.points, n, in.blocks);
+  if (in.blocks) tangent<D, N>(in.current, in.factors, in.constant, in.points, n, in.blocks);
   return {-1, 1};
 }
 

@@ -27,8 +27,9 @@ struct NewtonOptions {
 
 /// What the loop needs from a system of equations.
 struct NewtonSystem {
-  /// Residual and tangent at the present state. Returns converged, or why there are none (message in `why`).
-  std::function<Outcome(std::string& why)> assemble;
+  /// Residual and, when wanted, tangent at the present state. Returns converged, or why there are none (message in
+  /// `why`).
+  std::function<Outcome(bool tangent, std::string& why)> assemble;
   /// 2-norm of the residual of the free unknowns.
   std::function<double()> residual;
   /// The residual that counts as zero is tolerance·scale() + floor(): scale is the size of the forces in the run so

@@ -15,13 +15,15 @@ namespace {
 struct Scalar {
   std::function<double(double)> f, slope;
   double x = 0, scale = 1, floor = 0;
-  int assemblies = 0, solves = 0;
+  int assemblies = 0, tangents = 0, solves = 0;
+  double tangent_at = std::numeric_limits<double>::quiet_NaN();
   Outcome outcome = Outcome::converged;
 
   NewtonReport solve(const NewtonOptions& options = {}, bool pending = false) {
     NewtonSystem system;
-    system.assemble = [this](std::string& why) {
+    system.assemble = [this](bool tangent, std::string& why) {
       ++assemblies;
+      if (tangent) ++tangents, tangent_at = x;
       why = "as the test wants it";
       return outcome;
     };
@@ -30,6 +32,7 @@ struct Scalar {
     system.floor = [this] { return floor; };
     system.advance = [this](double& energy) {
       ++solves;
+      EXPECT_EQ(tangent_at, x); // a step never uses an old tangent
       if (slope(x) == 0) return false;
       const double step = -f(x) / slope(x);
       energy = std::abs(f(x) * step);
@@ -56,6 +59,24 @@ TEST(Newton, ConvergesQuadratically) {
   for (std::size_t k = 1; k < report.residuals.size(); ++k)
     EXPECT_LE(report.residuals[k], std::pow(report.residuals[k - 1], 2) / 4 + 1e-15);
   for (std::size_t k = 1; k < report.energies.size(); ++k) EXPECT_LT(report.energies[k], report.energies[k - 1]);
+}
+
+TEST(Newton, TheResidualAloneConfirmsConvergenceThatIsForeseen) {
+  Scalar problem = root_of_two();
+  const NewtonReport report = problem.solve({1e-10, 25});
+  EXPECT_EQ(problem.assemblies, report.iterations + 1);
+  EXPECT_EQ(problem.tangents, report.iterations);
+}
+
+TEST(Newton, AForeseenConvergenceThatDoesNotComeCostsOneMoreAssembly) {
+  // Residuals 1, 1e-4, for which the square law foresees 1e-12; a slope twice too steep leaves 5e-6.
+  Scalar problem{[](double x) { return x < 0.9e-4 ? 0.1 * x : x; },
+                 [](double x) { return x < 0.9e-4 ? 0.1
+                                       : x < 1    ? 2.0
+                                                  : 1 / 0.9999; }, 1.0};
+  const NewtonReport report = problem.solve({1e-10, 50});
+  EXPECT_EQ(report.outcome, Outcome::converged);
+  EXPECT_GT(problem.assemblies, report.iterations + 1);
 }
 
 TEST(Newton, LinearSystemsNeedOneSolve) {
@@ -119,7 +140,7 @@ TEST(Newton, SingularTangentAndWhatAssemblyReports) {
 TEST(Newton, EnergyMustFallToo) {
   int calls = 0;
   NewtonSystem system;
-  system.assemble = [](std::string&) { return Outcome::converged; };
+  system.assemble = [](bool, std::string&) { return Outcome::converged; };
   system.residual = [&] { return calls == 0 ? 1.0 : 1e-12; };
   system.scale = [] { return 1.0; };
   system.floor = [] { return 0.0; };
