@@ -30,7 +30,8 @@ std::vector<Side> read_contact(lua_State* L, const Options& o, int dimensions) {
   if (!o.has("contact")) return sides;
   const Argument argument = o.argument("contact", "the face that carries the layer, or a list of two opposite ones");
   const int index = o.push_value("contact");
-  const auto add = [&](int at) { sides.push_back(nurbs::side_of(read_string(L, at, argument), dimensions)); };
+  const std::vector<std::string> names = {"west", "east", "south", "north"};
+  const auto add = [&](int at) { sides.push_back(nurbs::side_of(read_choice(L, at, argument, names), dimensions)); };
   if (!lua_istable(L, index)) {
     add(index);
     return sides;

@@ -14,8 +14,8 @@ int number(const std::ssub_match& digits, int otherwise) {
 }
 
 void check_degree(const std::string& text, const Space& space) {
-  require(space.degree >= 1 && space.full_degree() <= max_degree, "label '", text, "': degree ", space.full_degree(),
-          " is outside 1 … ", max_degree);
+  require(space.degree >= 1 && space.full_degree() <= max_degree, "order: label '", text, "': degree ",
+          space.full_degree(), " is outside 1 … ", max_degree);
 }
 
 } // namespace
@@ -30,18 +30,19 @@ Label parse_label(const std::string& text) {
     label.lagrange = true;
     label.bulk = {number(part[1], 0)};
   } else {
-    require(std::regex_match(text, part, nurbs), "unknown discretisation label '", text,
+    require(std::regex_match(text, part, nurbs), "order: unknown discretisation label '", text,
             "'; labels read Np (N2), Np.s (N2.1), Lp (L2), Nb-Nc (N2-N4), Nb-Nc.s (N2-N2.2), or Nb-Nc.sxr (N2-N2.2x2)");
     label.bulk = {number(part[1], 0), number(part[2], 0)};
     if (part[3].matched) {
       label.layer = Space{number(part[3], 0), number(part[4], 0)};
       label.rows = number(part[5], 1);
       check_degree(text, *label.layer);
-      require(label.bulk.elevations == 0, "label '", text, "': the bulk of a layered label is plain Np; write N",
+      require(label.bulk.elevations == 0, "order: label '", text, "': the bulk of a layered label is plain Np; write N",
               label.bulk.degree, text.substr(text.find('-')));
-      require(label.layer->degree >= label.bulk.degree, "label '", text, "': the layer's degree ", label.layer->degree,
-              " is below the bulk's ", label.bulk.degree, "; a layer is of the bulk's degree or higher");
-      require(label.rows >= 1, "label '", text, "': the layer is ", label.rows, " rows deep; x1 is the least");
+      require(label.layer->degree >= label.bulk.degree, "order: label '", text, "': the layer's degree ",
+              label.layer->degree, " is below the bulk's ", label.bulk.degree,
+              "; a layer is of the bulk's degree or higher");
+      require(label.rows >= 1, "order: label '", text, "': the layer is ", label.rows, " rows deep; x1 is the least");
     }
   }
   check_degree(text, label.bulk);

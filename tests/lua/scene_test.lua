@@ -1,0 +1,121 @@
+-- Bodies, models and what can be asked of them; and the wrong inputs that researchers make most.
+
+local sg = require "signorini"
+local check = require "check"
+
+local soft = sg.neo_hookean{ E = 1, nu = 0.3 }
+
+--- A block above another, 0.1 apart.
+local function two_blocks(friction)
+  local low = sg.body{ patch = sg.shapes.rectangle{ width = 2, height = 1 }, elements = {4, 2}, order = "N2",
+                       contact = "north", material = soft }
+  local high = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1, corner = {0.5, 1.1} }, elements = {3, 2},
+                        order = "N2-N2.1", contact = "south", material = soft }
+  return sg.model{
+    bodies   = { low = low, high = high },
+    supports = { bed = { on = low:face "south", fix = "xy" }, lid = { on = high:face "north", drive = "xy" } },
+    contacts = { joint = { slave = high:face "south", master = low:face "north", penalty = 50, friction = friction } },
+  }, low, high
+end
+
+check.case("bodies tell their degrees of freedom, faces and corners", function()
+  local _, low, high = two_blocks()
+  local dofs = high:dofs()
+  -- N2.1 on 3 elements: 4 + 2·2 functions on the face; N2: 5 in each of the two other rows
+  check.equal({ dofs.interface, dofs.bulk, dofs.total }, { 16, 20, 36 })
+  check.holds(low:face "west", "face 'west' of a body, 3 control points")
+  check.holds(low:corner "south-west", "corner 'south-west' of a body, 1 control point")
+  check.holds(low, "4 x 2 elements, 36 degrees of freedom")
+  check.equal(sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = {2, 2}, order = "N3",
+                       material = soft }:dofs().total, 2 * 5 * 5)
+end)
+
+check.case("reactions, contact resultant, profile, energy and samples of a pressed pair agree", function()
+  local model, low = two_blocks()
+  local run = model:run{ { name = "press", steps = 4, lid = {0, -0.2} } }
+  check.equal(run.failed, false)
+  local lid, bed, joint = model:reaction "lid", model:reaction "bed", model:contact_resultant "joint"
+  check.near(lid, { -bed[1], -bed[2] }, 1e-9)
+  check.near({ joint.fx, joint.fy }, { -lid[1], -lid[2] }, 1e-9)
+  local profile, pressed = model:profile "joint", 0
+  for i, pressure in ipairs(profile.pressure) do
+    pressed = math.max(pressed, pressure)
+    check.equal(pressure > 0, profile.state[i] ~= "open")
+    check.near(pressure, math.max(0, -50 * profile.gap[i]), 1e-12)
+  end
+  check.equal(pressed, joint.max_pressure)
+  check.near(model:sample("low", "uy", {0.5, 0}), 0)
+  check.near(model:sample(low, "F11", {0.5, 0}), 1)
+  -- The work of the lid's force over 0.1 is at least half stored, and none is won.
+  local stored = model:energy().stored
+  assert(stored > 0 and stored < 0.1 * -lid[2])
+  check.near(model:target "lid", { 0, -0.2 })
+end)
+
+check.case("a step that fails leaves the accepted state", function()
+  local model = two_blocks{ mu = 0.3, penalty = 50 }
+  model:run{ { name = "press", steps = 4, lid = {0, -0.2} } }
+  local before = model:reaction "lid"
+  local run = model:run{ { name = "crush", steps = 1, lid = {0, -1.9} } }
+  check.equal(run.failed, true)
+  check.holds(run.report, "crush")
+  check.near(model:reaction "lid", before, 1e-10)
+  check.near(model:target "lid", { 0, -0.2 })
+end)
+
+-- Each ends with status 1 and a message that names the script's line, the argument, what came and the cure.
+local start = [[
+local sg = require "signorini"
+local soft = sg.neo_hookean{ E = 1, nu = 0.3 }
+local r = sg.shapes.rectangle{ width = 3, height = 1 }
+local a = sg.body{ patch = r, elements = {4, 2}, order = "N2", contact = "north", material = soft }
+local b = sg.body{ patch = r:translate{0, 1}, elements = {4, 2}, order = "N2", contact = "south", material = soft }
+]]
+local wrong = {
+  { "a misspelt key", [[sg.body{ patch = r, elements = {4, 2}, ordre = "N2", material = soft }]],
+    "sg.body: unknown argument 'ordre' (the string 'N2'); did you mean 'order'?" },
+  { "a string for a number", [[sg.neo_hookean{ E = "1000", nu = 0.3 }]],
+    "sg.neo_hookean: E must be a positive number", "got the string '1000'", "remove the quotes" },
+  { "nan", [[sg.neo_hookean{ E = 1, nu = 0 / 0 }]], "nu must be a finite number", "nan", "division by zero" },
+  { "a negative Young's modulus", [[sg.neo_hookean{ E = -5, nu = 0.3 }]], "E must be a positive number (Young's modulus",
+    "got the number -5", "give a value above 0" },
+  { "an incompressible material", [[sg.neo_hookean{ E = 5, nu = 0.5 }]], "nu must lie in (-1, 0.5)", "got 0.5", "try 0.49" },
+  { "no elements", [[sg.body{ patch = r, elements = {0, 2}, order = "N2", contact = "north", material = soft }]],
+    "sg.body: elements[1] must be a whole number from 1", "got the number 0", "give a value from 1" },
+  { "an unknown label", [[sg.body{ patch = r, elements = {4, 2}, order = "Q2", contact = "north", material = soft }]],
+    "sg.body: order: unknown discretisation label 'Q2'", "Np (N2)" },
+  { "an unknown face", [[sg.body{ patch = r, elements = {4, 2}, order = "N2", contact = "top", material = soft }]],
+    "sg.body: contact must be", "'north'", "got the string 'top'" },
+  { "slave and master the same", [[sg.model{ bodies = { a = a, b = b },
+      contacts = { i = { slave = a:face "north", master = a:face "north", penalty = 100 } } }]],
+    "sg.model: contacts.i.master is the same face as contacts.i.slave", "name a face of the other body" },
+  { "a drive on a fixed face", [[sg.model{ bodies = { a = a, b = b },
+      supports = { bed = { on = a:face "south", fix = "xy" }, push = { on = a:face "south", drive = "y" } } }]],
+    "sg.model: supports: 'push' drives y of a control point that 'bed' already fixes", "take it out of one of the two" },
+  { "a support that drives what it fixes", [[sg.model{ bodies = { a = a },
+      supports = { bed = { on = a:face "south", fix = "xy", drive = "y" } } }]],
+    "supports.bed both fixes and drives y", "either fixed or driven" },
+  { "a layer without a contact face", [[sg.body{ patch = r, elements = {4, 2}, order = "N2-N4", material = soft }]],
+    "'N2-N4' has a layer, but the body names no contact face", [[add contact = "south"]] },
+  { "a layer deeper than the body",
+    [[sg.body{ patch = r, elements = {4, 2}, order = "N2-N2.2x9", contact = "north", material = soft }]],
+    "'N2-N2.2x9' is 9 rows deep, but the body has only 3" },
+  { "a left-handed patch", [[sg.body{ patch = sg.nurbs.surface{ degrees = {1, 1}, knots = { {0, 0, 1, 1}, {0, 0, 1, 1} },
+      points = { {1, 0}, {0, 0}, {1, 1}, {0, 1} } }, elements = {1, 1}, order = "N1", contact = "north", material = soft }]],
+    "not right-handed", "reverse one parametric direction" },
+  { "a body that the model does not know", [[sg.model{ bodies = { a = a }, supports = { s = { on = b:face "south", fix = "x" } } }]],
+    "is on a body that is not in bodies: add it there" },
+  { "a support that holds nothing", [[sg.model{ bodies = { a = a }, supports = { s = { on = a:face "south" } } }]],
+    "supports.s holds nothing", [[add fix = "xy" or drive = "xy"]] },
+  { "an unknown field", [[sg.picture{ model = sg.model{ bodies = { a = a } }, file = "a.png", field = "uu" }]],
+    "sg.picture", "unknown field 'uu'", "known: ux, uy" },
+}
+for _, case in ipairs(wrong) do
+  check.case(case[1], function()
+    local output, status = check.script(start .. case[2])
+    check.equal(status, 1)
+    check.holds(output, "signorini: study.lua:6: ", table.unpack(case, 3))
+  end)
+end
+
+check.done()
