@@ -18,7 +18,8 @@
 -- Expected: the amplitudes of Table 7.3 at m1 (in % of N2, dPy and dPx): N4 49.88 and 23.31, N6 24.57 and 11.81,
 --           N2-N6 23.83 and 12.09, N2-N2.1 5.98 and 30.84, N2-N2.2 4.31 and 7.51; N2-N4 and N2-N2.3 a few points higher
 --           than printed. An amplitude is max − min over steps 110 to 165, about one element pitch in the slab's middle.
--- Run: signorini scripts/ironing2d.lua [mesh=m1] [labels=N2,N4,N6,N2-N4,N2-N6,N2-N2.1,N2-N2.2,N2-N2.3] [out=out/ironing2d]
+-- Run: signorini scripts/ironing2d.lua [mesh=m1] [labels=N2,N4,N6,N2-N4,N2-N6,N2-N2.1,N2-N2.2,N2-N2.3] [linear=auto]
+--      [out=out/ironing2d]; linear is the sparse solver, auto, klu or umfpack.
 
 local sg = require "signorini"
 
@@ -30,11 +31,12 @@ local reference_label = "N2"
 -- ── Arguments ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 local function read_arguments(words)
-  local options = { mesh = "m1", labels = "N2,N4,N6,N2-N4,N2-N6,N2-N2.1,N2-N2.2,N2-N2.3", out = "out/ironing2d" }
+  local options = { mesh = "m1", labels = "N2,N4,N6,N2-N4,N2-N6,N2-N2.1,N2-N2.2,N2-N2.3", linear = "auto",
+                    out = "out/ironing2d" }
   for _, word in ipairs(words) do
     local key, value = word:match "^(%w+)=(.+)$"
     if not options[key] then
-      error(("unknown argument '%s'; known: mesh=m1, labels=N2,N4, out=folder"):format(word), 0)
+      error(("unknown argument '%s'; known: mesh=m1, labels=N2,N4, linear=auto, out=folder"):format(word), 0)
     end
     options[key] = value
   end
@@ -42,7 +44,7 @@ local function read_arguments(words)
   if not level then error(("mesh must be one of m1 to m6, got '%s'"):format(options.mesh), 0) end
   local labels = {}
   for label in options.labels:gmatch "[^,]+" do labels[#labels + 1] = label end
-  return { mesh = options.mesh, level = level, labels = labels, out = options.out }
+  return { mesh = options.mesh, level = level, labels = labels, linear = options.linear, out = options.out }
 end
 
 -- ── Scene and path ───────────────────────────────────────────────────────────────────────────────────────────────────
@@ -70,12 +72,12 @@ local function scene(label, level)
 end
 
 --- Runs one label; `on_step` draws the pictures of the label that is asked for them.
-local function solve(label, level, on_step)
+local function solve(label, level, linear, on_step)
   local model, die, slab = scene(label, level)
   local run = model:run({
     { name = "press", steps = press_steps, grip = {0, -0.23} },
     { name = "slide", steps = slide_steps, grip = {1.5, -0.23} },
-  }, { on_step = on_step and function(info) on_step(model, info.step) end })
+  }, { linear = linear, on_step = on_step and function(info) on_step(model, info.step) end })
   return { label = label, run = run, die_dofs = die:dofs(), slab_dofs = slab:dofs() }
 end
 
@@ -230,7 +232,7 @@ end
 
 for i, label in ipairs(options.labels) do
   print(("%s at %s"):format(label, options.mesh))
-  local case = solve(label, options.level, i == 1 and draw_state or nil)
+  local case = solve(label, options.level, options.linear, i == 1 and draw_state or nil)
   print(case.run)
   case.run:csv(path(label .. ".csv"))
   cases[i], cases[label] = case, case

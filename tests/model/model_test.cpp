@@ -131,7 +131,10 @@ TEST(Model, SolutionDoesNotDependOnTheLinearSolver) {
   EXPECT_NEAR((klu.reaction(grip) - umfpack.reaction(grip)).norm(), 0, 1e-9 * klu.reaction(grip).norm());
 }
 
-/// Equal but for rounding: the failed attempt may have met other elements, and so another ordering of the unknowns.
+/// Equal to what Newton's tolerance promises, a residual of 1e-10 of the forces: the failed attempt may have met other
+/// elements and so another ordering of the unknowns, whose rounding can end an iteration earlier or later.
+/// Displacements of the attempt that were left behind show in the first digits. (Pairs are held to the last bit in
+/// pair_test.cpp.)
 TEST(Model, FailedAttemptLeavesNoTrace) {
   Model<2> straight(ironing("N2")), tried(ironing("N2"));
   iron(straight, 1, 52);
@@ -142,8 +145,8 @@ TEST(Model, FailedAttemptLeavesNoTrace) {
   EXPECT_NE(ironing_step(tried, 150, cut).outcome, solve::Outcome::converged);
   tried.rollback();
   iron(tried, 51, 52);
-  EXPECT_NEAR((straight.displacement() - tried.displacement()).norm(), 0, 1e-13 * straight.displacement().norm());
-  EXPECT_NEAR((straight.reaction(grip) - tried.reaction(grip)).norm(), 0, 1e-12 * straight.reaction(grip).norm());
+  EXPECT_NEAR((straight.displacement() - tried.displacement()).norm(), 0, 1e-9 * straight.displacement().norm());
+  EXPECT_NEAR((straight.reaction(grip) - tried.reaction(grip)).norm(), 0, 1e-9 * straight.reaction(grip).norm());
 }
 
 } // namespace
