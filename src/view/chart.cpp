@@ -72,7 +72,8 @@ void check(const std::vector<Series>& series, const ChartOptions& options) {
   require(any, "the chart's series hold no finite point; nothing can be drawn");
 }
 
-/// The given range, or the values' own with a little air; a single value gets room on both sides.
+/// The given range, or the values' own with a little air; a single value, or values that only rounding tells apart, get
+/// room on both sides.
 Range axis_range(Range values, const std::optional<std::array<double, 2>>& given, bool log, char axis, double air) {
   if (given) {
     const auto [low, high] = *given;
@@ -82,11 +83,13 @@ Range axis_range(Range values, const std::optional<std::array<double, 2>>& given
     return {low, high};
   }
   if (log) {
-    const double factor = values.low == values.high ? 2 : std::pow(values.high / values.low, air);
+    const double factor = values.high / values.low < 1 + 1e-9 ? 2 : std::pow(values.high / values.low, air);
     return {values.low / factor, values.high * factor};
   }
   const double width = values.high - values.low;
-  const double room = width > 1e-12 * std::abs(values.high) ? air * width : std::max(0.1 * std::abs(values.high), 1e-9);
+  const double room = width > 1e-9 * std::max(std::abs(values.low), std::abs(values.high))
+                          ? air * width
+                          : std::max(0.1 * std::abs(values.high), 1e-9);
   return {values.low - room, values.high + room};
 }
 

@@ -67,9 +67,11 @@ Ticks linear_ticks(double low, double high, int count) {
   const int exponent = size >= 5 || size <= -4 ? size : 0;
   const double scale = std::pow(10.0, -exponent);
   const int decimals = std::clamp(-static_cast<int>(std::floor(std::log10(step * scale) + slack)), 0, 15);
-  for (double k = std::ceil(low / step - slack); k <= high / step + slack; ++k) {
-    ticks.at.push_back(k * step);
-    ticks.labels.push_back(number(k * step * scale, decimals));
+  // Counted, as adding 1 changes nothing where a range is as narrow as rounding.
+  const double first = std::ceil(low / step - slack);
+  for (int i = 0; i <= count && first + i <= high / step + slack; ++i) {
+    ticks.at.push_back((first + i) * step);
+    ticks.labels.push_back(number((first + i) * step * scale, decimals));
   }
   if (exponent != 0) ticks.factor = "×" + power_of_ten(exponent);
   return ticks;

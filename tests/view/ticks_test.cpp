@@ -16,6 +16,12 @@ TEST(LinearTicks, AreRoundNumbersWithTheSameDecimals) {
   EXPECT_EQ(linear_ticks(0, 296, 9).labels, (Labels{"0", "50", "100", "150", "200", "250"}));
 }
 
+TEST(LinearTicks, EndAlsoOnARangeAsNarrowAsRounding) {
+  EXPECT_LE(linear_ticks(99.99999999999986, 100, 9).at.size(), 10U);
+  EXPECT_LE(linear_ticks(1, 1 + 4e-16, 9).at.size(), 10U);
+  EXPECT_LE(log_ticks(99.99999999999986, 100, 9).at.size(), 10U);
+}
+
 TEST(LinearTicks, ShareThePowerOfTenOfVeryLargeAndVerySmallNumbers) {
   const Ticks large = linear_ticks(0, 2.4e6, 6);
   EXPECT_EQ(large.factor, "×10⁶");
