@@ -28,8 +28,9 @@ public:
 };
 
 /// `automatic` takes KLU up to `klu_limit` unknowns and UMFPACK beyond. Measured on plane frictional ironing with N2
-/// (scripts/ironing2d.lua mesh=… labels=N2 linear=…), time of KLU over that of UMFPACK: 0.2 with 134 degrees of freedom,
-/// 0.3 with 402, 0.7 with 1370, 1.3 with 5034; small systems gain by the refactorisation, large ones by dense kernels.
+/// (scripts/ironing2d.lua mesh=… labels=N2 linear=…), time of KLU over that of UMFPACK: 0.2 with 134 degrees of
+/// freedom, 0.3 with 402, 0.7 with 1370, 1.3 with 5034; small systems gain by the refactorisation, large ones by dense
+/// kernels.
 std::unique_ptr<LinearSolver> make_solver(LinearKind kind, const Pattern& pattern);
 inline constexpr int klu_limit = 2500;
 
