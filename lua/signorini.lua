@@ -35,10 +35,13 @@ sg.mkdir(path)
 Makes a folder and those above it; an existing folder is fine.]])
 document("model:run", core.types.model.run, [[
 model:run(stages, options)
-Takes a model along its load path and returns a run. Each stage { name = , steps = , <support> = {…} } moves driven
-supports in equal steps to the displacement at its end; supports that are not named stay where they are.
-options: newton = { tolerance, iterations }, linear = "auto", on_step = function(info) (return "stop" to end cleanly).
-A step that does not converge ends the run: run.failed, run.reason, run.report; the last accepted state is kept.
+Takes a model along its load path and returns a run. Each stage { name = , steps = , <support or load> = {…} } moves driven
+supports and loads in equal steps to the values at its end; those that are not named stay where they are.
+options: newton = { tolerance, iterations }, linear = "auto", on_step = function(info) (return "stop" to end cleanly),
+  step = { adaptive = true, min = 1/64, max = 1, growth = 2 }: a step that fails is cut in half, down to the part `min` of
+  it; after an easy increment (half of the iterations allowed) the next is `growth` times as long, up to `max`.
+  Increments are counted (run.cutbacks, run:column "increments", run:attempts(step)); rows are the steps. Off by default.
+A step that is not reached ends the run: run.failed, run.reason, run.report; the last accepted state is kept.
 run:column "grip.fx" is a list over the steps; print(run) is a short table; run:csv(file) writes all columns.
 Example: model:run{ { name = "press", steps = 46, grip = {0, -0.23} } }]])
 document("help", sg.help, [[

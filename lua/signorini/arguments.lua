@@ -51,6 +51,31 @@ function arguments.positive(where, name, value, default)
   return value
 end
 
+--- A finite number from `least`, or the default when absent.
+function arguments.at_least(where, name, value, least, default)
+  if value == nil and default then return default end
+  if not is_finite(value) or value < least then
+    arguments.reject(where, name, ("a number of at least %g"):format(least), value)
+  end
+  return value
+end
+
+--- A number above zero and at most `most`, or the default when absent.
+function arguments.share(where, name, value, most, default)
+  if value == nil and default then return default end
+  if not is_finite(value) or value <= 0 or value > most then
+    arguments.reject(where, name, ("a number above 0 and at most %g"):format(most), value)
+  end
+  return value
+end
+
+--- true or false, or the default when absent.
+function arguments.flag(where, name, value, default)
+  if value == nil then return default end
+  if type(value) ~= "boolean" then arguments.reject(where, name, "true or false", value) end
+  return value
+end
+
 --- A whole number of at least 1, or the default when absent.
 function arguments.count(where, name, value, default)
   if value == nil and default then return default end

@@ -1,47 +1,46 @@
--- The load path: model:run(stages, options). Each stage moves the driven supports in equal steps from where they are to
--- where they shall be; each step is solved, then accepted. What happened is kept in a run.
+-- The load path: model:run(stages, options). Each stage moves the driven supports and the loads in equal steps from where
+-- they are to where they shall be; each step is solved, then accepted. What happened is kept in a run.
 
 local core = require "signorini.core"
 local arguments = require "signorini.arguments"
+local drives = require "signorini.drives"
 local progress = require "signorini.progress"
+local steps = require "signorini.steps"
 local Run = require "signorini.run_result"
 
 local where = "model:run"
 
 -- ── Reading the arguments ────────────────────────────────────────────────────────────────────────────────────────────
 
---- The target of a support at the end of a stage as a list by driven component.
-local function read_target(model, stage, support, value)
-  local driven = model:driven(support)
-  local name = ("%s.%s"):format(stage, support)
-  local components = table.concat(driven, ", ")
-  if #driven == 0 then
+--- The target of a support or a load at the end of a stage, as a list by driven component.
+local function read_target(model, stage, drive, value)
+  local components = drives.components(model, drive)
+  local name = ("%s.%s"):format(stage, drive)
+  if #components == 0 then
     core.fail(("%s: the support '%s' of stage '%s' is not driven: give it drive = \"x\", \"y\" or \"xy\" in sg.model")
-      :format(where, support, stage))
+      :format(where, drive, stage))
   end
-  if type(value) == "number" and #driven == 1 then value = { value } end
-  local expected = ("a list of %d displacement%s (%s)"):format(#driven, #driven == 1 and "" or "s", components)
+  if type(value) == "number" and #components == 1 then value = { value } end
+  local expected = ("a list of %d value%s (%s)"):format(#components, #components == 1 and "" or "s",
+    table.concat(components, ", "))
   if type(value) ~= "table" then arguments.reject(where, name, expected, value) end
-  if #value ~= #driven then
-    arguments.reject(where, name, expected, value, "one for each component that the support drives")
+  if #value ~= #components then arguments.reject(where, name, expected, value, "one for each driven component") end
+  for i, component in ipairs(components) do
+    arguments.number(where, ("%s[%d] (%s)"):format(name, i, component), value[i])
   end
-  for i, component in ipairs(driven) do
-    arguments.number(where, ("%s[%d] (displacement in %s)"):format(name, i, component), value[i])
-  end
-  return table.move(value, 1, #driven, 1, {})
+  return table.move(value, 1, #components, 1, {})
 end
 
-local function read_stage(model, index, stage, supports)
+local function read_stage(model, index, stage, known)
   local label = ("stage %d"):format(index)
   if type(stage) ~= "table" then arguments.reject(where, label, "a table { steps = …, <support> = {…} }", stage) end
   local name = arguments.string(where, label .. ".name", stage.name, label)
   local read = { name = name, steps = arguments.count(where, name .. ".steps", stage.steps), targets = {} }
   for key, value in pairs(stage) do
-    if type(key) == "string" and supports[key] then
+    if type(key) == "string" and known[key] then
       read.targets[key] = read_target(model, name, key, value)
     elseif key ~= "name" and key ~= "steps" then
-      arguments.unknown(where, key, ("stage '%s'"):format(name),
-        table.move(supports, 1, #supports, 3, { "name", "steps" }))
+      arguments.unknown(where, key, ("stage '%s'"):format(name), table.move(known, 1, #known, 3, { "name", "steps" }))
     end
   end
   return read
@@ -51,82 +50,103 @@ local function read_stages(model, stages)
   if type(stages) ~= "table" or #stages == 0 or stages.steps then
     arguments.reject(where, "stages", "a list of stages", stages, "write model:run{ { steps = 10, grip = {0, -1} } }")
   end
-  local supports = model:support_names()
-  for _, name in ipairs(supports) do supports[name] = true end
+  local known = drives.names(model)
+  for _, name in ipairs(known) do known[name] = true end
   local read, total = {}, 0
   for i, stage in ipairs(stages) do
-    read[i] = read_stage(model, i, stage, supports)
+    read[i] = read_stage(model, i, stage, known)
     total = total + read[i].steps
   end
   return read, total
 end
 
---- What solve_step takes, and the callback after each step.
+--- The policy that takes each step (see steps.lua).
+local function read_policy(step)
+  if step == nil then return steps.plain() end
+  arguments.table(where, "options.step", step, { "adaptive", "min", "max", "growth" })
+  local max = arguments.share(where, "step.max", step.max, 1, 1)
+  local options = { max = max, min = arguments.share(where, "step.min", step.min, max, math.min(max, 1 / 64)),
+                    growth = arguments.at_least(where, "step.growth", step.growth, 1, 2) }
+  return arguments.flag(where, "step.adaptive", step.adaptive, true) and steps.halving(options) or steps.plain()
+end
+
+--- What solve_step takes, the policy, and the callback after each step.
 local function read_options(options)
-  arguments.table(where, "options", options, { "newton", "linear", "on_step" })
+  arguments.table(where, "options", options, { "newton", "step", "linear", "on_step" })
   options = options or {}
   local newton = arguments.table(where, "options.newton", options.newton, { "tolerance", "iterations" })
   return {
     tolerance = arguments.positive(where, "newton.tolerance", newton.tolerance, 1e-10),
     iterations = arguments.count(where, "newton.iterations", newton.iterations, 25),
     linear = arguments.string(where, "linear", options.linear, "auto"),
-  }, arguments.callback(where, "on_step", options.on_step)
+  }, read_policy(options.step), arguments.callback(where, "on_step", options.on_step)
 end
+
+-- ── One step ─────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- What a policy takes: step `number` of a stage, of which the part `done` is accepted.
+local Step = {}
+Step.__index = Step
+
+local function begin_step(model, run, stage, number, solver)
+  run:begin_step()
+  return setmetatable({ model = model, run = run, stage = stage, number = number, solver = solver, done = 0 }, Step)
+end
+
+--- Prescribes the targets at the part `to` of the step: linear from the stage's start, its end met exactly.
+function Step:set_targets(to)
+  local stage = self.stage
+  local part = (self.number - 1 + to) / stage.steps
+  for name, goal in pairs(stage.targets) do
+    local start, now = stage.starts[name], stage.now[name]
+    for i = 1, #goal do now[i] = part == 1 and goal[i] or start[i] + (goal[i] - start[i]) * part end
+    self.model:set_target(name, now)
+  end
+end
+
+--- Solves for the targets at the part `to` of the step, then accepts or rolls back. Returns the solver's result.
+function Step:attempt(to)
+  local began = core.now()
+  self:set_targets(to)
+  local result = self.model:solve_step(self.solver)
+  if result.converged then self.model:accept() else self.model:rollback() end
+  self.run:record_attempt(self.done, to, result, core.now() - began)
+  if result.converged then self.done = to end
+  return result
+end
+
+--- A failed attempt is going to be repeated with a shorter one.
+function Step:cut_back() self.run:record_cutback() end
 
 -- ── The path ─────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- Prescribes the displacements of step k of a stage: linear from the stage's start, its end met exactly.
-local function set_targets(model, stage, k)
-  local part = k / stage.steps
-  for support, goal in pairs(stage.targets) do
-    local start, now = stage.starts[support], stage.now[support]
-    for i = 1, #goal do now[i] = k == stage.steps and goal[i] or start[i] + (goal[i] - start[i]) * part end
-    model:set_target(support, now)
-  end
-end
-
 local function begin_stage(model, stage)
   stage.starts, stage.now = {}, {}
-  for support in pairs(stage.targets) do
-    stage.starts[support] = model:target(support)
-    stage.now[support] = {}
+  for name in pairs(stage.targets) do
+    stage.starts[name], stage.now[name] = model:target(name), {}
   end
-end
-
---- Solves one step, then accepts it or rolls back. Returns the solver's result.
-local function take_step(model, run, stage, k, solver)
-  local began = core.now()
-  set_targets(model, stage, k)
-  local result = model:solve_step(solver)
-  if not result.converged then
-    model:rollback()
-    run:record_failure(stage, k, result, core.now() - began)
-  else
-    model:accept()
-    run:record(stage, result, core.now() - began)
-  end
-  return result
 end
 
 --- Takes the model along the stages and returns a run. A step that fails ends the run with the last accepted state intact;
 --- that is a result (run.failed, run.reason, run.report), not an error.
 return function(model, stages, options)
   local path, total = read_stages(model, stages)
-  local solver, on_step = read_options(options)
+  local solver, policy, on_step = read_options(options)
   local run = Run.new(model)
   local display = progress(total)
   for _, stage in ipairs(path) do
     begin_stage(model, stage)
     run:begin_stage(stage)
-    for k = 1, stage.steps do
-      local result = take_step(model, run, stage, k, solver)
+    for number = 1, stage.steps do
+      local result = policy:take(begin_step(model, run, stage, number, solver))
+      if result.converged then run:record_step() else run:record_failure(stage, number, result) end
       display:step(stage.name)
       if result.converged and on_step then
         display:clear()
         if on_step(run:info(stage, result)) == "stop" then run.reason = "stopped" end
       end
       if run.reason ~= "completed" then
-        display:line(("%s: %s in step %d of %d"):format(stage.name, run.reason, k, stage.steps))
+        display:line(("%s: %s in step %d of %d"):format(stage.name, run.reason, number, stage.steps))
         return run:finish(model)
       end
     end

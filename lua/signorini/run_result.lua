@@ -1,7 +1,8 @@
--- What a load path leaves behind: one row per accepted step, how much work it was, and why it ended.
+-- What a load path leaves behind: one row per step that was reached, how much work it was, and why it ended.
 
 local core = require "signorini.core"
 local csv = require "signorini.csv"
+local drives = require "signorini.drives"
 local format_table = require "signorini.table"
 
 local Run = {}
@@ -20,65 +21,121 @@ local function add_column(run, name)
   return values
 end
 
+local function add_columns(run, name, keys)
+  local columns = {}
+  for i, key in ipairs(keys) do columns[i] = add_column(run, name .. "." .. key) end
+  return columns
+end
+
+--- Columns of a list that `read` returns after each step.
+local function record_list(run, columns, read)
+  run.recorders[#run.recorders + 1] = function(row)
+    local list = read()
+    for i, values in ipairs(columns) do values[row] = list[i] end
+  end
+end
+
+--- The reaction of a support, with the moment last where it rotates.
+local function record_reaction(run, model, support)
+  local driven, keys = model:driven(support), {}
+  for i = 1, #model:reaction(support) do keys[i] = "f" .. axes[i] end
+  if driven[#driven] == "angle" then keys[#keys] = "moment" end
+  record_list(run, add_columns(run, support, keys), function() return model:reaction(support) end)
+end
+
+--- The accepted target of a driven support or a load.
+local function record_target(run, model, name)
+  record_list(run, add_columns(run, name, drives.components(model, name)), function() return model:target(name) end)
+end
+
+local function record_contact(run, model, contact)
+  local columns, resultant = {}, model:contact_resultant(contact)
+  for _, key in ipairs(contact_columns) do
+    if resultant[key] then columns[key] = add_column(run, contact .. "." .. key) end
+  end
+  run.recorders[#run.recorders + 1] = function(row)
+    local now = model:contact_resultant(contact)
+    for key, values in pairs(columns) do values[row] = now[key] end
+  end
+end
+
 --- A run without steps. Columns are set up once, so that a step only appends numbers.
 function Run.new(model)
   local run = setmetatable({
-    failed = false, reason = "completed", steps = 0, iterations = 0, wall = 0, stages = {},
+    failed = false, reason = "completed", steps = 0, iterations = 0, cutbacks = 0, wall = 0, stages = {},
     names = {}, values = {}, histories = {}, recorders = {}, before = model:timings(),
   }, Run)
-  run.step_column, run.iteration_column = add_column(run, "step"), add_column(run, "iterations")
-  run.wall_column = add_column(run, "wall")
-  for _, support in ipairs(model:support_names()) do
-    local columns = {}
-    for i = 1, #model:reaction(support) do columns[i] = add_column(run, support .. ".f" .. axes[i]) end
-    run.recorders[#run.recorders + 1] = function(step)
-      local reaction = model:reaction(support)
-      for i, values in ipairs(columns) do values[step] = reaction[i] end
-    end
-  end
-  for _, contact in ipairs(model:contact_names()) do
-    local columns, resultant = {}, model:contact_resultant(contact)
-    for _, key in ipairs(contact_columns) do
-      if resultant[key] then columns[key] = add_column(run, contact .. "." .. key) end
-    end
-    run.recorders[#run.recorders + 1] = function(step)
-      local now = model:contact_resultant(contact)
-      for key, values in pairs(columns) do values[step] = now[key] end
-    end
-  end
+  run.step_column, run.increment_column = add_column(run, "step"), add_column(run, "increments")
+  run.iteration_column, run.wall_column = add_column(run, "iterations"), add_column(run, "wall")
+  for _, support in ipairs(model:support_names()) do record_reaction(run, model, support) end
+  for _, name in ipairs(drives.names(model)) do record_target(run, model, name) end
+  for _, contact in ipairs(model:contact_names()) do record_contact(run, model, contact) end
   return run
 end
 
 function Run:begin_stage(stage)
-  self.stages[#self.stages + 1] = { name = stage.name, steps = 0, iterations = 0, wall = 0 }
+  self.stages[#self.stages + 1] = { name = stage.name, steps = 0, iterations = 0, cutbacks = 0, wall = 0 }
 end
 
-local function add_work(run, result, seconds)
-  local stage = run.stages[#run.stages]
-  stage.iterations, stage.wall = stage.iterations + result.iterations, stage.wall + seconds
-  run.iterations, run.wall = run.iterations + result.iterations, run.wall + seconds
-  run.histories[#run.histories + 1] = result.residuals
+--- A new step's attempts; its wall time and iterations are theirs, the failed ones' too.
+function Run:begin_step()
+  self.step = { increments = 0, iterations = 0, wall = 0 }
+  self.histories[#self.histories + 1] = {}
 end
 
---- Appends the row of an accepted step; `seconds` is what solving it took.
-function Run:record(stage, result, seconds)
-  add_work(self, result, seconds)
-  local step = self.steps + 1
-  self.steps = step
-  self.stages[#self.stages].steps = self.stages[#self.stages].steps + 1
-  self.step_column[step], self.iteration_column[step], self.wall_column[step] = step, result.iterations, seconds
-  for _, record in ipairs(self.recorders) do record(step) end
+--- Notes an attempt to get from one part of the step to another; `seconds` is what it took.
+function Run:record_attempt(from, to, result, seconds)
+  for _, account in ipairs { self, self.stages[#self.stages], self.step } do
+    account.iterations, account.wall = account.iterations + result.iterations, account.wall + seconds
+  end
+  if result.converged then self.step.increments = self.step.increments + 1 end
+  local attempts = self.histories[#self.histories]
+  attempts[#attempts + 1] = { from = from, to = to, converged = result.converged, reason = result.reason,
+                              iterations = result.iterations, residuals = result.residuals }
 end
 
---- Notes why a step was not accepted.
-function Run:record_failure(stage, k, result, seconds)
-  add_work(self, result, seconds)
-  local residuals = {}
-  for i, residual in ipairs(result.residuals) do residuals[i] = ("%.3g"):format(residual) end
+function Run:record_cutback()
+  local stage = self.stages[#self.stages]
+  self.cutbacks, stage.cutbacks = self.cutbacks + 1, stage.cutbacks + 1
+end
+
+--- Appends the row of a step that was reached.
+function Run:record_step()
+  local row, stage, step = self.steps + 1, self.stages[#self.stages], self.step
+  self.steps, stage.steps = row, stage.steps + 1
+  self.step_column[row], self.increment_column[row] = row, step.increments
+  self.iteration_column[row], self.wall_column[row] = step.iterations, step.wall
+  for _, record in ipairs(self.recorders) do record(row) end
+end
+
+local function joined(values, format)
+  local texts = {}
+  for i, value in ipairs(values) do texts[i] = format:format(value) end
+  return #texts > 0 and table.concat(texts, ", ") or "none"
+end
+
+--- The attempts since the last accepted one, in words; nothing when there was only one.
+local function tried(attempts, done)
+  local texts = {}
+  for _, attempt in ipairs(attempts) do
+    if not attempt.converged and attempt.from == done then
+      texts[#texts + 1] = ("%g (%s)"):format(attempt.to - done, attempt.reason)
+    end
+  end
+  if #texts < 2 then return "" end
+  return (" Tried from there, in parts of a step: %s."):format(table.concat(texts, ", "))
+end
+
+--- Notes why a step was not reached.
+function Run:record_failure(stage, number, result)
   self.failed, self.reason = true, result.reason
-  self.report = ("step %d (stage '%s', %d of %d) was not reached: %s. Residuals: %s. The model is at its last accepted step, %s.")
-    :format(self.steps + 1, stage.name, k, stage.steps, result.message ~= "" and result.message or result.reason,
-      #residuals > 0 and table.concat(residuals, ", ") or "none", self.steps > 0 and self.steps or "its start")
+  local attempts = self.histories[#self.histories]
+  local done = attempts[#attempts].from
+  local place = self.steps > 0 and ("step, %d"):format(self.steps) or "step, its start"
+  if done > 0 then place = ("increment, %g of the way from step %d to step %d"):format(done, self.steps, self.steps + 1) end
+  self.report = ("step %d (stage '%s', %d of %d) was not reached: %s.%s Residuals: %s. The model is at its last accepted %s.")
+    :format(self.steps + 1, stage.name, number, stage.steps, result.message ~= "" and result.message or result.reason,
+      tried(attempts, done), joined(result.residuals, "%.3g"), place)
 end
 
 --- What on_step sees after an accepted step: step, stage, iterations, residual, and every column's value by name.
@@ -98,7 +155,7 @@ function Run:finish(model)
     rest = rest - spent[account]
   end
   spent.rest = math.max(0, rest)
-  self.timings, self.recorders, self.before = spent, nil, nil
+  self.timings, self.recorders, self.before, self.step = spent, nil, nil, nil
   return self
 end
 
@@ -109,8 +166,9 @@ function Run:columns()
   return table.move(self.names, 1, #self.names, 1, {})
 end
 
---- The values of a column, one per accepted step: "step", "iterations", "wall" (seconds of that step), "<support>.fx"
---- (reaction), "<contact>.area" and so on.
+--- The values of a column, one per step that was reached: "step", "increments" it was made of, "iterations" and "wall"
+--- (seconds) with those of failed attempts, "<support>.fx" (reaction), "<support>.ux" (accepted target of a driven
+--- component), "<contact>.area" and so on.
 function Run:column(name)
   local values = self.values[name]
   if not values then
@@ -119,13 +177,26 @@ function Run:column(name)
   return table.move(values, 1, #values, 1, {})
 end
 
---- The residual norms of a step's iterations; a failed step is the one after the last accepted.
-function Run:residuals(step)
-  local history = self.histories[step]
-  if not history then
-    core.fail(("run:residuals: there is no step %s; the run has steps 1 to %d"):format(tostring(step), #self.histories))
+local function history(run, what, step)
+  local attempts = run.histories[step]
+  if not attempts then
+    core.fail(("%s: there is no step %s; the run has steps 1 to %d"):format(what, tostring(step), #run.histories))
   end
-  return table.move(history, 1, #history, 1, {})
+  return attempts
+end
+
+--- How a step was reached or missed: a list of { from, to, converged, reason, iterations, residuals }, where from and to
+--- are parts of the step; a step that was not reached is the one after the last row.
+function Run:attempts(step)
+  local attempts = history(self, "run:attempts", step)
+  return table.move(attempts, 1, #attempts, 1, {})
+end
+
+--- The residual norms of the iterations of a step's last attempt.
+function Run:residuals(step)
+  local attempts = history(self, "run:residuals", step)
+  local residuals = attempts[#attempts].residuals
+  return table.move(residuals, 1, #residuals, 1, {})
 end
 
 --- Writes all columns to a CSV file.
@@ -135,19 +206,25 @@ function Run:csv(file)
   csv.write(file, data)
 end
 
-local function work_row(name, work)
+local function work_row(name, work, cutbacks)
   local mean = work.steps > 0 and work.iterations / work.steps or nil
-  return { name, work.steps, work.iterations, mean, work.wall }
+  local row = { name, work.steps, work.iterations, mean, work.wall }
+  if cutbacks then table.insert(row, 3, work.cutbacks) end
+  return row
 end
 
---- A short table: steps, iterations and wall time by stage, and where the time went.
+--- A short table: steps, iterations and wall time by stage, and where the time went; cut-backs where there were any.
 function Run:__tostring()
-  local rows = {}
-  for i, stage in ipairs(self.stages) do rows[i] = work_row(stage.name, stage) end
-  rows[#rows + 1] = work_row("total", self)
+  local rows, columns, units = {}, { "stage", "steps", "iterations", "per step", "wall" }, { "", "", "", "", "s" }
+  local cutbacks = self.cutbacks > 0
+  if cutbacks then
+    table.insert(columns, 3, "cut-backs")
+    table.insert(units, 3, "")
+  end
+  for i, stage in ipairs(self.stages) do rows[i] = work_row(stage.name, stage, cutbacks) end
+  rows[#rows + 1] = work_row("total", self, cutbacks)
   local text = format_table {
-    columns = { "stage", "steps", "iterations", "per step", "wall" }, units = { "", "", "", "", "s" }, rows = rows,
-    formats = { ["per step"] = "%.2f", wall = "%.3f" },
+    columns = columns, units = units, rows = rows, formats = { ["per step"] = "%.2f", wall = "%.3f" },
   }
   local spent = self.timings
   text = ("%s\ntime: bulk %.3f s, contact %.3f s, factorisation and solve %.3f s, rest %.3f s")

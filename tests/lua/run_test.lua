@@ -18,10 +18,12 @@ check.case("each stage goes linearly from where the support is to its target", f
   local run = model:run(two_stages)
   check.near(run:column "grip.fy", { -0.3, -0.6, -0.9, -1.2, -1.2, -1.2 }, 1e-15)
   check.equal(run:column "grip.fx", { 0, 0, 0, 0, 1, 2 })
+  check.near(run:column "grip.uy", { -0.1, -0.2, -0.3, -0.4, -0.4, -0.4 }, 1e-15)
   check.equal(run:column "bed.fx", { 0, 0, 0, 0, -1, -2 })
   check.near(run:column "interface.area", { 0.1, 0.2, 0.3, 0.4, 0.4, 0.4 }, 1e-15)
   check.equal(run:column "step", { 1, 2, 3, 4, 5, 6 })
   check.equal(run:column "iterations", { 3, 3, 3, 3, 3, 3 })
+  check.equal(run:column "increments", { 1, 1, 1, 1, 1, 1 })
   check.equal(model.accepted, { 1, -0.4 }) -- met exactly, not to rounding
   check.equal({ run.failed, run.reason, run.steps, run.iterations }, { false, "completed", 6, 18 })
   check.equal(run:residuals(6), { 1, 1e-3, 1e-12 })
@@ -35,6 +37,13 @@ check.case("a second run goes on from the accepted state; a support that is not 
   check.near(run:column "grip.fx", { 2, 2, 2, 3, 4 })
   check.near(run:column "grip.fy", { -1.2, -1.2, -1.2, -0.6, 0 })
   check.equal(run:column "step", { 1, 2, 3, 4, 5 })
+end)
+
+check.case("angles and loads are targets like displacements, alone without braces", function()
+  local run = model_of():run{ { steps = 4, edge = 90, gas = { -2 } }, { steps = 2, gas = 0 } }
+  check.equal(run:column "edge.angle", { 22.5, 45, 67.5, 90, 90, 90 })
+  check.equal(run:column "edge.moment", { 112.5, 225, 337.5, 450, 450, 450 })
+  check.equal(run:column "gas.pressure", { -0.5, -1, -1.5, -2, -1, 0 })
 end)
 
 check.case("a failed step is rolled back and reported", function()
@@ -88,10 +97,12 @@ end)
 
 check.case("columns: their names, and what is not one", function()
   local run = model_of():run(two_stages)
-  check.equal(run:columns(), { "step", "iterations", "wall", "bed.fx", "bed.fy", "grip.fx", "grip.fy", "interface.fx",
+  check.equal(run:columns(), { "step", "increments", "iterations", "wall", "bed.fx", "bed.fy", "edge.fx", "edge.fy",
+    "edge.moment", "grip.fx", "grip.fy", "edge.angle", "grip.ux", "grip.uy", "gas.pressure", "interface.fx",
     "interface.fy", "interface.area", "interface.max_pressure", "interface.max_penetration" })
   check.fails(function() run:column "grip.fz" end, "run_test.lua:", "'grip.fz'", "grip.fy")
-  check.fails(function() run:residuals(7) end, "there is no step 7; the run has steps 1 to 6")
+  check.fails(function() run:residuals(7) end, "run:residuals: there is no step 7; the run has steps 1 to 6")
+  check.fails(function() run:attempts(0) end, "run:attempts: there is no step 0; the run has steps 1 to 6")
   run:column("step")[1] = 99 -- a copy
   check.equal(run:column("step")[1], 1)
 end)
@@ -118,11 +129,13 @@ check.case("wrong stages and options are refused before the first step", functio
     { { { name = "press", steps = 0 } }, "press.steps must be a whole number of at least 1, got the number 0" },
     { { { steps = 1.5 } }, "got the number 1.5" },
     { { { steps = "2" } }, "got the string '2'" },
-    { { { steps = 2, gripp = { 0, 1 } } }, "unknown argument 'gripp'", "did you mean 'grip'?", "name, steps, bed, grip" },
+    { { { steps = 2, gripp = { 0, 1 } } }, "unknown argument 'gripp'", "did you mean 'grip'?", "name, steps, bed, edge, grip, gas" },
     { { { steps = 2, { 0, 1 } } }, "unknown argument '1'" },
     { { { steps = 2, bed = { 0, 1 } } }, "'bed'", "not driven", 'drive = "x"' },
-    { { { steps = 2, grip = { 0 } } }, "grip must be a list of 2 displacements (x, y), got a list of 1 value" },
-    { { { steps = 2, grip = 1 } }, "grip must be a list of 2 displacements (x, y), got the number 1" },
+    { { { steps = 2, grip = { 0 } } }, "grip must be a list of 2 values (ux, uy), got a list of 1 value" },
+    { { { steps = 2, grip = 1 } }, "grip must be a list of 2 values (ux, uy), got the number 1" },
+    { { { steps = 2, edge = { 1, 2 } } }, "edge must be a list of 1 value (angle), got a list of 2 values" },
+    { { { steps = 2, gas = "1" } }, "gas must be a list of 1 value (pressure), got the string '1'" },
     { { { steps = 2, grip = { 0, "1" } } }, "grip[2]", "got the string '1': remove the quotes" },
     { { { steps = 2, grip = { 0, 0 / 0 } } }, "grip[2]", "nan" },
     { { { steps = 2 }, 7 }, "stage 2 must be a table" },
@@ -136,12 +149,111 @@ check.case("wrong stages and options are refused before the first step", functio
     { { newton = { tolerance = -1 } }, "newton.tolerance must be a positive number, got the number -1" },
     { { newton = { iterations = 0 } }, "newton.iterations must be a whole number" },
     { { linear = 3 }, "linear must be a string" },
+    { { step = true }, "options.step must be a table of named arguments, got true" },
+    { { step = { adaptiv = true } }, "unknown argument 'adaptiv' in options.step", "did you mean 'adaptive'?" },
+    { { step = { adaptive = 1 } }, "step.adaptive must be true or false, got the number 1" },
+    { { step = { min = 0 } }, "step.min must be a number above 0 and at most 1, got the number 0" },
+    { { step = { max = 2 } }, "step.max must be a number above 0 and at most 1, got the number 2" },
+    { { step = { max = 0.25, min = 0.5 } }, "step.min must be a number above 0 and at most 0.25, got the number 0.5" },
+    { { step = { growth = 0.5 } }, "step.growth must be a number of at least 1, got the number 0.5" },
     { { on_step = 3 }, "on_step must be a function" },
   }
   for _, case in ipairs(wrong_options) do
     check.fails(function() model:run({ { steps = 1 } }, case[1]) end, "run_test.lua:", table.unpack(case, 2))
   end
   check.equal(model.calls, {})
+end)
+
+-- ── Increments ───────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- A path from 0 to `steps` in steps of 1, on a spring on which an attempt of more than limit(x) from x fails. Returns the
+--- run, the model, and what was accepted of the path, point by point.
+local function climb(steps, limit, step, more)
+  local model
+  model = model_of(function(x)
+    local from = model.accepted[1]
+    return x - from > limit(from) + 1e-12 and "diverged" or nil
+  end)
+  local accept, points = model.accept, {}
+  function model:accept()
+    accept(self)
+    points[#points + 1] = self.accepted[1]
+  end
+  local options = more or {}
+  options.step = step
+  return model:run({ { name = "climb", steps = steps, grip = { steps, 0 } } }, options), model, points
+end
+
+local function rough(low, high, limit)
+  return function(x) return x > low - 1e-12 and x < high - 1e-12 and limit or 1 end
+end
+
+check.case("a failed step is cut in half; rows are the steps, work is all attempts", function()
+  local run, model, points = climb(4, rough(1, 2, 0.25), { adaptive = true, growth = 1 })
+  check.near(points, { 1, 1.25, 1.5, 1.75, 2, 2.25, 2.5, 2.75, 3, 3.25, 3.5, 3.75, 4 })
+  check.equal({ run.failed, run.steps, run.cutbacks, run.stages[1].cutbacks }, { false, 4, 2, 2 })
+  check.equal(run:column "grip.ux", { 1, 2, 3, 4 })
+  check.equal(run:column "increments", { 1, 4, 4, 4 })
+  check.equal(run:column "iterations", { 3, 2 * 25 + 4 * 3, 4 * 3, 4 * 3 })
+  check.equal(run.iterations, 3 + 62 + 12 + 12)
+  check.equal(model.accepted, { 4, 0 }) -- met exactly
+  check.holds(tostring(run), "cut-backs", "climb      4          2          89")
+  local attempts = run:attempts(2)
+  check.equal({ #attempts, attempts[1].from, attempts[1].to, attempts[1].converged, attempts[1].reason,
+                attempts[1].iterations, attempts[3].to }, { 6, 0, 1, false, "diverged", 25, 0.25 })
+  check.equal(attempts[6].residuals, run:residuals(2))
+end)
+
+check.case("easy increments grow again, hard ones do not", function()
+  local _, _, points = climb(4, rough(1, 1.2, 0.125), { adaptive = true })
+  check.near(points, { 1, 1.125, 1.25, 1.5, 2, 3, 4 })
+  local growth = { adaptive = true, growth = 4 }
+  _, _, points = climb(3, rough(1, 1.05, 1 / 16), growth)
+  check.near(points, { 1, 1.0625, 1.3125, 2, 3 })
+  -- Three iterations of five are not easy.
+  _, _, points = climb(3, rough(1, 1.2, 0.5), { adaptive = true }, { newton = { iterations = 5 } })
+  check.near(points, { 1, 1.5, 2, 2.5, 3 })
+end)
+
+check.case("max is the longest increment, and the last of a step is what is left of it", function()
+  local run, _, points = climb(2, function() return 1 end, { max = 0.3 })
+  check.near(points, { 0.3, 0.6, 0.9, 1, 1.3, 1.6, 1.9, 2 })
+  check.equal({ run.cutbacks, run:column("increments")[1] }, { 0, 4 })
+  check.equal(climb(2, function() return 1 end, { max = 1 / 3 }):column "increments", { 3, 3 })
+end)
+
+check.case("step = { adaptive = false } and no step at all are the same", function()
+  for _, step in ipairs { { adaptive = false }, {} } do
+    local run, _, points = climb(4, rough(1, 2, 0.25), step.adaptive == false and step or nil)
+    check.equal({ run.failed, run.steps, run.cutbacks, #points }, { true, 1, 0, 1 })
+    check.equal(run.report, "step 2 (stage 'climb', 2 of 4) was not reached: no luck. Residuals: 1, 0.001, 0.01. "
+      .. "The model is at its last accepted step, 1.")
+  end
+end)
+
+check.case("a step that cannot be reached leaves the model at its last increment, and says what was tried", function()
+  -- The end of the road is at 1.7; increments of 1/8 are allowed.
+  local run, model = climb(4, function(x) return x < 1.5 and 0.25 or 1.7 - x end, { min = 1 / 8 })
+  check.equal({ run.failed, run.reason, run.steps }, { true, "diverged", 1 })
+  check.near(model.accepted, { 1.625, 0 })
+  check.equal(model.calls[#model.calls], "rollback")
+  check.holds(run.report, "step 2 (stage 'climb', 2 of 4) was not reached: no luck.",
+    "last accepted increment, 0.625 of the way from step 1 to step 2")
+  check.equal(#run:column "grip.fx", 1)
+  local last = run:attempts(2)
+  check.near({ last[#last].from, last[#last].to }, { 0.625, 0.75 })
+  -- A later stage begins where the model stands.
+  check.near(model:run{ { steps = 1, grip = { 1.7, 0 } } }:column "grip.ux", { 1.7 })
+  run = climb(4, rough(1, 2, 0), { min = 1 / 4 })
+  check.holds(run.report, "Tried from there, in parts of a step: 1 (diverged), 0.5 (diverged), 0.25 (diverged).",
+    "The model is at its last accepted step, 1.")
+  check.equal(run.cutbacks, 2)
+end)
+
+check.case("an interrupted step is not tried again", function()
+  local model = model_of(function() return "interrupted" end)
+  local run = model:run({ { steps = 2, grip = { 1, 0 } } }, { step = { adaptive = true } })
+  check.equal({ run.reason, run.cutbacks, model.spent }, { "interrupted", 0, 1 })
 end)
 
 check.done()

@@ -1,24 +1,35 @@
--- A model of one spring for testing the load path without mechanics: fx = 2 ux, fy = 3 uy, contact area = −uy.
--- `fails(ux, uy)` gives the reason why a step is not solved, or nothing.
+-- A model of one spring for testing the load path without mechanics: fx = 2 ux, fy = 3 uy, contact area = −uy; a support
+-- that turns, with moment = 5 angle; and a load, a pressure.
+-- `fails(ux, uy, model)` gives the reason why a step is not solved, or nothing; model.accepted is where it starts from.
 
 local function spring(fails)
-  local model = { accepted = { 0, 0 }, next = { 0, 0 }, calls = {}, spent = 0 }
+  local model = { accepted = { 0, 0 }, next = { 0, 0 }, calls = {}, spent = 0, needs = 3 }
+  local targets, next_targets = { edge = { 0 }, gas = { 0 } }, {}
+  local driven = { grip = { "x", "y" }, edge = { "angle" }, gas = { "pressure" } }
   local function note(what) model.calls[#model.calls + 1] = what end
 
-  function model:support_names() return { "bed", "grip" } end
+  function model:support_names() return { "bed", "edge", "grip" } end
+  function model:driven_names() return { "bed", "edge", "grip", "gas" } end
   function model:contact_names() return { "interface" } end
-  function model:driven(name) return name == "grip" and { "x", "y" } or {} end
-  function model:target(name) return name == "grip" and { self.accepted[1], self.accepted[2] } or {} end
-  function model:set_target(_, target) self.next = { target[1], target[2] } end
+  function model:driven(name) return driven[name] or {} end
+  function model:target(name)
+    if name == "grip" then return { self.accepted[1], self.accepted[2] } end
+    return targets[name] and { targets[name][1] } or {}
+  end
+  function model:set_target(name, target)
+    if name == "grip" then self.next = { target[1], target[2] } else next_targets[name] = { target[1] } end
+  end
   function model:solve_step(options)
     self.options, self.spent = options, self.spent + 1
-    local reason = fails and fails(self.next[1], self.next[2])
-    return { converged = not reason, iterations = reason and options.iterations or 3, reason = reason or "converged",
-             message = reason and "no luck" or "", residuals = { 1, 1e-3, reason and 1e-2 or 1e-12 }, energies = {} }
+    local reason = fails and fails(self.next[1], self.next[2], self)
+    return { converged = not reason, iterations = reason and options.iterations or self.needs,
+             reason = reason or "converged", message = reason and "no luck" or "",
+             residuals = { 1, 1e-3, reason and 1e-2 or 1e-12 }, energies = {} }
   end
   function model:accept()
     note "accept"
     self.accepted = self.next
+    for name, target in pairs(next_targets) do targets[name] = target end
   end
   function model:rollback()
     note "rollback"
@@ -26,6 +37,7 @@ local function spring(fails)
   end
   function model:reaction(name)
     local u, sign = self.accepted, name == "bed" and -1 or 1
+    if name == "edge" then return { 0, 0, 5 * targets.edge[1] } end
     return { 2 * sign * u[1], 3 * sign * u[2] }
   end
   function model:contact_resultant()

@@ -1,0 +1,58 @@
+-- How a step of the user's is reached: the policies of model:run. A policy is an object with one function, take(step),
+-- which ends with the result of the last attempt: converged when the step was reached. `step` is made by run.lua:
+--   step.done          the part of the step that is accepted so far, 0 to 1
+--   step.solver        what model:solve_step takes
+--   step:attempt(to)   solves for the targets at the part `to` of the step; accepts, or rolls back; returns the result
+--   step:cut_back()    says that a failed attempt is tried again, shorter
+-- A policy may be asked to go on where another one has given up: it starts at step.done.
+
+local steps = {}
+
+local rounding = 1e-9 -- parts of a step closer than this are the same
+
+-- ── Equal steps ──────────────────────────────────────────────────────────────────────────────────────────────────────
+
+local Plain = {}
+Plain.__index = Plain
+
+--- Each step at once; one that fails ends the run.
+function steps.plain() return setmetatable({}, Plain) end
+
+function Plain:take(step) return step:attempt(1) end
+
+-- ── Cutting in half ──────────────────────────────────────────────────────────────────────────────────────────────────
+
+local Halving = {}
+Halving.__index = Halving
+
+--- Increments of at most `max` steps: one that fails is cut in half, down to `min`; after an easy one the next may be
+--- `growth` times as long. Its length outlives the step, so that a rough stretch of the path is not begun with failures
+--- at each of its steps.
+function steps.halving(options)
+  return setmetatable({ length = options.max, min = options.min, max = options.max, growth = options.growth }, Halving)
+end
+
+--- Newton has converged in half of the iterations that it may take.
+local function is_easy(result, solver) return 2 * result.iterations <= solver.iterations end
+
+function Halving:take(step)
+  local result
+  repeat
+    local rest = 1 - step.done
+    local length = self.length < rest - rounding and self.length or rest
+    result = step:attempt(length == rest and 1 or step.done + length)
+    if result.converged then
+      if is_easy(result, step.solver) then
+        self.length = math.max(self.length, math.min(self.max, self.growth * length))
+      end
+    elseif result.reason == "interrupted" or length / 2 < self.min - rounding then
+      return result
+    else
+      self.length = length / 2
+      step:cut_back()
+    end
+  until step.done == 1
+  return result
+end
+
+return steps
