@@ -1,5 +1,7 @@
 -- What a stage can move: driven supports and loads, and how their components are called in messages and columns.
 
+local core = require "signorini.core"
+
 local drives = {}
 
 local function is_support(model, name)
@@ -11,7 +13,8 @@ end
 
 --- The names of the supports and loads of a model.
 function drives.names(model)
-  return model.driven_names and model:driven_names() or model:support_names()
+  local loads_exist = type(model) == "table" or rawget(core.types.model, "driven_names")
+  return loads_exist and model:driven_names() or model:support_names()
 end
 
 --- The components of a target in order: "ux", "uy" and "angle" of a support, "tx", "ty" or "pressure" of a load.
