@@ -1,9 +1,12 @@
 #include "solid/body.hpp"
 
 #include "base/error.hpp"
+#include "solid/axisymmetric.hpp"
+#include "solid/linear.hpp"
 #include "solid/quadrature.hpp"
 
 #include <algorithm>
+#include <numbers>
 
 namespace signorini::solid {
 
@@ -28,60 +31,119 @@ ElementQuadrature element_quadrature(const nurbs::Discretisation& space, int e) 
   return result;
 }
 
-template <int D>
-Body<D>::Body(nurbs::Discretisation space, NeoHookean material) : space_(std::move(space)), material_(material) {
-  require(space_.dimension() == D, "a body of dimension ", D, " was given a patch of dimension ", space_.dimension());
-  const MatrixX points = space_.points();
-  for (int e = 0; e < space_.elements(); ++e) {
-    const ElementQuadrature rule = element_quadrature(space_, e);
-    ElementTable table{0,
-                       static_cast<int>(rule.weights.size()),
-                       functions_.size(),
-                       weights_.size(),
-                       gradients_.size(),
-                       constants_.size(),
-                       nullptr};
-    MatrixX constant;
-    for (int q = 0; q < table.points; ++q) {
-      const nurbs::ElementBasis basis = space_.basis(e, rule.points.col(q));
-      if (q == 0) {
-        table.functions = static_cast<int>(basis.functions.size());
-        functions_.insert(functions_.end(), basis.functions.begin(), basis.functions.end());
-        table.kernel = element_kernel<D>(table.functions);
-        constant = MatrixX::Zero(table.functions, table.functions);
-      }
-      // ∂X/∂ξ = Σ_A X_A ⊗ ∂R_A/∂ξ,  ∂R/∂X = ∂R/∂ξ (∂X/∂ξ)⁻¹
-      Mat<D> jacobian = Mat<D>::Zero();
-      VectorX place = VectorX::Zero(D);
-      for (int a = 0; a < table.functions; ++a) {
-        const int function = basis.functions[static_cast<std::size_t>(a)];
-        jacobian += points.col(function) * basis.gradients.col(a).transpose();
-        place += points.col(function) * basis.values(a);
-      }
-      const double determinant = jacobian.determinant();
-      require(determinant > 0, "patch: the map is not right-handed (Jacobian ", determinant, ") near (",
-              place.transpose(), "); reverse one parametric direction, or untangle the control points");
-      const double weight = rule.weights(q) * determinant;
-      const MatrixX gradients = jacobian.inverse().transpose() * basis.gradients;
-      weights_.push_back(weight);
-      for (int k = 0; k < D; ++k)
-        for (int a = 0; a < table.functions; ++a) gradients_.push_back(gradients(k, a));
-      constant += weight * material_.mu * gradients.transpose() * gradients;
-    }
-    constants_.insert(constants_.end(), constant.data(), constant.data() + constant.size());
-    most_functions_ = std::max(most_functions_, table.functions);
-    most_points_ = std::max(most_points_, table.points);
-    elements_.push_back(table);
-  }
-}
+namespace {
 
-template <int D> VectorX Body<D>::reference_point(int e, int q) const {
-  const nurbs::ElementBasis basis = space_.basis(e, element_quadrature(space_, e).points.col(q));
-  const MatrixX points = space_.points();
-  VectorX place = VectorX::Zero(D);
+/// x = Σ_A R_A X_A
+VectorX place_of(const nurbs::ElementBasis& basis, const MatrixX& points) {
+  VectorX place = VectorX::Zero(points.rows());
   for (std::size_t a = 0; a < basis.functions.size(); ++a)
     place += points.col(basis.functions[a]) * basis.values(static_cast<int>(a));
   return place;
+}
+
+void require_radius(double least, const VectorX& point) {
+  require(point(0) > least, "patch: an axisymmetric body reaches (", point.transpose(),
+          "), beyond its axis x = 0; x is ",
+          "the radius and must be positive: move the patch to x >= 0, or make the model plane");
+}
+
+/// Refuses a body with a corner of an element beyond the axis; the Gauss points are seen to as they are made.
+void check_radii(const nurbs::Discretisation& space) {
+  const MatrixX points = space.points();
+  const double rounding = 1e-12 * points.cwiseAbs().maxCoeff();
+  VectorX xi(2);
+  for (int e = 0; e < space.elements(); ++e)
+    for (int corner = 0; corner < 4; ++corner) {
+      xi << space.interval(e, 0)[static_cast<std::size_t>(corner % 2)],
+          space.interval(e, 1)[static_cast<std::size_t>(corner / 2)];
+      require_radius(-rounding, place_of(space.basis(e, xi), points));
+    }
+}
+
+} // namespace
+
+template <int D>
+Body<D>::Body(std::shared_ptr<const nurbs::Discretisation> space, Material material, Kind kind)
+    : space_(std::move(space)), material_(material), kind_(kind) {
+  require(space_->dimension() == D, "a body of dimension ", D, " was given a patch of dimension ", space_->dimension());
+  require(D == 2 || kind_ == Kind::plane_strain, "a body of dimension ", D, " cannot be axisymmetric; only plane ones");
+  if (kind_ == Kind::axisymmetric) check_radii(*space_);
+  const MatrixX points = space_->points();
+  for (int e = 0; e < space_->elements(); ++e) add_element(e, points);
+}
+
+template <int D>
+Body<D>::Body(nurbs::Discretisation space, Material material)
+    : Body(std::make_shared<const nurbs::Discretisation>(std::move(space)), material) {}
+
+template <int D> Kernel Body<D>::kernel(int functions) const {
+  if (linear()) return linear_kernel<D>;
+  return kind_ == Kind::axisymmetric ? axisymmetric_kernel : element_kernel<D>(functions);
+}
+
+template <int D>
+void Body<D>::add_constant(double weight, int n, const double* gradients, const double* hoop, double* constant) const {
+  const ElasticConstants& law = constants(material_);
+  if (linear()) {
+    add_stiffness<D>(law, weight, n, gradients, hoop, constant);
+    return;
+  }
+  for (int a = 0; a < n; ++a)
+    for (int b = 0; b < n; ++b)
+      for (int k = 0; k < D; ++k) constant[a * n + b] += weight * law.mu * gradients[k * n + a] * gradients[k * n + b];
+}
+
+template <int D> void Body<D>::add_element(int e, const MatrixX& points) {
+  const ElementQuadrature rule = element_quadrature(*space_, e);
+  ElementTable table{0,
+                     static_cast<int>(rule.weights.size()),
+                     functions_.size(),
+                     weights_.size(),
+                     gradients_.size(),
+                     constants_.size(),
+                     nullptr};
+  for (int q = 0; q < table.points; ++q) {
+    const nurbs::ElementBasis basis = space_->basis(e, rule.points.col(q));
+    if (q == 0) {
+      table.functions = static_cast<int>(basis.functions.size());
+      functions_.insert(functions_.end(), basis.functions.begin(), basis.functions.end());
+      table.kernel = kernel(table.functions);
+      const int blocks = linear() ? D * (D + 1) / 2 : 1;
+      constants_.resize(constants_.size() + static_cast<std::size_t>(blocks * table.functions * table.functions));
+    }
+    // ∂X/∂ξ = Σ_A X_A ⊗ ∂R_A/∂ξ,  ∂R/∂X = ∂R/∂ξ (∂X/∂ξ)⁻¹
+    const VectorX place = place_of(basis, points);
+    Mat<D> jacobian = Mat<D>::Zero();
+    for (int a = 0; a < table.functions; ++a)
+      jacobian += points.col(basis.functions[static_cast<std::size_t>(a)]) * basis.gradients.col(a).transpose();
+    const double determinant = jacobian.determinant();
+    require(determinant > 0, "patch: the map is not right-handed (Jacobian ", determinant, ") near (",
+            place.transpose(), "); reverse one parametric direction, or untangle the control points");
+    double weight = rule.weights(q) * determinant;
+    const MatrixX gradients = jacobian.inverse().transpose() * basis.gradients;
+    for (int k = 0; k < D; ++k)
+      for (int a = 0; a < table.functions; ++a) gradients_.push_back(gradients(k, a));
+    if (kind_ == Kind::axisymmetric) {
+      require_radius(0, place);
+      weight *= 2 * std::numbers::pi * place(0);
+      for (int a = 0; a < table.functions; ++a) hoops_.push_back(basis.values(a) / place(0));
+    }
+    weights_.push_back(weight);
+    const std::size_t n = static_cast<std::size_t>(table.functions);
+    add_constant(weight, table.functions, gradients_.data() + gradients_.size() - D * n,
+                 hoops_.empty() ? nullptr : hoops_.data() + hoops_.size() - n, constants_.data() + table.constant);
+  }
+  most_functions_ = std::max(most_functions_, table.functions);
+  most_points_ = std::max(most_points_, table.points);
+  elements_.push_back(table);
+}
+
+template <int D> VectorX Body<D>::reference_point(int e, int q) const {
+  return place_of(space_->basis(e, element_quadrature(*space_, e).points.col(q)), space_->points());
+}
+
+std::shared_ptr<const Body<2>> revolved(const Body<2>& body) {
+  return std::make_shared<const Body<2>>(body.shared_space(), body.material(), Kind::axisymmetric);
 }
 
 template class Body<2>;

@@ -6,6 +6,7 @@
 #include "solid/kernel.hpp"
 #include "solid/material.hpp"
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -25,20 +26,32 @@ struct ElementTable {
   std::size_t function; ///< offset of its function indices
   std::size_t point;    ///< offset of its point weights
   std::size_t gradient; ///< offset of its reference gradients: per point, D rows of n values ∂R_A/∂X_k
-  std::size_t constant; ///< offset of its constant n×n matrix Σ w μ ∇R_A·∇R_B
-  Kernel kernel;        ///< for its number of functions
+  std::size_t constant; ///< offset of the part of its tangent that never changes (see KernelArguments)
+  Kernel kernel;        ///< for its material, its kind and its number of functions
+};
+
+/// What a plane body stands for. In 3D there is only the first.
+enum class Kind {
+  plane_strain,
+  axisymmetric, ///< x = r, y = z; the body fills the full circle around the axis x = 0
 };
 
 /// A body in D dimensions, total Lagrangian: gradients with respect to the reference configuration are stored once.
 template <int D> class Body {
 public:
   /// Builds the tables with (degree+1) Gauss points per direction and element, the degree being the highest that lives
-  /// there. Throws Error when the map is not right-handed somewhere (Jacobian ≤ 0).
-  Body(nurbs::Discretisation space, NeoHookean material);
+  /// there. Throws Error when the map is not right-handed somewhere (Jacobian ≤ 0), or when an axisymmetric body
+  /// reaches beyond its axis (R < 0).
+  Body(std::shared_ptr<const nurbs::Discretisation> space, Material material, Kind kind = Kind::plane_strain);
+  Body(nurbs::Discretisation space, Material material);
 
-  const nurbs::Discretisation& space() const { return space_; }
-  const NeoHookean& material() const { return material_; }
-  int functions() const { return space_.functions(); }
+  const nurbs::Discretisation& space() const { return *space_; }
+  const std::shared_ptr<const nurbs::Discretisation>& shared_space() const { return space_; }
+  const Material& material() const { return material_; }
+  Kind kind() const { return kind_; }
+  /// Whether force and displacement are proportional: the tangent never changes.
+  bool linear() const { return std::holds_alternative<LinearElastic>(material_); }
+  int functions() const { return space_->functions(); }
   int elements() const { return static_cast<int>(elements_.size()); }
   const ElementTable& element(int e) const { return elements_[static_cast<std::size_t>(e)]; }
   /// Most functions, and most Gauss points, on one element.
@@ -48,20 +61,32 @@ public:
   std::span<const int> functions_of(int e) const {
     return {functions_.data() + element(e).function, static_cast<std::size_t>(element(e).functions)};
   }
+  /// Quadrature weight times reference volume per Gauss point; a body of revolution's holds the circumference 2πR.
   const double* weights_of(int e) const { return weights_.data() + element(e).point; }
   const double* gradients_of(int e) const { return gradients_.data() + element(e).gradient; }
+  /// R_A/R per Gauss point, n values each, for the hoop stretch 1 + Σ_A u_rA R_A/R; null in plane strain and 3D.
+  const double* hoops_of(int e) const { return hoops_.empty() ? nullptr : hoops_.data() + element(e).gradient / D; }
   const double* constant_of(int e) const { return constants_.data() + element(e).constant; }
   /// Reference position of Gauss point q of element e.
   VectorX reference_point(int e, int q) const;
 
 private:
-  nurbs::Discretisation space_;
-  NeoHookean material_;
+  void add_element(int e, const MatrixX& points);
+  /// Adds one Gauss point's part of the constant tangent of an element of n functions.
+  void add_constant(double weight, int n, const double* gradients, const double* hoop, double* constant) const;
+  Kernel kernel(int functions) const;
+
+  std::shared_ptr<const nurbs::Discretisation> space_;
+  Material material_;
+  Kind kind_;
   std::vector<ElementTable> elements_;
   std::vector<int> functions_;
-  std::vector<double> weights_, gradients_, constants_;
+  std::vector<double> weights_, gradients_, hoops_, constants_;
   int most_functions_ = 0, most_points_ = 0;
 };
+
+/// The body of revolution about x = 0 with the same meridian, space and material.
+std::shared_ptr<const Body<2>> revolved(const Body<2>& body);
 
 /// Tensor-product Gauss points of an element: parametric positions (columns) and weights of the parametric box.
 struct ElementQuadrature {

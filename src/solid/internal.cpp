@@ -29,10 +29,11 @@ template <int D>
 std::optional<Inversion> internal_force(const Body<D>& body, int e, const double* displacement,
                                         ElementArrays<D>& arrays, bool tangent) {
   const ElementTable& table = body.element(e);
+  const ElasticConstants& law = constants(body.material());
   gather(body, e, displacement, arrays.local.data());
   const KernelResult result =
-      table.kernel({table.functions, table.points, body.material().lambda, body.material().mu, arrays.local.data(),
-                    body.gradients_of(e), body.weights_of(e), body.constant_of(e), arrays.force.data(),
+      table.kernel({table.functions, table.points, law.lambda, law.mu, arrays.local.data(), body.gradients_of(e),
+                    body.weights_of(e), body.hoops_of(e), body.constant_of(e), arrays.force.data(),
                     arrays.current.data(), arrays.factors.data(), tangent ? arrays.blocks.data() : nullptr});
   if (result.point < 0) return std::nullopt;
   return Inversion{e, body.reference_point(e, result.point), result.jacobian};
@@ -40,6 +41,7 @@ std::optional<Inversion> internal_force(const Body<D>& body, int e, const double
 
 template <int D> double stored_energy(const Body<D>& body, const double* displacement) {
   std::vector<double> local(static_cast<std::size_t>(D * body.most_functions()));
+  constexpr double infinity = std::numeric_limits<double>::infinity();
   double sum = 0;
   for (int e = 0; e < body.elements(); ++e) {
     const ElementTable& table = body.element(e);
@@ -51,8 +53,17 @@ template <int D> double stored_energy(const Body<D>& body, const double* displac
       const Eigen::Map<const Eigen::Matrix<double, D, Eigen::Dynamic, Eigen::RowMajor>> gradients(
           body.gradients_of(e) + q * D * n, D, n);
       const Mat<D> f = Mat<D>::Identity() + u * gradients.transpose();
-      if (!(f.determinant() > 0)) return std::numeric_limits<double>::infinity();
-      sum += body.weights_of(e)[q] * energy<D>(body.material(), f);
+      if (!body.linear() && !(f.determinant() > 0)) return infinity;
+      double density = 0;
+      if (body.kind() == Kind::axisymmetric) {
+        // r/R = 1 + Σ_A u_rA R_A/R
+        const double stretch = 1 + u.row(0).dot(Eigen::Map<const Eigen::RowVectorXd>(body.hoops_of(e) + q * n, n));
+        if (!body.linear() && !(stretch > 0)) return infinity;
+        density = energy<3>(body.material(), in_space(f.template topLeftCorner<2, 2>(), stretch));
+      } else {
+        density = energy<D>(body.material(), f);
+      }
+      sum += body.weights_of(e)[q] * density;
     }
   }
   return sum;

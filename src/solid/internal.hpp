@@ -21,15 +21,16 @@ template <int D> struct ElementArrays {
   std::vector<double> factors; ///< working space: two per Gauss point
 };
 
-/// f_iA = ∫ P_ik ∂R_A/∂X_k dV and, when `tangent` is wanted, ∂f_iA/∂u_jB for element e.
+/// f_iA = ∫ P_ik ∂R_A/∂X_k dV and, when `tangent` is wanted, ∂f_iA/∂u_jB for element e; per unit depth in plane strain,
+/// over the full circle for a body of revolution.
 ///
 /// `displacement` holds u of the body's control points, D values each. Returns where J ≤ 0 when the element is inverted
-/// (the arrays are then meaningless), nothing otherwise.
+/// (the arrays are then meaningless), nothing otherwise; small strains know no inversion.
 template <int D>
 std::optional<Inversion> internal_force(const Body<D>& body, int e, const double* displacement,
                                         ElementArrays<D>& arrays, bool tangent = true);
 
-/// Stored energy of the whole body; infinity when an element is inverted.
+/// Stored energy of the whole body; infinity when an element is inverted, which small strains never are.
 template <int D> double stored_energy(const Body<D>& body, const double* displacement);
 
 } // namespace signorini::solid

@@ -1,6 +1,7 @@
 #pragma once
-// The element kernel over raw arrays: stress, current gradients and tangent blocks at all Gauss points of one element.
-// Compiled once for any machine and once for those with AVX2, chosen at run time.
+// The element kernels over raw arrays: force and tangent blocks of one element. The one for neo-Hooke in the plane and
+// in space is compiled once for any machine and once for those with AVX2, chosen at run time; bodies of revolution and
+// small strains have kernels of their own (axisymmetric.hpp, linear.hpp).
 
 namespace signorini::solid {
 
@@ -11,7 +12,8 @@ struct KernelArguments {
   const double* local;     ///< displacements, D rows of n values
   const double* gradients; ///< ∂R_A/∂X_k per Gauss point
   const double* weights;   ///< per Gauss point
-  const double* constant;  ///< Σ w μ ∇R_A·∇R_B, n×n
+  const double* hoop;      ///< R_A/R per Gauss point, n values each; null where the body is none of revolution
+  const double* constant;  ///< Σ w μ ∇R_A·∇R_B, n×n; small strains: the stiffness, laid out like `blocks`
   double* force;           ///< f_iA, D rows of n values
   double* current;         ///< working space, g_iA per Gauss point
   double* factors;         ///< working space, two per Gauss point
@@ -26,7 +28,7 @@ struct KernelResult {
 
 using Kernel = KernelResult (*)(const KernelArguments&);
 
-/// The fastest kernel that this machine runs, for bodies in D dimensions and elements of n functions.
+/// The fastest neo-Hooke kernel that this machine runs, for bodies in D dimensions and elements of n functions.
 template <int D> Kernel element_kernel(int functions);
 
 } // namespace signorini::solid

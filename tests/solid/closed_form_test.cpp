@@ -38,7 +38,7 @@ template <int D> void uniaxial(const Body<D>& bar, double length, double section
   const Assembled at = equilibrate(bar, held, 12, u);
   ASSERT_FALSE(at.inversion);
 
-  const NeoHookean& material = bar.material();
+  const NeoHookean& material = std::get<NeoHookean>(bar.material());
   const double b = lateral_stretch(material, stretch, D);
   Mat<D> f = b * Mat<D>::Identity();
   f(0, 0) = stretch;

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 namespace signorini::solid {
@@ -16,6 +17,7 @@ using signorini::test::derivative;
 using namespace test;
 
 const NeoHookean rubber = neo_hookean(2, 0.3);
+const LinearElastic steel = linear_elastic(2, 0.3);
 
 /// A plane patch whose inner and border points are shifted and whose weights differ.
 nurbs::Patch crooked(Random& random, bool rational) {
@@ -27,6 +29,26 @@ nurbs::Patch crooked(Random& random, bool rational) {
     if (rational) weights(a) = uniform(random, 0.7, 1.4);
   }
   return nurbs::make_patch(flat.directions(), points, weights);
+}
+
+/// The same bodies with another law.
+template <int D> std::vector<Body<D>> of_material(const Material& material, std::vector<Body<D>> bodies) {
+  for (Body<D>& body : bodies) body = {body.shared_space(), material};
+  return bodies;
+}
+
+/// Meridians away from the axis and up to it.
+std::vector<Body<2>> bodies_of_revolution(const Material& material) {
+  Random random(7);
+  const nurbs::Patch away = nurbs::translate(crooked(random, true), Eigen::Vector2d(0.4, 0));
+  const nurbs::Patch ball = nurbs::quarter_annulus(0.3, 0.6, Eigen::Vector2d(0, 0), 270);
+  std::vector<Body<2>> bodies;
+  for (const auto& body :
+       {make_body<2>(away, {3, 2}, "N2-N2.1", "north", material, 2),
+        make_body<2>(ball, {3, 2}, "N2", "south", material),
+        make_body<2>(nurbs::rectangle(1, 2, Eigen::Vector2d(0, -1)), {2, 3}, "N2-N4", "south", material)})
+    bodies.push_back(*revolved(body));
+  return bodies;
 }
 
 std::vector<Body<2>> plane_bodies() {
@@ -77,6 +99,42 @@ TEST(Internal, ForceAndTangentAreDerivativesInThePlane) {
 }
 TEST(Internal, ForceAndTangentAreDerivativesInSpace) {
   force_and_tangent_are_derivatives(space_bodies());
+}
+TEST(Internal, ForceAndTangentAreDerivativesOfBodiesOfRevolution) {
+  force_and_tangent_are_derivatives(bodies_of_revolution(rubber));
+  force_and_tangent_are_derivatives(bodies_of_revolution(neo_hookean(5, 0.45)));
+}
+TEST(Internal, ForceAndTangentAreDerivativesAtSmallStrains) {
+  force_and_tangent_are_derivatives(of_material<2>(steel, plane_bodies()));
+  force_and_tangent_are_derivatives(of_material<3>(steel, space_bodies()));
+  force_and_tangent_are_derivatives(bodies_of_revolution(steel));
+}
+
+/// Both laws are Hooke's where nothing is strained yet.
+template <int D> void rubbers_first_tangent_is_steels(const std::vector<Body<D>>& rubbers) {
+  for (const Body<D>& body : rubbers) {
+    const Body<D> linear(body.shared_space(), linear_elastic(2, 0.3), body.kind());
+    const VectorX zero = VectorX::Zero(D * body.functions());
+    const Assembled of_rubber = assemble(body, zero), of_steel = assemble(linear, zero);
+    EXPECT_LT((of_rubber.tangent - of_steel.tangent).norm(), 1e-14 * of_steel.tangent.norm());
+    EXPECT_EQ(of_steel.force.norm(), 0);
+  }
+}
+
+TEST(Internal, TangentOfRubberAtRestIsThatOfLinearElasticity) {
+  rubbers_first_tangent_is_steels(of_material<2>(rubber, plane_bodies()));
+  rubbers_first_tangent_is_steels(space_bodies());
+  rubbers_first_tangent_is_steels(bodies_of_revolution(rubber));
+}
+
+TEST(Internal, SmallStrainsKnowNoInversion) {
+  for (const Body<2>& body : of_material<2>(steel, plane_bodies())) {
+    const VectorX u = affine<2>(body, -1.5 * Mat<2>::Identity());
+    const Assembled at = assemble(body, u);
+    EXPECT_FALSE(at.inversion);
+    EXPECT_LT((at.force - at.tangent * u).norm(), 1e-13 * at.force.norm());
+    EXPECT_TRUE(std::isfinite(stored_energy(body, u.data())));
+  }
 }
 
 /// f(R(X + u) + c − X) = R f(u): no force from rigid motion, and forces turn with the body.
@@ -149,6 +207,7 @@ TEST(Internal, PatchTestInThePlane) {
     for (int e = 0; e < body.elements(); ++e)
       for (int q = 0; q < body.element(e).points; ++q) area += body.weights_of(e)[q];
     homogeneous_state<2>(body, f, area);
+    homogeneous_state<2>({body.shared_space(), steel}, f, area);
   }
 }
 
@@ -156,7 +215,8 @@ TEST(Internal, PatchTestInSpace) {
   Mat<3> f;
   f << 1.2, 0.3, 0, -0.1, 0.8, 0.2, 0.1, 0, 1.1;
   const nurbs::Patch block = nurbs::block({2, 1, 1}, Eigen::Vector3d(0, 0, 0));
-  homogeneous_state<3>(make_body<3>(block, {2, 2, 2}, "N2-N2.1", "back", rubber), f, 2);
+  for (const Material& material : {Material(rubber), Material(steel)})
+    homogeneous_state<3>(make_body<3>(block, {2, 2, 2}, "N2-N2.1", "back", material), f, 2);
 }
 
 TEST(Internal, InvertedElementIsReported) {
