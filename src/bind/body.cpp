@@ -11,16 +11,22 @@ namespace {
 
 using nurbs::Side;
 
-int neo_hookean(lua_State* L) {
+template <auto make> int material(lua_State* L) {
   const Options o(L, 1, {"E", "nu"});
   const double modulus = o.positive("E", "Young's modulus, force per area");
-  push_object(L, solid::neo_hookean(modulus, o.number("nu", "Poisson's ratio")));
+  push_object<solid::Material>(L, make(modulus, o.number("nu", "Poisson's ratio")));
   return 1;
 }
 
+std::string constants_in_words(const solid::Material& material) {
+  const solid::ElasticConstants& law = solid::constants(material);
+  return text("E = ", law.youngs_modulus, ", nu = ", law.poissons_ratio);
+}
+
 int material_tostring(lua_State* L) {
-  const auto& material = self<solid::NeoHookean>(L);
-  push(L, text("neo-Hooke: E = ", material.youngs_modulus, ", nu = ", material.poissons_ratio));
+  const auto& material = self<solid::Material>(L);
+  const bool linear = std::holds_alternative<solid::LinearElastic>(material);
+  push(L, text(linear ? "linear elastic: " : "neo-Hooke: ", constants_in_words(material)));
   return 1;
 }
 
@@ -61,7 +67,8 @@ int body(lua_State* L) {
   plan.labels.assign(plan.contact.empty() ? 2 : 1, label);
   if (o.has("through"))
     plan.through = o.integer("through", "degree through the body, normal to the contact face", 1, nurbs::max_degree);
-  const auto& material = o.object<solid::NeoHookean>("material", "made by sg.neo_hookean{ E, nu }");
+  const auto& material =
+      o.object<solid::Material>("material", "made by sg.neo_hookean{ E, nu } or sg.linear_elastic{ E, nu }");
   push_object<Body>(L, std::make_shared<const solid::Body<2>>(nurbs::Discretisation(patch, plan), material));
   return 1;
 }
@@ -112,7 +119,7 @@ int body_tostring(lua_State* L) {
   const solid::Body<2>& body = *self<Body>(L);
   const nurbs::Discretisation& space = body.space();
   push(L, text("plane body: ", space.elements(0), " x ", space.elements(1), " elements, ", 2 * space.functions(),
-               " degrees of freedom, E = ", body.material().youngs_modulus, ", nu = ", body.material().poissons_ratio));
+               " degrees of freedom, ", body.linear() ? "linear elastic, " : "", constants_in_words(body.material())));
   return 1;
 }
 
@@ -124,12 +131,19 @@ int place_tostring(lua_State* L) {
 }
 
 constexpr Function functions[] = {
-    {"neo_hookean", wrap<neo_hookean>,
+    {"neo_hookean", wrap<material<solid::neo_hookean>>,
      "sg.neo_hookean{ E, nu }\n"
      "Compressible neo-Hooke material, W = lambda/2 (ln J)^2 + mu/2 (tr C - 3) - mu ln J. E: Young's modulus (force "
      "per\n"
-     "area), nu: Poisson's ratio in (-1, 0.5). Plane strain in 2D.\n"
+     "area), nu: Poisson's ratio in (-1, 0.5). Plane strain in 2D, unless the model is axisymmetric.\n"
      "Example: sg.neo_hookean{ E = 1, nu = 0.3 }"},
+    {"linear_elastic", wrap<material<solid::linear_elastic>>,
+     "sg.linear_elastic{ E, nu }\n"
+     "Hooke's law of small strains, sigma = lambda tr(eps) I + 2 mu eps; contact still follows the deformed surface. "
+     "E:\n"
+     "Young's modulus (force per area), nu: Poisson's ratio in (-1, 0.5). Plane strain in 2D, unless the model is "
+     "axisymmetric.\n"
+     "Example: sg.linear_elastic{ E = 1, nu = 0.3 }"},
     {"body", wrap<body>,
      "sg.body{ patch, elements, order, contact, material, through, grading }\n"
      "A solid body. patch: its shape. elements: knot spans per parametric direction. order: a discretisation label, "
@@ -168,7 +182,7 @@ constexpr Function place_rows[] = {
 
 void open_body(lua_State* L) {
   register_functions(L, "sg", functions);
-  register_type<solid::NeoHookean>(L, material_rows);
+  register_type<solid::Material>(L, material_rows);
   register_type<Body>(L, body_rows);
   register_type<Place>(L, place_rows);
 }

@@ -18,7 +18,7 @@ struct Place {
 
 using Model = std::shared_ptr<model::Model<2>>;
 
-template <> struct Type<solid::NeoHookean> { static constexpr auto name = "material"; };
+template <> struct Type<solid::Material> { static constexpr auto name = "material"; };
 template <> struct Type<Body> { static constexpr auto name = "body"; };
 template <> struct Type<Place> { static constexpr auto name = "face"; };
 template <> struct Type<Model> { static constexpr auto name = "model"; };

@@ -8,7 +8,14 @@ namespace signorini::model {
 
 namespace {
 
-using Material = solid::NeoHookean;
+using solid::Material;
+
+template <int D> Mat<3> cauchy_stress(const Material& material, const FieldPoint<D>& point) {
+  if constexpr (D == 2)
+    return solid::cauchy_stress<3>(material, solid::in_space(point.deformation, point.hoop));
+  else
+    return solid::cauchy_stress<3>(material, point.deformation);
+}
 
 template <int D, int I> double displacement(const Material&, const FieldPoint<D>& point) {
   return point.displacement(I);
@@ -19,11 +26,11 @@ template <int D> double displacement_norm(const Material&, const FieldPoint<D>& 
 }
 
 template <int D, int I, int J> double stress(const Material& material, const FieldPoint<D>& point) {
-  return solid::cauchy_stress<D>(material, point.deformation)(I, J);
+  return cauchy_stress<D>(material, point)(I, J);
 }
 
 template <int D> double trace(const Material& material, const FieldPoint<D>& point) {
-  return solid::cauchy_stress<D>(material, point.deformation).trace();
+  return cauchy_stress<D>(material, point).trace();
 }
 
 template <int D> double pressure(const Material& material, const FieldPoint<D>& point) {
@@ -31,7 +38,7 @@ template <int D> double pressure(const Material& material, const FieldPoint<D>& 
 }
 
 template <int D> double von_mises(const Material& material, const FieldPoint<D>& point) {
-  const Mat<3> sigma = solid::cauchy_stress<D>(material, point.deformation);
+  const Mat<3> sigma = cauchy_stress<D>(material, point);
   // √(3/2 s:s), s = σ − tr σ/3 I
   return std::sqrt(1.5 * (sigma - sigma.trace() / 3 * Mat<3>::Identity()).squaredNorm());
 }

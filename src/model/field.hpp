@@ -12,16 +12,18 @@ namespace signorini::model {
 template <int D> struct FieldPoint {
   Vec<D> displacement;
   Mat<D> deformation; ///< F
+  double hoop = 1;    ///< F₃₃ of a plane body: the hoop stretch when it is axisymmetric, 1 in plane strain
 };
 
 /// A scalar field: what users call it, how a colour bar calls it, how it is computed.
 template <int D> struct Field {
   std::string name, label;
-  double (*value)(const solid::NeoHookean& material, const FieldPoint<D>& point);
+  double (*value)(const solid::Material& material, const FieldPoint<D>& point);
 };
 
 /// All fields: components and size of the displacement (ux uy u), of the Cauchy stress (sxx syy szz sxy), its von Mises
 /// value, pressure = −tr σ/3, I1 = tr σ, and the deformation gradient (F11 F12 F21 F22); in 3D those of z as well.
+/// The stress of a linear elastic body is that of its small strains; szz of an axisymmetric body is the hoop stress.
 template <int D> const std::vector<Field<D>>& fields();
 
 /// Throws Error that lists the known names.

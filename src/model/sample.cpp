@@ -44,6 +44,11 @@ template <int D> BodyPoint<D> body_point(const Model<D>& model, int body, int e,
     rate += displacement.col(function) * basis.gradients.col(i).transpose();
   }
   point.state.deformation = Mat<D>::Identity() + rate * jacobian.inverse();
+  if (model.scene().bodies[at(body)].body->kind() == solid::Kind::axisymmetric) {
+    // F_θθ = 1 + u_r/R → 1 + ∂u_r/∂R on the axis; nearer than this the quotient is rounding
+    const double radius = point.reference(0), size = jacobian.cwiseAbs().maxCoeff();
+    point.state.hoop = radius > 1e-8 * size ? 1 + point.state.displacement(0) / radius : point.state.deformation(0, 0);
+  }
   return point;
 }
 
