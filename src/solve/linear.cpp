@@ -1,6 +1,7 @@
 #include "solve/linear.hpp"
 
 #include "base/error.hpp"
+#include "solve/condensed.hpp"
 
 #include <klu.h>
 #include <umfpack.h>
@@ -8,14 +9,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace signorini::solve {
 
 namespace {
 
-/// Least ratio of the smallest to the largest pivot. Below, rounding alone keeps the matrix from being singular: the
-/// pivot of a rigid motion that nothing holds.
-constexpr double least_pivot = 1e-14;
+constexpr std::pair<LinearKind, const char*> names[] = {{LinearKind::automatic, "auto"},
+                                                        {LinearKind::klu, "klu"},
+                                                        {LinearKind::umfpack, "umfpack"},
+                                                        {LinearKind::condensed, "condensed"}};
 
 /// KLU (Davis & Palamadai Natarajan, ACM TOMS 37, 2010): a refactorisation keeps the pivots of the last full one and
 /// costs a fraction of it; growth of the factors tells when the pivots no longer fit.
@@ -139,20 +142,27 @@ private:
 } // namespace
 
 LinearKind linear_kind(const std::string& name) {
-  if (name == "auto") return LinearKind::automatic;
-  if (name == "klu") return LinearKind::klu;
-  if (name == "umfpack") return LinearKind::umfpack;
-  fail("linear: unknown solver '", name, "'; known are 'auto', 'klu', 'umfpack'");
+  std::string known;
+  for (const auto& [kind, kind_name] : names) {
+    if (name == kind_name) return kind;
+    known += text(known.empty() ? "'" : ", '", kind_name, "'");
+  }
+  fail("linear: unknown solver '", name, "'; known are ", known);
 }
 
 std::string name_of(LinearKind kind) {
-  return kind == LinearKind::automatic ? "auto" : kind == LinearKind::klu ? "klu" : "umfpack";
+  for (const auto& [known, name] : names)
+    if (kind == known) return name;
+  return "";
 }
 
-std::unique_ptr<LinearSolver> make_solver(LinearKind kind, const Pattern& pattern) {
+std::unique_ptr<LinearSolver> make_solver(LinearKind kind, const Pattern& pattern, const Condensation* condensation) {
   if (kind == LinearKind::automatic) kind = pattern.size <= klu_limit ? LinearKind::klu : LinearKind::umfpack;
   if (kind == LinearKind::klu) return std::make_unique<Klu>(pattern);
-  return std::make_unique<Umfpack>(pattern);
+  if (kind == LinearKind::umfpack) return std::make_unique<Umfpack>(pattern);
+  require(condensation != nullptr, "linear: the solver 'condensed' needs a matrix that is constant but for contact, as "
+                                   "bodies that are all linear elastic have; take 'auto'");
+  return make_condensed(pattern, *condensation);
 }
 
 } // namespace signorini::solve

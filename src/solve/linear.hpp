@@ -5,12 +5,13 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace signorini::solve {
 
-enum class LinearKind { automatic, klu, umfpack };
+enum class LinearKind { automatic, klu, umfpack, condensed };
 
-/// "auto", "klu", "umfpack". Throws Error that lists them.
+/// "auto", "klu", "umfpack", "condensed". Throws Error that lists them.
 LinearKind linear_kind(const std::string& name);
 std::string name_of(LinearKind kind);
 
@@ -27,11 +28,26 @@ public:
   virtual LinearKind kind() const = 0;
 };
 
+/// Least ratio of the smallest to the largest pivot. Below, rounding alone keeps the matrix from being singular: the
+/// pivot of a rigid motion that nothing holds.
+inline constexpr double least_pivot = 1e-14;
+
+/// Largest difference |a_ij − a_ji| over the largest entry of a matrix that counts as symmetric.
+inline constexpr double symmetry_tolerance = 1e-9;
+
+/// A matrix K₀ + C of which only C changes from one factor() to the next.
+struct Condensation {
+  std::vector<double> constant; ///< K₀, symmetric, in the order of the pattern
+  std::vector<int> contact;     ///< the unknowns whose rows and columns C touches, increasing
+};
+
 /// `automatic` takes KLU up to `klu_limit` unknowns and UMFPACK beyond. Measured on plane frictional ironing with N2
 /// (scripts/ironing2d.lua mesh=… labels=N2 linear=…), time of KLU over that of UMFPACK: 0.2 with 134 degrees of
 /// freedom, 0.3 with 402, 0.7 with 1370, 1.3 with 5034; small systems gain by the refactorisation, large ones by dense
-/// kernels.
-std::unique_ptr<LinearSolver> make_solver(LinearKind kind, const Pattern& pattern);
+/// kernels. `condensed` needs the condensation, which is copied; the others pass it over. Its factor() reads the
+/// entries between contact unknowns only: that all other values are those of K₀ is the caller's word.
+std::unique_ptr<LinearSolver> make_solver(LinearKind kind, const Pattern& pattern,
+                                          const Condensation* condensation = nullptr);
 inline constexpr int klu_limit = 2500;
 
 } // namespace signorini::solve

@@ -2,48 +2,14 @@
 #include "solve/linear.hpp"
 
 #include "nurbs/random_patch.hpp"
+#include "solve/matrices.hpp"
 
 #include <gtest/gtest.h>
-
-#include <Eigen/Dense>
-
-#include <random>
 
 namespace signorini::solve {
 namespace {
 
-using Values = std::vector<double>;
-
-/// The pattern of a chain of overlapping groups with some far couplings.
-Pattern chain(int size) {
-  std::vector<std::vector<int>> groups;
-  for (int i = 0; i + 2 < size; i += 2) groups.push_back({i, i + 1, i + 2, (7 * i + 3) % size});
-  return couple(size, groups);
-}
-
-Values random_values(std::mt19937& random, const Pattern& pattern) {
-  Values values(static_cast<std::size_t>(pattern.entries()));
-  for (double& value : values) value = std::uniform_real_distribution<double>(-1, 1)(random);
-  return values;
-}
-
-Eigen::MatrixXd dense(const Pattern& pattern, const Values& values) {
-  Eigen::MatrixXd full = Eigen::MatrixXd::Zero(pattern.size, pattern.size);
-  for (int j = 0; j < pattern.size; ++j)
-    for (int k = pattern.starts[static_cast<std::size_t>(j)]; k < pattern.starts[static_cast<std::size_t>(j) + 1]; ++k)
-      full(pattern.rows[static_cast<std::size_t>(k)], j) = values[static_cast<std::size_t>(k)];
-  return full;
-}
-
-/// Backward error |K x − b| / (|K||x| + |b|).
-double backward_error(LinearSolver& solver, const Pattern& pattern, const Values& values) {
-  if (!solver.factor(values.data())) return 1;
-  const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(pattern.size, -1, 2);
-  Eigen::VectorXd x = b;
-  if (!solver.solve(x.data())) return 1;
-  const Eigen::MatrixXd full = dense(pattern, values);
-  return (full * x - b).norm() / (full.norm() * x.norm() + b.norm());
-}
+using namespace test;
 
 class Linear : public testing::TestWithParam<LinearKind> {};
 
@@ -90,17 +56,7 @@ TEST_P(Linear, SingularMatricesAreSeenAndDoNoHarm) {
 /// A chain of springs that nothing holds: rounding alone keeps the last pivot from zero.
 TEST_P(Linear, SingularToWorkingPrecisionIsSeen) {
   std::mt19937 random(6);
-  const Pattern pattern = couple(30, [] {
-    std::vector<std::vector<int>> pairs;
-    for (int i = 0; i + 1 < 30; ++i) pairs.push_back({i, i + 1});
-    return pairs;
-  }());
-  Values values(static_cast<std::size_t>(pattern.entries()), 0.0);
-  for (int i = 0; i + 1 < 30; ++i) {
-    const double stiffness = std::uniform_real_distribution<double>(0.1, 1)(random);
-    for (int a : {i, i + 1})
-      for (int b : {i, i + 1}) values[static_cast<std::size_t>(pattern.find(a, b))] += a == b ? stiffness : -stiffness;
-  }
+  auto [pattern, values] = free_springs(random, 30);
   const auto solver = make_solver(GetParam(), pattern);
   EXPECT_FALSE(solver->factor(values.data()));
   values[static_cast<std::size_t>(pattern.find(0, 0))] += 1e-6;
@@ -111,9 +67,9 @@ INSTANTIATE_TEST_SUITE_P(Solvers, Linear, testing::Values(LinearKind::klu, Linea
                          [](const auto& info) { return name_of(info.param); });
 
 TEST(LinearKinds, HaveNames) {
-  for (LinearKind kind : {LinearKind::automatic, LinearKind::klu, LinearKind::umfpack})
+  for (LinearKind kind : {LinearKind::automatic, LinearKind::klu, LinearKind::umfpack, LinearKind::condensed})
     EXPECT_EQ(linear_kind(name_of(kind)), kind);
-  EXPECT_ERROR(linear_kind("pardiso"), "unknown solver 'pardiso'; known are 'auto', 'klu', 'umfpack'");
+  EXPECT_ERROR(linear_kind("pardiso"), "unknown solver 'pardiso'; known are 'auto', 'klu', 'umfpack', 'condensed'");
   EXPECT_EQ(make_solver(LinearKind::automatic, chain(10))->kind(), LinearKind::klu);
 }
 

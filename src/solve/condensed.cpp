@@ -1,0 +1,207 @@
+#include "solve/condensed.hpp"
+
+#include "base/eigen.hpp"
+#include "base/error.hpp"
+#include "solve/cholmod.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+extern "C" {
+// LAPACK: row-pivoted LU, and the solution with it.
+void dgetrf_(const int* rows, const int* columns, double* a, const int* leading, int* pivots, int* info);
+void dgetrs_(const char* transposed, const int* size, const int* right_sides, const double* a, const int* leading,
+             const int* pivots, double* b, const int* leading_b, int* info);
+}
+
+namespace signorini::solve {
+
+namespace {
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// With the contact unknowns c behind the interior i, and a shift D of their diagonal that makes K₀ regular where only
+/// contact holds a body,
+///     P (K₀ + D) Pᵀ = L Lᵀ,   S = K_cc − K_ci K_ii⁻¹ K_ic = L_cc L_ccᵀ − D,
+/// so that K x = b is L z = P b, (S + C) x_c = L_cc z_c, Lᵀ x = (z_i, L_ccᵀ x_c).
+class Condensed final : public LinearSolver {
+public:
+  Condensed(const Pattern& pattern, const Condensation& condensation);
+
+  bool factor(const double* values) override;
+  bool solve(double* b) override;
+  LinearKind kind() const override { return LinearKind::condensed; }
+
+private:
+  struct Entry {
+    int from;        ///< position in the pattern
+    int to;          ///< position in the contact block, by columns
+    double constant; ///< its part of K₀
+  };
+
+  void factor_bulk(const Pattern& pattern, const Condensation& condensation, const std::vector<char>& touched);
+  void order(cholmod_sparse& matrix, const std::vector<char>& touched);
+
+  int size_, contacts_;
+  CholmodCommon common_;
+  CholmodFactor bulk_{common_};
+  CholmodSolve triangular_{common_};
+  std::vector<int> unknowns_; ///< unknown at each place of L
+  std::vector<Entry> entries_;
+  bool regular_ = false;
+  double least_ = std::numeric_limits<double>::infinity(), largest_ = 0; ///< pivots of the interior
+  MatrixX corner_, schur_, block_;                                       ///< L_cc, S, the factors of S + C
+  VectorX right_, contact_;
+  std::vector<int> pivots_;
+};
+
+void check(const Pattern& pattern, const Condensation& condensation) {
+  const auto& [constant, contact] = condensation;
+  require(constant.size() == pattern.rows.size(), "condensed solver: the constant matrix has ", constant.size(),
+          " values, expected ", pattern.rows.size(), ", one for each entry of the pattern");
+  const bool increases = std::adjacent_find(contact.begin(), contact.end(), std::greater_equal<>()) == contact.end();
+  require(increases && (contact.empty() || (contact.front() >= 0 && contact.back() < pattern.size)),
+          "condensed solver: the contact unknowns must increase and lie in 0 … ", pattern.size - 1);
+}
+
+Condensed::Condensed(const Pattern& pattern, const Condensation& condensation)
+    : size_(pattern.size), contacts_(static_cast<int>(condensation.contact.size())), right_(size_), contact_(contacts_),
+      pivots_(at(contacts_)) {
+  check(pattern, condensation);
+  std::vector<char> touched(at(size_), 0);
+  for (int unknown : condensation.contact) touched[at(unknown)] = 1;
+  factor_bulk(pattern, condensation, touched);
+  if (!regular_) return;
+
+  std::vector<int> place(at(size_), -1);
+  for (int k = size_ - contacts_; k < size_; ++k) place[at(unknowns_[at(k)])] = k - (size_ - contacts_);
+  for (int column : condensation.contact)
+    for (int k = pattern.starts[at(column)]; k < pattern.starts[at(column) + 1]; ++k)
+      if (const int row = place[at(pattern.rows[at(k)])]; row >= 0)
+        entries_.push_back({k, place[at(column)] * contacts_ + row, condensation.constant[at(k)]});
+}
+
+/// An ordering with the contact unknowns last: of the constrained minimum degree and nested dissection the one with
+/// less arithmetic.
+void Condensed::order(cholmod_sparse& matrix, const std::vector<char>& touched) {
+  std::vector<int> constraints(touched.begin(), touched.end()), trial(at(size_));
+  common_.nmethods = 1;
+  common_.method[0].ordering = CHOLMOD_GIVEN;
+  common_.postorder = false; // it would move contact unknowns forward
+  double least = std::numeric_limits<double>::infinity();
+  for (bool dissect : {false, true}) {
+    const bool ordered = dissect ? cholmod_metis(&matrix, nullptr, 0, true, trial.data(), &common_)
+                                 : cholmod_camd(&matrix, nullptr, 0, constraints.data(), trial.data(), &common_);
+    if (!ordered) continue;
+    std::stable_partition(trial.begin(), trial.end(), [&](int unknown) { return !touched[at(unknown)]; });
+    CholmodFactor symbolic(common_);
+    symbolic.factor = cholmod_analyze_p(&matrix, trial.data(), nullptr, 0, &common_);
+    if (!symbolic.factor || common_.fl >= least) continue;
+    least = common_.fl;
+    unknowns_ = trial;
+    std::swap(bulk_.factor, symbolic.factor);
+  }
+  require(bulk_.factor != nullptr, "the sparse solver could not analyse the constant matrix (CHOLMOD status ",
+          common_.status, ")");
+}
+
+void Condensed::factor_bulk(const Pattern& pattern, const Condensation& condensation,
+                            const std::vector<char>& touched) {
+  // Entries that are zero for good, such as the couplings of two faces, cost no fill.
+  Pattern kept;
+  kept.size = size_;
+  kept.starts.push_back(0);
+  std::vector<double> values;
+  VectorX shift = VectorX::Zero(size_);
+  double largest = 0;
+  for (double value : condensation.constant) largest = std::max(largest, std::abs(value));
+  for (int j = 0; j < size_; ++j) {
+    for (int k = pattern.starts[at(j)]; k < pattern.starts[at(j) + 1]; ++k) {
+      const int i = pattern.rows[at(k)];
+      const double value = condensation.constant[at(k)];
+      require(std::abs(value - condensation.constant[at(pattern.find(j, i))]) <= symmetry_tolerance * largest,
+              "condensed solver: the constant matrix is not symmetric at (", i, ", ", j, ")");
+      if (i != j && value == 0) continue;
+      if (i == j && touched[at(i)]) shift(i) = value > 0 ? value : largest;
+      kept.rows.push_back(i);
+      values.push_back(value + (i == j ? shift(i) : 0));
+    }
+    kept.starts.push_back(kept.entries());
+  }
+  cholmod_sparse matrix = lower_triangle(kept, values.data());
+  order(matrix, touched);
+  common_.final_ll = true;
+  cholmod_factorize(&matrix, bulk_.factor, &common_);
+  if (common_.status != CHOLMOD_OK || bulk_.factor->minor < bulk_.factor->n) return;
+
+  CholmodFactor copy(common_);
+  copy.factor = cholmod_copy_factor(bulk_.factor, &common_);
+  cholmod_sparse* lower = cholmod_factor_to_sparse(copy.factor, &common_);
+  require(lower != nullptr, "the sparse solver ran out of memory");
+  const int* starts = static_cast<int*>(lower->p);
+  const int* rows = static_cast<int*>(lower->i);
+  const double* entries = static_cast<double*>(lower->x);
+  const int interior = size_ - contacts_;
+  corner_.setZero(contacts_, contacts_);
+  for (int j = 0; j < size_; ++j)
+    for (int k = starts[j]; k < starts[j + 1]; ++k) {
+      if (j >= interior) corner_(rows[k] - interior, j - interior) = entries[k];
+      if (j >= interior || rows[k] != j) continue;
+      least_ = std::min(least_, entries[k] * entries[k]);
+      largest_ = std::max(largest_, entries[k] * entries[k]);
+    }
+  cholmod_free_sparse(&lower, &common_);
+
+  schur_ = corner_ * corner_.transpose();
+  for (int k = 0; k < contacts_; ++k) schur_(k, k) -= shift(unknowns_[at(interior + k)]);
+  block_ = schur_;
+  regular_ = interior == 0 || least_ > least_pivot * largest_;
+}
+
+bool Condensed::factor(const double* values) {
+  if (!regular_) return false;
+  block_ = schur_;
+  for (const Entry& entry : entries_) block_.data()[entry.to] += values[entry.from] - entry.constant;
+  int info = 0;
+  if (contacts_ > 0) dgetrf_(&contacts_, &contacts_, block_.data(), &contacts_, pivots_.data(), &info);
+  double least = least_, largest = largest_;
+  for (int k = 0; k < contacts_; ++k) {
+    const double pivot = std::abs(block_(k, k));
+    if (!std::isfinite(pivot)) return false;
+    least = std::min(least, pivot);
+    largest = std::max(largest, pivot);
+  }
+  return info == 0 && least > least_pivot * largest;
+}
+
+bool Condensed::solve(double* b) {
+  const int interior = size_ - contacts_;
+  for (int k = 0; k < size_; ++k) right_(k) = b[unknowns_[at(k)]];
+  double* z = triangular_(CHOLMOD_L, bulk_.factor, right_.data());
+  if (!z) return false;
+  if (contacts_ > 0) {
+    Eigen::Map<VectorX> tail(z + interior, contacts_);
+    contact_.noalias() = corner_.triangularView<Eigen::Lower>() * tail;
+    const int one = 1;
+    int info = 0;
+    dgetrs_("N", &contacts_, &one, block_.data(), &contacts_, pivots_.data(), contact_.data(), &contacts_, &info);
+    tail.noalias() = corner_.transpose().triangularView<Eigen::Upper>() * contact_;
+  }
+  right_ = Eigen::Map<const VectorX>(z, size_);
+  const double* x = triangular_(CHOLMOD_Lt, bulk_.factor, right_.data());
+  if (!x) return false;
+  for (int k = 0; k < size_; ++k) b[unknowns_[at(k)]] = x[k];
+  return true;
+}
+
+} // namespace
+
+std::unique_ptr<LinearSolver> make_condensed(const Pattern& pattern, const Condensation& condensation) {
+  return std::make_unique<Condensed>(pattern, condensation);
+}
+
+} // namespace signorini::solve

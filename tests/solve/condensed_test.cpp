@@ -1,0 +1,173 @@
+// A constant matrix with a changing contact block, against UMFPACK and dense LU of the whole.
+#include "solve/linear.hpp"
+
+#include "base/timer.hpp"
+#include "nurbs/random_patch.hpp"
+#include "solve/matrices.hpp"
+
+#include <gtest/gtest.h>
+
+#include <iostream>
+#include <numeric>
+
+namespace signorini::solve {
+namespace {
+
+using namespace test;
+
+std::vector<int> random_subset(std::mt19937& random, int size, int count) {
+  std::vector<int> all(at(size));
+  std::iota(all.begin(), all.end(), 0);
+  std::shuffle(all.begin(), all.end(), random);
+  all.resize(at(count));
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+/// K₀ with a random unsymmetric C on a part of the entries between contact unknowns.
+Values with_contact(std::mt19937& random, const Pattern& pattern, const Condensation& condensation, double part,
+                    double size) {
+  std::vector<char> touched(at(pattern.size), 0);
+  for (int unknown : condensation.contact) touched[at(unknown)] = 1;
+  Values values = condensation.constant;
+  std::uniform_real_distribution<double> uniform(0, 1);
+  std::vector<char> active(at(pattern.size));
+  for (char& flag : active) flag = uniform(random) < part;
+  for_entries(pattern, [&](int i, int j, int k) {
+    if (touched[at(i)] && touched[at(j)] && active[at(i)] && active[at(j)])
+      values[at(k)] += size * (uniform(random) + (i == j ? 4 : 0));
+  });
+  return values;
+}
+
+TEST(Condensed, SolvesOneContactBlockAfterTheOther) {
+  std::mt19937 random(11);
+  for (const auto& [size, contacts] : {std::pair{1, 1}, {2, 1}, {13, 0}, {13, 5}, {13, 13}, {120, 40}, {400, 399}}) {
+    const Pattern pattern = chain(size);
+    const Condensation condensation{random_definite(random, pattern), random_subset(random, size, contacts)};
+    const auto solver = make_solver(LinearKind::condensed, pattern, &condensation);
+    const auto oracle = make_solver(LinearKind::umfpack, pattern);
+    EXPECT_EQ(solver->kind(), LinearKind::condensed);
+    // From next to nothing to everything in contact, and a contact that is much stiffer than the bulk
+    for (double part : {0.0, 0.1, 0.2, 0.1, 0.5, 1.0, 0.0})
+      for (double stiffness : {1.0, 1e4}) {
+        SCOPED_TRACE(text(size, " unknowns, ", contacts, " in contact, part ", part, ", stiffness ", stiffness));
+        const Values values = with_contact(random, pattern, condensation, part, stiffness);
+        EXPECT_LT(backward_error(*solver, pattern, values), 1e-14);
+        Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(size, 1, 2), y = x;
+        const Eigen::VectorXd z = dense(pattern, values).partialPivLu().solve(x);
+        ASSERT_TRUE(solver->solve(x.data()));
+        ASSERT_TRUE(oracle->factor(values.data()) && oracle->solve(y.data()));
+        EXPECT_LT((x - y).norm(), 1e-12 * y.norm());
+        EXPECT_LT((x - z).norm(), 1e-12 * z.norm());
+      }
+  }
+}
+
+/// Springs that only contact holds: K₀ is singular, K₀ + C is not.
+TEST(Condensed, ContactAloneMayHoldTheBodies) {
+  std::mt19937 random(12);
+  const auto [pattern, constant] = free_springs(random, 60);
+  const Condensation condensation{constant, {20, 21, 22, 23, 59}};
+  const auto solver = make_solver(LinearKind::condensed, pattern, &condensation);
+  EXPECT_FALSE(solver->factor(constant.data()));
+  Values held = constant;
+  for (int unknown : {21, 59, 20}) {
+    held[at(pattern.find(unknown, unknown))] += 0.7;
+    EXPECT_LT(backward_error(*solver, pattern, held), 1e-14);
+    EXPECT_FALSE(solver->factor(constant.data())); // contact lost, and found again
+    EXPECT_LT(backward_error(*solver, pattern, held), 1e-14);
+  }
+  // Held with hardly anything, the springs' position keeps the digits that the matrix has.
+  Values weak = constant;
+  weak[at(pattern.find(22, 22))] += 1e-6;
+  EXPECT_LT(backward_error(*solver, pattern, weak), 1e-14);
+}
+
+TEST(Condensed, ABodyWithoutContactThatNothingHoldsIsSingular) {
+  std::mt19937 random(13);
+  const auto [pattern, constant] = free_springs(random, 30);
+  Condensation condensation{constant, {}};
+  EXPECT_FALSE(make_solver(LinearKind::condensed, pattern, &condensation)->factor(constant.data()));
+  // Two chains, the first of which contact does not reach
+  Condensation halves{constant, {25, 26}};
+  for (const auto& [i, j] : {std::pair{14, 15}, {15, 14}}) {
+    const double coupling = halves.constant[at(pattern.find(i, j))];
+    halves.constant[at(pattern.find(i, j))] = 0;
+    halves.constant[at(pattern.find(i, i))] += coupling;
+  }
+  Values values = halves.constant;
+  values[at(pattern.find(25, 25))] += 1;
+  EXPECT_FALSE(make_solver(LinearKind::condensed, pattern, &halves)->factor(values.data()));
+}
+
+TEST(Condensed, AContactBlockThatMakesTheMatrixSingularIsSeenAndDoesNoHarm) {
+  std::mt19937 random(14);
+  const Pattern pattern = chain(40);
+  const Condensation condensation{random_definite(random, pattern), {3, 5, 17, 30}};
+  const auto solver = make_solver(LinearKind::condensed, pattern, &condensation);
+  // The Schur complement onto unknown 17 is 1 / (K⁻¹)₁₇,₁₇; taking it away leaves nothing.
+  Values values = condensation.constant;
+  values[at(pattern.find(17, 17))] -= 1 / dense(pattern, values).inverse()(17, 17);
+  EXPECT_FALSE(solver->factor(values.data()));
+  values[at(pattern.find(17, 17))] = std::nan("");
+  EXPECT_FALSE(solver->factor(values.data()));
+  EXPECT_LT(backward_error(*solver, pattern, condensation.constant), 1e-14);
+}
+
+TEST(Condensed, WrongInputIsAnError) {
+  const Pattern pattern = chain(13);
+  std::mt19937 random(15);
+  const Values constant = random_definite(random, pattern);
+  const auto make = [&](const Condensation& condensation) {
+    make_solver(LinearKind::condensed, pattern, &condensation);
+  };
+  EXPECT_ERROR(make_solver(LinearKind::condensed, pattern), "needs a matrix that is constant but for contact");
+  EXPECT_ERROR(make({{1.0, 2.0}, {}}), "the constant matrix has 2 values, expected ");
+  for (const std::vector<int>& contact : {std::vector{-1}, {13}, {3, 3}, {4, 2}})
+    EXPECT_ERROR(make({constant, contact}), "the contact unknowns must increase and lie in 0 … 12");
+  Values unsymmetric = constant;
+  unsymmetric[at(pattern.find(1, 2))] += 0.1;
+  EXPECT_ERROR(make({unsymmetric, {}}), "the constant matrix is not symmetric at (");
+}
+
+/// Finite differences of a membrane on 100 × 40 points of which the lowest two rows touch; times are printed.
+TEST(Condensed, AGridWithAContactFace) {
+  constexpr int wide = 100, high = 40;
+  std::vector<std::vector<int>> groups;
+  for (int y = 0; y + 1 < high; ++y)
+    for (int x = 0; x + 1 < wide; ++x) {
+      const int i = y * wide + x;
+      groups.push_back({i, i + 1, i + wide, i + wide + 1});
+    }
+  const Pattern pattern = couple(wide * high, groups);
+  std::mt19937 random(16);
+  Condensation condensation{Values(at(pattern.entries()), 0.0), {}};
+  for_entries(pattern, [&](int i, int j, int k) { condensation.constant[at(k)] = i == j ? 8 : -1; });
+  for (int i = 0; i < 2 * wide; ++i) condensation.contact.push_back(i);
+
+  Stopwatch watch;
+  const auto solver = make_solver(LinearKind::condensed, pattern, &condensation);
+  const double once = watch.seconds();
+  const auto oracle = make_solver(LinearKind::umfpack, pattern);
+  const auto time = [&](LinearSolver& tried, const Values& values) {
+    std::vector<double> b(at(pattern.size), 1.0);
+    watch.restart();
+    EXPECT_TRUE(tried.factor(values.data()) && tried.solve(b.data()));
+    return watch.seconds();
+  };
+  std::vector<double> condensed, whole;
+  for (int round = 0; round < 9; ++round) {
+    const Values values = with_contact(random, pattern, condensation, 0.3, 100);
+    EXPECT_LT(backward_error(*solver, pattern, values), 1e-14);
+    condensed.push_back(time(*solver, values));
+    whole.push_back(time(*oracle, values));
+  }
+  std::sort(condensed.begin(), condensed.end());
+  std::sort(whole.begin(), whole.end());
+  std::cout << pattern.size << " unknowns, " << condensation.contact.size() << " in contact: condensed once "
+            << 1e3 * once << " ms, then " << 1e3 * condensed[4] << " ms; UMFPACK " << 1e3 * whole[4] << " ms\n";
+}
+
+} // namespace
+} // namespace signorini::solve

@@ -1,0 +1,96 @@
+#pragma once
+// Patterns and values for the solvers' tests, with dense oracles.
+
+#include "solve/linear.hpp"
+
+#include <Eigen/Dense>
+
+#include <cmath>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace signorini::solve::test {
+
+using Values = std::vector<double>;
+
+inline std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// The pattern of a chain of overlapping groups with some far couplings.
+inline Pattern chain(int size) {
+  std::vector<std::vector<int>> groups;
+  for (int i = 0; i + 2 < size; i += 2) groups.push_back({i, i + 1, i + 2, (7 * i + 3) % size});
+  return couple(size, groups);
+}
+
+/// Calls visit(row, column, position) for every entry.
+template <class Visit> void for_entries(const Pattern& pattern, Visit visit) {
+  for (int j = 0; j < pattern.size; ++j)
+    for (int k = pattern.starts[at(j)]; k < pattern.starts[at(j) + 1]; ++k) visit(pattern.rows[at(k)], j, k);
+}
+
+inline Values random_values(std::mt19937& random, const Pattern& pattern) {
+  Values values(at(pattern.entries()));
+  for (double& value : values) value = std::uniform_real_distribution<double>(-1, 1)(random);
+  return values;
+}
+
+/// Symmetric values with a diagonal that the rest of its row does not outweigh; `diagonal` −1 makes them negative
+/// definite.
+inline Values random_definite(std::mt19937& random, const Pattern& pattern, double diagonal = 1) {
+  Values values = random_values(random, pattern), sums(at(pattern.size), 0.1);
+  for_entries(pattern, [&](int i, int j, int k) {
+    if (i < j) values[at(k)] = values[at(pattern.find(j, i))];
+    if (i != j) sums[at(i)] += std::abs(values[at(std::max(k, pattern.find(j, i)))]);
+  });
+  for_entries(pattern, [&](int i, int j, int k) {
+    if (i == j) values[at(k)] = diagonal * sums[at(i)];
+  });
+  return values;
+}
+
+inline Eigen::MatrixXd dense(const Pattern& pattern, const Values& values) {
+  Eigen::MatrixXd full = Eigen::MatrixXd::Zero(pattern.size, pattern.size);
+  for_entries(pattern, [&](int i, int j, int k) { full(i, j) = values[at(k)]; });
+  return full;
+}
+
+/// K x without a dense K.
+inline Eigen::VectorXd product(const Pattern& pattern, const Values& values, const Eigen::VectorXd& x) {
+  Eigen::VectorXd y = Eigen::VectorXd::Zero(pattern.size);
+  for_entries(pattern, [&](int i, int j, int k) { y(i) += values[at(k)] * x(j); });
+  return y;
+}
+
+/// Largest backward error |K x − b| / (|K||x| + |b|) of two right-hand sides, which follow one factorisation; 1 when
+/// there is none.
+inline double backward_error(LinearSolver& solver, const Pattern& pattern, const Values& values) {
+  if (!solver.factor(values.data())) return 1;
+  const double norm = Eigen::Map<const Eigen::VectorXd>(values.data(), pattern.entries()).norm();
+  double worst = 0;
+  for (double from : {-1.0, 0.5}) {
+    const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(pattern.size, from, 2);
+    Eigen::VectorXd x = b;
+    if (!solver.solve(x.data())) return 1;
+    worst = std::max(worst, (product(pattern, values, x) - b).norm() / (norm * x.norm() + b.norm()));
+  }
+  return worst;
+}
+
+/// Springs of random stiffness from each of `size` unknowns to the next; nothing holds them.
+inline std::pair<Pattern, Values> free_springs(std::mt19937& random, int size) {
+  std::vector<std::vector<int>> pairs;
+  for (int i = 0; i + 1 < size; ++i) pairs.push_back({i, i + 1});
+  Pattern pattern = couple(size, pairs);
+  Values values(at(pattern.entries()), 0.0);
+  for (int i = 0; i + 1 < size; ++i) {
+    const double stiffness = std::uniform_real_distribution<double>(0.1, 1)(random);
+    for (int a : {i, i + 1})
+      for (int b : {i, i + 1}) values[at(pattern.find(a, b))] += a == b ? stiffness : -stiffness;
+  }
+  return {std::move(pattern), std::move(values)};
+}
+
+} // namespace signorini::solve::test
