@@ -9,6 +9,8 @@ sg.csv = require "signorini.csv"
 sg.table = require "signorini.table"
 sg.reference = require "signorini.reference"
 sg.mkdir = core.mkdir
+local profile = require "signorini.profile"
+sg.profile_error, sg.profile_edges = profile.error, profile.edges
 core.types.model.run = require "signorini.run"
 
 --- Gives functions written in Lua their help pages, like the rows of the bindings.
@@ -33,6 +35,28 @@ what was corrected. The names are those of the files in share/reference.]])
 document("sg.mkdir", sg.mkdir, [[
 sg.mkdir(path)
 Makes a folder and those above it; an existing folder is fine.]])
+document("sg.profile_error", sg.profile_error, [[
+sg.profile_error{ profile, reference, coordinate = "x", value = "pressure", normalise = 1, quadrature = "profile",
+                  zone = "either" }
+The L2 error sqrt(integral of ((p - p_ref)/N)^2 ds) of a contact profile (model:profile) against a reference: another
+profile, or a function of the coordinate. Returns the error and { from, to, points, scale, covered }: the range and the
+number of points of the integral, N, and the share of the zone where either one touches that the range covers.
+coordinate: a column such as "x" (deformed) or "X" (reference), or a function of a point { x =, y =, pressure =, … }; it
+            is s, so ds is its own length. It must grow along the contact zone; beyond, what turns back is left out.
+value:      "pressure" or "traction". normalise: N, a number, or "max", the reference's largest value.
+quadrature: whose points carry the integral: "profile" or "reference" (trapezoids between its points; the other one is
+            interpolated linearly), or "union" (the points of both, exact for two polygons).
+zone:       "either": open points count, with p = 0; "both": only where both touch, from edge point to edge point.
+            Where the contact of one ends earlier than that of the other, "both" leaves out the largest differences.
+Ranges that do not overlap are an error.
+Example: sg.profile_error{ profile = coarse:profile "a", reference = fine:profile "a", normalise = "max" }
+Source: V. Agrawal, thesis, IIT Guwahati 2020, eq. (7.2), which says nothing about the points of the integral.]])
+document("sg.profile_edges", sg.profile_edges, [[
+sg.profile_edges{ profile, coordinate = "x" }
+Where the contact of a profile begins and ends: { from, to, from_spacing, to_spacing }. An edge lies where the gap, linear
+between the last point that touches and the first one that does not, is zero; the spacing is the distance of these two
+points, within which the profile knows no more. Without spacing the contact reaches the profile's end.
+Example: half_width = sg.profile_edges{ profile = model:profile "ground" }.to]])
 document("model:run", core.types.model.run, [[
 model:run(stages, options)
 Takes a model along its load path and returns a run. Each stage { name = , steps = , <support or load> = {…} } moves driven

@@ -1,0 +1,203 @@
+-- Contact profiles compared: the L₂ error of one against another or against a function, and where its contact ends.
+--
+-- A profile is what model:profile returns: equally long lists x, y, pressure, traction, gap, … along the slave face. Two
+-- profiles of different meshes have different points. Between its points a profile is piecewise linear.
+
+local core = require "signorini.core"
+local arguments = require "signorini.arguments"
+
+local profile = {}
+
+-- ── A profile as a function of the coordinate ────────────────────────────────────────────────────────────────────────
+
+--- A column of a profile, checked.
+local function column(where, name, data, key)
+  local values = data[key]
+  if type(values) == "table" and #values == #data.x then return values end
+  local known = {}
+  for other, list in pairs(data) do
+    if type(list) == "table" and type(list[1]) == "number" then known[#known + 1] = other end
+  end
+  table.sort(known)
+  core.fail(("%s: %s has no values '%s'; known: %s"):format(where, name, tostring(key), table.concat(known, ", ")))
+end
+
+local function check_profile(where, name, data)
+  local expected, cure = "a contact profile with at least two points", "take what model:profile returns"
+  if type(data) ~= "table" or type(data.x) ~= "table" or #data.x < 2 then
+    arguments.reject(where, name, expected, data, cure)
+  end
+end
+
+--- The coordinate of every point. A function gets one point at a time, as a table of its values by name.
+local function coordinates(where, name, data, coordinate)
+  if type(coordinate) == "string" then return column(where, name, data, coordinate) end
+  if type(coordinate) ~= "function" then
+    arguments.reject(where, "coordinate", "the name of a column such as \"x\", or a function of a point", coordinate)
+  end
+  local list = {}
+  for i = 1, #data.x do
+    local point = {}
+    for key, values in pairs(data) do
+      if type(values) == "table" then point[key] = values[i] end
+    end
+    list[i] = arguments.number(where, ("coordinate(%s.x[%d], …)"):format(name, i), coordinate(point))
+  end
+  return list
+end
+
+--- The stretch of a profile on which its coordinate grows (the lists turned around where it falls): all points that carry a
+--- value and, to both sides, as far as it goes on. Beyond the points that carry something the value is zero.
+--- Returns { s = {…}, v = {…}, from, to }; from … to is where the first and the last of the carrying points lie.
+local function stretch(where, name, data, coordinate, value)
+  check_profile(where, name, data)
+  local s, v = coordinates(where, name, data, coordinate), column(where, name, data, value)
+  local first, last
+  for i = 1, #v do
+    if v[i] ~= 0 then first, last = first or i, i end
+  end
+  if not first then core.fail(("%s: %s carries no %s: no point of it touches"):format(where, name, value)) end
+  local sign = s[math.min(last + 1, #s)] > s[math.max(first - 1, 1)] and 1 or -1
+  for i = first + 1, last do
+    if sign * (s[i] - s[i - 1]) <= 0 then
+      core.fail(("%s: the coordinate of %s turns back in the contact zone, from %g to %g: choose one that grows along the face")
+        :format(where, name, s[i - 1], s[i]))
+    end
+  end
+  local low, high = first, last
+  while low > 1 and sign * (s[low] - s[low - 1]) > 0 do low = low - 1 end
+  while high < #s and sign * (s[high + 1] - s[high]) > 0 do high = high + 1 end
+  local part = { s = {}, v = {}, from = math.min(s[first], s[last]), to = math.max(s[first], s[last]) }
+  for i = sign > 0 and low or high, sign > 0 and high or low, sign do
+    part.s[#part.s + 1], part.v[#part.v + 1] = s[i], v[i]
+  end
+  return part
+end
+
+--- The piecewise linear value of a stretch at a coordinate within it.
+local function evaluate(part, at)
+  local s, v = part.s, part.v
+  local low, high = 1, #s
+  while high - low > 1 do
+    local middle = (low + high) // 2
+    if s[middle] <= at then low = middle else high = middle end
+  end
+  return v[low] + (v[high] - v[low]) * (at - s[low]) / (s[high] - s[low])
+end
+
+-- ── The error ────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+local function choice(where, name, value, default, known)
+  if value == nil then return default end
+  for _, word in ipairs(known) do
+    if value == word then return value end
+  end
+  arguments.reject(where, name, '"' .. table.concat(known, '", "') .. '"', value)
+end
+
+--- A function as the other side of a comparison: it has no points and is known on all of the profile's stretch.
+local function known_everywhere(where, reference, mine)
+  return {
+    s = { mine.s[1], mine.s[#mine.s] }, from = mine.from, to = mine.to,
+    value = function(at) return arguments.number(where, ("reference(%g)"):format(at), reference(at)) end,
+  }
+end
+
+--- Where the error is integrated: where both sides are known, or only where both carry something.
+local function common_range(where, mine, theirs, zone)
+  local function range(side)
+    if zone == "both" then return side.from, side.to end
+    return side.s[1], side.s[#side.s]
+  end
+  local a, b = range(mine)
+  local c, d = range(theirs)
+  local from, to = math.max(a, c), math.min(b, d)
+  if to > from then return from, to end
+  core.fail(("%s: the ranges of the coordinate do not overlap: the profile %s from %g to %g, the reference from %g to %g")
+    :format(where, zone == "both" and "touches" or "goes", a, b, c, d))
+end
+
+--- The points of the quadrature, in order: those of one or both sides within the range, and the range's ends.
+local function nodes(sides, from, to)
+  local list = { from, to }
+  for _, side in ipairs(sides) do
+    for _, at in ipairs(side.s) do
+      if at > from and at < to then list[#list + 1] = at end
+    end
+  end
+  table.sort(list)
+  return list
+end
+
+--- The share of the zone where at least one side carries something that lies in the range.
+local function share(mine, theirs, from, to)
+  local low, high = math.min(mine.from, theirs.from), math.max(mine.to, theirs.to)
+  return high > low and math.max(0, math.min(to, high) - math.max(from, low)) / (high - low) or 1
+end
+
+--- The L₂ error √∫ ((p − p_ref)/N)² ds of a contact profile (thesis eq. 7.2 with N = max p_ref); see the help page.
+--- Returns the error and { from, to, points, scale, covered }.
+function profile.error(options)
+  local where = "sg.profile_error"
+  local o = arguments.table(where, "its argument", options,
+    { "profile", "reference", "coordinate", "value", "normalise", "quadrature", "zone" })
+  local coordinate, value = o.coordinate or "x", choice(where, "value", o.value, "pressure", { "pressure", "traction" })
+  local quadrature = choice(where, "quadrature", o.quadrature, "profile", { "profile", "reference", "union" })
+  local zone = choice(where, "zone", o.zone, "either", { "either", "both" })
+  local mine = stretch(where, "profile", o.profile, coordinate, value)
+  local is_function = type(o.reference) == "function"
+  if is_function and quadrature == "reference" then
+    core.fail(where .. ": quadrature cannot be \"reference\" when the reference is a function, which has no points; leave it out")
+  end
+  local theirs = is_function and known_everywhere(where, o.reference, mine)
+    or stretch(where, "reference", o.reference, coordinate, value)
+
+  local from, to = common_range(where, mine, theirs, zone)
+  local sides = quadrature == "union" and { mine, theirs } or { quadrature == "profile" and mine or theirs }
+  local at, largest, difference = nodes(sides, from, to), 0, {}
+  for i, s in ipairs(at) do
+    local wanted = is_function and theirs.value(s) or evaluate(theirs, s)
+    difference[i], largest = evaluate(mine, s) - wanted, math.max(largest, math.abs(wanted))
+  end
+  for _, wanted in ipairs(theirs.v or {}) do largest = math.max(largest, math.abs(wanted)) end
+  local scale = o.normalise == "max" and largest or o.normalise or 1
+  if type(scale) ~= "number" or not (scale > 0 and scale < math.huge) then
+    arguments.reject(where, "normalise", "a positive number or \"max\"", o.normalise)
+  end
+
+  -- Trapezoids on the squares, or on the union of the points, where the difference is linear in between, exactly:
+  -- ∫ d² = h (d₁² + d₁d₂ + d₂²)/3
+  local sum = 0
+  for i = 2, #at do
+    local length, a, b = at[i] - at[i - 1], difference[i - 1], difference[i]
+    sum = sum + length * (quadrature == "union" and (a * a + a * b + b * b) / 3 or (a * a + b * b) / 2)
+  end
+  return math.sqrt(sum) / scale,
+    { from = from, to = to, points = #at, scale = scale, covered = share(mine, theirs, from, to) }
+end
+
+-- ── The edges ────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- Where a profile's contact begins and ends: { from, to, from_spacing, to_spacing }; see the help page.
+function profile.edges(options)
+  local where = "sg.profile_edges"
+  local o = arguments.table(where, "its argument", options, { "profile", "coordinate" })
+  local coordinate = o.coordinate or "x"
+  check_profile(where, "profile", o.profile)
+  local s = coordinates(where, "profile", o.profile, coordinate)
+  local gap = column(where, "profile", o.profile, "gap")
+  local part = stretch(where, "profile", o.profile, coordinate, "pressure")
+  local edges = { from = part.from, to = part.to }
+  for i = 2, #s do
+    -- One end of the interval is an end of the contact zone, the other one is open. g(s) = 0, g linear in between.
+    local low, high = math.min(s[i - 1], s[i]), math.max(s[i - 1], s[i])
+    if gap[i - 1] * gap[i] < 0 then
+      local zero = s[i - 1] + (s[i] - s[i - 1]) * gap[i - 1] / (gap[i - 1] - gap[i])
+      if low == part.to then edges.to, edges.to_spacing = zero, high - low end
+      if high == part.from then edges.from, edges.from_spacing = zero, high - low end
+    end
+  end
+  return edges
+end
+
+return profile
