@@ -75,9 +75,11 @@ void prescribe(const Body<D>& body, const std::string& face, int component, Valu
     dofs[D * function + component] = value(Vec<D>(points.col(function)));
 }
 
-/// Newton's method from zero displacement with dense algebra; the residual at the end is the reactions.
+/// Newton's method from zero displacement with dense algebra under dead nodal forces (empty: none); the force at the
+/// end less the load is the reactions.
 template <int D>
-Assembled equilibrate(const Body<D>& body, const std::map<int, double>& prescribed, int iterations, VectorX& u) {
+Assembled equilibrate(const Body<D>& body, const std::map<int, double>& prescribed, int iterations, VectorX& u,
+                      const VectorX& load = {}) {
   u = VectorX::Zero(D * body.functions());
   std::vector<int> free;
   for (int i = 0; i < u.size(); ++i)
@@ -86,7 +88,8 @@ Assembled equilibrate(const Body<D>& body, const std::map<int, double>& prescrib
   for (const auto& [dof, value] : prescribed) increment(dof) = value;
   for (int k = 0; k < iterations; ++k) {
     const Assembled now = assemble(body, u);
-    const VectorX right = -(now.force + now.tangent * increment);
+    VectorX right = -(now.force + now.tangent * increment);
+    if (load.size() > 0) right += load;
     increment(free) += MatrixX(now.tangent(free, free)).ldlt().solve(VectorX(right(free)));
     u += increment;
     increment.setZero();
