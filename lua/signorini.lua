@@ -37,7 +37,7 @@ sg.mkdir(path)
 Makes a folder and those above it; an existing folder is fine.]])
 document("sg.profile_error", sg.profile_error, [[
 sg.profile_error{ profile, reference, coordinate = "x", value = "pressure", normalise = 1, quadrature = "profile",
-                  zone = "either" }
+                  zone = "either", edge = "point" }
 The L2 error sqrt(integral of ((p - p_ref)/N)^2 ds) of a contact profile (model:profile) against a reference: another
 profile, or a function of the coordinate. Returns the error and { from, to, points, scale, covered }: the range and the
 number of points of the integral, N, and the share of the zone where either one touches that the range covers.
@@ -48,6 +48,8 @@ quadrature: whose points carry the integral: "profile" or "reference" (trapezoid
             interpolated linearly), or "union" (the points of both, exact for two polygons).
 zone:       "either": open points count, with p = 0; "both": only where both touch, from edge point to edge point.
             Where the contact of one ends earlier than that of the other, "both" leaves out the largest differences.
+edge:       how a profile falls to zero between its last point that touches and the next one: "point", linearly to that
+            next one; "gap", to where the gap, linear between these two, is zero, which is a point of the integral, too.
 Ranges that do not overlap are an error.
 Example: sg.profile_error{ profile = coarse:profile "a", reference = fine:profile "a", normalise = "max" }
 Source: V. Agrawal, thesis, IIT Guwahati 2020, eq. (7.2), which says nothing about the points of the integral.]])

@@ -46,10 +46,24 @@ local function coordinates(where, name, data, coordinate)
   return list
 end
 
+--- Adds the points where the gap, linear in between, is zero, between one that carries a value and one that does not: the
+--- chord between these two would end at the one that does not.
+local function add_edges(part, gap)
+  local s, v, g = part.s, part.v, gap
+  for i = #s, 2, -1 do
+    if (v[i - 1] == 0) ~= (v[i] == 0) and g[i - 1] * g[i] < 0 then
+      local zero = s[i - 1] + (s[i] - s[i - 1]) * g[i - 1] / (g[i - 1] - g[i])
+      table.insert(s, i, zero)
+      table.insert(v, i, 0)
+      part.from, part.to = math.min(part.from, zero), math.max(part.to, zero)
+    end
+  end
+end
+
 --- The stretch of a profile on which its coordinate grows (the lists turned around where it falls): all points that carry a
 --- value and, to both sides, as far as it goes on. Beyond the points that carry something the value is zero.
---- Returns { s = {…}, v = {…}, from, to }; from … to is where the first and the last of the carrying points lie.
-local function stretch(where, name, data, coordinate, value)
+--- Returns { s = {…}, v = {…}, from, to }; from … to is the zone that carries something. `edge`: see the help page.
+local function stretch(where, name, data, coordinate, value, edge)
   check_profile(where, name, data)
   local s, v = coordinates(where, name, data, coordinate), column(where, name, data, value)
   local first, last
@@ -68,9 +82,11 @@ local function stretch(where, name, data, coordinate, value)
   while low > 1 and sign * (s[low] - s[low - 1]) > 0 do low = low - 1 end
   while high < #s and sign * (s[high + 1] - s[high]) > 0 do high = high + 1 end
   local part = { s = {}, v = {}, from = math.min(s[first], s[last]), to = math.max(s[first], s[last]) }
+  local gap, kept = edge == "gap" and column(where, name, data, "gap"), {}
   for i = sign > 0 and low or high, sign > 0 and high or low, sign do
-    part.s[#part.s + 1], part.v[#part.v + 1] = s[i], v[i]
+    part.s[#part.s + 1], part.v[#part.v + 1], kept[#kept + 1] = s[i], v[i], gap and gap[i]
   end
+  if gap then add_edges(part, kept) end
   return part
 end
 
@@ -140,17 +156,18 @@ end
 function profile.error(options)
   local where = "sg.profile_error"
   local o = arguments.table(where, "its argument", options,
-    { "profile", "reference", "coordinate", "value", "normalise", "quadrature", "zone" })
+    { "profile", "reference", "coordinate", "value", "normalise", "quadrature", "zone", "edge" })
   local coordinate, value = o.coordinate or "x", choice(where, "value", o.value, "pressure", { "pressure", "traction" })
   local quadrature = choice(where, "quadrature", o.quadrature, "profile", { "profile", "reference", "union" })
   local zone = choice(where, "zone", o.zone, "either", { "either", "both" })
-  local mine = stretch(where, "profile", o.profile, coordinate, value)
+  local edge = choice(where, "edge", o.edge, "point", { "point", "gap" })
+  local mine = stretch(where, "profile", o.profile, coordinate, value, edge)
   local is_function = type(o.reference) == "function"
   if is_function and quadrature == "reference" then
     core.fail(where .. ": quadrature cannot be \"reference\" when the reference is a function, which has no points; leave it out")
   end
   local theirs = is_function and known_everywhere(where, o.reference, mine)
-    or stretch(where, "reference", o.reference, coordinate, value)
+    or stretch(where, "reference", o.reference, coordinate, value, edge)
 
   local from, to = common_range(where, mine, theirs, zone)
   local sides = quadrature == "union" and { mine, theirs } or { quadrature == "profile" and mine or theirs }
@@ -182,20 +199,11 @@ end
 function profile.edges(options)
   local where = "sg.profile_edges"
   local o = arguments.table(where, "its argument", options, { "profile", "coordinate" })
-  local coordinate = o.coordinate or "x"
-  check_profile(where, "profile", o.profile)
-  local s = coordinates(where, "profile", o.profile, coordinate)
-  local gap = column(where, "profile", o.profile, "gap")
-  local part = stretch(where, "profile", o.profile, coordinate, "pressure")
-  local edges = { from = part.from, to = part.to }
-  for i = 2, #s do
-    -- One end of the interval is an end of the contact zone, the other one is open. g(s) = 0, g linear in between.
-    local low, high = math.min(s[i - 1], s[i]), math.max(s[i - 1], s[i])
-    if gap[i - 1] * gap[i] < 0 then
-      local zero = s[i - 1] + (s[i] - s[i - 1]) * gap[i - 1] / (gap[i - 1] - gap[i])
-      if low == part.to then edges.to, edges.to_spacing = zero, high - low end
-      if high == part.from then edges.from, edges.from_spacing = zero, high - low end
-    end
+  local part = stretch(where, "profile", o.profile, o.coordinate or "x", "pressure", "gap")
+  local edges, s = { from = part.from, to = part.to }, part.s
+  for i = 2, #s - 1 do
+    if s[i] == part.from and part.v[i] == 0 then edges.from_spacing = s[i + 1] - s[i - 1] end
+    if s[i] == part.to and part.v[i] == 0 then edges.to_spacing = s[i + 1] - s[i - 1] end
   end
   return edges
 end

@@ -65,6 +65,20 @@ check.case("zones: contact that ends earlier counts with zero pressure, or is le
   check.near(how.covered, 0.99 / 1.249, 1e-12)
 end)
 
+check.case("edges of the integral: the chord to the next open point, or the zero of the gap", function()
+  -- p = max(0, 1 + c − s) on points 0.1 apart: the chord from s = 1 ends at 1.1, the gap's zero is at 1 + c
+  local c = 0.0303
+  local function ramp(s) return math.max(0, 1 + c - s) end
+  local function gap(s) return s - 1 - c end
+  local p, r = sampled(21, 2, ramp, gap), sampled(2001, 2, ramp, gap)
+  check.near(sg.profile_error{ profile = p, reference = r, quadrature = "union", edge = "gap" }, 0, 1e-15)
+  -- With t = s − 1: ∫₀^c (c(1 − 10t) − (c − t))² dt + ∫_c^0.1 (c(1 − 10t))² dt
+  local exact = math.sqrt((1 - 10 * c) ^ 2 * c ^ 3 / 3 + c ^ 2 * (1 - 10 * c) ^ 3 / 30)
+  check.near(sg.profile_error{ profile = p, reference = r, quadrature = "union" }, exact, 1e-6)
+  local _, how = sg.profile_error{ profile = p, reference = r, zone = "both", edge = "gap" }
+  check.near(how.to, 1 + c, 1e-12)
+end)
+
 check.case("coordinates: a column, a function of the point, a face that runs backwards or curls up", function()
   local p, r = sampled(101, 2, hertz(1, 3)), sampled(201, 2, hertz(1, 4))
   local plain = sg.profile_error{ profile = p, reference = r }
@@ -123,6 +137,7 @@ check.case("wrong inputs name the argument, what came, what was expected, and th
   fails({ profile = p, reference = r, coordinate = 3 }, "coordinate must be the name of a column", "got the number 3")
   fails({ profile = p, reference = r, value = "gap" }, 'value must be "pressure", "traction"')
   fails({ profile = p, reference = r, quadrature = "gauss" }, 'quadrature must be "profile", "reference", "union"')
+  fails({ profile = p, reference = r, edge = "round" }, 'edge must be "point", "gap"')
   fails({ profile = p, reference = r, normalise = -1 }, "normalise must be a positive number")
   fails({ profile = p, reference = r, normalize = 1 }, "unknown argument 'normalize'", "did you mean 'normalise'")
   fails({ profile = p, reference = math.sqrt, quadrature = "reference" }, "a function, which has no points")
