@@ -1,14 +1,14 @@
 #include "solve/linear.hpp"
 
 #include "base/error.hpp"
+#include "solve/cholesky.hpp"
 #include "solve/condensed.hpp"
+#include "solve/values.hpp"
 
 #include <klu.h>
 #include <umfpack.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <utility>
 
 namespace signorini::solve {
@@ -18,6 +18,7 @@ namespace {
 constexpr std::pair<LinearKind, const char*> names[] = {{LinearKind::automatic, "auto"},
                                                         {LinearKind::klu, "klu"},
                                                         {LinearKind::umfpack, "umfpack"},
+                                                        {LinearKind::cholmod, "cholmod"},
                                                         {LinearKind::condensed, "condensed"}};
 
 /// KLU (Davis & Palamadai Natarajan, ACM TOMS 37, 2010): a refactorisation keeps the pivots of the last full one and
@@ -51,7 +52,7 @@ public:
       // Kept pivots can be bad ones for the new values: then K x = b is missed, and new pivots are taken.
       std::copy_n(b, pattern_.size, right_.data());
       if (!klu_solve(symbolic_, numeric_, pattern_.size, 1, b, &common_)) return false;
-      if (residual(b) <= 1e-8) return true;
+      if (relative_residual(pattern_, values_, b, right_.data(), difference_) <= 1e-8) return true;
       std::copy(right_.begin(), right_.end(), b);
       if (!factor_with_pivots()) return false;
     }
@@ -68,22 +69,6 @@ private:
   }
 
   bool regular() { return klu_rcond(symbolic_, numeric_, &common_) && common_.rcond > least_pivot; }
-
-  /// ‖b − K x‖ / ‖b‖ for the b kept in right_; infinite when x is not finite.
-  double residual(const double* x) {
-    double square = 0, scale = 0;
-    difference_ = right_;
-    for (int j = 0; j < pattern_.size; ++j)
-      for (int k = pattern_.starts[static_cast<std::size_t>(j)]; k < pattern_.starts[static_cast<std::size_t>(j) + 1];
-           ++k)
-        difference_[static_cast<std::size_t>(pattern_.rows[static_cast<std::size_t>(k)])] -= values_[k] * x[j];
-    for (std::size_t i = 0; i < right_.size(); ++i) {
-      square += difference_[i] * difference_[i];
-      scale += right_[i] * right_[i];
-    }
-    if (!std::isfinite(square)) return std::numeric_limits<double>::infinity();
-    return scale > 0 ? std::sqrt(square / scale) : 0;
-  }
 
   Pattern pattern_;
   std::vector<double> right_, difference_;
@@ -160,6 +145,7 @@ std::unique_ptr<LinearSolver> make_solver(LinearKind kind, const Pattern& patter
   if (kind == LinearKind::automatic) kind = pattern.size <= klu_limit ? LinearKind::klu : LinearKind::umfpack;
   if (kind == LinearKind::klu) return std::make_unique<Klu>(pattern);
   if (kind == LinearKind::umfpack) return std::make_unique<Umfpack>(pattern);
+  if (kind == LinearKind::cholmod) return make_cholesky(pattern);
   require(condensation != nullptr, "linear: the solver 'condensed' needs a matrix that is constant but for contact, as "
                                    "bodies that are all linear elastic have; take 'auto'");
   return make_condensed(pattern, *condensation);

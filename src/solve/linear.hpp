@@ -9,13 +9,13 @@
 
 namespace signorini::solve {
 
-enum class LinearKind { automatic, klu, umfpack, condensed };
+enum class LinearKind { automatic, klu, umfpack, cholmod, condensed };
 
-/// "auto", "klu", "umfpack", "condensed". Throws Error that lists them.
+/// "auto", "klu", "umfpack", "cholmod", "condensed". Throws Error that lists them.
 LinearKind linear_kind(const std::string& name);
 std::string name_of(LinearKind kind);
 
-/// Solves K x = b for one unsymmetric K after the other on a fixed pattern.
+/// Solves K x = b for one K after the other on a fixed, structurally symmetric pattern.
 class LinearSolver {
 public:
   virtual ~LinearSolver() = default;
@@ -23,17 +23,16 @@ public:
   /// singular to working precision.
   virtual bool factor(const double* values) = 0;
   /// Overwrites b by K⁻¹ b. Call after a successful factor(), whose values must still be there. Returns false when the
-  /// matrix turns out to be singular to working precision.
+  /// matrix turns out to be singular to working precision. May be called again for other right-hand sides.
   virtual bool solve(double* b) = 0;
   virtual LinearKind kind() const = 0;
+  /// How many eigenvalues of the factored symmetric matrix are negative; −1 when the solver does not know.
+  virtual int negative_pivots() const { return -1; }
 };
 
 /// Least ratio of the smallest to the largest pivot. Below, rounding alone keeps the matrix from being singular: the
 /// pivot of a rigid motion that nothing holds.
 inline constexpr double least_pivot = 1e-14;
-
-/// Largest difference |a_ij − a_ji| over the largest entry of a matrix that counts as symmetric.
-inline constexpr double symmetry_tolerance = 1e-9;
 
 /// A matrix K₀ + C of which only C changes from one factor() to the next.
 struct Condensation {

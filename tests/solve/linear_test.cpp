@@ -67,9 +67,11 @@ INSTANTIATE_TEST_SUITE_P(Solvers, Linear, testing::Values(LinearKind::klu, Linea
                          [](const auto& info) { return name_of(info.param); });
 
 TEST(LinearKinds, HaveNames) {
-  for (LinearKind kind : {LinearKind::automatic, LinearKind::klu, LinearKind::umfpack, LinearKind::condensed})
+  for (LinearKind kind :
+       {LinearKind::automatic, LinearKind::klu, LinearKind::umfpack, LinearKind::cholmod, LinearKind::condensed})
     EXPECT_EQ(linear_kind(name_of(kind)), kind);
-  EXPECT_ERROR(linear_kind("pardiso"), "unknown solver 'pardiso'; known are 'auto', 'klu', 'umfpack', 'condensed'");
+  EXPECT_ERROR(linear_kind("pardiso"),
+               "unknown solver 'pardiso'; known are 'auto', 'klu', 'umfpack', 'cholmod', 'condensed'");
   EXPECT_EQ(make_solver(LinearKind::automatic, chain(10))->kind(), LinearKind::klu);
 }
 

@@ -5,6 +5,7 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <utility>
@@ -43,7 +44,7 @@ inline Values random_definite(std::mt19937& random, const Pattern& pattern, doub
   Values values = random_values(random, pattern), sums(at(pattern.size), 0.1);
   for_entries(pattern, [&](int i, int j, int k) {
     if (i < j) values[at(k)] = values[at(pattern.find(j, i))];
-    if (i != j) sums[at(i)] += std::abs(values[at(std::max(k, pattern.find(j, i)))]);
+    if (i != j) sums[at(i)] += std::abs(values[at(std::min(k, pattern.find(j, i)))]);
   });
   for_entries(pattern, [&](int i, int j, int k) {
     if (i == j) values[at(k)] = diagonal * sums[at(i)];

@@ -1,0 +1,40 @@
+#include "solve/values.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace signorini::solve {
+
+Symmetry::Symmetry(const Pattern& pattern) : mirror_(pattern.rows.size()) {
+  // Column by column, the mirror images in each other column come in its own order.
+  std::vector<int> next(pattern.starts.begin(), pattern.starts.end());
+  for (std::size_t k = 0; k < mirror_.size(); ++k) mirror_[k] = next[static_cast<std::size_t>(pattern.rows[k])]++;
+}
+
+bool Symmetry::holds(const double* values) const {
+  double largest = 0, difference = 0;
+  for (std::size_t k = 0; k < mirror_.size(); ++k) {
+    largest = std::max(largest, std::abs(values[k]));
+    difference = std::max(difference, std::abs(values[k] - values[mirror_[k]]));
+  }
+  constexpr double tolerance = 1e-9;
+  return difference <= tolerance * largest;
+}
+
+double relative_residual(const Pattern& pattern, const double* values, const double* x, const double* b,
+                         std::vector<double>& difference) {
+  difference.assign(b, b + pattern.size);
+  for (int j = 0; j < pattern.size; ++j)
+    for (int k = pattern.starts[static_cast<std::size_t>(j)]; k < pattern.starts[static_cast<std::size_t>(j) + 1]; ++k)
+      difference[static_cast<std::size_t>(pattern.rows[static_cast<std::size_t>(k)])] -= values[k] * x[j];
+  double square = 0, scale = 0;
+  for (int i = 0; i < pattern.size; ++i) {
+    square += difference[static_cast<std::size_t>(i)] * difference[static_cast<std::size_t>(i)];
+    scale += b[i] * b[i];
+  }
+  if (!std::isfinite(square)) return std::numeric_limits<double>::infinity();
+  return scale > 0 ? std::sqrt(square / scale) : 0;
+}
+
+} // namespace signorini::solve

@@ -1,0 +1,149 @@
+// The solvers on symmetric systems, definite or not, and what is said about symmetry and inertia.
+#include "solve/linear.hpp"
+#include "solve/values.hpp"
+
+#include "nurbs/random_patch.hpp"
+#include "solve/matrices.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+namespace signorini::solve {
+namespace {
+
+using namespace test;
+
+/// All unknowns coupled: enough arithmetic per entry for CHOLMOD's dense blocks.
+Pattern full(int size) {
+  std::vector<int> all(at(size));
+  std::iota(all.begin(), all.end(), 0);
+  return couple(size, {all});
+}
+
+Values random_symmetric(std::mt19937& random, const Pattern& pattern) {
+  Values values = random_values(random, pattern);
+  for_entries(pattern, [&](int i, int j, int k) {
+    if (i < j) values[at(pattern.find(j, i))] = values[at(k)];
+  });
+  return values;
+}
+
+int negative_eigenvalues(const Pattern& pattern, const Values& values) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(dense(pattern, values), Eigen::EigenvaluesOnly);
+  return static_cast<int>((solver.eigenvalues().array() < 0).count());
+}
+
+class Symmetric : public testing::TestWithParam<LinearKind> {};
+
+TEST_P(Symmetric, DefiniteAndIndefiniteSystemsInTurn) {
+  std::mt19937 random(21);
+  for (const Pattern& pattern : {chain(1), chain(2), chain(13), chain(120), full(420)}) {
+    const auto solver = make_solver(GetParam(), pattern);
+    EXPECT_EQ(solver->kind(), GetParam());
+    for (double diagonal : {1.0, -1.0, -1.0, 1.0, 1.0}) {
+      const Values values = random_definite(random, pattern, diagonal);
+      EXPECT_LT(backward_error(*solver, pattern, values), 1e-14) << pattern.size << " " << diagonal;
+      const int negative = solver->negative_pivots();
+      EXPECT_TRUE(negative == (diagonal > 0 ? 0 : pattern.size) || negative == -1) << pattern.size << " " << diagonal << " " << negative;
+    }
+    for (int round = 0; round < 5; ++round) {
+      const Values values = random_symmetric(random, pattern);
+      EXPECT_LT(backward_error(*solver, pattern, values), 1e-10) << pattern.size << " " << round;
+      const int negative = solver->negative_pivots();
+      if (negative >= 0 && pattern.size < 200) {
+        EXPECT_EQ(negative, negative_eigenvalues(pattern, values));
+      }
+    }
+  }
+}
+
+/// A regular matrix without a usable diagonal pivot.
+TEST_P(Symmetric, ZeroDiagonal) {
+  const Pattern pattern = chain(61);
+  std::mt19937 random(22);
+  const auto solver = make_solver(GetParam(), pattern);
+  for (double diagonal : {1e-9, 1e-15, 0.0}) {
+    Values values = random_symmetric(random, pattern);
+    for (int i = 0; i < pattern.size; ++i) values[at(pattern.find(i, i))] = diagonal;
+    EXPECT_LT(backward_error(*solver, pattern, values), 1e-10) << diagonal;
+  }
+}
+
+TEST_P(Symmetric, SingularMatricesAreSeenAndDoNoHarm) {
+  std::mt19937 random(23);
+  auto [pattern, values] = free_springs(random, 50);
+  const auto solver = make_solver(GetParam(), pattern);
+  for (int round = 0; round < 2; ++round) {
+    EXPECT_FALSE(solver->factor(values.data()));
+    EXPECT_FALSE(solver->factor(Values(values.size(), 0.0).data()));
+    Values held = values;
+    held[at(pattern.find(0, 0))] += 1;
+    EXPECT_LT(backward_error(*solver, pattern, held), 1e-14);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Solvers, Symmetric, testing::Values(LinearKind::klu, LinearKind::umfpack, LinearKind::cholmod),
+                         [](const auto& info) { return name_of(info.param); });
+
+/// One softening spring after the other: the count of negative eigenvalues tells how many have turned.
+TEST(Cholmod, CountsNegativeEigenvalues) {
+  std::mt19937 random(24);
+  for (const Pattern& pattern : {chain(120), full(420)}) {
+    const auto solver = make_solver(LinearKind::cholmod, pattern);
+    Values values = random_definite(random, pattern);
+    for (int turned = 0; turned <= 3; ++turned) {
+      EXPECT_LT(backward_error(*solver, pattern, values), 1e-12);
+      EXPECT_EQ(solver->negative_pivots(), turned);
+      EXPECT_EQ(negative_eigenvalues(pattern, values), turned);
+      values[at(pattern.find(10 * turned, 10 * turned))] *= -3;
+    }
+  }
+}
+
+TEST(Cholmod, AnUnsymmetricTangentIsAnError) {
+  std::mt19937 random(25);
+  const Pattern pattern = chain(40);
+  Values values = random_definite(random, pattern);
+  const auto solver = make_solver(LinearKind::cholmod, pattern);
+  EXPECT_LT(backward_error(*solver, pattern, values), 1e-14);
+  values[at(pattern.find(3, 4))] += 1e-6;
+  EXPECT_ERROR(solver->factor(values.data()), "'cholmod' needs a symmetric tangent");
+  EXPECT_ERROR(solver->factor(values.data()), "take 'umfpack' or 'auto'");
+}
+
+TEST(Symmetry, ComparesMirrorImagesWithTheLargestEntry) {
+  std::mt19937 random(26);
+  for (int size : {1, 2, 13, 60}) {
+    const Pattern pattern = chain(size);
+    const Symmetry symmetry(pattern);
+    Values values = random_definite(random, pattern);
+    const double largest = *std::max_element(values.begin(), values.end());
+    EXPECT_TRUE(symmetry.holds(values.data()));
+    for_entries(pattern, [&](int i, int j, int k) {
+      const double kept = values[at(k)];
+      values[at(k)] = kept + 0.9e-9 * largest;
+      EXPECT_TRUE(symmetry.holds(values.data())) << i << " " << j;
+      values[at(k)] = kept + 1.2e-9 * largest;
+      EXPECT_EQ(symmetry.holds(values.data()), i == j) << i << " " << j;
+      values[at(k)] = kept;
+    });
+  }
+}
+
+TEST(RelativeResidual, IsThatOfTheDenseProduct) {
+  std::mt19937 random(27);
+  const Pattern pattern = chain(30);
+  const Values values = random_values(random, pattern);
+  const Eigen::VectorXd x = Eigen::VectorXd::Random(30), b = Eigen::VectorXd::Random(30);
+  std::vector<double> scratch;
+  EXPECT_NEAR(relative_residual(pattern, values.data(), x.data(), b.data(), scratch),
+              (b - dense(pattern, values) * x).norm() / b.norm(), 1e-13);
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(30);
+  EXPECT_EQ(relative_residual(pattern, values.data(), x.data(), none.data(), scratch), 0);
+  const Eigen::VectorXd broken = Eigen::VectorXd::Constant(30, std::nan(""));
+  EXPECT_TRUE(std::isinf(relative_residual(pattern, values.data(), broken.data(), b.data(), scratch)));
+}
+
+} // namespace
+} // namespace signorini::solve
