@@ -57,6 +57,7 @@ void open_library(lua_State* L, const Settings& settings) {
   open_curves(L);
   open_shapes(L);
   open_body(L);
+  open_rigid(L);
   open_scene(L);
   open_model(L);
   open_chart(L);

@@ -10,12 +10,6 @@ namespace signorini::bind {
 
 namespace {
 
-using model::Hold;
-
-int support_of_argument(lua_State* L) {
-  return find_support(L, self<Model>(L), read_string(L, 2, {"name", "a support"}));
-}
-
 int contact_of_argument(lua_State* L) {
   return find_contact(L, self<Model>(L), read_string(L, 2, {"name", "a contact"}));
 }
@@ -58,61 +52,95 @@ int body_of(lua_State* L) {
   return 1;
 }
 
-std::vector<int> driven_components(const Model& model, int support) {
-  std::vector<int> components;
-  const auto& hold = model->scene().supports[static_cast<std::size_t>(support)].hold;
-  for (int c = 0; c < 2; ++c)
-    if (hold[static_cast<std::size_t>(c)] == Hold::driven) components.push_back(c);
-  return components;
+int load_names(lua_State* L) {
+  return push_names(L, self<Model>(L)->scene().loads);
+}
+
+int driven_names(lua_State* L) {
+  return push_names(L, self<Model>(L)->drives().all());
+}
+
+/// The support or load that is called `name`; one that nothing drives has no components.
+model::Drive drive_of_argument(lua_State* L) {
+  const Model& model = self<Model>(L);
+  const std::string name = read_string(L, 2, {"name", "a support or a load"});
+  for (const model::Drive& drive : model->drives().all())
+    if (drive.name == name) return drive;
+  return {name, find_support(L, model, name), -1, 0, {}};
+}
+
+/// Index into Drives::all() of a drive with components.
+int index_of(const Model& model, const model::Drive& drive) {
+  const auto& all = model->drives().all();
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (all[i].name == drive.name) return static_cast<int>(i);
+  return -1;
 }
 
 int driven(lua_State* L) {
-  std::vector<std::string> names;
-  for (int c : driven_components(self<Model>(L), support_of_argument(L))) names.push_back(model::component_name(c));
-  push(L, names);
+  push(L, drive_of_argument(L).components);
   return 1;
 }
 
 int set_target(lua_State* L) {
   const Model& model = self<Model>(L);
-  const int support = support_of_argument(L);
-  const std::vector<int> components = driven_components(model, support);
-  const Argument argument{"displacement", "one number per driven component"};
+  const model::Drive drive = drive_of_argument(L);
+  const Argument argument{"target", "one number per driven component"};
   const std::vector<double> values = read_numbers(L, 3, argument);
-  if (values.size() != components.size())
-    reject(L, 3, argument, text("a list of ", components.size(), components.size() == 1 ? " number" : " numbers"));
-  for (std::size_t i = 0; i < values.size(); ++i) model->set_target(support, components[i], values[i]);
+  const std::size_t count = drive.components.size();
+  if (values.size() != count) reject(L, 3, argument, text("a list of ", count, count == 1 ? " number" : " numbers"));
+  for (std::size_t i = 0; i < count; ++i) model->set_target(index_of(model, drive), static_cast<int>(i), values[i]);
   return 0;
 }
 
 int target(lua_State* L) {
   const Model& model = self<Model>(L);
-  const int support = support_of_argument(L);
+  const model::Drive drive = drive_of_argument(L);
   std::vector<double> values;
-  for (int c : driven_components(model, support)) values.push_back(model->accepted_target(support, c));
+  for (std::size_t i = 0; i < drive.components.size(); ++i)
+    values.push_back(model->accepted_target(index_of(model, drive), static_cast<int>(i)));
   push(L, values);
   return 1;
 }
 
-int solve_step(lua_State* L) {
-  const Model& model = self<Model>(L);
-  model::StepOptions options;
-  if (!lua_isnoneornil(L, 2)) {
-    const Options o(L, 2, {"tolerance", "iterations", "linear"});
-    options.newton.tolerance =
-        o.positive("tolerance", "relative residual that counts as zero", options.newton.tolerance);
-    options.newton.iterations =
-        o.integer("iterations", "most iterations in one step", 1, 1'000'000, options.newton.iterations);
-    options.linear = solve::linear_kind(o.choice("linear", "linear solver", {"auto", "klu", "umfpack"}, "auto"));
-  }
-  const solve::NewtonReport report = model->solve_step(options);
-  lua_createtable(L, 0, 6);
+void read_newton(const Options& o, model::StepOptions& options) {
+  options.newton.tolerance = o.positive("tolerance", "relative residual that counts as zero", options.newton.tolerance);
+  options.newton.iterations =
+      o.integer("iterations", "most iterations in one step", 1, 1'000'000, options.newton.iterations);
+  options.linear = solve::linear_kind(o.string("linear", "linear solver", "auto"));
+}
+
+int push_report(lua_State* L, const solve::NewtonReport& report) {
+  lua_createtable(L, 0, 7);
   set_field(L, "converged", report.outcome == solve::Outcome::converged);
   set_field(L, "reason", solve::name_of(report.outcome));
   set_field(L, "iterations", report.iterations);
   set_field(L, "message", report.message);
   set_field(L, "residuals", report.residuals);
   set_field(L, "energies", report.energies);
+  return 1;
+}
+
+int solve_step(lua_State* L) {
+  const Model& model = self<Model>(L);
+  model::StepOptions options;
+  if (!lua_isnoneornil(L, 2)) read_newton(Options(L, 2, {"tolerance", "iterations", "linear"}), options);
+  return push_report(L, model->solve_step(options));
+}
+
+int solve_arc(lua_State* L) {
+  const Model& model = self<Model>(L);
+  model::StepOptions options;
+  const Options o(L, 2, {"length", "tolerance", "iterations", "linear"});
+  const double length = o.positive("length", "distance from the accepted state, 2-norm over all control points");
+  read_newton(o, options);
+  push_report(L, model->solve_arc(options, length));
+  set_field(L, "fraction", model->arc_fraction());
+  return 1;
+}
+
+int last_length(lua_State* L) {
+  push(L, self<Model>(L)->last_length());
   return 1;
 }
 
@@ -128,9 +156,23 @@ int rollback(lua_State* L) {
 
 // ── What the present state looks like ────────────────────────────────────────────────────────────────────────────────
 
+/// Of a support or a load.
 int reaction(lua_State* L) {
   const Model& model = self<Model>(L);
-  push(L, VectorX(model->reaction(support_of_argument(L))));
+  const std::string name = read_string(L, 2, {"name", "a support or a load"});
+  const auto& loads = model->scene().loads;
+  for (std::size_t i = 0; i < loads.size(); ++i)
+    if (loads[i].name == name) {
+      push(L, VectorX(model->load_resultant(static_cast<int>(i))));
+      return 1;
+    }
+  const int support = find_support(L, model, name);
+  VectorX force = model->reaction(support);
+  if (model->scene().supports[static_cast<std::size_t>(support)].rotates) {
+    force.conservativeResize(3);
+    force(2) = model->moment(support);
+  }
+  push(L, force);
   return 1;
 }
 
@@ -151,9 +193,12 @@ int contact_resultant(lua_State* L) {
 int profile(lua_State* L) {
   const Model& model = self<Model>(L);
   const model::Profile profile = model::profile(*model, contact_of_argument(L));
-  lua_createtable(L, 0, 6);
+  lua_createtable(L, 0, 9);
   set_field(L, "x", profile.x);
   set_field(L, "y", profile.y);
+  set_field(L, "X", profile.reference_x);
+  set_field(L, "Y", profile.reference_y);
+  set_field(L, "area", profile.area);
   set_field(L, "pressure", profile.pressure);
   set_field(L, "traction", profile.traction);
   set_field(L, "gap", profile.gap);
@@ -167,7 +212,7 @@ int sample(lua_State* L) {
   if (const Body* object = test_object<Body>(L, 2)) {
     const auto& bodies = model->scene().bodies;
     for (std::size_t b = 0; b < bodies.size(); ++b)
-      if (bodies[b].body == *object) body = static_cast<int>(b);
+      if (&bodies[b].body->space() == &(*object)->space()) body = static_cast<int>(b); // the same when revolved
     if (body < 0) throw ArgumentError(text(function_name(L), ": this body is not part of the model"));
   } else {
     body = find_body(L, model, read_string(L, 2, {"body", "a body or its name"}));
@@ -206,9 +251,10 @@ int tostring(lua_State* L) {
   const auto& scene = model->scene();
   std::string names;
   for (const auto& body : scene.bodies) names += (names.empty() ? "" : ", ") + body.name;
-  push(L, text("plane-strain model of ", names, ": ", model->unknowns().dofs(), " degrees of freedom, ",
-               model->unknowns().size(), " of them free, ", scene.supports.size(), " supports, ", scene.contacts.size(),
-               scene.contacts.size() == 1 ? " contact" : " contacts"));
+  const bool revolved = scene.kind == solid::Kind::axisymmetric;
+  push(L, text(revolved ? "axisymmetric" : "plane-strain", " model of ", names, ": ", model->unknowns().dofs(),
+               " degrees of freedom, ", model->unknowns().size(), " of them free, ", scene.supports.size(),
+               " supports, ", scene.contacts.size(), scene.contacts.size() == 1 ? " contact" : " contacts"));
   return 1;
 }
 
@@ -218,11 +264,18 @@ constexpr Function rows[] = {
     {"support_names", wrap<support_names>, "m:support_names()\nThe names of the supports, sorted."},
     {"contact_names", wrap<contact_names>, "m:contact_names()\nThe names of the contacts, sorted."},
     {"body", wrap<body_of>, "m:body(name)\nA body of the model."},
-    {"driven", wrap<driven>, "m:driven(support)\nThe components that a support drives: {\"x\", \"y\"}."},
+    {"load_names", wrap<load_names>, "m:load_names()\nThe names of the loads, sorted."},
+    {"driven_names", wrap<driven_names>,
+     "m:driven_names()\nThe names of what stages can move: supports that drive or rotate, then loads."},
+    {"driven", wrap<driven>,
+     "m:driven(name)\nThe components that stages move, in order: {\"x\", \"y\"} of a driven support or a traction,\n"
+     "{\"angle\"} of a support that rotates (after its driven components), {\"pressure\"}."},
     {"set_target", wrap<set_target>,
-     "m:set_target(support, {ux, uy})\nDisplacement of a driven support at the end of the next step, one per driven "
-     "component."},
-    {"target", wrap<target>, "m:target(support)\nDisplacement of a driven support in the last accepted state."},
+     "m:set_target(name, {ux, uy})\nWhat the components of a support or load shall be at the end of the next step: "
+     "lengths,\n"
+     "degrees, force per area."},
+    {"target", wrap<target>,
+     "m:target(name)\nWhat the components of a support or load are in the last accepted state."},
     {"solve_step", wrap<solve_step>,
      "m:solve_step{ tolerance = 1e-10, iterations = 25, linear = \"auto\" }\n"
      "Newton's method from the accepted state to the targets; accepts nothing. Returns { converged, reason, "
@@ -230,10 +283,25 @@ constexpr Function rows[] = {
      "message, residuals, energies }; reason is \"converged\", \"iterations\", \"diverged\", \"inverted\", "
      "\"singular\", "
      "\"nan\" or\n"
-     "\"interrupted\". linear: \"auto\", \"klu\" or \"umfpack\"."},
+     "\"interrupted\". linear: \"auto\", \"klu\", \"umfpack\", \"cholmod\" (symmetric tangents only), or "
+     "\"condensed\" (linear\n"
+     "elastic bodies: all but the contact unknowns are eliminated once; what \"auto\" takes there)."},
+    {"solve_arc", wrap<solve_arc>,
+     "m:solve_arc{ length, tolerance = 1e-10, iterations = 25, linear = \"auto\" }\n"
+     "Goes a given distance (2-norm of the control points' displacements) from the accepted state along the path that\n"
+     "leads to the targets; how far along it is an unknown, so that turning points can be passed. Accepts nothing; "
+     "the\n"
+     "targets become those reached. Returns what solve_step returns and fraction: 0 at the accepted state, 1 at the "
+     "targets."},
+    {"last_length", wrap<last_length>,
+     "m:last_length()\n2-norm of the last accepted step's displacements: the scale for arc lengths."},
     {"accept", wrap<accept>, "m:accept()\nMakes the present state the accepted one; slip points advance."},
     {"rollback", wrap<rollback>, "m:rollback()\nReturns to the accepted state."},
-    {"reaction", wrap<reaction>, "m:reaction(support)\nThe force {fx, fy} that a support exerts on its bodies."},
+    {"reaction", wrap<reaction>,
+     "m:reaction(name)\nThe force {fx, fy} that a support exerts on its bodies, and with it the moment about the "
+     "centre "
+     "of a\n"
+     "support that rotates; the force of a load."},
     {"contact_resultant", wrap<contact_resultant>,
      "m:contact_resultant(contact)\n"
      "{ fx, fy, area, max_pressure, max_penetration, active, slipping }: the force that the master exerts on the "
@@ -241,8 +309,9 @@ constexpr Function rows[] = {
      "the current area in contact, extremes, and how many contact points touch and slip."},
     {"profile", wrap<profile>,
      "m:profile(contact)\n"
-     "Lists along the slave face, one entry per contact point: x, y (current), pressure, traction (tangential), gap,\n"
-     "state (\"open\", \"stick\", \"slip\")."},
+     "Lists along the slave face, one entry per contact point: x, y (current), X, Y (reference), area (that the "
+     "traction\n"
+     "acts on), pressure, traction (tangential), gap, state (\"open\", \"stick\", \"slip\", \"adhesion\")."},
     {"sample", wrap<sample>,
      "m:sample(body, field, {xi1, xi2})\nA field's value at a parametric point of a body (or its name); fields as in "
      "sg.picture."},

@@ -2,6 +2,7 @@
 // Bodies, their places and models as Lua sees them.
 
 #include "bind/options.hpp"
+#include "bind/rigid.hpp"
 #include "model/model.hpp"
 
 namespace signorini::bind {

@@ -1,22 +1,33 @@
 #include "contact/pair.hpp"
 
 #include "base/error.hpp"
-#include "contact/slip.hpp"
 #include "solid/quadrature.hpp"
 
 #include <algorithm>
 
 namespace signorini::contact {
 
-template <int D>
-Pair<D>::Pair(Surface<D> slave, Surface<D> master, PenaltyLaw law, int points)
-    : slave_(std::move(slave)), master_(std::move(master)), accepted_master_(master_), law_(law) {
+namespace {
+
+void check(const PenaltyLaw& law) {
   require(law.normal > 0, "penalty must be positive (pressure per length), got ", law.normal);
   require(law.friction >= 0, "friction: mu must not be negative, got ", law.friction);
   require(law.friction == 0 || law.tangential > 0, "friction: penalty must be positive (pressure per length), got ",
           law.tangential);
+}
+
+} // namespace
+
+template <int D>
+Pair<D>::Pair(Surface<D> slave, Master<D> master, Law law, int points, bool revolved, const Region<D>& where)
+    : slave_(std::move(slave)), master_(std::move(master)), accepted_master_(master_), law_(law), revolved_(revolved) {
+  std::visit([](const auto& constants) { check(constants); }, law);
+  if (const auto* penalty = std::get_if<PenaltyLaw>(&law)) penalty_ = *penalty;
   const int n = slave_.functions_per_element();
   FacePoint<D> face;
+  LocalGeometry<D> reference;
+  LocalRow<D> derivative;
+  reference.revolved = revolved;
   for (int e = 0; e < slave_.elements(); ++e) {
     std::array<solid::QuadratureRule, D - 1> rules;
     int count = 1;
@@ -33,41 +44,34 @@ Pair<D>::Pair(Surface<D> slave, Surface<D> master, PenaltyLaw law, int points)
         xi(a) = rule.points[static_cast<std::size_t>(rest % points)];
         weight *= rule.weights[static_cast<std::size_t>(rest % points)];
       }
-      slave_.locate(e, xi, 0, face);
+      slave_.locate(e, xi, 1, face);
+      if (where && !where(face.position)) continue;
       slave_.functions(face, 1);
-      points_.push_back({e, weight, values_.size()});
+      reference.slave = face.position;
+      reference.slave_tangent = face.tangent;
+      points_.push_back({e, weight, slave_measure(reference, derivative), values_.size()});
+      reference_positions_.push_back(face.position);
       values_.insert(values_.end(), face.value.begin(), face.value.begin() + n);
-      for (const auto& derivative : face.derivative)
-        values_.insert(values_.end(), derivative.begin(), derivative.begin() + n);
+      for (const auto& values : face.derivative) values_.insert(values_.end(), values.begin(), values.begin() + n);
     }
   }
+  require(!points_.empty(), "where holds nowhere on the slave face: it must return true for the reference positions ",
+          "that take part");
   accepted_.resize(points_.size());
   memory_.resize(points_.size());
   results_.resize(points_.size());
   previous_slave_ = slave_.points();
-  previous_master_ = master_.points();
+  accepted_positions_ = reference_positions_;
   const int widest = D * (n + 2 * master_.functions_per_element());
   rows_.resize(static_cast<std::size_t>(widest * (2 * D - 1)));
-  boxes_.update(master_);
-  accepted_boxes_ = boxes_;
-  for (const Point& point : points_) {
-    Vec<D> position = Vec<D>::Zero();
-    for (int a = 0; a < n; ++a)
-      position +=
-          values_[point.values + static_cast<std::size_t>(a)] * slave_.points().col(slave_.nodes(point.element)[a]);
-    accepted_positions_.push_back(position);
-  }
 }
 
 template <int D> void Pair<D>::move(const double* slave_displacement, const double* master_displacement) {
   slave_.move(slave_displacement);
-  master_.move(master_displacement);
-  boxes_.update(master_);
   // A surface point is a convex combination of control points: none moves farther than the farthest of those.
   travel_ += std::sqrt((slave_.points() - previous_slave_).colwise().squaredNorm().maxCoeff()) +
-             std::sqrt((master_.points() - previous_master_).colwise().squaredNorm().maxCoeff());
+             master_.move(master_displacement);
   previous_slave_ = slave_.points();
-  previous_master_ = master_.points();
 }
 
 template <int D>
@@ -79,6 +83,7 @@ void Pair<D>::evaluate(const double* slave_displacement, const double* master_di
   const int n = slave_.functions_per_element();
   FacePoint<D> master, slip_point;
   LocalGeometry<D> geometry;
+  geometry.revolved = revolved_;
   LocalForce<D> force;
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const Point& point = points_[i];
@@ -92,11 +97,14 @@ void Pair<D>::evaluate(const double* slave_displacement, const double* master_di
     result.position = geometry.slave;
     if (travel_ < memory.cleared) continue;
 
-    memory.projection = project(master_, boxes_, geometry.slave, memory.projection, master);
+    memory.projection = master_.project(geometry.slave, memory.projection, master);
+    const Foot foot = memory.projection.foot;
     const double gap = memory.projection.gap;
-    const bool touching = memory.projection.foot != Foot::none && gap < 0;
-    memory.cleared = memory.projection.foot == Foot::regular && gap > 0 ? travel_ + gap : 0;
-    if (!touching) continue;
+    if (foot == Foot::none) continue;
+    if (penalty_) {
+      memory.cleared = foot == Foot::regular && gap > 0 ? travel_ + gap : 0;
+      if (gap >= 0) continue;
+    }
 
     for (int k = 0; k < D - 1; ++k) {
       Vec<D>& tangent = geometry.slave_tangent[static_cast<std::size_t>(k)];
@@ -105,18 +113,20 @@ void Pair<D>::evaluate(const double* slave_displacement, const double* master_di
     }
     master_.functions(master, 1);
     geometry.master = &master;
-    geometry.foot = memory.projection.foot;
+    geometry.foot = foot;
     geometry.gap = gap;
-    geometry.normal = memory.projection.foot == Foot::corner ? Vec<D>((geometry.slave - master.position) / gap)
-                                                             : Vec<D>(master_.outward(master.tangent).normalized());
+    geometry.normal = foot == Foot::corner ? Vec<D>((geometry.slave - master.position) / gap) : master_.normal(master);
+    geometry.reference_measure = point.reference;
     geometry.slip_point = nullptr;
-    if (law_.friction > 0 && memory.slip_element < 0) remember_touch(i);
-    if (law_.friction > 0 && memory.slip_element >= 0) {
-      master_.locate(memory.slip_element, memory.slip, 0, slip_point);
-      master_.functions(slip_point, 0);
+    if (friction() && !memory.slips) remember_touch(i);
+    if (friction() && memory.slips) {
+      master_.locate(memory.slip, slip_point);
       geometry.slip_point = &slip_point.position;
     }
-    penalty_force(law_, geometry, force);
+    if (penalty_)
+      penalty_force(*penalty_, geometry, force);
+    else
+      adhesion_force(std::get<Adhesion>(law_), geometry, force);
     result.state = force.state;
     result.gap = gap;
     result.pressure = force.pressure;
@@ -124,7 +134,7 @@ void Pair<D>::evaluate(const double* slave_displacement, const double* master_di
     result.friction = force.friction;
     result.force = point.weight * force.force;
     result.area = point.weight * force.measure;
-    add(point, master, memory, slip_point, force, tangent);
+    add(point, master, geometry.slip_point ? &slip_point : nullptr, force, tangent);
   }
 }
 
@@ -151,12 +161,12 @@ template <int D> Group& Pair<D>::group(int slave_element, int master_element, in
 }
 
 template <int D>
-void Pair<D>::add(const Point& point, const FacePoint<D>& master, const Memory& memory, const FacePoint<D>& slip_point,
+void Pair<D>::add(const Point& point, const FacePoint<D>& master, const FacePoint<D>* slip_point,
                   const LocalForce<D>& force, bool tangent) {
   using Force = LocalForce<D>;
-  const bool slips = law_.friction > 0 && memory.slip_element >= 0;
-  const bool own_columns = slips && memory.slip_element != master.element;
-  Group& block = group(point.element, master.element, own_columns ? memory.slip_element : -1, tangent);
+  const bool rigid = master_.rigid(); // one node, whatever the element
+  const bool own_columns = slip_point && !rigid && slip_point->element != master.element;
+  Group& block = group(point.element, rigid ? 0 : master.element, own_columns ? slip_point->element : -1, tangent);
   const int ns = slave_.functions_per_element(), nm = master_.functions_per_element(), width = block.columns;
   const double* r = values_.data() + point.values;
   const double w = point.weight;
@@ -191,7 +201,7 @@ void Pair<D>::add(const Point& point, const FacePoint<D>& master, const Memory& 
         for (int k = 0; k < D - 1; ++k)
           sum +=
               force.tangent(i, Force::tangent_column + k * D + c) * master.derivative[static_cast<std::size_t>(k)][m];
-        const double slip = slips ? force.tangent(i, Force::slip_column + c) * slip_point.value[m] : 0.0;
+        const double slip = slip_point ? force.tangent(i, Force::slip_column + c) * slip_point->value[m] : 0.0;
         dt[i * width + column] = w * (own_columns ? sum : sum + slip);
         if (own_columns) dt[i * width + column + nm * D] = w * slip;
       }
@@ -233,36 +243,36 @@ void Pair<D>::add(const Point& point, const FacePoint<D>& master, const Memory& 
 template <int D> void Pair<D>::remember_touch(std::size_t i) {
   Memory& memory = memory_[i];
   FacePoint<D> point;
-  const Projection<D> projection =
-      project(accepted_master_, accepted_boxes_, accepted_positions_[i], memory.projection, point);
+  const Projection<D> projection = accepted_master_.project(accepted_positions_[i], memory.projection, point);
   if (projection.foot == Foot::none) return;
-  memory.slip_element = projection.element;
+  memory.slips = true;
   memory.slip = projection.xi;
 }
 
 template <int D> void Pair<D>::accept() {
-  FacePoint<D> master;
-  for (std::size_t i = 0; law_.friction > 0 && i < points_.size(); ++i) {
-    Memory& memory = memory_[i];
-    const PointResult<D>& result = results_[i];
-    accepted_positions_[i] = result.position;
-    if (result.state == ContactState::open) {
-      memory.slip_element = -1;
-    } else if (memory.slip_element < 0) {
-      // It came from beyond the master's end: friction counts from here.
-      memory.slip_element = memory.projection.element;
-      memory.slip = memory.projection.xi;
-    } else if (result.state == ContactState::slip) {
-      master_.locate(memory.projection.element, memory.projection.xi, 0, master);
-      const double length = law_.friction * result.pressure / law_.tangential;
-      memory.slip(0) = advance_slip(master_, memory.slip(0), master, length);
-      memory.slip_element = master_.direction(0).find_element(memory.slip(0));
-    }
+  if (friction()) {
+    for (std::size_t i = 0; i < points_.size(); ++i) advance(i);
+    accepted_master_ = master_;
   }
   accepted_ = memory_;
-  if (law_.friction > 0) {
-    accepted_master_ = master_;
-    accepted_boxes_ = boxes_;
+}
+
+/// Moves a point's slip point to where it stands at the end of an accepted step.
+template <int D> void Pair<D>::advance(std::size_t i) {
+  Memory& memory = memory_[i];
+  const PointResult<D>& result = results_[i];
+  accepted_positions_[i] = result.position;
+  if (result.state == ContactState::open) {
+    memory.slips = false;
+  } else if (!memory.slips) {
+    // It came from beyond the master's end: friction counts from here.
+    memory.slips = true;
+    memory.slip = memory.projection.xi;
+  } else if (result.state == ContactState::slip) {
+    FacePoint<D> foot;
+    foot.xi = memory.projection.xi;
+    master_.locate(foot.xi, foot);
+    memory.slip = master_.advance(memory.slip, foot, penalty_->friction * result.pressure / penalty_->tangential);
   }
 }
 
@@ -273,8 +283,8 @@ template <int D> void Pair<D>::rollback() {
 template <int D> Resultant<D> Pair<D>::resultant() const {
   Resultant<D> sum;
   for (const PointResult<D>& point : results_) {
-    if (point.state == ContactState::open) continue;
     sum.force += point.force;
+    if (point.state == ContactState::open) continue;
     sum.area += point.area;
     sum.max_pressure = std::max(sum.max_pressure, point.pressure);
     sum.max_penetration = std::max(sum.max_penetration, -point.gap);
@@ -288,7 +298,7 @@ template <int D> std::vector<double> Pair<D>::gaps() const {
   std::vector<double> gaps;
   FacePoint<D> master;
   for (std::size_t i = 0; i < points_.size(); ++i)
-    gaps.push_back(project(master_, boxes_, results_[i].position, memory_[i].projection, master).gap);
+    gaps.push_back(master_.project(results_[i].position, memory_[i].projection, master).gap);
   return gaps;
 }
 

@@ -1,14 +1,18 @@
 #pragma once
-// Gauss-point-to-surface contact between a slave and a master face: residual, tangent and history.
+// Gauss-point-to-surface contact between a slave face and a master: residual, tangent and history.
 
+#include "contact/adhesion.hpp"
+#include "contact/master.hpp"
 #include "contact/penalty.hpp"
 
+#include <functional>
+#include <variant>
 #include <vector>
 
 namespace signorini::contact {
 
 /// The contributions of all active points that share a slave, a master and a slip-point element, as one dense block.
-/// Row nodes: the slave element's functions, then the master element's. Column nodes: the same, then the slip element's
+/// Row nodes: the slave element's functions, then the master element's (a rigid master's one node is element 0). Column nodes: the same, then the slip element's
 /// unless that is the master element. D rows (columns) per node; face-local indices.
 struct Group {
   int slave_element, master_element;
@@ -18,20 +22,26 @@ struct Group {
   std::vector<double> matrix; ///< ∂force, row by row; empty when it was not wanted
 };
 
+/// What acts between a slave face and its master.
+using Law = std::variant<PenaltyLaw, Adhesion>;
+
+/// Says for a point of the reference configuration whether the contact acts there; empty: everywhere.
+template <int D> using Region = std::function<bool(const Vec<D>&)>;
+
 /// What a contact point did in the last evaluation.
 template <int D> struct PointResult {
   ContactState state = ContactState::open;
   Vec<D> position = Vec<D>::Zero(); ///< current slave point
-  double gap = 0;                   ///< of a touching point
+  double gap = 0;                   ///< of a point that the law acts on
   double pressure = 0;
   /// Of the slave face at a touching point, current, not of unit length
   Eigen::Matrix<double, D, D - 1> tangents = Eigen::Matrix<double, D, D - 1>::Zero();
   Vec<D> friction = Vec<D>::Zero(); ///< t_T; the traction on the slave is t_N n̄ − t_T
   Vec<D> force = Vec<D>::Zero();    ///< on the slave: traction × current area of the point
-  double area = 0;                  ///< current area of the point
+  double area = 0;                  ///< that the traction acts on: current, adhesion: reference
 };
 
-/// Sums over a contact.
+/// Sums over a contact. Area, largest pressure and penetration are those of the points that are not open.
 template <int D> struct Resultant {
   Vec<D> force = Vec<D>::Zero(); ///< that the master exerts on the slave
   double area = 0, max_pressure = 0, max_penetration = 0;
@@ -41,11 +51,12 @@ template <int D> struct Resultant {
 /// One contact: integrates over the slave face with Gauss points, projects onto the master face.
 template <int D> class Pair {
 public:
-  /// `points` Gauss points per slave element and direction.
-  Pair(Surface<D> slave, Surface<D> master, PenaltyLaw law, int points);
+  /// `points` Gauss points per slave element and direction; those outside `where` are left out. `revolved`: the scene is
+  /// axisymmetric about the second axis. Throws Error on constants without sense and when no point is left.
+  Pair(Surface<D> slave, Master<D> master, Law law, int points, bool revolved = false, const Region<D>& where = {});
 
-  /// Computes groups and results at the given displacements (D values per function of the two bodies). Without
-  /// `tangent` the groups' matrices are left empty.
+  /// Computes groups and results at the given displacements (D values per function of the two bodies, D values for a
+  /// rigid master). Without `tangent` the groups' matrices are left empty.
   void evaluate(const double* slave_displacement, const double* master_displacement, bool tangent = true);
   const std::vector<Group>& groups() const { return groups_; }
 
@@ -56,10 +67,12 @@ public:
   void rollback();
 
   const Surface<D>& slave() const { return slave_; }
-  const Surface<D>& master() const { return master_; }
-  const PenaltyLaw& law() const { return law_; }
+  const Master<D>& master() const { return master_; }
+  const Law& law() const { return law_; }
   /// Per contact point, along the slave face (element by element).
   const std::vector<PointResult<D>>& results() const { return results_; }
+  /// Positions of the contact points in the reference configuration.
+  const std::vector<Vec<D>>& reference_positions() const { return reference_positions_; }
   Resultant<D> resultant() const;
   /// Gaps of all points in the configuration of the last evaluation (evaluate() looks at those only that may touch).
   std::vector<double> gaps() const;
@@ -69,34 +82,39 @@ private:
   struct Point {
     int element;
     double weight;      ///< parametric
+    double reference;   ///< reference area per parametric area
     std::size_t values; ///< offset into values_: R_A, then R_A,1 …
   };
   /// What is remembered between evaluations.
   struct Memory {
     Projection<D> projection;
     double cleared = 0;    ///< value of travel_ up to which an open point cannot touch
-    int slip_element = -1; ///< −1: no slip point yet
+    bool slips = false;        ///< has a slip point
     FaceCoordinates<D> slip = FaceCoordinates<D>::Zero();
   };
 
+  bool friction() const { return penalty_ && penalty_->friction > 0; }
   void move(const double* slave_displacement, const double* master_displacement);
-  void add(const Point& point, const FacePoint<D>& master, const Memory& memory, const FacePoint<D>& slip_point,
-           const LocalForce<D>& force, bool tangent);
+  void add(const Point& point, const FacePoint<D>& master, const FacePoint<D>* slip_point, const LocalForce<D>& force,
+           bool tangent);
+  void advance(std::size_t i);
   void remember_touch(std::size_t i);
   Group& group(int slave_element, int master_element, int slip_element, bool tangent);
 
-  Surface<D> slave_, master_, accepted_master_;
-  PenaltyLaw law_;
+  Surface<D> slave_;
+  Master<D> master_, accepted_master_;
+  Law law_;
+  std::optional<PenaltyLaw> penalty_; ///< the law when it is this one
+  bool revolved_;
   std::vector<Point> points_;
   std::vector<double> values_;
   std::vector<Memory> accepted_, memory_;
   std::vector<PointResult<D>> results_;
-  std::vector<Vec<D>> accepted_positions_; ///< of the slave points
-  ElementBoxes<D> boxes_, accepted_boxes_;
+  std::vector<Vec<D>> reference_positions_, accepted_positions_; ///< of the slave points
   std::vector<Group> groups_, spare_;
   /// Bound on how far slave and master points have moved towards each other, summed over all evaluations.
   double travel_ = 0;
-  Eigen::Matrix<double, D, Eigen::Dynamic> previous_slave_, previous_master_;
+  Eigen::Matrix<double, D, Eigen::Dynamic> previous_slave_;
   std::vector<double> rows_; ///< working space of add(): ∂force and ∂ξ̄ by column
 };
 

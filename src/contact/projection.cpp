@@ -163,7 +163,6 @@ Projection<2> project(const Surface<2>& surface, const ElementBoxes<2>& boxes, c
 
   best.element = point.element;
   best.xi = point.xi;
-  best.distance = std::sqrt(nearest);
   best.gap = signed_gap(surface, x, best.foot, point);
   return best;
 }

@@ -18,7 +18,6 @@ template <int D> struct Projection {
   Foot foot = Foot::none;
   int element = -1; ///< of the master; −1 before the first projection
   FaceCoordinates<D> xi = FaceCoordinates<D>::Zero();
-  double distance = 0; ///< from the slave point to the closest point, ≥ 0
   /// Normal gap (xˢ − x̄ᵐ)·n̄, negative when penetrating.
   double gap = 0;
 };

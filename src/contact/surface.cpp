@@ -3,6 +3,7 @@
 #include "nurbs/bezier.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace signorini::contact {
 
@@ -25,18 +26,26 @@ double orientation_of(nurbs::Side side) {
   return side.at_end == (side.direction == 1) ? -1 : 1;
 }
 
+/// 0, 1, … count − 1.
+std::vector<int> numbers(int count) {
+  std::vector<int> list(at(count));
+  std::iota(list.begin(), list.end(), 0);
+  return list;
+}
+
 } // namespace
 
-template <int D> Surface<D>::Surface(const nurbs::Discretisation& body, nurbs::Side side) {
-  const nurbs::Patch patch = body.face_patch(side);
-  directions_ = patch.directions();
-  functions_ = body.face_functions(side);
-  weights_ = patch.weights();
-  polynomial_ = (weights_.array() == weights_(0)).all();
-  orientation_ = orientation_of(side);
-  reference_ = patch.points();
-  points_ = reference_;
+template <int D>
+Surface<D>::Surface(const nurbs::Discretisation& body, nurbs::Side side)
+    : Surface(body.face_patch(side), body.face_functions(side), orientation_of(side)) {}
 
+template <int D> Surface<D>::Surface(const nurbs::Patch& patch) : Surface(patch, numbers(patch.functions()), 1) {}
+
+template <int D>
+Surface<D>::Surface(const nurbs::Patch& patch, std::vector<int> functions, double orientation)
+    : directions_(patch.directions()), functions_(std::move(functions)), weights_(patch.weights()),
+      polynomial_((weights_.array() == weights_(0)).all()), orientation_(orientation), reference_(patch.points()),
+      points_(reference_) {
   per_element_ = 1;
   int elements = 1;
   for (const auto& knots : directions_) {
@@ -63,7 +72,8 @@ template <int D> Surface<D>::Surface(const nurbs::Discretisation& body, nurbs::S
         for (int a = 0; a < n; ++a) weight += c[a * n + k] * weights_(nodes_[at(e * n + a)]);
       }
   }
-  move(std::vector<double>(at(D * body.functions()), 0.0).data());
+  const int last = *std::max_element(functions_.begin(), functions_.end());
+  move(std::vector<double>(at(D * (last + 1)), 0.0).data());
 }
 
 /// Products of the directions' Bernstein polynomials: value; ,1 (,2); ,11 (,12 ,22), per_element_ values each (N where

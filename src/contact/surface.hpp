@@ -36,6 +36,8 @@ template <int D> class Surface {
 public:
   /// `side` must be a tensor-product face of the body. Throws Error otherwise (see Discretisation::face_patch).
   Surface(const nurbs::Discretisation& body, nurbs::Side side);
+  /// A patch of its own, whose outside is on the right of its direction (2D), or where τ₁×τ₂ points (3D).
+  explicit Surface(const nurbs::Patch& patch);
 
   int elements() const { return static_cast<int>(nodes_.size()) / per_element_; }
   /// Functions on every element, Π (p_α+1).
@@ -72,6 +74,7 @@ public:
   Vec<D> outward(const std::array<Vec<D>, D - 1>& tangent) const;
 
 private:
+  Surface(const nurbs::Patch& patch, std::vector<int> functions, double orientation);
   template <int N> void locate_with(int element, const FaceCoordinates<D>& xi, int order, FacePoint<D>& point) const;
   template <int N> void bernstein(int element, const FaceCoordinates<D>& xi, int order, double* out) const;
 

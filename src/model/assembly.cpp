@@ -23,9 +23,13 @@ std::uint64_t key(const contact::Group& group) {
 
 template <int D>
 Assembly<D>::Assembly(const Scene<D>& scene, const Unknowns<D>& unknowns)
-    : scene_(scene), unknowns_(unknowns), placements_(scene.contacts.size()), residual_(unknowns.dofs()) {
+    : scene_(scene), unknowns_(unknowns), placements_(scene.contacts.size()),
+      is_contact_unknown_(at(unknowns.size()), false), residual_(unknowns.dofs()), product_(unknowns.dofs()) {
   build_bulk();
-  for (const auto& named : scene_.bodies) arrays_.emplace_back(*named.body);
+  for (const auto& named : scene_.bodies) {
+    arrays_.emplace_back(*named.body);
+    linear_ = linear_ && named.body->linear();
+  }
   cover({});
 }
 
@@ -36,10 +40,14 @@ template <int D> void Assembly<D>::build_bulk() {
     holds_.emplace_back();
     for (int e = 0; e < body.elements(); ++e) {
       Nodes group;
+      bool holds = false;
       for (int function : body.functions_of(e))
-        for (int c = 0; c < D; ++c)
-          group.push_back(unknowns_.unknown(unknowns_.offset(static_cast<int>(b)) + D * function + c));
-      holds_.back().push_back(std::find(group.begin(), group.end(), -1) != group.end());
+        for (int c = 0; c < D; ++c) {
+          const int dof = unknowns_.offset(static_cast<int>(b)) + D * function + c;
+          group.push_back(unknowns_.unknown(dof));
+          holds = holds || unknowns_.held(dof);
+        }
+      holds_.back().push_back(holds);
       groups.push_back(std::move(group));
     }
   }
@@ -70,20 +78,34 @@ template <int D> void Assembly<D>::build_bulk() {
 }
 
 template <int D>
-void Assembly<D>::append_dofs(const FaceReference& face, const contact::Surface<D>& surface, int element,
-                              Nodes& dofs) const {
+void Assembly<D>::append_dofs(int body, const contact::Surface<D>& surface, int element, Nodes& dofs) const {
   const int* nodes = surface.nodes(element);
   for (int a = 0; a < surface.functions_per_element(); ++a)
-    for (int c = 0; c < D; ++c) dofs.push_back(unknowns_.offset(face.body) + D * surface.body_function(nodes[a]) + c);
+    for (int c = 0; c < D; ++c) dofs.push_back(unknowns_.offset(body) + D * surface.body_function(nodes[a]) + c);
 }
 
 template <int D>
-typename Assembly<D>::Nodes Assembly<D>::columns(const Contact& contact, const contact::Pair<D>& pair,
+void Assembly<D>::append_master_dofs(std::size_t k, const contact::Pair<D>& pair, int element, Nodes& dofs) const {
+  const Contact<D>& contact = scene_.contacts[k];
+  if (const auto* face = std::get_if<FaceReference>(&contact.master))
+    append_dofs(face->body, *pair.master().surface(), element, dofs);
+  else
+    for (int c = 0; c < D; ++c) dofs.push_back(master_offset(contact) + c);
+}
+
+/// First degree of freedom of a contact's master body or obstacle.
+template <int D> int Assembly<D>::master_offset(const Contact<D>& contact) const {
+  if (const auto* face = std::get_if<FaceReference>(&contact.master)) return unknowns_.offset(face->body);
+  return unknowns_.obstacle_offset(std::get<ObstacleReference>(contact.master).obstacle);
+}
+
+template <int D>
+typename Assembly<D>::Nodes Assembly<D>::columns(std::size_t k, const contact::Pair<D>& pair,
                                                  const contact::Group& group) const {
   Nodes dofs;
-  append_dofs(contact.slave, pair.slave(), group.slave_element, dofs);
-  append_dofs(contact.master, pair.master(), group.master_element, dofs);
-  if (group.slip_element >= 0) append_dofs(contact.master, pair.master(), group.slip_element, dofs);
+  append_dofs(scene_.contacts[k].slave.body, pair.slave(), group.slave_element, dofs);
+  append_master_dofs(k, pair, group.master_element, dofs);
+  if (group.slip_element >= 0) append_master_dofs(k, pair, group.slip_element, dofs);
   return dofs;
 }
 
@@ -93,11 +115,11 @@ template <int D> void Assembly<D>::cover(const std::vector<contact::Pair<D>>& pa
   std::vector<Nodes> groups;
   for (std::size_t k = 0; k < pairs.size(); ++k)
     for (const contact::Group& group : pairs[k].groups()) {
-      Nodes dofs = columns(scene_.contacts[k], pairs[k], group);
-      for (int alpha = 0; alpha < D - 1; ++alpha)
+      Nodes dofs = columns(k, pairs[k], group);
+      for (int alpha = 0; alpha < D - 1 && !pairs[k].master().rigid(); ++alpha)
         for (bool at_end : {false, true}) {
-          const int next = pairs[k].master().neighbour(group.master_element, alpha, at_end);
-          if (next >= 0) append_dofs(scene_.contacts[k].master, pairs[k].master(), next, dofs);
+          const int next = pairs[k].master().surface()->neighbour(group.master_element, alpha, at_end);
+          if (next >= 0) append_master_dofs(k, pairs[k], next, dofs);
         }
       for (int& dof : dofs) dof = unknowns_.unknown(dof);
       groups.push_back(std::move(dofs));
@@ -111,7 +133,58 @@ template <int D> void Assembly<D>::cover(const std::vector<contact::Pair<D>>& pa
   for (int i = 0; i < pattern_.size; ++i) diagonal_.push_back(pattern_.find(i, i));
   values_.resize(at(pattern_.entries()) + 1);
   for (auto& placements : placements_) placements.clear();
+  if (linear_) build_constant();
   ++version_;
+}
+
+/// The tangent of linear bodies.
+template <int D> void Assembly<D>::build_constant() {
+  constant_.assign(at(pattern_.entries()) + 1, 0.0);
+  const VectorX rest = VectorX::Zero(unknowns_.dofs());
+  for (std::size_t b = 0; b < scene_.bodies.size(); ++b)
+    for (int e = 0; e < scene_.bodies[b].body->elements(); ++e) {
+      internal_force(*scene_.bodies[b].body, e, rest.data(), arrays_[b]);
+      scatter(static_cast<int>(b), e, arrays_[b], constant_.data());
+    }
+}
+
+/// Keeps contact_unknowns() ahead of the contacts: when one reaches an unknown beyond them, they become those of all
+/// present groups and of the slave elements around, a quarter of the present number on either side.
+template <int D> void Assembly<D>::watch_contacts(const std::vector<contact::Pair<D>>& pairs) {
+  const auto all_known = [&](std::size_t k, const contact::Group& group) {
+    const Nodes& list = placements_[k].find(key(group))->second.columns;
+    return std::all_of(list.begin(), list.end(), [&](int dof) {
+      const int i = unknowns_.unknown(dof);
+      return i < 0 || is_contact_unknown_[at(i)];
+    });
+  };
+  bool known = true;
+  for (std::size_t k = 0; k < pairs.size() && known; ++k)
+    for (const contact::Group& group : pairs[k].groups()) known = known && all_known(k, group);
+  if (known) return;
+
+  std::fill(is_contact_unknown_.begin(), is_contact_unknown_.end(), false);
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const int margin = 2 + static_cast<int>(pairs[k].groups().size()) / 4;
+    Nodes dofs;
+    for (const contact::Group& group : pairs[k].groups()) {
+      const Nodes& own = placements_[k].find(key(group))->second.columns;
+      dofs.insert(dofs.end(), own.begin(), own.end());
+      for (int alpha = 0; alpha < D - 1; ++alpha)
+        for (bool at_end : {false, true})
+          for (int i = 0, e = group.slave_element; i < margin; ++i) {
+            e = pairs[k].slave().neighbour(e, alpha, at_end);
+            if (e < 0) break;
+            append_dofs(scene_.contacts[k].slave.body, pairs[k].slave(), e, dofs);
+          }
+    }
+    for (int dof : dofs)
+      if (const int i = unknowns_.unknown(dof); i >= 0) is_contact_unknown_[at(i)] = true;
+  }
+  contact_unknowns_.clear();
+  for (int i = 0; i < unknowns_.size(); ++i)
+    if (is_contact_unknown_[at(i)]) contact_unknowns_.push_back(i);
+  ++contact_version_;
 }
 
 /// Finds the places of all present groups; false when the pattern does not hold them.
@@ -120,7 +193,7 @@ template <int D> bool Assembly<D>::locate(const std::vector<contact::Pair<D>>& p
     for (const contact::Group& group : pairs[k].groups()) {
       Placement& placement = placements_[k][key(group)];
       if (!placement.positions.empty()) continue;
-      placement.columns = columns(scene_.contacts[k], pairs[k], group);
+      placement.columns = columns(k, pairs[k], group);
       placement.rows.assign(placement.columns.begin(), placement.columns.begin() + group.rows);
       std::vector<int> positions;
       for (int row : placement.rows)
@@ -136,52 +209,64 @@ template <int D> bool Assembly<D>::locate(const std::vector<contact::Pair<D>>& p
 
 template <int D>
 std::optional<BodyInversion> Assembly<D>::assemble(std::vector<contact::Pair<D>>& pairs, const VectorX& displacement,
-                                                   const VectorX* increment, bool tangent, Timings& timings) {
+                                                   const VectorX* direction, bool tangent, Timings& timings) {
   residual_.setZero();
+  if (direction) product_.setZero();
   {
     ScopedTimer timer(timings.contact);
     for (std::size_t k = 0; k < pairs.size(); ++k)
       pairs[k].evaluate(displacement.data() + unknowns_.offset(scene_.contacts[k].slave.body),
-                        displacement.data() + unknowns_.offset(scene_.contacts[k].master.body), tangent);
+                        displacement.data() + master_offset(scene_.contacts[k]), tangent);
     if (!locate(pairs)) {
       cover(pairs);
       locate(pairs);
     }
+    if (linear_) watch_contacts(pairs);
   }
   {
     ScopedTimer timer(timings.bulk);
-    if (tangent) std::fill(values_.begin(), values_.end(), 0.0);
+    if (tangent && linear_)
+      std::copy(constant_.begin(), constant_.end(), values_.begin());
+    else if (tangent)
+      std::fill(values_.begin(), values_.end(), 0.0);
+    const bool scatters = tangent && !linear_;
     for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
       const solid::Body<D>& body = *scene_.bodies[b].body;
       const int offset = unknowns_.offset(static_cast<int>(b));
       solid::ElementArrays<D>& arrays = arrays_[b];
       for (int e = 0; e < body.elements(); ++e) {
-        if (auto inversion = internal_force(body, e, displacement.data() + offset, arrays, tangent))
+        const bool multiplies = direction && holds_[b][at(e)];
+        if (auto inversion = internal_force(body, e, displacement.data() + offset, arrays, scatters || multiplies))
           return BodyInversion{static_cast<int>(b), *inversion};
         const auto functions = body.functions_of(e);
         const std::size_t n = functions.size();
         for (std::size_t a = 0; a < n; ++a)
           for (std::size_t i = 0; i < D; ++i)
             residual_(offset + D * functions[a] + static_cast<int>(i)) += arrays.force[i * n + a];
-        if (!tangent) continue;
-        const int* position = positions_.data() + first_position_[b][at(e)];
-        const double* block = arrays.blocks.data();
-        for (int i = 0; i < D; ++i)
-          for (int j = i; j < D; ++j, block += n * n)
-            for (int twin = 0; twin < (i == j ? 1 : 2); ++twin, position += n * n)
-              for (std::size_t k = 0; k < n * n; ++k) values_[at(position[k])] += block[k];
-        if (increment && holds_[b][at(e)]) add_bulk_increment(static_cast<int>(b), e, arrays, *increment);
+        if (scatters) scatter(static_cast<int>(b), e, arrays, values_.data());
+        if (multiplies) multiply(static_cast<int>(b), e, arrays, *direction);
       }
     }
   }
   ScopedTimer timer(timings.contact);
-  add_contacts(pairs, increment, tangent);
+  add_contacts(pairs, direction, tangent);
   if (tangent) find_largest_diagonal();
   return std::nullopt;
 }
 
+template <int D> void Assembly<D>::scatter(int b, int e, const solid::ElementArrays<D>& arrays, double* values) const {
+  const std::size_t n = scene_.bodies[at(b)].body->functions_of(e).size();
+  const int* position = positions_.data() + first_position_[at(b)][at(e)];
+  const double* block = arrays.blocks.data();
+  for (int i = 0; i < D; ++i)
+    for (int j = i; j < D; ++j, block += n * n)
+      for (int twin = 0; twin < (i == j ? 1 : 2); ++twin, position += n * n)
+        for (std::size_t k = 0; k < n * n; ++k) values[position[k]] += block[k];
+}
+
+/// Adds the element's tangent times `direction` to the product.
 template <int D>
-void Assembly<D>::add_bulk_increment(int b, int e, const solid::ElementArrays<D>& arrays, const VectorX& increment) {
+void Assembly<D>::multiply(int b, int e, const solid::ElementArrays<D>& arrays, const VectorX& direction) {
   const auto functions = scene_.bodies[at(b)].body->functions_of(e);
   const int n = static_cast<int>(functions.size()), offset = unknowns_.offset(b);
   const auto dof = [&](int a, int i) { return offset + D * functions[at(a)] + i; };
@@ -190,23 +275,23 @@ void Assembly<D>::add_bulk_increment(int b, int e, const solid::ElementArrays<D>
     for (int j = i; j < D; ++j, block += n * n)
       for (int a = 0; a < n; ++a)
         for (int c = 0; c < n; ++c) {
-          residual_(dof(a, i)) += block[a * n + c] * increment(dof(c, j));
-          if (i != j) residual_(dof(c, j)) += block[a * n + c] * increment(dof(a, i));
+          product_(dof(a, i)) += block[a * n + c] * direction(dof(c, j));
+          if (i != j) product_(dof(c, j)) += block[a * n + c] * direction(dof(a, i));
         }
 }
 
 template <int D>
-void Assembly<D>::add_contacts(const std::vector<contact::Pair<D>>& pairs, const VectorX* increment, bool tangent) {
+void Assembly<D>::add_contacts(const std::vector<contact::Pair<D>>& pairs, const VectorX* direction, bool tangent) {
   for (std::size_t k = 0; k < pairs.size(); ++k)
     for (const contact::Group& group : pairs[k].groups()) {
       const Placement& placement = placements_[k].find(key(group))->second;
       const double* matrix = group.matrix.data();
       const int* position = placement.positions.data();
       for (int r = 0; r < group.rows; ++r, matrix += group.columns, position += group.columns) {
-        double sum = group.force[at(r)];
-        if (increment)
-          for (int c = 0; c < group.columns; ++c) sum += matrix[c] * (*increment)(placement.columns[at(c)]);
-        residual_(placement.rows[at(r)]) += sum;
+        residual_(placement.rows[at(r)]) += group.force[at(r)];
+        if (direction)
+          for (int c = 0; c < group.columns; ++c)
+            product_(placement.rows[at(r)]) += matrix[c] * (*direction)(placement.columns[at(c)]);
         if (!tangent) continue;
         for (int c = 0; c < group.columns; ++c) values_[at(position[c])] += matrix[c];
       }

@@ -27,33 +27,45 @@ public:
   Assembly(const Scene<D>& scene, const Unknowns<D>& unknowns);
 
   /// Residual f_int + f_c of all degrees of freedom and tangent of the unknowns at `displacement` (all degrees of
-  /// freedom). The tangent times `increment` (all degrees of freedom, may be null) is added to the residual: how
-  /// prescribed displacements enter the first iteration. Returns where an element is inverted; the results are then
+  /// freedom). The full tangent times `direction` (all degrees of freedom, may be null) goes to product(): how
+  /// prescribed displacements enter a linear solve. Returns where an element is inverted; the results are then
   /// meaningless.
   ///
-  /// Without `tangent` the residual alone is computed, and values() no longer belong to it; there must be no increment.
+  /// Without `tangent` the residual alone is computed, and values() no longer belong to it; there must be no direction.
   std::optional<BodyInversion> assemble(std::vector<contact::Pair<D>>& pairs, const VectorX& displacement,
-                                        const VectorX* increment, bool tangent, Timings& timings);
+                                        const VectorX* direction, bool tangent, Timings& timings);
 
   const VectorX& residual() const { return residual_; }
+  const VectorX& product() const { return product_; }
   /// Values of the tangent in the order of pattern().
   const std::vector<double>& values() const { return values_; }
   const solve::Pattern& pattern() const { return pattern_; }
   /// Grows by one whenever the pattern is a new one.
   int pattern_version() const { return version_; }
+  /// Whether all bodies are linear elastic: the tangent is constant_values() plus what contacts add.
+  bool linear() const { return linear_; }
+  const std::vector<double>& constant_values() const { return constant_; }
+  /// The unknowns that contacts have added to or may soon, sorted; they grow in leaps, each with a new version.
+  const std::vector<int>& contact_unknowns() const { return contact_unknowns_; }
+  int contact_version() const { return contact_version_; }
   /// Largest diagonal entry of the last tangent; 0 before the first.
   double largest_diagonal() const { return largest_diagonal_; }
 
 private:
   using Nodes = std::vector<int>;
   void build_bulk();
+  void build_constant();
   /// Degrees of freedom of the nodes of face elements, D per node.
-  void append_dofs(const FaceReference& face, const contact::Surface<D>& surface, int element, Nodes& dofs) const;
-  Nodes columns(const Contact& contact, const contact::Pair<D>& pair, const contact::Group& group) const;
+  void append_dofs(int body, const contact::Surface<D>& surface, int element, Nodes& dofs) const;
+  void append_master_dofs(std::size_t contact, const contact::Pair<D>& pair, int element, Nodes& dofs) const;
+  Nodes columns(std::size_t contact, const contact::Pair<D>& pair, const contact::Group& group) const;
+  int master_offset(const Contact<D>& contact) const;
   void cover(const std::vector<contact::Pair<D>>& pairs);
   bool locate(const std::vector<contact::Pair<D>>& pairs);
-  void add_bulk_increment(int body, int e, const solid::ElementArrays<D>& arrays, const VectorX& increment);
-  void add_contacts(const std::vector<contact::Pair<D>>& pairs, const VectorX* increment, bool tangent);
+  void watch_contacts(const std::vector<contact::Pair<D>>& pairs);
+  void scatter(int body, int e, const solid::ElementArrays<D>& arrays, double* values) const;
+  void multiply(int body, int e, const solid::ElementArrays<D>& arrays, const VectorX& direction);
+  void add_contacts(const std::vector<contact::Pair<D>>& pairs, const VectorX* direction, bool tangent);
   void find_largest_diagonal();
 
   /// Where a contact group's entries go; found once per pattern.
@@ -67,12 +79,17 @@ private:
   solve::Pattern bulk_pattern_, pattern_;
   std::vector<int> bulk_positions_, positions_;          ///< per element and block entry: in bulk_pattern_, in pattern_
   std::vector<std::vector<std::size_t>> first_position_; ///< [body][element]
-  std::vector<std::vector<char>> holds_;                 ///< [body][element]: has prescribed degrees of freedom
+  std::vector<std::vector<char>> holds_;                 ///< [body][element]: has degrees of freedom that are held
   std::vector<std::unordered_map<std::uint64_t, Placement>> placements_; ///< per contact, by the group's elements
   std::vector<solid::ElementArrays<D>> arrays_;                          ///< per body
   std::vector<int> diagonal_;
-  std::vector<double> values_; ///< one more than entries: what belongs to prescribed degrees of freedom lands there
-  VectorX residual_;
+  std::vector<double> values_;   ///< one more than entries: what belongs to prescribed degrees of freedom lands there
+  std::vector<double> constant_; ///< bulk values of linear bodies, in the order of pattern_
+  bool linear_ = true;
+  std::vector<int> contact_unknowns_;
+  std::vector<char> is_contact_unknown_;
+  int contact_version_ = 0;
+  VectorX residual_, product_;
   double largest_diagonal_ = 0;
   int version_ = 0;
 };

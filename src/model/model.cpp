@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/timer.hpp"
+#include "model/clearance.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -16,10 +17,15 @@ std::size_t at(int i) {
 
 template <int D> Scene<D> checked(Scene<D> scene) {
   require(!scene.bodies.empty(), "bodies: a model needs at least one body");
-  for (const Contact& contact : scene.contacts)
+  for (const Contact<D>& contact : scene.contacts) {
+    const auto* face = std::get_if<FaceReference>(&contact.master);
     require(
-        !(contact.slave == contact.master), "contacts: '", contact.name,
+        !face || !(contact.slave == *face), "contacts: '", contact.name,
         "' has the same face as slave and as master; a face cannot touch itself: name the other body's face as master");
+  }
+  for (const auto& named : scene.bodies)
+    require(named.body->kind() == scene.kind, "bodies: '", named.name,
+            "' is not of the scene's kind (plane strain or axisymmetric)");
   return scene;
 }
 
@@ -27,31 +33,39 @@ template <int D> Scene<D> checked(Scene<D> scene) {
 
 template <int D>
 Model<D>::Model(Scene<D> scene)
-    : scene_(checked(std::move(scene))), unknowns_(scene_), assembly_(scene_, unknowns_),
-      displacement_(VectorX::Zero(unknowns_.dofs())), accepted_(displacement_),
-      targets_(scene_.supports.size() * D, 0.0), accepted_targets_(targets_) {
+    : scene_(checked(std::move(scene))), unknowns_(scene_), drives_(scene_, unknowns_), assembly_(scene_, unknowns_),
+      displacement_(VectorX::Zero(unknowns_.dofs())), accepted_(displacement_), last_increment_(displacement_),
+      targets_(drives_.start()), accepted_targets_(targets_), present_(targets_), external_(drives_.force(targets_)) {
   const auto surface = [&](const FaceReference& face) {
     return contact::Surface<D>(scene_.bodies[at(face.body)].body->space(), face.side);
   };
-  for (const Contact& contact : scene_.contacts)
-    pairs_.emplace_back(surface(contact.slave), surface(contact.master), contact.law, contact.points);
+  for (Contact<D>& contact : scene_.contacts) {
+    const auto* face = std::get_if<FaceReference>(&contact.master);
+    contact::Master<D> master = face ? contact::Master<D>(surface(*face))
+                                     : contact::Master<D>(scene_.obstacles[at(std::get<1>(contact.master).obstacle)]);
+    pairs_.emplace_back(surface(contact.slave), std::move(master), contact.law, contact.points,
+                        scene_.kind == solid::Kind::axisymmetric, contact.where);
+    contact.where = {}; // it may refer to what only lives while the model is made
+  }
   for (const auto& named : scene_.bodies) size_ = std::max(size_, named.body->space().points().cwiseAbs().maxCoeff());
   // Friction at points that touch later counts from where they would touch now.
   std::string why;
   assemble(nullptr, false, why);
   for (auto& pair : pairs_) pair.accept();
+  require_clearance(scene_, pairs_);
 }
 
-template <int D> void Model<D>::set_target(int support, int component, double displacement) {
-  targets_[at(support * D + component)] = displacement;
+template <int D> void Model<D>::set_target(int drive, int component, double value) {
+  targets_(drives_.all()[at(drive)].first + component) = value;
 }
 
-template <int D> double Model<D>::accepted_target(int support, int component) const {
-  return accepted_targets_[at(support * D + component)];
+template <int D> double Model<D>::accepted_target(int drive, int component) const {
+  return accepted_targets_(drives_.all()[at(drive)].first + component);
 }
 
-template <int D> solve::Outcome Model<D>::assemble(const VectorX* increment, bool tangent, std::string& why) {
-  const auto inverted = assembly_.assemble(pairs_, displacement_, increment, tangent, timings_);
+template <int D> solve::Outcome Model<D>::assemble(const VectorX* direction, bool tangent, std::string& why) {
+  const auto inverted = assembly_.assemble(pairs_, displacement_, direction, tangent, timings_);
+  residual_ = assembly_.residual() - external_;
   if (!inverted) return solve::Outcome::converged;
   const auto& [body, inversion] = *inverted;
   why = text("an element of body '", scene_.bodies[at(body)].name, "' is inverted (J = ", inversion.jacobian,
@@ -59,28 +73,61 @@ template <int D> solve::Outcome Model<D>::assemble(const VectorX* increment, boo
   return solve::Outcome::inverted_element;
 }
 
-template <int D> bool Model<D>::advance(const StepOptions& options, VectorX& increment, double& energy) {
-  ScopedTimer timer(timings_.linear);
-  if (!solver_ || solver_version_ != assembly_.pattern_version() || solver_asked_ != options.linear) {
-    solver_ = solve::make_solver(options.linear, assembly_.pattern());
+/// The linear solver for the present pattern. Where all bodies are linear elastic only the contacts' part of the
+/// tangent changes: unless told otherwise, the rest is factored once.
+template <int D> solve::LinearSolver& Model<D>::solver(const StepOptions& options) {
+  const bool can_condense = assembly_.linear() && !pairs_.empty();
+  require(options.linear != solve::LinearKind::condensed || can_condense,
+          "linear = \"condensed\" needs bodies that are all linear elastic, and a contact: use \"auto\"");
+  const bool condense = options.linear == solve::LinearKind::condensed ||
+                        (options.linear == solve::LinearKind::automatic && can_condense);
+  if (!solver_ || solver_version_ != assembly_.pattern_version() || solver_asked_ != options.linear ||
+      (condense && solver_contacts_ != assembly_.contact_version())) {
+    if (condense) {
+      const auto& values = assembly_.constant_values(); // the last one belongs to prescribed degrees of freedom
+      const solve::Condensation condensation{{values.begin(), values.end() - 1}, assembly_.contact_unknowns()};
+      solver_ = solve::make_solver(solve::LinearKind::condensed, assembly_.pattern(), &condensation);
+    } else {
+      solver_ = solve::make_solver(options.linear, assembly_.pattern());
+    }
     solver_version_ = assembly_.pattern_version();
+    solver_contacts_ = assembly_.contact_version();
     solver_asked_ = options.linear;
   }
-  if (unknowns_.size() > 0 && !solver_->factor(assembly_.values().data())) return false;
-  VectorX step = -assembly_.residual()(unknowns_.free());
+  return *solver_;
+}
+
+template <int D> bool Model<D>::factor(const StepOptions& options) {
+  return unknowns_.size() == 0 || solver(options).factor(assembly_.values().data());
+}
+
+template <int D> bool Model<D>::advance(const StepOptions& options, VectorX& increment, double& energy) {
+  ScopedTimer timer(timings_.linear);
+  if (!factor(options)) return false;
+  const bool pending = (increment.array() != 0).any();
+  VectorX step = -unknowns_.gather(pending ? VectorX(residual_ + assembly_.product()) : residual_);
   const VectorX force = step;
   if (unknowns_.size() > 0 && !solver_->solve(step.data())) return false;
   if (!step.allFinite()) return false;
   energy = std::abs(force.dot(step));
-  displacement_(unknowns_.free()) += step;
-  displacement_ += increment;
+  displacement_ += unknowns_.spread(step) + increment;
   increment.setZero();
+  present_ = targets_;
   return true;
 }
 
-/// 2-norm of the forces that the supports exert.
-template <int D> double Model<D>::reaction_norm() const {
-  return assembly_.residual()(unknowns_.prescribed()).norm();
+/// What Newton's loop needs, around a way to advance; `direction` says what the tangent is to be multiplied with.
+template <int D>
+solve::NewtonSystem Model<D>::system(std::function<const VectorX*()> direction, std::function<bool(double&)> advance) {
+  solve::NewtonSystem system;
+  system.assemble = [this, direction = std::move(direction)](bool tangent, std::string& why) {
+    return assemble(tangent ? direction() : nullptr, tangent, why);
+  };
+  system.residual = [this] { return unknowns_.gather(residual_).norm(); };
+  system.scale = [this] { return std::max({force_scale_, unknowns_.held_norm(residual_), external_.norm()}); };
+  system.floor = [this] { return rounding_floor(); };
+  system.advance = std::move(advance);
+  return system;
 }
 
 /// What rounding leaves of the residual: ε |K| |x|.
@@ -89,37 +136,86 @@ template <int D> double Model<D>::rounding_floor() const {
 }
 
 template <int D> solve::NewtonReport Model<D>::solve_step(const StepOptions& options) {
-  VectorX increment = VectorX::Zero(unknowns_.dofs());
-  for (int s = 0; s < static_cast<int>(scene_.supports.size()); ++s)
-    for (int c = 0; c < D; ++c)
-      for (int dof : unknowns_.driven(s, c)) increment(dof) = targets_[at(s * D + c)] - displacement_(dof);
+  VectorX increment = drives_.displacement(targets_) - drives_.displacement(present_);
+  external_ = drives_.force(targets_);
   const bool pending = (increment.array() != 0).any();
   bool first = pending;
-
-  solve::NewtonSystem system;
-  system.assemble = [&](bool tangent, std::string& why) {
-    const VectorX* add = first ? &increment : nullptr;
+  const auto direction = [&]() -> const VectorX* {
+    const bool wanted = first;
     first = false;
-    return assemble(add, tangent, why);
+    return wanted ? &increment : nullptr;
   };
-  system.residual = [&] { return assembly_.residual()(unknowns_.free()).norm(); };
-  system.scale = [&] { return std::max(force_scale_, reaction_norm()); };
-  system.floor = [&] { return rounding_floor(); };
-  system.advance = [&](double& energy) { return advance(options, increment, energy); };
-  return solve::newton(system, options.newton, pending);
+  const auto step = [&](double& energy) { return advance(options, increment, energy); };
+  return solve::newton(system(direction, step), options.newton, pending);
+}
+
+/// Brings the prescribed displacements and loads from present_ to other targets.
+template <int D> void Model<D>::move_targets(const VectorX& targets) {
+  displacement_ += drives_.displacement(targets) - drives_.displacement(present_);
+  external_ = drives_.force(targets);
+  present_ = targets;
+}
+
+template <int D>
+bool Model<D>::advance_arc(const StepOptions& options, const VectorX& direction, double length, VectorX& tangent,
+                           double& energy) {
+  ScopedTimer timer(timings_.linear);
+  if (unknowns_.size() == 0 || !factor(options)) return false;
+  // K δ₁ = −f,  K δ₂ = −∂f/∂λ with ∂f/∂λ = K_p ∂u_p/∂λ − ∂f_ext/∂λ
+  const VectorX force = -unknowns_.gather(residual_);
+  const VectorX change = -unknowns_.gather(assembly_.product() - drives_.force(direction));
+  VectorX first = force, second = change;
+  if (!solver_->solve(first.data()) || !solver_->solve(second.data())) return false;
+  if (!first.allFinite() || !second.allFinite()) return false;
+  const VectorX step = unknowns_.spread(first), free_rate = unknowns_.spread(second);
+  const VectorX rate = free_rate + drives_.rate(present_, direction);
+  double lambda;
+  if (tangent.size() == 0) {
+    // Predictor: along the curve's tangent, on in the sense of the last step
+    const bool back = rate.dot(last_increment_) < 0;
+    lambda = (back ? -1 : 1) * length / rate.norm();
+    tangent = rate / (back ? -rate.norm() : rate.norm());
+  } else {
+    // t·(u + δ₁ + δλ (δ₂ + ∂u_p/∂λ) − u₀) = length
+    lambda = (length - tangent.dot(displacement_ - accepted_ + step)) / tangent.dot(rate);
+  }
+  if (!std::isfinite(lambda)) return false;
+  energy = std::abs((force + lambda * change).dot(first + lambda * second));
+  displacement_ += step + lambda * free_rate;
+  arc_fraction_ += lambda;
+  move_targets(accepted_targets_ + arc_fraction_ * direction);
+  return true;
+}
+
+template <int D> solve::NewtonReport Model<D>::solve_arc(const StepOptions& options, double length) {
+  const VectorX direction = targets_ - accepted_targets_;
+  require((direction.array() != 0).any(), "an arc needs a path: set a target other than the accepted one");
+  require(length > 0, "an arc's length must be positive, got ", length);
+  arc_fraction_ = 0;
+  VectorX rate, tangent;
+  const auto product = [&]() -> const VectorX* {
+    rate = drives_.rate(present_, direction);
+    return &rate;
+  };
+  const auto step = [&](double& energy) { return advance_arc(options, direction, length, tangent, energy); };
+  const solve::NewtonReport report = solve::newton(system(product, step), options.newton, true);
+  targets_ = present_;
+  return report;
 }
 
 template <int D> void Model<D>::accept() {
   ScopedTimer timer(timings_.contact);
   for (auto& pair : pairs_) pair.accept();
+  last_increment_ = displacement_ - accepted_;
   accepted_ = displacement_;
   accepted_targets_ = targets_;
-  force_scale_ = std::max(force_scale_, reaction_norm());
+  force_scale_ = std::max({force_scale_, unknowns_.held_norm(residual_), external_.norm()});
 }
 
 template <int D> void Model<D>::rollback() {
   displacement_ = accepted_;
-  targets_ = accepted_targets_;
+  targets_ = present_ = accepted_targets_;
+  external_ = drives_.force(present_);
   for (auto& pair : pairs_) pair.rollback();
   // Reactions and contact results belong to the state again.
   std::string why;
@@ -131,12 +227,13 @@ Eigen::Map<const Eigen::Matrix<double, D, Eigen::Dynamic>> Model<D>::body_displa
   return {displacement_.data() + unknowns_.offset(body), D, scene_.bodies[at(body)].body->functions()};
 }
 
-template <int D> Vec<D> Model<D>::reaction(int support) const {
-  // In equilibrium f_int + f_c = f_ext, so the residual at a held degree of freedom is what the support adds.
+template <int D> Vec<D> Model<D>::reaction(int index) const {
+  // In equilibrium f_int + f_c − f_ext = 0 but for what the supports add.
+  const Support<D>& support = scene_.supports[at(index)];
   Vec<D> sum = Vec<D>::Zero();
   for (int c = 0; c < D; ++c)
-    if (scene_.supports[at(support)].hold[at(c)] != Hold::free)
-      for (int dof : unknowns_.of_support(support, c)) sum(c) += assembly_.residual()(dof);
+    if (support.hold[at(c)] != Hold::free || support.rotates)
+      for (int dof : unknowns_.of_support(index, c)) sum(c) += residual_(dof);
   return sum;
 }
 

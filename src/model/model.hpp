@@ -2,6 +2,7 @@
 // A scene in motion: the displacement state, one Newton step at a time, accepted or rolled back by the caller.
 
 #include "model/assembly.hpp"
+#include "model/drives.hpp"
 #include "solve/linear.hpp"
 #include "solve/newton.hpp"
 
@@ -26,15 +27,27 @@ public:
 
   const Scene<D>& scene() const { return scene_; }
   const Unknowns<D>& unknowns() const { return unknowns_; }
+  const Drives<D>& drives() const { return drives_; }
   const std::vector<contact::Pair<D>>& pairs() const { return pairs_; }
 
-  /// Prescribed displacement that a driven component shall have at the end of the next step.
-  void set_target(int support, int component, double displacement);
-  /// The same as accepted last.
-  double accepted_target(int support, int component) const;
+  /// What a component of a drive (index into Drives::all()) shall be at the end of the next step.
+  void set_target(int drive, int component, double value);
+  /// What it is in the accepted state.
+  double accepted_target(int drive, int component) const;
 
   /// Solves for the present targets by Newton's method from the accepted state. Does not accept.
   solve::NewtonReport solve_step(const StepOptions& options);
+
+  /// Solves for a state at a given distance from the accepted one along the path that leads to the present targets, the
+  /// fraction λ of the way being an unknown of its own: it may turn back, so limit points in λ can be passed. The
+  /// constraint is t·(u − u₀) = length, t the unit tangent of the solution curve at the accepted state, in the sense of
+  /// the last accepted step (pseudo-arclength: E. Riks, J. Appl. Mech. 39, 1972; H. B. Keller, 1977). Afterwards the
+  /// targets are those reached. Does not accept.
+  solve::NewtonReport solve_arc(const StepOptions& options, double length);
+  /// λ of the last solve_arc(): 0 at the accepted state before it, 1 at its targets.
+  double arc_fraction() const { return arc_fraction_; }
+  /// 2-norm of the last accepted step's displacements, the scale for arc lengths.
+  double last_length() const { return last_increment_.norm(); }
   /// Makes the present state the accepted one. Call after solve_step() has converged.
   void accept();
   /// Returns to the accepted state, targets included.
@@ -44,8 +57,12 @@ public:
   const VectorX& displacement() const { return displacement_; }
   /// Present displacement of a body's control points, D × functions.
   Eigen::Map<const Eigen::Matrix<double, D, Eigen::Dynamic>> body_displacement(int body) const;
-  /// Force that a support exerts on its bodies.
+  /// Force that a support exerts on its bodies and obstacles.
   Vec<D> reaction(int support) const;
+  /// Moment that a support that rotates exerts, about its centre and conjugate to its angle in radians.
+  double moment(int support) const { return drives_.moment(support, present_, residual_); }
+  /// Force of a load.
+  Vec<D> load_resultant(int load) const { return drives_.resultant(load, present_); }
   contact::Resultant<D> contact_resultant(int contact) const;
   double stored_energy() const;
 
@@ -55,21 +72,31 @@ public:
   solve::LinearKind linear_kind() const;
 
 private:
-  solve::Outcome assemble(const VectorX* increment, bool tangent, std::string& why);
+  solve::Outcome assemble(const VectorX* direction, bool tangent, std::string& why);
+  solve::LinearSolver& solver(const StepOptions& options);
+  bool factor(const StepOptions& options);
   bool advance(const StepOptions& options, VectorX& increment, double& energy);
-  double reaction_norm() const;
+  bool advance_arc(const StepOptions& options, const VectorX& direction, double length, VectorX& tangent,
+                   double& energy);
+  solve::NewtonSystem system(std::function<const VectorX*()> direction, std::function<bool(double&)> advance);
+  void move_targets(const VectorX& targets);
   double rounding_floor() const;
 
   Scene<D> scene_;
   Unknowns<D> unknowns_;
+  Drives<D> drives_;
   Assembly<D> assembly_;
   std::vector<contact::Pair<D>> pairs_;
-  VectorX displacement_, accepted_;
-  std::vector<double> targets_, accepted_targets_; ///< [support · D + component]
+  VectorX displacement_, accepted_, last_increment_;
+  VectorX targets_, accepted_targets_; ///< see Drives
+  VectorX present_;                    ///< the targets that displacement_ and external_ realise
+  VectorX external_;                   ///< force of the loads
+  VectorX residual_;                   ///< f_int + f_c − f_ext of all degrees of freedom
+  double arc_fraction_ = 0;
   std::unique_ptr<solve::LinearSolver> solver_;
   solve::LinearKind solver_asked_ = solve::LinearKind::automatic;
-  int solver_version_ = 0;
-  double force_scale_ = 0; ///< largest reaction norm of the accepted states
+  int solver_version_ = 0, solver_contacts_ = 0;
+  double force_scale_ = 0; ///< largest force norm of the accepted states
   double size_ = 0;        ///< largest coordinate of a control point
   Timings timings_;
 };

@@ -107,13 +107,18 @@ Profile profile(const Model<2>& model, int contact) {
   const contact::Pair<2>& pair = model.pairs()[at(contact)];
   Profile result;
   result.gap = pair.gaps();
+  for (const Vec<2>& place : pair.reference_positions()) {
+    result.reference_x.push_back(place(0));
+    result.reference_y.push_back(place(1));
+  }
   for (const auto& point : pair.results()) {
-    const bool open = point.state == contact::ContactState::open;
+    const bool touching = point.state == contact::ContactState::stick || point.state == contact::ContactState::slip;
     result.x.push_back(point.position(0));
     result.y.push_back(point.position(1));
+    result.area.push_back(point.area);
     result.pressure.push_back(point.pressure);
-    result.traction.push_back(open ? 0.0 : point.friction.dot(point.tangents.col(0).normalized()));
-    result.state.push_back(open ? "open" : point.state == contact::ContactState::stick ? "stick" : "slip");
+    result.traction.push_back(touching ? point.friction.dot(point.tangents.col(0).normalized()) : 0.0);
+    result.state.push_back(contact::name_of(point.state));
   }
   return result;
 }

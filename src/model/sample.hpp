@@ -30,10 +30,12 @@ struct Tessellation {
 /// doubled, so that fields may jump there. `field` may be null.
 Tessellation tessellate(const Model<2>& model, int body, const Field<2>* field, int divisions, bool deformed);
 
-/// Contact points along the slave face, in the order of its parameter.
+/// Contact points along the slave face, in the order of its parameter: current and reference position, and the area
+/// that the traction acts on.
 struct Profile {
-  std::vector<double> x, y, pressure, traction, gap; ///< traction: tangential, signed along the slave face's direction
-  std::vector<std::string> state;                    ///< "open", "stick", "slip"
+  std::vector<double> x, y, reference_x, reference_y, area;
+  std::vector<double> pressure, traction, gap; ///< traction: tangential, signed along the slave face's direction
+  std::vector<std::string> state;              ///< "open", "stick", "slip", "adhesion"
 };
 Profile profile(const Model<2>& model, int contact);
 

@@ -1,7 +1,7 @@
 #pragma once
-// What a model is made of: named bodies, supports and contacts, as plain values.
+// What a model is made of: named bodies, supports, loads, obstacles and contacts, as plain values.
 
-#include "contact/penalty.hpp"
+#include "contact/pair.hpp"
 #include "solid/body.hpp"
 
 #include <array>
@@ -23,6 +23,12 @@ struct FaceReference {
   bool operator==(const FaceReference&) const = default;
 };
 
+/// A rigid obstacle of the scene.
+struct ObstacleReference {
+  int obstacle; ///< index into Scene::obstacles
+  bool operator==(const ObstacleReference&) const = default;
+};
+
 /// What a support does to one displacement component of its control points.
 enum class Hold { free, fixed, driven };
 
@@ -32,23 +38,43 @@ struct Held {
   std::vector<int> functions;
 };
 
+/// Holds control points and obstacles component by component. One that rotates moves its control points as a rigid
+/// body,
+///   x = X_c + c + R(θ)(X − X_c),
+/// with a prescribed angle θ; `hold` then speaks of the translation c, whose free components are unknowns.
 template <int D> struct Support {
   std::string name;
   std::vector<Held> on;
   std::array<Hold, D> hold{};
+  std::vector<int> obstacles = {};
+  bool rotates = false;
+  Vec<D> centre = Vec<D>::Zero(); ///< X_c, of a support that rotates
 };
 
-struct Contact {
+/// A dead load: force per reference area, on faces.
+struct Load {
   std::string name;
-  FaceReference slave, master;
-  contact::PenaltyLaw law;
+  std::vector<FaceReference> on;
+  bool pressure;             ///< one number, against the outward reference normal; otherwise a traction of D components
+  std::vector<double> start; ///< what acts before a path changes it
+};
+
+template <int D> struct Contact {
+  std::string name;
+  FaceReference slave;
+  std::variant<FaceReference, ObstacleReference> master;
+  contact::Law law;
   int points; ///< Gauss points per slave element and direction
+  contact::Region<D> where = {};
 };
 
 template <int D> struct Scene {
   std::vector<NamedBody<D>> bodies;
+  std::vector<contact::Obstacle<D>> obstacles = {}; ///< where no support drives them they stay
   std::vector<Support<D>> supports;
-  std::vector<Contact> contacts;
+  std::vector<Load> loads = {};
+  std::vector<Contact<D>> contacts;
+  solid::Kind kind = solid::Kind::plane_strain; ///< of all bodies alike
 };
 
 /// "x", "y", "z".

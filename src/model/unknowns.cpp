@@ -6,6 +6,16 @@
 
 namespace signorini::model {
 
+namespace {
+
+/// What a support does to a component, in words of an error message.
+template <int D> std::string verb(const Support<D>& support, int component) {
+  const Hold hold = support.hold[static_cast<std::size_t>(component)];
+  return support.rotates ? "turns" : hold == Hold::driven ? "drives" : "fixes";
+}
+
+} // namespace
+
 std::string component_name(int component) {
   return std::string(1, static_cast<char>('x' + component));
 }
@@ -16,6 +26,8 @@ template <int D> Unknowns<D>::Unknowns(const Scene<D>& scene) {
     offsets_.push_back(count);
     count += D * body.body->functions();
   }
+  obstacles_ = count;
+  count += D * static_cast<int>(scene.obstacles.size());
 
   // Who holds each degree of freedom, and how
   std::vector<const Support<D>*> holder(static_cast<std::size_t>(count), nullptr);
@@ -25,27 +37,61 @@ template <int D> Unknowns<D>::Unknowns(const Scene<D>& scene) {
       std::vector<int> list;
       for (const Held& held : support.on)
         for (int function : held.functions) list.push_back(offset(held.body) + D * function + c);
+      for (int obstacle : support.obstacles) list.push_back(obstacle_offset(obstacle) + c);
       std::sort(list.begin(), list.end());
       list.erase(std::unique(list.begin(), list.end()), list.end());
-      if (hold != Hold::free)
+      if (hold != Hold::free || support.rotates)
         for (int dof : list) {
           const Support<D>*& other = holder[static_cast<std::size_t>(dof)];
-          const bool both_fixed = hold == Hold::fixed && (!other || other->hold[static_cast<std::size_t>(c)] == hold);
-          require(!other || both_fixed, "supports: '", support.name, "' ", hold == Hold::driven ? "drives " : "fixes ",
-                  component_name(c), " of a control point that '", other ? other->name : "", "' already ",
-                  other && other->hold[static_cast<std::size_t>(c)] == Hold::driven ? "drives" : "fixes",
+          const bool both_fixed = hold == Hold::fixed && !support.rotates &&
+                                  (!other || (other->hold[static_cast<std::size_t>(c)] == hold && !other->rotates));
+          require(!other || both_fixed, "supports: '", support.name, "' ", verb(support, c), " ", component_name(c),
+                  " of a control point that '", other ? other->name : "", "' already ", other ? verb(*other, c) : "",
                   "; a component is held by one support: take it out of one of the two");
           other = &support;
         }
-      of_support_.push_back(list);
-      driven_.push_back(hold == Hold::driven ? std::move(list) : std::vector<int>{});
+      of_support_.push_back(std::move(list));
     }
 
+  std::vector<std::array<int, D>> shared(scene.supports.size());
+  for (auto& list : shared) list.fill(-1);
   for (int dof = 0; dof < count; ++dof) {
-    const bool held = holder[static_cast<std::size_t>(dof)] != nullptr;
-    unknown_.push_back(held ? -1 : static_cast<int>(free_.size()));
-    (held ? prescribed_ : free_).push_back(dof);
+    const Support<D>* support = holder[static_cast<std::size_t>(dof)];
+    const int c = dof % D; // every body and obstacle has D components per control point
+    held_.push_back(support != nullptr || dof >= obstacles_);
+    if (!support) {
+      unknown_.push_back(dof < obstacles_ ? size_++ : -1);
+    } else if (support->rotates && support->hold[static_cast<std::size_t>(c)] == Hold::free) {
+      int& unknown = shared[static_cast<std::size_t>(support - scene.supports.data())][static_cast<std::size_t>(c)];
+      if (unknown < 0) unknown = size_++;
+      unknown_.push_back(unknown);
+    } else {
+      unknown_.push_back(-1);
+    }
   }
+}
+
+template <int D> VectorX Unknowns<D>::gather(const VectorX& values) const {
+  VectorX sums = VectorX::Zero(size_);
+  for (int dof = 0; dof < dofs(); ++dof)
+    if (const int i = unknown(dof); i >= 0) sums(i) += values(dof);
+  return sums;
+}
+
+template <int D> VectorX Unknowns<D>::spread(const VectorX& values) const {
+  VectorX all(dofs());
+  for (int dof = 0; dof < dofs(); ++dof) {
+    const int i = unknown(dof);
+    all(dof) = i < 0 ? 0.0 : values(i);
+  }
+  return all;
+}
+
+template <int D> double Unknowns<D>::held_norm(const VectorX& values) const {
+  double sum = 0;
+  for (int dof = 0; dof < dofs(); ++dof)
+    if (held(dof)) sum += values(dof) * values(dof);
+  return std::sqrt(sum);
 }
 
 template class Unknowns<2>;

@@ -1,5 +1,5 @@
 #pragma once
-// Numbering: which displacement components of which control points are free, and which a support prescribes.
+// Numbering: which displacement components are free, which a support prescribes, and which move as one.
 
 #include "base/eigen.hpp"
 #include "model/scene.hpp"
@@ -8,34 +8,40 @@
 
 namespace signorini::model {
 
-/// Degrees of freedom are numbered body after body, control point after control point, component after component. The
-/// free ones are numbered again without gaps: those are the unknowns.
+/// Degrees of freedom are numbered body after body, control point after control point, component after component, then
+/// obstacle after obstacle, D translations each. Those that are free are numbered again without gaps: the unknowns. The
+/// control points of a support that rotates share one unknown for each free component of its translation.
 template <int D> class Unknowns {
 public:
-  /// Throws Error when a component is fixed by one support and driven by another, or driven by two.
+  /// Throws Error when two supports hold the same component in ways that contradict each other.
   explicit Unknowns(const Scene<D>& scene);
 
   int dofs() const { return static_cast<int>(unknown_.size()); }
-  int size() const { return static_cast<int>(free_.size()); }
-  /// First degree of freedom of a body.
+  int size() const { return size_; }
+  /// First degree of freedom of a body, and of an obstacle.
   int offset(int body) const { return offsets_[static_cast<std::size_t>(body)]; }
+  int obstacle_offset(int obstacle) const { return obstacles_ + D * obstacle; }
   /// Unknown behind a degree of freedom; −1 when it is prescribed.
   int unknown(int dof) const { return unknown_[static_cast<std::size_t>(dof)]; }
-  /// Degree of freedom of each unknown.
-  const std::vector<int>& free() const { return free_; }
-  const std::vector<int>& prescribed() const { return prescribed_; }
-  /// Degrees of freedom that a support drives in one component.
-  const std::vector<int>& driven(int support, int component) const {
-    return driven_[static_cast<std::size_t>(support * D + component)];
-  }
+  /// Whether a support has a say in this degree of freedom: it is prescribed, or rotates with others.
+  bool held(int dof) const { return held_[static_cast<std::size_t>(dof)] != 0; }
   /// Degrees of freedom of a support in one component, held or not.
   const std::vector<int>& of_support(int support, int component) const {
     return of_support_[static_cast<std::size_t>(support * D + component)];
   }
 
+  /// Sums values of all degrees of freedom into their unknowns.
+  VectorX gather(const VectorX& values) const;
+  /// The opposite: the value of each degree of freedom's unknown, 0 where it is prescribed.
+  VectorX spread(const VectorX& values) const;
+  /// 2-norm over the degrees of freedom that are held.
+  double held_norm(const VectorX& values) const;
+
 private:
-  std::vector<int> offsets_, unknown_, free_, prescribed_;
-  std::vector<std::vector<int>> driven_, of_support_;
+  int size_ = 0, obstacles_ = 0;
+  std::vector<int> offsets_, unknown_;
+  std::vector<char> held_;
+  std::vector<std::vector<int>> of_support_;
 };
 
 } // namespace signorini::model

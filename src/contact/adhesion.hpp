@@ -1,0 +1,30 @@
+#pragma once
+// Van der Waals adhesion at one contact point, with its exact linearisation.
+
+#include "contact/local.hpp"
+
+namespace signorini::contact {
+
+/// Traction between two half spaces at distance r, from a Lennard-Jones potential between all their atoms (thesis 3.86,
+/// 3.87; R. A. Sauer, J. Adhesion 2011). It acts on the slave's reference area, along the master's normal.
+struct Adhesion {
+  double hamaker;  ///< A_H > 0, force × length
+  double distance; ///< r₀ > 0, length
+};
+
+/// Throws Error unless both are positive numbers.
+void check(const Adhesion& law);
+
+/// Distance without traction, r_eq = 15^(−1/6) r₀. Closer than this the law goes on along its tangent.
+double equilibrium_distance(const Adhesion& law);
+/// Distance of the strongest attraction, r_max = 5^(−1/6) r₀.
+double strongest_distance(const Adhesion& law);
+/// T(r) = A_H/(2π r₀³) [(r₀/r)⁹/45 − (r₀/r)³/3]; positive pushes off.
+double traction(const Adhesion& law, double r);
+/// T′(r).
+double stiffness(const Adhesion& law, double r);
+
+/// Evaluates the law; it acts at any gap.
+template <int D> void adhesion_force(const Adhesion& law, const LocalGeometry<D>& geometry, LocalForce<D>& result);
+
+} // namespace signorini::contact

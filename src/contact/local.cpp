@@ -1,0 +1,111 @@
+#include "contact/local.hpp"
+
+#include <numbers>
+
+namespace signorini::contact {
+
+namespace {
+
+/// Index of x_,αβ in FacePoint::second.
+constexpr std::size_t second_index(int alpha, int beta) {
+  return static_cast<std::size_t>(alpha + beta);
+}
+
+} // namespace
+
+const char* name_of(ContactState state) {
+  switch (state) {
+  case ContactState::open:
+    return "open";
+  case ContactState::stick:
+    return "stick";
+  case ContactState::slip:
+    return "slip";
+  case ContactState::adhesion:
+    return "adhesion";
+  }
+  return "";
+}
+
+template <int D> double slave_measure(const LocalGeometry<D>& geometry, LocalRow<D>& derivative) {
+  derivative.setZero();
+  constexpr int column = LocalForce<D>::slave_tangent_column;
+  const Vec<D>& a = geometry.slave_tangent[0];
+  if constexpr (D == 2) {
+    const double length = a.norm();
+    derivative.template segment<D>(column) = a.transpose() / length;
+    if (!geometry.revolved) return length;
+    // m = 2πr |a|,  δm = 2πr δ|a| + 2π|a| δr
+    constexpr double turn = 2 * std::numbers::pi;
+    derivative *= turn * geometry.slave(0);
+    derivative(0) = turn * length;
+    return turn * geometry.slave(0) * length;
+  } else {
+    const Vec<D>& b = geometry.slave_tangent[1];
+    const Vec<D> product = a.cross(b);
+    const double area = product.norm();
+    const Vec<D> unit = product / area;
+    // δ|a×b| = (b×n)·δa + (n×a)·δb
+    derivative.template segment<D>(column) = b.cross(unit).transpose();
+    derivative.template segment<D>(column + D) = unit.cross(a).transpose();
+    return area;
+  }
+}
+
+template <int D>
+GapRows<D> gap_rows(const LocalGeometry<D>& geometry, Eigen::Matrix<double, D - 1, LocalForce<D>::columns>& shift) {
+  using Force = LocalForce<D>;
+  constexpr int tangents = D - 1;
+  const FacePoint<D>& master = *geometry.master;
+  const Vec<D>& n = geometry.normal;
+  const double g = geometry.gap;
+
+  // δg = n̄·(δxˢ − δx̄ᵐ)
+  GapRows<D> rows{LocalRow<D>::Zero(), LocalBlock<D>::Zero()};
+  rows.gap.template segment<D>(0) = n.transpose();
+  rows.gap.template segment<D>(Force::master_column) = -n.transpose();
+
+  shift.setZero();
+  if (geometry.foot == Foot::corner) {
+    // n̄ = (xˢ − x̄ᵐ)/g with a fixed vertex:  δn̄ = (I − n̄ n̄ᵀ)(δxˢ − δx̄ᵐ)/g
+    const Mat<D> projector = (Mat<D>::Identity() - n * n.transpose()) / g;
+    rows.normal.template middleCols<D>(0) = projector;
+    rows.normal.template middleCols<D>(Force::master_column) = -projector;
+  } else {
+    // [τ_α·τ_β − g n̄·x_,αβ] δξ̄^β = (δxˢ − δx̄ᵐ)·τ_α + g n̄·δτ_α   (thesis A.17, A.18)
+    Mat<tangents> metric, hessian;
+    for (int a = 0; a < tangents; ++a)
+      for (int b = 0; b < tangents; ++b) {
+        metric(a, b) = master.tangent[static_cast<std::size_t>(a)].dot(master.tangent[static_cast<std::size_t>(b)]);
+        hessian(a, b) = metric(a, b) - g * n.dot(master.second[second_index(a, b)]);
+      }
+    Eigen::Matrix<double, tangents, Force::columns> right = Eigen::Matrix<double, tangents, Force::columns>::Zero();
+    for (int a = 0; a < tangents; ++a) {
+      const auto tau = master.tangent[static_cast<std::size_t>(a)].transpose();
+      right.row(a).template segment<D>(0) = tau;
+      right.row(a).template segment<D>(Force::master_column) = -tau;
+      right.row(a).template segment<D>(Force::tangent_column + D * a) = g * n.transpose();
+    }
+    shift.noalias() = hessian.inverse() * right;
+
+    // δn̄ = −τ^α n̄·(δτ_α + x_,αβ δξ̄^β),  τ^α = m^{αβ} τ_β
+    const Mat<tangents> inverse_metric = metric.inverse();
+    for (int a = 0; a < tangents; ++a) {
+      LocalRow<D> turn = LocalRow<D>::Zero();
+      for (int b = 0; b < tangents; ++b) turn += n.dot(master.second[second_index(a, b)]) * shift.row(b);
+      turn.template segment<D>(Force::tangent_column + D * a) += n.transpose();
+      Vec<D> contravariant = Vec<D>::Zero();
+      for (int b = 0; b < tangents; ++b)
+        contravariant += inverse_metric(a, b) * master.tangent[static_cast<std::size_t>(b)];
+      rows.normal.noalias() -= contravariant * turn;
+    }
+  }
+  return rows;
+}
+
+template double slave_measure<2>(const LocalGeometry<2>&, LocalRow<2>&);
+template double slave_measure<3>(const LocalGeometry<3>&, LocalRow<3>&);
+template GapRows<2> gap_rows<2>(const LocalGeometry<2>&, Eigen::Matrix<double, 1, LocalForce<2>::columns>&);
+template GapRows<3> gap_rows<3>(const LocalGeometry<3>&, Eigen::Matrix<double, 2, LocalForce<3>::columns>&);
+
+} // namespace signorini::contact

@@ -1,0 +1,75 @@
+#include "model/clearance.hpp"
+
+#include "base/error.hpp"
+
+namespace signorini::model {
+
+namespace {
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+double size_of(const MatrixX& points) {
+  return (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
+}
+
+/// Whether x lies inside a plane body: how often its boundary, as a polygon, winds around x.
+bool inside(const nurbs::Discretisation& space, const Vec<2>& x) {
+  constexpr int pieces = 8; // per element: a chord's sagitta is below 1 % of an arc of 90°
+  std::vector<Vec<2>> polygon;
+  const MatrixX points = space.points();
+  // South, east, north and west, each in the direction that goes around counter-clockwise
+  for (int side = 0; side < 4; ++side) {
+    const int d = side % 2;
+    const bool forward = side < 2;
+    for (int k = 0; k < space.elements(d); ++k) {
+      const int i = forward ? k : space.elements(d) - 1 - k, last = space.elements(1 - d) - 1;
+      const int across = (side == 1 || side == 2) ? last : 0;
+      const int e = d == 0 ? i + space.elements(0) * across : across + space.elements(0) * i;
+      const auto along = space.interval(e, d), other = space.interval(e, 1 - d);
+      for (int p = 0; p < pieces; ++p) {
+        const double t = static_cast<double>(forward ? p : pieces - p) / pieces;
+        VectorX xi(2);
+        xi(d) = along[0] + t * (along[1] - along[0]);
+        xi(1 - d) = other[side == 1 || side == 2 ? 1 : 0];
+        const nurbs::ElementBasis basis = space.basis(e, xi);
+        Vec<2> place = Vec<2>::Zero();
+        for (std::size_t a = 0; a < basis.functions.size(); ++a)
+          place += basis.values(static_cast<int>(a)) * points.col(basis.functions[a]);
+        polygon.push_back(place - x);
+      }
+    }
+  }
+  double angle = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec<2>&a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    angle += std::atan2(a(0) * b(1) - a(1) * b(0), a.dot(b));
+  }
+  return std::abs(angle) > 1; // 2π inside, 0 outside
+}
+
+} // namespace
+
+template <int D> void require_clearance(const Scene<D>& scene, const std::vector<contact::Pair<D>>& pairs) {
+  constexpr double tolerated = 0.01;
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const Contact<D>& contact = scene.contacts[k];
+    const auto* reference = std::get_if<ObstacleReference>(&contact.master);
+    if (!reference) continue;
+    const NamedBody<D>& named = scene.bodies[at(contact.slave.body)];
+    const double size = size_of(named.body->space().points());
+    for (const auto& point : pairs[k].results())
+      require(point.gap > -tolerated * size, "contacts: the obstacle of '", contact.name, "' is inside body '",
+              named.name, "' at the start: the face reaches ", -point.gap, " deep into it at (",
+              point.position.transpose(), "); move the obstacle out, or turn its normal round");
+    if (const auto* ball = std::get_if<contact::Ball<D>>(&scene.obstacles[at(reference->obstacle)]))
+      require(!inside(named.body->space(), ball->centre), "contacts: the obstacle of '", contact.name,
+              "' is inside body '", named.name, "' at the start: its centre (", ball->centre.transpose(),
+              ") lies in the body; move the obstacle out");
+  }
+}
+
+template void require_clearance<2>(const Scene<2>&, const std::vector<contact::Pair<2>>&);
+
+} // namespace signorini::model

@@ -1,0 +1,169 @@
+#include "model/drives.hpp"
+
+#include "base/error.hpp"
+#include "solid/load.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+namespace signorini::model {
+
+namespace {
+
+constexpr double radians_per_degree = std::numbers::pi / 180;
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// Components of a support that a path moves.
+template <int D> std::vector<std::string> moved_components(const Support<D>& support) {
+  std::vector<std::string> names;
+  for (int c = 0; c < D; ++c)
+    if (support.hold[at(c)] == Hold::driven) names.push_back(component_name(c));
+  if (support.rotates) names.emplace_back("angle");
+  return names;
+}
+
+template <int D> std::vector<std::string> load_components(const Load& load) {
+  if (load.pressure) return {"pressure"};
+  std::vector<std::string> names;
+  for (int c = 0; c < D; ++c) names.push_back(component_name(c));
+  return names;
+}
+
+/// R(θ) and, by `turn` quarter turns more, its derivatives by θ: R′ = R(θ + 90°).
+Mat<2> rotation(double degrees, int turn) {
+  const double angle = degrees * radians_per_degree, c = std::cos(angle), s = std::sin(angle);
+  Mat<2> matrix;
+  matrix << c, -s, s, c;
+  Mat<2> quarter;
+  quarter << 0, -1, 1, 0;
+  return turn == 0 ? matrix : Mat<2>(quarter * matrix);
+}
+
+} // namespace
+
+template <int D>
+Drives<D>::Drives(const Scene<D>& scene, const Unknowns<D>& unknowns) : scene_(scene), unknowns_(unknowns) {
+  int count = 0;
+  const auto add = [&](Drive drive) {
+    drive.first = count;
+    count += static_cast<int>(drive.components.size());
+    if (!drive.components.empty()) all_.push_back(std::move(drive));
+  };
+  for (int s = 0; s < static_cast<int>(scene.supports.size()); ++s) {
+    const Support<D>& support = scene.supports[at(s)];
+    require(D == 2 || !support.rotates, "supports: '", support.name, "' rotates, which only plane bodies can");
+    add({support.name, s, -1, 0, moved_components(support)});
+  }
+  for (int l = 0; l < static_cast<int>(scene.loads.size()); ++l)
+    add({scene.loads[at(l)].name, -1, l, 0, load_components<D>(scene.loads[at(l)])});
+
+  start_ = VectorX::Zero(count);
+  loads_ = MatrixX::Zero(unknowns.dofs(), count);
+  for (const Drive& drive : all_) {
+    if (drive.support >= 0) {
+      follow(drive.support, drive);
+      continue;
+    }
+    const Load& load = scene.loads[at(drive.load)];
+    for (int k = 0; k < static_cast<int>(drive.components.size()); ++k) {
+      start_(drive.first + k) = load.start[at(k)];
+      for (const FaceReference& face : load.on) {
+        const solid::Body<D>& body = *scene.bodies[at(face.body)].body;
+        const VectorX unit =
+            load.pressure ? solid::pressure_load(body, face.side) : solid::traction_load(body, face.side, k);
+        loads_.col(drive.first + k).segment(unknowns.offset(face.body), unit.size()) += unit;
+      }
+    }
+  }
+}
+
+/// Enters the degrees of freedom that a support moves.
+template <int D> void Drives<D>::follow(int s, const Drive& drive) {
+  const Support<D>& support = scene_.supports[at(s)];
+  for (int c = 0, next = drive.first; c < D; ++c) {
+    const bool driven = support.hold[at(c)] == Hold::driven;
+    const int target = driven ? next++ : -1,
+              angle = support.rotates ? drive.first + static_cast<int>(drive.components.size()) - 1 : -1;
+    if (!driven && !support.rotates) continue;
+    for (const Held& held : support.on) {
+      const MatrixX points = scene_.bodies[at(held.body)].body->space().points();
+      for (int function : held.functions)
+        followers_.push_back(
+            {unknowns_.offset(held.body) + D * function + c, c, target, angle, points.col(function) - support.centre});
+    }
+    for (int obstacle : support.obstacles)
+      followers_.push_back({unknowns_.obstacle_offset(obstacle) + c, c, target, -1, Vec<D>::Zero()});
+  }
+}
+
+template <int D> VectorX Drives<D>::displacement(const VectorX& targets) const {
+  VectorX result = VectorX::Zero(unknowns_.dofs());
+  for (const Follower& f : followers_) {
+    double& u = result(f.dof);
+    u = f.target >= 0 ? targets(f.target) : 0;
+    if constexpr (D == 2)
+      if (f.angle >= 0) u += (rotation(targets(f.angle), 0) * f.arm - f.arm)(f.component);
+  }
+  return result;
+}
+
+template <int D> VectorX Drives<D>::rate(const VectorX& targets, const VectorX& direction) const {
+  VectorX result = VectorX::Zero(unknowns_.dofs());
+  for (const Follower& f : followers_) {
+    double& u = result(f.dof);
+    u = f.target >= 0 ? direction(f.target) : 0;
+    if constexpr (D == 2)
+      if (f.angle >= 0)
+        u += radians_per_degree * direction(f.angle) * (rotation(targets(f.angle), 1) * f.arm)(f.component);
+  }
+  return result;
+}
+
+template <int D> VectorX Drives<D>::force(const VectorX& targets) const {
+  return loads_ * targets;
+}
+
+template <int D> double Drives<D>::moment(int support, const VectorX& targets, const VectorX& force) const {
+  // With a unit rate of the angle in radians, M = f · ∂u/∂θ.
+  for (const Drive& drive : all_) {
+    if (drive.support != support || !scene_.supports[at(support)].rotates) continue;
+    VectorX turn = VectorX::Zero(targets.size());
+    turn(drive.first + static_cast<int>(drive.components.size()) - 1) = 1 / radians_per_degree;
+    return rate(targets, turn).dot(force);
+  }
+  return 0;
+}
+
+template <int D> Vec<D> Drives<D>::resultant(int load, const VectorX& targets) const {
+  VectorX own = VectorX::Zero(targets.size());
+  for (const Drive& drive : all_)
+    if (drive.load == load) {
+      const auto size = static_cast<Eigen::Index>(drive.components.size());
+      own.segment(drive.first, size) = targets.segment(drive.first, size);
+    }
+  const VectorX all = force(own);
+  Vec<D> sum = Vec<D>::Zero();
+  for (int dof = 0; dof < all.size(); ++dof) sum(dof % D) += all(dof);
+  return sum;
+}
+
+template <int D> Vec<D> face_centroid(const solid::Body<D>& body, nurbs::Side side) {
+  // ∫ X dA / ∫ dA = Σ_A X_A ∫ R_A dA / Σ_A ∫ R_A dA
+  const VectorX unit = solid::traction_load(body, side, 0);
+  const MatrixX points = body.space().points();
+  Vec<D> moment = Vec<D>::Zero();
+  double area = 0;
+  for (int a = 0; a < body.functions(); ++a) {
+    moment += unit(D * a) * points.col(a);
+    area += unit(D * a);
+  }
+  return moment / area;
+}
+
+template class Drives<2>;
+template Vec<2> face_centroid<2>(const solid::Body<2>&, nurbs::Side);
+
+} // namespace signorini::model

@@ -1,0 +1,61 @@
+#pragma once
+// What a path moves: displacements and angles of supports, sizes of loads; and what that prescribes to a body.
+
+#include "model/unknowns.hpp"
+
+namespace signorini::model {
+
+/// A support that drives or turns, or a load: a name and its components, such as {"x", "y"}, {"angle"}, {"pressure"}.
+struct Drive {
+  std::string name;
+  int support; ///< index into Scene::supports; −1 for a load
+  int load;    ///< index into Scene::loads; −1 for a support
+  int first;   ///< index of its first component in the targets
+  std::vector<std::string> components;
+};
+
+/// The scene's targets are one vector, drive after drive, component after component: lengths, degrees, forces per area.
+template <int D> class Drives {
+public:
+  /// Throws Error for a load on a face that carries no tensor product.
+  Drives(const Scene<D>& scene, const Unknowns<D>& unknowns);
+
+  /// Supports before loads.
+  const std::vector<Drive>& all() const { return all_; }
+  /// Targets before any path: no displacement, loads as declared.
+  const VectorX& start() const { return start_; }
+
+  /// Displacement of the held degrees of freedom at given targets, as far as it is prescribed; 0 elsewhere.
+  VectorX displacement(const VectorX& targets) const;
+  /// Its derivative along a direction of the targets.
+  VectorX rate(const VectorX& targets, const VectorX& direction) const;
+  /// External force on all degrees of freedom; linear in the targets.
+  VectorX force(const VectorX& targets) const;
+
+  /// Moment about the centre of a support that rotates, conjugate to its angle in radians: Σ (R(θ) r_A) × f_A.
+  double moment(int support, const VectorX& targets, const VectorX& force) const;
+  /// Resultant of a load at given targets, D components.
+  Vec<D> resultant(int load, const VectorX& targets) const;
+
+private:
+  /// A degree of freedom that follows a target: u = target + ((R(θ) − I) r)_component.
+  struct Follower {
+    int dof, component;
+    int target; ///< of the translation; −1: none
+    int angle;  ///< target of the angle in degrees; −1: does not turn
+    Vec<D> arm; ///< r = X − X_c
+  };
+  void follow(int support, const Drive& drive);
+
+  const Scene<D>& scene_;
+  const Unknowns<D>& unknowns_;
+  std::vector<Drive> all_;
+  std::vector<Follower> followers_;
+  VectorX start_;
+  MatrixX loads_; ///< degrees of freedom × targets: force per unit of each; zero columns for displacements
+};
+
+/// Centroid of a face in the reference configuration.
+template <int D> Vec<D> face_centroid(const solid::Body<D>& body, nurbs::Side side);
+
+} // namespace signorini::model
