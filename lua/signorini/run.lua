@@ -16,10 +16,6 @@ local where = "model:run"
 local function read_target(model, stage, drive, value)
   local components = drives.components(model, drive)
   local name = ("%s.%s"):format(stage, drive)
-  if #components == 0 then
-    core.fail(("%s: the support '%s' of stage '%s' is not driven: give it drive = \"x\", \"y\" or \"xy\" in sg.model")
-      :format(where, drive, stage))
-  end
   if type(value) == "number" and #components == 1 then value = { value } end
   local expected = ("a list of %d value%s (%s)"):format(#components, #components == 1 and "" or "s",
     table.concat(components, ", "))
@@ -39,6 +35,9 @@ local function read_stage(model, index, stage, known)
   for key, value in pairs(stage) do
     if type(key) == "string" and known[key] then
       read.targets[key] = read_target(model, name, key, value)
+    elseif drives.is_support(model, key) then
+      core.fail(("%s: the support '%s' of stage '%s' is not driven: give it drive = \"x\", \"y\" or \"xy\" in sg.model")
+        :format(where, key, name))
     elseif key ~= "name" and key ~= "steps" then
       arguments.unknown(where, key, ("stage '%s'"):format(name), table.move(known, 1, #known, 3, { "name", "steps" }))
     end
@@ -50,7 +49,7 @@ local function read_stages(model, stages)
   if type(stages) ~= "table" or #stages == 0 or stages.steps then
     arguments.reject(where, "stages", "a list of stages", stages, "write model:run{ { steps = 10, grip = {0, -1} } }")
   end
-  local known = drives.names(model)
+  local known = model:driven_names()
   for _, name in ipairs(known) do known[name] = true end
   local read, total = {}, 0
   for i, stage in ipairs(stages) do

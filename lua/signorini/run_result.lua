@@ -35,12 +35,12 @@ local function record_list(run, columns, read)
   end
 end
 
---- The reaction of a support, with the moment last where it rotates.
-local function record_reaction(run, model, support)
-  local driven, keys = model:driven(support), {}
-  for i = 1, #model:reaction(support) do keys[i] = "f" .. axes[i] end
+--- The force of a support or a load, with the moment last where it rotates.
+local function record_force(run, model, name)
+  local driven, keys = model:driven(name), {}
+  for i = 1, #model:reaction(name) do keys[i] = "f" .. axes[i] end
   if driven[#driven] == "angle" then keys[#keys] = "moment" end
-  record_list(run, add_columns(run, support, keys), function() return model:reaction(support) end)
+  record_list(run, add_columns(run, name, keys), function() return model:reaction(name) end)
 end
 
 --- The accepted target of a driven support or a load.
@@ -67,8 +67,9 @@ function Run.new(model)
   }, Run)
   run.step_column, run.increment_column = add_column(run, "step"), add_column(run, "increments")
   run.iteration_column, run.wall_column = add_column(run, "iterations"), add_column(run, "wall")
-  for _, support in ipairs(model:support_names()) do record_reaction(run, model, support) end
-  for _, name in ipairs(drives.names(model)) do record_target(run, model, name) end
+  for _, support in ipairs(model:support_names()) do record_force(run, model, support) end
+  for _, load in ipairs(model:load_names()) do record_force(run, model, load) end
+  for _, name in ipairs(model:driven_names()) do record_target(run, model, name) end
   for _, contact in ipairs(model:contact_names()) do record_contact(run, model, contact) end
   return run
 end

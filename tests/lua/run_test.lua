@@ -44,6 +44,7 @@ check.case("angles and loads are targets like displacements, alone without brace
   check.equal(run:column "edge.angle", { 22.5, 45, 67.5, 90, 90, 90 })
   check.equal(run:column "edge.moment", { 112.5, 225, 337.5, 450, 450, 450 })
   check.equal(run:column "gas.pressure", { -0.5, -1, -1.5, -2, -1, 0 })
+  check.equal(run:column "gas.fy", { 3.5, 7, 10.5, 14, 7, 0 })
 end)
 
 check.case("a failed step is rolled back and reported", function()
@@ -98,8 +99,8 @@ end)
 check.case("columns: their names, and what is not one", function()
   local run = model_of():run(two_stages)
   check.equal(run:columns(), { "step", "increments", "iterations", "wall", "bed.fx", "bed.fy", "edge.fx", "edge.fy",
-    "edge.moment", "grip.fx", "grip.fy", "edge.angle", "grip.ux", "grip.uy", "gas.pressure", "interface.fx",
-    "interface.fy", "interface.area", "interface.max_pressure", "interface.max_penetration" })
+    "edge.moment", "grip.fx", "grip.fy", "gas.fx", "gas.fy", "edge.angle", "grip.ux", "grip.uy", "gas.pressure",
+    "interface.fx", "interface.fy", "interface.area", "interface.max_pressure", "interface.max_penetration" })
   check.fails(function() run:column "grip.fz" end, "run_test.lua:", "'grip.fz'", "grip.fy")
   check.fails(function() run:residuals(7) end, "run:residuals: there is no step 7; the run has steps 1 to 6")
   check.fails(function() run:attempts(0) end, "run:attempts: there is no step 0; the run has steps 1 to 6")
@@ -129,7 +130,7 @@ check.case("wrong stages and options are refused before the first step", functio
     { { { name = "press", steps = 0 } }, "press.steps must be a whole number of at least 1, got the number 0" },
     { { { steps = 1.5 } }, "got the number 1.5" },
     { { { steps = "2" } }, "got the string '2'" },
-    { { { steps = 2, gripp = { 0, 1 } } }, "unknown argument 'gripp'", "did you mean 'grip'?", "name, steps, bed, edge, grip, gas" },
+    { { { steps = 2, gripp = { 0, 1 } } }, "unknown argument 'gripp'", "did you mean 'grip'?", "name, steps, edge, grip, gas" },
     { { { steps = 2, { 0, 1 } } }, "unknown argument '1'" },
     { { { steps = 2, bed = { 0, 1 } } }, "'bed'", "not driven", 'drive = "x"' },
     { { { steps = 2, grip = { 0 } } }, "grip must be a list of 2 values (ux, uy), got a list of 1 value" },

@@ -9,7 +9,8 @@ local function spring(fails)
   local function note(what) model.calls[#model.calls + 1] = what end
 
   function model:support_names() return { "bed", "edge", "grip" } end
-  function model:driven_names() return { "bed", "edge", "grip", "gas" } end
+  function model:load_names() return { "gas" } end
+  function model:driven_names() return { "edge", "grip", "gas" } end
   function model:contact_names() return { "interface" } end
   function model:driven(name) return driven[name] or {} end
   function model:target(name)
@@ -38,6 +39,7 @@ local function spring(fails)
   function model:reaction(name)
     local u, sign = self.accepted, name == "bed" and -1 or 1
     if name == "edge" then return { 0, 0, 5 * targets.edge[1] } end
+    if name == "gas" then return { 0, -7 * targets.gas[1] } end
     return { 2 * sign * u[1], 3 * sign * u[2] }
   end
   function model:contact_resultant()
