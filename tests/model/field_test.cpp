@@ -1,0 +1,84 @@
+// Fields of both laws in the plane and around an axis, on the axis too.
+#include "model/sample.hpp"
+#include "model/scenes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace signorini::model {
+namespace {
+
+using namespace test;
+
+/// A disc of radius 1.5 and height 0.5 (a rectangle in the plane) with given supports on its faces.
+Scene<2> disc(const solid::Material& material, solid::Kind kind, const std::vector<Grip>& grips) {
+  nurbs::Plan plan;
+  plan.elements = {3, 2};
+  plan.contact = {nurbs::side_of("north", 2)};
+  plan.labels = {nurbs::parse_label("N2")};
+  plan.through = 2;
+  const auto space =
+      std::make_shared<const nurbs::Discretisation>(nurbs::rectangle(1.5, 0.5, Eigen::Vector2d(0, 0)), plan);
+  Scene<2> scene;
+  scene.kind = kind;
+  scene.bodies.push_back({"disc", std::make_shared<const solid::Body<2>>(space, material, kind)});
+  for (const Grip& grip : grips) scene.supports.push_back({grip.name, {held(scene, 0, grip.face)}, grip.hold});
+  return scene;
+}
+
+double value(const Model<2>& model, const std::string& field, double xi, double eta) {
+  return sample(model, 0, find_field<2>(field), Eigen::Vector2d(xi, eta));
+}
+
+/// The rim moves by 0.3 of 1.5 between lids that keep their height: a = 1.2 along r, 1 along z, and around the axis
+/// again a, or 1 in plane strain.
+TEST(Field, StressesAreThoseOfTheHomogeneousState) {
+  const auto rubber = solid::neo_hookean(2, 0.3);
+  const auto steel = solid::linear_elastic(2, 0.3);
+  const std::vector<Grip> grips = {{"rim", "east", {Hold::driven, Hold::free}},
+                                   {"axis", "west", {Hold::fixed, Hold::free}},
+                                   {"bottom", "south", {Hold::free, Hold::fixed}},
+                                   {"top", "north", {Hold::free, Hold::fixed}}};
+  for (const solid::Kind kind : {solid::Kind::plane_strain, solid::Kind::axisymmetric}) {
+    const double a = 1.2, hoop = kind == solid::Kind::axisymmetric ? a : 1.0;
+    // σ_i = (λ ln J + μ (F_ii² − 1))/J, and λ tr ε + 2 μ ε_i
+    const double j = a * hoop, trace = (a - 1) + (hoop - 1);
+    const auto of_rubber = [&](double f) { return (rubber.lambda * std::log(j) + rubber.mu * (f * f - 1)) / j; };
+    const auto of_steel = [&](double f) { return steel.lambda * trace + 2 * steel.mu * (f - 1); };
+    for (const bool linear : {false, true}) {
+      const auto expected = [&](double f) { return linear ? of_steel(f) : of_rubber(f); };
+      Model<2> model(linear ? disc(steel, kind, grips) : disc(rubber, kind, grips));
+      model.set_target(0, 0, 0.3);
+      ASSERT_EQ(model.solve_step({}).outcome, solve::Outcome::converged);
+      for (double xi : {0.0, 1e-12, 0.3, 1.0})
+        for (double eta : {0.0, 0.7}) {
+          EXPECT_NEAR(value(model, "sxx", xi, eta), expected(a), 1e-9);
+          EXPECT_NEAR(value(model, "syy", xi, eta), expected(1), 1e-9);
+          EXPECT_NEAR(value(model, "szz", xi, eta), expected(hoop), 1e-9);
+          EXPECT_NEAR(value(model, "I1", xi, eta), expected(a) + expected(1) + expected(hoop), 1e-9);
+          EXPECT_NEAR(value(model, "F11", xi, eta), a, 1e-9);
+        }
+    }
+  }
+}
+
+/// Pressed against a rough bottom the state varies: on the axis radial and hoop stress are one, and values near it go
+/// over into values on it.
+TEST(Field, StressesAreContinuousUpToTheAxis) {
+  Model<2> model(disc(solid::neo_hookean(2, 0.3), solid::Kind::axisymmetric,
+                      {{"top", "north", {Hold::free, Hold::driven}},
+                       {"bottom", "south", {Hold::fixed, Hold::fixed}},
+                       {"axis", "west", {Hold::fixed, Hold::free}}}));
+  model.set_target(0, 0, -0.1);
+  ASSERT_EQ(model.solve_step({}).outcome, solve::Outcome::converged);
+  for (double eta : {0.2, 0.9}) {
+    EXPECT_NEAR(value(model, "sxx", 0, eta), value(model, "szz", 0, eta), 1e-13);
+    for (const char* field : {"sxx", "syy", "szz", "von_mises"})
+      EXPECT_NEAR(value(model, field, 1e-7, eta), value(model, field, 0, eta), 1e-6) << field;
+    EXPECT_GT(std::abs(value(model, "szz", 0.9, eta) - value(model, "szz", 0, eta)), 1e-2);
+  }
+}
+
+} // namespace
+} // namespace signorini::model
