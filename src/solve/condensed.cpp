@@ -3,19 +3,13 @@
 #include "base/eigen.hpp"
 #include "base/error.hpp"
 #include "solve/cholmod.hpp"
+#include "solve/lapack.hpp"
 #include "solve/values.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
-
-extern "C" {
-// LAPACK: row-pivoted LU, and the solution with it.
-void dgetrf_(const int* rows, const int* columns, double* a, const int* leading, int* pivots, int* info);
-void dgetrs_(const char* transposed, const int* size, const int* right_sides, const double* a, const int* leading,
-             const int* pivots, double* b, const int* leading_b, int* info);
-}
 
 namespace signorini::solve {
 
@@ -90,7 +84,9 @@ Condensed::Condensed(const Pattern& pattern, const Condensation& condensation)
 /// An ordering with the contact unknowns last: of the constrained minimum degree and nested dissection the one with
 /// less arithmetic.
 void Condensed::order(cholmod_sparse& matrix, const std::vector<char>& touched) {
-  std::vector<int> constraints(touched.begin(), touched.end()), trial(at(size_));
+  // CAMD numbers its sets from 0 without gaps.
+  std::vector<int> constraints(at(size_), 0), trial(at(size_));
+  if (contacts_ < size_) constraints.assign(touched.begin(), touched.end());
   common_.nmethods = 1;
   common_.method[0].ordering = CHOLMOD_GIVEN;
   common_.postorder = false; // it would move contact unknowns forward
