@@ -2,6 +2,7 @@
 -- they are to where they shall be; each step is solved, then accepted. What happened is kept in a run.
 
 local core = require "signorini.core"
+local arc_length = require "signorini.arc_length"
 local arguments = require "signorini.arguments"
 local drives = require "signorini.drives"
 local progress = require "signorini.progress"
@@ -71,14 +72,16 @@ end
 
 --- What solve_step takes, the policy, and the callback after each step.
 local function read_options(options)
-  arguments.table(where, "options", options, { "newton", "step", "linear", "on_step" })
+  arguments.table(where, "options", options, { "newton", "step", "arc_length", "linear", "on_step" })
   options = options or {}
+  local policy = read_policy(options.step)
+  if arguments.flag(where, "arc_length", options.arc_length, false) then policy = arc_length.policy(policy) end
   local newton = arguments.table(where, "options.newton", options.newton, { "tolerance", "iterations" })
   return {
     tolerance = arguments.positive(where, "newton.tolerance", newton.tolerance, 1e-10),
     iterations = arguments.count(where, "newton.iterations", newton.iterations, 25),
     linear = arguments.string(where, "linear", options.linear, "auto"),
-  }, read_policy(options.step), arguments.callback(where, "on_step", options.on_step)
+  }, policy, arguments.callback(where, "on_step", options.on_step)
 end
 
 -- ── One step ─────────────────────────────────────────────────────────────────────────────────────────────────────────
@@ -114,6 +117,55 @@ function Step:attempt(to)
   return result
 end
 
+--- Goes a distance along the path, back where it turns back. Returns the result and the part of the step that it leads to.
+function Step:solve_arc(length, iterations)
+  self:set_targets(self.done + 1)
+  local solver = self.solver
+  local result = self.model:solve_arc { length = length, iterations = iterations, tolerance = solver.tolerance,
+                                        linear = solver.linear }
+  return result, self.done + result.fraction
+end
+
+--- An arc that is accepted unless it leads beyond the step's end.
+function Step:attempt_arc(length, iterations)
+  local began = core.now()
+  local result, to = self:solve_arc(length, iterations)
+  local accepted = result.converged and to < 1
+  if accepted then self.model:accept() else self.model:rollback() end
+  self.run:record_attempt(self.done, to, result, core.now() - began)
+  if accepted then
+    self.done = to
+    self.run:record_arc(to)
+  end
+  return result, to
+end
+
+--- An arc that leaves no trace in the run.
+function Step:probe_arc(length, iterations)
+  local result, to = self:solve_arc(length, iterations)
+  if result.converged then self.model:accept() else self.model:rollback() end
+  return result, to
+end
+
+--- The targets at a part of the step, in words: "edge.angle = 69.86".
+function Step:place(part)
+  local texts = {}
+  for name, goal in pairs(self.stage.targets) do
+    local start = self.stage.starts[name]
+    for i, component in ipairs(drives.components(self.model, name)) do
+      local value = start[i] + (goal[i] - start[i]) * (self.number - 1 + part) / self.stage.steps
+      if goal[i] ~= start[i] then texts[#texts + 1] = ("%s.%s = %.6g"):format(name, component, value) end
+    end
+  end
+  table.sort(texts)
+  return table.concat(texts, ", ")
+end
+
+--- What drives the path changes here.
+function Step:switch_control(to, reason)
+  self.run:record_control(to, self:place(self.done), reason)
+end
+
 --- A failed attempt is going to be repeated with a shorter one.
 function Step:cut_back() self.run:record_cutback() end
 
@@ -124,6 +176,13 @@ local function begin_stage(model, stage)
   for name in pairs(stage.targets) do
     stage.starts[name], stage.now[name] = model:target(name), {}
   end
+end
+
+--- Notes why a step was not reached; where Newton's iteration gave up, arcs find out whether the path turns back.
+local function fail(run, step, result)
+  local gave_up = result.reason == "iterations" or result.reason == "diverged" or result.reason == "singular"
+  local turn = gave_up and arc_length.turning_point(step)
+  run:record_failure(step, result, turn and step:place(turn))
 end
 
 --- Takes the model along the stages and returns a run. A step that fails ends the run with the last accepted state intact;
@@ -137,8 +196,9 @@ return function(model, stages, options)
     begin_stage(model, stage)
     run:begin_stage(stage)
     for number = 1, stage.steps do
-      local result = policy:take(begin_step(model, run, stage, number, solver))
-      if result.converged then run:record_step() else run:record_failure(stage, number, result) end
+      local step = begin_step(model, run, stage, number, solver)
+      local result = policy:take(step)
+      if result.converged then run:record_step() else fail(run, step, result) end
       display:step(stage.name)
       if result.converged and on_step then
         display:clear()

@@ -62,7 +62,8 @@ end
 --- A run without steps. Columns are set up once, so that a step only appends numbers.
 function Run.new(model)
   local run = setmetatable({
-    failed = false, reason = "completed", steps = 0, iterations = 0, cutbacks = 0, wall = 0, stages = {},
+    failed = false, reason = "completed", steps = 0, rows = 0, iterations = 0, cutbacks = 0,
+    wall = 0, stages = {}, controls = {},
     names = {}, values = {}, histories = {}, recorders = {}, before = model:timings(),
   }, Run)
   run.step_column, run.increment_column = add_column(run, "step"), add_column(run, "increments")
@@ -100,13 +101,29 @@ function Run:record_cutback()
   self.cutbacks, stage.cutbacks = self.cutbacks + 1, stage.cutbacks + 1
 end
 
+local function append_row(run, position, increments, iterations, wall)
+  local row = run.rows + 1
+  run.rows = row
+  run.step_column[row], run.increment_column[row] = position, increments
+  run.iteration_column[row], run.wall_column[row] = iterations, wall
+  for _, record in ipairs(run.recorders) do record(row) end
+end
+
 --- Appends the row of a step that was reached.
 function Run:record_step()
-  local row, stage, step = self.steps + 1, self.stages[#self.stages], self.step
-  self.steps, stage.steps = row, stage.steps + 1
-  self.step_column[row], self.increment_column[row] = row, step.increments
-  self.iteration_column[row], self.wall_column[row] = step.iterations, step.wall
-  for _, record in ipairs(self.recorders) do record(row) end
+  local stage, step = self.stages[#self.stages], self.step
+  self.steps, stage.steps = self.steps + 1, stage.steps + 1
+  append_row(self, self.steps, step.increments, step.iterations, step.wall)
+end
+
+--- Appends the row of a state between steps that an arc led to; its work is counted with the step's.
+function Run:record_arc(done)
+  append_row(self, self.steps + done, 0, 0, 0)
+end
+
+--- Notes that something else drives the path from here on: "arc length" or "targets".
+function Run:record_control(to, place, reason)
+  self.controls[#self.controls + 1] = { step = self.steps + 1, to = to, place = place, reason = reason }
 end
 
 local function joined(values, format)
@@ -127,22 +144,29 @@ local function tried(attempts, done)
   return (" Tried from there, in parts of a step: %s."):format(table.concat(texts, ", "))
 end
 
---- Notes why a step was not reached.
-function Run:record_failure(stage, number, result)
-  self.failed, self.reason = true, result.reason
+--- Notes why a step was not reached. `turn`: where the path turns back, in words, if it does.
+function Run:record_failure(step, result, turn)
+  self.failed, self.reason = true, turn and "turning_point" or result.reason
   local attempts = self.histories[#self.histories]
-  local done = attempts[#attempts].from
+  local done = step.done
   local place = self.steps > 0 and ("step, %d"):format(self.steps) or "step, its start"
-  if done > 0 then place = ("increment, %g of the way from step %d to step %d"):format(done, self.steps, self.steps + 1) end
+  if done ~= 0 then
+    place = ("increment, %.4g of the way from step %d to step %d"):format(done, self.steps, self.steps + 1)
+  end
   self.report = ("step %d (stage '%s', %d of %d) was not reached: %s.%s Residuals: %s. The model is at its last accepted %s.")
-    :format(self.steps + 1, stage.name, number, stage.steps, result.message ~= "" and result.message or result.reason,
+    :format(self.steps + 1, step.stage.name, step.number, step.stage.steps,
+      result.message ~= "" and result.message or result.reason,
       tried(attempts, done), joined(result.residuals, "%.3g"), place)
+  if turn then
+    self.report = ("%s The path has a turning point at %s: it turns back there, so no step beyond it can be reached by "
+      .. "prescribing targets; model:run{ …, arc_length = true } follows it."):format(self.report, turn)
+  end
 end
 
 --- What on_step sees after an accepted step: step, stage, iterations, residual, and every column's value by name.
 function Run:info(stage, result)
   local info = {}
-  for name, values in pairs(self.values) do info[name] = values[self.steps] end
+  for name, values in pairs(self.values) do info[name] = values[self.rows] end
   info.stage, info.residual = stage.name, result.residuals[#result.residuals]
   return info
 end
@@ -214,6 +238,17 @@ local function work_row(name, work, cutbacks)
   return row
 end
 
+--- Where control changed, in words; long lists are cut short.
+local function control_text(controls)
+  local texts, most = {}, 6
+  for i = 1, math.min(most, #controls) do
+    local change = controls[i]
+    texts[i] = ("%s from %s in step %d (%s)"):format(change.to, change.place, change.step, change.reason)
+  end
+  if #controls > most then texts[#texts + 1] = ("and %d more, see run.controls"):format(#controls - most) end
+  return "control: " .. table.concat(texts, "; ")
+end
+
 --- A short table: steps, iterations and wall time by stage, and where the time went; cut-backs where there were any.
 function Run:__tostring()
   local rows, columns, units = {}, { "stage", "steps", "iterations", "per step", "wall" }, { "", "", "", "", "s" }
@@ -230,6 +265,7 @@ function Run:__tostring()
   local spent = self.timings
   text = ("%s\ntime: bulk %.3f s, contact %.3f s, factorisation and solve %.3f s, rest %.3f s")
     :format(text, spent.bulk, spent.contact, spent.linear, spent.rest)
+  if #self.controls > 0 then text = text .. "\n" .. control_text(self.controls) end
   if self.reason == "completed" then return text end
   return ("%s\n%s: %s"):format(text, self.reason, self.report or "on_step ended the run")
 end

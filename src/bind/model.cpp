@@ -154,6 +154,21 @@ int rollback(lua_State* L) {
   return 0;
 }
 
+int snapshot(lua_State* L) {
+  const Model& model = self<Model>(L);
+  push_object(L, Snapshot{model, model->snapshot()});
+  return 1;
+}
+
+int restore(lua_State* L) {
+  const Model& model = self<Model>(L);
+  const Argument argument{"snapshot", "made by model:snapshot()"};
+  const Snapshot& snapshot = read_object<Snapshot>(L, 2, argument);
+  if (snapshot.model != model) reject(L, 2, argument, "a snapshot of this model", "it was taken of another model");
+  model->restore(snapshot.state);
+  return 0;
+}
+
 // ── What the present state looks like ────────────────────────────────────────────────────────────────────────────────
 
 /// Of a support or a load.
@@ -258,6 +273,11 @@ int tostring(lua_State* L) {
   return 1;
 }
 
+int snapshot_tostring(lua_State* L) {
+  push(L, text("snapshot of a model with ", self<Snapshot>(L).model->unknowns().dofs(), " degrees of freedom"));
+  return 1;
+}
+
 constexpr Function rows[] = {
     {"__tostring", wrap<tostring>, "tostring(m)\nThe model's parts and size in words."},
     {"body_names", wrap<body_names>, "m:body_names()\nThe names of the bodies, sorted."},
@@ -297,6 +317,9 @@ constexpr Function rows[] = {
      "m:last_length()\n2-norm of the last accepted step's displacements: the scale for arc lengths."},
     {"accept", wrap<accept>, "m:accept()\nMakes the present state the accepted one; slip points advance."},
     {"rollback", wrap<rollback>, "m:rollback()\nReturns to the accepted state."},
+    {"snapshot", wrap<snapshot>,
+     "m:snapshot()\nA copy of the accepted state with its contact history, for m:restore. Call it between steps."},
+    {"restore", wrap<restore>, "m:restore(snapshot)\nReturns to a state that m:snapshot() has kept."},
     {"reaction", wrap<reaction>,
      "m:reaction(name)\nThe force {fx, fy} that a support exerts on its bodies, and with it the moment about the "
      "centre "
@@ -323,6 +346,10 @@ constexpr Function rows[] = {
      "systems, how many sparse patterns were analysed."},
 };
 
+constexpr Function snapshot_rows[] = {
+    {"__tostring", wrap<snapshot_tostring>, "tostring(s)\nWhat it is."},
+};
+
 } // namespace
 
 int find_body(lua_State* L, const Model& model, const std::string& name) {
@@ -339,6 +366,7 @@ int find_contact(lua_State* L, const Model& model, const std::string& name) {
 
 void open_model(lua_State* L) {
   register_type<Model>(L, rows);
+  register_type<Snapshot>(L, snapshot_rows);
 }
 
 } // namespace signorini::bind

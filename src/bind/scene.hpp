@@ -19,9 +19,16 @@ struct Place {
 
 using Model = std::shared_ptr<model::Model<2>>;
 
+/// A kept state and the model that it belongs to.
+struct Snapshot {
+  Model model;
+  model::Snapshot<2> state;
+};
+
 template <> struct Type<solid::Material> { static constexpr auto name = "material"; };
 template <> struct Type<Body> { static constexpr auto name = "body"; };
 template <> struct Type<Place> { static constexpr auto name = "face"; };
+template <> struct Type<Snapshot> { static constexpr auto name = "snapshot"; };
 template <> struct Type<Model> { static constexpr auto name = "model"; };
 
 /// Index of a model's body, support or contact by name. Throws ArgumentError that lists the names.

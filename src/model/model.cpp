@@ -222,6 +222,19 @@ template <int D> void Model<D>::rollback() {
   assemble(nullptr, false, why);
 }
 
+template <int D> Snapshot<D> Model<D>::snapshot() const {
+  return {accepted_, last_increment_, accepted_targets_, pairs_, force_scale_};
+}
+
+template <int D> void Model<D>::restore(const Snapshot<D>& snapshot) {
+  accepted_ = snapshot.displacement;
+  last_increment_ = snapshot.last_increment;
+  accepted_targets_ = snapshot.targets;
+  pairs_ = snapshot.pairs;
+  force_scale_ = snapshot.force_scale;
+  rollback();
+}
+
 template <int D>
 Eigen::Map<const Eigen::Matrix<double, D, Eigen::Dynamic>> Model<D>::body_displacement(int body) const {
   return {displacement_.data() + unknowns_.offset(body), D, scene_.bodies[at(body)].body->functions()};

@@ -15,6 +15,13 @@ struct StepOptions {
   solve::LinearKind linear = solve::LinearKind::automatic;
 };
 
+/// The accepted state of a model, with all that its next step depends on.
+template <int D> struct Snapshot {
+  VectorX displacement, last_increment, targets;
+  std::vector<contact::Pair<D>> pairs;
+  double force_scale;
+};
+
 /// The model keeps two states: the accepted one, and the present one, which equals it before a step and after a
 /// roll-back.
 template <int D> class Model {
@@ -52,6 +59,11 @@ public:
   void accept();
   /// Returns to the accepted state, targets included.
   void rollback();
+
+  /// A copy of the accepted state; call it when no step is pending.
+  Snapshot<D> snapshot() const;
+  /// Returns to a state of this model that was kept before.
+  void restore(const Snapshot<D>& snapshot);
 
   /// Present displacement of all degrees of freedom (see Unknowns).
   const VectorX& displacement() const { return displacement_; }

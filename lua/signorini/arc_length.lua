@@ -1,0 +1,85 @@
+-- Arc length: goes on where a step at prescribed targets fails because the path turns back (a snap-back of peeling, a
+-- snap-through under a load), and finds out whether that is why it failed.
+
+local arc_length = {}
+
+local first_share = 0.3     -- of the last accepted step's length: the first arc
+local easy, hard = 4, 7     -- iterations up to which arcs grow, and from which they shrink
+local growth, shrinkage = 1.5, 0.7
+local most_iterations = 12  -- an arc that needs more is taken shorter
+local smallest = 2 ^ -10    -- of the first arc
+local most_arcs = 2000      -- in one step of the user's
+
+--- Lengths of arcs by the iterations that they needed.
+local function adapt(length, result, longest)
+  if result.iterations <= easy then return math.min(longest, length * growth) end
+  return result.iterations >= hard and length * shrinkage or length
+end
+
+-- ── The policy ───────────────────────────────────────────────────────────────────────────────────────────────────────
+
+local Switch = {}
+Switch.__index = Switch
+
+--- Takes each step as `inner` does; where that fails, arcs lead on until the step's end is passed: there the targets are
+--- prescribed again, and the next step begins as `inner` would.
+function arc_length.policy(inner) return setmetatable({ inner = inner }, Switch) end
+
+function Switch:take(step)
+  local result = self.inner:take(step)
+  if result.converged or result.reason == "interrupted" then return result end
+  step:switch_control("arc length", result.reason)
+  local first = first_share * step.model:last_length()
+  local length, longest = first, 4 * first / first_share
+  for _ = 1, most_arcs do
+    local arc, to = step:attempt_arc(length, most_iterations)
+    if arc.reason == "interrupted" then return arc end
+    if arc.converged and to < 1 then
+      length = adapt(length, arc, longest)
+    else
+      if arc.converged then
+        result = step:attempt(1)
+        if result.converged then
+          step:switch_control("targets", "the step's end is passed")
+          return result
+        end
+      end
+      length = length / 2
+      if length < smallest * first then return arc end
+    end
+  end
+  return result
+end
+
+-- ── The diagnosis ────────────────────────────────────────────────────────────────────────────────────────────────────
+
+local probe_arcs = 60
+
+--- Follows the path by arcs from where a step failed, then returns to that state. Gives the part of the step at which the
+--- path turns back, or nothing when it does not within reach.
+function arc_length.turning_point(step)
+  local model, done = step.model, step.done
+  local first = first_share * model:last_length()
+  if not (first > 0) then return nil end
+  local kept, length, found = model:snapshot(), first, nil
+  for _ = 1, probe_arcs do
+    local arc, to = step:probe_arc(length, most_iterations)
+    if arc.reason == "interrupted" then break end
+    if not arc.converged then
+      length = length / 2
+      if length < smallest * first then break end
+    elseif to < step.done then
+      found = step.done
+      break
+    else
+      step.done = to
+      length = math.min(first, adapt(length, arc, first))
+      if to > 1 then break end
+    end
+  end
+  step.done = done
+  model:restore(kept)
+  return found
+end
+
+return arc_length
