@@ -34,11 +34,11 @@ template <int D> struct LocalForce {
   static constexpr int slave_tangent_column = D, master_column = D * (1 + tangents),
                        tangent_column = D * (2 + tangents), slip_column = D * (2 + 2 * tangents);
   ContactState state;
-  double pressure;                                ///< normal traction t_N on the slave along n̄; attraction is negative
-  Vec<D> friction;                                ///< t_T; the traction on the slave is t_N n̄ − t_T
-  double measure;                                 ///< area per parametric area that the traction acts on
-  Vec<D> force;                                   ///< (t_N n̄ − t_T) · measure
-  Eigen::Matrix<double, D, columns> tangent;      ///< ∂force/∂q
+  double pressure;                           ///< normal traction t_N on the slave along n̄; attraction is negative
+  Vec<D> friction;                           ///< t_T; the traction on the slave is t_N n̄ − t_T
+  double measure;                            ///< area per parametric area that the traction acts on
+  Vec<D> force;                              ///< (t_N n̄ − t_T) · measure
+  Eigen::Matrix<double, D, columns> tangent; ///< ∂force/∂q
   Eigen::Matrix<double, tangents, columns> shift; ///< ∂ξ̄/∂q; zero at a corner
 };
 

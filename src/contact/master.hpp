@@ -42,9 +42,9 @@ private:
   std::optional<Obstacle<D>> shape_; ///< in closed form
   std::optional<Surface<D>> surface_;
   ElementBoxes<D> boxes_;
-  Vec<D> translation_ = Vec<D>::Zero();                       ///< of a rigid master
-  Eigen::Matrix<double, D, Eigen::Dynamic> previous_;         ///< control points before the last move
-  std::vector<double> displacements_;                         ///< working space: a rigid face's, all alike
+  Vec<D> translation_ = Vec<D>::Zero();               ///< of a rigid master
+  Eigen::Matrix<double, D, Eigen::Dynamic> previous_; ///< control points before the last move
+  std::vector<double> displacements_;                 ///< working space: a rigid face's, all alike
 };
 
 } // namespace signorini::contact

@@ -8,9 +8,7 @@
 namespace signorini::contact {
 
 /// A half space; the normal points out of it. In the plane ξ is the length along the line from `point`.
-template <int D> struct Plane {
-  Vec<D> point, normal;
-};
+template <int D> struct Plane { Vec<D> point, normal; };
 
 /// A ball; in the plane a disc: the section of a cylinder, or of a sphere about the axis. In the plane ξ is the angle.
 template <int D> struct Ball {

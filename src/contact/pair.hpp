@@ -12,8 +12,9 @@
 namespace signorini::contact {
 
 /// The contributions of all active points that share a slave, a master and a slip-point element, as one dense block.
-/// Row nodes: the slave element's functions, then the master element's (a rigid master's one node is element 0). Column nodes: the same, then the slip element's
-/// unless that is the master element. D rows (columns) per node; face-local indices.
+/// Row nodes: the slave element's functions, then the master element's (a rigid master's one node is element 0). Column
+/// nodes: the same, then the slip element's unless that is the master element. D rows (columns) per node; face-local
+/// indices.
 struct Group {
   int slave_element, master_element;
   int slip_element;           ///< −1 when the slip points lie in the master element or play no part
@@ -51,8 +52,8 @@ template <int D> struct Resultant {
 /// One contact: integrates over the slave face with Gauss points, projects onto the master face.
 template <int D> class Pair {
 public:
-  /// `points` Gauss points per slave element and direction; those outside `where` are left out. `revolved`: the scene is
-  /// axisymmetric about the second axis. Throws Error on constants without sense and when no point is left.
+  /// `points` Gauss points per slave element and direction; those outside `where` are left out. `revolved`: the scene
+  /// is axisymmetric about the second axis. Throws Error on constants without sense and when no point is left.
   Pair(Surface<D> slave, Master<D> master, Law law, int points, bool revolved = false, const Region<D>& where = {});
 
   /// Computes groups and results at the given displacements (D values per function of the two bodies, D values for a
@@ -88,8 +89,8 @@ private:
   /// What is remembered between evaluations.
   struct Memory {
     Projection<D> projection;
-    double cleared = 0;    ///< value of travel_ up to which an open point cannot touch
-    bool slips = false;        ///< has a slip point
+    double cleared = 0; ///< value of travel_ up to which an open point cannot touch
+    bool slips = false; ///< has a slip point
     FaceCoordinates<D> slip = FaceCoordinates<D>::Zero();
   };
 

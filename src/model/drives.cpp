@@ -80,6 +80,15 @@ Drives<D>::Drives(const Scene<D>& scene, const Unknowns<D>& unknowns) : scene_(s
   }
 }
 
+template <int D> int Drives<D>::target(int drive, int component) const {
+  require(drive >= 0 && drive < static_cast<int>(all_.size()), "there is no drive ", drive, "; the model has ",
+          all_.size());
+  const Drive& found = all_[at(drive)];
+  require(component >= 0 && component < static_cast<int>(found.components.size()), "'", found.name,
+          "' has no component ", component, "; it has ", found.components.size());
+  return found.first + component;
+}
+
 /// Enters the degrees of freedom that a support moves.
 template <int D> void Drives<D>::follow(int s, const Drive& drive) {
   const Support<D>& support = scene_.supports[at(s)];

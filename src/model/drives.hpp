@@ -22,6 +22,8 @@ public:
 
   /// Supports before loads.
   const std::vector<Drive>& all() const { return all_; }
+  /// Index of a drive's component in the targets. Throws Error when there is no such drive or component.
+  int target(int drive, int component) const;
   /// Targets before any path: no displacement, loads as declared.
   const VectorX& start() const { return start_; }
 

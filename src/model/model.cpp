@@ -56,16 +56,17 @@ Model<D>::Model(Scene<D> scene)
 }
 
 template <int D> void Model<D>::set_target(int drive, int component, double value) {
-  targets_(drives_.all()[at(drive)].first + component) = value;
+  targets_(drives_.target(drive, component)) = value;
 }
 
 template <int D> double Model<D>::accepted_target(int drive, int component) const {
-  return accepted_targets_(drives_.all()[at(drive)].first + component);
+  return accepted_targets_(drives_.target(drive, component));
 }
 
 template <int D> solve::Outcome Model<D>::assemble(const VectorX* direction, bool tangent, std::string& why) {
   const auto inverted = assembly_.assemble(pairs_, displacement_, direction, tangent, timings_);
   residual_ = assembly_.residual() - external_;
+  unbalanced_ = unknowns_.gather(residual_);
   if (!inverted) return solve::Outcome::converged;
   const auto& [body, inversion] = *inverted;
   why = text("an element of body '", scene_.bodies[at(body)].name, "' is inverted (J = ", inversion.jacobian,
@@ -104,30 +105,32 @@ template <int D> bool Model<D>::factor(const StepOptions& options) {
 template <int D> bool Model<D>::advance(const StepOptions& options, VectorX& increment, double& energy) {
   ScopedTimer timer(timings_.linear);
   if (!factor(options)) return false;
-  const bool pending = (increment.array() != 0).any();
-  VectorX step = -unknowns_.gather(pending ? VectorX(residual_ + assembly_.product()) : residual_);
-  const VectorX force = step;
+  VectorX step = -unbalanced_;
   if (unknowns_.size() > 0 && !solver_->solve(step.data())) return false;
   if (!step.allFinite()) return false;
-  energy = std::abs(force.dot(step));
+  energy = std::abs(unbalanced_.dot(step));
   displacement_ += unknowns_.spread(step) + increment;
   increment.setZero();
   present_ = targets_;
   return true;
 }
 
-/// What Newton's loop needs, around a way to advance; `direction` says what the tangent is to be multiplied with.
+/// What Newton's loop needs, around a way to assemble and one to advance.
 template <int D>
-solve::NewtonSystem Model<D>::system(std::function<const VectorX*()> direction, std::function<bool(double&)> advance) {
+solve::NewtonSystem Model<D>::system(std::function<solve::Outcome(bool, std::string&)> assemble,
+                                     std::function<bool(double&)> advance) const {
   solve::NewtonSystem system;
-  system.assemble = [this, direction = std::move(direction)](bool tangent, std::string& why) {
-    return assemble(tangent ? direction() : nullptr, tangent, why);
-  };
-  system.residual = [this] { return unknowns_.gather(residual_).norm(); };
-  system.scale = [this] { return std::max({force_scale_, unknowns_.held_norm(residual_), external_.norm()}); };
-  system.floor = [this] { return rounding_floor(); };
+  system.assemble = std::move(assemble);
   system.advance = std::move(advance);
+  system.residual = [this] { return unbalanced_.norm(); };
+  system.scale = [this] { return force_norm(); };
+  system.floor = [this] { return rounding_floor(); };
   return system;
+}
+
+/// Size of the forces of the run so far: of supports and loads, in the accepted states and now.
+template <int D> double Model<D>::force_norm() const {
+  return std::max({force_scale_, unknowns_.held_norm(residual_), external_.norm()});
 }
 
 /// What rounding leaves of the residual: ε |K| |x|.
@@ -140,13 +143,14 @@ template <int D> solve::NewtonReport Model<D>::solve_step(const StepOptions& opt
   external_ = drives_.force(targets_);
   const bool pending = (increment.array() != 0).any();
   bool first = pending;
-  const auto direction = [&]() -> const VectorX* {
-    const bool wanted = first;
+  const auto assemble_step = [&](bool tangent, std::string& why) {
+    const solve::Outcome outcome = assemble(first ? &increment : nullptr, tangent, why);
+    if (first) unbalanced_ += unknowns_.gather(assembly_.product());
     first = false;
-    return wanted ? &increment : nullptr;
+    return outcome;
   };
   const auto step = [&](double& energy) { return advance(options, increment, energy); };
-  return solve::newton(system(direction, step), options.newton, pending);
+  return solve::newton(system(assemble_step, step), options.newton, pending);
 }
 
 /// Brings the prescribed displacements and loads from present_ to other targets.
@@ -162,7 +166,7 @@ bool Model<D>::advance_arc(const StepOptions& options, const VectorX& direction,
   ScopedTimer timer(timings_.linear);
   if (unknowns_.size() == 0 || !factor(options)) return false;
   // K δ₁ = −f,  K δ₂ = −∂f/∂λ with ∂f/∂λ = K_p ∂u_p/∂λ − ∂f_ext/∂λ
-  const VectorX force = -unknowns_.gather(residual_);
+  const VectorX force = -unbalanced_;
   const VectorX change = -unknowns_.gather(assembly_.product() - drives_.force(direction));
   VectorX first = force, second = change;
   if (!solver_->solve(first.data()) || !solver_->solve(second.data())) return false;
@@ -193,12 +197,12 @@ template <int D> solve::NewtonReport Model<D>::solve_arc(const StepOptions& opti
   require(length > 0, "an arc's length must be positive, got ", length);
   arc_fraction_ = 0;
   VectorX rate, tangent;
-  const auto product = [&]() -> const VectorX* {
+  const auto assemble_rate = [&](bool wanted, std::string& why) {
     rate = drives_.rate(present_, direction);
-    return &rate;
+    return assemble(wanted ? &rate : nullptr, wanted, why);
   };
   const auto step = [&](double& energy) { return advance_arc(options, direction, length, tangent, energy); };
-  const solve::NewtonReport report = solve::newton(system(product, step), options.newton, true);
+  const solve::NewtonReport report = solve::newton(system(assemble_rate, step), options.newton, true);
   targets_ = present_;
   return report;
 }
@@ -209,7 +213,7 @@ template <int D> void Model<D>::accept() {
   last_increment_ = displacement_ - accepted_;
   accepted_ = displacement_;
   accepted_targets_ = targets_;
-  force_scale_ = std::max({force_scale_, unknowns_.held_norm(residual_), external_.norm()});
+  force_scale_ = force_norm();
 }
 
 template <int D> void Model<D>::rollback() {

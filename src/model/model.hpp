@@ -90,7 +90,9 @@ private:
   bool advance(const StepOptions& options, VectorX& increment, double& energy);
   bool advance_arc(const StepOptions& options, const VectorX& direction, double length, VectorX& tangent,
                    double& energy);
-  solve::NewtonSystem system(std::function<const VectorX*()> direction, std::function<bool(double&)> advance);
+  solve::NewtonSystem system(std::function<solve::Outcome(bool, std::string&)> assemble,
+                             std::function<bool(double&)> advance) const;
+  double force_norm() const;
   void move_targets(const VectorX& targets);
   double rounding_floor() const;
 
@@ -104,6 +106,7 @@ private:
   VectorX present_;                    ///< the targets that displacement_ and external_ realise
   VectorX external_;                   ///< force of the loads
   VectorX residual_;                   ///< f_int + f_c − f_ext of all degrees of freedom
+  VectorX unbalanced_;                 ///< what Newton's loop brings to zero: the residual by unknown
   double arc_fraction_ = 0;
   std::unique_ptr<solve::LinearSolver> solver_;
   solve::LinearKind solver_asked_ = solve::LinearKind::automatic;
