@@ -36,6 +36,7 @@ local function spring(fails)
     note "rollback"
     self.next = self.accepted
   end
+  function model:last_length() return 0 end -- no length to look for a turning point with
   function model:reaction(name)
     local u, sign = self.accepted, name == "bed" and -1 or 1
     if name == "edge" then return { 0, 0, 5 * targets.edge[1] } end
