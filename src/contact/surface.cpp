@@ -18,14 +18,6 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-/// Sign that makes the natural normal (2D: tangent turned by −90°; 3D: τ₁×τ₂, both in parametric order) point outward
-/// from a right-handed body.
-double orientation_of(nurbs::Side side) {
-  // 2D: south (ξ² = 0, tangent +ξ¹) has its outside at −90°, west (ξ¹ = 0, tangent +ξ²) at +90°.
-  // 3D: ξ²×ξ³ is +ξ¹, ξ¹×ξ³ is −ξ², ξ¹×ξ² is +ξ³.
-  return side.at_end == (side.direction == 1) ? -1 : 1;
-}
-
 /// 0, 1, … count − 1.
 std::vector<int> numbers(int count) {
   std::vector<int> list(at(count));
@@ -37,7 +29,7 @@ std::vector<int> numbers(int count) {
 
 template <int D>
 Surface<D>::Surface(const nurbs::Discretisation& body, nurbs::Side side)
-    : Surface(body.face_patch(side), body.face_functions(side), orientation_of(side)) {}
+    : Surface(body.face_patch(side), body.face_functions(side), nurbs::outward_sign(side)) {}
 
 template <int D> Surface<D>::Surface(const nurbs::Patch& patch) : Surface(patch, numbers(patch.functions()), 1) {}
 

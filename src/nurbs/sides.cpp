@@ -49,6 +49,12 @@ std::string name_of(Side side) {
   return names[2 * side.direction + (side.at_end ? 1 : 0)];
 }
 
+double outward_sign(Side side) {
+  // 2D: south (ξ² = 0, tangent +ξ¹) has its outside at −90°, west (ξ¹ = 0, tangent +ξ²) at +90°.
+  // 3D: ξ²×ξ³ is +ξ¹, ξ¹×ξ³ is −ξ², ξ¹×ξ² is +ξ³.
+  return side.at_end == (side.direction == 1) ? -1 : 1;
+}
+
 Patch face(const Patch& patch, Side side) {
   require(side.direction >= 0 && side.direction < patch.parametric_dimension(), "face: direction ", side.direction + 1,
           " is not one of the patch's ", patch.parametric_dimension());

@@ -21,17 +21,14 @@ QuadratureRule along(const nurbs::KnotVector& knots) {
   return all;
 }
 
-/// The outward normal of a right-handed body times the surface measure: ± the tangent turned by −90° (2D), ± τ₁×τ₂
-/// (3D).
+/// A face's outward normal times the surface measure.
 template <int D> Vec<D> outward(const std::vector<nurbs::Derivative>& face, nurbs::Side side) {
   Vec<D> normal;
   if constexpr (D == 2)
     normal << face[1].value(1), -face[1].value(0);
   else
     normal = Vec<3>(face[1].value).cross(Vec<3>(face[2].value));
-  // South (ξ² = 0, tangent +ξ¹) has its outside at −90°, west (ξ¹ = 0, tangent +ξ²) at +90°; in 3D ξ²×ξ³ is +ξ¹,
-  // ξ¹×ξ³ is −ξ², ξ¹×ξ² is +ξ³.
-  return side.at_end == (side.direction == 1) ? Vec<D>(-normal) : normal;
+  return nurbs::outward_sign(side) * normal;
 }
 
 /// ∫ R_A t dξ over a face; `force` gives the load t from the normal times the surface measure.
