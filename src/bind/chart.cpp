@@ -4,9 +4,13 @@
 #include "bind/open.hpp"
 #include "bind/options.hpp"
 
+#include <algorithm>
+
 namespace signorini::bind {
 
 namespace {
+
+constexpr const char* corners[] = {"north-east", "north-west", "south-east", "south-west"};
 
 std::array<double, 2> read_range(lua_State* L, const Options& o, const char* key) {
   const VectorX range = o.point(key, "lowest and highest value", 2, 2);
@@ -16,8 +20,18 @@ std::array<double, 2> read_range(lua_State* L, const Options& o, const char* key
   return {range[0], range[1]};
 }
 
+/// A marker's number, or no_marker for "none".
+int read_marker(const Options& o) {
+  std::vector<std::string> names = view::marker_names();
+  names.emplace_back("none");
+  const std::string name = o.choice("marker", "shape of the markers", names);
+  const auto found = std::find(names.begin(), names.end(), name);
+  return found + 1 == names.end() ? view::no_marker : static_cast<int>(found - names.begin());
+}
+
 view::Series read_series(lua_State* L, int index, int number, const std::vector<double>& common_x) {
-  const Options o(L, index, {"y", "x", "label", "markers", "dashed", "line"}, false, text("[", number, "]"));
+  const Options o(L, index, {"y", "x", "label", "markers", "dashed", "line", "color", "width", "marker"}, false,
+                  text("[", number, "]"));
   const auto list = [&](const char* key, const char* meaning) {
     return read_numbers(L, o.push_value(key), o.argument(key, meaning), true);
   };
@@ -36,13 +50,56 @@ view::Series read_series(lua_State* L, int index, int number, const std::vector<
   series.markers = o.flag("markers", "draw markers", false);
   series.dashed = o.flag("dashed", "draw a dashed line", false);
   series.line = o.flag("line", "draw the line", true);
-  if (!series.line && !series.markers)
+  series.width = o.positive("width", "of the line, in pixels of a chart of 1600 x 1000", series.width);
+  if (o.has("color")) series.colour = o.integer("color", "number of the curve that it looks like", 1) - 1;
+  if (o.has("marker")) series.marker = read_marker(o);
+  if (!series.line && (!series.markers || series.marker == view::no_marker))
     throw ArgumentError(text(function_name(L), ": ", o.path(), " shows neither line nor markers: set markers = true"));
   return series;
 }
 
+/// A list of {position, text}; where the text may be missing, plain numbers too.
+std::vector<view::Name> read_names(lua_State* L, const Options& o, const char* key, const char* meaning,
+                                   bool text_needed) {
+  std::vector<view::Name> names;
+  if (!o.has(key)) return names;
+  const Argument whole = o.argument(key, meaning);
+  const int table = o.push_value(key), count = read_list(L, table, whole);
+  for (int i = 1; i <= count; ++i) {
+    const Argument entry{text(whole.name, "[", i, "]"), meaning};
+    if (lua_rawgeti(L, table, i) == LUA_TNUMBER && !text_needed) {
+      names.push_back({read_number(L, -1, entry), ""});
+    } else {
+      const int pair = lua_gettop(L), length = read_list(L, pair, entry, "a pair {position, text}");
+      if (length != 2 && (text_needed || length != 1)) reject(L, pair, entry, "a pair {position, text}");
+      lua_rawgeti(L, pair, 1);
+      view::Name name{read_number(L, -1, {text(entry.name, "[1]"), "position on the axis"}), ""};
+      lua_rawgeti(L, pair, 2);
+      if (length == 2) name.text = read_string(L, -1, {text(entry.name, "[2]"), "text"});
+      names.push_back(std::move(name));
+    }
+    lua_settop(L, table);
+  }
+  lua_settop(L, table - 1);
+  return names;
+}
+
+view::Inset read_inset(lua_State* L, const Options& chart) {
+  const Options o = chart.table("inset", {"xrange", "yrange", "place"});
+  view::Inset inset{read_range(L, o, "xrange")};
+  if (o.has("yrange")) inset.yrange = read_range(L, o, "yrange");
+  if (o.has("place")) {
+    const std::string place = o.choice("place", "corner of the chart", {std::begin(corners), std::end(corners)});
+    inset.place = static_cast<view::Corner>(std::find(std::begin(corners), std::end(corners), place) - corners);
+  }
+  return inset;
+}
+
 int chart(lua_State* L) {
-  const Options o(L, 1, {"file", "x", "xlabel", "ylabel", "log", "title", "legend", "xrange", "yrange", "size"}, true);
+  const Options o(L, 1,
+                  {"file", "x", "xlabel", "ylabel", "log", "title", "legend", "xrange", "yrange", "xticks", "hlines",
+                   "vlines", "inset", "size"},
+                  true);
   view::ChartOptions options;
   const std::string file = o.string("file", "a name that ends with .png, .svg or .pdf");
   options.title = o.string("title", "line above the chart", "");
@@ -54,6 +111,10 @@ int chart(lua_State* L) {
   options.log_y = log == "y" || log == "xy";
   if (o.has("xrange")) options.xrange = read_range(L, o, "xrange");
   if (o.has("yrange")) options.yrange = read_range(L, o, "yrange");
+  options.xticks = read_names(L, o, "xticks", "names on the x axis", true);
+  options.hlines = read_names(L, o, "hlines", "horizontal reference lines", false);
+  options.vlines = read_names(L, o, "vlines", "vertical reference lines", false);
+  if (o.has("inset")) options.inset = read_inset(L, o);
   if (o.has("size")) {
     const auto size =
         read_integers(L, o.push_value("size"), o.argument("size", "width and height in pixels"), 100, 10000);
@@ -77,11 +138,19 @@ int chart(lua_State* L) {
 
 constexpr Function rows[] = {
     {"chart", wrap<chart>,
-     "sg.chart{ file, x, { y, label, … }, …, xlabel, ylabel, log, title, legend = true }\n"
+     "sg.chart{ file, x, { y, label, … }, …, xlabel, ylabel, log, title, legend = true, xticks, hlines, inset }\n"
      "Draws curves to a file that ends with .png, .svg or .pdf. Each curve is a table without a name:\n"
-     "  { y = {…}, x = its own abscissae (the chart's x), label = , markers = false, dashed = false, line = true }\n"
+     "  { y = {…}, x = its own abscissae (the chart's x), label = , markers = false, dashed = false, line = true,\n"
+     "    width = 3, color = number of the curve that it looks like (its own), marker = \"circle\", … or \"none\" }\n"
+     "Markers: circle, square, triangle, diamond, triangle down, cross, pentagon, plus, and open ones (\"open "
+     "circle\").\n"
+     "Curves of one label and look share a row of the legend. A nan leaves a gap.\n"
      "log = \"x\", \"y\" or \"xy\" for logarithmic axes; xrange, yrange = {low, high}; size = {1600, 1000} pixels.\n"
-     "A nan leaves a gap.\n"
+     "xticks = { {1, \"m1\"}, {2, \"m2\"} }: names in place of numbers; hlines, vlines = { {value, text}, … }: "
+     "reference\n"
+     "lines. inset = { xrange = {low, high}, yrange (the curves' own), place = \"north-east\", … (the emptiest corner) "
+     "}\n"
+     "magnifies a part of the chart in a box; where no corner is free the y axis goes on, unless yrange is given.\n"
      "Example: sg.chart{ file = \"square.png\", x = {1, 2, 3}, { y = {1, 4, 9}, label = \"x squared\" } }"},
 };
 

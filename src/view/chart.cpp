@@ -1,49 +1,17 @@
 #include "view/chart.hpp"
 
 #include "base/error.hpp"
-#include "view/frame.hpp"
-#include "view/markers.hpp"
+#include "view/inset.hpp"
+#include "view/legend.hpp"
 #include "view/output.hpp"
 #include "view/renderer.hpp"
-#include "view/text.hpp"
+#include "view/rules.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace signorini::view {
 namespace {
-
-// Okabe and Ito's colours, which colour-blind readers tell apart; their yellow is too pale on white and gives way to
-// brown.
-constexpr Rgb palette[] = {{0, 114, 178},  {213, 94, 0},  {0, 158, 115}, {204, 121, 167},
-                           {86, 180, 233}, {230, 159, 0}, {60, 60, 60},  {135, 75, 30}};
-constexpr int palette_size = 8;
-
-/// How a series looks. Grey prints tell lines apart by their few markers, and from the ninth on by dashes too.
-struct Look {
-  Rgb colour;
-  int shape;
-  bool sparse; ///< only a few markers along the line
-  std::vector<double> dash;
-};
-
-Look look_of(const std::vector<Series>& series, std::size_t index, double unit) {
-  const Series& s = series[index];
-  Look look{palette[index % palette_size], static_cast<int>(index), !s.markers, {}};
-  if (s.dashed || index / palette_size % 2 == 1) look.dash = {14 * unit, 9 * unit};
-  return look;
-}
-
-struct Range {
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-
-  void take(double value) { low = std::min(low, value), high = std::max(high, value); }
-};
-
-bool drawn(const Series& s, std::size_t i) {
-  return std::isfinite(s.x[i]) && std::isfinite(s.y[i]);
-}
 
 std::string name_of(const std::vector<Series>& series, std::size_t i) {
   return text("series ", i + 1, series[i].label.empty() ? "" : " '" + series[i].label + "'");
@@ -61,7 +29,8 @@ void check(const std::vector<Series>& series, const ChartOptions& options) {
     const Series& s = series[n];
     require(s.x.size() == s.y.size(), name_of(series, n), " has ", s.x.size(), " x values and ", s.y.size(),
             " y values; give as many of one as of the other");
-    require(s.line || s.markers, name_of(series, n), " has neither line nor markers; switch one of them on");
+    require(s.line || (s.markers && s.marker != no_marker), name_of(series, n),
+            " has neither line nor markers; switch one of them on");
     for (std::size_t i = 0; i < s.x.size(); ++i) {
       if (!drawn(s, i)) continue;
       any = true;
@@ -72,136 +41,55 @@ void check(const std::vector<Series>& series, const ChartOptions& options) {
   require(any, "the chart's series hold no finite point; nothing can be drawn");
 }
 
-/// The given range, or the values' own with a little air; a single value, or values that only rounding tells apart, get
-/// room on both sides.
-Range axis_range(Range values, const std::optional<std::array<double, 2>>& given, bool log, char axis, double air) {
-  if (given) {
-    const auto [low, high] = *given;
-    require(std::isfinite(low) && std::isfinite(high) && low < high && (!log || low > 0), "range of ", axis, " is ",
-            low, " to ", high, "; expected finite numbers, the lower one first",
-            log ? ", above 0 on a logarithmic axis" : "");
-    return {low, high};
-  }
-  if (log) {
-    const double factor = values.high / values.low < 1 + 1e-9 ? 2 : std::pow(values.high / values.low, air);
-    return {values.low / factor, values.high * factor};
-  }
-  const double width = values.high - values.low;
-  const double room = width > 1e-9 * std::max(std::abs(values.low), std::abs(values.high))
-                          ? air * width
-                          : std::max(0.1 * std::abs(values.high), 1e-9);
-  return {values.low - room, values.high + room};
+void check_names(const std::vector<Name>& names, const std::string& what, char axis, bool log) {
+  for (const auto& [at, name] : names)
+    require(std::isfinite(at) && (!log || at > 0), what, " '", name, "' stands at ", axis, " = ", at,
+            "; expected a finite number", log ? " above 0, as the axis is logarithmic" : "");
 }
 
-struct Legend {
-  double size = 0, width = 0, row = 0;
-  std::vector<std::string> labels;
-};
-
-double swatch(const Style& style) {
-  return 70 * style.unit;
+void check_names(const ChartOptions& options) {
+  check_names(options.xticks, "tick", 'x', options.log_x);
+  check_names(options.vlines, "line", 'x', options.log_x);
+  check_names(options.hlines, "line", 'y', options.log_y);
+  for (std::size_t i = 1; i < options.xticks.size(); ++i)
+    require(options.xticks[i - 1].at < options.xticks[i].at, "xticks must rise, but '", options.xticks[i].text, "' at ",
+            options.xticks[i].at, " follows '", options.xticks[i - 1].text, "' at ", options.xticks[i - 1].at);
 }
 
-Legend make_legend(const std::vector<Series>& series, const ChartOptions& options, const Style& style, double height) {
-  Legend legend;
-  const bool single = series.size() == 1 && series[0].label.empty();
-  if (!options.legend || single) return legend;
-  double widest = 0;
-  for (std::size_t n = 0; n < series.size(); ++n) {
-    legend.labels.push_back(series[n].label.empty() ? text("series ", n + 1) : series[n].label);
-    widest = std::max(widest, text_width(legend.labels.back(), 1.0));
-  }
-  const double room = 0.42 * options.size[0] - swatch(style);
-  legend.size = std::min({style.label_size, height / (1.5 * series.size()), room / widest});
-  require(legend.size >= 5, "the legend of ", series.size(), " series does not fit a chart of ", options.size[0], " × ",
-          options.size[1], " pixels; choose shorter labels, a larger size, or legend = false");
-  legend.row = 1.5 * legend.size;
-  legend.width = swatch(style) + 0.5 * legend.size + widest * legend.size + style.margin;
-  return legend;
-}
-
-void draw_sample(Drawing& drawing, const Series& s, const Look& look, const Vec2& from, const Vec2& to,
-                 const Style& style) {
-  if (s.line) drawing.marks.push_back(Stroke{{from, to}, look.colour, 3.4 * style.unit, look.dash});
-  draw_marker(drawing, look.shape, {0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1])}, 8.5 * style.unit, look.colour);
-}
-
-void draw_legend(Drawing& drawing, const Legend& legend, const std::vector<Series>& series, const Box& box,
-                 const Style& style) {
-  const double x = box[1] + style.margin;
-  for (std::size_t n = 0; n < legend.labels.size(); ++n) {
-    const double y = box[3] - (n + 0.5) * legend.row;
-    draw_sample(drawing, series[n], look_of(series, n, style.unit), {x, y}, {x + swatch(style), y}, style);
-    drawing.marks.push_back(Text{{x + swatch(style) + 0.5 * legend.size, y - 0.35 * legend.size},
-                                 legend.labels[n],
-                                 legend.size,
-                                 Align::left,
-                                 ink});
-  }
-}
-
-/// The series' unbroken stretches in pixels; points closer than a fifth of a pixel to the last one are passed over.
-std::vector<std::vector<Vec2>> stretches(const Series& s, const Frame& frame) {
-  std::vector<std::vector<Vec2>> parts;
-  bool open = false;
-  for (std::size_t i = 0; i < s.x.size(); ++i) {
-    if (!drawn(s, i)) {
-      open = false;
-      continue;
-    }
-    const Vec2 point = {frame.x(s.x[i]), frame.y(s.y[i])};
-    if (!open) parts.emplace_back();
-    open = true;
-    auto& part = parts.back();
-    if (part.empty() || std::hypot(point[0] - part.back()[0], point[1] - part.back()[1]) > 0.2) part.push_back(point);
-  }
-  return parts;
-}
-
-bool within(const Vec2& p, const Box& box) {
-  return p[0] >= box[0] - 0.5 && p[0] <= box[1] + 0.5 && p[1] >= box[2] - 0.5 && p[1] <= box[3] + 0.5;
-}
-
-/// All points, or about ten spread along the line, shifted from series to series so that they do not hide each other.
-std::vector<Vec2> marker_places(const std::vector<Series>& series, std::size_t index, const Frame& frame, bool sparse) {
-  const Series& s = series[index];
-  std::vector<Vec2> places;
-  for (std::size_t i = 0; i < s.x.size(); ++i)
-    if (drawn(s, i)) places.push_back({frame.x(s.x[i]), frame.y(s.y[i])});
-  std::erase_if(places, [&](const Vec2& p) { return !within(p, frame.box); });
-  constexpr std::size_t few = 10;
-  if (!sparse || places.size() <= 2 * few) return places;
-  std::vector<Vec2> chosen;
-  const double stride = static_cast<double>(places.size()) / few;
-  for (std::size_t k = 0; k < few; ++k)
-    chosen.push_back(places[static_cast<std::size_t>(stride * (k + (index + 0.5) / series.size()))]);
-  return chosen;
-}
-
-void draw_series(Drawing& drawing, const std::vector<Series>& series, std::size_t index, const Frame& frame,
-                 const Style& style) {
-  const Series& s = series[index];
-  const Look look = look_of(series, index, style.unit);
-  if (s.line)
-    for (const auto& stretch : stretches(s, frame))
-      for (auto& part : clip_line(stretch, frame.box))
-        drawing.marks.push_back(Stroke{std::move(part), look.colour, 3 * style.unit, look.dash});
-  if (s.markers || (series.size() > 1 && s.line))
-    for (const Vec2& place : marker_places(series, index, frame, look.sparse))
-      draw_marker(drawing, look.shape, place, 8 * style.unit, look.colour);
-}
-
-Drawing lay_out(const std::vector<Series>& series, const ChartOptions& options) {
-  const Style style = style_for(options.size);
-  Range xs, ys;
+/// All of x that is drawn. Named ticks belong to it, with a little of their distance on both sides.
+Range chart_xrange(const std::vector<Series>& series, const ChartOptions& options) {
+  Range xs;
   for (const Series& s : series)
     for (std::size_t i = 0; i < s.x.size(); ++i)
-      if (drawn(s, i)) xs.take(s.x[i]), ys.take(s.y[i]);
-  xs = axis_range(xs, options.xrange, options.log_x, 'x', 0.02);
-  ys = axis_range(ys, options.yrange, options.log_y, 'y', 0.05);
+      if (drawn(s, i)) xs.take(s.x[i]);
+  for (const Name& rule : options.vlines) xs.take(rule.at);
+  const auto& names = options.xticks;
+  double air = 0.02;
+  if (names.size() >= 2) {
+    xs.take(names.front().at), xs.take(names.back().at);
+    air = 0.3 / (names.size() - 1);
+  }
+  return axis_range(xs, options.xrange, options.log_x, "x", air);
+}
 
-  Drawing drawing{options.size, {}};
+Range chart_yrange(const std::vector<Series>& series, const ChartOptions& options, const Range& xs) {
+  Range ys = range_within(series, {xs.low, xs.high}, options.log_x, options.log_y);
+  require(!ys.empty() || options.yrange, "no curve runs between x = ", xs.low, " and ", xs.high,
+          "; choose an xrange that holds data");
+  for (const Name& rule : options.hlines) ys.take(rule.at);
+  return axis_range(ys, options.yrange, options.log_y, "y", 0.05);
+}
+
+struct Layout {
   Frame frame;
+  Legend legend;
+  double title_at; ///< pixels: below the title, above all else
+};
+
+Layout lay_out(const std::vector<Series>& series, const ChartOptions& options, const Range& xs, const Range& ys,
+               const Style& style) {
+  Layout layout;
+  Frame& frame = layout.frame;
   frame.xlabel = options.xlabel;
   frame.ylabel = options.ylabel;
   const double bottom = style.margin + room_below(style, options.xlabel);
@@ -209,9 +97,9 @@ Drawing lay_out(const std::vector<Series>& series, const ChartOptions& options) 
       options.size[1] - bottom - style.margin - (options.title.empty() ? 0.4 : 1.7) * style.title_size;
   frame.yticks = stacked_ticks(ys.low, ys.high, options.log_y, height, style);
   const double raised = frame.yticks.factor.empty() ? 0 : 1.2 * style.tick_size;
-  const Legend legend = make_legend(series, options, style, height - raised);
+  layout.legend = make_legend(series, options, style, height - raised);
   const double left = style.margin + room_left(style, frame.yticks, options.ylabel);
-  const double right = options.size[0] - style.margin - std::max(legend.width, style.margin);
+  const double right = options.size[0] - style.margin - std::max(layout.legend.width, style.margin);
   const double top = bottom + height - raised;
   require(right - left >= 0.2 * options.size[0] && top - bottom >= 0.2 * options.size[1], "a chart of ",
           options.size[0], " × ", options.size[1],
@@ -219,13 +107,49 @@ Drawing lay_out(const std::vector<Series>& series, const ChartOptions& options) 
   frame.box = {left, right, bottom, top};
   frame.x = {xs.low, xs.high, options.log_x, left, right};
   frame.y = {ys.low, ys.high, options.log_y, bottom, top};
-  frame.xticks = fitting_ticks(xs.low, xs.high, options.log_x, right - left, style);
+  frame.xticks = options.xticks.empty() ? fitting_ticks(xs.low, xs.high, options.log_x, right - left, style)
+                                        : named_ticks(options.xticks, frame.x, style);
+  layout.title_at = top + raised;
+  return layout;
+}
 
+/// The range with room for an inset beyond one end.
+Range with_room(const Range& ys, bool log, bool below) {
+  constexpr double room = 0.6; // of the height so far: the smallest inset takes 0.3 of the height afterwards
+  const double grown = log ? std::pow(ys.high / ys.low, room) : room * (ys.high - ys.low);
+  if (below) return {log ? ys.low / grown : ys.low - grown, ys.high};
+  return {ys.low, log ? ys.high * grown : ys.high + grown};
+}
+
+Drawing draw(const std::vector<Series>& series, const ChartOptions& options) {
+  const Style style = style_for(options.size);
+  const Range xs = chart_xrange(series, options), ys = chart_yrange(series, options, xs);
+  Layout layout = lay_out(series, options, xs, ys, style);
+  std::optional<PlacedInset> inset;
+  if (options.inset) {
+    inset = place_inset(series, options, layout.frame, style);
+    if (inset->hidden > 0 && !options.yrange) {
+      const auto place = options.inset->place;
+      const bool below = place == Corner::south_east || place == Corner::south_west;
+      layout = lay_out(series, options, xs, with_room(ys, options.log_y, below), style);
+      inset = place_inset(series, options, layout.frame, style);
+    }
+  }
+
+  const Frame& frame = layout.frame;
+  Drawing drawing{options.size, {}};
   draw_grid(drawing, frame, style);
+  draw_rules(drawing, options, frame, style);
   for (std::size_t n = series.size(); n-- > 0;) draw_series(drawing, series, n, frame, style);
+  std::vector<Box> taken;
+  if (inset) {
+    draw_inset(drawing, series, options, *inset);
+    taken.push_back(inset->outer);
+  }
+  draw_rule_texts(drawing, options, frame, lines_of(series, frame, style), taken, style);
   draw_frame(drawing, frame, style);
-  draw_legend(drawing, legend, series, frame.box, style);
-  draw_title(drawing, options.title, {left, right, bottom, top + raised}, style);
+  draw_legend(drawing, layout.legend, series, frame.box, style);
+  draw_title(drawing, options.title, {frame.box[0], frame.box[1], frame.box[2], layout.title_at}, style);
   return drawing;
 }
 
@@ -233,10 +157,11 @@ Drawing lay_out(const std::vector<Series>& series, const ChartOptions& options) 
 
 void draw_chart(const std::vector<Series>& series, const ChartOptions& options, const std::string& file) {
   check(series, options);
+  check_names(options);
   const std::string ending = file_ending(file);
   require(ending == ".png" || ending == ".svg" || ending == ".pdf", "file '", file,
           "' has no ending that charts know; expected .png, .svg or .pdf");
-  const Drawing drawing = lay_out(series, options);
+  const Drawing drawing = draw(series, options);
   write_whole(file, ending == ".png" ? png(drawing) : ending == ".svg" ? svg(drawing) : pdf(drawing));
 }
 

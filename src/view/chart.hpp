@@ -1,7 +1,7 @@
 #pragma once
 // Line and scatter charts to PNG, SVG or PDF, drawn off-screen.
 
-#include "base/eigen.hpp"
+#include "view/frame.hpp"
 
 #include <array>
 #include <optional>
@@ -10,13 +10,30 @@
 
 namespace signorini::view {
 
+inline constexpr int no_marker = -1;
+
+/// Names of the markers: eight filled ones, then eight open ones.
+const std::vector<std::string>& marker_names();
+
 /// One curve. x and y have equal length; points with NaN leave a gap.
 struct Series {
   std::string label;
   std::vector<double> x, y;
   bool line = true;     ///< draw the line
-  bool markers = false; ///< draw markers
+  bool markers = false; ///< a marker at each point; among several curves each line has a few in any case
   bool dashed = false;
+  double width = 3;               ///< of the line, in pixels of a chart of 1600 × 1000
+  std::optional<int> colour = {}; ///< looks like the series of this number (from 0), the series' own when absent
+  std::optional<int> marker = {}; ///< in marker_names(), or no_marker; the look's own when absent
+};
+
+enum class Corner { north_east, north_west, south_east, south_west };
+
+/// A part of the chart, drawn once more and larger in a box within the chart.
+struct Inset {
+  std::array<double, 2> xrange;
+  std::optional<std::array<double, 2>> yrange = {}; ///< the curves' own within xrange when absent
+  std::optional<Corner> place = {};                 ///< the emptiest corner when absent
 };
 
 struct ChartOptions {
@@ -24,12 +41,16 @@ struct ChartOptions {
   bool log_x = false, log_y = false;
   bool legend = true; ///< right of the data, never over it; left out for a single unlabelled series
   std::optional<std::array<double, 2>> xrange, yrange;
+  std::vector<Name> xticks;         ///< in rising order; they take the place of numbers
+  std::vector<Name> hlines, vlines; ///< reference lines across the chart; the text may be empty
+  std::optional<Inset> inset;
   std::array<int, 2> size = {1600, 1000};
 };
 
-/// Draws to .png, .svg or .pdf (by the ending), whole or not at all. The same call gives the same bytes.
-/// Throws Error on no series, unequal lengths, nothing finite to draw, values ≤ 0 on a log axis, unknown ending, or a
-/// file that cannot be written.
+/// Draws to .png, .svg or .pdf (by the ending), whole or not at all. The same call gives the same bytes. Curves of one
+/// label and look share a row of the legend. Where an inset finds no free corner, the y axis goes on until there is
+/// one, unless yrange is given. Throws Error on no series, unequal lengths, nothing finite to draw, values ≤ 0 on a log
+/// axis, ranges that do not rise, an inset without data, an unknown ending, or a file that cannot be written.
 void draw_chart(const std::vector<Series>& series, const ChartOptions& options, const std::string& file);
 
 } // namespace signorini::view

@@ -22,6 +22,18 @@ double widest(const Ticks& ticks, double size) {
   return width;
 }
 
+/// Leaves out ticks until the others' numbers stand apart; `needed(i)` is the room from tick i − 1 to tick i.
+template <class Needed> void thin_out(Ticks& ticks, const Scale& scale, Needed needed) {
+  for (std::size_t i = 1; i < ticks.at.size();) {
+    if (scale(ticks.at[i]) - scale(ticks.at[i - 1]) >= needed(i)) {
+      ++i;
+      continue;
+    }
+    ticks.at.erase(ticks.at.begin() + static_cast<std::ptrdiff_t>(i));
+    ticks.labels.erase(ticks.labels.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+}
+
 Ticks make_ticks(double low, double high, bool log, int count) {
   return log ? log_ticks(low, high, count) : linear_ticks(low, high, count);
 }
@@ -50,22 +62,51 @@ double room_left(const Style& style, const Ticks& ticks, const std::string& labe
 }
 
 Ticks fitting_ticks(double low, double high, bool log, double pixels, const Style& style) {
-  for (int count = 9; count > 2; --count) {
-    Ticks ticks = make_ticks(low, high, log, count);
-    const Scale scale{low, high, log, 0, pixels};
+  const Scale scale{low, high, log, 0, pixels};
+  Ticks ticks;
+  const auto needed = [&](std::size_t i) {
+    const double widths =
+        text_width(ticks.labels[i - 1], style.tick_size) + text_width(ticks.labels[i], style.tick_size);
+    return 0.5 * widths + 0.8 * style.tick_size;
+  };
+  for (int count = 9; count >= 2; --count) {
+    ticks = make_ticks(low, high, log, count);
     bool fits = true;
-    for (std::size_t i = 1; i < ticks.at.size() && fits; ++i) {
-      const double needed =
-          0.5 * (text_width(ticks.labels[i - 1], style.tick_size) + text_width(ticks.labels[i], style.tick_size));
-      fits = scale(ticks.at[i]) - scale(ticks.at[i - 1]) > needed + 0.8 * style.tick_size;
-    }
+    for (std::size_t i = 1; i < ticks.at.size() && fits; ++i)
+      fits = scale(ticks.at[i]) - scale(ticks.at[i - 1]) > needed(i);
     if (fits) return ticks;
   }
-  return make_ticks(low, high, log, 2);
+  thin_out(ticks, scale, needed);
+  return ticks;
 }
 
 Ticks stacked_ticks(double low, double high, bool log, double pixels, const Style& style) {
-  return make_ticks(low, high, log, std::clamp(static_cast<int>(pixels / (2.6 * style.tick_size)), 2, 9));
+  Ticks ticks = make_ticks(low, high, log, std::clamp(static_cast<int>(pixels / (2.6 * style.tick_size)), 2, 9));
+  thin_out(ticks, {low, high, log, 0, pixels}, [&](std::size_t) { return 1.1 * style.tick_size; });
+  return ticks;
+}
+
+Ticks named_ticks(const std::vector<Name>& names, const Scale& scale, const Style& style) {
+  Ticks ticks;
+  for (const auto& [at, name] : names)
+    if (at >= scale.low && at <= scale.high) ticks.at.push_back(at), ticks.labels.push_back(name);
+  for (std::size_t i = 1; i < ticks.at.size(); ++i) {
+    const double room = scale(ticks.at[i]) - scale(ticks.at[i - 1]);
+    const double needed =
+        0.5 * (text_width(ticks.labels[i - 1], style.tick_size) + text_width(ticks.labels[i], style.tick_size));
+    ticks.shrink = std::min(ticks.shrink, room / (needed + 0.6 * style.tick_size));
+  }
+  require(ticks.shrink * style.tick_size >= 5, "the ", names.size(),
+          " names along the x axis do not fit beside each other", "; choose shorter ones or a wider chart");
+  return ticks;
+}
+
+void fill_box(Drawing& drawing, const Box& box, const Rgb& colour) {
+  const auto& [left, right, bottom, top] = box;
+  Fill fill;
+  fill.outline = {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
+  fill.colour = colour;
+  drawing.marks.emplace_back(std::move(fill));
 }
 
 void draw_grid(Drawing& drawing, const Frame& frame, const Style& style) {
@@ -98,11 +139,13 @@ void draw_frame(Drawing& drawing, const Frame& frame, const Style& style) {
   for (std::size_t i = 0; i < frame.xticks.at.size(); ++i) {
     const double x = frame.x(frame.xticks.at[i]);
     x_tick(frame.xticks.at[i], tick);
-    drawing.marks.push_back(Text{{x, below}, frame.xticks.labels[i], size, Align::centre, ink});
+    if (frame.xticks.labels[i].empty()) continue;
+    drawing.marks.push_back(Text{{x, below}, frame.xticks.labels[i], size * frame.xticks.shrink, Align::centre, ink});
   }
   for (std::size_t i = 0; i < frame.yticks.at.size(); ++i) {
     const double y = frame.y(frame.yticks.at[i]);
     y_tick(frame.yticks.at[i], tick);
+    if (frame.yticks.labels[i].empty()) continue;
     drawing.marks.push_back(
         Text{{left - 0.45 * size, y - 0.5 * digit_height * size}, frame.yticks.labels[i], size, Align::right, ink});
   }

@@ -21,6 +21,12 @@ struct Style {
 /// Throws Error on a size below 160 × 120 or above 5000 pixels a side (OpenGL's limit after supersampling).
 Style style_for(const std::array<int, 2>& size);
 
+/// A place on an axis with a text of its own.
+struct Name {
+  double at;
+  std::string text;
+};
+
 /// One axis: values from low to high on pixels from `from` to `to`.
 struct Scale {
   double low, high;
@@ -45,7 +51,11 @@ double room_left(const Style& style, const Ticks& ticks, const std::string& labe
 Ticks fitting_ticks(double low, double high, bool log, double pixels, const Style& style);
 /// The same along y, where only the height of a number counts.
 Ticks stacked_ticks(double low, double high, bool log, double pixels, const Style& style);
+/// The names within the scale as ticks along x, small enough to stand side by side. Throws Error when they would be
+/// illegible.
+Ticks named_ticks(const std::vector<Name>& names, const Scale& scale, const Style& style);
 
+void fill_box(Drawing& drawing, const Box& box, const Rgb& colour);
 void draw_grid(Drawing& drawing, const Frame& frame, const Style& style);
 void draw_frame(Drawing& drawing, const Frame& frame, const Style& style);
 

@@ -1,5 +1,7 @@
 #include "view/markers.hpp"
 
+#include "view/chart.hpp"
+
 #include <cmath>
 #include <numbers>
 
@@ -8,13 +10,31 @@ namespace {
 
 /// Regular polygons of about equal area, or crosses where there are no corners.
 struct Shape {
+  const char* name;
   int corners;
   double turn;  ///< of the first corner, in degrees
   double scale; ///< of the radius
+  bool open;
 };
 
-constexpr Shape shapes[] = {{20, 0, 1.0},  {4, 45, 1.25}, {3, 90, 1.4}, {4, 90, 1.25},
-                            {3, -90, 1.4}, {0, 45, 1.2},  {5, 90, 1.2}, {0, 0, 1.2}};
+// An open cross would look like a full one; other polygons stand for them.
+constexpr Shape shapes[] = {{"circle", 20, 0, 1.0, false},
+                            {"square", 4, 45, 1.25, false},
+                            {"triangle", 3, 90, 1.4, false},
+                            {"diamond", 4, 90, 1.25, false},
+                            {"triangle down", 3, -90, 1.4, false},
+                            {"cross", 0, 45, 1.2, false},
+                            {"pentagon", 5, 90, 1.2, false},
+                            {"plus", 0, 0, 1.2, false},
+                            {"open circle", 20, 0, 1.0, true},
+                            {"open square", 4, 45, 1.25, true},
+                            {"open triangle", 3, 90, 1.4, true},
+                            {"open diamond", 4, 90, 1.25, true},
+                            {"open triangle down", 3, -90, 1.4, true},
+                            {"open hexagon", 6, 0, 1.15, true},
+                            {"open pentagon", 5, 90, 1.2, true},
+                            {"open pentagon down", 5, -90, 1.2, true}};
+constexpr int count = sizeof shapes / sizeof shapes[0];
 
 std::vector<Vec2> ring(const Shape& shape, const Vec2& at, double radius, int corners) {
   std::vector<Vec2> points;
@@ -33,8 +53,17 @@ void draw_cross(Drawing& drawing, const Shape& shape, const Vec2& at, double rad
 
 } // namespace
 
-void draw_marker(Drawing& drawing, int shape, const Vec2& at, double radius, const Rgb& colour) {
-  const Shape& s = shapes[shape % 8];
+const std::vector<std::string>& marker_names() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> list;
+    for (const Shape& shape : shapes) list.emplace_back(shape.name);
+    return list;
+  }();
+  return names;
+}
+
+void draw_marker(Drawing& drawing, int marker, const Vec2& at, double radius, const Rgb& colour) {
+  const Shape& s = shapes[marker % count];
   const double size = s.scale * radius, rim = 0.22 * radius;
   if (s.corners == 0) {
     draw_cross(drawing, s, at, size + rim, 0.55 * radius + 2 * rim, white);
@@ -42,8 +71,13 @@ void draw_marker(Drawing& drawing, int shape, const Vec2& at, double radius, con
     return;
   }
   // A polygon grows by rim on each side when its corners move out by rim / cos(π/n).
-  drawing.marks.push_back(Fill{ring(s, at, size + rim / std::cos(std::numbers::pi / s.corners), s.corners), white});
-  drawing.marks.push_back(Fill{ring(s, at, size, s.corners), colour});
+  const double out = 1 / std::cos(std::numbers::pi / s.corners);
+  const auto fill = [&](double grown, const Rgb& c) {
+    drawing.marks.push_back(Fill{ring(s, at, size + grown * out, s.corners), c});
+  };
+  fill(rim, white);
+  fill(0, colour);
+  if (s.open) fill(-0.36 * radius, white);
 }
 
 } // namespace signorini::view

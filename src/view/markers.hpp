@@ -5,7 +5,8 @@
 
 namespace signorini::view {
 
-/// A sign of about the given radius with a thin white rim; shapes 0 … 7 differ, larger numbers start again.
-void draw_marker(Drawing& drawing, int shape, const Vec2& at, double radius, const Rgb& colour);
+/// The sign of this number in marker_names(), of about the given radius, with a thin white rim; larger numbers start
+/// again.
+void draw_marker(Drawing& drawing, int marker, const Vec2& at, double radius, const Rgb& colour);
 
 } // namespace signorini::view

@@ -40,6 +40,17 @@ TextRun shift(char32_t point) {
   return {to_utf8(point), 0};
 }
 
+/// Letters and digits, Latin and Greek.
+bool is_letter(char32_t p) {
+  return (p >= U'0' && p <= U'9') || (p >= U'A' && p <= U'Z') || (p >= U'a' && p <= U'z') || (p >= U'Α' && p <= U'ω');
+}
+
+/// An underscore between a single letter and others: u_y, but not max_pressure.
+bool begins_index(const std::vector<char32_t>& points, std::size_t i) {
+  return points[i] == U'_' && i > 0 && i + 1 < points.size() && is_letter(points[i - 1]) && is_letter(points[i + 1]) &&
+         (i == 1 || (!is_letter(points[i - 2]) && points[i - 2] != U'_'));
+}
+
 } // namespace
 
 std::string to_utf8(char32_t p) {
@@ -70,8 +81,17 @@ std::vector<char32_t> code_points(std::string_view utf8) {
 
 std::vector<TextRun> text_runs(std::string_view utf8) {
   std::vector<TextRun> runs;
-  for (char32_t point : code_points(utf8)) {
+  const std::vector<char32_t> points = code_points(utf8);
+  bool lowered = false; // within an index such as the y of u_y
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const char32_t point = points[i];
+    if (begins_index(points, i)) {
+      lowered = true;
+      continue;
+    }
+    lowered = lowered && is_letter(point);
     TextRun next = shift(point < 0x20 ? U' ' : point);
+    if (lowered && next.level == 0) next.level = -1;
     if (!runs.empty() && runs.back().level == next.level)
       runs.back().string += next.string;
     else

@@ -14,7 +14,7 @@ struct TextRun {
 };
 
 /// Splits at Unicode's superscripts and subscripts (10⁻³, σ₁₁), which come back as plain characters on their level:
-/// few fonts hold all of them.
+/// few fonts hold all of them. What follows a single letter and an underscore is lowered too (u_y, p_max).
 std::vector<TextRun> text_runs(std::string_view utf8);
 
 /// Size of a run's characters and height of its baseline, relative to the line's size.

@@ -11,6 +11,7 @@ struct Ticks {
   std::vector<std::string> labels; ///< one per tick
   std::vector<double> minor;       ///< unlabelled marks between them
   std::string factor;              ///< common power of ten of all labels, "×10⁻³", or empty
+  double shrink = 1;               ///< of the labels' size, below 1 where long ones stand close together
 };
 
 /// At most `count` (≥ 2) round numbers 1, 2, 5 × 10ᵏ apart within [low, high]. Needs low < high.

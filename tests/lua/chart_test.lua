@@ -33,13 +33,22 @@ end)
 check.case("options change the picture", function()
   local seen = {}
   local variants = {
-    {}, { log = "y" }, { log = "xy" }, { xrange = { 0, 10 } }, { yrange = { -5, 20 } }, { legend = false }, { title = "t" },
+    {}, { log = "y" }, { log = "xy" }, { xrange = { 0, 10 } }, { yrange = { -5, 20 } }, { legend = false },
+    { title = "t" },
     { [1] = { y = { 1, 4, 9 }, label = "x squared", markers = true } },
     { [1] = { y = { 1, 4, 9 }, label = "x squared", dashed = true } },
     { [1] = { y = { 1, 4, 9 }, label = "x squared", line = false, markers = true } },
     { [1] = { y = { 1, 4 }, x = { 1, 3 }, label = "x squared" } },
     { [1] = { y = { 1, 0 / 0, 9 }, label = "x squared", markers = true } },
     { [2] = { y = { 3, 2, 1 }, label = "falling" } },
+    { [2] = { y = { 3, 2, 1 }, label = "falling", color = 1 } },
+    { [2] = { y = { 3, 2, 1 }, label = "falling", marker = "open diamond" } },
+    { [2] = { y = { 3, 2, 1 }, label = "falling", marker = "none" } },
+    { [1] = { y = { 1, 4, 9 }, label = "x squared", width = 8 } },
+    { xticks = { { 1, "m1" }, { 2, "m2" }, { 3, "m3" } } },
+    { hlines = { 4 } }, { hlines = { { 4, "four" } } }, { vlines = { { 2, "two" } } },
+    { inset = { xrange = { 1, 1.2 } } }, { inset = { xrange = { 1, 1.2 }, place = "south-east" } },
+    { inset = { xrange = { 1, 1.2 }, yrange = { 0, 5 } } },
   }
   for i, variant in ipairs(variants) do
     variant.size = { 400, 300 }
@@ -48,6 +57,17 @@ check.case("options change the picture", function()
     if seen[bytes] then error(("variants %d and %d look alike"):format(seen[bytes], i)) end
     seen[bytes] = i
   end
+end)
+
+check.case("curves of one label and colour share a row of the legend", function()
+  local function rows(color)
+    local file = folder .. "/legend.svg"
+    sg.chart { file = file, x = { 1, 2 }, { y = { 1, 2 }, label = "N2" }, { y = { 2, 3 }, label = "N2", color = color },
+               { y = { 4, 5 }, label = "N4" } }
+    return select(2, content(file):gsub(">N2<", ""))
+  end
+  check.equal(rows(1), 1)
+  check.equal(rows(2), 2)
 end)
 
 check.case("wrong arguments", function()
@@ -64,6 +84,20 @@ check.case("wrong arguments", function()
     { { file = folder .. "/chart.gif" }, "sg.chart", "chart.gif" },
     { { file = folder .. "/none/chart.png" }, "sg.chart", "none" },
     { { log = "y", [1] = { y = { 0, 1, 2 } } }, "sg.chart", "log" },
+    { { [1] = { y = { 1, 2, 3 }, color = 0 } }, "[1].color must be a whole number" },
+    { { [1] = { y = { 1, 2, 3 }, marker = "star" } }, "[1].marker must be 'circle', 'square'", "'none'" },
+    { { [1] = { y = { 1, 2, 3 }, line = false, markers = true, marker = "none" } }, "neither line nor markers" },
+    { { [1] = { y = { 1, 2, 3 }, width = -1 } }, "[1].width must be a positive number" },
+    { { xticks = { 1, 2 } }, "xticks[1] must be a pair {position, text}" },
+    { { xticks = { { 1, 2 } } }, "xticks[1][2] must be a string" },
+    { { xticks = { { 2, "b" }, { 1, "a" } } }, "xticks must rise" },
+    { { hlines = { { "4" } } }, "hlines[1][1] must be a number" },
+    { { hlines = { { 4, "four", 5 } } }, "hlines[1] must be a pair" },
+    { { inset = { xrange = { 7, 8 } } }, "sg.chart", "inset: no curve runs between x = 7 and 8" },
+    { { inset = { xrange = { 2, 1 } } }, "inset.xrange must rise" },
+    { { inset = { yrange = { 1, 2 } } }, "inset.xrange", "is missing" },
+    { { inset = { xrange = { 1, 2 }, place = "middle" } }, "inset.place must be 'north-east', 'north-west'" },
+    { { inset = { range = { 1, 2 } } }, "unknown argument 'range'", "xrange" },
   }
   for _, case in ipairs(wrong) do check.fails(function() sg.chart(chart(case[1])) end, table.unpack(case, 2)) end
   check.fails(function() sg.chart { file = "a.png" } end, "no curve is given")

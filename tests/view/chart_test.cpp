@@ -91,6 +91,55 @@ TEST(Chart, ShowsEightSeriesWithEightColoursAndALegendBesideTheData) {
   EXPECT_FALSE(holds(file_bytes(scratch("bare.svg")), {">N2-N2.3<"}));
 }
 
+int count_of(const std::string& text, const std::string& part) {
+  int count = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+TEST(Chart, NamesPlacesOnTheAxisAndDrawsReferenceLines) {
+  ChartOptions options;
+  options.xticks = {{0, "m1"}, {1, "m2"}, {2, "m3"}, {4, "m5"}};
+  draw_chart({line_of({3, 2, 1})}, options, scratch("names.svg"));
+  const std::string named = file_bytes(scratch("names.svg"));
+  EXPECT_TRUE(holds(named, {">m1<", ">m2<", ">m3<", ">m5<"}));
+  options.hlines = {{7, "analytic"}, {2, ""}};
+  options.vlines = {{1.5, "a"}, {99, "beyond"}};
+  options.xrange = {-1, 3};
+  draw_chart({line_of({3, 2, 1})}, options, scratch("lines.svg"));
+  const std::string ruled = file_bytes(scratch("lines.svg"));
+  EXPECT_TRUE(holds(ruled, {">analytic<", ">a<", ">7<"})); // y goes on up to the line
+  EXPECT_FALSE(holds(ruled, {">beyond<"}));
+  EXPECT_EQ(count_of(ruled, "stroke-dasharray"), 3);
+}
+
+TEST(Chart, FitsTheAxisOfYToTheCurvesWithinXrange) {
+  ChartOptions options;
+  options.xrange = {0, 1};
+  draw_chart({line_of({1, 2, 500})}, options, scratch("part.svg"));
+  EXPECT_FALSE(holds(file_bytes(scratch("part.svg")), {">500<"}));
+  options.xrange = {8, 9};
+  EXPECT_TRUE(holds(refusal({line_of({1, 2})}, options), {"no curve runs between x = 8 and 9"}));
+}
+
+TEST(Chart, ObeysWidthMarkerAndColour) {
+  Series s = line_of({1, 2, 3});
+  s.width = 7;
+  s.colour = 1;
+  draw_chart({s}, {}, scratch("wide.svg"));
+  EXPECT_TRUE(holds(file_bytes(scratch("wide.svg")), {"stroke=\"#d55e00\" stroke-width=\"7\""}));
+  s.markers = true;
+  s.marker = 0;
+  draw_chart({s}, {}, scratch("filled.svg"));
+  s.marker = 8;
+  draw_chart({s}, {}, scratch("open.svg"));
+  EXPECT_EQ(count_of(file_bytes(scratch("open.svg")), "<polygon"),
+            count_of(file_bytes(scratch("filled.svg")), "<polygon") * 3 / 2); // each open marker is white within
+  s.marker = no_marker;
+  draw_chart({s}, {}, scratch("bare.svg"));
+  EXPECT_EQ(count_of(file_bytes(scratch("bare.svg")), "<polygon"), 0);
+}
+
 TEST(Chart, TakesConstantDataAndSinglePoints) {
   draw_chart({line_of({2, 2, 2})}, {}, scratch("flat.svg"));
   Series point = line_of({0});
@@ -114,6 +163,18 @@ TEST(Chart, RefusesWhatItCannotDraw) {
   ChartOptions turned;
   turned.yrange = {2, 1};
   EXPECT_TRUE(holds(refusal({line_of({1, 2})}, turned), {"range of y is 2 to 1", "lower one first"}));
+  ChartOptions falling;
+  falling.xticks = {{2, "m2"}, {1, "m1"}};
+  EXPECT_TRUE(holds(refusal({line_of({1, 2})}, falling), {"xticks must rise", "'m1' at 1"}));
+  Series bare = line_of({1, 2});
+  bare.line = false;
+  bare.markers = true;
+  bare.marker = no_marker;
+  EXPECT_TRUE(holds(refusal({bare}), {"neither line nor markers"}));
+  ChartOptions zero;
+  zero.log_y = true;
+  zero.hlines = {{0, "nothing"}};
+  EXPECT_TRUE(holds(refusal({line_of({1, 2})}, zero), {"'nothing'", "y = 0", "above 0"}));
   ChartOptions tiny;
   tiny.size = {40, 30};
   EXPECT_TRUE(holds(refusal({line_of({1, 2})}, tiny), {"40 × 30", "1600, 1000"}));

@@ -16,6 +16,19 @@ TEST(TextRuns, RaiseAndLowerDigits) {
   EXPECT_EQ(runs[3].level, 1);
 }
 
+TEST(TextRuns, LowerTheIndexOfASingleLetter) {
+  const auto runs = text_runs("displacement u_y (p_max)");
+  ASSERT_EQ(runs.size(), 5u);
+  EXPECT_EQ(runs[1].string, "y");
+  EXPECT_EQ(runs[1].level, -1);
+  EXPECT_EQ(runs[2].string, " (p");
+  EXPECT_EQ(runs[3].string, "max");
+  EXPECT_EQ(runs[4].string, ")");
+  EXPECT_EQ(text_runs("σ_xx")[1].level, -1);
+  for (const char* plain : {"max_pressure", "u_", "_y", "a __b", "uy_046.png"})
+    EXPECT_EQ(text_runs(plain).size(), 1u) << plain;
+}
+
 TEST(CodePoints, RoundTripAndMarkBrokenBytes) {
   const std::string all = "Aµ−𝄞";
   std::string again;

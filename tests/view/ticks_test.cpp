@@ -1,3 +1,5 @@
+#include "view/frame.hpp"
+#include "view/text.hpp"
 #include "view/ticks.hpp"
 
 #include <gtest/gtest.h>
@@ -57,6 +59,24 @@ TEST(LogTicks, ArePowersOfTenWithTheirMultiplesAsMinorTicks) {
   EXPECT_EQ(ticks.minor.front(), 0.5);
   EXPECT_EQ(ticks.minor.back(), 200);
   EXPECT_EQ(log_ticks(1e-12, 1e6, 7).labels, (Labels{"10⁻¹²", "10⁻⁹", "10⁻⁶", "10⁻³", "10⁰", "10³", "10⁶"}));
+}
+
+TEST(FrameTicks, StandApartOnAxesOfAnyLength) {
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> size(8, 900), exponent(-6, 6), fraction(-1, 1);
+  const Style style = style_for({1600, 1000});
+  for (int trial = 0; trial < 1000; ++trial) {
+    const double pixels = size(random), width = std::pow(10, exponent(random)), low = 3 * width * fraction(random);
+    const Scale scale{low, low + width, false, 0, pixels};
+    const Ticks up = stacked_ticks(scale.low, scale.high, false, pixels, style);
+    for (std::size_t i = 1; i < up.at.size(); ++i)
+      ASSERT_GE(scale(up.at[i]) - scale(up.at[i - 1]), 1.1 * style.tick_size);
+    const Ticks along = fitting_ticks(scale.low, scale.high, false, pixels, style);
+    ASSERT_GE(along.at.size(), 1u);
+    for (std::size_t i = 1; i < along.at.size(); ++i)
+      ASSERT_GE(scale(along.at[i]) - scale(along.at[i - 1]), 0.5 * (text_width(along.labels[i - 1], style.tick_size) +
+                                                                    text_width(along.labels[i], style.tick_size)));
+  }
 }
 
 TEST(LogTicks, ShowMultiplesWhereFewPowersLieInTheRange) {

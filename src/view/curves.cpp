@@ -1,0 +1,165 @@
+#include "view/curves.hpp"
+
+#include "base/error.hpp"
+#include "view/markers.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace signorini::view {
+namespace {
+
+// Okabe and Ito's colours, which colour-blind readers tell apart; their yellow is too pale on white and gives way to
+// brown.
+constexpr Rgb palette[] = {{0, 114, 178},  {213, 94, 0},  {0, 158, 115}, {204, 121, 167},
+                           {86, 180, 233}, {230, 159, 0}, {60, 60, 60},  {135, 75, 30}};
+constexpr int palette_size = 8;
+constexpr double marker_radius = 8; // in a chart of 1600 × 1000
+
+/// The series' unbroken stretches in pixels; points closer than a fifth of a pixel to the last one are passed over.
+Lines stretches(const Series& s, const Frame& frame) {
+  Lines parts;
+  bool open = false;
+  for (std::size_t i = 0; i < s.x.size(); ++i) {
+    if (!drawn(s, i)) {
+      open = false;
+      continue;
+    }
+    const Vec2 point = {frame.x(s.x[i]), frame.y(s.y[i])};
+    if (!open) parts.emplace_back();
+    open = true;
+    auto& part = parts.back();
+    if (part.empty() || std::hypot(point[0] - part.back()[0], point[1] - part.back()[1]) > 0.2) part.push_back(point);
+  }
+  return parts;
+}
+
+bool within(const Vec2& p, const Box& box) {
+  return p[0] >= box[0] - 0.5 && p[0] <= box[1] + 0.5 && p[1] >= box[2] - 0.5 && p[1] <= box[3] + 0.5;
+}
+
+/// All points, or about ten spread along the line, shifted from series to series so that they do not hide each other.
+std::vector<Vec2> marker_places(const std::vector<Series>& series, std::size_t index, const Frame& frame, bool sparse) {
+  const Series& s = series[index];
+  std::vector<Vec2> places;
+  for (std::size_t i = 0; i < s.x.size(); ++i)
+    if (drawn(s, i)) places.push_back({frame.x(s.x[i]), frame.y(s.y[i])});
+  std::erase_if(places, [&](const Vec2& p) { return !within(p, frame.box); });
+  constexpr std::size_t few = 10;
+  if (!sparse || places.size() <= 2 * few) return places;
+  std::vector<Vec2> chosen;
+  const double stride = static_cast<double>(places.size()) / few;
+  for (std::size_t k = 0; k < few; ++k)
+    chosen.push_back(places[static_cast<std::size_t>(stride * (k + (index + 0.5) / series.size()))]);
+  return chosen;
+}
+
+/// Lines, dash-dots from the ninth series on, or the series' own dashes.
+std::vector<double> dash_of(const Series& s, int number, double unit) {
+  if (s.dashed) return {14 * unit, 9 * unit};
+  if (number / palette_size % 2 == 1) return {18 * unit, 7 * unit, 4 * unit, 7 * unit};
+  return {};
+}
+
+} // namespace
+
+void Range::take(double value) {
+  low = std::min(low, value), high = std::max(high, value);
+}
+
+Range axis_range(const Range& values, const std::optional<std::array<double, 2>>& given, bool log,
+                 const std::string& axis, double air) {
+  if (given) {
+    const auto [low, high] = *given;
+    require(std::isfinite(low) && std::isfinite(high) && low < high && (!log || low > 0), "range of ", axis, " is ",
+            low, " to ", high, "; expected finite numbers, the lower one first",
+            log ? ", above 0 on a logarithmic axis" : "");
+    return {low, high};
+  }
+  if (log) {
+    const double factor = values.high / values.low < 1 + 1e-9 ? 2 : std::pow(values.high / values.low, air);
+    return {values.low / factor, values.high * factor};
+  }
+  const double width = values.high - values.low;
+  const double room = width > 1e-9 * std::max(std::abs(values.low), std::abs(values.high))
+                          ? air * width
+                          : std::max(0.1 * std::abs(values.high), 1e-9);
+  return {values.low - room, values.high + room};
+}
+
+bool drawn(const Series& s, std::size_t point) {
+  return std::isfinite(s.x[point]) && std::isfinite(s.y[point]);
+}
+
+Look look_of(const std::vector<Series>& series, std::size_t index, const Style& style) {
+  const Series& s = series[index];
+  const int number = s.colour.value_or(static_cast<int>(index));
+  const bool marked = s.markers || (s.line && series.size() > 1);
+  return {palette[number % palette_size], marked ? s.marker.value_or(number) : no_marker, s.width * style.unit,
+          dash_of(s, number, style.unit)};
+}
+
+Range range_within(const std::vector<Series>& series, const std::array<double, 2>& within, bool log_x, bool log_y) {
+  // Lines are straight on the paper, so that they are cut in the axes' own scales.
+  const auto on_paper = [](double value, bool log) { return log ? std::log(value) : value; };
+  constexpr double far = std::numeric_limits<double>::infinity();
+  const Box strip = {on_paper(within[0], log_x), on_paper(within[1], log_x), -far, far};
+  Range range;
+  for (const Series& s : series)
+    for (std::size_t i = 0; i < s.x.size(); ++i) {
+      if (!drawn(s, i)) continue;
+      const Vec2 point = {on_paper(s.x[i], log_x), on_paper(s.y[i], log_y)};
+      if (point[0] >= strip[0] && point[0] <= strip[1]) range.take(point[1]);
+      if (!s.line || i == 0 || !drawn(s, i - 1)) continue;
+      const Vec2 last = {on_paper(s.x[i - 1], log_x), on_paper(s.y[i - 1], log_y)};
+      for (const auto& part : clip_line({last, point}, strip))
+        for (const Vec2& end : part) range.take(end[1]);
+    }
+  if (log_y && !range.empty()) return {std::exp(range.low), std::exp(range.high)};
+  return range;
+}
+
+void draw_series(Drawing& drawing, const std::vector<Series>& series, std::size_t index, const Frame& frame,
+                 const Style& style) {
+  const Series& s = series[index];
+  const Look look = look_of(series, index, style);
+  if (s.line)
+    for (const auto& stretch : stretches(s, frame))
+      for (auto& part : clip_line(stretch, frame.box))
+        drawing.marks.push_back(Stroke{std::move(part), look.colour, look.width, look.dash});
+  if (look.marker == no_marker) return;
+  for (const Vec2& place : marker_places(series, index, frame, !s.markers))
+    draw_marker(drawing, look.marker, place, marker_radius * style.unit, look.colour);
+}
+
+void draw_sample(Drawing& drawing, const Series& s, const Look& look, const Vec2& from, const Vec2& to,
+                 const Style& style) {
+  if (s.line) drawing.marks.push_back(Stroke{{from, to}, look.colour, 1.13 * look.width, look.dash});
+  if (look.marker == no_marker) return;
+  const Vec2 middle = {0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1])};
+  draw_marker(drawing, look.marker, middle, 1.06 * marker_radius * style.unit, look.colour);
+}
+
+Lines lines_of(const std::vector<Series>& series, const Frame& frame, const Style& style) {
+  Lines lines;
+  const double radius = marker_radius * style.unit;
+  for (std::size_t n = 0; n < series.size(); ++n) {
+    if (series[n].line)
+      for (auto& stretch : stretches(series[n], frame)) lines.push_back(std::move(stretch));
+    if (look_of(series, n, style).marker != no_marker)
+      for (const auto& [x, y] : marker_places(series, n, frame, !series[n].markers))
+        lines.insert(lines.end(), {{{x - radius, y}, {x + radius, y}}, {{x, y - radius}, {x, y + radius}}});
+  }
+  return lines;
+}
+
+double covered(const Lines& lines, const Box& box) {
+  double length = 0;
+  for (const auto& line : lines)
+    for (const auto& part : clip_line(line, box))
+      for (std::size_t i = 1; i < part.size(); ++i)
+        length += std::hypot(part[i][0] - part[i - 1][0], part[i][1] - part[i - 1][1]);
+  return length;
+}
+
+} // namespace signorini::view

@@ -1,0 +1,121 @@
+#include "view/inset.hpp"
+
+#include "base/error.hpp"
+#include "view/rules.hpp"
+#include "view/text.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace signorini::view {
+namespace {
+
+constexpr Rgb marked_colour = {70, 70, 70};
+
+/// Width and height in parts of the chart's, the largest first.
+constexpr Vec2 sizes[] = {{0.5, 0.5}, {0.45, 0.5}, {0.5, 0.4},  {0.45, 0.45}, {0.4, 0.5},  {0.45, 0.4}, {0.4, 0.4},
+                          {0.5, 0.3}, {0.35, 0.4}, {0.45, 0.3}, {0.4, 0.3},   {0.3, 0.35}, {0.35, 0.3}, {0.3, 0.3}};
+
+Box corner_box(Corner corner, const Vec2& part, const Box& chart, double gap) {
+  const double width = part[0] * (chart[1] - chart[0]), height = part[1] * (chart[3] - chart[2]);
+  const bool east = corner == Corner::north_east || corner == Corner::south_east;
+  const bool north = corner == Corner::north_east || corner == Corner::north_west;
+  const double left = east ? chart[1] - gap - width : chart[0] + gap;
+  const double bottom = north ? chart[3] - gap - height : chart[2] + gap;
+  return {left, left + width, bottom, bottom + height};
+}
+
+/// The magnified part of y: as asked for, or the curves' own with a little air.
+Range inset_yrange(const std::vector<Series>& series, const ChartOptions& options) {
+  const Inset& inset = *options.inset;
+  const auto [from, to] = inset.xrange;
+  const Range own = range_within(series, inset.xrange, options.log_x, options.log_y);
+  require(!own.empty(), "inset: no curve runs between x = ", from, " and ", to, "; choose an xrange that holds data");
+  return axis_range(own, inset.yrange, options.log_y, "the inset's y", 0.08);
+}
+
+/// The region's rectangle in the chart, a little larger, so that it does not run along the curves that it holds.
+Box marked_box(const Frame& region, const Frame& chart, const Style& style) {
+  const double air = 6 * style.unit;
+  Box box = {chart.x(region.x.low) - air, chart.x(region.x.high) + air, chart.y(region.y.low) - air,
+             chart.y(region.y.high) + air};
+  for (int axis = 0; axis < 2; ++axis) {
+    box[2 * axis] = std::max(box[2 * axis], chart.box[2 * axis]);
+    box[2 * axis + 1] = std::min(box[2 * axis + 1], chart.box[2 * axis + 1]);
+  }
+  require(box[0] < box[1] && box[2] < box[3],
+          "inset: its region lies outside the chart's axes; choose one within xrange and yrange of the chart");
+  return box;
+}
+
+std::vector<Vec2> rim(const Box& box) {
+  const auto& [left, right, bottom, top] = box;
+  return {{left, bottom}, {right, bottom}, {right, top}, {left, top}, {left, bottom}, {right, bottom}};
+}
+
+/// Puts the frame's box into the outer one, with room for its numbers.
+void fit_frame(Frame& frame, const Box& outer, const std::vector<Name>& names, const Style& style) {
+  const double size = style.tick_size, pad = 0.4 * size;
+  frame.yticks = stacked_ticks(frame.y.low, frame.y.high, frame.y.log, outer[3] - outer[2] - 3 * size, style);
+  frame.box[0] = outer[0] + pad + room_left(style, frame.yticks, "");
+  frame.box[3] = outer[3] - pad - (frame.yticks.factor.empty() ? 0.4 : 1.3) * size;
+  // Half of the last number stands out over the axis' end.
+  for (double overhang = size, round = 0; round < 2; ++round) {
+    frame.box[1] = outer[1] - pad - overhang;
+    frame.x.from = frame.box[0], frame.x.to = frame.box[1];
+    frame.xticks = names.empty()
+                       ? fitting_ticks(frame.x.low, frame.x.high, frame.x.log, frame.box[1] - frame.box[0], style)
+                       : named_ticks(names, frame.x, style);
+    overhang = 0;
+    for (std::size_t i = 0; i < frame.xticks.at.size(); ++i)
+      overhang = std::max(overhang,
+                          frame.x(frame.xticks.at[i]) + 0.5 * text_width(frame.xticks.labels[i], size) - frame.box[1]);
+  }
+  frame.box[2] = outer[2] + pad + (frame.xticks.factor.empty() ? 1.3 : 2.6) * size;
+  frame.y.from = frame.box[2], frame.y.to = frame.box[3];
+}
+
+} // namespace
+
+PlacedInset place_inset(const std::vector<Series>& series, const ChartOptions& options, const Frame& chart,
+                        const Style& style) {
+  const Range xs = axis_range({}, options.inset->xrange, options.log_x, "the inset's x", 0);
+  const Range ys = inset_yrange(series, options);
+  PlacedInset inset;
+  inset.style = style;
+  inset.style.tick_size *= 0.8;
+  inset.frame.x = {xs.low, xs.high, options.log_x, 0, 0};
+  inset.frame.y = {ys.low, ys.high, options.log_y, 0, 0};
+  inset.marked = marked_box(inset.frame, chart, style);
+
+  Lines lines = lines_of(series, chart, style);
+  const auto& [left, right, bottom, top] = inset.marked;
+  lines.insert(lines.end(), {rim(inset.marked), {{left, bottom}, {right, top}}, {{left, top}, {right, bottom}}});
+  std::vector<Corner> corners = {Corner::north_east, Corner::north_west, Corner::south_east, Corner::south_west};
+  if (options.inset->place) corners = {*options.inset->place};
+  inset.hidden = std::numeric_limits<double>::infinity();
+  const double gap = 0.8 * style.tick_size, air = 5 * style.unit;
+  for (const Vec2& part : sizes) {
+    const bool last = &part == &sizes[std::size(sizes) - 1];
+    for (Corner corner : corners) {
+      const Box box = corner_box(corner, part, chart.box, gap);
+      const double hidden = covered(lines, {box[0] - air, box[1] + air, box[2] - air, box[3] + air});
+      if (hidden < inset.hidden && (hidden == 0 || last)) inset.hidden = hidden, inset.outer = box;
+    }
+    if (inset.hidden == 0) break;
+  }
+  fit_frame(inset.frame, inset.outer, options.xticks, inset.style);
+  return inset;
+}
+
+void draw_inset(Drawing& drawing, const std::vector<Series>& series, const ChartOptions& options,
+                const PlacedInset& inset) {
+  drawing.marks.push_back(Stroke{rim(inset.marked), marked_colour, 1.8 * inset.style.unit});
+  fill_box(drawing, inset.outer, white);
+  draw_grid(drawing, inset.frame, inset.style);
+  draw_rules(drawing, options, inset.frame, inset.style);
+  for (std::size_t n = series.size(); n-- > 0;) draw_series(drawing, series, n, inset.frame, inset.style);
+  draw_frame(drawing, inset.frame, inset.style);
+}
+
+} // namespace signorini::view

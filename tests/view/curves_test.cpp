@@ -1,0 +1,118 @@
+#include "view/curves.hpp"
+#include "view/legend.hpp"
+
+#include "messages.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace signorini::view {
+namespace {
+
+const Style style = style_for({1600, 1000});
+
+Series points_of(std::vector<double> x, std::vector<double> y) {
+  Series s;
+  s.x = std::move(x);
+  s.y = std::move(y);
+  return s;
+}
+
+std::vector<Series> labelled(int count) {
+  std::vector<Series> series(count, points_of({0, 1}, {0, 1}));
+  for (int n = 0; n < count; ++n) series[n].label = text("N", n);
+  return series;
+}
+
+TEST(Look, TellsSixteenSeriesApartByLinesAloneAndByMarkersAlone) {
+  const auto series = labelled(16);
+  for (std::size_t a = 0; a < series.size(); ++a)
+    for (std::size_t b = 0; b < a; ++b) {
+      const Look one = look_of(series, a, style), other = look_of(series, b, style);
+      EXPECT_FALSE(one.colour == other.colour && one.dash == other.dash) << a << " " << b;
+      EXPECT_NE(one.marker, other.marker) << a << " " << b;
+    }
+}
+
+TEST(Look, FollowsColourMarkerAndDashes) {
+  auto series = labelled(3);
+  series[2].colour = 0;
+  EXPECT_EQ(look_of(series, 2, style), look_of(series, 0, style));
+  series[2].dashed = true;
+  EXPECT_FALSE(look_of(series, 2, style) == look_of(series, 0, style));
+  EXPECT_EQ(look_of(series, 2, style).colour, look_of(series, 0, style).colour);
+  series[1].marker = no_marker;
+  EXPECT_EQ(look_of(series, 1, style).marker, no_marker);
+  EXPECT_EQ(look_of(labelled(1), 0, style).marker, no_marker); // a single line needs none
+}
+
+TEST(Legend, GivesCurvesOfOneLabelAndLookOneRow) {
+  auto series = labelled(4);
+  series[2].label = series[0].label;
+  EXPECT_EQ(make_legend(series, {}, style, 900).rows.size(), 4u); // another colour is another thing
+  series[2].colour = 0;
+  const Legend legend = make_legend(series, {}, style, 900);
+  ASSERT_EQ(legend.rows.size(), 3u);
+  EXPECT_EQ(legend.rows[2].label, "N3");
+  series[2].markers = series[2].dashed = true;
+  EXPECT_EQ(make_legend(series, {}, style, 900).rows.size(), 4u);
+}
+
+TEST(RangeWithin, IsThatOfTheDenselySampledCurve) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> value(0.1, 10), gap(0.01, 1);
+  for (int trial = 0; trial < 200; ++trial) {
+    const bool log_x = trial % 2 == 1, log_y = trial % 4 >= 2;
+    const auto bend = [](double v, bool log) { return log ? std::log(v) : v; };
+    std::vector<double> x, y;
+    for (double at = gap(random); x.size() < 12; at += gap(random)) x.push_back(at), y.push_back(value(random));
+    if (trial % 3 == 0) y[5] = std::nan("");
+    const double from = x[2] + 0.3 * (x[3] - x[2]), to = x[8] + 0.6 * (x[9] - x[8]);
+    Range expected;
+    for (std::size_t i = 1; i < x.size(); ++i)
+      for (int k = 0; k <= 2000 && std::isfinite(y[i]) && std::isfinite(y[i - 1]); ++k) {
+        const double t = k / 2000.0;
+        const double across = (1 - t) * bend(x[i - 1], log_x) + t * bend(x[i], log_x);
+        if (across < bend(from, log_x) || across > bend(to, log_x)) continue;
+        const double up = (1 - t) * bend(y[i - 1], log_y) + t * bend(y[i], log_y);
+        expected.take(log_y ? std::exp(up) : up);
+      }
+    const Range range = range_within({points_of(x, y)}, {from, to}, log_x, log_y);
+    EXPECT_NEAR(range.low, expected.low, 1e-2 * expected.high);
+    EXPECT_NEAR(range.high, expected.high, 1e-2 * expected.high);
+    EXPECT_LE(range.low, expected.low + 1e-12);
+    EXPECT_GE(range.high, expected.high - 1e-12);
+  }
+}
+
+TEST(RangeWithin, IsEmptyBesideTheCurveAndTakesMarkersWithoutLineAsPoints) {
+  Series s = points_of({0, 1}, {0, 10});
+  EXPECT_TRUE(range_within({s}, {2, 3}, false, false).empty());
+  EXPECT_DOUBLE_EQ(range_within({s}, {0.2, 0.4}, false, false).high, 4);
+  s.line = false;
+  s.markers = true;
+  EXPECT_TRUE(range_within({s}, {0.2, 0.4}, false, false).empty());
+}
+
+TEST(Covered, IsTheLengthInside) {
+  EXPECT_DOUBLE_EQ(covered({{{0, 0}, {10, 0}}, {{5, -3}, {5, 40}}}, {2, 6, -1, 1}), 6);
+}
+
+TEST(NamedTicks, AreSmallEnoughToStandSideBySide) {
+  const std::vector<Name> labels = {
+      {1, "N2"}, {2, "N2-N2.1"}, {3, "N2-N2.2x3"}, {4, "a long name of a mesh"}, {9, "far"}};
+  const Scale scale{0.5, 4.5, false, 100, 500};
+  const Ticks ticks = named_ticks(labels, scale, style);
+  ASSERT_EQ(ticks.labels.size(), 4u); // the last one lies beyond the axis
+  EXPECT_LT(ticks.shrink, 1);
+  EXPECT_EQ(named_ticks({{1, "m1"}, {2, "m2"}}, scale, style).shrink, 1);
+  EXPECT_TRUE(holds(message_of([&] {
+                      named_ticks(labels, {0.5, 4.5, false, 0, 60}, style);
+                    }),
+                    {"5 names along the x axis", "wider chart"}));
+}
+
+} // namespace
+} // namespace signorini::view

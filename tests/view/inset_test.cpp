@@ -1,0 +1,165 @@
+#include "view/inset.hpp"
+
+#include "messages.hpp"
+#include "scenes.hpp"
+#include "view/text.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace signorini::view {
+namespace {
+
+const Style style = style_for({1600, 1000});
+
+Frame chart_frame() {
+  Frame frame;
+  frame.box = {150, 1350, 110, 930};
+  frame.x = {0, 1, false, 150, 1350};
+  frame.y = {0, 1, false, 110, 930};
+  return frame;
+}
+
+/// A zigzag over x = 0 … 1 that keeps out of one corner: on its side no further than 0.4, else anywhere.
+Series zigzag(Corner free, std::mt19937& random) {
+  std::uniform_real_distribution<double> part(0, 1);
+  const bool east = free == Corner::north_east || free == Corner::south_east;
+  const bool north = free == Corner::north_east || free == Corner::north_west;
+  Series s;
+  for (int i = 0; i <= 60; ++i) {
+    const double x = i / 60.0, height = x > 0.4 ? 0.4 * part(random) : part(random);
+    s.x.push_back(east ? x : 1 - x);
+    s.y.push_back(north ? height : 1 - height);
+  }
+  return s;
+}
+
+bool overlap(const Box& a, const Box& b) {
+  return a[0] < b[1] && b[0] < a[1] && a[2] < b[3] && b[2] < a[3];
+}
+
+bool holds_box(const Box& outer, const Box& inner) {
+  return inner[0] >= outer[0] && inner[1] <= outer[1] && inner[2] >= outer[2] && inner[3] <= outer[3];
+}
+
+/// What numbers and frame of an inset take up.
+Box taken_by(const Frame& frame, const Style& small) {
+  Box box = frame.box;
+  box[0] -= room_left(small, frame.yticks, "");
+  box[2] -= room_below(small, "");
+  for (std::size_t i = 0; i < frame.xticks.at.size(); ++i)
+    box[1] = std::max(box[1], frame.x(frame.xticks.at[i]) + 0.5 * text_width(frame.xticks.labels[i], small.tick_size));
+  if (!frame.yticks.factor.empty()) box[3] += 1.1 * small.tick_size;
+  return box;
+}
+
+TEST(Inset, HidesNoCurveWhereACornerIsFreeAndIsNeverCutOff) {
+  std::mt19937 random(21);
+  std::uniform_real_distribution<double> start(0.05, 0.85), exponent(-7, 7);
+  const Frame chart = chart_frame();
+  for (int trial = 0; trial < 200; ++trial) {
+    const Corner free = static_cast<Corner>(trial % 4);
+    std::vector<Series> series = {zigzag(free, random), zigzag(free, random)};
+    ChartOptions options;
+    const double from = free == Corner::north_east || free == Corner::south_east ? 0.1 : 0.85;
+    options.inset = Inset{{from, from + 0.05}};
+    const PlacedInset inset = place_inset(series, options, chart, style);
+    EXPECT_EQ(inset.hidden, 0);
+    EXPECT_EQ(covered(lines_of(series, chart, style), inset.outer), 0);
+    EXPECT_FALSE(overlap(inset.outer, inset.marked));
+    EXPECT_TRUE(holds_box(chart.box, inset.outer));
+    EXPECT_TRUE(holds_box(chart.box, inset.marked));
+    EXPECT_TRUE(holds_box(inset.outer, taken_by(inset.frame, inset.style)));
+    EXPECT_GE(inset.outer[1] - inset.outer[0], 0.3 * 1200 - 1e-9);
+  }
+}
+
+TEST(Inset, HidesLeastWhereNoCornerIsFreeAndObeysItsPlace) {
+  std::mt19937 random(22);
+  Series everywhere = zigzag(Corner::north_east, random);
+  Series other = zigzag(Corner::south_west, random);
+  ChartOptions options;
+  options.inset = Inset{{0.45, 0.5}};
+  const std::vector<Series> series = {everywhere, other};
+  const PlacedInset best = place_inset(series, options, chart_frame(), style);
+  EXPECT_GT(best.hidden, 0);
+  for (Corner corner : {Corner::north_east, Corner::north_west, Corner::south_east, Corner::south_west}) {
+    options.inset->place = corner;
+    const PlacedInset inset = place_inset(series, options, chart_frame(), style);
+    EXPECT_GE(inset.hidden, best.hidden);
+    const bool east = corner == Corner::north_east || corner == Corner::south_east;
+    const bool north = corner == Corner::north_east || corner == Corner::north_west;
+    EXPECT_EQ(0.5 * (inset.outer[0] + inset.outer[1]) > 750, east);
+    EXPECT_EQ(0.5 * (inset.outer[2] + inset.outer[3]) > 520, north);
+  }
+}
+
+TEST(Inset, ShowsTheCurvesOwnRangeOfYOrTheGivenOne) {
+  Series line{"", {0, 1}, {0, 1}};
+  ChartOptions options;
+  options.inset = Inset{{0.2, 0.4}};
+  const Frame frame = place_inset({line}, options, chart_frame(), style).frame;
+  EXPECT_NEAR(frame.y.low, 0.2 - 0.08 * 0.2, 1e-12);
+  EXPECT_NEAR(frame.y.high, 0.4 + 0.08 * 0.2, 1e-12);
+  EXPECT_EQ(frame.x.low, 0.2);
+  options.inset->yrange = {0, 0.5};
+  EXPECT_EQ(place_inset({line}, options, chart_frame(), style).frame.y.high, 0.5);
+}
+
+TEST(Inset, RefusesRegionsWithoutData) {
+  Series line{"", {0, 1}, {0, 1}};
+  ChartOptions options;
+  const auto refusal = [&](const Inset& inset) {
+    options.inset = inset;
+    return message_of([&] { place_inset({line}, options, chart_frame(), style); });
+  };
+  EXPECT_TRUE(holds(refusal({{3, 4}}), {"no curve runs between x = 3 and 4", "holds data"}));
+  EXPECT_TRUE(holds(refusal({{0.4, 0.2}}), {"the inset's x is 0.4 to 0.2"}));
+  EXPECT_TRUE(holds(refusal({{0.2, 0.4}, {{7, 8}}}), {"outside the chart's axes"}));
+}
+
+/// Sines so dense that they leave no corner free.
+std::vector<Series> full_chart() {
+  std::vector<Series> series(3);
+  for (int n = 0; n < 3; ++n)
+    for (int i = 0; i <= 300; ++i) {
+      series[n].x.push_back(i);
+      series[n].y.push_back(2 + std::sin(i / 3.0 + n));
+    }
+  return series;
+}
+
+TEST(Inset, MakesTheChartGoOnWhereNoCornerIsFree) {
+  const auto drawn_with = [](const ChartOptions& options) {
+    draw_chart(full_chart(), options, scratch("full.svg"));
+    return file_bytes(scratch("full.svg"));
+  };
+  ChartOptions options;
+  EXPECT_FALSE(holds(drawn_with(options), {">4.0<"}));
+  options.inset = Inset{{100, 120}};
+  EXPECT_TRUE(holds(drawn_with(options), {">4.0<", ">105<"})); // the axis goes up to 4, and the inset has numbers
+  options.inset->place = Corner::south_west;
+  EXPECT_TRUE(holds(drawn_with(options), {">0.0<"}));
+  options.yrange = {1, 3};
+  EXPECT_FALSE(holds(drawn_with(options), {">0.0<"}));
+  options.yrange.reset();
+  options.log_y = true;
+  EXPECT_TRUE(holds(drawn_with(options), {">105<"}));
+}
+
+TEST(Inset, IsDrawnInEveryForm) {
+  for (const std::string ending : {".png", ".svg", ".pdf"}) {
+    ChartOptions options;
+    draw_chart(oscillating_forces(3), options, scratch("plain" + ending));
+    options.inset = Inset{{100, 120}};
+    draw_chart(oscillating_forces(3), options, scratch("inset" + ending));
+    draw_chart(oscillating_forces(3), options, scratch("again" + ending));
+    EXPECT_EQ(file_bytes(scratch("inset" + ending)), file_bytes(scratch("again" + ending))) << ending;
+    EXPECT_NE(file_bytes(scratch("inset" + ending)), file_bytes(scratch("plain" + ending))) << ending;
+  }
+}
+
+} // namespace
+} // namespace signorini::view
