@@ -1,8 +1,10 @@
 #include "view/colorbar.hpp"
 
+#include "base/error.hpp"
 #include "view/text.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace signorini::view {
 namespace {
@@ -20,6 +22,22 @@ double widest(const Ticks& ticks, double size) {
 }
 
 } // namespace
+
+std::array<double, 2> colour_range(const std::array<double, 2>& values,
+                                   const std::optional<std::array<double, 2>>& given, bool diverging) {
+  if (given) {
+    const auto [low, high] = *given;
+    require(std::isfinite(low) && std::isfinite(high) && low < high, "range is {", low, ", ", high,
+            "}; expected two finite numbers, the lower one first");
+    return *given;
+  }
+  auto [low, high] = values;
+  if (diverging && low < 0 && high > 0) high = std::max(-low, high), low = -high;
+  const double size = std::max(std::abs(low), std::abs(high));
+  if (high - low > 1e-9 * size) return {low, high};
+  const double room = size == 0 ? 1 : 0.1 * size;
+  return {low - room, high + room};
+}
 
 double colorbar_room(const std::array<double, 2>& range, const std::string& title, double height, const Style& style) {
   const Ticks ticks = stacked_ticks(range[0], range[1], false, height, style);

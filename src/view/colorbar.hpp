@@ -3,7 +3,15 @@
 
 #include "view/frame.hpp"
 
+#include <optional>
+
 namespace signorini::view {
+
+/// The given range, or the values' own, lowest and highest; about zero for diverging colours where the values have both
+/// signs. A single value, or values that only rounding tells apart, get room on both sides.
+/// Throws Error on a given range that does not rise.
+std::array<double, 2> colour_range(const std::array<double, 2>& values,
+                                   const std::optional<std::array<double, 2>>& given, bool diverging);
 
 struct BarPlace {
   double left, bottom, top; ///< pixels

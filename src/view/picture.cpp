@@ -1,11 +1,12 @@
 #include "view/picture.hpp"
 
 #include "base/error.hpp"
-#include "view/colorbar.hpp"
+#include "view/clip.hpp"
 #include "view/colormap.hpp"
-#include "view/frame.hpp"
+#include "view/obstacle.hpp"
 #include "view/output.hpp"
 #include "view/renderer.hpp"
+#include "view/sheet.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,17 +17,16 @@ namespace signorini::view {
 namespace {
 
 constexpr Rgb plain = {203, 209, 214}, mesh_colour = {45, 45, 45}, net_colour = {200, 60, 20},
-              point_colour = {200, 60, 20};
-
-std::string body_name(std::size_t index) {
-  return text("body ", index + 1);
-}
+              point_colour = {200, 60, 20}, undeformed_colour = {120, 120, 120};
 
 void check(const Body& body, const std::string& name) {
   require(body.points.allFinite() && body.control_points.allFinite(), name,
           " has coordinates that are not finite; nothing can be drawn");
-  for (const Points& line : body.mesh_lines)
-    require(line.allFinite(), name, " has a mesh line with coordinates that are not finite; nothing can be drawn");
+  bool finite = true;
+  for (const MeshLine& line : body.mesh_lines) finite &= line.points.allFinite() && line.spacing >= 0;
+  for (const auto* lines : {&body.rim, &body.undeformed})
+    for (const Points& line : *lines) finite &= line.allFinite();
+  require(finite, name, " has a line with coordinates that are not finite; nothing can be drawn");
   require(body.triangles.size() == 0 ||
               (body.triangles.minCoeff() >= 0 && body.triangles.maxCoeff() < body.points.cols()),
           name, " has triangles that name points outside 0 … ", body.points.cols() - 1);
@@ -39,87 +39,69 @@ void check(const Body& body, const std::string& name) {
             " has a net line that names control points outside 0 … ", body.control_points.cols() - 1);
 }
 
-/// The crop, or what holds all bodies and what is drawn with them, with a little air.
-Box model_box(const std::vector<Body>& bodies, const std::optional<std::array<double, 4>>& crop) {
+void check(const std::vector<Panel>& panels) {
+  require(!panels.empty(), "a sheet needs at least one state, none came");
+  for (std::size_t p = 0; p < panels.size(); ++p) {
+    const std::string where = panels.size() > 1 ? text("state ", p + 1, ", ") : "";
+    for (std::size_t b = 0; b < panels[p].bodies.size(); ++b) check(panels[p].bodies[b], text(where, "body ", b + 1));
+    for (const Outline& outline : panels[p].obstacles)
+      require(outline.line.allFinite(), where, "an obstacle has coordinates that are not finite");
+  }
+}
+
+void take(Box& box, const Points& points) {
+  if (points.cols() == 0) return;
+  for (int axis = 0; axis < 2; ++axis) {
+    box[2 * axis] = std::min(box[2 * axis], points.row(axis).minCoeff());
+    box[2 * axis + 1] = std::max(box[2 * axis + 1], points.row(axis).maxCoeff());
+  }
+}
+
+/// What holds all bodies and what is drawn with them, with a little air.
+Box model_box(const Panel& panel) {
+  constexpr double far = std::numeric_limits<double>::infinity();
+  Box box = {far, -far, far, -far};
+  for (const Body& body : panel.bodies) {
+    take(box, body.points);
+    take(box, body.control_points);
+    for (const MeshLine& line : body.mesh_lines) take(box, line.points);
+    for (const auto* lines : {&body.rim, &body.undeformed})
+      for (const Points& line : *lines) take(box, line);
+  }
+  require(box[0] <= box[1], "a picture needs at least one body with points, none came");
+  const Box bodies = box;
+  for (const Outline& outline : panel.obstacles) take(box, worth_showing(outline, bodies));
+  const double air = 0.03 * std::max({box[1] - box[0], box[3] - box[2], 1e-12});
+  return {box[0] - air, box[1] + air, box[2] - air, box[3] + air};
+}
+
+ModelBoxes model_boxes(const std::vector<Panel>& panels, const std::optional<std::array<double, 4>>& crop) {
   if (crop) {
     const auto& c = *crop;
     require(std::all_of(c.begin(), c.end(), [](double v) { return std::isfinite(v); }) && c[0] < c[1] && c[2] < c[3],
             "crop is {", c[0], ", ", c[1], ", ", c[2], ", ", c[3],
             "}; expected {xmin, xmax, ymin, ymax} with min below max");
-    return c;
+    return ModelBoxes(panels.size(), c);
   }
-  constexpr double far = std::numeric_limits<double>::infinity();
-  Box box = {far, -far, far, -far};
-  const auto take = [&](const Points& points) {
-    if (points.cols() == 0) return;
-    for (int axis = 0; axis < 2; ++axis) {
-      box[2 * axis] = std::min(box[2 * axis], points.row(axis).minCoeff());
-      box[2 * axis + 1] = std::max(box[2 * axis + 1], points.row(axis).maxCoeff());
-    }
-  };
-  for (const Body& body : bodies) {
-    take(body.points);
-    take(body.control_points);
-    for (const Points& line : body.mesh_lines) take(line);
-  }
-  require(box[0] <= box[1], "a picture needs at least one body with points, none came");
-  const double air = 0.03 * std::max({box[1] - box[0], box[3] - box[2], 1e-12});
-  return {box[0] - air, box[1] + air, box[2] - air, box[3] + air};
+  ModelBoxes boxes;
+  for (const Panel& panel : panels) boxes.push_back(model_box(panel));
+  return boxes;
 }
 
-/// The given range, or the values' own; about zero for diverging maps whose values have both signs.
-std::array<double, 2> colour_range(const std::vector<Body>& bodies, const PictureOptions& options) {
-  if (options.range) {
-    const auto [low, high] = *options.range;
-    require(std::isfinite(low) && std::isfinite(high) && low < high, "range is {", low, ", ", high,
-            "}; expected two finite numbers, the lower one first");
-    return *options.range;
-  }
+/// Lowest and highest value of all states; none without values.
+std::optional<std::array<double, 2>> value_range(const std::vector<Panel>& panels) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const Body& body : bodies)
-    if (body.values.size() > 0)
-      low = std::min(low, body.values.minCoeff()), high = std::max(high, body.values.maxCoeff());
-  if (is_diverging(options.colormap) && low < 0 && high > 0) high = std::max(-low, high), low = -high;
-  if (high - low > 1e-12 * std::max(std::abs(low), std::abs(high))) return {low, high};
-  const double room = std::max(0.01 * std::abs(low), 1e-12);
-  return {low - room, high + room};
+  for (const Panel& panel : panels)
+    for (const Body& body : panel.bodies)
+      if (body.values.size() > 0)
+        low = std::min(low, body.values.minCoeff()), high = std::max(high, body.values.maxCoeff());
+  if (low > high) return std::nullopt;
+  return std::array<double, 2>{low, high};
 }
 
-/// From model units to pixels, the same in x and y.
-struct View {
-  Frame frame;
-
-  Vec2 operator()(const Points& points, Eigen::Index column) const {
-    return {frame.x(points(0, column)), frame.y(points(1, column))};
-  }
-
-  std::vector<Vec2> operator()(const Points& points) const {
-    std::vector<Vec2> result;
-    for (Eigen::Index i = 0; i < points.cols(); ++i) result.push_back((*this)(points, i));
-    return result;
-  }
-};
-
-/// The largest frame of the model box's shape in the free area, in its middle.
-View fit_view(const Box& model, const Box& area, const Style& style) {
-  const double width = model[1] - model[0], height = model[3] - model[2];
-  const double scale = std::min((area[1] - area[0]) / width, (area[3] - area[2]) / height);
-  const double left = 0.5 * (area[0] + area[1] - scale * width), bottom = 0.5 * (area[2] + area[3] - scale * height);
-  const double right = left + scale * width, top = bottom + scale * height;
-  View view;
-  view.frame.box = {left, right, bottom, top};
-  view.frame.x = {model[0], model[1], false, left, right};
-  view.frame.y = {model[2], model[3], false, bottom, top};
-  view.frame.xticks = fitting_ticks(model[0], model[1], false, right - left, style);
-  view.frame.yticks = stacked_ticks(model[2], model[3], false, top - bottom, style);
-  view.frame.xlabel = "x";
-  view.frame.ylabel = "y";
-  return view;
-}
-
-Field field_of(const Body& body, const View& view, const std::array<double, 2>& range,
+Field field_of(const Body& body, const Frame& frame, const std::array<double, 2>& range,
                const std::vector<Rgb>& colours) {
-  Field field{view(body.points), {}, {}, range, colours};
+  Field field{on_paper(body.points, frame), {}, {}, range, colours};
   for (Eigen::Index t = 0; t < body.triangles.cols(); ++t)
     field.triangles.push_back({body.triangles(0, t), body.triangles(1, t), body.triangles(2, t)});
   field.values.assign(body.values.data(), body.values.data() + body.values.size());
@@ -130,16 +112,28 @@ Field field_of(const Body& body, const View& view, const std::array<double, 2>& 
   return field;
 }
 
-void add_line(Drawing& drawing, const std::vector<Vec2>& line, const Box& box, const Rgb& colour, double width) {
-  for (auto& part : clip_line(line, box)) drawing.marks.push_back(Stroke{std::move(part), colour, width});
+void add_line(Drawing& drawing, const std::vector<Vec2>& line, const Box& box, const Rgb& colour, double width,
+              const std::vector<double>& dash = {}) {
+  for (auto& part : clip_line(line, box)) drawing.marks.push_back(Stroke{std::move(part), colour, width, dash});
 }
 
-void draw_lines(Drawing& drawing, const Body& body, const View& view, const Style& style) {
-  const Box& box = view.frame.box;
-  for (const Points& line : body.mesh_lines) add_line(drawing, view(line), box, mesh_colour, 1.7 * style.unit);
+/// Lines of a mesh that is fine on paper darken a tenth of it at most each way, and go where they would be threads.
+void draw_mesh(Drawing& drawing, const Body& body, const Frame& frame, const Style& style) {
+  const double full = 1.7 * style.unit, thread = 0.2;
+  const double scale = (frame.x.to - frame.x.from) / (frame.x.high - frame.x.low);
+  for (const auto& [line, spacing] : body.mesh_lines) {
+    const double width = std::min(full, 0.1 * scale * spacing);
+    if (width >= thread) add_line(drawing, on_paper(line, frame), frame.box, mesh_colour, width);
+  }
+  for (const Points& line : body.rim) add_line(drawing, on_paper(line, frame), frame.box, mesh_colour, full);
+}
+
+void draw_control_points(Drawing& drawing, const Body& body, const Frame& frame, const Style& style) {
+  const Box& box = frame.box;
+  const std::vector<Vec2> points = on_paper(body.control_points, frame);
   for (const auto& [a, b] : body.net_lines)
-    add_line(drawing, {view(body.control_points, a), view(body.control_points, b)}, box, net_colour, 1.2 * style.unit);
-  for (const Vec2& p : view(body.control_points)) {
+    add_line(drawing, {points[a], points[b]}, box, net_colour, 1.2 * style.unit);
+  for (const Vec2& p : points) {
     if (p[0] < box[0] || p[0] > box[1] || p[1] < box[2] || p[1] > box[3]) continue;
     std::vector<Vec2> rim, dot;
     for (int k = 0; k < 24; ++k) {
@@ -153,65 +147,60 @@ void draw_lines(Drawing& drawing, const Body& body, const View& view, const Styl
   }
 }
 
-/// White over what the coloured areas show outside the frame.
-void mask_outside(Drawing& drawing, const Box& box) {
-  const double width = drawing.size[0], height = drawing.size[1];
-  const auto cover = [&](double left, double right, double bottom, double top) {
-    drawing.marks.push_back(Fill{{{left, bottom}, {right, bottom}, {right, top}, {left, top}}, white});
-  };
-  cover(0, box[0], 0, height);
-  cover(box[1], width, 0, height);
-  cover(box[0], box[1], 0, box[2]);
-  cover(box[0], box[1], box[3], height);
+/// Everything of a state but its coloured areas.
+void draw_panel(Drawing& drawing, const Panel& panel, const Frame& frame, double title_size, const Style& style) {
+  for (const Body& body : panel.bodies)
+    for (const Points& line : body.undeformed)
+      add_line(drawing, on_paper(line, frame), frame.box, undeformed_colour, 2 * style.unit,
+               {9 * style.unit, 6 * style.unit});
+  for (const Outline& outline : panel.obstacles) draw_obstacle(drawing, outline, frame, style);
+  for (const Body& body : panel.bodies) {
+    draw_mesh(drawing, body, frame, style);
+    draw_control_points(drawing, body, frame, style);
+  }
+  draw_frame(drawing, frame, style);
+  if (panel.title.empty()) return;
+  const auto& [left, right, bottom, top] = frame.box;
+  const double raised = frame.yticks.factor.empty() ? 0 : 1.2 * style.tick_size;
+  const double size = fitting_size(panel.title, title_size, right - left);
+  drawing.marks.push_back(
+      Text{{0.5 * (left + right), top + raised + 0.5 * title_size}, panel.title, size, Align::centre, ink});
 }
 
 } // namespace
 
-void draw_picture(const std::vector<Body>& bodies, const PictureOptions& options, const std::string& file) {
+void draw_sheet(const std::vector<Panel>& panels, const PictureOptions& options, const std::string& file) {
   require(file_ending(file) == ".png", "file '", file, "' of a picture must end in .png");
-  for (std::size_t i = 0; i < bodies.size(); ++i) check(bodies[i], body_name(i));
+  require(!options.columns || *options.columns >= 1, "columns is ", options.columns.value_or(1),
+          "; a sheet needs at least one");
+  check(panels);
   const Style style = style_for(options.size);
   const std::vector<Rgb> colours = colormap(options.colormap);
-  const Box model = model_box(bodies, options.crop);
-  const bool coloured = std::any_of(bodies.begin(), bodies.end(), [](const Body& b) { return b.values.size() > 0; });
-  const std::array<double, 2> range = coloured ? colour_range(bodies, options) : std::array<double, 2>{0, 1};
+  const ModelBoxes boxes = model_boxes(panels, options.crop);
+  const auto values = value_range(panels);
+  std::optional<std::array<double, 2>> range;
+  if (values) range = colour_range(*values, options.range, is_diverging(options.colormap));
+  const Sheet sheet = lay_out_sheet(panels, boxes, options, range, style);
 
-  const double width = options.size[0], height = options.size[1];
-  const double top = height - style.margin - (options.title.empty() ? 0.4 : 1.7) * style.title_size;
-  const double bottom = style.margin + room_below(style, "x");
-  const Ticks guess = stacked_ticks(model[2], model[3], false, top - bottom, style);
-  const double left = style.margin + room_left(style, guess, "y");
-  const double bar_room = coloured ? colorbar_room(range, options.field_label, top - bottom, style) : style.margin;
-  const Box area = {left, width - style.margin - bar_room, bottom,
-                    top - (guess.factor.empty() ? 0 : 1.2 * style.tick_size)};
-  require(area[1] - area[0] > 0.2 * width && area[3] - area[2] > 0.2 * height, "a picture of ", options.size[0], " × ",
-          options.size[1], " pixels leaves too little room beside labels and colour bar; choose a larger size");
-
-  const View view = fit_view(model, area, style);
-  const Box& box = view.frame.box;
-  Drawing drawing{options.size, {}};
+  Drawing drawing{sheet.size, {}};
   std::vector<Field> fields;
-  for (const Body& body : bodies) fields.push_back(field_of(body, view, range, colours));
-  if (options.crop) mask_outside(drawing, box);
-  for (const Body& body : bodies) draw_lines(drawing, body, view, style);
-  draw_frame(drawing, view.frame, style);
-  double highest = box[3] + (view.frame.yticks.factor.empty() ? 0 : 1.2 * style.tick_size);
-  if (coloured) {
-    const double least = 0.55 * (top - bottom), middle = 0.5 * (box[2] + box[3]),
-                 half = 0.5 * std::max(box[3] - box[2], least);
-    const double bar_bottom = std::clamp(middle - half, bottom, top - 2 * half);
-    highest = std::max(highest, bar_bottom + 2 * half);
-    std::array<bool, 2> beyond = {false, false};
-    for (const Body& body : bodies)
-      if (body.values.size() > 0) {
-        beyond[0] |= body.values.minCoeff() < range[0];
-        beyond[1] |= body.values.maxCoeff() > range[1];
-      }
-    draw_colorbar(drawing, {box[1] + 1.3 * style.margin, bar_bottom, bar_bottom + 2 * half}, range, beyond, colours,
-                  options.field_label, style);
+  for (std::size_t p = 0; p < panels.size(); ++p) {
+    const Frame& frame = sheet.frames[p];
+    for (const Body& body : panels[p].bodies) {
+      Field field = field_of(body, frame, range.value_or(std::array<double, 2>{0, 1}), colours);
+      fields.push_back(options.crop ? clip_field(field, frame.box) : std::move(field));
+    }
+    draw_panel(drawing, panels[p], frame, sheet.panel_title_size, style);
   }
-  draw_title(drawing, options.title, {box[0], box[1], box[2], highest}, style);
+  if (range)
+    draw_colorbar(drawing, sheet.bar, *range, {(*values)[0]<(*range)[0], (*values)[1]>(*range)[1]}, colours,
+                  options.field_label, style);
+  draw_title(drawing, options.title, sheet.whole, style);
   write_whole(file, png(drawing, std::move(fields)));
+}
+
+void draw_picture(const std::vector<Body>& bodies, const PictureOptions& options, const std::string& file) {
+  draw_sheet({{"", bodies, {}}}, options, file);
 }
 
 } // namespace signorini::view

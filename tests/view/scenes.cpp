@@ -68,9 +68,9 @@ Body bent_ring(Vec<2> centre, double inner, double outer, double start_degrees, 
       body.triangles.col(t++) << k, k + nu + 2, k + nu + 1;
     }
   for (int i = 0; i <= around; ++i)
-    body.mesh_lines.push_back(ring.line({double(i) / around, 0}, {double(i) / around, 1}));
+    body.mesh_lines.push_back({ring.line({double(i) / around, 0}, {double(i) / around, 1}), 1.5 * outer / around});
   for (int j = 0; j <= across; ++j)
-    body.mesh_lines.push_back(ring.line({0, double(j) / across}, {1, double(j) / across}));
+    body.mesh_lines.push_back({ring.line({0, double(j) / across}, {1, double(j) / across}), (outer - inner) / across});
 
   const int columns = around + 2, rows = across + 1;
   body.control_points.resize(3, columns * rows);

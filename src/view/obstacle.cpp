@@ -1,0 +1,76 @@
+#include "view/obstacle.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace signorini::view {
+namespace {
+
+constexpr Rgb rim_colour = {95, 95, 95};
+
+double distance(const Vec2& a, const Vec2& b) {
+  return std::hypot(b[0] - a[0], b[1] - a[1]);
+}
+
+/// Moves the end away from its neighbour until it lies outside the box, from wherever it is.
+void extend(Vec2& end, const Vec2& neighbour, const Box& box) {
+  const double length = distance(neighbour, end);
+  if (length == 0) return;
+  const Vec2 corner = {box[0], box[2]}, opposite = {box[1], box[3]};
+  const double factor = (distance(end, corner) + 2 * distance(corner, opposite)) / length;
+  for (int axis = 0; axis < 2; ++axis) end[axis] += factor * (end[axis] - neighbour[axis]);
+}
+
+/// Strokes at 45° to the line, on its left, one after each `spacing` pixels.
+void hatch(Drawing& drawing, const std::vector<Vec2>& line, const Box& box, const Style& style) {
+  const double spacing = 14 * style.unit, length = 18 * style.unit;
+  double next = 0.5 * spacing; // to the next stroke
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const double size = distance(line[i - 1], line[i]);
+    if (size == 0) continue;
+    const Vec2 t = {(line[i][0] - line[i - 1][0]) / size, (line[i][1] - line[i - 1][1]) / size};
+    for (; next < size; next += spacing) {
+      const Vec2 from = {line[i - 1][0] + next * t[0], line[i - 1][1] + next * t[1]};
+      // (t + n)/√2 with the left normal n = (−t_y, t_x)
+      const Vec2 to = {from[0] + std::sqrt(0.5) * length * (t[0] - t[1]),
+                       from[1] + std::sqrt(0.5) * length * (t[1] + t[0])};
+      for (auto& part : clip_line({from, to}, box))
+        drawing.marks.push_back(Stroke{std::move(part), rim_colour, 1.8 * style.unit});
+    }
+    next -= size;
+  }
+}
+
+} // namespace
+
+void draw_obstacle(Drawing& drawing, const Outline& outline, const Frame& frame, const Style& style) {
+  std::vector<Vec2> line = on_paper(outline.line, frame);
+  if (line.size() < 2) return;
+  if (outline.endless) {
+    const Vec2 first = line.front();
+    extend(line.front(), line[1], frame.box);
+    extend(line.back(), line.size() == 2 ? first : line[line.size() - 2], frame.box);
+  }
+  for (auto& part : clip_line(line, frame.box)) {
+    hatch(drawing, part, frame.box, style);
+    drawing.marks.push_back(Stroke{std::move(part), rim_colour, 3.6 * style.unit});
+  }
+}
+
+Points worth_showing(const Outline& outline, const Box& box) {
+  const Vec<2> size(box[1] - box[0], box[3] - box[2]), centre(0.5 * (box[0] + box[1]), 0.5 * (box[2] + box[3]));
+  const auto& line = outline.line;
+  if (line.cols() < 2) return {};
+  if (!outline.endless) {
+    const Vec<3> extent = line.rowwise().maxCoeff() - line.rowwise().minCoeff();
+    return extent.maxCoeff() <= size.maxCoeff() ? line : Points();
+  }
+  // The foot of the box's centre on the straight line through the ends
+  const Vec<2> start = line.col(0).head<2>(), along = (line.col(line.cols() - 1).head<2>() - start).normalized();
+  Points foot = Points::Zero(3, 1);
+  foot.col(0).head<2>() = start + along.dot(centre - start) * along;
+  const Vec<2> away = (foot.col(0).head<2>() - centre).cwiseAbs() - 0.5 * size;
+  return away.maxCoeff() <= 0.5 * size.maxCoeff() ? foot : Points();
+}
+
+} // namespace signorini::view

@@ -1,0 +1,178 @@
+#include "view/sheet.hpp"
+
+#include "base/error.hpp"
+#include "view/text.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace signorini::view {
+namespace {
+
+const std::string axis_names[] = {"x", "y"};
+
+using Interval = std::array<double, 2>;
+
+Interval hull(const Interval& a, const Interval& b) {
+  return {std::min(a[0], b[0]), std::max(a[1], b[1])};
+}
+double length(const Interval& interval) {
+  return interval[1] - interval[0];
+}
+
+/// The states in rows: what they show of x, and row by row of y.
+struct Grid {
+  int columns = 0;
+  Interval x{};
+  std::vector<Interval> y;
+
+  double rows() const { return static_cast<double>(y.size()); }
+  double height() const {
+    double sum = 0;
+    for (const Interval& row : y) sum += length(row);
+    return sum;
+  }
+};
+
+Grid make_grid(const ModelBoxes& boxes, int columns) {
+  Grid grid{columns, {boxes[0][0], boxes[0][1]}, {}};
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const Box& b = boxes[i];
+    grid.x = hull(grid.x, {b[0], b[1]});
+    if (i % columns == 0)
+      grid.y.push_back({b[2], b[3]});
+    else
+      grid.y.back() = hull(grid.y.back(), {b[2], b[3]});
+  }
+  return grid;
+}
+
+/// Pixels that are not the states' own.
+struct Rooms {
+  double title;                   ///< above all
+  double head;                    ///< above each row
+  double below;                   ///< numbers and label of x
+  double left;                    ///< numbers and label of y
+  double right;                   ///< colour bar, or air
+  double across;                  ///< between columns
+  double between;                 ///< between rows, without their heads
+  double free_width, free_height; ///< left for the states
+};
+
+Rooms rooms_of(const Grid& grid, const std::vector<Panel>& panels, const PictureOptions& options,
+               const std::optional<Interval>& range, const Style& style) {
+  const bool titles = std::any_of(panels.begin(), panels.end(), [](const Panel& p) { return !p.title.empty(); });
+  const double width = options.size[0], height = options.size[1];
+  Rooms rooms{};
+  rooms.title = (options.title.empty() ? 0.4 : 1.7) * style.title_size;
+  rooms.below = room_below(style, axis_names[0]);
+  // Numbers change little with the size that the states will get.
+  const double guess = (height - 2 * style.margin - rooms.title - rooms.below) / grid.rows();
+  bool factor = false;
+  for (const auto& [low, high] : grid.y) {
+    const Ticks ticks = stacked_ticks(low, high, false, guess, style);
+    rooms.left = std::max(rooms.left, room_left(style, ticks, axis_names[1]));
+    factor |= !ticks.factor.empty();
+  }
+  rooms.head = (factor ? 1.2 * style.tick_size : 0) + (titles ? 1.5 * style.label_size : 0);
+  rooms.right =
+      style.margin + (range ? colorbar_room(*range, options.field_label, guess * grid.rows(), style) : style.margin);
+  double number = 0;
+  for (const std::string& label : fitting_ticks(grid.x[0], grid.x[1], false, width / grid.columns, style).labels)
+    number = std::max(number, text_width(label, style.tick_size));
+  rooms.across = std::max(1.5 * style.tick_size, number + 0.5 * style.tick_size);
+  rooms.between = 0.7 * style.tick_size;
+  rooms.free_width = width - style.margin - rooms.left - rooms.right - (grid.columns - 1) * rooms.across;
+  rooms.free_height = height - 2 * style.margin - rooms.title - rooms.below - grid.rows() * rooms.head -
+                      (grid.rows() - 1) * rooms.between;
+  return rooms;
+}
+
+/// Pixels per unit of length.
+double scale_of(const Grid& grid, const Rooms& rooms) {
+  return std::min(rooms.free_width / (grid.columns * length(grid.x)), rooms.free_height / grid.height());
+}
+
+void clear_numbers(Ticks& ticks) {
+  ticks.factor.clear();
+  for (std::string& number : ticks.labels) number.clear();
+}
+
+std::vector<Frame> make_frames(const Grid& grid, const Rooms& rooms, double scale, double left, double top,
+                               std::size_t count, const Style& style) {
+  std::vector<Frame> frames;
+  const double width = scale * length(grid.x);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t column = i % grid.columns;
+    const Interval& y = grid.y[i / grid.columns];
+    if (column == 0 && i > 0) top -= scale * length(grid.y[i / grid.columns - 1]) + rooms.between + rooms.head;
+    const double bottom = top - scale * length(y), start = left + column * (width + rooms.across);
+    Frame frame;
+    frame.box = {start, start + width, bottom, top};
+    frame.x = {grid.x[0], grid.x[1], false, start, start + width};
+    frame.y = {y[0], y[1], false, bottom, top};
+    frame.xticks = fitting_ticks(grid.x[0], grid.x[1], false, width, style);
+    frame.yticks = stacked_ticks(y[0], y[1], false, top - bottom, style);
+    // Numbers stand at the rim of the sheet only.
+    if (i + grid.columns >= count)
+      frame.xlabel = axis_names[0];
+    else
+      clear_numbers(frame.xticks);
+    if (column == 0)
+      frame.ylabel = axis_names[1];
+    else
+      clear_numbers(frame.yticks);
+    frames.push_back(std::move(frame));
+  }
+  return frames;
+}
+
+} // namespace
+
+Sheet lay_out_sheet(const std::vector<Panel>& panels, const ModelBoxes& boxes, const PictureOptions& options,
+                    const std::optional<std::array<double, 2>>& range, const Style& style) {
+  const int count = static_cast<int>(panels.size());
+  Grid grid;
+  Rooms rooms{};
+  double scale = -1;
+  for (int columns = options.columns.value_or(1); columns <= options.columns.value_or(count); ++columns) {
+    const Grid next = make_grid(boxes, columns);
+    const Rooms needed = rooms_of(next, panels, options, range, style);
+    if (scale_of(next, needed) > scale * (1 + 1e-9)) grid = next, rooms = needed, scale = scale_of(next, needed);
+  }
+  require(scale > 0 && rooms.free_width > 0.2 * options.size[0] && rooms.free_height > 0.2 * options.size[1],
+          "a picture of ", options.size[0], " × ", options.size[1],
+          " pixels leaves too little room beside labels and colour bar; choose a larger size");
+
+  const double width = grid.columns * scale * length(grid.x) + (grid.columns - 1) * rooms.across;
+  const double height = scale * grid.height() + (grid.rows() - 1) * (rooms.between + rooms.head);
+  // Beside flat states the bar stands out above and below.
+  double bar = height;
+  if (range) {
+    const double least = std::max(9 * style.tick_size, 0.8 * text_width(options.field_label, style.label_size));
+    bar = std::max(height, std::min(least, rooms.free_height));
+  }
+  const double up = std::max(0.5 * height + rooms.head, 0.5 * bar),
+               down = std::max(0.5 * height + rooms.below, 0.5 * bar);
+  const double wide = style.margin + rooms.left + width + rooms.right;
+  const double high = 2 * style.margin + rooms.title + up + down;
+  const double titled = text_width(options.title, style.title_size) + 2 * style.margin;
+
+  Sheet sheet;
+  sheet.size = options.size;
+  if (options.trim) {
+    const auto cut = [](double need, int least, int most) {
+      return std::clamp(static_cast<int>(std::ceil(need - 1e-6)), std::min(least, most), most);
+    };
+    sheet.size = {cut(std::max(wide, titled), 160, options.size[0]), cut(high, 120, options.size[1])};
+  }
+  const double left = 0.5 * (sheet.size[0] - wide) + style.margin + rooms.left;
+  const double middle = 0.5 * (sheet.size[1] - high) + style.margin + down, top = middle + 0.5 * height;
+  sheet.frames = make_frames(grid, rooms, scale, left, top, panels.size(), style);
+  sheet.panel_title_size = 0.9 * style.label_size;
+  sheet.bar = {left + width + 1.3 * style.margin, middle - 0.5 * bar, middle + 0.5 * bar};
+  sheet.whole = {left, left + width, middle - 0.5 * height, middle + up};
+  return sheet;
+}
+
+} // namespace signorini::view

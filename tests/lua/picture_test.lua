@@ -1,0 +1,134 @@
+-- sg.picture and sg.frame: what changes a picture, how large it is, and what they refuse.
+
+local sg = require "signorini"
+local check = require "check"
+
+local folder = os.tmpname()
+os.remove(folder)
+os.execute("mkdir " .. folder)
+
+local file = folder .. "/picture.png"
+
+--- Width, height and bytes of the PNG file that these arguments draw.
+local function draw(arguments)
+  arguments.file = file
+  sg.picture(arguments)
+  local stream = assert(io.open(file, "rb"))
+  local bytes = stream:read "a"
+  stream:close()
+  local width, height = string.unpack(">I4I4", bytes, 17)
+  return { width = width, height = height, bytes = bytes }
+end
+
+--- A body of this shape, held at one face and driven at another.
+local function beam(shape, held, driven)
+  local body = sg.body{ patch = shape, elements = { 4, 2 }, order = "N2", contact = "south",
+                        material = sg.neo_hookean{ E = 2, nu = 0.3 } }
+  return sg.model{ bodies = { strip = body }, contacts = {},
+                   supports = { foot = { on = body:face(held), fix = "xy" },
+                                tip = { on = body:face(driven), drive = "xy" } } }
+end
+
+local function strip(width, height)
+  return beam(sg.shapes.rectangle{ width = width, height = height }, "west", "east")
+end
+
+local model = strip(4, 1)
+local frames = { sg.frame{ model = model, field = "uy", title = "start" } }
+model:run({ { name = "bend", steps = 2, tip = { 0, 1 } } }, { on_step = function(info)
+  frames[#frames + 1] = sg.frame{ model = model, field = "uy", title = "step " .. info.step }
+end })
+
+check.case("every option changes the picture", function()
+  local seen = {}
+  local variants = {
+    {}, { field = "uy" }, { field = "uy", factor = 0.5 }, { field = "uy", label = "lift" },
+    { field = "uy", range = { 0, 2 } }, { field = "uy", colormap = "magma" }, { deformed = false },
+    { undeformed = true }, { mesh = false },
+    { control_points = true }, { mirror = "x" }, { mirror = "y" }, { mirror = "xy" }, { title = "bent" },
+    { crop = { 0, 2, 0, 1 } },
+  }
+  for i, variant in ipairs(variants) do
+    variant.model, variant.size = model, { 400, 300 }
+    local drawn = draw(variant)
+    check.equal({ drawn.width, drawn.height }, { 400, 300 })
+    if seen[drawn.bytes] then error(("variants %d and %d look alike"):format(seen[drawn.bytes], i)) end
+    seen[drawn.bytes] = i
+    check.equal(draw(variant).bytes == drawn.bytes, true)
+  end
+end)
+
+check.case("components change their sign in the mirror as they do in a model that is the mirror image", function()
+  local image = beam(sg.shapes.rectangle{ width = 4, height = 1 }:translate{ -4, 0 }, "east", "west")
+  image:run{ { name = "bend", steps = 2, tip = { 0, 1 } } }
+  -- Around a point where no field vanishes; the narrow range leaves two colours, one for each sign.
+  local xi = { 0.3, 0.8 }
+  local x, y = 1.2 + model:sample("strip", "ux", xi), 0.8 + model:sample("strip", "uy", xi)
+  local function picture(of, field, side, factor)
+    return draw{ model = of, field = field, mirror = "x", mesh = false, factor = factor, label = field,
+                 range = { -1e-6, 1e-6 }, size = { 300, 200 },
+                 crop = { side * x - 0.02, side * x + 0.02, y - 0.02, y + 0.02 } }.bytes
+  end
+  for _, field in ipairs { "ux", "uy", "u", "sxx", "syy", "sxy", "F11", "F12", "F21", "F22", "von_mises" } do
+    for _, side in ipairs { -1, 1 } do
+      local right = picture(image, field, side)
+      check.equal(picture(model, field, side) == right, true)
+      check.equal(picture(model, field, side, -1) == right, false)
+    end
+  end
+end)
+
+check.case("a picture is no larger than what it shows", function()
+  local long, high = strip(200, 10), strip(10, 200)
+  local flat = draw{ model = long, field = "uy" }
+  check.equal(flat.width, 1600)
+  check.equal(flat.height < 420, true)
+  local tower = draw{ model = high, field = "uy" }
+  check.equal(tower.height, 1000)
+  check.equal(tower.width < 440, true)
+  check.equal(draw{ model = long, size = 800 }.width, 800)
+  check.equal(draw{ model = high, size = 800 }.height, 1600)
+  local fixed = draw{ model = long, size = { 800, 600 } }
+  check.equal({ fixed.width, fixed.height }, { 800, 600 })
+end)
+
+check.case("frames keep their state and share a sheet", function()
+  check.equal(#frames, 3)
+  check.holds(tostring(frames[2]), "frame 'step 1' of 1 body", "u_y")
+  local sheet, column = draw{ frames = frames, columns = 3 }, draw{ frames = frames, columns = 1 }
+  check.equal(sheet.width / sheet.height > 2 * column.width / column.height, true)
+  local alone = draw{ frames = { frames[1] }, range = { 0, 1 } }
+  model:run{ { name = "back", steps = 1, tip = { 0, 0.2 } } }
+  check.equal(draw{ frames = frames, columns = 3 }.bytes == sheet.bytes, true)
+  check.equal(draw{ frames = { frames[1] }, range = { 0, 1 } }.bytes == alone.bytes, true)
+end)
+
+check.case("wrong arguments", function()
+  local other = sg.frame{ model = model, field = "ux" }
+  local wrong = {
+    { {}, "model", "is missing" },
+    { { model = model, field = "uu" }, "unknown field 'uu'" },
+    { { model = model, factor = 2 }, "factor has no field to multiply" },
+    { { model = model, label = "lift" }, "label names a colour bar, but no field is drawn" },
+    { { model = model, field = "uy", factor = 0 / 0 }, "factor must be a finite number" },
+    { { model = model, mirror = "z" }, "mirror must be 'x', 'y' or 'xy'" },
+    { { model = model, size = 20 }, "size must be a whole number from 160 to 5000" },
+    { { model = model, size = { 400 } }, "size must be a whole number or a list of 2 whole numbers" },
+    { { model = model, size = "large" }, "size must be" },
+    { { model = model, columns = 2 }, "columns needs frames" },
+    { { model = model, crop = { 0, 1 } }, "crop must be a list of 4 numbers" },
+    { { frames = {} }, "frames must be a list of at least one frame" },
+    { { frames = { model } }, "frames[1] must be a frame" },
+    { { frames = frames, model = model }, "model belongs to each of the frames", "sg.frame" },
+    { { frames = frames, field = "uy" }, "field belongs to each of the frames" },
+    { { frames = { frames[1], other } }, "frames[2] shows 'displacement u_x'", "one colour bar" },
+  }
+  for _, case in ipairs(wrong) do
+    check.fails(function() draw(case[1]) end, "sg.picture", table.unpack(case, 2))
+  end
+  check.fails(function() sg.frame { model = model, file = file } end, "sg.frame", "unknown argument 'file'")
+  check.equal(draw{ frames = { frames[1], other }, label = "displacement" }.width > 0, true)
+end)
+
+os.execute("rm -r " .. folder)
+check.done()
