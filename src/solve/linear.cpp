@@ -1,6 +1,7 @@
 #include "solve/linear.hpp"
 
 #include "base/error.hpp"
+#include "solve/banded.hpp"
 #include "solve/cholesky.hpp"
 #include "solve/condensed.hpp"
 #include "solve/values.hpp"
@@ -15,11 +16,9 @@ namespace signorini::solve {
 
 namespace {
 
-constexpr std::pair<LinearKind, const char*> names[] = {{LinearKind::automatic, "auto"},
-                                                        {LinearKind::klu, "klu"},
-                                                        {LinearKind::umfpack, "umfpack"},
-                                                        {LinearKind::cholmod, "cholmod"},
-                                                        {LinearKind::condensed, "condensed"}};
+constexpr std::pair<LinearKind, const char*> names[] = {
+    {LinearKind::automatic, "auto"},  {LinearKind::klu, "klu"},       {LinearKind::umfpack, "umfpack"},
+    {LinearKind::cholmod, "cholmod"}, {LinearKind::banded, "banded"}, {LinearKind::condensed, "condensed"}};
 
 /// KLU (Davis & Palamadai Natarajan, ACM TOMS 37, 2010): a refactorisation keeps the pivots of the last full one and
 /// costs a fraction of it; growth of the factors tells when the pivots no longer fit.
@@ -146,6 +145,7 @@ std::unique_ptr<LinearSolver> make_solver(LinearKind kind, const Pattern& patter
   if (kind == LinearKind::klu) return std::make_unique<Klu>(pattern);
   if (kind == LinearKind::umfpack) return std::make_unique<Umfpack>(pattern);
   if (kind == LinearKind::cholmod) return make_cholesky(pattern);
+  if (kind == LinearKind::banded) return make_banded(pattern);
   require(condensation != nullptr, "linear: the solver 'condensed' needs a matrix that is constant but for contact, as "
                                    "bodies that are all linear elastic have; take 'auto'");
   return make_condensed(pattern, *condensation);

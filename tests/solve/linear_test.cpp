@@ -63,15 +63,15 @@ TEST_P(Linear, SingularToWorkingPrecisionIsSeen) {
   EXPECT_TRUE(solver->factor(values.data()));
 }
 
-INSTANTIATE_TEST_SUITE_P(Solvers, Linear, testing::Values(LinearKind::klu, LinearKind::umfpack),
+INSTANTIATE_TEST_SUITE_P(Solvers, Linear, testing::Values(LinearKind::klu, LinearKind::umfpack, LinearKind::banded),
                          [](const auto& info) { return name_of(info.param); });
 
 TEST(LinearKinds, HaveNames) {
-  for (LinearKind kind :
-       {LinearKind::automatic, LinearKind::klu, LinearKind::umfpack, LinearKind::cholmod, LinearKind::condensed})
+  for (LinearKind kind : {LinearKind::automatic, LinearKind::klu, LinearKind::umfpack, LinearKind::cholmod,
+                          LinearKind::banded, LinearKind::condensed})
     EXPECT_EQ(linear_kind(name_of(kind)), kind);
   EXPECT_ERROR(linear_kind("pardiso"),
-               "unknown solver 'pardiso'; known are 'auto', 'klu', 'umfpack', 'cholmod', 'condensed'");
+               "unknown solver 'pardiso'; known are 'auto', 'klu', 'umfpack', 'cholmod', 'banded', 'condensed'");
   EXPECT_EQ(make_solver(LinearKind::automatic, chain(10))->kind(), LinearKind::klu);
 }
 

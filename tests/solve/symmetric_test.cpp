@@ -45,7 +45,8 @@ TEST_P(Symmetric, DefiniteAndIndefiniteSystemsInTurn) {
       const Values values = random_definite(random, pattern, diagonal);
       EXPECT_LT(backward_error(*solver, pattern, values), 1e-14) << pattern.size << " " << diagonal;
       const int negative = solver->negative_pivots();
-      EXPECT_TRUE(negative == (diagonal > 0 ? 0 : pattern.size) || negative == -1) << pattern.size << " " << diagonal << " " << negative;
+      EXPECT_TRUE(negative == (diagonal > 0 ? 0 : pattern.size) || negative == -1)
+          << pattern.size << " " << diagonal << " " << negative;
     }
     for (int round = 0; round < 5; ++round) {
       const Values values = random_symmetric(random, pattern);
@@ -83,7 +84,8 @@ TEST_P(Symmetric, SingularMatricesAreSeenAndDoNoHarm) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Solvers, Symmetric, testing::Values(LinearKind::klu, LinearKind::umfpack, LinearKind::cholmod),
+INSTANTIATE_TEST_SUITE_P(Solvers, Symmetric,
+                         testing::Values(LinearKind::klu, LinearKind::umfpack, LinearKind::cholmod, LinearKind::banded),
                          [](const auto& info) { return name_of(info.param); });
 
 /// One softening spring after the other: the count of negative eigenvalues tells how many have turned.

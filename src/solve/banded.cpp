@@ -1,0 +1,102 @@
+#include "solve/banded.hpp"
+
+#include "solve/band_order.hpp"
+#include "solve/lapack.hpp"
+#include "solve/values.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace signorini::solve {
+
+namespace {
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+class Banded final : public LinearSolver {
+public:
+  explicit Banded(const Pattern& pattern)
+      : pattern_(pattern), symmetry_(pattern), order_(band_order(pattern)), place_(order_.size()),
+        band_(band_width(pattern, order_)), pivots_(order_.size()), right_(order_.size()) {
+    for (std::size_t k = 0; k < order_.size(); ++k) place_[at(order_[k])] = static_cast<int>(k);
+  }
+
+  bool factor(const double* values) override {
+    definite_ = symmetry_.holds(values) && factor_definite(values);
+    return definite_ || factor_with_pivots(values);
+  }
+
+  bool solve(double* b) override {
+    for (std::size_t k = 0; k < order_.size(); ++k) right_[k] = b[order_[k]];
+    const int one = 1, size = pattern_.size, leading = definite_ ? band_ + 1 : 3 * band_ + 1;
+    int info = 0;
+    if (definite_)
+      dpbtrs_("L", &size, &band_, &one, factors_.data(), &leading, right_.data(), &size, &info);
+    else
+      dgbtrs_("N", &size, &band_, &band_, &one, factors_.data(), &leading, pivots_.data(), right_.data(), &size, &info);
+    for (std::size_t k = 0; k < order_.size(); ++k) b[order_[k]] = right_[k];
+    return info == 0;
+  }
+  LinearKind kind() const override { return LinearKind::banded; }
+  int negative_pivots() const override { return definite_ ? 0 : -1; }
+
+private:
+  /// LAPACK keeps a_ij at row i − j + `diagonal` of column j, columns `leading` apart.
+  template <bool Lower> void spread(const double* values, int leading, int diagonal) {
+    factors_.assign(at(leading) * order_.size(), 0.0);
+    for (int j = 0; j < pattern_.size; ++j) {
+      const int column = place_[at(j)];
+      double* to = factors_.data() + at(leading) * at(column) + diagonal - column;
+      for (int k = pattern_.starts[at(j)]; k < pattern_.starts[at(j) + 1]; ++k) {
+        const int row = place_[at(pattern_.rows[at(k)])];
+        if (!Lower || row >= column) to[row] = values[k];
+      }
+    }
+  }
+
+  bool factor_definite(const double* values) {
+    const int size = pattern_.size, leading = band_ + 1;
+    spread<true>(values, leading, 0);
+    int info = 0;
+    dpbtrf_("L", &size, &band_, factors_.data(), &leading, &info);
+    return info == 0 && regular(leading, 0, std::sqrt(least_pivot));
+  }
+
+  bool factor_with_pivots(const double* values) {
+    const int size = pattern_.size, leading = 3 * band_ + 1;
+    spread<false>(values, leading, 2 * band_);
+    int info = 0;
+    dgbtrf_(&size, &size, &band_, &band_, factors_.data(), &leading, pivots_.data(), &info);
+    return info == 0 && regular(leading, 2 * band_, least_pivot);
+  }
+
+  bool regular(int leading, int diagonal, double least_ratio) const {
+    double least = std::numeric_limits<double>::infinity(), largest = 0;
+    for (std::size_t k = 0; k < order_.size(); ++k) {
+      const double pivot = std::abs(factors_[at(leading) * k + at(diagonal)]);
+      if (!std::isfinite(pivot)) return false;
+      least = std::min(least, pivot);
+      largest = std::max(largest, pivot);
+    }
+    return least > least_ratio * largest;
+  }
+
+  Pattern pattern_;
+  Symmetry symmetry_;
+  std::vector<int> order_, place_;
+  int band_;
+  bool definite_ = false;
+  std::vector<int> pivots_;
+  std::vector<double> factors_, right_;
+};
+
+} // namespace
+
+std::unique_ptr<LinearSolver> make_banded(const Pattern& pattern) {
+  return std::make_unique<Banded>(pattern);
+}
+
+} // namespace signorini::solve
