@@ -56,7 +56,8 @@ inline nurbs::Discretisation polyline(const std::vector<Eigen::Vector2d>& points
   return below({1, knots}, columns, VectorX::Ones(columns.cols()));
 }
 
-/// Residual and tangent of a contact over all degrees of freedom, the slave body's before the master body's.
+/// Residual and tangent of a contact over all degrees of freedom, the slave body's before the master body's or the
+/// obstacle's translation.
 struct Dense {
   VectorX force;
   MatrixX tangent;
@@ -72,8 +73,11 @@ template <int D> Dense dense(const Pair<D>& pair, int slave_dofs, int master_dof
         for (int c = 0; c < D; ++c) dofs.push_back(offset + D * surface.body_function(surface.nodes(element)[a]) + c);
     };
     append(pair.slave(), group.slave_element, 0);
-    append(pair.master(), group.master_element, slave_dofs);
-    if (group.slip_element >= 0) append(pair.master(), group.slip_element, slave_dofs);
+    if (pair.master().rigid())
+      for (int c = 0; c < D; ++c) dofs.push_back(slave_dofs + c);
+    else
+      append(*pair.master().surface(), group.master_element, slave_dofs);
+    if (group.slip_element >= 0) append(*pair.master().surface(), group.slip_element, slave_dofs);
     for (int r = 0; r < group.rows; ++r) {
       const std::size_t row = static_cast<std::size_t>(r);
       sum.force(dofs[row]) += group.force[row];

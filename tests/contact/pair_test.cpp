@@ -34,7 +34,7 @@ struct Couple {
         for (int c = 0; c < 2; ++c) dofs.push_back(offset + 2 * surface.body_function(a) + c);
     };
     append(pair.slave(), 0);
-    append(pair.master(), die_dofs());
+    append(*pair.master().surface(), die_dofs());
     return dofs;
   }
   int die_dofs() const { return 2 * die.functions(); }
@@ -173,7 +173,7 @@ TEST(Pair, TangentIsTheForcesDerivativeAtACorner) {
     couple.evaluate();
     int corners = 0;
     for (const auto& point : couple.pair.results()) {
-      const Eigen::Vector2d down = point.position - couple.pair.master().points().col(1);
+      const Eigen::Vector2d down = point.position - couple.pair.master().surface()->points().col(1);
       corners += point.state != ContactState::open && std::abs(std::abs(point.gap) - down.norm()) < 1e-14;
     }
     EXPECT_GE(corners, 2);
@@ -315,7 +315,8 @@ TEST(Pair, AcceptedSlipKeepsTheTraction) {
 TEST(Pair, FirstTouchCountsFromThereWhenAccepted) {
   Couple couple("N2", slab("N2"), {100, 100, 0.2}, 1.3, 0.95);
   couple.evaluate();
-  for (const auto& point : couple.pair.results()) EXPECT_EQ(point.friction.norm(), 0);
+  // Rounding of the positions times the penalty
+  for (const auto& point : couple.pair.results()) EXPECT_NEAR(point.friction.norm(), 0, 1e-13);
   couple.pair.accept();
   couple.move_die(1e-3, 0);
   couple.evaluate();

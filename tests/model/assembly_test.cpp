@@ -1,84 +1,11 @@
 // The whole assembled tangent against finite differences of the residual, in states of the ironing problem.
+#include "model/bench.hpp"
 #include "model/scenes.hpp"
-
-#include "differences.hpp"
-
-#include <gtest/gtest.h>
 
 namespace signorini::model {
 namespace {
 
 using namespace test;
-
-/// A model's parts, so that states can be set that are no equilibria.
-struct Bench {
-  Scene<2> scene;
-  Unknowns<2> unknowns;
-  Assembly<2> assembly;
-  std::vector<contact::Pair<2>> pairs;
-  Timings timings;
-
-  explicit Bench(Scene<2> wanted) : scene(std::move(wanted)), unknowns(scene), assembly(scene, unknowns) {
-    for (const Contact& contact : scene.contacts) {
-      const auto surface = [&](const FaceReference& face) {
-        return contact::Surface<2>(scene.bodies[static_cast<std::size_t>(face.body)].body->space(), face.side);
-      };
-      pairs.emplace_back(surface(contact.slave), surface(contact.master), contact.law, contact.points);
-    }
-  }
-  VectorX residual(const VectorX& u, const VectorX* increment = nullptr) {
-    EXPECT_FALSE(assembly.assemble(pairs, u, increment, true, timings));
-    return assembly.residual();
-  }
-  /// Of the unknowns.
-  MatrixX tangent() const {
-    const solve::Pattern& pattern = assembly.pattern();
-    MatrixX full = MatrixX::Zero(pattern.size, pattern.size);
-    for (int j = 0; j < pattern.size; ++j)
-      for (int k = pattern.starts[static_cast<std::size_t>(j)]; k < pattern.starts[static_cast<std::size_t>(j) + 1];
-           ++k)
-        full(pattern.rows[static_cast<std::size_t>(k)], j) = assembly.values()[static_cast<std::size_t>(k)];
-    return full;
-  }
-  std::vector<int> signature() const {
-    std::vector<int> result;
-    for (const auto& point : pairs[0].results()) result.push_back(static_cast<int>(point.state));
-    for (const auto& group : pairs[0].groups())
-      result.insert(result.end(), {group.slave_element, group.master_element, group.slip_element});
-    return result;
-  }
-};
-
-/// Compares at u; false when a difference steps over a change of state. Also: the tangent times an increment of the
-/// prescribed displacements is what assembly adds.
-bool compare(Bench& bench, const VectorX& u) {
-  bench.residual(u);
-  const MatrixX tangent = bench.tangent();
-  const std::vector<int> before = bench.signature();
-  bool same = true;
-  const auto along = [&](const VectorX& direction) {
-    return signorini::test::derivative<VectorX>(
-        [&](double h) {
-          const VectorX residual = bench.residual(u + h * direction);
-          same = same && bench.signature() == before;
-          return residual;
-        },
-        2e-6);
-  };
-  MatrixX slopes(tangent.rows(), tangent.cols());
-  for (int i = 0; i < tangent.cols() && same; ++i) {
-    const VectorX unit = VectorX::Unit(u.size(), bench.unknowns.free()[static_cast<std::size_t>(i)]);
-    slopes.col(i) = along(unit)(bench.unknowns.free());
-  }
-  nurbs::test::Random random(1);
-  VectorX increment = VectorX::Zero(u.size());
-  for (int dof : bench.unknowns.prescribed()) increment(dof) = nurbs::test::uniform(random, -0.1, 0.1);
-  const VectorX added = along(increment);
-  if (!same) return false;
-  EXPECT_LT((slopes - tangent).norm(), 1e-8 * tangent.norm());
-  EXPECT_LT((bench.residual(u, &increment) - bench.residual(u) - added).norm(), 1e-7 * added.norm());
-  return true;
-}
 
 struct States {
   int open = 0, stick = 0, slip = 0, elsewhere = 0;

@@ -22,6 +22,8 @@ inline Held held(const Scene<2>& scene, int body, const std::string& face) {
 }
 
 enum Supports { bed, grip };
+/// Index of the ironing problem's only drive.
+inline constexpr int drive_of_grip = 0;
 
 /// 2D frictional ironing (thesis 7.1) at mesh m1: the die's flat ends are driven, the slab's bottom is clamped.
 inline Scene<2> ironing(const std::string& label) {
@@ -34,7 +36,8 @@ inline Scene<2> ironing(const std::string& label) {
   scene.supports.push_back({"grip", {held(scene, 0, "west"), held(scene, 0, "east")}, {Hold::driven, Hold::driven}});
   const nurbs::Side south = nurbs::side_of("south", 2), north = nurbs::side_of("north", 2);
   const int degree = scene.bodies[0].body->space().face_patch(south).direction(0).degree();
-  scene.contacts.push_back({"interface", {0, south}, {1, north}, {100, 100, 0.2}, 3 * (degree + 1)});
+  scene.contacts.push_back(
+      {"interface", {0, south}, FaceReference{1, north}, contact::PenaltyLaw{100, 100, 0.2}, 3 * (degree + 1)});
   return scene;
 }
 
@@ -51,16 +54,16 @@ inline Scene<2> square(const std::vector<Grip>& grips) {
   return scene;
 }
 
-inline solve::NewtonReport step_to(Model<2>& model, int support, double x, double y, const StepOptions& options = {}) {
-  model.set_target(support, 0, x);
-  model.set_target(support, 1, y);
+inline solve::NewtonReport step_to(Model<2>& model, int drive, double x, double y, const StepOptions& options = {}) {
+  model.set_target(drive, 0, x);
+  model.set_target(drive, 1, y);
   return model.solve_step(options);
 }
 
 /// Solves step 1 … 296 of the published path: 46 of pressing to −0.23, then 250 of sliding to 1.5.
 inline solve::NewtonReport ironing_step(Model<2>& model, int step, const StepOptions& options = {}) {
   const double press = std::min(step, 46) / 46.0, slide = std::max(step - 46, 0) / 250.0;
-  return step_to(model, grip, 1.5 * slide, -0.23 * press, options);
+  return step_to(model, drive_of_grip, 1.5 * slide, -0.23 * press, options);
 }
 
 } // namespace signorini::model::test
