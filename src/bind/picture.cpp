@@ -115,6 +115,25 @@ void add_mirror_image(view::Panel& panel, int axis, double sign) {
     panel.obstacles.push_back(view::mirrored(panel.obstacles[i], axis));
 }
 
+/// The rim of a model's rigid obstacle where it stands now, or stood at the start.
+view::Outline obstacle(const Model& model, int index, bool deformed) {
+  const int first = model->unknowns().obstacle_offset(index);
+  const Vec<2> shift = deformed ? Vec<2>(model->displacement().segment<2>(first)) : Vec<2>::Zero();
+  const contact::Obstacle<2>& shape = model->scene().obstacles[static_cast<std::size_t>(index)];
+  if (const auto* plane = std::get_if<contact::Plane<2>>(&shape))
+    return view::half_plane(plane->point + shift, plane->normal);
+  if (const auto* ball = std::get_if<contact::Ball<2>>(&shape)) return view::circle(ball->centre + shift, ball->radius);
+  const auto& curve = std::get<nurbs::Patch>(shape);
+  const nurbs::KnotVector& knots = curve.directions().front();
+  constexpr int pieces = 400;
+  view::Outline outline{view::Points::Zero(3, pieces + 1)};
+  for (int k = 0; k <= pieces; ++k) {
+    const double xi = knots.first() + (knots.last() - knots.first()) * k / pieces;
+    outline.line.col(k).head<2>() = nurbs::evaluate(curve, VectorX::Constant(1, xi)) + shift;
+  }
+  return outline;
+}
+
 StateFrame read_state(lua_State* L, const Options& o) {
   const Model& model = o.object<Model>("model", "made by sg.model");
   const model::Field<2>* field = nullptr;
@@ -151,6 +170,8 @@ StateFrame read_state(lua_State* L, const Options& o) {
     }
     state.panel.bodies.push_back(std::move(body));
   }
+  for (int k = 0; k < static_cast<int>(model->scene().obstacles.size()); ++k)
+    state.panel.obstacles.push_back(obstacle(model, k, deformed));
   if (o.has("mirror"))
     for (char letter : o.choice("mirror", "axis across which the model is continued", {"x", "y", "xy"})) {
       const int axis = letter == 'x' ? 0 : 1;
@@ -266,7 +287,9 @@ constexpr Function rows[] = {
      "smoothed.\n"
      "factor multiplies the field; label is the colour bar's title (the field's own); range = {low, high} of the "
      "colours.\n"
-     "undeformed adds the reference shape's outline; mirror = \"x\" the mirror image at x = 0, for half models.\n"
+     "undeformed adds the reference shape's outline; mirror = \"x\" the mirror image at x = 0, for half models. Rigid "
+     "obstacles\n"
+     "are drawn hatched.\n"
      "size = {width, height} in pixels, or a number: the greatest width, and half the greatest height. Without a pair "
      "the\n"
      "picture is no larger than what it shows; at most 1600 x 1000, sheets 1600 x 2000. crop = {xmin, xmax, ymin, "
