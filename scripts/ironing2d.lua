@@ -12,251 +12,190 @@
 --
 --          Plane strain, neo-Hooke, E = 1000 (die) and 1 (slab), nu = 0.3, mu = 0.2, both penalties 100, slave: die.
 --          Meshes: die 6 × 2 and slab 8 × 3 elements (m1); each next mesh halves every span.
+--          variant=deep: E = 10000 (die), mu = 0.1, pressed by 0.5: which labels converge, with p + 1, 2(p + 1) and 3(p + 1)
+--          contact points, with and without cutting failed steps in half.
+--          variant=validation: mu = 0.3, die from x = 0.5, pressed by 0.075 in 10 steps, dragged by 2 in 200 steps, meshes
+--          48 × 8 and 48 × 24: forces of N2 and N4.
 -- Source: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of
---         Contact Problems, PhD thesis, IIT Guwahati, 2020, section 7.1, Tables 7.2 and 7.3, Figures 7.3 to 7.5.
+--         Contact Problems, PhD thesis, IIT Guwahati, 2020, sections 6.2 and 7.1, Tables 7.2 and 7.3, Figures 6.5, 7.3 to 7.11.
 -- Units: mm, N, N/mm²; forces per mm of depth.
 -- Expected: the amplitudes of Table 7.3 at m1 (in % of N2, dPy and dPx): N4 49.88 and 23.31, N6 24.57 and 11.81,
 --           N2-N6 23.83 and 12.09, N2-N2.1 5.98 and 30.84, N2-N2.2 4.31 and 7.51; N2-N4 and N2-N2.3 a few points higher
 --           than printed. An amplitude is max − min over steps 110 to 165, about one element pitch in the slab's middle.
--- Run: signorini scripts/ironing2d.lua [mesh=m1] [labels=N2,N4,N6,N2-N4,N2-N6,N2-N2.1,N2-N2.2,N2-N2.3] [linear=auto]
---      [out=out/ironing2d]; linear is the sparse solver, auto, klu or umfpack.
+--           Deep: all labels converge with 3(p + 1) contact points, N4 not with p + 1; with halving all converge (the
+--           thesis: N2 fails at m1). Validation: Py = 0.054, Px = 0.29 Py in the middle of the sliding, N2 and N4 alike.
+-- Run: signorini scripts/ironing2d.lua [mesh=m1] [labels=N2,N4,N6,N2-N4,N2-N6,N2-N2.1,N2-N2.2,N2-N2.3] [repeat=1]
+--      [linear=auto] [out=out/ironing2d]; with several meshes (mesh=m1,m2,m3,m4) also charts over the mesh and times at
+--      equal accuracy; times are medians of `repeat` runs; linear is the sparse solver: auto, klu or umfpack.
+--      signorini scripts/ironing2d.lua variant=deep [mesh=m1] [labels=…] [points=1,2,3] [coarser=1,2]; points in multiples
+--      of p + 1; coarser: steps that many times as long.
+--      signorini scripts/ironing2d.lua variant=validation [mesh=48] [labels=N2,N4]; mesh: spans along both faces.
 
 local sg = require "signorini"
+local amplitude = require "ironing2d.amplitude"
+local convergence = require "ironing2d.convergence"
+local deep = require "ironing2d.deep"
+local output = require "ironing2d.output"
+local problem = require "ironing2d.problem"
+local validation = require "ironing2d.validation"
 
-local press_steps, slide_steps = 46, 250
-local window = { 110, 165 }
 local picture_steps = { [4] = true, [23] = true, [46] = true, [80] = true, [160] = true, [250] = true }
 local reference_label = "N2"
+local all_labels = "N2,N4,N6,N2-N4,N2-N6,N2-N2.1,N2-N2.2,N2-N2.3"
 
 -- ── Arguments ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
+--- The arguments of each variant with their defaults.
+local defaults = {
+  standard = { mesh = "m1", labels = all_labels, ["repeat"] = "1", linear = "auto", out = "out/ironing2d" },
+  deep = { mesh = "m1", labels = all_labels, points = "1,2,3", coarser = "1,2", linear = "auto",
+           out = "out/ironing2d_deep" },
+  validation = { mesh = "48", labels = "N2,N4", linear = "auto", out = "out/ironing2d_validation" },
+}
+
+local function split(text)
+  local parts = {}
+  for part in text:gmatch "[^,]+" do parts[#parts + 1] = part end
+  return parts
+end
+
+--- A list of whole numbers of at least 1, rising.
+local function counts(name, text)
+  local numbers = split(text)
+  for i, part in ipairs(numbers) do
+    numbers[i] = math.tointeger(part)
+    if not numbers[i] or numbers[i] < 1 then
+      error(("%s must be whole numbers of at least 1 such as 1,2,3, got '%s'"):format(name, text), 0)
+    end
+  end
+  table.sort(numbers)
+  return numbers
+end
+
 local function read_arguments(words)
-  local options = { mesh = "m1", labels = "N2,N4,N6,N2-N4,N2-N6,N2-N2.1,N2-N2.2,N2-N2.3", linear = "auto",
-                    out = "out/ironing2d" }
+  local given = {}
   for _, word in ipairs(words) do
     local key, value = word:match "^(%w+)=(.+)$"
-    if not options[key] then
-      error(("unknown argument '%s'; known: mesh=m1, labels=N2,N4, linear=auto, out=folder"):format(word), 0)
+    if not key then error(("unknown argument '%s'; arguments look like mesh=m1"):format(word), 0) end
+    given[key] = value
+  end
+  local variant = given.variant or "standard"
+  if not defaults[variant] then
+    error(("variant must be standard, deep or validation, got '%s'"):format(variant), 0)
+  end
+  given.variant = nil
+  local known = {}
+  for key, value in pairs(defaults[variant]) do known[#known + 1] = key .. "=" .. value end
+  table.sort(known)
+  for key, value in pairs(given) do
+    if not defaults[variant][key] then
+      error(("unknown argument '%s=%s'; known: variant=%s, %s"):format(key, value, variant, table.concat(known, ", ")), 0)
     end
-    options[key] = value
   end
-  local level = math.tointeger(options.mesh:match "^m([1-6])$")
-  if not level then error(("mesh must be one of m1 to m6, got '%s'"):format(options.mesh), 0) end
-  local labels = {}
-  for label in options.labels:gmatch "[^,]+" do labels[#labels + 1] = label end
-  return { mesh = options.mesh, level = level, labels = labels, linear = options.linear, out = options.out }
-end
-
--- ── Scene and path ───────────────────────────────────────────────────────────────────────────────────────────────────
-
-local function scene(label, level)
-  local halvings = 1 << (level - 1)
-  local die = sg.body{
-    patch    = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, centre = {0.75, 1.5} },
-    elements = { 6 * halvings, 2 * halvings }, order = label, contact = "south",
-    material = sg.neo_hookean{ E = 1000, nu = 0.3 },
-  }
-  local slab = sg.body{
-    patch    = sg.shapes.rectangle{ width = 3, height = 1 },
-    elements = { 8 * halvings, 3 * halvings }, order = label, contact = "north",
-    material = sg.neo_hookean{ E = 1, nu = 0.3 },
-  }
-  local model = sg.model{
-    bodies   = { die = die, slab = slab },
-    supports = { bed  = { on = slab:face "south", fix = "xy" },
-                 grip = { on = {die:face "west", die:face "east"}, drive = "xy" } },
-    contacts = { interface = { slave = die:face "south", master = slab:face "north",
-                               penalty = 100, friction = { mu = 0.2, penalty = 100 } } },
-  }
-  return model, die, slab
-end
-
---- Runs one label; `on_step` draws the pictures of the label that is asked for them.
-local function solve(label, level, linear, on_step)
-  local model, die, slab = scene(label, level)
-  local run = model:run({
-    { name = "press", steps = press_steps, grip = {0, -0.23} },
-    { name = "slide", steps = slide_steps, grip = {1.5, -0.23} },
-  }, { linear = linear, on_step = on_step and function(info) on_step(model, info.step) end })
-  return { label = label, run = run, die_dofs = die:dofs(), slab_dofs = slab:dofs() }
-end
-
--- ── Amplitudes ───────────────────────────────────────────────────────────────────────────────────────────────────────
-
---- The values of the window, or nothing when the run ended before it.
-local function cut(values)
-  if #values < window[2] then return nil end
-  return table.move(values, window[1], window[2], 1, {})
-end
-
---- The values without their best parabola. On points x that lie symmetrically about 0 the polynomials 1, x and x² − mean x²
---- are orthogonal, so each coefficient is a quotient of two sums.
-local function without_parabola(values)
-  local count, square = #values, 0
-  local function x(i) return i - (count + 1) / 2 end
-  for i = 1, count do square = square + x(i) ^ 2 / count end
-  local rest = table.move(values, 1, count, 1, {})
-  for _, polynomial in ipairs {
-    function() return 1 end, x, function(i) return x(i) ^ 2 - square end,
-  } do
-    local projection, norm = 0, 0
-    for i = 1, count do
-      projection, norm = projection + rest[i] * polynomial(i), norm + polynomial(i) ^ 2
-    end
-    for i = 1, count do rest[i] = rest[i] - projection / norm * polynomial(i) end
+  local options = setmetatable(given, { __index = defaults[variant] })
+  for _, mesh in ipairs(split(options.mesh)) do problem.elements(mesh) end
+  if variant == "validation" and options.mesh:find "," then
+    error(("variant=validation takes one mesh, got '%s'"):format(options.mesh), 0)
   end
-  return rest
+  return { variant = variant, meshes = split(options.mesh), labels = split(options.labels), linear = options.linear,
+           out = options.out, repeats = counts("repeat", options["repeat"] or "1")[1],
+           points = counts("points", options.points or "3"), coarser = counts("coarser", options.coarser or "1") }
 end
 
---- max − min over the window of a force, as it is and without a parabola.
-local function amplitudes(values)
-  local part = cut(values)
-  if not part then return {} end
-  local rest = without_parabola(part)
-  return { raw = math.max(table.unpack(part)) - math.min(table.unpack(part)),
-           detrended = math.max(table.unpack(rest)) - math.min(table.unpack(rest)) }
-end
+-- ── Files ────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- Adds amplitudes of Px and Py to each case, and what they are in % of those of the reference label.
-local function compare(cases)
-  for _, case in ipairs(cases) do
-    case.dPx, case.dPy = amplitudes(case.run:column "grip.fx"), amplitudes(case.run:column "grip.fy")
+--- A list of what was written: path(name) adds to it; draw(name, need, body) adds the file of a chart that body(file) has
+--- drawn, or says what it would have needed.
+local function open_files(folder)
+  sg.mkdir(folder)
+  local files = {}
+  function files.path(name)
+    files[#files + 1] = folder .. "/" .. name
+    return files[#files]
   end
-  local reference = cases[reference_label]
-  for _, case in ipairs(cases) do
-    for _, force in ipairs { "dPx", "dPy" } do
-      for _, kind in ipairs { "raw", "detrended" } do
-        local part, whole = case[force][kind], reference and reference[force][kind]
-        case[force][kind .. "_percent"] = part and whole and 100 * part / whole or nil
+  function files.draw(name, need, body)
+    if body(folder .. "/" .. name) then files.path(name) else print(name .. " is left out: it needs " .. need) end
+  end
+  return files
+end
+
+-- ── The standard variant ─────────────────────────────────────────────────────────────────────────────────────────────
+
+--- The run of median wall time; the faster one of the two in the middle.
+local function median_run(runs)
+  local sorted = table.move(runs, 1, #runs, 1, {})
+  table.sort(sorted, function(a, b) return a.wall < b.wall end)
+  return sorted[(#sorted + 1) // 2]
+end
+
+--- Runs all labels on all meshes, `repeat` times over, so that a noisy minute does not hit one label alone. Returns one
+--- { mesh, cases } per mesh, also by its name.
+local function solve_all(options, suffix, files)
+  local studies = {}
+  local keep, draw_states = output.record_states(picture_steps)
+  for round = 1, options.repeats do
+    for m, mesh in ipairs(options.meshes) do
+      local study = studies[m] or { mesh = mesh, cases = {} }
+      studies[m], studies[mesh] = study, study
+      for i, label in ipairs(options.labels) do
+        local case = problem.solve{ set_up = problem.variants.standard, label = label, mesh = mesh, linear = options.linear,
+                                    on_step = round * m * i == 1 and keep or nil }
+        case.model = nil
+        if round == 1 then
+          print(("%s at %s"):format(label, mesh))
+          print(case.run)
+          case.run:csv(files.path(label .. suffix(mesh) .. ".csv"))
+          case.runs = { case.run }
+          study.cases[i], study.cases[label] = case, case
+        else
+          table.insert(study.cases[i].runs, case.run)
+        end
       end
     end
   end
+  files.draw("states.png", "an accepted step", function(file)
+    return draw_states(file, ("Ironing, %s at %s"):format(options.labels[1], options.meshes[1]), 2)
+  end)
+  for _, study in ipairs(studies) do
+    for _, case in ipairs(study.cases) do case.work = median_run(case.runs) end
+    amplitude.compare(study.cases, study.cases[reference_label])
+  end
+  return studies
 end
 
--- ── Output ───────────────────────────────────────────────────────────────────────────────────────────────────────────
-
-local function work_table(cases)
-  local rows = {}
-  for i, case in ipairs(cases) do
-    local run, spent = case.run, case.run.timings
-    rows[i] = { case.label, case.die_dofs.total, case.slab_dofs.total, case.die_dofs.total + case.slab_dofs.total,
-                case.die_dofs.interface + case.slab_dofs.interface, run.iterations / math.max(1, run.steps), run.wall,
-                spent.bulk, spent.contact, spent.linear, spent.rest }
-  end
-  return sg.table{
-    columns = { "label", "die", "slab", "total", "interface", "iterations", "wall", "bulk", "contact", "linear", "rest" },
-    units = { "", "DOFs", "DOFs", "DOFs", "DOFs", "per step", "s", "s", "s", "s", "s" }, rows = rows,
-    formats = { iterations = "%.2f", wall = "%.3f", bulk = "%.3f", contact = "%.3f", linear = "%.3f", rest = "%.3f" },
-  }
+local function report_mesh(options, study, suffix, files)
+  local mesh, cases = study.mesh, study.cases
+  local published = mesh == "m1" and sg.reference "ironing2d_oscillation_table7_3":by "discretisation" or nil
+  print(("\nDegrees of freedom and work at %s, %d steps (linear: factorisation and solve)%s")
+    :format(mesh, problem.variants.standard.press_steps + problem.variants.standard.slide_steps,
+      options.repeats > 1 and (", medians of %d runs"):format(options.repeats) or ""))
+  print(output.work_table(cases))
+  print(("\nAmplitude of the contact forces at %s, max − min over steps %d to %d%s"):format(mesh, amplitude.first,
+    amplitude.last, published and ", beside Table 7.3" or ", as it is and without a parabola"))
+  print(output.amplitude_table(cases, published))
+  files.draw("forces" .. suffix(mesh) .. ".png", "an accepted step", function(file)
+    return output.draw_forces(file, cases, "Ironing, mesh " .. mesh)
+  end)
+  files.draw("amplitudes" .. suffix(mesh) .. ".png", "N2 among the labels, and runs that reach the window", function(file)
+    return output.draw_amplitudes(file, cases, "Ironing, mesh " .. mesh, published)
+  end)
 end
 
---- At m1 beside the published values; on finer meshes, for which none are printed, beside those without the trend.
-local function amplitude_table(cases, published)
-  local rows, formats = {}, { "%s", "%.3e", "%.2f", "%.2f", "%.3e", "%.2f", "%.2f" }
-  for i, case in ipairs(cases) do
-    local dPy, dPx, printed = case.dPy, case.dPx, published and (published[case.label] or {})
-    rows[i] = { case.label,
-                dPy.raw, dPy.raw_percent, printed and printed.dPy_percent_of_N2 or dPy.detrended_percent,
-                dPx.raw, dPx.raw_percent, printed and printed.dPx_percent_of_N2 or dPx.detrended_percent }
-  end
-  local beside = published and "published" or "detrended"
-  return sg.table{
-    columns = { "label", "dPy", "dPy", beside, "dPx", "dPx", beside },
-    units = { "", "N/mm", "% of N2", "% of N2", "N/mm", "% of N2", "% of N2" }, rows = rows, formats = formats,
-  }
-end
-
-local function draw_forces(cases, mesh, file)
-  local chart = { file = file, xlabel = "load step", ylabel = "force on the die per unit depth (N/mm)",
-                  title = ("Ironing, mesh %s: pressing force Py (full) and drag Px (dashed)"):format(mesh) }
-  local function curves(name, column, sign, dashed)
-    for _, case in ipairs(cases) do
-      local values = case.run:column(column)
-      for i, value in ipairs(values) do values[i] = sign * value end
-      if #values > 0 then
-        chart[#chart + 1] = { x = case.run:column "step", y = values, label = name .. " " .. case.label, dashed = dashed }
-      end
-    end
-  end
-  curves("Py", "grip.fy", -1, false)
-  curves("Px", "grip.fx", 1, true)
-  if #chart > 0 then sg.chart(chart) end
-  return #chart > 0
-end
-
-local function draw_amplitudes(cases, mesh, file, published)
-  local names, curves = {}, {}
-  local function curve(label, shift, percent)
-    local line = { x = {}, y = {}, label = label, line = false, markers = true }
-    for i, case in ipairs(cases) do
-      local value = percent(case)
-      if value then line.x[#line.x + 1], line.y[#line.y + 1] = i + shift, value end
-    end
-    if #line.x > 0 then curves[#curves + 1] = line end
-  end
-  for i, case in ipairs(cases) do names[i] = ("%d: %s"):format(i, case.label) end
-  curve("dPy", -0.1, function(case) return case.dPy.raw_percent end)
-  curve("dPx", -0.1, function(case) return case.dPx.raw_percent end)
-  if published then
-    curve("dPy published", 0.1, function(case) return (published[case.label] or {}).dPy_percent_of_N2 end)
-    curve("dPx published", 0.1, function(case) return (published[case.label] or {}).dPx_percent_of_N2 end)
-  else
-    curve("dPy detrended", 0.1, function(case) return case.dPy.detrended_percent end)
-    curve("dPx detrended", 0.1, function(case) return case.dPx.detrended_percent end)
-  end
-  if #curves == 0 then return false end
-  curves.file, curves.title = file, ("Ironing, mesh %s: amplitude of the contact forces"):format(mesh)
-  curves.xlabel, curves.ylabel, curves.log = table.concat(names, "   "), "% of N2", "y"
-  curves.xrange = { 0.5, #cases + 0.5 }
-  sg.chart(curves)
-  return true
+local function standard(options, files)
+  local several = #options.meshes > 1
+  local function suffix(mesh) return several and "_" .. mesh or "" end
+  local studies = solve_all(options, suffix, files)
+  for _, study in ipairs(studies) do report_mesh(options, study, suffix, files) end
+  if not several then return { mesh = studies[1].mesh, cases = studies[1].cases, studies = studies } end
+  return { studies = studies, savings = convergence.report(studies, options.labels, files.draw) }
 end
 
 -- ── The study ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 local options = read_arguments(select("#", ...) > 0 and { ... } or arg)
-sg.mkdir(options.out)
-
-local files, cases = {}, {}
-local function path(name)
-  files[#files + 1] = options.out .. "/" .. name
-  return files[#files]
-end
-
---- Pictures as in Figure 7.3, of the first label.
-local function draw_state(model, step)
-  if not picture_steps[step] then return end
-  sg.picture{ model = model, field = "uy", file = path(("uy_%03d.png"):format(step)), size = { 1600, 760 }, mesh = true,
-              title = ("Ironing, %s at %s, load step %d"):format(options.labels[1], options.mesh, step) }
-end
-
-for i, label in ipairs(options.labels) do
-  print(("%s at %s"):format(label, options.mesh))
-  local case = solve(label, options.level, options.linear, i == 1 and draw_state or nil)
-  print(case.run)
-  case.run:csv(path(label .. ".csv"))
-  cases[i], cases[label] = case, case
-end
-compare(cases)
-
-local published = options.level == 1 and sg.reference "ironing2d_oscillation_table7_3":by "discretisation" or nil
-print(("\nDegrees of freedom and work at %s, %d steps (linear: factorisation and solve)")
-  :format(options.mesh, press_steps + slide_steps))
-print(work_table(cases))
-print(("\nAmplitude of the contact forces, max − min over steps %d to %d%s"):format(window[1], window[2],
-  published and ", beside Table 7.3" or ", as it is and without a parabola"))
-print(amplitude_table(cases, published))
-
---- Draws a chart, or says why there is none.
-local function chart(name, draw, need)
-  if draw(cases, options.mesh, options.out .. "/" .. name, published) then
-    path(name)
-  else
-    print(name .. " is left out: it needs " .. need)
-  end
-end
-chart("forces.png", draw_forces, "an accepted step")
-chart("amplitudes.png", draw_amplitudes, "N2 among the labels, and runs that reach the window")
+local files = open_files(options.out)
+local variants = { standard = standard, deep = deep.run, validation = validation.run }
+local result = variants[options.variant](options, files)
 print("\nWritten: " .. table.concat(files, "\n         "))
-
-return { mesh = options.mesh, cases = cases, files = files }
+result.files = files
+return result

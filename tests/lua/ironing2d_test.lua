@@ -4,9 +4,11 @@ local sg = require "signorini"
 local core = require "signorini.core"
 local check = require "check"
 
+package.path = core.home .. "/scripts/?.lua;" .. package.path
 local folder = os.tmpname()
 os.remove(folder)
-local study = assert(loadfile(core.home .. "/scripts/ironing2d.lua"))("out=" .. folder)
+local run_study = assert(loadfile(core.home .. "/scripts/ironing2d.lua"))
+local study = run_study("out=" .. folder)
 
 local function within(what, value, expected, tolerance)
   if not value or math.abs(value - expected) > tolerance then
@@ -58,24 +60,54 @@ check.case("the pressing force is as large as the slab's reaction, step by step"
   end
 end)
 
-check.case("pictures of six states, two charts, and a file per label that tells what the run does", function()
-  for _, name in ipairs { "uy_004", "uy_023", "uy_046", "uy_080", "uy_160", "uy_250", "forces", "amplitudes" } do
+--- The files are there and are pictures.
+local function check_pictures(names)
+  for _, name in ipairs(names) do
     local stream = assert(io.open(("%s/%s.png"):format(folder, name), "rb"))
     check.equal(stream:read(8), "\137PNG\r\n\26\n")
     stream:close()
   end
+end
+
+check.case("a sheet of states, two charts, and a file per label that tells what the run does", function()
+  check_pictures { "states", "forces", "amplitudes" }
   for _, case in ipairs(study.cases) do
     local read = sg.csv.read(("%s/%s.csv"):format(folder, case.label))
     check.equal(read:column "grip.fx", case.run:column "grip.fx")
   end
-  check.equal(#study.files, 6 + 2 + 8)
+  check.equal(#study.files, 3 + 8)
+end)
+
+check.case("two meshes: amplitudes at m2, times of pairs, charts over the mesh", function()
+  local both = run_study("mesh=m1,m2", "labels=N4,N2-N4", "repeat=2", "out=" .. folder)
+  local m2 = both.studies.m2.cases
+  check.equal({ m2.N4.die_dofs.total + m2.N4.slab_dofs.total, #m2.N4.runs }, { 470, 2 })
+  within("N4 dPy at m2", m2.N4.dPy.raw, 1.732e-3, 2e-6)
+  within("N4 dPx at m2", m2.N4.dPx.raw, 1.957e-3, 2e-6)
+  within("N4 dPx at m2 without trend", m2.N4.dPx.detrended, 1.886e-3, 2e-6)
+  check.equal(both.studies.m1.cases.N4.dPy.raw, study.cases.N4.dPy.raw)
+  check.equal(#both.savings, 2)
+  for i, pair in ipairs(both.savings) do
+    local mesh = "m" .. i
+    check.equal({ pair.ours.label, pair.ours.mesh, pair.plain.label, pair.plain.mesh }, { "N2-N4", mesh, "N4", mesh })
+    within("saving at " .. mesh, pair.saved, 100 * (1 - pair.ours.work.wall / pair.plain.work.wall), 1e-9)
+    check.equal(pair.ours.work.wall, math.min(pair.ours.runs[1].wall, pair.ours.runs[2].wall))
+  end
+  check_pictures { "Py_over_mesh_raw", "Px_over_mesh_detrended", "time_over_mesh", "accuracy_over_time", "forces_m2" }
 end)
 
 check.case("wrong arguments", function()
   local script = core.home .. "/scripts/ironing2d.lua"
-  for word, message in pairs { ["msh=m1"] = "unknown argument 'msh=m1'; known: mesh=m1", ["mesh=m9"] = "got 'm9'",
-                               ["labels=N2,Q7"] = "Q7" } do
-    local output, status = check.program { "-q", script, "out=" .. folder, word }
+  for words, message in pairs {
+    ["msh=m1"] = "unknown argument 'msh=m1'; known: variant=standard, labels=N2,", ["mesh=m1,m9"] = "got 'm9'",
+    ["labels=N2,Q7"] = "Q7", ["deep"] = "unknown argument 'deep'", ["repeat=0"] = "repeat must be whole numbers",
+    ["variant=steep"] = "variant must be standard, deep or validation, got 'steep'",
+    ["variant=deep repeat=3"] = "unknown argument 'repeat=3'; known: variant=deep, coarser=1,2",
+    ["variant=validation mesh=24,48"] = "variant=validation takes one mesh", ["mesh=20"] = "a multiple of 6",
+  } do
+    local arguments = { "-q", script, "out=" .. folder }
+    for word in words:gmatch "%S+" do arguments[#arguments + 1] = word end
+    local output, status = check.program(arguments)
     check.equal(status, 1)
     check.holds(output, message)
   end

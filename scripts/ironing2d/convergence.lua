@@ -1,0 +1,133 @@
+-- Several meshes of the standard variant: amplitudes and time over the mesh (Figures 7.8 and 7.9), accuracy over time, and
+-- what equal accuracy costs (section 7.1.3).
+
+local sg = require "signorini"
+local output = require "ironing2d.output"
+
+local convergence = {}
+
+--- Pairs that the thesis calls equally accurate: a label and mesh, what it is compared with, and by how many per cent its
+--- analysis is said to be cheaper.
+local pairs_of_equals = {
+  { "N2-N2.2", "m1", "N2", "m3", 56.62 }, { "N2-N2.2", "m2", "N2", "m4", 72.78 },
+  { "N2-N4", "m1", "N4", "m1", 33.74 }, { "N2-N4", "m2", "N4", "m2" }, { "N2-N4", "m3", "N4", "m3" },
+  { "N2-N4", "m4", "N4", "m4", 52.44 },
+  { "N2-N6", "m1", "N6", "m1" }, { "N2-N6", "m2", "N6", "m2" }, { "N2-N6", "m3", "N6", "m3" },
+  { "N2-N6", "m4", "N6", "m4", 59.58 },
+}
+
+local function case_of(studies, label, mesh) return studies[mesh] and studies[mesh].cases[label] end
+
+--- The pairs of which both were run, with the share of the time that the first one saves.
+function convergence.savings(studies)
+  local found = {}
+  for _, pair in ipairs(pairs_of_equals) do
+    local ours, plain = case_of(studies, pair[1], pair[2]), case_of(studies, pair[3], pair[4])
+    if ours and plain then
+      found[#found + 1] = { ours = ours, plain = plain, published = pair[5],
+                            saved = 100 * (1 - ours.work.wall / plain.work.wall) }
+    end
+  end
+  return found
+end
+
+local function saving_table(found)
+  local rows = {}
+  for i, pair in ipairs(found) do
+    local a, b = pair.ours, pair.plain
+    rows[i] = { a.label .. " " .. a.mesh, b.label .. " " .. b.mesh, a.dPy.raw, b.dPy.raw, a.dPx.raw, b.dPx.raw,
+                a.work.wall, b.work.wall, pair.saved, pair.published }
+  end
+  return sg.table{
+    columns = { "case", "against", "dPy", "against", "dPx", "against", "time", "against", "saved", "published" },
+    units = { "", "", "N/mm", "N/mm", "N/mm", "N/mm", "s", "s", "%", "%" }, rows = rows,
+    formats = { "%s", "%s", "%.2e", "%.2e", "%.2e", "%.2e", "%.3f", "%.3f", "%.1f", "%.1f" },
+  }
+end
+
+--- Iterations, and the parts of both times in ms per iteration.
+local function split_table(found)
+  local rows, seen = {}, {}
+  for _, pair in ipairs(found) do
+    for _, case in ipairs { pair.ours, pair.plain } do
+      local run = case.work
+      local row = { case.label .. " " .. case.mesh, case.die_dofs.total + case.slab_dofs.total, run.iterations }
+      for _, part in ipairs { "bulk", "contact", "linear", "rest" } do
+        row[#row + 1] = 1e3 * run.timings[part] / math.max(1, run.iterations)
+      end
+      row[#row + 1] = 1e3 * run.wall / math.max(1, run.iterations)
+      if not seen[case] then rows[#rows + 1] = row end
+      seen[case] = true
+    end
+  end
+  return sg.table{
+    columns = { "case", "DOFs", "iterations", "bulk", "contact", "linear", "rest", "all" },
+    units = { "", "", "", "ms/it.", "ms/it.", "ms/it.", "ms/it.", "ms/it." }, rows = rows,
+    formats = { "%s", "%d", "%d", "%.3f", "%.3f", "%.3f", "%.3f", "%.3f" },
+  }
+end
+
+--- The time that counts as 100 %: N6 on the finest mesh, as in the thesis, otherwise the longest.
+local function longest(studies)
+  local case = studies[#studies].cases.N6
+  if case then return case.work.wall, case end
+  for _, study in ipairs(studies) do
+    for _, other in ipairs(study.cases) do
+      if not case or other.work.wall > case.work.wall then case = other end
+    end
+  end
+  return case.work.wall, case
+end
+
+local function draw_work_precision(file, studies, labels)
+  local chart = { file = file, xlabel = "time (s)", ylabel = "amplitude dPx without trend (N/mm)", log = "xy",
+                  title = ("Ironing: amplitude of the drag over time, meshes %s to %s"):format(studies[1].mesh,
+                    studies[#studies].mesh) }
+  for l, label in ipairs(labels) do
+    local line = { x = {}, y = {}, label = label, markers = true, color = l }
+    for _, study in ipairs(studies) do
+      local case = study.cases[label]
+      if case and case.dPx.detrended then
+        line.x[#line.x + 1], line.y[#line.y + 1] = case.work.wall, case.dPx.detrended
+      end
+    end
+    if #line.x > 0 then chart[#chart + 1] = line end
+  end
+  if #chart > 0 then sg.chart(chart) end
+  return #chart > 0
+end
+
+--- Charts over the mesh and the tables of equal accuracy. `draw(name, need, body)` gives each chart its file.
+function convergence.report(studies, labels, draw)
+  for _, force in ipairs { "Py", "Px" } do
+    for _, kind in ipairs { "raw", "detrended" } do
+      draw(("%s_over_mesh_%s.png"):format(force, kind), "runs that reach the window", function(file)
+        return output.draw_over_mesh({ file = file, ylabel = ("amplitude d%s (N/mm)"):format(force),
+          title = ("Ironing: amplitude of %s, %s"):format(force, kind == "raw" and "as it is" or "without a parabola") },
+          studies, labels, function(case) return case["d" .. force][kind] end)
+      end)
+    end
+  end
+  local whole, case = longest(studies)
+  draw("time_over_mesh.png", "an accepted step", function(file)
+    return output.draw_over_mesh({ file = file, ylabel = "analysis time (%)",
+      title = ("Ironing: time of an analysis; 100 %% is %s at %s, %.2f s"):format(case.label, case.mesh, whole) },
+      studies, labels, function(each) return 100 * each.work.wall / whole end)
+  end)
+  draw("accuracy_over_time.png", "runs that reach the window", function(file)
+    return draw_work_precision(file, studies, labels)
+  end)
+
+  local found = convergence.savings(studies)
+  if #found == 0 then
+    print "\nNo pair of cases that the thesis calls equally accurate was run: try mesh=m1,m2,m3,m4"
+    return found
+  end
+  print "\nEqual accuracy: amplitudes and time of a case and of what it is compared with, beside the thesis' saving (7.1.3)"
+  print(saving_table(found))
+  print "\nWhere the time of these cases goes (linear: factorisation and solve)"
+  print(split_table(found))
+  return found
+end
+
+return convergence

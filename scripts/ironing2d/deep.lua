@@ -1,0 +1,136 @@
+-- The deep variant: which labels converge with how many contact points, with and without cutting failed steps in half.
+
+local sg = require "signorini"
+local amplitude = require "ironing2d.amplitude"
+local output = require "ironing2d.output"
+local problem = require "ironing2d.problem"
+
+local deep = {}
+
+--- Steps whose states are drawn, as in Figure 7.10: start and end of the pressing, middle and end of the sliding.
+local picture_steps = { [1] = true, [46] = true, [171] = true, [296] = true }
+
+--- What others found at m1 with the published steps, by multiples of p + 1 contact points: the thesis (3(p + 1) points,
+--- section 7.1.4), and an independent program without step control.
+local thesis = { [3] = { N2 = "fails" } }
+local independent = { [1] = { N2 = "fails", N4 = "fails" }, [2] = { N2 = "fails at 17" }, [3] = {} }
+local function finding(found, multiple, label) return found[multiple] and (found[multiple][label] or "converges") end
+
+--- Degree of the functions on the contact face: that of the label's last part, N2-N2.1x2 has 2 + 1.
+local function layer_degree(label)
+  local degree, elevations = label:match "[^-]*$":match "^%a(%d+)%.?(%d*)"
+  if not degree then error(("cannot read the degree of the label '%s'"):format(label), 0) end
+  return math.tointeger(degree) + (math.tointeger(elevations) or 0)
+end
+
+--- The number of iterations after which the last residuals come again, or nothing: contact points that take turns in
+--- sticking and slipping, or in touching and not, send Newton's iteration round in a cycle.
+local function cycle(residuals)
+  local function again(length)
+    for i = #residuals - length + 1, #residuals do
+      local before = residuals[i - length]
+      if not before or math.abs(residuals[i] - before) > 1e-3 * before then return false end
+    end
+    return true
+  end
+  for length = 1, #residuals // 2 do
+    if again(length) then return length end
+  end
+end
+
+--- "converges", or the step that was not reached and why.
+local function outcome(run)
+  if not run.failed then return "converges" end
+  local step = run.steps + 1
+  local length = run.reason == "iterations" and cycle(run:residuals(step))
+  return ("%s at %d"):format(length and ("cycle of %d"):format(length) or run.reason, step)
+end
+
+--- Runs a label with and without halving. Returns { label, mesh, multiple, coarser, plain, halving }, both as
+--- problem.solve returns them.
+local function compare(options, label, mesh, multiple, coarser, on_step)
+  local case = { set_up = problem.variants.deep, label = label, mesh = mesh, coarser = coarser, linear = options.linear,
+                 points = multiple * (layer_degree(label) + 1) }
+  local plain = problem.solve(case)
+  case.step, case.on_step = { adaptive = true }, on_step
+  return { label = label, mesh = mesh, multiple = multiple, coarser = coarser, plain = plain,
+           halving = problem.solve(case) }
+end
+
+local function outcome_table(comparisons)
+  local rows = {}
+  for i, c in ipairs(comparisons) do
+    local plain, halving = c.plain.run, c.halving.run
+    local published = c.mesh == "m1" and c.coarser == 1
+    rows[i] = { c.label, ("%d(p+1)"):format(c.multiple), outcome(plain), plain.iterations, outcome(halving),
+                halving.iterations, halving.cutbacks, published and finding(thesis, c.multiple, c.label),
+                published and finding(independent, c.multiple, c.label) }
+    for j = 8, 9 do rows[i][j] = rows[i][j] or "–" end
+  end
+  return sg.table{
+    columns = { "label", "points", "equal steps", "iterations", "halving", "iterations", "cut-backs", "thesis",
+                "independent" }, rows = rows,
+  }
+end
+
+--- The table of one mesh and step length; charts and CSVs at most points, states of the first label.
+local function study_mesh(options, mesh, coarser, files)
+  local comparisons, best = {}, { mesh = mesh }
+  local most = options.points[#options.points]
+  local keep, draw_states = output.record_states(picture_steps)
+  for _, multiple in ipairs(options.points) do
+    for i, label in ipairs(options.labels) do
+      local shown = coarser == 1 and multiple == most
+      local c = compare(options, label, mesh, multiple, coarser, shown and i == 1 and keep or nil)
+      comparisons[#comparisons + 1] = c
+      if shown then
+        c.halving.work = c.halving.run
+        best[#best + 1], best[label] = c.halving, c.halving
+        c.halving.run:csv(files.path(("%s_%s.csv"):format(label, mesh)))
+      end
+    end
+  end
+  local length = coarser == 1 and "with the published steps" or ("with steps %d times as long"):format(coarser)
+  print(("\nDeep ironing at %s %s: step at which it fails and why, by contact points, without and with halving")
+    :format(mesh, length))
+  print(outcome_table(comparisons))
+  if coarser == 1 then
+    files.draw(("states_%s.png"):format(mesh), "an accepted step", function(file)
+      return draw_states(file, ("Deep ironing, %s at %s"):format(options.labels[1], mesh), 2)
+    end)
+  end
+  return comparisons, best
+end
+
+--- The whole study. Returns { comparisons, studies = the runs at most contact points by mesh }.
+function deep.run(options, files)
+  local all, studies = {}, {}
+  for _, mesh in ipairs(options.meshes) do
+    for _, coarser in ipairs(options.coarser) do
+      local comparisons, best = study_mesh(options, mesh, coarser, files)
+      table.move(comparisons, 1, #comparisons, #all + 1, all)
+      if coarser == 1 then
+        amplitude.compare(best, best.N2)
+        studies[#studies + 1], studies[mesh] = { mesh = mesh, cases = best }, { mesh = mesh, cases = best }
+        print(("\nAmplitudes at %s with %d(p+1) contact points, max − min over steps %d to %d, as it is and without a parabola")
+          :format(mesh, options.points[#options.points], amplitude.first, amplitude.last))
+        print(output.amplitude_table(best))
+        files.draw(("forces_%s.png"):format(mesh), "an accepted step", function(file)
+          return output.draw_forces(file, best, "Deep ironing, " .. mesh)
+        end)
+      end
+    end
+  end
+  for _, force in ipairs { "Py", "Px" } do
+    if #studies > 1 then
+      files.draw(force .. "_over_mesh.png", "runs that reach the window", function(file)
+        return output.draw_over_mesh({ file = file, ylabel = ("amplitude d%s (N/mm)"):format(force),
+          title = ("Deep ironing: amplitude of %s"):format(force) }, studies, options.labels,
+          function(case) return case["d" .. force].raw end)
+      end)
+    end
+  end
+  return { comparisons = all, studies = studies }
+end
+
+return deep

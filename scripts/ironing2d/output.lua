@@ -1,0 +1,122 @@
+-- Tables and charts of ironing runs. A case is what problem.solve returns; `case.work` is the run whose time counts.
+
+local sg = require "signorini"
+
+local output = {}
+
+--- Degrees of freedom, iterations, and where the time went.
+function output.work_table(cases)
+  local rows = {}
+  for i, case in ipairs(cases) do
+    local run, spent = case.work, case.work.timings
+    rows[i] = { case.label, case.die_dofs.total, case.slab_dofs.total, case.die_dofs.total + case.slab_dofs.total,
+                case.die_dofs.interface + case.slab_dofs.interface, run.iterations / math.max(1, run.steps), run.wall,
+                spent.bulk, spent.contact, spent.linear, spent.rest }
+  end
+  return sg.table{
+    columns = { "label", "die", "slab", "total", "interface", "iterations", "wall", "bulk", "contact", "linear", "rest" },
+    units = { "", "DOFs", "DOFs", "DOFs", "DOFs", "per step", "s", "s", "s", "s", "s" }, rows = rows,
+    formats = { iterations = "%.2f", wall = "%.3f", bulk = "%.3f", contact = "%.3f", linear = "%.3f", rest = "%.3f" },
+  }
+end
+
+--- Beside the published values where there are some, otherwise beside those without the trend.
+function output.amplitude_table(cases, published)
+  local rows, formats = {}, { "%s", "%.3e", "%.2f", "%.2f", "%.3e", "%.2f", "%.2f" }
+  for i, case in ipairs(cases) do
+    local dPy, dPx, printed = case.dPy, case.dPx, published and (published[case.label] or {})
+    rows[i] = { case.label,
+                dPy.raw, dPy.raw_percent, printed and printed.dPy_percent_of_N2 or dPy.detrended_percent,
+                dPx.raw, dPx.raw_percent, printed and printed.dPx_percent_of_N2 or dPx.detrended_percent }
+  end
+  local beside = published and "published" or "detrended"
+  return sg.table{
+    columns = { "label", "dPy", "dPy", beside, "dPx", "dPx", beside },
+    units = { "", "N/mm", "% of N2", "% of N2", "N/mm", "% of N2", "% of N2" }, rows = rows, formats = formats,
+  }
+end
+
+--- Keeps the states of some steps for a sheet: a function for on_step, and one that draws the sheet and returns whether
+--- there was anything to draw.
+function output.record_states(steps)
+  local frames = {}
+  local function keep(model, info)
+    if steps[info.step] then
+      frames[#frames + 1] = sg.frame{ model = model, field = "uy", title = ("load step %d"):format(info.step) }
+    end
+  end
+  local function draw(file, title, columns)
+    if #frames > 0 then sg.picture{ file = file, frames = frames, columns = columns, title = title,
+                                   label = "displacement u_y (mm)" } end
+    return #frames > 0
+  end
+  return keep, draw
+end
+
+--- Pressing force and drag over the load step; returns whether there was anything to draw.
+function output.draw_forces(file, cases, title)
+  local chart = { file = file, xlabel = "load step", ylabel = "force on the die per unit depth (N/mm)",
+                  title = title .. ": pressing force Py (full) and drag Px (dashed)" }
+  local function curves(name, column, sign, dashed)
+    for i, case in ipairs(cases) do
+      local values = case.run:column(column)
+      for step, value in ipairs(values) do values[step] = sign * value end
+      if #values > 0 then
+        chart[#chart + 1] = { x = case.run:column "step", y = values, label = name .. " " .. case.label, dashed = dashed,
+                              color = i }
+      end
+    end
+  end
+  curves("Py", "grip.fy", -1, false)
+  curves("Px", "grip.fx", 1, true)
+  if #chart > 0 then sg.chart(chart) end
+  return #chart > 0
+end
+
+--- Amplitudes by label, in % of those of the reference label; returns whether there was anything to draw.
+function output.draw_amplitudes(file, cases, title, published)
+  local chart = { file = file, title = title .. ": amplitude of the contact forces", ylabel = "amplitude (% of N2)",
+                  log = "y", xrange = { 0.5, #cases + 0.5 }, xticks = {} }
+  local curves = 0
+  local function curve(label, shift, percent)
+    local line = { x = {}, y = {}, label = label, line = false, markers = true }
+    for i, case in ipairs(cases) do
+      local value = percent(case)
+      if value then line.x[#line.x + 1], line.y[#line.y + 1] = i + shift, value end
+    end
+    if #line.x > 0 then
+      curves = curves + 1
+      chart[curves] = line
+    end
+  end
+  for i, case in ipairs(cases) do chart.xticks[i] = { i, case.label } end
+  curve("dPy", -0.1, function(case) return case.dPy.raw_percent end)
+  curve("dPx", -0.1, function(case) return case.dPx.raw_percent end)
+  if published then
+    curve("dPy published", 0.1, function(case) return (published[case.label] or {}).dPy_percent_of_N2 end)
+    curve("dPx published", 0.1, function(case) return (published[case.label] or {}).dPx_percent_of_N2 end)
+  else
+    curve("dPy detrended", 0.1, function(case) return case.dPy.detrended_percent end)
+    curve("dPx detrended", 0.1, function(case) return case.dPx.detrended_percent end)
+  end
+  if curves > 0 then sg.chart(chart) end
+  return curves > 0
+end
+
+--- Curves over the mesh, one per label: value(case) of every study that has the label. Returns whether there were any.
+function output.draw_over_mesh(chart, studies, labels, value)
+  chart.xlabel, chart.log, chart.xticks, chart.xrange = "mesh", "y", {}, { 0.7, #studies + 0.3 }
+  for i, study in ipairs(studies) do chart.xticks[i] = { i, study.mesh } end
+  for l, label in ipairs(labels) do
+    local line = { x = {}, y = {}, label = label, markers = true, color = l }
+    for i, study in ipairs(studies) do
+      local number = study.cases[label] and value(study.cases[label])
+      if number then line.x[#line.x + 1], line.y[#line.y + 1] = i, number end
+    end
+    if #line.x > 0 then chart[#chart + 1] = line end
+  end
+  if #chart > 0 then sg.chart(chart) end
+  return #chart > 0
+end
+
+return output

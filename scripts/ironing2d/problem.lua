@@ -1,0 +1,65 @@
+-- The set-ups of 2D frictional ironing: what the variants change, meshes, scene, path.
+
+local sg = require "signorini"
+
+local problem = {}
+
+--- What a variant changes: Young's modulus of the die, friction, where the die starts (x of its centre), how deep it is
+--- pressed in how many steps, how far it is dragged in how many steps.
+problem.variants = {
+  standard   = { die_modulus = 1e3, mu = 0.2, start = 0.75, depth = 0.23,  press_steps = 46, way = 1.5, slide_steps = 250 },
+  deep       = { die_modulus = 1e4, mu = 0.1, start = 0.75, depth = 0.5,   press_steps = 46, way = 1.5, slide_steps = 250 },
+  validation = { die_modulus = 1e3, mu = 0.3, start = 0.5,  depth = 0.075, press_steps = 10, way = 2.0, slide_steps = 200 },
+}
+
+--- Elements of die and slab by mesh: m1 to m6, each of which halves every span of the one before (Table 7.1), or the number
+--- of spans along both faces in the proportions of section 6.2, where 48 stands for 48 × 8 and 48 × 24.
+function problem.elements(mesh)
+  local level = math.tointeger(mesh:match "^m([1-6])$")
+  if level then
+    local halvings = 1 << (level - 1)
+    return { die = { 6 * halvings, 2 * halvings }, slab = { 8 * halvings, 3 * halvings } }
+  end
+  local spans = math.tointeger(mesh)
+  if not spans or spans < 6 or spans % 6 ~= 0 then
+    error(("mesh must be one of m1 to m6, or a multiple of 6 as the spans along both faces, got '%s'"):format(mesh), 0)
+  end
+  return { die = { spans, spans // 6 }, slab = { spans, spans // 2 } }
+end
+
+--- Model, die and slab of a variant; `points` are the Gauss points per contact element, 3(p + 1) when absent.
+function problem.scene(set_up, label, elements, points)
+  local die = sg.body{
+    patch    = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, centre = { set_up.start, 1.5 } },
+    elements = elements.die, order = label, contact = "south",
+    material = sg.neo_hookean{ E = set_up.die_modulus, nu = 0.3 },
+  }
+  local slab = sg.body{
+    patch    = sg.shapes.rectangle{ width = 3, height = 1 },
+    elements = elements.slab, order = label, contact = "north",
+    material = sg.neo_hookean{ E = 1, nu = 0.3 },
+  }
+  local model = sg.model{
+    bodies   = { die = die, slab = slab },
+    supports = { bed  = { on = slab:face "south", fix = "xy" },
+                 grip = { on = {die:face "west", die:face "east"}, drive = "xy" } },
+    contacts = { interface = { slave = die:face "south", master = slab:face "north", penalty = 100,
+                               friction = { mu = set_up.mu, penalty = 100 }, points = points } },
+  }
+  return model, die, slab
+end
+
+--- Runs one case { set_up, label, mesh }, also with `points`, `coarser` (steps that many times as long), and `step`,
+--- `linear` and `on_step(model, info)` as model:run takes them. Returns { label, mesh, run, model, die_dofs, slab_dofs }.
+function problem.solve(case)
+  local set_up, coarser = case.set_up, case.coarser or 1
+  local model, die, slab = problem.scene(set_up, case.label, problem.elements(case.mesh), case.points)
+  local run = model:run({
+    { name = "press", steps = math.ceil(set_up.press_steps / coarser), grip = { 0, -set_up.depth } },
+    { name = "slide", steps = math.ceil(set_up.slide_steps / coarser), grip = { set_up.way, -set_up.depth } },
+  }, { linear = case.linear, step = case.step,
+       on_step = case.on_step and function(info) return case.on_step(model, info) end })
+  return { label = case.label, mesh = case.mesh, run = run, model = model, die_dofs = die:dofs(), slab_dofs = slab:dofs() }
+end
+
+return problem

@@ -1,0 +1,38 @@
+-- scripts/ironing2d.lua variant=validation on half of the published spans.
+
+local core = require "signorini.core"
+local check = require "check"
+
+package.path = core.home .. "/scripts/?.lua;" .. package.path
+local folder = os.tmpname()
+os.remove(folder)
+local study = assert(loadfile(core.home .. "/scripts/ironing2d.lua"))("variant=validation", "mesh=24", "out=" .. folder)
+
+check.case("both labels run to the end, without a step cut", function()
+  for _, case in ipairs(study.cases) do
+    check.equal({ case.run.failed, case.run.steps, case.run.cutbacks }, { false, 210, 0 })
+  end
+  check.equal(study.cases.N2.die_dofs.total, 2 * 5 * 27) -- 24 + 2 functions along the arc and one for its C0 line
+  check.equal(study.cases.N4.slab_dofs.total, 2 * 13 * 28)
+end)
+
+check.case("while it slides the drag is a little less than mu = 0.3 times the pressing force; forces as on the full mesh", function()
+  for _, label in ipairs { "N2", "N4" } do
+    local mean = study.cases[label].mean
+    check.near(mean.Px / mean.Py, 0.2908, 2e-3)
+    check.near(mean.Py, 0.05407, 6e-4)
+  end
+  -- N4 is the smoother one.
+  local coarse, smooth = study.cases.N2.ripple, study.cases.N4.ripple
+  if not (smooth.Py < coarse.Py and smooth.Px < coarse.Px) then error "N4 ripples as much as N2" end
+end)
+
+check.case("a sheet, three charts and two files", function()
+  for _, name in ipairs { "states.png", "forces.png", "Py.png", "Px.png", "N2.csv", "N4.csv" } do
+    assert(io.open(folder .. "/" .. name)):close()
+  end
+  check.equal(#study.files, 6)
+end)
+
+os.execute("rm -r '" .. folder .. "'")
+check.done()
