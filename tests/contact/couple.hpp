@@ -1,0 +1,156 @@
+#pragma once
+// A face above a master, with all displacements in one vector, and its tangent against finite differences.
+
+#include "contact/faces.hpp"
+
+#include "differences.hpp"
+
+#include <gtest/gtest.h>
+
+namespace signorini::contact::test {
+
+/// The slave body's displacements come first, then the master body's or the obstacle's.
+struct Couple {
+  nurbs::Discretisation die;
+  std::optional<nurbs::Discretisation> base; ///< none: an obstacle
+  Pair<2> pair;
+  VectorX u;
+
+  Couple(nurbs::Discretisation slave, const std::string& side, nurbs::Discretisation master, const Law& law, int points,
+         bool revolved = false)
+      : die(std::move(slave)), base(std::move(master)),
+        pair(Surface<2>(die, nurbs::side_of(side, 2)), Surface<2>(*base, nurbs::side_of("north", 2)), law, points,
+             revolved),
+        u(VectorX::Zero(die_dofs() + base_dofs())) {}
+  Couple(nurbs::Discretisation slave, const std::string& side, const Obstacle<2>& master, const Law& law, int points,
+         bool revolved = false)
+      : die(std::move(slave)), pair(Surface<2>(die, nurbs::side_of(side, 2)), master, law, points, revolved),
+        u(VectorX::Zero(die_dofs() + base_dofs())) {}
+  /// A half annulus of radius 0.5 whose lowest point is (x, y).
+  template <class AnyMaster, class AnyLaw = PenaltyLaw>
+  Couple(const std::string& label, AnyMaster master, const AnyLaw& law, double x, double y, bool revolved = false)
+      : Couple(discretise(nurbs::half_annulus(0.3, 0.5, Eigen::Vector2d(x, y + 0.5)), {6, 2}, label, "south"), "south",
+               std::move(master), law, 9, revolved) {}
+
+  /// Degrees of freedom of the two contact faces, or of the face and the obstacle.
+  std::vector<int> face_dofs() const {
+    std::vector<int> dofs;
+    const auto append = [&](const Surface<2>& surface, int offset) {
+      for (int a = 0; a < surface.functions(); ++a)
+        for (int c = 0; c < 2; ++c) dofs.push_back(offset + 2 * surface.body_function(a) + c);
+    };
+    append(pair.slave(), 0);
+    if (base)
+      append(*pair.master().surface(), die_dofs());
+    else
+      dofs.insert(dofs.end(), {die_dofs(), die_dofs() + 1});
+    return dofs;
+  }
+  int die_dofs() const { return 2 * die.functions(); }
+  int base_dofs() const { return base ? 2 * base->functions() : 2; }
+  void evaluate(const VectorX& at) { pair.evaluate(at.data(), at.data() + die_dofs()); }
+  void evaluate() { evaluate(u); }
+  Dense dense() const { return test::dense(pair, die_dofs(), base_dofs()); }
+  void move_die(double x, double y) {
+    for (int i = 0; i < die_dofs(); i += 2) u.segment<2>(i) += Eigen::Vector2d(x, y);
+  }
+  /// Lowers (or lifts) the die until its deepest point just touches.
+  void touch() {
+    for (int round = 0; round < 20; ++round) {
+      evaluate();
+      const std::vector<double> gaps = pair.gaps();
+      move_die(0, -*std::min_element(gaps.begin(), gaps.end()));
+    }
+    evaluate();
+    pair.accept();
+  }
+  void shake(Random& random, double size) {
+    for (int i = 0; i < u.size(); ++i) u(i) += uniform(random, -size, size);
+  }
+};
+
+inline nurbs::Discretisation slab(const std::string& label) {
+  return discretise(nurbs::rectangle(3, 1, Eigen::Vector2d(0, 0)), {8, 3}, label, "north");
+}
+
+/// What finite differences must not step over.
+inline std::vector<int> signature(const Pair<2>& pair) {
+  std::vector<int> result;
+  for (const auto& point : pair.results()) result.push_back(static_cast<int>(point.state));
+  for (const Group& group : pair.groups())
+    result.insert(result.end(), {group.slave_element, group.master_element, group.slip_element});
+  return result;
+}
+
+/// How much was tested in which state.
+struct Census {
+  int states = 0, stepped_over = 0, open = 0, stick = 0, slip = 0, adhesion = 0, elsewhere = 0;
+
+  void count(const Pair<2>& pair) {
+    for (const auto& point : pair.results())
+      ++(point.state == ContactState::open    ? open
+         : point.state == ContactState::stick ? stick
+         : point.state == ContactState::slip  ? slip
+                                              : adhesion);
+    for (const Group& group : pair.groups()) elsewhere += group.slip_element >= 0;
+    states += !pair.groups().empty();
+  }
+  void add(const Census& more) {
+    states += more.states;
+    stepped_over += more.stepped_over;
+    open += more.open;
+    stick += more.stick;
+    slip += more.slip;
+    adhesion += more.adhesion;
+    elsewhere += more.elsewhere;
+  }
+};
+
+inline void compare_with_differences(Couple& couple, Census& census) {
+  couple.evaluate();
+  const Dense at = couple.dense();
+  const std::vector<int> before = signature(couple.pair);
+  Census here;
+  here.count(couple.pair);
+  MatrixX slopes = MatrixX::Zero(couple.u.size(), couple.u.size());
+  bool crossed = false;
+  for (int i : couple.face_dofs()) {
+    if (crossed) break;
+    slopes.col(i) = signorini::test::derivative<VectorX>(
+        [&](double h) {
+          VectorX moved = couple.u;
+          moved(i) += h;
+          couple.evaluate(moved);
+          crossed = crossed || signature(couple.pair) != before;
+          return couple.dense().force;
+        },
+        2e-6);
+  }
+  couple.evaluate();
+  if (crossed) {
+    ++census.stepped_over;
+    return;
+  }
+  EXPECT_LE((slopes - at.tangent).norm(), 2e-8 * at.tangent.norm());
+  census.add(here);
+}
+
+/// Presses, then drags by `drags` with a comparison after each, from random displaced states.
+inline Census press_and_drag(Couple couple, unsigned seed, double depth, const std::vector<double>& drags) {
+  Random random(seed);
+  Census census;
+  couple.shake(random, 0.005);
+  couple.touch();
+  couple.move_die(0, -depth);
+  couple.shake(random, 0.002);
+  compare_with_differences(couple, census);
+  couple.pair.accept();
+  for (double drag : drags) {
+    couple.move_die(drag, 0);
+    couple.shake(random, 0.0005);
+    compare_with_differences(couple, census);
+  }
+  return census;
+}
+
+} // namespace signorini::contact::test
