@@ -11,7 +11,8 @@ local redraw_after = 0.1 -- seconds
 
 local function seconds_text(seconds)
   if seconds < 60 then return ("%.1f s"):format(seconds) end
-  return ("%d:%02d min"):format(seconds // 60, seconds % 60)
+  local whole = math.floor(seconds)
+  return ("%d:%02d min"):format(whole // 60, whole % 60)
 end
 
 --- A progress display over `total` steps.

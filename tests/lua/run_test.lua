@@ -1,6 +1,7 @@
 -- The load path on a model of one spring: targets, records, the ends a run can come to, wrong stages and options.
 
 local sg = require "signorini"
+local core = require "signorini.core"
 local check = require "check"
 local spring = require "spring"
 local run_path = require "signorini.run"
@@ -86,6 +87,18 @@ check.case("on_step's own time is not the run's", function()
   end
   local run = model_of():run({ { steps = 3, grip = { 1, 1 } } }, { on_step = dawdle })
   check.equal(run.wall < 0.02, true)
+end)
+
+check.case("long runs are told in minutes", function()
+  local now, clock = core.now, 0
+  core.now = function()
+    clock = clock + 40.3
+    return clock
+  end
+  local ok, run = pcall(function() return model_of():run{ { steps = 3, grip = { 1, 1 } } } end)
+  core.now = now
+  if not ok then error(run) end
+  check.near(run.wall, 3 * 40.3, 1e-9)
 end)
 
 check.case("options reach the solver", function()
