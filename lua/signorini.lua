@@ -55,9 +55,9 @@ Example: sg.profile_error{ profile = coarse:profile "a", reference = fine:profil
 Source: V. Agrawal, thesis, IIT Guwahati 2020, eq. (7.2), which says nothing about the points of the integral.]])
 document("sg.profile_edges", sg.profile_edges, [[
 sg.profile_edges{ profile, coordinate = "x" }
-Where the contact of a profile begins and ends: { from, to, from_spacing, to_spacing }. An edge lies where the gap, linear
-between the last point that touches and the first one that does not, is zero; the spacing is the distance of these two
-points, within which the profile knows no more. Without spacing the contact reaches the profile's end.
+Where the contact of a profile begins and ends: { from, to, from_spacing, to_spacing }. An edge lies where the gap,
+linear between the last point that touches and the first one that does not, is zero; the spacing is the distance of
+these two points, within which the profile knows no more. Without spacing the contact reaches the profile's end.
 Example: half_width = sg.profile_edges{ profile = model:profile "ground" }.to]])
 document("model:run", core.types.model.run, [[
 model:run(stages, options)

@@ -1,7 +1,7 @@
 -- Contact profiles compared: the L₂ error of one against another or against a function, and where its contact ends.
 --
--- A profile is what model:profile returns: equally long lists x, y, pressure, traction, gap, … along the slave face. Two
--- profiles of different meshes have different points. Between its points a profile is piecewise linear.
+-- A profile is what model:profile returns: equally long lists x, y, pressure, traction, gap, … along the slave face.
+-- Profiles of different meshes have different points; between its points a profile is piecewise linear.
 
 local core = require "signorini.core"
 local arguments = require "signorini.arguments"
@@ -46,10 +46,10 @@ local function coordinates(where, name, data, coordinate)
   return list
 end
 
---- Adds the points where the gap, linear in between, is zero, between one that carries a value and one that does not: the
---- chord between these two would end at the one that does not.
-local function add_edges(part, gap)
-  local s, v, g = part.s, part.v, gap
+--- Adds the points where the gap, linear in between, is zero, between one that carries a value and one that does not:
+--- the chord between these two would end at the one that does not.
+local function add_edges(part, g)
+  local s, v = part.s, part.v
   for i = #s, 2, -1 do
     if (v[i - 1] == 0) ~= (v[i] == 0) and g[i - 1] * g[i] < 0 then
       local zero = s[i - 1] + (s[i] - s[i - 1]) * g[i - 1] / (g[i - 1] - g[i])
@@ -60,8 +60,8 @@ local function add_edges(part, gap)
   end
 end
 
---- The stretch of a profile on which its coordinate grows (the lists turned around where it falls): all points that carry a
---- value and, to both sides, as far as it goes on. Beyond the points that carry something the value is zero.
+--- The stretch of a profile on which its coordinate grows (the lists turned around where it falls): all points that
+--- carry a value and, to both sides, as far as it goes on. Beyond the points that carry something the value is zero.
 --- Returns { s = {…}, v = {…}, from, to }; from … to is the zone that carries something. `edge`: see the help page.
 local function stretch(where, name, data, coordinate, value, edge)
   check_profile(where, name, data)
@@ -74,7 +74,7 @@ local function stretch(where, name, data, coordinate, value, edge)
   local sign = s[math.min(last + 1, #s)] > s[math.max(first - 1, 1)] and 1 or -1
   for i = first + 1, last do
     if sign * (s[i] - s[i - 1]) <= 0 then
-      core.fail(("%s: the coordinate of %s turns back in the contact zone, from %g to %g: choose one that grows along the face")
+      core.fail(("%s: the coordinate of %s turns back in the contact zone, from %g to %g: choose one that grows there")
         :format(where, name, s[i - 1], s[i]))
     end
   end
@@ -129,7 +129,7 @@ local function common_range(where, mine, theirs, zone)
   local c, d = range(theirs)
   local from, to = math.max(a, c), math.min(b, d)
   if to > from then return from, to end
-  core.fail(("%s: the ranges of the coordinate do not overlap: the profile %s from %g to %g, the reference from %g to %g")
+  core.fail(("%s: the coordinates do not overlap: the profile %s from %g to %g, the reference from %g to %g")
     :format(where, zone == "both" and "touches" or "goes", a, b, c, d))
 end
 
@@ -164,7 +164,7 @@ function profile.error(options)
   local mine = stretch(where, "profile", o.profile, coordinate, value, edge)
   local is_function = type(o.reference) == "function"
   if is_function and quadrature == "reference" then
-    core.fail(where .. ": quadrature cannot be \"reference\" when the reference is a function, which has no points; leave it out")
+    core.fail(where .. ": quadrature must not be \"reference\" for a function, which has no points: leave it out")
   end
   local theirs = is_function and known_everywhere(where, o.reference, mine)
     or stretch(where, "reference", o.reference, coordinate, value, edge)
