@@ -1,0 +1,317 @@
+-- Two elastic rings pressed against each other with friction: what varying-order layers do to the contact pressure.
+--
+-- Problem: two half rings touch at their apexes; the upper one's flat ends are pushed down by 4. One half is modelled.
+--
+--              | |     | |    upper: radii 10 and 8, E = 100, its flat ends pushed down by 4 in 40 steps, u_x = 0
+--              \ \_____/ /
+--               \___.___/     both apexes on the line of symmetry x = 0, where u_x = 0
+--              /  _____  \
+--             /  /     \  \   lower: radii 12 and 10, E = 300, its flat ends fixed
+--
+--          Plane strain, neo-Hooke, nu = 0.3, mu = 0.1, penalties 100 (normal) and 10 (tangential), slave: upper ring.
+--          Meshes: 12 × 3 (upper) and 20 × 3 elements (lower) over a quarter at m1; each next mesh halves every angle,
+--          3 elements through the wall at every mesh. Reference: N2 at m3.
+-- Source: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of
+--         Contact Problems, PhD thesis, IIT Guwahati, 2020, section 7.3, Tables 7.5 and 7.6, Figures 7.18 to 7.20.
+-- Units: m, N, N/m²; the L2 errors √∫ (p − p_ref)² dx in N/m²·√m.
+-- Expected: the errors of Table 7.5 at m1 (p_N: N2 0.2438, N4 0.1745, N2-N4 0.1718, N2-N2.1 0.0710) within 10 %, at m2
+--           N2 0.0343 within 5 %, N4 and N2-N4 within 15 %; N2-N2.1 at m2 is 1.0 to 3.1 times the printed 0.0034, by
+--           the rule of the integral. All but one to three points at the apex slip: p_T = mu p_N, its errors a tenth.
+-- Run: signorini scripts/rings2d.lua [meshes=m1,m2] [labels=N2,N4,N2-N4,N2-N2.1] [reference=m3] [coordinate=x]
+--      [repeats=3] [linear=auto] [out=out/rings2d]; reference is the mesh of the N2 that all are compared with,
+--      coordinate is x (deformed) or X (undeformed), repeats is of how many runs a time is the median.
+
+local sg = require "signorini"
+
+local mu, steps, push = 0.1, 40, -4
+local picture_steps = { [0] = true, [10] = true, [20] = true, [30] = true, [40] = true }
+--- How an error can be integrated: on whose points, where either side touches or only where both do, and whether a
+--- profile falls to zero at the next open point or where the gap is zero. The first one is that of the table.
+local rules = {}
+for _, way in ipairs { { "either", "point" }, { "either", "gap" }, { "both", "point" } } do
+  for _, quadrature in ipairs { "profile", "reference", "union" } do
+    rules[#rules + 1] = { quadrature = quadrature, zone = way[1], edge = way[2] }
+  end
+end
+
+-- ── Arguments ────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+local function list_of(text)
+  local list = {}
+  for word in text:gmatch "[^,]+" do list[#list + 1] = word end
+  return list
+end
+
+local function read_arguments(words)
+  local options = { meshes = "m1,m2", labels = "N2,N4,N2-N4,N2-N2.1", reference = "m3", coordinate = "x", repeats = "3",
+                    linear = "auto", out = "out/rings2d" }
+  for _, word in ipairs(words) do
+    local key, value = word:match "^(%w+)=(.+)$"
+    if not options[key] then
+      error(("unknown argument '%s'; known: meshes=m1,m2, labels=N2,N4, reference=m3, coordinate=x, repeats=3, ")
+        :format(word) .. "linear=auto, out=folder", 0)
+    end
+    options[key] = value
+  end
+  local function check(key, value, pattern, expected)
+    if not value:match(pattern) then error(("%s must be %s, got '%s'"):format(key, expected, value), 0) end
+  end
+  check("reference", options.reference, "^m[1-5]$", "one of m1 to m5")
+  check("coordinate", options.coordinate, "^[xX]$", "x or X")
+  check("repeats", options.repeats, "^[1-9]%d*$", "a whole number of at least 1")
+  options.meshes, options.labels = list_of(options.meshes), list_of(options.labels)
+  for _, mesh in ipairs(options.meshes) do check("meshes", mesh, "^m[1-5]$", "among m1 to m5") end
+  options.repeats = math.tointeger(tonumber(options.repeats))
+  return options
+end
+
+-- ── Scene and path ───────────────────────────────────────────────────────────────────────────────────────────────────
+
+local function scene(label, mesh)
+  local refined = 1 << (math.tointeger(mesh:sub(2)) - 1)
+  local upper = sg.body{
+    patch    = sg.shapes.quarter_annulus{ inner = 8, outer = 10, centre = {0, 22}, start = 270 },
+    elements = { 12 * refined, 3 }, order = label, contact = "south",
+    material = sg.neo_hookean{ E = 100, nu = 0.3 },
+  }
+  local lower = sg.body{
+    patch    = sg.shapes.quarter_annulus{ inner = 10, outer = 12, start = 0 },
+    elements = { 20 * refined, 3 }, order = label, contact = "south",
+    material = sg.neo_hookean{ E = 300, nu = 0.3 },
+  }
+  local model = sg.model{
+    bodies   = { upper = upper, lower = lower },
+    supports = { bed      = { on = lower:face "west", fix = "xy" },
+                 symmetry = { on = {upper:face "west", lower:face "east"}, fix = "x" },
+                 grip     = { on = upper:face "east", fix = "x", drive = "y" } },
+    contacts = { interface = { slave = upper:face "south", master = lower:face "south",
+                               penalty = 100, friction = { mu = mu, penalty = 10 } } },
+  }
+  return model, upper:dofs().total + lower:dofs().total
+end
+
+local function median(values)
+  table.sort(values)
+  return (values[(#values + 1) // 2] + values[#values // 2 + 1]) / 2
+end
+
+--- Takes a label on a mesh along the path. `on_state` sees the model at the start and after every step.
+local function solve(label, mesh, linear, on_state)
+  local model, dofs = scene(label, mesh)
+  if on_state then on_state(model, 0) end
+  local run = model:run({ { name = "press", steps = steps, grip = { push } } },
+    { linear = linear, on_step = on_state and function(info) on_state(model, info.step) end or nil })
+  if run.failed then error(("%s at %s: %s"):format(label, mesh, run.report), 0) end
+  return { label = label, mesh = mesh, run = run, dofs = dofs, profile = model:profile "interface" }
+end
+
+--- Solves all pairs of label and mesh several times and takes the medians of the times. The runs go round in turns, so
+--- that a busy spell of the machine meets all alike.
+local function solve_all(list, options)
+  local cases = {}
+  for i = 1, options.repeats do
+    for k, pair in ipairs(list) do
+      local seconds = cases[k] and cases[k].seconds or { wall = {}, bulk = {}, contact = {}, linear = {}, rest = {} }
+      local case = solve(pair[1], pair[2], options.linear)
+      for account, values in pairs(seconds) do
+        values[i] = account == "wall" and case.run.wall or case.run.timings[account]
+      end
+      case.seconds, cases[k] = seconds, case
+    end
+  end
+  for _, case in ipairs(cases) do
+    case.times = {}
+    for account, values in pairs(case.seconds) do case.times[account] = median(values) end
+  end
+  return cases
+end
+
+-- ── Pressures ────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- How far the touching points are from sliding: their number, that of those that stick, and the largest
+--- |p_T| / (mu p_N) − 1 of the others in size.
+local function coulomb(profile)
+  local count = { touching = 0, sticking = 0, deviation = 0 }
+  for i, state in ipairs(profile.state) do
+    if state ~= "open" then count.touching = count.touching + 1 end
+    if state == "stick" then count.sticking = count.sticking + 1 end
+    if state == "slip" then
+      local ratio = math.abs(profile.traction[i]) / (mu * profile.pressure[i])
+      count.deviation = math.max(count.deviation, math.abs(ratio - 1))
+    end
+  end
+  return count
+end
+
+--- L2 errors of both tractions by the first rule, and of the pressure by all of them.
+local function measure(case, finest, coordinate)
+  local function error_of(value, rule)
+    return (sg.profile_error{ profile = case.profile, reference = finest.profile, coordinate = coordinate,
+                              value = value, quadrature = rule.quadrature, zone = rule.zone, edge = rule.edge })
+  end
+  case.pT_error, case.errors = error_of("traction", rules[1]), {}
+  for i, rule in ipairs(rules) do case.errors[i] = error_of("pressure", rule) end
+  case.pN_error = case.errors[1]
+  case.coulomb = coulomb(case.profile)
+end
+
+--- The row of a published table for a label and a mesh.
+local function printed(rows, case)
+  for _, row in ipairs(rows) do
+    if row.discretisation == case.label and row.mesh == case.mesh then return row end
+  end
+  return {}
+end
+
+--- A published table as a list of named rows.
+local function published(name)
+  local data, rows = sg.reference(name), {}
+  for i, row in ipairs(data.rows) do
+    rows[i] = {}
+    for j, column in ipairs(data.columns) do rows[i][column] = row[j] end
+  end
+  return rows
+end
+
+-- ── Output ───────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+local function deviation(value, beside) return beside and 100 * (value / beside - 1) or nil end
+
+local function error_table(cases)
+  local rows, beside = {}, published "rings2d_error_table7_5"
+  for i, case in ipairs(cases) do
+    local row = printed(beside, case)
+    rows[i] = { case.label, case.mesh, case.pN_error, row.pN_L2_error, deviation(case.pN_error, row.pN_L2_error),
+                case.pT_error, row.pT_L2_error, deviation(case.pT_error, row.pT_L2_error),
+                case.coulomb.touching, case.coulomb.sticking, case.coulomb.deviation }
+  end
+  return sg.table{
+    columns = { "label", "mesh", "p_N", "published", "differs", "p_T", "published", "differs", "touching", "sticking",
+                "|p_T| / mu p_N − 1" },
+    units = { "", "", "", "", "%", "", "", "%", "points", "points", "at most" }, rows = rows,
+    formats = { "%s", "%s", "%.3e", "%.3e", "%.1f", "%.3e", "%.3e", "%.1f", "%d", "%d", "%.1e" },
+  }
+end
+
+--- One row per rule, one column per case.
+local function rule_table(cases)
+  local columns, units, formats, last = { "points", "zone", "edge" }, { "", "", "" }, {}, { "published", "", "" }
+  local beside, rows = published "rings2d_error_table7_5", {}
+  for i, rule in ipairs(rules) do rows[i] = { rule.quadrature, rule.zone, rule.edge } end
+  for i, case in ipairs(cases) do
+    columns[3 + i], units[3 + i], formats[3 + i] = case.label, case.mesh, "%.3e"
+    for k, row in ipairs(rows) do row[3 + i] = case.errors[k] end
+    last[3 + i] = printed(beside, case).pN_L2_error
+  end
+  rows[#rows + 1] = last
+  return sg.table{ columns = columns, units = units, rows = rows, formats = formats }
+end
+
+local function time_table(cases)
+  local rows, beside, unit = {}, published "rings2d_time_table7_6", nil
+  for _, case in ipairs(cases) do
+    if case.label == "N2" and case.mesh == "m1" then unit = case.times.wall end
+  end
+  for i, case in ipairs(cases) do
+    local t = case.times
+    rows[i] = { case.label, case.mesh, case.dofs, case.run.iterations / case.run.steps, 1e3 * t.wall, 1e3 * t.bulk,
+                1e3 * t.contact, 1e3 * t.linear, 1e3 * t.rest, unit and t.wall / unit,
+                printed(beside, case).time_over_N2_m1 }
+  end
+  return sg.table{
+    columns = { "label", "mesh", "DOFs", "iterations", "wall", "bulk", "contact", "linear", "rest", "over N2 m1",
+                "published" },
+    units = { "", "", "", "per step", "ms", "ms", "ms", "ms", "ms", "", "" }, rows = rows,
+    formats = { "%s", "%s", "%d", "%.2f", "%.1f", "%.1f", "%.1f", "%.1f", "%.1f", "%.3f", "%.3f" },
+  }
+end
+
+--- Figure 7.20: the size of one traction of all labels on one mesh over the ring's coordinate, the reference dashed.
+local function draw_traction(cases, finest, mesh, value, coordinate, file)
+  local name = value == "pressure" and "normal contact pressure" or "tangential contact traction"
+  local chart = { file = file, title = ("Rings, mesh %s: %s at the last step"):format(mesh, name),
+                  xlabel = ("%s of the contact point (m)"):format(coordinate),
+                  ylabel = ("%s (N/m²)"):format(value == "pressure" and "p_N" or "|p_T|"),
+                  inset = { xrange = { 2.95, 3.45 } } }
+  local function curve(case, label, dashed)
+    local x, y, profile = {}, {}, case.profile
+    for i, p in ipairs(profile.pressure) do
+      if p > 0 or (profile.pressure[i - 1] or 0) > 0 then
+        x[#x + 1], y[#y + 1] = profile[coordinate][i], math.abs(profile[value][i])
+      end
+    end
+    chart[#chart + 1] = { x = x, y = y, label = label, dashed = dashed, marker = "none" }
+  end
+  for _, case in ipairs(cases) do
+    if case.mesh == mesh then curve(case, case.label, false) end
+  end
+  curve(finest, ("%s at %s"):format(finest.label, finest.mesh), true)
+  sg.chart(chart)
+end
+
+local function write_profile(case, file)
+  local data = { columns = { "x", "y", "pressure", "traction", "gap", "state" } }
+  for _, name in ipairs(data.columns) do data[name] = case.profile[name] end
+  sg.csv.write(file, data)
+end
+
+local function write_errors(cases, file)
+  local columns, rows = { "discretisation", "mesh", "points", "zone", "edge", "pN_L2_error" }, {}
+  for _, case in ipairs(cases) do
+    for i, rule in ipairs(rules) do
+      rows[#rows + 1] = { case.label, case.mesh, rule.quadrature, rule.zone, rule.edge, case.errors[i] }
+    end
+  end
+  sg.csv.write(file, { columns = columns, rows = rows })
+end
+
+-- ── The study ────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+local options = read_arguments(select("#", ...) > 0 and { ... } or arg)
+sg.mkdir(options.out)
+
+local files, cases = {}, {}
+local function path(name)
+  files[#files + 1] = options.out .. "/" .. name
+  return files[#files]
+end
+
+local frames = {}
+local function keep_state(model, step)
+  if not picture_steps[step] then return end
+  frames[#frames + 1] = sg.frame{ model = model, field = "uy", mirror = "x", title = ("load step %d"):format(step) }
+end
+
+local list = { { "N2", options.reference } }
+for _, mesh in ipairs(options.meshes) do
+  for _, label in ipairs(options.labels) do list[#list + 1] = { label, mesh } end
+end
+local solved = solve_all(list, options)
+local finest = solved[1]
+write_profile(finest, path(("%s_%s.csv"):format(finest.label, finest.mesh)))
+for i = 2, #solved do
+  local case = solved[i]
+  measure(case, finest, options.coordinate)
+  write_profile(case, path(("%s_%s.csv"):format(case.label, case.mesh)))
+  cases[i - 1], cases[case.label .. " " .. case.mesh] = case, case
+end
+solve(options.labels[1], options.meshes[1], options.linear, keep_state)
+
+print(("\nL2 errors of the contact tractions against %s at %s over %s, beside Table 7.5 (N/m²·√m)")
+  :format(finest.label, finest.mesh, options.coordinate))
+print(error_table(cases))
+print "\nError of p_N by the rule of its integral, as the arguments of sg.profile_error"
+print(rule_table(cases))
+print(("\nTime beside Table 7.6, medians of %d (linear: factorisation and solve)"):format(options.repeats))
+print(time_table(cases))
+
+write_errors(cases, path "errors.csv")
+sg.picture{ frames = frames, columns = 3, file = path "states.png",
+            title = ("Rings, %s at %s"):format(options.labels[1], options.meshes[1]) }
+for _, mesh in ipairs(options.meshes) do
+  draw_traction(cases, finest, mesh, "pressure", options.coordinate, path(("pressure_%s.png"):format(mesh)))
+  draw_traction(cases, finest, mesh, "traction", options.coordinate, path(("traction_%s.png"):format(mesh)))
+end
+print("\nWritten: " .. table.concat(files, "\n         "))
+
+return { cases = cases, reference = finest, files = files }
