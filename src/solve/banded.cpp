@@ -4,10 +4,6 @@
 #include "solve/lapack.hpp"
 #include "solve/values.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 namespace signorini::solve {
 
 namespace {
@@ -62,7 +58,7 @@ private:
     spread<true>(values, leading, 0);
     int info = 0;
     dpbtrf_("L", &size, &band_, factors_.data(), &leading, &info);
-    return info == 0 && regular(leading, 0, std::sqrt(least_pivot));
+    return info == 0 && regular(leading, 0, [](double pivot) { return pivot * pivot; });
   }
 
   bool factor_with_pivots(const double* values) {
@@ -70,18 +66,14 @@ private:
     spread<false>(values, leading, 2 * band_);
     int info = 0;
     dgbtrf_(&size, &size, &band_, &band_, factors_.data(), &leading, pivots_.data(), &info);
-    return info == 0 && regular(leading, 2 * band_, least_pivot);
+    return info == 0 && regular(leading, 2 * band_, [](double pivot) { return pivot; });
   }
 
-  bool regular(int leading, int diagonal, double least_ratio) const {
-    double least = std::numeric_limits<double>::infinity(), largest = 0;
-    for (std::size_t k = 0; k < order_.size(); ++k) {
-      const double pivot = std::abs(factors_[at(leading) * k + at(diagonal)]);
-      if (!std::isfinite(pivot)) return false;
-      least = std::min(least, pivot);
-      largest = std::max(largest, pivot);
-    }
-    return least > least_ratio * largest;
+  /// `power` makes pivots of the matrix of the diagonal of its factors.
+  template <class Power> bool regular(int leading, int diagonal, Power power) const {
+    PivotRange pivots;
+    for (std::size_t k = 0; k < order_.size(); ++k) pivots.add(power(factors_[at(leading) * k + at(diagonal)]));
+    return pivots.regular();
   }
 
   Pattern pattern_;

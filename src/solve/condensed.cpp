@@ -2,12 +2,11 @@
 
 #include "base/eigen.hpp"
 #include "base/error.hpp"
+#include "solve/changing_block.hpp"
 #include "solve/cholmod.hpp"
-#include "solve/lapack.hpp"
 #include "solve/values.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -33,8 +32,8 @@ public:
 
 private:
   struct Entry {
-    int from;        ///< position in the pattern
-    int to;          ///< position in the contact block, by columns
+    int position;    ///< in the pattern
+    int row, column; ///< places among the contact unknowns
     double constant; ///< its part of K₀
   };
 
@@ -48,10 +47,12 @@ private:
   std::vector<int> unknowns_; ///< unknown at each place of L
   std::vector<Entry> entries_;
   bool regular_ = false;
-  double least_ = std::numeric_limits<double>::infinity(), largest_ = 0; ///< pivots of the interior
-  MatrixX corner_, schur_, block_;                                       ///< L_cc, S, the factors of S + C
+  PivotRange interior_;
+  MatrixX corner_;      ///< L_cc
+  ChangingBlock block_; ///< S + C
+  std::vector<ChangingBlock::Change> changes_;
+  std::vector<char> touched_, beside_; ///< contact unknowns that C touches; and those coupled with them
   VectorX right_, contact_;
-  std::vector<int> pivots_;
 };
 
 void check(const Pattern& pattern, const Condensation& condensation) {
@@ -65,8 +66,8 @@ void check(const Pattern& pattern, const Condensation& condensation) {
 }
 
 Condensed::Condensed(const Pattern& pattern, const Condensation& condensation)
-    : size_(pattern.size), contacts_(static_cast<int>(condensation.contact.size())), right_(size_), contact_(contacts_),
-      pivots_(at(contacts_)) {
+    : size_(pattern.size), contacts_(static_cast<int>(condensation.contact.size())), touched_(at(contacts_)),
+      beside_(at(contacts_)), right_(size_), contact_(contacts_) {
   check(pattern, condensation);
   std::vector<char> touched(at(size_), 0);
   for (int unknown : condensation.contact) touched[at(unknown)] = 1;
@@ -78,7 +79,8 @@ Condensed::Condensed(const Pattern& pattern, const Condensation& condensation)
   for (int column : condensation.contact)
     for (int k = pattern.starts[at(column)]; k < pattern.starts[at(column) + 1]; ++k)
       if (const int row = place[at(pattern.rows[at(k)])]; row >= 0)
-        entries_.push_back({k, place[at(column)] * contacts_ + row, condensation.constant[at(k)]});
+        entries_.push_back({k, row, place[at(column)], condensation.constant[at(k)]});
+  changes_.reserve(entries_.size());
 }
 
 /// An ordering with the contact unknowns last: of the constrained minimum degree and nested dissection the one with
@@ -147,31 +149,36 @@ void Condensed::factor_bulk(const Pattern& pattern, const Condensation& condensa
     for (int k = starts[j]; k < starts[j + 1]; ++k) {
       if (j >= interior) corner_(rows[k] - interior, j - interior) = entries[k];
       if (j >= interior || rows[k] != j) continue;
-      least_ = std::min(least_, entries[k] * entries[k]);
-      largest_ = std::max(largest_, entries[k] * entries[k]);
+      interior_.add(entries[k] * entries[k]);
     }
   cholmod_free_sparse(&lower, &common_);
 
-  schur_ = corner_ * corner_.transpose();
-  for (int k = 0; k < contacts_; ++k) schur_(k, k) -= shift(unknowns_[at(interior + k)]);
-  block_ = schur_;
-  regular_ = interior == 0 || least_ > least_pivot * largest_;
+  MatrixX schur = corner_ * corner_.transpose();
+  for (int k = 0; k < contacts_; ++k) schur(k, k) -= shift(unknowns_[at(interior + k)]);
+  block_ = ChangingBlock(std::move(schur));
+  regular_ = interior_.regular();
 }
 
 bool Condensed::factor(const double* values) {
   if (!regular_) return false;
-  block_ = schur_;
-  for (const Entry& entry : entries_) block_.data()[entry.to] += values[entry.from] - entry.constant;
-  int info = 0;
-  if (contacts_ > 0) dgetrf_(&contacts_, &contacts_, block_.data(), &contacts_, pivots_.data(), &info);
-  double least = least_, largest = largest_;
-  for (int k = 0; k < contacts_; ++k) {
-    const double pivot = std::abs(block_(k, k));
-    if (!std::isfinite(pivot)) return false;
-    least = std::min(least, pivot);
-    largest = std::max(largest, pivot);
+  changes_.clear();
+  std::fill(touched_.begin(), touched_.end(), 0);
+  for (const Entry& entry : entries_) {
+    const double change = values[entry.position] - entry.constant;
+    if (change == 0) continue;
+    changes_.push_back({entry.row, entry.column, change});
+    touched_[at(entry.row)] = touched_[at(entry.column)] = 1;
   }
-  return info == 0 && least > least_pivot * largest;
+  if (!block_.covers(touched_)) {
+    // Contact spreads to what is beside it next.
+    beside_ = touched_;
+    for (const Entry& entry : entries_)
+      if (touched_[at(entry.column)]) beside_[at(entry.row)] = 1;
+    block_.condense(beside_);
+  }
+  PivotRange pivots = interior_;
+  block_.factor(changes_, pivots);
+  return pivots.regular();
 }
 
 bool Condensed::solve(double* b) {
@@ -182,9 +189,7 @@ bool Condensed::solve(double* b) {
   if (contacts_ > 0) {
     Eigen::Map<VectorX> tail(z + interior, contacts_);
     contact_.noalias() = corner_.triangularView<Eigen::Lower>() * tail;
-    const int one = 1;
-    int info = 0;
-    dgetrs_("N", &contacts_, &one, block_.data(), &contacts_, pivots_.data(), contact_.data(), &contacts_, &info);
+    block_.solve(contact_.data());
     tail.noalias() = corner_.transpose().triangularView<Eigen::Upper>() * contact_;
   }
   right_ = Eigen::Map<const VectorX>(z, size_);

@@ -1,12 +1,20 @@
 #pragma once
-// The routines of LAPACK that the solvers call: Fortran by its C address, from whichever LAPACK the machine has.
+// The routines of LAPACK and BLAS that the solvers call: Fortran by its C address, from whichever the machine has.
 
 extern "C" {
 /// Row-pivoted LU of a dense matrix, and the solution with it.
 void dgetrf_(const int* rows, const int* columns, double* a, const int* leading, int* pivots, int* info);
 void dgetrs_(const char* transposed, const int* size, const int* right_sides, const double* a, const int* leading,
              const int* pivots, double* b, const int* leading_b, int* info);
-/// The same for a band.
+/// Cholesky's factor of a dense symmetric matrix.
+void dpotrf_(const char* triangle, const int* size, double* a, const int* leading, int* info);
+/// B ← α op(A)⁻¹ B or α B op(A)⁻¹ with a triangle A, and C ← α A Aᵀ + β C on a triangle of C.
+void dtrsm_(const char* side, const char* triangle, const char* transposed, const char* unit, const int* rows,
+            const int* columns, const double* alpha, const double* a, const int* leading, double* b,
+            const int* leading_b);
+void dsyrk_(const char* triangle, const char* transposed, const int* size, const int* columns, const double* alpha,
+            const double* a, const int* leading, const double* beta, double* c, const int* leading_c);
+/// Row-pivoted LU of a band.
 void dgbtrf_(const int* rows, const int* columns, const int* lower, const int* upper, double* a, const int* leading,
              int* pivots, int* info);
 void dgbtrs_(const char* transposed, const int* size, const int* lower, const int* upper, const int* right_sides,

@@ -1,11 +1,33 @@
 #pragma once
-// What can be said about values on a pattern: whether they are symmetric, how well a solution fits.
+// What can be said about a matrix and its factors: symmetry, regularity, how well a solution fits.
 
 #include "solve/pattern.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <vector>
 
 namespace signorini::solve {
+
+/// Least ratio of the smallest to the largest pivot. Below, rounding alone keeps the matrix from being singular: the
+/// pivot of a rigid motion that nothing holds.
+inline constexpr double least_pivot = 1e-14;
+
+/// The absolutely smallest and largest pivot met.
+struct PivotRange {
+  double least = std::numeric_limits<double>::infinity(), largest = 0;
+
+  void add(double pivot) {
+    least = std::isfinite(pivot) ? std::min(least, std::abs(pivot)) : 0;
+    largest = std::max(largest, std::abs(pivot));
+  }
+  void add(const PivotRange& other) {
+    least = std::min(least, other.least);
+    largest = std::max(largest, other.largest);
+  }
+  bool regular() const { return least > least_pivot * largest; }
+};
 
 /// Compares every entry with its mirror image on a structurally symmetric pattern.
 class Symmetry {
