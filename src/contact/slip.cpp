@@ -1,5 +1,6 @@
 #include "contact/slip.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace signorini::contact {
@@ -8,16 +9,29 @@ double advance_slip(const Surface<2>& surface, double slip, const FacePoint<2>& 
   const nurbs::KnotVector& knots = surface.direction(0);
   // h(ξ) = |x(ξ) − x̄| − L is positive at the old slip point and −L at the foot: bracketed Newton, bisection as guard.
   double outer = slip, inner = foot.xi(0);
+  // On a closed curve the short way may lead over the seam, where the parameter jumps by the period.
+  const auto& ends = surface.points();
+  const double period = knots.last() - knots.first();
+  if (ends.col(0).isApprox(ends.col(ends.cols() - 1)) && std::abs(outer - inner) > 0.5 * period)
+    outer += std::copysign(period, inner - outer);
+  const auto wrapped = [&](double xi) {
+    return xi > knots.last()    ? std::max(xi - period, knots.first())
+           : xi < knots.first() ? std::min(xi + period, knots.last())
+                                : xi;
+  };
+  const auto locate = [&](double xi, int order, FacePoint<2>& point) {
+    surface.locate(knots.find_element(wrapped(xi)), FaceCoordinates<2>(wrapped(xi)), order, point);
+  };
   FacePoint<2> point;
-  surface.locate(knots.find_element(slip), FaceCoordinates<2>(slip), 0, point);
+  locate(slip, 0, point);
   const double present = (point.position - foot.position).norm();
   if (!(present > length)) return slip;
   double xi = inner + (outer - inner) * length / present; // where it were on a straight line of even speed
   for (int iteration = 0; iteration < 100; ++iteration) {
-    surface.locate(knots.find_element(xi), FaceCoordinates<2>(xi), 1, point);
+    locate(xi, 1, point);
     const Vec<2> chord = point.position - foot.position;
     const double distance = chord.norm(), h = distance - length;
-    if (std::abs(h) <= 1e-15 * distance || std::abs(outer - inner) <= 1e-15 * (knots.last() - knots.first())) break;
+    if (std::abs(h) <= 1e-15 * distance || std::abs(outer - inner) <= 1e-15 * period) break;
     (h > 0 ? outer : inner) = xi;
     // h'(ξ) = (x(ξ) − x̄)·τ/|x(ξ) − x̄|
     const double next = xi - h * distance / chord.dot(point.tangent[0]);
@@ -26,7 +40,7 @@ double advance_slip(const Surface<2>& surface, double slip, const FacePoint<2>& 
     xi = inside ? next : 0.5 * (outer + inner);
     if (xi == previous) break;
   }
-  return xi;
+  return wrapped(xi);
 }
 
 } // namespace signorini::contact

@@ -7,7 +7,8 @@ namespace signorini::contact {
 
 /// The parameter ξ between `slip` and `foot` on the master with |x(foot) − x(ξ)| = length: the slip point follows along
 /// the surface until the trial traction is back on the Coulomb cone, ε_T |x̄ᵐ − xᵐ(ξ_sl)| = μ t_N (thesis 3.70, 3.71
-/// without the first-order error of its Euler step). `length` must not exceed the present distance.
+/// without the first-order error of its Euler step). On a closed curve the shorter way between them, over its seam if
+/// need be. `length` must not exceed the present distance.
 double advance_slip(const Surface<2>& surface, double slip, const FacePoint<2>& foot, double length);
 
 } // namespace signorini::contact

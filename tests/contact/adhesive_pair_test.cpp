@@ -1,0 +1,121 @@
+// Adhesive contacts, and contacts that act on a part of a face only.
+#include "contact/couple.hpp"
+
+#include <cmath>
+
+namespace signorini::contact {
+namespace {
+
+using namespace test;
+
+const Adhesion law{0.02, 0.05};
+
+/// The lower side of a strip from x = 0 to 3.
+nurbs::Discretisation strip(const std::string& label) {
+  return discretise(nurbs::rectangle(3, 0.5, Eigen::Vector2d(0, 0)), {6, 1}, label, "south");
+}
+
+TEST(AdhesivePair, TangentIsTheForcesDerivative) {
+  Random random(1);
+  Census census;
+  for (int round = 0; round < 4; ++round) {
+    std::vector<Couple> couples;
+    couples.emplace_back("N2-N2.1", slab("N2"), law, 1.3, 1.02);
+    couples.emplace_back("N2", wavy(random, 3, 0.1, 3, 4), law, 1.3, 0.1);
+    couples.emplace_back("N2-N4", make_plane<2>({1.3, 0}, {0.1, 2}), law, 1.3, 0.1);
+    couples.emplace_back("N2", make_ball<2>({1.3, -2}, 2), law, 1.3, 0.1);
+    for (Couple& couple : couples) {
+      couple.touch();
+      couple.move_die(0, 0.03 * (round - 1)); // pushed in, touching, and drawn off
+      couple.shake(random, 0.003);
+      compare_with_differences(couple, census);
+    }
+  }
+  EXPECT_GE(census.states, 10) << census.stepped_over << " states lay on a change of state";
+  EXPECT_GT(census.adhesion, 50);
+  EXPECT_GT(census.open, 200);
+}
+
+TEST(AdhesivePair, UniformGapActsOnTheReferenceLength) {
+  for (double r : {0.02, 0.03, 0.038, 0.1}) {
+    Couple couple(strip("N2"), "south", make_plane<2>({0, -r}, {0, 1}), law, 4);
+    // Stretched along the substrate to twice its length: the traction's total stays.
+    const MatrixX points = couple.die.points();
+    for (int a = 0; a < points.cols(); ++a) couple.u(2 * a) = points(0, a);
+    couple.evaluate();
+    const double total = 3 * traction(law, r);
+    Vec<2> force = Vec<2>::Zero();
+    for (const auto& point : couple.pair.results()) {
+      force += point.force;
+      EXPECT_NEAR(point.gap, r, 1e-15);
+      EXPECT_EQ(point.state, r < strongest_distance(law) ? ContactState::adhesion : ContactState::open);
+      EXPECT_EQ(point.pressure, traction(law, point.gap));
+    }
+    EXPECT_NEAR((force - Vec<2>(0, total)).norm(), 0, 1e-12 * std::abs(stiffness(law, 0)) * r);
+    EXPECT_NEAR((couple.pair.resultant().force - force).norm(), 0, 1e-14 * std::abs(total));
+    EXPECT_NEAR(couple.pair.resultant().area, r < strongest_distance(law) ? 3 : 0, 1e-13);
+    EXPECT_NEAR(couple.dense().force.tail<2>()(1), total, 1e-12 * std::abs(stiffness(law, 0)) * r);
+  }
+}
+
+/// It has no history: accepted or rolled back, the same displacements give the same forces.
+TEST(AdhesivePair, ForgetsItsPath) {
+  Random random(2);
+  Couple couple("N2", wavy(random, 3, 0.1, 3, 4), law, 1.3, 0.1);
+  couple.touch();
+  couple.move_die(0, 0.03);
+  couple.evaluate();
+  const VectorX at = couple.u;
+  const Dense before = couple.dense();
+  for (int step = 0; step < 6; ++step) {
+    couple.move_die(uniform(random, -0.2, 0.2), uniform(random, -0.02, 0.2));
+    couple.evaluate();
+    step % 2 == 0 ? couple.pair.accept() : couple.pair.rollback();
+  }
+  couple.evaluate(at);
+  const Dense after = couple.dense();
+  EXPECT_NEAR((after.force - before.force).norm(), 0, 1e-10 * before.force.norm());
+  EXPECT_NEAR((after.tangent - before.tangent).norm(), 0, 1e-10 * before.tangent.norm());
+}
+
+/// What lies outside the region takes no part; what lies inside acts as it does alone.
+TEST(AdhesivePair, WhereLimitsTheContactToAPartOfTheFace) {
+  const auto face = [&] { return Surface<2>(strip("N2"), nurbs::side_of("south", 2)); };
+  const Region<2> left = [](const Vec<2>& x) { return x(0) <= 1.5; };
+  Random random(3);
+  for (const Law& any : {Law(law), Law(PenaltyLaw{100, 100, 0.3})}) {
+    const Obstacle<2> plane = make_plane<2>({0, 0.01}, {0, 1});
+    Pair<2> whole(face(), plane, any, 4), part(face(), plane, any, 4, false, left);
+    VectorX u(2 * strip("N2").functions());
+    for (int i = 0; i < u.size(); ++i) u(i) = uniform(random, -0.003, 0.003);
+    const Vec<2> home = Vec<2>::Zero();
+    whole.evaluate(u.data(), home.data());
+    part.evaluate(u.data(), home.data());
+    EXPECT_EQ(whole.results().size(), 24u);
+    ASSERT_EQ(part.results().size(), 12u);
+    ASSERT_EQ(part.reference_positions().size(), 12u);
+    for (std::size_t i = 0; i < part.results().size(); ++i) {
+      // Of three elements, the left ones; limits are of the reference positions, not of the present ones.
+      EXPECT_TRUE(left(part.reference_positions()[i]));
+      EXPECT_EQ(part.reference_positions()[i], whole.reference_positions()[i]);
+      EXPECT_EQ(part.results()[i].force, whole.results()[i].force);
+    }
+    for (const Group& group : part.groups()) EXPECT_LT(group.slave_element, 3);
+    EXPECT_GT(part.resultant().force.norm(), 0);
+    EXPECT_EQ(part.gaps().size(), 12u);
+  }
+  const auto nowhere = [&] {
+    return Pair<2>(face(), Obstacle<2>(make_plane<2>({0, 0}, {0, 1})), law, 4, false,
+                   [](const Vec<2>&) { return false; });
+  };
+  EXPECT_ERROR(nowhere(), "where holds nowhere on the slave face");
+}
+
+TEST(AdhesivePair, ErrorsNameTheArgument) {
+  const auto build = [](const Law& any) { Couple("N2", make_plane<2>({0, 0}, {0, 1}), any, 1, 1); };
+  EXPECT_ERROR(build(Adhesion{-1, 1}), "hamaker must be a positive number");
+  EXPECT_ERROR(build(Adhesion{1, -1}), "r0 must be a positive number");
+}
+
+} // namespace
+} // namespace signorini::contact
