@@ -1,0 +1,170 @@
+-- Van der Waals adhesion and rotating faces as a user sets them up: a block torn off against the law in closed form, the
+-- region on which the law acts, the area that it is counted on; wrong inputs.
+
+local sg = require "signorini"
+local check = require "check"
+
+local film = { hamaker = 0.1, r0 = 0.4 }
+local equilibrium = 15 ^ (-1 / 6) * film.r0
+
+--- T(r) = A/(2π r₀³) [(r₀/r)⁹/45 − (r₀/r)³/3], below r_eq along its tangent (thesis 3.87)
+local function traction(r)
+  local strength = film.hamaker / (2 * math.pi * film.r0 ^ 3)
+  if r >= equilibrium then return strength * ((film.r0 / r) ^ 9 / 45 - (film.r0 / r) ^ 3 / 3) end
+  local q = film.r0 / equilibrium
+  return strength * (q ^ 3 - q ^ 9 / 5) / equilibrium * (r - equilibrium)
+end
+
+local modulus, height = 1e6, 4
+
+--- The gap below the block when its lid has been lifted by u: the face follows less the block's stretch T h/E.
+local function gap_below(u)
+  local gap = equilibrium + u
+  for _ = 1, 10 do gap = equilibrium + u + traction(gap) * height / modulus end
+  return gap
+end
+
+--- A block of 20 × 4 on a film, held by its lid.
+local function block(options)
+  local body = sg.body{ patch = sg.shapes.rectangle{ width = 20, height = height }, elements = {10, 2},
+                        order = options.order or "N2", contact = "south", material = sg.linear_elastic{ E = modulus, nu = 0 } }
+  return sg.model{
+    bodies   = { block = body },
+    supports = options.supports and options.supports(body)
+      or { lid = { on = body:face "north", fix = "x", drive = "y" } },
+    contacts = { film = { slave = body:face "south", adhesion = film, where = options.where, points = options.points,
+                          master = sg.rigid.plane{ point = {0, -equilibrium}, normal = {0, 1} } } },
+  }
+end
+
+check.case("a block is torn off along the law, and pressed in along its tangent", function()
+  for _, order in ipairs { "N2", "N2-N2.1" } do
+    local model, steps, last = block{ order = order }, 60, 0.9
+    local run = model:run{ { steps = steps, lid = {last} } }
+    check.equal(run.failed, false)
+    for i, u in ipairs(run:column "lid.uy") do
+      check.near(run:column "film.fy"[i], 20 * traction(gap_below(u)), 1e-8)
+      check.near(run:column "lid.fy"[i], -run:column "film.fy"[i], 1e-8)
+    end
+    model = block{ order = order }
+    run = model:run{ { steps = 2, lid = {-0.02} } }
+    check.near(run:column "film.fy", { 20 * traction(gap_below(-0.01)), 20 * traction(gap_below(-0.02)) }, 1e-8)
+  end
+end)
+
+check.case("tearing off takes the work of adhesion, 15^(1/3) A/(16 pi r0²) per area", function()
+  local model, steps, last = block{}, 400, 4
+  local run = model:run{ { steps = steps, lid = {last} } }
+  local force, work = run:column "lid.fy", 0
+  force[0] = 0
+  for i = 2, steps, 2 do work = work + last / steps / 3 * (force[i - 2] + 4 * force[i - 1] + force[i]) end -- Simpson
+  -- What is left beyond the last distance r: A/(12π r²) but for the repulsion, which is (r₀/r)⁶/60 of it.
+  local r = equilibrium + last
+  local rest = film.hamaker / (12 * math.pi * r ^ 2)
+  check.near(work / 20 + rest, 15 ^ (1 / 3) * film.hamaker / (16 * math.pi * film.r0 ^ 2), 2e-6)
+end)
+
+check.case("at the distance without traction nothing acts", function()
+  local model = block{}
+  model:run{ { steps = 1 } }
+  local sum = model:contact_resultant "film"
+  check.near({ sum.fx, sum.fy }, { 0, 0 }, 1e-12)
+end)
+
+check.case("where: the law acts on the part of the face that the function names, by reference position", function()
+  local seen = { 0, 0 }
+  local model = block{ where = function(X)
+    check.near(X[2], 0)
+    seen = { math.max(seen[1], X[1]), seen[2] + 1 }
+    return X[1] <= 12
+  end }
+  check.equal({ seen[2], seen[1] > 19.9 }, { 10 * 9, true })
+  model:run{ { steps = 4, lid = {0.1} } }
+  check.near(model:contact_resultant "film".fy, 12 * traction(equilibrium + 0.1), 12 * 1e-5)
+  local profile, area = model:profile "film", 0
+  check.equal(#profile.X, 6 * 9)
+  for i, X in ipairs(profile.X) do
+    assert(X < 12)
+    area = area + profile.area[i]
+    check.near(profile.pressure[i], traction(profile.gap[i]), 1e-12)
+    check.equal(profile.state[i], profile.gap[i] < 5 ^ (-1 / 6) * film.r0 and "adhesion" or "open")
+  end
+  check.near(area, 12, 1e-12)
+end)
+
+check.case("the traction is counted on the reference area, however far the face is stretched", function()
+  local model = block{ supports = function(body)
+    return { lid = { on = body:face "north", drive = "y" },
+             left = { on = body:face "west", fix = "x" }, right = { on = body:face "east", drive = "x" } }
+  end }
+  model:run{ { steps = 1, lid = {0.05}, right = {4} } }
+  local profile = model:profile "film"
+  check.near(profile.x[#profile.x] / profile.X[#profile.X], 24 / 20, 1e-12)
+  check.near(model:contact_resultant "film".fy, 20 * traction(gap_below(0.05)), 1e-8)
+end)
+
+-- Each ends with status 1 and a message that names the script's line, the argument, what came and the cure.
+local start = [[
+local sg = require "signorini"
+local s = sg.body{ patch = sg.shapes.rectangle{ width = 20, height = 4 }, elements = {10, 2}, order = "N2", contact = "south",
+                   material = sg.neo_hookean{ E = 2, nu = 0.2 } }
+local low, edge, film = s:face "south", s:face "east", { hamaker = 0.1, r0 = 0.4 }
+local plane = sg.rigid.plane{ point = {0, -0.2547}, normal = {0, 1} }
+local function with(contact)
+  contact.slave, contact.master = contact.slave or low, contact.master or plane
+  return { bodies = { s = s }, contacts = { f = contact } }
+end
+local function turned(support) return { bodies = { s = s }, supports = { e = support } } end
+]]
+local wrong = {
+  { "a negative Hamaker constant", "sg.model(with{ adhesion = { hamaker = -0.1, r0 = 0.4 } })",
+    "sg.model: contacts.f.adhesion.hamaker must be a positive number", "got the number -0.1", "give a value above 0" },
+  { "no distance", "sg.model(with{ adhesion = { hamaker = 0.1, r0 = 0 } })",
+    "contacts.f.adhesion.r0 must be a positive number", "got the number 0", "give a value above 0" },
+  { "a missing distance", "sg.model(with{ adhesion = { hamaker = 0.1 } })", "contacts.f.adhesion.r0", "is missing" },
+  { "a number as law", "sg.model(with{ adhesion = 0.1 })", "contacts.f.adhesion takes a table of named arguments",
+    "got the number 0.1", "write contacts.f.adhesion = { hamaker = … }" },
+  { "a misspelt constant", "sg.model(with{ adhesion = { hamacker = 0.1, r0 = 0.4 } })",
+    "contacts.f.adhesion: unknown argument 'hamacker'", "did you mean 'hamaker'?" },
+  { "an obstacle as slave", "sg.model(with{ slave = plane, master = low, adhesion = film })",
+    "contacts.f.slave must be a face of a body", "obstacle", "an obstacle can only be the master: swap the two" },
+  { "adhesion and penalty", "sg.model(with{ adhesion = film, penalty = 10 })",
+    "contacts.f has both adhesion and penalty", "take one of the two out" },
+  { "adhesion and friction", "sg.model(with{ adhesion = film, friction = { mu = 0.1, penalty = 1 } })",
+    "contacts.f has both adhesion and friction", "take one of the two out" },
+  { "a region that is no function", "sg.model(with{ adhesion = film, where = 150 })",
+    "contacts.f.where must be a function", "got the number 150", "function(X) return X[1] <= 150 end" },
+  { "a region that answers with a number", "sg.model(with{ adhesion = film, where = function(X) return X[2] end })",
+    "contacts.f.where must be a function that returns true or false", "got the number 0" },
+  { "a region without an answer", "sg.model(with{ adhesion = film, where = function(X) end })",
+    "contacts.f.where", "it must be a function that returns true or false" },
+  { "a region that fails", "sg.model(with{ adhesion = film, where = function(X) return X.x <= 15 end })",
+    "attempt to compare nil with number" },
+  { "a plane inside the body", "sg.model(with{ adhesion = film, master = sg.rigid.plane{ point = {0, 2}, normal = {0, 1} } })",
+    "the obstacle of 'f' is inside body 's' at the start", "2 deep", "move the obstacle out" },
+  { "a cylinder inside the body", "sg.model(with{ adhesion = film, master = sg.rigid.cylinder{ centre = {10, 2}, radius = 1 } })",
+    "the obstacle of 'f' is inside body 's' at the start", "its centre (10  2) lies in the body", "move the obstacle out" },
+  { "two faces that rotate as one", [[sg.model(turned{ on = { edge, s:face "west" }, rotate = true })]],
+    "supports.e.on must be one face", "got a list of 2 values", "give other faces a support of their own" },
+  { "a corner that rotates", [[sg.model(turned{ on = s:corner "south-east", rotate = true })]],
+    "supports.e.on must be one face", "what rotates is one face of a body" },
+  { "an angle where the face is described", "sg.model(turned{ on = edge, rotate = 90 })",
+    "supports.e.rotate must be true or false", "got the number 90" },
+  { "a stage without the angle", [[sg.model(turned{ on = edge, rotate = true, drive = "xy" }):run{ { steps = 1, e = {0, 1} } }]],
+    "model:run: stage 1.e must be a list of 3 values (ux, uy, angle), got a list of 2 values", "one for each driven component" },
+  { "no angle at all", [[sg.model(turned{ on = edge, rotate = true, fix = "xy" }):run{ { steps = 1, e = {} } }]],
+    "model:run: stage 1.e must be a list of 1 value (angle), got an empty table" },
+  { "two angles", [[sg.model(turned{ on = edge, rotate = true, fix = "xy" }):run{ { steps = 1, e = {90, 1} } }]],
+    "model:run: stage 1.e must be a list of 1 value (angle), got a list of 2 values" },
+  { "an angle in quotes", [[sg.model(turned{ on = edge, rotate = true, fix = "xy" }):run{ { steps = 1, e = {"90"} } }]],
+    "model:run: stage 1.e[1] (angle) must be a finite number, got the string '90': remove the quotes" },
+}
+for _, case in ipairs(wrong) do
+  check.case(case[1], function()
+    local output, status = check.script(start .. case[2])
+    check.equal(status, 1)
+    check.holds(output, "signorini: study.lua:11: ", table.unpack(case, 3))
+  end)
+end
+
+check.done()

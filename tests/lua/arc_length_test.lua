@@ -1,0 +1,179 @@
+-- Paths that turn back: a strip that peels in snap-backs under prescribed rotation, an arch that snaps through under a dead
+-- load. Without arc length a run ends there and says so; with it the run goes on, and says where control changed.
+
+local sg = require "signorini"
+local check = require "check"
+
+-- ── Snap-back: a strip of 40 × 2 elements, so coarse that it peels element by element ────────────────────────────────
+
+local film = { hamaker = 0.1, r0 = 0.4 }
+local equilibrium = 15 ^ (-1 / 6) * film.r0
+
+local function strip()
+  local body = sg.body{ patch = sg.shapes.rectangle{ width = 100, height = 5 }, elements = {40, 2}, order = "N2",
+                        contact = "south", material = sg.neo_hookean{ E = 2, nu = 0.2 } }
+  return sg.model{
+    bodies   = { strip = body },
+    supports = { edge = { on = body:face "east", rotate = true }, pin = { on = body:corner "south-west", fix = "x" } },
+    contacts = { film = { slave = body:face "south", master = sg.rigid.plane{ point = {0, -equilibrium}, normal = {0, 1} },
+                          adhesion = film, where = function(X) return X[1] <= 80 end } },
+  }
+end
+
+--- Turns a strip's edge by 76°. No step needs more than five iterations, unless it jumps over a snap-back.
+local function peel(steps, arcs, iterations)
+  local model = strip()
+  local run = model:run({ { name = "peel", steps = steps, edge = 76 } },
+    { arc_length = arcs, newton = { iterations = iterations or 10 } })
+  return run, model
+end
+
+--- Energy per area of the film: V(r_eq) = −W, V′ = −T.
+local function potential(r)
+  local strength = film.hamaker / (2 * math.pi * film.r0 ^ 3)
+  local q = film.r0 / math.max(r, equilibrium)
+  local energy = strength * film.r0 * (q ^ 8 / 360 - q ^ 2 / 6)
+  if r >= equilibrium then return energy end
+  return energy + strength * (q ^ 9 / 5 - q ^ 3) / equilibrium * (r - equilibrium) ^ 2 / 2
+end
+
+--- What bodies and film store.
+local function stored(model)
+  local profile, sum = model:profile "film", model:energy().stored
+  for i, gap in ipairs(profile.gap) do sum = sum + profile.area[i] * potential(gap) end
+  return sum
+end
+
+--- The moments at whole steps by angle.
+local function moments(run)
+  local step, angle, moment, found = run:column "step", run:column "edge.angle", run:column "edge.moment", {}
+  for i = 1, #step do
+    if step[i] % 1 == 0 then found[#found + 1] = { angle[i], moment[i] } end
+  end
+  return found
+end
+
+check.case("rotation control ends where the path turns back, and the report names the angle", function()
+  local run = peel(152, false)
+  check.equal({ run.failed, run.reason, run.steps }, { true, "turning_point", 144 })
+  check.holds(run.report, "step 145 (stage 'peel', 145 of 152) was not reached", "The model is at its last accepted step, 144",
+    "arc_length = true")
+  check.near(tonumber(run.report:match "turning point at edge%.angle = ([%d.]+)"), 72.33, 0.1)
+  check.equal(#run.controls, 0)
+end)
+
+check.case("arcs lead through the snap-back; the run names both changes of control", function()
+  local run = peel(152, true)
+  check.equal({ run.failed, run.reason, run.steps, #run.controls }, { false, "completed", 152, 2 })
+  local there, back = run.controls[1], run.controls[2]
+  check.equal({ there.step, there.to, there.place, there.reason }, { 145, "arc length", "edge.angle = 72", "iterations" })
+  check.equal({ back.step, back.to, back.place, back.reason }, { 145, "targets", "edge.angle = 72.5", "the step's end is passed" })
+  check.holds(tostring(run), "control: arc length from edge.angle = 72 in step 145", "targets from edge.angle = 72.5")
+  -- Rows between the steps: the angle goes up to the turning point, more than two degrees back, and up again.
+  local step, angle, turns = run:column "step", run:column "edge.angle", {}
+  for i = 2, #angle - 1 do
+    if (angle[i] - angle[i - 1]) * (angle[i + 1] - angle[i]) < 0 then turns[#turns + 1] = angle[i] end
+    check.near(step[i], angle[i] * 2, 1e-6)
+  end
+  check.equal(#turns, 2)
+  check.near(turns, { 72.3, 69.9 }, 0.15)
+end)
+
+check.case("behind the snap-back are the states that smaller steps and a jump find as well", function()
+  local reference = moments((peel(152, true)))
+  for _, other in ipairs { moments((peel(304, true))), moments((peel(152, false, 200))) } do
+    local by_angle = {}
+    for _, state in ipairs(other) do by_angle[math.floor(state[1] * 4 + 0.5)] = state[2] end
+    for _, state in ipairs(reference) do check.near(state[2], by_angle[math.floor(state[1] * 4 + 0.5)], 1e-9) end
+  end
+end)
+
+check.case("the moment's work along the path, back and forth, is what bodies and film store", function()
+  local before, errors = stored(strip()), {}
+  for i, steps in ipairs { 76, 152 } do
+    local run, model = peel(steps, true)
+    local angle, moment, work = run:column "edge.angle", run:column "edge.moment", 0
+    angle[0], moment[0] = 0, 0
+    for row = 1, #angle do
+      work = work + (moment[row] + moment[row - 1]) / 2 * math.rad(angle[row] - angle[row - 1])
+    end
+    errors[i] = math.abs(work / (stored(model) - before) - 1)
+  end
+  print(("energy balance through a snap-back: off by %.1e and %.1e"):format(errors[1], errors[2]))
+  assert(errors[1] < 2e-4 and errors[2] < 2e-4)
+end)
+
+-- ── Snap-through: a shallow arch with clamped ends under a dead load ─────────────────────────────────────────────────
+
+local arch = { modulus = 1000, radius = 40, half_angle = math.rad(10), thickness = 0.3 }
+
+local function arch_model()
+  local degrees = math.deg(arch.half_angle)
+  local function line(offset)
+    return sg.nurbs.arc{ centre = {0, -arch.radius}, radius = arch.radius + offset, from = 90 + degrees, to = 90 - degrees }
+  end
+  local body = sg.body{ patch = sg.nurbs.ruled{ a = line(-arch.thickness / 2), b = line(arch.thickness / 2) },
+                        elements = {16, 1}, order = "N3", through = 2, contact = "north",
+                        material = sg.neo_hookean{ E = arch.modulus, nu = 0 } }
+  return sg.model{
+    bodies   = { arch = body },
+    supports = { left = { on = body:face "west", fix = "xy" }, right = { on = body:face "east", fix = "xy" } },
+    loads    = { push = { on = body:face "north", traction = {0, 0} } },
+  }
+end
+
+--- The two limit loads of a shallow arch. With N = EI m² the axial force, half span L, EI w⁗ + N w″ = q − N/R has the
+--- symmetric solution w = A ŵ, ŵ = f cos mx + x²/(2m²) + c, A = (q − N/R)/EI, which is clamped where f = L/(m³ sin mL) and
+--- ŵ(L) = 0. The length of the arch gives N/(Et) = A ∫ŵ dx/(LR) − A² ∫ŵ′² dx/(2L) over the half span: two loads for
+--- each m, one on the way to the upper limit, one past the lower one.
+local function limit_loads()
+  local E, R, t, L = arch.modulus, arch.radius, arch.thickness, arch.radius * math.sin(arch.half_angle)
+  local EI, upper, lower, pieces = E * t ^ 3 / 12, 0, math.huge, 200
+  for i = 1, 1300 do
+    local m = math.pi * (i - 0.5) / 1000 / L
+    local f = L / (m ^ 3 * math.sin(m * L))
+    local c = -f * math.cos(m * L) - L ^ 2 / (2 * m ^ 2)
+    local mean, square = 0, 0
+    for k = 0, pieces do -- Simpson
+      local x, weight = L * k / pieces, (k == 0 or k == pieces) and 1 or k % 2 == 1 and 4 or 2
+      mean = mean + weight / (3 * pieces) * (f * math.cos(m * x) + x ^ 2 / (2 * m ^ 2) + c)
+      square = square + weight / (3 * pieces) * (-f * m * math.sin(m * x) + x / m ^ 2) ^ 2
+    end
+    local N = EI * m ^ 2
+    local root = (mean / R) ^ 2 - 2 * square * N / (E * t)
+    if root >= 0 then
+      local one, other = (mean / R - root ^ 0.5) / square * EI + N / R, (mean / R + root ^ 0.5) / square * EI + N / R
+      -- At mL = π the two change sides.
+      if m * L > math.pi then one, other = other, one end
+      upper, lower = math.max(upper, one), math.min(lower, other)
+    end
+  end
+  return upper, lower
+end
+
+local function push(arcs)
+  return arch_model():run({ { name = "push", steps = 20, push = {0, -0.02} } }, { arc_length = arcs, newton = { iterations = 8 } })
+end
+
+check.case("a dead load ends at the upper limit load of a shallow arch", function()
+  local upper = limit_loads()
+  local run = push(false)
+  check.equal({ run.failed, run.reason, run.steps }, { true, "turning_point", 13 })
+  check.near(tonumber(run.report:match "turning point at push%.ty = %-([%d.]+)") / upper, 1, 0.01)
+end)
+
+check.case("with arcs the arch snaps through by way of the lower limit load, and carries more", function()
+  local upper, lower = limit_loads()
+  local run = push(true)
+  check.equal({ run.failed, run.steps, run.controls[1].to, run.controls[2].to }, { false, 20, "arc length", "targets" })
+  check.holds(run.controls[1].place, "push.ty = -0.013")
+  local step, load, most, least = run:column "step", run:column "push.ty", 0, math.huge
+  for i = 1, #step do
+    if step[i] % 1 ~= 0 then most, least = math.max(most, -load[i]), math.min(least, -load[i]) end
+  end
+  print(("arch: limit loads %.5f and %.5f, analytic %.5f and %.5f"):format(most, least, upper, lower))
+  check.near({ most / upper, least / lower }, { 1, 1 }, 0.02)
+  check.near(load[#load], -0.02)
+end)
+
+check.done()
