@@ -9,12 +9,15 @@ namespace signorini::model::test {
 
 inline std::shared_ptr<const solid::Body<2>> make_body(const nurbs::Patch& patch, std::vector<int> elements,
                                                        const std::string& label, const std::string& contact,
-                                                       const solid::NeoHookean& material) {
+                                                       const solid::Material& material, std::optional<int> through = {},
+                                                       solid::Kind kind = solid::Kind::plane_strain) {
   nurbs::Plan plan;
   plan.elements = std::move(elements);
   plan.contact = {nurbs::side_of(contact, 2)};
   plan.labels = {nurbs::parse_label(label)};
-  return std::make_shared<const solid::Body<2>>(nurbs::Discretisation(patch, plan), material);
+  plan.through = through;
+  return std::make_shared<const solid::Body<2>>(std::make_shared<const nurbs::Discretisation>(patch, plan), material,
+                                                kind);
 }
 
 inline Held held(const Scene<2>& scene, int body, const std::string& face) {
@@ -41,15 +44,23 @@ inline Scene<2> ironing(const std::string& label) {
   return scene;
 }
 
+/// The one control point of a body that lies at X.
+inline Held corner(const Scene<2>& scene, int body, const Vec<2>& place) {
+  const MatrixX points = scene.bodies[static_cast<std::size_t>(body)].body->space().points();
+  Eigen::Index function;
+  (points.colwise() - place).colwise().norm().minCoeff(&function);
+  return {body, {static_cast<int>(function)}};
+}
+
 /// A unit square of one material with given supports on its faces.
 struct Grip {
   const char *name, *face;
   std::array<Hold, 2> hold;
 };
-inline Scene<2> square(const std::vector<Grip>& grips) {
+inline Scene<2> square(const std::vector<Grip>& grips, const solid::Material& material = solid::neo_hookean(1, 0.3)) {
   Scene<2> scene;
-  scene.bodies.push_back({"block", make_body(nurbs::rectangle(1, 1, Eigen::Vector2d(0, 0)), {2, 2}, "N2", "north",
-                                             solid::neo_hookean(1, 0.3))});
+  scene.bodies.push_back(
+      {"block", make_body(nurbs::rectangle(1, 1, Eigen::Vector2d(0, 0)), {2, 2}, "N2", "north", material)});
   for (const Grip& grip : grips) scene.supports.push_back({grip.name, {held(scene, 0, grip.face)}, grip.hold});
   return scene;
 }

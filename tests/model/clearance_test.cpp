@@ -1,0 +1,76 @@
+// Scenes that begin with an obstacle inside a body are refused; touching ones, and ones that overlap a little, are not.
+#include "model/scenes.hpp"
+
+#include <gtest/gtest.h>
+
+namespace signorini::model {
+namespace {
+
+using namespace test;
+
+/// A model of a square [0, 1]² whose face meets an obstacle.
+void build(const contact::Obstacle<2>& obstacle, const std::string& face = "south") {
+  Scene<2> scene = square({{"top", "north", {Hold::fixed, Hold::fixed}}});
+  scene.obstacles = {obstacle};
+  scene.contacts = {{"floor", {0, nurbs::side_of(face, 2)}, ObstacleReference{0}, contact::PenaltyLaw{100}, 3}};
+  Model<2>{std::move(scene)};
+}
+
+contact::Obstacle<2> plane(double y, double up) {
+  return contact::make_plane<2>({0, y}, {0, up});
+}
+contact::Obstacle<2> ball(double x, double y, double radius) {
+  return contact::make_ball<2>({x, y}, radius);
+}
+
+TEST(Clearance, ApartTouchingAndSlightlyOverlappingIsFine) {
+  build(plane(-0.3, 1));
+  build(plane(0, 1));
+  build(plane(0.009, 1)); // of a size of √2
+  build(ball(0.5, -1, 1));
+  build(ball(0.5, -1, 1.01));
+  build(ball(0.5, -2, 1));
+  build(ball(0.5, 2, 0.3)); // beside another face
+  build(ball(-0.4, 0.5, 0.3), "west");
+  build(nurbs::line(Eigen::Vector2d(2, 0), Eigen::Vector2d(-1, 0)));
+}
+
+TEST(Clearance, ObstacleThatReachesIntoTheBodyIsAnError) {
+  EXPECT_ERROR(build(plane(0.02, 1)), "the obstacle of 'floor' is inside body 'block' at the start: the face reaches "
+                                      "0.02 deep into it at (");
+  EXPECT_ERROR(build(ball(0.5, -1, 1.2)), "the obstacle of 'floor' is inside body 'block'");
+  EXPECT_ERROR(build(ball(0.5, 0.2, 3)), "move the obstacle out, or turn its normal round"); // swallows it
+}
+
+TEST(Clearance, NormalTurnedRoundIsAnError) {
+  EXPECT_ERROR(build(plane(-0.3, -1)), "0.3 deep");
+  EXPECT_ERROR(build(nurbs::line(Eigen::Vector2d(-1, -0.3), Eigen::Vector2d(2, -0.3))), "turn its normal round");
+}
+
+/// A disc in the middle of the body touches no face.
+TEST(Clearance, DiscInTheBodyIsAnError) {
+  EXPECT_ERROR(build(ball(0.5, 0.5, 0.1)), "lies in the body; move the obstacle out");
+  EXPECT_ERROR(build(ball(0.02, 0.98, 0.01)), "lies in the body");
+}
+
+/// What counts is the curved body itself, not the hull of its control points.
+TEST(Clearance, DiscInAHoleIsFine) {
+  const auto shell = [](const Vec<2>& centre, double radius) {
+    Scene<2> scene;
+    const nurbs::Patch arc = nurbs::half_annulus(0.6, 1, Eigen::Vector2d(0, 0));
+    scene.bodies.push_back({"shell", make_body(arc, {4, 1}, "N2", "north", solid::neo_hookean(1, 0.3))});
+    scene.supports = {{"bed", {held(scene, 0, "south")}, {Hold::fixed, Hold::fixed}}};
+    scene.obstacles = {contact::make_ball<2>(centre, radius)};
+    scene.contacts = {{"roll", {0, nurbs::side_of("north", 2)}, ObstacleReference{0}, contact::PenaltyLaw{100}, 3}};
+    Model<2>{std::move(scene)};
+  };
+  shell({0, 0}, 0.6);
+  shell({0, -0.45}, 0.1);
+  shell({0.9, -0.9}, 0.1); // in the corner of the control points' box
+  EXPECT_ERROR(shell({0, -0.8}, 0.1), "lies in the body");
+  EXPECT_ERROR(shell({0.56, -0.56}, 0.05), "lies in the body");
+  EXPECT_ERROR(shell({0, 0}, 0.7), "is inside body 'shell'");
+}
+
+} // namespace
+} // namespace signorini::model

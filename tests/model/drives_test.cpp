@@ -1,0 +1,198 @@
+// What a path prescribes: displacements by translation and rotation with their rates, moments, and the unknowns that a
+// turning face shares.
+#include "model/bench.hpp"
+#include "model/scenes.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace signorini::model {
+namespace {
+
+using namespace test;
+using nurbs::test::Random;
+using nurbs::test::uniform;
+using std::numbers::pi;
+
+/// A half annulus whose outer arc turns and is driven along x, above a disc that is driven too, with a load; enough of
+/// everything that a path moves.
+Scene<2> busy(std::array<Hold, 2> hold = {Hold::driven, Hold::free}) {
+  Scene<2> scene;
+  const nurbs::Patch arc = nurbs::half_annulus(0.6, 1, Eigen::Vector2d(0.5, 2));
+  scene.bodies.push_back({"shell", make_body(arc, {4, 1}, "N2", "north", solid::neo_hookean(1, 0.3))});
+  scene.obstacles = {contact::make_ball<2>({0.5, 2.0}, 0.5)};
+  Support<2> edge{"edge", {held(scene, 0, "south")}, hold};
+  edge.rotates = true;
+  edge.centre = face_centroid(*scene.bodies[0].body, nurbs::side_of("south", 2));
+  Support<2> roll{"roll", {}, {Hold::driven, Hold::driven}, {0}};
+  scene.supports = {{"idle", {held(scene, 0, "north")}, {Hold::free, Hold::free}}, edge, roll};
+  scene.loads = {{"push", {{0, nurbs::side_of("west", 2)}}, false, {0.25, -0.5}},
+                 {"gas", {{0, nurbs::side_of("north", 2)}, {0, nurbs::side_of("east", 2)}}, true, {3}}};
+  scene.contacts = {
+      {"rub", {0, nurbs::side_of("north", 2)}, ObstacleReference{0}, contact::PenaltyLaw{50, 50, 0.3}, 4}};
+  return scene;
+}
+
+TEST(Drives, ListWhatAPathMoves) {
+  const Scene<2> scene = busy();
+  const Unknowns<2> unknowns(scene);
+  const Drives<2> drives(scene, unknowns);
+  const std::vector<std::pair<std::string, std::vector<std::string>>> expected = {
+      {"edge", {"x", "angle"}}, {"roll", {"x", "y"}}, {"push", {"x", "y"}}, {"gas", {"pressure"}}};
+  ASSERT_EQ(drives.all().size(), expected.size());
+  int target = 0;
+  for (std::size_t d = 0; d < expected.size(); ++d) {
+    EXPECT_EQ(drives.all()[d].name, expected[d].first);
+    EXPECT_EQ(drives.all()[d].components, expected[d].second);
+    for (std::size_t c = 0; c < expected[d].second.size(); ++c)
+      EXPECT_EQ(drives.target(static_cast<int>(d), static_cast<int>(c)), target++);
+  }
+  EXPECT_EQ(drives.start(), (VectorX(7) << 0, 0, 0, 0, 0.25, -0.5, 3).finished());
+}
+
+TEST(Drives, CentreIsTheCentroidOfTheFace) {
+  const Scene<2> scene = busy();
+  const solid::Body<2>& shell = *scene.bodies[0].body;
+  // Of a half circle's arc: 2R/π below its centre
+  EXPECT_NEAR((face_centroid(shell, nurbs::side_of("south", 2)) - Vec<2>(0.5, 2 - 2 / pi)).norm(), 0, 1e-6);
+  EXPECT_NEAR((face_centroid(shell, nurbs::side_of("west", 2)) - Vec<2>(-0.3, 2)).norm(), 0, 1e-14);
+}
+
+TEST(Drives, RateIsTheDisplacementsDerivative) {
+  Random random(1);
+  const Scene<2> scene = busy();
+  const Unknowns<2> unknowns(scene);
+  const Drives<2> drives(scene, unknowns);
+  for (int trial = 0; trial < 20; ++trial) {
+    VectorX targets(7), direction(7);
+    for (int i = 0; i < 7; ++i) {
+      targets(i) = uniform(random, -1, 1) * (i == 1 ? 360 : 1);
+      direction(i) = uniform(random, -1, 1) * (i == 1 ? 90 : 1);
+    }
+    const VectorX slope = signorini::test::derivative<VectorX>(
+        [&](double h) { return drives.displacement(targets + h * direction); }, 1e-2);
+    EXPECT_NEAR((drives.rate(targets, direction) - slope).norm(), 0, 1e-10 * slope.norm());
+    EXPECT_EQ(drives.displacement(drives.start()).norm(), 0);
+    for (int dof = 0; dof < unknowns.dofs(); ++dof) {
+      if (unknowns.held(dof)) continue;
+      EXPECT_EQ(slope(dof), 0);
+    }
+    // Forces are linear in the targets.
+    EXPECT_NEAR((drives.force(targets + direction) - drives.force(targets) - drives.force(direction)).norm(), 0, 1e-14);
+  }
+}
+
+/// Turned by θ counter-clockwise about the centroid, moved along x by the target; distances stay.
+TEST(Drives, RotationIsRigidAboutTheCentre) {
+  const Scene<2> scene = busy();
+  const Unknowns<2> unknowns(scene);
+  const Drives<2> drives(scene, unknowns);
+  const MatrixX points = scene.bodies[0].body->space().points();
+  const Vec<2> centre = scene.supports[1].centre;
+  for (double angle : {-400.0, -90.0, 10.0, 72.8, 180.0}) {
+    VectorX targets = drives.start();
+    targets(0) = 0.3;
+    targets(1) = angle;
+    const VectorX u = drives.displacement(targets);
+    std::vector<Vec<2>> before, after;
+    for (int a : scene.supports[1].on[0].functions) {
+      before.push_back(points.col(a));
+      after.push_back(Vec<2>(points.col(a)) + u.segment<2>(2 * a));
+      const Vec<2> from = before.back() - centre, to = after.back() - centre - Vec<2>(0.3, 0);
+      EXPECT_NEAR(to.norm(), from.norm(), 1e-14);
+      EXPECT_NEAR(
+          std::remainder(std::atan2(from(0) * to(1) - from(1) * to(0), from.dot(to)) - angle * pi / 180, 2 * pi), 0,
+          1e-13);
+    }
+    for (std::size_t i = 1; i < before.size(); ++i)
+      EXPECT_NEAR((after[i] - after[0]).norm(), (before[i] - before[0]).norm(), 1e-14);
+  }
+}
+
+TEST(Drives, MomentIsThatOfTheForcesAboutTheTurnedArms) {
+  Random random(2);
+  const Scene<2> scene = busy();
+  const Unknowns<2> unknowns(scene);
+  const Drives<2> drives(scene, unknowns);
+  const MatrixX points = scene.bodies[0].body->space().points();
+  for (int trial = 0; trial < 10; ++trial) {
+    VectorX targets = drives.start(), force(unknowns.dofs());
+    targets(1) = uniform(random, -180, 180);
+    for (int i = 0; i < force.size(); ++i) force(i) = uniform(random, -1, 1);
+    const Mat<2> rotation = nurbs::rotation(targets(1), Eigen::Vector3d(0, 0, 1)).topLeftCorner<2, 2>();
+    double moment = 0;
+    for (int a : scene.supports[1].on[0].functions) {
+      const Vec<2> arm = rotation * (points.col(a) - scene.supports[1].centre), f = force.segment<2>(2 * a);
+      moment += arm(0) * f(1) - arm(1) * f(0);
+    }
+    EXPECT_NEAR(drives.moment(1, targets, force), moment, 1e-13);
+    EXPECT_EQ(drives.moment(0, targets, force), 0);
+    EXPECT_EQ(drives.moment(2, targets, force), 0);
+  }
+}
+
+TEST(Unknowns, TurningFaceSharesItsFreeTranslations) {
+  const Scene<2> driven = busy(), free = busy({Hold::free, Hold::free}), fixed = busy({Hold::fixed, Hold::fixed});
+  const int face = static_cast<int>(free.supports[1].on[0].functions.size());
+  const Unknowns<2> none(fixed), one(driven), two(free);
+  EXPECT_EQ(none.size(), none.dofs() - 2 * face - 2);
+  EXPECT_EQ(one.size(), none.size() + 1);
+  EXPECT_EQ(two.size(), none.size() + 2);
+  for (int c = 0; c < 2; ++c) {
+    const std::vector<int>& dofs = two.of_support(1, c);
+    ASSERT_EQ(static_cast<int>(dofs.size()), face);
+    for (int dof : dofs) {
+      EXPECT_TRUE(two.held(dof));
+      EXPECT_EQ(two.unknown(dof), two.unknown(dofs[0]));
+      EXPECT_GE(two.unknown(dof), 0);
+    }
+  }
+  EXPECT_NE(two.unknown(two.of_support(1, 0)[0]), two.unknown(two.of_support(1, 1)[0]));
+  // Forces add up, displacements are one and the same.
+  VectorX forces = VectorX::Zero(two.dofs());
+  for (int dof : two.of_support(1, 1)) forces(dof) = 2;
+  EXPECT_EQ(two.gather(forces).sum(), 2 * face);
+  EXPECT_EQ(two.gather(forces).maxCoeff(), 2 * face);
+  EXPECT_EQ(two.spread(VectorX::Ones(two.size())).sum(), two.dofs() - 2);
+  // Obstacles are held, by a support or not.
+  for (int c = 0; c < 2; ++c) EXPECT_EQ(two.unknown(two.obstacle_offset(0) + c), -1);
+}
+
+TEST(Unknowns, TurningFaceTakesNoOtherSupport) {
+  const auto build = [](std::array<Hold, 2> hold, bool first) {
+    Scene<2> scene = busy({Hold::free, Hold::fixed});
+    const Support<2> other{"bolt", {held(scene, 0, "west")}, hold};
+    scene.supports.insert(first ? scene.supports.begin() : scene.supports.end(), other);
+    Unknowns<2>{scene};
+  };
+  EXPECT_ERROR(build({Hold::fixed, Hold::free}, false), "'bolt' fixes x of a control point that 'edge' already turns");
+  EXPECT_ERROR(build({Hold::free, Hold::driven}, true), "'edge' turns y of a control point that 'bolt' already drives");
+  EXPECT_ERROR(build({Hold::free, Hold::fixed}, false), "'bolt' fixes y of a control point that 'edge' already turns");
+}
+
+TEST(Assembly, TangentOfSharedUnknownsIsTheResidualsDerivative) {
+  Random random(3);
+  int compared = 0, touching = 0;
+  for (const auto& hold :
+       {std::array{Hold::free, Hold::free}, {Hold::driven, Hold::free}, {Hold::fixed, Hold::fixed}}) {
+    Bench bench(busy(hold));
+    const Drives<2> drives(bench.scene, bench.unknowns);
+    VectorX targets = drives.start();
+    for (double angle : {5.0, 25.0}) {
+      targets(drives.target(0, static_cast<int>(drives.all()[0].components.size()) - 1)) = angle;
+      VectorX u = drives.displacement(targets);
+      // The disc pushed into the shell's inner side
+      u(bench.unknowns.obstacle_offset(0) + 1) = -0.12;
+      for (int i = 0; i < bench.unknowns.obstacle_offset(0); ++i)
+        if (!bench.unknowns.held(i)) u(i) = uniform(random, -0.005, 0.005);
+      const bool same = compare(bench, u);
+      compared += same;
+      touching += same && !bench.pairs[0].groups().empty();
+    }
+  }
+  EXPECT_GE(compared, 5);
+  EXPECT_GE(touching, 5);
+}
+
+} // namespace
+} // namespace signorini::model

@@ -1,0 +1,172 @@
+// Dead loads in a model: exact states under tractions and pressures, loads as targets, and what acts from the start.
+#include "model/sample.hpp"
+#include "model/scenes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace signorini::model {
+namespace {
+
+using namespace test;
+
+const solid::Material laws[] = {solid::neo_hookean(2, 0.3), solid::linear_elastic(2, 0.3)};
+
+FaceReference face(const std::string& name) {
+  return {0, nurbs::side_of(name, 2)};
+}
+
+double value(const Model<2>& model, const std::string& field, const Vec<2>& xi) {
+  return sample(model, 0, find_field<2>(field), xi);
+}
+
+/// P at a place, from the deformation gradient there.
+Mat<2> stress(const Model<2>& model, const Vec<2>& xi) {
+  Mat<2> f;
+  f << value(model, "F11", xi), value(model, "F12", xi), value(model, "F21", xi), value(model, "F22", xi);
+  return solid::first_piola_stress<2>(model.scene().bodies[0].body->material(), f);
+}
+
+void expect_stress(const Model<2>& model, const Mat<2>& expected, double scale) {
+  for (double x : {0.1, 0.5, 0.95})
+    for (double y : {0.0, 0.6, 1.0}) {
+      const Mat<2> p = stress(model, {x, y});
+      EXPECT_NEAR((p - expected).norm(), 0, 1e-9 * scale) << "at " << x << ", " << y;
+    }
+}
+
+/// Drawn at its east side, free to contract: P = diag(t, 0) everywhere.
+Scene<2> bar(const solid::Material& material, const Vec<2>& start) {
+  Scene<2> scene =
+      square({{"wall", "west", {Hold::fixed, Hold::free}}, {"bed", "south", {Hold::free, Hold::fixed}}}, material);
+  scene.loads = {{"pull", {face("east")}, false, {start(0), start(1)}}};
+  return scene;
+}
+
+TEST(Loads, TractionOnABarGivesItsStressAndReaction) {
+  for (const solid::Material& material : laws)
+    for (int steps : {1, 5}) {
+      Model<2> model(bar(material, {0, 0}));
+      constexpr double t = 0.4;
+      for (int k = 1; k <= steps; ++k) {
+        model.set_target(0, 0, t * k / steps);
+        const auto report = model.solve_step({});
+        ASSERT_EQ(report.outcome, solve::Outcome::converged) << report.message;
+        model.accept();
+        expect_stress(model, Vec<2>(t * k / steps, 0).asDiagonal(), t);
+        EXPECT_NEAR((model.load_resultant(0) - Vec<2>(t * k / steps, 0)).norm(), 0, 1e-14);
+        EXPECT_NEAR((model.reaction(0) + Vec<2>(t * k / steps, 0)).norm(), 0, 1e-10);
+        EXPECT_NEAR(model.reaction(1).norm(), 0, 1e-10);
+        EXPECT_EQ(model.accepted_target(0, 0), t * k / steps);
+      }
+      if (std::holds_alternative<solid::LinearElastic>(material)) {
+        // Plane strain: ε_x = (1 − ν²) t/E, ε_y = −ν(1 + ν) t/E
+        EXPECT_NEAR(value(model, "ux", {1, 0.3}), (1 - 0.09) * t / 2, 1e-12);
+        EXPECT_NEAR(value(model, "uy", {0.3, 1}), -0.3 * 1.3 * t / 2, 1e-12);
+        EXPECT_NEAR(value(model, "szz", {0.3, 1}), 0.3 * t, 1e-10);
+      }
+    }
+}
+
+/// A pressure on all sides: P = −p I for both laws, and nothing for the supports that keep the block in place.
+TEST(Loads, PressureAllAroundIsHydrostatic) {
+  for (const solid::Material& material : laws) {
+    Scene<2> scene = square({}, material);
+    scene.supports = {{"pin", {corner(scene, 0, {0, 0})}, {Hold::fixed, Hold::fixed}},
+                      {"foot", {corner(scene, 0, {1, 0})}, {Hold::free, Hold::fixed}}};
+    scene.loads = {{"sea", {face("west"), face("east"), face("south"), face("north")}, true, {0}}};
+    Model<2> model(std::move(scene));
+    constexpr double p = 0.5;
+    model.set_target(0, 0, p);
+    ASSERT_EQ(model.solve_step({}).outcome, solve::Outcome::converged);
+    model.accept();
+    expect_stress(model, -p * Mat<2>::Identity(), p);
+    EXPECT_NEAR(model.load_resultant(0).norm(), 0, 1e-14);
+    EXPECT_NEAR(model.reaction(0).norm(), 0, 1e-10);
+    EXPECT_NEAR(model.reaction(1).norm(), 0, 1e-10);
+    if (std::holds_alternative<solid::LinearElastic>(material)) {
+      EXPECT_NEAR(value(model, "ux", {1, 0.5}), -(1 + 0.3) * (1 - 0.6) * p / 2, 1e-12);
+    }
+  }
+}
+
+/// What a load is declared with acts from the first step on, without being a target.
+TEST(Loads, DeclaredValueActsFromTheStart) {
+  for (const solid::Material& material : laws) {
+    Model<2> model(bar(material, {0.3, 0}));
+    EXPECT_EQ(model.accepted_target(0, 0), 0.3);
+    ASSERT_EQ(model.solve_step({}).outcome, solve::Outcome::converged);
+    model.accept();
+    expect_stress(model, Vec<2>(0.3, 0).asDiagonal(), 0.3);
+    // Taken away again
+    model.set_target(0, 0, 0);
+    ASSERT_EQ(model.solve_step({}).outcome, solve::Outcome::converged);
+    model.accept();
+    EXPECT_NEAR(model.displacement().norm(), 0, 1e-9);
+  }
+}
+
+TEST(Loads, RollbackTakesTheLoadBack) {
+  Model<2> model(bar(laws[0], {0.2, 0}));
+  ASSERT_EQ(model.solve_step({}).outcome, solve::Outcome::converged);
+  model.accept();
+  const VectorX accepted = model.displacement();
+  const Vec<2> reaction = model.reaction(0), load = model.load_resultant(0);
+  StepOptions cut;
+  cut.newton.iterations = 1;
+  model.set_target(0, 0, 0.8);
+  ASSERT_NE(model.solve_step(cut).outcome, solve::Outcome::converged);
+  model.rollback();
+  EXPECT_EQ(model.displacement(), accepted);
+  EXPECT_EQ(model.reaction(0), reaction);
+  EXPECT_EQ(model.load_resultant(0), load);
+  // The target went back too: the next step stays where it is.
+  const auto report = model.solve_step({});
+  EXPECT_EQ(report.outcome, solve::Outcome::converged);
+  EXPECT_EQ(report.iterations, 0);
+}
+
+/// A load on a face that a support holds goes into the support; two loads add up.
+TEST(Loads, ReactionsAnswerAllLoads) {
+  for (const solid::Material& material : laws) {
+    Scene<2> scene = square({{"bed", "south", {Hold::fixed, Hold::fixed}}}, material);
+    scene.loads = {{"wind", {face("west"), face("south")}, false, {0.05, -0.02}},
+                   {"gas", {face("north")}, true, {0.1}}};
+    Model<2> model(std::move(scene));
+    ASSERT_EQ(model.solve_step({}).outcome, solve::Outcome::converged);
+    model.accept();
+    EXPECT_NEAR((model.load_resultant(0) - Vec<2>(0.1, -0.04)).norm(), 0, 1e-14);
+    EXPECT_NEAR((model.load_resultant(1) - Vec<2>(0, -0.1)).norm(), 0, 1e-14);
+    EXPECT_NEAR((model.reaction(0) - Vec<2>(-0.1, 0.14)).norm(), 0, 1e-10);
+  }
+}
+
+/// Forces about an axis are those of the full circle: a disc of radius 1.5 drawn at both ends.
+TEST(Loads, AboutAnAxisTheyActOnTheFullCircle) {
+  for (const solid::Material& material : laws) {
+    Scene<2> scene;
+    scene.kind = solid::Kind::axisymmetric;
+    scene.bodies.push_back({"disc", make_body(nurbs::rectangle(1.5, 1, Eigen::Vector2d(0, 0)), {2, 2}, "N2", "north",
+                                              material, {}, solid::Kind::axisymmetric)});
+    scene.supports = {{"axis", {held(scene, 0, "west")}, {Hold::fixed, Hold::free}},
+                      {"bed", {held(scene, 0, "south")}, {Hold::free, Hold::fixed}}};
+    scene.loads = {{"pull", {face("north")}, false, {0, 0.3}}};
+    Model<2> model(std::move(scene));
+    ASSERT_EQ(model.solve_step({}).outcome, solve::Outcome::converged);
+    model.accept();
+    const double force = 0.3 * std::acos(-1.0) * 1.5 * 1.5;
+    EXPECT_NEAR(model.load_resultant(0)(1), force, 1e-12);
+    EXPECT_NEAR(model.reaction(1)(1), -force, 1e-9);
+    // Uniaxial: no stress across the axis, force over reference area along it
+    for (double x : {0.0, 0.7}) {
+      EXPECT_NEAR(value(model, "sxx", {x, 0.4}), 0, 1e-9);
+      EXPECT_NEAR(value(model, "szz", {x, 0.4}), 0, 1e-9);
+      const double across = std::holds_alternative<solid::LinearElastic>(material) ? 1 : value(model, "F11", {x, 0.4});
+      EXPECT_NEAR(value(model, "syy", {x, 0.4}) * across * across, 0.3, 1e-9);
+    }
+  }
+}
+
+} // namespace
+} // namespace signorini::model
