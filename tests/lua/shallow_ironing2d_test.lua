@@ -1,0 +1,83 @@
+-- scripts/shallow_ironing2d.lua on the coarsest mesh with half as many steps.
+
+local sg = require "signorini"
+local core = require "signorini.core"
+local check = require "check"
+
+local folder = os.tmpname()
+os.remove(folder)
+local script = core.home .. "/scripts/shallow_ironing2d.lua"
+local study = assert(loadfile(script))("mesh=m1", "steps=25", "out=" .. folder)
+local press_end, middle = 25, 25 + 62 -- the middle of the sliding lies half a step further
+
+check.case("degrees of freedom; the nose is a circle of radius 0.75", function()
+  check.equal(study.cases.N2.dofs, 2 * 5 * 3 + 2 * 32 * 9)
+  local profile = study.cases.N2.model:profile "interface"
+  for i, x in ipairs(profile.X) do check.near((x - 0.8) ^ 2 + (profile.Y[i] - 4.95) ^ 2, 0.75 ^ 2, 1e-13) end
+end)
+
+check.case("both labels arrive; steps of 0.08 mm are too long for them and are halved", function()
+  for _, case in ipairs(study.cases) do
+    check.equal({ case.run.failed, case.run.steps }, { false, 150 })
+    if case.run.cutbacks == 0 then error(case.label .. " needed no halving") end
+  end
+end)
+
+check.case("forces on this mesh, and their balance", function()
+  local N2, layer = study.cases.N2, study.cases["N2-N2.2"]
+  check.near({ N2.V[press_end], N2.H[press_end] }, { 320.1, 69.2 }, 0.1)
+  check.near({ layer.V[press_end], layer.H[press_end] }, { 319.0, 69.8 }, 0.1)
+  check.near(layer.V[middle], 407.3, 0.3)
+  check.near(layer.H[middle], 136.9, 0.5)
+  for _, axis in ipairs { ".fx", ".fy" } do
+    local bed, grip = N2.run:column("bed" .. axis), N2.run:column("grip" .. axis)
+    for step = 1, N2.run.steps do check.near(bed[step] + grip[step], 0, 1e-6) end
+  end
+end)
+
+check.case("the vertical force lies among the published curves, while it slides the ratio of the forces too", function()
+  local published = sg.reference "shallow_ironing2d_forces"
+  local layer = study.cases["N2-N2.2"]
+  local function row(time)
+    for i, value in ipairs(published:column "time") do
+      if value == time then return published.rows[i] end
+    end
+  end
+  for step, time in pairs { [press_end] = 1, [middle] = 1.5 } do
+    local V, ratios = {}, {}
+    for i, value in ipairs(row(time)) do
+      if i % 2 == 0 then V[#V + 1], ratios[#ratios + 1] = value, row(time)[i + 1] / value end
+    end
+    local function among(value, others) return value > math.min(table.unpack(others)) and value < math.max(table.unpack(others)) end
+    check.equal(#V, 5)
+    check.equal({ among(layer.V[step], V), time == 1 or among(layer.H[step] / layer.V[step], ratios) }, { true, true })
+  end
+end)
+
+check.case("the layer takes most of the ripple away", function()
+  local N2, layer = study.cases.N2.ripple, study.cases["N2-N2.2"].ripple
+  check.near({ N2.V, N2.H }, { 4.45, 16.2 }, 0.3)
+  if N2.V < 2 * layer.V or N2.H < 6 * layer.H then
+    error(("ripples of N2 %g, %g and of the layer %g, %g"):format(N2.V, N2.H, layer.V, layer.H))
+  end
+end)
+
+check.case("a sheet, a chart and two files", function()
+  for _, name in ipairs { "states.png", "forces.png", "N2.csv", "N2-N2.2.csv" } do
+    assert(io.open(folder .. "/" .. name)):close()
+  end
+  check.equal(#study.files, 4)
+end)
+
+check.case("wrong arguments", function()
+  for word, message in pairs { ["msh=m1"] = "unknown argument 'msh=m1'; known: mesh=m2", ["mesh=m9"] = "got 'm9'",
+                               ["penalty=-1"] = "penalty must be a positive number, got '-1'",
+                               ["through=two"] = "through must be a degree", ["steps=0"] = "steps must be a whole number" } do
+    local output, status = check.program { "-q", script, "out=" .. folder, word }
+    check.equal(status, 1)
+    check.holds(output, message)
+  end
+end)
+
+os.execute("rm -r '" .. folder .. "'")
+check.done()
