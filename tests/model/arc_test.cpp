@@ -1,0 +1,253 @@
+// Paths that turn back: an adhesive bar that snaps off, whose path is known, and a shallow arch that snaps through.
+#include "model/bench.hpp"
+#include "model/scenes.hpp"
+
+#include <Eigen/LU>
+
+#include <cmath>
+
+namespace signorini::model {
+namespace {
+
+using namespace test;
+
+constexpr contact::Adhesion film{0.1, 0.4};
+constexpr double bar_length = 10;
+
+/// A column that sticks to a rigid plane, drawn at its top: too soft to follow the film's falling traction.
+Scene<2> bar(const solid::Material& material) {
+  Scene<2> scene;
+  scene.bodies.push_back(
+      {"bar", make_body(nurbs::rectangle(2, bar_length, Eigen::Vector2d(0, 0)), {2, 2}, "N2", "south", material)});
+  scene.supports = {{"walls", {held(scene, 0, "west"), held(scene, 0, "east")}, {Hold::fixed, Hold::free}},
+                    {"top", {held(scene, 0, "north")}, {Hold::free, Hold::driven}}};
+  scene.obstacles = {contact::make_plane<2>({0, -contact::equilibrium_distance(film)}, {0, 1})};
+  scene.contacts = {{"film", {0, nurbs::side_of("south", 2)}, ObstacleReference{0}, film, 3}};
+  return scene;
+}
+
+/// Distance from the plane at the bar's end.
+double distance(const Model<2>& model) {
+  return contact::equilibrium_distance(film) + model.body_displacement(0)(1, 0);
+}
+
+/// A shallow clamped arch of thickness 0.3 and rise 1.5 over a span of about 12, its left half; loaded from above.
+Scene<2> arch() {
+  constexpr double half_angle = 28;
+  const double radius = 12.5;
+  const Eigen::Vector2d centre(0, 0);
+  Scene<2> scene;
+  const nurbs::Patch patch = nurbs::ruled(nurbs::arc(centre, radius, 90 + half_angle, 90),
+                                          nurbs::arc(centre, radius + 0.3, 90 + half_angle, 90));
+  scene.bodies.push_back({"arch", make_body(patch, {8, 1}, "N3", "north", solid::neo_hookean(1000, 0.3), 2)});
+  scene.supports = {{"wall", {held(scene, 0, "west")}, {Hold::fixed, Hold::fixed}},
+                    {"middle", {held(scene, 0, "east")}, {Hold::fixed, Hold::free}}};
+  scene.loads = {{"snow", {{0, nurbs::side_of("north", 2)}}, false, {0, 0}}};
+  return scene;
+}
+
+/// A strip whose east end turns with free translation.
+Scene<2> strip() {
+  Scene<2> scene;
+  scene.bodies.push_back({"strip", make_body(nurbs::rectangle(6, 1, Eigen::Vector2d(0, 0)), {6, 1}, "N2", "south",
+                                             solid::neo_hookean(2, 0.3), 2)});
+  Support<2> east{"east", {held(scene, 0, "east")}, {Hold::free, Hold::free}};
+  east.rotates = true;
+  east.centre = face_centroid(*scene.bodies[0].body, nurbs::side_of("east", 2));
+  scene.supports = {{"west", {held(scene, 0, "west")}, {Hold::fixed, Hold::fixed}}, east};
+  return scene;
+}
+
+/// A model on its way along one target of its first drive, and the same parts to take its path's tangent from by dense
+/// algebra.
+struct Walk {
+  Model<2> model;
+  Bench bench;
+  Drives<2> drives;
+  int component;
+  double sense; ///< of the target, at the beginning
+  VectorX targets, last_increment;
+
+  Walk(const Scene<2>& scene, int component_, double sense_)
+      : model(scene), bench(scene), drives(bench.scene, bench.unknowns), component(component_), sense(sense_),
+        targets(drives.start()) {}
+  double target() const { return model.accepted_target(0, component); }
+
+  /// Unit tangent of the solution curve at the accepted state, on in the sense of the last step:
+  ///   K δ = −(K_p ∂u_p − ∂f_ext) for a unit of the target.
+  VectorX tangent() {
+    const VectorX unit = VectorX::Unit(targets.size(), component);
+    targets(component) = target();
+    const VectorX rate = drives.rate(targets, unit);
+    bench.residual(model.displacement(), &rate);
+    const VectorX change = bench.unknowns.gather(bench.assembly.product() - drives.force(unit));
+    const VectorX t = rate + bench.unknowns.spread(bench.tangent().partialPivLu().solve(VectorX(-change)));
+    const double along = last_increment.size() > 0 ? t.dot(last_increment) : sense;
+    return std::copysign(1 / t.norm(), along) * t;
+  }
+  /// One accepted arc, and what holds of every one: its length along the tangent, its end an equilibrium.
+  void arc(double length) {
+    const double from = target();
+    const VectorX before = model.displacement(), t = tangent();
+    model.set_target(0, component, from + sense);
+    const solve::NewtonReport report = model.solve_arc({}, length);
+    ASSERT_EQ(report.outcome, solve::Outcome::converged) << report.message;
+    model.accept();
+    last_increment = model.displacement() - before;
+    EXPECT_NEAR(t.dot(last_increment), length, 1e-9 * length);
+    EXPECT_NEAR(target(), from + model.arc_fraction() * sense, 1e-13);
+    EXPECT_NEAR(model.last_length(), last_increment.norm(), 1e-14);
+    targets(component) = target();
+    const VectorX residual = bench.residual(model.displacement()) - drives.force(targets);
+    EXPECT_LT(bench.unknowns.gather(residual).norm(), 1e-9 * bench.unknowns.held_norm(residual));
+  }
+};
+
+/// Extremes of the targets on the way: how often they turn.
+int turns(const std::vector<double>& values) {
+  int count = 0;
+  for (std::size_t i = 2; i < values.size(); ++i)
+    count += (values[i] - values[i - 1]) * (values[i - 1] - values[i - 2]) < 0;
+  return count;
+}
+
+/// A uniform bar: σ = −T(r), so its top stands at u = r − r_eq − L T(r)/(λ + 2μ), which falls where the film's traction
+/// falls faster than the bar unloads.
+TEST(Arc, FollowsAnAdhesiveBarThroughItsSnapBack) {
+  const solid::LinearElastic material = solid::linear_elastic(2, 0.2);
+  const double modulus = material.lambda + 2 * material.mu, nearest = contact::equilibrium_distance(film);
+  const auto exact = [&](double r) { return r - nearest - bar_length * contact::traction(film, r) / modulus; };
+  double highest = 0, lowest = 1; // on the way to r = 0.75, beyond which the top rises for good
+  for (double r = nearest; r < 0.75; r += 1e-5) {
+    highest = std::max(highest, exact(r));
+    if (r > 0.4) lowest = std::min(lowest, exact(r));
+  }
+  ASSERT_GT(highest, 1.2 * lowest);
+
+  Walk walk(bar(material), 0, 1);
+  std::vector<double> tops;
+  while (distance(walk.model) < 0.75 && !HasFailure()) {
+    walk.arc(0.05);
+    tops.push_back(walk.target());
+    EXPECT_NEAR(tops.back(), exact(distance(walk.model)), 1e-9);
+    EXPECT_NEAR(walk.model.reaction(1)(1), -2 * contact::traction(film, distance(walk.model)), 1e-9);
+  }
+  EXPECT_EQ(turns(tops), 2);
+  EXPECT_NEAR(*std::max_element(tops.begin(), tops.end()), highest, 0.01 * highest);
+  EXPECT_NEAR(*std::min_element(tops.begin() + 20, tops.end()), lowest, 0.01 * lowest);
+
+  // Under displacement control the states between are not to be had: the bar lets go, or Newton's method gives up.
+  Model<2> driven(bar(material));
+  for (double top = 0.02;; top += 0.02) {
+    driven.set_target(0, 0, top);
+    const bool converged = driven.solve_step({}).outcome == solve::Outcome::converged;
+    const bool leaps = !converged || distance(driven) > 0.5;
+    EXPECT_EQ(leaps, top > highest) << top;
+    if (leaps) break;
+    driven.accept();
+  }
+  driven.rollback();
+  EXPECT_LT(distance(driven), 0.33);
+}
+
+TEST(Arc, FollowsAnArchThroughItsLimitLoad) {
+  Walk walk(arch(), 1, -1);
+  const int crown = walk.model.scene().supports[1].on[0].functions[0];
+  const auto sag = [crown](const Model<2>& model) { return -model.body_displacement(0)(1, crown); };
+  std::vector<double> loads, sags;
+  int confirmed = 0;
+  for (int step = 0; step < 45 && !HasFailure(); ++step) {
+    walk.arc(0.3);
+    loads.push_back(-walk.target());
+    sags.push_back(sag(walk.model));
+    if (step % 3 > 0) continue;
+    // The load alone leads away from there and back again.
+    const Snapshot<2> here = walk.model.snapshot();
+    bool there_and_back = true;
+    for (double factor : {0.999, 1.0}) {
+      walk.model.set_target(0, 1, -factor * loads.back());
+      there_and_back = there_and_back && walk.model.solve_step({}).outcome == solve::Outcome::converged;
+      walk.model.accept();
+    }
+    confirmed += there_and_back;
+    if (there_and_back) {
+      EXPECT_NEAR((walk.model.displacement() - here.displacement).norm(), 0, 1e-9 * here.displacement.norm()) << step;
+    }
+    walk.model.restore(here);
+  }
+  EXPECT_EQ(confirmed, 15);
+  EXPECT_EQ(turns(loads), 2);
+  const auto limit = std::max_element(loads.begin(), loads.begin() + 10);
+  EXPECT_LT(*std::min_element(limit, loads.end()), 0.3 * *limit);
+  for (std::size_t i = 1; i < sags.size(); ++i) EXPECT_GT(sags[i], sags[i - 1]);
+
+  // Under load control the arch leaps over the falling branch, or Newton's method gives up.
+  Model<2> loaded(arch());
+  for (double load = 0.01;; load += 0.01) {
+    loaded.set_target(0, 1, -load);
+    const bool converged = loaded.solve_step({}).outcome == solve::Outcome::converged;
+    const bool leaps = !converged || sag(loaded) > 2;
+    EXPECT_EQ(leaps, load > *limit) << load;
+    if (leaps) break;
+    loaded.accept();
+  }
+  loaded.rollback();
+  EXPECT_LT(sag(loaded), 0.3);
+}
+
+/// Where the path does not turn, arcs end where steps to the same targets do; turning a face is no straight motion.
+TEST(Arc, AgreesWithStepsToTheSameAngles) {
+  Walk walk(strip(), 0, 1);
+  Model<2> stepped(strip());
+  for (int k = 0; k < 12 && !HasFailure(); ++k) {
+    walk.arc(1.5);
+    stepped.set_target(0, 0, walk.target());
+    ASSERT_EQ(stepped.solve_step({}).outcome, solve::Outcome::converged);
+    stepped.accept();
+    EXPECT_NEAR((stepped.displacement() - walk.model.displacement()).norm(), 0, 1e-9 * stepped.displacement().norm());
+    EXPECT_NEAR(walk.model.moment(1), stepped.moment(1), 1e-9 * stepped.moment(1));
+  }
+  EXPECT_GT(walk.target(), 60);
+}
+
+TEST(Arc, RollbackReturnsToTheAcceptedState) {
+  Walk walk(arch(), 1, -1);
+  walk.arc(0.3);
+  walk.arc(0.3);
+  Model<2>& model = walk.model;
+  const VectorX accepted = model.displacement();
+  const double target = walk.target();
+  const Vec<2> reaction = model.reaction(0), load = model.load_resultant(0);
+  const auto unchanged = [&] {
+    EXPECT_EQ(model.displacement(), accepted);
+    EXPECT_EQ(walk.target(), target);
+    EXPECT_EQ(model.reaction(0), reaction);
+    EXPECT_EQ(model.load_resultant(0), load);
+  };
+  StepOptions cut;
+  cut.newton.iterations = 1;
+  model.set_target(0, 1, target - 1);
+  EXPECT_EQ(model.solve_arc(cut, 5).outcome, solve::Outcome::iteration_limit);
+  model.rollback();
+  unchanged();
+  // One that converges but is not taken
+  model.set_target(0, 1, target - 1);
+  ASSERT_EQ(model.solve_arc({}, 0.3).outcome, solve::Outcome::converged);
+  const VectorX first = model.displacement();
+  EXPECT_GT((first - accepted).norm(), 0.29);
+  model.rollback();
+  unchanged();
+  model.set_target(0, 1, target - 1);
+  ASSERT_EQ(model.solve_arc({}, 0.3).outcome, solve::Outcome::converged);
+  EXPECT_EQ(model.displacement(), first);
+}
+
+TEST(Arc, ErrorsNameTheArgument) {
+  Model<2> model(arch());
+  EXPECT_ERROR(model.solve_arc({}, 0.1), "an arc needs a path: set a target other than the accepted one");
+  model.set_target(0, 1, -1);
+  EXPECT_ERROR(model.solve_arc({}, 0), "an arc's length must be positive, got 0");
+}
+
+} // namespace
+} // namespace signorini::model
