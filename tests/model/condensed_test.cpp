@@ -1,0 +1,183 @@
+// Linear elastic scenes solved with the bulk condensed onto the contact unknowns, beside the plain way.
+#include "model/bench.hpp"
+#include "model/scenes.hpp"
+
+#include <cmath>
+
+namespace signorini::model {
+namespace {
+
+using namespace test;
+
+const solid::LinearElastic soft = solid::linear_elastic(1, 0.3);
+
+/// A half ring, driven at its inner arc, above a rigid plane that it touches.
+Scene<2> roller(const solid::Material& material, const contact::PenaltyLaw& law) {
+  Scene<2> scene;
+  const nurbs::Patch arc = nurbs::half_annulus(0.3, 1, Eigen::Vector2d(0, 1));
+  scene.bodies.push_back({"roller", make_body(arc, {24, 3}, "N2-N2.1", "south", material)});
+  scene.supports = {{"hub", {held(scene, 0, "north")}, {Hold::driven, Hold::driven}}};
+  scene.obstacles = {contact::make_plane<2>({0, 0}, {0, 1})};
+  scene.contacts = {{"floor", {0, nurbs::side_of("south", 2)}, ObstacleReference{0}, law, 9}};
+  return scene;
+}
+
+/// The ironing problem's two bodies, both linear elastic.
+Scene<2> linear_ironing(double mu) {
+  Scene<2> scene = ironing("N2");
+  for (auto& named : scene.bodies)
+    named.body = std::make_shared<const solid::Body<2>>(named.body->shared_space(),
+                                                        solid::linear_elastic(named.name == "die" ? 1000 : 1, 0.3));
+  scene.contacts[0].law = contact::PenaltyLaw{100, 100, mu};
+  return scene;
+}
+
+/// The most points in contact and slipping along a path, and how often iterations differed.
+struct Seen {
+  int active = 0, slipping = 0, other_iterations = 0;
+};
+
+/// The same path by both solvers: the same displacements and forces.
+Seen compare_solvers(const Scene<2>& scene, const std::vector<Vec<2>>& path) {
+  Model<2> condensed(scene), plain(scene);
+  StepOptions by_condensed, by_plain;
+  by_condensed.linear = solve::LinearKind::condensed;
+  by_plain.linear = solve::LinearKind::umfpack;
+  Seen seen;
+  for (std::size_t k = 0; k < path.size(); ++k) {
+    const auto a = step_to(condensed, 0, path[k](0), path[k](1), by_condensed),
+               b = step_to(plain, 0, path[k](0), path[k](1), by_plain);
+    EXPECT_EQ(a.outcome, solve::Outcome::converged) << k << ": " << a.message;
+    EXPECT_EQ(b.outcome, solve::Outcome::converged) << k << ": " << b.message;
+    EXPECT_NEAR(a.iterations, b.iterations, 2) << k;
+    seen.other_iterations += a.iterations != b.iterations;
+    EXPECT_EQ(condensed.linear_kind(), solve::LinearKind::condensed);
+    EXPECT_EQ(plain.linear_kind(), solve::LinearKind::umfpack);
+    condensed.accept();
+    plain.accept();
+    EXPECT_NEAR((condensed.displacement() - plain.displacement()).norm(), 0, 1e-9 * plain.displacement().norm()) << k;
+    const auto x = condensed.contact_resultant(0), y = plain.contact_resultant(0);
+    EXPECT_NEAR((x.force - y.force).norm(), 0, 1e-9 * y.force.norm());
+    EXPECT_EQ(x.active, y.active);
+    EXPECT_EQ(x.slipping, y.slipping);
+    seen.active = std::max(seen.active, y.active);
+    seen.slipping = std::max(seen.slipping, y.slipping);
+  }
+  return seen;
+}
+
+std::vector<Vec<2>> press_and_drag(double depth, int presses, double way, int drags) {
+  std::vector<Vec<2>> path;
+  for (int k = 1; k <= presses; ++k) path.push_back({0, -depth * k / presses});
+  for (int k = 1; k <= drags; ++k) path.push_back({way * k / drags, -depth});
+  return path;
+}
+
+/// With friction a step begins with slipping points on Coulomb's cone, where rounding decides which tangent the first
+/// iteration takes: a few steps end an iteration earlier or later, without friction none.
+TEST(Condensed, LinearBodyOnARigidPlane) {
+  for (double mu : {0.0, 0.3}) {
+    const Seen seen = compare_solvers(roller(soft, {100, 100, mu}), press_and_drag(0.1, 8, 0.2, 8));
+    EXPECT_GT(seen.active, 30);
+    EXPECT_EQ(seen.slipping > 20, mu > 0);
+    EXPECT_LE(seen.other_iterations, mu > 0 ? 3 : 0);
+  }
+}
+
+TEST(Condensed, TwoLinearBodies) {
+  for (double mu : {0.0, 0.2}) {
+    const Seen seen = compare_solvers(linear_ironing(mu), press_and_drag(0.1, 10, 0.3, 12));
+    EXPECT_GT(seen.active, 9);
+    EXPECT_EQ(seen.slipping > 9, mu > 0);
+    EXPECT_LE(seen.other_iterations, mu > 0 ? 4 : 0);
+  }
+}
+
+/// In one step from the first touch to a wide contact: far beyond the unknowns that were watched before.
+TEST(Condensed, ContactGrowsBeyondTheWatchedUnknowns) {
+  const Seen seen =
+      compare_solvers(roller(soft, {100, 100, 0.3}), {{0, -0.001}, {0, -0.15}, {0.3, -0.15}, {0, -0.002}});
+  EXPECT_GT(seen.active, 50);
+
+  Bench bench(roller(soft, {100}));
+  VectorX u = VectorX::Zero(bench.unknowns.dofs());
+  const auto sink = [&](double depth) {
+    for (int i = 1; i < bench.unknowns.obstacle_offset(0); i += 2) u(i) = -depth;
+    bench.residual(u);
+    return std::pair(bench.assembly.contact_version(), bench.assembly.contact_unknowns().size());
+  };
+  EXPECT_EQ(sink(-0.01), std::pair(0, std::size_t(0)));
+  const auto few = sink(0.001), more = sink(0.0012), many = sink(0.2);
+  EXPECT_EQ(few.first, 1);
+  EXPECT_EQ(more, few); // a little on: the margin holds
+  EXPECT_EQ(many.first, 2);
+  EXPECT_GT(many.second, 2 * few.second);
+  // All unknowns that contacts add to are watched.
+  const MatrixX with = bench.tangent();
+  std::vector<char> watched(static_cast<std::size_t>(bench.unknowns.size()), false);
+  for (int i : bench.assembly.contact_unknowns()) watched[static_cast<std::size_t>(i)] = true;
+  VectorX nowhere = u;
+  for (int i = 1; i < bench.unknowns.obstacle_offset(0); i += 2) nowhere(i) = 1;
+  bench.residual(nowhere);
+  const MatrixX contact = with - bench.tangent();
+  for (int i = 0; i < contact.rows(); ++i)
+    for (int j = 0; j < contact.cols(); ++j)
+      if (std::abs(contact(i, j)) > 1e-12) {
+        EXPECT_TRUE(watched[static_cast<std::size_t>(i)] && watched[static_cast<std::size_t>(j)]);
+      }
+}
+
+/// Nothing but the plane keeps a block from falling, and with friction from sliding: the bulk's stiffness alone is
+/// singular.
+TEST(Condensed, BodyThatOnlyTheContactHolds) {
+  const auto scene = [](double mu) {
+    Scene<2> block =
+        square({{"guide", "west", {mu > 0 ? Hold::free : Hold::fixed, Hold::free}}}, solid::linear_elastic(100, 0.3));
+    block.obstacles = {contact::make_plane<2>({0, 0.001}, {0, 1})};
+    block.contacts = {
+        {"floor", {0, nurbs::side_of("south", 2)}, ObstacleReference{0}, contact::PenaltyLaw{100, 100, mu}, 4}};
+    block.loads = {{"weight", {{0, nurbs::side_of("north", 2)}}, false, {0, -0.1}}};
+    return block;
+  };
+  for (double mu : {0.0, 0.3}) {
+    Model<2> condensed(scene(mu)), plain(scene(mu));
+    for (double push : {0.0, 0.01}) {
+      for (Model<2>* model : {&condensed, &plain}) {
+        StepOptions options;
+        options.linear = model == &condensed ? solve::LinearKind::condensed : solve::LinearKind::umfpack;
+        model->set_target(0, 0, push);
+        const auto report = model->solve_step(options);
+        ASSERT_EQ(report.outcome, solve::Outcome::converged) << mu << " " << report.message;
+        model->accept();
+        EXPECT_NEAR(model->contact_resultant(0).force(1), 0.1, 1e-9);
+        EXPECT_NEAR(model->contact_resultant(0).force(0), mu > 0 ? -push : 0, 1e-9);
+        EXPECT_NEAR(model->reaction(0)(0), mu > 0 ? 0 : -push, 1e-9);
+      }
+      EXPECT_NEAR((condensed.displacement() - plain.displacement()).norm(), 0, 1e-9 * plain.displacement().norm());
+    }
+  }
+}
+
+TEST(Condensed, NeedsLinearBodiesAndAContact) {
+  StepOptions options;
+  options.linear = solve::LinearKind::condensed;
+  const auto step = [&](Scene<2> scene) {
+    Model<2> model(std::move(scene));
+    step_to(model, 0, 0, -0.01, options);
+  };
+  const std::string message = "linear = \"condensed\" needs bodies that are all linear elastic, and a contact";
+  EXPECT_ERROR(step(roller(solid::neo_hookean(1, 0.3), {100})), message);
+  EXPECT_ERROR(
+      step(
+          square({{"bed", "south", {Hold::fixed, Hold::fixed}}, {"top", "north", {Hold::driven, Hold::driven}}}, soft)),
+      message);
+  // Without a word it is taken where it can be.
+  Model<2> linear(roller(soft, {100})), other(roller(solid::neo_hookean(1, 0.3), {100}));
+  step_to(linear, 0, 0, -0.01);
+  step_to(other, 0, 0, -0.01);
+  EXPECT_EQ(linear.linear_kind(), solve::LinearKind::condensed);
+  EXPECT_NE(other.linear_kind(), solve::LinearKind::condensed);
+}
+
+} // namespace
+} // namespace signorini::model
