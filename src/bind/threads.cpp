@@ -1,5 +1,7 @@
 #include "bind/threads.hpp"
 
+#include "base/parallel.hpp"
+
 #include <cstdlib>
 #include <dlfcn.h>
 #include <filesystem>
@@ -17,6 +19,7 @@ template <class F> F* loaded(const char* name) {
 } // namespace
 
 void set_threads(int threads) {
+  set_worker_threads(threads);
   const std::string number = std::to_string(threads);
   for (const char* variable : {"OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS"}) setenv(variable, number.c_str(), 1);
   for (const char* name : {"openblas_set_num_threads", "omp_set_num_threads"})

@@ -5,7 +5,7 @@
 
 namespace signorini::bind {
 
-/// Sets the threads of BLAS and OpenMP, here and for child processes.
+/// Sets the threads of assembly, BLAS and OpenMP; those of the libraries for child processes as well.
 void set_threads(int threads);
 
 /// "OpenBLAS 0.3.21 …, libopenblas.so" of the BLAS that is loaded.

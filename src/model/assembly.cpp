@@ -1,5 +1,6 @@
 #include "model/assembly.hpp"
 
+#include "base/parallel.hpp"
 #include "base/timer.hpp"
 
 #include <algorithm>
@@ -25,11 +26,13 @@ template <int D>
 Assembly<D>::Assembly(const Scene<D>& scene, const Unknowns<D>& unknowns)
     : scene_(scene), unknowns_(unknowns), placements_(scene.contacts.size()),
       is_contact_unknown_(at(unknowns.size()), false), residual_(unknowns.dofs()), product_(unknowns.dofs()) {
-  build_bulk();
-  for (const auto& named : scene_.bodies) {
-    arrays_.emplace_back(*named.body);
-    linear_ = linear_ && named.body->linear();
+  for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
+    const solid::Body<D>& body = *scene_.bodies[b].body;
+    partitions_.push_back(partition(unknowns_, body, unknowns_.offset(static_cast<int>(b))));
+    arrays_.insert(arrays_.end(), partitions_.back().heads.size(), solid::ElementArrays<D>(body));
+    linear_ = linear_ && body.linear();
   }
+  build_bulk();
   cover({});
 }
 
@@ -54,16 +57,18 @@ template <int D> void Assembly<D>::build_bulk() {
   bulk_pattern_ = solve::couple(unknowns_.size(), groups);
 
   // Positions in the order in which scatter walks through ElementArrays::blocks
-  const int trash = bulk_pattern_.entries();
+  int trash = bulk_pattern_.entries();
   const auto find = [&](int row, int column) {
     return row < 0 || column < 0 ? trash : bulk_pattern_.find(row, column);
   };
   std::size_t g = 0;
-  for (const auto& named : scene_.bodies) {
+  for (std::size_t body = 0; body < scene_.bodies.size(); ++body) {
+    const Partition& shares = partitions_[body];
     first_position_.emplace_back();
-    for (int e = 0; e < named.body->elements(); ++e, ++g) {
+    for (int e = 0, share = 0; e < scene_.bodies[body].body->elements(); ++e, ++g) {
+      for (; e >= shares.tails[at(share)].last; ++share) ++trash;
       const Nodes& group = groups[g];
-      const int n = named.body->element(e).functions;
+      const int n = scene_.bodies[body].body->element(e).functions;
       first_position_.back().push_back(bulk_positions_.size());
       for (int i = 0; i < D; ++i)
         for (int j = i; j < D; ++j) {
@@ -74,6 +79,7 @@ template <int D> void Assembly<D>::build_bulk() {
             for (int b = 0; b < n; ++b) bulk_positions_.push_back(find(group[at(D * b + j)], group[at(D * a + i)]));
         }
     }
+    ++trash;
   }
 }
 
@@ -126,12 +132,13 @@ template <int D> void Assembly<D>::cover(const std::vector<contact::Pair<D>>& pa
     }
   std::vector<int> moved;
   pattern_ = solve::extend(bulk_pattern_, groups, moved);
-  moved.push_back(pattern_.entries());
+  for (std::size_t share = 0; share < arrays_.size(); ++share)
+    moved.push_back(pattern_.entries() + static_cast<int>(share));
   positions_.resize(bulk_positions_.size());
   for (std::size_t i = 0; i < positions_.size(); ++i) positions_[i] = moved[at(bulk_positions_[i])];
   diagonal_.clear();
   for (int i = 0; i < pattern_.size; ++i) diagonal_.push_back(pattern_.find(i, i));
-  values_.resize(at(pattern_.entries()) + 1);
+  values_.resize(at(pattern_.entries()) + arrays_.size());
   for (auto& placements : placements_) placements.clear();
   if (linear_) build_constant();
   ++version_;
@@ -139,13 +146,16 @@ template <int D> void Assembly<D>::cover(const std::vector<contact::Pair<D>>& pa
 
 /// The tangent of linear bodies.
 template <int D> void Assembly<D>::build_constant() {
-  constant_.assign(at(pattern_.entries()) + 1, 0.0);
+  constant_.assign(at(pattern_.entries()) + arrays_.size(), 0.0);
   const VectorX rest = VectorX::Zero(unknowns_.dofs());
-  for (std::size_t b = 0; b < scene_.bodies.size(); ++b)
-    for (int e = 0; e < scene_.bodies[b].body->elements(); ++e) {
-      internal_force(*scene_.bodies[b].body, e, rest.data(), arrays_[b]);
-      scatter(static_cast<int>(b), e, arrays_[b], constant_.data());
+  for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
+    const solid::Body<D>& body = *scene_.bodies[b].body;
+    solid::ElementArrays<D> arrays(body);
+    for (int e = 0; e < body.elements(); ++e) {
+      internal_force(body, e, rest.data(), arrays);
+      scatter(static_cast<int>(b), e, arrays, constant_.data());
     }
+  }
 }
 
 /// Keeps contact_unknowns() ahead of the contacts: when one reaches an unknown beyond them, they become those of all
@@ -210,48 +220,114 @@ template <int D> bool Assembly<D>::locate(const std::vector<contact::Pair<D>>& p
 template <int D>
 std::optional<BodyInversion> Assembly<D>::assemble(std::vector<contact::Pair<D>>& pairs, const VectorX& displacement,
                                                    const VectorX* direction, bool tangent, Timings& timings) {
-  residual_.setZero();
-  if (direction) product_.setZero();
-  {
-    ScopedTimer timer(timings.contact);
-    for (std::size_t k = 0; k < pairs.size(); ++k)
-      pairs[k].evaluate(displacement.data() + unknowns_.offset(scene_.contacts[k].slave.body),
-                        displacement.data() + master_offset(scene_.contacts[k]), tangent);
-    if (!locate(pairs)) {
-      cover(pairs);
-      locate(pairs);
-    }
-    if (linear_) watch_contacts(pairs);
-  }
-  {
-    ScopedTimer timer(timings.bulk);
-    if (tangent && linear_)
-      std::copy(constant_.begin(), constant_.end(), values_.begin());
-    else if (tangent)
-      std::fill(values_.begin(), values_.end(), 0.0);
-    const bool scatters = tangent && !linear_;
-    for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
-      const solid::Body<D>& body = *scene_.bodies[b].body;
-      const int offset = unknowns_.offset(static_cast<int>(b));
-      solid::ElementArrays<D>& arrays = arrays_[b];
-      for (int e = 0; e < body.elements(); ++e) {
-        const bool multiplies = direction && holds_[b][at(e)];
-        if (auto inversion = internal_force(body, e, displacement.data() + offset, arrays, scatters || multiplies))
-          return BodyInversion{static_cast<int>(b), *inversion};
-        const auto functions = body.functions_of(e);
-        const std::size_t n = functions.size();
-        for (std::size_t a = 0; a < n; ++a)
-          for (std::size_t i = 0; i < D; ++i)
-            residual_(offset + D * functions[a] + static_cast<int>(i)) += arrays.force[i * n + a];
-        if (scatters) scatter(static_cast<int>(b), e, arrays, values_.data());
-        if (multiplies) multiply(static_cast<int>(b), e, arrays, *direction);
-      }
-    }
-  }
+  const std::optional<BodyInversion> inverted = add_bulk(pairs, {displacement, direction, tangent}, timings);
+  if (inverted) return inverted;
   ScopedTimer timer(timings.contact);
+  if (linear_) watch_contacts(pairs);
   add_contacts(pairs, direction, tangent);
   if (tangent) find_largest_diagonal();
   return std::nullopt;
+}
+
+/// A share of a body, and what adding it up took.
+template <int D> struct Assembly<D>::Task {
+  std::size_t body, share;
+  solid::ElementArrays<D>* arrays;
+  double seconds = 0;
+  std::optional<BodyInversion> inverted = {};
+};
+
+/// Evaluates the contacts and adds up all bodies. Contacts and shares of bodies are tasks side by side; when the
+/// contacts turn out to need a new pattern, the bodies are added up once more.
+template <int D>
+std::optional<BodyInversion> Assembly<D>::add_bulk(std::vector<contact::Pair<D>>& pairs, const Request& request,
+                                                   Timings& timings) {
+  std::vector<Task> tasks;
+  for (std::size_t b = 0; b < partitions_.size(); ++b)
+    for (std::size_t share = 0; share < partitions_[b].heads.size(); ++share)
+      tasks.push_back({b, share, &arrays_[tasks.size()]});
+  std::vector<double> contact_seconds(pairs.size(), 0.0);
+  const auto evaluate = [&](std::size_t k) {
+    ScopedTimer timer(contact_seconds[k]);
+    pairs[k].evaluate(request.displacement.data() + unknowns_.offset(scene_.contacts[k].slave.body),
+                      request.displacement.data() + master_offset(scene_.contacts[k]), request.tangent);
+  };
+  const auto add_heads = [&](std::size_t contacts) {
+    clear(request);
+    parallel(static_cast<int>(contacts + tasks.size()), [&](int i) {
+      if (at(i) < contacts) return evaluate(at(i));
+      Task& task = tasks[at(i) - contacts];
+      add_range(partitions_[task.body].heads[task.share], request, task);
+    });
+  };
+
+  const Stopwatch watch;
+  add_heads(pairs.size());
+  if (!locate(pairs)) {
+    cover(pairs);
+    locate(pairs);
+    add_heads(0);
+  }
+  parallel(static_cast<int>(tasks.size()), [&](int i) {
+    Task& task = tasks[at(i)];
+    add_range(partitions_[task.body].tails[task.share], request, task);
+  });
+  for (Task& task : tasks)
+    if (task.share == 0) add_rest(request, task);
+
+  // What passed on the clock is shared out by what the tasks took.
+  double bulk = 0, contact = 0;
+  for (const Task& task : tasks) bulk += task.seconds;
+  for (double seconds : contact_seconds) contact += seconds;
+  const double scale = watch.seconds() / (bulk + contact);
+  timings.bulk += scale * bulk;
+  timings.contact += scale * contact;
+  for (const Task& task : tasks)
+    if (task.inverted) return task.inverted;
+  return std::nullopt;
+}
+
+template <int D> void Assembly<D>::clear(const Request& request) {
+  residual_.setZero();
+  if (request.direction) product_.setZero();
+  if (!request.tangent) return;
+  if (linear_)
+    std::copy(constant_.begin(), constant_.end(), values_.begin());
+  else
+    std::fill(values_.begin(), values_.end(), 0.0);
+}
+
+template <int D> void Assembly<D>::add_range(const ElementRange& range, const Request& request, Task& task) {
+  ScopedTimer timer(task.seconds);
+  const std::vector<char>& in_rest = partitions_[task.body].in_rest;
+  for (int e = range.first; e < range.last && !task.inverted; ++e)
+    if (!in_rest[at(e)]) add_element(e, request, task);
+}
+
+template <int D> void Assembly<D>::add_rest(const Request& request, Task& task) {
+  ScopedTimer timer(task.seconds);
+  for (int e : partitions_[task.body].rest)
+    if (!task.inverted) add_element(e, request, task);
+}
+
+template <int D> void Assembly<D>::add_element(int e, const Request& request, Task& task) {
+  const int b = static_cast<int>(task.body), offset = unknowns_.offset(b);
+  const solid::Body<D>& body = *scene_.bodies[task.body].body;
+  solid::ElementArrays<D>& arrays = *task.arrays;
+  const bool scatters = request.tangent && !linear_;
+  const bool multiplies = request.direction && holds_[task.body][at(e)];
+  const double* displacement = request.displacement.data() + offset;
+  if (const auto inversion = internal_force(body, e, displacement, arrays, scatters || multiplies)) {
+    task.inverted = BodyInversion{b, *inversion};
+    return;
+  }
+  const auto functions = body.functions_of(e);
+  const std::size_t n = functions.size();
+  for (std::size_t a = 0; a < n; ++a)
+    for (std::size_t i = 0; i < D; ++i)
+      residual_(offset + D * functions[a] + static_cast<int>(i)) += arrays.force[i * n + a];
+  if (scatters) scatter(b, e, arrays, values_.data());
+  if (multiplies) multiply(b, e, arrays, *request.direction);
 }
 
 template <int D> void Assembly<D>::scatter(int b, int e, const solid::ElementArrays<D>& arrays, double* values) const {

@@ -2,7 +2,7 @@
 // Puts the elements' and contacts' contributions into one residual and one tangent of fixed sparse pattern.
 
 #include "contact/pair.hpp"
-#include "model/unknowns.hpp"
+#include "model/partition.hpp"
 #include "solid/internal.hpp"
 #include "solve/pattern.hpp"
 
@@ -37,7 +37,7 @@ public:
 
   const VectorX& residual() const { return residual_; }
   const VectorX& product() const { return product_; }
-  /// Values of the tangent in the order of pattern().
+  /// Values of the tangent in the order of pattern(), and others behind them.
   const std::vector<double>& values() const { return values_; }
   const solve::Pattern& pattern() const { return pattern_; }
   /// Grows by one whenever the pattern is a new one.
@@ -63,6 +63,18 @@ private:
   void cover(const std::vector<contact::Pair<D>>& pairs);
   bool locate(const std::vector<contact::Pair<D>>& pairs);
   void watch_contacts(const std::vector<contact::Pair<D>>& pairs);
+  /// What an assembly is asked for.
+  struct Request {
+    const VectorX& displacement;
+    const VectorX* direction;
+    bool tangent;
+  };
+  struct Task;
+  std::optional<BodyInversion> add_bulk(std::vector<contact::Pair<D>>& pairs, const Request& request, Timings& timings);
+  void clear(const Request& request);
+  void add_range(const ElementRange& range, const Request& request, Task& task);
+  void add_rest(const Request& request, Task& task);
+  void add_element(int e, const Request& request, Task& task);
   void scatter(int body, int e, const solid::ElementArrays<D>& arrays, double* values) const;
   void multiply(int body, int e, const solid::ElementArrays<D>& arrays, const VectorX& direction);
   void add_contacts(const std::vector<contact::Pair<D>>& pairs, const VectorX* direction, bool tangent);
@@ -81,7 +93,8 @@ private:
   std::vector<std::vector<std::size_t>> first_position_; ///< [body][element]
   std::vector<std::vector<char>> holds_;                 ///< [body][element]: has degrees of freedom that are held
   std::vector<std::unordered_map<std::uint64_t, Placement>> placements_; ///< per contact, by the group's elements
-  std::vector<solid::ElementArrays<D>> arrays_;                          ///< per body
+  std::vector<Partition> partitions_;                                    ///< per body
+  std::vector<solid::ElementArrays<D>> arrays_;                          ///< per body and share of its partition
   std::vector<int> diagonal_;
   std::vector<double> values_;   ///< one more than entries: what belongs to prescribed degrees of freedom lands there
   std::vector<double> constant_; ///< bulk values of linear bodies, in the order of pattern_

@@ -85,8 +85,9 @@ template <int D> solve::LinearSolver& Model<D>::solver(const StepOptions& option
   if (!solver_ || solver_version_ != assembly_.pattern_version() || solver_asked_ != options.linear ||
       (condense && solver_contacts_ != assembly_.contact_version())) {
     if (condense) {
-      const auto& values = assembly_.constant_values(); // the last one belongs to prescribed degrees of freedom
-      const solve::Condensation condensation{{values.begin(), values.end() - 1}, assembly_.contact_unknowns()};
+      const auto& values = assembly_.constant_values();
+      const solve::Condensation condensation{{values.begin(), values.begin() + assembly_.pattern().entries()},
+                                             assembly_.contact_unknowns()};
       solver_ = solve::make_solver(solve::LinearKind::condensed, assembly_.pattern(), &condensation);
     } else {
       solver_ = solve::make_solver(options.linear, assembly_.pattern());

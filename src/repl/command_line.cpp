@@ -65,7 +65,7 @@ const char* usage() {
          "  -e 'code'       run code (may be repeated, before the script)\n"
          "  -i              go to the prompt afterwards\n"
          "  -q              no progress, no greeting\n"
-         "  --threads N     threads of the linear algebra (1)\n"
+         "  --threads N     threads of assembly and linear algebra (1)\n"
          "  --version       version\n"
          "  --help          this text\n"
          "  --doctor        versions of all libraries, and a test picture\n"

@@ -68,7 +68,7 @@ bool Cholesky::factor(const double* values) {
 
 bool Cholesky::factor_definite(cholmod_sparse& matrix) {
   common_.supernodal = CHOLMOD_SUPERNODAL;
-  cholmod_factorize(&matrix, dense_blocks_.factor, &common_);
+  factorize(matrix, dense_blocks_.factor, common_);
   if (common_.status != CHOLMOD_OK || !(cholmod_rcond(dense_blocks_.factor, &common_) > least_pivot)) return false;
   used_ = &dense_blocks_;
   negative_ = 0;
@@ -79,7 +79,7 @@ bool Cholesky::factor_symmetric(cholmod_sparse& matrix) {
   negative_ = -1;
   common_.supernodal = CHOLMOD_SIMPLICIAL;
   cholmod_factor* factor = by_columns_.factor;
-  cholmod_factorize(&matrix, factor, &common_);
+  factorize(matrix, factor, common_);
   if (common_.status != CHOLMOD_OK || !(cholmod_rcond(factor, &common_) > least_pivot)) return false;
   used_ = &by_columns_;
   const int* starts = static_cast<int*>(factor->p);

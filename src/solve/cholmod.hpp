@@ -15,9 +15,6 @@ struct CholmodCommon : cholmod_common {
   CholmodCommon() : cholmod_common{} {
     cholmod_start(this);
     print = 0;
-    // Arithmetic per entry of L from which dense blocks pay. Measured on plane tangents, time by columns over time by
-    // blocks: 0.4 at 60, 0.6 at 120, 0.9 at 180.
-    supernodal_switch = 200;
   }
   ~CholmodCommon() { cholmod_finish(this); }
   CholmodCommon(const CholmodCommon&) = delete;
@@ -33,6 +30,11 @@ struct CholmodFactor {
   CholmodFactor(const CholmodFactor&) = delete;
   CholmodFactor& operator=(const CholmodFactor&) = delete;
 };
+
+/// Factors without threads of CHOLMOD's own: it asks OpenMP for four, however many the user or the machine has, for
+/// loops far shorter than their start. Measured on two cores with strips of 4,423 and 14,015 unknowns: 3.3 ms instead of
+/// 16, 33 instead of 104. BLAS keeps its threads.
+void factorize(cholmod_sparse& matrix, cholmod_factor* factor, cholmod_common& common);
 
 /// The lower triangle of a symmetric matrix that is stored in full; nothing is copied, so pattern and values must stay.
 inline cholmod_sparse lower_triangle(const Pattern& pattern, const double* values) {

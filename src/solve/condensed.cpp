@@ -4,6 +4,7 @@
 #include "base/error.hpp"
 #include "solve/changing_block.hpp"
 #include "solve/cholmod.hpp"
+#include "solve/lapack.hpp"
 #include "solve/values.hpp"
 
 #include <algorithm>
@@ -83,19 +84,21 @@ Condensed::Condensed(const Pattern& pattern, const Condensation& condensation)
   changes_.reserve(entries_.size());
 }
 
-/// An ordering with the contact unknowns last: of the constrained minimum degree and nested dissection the one with
-/// less arithmetic.
+/// An ordering with the contact unknowns last: constrained minimum degree, or nested dissection where that is poor, by
+/// CHOLMOD's own measure, and dissection better. In two dimensions it is not, and takes longer than the factorisation.
 void Condensed::order(cholmod_sparse& matrix, const std::vector<char>& touched) {
-  // CAMD numbers its sets from 0 without gaps.
+  // CSYMAMD numbers its sets from 0 without gaps.
   std::vector<int> constraints(at(size_), 0), trial(at(size_));
   if (contacts_ < size_) constraints.assign(touched.begin(), touched.end());
   common_.nmethods = 1;
   common_.method[0].ordering = CHOLMOD_GIVEN;
   common_.postorder = false; // it would move contact unknowns forward
+  constexpr double poor = 500; // operations per entry of L
   double least = std::numeric_limits<double>::infinity();
   for (bool dissect : {false, true}) {
+    if (dissect && common_.fl < poor * common_.lnz) break;
     const bool ordered = dissect ? cholmod_metis(&matrix, nullptr, 0, true, trial.data(), &common_)
-                                 : cholmod_camd(&matrix, nullptr, 0, constraints.data(), trial.data(), &common_);
+                                 : cholmod_csymamd(&matrix, constraints.data(), trial.data(), &common_);
     if (!ordered) continue;
     std::stable_partition(trial.begin(), trial.end(), [&](int unknown) { return !touched[at(unknown)]; });
     CholmodFactor symbolic(common_);
@@ -133,7 +136,7 @@ void Condensed::factor_bulk(const Pattern& pattern, const Condensation& condensa
   cholmod_sparse matrix = lower_triangle(kept, values.data());
   order(matrix, touched);
   common_.final_ll = true;
-  cholmod_factorize(&matrix, bulk_.factor, &common_);
+  factorize(matrix, bulk_.factor, common_);
   if (common_.status != CHOLMOD_OK || bulk_.factor->minor < bulk_.factor->n) return;
 
   CholmodFactor copy(common_);
@@ -153,7 +156,11 @@ void Condensed::factor_bulk(const Pattern& pattern, const Condensation& condensa
     }
   cholmod_free_sparse(&lower, &common_);
 
-  MatrixX schur = corner_ * corner_.transpose();
+  // The lower triangle is what ChangingBlock reads.
+  MatrixX schur(contacts_, contacts_);
+  const double one = 1, zero = 0;
+  if (contacts_ > 0)
+    dsyrk_("L", "N", &contacts_, &contacts_, &one, corner_.data(), &contacts_, &zero, schur.data(), &contacts_);
   for (int k = 0; k < contacts_; ++k) schur(k, k) -= shift(unknowns_[at(interior + k)]);
   block_ = ChangingBlock(std::move(schur));
   regular_ = interior_.regular();

@@ -1,0 +1,68 @@
+#include "base/parallel.hpp"
+
+#include <atomic>
+#include <gtest/gtest.h>
+#include <stdexcept>
+#include <vector>
+
+namespace signorini {
+namespace {
+
+/// One thread again when a test ends.
+struct Workers {
+  explicit Workers(int threads) { set_worker_threads(threads); }
+  ~Workers() { set_worker_threads(1); }
+};
+
+TEST(Parallel, RunsEveryTaskOnceWhateverTheNumberOfThreads) {
+  for (int threads : {1, 2, 3, 8}) {
+    const Workers workers(threads);
+    EXPECT_EQ(worker_threads(), threads);
+    for (int round = 0; round < 2000; ++round) {
+      const int count = round % 7;
+      std::vector<int> runs(static_cast<std::size_t>(count), 0);
+      parallel(count, [&](int i) { ++runs[static_cast<std::size_t>(i)]; });
+      for (int n : runs) ASSERT_EQ(n, 1) << threads << " threads, round " << round;
+    }
+  }
+}
+
+TEST(Parallel, UsesTheOtherThreads) {
+  const Workers workers(2);
+  // Each of the two tasks waits for the other: they only end side by side.
+  std::atomic<int> present = 0;
+  parallel(2, [&](int) {
+    ++present;
+    while (present < 2) {
+    }
+  });
+  EXPECT_EQ(present, 2);
+}
+
+TEST(Parallel, ThrowsTheFirstErrorAfterAllTasksAreDone) {
+  for (int threads : {1, 2}) {
+    const Workers workers(threads);
+    std::atomic<int> done = 0;
+    const auto run = [&] {
+      parallel(6, [&](int i) {
+        if (i == 2 || i == 4) throw std::runtime_error(std::to_string(i));
+        ++done;
+      });
+    };
+    try {
+      run();
+      FAIL() << "nothing was thrown";
+    } catch (const std::runtime_error& error) {
+      EXPECT_STREQ(error.what(), "2");
+    }
+    if (threads > 1) {
+      EXPECT_EQ(done, 4);
+    }
+    int sum = 0;
+    parallel(1, [&](int) { ++sum; });
+    EXPECT_EQ(sum, 1);
+  }
+}
+
+} // namespace
+} // namespace signorini
