@@ -1,5 +1,5 @@
--- Van der Waals adhesion and rotating faces as a user sets them up: a block torn off against the law in closed form, the
--- region on which the law acts, the area that it is counted on; wrong inputs.
+-- Van der Waals adhesion and rotating faces as a user sets them up: a block torn off against the law in closed form,
+-- the region on which the law acts, the area that it is counted on; wrong inputs.
 
 local sg = require "signorini"
 local check = require "check"
@@ -27,7 +27,8 @@ end
 --- A block of 20 × 4 on a film, held by its lid.
 local function block(options)
   local body = sg.body{ patch = sg.shapes.rectangle{ width = 20, height = height }, elements = {10, 2},
-                        order = options.order or "N2", contact = "south", material = sg.linear_elastic{ E = modulus, nu = 0 } }
+                        order = options.order or "N2", contact = "south",
+                        material = sg.linear_elastic{ E = modulus, nu = 0 } }
   return sg.model{
     bodies   = { block = body },
     supports = options.supports and options.supports(body)
@@ -106,8 +107,8 @@ end)
 -- Each ends with status 1 and a message that names the script's line, the argument, what came and the cure.
 local start = [[
 local sg = require "signorini"
-local s = sg.body{ patch = sg.shapes.rectangle{ width = 20, height = 4 }, elements = {10, 2}, order = "N2", contact = "south",
-                   material = sg.neo_hookean{ E = 2, nu = 0.2 } }
+local s = sg.body{ patch = sg.shapes.rectangle{ width = 20, height = 4 }, elements = {10, 2}, order = "N2",
+                   contact = "south", material = sg.neo_hookean{ E = 2, nu = 0.2 } }
 local low, edge, film = s:face "south", s:face "east", { hamaker = 0.1, r0 = 0.4 }
 local plane = sg.rigid.plane{ point = {0, -0.2547}, normal = {0, 1} }
 local function with(contact)
@@ -140,18 +141,23 @@ local wrong = {
     "contacts.f.where", "it must be a function that returns true or false" },
   { "a region that fails", "sg.model(with{ adhesion = film, where = function(X) return X.x <= 15 end })",
     "attempt to compare nil with number" },
-  { "a plane inside the body", "sg.model(with{ adhesion = film, master = sg.rigid.plane{ point = {0, 2}, normal = {0, 1} } })",
+  { "a plane inside the body",
+    "sg.model(with{ adhesion = film, master = sg.rigid.plane{ point = {0, 2}, normal = {0, 1} } })",
     "the obstacle of 'f' is inside body 's' at the start", "2 deep", "move the obstacle out" },
-  { "a cylinder inside the body", "sg.model(with{ adhesion = film, master = sg.rigid.cylinder{ centre = {10, 2}, radius = 1 } })",
-    "the obstacle of 'f' is inside body 's' at the start", "its centre (10  2) lies in the body", "move the obstacle out" },
+  { "a cylinder inside the body",
+    "sg.model(with{ adhesion = film, master = sg.rigid.cylinder{ centre = {10, 2}, radius = 1 } })",
+    "the obstacle of 'f' is inside body 's' at the start", "its centre (10  2) lies in the body",
+    "move the obstacle out" },
   { "two faces that rotate as one", [[sg.model(turned{ on = { edge, s:face "west" }, rotate = true })]],
     "supports.e.on must be one face", "got a list of 2 values", "give other faces a support of their own" },
   { "a corner that rotates", [[sg.model(turned{ on = s:corner "south-east", rotate = true })]],
     "supports.e.on must be one face", "what rotates is one face of a body" },
   { "an angle where the face is described", "sg.model(turned{ on = edge, rotate = 90 })",
     "supports.e.rotate must be true or false", "got the number 90" },
-  { "a stage without the angle", [[sg.model(turned{ on = edge, rotate = true, drive = "xy" }):run{ { steps = 1, e = {0, 1} } }]],
-    "model:run: stage 1.e must be a list of 3 values (ux, uy, angle), got a list of 2 values", "one for each driven component" },
+  { "a stage without the angle",
+    [[sg.model(turned{ on = edge, rotate = true, drive = "xy" }):run{ { steps = 1, e = {0, 1} } }]],
+    "model:run: stage 1.e must be a list of 3 values (ux, uy, angle), got a list of 2 values",
+    "one for each driven component" },
   { "no angle at all", [[sg.model(turned{ on = edge, rotate = true, fix = "xy" }):run{ { steps = 1, e = {} } }]],
     "model:run: stage 1.e must be a list of 1 value (angle), got an empty table" },
   { "two angles", [[sg.model(turned{ on = edge, rotate = true, fix = "xy" }):run{ { steps = 1, e = {90, 1} } }]],

@@ -1,5 +1,5 @@
--- Paths that turn back: a strip that peels in snap-backs under prescribed rotation, an arch that snaps through under a dead
--- load. Without arc length a run ends there and says so; with it the run goes on, and says where control changed.
+-- Paths that turn back: a strip that peels in snap-backs under prescribed rotation, an arch that snaps through under a
+-- dead load. Without arc length a run ends there and says so; with it the run goes on, and says where control changed.
 
 local sg = require "signorini"
 local check = require "check"
@@ -15,8 +15,8 @@ local function strip()
   return sg.model{
     bodies   = { strip = body },
     supports = { edge = { on = body:face "east", rotate = true }, pin = { on = body:corner "south-west", fix = "x" } },
-    contacts = { film = { slave = body:face "south", master = sg.rigid.plane{ point = {0, -equilibrium}, normal = {0, 1} },
-                          adhesion = film, where = function(X) return X[1] <= 80 end } },
+    contacts = { film = { slave = body:face "south", adhesion = film, where = function(X) return X[1] <= 80 end,
+                          master = sg.rigid.plane{ point = {0, -equilibrium}, normal = {0, 1} } } },
   }
 end
 
@@ -56,8 +56,8 @@ end
 check.case("rotation control ends where the path turns back, and the report names the angle", function()
   local run = peel(152, false)
   check.equal({ run.failed, run.reason, run.steps }, { true, "turning_point", 144 })
-  check.holds(run.report, "step 145 (stage 'peel', 145 of 152) was not reached", "The model is at its last accepted step, 144",
-    "arc_length = true")
+  check.holds(run.report, "step 145 (stage 'peel', 145 of 152) was not reached",
+    "The model is at its last accepted step, 144", "arc_length = true")
   check.near(tonumber(run.report:match "turning point at edge%.angle = ([%d.]+)"), 72.33, 0.1)
   check.equal(#run.controls, 0)
 end)
@@ -66,8 +66,10 @@ check.case("arcs lead through the snap-back; the run names both changes of contr
   local run = peel(152, true)
   check.equal({ run.failed, run.reason, run.steps, #run.controls }, { false, "completed", 152, 2 })
   local there, back = run.controls[1], run.controls[2]
-  check.equal({ there.step, there.to, there.place, there.reason }, { 145, "arc length", "edge.angle = 72", "iterations" })
-  check.equal({ back.step, back.to, back.place, back.reason }, { 145, "targets", "edge.angle = 72.5", "the step's end is passed" })
+  check.equal({ there.step, there.to, there.place, there.reason },
+    { 145, "arc length", "edge.angle = 72", "iterations" })
+  check.equal({ back.step, back.to, back.place, back.reason },
+    { 145, "targets", "edge.angle = 72.5", "the step's end is passed" })
   check.holds(tostring(run), "control: arc length from edge.angle = 72 in step 145", "targets from edge.angle = 72.5")
   -- Rows between the steps: the angle goes up to the turning point, more than two degrees back, and up again.
   local step, angle, turns = run:column "step", run:column "edge.angle", {}
@@ -110,7 +112,8 @@ local arch = { modulus = 1000, radius = 40, half_angle = math.rad(10), thickness
 local function arch_model()
   local degrees = math.deg(arch.half_angle)
   local function line(offset)
-    return sg.nurbs.arc{ centre = {0, -arch.radius}, radius = arch.radius + offset, from = 90 + degrees, to = 90 - degrees }
+    return sg.nurbs.arc{ centre = {0, -arch.radius}, radius = arch.radius + offset,
+                         from = 90 + degrees, to = 90 - degrees }
   end
   local body = sg.body{ patch = sg.nurbs.ruled{ a = line(-arch.thickness / 2), b = line(arch.thickness / 2) },
                         elements = {16, 1}, order = "N3", through = 2, contact = "north",
@@ -123,8 +126,8 @@ local function arch_model()
 end
 
 --- The two limit loads of a shallow arch. With N = EI m² the axial force, half span L, EI w⁗ + N w″ = q − N/R has the
---- symmetric solution w = A ŵ, ŵ = f cos mx + x²/(2m²) + c, A = (q − N/R)/EI, which is clamped where f = L/(m³ sin mL) and
---- ŵ(L) = 0. The length of the arch gives N/(Et) = A ∫ŵ dx/(LR) − A² ∫ŵ′² dx/(2L) over the half span: two loads for
+--- symmetric solution w = A ŵ, ŵ = f cos mx + x²/(2m²) + c, A = (q − N/R)/EI, which is clamped where f = L/(m³ sin mL)
+--- and ŵ(L) = 0. The length of the arch gives N/(Et) = A ∫ŵ dx/(LR) − A² ∫ŵ′² dx/(2L) over the half span: two loads for
 --- each m, one on the way to the upper limit, one past the lower one.
 local function limit_loads()
   local E, R, t, L = arch.modulus, arch.radius, arch.thickness, arch.radius * math.sin(arch.half_angle)
@@ -152,7 +155,8 @@ local function limit_loads()
 end
 
 local function push(arcs)
-  return arch_model():run({ { name = "push", steps = 20, push = {0, -0.02} } }, { arc_length = arcs, newton = { iterations = 8 } })
+  return arch_model():run({ { name = "push", steps = 20, push = {0, -0.02} } },
+    { arc_length = arcs, newton = { iterations = 8 } })
 end
 
 check.case("a dead load ends at the upper limit load of a shallow arch", function()

@@ -1,4 +1,5 @@
--- Dead tractions and pressures as a user gives them: against closed forms, as targets of stages, as columns; wrong inputs.
+-- Dead tractions and pressures as a user gives them: against closed forms, as targets of stages, as columns; wrong
+-- inputs.
 
 local sg = require "signorini"
 local check = require "check"
@@ -75,8 +76,8 @@ check.case("a pressure acts against the outward normal; around a square it makes
 end)
 
 check.case("around an axis forces are those over the full circle", function()
-  local ring = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 2, corner = {1, 0} }, elements = {2, 2}, order = "N2",
-                        contact = "south", material = sg.linear_elastic{ E = 10, nu = 0 } }
+  local ring = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 2, corner = {1, 0} }, elements = {2, 2},
+                        order = "N2", contact = "south", material = sg.linear_elastic{ E = 10, nu = 0 } }
   local model = sg.model{
     kind = "axisymmetric", bodies = { ring = ring }, supports = { bed = { on = ring:face "south", fix = "y" } },
     loads = { push = { on = ring:face "north", traction = {0, 0} } },
@@ -89,10 +90,11 @@ check.case("around an axis forces are those over the full circle", function()
 end)
 
 check.case("a load may stand among the supports", function()
-  local body = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = {1, 1}, order = "N2", contact = "south",
-                        material = sg.linear_elastic{ E = 1, nu = 0 } }
+  local body = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = {1, 1}, order = "N2",
+                        contact = "south", material = sg.linear_elastic{ E = 1, nu = 0 } }
   local model = sg.model{ bodies = { body = body },
-    supports = { wall = { on = body:face "west", fix = "xy" }, push = { on = body:face "east", traction = {0.25, 0} } } }
+    supports = { wall = { on = body:face "west", fix = "xy" },
+                 push = { on = body:face "east", traction = {0.25, 0} } } }
   check.equal(model:load_names(), { "push" })
   model:run{ { steps = 1 } }
   check.near(model:sample("body", "ux", {1, 0.5}), 0.25, 1e-10)
@@ -102,8 +104,8 @@ end)
 local start = [[
 local sg = require "signorini"
 local plane = sg.rigid.plane{ point = {0, -1}, normal = {0, 1} }
-local a = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = {4, 2}, order = "N2", contact = "south",
-                   material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+local a = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = {4, 2}, order = "N2",
+                   contact = "south", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
 local east = a:face "east"
 local function with(load)
   return { bodies = { a = a }, supports = { w = { on = a:face "west", fix = "xy" } }, loads = { push = load } }
@@ -111,9 +113,10 @@ end
 ]]
 local wrong = {
   { "one component of a traction", "sg.model(with{ on = east, traction = {1} })",
-    "sg.model: loads.push.traction must be a list of 2 numbers {x, y} (force per reference area)", "got a list of 1 value" },
-  { "a number as traction", "sg.model(with{ on = east, traction = 1 })", "loads.push.traction must be a list of 2 numbers",
-    "put it into braces" },
+    "sg.model: loads.push.traction must be a list of 2 numbers {x, y} (force per reference area)",
+    "got a list of 1 value" },
+  { "a number as traction", "sg.model(with{ on = east, traction = 1 })",
+    "loads.push.traction must be a list of 2 numbers", "put it into braces" },
   { "traction and pressure", "sg.model(with{ on = east, traction = {1, 0}, pressure = 2 })",
     "loads.push must have one of traction = {tx, ty} and pressure = p" },
   { "neither traction nor pressure", "sg.model(with{ on = east })", "loads.push must have one of traction" },
@@ -123,7 +126,8 @@ local wrong = {
   { "a corner", [[sg.model(with{ on = a:corner "south-east", traction = {1, 0} })]], "loads.push.on must be a face",
     "a corner has no surface" },
   { "an obstacle", "sg.model(with{ on = plane, pressure = 1 })", "loads.push.on must be a face" },
-  { "a misspelt key", "sg.model(with{ on = east, presure = 1 })", "loads.push: unknown argument 'presure'", "did you mean 'pressure'?" },
+  { "a misspelt key", "sg.model(with{ on = east, presure = 1 })", "loads.push: unknown argument 'presure'",
+    "did you mean 'pressure'?" },
   { "a load with a support's name", [[sg.model{ bodies = { a = a }, supports = { w = { on = east, fix = "x" } },
       loads = { w = { on = east, pressure = 1 } } }]], "loads.w has the name of a support", "choose another name" },
   { "one target for a traction", "sg.model(with{ on = east, traction = {0, 0} }):run{ { steps = 1, push = 3 } }",

@@ -1,0 +1,223 @@
+-- How deep should a layer be? The error and the time of one, two, three and all rows of enriched control points.
+--
+-- Problem: the thesis enriches one row of control points, that of the contact face: N2-N2.1 is N2 but for that row. A
+--          patch is a stack of rows, each of which may be refined by itself, so a layer may be deeper: N2-N2.1x2,
+--          N2-N2.1x3, up to all rows, N2.1. Here each depth of the layers N2.1, N2.2 and N4 runs on four problems.
+--
+--              N2 ______________   rows of control points: all N2   (0 rows)
+--                 --------------                           ...
+--                 ______________   N2.1                            (2 rows: N2-N2.1x2)
+--          contact ______________  N2.1                            (1 row:  N2-N2.1)
+--
+--          peeling (m1): amplitude dM of the moment; ironing (m1): amplitudes dPy and dPx of the forces; Hertz (m2): L2
+--          error of p/p_ref; rings (m1): L2 error of p_N. Set-ups and measures are those of the four scripts; reference
+--          of the rings: m4.
+-- Source: nothing is published on layers of more than one row; the problems are those of V. Agrawal, An Accurate and
+--         Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of Contact Problems, PhD
+--         thesis, IIT Guwahati, 2020, sections 7.1 to 7.4.
+-- Units: dM in 1e-3 E0 L0³; dPy, dPx in 1e-3 N/mm; errors of pressures as in hertz2d and rings2d; times in s.
+-- Expected: peeling: two rows of N2.2 at most a fifth of one row's dM (an independent program: 0.64 with one row, 0.052
+--           with two; N2.1: 0.86 with one, 0.28 with two, 0.29 with all). N4, which adds no functions inside elements,
+--           gains nothing from depth.
+-- Run: signorini scripts/layer_depth.lua [problems=peeling,ironing,hertz,rings] [layers=N2.1,N2.2,N4] [rows=1,2,3,all]
+--      [repeat=3] [linear=auto] [peeling=mesh=m1] [ironing=mesh=m1] [hertz=meshes=m2;sizes=1]
+--      [rings=meshes=m1;reference=m4] [out=out/layer_depth]; repeat: of how many runs a time is the median (peeling:
+--      always one); what stands after a problem's name goes to its script, several arguments with ';' in between.
+
+local sg = require "signorini"
+local core = require "signorini.core"
+
+--- Per problem: its script, the script's arguments unless others are given, its argument for the number of runs (none:
+--- a run is too long for more than one), and what to read off one of its cases: degrees of freedom, seconds, errors as
+--- by names.
+local problems = {
+  peeling = {
+    script = "peeling2d", arguments = "mesh=m1", title = "Peeling",
+    names = { "dM" }, units = { "1e-3 E0 L0³" }, factors = { 1e3 },
+    read = function(case) return case.dofs, case.work.wall, { case.window.amplitude } end,
+  },
+  ironing = {
+    script = "ironing2d", arguments = "mesh=m1", repeats = "repeat", title = "Ironing",
+    names = { "dPy", "dPx" }, units = { "1e-3 N/mm", "1e-3 N/mm" }, factors = { 1e3, 1e3 },
+    read = function(case)
+      return case.die_dofs.total + case.slab_dofs.total, case.work.wall, { case.dPy.raw, case.dPx.raw }
+    end,
+  },
+  hertz = {
+    script = "hertz2d", arguments = "meshes=m2;sizes=1", repeats = "repeats", title = "Hertz",
+    names = { "L2 error of p/p_ref" }, units = { "1e-3" }, factors = { 1e3 },
+    read = function(case) return case.dofs.total, case.times.wall, { case.error } end,
+  },
+  rings = {
+    script = "rings2d", arguments = "meshes=m1;reference=m4", repeats = "repeats", title = "Rings",
+    names = { "L2 error of p_N" }, units = { "N/m²√m" }, factors = { 1 },
+    read = function(case) return case.dofs, case.times.wall, { case.pN_error } end,
+  },
+}
+local base = "N2"
+
+-- ── Arguments ────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+local function list_of(text, separator)
+  local list = {}
+  for word in text:gmatch("[^" .. (separator or ",") .. "]+") do list[#list + 1] = word end
+  return list
+end
+
+local function read_arguments(words)
+  local options = { problems = "peeling,ironing,hertz,rings", layers = "N2.1,N2.2,N4", rows = "1,2,3,all",
+                    ["repeat"] = "3", linear = "auto", out = "out/layer_depth" }
+  for name, problem in pairs(problems) do options[name] = problem.arguments end
+  local known = {}
+  for key, value in pairs(options) do known[#known + 1] = key .. "=" .. value end
+  table.sort(known)
+  for _, word in ipairs(words) do
+    local key, value = word:match "^(%w+)=(.+)$"
+    if not options[key] then
+      error(("unknown argument '%s'; known: %s"):format(word, table.concat(known, ", ")), 0)
+    end
+    options[key] = value
+  end
+  local function check(key, good, expected)
+    if not good then error(("%s must be %s, got '%s'"):format(key, expected, options[key]), 0) end
+  end
+  check("repeat", options["repeat"]:match "^[1-9]%d*$", "a whole number of at least 1")
+  local asked, layers, rows = list_of(options.problems), list_of(options.layers), list_of(options.rows)
+  for _, name in ipairs(asked) do check("problems", problems[name], "among peeling, ironing, hertz and rings") end
+  for _, depth in ipairs(rows) do
+    check("rows", depth == "all" or depth:match "^[1-9]%d*$", "whole numbers of at least 1, or all")
+  end
+  options.problems, options.layers, options.rows = asked, layers, rows
+  options["repeat"] = math.tointeger(tonumber(options["repeat"]))
+  return options
+end
+
+-- ── Runs ─────────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- The label of a layer of a depth: "N2-N2.1", "N2-N2.1x2", "N2.1".
+local function label_of(layer, depth)
+  if depth == "all" then return layer end
+  return ("%s-%s%s"):format(base, layer, depth == "1" and "" or "x" .. depth)
+end
+
+--- Runs a problem's script with all labels. Returns its cases: { layer, depth, label, dofs, wall, errors }, the first
+--- one that of no layer.
+local function study(name, options)
+  local problem = problems[name]
+  local cases, labels = { { layer = base, depth = "0", label = base } }, { base }
+  for _, layer in ipairs(options.layers) do
+    for _, depth in ipairs(options.rows) do
+      local label = label_of(layer, depth)
+      cases[#cases + 1], labels[#labels + 1] = { layer = layer, depth = depth, label = label }, label
+    end
+  end
+  local words = list_of(options[name], ";")
+  words[#words + 1] = "labels=" .. table.concat(labels, ",")
+  words[#words + 1] = "linear=" .. options.linear
+  if problem.repeats then words[#words + 1] = ("%s=%d"):format(problem.repeats, options["repeat"]) end
+  words[#words + 1] = ("out=%s/%s"):format(options.out, name)
+  local script = assert(loadfile(("%s/scripts/%s.lua"):format(core.home, problem.script)))
+  local found = {}
+  for _, case in ipairs(script(table.unpack(words)).cases) do found[case.label] = case end
+  for _, case in ipairs(cases) do
+    case.dofs, case.wall, case.errors = problem.read(found[case.label])
+    for i, factor in ipairs(problem.factors) do case.errors[i] = case.errors[i] and factor * case.errors[i] end
+  end
+  return cases
+end
+
+-- ── Output ───────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- The case of a layer's first row.
+local function one_row(cases, layer)
+  for _, case in ipairs(cases) do
+    if case.layer == layer and case.depth == "1" then return case end
+  end
+end
+
+local function depth_table(cases, problem)
+  local sheet = { columns = {}, units = {}, formats = {}, rows = {} }
+  local function add(column, unit, format)
+    local i = #sheet.columns + 1
+    sheet.columns[i], sheet.units[i], sheet.formats[i] = column, unit, format
+  end
+  for _, column in ipairs { "layer", "rows", "label" } do add(column, "", "%s") end
+  add("DOFs", "", "%d")
+  for i, name in ipairs(problem.names) do
+    add(name, problem.units[i], "%.4f")
+    add("of one row", "", "%.3f")
+  end
+  add("time", "s", "%.2f")
+  add("of one row", "", "%.2f")
+  for i, case in ipairs(cases) do
+    local one, row = one_row(cases, case.layer), { case.layer, case.depth, case.label, case.dofs }
+    for j in ipairs(problem.names) do
+      local whole = one and one.errors[j]
+      row[3 + 2 * j] = case.errors[j]
+      row[4 + 2 * j] = whole and case.errors[j] and case.errors[j] / whole
+    end
+    row[#sheet.columns - 1], row[#sheet.columns] = case.wall, one and case.wall / one.wall
+    sheet.rows[i] = row
+  end
+  return sg.table(sheet)
+end
+
+--- Error over time: a line per layer from no row to all, a marker per depth. Returns whether there was anything to
+--- draw.
+local function draw(file, cases, problem, figure, options)
+  local name = problem.names[figure]
+  local chart = { file = file, log = "xy", xlabel = "time (s)",
+                  ylabel = ("%s (%s)"):format(name, problem.units[figure]),
+                  title = ("%s: %s over time, by rows of the layer"):format(problem.title, name) }
+  local function curve(label, wanted, look)
+    look.x, look.y, look.label = {}, {}, label
+    for _, case in ipairs(cases) do
+      if case.errors[figure] and wanted(case) then
+        look.x[#look.x + 1], look.y[#look.y + 1] = case.wall, case.errors[figure]
+      end
+    end
+    if #look.x > 0 then chart[#chart + 1] = look end
+  end
+  for i, layer in ipairs(options.layers) do
+    curve(layer, function(case) return case.layer == layer or case.depth == "0" end,
+      { color = i, marker = "none" })
+  end
+  local markers = { "circle", "square", "triangle", "diamond", "pentagon", "cross" }
+  for i, depth in ipairs { "0", table.unpack(options.rows) } do
+    curve(depth == "0" and "N2 alone" or depth == "1" and "1 row" or depth .. " rows",
+      function(case) return case.depth == depth end,
+      { color = #options.layers + 1, line = false, markers = true, marker = markers[(i - 1) % #markers + 1] })
+  end
+  if #chart > 0 then sg.chart(chart) end
+  return #chart > 0
+end
+
+-- ── The study ────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+local options = read_arguments(select("#", ...) > 0 and { ... } or arg)
+sg.mkdir(options.out)
+local studies, files = {}, {}
+for _, name in ipairs(options.problems) do
+  print(("\n=== %s ==="):format(problems[name].title))
+  studies[name] = study(name, options)
+end
+for _, name in ipairs(options.problems) do
+  local problem, cases = problems[name], studies[name]
+  print(("\n%s: error and time by the depth of the layer (of one row: compared with the same layer one row deep)")
+    :format(problem.title))
+  print(depth_table(cases, problem))
+  local data = { columns = { "layer", "rows", "label", "dofs", "wall_s", table.unpack(problem.names) }, rows = {} }
+  for i, case in ipairs(cases) do
+    data.rows[i] = { case.layer, case.depth, case.label, case.dofs, case.wall,
+                     table.unpack(case.errors, 1, #problem.names) }
+  end
+  files[#files + 1] = ("%s/%s.csv"):format(options.out, name)
+  sg.csv.write(files[#files], data)
+  for i, figure in ipairs(problem.names) do
+    local file = ("%s/%s_%s.png"):format(options.out, name, figure:match "^%w+")
+    if draw(file, cases, problem, i, options) then files[#files + 1] = file end
+  end
+end
+print("\nWritten: " .. table.concat(files, "\n         "))
+
+return { studies = studies, files = files }

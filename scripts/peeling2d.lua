@@ -1,0 +1,192 @@
+-- Peeling of an adhesive strip by rotating its end: what varying-order layers do to the oscillation of the peeling
+-- moment.
+--
+-- Problem: a strip sticks to a rigid substrate by van der Waals forces; its free end is turned by an angle θ, whereupon
+--          it bends and then peels, at a moment that should be constant and oscillates with the pitch of the elements.
+--
+--                                                     θ
+--           ____________________________________________↶   right edge: turned as a rigid line by 0.1° a step,
+--          |        strip 200 × 10 nm                   |    both translations free, hence peeled by a moment alone
+--          |____________________________________________|
+--           0  : adhesion :  :  :  :  : 150          200     one u_x of the left bottom corner pinned
+--          =============================================
+--             rigid substrate, at r_eq = 15^(−1/6) r0, where the film carries nothing
+--
+--          Plane strain, neo-Hooke, E = E0 = 2 nN/nm², nu = 0.2; Hamaker's constant 0.1 nN nm, r0 = 0.4 nm.
+--          Meshes: 160 × 8 (m1), 200 × 10 (m2), 240 × 12 elements (m3); not published: 80 × 4 (m0), for a quick look.
+-- Source: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of
+--         Contact Problems, PhD thesis, IIT Guwahati, 2020, section 7.4 and appendix B, Tables 7.7, 7.8 and B.2,
+--         Figures 7.22 to 7.27, after R. A. Sauer, Int. J. Numer. Meth. Engng 87 (2011).
+-- Units: nm, nN; moments in E0 L0³ = 2 nN nm per nm of depth (L0 = 1 nm), slopes in E0 L0³ per degree.
+-- Expected: degrees of freedom as in Tables 7.8 and B.2. Plateau: energy balance of steady peeling, M k = U(k) + W
+--           (work of the moment on the curvature k = energy of bending + work of adhesion W = 15^(1/3) A/(16 pi r0²),
+--           the integral of |T| from r_eq to infinity): M = √(2 E I W/(1 − nu²)) = 1.6315 for a thin strip at small
+--           strains, 1.6289 with neo-Hooke's U(k); both leave out the ends and the mesh (peeling2d/steady.lua derives
+--           them). Amplitudes and slopes in 120° to 140° at m2 near Table 7.8's: dM N2 4.28, N4 2.88, N2-N4 2.85,
+--           N2-N2.1 0.336, N2-N2.2 0.250 (1e-3). Under rotation control N2 at m1 stops where its path turns back, as do
+--           other coarse ones late; arcs lead on.
+-- Run: signorini scripts/peeling2d.lua [mesh=m2] [labels=N2,N4,N2-N4,N2-N2.1,N2-N2.2] [steps=1500] [control=arc]
+--      [repeat=1] [window=120,140] [length=200] [bonded=150] [iterations=30] [linear=auto] [out=out/peeling2d];
+--      mesh may be several (m1,m2,m3: then also a chart over the mesh); control=rotation ends a run where a step fails,
+--      control=arc goes on from there by arc length; window in degrees; length and bonded, of the strip and of the part
+--      that sticks, in nm, elements as long as before; times are medians of `repeat` runs.
+
+local sg = require "signorini"
+local measure = require "peeling2d.measure"
+local output = require "peeling2d.output"
+local problem = require "peeling2d.problem"
+local steady = require "peeling2d.steady"
+
+local picture_angles = { 30, 60, 90, 120, 150 }
+
+-- ── Arguments ────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+local function list_of(text)
+  local list = {}
+  for word in text:gmatch "[^,]+" do list[#list + 1] = word end
+  return list
+end
+
+local function read_arguments(words)
+  local options = { mesh = "m2", labels = "N2,N4,N2-N4,N2-N2.1,N2-N2.2", steps = "1500", control = "arc",
+                    ["repeat"] = "1", window = "120,140", length = tostring(problem.length),
+                    bonded = tostring(problem.bonded), iterations = "30", linear = "auto", out = "out/peeling2d" }
+  local known = {}
+  for key, value in pairs(options) do known[#known + 1] = key .. "=" .. value end
+  table.sort(known)
+  for _, word in ipairs(words) do
+    local key, value = word:match "^(%w+)=(.+)$"
+    if not options[key] then
+      error(("unknown argument '%s'; known: %s"):format(word, table.concat(known, ", ")), 0)
+    end
+    options[key] = value
+  end
+  local function check(key, good, expected)
+    if not good then error(("%s must be %s, got '%s'"):format(key, expected, options[key]), 0) end
+  end
+  for _, key in ipairs { "steps", "repeat", "iterations" } do
+    check(key, options[key]:match "^[1-9]%d*$", "a whole number of at least 1")
+    options[key] = math.tointeger(tonumber(options[key]))
+  end
+  check("control", options.control == "rotation" or options.control == "arc", "rotation or arc")
+  local from, to = options.window:match "^([%d.]+),([%d.]+)$"
+  from, to = tonumber(from), tonumber(to)
+  check("window", from and to and from < to, "two rising angles in degrees such as 120,140")
+  options.window = { from, to }
+  local length, bonded = tonumber(options.length), tonumber(options.bonded)
+  check("length", length and length > 0, "a positive number of nm")
+  check("bonded", bonded and bonded > 0 and bonded < length,
+    ("a number of nm above 0 and below length=%s"):format(options.length))
+  options.length, options.bonded = length, bonded
+  options.meshes, options.labels = list_of(options.mesh), list_of(options.labels)
+  for _, mesh in ipairs(options.meshes) do problem.elements(mesh, length) end
+  return options
+end
+
+-- ── The study ────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+local options = read_arguments(select("#", ...) > 0 and { ... } or arg)
+sg.mkdir(options.out)
+local files, cases = {}, {}
+local function path(name)
+  files[#files + 1] = options.out .. "/" .. name
+  return files[#files]
+end
+
+--- Runs a label on a mesh `repeat` times; `work` is the run of median wall time, the earlier one of two in the middle.
+local function solve(label, mesh, on_step)
+  local rounds = {}
+  for round = 1, options["repeat"] do
+    rounds[round] = problem.solve(label, mesh, options, round == 1 and on_step or nil)
+  end
+  local case = rounds[1]
+  table.sort(rounds, function(a, b) return a.wall < b.wall end)
+  case.work = rounds[(#rounds + 1) // 2]
+  case.window, case.snap_backs = measure.window(case, options.window), measure.snap_backs(case)
+  local published = options.length == problem.length and options.bonded == problem.bonded
+  case.printed = published and output.printed(label, mesh) or {}
+  return case
+end
+
+--- Figure 7.22: collects the states of a case at the angles of the pictures.
+local frames = {}
+local function keep_state(model, angle)
+  for _, wanted in ipairs(picture_angles) do
+    if math.abs(angle - wanted) < 1e-6 then
+      frames[#frames + 1] = sg.frame{ model = model, field = "I1", factor = 1 / problem.modulus, mesh = false,
+                                      title = ("θ = %d°"):format(wanted) }
+    end
+  end
+end
+
+--- What a case says, as soon as it is known.
+local function tell(case)
+  print(("%s at %s, %d degrees of freedom"):format(case.label, case.mesh, case.dofs))
+  print(case.rotation)
+  if case.arc then print(("From %.1f° on, arc length where rotation control fails:\n%s")
+    :format(case.rotation.steps * problem.pitch, case.arc)) end
+end
+
+local function write(case)
+  sg.csv.write(path(("%s_%s.csv"):format(case.label, case.mesh)), {
+    columns = { "step", "angle", "moment" }, step = case.step, angle = case.angle, moment = case.moment,
+    comments = { ("%s at %s: angle in degrees, moment in E0 L0³; steps with a fraction are states that arcs led to")
+      :format(case.label, case.mesh), case.rotation.report },
+  })
+end
+
+for _, mesh in ipairs(options.meshes) do
+  for _, label in ipairs(options.labels) do
+    local case = solve(label, mesh, #cases == 0 and keep_state or nil)
+    tell(case)
+    write(case)
+    cases[#cases + 1], cases[label .. " " .. mesh] = case, case
+  end
+end
+local function case_of(label, mesh) return cases[label .. " " .. mesh] end
+
+local thin, finite, per_length = steady.thin_moment(), steady.finite_moment()
+print(("\nAmplitude and steepest slopes of the moment in %g° to %g° beside Table 7.8 (whole steps; path: all states)")
+  :format(table.unpack(options.window)))
+print(output.amplitude_table(cases))
+print(("\nPlateau (mean of the window) beside the balance of energy: thin strip %.4f, finite strain %.4f E0 L0³, %.3f°/nm")
+  :format(thin, finite, per_length))
+print(output.plateau_table(cases, thin, finite))
+print(("\nHow far rotation control leads (at most %d iterations a step), and what arcs find behind it")
+  :format(options.iterations))
+print(output.path_table(cases))
+local times, medians = output.time_table(cases, options["repeat"])
+print(("\nTime (linear: factorisation and solve)%s"):format(medians))
+print(times)
+
+-- ── Charts and pictures ──────────────────────────────────────────────────────────────────────────────────────────────
+
+--- Adds a chart to the files if it was drawn.
+local function draw(name, drawing, ...)
+  if drawing(options.out .. "/" .. name, ...) then path(name) end
+end
+
+for _, mesh in ipairs(options.meshes) do
+  local shown = {}
+  for i, label in ipairs(options.labels) do shown[i] = case_of(label, mesh) end
+  output.draw_moment(path(("moment_%s.png"):format(mesh)), case_of("N2", mesh) or shown[1], thin, options.window)
+  for name, wanted in pairs { standard = function(label) return not label:find "-" end,
+                              layer = function(label) return label:find "-" ~= nil end } do
+    draw(("plateau_%s_%s.png"):format(name, mesh), output.draw_plateau, shown,
+      ("Peeling, mesh %s: moment on the plateau, %s"):format(mesh, name == "layer" and "layers on N2" or "standard"),
+      options.window, wanted)
+  end
+  for _, case in ipairs(shown) do
+    draw(("snap_back_%s_%s.png"):format(case.label, mesh), output.draw_snap_back, case)
+  end
+end
+if #options.meshes > 1 then
+  draw("amplitude_over_mesh.png", output.draw_over_mesh, options.labels, options.meshes, case_of)
+end
+if #frames > 0 then
+  sg.picture{ file = path "states.png", frames = frames, columns = math.min(2, #frames), label = "I1 / E",
+              title = ("Peeling, %s at %s"):format(cases[1].label, cases[1].mesh) }
+end
+print("\nWritten: " .. table.concat(files, "\n         "))
+
+return { cases = cases, thin = thin, finite = finite, files = files }

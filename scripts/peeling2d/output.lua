@@ -1,0 +1,189 @@
+-- Tables and charts of peeling runs; cases are what problem.solve returns, measured: window, snap_backs, and beside
+-- them printed, the published row.
+
+local sg = require "signorini"
+local measure = require "peeling2d.measure"
+
+local output = {}
+
+-- ── Published values ─────────────────────────────────────────────────────────────────────────────────────────────────
+
+local printed = {}
+do
+  local data = sg.reference "peeling2d_table7_8_and_B2"
+  for _, row in ipairs(data.rows) do
+    local named = {}
+    for j, column in ipairs(data.columns) do named[column] = row[j] end
+    printed[named.discretisation .. " " .. named.mesh] = named
+  end
+end
+
+--- The published row of a label on a mesh, of the strip of 200 nm: dM_1e-3_E0L0cubed, max_slope_1e-3, min_slope_1e-3,
+--- dofs, converges; empty when there is none.
+function output.printed(label, mesh) return printed[label .. " " .. mesh] or {} end
+
+local function ratio(value, beside) return value and beside and value / beside or nil end
+local function thousandth(value) return value and 1e3 * value end
+
+-- ── Tables ───────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- Amplitude and slopes beside the published ones.
+function output.amplitude_table(cases)
+  local rows = {}
+  for i, case in ipairs(cases) do
+    local w, p = case.window, case.printed
+    local amplitude, rise, fall = thousandth(w.amplitude), thousandth(w.rise), thousandth(w.fall)
+    rows[i] = { case.label, case.mesh, case.dofs, p.dofs,
+                amplitude, p["dM_1e-3_E0L0cubed"], ratio(amplitude, p["dM_1e-3_E0L0cubed"]),
+                rise, p["max_slope_1e-3"], ratio(rise, p["max_slope_1e-3"]),
+                fall, p["min_slope_1e-3"], ratio(fall, p["min_slope_1e-3"]), thousandth(w.path_amplitude) }
+  end
+  return sg.table{
+    columns = { "label", "mesh", "DOFs", "publ.", "dM", "publ.", "ratio", "rise", "publ.", "ratio", "fall", "publ.",
+                "ratio", "dM path" },
+    units = { "", "", "", "", "1e-3", "1e-3", "", "1e-3/°", "1e-3/°", "", "1e-3/°", "1e-3/°", "", "1e-3" }, rows = rows,
+    formats = { "%s", "%s", "%d", "%d", "%.4f", "%.4f", "%.3f", "%.3f", "%.3f", "%.3f", "%.3f", "%.3f", "%.3f",
+                "%.4f" },
+  }
+end
+
+--- Mean moment on the plateau beside its two estimates.
+function output.plateau_table(cases, thin, finite)
+  local rows = {}
+  for _, case in ipairs(cases) do
+    local mean = case.window.mean
+    if mean then
+      rows[#rows + 1] = { case.label, case.mesh, mean, 100 * (mean / thin - 1), 100 * (mean / finite - 1) }
+    end
+  end
+  return sg.table{
+    columns = { "label", "mesh", "plateau", "off thin strip", "off finite strain" },
+    units = { "", "", "E0 L0³", "%", "%" }, rows = rows, formats = { "%s", "%s", "%.5f", "%.3f", "%.3f" },
+  }
+end
+
+--- How far rotation control went, and what arcs found behind it.
+function output.path_table(cases)
+  local rows = {}
+  for i, case in ipairs(cases) do
+    local run, widest, drop = case.rotation, nil, nil
+    for _, back in ipairs(case.snap_backs) do
+      widest, drop = math.max(widest or 0, back.width), math.max(drop or 0, back.drop)
+    end
+    local last = run:column "edge.angle"
+    rows[i] = { case.label, case.mesh, last[#last], run.reason, measure.reported_turn(run), case.angle[#case.angle],
+                case.arc and case.arc.reason or nil, #case.snap_backs, widest, thousandth(drop) }
+  end
+  return sg.table{
+    columns = { "label", "mesh", "rotation to", "because", "turn", "in all to", "because", "snap-backs", "widest",
+                "drop" },
+    units = { "", "", "°", "", "°", "°", "", "", "°", "1e-3" }, rows = rows,
+    formats = { "%s", "%s", "%.1f", "%s", "%.2f", "%.1f", "%s", "%d", "%.4f", "%.3f" },
+  }
+end
+
+--- Iterations and where the time went.
+function output.time_table(cases, repeats)
+  local rows = {}
+  for i, case in ipairs(cases) do
+    local work = case.work
+    local spent = work.timings
+    rows[i] = { case.label, case.mesh, case.dofs, work.iterations / math.max(1, work.reached), work.wall, spent.bulk,
+                spent.contact, spent.linear, spent.rest, 100 * (1 - spent.linear / work.wall) }
+  end
+  return sg.table{
+    columns = { "label", "mesh", "DOFs", "iterations", "wall", "bulk", "contact", "linear", "rest", "outside linear" },
+    units = { "", "", "", "per step", "s", "s", "s", "s", "s", "%" }, rows = rows,
+    formats = { "%s", "%s", "%d", "%.2f", "%.1f", "%.1f", "%.1f", "%.1f", "%.1f", "%.1f" },
+  }, repeats > 1 and (", medians of %d runs"):format(repeats) or ""
+end
+
+-- ── Charts ───────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+local angle_label, moment_label = "rotation of the edge θ (°)", "moment M / (E0 L0³)"
+
+--- Angles and moments of the rows within a range of angles; of whole steps or of others alone when asked.
+local function part(case, from, to, whole)
+  local x, y = {}, {}
+  for row, angle in ipairs(case.angle) do
+    local wanted = whole == nil or whole == measure.is_whole(case.step[row])
+    if wanted and angle > from - 1e-6 and angle < to + 1e-6 then x[#x + 1], y[#y + 1] = angle, case.moment[row] end
+  end
+  return x, y
+end
+
+--- Figure 7.23: the whole curve of one case, the plateau magnified.
+function output.draw_moment(file, case, thin, window)
+  local last = case.angle[#case.angle]
+  local inset = last > window[1] and { xrange = { window[1], math.min(last, window[1] + 5) } } or nil
+  sg.chart{
+    file = file, xlabel = angle_label, ylabel = moment_label, yrange = { 0, 1.15 * thin }, inset = inset,
+    legend = false, title = ("Peeling: moment over rotation, %s at %s"):format(case.label, case.mesh),
+    hlines = { { thin, ("thin strip %.3f"):format(thin) } }, { x = case.angle, y = case.moment, label = case.label },
+  }
+end
+
+--- Figure 7.25: a part of the plateau, of all cases for which `wanted(label)`; returns whether there was anything to
+--- draw.
+function output.draw_plateau(file, cases, title, window, wanted)
+  local to = math.min(window[2], window[1] + 6)
+  local chart = { file = file, title = title, xlabel = angle_label, ylabel = moment_label, xrange = { window[1], to } }
+  for i, case in ipairs(cases) do
+    local x, y = part(case, window[1], to)
+    if #x > 1 and wanted(case.label) then
+      chart[#chart + 1] = { x = x, y = y, label = case.label, color = i }
+    end
+  end
+  if #chart > 0 then sg.chart(chart) end
+  return #chart > 0
+end
+
+--- Figure 7.27: amplitudes over the mesh, the published ones as open circles; returns whether there was anything to
+--- draw.
+function output.draw_over_mesh(file, labels, meshes, case_of)
+  local chart = { file = file, title = "Peeling: amplitude of the moment over the mesh (open circles: published)",
+                  xlabel = "mesh", ylabel = "dM (1e-3 E0 L0³)", log = "y", xrange = { 0.8, #meshes + 0.2 },
+                  xticks = {} }
+  for m, mesh in ipairs(meshes) do chart.xticks[m] = { m, mesh } end
+  local function curve(label, look, value)
+    look.x, look.y, look.markers = {}, {}, true
+    for m, mesh in ipairs(meshes) do
+      local amplitude = value(case_of(label, mesh))
+      if amplitude then look.x[#look.x + 1], look.y[#look.y + 1] = m, amplitude end
+    end
+    if #look.x > 0 then chart[#chart + 1] = look end
+  end
+  for l, label in ipairs(labels) do
+    curve(label, { label = label, color = l }, function(case) return thousandth(case.window.amplitude) end)
+    curve(label, { marker = "open circle", line = false, color = l },
+      function(case) return case.printed["dM_1e-3_E0L0cubed"] end)
+  end
+  if #chart > 0 then sg.chart(chart) end
+  return #chart > 0
+end
+
+--- The widest snap-back of a case and its surroundings: the path, its whole steps and the states that arcs led to.
+--- Returns whether there is one.
+function output.draw_snap_back(file, case)
+  local widest
+  for _, back in ipairs(case.snap_backs) do
+    if not widest or back.width > widest.width then widest = back end
+  end
+  if not widest then return false end
+  local from, to = widest.to - 0.6, widest.from + 0.6
+  local function curve(look, whole)
+    look.x, look.y = part(case, from, to, whole)
+    return look
+  end
+  sg.chart{
+    file = file, xlabel = angle_label, ylabel = moment_label,
+    title = ("Peeling, %s at %s: the widest snap-back, %.3f° back from %.2f°")
+      :format(case.label, case.mesh, widest.width, widest.from),
+    curve({ label = "path", color = 1, marker = "none" }),
+    curve({ label = "whole steps", line = false, markers = true, marker = "circle", color = 1 }, true),
+    curve({ label = "by arcs", line = false, markers = true, marker = "square", color = 2 }, false),
+  }
+  return true
+end
+
+return output
