@@ -26,7 +26,7 @@
 --           thesis: N2 fails at m1). Validation: Py = 0.054, Px = 0.29 Py in the middle of the sliding, N2 and N4 alike.
 -- Run: signorini scripts/ironing2d.lua [mesh=m1] [labels=N2,N4,N6,N2-N4,N2-N6,N2-N2.1,N2-N2.2,N2-N2.3] [repeat=1]
 --      [linear=auto] [out=out/ironing2d]; with several meshes (mesh=m1,m2,m3,m4) also charts over the mesh and times at
---      equal accuracy; times are medians of `repeat` runs; linear is the sparse solver: auto, klu or umfpack.
+--      equal accuracy; times are medians of `repeat` runs; linear is the sparse solver, as for model:run.
 --      signorini scripts/ironing2d.lua variant=deep [mesh=m1] [labels=…] [points=1,2,3] [coarser=1,2]; points in multiples
 --      of p + 1; coarser: steps that many times as long.
 --      signorini scripts/ironing2d.lua variant=validation [mesh=48] [labels=N2,N4]; mesh: spans along both faces.

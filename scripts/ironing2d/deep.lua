@@ -42,8 +42,10 @@ end
 local function outcome(run)
   if not run.failed then return "converges" end
   local step = run.steps + 1
-  local length = run.reason == "iterations" and cycle(run:residuals(step))
-  return ("%s at %d"):format(length and ("cycle of %d"):format(length) or run.reason, step)
+  local attempts = run:attempts(step)
+  local last = attempts[#attempts]
+  local length = last.reason == "iterations" and cycle(last.residuals)
+  return ("%s at %d"):format(length and ("cycle of %d"):format(length) or last.reason, step)
 end
 
 --- Runs a label with and without halving. Returns { label, mesh, multiple, coarser, plain, halving }, both as
