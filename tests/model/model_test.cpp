@@ -52,6 +52,9 @@ TEST(Model, ScenesThatMakeNoSenseAreErrors) {
   Scene<2> self = ironing("N2");
   self.contacts[0].master = self.contacts[0].slave;
   EXPECT_ERROR(Model<2>(std::move(self)), "'interface' has the same face as slave and as master");
+  Scene<2> kinds = square({{"bed", "south", {Hold::fixed, Hold::fixed}}});
+  kinds.kind = solid::Kind::axisymmetric;
+  EXPECT_ERROR(Model<2>(std::move(kinds)), "'block' is not of the scene's kind (plane strain or axisymmetric)");
 }
 
 /// Confined compression: F = diag(1, 1 + d), P_yy = μ F + (λ ln F − μ)/F, by one step and by many.
@@ -153,6 +156,24 @@ TEST(Model, FailedAttemptLeavesNoTrace) {
   iron(tried, 51, 52);
   EXPECT_NEAR((straight.displacement() - tried.displacement()).norm(), 0, 1e-9 * straight.displacement().norm());
   EXPECT_NEAR((straight.reaction(grip) - tried.reaction(grip)).norm(), 0, 1e-9 * straight.reaction(grip).norm());
+}
+
+/// A kept state comes back with all that the next step depends on, the slip points too.
+TEST(Model, RestoredStateGoesOnAsBefore) {
+  Model<2> model(ironing("N2"));
+  iron(model, 1, 60);
+  const Snapshot<2> kept = model.snapshot();
+  const double length = model.last_length();
+  iron(model, 61, 64);
+  const VectorX ahead = model.displacement();
+  const Vec<2> reaction = model.reaction(grip);
+  model.restore(kept);
+  EXPECT_EQ(model.displacement(), kept.displacement);
+  EXPECT_EQ(model.last_length(), length);
+  EXPECT_NEAR(model.accepted_target(drive_of_grip, 0), 1.5 * 14 / 250, 1e-15);
+  iron(model, 61, 64);
+  EXPECT_NEAR((model.displacement() - ahead).norm(), 0, 1e-9 * ahead.norm());
+  EXPECT_NEAR((model.reaction(grip) - reaction).norm(), 0, 1e-9 * reaction.norm());
 }
 
 } // namespace
