@@ -42,7 +42,10 @@ void ChangingBlock::condense(const std::vector<char>& touched) {
 bool ChangingBlock::eliminate() {
   const int leading = size(), rest = size() - untouched_;
   for (int j = 0; j < size(); ++j)
-    for (int i = j; i < size(); ++i) lower_(i, j) = constant_(order_[at(i)], order_[at(j)]);
+    for (int i = j; i < size(); ++i) {
+      const auto [column, row] = std::minmax(order_[at(i)], order_[at(j)]);
+      lower_(i, j) = constant_(row, column);
+    }
   untouched_pivots_ = {};
   if (untouched_ == 0) return true;
   int info = 0;

@@ -20,7 +20,7 @@ public:
   };
 
   ChangingBlock() = default;
-  /// S, symmetric; condense() comes next.
+  /// S, symmetric, of which the lower triangle is read; condense() comes next.
   explicit ChangingBlock(MatrixX constant);
 
   /// Whether the last condense() lets C touch all unknowns that are marked.

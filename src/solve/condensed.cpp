@@ -92,7 +92,7 @@ void Condensed::order(cholmod_sparse& matrix, const std::vector<char>& touched) 
   if (contacts_ < size_) constraints.assign(touched.begin(), touched.end());
   common_.nmethods = 1;
   common_.method[0].ordering = CHOLMOD_GIVEN;
-  common_.postorder = false; // it would move contact unknowns forward
+  common_.postorder = false;   // it would move contact unknowns forward
   constexpr double poor = 500; // operations per entry of L
   double least = std::numeric_limits<double>::infinity();
   for (bool dissect : {false, true}) {
@@ -156,8 +156,7 @@ void Condensed::factor_bulk(const Pattern& pattern, const Condensation& condensa
     }
   cholmod_free_sparse(&lower, &common_);
 
-  // The lower triangle is what ChangingBlock reads.
-  MatrixX schur(contacts_, contacts_);
+  MatrixX schur = MatrixX::Zero(contacts_, contacts_); // its lower triangle is enough
   const double one = 1, zero = 0;
   if (contacts_ > 0)
     dsyrk_("L", "N", &contacts_, &contacts_, &one, corner_.data(), &contacts_, &zero, schur.data(), &contacts_);

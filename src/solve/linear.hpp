@@ -39,14 +39,19 @@ struct Condensation {
 /// `automatic` takes KLU up to `klu_limit` unknowns and UMFPACK beyond. Measured on plane frictional ironing with N2
 /// (scripts/ironing2d.lua mesh=… labels=N2 linear=…), time of KLU over that of UMFPACK: 0.2 with 134 degrees of
 /// freedom, 0.3 with 402, 0.7 with 1370, 1.3 with 5034; small systems gain by the refactorisation, large ones by dense
-/// kernels. `banded` is for slender bodies. Measured on strips of 200 × 10 elements, 4,423 to 4,555 unknowns of degrees
-/// 2, 4 and 8, time of UMFPACK over that of `banded`: 5.8, 5.6 and 5.5 while the tangent is definite, else 3.7, 2.6 and
-/// 1.9; `cholmod` takes 2.8, 5.3 and 3.6 times as long as `banded`. For bodies as high as wide, UMFPACK is as fast or
-/// faster. `condensed` needs the condensation, which is copied; the others pass it over. Its factor() reads the entries
-/// between contact unknowns only: that all other values are those of K₀ is the caller's word. Making it takes two to
-/// four factorisations; each system then a small part of UMFPACK's time, measured on 36 × 48 to 288 × 48 elements with
-/// a third of the contact unknowns touched: 1/60 with 3,647 unknowns and 75 in contact, 1/40 with 14,015 and 291, 1/23
-/// with 14,591 and 867 (1/5 when all are touched), 1/37 with 27,839 and 579.
+/// kernels.
+///
+/// `cholmod` is for symmetric tangents. While they are definite, UMFPACK takes 3.2 to 3.8 times as long with 3,167 to
+/// 14,015 unknowns, KLU 0.9 to 2.5 times with 215 to 815. `banded` is for slender bodies. On strips of 200 × 10
+/// elements, 4,423 to 4,555 unknowns of degrees 2, 4 and 8, UMFPACK takes 4.7, 6.1 and 5.0 times as long while the
+/// tangent is symmetric and definite, else 3.7, 2.6 and 1.9; `cholmod` 1.5, 1.7 and 1.4. For bodies as high as wide it
+/// is no better than UMFPACK when the tangent is not symmetric.
+///
+/// `condensed` needs the condensation, which is copied; the others pass it over. Its factor() reads the entries between
+/// contact unknowns only: that all other values are those of K₀ is the caller's word. Making it takes as long as one or
+/// two of UMFPACK's factorisations; each system then a small part of one, on 36 × 48 to 288 × 48 elements with a third
+/// of the contact unknowns touched: 1/60 with 3,647 unknowns and 75 in contact, 1/40 with 14,015 and 291, 1/23 with
+/// 14,591 and 867 (1/5 when all are touched), 1/35 with 27,839 and 579.
 std::unique_ptr<LinearSolver> make_solver(LinearKind kind, const Pattern& pattern,
                                           const Condensation* condensation = nullptr);
 inline constexpr int klu_limit = 2500;
