@@ -12,23 +12,25 @@
 --
 --          Plane strain, neo-Hooke, E = 1000 (die) and 1 (slab), nu = 0.3, mu = 0.2, both penalties 100, slave: die.
 --          Meshes: die 6 × 2 and slab 8 × 3 elements (m1); each next mesh halves every span.
---          variant=deep: E = 10000 (die), mu = 0.1, pressed by 0.5: which labels converge, with p + 1, 2(p + 1) and 3(p + 1)
---          contact points, with and without cutting failed steps in half.
---          variant=validation: mu = 0.3, die from x = 0.5, pressed by 0.075 in 10 steps, dragged by 2 in 200 steps, meshes
---          48 × 8 and 48 × 24: forces of N2 and N4.
+--          variant=deep: E = 10000 (die), mu = 0.1, pressed by 0.5: which labels converge, with p + 1, 2(p + 1) and
+--          3(p + 1) contact points, with and without cutting failed steps in half.
+--          variant=validation: mu = 0.3, die from x = 0.5, pressed by 0.075 in 10 steps, dragged by 2 in 200 steps,
+--          meshes 48 × 8 and 48 × 24: forces of N2 and N4.
 -- Source: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of
---         Contact Problems, PhD thesis, IIT Guwahati, 2020, sections 6.2 and 7.1, Tables 7.2 and 7.3, Figures 6.5, 7.3 to 7.11.
+--         Contact Problems, PhD thesis, IIT Guwahati, 2020, sections 6.2 and 7.1, Tables 7.2 and 7.3, Figures 6.5, 7.3
+--         to 7.11.
 -- Units: mm, N, N/mm²; forces per mm of depth.
 -- Expected: the amplitudes of Table 7.3 at m1 (in % of N2, dPy and dPx): N4 49.88 and 23.31, N6 24.57 and 11.81,
 --           N2-N6 23.83 and 12.09, N2-N2.1 5.98 and 30.84, N2-N2.2 4.31 and 7.51; N2-N4 and N2-N2.3 a few points higher
---           than printed. An amplitude is max − min over steps 110 to 165, about one element pitch in the slab's middle.
---           Deep: all labels converge with 3(p + 1) contact points, N4 not with p + 1; with halving all converge (the
---           thesis: N2 fails at m1). Validation: Py = 0.054, Px = 0.29 Py in the middle of the sliding, N2 and N4 alike.
+--           than printed. An amplitude is max − min over steps 110 to 165, about one element pitch in the slab's
+--           middle. Deep: all labels converge with 3(p + 1) contact points, N4 not with p + 1; with halving all
+--           converge (the thesis: N2 fails at m1). Validation: Py = 0.054, Px = 0.29 Py in the middle of the sliding,
+--           N2 and N4 alike.
 -- Run: signorini scripts/ironing2d.lua [mesh=m1] [labels=N2,N4,N6,N2-N4,N2-N6,N2-N2.1,N2-N2.2,N2-N2.3] [repeat=1]
 --      [linear=auto] [out=out/ironing2d]; with several meshes (mesh=m1,m2,m3,m4) also charts over the mesh and times at
 --      equal accuracy; times are medians of `repeat` runs; linear is the sparse solver, as for model:run.
---      signorini scripts/ironing2d.lua variant=deep [mesh=m1] [labels=…] [points=1,2,3] [coarser=1,2]; points in multiples
---      of p + 1; coarser: steps that many times as long.
+--      signorini scripts/ironing2d.lua variant=deep [mesh=m1] [labels=…] [points=1,2,3] [coarser=1,2]; points in
+--      multiples of p + 1; coarser: steps that many times as long.
 --      signorini scripts/ironing2d.lua variant=validation [mesh=48] [labels=N2,N4]; mesh: spans along both faces.
 
 local sg = require "signorini"
@@ -89,7 +91,8 @@ local function read_arguments(words)
   table.sort(known)
   for key, value in pairs(given) do
     if not defaults[variant][key] then
-      error(("unknown argument '%s=%s'; known: variant=%s, %s"):format(key, value, variant, table.concat(known, ", ")), 0)
+      error(("unknown argument '%s=%s'; known: variant=%s, %s")
+        :format(key, value, variant, table.concat(known, ", ")), 0)
     end
   end
   local options = setmetatable(given, { __index = defaults[variant] })
@@ -104,8 +107,8 @@ end
 
 -- ── Files ────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- A list of what was written: path(name) adds to it; draw(name, need, body) adds the file of a chart that body(file) has
---- drawn, or says what it would have needed.
+--- A list of what was written: path(name) adds to it; draw(name, need, body) adds the file of a chart that body(file)
+--- has drawn, or says what it would have needed.
 local function open_files(folder)
   sg.mkdir(folder)
   local files = {}
@@ -138,8 +141,8 @@ local function solve_all(options, suffix, files)
       local study = studies[m] or { mesh = mesh, cases = {} }
       studies[m], studies[mesh] = study, study
       for i, label in ipairs(options.labels) do
-        local case = problem.solve{ set_up = problem.variants.standard, label = label, mesh = mesh, linear = options.linear,
-                                    on_step = round * m * i == 1 and keep or nil }
+        local case = problem.solve{ set_up = problem.variants.standard, label = label, mesh = mesh,
+                                    linear = options.linear, on_step = round * m * i == 1 and keep or nil }
         case.model = nil
         if round == 1 then
           print(("%s at %s"):format(label, mesh))
@@ -176,7 +179,8 @@ local function report_mesh(options, study, suffix, files)
   files.draw("forces" .. suffix(mesh) .. ".png", "an accepted step", function(file)
     return output.draw_forces(file, cases, "Ironing, mesh " .. mesh)
   end)
-  files.draw("amplitudes" .. suffix(mesh) .. ".png", "N2 among the labels, and runs that reach the window", function(file)
+  local need = "N2 among the labels, and runs that reach the window"
+  files.draw("amplitudes" .. suffix(mesh) .. ".png", need, function(file)
     return output.draw_amplitudes(file, cases, "Ironing, mesh " .. mesh, published)
   end)
 end
@@ -187,7 +191,8 @@ local function standard(options, files)
   local studies = solve_all(options, suffix, files)
   for _, study in ipairs(studies) do report_mesh(options, study, suffix, files) end
   if not several then return { mesh = studies[1].mesh, cases = studies[1].cases, studies = studies } end
-  return { studies = studies, savings = convergence.report(studies, options.labels, files.draw) }
+  local savings, cheapest = convergence.report(studies, options.labels, files.draw)
+  return { studies = studies, savings = savings, cheapest = cheapest }
 end
 
 -- ── The study ────────────────────────────────────────────────────────────────────────────────────────────────────────

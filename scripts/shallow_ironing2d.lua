@@ -1,7 +1,7 @@
 -- Shallow ironing: a round-nosed die is pressed into a block and dragged along it, with friction and large strains.
 --
--- Problem: the test that Fischer and Wriggers introduced and that many contact methods have been tried on since. There is no
---          exact solution, and the published forces differ by a quarter and more.
+-- Problem: the test that Fischer and Wriggers introduced and that many contact methods have been tried on since. There
+--          is no exact solution, and the published forces differ by a quarter and more.
 --
 --             ____
 --            |    |     die: 1.2 wide, 0.9 high, below it an arc of height 0.3 (radius 0.75), its top driven;
@@ -11,18 +11,19 @@
 --         |  block: 12 × 4, bottom clamped      |
 --         |_____________________________________|
 --
---          Plane strain, neo-Hooke, E = 68.96e8 Pa (die) and 68.96e7 Pa (block), nu = 0.32, mu = 0.3; slave: the arc. Chosen
---          here: both penalties 1e5 N/mm³ (an overlap of 0.4 % of the arc's radius), 50 steps down and 250 along. The die's
---          sides are no contact faces: its leading one would carry less than 2.5 N/mm, near its lower corner.
--- Source: K. A. Fischer and P. Wriggers, Mortar based frictional contact formulation for higher order interpolations using
---         the moving friction cone, CMAME 195 (2006) 5020; curves of five programs in share/reference.
+--          Plane strain, neo-Hooke, E = 68.96e8 Pa (die) and 68.96e7 Pa (block), nu = 0.32, mu = 0.3; slave: the arc.
+--          Chosen here: both penalties 1e5 N/mm³ (an overlap of 0.4 % of the arc's radius), 50 steps down and 250
+--          along. The die's sides are no contact faces: its leading one would carry less than 2.5 N/mm, near its lower
+--          corner.
+-- Source: K. A. Fischer and P. Wriggers, Mortar based frictional contact formulation for higher order interpolations
+--         using the moving friction cone, CMAME 195 (2006) 5020; curves of five programs in share/reference.
 -- Units: mm, N, N/mm²; forces per mm of depth. Time is 0 to 1 while it is pressed and 1 to 2 while it slides.
--- Expected: V = 316 and H = 67 at time 1, V = 402 and H = 134 at time 1.5 (N2 at m2; at m3 314, 66, 400 and 131). V lies
---           among the published curves, closest to Hartmann et al.; H/V = 0.33 is closest to Code_Aster's 0.34 (0.30 to 0.52
---           in all).
+-- Expected: V = 316 and H = 67 at time 1, V = 402 and H = 134 at time 1.5 (N2 at m2; at m3 314, 66, 400 and 131). V
+--           lies among the published curves, closest to Hartmann et al.; H/V = 0.33 is closest to Code_Aster's 0.34
+--           (0.30 to 0.52 in all).
 -- Run: signorini scripts/shallow_ironing2d.lua [mesh=m2] [labels=N2,N2-N2.2] [through=1] [penalty=1e5] [steps=50]
---      [linear=auto] [out=out/shallow_ironing2d]; meshes: die 3 × 2 and block 30 × 8 (m1), each next one halves every span;
---      through: degree from top to bottom; steps: of the pressing, the sliding takes five times as many.
+--      [linear=auto] [out=out/shallow_ironing2d]; meshes: die 3 × 2 and block 30 × 8 (m1), each next one halves every
+--      span; through: degree from top to bottom; steps: of the pressing, the sliding takes five times as many.
 
 local sg = require "signorini"
 
@@ -42,8 +43,8 @@ local function read_arguments(words)
   for _, word in ipairs(words) do
     local key, value = word:match "^(%w+)=(.+)$"
     if not options[key] then
-      error(("unknown argument '%s'; known: mesh=m2, labels=N2,N4, through=1, penalty=1e5, steps=50, linear=auto, out=folder")
-        :format(word), 0)
+      error(("unknown argument '%s'; known: mesh=m2, labels=N2,N4, through=1, penalty=1e5, steps=50, linear=auto, "
+        .. "out=folder"):format(word), 0)
     end
     options[key] = value
   end
@@ -57,7 +58,8 @@ local function read_arguments(words)
   local function is_count(value) return math.tointeger(value) and value >= 1 end
   local labels = {}
   for label in options.labels:gmatch "[^,]+" do labels[#labels + 1] = label end
-  return { mesh = options.mesh, halvings = 1 << (level - 1), labels = labels, linear = options.linear, out = options.out,
+  return { mesh = options.mesh, halvings = 1 << (level - 1), labels = labels, linear = options.linear,
+           out = options.out,
            through = number("through", is_count, "a degree such as 1 or 2"),
            penalty = number("penalty", function(value) return value > 0 end, "a positive number"),
            steps = number("steps", is_count, "a whole number of at least 1") }
@@ -66,8 +68,8 @@ end
 -- ── Scene and path ───────────────────────────────────────────────────────────────────────────────────────────────────
 
 --- The die: straight lines from its arc up to its top. With radius R = 0.75 and half the width 0.6 the arc spans 2θ,
---- sin θ = 0.8 and cos θ = 0.6: one rational quadratic segment whose middle weight is cos θ and whose middle point, where
---- the end tangents meet, lies R/cos θ = 1.25 below the centre.
+--- sin θ = 0.8 and cos θ = 0.6: one rational quadratic segment whose middle weight is cos θ and whose middle point,
+--- where the end tangents meet, lies R/cos θ = 1.25 below the centre.
 local function die_patch(left, apex)
   local middle, ends, top = left + 0.6, apex + 0.3, apex + 1.2
   local arc = sg.nurbs.curve{
@@ -79,10 +81,14 @@ end
 
 local function scene(label, options)
   local n = options.halvings
-  local die = sg.body{ patch = die_patch(0.2, 4.2), elements = { 3 * n, 2 * n }, order = label, contact = "south",
-                       through = options.through, material = sg.neo_hookean{ E = 6896, nu = 0.32 } }
-  local block = sg.body{ patch = sg.shapes.rectangle{ width = 12, height = 4 }, elements = { 30 * n, 8 * n }, order = label,
-                         contact = "north", through = options.through, material = sg.neo_hookean{ E = 689.6, nu = 0.32 } }
+  local die = sg.body{
+    patch = die_patch(0.2, 4.2), elements = { 3 * n, 2 * n }, order = label, contact = "south",
+    through = options.through, material = sg.neo_hookean{ E = 6896, nu = 0.32 },
+  }
+  local block = sg.body{
+    patch = sg.shapes.rectangle{ width = 12, height = 4 }, elements = { 30 * n, 8 * n }, order = label,
+    contact = "north", through = options.through, material = sg.neo_hookean{ E = 689.6, nu = 0.32 },
+  }
   return sg.model{
     bodies   = { die = die, block = block },
     supports = { bed = { on = block:face "south", fix = "xy" }, grip = { on = die:face "north", drive = "xy" } },
@@ -109,8 +115,8 @@ local function solve(label, options)
       frames[#frames + 1] = sg.frame{ model = model, field = "von_mises", title = ("time %g"):format(time) }
     end
   end })
-  local case = { label = label, run = run, model = model, dofs = die:dofs().total + block:dofs().total, frames = frames, time = {},
-                 V = run:column "grip.fy", H = run:column "grip.fx" }
+  local case = { label = label, run = run, model = model, dofs = die:dofs().total + block:dofs().total,
+                 frames = frames, time = {}, V = run:column "grip.fy", H = run:column "grip.fx" }
   for step = 1, run.steps do
     case.time[step], case.V[step] = time_of(step, options.steps), -case.V[step]
   end
@@ -180,7 +186,8 @@ local function work_table(cases)
   for i, case in ipairs(cases) do
     local run = case.run
     rows[i] = { case.label, case.dofs, run.steps, run.iterations, run.cutbacks,
-                math.max(0, table.unpack(run:column "interface.max_penetration")), case.ripple.V, case.ripple.H, run.wall }
+                math.max(0, table.unpack(run:column "interface.max_penetration")), case.ripple.V, case.ripple.H,
+                run.wall }
   end
   return sg.table{
     columns = { "label", "DOFs", "steps", "iterations", "cut-backs", "overlap", "ripple V", "ripple H", "wall" },
@@ -242,7 +249,8 @@ else
 end
 if #cases[1].frames > 0 then
   sg.picture{ frames = cases[1].frames, columns = 2, file = path "states.png", range = { 0, 400 },
-              label = "von Mises stress (N/mm²)", title = ("Shallow ironing, %s at %s"):format(options.labels[1], options.mesh) }
+              label = "von Mises stress (N/mm²)",
+              title = ("Shallow ironing, %s at %s"):format(options.labels[1], options.mesh) }
 end
 print("\nWritten: " .. table.concat(files, "\n         "))
 

@@ -1,5 +1,5 @@
--- How far a long run has come, on stderr: a bar that redraws itself on a terminal, one line per finished stage elsewhere,
--- nothing when the program runs quietly (-q).
+-- How far a long run has come, on stderr: a bar that redraws itself on a terminal, one line per finished stage
+-- elsewhere, nothing when the program runs quietly (-q).
 
 local core = require "signorini.core"
 

@@ -1,12 +1,12 @@
 -- How strongly a force oscillates while the die slides: max − min over steps 110 to 165, in which the die's centre goes
--- from x = 1.13 to 1.46, about one element pitch of m1 in the middle of the slab. Over the whole slide the trend from the
--- slab's ends would swamp the ripple; on m2 and finer it matters even within the window, so the ripple is measured without
--- the best parabola as well.
+-- from x = 1.13 to 1.46, about one element pitch of m1 in the middle of the slab. Over the whole slide the trend from
+-- the slab's ends would swamp the ripple; on m2 and finer it matters even within the window, so the ripple is measured
+-- without the best parabola as well.
 
 local amplitude = { first = 110, last = 165 }
 
---- The values without their best parabola. On points x that lie symmetrically about 0 the polynomials 1, x and x² − mean x²
---- are orthogonal, so each coefficient is a quotient of two sums.
+--- The values without their best parabola. On points x that lie symmetrically about 0 the polynomials 1, x and x² −
+--- mean x² are orthogonal, so each coefficient is a quotient of two sums.
 local function without_parabola(values)
   local count, square = #values, 0
   local function x(i) return i - (count + 1) / 2 end
@@ -26,7 +26,8 @@ end
 
 local function spread(values) return math.max(table.unpack(values)) - math.min(table.unpack(values)) end
 
---- { raw, detrended } of a list over the steps first to last, by default the window; empty when the run ended before it.
+--- { raw, detrended } of a list over the steps first to last, by default the window; empty when the run ended
+--- before it.
 function amplitude.of(values, first, last)
   first, last = first or amplitude.first, last or amplitude.last
   if #values < last then return {} end
@@ -34,8 +35,8 @@ function amplitude.of(values, first, last)
   return { raw = spread(part), detrended = spread(without_parabola(part)) }
 end
 
---- Adds to each case the amplitudes of its reactions, dPx and dPy, and what they are in % of those of `reference`, a case
---- or nothing: raw_percent, detrended_percent.
+--- Adds to each case the amplitudes of its reactions, dPx and dPy, and what they are in % of those of `reference`, a
+--- case or nothing: raw_percent, detrended_percent.
 function amplitude.compare(cases, reference)
   for _, case in ipairs(cases) do
     case.dPx, case.dPy = amplitude.of(case.run:column "grip.fx"), amplitude.of(case.run:column "grip.fy")

@@ -114,7 +114,7 @@ function deep.run(options, files)
       if coarser == 1 then
         amplitude.compare(best, best.N2)
         studies[#studies + 1], studies[mesh] = { mesh = mesh, cases = best }, { mesh = mesh, cases = best }
-        print(("\nAmplitudes at %s with %d(p+1) contact points, max − min over steps %d to %d, as it is and without a parabola")
+        print(("\nAmplitudes at %s with %d(p+1) contact points, max − min over steps %d to %d, also without a parabola")
           :format(mesh, options.points[#options.points], amplitude.first, amplitude.last))
         print(output.amplitude_table(best))
         files.draw(("forces_%s.png"):format(mesh), "an accepted step", function(file)

@@ -14,7 +14,8 @@ function output.work_table(cases)
                 spent.bulk, spent.contact, spent.linear, spent.rest }
   end
   return sg.table{
-    columns = { "label", "die", "slab", "total", "interface", "iterations", "wall", "bulk", "contact", "linear", "rest" },
+    columns = { "label", "die", "slab", "total", "interface", "iterations", "wall", "bulk", "contact", "linear",
+                "rest" },
     units = { "", "DOFs", "DOFs", "DOFs", "DOFs", "per step", "s", "s", "s", "s", "s" }, rows = rows,
     formats = { iterations = "%.2f", wall = "%.3f", bulk = "%.3f", contact = "%.3f", linear = "%.3f", rest = "%.3f" },
   }
@@ -62,8 +63,8 @@ function output.draw_forces(file, cases, title)
       local values = case.run:column(column)
       for step, value in ipairs(values) do values[step] = sign * value end
       if #values > 0 then
-        chart[#chart + 1] = { x = case.run:column "step", y = values, label = name .. " " .. case.label, dashed = dashed,
-                              color = i }
+        chart[#chart + 1] = { x = case.run:column "step", y = values, label = name .. " " .. case.label,
+                              dashed = dashed, color = i }
       end
     end
   end

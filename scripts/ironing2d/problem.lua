@@ -7,13 +7,19 @@ local problem = {}
 --- What a variant changes: Young's modulus of the die, friction, where the die starts (x of its centre), how deep it is
 --- pressed in how many steps, how far it is dragged in how many steps.
 problem.variants = {
-  standard   = { die_modulus = 1e3, mu = 0.2, start = 0.75, depth = 0.23,  press_steps = 46, way = 1.5, slide_steps = 250 },
-  deep       = { die_modulus = 1e4, mu = 0.1, start = 0.75, depth = 0.5,   press_steps = 46, way = 1.5, slide_steps = 250 },
-  validation = { die_modulus = 1e3, mu = 0.3, start = 0.5,  depth = 0.075, press_steps = 10, way = 2.0, slide_steps = 200 },
+  standard = {
+    die_modulus = 1e3, mu = 0.2, start = 0.75, depth = 0.23, press_steps = 46, way = 1.5, slide_steps = 250,
+  },
+  deep = {
+    die_modulus = 1e4, mu = 0.1, start = 0.75, depth = 0.5, press_steps = 46, way = 1.5, slide_steps = 250,
+  },
+  validation = {
+    die_modulus = 1e3, mu = 0.3, start = 0.5, depth = 0.075, press_steps = 10, way = 2, slide_steps = 200,
+  },
 }
 
---- Elements of die and slab by mesh: m1 to m6, each of which halves every span of the one before (Table 7.1), or the number
---- of spans along both faces in the proportions of section 6.2, where 48 stands for 48 × 8 and 48 × 24.
+--- Elements of die and slab by mesh: m1 to m6, each of which halves every span of the one before (Table 7.1), or the
+--- number of spans along both faces in the proportions of section 6.2, where 48 stands for 48 × 8 and 48 × 24.
 function problem.elements(mesh)
   local level = math.tointeger(mesh:match "^m([1-6])$")
   if level then
@@ -50,7 +56,8 @@ function problem.scene(set_up, label, elements, points)
 end
 
 --- Runs one case { set_up, label, mesh }, also with `points`, `coarser` (steps that many times as long), and `step`,
---- `linear` and `on_step(model, info)` as model:run takes them. Returns { label, mesh, run, model, die_dofs, slab_dofs }.
+--- `linear` and `on_step(model, info)` as model:run takes them. Returns { label, mesh, run, model, die_dofs,
+--- slab_dofs }.
 function problem.solve(case)
   local set_up, coarser = case.set_up, case.coarser or 1
   local model, die, slab = problem.scene(set_up, case.label, problem.elements(case.mesh), case.points)
@@ -59,7 +66,8 @@ function problem.solve(case)
     { name = "slide", steps = math.ceil(set_up.slide_steps / coarser), grip = { set_up.way, -set_up.depth } },
   }, { linear = case.linear, step = case.step,
        on_step = case.on_step and function(info) return case.on_step(model, info) end })
-  return { label = case.label, mesh = case.mesh, run = run, model = model, die_dofs = die:dofs(), slab_dofs = slab:dofs() }
+  return { label = case.label, mesh = case.mesh, run = run, model = model,
+           die_dofs = die:dofs(), slab_dofs = slab:dofs() }
 end
 
 return problem

@@ -37,7 +37,8 @@ local function force_table(cases)
   for i, case in ipairs(cases) do
     local pressed, average, ripple = case.pressed or {}, case.mean or {}, case.ripple or {}
     rows[i] = { case.label, case.die_dofs.total + case.slab_dofs.total, case.run.iterations, case.run.cutbacks,
-                pressed.Py, pressed.Px, average.Py, average.Px, case.mean and average.Px / average.Py, ripple.Py, ripple.Px }
+                pressed.Py, pressed.Px, average.Py, average.Px, case.mean and average.Px / average.Py,
+                ripple.Py, ripple.Px }
   end
   return sg.table{
     columns = { "label", "DOFs", "iterations", "cut-backs", "Py pressed", "Px pressed", "mean Py", "mean Px",

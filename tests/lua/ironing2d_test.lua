@@ -93,7 +93,24 @@ check.case("two meshes: amplitudes at m2, times of pairs, charts over the mesh",
     within("saving at " .. mesh, pair.saved, 100 * (1 - pair.ours.work.wall / pair.plain.work.wall), 1e-9)
     check.equal(pair.ours.work.wall, math.min(pair.ours.runs[1].wall, pair.ours.runs[2].wall))
   end
+  check.equal(both.cheapest, {}) -- N2 was not run
   check_pictures { "Py_over_mesh_raw", "Px_over_mesh_detrended", "time_over_mesh", "accuracy_over_time", "forces_m2" }
+end)
+
+check.case("the cheapest case that is as accurate as N2 on a mesh: both amplitudes count, then time", function()
+  local function case(label, dPy, dPx, wall)
+    return { label = label, dPy = { detrended = dPy }, dPx = { detrended = dPx }, work = { wall = wall } }
+  end
+  local function mesh(name, N2, layer)
+    return { mesh = name, cases = { N2, layer, N2 = N2 } }
+  end
+  local cheapest = require "ironing2d.convergence".cheapest{
+    mesh("m1", case("N2", 9, 9, 1), case("layer", 3, 3, 2)),
+    mesh("m2", case("N2", 4, 4, 4), case("layer", 0.5, 2, 5)),
+    mesh("m3", case("N2", 1, 1, 20), case("layer", 0.1, 0.1, 25)),
+  }
+  check.equal({ cheapest[1].plain.work.wall, cheapest[1].ours.work.wall, cheapest[1].saved }, { 4, 2, 50 })
+  check.equal({ cheapest[2].plain.work.wall, cheapest[2].ours.work.wall, cheapest[2].saved }, { 20, 20, 0 })
 end)
 
 check.case("wrong arguments", function()

@@ -12,7 +12,9 @@ local function model_of(fails)
   return model
 end
 
-local two_stages = { { name = "press", steps = 4, grip = { 0, -0.4 } }, { name = "slide", steps = 2, grip = { 1, -0.4 } } }
+local two_stages = {
+  { name = "press", steps = 4, grip = { 0, -0.4 } }, { name = "slide", steps = 2, grip = { 1, -0.4 } },
+}
 
 check.case("each stage goes linearly from where the support is to its target", function()
   local model = model_of()
@@ -143,7 +145,8 @@ check.case("wrong stages and options are refused before the first step", functio
     { { { name = "press", steps = 0 } }, "press.steps must be a whole number of at least 1, got the number 0" },
     { { { steps = 1.5 } }, "got the number 1.5" },
     { { { steps = "2" } }, "got the string '2'" },
-    { { { steps = 2, gripp = { 0, 1 } } }, "unknown argument 'gripp'", "did you mean 'grip'?", "name, steps, edge, grip, gas" },
+    { { { steps = 2, gripp = { 0, 1 } } }, "unknown argument 'gripp'", "did you mean 'grip'?",
+      "name, steps, edge, grip, gas" },
     { { { steps = 2, { 0, 1 } } }, "unknown argument '1'" },
     { { { steps = 2, bed = { 0, 1 } } }, "'bed'", "not driven", 'drive = "x"' },
     { { { steps = 2, grip = { 0 } } }, "grip must be a list of 2 values (ux, uy), got a list of 1 value" },
@@ -180,8 +183,8 @@ end)
 
 -- ── Increments ───────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- A path from 0 to `steps` in steps of 1, on a spring on which an attempt of more than limit(x) from x fails. Returns the
---- run, the model, and what was accepted of the path, point by point.
+--- A path from 0 to `steps` in steps of 1, on a spring on which an attempt of more than limit(x) from x fails. Returns
+--- the run, the model, and what was accepted of the path, point by point.
 local function climb(steps, limit, step, more)
   local model
   model = model_of(function(x)

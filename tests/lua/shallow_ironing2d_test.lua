@@ -48,7 +48,9 @@ check.case("the vertical force lies among the published curves, while it slides 
     for i, value in ipairs(row(time)) do
       if i % 2 == 0 then V[#V + 1], ratios[#ratios + 1] = value, row(time)[i + 1] / value end
     end
-    local function among(value, others) return value > math.min(table.unpack(others)) and value < math.max(table.unpack(others)) end
+    local function among(value, others)
+      return value > math.min(table.unpack(others)) and value < math.max(table.unpack(others))
+    end
     check.equal(#V, 5)
     check.equal({ among(layer.V[step], V), time == 1 or among(layer.H[step] / layer.V[step], ratios) }, { true, true })
   end
@@ -72,7 +74,8 @@ end)
 check.case("wrong arguments", function()
   for word, message in pairs { ["msh=m1"] = "unknown argument 'msh=m1'; known: mesh=m2", ["mesh=m9"] = "got 'm9'",
                                ["penalty=-1"] = "penalty must be a positive number, got '-1'",
-                               ["through=two"] = "through must be a degree", ["steps=0"] = "steps must be a whole number" } do
+                               ["through=two"] = "through must be a degree",
+                               ["steps=0"] = "steps must be a whole number" } do
     local output, status = check.program { "-q", script, "out=" .. folder, word }
     check.equal(status, 1)
     check.holds(output, message)

@@ -1,5 +1,5 @@
--- A model of one spring for testing the load path without mechanics: fx = 2 ux, fy = 3 uy, contact area = −uy; a support
--- that turns, with moment = 5 angle; and a load, a pressure.
+-- A model of one spring for testing the load path without mechanics: fx = 2 ux, fy = 3 uy, contact area = −uy; a
+-- support that turns, with moment = 5 angle; and a load, a pressure.
 -- `fails(ux, uy, model)` gives the reason why a step is not solved, or nothing; model.accepted is where it starts from.
 
 local function spring(fails)
