@@ -67,6 +67,8 @@ options: newton = { tolerance, iterations }, linear = "auto", on_step = function
   step = { adaptive = true, min = 1/64, max = 1, growth = 2 }: a step that fails is cut in half, down to the part `min` of
   it; after an easy increment (half of the iterations allowed) the next is `growth` times as long, up to `max`.
   Increments are counted (run.cutbacks, run:column "increments", run:attempts(step)); rows are the steps. Off by default.
+  arc_length = true: where a step fails, arcs follow the path, also back, until the step's end is passed; rows between
+  steps have a fractional step, run.controls says where control changed.
 A step that is not reached ends the run: run.failed, run.reason, run.report; the last accepted state is kept.
 run:column "grip.fx" is a list over the steps; print(run) is a short table; run:csv(file) writes all columns.
 Example: model:run{ { name = "press", steps = 46, grip = {0, -0.23} } }]])
