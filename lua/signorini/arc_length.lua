@@ -54,6 +54,19 @@ end
 -- ── The diagnosis ────────────────────────────────────────────────────────────────────────────────────────────────────
 
 local probe_arcs = 60
+local least_reach = 0.02 -- parts of a step
+
+--- Whether the path really turns back at the present state, where an arc of a given length led backward: no equilibrium
+--- close by lies `reach` farther on. Where states of contact cycle (stick and slip, open and shut), arcs may be thrown
+--- back as well, yet there is one.
+local function turns_back(step, length, reach)
+  local model = step.model
+  local kept = model:snapshot()
+  local result = step:probe(step.done + math.max(reach, least_reach))
+  local near = result.converged and model:last_length() <= 4 * length
+  model:restore(kept)
+  return not near
+end
 
 --- Follows the path by arcs from where a step failed, then returns to that state. Gives the part of the step at which the
 --- path turns back, or nothing when it does not within reach.
@@ -61,24 +74,26 @@ function arc_length.turning_point(step)
   local model, done = step.model, step.done
   local first = first_share * model:last_length()
   if not (first > 0) then return nil end
-  local kept, length, found = model:snapshot(), first, nil
+  local start, length, reach, found = model:snapshot(), first, 0, nil
   for _ = 1, probe_arcs do
+    local before = model:snapshot()
     local arc, to = step:probe_arc(length, most_iterations)
     if arc.reason == "interrupted" then break end
     if not arc.converged then
       length = length / 2
       if length < smallest * first then break end
     elseif to < step.done then
-      found = step.done
+      model:restore(before)
+      if turns_back(step, length, reach) then found = step.done end
       break
     else
-      step.done = to
+      step.done, reach = to, to - step.done
       length = math.min(first, adapt(length, arc, first))
       if to > 1 then break end
     end
   end
   step.done = done
-  model:restore(kept)
+  model:restore(start)
   return found
 end
 

@@ -147,6 +147,14 @@ function Step:probe_arc(length, iterations)
   return result, to
 end
 
+--- Solves for the targets at a part of the step, without a trace in the run.
+function Step:probe(to)
+  self:set_targets(to)
+  local result = self.model:solve_step(self.solver)
+  if result.converged then self.model:accept() else self.model:rollback() end
+  return result
+end
+
 --- The targets at a part of the step, in words: "edge.angle = 69.86".
 function Step:place(part)
   local texts = {}
@@ -181,7 +189,9 @@ end
 --- Notes why a step was not reached; where Newton's iteration gave up, arcs find out whether the path turns back.
 local function fail(run, step, result)
   local gave_up = result.reason == "iterations" or result.reason == "diverged" or result.reason == "singular"
+  local began = core.now()
   local turn = gave_up and arc_length.turning_point(step)
+  run:record_probe(core.now() - began)
   run:record_failure(step, result, turn and step:place(turn))
 end
 

@@ -96,6 +96,12 @@ function Run:record_attempt(from, to, result, seconds)
                               iterations = result.iterations, residuals = result.residuals }
 end
 
+--- Adds the seconds that finding out about a failure took.
+function Run:record_probe(seconds)
+  local stage = self.stages[#self.stages]
+  self.wall, stage.wall = self.wall + seconds, stage.wall + seconds
+end
+
 function Run:record_cutback()
   local stage = self.stages[#self.stages]
   self.cutbacks, stage.cutbacks = self.cutbacks + 1, stage.cutbacks + 1
@@ -158,8 +164,8 @@ function Run:record_failure(step, result, turn)
       result.message ~= "" and result.message or result.reason,
       tried(attempts, done), joined(result.residuals, "%.3g"), place)
   if turn then
-    self.report = ("%s The path has a turning point at %s: it turns back there, so no step beyond it can be reached by "
-      .. "prescribing targets; model:run{ …, arc_length = true } follows it."):format(self.report, turn)
+    self.report = ("%s The path has a turning point at %s: it turns back there, and only a jump to another branch leads "
+      .. "beyond it by prescribing targets; model:run{ …, arc_length = true } follows it."):format(self.report, turn)
   end
 end
 

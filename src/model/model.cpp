@@ -74,6 +74,13 @@ template <int D> solve::Outcome Model<D>::assemble(const VectorX* direction, boo
   return solve::Outcome::inverted_element;
 }
 
+/// Whether the tangent is symmetric: all but the penalty law, whose traction acts on the current area, have a
+/// potential.
+template <int D> bool has_potential(const Scene<D>& scene) {
+  return std::all_of(scene.contacts.begin(), scene.contacts.end(),
+                     [](const Contact<D>& contact) { return std::holds_alternative<contact::Adhesion>(contact.law); });
+}
+
 /// The linear solver for the present pattern. Where all bodies are linear elastic only the contacts' part of the
 /// tangent changes: unless told otherwise, the rest is factored once.
 template <int D> solve::LinearSolver& Model<D>::solver(const StepOptions& options) {
@@ -90,7 +97,9 @@ template <int D> solve::LinearSolver& Model<D>::solver(const StepOptions& option
                                              assembly_.contact_unknowns()};
       solver_ = solve::make_solver(solve::LinearKind::condensed, assembly_.pattern(), &condensation);
     } else {
-      solver_ = solve::make_solver(options.linear, assembly_.pattern());
+      const bool symmetric = options.linear == solve::LinearKind::automatic && has_potential(scene_);
+      solver_ = solve::make_solver(symmetric ? solve::symmetric_choice(assembly_.pattern()) : options.linear,
+                                   assembly_.pattern());
     }
     solver_version_ = assembly_.pattern_version();
     solver_contacts_ = assembly_.contact_version();

@@ -70,8 +70,8 @@ struct Side {
 /// west/east (ξ¹), south/north (ξ²), front/back (ξ³). Throws Error that lists the names that fit.
 Side side_of(const std::string& name, int parametric_dimension);
 std::string name_of(Side side);
-/// +1 or −1: what turns a face's natural normal (2D: its tangent turned by −90°; 3D: τ₁×τ₂, both in parametric order) to
-/// the outside of a right-handed body.
+/// +1 or −1: what turns a face's natural normal (2D: its tangent turned by −90°; 3D: τ₁×τ₂, both in parametric order)
+/// to the outside of a right-handed body.
 double outward_sign(Side side);
 
 /// The face as a patch of one parametric dimension less (parametric dimension ≥ 2).

@@ -1,6 +1,7 @@
 #include "solve/linear.hpp"
 
 #include "base/error.hpp"
+#include "solve/band_order.hpp"
 #include "solve/banded.hpp"
 #include "solve/cholesky.hpp"
 #include "solve/condensed.hpp"
@@ -138,6 +139,11 @@ std::string name_of(LinearKind kind) {
   for (const auto& [known, name] : names)
     if (kind == known) return name;
   return "";
+}
+
+LinearKind symmetric_choice(const Pattern& pattern) {
+  const double width = band_width(pattern, band_order(pattern));
+  return width * width <= 4.0 * pattern.size ? LinearKind::banded : LinearKind::cholmod;
 }
 
 std::unique_ptr<LinearSolver> make_solver(LinearKind kind, const Pattern& pattern, const Condensation* condensation) {

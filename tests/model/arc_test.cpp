@@ -95,7 +95,7 @@ struct Walk {
     model.accept();
     last_increment = model.displacement() - before;
     EXPECT_NEAR(t.dot(last_increment), length, 1e-9 * length);
-    EXPECT_NEAR(target(), from + model.arc_fraction() * sense, 1e-13);
+    EXPECT_NEAR(target(), from + model.arc_fraction() * sense, 1e-14 * (1 + std::abs(from)));
     EXPECT_NEAR(model.last_length(), last_increment.norm(), 1e-14);
     targets(component) = target();
     const VectorX residual = bench.residual(model.displacement()) - drives.force(targets);

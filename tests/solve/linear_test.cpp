@@ -66,6 +66,25 @@ TEST_P(Linear, SingularToWorkingPrecisionIsSeen) {
 INSTANTIATE_TEST_SUITE_P(Solvers, Linear, testing::Values(LinearKind::klu, LinearKind::umfpack, LinearKind::banded),
                          [](const auto& info) { return name_of(info.param); });
 
+/// Two unknowns a node on a grid of nodes, coupled over one element.
+Pattern grid(int columns, int rows) {
+  std::vector<std::vector<int>> groups;
+  for (int j = 0; j + 1 < rows; ++j)
+    for (int i = 0; i + 1 < columns; ++i) {
+      std::vector<int> group;
+      for (int node : {i + columns * j, i + 1 + columns * j, i + columns * (j + 1), i + 1 + columns * (j + 1)})
+        group.insert(group.end(), {2 * node, 2 * node + 1});
+      groups.push_back(group);
+    }
+  return couple(2 * columns * rows, groups);
+}
+
+TEST(LinearKinds, SymmetricTangentsOfSlenderBodiesAreSolvedOnTheirBand) {
+  EXPECT_EQ(symmetric_choice(grid(200, 10)), LinearKind::banded);
+  EXPECT_EQ(symmetric_choice(grid(10, 200)), LinearKind::banded);
+  EXPECT_EQ(symmetric_choice(grid(60, 60)), LinearKind::cholmod);
+}
+
 TEST(LinearKinds, HaveNames) {
   for (LinearKind kind : {LinearKind::automatic, LinearKind::klu, LinearKind::umfpack, LinearKind::cholmod,
                           LinearKind::banded, LinearKind::condensed})
