@@ -132,6 +132,7 @@ TEST(Arc, FollowsAnAdhesiveBarThroughItsSnapBack) {
     EXPECT_NEAR(tops.back(), exact(distance(walk.model)), 1e-9);
     EXPECT_NEAR(walk.model.reaction(1)(1), -2 * contact::traction(film, distance(walk.model)), 1e-9);
   }
+  ASSERT_GT(tops.size(), 25u); // otherwise it stopped at a failure
   EXPECT_EQ(turns(tops), 2);
   EXPECT_NEAR(*std::max_element(tops.begin(), tops.end()), highest, 0.01 * highest);
   EXPECT_NEAR(*std::min_element(tops.begin() + 20, tops.end()), lowest, 0.01 * lowest);
@@ -175,6 +176,7 @@ TEST(Arc, FollowsAnArchThroughItsLimitLoad) {
     }
     walk.model.restore(here);
   }
+  ASSERT_EQ(loads.size(), 45u); // otherwise it stopped at a failure
   EXPECT_EQ(confirmed, 15);
   EXPECT_EQ(turns(loads), 2);
   const auto limit = std::max_element(loads.begin(), loads.begin() + 10);
