@@ -144,7 +144,7 @@ constexpr Function rows[] = {
      "    width = 3, color = number of the curve that it looks like (its own), marker = \"circle\", … or \"none\" }\n"
      "Markers: circle, square, triangle, diamond, triangle down, cross, pentagon, plus, and open ones (\"open "
      "circle\").\n"
-     "Curves of one label and look share a row of the legend. A nan leaves a gap.\n"
+     "Curves of one label and look share a row of the legend; one without a label has none. A nan leaves a gap.\n"
      "log = \"x\", \"y\" or \"xy\" for logarithmic axes; xrange, yrange = {low, high}; size = {1600, 1000} pixels.\n"
      "xticks = { {1, \"m1\"}, {2, \"m2\"} }: names in place of numbers; hlines, vlines = { {value, text}, … }: "
      "reference\n"

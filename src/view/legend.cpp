@@ -12,17 +12,19 @@ double swatch(const Style& style) {
   return 70 * style.unit;
 }
 
-/// One row per label and look: curves that share both are one thing to the reader.
+/// One row per label and look: curves that share both are one thing to the reader. Where some curves have labels, one
+/// without is meant to have no row.
 std::vector<Legend::Row> rows_of(const std::vector<Series>& series, const Style& style) {
   std::vector<Legend::Row> rows;
+  const bool labelled = std::any_of(series.begin(), series.end(), [](const Series& one) { return !one.label.empty(); });
   for (std::size_t n = 0; n < series.size(); ++n) {
     const auto known = [&](const Legend::Row& row) {
       return row.label == series[n].label && series[row.series].line == series[n].line &&
              look_of(series, row.series, style) == look_of(series, n, style);
     };
-    if (series[n].label.empty())
+    if (!labelled)
       rows.push_back({text("series ", n + 1), n});
-    else if (std::none_of(rows.begin(), rows.end(), known))
+    else if (!series[n].label.empty() && std::none_of(rows.begin(), rows.end(), known))
       rows.push_back({series[n].label, n});
   }
   return rows;
