@@ -145,12 +145,12 @@ for _, mesh in ipairs(options.meshes) do
 end
 local function case_of(label, mesh) return cases[label .. " " .. mesh] end
 
-local thin, finite, per_length = steady.thin_moment(), steady.finite_moment()
+local thin, finite = steady.thin_moment(), steady.finite_moment()
 print(("\nAmplitude and steepest slopes of the moment in %g° to %g° beside Table 7.8 (whole steps; path: all states)")
   :format(table.unpack(options.window)))
 print(output.amplitude_table(cases))
-print(("\nPlateau (mean of the window) beside the balance of energy: thin strip %.4f, finite strain %.4f E0 L0³, %.3f°/nm")
-  :format(thin, finite, per_length))
+print(("\nMean moment of the window beside the balance of energy: thin strip %.4f, finite strain %.4f E0 L0³")
+  :format(thin, finite))
 print(output.plateau_table(cases, thin, finite))
 print(("\nHow far rotation control leads (at most %d iterations a step), and what arcs find behind it")
   :format(options.iterations))
@@ -169,7 +169,7 @@ end
 for _, mesh in ipairs(options.meshes) do
   local shown = {}
   for i, label in ipairs(options.labels) do shown[i] = case_of(label, mesh) end
-  output.draw_moment(path(("moment_%s.png"):format(mesh)), case_of("N2", mesh) or shown[1], thin, options.window)
+  output.draw_moment(path(("moment_%s.png"):format(mesh)), case_of("N2", mesh) or shown[1], finite, options.window)
   for name, wanted in pairs { standard = function(label) return not label:find "-" end,
                               layer = function(label) return label:find "-" ~= nil end } do
     draw(("plateau_%s_%s.png"):format(name, mesh), output.draw_plateau, shown,

@@ -112,14 +112,15 @@ local function part(case, from, to, whole)
   return x, y
 end
 
---- Figure 7.23: the whole curve of one case, the plateau magnified.
-function output.draw_moment(file, case, thin, window)
+--- Figure 7.23: the whole curve of one case, the plateau magnified, beside the balance of energy.
+function output.draw_moment(file, case, balance, window)
   local last = case.angle[#case.angle]
   local inset = last > window[1] and { xrange = { window[1], math.min(last, window[1] + 5) } } or nil
   sg.chart{
-    file = file, xlabel = angle_label, ylabel = moment_label, yrange = { 0, 1.15 * thin }, inset = inset,
+    file = file, xlabel = angle_label, ylabel = moment_label, yrange = { 0, 1.15 * balance }, inset = inset,
     legend = false, title = ("Peeling: moment over rotation, %s at %s"):format(case.label, case.mesh),
-    hlines = { { thin, ("thin strip %.3f"):format(thin) } }, { x = case.angle, y = case.moment, label = case.label },
+    hlines = { { balance, ("balance of energy %.4f"):format(balance) } },
+    { x = case.angle, y = case.moment, label = case.label },
   }
 end
 

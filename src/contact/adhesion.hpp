@@ -5,8 +5,8 @@
 
 namespace signorini::contact {
 
-/// Traction between two half spaces at distance r, from a Lennard-Jones potential between all their atoms (thesis 3.85 to
-/// 3.87; R. A. Sauer, J. Adhesion 2011). It acts on the slave's reference area, along the master's normal.
+/// Traction between two half spaces at distance r, from a Lennard-Jones potential between all their atoms (thesis 3.85
+/// to 3.87; R. A. Sauer, J. Adhesion 2011). It acts on the slave's reference area, along the master's normal.
 struct Adhesion {
   double hamaker;  ///< A_H > 0, force × length
   double distance; ///< r₀ > 0, length
