@@ -139,26 +139,26 @@ function output.draw_plateau(file, cases, title, window, wanted)
   return #chart > 0
 end
 
---- Figure 7.27: amplitudes over the mesh, the published ones as open circles; returns whether there was anything to
---- draw.
+--- Figure 7.27: amplitudes over the mesh, and all published ones; returns whether there was anything to draw.
 function output.draw_over_mesh(file, labels, meshes, case_of)
-  local chart = { file = file, title = "Peeling: amplitude of the moment over the mesh (open circles: published)",
-                  xlabel = "mesh", ylabel = "dM (1e-3 E0 L0³)", log = "y", xrange = { 0.8, #meshes + 0.2 },
-                  xticks = {} }
+  local chart = { file = file, title = "Peeling: amplitude of the moment over the mesh", xlabel = "mesh",
+                  ylabel = "dM (1e-3 E0 L0³)", log = "y", xrange = { 0.8, #meshes + 0.2 }, xticks = {} }
+  local aside = 0.06 -- where the published values stand, beside ours
+  local printed_ones = { x = {}, y = {}, label = "published", line = false, markers = true, marker = "plus", color = 7 }
+  local function add(curve, x, y)
+    if y then curve.x[#curve.x + 1], curve.y[#curve.y + 1] = x, y end
+  end
   for m, mesh in ipairs(meshes) do chart.xticks[m] = { m, mesh } end
-  local function curve(label, look, value)
-    look.x, look.y, look.markers = {}, {}, true
-    for m, mesh in ipairs(meshes) do
-      local amplitude = value(case_of(label, mesh))
-      if amplitude then look.x[#look.x + 1], look.y[#look.y + 1] = m, amplitude end
-    end
-    if #look.x > 0 then chart[#chart + 1] = look end
-  end
   for l, label in ipairs(labels) do
-    curve(label, { label = label, color = l }, function(case) return thousandth(case.window.amplitude) end)
-    curve(label, { marker = "open circle", line = false, color = l },
-      function(case) return case.printed["dM_1e-3_E0L0cubed"] end)
+    local ours = { x = {}, y = {}, label = label, markers = true, color = l }
+    for m, mesh in ipairs(meshes) do
+      local case = case_of(label, mesh)
+      add(ours, m, thousandth(case.window.amplitude))
+      add(printed_ones, m + aside, case.printed["dM_1e-3_E0L0cubed"])
+    end
+    if #ours.x > 0 then chart[#chart + 1] = ours end
   end
+  if #printed_ones.x > 0 then chart[#chart + 1] = printed_ones end
   if #chart > 0 then sg.chart(chart) end
   return #chart > 0
 end
