@@ -10,6 +10,7 @@ local steps = require "signorini.steps"
 local Run = require "signorini.run_result"
 
 local where = "model:run"
+local longest_chord = 1.25 -- of an arc, in lengths along its tangent: the two differ by 37° at most
 
 -- ── Reading the arguments ────────────────────────────────────────────────────────────────────────────────────────────
 
@@ -117,21 +118,39 @@ function Step:attempt(to)
   return result
 end
 
---- Goes a distance along the path, back where it turns back. Returns the result and the part of the step that it leads to.
+--- Prescribes the targets one step on from the accepted ones: from where the path stands, not from where `done` says that
+--- it stands. The difference, mere rounding, would be multiplied by every arc's fraction, which may be 10.
+function Step:set_next_targets()
+  local stage = self.stage
+  for name, goal in pairs(stage.targets) do
+    local start, now = stage.starts[name], self.model:target(name)
+    for i = 1, #goal do now[i] = now[i] + (goal[i] - start[i]) / stage.steps end
+    self.model:set_target(name, now)
+  end
+end
+
+--- Goes a distance along the path, back where it turns back, and accepts it. An arc whose chord is much longer than its
+--- part along the tangent has left the path for another part of it: it does not count as converged. Returns the result,
+--- the part of the step that the arc leads to, and the state before it.
 function Step:solve_arc(length, iterations)
-  self:set_targets(self.done + 1)
-  local solver = self.solver
-  local result = self.model:solve_arc { length = length, iterations = iterations, tolerance = solver.tolerance,
-                                        linear = solver.linear }
-  return result, self.done + result.fraction
+  self:set_next_targets()
+  local model, solver, kept = self.model, self.solver, self.model:snapshot()
+  local result = model:solve_arc { length = length, iterations = iterations, tolerance = solver.tolerance,
+                                   linear = solver.linear }
+  if result.converged then model:accept() else model:rollback() end
+  if result.converged and model:last_length() > longest_chord * length then
+    model:restore(kept)
+    result.converged, result.reason = false, "strayed"
+  end
+  return result, self.done + result.fraction, kept
 end
 
 --- An arc that is accepted unless it leads beyond the step's end.
 function Step:attempt_arc(length, iterations)
   local began = core.now()
-  local result, to = self:solve_arc(length, iterations)
+  local result, to, kept = self:solve_arc(length, iterations)
   local accepted = result.converged and to < 1
-  if accepted then self.model:accept() else self.model:rollback() end
+  if result.converged and not accepted then self.model:restore(kept) end
   self.run:record_attempt(self.done, to, result, core.now() - began)
   if accepted then
     self.done = to
@@ -141,11 +160,7 @@ function Step:attempt_arc(length, iterations)
 end
 
 --- An arc that leaves no trace in the run.
-function Step:probe_arc(length, iterations)
-  local result, to = self:solve_arc(length, iterations)
-  if result.converged then self.model:accept() else self.model:rollback() end
-  return result, to
-end
+function Step:probe_arc(length, iterations) return self:solve_arc(length, iterations) end
 
 --- Solves for the targets at a part of the step, without a trace in the run.
 function Step:probe(to)
@@ -186,11 +201,10 @@ local function begin_stage(model, stage)
   end
 end
 
---- Notes why a step was not reached; where Newton's iteration gave up, arcs find out whether the path turns back.
+--- Notes why a step was not reached; unless the user stopped it, arcs find out whether the path turns back.
 local function fail(run, step, result)
-  local gave_up = result.reason == "iterations" or result.reason == "diverged" or result.reason == "singular"
   local began = core.now()
-  local turn = gave_up and arc_length.turning_point(step)
+  local turn = result.reason ~= "interrupted" and arc_length.turning_point(step)
   run:record_probe(core.now() - began)
   run:record_failure(step, result, turn and step:place(turn))
 end

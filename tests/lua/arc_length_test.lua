@@ -105,6 +105,25 @@ check.case("the moment's work along the path, back and forth, is what bodies and
   assert(errors[1] < 2e-4 and errors[2] < 2e-4)
 end)
 
+check.case("arcs stay on the path through deep snap-backs, one per element, whatever the step", function()
+  for _, length in ipairs { 1, 0.5, 0.25, 0.1 } do
+    local steps = math.floor(118 / length + 0.5)
+    local run = strip():run({ { name = "peel", steps = steps, edge = 118 } }, { arc_length = true })
+    check.equal({ run.failed, run.steps }, { false, steps })
+    local step, angle, moment = run:column "step", run:column "edge.angle", run:column "edge.moment"
+    for i = 1, #step do
+      check.near(angle[i], step[i] * length, 1e-6)
+      assert(angle[i] < 60 or moment[i] > 0.93 and moment[i] < 1.25) -- never back to where the strip was bonded
+    end
+  end
+end)
+
+check.case("where a step fails by an inverted element, the report names the turning point as well", function()
+  local run = strip():run({ { name = "peel", steps = 472, edge = 118 } }, { newton = { iterations = 200 } })
+  check.equal({ run.reason, run.steps }, { "turning_point", 471 })
+  check.holds(run.report, "is inverted", "turning point at edge.angle = 117.8")
+end)
+
 -- ── Snap-through: a shallow arch with clamped ends under a dead load ─────────────────────────────────────────────────
 
 local arch = { modulus = 1000, radius = 40, half_angle = math.rad(10), thickness = 0.3 }
