@@ -76,8 +76,7 @@ function arc_length.turning_point(step)
   if not (first > 0) then return nil end
   local start, length, reach, found = model:snapshot(), first, 0, nil
   for _ = 1, probe_arcs do
-    local before = model:snapshot()
-    local arc, to = step:probe_arc(length, most_iterations)
+    local arc, to, before = step:solve_arc(length, most_iterations)
     if arc.reason == "interrupted" then break end
     if not arc.converged then
       length = length / 2

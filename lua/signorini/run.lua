@@ -129,9 +129,9 @@ function Step:set_next_targets()
   end
 end
 
---- Goes a distance along the path, back where it turns back, and accepts it. An arc whose chord is much longer than its
---- part along the tangent has left the path for another part of it: it does not count as converged. Returns the result,
---- the part of the step that the arc leads to, and the state before it.
+--- Goes a distance along the path, back where it turns back, and accepts it, without a trace in the run. An arc whose
+--- chord is much longer than its part along the tangent has left the path for another part of it: it does not count as
+--- converged. Returns the result, the part of the step that the arc leads to, and the state before it.
 function Step:solve_arc(length, iterations)
   self:set_next_targets()
   local model, solver, kept = self.model, self.solver, self.model:snapshot()
@@ -158,9 +158,6 @@ function Step:attempt_arc(length, iterations)
   end
   return result, to
 end
-
---- An arc that leaves no trace in the run.
-function Step:probe_arc(length, iterations) return self:solve_arc(length, iterations) end
 
 --- Solves for the targets at a part of the step, without a trace in the run.
 function Step:probe(to)
