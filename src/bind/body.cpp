@@ -69,18 +69,18 @@ int body(lua_State* L) {
     plan.through = o.integer("through", "degree through the body, normal to the contact face", 1, nurbs::max_degree);
   const auto& material =
       o.object<solid::Material>("material", "made by sg.neo_hookean{ E, nu } or sg.linear_elastic{ E, nu }");
-  push_object<Body>(L, std::make_shared<const solid::Body<2>>(nurbs::Discretisation(patch, plan), material));
+  push_object<Body<2>>(L, std::make_shared<const solid::Body<2>>(nurbs::Discretisation(patch, plan), material));
   return 1;
 }
 
-int dofs(lua_State* L) {
-  const nurbs::Discretisation& space = self<Body>(L)->space();
+template <int D> int dofs(lua_State* L) {
+  const nurbs::Discretisation& space = self<Body<D>>(L)->space();
   std::vector<int> interface;
   for (Side side : space.contact()) {
     const auto face = space.face_functions(side);
     interface.insert(interface.end(), face.begin(), face.end());
   }
-  const int on_faces = 2 * static_cast<int>(interface.size()), total = 2 * space.functions();
+  const int on_faces = D * static_cast<int>(interface.size()), total = D * space.functions();
   lua_createtable(L, 0, 3);
   set_field(L, "interface", on_faces);
   set_field(L, "bulk", total - on_faces);
@@ -88,16 +88,16 @@ int dofs(lua_State* L) {
   return 1;
 }
 
-int face(lua_State* L) {
-  const Body& body = self<Body>(L);
+template <int D> int face(lua_State* L) {
+  const Body<D>& body = self<Body<D>>(L);
   const std::string name = read_string(L, 2, {"name", "a face, such as \"south\""});
-  const Side side = nurbs::side_of(name, 2);
-  push_object(L, Place{body, name, side, body->space().face_functions(side)});
+  const Side side = nurbs::side_of(name, D);
+  push_object(L, Place<D>{body, name, side, body->space().face_functions(side)});
   return 1;
 }
 
-int corner(lua_State* L) {
-  const Body& body = self<Body>(L);
+template <int D> int corner(lua_State* L) {
+  const Body<D>& body = self<Body<D>>(L);
   const std::vector<std::string> corners = {"south-west", "south-east", "north-west", "north-east"};
   const std::string name = read_choice(L, 2, {"name", "a corner"}, corners);
   const std::size_t dash = name.find('-');
@@ -106,25 +106,25 @@ int corner(lua_State* L) {
   std::vector<int> both;
   for (int function : first)
     if (std::find(second.begin(), second.end(), function) != second.end()) both.push_back(function);
-  push_object(L, Place{body, name, {}, std::move(both)});
+  push_object(L, Place<D>{body, name, {}, std::move(both)});
   return 1;
 }
 
-int points(lua_State* L) {
-  push(L, self<Body>(L)->space().points());
+template <int D> int points(lua_State* L) {
+  push(L, self<Body<D>>(L)->space().points());
   return 1;
 }
 
-int body_tostring(lua_State* L) {
-  const solid::Body<2>& body = *self<Body>(L);
+template <int D> int body_tostring(lua_State* L) {
+  const solid::Body<D>& body = *self<Body<D>>(L);
   const nurbs::Discretisation& space = body.space();
   push(L, text("plane body: ", space.elements(0), " x ", space.elements(1), " elements, ", 2 * space.functions(),
                " degrees of freedom, ", body.linear() ? "linear elastic, " : "", constants_in_words(body.material())));
   return 1;
 }
 
-int place_tostring(lua_State* L) {
-  const Place& place = self<Place>(L);
+template <int D> int place_tostring(lua_State* L) {
+  const Place<D>& place = self<Place<D>>(L);
   push(L, text(place.side ? "face" : "corner", " '", place.name, "' of a body, ", place.functions.size(),
                " control point", place.functions.size() == 1 ? "" : "s"));
   return 1;
@@ -161,21 +161,24 @@ constexpr Function material_rows[] = {
     {"__tostring", wrap<material_tostring>, "tostring(material)\nThe law and its constants in words."},
 };
 
+template <int D>
 constexpr Function body_rows[] = {
-    {"__tostring", wrap<body_tostring>, "tostring(b)\nThe body's size in words."},
-    {"dofs", wrap<dofs>,
+    {"__tostring", wrap<body_tostring<D>>, "tostring(b)\nThe body's size in words."},
+    {"dofs", wrap<dofs<D>>,
      "b:dofs()\nDegrees of freedom { interface, bulk, total }: of the contact faces' control points, of all others, of "
      "all."},
-    {"face", wrap<face>,
+    {"face", wrap<face<D>>,
      "b:face(name)\nA face for supports and contacts: \"west\", \"east\" (xi1), \"south\", \"north\" (xi2)."},
-    {"corner", wrap<corner>, "b:corner(name)\nThe control point of a corner for supports: \"south-west\" and so on."},
-    {"points", wrap<points>,
+    {"corner", wrap<corner<D>>,
+     "b:corner(name)\nThe control point of a corner for supports: \"south-west\" and so on."},
+    {"points", wrap<points<D>>,
      "b:points()\nThe control points {{x, y}, …}, row after row from south to north (west to "
      "east when the contact face is west or east)."},
 };
 
+template <int D>
 constexpr Function place_rows[] = {
-    {"__tostring", wrap<place_tostring>, "tostring(f)\nWhich face or corner it is."},
+    {"__tostring", wrap<place_tostring<D>>, "tostring(f)\nWhich face or corner it is."},
 };
 
 } // namespace
@@ -183,8 +186,8 @@ constexpr Function place_rows[] = {
 void open_body(lua_State* L) {
   register_functions(L, "sg", functions);
   register_type<solid::Material>(L, material_rows);
-  register_type<Body>(L, body_rows);
-  register_type<Place>(L, place_rows);
+  register_type<Body<2>>(L, body_rows<2>);
+  register_type<Place<2>>(L, place_rows<2>);
 }
 
 } // namespace signorini::bind

@@ -116,7 +116,7 @@ void add_mirror_image(view::Panel& panel, int axis, double sign) {
 }
 
 /// The rim of a model's rigid obstacle where it stands now, or stood at the start.
-view::Outline obstacle(const Model& model, int index, bool deformed) {
+view::Outline obstacle(const Model<2>& model, int index, bool deformed) {
   const int first = model->unknowns().obstacle_offset(index);
   const Vec<2> shift = deformed ? Vec<2>(model->displacement().segment<2>(first)) : Vec<2>::Zero();
   const contact::Obstacle<2>& shape = model->scene().obstacles[static_cast<std::size_t>(index)];
@@ -135,7 +135,7 @@ view::Outline obstacle(const Model& model, int index, bool deformed) {
 }
 
 StateFrame read_state(lua_State* L, const Options& o) {
-  const Model& model = o.object<Model>("model", "made by sg.model");
+  const Model<2>& model = o.object<Model<2>>("model", "made by sg.model");
   const model::Field<2>* field = nullptr;
   if (o.has("field")) field = &model::find_field<2>(o.string("field", "such as \"uy\" or \"von_mises\""));
   const double factor = o.number("factor", "multiplies the field", 1.0);

@@ -8,15 +8,15 @@ namespace signorini::bind {
 
 namespace {
 
-int push_obstacle(lua_State* L, RigidForm form, contact::Obstacle<2> shape) {
-  push_object<Rigid>(L, std::make_shared<const RigidShape>(RigidShape{form, std::move(shape)}));
+template <int D> int push_obstacle(lua_State* L, RigidForm form, contact::Obstacle<D> shape) {
+  push_object<Rigid<D>>(L, std::make_shared<const RigidShape<D>>(RigidShape<D>{form, std::move(shape)}));
   return 1;
 }
 
 int plane(lua_State* L) {
   const Options o(L, 1, {"point", "normal"});
   const VectorX point = o.point("point", "a point of the plane", 2, 2);
-  return push_obstacle(
+  return push_obstacle<2>(
       L, RigidForm::plane,
       contact::make_plane<2>(point, o.point("normal", "direction out of the obstacle, towards the body", 2, 2)));
 }
@@ -24,7 +24,7 @@ int plane(lua_State* L) {
 int ball(lua_State* L, RigidForm form) {
   const Options o(L, 1, {"centre", "radius"});
   const VectorX centre = o.point("centre", "the centre", 2, 2);
-  return push_obstacle(L, form, contact::make_ball<2>(centre, o.positive("radius", "a length")));
+  return push_obstacle<2>(L, form, contact::make_ball<2>(centre, o.positive("radius", "a length")));
 }
 
 int cylinder(lua_State* L) {
@@ -39,16 +39,15 @@ int surface(lua_State* L) {
   const Argument argument{"patch", "the obstacle's outline, its outside on the right of its direction"};
   const auto& patch = read_object<nurbs::Patch>(L, 1, argument);
   if (patch.parametric_dimension() != 1 || patch.dimension() != 2) reject(L, 1, argument, "a curve in the plane");
-  return push_obstacle(L, RigidForm::surface, patch);
+  return push_obstacle<2>(L, RigidForm::surface, patch);
 }
 
-int rigid_tostring(lua_State* L) {
-  const auto& shape = self<Rigid>(L)->shape;
-  if (const auto* plane = std::get_if<contact::Plane<2>>(&shape))
+template <int D> int rigid_tostring(lua_State* L) {
+  const auto& [form, shape] = *self<Rigid<D>>(L);
+  if (const auto* plane = std::get_if<contact::Plane<D>>(&shape))
     push(L, text("rigid plane through (", plane->point.transpose(), "), normal (", plane->normal.transpose(), ")"));
-  else if (const auto* ball = std::get_if<contact::Ball<2>>(&shape))
-    push(L, text("rigid ", name_of(self<Rigid>(L)->form), " about (", ball->centre.transpose(), "), radius ",
-                 ball->radius));
+  else if (const auto* ball = std::get_if<contact::Ball<D>>(&shape))
+    push(L, text("rigid ", name_of(form), " about (", ball->centre.transpose(), "), radius ", ball->radius));
   else
     push(L, text("rigid curve of degree ", std::get<nurbs::Patch>(shape).directions().front().degree()));
   return 1;
@@ -73,8 +72,9 @@ constexpr Function functions[] = {
      "Example: sg.rigid.surface(sg.nurbs.arc{ centre = {0, 0}, radius = 1, from = 0, to = 180 })"},
 };
 
+template <int D>
 constexpr Function rows[] = {
-    {"__tostring", wrap<rigid_tostring>, "tostring(obstacle)\nThe shape in words."},
+    {"__tostring", wrap<rigid_tostring<D>>, "tostring(obstacle)\nThe shape in words."},
 };
 
 } // namespace
@@ -95,7 +95,7 @@ std::string name_of(RigidForm form) {
 
 void open_rigid(lua_State* L) {
   register_functions(L, "sg.rigid", functions);
-  register_type<Rigid>(L, rows);
+  register_type<Rigid<2>>(L, rows<2>);
 }
 
 } // namespace signorini::bind

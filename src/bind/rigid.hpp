@@ -12,12 +12,12 @@ namespace signorini::bind {
 enum class RigidForm { plane, cylinder, sphere, surface };
 std::string name_of(RigidForm form);
 
-struct RigidShape {
+template <int D> struct RigidShape {
   RigidForm form;
-  contact::Obstacle<2> shape;
+  contact::Obstacle<D> shape;
 };
-using Rigid = std::shared_ptr<const RigidShape>;
+template <int D> using Rigid = std::shared_ptr<const RigidShape<D>>;
 
-template <> struct Type<Rigid> { static constexpr auto name = "obstacle"; };
+template <int D> struct Type<Rigid<D>> { static constexpr auto name = "obstacle"; };
 
 } // namespace signorini::bind

@@ -11,10 +11,10 @@ namespace {
 
 using model::Hold;
 
-std::vector<model::NamedBody<2>> read_bodies(lua_State* L, const Options& o) {
-  std::vector<model::NamedBody<2>> bodies;
+template <int D> std::vector<model::NamedBody<D>> read_bodies(lua_State* L, const Options& o) {
+  std::vector<model::NamedBody<D>> bodies;
   o.each("bodies", "the bodies by name", [&](const std::string& name, int index, const Argument& entry) {
-    const Body& body = read_object<Body>(L, index, entry);
+    const Body<D>& body = read_object<Body<D>>(L, index, entry);
     for (const auto& other : bodies)
       if (other.body == body)
         throw ArgumentError(text(function_name(L), ": bodies.", name, " is the same body as bodies.", other.name,
@@ -24,20 +24,21 @@ std::vector<model::NamedBody<2>> read_bodies(lua_State* L, const Options& o) {
   return bodies;
 }
 
-int index_of(lua_State* L, const model::Scene<2>& scene, const Place& place, const std::string& where) {
+template <int D>
+int index_of(lua_State* L, const model::Scene<D>& scene, const Place<D>& place, const std::string& where) {
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)
     if (scene.bodies[b].body == place.body) return static_cast<int>(b);
   throw ArgumentError(text(function_name(L), ": ", where, " is on a body that is not in bodies: add it there"));
 }
 
 /// A scene while it is read, with the obstacles that it has met so far.
-struct Draft {
-  model::Scene<2> scene;
-  std::vector<Rigid> obstacles;
+template <int D> struct Draft {
+  model::Scene<D> scene;
+  std::vector<Rigid<D>> obstacles;
 };
 
 /// Index of an obstacle, new ones appended.
-int index_of(lua_State* L, Draft& draft, const Rigid& rigid, const std::string& where) {
+template <int D> int index_of(lua_State* L, Draft<D>& draft, const Rigid<D>& rigid, const std::string& where) {
   const auto found = std::find(draft.obstacles.begin(), draft.obstacles.end(), rigid);
   if (found != draft.obstacles.end()) return static_cast<int>(found - draft.obstacles.begin());
   const bool revolved = draft.scene.kind == solid::Kind::axisymmetric;
@@ -47,7 +48,7 @@ int index_of(lua_State* L, Draft& draft, const Rigid& rigid, const std::string& 
   if (rigid->form == RigidForm::cylinder && revolved)
     throw ArgumentError(text(function_name(L), ": ", where, " is a cylinder across an axisymmetric model: use ",
                              "sg.rigid.sphere with its centre on the axis x = 0"));
-  if (const auto* ball = std::get_if<contact::Ball<2>>(&rigid->shape); ball && revolved && ball->centre(0) != 0)
+  if (const auto* ball = std::get_if<contact::Ball<D>>(&rigid->shape); ball && revolved && ball->centre(0) != 0)
     throw ArgumentError(text(function_name(L), ": ", where, " has its centre at x = ", ball->centre(0),
                              ": in an axisymmetric model a sphere's centre lies on the axis, x = 0"));
   draft.obstacles.push_back(rigid);
@@ -55,8 +56,9 @@ int index_of(lua_State* L, Draft& draft, const Rigid& rigid, const std::string& 
   return static_cast<int>(draft.obstacles.size()) - 1;
 }
 
-model::FaceReference face_of(lua_State* L, const model::Scene<2>& scene, int index, const Argument& argument) {
-  const Place& place = read_object<Place>(L, index, argument);
+template <int D>
+model::FaceReference face_of(lua_State* L, const model::Scene<D>& scene, int index, const Argument& argument) {
+  const Place<D>& place = read_object<Place<D>>(L, index, argument);
   if (!place.side) reject(L, index, argument, "a face", "a corner has no surface");
   return {index_of(L, scene, place, argument.name), *place.side};
 }
@@ -74,8 +76,9 @@ template <class Add> void each_item(lua_State* L, const Options& o, const Argume
   }
 }
 
+template <int D>
 void read_components(lua_State* L, const Options& o, const char* key, const char* meaning, Hold hold,
-                     model::Support<2>& support) {
+                     model::Support<D>& support) {
   if (!o.has(key)) return;
   for (char letter : o.choice(key, meaning, {"x", "y", "xy"})) {
     Hold& component = support.hold[letter == 'x' ? 0 : 1];
@@ -87,31 +90,33 @@ void read_components(lua_State* L, const Options& o, const char* key, const char
 }
 
 /// The face that a support turns, and about which point.
-void read_rotation(lua_State* L, const Options& o, const Argument& on, model::Support<2>& support) {
+template <int D> void read_rotation(lua_State* L, const Options& o, const Argument& on, model::Support<D>& support) {
   support.rotates = o.flag("rotate", "turn the face as a rigid line by the angle that stages give", false);
   if (!support.rotates) return;
   const int value = o.push_value("on");
-  const Place* place = test_object<Place>(L, value);
+  const Place<D>* place = test_object<Place<D>>(L, value);
   if (!place || !place->side)
     reject(L, value, on, "one face", "what rotates is one face of a body; give other faces a support of their own");
   support.centre = model::face_centroid(*place->body, *place->side);
 }
 
-model::Support<2> read_support(lua_State* L, Draft& draft, const std::string& name, int index, const Argument& entry) {
+template <int D>
+model::Support<D> read_support(lua_State* L, Draft<D>& draft, const std::string& name, int index,
+                               const Argument& entry) {
   const Options o(L, index, {"on", "fix", "drive", "rotate"}, false, entry.name);
-  model::Support<2> support;
+  model::Support<D> support;
   support.name = name;
   const Argument on = o.argument("on", "a face, a list of faces, a corner, or an obstacle");
   each_item(L, o, on, [&](int at) {
-    if (const Rigid* rigid = test_object<Rigid>(L, at)) {
+    if (const Rigid<D>* rigid = test_object<Rigid<D>>(L, at)) {
       support.obstacles.push_back(index_of(L, draft, *rigid, on.name));
       return;
     }
-    const Place& place = read_object<Place>(L, at, on);
+    const Place<D>& place = read_object<Place<D>>(L, at, on);
     support.on.push_back({index_of(L, draft.scene, place, on.name), place.functions});
   });
-  read_components(L, o, "fix", "components that stay", Hold::fixed, support);
-  read_components(L, o, "drive", "components that stages move", Hold::driven, support);
+  read_components<D>(L, o, "fix", "components that stay", Hold::fixed, support);
+  read_components<D>(L, o, "drive", "components that stages move", Hold::driven, support);
   read_rotation(L, o, on, support);
   if (support.hold == std::array<Hold, 2>{} && !support.rotates)
     throw ArgumentError(
@@ -119,7 +124,8 @@ model::Support<2> read_support(lua_State* L, Draft& draft, const std::string& na
   return support;
 }
 
-model::Load read_load(lua_State* L, const model::Scene<2>& scene, const std::string& name, int index,
+template <int D>
+model::Load read_load(lua_State* L, const model::Scene<D>& scene, const std::string& name, int index,
                       const Argument& entry) {
   const Options o(L, index, {"on", "traction", "pressure"}, false, entry.name);
   model::Load load;
@@ -140,7 +146,7 @@ model::Load read_load(lua_State* L, const model::Scene<2>& scene, const std::str
 }
 
 /// Gauss points per slave element: 3(p+1), p the full degree along the slave face (thesis 7.1.1).
-int default_points(const model::Scene<2>& scene, const model::FaceReference& slave) {
+template <int D> int default_points(const model::Scene<D>& scene, const model::FaceReference& slave) {
   const auto& space = scene.bodies[static_cast<std::size_t>(slave.body)].body->space();
   return 3 * (space.face_patch(slave.side).direction(0).degree() + 1);
 }
@@ -166,7 +172,7 @@ contact::Law read_law(lua_State* L, const Options& o, const Argument& entry) {
 
 /// The user's function of the reference position. It is called while the model is made, not later: sg.model's argument,
 /// at the bottom of the stack, holds it.
-contact::Region<2> read_region(lua_State* L, const Options& o, const std::string& contact) {
+template <int D> contact::Region<D> read_region(lua_State* L, const Options& o, const std::string& contact) {
   if (!o.has("where")) return {};
   const Argument argument = o.argument("where", "a function of the slave face's reference position X = {x, y}");
   const int index = o.push_value("where");
@@ -174,7 +180,7 @@ contact::Region<2> read_region(lua_State* L, const Options& o, const std::string
     reject(L, index, argument, "a function",
            "it says for a reference position X of the slave face whether the contact acts there, as in "
            "function(X) return X[1] <= 150 end");
-  return [L, contact, argument](const Vec<2>& place) {
+  return [L, contact, argument](const Vec<D>& place) {
     const int top = lua_gettop(L);
     lua_getfield(L, 1, "contacts");
     lua_getfield(L, -1, contact.c_str());
@@ -188,19 +194,21 @@ contact::Region<2> read_region(lua_State* L, const Options& o, const std::string
   };
 }
 
-model::Contact<2> read_contact(lua_State* L, Draft& draft, const std::string& name, int index, const Argument& entry) {
+template <int D>
+model::Contact<D> read_contact(lua_State* L, Draft<D>& draft, const std::string& name, int index,
+                               const Argument& entry) {
   const Options o(L, index, {"slave", "master", "penalty", "friction", "points", "adhesion", "where"}, false,
                   entry.name);
   const Argument slave = o.argument("slave", "the face that is integrated over");
   const int slave_value = o.push_value("slave");
-  if (test_object<Rigid>(L, slave_value))
+  if (test_object<Rigid<D>>(L, slave_value))
     reject(L, slave_value, slave, "a face of a body", "an obstacle can only be the master: swap the two");
   const Argument master = o.argument("master", "the face or obstacle that is projected onto");
   const int master_value = o.push_value("master");
-  model::Contact<2> contact{name, face_of(L, draft.scene, slave_value, slave), {}, {}, 0, {}};
-  if (const Rigid* rigid = test_object<Rigid>(L, master_value))
+  model::Contact<D> contact{name, face_of(L, draft.scene, slave_value, slave), {}, {}, 0, {}};
+  if (const Rigid<D>* rigid = test_object<Rigid<D>>(L, master_value))
     contact.master = model::ObstacleReference{index_of(L, draft, *rigid, master.name)};
-  else if (test_object<Place>(L, master_value))
+  else if (test_object<Place<D>>(L, master_value))
     contact.master = face_of(L, draft.scene, master_value, master);
   else
     reject(L, master_value, master, "a face or an obstacle");
@@ -211,12 +219,13 @@ model::Contact<2> read_contact(lua_State* L, Draft& draft, const std::string& na
   contact.law = read_law(L, o, entry);
   contact.points =
       o.integer("points", "Gauss points per slave element", 1, 100, default_points(draft.scene, contact.slave));
-  contact.where = read_region(L, o, name);
+  contact.where = read_region<D>(L, o, name);
   return contact;
 }
 
 /// Names become columns ("grip.fx") and stage keys, so no two things share one and none is a key of a stage.
-void check_name(lua_State* L, const model::Scene<2>& scene, const std::string& name, const Argument& entry) {
+template <int D>
+void check_name(lua_State* L, const model::Scene<D>& scene, const std::string& name, const Argument& entry) {
   const auto clash = [&](const auto& items, const char* kind) {
     if (std::any_of(items.begin(), items.end(), [&](const auto& item) { return item.name == name; }))
       throw ArgumentError(text(function_name(L), ": ", entry.name, " has the name of a ", kind, ": columns such as '",
@@ -237,7 +246,7 @@ bool has_field(lua_State* L, int index, const char* name) {
 }
 
 /// The bodies as bodies of revolution.
-void revolve(lua_State* L, model::Scene<2>& scene) {
+template <int D> void revolve(lua_State* L, model::Scene<D>& scene) {
   for (auto& named : scene.bodies) try {
       named.body = solid::revolved(*named.body);
     } catch (const Error& error) {
@@ -245,14 +254,14 @@ void revolve(lua_State* L, model::Scene<2>& scene) {
     }
 }
 
-int make_model(lua_State* L) {
+template <int D> int make_model(lua_State* L) {
   const Options o(L, 1, {"bodies", "supports", "loads", "contacts", "kind"});
-  Draft draft;
-  model::Scene<2>& scene = draft.scene;
+  Draft<D> draft;
+  model::Scene<D>& scene = draft.scene;
   const bool revolved =
       o.choice("kind", "what the plane stands for", {"plane_strain", "axisymmetric"}, "plane_strain") == "axisymmetric";
   scene.kind = revolved ? solid::Kind::axisymmetric : solid::Kind::plane_strain;
-  scene.bodies = read_bodies(L, o);
+  scene.bodies = read_bodies<D>(L, o);
   // A load may stand among the supports: both are what holds and moves a body from outside.
   for (const char* key : {"supports", "loads"})
     if (o.has(key))
@@ -270,12 +279,12 @@ int make_model(lua_State* L) {
       scene.contacts.push_back(read_contact(L, draft, name, index, entry));
     });
   if (revolved) revolve(L, scene);
-  push_object<Model>(L, std::make_shared<model::Model<2>>(std::move(scene)));
+  push_object<Model<D>>(L, std::make_shared<model::Model<D>>(std::move(scene)));
   return 1;
 }
 
 constexpr Function functions[] = {
-    {"model", wrap<make_model>,
+    {"model", wrap<make_model<2>>,
      "sg.model{ bodies, supports, loads, contacts, kind = \"plane_strain\" }\n"
      "A scene of unit depth, or with kind = \"axisymmetric\" one of revolution: x is the radius, y the axis, forces "
      "are\n"
