@@ -222,6 +222,15 @@ ElementBasis Discretisation::basis(int e, const VectorX& xi) const {
   return result;
 }
 
+std::vector<int> Discretisation::row_end(int j, int a, bool at_end) const {
+  const Patch& row = rows_[at(j)];
+  const int n0 = row.direction(0).functions(), end = at_end ? row.direction(a).functions() - 1 : 0;
+  std::vector<int> result;
+  for (int i = 0; i < row.functions(); ++i)
+    if ((a == 0 ? i % n0 : i / n0) == end) result.push_back(first_[at(j)] + i);
+  return result;
+}
+
 std::vector<int> Discretisation::face_functions(Side side) const {
   std::vector<int> result;
   if (side.direction == through_) {
@@ -232,14 +241,7 @@ std::vector<int> Discretisation::face_functions(Side side) const {
   // The side cuts every row at one end of direction a of the row.
   const int a = side.direction < through_ ? side.direction : side.direction - 1;
   std::vector<std::vector<int>> cuts;
-  for (std::size_t j = 0; j < rows_.size(); ++j) {
-    const Patch& row = rows_[j];
-    const int n0 = row.direction(0).functions();
-    const int end = side.at_end ? row.direction(a).functions() - 1 : 0;
-    cuts.emplace_back();
-    for (int i = 0; i < row.functions(); ++i)
-      if ((a == 0 ? i % n0 : i / n0) == end) cuts.back().push_back(first_[j] + i);
-  }
+  for (std::size_t j = 0; j < rows_.size(); ++j) cuts.push_back(row_end(static_cast<int>(j), a, side.at_end));
   // Parametric order: the lower of the two remaining directions runs fastest.
   const bool through_first = parametric_dimension() == 3 && through_ < 3 - through_ - side.direction;
   const bool tensor = std::all_of(cuts.begin(), cuts.end(), [&](auto& cut) { return cut.size() == cuts[0].size(); });

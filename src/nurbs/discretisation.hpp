@@ -60,6 +60,9 @@ public:
   ElementBasis basis(int e, const VectorX& xi) const;
 
   const std::vector<Side>& contact() const { return contact_; }
+  /// Functions of row j at one end of its direction a, in parametric order: one in the plane, a line of them in a
+  /// solid.
+  std::vector<int> row_end(int j, int a, bool at_end) const;
   /// Functions that do not vanish on a side, in the order of face_patch's control points.
   std::vector<int> face_functions(Side side) const;
   /// The side as a NURBS of its own; the control points are those of face_functions. Throws Error for a side of a

@@ -1,0 +1,177 @@
+#include "nurbs/coincident.hpp"
+
+#include "base/error.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <numeric>
+
+namespace signorini::nurbs {
+
+namespace {
+
+using Functions = std::vector<int>;
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// Which functions are one; the least of a group stands for it.
+class Groups {
+public:
+  explicit Groups(int functions) : leader_(at(functions)) { std::iota(leader_.begin(), leader_.end(), 0); }
+
+  void unite(int a, int b) {
+    const int first = find(a), second = find(b);
+    leader_[at(std::max(first, second))] = std::min(first, second);
+  }
+
+  std::vector<Functions> all() const {
+    std::map<int, Functions> members;
+    for (int function = 0; function < static_cast<int>(leader_.size()); ++function)
+      members[find(function)].push_back(function);
+    std::vector<Functions> result;
+    for (auto& [leader, group] : members)
+      if (group.size() > 1) result.push_back(std::move(group));
+    return result;
+  }
+
+private:
+  int find(int function) const {
+    while (leader_[at(function)] != function) function = leader_[at(function)];
+    return function;
+  }
+
+  std::vector<int> leader_;
+};
+
+/// Where the control points are, and what counts as one place.
+class Places {
+public:
+  explicit Places(const Discretisation& space)
+      : points_(space.points()), weights_(space.homogeneous().bottomRows(1).transpose()),
+        slack_(1e-10 * (points_.rowwise().maxCoeff() - points_.rowwise().minCoeff()).maxCoeff()) {}
+
+  bool same(const VectorX& a, const VectorX& b) const { return (a - b).norm() <= slack_; }
+  bool same(int a, int b) const { return same(points_.col(a), points_.col(b)); }
+  bool same_weight(int a, int b) const { return std::abs(weights_(a) - weights_(b)) <= 1e-10 * weights_(a); }
+
+  bool one_point(const Functions& line) const {
+    return std::all_of(line.begin(), line.end(), [&](int function) { return same(line.front(), function); });
+  }
+
+private:
+  MatrixX points_;
+  VectorX weights_;
+  double slack_;
+};
+
+/// The functions of a side as lines of control points along direction k; none where the rows of a layer forbid it.
+std::vector<Functions> lines_along(const Discretisation& space, Side side, int k) {
+  const int through = space.through();
+  const auto in_row = [&](int d) { return d < through ? d : d - 1; };
+  const auto rows = static_cast<int>(space.rows().size());
+  std::vector<Functions> lines;
+  if (side.direction == through) {
+    // All of one row: index = first + i + n0·j
+    const Functions all = space.face_functions(side);
+    const int n0 = space.rows()[at(side.at_end ? rows - 1 : 0)].direction(0).functions();
+    const bool fastest = in_row(k) == 0;
+    lines.resize(fastest ? all.size() / at(n0) : at(n0));
+    for (std::size_t i = 0; i < all.size(); ++i) lines[fastest ? i / at(n0) : i % at(n0)].push_back(all[i]);
+  } else if (k != through) {
+    for (int j = 0; j < rows; ++j) lines.push_back(space.row_end(j, in_row(side.direction), side.at_end));
+  } else {
+    for (int j = 0; j < rows; ++j) {
+      const Functions cut = space.row_end(j, in_row(side.direction), side.at_end);
+      // Rows of a layer have other functions: no lines from row to row.
+      if (!lines.empty() && cut.size() != lines.size()) return {};
+      lines.resize(cut.size());
+      for (std::size_t i = 0; i < cut.size(); ++i) lines[i].push_back(cut[i]);
+    }
+  }
+  return lines;
+}
+
+/// Throws Error when a side of a solid that crosses a layer collapses along it: the curves in which it cuts the rows
+/// are one curve, but the rows' functions on it are not the same.
+void check_layers(const Discretisation& space, Side side, const Places& places) {
+  const int through = space.through();
+  if (side.direction == through || space.parametric_dimension() == 2) return;
+  const int a = side.direction < through ? side.direction : side.direction - 1;
+  const Patch lead = face(space.rows().front(), {a, side.at_end});
+  bool layered = false, one_curve = true;
+  for (const Patch& row : space.rows()) {
+    const Patch cut = face(row, {a, side.at_end});
+    layered = layered || cut.directions() != lead.directions();
+    for (double xi : cut.direction(0).greville()) {
+      const VectorX along = VectorX::Constant(1, xi);
+      one_curve = one_curve && places.same(evaluate(cut, along), evaluate(lead, along));
+    }
+  }
+  if (layered && one_curve && !places.one_point(space.row_end(0, a, side.at_end)))
+    fail("contact: face '", name_of(side), "' of this body collapses across the layer on '",
+         name_of(space.contact().front()),
+         "', which would tear it open there; take one label for all rows, such as N2, ", "or another contact face");
+}
+
+std::vector<Side> sides_of(const Discretisation& space) {
+  std::vector<Side> sides;
+  for (int d = 0; d < space.parametric_dimension(); ++d)
+    for (bool at_end : {false, true}) sides.push_back({d, at_end});
+  return sides;
+}
+
+/// The edges of a solid: functions that two sides share.
+std::vector<Functions> edges_of(const Discretisation& space) {
+  std::vector<Functions> edges;
+  for (const Side& one : sides_of(space))
+    for (const Side& other : sides_of(space)) {
+      if (one.direction >= other.direction) continue;
+      Functions first = space.face_functions(one), second = space.face_functions(other), edge;
+      std::sort(first.begin(), first.end());
+      std::sort(second.begin(), second.end());
+      std::set_intersection(first.begin(), first.end(), second.begin(), second.end(), std::back_inserter(edge));
+      edges.push_back(std::move(edge));
+    }
+  return edges;
+}
+
+} // namespace
+
+std::vector<std::vector<int>> coincident_functions(const Discretisation& space) {
+  const Places places(space);
+  Groups groups(space.functions());
+  const auto unite = [&](const Functions& line) {
+    for (int function : line) groups.unite(line.front(), function);
+  };
+  const int dimensions = space.parametric_dimension();
+
+  for (const Side& side : sides_of(space)) {
+    check_layers(space, side, places);
+    for (int k = 0; k < dimensions; ++k) {
+      if (k == side.direction) continue;
+      const std::vector<Functions> lines = lines_along(space, side, k);
+      if (std::all_of(lines.begin(), lines.end(), [&](const Functions& line) { return places.one_point(line); }))
+        for (const Functions& line : lines) unite(line);
+    }
+  }
+  if (dimensions == 3)
+    for (const Functions& edge : edges_of(space))
+      if (places.one_point(edge)) unite(edge);
+
+  for (int d = 0; d < dimensions; ++d) {
+    // Extreme rows of different spaces (a layer on one of the two faces) have no points to pair.
+    if (d == space.through() && space.rows().front().directions() != space.rows().back().directions()) continue;
+    const Functions first = space.face_functions({d, false}), last = space.face_functions({d, true});
+    bool closed = true;
+    for (std::size_t i = 0; i < first.size(); ++i)
+      closed = closed && places.same(first[i], last[i]) && places.same_weight(first[i], last[i]);
+    if (!closed) continue;
+    for (std::size_t i = 0; i < first.size(); ++i) groups.unite(first[i], last[i]);
+  }
+  return groups.all();
+}
+
+} // namespace signorini::nurbs
