@@ -56,6 +56,17 @@ int sphere_octant(lua_State* L) {
   return 1;
 }
 
+int hollow_hemisphere(lua_State* L) {
+  const Options o(L, 1, {"inner", "outer", "centre", "poles"});
+  const double inner = o.positive("inner", "inner radius"), outer = o.positive("outer", "outer radius");
+  const VectorX centre = o.point("centre", "centre of the spheres", 3, 3, origin(3));
+  const std::string poles =
+      o.has("poles") ? o.choice("poles", "where the degenerate edges lie", {"ends", "bottom"}) : "ends";
+  push_object(
+      L, nurbs::hollow_hemisphere(inner, outer, centre, poles == "ends" ? nurbs::Poles::ends : nurbs::Poles::bottom));
+  return 1;
+}
+
 int spherical_indenter(lua_State* L) {
   const Options o(L, 1, {"width", "depth", "height", "radius", "elements", "corner"});
   push_object(L, nurbs::spherical_indenter(
@@ -97,6 +108,17 @@ constexpr Function rows[] = {
      "Lower octant of a hollow sphere: xi1 around the z axis, xi2 from the equator to the pole, xi3 from the outer\n"
      "(front) to the inner radius (back).\n"
      "Example: sg.shapes.sphere_octant{ inner = 0.5, outer = 1 }"},
+    {"hollow_hemisphere", wrap<hollow_hemisphere>,
+     "sg.shapes.hollow_hemisphere{ inner, outer, centre = {0, 0, 0}, poles = \"ends\" | \"bottom\" }\n"
+     "Lower half of a hollow sphere, exact, degree 2; xi3 from the outer (front) to the inner radius (back). The map\n"
+     "has poles, where an edge is one point:\n"
+     "poles = \"ends\" (default): at both ends of the ring's diameter along y, none where it touches a plane below. "
+     "xi1\n"
+     "from -x over the bottom to x, xi2 from -y to y; the flat ring on top is two faces, west and east.\n"
+     "poles = \"bottom\": one, at the lowest point. xi1 once around the z axis (at least 4 elements), xi2 from the "
+     "ring\n"
+     "down to the pole; the flat ring is one face, south, and the mesh the same at every angle.\n"
+     "Example: sg.shapes.hollow_hemisphere{ inner = 2/3, outer = 1, centre = {0, 0, 3} }"},
     {"spherical_indenter", wrap<spherical_indenter>,
      "sg.shapes.spherical_indenter{ width, depth, height, radius, elements, corner = {0, 0, 0} }\n"
      "Block with a flat top whose bottom (front) bulges down as a spherical cap of the given radius, approximated by\n"

@@ -27,16 +27,17 @@ Patch annulus(double inner, double outer, const Point& centre, double start, dou
   return ruled(arc(centre, outer, start, stop), arc(centre, inner, start, stop));
 }
 
-/// The octant x, y ≥ 0, z ≤ 0 of the sphere about the origin: ξ¹ around the z axis, ξ² down to the pole.
-Patch octant(double radius) {
-  const Patch around = arc(Point::Zero(2), 1, 0, 90), down = arc(Point::Zero(2), radius, 0, -90);
+/// The part of a sphere about the origin between angles (degrees): ξ¹ around the z axis from x towards y by `turn`, ξ²
+/// down the meridian from the height `top` to the lower pole.
+Patch sphere_part(double radius, double turn, double top) {
+  const Patch around = arc(Point::Zero(2), 1, 0, turn), down = arc(Point::Zero(2), radius, top, -90);
   MatrixX homogeneous(4, around.functions() * down.functions());
   for (int l = 0; l < down.functions(); ++l)
     for (int k = 0; k < around.functions(); ++k) {
       // The meridian (r, z) turned by the angle of (X, Y): (X r, Y r, W z, W w), homogeneous.
-      const Vec<3> turn = around.homogeneous().col(k), meridian = down.homogeneous().col(l);
-      homogeneous.col(k + around.functions() * l) << turn(0) * meridian(0), turn(1) * meridian(0),
-          turn(2) * meridian(1), turn(2) * meridian(2);
+      const Vec<3> angle = around.homogeneous().col(k), meridian = down.homogeneous().col(l);
+      homogeneous.col(k + around.functions() * l) << angle(0) * meridian(0), angle(1) * meridian(0),
+          angle(2) * meridian(1), angle(2) * meridian(2);
     }
   return {{around.direction(0), down.direction(0)}, std::move(homogeneous)};
 }
@@ -95,7 +96,16 @@ Patch half_cylinder_shell(double inner, double outer, double width, const Point&
 Patch sphere_octant(double inner, double outer, const Point& centre) {
   check_radii(inner, outer);
   check_point("centre", centre, 3);
-  return translate(ruled(octant(outer), octant(inner)), centre);
+  return translate(ruled(sphere_part(outer, 90, 0), sphere_part(inner, 90, 0)), centre);
+}
+
+Patch hollow_hemisphere(double inner, double outer, const Point& centre, Poles poles) {
+  check_radii(inner, outer);
+  check_point("centre", centre, 3);
+  if (poles == Poles::bottom) return translate(ruled(sphere_part(outer, 360, 0), sphere_part(inner, 360, 0)), centre);
+  // Half a turn from x over y to −x, laid on its side: x ↦ −x, y ↦ −z, z ↦ −y.
+  const Mat<3> aside = (Mat<3>() << -1, 0, 0, 0, 0, -1, 0, -1, 0).finished();
+  return transform(ruled(sphere_part(outer, 180, 90), sphere_part(inner, 180, 90)), aside, centre);
 }
 
 Patch spherical_indenter(double width, double depth, double height, double radius, int elements, const Point& corner) {

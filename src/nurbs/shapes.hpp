@@ -25,6 +25,18 @@ Patch half_cylinder_shell(double inner, double outer, double width, const Point&
 /// Octant x, y ≥ 0, z ≤ 0 of a hollow sphere about `centre`: ξ¹ around the z axis from x to y, ξ² from the equator to
 /// the lower pole (degenerate edge), ξ³ from the outer (front) to the inner radius (back).
 Patch sphere_octant(double inner, double outer, const Point& centre);
+/// Where the poles of a hemisphere lie, its degenerate edges.
+enum class Poles {
+  ends,  ///< two, at both ends of the ring's diameter along y: none where the hemisphere touches a plane below
+  bottom ///< one, at the lowest point; the ring is one face, the mesh the same at every angle about z
+};
+/// Lower half of a hollow sphere about `centre`, ξ³ from the outer (front) to the inner radius (back).
+/// Poles::ends: ξ¹ from −x over the bottom to x, ξ² from the pole at −y to the one at y (south and north are a line
+/// each), two quarter arcs either way; the flat ring on top is west (x ≤ 0) and east (x ≥ 0).
+/// Poles::bottom: ξ¹ once around the z axis from x over y (four quarter arcs; west and east are the two sides of one
+/// seam), ξ² from the flat ring (south) down to the pole (north is a line).
+/// coincident_functions() names the control points that must move as one.
+Patch hollow_hemisphere(double inner, double outer, const Point& centre, Poles poles);
 /// Block-like indenter of width × depth with flat top; its bottom (front, ξ³ = 0) is a spherical cap of radius `radius`
 /// that bulges downwards, lowest at the middle: a biquadratic patch that interpolates the sphere's heights at the
 /// Greville points of `elements` × `elements` spans, so it is approximate between them. `corner`: x, y of the corner,

@@ -102,6 +102,65 @@ TEST(Shapes, SphereOctantIsExactAndDegenerateOnlyAtThePole) {
   EXPECT_ERROR(sphere_octant(1, 2, Vec<2>(0, 0)), "centre: 3 coordinates");
 }
 
+TEST(Shapes, HollowHemispheresAreExactAndOfFullVolume) {
+  const Vec<3> centre(1, 2, 3);
+  Random random(43);
+  for (Poles poles : {Poles::ends, Poles::bottom}) {
+    const Patch patch = hollow_hemisphere(2, 3, centre, poles);
+    for (int n = 0; n < 200; ++n) {
+      VectorX xi = random_parameter(random, patch);
+      EXPECT_LE(evaluate(patch, xi)(2), centre(2) + 1e-14);
+      for (double end : {0.0, 1.0}) {
+        xi(2) = end;
+        EXPECT_NEAR((evaluate(patch, xi) - centre).norm(), 3 - end, 1e-14);
+      }
+    }
+    // The volume converges to 2π/3 (R_o³ − R_i³), spectrally with the Gauss points: each more gains two digits or so.
+    const double volume = 2 * pi / 3 * (27 - 8);
+    double before = 1;
+    for (int points : {3, 5, 7}) {
+      const Measure half = measure(patch, points);
+      const double error = std::abs(half.content / volume - 1);
+      EXPECT_GT(half.least, 0);
+      EXPECT_LT(error, before / 50);
+      before = error;
+    }
+    const Measure half = measure(patch, 12);
+    EXPECT_NEAR(half.content, volume, 1e-10);
+    EXPECT_LT((half.centroid.head(2) - centre.head(2)).norm(), 1e-12);
+    // Of a half ball shell: z = −3/8 (b⁴ − a⁴)/(b³ − a³)
+    EXPECT_NEAR(half.centroid(2), 3 - 3 * 65.0 / (8 * 19), 1e-11);
+    EXPECT_NEAR(measure(face(patch, side_of("front", 3))).content, 2 * pi * 9, 1e-10);
+    EXPECT_ERROR(hollow_hemisphere(3, 3, centre, poles), "must be below");
+    EXPECT_ERROR(hollow_hemisphere(1, 3, Vec<2>(0, 0), poles), "centre: 3 coordinates");
+  }
+}
+
+TEST(Shapes, HollowHemispheresHaveTheirRingAndPolesWhereTheySay) {
+  const Vec<3> origin(0, 0, 0);
+  const Patch ends = hollow_hemisphere(1, 2, origin, Poles::ends);
+  expect_point(ends, {0, 0.5, 0}, Vec<3>(-2, 0, 0));
+  expect_point(ends, {0.5, 0.5, 0}, Vec<3>(0, 0, -2));
+  expect_point(ends, {1, 0.5, 1}, Vec<3>(1, 0, 0));
+  for (double t : {0.0, 0.3, 1.0}) {
+    expect_point(ends, {t, 0, 0}, Vec<3>(0, -2, 0));
+    expect_point(ends, {t, 1, 1}, Vec<3>(0, 1, 0));
+    EXPECT_EQ(evaluate(ends, parameters({0, t, 0.5}))(2), 0);
+    EXPECT_EQ(evaluate(ends, parameters({1, t, 0.5}))(2), 0);
+  }
+  const double ring = measure(face(ends, side_of("west", 3))).content;
+  EXPECT_NEAR(ring, pi / 2 * 3, 1e-12);
+
+  const Patch bottom = hollow_hemisphere(1, 2, origin, Poles::bottom);
+  expect_point(bottom, {0, 0, 0}, Vec<3>(2, 0, 0));
+  expect_point(bottom, {0.25, 0, 1}, Vec<3>(0, 1, 0));
+  for (double t : {0.0, 0.3, 1.0}) {
+    expect_point(bottom, {t, 1, 0}, Vec<3>(0, 0, -2));
+    EXPECT_EQ(evaluate(bottom, parameters({t, 0, 0.5}))(2), 0);
+  }
+  EXPECT_NEAR(measure(face(bottom, side_of("south", 3))).content, pi * 3, 1e-12);
+}
+
 /// Worst distance of the indenter's cap from its sphere.
 double cap_error(int elements) {
   const Patch patch = spherical_indenter(10, 8, 11, 12, elements, Vec<3>(1, 2, 3));
