@@ -123,6 +123,8 @@ Patch coons(const std::vector<Patch>& boundary) {
         sum += factor * lattice.value(clamped, last);
         if (ends == 0) break;
       }
+    require(sum(space) > 0, "coons: the blend of the boundary's weights is ", sum(space),
+            " inside; give boundaries whose weights differ less");
     homogeneous.col(column++) = sum;
   });
   return {std::move(directions), std::move(homogeneous)};

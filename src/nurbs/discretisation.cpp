@@ -21,6 +21,12 @@ std::vector<int> other_directions(int dimensions, int through) {
   return result;
 }
 
+/// The label that says how deep the layer is: the first that has one.
+const Label& layer_label(const Plan& plan) {
+  const auto layered = std::find_if(plan.labels.begin(), plan.labels.end(), [](auto& label) { return label.layer; });
+  return layered == plan.labels.end() ? plan.labels.front() : *layered;
+}
+
 void check(const Patch& patch, const Plan& plan) {
   const int dimensions = patch.parametric_dimension();
   require(dimensions == patch.dimension(), "patch: a body of dimension ", patch.dimension(), " needs a ",
@@ -45,8 +51,8 @@ void check(const Patch& patch, const Plan& plan) {
             "' cannot be mixed: a body is of L or of N elements");
     require(!label.layer || !plan.contact.empty(), "order: '", label.text,
             "' has a layer, but the body names no contact face to put it on; add contact = \"south\" or the like");
-    require(label.rows == plan.labels.front().rows, "order: the layer is as deep in '", label.text, "' as in '",
-            plan.labels.front().text, "'; give both the same xr");
+    require(!label.layer || label.rows == layer_label(plan).rows, "order: the layer is as deep in '", label.text,
+            "' as in '", layer_label(plan).text, "'; give both the same xr");
   }
 }
 
@@ -102,12 +108,12 @@ Discretisation::Discretisation(const Patch& patch, const Plan& plan)
   through_knots_ = stack.direction(through_);
 
   const int count = through_knots_.functions();
-  const int depth = plan.labels.front().rows;
-  require(depth <= count, "order: '", plan.labels.front().text, "' is ", depth, " rows deep, but the body has only ",
-          count, " rows of control points through it");
+  const Label& deep = layer_label(plan);
+  require(deep.rows <= count, "order: '", deep.text, "' is ", deep.rows, " rows deep, but the body has only ", count,
+          " rows of control points through it");
   const auto in_layer = [&](int row) {
     return std::any_of(contact_.begin(), contact_.end(),
-                       [&](const Side& side) { return (side.at_end ? count - 1 - row : row) < depth; });
+                       [&](const Side& side) { return (side.at_end ? count - 1 - row : row) < deep.rows; });
   };
   for (int j = 0; j < count; ++j) {
     Patch row = control_row(stack, through_, j);

@@ -105,7 +105,9 @@ TEST(DofTables, Ironing3dTable711) {
     const std::string label = row.at("discretisation");
     const int n = row.at("mesh") == "fine" ? 2 : 1;
     const Count slab = count(block({100, 30, 22}, Eigen::Vector3d(0, 0, 0)), {18 * n, 6 * n, 4 * n}, label, "back");
-    const Count indenter = count(block({10, 10, 11}, Eigen::Vector3d(0, 0, 22)), {5 * n, 5 * n, 3 * n}, label, "front");
+    // The cap is one biquadratic span: knots of its own would keep their continuity and cost the higher degrees more.
+    const Patch cap = spherical_indenter(10, 10, 11, 25.5, 1, Eigen::Vector3d(0, 0, 22));
+    const Count indenter = count(cap, {5 * n, 5 * n, 3 * n}, label, "front");
     EXPECT_EQ(slab.interface, value(row, "slab_interface")) << label;
     EXPECT_EQ(slab.bulk(), value(row, "slab_bulk")) << label;
     EXPECT_EQ(slab.total, value(row, "slab_total")) << label;
