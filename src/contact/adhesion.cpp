@@ -49,10 +49,18 @@ double stiffness(const Adhesion& law, double r) {
   return slope(law, std::max(r, equilibrium_distance(law)));
 }
 
+double potential(const Adhesion& law, double r) {
+  // ∫_r^∞ T ds = A_H/(2π r₀²) [(r₀/r)⁸/360 − (r₀/r)²/6], below r_eq less T′(r_eq) (r − r_eq)²/2
+  const double nearest = equilibrium_distance(law), q = law.distance / std::max(r, nearest), q2 = q * q;
+  const double outside = strength(law) * law.distance * (q2 * q2 * q2 * q2 / 360 - q2 / 6);
+  return r < nearest ? outside - slope(law, nearest) * (r - nearest) * (r - nearest) / 2 : outside;
+}
+
 template <int D> void adhesion_force(const Adhesion& law, const LocalGeometry<D>& geometry, LocalForce<D>& result) {
   const GapRows<D> rows = gap_rows(geometry, result.shift);
   result.state = geometry.gap < strongest_distance(law) ? ContactState::adhesion : ContactState::open;
   result.pressure = traction(law, geometry.gap);
+  result.potential = potential(law, geometry.gap);
   result.friction.setZero();
   result.measure = geometry.reference_measure;
   // T n̄ dA,  δ(T n̄) = T′ δg n̄ + T δn̄

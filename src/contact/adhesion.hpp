@@ -21,6 +21,8 @@ double equilibrium_distance(const Adhesion& law);
 double strongest_distance(const Adhesion& law);
 /// T(r) = A_H/(2π r₀³) [(r₀/r)⁹/45 − (r₀/r)³/3]; positive pushes off.
 double traction(const Adhesion& law, double r);
+/// ∫_r^∞ T ds, energy per area: none far away, negative where it attracts.
+double potential(const Adhesion& law, double r);
 /// T′(r).
 double stiffness(const Adhesion& law, double r);
 

@@ -66,11 +66,22 @@ GapRows<D> gap_rows(const LocalGeometry<D>& geometry, Eigen::Matrix<double, D - 
   rows.gap.template segment<D>(Force::master_column) = -n.transpose();
 
   shift.setZero();
-  if (geometry.foot == Foot::corner) {
+  if (geometry.foot != Foot::regular) {
     // n̄ = (xˢ − x̄ᵐ)/g with a fixed vertex:  δn̄ = (I − n̄ n̄ᵀ)(δxˢ − δx̄ᵐ)/g
     const Mat<D> projector = (Mat<D>::Identity() - n * n.transpose()) / g;
     rows.normal.template middleCols<D>(0) = projector;
     rows.normal.template middleCols<D>(Force::master_column) = -projector;
+    if (geometry.foot == Foot::edge) {
+      // The foot moves along the kink:  [τ·τ − g n̄·x_,ββ] δξ̄ = (δxˢ − δx̄ᵐ)·τ + g n̄·δτ,  and δn̄ loses τ δξ̄ with δx̄ᵐ.
+      const int b = geometry.along;
+      const Vec<D>& tau = master.tangent[static_cast<std::size_t>(b)];
+      LocalRow<D> right = LocalRow<D>::Zero();
+      right.template segment<D>(0) = tau.transpose();
+      right.template segment<D>(Force::master_column) = -tau.transpose();
+      right.template segment<D>(Force::tangent_column + D * b) = g * n.transpose();
+      shift.row(b) = right / (tau.squaredNorm() - g * n.dot(master.second[second_index(b, b)]));
+      rows.normal.noalias() -= (projector * tau) * shift.row(b);
+    }
   } else {
     // [τ_α·τ_β − g n̄·x_,αβ] δξ̄^β = (δxˢ − δx̄ᵐ)·τ_α + g n̄·δτ_α   (thesis A.17, A.18)
     Mat<tangents> metric, hessian;

@@ -19,6 +19,7 @@ template <int D> struct LocalGeometry {
   std::array<Vec<D>, D - 1> slave_tangent; ///< xˢ_,α
   const FacePoint<D>* master;              ///< at the closest point, order 2
   Foot foot;
+  int along = 0; ///< Foot::edge: the direction along the kink
   double gap;
   Vec<D> normal;            ///< n̄, unit, outward from the master
   const Vec<D>* slip_point; ///< xᵐ(ξ_sl) on the current master; null: no friction yet at this point
@@ -34,12 +35,13 @@ template <int D> struct LocalForce {
   static constexpr int slave_tangent_column = D, master_column = D * (1 + tangents),
                        tangent_column = D * (2 + tangents), slip_column = D * (2 + 2 * tangents);
   ContactState state;
+  double potential;                          ///< energy of the law per area: springs of the penalty law, adhesion
   double pressure;                           ///< normal traction t_N on the slave along n̄; attraction is negative
   Vec<D> friction;                           ///< t_T; the traction on the slave is t_N n̄ − t_T
   double measure;                            ///< area per parametric area that the traction acts on
   Vec<D> force;                              ///< (t_N n̄ − t_T) · measure
   Eigen::Matrix<double, D, columns> tangent; ///< ∂force/∂q
-  Eigen::Matrix<double, tangents, columns> shift; ///< ∂ξ̄/∂q; zero at a corner
+  Eigen::Matrix<double, tangents, columns> shift; ///< ∂ξ̄/∂q; zero at a corner, at an edge but for its direction
 };
 
 /// Derivatives by the local variables q.

@@ -2,7 +2,21 @@
 
 #include "contact/slip.hpp"
 
+#include <Eigen/Geometry>
+
 namespace signorini::contact {
+
+namespace {
+
+/// Calls what(shape) with the shape in closed form; a patch is none.
+template <int D, class What> auto with_shape(const Obstacle<D>& obstacle, const What& what) {
+  if (const auto* ball = std::get_if<Ball<D>>(&obstacle)) return what(*ball);
+  if constexpr (D == 3)
+    if (const auto* cylinder = std::get_if<Cylinder>(&obstacle)) return what(*cylinder);
+  return what(std::get<Plane<D>>(obstacle));
+}
+
+} // namespace
 
 template <int D> Master<D>::Master(Surface<D> face) : rigid_(false), surface_(std::move(face)) {
   boxes_.update(*surface_);
@@ -42,26 +56,25 @@ template <int D> double Master<D>::move(const double* displacement) {
 /// Geometry of order 2 of a shape in closed form at point.xi.
 template <int D> void Master<D>::place(FacePoint<D>& point) const {
   point.element = 0;
-  if (const auto* plane = std::get_if<Plane<D>>(&*shape_))
-    contact::locate(*plane, point);
-  else
-    contact::locate(std::get<Ball<D>>(*shape_), point);
+  with_shape<D>(*shape_, [&](const auto& shape) { contact::locate(shape, point); });
   point.position += translation_;
 }
 
 template <int D>
 Projection<D> Master<D>::project(const Vec<D>& x, const Projection<D>& seed, FacePoint<D>& point) const {
   if (!shape_) return contact::project(*surface_, boxes_, x, seed, point);
-  const Vec<D> own = x - translation_;
-  const auto* plane = std::get_if<Plane<D>>(&*shape_);
-  point.xi(0) = plane ? closest(*plane, own) : closest(std::get<Ball<D>>(*shape_), own);
+  point.xi = with_shape<D>(
+      *shape_, [&](const auto& shape) { return FaceCoordinates<D>(closest(shape, Vec<D>(x - translation_))); });
   place(point);
-  return {Foot::regular, 0, point.xi, (x - point.position).dot(normal(point))};
+  return {Foot::regular, 0, 0, point.xi, (x - point.position).dot(normal(point))};
 }
 
 template <int D> Vec<D> Master<D>::normal(const FacePoint<D>& point) const {
   if (!shape_) return surface_->outward(point.tangent).normalized();
-  return Vec<D>(point.tangent[0](1), -point.tangent[0](0)).normalized();
+  if constexpr (D == 2)
+    return Vec<2>(point.tangent[0](1), -point.tangent[0](0)).normalized();
+  else
+    return point.tangent[0].cross(point.tangent[1]).normalized();
 }
 
 template <int D> void Master<D>::functions(FacePoint<D>& point, int order) const {
@@ -75,19 +88,29 @@ template <int D> void Master<D>::locate(const FaceCoordinates<D>& xi, FacePoint<
     point.xi = xi;
     place(point);
   } else {
-    surface_->locate(surface_->direction(0).find_element(xi(0)), xi, 0, point);
+    surface_->locate(surface_->find_element(xi), xi, 0, point);
   }
   functions(point, 0);
 }
 
 template <int D>
 FaceCoordinates<D> Master<D>::advance(const FaceCoordinates<D>& slip, const FacePoint<D>& foot, double length) const {
-  if (!shape_) return FaceCoordinates<D>(advance_slip(*surface_, slip(0), foot, length));
-  if (const auto* plane = std::get_if<Plane<D>>(&*shape_))
-    return FaceCoordinates<D>(contact::advance_slip(*plane, slip(0), foot.xi(0), length));
-  return FaceCoordinates<D>(contact::advance_slip(std::get<Ball<D>>(*shape_), slip(0), foot.xi(0), length));
+  const auto advance_on = [&](const auto& shape, const auto& to) {
+    if constexpr (D == 2)
+      return FaceCoordinates<2>(advance_slip(shape, slip(0), to, length));
+    else
+      return advance_slip(shape, slip, to, length);
+  };
+  if (!shape_) return advance_on(*surface_, foot);
+  return with_shape<D>(*shape_, [&](const auto& shape) {
+    if constexpr (D == 2)
+      return advance_on(shape, foot.xi(0));
+    else
+      return advance_on(shape, foot.xi);
+  });
 }
 
 template class Master<2>;
+template class Master<3>;
 
 } // namespace signorini::contact

@@ -2,6 +2,8 @@
 
 #include "base/error.hpp"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -15,6 +17,18 @@ Vec<2> direction(const Plane<2>& plane) {
   return {-plane.normal(1), plane.normal(0)};
 }
 
+/// Unit vectors a, b with a × b = axis: the first from the coordinate axis that `axis` leans to least.
+std::array<Vec<3>, 2> across(const Vec<3>& axis) {
+  int least;
+  axis.cwiseAbs().minCoeff(&least);
+  const Vec<3> first = (Vec<3>::Unit(least) - axis(least) * axis).normalized();
+  return {first, axis.cross(first)};
+}
+
+void check_radius(double radius) {
+  require(std::isfinite(radius) && radius > 0, "radius must be a positive number (length), got ", radius);
+}
+
 } // namespace
 
 template <int D> Plane<D> make_plane(const Vec<D>& point, const Vec<D>& normal) {
@@ -26,12 +40,21 @@ template <int D> Plane<D> make_plane(const Vec<D>& point, const Vec<D>& normal) 
 
 template <int D> Ball<D> make_ball(const Vec<D>& centre, double radius) {
   require(centre.allFinite(), "centre must be finite numbers");
-  require(std::isfinite(radius) && radius > 0, "radius must be a positive number (length), got ", radius);
+  check_radius(radius);
   return {centre, radius};
+}
+
+Cylinder make_cylinder(const Vec<3>& point, const Vec<3>& axis, double radius) {
+  require(point.allFinite() && axis.allFinite(), "cylinder: centre and axis must be finite numbers");
+  require(axis.norm() > 0, "axis must not be zero: it is the direction of the cylinder");
+  check_radius(radius);
+  return {point, axis.normalized(), radius};
 }
 
 template Plane<2> make_plane<2>(const Vec<2>&, const Vec<2>&);
 template Ball<2> make_ball<2>(const Vec<2>&, double);
+template Plane<3> make_plane<3>(const Vec<3>&, const Vec<3>&);
+template Ball<3> make_ball<3>(const Vec<3>&, double);
 
 double closest(const Plane<2>& plane, const Vec<2>& x) {
   return direction(plane).dot(x - plane.point);
@@ -64,6 +87,87 @@ double advance_slip(const Ball<2>& ball, double slip, double foot, double length
   const double angle = std::remainder(slip - foot, 2 * std::numbers::pi);
   const double limit = 2 * std::asin(std::min(1.0, length / (2 * ball.radius)));
   return std::abs(angle) > limit ? foot + std::copysign(limit, angle) : slip;
+}
+
+// ── In space ─────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+FaceCoordinates<3> closest(const Plane<3>& plane, const Vec<3>& x) {
+  const auto [a, b] = across(plane.normal);
+  return {a.dot(x - plane.point), b.dot(x - plane.point)};
+}
+
+FaceCoordinates<3> closest(const Ball<3>& ball, const Vec<3>& x) {
+  const Vec<3> out = x - ball.centre;
+  return {std::atan2(out(1), out(0)), std::atan2(std::hypot(out(0), out(1)), out(2))};
+}
+
+FaceCoordinates<3> closest(const Cylinder& cylinder, const Vec<3>& x) {
+  const auto [a, b] = across(cylinder.axis);
+  const Vec<3> out = x - cylinder.point;
+  return {std::atan2(b.dot(out), a.dot(out)), cylinder.axis.dot(out)};
+}
+
+void locate(const Plane<3>& plane, FacePoint<3>& point) {
+  point.tangent = across(plane.normal);
+  point.position = plane.point + point.xi(0) * point.tangent[0] + point.xi(1) * point.tangent[1];
+  for (auto& second : point.second) second.setZero();
+}
+
+void locate(const Ball<3>& ball, FacePoint<3>& point) {
+  const double azimuth = point.xi(0), polar = point.xi(1);
+  const Vec<3> around(-std::sin(azimuth), std::cos(azimuth), 0);
+  const Vec<3> down(std::cos(polar) * std::cos(azimuth), std::cos(polar) * std::sin(azimuth), -std::sin(polar));
+  const Vec<3> out = down.cross(around);
+  point.position = ball.centre + ball.radius * out;
+  // Arc lengths over R along `down` and `around`: x,11 = x,22 = −R n, x,12 = 0 at the point
+  point.tangent = {ball.radius * down, ball.radius * around};
+  point.second = {-ball.radius * out, Vec<3>::Zero(), -ball.radius * out};
+}
+
+void locate(const Cylinder& cylinder, FacePoint<3>& point) {
+  const auto [a, b] = across(cylinder.axis);
+  const double c = std::cos(point.xi(0)), s = std::sin(point.xi(0));
+  const Vec<3> out = c * a + s * b;
+  point.position = cylinder.point + cylinder.radius * out + point.xi(1) * cylinder.axis;
+  point.tangent = {cylinder.radius * (c * b - s * a), cylinder.axis};
+  point.second = {-cylinder.radius * out, Vec<3>::Zero(), Vec<3>::Zero()};
+}
+
+FaceCoordinates<3> advance_slip(const Plane<3>&, const FaceCoordinates<3>& slip, const FaceCoordinates<3>& foot,
+                                double length) {
+  const double distance = (slip - foot).norm();
+  return distance > length ? FaceCoordinates<3>(foot + (length / distance) * (slip - foot)) : slip;
+}
+
+FaceCoordinates<3> advance_slip(const Ball<3>& ball, const FaceCoordinates<3>& slip, const FaceCoordinates<3>& foot,
+                                double length) {
+  FacePoint<3> from, to;
+  from.xi = foot;
+  to.xi = slip;
+  locate(ball, from);
+  locate(ball, to);
+  // On the great circle; a chord of length L spans the angle 2 asin(L/2R).
+  const Vec<3> a = (from.position - ball.centre) / ball.radius, b = (to.position - ball.centre) / ball.radius;
+  const double angle = std::atan2(a.cross(b).norm(), a.dot(b));
+  const double limit = 2 * std::asin(std::min(1.0, length / (2 * ball.radius)));
+  if (!(angle > limit)) return slip;
+  const Vec<3> across_a = (b - a.dot(b) * a).normalized();
+  return closest(ball, ball.centre + ball.radius * (std::cos(limit) * a + std::sin(limit) * across_a));
+}
+
+FaceCoordinates<3> advance_slip(const Cylinder& cylinder, const FaceCoordinates<3>& slip,
+                                const FaceCoordinates<3>& foot, double length) {
+  // Along the helix, the shorter way round; a fraction t of it is the chord √((2R sin(tα/2))² + (tz)²), which grows
+  // with t.
+  const double angle = std::remainder(slip(0) - foot(0), 2 * std::numbers::pi), height = slip(1) - foot(1);
+  const auto chord = [&](double t) { return std::hypot(2 * cylinder.radius * std::sin(t * angle / 2), t * height); };
+  if (!(chord(1) > length)) return slip;
+  double low = 0, high = 1;
+  for (int halving = 0; halving < 60; ++halving) {
+    const double middle = (low + high) / 2;
+    (chord(middle) > length ? high : low) = middle;
+  }
+  return {foot(0) + low * angle, foot(1) + low * height};
 }
 
 } // namespace signorini::contact

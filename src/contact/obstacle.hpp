@@ -7,31 +7,57 @@
 
 namespace signorini::contact {
 
-/// A half space; the normal points out of it. In the plane ξ is the length along the line from `point`.
+/// A half space; the normal points out of it. In the plane ξ is the length along the line from `point`, in space two
+/// lengths at right angles.
 template <int D> struct Plane { Vec<D> point, normal; };
 
-/// A ball; in the plane a disc: the section of a cylinder, or of a sphere about the axis. In the plane ξ is the angle.
+/// A ball; in the plane a disc: the section of a cylinder, or of a sphere about the axis. In the plane ξ is the angle,
+/// in space azimuth and polar angle.
 template <int D> struct Ball {
   Vec<D> centre;
   double radius;
 };
 
-/// A rigid body as a slave face meets it. A patch (a curve in the plane) has its outside on the right of its direction.
-template <int D> using Obstacle = std::variant<Plane<D>, Ball<D>, nurbs::Patch>;
+/// An endless cylinder; ξ is the angle about the axis (a unit vector) and the length along it.
+struct Cylinder {
+  Vec<3> point, axis;
+  double radius;
+};
+
+/// A rigid body as a slave face meets it. A patch is a curve in the plane with its outside on the right of its
+/// direction, or a surface with its outside where τ₁×τ₂ points.
+template <int D>
+using Obstacle = std::conditional_t<D == 2, std::variant<Plane<D>, Ball<D>, nurbs::Patch>,
+                                    std::variant<Plane<D>, Ball<D>, Cylinder, nurbs::Patch>>;
 
 /// With the normal made a unit vector. Throws Error when it is zero or anything is not finite.
 template <int D> Plane<D> make_plane(const Vec<D>& point, const Vec<D>& normal);
 /// Throws Error unless the radius is a positive number.
 template <int D> Ball<D> make_ball(const Vec<D>& centre, double radius);
+/// With the axis made a unit vector. Throws Error when it is zero, or unless the radius is a positive number.
+Cylinder make_cylinder(const Vec<3>& point, const Vec<3>& axis, double radius);
 
 /// Coordinate of the point of the shape that is closest to x, both without the obstacle's translation.
 double closest(const Plane<2>& plane, const Vec<2>& x);
 double closest(const Ball<2>& ball, const Vec<2>& x);
-/// Position, tangent and second derivative at point.xi; the tangent turned by −90° points outward.
+FaceCoordinates<3> closest(const Plane<3>& plane, const Vec<3>& x);
+FaceCoordinates<3> closest(const Ball<3>& ball, const Vec<3>& x);
+FaceCoordinates<3> closest(const Cylinder& cylinder, const Vec<3>& x);
+/// Position, tangents and second derivatives at point.xi; in the plane the tangent turned by −90° points outward, in
+/// space τ₁×τ₂. Those of a ball belong to coordinates of its own there, so that poles are points like others.
 void locate(const Plane<2>& plane, FacePoint<2>& point);
 void locate(const Ball<2>& ball, FacePoint<2>& point);
-/// The coordinate between `slip` and `foot` whose point has the given distance from that of `foot`.
+void locate(const Plane<3>& plane, FacePoint<3>& point);
+void locate(const Ball<3>& ball, FacePoint<3>& point);
+void locate(const Cylinder& cylinder, FacePoint<3>& point);
+/// The coordinate on the shortest way between `slip` and `foot` whose point has the given distance from that of `foot`.
 double advance_slip(const Plane<2>& plane, double slip, double foot, double length);
 double advance_slip(const Ball<2>& ball, double slip, double foot, double length);
+FaceCoordinates<3> advance_slip(const Plane<3>& plane, const FaceCoordinates<3>& slip, const FaceCoordinates<3>& foot,
+                                double length);
+FaceCoordinates<3> advance_slip(const Ball<3>& ball, const FaceCoordinates<3>& slip, const FaceCoordinates<3>& foot,
+                                double length);
+FaceCoordinates<3> advance_slip(const Cylinder& cylinder, const FaceCoordinates<3>& slip,
+                                const FaceCoordinates<3>& foot, double length);
 
 } // namespace signorini::contact

@@ -114,8 +114,9 @@ void Pair<D>::evaluate(const double* slave_displacement, const double* master_di
     master_.functions(master, 1);
     geometry.master = &master;
     geometry.foot = foot;
+    geometry.along = memory.projection.along;
     geometry.gap = gap;
-    geometry.normal = foot == Foot::corner ? Vec<D>((geometry.slave - master.position) / gap) : master_.normal(master);
+    geometry.normal = foot == Foot::regular ? master_.normal(master) : Vec<D>((geometry.slave - master.position) / gap);
     geometry.reference_measure = point.reference;
     geometry.slip_point = nullptr;
     if (friction() && !memory.slips) remember_touch(i);
@@ -134,6 +135,7 @@ void Pair<D>::evaluate(const double* slave_displacement, const double* master_di
     result.friction = force.friction;
     result.force = point.weight * force.force;
     result.area = point.weight * force.measure;
+    result.potential = result.area * force.potential;
     add(point, master, geometry.slip_point ? &slip_point : nullptr, force, tangent);
   }
 }
@@ -262,6 +264,8 @@ template <int D> void Pair<D>::advance(std::size_t i) {
   Memory& memory = memory_[i];
   const PointResult<D>& result = results_[i];
   accepted_positions_[i] = result.position;
+  const double limit = penalty_->friction * result.pressure * result.area, limit_before = memory.limit;
+  memory.limit = limit;
   if (result.state == ContactState::open) {
     memory.slips = false;
   } else if (!memory.slips) {
@@ -272,7 +276,13 @@ template <int D> void Pair<D>::advance(std::size_t i) {
     FacePoint<D> foot;
     foot.xi = memory.projection.xi;
     master_.locate(foot.xi, foot);
-    memory.slip = master_.advance(memory.slip, foot, penalty_->friction * result.pressure / penalty_->tangential);
+    FacePoint<D> slip_point;
+    master_.locate(memory.slip, slip_point);
+    // |x̄ᵐ − xᵐ(ξ_sl)| falls to μ t_N/ε_T; the difference is the slip Δγ.
+    const double length = penalty_->friction * result.pressure / penalty_->tangential;
+    const double slipped = std::max((slip_point.position - foot.position).norm() - length, 0.0);
+    dissipated_ += 0.5 * (limit_before + limit) * slipped;
+    memory.slip = master_.advance(memory.slip, foot, length);
   }
 }
 
@@ -294,6 +304,12 @@ template <int D> Resultant<D> Pair<D>::resultant() const {
   return sum;
 }
 
+template <int D> double Pair<D>::potential() const {
+  double sum = 0;
+  for (const PointResult<D>& point : results_) sum += point.potential;
+  return sum;
+}
+
 template <int D> std::vector<double> Pair<D>::gaps() const {
   std::vector<double> gaps;
   FacePoint<D> master;
@@ -303,5 +319,6 @@ template <int D> std::vector<double> Pair<D>::gaps() const {
 }
 
 template class Pair<2>;
+template class Pair<3>;
 
 } // namespace signorini::contact

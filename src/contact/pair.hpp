@@ -40,6 +40,7 @@ template <int D> struct PointResult {
   Vec<D> friction = Vec<D>::Zero(); ///< t_T; the traction on the slave is t_N n̄ − t_T
   Vec<D> force = Vec<D>::Zero();    ///< on the slave: traction × current area of the point
   double area = 0;                  ///< that the traction acts on: current, adhesion: reference
+  double potential = 0;             ///< energy of the law at this point
 };
 
 /// Sums over a contact. Area, largest pressure and penetration are those of the points that are not open.
@@ -75,6 +76,10 @@ public:
   /// Positions of the contact points in the reference configuration.
   const std::vector<Vec<D>>& reference_positions() const { return reference_positions_; }
   Resultant<D> resultant() const;
+  /// Energy of the law in the last evaluation: springs of the penalty law, or adhesion.
+  double potential() const;
+  /// Work of friction in all accepted steps: ∫ μ t_N dγ da, by the trapezoidal rule over each step.
+  double dissipated() const { return dissipated_; }
   /// Gaps of all points in the configuration of the last evaluation (evaluate() looks at those only that may touch).
   std::vector<double> gaps() const;
 
@@ -92,6 +97,7 @@ private:
     double cleared = 0; ///< value of travel_ up to which an open point cannot touch
     bool slips = false; ///< has a slip point
     FaceCoordinates<D> slip = FaceCoordinates<D>::Zero();
+    double limit = 0; ///< μ t_N times the area in the accepted state
   };
 
   bool friction() const { return penalty_ && penalty_->friction > 0; }
@@ -115,6 +121,7 @@ private:
   std::vector<Group> groups_, spare_;
   /// Bound on how far slave and master points have moved towards each other, summed over all evaluations.
   double travel_ = 0;
+  double dissipated_ = 0;
   Eigen::Matrix<double, D, Eigen::Dynamic> previous_slave_;
   std::vector<double> rows_; ///< working space of add(): ∂force and ∂ξ̄ by column
 };

@@ -17,6 +17,8 @@ template <int D> void penalty_force(const PenaltyLaw& law, const LocalGeometry<D
 
   result.state = ContactState::stick;
   result.friction.setZero();
+  // ε_N g²/2, and with friction |t_T|²/(2 ε_T)
+  result.potential = 0.5 * law.normal * g * g;
   if (law.friction > 0 && geometry.slip_point) {
     // Trial t_T = ε_T (xᵐ(ξ̄) − xᵐ(ξ_sl)) (thesis 3.74), both on the current master
     const Vec<D> trial = law.tangential * (master.position - *geometry.slip_point);
@@ -40,6 +42,7 @@ template <int D> void penalty_force(const PenaltyLaw& law, const LocalGeometry<D
       traction_rows.noalias() -= projector * trial_rows;
     }
     traction -= result.friction;
+    result.potential += result.friction.squaredNorm() / (2 * law.tangential);
   }
 
   LocalRow<D> measure_row;

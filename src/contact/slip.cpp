@@ -43,4 +43,27 @@ double advance_slip(const Surface<2>& surface, double slip, const FacePoint<2>& 
   return wrapped(xi);
 }
 
+FaceCoordinates<3> advance_slip(const Surface<3>& surface, const FaceCoordinates<3>& slip, const FacePoint<3>& foot,
+                                double length) {
+  FacePoint<3> point;
+  surface.locate(surface.find_element(slip), slip, 0, point);
+  const Vec<3> chord = point.position - foot.position;
+  const double present = chord.norm();
+  if (!(present > length)) return slip;
+  // x(ξ) is the closest to y = x̄ + c (x_sl − x̄)/|x_sl − x̄|; c, the length on the chord, is a little less than that
+  // between the points of a curved surface.
+  double on_chord = length;
+  FaceCoordinates<3> xi = foot.xi;
+  int along;
+  for (int iteration = 0; iteration < 30; ++iteration) {
+    const Vec<3> y = foot.position + (on_chord / present) * chord;
+    walk(surface, y, surface.find_element(xi), xi, point, along);
+    xi = point.xi;
+    const double distance = (point.position - foot.position).norm();
+    if (!(distance > 0) || std::abs(distance - length) <= 1e-15 * present) break;
+    on_chord = std::min(on_chord * length / distance, present);
+  }
+  return xi;
+}
+
 } // namespace signorini::contact

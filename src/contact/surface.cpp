@@ -96,6 +96,12 @@ template <int D> std::array<double, 2> Surface<D>::interval(int element, int alp
   return {breaks[i], breaks[i + 1]};
 }
 
+template <int D> int Surface<D>::find_element(const FaceCoordinates<D>& xi) const {
+  int element = 0;
+  for (int a = D - 2; a >= 0; --a) element = element * direction(a).elements() + direction(a).find_element(xi(a));
+  return element;
+}
+
 template <int D> int Surface<D>::neighbour(int element, int alpha, bool at_end) const {
   const int count = directions_.front().elements();
   const int index = alpha == 0 ? element % count : element / count;

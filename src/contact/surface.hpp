@@ -53,6 +53,8 @@ public:
   const nurbs::KnotVector& direction(int alpha) const { return directions_[static_cast<std::size_t>(alpha)]; }
   /// Knot interval of an element in direction α.
   std::array<double, 2> interval(int element, int alpha) const;
+  /// The element that holds xi.
+  int find_element(const FaceCoordinates<D>& xi) const;
   /// The element that shares the border of `element` at the start or end of direction α; −1 at the face's end.
   int neighbour(int element, int alpha, bool at_end) const;
 

@@ -380,5 +380,6 @@ template <int D> void Assembly<D>::find_largest_diagonal() {
 }
 
 template class Assembly<2>;
+template class Assembly<3>;
 
 } // namespace signorini::model

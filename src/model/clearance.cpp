@@ -2,6 +2,8 @@
 
 #include "base/error.hpp"
 
+#include <Eigen/Geometry>
+
 namespace signorini::model {
 
 namespace {
@@ -14,7 +16,7 @@ double size_of(const MatrixX& points) {
   return (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
 }
 
-/// Whether x lies inside a plane body: how often its boundary, as a polygon, winds around x.
+/// Whether x lies inside a plane body: its boundary, as a polygon, winds around x.
 bool inside(const nurbs::Discretisation& space, const Vec<2>& x) {
   constexpr int pieces = 8; // per element: a chord's sagitta is below 1 % of an arc of 90°
   std::vector<Vec<2>> polygon;
@@ -49,6 +51,51 @@ bool inside(const nurbs::Discretisation& space, const Vec<2>& x) {
   return std::abs(angle) > 1; // 2π inside, 0 outside
 }
 
+/// The point of a body at parametric position xi of element e.
+Vec<3> place(const nurbs::Discretisation& space, const MatrixX& points, int e, const VectorX& xi) {
+  const nurbs::ElementBasis basis = space.basis(e, xi);
+  Vec<3> x = Vec<3>::Zero();
+  for (std::size_t a = 0; a < basis.functions.size(); ++a)
+    x += basis.values(static_cast<int>(a)) * points.col(basis.functions[a]);
+  return x;
+}
+
+/// Solid angle of a triangle seen from the origin (A. van Oosterom and J. Strackee, IEEE Trans. Biomed. Eng. 30, 1983).
+double solid_angle(const Vec<3>& a, const Vec<3>& b, const Vec<3>& c) {
+  const double la = a.norm(), lb = b.norm(), lc = c.norm();
+  return 2 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+}
+
+/// Whether x lies inside a solid: its boundary, as triangles, fills the full solid angle around x.
+bool inside(const nurbs::Discretisation& space, const Vec<3>& x) {
+  constexpr int pieces = 4; // per element and direction
+  const MatrixX points = space.points();
+  double angle = 0;
+  for (int e = 0; e < space.elements(); ++e)
+    for (int d = 0, stride = 1; d < 3; stride *= space.elements(d), ++d)
+      for (bool at_end : {false, true}) {
+        if (e / stride % space.elements(d) != (at_end ? space.elements(d) - 1 : 0)) continue;
+        const int u = (d + 1) % 3, v = (d + 2) % 3;
+        const auto iu = space.interval(e, u), iv = space.interval(e, v);
+        std::array<Vec<3>, (pieces + 1) * (pieces + 1)> grid;
+        for (int j = 0; j <= pieces; ++j)
+          for (int i = 0; i <= pieces; ++i) {
+            VectorX xi(3);
+            xi(d) = space.interval(e, d)[at_end ? 1 : 0];
+            xi(u) = iu[0] + (iu[1] - iu[0]) * i / pieces;
+            xi(v) = iv[0] + (iv[1] - iv[0]) * j / pieces;
+            grid[at(i + (pieces + 1) * j)] = place(space, points, e, xi) - x;
+          }
+        for (int j = 0; j < pieces; ++j)
+          for (int i = 0; i < pieces; ++i) {
+            const std::size_t k = at(i + (pieces + 1) * j);
+            const Vec<3>&a = grid[k], &b = grid[k + 1], &c = grid[k + pieces + 2], &f = grid[k + pieces + 1];
+            angle += (at_end ? 1 : -1) * (solid_angle(a, b, c) + solid_angle(a, c, f));
+          }
+      }
+  return std::abs(angle) > 1; // 4π inside, 0 outside
+}
+
 } // namespace
 
 template <int D> void require_clearance(const Scene<D>& scene, const std::vector<contact::Pair<D>>& pairs) {
@@ -78,5 +125,6 @@ template <int D> void require_clearance(const Scene<D>& scene, const std::vector
 }
 
 template void require_clearance<2>(const Scene<2>&, const std::vector<contact::Pair<2>>&);
+template void require_clearance<3>(const Scene<3>&, const std::vector<contact::Pair<3>>&);
 
 } // namespace signorini::model

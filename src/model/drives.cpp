@@ -3,6 +3,8 @@
 #include "base/error.hpp"
 #include "solid/load.hpp"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <numbers>
 
@@ -32,14 +34,17 @@ template <int D> std::vector<std::string> load_components(const Load& load) {
   return names;
 }
 
-/// R(θ) and, by `turn` quarter turns more, its derivatives by θ: R′ = R(θ + 90°).
-Mat<2> rotation(double degrees, int turn) {
+/// R(θ) r, or its derivative by θ, as R′ = R(θ + 90°) across the axis.
+template <int D> Vec<D> turned(double degrees, const Vec<D>& axis, const Vec<D>& arm, bool derivative) {
   const double angle = degrees * radians_per_degree, c = std::cos(angle), s = std::sin(angle);
-  Mat<2> matrix;
-  matrix << c, -s, s, c;
-  Mat<2> quarter;
-  quarter << 0, -1, 1, 0;
-  return turn == 0 ? matrix : Mat<2>(quarter * matrix);
+  if constexpr (D == 2) {
+    const Vec<2> quarter(-arm(1), arm(0));
+    return derivative ? Vec<2>(c * quarter - s * arm) : Vec<2>(c * arm + s * quarter);
+  } else {
+    // Rodrigues: R r = a (a·r) + cos θ (r − a (a·r)) + sin θ a × r
+    const Vec<3> along = axis * axis.dot(arm), across = arm - along, quarter = axis.cross(arm);
+    return derivative ? Vec<3>(c * quarter - s * across) : Vec<3>(along + c * across + s * quarter);
+  }
 }
 
 } // namespace
@@ -54,7 +59,8 @@ Drives<D>::Drives(const Scene<D>& scene, const Unknowns<D>& unknowns) : scene_(s
   };
   for (int s = 0; s < static_cast<int>(scene.supports.size()); ++s) {
     const Support<D>& support = scene.supports[at(s)];
-    require(D == 2 || !support.rotates, "supports: '", support.name, "' rotates, which only plane bodies can");
+    require(D == 2 || !support.rotates || std::abs(support.axis.norm() - 1) < 1e-9, "supports: '", support.name,
+            "' rotates about an axis that is no unit vector");
     add({support.name, s, -1, 0, moved_components(support)});
   }
   for (int l = 0; l < static_cast<int>(scene.loads.size()); ++l)
@@ -100,11 +106,11 @@ template <int D> void Drives<D>::follow(int s, const Drive& drive) {
     for (const Held& held : support.on) {
       const MatrixX points = scene_.bodies[at(held.body)].body->space().points();
       for (int function : held.functions)
-        followers_.push_back(
-            {unknowns_.offset(held.body) + D * function + c, c, target, angle, points.col(function) - support.centre});
+        followers_.push_back({unknowns_.offset(held.body) + D * function + c, c, target, angle,
+                              points.col(function) - support.centre, support.axis});
     }
     for (int obstacle : support.obstacles)
-      followers_.push_back({unknowns_.obstacle_offset(obstacle) + c, c, target, -1, Vec<D>::Zero()});
+      followers_.push_back({unknowns_.obstacle_offset(obstacle) + c, c, target, -1, Vec<D>::Zero(), Vec<D>::Zero()});
   }
 }
 
@@ -113,8 +119,7 @@ template <int D> VectorX Drives<D>::displacement(const VectorX& targets) const {
   for (const Follower& f : followers_) {
     double& u = result(f.dof);
     u = f.target >= 0 ? targets(f.target) : 0;
-    if constexpr (D == 2)
-      if (f.angle >= 0) u += (rotation(targets(f.angle), 0) * f.arm - f.arm)(f.component);
+    if (f.angle >= 0) u += (turned<D>(targets(f.angle), f.axis, f.arm, false) - f.arm)(f.component);
   }
   return result;
 }
@@ -124,9 +129,8 @@ template <int D> VectorX Drives<D>::rate(const VectorX& targets, const VectorX& 
   for (const Follower& f : followers_) {
     double& u = result(f.dof);
     u = f.target >= 0 ? direction(f.target) : 0;
-    if constexpr (D == 2)
-      if (f.angle >= 0)
-        u += radians_per_degree * direction(f.angle) * (rotation(targets(f.angle), 1) * f.arm)(f.component);
+    if (f.angle >= 0)
+      u += radians_per_degree * direction(f.angle) * turned<D>(targets(f.angle), f.axis, f.arm, true)(f.component);
   }
   return result;
 }
@@ -173,6 +177,8 @@ template <int D> Vec<D> face_centroid(const solid::Body<D>& body, nurbs::Side si
 }
 
 template class Drives<2>;
+template class Drives<3>;
 template Vec<2> face_centroid<2>(const solid::Body<2>&, nurbs::Side);
+template Vec<3> face_centroid<3>(const solid::Body<3>&, nurbs::Side);
 
 } // namespace signorini::model

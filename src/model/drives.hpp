@@ -34,7 +34,8 @@ public:
   /// External force on all degrees of freedom; linear in the targets.
   VectorX force(const VectorX& targets) const;
 
-  /// Moment about the centre of a support that rotates, conjugate to its angle in radians: Σ (R(θ) r_A) × f_A.
+  /// Moment about the centre (in space: the axis) of a support that rotates, conjugate to its angle in radians: Σ (R(θ)
+  /// r_A) × f_A.
   double moment(int support, const VectorX& targets, const VectorX& force) const;
   /// Resultant of a load at given targets, D components.
   Vec<D> resultant(int load, const VectorX& targets) const;
@@ -46,6 +47,7 @@ private:
     int target; ///< of the translation; −1: none
     int angle;  ///< target of the angle in degrees; −1: does not turn
     Vec<D> arm; ///< r = X − X_c
+    Vec<D> axis;
   };
   void follow(int support, const Drive& drive);
 

@@ -52,6 +52,7 @@ Model<D>::Model(Scene<D> scene)
   std::string why;
   assemble(nullptr, false, why);
   for (auto& pair : pairs_) pair.accept();
+  accepted_force_ = assembly_.residual();
   require_clearance(scene_, pairs_);
 }
 
@@ -221,6 +222,8 @@ template <int D> void Model<D>::accept() {
   ScopedTimer timer(timings_.contact);
   for (auto& pair : pairs_) pair.accept();
   last_increment_ = displacement_ - accepted_;
+  work_ += 0.5 * (accepted_force_ + assembly_.residual()).dot(last_increment_);
+  accepted_force_ = assembly_.residual();
   accepted_ = displacement_;
   accepted_targets_ = targets_;
   force_scale_ = force_norm();
@@ -237,7 +240,7 @@ template <int D> void Model<D>::rollback() {
 }
 
 template <int D> Snapshot<D> Model<D>::snapshot() const {
-  return {accepted_, last_increment_, accepted_targets_, pairs_, force_scale_};
+  return {accepted_, last_increment_, accepted_targets_, pairs_, force_scale_, work_, accepted_force_};
 }
 
 template <int D> void Model<D>::restore(const Snapshot<D>& snapshot) {
@@ -246,6 +249,8 @@ template <int D> void Model<D>::restore(const Snapshot<D>& snapshot) {
   accepted_targets_ = snapshot.targets;
   pairs_ = snapshot.pairs;
   force_scale_ = snapshot.force_scale;
+  work_ = snapshot.work;
+  accepted_force_ = snapshot.force;
   rollback();
 }
 
@@ -268,10 +273,15 @@ template <int D> contact::Resultant<D> Model<D>::contact_resultant(int contact) 
   return pairs_[at(contact)].resultant();
 }
 
-template <int D> double Model<D>::stored_energy() const {
-  double sum = 0;
+template <int D> Energies Model<D>::energies() const {
+  Energies sum{0, 0, 0, work_};
   for (std::size_t b = 0; b < scene_.bodies.size(); ++b)
-    sum += solid::stored_energy(*scene_.bodies[b].body, displacement_.data() + unknowns_.offset(static_cast<int>(b)));
+    sum.stored +=
+        solid::stored_energy(*scene_.bodies[b].body, displacement_.data() + unknowns_.offset(static_cast<int>(b)));
+  for (const contact::Pair<D>& pair : pairs_) {
+    sum.contact += pair.potential();
+    sum.friction += pair.dissipated();
+  }
   return sum;
 }
 
@@ -280,5 +290,6 @@ template <int D> solve::LinearKind Model<D>::linear_kind() const {
 }
 
 template class Model<2>;
+template class Model<3>;
 
 } // namespace signorini::model

@@ -15,11 +15,21 @@ struct StepOptions {
   solve::LinearKind linear = solve::LinearKind::automatic;
 };
 
+/// Energies of a state and what led to it. While friction slips at μ t_N and steps are small,
+///   work = stored + contact + friction + what acted at the start.
+struct Energies {
+  double stored;   ///< in the bodies
+  double contact;  ///< in the springs of penalty laws, in adhesion (none far away)
+  double friction; ///< dissipated in all accepted steps
+  double work;     ///< of supports and loads in all accepted steps, by the trapezoidal rule
+};
+
 /// The accepted state of a model, with all that its next step depends on.
 template <int D> struct Snapshot {
   VectorX displacement, last_increment, targets;
   std::vector<contact::Pair<D>> pairs;
-  double force_scale;
+  double force_scale, work;
+  VectorX force; ///< see Model::accepted_force_
 };
 
 /// The model keeps two states: the accepted one, and the present one, which equals it before a step and after a
@@ -76,7 +86,8 @@ public:
   /// Force of a load.
   Vec<D> load_resultant(int load) const { return drives_.resultant(load, present_); }
   contact::Resultant<D> contact_resultant(int contact) const;
-  double stored_energy() const;
+  /// Of the present state, with friction and work up to the accepted one.
+  Energies energies() const;
 
   const Timings& timings() const { return timings_; }
   /// Patterns analysed, full assemblies.
@@ -107,6 +118,8 @@ private:
   VectorX external_;                   ///< force of the loads
   VectorX residual_;                   ///< f_int + f_c − f_ext of all degrees of freedom
   VectorX unbalanced_;                 ///< what Newton's loop brings to zero: the residual by unknown
+  VectorX accepted_force_;             ///< f_int + f_c in the accepted state: what supports and loads balance
+  double work_ = 0;                    ///< of supports and loads up to the accepted state
   double arc_fraction_ = 0;
   std::unique_ptr<solve::LinearSolver> solver_;
   solve::LinearKind solver_asked_ = solve::LinearKind::automatic;

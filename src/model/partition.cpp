@@ -68,5 +68,6 @@ template <int D> Partition partition(const Unknowns<D>& unknowns, const solid::B
 }
 
 template Partition partition<2>(const Unknowns<2>&, const solid::Body<2>&, int);
+template Partition partition<3>(const Unknowns<3>&, const solid::Body<3>&, int);
 
 } // namespace signorini::model

@@ -1,6 +1,6 @@
 #include "model/sample.hpp"
 
-#include "base/error.hpp"
+#include <cmath>
 
 namespace signorini::model {
 
@@ -10,31 +10,15 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-/// Polyline through an element along direction d, the other parameter fixed.
-Eigen::Matrix<double, 3, Eigen::Dynamic> border(const Model<2>& model, int body, int e, int d, double fixed,
-                                                int divisions, bool deformed) {
-  const nurbs::Discretisation& space = model.scene().bodies[at(body)].body->space();
-  const auto [from, to] = space.interval(e, d);
-  Eigen::Matrix<double, 3, Eigen::Dynamic> line = Eigen::Matrix<double, 3, Eigen::Dynamic>::Zero(3, divisions + 1);
-  VectorX xi(2);
-  xi(1 - d) = fixed;
-  for (int k = 0; k <= divisions; ++k) {
-    xi(d) = from + (to - from) * k / divisions;
-    const BodyPoint<2> point = body_point(model, body, e, xi);
-    line.col(k).head<2>() = point.reference;
-    if (deformed) line.col(k).head<2>() += point.state.displacement;
-  }
-  return line;
-}
-
 } // namespace
 
 template <int D> BodyPoint<D> body_point(const Model<D>& model, int body, int e, const VectorX& xi) {
   const nurbs::Discretisation& space = model.scene().bodies[at(body)].body->space();
   const nurbs::ElementBasis basis = space.basis(e, xi);
   const auto displacement = model.body_displacement(body);
-  BodyPoint<D> point{Vec<D>::Zero(), {Vec<D>::Zero(), Mat<D>::Zero()}};
-  Mat<D> jacobian = Mat<D>::Zero(), rate = Mat<D>::Zero(); // ∂X/∂ξ, ∂u/∂ξ
+  BodyPoint<D> point{Vec<D>::Zero(), Mat<D>::Zero(), {Vec<D>::Zero(), Mat<D>::Zero()}};
+  Mat<D>& jacobian = point.jacobian;
+  Mat<D> rate = Mat<D>::Zero(); // ∂u/∂ξ
   for (std::size_t a = 0; a < basis.functions.size(); ++a) {
     const int function = basis.functions[a], i = static_cast<int>(a);
     const Vec<D> reference = space.homogeneous().col(function).template head<D>() / space.homogeneous()(D, function);
@@ -52,78 +36,34 @@ template <int D> BodyPoint<D> body_point(const Model<D>& model, int body, int e,
   return point;
 }
 
+template <int D> BodyPoint<D> regular_point(const Model<D>& model, int body, int e, const VectorX& xi) {
+  BodyPoint<D> point = body_point(model, body, e, xi);
+  const double size = point.jacobian.colwise().norm().maxCoeff();
+  if (std::abs(point.jacobian.determinant()) > 1e-10 * std::pow(size, D)) return point;
+  const nurbs::Discretisation& space = model.scene().bodies[at(body)].body->space();
+  VectorX inwards(D);
+  for (int d = 0; d < D; ++d) {
+    const auto [from, to] = space.interval(e, d);
+    inwards(d) = 0.5 * (from + to) - xi(d);
+  }
+  const BodyPoint<D> beside = body_point(model, body, e, xi + 1e-4 * inwards);
+  point.jacobian = beside.jacobian;
+  const Vec<D> displacement = point.state.displacement;
+  point.state = beside.state;
+  point.state.displacement = displacement;
+  return point;
+}
+
 template <int D> double sample(const Model<D>& model, int body, const Field<D>& field, const VectorX& xi) {
   const solid::Body<D>& solid = *model.scene().bodies[at(body)].body;
-  return field.value(solid.material(), body_point(model, body, solid.space().find_element(xi), xi).state);
-}
-
-Tessellation tessellate(const Model<2>& model, int body, const Field<2>* field, int divisions, bool deformed) {
-  const solid::Body<2>& solid = *model.scene().bodies[at(body)].body;
-  const nurbs::Discretisation& space = solid.space();
-  const int side = divisions + 1, per_element = side * side, elements = space.elements();
-  Tessellation result;
-  result.points.setZero(3, per_element * elements);
-  result.triangles.resize(3, 2 * divisions * divisions * elements);
-  if (field) result.values.resize(per_element * elements);
-
-  VectorX xi(2);
-  for (int e = 0, triangle = 0; e < elements; ++e) {
-    const int first = per_element * e;
-    const auto [a, b] = space.interval(e, 0);
-    const auto [c, d] = space.interval(e, 1);
-    for (int n = 0; n < per_element; ++n) {
-      xi << a + (b - a) * (n % side) / divisions, c + (d - c) * (n / side) / divisions;
-      const BodyPoint<2> point = body_point(model, body, e, xi);
-      result.points.col(first + n).head<2>() = point.reference;
-      if (deformed) result.points.col(first + n).head<2>() += point.state.displacement;
-      if (field) result.values(first + n) = field->value(solid.material(), point.state);
-    }
-    for (int j = 0; j < divisions; ++j)
-      for (int i = 0; i < divisions; ++i) {
-        const int corner = first + i + side * j;
-        result.triangles.col(triangle++) << corner, corner + 1, corner + side + 1;
-        result.triangles.col(triangle++) << corner, corner + side + 1, corner + side;
-      }
-    // The element's start in each direction; the last element also its end
-    const bool last_0 = e % space.elements(0) == space.elements(0) - 1,
-               last_1 = e / space.elements(0) == space.elements(1) - 1;
-    result.mesh_lines.push_back(border(model, body, e, 1, a, divisions, deformed));
-    result.mesh_lines.push_back(border(model, body, e, 0, c, divisions, deformed));
-    if (last_0) result.mesh_lines.push_back(border(model, body, e, 1, b, divisions, deformed));
-    if (last_1) result.mesh_lines.push_back(border(model, body, e, 0, d, divisions, deformed));
-  }
-
-  result.control_points.setZero(3, space.functions());
-  result.control_points.topRows<2>() = space.points();
-  if (deformed) result.control_points.topRows<2>() += model.body_displacement(body);
-  for (std::size_t j = 0; j < space.rows().size(); ++j) {
-    const int first = space.first_function(static_cast<int>(j));
-    for (int i = 1; i < space.rows()[j].functions(); ++i) result.net_lines.push_back({first + i - 1, first + i});
-  }
-  return result;
-}
-
-Profile profile(const Model<2>& model, int contact) {
-  const contact::Pair<2>& pair = model.pairs()[at(contact)];
-  Profile result;
-  result.gap = pair.gaps();
-  for (const Vec<2>& place : pair.reference_positions()) {
-    result.reference_x.push_back(place(0));
-    result.reference_y.push_back(place(1));
-  }
-  for (const auto& point : pair.results()) {
-    const bool touching = point.state == contact::ContactState::stick || point.state == contact::ContactState::slip;
-    result.x.push_back(point.position(0));
-    result.y.push_back(point.position(1));
-    result.area.push_back(point.area);
-    result.pressure.push_back(point.pressure);
-    result.traction.push_back(touching ? point.friction.dot(point.tangents.col(0).normalized()) : 0.0);
-    result.state.push_back(contact::name_of(point.state));
-  }
-  return result;
+  return field.value(solid.material(), regular_point(model, body, solid.space().find_element(xi), xi).state);
 }
 
 template BodyPoint<2> body_point<2>(const Model<2>&, int, int, const VectorX&);
+template BodyPoint<3> body_point<3>(const Model<3>&, int, int, const VectorX&);
+template BodyPoint<2> regular_point<2>(const Model<2>&, int, int, const VectorX&);
 template double sample<2>(const Model<2>&, int, const Field<2>&, const VectorX&);
+template BodyPoint<3> regular_point<3>(const Model<3>&, int, int, const VectorX&);
+template double sample<3>(const Model<3>&, int, const Field<3>&, const VectorX&);
 
 } // namespace signorini::model

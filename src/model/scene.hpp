@@ -41,7 +41,8 @@ struct Held {
 /// Holds control points and obstacles component by component. One that rotates moves its control points as a rigid
 /// body,
 ///   x = X_c + c + R(θ)(X − X_c),
-/// with a prescribed angle θ; `hold` then speaks of the translation c, whose free components are unknowns.
+/// with a prescribed angle θ, in space about `axis`; `hold` then speaks of the translation c, whose free components are
+/// unknowns.
 template <int D> struct Support {
   std::string name;
   std::vector<Held> on;
@@ -49,6 +50,7 @@ template <int D> struct Support {
   std::vector<int> obstacles = {};
   bool rotates = false;
   Vec<D> centre = Vec<D>::Zero(); ///< X_c, of a support that rotates
+  Vec<D> axis = Vec<D>::Zero();   ///< in space: unit vector; in the plane unused
 };
 
 /// A dead load: force per reference area, on faces.

@@ -6,20 +6,6 @@
 
 namespace signorini::contact {
 
-template <int D> void ElementBoxes<D>::update(const Surface<D>& surface) {
-  lower_.resize(D, surface.elements());
-  upper_.resize(D, surface.elements());
-  Vec<D> lower, upper;
-  for (int e = 0; e < surface.elements(); ++e) {
-    surface.bounds(e, lower, upper);
-    lower_.col(e) = lower;
-    upper_.col(e) = upper;
-  }
-}
-
-template class ElementBoxes<2>;
-template class ElementBoxes<3>;
-
 namespace {
 
 using Coordinates = FaceCoordinates<2>;
@@ -95,14 +81,14 @@ Foot walk(const Surface<2>& surface, const Vec<2>& x, int element, double start,
   return stop == Stop::inside ? Foot::regular : Foot::none;
 }
 
-/// Calls search(ξ) at those of 2(degree+1) equidistant points of an element that are nearer to x than their neighbours:
+/// Calls search(ξ) at those of 3(degree+1) equidistant points of an element that are nearer to x than their neighbours:
 /// the squared distance to one polynomial piece can have several minima, and one descent starts near each.
 template <class Search> void each_dip(const Surface<2>& surface, const Vec<2>& x, int element, Search search) {
   const auto [a, b] = surface.interval(element, 0);
   constexpr double far = std::numeric_limits<double>::infinity();
   double before = far, here = far, xi = a;
   FacePoint<2> sample;
-  for (int k = 0, last = 2 * surface.degree(0) + 1; k <= last + 1; ++k) {
+  for (int k = 0, last = 3 * surface.degree(0) + 2; k <= last + 1; ++k) {
     const double next = a + (b - a) * std::min(k, last) / last;
     double there = far;
     if (k <= last) {
@@ -148,18 +134,20 @@ Projection<2> project(const Surface<2>& surface, const ElementBoxes<2>& boxes, c
   }
 
   FacePoint<2> candidate;
-  for (int e = 0; e < surface.elements(); ++e) {
-    // A minimum on a border is reached from both sides; the factor lets rounding not choose between them.
-    if (e == settled || boxes.distance2(e, x) >= nearest * (1 - 1e-12)) continue;
-    each_dip(surface, x, e, [&](double start) {
-      const Foot foot = walk(surface, x, e, start, candidate);
-      const double distance2 = (x - candidate.position).squaredNorm();
-      if (distance2 >= nearest * (1 - 1e-12)) return;
-      nearest = distance2;
-      best.foot = foot;
-      point = candidate;
-    });
-  }
+  // A minimum on a border is reached from both sides; the factor lets rounding not choose between them.
+  boxes.near(
+      x, [&] { return nearest * (1 - 1e-12); },
+      [&](int e) {
+        if (e == settled) return;
+        each_dip(surface, x, e, [&](double start) {
+          const Foot foot = walk(surface, x, e, start, candidate);
+          const double distance2 = (x - candidate.position).squaredNorm();
+          if (distance2 >= nearest * (1 - 1e-12)) return;
+          nearest = distance2;
+          best.foot = foot;
+          point = candidate;
+        });
+      });
 
   best.element = point.element;
   best.xi = point.xi;

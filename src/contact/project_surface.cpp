@@ -1,0 +1,301 @@
+#include "contact/projection.hpp"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace signorini::contact {
+
+namespace {
+
+using Coordinates = FaceCoordinates<3>;
+using Interval = std::array<double, 2>;
+
+/// Per direction: 0 where a search ended inside an element, −1 (+1) where the element's start (end) held it back.
+using Held = std::array<int, 2>;
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// Newton's direction for the squared distance in the directions that are not held; Gauss–Newton's where the curvature
+/// of the distance is negative, or small and the step longer than a hundredth of the element (`size`).
+Coordinates newton_step(const Vec<3>& difference, const FacePoint<3>& point, const Coordinates& gradient,
+                        const Held& held, const Coordinates& size) {
+  // f = |x(ξ) − x|²/2,  f_,α = (x(ξ) − x)·τ_α,  f_,αβ = τ_α·τ_β + (x(ξ) − x)·x_,αβ
+  Mat<2> metric, hessian;
+  for (int a = 0; a < 2; ++a)
+    for (int b = 0; b < 2; ++b) {
+      metric(a, b) = point.tangent[at(a)].dot(point.tangent[at(b)]);
+      hessian(a, b) = metric(a, b) + difference.dot(point.second[at(a + b)]);
+    }
+  for (int a = 0; a < 2; ++a)
+    if (held[at(a)] != 0) {
+      const int b = 1 - a;
+      if (held[at(b)] != 0) return Coordinates::Zero();
+      Coordinates step = Coordinates::Zero();
+      if (hessian(b, b) > 0) step(b) = -gradient(b) / hessian(b, b);
+      if (hessian(b, b) > 0.1 * metric(b, b) || (hessian(b, b) > 0 && std::abs(step(b)) < 0.01 * size(b))) return step;
+      if (metric(b, b) > 0) step(b) = -gradient(b) / metric(b, b);
+      return step;
+    }
+  const Mat<2> margin = hessian - 0.1 * metric;
+  if (hessian(0, 0) > 0 && hessian.determinant() > 0) {
+    const Coordinates step = -hessian.inverse() * gradient;
+    if ((margin(0, 0) > 0 && margin.determinant() > 0) || (step.cwiseAbs().array() < 0.01 * size.array()).all())
+      return step;
+  }
+  // Next to a pole the metric itself is close to singular.
+  metric += 1e-12 * metric.trace() * Mat<2>::Identity();
+  return -metric.inverse() * gradient;
+}
+
+/// How much of the step stays inside the element: at most 1, less where a border is met.
+double allowed(const Coordinates& xi, const Coordinates& step, const std::array<Interval, 2>& box) {
+  double fraction = 1;
+  for (int a = 0; a < 2; ++a) {
+    if (step(a) > 0) fraction = std::min(fraction, (box[at(a)][1] - xi(a)) / step(a));
+    if (step(a) < 0) fraction = std::min(fraction, (box[at(a)][0] - xi(a)) / step(a));
+  }
+  return fraction;
+}
+
+/// Minimises the distance within one element by Newton's method with held borders and step halving. Leaves the face at
+/// the minimum in `point` (order 2).
+Held descend(const Surface<3>& surface, const Vec<3>& x, int element, const Coordinates& start, FacePoint<3>& point) {
+  const std::array<Interval, 2> box = {surface.interval(element, 0), surface.interval(element, 1)};
+  const Coordinates length(box[0][1] - box[0][0], box[1][1] - box[1][0]);
+  Coordinates xi;
+  for (int a = 0; a < 2; ++a) xi(a) = std::clamp(start(a), box[at(a)][0], box[at(a)][1]);
+  surface.locate(element, xi, 2, point);
+  for (int iteration = 0;; ++iteration) {
+    const Vec<3> difference = point.position - x;
+    const Coordinates gradient(difference.dot(point.tangent[0]), difference.dot(point.tangent[1]));
+    // A border holds when the distance falls beyond it, and when the step would lead out.
+    Held held{};
+    for (int a = 0; a < 2; ++a)
+      held[at(a)] = xi(a) <= box[at(a)][0] && gradient(a) > 0 ? -1 : xi(a) >= box[at(a)][1] && gradient(a) < 0 ? 1 : 0;
+    Held still = held;
+    Coordinates step = newton_step(difference, point, gradient, held, length);
+    for (int a : {0, 1, 0})
+      if ((xi(a) <= box[at(a)][0] && step(a) < 0) || (xi(a) >= box[at(a)][1] && step(a) > 0)) {
+        still[at(a)] = step(a) < 0 ? -1 : 1;
+        step = newton_step(difference, point, gradient, still, length);
+      }
+    const double size = step.cwiseQuotient(length).cwiseAbs().maxCoeff(); // of the step, in elements
+    const double fraction = allowed(xi, step, box);
+    if (size <= 1e-8 || iteration == 60) {
+      // The step just taken squares the error: to rounding, and so is a first-order shift of the geometry.
+      step *= fraction;
+      xi += step;
+      for (int a = 0; a < 2; ++a) xi(a) = std::clamp(xi(a), box[at(a)][0], box[at(a)][1]);
+      point.xi = xi;
+      for (int a = 0; a < 2; ++a) point.position += step(a) * point.tangent[at(a)];
+      for (int a = 0; a < 2; ++a)
+        for (int b = 0; b < 2; ++b) point.tangent[at(a)] += step(b) * point.second[at(a + b)];
+      return held;
+    }
+    // Halved until the distance falls enough
+    const double before = difference.squaredNorm() / 2, slope = gradient.dot(step);
+    double scale = fraction;
+    for (int halving = 0;; ++halving, scale /= 2) {
+      Coordinates next = xi + scale * step;
+      for (int a = 0; a < 2; ++a) {
+        // On the border exactly where the step ends there
+        const double from = box[at(a)][0], to = box[at(a)][1], slack = 1e-14 * length(a);
+        next(a) = next(a) < from + slack ? from : next(a) > to - slack ? to : next(a);
+      }
+      surface.locate(element, next, 2, point);
+      if ((point.position - x).squaredNorm() / 2 <= before + 1e-4 * scale * slope || halving == 40) {
+        xi = next;
+        break;
+      }
+    }
+  }
+}
+
+/// Whether the border of an element at the start or end of direction α is collapsed to one point.
+bool collapsed(const Surface<3>& surface, int element, int alpha, bool at_end) {
+  Vec<3> lower, upper;
+  surface.bounds(element, lower, upper);
+  const auto along = surface.interval(element, 1 - alpha);
+  Coordinates xi;
+  xi(alpha) = surface.interval(element, alpha)[at_end ? 1 : 0];
+  FacePoint<3> first, other;
+  xi(1 - alpha) = along[0];
+  surface.locate(element, xi, 0, first);
+  for (double t : {0.37, 1.0}) {
+    xi(1 - alpha) = along[0] + t * (along[1] - along[0]);
+    surface.locate(element, xi, 0, other);
+    if ((other.position - first.position).norm() > 1e-10 * (upper - lower).norm()) return false;
+  }
+  return true;
+}
+
+/// Unit normal near a point of an element: moved inward by a little where the tangents do not span a plane.
+Vec<3> normal_near(const Surface<3>& surface, int element, Coordinates xi) {
+  FacePoint<3> point;
+  for (double t : {0.0, 1e-6, 1e-3}) {
+    Coordinates inward = xi;
+    for (int a = 0; a < 2; ++a) {
+      const auto [from, to] = surface.interval(element, a);
+      inward(a) += t * ((from + to) / 2 - xi(a));
+    }
+    surface.locate(element, inward, 1, point);
+    const Vec<3> normal = surface.outward(point.tangent);
+    if (normal.norm() > 1e-9 * point.tangent[0].norm() * point.tangent[1].norm() && normal.norm() > 0)
+      return normal.normalized();
+  }
+  return Vec<3>::Zero();
+}
+
+/// Signed gap at a closest point. Where the connecting line is not the normal, those of the elements around decide
+/// which side x is on.
+double signed_gap(const Surface<3>& surface, const Vec<3>& x, Foot foot, const FacePoint<3>& point) {
+  const Vec<3> difference = x - point.position;
+  if (foot == Foot::regular) return difference.dot(surface.outward(point.tangent).normalized());
+  Vec<3> normal = normal_near(surface, point.element, point.xi);
+  for (int a = 0; a < 2; ++a) {
+    const auto [from, to] = surface.interval(point.element, a);
+    for (bool at_end : {false, true}) {
+      if (point.xi(a) != (at_end ? to : from)) continue;
+      const int other = surface.neighbour(point.element, a, at_end);
+      if (other >= 0) normal += normal_near(surface, other, point.xi);
+    }
+  }
+  return std::copysign(difference.norm(), difference.dot(normal));
+}
+
+/// Calls search(ξ) at those points of a grid on an element that are nearer to x than their neighbours: the squared
+/// distance to one polynomial piece can have several minima, and one descent starts near each.
+template <class Search> void each_dip(const Surface<3>& surface, const Vec<3>& x, int element, Search search) {
+  constexpr int most = 3 * (nurbs::max_degree + 1);
+  const int n0 = 3 * surface.degree(0) + 3, n1 = 3 * surface.degree(1) + 3;
+  const auto [a, b] = surface.interval(element, 0);
+  const auto [c, d] = surface.interval(element, 1);
+  double distances[most * most];
+  FacePoint<3> sample;
+  const auto place = [&](int i, int j) { return Coordinates(a + (b - a) * i / (n0 - 1), c + (d - c) * j / (n1 - 1)); };
+  for (int j = 0; j < n1; ++j)
+    for (int i = 0; i < n0; ++i) {
+      surface.locate(element, place(i, j), 0, sample);
+      distances[i + n0 * j] = (x - sample.position).squaredNorm();
+    }
+  for (int j = 0; j < n1; ++j)
+    for (int i = 0; i < n0; ++i) {
+      bool least = true;
+      for (int k = std::max(j - 1, 0); k <= std::min(j + 1, n1 - 1); ++k)
+        for (int l = std::max(i - 1, 0); l <= std::min(i + 1, n0 - 1); ++l) {
+          // Of equal ones the first counts.
+          const double here = distances[i + n0 * j], there = distances[l + n0 * k];
+          least = least && (here < there || (here == there && i + n0 * j <= l + n0 * k));
+        }
+      if (least) search(place(i, j));
+    }
+}
+
+/// Whether two elements share a border or a corner without a kink between them.
+bool smoothly_adjacent(const Surface<3>& surface, int a, int b) {
+  const int n = surface.direction(0).elements();
+  const auto adjacent = [&](int direction, int i, int j) {
+    if (i == j) return true;
+    const nurbs::KnotVector& knots = surface.direction(direction);
+    return std::abs(i - j) == 1 && knots.multiplicity(knots.breaks()[at(std::max(i, j))]) < knots.degree();
+  };
+  return adjacent(0, a % n, b % n) && adjacent(1, a / n, b / n);
+}
+
+/// Whether the tangents do not span a plane, as at the pole of a sphere.
+bool degenerate(const Surface<3>& surface, const FacePoint<3>& point) {
+  Vec<3> lower, upper;
+  surface.bounds(point.element, lower, upper);
+  double area = point.tangent[0].cross(point.tangent[1]).norm();
+  for (int a = 0; a < 2; ++a) {
+    const auto [from, to] = surface.interval(point.element, a);
+    area *= to - from;
+  }
+  return !(area > 1e-10 * (upper - lower).squaredNorm());
+}
+
+} // namespace
+
+Foot walk(const Surface<3>& surface, const Vec<3>& x, int element, const Coordinates& start, FacePoint<3>& point,
+          int& along) {
+  Held held = descend(surface, x, element, start, point);
+  FacePoint<3> beyond;
+  for (int moves = 0; moves < 2 * surface.elements() + 8; ++moves) {
+    bool moved = false;
+    for (int a = 0; a < 2 && !moved; ++a) {
+      if (held[at(a)] == 0) continue;
+      const int next = surface.neighbour(point.element, a, held[at(a)] > 0);
+      if (next < 0) continue;
+      const Held other = descend(surface, x, next, point.xi, beyond);
+      // Two elements that send each other back differ by rounding only.
+      if ((beyond.position - x).squaredNorm() >= (point.position - x).squaredNorm() * (1 - 1e-14)) continue;
+      point = beyond;
+      held = other;
+      moved = true;
+    }
+    if (!moved) break;
+  }
+  // What holds at the minimum: the face's own border, a kink, or nothing but rounding
+  bool kink[2] = {false, false}, pole = false;
+  for (int a = 0; a < 2; ++a) {
+    if (held[at(a)] == 0) continue;
+    const bool at_end = held[at(a)] > 0;
+    const int next = surface.neighbour(point.element, a, at_end);
+    if (next < 0) {
+      if (!collapsed(surface, point.element, a, at_end)) return Foot::none;
+      pole = true;
+    } else {
+      const Vec<3> here = normal_near(surface, point.element, point.xi), there = normal_near(surface, next, point.xi);
+      kink[a] = here.cross(there).norm() >= 1e-10;
+    }
+  }
+  if (pole || (kink[0] && kink[1])) return Foot::corner;
+  if (!kink[0] && !kink[1]) return degenerate(surface, point) ? Foot::corner : Foot::regular;
+  along = kink[0] ? 1 : 0;
+  return Foot::edge;
+}
+
+Projection<3> project(const Surface<3>& surface, const ElementBoxes<3>& boxes, const Vec<3>& x,
+                      const Projection<3>& seed, FacePoint<3>& point) {
+  Projection<3> best;
+  double nearest = std::numeric_limits<double>::infinity();
+  bool settled = false; // no second look at the element of the foot and those around it
+  if (seed.element >= 0) {
+    best.foot = walk(surface, x, seed.element, seed.xi, point, best.along);
+    nearest = (x - point.position).squaredNorm();
+    // A regular foot much nearer than the elements are long is the only one on them: a surface does not fold within
+    // elements that meet smoothly.
+    settled = best.foot == Foot::regular && nearest < boxes.diagonal2(point.element) / 256;
+  }
+  const int home = settled ? point.element : -1;
+
+  FacePoint<3> candidate;
+  // A minimum on a border is reached from both sides; the factor lets rounding not choose between them.
+  boxes.near(
+      x, [&] { return nearest * (1 - 1e-12); },
+      [&](int e) {
+        if (settled && smoothly_adjacent(surface, home, e) && nearest < boxes.diagonal2(e) / 256) return;
+        each_dip(surface, x, e, [&](const Coordinates& start) {
+          int along = 0;
+          const Foot foot = walk(surface, x, e, start, candidate, along);
+          const double distance2 = (x - candidate.position).squaredNorm();
+          if (distance2 >= nearest * (1 - 1e-12)) return;
+          nearest = distance2;
+          best.foot = foot;
+          best.along = along;
+          point = candidate;
+        });
+      });
+
+  best.element = point.element;
+  best.xi = point.xi;
+  best.gap = signed_gap(surface, x, best.foot, point);
+  return best;
+}
+
+} // namespace signorini::contact

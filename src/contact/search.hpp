@@ -1,0 +1,62 @@
+#pragma once
+// Which elements of a face may be near a point: a tree of bounding boxes.
+
+#include "contact/surface.hpp"
+
+#include <vector>
+
+namespace signorini::contact {
+
+/// Bounding boxes of a face's elements, gathered in a binary tree that halves the grid of elements; moving the face
+/// changes the boxes, never the tree.
+template <int D> class ElementBoxes {
+public:
+  /// Takes over the surface's present shape; always the same surface.
+  void update(const Surface<D>& surface);
+  /// Square of the diagonal of an element's box.
+  double diagonal2(int element) const {
+    const Box& box = nodes_[static_cast<std::size_t>(leaves_[static_cast<std::size_t>(element)])].box;
+    return (box.upper - box.lower).squaredNorm();
+  }
+
+  /// Calls visit(element) for the elements whose boxes are nearer to x than `distance2()` says (square of a distance,
+  /// asked again before every visit), boxes near x first.
+  template <class Distance2, class Visit> void near(const Vec<D>& x, Distance2 distance2, Visit visit) const {
+    if (!nodes_.empty()) descend(0, nodes_[0].box.distance2(x), x, distance2, visit);
+  }
+
+private:
+  struct Box {
+    Vec<D> lower, upper;
+    /// Square of a lower bound of the distance from x to what is inside.
+    double distance2(const Vec<D>& x) const { return (lower - x).cwiseMax(x - upper).cwiseMax(0.0).squaredNorm(); }
+  };
+  /// Children follow their parent; the first one directly.
+  struct Node {
+    int element; ///< of a leaf; −1 otherwise
+    int second;  ///< index of the second child
+    Box box;
+  };
+  void build(const Surface<D>& surface, std::array<int, 2> first, std::array<int, 2> last);
+
+  template <class Distance2, class Visit>
+  void descend(int index, double own, const Vec<D>& x, Distance2& distance2, Visit& visit) const {
+    if (own >= distance2()) return;
+    const Node& node = nodes_[static_cast<std::size_t>(index)];
+    if (node.element >= 0) return visit(node.element);
+    int near = index + 1, far = node.second;
+    double to_near = nodes_[static_cast<std::size_t>(near)].box.distance2(x),
+           to_far = nodes_[static_cast<std::size_t>(far)].box.distance2(x);
+    if (to_far < to_near) {
+      std::swap(near, far);
+      std::swap(to_near, to_far);
+    }
+    descend(near, to_near, x, distance2, visit);
+    descend(far, to_far, x, distance2, visit);
+  }
+
+  std::vector<Node> nodes_;
+  std::vector<int> leaves_; ///< per element
+};
+
+} // namespace signorini::contact

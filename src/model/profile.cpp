@@ -1,0 +1,39 @@
+#include "model/profile.hpp"
+
+namespace signorini::model {
+
+namespace {
+
+/// Appends the components of a vector to lists of their own.
+template <int D> void append(const Vec<D>& v, std::array<std::vector<double>*, 3> lists) {
+  for (std::size_t i = 0; i < D; ++i) lists[i]->push_back(v(static_cast<int>(i)));
+}
+
+} // namespace
+
+template <int D> Profile profile(const Model<D>& model, int contact) {
+  const contact::Pair<D>& pair = model.pairs()[static_cast<std::size_t>(contact)];
+  Profile result;
+  result.gap = pair.gaps();
+  for (const Vec<D>& place : pair.reference_positions())
+    append<D>(place, {&result.reference_x, &result.reference_y, &result.reference_z});
+  for (const auto& point : pair.results()) {
+    const bool touching = point.state == contact::ContactState::stick || point.state == contact::ContactState::slip;
+    append<D>(point.position, {&result.x, &result.y, &result.z});
+    result.area.push_back(point.area);
+    result.pressure.push_back(point.pressure);
+    if constexpr (D == 2) {
+      result.traction.push_back(touching ? point.friction.dot(point.tangents.col(0).normalized()) : 0.0);
+    } else {
+      result.traction.push_back(point.friction.norm());
+      append<D>(point.friction, {&result.traction_x, &result.traction_y, &result.traction_z});
+    }
+    result.state.push_back(contact::name_of(point.state));
+  }
+  return result;
+}
+
+template Profile profile<2>(const Model<2>&, int);
+template Profile profile<3>(const Model<3>&, int);
+
+} // namespace signorini::model
