@@ -61,10 +61,10 @@ KernelResult axisymmetric_kernel(const KernelArguments& in) {
       const double p0 = mu * f[i][0] - bracket * inverse[0][i], p1 = mu * f[i][1] - bracket * inverse[1][i];
       for (int a = 0; a < n; ++a) {
         in.force[i * n + a] += p0 * gradients[a] + p1 * gradients[n + a] + (i == 0 ? around * hoop[a] : 0);
-        in.current[i * n + a] = inverse[0][i] * gradients[a] + inverse[1][i] * gradients[n + a];
+        in.work[i * n + a] = inverse[0][i] * gradients[a] + inverse[1][i] * gradients[n + a];
       }
     }
-    if (in.blocks) add_tangent(n, bracket, lambda, mu, stretch, in.current, hoop, in.blocks);
+    if (in.blocks) add_tangent(n, bracket, lambda, mu, stretch, in.work, hoop, in.blocks);
   }
   return {-1, 1};
 }

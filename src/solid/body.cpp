@@ -70,6 +70,9 @@ Body<D>::Body(std::shared_ptr<const nurbs::Discretisation> space, Material mater
   if (kind_ == Kind::axisymmetric) check_radii(*space_);
   const MatrixX points = space_->points();
   for (int e = 0; e < space_->elements(); ++e) add_element(e, points);
+  // Kernels read whole vectors.
+  gradients_.resize(gradients_.size() + vector_room);
+  constants_.resize(constants_.size() + vector_room);
 }
 
 template <int D>
@@ -78,7 +81,7 @@ Body<D>::Body(nurbs::Discretisation space, Material material)
 
 template <int D> Kernel Body<D>::kernel(int functions) const {
   if (linear()) return linear_kernel<D>;
-  return kind_ == Kind::axisymmetric ? axisymmetric_kernel : element_kernel<D>(functions);
+  return kind_ == Kind::axisymmetric ? axisymmetric_kernel : element_kernels<D>(functions).back();
 }
 
 template <int D>

@@ -19,9 +19,9 @@ template <int D> ElementArrays<D>::ElementArrays(const Body<D>& body) {
   const std::size_t n = static_cast<std::size_t>(body.most_functions());
   const std::size_t points = static_cast<std::size_t>(body.most_points());
   force.resize(D * n);
-  blocks.resize(D * (D + 1) / 2 * n * n);
+  blocks.resize(D * (D + 1) / 2 * n * n + vector_room);
   local.resize(D * n);
-  current.resize(D * n * points);
+  work.resize(working_size(D, n, points));
   factors.resize(2 * points);
 }
 
@@ -33,8 +33,8 @@ std::optional<Inversion> internal_force(const Body<D>& body, int e, const double
   gather(body, e, displacement, arrays.local.data());
   const KernelResult result =
       table.kernel({table.functions, table.points, law.lambda, law.mu, arrays.local.data(), body.gradients_of(e),
-                    body.weights_of(e), body.hoops_of(e), body.constant_of(e), arrays.force.data(),
-                    arrays.current.data(), arrays.factors.data(), tangent ? arrays.blocks.data() : nullptr});
+                    body.weights_of(e), body.hoops_of(e), body.constant_of(e), arrays.force.data(), arrays.work.data(),
+                    arrays.factors.data(), tangent ? arrays.blocks.data() : nullptr});
   if (result.point < 0) return std::nullopt;
   return Inversion{e, body.reference_point(e, result.point), result.jacobian};
 }

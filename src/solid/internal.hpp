@@ -17,7 +17,7 @@ template <int D> struct ElementArrays {
   explicit ElementArrays(const Body<D>& body);
   std::vector<double> force, blocks;
   std::vector<double> local;   ///< working space: displacements, D rows of n values
-  std::vector<double> current; ///< working space: per Gauss point, D rows of n current gradients
+  std::vector<double> work;    ///< working space of the kernel
   std::vector<double> factors; ///< working space: two per Gauss point
 };
 

@@ -1,9 +1,16 @@
 #pragma once
-// The element kernels over raw arrays: force and tangent blocks of one element. The one for neo-Hooke in the plane and
-// in space is compiled once for any machine and once for those with AVX2, chosen at run time; bodies of revolution and
-// small strains have kernels of their own (axisymmetric.hpp, linear.hpp).
+// The element kernels over raw arrays: force and tangent blocks of one element. Those for neo-Hooke in the plane and in
+// space are compiled once for any machine and again for those with wider vectors, chosen at run time; bodies of
+// revolution and small strains have kernels of their own (axisymmetric.hpp, linear.hpp).
+
+#include <cstddef>
+#include <vector>
 
 namespace signorini::solid {
+
+/// Doubles that kernels may read, or write, beyond the end of gradients, constant, blocks and work: what the widest
+/// vector reaches.
+constexpr std::size_t vector_room = 8;
 
 /// All arrays belong to the caller; n functions, D components. Per Gauss point: D rows of n values.
 struct KernelArguments {
@@ -15,10 +22,16 @@ struct KernelArguments {
   const double* hoop;      ///< R_A/R per Gauss point, n values each; null where the body is none of revolution
   const double* constant;  ///< Σ w μ ∇R_A·∇R_B, n×n; small strains: the stiffness, laid out like `blocks`
   double* force;           ///< f_iA, D rows of n values
-  double* current;         ///< working space, g_iA per Gauss point
+  double* work;            ///< working space, working_size() doubles
   double* factors;         ///< working space, two per Gauss point
   double* blocks;          ///< K^{ij}_{AB}, i ≤ j, n×n each; null: not wanted
 };
+
+/// Working space for D components, n functions and a number of Gauss points: displacements, forces and all points'
+/// current gradients in rows of whole vectors, and the factors of a tile of the tangent.
+constexpr std::size_t working_size(std::size_t components, std::size_t functions, std::size_t points) {
+  return components * (functions + vector_room) * (points + 2) + 2 * vector_room * points + 2 * vector_room;
+}
 
 /// Where an element is inverted: the Gauss point and its J; point −1 when it is not.
 struct KernelResult {
@@ -28,7 +41,8 @@ struct KernelResult {
 
 using Kernel = KernelResult (*)(const KernelArguments&);
 
-/// The fastest neo-Hooke kernel that this machine runs, for bodies in D dimensions and elements of n functions.
-template <int D> Kernel element_kernel(int functions);
+/// All neo-Hooke kernels that this machine runs, for bodies in D dimensions and elements of n functions; the fastest is
+/// the last. They differ by rounding.
+template <int D> std::vector<Kernel> element_kernels(int functions);
 
 } // namespace signorini::solid

@@ -1,11 +1,11 @@
 // Compiled with -mavx2 -mfma on x86-64 (src/CMakeLists.txt).
-#include "solid/kernel_avx2.hpp"
-
-#include "solid/kernel_loops.hpp"
+#include "solid/kernel_plane.hpp"
+#include "solid/kernel_space.hpp"
+#include "solid/kernel_wide.hpp"
 
 namespace signorini::solid {
 
-bool avx2_kernels_run_here() {
+bool runs_avx2() {
 #ifdef __AVX2__
   return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
 #else
@@ -13,11 +13,12 @@ bool avx2_kernels_run_here() {
 #endif
 }
 
-template <int D> Kernel avx2_kernel(int functions) {
-  return select<D>(functions);
+Kernel avx2_plane_kernel(int functions) {
+  return plane_kernel(functions);
 }
 
-template Kernel avx2_kernel<2>(int);
-template Kernel avx2_kernel<3>(int);
+Kernel avx2_space_kernel() {
+  return run_space;
+}
 
 } // namespace signorini::solid

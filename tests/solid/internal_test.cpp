@@ -68,6 +68,9 @@ std::vector<Body<3>> space_bodies() {
   bodies.push_back(make_body<3>(block, {2, 1, 2}, "N2-N2.1", "back", rubber));
   const nurbs::Patch shell = nurbs::half_cylinder_shell(0.4, 0.7, 0.5, Eigen::Vector3d(0, 0, 0));
   bodies.push_back(make_body<3>(shell, {2, 1, 1}, "N2", "front", rubber));
+  bodies.push_back(make_body<3>(block, {1, 1, 2}, "N2-N2.2", "front", rubber));
+  bodies.push_back(make_body<3>(nurbs::sphere_octant(0.4, 0.7, Eigen::Vector3d(0, 0, 0)), {1, 2, 1}, "N2", "front",
+                                neo_hookean(5, 0.45), 2));
   return bodies;
 }
 
@@ -123,7 +126,7 @@ template <int D> void rubbers_first_tangent_is_steels(const std::vector<Body<D>>
 
 TEST(Internal, TangentOfRubberAtRestIsThatOfLinearElasticity) {
   rubbers_first_tangent_is_steels(of_material<2>(rubber, plane_bodies()));
-  rubbers_first_tangent_is_steels(space_bodies());
+  rubbers_first_tangent_is_steels(of_material<3>(rubber, space_bodies()));
   rubbers_first_tangent_is_steels(bodies_of_revolution(rubber));
 }
 

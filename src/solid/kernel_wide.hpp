@@ -1,0 +1,17 @@
+#pragma once
+// The element kernels compiled for machines with wider vectors and fused multiply-add: AVX2, and AVX-512 in space,
+// where elements have enough functions for it.
+
+#include "solid/kernel.hpp"
+
+namespace signorini::solid {
+
+/// Whether this machine has the instructions; false where the program was built for another architecture.
+bool runs_avx2();
+bool runs_avx512();
+
+Kernel avx2_plane_kernel(int functions);
+Kernel avx2_space_kernel();
+Kernel avx512_space_kernel();
+
+} // namespace signorini::solid

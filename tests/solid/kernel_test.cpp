@@ -1,0 +1,132 @@
+// All kernels that this machine runs against the formulas, term by term: for any number of functions, and without a
+// trace beyond what they may write.
+#include "solid/kernel.hpp"
+
+#include "solid/bodies.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace signorini::solid {
+namespace {
+
+using namespace test;
+
+/// Gauss points of an element that need not belong to any mesh.
+template <int D> struct Element {
+  int n, points;
+  double lambda = 1.3, mu = 0.7;
+  std::vector<double> local, gradients, weights, constant;
+
+  Element(Random& random, int functions, int count) : n(functions), points(count) {
+    const auto fill = [&](std::vector<double>& values, int size, double low, double high) {
+      for (int i = 0; i < size; ++i) values.push_back(uniform(random, low, high));
+    };
+    fill(local, D * n, -0.1, 0.1);
+    const double steep = 3 / std::sqrt(n); // strains near 0.1 for any n
+    fill(gradients, points * D * n, -steep, steep);
+    fill(weights, points, 0.5, 1.5);
+    fill(constant, n * n, -1, 1);
+    // What is read beyond the end has no say.
+    gradients.resize(gradients.size() + vector_room, 1e300);
+    constant.resize(constant.size() + vector_room, 1e300);
+  }
+
+  /// Force and blocks, one after the other.
+  std::vector<double> by_the_book() const {
+    std::vector<double> force(D * n, 0.0), blocks;
+    std::vector<Mat<D>> inverses, stresses;
+    std::vector<double> brackets;
+    const auto gradient = [&](int q, int a) {
+      Vec<D> g;
+      for (int k = 0; k < D; ++k) g(k) = gradients[(q * D + k) * n + a];
+      return g;
+    };
+    for (int q = 0; q < points; ++q) {
+      Mat<D> f = Mat<D>::Identity();
+      for (int a = 0; a < n; ++a)
+        for (int i = 0; i < D; ++i) f.row(i) += local[i * n + a] * gradient(q, a).transpose();
+      inverses.push_back(f.inverse());
+      brackets.push_back(mu - lambda * std::log(f.determinant()));
+      const Mat<D> stress = mu * f - brackets.back() * inverses.back().transpose();
+      for (int a = 0; a < n; ++a)
+        for (int i = 0; i < D; ++i) force[i * n + a] += weights[q] * stress.row(i).dot(gradient(q, a));
+    }
+    for (int i = 0; i < D; ++i)
+      for (int j = i; j < D; ++j)
+        for (int a = 0; a < n; ++a)
+          for (int b = 0; b < n; ++b) {
+            double sum = i == j ? constant[a * n + b] : 0;
+            for (int q = 0; q < points; ++q) {
+              const Vec<D> ga = inverses[q].transpose() * gradient(q, a), gb = inverses[q].transpose() * gradient(q, b);
+              sum += weights[q] * (brackets[q] * ga(j) * gb(i) + lambda * ga(i) * gb(j));
+            }
+            blocks.push_back(sum);
+          }
+    force.insert(force.end(), blocks.begin(), blocks.end());
+    return force;
+  }
+};
+
+template <int D> void kernels_follow_the_book(const std::vector<int>& functions) {
+  Random random(2);
+  for (int n : functions)
+    for (int points : {1, 4, 27}) {
+      const Element<D> element(random, n, points);
+      const std::vector<double> expected = element.by_the_book();
+      const Eigen::Map<const VectorX> all(expected.data(), static_cast<int>(expected.size()));
+      for (Kernel kernel : element_kernels<D>(n)) {
+        constexpr double untouched = 123;
+        const std::size_t size = D * (D + 1) / 2 * n * n + vector_room;
+        std::vector<double> force(D * n + 1, untouched), blocks(size + 1, untouched),
+            factors(2 * points + 1, untouched), work(working_size(D, n, points) + 1, untouched);
+        for (int with_tangent : {0, 1}) {
+          const KernelResult result =
+              kernel({n, points, element.lambda, element.mu, element.local.data(), element.gradients.data(),
+                      element.weights.data(), nullptr, element.constant.data(), force.data(), work.data(),
+                      factors.data(), with_tangent ? blocks.data() : nullptr});
+          EXPECT_EQ(result.point, -1);
+          const Eigen::Map<const VectorX> found(force.data(), D * n);
+          // The book adds up F in another order, and stress is a difference ten times smaller than its terms.
+          EXPECT_LT((found - all.head(D * n)).norm(), 1e-13 * all.head(D * n).norm()) << n;
+        }
+        const Eigen::Map<const VectorX> found(blocks.data(), static_cast<int>(size - vector_room));
+        EXPECT_LT((found - all.tail(found.size())).norm(), 1e-13 * found.norm()) << n << " " << points;
+        for (const auto* array : {&force, &blocks, &factors, &work}) EXPECT_EQ(array->back(), untouched) << n;
+      }
+    }
+}
+
+TEST(Kernel, InThePlaneFollowsTheBook) {
+  kernels_follow_the_book<2>({4, 5, 6, 9, 11, 14, 25});
+}
+TEST(Kernel, InSpaceFollowsTheBook) {
+  kernels_follow_the_book<3>({8, 9, 18, 25, 27, 31, 32, 33, 34, 50, 67});
+}
+
+TEST(Kernel, InversionIsFoundAtItsPoint) {
+  Random random(3);
+  for (double slope : {-1.5, std::numeric_limits<double>::quiet_NaN()}) {
+    Element<3> element(random, 18, 5);
+    // At the last point but one F becomes I + slope e₁⊗e₁.
+    for (int k = 0; k < 3; ++k)
+      for (int a = 0; a < 18; ++a) element.gradients[(3 * 3 + k) * 18 + a] = k == 0 && a == 17 ? 1 : 0;
+    for (int i = 0; i < 3; ++i) element.local[i * 18 + 17] = 0;
+    element.local[17] = slope;
+    for (int q : {0, 1, 2})
+      for (int k = 0; k < 3; ++k) element.gradients[(3 * q + k) * 18 + 17] = 0;
+    for (Kernel kernel : element_kernels<3>(18)) {
+      std::vector<double> force(54), factors(10), work(working_size(3, 18, 5));
+      const KernelResult result = kernel({18, 5, element.lambda, element.mu, element.local.data(),
+                                          element.gradients.data(), element.weights.data(), nullptr,
+                                          element.constant.data(), force.data(), work.data(), factors.data(), nullptr});
+      EXPECT_EQ(result.point, std::isnan(slope) ? 0 : 3);
+      EXPECT_FALSE(result.jacobian > 0);
+    }
+  }
+}
+
+} // namespace
+} // namespace signorini::solid
