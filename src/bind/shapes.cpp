@@ -123,6 +123,7 @@ constexpr Function rows[] = {
      "sg.shapes.spherical_indenter{ width, depth, height, radius, elements, corner = {0, 0, 0} }\n"
      "Block with a flat top whose bottom (front) bulges down as a spherical cap of the given radius, approximated by\n"
      "elements x elements biquadratic spans that pass through the sphere. `height` is measured at the lowest point.\n"
+     "The cap's own knots keep their continuity under every label: with elements = 1 labels count as on a block.\n"
      "Example: sg.shapes.spherical_indenter{ width = 1, depth = 1, height = 0.6, radius = 2, elements = 4 }"},
 };
 

@@ -1,0 +1,123 @@
+-- Volumes from Lua: shapes, constructions and refinement in space against closed forms, and what bodies make of them.
+
+local sg = require "signorini"
+local check = require "check"
+
+local function length(p) return math.sqrt(p[1] ^ 2 + p[2] ^ 2 + p[3] ^ 2) end
+
+--- Volume of a patch by Gauss quadrature with 6 points per element and direction; the least Jacobian.
+local function volume(patch)
+  local nodes = {}
+  for t, weight in pairs { [0.2386191860831969] = 0.4679139345726910, [0.6612093864662645] = 0.3607615730481386,
+                           [0.9324695142031521] = 0.1713244923791704 } do
+    for _, sign in ipairs { -1, 1 } do nodes[#nodes + 1] = { (1 + sign * t) / 2, weight / 2 } end
+  end
+  local points = {}
+  for d = 1, 3 do
+    points[d] = {}
+    local breaks = {}
+    for _, knot in ipairs(patch:knots(d)) do
+      if knot ~= breaks[#breaks] then breaks[#breaks + 1] = knot end
+    end
+    for e = 2, #breaks do
+      local from, size = breaks[e - 1], breaks[e] - breaks[e - 1]
+      for _, node in ipairs(nodes) do points[d][#points[d] + 1] = { from + size * node[1], size * node[2] } end
+    end
+  end
+  local sum, least = 0, math.huge
+  for _, u in ipairs(points[1]) do
+    for _, v in ipairs(points[2]) do
+      for _, w in ipairs(points[3]) do
+        local all = patch:derivatives({ u[1], v[1], w[1] }, 1)
+        local a, b, c = all[2].value, all[3].value, all[4].value
+        local jacobian = a[1] * (b[2] * c[3] - b[3] * c[2]) - a[2] * (b[1] * c[3] - b[3] * c[1])
+          + a[3] * (b[1] * c[2] - b[2] * c[1])
+        sum, least = sum + u[2] * v[2] * w[2] * jacobian, math.min(least, jacobian)
+      end
+    end
+  end
+  return sum, least
+end
+
+check.case("hollow hemispheres: exact radii, the ring on top, full volume, poles where they were asked for", function()
+  for _, poles in ipairs { "ends", "bottom" } do
+    local p = sg.shapes.hollow_hemisphere { inner = 1, outer = 1.5, centre = { 1, 2, 3 }, poles = poles }
+    local function from_centre(xi)
+      local x = p(xi)
+      return { x[1] - 1, x[2] - 2, x[3] - 3 }
+    end
+    for _, at in ipairs { { 0.1, 0.7 }, { 0.55, 0.25 }, { 0.9, 0.4 } } do
+      check.near(length(from_centre { at[1], at[2], 0 }), 1.5)
+      check.near(length(from_centre { at[1], at[2], 1 }), 1)
+    end
+    local content, least = volume(p)
+    check.near(content, 2 * math.pi / 3 * (1.5 ^ 3 - 1), 1e-6)
+    assert(least > 0)
+    check.near(volume(p:refine { elements = poles == "ends" and { 4, 4, 2 } or { 8, 4, 2 } }),
+      2 * math.pi / 3 * (1.5 ^ 3 - 1), 1e-10)
+    check.near(from_centre(poles == "ends" and { 0.5, 0.5, 0 } or { 0.3, 1, 0 }), { 0, 0, -1.5 })
+    for _, face in ipairs(poles == "ends" and { "west", "east" } or { "south" }) do
+      check.near(p:face(face) { 0.3, 0.4 }[3], 3)
+    end
+  end
+  check.near(sg.shapes.hollow_hemisphere { inner = 1, outer = 2 } { 0, 0.5, 0 }, { -2, 0, 0 })
+  check.fails(function() sg.shapes.hollow_hemisphere { inner = 1, outer = 2, poles = "top" } end, "poles", "ends")
+  check.fails(function() sg.shapes.hollow_hemisphere { inner = 2, outer = 1 } end, "must be below the outer")
+end)
+
+check.case("solids swept, turned, ruled and blended fill what they should", function()
+  local quarter = sg.shapes.quarter_annulus { inner = 1, outer = 2, start = 0 }
+  check.near(volume(sg.nurbs.extrude { patch = quarter, along = { 0.5, 0, 3 } }), 9 * math.pi / 4, 1e-7)
+  -- A square at x = 2 … 3, turned a quarter about z: Pappus
+  local square = sg.nurbs.ruled { a = sg.nurbs.line { from = { 2, 0, 0 }, to = { 2, 0, 1 } },
+                                  b = sg.nurbs.line { from = { 3, 0, 0 }, to = { 3, 0, 1 } } }
+  local ring, least = volume(sg.nurbs.revolve { patch = square, angle = 90 })
+  check.near(ring, 2.5 * math.pi / 2, 1e-7)
+  assert(least > 0)
+  local low = sg.nurbs.surface { degrees = { 1, 1 }, knots = { { 0, 0, 1, 1 }, { 0, 0, 1, 1 } },
+                                 points = { { 0, 0, 0 }, { 2, 0, 0 }, { 0, 2, 0 }, { 2, 2, 0 } } }
+  local high = low:scale { factor = 0.5, centre = { 1, 1, 0 } }:translate { 0, 0, 3 }
+  check.near(volume(sg.nurbs.ruled { a = low, b = high }), 7, 1e-12) -- frustum: 3/3 (4 + 1 + 2)
+  local octant = sg.shapes.sphere_octant { inner = 1, outer = 2 }
+  local faces = {}
+  for _, name in ipairs { "west", "east", "south", "north", "front", "back" } do faces[name] = octant:face(name) end
+  check.near(sg.nurbs.coons(faces) { 0.3, 0.6, 0 }, octant { 0.3, 0.6, 0 })
+end)
+
+check.case("refinement of volumes keeps the shape; grading crowds direction by direction", function()
+  local p = sg.shapes.sphere_octant { inner = 0.2, outer = 1 }
+  local crowd = function(at) return { elements = 0.75, length = 0.1, at = at } end
+  local q = p:refine { elements = { 4, 16, 8 }, degree = { 3, 2, 2 }, grading = { false, crowd "end", crowd "start" } }
+  check.equal(q:elements(), { 4, 16, 8 })
+  check.equal(q:degrees(), { 3, 2, 2 })
+  for _, xi in ipairs { { 0.2, 0.95, 0.05 }, { 0.8, 0.3, 0.6 } } do check.near(q(xi), p(xi)) end
+  local function inside(d, from, to)
+    local count = 0
+    for _, knot in ipairs(q:knots(d)) do
+      if knot > from + 1e-9 and knot < to - 1e-9 then count = count + 1 end
+    end
+    return count
+  end
+  check.equal(inside(2, 0.9, 1), 11) -- 12 of 16 elements
+  check.equal(inside(3, 0, 0.1), 5)  -- 6 of 8
+  check.near(q:knots(1)[5], 0.25)
+  check.equal(p:insert(3, { 0.5 }):elevate(3):degrees(), { 2, 2, 2 })
+end)
+
+check.case("what cannot be a volume says so", function()
+  local line = sg.nurbs.line { from = { 0, 0, 0 }, to = { 1, 0, 0 } }
+  local square = sg.nurbs.extrude { patch = line, along = { 0, 1, 0 } }
+  local cube = sg.nurbs.extrude { patch = square, along = { 0, 0, 1 } }
+  check.fails(function() sg.nurbs.extrude { patch = cube, along = { 1, 0, 0 } } end, "got a volume")
+  check.fails(function() sg.nurbs.extrude { patch = square, along = { 0, 0, 0 } } end, "along: it has no length")
+  check.fails(function() sg.nurbs.revolve { patch = square, angle = 0 } end, "angle: it is 0")
+  check.fails(function() sg.nurbs.line { from = { 0, 0, 0 }, to = { 0, 0, 0 } } end, "starts and ends at the same point")
+  check.fails(function() sg.shapes.block { size = { 1, 0, 1 } } end, "size")
+  check.fails(function()
+    sg.shapes.spherical_indenter { width = 10, depth = 10, height = 11, radius = 7, elements = 1 }
+  end, "radius: a sphere of radius 7 does not reach the corners")
+  check.fails(function() cube:face "top" end, "west, east, south, north, front, back")
+  check.fails(function() square:face "front" end, "west, east, south, north")
+end)
+
+check.done()
