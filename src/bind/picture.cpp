@@ -3,7 +3,7 @@
 #include "bind/functions.hpp"
 #include "bind/open.hpp"
 #include "bind/scene.hpp"
-#include "model/sample.hpp"
+#include "model/tessellate.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -159,20 +159,13 @@ void draw_panel(Drawing& drawing, const Panel& panel, const Frame& frame, double
     draw_control_points(drawing, body, frame, style);
   }
   draw_frame(drawing, frame, style);
-  if (panel.title.empty()) return;
-  const auto& [left, right, bottom, top] = frame.box;
-  const double raised = frame.yticks.factor.empty() ? 0 : 1.2 * style.tick_size;
-  const double size = fitting_size(panel.title, title_size, right - left);
-  drawing.marks.push_back(
-      Text{{0.5 * (left + right), top + raised + 0.5 * title_size}, panel.title, size, Align::centre, ink});
+  draw_panel_title(drawing, panel.title, frame, title_size, style);
 }
 
 } // namespace
 
 void draw_sheet(const std::vector<Panel>& panels, const PictureOptions& options, const std::string& file) {
-  require(file_ending(file) == ".png", "file '", file, "' of a picture must end in .png");
-  require(!options.columns || *options.columns >= 1, "columns is ", options.columns.value_or(1),
-          "; a sheet needs at least one");
+  check_sheet(options, file);
   check(panels);
   const Style style = style_for(options.size);
   const std::vector<Rgb> colours = colormap(options.colormap);
@@ -180,7 +173,9 @@ void draw_sheet(const std::vector<Panel>& panels, const PictureOptions& options,
   const auto values = value_range(panels);
   std::optional<std::array<double, 2>> range;
   if (values) range = colour_range(*values, options.range, is_diverging(options.colormap));
-  const Sheet sheet = lay_out_sheet(panels, boxes, options, range, style);
+  std::vector<std::string> titles;
+  for (const Panel& panel : panels) titles.push_back(panel.title);
+  const Sheet sheet = lay_out_sheet(titles, boxes, options, range, style);
 
   Drawing drawing{sheet.size, {}};
   std::vector<Field> fields;

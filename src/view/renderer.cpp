@@ -55,8 +55,8 @@ struct Collector {
 
 } // namespace
 
-std::string png(const Drawing& drawing, std::vector<Field> fields) {
-  Raster raster{drawing.size, std::move(fields), {}, {}, {}};
+std::string png(const Drawing& drawing, std::vector<Field> fields, Relief relief) {
+  Raster raster{drawing.size, std::move(relief), std::move(fields), {}, {}, {}};
   for (const Mark& mark : drawing.marks) std::visit(Collector{raster}, mark);
   return renderer().png(raster);
 }

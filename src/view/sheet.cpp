@@ -1,6 +1,7 @@
 #include "view/sheet.hpp"
 
 #include "base/error.hpp"
+#include "view/output.hpp"
 #include "view/text.hpp"
 
 #include <algorithm>
@@ -59,27 +60,29 @@ struct Rooms {
   double free_width, free_height; ///< left for the states
 };
 
-Rooms rooms_of(const Grid& grid, const std::vector<Panel>& panels, const PictureOptions& options,
-               const std::optional<Interval>& range, const Style& style) {
-  const bool titles = std::any_of(panels.begin(), panels.end(), [](const Panel& p) { return !p.title.empty(); });
+Rooms rooms_of(const Grid& grid, const std::vector<std::string>& titles, const PictureOptions& options,
+               const std::optional<Interval>& range, const Style& style, const std::optional<ArrowRoom>& arrows) {
+  const bool titled = std::any_of(titles.begin(), titles.end(), [](const std::string& t) { return !t.empty(); });
   const double width = options.size[0], height = options.size[1];
   Rooms rooms{};
   rooms.title = (options.title.empty() ? 0.4 : 1.7) * style.title_size;
-  rooms.below = room_below(style, axis_names[0]);
+  rooms.below = arrows ? 0 : room_below(style, axis_names[0]);
   // Numbers change little with the size that the states will get.
   const double guess = (height - 2 * style.margin - rooms.title - rooms.below) / grid.rows();
   bool factor = false;
-  for (const auto& [low, high] : grid.y) {
+  if (arrows) rooms.left = arrows->width;
+  for (const auto& [low, high] : arrows ? std::vector<Interval>() : grid.y) {
     const Ticks ticks = stacked_ticks(low, high, false, guess, style);
     rooms.left = std::max(rooms.left, room_left(style, ticks, axis_names[1]));
     factor |= !ticks.factor.empty();
   }
-  rooms.head = (factor ? 1.2 * style.tick_size : 0) + (titles ? 1.5 * style.label_size : 0);
+  rooms.head = (factor ? 1.2 * style.tick_size : 0) + (titled ? 1.5 * style.label_size : 0);
   rooms.right =
       style.margin + (range ? colorbar_room(*range, options.field_label, guess * grid.rows(), style) : style.margin);
   double number = 0;
-  for (const std::string& label : fitting_ticks(grid.x[0], grid.x[1], false, width / grid.columns, style).labels)
-    number = std::max(number, text_width(label, style.tick_size));
+  if (!arrows)
+    for (const std::string& label : fitting_ticks(grid.x[0], grid.x[1], false, width / grid.columns, style).labels)
+      number = std::max(number, text_width(label, style.tick_size));
   rooms.across = std::max(1.5 * style.tick_size, number + 0.5 * style.tick_size);
   rooms.between = 0.7 * style.tick_size;
   rooms.free_width = width - style.margin - rooms.left - rooms.right - (grid.columns - 1) * rooms.across;
@@ -99,7 +102,7 @@ void clear_numbers(Ticks& ticks) {
 }
 
 std::vector<Frame> make_frames(const Grid& grid, const Rooms& rooms, double scale, double left, double top,
-                               std::size_t count, const Style& style) {
+                               std::size_t count, bool numbers, const Style& style) {
   std::vector<Frame> frames;
   const double width = scale * length(grid.x);
   for (std::size_t i = 0; i < count; ++i) {
@@ -111,6 +114,10 @@ std::vector<Frame> make_frames(const Grid& grid, const Rooms& rooms, double scal
     frame.box = {start, start + width, bottom, top};
     frame.x = {grid.x[0], grid.x[1], false, start, start + width};
     frame.y = {y[0], y[1], false, bottom, top};
+    if (!numbers) {
+      frames.push_back(std::move(frame));
+      continue;
+    }
     frame.xticks = fitting_ticks(grid.x[0], grid.x[1], false, width, style);
     frame.yticks = stacked_ticks(y[0], y[1], false, top - bottom, style);
     // Numbers stand at the rim of the sheet only.
@@ -129,15 +136,16 @@ std::vector<Frame> make_frames(const Grid& grid, const Rooms& rooms, double scal
 
 } // namespace
 
-Sheet lay_out_sheet(const std::vector<Panel>& panels, const ModelBoxes& boxes, const PictureOptions& options,
-                    const std::optional<std::array<double, 2>>& range, const Style& style) {
-  const int count = static_cast<int>(panels.size());
+Sheet lay_out_sheet(const std::vector<std::string>& titles, const ModelBoxes& boxes, const PictureOptions& options,
+                    const std::optional<std::array<double, 2>>& range, const Style& style,
+                    const std::optional<ArrowRoom>& arrows) {
+  const int count = static_cast<int>(titles.size());
   Grid grid;
   Rooms rooms{};
   double scale = -1;
   for (int columns = options.columns.value_or(1); columns <= options.columns.value_or(count); ++columns) {
     const Grid next = make_grid(boxes, columns);
-    const Rooms needed = rooms_of(next, panels, options, range, style);
+    const Rooms needed = rooms_of(next, titles, options, range, style, arrows);
     if (scale_of(next, needed) > scale * (1 + 1e-9)) grid = next, rooms = needed, scale = scale_of(next, needed);
   }
   require(scale > 0 && rooms.free_width > 0.2 * options.size[0] && rooms.free_height > 0.2 * options.size[1],
@@ -152,11 +160,12 @@ Sheet lay_out_sheet(const std::vector<Panel>& panels, const ModelBoxes& boxes, c
     const double least = std::max(9 * style.tick_size, 0.8 * text_width(options.field_label, style.label_size));
     bar = std::max(height, std::min(least, rooms.free_height));
   }
-  const double up = std::max(0.5 * height + rooms.head, 0.5 * bar),
-               down = std::max(0.5 * height + rooms.below, 0.5 * bar);
+  const double low = arrows ? 0.5 * arrows->height : 0;
+  const double up = std::max({0.5 * height + rooms.head, 0.5 * bar, low}),
+               down = std::max({0.5 * height + rooms.below, 0.5 * bar, low});
   const double wide = style.margin + rooms.left + width + rooms.right;
   const double high = 2 * style.margin + rooms.title + up + down;
-  const double titled = text_width(options.title, style.title_size) + 2 * style.margin;
+  const double title = text_width(options.title, style.title_size) + 2 * style.margin;
 
   Sheet sheet;
   sheet.size = options.size;
@@ -164,15 +173,33 @@ Sheet lay_out_sheet(const std::vector<Panel>& panels, const ModelBoxes& boxes, c
     const auto cut = [](double need, int least, int most) {
       return std::clamp(static_cast<int>(std::ceil(need - 1e-6)), std::min(least, most), most);
     };
-    sheet.size = {cut(std::max(wide, titled), 160, options.size[0]), cut(high, 120, options.size[1])};
+    sheet.size = {cut(std::max(wide, title), 160, options.size[0]), cut(high, 120, options.size[1])};
   }
   const double left = 0.5 * (sheet.size[0] - wide) + style.margin + rooms.left;
   const double middle = 0.5 * (sheet.size[1] - high) + style.margin + down, top = middle + 0.5 * height;
-  sheet.frames = make_frames(grid, rooms, scale, left, top, panels.size(), style);
+  sheet.frames = make_frames(grid, rooms, scale, left, top, titles.size(), !arrows, style);
   sheet.panel_title_size = 0.9 * style.label_size;
+  sheet.arrows = {left - rooms.left, std::min(middle - 0.5 * height, middle - low)};
   sheet.bar = {left + width + 1.3 * style.margin, middle - 0.5 * bar, middle + 0.5 * bar};
   sheet.whole = {left, left + width, middle - 0.5 * height, middle + up};
   return sheet;
+}
+
+void draw_panel_title(Drawing& drawing, const std::string& title, const Frame& frame, double size, const Style& style) {
+  if (title.empty()) return;
+  const auto& [left, right, bottom, top] = frame.box;
+  const double raised = frame.yticks.factor.empty() ? 0 : 1.2 * style.tick_size;
+  drawing.marks.push_back(Text{{0.5 * (left + right), top + raised + 0.5 * size},
+                               title,
+                               fitting_size(title, size, right - left),
+                               Align::centre,
+                               ink});
+}
+
+void check_sheet(const PictureOptions& options, const std::string& file) {
+  require(file_ending(file) == ".png", "file '", file, "' of a picture must end in .png");
+  require(!options.columns || *options.columns >= 1, "columns is ", options.columns.value_or(1),
+          "; a sheet needs at least one");
 }
 
 } // namespace signorini::view

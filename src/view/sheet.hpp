@@ -9,17 +9,30 @@ namespace signorini::view {
 /// The part of the model that each state shows: xmin, xmax, ymin, ymax.
 using ModelBoxes = std::vector<Box>;
 
+/// Pixels at the bottom left that stand in for numbers along the axes: three arrows for solids.
+struct ArrowRoom {
+  double width, height;
+};
+
 struct Sheet {
   std::array<int, 2> size;   ///< pixels, trimmed when asked for
   std::vector<Frame> frames; ///< one per panel
   double panel_title_size;
+  Vec2 arrows; ///< bottom left corner of the arrows' room
   BarPlace bar;
   Box whole; ///< of all frames, up to where the title may stand
 };
 
-/// `boxes`: what each state needs to show. `range`: of the colour bar; none without colours.
+/// `titles`: of each state. `boxes`: what each state needs to show. `range`: of the colour bar; none without colours.
 /// Throws Error when the states would be too small to see.
-Sheet lay_out_sheet(const std::vector<Panel>& panels, const ModelBoxes& boxes, const PictureOptions& options,
-                    const std::optional<std::array<double, 2>>& range, const Style& style);
+Sheet lay_out_sheet(const std::vector<std::string>& titles, const ModelBoxes& boxes, const PictureOptions& options,
+                    const std::optional<std::array<double, 2>>& range, const Style& style,
+                    const std::optional<ArrowRoom>& arrows = {});
+
+/// The title of one state above its frame.
+void draw_panel_title(Drawing& drawing, const std::string& title, const Frame& frame, double size, const Style& style);
+
+/// Throws Error unless the file's name ends with .png and the columns are at least one.
+void check_sheet(const PictureOptions& options, const std::string& file);
 
 } // namespace signorini::view

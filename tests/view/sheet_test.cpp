@@ -41,9 +41,9 @@ TEST(Sheet, ShowsAllStatesOnOneScaleSideBySideWithoutOverlap) {
     options.title = trial % 3 == 0 ? "states" : "";
     options.field_label = "displacement u_y";
     if (trial % 4 == 1) options.columns = 1 + trial % 3;
-    std::vector<Panel> panels(count);
-    if (trial % 5 == 0) panels[0].title = "first";
-    const Sheet sheet = lay_out_sheet(panels, boxes, options, std::array<double, 2>{0, 1}, style);
+    std::vector<std::string> titles(count);
+    if (trial % 5 == 0) titles[0] = "first";
+    const Sheet sheet = lay_out_sheet(titles, boxes, options, std::array<double, 2>{0, 1}, style);
     const double width = sheet.size[0], height = sheet.size[1];
     EXPECT_TRUE(width <= 1600 && height <= 1000);
     ASSERT_EQ(sheet.frames.size(), boxes.size());
@@ -69,7 +69,7 @@ TEST(Sheet, HasNumbersAtItsRimOnly) {
   std::mt19937 random(32);
   PictureOptions options;
   options.columns = 2;
-  const Sheet sheet = lay_out_sheet(std::vector<Panel>(5), random_boxes(5, random), options, {}, style);
+  const Sheet sheet = lay_out_sheet(std::vector<std::string>(5), random_boxes(5, random), options, {}, style);
   const bool left[] = {true, false, true, false, true}, below[] = {false, false, false, true, true};
   for (int i = 0; i < 5; ++i) {
     EXPECT_EQ(has_numbers(sheet.frames[i].yticks), left[i]) << i;
@@ -82,12 +82,12 @@ TEST(Sheet, TakesTheNumberOfColumnsThatShowsMost) {
   for (int trial = 0; trial < 20; ++trial) {
     const ModelBoxes boxes = random_boxes(7, random);
     PictureOptions options;
-    const std::vector<Panel> panels(7);
-    const double own = scale_of(lay_out_sheet(panels, boxes, options, {}, style).frames[0].x);
+    const std::vector<std::string> titles(7);
+    const double own = scale_of(lay_out_sheet(titles, boxes, options, {}, style).frames[0].x);
     for (int columns = 1; columns <= 7; ++columns) {
       options.columns = columns;
       try {
-        EXPECT_GE(own, scale_of(lay_out_sheet(panels, boxes, options, {}, style).frames[0].x) * (1 - 1e-9));
+        EXPECT_GE(own, scale_of(lay_out_sheet(titles, boxes, options, {}, style).frames[0].x) * (1 - 1e-9));
       } catch (const Error&) { // no room for so many side by side
       }
     }
@@ -99,18 +99,18 @@ TEST(Sheet, IsTrimmedToWhatItShows) {
   options.field_label = "displacement u_y";
   const std::array<double, 2> range = {0, 1};
   const Box strip = {-6, 206, -6, 16}, tower = {-1, 11, -6, 206};
-  Sheet sheet = lay_out_sheet({Panel{}}, {strip}, options, range, style);
+  Sheet sheet = lay_out_sheet({""}, {strip}, options, range, style);
   EXPECT_EQ(sheet.size, (std::array<int, 2>{1600, 1000}));
   options.trim = true;
-  sheet = lay_out_sheet({Panel{}}, {strip}, options, range, style);
+  sheet = lay_out_sheet({""}, {strip}, options, range, style);
   EXPECT_EQ(sheet.size[0], 1600);
   EXPECT_LT(sheet.size[1], 420);
   EXPECT_GT(sheet.frames[0].box[1] - sheet.frames[0].box[0], 1200);
-  sheet = lay_out_sheet({Panel{}}, {tower}, options, range, style);
+  sheet = lay_out_sheet({""}, {tower}, options, range, style);
   EXPECT_EQ(sheet.size[1], 1000);
   EXPECT_LT(sheet.size[0], 420);
   options.title = "a title that needs more room than a tower";
-  EXPECT_GT(lay_out_sheet({Panel{}}, {tower}, options, range, style).size[0], 600);
+  EXPECT_GT(lay_out_sheet({""}, {tower}, options, range, style).size[0], 600);
 }
 
 TEST(ColourRange, GivesASingleValueRoomOnBothSides) {

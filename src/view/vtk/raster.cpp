@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "view/renderer.hpp"
 #include "view/vtk/glyphs.hpp"
+#include "view/vtk/relief_actors.hpp"
 #include "view/vtk/window.hpp"
 
 #include <vtkActor.h>
@@ -11,7 +12,6 @@
 #include <vtkCellData.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
-#include <vtkLookupTable.h>
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
 #include <vtkPointData.h>
@@ -29,13 +29,6 @@ namespace {
 
 constexpr int supersampling = 3; // rendered this many times larger each way, then averaged: smooth edges
 
-vtkSmartPointer<vtkActor> flat_actor(vtkPolyDataMapper& mapper) {
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(&mapper);
-  actor->GetProperty()->LightingOff();
-  return actor;
-}
-
 vtkSmartPointer<vtkActor> field_actor(const Field& field) {
   vtkNew<vtkPoints> points;
   vtkNew<vtkFloatArray> values;
@@ -50,18 +43,9 @@ vtkSmartPointer<vtkActor> field_actor(const Field& field) {
   data->SetPolys(cells);
   data->GetPointData()->SetScalars(values);
 
-  vtkNew<vtkLookupTable> table;
-  table->SetNumberOfTableValues(static_cast<vtkIdType>(field.colours.size()));
-  for (std::size_t i = 0; i < field.colours.size(); ++i) {
-    const Rgb& c = field.colours[i];
-    table->SetTableValue(static_cast<vtkIdType>(i), c[0] / 255.0, c[1] / 255.0, c[2] / 255.0);
-  }
-  table->SetTableRange(field.range[0], field.range[1]);
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(data);
-  mapper->SetLookupTable(table);
-  mapper->UseLookupTableScalarRangeOn();
-  mapper->InterpolateScalarsBeforeMappingOn(); // the value is interpolated, then coloured
+  colour_by_value(*mapper, field.range, field.colours);
   return flat_actor(*mapper);
 }
 
@@ -94,6 +78,7 @@ vtkSmartPointer<vtkActor> triangles_actor(const Raster& raster) {
 vtkUnsignedCharArray& render(const Raster& raster) {
   vtkNew<vtkRenderer> renderer;
   renderer->SetBackground(1, 1, 1);
+  add_relief(*renderer, raster.relief);
   for (const Field& field : raster.fields) renderer->AddActor(field_actor(field));
   if (!raster.colours.empty()) renderer->AddActor(triangles_actor(raster));
   vtkCamera* camera = renderer->GetActiveCamera();

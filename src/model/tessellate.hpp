@@ -1,0 +1,69 @@
+#pragma once
+// Bodies as points, triangles and lines over their true curved geometry, for pictures.
+
+#include "model/sample.hpp"
+
+namespace signorini::model {
+
+using Points = Eigen::Matrix<double, 3, Eigen::Dynamic>;
+using Triangles = Eigen::Matrix<int, 3, Eigen::Dynamic>;
+
+/// A plane body as triangles.
+struct Tessellation {
+  Points points; ///< z = 0
+  Triangles triangles;
+  VectorX values;                 ///< of the field, per point; empty without a field
+  std::vector<Points> mesh_lines; ///< element borders
+  Points control_points;
+  std::vector<std::array<int, 2>> net_lines; ///< control points joined along every row
+};
+
+/// Cuts every element into divisions × divisions quadrilaterals of two triangles. Points on element borders are
+/// doubled, so that fields may jump there. `field` may be null.
+Tessellation tessellate(const Model<2>& model, int body, const Field<2>* field, int divisions, bool deformed);
+
+/// A line on the surface of a solid.
+struct SkinLine {
+  Points points, normals; ///< one unit normal of the side that it belongs to per point
+  double spacing;         ///< distance to the next line of its kind, through the middle of an element
+};
+
+/// The six sides of a solid as triangles.
+struct Skin {
+  Points points, normals; ///< outward unit normals, one per point
+  Triangles triangles;
+  VectorX values;                   ///< of the field, per point; empty without a field
+  std::vector<SkinLine> mesh_lines; ///< borders between elements
+  std::vector<SkinLine> rim;        ///< the sides' own borders, once for each of the two sides that meet there
+  Points control_points;
+  std::vector<std::array<int, 2>> net_lines; ///< control points joined within every row
+};
+
+/// Cuts the sides of the elements at the surface as the plane tessellation does.
+Skin tessellate(const Model<3>& model, int body, const Field<3>* field, int divisions, bool deformed);
+
+/// Elements that have a side on the surface, once per side.
+int surface_elements(const nurbs::Discretisation& space);
+
+/// The pressure of the contacts in which faces of the body are slaves, at the points of its skin: between a face
+/// element's contact points linear, beyond the outer ones constant; 0 elsewhere. Empty when no face of the body is
+/// slave.
+VectorX contact_pressure(const Model<3>& model, int body, int divisions);
+
+/// An element sampled at (divisions + 1)³ points evenly spread over its parameters, ξ¹ running fastest.
+struct Inside {
+  int divisions;
+  Points points;
+  VectorX values; ///< empty without a field
+};
+
+/// A plane in space.
+struct Plane {
+  Vec<3> point, normal;
+};
+
+/// The elements of a solid that one of the planes at least crosses or touches. `field` may be null.
+std::vector<Inside> crossed_elements(const Model<3>& model, int body, const Field<3>* field, int divisions,
+                                     bool deformed, const std::vector<Plane>& planes);
+
+} // namespace signorini::model

@@ -1,0 +1,39 @@
+#include "view/camera.hpp"
+
+#include "base/error.hpp"
+
+namespace signorini::view {
+
+Camera camera(const std::string& name) {
+  const Vec<3> x = Vec<3>::UnitX(), y = Vec<3>::UnitY(), z = Vec<3>::UnitZ();
+  if (name == "iso") return {{0.75, -1.5, 1}, z};
+  if (name == "front") return {-y, z};
+  if (name == "back") return {y, z};
+  if (name == "left") return {-x, z};
+  if (name == "right") return {x, z};
+  if (name == "top") return {z, y};
+  if (name == "bottom") return {-z, -y};
+  std::string known;
+  for (const std::string& one : camera_names()) known += (known.empty() ? "" : ", ") + one;
+  fail("unknown camera '", name, "'; known: ", known);
+}
+
+const std::vector<std::string>& camera_names() {
+  static const std::vector<std::string> names = {"iso", "front", "back", "left", "right", "top", "bottom"};
+  return names;
+}
+
+Mat<3> picture_axes(const Camera& camera) {
+  require(camera.from.allFinite() && camera.up.allFinite(), "the camera's from and up must be finite numbers");
+  require(camera.from.norm() > 0 && camera.up.norm() > 0,
+          "the camera's from and up must not be zero: from points from the scene to the eye, up to the picture's top");
+  const Vec<3> eye = camera.from.normalized(), right = camera.up.normalized().cross(eye);
+  require(right.norm() > 1e-6, "the camera's up points along from; choose another up, such as {0, 1, 0}");
+  Mat<3> axes;
+  axes.row(0) = right.normalized();
+  axes.row(2) = eye;
+  axes.row(1) = eye.cross(right.normalized());
+  return axes;
+}
+
+} // namespace signorini::view

@@ -1,0 +1,253 @@
+#include "view/cut.hpp"
+
+#include <algorithm>
+#include <optional>
+
+namespace signorini::view {
+namespace {
+
+/// Signed distances of points to a plane, positive on the side that is taken away; none within the tolerance.
+VectorX distances(const Points& points, const CutPlane& plane, double tolerance) {
+  const Vec<3> normal = plane.normal.normalized();
+  VectorX result = (normal.transpose() * (points.colwise() - plane.point)).transpose();
+  return (result.array().abs() <= tolerance).select(0, result);
+}
+
+/// A point between two others, by index, at the fraction `t` of the way.
+struct Mix {
+  int from, to;
+  double t;
+
+  Vec<3> of(const Points& points) const { return points.col(from) + t * (points.col(to) - points.col(from)); }
+  double of(const VectorX& values) const { return values[from] + t * (values[to] - values[from]); }
+};
+
+/// Where the edge between two points on different sides meets the plane.
+Mix crossing(int from, int to, const VectorX& distance) {
+  return {from, to, distance[from] / (distance[from] - distance[to])};
+}
+
+/// Collects corners, then becomes a surface.
+struct Builder {
+  std::vector<Vec<3>> points, normals;
+  std::vector<double> values;
+  std::vector<std::array<int, 3>> triangles;
+
+  void fan(int first) {
+    for (int k = first + 2; k < static_cast<int>(points.size()); ++k) triangles.push_back({first, k - 1, k});
+  }
+
+  Surface surface() const {
+    Surface result;
+    const auto count = static_cast<Eigen::Index>(points.size());
+    result.points.resize(3, count);
+    result.normals.resize(3, count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+      result.points.col(i) = points[static_cast<std::size_t>(i)];
+      result.normals.col(i) = normals[static_cast<std::size_t>(i)];
+    }
+    result.values = Eigen::Map<const VectorX>(values.data(), static_cast<Eigen::Index>(values.size()));
+    result.triangles.resize(3, static_cast<Eigen::Index>(triangles.size()));
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+      result.triangles.col(static_cast<Eigen::Index>(t)) << triangles[t][0], triangles[t][1], triangles[t][2];
+    return result;
+  }
+};
+
+/// The stretch of the plane within a triangle of a list of points; none where it only touches.
+std::optional<std::array<Mix, 2>> trace(const std::array<int, 3>& triangle, const VectorX& distance) {
+  std::vector<Mix> ends;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const int a = triangle[k], b = triangle[(k + 1) % 3];
+    if ((distance[a] < 0) != (distance[b] < 0)) ends.push_back(crossing(a, b, distance));
+  }
+  if (ends.size() < 2) return std::nullopt;
+  return std::array{ends[0], ends[1]};
+}
+
+SurfaceLine segment(const std::array<Mix, 2>& ends, const Points& points, const Vec<3>& normal, double spacing) {
+  SurfaceLine line{Points(3, 2), Points(3, 2), spacing};
+  line.points << ends[0].of(points), ends[1].of(points);
+  line.normals << normal, normal;
+  return line;
+}
+
+/// Points of a lattice by their three counts.
+struct LatticeIndex {
+  int side;
+  int operator()(int i, int j, int k) const { return i + side * (j + side * k); }
+};
+
+/// The six tetrahedra of a cube, each along one way from corner 0 to corner 7 over its edges (H. W. Kuhn, IBM J. Res.
+/// Dev. 4, 1960). Bits of a corner count its steps along ξ¹ ξ² ξ³. Neighbours share the diagonals of their faces.
+constexpr int tetrahedra[6][4] = {{0, 1, 3, 7}, {0, 1, 5, 7}, {0, 2, 3, 7}, {0, 2, 6, 7}, {0, 4, 5, 7}, {0, 4, 6, 7}};
+
+/// The part of the plane within a tetrahedron: nothing, a triangle, or a quadrilateral.
+std::vector<Mix> section(const std::array<int, 4>& corners, const VectorX& distance) {
+  std::vector<int> kept, gone;
+  for (int corner : corners) (distance[corner] < 0 ? kept : gone).push_back(corner);
+  if (kept.empty() || gone.empty()) return {};
+  if (kept.size() == 2)
+    return {crossing(kept[0], gone[0], distance), crossing(kept[0], gone[1], distance),
+            crossing(kept[1], gone[1], distance), crossing(kept[1], gone[0], distance)};
+  std::vector<Mix> polygon;
+  for (int a : kept)
+    for (int b : gone) polygon.push_back(crossing(a, b, distance));
+  return polygon;
+}
+
+void add_section(Builder& builder, const Lattice& lattice, const VectorX& distance, const Vec<3>& normal) {
+  const int n = lattice.divisions;
+  const LatticeIndex at{n + 1};
+  for (int k = 0; k < n; ++k)
+    for (int j = 0; j < n; ++j)
+      for (int i = 0; i < n; ++i)
+        for (const auto& tetrahedron : tetrahedra) {
+          std::array<int, 4> corners{};
+          std::transform(tetrahedron, tetrahedron + 4, corners.begin(),
+                         [&](int c) { return at(i + (c & 1), j + (c >> 1 & 1), k + (c >> 2)); });
+          const int first = static_cast<int>(builder.points.size());
+          for (const Mix& mix : section(corners, distance)) {
+            builder.points.push_back(mix.of(lattice.points));
+            builder.normals.push_back(normal);
+            if (lattice.values.size() > 0) builder.values.push_back(mix.of(lattice.values));
+          }
+          builder.fan(first);
+        }
+}
+
+/// Where the plane meets an element's six sides.
+void add_borders(std::vector<SurfaceLine>& lines, const Lattice& lattice, const VectorX& distance,
+                 const Vec<3>& normal) {
+  const int n = lattice.divisions, half = n / 2;
+  const LatticeIndex at{n + 1};
+  for (int across = 0; across < 3; ++across) {
+    const auto index = [&](int depth, int u, int v) {
+      return across == 0 ? at(depth, u, v) : across == 1 ? at(u, depth, v) : at(u, v, depth);
+    };
+    const double spacing = (lattice.points.col(index(n, half, half)) - lattice.points.col(index(0, half, half))).norm();
+    for (int end : {0, n})
+      for (int v = 0; v < n; ++v)
+        for (int u = 0; u < n; ++u) {
+          const int a = index(end, u, v), b = index(end, u + 1, v), c = index(end, u + 1, v + 1),
+                    d = index(end, u, v + 1);
+          for (const std::array<int, 3>& triangle : {std::array{a, b, c}, std::array{a, c, d}})
+            if (const auto ends = trace(triangle, distance))
+              lines.push_back(segment(*ends, lattice.points, normal, spacing));
+        }
+  }
+}
+
+Surface joined(const Surface& a, const Surface& b) {
+  Surface both;
+  const Eigen::Index n = a.points.cols();
+  both.points.resize(3, n + b.points.cols());
+  both.points << a.points, b.points;
+  both.normals.resize(3, both.points.cols());
+  both.normals << a.normals, b.normals;
+  both.triangles.resize(3, a.triangles.cols() + b.triangles.cols());
+  both.triangles << a.triangles, b.triangles.array() + static_cast<int>(n);
+  both.values.resize(a.values.size() + b.values.size());
+  both.values << a.values, b.values;
+  return both;
+}
+
+std::vector<SurfaceLine> cut(const std::vector<SurfaceLine>& lines, const CutPlane& plane, double tolerance) {
+  std::vector<SurfaceLine> left;
+  for (const SurfaceLine& line : lines)
+    for (SurfaceLine& part : cut(line, plane, tolerance)) left.push_back(std::move(part));
+  return left;
+}
+
+} // namespace
+
+Surface cut(const Surface& surface, const CutPlane& plane, double tolerance) {
+  const VectorX distance = distances(surface.points, plane, tolerance);
+  const bool valued = surface.values.size() > 0;
+  Builder builder;
+  for (Eigen::Index t = 0; t < surface.triangles.cols(); ++t) {
+    const int first = static_cast<int>(builder.points.size());
+    const auto add = [&](const Mix& mix) {
+      builder.points.push_back(mix.of(surface.points));
+      builder.normals.push_back(mix.of(surface.normals).stableNormalized());
+      if (valued) builder.values.push_back(mix.of(surface.values));
+    };
+    // Sutherland and Hodgman's walk round the triangle
+    for (int k = 0; k < 3; ++k) {
+      const int a = surface.triangles(k, t), b = surface.triangles((k + 1) % 3, t);
+      if (distance[a] <= 0) add({a, a, 0});
+      if (distance[a] * distance[b] < 0) add(crossing(a, b, distance));
+    }
+    builder.fan(first);
+  }
+  return builder.surface();
+}
+
+std::vector<SurfaceLine> cut(const SurfaceLine& line, const CutPlane& plane, double tolerance) {
+  const VectorX distance = distances(line.points, plane, tolerance);
+  std::vector<SurfaceLine> parts;
+  std::vector<Mix> part;
+  const auto finish = [&] {
+    if (part.size() > 1) {
+      const auto count = static_cast<Eigen::Index>(part.size());
+      SurfaceLine left{Points(3, count), Points(3, count), line.spacing};
+      for (Eigen::Index i = 0; i < count; ++i) {
+        left.points.col(i) = part[static_cast<std::size_t>(i)].of(line.points);
+        left.normals.col(i) = part[static_cast<std::size_t>(i)].of(line.normals).stableNormalized();
+      }
+      parts.push_back(std::move(left));
+    }
+    part.clear();
+  };
+  for (int i = 0; i < line.points.cols(); ++i) {
+    if (i > 0 && distance[i - 1] * distance[i] < 0) part.push_back(crossing(i - 1, i, distance));
+    if (distance[i] <= 0)
+      part.push_back({i, i, 0});
+    else
+      finish();
+  }
+  finish();
+  return parts;
+}
+
+std::vector<SurfaceLine> traces(const Surface& surface, const CutPlane& plane, double tolerance) {
+  const VectorX distance = distances(surface.points, plane, tolerance);
+  std::vector<SurfaceLine> lines;
+  for (Eigen::Index t = 0; t < surface.triangles.cols(); ++t) {
+    const auto ends = trace({surface.triangles(0, t), surface.triangles(1, t), surface.triangles(2, t)}, distance);
+    if (!ends) continue;
+    SurfaceLine line = segment(*ends, surface.points, Vec<3>::Zero(), 0);
+    line.normals << (*ends)[0].of(surface.normals).stableNormalized(),
+        (*ends)[1].of(surface.normals).stableNormalized();
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+Solid cut(const Solid& solid, const CutPlane& plane) {
+  const double tolerance = 1e-9 * bounds(solid).size();
+  const Vec<3> normal = plane.normal.normalized();
+  Solid left;
+  const VectorX distance = distances(solid.skin.points, plane, tolerance);
+  if (distance.size() > 0 && distance.minCoeff() < 0) {
+    Builder face;
+    for (const Lattice& lattice : solid.inside) {
+      const VectorX inside = distances(lattice.points, plane, tolerance);
+      if (inside.minCoeff() >= 0 || inside.maxCoeff() < 0) continue;
+      add_section(face, lattice, inside, normal);
+      add_borders(left.mesh_lines, lattice, inside, normal);
+    }
+    left.skin = joined(cut(solid.skin, plane, tolerance), face.surface());
+    left.rim = traces(solid.skin, plane, tolerance);
+    for (SurfaceLine& line : left.rim) line.normals.colwise() = normal;
+    for (SurfaceLine& line : cut(solid.mesh_lines, plane, tolerance)) left.mesh_lines.push_back(std::move(line));
+    for (SurfaceLine& line : cut(solid.rim, plane, tolerance)) left.rim.push_back(std::move(line));
+  }
+  left.undeformed = cut(solid.undeformed, plane, tolerance);
+  left.undeformed_rim = cut(solid.undeformed_rim, plane, tolerance);
+  left.control_points = solid.control_points;
+  left.net_lines = solid.net_lines;
+  return left;
+}
+
+} // namespace signorini::view

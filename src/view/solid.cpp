@@ -1,0 +1,71 @@
+#include "view/solid.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace signorini::view {
+namespace {
+
+void flip(Points& points, int axis) {
+  points.row(axis) *= -1;
+}
+
+void flip(std::vector<SurfaceLine>& lines, int axis) {
+  for (SurfaceLine& line : lines) flip(line.points, axis), flip(line.normals, axis);
+}
+
+/// Half of the lines are closer together; without any, all lines get their full width.
+double typical_spacing(const std::vector<SurfaceLine>& lines) {
+  std::vector<double> all;
+  for (const SurfaceLine& line : lines) all.push_back(line.spacing);
+  if (all.empty()) return 0;
+  std::nth_element(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2), all.end());
+  return all[all.size() / 2];
+}
+
+} // namespace
+
+void Bounds::take(const Points& points) {
+  if (points.cols() == 0) return;
+  low = low.cwiseMin(points.rowwise().minCoeff());
+  high = high.cwiseMax(points.rowwise().maxCoeff());
+}
+
+Bounds bounds(const Solid& solid) {
+  Bounds box;
+  for (const Points* points : {&solid.skin.points, &solid.control_points, &solid.undeformed.points}) box.take(*points);
+  return box;
+}
+
+Surface mirrored(const Surface& surface, int axis, double sign) {
+  Surface image = surface;
+  flip(image.points, axis);
+  flip(image.normals, axis);
+  image.values *= sign;
+  return image;
+}
+
+Solid mirrored(const Solid& solid, int axis, double sign) {
+  Solid image = solid;
+  image.skin = mirrored(solid.skin, axis, sign);
+  image.undeformed = mirrored(solid.undeformed, axis, 1);
+  flip(image.mesh_lines, axis);
+  flip(image.rim, axis);
+  flip(image.undeformed_rim, axis);
+  flip(image.control_points, axis);
+  for (Lattice& lattice : image.inside) flip(lattice.points, axis), lattice.values *= sign;
+  return image;
+}
+
+void join_at_mirror(Solid& solid, int axis) {
+  const double tolerance = 1e-9 * bounds(solid).size();
+  const auto leaves = [&](const SurfaceLine& line) { return line.points.row(axis).cwiseAbs().maxCoeff() > tolerance; };
+  const auto joined = std::stable_partition(solid.rim.begin(), solid.rim.end(), leaves);
+  for (auto line = joined; line != solid.rim.end(); ++line) {
+    line->spacing = typical_spacing(solid.mesh_lines);
+    solid.mesh_lines.push_back(std::move(*line));
+  }
+  solid.rim.erase(joined, solid.rim.end());
+}
+
+} // namespace signorini::view

@@ -1,0 +1,29 @@
+#pragma once
+// Pictures of solids: lit surfaces with element borders, cut open where asked, seen in parallel projection.
+
+#include "view/camera.hpp"
+#include "view/cut.hpp"
+#include "view/picture.hpp"
+#include "view/rigid.hpp"
+
+namespace signorini::view {
+
+/// One state of a model of solids.
+struct SolidPanel {
+  std::string title;
+  std::vector<Solid> bodies;
+  std::vector<Rigid> obstacles = {};
+  std::optional<CutPlane> cut = {}; ///< of bodies and obstacles
+};
+
+/// As PictureOptions, with a camera; `region`, a box in space, takes the place of `crop`: the picture ends where the
+/// box seen from the camera ends.
+struct SolidOptions : PictureOptions {
+  Camera camera = view::camera("iso");
+  std::optional<Bounds> region = {};
+};
+
+/// As draw_sheet, all states seen by one camera. Axes are shown by three arrows.
+void draw_solids(const std::vector<SolidPanel>& panels, const SolidOptions& options, const std::string& file);
+
+} // namespace signorini::view
