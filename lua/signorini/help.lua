@@ -20,6 +20,8 @@ Discretisation labels, for the directions along the contact face:
   Nb-Nc       degree b in the bulk, degree c on the contact face's row of control points only
   Nb-Nc.s     the same, the row elevated s times more
   Nb-Nc.sxr   the same on the first r rows from the contact face, such as N2-N2.2x2 (x1 is the default)
+A solid's face has two directions: one label holds for both, order = {"N2-N2.2", "N2"} gives each its own, the direction
+of the lower xi first.
 Source: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method (thesis, IIT Guwahati).]],
   geometry = [[
 A patch is a NURBS curve, surface or volume, an immutable value.

@@ -38,7 +38,7 @@ local function read_stage(model, index, stage, known)
     if type(key) == "string" and known[key] then
       read.targets[key] = read_target(model, name, key, value)
     elseif drives.is_support(model, key) then
-      core.fail(("%s: the support '%s' of stage '%s' is not driven: give it drive = \"x\", \"y\" or \"xy\" in sg.model")
+      core.fail(("%s: the support '%s' of stage '%s' is not driven: give it drive = \"x\", \"xy\" or the like in sg.model")
         :format(where, key, name))
     elseif key ~= "name" and key ~= "steps" then
       arguments.unknown(where, key, ("stage '%s'"):format(name), table.move(known, 1, #known, 3, { "name", "steps" }))

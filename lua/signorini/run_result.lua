@@ -38,8 +38,9 @@ end
 --- The force of a support or a load, with the moment last where it rotates.
 local function record_force(run, model, name)
   local driven, keys = model:driven(name), {}
-  for i = 1, #model:reaction(name) do keys[i] = "f" .. axes[i] end
-  if driven[#driven] == "angle" then keys[#keys] = "moment" end
+  local turns = driven[#driven] == "angle"
+  for i = 1, #model:reaction(name) - (turns and 1 or 0) do keys[i] = "f" .. axes[i] end
+  if turns then keys[#keys + 1] = "moment" end
   record_list(run, add_columns(run, name, keys), function() return model:reaction(name) end)
 end
 

@@ -1,9 +1,8 @@
 #include "bind/functions.hpp"
+#include "bind/material.hpp"
 #include "bind/open.hpp"
 #include "bind/patch.hpp"
-#include "bind/scene.hpp"
-
-#include <algorithm>
+#include "bind/place.hpp"
 
 namespace signorini::bind {
 
@@ -11,32 +10,13 @@ namespace {
 
 using nurbs::Side;
 
-template <auto make> int material(lua_State* L) {
-  const Options o(L, 1, {"E", "nu"});
-  const double modulus = o.positive("E", "Young's modulus, force per area");
-  push_object<solid::Material>(L, make(modulus, o.number("nu", "Poisson's ratio")));
-  return 1;
-}
-
-std::string constants_in_words(const solid::Material& material) {
-  const solid::ElasticConstants& law = solid::constants(material);
-  return text("E = ", law.youngs_modulus, ", nu = ", law.poissons_ratio);
-}
-
-int material_tostring(lua_State* L) {
-  const auto& material = self<solid::Material>(L);
-  const bool linear = std::holds_alternative<solid::LinearElastic>(material);
-  push(L, text(linear ? "linear elastic: " : "neo-Hooke: ", constants_in_words(material)));
-  return 1;
-}
-
 /// The contact faces: a name or a list of names.
 std::vector<Side> read_contact(lua_State* L, const Options& o, int dimensions) {
   std::vector<Side> sides;
   if (!o.has("contact")) return sides;
   const Argument argument = o.argument("contact", "the face that carries the layer, or a list of two opposite ones");
   const int index = o.push_value("contact");
-  const std::vector<std::string> names = {"west", "east", "south", "north"};
+  const std::vector<std::string> names = face_names(dimensions);
   const auto add = [&](int at) { sides.push_back(nurbs::side_of(read_choice(L, at, argument, names), dimensions)); };
   if (!lua_istable(L, index)) {
     add(index);
@@ -50,26 +30,59 @@ std::vector<Side> read_contact(lua_State* L, const Options& o, int dimensions) {
   return sides;
 }
 
+/// One label for all directions that it speaks of, or a list of one for each: along the contact face, or all.
+std::vector<nurbs::Label> read_labels(lua_State* L, const Options& o, int dimensions, bool contact) {
+  const char* meaning = "a label such as \"N2\", \"N4\", \"N2-N4\", \"N2-N2.2\" or \"L1\"";
+  const int index = o.push_value("order"), wanted = contact ? dimensions - 1 : dimensions;
+  if (!lua_istable(L, index))
+    return std::vector<nurbs::Label>(static_cast<std::size_t>(wanted), nurbs::parse_label(o.string("order", meaning)));
+  const Argument argument = o.argument("order", contact ? "one per direction along the contact face"
+                                                        : "one per parametric direction, for there is no contact face");
+  const std::string expected = text("a label, or a list of ", wanted, wanted == 1 ? " label" : " labels");
+  std::vector<nurbs::Label> labels;
+  const int count = read_list(L, index, argument, expected.c_str());
+  if (count != wanted) reject(L, index, argument, expected);
+  for (int i = 1; i <= count; ++i) {
+    lua_rawgeti(L, index, i);
+    labels.push_back(nurbs::parse_label(read_string(L, -1, {text("order[", i, "]"), meaning})));
+    lua_pop(L, 1);
+  }
+  return labels;
+}
+
+/// 2 or 3. Throws ArgumentError when the patch is no body's shape.
+int read_dimension(lua_State* L, const Options& o, const nurbs::Patch& patch) {
+  const int dimensions = patch.parametric_dimension();
+  if (dimensions == patch.dimension()) return dimensions;
+  const char* kinds[] = {"curve", "surface", "volume"};
+  reject(L, o.push_value("patch"), o.argument("patch", "the reference geometry"),
+         "a surface in the plane, or a volume in 3D",
+         text("this one is a ", kinds[dimensions - 1], patch.dimension() == 2 ? " in the plane" : " in 3D",
+              dimensions == 2 ? ", make a volume of it with sg.nurbs.extrude" : ""));
+}
+
+template <int D> void push_body(lua_State* L, const nurbs::Patch& patch, const nurbs::Plan& plan, const Options& o) {
+  const auto& material =
+      o.object<solid::Material>("material", "made by sg.neo_hookean{ E, nu } or sg.linear_elastic{ E, nu }");
+  push_object<Body<D>>(L, std::make_shared<const solid::Body<D>>(nurbs::Discretisation(patch, plan), material));
+}
+
 int body(lua_State* L) {
   const Options o(L, 1, {"patch", "elements", "order", "contact", "material", "through", "grading"});
   const auto& patch = o.object<nurbs::Patch>("patch", "the reference geometry");
-  const int dimensions = patch.parametric_dimension();
-  if (dimensions != 2 || patch.dimension() != 2)
-    reject(L, o.push_value("patch"), o.argument("patch", "the reference geometry"), "a surface in the plane",
-           "bodies are plane (2D)");
+  const int dimensions = read_dimension(L, o, patch);
   nurbs::Plan plan;
   plan.elements = read_per_direction(L, o.push_value("elements"), o.argument("elements", "knot spans per direction"),
                                      dimensions, 1, 1'000'000);
   if (o.has("grading")) plan.grading = read_gradings(L, o.push_value("grading"), o.argument("grading"), dimensions);
   plan.contact = read_contact(L, o, dimensions);
-  const nurbs::Label label =
-      nurbs::parse_label(o.string("order", "a label such as \"N2\", \"N4\", \"N2-N4\", \"N2-N2.2\" or \"L1\""));
-  plan.labels.assign(plan.contact.empty() ? 2 : 1, label);
+  plan.labels = read_labels(L, o, dimensions, !plan.contact.empty());
   if (o.has("through"))
     plan.through = o.integer("through", "degree through the body, normal to the contact face", 1, nurbs::max_degree);
-  const auto& material =
-      o.object<solid::Material>("material", "made by sg.neo_hookean{ E, nu } or sg.linear_elastic{ E, nu }");
-  push_object<Body<2>>(L, std::make_shared<const solid::Body<2>>(nurbs::Discretisation(patch, plan), material));
+  if (dimensions == 2)
+    push_body<2>(L, patch, plan, o);
+  else
+    push_body<3>(L, patch, plan, o);
   return 1;
 }
 
@@ -88,106 +101,66 @@ template <int D> int dofs(lua_State* L) {
   return 1;
 }
 
-template <int D> int face(lua_State* L) {
-  const Body<D>& body = self<Body<D>>(L);
-  const std::string name = read_string(L, 2, {"name", "a face, such as \"south\""});
-  const Side side = nurbs::side_of(name, D);
-  push_object(L, Place<D>{body, name, side, body->space().face_functions(side)});
-  return 1;
-}
-
-template <int D> int corner(lua_State* L) {
-  const Body<D>& body = self<Body<D>>(L);
-  const std::vector<std::string> corners = {"south-west", "south-east", "north-west", "north-east"};
-  const std::string name = read_choice(L, 2, {"name", "a corner"}, corners);
-  const std::size_t dash = name.find('-');
-  const auto first = body->space().face_functions(nurbs::side_of(name.substr(0, dash), 2));
-  const auto second = body->space().face_functions(nurbs::side_of(name.substr(dash + 1), 2));
-  std::vector<int> both;
-  for (int function : first)
-    if (std::find(second.begin(), second.end(), function) != second.end()) both.push_back(function);
-  push_object(L, Place<D>{body, name, {}, std::move(both)});
-  return 1;
-}
-
 template <int D> int points(lua_State* L) {
   push(L, self<Body<D>>(L)->space().points());
   return 1;
 }
 
-template <int D> int body_tostring(lua_State* L) {
+template <int D> int tostring(lua_State* L) {
   const solid::Body<D>& body = *self<Body<D>>(L);
   const nurbs::Discretisation& space = body.space();
-  push(L, text("plane body: ", space.elements(0), " x ", space.elements(1), " elements, ", 2 * space.functions(),
+  std::string elements;
+  for (int d = 0; d < D; ++d) elements += text(d == 0 ? "" : " x ", space.elements(d));
+  push(L, text(D == 2 ? "plane" : "solid", " body: ", elements, " elements, ", D * space.functions(),
                " degrees of freedom, ", body.linear() ? "linear elastic, " : "", constants_in_words(body.material())));
   return 1;
 }
 
-template <int D> int place_tostring(lua_State* L) {
-  const Place<D>& place = self<Place<D>>(L);
-  push(L, text(place.side ? "face" : "corner", " '", place.name, "' of a body, ", place.functions.size(),
-               " control point", place.functions.size() == 1 ? "" : "s"));
-  return 1;
-}
-
 constexpr Function functions[] = {
-    {"neo_hookean", wrap<material<solid::neo_hookean>>,
-     "sg.neo_hookean{ E, nu }\n"
-     "Compressible neo-Hooke material, W = lambda/2 (ln J)^2 + mu/2 (tr C - 3) - mu ln J. E: Young's modulus (force "
-     "per\n"
-     "area), nu: Poisson's ratio in (-1, 0.5). Plane strain in 2D, unless the model is axisymmetric.\n"
-     "Example: sg.neo_hookean{ E = 1, nu = 0.3 }"},
-    {"linear_elastic", wrap<material<solid::linear_elastic>>,
-     "sg.linear_elastic{ E, nu }\n"
-     "Hooke's law of small strains, sigma = lambda tr(eps) I + 2 mu eps; contact still follows the deformed surface. "
-     "E:\n"
-     "Young's modulus (force per area), nu: Poisson's ratio in (-1, 0.5). Plane strain in 2D, unless the model is "
-     "axisymmetric.\n"
-     "Example: sg.linear_elastic{ E = 1, nu = 0.3 }"},
     {"body", wrap<body>,
      "sg.body{ patch, elements, order, contact, material, through, grading }\n"
-     "A solid body. patch: its shape. elements: knot spans per parametric direction. order: a discretisation label, "
-     "see\n"
-     "help \"labels\". contact: the face that carries the layer (\"south\"), or two opposite ones; along it the label "
-     "holds,\n"
-     "through the body the geometry's own degree, unless `through` says another. Without contact the label holds in "
-     "both\n"
-     "directions. grading: as in patch:refine.\n"
+     "A solid body. patch: its shape, a surface in the plane or a volume in 3D. elements: knot spans per parametric\n"
+     "direction. order: a discretisation label, see help \"labels\", or a list of one per direction. contact: the face "
+     "that\n"
+     "carries the layer (\"south\"), or two opposite ones; along it the label holds, through the body the geometry's "
+     "own\n"
+     "degree, unless `through` says another. Without contact the label holds in all directions. grading: as in\n"
+     "patch:refine.\n"
      "Example: sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = {8, 3}, order = \"N2-N2.2\",\n"
-     "                  contact = \"north\", material = sg.neo_hookean{ E = 1, nu = 0.3 } }"},
-};
-
-constexpr Function material_rows[] = {
-    {"__tostring", wrap<material_tostring>, "tostring(material)\nThe law and its constants in words."},
+     "                  contact = \"north\", material = sg.neo_hookean{ E = 1, nu = 0.3 } }\n"
+     "Example: sg.body{ patch = sg.shapes.block{ size = {4, 4, 2} }, elements = {4, 4, 2}, order = {\"N2-N4\", "
+     "\"N2\"},\n"
+     "                  contact = \"back\", material = sg.neo_hookean{ E = 1, nu = 0.3 } }"},
 };
 
 template <int D>
-constexpr Function body_rows[] = {
-    {"__tostring", wrap<body_tostring<D>>, "tostring(b)\nThe body's size in words."},
+constexpr Function rows[] = {
+    {"__tostring", wrap<tostring<D>>, "tostring(b)\nThe body's size in words."},
     {"dofs", wrap<dofs<D>>,
      "b:dofs()\nDegrees of freedom { interface, bulk, total }: of the contact faces' control points, of all others, of "
      "all."},
     {"face", wrap<face<D>>,
-     "b:face(name)\nA face for supports and contacts: \"west\", \"east\" (xi1), \"south\", \"north\" (xi2)."},
+     "b:face(name)\nA face for supports and contacts: \"west\", \"east\" (xi1), \"south\", \"north\" (xi2), in 3D "
+     "\"front\",\n"
+     "\"back\" (xi3)."},
+    {"edge", wrap<edge<D>>,
+     "b:edge(name)\nThe control points where two faces of a solid body meet, for supports: \"south-front\" and so on."},
     {"corner", wrap<corner<D>>,
-     "b:corner(name)\nThe control point of a corner for supports: \"south-west\" and so on."},
+     "b:corner(name)\nThe control point of a corner for supports: \"south-west\", in 3D \"west-south-front\" and so "
+     "on."},
     {"points", wrap<points<D>>,
-     "b:points()\nThe control points {{x, y}, …}, row after row from south to north (west to "
-     "east when the contact face is west or east)."},
-};
-
-template <int D>
-constexpr Function place_rows[] = {
-    {"__tostring", wrap<place_tostring<D>>, "tostring(f)\nWhich face or corner it is."},
+     "b:points()\nThe control points {{x, y}, …}, row after row from south to north (west to east when the contact "
+     "face is west\n"
+     "or east); in 3D {{x, y, z}, …}, layer after layer from front to back, or along the direction of the contact "
+     "face."},
 };
 
 } // namespace
 
 void open_body(lua_State* L) {
   register_functions(L, "sg", functions);
-  register_type<solid::Material>(L, material_rows);
-  register_type<Body<2>>(L, body_rows<2>);
-  register_type<Place<2>>(L, place_rows<2>);
+  register_type<Body<2>, Body<3>>(L, rows<2>, rows<3>);
+  open_places(L);
 }
 
 } // namespace signorini::bind

@@ -41,6 +41,60 @@ int unknown_method(lua_State* L) {
                            hint, hint.empty() ? "; it has " : " It has ", listed(known)));
 }
 
+/// A method of two C++ types. Upvalues: its name, both functions, and the key of the second type.
+int dispatch(lua_State* L) {
+  const bool second = luaL_testudata(L, 1, lua_tostring(L, lua_upvalueindex(4)));
+  return lua_tocfunction(L, lua_upvalueindex(second ? 3 : 2))(L);
+}
+
+/// The method of a type's row as one function.
+void push_method(lua_State* L, const std::string& name, std::span<const Implementation> types, std::size_t row) {
+  const Function& first = types[0].rows[row];
+  if (types.size() == 1) return push_function(L, name, first);
+  push(L, name);
+  lua_pushcfunction(L, first.function);
+  lua_pushcfunction(L, types[1].rows[row].function);
+  push(L, types[1].key);
+  lua_pushcclosure(L, dispatch, 4);
+  document(L, name, first.doc);
+}
+
+bool is_metamethod(const Function& row) {
+  return std::string_view(row.name).starts_with("__");
+}
+
+/// Pushes core.types[name] with the methods of a type.
+void push_methods(lua_State* L, const char* name, std::span<const Implementation> types) {
+  push_table(L, text("core.types.", name));
+  for (std::size_t row = 0; row < types[0].rows.size(); ++row)
+    if (const Function& first = types[0].rows[row]; !is_metamethod(first)) {
+      push_method(L, text(name, ":", first.name), types, row);
+      lua_setfield(L, -2, first.name);
+    }
+  lua_createtable(L, 0, 1);
+  push(L, name);
+  lua_pushcclosure(L, wrap<unknown_method>, 1);
+  lua_setfield(L, -2, "__index");
+  lua_setmetatable(L, -2);
+}
+
+/// The metatable of one of a type's implementations; the methods' table is on top of the stack and stays there.
+void make_metatable(lua_State* L, const char* name, const Implementation& type) {
+  luaL_newmetatable(L, type.key);
+  set_field(L, "__name", name);
+  for (const Function& row : type.rows)
+    if (is_metamethod(row)) {
+      push_function(L, name, row);
+      lua_setfield(L, -2, row.name);
+    }
+  lua_pushvalue(L, -2);
+  lua_setfield(L, -2, "__index");
+  lua_pushcfunction(L, type.collect);
+  lua_setfield(L, -2, "__gc");
+  set_field(L, "__metatable", false); // getmetatable() shows nothing, so __gc cannot be called by hand
+  lua_pop(L, 1);
+}
+
 } // namespace
 
 int raise(lua_State* L, const std::exception& error) {
@@ -75,24 +129,9 @@ void register_functions(lua_State* L, const std::string& table, std::span<const 
   lua_pop(L, 1);
 }
 
-void register_type(lua_State* L, const char* name, lua_CFunction collect, std::span<const Function> rows) {
-  luaL_newmetatable(L, name);
-  push_table(L, text("core.types.", name));
-  for (const Function& row : rows) {
-    const bool metamethod = std::string(row.name).starts_with("__");
-    push_function(L, metamethod ? name : text(name, ":", row.name), row);
-    lua_setfield(L, metamethod ? -3 : -2, row.name);
-  }
-  lua_createtable(L, 0, 1);
-  push(L, name);
-  lua_pushcclosure(L, wrap<unknown_method>, 1);
-  lua_setfield(L, -2, "__index");
-  lua_setmetatable(L, -2);
-  lua_setfield(L, -2, "__index");
-  lua_pushcfunction(L, collect);
-  lua_setfield(L, -2, "__gc");
-  lua_pushboolean(L, false); // getmetatable() shows nothing, so __gc cannot be called by hand
-  lua_setfield(L, -2, "__metatable");
+void register_type(lua_State* L, const char* name, std::span<const Implementation> implementations) {
+  push_methods(L, name, implementations);
+  for (const Implementation& type : implementations) make_metatable(L, name, type);
   lua_pop(L, 1);
 }
 

@@ -56,6 +56,7 @@ void open_library(lua_State* L, const Settings& settings) {
   open_patch(L);
   open_curves(L);
   open_shapes(L);
+  open_material(L);
   open_body(L);
   open_rigid(L);
   open_scene(L);

@@ -13,63 +13,107 @@ template <int D> int push_obstacle(lua_State* L, RigidForm form, contact::Obstac
   return 1;
 }
 
-int plane(lua_State* L) {
-  const Options o(L, 1, {"point", "normal"});
-  const VectorX point = o.point("point", "a point of the plane", 2, 2);
-  return push_obstacle<2>(
-      L, RigidForm::plane,
-      contact::make_plane<2>(point, o.point("normal", "direction out of the obstacle, towards the body", 2, 2)));
+template <int D> int push_plane(lua_State* L, const VectorX& point, const VectorX& normal) {
+  return push_obstacle<D>(L, RigidForm::plane, contact::make_plane<D>(point, normal));
 }
 
-int ball(lua_State* L, RigidForm form) {
-  const Options o(L, 1, {"centre", "radius"});
-  const VectorX centre = o.point("centre", "the centre", 2, 2);
-  return push_obstacle<2>(L, form, contact::make_ball<2>(centre, o.positive("radius", "a length")));
+int plane(lua_State* L) {
+  const Options o(L, 1, {"point", "normal"});
+  const VectorX point = o.point("point", "a point of the plane");
+  const int dimension = static_cast<int>(point.size());
+  const VectorX normal = o.point("normal", "direction out of the obstacle, towards the body", dimension, dimension);
+  return dimension == 2 ? push_plane<2>(L, point, normal) : push_plane<3>(L, point, normal);
+}
+
+template <int D> int push_ball(lua_State* L, RigidForm form, const VectorX& centre, double radius) {
+  return push_obstacle<D>(L, form, contact::make_ball<D>(centre, radius));
 }
 
 int cylinder(lua_State* L) {
-  return ball(L, RigidForm::cylinder);
+  const Options o(L, 1, {"centre", "axis", "radius"});
+  const VectorX centre = o.point("centre", "the centre");
+  const double radius = o.positive("radius", "a length");
+  if (centre.size() == 3)
+    return push_obstacle<3>(L, RigidForm::cylinder,
+                            contact::make_cylinder(centre, o.point("axis", "direction of the axis", 3, 3), radius));
+  if (o.has("axis"))
+    throw ArgumentError(text(function_name(L),
+                             ": axis is for cylinders in 3D, whose centre is {x, y, z}: in the plane ",
+                             "the axis is normal to it, leave axis out"));
+  return push_ball<2>(L, RigidForm::cylinder, centre, radius);
 }
 
 int sphere(lua_State* L) {
-  return ball(L, RigidForm::sphere);
+  const Options o(L, 1, {"centre", "radius"});
+  const VectorX centre = o.point("centre", "the centre");
+  const double radius = o.positive("radius", "a length");
+  return centre.size() == 2 ? push_ball<2>(L, RigidForm::sphere, centre, radius)
+                            : push_ball<3>(L, RigidForm::sphere, centre, radius);
 }
 
 int surface(lua_State* L) {
-  const Argument argument{"patch", "the obstacle's outline, its outside on the right of its direction"};
+  const Argument argument{"patch", "the obstacle's outline, its outside on the right of its direction, or its surface, "
+                                   "its outside where xi1 x xi2 points"};
   const auto& patch = read_object<nurbs::Patch>(L, 1, argument);
-  if (patch.parametric_dimension() != 1 || patch.dimension() != 2) reject(L, 1, argument, "a curve in the plane");
-  return push_obstacle<2>(L, RigidForm::surface, patch);
+  if (patch.parametric_dimension() != patch.dimension() - 1)
+    reject(L, 1, argument, "a curve in the plane, or a surface in 3D");
+  return patch.dimension() == 2 ? push_obstacle<2>(L, RigidForm::surface, patch)
+                                : push_obstacle<3>(L, RigidForm::surface, patch);
 }
 
+struct InWords {
+  RigidForm form;
+
+  template <int D> std::string operator()(const contact::Plane<D>& plane) const {
+    return text("rigid plane through (", plane.point.transpose(), "), normal (", plane.normal.transpose(), ")");
+  }
+  template <int D> std::string operator()(const contact::Ball<D>& ball) const {
+    return text("rigid ", name_of(form), " about (", ball.centre.transpose(), "), radius ", ball.radius);
+  }
+  std::string operator()(const contact::Cylinder& cylinder) const {
+    return text("rigid cylinder about (", cylinder.point.transpose(), "), axis (", cylinder.axis.transpose(),
+                "), radius ", cylinder.radius);
+  }
+  std::string operator()(const nurbs::Patch& patch) const {
+    const bool curve = patch.parametric_dimension() == 1;
+    const std::string first = text(patch.direction(0).degree());
+    return curve ? "rigid curve of degree " + first
+                 : text("rigid surface of degrees ", first, " and ", patch.direction(1).degree());
+  }
+};
+
 template <int D> int rigid_tostring(lua_State* L) {
-  const auto& [form, shape] = *self<Rigid<D>>(L);
-  if (const auto* plane = std::get_if<contact::Plane<D>>(&shape))
-    push(L, text("rigid plane through (", plane->point.transpose(), "), normal (", plane->normal.transpose(), ")"));
-  else if (const auto* ball = std::get_if<contact::Ball<D>>(&shape))
-    push(L, text("rigid ", name_of(form), " about (", ball->centre.transpose(), "), radius ", ball->radius));
-  else
-    push(L, text("rigid curve of degree ", std::get<nurbs::Patch>(shape).directions().front().degree()));
+  const RigidShape<D>& rigid = *self<Rigid<D>>(L);
+  push(L, std::visit(InWords{rigid.form}, rigid.shape));
   return 1;
 }
 
 constexpr Function functions[] = {
     {"plane", wrap<plane>,
      "sg.rigid.plane{ point, normal }\n"
-     "A rigid half space as obstacle: master of a contact. normal points out of it, towards the body.\n"
-     "Example: sg.rigid.plane{ point = {0, -1}, normal = {0, 1} }"},
+     "A rigid half space as obstacle: master of a contact. normal points out of it, towards the body. Two coordinates "
+     "in\n"
+     "the plane, three in 3D.\n"
+     "Example: sg.rigid.plane{ point = {0, -1}, normal = {0, 1} }\n"
+     "Example: sg.rigid.plane{ point = {0, 0, -1}, normal = {0, 0, 1} }"},
     {"cylinder", wrap<cylinder>,
-     "sg.rigid.cylinder{ centre, radius }\n"
-     "A rigid cylinder whose axis is normal to the plane of plane strain: a disc.\n"
-     "Example: sg.rigid.cylinder{ centre = {0, 2}, radius = 1 }"},
+     "sg.rigid.cylinder{ centre, axis, radius }\n"
+     "A rigid cylinder without ends. In plane strain its axis is normal to the plane, and it is a disc; in 3D it lies "
+     "along\n"
+     "the vector `axis` through `centre`.\n"
+     "Example: sg.rigid.cylinder{ centre = {0, 2}, radius = 1 }\n"
+     "Example: sg.rigid.cylinder{ centre = {0, 0, 2}, axis = {0, 1, 0}, radius = 1 }"},
     {"sphere", wrap<sphere>,
      "sg.rigid.sphere{ centre, radius }\n"
-     "A rigid sphere on the axis of an axisymmetric model.\n"
-     "Example: sg.rigid.sphere{ centre = {0, 2}, radius = 1 }"},
+     "A rigid sphere in 3D, or on the axis of an axisymmetric model.\n"
+     "Example: sg.rigid.sphere{ centre = {0, 0, 2}, radius = 1 }"},
     {"surface", wrap<surface>,
      "sg.rigid.surface(patch)\n"
-     "A rigid obstacle bounded by any NURBS curve in the plane; its outside is on the right of the curve's direction.\n"
-     "Example: sg.rigid.surface(sg.nurbs.arc{ centre = {0, 0}, radius = 1, from = 0, to = 180 })"},
+     "A rigid obstacle bounded by any NURBS: a curve in the plane, its outside on the right of the curve's direction; "
+     "or a\n"
+     "surface in 3D, its outside where the product of its tangents along xi1 and xi2 points.\n"
+     "Example: sg.rigid.surface(sg.nurbs.arc{ centre = {0, 0}, radius = 1, from = 0, to = 180 })\n"
+     "Example: sg.rigid.surface(sg.shapes.block{ size = {9, 9, 1}, corner = {0, 0, -1} }:face \"back\")"},
 };
 
 template <int D>
@@ -95,7 +139,7 @@ std::string name_of(RigidForm form) {
 
 void open_rigid(lua_State* L) {
   register_functions(L, "sg.rigid", functions);
-  register_type<Rigid<2>>(L, rows<2>);
+  register_type<Rigid<2>, Rigid<3>>(L, rows<2>, rows<3>);
 }
 
 } // namespace signorini::bind

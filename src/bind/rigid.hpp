@@ -18,6 +18,9 @@ template <int D> struct RigidShape {
 };
 template <int D> using Rigid = std::shared_ptr<const RigidShape<D>>;
 
-template <int D> struct Type<Rigid<D>> { static constexpr auto name = "obstacle"; };
+template <int D> struct Type<Rigid<D>> {
+  static constexpr auto name = "obstacle", key = D == 3 ? "obstacle in 3D" : name;
+  static constexpr int dimension = D;
+};
 
 } // namespace signorini::bind

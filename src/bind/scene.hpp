@@ -25,15 +25,21 @@ template <int D> struct Snapshot {
   model::Snapshot<D> state;
 };
 
-template <> struct Type<solid::Material> { static constexpr auto name = "material"; };
-template <int D> struct Type<Body<D>> { static constexpr auto name = "body"; };
-template <int D> struct Type<Place<D>> { static constexpr auto name = "face"; };
-template <int D> struct Type<Snapshot<D>> { static constexpr auto name = "snapshot"; };
-template <int D> struct Type<Model<D>> { static constexpr auto name = "model"; };
-
-/// Index of a model's body, support or contact by name. Throws ArgumentError that lists the names.
-template <int D> int find_body(lua_State* L, const Model<D>& model, const std::string& name);
-template <int D> int find_support(lua_State* L, const Model<D>& model, const std::string& name);
-template <int D> int find_contact(lua_State* L, const Model<D>& model, const std::string& name);
+template <int D> struct Type<Body<D>> {
+  static constexpr auto name = "body", key = D == 3 ? "body in 3D" : name;
+  static constexpr int dimension = D;
+};
+template <int D> struct Type<Place<D>> {
+  static constexpr auto name = "face", key = D == 3 ? "face in 3D" : name;
+  static constexpr int dimension = D;
+};
+template <int D> struct Type<Snapshot<D>> {
+  static constexpr auto name = "snapshot", key = D == 3 ? "snapshot in 3D" : name;
+  static constexpr int dimension = D;
+};
+template <int D> struct Type<Model<D>> {
+  static constexpr auto name = "model", key = D == 3 ? "model in 3D" : name;
+  static constexpr int dimension = D;
+};
 
 } // namespace signorini::bind

@@ -149,6 +149,20 @@ MatrixX read_points(lua_State* L, int index, const Argument& argument) {
   return points;
 }
 
+bool has_type(lua_State* L, int index, const char* name) {
+  if (!lua_isuserdata(L, index) || luaL_getmetafield(L, index, "__name") != LUA_TSTRING) return false;
+  const bool same = lua_tostring(L, -1) == std::string_view(name);
+  lua_pop(L, 1);
+  return same;
+}
+
+void reject_dimension(lua_State* L, const Argument& argument, const char* name, int expected) {
+  const char *plane = "in the plane", *space = "in 3D";
+  throw ArgumentError(text(function_name(L), ": ", argument.name, " must be a ", name, " ",
+                           expected == 2 ? plane : space, ", got one ", expected == 2 ? space : plane,
+                           ": the parts of a model are all in the plane, or all in 3D"));
+}
+
 void push(lua_State* L, const VectorX& values) {
   lua_createtable(L, static_cast<int>(values.size()), 0);
   for (Eigen::Index i = 0; i < values.size(); ++i) {

@@ -79,15 +79,32 @@ template <class T> void set_field(lua_State* L, const char* name, const T& value
 // owners keep the object alive when Lua lets go of it.
 
 /// The name of a type in messages and help: template <> struct Type<Patch> { static constexpr auto name = "patch"; };
+/// A type that comes for the plane and for space has one name for both, the `dimension` 2 or 3, and a `key` of its own.
 template <class T> struct Type;
+
+/// The name of a type's metatable in the registry.
+template <class T> constexpr const char* key_of() {
+  if constexpr (requires { Type<T>::key; })
+    return Type<T>::key;
+  else
+    return Type<T>::name;
+}
 
 /// The object at an index, or nullptr when it is something else.
 template <class T> T* test_object(lua_State* L, int index) {
-  return static_cast<T*>(luaL_testudata(L, index, Type<T>::name));
+  return static_cast<T*>(luaL_testudata(L, index, key_of<T>()));
 }
+
+/// Whether the value has a type of this name, whatever its dimension.
+bool has_type(lua_State* L, int index, const char* name);
+
+/// Throws ArgumentError: the value has the right name, but belongs to a scene of the other dimension.
+[[noreturn]] void reject_dimension(lua_State* L, const Argument& argument, const char* name, int expected);
 
 template <class T> T& read_object(lua_State* L, int index, const Argument& argument) {
   T* object = test_object<T>(L, index);
+  if constexpr (requires { Type<T>::dimension; })
+    if (!object && has_type(L, index, Type<T>::name)) reject_dimension(L, argument, Type<T>::name, Type<T>::dimension);
   if (!object) reject(L, index, argument, text("a ", Type<T>::name));
   return *object;
 }
@@ -104,7 +121,7 @@ template <class T> T& self(lua_State* L) {
 template <class T> T& push_object(lua_State* L, T value) {
   void* memory = lua_newuserdatauv(L, sizeof(T), 0);
   T* object = new (memory) T(std::move(value));
-  luaL_setmetatable(L, Type<T>::name);
+  luaL_setmetatable(L, key_of<T>());
   return *object;
 }
 

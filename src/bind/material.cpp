@@ -1,0 +1,56 @@
+#include "bind/material.hpp"
+#include "bind/functions.hpp"
+#include "bind/open.hpp"
+#include "bind/options.hpp"
+
+namespace signorini::bind {
+
+namespace {
+
+template <auto make> int material(lua_State* L) {
+  const Options o(L, 1, {"E", "nu"});
+  const double modulus = o.positive("E", "Young's modulus, force per area");
+  push_object<solid::Material>(L, make(modulus, o.number("nu", "Poisson's ratio")));
+  return 1;
+}
+
+int tostring(lua_State* L) {
+  const auto& material = self<solid::Material>(L);
+  const bool linear = std::holds_alternative<solid::LinearElastic>(material);
+  push(L, text(linear ? "linear elastic: " : "neo-Hooke: ", constants_in_words(material)));
+  return 1;
+}
+
+constexpr Function functions[] = {
+    {"neo_hookean", wrap<material<solid::neo_hookean>>,
+     "sg.neo_hookean{ E, nu }\n"
+     "Compressible neo-Hooke material, W = lambda/2 (ln J)^2 + mu/2 (tr C - 3) - mu ln J. E: Young's modulus (force "
+     "per\n"
+     "area), nu: Poisson's ratio in (-1, 0.5). Plane strain in 2D, unless the model is axisymmetric.\n"
+     "Example: sg.neo_hookean{ E = 1, nu = 0.3 }"},
+    {"linear_elastic", wrap<material<solid::linear_elastic>>,
+     "sg.linear_elastic{ E, nu }\n"
+     "Hooke's law of small strains, sigma = lambda tr(eps) I + 2 mu eps; contact still follows the deformed surface. "
+     "E:\n"
+     "Young's modulus (force per area), nu: Poisson's ratio in (-1, 0.5). Plane strain in 2D, unless the model is "
+     "axisymmetric.\n"
+     "Example: sg.linear_elastic{ E = 1, nu = 0.3 }"},
+};
+
+constexpr Function rows[] = {
+    {"__tostring", wrap<tostring>, "tostring(material)\nThe law and its constants in words."},
+};
+
+} // namespace
+
+std::string constants_in_words(const solid::Material& material) {
+  const solid::ElasticConstants& law = solid::constants(material);
+  return text("E = ", law.youngs_modulus, ", nu = ", law.poissons_ratio);
+}
+
+void open_material(lua_State* L) {
+  register_functions(L, "sg", functions);
+  register_type<solid::Material>(L, rows);
+}
+
+} // namespace signorini::bind

@@ -1,0 +1,39 @@
+#pragma once
+// The methods of a model by subject, and how they find its parts by name.
+
+#include "bind/functions.hpp"
+#include "bind/scene.hpp"
+
+namespace signorini::bind {
+
+/// What takes a model along its path: targets, steps, accepting and rolling back, snapshots.
+template <int D> std::span<const Function> path_rows();
+/// What a model's present state looks like: forces, profiles, samples, energies.
+template <int D> std::span<const Function> result_rows();
+
+/// Makes the type of snapshots.
+void open_snapshots(lua_State* L);
+
+/// Index into a list of named items. Throws ArgumentError that lists the names; `kind` says what they are.
+template <class Items> int find(lua_State* L, const Items& items, const std::string& name, const char* kind) {
+  std::vector<std::string> names;
+  for (const auto& item : items) {
+    if (item.name == name) return static_cast<int>(names.size());
+    names.push_back(item.name);
+  }
+  throw ArgumentError(text(function_name(L), ": the model has no ", kind, " '", name, "'", did_you_mean(name, names),
+                           names.empty() ? "" : "; it has " + one_of(names)));
+}
+
+/// Index of a model's body, support or contact by name.
+template <int D> int find_body(lua_State* L, const Model<D>& model, const std::string& name) {
+  return find(L, model->scene().bodies, name, "body");
+}
+template <int D> int find_support(lua_State* L, const Model<D>& model, const std::string& name) {
+  return find(L, model->scene().supports, name, "support");
+}
+template <int D> int find_contact(lua_State* L, const Model<D>& model, const std::string& name) {
+  return find(L, model->scene().contacts, name, "contact");
+}
+
+} // namespace signorini::bind

@@ -1,0 +1,136 @@
+#include "bind/model.hpp"
+#include "model/profile.hpp"
+#include "model/sample.hpp"
+
+namespace signorini::bind {
+
+namespace {
+
+template <int D> int contact_of_argument(lua_State* L) {
+  return find_contact(L, self<Model<D>>(L), read_string(L, 2, {"name", "a contact"}));
+}
+
+/// Of a support or a load.
+template <int D> int reaction(lua_State* L) {
+  const Model<D>& model = self<Model<D>>(L);
+  const std::string name = read_string(L, 2, {"name", "a support or a load"});
+  const auto& loads = model->scene().loads;
+  for (std::size_t i = 0; i < loads.size(); ++i)
+    if (loads[i].name == name) {
+      push(L, VectorX(model->load_resultant(static_cast<int>(i))));
+      return 1;
+    }
+  const int support = find_support(L, model, name);
+  VectorX force = model->reaction(support);
+  if (model->scene().supports[static_cast<std::size_t>(support)].rotates) {
+    force.conservativeResize(D + 1);
+    force(D) = model->moment(support);
+  }
+  push(L, force);
+  return 1;
+}
+
+template <int D> int contact_resultant(lua_State* L) {
+  const Model<D>& model = self<Model<D>>(L);
+  const auto sum = model->contact_resultant(contact_of_argument<D>(L));
+  lua_createtable(L, 0, 8);
+  for (int k = 0; k < D; ++k) set_field(L, text("f", model::component_name(k)).c_str(), sum.force(k));
+  set_field(L, "area", sum.area);
+  set_field(L, "max_pressure", sum.max_pressure);
+  set_field(L, "max_penetration", sum.max_penetration);
+  set_field(L, "active", sum.active);
+  set_field(L, "slipping", sum.slipping);
+  return 1;
+}
+
+template <int D> int profile(lua_State* L) {
+  const Model<D>& model = self<Model<D>>(L);
+  const model::Profile profile = model::profile<D>(*model, contact_of_argument<D>(L));
+  lua_createtable(L, 0, 14);
+  set_field(L, "x", profile.x);
+  set_field(L, "y", profile.y);
+  set_field(L, "X", profile.reference_x);
+  set_field(L, "Y", profile.reference_y);
+  set_field(L, "area", profile.area);
+  set_field(L, "pressure", profile.pressure);
+  set_field(L, "traction", profile.traction);
+  set_field(L, "gap", profile.gap);
+  set_field(L, "state", profile.state);
+  if (D == 2) return 1;
+  set_field(L, "z", profile.z);
+  set_field(L, "Z", profile.reference_z);
+  set_field(L, "tx", profile.traction_x);
+  set_field(L, "ty", profile.traction_y);
+  set_field(L, "tz", profile.traction_z);
+  return 1;
+}
+
+/// Index of the body at stack index 2, which is a name or a body; in an axisymmetric model the body that it was made
+/// of.
+template <int D> int body_of_argument(lua_State* L, const Model<D>& model) {
+  if (!has_type(L, 2, Type<Body<D>>::name))
+    return find_body(L, model, read_string(L, 2, {"body", "a body or its name"}));
+  const Body<D>& wanted = read_object<Body<D>>(L, 2, {"body", "a body or its name"});
+  const auto& bodies = model->scene().bodies;
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    if (&bodies[b].body->space() == &wanted->space()) return static_cast<int>(b);
+  throw ArgumentError(text(function_name(L), ": this body is not part of the model"));
+}
+
+template <int D> int sample(lua_State* L) {
+  const Model<D>& model = self<Model<D>>(L);
+  const int body = body_of_argument<D>(L, model);
+  const auto& field = model::find_field<D>(read_string(L, 3, {"field", "such as \"uy\" or \"von_mises\""}));
+  push(L, model::sample(*model, body, field, read_point(L, 4, {"xi", "parametric coordinates"}, D, D)));
+  return 1;
+}
+
+template <int D> int energy(lua_State* L) {
+  const model::Energies energies = self<Model<D>>(L)->energies();
+  lua_createtable(L, 0, 4);
+  set_field(L, "stored", energies.stored);
+  set_field(L, "contact", energies.contact);
+  set_field(L, "friction", energies.friction);
+  set_field(L, "work", energies.work);
+  return 1;
+}
+
+template <int D>
+constexpr Function rows[] = {
+    {"reaction", wrap<reaction<D>>,
+     "m:reaction(name)\nThe force {fx, fy} ({fx, fy, fz} in 3D) that a support exerts on its bodies, and with it the "
+     "moment about the\n"
+     "centre (in 3D about the axis) of a support that rotates; the force of a load."},
+    {"contact_resultant", wrap<contact_resultant<D>>,
+     "m:contact_resultant(contact)\n"
+     "{ fx, fy, fz, area, max_pressure, max_penetration, active, slipping }: the force that the master exerts on the "
+     "slave\n"
+     "(fz in 3D), the current area in contact, extremes, and how many contact points touch and slip."},
+    {"profile", wrap<profile<D>>,
+     "m:profile(contact)\n"
+     "Lists along the slave face, one entry per contact point: x, y (current), X, Y (reference), area (that the "
+     "traction\n"
+     "acts on), pressure, traction (tangential), gap, state (\"open\", \"stick\", \"slip\", \"adhesion\"). In 3D also "
+     "z, Z, and\n"
+     "tx, ty, tz, the components of the tangential traction t_T, whose size is `traction`; on the slave acts -t_T."},
+    {"sample", wrap<sample<D>>,
+     "m:sample(body, field, {xi1, xi2})\nA field's value at a parametric point ({xi1, xi2, xi3} in 3D) of a body (or "
+     "its name); fields as in sg.picture."},
+    {"energy", wrap<energy<D>>,
+     "m:energy()\n{ stored, contact, friction, work }: the energy in the bodies; in the springs of penalty laws, or of "
+     "adhesion;\n"
+     "dissipated by friction in all accepted steps; done by supports and loads in all accepted steps (trapezoidal "
+     "rule).\n"
+     "Per unit depth in plane strain. work = stored + contact + friction as steps become small."},
+};
+
+} // namespace
+
+template <int D> std::span<const Function> result_rows() {
+  return rows<D>;
+}
+
+template std::span<const Function> result_rows<2>();
+template std::span<const Function> result_rows<3>();
+
+} // namespace signorini::bind

@@ -1,0 +1,157 @@
+#include "bind/draft.hpp"
+#include "bind/place.hpp"
+#include "solid/load.hpp"
+
+namespace signorini::bind {
+
+using model::Hold;
+
+namespace {
+
+/// Calls add(index on the stack) for one item, or for each of a list.
+template <class Add> void each_item(lua_State* L, const Options& o, const Argument& argument, Add add) {
+  const int value = o.push_value("on");
+  if (!lua_istable(L, value)) return add(value);
+  const int count = read_list(L, value, argument);
+  if (count == 0) reject(L, value, argument, argument.meaning);
+  for (int i = 1; i <= count; ++i) {
+    lua_rawgeti(L, value, i);
+    add(lua_gettop(L));
+    lua_pop(L, 1);
+  }
+}
+
+/// The components that "x", "xy" and so on name.
+template <int D> std::string read_letters(lua_State* L, const Options& o, const char* key, const char* meaning) {
+  static const std::vector<std::string> plane = {"x", "y", "xy"}, space = {"x", "y", "z", "xy", "xz", "yz", "xyz"};
+  const int index = o.push_value(key);
+  if (D == 2 && lua_type(L, index) == LUA_TSTRING && std::string(lua_tostring(L, index)).find('z') != std::string::npos)
+    reject(L, index, o.argument(key, meaning), one_of(plane), "the bodies are plane, so nothing moves along z");
+  return o.choice(key, meaning, D == 2 ? plane : space);
+}
+
+template <int D>
+void read_components(lua_State* L, const Options& o, const char* key, const char* meaning, Hold hold,
+                     model::Support<D>& support) {
+  if (!o.has(key)) return;
+  for (char letter : read_letters<D>(L, o, key, meaning)) {
+    Hold& component = support.hold[static_cast<std::size_t>(letter - 'x')];
+    if (component != Hold::free)
+      throw ArgumentError(text(function_name(L), ": ", o.path(), " both fixes and drives ", letter,
+                               ": a component is either fixed or driven, take it out of one of the two"));
+    component = hold;
+  }
+}
+
+/// The unit vector of rotate = "z" or {ax, ay, az}.
+Vec<3> read_axis(lua_State* L, const Options& o) {
+  const Argument argument = o.argument("rotate", "the axis through the face's centroid that it turns about");
+  const int index = o.push_value("rotate");
+  const char* expected = "'x', 'y', 'z', or a vector {x, y, z}";
+  if (lua_istable(L, index)) {
+    const Vec<3> axis = read_point(L, index, argument, 3, 3);
+    if (!(axis.norm() > 0)) reject(L, index, argument, expected, "all of its components are 0, so it has no direction");
+    return axis.normalized();
+  }
+  const std::string letter = lua_type(L, index) == LUA_TSTRING ? lua_tostring(L, index) : "";
+  if (letter != "x" && letter != "y" && letter != "z")
+    reject(L, index, argument, expected, "in 3D a face turns about an axis, as in rotate = \"z\"");
+  return Vec<3>::Unit(letter[0] - 'x');
+}
+
+/// Whether a plane face turns.
+bool read_turning(lua_State* L, const Options& o) {
+  const char* meaning = "turn the face as a rigid line by the angle that stages give";
+  const int index = o.push_value("rotate");
+  if (lua_type(L, index) == LUA_TSTRING || lua_istable(L, index))
+    reject(L, index, o.argument("rotate", meaning), "true or false",
+           "the bodies are plane, so a face can only turn in the plane: write rotate = true");
+  return o.flag("rotate", meaning, false);
+}
+
+template <int D> double face_area(const solid::Body<D>& body, nurbs::Side side) {
+  return solid::traction_load(body, side, 0).sum(); // ∫ Σ_A R_A dA, Σ_A R_A = 1
+}
+
+/// The face that a support turns, in space the faces, about their common centroid and an axis through it.
+template <int D> void read_rotation(lua_State* L, const Options& o, const Argument& on, model::Support<D>& support) {
+  if constexpr (D == 2) {
+    support.rotates = read_turning(L, o);
+  } else {
+    support.rotates = o.has("rotate");
+    if (support.rotates) support.axis = read_axis(L, o);
+  }
+  if (!support.rotates) return;
+  const char *one = "one face", *several = "a face, or a list of faces";
+  const int value = o.push_value("on");
+  const auto refuse = [&](int at) {
+    reject(L, at, on, D == 2 ? one : several,
+           D == 2 ? "what rotates is one face of a body; give other faces a support of their own"
+                  : "what rotates are faces of bodies; give other things a support of their own");
+  };
+  if (D == 2 && lua_istable(L, value)) refuse(value);
+  double size = 0;
+  each_item(L, o, on, [&](int at) {
+    const Place<D>* place = test_object<Place<D>>(L, at);
+    if (!place || !place->side) refuse(at);
+    const double area = face_area(*place->body, *place->side);
+    support.centre += area * model::face_centroid(*place->body, *place->side);
+    size += area;
+  });
+  support.centre /= size;
+}
+
+} // namespace
+
+template <int D>
+model::Support<D> read_support(lua_State* L, Draft<D>& draft, const std::string& name, int index,
+                               const Argument& entry) {
+  const Options o(L, index, {"on", "fix", "drive", "rotate"}, false, entry.name);
+  model::Support<D> support;
+  support.name = name;
+  const Argument on = o.argument("on", D == 2 ? "a face, a list of faces, a corner, or an obstacle"
+                                              : "a face, a list of faces, an edge, a corner, or an obstacle");
+  each_item(L, o, on, [&](int at) {
+    if (has_type(L, at, Type<Rigid<D>>::name)) {
+      support.obstacles.push_back(index_of(L, draft, read_object<Rigid<D>>(L, at, on), on.name));
+      return;
+    }
+    const Place<D>& place = read_object<Place<D>>(L, at, on);
+    support.on.push_back({index_of(L, draft.scene, place, on.name), place.functions});
+  });
+  read_components<D>(L, o, "fix", "components that stay", Hold::fixed, support);
+  read_components<D>(L, o, "drive", "components that stages move", Hold::driven, support);
+  read_rotation(L, o, on, support);
+  if (support.hold == std::array<Hold, D>{} && !support.rotates)
+    throw ArgumentError(text(function_name(L), ": ", entry.name, " holds nothing: add fix = \"xy\", drive = \"xy\" or ",
+                             D == 2 ? "rotate = true" : "rotate = \"z\""));
+  return support;
+}
+
+template <int D>
+model::Load read_load(lua_State* L, const model::Scene<D>& scene, const std::string& name, int index,
+                      const Argument& entry) {
+  const Options o(L, index, {"on", "traction", "pressure"}, false, entry.name);
+  model::Load load;
+  load.name = name;
+  const Argument on = o.argument("on", "a face, or a list of faces");
+  each_item(L, o, on, [&](int at) { load.on.push_back(face_of(L, scene, at, on)); });
+  load.pressure = o.has("pressure");
+  if (load.pressure == o.has("traction"))
+    throw ArgumentError(text(function_name(L), ": ", entry.name, " must have one of traction = {tx, ty",
+                             D == 2 ? "" : ", tz", "} and pressure = p"));
+  if (load.pressure) {
+    load.start = {o.number("pressure", "force per reference area, against the outward normal")};
+  } else {
+    const VectorX traction = o.point("traction", "force per reference area", D, D);
+    load.start.assign(traction.begin(), traction.end());
+  }
+  return load;
+}
+
+template model::Support<2> read_support<2>(lua_State*, Draft<2>&, const std::string&, int, const Argument&);
+template model::Load read_load<2>(lua_State*, const model::Scene<2>&, const std::string&, int, const Argument&);
+template model::Support<3> read_support<3>(lua_State*, Draft<3>&, const std::string&, int, const Argument&);
+template model::Load read_load<3>(lua_State*, const model::Scene<3>&, const std::string&, int, const Argument&);
+
+} // namespace signorini::bind
