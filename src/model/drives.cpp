@@ -103,14 +103,17 @@ template <int D> void Drives<D>::follow(int s, const Drive& drive) {
     const int target = driven ? next++ : -1,
               angle = support.rotates ? drive.first + static_cast<int>(drive.components.size()) - 1 : -1;
     if (!driven && !support.rotates) continue;
-    for (const Held& held : support.on) {
-      const MatrixX points = scene_.bodies[at(held.body)].body->space().points();
-      for (int function : held.functions)
-        followers_.push_back({unknowns_.offset(held.body) + D * function + c, c, target, angle,
-                              points.col(function) - support.centre, support.axis});
+    for (const int dof : unknowns_.of_support(s, c)) {
+      if (dof >= unknowns_.obstacle_offset(0)) {
+        followers_.push_back({dof, c, target, -1, Vec<D>::Zero(), Vec<D>::Zero()});
+        continue;
+      }
+      std::size_t body = scene_.bodies.size() - 1;
+      while (dof < unknowns_.offset(static_cast<int>(body))) --body;
+      const nurbs::Discretisation& space = scene_.bodies[body].body->space();
+      const auto point = space.homogeneous().col((dof - unknowns_.offset(static_cast<int>(body))) / D);
+      followers_.push_back({dof, c, target, angle, point.template head<D>() / point(D) - support.centre, support.axis});
     }
-    for (int obstacle : support.obstacles)
-      followers_.push_back({unknowns_.obstacle_offset(obstacle) + c, c, target, -1, Vec<D>::Zero(), Vec<D>::Zero()});
   }
 }
 

@@ -1,8 +1,10 @@
 #include "model/unknowns.hpp"
 
 #include "base/error.hpp"
+#include "nurbs/coincident.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace signorini::model {
 
@@ -29,6 +31,21 @@ template <int D> Unknowns<D>::Unknowns(const Scene<D>& scene) {
   obstacles_ = count;
   count += D * static_cast<int>(scene.obstacles.size());
 
+  // Control points that are one point of a body move as one: the first of them leads.
+  std::vector<int> leader(static_cast<std::size_t>(count));
+  std::iota(leader.begin(), leader.end(), 0);
+  std::vector<std::vector<int>> mates; // degrees of freedom of each such point's component, the leader first
+  for (int b = 0; b < static_cast<int>(scene.bodies.size()); ++b)
+    for (const std::vector<int>& group :
+         nurbs::coincident_functions(scene.bodies[static_cast<std::size_t>(b)].body->space()))
+      for (int c = 0; c < D; ++c) {
+        mates.emplace_back();
+        for (int function : group) {
+          mates.back().push_back(offset(b) + D * function + c);
+          leader[static_cast<std::size_t>(mates.back().back())] = mates.back().front();
+        }
+      }
+
   // Who holds each degree of freedom, and how
   std::vector<const Support<D>*> holder(static_cast<std::size_t>(count), nullptr);
   for (const Support<D>& support : scene.supports)
@@ -38,6 +55,10 @@ template <int D> Unknowns<D>::Unknowns(const Scene<D>& scene) {
       for (const Held& held : support.on)
         for (int function : held.functions) list.push_back(offset(held.body) + D * function + c);
       for (int obstacle : support.obstacles) list.push_back(obstacle_offset(obstacle) + c);
+      for (const std::vector<int>& group : mates) {
+        const auto in_group = [&](int dof) { return leader[static_cast<std::size_t>(dof)] == group.front(); };
+        if (std::any_of(list.begin(), list.end(), in_group)) list.insert(list.end(), group.begin(), group.end());
+      }
       std::sort(list.begin(), list.end());
       list.erase(std::unique(list.begin(), list.end()), list.end());
       if (hold != Hold::free || support.rotates)
@@ -60,7 +81,8 @@ template <int D> Unknowns<D>::Unknowns(const Scene<D>& scene) {
     const int c = dof % D; // every body and obstacle has D components per control point
     held_.push_back(support != nullptr || dof >= obstacles_);
     if (!support) {
-      unknown_.push_back(dof < obstacles_ ? size_++ : -1);
+      const int lead = leader[static_cast<std::size_t>(dof)];
+      unknown_.push_back(dof >= obstacles_ ? -1 : lead < dof ? unknown(lead) : size_++);
     } else if (support->rotates && support->hold[static_cast<std::size_t>(c)] == Hold::free) {
       int& unknown = shared[static_cast<std::size_t>(support - scene.supports.data())][static_cast<std::size_t>(c)];
       if (unknown < 0) unknown = size_++;

@@ -10,7 +10,8 @@ namespace signorini::model {
 
 /// Degrees of freedom are numbered body after body, control point after control point, component after component, then
 /// obstacle after obstacle, D translations each. Those that are free are numbered again without gaps: the unknowns. The
-/// control points of a support that rotates share one unknown for each free component of its translation.
+/// control points of a support that rotates share one unknown for each free component of its translation; those that
+/// are one point of a body, such as the pole of a sphere, share theirs, and a support that holds one of them holds all.
 template <int D> class Unknowns {
 public:
   /// Throws Error when two supports hold the same component in ways that contradict each other.

@@ -1,0 +1,293 @@
+// A contact of solids: force and tangent against finite differences in every state, on smooth and kinked surfaces and
+// on obstacles, balance of forces and moments, Coulomb's law for any direction of slip, reversal and twisting.
+#include "contact/faces3d.hpp"
+
+#include "differences.hpp"
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace signorini::contact {
+namespace {
+
+using namespace test;
+
+/// An indenter with a bulging bottom whose lowest point is (x, y, z), above a master; all displacements in one vector,
+/// the master body's or the obstacle's last.
+struct Couple3 {
+  nurbs::Discretisation die;
+  std::optional<nurbs::Discretisation> base;
+  Pair<3> pair;
+  VectorX u;
+
+  static nurbs::Discretisation indenter(const std::string& label, const Vec<3>& at) {
+    nurbs::Plan plan;
+    plan.elements = {2, 2, 1};
+    plan.contact = {nurbs::side_of("front", 3)};
+    plan.labels.assign(2, nurbs::parse_label(label));
+    return {nurbs::spherical_indenter(1, 1, 0.8, 1.2, 2, at - Vec<3>(0.5, 0.5, 0)), plan};
+  }
+  Couple3(const std::string& label, const nurbs::Discretisation& master, const Law& law, const Vec<3>& at,
+          int points = 4)
+      : die(indenter(label, at)), base(master),
+        pair(Surface<3>(die, nurbs::side_of("front", 3)), top_of(*base), law, points),
+        u(VectorX::Zero(3 * (die.functions() + base->functions()))) {}
+  Couple3(const std::string& label, const Obstacle<3>& master, const Law& law, const Vec<3>& at)
+      : die(indenter(label, at)), pair(Surface<3>(die, nurbs::side_of("front", 3)), master, law, 4),
+        u(VectorX::Zero(3 * (die.functions() + 1))) {}
+
+  int die_dofs() const { return 3 * die.functions(); }
+  int base_dofs() const { return static_cast<int>(u.size()) - die_dofs(); }
+  void evaluate(const VectorX& at) { pair.evaluate(at.data(), at.data() + die_dofs()); }
+  void evaluate() { evaluate(u); }
+  Dense dense() const { return test::dense(pair, die_dofs(), base_dofs()); }
+  void move_die(const Vec<3>& by) {
+    for (int i = 0; i < die_dofs(); i += 3) u.segment<3>(i) += by;
+  }
+  void turn_die(double angle, const Vec<3>& about) {
+    const MatrixX points = die.points();
+    const Eigen::AngleAxisd turn(angle, Vec<3>::UnitZ());
+    for (int i = 0; i < die.functions(); ++i) {
+      const Vec<3> x = Vec<3>(points.col(i)) + u.segment<3>(3 * i);
+      u.segment<3>(3 * i) += turn * (x - about) + about - x;
+    }
+  }
+  void touch() {
+    for (int round = 0; round < 10; ++round) {
+      evaluate();
+      const std::vector<double> gaps = pair.gaps();
+      move_die({0, 0, -*std::min_element(gaps.begin(), gaps.end())});
+    }
+    evaluate();
+    pair.accept();
+  }
+  void shake(Random& random, double size) {
+    for (int i = 0; i < u.size(); ++i) u(i) += uniform(random, -size, size);
+  }
+};
+
+std::vector<int> signature(const Pair<3>& pair) {
+  std::vector<int> result;
+  for (const auto& point : pair.results()) result.push_back(static_cast<int>(point.state));
+  for (const Group& group : pair.groups())
+    result.insert(result.end(), {group.slave_element, group.master_element, group.slip_element});
+  return result;
+}
+
+struct Census {
+  int compared = 0, stepped_over = 0, stick = 0, slip = 0, elsewhere = 0;
+};
+
+/// Tangent times random directions against differences of the force; both faces, or face and obstacle, move.
+void compare_with_differences(Couple3& couple, Random& random, Census& census) {
+  couple.evaluate();
+  const Dense at = couple.dense();
+  const std::vector<int> before = signature(couple.pair);
+  Census here = census;
+  for (const auto& point : couple.pair.results()) {
+    here.stick += point.state == ContactState::stick;
+    here.slip += point.state == ContactState::slip;
+  }
+  for (const Group& group : couple.pair.groups()) here.elsewhere += group.slip_element >= 0;
+  for (int k = 0; k < 8; ++k) {
+    VectorX direction = VectorX::Zero(couple.u.size());
+    for (int i = 0; i < direction.size(); ++i) direction(i) = uniform(random, -1, 1);
+    bool crossed = false;
+    const VectorX slope = signorini::test::derivative<VectorX>(
+        [&](double h) {
+          couple.evaluate(couple.u + h * direction);
+          crossed = crossed || signature(couple.pair) != before;
+          return couple.dense().force;
+        },
+        2e-6);
+    if (crossed) {
+      ++census.stepped_over;
+      couple.evaluate();
+      return;
+    }
+    const VectorX product = at.tangent * direction;
+    EXPECT_LE((slope - product).norm(), 2e-8 * at.tangent.norm());
+  }
+  couple.evaluate();
+  census = here;
+  ++census.compared;
+}
+
+/// Presses, drags to and fro, twists, with a comparison after each, from random displaced states.
+void wander(Couple3 couple, unsigned seed, double depth, Census& census) {
+  Random random(seed);
+  couple.shake(random, 0.003);
+  couple.touch();
+  couple.move_die({0, 0, -depth});
+  couple.shake(random, 0.001);
+  compare_with_differences(couple, random, census);
+  couple.pair.accept();
+  for (const Vec<3>& drag :
+       {Vec<3>(3e-4, 1e-4, 0), Vec<3>(0.02, 0.03, 0), Vec<3>(-0.05, 0.01, 0), Vec<3>(0.3, 0.2, 0)}) {
+    couple.move_die(drag);
+    couple.shake(random, 0.0003);
+    compare_with_differences(couple, random, census);
+    couple.pair.accept();
+  }
+  couple.turn_die(0.1, {1.5, 1.5, 0});
+  compare_with_differences(couple, random, census);
+}
+
+TEST(SolidPair, TangentIsTheForcesDerivativeInEveryState) {
+  Random random(1);
+  Census sum;
+  unsigned seed = 0;
+  for (const char* label : {"N2", "N3", "N2-N2.1"})
+    for (double mu : {0.0, 0.3})
+      for (int degree : {1, 2, 3})
+        wander(Couple3(label, wavy_plate(random, 3, 0.02, degree, 4), PenaltyLaw{100, 80, mu}, {1.4, 1.5, 0.1}), ++seed,
+               0.05, sum);
+  EXPECT_GE(sum.compared, 60) << sum.stepped_over << " states lay on a change of state";
+  EXPECT_GT(sum.stick, 200);
+  EXPECT_GT(sum.slip, 200);
+  EXPECT_GT(sum.elsewhere, 10);
+}
+
+TEST(SolidPair, TangentIsTheForcesDerivativeOnEdgesAndCorners) {
+  // A pit of four planes: its kinks and its deepest point are master points of what dips below.
+  const nurbs::KnotVector two(1, {0, 0, 1, 2, 2});
+  MatrixX points(3, 9);
+  for (int j = 0; j < 3; ++j)
+    for (int i = 0; i < 3; ++i)
+      points.col(i + 3 * j) << 1.5 * i, 1.5 * j, 0.15 * std::max(std::abs(i - 1), std::abs(j - 1));
+  const auto pit = below({two, two}, points, VectorX::Ones(9));
+  for (double mu : {0.0, 0.3}) {
+    Random random(5);
+    Couple3 couple("N2", pit, PenaltyLaw{100, 80, mu}, {1.5, 1.5, 0.05}, 12);
+    couple.touch();
+    couple.move_die({0.0002, 0.0001, -0.12});
+    couple.evaluate();
+    int off_normal = 0;
+    FacePoint<3> foot;
+    Master<3> master(top_of(pit));
+    for (const auto& point : couple.pair.results()) {
+      const Foot kind = master.project(point.position, {}, foot).foot;
+      off_normal += point.state != ContactState::open && (kind == Foot::edge || kind == Foot::corner);
+    }
+    EXPECT_GE(off_normal, 4);
+    couple.pair.accept();
+    Census census;
+    for (const Vec<3>& drag : {Vec<3>(2e-4, 1e-4, 0), Vec<3>(0.002, -0.001, 0)}) {
+      couple.move_die(drag);
+      compare_with_differences(couple, random, census);
+    }
+    EXPECT_EQ(census.compared, 2) << census.stepped_over;
+  }
+}
+
+/// Obstacles whose tops are at (1.5, 1.5, 0).
+std::vector<Obstacle<3>> obstacles(Random& random) {
+  return {make_plane<3>({1.5, 1.5, 0}, {0.1, -0.05, 2}), make_ball<3>({1.5, 1.5, -2}, 2),
+          make_cylinder({1.5, 1.5, -1}, {1, 0.3, 0}, 1),
+          wavy_plate(random, 3, 0.03, 2, 4).face_patch(nurbs::side_of("back", 3))};
+}
+
+TEST(SolidPair, TangentIsTheForcesDerivativeOnObstacles) {
+  Random random(2);
+  Census sum;
+  unsigned seed = 50;
+  for (double mu : {0.0, 0.3})
+    for (const Obstacle<3>& obstacle : obstacles(random))
+      wander(Couple3("N2", obstacle, PenaltyLaw{100, 80, mu}, {1.5, 1.5, 0.1}), ++seed, 0.05, sum);
+  EXPECT_GE(sum.compared, 25) << sum.stepped_over << " states lay on a change of state";
+  EXPECT_GT(sum.stick, 100);
+  EXPECT_GT(sum.slip, 100);
+}
+
+TEST(SolidPair, ForcesBalanceAndWithoutFrictionMomentsToo) {
+  Random random(4);
+  for (double mu : {0.0, 0.3})
+    for (int trial = 0; trial < 4; ++trial) {
+      Couple3 couple("N2", wavy_plate(random, 3, 0.03, 2, 4), PenaltyLaw{100, 100, mu}, {1.4, 1.5, 0.1});
+      couple.touch();
+      couple.move_die({0.02, 0.01, -0.06});
+      couple.shake(random, 0.003);
+      couple.evaluate();
+      const VectorX force = couple.dense().force;
+      const Resultant<3> resultant = couple.pair.resultant();
+      ASSERT_GT(resultant.active, 0);
+      Vec<3> on_die = Vec<3>::Zero(), on_base = Vec<3>::Zero(), moment = Vec<3>::Zero();
+      double size = 0;
+      const MatrixX die = couple.die.points(), base = couple.base->points();
+      for (int i = 0; i < couple.u.size(); i += 3) {
+        const bool first = i < couple.die_dofs();
+        const Vec<3> f = force.segment<3>(i);
+        const Vec<3> x =
+            Vec<3>(first ? die.col(i / 3) : base.col((i - couple.die_dofs()) / 3)) + couple.u.segment<3>(i);
+        (first ? on_die : on_base) += f;
+        moment += x.cross(f);
+        size += f.norm();
+      }
+      EXPECT_LE((on_die + on_base).norm(), 1e-14 * size);
+      EXPECT_LE((on_die + resultant.force).norm(), 1e-13 * size);
+      if (mu == 0) {
+        EXPECT_LE(moment.norm(), 1e-13 * size);
+      }
+    }
+}
+
+TEST(SolidPair, SlipFollowsAnyDirectionAtCoulombsLimit) {
+  // On a plane of control points that do not move: the traction is along the motion, whatever its direction.
+  Random random(6);
+  const double mu = 0.25;
+  for (const Obstacle<3>& obstacle : obstacles(random)) {
+    Couple3 couple("N2", obstacle, PenaltyLaw{100, 100, mu}, {1.5, 1.5, 0.1});
+    couple.touch();
+    couple.move_die({0, 0, -0.05});
+    couple.evaluate();
+    couple.pair.accept();
+    for (int step = 0; step < 12; ++step) {
+      const double angle = 0.5 * step; // turns and comes back
+      const Vec<3> drag(0.02 * std::cos(angle), 0.02 * std::sin(angle), 0);
+      couple.move_die(drag);
+      couple.evaluate();
+      for (const auto& point : couple.pair.results()) {
+        if (point.state == ContactState::open) continue;
+        EXPECT_LE(point.friction.norm(), mu * point.pressure * (1 + 1e-12));
+        if (point.state == ContactState::slip) {
+          EXPECT_NEAR(point.friction.norm(), mu * point.pressure, 1e-12 * point.pressure);
+        }
+      }
+      const Resultant<3> here = couple.pair.resultant();
+      couple.pair.accept();
+      // The accepted slip points hold the same forces; on curved faces but for the chord to the slip point, which leans
+      // less when it is shorter.
+      couple.evaluate();
+      const double tolerance = std::holds_alternative<Plane<3>>(obstacle) ? 1e-12 : 5e-3;
+      EXPECT_LE((couple.pair.resultant().force - here.force).norm(), tolerance * here.force.norm()) << "step " << step;
+    }
+  }
+}
+
+TEST(SolidPair, TwistingIsMuTimesPressureTimesRadius) {
+  // Far beyond sticking every point slips around the axis: M = μ ∫ p r da.
+  const double mu = 0.4;
+  Couple3 couple("N2", make_plane<3>({0, 0, 0}, {0, 0, 1}), PenaltyLaw{100, 1e4, mu}, {0, 0, 0.1});
+  couple.touch();
+  couple.move_die({0, 0, -0.05});
+  couple.evaluate();
+  couple.pair.accept();
+  for (int step = 0; step < 20; ++step) {
+    couple.turn_die(0.05, Vec<3>::Zero());
+    couple.evaluate();
+    couple.pair.accept();
+  }
+  double moment = 0, expected = 0;
+  for (const auto& point : couple.pair.results()) {
+    moment += point.position.head<2>().dot(Eigen::Vector2d(point.force(1), -point.force(0)));
+    expected += mu * point.pressure * point.area * point.position.head<2>().norm();
+  }
+  EXPECT_GT(expected, 0);
+  EXPECT_NEAR(std::abs(moment), expected, 2e-3 * expected);
+}
+
+} // namespace
+} // namespace signorini::contact
