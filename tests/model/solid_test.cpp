@@ -1,0 +1,136 @@
+// Whole models of solids: Newton's convergence on frictional ironing and twisting with the exact tangent, balance of
+// forces, moments and energy, and a pole that stays one point.
+#include "model/model.hpp"
+#include "nurbs/coincident.hpp"
+#include "nurbs/shapes.hpp"
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace signorini::model {
+namespace {
+
+const nurbs::Side west{0, false}, south{1, false}, front{2, false}, back{2, true};
+
+std::shared_ptr<const solid::Body<3>> make_solid(const nurbs::Patch& patch, std::vector<int> elements,
+                                                 const std::string& label, nurbs::Side contact,
+                                                 const solid::Material& material) {
+  nurbs::Plan plan;
+  plan.elements = std::move(elements);
+  plan.contact = {contact};
+  plan.labels.assign(2, nurbs::parse_label(label));
+  return std::make_shared<const solid::Body<3>>(std::make_shared<const nurbs::Discretisation>(patch, plan), material);
+}
+
+Held held(const Scene<3>& scene, int body, nurbs::Side side) {
+  return {body, scene.bodies[static_cast<std::size_t>(body)].body->space().face_functions(side)};
+}
+
+/// A small indenter with a spherical cap on a block; its top is driven, or turned about the vertical.
+Scene<3> indentation(const std::string& label, double mu, bool turns) {
+  Scene<3> scene;
+  const nurbs::Patch cap = nurbs::spherical_indenter(1, 1, 0.8, 1.2, 2, Eigen::Vector3d(0.6, 0.5, 1));
+  scene.bodies.push_back({"indenter", make_solid(cap, {2, 2, 1}, label, front, solid::neo_hookean(5, 0.3))});
+  const nurbs::Patch block = nurbs::block({3, 2, 1}, Eigen::Vector3d(0, 0, 0));
+  scene.bodies.push_back({"block", make_solid(block, {6, 4, 2}, label, back, solid::neo_hookean(1, 0.3))});
+  scene.supports.push_back({"bed", {held(scene, 1, front)}, {Hold::fixed, Hold::fixed, Hold::fixed}});
+  Support<3> grip{"grip", {held(scene, 0, back)}, {Hold::driven, Hold::driven, Hold::driven}};
+  grip.rotates = turns;
+  grip.centre = {1.1, 1, 1.8};
+  grip.axis = {0, 0, 1};
+  scene.supports.push_back(grip);
+  scene.contacts.push_back({"interface", {0, front}, FaceReference{1, back}, contact::PenaltyLaw{50, 50, mu}, 6});
+  return scene;
+}
+
+/// One step; counts how often the last reduction can be seen to be quadratic.
+void step(Model<3>& model, const std::vector<double>& targets, int& iterations, int& quadratic) {
+  for (std::size_t i = 0; i < targets.size(); ++i) model.set_target(0, static_cast<int>(i), targets[i]);
+  const solve::NewtonReport report = model.solve_step({});
+  ASSERT_EQ(report.outcome, solve::Outcome::converged) << report.message;
+  iterations += report.iterations;
+  const Vec<3> by_bed = model.reaction(0), by_grip = model.reaction(1);
+  const double scale = by_grip.norm();
+  const double missing = std::sqrt(model.unknowns().size()) * report.residuals.back() + 1e-12 * scale;
+  EXPECT_LT((by_bed + by_grip).norm(), missing);
+  EXPECT_LT((model.contact_resultant(0).force + by_grip).norm(), missing);
+  const double last = report.residuals.back(), before = report.residuals[report.residuals.size() - 2];
+  if (before < 1e-3 * scale && before > 3e-7 * scale) {
+    ++quadratic;
+    EXPECT_LT(last, 300 * before * before / scale + 1e-11 * scale);
+  }
+  model.accept();
+}
+
+TEST(SolidModel, IroningConvergesQuadraticallyAndItsEnergyBalances) {
+  for (const char* label : {"N2", "N2-N2.1"}) {
+    Model<3> model(indentation(label, 0.3, false));
+    int iterations = 0, quadratic = 0;
+    for (int i = 1; i <= 8; ++i) step(model, {0, 0, -0.02 * i}, iterations, quadratic);
+    for (int i = 1; i <= 24; ++i) step(model, {0.025 * i, 0.01 * i, -0.16}, iterations, quadratic);
+    EXPECT_LE(iterations, 6 * 32) << label;
+    EXPECT_GT(quadratic, 3) << label;
+    const auto contact = model.contact_resultant(0);
+    EXPECT_GT(contact.slipping, 0);
+    EXPECT_LT(contact.force(0), 0);
+    EXPECT_LT(contact.force(1), 0);
+    // Work in = stored + contact springs + friction. The springs' own area and stretch are not part of it.
+    const Energies e = model.energies();
+    EXPECT_GT(e.friction, 0.05 * e.work);
+    EXPECT_NEAR(e.work, e.stored + e.contact + e.friction, 5e-3 * e.work)
+        << label << ": " << e.work << " " << e.stored << " " << e.contact << " " << e.friction;
+  }
+}
+
+TEST(SolidModel, TwistingTurnsAgainstAMoment) {
+  Model<3> model(indentation("N2", 0.3, true));
+  int iterations = 0, quadratic = 0;
+  for (int i = 1; i <= 6; ++i) step(model, {0, 0, -0.02 * i, 0}, iterations, quadratic);
+  EXPECT_NEAR(model.moment(1), 0, 1e-3 * model.reaction(1).norm());
+  double before = 0, work = 0, last_moment = model.moment(1);
+  const double work_before = model.energies().work;
+  for (int i = 1; i <= 16; ++i) {
+    step(model, {0, 0, -0.12, 1.5 * i}, iterations, quadratic);
+    work += (model.moment(1) + last_moment) / 2 * 1.5 * std::acos(-1.0) / 180;
+    last_moment = model.moment(1);
+    if (i <= 2) {
+      EXPECT_GT(model.moment(1), before);
+    }
+    before = model.moment(1);
+  }
+  EXPECT_LE(iterations, 6 * 22);
+  // The angle's work is M dθ.
+  EXPECT_NEAR(model.energies().work - work_before, work, 2e-3 * work);
+}
+
+TEST(SolidModel, APoleStaysOnePoint) {
+  Scene<3> scene;
+  const nurbs::Patch octant = nurbs::sphere_octant(0.5, 1, Eigen::Vector3d::Zero());
+  scene.bodies.push_back({"ball", make_solid(octant, {2, 3, 1}, "N2-N2.1", front, solid::neo_hookean(1, 0.3))});
+  scene.supports.push_back({"x0", {held(scene, 0, {0, true})}, {Hold::fixed, Hold::free, Hold::free}});
+  scene.supports.push_back({"y0", {held(scene, 0, west)}, {Hold::free, Hold::fixed, Hold::free}});
+  scene.supports.push_back({"equator", {held(scene, 0, south)}, {Hold::free, Hold::free, Hold::driven}});
+  scene.obstacles.push_back(contact::make_plane<3>({0, 0, -1}, {0, 0, 1}));
+  scene.contacts.push_back({"plane", {0, front}, ObstacleReference{0}, contact::PenaltyLaw{100}, 4});
+  Model<3> model(std::move(scene));
+  const auto groups = nurbs::coincident_functions(model.scene().bodies[0].body->space());
+  ASSERT_FALSE(groups.empty());
+  for (int i = 1; i <= 3; ++i) {
+    model.set_target(0, 0, -0.02 * i);
+    const solve::NewtonReport report = model.solve_step({});
+    ASSERT_EQ(report.outcome, solve::Outcome::converged) << report.message;
+    model.accept();
+  }
+  EXPECT_GT(model.contact_resultant(0).force(2), 0);
+  const auto u = model.body_displacement(0);
+  for (const auto& group : groups)
+    for (int function : group) {
+      EXPECT_EQ((u.col(function) - u.col(group.front())).norm(), 0);
+      EXPECT_EQ(u.col(function).head<2>().norm(), 0); // both symmetry planes hold it
+    }
+}
+
+} // namespace
+} // namespace signorini::model
