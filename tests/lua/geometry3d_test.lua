@@ -111,13 +111,85 @@ check.case("what cannot be a volume says so", function()
   check.fails(function() sg.nurbs.extrude { patch = cube, along = { 1, 0, 0 } } end, "got a volume")
   check.fails(function() sg.nurbs.extrude { patch = square, along = { 0, 0, 0 } } end, "along: it has no length")
   check.fails(function() sg.nurbs.revolve { patch = square, angle = 0 } end, "angle: it is 0")
-  check.fails(function() sg.nurbs.line { from = { 0, 0, 0 }, to = { 0, 0, 0 } } end, "starts and ends at the same point")
+  check.fails(function() sg.nurbs.line { from = { 0, 0, 0 }, to = { 0, 0, 0 } } end, "ends at the same point")
   check.fails(function() sg.shapes.block { size = { 1, 0, 1 } } end, "size")
   check.fails(function()
     sg.shapes.spherical_indenter { width = 10, depth = 10, height = 11, radius = 7, elements = 1 }
   end, "radius: a sphere of radius 7 does not reach the corners")
   check.fails(function() cube:face "top" end, "west, east, south, north, front, back")
   check.fails(function() square:face "front" end, "west, east, south, north")
+end)
+
+local soft = sg.neo_hookean { E = 1, nu = 0.3 }
+
+local function solid(patch, elements, order, contact)
+  return sg.body { patch = patch, elements = elements, order = order, contact = contact, material = soft }
+end
+
+check.case("left-handed and crossing volumes are no bodies", function()
+  local square = sg.nurbs.ruled { a = sg.nurbs.line { from = { 2, 0, 0 }, to = { 2, 0, 1 } },
+                                  b = sg.nurbs.line { from = { 3, 0, 0 }, to = { 3, 0, 1 } } }
+  local cure = "reverse one parametric direction, or untangle the control points"
+  local function turned(patch, angle)
+    return solid(sg.nurbs.revolve { patch = patch, angle = angle }, { 2, 2, 4 }, "N2")
+  end
+  assert(turned(square, 90))
+  assert(turned(square:translate { -2, 0, 0 }, 360)) -- touches its axis
+  check.fails(function() turned(square, -90) end, "sg.body: patch: the map is not right-handed (Jacobian -", cure)
+  check.fails(function() turned(square:translate { -2.5, 0, 0 }, 90) end, "patch: the map is not right-handed", cure)
+  local points = sg.shapes.block { size = { 1, 1, 1 } }:points()
+  points[1], points[2] = points[2], points[1]
+  local U = { 0, 0, 1, 1 }
+  local crossed = sg.nurbs.volume { degrees = { 1, 1, 1 }, knots = { U, U, U }, points = points }
+  check.fails(function() solid(crossed, { 1, 1, 1 }, "N1") end, "patch: the map is not right-handed", cure)
+  check.fails(function() solid(square, { 1, 1 }, "N1") end, "a volume in 3D")
+end)
+
+check.case("labels per direction, layers on any face, none across a pole", function()
+  local cube = sg.shapes.block { size = { 1, 2, 3 } }
+  -- 5, 6 functions of N2 on 3, 4 elements, N2.1 on 3 has 8; 2 + 1 rows of a linear direction
+  local dofs = solid(cube, { 3, 4, 2 }, { "N2-N2.1", "N2" }, "back"):dofs()
+  check.equal({ dofs.interface, dofs.total }, { 3 * 8 * 6, 3 * (8 * 6 + 2 * 5 * 6) })
+  dofs = solid(cube, { 2, 3, 4 }, { "N2", "N2-N2.1" }, "west"):dofs()
+  check.equal({ dofs.interface, dofs.total }, { 3 * 5 * 10, 3 * (5 * 10 + 2 * 5 * 6) })
+  dofs = solid(cube, { 3, 2, 4 }, "N2-N2.1x2", { "south", "north" }):dofs()
+  check.equal(dofs.total, 3 * 3 * 8 * 10)
+  local half = sg.shapes.hollow_hemisphere { inner = 1, outer = 2 }
+  local function alone(body)
+    return sg.model { bodies = { body = body }, supports = { bed = { on = body:face "front", fix = "xyz" } } }
+  end
+  assert(alone(solid(half, { 2, 2, 1 }, "N2-N2.2", "front")))
+  check.fails(function() alone(solid(half, { 2, 2, 1 }, "N2-N2.2", "west")) end,
+    "face 'south' of this body collapses across the layer on 'west'", "or another contact face")
+end)
+
+--- The force on a rigid plane that presses a hemisphere held at its ring.
+local function pressed(poles, elements, ring)
+  local half = sg.body {
+    patch = sg.shapes.hollow_hemisphere { inner = 0.5, outer = 1, poles = poles }, elements = elements, order = "N2",
+    contact = "front", material = soft,
+  }
+  local faces = {}
+  for i, name in ipairs(ring) do faces[i] = half:face(name) end
+  local plane = sg.rigid.plane { point = { 0, 0, -1 }, normal = { 0, 0, 1 } }
+  local model = sg.model {
+    bodies = { half = half },
+    supports = { ring = { on = faces, fix = "xyz" }, tool = { on = plane, fix = "xy", drive = "z" } },
+    contacts = { touch = { slave = half:face "front", master = plane, penalty = 100 } },
+  }
+  local run = model:run { { name = "press", steps = 4, tool = { 0.1 } } }
+  if run.failed then error(run.report) end
+  return run:column "tool.fz"[4]
+end
+
+check.case("hemispheres with either poles converge to one load, whole at their poles and seam", function()
+  local function apart(n)
+    local ends = pressed("ends", { 4 * n, 4 * n, n }, { "west", "east" })
+    return math.abs(pressed("bottom", { 4 * n, 3 * n, n }, { "south" }) / ends - 1)
+  end
+  local coarse, fine = apart(2), apart(4)
+  check.near({ coarse, fine }, { 0, 0 }, 0.03)
+  assert(fine < 0.3 * coarse, ("apart by %g, then by %g"):format(coarse, fine))
 end)
 
 check.done()
