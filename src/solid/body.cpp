@@ -3,22 +3,16 @@
 #include "base/error.hpp"
 #include "solid/axisymmetric.hpp"
 #include "solid/linear.hpp"
-#include "solid/quadrature.hpp"
 
 #include <algorithm>
 #include <numbers>
 
 namespace signorini::solid {
 
-ElementQuadrature element_quadrature(const nurbs::Discretisation& space, int e) {
-  const int dimensions = space.parametric_dimension();
-  std::vector<QuadratureRule> rules;
+ElementQuadrature tensor_product(const std::vector<QuadratureRule>& rules) {
   int size = 1;
-  for (int d = 0; d < dimensions; ++d) {
-    const auto [a, b] = space.interval(e, d);
-    rules.push_back(gauss_legendre(space.degree(e, d) + 1, a, b));
-    size *= static_cast<int>(rules.back().points.size());
-  }
+  for (const QuadratureRule& rule : rules) size *= static_cast<int>(rule.points.size());
+  const int dimensions = static_cast<int>(rules.size());
   ElementQuadrature result{MatrixX(dimensions, size), VectorX::Ones(size)};
   for (int q = 0; q < size; ++q)
     for (int d = 0, rest = q; d < dimensions; ++d) {
@@ -29,6 +23,15 @@ ElementQuadrature element_quadrature(const nurbs::Discretisation& space, int e) 
       rest /= static_cast<int>(count);
     }
   return result;
+}
+
+ElementQuadrature element_quadrature(const nurbs::Discretisation& space, int e) {
+  std::vector<QuadratureRule> rules;
+  for (int d = 0; d < space.parametric_dimension(); ++d) {
+    const auto [a, b] = space.interval(e, d);
+    rules.push_back(gauss_legendre(space.degree(e, d) + 1, a, b));
+  }
+  return tensor_product(rules);
 }
 
 namespace {

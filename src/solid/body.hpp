@@ -5,6 +5,7 @@
 #include "nurbs/discretisation.hpp"
 #include "solid/kernel.hpp"
 #include "solid/material.hpp"
+#include "solid/quadrature.hpp"
 
 #include <memory>
 #include <span>
@@ -94,5 +95,7 @@ struct ElementQuadrature {
   VectorX weights;
 };
 ElementQuadrature element_quadrature(const nurbs::Discretisation& space, int e);
+/// The rule whose points are all combinations of one rule's per parametric direction, ξ¹ fastest.
+ElementQuadrature tensor_product(const std::vector<QuadratureRule>& rules);
 
 } // namespace signorini::solid

@@ -1,7 +1,6 @@
 #include "solid/load.hpp"
 
 #include "base/error.hpp"
-#include "solid/quadrature.hpp"
 
 #include <numbers>
 
@@ -9,48 +8,54 @@ namespace signorini::solid {
 
 namespace {
 
-/// Gauss points of all knot spans, twice as many as the bulk has: faces are curved and rational, so that no rule is
-/// exact, and loads are integrated once.
-QuadratureRule along(const nurbs::KnotVector& knots) {
-  QuadratureRule all;
-  for (std::size_t e = 0; e + 1 < knots.breaks().size(); ++e) {
-    const QuadratureRule rule = gauss_legendre(2 * (knots.degree() + 1), knots.breaks()[e], knots.breaks()[e + 1]);
-    all.points.insert(all.points.end(), rule.points.begin(), rule.points.end());
-    all.weights.insert(all.weights.end(), rule.weights.begin(), rule.weights.end());
-  }
-  return all;
+/// Whether an element's border lies on a side.
+bool touches(const nurbs::Discretisation& space, int e, nurbs::Side side) {
+  for (int d = 0; d < side.direction; ++d) e /= space.elements(d);
+  return e % space.elements(side.direction) == (side.at_end ? space.elements(side.direction) - 1 : 0);
 }
 
-/// A face's outward normal times the surface measure.
-template <int D> Vec<D> outward(const std::vector<nurbs::Derivative>& face, nurbs::Side side) {
+/// Gauss points of an element's border on a side, twice as many per direction as the element has: faces are curved and
+/// rational, so that no rule is exact, and loads are integrated once.
+ElementQuadrature border_quadrature(const nurbs::Discretisation& space, int e, nurbs::Side side) {
+  std::vector<QuadratureRule> rules;
+  for (int d = 0; d < space.parametric_dimension(); ++d) {
+    const auto [a, b] = space.interval(e, d);
+    rules.push_back(d == side.direction ? QuadratureRule{{side.at_end ? b : a}, {1}}
+                                        : gauss_legendre(2 * (space.degree(e, d) + 1), a, b));
+  }
+  return tensor_product(rules);
+}
+
+/// A side's outward normal times the surface measure, from ∂X/∂ξ.
+template <int D> Vec<D> outward(const Mat<D>& jacobian, nurbs::Side side) {
+  const int first = side.direction == 0 ? 1 : 0;
   Vec<D> normal;
   if constexpr (D == 2)
-    normal << face[1].value(1), -face[1].value(0);
+    normal << jacobian(1, first), -jacobian(0, first);
   else
-    normal = Vec<3>(face[1].value).cross(Vec<3>(face[2].value));
+    normal = Vec<3>(jacobian.col(first)).cross(Vec<3>(jacobian.col(side.direction == 2 ? 1 : 2)));
   return nurbs::outward_sign(side) * normal;
 }
 
-/// ∫ R_A t dξ over a face; `force` gives the load t from the normal times the surface measure.
+/// ∫ R_A t dξ over a side, element by element, so that a side may cross a layer and be no tensor product; `force` gives
+/// the load t from the normal times the surface measure.
 template <int D, class Force> VectorX integrate(const Body<D>& body, nurbs::Side side, const Force& force) {
-  const nurbs::Patch face = body.space().face_patch(side);
-  const std::vector<int> functions = body.space().face_functions(side);
-  const QuadratureRule first = along(face.direction(0));
-  const QuadratureRule second = D == 3 ? along(face.directions().back()) : QuadratureRule{{0}, {1}};
-  VectorX load = VectorX::Zero(D * body.functions()), xi(D - 1);
-  for (std::size_t j = 0; j < second.points.size(); ++j)
-    for (std::size_t i = 0; i < first.points.size(); ++i) {
-      xi(D - 2) = second.points[j];
-      xi(0) = first.points[i];
-      const std::vector<nurbs::Derivative> point = nurbs::derivatives(face, xi, 1);
-      double weight = first.weights[i] * second.weights[j];
-      if (body.kind() == Kind::axisymmetric) weight *= 2 * std::numbers::pi * point[0].value(0);
-      const Vec<D> density = weight * force(outward<D>(point, side));
-      for (const nurbs::BasisValue& basis : nurbs::rational_basis(face, xi)) {
-        const int function = functions[static_cast<std::size_t>(basis.function)];
-        load.template segment<D>(D * function) += basis.value * density;
-      }
+  const nurbs::Discretisation& space = body.space();
+  const MatrixX points = space.points();
+  VectorX load = VectorX::Zero(D * body.functions());
+  for (int e = 0; e < body.elements(); ++e) {
+    if (!touches(space, e, side)) continue;
+    const ElementQuadrature rule = border_quadrature(space, e, side);
+    for (int q = 0; q < rule.weights.size(); ++q) {
+      const nurbs::ElementBasis basis = space.basis(e, rule.points.col(q));
+      const MatrixX nodes = points(Eigen::all, basis.functions);
+      double weight = rule.weights(q);
+      if (body.kind() == Kind::axisymmetric) weight *= 2 * std::numbers::pi * nodes.row(0).dot(basis.values);
+      const Vec<D> density = weight * force(outward<D>(nodes * basis.gradients.transpose(), side));
+      for (std::size_t a = 0; a < basis.functions.size(); ++a)
+        load.template segment<D>(D * basis.functions[a]) += basis.values(static_cast<int>(a)) * density;
     }
+  }
   return load;
 }
 

@@ -61,6 +61,51 @@ TEST(Load, TotalTractionIsTheArea) {
   expect_area<3>(shell, "east", 0.4 * 0.5);
 }
 
+/// Area and first moments ∫X dA of a face, from a unit traction.
+void expect_moments(const Body<3>& body, const std::string& face, double area, const Vec<3>& moments) {
+  const VectorX load = traction_load(body, side_of(face, 3), 0);
+  const MatrixX points = body.space().points();
+  Vec<3> found = Vec<3>::Zero();
+  for (int a = 0; a < body.functions(); ++a) found += load(3 * a) * points.col(a);
+  EXPECT_NEAR(total<3>(load, 0), area, 1e-12 * area) << face;
+  EXPECT_LT((found - moments).norm(), 1e-12 * (moments.norm() + 1)) << face;
+}
+
+TEST(Load, SidesThatCrossALayerAreIntegratedOnBothOfItsSpaces) {
+  const Vec<3> corner(1, 2, 3), size(2, 0.5, 0.4);
+  for (const char* contact : {"back", "south", "east"})
+    for (const char* label : {"N2-N2.1", "N2-N2.2x2", "N2-N4"}) {
+      const Body<3> block =
+          make_body<3>(nurbs::block({size(0), size(1), size(2)}, corner), {3, 3, 3}, label, contact, steel);
+      for (int d = 0; d < 3; ++d)
+        for (bool at_end : {false, true}) {
+          Vec<3> middle = corner + size / 2;
+          middle(d) = corner(d) + (at_end ? size(d) : 0);
+          const double area = size.prod() / size(d);
+          expect_moments(block, nurbs::name_of({d, at_end}), area, area * middle);
+        }
+      expect_area<3>(block, "west", 0.5 * 0.4);
+    }
+  const double a = 0.4, b = 0.7, cubes = (b * b * b - a * a * a) / 3;
+  const Body<3> octant =
+      make_body<3>(nurbs::sphere_octant(a, b, Eigen::Vector3d(0, 0, 0)), {4, 4, 2}, "N2-N2.2", "front", steel);
+  const double flat = pi / 4 * (b * b - a * a);
+  expect_moments(octant, "front", pi / 2 * b * b, pi / 4 * b * b * b * Vec<3>(1, 1, -1));
+  expect_moments(octant, "back", pi / 2 * a * a, pi / 4 * a * a * a * Vec<3>(1, 1, -1));
+  expect_moments(octant, "south", flat, cubes * Vec<3>(1, 1, 0));
+  expect_moments(octant, "west", flat, cubes * Vec<3>(1, 0, -1));
+  expect_moments(octant, "east", flat, cubes * Vec<3>(0, 1, -1));
+}
+
+TEST(Load, ACollapsedSideCarriesNothing) {
+  for (const char* label : {"N2", "N2-N2.2"}) {
+    const Body<3> octant =
+        make_body<3>(nurbs::sphere_octant(0.4, 0.7, Eigen::Vector3d(0, 0, 0)), {2, 2, 1}, label, "front", steel);
+    EXPECT_LT(traction_load(octant, side_of("north", 3), 0).norm(), 1e-16);
+    EXPECT_LT(pressure_load(octant, side_of("north", 3)).norm(), 1e-16);
+  }
+}
+
 TEST(Load, TotalTractionOfABodyOfRevolutionIsTheAreaOfTheFullCircle) {
   const auto bowl = revolved(
       make_body<2>(nurbs::quarter_annulus(0.3, 0.7, Eigen::Vector2d(0, 0), 270), {4, 2}, "N2", "south", steel));
@@ -116,8 +161,11 @@ TEST(Load, PressureAllAroundHoldsItself) {
     expect_balance<2>(plane);
     expect_balance<2>(*revolved(plane));
     expect_balance<3>(make_body<3>(crooked(random, nurbs::block({1, 1, 0.5}, Eigen::Vector3d(1, 2, 3))), {3, 3, 2},
-                                   "N3", "front", steel, 3));
+                                   trial % 2 ? "N3-N4" : "N3", "front", steel, 3));
   }
+  for (const char* label : {"N3", "N3-N3.1"})
+    expect_balance<3>(
+        make_body<3>(nurbs::sphere_octant(0.4, 0.7, Eigen::Vector3d(0, 0, 0)), {4, 4, 2}, label, "front", steel, 3));
   expect_balance<2>(make_body<2>(nurbs::half_annulus(0.3, 0.7, Eigen::Vector2d(1, 2)), {8, 2}, "N3", "south", steel));
 }
 
