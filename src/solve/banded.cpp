@@ -21,11 +21,13 @@ public:
   }
 
   bool factor(const double* values) override {
+    ++statistics_.factorisations;
     definite_ = symmetry_.holds(values) && factor_definite(values);
     return definite_ || factor_with_pivots(values);
   }
 
   bool solve(double* b) override {
+    ++statistics_.solutions;
     for (std::size_t k = 0; k < order_.size(); ++k) right_[k] = b[order_[k]];
     const int one = 1, size = pattern_.size, leading = definite_ ? band_ + 1 : 3 * band_ + 1;
     int info = 0;
@@ -38,11 +40,14 @@ public:
   }
   LinearKind kind() const override { return LinearKind::banded; }
   int negative_pivots() const override { return definite_ ? 0 : -1; }
+  SolverStatistics statistics() const override { return statistics_; }
 
 private:
   /// LAPACK keeps a_ij at row i − j + `diagonal` of column j, columns `leading` apart.
   template <bool Lower> void spread(const double* values, int leading, int diagonal) {
     factors_.assign(at(leading) * order_.size(), 0.0);
+    statistics_.entries = static_cast<double>(factors_.size());
+    statistics_.memory = sizeof(double) * statistics_.entries;
     for (int j = 0; j < pattern_.size; ++j) {
       const int column = place_[at(j)];
       double* to = factors_.data() + at(leading) * at(column) + diagonal - column;
@@ -83,6 +88,7 @@ private:
   bool definite_ = false;
   std::vector<int> pivots_;
   std::vector<double> factors_, right_;
+  SolverStatistics statistics_;
 };
 
 } // namespace

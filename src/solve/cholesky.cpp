@@ -18,6 +18,7 @@ public:
   bool solve(double* b) override;
   LinearKind kind() const override { return LinearKind::cholmod; }
   int negative_pivots() const override { return negative_; }
+  SolverStatistics statistics() const override { return statistics_; }
 
 private:
   bool factor_definite(cholmod_sparse& matrix);
@@ -34,6 +35,7 @@ private:
   CholmodSolve triangular_{common_};
   int negative_ = -1;
   std::vector<double> right_, difference_;
+  SolverStatistics statistics_;
 };
 
 Cholesky::Cholesky(const Pattern& pattern)
@@ -69,6 +71,7 @@ bool Cholesky::factor(const double* values) {
 bool Cholesky::factor_definite(cholmod_sparse& matrix) {
   common_.supernodal = CHOLMOD_SUPERNODAL;
   factorize(matrix, dense_blocks_.factor, common_);
+  count(*dense_blocks_.factor, common_, statistics_);
   if (common_.status != CHOLMOD_OK || !(cholmod_rcond(dense_blocks_.factor, &common_) > least_pivot)) return false;
   used_ = &dense_blocks_;
   negative_ = 0;
@@ -80,6 +83,7 @@ bool Cholesky::factor_symmetric(cholmod_sparse& matrix) {
   common_.supernodal = CHOLMOD_SIMPLICIAL;
   cholmod_factor* factor = by_columns_.factor;
   factorize(matrix, factor, common_);
+  count(*factor, common_, statistics_);
   if (common_.status != CHOLMOD_OK || !(cholmod_rcond(factor, &common_) > least_pivot)) return false;
   used_ = &by_columns_;
   const int* starts = static_cast<int*>(factor->p);
@@ -90,13 +94,20 @@ bool Cholesky::factor_symmetric(cholmod_sparse& matrix) {
 }
 
 bool Cholesky::factor_with_pivots() {
+  ++statistics_.factorisations;
   used_ = nullptr;
   negative_ = -1;
   if (!pivoting_) pivoting_ = make_solver(LinearKind::umfpack, pattern_);
-  return pivoting_->factor(values_);
+  const bool regular = pivoting_->factor(values_);
+  const SolverStatistics pivoting = pivoting_->statistics();
+  statistics_.operations = pivoting.operations;
+  statistics_.entries = pivoting.entries;
+  statistics_.memory = pivoting.memory;
+  return regular;
 }
 
 bool Cholesky::solve(double* b) {
+  ++statistics_.solutions;
   if (!used_) return pivoting_->solve(b);
   std::copy_n(b, pattern_.size, right_.data());
   const double* x = triangular_(CHOLMOD_A, used_->factor, b);

@@ -22,4 +22,12 @@ void factorize(cholmod_sparse& matrix, cholmod_factor* factor, cholmod_common& c
   if (depth && set_depth) set_depth(before);
 }
 
+void count(const cholmod_factor& factor, const cholmod_common& common, SolverStatistics& statistics) {
+  ++statistics.factorisations;
+  statistics.operations = common.fl;
+  statistics.entries = 2 * common.lnz; // forward and back
+  statistics.memory = factor.is_super ? sizeof(double) * static_cast<double>(factor.xsize)
+                                      : (sizeof(double) + sizeof(int)) * static_cast<double>(factor.nzmax);
+}
+
 } // namespace signorini::solve

@@ -2,7 +2,7 @@
 // CHOLMOD's objects with owners (Chen, Davis, Hager, Rajamanickam, ACM TOMS 35, 2008), for the solvers that stand on
 // it.
 
-#include "solve/pattern.hpp"
+#include "solve/linear.hpp"
 
 #include <cholmod.h>
 
@@ -35,6 +35,9 @@ struct CholmodFactor {
 /// loops far shorter than their start. Measured on two cores with strips of 4,423 and 14,015 unknowns: 3.3 ms instead
 /// of 16, 33 instead of 104. BLAS keeps its threads.
 void factorize(cholmod_sparse& matrix, cholmod_factor* factor, cholmod_common& common);
+
+/// Adds one factorisation, and writes down what it cost.
+void count(const cholmod_factor& factor, const cholmod_common& common, SolverStatistics& statistics);
 
 /// The lower triangle of a symmetric matrix that is stored in full; nothing is copied, so pattern and values must stay.
 inline cholmod_sparse lower_triangle(const Pattern& pattern, const double* values) {

@@ -30,6 +30,7 @@ public:
   bool factor(const double* values) override;
   bool solve(double* b) override;
   LinearKind kind() const override { return LinearKind::condensed; }
+  SolverStatistics statistics() const override { return statistics_; }
 
 private:
   struct Entry {
@@ -54,6 +55,7 @@ private:
   std::vector<ChangingBlock::Change> changes_;
   std::vector<char> touched_, beside_; ///< contact unknowns that C touches; and those coupled with them
   VectorX right_, contact_;
+  SolverStatistics statistics_;
 };
 
 void check(const Pattern& pattern, const Condensation& condensation) {
@@ -137,6 +139,8 @@ void Condensed::factor_bulk(const Pattern& pattern, const Condensation& condensa
   order(matrix, touched);
   common_.final_ll = true;
   factorize(matrix, bulk_.factor, common_);
+  count(*bulk_.factor, common_, statistics_);
+  statistics_.memory += 4.0 * sizeof(double) * contacts_ * contacts_; // L_cc and the changing block
   if (common_.status != CHOLMOD_OK || bulk_.factor->minor < bulk_.factor->n) return;
 
   CholmodFactor copy(common_);
@@ -167,6 +171,7 @@ void Condensed::factor_bulk(const Pattern& pattern, const Condensation& condensa
 
 bool Condensed::factor(const double* values) {
   if (!regular_) return false;
+  ++statistics_.factorisations;
   changes_.clear();
   std::fill(touched_.begin(), touched_.end(), 0);
   for (const Entry& entry : entries_) {
@@ -188,6 +193,7 @@ bool Condensed::factor(const double* values) {
 }
 
 bool Condensed::solve(double* b) {
+  ++statistics_.solutions;
   const int interior = size_ - contacts_;
   for (int k = 0; k < size_; ++k) right_(k) = b[unknowns_[at(k)]];
   double* z = triangular_(CHOLMOD_L, bulk_.factor, right_.data());

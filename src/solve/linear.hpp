@@ -9,25 +9,40 @@
 
 namespace signorini::solve {
 
-enum class LinearKind { automatic, klu, umfpack, cholmod, banded, condensed };
+enum class LinearKind { automatic, klu, umfpack, cholmod, banded, condensed, kept };
 
-/// "auto", "klu", "umfpack", "cholmod", "banded", "condensed". Throws Error that lists them.
+/// "auto", "klu", "umfpack", "cholmod", "banded", "condensed", "kept". Throws Error that lists them.
 LinearKind linear_kind(const std::string& name);
 std::string name_of(LinearKind kind);
 
-/// Solves K x = b for one K after the other on a fixed, structurally symmetric pattern.
+/// What a solver has done since it was made.
+struct SolverStatistics {
+  int factorisations = 0; ///< numerical ones
+  int solutions = 0;      ///< right-hand sides
+  int iterations = 0;     ///< of GMRES, summed
+  double operations = 0;  ///< floating-point, of one factorisation; 0: not known
+  double entries = 0;     ///< that one solution with the factors reads; 0: not known
+  double memory = 0;      ///< bytes of the factors
+};
+
+/// Solves K x = b for one K after the other on a structurally symmetric pattern.
 class LinearSolver {
 public:
   virtual ~LinearSolver() = default;
   /// Takes over new values in the order of the pattern; the first call also analyses. Returns false when the matrix is
   /// singular to working precision.
   virtual bool factor(const double* values) = 0;
-  /// Overwrites b by K⁻¹ b. Call after a successful factor(), whose values must still be there. Returns false when the
-  /// matrix turns out to be singular to working precision. May be called again for other right-hand sides.
+  /// Overwrites b by K⁻¹ b, or by what comes as close as the solver promises. Call after a successful factor(), whose
+  /// values must still be there. Returns false when the matrix turns out to be singular to working precision. May be
+  /// called again for other right-hand sides.
   virtual bool solve(double* b) = 0;
   virtual LinearKind kind() const = 0;
   /// How many eigenvalues of the factored symmetric matrix are negative; −1 when the solver does not know.
   virtual int negative_pivots() const { return -1; }
+  /// Goes over to a pattern of the same unknowns that holds all entries of the present one, keeping what is of use;
+  /// factor() comes next. Returns false when a new solver would do as well: then make one.
+  virtual bool adopt(const Pattern&) { return false; }
+  virtual SolverStatistics statistics() const = 0;
 };
 
 /// A matrix K₀ + C of which only C changes from one factor() to the next.

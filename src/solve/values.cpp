@@ -22,6 +22,11 @@ bool Symmetry::holds(const double* values) const {
   return difference <= tolerance * largest;
 }
 
+void Symmetry::transpose(const double* values, std::vector<double>& transposed) const {
+  transposed.resize(mirror_.size());
+  for (std::size_t k = 0; k < mirror_.size(); ++k) transposed[k] = values[mirror_[k]];
+}
+
 double relative_residual(const Pattern& pattern, const double* values, const double* x, const double* b,
                          std::vector<double>& difference) {
   difference.assign(b, b + pattern.size);

@@ -35,6 +35,8 @@ public:
   explicit Symmetry(const Pattern& pattern);
   /// Whether |a_ij − a_ji| ≤ 1e-9 max|a| for all entries.
   bool holds(const double* values) const;
+  /// Kᵀ in the order of the pattern.
+  void transpose(const double* values, std::vector<double>& transposed) const;
 
 private:
   std::vector<int> mirror_; ///< position of (j, i) for each (i, j)

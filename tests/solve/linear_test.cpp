@@ -85,12 +85,30 @@ TEST(LinearKinds, SymmetricTangentsOfSlenderBodiesAreSolvedOnTheirBand) {
   EXPECT_EQ(symmetric_choice(grid(60, 60)), LinearKind::cholmod);
 }
 
+TEST(LinearKinds, KeepsWhatIsDearToFactor) {
+  std::mt19937 random(49);
+  const auto choice = [&](const Pattern& pattern) {
+    const auto solver = make_solver(LinearKind::automatic, pattern);
+    for (int round = 0; round < 3; ++round) {
+      const Values values = random_definite(random, pattern);
+      EXPECT_LT(backward_error(*solver, pattern, values), 1e-3);
+    }
+    EXPECT_EQ(solver->statistics().solutions, 6);
+    return solver->kind();
+  };
+  EXPECT_EQ(choice(chain(400)), LinearKind::klu);
+  EXPECT_EQ(choice(grid(50, 50)), LinearKind::umfpack);
+  EXPECT_EQ(choice(cube(9)), LinearKind::kept);
+  EXPECT_EQ(choice(cube(11)), LinearKind::kept);
+}
+
 TEST(LinearKinds, HaveNames) {
   for (LinearKind kind : {LinearKind::automatic, LinearKind::klu, LinearKind::umfpack, LinearKind::cholmod,
-                          LinearKind::banded, LinearKind::condensed})
+                          LinearKind::banded, LinearKind::condensed, LinearKind::kept})
     EXPECT_EQ(linear_kind(name_of(kind)), kind);
-  EXPECT_ERROR(linear_kind("pardiso"),
-               "unknown solver 'pardiso'; known are 'auto', 'klu', 'umfpack', 'cholmod', 'banded', 'condensed'");
+  EXPECT_ERROR(
+      linear_kind("pardiso"),
+      "unknown solver 'pardiso'; known are 'auto', 'klu', 'umfpack', 'cholmod', 'banded', 'condensed', 'kept'");
   EXPECT_EQ(make_solver(LinearKind::automatic, chain(10))->kind(), LinearKind::klu);
 }
 

@@ -26,6 +26,22 @@ inline Pattern chain(int size) {
   return couple(size, groups);
 }
 
+/// A cube of nodes with three unknowns each, coupled over one element: the fill of a solid.
+inline Pattern cube(int nodes) {
+  std::vector<std::vector<int>> groups;
+  for (int k = 0; k + 1 < nodes; ++k)
+    for (int j = 0; j + 1 < nodes; ++j)
+      for (int i = 0; i + 1 < nodes; ++i) {
+        std::vector<int> group;
+        for (int corner = 0; corner < 8; ++corner) {
+          const int node = i + corner % 2 + nodes * (j + corner / 2 % 2 + nodes * (k + corner / 4));
+          for (int c = 0; c < 3; ++c) group.push_back(3 * node + c);
+        }
+        groups.push_back(group);
+      }
+  return couple(3 * nodes * nodes * nodes, groups);
+}
+
 /// Calls visit(row, column, position) for every entry.
 template <class Visit> void for_entries(const Pattern& pattern, Visit visit) {
   for (int j = 0; j < pattern.size; ++j)

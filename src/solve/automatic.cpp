@@ -1,0 +1,55 @@
+#include "solve/automatic.hpp"
+
+#include "solve/kept.hpp"
+#include "solve/klu.hpp"
+#include "solve/umfpack.hpp"
+
+namespace signorini::solve {
+
+namespace {
+
+/// Whether a factorisation costs so many solutions that it should be kept: operations per entry that a solution reads.
+bool worth_keeping(const SolverStatistics& direct) {
+  constexpr double many = 200;
+  return direct.operations > many * direct.entries;
+}
+
+class Automatic final : public LinearSolver {
+public:
+  explicit Automatic(const Pattern& pattern)
+      : pattern_(pattern), solver_(pattern.size <= klu_limit ? make_klu(pattern) : make_umfpack(pattern)) {}
+
+  bool factor(const double* values) override {
+    if (solver_->kind() != LinearKind::kept && worth_keeping(solver_->statistics())) {
+      before_ = solver_->statistics();
+      solver_ = make_kept(pattern_);
+    }
+    return solver_->factor(values);
+  }
+  bool solve(double* b) override { return solver_->solve(b); }
+  LinearKind kind() const override { return solver_->kind(); }
+  int negative_pivots() const override { return solver_->negative_pivots(); }
+  bool adopt(const Pattern& pattern) override {
+    pattern_ = pattern;
+    return solver_->adopt(pattern);
+  }
+  SolverStatistics statistics() const override {
+    SolverStatistics sum = solver_->statistics();
+    sum.factorisations += before_.factorisations;
+    sum.solutions += before_.solutions;
+    return sum;
+  }
+
+private:
+  Pattern pattern_;
+  std::unique_ptr<LinearSolver> solver_;
+  SolverStatistics before_; ///< what was done before the choice
+};
+
+} // namespace
+
+std::unique_ptr<LinearSolver> make_automatic(const Pattern& pattern) {
+  return std::make_unique<Automatic>(pattern);
+}
+
+} // namespace signorini::solve

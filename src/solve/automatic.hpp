@@ -1,0 +1,12 @@
+#pragma once
+// The choice between the solvers, from what a factorisation costs.
+
+#include "solve/linear.hpp"
+
+namespace signorini::solve {
+
+/// KLU up to `klu_limit` unknowns, UMFPACK beyond; `kept` in place of either once a factorisation has proved to be
+/// worth many solutions.
+std::unique_ptr<LinearSolver> make_automatic(const Pattern& pattern);
+
+} // namespace signorini::solve

@@ -1,0 +1,248 @@
+// A kept factorisation on sequences of tangents: as exact as promised, renewed when it pays, the same on every run.
+#include "solve/kept.hpp"
+#include "solve/symmetric_part.hpp"
+#include "solve/values.hpp"
+
+#include "base/parallel.hpp"
+#include "solve/matrices.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+namespace signorini::solve {
+namespace {
+
+using namespace test;
+using Eigen::VectorXd;
+
+/// Tangents that drift: definite, two springs that come and go, and an unsymmetric part of the size `skew`.
+struct Drift {
+  Pattern pattern;
+  Values base, change;
+  double skew;
+
+  Drift(std::mt19937& random, Pattern wanted, double skew)
+      : pattern(std::move(wanted)), base(random_definite(random, pattern)), change(random_values(random, pattern)),
+        skew(skew) {}
+  Values at_time(int time) const {
+    Values values = base;
+    for (std::size_t k = 0; k < values.size(); ++k) values[k] += 0.02 * skew * std::sin(0.1 * time) * change[k];
+    for (int i = time % 5; i < pattern.size; i += 1100) values[at(pattern.find(i, i))] += 20;
+    return values;
+  }
+};
+
+double residual(const Pattern& pattern, const Values& values, const VectorXd& x, const VectorXd& b) {
+  return (b - product(pattern, values, x)).norm() / b.norm();
+}
+
+TEST(Kept, SolvesDriftingTangentsWithFewFactorisations) {
+  std::mt19937 random(41);
+  for (double skew : {0.0, 1.0, 10.0}) {
+    const Drift drift(random, cube(9), skew);
+    const auto solver = make_solver(LinearKind::kept, drift.pattern);
+    EXPECT_EQ(solver->kind(), LinearKind::kept);
+    const int rounds = 40;
+    for (int time = 0; time < rounds; ++time) {
+      const Values values = drift.at_time(time);
+      ASSERT_TRUE(solver->factor(values.data()));
+      for (double promised : {Forcing::loosest, Forcing::tightest}) {
+        const VectorXd b = VectorXd::LinSpaced(drift.pattern.size, time % 3 - 1, 2);
+        VectorXd x = b;
+        ASSERT_TRUE(solver->solve(x.data()));
+        EXPECT_LE(residual(drift.pattern, values, x, b), 1.0001 * promised) << skew << " " << time;
+      }
+    }
+    const SolverStatistics statistics = solver->statistics();
+    EXPECT_EQ(statistics.solutions, 2 * rounds);
+    EXPECT_GE(statistics.factorisations, 1);
+    EXPECT_LE(statistics.factorisations, rounds / 3) << skew;
+    EXPECT_GT(statistics.memory, sizeof(double) * drift.pattern.entries() / 2.0);
+  }
+}
+
+TEST(Kept, FactorsAnewWhenTheMatrixJumps) {
+  std::mt19937 random(42);
+  const Pattern pattern = cube(5);
+  const auto solver = make_solver(LinearKind::kept, pattern);
+  const VectorXd b = VectorXd::LinSpaced(pattern.size, -1, 2);
+  int before = 0;
+  for (double diagonal : {1.0, 1e4, -1.0, 1e-4, 1.0}) {
+    Values values = random_definite(random, pattern, diagonal);
+    const Values noise = random_values(random, pattern);
+    for (std::size_t k = 0; k < values.size(); ++k) values[k] += std::abs(diagonal) * noise[k];
+    ASSERT_TRUE(solver->factor(values.data()));
+    for (double promised : {Forcing::loosest, Forcing::tightest}) {
+      VectorXd x = b;
+      ASSERT_TRUE(solver->solve(x.data()));
+      EXPECT_LE(residual(pattern, values, x, b), 1.0001 * promised) << diagonal;
+    }
+    EXPECT_GT(solver->statistics().factorisations, before) << diagonal;
+    before = solver->statistics().factorisations;
+  }
+}
+
+/// Matrices that have nothing to do with each other, indefinite and unsymmetric: pivots are needed every time.
+TEST(Kept, TakesPivotsWhereTheSymmetricPartIsIndefinite) {
+  std::mt19937 random(43);
+  const Pattern pattern = chain(300);
+  const auto solver = make_solver(LinearKind::kept, pattern);
+  const VectorXd b = VectorXd::LinSpaced(pattern.size, -1, 2);
+  for (int round = 0; round < 10; ++round) {
+    const Values values = random_values(random, pattern);
+    ASSERT_TRUE(solver->factor(values.data()));
+    for (double promised : {Forcing::loosest, Forcing::tightest}) {
+      VectorXd x = b;
+      ASSERT_TRUE(solver->solve(x.data()));
+      EXPECT_LE(residual(pattern, values, x, b), 1.0001 * promised) << round;
+    }
+  }
+}
+
+TEST(Kept, ReportsSingularMatricesAndRecovers) {
+  std::mt19937 random(44);
+  auto [pattern, free] = free_springs(random, 200);
+  Values held = free;
+  held[at(pattern.find(0, 0))] += 1;
+  const VectorXd b = VectorXd::LinSpaced(pattern.size, -1, 2);
+  const auto solves = [&](LinearSolver& solver, const Values& values) {
+    VectorXd x = b;
+    return solver.factor(values.data()) && solver.solve(x.data()) &&
+           residual(pattern, values, x, b) <= 1.0001 * Forcing::loosest;
+  };
+  for (bool held_before : {false, true}) {
+    const auto solver = make_solver(LinearKind::kept, pattern);
+    if (held_before) {
+      EXPECT_TRUE(solves(*solver, held));
+    }
+    for (int round = 0; round < 2; ++round) {
+      EXPECT_FALSE(solves(*solver, free));
+      EXPECT_FALSE(solves(*solver, Values(held.size(), 0.0)));
+      EXPECT_TRUE(solves(*solver, held));
+    }
+  }
+}
+
+TEST(Kept, TheSameBitsOnEveryRunAndOnTwoThreads) {
+  std::mt19937 random(45);
+  const Drift drift(random, cube(5), 10);
+  const auto run = [&] {
+    const auto solver = make_solver(LinearKind::kept, drift.pattern);
+    VectorXd sum = VectorXd::Zero(drift.pattern.size);
+    for (int time = 0; time < 30; ++time) {
+      const Values values = drift.at_time(7 * time);
+      VectorXd x = VectorXd::LinSpaced(drift.pattern.size, time % 3 - 1, 2);
+      EXPECT_TRUE(solver->factor(values.data()) && solver->solve(x.data()));
+      sum += x;
+    }
+    return sum;
+  };
+  const VectorXd first = run();
+  EXPECT_EQ(run(), first);
+  set_worker_threads(2);
+  EXPECT_EQ(run(), first);
+  set_worker_threads(1);
+}
+
+TEST(Kept, OutlivesItsPattern) {
+  std::mt19937 random(46);
+  Drift drift(random, cube(6), 1);
+  const auto solver = make_solver(LinearKind::kept, drift.pattern);
+  const VectorXd b = VectorXd::LinSpaced(drift.pattern.size, -1, 2);
+  for (int round = 0; round < 8; ++round) {
+    const Values values = drift.at_time(round);
+    ASSERT_TRUE(solver->factor(values.data()));
+    VectorXd x = b;
+    ASSERT_TRUE(solver->solve(x.data()));
+    EXPECT_LE(residual(drift.pattern, values, x, b), 1.0001 * Forcing::loosest);
+    // Nodes of two opposite faces begin to touch.
+    std::vector<int> moved;
+    const int node = 3 * round, other = drift.pattern.size - 3 - node;
+    const Pattern next = extend(drift.pattern, {{node, node + 1, other, other + 1}}, moved);
+    Values grown(at(next.entries()), 0.0), grown_change(at(next.entries()), 0.0);
+    for (std::size_t k = 0; k < moved.size(); ++k) {
+      grown[at(moved[k])] = drift.base[k];
+      grown_change[at(moved[k])] = drift.change[k];
+    }
+    grown[at(next.find(node, other))] = grown[at(next.find(other, node))] = -1;
+    drift.base = grown;
+    drift.change = grown_change;
+    drift.pattern = next;
+    ASSERT_TRUE(solver->adopt(next));
+  }
+  EXPECT_LE(solver->statistics().factorisations, 4);
+}
+
+TEST(SymmetricPart, IsFactoredOnOnePatternAfterTheOther) {
+  std::mt19937 random(47);
+  SymmetricPart part;
+  Pattern pattern = cube(4);
+  for (int round = 0; round < 3; ++round) {
+    Values values = random_definite(random, pattern), transposed;
+    const Values noise = random_values(random, pattern);
+    for_entries(pattern,
+                [&](int i, int j, int k) { values[at(k)] += 3 * (noise[at(k)] - noise[at(pattern.find(j, i))]); });
+    const Symmetry symmetry(pattern);
+    symmetry.transpose(values.data(), transposed);
+    ASSERT_TRUE(part.factor(pattern, values.data(), transposed));
+    const Eigen::MatrixXd k = dense(pattern, values);
+    const VectorXd b = VectorXd::LinSpaced(pattern.size, -1, 2);
+    VectorXd x = b;
+    ASSERT_TRUE(part.solve(x.data()));
+    EXPECT_LT((0.5 * (k + k.transpose()) * x - b).norm(), 1e-12 * k.norm() * x.norm());
+
+    Values indefinite = values;
+    indefinite[at(pattern.find(7, 7))] *= -1;
+    symmetry.transpose(indefinite.data(), transposed);
+    EXPECT_FALSE(part.factor(pattern, indefinite.data(), transposed));
+    std::vector<int> moved;
+    pattern = extend(pattern, {{round, pattern.size - 1 - round}}, moved);
+    part.forget_pattern();
+  }
+  EXPECT_EQ(part.statistics().factorisations, 6);
+}
+
+TEST(Forcing, AsksForATenthOfWhatQuadraticConvergenceLeaves) {
+  Forcing forcing;
+  EXPECT_DOUBLE_EQ(forcing.next(1), Forcing::loosest);     // nothing known
+  EXPECT_DOUBLE_EQ(forcing.next(2e-2), 0.1 * 2e-2 * 2e-2); // r₂ ≈ r₁ (r₁/r₀)²
+  EXPECT_DOUBLE_EQ(forcing.next(1e-5), 0.1 * 5e-4 * 5e-4);
+  EXPECT_DOUBLE_EQ(forcing.next(1e-14), Forcing::tightest);
+  EXPECT_DOUBLE_EQ(forcing.next(3), 0.1 * 2e-2 * 2e-2); // a new step, as good as the last one
+  EXPECT_DOUBLE_EQ(forcing.next(2.9), Forcing::loosest);
+  EXPECT_DOUBLE_EQ(forcing.next(3), Forcing::loosest);
+}
+
+/// Newton's method for (K + 0.3 N(x)) x = b with springs that stiffen, x ↦ x³, and an unsymmetric coupling.
+TEST(Kept, NewtonConvergesAsWithExactSolutions) {
+  std::mt19937 random(48);
+  const Drift drift(random, cube(5), 10);
+  const Pattern& pattern = drift.pattern;
+  const Values linear = drift.at_time(15);
+  const auto run = [&](LinearKind kind, std::vector<int>& iterations) {
+    const auto solver = make_solver(kind, pattern);
+    VectorXd x = VectorXd::Zero(pattern.size);
+    for (int step = 1; step <= 6; ++step) {
+      const VectorXd b = step * VectorXd::LinSpaced(pattern.size, -1, 3);
+      iterations.push_back(0);
+      for (;; ++iterations.back()) {
+        const VectorXd rest = b - product(pattern, linear, x) - VectorXd(x.array().cube());
+        if (rest.norm() <= 1e-10 * b.norm()) break;
+        Values tangent = linear;
+        for (int i = 0; i < pattern.size; ++i) tangent[at(pattern.find(i, i))] += 3 * x(i) * x(i);
+        VectorXd correction = rest;
+        EXPECT_TRUE(solver->factor(tangent.data()) && solver->solve(correction.data()));
+        x += correction;
+      }
+    }
+    return x;
+  };
+  std::vector<int> exact_iterations, iterations;
+  const VectorXd exact = run(LinearKind::umfpack, exact_iterations), x = run(LinearKind::kept, iterations);
+  EXPECT_EQ(iterations, exact_iterations);
+  EXPECT_LT((x - exact).norm(), 1e-9 * exact.norm());
+}
+
+} // namespace
+} // namespace signorini::solve
