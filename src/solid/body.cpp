@@ -76,6 +76,12 @@ Body<D>::Body(std::shared_ptr<const nurbs::Discretisation> space, Material mater
   // Kernels read whole vectors.
   gradients_.resize(gradients_.size() + vector_room);
   constants_.resize(constants_.size() + vector_room);
+  for (auto* table : {&weights_, &gradients_, &hoops_, &constants_}) table->shrink_to_fit();
+}
+
+template <int D> std::size_t Body<D>::memory() const {
+  return sizeof(double) * (weights_.size() + gradients_.size() + hoops_.size() + constants_.size()) +
+         sizeof(int) * functions_.size() + sizeof(ElementTable) * elements_.size();
 }
 
 template <int D>
@@ -87,16 +93,48 @@ template <int D> Kernel Body<D>::kernel(int functions) const {
   return kind_ == Kind::axisymmetric ? axisymmetric_kernel : element_kernels<D>(functions).back();
 }
 
-template <int D>
-void Body<D>::add_constant(double weight, int n, const double* gradients, const double* hoop, double* constant) const {
+namespace {
+
+/// Adds one Gauss point's μ ∇R_A·∇R_B, times its weight, for n functions.
+template <int D> void add_shear(double factor, int n, const double* gradients, double* constant) {
+  for (int a = 0; a < n; ++a, constant += n)
+    for (int k = 0; k < D; ++k) {
+      const double left = factor * gradients[k * n + a];
+      for (int b = 0; b < n; ++b) constant[b] += left * gradients[k * n + b];
+    }
+}
+
+} // namespace
+
+/// The part of an element's tangent that never changes; its points are in the tables already.
+template <int D> void Body<D>::add_constant(const ElementTable& table) {
   const ElasticConstants& law = constants(material_);
-  if (linear()) {
-    add_stiffness<D>(law, weight, n, gradients, hoop, constant);
+  const int n = table.functions;
+  const std::size_t size = static_cast<std::size_t>(n * n);
+  const auto gradients = [&](int q) {
+    return gradients_.data() + table.gradient + static_cast<std::size_t>(q * D * n);
+  };
+  const double* weights = weights_.data() + table.point;
+  if (kind_ == Kind::axisymmetric && linear()) {
+    constants_.resize(constants_.size() + 3 * size);
+    for (int q = 0; q < table.points; ++q)
+      add_stiffness_of_revolution(law, weights[q], n, gradients(q),
+                                  hoops_.data() + table.gradient / D + static_cast<std::size_t>(q * n),
+                                  constants_.data() + table.constant);
     return;
   }
-  for (int a = 0; a < n; ++a)
-    for (int b = 0; b < n; ++b)
-      for (int k = 0; k < D; ++k) constant[a * n + b] += weight * law.mu * gradients[k * n + a] * gradients[k * n + b];
+  constants_.resize(constants_.size() + size);
+  for (int q = 0; q < table.points; ++q)
+    add_shear<D>(weights[q] * law.mu, n, gradients(q), constants_.data() + table.constant);
+  if (!linear()) return;
+  // The kernel reads and writes whole vectors.
+  std::vector<double> shear(constants_.end() - static_cast<std::ptrdiff_t>(size), constants_.end());
+  shear.resize(size + vector_room);
+  gradients_.resize(gradients_.size() + vector_room);
+  constants_.resize(table.constant + D * (D + 1) / 2 * size + vector_room);
+  rest_stiffness<D>(law, n, table.points, gradients(0), weights, shear.data(), constants_.data() + table.constant);
+  gradients_.resize(gradients_.size() - vector_room);
+  constants_.resize(constants_.size() - vector_room);
 }
 
 template <int D> void Body<D>::add_element(int e, const MatrixX& points) {
@@ -114,8 +152,6 @@ template <int D> void Body<D>::add_element(int e, const MatrixX& points) {
       table.functions = static_cast<int>(basis.functions.size());
       functions_.insert(functions_.end(), basis.functions.begin(), basis.functions.end());
       table.kernel = kernel(table.functions);
-      const int blocks = linear() ? D * (D + 1) / 2 : 1;
-      constants_.resize(constants_.size() + static_cast<std::size_t>(blocks * table.functions * table.functions));
     }
     // ∂X/∂ξ = Σ_A X_A ⊗ ∂R_A/∂ξ,  ∂R/∂X = ∂R/∂ξ (∂X/∂ξ)⁻¹
     const VectorX place = place_of(basis, points);
@@ -135,10 +171,8 @@ template <int D> void Body<D>::add_element(int e, const MatrixX& points) {
       for (int a = 0; a < table.functions; ++a) hoops_.push_back(basis.values(a) / place(0));
     }
     weights_.push_back(weight);
-    const std::size_t n = static_cast<std::size_t>(table.functions);
-    add_constant(weight, table.functions, gradients_.data() + gradients_.size() - D * n,
-                 hoops_.empty() ? nullptr : hoops_.data() + hoops_.size() - n, constants_.data() + table.constant);
   }
+  add_constant(table);
   most_functions_ = std::max(most_functions_, table.functions);
   most_points_ = std::max(most_points_, table.points);
   elements_.push_back(table);

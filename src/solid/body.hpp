@@ -58,6 +58,8 @@ public:
   /// Most functions, and most Gauss points, on one element.
   int most_functions() const { return most_functions_; }
   int most_points() const { return most_points_; }
+  /// Bytes that the tables take.
+  std::size_t memory() const;
 
   std::span<const int> functions_of(int e) const {
     return {functions_.data() + element(e).function, static_cast<std::size_t>(element(e).functions)};
@@ -73,8 +75,7 @@ public:
 
 private:
   void add_element(int e, const MatrixX& points);
-  /// Adds one Gauss point's part of the constant tangent of an element of n functions.
-  void add_constant(double weight, int n, const double* gradients, const double* hoop, double* constant) const;
+  void add_constant(const ElementTable& table);
   Kernel kernel(int functions) const;
 
   std::shared_ptr<const nurbs::Discretisation> space_;

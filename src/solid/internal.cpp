@@ -25,6 +25,10 @@ template <int D> ElementArrays<D>::ElementArrays(const Body<D>& body) {
   factors.resize(2 * points);
 }
 
+template <int D> std::size_t ElementArrays<D>::memory() const {
+  return sizeof(double) * (force.size() + blocks.size() + local.size() + work.size() + factors.size());
+}
+
 template <int D>
 std::optional<Inversion> internal_force(const Body<D>& body, int e, const double* displacement,
                                         ElementArrays<D>& arrays, bool tangent) {

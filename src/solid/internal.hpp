@@ -15,6 +15,8 @@ namespace signorini::solid {
 template <int D> struct ElementArrays {
   /// Room for the largest element of a body.
   explicit ElementArrays(const Body<D>& body);
+  /// Bytes that the arrays take.
+  std::size_t memory() const;
   std::vector<double> force, blocks;
   std::vector<double> local;   ///< working space: displacements, D rows of n values
   std::vector<double> work;    ///< working space of the kernel

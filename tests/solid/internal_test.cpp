@@ -224,6 +224,20 @@ TEST(Internal, PatchTestInSpace) {
     homogeneous_state<3>(make_body<3>(block, {2, 2, 2}, "N2-N2.1", "back", material), f, 2);
 }
 
+TEST(Internal, MemoryIsThatOfTheTables) {
+  // 18 functions and 18 points per element: weights, gradients, and one block of the tangent, or all six.
+  const nurbs::Patch block = nurbs::block({2, 1, 1}, Eigen::Vector3d(0, 0, 0));
+  const Body<3> of_rubber = make_body<3>(block, {6, 5, 4}, "N2", "back", rubber);
+  const Body<3> of_steel(of_rubber.shared_space(), steel);
+  const auto bytes = [](double blocks) { return 6 * 5 * 4 * 8 * (18 + 3 * 18 * 18 + blocks * 18 * 18); };
+  for (const auto& [body, expected] : {std::pair(&of_rubber, bytes(1)), std::pair(&of_steel, bytes(6))}) {
+    EXPECT_GT(static_cast<double>(body->memory()), expected);
+    EXPECT_LT(static_cast<double>(body->memory()), 1.03 * expected); // function numbers and offsets
+  }
+  EXPECT_GT(ElementArrays<3>(of_rubber).memory(), 8u * 6 * 18 * 18);
+  EXPECT_LT(ElementArrays<3>(of_rubber).memory(), 3u * 8 * 6 * 18 * 18);
+}
+
 TEST(Internal, InvertedElementIsReported) {
   const Body<2> strip = make_body<2>(nurbs::rectangle(3, 1, Eigen::Vector2d(0, 0)), {3, 1}, "N1", "north", rubber);
   VectorX u = VectorX::Zero(2 * strip.functions());
