@@ -1,0 +1,283 @@
+-- Hertz's point contact in 3D: an eighth of a hollow sphere on a rigid plane, beside the same mesh revolved.
+--
+-- Problem: an eighth of a hollow elastic sphere stands on a rigid plane and is pressed onto it at its equator.
+--
+--                z
+--                |  .-'   x, y >= 0, z <= 0: u_x = 0 on the plane x = 0, u_y = 0 on y = 0
+--            ____|'____   a quarter of the load pi Ro² P0 is spread evenly over the cut through the equator
+--           | cut|     |  radii 0.2 and 1, linear elastic, E = 1, nu = 0.3
+--            \   |    /   xi1 around z, xi2 from the equator to the pole, xi3 from the outer to the inner radius
+--       ______\__|__/____   rigid plane, no friction; normal penalty 1000
+--
+--          Meshes: n/4 × n × n elements around z, along the meridian and through the wall, n = 8, 16, 32 (m1 to m3);
+--          75 % of the elements along the meridian and through the wall lie in the 10 % of the knot length next to the
+--          pole. Each is solved once more as an axisymmetric scene of the same meridian mesh.
+-- Source: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of
+--         Contact Problems, PhD thesis, IIT Guwahati, 2020, section 6.3, Table 6.2, Figures 6.6 and 6.7; K. L. Johnson,
+--         Contact Mechanics, Cambridge, 1985, section 4.2(a), for the closed form.
+-- Units: any consistent ones; lengths in outer radii, pressures in Young's moduli, forces over the full circle.
+-- Expected: radius of contact a = (3 p R (1 − nu²)/(4 E))^(1/3) = 0.05985 and peak pressure 3 p/(2 pi a²) = 0.04187
+--           under the load p = pi Ro² P0, P0 = 1e-4, both within 3 % on m3. The weights around z are those of a circle,
+--           so the space holds every axisymmetric state of the meridian mesh and 3D adds nothing but quadrature: any
+--           number of elements around z gives the pressure of the axisymmetric scene.
+-- Run: signorini scripts/hertz3d.lua [meshes=m1,m2,m3] [labels=N2,N2-N2.2] [around=1,2,4] [steps=10] [linear=auto]
+--      [out=out/hertz3d]; around: elements around z for the study of what they change, at the first mesh.
+
+local sg = require "signorini"
+
+local inner, outer, young, poisson = 0.2, 1, 1, 0.3
+local load, penalty = math.pi * outer ^ 2 * 1e-4, 1000
+local pressed = -load / (math.pi * (outer ^ 2 - inner ^ 2)) -- traction on the cut
+-- A force alone does not hold a body that only touches. Under a given force the height of the plane changes nothing, so
+-- it stands a little higher: the first iteration finds points in contact.
+local height = -outer + 1e-4
+
+-- ── Arguments ────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+local function list_of(text)
+  local list = {}
+  for word in text:gmatch "[^,]+" do list[#list + 1] = word end
+  return list
+end
+
+local function read_arguments(words)
+  local options = { meshes = "m1,m2,m3", labels = "N2,N2-N2.2", around = "1,2,4", steps = "10", linear = "auto",
+                    out = "out/hertz3d" }
+  for _, word in ipairs(words) do
+    local key, value = word:match "^(%w+)=(.+)$"
+    if not options[key] then
+      error(("unknown argument '%s'; known: meshes=m1,m2, labels=N2,N2-N2.2, around=1,2,4, steps=10, linear=auto, ")
+        :format(word) .. "out=folder", 0)
+    end
+    options[key] = value
+  end
+  local function check(key, value, good, expected)
+    if not good then error(("%s must be %s, got '%s'"):format(key, expected, value), 0) end
+  end
+  for _, key in ipairs { "meshes", "labels", "around" } do options[key] = list_of(options[key]) end
+  for _, mesh in ipairs(options.meshes) do check("meshes", mesh, mesh:match "^m[1-5]$", "among m1 to m5") end
+  for i, count in ipairs(options.around) do
+    check("around", count, count:match "^[1-9]%d*$", "whole numbers from 1")
+    options.around[i] = math.tointeger(tonumber(count))
+  end
+  check("steps", options.steps, options.steps:match "^[1-9]%d*$", "a whole number of at least 1")
+  options.steps = math.tointeger(tonumber(options.steps))
+  return options
+end
+
+-- ── Scenes ───────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+local function elements_of(mesh)
+  return 8 << (math.tointeger(mesh:sub(2)) - 1)
+end
+
+local function crowded(at)
+  return { elements = 0.75, length = 0.1, at = at }
+end
+
+--- The eighth of the sphere. `o`: label, mesh, around (elements around z, n/4 when absent).
+local function solid_scene(o)
+  local n = elements_of(o.mesh)
+  local ball = sg.body{
+    patch    = sg.shapes.sphere_octant{ inner = inner, outer = outer },
+    elements = { o.around or n // 4, n, n }, grading = { false, crowded "end", crowded "start" },
+    order    = o.label, contact = "front",
+    material = sg.linear_elastic{ E = young, nu = poisson },
+  }
+  local model = sg.model{
+    bodies   = { ball = ball },
+    supports = { x0 = { on = ball:face "east", fix = "x" }, y0 = { on = ball:face "west", fix = "y" } },
+    loads    = { push = { on = ball:face "south", traction = {0, 0, 0} } },
+    contacts = { ground = { slave = ball:face "front", penalty = penalty,
+                            master = sg.rigid.plane{ point = {0, 0, height}, normal = {0, 0, 1} } } },
+  }
+  return { model = model, target = { 0, 0, pressed }, dofs = ball:dofs(), force = "ground.fz", parts = 4 }
+end
+
+--- The same meridian mesh as a scene in the (r, z) plane.
+local function revolved_scene(o)
+  local n = elements_of(o.mesh)
+  local ball = sg.body{
+    patch    = sg.shapes.quarter_annulus{ inner = inner, outer = outer, start = 270 },
+    elements = { n, n }, grading = { crowded "start", crowded "start" }, order = o.label, contact = "south",
+    material = sg.linear_elastic{ E = young, nu = poisson },
+  }
+  local model = sg.model{
+    kind     = "axisymmetric",
+    bodies   = { ball = ball },
+    supports = { axis = { on = ball:face "west", fix = "x" } },
+    loads    = { push = { on = ball:face "east", traction = {0, 0} } },
+    contacts = { ground = { slave = ball:face "south", penalty = penalty,
+                            master = sg.rigid.plane{ point = {0, height}, normal = {0, 1} } } },
+  }
+  return { model = model, target = { 0, pressed }, dofs = ball:dofs(), force = "ground.fy", parts = 1 }
+end
+
+-- ── Measures ─────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- Radius of contact and peak pressure of Hertz's point contact under a load p.
+local function hertz(p)
+  local a = (3 * p * outer * (1 - poisson ^ 2) / (4 * young)) ^ (1 / 3)
+  return a, 3 * p / (2 * math.pi * a ^ 2)
+end
+
+--- The profile of a solid over the radius: contact points of one reference radius make a ring, its values are the means
+--- over its points. Also the largest spread of the pressure on a ring.
+local function ring_profile(profile)
+  local order = {}
+  for i = 1, #profile.x do order[i] = { i = i, radius = math.sqrt(profile.X[i] ^ 2 + profile.Y[i] ^ 2) } end
+  table.sort(order, function(a, b) return a.radius < b.radius end)
+  local rings, spread = { x = {}, pressure = {}, gap = {} }, 0
+  local first = 1
+  while first <= #order do
+    local last = first
+    while last < #order and order[last + 1].radius - order[first].radius < 1e-9 * outer do last = last + 1 end
+    local sum, low, high = { x = 0, pressure = 0, gap = 0 }, math.huge, -math.huge
+    for k = first, last do
+      local i = order[k].i
+      low, high = math.min(low, profile.pressure[i]), math.max(high, profile.pressure[i])
+      sum.x = sum.x + math.sqrt(profile.x[i] ^ 2 + profile.y[i] ^ 2)
+      sum.pressure, sum.gap = sum.pressure + profile.pressure[i], sum.gap + profile.gap[i]
+    end
+    for name, total in pairs(sum) do rings[name][#rings[name] + 1] = total / (last - first + 1) end
+    spread, first = math.max(spread, high - low), last + 1
+  end
+  return rings, spread
+end
+
+--- Solves a scene and measures its contact beside Hertz's.
+local function solve(o, scene, options)
+  local run = scene.model:run({ { name = "press", steps = options.steps, push = scene.target } },
+    { linear = options.linear })
+  if run.failed then error(("%s at %s: %s"):format(o.label, o.mesh, run.report), 0) end
+  local case = { label = o.label, mesh = o.mesh, around = o.around or elements_of(o.mesh) // 4, dofs = scene.dofs,
+                 model = scene.model, run = run, spread = 0 }
+  case.a, case.p0 = hertz(load)
+  case.profile = scene.model:profile "ground"
+  if scene.parts > 1 then case.profile, case.spread = ring_profile(case.profile) end
+  case.edges = sg.profile_edges{ profile = case.profile }
+  case.force_percent = 100 * (scene.parts * run:column(scene.force)[options.steps] / load - 1)
+  case.peak = run:column "ground.max_pressure"[options.steps]
+  case.peak_percent, case.width_percent = 100 * (case.peak / case.p0 - 1), 100 * (case.edges.to / case.a - 1)
+  case.spacing_percent, case.spread_percent = 100 * case.edges.to_spacing / case.a, 100 * case.spread / case.p0
+  case.error = sg.profile_error{
+    profile = case.profile, coordinate = function(point) return point.x / case.a end, normalise = case.p0,
+    reference = function(s) return s < 1 and case.p0 * math.sqrt(1 - s ^ 2) or 0 end,
+  }
+  return case
+end
+
+--- A solid beside its axisymmetric twin: how far peak and radius differ, and the ratio of the times.
+local function solve_both(o, options)
+  local case = solve(o, solid_scene(o), options)
+  case.twin = solve(o, revolved_scene(o), options)
+  case.peak_apart = 100 * (case.peak / case.twin.peak - 1)
+  case.width_apart = 100 * (case.edges.to / case.twin.edges.to - 1)
+  case.time_ratio = case.run.wall / case.twin.run.wall
+  return case
+end
+
+-- ── Output ───────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+local function case_table(cases)
+  local rows = {}
+  for i, case in ipairs(cases) do
+    rows[i] = { case.label, case.mesh, case.around, case.dofs.total, case.peak_percent, case.width_percent,
+                case.spacing_percent, case.spread_percent, case.force_percent, case.error, case.run.iterations,
+                case.run.wall }
+  end
+  return sg.table{
+    columns = { "label", "mesh", "around", "DOFs", "peak", "a", "points", "spread", "force", "L2 error", "iterations",
+                "wall" },
+    units = { "", "", "", "", "% off", "% off", "% of a", "% of p0", "% off", "", "", "s" }, rows = rows,
+    formats = { "%s", "%s", "%d", "%d", "%.2f", "%.2f", "%.2f", "%.0e", "%.0e", "%.2e", "%d", "%.2f" },
+  }
+end
+
+local function twin_table(cases)
+  local rows = {}
+  for i, case in ipairs(cases) do
+    local twin = case.twin
+    rows[i] = { case.label, case.mesh, twin.dofs.total, twin.peak_percent, twin.width_percent, case.peak_apart,
+                case.width_apart, twin.run.iterations, twin.run.wall, case.time_ratio }
+  end
+  return sg.table{
+    columns = { "label", "mesh", "DOFs", "peak", "a", "3D peak", "3D a", "iterations", "wall", "3D time" },
+    units = { "", "", "", "% off", "% off", "% apart", "% apart", "", "s", "times" }, rows = rows,
+    formats = { "%s", "%s", "%d", "%.2f", "%.2f", "%.0e", "%.0e", "%d", "%.3f", "%.0f" },
+  }
+end
+
+--- The part of a profile that a chart shows, in units of Hertz's.
+local function curve(case, options)
+  local line = { x = {}, y = {}, label = options.label, marker = options.marker or "none", dashed = options.dashed }
+  for i, r in ipairs(case.profile.x) do
+    if r < 1.25 * case.a then
+      line.x[#line.x + 1], line.y[#line.y + 1] = r / case.a, case.profile.pressure[i] / case.p0
+    end
+  end
+  return line
+end
+
+--- Figure 6.7: the pressure of one label on all meshes over the contact coordinate, beside Hertz's.
+local function draw_pressure(cases, label, file)
+  local chart = { file = file, title = ("Hertz in 3D, %s: contact pressure"):format(label), xlabel = "r / a",
+                  ylabel = "p / p_0", xrange = { 0, 1.2 }, inset = { xrange = { 0.85, 1.05 }, yrange = { 0, 0.6 } } }
+  for _, case in ipairs(cases) do
+    if case.label == label then chart[#chart + 1] = curve(case, { label = case.mesh }) end
+  end
+  local exact = { x = {}, y = {}, label = "Hertz", dashed = true, marker = "none" }
+  for i = 0, 400 do exact.x[i + 1], exact.y[i + 1] = i / 400, math.sqrt(1 - (i / 400) ^ 2) end
+  chart[#chart + 1] = exact
+  sg.chart(chart)
+end
+
+--- The whole eighth, a cut through the contact of the completed half, and the contact of the whole from below.
+local function draw_states(case, path)
+  local function draw(name, what, options)
+    options.model, options.file = case.model, path(name)
+    options.title = ("Hertz in 3D, %s at %s: %s"):format(case.label, case.mesh, what)
+    sg.picture(options)
+  end
+  draw("szz.png", "vertical stress", { field = "szz" })
+  draw("szz_near.png", "vertical stress near the contact", { field = "szz", mirror = "x",
+    camera = "front", crop = { -0.13, 0.13, 0, 0.13, -1.002, -0.87 } })
+  draw("pressure_below.png", "contact pressure from below", { field = "contact_pressure", mirror = "xy",
+    obstacles = false, camera = "bottom", crop = { -0.1, 0.1, -0.1, 0.1, -1.002, -0.95 } })
+end
+
+-- ── The study ────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+local options = read_arguments(select("#", ...) > 0 and { ... } or arg)
+sg.mkdir(options.out)
+local files, cases, turns = {}, {}, {}
+local function path(name)
+  files[#files + 1] = options.out .. "/" .. name
+  return files[#files]
+end
+
+for _, mesh in ipairs(options.meshes) do
+  for _, label in ipairs(options.labels) do
+    local case = solve_both({ label = label, mesh = mesh }, options)
+    local data = { columns = { "r", "pressure", "gap" }, r = case.profile.x, pressure = case.profile.pressure,
+                   gap = case.profile.gap }
+    sg.csv.write(path(("%s_%s.csv"):format(label, mesh)), data)
+    cases[#cases + 1], cases[label .. " " .. mesh] = case, case
+  end
+end
+for _, around in ipairs(options.around) do
+  local o = { label = options.labels[1], mesh = options.meshes[1], around = around }
+  turns[#turns + 1] = solve(o, solid_scene(o), options)
+end
+
+print "\nPeak pressure and radius of contact beside Hertz's, L2 error of p/p_0 over r/a against Hertz's"
+print(case_table(cases))
+print "\nThe axisymmetric scene of the same meridian mesh, and how far 3D is from it"
+print(twin_table(cases))
+print "\nElements around the axis"
+print(case_table(turns))
+for _, label in ipairs(options.labels) do draw_pressure(cases, label, path(("pressure_%s.png"):format(label))) end
+draw_states(cases[#cases], path)
+print("\nWritten: " .. table.concat(files, "\n         "))
+
+return { cases = cases, turns = turns, files = files }
