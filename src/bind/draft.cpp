@@ -41,9 +41,7 @@ template <int D> int index_of(lua_State* L, Draft<D>& draft, const Rigid<D>& rig
 template <int D>
 model::FaceReference face_of(lua_State* L, const model::Scene<D>& scene, int index, const Argument& argument) {
   const Place<D>& place = read_object<Place<D>>(L, index, argument);
-  if (!place.side)
-    reject(L, index, argument, "a face",
-           text("a", kind_of(place) == "edge" ? "n " : " ", kind_of(place), " has no surface"));
+  if (!place.side) reject_place(L, place, argument, "a face", text(with_article(kind_of(place)), " has no surface"));
   return {index_of(L, scene, place, argument.name), *place.side};
 }
 

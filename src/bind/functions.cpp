@@ -37,8 +37,9 @@ int unknown_method(lua_State* L) {
   std::sort(known.begin(), known.end());
   const bool named = lua_type(L, 2) == LUA_TSTRING;
   const std::string hint = named ? did_you_mean(lua_tostring(L, 2), known) : "";
-  throw ArgumentError(text("a ", type, " has no method ", named ? text("'", lua_tostring(L, 2), "'") : describe(L, 2),
-                           hint, hint.empty() ? "; it has " : " It has ", listed(known)));
+  throw ArgumentError(text(with_article(type), " has no method ",
+                           named ? text("'", lua_tostring(L, 2), "'") : describe(L, 2), hint,
+                           hint.empty() ? "; it has " : " It has ", listed(known)));
 }
 
 /// A method of two C++ types. Upvalues: its name, both functions, and the key of the second type.

@@ -92,11 +92,15 @@ std::string describe(lua_State* L, int index) {
     const bool named = luaL_getmetafield(L, index, "__name") == LUA_TSTRING;
     const std::string name = named ? lua_tostring(L, -1) : "userdata";
     if (named) lua_pop(L, 1);
-    return text("a ", name);
+    return with_article(name);
   }
   default:
     return text("a ", luaL_typename(L, index));
   }
+}
+
+std::string with_article(const std::string& noun) {
+  return text(std::string_view("aeiou").find(noun.front()) == std::string_view::npos ? "a " : "an ", noun);
 }
 
 std::string nearest(const std::string& word, const std::vector<std::string>& words) {

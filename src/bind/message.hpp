@@ -35,6 +35,9 @@ const char* function_name(lua_State* L);
 /// A value as a user would recognise it: "the string '1000'", "nan", "a list of 3 values", "a patch", "nothing".
 std::string describe(lua_State* L, int index);
 
+/// "a body", "an obstacle".
+std::string with_article(const std::string& noun);
+
 /// The word of a list that is nearest to the given one by edit distance; empty when none is near.
 std::string nearest(const std::string& word, const std::vector<std::string>& words);
 /// "'a', 'b' or 'c'".

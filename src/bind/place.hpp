@@ -16,6 +16,14 @@ template <int D> int corner(lua_State* L);
 /// "face", "edge" or "corner": how many faces meet there.
 template <int D> std::string kind_of(const Place<D>& place);
 
+/// As reject(), for a place that is of the wrong kind: names it.
+template <int D>
+[[noreturn]] void reject_place(lua_State* L, const Place<D>& place, const Argument& argument,
+                               const std::string& expected, const std::string& cure) {
+  throw ArgumentError(text(function_name(L), ": ", argument.name, " must be ", expected, ", got the ", kind_of(place),
+                           " '", place.name, "': ", cure));
+}
+
 /// Makes the type.
 void open_places(lua_State* L);
 

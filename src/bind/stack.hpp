@@ -105,7 +105,7 @@ template <class T> T& read_object(lua_State* L, int index, const Argument& argum
   T* object = test_object<T>(L, index);
   if constexpr (requires { Type<T>::dimension; })
     if (!object && has_type(L, index, Type<T>::name)) reject_dimension(L, argument, Type<T>::name, Type<T>::dimension);
-  if (!object) reject(L, index, argument, text("a ", Type<T>::name));
+  if (!object) reject(L, index, argument, with_article(Type<T>::name));
   return *object;
 }
 

@@ -82,18 +82,16 @@ template <int D> void read_rotation(lua_State* L, const Options& o, const Argume
     if (support.rotates) support.axis = read_axis(L, o);
   }
   if (!support.rotates) return;
-  const char *one = "one face", *several = "a face, or a list of faces";
+  const char* expected = D == 2 ? "one face" : "a face, or a list of faces";
+  const char* cure = D == 2 ? "what rotates is one face of a body; give other faces a support of their own"
+                            : "what rotates are faces of bodies; give other things a support of their own";
   const int value = o.push_value("on");
-  const auto refuse = [&](int at) {
-    reject(L, at, on, D == 2 ? one : several,
-           D == 2 ? "what rotates is one face of a body; give other faces a support of their own"
-                  : "what rotates are faces of bodies; give other things a support of their own");
-  };
-  if (D == 2 && lua_istable(L, value)) refuse(value);
+  if (D == 2 && lua_istable(L, value)) reject(L, value, on, expected, cure);
   double size = 0;
   each_item(L, o, on, [&](int at) {
     const Place<D>* place = test_object<Place<D>>(L, at);
-    if (!place || !place->side) refuse(at);
+    if (!place) reject(L, at, on, expected, cure);
+    if (!place->side) reject_place(L, *place, on, expected, cure);
     const double area = face_area(*place->body, *place->side);
     support.centre += area * model::face_centroid(*place->body, *place->side);
     size += area;

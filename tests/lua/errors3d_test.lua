@@ -1,0 +1,147 @@
+-- Wrong input in 3D ends with a message that names the user's line, the function, the argument, what came, the cure.
+
+local check = require "check"
+
+-- Each ends with status 1 and a message that names the script's line, the argument, what came and the cure.
+local start = [[
+local sg = require "signorini"
+local soft = sg.neo_hookean{ E = 1, nu = 0.3 }
+local unit = sg.shapes.block{ size = {1, 1, 1} }
+local square = sg.shapes.rectangle{ width = 1, height = 1 }
+local flat = sg.body{ patch = square, elements = {1, 1}, order = "N1", material = soft }
+local b = sg.body{ patch = unit, elements = {2, 2, 2}, order = "N2", contact = "back", material = soft }
+local function with(order, contact, patch)
+  return { patch = patch or unit, elements = {2, 2, 2}, order = order, contact = contact, material = soft }
+end
+local function held(support) return { bodies = { b = b }, supports = { s = support } } end
+local function touching(master)
+  return { bodies = { b = b }, contacts = { c = { slave = b:face "back", master = master, penalty = 1 } } }
+end
+]]
+local wrong = {
+  -- Shapes
+  { "a surface in 3D as a body", [[sg.body(with("N2", nil, unit:face "back"))]],
+    "sg.body: patch must be a surface in the plane, or a volume in 3D",
+    "this one is a surface in 3D", "sg.nurbs.extrude" },
+  { "a curve as a body", [[sg.body(with("N2", nil, sg.nurbs.line{ from = {0, 0}, to = {1, 0} }))]],
+    "this one is a curve in the plane" },
+  { "elements for two directions", [[sg.body{ patch = unit, elements = {2, 2}, order = "N2", material = soft }]],
+    "sg.body: elements must be a list of 3 whole numbers, one per direction", "got a list of 2 values" },
+  { "a left-handed volume",
+    [[sg.body(with("N1", "back", sg.nurbs.ruled{ a = unit:face "back", b = unit:face "front" }))]],
+    "sg.body: patch: the map is not right-handed (Jacobian -1",
+    "near (0.", "reverse one parametric direction" },
+  { "a volume that crosses itself", [[
+      local p = unit:points()
+      p[7], p[8] = p[8], p[7]
+      local u = {0, 0, 1, 1}
+      sg.body(with("N1", "back", sg.nurbs.volume{ degrees = {1, 1, 1}, knots = {u, u, u}, points = p }))]],
+    "sg.body: patch: the map is not right-handed (Jacobian -", "untangle the control points", line = 17 },
+  -- Labels
+  { "one label in a list", [[sg.body(with({"N2"}, "back"))]],
+    "sg.body: order must be a label, or a list of 2 labels (one per direction along the contact face)",
+    "got a list of 1 value" },
+  { "three labels along a face", [[sg.body(with({"N2", "N2", "N2"}, "back"))]], "a list of 2 labels",
+    "got a list of 3 values" },
+  { "two labels without a contact face", [[sg.body(with({"N2", "N2"}))]],
+    "a list of 3 labels (one per parametric direction, for there is no contact face)", "got a list of 2 values" },
+  { "a list of labels in the plane", [[sg.body{ patch = square, elements = {1, 1},
+      order = {"N2", "N4"}, contact = "south", material = soft }]],
+    "a list of 1 label (one per direction along the contact face)" },
+  { "a number among the labels", [[sg.body(with({"N2", 4}, "back"))]], "sg.body: order[2] must be a string",
+    "got the number 4" },
+  { "an unknown label in a list", [[sg.body(with({"N2", "Q2"}, "back"))]], "unknown discretisation label 'Q2'" },
+  { "a layer in one direction without a contact face", [[sg.body(with({"N2", "N2-N4", "N2"}))]],
+    "'N2-N4' has a layer, but the body names no contact face" },
+  { "layers of different depths", [[sg.body(with({"N2-N4x2", "N2-N4"}, "back"))]], "N2-N4x2", "give both the same xr" },
+  { "L and N elements in one body", [[sg.body(with({"L2", "N2"}, "back"))]], "'L2' and 'N2' cannot be mixed" },
+  -- Faces, edges, corners
+  { "a solid's face of a plane body", [[flat:face "front"]],
+    "body:face: 'front' is unknown; expected one of west, east, south, north" },
+  { "a solid's contact face of a plane body",
+    [[sg.body{ patch = square, elements = {1, 1},
+      order = "N2", contact = "front", material = soft }]],
+    "sg.body: contact must be 'west', 'east', 'south' or 'north'", "got the string 'front'" },
+  { "an unknown face of a solid", [[b:face "top"]],
+    "'top' is unknown; expected one of west, east, south, north, front, back" },
+  { "an edge of a plane body", [[flat:edge "south-west"]], "body:edge: a plane body has faces and corners, no edges",
+    [[b:corner "south-west"]] },
+  { "an edge of opposite faces", [[b:edge "south-north"]], "body:edge: name must be 'west-south', 'west-north'",
+    "got the string 'south-north'" },
+  { "an edge where a corner was meant", [[b:corner "south-west"]], "body:corner: name must be 'west-south-front'",
+    "got the string 'south-west'" },
+  { "a corner of a plane body in 3D", [[flat:corner "west-south-front"]],
+    "name must be 'south-west', 'south-east', 'north-west' or 'north-east'" },
+  { "a load on an edge",
+    [[sg.model{ bodies = { b = b }, loads = { f = { on = b:edge "south-front", pressure = 1 } } }]],
+    "loads.f.on must be a face, got the edge 'south-front': an edge has no surface" },
+  -- Supports
+  { "z in the plane", [[sg.model{ bodies = { a = flat }, supports = { s = { on = flat:face "south", fix = "xyz" } } }]],
+    "supports.s.fix must be 'x', 'y' or 'xy'", "got the string 'xyz'", "the bodies are plane" },
+  { "an unknown component", [[sg.model(held{ on = b:face "front", fix = "w" })]],
+    "supports.s.fix must be 'x', 'y', 'z', 'xy', 'xz', 'yz' or 'xyz'", "got the string 'w'" },
+  { "what is fixed is driven", [[sg.model(held{ on = b:face "front", fix = "xyz", drive = "z" })]],
+    "supports.s both fixes and drives z" },
+  { "a support that holds nothing", [[sg.model(held{ on = b:face "front" })]],
+    [[add fix = "xy", drive = "xy" or rotate = "z"]] },
+  { "an axis for a plane face",
+    [[sg.model{ bodies = { a = flat }, supports = { s = { on = flat:face "south", rotate = "z" } } }]],
+    "supports.s.rotate must be true or false", "got the string 'z'", "write rotate = true" },
+  { "no axis in 3D", [[sg.model(held{ on = b:face "front", rotate = true })]],
+    "supports.s.rotate must be 'x', 'y', 'z', or a vector {x, y, z}",
+    "got true", [[as in rotate = "z"]] },
+  { "an axis of length zero", [[sg.model(held{ on = b:face "front", rotate = {0, 0, 0} })]],
+    "supports.s.rotate must be", "it has no direction" },
+  { "an axis in the plane", [[sg.model(held{ on = b:face "front", rotate = {0, 1} })]],
+    "supports.s.rotate must be a list of 3 numbers" },
+  { "an edge that rotates", [[sg.model(held{ on = b:edge "south-front", rotate = "z" })]],
+    "supports.s.on must be a face, or a list of faces, got the edge 'south-front'",
+    "what rotates are faces of bodies" },
+  { "a traction of two components",
+    [[sg.model{ bodies = { b = b }, loads = { f = { on = b:face "back", traction = {0, 1} } } }]],
+    "loads.f.traction must be a list of 3 numbers {x, y, z}", "got a list of 2 values" },
+  { "a load without a size", [[sg.model{ bodies = { b = b }, loads = { f = { on = b:face "back" } } }]],
+    "one of traction = {tx, ty, tz} and pressure = p" },
+  { "targets without the angle",
+    [[sg.model(held{ on = b:face "front", drive = "xyz", rotate = "z" }):run{ { steps = 1, s = {0, 0, 1} } }]],
+    "stage 1.s must be a list of 4 values (ux, uy, uz, angle), got a list of 3 values" },
+  -- Plane and 3D mixed
+  { "a plane body among solids", [[sg.model{ bodies = { b = b, c = flat } }]],
+    "sg.model: bodies.c must be a body in 3D, got one in the plane", "all in the plane, or all in 3D" },
+  { "a solid among plane bodies", [[sg.model{ bodies = { a = flat, b = b } }]],
+    "bodies.b must be a body in the plane, got one in 3D" },
+  { "a plane face in a solid's contact", [[sg.model(touching(flat:face "south"))]],
+    "contacts.c.master must be a face in 3D, got one in the plane" },
+  { "a plane obstacle in a solid's contact", [[sg.model(touching(sg.rigid.sphere{ centre = {0, 2}, radius = 1 }))]],
+    "contacts.c.master must be an obstacle in 3D, got one in the plane" },
+  { "a plane face in a solid's support", [[sg.model(held{ on = flat:face "south", fix = "x" })]],
+    "supports.s.on must be a face in 3D, got one in the plane" },
+  { "another kind of 3D", [[sg.model{ bodies = { b = b }, kind = "plane_strain" }]],
+    "kind says what the plane stands for", "leave it out" },
+  { "a plane body to be sampled", [[sg.model(held{ on = b:face "front", fix = "x" }):sample(flat, "ux", {0, 0})]],
+    "model:sample: body must be a body in 3D" },
+  { "two parameters for a solid", [[sg.model(held{ on = b:face "front", fix = "x" }):sample(b, "ux", {0, 0})]],
+    "model:sample: xi must be a list of 3 numbers", "got a list of 2 values" },
+  -- Obstacles
+  { "a plane's normal of another dimension", [[sg.rigid.plane{ point = {0, 0, 0}, normal = {0, 1} }]],
+    "sg.rigid.plane: normal must be a list of 3 numbers {x, y, z}", "got a list of 2 values" },
+  { "a cylinder without an axis", [[sg.rigid.cylinder{ centre = {0, 0, 0}, radius = 1 }]],
+    "sg.rigid.cylinder: axis (direction of the axis) is missing" },
+  { "an axis of a disc", [[sg.rigid.cylinder{ centre = {0, 0}, axis = {0, 0, 1}, radius = 1 }]],
+    "axis is for cylinders in 3D", "leave axis out" },
+  { "an axis of no direction", [[sg.rigid.cylinder{ centre = {0, 0, 0}, axis = {0, 0, 0}, radius = 1 }]],
+    "sg.rigid.cylinder", "axis" },
+  { "a volume as an obstacle", [[sg.rigid.surface(unit)]],
+    "sg.rigid.surface: patch must be a curve in the plane, or a surface in 3D" },
+  { "a curve in 3D as an obstacle", [[sg.rigid.surface(sg.nurbs.line{ from = {0, 0, 0}, to = {1, 0, 0} })]],
+    "a curve in the plane, or a surface in 3D" },
+}
+for _, case in ipairs(wrong) do
+  check.case(case[1], function()
+    local output, status = check.script(start .. case[2])
+    check.equal(status, 1)
+    check.holds(output, ("signorini: study.lua:%d: "):format(case.line or 14), table.unpack(case, 3))
+  end)
+end
+
+check.done()
