@@ -1,21 +1,30 @@
-#include "view/picture.hpp"
-
+#include "bind/frame.hpp"
 #include "bind/functions.hpp"
+#include "bind/model.hpp"
 #include "bind/open.hpp"
-#include "bind/scene.hpp"
-#include "model/tessellate.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <variant>
 
 namespace signorini::bind {
 
 namespace {
 
-/// A state as it is drawn, free of its model, and what its colours mean.
+/// A state as it is drawn, and what its colours mean.
 struct StateFrame {
-  view::Panel panel;
+  std::variant<view::Panel, view::SolidPanel> panel;
   std::string label;
+
+  const std::string& title() const {
+    return std::visit([](const auto& one) -> const std::string& { return one.title; }, panel);
+  }
+  void set_title(std::string title) {
+    std::visit([&](auto& one) { one.title = std::move(title); }, panel);
+  }
+  std::size_t bodies() const {
+    return std::visit([](const auto& one) { return one.bodies.size(); }, panel);
+  }
+  bool solid() const { return std::holds_alternative<view::SolidPanel>(panel); }
 };
 
 } // namespace
@@ -25,9 +34,9 @@ template <> struct Type<StateFrame> { static constexpr auto name = "frame"; };
 namespace {
 
 /// What shows a model's state, and what lays out a picture of states.
-const std::vector<std::string> state_keys = {"model",      "field", "factor",         "deformed",
-                                             "undeformed", "mesh",  "control_points", "mirror"};
-const std::vector<std::string> picture_keys = {"file", "title", "label", "range", "colormap", "size", "crop"};
+const std::vector<std::string> state_keys = {"model",          "field",  "factor", "deformed", "undeformed", "mesh",
+                                             "control_points", "mirror", "cut",    "bodies",   "obstacles"};
+const std::vector<std::string> picture_keys = {"file", "title", "label", "range", "colormap", "size", "crop", "camera"};
 
 std::vector<std::string> joined(std::vector<std::string> keys, const std::vector<std::string>& more) {
   keys.insert(keys.end(), more.begin(), more.end());
@@ -36,163 +45,113 @@ std::vector<std::string> joined(std::vector<std::string> keys, const std::vector
 
 // ── A state ──────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-/// Pieces per element and direction: enough that a quadratic arc over an eighth of a circle looks round at any size;
-/// fewer where elements are so many that each is small.
-int divisions_for(int elements) {
-  return std::clamp(static_cast<int>(std::sqrt(40000.0 / elements)), 4, 12);
+const std::vector<std::string> axis_names = {"x", "y", "z", "-x", "-y", "-z"};
+
+Vec<3> unit(const std::string& axis) {
+  return (axis[0] == '-' ? -1.0 : 1.0) * Vec<3>::Unit(axis.back() - 'x');
 }
 
-/// The points of a tessellation in their order: element by element, row by row.
-struct Grid {
-  const view::Points& points;
-  int divisions;
-  std::array<int, 2> elements;
-
-  int index(int element, int i, int j) const {
-    const int side = divisions + 1;
-    return side * side * element + side * j + i;
+/// "y", or { normal = …, point = … }, or { normal = "y", at = … }.
+std::optional<Cut> read_cut(lua_State* L, const Options& o) {
+  if (!o.has("cut")) return std::nullopt;
+  constexpr const char* meaning = "the half on this side is taken away";
+  const int value = o.push_value("cut"), type = lua_type(L, value);
+  if (type == LUA_TSTRING) return Cut{unit(o.choice("cut", meaning, axis_names))};
+  if (type != LUA_TTABLE)
+    reject(L, value, o.argument("cut", meaning), "an axis such as \"y\" or \"-y\", or a table with normal and point");
+  const Options c = o.table("cut", {"normal", "point", "at"});
+  const int normal = c.push_value("normal");
+  Cut cut;
+  if (lua_type(L, normal) == LUA_TSTRING) {
+    cut.normal = unit(c.choice("normal", meaning, axis_names));
+    if (c.has("at")) cut.point = c.number("at", "where the plane meets the normal's axis") * cut.normal.cwiseAbs();
+  } else {
+    cut.normal = c.point("normal", "points to the half that is taken away", 3, 3);
+    if (cut.normal.norm() == 0)
+      reject(L, normal, c.argument("normal", "points to the half that is taken away"), "a vector that is not zero");
+    if (c.has("at"))
+      throw ArgumentError(text(function_name(L), ": cut.at needs an axis as cut.normal, such as \"y\"; with a vector "
+                                                 "give cut.point"));
   }
-
-  /// An element's border along a direction, at the start or the end of the other one.
-  view::Points border(int element, int along, int end) const {
-    view::Points line(3, divisions + 1);
-    for (int k = 0; k <= divisions; ++k)
-      line.col(k) = points.col(along == 0 ? index(element, k, end * divisions) : index(element, end * divisions, k));
-    return line;
+  if (c.has("point")) {
+    if (cut.point) throw ArgumentError(text(function_name(L), ": cut has both at and point; give one of them"));
+    cut.point = c.point("point", "a point of the plane", 3, 3);
   }
-
-  /// An element's size across a direction, through its middle.
-  double across(int element, int along) const {
-    const int half = divisions / 2;
-    return along == 0 ? (points.col(index(element, half, divisions)) - points.col(index(element, half, 0))).norm()
-                      : (points.col(index(element, divisions, half)) - points.col(index(element, 0, half))).norm();
-  }
-
-  /// Whether an element is the first or the last of those across a direction.
-  bool is_last(int element, int along, int end) const {
-    const int place = along == 0 ? element / elements[0] : element % elements[0];
-    return place == (end == 0 ? 0 : elements[static_cast<std::size_t>(1 - along)] - 1);
-  }
-};
-
-/// Borders between elements, each once.
-std::vector<view::MeshLine> mesh_lines(const Grid& grid) {
-  std::vector<view::MeshLine> lines;
-  for (int e = 0; e < grid.elements[0] * grid.elements[1]; ++e)
-    for (int along : {0, 1})
-      if (!grid.is_last(e, along, 0)) lines.push_back({grid.border(e, along, 0), grid.across(e, along)});
-  return lines;
+  return cut;
 }
 
-/// The sides of the body, element by element.
-std::vector<view::Points> rim(const Grid& grid) {
-  std::vector<view::Points> lines;
-  for (int along : {0, 1})
-    for (int end : {0, 1}) {
-      view::Points line(3, 0);
-      for (int e = 0; e < grid.elements[0] * grid.elements[1]; ++e)
-        if (grid.is_last(e, along, end)) {
-          const view::Points piece = grid.border(e, along, end);
-          const Eigen::Index kept = std::max<Eigen::Index>(line.cols() - 1, 0); // neighbours share a point
-          line.conservativeResize(3, kept + piece.cols());
-          line.rightCols(piece.cols()) = piece;
-        }
-      lines.push_back(std::move(line));
-    }
-  return lines;
+template <int D> std::string read_label(const Options& o, const Showing& showing) {
+  if (!o.has("field")) return "";
+  const std::string label = field_label<D>(showing.field);
+  return showing.factor == 1 ? label : text(showing.factor, " × ", label);
 }
 
-/// What becomes of a field's values in the mirror of an axis: components that point along the axis once change sign.
-double mirror_sign(const std::string& field, int axis) {
-  static const std::vector<std::string> odd[] = {{"ux", "sxy", "F12", "F21"}, {"uy", "sxy", "F12", "F21"}};
-  return std::find(odd[axis].begin(), odd[axis].end(), field) == odd[axis].end() ? 1 : -1;
-}
-
-void add_mirror_image(view::Panel& panel, int axis, double sign) {
-  for (std::size_t i = 0, count = panel.bodies.size(); i < count; ++i)
-    panel.bodies.push_back(view::mirrored(panel.bodies[i], axis, sign));
-  for (std::size_t i = 0, count = panel.obstacles.size(); i < count; ++i)
-    panel.obstacles.push_back(view::mirrored(panel.obstacles[i], axis));
-}
-
-/// The rim of a model's rigid obstacle where it stands now, or stood at the start.
-view::Outline obstacle(const Model<2>& model, int index, bool deformed) {
-  const int first = model->unknowns().obstacle_offset(index);
-  const Vec<2> shift = deformed ? Vec<2>(model->displacement().segment<2>(first)) : Vec<2>::Zero();
-  const contact::Obstacle<2>& shape = model->scene().obstacles[static_cast<std::size_t>(index)];
-  if (const auto* plane = std::get_if<contact::Plane<2>>(&shape))
-    return view::half_plane(plane->point + shift, plane->normal);
-  if (const auto* ball = std::get_if<contact::Ball<2>>(&shape)) return view::circle(ball->centre + shift, ball->radius);
-  const auto& curve = std::get<nurbs::Patch>(shape);
-  const nurbs::KnotVector& knots = curve.directions().front();
-  constexpr int pieces = 400;
-  view::Outline outline{view::Points::Zero(3, pieces + 1)};
-  for (int k = 0; k <= pieces; ++k) {
-    const double xi = knots.first() + (knots.last() - knots.first()) * k / pieces;
-    outline.line.col(k).head<2>() = nurbs::evaluate(curve, VectorX::Constant(1, xi)) + shift;
+/// The bodies that are named; all when none are.
+template <int D> std::vector<int> read_bodies(lua_State* L, const Options& o, const Model<D>& model) {
+  const int all = static_cast<int>(model->scene().bodies.size());
+  std::vector<int> bodies;
+  if (!o.has("bodies")) {
+    for (int b = 0; b < all; ++b) bodies.push_back(b);
+    return bodies;
   }
-  return outline;
+  const Argument argument = o.argument("bodies", "names of the bodies to be drawn");
+  const int list = o.push_value("bodies"), count = read_list(L, list, argument, "a list of names");
+  if (count == 0) reject(L, list, argument, "a list of at least one name");
+  for (int i = 1; i <= count; ++i) {
+    lua_rawgeti(L, list, i);
+    bodies.push_back(find_body(L, model, read_string(L, -1, {text("bodies[", i, "]"), "name of a body"})));
+    lua_pop(L, 1);
+  }
+  return bodies;
 }
 
 StateFrame read_state(lua_State* L, const Options& o) {
-  const Model<2>& model = o.object<Model<2>>("model", "made by sg.model");
-  const model::Field<2>* field = nullptr;
-  if (o.has("field")) field = &model::find_field<2>(o.string("field", "such as \"uy\" or \"von_mises\""));
-  const double factor = o.number("factor", "multiplies the field", 1.0);
-  if (!field && o.has("factor"))
-    throw ArgumentError(text(function_name(L), ": factor has no field to multiply: name one, as in field = \"uy\""));
-  const bool deformed = o.flag("deformed", "draw the present state, not the reference", true);
-  const bool undeformed = o.flag("undeformed", "draw the reference shape's outline", false);
-  const bool mesh = o.flag("mesh", "draw element borders", true);
-  const bool control_points = o.flag("control_points", "draw control points and their rows", false);
-
+  const int value = o.push_value("model");
+  const Model<3>* solid = test_object<Model<3>>(L, value);
+  if (!solid) o.object<Model<2>>("model", "made by sg.model");
+  Showing showing;
+  showing.field = o.string("field", "such as \"uy\" or \"von_mises\"", "");
+  showing.factor = o.number("factor", "multiplies the field", 1.0);
   StateFrame state;
-  if (field) state.label = factor == 1 ? field->label : text(factor, " × ", field->label);
-  for (int b = 0; b < static_cast<int>(model->scene().bodies.size()); ++b) {
-    const nurbs::Discretisation& space = model->scene().bodies[static_cast<std::size_t>(b)].body->space();
-    const std::array<int, 2> elements = {space.elements(0), space.elements(1)};
-    const int divisions = divisions_for(space.elements());
-    model::Tessellation sampled = model::tessellate(*model, b, field, divisions, deformed);
-    view::Body body;
-    body.points = std::move(sampled.points);
-    body.triangles = std::move(sampled.triangles);
-    body.values = factor * sampled.values;
-    const Grid grid{body.points, divisions, elements};
-    body.rim = rim(grid);
-    if (mesh) body.mesh_lines = mesh_lines(grid);
-    if (control_points) {
-      body.control_points = std::move(sampled.control_points);
-      body.net_lines = std::move(sampled.net_lines);
-    }
-    if (undeformed) {
-      const view::Points reference = model::tessellate(*model, b, nullptr, divisions, false).points;
-      body.undeformed = rim({reference, divisions, elements});
-    }
-    state.panel.bodies.push_back(std::move(body));
+  state.label = solid ? read_label<3>(o, showing) : read_label<2>(o, showing);
+  if (!o.has("field") && o.has("factor"))
+    throw ArgumentError(text(function_name(L), ": factor has no field to multiply: name one, as in field = \"uy\""));
+  showing.deformed = o.flag("deformed", "draw the present state, not the reference", true);
+  showing.undeformed = o.flag("undeformed", "draw the reference shape as well", false);
+  showing.mesh = o.flag("mesh", "draw element borders", true);
+  showing.control_points = o.flag("control_points", "draw control points and their rows", false);
+  showing.obstacles = o.flag("obstacles", "draw rigid obstacles", true);
+  if (o.has("mirror")) {
+    constexpr const char* meaning = "axis across which the model is continued";
+    showing.mirror = solid ? o.choice("mirror", meaning, {"x", "y", "z", "xy", "xz", "yz", "xyz"})
+                           : o.choice("mirror", meaning, {"x", "y", "xy"});
   }
-  for (int k = 0; k < static_cast<int>(model->scene().obstacles.size()); ++k)
-    state.panel.obstacles.push_back(obstacle(model, k, deformed));
-  if (o.has("mirror"))
-    for (char letter : o.choice("mirror", "axis across which the model is continued", {"x", "y", "xy"})) {
-      const int axis = letter == 'x' ? 0 : 1;
-      add_mirror_image(state.panel, axis, field ? mirror_sign(field->name, axis) : 1);
-    }
+  if (solid) {
+    showing.bodies = read_bodies(L, o, *solid);
+    state.panel = show(**solid, showing, read_cut(L, o));
+  } else {
+    if (o.has("cut")) throw ArgumentError(text(function_name(L), ": cut is for models of solids, this one is plane"));
+    const Model<2>& plane = o.object<Model<2>>("model", "made by sg.model");
+    showing.bodies = read_bodies(L, o, plane);
+    state.panel = show(*plane, showing);
+  }
+  lua_settop(L, value - 1);
   return state;
 }
 
 int frame(lua_State* L) {
   const Options o(L, 1, joined(state_keys, {"title"}));
   StateFrame state = read_state(L, o);
-  state.panel.title = o.string("title", "line above this state", "");
+  state.set_title(o.string("title", "line above this state", ""));
   push_object(L, std::move(state));
   return 1;
 }
 
 int frame_tostring(lua_State* L) {
   const StateFrame& state = self<StateFrame>(L);
-  const std::string &title = state.panel.title, &label = state.label;
-  push(L, text("frame", title.empty() ? "" : " '" + title + "'", " of ", state.panel.bodies.size(),
-               state.panel.bodies.size() == 1 ? " body" : " bodies", label.empty() ? "" : ", coloured by " + label));
+  const std::string &title = state.title(), &label = state.label;
+  push(L, text("frame", title.empty() ? "" : " '" + title + "'", " of ", state.bodies(),
+               state.bodies() == 1 ? " body" : " bodies", label.empty() ? "" : ", coloured by " + label));
   return 1;
 }
 
@@ -219,8 +178,8 @@ void read_size(lua_State* L, const Options& o, view::PictureOptions& options) {
   options.trim = false;
 }
 
-/// The frames of a sheet, and what all their colours mean.
-std::vector<view::Panel> read_frames(lua_State* L, const Options& o, std::string& label) {
+/// The frames of a sheet: of one field and one dimension.
+std::vector<StateFrame> read_frames(lua_State* L, const Options& o) {
   for (const std::string& key : state_keys)
     if (o.has(key.c_str()))
       throw ArgumentError(
@@ -228,24 +187,50 @@ std::vector<view::Panel> read_frames(lua_State* L, const Options& o, std::string
   const Argument argument = o.argument("frames", "made by sg.frame");
   const int list = o.push_value("frames"), count = read_list(L, list, argument, "a list of frames");
   if (count == 0) reject(L, list, argument, "a list of at least one frame", "add one made by sg.frame{ … }");
-  std::vector<view::Panel> panels;
+  std::vector<StateFrame> frames;
   for (int i = 1; i <= count; ++i) {
     lua_rawgeti(L, list, i);
     const StateFrame& state = read_object<StateFrame>(L, -1, {text("frames[", i, "]"), argument.meaning});
-    if (i == 1) label = state.label;
+    frames.push_back(state);
+    const std::string& label = frames.front().label;
     if (state.label != label && !o.has("label"))
       throw ArgumentError(text(function_name(L), ": frames[", i, "] shows '", state.label, "' and frames[1] '", label,
                                "': one colour bar serves all frames, give them one field, or name the bar by label"));
-    panels.push_back(state.panel);
+    if (state.solid() != frames.front().solid())
+      throw ArgumentError(text(function_name(L), ": frames[", i, "] shows a ", state.solid() ? "solid" : "plane",
+                               " model and frames[1] does not; draw them in pictures of their own"));
     lua_pop(L, 1);
   }
+  return frames;
+}
+
+template <class Panel> std::vector<Panel> panels_of(const std::vector<StateFrame>& frames) {
+  std::vector<Panel> panels;
+  for (const StateFrame& frame : frames) panels.push_back(std::get<Panel>(frame.panel));
   return panels;
 }
 
-int picture(lua_State* L) {
-  const Options o(L, 1, joined(joined(state_keys, picture_keys), {"frames", "columns"}));
-  const std::string file = o.string("file", "a name that ends with .png");
-  view::PictureOptions options;
+/// A name, or { from = …, up = … }.
+view::Camera read_camera(lua_State* L, const Options& o) {
+  constexpr const char* meaning = "where the picture is seen from";
+  if (!o.has("camera")) return view::camera("iso");
+  const int value = o.push_value("camera"), type = lua_type(L, value);
+  if (type == LUA_TSTRING) return view::camera(o.choice("camera", meaning, view::camera_names()));
+  if (type != LUA_TTABLE)
+    reject(L, value, o.argument("camera", meaning),
+           text(one_of(view::camera_names()), ", or a table { from = …, up = … }"));
+  const Options c = o.table("camera", {"from", "up"});
+  const Vec<3> from = c.point("from", "direction from the model to the eye", 3, 3);
+  if (from.norm() == 0)
+    reject(L, c.push_value("from"), c.argument("from", "direction from the model to the eye"),
+           "a vector that is not zero");
+  const bool steep = from.head<2>().norm() < 1e-6 * from.norm();
+  const Vec<3> otherwise = steep ? Vec<3>::UnitY() : Vec<3>::UnitZ();
+  return {from, c.point("up", "direction that points upwards in the picture", 3, 3, VectorX(otherwise))};
+}
+
+/// What of a picture is read the same way for all models.
+void read_options(lua_State* L, const Options& o, view::PictureOptions& options) {
   options.title = o.string("title", "line above the picture", "");
   options.colormap = o.choice("colormap", "colours of the field", view::colormaps(), options.colormap);
   read_size(L, o, options);
@@ -253,51 +238,93 @@ int picture(lua_State* L) {
     const VectorX range = o.point("range", "lowest and highest value", 2, 2);
     options.range = {range[0], range[1]};
   }
-  if (o.has("crop")) {
-    const std::vector<double> crop = o.numbers("crop", "xmin, xmax, ymin, ymax");
-    if (crop.size() != 4)
-      reject(L, o.push_value("crop"), o.argument("crop", "xmin, xmax, ymin, ymax"), "a list of 4 numbers");
-    options.crop = {crop[0], crop[1], crop[2], crop[3]};
-  }
-  std::vector<view::Panel> panels;
+}
+
+std::vector<double> read_crop(lua_State* L, const Options& o, const char* meaning, std::size_t count) {
+  const std::vector<double> crop = o.numbers("crop", meaning);
+  if (crop.size() != count)
+    reject(L, o.push_value("crop"), o.argument("crop", meaning), text("a list of ", count, " numbers"));
+  return crop;
+}
+
+int picture(lua_State* L) {
+  const Options o(L, 1, joined(joined(state_keys, picture_keys), {"frames", "columns"}));
+  const std::string file = o.string("file", "a name that ends with .png");
+  view::SolidOptions options;
+  read_options(L, o, options);
+  std::vector<StateFrame> frames;
   if (o.has("frames")) {
-    panels = read_frames(L, o, options.field_label);
+    frames = read_frames(L, o);
     if (o.has("columns")) options.columns = o.integer("columns", "frames in a row", 1, 100);
   } else {
     if (o.has("columns")) throw ArgumentError(text(function_name(L), ": columns needs frames = {…}, made by sg.frame"));
-    StateFrame state = read_state(L, o);
-    options.field_label = state.label;
-    panels.push_back(std::move(state.panel));
+    frames.push_back(read_state(L, o));
   }
+  options.field_label = frames.front().label;
   if (o.has("label")) {
     if (options.field_label.empty())
       throw ArgumentError(text(function_name(L), ": label names a colour bar, but no field is drawn: add field"));
     options.field_label = o.string("label", "title of the colour bar");
   }
-  view::draw_sheet(panels, options, file);
+  if (frames.front().solid()) {
+    options.camera = read_camera(L, o);
+    if (o.has("crop")) {
+      const std::vector<double> crop = read_crop(L, o, "xmin, xmax, ymin, ymax, zmin, zmax", 6);
+      options.region = view::Bounds{{crop[0], crop[2], crop[4]}, {crop[1], crop[3], crop[5]}};
+    }
+    view::draw_solids(panels_of<view::SolidPanel>(frames), options, file);
+  } else {
+    if (o.has("camera"))
+      throw ArgumentError(text(function_name(L), ": camera is for models of solids, this one is plane"));
+    if (o.has("crop")) {
+      const std::vector<double> crop = read_crop(L, o, "xmin, xmax, ymin, ymax", 4);
+      options.crop = {crop[0], crop[1], crop[2], crop[3]};
+    }
+    view::draw_sheet(panels_of<view::Panel>(frames), options, file);
+  }
   return 0;
 }
 
 constexpr Function rows[] = {
     {"picture", wrap<picture>,
-     "sg.picture{ model, file, field, factor = 1, label, title, range, colormap = \"viridis\", size, crop,\n"
-     "            deformed = true, undeformed = false, mesh = true, control_points = false, mirror }\n"
+     "sg.picture{ model, file, field, factor = 1, label, title, range, colormap = \"viridis\", size, crop, bodies,\n"
+     "            deformed = true, undeformed = false, mesh = true, control_points = false, obstacles = true, mirror,\n"
+     "            camera = \"iso\", cut }\n"
      "Draws the model's present state to a .png file. field: ux uy u, Cauchy stresses sxx syy szz sxy, von_mises,\n"
      "pressure, I1 (tr sigma), F11 F12 F21 F22; grey without. Stresses are evaluated where they are drawn, not "
      "smoothed.\n"
      "factor multiplies the field; label is the colour bar's title (the field's own); range = {low, high} of the "
      "colours.\n"
-     "undeformed adds the reference shape's outline; mirror = \"x\" the mirror image at x = 0, for half models. Rigid "
-     "obstacles\n"
-     "are drawn hatched.\n"
+     "undeformed adds the reference shape's outline; mirror = \"x\" the mirror image at x = 0, for half models; bodies "
+     "= {names}\n"
+     "draws these only. Rigid obstacles are drawn hatched.\n"
      "size = {width, height} in pixels, or a number: the greatest width, and half the greatest height. Without a pair "
      "the\n"
      "picture is no larger than what it shows; at most 1600 x 1000, sheets 1600 x 2000. crop = {xmin, xmax, ymin, "
      "ymax}.\n"
-     "sg.picture{ frames = {…}, file, columns, … } draws states kept by sg.frame side by side, with one colour bar.\n"
-     "Example: sg.picture{ model = model, field = \"uy\", file = \"die.png\" }"},
+     "Solids: also fields uz sxz syz F13 … F33, and contact_pressure on the slave faces (bilinear between contact "
+     "points).\n"
+     "camera: \"iso\" (from the front, the right and above), \"front\" (from -y, z upwards), \"back\", \"left\" (from "
+     "-x), \"right\",\n"
+     "\"top\" (from +z, y upwards), \"bottom\", or { from = {direction to the eye}, up = {direction} }; parallel "
+     "projection.\n"
+     "cut takes a half away: \"y\" that of greater y, \"-y\" that of smaller y, through the middle of the bodies;\n"
+     "{ normal = \"y\", at = 0.5 } at y = 0.5; { normal = {…}, point = {…} } the half that the normal points to. The "
+     "cut face\n"
+     "is coloured by the field inside. undeformed adds the reference shape, translucent; mirror = \"x\" … \"xyz\"; "
+     "crop = {xmin,\n"
+     "xmax, ymin, ymax, zmin, zmax} zooms to this box. Surfaces are shaded a little: what faces the light has the "
+     "colours of\n"
+     "the bar. Rigid obstacles are grey and translucent.\n"
+     "sg.picture{ frames = {…}, file, columns, camera, … } draws states kept by sg.frame side by side, with one colour "
+     "bar.\n"
+     "Example: sg.picture{ model = model, field = \"uy\", file = \"die.png\" }\n"
+     "Example: sg.picture{ model = model, field = \"szz\", cut = \"-y\", camera = { from = {1, -2, 1} }, file = "
+     "\"cut.png\" }"},
     {"frame", wrap<frame>,
-     "sg.frame{ model, title, field, factor, deformed, undeformed, mesh, control_points, mirror }\n"
+     "sg.frame{ model, title, field, factor, bodies, deformed, undeformed, mesh, control_points, obstacles, mirror, "
+     "cut "
+     "}\n"
      "Keeps the model's present state for a picture of several; arguments as in sg.picture.\n"
      "Example: local frames = {}\n"
      "         model:run(stages, { on_step = function(info)\n"

@@ -152,6 +152,18 @@ Surface joined(const Surface& a, const Surface& b) {
   return both;
 }
 
+/// Those on the side that stays, and the lines between two of them.
+void keep_control_points(Solid& left, const Solid& solid, const VectorX& distance) {
+  std::vector<int> kept, place(static_cast<std::size_t>(distance.size()), -1);
+  for (int i = 0; i < distance.size(); ++i)
+    if (distance[i] <= 0) place[static_cast<std::size_t>(i)] = static_cast<int>(kept.size()), kept.push_back(i);
+  left.control_points = solid.control_points(Eigen::all, kept);
+  for (const auto& [a, b] : solid.net_lines) {
+    const int from = place[static_cast<std::size_t>(a)], to = place[static_cast<std::size_t>(b)];
+    if (from >= 0 && to >= 0) left.net_lines.push_back({from, to});
+  }
+}
+
 std::vector<SurfaceLine> cut(const std::vector<SurfaceLine>& lines, const CutPlane& plane, double tolerance) {
   std::vector<SurfaceLine> left;
   for (const SurfaceLine& line : lines)
@@ -245,8 +257,7 @@ Solid cut(const Solid& solid, const CutPlane& plane) {
   }
   left.undeformed = cut(solid.undeformed, plane, tolerance);
   left.undeformed_rim = cut(solid.undeformed_rim, plane, tolerance);
-  left.control_points = solid.control_points;
-  left.net_lines = solid.net_lines;
+  keep_control_points(left, solid, distances(solid.control_points, plane, tolerance));
   return left;
 }
 

@@ -59,13 +59,26 @@ Solid mirrored(const Solid& solid, int axis, double sign) {
 
 void join_at_mirror(Solid& solid, int axis) {
   const double tolerance = 1e-9 * bounds(solid).size();
-  const auto leaves = [&](const SurfaceLine& line) { return line.points.row(axis).cwiseAbs().maxCoeff() > tolerance; };
-  const auto joined = std::stable_partition(solid.rim.begin(), solid.rim.end(), leaves);
+  const auto within = [&](const Points& points) { return points.row(axis).cwiseAbs().maxCoeff() <= tolerance; };
+  const auto faces_mirror = [&](const SurfaceLine& line) {
+    return within(line.points) && line.normals.row(axis).cwiseAbs().minCoeff() > 1 - 1e-6;
+  };
+  std::erase_if(solid.mesh_lines, faces_mirror);
+  std::erase_if(solid.rim, faces_mirror);
+  const auto joined = std::stable_partition(solid.rim.begin(), solid.rim.end(),
+                                            [&](const SurfaceLine& line) { return !within(line.points); });
+  const double spacing = typical_spacing(solid.mesh_lines);
   for (auto line = joined; line != solid.rim.end(); ++line) {
-    line->spacing = typical_spacing(solid.mesh_lines);
+    line->spacing = spacing;
     solid.mesh_lines.push_back(std::move(*line));
   }
   solid.rim.erase(joined, solid.rim.end());
+
+  Triangles& triangles = solid.skin.triangles;
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index t = 0; t < triangles.cols(); ++t)
+    if (!within(solid.skin.points(Eigen::all, triangles.col(t)))) kept.push_back(t);
+  triangles = Triangles(triangles(Eigen::all, kept));
 }
 
 } // namespace signorini::view

@@ -56,7 +56,8 @@ Bounds bounds(const Solid& solid);
 Surface mirrored(const Surface& surface, int axis, double sign);
 Solid mirrored(const Solid& solid, int axis, double sign);
 
-/// Turns the rims that lie in the plane of a mirror into element borders: there a body and its image are one.
+/// Makes a body and its image one: takes away the surface that lies in the plane of the mirror, and turns the rims
+/// there into element borders.
 void join_at_mirror(Solid& solid, int axis);
 
 } // namespace signorini::view

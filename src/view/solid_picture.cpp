@@ -16,9 +16,9 @@ namespace signorini::view {
 namespace {
 
 constexpr Rgb plain = {203, 209, 214}, line_colour = {45, 45, 45}, net_colour = {200, 60, 20},
-              ghost_colour = {150, 158, 166}, ghost_rim_colour = {140, 140, 140}, rigid_colour = {150, 155, 162},
+              ghost_colour = {150, 158, 166}, ghost_rim_colour = {140, 140, 140}, rigid_colour = {140, 146, 154},
               rigid_rim_colour = {120, 120, 120};
-constexpr std::uint8_t ghost_opacity = 70, rigid_opacity = 90;
+constexpr std::uint8_t ghost_opacity = 55, rigid_opacity = 62;
 
 // ── Checks ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
@@ -49,6 +49,9 @@ void check(const std::vector<SolidPanel>& panels) {
       for (const auto* lines : {&body.mesh_lines, &body.rim, &body.undeformed_rim})
         for (const SurfaceLine& line : *lines) finite &= line.points.allFinite() && line.normals.allFinite();
       for (const Lattice& lattice : body.inside) finite &= lattice.points.allFinite() && lattice.values.allFinite();
+      for (const auto& line : body.net_lines)
+        require(std::min(line[0], line[1]) >= 0 && std::max(line[0], line[1]) < body.control_points.cols(), name,
+                " has a net line that names control points outside 0 … ", body.control_points.cols() - 1);
       require(finite, name, " has lines or insides that are not finite; nothing can be drawn");
     }
     if (const auto& cut = panels[p].cut)
@@ -264,8 +267,8 @@ void add_relief(Relief& relief, const Scene& scene, const std::array<double, 2>&
     if (pen.width > 0) add_ribbon(relief.ink, line.line.points, line.line.normals, pen);
   }
   for (const Vec<3>& dot : scene.dots) {
-    add_dot(relief.ink, dot + 3 * Vec<3>::UnitZ(), 6.4 * style.unit, white);
-    add_dot(relief.ink, dot + 4 * Vec<3>::UnitZ(), 4.8 * style.unit, net_colour);
+    add_dot(relief.ink, dot + 12 * style.unit * Vec<3>::UnitZ(), 6.4 * style.unit, white);
+    add_dot(relief.ink, dot + 13 * style.unit * Vec<3>::UnitZ(), 4.8 * style.unit, net_colour);
   }
   add_veils(relief.veil, scene.veils);
 }

@@ -1,0 +1,40 @@
+#pragma once
+// States of models as pictures show them, free of their models.
+
+#include "bind/scene.hpp"
+#include "view/picture.hpp"
+#include "view/solid_picture.hpp"
+
+namespace signorini::bind {
+
+/// How a state shall be shown.
+struct Showing {
+  std::string field; ///< empty: grey
+  double factor = 1;
+  bool deformed = true, undeformed = false, mesh = true, control_points = false;
+  bool obstacles = true;
+  std::vector<int> bodies; ///< those to be drawn
+  std::string mirror;      ///< axes across which the model goes on, "xy"
+};
+
+/// Where a model of solids is cut open; without a point through the middle of what is shown.
+struct Cut {
+  Vec<3> normal;
+  std::optional<Vec<3>> point = {};
+};
+
+/// What a colour bar calls the field. Throws Error when models of this dimension know no such field.
+template <int D> std::string field_label(const std::string& field);
+
+view::Panel show(const model::Model<2>& model, const Showing& showing);
+view::SolidPanel show(const model::Model<3>& model, const Showing& showing, const std::optional<Cut>& cut);
+
+/// What becomes of a field's values in the mirror of an axis (0, 1, 2): components that point along it once change
+/// sign.
+double mirror_sign(const std::string& field, int axis);
+
+/// Pieces per element and direction: enough that a quadratic arc over an eighth of a circle looks round at any size;
+/// fewer where elements are so many that each is small.
+int divisions_for(int elements);
+
+} // namespace signorini::bind

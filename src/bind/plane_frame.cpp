@@ -1,0 +1,149 @@
+#include "bind/frame.hpp"
+#include "model/tessellate.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace signorini::bind {
+
+namespace {
+
+/// The points of a tessellation in their order: element by element, row by row.
+struct Grid {
+  const view::Points& points;
+  int divisions;
+  std::array<int, 2> elements;
+
+  int index(int element, int i, int j) const {
+    const int side = divisions + 1;
+    return side * side * element + side * j + i;
+  }
+
+  /// An element's border along a direction, at the start or the end of the other one.
+  view::Points border(int element, int along, int end) const {
+    view::Points line(3, divisions + 1);
+    for (int k = 0; k <= divisions; ++k)
+      line.col(k) = points.col(along == 0 ? index(element, k, end * divisions) : index(element, end * divisions, k));
+    return line;
+  }
+
+  /// An element's size across a direction, through its middle.
+  double across(int element, int along) const {
+    const int half = divisions / 2;
+    return along == 0 ? (points.col(index(element, half, divisions)) - points.col(index(element, half, 0))).norm()
+                      : (points.col(index(element, divisions, half)) - points.col(index(element, 0, half))).norm();
+  }
+
+  /// Whether an element is the first or the last of those across a direction.
+  bool is_last(int element, int along, int end) const {
+    const int place = along == 0 ? element / elements[0] : element % elements[0];
+    return place == (end == 0 ? 0 : elements[static_cast<std::size_t>(1 - along)] - 1);
+  }
+};
+
+/// Borders between elements, each once.
+std::vector<view::MeshLine> mesh_lines(const Grid& grid) {
+  std::vector<view::MeshLine> lines;
+  for (int e = 0; e < grid.elements[0] * grid.elements[1]; ++e)
+    for (int along : {0, 1})
+      if (!grid.is_last(e, along, 0)) lines.push_back({grid.border(e, along, 0), grid.across(e, along)});
+  return lines;
+}
+
+/// The sides of the body, element by element.
+std::vector<view::Points> rim(const Grid& grid) {
+  std::vector<view::Points> lines;
+  for (int along : {0, 1})
+    for (int end : {0, 1}) {
+      view::Points line(3, 0);
+      for (int e = 0; e < grid.elements[0] * grid.elements[1]; ++e)
+        if (grid.is_last(e, along, end)) {
+          const view::Points piece = grid.border(e, along, end);
+          const Eigen::Index kept = std::max<Eigen::Index>(line.cols() - 1, 0); // neighbours share a point
+          line.conservativeResize(3, kept + piece.cols());
+          line.rightCols(piece.cols()) = piece;
+        }
+      lines.push_back(std::move(line));
+    }
+  return lines;
+}
+
+void add_mirror_image(view::Panel& panel, int axis, double sign) {
+  for (std::size_t i = 0, count = panel.bodies.size(); i < count; ++i)
+    panel.bodies.push_back(view::mirrored(panel.bodies[i], axis, sign));
+  for (std::size_t i = 0, count = panel.obstacles.size(); i < count; ++i)
+    panel.obstacles.push_back(view::mirrored(panel.obstacles[i], axis));
+}
+
+/// The rim of a model's rigid obstacle where it stands now, or stood at the start.
+view::Outline obstacle(const model::Model<2>& model, int index, bool deformed) {
+  const int first = model.unknowns().obstacle_offset(index);
+  const Vec<2> shift = deformed ? Vec<2>(model.displacement().segment<2>(first)) : Vec<2>::Zero();
+  const contact::Obstacle<2>& shape = model.scene().obstacles[static_cast<std::size_t>(index)];
+  if (const auto* plane = std::get_if<contact::Plane<2>>(&shape))
+    return view::half_plane(plane->point + shift, plane->normal);
+  if (const auto* ball = std::get_if<contact::Ball<2>>(&shape)) return view::circle(ball->centre + shift, ball->radius);
+  const auto& curve = std::get<nurbs::Patch>(shape);
+  const nurbs::KnotVector& knots = curve.directions().front();
+  constexpr int pieces = 400;
+  view::Outline outline{view::Points::Zero(3, pieces + 1)};
+  for (int k = 0; k <= pieces; ++k) {
+    const double xi = knots.first() + (knots.last() - knots.first()) * k / pieces;
+    outline.line.col(k).head<2>() = nurbs::evaluate(curve, VectorX::Constant(1, xi)) + shift;
+  }
+  return outline;
+}
+
+} // namespace
+
+double mirror_sign(const std::string& field, int axis) {
+  const bool component = field.size() > 1 && (field[0] == 'u' || field[0] == 's' || field[0] == 'F');
+  if (!component) return 1;
+  const auto along = std::count_if(field.begin() + 1, field.end(),
+                                   [&](char index) { return index == "xyz"[axis] || index == "123"[axis]; });
+  return along % 2 == 0 ? 1 : -1;
+}
+
+int divisions_for(int elements) {
+  return std::clamp(static_cast<int>(std::sqrt(40000.0 / elements)), 4, 12);
+}
+
+template <> std::string field_label<2>(const std::string& field) {
+  return model::find_field<2>(field).label;
+}
+
+view::Panel show(const model::Model<2>& model, const Showing& showing) {
+  const model::Field<2>* field = showing.field.empty() ? nullptr : &model::find_field<2>(showing.field);
+  view::Panel panel;
+  for (int b : showing.bodies) {
+    const nurbs::Discretisation& space = model.scene().bodies[static_cast<std::size_t>(b)].body->space();
+    const std::array<int, 2> elements = {space.elements(0), space.elements(1)};
+    const int divisions = divisions_for(space.elements());
+    model::Tessellation sampled = model::tessellate(model, b, field, divisions, showing.deformed);
+    view::Body body;
+    body.points = std::move(sampled.points);
+    body.triangles = std::move(sampled.triangles);
+    body.values = showing.factor * sampled.values;
+    const Grid grid{body.points, divisions, elements};
+    body.rim = rim(grid);
+    if (showing.mesh) body.mesh_lines = mesh_lines(grid);
+    if (showing.control_points) {
+      body.control_points = std::move(sampled.control_points);
+      body.net_lines = std::move(sampled.net_lines);
+    }
+    if (showing.undeformed) {
+      const view::Points reference = model::tessellate(model, b, nullptr, divisions, false).points;
+      body.undeformed = rim({reference, divisions, elements});
+    }
+    panel.bodies.push_back(std::move(body));
+  }
+  for (int k = 0; showing.obstacles && k < static_cast<int>(model.scene().obstacles.size()); ++k)
+    panel.obstacles.push_back(obstacle(model, k, showing.deformed));
+  for (char letter : showing.mirror) {
+    const int axis = letter - 'x';
+    add_mirror_image(panel, axis, mirror_sign(showing.field, axis));
+  }
+  return panel;
+}
+
+} // namespace signorini::bind

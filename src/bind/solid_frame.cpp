@@ -1,0 +1,186 @@
+#include "bind/frame.hpp"
+#include "model/tessellate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace signorini::bind {
+
+namespace {
+
+constexpr const char* pressure_name = "contact_pressure";
+
+std::vector<view::SurfaceLine> lines_of(std::vector<model::SkinLine> lines, bool spaced) {
+  std::vector<view::SurfaceLine> result;
+  for (model::SkinLine& line : lines)
+    result.push_back({std::move(line.points), std::move(line.normals), spaced ? line.spacing : 0});
+  return result;
+}
+
+/// A body's surface, without its inside.
+view::Solid skin_of(const model::Model<3>& model, int b, const Showing& showing, const model::Field<3>* field,
+                    int divisions) {
+  model::Skin skin = model::tessellate(model, b, field, divisions, showing.deformed);
+  view::Solid solid;
+  solid.skin = {std::move(skin.points), std::move(skin.normals), std::move(skin.triangles), std::move(skin.values)};
+  if (showing.field == pressure_name) solid.skin.values = model::contact_pressure(model, b, divisions);
+  solid.skin.values *= showing.factor;
+  solid.rim = lines_of(std::move(skin.rim), false);
+  if (showing.mesh) solid.mesh_lines = lines_of(std::move(skin.mesh_lines), true);
+  if (showing.control_points) {
+    solid.control_points = std::move(skin.control_points);
+    solid.net_lines = std::move(skin.net_lines);
+  }
+  if (showing.undeformed) {
+    model::Skin reference = model::tessellate(model, b, nullptr, divisions, false);
+    solid.undeformed = {std::move(reference.points), std::move(reference.normals), std::move(reference.triangles), {}};
+    solid.undeformed_rim = lines_of(std::move(reference.rim), false);
+  }
+  return solid;
+}
+
+/// The lattices of the elements that one of the planes crosses. No pressure acts between contacts.
+std::vector<view::Lattice> inside_of(const model::Model<3>& model, int b, const Showing& showing,
+                                     const model::Field<3>* field, int divisions, bool valued,
+                                     const std::vector<model::Plane>& planes) {
+  std::vector<view::Lattice> result;
+  for (model::Inside& inside : model::crossed_elements(model, b, field, divisions, showing.deformed, planes)) {
+    view::Lattice lattice{inside.divisions, std::move(inside.points), showing.factor * inside.values};
+    if (valued && !field) lattice.values.setZero(lattice.points.cols());
+    result.push_back(std::move(lattice));
+  }
+  return result;
+}
+
+/// A rigid surface piece by piece between its knots.
+view::RigidSurface tessellated(const nurbs::Patch& patch, const Vec<3>& shift) {
+  const auto places = [](const nurbs::KnotVector& knots) {
+    const int pieces = std::clamp(128 / knots.elements(), 2, 32);
+    std::vector<double> all = {knots.first()};
+    for (int e = 0; e < knots.elements(); ++e) {
+      const auto i = static_cast<std::size_t>(e);
+      const double from = knots.breaks()[i], to = knots.breaks()[i + 1];
+      for (int k = 1; k <= pieces; ++k) all.push_back(from + (to - from) * k / pieces);
+    }
+    return all;
+  };
+  const std::vector<double> u = places(patch.direction(0)), v = places(patch.direction(1));
+  const int side = static_cast<int>(u.size()), rows = static_cast<int>(v.size());
+  view::RigidSurface result;
+  view::Surface& surface = result.surface;
+  surface.points.resize(3, side * rows);
+  surface.normals.resize(3, side * rows);
+  surface.triangles.resize(3, 2 * (side - 1) * (rows - 1));
+  for (int j = 0, triangle = 0; j < rows; ++j)
+    for (int i = 0; i < side; ++i) {
+      const int here = i + side * j;
+      const Vec<2> xi(u[static_cast<std::size_t>(i)], v[static_cast<std::size_t>(j)]);
+      const auto all = nurbs::derivatives(patch, xi, 1);
+      const Vec<3> first = all[1].value, second = all[2].value;
+      surface.points.col(here) = all[0].value + shift;
+      surface.normals.col(here) = first.cross(second).stableNormalized();
+      if (i + 1 == side || j + 1 == rows) continue;
+      surface.triangles.col(triangle++) << here, here + 1, here + side + 1;
+      surface.triangles.col(triangle++) << here, here + side + 1, here + side;
+    }
+  const auto add_rim = [&](int first, int step, int count) {
+    view::SurfaceLine line{view::Points(3, count), view::Points(3, count)};
+    for (int k = 0; k < count; ++k) {
+      line.points.col(k) = surface.points.col(first + k * step);
+      line.normals.col(k) = surface.normals.col(first + k * step);
+    }
+    result.rim.push_back(std::move(line));
+  };
+  for (int row : {0, rows - 1}) add_rim(side * row, 1, side);
+  for (int column : {0, side - 1}) add_rim(column, side, rows);
+  return result;
+}
+
+/// A model's rigid obstacle where it stands now, or stood at the start.
+view::Rigid obstacle(const model::Model<3>& model, int index, bool deformed) {
+  const int first = model.unknowns().obstacle_offset(index);
+  const Vec<3> shift = deformed ? Vec<3>(model.displacement().segment<3>(first)) : Vec<3>::Zero();
+  const contact::Obstacle<3>& shape = model.scene().obstacles[static_cast<std::size_t>(index)];
+  if (const auto* plane = std::get_if<contact::Plane<3>>(&shape))
+    return view::RigidPlane{plane->point + shift, plane->normal};
+  if (const auto* ball = std::get_if<contact::Ball<3>>(&shape))
+    return view::RigidBall{ball->centre + shift, ball->radius};
+  if (const auto* cylinder = std::get_if<contact::Cylinder>(&shape))
+    return view::RigidCylinder{cylinder->point + shift, cylinder->axis, cylinder->radius};
+  return tessellated(std::get<nurbs::Patch>(shape), shift);
+}
+
+void add_mirror_image(view::SolidPanel& panel, int axis, double sign) {
+  for (view::Solid& body : panel.bodies) view::join_at_mirror(body, axis);
+  for (std::size_t i = 0, count = panel.bodies.size(); i < count; ++i)
+    panel.bodies.push_back(view::mirrored(panel.bodies[i], axis, sign));
+  for (std::size_t i = 0, count = panel.obstacles.size(); i < count; ++i)
+    if (auto image = view::mirrored(panel.obstacles[i], axis)) panel.obstacles.push_back(std::move(*image));
+}
+
+/// A plane and what it is in the mirrors: where the model itself must be sampled.
+std::vector<model::Plane> images(const view::CutPlane& plane, const std::string& mirror) {
+  std::vector<model::Plane> all = {{plane.point, plane.normal}};
+  for (char letter : mirror)
+    for (std::size_t i = 0, count = all.size(); i < count; ++i) {
+      model::Plane image = all[i];
+      image.point[letter - 'x'] *= -1;
+      image.normal[letter - 'x'] *= -1;
+      all.push_back(image);
+    }
+  return all;
+}
+
+/// The plane of a cut; one without a point halves the box of all bodies and their images.
+view::CutPlane plane_of(const Cut& cut, const std::vector<view::Solid>& bodies, const std::string& mirror) {
+  view::Bounds box;
+  for (const view::Solid& body : bodies) box.take(body.skin.points);
+  for (char letter : mirror) {
+    const int axis = letter - 'x';
+    const double far = std::max(std::abs(box.low[axis]), std::abs(box.high[axis]));
+    box.low[axis] = -far;
+    box.high[axis] = far;
+  }
+  return {cut.point.value_or(box.centre()), cut.normal};
+}
+
+} // namespace
+
+template <> std::string field_label<3>(const std::string& field) {
+  if (field == pressure_name) return "contact pressure";
+  const auto& all = model::fields<3>();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.name == field; });
+  if (found != all.end()) return found->label;
+  std::string known;
+  for (const auto& one : all) known += one.name + ", ";
+  fail("unknown field '", field, "'; known: ", known, pressure_name);
+}
+
+view::SolidPanel show(const model::Model<3>& model, const Showing& showing, const std::optional<Cut>& cut) {
+  const bool pressure = showing.field == pressure_name;
+  const model::Field<3>* field = showing.field.empty() || pressure ? nullptr : &model::find_field<3>(showing.field);
+  const auto divisions = [&](int b) {
+    return divisions_for(model::surface_elements(model.scene().bodies[static_cast<std::size_t>(b)].body->space()));
+  };
+  view::SolidPanel panel;
+  for (int b : showing.bodies) panel.bodies.push_back(skin_of(model, b, showing, field, divisions(b)));
+  if (cut) {
+    panel.cut = plane_of(*cut, panel.bodies, showing.mirror);
+    const std::vector<model::Plane> planes = images(*panel.cut, showing.mirror);
+    for (std::size_t i = 0; i < panel.bodies.size(); ++i) {
+      view::Solid& body = panel.bodies[i];
+      const int b = showing.bodies[i];
+      body.inside = inside_of(model, b, showing, field, divisions(b), body.skin.values.size() > 0, planes);
+    }
+  }
+  for (int k = 0; showing.obstacles && k < static_cast<int>(model.scene().obstacles.size()); ++k)
+    panel.obstacles.push_back(obstacle(model, k, showing.deformed));
+  for (char letter : showing.mirror) {
+    const int axis = letter - 'x';
+    add_mirror_image(panel, axis, pressure ? 1 : mirror_sign(showing.field, axis));
+  }
+  return panel;
+}
+
+} // namespace signorini::bind
