@@ -94,6 +94,25 @@ std::vector<Functions> lines_along(const Discretisation& space, Side side, int k
   return lines;
 }
 
+/// Whether two patches are one, whatever their control points: at the Greville points of the first.
+bool same_shape(const Patch& a, const Patch& b, const Places& places) {
+  const int dimensions = a.parametric_dimension();
+  for (int n = 0; n < a.functions(); ++n) {
+    VectorX xi(dimensions);
+    for (int d = 0, rest = n; d < dimensions; rest /= a.direction(d++).functions())
+      xi(d) = a.direction(d).greville()[at(rest % a.direction(d).functions())];
+    if (!places.same(evaluate(a, xi), evaluate(b, xi))) return false;
+  }
+  return true;
+}
+
+/// Throws Error when a contact face is the seam of a full turn: there is no surface.
+void check_contact(const Discretisation& space, const Places& places) {
+  if (!space.contact().empty() && same_shape(space.rows().front(), space.rows().back(), places))
+    fail("contact: face '", name_of(space.contact().front()),
+         "' is the seam of a closed body, where it meets its opposite face; name a face of the outer surface");
+}
+
 /// Throws Error when a side of a solid that crosses a layer collapses along it: the curves in which it cuts the rows
 /// are one curve, but the rows' functions on it are not the same.
 void check_layers(const Discretisation& space, Side side, const Places& places) {
@@ -105,15 +124,12 @@ void check_layers(const Discretisation& space, Side side, const Places& places) 
   for (const Patch& row : space.rows()) {
     const Patch cut = face(row, {a, side.at_end});
     layered = layered || cut.directions() != lead.directions();
-    for (double xi : cut.direction(0).greville()) {
-      const VectorX along = VectorX::Constant(1, xi);
-      one_curve = one_curve && places.same(evaluate(cut, along), evaluate(lead, along));
-    }
+    one_curve = one_curve && same_shape(cut, lead, places);
   }
   if (layered && one_curve && !places.one_point(space.row_end(0, a, side.at_end)))
     fail("contact: face '", name_of(side), "' of this body collapses across the layer on '",
          name_of(space.contact().front()),
-         "', which would tear it open there; take one label for all rows, such as N2, ", "or another contact face");
+         "', which would tear it open there; take one label for all rows, such as N2, or another contact face");
 }
 
 std::vector<Side> sides_of(const Discretisation& space) {
@@ -148,6 +164,7 @@ std::vector<std::vector<int>> coincident_functions(const Discretisation& space) 
   };
   const int dimensions = space.parametric_dimension();
 
+  check_contact(space, places);
   for (const Side& side : sides_of(space)) {
     check_layers(space, side, places);
     for (int k = 0; k < dimensions; ++k) {
@@ -162,12 +179,10 @@ std::vector<std::vector<int>> coincident_functions(const Discretisation& space) 
       if (places.one_point(edge)) unite(edge);
 
   for (int d = 0; d < dimensions; ++d) {
-    // Extreme rows of different spaces (a layer on one of the two faces) have no points to pair.
-    if (d == space.through() && space.rows().front().directions() != space.rows().back().directions()) continue;
     const Functions first = space.face_functions({d, false}), last = space.face_functions({d, true});
-    bool closed = true;
-    for (std::size_t i = 0; i < first.size(); ++i)
-      closed = closed && places.same(first[i], last[i]) && places.same_weight(first[i], last[i]);
+    bool closed = first.size() == last.size(); // not with a layer on one of the two
+    for (std::size_t i = 0; closed && i < first.size(); ++i)
+      closed = places.same(first[i], last[i]) && places.same_weight(first[i], last[i]);
     if (!closed) continue;
     for (std::size_t i = 0; i < first.size(); ++i) groups.unite(first[i], last[i]);
   }

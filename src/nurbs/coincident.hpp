@@ -15,7 +15,8 @@ namespace signorini::nurbs {
 ///     turn.
 /// Points that are the same by accident (two edges that touch, a slit that does not reach from face to face) are left
 /// alone. Points count as the same to 1e-10 of the body's size. Throws Error when a side of a solid collapses across a
-/// layer: rows of different spaces meet there in one curve and have no points to pair.
+/// layer, for rows of different spaces meet there in one curve and have no points to pair, and when a contact face is a
+/// closed seam.
 std::vector<std::vector<int>> coincident_functions(const Discretisation& space);
 
 } // namespace signorini::nurbs
