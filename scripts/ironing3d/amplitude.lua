@@ -1,0 +1,32 @@
+-- How strongly the forces oscillate: max − min over about one element pitch of the slab (100/18 = 5.56 mm) in its
+-- middle, 19 steps of 0.3 mm of the published path, in which the indenter's centre goes from x = 47.3 to 52.7. The
+-- thesis does not print its window; over the whole path the trend from the slab's ends would swamp the ripple.
+
+local plane = require "ironing2d.amplitude"
+
+local amplitude = { from = 47.3, to = 52.7, steps = 18 }
+
+--- Adds to a case the amplitudes dPx and dPz, { raw, detrended }; both are empty when the run ended before the window's
+--- end. The window's first value is the state from which a case that is pressed there starts to slide.
+function amplitude.measure(case)
+  local first = math.floor((amplitude.from - case.from) / 0.3 + 0.5)
+  for name, column in pairs { dPx = "grip.fx", dPz = "grip.fz" } do
+    local values, press = case.run:column(column), case.run.stages[1].steps
+    case[name] = plane.of(values, press + first, press + first + amplitude.steps)
+  end
+  return case
+end
+
+--- Adds what the amplitudes are in % of those of a case, or of nothing: raw_percent, detrended_percent.
+function amplitude.compare(cases, reference)
+  for _, case in ipairs(cases) do
+    for _, force in ipairs { "dPx", "dPz" } do
+      for _, kind in ipairs { "raw", "detrended" } do
+        local part, whole = case[force][kind], reference and reference[force][kind]
+        case[force][kind .. "_percent"] = part and whole and 100 * part / whole or nil
+      end
+    end
+  end
+end
+
+return amplitude

@@ -1,0 +1,76 @@
+-- How deep the indenter goes: pressed down by the published 10.4, in the slab's middle, where two planes of symmetry hold it
+-- upright, and off it. Steps that fail are cut in half; then arcs tell a turning point of the path from a mere failure.
+
+local sg = require "signorini"
+local problem = require "ironing3d.problem"
+
+local depth = {}
+
+--- Presses a case and adds the list of `states`, one per step: depth, Pz, area, max_pressure, max_penetration.
+function depth.solve(case)
+  case.mesh, case.depth, case.way, case.states = case.mesh or "coarse", problem.published_depth, 0, {}
+  case.on_step = function(_, info)
+    table.insert(case.states, { depth = -info["grip.uz"], Pz = -info["grip.fz"], area = info["interface.area"],
+                                max_pressure = info["interface.max_pressure"],
+                                max_penetration = info["interface.max_penetration"] })
+  end
+  return problem.solve(case)
+end
+
+--- Where the path turns back, in words of the run's report, or nothing.
+local function turning_point(run)
+  return run.failed and tonumber(run.report:match "turning point at grip%.uz = (%-?[%d.]+)") or nil
+end
+
+local function result_table(cases)
+  local rows = {}
+  for i, case in ipairs(cases) do
+    local last, largest = case.states[#case.states] or {}, 0
+    for _, state in ipairs(case.states) do largest = math.max(largest, state.area) end
+    rows[i] = { case.label, case.radius, case.from, last.depth, case.run.reason, case.turn and -case.turn,
+                case.run.iterations, case.run.cutbacks, last.Pz, largest, last.area, last.max_pressure, last.max_penetration }
+  end
+  return sg.table{
+    columns = { "label", "R", "x", "depth", "end", "turns at", "iterations", "cut-backs", "Pz", "largest area", "area",
+                "max p", "max penetration" },
+    units = { "", "", "", "", "", "", "", "", "last", "", "last", "last", "last" }, rows = rows,
+    formats = { "%s", "%g", "%g", "%.2f", "%s", "%.3f", "%d", "%d", "%.3f", "%.2f", "%.2f", "%.3f", "%.4f" },
+  }
+end
+
+local function draw(file, cases, key, ylabel)
+  local chart = { file = file, xlabel = "depth (mm)", ylabel = ylabel, title = "3D ironing: pressing to 10.4" }
+  for _, case in ipairs(cases) do
+    local line = { x = {}, y = {}, label = ("%s, R = %g, x = %g"):format(case.label, case.radius, case.from) }
+    for i, state in ipairs(case.states) do line.x[i], line.y[i] = state.depth, state[key] end
+    if #line.x > 0 then chart[#chart + 1] = line end
+  end
+  if #chart > 0 then sg.chart(chart) end
+  return #chart > 0
+end
+
+--- The study. Returns { cases }.
+function depth.run(options, files)
+  local cases = {}
+  for _, radius in ipairs(options.radii) do
+    for _, label in ipairs(options.labels) do
+      for _, from in ipairs(options.from) do
+        local case = depth.solve{ label = label, radius = radius, from = from, cap = options.cap, down = options.down,
+                                  linear = options.linear }
+        case.model = nil
+        print(("%s, R = %g, at x = %g"):format(label, radius, from))
+        print(case.run)
+        case.run:csv(files.path(("%s_R%g_x%g.csv"):format(label, radius, from)))
+        case.turn = turning_point(case.run)
+        cases[#cases + 1] = case
+      end
+    end
+  end
+  print(("\nPressed to 10.4 in steps of %g, cut in half where they fail"):format(options.down))
+  print(result_table(cases))
+  files.draw("pressing.png", "an accepted step", function(file) return draw(file, cases, "Pz", "pressing force Pz") end)
+  files.draw("area.png", "an accepted step", function(file) return draw(file, cases, "area", "area in contact") end)
+  return { cases = cases }
+end
+
+return depth

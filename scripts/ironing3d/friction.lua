@@ -1,0 +1,105 @@
+-- The variant with friction: what the drag is made of, and where the work goes. In the plane sliding of bodies that are
+-- alike at both ends a frictionless drag is zero on average over a pitch: all of it is ripple.
+
+local sg = require "signorini"
+local output = require "ironing3d.output"
+local problem = require "ironing3d.problem"
+
+local friction = {}
+
+--- The energy balance of a model: its parts, and what is missing, in parts of the work.
+local function balance(model)
+  local energy = model:energy()
+  energy.missing = energy.work - energy.stored - energy.contact - energy.friction
+  energy.leak = energy.missing / energy.work
+  return energy
+end
+
+--- Runs a case along the middle of the slab; adds `energies`, one balance per step of the run, and ratio, the mean of
+--- Px over that of Pz in the last pitch of the slab.
+function friction.solve(case)
+  case.from, case.energies = 50 - case.way / 2, {}
+  case.on_step = function(model) table.insert(case.energies, balance(model)) end
+  problem.solve(case)
+  local finish, Px, Pz = case.x[#case.x], 0, 0
+  for i, x in ipairs(case.x) do
+    if x > finish - 100 / 18 + 1e-9 then Px, Pz = Px + case.Px[i], Pz + case.Pz[i] end
+  end
+  case.ratio = Pz > 0 and Px / Pz or nil
+  case.energy = case.energies[#case.energies] or balance(case.model)
+  return case
+end
+
+local function result_table(cases)
+  local rows = {}
+  for i, case in ipairs(cases) do
+    local energy, run = case.energy, case.run
+    rows[i] = { case.label, case.mu, #case.x, run.iterations, run.cutbacks, case.pressed, case.Pz[#case.Pz], case.ratio,
+                energy.work, energy.stored, energy.friction, energy.contact, energy.leak }
+  end
+  return sg.table{
+    columns = { "label", "mu", "slide", "iterations", "cut-backs", "Pz", "Pz", "Px/Pz", "work", "stored", "friction",
+                "contact", "missing" },
+    units = { "", "", "steps", "", "", "pressed", "at the end", "last pitch", "", "", "", "", "of work" }, rows = rows,
+    formats = { "%s", "%.2f", "%d", "%d", "%d", "%.3f", "%.3f", "%.4f", "%.4f", "%.4f", "%.4f", "%.4f", "%.2e" },
+  }
+end
+
+local function draw_energies(file, case)
+  local chart = { file = file, xlabel = "load step", ylabel = "energy",
+                  title = ("3D ironing, %s, mu = %g: where the work goes"):format(case.label, case.mu) }
+  for i, name in ipairs { "work", "stored", "friction", "contact" } do
+    local values = {}
+    for step, energy in ipairs(case.energies) do values[step] = energy[name] end
+    chart[i] = { x = case.run:column "step", y = values, label = name }
+  end
+  if #case.energies > 0 then sg.chart(chart) end
+  return #case.energies > 0
+end
+
+local function draw_ratio(file, cases)
+  local chart = { file = file, xlabel = "x of the indenter's centre (mm)", ylabel = "Px/Pz",
+                  title = "3D ironing: drag over pressing force" }
+  for _, case in ipairs(cases) do
+    local ratio = {}
+    for i, Px in ipairs(case.Px) do ratio[i] = Px / case.Pz[i] end
+    if #ratio > 0 then
+      chart[#chart + 1] = { x = case.x, y = ratio, label = ("%s, mu = %g"):format(case.label, case.mu) }
+    end
+  end
+  if #chart > 0 then sg.chart(chart) end
+  return #chart > 0
+end
+
+--- The study: each label with friction and without. Returns { cases }, frictionless ones first, each list also by label.
+function friction.run(options, files)
+  local cases = { frictional = {}, frictionless = {} }
+  for _, label in ipairs(options.labels) do
+    for _, kind in ipairs { "frictionless", "frictional" } do
+      local case = friction.solve{
+        label = label, mesh = "coarse", radius = options.radii[1], depth = problem.published_depth - options.gaps[1],
+        mu = kind == "frictional" and options.mu or 0, way = options.way, cap = options.cap,
+        down = problem.down / options.finer, along = problem.along / options.finer, penalty = options.penalty, linear = options.linear,
+      }
+      case.model = nil
+      print(("%s, mu = %g"):format(label, case.mu))
+      print(case.run)
+      case.run:csv(files.path(("%s_mu%g.csv"):format(label, case.mu)))
+      files.draw(("energy_%s_mu%g.png"):format(label, case.mu), "an accepted step", function(file)
+        return draw_energies(file, case)
+      end)
+      table.insert(cases, case)
+      cases[kind][label] = case
+    end
+  end
+  print(("\nR = %g, depth %g, dragged by %g through the middle: forces and energies")
+    :format(options.radii[1], problem.published_depth - options.gaps[1], options.way))
+  print(result_table(cases))
+  files.draw("ratio.png", "a state that slides", function(file) return draw_ratio(file, cases) end)
+  files.draw("forces.png", "a state that slides", function(file)
+    return output.draw_forces(file, cases, "3D ironing with friction and without")
+  end)
+  return { cases = cases }
+end
+
+return friction

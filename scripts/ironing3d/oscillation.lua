@@ -1,0 +1,109 @@
+-- The standard variant: Tables 7.10 and 7.11 beside ours, for a scan of the cap's radius and the gap before touching.
+
+local sg = require "signorini"
+local amplitude = require "ironing3d.amplitude"
+local output = require "ironing3d.output"
+local problem = require "ironing3d.problem"
+
+local oscillation = {}
+
+--- The rows of a published table as tables of named values.
+local function records(name)
+  local data, list = sg.reference(name), {}
+  for i, row in ipairs(data.rows) do
+    list[i] = {}
+    for c, column in ipairs(data.columns) do list[i][column] = row[c] end
+  end
+  return list
+end
+
+-- ── Degrees of freedom ───────────────────────────────────────────────────────────────────────────────────────────────
+
+--- Degrees of freedom of all rows of Table 7.11 beside the printed ones: a list of { label, mesh, indenter, slab,
+--- printed }, and in how many entries the two differ.
+function oscillation.degrees_of_freedom()
+  local rows, differences = {}, 0
+  for i, printed in ipairs(records "ironing3d_dofs_table7_11") do
+    local label, mesh = printed.discretisation, printed.mesh
+    local indenter, slab = problem.bodies({ label = label, mesh = mesh, radius = 25.5 }, 50)
+    local row = { label = label, mesh = mesh, indenter = indenter:dofs(), slab = slab:dofs(), printed = printed }
+    for _, part in ipairs { "interface", "bulk", "total" } do
+      for _, body in ipairs { "indenter", "slab" } do
+        if row[body][part] ~= printed[body .. "_" .. part] then differences = differences + 1 end
+      end
+    end
+    if row.indenter.total + row.slab.total ~= printed.total then differences = differences + 1 end
+    rows[i] = row
+  end
+  return rows, differences
+end
+
+-- ── Oscillation ──────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- Where a case is pressed and how far it slides. Without friction a state does not depend on the way to it: the window
+--- alone will do, pressed at its beginning.
+local function path_of(slide)
+  if slide == "full" then return problem.start, problem.way end
+  return amplitude.from, amplitude.to - amplitude.from
+end
+
+--- Runs all labels of one cap and gap; returns { radius, gap, depth, cases }, cases also by label and mesh.
+local function solve_set(options, radius, gap, files)
+  local depth = problem.published_depth - gap
+  local set = { radius = radius, gap = gap, depth = depth, cases = {} }
+  local from, way = path_of(options.slide)
+  local function solve(label, mesh)
+    local case = amplitude.measure(problem.solve{
+      label = label, mesh = mesh, radius = radius, depth = depth, cap = options.cap, from = from, way = way,
+      down = options.down, linear = options.linear,
+    })
+    case.model = nil
+    print(("%s %s, R = %g, gap %g"):format(label, mesh, radius, gap))
+    print(case.run)
+    case.run:csv(files.path(("%s_%s_R%g_gap%g.csv"):format(label, mesh, radius, gap)))
+    table.insert(set.cases, case)
+    set.cases[label .. " " .. mesh] = case
+  end
+  for _, label in ipairs(options.labels) do solve(label, "coarse") end
+  for _, label in ipairs(options.fine) do solve(label, "fine") end
+  amplitude.compare(set.cases, set.cases["N2 coarse"])
+  return set
+end
+
+local function published()
+  local found = {}
+  for _, row in ipairs(records "ironing3d_oscillation_table7_10") do
+    found[row.discretisation .. " " .. row.mesh] = row
+  end
+  return found
+end
+
+--- The study. Returns { dofs, differences, sets }.
+function oscillation.run(options, files)
+  local dofs, differences = oscillation.degrees_of_freedom()
+  print(("Degrees of freedom beside Table 7.11: %d of %d entries differ"):format(differences, 7 * #dofs))
+  print(output.dofs_table(dofs))
+  local printed, sets = published(), {}
+  for _, radius in ipairs(options.radii) do
+    for _, gap in ipairs(options.gaps) do
+      local set = solve_set(options, radius, gap, files)
+      sets[#sets + 1] = set
+      local name = ("_R%g_gap%g"):format(radius, gap)
+      print(("\nR = %g, gap %g (depth %g): work"):format(radius, gap, set.depth))
+      print(output.work_table(set.cases))
+      print(("\nR = %g, gap %g (depth %g): max − min for the centre from x = %g to %g, beside Table 7.10")
+        :format(radius, gap, set.depth, amplitude.from, amplitude.to))
+      print(output.amplitude_table(set.cases, printed))
+      output.amplitude_csv(files.path("amplitudes" .. name .. ".csv"), set, printed)
+      files.draw("forces" .. name .. ".png", "a state that slides", function(file)
+        return output.draw_forces(file, set.cases, ("R = %g, depth %g"):format(radius, set.depth))
+      end)
+      files.draw("amplitudes" .. name .. ".png", "N2 among the labels, and runs that reach the window", function(file)
+        return output.draw_amplitudes(file, set, printed)
+      end)
+    end
+  end
+  return { dofs = dofs, differences = differences, sets = sets }
+end
+
+return oscillation

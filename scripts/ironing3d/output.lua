@@ -1,0 +1,119 @@
+-- Tables and charts of 3D ironing. A case is what problem.solve returns, measured by amplitude.lua.
+
+local sg = require "signorini"
+
+local output = {}
+
+function output.dofs_table(dofs)
+  local rows = {}
+  for i, row in ipairs(dofs) do
+    rows[i] = { row.label, row.mesh, row.indenter.interface, row.indenter.bulk, row.indenter.total,
+                row.slab.interface, row.slab.bulk, row.slab.total, row.indenter.total + row.slab.total,
+                row.printed.total }
+  end
+  return sg.table{
+    columns = { "label", "mesh", "interface", "bulk", "total", "interface", "bulk", "total", "total", "total" },
+    units = { "", "", "indenter", "indenter", "indenter", "slab", "slab", "slab", "", "printed" }, rows = rows,
+  }
+end
+
+--- How a run ended: "complete", or the depth or the way that it reached.
+local function ending(case)
+  local run = case.run
+  if not run.failed then return "complete" end
+  local column, what = "grip.uz", "depth"
+  if #run.stages > 1 then column, what = "grip.ux", "way" end
+  local reached = run:column(column)
+  return ("%s at %s %.2f"):format(run.reason, what, math.abs(reached[#reached] or 0))
+end
+
+--- Degrees of freedom, iterations, and where the time went.
+function output.work_table(cases)
+  local rows = {}
+  for i, case in ipairs(cases) do
+    local run, spent, dofs = case.run, case.run.timings, case.dofs
+    rows[i] = { case.label, case.mesh, dofs.indenter.total + dofs.slab.total, run.steps, run.iterations, run.cutbacks,
+                run.wall, spent.bulk, spent.contact, spent.linear, ending(case) }
+  end
+  return sg.table{
+    columns = { "label", "mesh", "DOFs", "steps", "iterations", "cut-backs", "wall", "bulk", "contact", "linear", "end" },
+    units = { "", "", "", "", "", "", "s", "s", "s", "s", "" }, rows = rows,
+    formats = { wall = "%.1f", bulk = "%.1f", contact = "%.1f", linear = "%.1f" },
+  }
+end
+
+local function amplitude_rows(cases, published)
+  local rows = {}
+  for i, case in ipairs(cases) do
+    local dPz, dPx, printed = case.dPz, case.dPx, published[case.label .. " " .. case.mesh] or {}
+    rows[i] = { case.label, case.mesh, case.pressed,
+                dPz.raw, dPz.raw_percent, dPz.detrended_percent, printed.dPz_percent_of_N2,
+                dPx.raw, dPx.raw_percent, dPx.detrended_percent, printed.dPx_percent_of_N2 }
+  end
+  return rows
+end
+
+--- Amplitudes as they are, and in % of coarse N2: as they are, without their best parabola, as printed.
+function output.amplitude_table(cases, published)
+  return sg.table{
+    columns = { "label", "mesh", "Pz", "dPz", "dPz", "detrended", "printed", "dPx", "dPx", "detrended", "printed" },
+    units = { "", "", "", "", "% of N2", "% of N2", "% of N2", "", "% of N2", "% of N2", "% of N2" },
+    rows = amplitude_rows(cases, published),
+    formats = { "%s", "%s", "%.3f", "%.3e", "%.2f", "%.2f", "%.2f", "%.3e", "%.2f", "%.2f", "%.2f" },
+  }
+end
+
+function output.amplitude_csv(file, set, published)
+  local names = { "label", "mesh", "pressed", "dPz", "dPz_percent", "dPz_detrended_percent", "dPz_printed_percent",
+                  "dPx", "dPx_percent", "dPx_detrended_percent", "dPx_printed_percent" }
+  local data = { columns = names, comments = { ("R = %g, depth %g"):format(set.radius, set.depth) } }
+  local rows = amplitude_rows(set.cases, published)
+  for c, name in ipairs(names) do
+    data[name] = {}
+    for r, row in ipairs(rows) do data[name][r] = row[c] or "" end
+  end
+  sg.csv.write(file, data)
+end
+
+--- Pressing force and drag over the path of the indenter's centre; returns whether there was anything to draw.
+function output.draw_forces(file, cases, title)
+  local chart = { file = file, xlabel = "x of the indenter's centre (mm)", ylabel = "force of the indenter on the slab",
+                  title = title .. ": Pz (full) and Px (dashed)" }
+  for _, curve in ipairs { { "Pz", false }, { "Px", true } } do
+    for i, case in ipairs(cases) do
+      if #case.x > 0 then
+        chart[#chart + 1] = { x = case.x, y = case[curve[1]], dashed = curve[2], color = i,
+                              label = ("%s %s %s"):format(curve[1], case.label, case.mesh) }
+      end
+    end
+  end
+  if #chart > 0 then sg.chart(chart) end
+  return #chart > 0
+end
+
+--- Amplitudes by label in % of those of coarse N2, beside the printed ones; returns whether there were any.
+function output.draw_amplitudes(file, set, published)
+  local chart = { file = file, ylabel = "amplitude (% of N2)", log = "y", xrange = { 0.5, #set.cases + 0.5 },
+                  xticks = {}, title = ("3D ironing, R = %g, depth %g"):format(set.radius, set.depth) }
+  for i, case in ipairs(set.cases) do
+    chart.xticks[i] = { i, case.mesh == "coarse" and case.label or case.label .. " " .. case.mesh }
+  end
+  local function curve(label, shift, percent)
+    local line = { x = {}, y = {}, label = label, line = false, markers = true }
+    for i, case in ipairs(set.cases) do
+      local value = percent(case, published[case.label .. " " .. case.mesh] or {})
+      if value then line.x[#line.x + 1], line.y[#line.y + 1] = i + shift, value end
+    end
+    if #line.x > 0 then chart[#chart + 1] = line end
+    return #line.x > 0
+  end
+  local any = curve("dPz", -0.1, function(case) return case.dPz.raw_percent end)
+  if not any then return false end
+  curve("dPx", -0.1, function(case) return case.dPx.raw_percent end)
+  curve("dPz printed", 0.1, function(_, printed) return printed.dPz_percent_of_N2 end)
+  curve("dPx printed", 0.1, function(_, printed) return printed.dPx_percent_of_N2 end)
+  sg.chart(chart)
+  return true
+end
+
+return output

@@ -1,0 +1,103 @@
+-- The energy balance of whole runs: the work of the supports is stored in the bodies and in the springs of contact, or
+-- dissipated by friction. What is missing comes from the steps (the trapezoidal rule, slip measured at a step's end) and,
+-- with friction, from the penetration: tractions work on the way of the penetrating point, slip is the way of its foot.
+
+local core = require "signorini.core"
+local check = require "check"
+local sg = require "signorini"
+
+package.path = core.home .. "/scripts/?.lua;" .. package.path
+local friction3d = require "ironing3d.friction"
+
+--- What is missing, in parts of the work; `energy` is what model:energy returns.
+local function leak(energy)
+  return (energy.work - energy.stored - energy.contact - energy.friction) / energy.work
+end
+
+local function below(what, value, limit)
+  if not (math.abs(value) < limit) then error(("%s: expected at most %g, got %g"):format(what, limit, value), 2) end
+end
+
+-- ── 2D ironing, the published path at m1 ─────────────────────────────────────────────────────────────────────────────
+
+--- Leak of the whole path and energies at its end; `finer` divides the steps, both penalties are alike.
+local function iron(label, finer, mu, penalty)
+  local die = sg.body{
+    patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, centre = { 0.75, 1.5 } }, elements = { 6, 2 },
+    order = label, contact = "south", material = sg.neo_hookean{ E = 1000, nu = 0.3 },
+  }
+  local slab = sg.body{
+    patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = { 8, 3 }, order = label, contact = "north",
+    material = sg.neo_hookean{ E = 1, nu = 0.3 },
+  }
+  local model = sg.model{
+    bodies   = { die = die, slab = slab },
+    supports = { bed  = { on = slab:face "south", fix = "xy" },
+                 grip = { on = { die:face "west", die:face "east" }, drive = "xy" } },
+    contacts = { interface = { slave = die:face "south", master = slab:face "north", penalty = penalty,
+                               friction = mu > 0 and { mu = mu, penalty = penalty } or nil } },
+  }
+  local run = model:run({ { steps = 46 * finer, grip = { 0, -0.23 } }, { steps = 250 * finer, grip = { 1.5, -0.23 } } },
+    { step = { adaptive = true } })
+  check.equal(run.failed, false)
+  return leak(model:energy()), model:energy()
+end
+
+check.case("2D ironing, N2-N2.2: the balance closes to 1e-3 at the published steps, better with shorter ones", function()
+  local published, energy = iron("N2-N2.2", 1, 0.2, 100)
+  local halved = iron("N2-N2.2", 2, 0.2, 100)
+  below("published steps", published, 1e-3)
+  if energy.friction < 0.7 * energy.work then error "friction takes most of the work" end
+  if math.abs(halved) > 0.75 * math.abs(published) then
+    error(("halved steps leave %g of %g"):format(halved, published))
+  end
+end)
+
+check.case("2D ironing: what shorter steps leave is due to the penetration, stiffer penalties remove it", function()
+  local soft, stiff = iron("N2-N2.2", 4, 0.2, 100), iron("N2-N2.2", 4, 0.2, 1000)
+  below("soft", soft, 5e-4)
+  below("stiff beside soft", stiff / soft, 0.5)
+end)
+
+check.case("2D ironing, N2: the coarse face's ripple leaks more than 1e-3, stiffer penalties close the balance", function()
+  local soft = iron("N2", 2, 0.2, 100)
+  if soft > -2.0e-3 or soft < -2.5e-3 then error(("expected -2.2e-3, got %g"):format(soft)) end
+  below("stiff", iron("N2", 2, 0.2, 1000), 1e-3)
+end)
+
+check.case("2D ironing without friction: only the trapezoidal rule is missing", function()
+  local published, energy = iron("N2", 1, 0, 100)
+  check.equal(energy.friction, 0)
+  below("published steps", published, 1e-4)
+  below("halved steps beside published ones", iron("N2", 2, 0, 100) / published, 0.6)
+end)
+
+-- ── 3D ironing on its sparsest mesh ──────────────────────────────────────────────────────────────────────────────────
+
+local function iron3d(finer, mu)
+  local case = friction3d.solve{ label = "N2", mesh = "sparse", radius = 7.5, depth = 2, mu = mu, way = 6,
+                                 down = 0.2 / finer, along = 0.3 / finer }
+  check.equal({ case.run.failed, #case.energies }, { false, case.run.steps })
+  return case
+end
+
+local pressed = 10 -- steps of the pressing as published
+
+check.case("3D ironing with friction: the balance of the whole run closes to 1e-3", function()
+  local published, halved = iron3d(1, 0.3), iron3d(2, 0.3)
+  below("published steps", published.energy.leak, 1e-3)
+  below("halved steps", halved.energy.leak, 1e-4)
+  if published.energy.friction < 0.4 * published.energy.work then error "friction takes half of the work" end
+  -- The error of the trapezoidal rule falls with the square of the step.
+  local rate = published.energies[pressed].missing / halved.energies[2 * pressed].missing
+  if rate < 3 or rate > 5 then error(("halved steps leave 1/%g of what is missing, expected 1/4"):format(rate)) end
+end)
+
+check.case("3D ironing without friction: nothing is dissipated", function()
+  local case = iron3d(1, 0)
+  check.equal(case.energy.friction, 0)
+  below("published steps", case.energy.leak, 2e-3)
+  check.near(case.energy.work - case.energy.stored - case.energy.contact, case.energy.missing)
+end)
+
+check.done()
