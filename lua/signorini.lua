@@ -70,7 +70,9 @@ options: newton = { tolerance, iterations }, linear = "auto", on_step = function
   arc_length = true: where a step fails, arcs follow the path, also back, until the step's end is passed; rows between
   steps have a fractional step, run.controls says where control changed.
 A step that is not reached ends the run: run.failed, run.reason, run.report; the last accepted state is kept.
-run:column "grip.fx" is a list over the steps; print(run) is a short table; run:csv(file) writes all columns.
+run:column "grip.fx" is a list over the steps; print(run) is a short table; run:csv(file) writes all columns: step,
+increments, iterations, wall; <support>.fx, .fy, in 3D .fz, .moment where it rotates, .ux, .uy, .uz, .angle where driven;
+<load>.fx …, .tx … or .pressure; <contact>.fx …, .area, .max_pressure, .max_penetration.
 Example: model:run{ { name = "press", steps = 46, grip = {0, -0.23} } }]])
 document("help", sg.help, [[
 help(), help(sg.nurbs.arc), help "patch:refine", help "labels"

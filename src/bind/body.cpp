@@ -120,12 +120,10 @@ constexpr Function functions[] = {
     {"body", wrap<body>,
      "sg.body{ patch, elements, order, contact, material, through, grading }\n"
      "A solid body. patch: its shape, a surface in the plane or a volume in 3D. elements: knot spans per parametric\n"
-     "direction. order: a discretisation label, see help \"labels\", or a list of one per direction. contact: the face "
-     "that\n"
-     "carries the layer (\"south\"), or two opposite ones; along it the label holds, through the body the geometry's "
-     "own\n"
-     "degree, unless `through` says another. Without contact the label holds in all directions. grading: as in\n"
-     "patch:refine.\n"
+     "direction. order: a discretisation label, see help \"labels\", or a list of one per direction. contact: the\n"
+     "face that carries the layer (\"south\"), or two opposite ones; along it the label holds, through the body the\n"
+     "geometry's own degree, unless `through` says another. Without contact the label holds in all directions.\n"
+     "grading: as in patch:refine.\n"
      "Example: sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = {8, 3}, order = \"N2-N2.2\",\n"
      "                  contact = \"north\", material = sg.neo_hookean{ E = 1, nu = 0.3 } }\n"
      "Example: sg.body{ patch = sg.shapes.block{ size = {4, 4, 2} }, elements = {4, 4, 2}, order = {\"N2-N4\", "
@@ -137,21 +135,21 @@ template <int D>
 constexpr Function rows[] = {
     {"__tostring", wrap<tostring<D>>, "tostring(b)\nThe body's size in words."},
     {"dofs", wrap<dofs<D>>,
-     "b:dofs()\nDegrees of freedom { interface, bulk, total }: of the contact faces' control points, of all others, of "
-     "all."},
+     "b:dofs()\n"
+     "Degrees of freedom { interface, bulk, total }: of the contact faces' control points, of all others, of all."},
     {"face", wrap<face<D>>,
-     "b:face(name)\nA face for supports and contacts: \"west\", \"east\" (xi1), \"south\", \"north\" (xi2), in 3D "
-     "\"front\",\n"
+     "b:face(name)\n"
+     "A face for supports and contacts: \"west\", \"east\" (xi1), \"south\", \"north\" (xi2), in 3D \"front\",\n"
      "\"back\" (xi3)."},
     {"edge", wrap<edge<D>>,
      "b:edge(name)\nThe control points where two faces of a solid body meet, for supports: \"south-front\" and so on."},
     {"corner", wrap<corner<D>>,
-     "b:corner(name)\nThe control point of a corner for supports: \"south-west\", in 3D \"west-south-front\" and so "
-     "on."},
+     "b:corner(name)\n"
+     "The control point of a corner for supports: \"south-west\", in 3D \"west-south-front\" and so on."},
     {"points", wrap<points<D>>,
-     "b:points()\nThe control points {{x, y}, …}, row after row from south to north (west to east when the contact "
-     "face is west\n"
-     "or east); in 3D {{x, y, z}, …}, layer after layer from front to back, or along the direction of the contact "
+     "b:points()\n"
+     "The control points {{x, y}, …}, row after row from south to north (west to east when the contact face is west\n"
+     "or east); in 3D {{x, y, z}, …}, layer after layer from front to back, or along the direction of the contact\n"
      "face."},
 };
 

@@ -84,8 +84,9 @@ constexpr Function rows[] = {
     {"timings", wrap<timings<D>>,
      "m:timings()\nSeconds so far: { bulk, contact, linear }; linear is factorisation and solve."},
     {"solver", wrap<solver<D>>,
-     "m:solver()\n{ linear, unknowns, patterns }: the linear solver in use, the size of its "
-     "systems, how many sparse patterns were analysed."},
+     "m:solver()\n"
+     "{ linear, unknowns, patterns }: the linear solver in use, the size of its systems, how many sparse patterns\n"
+     "were analysed."},
 };
 
 /// All methods, subject by subject.

@@ -121,33 +121,29 @@ template <int D> int snapshot_tostring(lua_State* L) {
 template <int D>
 constexpr Function rows[] = {
     {"driven", wrap<driven<D>>,
-     "m:driven(name)\nThe components that stages move, in order: {\"x\", \"y\"} (in 3D also \"z\") of a driven support "
-     "or a\n"
+     "m:driven(name)\n"
+     "The components that stages move, in order: {\"x\", \"y\"} (in 3D also \"z\") of a driven support or a\n"
      "traction, \n"
      "{\"angle\"} of a support that rotates (after its driven components), {\"pressure\"}."},
     {"set_target", wrap<set_target<D>>,
-     "m:set_target(name, {ux, uy, …})\nWhat the components of a support or load shall be at the end of the next step: "
-     "lengths,\n"
+     "m:set_target(name, {ux, uy, …})\n"
+     "What the components of a support or load shall be at the end of the next step: lengths,\n"
      "degrees, force per area."},
     {"target", wrap<target<D>>,
      "m:target(name)\nWhat the components of a support or load are in the last accepted state."},
     {"solve_step", wrap<solve_step<D>>,
      "m:solve_step{ tolerance = 1e-10, iterations = 25, linear = \"auto\" }\n"
-     "Newton's method from the accepted state to the targets; accepts nothing. Returns { converged, reason, "
-     "iterations,\n"
-     "message, residuals, energies }; reason is \"converged\", \"iterations\", \"diverged\", \"inverted\", "
-     "\"singular\", "
-     "\"nan\" or\n"
-     "\"interrupted\". linear: \"auto\", \"klu\", \"umfpack\", \"cholmod\" (symmetric tangents only), or "
-     "\"condensed\" (linear\n"
-     "elastic bodies: all but the contact unknowns are eliminated once; what \"auto\" takes there)."},
+     "Newton's method from the accepted state to the targets; accepts nothing. Returns { converged, reason,\n"
+     "iterations, message, residuals, energies }; reason is \"converged\", \"iterations\", \"diverged\",\n"
+     "\"inverted\", \"singular\", \"nan\" or \"interrupted\". linear: \"auto\"; \"klu\", \"umfpack\"; \"cholmod\",\n"
+     "\"banded\" (symmetric tangents only); \"kept\" (a factorisation serves several systems as preconditioner,\n"
+     "where one is dear); \"condensed\" (linear elastic bodies: all but the contact unknowns are eliminated once)."},
     {"solve_arc", wrap<solve_arc<D>>,
      "m:solve_arc{ length, tolerance = 1e-10, iterations = 25, linear = \"auto\" }\n"
-     "Goes a given distance (2-norm of the control points' displacements) from the accepted state along the path that\n"
-     "leads to the targets; how far along it is an unknown, so that turning points can be passed. Accepts nothing; "
-     "the\n"
-     "targets become those reached. Returns what solve_step returns and fraction: 0 at the accepted state, 1 at the "
-     "targets."},
+     "Goes a given distance (2-norm of the control points' displacements) from the accepted state along the path\n"
+     "that leads to the targets; how far along it is an unknown, so that turning points can be passed. Accepts\n"
+     "nothing; the targets become those reached. Returns what solve_step returns and fraction: 0 at the accepted\n"
+     "state, 1 at the targets."},
     {"last_length", wrap<last_length<D>>,
      "m:last_length()\n2-norm of the last accepted step's displacements: the scale for arc lengths."},
     {"accept", wrap<accept<D>>, "m:accept()\nMakes the present state the accepted one; slip points advance."},

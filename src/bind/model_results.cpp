@@ -98,30 +98,28 @@ template <int D> int energy(lua_State* L) {
 template <int D>
 constexpr Function rows[] = {
     {"reaction", wrap<reaction<D>>,
-     "m:reaction(name)\nThe force {fx, fy} ({fx, fy, fz} in 3D) that a support exerts on its bodies, and with it the "
-     "moment about the\n"
+     "m:reaction(name)\n"
+     "The force {fx, fy} ({fx, fy, fz} in 3D) that a support exerts on its bodies, and with it the moment about the\n"
      "centre (in 3D about the axis) of a support that rotates; the force of a load."},
     {"contact_resultant", wrap<contact_resultant<D>>,
      "m:contact_resultant(contact)\n"
-     "{ fx, fy, fz, area, max_pressure, max_penetration, active, slipping }: the force that the master exerts on the "
-     "slave\n"
-     "(fz in 3D), the current area in contact, extremes, and how many contact points touch and slip."},
+     "{ fx, fy, fz, area, max_pressure, max_penetration, active, slipping }: the force that the master exerts on the\n"
+     "slave (fz in 3D), the current area in contact, extremes, and how many contact points touch and slip."},
     {"profile", wrap<profile<D>>,
      "m:profile(contact)\n"
-     "Lists along the slave face, one entry per contact point: x, y (current), X, Y (reference), area (that the "
-     "traction\n"
-     "acts on), pressure, traction (tangential), gap, state (\"open\", \"stick\", \"slip\", \"adhesion\"). In 3D also "
-     "z, Z, and\n"
-     "tx, ty, tz, the components of the tangential traction t_T, whose size is `traction`; on the slave acts -t_T."},
+     "Lists along the slave face, one entry per contact point: x, y (current), X, Y (reference), area (that the\n"
+     "traction acts on), pressure, traction (tangential), gap, state (\"open\", \"stick\", \"slip\", \"adhesion\").\n"
+     "In 3D also z, Z, and tx, ty, tz, the components of the tangential traction t_T, whose size is `traction`; on\n"
+     "the slave acts -t_T."},
     {"sample", wrap<sample<D>>,
-     "m:sample(body, field, {xi1, xi2})\nA field's value at a parametric point ({xi1, xi2, xi3} in 3D) of a body (or "
-     "its name); fields as in sg.picture."},
+     "m:sample(body, field, {xi1, xi2})\n"
+     "A field's value at a parametric point ({xi1, xi2, xi3} in 3D) of a body (or its name); fields as in\n"
+     "sg.picture."},
     {"energy", wrap<energy<D>>,
-     "m:energy()\n{ stored, contact, friction, work }: the energy in the bodies; in the springs of penalty laws, or of "
-     "adhesion;\n"
-     "dissipated by friction in all accepted steps; done by supports and loads in all accepted steps (trapezoidal "
-     "rule).\n"
-     "Per unit depth in plane strain. work = stored + contact + friction as steps become small."},
+     "m:energy()\n"
+     "{ stored, contact, friction, work }: the energy in the bodies; in the springs of penalty laws, or of adhesion;\n"
+     "dissipated by friction in all accepted steps; done by supports and loads in all accepted steps (trapezoidal\n"
+     "rule). Per unit depth in plane strain. work = stored + contact + friction as steps become small."},
 };
 
 } // namespace

@@ -91,16 +91,14 @@ template <int D> int rigid_tostring(lua_State* L) {
 constexpr Function functions[] = {
     {"plane", wrap<plane>,
      "sg.rigid.plane{ point, normal }\n"
-     "A rigid half space as obstacle: master of a contact. normal points out of it, towards the body. Two coordinates "
-     "in\n"
-     "the plane, three in 3D.\n"
+     "A rigid half space as obstacle: master of a contact. normal points out of it, towards the body. Two\n"
+     "coordinates in the plane, three in 3D.\n"
      "Example: sg.rigid.plane{ point = {0, -1}, normal = {0, 1} }\n"
      "Example: sg.rigid.plane{ point = {0, 0, -1}, normal = {0, 0, 1} }"},
     {"cylinder", wrap<cylinder>,
      "sg.rigid.cylinder{ centre, axis, radius }\n"
-     "A rigid cylinder without ends. In plane strain its axis is normal to the plane, and it is a disc; in 3D it lies "
-     "along\n"
-     "the vector `axis` through `centre`.\n"
+     "A rigid cylinder without ends. In plane strain its axis is normal to the plane, and it is a disc; in 3D it\n"
+     "lies along the vector `axis` through `centre`.\n"
      "Example: sg.rigid.cylinder{ centre = {0, 2}, radius = 1 }\n"
      "Example: sg.rigid.cylinder{ centre = {0, 0, 2}, axis = {0, 1, 0}, radius = 1 }"},
     {"sphere", wrap<sphere>,
@@ -109,9 +107,8 @@ constexpr Function functions[] = {
      "Example: sg.rigid.sphere{ centre = {0, 0, 2}, radius = 1 }"},
     {"surface", wrap<surface>,
      "sg.rigid.surface(patch)\n"
-     "A rigid obstacle bounded by any NURBS: a curve in the plane, its outside on the right of the curve's direction; "
-     "or a\n"
-     "surface in 3D, its outside where the product of its tangents along xi1 and xi2 points.\n"
+     "A rigid obstacle bounded by any NURBS: a curve in the plane, its outside on the right of the curve's\n"
+     "direction; or a surface in 3D, its outside where the product of its tangents along xi1 and xi2 points.\n"
      "Example: sg.rigid.surface(sg.nurbs.arc{ centre = {0, 0}, radius = 1, from = 0, to = 180 })\n"
      "Example: sg.rigid.surface(sg.shapes.block{ size = {9, 9, 1}, corner = {0, 0, -1} }:face \"back\")"},
 };

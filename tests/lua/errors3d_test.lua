@@ -122,6 +122,11 @@ local wrong = {
     "model:sample: body must be a body in 3D" },
   { "two parameters for a solid", [[sg.model(held{ on = b:face "front", fix = "x" }):sample(b, "ux", {0, 0})]],
     "model:sample: xi must be a list of 3 numbers", "got a list of 2 values" },
+  { "a plane snapshot for a solid", [[local a = sg.model{ bodies = { a = flat } }
+      sg.model{ bodies = { b = b } }:restore(a:snapshot())]],
+    "model:restore: snapshot must be a snapshot in 3D, got one in the plane", line = 15 },
+  { "a method of something else", [[b.dofs(soft)]], "body:dofs must be called on a body, not on a material" },
+  { "a misspelt method", [[b:dof()]], "a body has no method 'dof'; did you mean 'dofs'?" },
   -- Obstacles
   { "a plane's normal of another dimension", [[sg.rigid.plane{ point = {0, 0, 0}, normal = {0, 1} }]],
     "sg.rigid.plane: normal must be a list of 3 numbers {x, y, z}", "got a list of 2 values" },

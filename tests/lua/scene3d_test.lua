@@ -28,6 +28,11 @@ check.case("bodies tell their size, faces, edges and corners", function()
   check.equal(tostring(b:corner "west-south-front"), "corner 'west-south-front' of a body, 1 control point")
   check.equal(tostring(b:corner "back-east-north"), "corner 'back-east-north' of a body, 1 control point")
   check.near(b:points()[1], { 0, 0, 0 })
+  -- One type to users: a method is that of the object that it is called on.
+  local flat = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = {2, 2}, order = "N2",
+                        material = soft }
+  check.equal(b.dofs(flat).total, 2 * 4 * 4)
+  check.equal(tostring(flat), "plane body: 2 x 2 elements, 32 degrees of freedom, E = 10, nu = 0.3")
 end)
 
 check.case("an edge and a corner are where their faces meet", function()
@@ -180,6 +185,21 @@ check.case("a block on a block, one mesh twice as fine: the same pressure at eve
   end
 end)
 
+check.case("a contact that acts on a part of the face, with points as many as one asks for", function()
+  local b = sg.body{ patch = sg.shapes.block{ size = {2, 1, 3} }, elements = {4, 3, 1}, order = "N2", contact = "back",
+                     material = soft }
+  local seen = {}
+  local model = sg.model{ bodies = { b = b }, contacts = { joint = {
+    slave = b:face "back", master = sg.rigid.plane{ point = {0, 0, 3}, normal = {0, 0, -1} }, penalty = 1, points = 2,
+    where = function(X)
+      seen[#seen + 1] = X
+      return X[1] < 1
+    end } } }
+  check.equal({ #seen, #seen[1] }, { 4 * 3 * 4, 3 })
+  check.near(seen[1][3], 3)
+  check.equal(#model:profile "joint".X, 2 * 3 * 4)
+end)
+
 check.case("without friction the work is stored in bodies and springs", function()
   local b = sg.body{ patch = sg.shapes.block{ size = {1, 1, 1} }, elements = {1, 1, 1}, order = "N2", contact = "back",
                      material = linear }
@@ -309,59 +329,7 @@ check.case("two faces that rotate as one turn about their common centroid", func
   check.near(largest(run:column "grip.moment"), 0, 1e-8)
 end)
 
--- ── Obstacles ────────────────────────────────────────────────────────────────────────────────────────────────────────
-
---- The forces, first all horizontal, then all vertical ones, on a rigid obstacle that is pressed into a bed of width 3
---- and height 1 (and depth 0.5 in 3D) and dragged along, per unit depth.
-local function drag(obstacle, flat)
-  local shape = flat and sg.shapes.rectangle{ width = 3, height = 1 } or
-    sg.nurbs.extrude{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, along = {0, 0, 0.5} }
-  local b = sg.body{ patch = shape, elements = flat and {6, 2} or {6, 2, 1}, contact = "north",
-                     order = flat and "N2-N2.1" or {"N2-N2.1", "N1"}, material = soft }
-  local supports = { bed = { on = b:face "south", fix = "xy" }, punch = { on = obstacle, drive = "xy" } }
-  if not flat then
-    supports.sides = { on = { b:face "front", b:face "back" }, fix = "z" }
-  end
-  local model = sg.model{ bodies = { b = b }, supports = supports,
-    contacts = { joint = { slave = b:face "north", master = obstacle, penalty = 100, points = 9,
-                           friction = { mu = 0.3, penalty = 100 } } } }
-  local run = model:run{ { steps = 2, punch = {0, -0.1} }, { steps = 3, punch = {0.3, -0.1} } }
-  check.equal(run.failed, false)
-  local forces, depth = {}, flat and 1 or 0.5
-  for _, name in ipairs{ "punch.fx", "punch.fy" } do
-    for step, force in ipairs(run:column(name)) do forces[#forces + 1] = force / depth end
-  end
-  return forces
-end
-
-check.case("in plane strain a cylinder and a surface act as the disc and the curve that they are made of", function()
-  local disc = drag(sg.rigid.cylinder{ centre = {1.3, 2}, radius = 1 }, true)
-  assert(disc[5] > 0.05 and disc[10] < -0.5)
-  check.near(drag(sg.rigid.cylinder{ centre = {1.3, 2, 7}, axis = {0, 0, -2}, radius = 1 }), disc, 1e-8)
-  -- The arc's outside is on its right; extruded along z its tangents' product points there, too.
-  local arc = sg.nurbs.arc{ centre = {1.3, 2}, radius = 1, from = 180, to = 360 }
-  check.near(drag(sg.rigid.surface(arc), true), disc, 1e-7)
-  check.near(drag(sg.rigid.surface(sg.nurbs.extrude{ patch = arc, along = {0, 0, 0.5} })), disc, 1e-7)
-end)
-
-check.case("a sphere pressed into a block: the force points along its axis of symmetry", function()
-  local b = sg.body{ patch = sg.shapes.block{ size = {2, 2, 1}, corner = {-1, -1, 0} }, elements = {4, 4, 2},
-                     order = "N2-N2.1", contact = "back", material = soft }
-  local sphere = sg.rigid.sphere{ centre = {0, 0, 2}, radius = 1 }
-  local model = sg.model{ bodies = { b = b },
-    supports = { bed = { on = b:face "front", fix = "xyz" }, ball = { on = sphere, drive = "xyz" } },
-    contacts = { joint = { slave = b:face "back", master = sphere, penalty = 100, points = 5 } } }
-  local run = model:run{ { steps = 2, ball = {0, 0, -0.2} } }
-  check.equal(run.failed, false)
-  local force = run:column "ball.fz"[2]
-  assert(force < -0.5)
-  check.near({ run:column "ball.fx"[2], run:column "ball.fy"[2], run:column "bed.fz"[2] }, { 0, 0, -force }, 1e-8)
-  local before = model:snapshot()
-  model:run{ { steps = 1, ball = {0, 0.1, -0.2} } }
-  model:restore(before)
-  check.near(model:reaction "ball", { 0, 0, force }, 1e-8)
-  check.near(model:target "ball", { 0, 0, -0.2 })
-end)
+-- ── In words ─────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 check.case("obstacles and models tell what they are", function()
   check.equal(tostring(sg.rigid.plane{ point = {0, 0, 1}, normal = {0, 0, 2} }),
