@@ -3,11 +3,13 @@
 #include "messages.hpp"
 #include "scenes.hpp"
 #include "solid_scenes.hpp"
+#include "view/ribbon.hpp"
+#include "view/triad.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
+#include <filesystem>
 
 namespace signorini::view {
 namespace {
@@ -16,42 +18,190 @@ double wave(const Vec<3>& x) {
   return std::sin(2 * x[0]) * std::cos(x[1]) + 0.3 * x[2];
 }
 
-TEST(SolidPictureLook, DrawsPicturesToLookAt) {
-  const std::string folder = std::getenv("LOOK") ? std::getenv("LOOK") : scratch("");
-  const Solid block = mapped_solid(block_map({0, 0, 0}, {4, 2, 1}), {8, 4, 2}, 6, wave);
-  const Solid shell = mapped_solid(shell_map(0.5, 1), {4, 4, 2}, 8, wave);
+Solid block(const Vec<3>& low, const Vec<3>& high) {
+  return mapped_solid(block_map(low, high), {3, 2, 2}, 3, wave);
+}
+
+SolidOptions small() {
   SolidOptions options;
-  options.trim = true;
-  options.title = "Block, load step 3";
+  options.size = {400, 300};
+  options.range = {-1, 1};
   options.field_label = "displacement u_z";
-  draw_solids({{"", {block}}}, options, folder + "/block.png");
-  SolidPanel cut{"", {block}, {RigidBall{{2, 1, 1.9}, 0.9}, RigidPlane{{0, 0, 0}, {0, 0, 1}}}};
-  draw_solids({cut}, options, folder + "/rigid.png");
-  cut.cut = CutPlane{{0, 0.9, 0}, {0, -1, 0}};
-  draw_solids({cut}, options, folder + "/cut.png");
-  draw_solids({{"", {shell}}}, options, folder + "/shell.png");
-  Solid bent = block;
-  bent.undeformed = block.skin, bent.undeformed_rim = block.rim;
-  for (auto* lines : {&bent.mesh_lines, &bent.rim})
-    for (SurfaceLine& l : *lines)
-      for (Eigen::Index i = 0; i < l.points.cols(); ++i) l.points(2, i) += 0.3 * std::sin(l.points(0, i));
-  for (Eigen::Index i = 0; i < bent.skin.points.cols(); ++i)
-    bent.skin.points(2, i) += 0.3 * std::sin(bent.skin.points(0, i));
-  bent.inside.clear();
-  options.colormap = "coolwarm";
-  draw_solids({{"start", {block}, {RigidCylinder{{2, 1, 2.5}, {0, 1, 0}, 1}}}, {"bent", {bent}}}, options,
-              folder + "/sheet.png");
-  options.region = Bounds{{1, 0, 0}, {2, 1, 1}};
-  draw_solids({{"", {bent}}}, options, folder + "/crop.png");
-  options.region.reset();
-  for (const std::string& name : camera_names()) {
-    options.camera = camera(name);
-    options.size = {600, 400};
-    options.title = name;
-    draw_solids({{"", {block, shell}}}, options, folder + "/" + name + ".png");
+  return options;
+}
+
+/// What a picture is made of, compared as a whole.
+struct Png {
+  std::string bytes;
+
+  bool operator==(const Png&) const = default;
+};
+
+void PrintTo(const Png& png, std::ostream* out) {
+  *out << png.bytes.size() << " bytes";
+}
+
+Png drawn(const std::vector<SolidPanel>& panels, const SolidOptions& options) {
+  draw_solids(panels, options, scratch("solid.png"));
+  return {file_bytes(scratch("solid.png"))};
+}
+
+std::string refusal(const SolidPanel& panel, const SolidOptions& options = small()) {
+  const std::string message = message_of([&] { draw_solids({panel}, options, scratch("no.png")); });
+  EXPECT_FALSE(std::filesystem::exists(scratch("no.png")));
+  return message;
+}
+
+TEST(SolidPicture, GivesTheSameBytesForTheSameCall) {
+  const Solid shell = mapped_solid(shell_map(0.5, 1), {3, 3, 2}, 4, wave);
+  SolidPanel panel{"state", {shell}, {RigidBall{{1, 1, 1}, 0.4}, RigidPlane{{0, 0, 0}, {0, 0, 1}}}};
+  panel.cut = CutPlane{{0.2, 0.3, 0.4}, {1, 1, 0.5}};
+  const Png first = drawn({panel}, small());
+  SolidOptions other = small();
+  other.size = {300, 420};
+  const Png between = drawn({panel, {"whole", {shell}}}, other);
+  EXPECT_EQ(drawn({panel}, small()), first);
+  EXPECT_EQ(png_size(first.bytes), (std::array<int, 2>{400, 300}));
+  EXPECT_EQ(png_size(between.bytes), (std::array<int, 2>{300, 420}));
+}
+
+TEST(SolidPicture, HidesWhatLiesBehind) {
+  const Solid front = block({0, 0, 0}, {2, 1, 1});
+  SolidOptions options = small();
+  options.camera = camera("front");
+  const Png alone = drawn({{"", {front}}}, options);
+  // A smaller block behind, its lines, and lines on the sides that face away
+  EXPECT_EQ(drawn({{"", {front, block({0.1, 1.1, 0.1}, {1.9, 2, 0.9})}}}, options), alone);
+  const auto marked = [&](double y) {
+    SurfaceLine line{Points(3, 2), Points(3, 2)};
+    line.points << 0.2, 1.3, y, y, 0.1, 0.7;
+    line.normals << 0, 0, 2 * y - 1, 2 * y - 1, 0, 0;
+    Solid solid = front;
+    solid.rim.push_back(line);
+    return drawn({{"", {solid}}}, options);
+  };
+  EXPECT_EQ(marked(1), alone);
+  // The same in front of it shows.
+  EXPECT_NE(drawn({{"", {front, block({0.1, -1, 0.1}, {1.9, -0.1, 0.9})}}}, options), alone);
+  EXPECT_NE(marked(0), alone);
+}
+
+TEST(SolidPicture, ShowsEverythingThatItIsGiven) {
+  Solid solid = block({0, 0, 0}, {2, 1, 1});
+  const auto changed = [&](auto change) {
+    SolidPanel panel{"", {solid}};
+    SolidOptions options = small();
+    change(panel, options);
+    return drawn({panel}, options);
+  };
+  const Png plain = changed([](auto&, auto&) {});
+  EXPECT_NE(changed([](SolidPanel& p, auto&) { p.title = "state"; }), plain);
+  EXPECT_NE(changed([](SolidPanel& p, auto&) { p.bodies[0].mesh_lines.clear(); }), plain);
+  EXPECT_NE(changed([](SolidPanel& p, auto&) { p.bodies[0].rim.clear(); }), plain);
+  EXPECT_NE(changed([](SolidPanel& p, auto&) { p.bodies[0].control_points = Vec<3>(1, -0.1, 0.5); }), plain);
+  EXPECT_NE(changed([](SolidPanel& p, auto&) {
+              const Solid larger = block({0, 0, 0}, {2, 1, 1.2});
+              p.bodies[0].undeformed = larger.skin;
+            }),
+            plain);
+  EXPECT_NE(changed([](SolidPanel& p, auto&) { p.obstacles = {RigidPlane{{0, 0, -0.1}, {0, 0, 1}}}; }), plain);
+  EXPECT_NE(changed([](SolidPanel& p, auto&) { p.cut = CutPlane{{1, 0, 0}, {1, 0, 0}}; }), plain);
+  EXPECT_NE(changed([](auto&, SolidOptions& o) { o.camera = camera("top"); }), plain);
+  EXPECT_NE(changed([](auto&, SolidOptions& o) { o.region = Bounds{{0, 0, 0}, {1, 1, 1}}; }), plain);
+  EXPECT_NE(changed([](auto&, SolidOptions& o) { o.colormap = "magma"; }), plain);
+  // What lies outside the region leaves no trace.
+  const auto cropped = [](SolidPanel& p, SolidOptions& o, bool more) {
+    o.region = Bounds{{0, 0, 0}, {1, 1, 1}};
+    o.camera = camera("front");
+    o.range = {-2, 2};
+    if (more) p.bodies.push_back(block({1.5, 0, -2}, {4, 1, 3}));
+  };
+  EXPECT_EQ(changed([&](SolidPanel& p, SolidOptions& o) { cropped(p, o, true); }),
+            changed([&](SolidPanel& p, SolidOptions& o) { cropped(p, o, false); }));
+}
+
+TEST(SolidPicture, IsTrimmedToWhatItShows) {
+  SolidOptions options = small();
+  options.size = {1600, 1000};
+  options.trim = true;
+  options.camera = camera("front");
+  const auto [width, height] = png_size(drawn({{"", {block({0, 0, 0}, {20, 1, 1})}}}, options).bytes);
+  EXPECT_EQ(width, 1600);
+  EXPECT_LT(height, 420);
+  const auto [narrow, high] = png_size(drawn({{"", {block({0, 0, 0}, {1, 1, 20})}}}, options).bytes);
+  EXPECT_EQ(high, 1000);
+  EXPECT_LT(narrow, 440);
+}
+
+TEST(SolidPicture, RefusesWhatCannotBeDrawn) {
+  const Solid good = block({0, 0, 0}, {2, 1, 1});
+  EXPECT_TRUE(holds(refusal({"", {}}), {"at least one body"}));
+  EXPECT_TRUE(holds(refusal({"", {good}, {}, CutPlane{{0, 0, 0}, {0, 0, 0}}}), {"normal that is not zero"}));
+  EXPECT_TRUE(holds(refusal({"", {good}, {}, CutPlane{{-1, 0, 0}, {1, 0, 0}}}), {"takes all bodies away"}));
+  Solid bad = good;
+  bad.skin.points(1, 4) = std::nan("");
+  EXPECT_TRUE(holds(refusal({"", {good, bad}}), {"body 2", "not finite"}));
+  bad = good;
+  bad.skin.values[3] = INFINITY;
+  EXPECT_TRUE(holds(refusal({"", {bad}}), {"body 1 has field values that are not finite", "another field"}));
+  bad = good;
+  bad.skin.values.conservativeResize(5);
+  EXPECT_TRUE(holds(refusal({"", {bad}}), {"5 values for"}));
+  bad = good;
+  bad.inside[0].points(0, 0) = std::nan("");
+  EXPECT_TRUE(holds(refusal({"", {bad}}), {"insides that are not finite"}));
+  SolidOptions options = small();
+  options.region = Bounds{{0, 0, 0}, {1, -1, 1}};
+  EXPECT_TRUE(holds(refusal({"", {good}}, options), {"crop is {0, 1, 0, -1, 0, 1}", "min below max"}));
+}
+
+TEST(Ribbon, LiesOnItsSurfaceWithItsWidth) {
+  Points line(3, 2), normals(3, 2);
+  line << 10, 30, 5, 5, 2, 2;
+  const Vec<3> normal = Vec<3>(0, 0.6, 0.8);
+  normals << normal, normal;
+  Ink ink;
+  add_ribbon(ink, line, normals, {{1, 2, 3}, 4, 0.5, true});
+  ASSERT_EQ(ink.corners.size(), 3 * ink.colours.size());
+  double low = 100, high = -100;
+  for (const auto& [x, y, z] : ink.corners) {
+    EXPECT_NEAR(normal.dot(Vec<3>(x, y, z - 0.5) - Vec<3>(10, 5, 2)), 0, 1e-12);
+    low = std::min(low, y), high = std::max(high, y);
   }
-  options = SolidOptions();
-  draw_solids({{"", {shell}, {}, CutPlane{{0, 0, 0.41}, {0.4, 0.2, 1}}}}, options, folder + "/shell_cut.png");
+  EXPECT_NEAR(high - low, 4, 1e-12);
+}
+
+TEST(Ribbon, EndsWhereItsSurfaceTurnsAway) {
+  Points line(3, 2), normals(3, 2);
+  line << 0, 10, 0, 0, 0, 0;
+  normals << 0, 0, 0.8, -0.8, 0.3, -0.1;
+  const auto farthest = [&](bool facing_only) {
+    Ink ink;
+    add_ribbon(ink, line, normals, {{1, 2, 3}, 1e-6, 0, facing_only});
+    double far = 0;
+    for (const Vec3& corner : ink.corners) far = std::max(far, corner[0]);
+    return far;
+  };
+  EXPECT_NEAR(farthest(true), 7.5, 1e-5);
+  EXPECT_NEAR(farthest(false), 10, 1e-5);
+}
+
+TEST(Triad, HasRoomForItsArrows) {
+  const Style style = style_for({1600, 1000});
+  for (const std::string& name : camera_names()) {
+    const Mat<3> axes = picture_axes(camera(name));
+    const auto [left, right, below, above] = triad_room(axes, style);
+    Drawing drawing{{1600, 1000}, {}};
+    draw_triad(drawing, {0, 0}, axes, style);
+    int letters = 0;
+    for (const Mark& mark : drawing.marks) {
+      letters += std::holds_alternative<Text>(mark);
+      const auto* fill = std::get_if<Fill>(&mark);
+      for (const Vec2& p : fill ? fill->outline : std::vector<Vec2>())
+        EXPECT_TRUE(p[0] >= -left && p[0] <= right && p[1] >= -below && p[1] <= above) << name;
+    }
+    EXPECT_EQ(letters, name == "iso" ? 3 : 2) << name;
+  }
 }
 
 } // namespace

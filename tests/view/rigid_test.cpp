@@ -1,0 +1,86 @@
+#include "view/rigid.hpp"
+
+#include "messages.hpp"
+#include "view/camera.hpp"
+
+#include <gtest/gtest.h>
+
+namespace signorini::view {
+namespace {
+
+const Bounds box{{0, 0, 0}, {4, 2, 1}};
+
+Bounds extent(const RigidSurface& rigid) {
+  Bounds all;
+  all.take(rigid.surface.points);
+  return all;
+}
+
+TEST(Rigid, IsShownWholeWhereItIsSmall) {
+  const RigidSurface ball = shown(RigidBall{{2, 1, 2}, 1}, box);
+  EXPECT_NEAR(extent(ball).high[2], 3, 1e-9);
+  EXPECT_TRUE(ball.rim.empty());
+  for (Eigen::Index i = 0; i < ball.surface.points.cols(); ++i) {
+    const Vec<3> out = ball.surface.points.col(i) - Vec<3>(2, 1, 2);
+    EXPECT_NEAR(out.norm(), 1, 1e-12);
+    EXPECT_LT((out - ball.surface.normals.col(i)).norm(), 1e-12);
+  }
+}
+
+TEST(Rigid, IsCutToTheBoxOfTheBodies) {
+  const double air = 0.05 * 4;
+  const RigidSurface ball = shown(RigidBall{{2, 1, 51}, 50}, box);
+  EXPECT_LE(extent(ball).high[0], 4 + air + 1e-9);
+  EXPECT_NEAR(extent(ball).low[1], -air, 1e-9);
+  EXPECT_FALSE(ball.rim.empty());
+  const RigidSurface floor = shown(RigidPlane{{100, 100, -0.5}, {0, 0, 3}}, box);
+  EXPECT_LT((extent(floor).low - Vec<3>(-air, -air, -0.5)).norm(), 1e-9);
+  EXPECT_LT((extent(floor).high - Vec<3>(4 + air, 2 + air, -0.5)).norm(), 1e-9);
+  const RigidSurface cylinder = shown(RigidCylinder{{2, 70, 1.5}, {0, 0.1, 0}, 0.5}, box);
+  EXPECT_LT((extent(cylinder).low - Vec<3>(1.5, -air, 1)).norm(), 1e-9);
+  EXPECT_LT((extent(cylinder).high - Vec<3>(2.5, 2 + air, 2)).norm(), 1e-9);
+}
+
+TEST(Rigid, IsLeftOutWhereItIsFar) {
+  EXPECT_EQ(shown(RigidPlane{{0, 0, -3}, {0, 0, 1}}, box).surface.points.cols(), 0);
+  EXPECT_EQ(shown(RigidBall{{2, 1, 9}, 1}, box).surface.points.cols(), 0);
+}
+
+TEST(Rigid, HasAnImageUnlessItIsItsOwn) {
+  EXPECT_FALSE(mirrored(RigidPlane{{3, 1, 2}, {0, 0, 1}}, 0));
+  EXPECT_TRUE(mirrored(RigidPlane{{3, 1, 2}, {0, 0, 1}}, 2));
+  EXPECT_TRUE(mirrored(RigidPlane{{0, 0, 0}, {1, 0, 1}}, 0));
+  EXPECT_FALSE(mirrored(RigidBall{{0, 1, 2}, 1}, 0));
+  const auto ball = mirrored(RigidBall{{0, 1, 2}, 1}, 1);
+  ASSERT_TRUE(ball);
+  EXPECT_EQ(std::get<RigidBall>(*ball).centre, Vec<3>(0, -1, 2));
+  EXPECT_FALSE(mirrored(RigidCylinder{{0, 1, 2}, {0, 1, 0}, 1}, 0));
+  EXPECT_FALSE(mirrored(RigidCylinder{{0, 1, 2}, {0, 1, 0}, 1}, 1));
+  EXPECT_TRUE(mirrored(RigidCylinder{{0, 1, 2}, {0, 1, 1}, 1}, 1));
+}
+
+TEST(Camera, LooksAlongTheAxes) {
+  for (const std::string& name : camera_names()) {
+    const Mat<3> axes = picture_axes(camera(name));
+    EXPECT_LT((axes * axes.transpose() - Mat<3>::Identity()).norm(), 1e-12) << name;
+    EXPECT_NEAR(axes.determinant(), 1, 1e-12) << name;
+  }
+  const Mat<3> front = picture_axes(camera("front")), top = picture_axes(camera("top")),
+               left = picture_axes(camera("left")), bottom = picture_axes(camera("bottom"));
+  EXPECT_EQ(front, (Mat<3>() << 1, 0, 0, 0, 0, 1, 0, -1, 0).finished());
+  EXPECT_EQ(top, (Mat<3>() << 1, 0, 0, 0, 1, 0, 0, 0, 1).finished());
+  EXPECT_EQ(left, (Mat<3>() << 0, -1, 0, 0, 0, 1, -1, 0, 0).finished());
+  EXPECT_EQ(bottom, (Mat<3>() << 1, 0, 0, 0, -1, 0, 0, 0, -1).finished());
+  const Mat<3> iso = picture_axes(camera("iso"));
+  EXPECT_TRUE(iso(0, 0) > 0 && iso(1, 2) > 0 && iso(2, 1) < 0 && iso(2, 2) > 0);
+}
+
+TEST(Camera, RefusesDirectionsWithoutSense) {
+  EXPECT_TRUE(holds(message_of([] { camera("above"); }), {"'above'", "known: iso, front"}));
+  EXPECT_TRUE(holds(message_of([] { picture_axes({{0, 0, 0}, {0, 0, 1}}); }), {"not be zero", "from the scene"}));
+  EXPECT_TRUE(holds(message_of([] { picture_axes({{0, 0, 2}, {0, 0, -1}}); }), {"up points along from"}));
+  EXPECT_TRUE(holds(message_of([] { picture_axes({{0, 0, std::nan("")}, {0, 0, 1}}); }), {"finite"}));
+}
+
+} // namespace
+} // namespace signorini::view
