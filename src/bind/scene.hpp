@@ -9,11 +9,11 @@ namespace signorini::bind {
 
 template <int D> using Body = std::shared_ptr<const solid::Body<D>>;
 
-/// Control points of a body that can be held, driven or brought into contact: a face, or a corner.
+/// Control points of a body that can be held, driven or brought into contact: a face, an edge, or a corner.
 template <int D> struct Place {
   Body<D> body;
-  std::string name;                ///< "south", "south-west"
-  std::optional<nurbs::Side> side; ///< absent for a corner
+  std::string name;                ///< "south", "south-front", "south-west"
+  std::optional<nurbs::Side> side; ///< of a face
   std::vector<int> functions;
 };
 
