@@ -1,0 +1,380 @@
+-- The patch test of contact: a uniform pressure through a flat contact of meshes that do and do not match.
+--
+-- Problem: one block lies on the other; the upper one is held by the contact alone and pressed down uniformly.
+--
+--           p0 = 0.1, per reference area
+--         ↓ ↓ ↓ ↓ ↓ ↓ ↓ ↓
+--        ┌───┬───┬───┬───┐    upper block 2 × 1 (2 × 2 × 1), E = 2
+--        │               │    sides = guided: nu = 0.3, no displacement across the lateral faces
+--        ├────┬─────┬────┤    sides = free:   nu = 0, two neighbouring lateral faces are free
+--        │               │    lower block 2 × 1 (2 × 2 × 1), E = 1
+--        └────┴─────┴────┘    u_y = 0 (u_z = 0); no friction, normal penalty 100
+--
+--          Either way the exact solution is a uniform stress: its displacement is linear, and any discretisation holds
+--          it. What is left is the contact: the slave's points integrate the slave's functions, polynomials inside its
+--          elements, times a constant exactly, but the master's functions have kinks inside them.
+--          Elements along the face: 3 and 5 (non-matching), 4 and 4 (matching), 2 and 6 (nested); 2 through each block.
+-- Source: the patch test for contact of R. L. Taylor and P. Papadopoulos, On a patch test for contact problems in two
+--         dimensions, in: Computational Methods in Nonlinear Mechanics, Springer, 1991; closed forms.
+-- Units: any consistent ones; pressures in the lower block's E, errors relative to p0.
+-- Expected: contact pressure and stress uniform to rounding (below 1e-11) where no border of the master's elements lies
+--           inside an element of the slave: matching meshes, and nested ones with the finer one as slave. Elsewhere the
+--           error falls with the number n of points like n^-(k+1), k the first derivative of the master's functions
+--           that jumps (1 for N1 and L2, 2 for N2 and N2-N2.2, 3 for N3): Gauss' rule misses (x − c)^k for x > c.
+-- Run: signorini -q scripts/patch_test.lua [dimensions=2,3] [materials=linear,neo_hooke] [labels=N1,L2,N2,N3,N2-N2.2]
+--      [points=20] [sides=guided] [penalties=10,100,1000,10000] [out=out/patch_test]; points: from p + 1 up to this
+--      number per direction, p the layer's degree.
+
+local sg = require "signorini"
+
+local load, penalty, overlap = 0.1, 100, 5e-4
+local materials = { linear = sg.linear_elastic, neo_hooke = sg.neo_hookean }
+--- Elements of the lower and the upper block along the face, and which of them is the slave.
+local exact_pairs = { { "matching", 4, 4, "lower" }, { "matching", 4, 4, "upper" }, { "slave finer", 2, 6, "upper" } }
+local pairs_with_kinks = { { "master finer", 2, 6, "lower" }, { "non-matching", 3, 5, "lower" },
+                           { "non-matching", 3, 5, "upper" } }
+
+-- ── Arguments ────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+local function list_of(text)
+  local list = {}
+  for word in text:gmatch "[^,]+" do list[#list + 1] = word end
+  return list
+end
+
+local function read_arguments(words)
+  local options = { dimensions = "2,3", materials = "linear,neo_hooke", labels = "N1,L2,N2,N3,N2-N2.2", points = "20",
+                    sides = "guided", penalties = "10,100,1000,10000", out = "out/patch_test" }
+  for _, word in ipairs(words) do
+    local key, value = word:match "^(%w+)=(.+)$"
+    if not options[key] then
+      error(("unknown argument '%s'; known: dimensions=2,3, materials=linear,neo_hooke, labels=N1,N2, points=20, ")
+        :format(word) .. "sides=guided, penalties=10,100, out=folder", 0)
+    end
+    options[key] = value
+  end
+  local function check(key, value, good, expected)
+    if not good then error(("%s must be %s, got '%s'"):format(key, expected, value), 0) end
+  end
+  for _, key in ipairs { "dimensions", "materials", "labels", "penalties" } do options[key] = list_of(options[key]) end
+  for i, dimension in ipairs(options.dimensions) do
+    check("dimensions", dimension, dimension == "2" or dimension == "3", "2 or 3 or both")
+    options.dimensions[i] = math.tointeger(tonumber(dimension))
+  end
+  for _, name in ipairs(options.materials) do check("materials", name, materials[name], "linear or neo_hooke") end
+  for i, value in ipairs(options.penalties) do
+    check("penalties", value, (tonumber(value) or 0) > 0, "positive numbers")
+    options.penalties[i] = tonumber(value)
+  end
+  check("sides", options.sides, options.sides == "guided" or options.sides == "free", "guided or free")
+  check("points", options.points, options.points:match "^[1-9]%d*$", "a whole number of at least 1")
+  options.points = math.tointeger(tonumber(options.points))
+  return options
+end
+
+--- Of a label's functions on the face: their degree, and the first derivative that jumps between elements.
+local function smoothness(label)
+  local kind, degree, elevations = label:match "([NL])(%d+)%.?(%d*)x?%d*$"
+  degree, elevations = math.tointeger(tonumber(degree)), math.tointeger(tonumber(elevations)) or 0
+  return degree + elevations, kind == "L" and 1 or degree
+end
+
+-- ── Scene ────────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- A block whose face of contact lies at the height 0, or `overlap` below it.
+local function block(o, side, young)
+  local flat, count, lower = o.dimension == 2, o[side], side == "lower"
+  local height = lower and -1 or -overlap
+  return sg.body{
+    patch    = flat and sg.shapes.rectangle{ width = 2, height = 1, corner = { 0, height } } or
+               sg.shapes.block{ size = { 2, 2, 1 }, corner = { 0, 0, height } },
+    elements = flat and { count, 2 } or { count, count, 2 }, order = o.label,
+    contact  = flat and (lower and "north" or "south") or (lower and "back" or "front"),
+    material = materials[o.material]{ E = young, nu = o.sides == "free" and 0 or 0.3 },
+  }
+end
+
+--- The two blocks. A force alone does not hold a body that only touches. Under a given force the upper block's height
+--- changes nothing, so it stands a little lower: the first iteration finds points in contact.
+local function scene(o)
+  local flat = o.dimension == 2
+  local lower, upper = block(o, "lower", 1), block(o, "upper", 2)
+  local bottom, top = flat and "south" or "front", flat and "north" or "back"
+  local function sides(first, second)
+    if o.sides == "free" then return { lower:face(first), upper:face(first) } end
+    return { lower:face(first), upper:face(first), lower:face(second), upper:face(second) }
+  end
+  local slave, master = upper:face(bottom), lower:face(top)
+  if o.slave == "lower" then slave, master = master, slave end
+  return sg.model{
+    bodies   = { lower = lower, upper = upper },
+    supports = { bed   = { on = lower:face(bottom), fix = flat and "y" or "z" },
+                 ends  = { on = sides("west", "east"), fix = "x" },
+                 sides = not flat and { on = sides("south", "north"), fix = "y" } or nil },
+    loads    = { push = { on = upper:face(top), pressure = 0 } },
+    contacts = { joint = { slave = slave, master = master, penalty = o.penalty or penalty, points = o.points } },
+  }
+end
+
+--- The largest difference of the vertical stress from −p0 relative to p0, over 8 points per direction along the face
+--- and 4 through each block; none of them on a border of elements.
+local function stress_error(model, dimension)
+  local largest, field = 0, dimension == 2 and "syy" or "szz"
+  for _, name in ipairs { "lower", "upper" } do
+    for i = 1, 15, 2 do
+      for k = 1, 7, 2 do
+        for j = 1, dimension == 2 and 1 or 15, 2 do
+          local xi = dimension == 2 and { i / 16, k / 8 } or { i / 16, j / 16, k / 8 }
+          largest = math.max(largest, math.abs(model:sample(name, field, xi) / -load - 1))
+        end
+      end
+    end
+  end
+  return largest
+end
+
+--- Solves a scene in two steps, so that linear elasticity meets its own tangent twice, and measures it.
+local function solve(o)
+  local model = scene(o)
+  local run = model:run{ { name = "press", steps = 2, push = load } }
+  if run.failed then
+    error(("%s, %d|%d elements, %dD: %s"):format(o.label, o.lower, o.upper, o.dimension, run.report), 0)
+  end
+  local case = { profile = model:profile "joint", pressure_error = 0 }
+  for key, value in pairs(o) do case[key] = value end
+  for _, pressure in ipairs(case.profile.pressure) do
+    case.pressure_error = math.max(case.pressure_error, math.abs(pressure / load - 1))
+  end
+  case.stress_error = stress_error(model, o.dimension)
+  local area = o.dimension == 2 and 2 or 4
+  case.force_error = math.abs(run:column(o.dimension == 2 and "bed.fy" or "bed.fz")[2] / (load * area) - 1)
+  return case
+end
+
+-- ── Studies ──────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- All cases with a list of pairs of meshes; `points` gives the numbers of points for a label's degree.
+local function solve_all(options, list, points)
+  local cases = {}
+  for _, dimension in ipairs(options.dimensions) do
+    for _, material in ipairs(options.materials) do
+      for _, label in ipairs(options.labels) do
+        for _, pair in ipairs(list) do
+          for _, count in ipairs(points(smoothness(label))) do
+            local case = solve{ dimension = dimension, material = material, label = label, sides = options.sides,
+                                pair = pair[1], lower = pair[2], upper = pair[3], slave = pair[4], points = count }
+            cases[#cases + 1] = case
+            collectgarbage() -- a model is large, but Lua sees only a handle, and would keep hundreds
+          end
+        end
+      end
+    end
+  end
+  return cases
+end
+
+--- Cases of one dimension, material, label, pair and slave, in a row of rising numbers of points.
+local function in_series(cases)
+  local series = {}
+  for _, case in ipairs(cases) do
+    local name = ("%dD %s %s %s %s"):format(case.dimension, case.material, case.label, case.pair, case.slave)
+    if not series[name] then
+      series[name] = { name = name, first = case }
+      series[#series + 1] = series[name]
+    end
+    table.insert(series[name], case)
+  end
+  return series
+end
+
+--- The exponent r of a row's error n^r over the number n of points, by least squares in logarithms.
+local function exponent(row)
+  local n, sx, sy, sxx, sxy = #row, 0, 0, 0, 0
+  for _, case in ipairs(row) do
+    local x, y = math.log(case.points), math.log(case.pressure_error)
+    sx, sy, sxx, sxy = sx + x, sy + y, sxx + x * x, sxy + x * y
+  end
+  return (n * sxy - sx * sy) / (n * sxx - sx * sx)
+end
+
+--- How the error falls with the number n of points: it swings with the place of the kinks between the points, so the
+--- exponent is that of all n from 8 to 63, and the largest errors over three octaves stand beside it. Plane, linear.
+local function rate_study(options)
+  local list, rates = {}, {}
+  for _, pair in ipairs(pairs_with_kinks) do
+    if pair[1] == "non-matching" then list[#list + 1] = pair end
+  end
+  local plane = { dimensions = { 2 }, materials = { "linear" }, labels = options.labels, sides = options.sides }
+  local cases = solve_all(plane, list, function()
+    local counts = {}
+    for count = 8, 63 do counts[#counts + 1] = count end
+    return counts
+  end)
+  for i, row in ipairs(in_series(cases)) do
+    local octaves = { 0, 0, 0 }
+    for _, case in ipairs(row) do
+      local octave = case.points < 16 and 1 or case.points < 32 and 2 or 3
+      octaves[octave] = math.max(octaves[octave], case.pressure_error)
+    end
+    local _, jump = smoothness(row.first.label)
+    rates[i] = { label = row.first.label, slave = row.first.slave, octaves = octaves, expected = -(jump + 1),
+                 exponent = exponent(row) }
+  end
+  return rates
+end
+
+--- What the penalty does to the errors: plane, N2 and N2-N2.2, the finer mesh as slave.
+local function penalty_study(options)
+  local cases = {}
+  for _, label in ipairs { "N2", "N2-N2.2" } do
+    for _, value in ipairs(options.penalties) do
+      local case = solve{ dimension = 2, material = "linear", label = label, sides = options.sides, penalty = value,
+                          lower = 3, upper = 5, slave = "upper", points = 3 * (smoothness(label) + 1) }
+      cases[#cases + 1] = case
+    end
+  end
+  return cases
+end
+
+-- ── Output ───────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- Of each dimension, material and label: the largest error over the pairs and the numbers of points.
+local function exact_table(cases)
+  local rows = {}
+  for _, case in ipairs(cases) do
+    local name = ("%dD %s %s"):format(case.dimension, case.material, case.label)
+    local row = rows[name]
+    if not row then
+      row = { case.dimension .. "D", case.material, case.label, 0, 0, 0 }
+      rows[name], rows[#rows + 1] = row, row
+    end
+    for i, key in ipairs { "pressure_error", "stress_error", "force_error" } do
+      row[3 + i] = math.max(row[3 + i], case[key])
+    end
+  end
+  return sg.table{ columns = { "", "material", "label", "pressure", "stress", "force" }, rows = rows,
+                   formats = { "%s", "%s", "%s", "%.1e", "%.1e", "%.1e" } }
+end
+
+--- Errors of the pressure at p + 1, 2 (p + 1), 3 (p + 1) and the most points; of the stress at 3 (p + 1) and the most.
+local function error_table(series)
+  local rows = {}
+  for i, row in ipairs(series) do
+    local first, at = row.first, {}
+    for _, case in ipairs(row) do at[case.points] = case end
+    local function value(times, key)
+      local case = at[times * (smoothness(first.label) + 1)]
+      return case and case[key]
+    end
+    local most = row[#row]
+    rows[i] = { first.dimension .. "D", first.material, first.label, first.pair, first.slave,
+                value(1, "pressure_error"), value(2, "pressure_error"), value(3, "pressure_error"), most.pressure_error,
+                value(3, "stress_error"), most.stress_error }
+  end
+  return sg.table{
+    columns = { "", "material", "label", "meshes", "slave", "p+1", "2(p+1)", "3(p+1)", "most", "stress 3(p+1)",
+                "most" }, rows = rows,
+    formats = { "%s", "%s", "%s", "%s", "%s", "%.1e", "%.1e", "%.1e", "%.1e", "%.1e", "%.1e" },
+  }
+end
+
+local function rate_table(rates)
+  local rows = {}
+  for i, r in ipairs(rates) do
+    rows[i] = { r.label, r.slave, r.octaves[1], r.octaves[2], r.octaves[3], r.exponent, r.expected }
+  end
+  return sg.table{ columns = { "label", "slave", "n = 8…15", "16…31", "32…63", "exponent", "expected" }, rows = rows,
+                   formats = { "%s", "%s", "%.1e", "%.1e", "%.1e", "%.2f", "%d" } }
+end
+
+local function penalty_table(cases)
+  local rows = {}
+  for i, case in ipairs(cases) do
+    rows[i] = { case.label, case.penalty, case.points, case.pressure_error, case.stress_error }
+  end
+  return sg.table{ columns = { "label", "penalty", "points", "pressure", "stress" }, rows = rows,
+                   formats = { "%s", "%g", "%d", "%.1e", "%.1e" } }
+end
+
+--- The error of the pressure over the number of points, by label; non-matching meshes, one material.
+local function draw_errors(series, dimension, material, slave, file)
+  local chart = { file = file, title = ("Patch test in %dD: 5 elements on 3, slave %s"):format(dimension, slave),
+                  log = "xy", xlabel = "points per element and direction", ylabel = "largest error of p / p_0" }
+  for _, row in ipairs(series) do
+    local first = row.first
+    if first.dimension == dimension and first.material == material and first.pair == "non-matching" and
+       first.slave == slave then
+      local line = { x = {}, y = {}, label = first.label, markers = true }
+      for i, case in ipairs(row) do line.x[i], line.y[i] = case.points, case.pressure_error end
+      chart[#chart + 1] = line
+    end
+  end
+  sg.chart(chart)
+end
+
+local function draw_pressure(options, file)
+  local label = options.labels[1]
+  for _, name in ipairs(options.labels) do label = name == "N2" and name or label end
+  local degree = smoothness(label)
+  local chart = { file = file, title = ("Patch test in 2D, %s: 3 elements under 5, slave upper"):format(label),
+                  xlabel = "x", ylabel = "p / p_0" }
+  for _, times in ipairs { 1, 2, 3 } do
+    local case = solve{ dimension = 2, material = options.materials[1], label = label, lower = 3, upper = 5,
+                        slave = "upper", points = times * (degree + 1), sides = options.sides }
+    local line = { x = case.profile.x, y = {}, label = ("%d points"):format(case.points), marker = "none" }
+    for i, pressure in ipairs(case.profile.pressure) do line.y[i] = pressure / load end
+    chart[times] = line
+  end
+  sg.chart(chart)
+end
+
+-- ── The study ────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+local options = read_arguments(select("#", ...) > 0 and { ... } or arg)
+sg.mkdir(options.out)
+local files = {}
+local function path(name)
+  files[#files + 1] = options.out .. "/" .. name
+  return files[#files]
+end
+
+local exact = solve_all(options, exact_pairs, function(degree) return { degree + 1, 3 * (degree + 1) } end)
+print(("Largest errors relative to p0 where the master has no kink inside the slave's elements, sides %s")
+  :format(options.sides))
+print(exact_table(exact))
+
+local cases = solve_all(options, pairs_with_kinks, function(degree)
+  local counts = {}
+  for count = degree + 1, math.max(options.points, degree + 2) do counts[#counts + 1] = count end
+  return counts
+end)
+local series = in_series(cases)
+print "\nElsewhere: largest errors of the pressure and of the stress by points per element and direction"
+print(error_table(series))
+local rates, penalties = {}, {}
+if options.dimensions[1] == 2 or options.dimensions[2] == 2 then
+  rates = rate_study(options)
+  print "\nHow the pressure's error falls with the number of points: 2D, linear, 3 elements under 5"
+  print(rate_table(rates))
+  penalties = penalty_study(options)
+  print "\nThe penalty: 2D, linear, 3 elements under 5, slave upper, 3(p+1) points"
+  print(penalty_table(penalties))
+  draw_pressure(options, path "pressure.png")
+end
+
+local data = { columns = { "dimension", "material", "label", "meshes", "slave", "points", "pressure_error",
+                           "stress_error" }, rows = {},
+               comments = { "largest errors relative to p0, sides " .. options.sides } }
+for i, case in ipairs(cases) do
+  data.rows[i] = { case.dimension, case.material, case.label, case.pair, case.slave, case.points, case.pressure_error,
+                   case.stress_error }
+end
+sg.csv.write(path "errors.csv", data)
+for _, dimension in ipairs(options.dimensions) do
+  for _, slave in ipairs { "lower", "upper" } do
+    draw_errors(series, dimension, options.materials[1], slave, path(("error_%dd_%s.png"):format(dimension, slave)))
+  end
+end
+print("\nWritten: " .. table.concat(files, "\n         "))
+
+return { exact = exact, cases = cases, series = series, rates = rates, penalties = penalties, files = files }

@@ -1,0 +1,100 @@
+-- scripts/patch_test.lua, coarse: uniform to rounding where it must be, errors that fall as they must, where it cannot.
+
+local sg = require "signorini"
+local core = require "signorini.core"
+local check = require "check"
+
+local script = core.home .. "/scripts/patch_test.lua"
+local folder = os.tmpname()
+os.remove(folder)
+
+local function run(...) return assert(loadfile(script))("out=" .. folder, ...) end
+local plane = run("dimensions=2")
+local solid = run("dimensions=3", "labels=N2", "points=6")
+local free = run("dimensions=3", "materials=linear", "labels=N1", "points=3", "sides=free")
+
+local function at_most(what, value, bound)
+  if not value or math.abs(value) > bound then
+    error(("%s: expected at most %g in size, got %s"):format(what, bound, tostring(value)), 2)
+  end
+end
+
+local function name(case)
+  return ("%dD %s %s %s, slave %s, %d points"):format(case.dimension, case.material, case.label, case.pair, case.slave,
+    case.points)
+end
+
+check.case("without kinks inside the slave's elements all is uniform to rounding, in 2D and 3D", function()
+  local seen = 0
+  for _, study in ipairs { plane, solid, free } do
+    for _, case in ipairs(study.exact) do
+      at_most(name(case) .. ": pressure", case.pressure_error, 1e-11)
+      at_most(name(case) .. ": stress", case.stress_error, 1e-11)
+      seen = seen + 1
+    end
+  end
+  -- dimensions, materials, labels, pairs, numbers of points
+  check.equal(seen, 1 * 2 * 5 * 3 * 2 + 1 * 2 * 1 * 3 * 2 + 1 * 1 * 1 * 3 * 2)
+end)
+
+check.case("the whole force goes through every contact", function()
+  for _, study in ipairs { plane, solid, free } do
+    for _, case in ipairs(study.exact) do at_most(name(case), case.force_error, 1e-11) end
+    for _, case in ipairs(study.cases) do at_most(name(case), case.force_error, 1e-9) end
+  end
+end)
+
+check.case("with kinks the error can be seen, and has the exponent of Gauss' rule for a kink", function()
+  for _, case in ipairs(solid.cases) do assert(case.pressure_error > 1e-6, name(case)) end
+  check.equal(#plane.rates, 10)
+  for _, rate in ipairs(plane.rates) do
+    at_most(("%s, slave %s: exponent off"):format(rate.label, rate.slave), rate.exponent - rate.expected, 0.2)
+  end
+end)
+
+--- The error of N2 on non-matching meshes, linear elastic, by slave and number of points.
+local function error_at(study, dimension, slave, points, key)
+  for _, case in ipairs(study.cases) do
+    if case.dimension == dimension and case.label == "N2" and case.pair == "non-matching" and case.slave == slave and
+       case.points == points and case.material == "linear" then
+      return case[key or "pressure_error"]
+    end
+  end
+end
+
+check.case("in 3D two directions add up what one has in 2D", function()
+  for _, slave in ipairs { "lower", "upper" } do
+    check.near(error_at(solid, 3, slave, 3) / error_at(plane, 2, slave, 3), 2, 0.1)
+    check.near(error_at(solid, 3, slave, 6) / error_at(plane, 2, slave, 6), 2, 0.1)
+  end
+end)
+
+check.case("the figures stay what they are", function()
+  check.near(error_at(plane, 2, "lower", 9), 2.3e-3, 0.1e-3)
+  check.near(error_at(plane, 2, "upper", 9), 3.4e-5, 0.1e-5)
+  check.near(error_at(plane, 2, "upper", 9, "stress_error"), 7.0e-6, 0.1e-6)
+end)
+
+check.case("tables and charts", function()
+  check.equal(#sg.csv.read(folder .. "/errors.csv").rows, #free.cases)
+  for _, chart in ipairs { "error_2d_lower", "error_2d_upper", "error_3d_lower", "error_3d_upper", "pressure" } do
+    local stream = assert(io.open(("%s/%s.png"):format(folder, chart), "rb"))
+    check.equal(stream:read(8), "\137PNG\r\n\26\n")
+    stream:close()
+  end
+end)
+
+check.case("wrong arguments", function()
+  for word, message in pairs { ["label=N2"] = "unknown argument 'label=N2'; known: dimensions=",
+                               ["dimensions=4"] = "dimensions must be 2 or 3 or both, got '4'",
+                               ["materials=steel"] = "materials must be linear or neo_hooke, got 'steel'",
+                               ["sides=open"] = "sides must be guided or free, got 'open'",
+                               ["penalties=-1"] = "penalties must be", ["points=x"] = "points must be" } do
+    local output, status = check.program { "-q", script, "out=" .. folder, word }
+    check.equal(status, 1)
+    check.holds(output, message)
+  end
+end)
+
+check.shell("rm -r " .. folder)
+check.done()
