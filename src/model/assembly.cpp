@@ -57,7 +57,7 @@ template <int D> void Assembly<D>::build_bulk() {
   bulk_pattern_ = solve::couple(unknowns_.size(), groups);
 
   // Positions in the order in which scatter walks through ElementArrays::blocks
-  int trash = bulk_pattern_.entries();
+  int trash = bulk_pattern_.entries(), first_trash = trash;
   const auto find = [&](int row, int column) {
     return row < 0 || column < 0 ? trash : bulk_pattern_.find(row, column);
   };
@@ -65,8 +65,8 @@ template <int D> void Assembly<D>::build_bulk() {
   for (std::size_t body = 0; body < scene_.bodies.size(); ++body) {
     const Partition& shares = partitions_[body];
     first_position_.emplace_back();
-    for (int e = 0, share = 0; e < scene_.bodies[body].body->elements(); ++e, ++g) {
-      for (; e >= shares.tails[at(share)].last; ++share) ++trash;
+    for (int e = 0; e < scene_.bodies[body].body->elements(); ++e, ++g) {
+      trash = first_trash + shares.share[at(e)];
       const Nodes& group = groups[g];
       const int n = scene_.bodies[body].body->element(e).functions;
       first_position_.back().push_back(bulk_positions_.size());
@@ -79,7 +79,7 @@ template <int D> void Assembly<D>::build_bulk() {
             for (int b = 0; b < n; ++b) bulk_positions_.push_back(find(group[at(D * b + j)], group[at(D * a + i)]));
         }
     }
-    ++trash;
+    first_trash += static_cast<int>(shares.heads.size());
   }
 }
 
@@ -257,7 +257,7 @@ std::optional<BodyInversion> Assembly<D>::add_bulk(std::vector<contact::Pair<D>>
     parallel(static_cast<int>(contacts + tasks.size()), [&](int i) {
       if (at(i) < contacts) return evaluate(at(i));
       Task& task = tasks[at(i) - contacts];
-      add_range(partitions_[task.body].heads[task.share], request, task);
+      add_elements(partitions_[task.body].heads[task.share], request, task);
     });
   };
 
@@ -270,10 +270,10 @@ std::optional<BodyInversion> Assembly<D>::add_bulk(std::vector<contact::Pair<D>>
   }
   parallel(static_cast<int>(tasks.size()), [&](int i) {
     Task& task = tasks[at(i)];
-    add_range(partitions_[task.body].tails[task.share], request, task);
+    add_elements(partitions_[task.body].tails[task.share], request, task);
   });
   for (Task& task : tasks)
-    if (task.share == 0) add_rest(request, task);
+    if (task.share == 0) add_elements(partitions_[task.body].rest, request, task);
 
   // What passed on the clock is shared out by what the tasks took.
   double bulk = 0, contact = 0;
@@ -297,16 +297,9 @@ template <int D> void Assembly<D>::clear(const Request& request) {
     std::fill(values_.begin(), values_.end(), 0.0);
 }
 
-template <int D> void Assembly<D>::add_range(const ElementRange& range, const Request& request, Task& task) {
+template <int D> void Assembly<D>::add_elements(const std::vector<int>& elements, const Request& request, Task& task) {
   ScopedTimer timer(task.seconds);
-  const std::vector<char>& in_rest = partitions_[task.body].in_rest;
-  for (int e = range.first; e < range.last && !task.inverted; ++e)
-    if (!in_rest[at(e)]) add_element(e, request, task);
-}
-
-template <int D> void Assembly<D>::add_rest(const Request& request, Task& task) {
-  ScopedTimer timer(task.seconds);
-  for (int e : partitions_[task.body].rest)
+  for (int e : elements)
     if (!task.inverted) add_element(e, request, task);
 }
 

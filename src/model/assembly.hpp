@@ -72,8 +72,7 @@ private:
   struct Task;
   std::optional<BodyInversion> add_bulk(std::vector<contact::Pair<D>>& pairs, const Request& request, Timings& timings);
   void clear(const Request& request);
-  void add_range(const ElementRange& range, const Request& request, Task& task);
-  void add_rest(const Request& request, Task& task);
+  void add_elements(const std::vector<int>& elements, const Request& request, Task& task);
   void add_element(int e, const Request& request, Task& task);
   void scatter(int body, int e, const solid::ElementArrays<D>& arrays, double* values) const;
   void multiply(int body, int e, const solid::ElementArrays<D>& arrays, const VectorX& direction);

@@ -6,63 +6,122 @@ namespace signorini::model {
 
 namespace {
 
-constexpr int most_shares = 4;    // more than cores: contacts are shared out beside them
-constexpr int worth_sharing = 64; // elements in a share: 30 µs of work, several times what it takes to wake a thread
+constexpr int most_shares = 4; // more than cores: contacts are shared out beside them
+/// Elements in a share: 30 µs of work, several times what it takes to wake a thread.
+template <int D> constexpr int worth_sharing = D == 2 ? 64 : 8;
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-/// Heads and tails of a number of even shares; false when tails would meet. `last`: the last element of each control
-/// point.
-template <int D> bool cut(const solid::Body<D>& body, const std::vector<int>& last, int shares, Partition& result) {
-  const int elements = body.elements();
-  const auto reaches = [&](int e, int element) {
-    const auto functions = body.functions_of(e);
-    return std::any_of(functions.begin(), functions.end(), [&](int function) { return last[at(function)] >= element; });
-  };
-  result.heads.clear();
-  result.tails.clear();
-  for (int k = 0; k < shares; ++k) {
-    const int first = elements * k / shares, end = elements * (k + 1) / shares;
-    // The head ends before the first element that shares a control point with what follows the range.
-    int tail = first;
-    while (tail < end && !reaches(tail, end)) ++tail;
-    result.heads.push_back({first, tail});
-    result.tails.push_back({tail, end});
-  }
-  for (int k = 0; k + 1 < shares; ++k)
-    for (int e = result.tails[at(k)].first; e < result.tails[at(k)].last; ++e)
-      if (reaches(e, result.tails[at(k + 1)].first)) return false;
-  return true;
+/// The slabs of a body across one parametric direction.
+struct Slabs {
+  int direction, count;
+  std::vector<int> reach; ///< per slab: the last one that it has a control point in common with
+};
+
+int slab_of(const nurbs::Discretisation& space, int e, int direction) {
+  for (int d = 0; d < direction; ++d) e /= space.elements(d);
+  return e % space.elements(direction);
 }
 
-} // namespace
+template <int D> Slabs slabs_across(const solid::Body<D>& body, int direction) {
+  const nurbs::Discretisation& space = body.space();
+  Slabs slabs{direction, space.elements(direction), std::vector<int>(at(space.elements(direction)), 0)};
+  std::vector<int> last(at(body.functions()), 0); // slab of each control point
+  for (int e = 0; e < body.elements(); ++e)
+    for (int function : body.functions_of(e))
+      last[at(function)] = std::max(last[at(function)], slab_of(space, e, direction));
+  for (int e = 0; e < body.elements(); ++e)
+    for (int function : body.functions_of(e)) {
+      int& reach = slabs.reach[at(slab_of(space, e, direction))];
+      reach = std::max(reach, last[at(function)]);
+    }
+  return slabs;
+}
 
-template <int D> Partition partition(const Unknowns<D>& unknowns, const solid::Body<D>& body, int offset) {
-  const int elements = body.elements();
-  Partition result{{}, {}, {}, std::vector<char>(at(elements), false)};
-  std::vector<int> last(at(body.functions()), 0);
-  for (int e = 0; e < elements; ++e)
-    for (int function : body.functions_of(e)) last[at(function)] = e;
-  int shares = std::clamp(elements / worth_sharing, 1, most_shares);
-  while (!cut(body, last, shares, result)) --shares;
-  if (shares == 1) return result;
+/// First slabs of a number of even shares, each followed by the first slab of its tail; empty when tails would meet.
+std::vector<int> cut(const Slabs& slabs, int shares) {
+  std::vector<int> starts;
+  for (int k = 0; k < shares; ++k) {
+    const int first = slabs.count * k / shares, end = slabs.count * (k + 1) / shares;
+    // The head ends before the first slab that reaches what follows the share; nothing follows the last one, whose tail
+    // is as long as the one before, so that tails are as even as heads.
+    int tail = first;
+    if (k + 1 == shares && k > 0)
+      tail = std::max(first, end - (first - starts[at(2 * k - 1)]));
+    else
+      while (tail < end && slabs.reach[at(tail)] < end) ++tail;
+    starts.insert(starts.end(), {first, tail});
+  }
+  for (int k = 0; k + 1 < shares; ++k)
+    for (int slab = starts[at(2 * k + 1)]; slab < starts[at(2 * k + 2)]; ++slab)
+      if (slabs.reach[at(slab)] >= starts[at(2 * k + 3)]) return {};
+  return starts;
+}
 
-  // Elements with unknowns that several control points share
+/// What two threads take, in parts of what one takes, that are given heads, and then tails, where they are free.
+double time_on_two(const Slabs& slabs, std::vector<int> starts) {
+  starts.push_back(slabs.count);
+  int sum = 0;
+  for (std::size_t first : {0, 1}) {
+    int busy[2] = {0, 0};
+    for (std::size_t piece = first; piece + 1 < starts.size(); piece += 2)
+      busy[busy[0] <= busy[1] ? 0 : 1] += starts[piece + 1] - starts[piece];
+    sum += std::max(busy[0], busy[1]);
+  }
+  return static_cast<double>(sum) / slabs.count;
+}
+
+/// Whether an element adds to an unknown that several control points share.
+template <int D>
+std::vector<char> on_shared_unknowns(const Unknowns<D>& unknowns, const solid::Body<D>& body, int offset) {
   std::vector<int> owner(at(unknowns.size()), -1);
-  std::vector<char> shared(at(unknowns.size()), false);
+  std::vector<char> shared(at(unknowns.size()), false), result(at(body.elements()), false);
   for (int dof = offset; dof < offset + D * body.functions(); ++dof)
     if (const int i = unknowns.unknown(dof); i >= 0) {
       shared[at(i)] = owner[at(i)] >= 0;
       owner[at(i)] = dof;
     }
-  for (int e = 0; e < elements; ++e) {
+  for (int e = 0; e < body.elements(); ++e)
     for (int function : body.functions_of(e))
       for (int c = 0; c < D; ++c)
-        if (const int i = unknowns.unknown(offset + D * function + c); i >= 0 && shared[at(i)])
-          result.in_rest[at(e)] = true;
-    if (result.in_rest[at(e)]) result.rest.push_back(e);
+        if (const int i = unknowns.unknown(offset + D * function + c); i >= 0 && shared[at(i)]) result[at(e)] = true;
+  return result;
+}
+
+} // namespace
+
+template <int D> Partition partition(const Unknowns<D>& unknowns, const solid::Body<D>& body, int offset) {
+  const nurbs::Discretisation& space = body.space();
+  Slabs best{0, space.elements(0), {}};
+  std::vector<int> starts{0, best.count};
+  double least = 1;
+  for (int d = 0; d < D; ++d) {
+    const Slabs slabs = slabs_across(body, d);
+    for (int shares = 2; shares <= std::min(body.elements() / worth_sharing<D>, most_shares); ++shares)
+      if (const std::vector<int> found = cut(slabs, shares); !found.empty())
+        if (const double time = time_on_two(slabs, found);
+            time < least || (time == least && time < 1 && found.size() > starts.size())) {
+          least = time;
+          best = slabs;
+          starts = found;
+        }
+  }
+
+  Partition result;
+  const std::size_t shares = starts.size() / 2;
+  result.heads.resize(shares);
+  result.tails.resize(shares);
+  const std::vector<char> in_rest =
+      shares > 1 ? on_shared_unknowns(unknowns, body, offset) : std::vector<char>(at(body.elements()), false);
+  for (int e = 0; e < body.elements(); ++e) {
+    // The heads' and tails' first slabs take turns.
+    const int slab = slab_of(space, e, best.direction);
+    const int piece = static_cast<int>(std::upper_bound(starts.begin(), starts.end(), slab) - starts.begin()) - 1;
+    result.share.push_back(piece / 2);
+    auto& list = in_rest[at(e)] ? result.rest : (piece % 2 == 0 ? result.heads : result.tails)[at(piece / 2)];
+    list.push_back(e);
   }
   return result;
 }

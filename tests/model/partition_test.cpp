@@ -21,43 +21,93 @@ Scene<2> strip(std::vector<int> elements, const std::string& label, const std::s
   return scene;
 }
 
-/// Everything that an element adds to: its degrees of freedom, and its unknowns as negative numbers.
-std::set<int> reach(const Scene<2>& scene, const Unknowns<2>& unknowns, int first, int last,
-                    const std::vector<char>& in_rest) {
+/// A block whose back rotates about an axis that leaves nothing of it at rest.
+Scene<3> block(std::vector<int> elements, const std::string& label, const std::string& contact) {
+  Scene<3> scene;
+  nurbs::Plan plan;
+  plan.elements = std::move(elements);
+  plan.contact = {nurbs::side_of(contact, 3)};
+  plan.labels.assign(2, nurbs::parse_label(label));
+  const auto space =
+      std::make_shared<const nurbs::Discretisation>(nurbs::block({3, 2, 1}, Eigen::Vector3d(0, 0, 0)), plan);
+  scene.bodies.push_back({"block", std::make_shared<const solid::Body<3>>(space, solid::neo_hookean(1, 0.3))});
+  Support<3> grip{
+      "grip", {{0, space->face_functions(nurbs::side_of("back", 3))}}, {Hold::free, Hold::free, Hold::free}};
+  grip.rotates = true;
+  grip.centre = {1.5, 1, 1};
+  grip.axis = {0, 0, 1};
+  scene.supports.push_back(grip);
+  return scene;
+}
+
+/// Everything that elements add to: degrees of freedom, and unknowns as negative numbers.
+template <int D>
+std::set<int> reach(const Scene<D>& scene, const Unknowns<D>& unknowns, const std::vector<int>& elements) {
   std::set<int> all;
-  for (int e = first; e < last; ++e)
+  for (int e : elements)
     for (int function : scene.bodies[0].body->functions_of(e))
-      for (int c = 0; c < 2 && !in_rest[static_cast<std::size_t>(e)]; ++c) {
-        all.insert(2 * function + c);
-        if (const int i = unknowns.unknown(2 * function + c); i >= 0) all.insert(-1 - i);
+      for (int c = 0; c < D; ++c) {
+        all.insert(D * function + c);
+        if (const int i = unknowns.unknown(D * function + c); i >= 0) all.insert(-1 - i);
       }
   return all;
 }
 
-TEST(Partition, SharesMeetNoneOfTheirNeighboursAndHoldEveryElementOnce) {
-  struct Case {
-    std::vector<int> elements;
-    const char *label, *contact;
-  };
-  for (const Case& c : {Case{{40, 8}, "N2", "south"}, Case{{80, 4}, "N2-N2.2", "south"}, Case{{300, 1}, "N4", "north"},
-                        Case{{20, 16}, "N2-N4", "west"}}) {
-    const Scene<2> scene = strip(c.elements, c.label, c.contact);
-    const Unknowns<2> unknowns(scene);
-    const Partition parts = partition(unknowns, *scene.bodies[0].body, 0);
-    ASSERT_GT(parts.heads.size(), 1u) << c.label;
-    std::vector<int> times(static_cast<std::size_t>(scene.bodies[0].body->elements()), 0);
-    for (const auto* ranges : {&parts.heads, &parts.tails}) {
-      std::set<int> taken;
-      for (const ElementRange& range : *ranges) {
-        const std::set<int> own = reach(scene, unknowns, range.first, range.last, parts.in_rest);
-        for (int what : own) EXPECT_TRUE(taken.insert(what).second) << c.label;
-        for (int e = range.first; e < range.last; ++e)
-          times[static_cast<std::size_t>(e)] += parts.in_rest[static_cast<std::size_t>(e)] == 0;
+template <int D> void expect_apart_and_whole(const Scene<D>& scene, std::size_t shares, const std::string& what) {
+  const Unknowns<D> unknowns(scene);
+  const solid::Body<D>& body = *scene.bodies[0].body;
+  const Partition parts = partition(unknowns, body, 0);
+  EXPECT_EQ(parts.heads.size(), shares) << what;
+  ASSERT_EQ(parts.heads.size(), parts.tails.size()) << what;
+  std::vector<int> times(static_cast<std::size_t>(body.elements()), 0);
+  for (const auto* lists : {&parts.heads, &parts.tails}) {
+    std::set<int> taken;
+    for (std::size_t share = 0; share < lists->size(); ++share) {
+      const std::vector<int>& elements = (*lists)[share];
+      for (int one : reach(scene, unknowns, elements)) EXPECT_TRUE(taken.insert(one).second) << what;
+      for (int e : elements) {
+        ++times[static_cast<std::size_t>(e)];
+        EXPECT_EQ(parts.share[static_cast<std::size_t>(e)], static_cast<int>(share)) << what;
       }
     }
-    EXPECT_FALSE(parts.rest.empty()); // the face that rotates
-    for (int e : parts.rest) ++times[static_cast<std::size_t>(e)];
-    for (int n : times) ASSERT_EQ(n, 1) << c.label;
+  }
+  EXPECT_FALSE(parts.rest.empty()) << what; // the face that rotates
+  for (int e : parts.rest) ++times[static_cast<std::size_t>(e)];
+  for (int n : times) ASSERT_EQ(n, 1) << what;
+}
+
+TEST(Partition, SharesMeetNoneOfTheirNeighboursAndHoldEveryElementOnce) {
+  expect_apart_and_whole(strip({40, 8}, "N2", "south"), 4, "40x8");
+  expect_apart_and_whole(strip({80, 4}, "N2-N2.2", "south"), 4, "80x4");
+  expect_apart_and_whole(strip({300, 1}, "N4", "north"), 4, "300x1");
+  expect_apart_and_whole(strip({20, 16}, "N2-N4", "west"), 4, "20x16");
+  expect_apart_and_whole(block({16, 6, 3}, "N2", "front"), 4, "16x6x3");
+  expect_apart_and_whole(block({6, 16, 3}, "N2-N2.2", "front"), 4, "6x16x3");
+  expect_apart_and_whole(block({7, 7, 6}, "N2-N4", "west"), 4, "7x7x6");
+}
+
+/// Time on two threads that take the next task where they are free, in elements.
+int on_two(const std::vector<std::vector<int>>& tasks) {
+  int busy[2] = {0, 0};
+  for (const auto& task : tasks) busy[busy[0] <= busy[1] ? 0 : 1] += static_cast<int>(task.size());
+  return std::max(busy[0], busy[1]);
+}
+
+TEST(Partition, TwoThreadsHalveTheWorkOfAnyShape) {
+  struct Case {
+    std::vector<int> elements;
+    const char* label;
+  };
+  for (const Case& c : {Case{{36, 12, 8}, "N2"}, Case{{12, 36, 4}, "N2-N2.2"}, Case{{20, 20, 2}, "N4"},
+                        Case{{16, 16, 3}, "N2"}, Case{{8, 8, 16}, "N2-N2.2"}}) {
+    Scene<3> scene = block(c.elements, c.label, "front");
+    scene.supports[0].rotates = false;
+    scene.supports[0].hold = {Hold::fixed, Hold::fixed, Hold::fixed};
+    const Partition parts = partition(Unknowns<3>(scene), *scene.bodies[0].body, 0);
+    EXPECT_TRUE(parts.rest.empty());
+    const double elements = scene.bodies[0].body->elements();
+    EXPECT_GE(elements / (on_two(parts.heads) + on_two(parts.tails)), 1.9)
+        << c.elements[0] << "x" << c.elements[1] << "x" << c.elements[2] << " " << c.label;
   }
 }
 
@@ -65,33 +115,39 @@ TEST(Partition, AFewElementsStayTogether) {
   const Scene<2> scene = strip({8, 3}, "N2", "south");
   const Partition parts = partition(Unknowns<2>(scene), *scene.bodies[0].body, 0);
   ASSERT_EQ(parts.heads.size(), 1u);
-  EXPECT_EQ(parts.heads[0].last, 24);
+  EXPECT_EQ(parts.heads[0].size(), 24u);
+  EXPECT_TRUE(parts.tails[0].empty());
+  EXPECT_TRUE(parts.rest.empty());
+}
+
+/// Residual, product and tangent of a state, on a number of threads.
+template <int D> std::vector<double> added_up(const Scene<D>& scene, int threads) {
+  set_worker_threads(threads);
+  nurbs::test::Random random(5);
+  const Unknowns<D> unknowns(scene);
+  Assembly<D> assembly(scene, unknowns);
+  const auto any = [&](double size) {
+    return VectorX(VectorX::NullaryExpr(unknowns.dofs(), [&] { return nurbs::test::uniform(random, -size, size); }));
+  };
+  const VectorX u = any(0.005), direction = any(1);
+  std::vector<contact::Pair<D>> none;
+  Timings timings;
+  EXPECT_FALSE(assembly.assemble(none, u, &direction, true, timings));
+  set_worker_threads(1);
+  std::vector<double> all(assembly.residual().begin(), assembly.residual().end());
+  all.insert(all.end(), assembly.product().begin(), assembly.product().end());
+  all.insert(all.end(), assembly.values().begin(), assembly.values().begin() + assembly.pattern().entries());
+  return all;
 }
 
 TEST(Partition, ResidualAndTangentAreTheSameBitsForAnyNumberOfThreads) {
-  nurbs::test::Random random(5);
-  std::vector<double> residual, values;
-  VectorX u, direction;
-  for (int threads : {1, 2, 3}) {
-    set_worker_threads(threads);
-    Bench bench(strip({40, 8}, "N2-N2.1", "south"));
-    if (u.size() == 0) {
-      u = VectorX::NullaryExpr(bench.unknowns.dofs(), [&] { return nurbs::test::uniform(random, -0.01, 0.01); });
-      direction = VectorX::NullaryExpr(u.size(), [&] { return nurbs::test::uniform(random, -1, 1); });
-    }
-    const VectorX r = bench.residual(u, &direction);
-    std::vector<double> now(r.begin(), r.end());
-    now.insert(now.end(), bench.assembly.product().begin(), bench.assembly.product().end());
-    const auto& all = bench.assembly.values();
-    const std::vector<double> entries(all.begin(), all.begin() + bench.assembly.pattern().entries());
-    if (threads == 1) {
-      residual = now;
-      values = entries;
-    }
-    EXPECT_TRUE(now == residual) << threads;
-    EXPECT_TRUE(entries == values) << threads;
+  const Scene<2> plane = strip({40, 8}, "N2-N2.1", "south");
+  const Scene<3> space = block({16, 6, 3}, "N2-N2.1", "front");
+  const std::vector<double> in_plane = added_up(plane, 1), in_space = added_up(space, 1);
+  for (int threads : {2, 3}) {
+    EXPECT_TRUE(added_up(plane, threads) == in_plane) << threads;
+    EXPECT_TRUE(added_up(space, threads) == in_space) << threads;
   }
-  set_worker_threads(1);
 }
 
 } // namespace
