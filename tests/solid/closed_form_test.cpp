@@ -1,6 +1,8 @@
-// Whole bodies against closed forms: uniaxial tension at finite strain, a thick ring at small strain.
+// Whole bodies against closed forms: uniaxial tension and confined compression at finite strain, a thick ring at small
+// strain.
 #include "solid/bodies.hpp"
 #include "solid/internal.hpp"
+#include "solid/load.hpp"
 
 #include <gtest/gtest.h>
 
@@ -62,6 +64,46 @@ TEST(ClosedForm, UniaxialTensionInSpace) {
   uniaxial<3>(make_body<3>(nurbs::block({2, 0.5, 0.4}, Eigen::Vector3d(0, 0, 0)), {2, 1, 1}, "N2", "back",
                            neo_hookean(3, 0.35)),
               2, 0.5 * 0.4, 1.5);
+}
+
+/// P₁₁ at axial stretch a where nothing moves sideways: neo-Hooke μ a + (λ ln a − μ)/a, Hooke (λ + 2μ)(a − 1).
+double confined_stress(const Material& material, double a) {
+  const ElasticConstants& law = constants(material);
+  return std::holds_alternative<LinearElastic>(material) ? (law.lambda + 2 * law.mu) * (a - 1)
+                                                         : law.mu * a + (law.lambda * std::log(a) - law.mu) / a;
+}
+
+/// A confined block is pressed, or pulled, by a dead load on a side that crosses the layer: strain and energy are the
+/// same everywhere, and what holds the other end is the load.
+TEST(ClosedForm, ConfinedCompressionInSpaceByALoadOnALayeredSide) {
+  const nurbs::Patch block = nurbs::block({2, 0.5, 0.4}, Eigen::Vector3d(0, 0, 0));
+  const double section = 0.5 * 0.4, volume = 2 * section;
+  for (const Material& material : {Material(neo_hookean(3, 0.35)), Material(linear_elastic(3, 0.35))})
+    for (const char* label : {"N2", "N2-N2.2"})
+      for (double stretch : {0.7, 1.2}) {
+        const Body<3> bar = make_body<3>(block, {2, 1, 2}, label, "back", material);
+        std::map<int, double> held;
+        const auto fix = [&](const char* face, int component) {
+          prescribe(
+              bar, face, component, [](const Vec<3>&) { return 0.0; }, held);
+        };
+        fix("west", 0);
+        for (const char* face : {"south", "north"}) fix(face, 1);
+        for (const char* face : {"front", "back"}) fix(face, 2);
+        const double stress = confined_stress(material, stretch);
+        const nurbs::Side east = nurbs::side_of("east", 3);
+        const VectorX load =
+            stretch < 1 ? VectorX(-stress * pressure_load(bar, east)) : VectorX(stress * traction_load(bar, east, 0));
+        VectorX u;
+        const Assembled at = equilibrate(bar, held, 12, u, load);
+        ASSERT_FALSE(at.inversion);
+        const Mat<3> f = Vec<3>(stretch, 1, 1).asDiagonal();
+        EXPECT_LT((u - affine<3>(bar, f)).norm(), 1e-12 * u.norm()) << label;
+        EXPECT_NEAR(stored_energy(bar, u.data()), volume * energy<3>(material, f), 1e-12);
+        double pull = 0;
+        for (int a : bar.space().face_functions(nurbs::side_of("west", 3))) pull += at.force(3 * a);
+        EXPECT_NEAR(pull, -stress * section, 1e-12);
+      }
 }
 
 /// Lamé's ring in plane strain, u_r = A r + B/r, so small that the law is Hooke's: relative error of the stress in L₂.

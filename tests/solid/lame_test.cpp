@@ -1,11 +1,13 @@
 // Thick walls under inner pressure, the closed forms of Lamé: the cylinder in plane strain, the sphere as a body of
-// revolution. Displacements converge with order p+1.
+// revolution and in space. Displacements converge with order p+1.
+#include "nurbs/coincident.hpp"
 #include "solid/bodies.hpp"
 #include "solid/load.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 
 namespace signorini::solid {
 namespace {
@@ -27,6 +29,24 @@ double sphere(double r) {
          ((1 - 2 * ratio) * r + (1 + ratio) * cube / (2 * r * r));
 }
 
+/// Relative error in L₂ of a displacement that should be exact(r) outwards.
+template <int D> double relative_error(const Body<D>& wall, const VectorX& u, double (*exact)(double)) {
+  double error = 0, size = 0;
+  for (int e = 0; e < wall.elements(); ++e) {
+    const ElementQuadrature rule = element_quadrature(wall.space(), e);
+    for (int q = 0; q < wall.element(e).points; ++q) {
+      const nurbs::ElementBasis basis = wall.space().basis(e, rule.points.col(q));
+      Vec<D> found = Vec<D>::Zero();
+      for (std::size_t a = 0; a < basis.functions.size(); ++a)
+        found += basis.values(static_cast<int>(a)) * u.segment<D>(D * basis.functions[a]);
+      const Vec<D> x = wall.reference_point(e, q), expected = exact(x.norm()) * x.normalized();
+      error += wall.weights_of(e)[q] * (found - expected).squaredNorm();
+      size += wall.weights_of(e)[q] * expected.squaredNorm();
+    }
+  }
+  return std::sqrt(error / size);
+}
+
 /// Relative error of the displacement in L₂ of a quarter annulus of elements × elements, symmetric at both ends.
 double displacement_error(Kind kind, double (*exact)(double), int degree, int elements) {
   const nurbs::Patch quarter = nurbs::quarter_annulus(inner, outer, Eigen::Vector2d(0, 0), 270);
@@ -41,20 +61,7 @@ double displacement_error(Kind kind, double (*exact)(double), int degree, int el
   VectorX u;
   equilibrate(wall, held, 1, u, pressure * pressure_load(wall, nurbs::side_of("north", 2)));
 
-  double error = 0, size = 0;
-  for (int e = 0; e < wall.elements(); ++e) {
-    const ElementQuadrature rule = element_quadrature(wall.space(), e);
-    for (int q = 0; q < wall.element(e).points; ++q) {
-      const nurbs::ElementBasis basis = wall.space().basis(e, rule.points.col(q));
-      Vec<2> found = Vec<2>::Zero();
-      for (std::size_t a = 0; a < basis.functions.size(); ++a)
-        found += basis.values(static_cast<int>(a)) * u.segment<2>(2 * basis.functions[a]);
-      const Vec<2> x = wall.reference_point(e, q), expected = exact(x.norm()) * x.normalized();
-      error += wall.weights_of(e)[q] * (found - expected).squaredNorm();
-      size += wall.weights_of(e)[q] * expected.squaredNorm();
-    }
-  }
-  return std::sqrt(error / size);
+  return relative_error(wall, u, exact);
 }
 
 void converges_with_order_p_plus_1(Kind kind, double (*exact)(double), double quadratic, double cubic) {
@@ -73,6 +80,56 @@ TEST(Lame, CylinderConvergesWithOrderPPlus1) {
 }
 TEST(Lame, SphereConvergesWithOrderPPlus1) {
   converges_with_order_p_plus_1(Kind::axisymmetric, sphere, 2e-6, 5e-8);
+}
+
+/// Relative error in L₂ of the octant of a sphere in space, of elements per direction. The control points of its pole
+/// are one point, so that they move as one.
+double octant_error(int degree, int elements) {
+  const Body<3> wall =
+      make_body<3>(nurbs::sphere_octant(inner, outer, Eigen::Vector3d(0, 0, 0)), {elements, elements, elements},
+                   text("N", degree), "back", linear_elastic(modulus, ratio), degree);
+  std::vector<int> unknown(static_cast<std::size_t>(3 * wall.functions()), 0);
+  const auto at = [&](int dof) -> int& { return unknown[static_cast<std::size_t>(dof)]; };
+  for (const auto& [face, component] : {std::pair("west", 1), std::pair("east", 0), std::pair("south", 2)})
+    for (int a : wall.space().face_functions(nurbs::side_of(face, 3))) at(3 * a + component) = -1;
+  const auto poles = nurbs::coincident_functions(wall.space());
+  EXPECT_EQ(poles.size(), static_cast<std::size_t>(elements + degree));
+  int count = 0;
+  for (int& i : unknown)
+    if (i == 0) i = count++;
+  for (const std::vector<int>& pole : poles)
+    for (int c = 0; c < 3; ++c)
+      for (int a : pole) at(3 * a + c) = c == 2 ? at(3 * pole.front() + c) : -1;
+
+  const Assembled rest = assemble(wall, VectorX(VectorX::Zero(3 * wall.functions())));
+  const VectorX load = pressure * pressure_load(wall, nurbs::side_of("back", 3));
+  MatrixX tangent = MatrixX::Zero(count, count);
+  VectorX force = VectorX::Zero(count);
+  for (int i = 0; i < load.size(); ++i) {
+    if (at(i) < 0) continue;
+    force(at(i)) += load(i);
+    for (int j = 0; j < load.size(); ++j)
+      if (at(j) >= 0) tangent(at(i), at(j)) += rest.tangent(i, j);
+  }
+  // The unknowns that a pole's points gave up have empty rows.
+  for (int i = 0; i < count; ++i)
+    if (tangent(i, i) == 0) tangent(i, i) = 1;
+  const VectorX found = tangent.llt().solve(force);
+  VectorX u(load.size());
+  for (int i = 0; i < u.size(); ++i) u(i) = at(i) < 0 ? 0 : found(at(i));
+  return relative_error(wall, u, sphere);
+}
+
+TEST(Lame, SphereInSpaceConvergesWithOrderPPlus1) {
+  const double coarse = octant_error(2, 2), middle = octant_error(2, 4), fine = octant_error(2, 6);
+  std::printf("Lame's sphere in space, N2: %.3e %.3e %.3e, rates %.2f %.2f\n", coarse, middle, fine,
+              std::log2(coarse / middle), std::log(middle / fine) / std::log(1.5));
+  EXPECT_GT(std::log2(coarse / middle), 2.5);
+  EXPECT_GT(std::log(middle / fine) / std::log(1.5), 2.75);
+  EXPECT_LT(fine, 4e-5);
+  const double few = octant_error(3, 2), more = octant_error(3, 4);
+  std::printf("N3: %.3e %.3e, rate %.2f\n", few, more, std::log2(few / more));
+  EXPECT_GT(std::log2(few / more), 3.5);
 }
 
 } // namespace
