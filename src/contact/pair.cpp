@@ -62,8 +62,17 @@ Pair<D>::Pair(Surface<D> slave, Master<D> master, Law law, int points, bool revo
   results_.resize(points_.size());
   previous_slave_ = slave_.points();
   accepted_positions_ = reference_positions_;
-  const int widest = D * (n + 2 * master_.functions_per_element());
-  rows_.resize(static_cast<std::size_t>(widest * (2 * D - 1)));
+  // Pieces of whole elements with about equally many points; in the plane a contact is small.
+  const std::size_t widest = static_cast<std::size_t>(D * (n + 2 * master_.functions_per_element()) * (2 * D - 1));
+  const std::size_t pieces = D == 2 ? 1 : 32;
+  for (std::size_t i = 1, first = 0; i <= points_.size(); ++i)
+    if (i == points_.size() ||
+        (points_[i].element != points_[i - 1].element && (i - first) * pieces >= points_.size())) {
+      parts_.push_back({first, i});
+      parts_.back().rows.resize(widest);
+      first = i;
+    }
+  shares_.assign(parts_.size(), 0);
 }
 
 template <int D> void Pair<D>::move(const double* slave_displacement, const double* master_displacement) {
@@ -72,85 +81,122 @@ template <int D> void Pair<D>::move(const double* slave_displacement, const doub
   travel_ += std::sqrt((slave_.points() - previous_slave_).colwise().squaredNorm().maxCoeff()) +
              master_.move(master_displacement);
   previous_slave_ = slave_.points();
+  // The last evaluation's groups go back to where they came from, for their memory.
+  auto group = groups_.begin();
+  for (std::size_t p = 0; p < parts_.size(); ++p)
+    for (std::size_t k = 0; k < shares_[p]; ++k) parts_[p].spare.push_back(std::move(*group++));
+  groups_.clear();
 }
 
 template <int D>
 void Pair<D>::evaluate(const double* slave_displacement, const double* master_displacement, bool tangent) {
   move(slave_displacement, master_displacement);
-  for (Group& old : groups_) spare_.push_back(std::move(old));
-  groups_.clear();
+  for (int part = 0; part < parts(); ++part) evaluate_part(part, tangent);
+  gather();
+}
 
+template <int D> void Pair<D>::evaluate_part(int index, bool tangent) {
+  Part& part = parts_[static_cast<std::size_t>(index)];
+  std::size_t first = 0; // group of the present slave element
+  const auto multiply = [&] {
+    if constexpr (D == 3)
+      for (std::size_t g = first; g < part.groups.size() && tangent; ++g)
+        part.products[g - first].add_to(part.groups[g].matrix.data());
+    first = part.groups.size();
+  };
+  for (std::size_t i = part.first; i < part.last; ++i) {
+    if (i > part.first && points_[i].element != points_[i - 1].element) multiply();
+    evaluate_point(i, tangent, part);
+  }
+  multiply();
+}
+
+template <int D> void Pair<D>::gather() {
+  for (std::size_t p = 0; p < parts_.size(); ++p) {
+    std::vector<Group>& groups = parts_[p].groups;
+    shares_[p] = groups.size();
+    for (Group& group : groups) groups_.push_back(std::move(group));
+    groups.clear();
+  }
+}
+
+/// Adds one contact point to the results and groups.
+template <int D> void Pair<D>::evaluate_point(std::size_t i, bool tangent, Part& part) {
   const int n = slave_.functions_per_element();
   FacePoint<D> master, slip_point;
   LocalGeometry<D> geometry;
   geometry.revolved = revolved_;
   LocalForce<D> force;
-  for (std::size_t i = 0; i < points_.size(); ++i) {
-    const Point& point = points_[i];
-    Memory& memory = memory_[i];
-    PointResult<D>& result = results_[i];
-    const int* nodes = slave_.nodes(point.element);
-    const double* values = values_.data() + point.values;
-    geometry.slave.setZero();
-    for (int a = 0; a < n; ++a) geometry.slave += values[a] * slave_.points().col(nodes[a]);
-    result = {};
-    result.position = geometry.slave;
-    if (travel_ < memory.cleared) continue;
+  const Point& point = points_[i];
+  Memory& memory = memory_[i];
+  PointResult<D>& result = results_[i];
+  const int* nodes = slave_.nodes(point.element);
+  const double* values = values_.data() + point.values;
+  geometry.slave.setZero();
+  for (int a = 0; a < n; ++a) geometry.slave += values[a] * slave_.points().col(nodes[a]);
+  result = {};
+  result.position = geometry.slave;
+  if (travel_ < memory.cleared) return;
 
-    memory.projection = master_.project(geometry.slave, memory.projection, master);
-    const Foot foot = memory.projection.foot;
-    const double gap = memory.projection.gap;
-    if (foot == Foot::none) continue;
-    if (penalty_) {
-      memory.cleared = foot == Foot::regular && gap > 0 ? travel_ + gap : 0;
-      if (gap >= 0) continue;
-    }
-
-    for (int k = 0; k < D - 1; ++k) {
-      Vec<D>& tangent = geometry.slave_tangent[static_cast<std::size_t>(k)];
-      tangent.setZero();
-      for (int a = 0; a < n; ++a) tangent += values[(k + 1) * n + a] * slave_.points().col(nodes[a]);
-    }
-    master_.functions(master, 1);
-    geometry.master = &master;
-    geometry.foot = foot;
-    geometry.along = memory.projection.along;
-    geometry.gap = gap;
-    geometry.normal = foot == Foot::regular ? master_.normal(master) : Vec<D>((geometry.slave - master.position) / gap);
-    geometry.reference_measure = point.reference;
-    geometry.slip_point = nullptr;
-    if (friction() && !memory.slips) remember_touch(i);
-    if (friction() && memory.slips) {
-      master_.locate(memory.slip, slip_point);
-      geometry.slip_point = &slip_point.position;
-    }
-    if (penalty_)
-      penalty_force(*penalty_, geometry, force);
-    else
-      adhesion_force(std::get<Adhesion>(law_), geometry, force);
-    result.state = force.state;
-    result.gap = gap;
-    result.pressure = force.pressure;
-    for (int k = 0; k < D - 1; ++k) result.tangents.col(k) = geometry.slave_tangent[static_cast<std::size_t>(k)];
-    result.friction = force.friction;
-    result.force = point.weight * force.force;
-    result.area = point.weight * force.measure;
-    result.potential = result.area * force.potential;
-    add(point, master, geometry.slip_point ? &slip_point : nullptr, force, tangent);
+  memory.projection = master_.project(geometry.slave, memory.projection, master);
+  const Foot foot = memory.projection.foot;
+  const double gap = memory.projection.gap;
+  if (foot == Foot::none) return;
+  if (penalty_) {
+    memory.cleared = foot == Foot::regular && gap > 0 ? travel_ + gap : 0;
+    if (gap >= 0) return;
   }
+
+  for (int k = 0; k < D - 1; ++k) {
+    Vec<D>& tangent = geometry.slave_tangent[static_cast<std::size_t>(k)];
+    tangent.setZero();
+    for (int a = 0; a < n; ++a) tangent += values[(k + 1) * n + a] * slave_.points().col(nodes[a]);
+  }
+  master_.functions(master, 1);
+  geometry.master = &master;
+  geometry.foot = foot;
+  geometry.along = memory.projection.along;
+  geometry.gap = gap;
+  geometry.normal = foot == Foot::regular ? master_.normal(master) : Vec<D>((geometry.slave - master.position) / gap);
+  geometry.reference_measure = point.reference;
+  geometry.slip_point = nullptr;
+  if (friction() && !memory.slips) remember_touch(i);
+  if (friction() && memory.slips) {
+    master_.locate(memory.slip, slip_point);
+    geometry.slip_point = &slip_point.position;
+  }
+  if (penalty_)
+    penalty_force(*penalty_, geometry, force);
+  else
+    adhesion_force(std::get<Adhesion>(law_), geometry, force);
+  result.state = force.state;
+  result.gap = gap;
+  result.pressure = force.pressure;
+  for (int k = 0; k < D - 1; ++k) result.tangents.col(k) = geometry.slave_tangent[static_cast<std::size_t>(k)];
+  result.friction = force.friction;
+  result.force = point.weight * force.force;
+  result.area = point.weight * force.measure;
+  result.potential = result.area * force.potential;
+  add(point, master, geometry.slip_point ? &slip_point : nullptr, force, tangent, part);
 }
 
-template <int D> Group& Pair<D>::group(int slave_element, int master_element, int slip_element, bool tangent) {
+/// Index of the group in the part; a new one where there is none.
+template <int D>
+std::size_t Pair<D>::group(int slave_element, int master_element, int slip_element, bool tangent, Part& part) {
   // Points come element by element, so a group to add to is among the last ones.
-  for (auto it = groups_.rbegin(); it != groups_.rend() && it->slave_element == slave_element; ++it)
-    if (it->master_element == master_element && it->slip_element == slip_element) return *it;
-  if (spare_.empty()) {
-    groups_.emplace_back();
-  } else {
-    groups_.push_back(std::move(spare_.back()));
-    spare_.pop_back();
+  std::vector<Group>& groups = part.groups;
+  std::size_t own = 0; // groups of this slave element
+  for (; own < groups.size() && groups[groups.size() - 1 - own].slave_element == slave_element; ++own) {
+    const std::size_t index = groups.size() - 1 - own;
+    if (groups[index].master_element == master_element && groups[index].slip_element == slip_element) return index;
   }
-  Group& result = groups_.back();
+  if (part.spare.empty()) {
+    groups.emplace_back();
+  } else {
+    groups.push_back(std::move(part.spare.back()));
+    part.spare.pop_back();
+  }
+  Group& result = groups.back();
   const int ns = slave_.functions_per_element(), nm = master_.functions_per_element();
   result.slave_element = slave_element;
   result.master_element = master_element;
@@ -159,16 +205,22 @@ template <int D> Group& Pair<D>::group(int slave_element, int master_element, in
   result.columns = D * (ns + nm + (slip_element >= 0 ? nm : 0));
   result.force.assign(static_cast<std::size_t>(result.rows), 0.0);
   result.matrix.assign(tangent ? static_cast<std::size_t>(result.rows * result.columns) : 0, 0.0);
-  return result;
+  if constexpr (D == 3) {
+    if (part.products.size() <= own) part.products.emplace_back();
+    part.products[own].start(ns + nm, nm, result.columns);
+  }
+  return groups.size() - 1;
 }
 
 template <int D>
 void Pair<D>::add(const Point& point, const FacePoint<D>& master, const FacePoint<D>* slip_point,
-                  const LocalForce<D>& force, bool tangent) {
+                  const LocalForce<D>& force, bool tangent, Part& part) {
   using Force = LocalForce<D>;
   const bool rigid = master_.rigid(); // one node, whatever the element
   const bool own_columns = slip_point && !rigid && slip_point->element != master.element;
-  Group& block = group(point.element, rigid ? 0 : master.element, own_columns ? slip_point->element : -1, tangent);
+  const std::size_t index =
+      group(point.element, rigid ? 0 : master.element, own_columns ? slip_point->element : -1, tangent, part);
+  Group& block = part.groups[index];
   const int ns = slave_.functions_per_element(), nm = master_.functions_per_element(), width = block.columns;
   const double* r = values_.data() + point.values;
   const double w = point.weight;
@@ -182,7 +234,7 @@ void Pair<D>::add(const Point& point, const FacePoint<D>& master, const FacePoin
   if (!tangent) return;
 
   // ∂T/∂x_B and ∂ξ̄/∂x_B of every column node B: the local derivatives times the functions that carry the variables.
-  double* __restrict dt = rows_.data();
+  double* __restrict dt = part.rows.data();
   double* __restrict dxi = dt + D * width;
   for (int c = 0; c < D; ++c) {
     for (int b = 0; b < ns; ++b) {
@@ -218,24 +270,39 @@ void Pair<D>::add(const Point& point, const FacePoint<D>& master, const FacePoin
   }
 
   // ∂f_A = −R_A ∂T on the slave, R̄_A ∂T + T R̄_A,α ∂ξ̄^α on the master
-  double* __restrict matrix = block.matrix.data();
-  for (int a = 0; a < ns; ++a)
-    for (int i = 0; i < D; ++i, matrix += width) {
-      const double factor = r[a];
-      const double* row = dt + i * width;
-      for (int c = 0; c < width; ++c) matrix[c] -= factor * row[c];
+  if constexpr (D == 3) {
+    std::size_t first = index; // group of this slave element
+    while (first > 0 && part.groups[first - 1].slave_element == point.element) --first;
+    const Products::Room room = part.products[index - first].add();
+    for (int a = 0; a < ns; ++a) room.left[a] = -r[a];
+    std::copy_n(master.value.data(), nm, room.left + ns);
+    for (std::size_t k = 0; k < 2; ++k) {
+      std::copy_n(master.derivative[k].data(), nm, room.rates + k * static_cast<std::size_t>(nm));
+      double* turn = room.turn + k * 3 * static_cast<std::size_t>(width);
+      for (int i = 0; i < 3; ++i)
+        for (int c = 0; c < width; ++c) *turn++ = force.force(i) * dxi[static_cast<int>(k) * width + c];
     }
-  for (int a = 0; a < nm; ++a) {
-    const std::size_t m = static_cast<std::size_t>(a);
-    for (int i = 0; i < D; ++i, matrix += width) {
-      const double factor = master.value[m];
-      const double* row = dt + i * width;
-      double turn[D - 1];
-      for (std::size_t k = 0; k < D - 1; ++k) turn[k] = master.derivative[k][m] * force.force(i);
-      for (int c = 0; c < width; ++c) {
-        double sum = factor * row[c];
-        for (int k = 0; k < D - 1; ++k) sum += turn[k] * dxi[k * width + c];
-        matrix[c] += sum;
+    std::copy_n(dt, 3 * width, room.traction);
+  } else {
+    double* __restrict matrix = block.matrix.data();
+    for (int a = 0; a < ns; ++a)
+      for (int i = 0; i < D; ++i, matrix += width) {
+        const double factor = r[a];
+        const double* row = dt + i * width;
+        for (int c = 0; c < width; ++c) matrix[c] -= factor * row[c];
+      }
+    for (int a = 0; a < nm; ++a) {
+      const std::size_t m = static_cast<std::size_t>(a);
+      for (int i = 0; i < D; ++i, matrix += width) {
+        const double factor = master.value[m];
+        const double* row = dt + i * width;
+        double turn[D - 1];
+        for (std::size_t k = 0; k < D - 1; ++k) turn[k] = master.derivative[k][m] * force.force(i);
+        for (int c = 0; c < width; ++c) {
+          double sum = factor * row[c];
+          for (int k = 0; k < D - 1; ++k) sum += turn[k] * dxi[k * width + c];
+          matrix[c] += sum;
+        }
       }
     }
   }
@@ -288,6 +355,18 @@ template <int D> void Pair<D>::advance(std::size_t i) {
 
 template <int D> void Pair<D>::rollback() {
   memory_ = accepted_;
+}
+
+template <int D> typename Pair<D>::History Pair<D>::history() const {
+  return {accepted_, accepted_master_, accepted_positions_, dissipated_};
+}
+
+template <int D> void Pair<D>::restore(const History& history) {
+  accepted_ = history.memory;
+  accepted_master_ = history.master;
+  accepted_positions_ = history.positions;
+  dissipated_ = history.dissipated;
+  rollback();
 }
 
 template <int D> Resultant<D> Pair<D>::resultant() const {

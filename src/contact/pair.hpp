@@ -4,6 +4,7 @@
 #include "contact/adhesion.hpp"
 #include "contact/master.hpp"
 #include "contact/penalty.hpp"
+#include "contact/products.hpp"
 
 #include <functional>
 #include <variant>
@@ -60,6 +61,12 @@ public:
   /// Computes groups and results at the given displacements (D values per function of the two bodies, D values for a
   /// rigid master). Without `tangent` the groups' matrices are left empty.
   void evaluate(const double* slave_displacement, const double* master_displacement, bool tangent = true);
+  /// The same piece by piece: move() once, then evaluate_part() for 0 … parts() − 1, in any order and side by side,
+  /// then gather(). The result is the same, bit by bit.
+  void move(const double* slave_displacement, const double* master_displacement);
+  int parts() const { return static_cast<int>(parts_.size()); }
+  void evaluate_part(int part, bool tangent);
+  void gather();
   const std::vector<Group>& groups() const { return groups_; }
 
   /// Takes the state of the last evaluation as accepted: slip points advance; points that touch later slip from where
@@ -67,6 +74,10 @@ public:
   void accept();
   /// Forgets what happened since the last accept().
   void rollback();
+  /// The accepted state, to return to later.
+  struct History;
+  History history() const;
+  void restore(const History& history);
 
   const Surface<D>& slave() const { return slave_; }
   const Master<D>& master() const { return master_; }
@@ -100,13 +111,21 @@ private:
     double limit = 0; ///< μ t_N times the area in the accepted state
   };
 
+  /// A piece of the slave face: whole elements, with what its evaluation makes and uses.
+  struct Part {
+    std::size_t first, last; ///< points
+    std::vector<Group> groups = {}, spare = {};
+    std::vector<double> rows = {};       ///< working space of add(): ∂force and ∂ξ̄ by column
+    std::vector<Products> products = {}; ///< of the last groups, those of the present slave element
+  };
+
   bool friction() const { return penalty_ && penalty_->friction > 0; }
-  void move(const double* slave_displacement, const double* master_displacement);
+  void evaluate_point(std::size_t i, bool tangent, Part& part);
   void add(const Point& point, const FacePoint<D>& master, const FacePoint<D>* slip_point, const LocalForce<D>& force,
-           bool tangent);
+           bool tangent, Part& part);
   void advance(std::size_t i);
   void remember_touch(std::size_t i);
-  Group& group(int slave_element, int master_element, int slip_element, bool tangent);
+  std::size_t group(int slave_element, int master_element, int slip_element, bool tangent, Part& part);
 
   Surface<D> slave_;
   Master<D> master_, accepted_master_;
@@ -118,12 +137,20 @@ private:
   std::vector<Memory> accepted_, memory_;
   std::vector<PointResult<D>> results_;
   std::vector<Vec<D>> reference_positions_, accepted_positions_; ///< of the slave points
-  std::vector<Group> groups_, spare_;
+  std::vector<Part> parts_;
+  std::vector<Group> groups_;
+  std::vector<std::size_t> shares_; ///< how many of them came from each part
   /// Bound on how far slave and master points have moved towards each other, summed over all evaluations.
   double travel_ = 0;
   double dissipated_ = 0;
   Eigen::Matrix<double, D, Eigen::Dynamic> previous_slave_;
-  std::vector<double> rows_; ///< working space of add(): ∂force and ∂ξ̄ by column
+};
+
+template <int D> struct Pair<D>::History {
+  std::vector<Memory> memory;
+  Master<D> master;
+  std::vector<Vec<D>> positions;
+  double dissipated;
 };
 
 } // namespace signorini::contact

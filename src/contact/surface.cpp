@@ -47,6 +47,12 @@ Surface<D>::Surface(const nurbs::Patch& patch, std::vector<int> functions, doubl
   const nurbs::KnotVector &u = directions_.front(), &v = directions_.back();
   const int n = per_element_, nu = u.degree() + 1;
   rows_ = polynomial_ ? D : D + 1;
+  if constexpr (D == 3)
+    for (std::size_t d = 0; d < 2; ++d)
+      for (int e = 0; e < directions_[d].elements(); ++e) {
+        const MatrixX c = nurbs::bezier_extraction(directions_[d], e);
+        for (int a = 0; a < c.rows(); ++a) spans_[d].insert(spans_[d].end(), c.row(a).begin(), c.row(a).end());
+      }
   bezier_.resize(at(elements * n * rows_));
   extraction_.resize(at(elements * n * n));
   for (int e = 0; e < elements; ++e) {
@@ -68,25 +74,22 @@ Surface<D>::Surface(const nurbs::Patch& patch, std::vector<int> functions, doubl
   move(std::vector<double>(at(D * (last + 1)), 0.0).data());
 }
 
-/// Products of the directions' Bernstein polynomials: value; ,1 (,2); ,11 (,12 ,22), per_element_ values each (N where
-/// the compiler knows).
+/// Bernstein polynomials of a curve's element: value, ,1, ,11 with per_element_ values each (N where the compiler
+/// knows).
 template <int D>
 template <int N>
 void Surface<D>::bernstein(int element, const FaceCoordinates<D>& xi, int order, double* out) const {
   const auto [a, b] = interval(element, 0);
-  if constexpr (D == 2) {
-    nurbs::bernstein<(N > 0 ? N - 1 : 0)>(degree(0), (xi(0) - a) / (b - a), b - a, order, out);
-  } else {
-    double u[3 * row], v[3 * row];
-    const auto [c, d] = interval(element, 1);
-    nurbs::bernstein(degree(0), (xi(0) - a) / (b - a), b - a, order, u);
-    nurbs::bernstein(degree(1), (xi(1) - c) / (d - c), d - c, order, v);
-    const int nu = degree(0) + 1, nv = degree(1) + 1;
-    constexpr int orders[6][2] = {{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}};
-    for (int k = 0, count = (order + 1) * (order + 2) / 2; k < count; ++k)
-      for (int j = 0; j < nv; ++j)
-        for (int i = 0; i < nu; ++i) *out++ = u[orders[k][0] * nu + i] * v[orders[k][1] * nv + j];
-  }
+  nurbs::bernstein<(N > 0 ? N - 1 : 0)>(degree(0), (xi(0) - a) / (b - a), b - a, order, out);
+}
+
+/// Bernstein polynomials of both directions of a surface: value, first, second derivative, `degree`+1 values each.
+template <int D>
+void Surface<D>::bernstein_pair(int element, const FaceCoordinates<D>& xi, int order, double* u, double* v) const {
+  const auto [a, b] = interval(element, 0);
+  const auto [c, d] = interval(element, 1);
+  nurbs::bernstein(degree(0), (xi(0) - a) / (b - a), b - a, order, u);
+  nurbs::bernstein(degree(1), (xi(1) - c) / (d - c), d - c, order, v);
 }
 
 template <int D> std::array<double, 2> Surface<D>::interval(int element, int alpha) const {
@@ -141,23 +144,51 @@ template <int D> void Surface<D>::bounds(int element, Vec<D>& lower, Vec<D>& upp
   }
 }
 
+/// Derivatives of W x and of W at a point of a surface, in the order value; ,1 ,2; ,11 ,12 ,22: first along ξ¹ for
+/// every row of Bézier points, then across.
+template <int D> void Surface<D>::sum_tensor(int element, const FaceCoordinates<D>& xi, int order, double* sums) const {
+  double u[3 * row], v[3 * row];
+  bernstein_pair(element, xi, order, u, v);
+  const int nu = degree(0) + 1, nv = degree(1) + 1;
+  const double* q = bezier_.data() + element * per_element_ * rows_;
+  double along[3 * row]; // ∂^k/∂ξ¹^k of every row
+  for (int i = 0; i < rows_; ++i, q += per_element_) {
+    for (int k = 0; k <= order; ++k)
+      for (int j = 0; j < nv; ++j) {
+        double sum = 0;
+        for (int a = 0; a < nu; ++a) sum += q[j * nu + a] * u[k * nu + a];
+        along[k * nv + j] = sum;
+      }
+    constexpr int orders[6][2] = {{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}};
+    for (int d = 0, count = (order + 1) * (order + 2) / 2; d < count; ++d) {
+      double sum = 0;
+      for (int j = 0; j < nv; ++j) sum += along[orders[d][0] * nv + j] * v[orders[d][1] * nv + j];
+      sums[d * (D + 1) + i] = sum;
+    }
+  }
+}
+
 template <int D>
 template <int N>
 void Surface<D>::locate_with(int element, const FaceCoordinates<D>& xi, int order, FacePoint<D>& point) const {
   point.element = element;
   point.xi = xi;
-  double b[derivatives<D> * most_face_functions<D>];
-  bernstein<N>(element, xi, order, b);
-  const int n = N > 0 ? N : per_element_, count = D == 2 ? order + 1 : (order + 1) * (order + 2) / 2;
-  const double* q = bezier_.data() + element * n * rows_;
   // Derivatives of W x and of W, in the order value; ,1 (,2); ,11 (,12 ,22)
   double sums[(D + 1) * derivatives<D>] = {};
-  for (int d = 0; d < count; ++d)
-    for (int i = 0; i < rows_; ++i) {
-      double sum = 0;
-      for (int k = 0; k < n; ++k) sum += q[i * n + k] * b[d * n + k];
-      sums[d * (D + 1) + i] = sum;
-    }
+  if constexpr (D == 3) {
+    sum_tensor(element, xi, order, sums);
+  } else {
+    double b[derivatives<D> * most_face_functions<D>];
+    bernstein<N>(element, xi, order, b);
+    const int n = N > 0 ? N : per_element_;
+    const double* q = bezier_.data() + element * n * rows_;
+    for (int d = 0; d <= order; ++d)
+      for (int i = 0; i < rows_; ++i) {
+        double sum = 0;
+        for (int k = 0; k < n; ++k) sum += q[i * n + k] * b[d * n + k];
+        sums[d * (D + 1) + i] = sum;
+      }
+  }
   const auto sum = [&](int d) { return Eigen::Map<const Vec<D>>(sums + d * (D + 1)); };
   if (polynomial_) {
     point.position = sum(0);
@@ -197,32 +228,63 @@ void Surface<D>::locate(int element, const FaceCoordinates<D>& xi, int order, Fa
   locate_with<0>(element, xi, order, point);
 }
 
-template <int D> void Surface<D>::functions(FacePoint<D>& point, int order) const {
-  double b[derivatives<D> * most_face_functions<D>];
-  bernstein<0>(point.element, point.xi, order, b);
-  const int n = per_element_;
+/// w N_a and its first derivatives: value, then one direction after the other.
+template <int D> void Surface<D>::weighted_functions(FacePoint<D>& point, int order) const {
   const int* local = nodes(point.element);
-  const double* c = extraction_.data() + point.element * n * n;
-  // N_a = Σ_k C(a, k) B_k;  R = wN/W,  R_,α = (w N_,α − R W_,α)/W
-  double total = 0;
-  for (int a = 0; a < n; ++a) {
-    double sum = 0;
-    for (int k = 0; k < n; ++k) sum += c[a * n + k] * b[k];
-    point.value[at(a)] = sum * (polynomial_ ? 1 : weights_(local[a]));
-    total += point.value[at(a)];
+  const auto weight = [&](int a) { return polynomial_ ? 1 : weights_(local[a]); };
+  if constexpr (D == 2) {
+    double b[2 * row];
+    bernstein<0>(point.element, point.xi, order, b);
+    const int n = per_element_;
+    const double* c = extraction_.data() + point.element * n * n;
+    for (int d = 0; d <= order; ++d)
+      for (int a = 0; a < n; ++a) {
+        // N_a = Σ_k C(a, k) B_k
+        double sum = 0;
+        for (int k = 0; k < n; ++k) sum += c[a * n + k] * b[d * n + k];
+        (d == 0 ? point.value : point.derivative[0])[at(a)] = sum * weight(a);
+      }
+  } else {
+    double bernsteins[2][3 * row], along[2][2 * row]; // N_a of one direction and their derivatives
+    bernstein_pair(point.element, point.xi, order, bernsteins[0], bernsteins[1]);
+    const int count = directions_.front().elements();
+    const int index[2] = {point.element % count, point.element / count};
+    for (int d = 0; d < 2; ++d) {
+      const int n = degree(d) + 1;
+      const double* c = spans_[at(d)].data() + index[d] * n * n;
+      for (int k = 0; k <= order; ++k)
+        for (int a = 0; a < n; ++a) {
+          double sum = 0;
+          for (int l = 0; l < n; ++l) sum += c[a * n + l] * bernsteins[d][k * n + l];
+          along[d][k * n + a] = sum;
+        }
+    }
+    const int nu = degree(0) + 1, nv = degree(1) + 1;
+    const double *u = along[0], *v = along[1];
+    for (int j = 0, a = 0; j < nv; ++j)
+      for (int i = 0; i < nu; ++i, ++a) {
+        const double w = weight(a);
+        point.value[at(a)] = w * u[i] * v[j];
+        if (order == 0) continue;
+        point.derivative[0][at(a)] = w * u[nu + i] * v[j];
+        point.derivative[1][at(a)] = w * u[i] * v[nv + j];
+      }
   }
-  const double scale = polynomial_ ? 1 : 1 / total;
+}
+
+template <int D> void Surface<D>::functions(FacePoint<D>& point, int order) const {
+  weighted_functions(point, order);
+  if (polynomial_) return;
+  // R = wN/W,  R_,α = (w N_,α − R W_,α)/W
+  const int n = per_element_;
+  double total = 0;
+  for (int a = 0; a < n; ++a) total += point.value[at(a)];
+  const double scale = 1 / total;
   for (int a = 0; a < n; ++a) point.value[at(a)] *= scale;
   for (int d = 0; d < D - 1 && order > 0; ++d) {
     auto& derivative = point.derivative[at(d)];
     double rate = 0;
-    for (int a = 0; a < n; ++a) {
-      double sum = 0;
-      for (int k = 0; k < n; ++k) sum += c[a * n + k] * b[(d + 1) * n + k];
-      derivative[at(a)] = sum * (polynomial_ ? 1 : weights_(local[a]));
-      rate += derivative[at(a)];
-    }
-    if (polynomial_) continue;
+    for (int a = 0; a < n; ++a) rate += derivative[at(a)];
     for (int a = 0; a < n; ++a) derivative[at(a)] = (derivative[at(a)] - point.value[at(a)] * rate) * scale;
   }
 }

@@ -79,6 +79,9 @@ private:
   Surface(const nurbs::Patch& patch, std::vector<int> functions, double orientation);
   template <int N> void locate_with(int element, const FaceCoordinates<D>& xi, int order, FacePoint<D>& point) const;
   template <int N> void bernstein(int element, const FaceCoordinates<D>& xi, int order, double* out) const;
+  void bernstein_pair(int element, const FaceCoordinates<D>& xi, int order, double* u, double* v) const;
+  void sum_tensor(int element, const FaceCoordinates<D>& xi, int order, double* sums) const;
+  void weighted_functions(FacePoint<D>& point, int order) const;
 
   std::vector<nurbs::KnotVector> directions_;
   std::vector<int> functions_, nodes_;
@@ -89,6 +92,8 @@ private:
   Eigen::Matrix<double, D, Eigen::Dynamic> reference_, points_;
   /// Bézier extraction of every element, per_element_² values C(a, k) with a slowest (nurbs/bezier.hpp).
   std::vector<double> extraction_;
+  /// Those of a surface's directions, span after span, (p_α+1)² values each.
+  std::array<std::vector<double>, 2> spans_;
   /// Bézier points of every element: D rows of w x and, unless polynomial_, one row of w, per_element_ values each.
   std::vector<double> bezier_;
   int rows_; ///< D or D+1

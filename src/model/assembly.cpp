@@ -246,23 +246,33 @@ std::optional<BodyInversion> Assembly<D>::add_bulk(std::vector<contact::Pair<D>>
   for (std::size_t b = 0; b < partitions_.size(); ++b)
     for (std::size_t share = 0; share < partitions_[b].heads.size(); ++share)
       tasks.push_back({b, share, &arrays_[tasks.size()]});
-  std::vector<double> contact_seconds(pairs.size(), 0.0);
-  const auto evaluate = [&](std::size_t k) {
-    ScopedTimer timer(contact_seconds[k]);
-    pairs[k].evaluate(request.displacement.data() + unknowns_.offset(scene_.contacts[k].slave.body),
-                      request.displacement.data() + master_offset(scene_.contacts[k]), request.tangent);
+  struct ContactTask {
+    contact::Pair<D>* pair;
+    int part;
+    double seconds = 0;
   };
+  std::vector<ContactTask> contact_tasks;
+  for (contact::Pair<D>& pair : pairs)
+    for (int part = 0; part < pair.parts(); ++part) contact_tasks.push_back({&pair, part});
   const auto add_heads = [&](std::size_t contacts) {
     clear(request);
     parallel(static_cast<int>(contacts + tasks.size()), [&](int i) {
-      if (at(i) < contacts) return evaluate(at(i));
+      if (at(i) < contacts) {
+        ContactTask& task = contact_tasks[at(i)];
+        ScopedTimer timer(task.seconds);
+        return task.pair->evaluate_part(task.part, request.tangent);
+      }
       Task& task = tasks[at(i) - contacts];
       add_elements(partitions_[task.body].heads[task.share], request, task);
     });
   };
 
   const Stopwatch watch;
-  add_heads(pairs.size());
+  for (std::size_t k = 0; k < pairs.size(); ++k)
+    pairs[k].move(request.displacement.data() + unknowns_.offset(scene_.contacts[k].slave.body),
+                  request.displacement.data() + master_offset(scene_.contacts[k]));
+  add_heads(contact_tasks.size());
+  for (contact::Pair<D>& pair : pairs) pair.gather();
   if (!locate(pairs)) {
     cover(pairs);
     locate(pairs);
@@ -278,7 +288,7 @@ std::optional<BodyInversion> Assembly<D>::add_bulk(std::vector<contact::Pair<D>>
   // What passed on the clock is shared out by what the tasks took.
   double bulk = 0, contact = 0;
   for (const Task& task : tasks) bulk += task.seconds;
-  for (double seconds : contact_seconds) contact += seconds;
+  for (const ContactTask& task : contact_tasks) contact += task.seconds;
   const double scale = watch.seconds() / (bulk + contact);
   timings.bulk += scale * bulk;
   timings.contact += scale * contact;

@@ -240,14 +240,16 @@ template <int D> void Model<D>::rollback() {
 }
 
 template <int D> Snapshot<D> Model<D>::snapshot() const {
-  return {accepted_, last_increment_, accepted_targets_, pairs_, force_scale_, work_, accepted_force_};
+  Snapshot<D> kept{accepted_, last_increment_, accepted_targets_, {}, force_scale_, work_, accepted_force_};
+  for (const auto& pair : pairs_) kept.contacts.push_back(pair.history());
+  return kept;
 }
 
 template <int D> void Model<D>::restore(const Snapshot<D>& snapshot) {
   accepted_ = snapshot.displacement;
   last_increment_ = snapshot.last_increment;
   accepted_targets_ = snapshot.targets;
-  pairs_ = snapshot.pairs;
+  for (std::size_t k = 0; k < pairs_.size(); ++k) pairs_[k].restore(snapshot.contacts[k]);
   force_scale_ = snapshot.force_scale;
   work_ = snapshot.work;
   accepted_force_ = snapshot.force;

@@ -27,7 +27,7 @@ struct Energies {
 /// The accepted state of a model, with all that its next step depends on.
 template <int D> struct Snapshot {
   VectorX displacement, last_increment, targets;
-  std::vector<contact::Pair<D>> pairs;
+  std::vector<typename contact::Pair<D>::History> contacts;
   double force_scale, work;
   VectorX force; ///< see Model::accepted_force_
 };

@@ -1,0 +1,30 @@
+#pragma once
+// The tangent of many contact points of one group as products of tall matrices.
+
+#include <vector>
+
+namespace signorini::contact {
+
+/// Sums rank-one terms of contact points into a dense block,
+///   K_(a,i),c += left_a ∂T_i,c            for all row nodes a (−R_A of the slave, R̄_A of the master),
+///   K_(m,i),c += rates_mα (T_i ∂ξ̄^α_c)    for the master's nodes m (R̄_m,α),
+/// as matrix products over all points: most of the work of a contact in space.
+class Products {
+public:
+  /// Row nodes (the master's are the last ones) and columns of the block to come; forgets all points.
+  void start(int nodes, int master_nodes, int columns);
+  /// Room for another point's factors, in this order: `nodes` values left; 2 × `master_nodes` rates; 3 × `columns`
+  /// values ∂T_i; 2 × 3 × `columns` values T_i ∂ξ̄^α, α slowest.
+  struct Room {
+    double *left, *rates, *traction, *turn;
+  };
+  Room add();
+  /// Adds the products to the block, 3 rows per row node, `columns` values each.
+  void add_to(double* block) const;
+
+private:
+  int nodes_ = 0, master_nodes_ = 0, columns_ = 0, points_ = 0;
+  std::vector<double> left_, rates_, traction_, turn_;
+};
+
+} // namespace signorini::contact
