@@ -223,7 +223,7 @@ std::optional<BodyInversion> Assembly<D>::assemble(std::vector<contact::Pair<D>>
   const std::optional<BodyInversion> inverted = add_bulk(pairs, {displacement, direction, tangent}, timings);
   if (inverted) return inverted;
   ScopedTimer timer(timings.contact);
-  if (linear_) watch_contacts(pairs);
+  if (linear_ || D == 3) watch_contacts(pairs);
   add_contacts(pairs, direction, tangent);
   if (tangent) find_largest_diagonal();
   return std::nullopt;
@@ -380,6 +380,16 @@ void Assembly<D>::add_contacts(const std::vector<contact::Pair<D>>& pairs, const
 template <int D> void Assembly<D>::find_largest_diagonal() {
   largest_diagonal_ = 0;
   for (int position : diagonal_) largest_diagonal_ = std::max(largest_diagonal_, values_[at(position)]);
+}
+
+template <int D> double Assembly<D>::memory() const {
+  const auto bytes = [](const auto& list) { return static_cast<double>(list.capacity() * sizeof(list[0])); };
+  double sum = bytes(values_) + bytes(constant_) + bytes(positions_) + bytes(bulk_positions_);
+  for (const solve::Pattern* pattern : {&bulk_pattern_, &pattern_})
+    sum += bytes(pattern->starts) + bytes(pattern->rows);
+  for (const auto& placements : placements_)
+    for (const auto& [groups, placement] : placements) sum += bytes(placement.positions);
+  return sum;
 }
 
 template class Assembly<2>;

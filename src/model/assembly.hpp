@@ -45,11 +45,14 @@ public:
   /// Whether all bodies are linear elastic: the tangent is constant_values() plus what contacts add.
   bool linear() const { return linear_; }
   const std::vector<double>& constant_values() const { return constant_; }
-  /// The unknowns that contacts have added to or may soon, sorted; they grow in leaps, each with a new version.
+  /// The unknowns that contacts have added to or may soon, sorted; they grow in leaps, each with a new version. Kept
+  /// where bodies are linear, and in space.
   const std::vector<int>& contact_unknowns() const { return contact_unknowns_; }
   int contact_version() const { return contact_version_; }
   /// Largest diagonal entry of the last tangent; 0 before the first.
   double largest_diagonal() const { return largest_diagonal_; }
+  /// Bytes of the tangent, its patterns and the places of the elements' entries in it.
+  double memory() const;
 
 private:
   using Nodes = std::vector<int>;

@@ -82,6 +82,15 @@ template <int D> bool has_potential(const Scene<D>& scene) {
                      [](const Contact<D>& contact) { return std::holds_alternative<contact::Adhesion>(contact.law); });
 }
 
+/// What two solvers have done in turn; size and cost are those of the later one.
+solve::SolverStatistics sum(const solve::SolverStatistics& before, const solve::SolverStatistics& now) {
+  solve::SolverStatistics result = now;
+  result.factorisations += before.factorisations;
+  result.solutions += before.solutions;
+  result.iterations += before.iterations;
+  return result;
+}
+
 /// The linear solver for the present pattern. Where all bodies are linear elastic only the contacts' part of the
 /// tangent changes: unless told otherwise, the rest is factored once.
 template <int D> solve::LinearSolver& Model<D>::solver(const StepOptions& options) {
@@ -90,8 +99,13 @@ template <int D> solve::LinearSolver& Model<D>::solver(const StepOptions& option
           "linear = \"condensed\" needs bodies that are all linear elastic, and a contact: use \"auto\"");
   const bool condense = options.linear == solve::LinearKind::condensed ||
                         (options.linear == solve::LinearKind::automatic && can_condense);
-  if (!solver_ || solver_version_ != assembly_.pattern_version() || solver_asked_ != options.linear ||
-      (condense && solver_contacts_ != assembly_.contact_version())) {
+  const bool same = solver_ && solver_asked_ == options.linear;
+  const bool same_contacts = solver_contacts_ == assembly_.contact_version();
+  // A growing pattern need not make an end of what a solver has.
+  const bool fits =
+      same && (solver_version_ == assembly_.pattern_version() || (!condense && solver_->adopt(assembly_.pattern())));
+  if (!fits || (condense && !same_contacts)) {
+    if (solver_) past_solvers_ = sum(past_solvers_, solver_->statistics());
     if (condense) {
       const auto& values = assembly_.constant_values();
       const solve::Condensation condensation{{values.begin(), values.begin() + assembly_.pattern().entries()},
@@ -102,10 +116,13 @@ template <int D> solve::LinearSolver& Model<D>::solver(const StepOptions& option
       solver_ = solve::make_solver(symmetric ? solve::symmetric_choice(assembly_.pattern()) : options.linear,
                                    assembly_.pattern());
     }
-    solver_version_ = assembly_.pattern_version();
-    solver_contacts_ = assembly_.contact_version();
-    solver_asked_ = options.linear;
+    solver_->watch(assembly_.contact_unknowns());
+  } else if (!same_contacts) {
+    solver_->watch(assembly_.contact_unknowns());
   }
+  solver_version_ = assembly_.pattern_version();
+  solver_contacts_ = assembly_.contact_version();
+  solver_asked_ = options.linear;
   return *solver_;
 }
 
@@ -289,6 +306,16 @@ template <int D> Energies Model<D>::energies() const {
 
 template <int D> solve::LinearKind Model<D>::linear_kind() const {
   return solver_ ? solver_->kind() : solve::LinearKind::automatic;
+}
+
+template <int D> solve::SolverStatistics Model<D>::solver_statistics() const {
+  return solver_ ? sum(past_solvers_, solver_->statistics()) : past_solvers_;
+}
+
+template <int D> double Model<D>::memory() const {
+  double bytes = assembly_.memory();
+  for (const auto& named : scene_.bodies) bytes += static_cast<double>(named.body->memory());
+  return bytes;
 }
 
 template class Model<2>;

@@ -93,6 +93,10 @@ public:
   /// Patterns analysed, full assemblies.
   int patterns() const { return assembly_.pattern_version(); }
   solve::LinearKind linear_kind() const;
+  /// Of all linear solvers so far; memory and costs are those of the present one.
+  solve::SolverStatistics solver_statistics() const;
+  /// Bytes of the bodies' tables and of the tangent with its patterns; the factors are in solver_statistics().
+  double memory() const;
 
 private:
   solve::Outcome assemble(const VectorX* direction, bool tangent, std::string& why);
@@ -122,6 +126,7 @@ private:
   double work_ = 0;                    ///< of supports and loads up to the accepted state
   double arc_fraction_ = 0;
   std::unique_ptr<solve::LinearSolver> solver_;
+  solve::SolverStatistics past_solvers_; ///< what those before solver_ did
   solve::LinearKind solver_asked_ = solve::LinearKind::automatic;
   int solver_version_ = 0, solver_contacts_ = 0;
   double force_scale_ = 0; ///< largest force norm of the accepted states
