@@ -1,8 +1,8 @@
 -- 3D ironing with a spherical indenter: what varying-order layers do to the oscillation of the contact forces, how deep
 -- the indenter can go, what friction adds, what an iteration costs.
 --
--- Problem: a block whose bottom is a spherical cap (the indenter) is pressed into a slab and dragged along it. The coarser
---          and the less smooth the two faces, the more its forces oscillate with the slab's element pitch.
+-- Problem: a block whose bottom is a spherical cap (the indenter) is pressed into a slab and dragged along it. The
+--          coarser and the less smooth the two faces, the more its forces oscillate with the slab's element pitch.
 --
 --                  ______
 --                 |      |  indenter: 10 × 10 × 11 with a cap of radius R below, its top driven:
@@ -11,25 +11,25 @@
 --       |  slab: 100 × 30 × 22, bottom clamped        |
 --       |_____________________________________________|
 --
---          Neo-Hooke, E = 1, nu = 0.3 both; penalty 100; slave: indenter; 3(p + 1) contact points per direction. Meshes:
---          5 × 5 × 3 and 18 × 6 × 4 elements (coarse), doubled (fine). The thesis prints neither R nor the gap before
---          touching: R = 25.5 and gap = 5 (depth 5.4) are our choice. Without friction a state does not depend on the
---          way to it, so slide=window presses where the amplitudes' window begins and slides through that only.
+--          Neo-Hooke, E = 1, nu = 0.3 both; penalty 100; slave: indenter; 3(p + 1) contact points per direction.
+--          Meshes: 5 × 5 × 3 and 18 × 6 × 4 elements (coarse), doubled (fine). The thesis prints neither R nor the gap
+--          before touching: R = 25.5 and gap = 5 (depth 5.4) are our choice. Without friction a state does not depend
+--          on the way to it, so slide=window presses where the amplitudes' window begins and slides through it only.
 --          variant=friction: mu = 0.3, tangential penalty 100: the drag over the pressing force, the energy balance.
 --          variant=depth: how deep the indenter goes before the path turns back, by R and label.
 --          variant=cost: time of a Newton iteration on four meshes and of N2-N2.2.
 -- Source: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of
---         Contact Problems, PhD thesis, IIT Guwahati, 2020, section 7.5, Tables 7.10 and 7.11, Figures 7.28 to 7.32; the
---         geometry after I. Temizer, P. Wriggers, T. J. R. Hughes, CMAME 200 (2011) 1100-1112.
+--         Contact Problems, PhD thesis, IIT Guwahati, 2020, section 7.5, Tables 7.10 and 7.11, Figures 7.28 to 7.32;
+--         the geometry after I. Temizer, P. Wriggers, T. J. R. Hughes, CMAME 200 (2011) 1100-1112.
 -- Units: any consistent ones; the thesis names none.
 -- Expected: the degrees of freedom of Table 7.11 exactly; Table 7.10 is not reproduced (see
 --           share/doc/problems/ironing3d.md).
 -- Run: signorini scripts/ironing3d.lua [labels=N2,N3,N4,N2-N3,N2-N4,N2-N2.1,N2-N2.2] [fine=N2] [radius=25.5] [gap=5]
---      [slide=window] [down=0.2] [cap=1] [linear=auto] [out=out/ironing3d]; radius and gap may be lists; fine: labels at
---      the doubled mesh, or none; slide=full takes the whole path; down: length of the steps while it is pressed;
+--      [slide=window] [down=0.2] [cap=1] [linear=auto] [out=out/ironing3d]; radius and gap may be lists; fine: labels
+--      at the doubled mesh, or none; slide=full takes the whole path; down: length of the steps while it is pressed;
 --      cap: biquadratic spans per direction that the sphere is drawn with.
---      signorini scripts/ironing3d.lua variant=friction [labels=N2] [radius=25.5] [gap=5] [mu=0.3] [way=15] [finer=1]
---      [penalty=100]; way: dragged through the slab's middle; finer divides the steps, penalty is both penalties.
+--      signorini scripts/ironing3d.lua variant=friction [labels=N2] [radius=7.5] [gap=5] [mu=0,0.3] [way=15]
+--      [finer=1] [penalty=100]; way: dragged through the slab's middle; finer divides the steps; penalty: both of them.
 --      signorini scripts/ironing3d.lua variant=depth [labels=N2] [radius=7.5,12,25.5] [from=50,47.3]; from: x of the
 --      indenter's centre.
 --      signorini scripts/ironing3d.lua variant=cost [labels=N2] [mesh=sparse,coarse,middle,fine] [layered=N2-N2.2]
@@ -48,8 +48,8 @@ local variants = {
 local defaults = {
   standard = { labels = "N2,N3,N4,N2-N3,N2-N4,N2-N2.1,N2-N2.2", fine = "N2", radius = "25.5", gap = "5",
                cap = "1", slide = "window", down = "0.2", linear = "auto", out = "out/ironing3d" },
-  friction = { labels = "N2", radius = "25.5", gap = "5", mu = "0.3", way = "15", finer = "1", penalty = "100", cap = "1",
-               linear = "auto", out = "out/ironing3d_friction" },
+  friction = { labels = "N2", radius = "7.5", gap = "5", mu = "0,0.3", way = "15", finer = "1", penalty = "100",
+               cap = "1", linear = "auto", out = "out/ironing3d_friction" },
   depth = { labels = "N2", radius = "7.5,12,25.5", from = "50,47.3", cap = "1", down = "0.2",
             linear = "auto", out = "out/ironing3d_depth" },
   cost = { labels = "N2", mesh = "sparse,coarse,middle,fine", layered = "N2-N2.2", linear = "auto",
@@ -114,9 +114,9 @@ local function read_arguments(words)
   return {
     variant = variant, labels = split(o.labels), fine = split(o.fine or ""), layered = split(o.layered or ""),
     meshes = meshes, slide = o.slide, linear = o.linear, out = o.out,
-    radii = numbers("radius", o.radius or "25.5", 7.5), gaps = numbers("gap", o.gap or "5", 0, problem.published_depth),
+    radii = numbers("radius", o.radius or "25.5", 7.1), gaps = numbers("gap", o.gap or "5", 0, problem.published_depth),
     from = numbers("from", o.from or "50", 5, 95), cap = whole("cap", o.cap or "1"),
-    down = numbers("down", o.down or "0.2", 0.01)[1], mu = numbers("mu", o.mu or "0", 0)[1],
+    down = numbers("down", o.down or "0.2", 0.01)[1], mu = numbers("mu", o.mu or "0", 0),
     way = numbers("way", o.way or "15", 0.3, 76)[1], finer = numbers("finer", o.finer or "1", 0.25)[1],
     penalty = numbers("penalty", o.penalty or "100", 1e-6)[1],
   }

@@ -32,8 +32,8 @@ local function result_table(cases)
   local rows = {}
   for i, case in ipairs(cases) do
     rows[i] = { case.label, case.mesh, case.dofs, case.solver.unknowns, case.solver.linear, case.run.iterations,
-                1e3 * case.bulk, 1e3 * case.contact, 1e3 * case.linear, 1e3 * case.iteration, case.assembly / case.linear,
-                case.memory }
+                1e3 * case.bulk, 1e3 * case.contact, 1e3 * case.linear, 1e3 * case.iteration,
+                case.assembly / case.linear, case.memory }
   end
   return sg.table{
     columns = { "label", "mesh", "DOFs", "unknowns", "solver", "iterations", "bulk", "contact", "linear", "all",

@@ -1,7 +1,8 @@
--- How deep the indenter goes: pressed down by the published 10.4, in the slab's middle, where two planes of symmetry hold it
--- upright, and off it. Steps that fail are cut in half; then arcs tell a turning point of the path from a mere failure.
+-- How deep the indenter goes: pressed down by the published 10.4, in the slab's middle, where two planes of symmetry
+-- hold it upright, and off it. Steps that fail are cut in half; then arcs tell a turning point from a mere failure.
 
 local sg = require "signorini"
+local output = require "ironing3d.output"
 local problem = require "ironing3d.problem"
 
 local depth = {}
@@ -28,7 +29,8 @@ local function result_table(cases)
     local last, largest = case.states[#case.states] or {}, 0
     for _, state in ipairs(case.states) do largest = math.max(largest, state.area) end
     rows[i] = { case.label, case.radius, case.from, last.depth, case.run.reason, case.turn and -case.turn,
-                case.run.iterations, case.run.cutbacks, last.Pz, largest, last.area, last.max_pressure, last.max_penetration }
+                case.run.iterations, case.run.cutbacks, last.Pz, largest, last.area, last.max_pressure,
+                last.max_penetration }
   end
   return sg.table{
     columns = { "label", "R", "x", "depth", "end", "turns at", "iterations", "cut-backs", "Pz", "largest area", "area",
@@ -51,14 +53,18 @@ end
 
 --- The study. Returns { cases }.
 function depth.run(options, files)
-  local cases = {}
+  local cases, frames = {}, {}
   for _, radius in ipairs(options.radii) do
     for _, label in ipairs(options.labels) do
       for _, from in ipairs(options.from) do
         local case = depth.solve{ label = label, radius = radius, from = from, cap = options.cap, down = options.down,
                                   linear = options.linear }
+        local name = ("%s, R = %g, x = %g"):format(label, radius, from)
+        if #case.states > 0 then
+          frames[#frames + 1] = output.frame(case.model, ("%s, depth %.2f"):format(name, case.states[#case.states].depth))
+        end
         case.model = nil
-        print(("%s, R = %g, at x = %g"):format(label, radius, from))
+        print(name)
         print(case.run)
         case.run:csv(files.path(("%s_R%g_x%g.csv"):format(label, radius, from)))
         case.turn = turning_point(case.run)
@@ -68,6 +74,10 @@ function depth.run(options, files)
   end
   print(("\nPressed to 10.4 in steps of %g, cut in half where they fail"):format(options.down))
   print(result_table(cases))
+  files.draw("states.png", "an accepted step", function(file)
+    if #frames > 0 then output.draw_sheet(file, frames, "3D ironing: the deepest states") end
+    return #frames > 0
+  end)
   files.draw("pressing.png", "an accepted step", function(file) return draw(file, cases, "Pz", "pressing force Pz") end)
   files.draw("area.png", "an accepted step", function(file) return draw(file, cases, "area", "area in contact") end)
   return { cases = cases }

@@ -1,5 +1,5 @@
--- The variant with friction: what the drag is made of, and where the work goes. In the plane sliding of bodies that are
--- alike at both ends a frictionless drag is zero on average over a pitch: all of it is ripple.
+-- The variant with friction: what the drag is made of, and where the work goes. Without friction the drag is zero on
+-- average over a pitch in the slab's middle: all of it is ripple.
 
 local sg = require "signorini"
 local output = require "ironing3d.output"
@@ -16,14 +16,14 @@ local function balance(model)
 end
 
 --- Runs a case along the middle of the slab; adds `energies`, one balance per step of the run, and ratio, the mean of
---- Px over that of Pz in the last pitch of the slab.
+--- Px over that of Pz in the last pitch of the slab's elements.
 function friction.solve(case)
   case.from, case.energies = 50 - case.way / 2, {}
   case.on_step = function(model) table.insert(case.energies, balance(model)) end
   problem.solve(case)
-  local finish, Px, Pz = case.x[#case.x], 0, 0
+  local pitch, finish, Px, Pz = 100 / problem.meshes[case.mesh].slab[1], case.x[#case.x], 0, 0
   for i, x in ipairs(case.x) do
-    if x > finish - 100 / 18 + 1e-9 then Px, Pz = Px + case.Px[i], Pz + case.Pz[i] end
+    if x > finish - pitch + 1e-9 then Px, Pz = Px + case.Px[i], Pz + case.Pz[i] end
   end
   case.ratio = Pz > 0 and Px / Pz or nil
   case.energy = case.energies[#case.energies] or balance(case.model)
@@ -71,29 +71,29 @@ local function draw_ratio(file, cases)
   return #chart > 0
 end
 
---- The study: each label with friction and without. Returns { cases }, frictionless ones first, each list also by label.
+--- The study: each label with each mu. Returns { cases }.
 function friction.run(options, files)
-  local cases = { frictional = {}, frictionless = {} }
+  local cases, radius, depth = {}, options.radii[1], problem.published_depth - options.gaps[1]
   for _, label in ipairs(options.labels) do
-    for _, kind in ipairs { "frictionless", "frictional" } do
+    for _, mu in ipairs(options.mu) do
       local case = friction.solve{
-        label = label, mesh = "coarse", radius = options.radii[1], depth = problem.published_depth - options.gaps[1],
-        mu = kind == "frictional" and options.mu or 0, way = options.way, cap = options.cap,
-        down = problem.down / options.finer, along = problem.along / options.finer, penalty = options.penalty, linear = options.linear,
+        label = label, mesh = "coarse", radius = radius, depth = depth, mu = mu, way = options.way, cap = options.cap,
+        down = problem.down / options.finer, along = problem.along / options.finer, penalty = options.penalty,
+        linear = options.linear,
       }
-      case.model = nil
-      print(("%s, mu = %g"):format(label, case.mu))
+      local name = ("%s_mu%g"):format(label, mu)
+      print(("%s, mu = %g"):format(label, mu))
       print(case.run)
-      case.run:csv(files.path(("%s_mu%g.csv"):format(label, case.mu)))
-      files.draw(("energy_%s_mu%g.png"):format(label, case.mu), "an accepted step", function(file)
+      case.run:csv(files.path(name .. ".csv"))
+      files.draw(("energy_%s.png"):format(name), "an accepted step", function(file)
         return draw_energies(file, case)
       end)
-      table.insert(cases, case)
-      cases[kind][label] = case
+      case.model = nil
+      cases[#cases + 1] = case
     end
   end
   print(("\nR = %g, depth %g, dragged by %g through the middle: forces and energies")
-    :format(options.radii[1], problem.published_depth - options.gaps[1], options.way))
+    :format(radius, depth, options.way))
   print(result_table(cases))
   files.draw("ratio.png", "a state that slides", function(file) return draw_ratio(file, cases) end)
   files.draw("forces.png", "a state that slides", function(file)

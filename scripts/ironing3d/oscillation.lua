@@ -52,10 +52,15 @@ local function solve_set(options, radius, gap, files)
   local depth = problem.published_depth - gap
   local set = { radius = radius, gap = gap, depth = depth, cases = {} }
   local from, way = path_of(options.slide)
+  local press = math.floor(depth / options.down + 0.5)
+  local along = math.floor(way / problem.along + 0.5)
+  local keep, draw_states = output.record_states{
+    [1] = true, [press // 2] = true, [press] = true, [press + along] = true,
+  }
   local function solve(label, mesh)
     local case = amplitude.measure(problem.solve{
       label = label, mesh = mesh, radius = radius, depth = depth, cap = options.cap, from = from, way = way,
-      down = options.down, linear = options.linear,
+      down = options.down, linear = options.linear, on_step = #set.cases == 0 and keep or nil,
     })
     case.model = nil
     print(("%s %s, R = %g, gap %g"):format(label, mesh, radius, gap))
@@ -66,6 +71,9 @@ local function solve_set(options, radius, gap, files)
   end
   for _, label in ipairs(options.labels) do solve(label, "coarse") end
   for _, label in ipairs(options.fine) do solve(label, "fine") end
+  files.draw(("states_R%g_gap%g.png"):format(radius, gap), "an accepted step", function(file)
+    return draw_states(file, ("%s, R = %g, depth %g"):format(set.cases[1].label, radius, depth))
+  end)
   amplitude.compare(set.cases, set.cases["N2 coarse"])
   return set
 end

@@ -36,7 +36,8 @@ function output.work_table(cases)
                 run.wall, spent.bulk, spent.contact, spent.linear, ending(case) }
   end
   return sg.table{
-    columns = { "label", "mesh", "DOFs", "steps", "iterations", "cut-backs", "wall", "bulk", "contact", "linear", "end" },
+    columns = { "label", "mesh", "DOFs", "steps", "iterations", "cut-backs", "wall", "bulk", "contact", "linear",
+                "end" },
     units = { "", "", "", "", "", "", "s", "s", "s", "s", "" }, rows = rows,
     formats = { wall = "%.1f", bulk = "%.1f", contact = "%.1f", linear = "%.1f" },
   }
@@ -73,6 +74,33 @@ function output.amplitude_csv(file, set, published)
     for r, row in ipairs(rows) do data[name][r] = row[c] or "" end
   end
   sg.csv.write(file, data)
+end
+
+--- Half of a state from the front, cut through the middle, with the vertical stress.
+function output.frame(model, title)
+  return sg.frame{ model = model, field = "szz", cut = "-y", title = title }
+end
+
+--- Keeps the states of some steps for a sheet: a function for on_step, and one that draws the sheet and returns whether
+--- there was anything to draw.
+function output.record_states(steps)
+  local frames = {}
+  local function keep(model, info)
+    if steps[info.step] then
+      frames[#frames + 1] = output.frame(model, ("depth %.2f, x + %.2f"):format(-info["grip.uz"], info["grip.ux"]))
+    end
+  end
+  local function draw(file, title)
+    if #frames > 0 then output.draw_sheet(file, frames, title) end
+    return #frames > 0
+  end
+  return keep, draw
+end
+
+--- A sheet of states around the indenter, with a common colour bar.
+function output.draw_sheet(file, frames, title)
+  sg.picture{ file = file, frames = frames, columns = 2, title = title, label = "vertical stress",
+              camera = { from = { 0.5, -2, 0.8 } }, crop = { 30, 70, 0, 30, 0, 33 } }
 end
 
 --- Pressing force and drag over the path of the indenter's centre; returns whether there was anything to draw.

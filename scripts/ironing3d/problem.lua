@@ -18,8 +18,8 @@ problem.meshes = {
 problem.mesh_names = { "sparse", "coarse", "middle", "fine" }
 
 --- Indenter and slab of a case { label, mesh, radius }, the indenter's lowest point touching the slab at x = `centre`,
---- y = 15. `cap` is the number of biquadratic spans per direction that the sphere is drawn with: one, as published, has no
---- knots of its own, so that labels count as on a block; with more, their knots stay C¹ whatever the label.
+--- y = 15. `cap` is the number of biquadratic spans per direction that the sphere is drawn with: one, as published, has
+--- no knots of its own, so that labels count as on a block; with more, their knots stay C¹ whatever the label.
 function problem.bodies(case, centre)
   local elements = problem.meshes[case.mesh]
   local material = sg.neo_hookean{ E = 1, nu = 0.3 }
@@ -63,15 +63,15 @@ function problem.stages(case)
   return stages
 end
 
---- Runs a case { label, mesh, radius, depth, from, way }, also with what problem.scene takes, `down`, `along`,
---- and `step`, `arc_length`, `linear` and `on_step(model, info)` as model:run takes them. `from` is the x of the indenter's centre
---- while it is pressed. Adds to the case: model, run, dofs of indenter and slab, x (the centre's x after every step of
+--- Runs a case { label, mesh, radius, depth, from, way }, also with what problem.scene takes, `down`, `along`, and
+--- `step`, `linear` and `on_step(model, info)` as model:run takes them. `from` is the x of the indenter's centre while
+--- it is pressed. Adds to the case: model, run, dofs of indenter and slab, x (the centre's x after every step of
 --- the sliding), Px and Pz there (forces of the indenter on the slab), pressed (Pz at full depth).
 function problem.solve(case)
   local model, indenter, slab = problem.scene(case, case.from)
   local stages = problem.stages(case)
   local run = model:run(stages, {
-    linear = case.linear, step = case.step or { adaptive = true }, arc_length = case.arc_length,
+    linear = case.linear, step = case.step or { adaptive = true },
     on_step = case.on_step and function(info) return case.on_step(model, info) end,
   })
   case.model, case.run = model, run
