@@ -65,6 +65,18 @@ TEST(Adhesion, StiffnessIsTheTractionsDerivative) {
     }
 }
 
+TEST(Adhesion, TractionIsMinusThePotentialsDerivative) {
+  for (const Adhesion& law : laws) {
+    for (double r : {-0.3, 0.2, 0.6, 0.65, 0.75, 1.0, 2.5, 10.0}) {
+      const double at = r * law.distance;
+      const double slope =
+          signorini::test::derivative<double>([&](double h) { return potential(law, at + h); }, 1e-3 * law.distance);
+      EXPECT_NEAR(traction(law, at), -slope, 1e-9 * std::abs(stiffness(law, 0)) * law.distance) << r;
+    }
+    EXPECT_NEAR(potential(law, 1e6 * law.distance), 0, 1e-10 * std::abs(potential(law, law.distance)));
+  }
+}
+
 template <int D> void tangent_and_shift(Foot foot) {
   Random random(10 + static_cast<unsigned>(D));
   const Adhesion law{0.1, 0.1};

@@ -1,6 +1,8 @@
 // Whole models of solids: Newton's convergence on frictional ironing and twisting with the exact tangent, balance of
 // forces, moments and energy, and a pole that stays one point.
 #include "model/model.hpp"
+
+#include "base/parallel.hpp"
 #include "nurbs/coincident.hpp"
 #include "nurbs/shapes.hpp"
 
@@ -103,6 +105,20 @@ TEST(SolidModel, TwistingTurnsAgainstAMoment) {
   EXPECT_LE(iterations, 6 * 22);
   // The angle's work is M dθ.
   EXPECT_NEAR(model.energies().work - work_before, work, 2e-3 * work);
+}
+
+TEST(SolidModel, ThreadsChangeNoBit) {
+  std::vector<VectorX> results;
+  for (int threads : {1, 2, 3}) {
+    set_worker_threads(threads);
+    Model<3> model(indentation("N2-N2.1", 0.3, false));
+    int iterations = 0, quadratic = 0;
+    for (int i = 1; i <= 2; ++i) step(model, {0.01 * i, 0, -0.02 * i}, iterations, quadratic);
+    results.push_back(model.displacement());
+  }
+  set_worker_threads(1);
+  EXPECT_GT(results[0].norm(), 0);
+  for (const VectorX& other : results) EXPECT_EQ((other - results[0]).norm(), 0);
 }
 
 TEST(SolidModel, APoleStaysOnePoint) {

@@ -1,0 +1,144 @@
+// Planes, balls and cylinders in space: closest points, geometry against differences, slip points on the shortest way;
+// and slip points on surfaces.
+#include "contact/master.hpp"
+#include "contact/slip.hpp"
+
+#include "contact/faces3d.hpp"
+#include "differences.hpp"
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace signorini::contact {
+namespace {
+
+using namespace test;
+
+Vec<3> anywhere(Random& random, double size) {
+  return {uniform(random, -size, size), uniform(random, -size, size), uniform(random, -size, size)};
+}
+
+/// A random shape and its signed distance in closed form.
+struct Shape {
+  Obstacle<3> shape;
+  std::function<double(const Vec<3>&)> gap;
+};
+
+std::vector<Shape> shapes(Random& random) {
+  const auto plane = make_plane<3>(anywhere(random, 1), anywhere(random, 2));
+  const auto ball = make_ball<3>(anywhere(random, 1), uniform(random, 0.3, 2));
+  const auto cylinder = make_cylinder(anywhere(random, 1), anywhere(random, 2), uniform(random, 0.3, 2));
+  return {
+      {plane, [=](const Vec<3>& x) { return plane.normal.dot(x - plane.point); }},
+      {ball, [=](const Vec<3>& x) { return (x - ball.centre).norm() - ball.radius; }},
+      {cylinder, [=](const Vec<3>& x) { return (x - cylinder.point).cross(cylinder.axis).norm() - cylinder.radius; }}};
+}
+
+TEST(ObstacleInSpace, GapIsTheSignedDistance) {
+  Random random(1);
+  for (int trial = 0; trial < 50; ++trial)
+    for (const Shape& shape : shapes(random)) {
+      Master<3> master(shape.shape);
+      const Vec<3> shift = anywhere(random, 1), x = anywhere(random, 3);
+      master.move(shift.data());
+      FacePoint<3> point;
+      const Projection<3> found = master.project(x, {}, point);
+      EXPECT_EQ(found.foot, Foot::regular);
+      EXPECT_NEAR(found.gap, shape.gap(x - shift), 1e-13);
+      EXPECT_NEAR((point.position + found.gap * master.normal(point) - x).norm(), 0, 1e-13);
+      EXPECT_NEAR(master.normal(point).dot(point.tangent[0]), 0, 1e-14);
+      EXPECT_NEAR(master.normal(point).dot(point.tangent[1]), 0, 1e-14);
+      FacePoint<3> again;
+      master.locate(found.xi, again);
+      EXPECT_NEAR((again.position - point.position).norm(), 0, 1e-13);
+    }
+}
+
+TEST(ObstacleInSpace, NormalTurnsAsTangentsAndSecondDerivativesSay) {
+  // The closest point moves by τ_α δξ^α and the normal by −m^{αβ} (n·x_,βγ) τ_α δξ^γ: against differences of x.
+  Random random(2);
+  for (int trial = 0; trial < 30; ++trial)
+    for (const Shape& shape : shapes(random)) {
+      const Master<3> master(shape.shape);
+      const Vec<3> x = anywhere(random, 3), direction = anywhere(random, 1);
+      FacePoint<3> point, other;
+      const Projection<3> found = master.project(x, {}, point);
+      if (std::abs(found.gap) < 0.05 || std::abs(shape.gap(x)) > 3) continue;
+      const Vec<3> n = master.normal(point);
+      Mat<2> metric, hessian;
+      for (int a = 0; a < 2; ++a)
+        for (int b = 0; b < 2; ++b) {
+          const auto& tangents = point.tangent;
+          metric(a, b) = tangents[static_cast<std::size_t>(a)].dot(tangents[static_cast<std::size_t>(b)]);
+          hessian(a, b) = metric(a, b) - found.gap * n.dot(point.second[static_cast<std::size_t>(a + b)]);
+        }
+      if (std::abs(hessian.determinant()) < 0.05 * metric.determinant()) continue;
+      const Vec<2> shift = hessian.inverse() * Vec<2>(direction.dot(point.tangent[0]), direction.dot(point.tangent[1]));
+      const Vec<3> slope = signorini::test::derivative<Vec<3>>(
+          [&](double h) {
+            master.project(x + h * direction, {}, other);
+            return other.position;
+          },
+          1e-4);
+      EXPECT_NEAR((slope - shift(0) * point.tangent[0] - shift(1) * point.tangent[1]).norm(), 0, 1e-8);
+    }
+}
+
+TEST(ObstacleInSpace, SlipPointFollowsOnTheShortestWay) {
+  Random random(3);
+  for (int trial = 0; trial < 50; ++trial)
+    for (const Shape& shape : shapes(random)) {
+      const Master<3> master(shape.shape);
+      FacePoint<3> foot, slip, after;
+      const Projection<3> at = master.project(anywhere(random, 3), {}, foot);
+      const Projection<3> old = master.project(foot.position + anywhere(random, 0.3), {}, slip);
+      const double before = (slip.position - foot.position).norm(), length = uniform(random, 0, 1) * before;
+      const FaceCoordinates<3> moved = master.advance(old.xi, foot, length);
+      master.locate(moved, after);
+      EXPECT_NEAR((after.position - foot.position).norm(), length, 1e-12) << "trial " << trial;
+      // Between the two, but for the curvature
+      EXPECT_LE((after.position - slip.position).norm(), before - length + 0.05 * before);
+      EXPECT_EQ((master.advance(old.xi, foot, 1.001 * before) - old.xi).norm(), 0);
+      EXPECT_TRUE(at.xi.allFinite());
+    }
+}
+
+TEST(ObstacleInSpace, SlipPointOnASurfaceKeepsLengthAndDirection) {
+  Random random(4);
+  for (int trial = 0; trial < 60; ++trial) {
+    const Surface<3> surface = top_of(wavy_plate(random, 3, 0.05, integer(random, 2, 3), 3));
+    FacePoint<3> foot, slip, after;
+    const FaceCoordinates<3> middle(uniform(random, 0.3, 0.7), uniform(random, 0.3, 0.7));
+    FaceCoordinates<3> from, to;
+    for (int a = 0; a < 2; ++a) {
+      const double first = surface.direction(a).first(), last = surface.direction(a).last();
+      from(a) = first + middle(a) * (last - first);
+      to(a) = first + (middle(a) + uniform(random, -0.1, 0.1)) * (last - first);
+    }
+    surface.locate(surface.find_element(from), from, 2, foot);
+    surface.locate(surface.find_element(to), to, 0, slip);
+    const Vec<3> chord = slip.position - foot.position;
+    const double length = uniform(random, 0.05, 0.95) * chord.norm();
+    const FaceCoordinates<3> moved = advance_slip(surface, to, foot, length);
+    surface.locate(surface.find_element(moved), moved, 1, after);
+    const Vec<3> rest = after.position - foot.position;
+    EXPECT_NEAR(rest.norm(), length, 1e-12);
+    // It lies below the chord: what is off it is along the normal.
+    const Vec<3> off = rest - chord * chord.dot(rest) / chord.squaredNorm();
+    const Vec<3> normal = surface.outward(after.tangent).normalized();
+    EXPECT_LE((off - normal * normal.dot(off)).norm(), 0.3 * off.norm() + 1e-12);
+  }
+}
+
+TEST(ObstacleInSpace, ErrorsNameTheArgument) {
+  EXPECT_ERROR(make_cylinder({0, 0, 0}, {0, 0, 0}, 1), "axis must not be zero");
+  EXPECT_ERROR(make_cylinder({0, 0, 0}, {0, 0, 1}, -1), "radius must be a positive number");
+  EXPECT_ERROR(make_ball<3>({0, 0, 0}, 0), "radius must be a positive number");
+  EXPECT_ERROR(make_plane<3>({0, 0, 0}, {0, 0, 0}), "normal must not be zero");
+}
+
+} // namespace
+} // namespace signorini::contact

@@ -1,0 +1,47 @@
+// The products of many contact points against their sum term by term.
+#include "contact/products.hpp"
+
+#include "nurbs/random_patch.hpp"
+
+#include <gtest/gtest.h>
+
+namespace signorini::contact {
+namespace {
+
+using nurbs::test::Random;
+using nurbs::test::uniform;
+
+TEST(Products, AddUpEveryPointsTerms) {
+  Random random(1);
+  Products products;
+  for (int round = 0; round < 6; ++round) {
+    const int master = 2 + round, nodes = master + 3 + 2 * round, columns = 7 + 5 * round, points = round * 9;
+    products.start(nodes, master, columns);
+    std::vector<double> block(static_cast<std::size_t>(3 * nodes * columns), 0.5), expected = block;
+    const auto value = [](double* values, int i) -> double& { return values[i]; };
+    for (int p = 0; p < points; ++p) {
+      const Products::Room room = products.add();
+      const auto fill = [&](double* values, int count) {
+        for (int i = 0; i < count; ++i) values[i] = uniform(random, -1, 1);
+      };
+      fill(room.left, nodes);
+      fill(room.rates, 2 * master);
+      fill(room.traction, 3 * columns);
+      fill(room.turn, 6 * columns);
+      for (int a = 0; a < nodes; ++a)
+        for (int i = 0; i < 3; ++i)
+          for (int c = 0; c < columns; ++c) {
+            double& sum = value(expected.data(), (3 * a + i) * columns + c);
+            sum += room.left[a] * room.traction[i * columns + c];
+            const int m = a - (nodes - master);
+            for (int k = 0; k < 2 && m >= 0; ++k)
+              sum += room.rates[k * master + m] * room.turn[(3 * k + i) * columns + c];
+          }
+    }
+    products.add_to(block.data());
+    for (std::size_t i = 0; i < block.size(); ++i) EXPECT_NEAR(block[i], expected[i], 1e-13 * (points + 1));
+  }
+}
+
+} // namespace
+} // namespace signorini::contact
