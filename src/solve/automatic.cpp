@@ -23,6 +23,7 @@ public:
     if (solver_->kind() != LinearKind::kept && worth_keeping(solver_->statistics())) {
       before_ = solver_->statistics();
       solver_ = make_kept(pattern_);
+      solver_->watch(watched_);
     }
     return solver_->factor(values);
   }
@@ -32,6 +33,10 @@ public:
   bool adopt(const Pattern& pattern) override {
     pattern_ = pattern;
     return solver_->adopt(pattern);
+  }
+  void watch(const std::vector<int>& unknowns) override {
+    watched_ = unknowns;
+    solver_->watch(unknowns);
   }
   SolverStatistics statistics() const override {
     SolverStatistics sum = solver_->statistics();
@@ -43,6 +48,7 @@ public:
 private:
   Pattern pattern_;
   std::unique_ptr<LinearSolver> solver_;
+  std::vector<int> watched_;
   SolverStatistics before_; ///< what was done before the choice
 };
 

@@ -32,6 +32,7 @@ public:
   bool solve(double* b) override;
   LinearKind kind() const override { return LinearKind::kept; }
   bool adopt(const Pattern& pattern) override;
+  void watch(const std::vector<int>& unknowns) override { symmetric_part_.watch(unknowns); }
   SolverStatistics statistics() const override;
 
 private:
@@ -74,13 +75,15 @@ bool Kept::factor(const double* values) {
   matrix_.set(values);
   present_ = false;
   first_ = true;
+  // A part that is singular all the same tells nothing of K.
+  if (used_ == Preconditioner::symmetric_part && !symmetric_part_.update(values)) used_ = Preconditioner::none;
   return used_ != Preconditioner::none || renew();
 }
 
 bool Kept::adopt(const Pattern& pattern) {
   pattern_ = pattern;
   matrix_ = RowMatrix(pattern);
-  symmetric_part_.forget_pattern();
+  symmetric_part_.adopt(pattern);
   if (used_ != Preconditioner::pivoting) pivoting_.reset();
   return true;
 }

@@ -39,9 +39,12 @@ public:
   virtual LinearKind kind() const = 0;
   /// How many eigenvalues of the factored symmetric matrix are negative; −1 when the solver does not know.
   virtual int negative_pivots() const { return -1; }
-  /// Goes over to a pattern of the same unknowns that holds all entries of the present one, keeping what is of use;
-  /// factor() comes next. Returns false when a new solver would do as well: then make one.
+  /// Goes over to another pattern of the same unknowns, as where contacts slide on, keeping what is of use; factor()
+  /// comes next. Returns false when a new solver would do as well: then make one.
   virtual bool adopt(const Pattern&) { return false; }
+  /// Tells which unknowns (increasing) contacts act on or will soon: what changes between them may change much. A hint;
+  /// solutions are the same without.
+  virtual void watch(const std::vector<int>&) {}
   virtual SolverStatistics statistics() const = 0;
 };
 

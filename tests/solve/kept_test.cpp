@@ -198,9 +198,96 @@ TEST(SymmetricPart, IsFactoredOnOnePatternAfterTheOther) {
     EXPECT_FALSE(part.factor(pattern, indefinite.data(), transposed));
     std::vector<int> moved;
     pattern = extend(pattern, {{round, pattern.size - 1 - round}}, moved);
-    part.forget_pattern();
+    part.adopt(pattern);
   }
   EXPECT_EQ(part.statistics().factorisations, 6);
+}
+
+/// M of symmetric_part.hpp from dense blocks: the symmetric part of `old` with the present block of `watched`.
+Eigen::MatrixXd with_block(const Pattern& pattern, const Values& old, const Values& present,
+                           const std::vector<int>& watched) {
+  const Eigen::MatrixXd k = dense(pattern, old), now = dense(pattern, present);
+  Eigen::MatrixXd m = 0.5 * (k + k.transpose());
+  m(watched, watched) = now(watched, watched);
+  return m;
+}
+
+TEST(SymmetricPart, KeepsTheBlockOfWatchedUnknownsUpToDate) {
+  std::mt19937 random(50);
+  for (int nodes : {3, 6}) {
+    Pattern pattern = cube(nodes);
+    std::vector<int> watched, moved;
+    for (int i = 0; i < pattern.size; i += 7) watched.push_back(i);
+    SymmetricPart part;
+    part.watch(watched);
+    const Values old = random_definite(random, pattern);
+    const auto check = [&](const Values& start, const Values& present) {
+      const Eigen::MatrixXd m = with_block(pattern, start, present, watched);
+      const VectorXd b = VectorXd::LinSpaced(pattern.size, -1, 2);
+      VectorXd x = b;
+      ASSERT_TRUE(part.solve(x.data()));
+      EXPECT_LT((m * x - b).norm(), 1e-12 * (m.norm() * x.norm() + b.norm())) << nodes;
+    };
+    // Indefinite among the watched unknowns, and unsymmetric
+    const auto changed = [&](Values values) {
+      const Values noise = random_values(random, pattern);
+      for (std::size_t k = 0; k < values.size(); ++k) values[k] += noise[k];
+      for (int i : watched) values[at(pattern.find(i, i))] *= i % 2 ? -3 : 10;
+      return values;
+    };
+    Values transposed;
+    const Values first = changed(old);
+    Values start = old;
+    for (int i : watched) start[at(pattern.find(i, i))] = first[at(pattern.find(i, i))];
+    Symmetry(pattern).transpose(start.data(), transposed);
+    ASSERT_TRUE(part.factor(pattern, start.data(), transposed));
+    check(start, start);
+    for (int round = 0; round < 3; ++round) {
+      const Values present = changed(old);
+      ASSERT_TRUE(part.update(present.data()));
+      check(start, present);
+    }
+    // Two watched unknowns begin to touch.
+    const Pattern next = extend(pattern, {{watched.front(), watched.back()}}, moved);
+    Values grown(at(next.entries()), 0.0);
+    for (std::size_t k = 0; k < moved.size(); ++k) grown[at(moved[k])] = start[k];
+    start = grown;
+    pattern = next;
+    part.adopt(pattern);
+    const Values present = changed(grown);
+    ASSERT_TRUE(part.update(present.data()));
+    check(start, present);
+    EXPECT_EQ(part.statistics().factorisations, 1);
+  }
+}
+
+/// Springs between watched unknowns come and go: no factorisation but the first, and few iterations.
+TEST(Kept, WatchedUnknownsMayChangeAtWill) {
+  std::mt19937 random(51);
+  const Pattern pattern = cube(7);
+  const Values base = random_definite(random, pattern);
+  std::vector<int> watched;
+  for (int i = 0; i < 3 * 7 * 7; ++i) watched.push_back(i);
+  const auto run = [&](bool watch) {
+    const auto solver = make_solver(LinearKind::kept, pattern);
+    if (watch) solver->watch(watched);
+    std::mt19937 springs(52);
+    for (int round = 0; round < 20; ++round) {
+      Values values = base;
+      for (int i : watched)
+        if (springs() % 2) values[at(pattern.find(i, i))] += 1000;
+      EXPECT_TRUE(solver->factor(values.data()));
+      const VectorXd b = VectorXd::LinSpaced(pattern.size, -1, 2);
+      VectorXd x = b;
+      EXPECT_TRUE(solver->solve(x.data()));
+      EXPECT_LE(residual(pattern, values, x, b), 1.0001 * Forcing::loosest);
+    }
+    return solver->statistics();
+  };
+  const SolverStatistics with = run(true), without = run(false);
+  EXPECT_EQ(with.factorisations, 1);
+  EXPECT_EQ(with.iterations, with.solutions);
+  EXPECT_GT(without.iterations + without.factorisations, 2 * with.iterations);
 }
 
 TEST(Forcing, AsksForATenthOfWhatQuadraticConvergenceLeaves) {
