@@ -1,0 +1,327 @@
+-- Twisting with friction: a hollow hemisphere pressed into a cube and turned about its axis, torque and force.
+--
+-- Problem: a hollow hemisphere stands on a cube, is pressed into it at its ring, then the ring is turned.
+--
+--               ↻  ring: u_z = −1 in 10 steps, then turned by 180° about z in 90 steps
+--          ┌┐       ┌┐   hollow hemisphere, radii 2/3 and 1, neo-Hooke, E = 5
+--           \ \   / /    friction mu = 0.5, normal and tangential penalty 100
+--        ┌────`───'────┐
+--        │             │ cube, side 2, neo-Hooke, E = 1, its bottom clamped; nu = 0.3 both
+--        └─────────────┘
+--
+--          Meshes of the hemisphere (along its arcs, through the wall) and of the cube: m1 4 × 4 × 1 and 4 × 4 × 2,
+--          m2 6 × 6 × 2 and 6 × 6 × 3, m3 8 × 8 × 2 and 8 × 8 × 4; quadratic through the wall and through the cube.
+--          Punches with a flat face on a rigid plane, the hemisphere's analogue with a closed form: a block with a
+--          square face of side 2 and a tube of radii 1/2 and 1, E = 10, nu = 0, pressed by 0.01 of their height 1,
+--          turned by 20° in 10 steps.
+-- Source: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of
+--         Contact Problems, PhD thesis, IIT Guwahati, 2020, whose figures of it are lost; penalties, meshes: ours.
+--         Uniform pressure in a disc clutch: R. G. Budynas, J. K. Nisbett, Shigley's Mechanical Engineering Design,
+--         McGraw-Hill, section 16-5.
+-- Units: any consistent ones; stresses in the cube's E, lengths in the hemisphere's outer radius, angles in degrees.
+-- Expected: the torque rises while the slip eats into the contact from its border, then levels when all slips, at
+--           mu ∫ p r dA of the printed profile. Punches: M = mu ∫ p r dA within 1 %, and within 1 % that of a uniform
+--           pressure: mu N (√2 + ln(1 + √2))/3 for the square, mu N 2/3 (Ro³ − Ri³)/(Ro² − Ri²) for the tube. The
+--           difference in energy, work − stored − contact − friction, falls as the steps become small.
+-- Run: signorini scripts/twisting3d.lua [parts=twist,punch,balance] [labels=N2,N4,N2-N4,N2-N2.2] [meshes=m1]
+--      [press=10] [twist=90] [angle=180] [slave=hemisphere] [poles=ends] [linear=auto] [out=out/twisting3d]; slave:
+--      hemisphere or cube; poles: ends or bottom, see help(sg.shapes.hollow_hemisphere).
+
+local sg = require "signorini"
+
+local mu, penalty, depth = 0.5, 100, 1
+local meshes = { m1 = { {4, 4, 1}, {4, 4, 2} }, m2 = { {6, 6, 2}, {6, 6, 3} }, m3 = { {8, 8, 2}, {8, 8, 4} } }
+
+-- ── Arguments ────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+local function list_of(text)
+  local list = {}
+  for word in text:gmatch "[^,]+" do list[#list + 1] = word end
+  return list
+end
+
+local function read_arguments(words)
+  local options = { parts = "twist,punch,balance", labels = "N2,N4,N2-N4,N2-N2.2", meshes = "m1", press = "10",
+                    twist = "90", angle = "180", slave = "hemisphere", poles = "ends", linear = "auto",
+                    out = "out/twisting3d" }
+  for _, word in ipairs(words) do
+    local key, value = word:match "^(%w+)=(.+)$"
+    if not options[key] then
+      error(("unknown argument '%s'; known: parts=twist,punch,balance, labels=N2,N4, meshes=m1,m2, press=10, ")
+        :format(word) .. "twist=90, angle=180, slave=hemisphere, poles=ends, linear=auto, out=folder", 0)
+    end
+    options[key] = value
+  end
+  local function check(key, value, good, expected)
+    if not good then error(("%s must be %s, got '%s'"):format(key, expected, value), 0) end
+  end
+  local parts = { twist = false, punch = false, balance = false }
+  for _, part in ipairs(list_of(options.parts)) do
+    check("parts", part, parts[part] ~= nil, "among twist, punch and balance")
+    parts[part] = true
+  end
+  options.parts, options.labels, options.meshes = parts, list_of(options.labels), list_of(options.meshes)
+  for _, mesh in ipairs(options.meshes) do check("meshes", mesh, meshes[mesh], "among m1, m2 and m3") end
+  check("slave", options.slave, options.slave == "hemisphere" or options.slave == "cube", "hemisphere or cube")
+  check("poles", options.poles, options.poles == "ends" or options.poles == "bottom", "ends or bottom")
+  for _, key in ipairs { "press", "twist" } do
+    check(key, options[key], options[key]:match "^[1-9]%d*$", "a whole number of at least 1")
+    options[key] = math.tointeger(tonumber(options[key]))
+  end
+  check("angle", options.angle, (tonumber(options.angle) or 0) > 0, "a positive number")
+  options.angle = tonumber(options.angle)
+  return options
+end
+
+-- ── Scenes ───────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- The hemisphere on the cube.
+local function scene(o, options)
+  local cube = sg.body{
+    patch    = sg.shapes.block{ size = { 2, 2, 2 }, corner = { -1, -1, -2 } }, elements = meshes[o.mesh][2],
+    order    = o.label, contact = "back", through = 2, material = sg.neo_hookean{ E = 1, nu = 0.3 },
+  }
+  local hemisphere = sg.body{
+    patch    = sg.shapes.hollow_hemisphere{ inner = 2 / 3, outer = 1, centre = { 0, 0, 1 }, poles = options.poles },
+    elements = meshes[o.mesh][1], order = o.label, contact = "front", through = 2,
+    material = sg.neo_hookean{ E = 5, nu = 0.3 },
+  }
+  local ring = options.poles == "ends" and { hemisphere:face "west", hemisphere:face "east" } or hemisphere:face "south"
+  local slave, master = hemisphere:face "front", cube:face "back"
+  if options.slave == "cube" then slave, master = master, slave end
+  return sg.model{
+    bodies   = { cube = cube, hemisphere = hemisphere },
+    supports = { bed  = { on = cube:face "front", fix = "xyz" },
+                 ring = { on = ring, drive = "z", fix = "xy", rotate = "z" } },
+    contacts = { joint = { slave = slave, master = master, penalty = penalty,
+                           friction = { mu = mu, penalty = penalty } } },
+  }, cube:dofs().total + hemisphere:dofs().total
+end
+
+--- A punch with a flat face on a rigid plane, and the torque over mu N of a uniform pressure. Square of side 2:
+---   ∫ r dA / A = (√2 + ln(1 + √2))/3;  tube: 2/3 (Ro³ − Ri³)/(Ro² − Ri²).
+local function punch_scene(shape)
+  local inner, body, foot, grip, arm = 0.5, nil, nil, nil, nil
+  local material = sg.neo_hookean{ E = 10, nu = 0 }
+  if shape == "square" then
+    body = sg.body{ patch = sg.shapes.block{ size = { 2, 2, 1 }, corner = { -1, -1, 0 } }, elements = { 4, 4, 2 },
+                    order = "N2", contact = "front", material = material }
+    foot, grip, arm = body:face "front", body:face "back", (math.sqrt(2) + math.log(1 + math.sqrt(2))) / 3
+  else
+    local meridian = sg.nurbs.surface{ degrees = { 1, 1 }, knots = { { 0, 0, 1, 1 }, { 0, 0, 1, 1 } },
+                                       points = { { inner, 0, 0 }, { inner, 0, 1 }, { 1, 0, 0 }, { 1, 0, 1 } } }
+    body = sg.body{ patch = sg.nurbs.revolve{ patch = meridian }, elements = { 2, 4, 8 }, order = "N2",
+                    contact = "west", material = material }
+    foot, grip, arm = body:face "west", body:face "east", 2 / 3 * (1 - inner ^ 3) / (1 - inner ^ 2)
+  end
+  local plane = sg.rigid.plane{ point = { 0, 0, 0 }, normal = { 0, 0, 1 } }
+  return sg.model{
+    bodies   = { punch = body },
+    supports = { grip = { on = grip, drive = "z", fix = "xy", rotate = "z" } },
+    contacts = { joint = { slave = foot, master = plane, penalty = penalty,
+                           friction = { mu = mu, penalty = penalty } } },
+  }, arm
+end
+
+-- ── What is measured ─────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- Of a contact's profile: mu ∫ p r dA about the z axis, the moment ∫ (x t_y − y t_x) dA of the friction, how many
+--- points stick and slip, the greatest pressure.
+local function measure(profile)
+  local m = { torque = 0, friction = 0, stick = 0, slip = 0, pressure = 0 }
+  for i, pressure in ipairs(profile.pressure) do
+    local x, y, area, state = profile.x[i], profile.y[i], profile.area[i], profile.state[i]
+    m.torque = m.torque + mu * pressure * math.sqrt(x * x + y * y) * area
+    m.friction = m.friction + (x * profile.ty[i] - y * profile.tx[i]) * area
+    m.pressure = math.max(m.pressure, pressure)
+    if m[state] then m[state] = m[state] + 1 end
+  end
+  return m
+end
+
+--- The part of the work that is missing in the energies.
+local function imbalance(energy)
+  return (energy.work - energy.stored - energy.contact - energy.friction) / energy.work
+end
+
+--- Presses and twists. `o`: label, mesh, steps to press and to twist, on_step(model, row). Keeps a row per
+--- step; level, swing and ratio are those of the last third of the angle. A run that fails keeps what it has.
+local function twist(o, options)
+  local model, dofs = scene(o, options)
+  local case = { label = o.label, mesh = o.mesh, dofs = dofs, rows = {} }
+  local sign = options.slave == "cube" and -1 or 1
+  local function keep(info)
+    local m, reaction, energy = measure(model:profile "joint"), model:reaction "ring", model:energy()
+    case.rows[info.step] = { step = info.step, angle = model:target "ring"[2], force = -reaction[3],
+                             moment = reaction[4], torque = m.torque, friction = sign * m.friction,
+                             stick = m.stick, slip = m.slip, pressure = m.pressure, stored = energy.stored, contact = energy.contact,
+                             dissipated = energy.friction, work = energy.work, imbalance = imbalance(energy) }
+    if o.on_step then o.on_step(model, case.rows[info.step]) end
+  end
+  case.run = model:run({ { name = "press", steps = o.press, ring = { -depth, 0 } },
+                         { name = "twist", steps = o.twist, ring = { -depth, options.angle } } },
+                       { linear = options.linear, step = { adaptive = true }, on_step = keep })
+  local least, most, sum, torque, off, count = math.huge, 0, 0, 0, 0, 0
+  for _, row in ipairs(case.rows) do
+    if row.angle > 0 and row.stick == 0 and not case.slips_from then case.slips_from = row.angle end
+    if row.stick > 0 then case.slips_from = nil end
+    if row.angle > 2 / 3 * options.angle then
+      count, sum, torque = count + 1, sum + row.moment, torque + row.torque
+      least, most = math.min(least, row.moment), math.max(most, row.moment)
+      off = math.max(off, math.abs(row.moment / row.torque - 1))
+    end
+  end
+  local last = case.rows[#case.rows]
+  case.reached, case.imbalance = last and last.angle, last and last.imbalance
+  if count > 0 then
+    case.level, case.swing = sum / count, (most - least) / (sum / count)
+    case.ratio, case.off = sum / torque, off
+  end
+  return case
+end
+
+local function press_and_turn(shape)
+  local model, arm = punch_scene(shape)
+  local run = model:run{ { name = "press", steps = 2, grip = { -0.01, 0 } },
+                         { name = "turn", steps = 10, grip = { -0.01, 20 } } }
+  if run.failed then error(("punch, %s: %s"):format(shape, run.report), 0) end
+  local m, reaction = measure(model:profile "joint"), model:reaction "grip"
+  return { shape = shape, force = -reaction[3], moment = reaction[4], torque = m.torque, friction = m.friction,
+           uniform = mu * -reaction[3] * arm, stick = m.stick, slip = m.slip }
+end
+
+-- ── Output ───────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+local function twist_table(cases)
+  local rows = {}
+  for i, case in ipairs(cases) do
+    local last = case.rows[#case.rows] or {}
+    rows[i] = { case.label, case.mesh, case.dofs, case.reached, case.slips_from, last.force, case.level,
+                case.swing and 100 * case.swing, case.ratio, case.off and 100 * case.off, case.imbalance,
+                case.run.iterations, case.run.cutbacks, case.run.wall }
+  end
+  return sg.table{
+    columns = { "label", "mesh", "DOFs", "reached", "slips from", "force", "torque", "swing", "M / μ∫pr dA", "most",
+                "balance", "iterations", "halved", "wall" },
+    units = { "", "", "", "°", "°", "", "", "%", "", "% off", "of work", "", "", "s" }, rows = rows,
+    formats = { "%s", "%s", "%d", "%g", "%g", "%.4f", "%.4f", "%.2f", "%.4f", "%.2f", "%.1e", "%d", "%d", "%.0f" },
+  }
+end
+
+local function punch_table(punches)
+  local rows = {}
+  for i, p in ipairs(punches) do
+    rows[i] = { p.shape, p.force, p.moment, p.torque, 100 * (p.moment / p.torque - 1), p.uniform,
+                100 * (p.moment / p.uniform - 1), p.moment / p.friction - 1, p.slip, p.stick }
+  end
+  return sg.table{
+    columns = { "punch", "force", "torque", "μ∫pr dA", "off", "uniform p", "off", "M/∫(r×t)dA − 1", "slip", "stick" },
+    units = { "", "", "", "", "%", "", "%", "", "points", "points" }, rows = rows,
+    formats = { "%s", "%.5f", "%.6f", "%.6f", "%.3f", "%.6f", "%.3f", "%.0e", "%d", "%d" },
+  }
+end
+
+local columns = { "step", "angle", "force", "moment", "torque", "friction", "stick", "slip", "pressure", "stored",
+                  "contact", "dissipated", "work", "imbalance" }
+
+local function write_rows(case, file)
+  local data = { columns = columns, rows = {}, comments = {
+    ("twisting, %s at %s; force: on the ring, downwards; moment: its torque; torque: mu times the integral of p r ")
+      :format(case.label, case.mesh) .. "over the contact; friction: the moment of the tangential tractions" } }
+  for i, row in ipairs(case.rows) do
+    data.rows[i] = {}
+    for k, name in ipairs(columns) do data.rows[i][k] = row[name] end
+  end
+  sg.csv.write(file, data)
+end
+
+--- A column over the angle of the twist, from the end of pressing on.
+local function curve(case, key, style)
+  local line = { x = {}, y = {}, marker = "none" }
+  for name, value in pairs(style) do line[name] = value end
+  for i, row in ipairs(case.rows) do
+    local following = case.rows[i + 1]
+    if row.angle > 0 or following and following.angle > 0 then
+      line.x[#line.x + 1], line.y[#line.y + 1] = row.angle, row[key]
+    end
+  end
+  return line
+end
+
+--- Torque and mu ∫ p r dA, or the force, over the angle.
+local function draw(cases, key, ylabel, file)
+  local chart = { file = file, title = "Twisting: " .. ylabel, xlabel = "angle in degrees", ylabel = ylabel }
+  for i, case in ipairs(cases) do
+    local name = ("%s at %s"):format(case.label, case.mesh)
+    chart[#chart + 1] = curve(case, key, { label = name })
+    if key == "moment" then
+      chart[#chart + 1] = curve(case, "torque", { label = "μ∫p r dA", dashed = true, color = 2 * i - 1 })
+    end
+  end
+  sg.chart(chart)
+end
+
+--- Keeps the states at the end of pressing and at thirds of the angle as frames, whole and cut through the middle.
+local function keep_states(whole, cut, options)
+  local following = 0
+  return function(model, row)
+    if row.step < options.press or row.angle < following - 1e-9 then return end
+    following = following + options.angle / 3
+    local title = ("%.0f°"):format(row.angle)
+    whole[#whole + 1] = sg.frame{ model = model, field = "von_mises", title = title }
+    cut[#cut + 1] = sg.frame{ model = model, field = "szz", title = title, cut = "-y" }
+  end
+end
+
+local function draw_states(whole, cut, name, path)
+  sg.picture{ frames = whole, columns = 2, file = path "states.png", title = "Twisting, " .. name }
+  sg.picture{ frames = cut, columns = 2, camera = "front", file = path "cut.png",
+              title = ("Twisting, %s: the half y > 0"):format(name) }
+end
+
+-- ── The study ────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+local options = read_arguments(select("#", ...) > 0 and { ... } or arg)
+sg.mkdir(options.out)
+local files, punches, cases, balance = {}, {}, {}, {}
+local function path(name)
+  files[#files + 1] = options.out .. "/" .. name
+  return files[#files]
+end
+
+if options.parts.punch then
+  for i, shape in ipairs { "square", "tube" } do punches[i] = press_and_turn(shape) end
+  print "Punches with a flat face on a rigid plane: torque beside μ∫pr dA of the profile and of a uniform pressure"
+  print(punch_table(punches))
+end
+
+if options.parts.twist then
+  local whole, cut = {}, {}
+  for _, mesh in ipairs(options.meshes) do
+    for _, label in ipairs(options.labels) do
+      local case = twist({ label = label, mesh = mesh, press = options.press, twist = options.twist,
+                           on_step = #cases == 0 and keep_states(whole, cut, options) or nil }, options)
+      if case.run.failed then print(("%s at %s: %s"):format(label, mesh, case.run.report)) end
+      write_rows(case, path(("%s_%s.csv"):format(label, mesh)))
+      cases[#cases + 1], cases[label .. " " .. mesh] = case, case
+    end
+  end
+  print(("\nTwisting, slave: %s; torque and its swing (max − min): over the last third of the angle")
+    :format(options.slave))
+  print(twist_table(cases))
+  draw(cases, "moment", "torque", path "torque.png")
+  draw(cases, "force", "vertical force", path "force.png")
+  draw_states(whole, cut, ("%s at %s"):format(options.labels[1], options.meshes[1]), path)
+end
+
+if options.parts.balance then
+  for i, factor in ipairs { 1, 2, 4 } do
+    balance[i] = twist({ label = options.labels[1], mesh = options.meshes[1], press = factor * options.press,
+                         twist = factor * options.twist }, options)
+  end
+  print "\nThe energies' balance with smaller steps"
+  print(twist_table(balance))
+end
+if #files > 0 then print("\nWritten: " .. table.concat(files, "\n         ")) end
+
+return { cases = cases, punches = punches, balance = balance, files = files }
