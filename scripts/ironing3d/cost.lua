@@ -60,6 +60,7 @@ end
 function cost.run(options, files)
   local cases, layered, all = {}, {}, {}
   local function add(list, label, mesh)
+    collectgarbage() -- models are larger than Lua can see
     local case = solve(label, mesh, options.linear)
     case.memory = memory()
     table.insert(list, case)

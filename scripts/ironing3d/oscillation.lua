@@ -34,6 +34,7 @@ function oscillation.degrees_of_freedom()
     end
     if row.indenter.total + row.slab.total ~= printed.total then differences = differences + 1 end
     rows[i] = row
+    collectgarbage() -- bodies are larger than Lua can see
   end
   return rows, differences
 end

@@ -100,7 +100,7 @@ end
 --- A sheet of states around the indenter, with a common colour bar.
 function output.draw_sheet(file, frames, title)
   sg.picture{ file = file, frames = frames, columns = 2, title = title, label = "vertical stress",
-              camera = { from = { 0.5, -2, 0.8 } }, crop = { 30, 70, 0, 30, 0, 33 } }
+              camera = { from = { 0.5, -2, 0.8 } }, crop = { 30, 70, 0, 30, 8, 33 } }
 end
 
 --- Pressing force and drag over the path of the indenter's centre; returns whether there was anything to draw.
