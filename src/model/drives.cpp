@@ -176,6 +176,8 @@ template <int D> Vec<D> face_centroid(const solid::Body<D>& body, nurbs::Side si
     moment += unit(D * a) * points.col(a);
     area += unit(D * a);
   }
+  require(area > 0, "face '", nurbs::name_of(side), "' has no area: it is collapsed to a line or a point, and has no ",
+          "centroid to turn about");
   return moment / area;
 }
 
