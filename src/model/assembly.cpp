@@ -4,6 +4,7 @@
 #include "base/timer.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace signorini::model {
 
@@ -159,7 +160,7 @@ template <int D> void Assembly<D>::build_constant() {
 }
 
 /// Keeps contact_unknowns() ahead of the contacts: when one reaches an unknown beyond them, they become those of all
-/// present groups and of the slave elements around, a quarter of the present number on either side.
+/// present groups and of the slave elements around, a quarter of the contact's width.
 template <int D> void Assembly<D>::watch_contacts(const std::vector<contact::Pair<D>>& pairs) {
   const auto all_known = [&](std::size_t k, const contact::Group& group) {
     const Nodes& list = placements_[k].find(key(group))->second.columns;
@@ -175,7 +176,8 @@ template <int D> void Assembly<D>::watch_contacts(const std::vector<contact::Pai
 
   std::fill(is_contact_unknown_.begin(), is_contact_unknown_.end(), false);
   for (std::size_t k = 0; k < pairs.size(); ++k) {
-    const int margin = 2 + static_cast<int>(pairs[k].groups().size()) / 4;
+    const double groups = static_cast<double>(pairs[k].groups().size());
+    const int margin = 2 + static_cast<int>((D == 2 ? groups : std::sqrt(groups)) / 4);
     Nodes dofs;
     for (const contact::Group& group : pairs[k].groups()) {
       const Nodes& own = placements_[k].find(key(group))->second.columns;
