@@ -1,0 +1,104 @@
+-- The path in 60 steps, 10 down and 50 along, that two other programs were timed on: what labels and meshes cost, and
+-- the pressing force that they give.
+
+local sg = require "signorini"
+local arguments = require "solid_ironing.arguments"
+local output = require "solid_ironing.output"
+local study = require "solid_ironing.study"
+
+local sixty = {}
+
+--- User time in seconds, measured elsewhere, and the range in which those programs' mean pressing force in the drag lies.
+sixty.febio, sixty.getfem, sixty.range = 13.6, 61, { 5.75, 5.85 }
+
+local press, slide = 10, 50
+
+local function result_table(cases)
+  local rows = {}
+  for i, case in ipairs(cases) do
+    local run, drag = case.run, case.drag or {}
+    local inside = drag.mean and drag.mean >= sixty.range[1] and drag.mean <= sixty.range[2]
+    rows[i] = { case.label, case.mesh.name, case.through, case.points or "3(p+1)", case.dofs.total, run.iterations,
+                run.cutbacks, run.failed and run.reason or "complete", case.user, case.pressed, drag.mean, drag.low,
+                drag.high, drag.mean and (inside and "yes" or "no"), case.user / sixty.febio, case.user / sixty.getfem }
+  end
+  return sg.table{
+    columns = { "label", "mesh", "through", "points", "DOFs", "iterations", "cut-backs", "end", "user", "Pz", "Pz", "Pz",
+                "Pz", "5.75-5.85", "user", "user" },
+    units = { "", "", "degree", "", "", "", "", "", "s", "pressed", "mean", "least", "greatest", "", "of FEBio's",
+              "of GetFEM's" }, rows = rows,
+    formats = { "%s", "%s", "%d", "%s", "%d", "%d", "%d", "%s", "%.2f", "%.3f", "%.3f", "%.3f", "%.3f", "%s", "%.3f",
+                "%.3f" },
+  }
+end
+
+--- The case of least user time whose mean force lies in the range; nothing when none does.
+function sixty.cheapest(cases)
+  local best
+  for _, case in ipairs(cases) do
+    local mean = case.drag and case.drag.mean
+    if mean and mean >= sixty.range[1] and mean <= sixty.range[2] and (not best or case.user < best.user) then
+      best = case
+    end
+  end
+  return best
+end
+
+local function csv(file, cases)
+  local data = { columns = { "label", "mesh", "through", "points", "dofs", "iterations", "cutbacks", "user", "pressed",
+                             "drag_mean", "drag_low", "drag_high" },
+                 comments = { ("user time in s; FEBio %g, GetFEM %g"):format(sixty.febio, sixty.getfem) }, rows = {} }
+  for i, case in ipairs(cases) do
+    local drag = case.drag or {}
+    data.rows[i] = { case.label, case.mesh.name, case.through, case.points, case.dofs.total, case.run.iterations,
+                     case.run.cutbacks, case.user, case.pressed, drag.mean, drag.low, drag.high }
+  end
+  sg.csv.write(file, data)
+end
+
+--- All combinations of the lists labels, meshes, through, points (a number or "auto", 3(p + 1)). Returns { cases,
+--- cheapest }.
+function sixty.run(problem, options, files)
+  local cases = {}
+  for _, text in ipairs(arguments.split(options.mesh)) do
+    local mesh = arguments.mesh(text)
+    for _, through in ipairs(arguments.split(options.through)) do
+      for _, points in ipairs(arguments.split(options.points)) do
+        for _, label in ipairs(arguments.split(options.labels)) do
+          local case = study.solve(problem, {
+            label = label, mesh = mesh, press = press, slide = slide, linear = options.linear,
+            through = arguments.count("through", through),
+            points = points ~= "auto" and arguments.count("points", points) or nil,
+          })
+          print(("%s at %s, degree %s through, points %s: %.2f s of user time"):format(label, mesh.name, through, points,
+            case.user))
+          print(case.run)
+          cases[#cases + 1] = case
+        end
+      end
+    end
+  end
+  print(("\n%d + %d steps; pressing force at the full depth and while the block slides; user time beside FEBio's %g s and ")
+    :format(press, slide, sixty.febio) .. ("GetFEM's %g s"):format(sixty.getfem))
+  print(result_table(cases))
+  csv(files.path "sixty.csv", cases)
+  local cheapest = sixty.cheapest(cases)
+  print(cheapest and ("cheapest within %g to %g: %s at %s, degree %d through, %.2f s: 1/%.1f of FEBio's, 1/%.1f of GetFEM's")
+    :format(sixty.range[1], sixty.range[2], cheapest.label, cheapest.mesh.name, cheapest.through, cheapest.user,
+      sixty.febio / cheapest.user, sixty.getfem / cheapest.user)
+    or ("no case lies within %g to %g"):format(table.unpack(sixty.range)))
+  files.draw("sixty.png", "a step of the sliding", function(file)
+    local named = {}
+    for i, case in ipairs(cases) do
+      named[i] = setmetatable({ label = ("%s %s q=%d %s"):format(case.label, case.mesh.name, case.through,
+        case.points or "3(p+1)") }, { __index = case })
+    end
+    return output.draw_force(file, named, "Pz", {
+      title = "Block ironing in 60 steps: pressing force", ylabel = "Pz",
+      hlines = { { sixty.range[1], "5.75" }, { sixty.range[2], "5.85" } },
+    })
+  end)
+  return { cases = cases, cheapest = cheapest }
+end
+
+return sixty

@@ -1,0 +1,93 @@
+-- Ironing of a slab without friction: runs labels along the path of a problem, measures their forces.
+--
+-- A problem is { title, die (its name), length (the slab's), start (x of the die's centre), depth, way, scene(case) };
+-- scene returns the model with the supports `grip` (drives x and z) and `bed` and the contact `interface`, the die and
+-- the slab. A case is { label, mesh, press, slide (steps), through, points, linear }; see study.solve.
+
+local sg = require "signorini"
+local plane = require "ironing2d.amplitude"
+
+local study = {}
+
+-- ── Measures ─────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- Where a run of plain Newton iterations would have ended: { step, reason } of the first attempt that failed; nothing
+--- when none did.
+local function first_failure(run)
+  for step = 1, run.steps + (run.failed and 1 or 0) do
+    for _, attempt in ipairs(run:attempts(step)) do
+      if not attempt.converged then return { step = step, reason = attempt.reason } end
+    end
+  end
+end
+
+--- The steps of about one element pitch of the slab in the middle of the way.
+local function window(problem, case)
+  local steps = case.slide * problem.length / case.mesh.slab[1] / problem.way
+  local middle = case.press + case.slide / 2
+  return math.floor(middle - steps / 2 + 0.5), math.floor(middle + steps / 2 + 0.5)
+end
+
+--- Adds to a case what its run says: see study.solve.
+local function measure(problem, case)
+  local run = case.run
+  case.x, case.Px, case.Pz = run:column "grip.ux", run:column "grip.fx", run:column "grip.fz"
+  for i = 1, run.steps do case.x[i], case.Pz[i] = problem.start + case.x[i], -case.Pz[i] end
+  case.pressed, case.first_failure = case.Pz[case.press], first_failure(run)
+  case.first, case.last = window(problem, case)
+  case.dPx, case.dPz = plane.of(case.Px, case.first, case.last), plane.of(case.Pz, case.first, case.last)
+  if run.failed then return end
+  local drag = table.move(case.Pz, case.press + 1, #case.Pz, 1, {})
+  local sum = 0
+  for _, value in ipairs(drag) do sum = sum + value end
+  case.drag = { mean = sum / #drag, low = math.min(table.unpack(drag)), high = math.max(table.unpack(drag)) }
+end
+
+--- Adds what the amplitudes are in % of those of a case, or of nothing: raw_percent, detrended_percent.
+function study.compare(cases, reference)
+  for _, case in ipairs(cases) do
+    for _, force in ipairs { "dPx", "dPz" } do
+      for _, kind in ipairs { "raw", "detrended" } do
+        local part, whole = case[force][kind], reference and reference[force][kind]
+        case[force][kind .. "_percent"] = part and whole and 100 * part / whole or nil
+      end
+    end
+  end
+end
+
+-- ── Runs ─────────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- Runs a case, also with on_step(model, info); steps that fail are cut in half. Adds to it: run, dofs (both bodies),
+--- user (seconds of processor time that the run took, all threads), x (of the die's centre), Px, Pz (forces on the slab)
+--- after every step, pressed (Pz at the full depth), drag (mean, low and high of Pz while it slides), dPx, dPz ({ raw,
+--- detrended } over the steps first to last; empty when the run ended before), first_failure ({ step, reason } of the
+--- first attempt that failed).
+function study.solve(problem, case)
+  local model, die, slab = problem.scene(case)
+  local began = os.clock()
+  case.run = model:run({
+    { name = "press", steps = case.press, grip = { 0, -problem.depth } },
+    { name = "slide", steps = case.slide, grip = { problem.way, -problem.depth } },
+  }, { linear = case.linear, step = { adaptive = true },
+       on_step = case.on_step and function(info) return case.on_step(model, info) end })
+  case.user = os.clock() - began
+  case.dofs = { die = die:dofs().total, slab = slab:dofs().total }
+  case.dofs.total = case.dofs.die + case.dofs.slab
+  measure(problem, case)
+  return case
+end
+
+--- Keeps the states at the ends of both stages and in the middle of the way: a function for on_step, and the list of
+--- frames.
+function study.record_states(case, field)
+  local frames, titles = {}, {
+    [case.press] = "pressed", [case.press + case.slide // 2] = "half of the way", [case.press + case.slide] = "the end",
+  }
+  return function(model, info)
+    if titles[info.step] then
+      frames[#frames + 1] = sg.frame{ model = model, field = field, cut = "-y", title = titles[info.step] }
+    end
+  end, frames
+end
+
+return study

@@ -1,0 +1,117 @@
+-- scripts/block_ironing3d.lua, coarse: symmetry and balance of the forces, what a layer does to them, the files it leaves.
+
+local sg = require "signorini"
+local core = require "signorini.core"
+local check = require "check"
+
+local script = core.home .. "/scripts/block_ironing3d.lua"
+package.path = core.home .. "/scripts/?.lua;" .. package.path
+local folder = os.tmpname()
+os.remove(folder)
+local run_study = assert(loadfile(script))
+local study = run_study("out=" .. folder, "mesh=2x2x1/4x2x1", "labels=N2,N2-N2.1", "press=3", "slide=20")
+
+check.case("both labels run through; forces of this mesh stay what they are", function()
+  for _, case in ipairs(study.cases) do check.equal({ case.run.failed, case.run.steps }, { false, 23 }) end
+  local N2, layer = study.cases.N2, study.cases["N2-N2.1"]
+  check.near({ N2.pressed, N2.drag.mean, N2.drag.high }, { 8.0775, 8.8927, 9.5242 }, 1e-4)
+  check.near({ layer.pressed, layer.drag.mean, layer.drag.high }, { 7.2888, 8.1716, 8.5332 }, 1e-4)
+end)
+
+check.case("without friction the way back is the way there: Pz is symmetric about the slab's middle, Px its opposite", function()
+  for _, case in ipairs(study.cases) do
+    check.near({ case.x[3], case.x[13], case.x[23] }, { 3.75, 10, 16.25 }, 1e-12)
+    for k = 0, 20 do
+      check.near(case.Pz[3 + k], case.Pz[23 - k], 1e-7)
+      check.near(case.Px[3 + k], -case.Px[23 - k], 1e-7)
+    end
+  end
+end)
+
+check.case("without friction a state does not depend on the way to it: pressed in the middle", function()
+  local slab = sg.body{ patch = sg.shapes.block{ size = {20, 10, 10} }, elements = {4, 2, 1}, order = "N2",
+                        contact = "back", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+  local block = sg.body{ patch = sg.shapes.block{ size = {4, 4, 4}, corner = {8, 3, 10} },
+                         elements = {2, 2, 1}, order = "N2", contact = "front",
+                         material = sg.neo_hookean{ E = 10, nu = 0.3 } }
+  local model = sg.model{
+    bodies   = { block = block, slab = slab },
+    supports = { bed = { on = slab:face "front", fix = "xyz" }, grip = { on = block:face "back", drive = "z", fix = "xy" } },
+    contacts = { interface = { slave = block:face "front", master = slab:face "back", penalty = 100 } },
+  }
+  local run = model:run{ { steps = 3, grip = -1 } }
+  check.near(-run:column "grip.fz"[3], study.cases.N2.Pz[13], 1e-7)
+end)
+
+check.case("the block's forces are the bed's", function()
+  for _, case in ipairs(study.cases) do
+    for _, axis in ipairs { ".fx", ".fy", ".fz" } do
+      local bed, grip = case.run:column("bed" .. axis), case.run:column("grip" .. axis)
+      for step = 1, case.run.steps do check.near(bed[step] + grip[step], 0, 1e-8) end
+    end
+  end
+end)
+
+check.case("a layer leaves less than a third of the amplitudes", function()
+  local layer = study.cases["N2-N2.1"]
+  check.equal({ layer.first, layer.last }, { 9, 17 }) -- one pitch of 5 in steps of 0.625 about x = 10
+  for _, force in ipairs { "dPx", "dPz" } do
+    for _, kind in ipairs { "raw_percent", "detrended_percent" } do
+      if layer[force][kind] > 33 then error(("%s %s is %g"):format(force, kind, layer[force][kind])) end
+    end
+  end
+end)
+
+local function check_pictures(where, names)
+  for _, name in ipairs(names) do
+    local stream = assert(io.open(("%s/%s.png"):format(where, name), "rb"))
+    check.equal(stream:read(8), "\137PNG\r\n\26\n")
+    stream:close()
+  end
+end
+
+check.case("charts, states, a table and a file per label", function()
+  check_pictures(folder, { "path", "Pz", "Px", "amplitudes", "states" })
+  local forces = sg.csv.read(folder .. "/forces.csv")
+  check.equal(forces:column "label", { "N2", "N2-N2.1" })
+  check.equal(forces:column "drag_mean", { study.cases.N2.drag.mean, study.cases["N2-N2.1"].drag.mean })
+  check.equal(sg.csv.read(folder .. "/N2.csv"):column "grip.fz", study.cases.N2.run:column "grip.fz")
+  check.equal(#study.files, 2 + 1 + 5)
+end)
+
+check.case("sixty steps: user time beside the other programs', the cheapest case in the range", function()
+  local sixty = require "block_ironing3d.sixty"
+  local both = run_study("variant=sixty", "out=" .. folder .. "/sixty", "mesh=2x2x1/4x2x1", "labels=N2", "through=1,2")
+  check.equal(#both.cases, 2)
+  for _, case in ipairs(both.cases) do
+    check.equal({ case.run.failed, case.run.steps }, { false, 60 })
+    check.near(case.pressed, -case.run:column "grip.fz"[10])
+  end
+  check.near(both.cases[1].pressed, study.cases.N2.pressed, 1e-7)
+  assert(both.cases[2].drag.mean < both.cases[1].drag.mean, "more functions are softer")
+  check.equal(both.cheapest, nil) -- both are too stiff
+  local function case(mean, user) return { drag = mean and { mean = mean }, user = user } end
+  check.equal(sixty.cheapest{ case(5.9, 1), case(5.8, 3), case(5.76, 2), case(5.7, 1), case(nil, 0) }.user, 2)
+  check_pictures(folder .. "/sixty", { "sixty" })
+  check.equal(sg.csv.read(folder .. "/sixty/sixty.csv"):column "through", { 1, 2 })
+end)
+
+check.case("wrong arguments", function()
+  for words, message in pairs {
+    ["mesh=4x4/8x4x4"] = "mesh must be elements of die and slab per direction such as 4x4x4/8x4x4, got '4x4/8x4x4'",
+    ["mesh=0x4x4/8x4x4"] = "mesh must be elements", ["labels=Q7"] = "Q7", ["block"] = "unknown argument 'block'",
+    ["press=0"] = "press must be a whole number of at least 1, got '0'",
+    ["through=2"] = "unknown argument 'through=2'; known with variant=standard: labels=",
+    ["variant=sixty slide=9"] = "unknown argument 'slide=9'; known with variant=sixty: labels=N2,",
+    ["variant=sixty points=x"] = "points must be a whole number", ["variant=x"] = "variant must be standard or sixty, got 'x'",
+  } do
+    local arguments = { "-q", script, "out=" .. folder }
+    for word in words:gmatch "%S+" do arguments[#arguments + 1] = word end
+    local output, status = check.program(arguments)
+    check.equal(status, 1)
+    check.holds(output, message)
+  end
+end)
+
+check.shell("rm -r " .. folder)
+check.done()

@@ -1,0 +1,76 @@
+-- scripts/cylinder_ironing3d.lua, coarse: symmetry and balance of the forces, what a layer does to them, the files it
+-- leaves.
+
+local sg = require "signorini"
+local core = require "signorini.core"
+local check = require "check"
+
+local script = core.home .. "/scripts/cylinder_ironing3d.lua"
+package.path = core.home .. "/scripts/?.lua;" .. package.path
+local folder = os.tmpname()
+os.remove(folder)
+local study = assert(loadfile(script))("out=" .. folder, "mesh=8x2x1/8x4x1", "labels=N2,N2-N2.1", "press=4", "slide=24")
+
+check.case("both labels run through; forces of this mesh stay what they are", function()
+  for _, case in ipairs(study.cases) do check.equal({ case.run.failed, case.run.steps }, { false, 28 }) end
+  local N2, layer = study.cases.N2, study.cases["N2-N2.1"]
+  check.near({ N2.pressed, N2.drag.mean, N2.drag.high }, { 0.21681, 0.22159, 0.22724 }, 1e-5)
+  check.near({ layer.pressed, layer.drag.mean, layer.drag.high }, { 0.20093, 0.20762, 0.20973 }, 1e-5)
+end)
+
+check.case("without friction the way back is the way there: Pz is symmetric about the slab's middle, Px its opposite", function()
+  for _, case in ipairs(study.cases) do
+    check.near({ case.x[4], case.x[16], case.x[28] }, { 0.5, 1.25, 2 }, 1e-12)
+    for k = 0, 24 do
+      check.near(case.Pz[4 + k], case.Pz[28 - k], 1e-8)
+      check.near(case.Px[4 + k], -case.Px[28 - k], 1e-8)
+    end
+  end
+end)
+
+check.case("the die's forces are the bed's, and none is across the way", function()
+  for _, case in ipairs(study.cases) do
+    for _, axis in ipairs { ".fx", ".fy", ".fz" } do
+      local bed, grip = case.run:column("bed" .. axis), case.run:column("grip" .. axis)
+      for step = 1, case.run.steps do
+        check.near(bed[step] + grip[step], 0, 1e-9)
+        if axis == ".fy" then check.near(bed[step], 0, 1e-9) end
+      end
+    end
+  end
+end)
+
+check.case("a layer leaves less than a third of the amplitudes", function()
+  local layer = study.cases["N2-N2.1"]
+  check.equal({ layer.first, layer.last }, { 14, 19 }) -- a pitch of 0.3125 in steps of 0.0625 about x = 1.25
+  for _, force in ipairs { "dPx", "dPz" } do
+    for _, kind in ipairs { "raw_percent", "detrended_percent" } do
+      if layer[force][kind] > 33 then error(("%s %s is %g"):format(force, kind, layer[force][kind])) end
+    end
+  end
+end)
+
+check.case("charts, states, a table and a file per label", function()
+  for _, name in ipairs { "path", "Pz", "Px", "amplitudes", "states" } do
+    local stream = assert(io.open(("%s/%s.png"):format(folder, name), "rb"))
+    check.equal(stream:read(8), "\137PNG\r\n\26\n")
+    stream:close()
+  end
+  check.equal(sg.csv.read(folder .. "/forces.csv"):column "dPz", { study.cases[1].dPz.raw, study.cases[2].dPz.raw })
+  check.equal(#study.files, 2 + 1 + 5)
+end)
+
+check.case("wrong arguments", function()
+  for word, message in pairs {
+    ["mesh=12x6x2"] = "mesh must be elements of die and slab per direction", ["labels=Q7"] = "Q7",
+    ["slide=ten"] = "slide must be a whole number of at least 1, got 'ten'",
+    ["points=4"] = "unknown argument 'points=4'; known: labels=", ["variant=sixty"] = "variant must be standard",
+  } do
+    local output, status = check.program { "-q", script, "out=" .. folder, word }
+    check.equal(status, 1)
+    check.holds(output, message)
+  end
+end)
+
+check.shell("rm -r " .. folder)
+check.done()
