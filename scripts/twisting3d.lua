@@ -14,10 +14,10 @@
 --          Punches with a flat face on a rigid plane, the hemisphere's analogue with a closed form: a block with a
 --          square face of side 2 and a tube of radii 1/2 and 1, E = 10, nu = 0, pressed by 0.01 of their height 1,
 --          turned by 20° in 10 steps.
--- Source: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of
---         Contact Problems, PhD thesis, IIT Guwahati, 2020, whose figures of it are lost; penalties, meshes: ours.
---         Uniform pressure in a disc clutch: R. G. Budynas, J. K. Nisbett, Shigley's Mechanical Engineering Design,
---         McGraw-Hill, section 16-5.
+-- Source: after the twisting contact of R. A. Sauer, L. De Lorenzis, An unbiased computational contact formulation
+--         for 3D friction, Int. J. Numer. Meth. Engng 101, 2015, 251 to 280; penalties and meshes are ours, published
+--         figures were not at hand. Uniform pressure in a disc clutch: R. G. Budynas, J. K. Nisbett, Shigley's
+--         Mechanical Engineering Design, McGraw-Hill, section 16-5.
 -- Units: any consistent ones; stresses in the cube's E, lengths in the hemisphere's outer radius, angles in degrees.
 -- Expected: the torque rises while the slip eats into the contact from its border, then levels when all slips, at
 --           mu ∫ p r dA of the printed profile. Punches: M = mu ∫ p r dA within 1 %, and within 1 % that of a uniform
@@ -154,8 +154,9 @@ local function twist(o, options)
     local m, reaction, energy = measure(model:profile "joint"), model:reaction "ring", model:energy()
     case.rows[info.step] = { step = info.step, angle = model:target "ring"[2], force = -reaction[3],
                              moment = reaction[4], torque = m.torque, friction = sign * m.friction,
-                             stick = m.stick, slip = m.slip, pressure = m.pressure, stored = energy.stored, contact = energy.contact,
-                             dissipated = energy.friction, work = energy.work, imbalance = imbalance(energy) }
+                             stick = m.stick, slip = m.slip, pressure = m.pressure, stored = energy.stored,
+                             contact = energy.contact, dissipated = energy.friction, work = energy.work,
+                             imbalance = imbalance(energy) }
     if o.on_step then o.on_step(model, case.rows[info.step]) end
   end
   case.run = model:run({ { name = "press", steps = o.press, ring = { -depth, 0 } },

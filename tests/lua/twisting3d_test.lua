@@ -28,7 +28,7 @@ check.case("punches: every point slips round the axis; μ∫pr dA and the closed
   end)
 
 check.case("a tube of uniform pressure: the stiff column's force", function()
-  -- Springs of the penalty in a row with the column, of height 1 and E = 10: 0.01 = p/100 + p/10 while strains are small.
+  -- The penalty's springs in a row with the column of height 1 and E = 10: 0.01 = p/100 + p/10 while strains are small.
   local area = math.pi * (1 - 0.5 ^ 2)
   check.near(turned.punches[2].force / area, 0.01 / (1 / 100 + 1 / 10), 0.005 * 0.0909)
 end)
@@ -72,7 +72,8 @@ check.case("wrong arguments", function()
                                ["meshes=m4"] = "meshes must be among m1, m2 and m3, got 'm4'",
                                ["slave=die"] = "slave must be hemisphere or cube, got 'die'",
                                ["poles=top"] = "poles must be ends or bottom, got 'top'",
-                               ["angle=0"] = "angle must be a positive number, got '0'", ["twist=x"] = "twist must be" } do
+                               ["angle=0"] = "angle must be a positive number, got '0'",
+                               ["twist=x"] = "twist must be" } do
     local output, status = check.program { "-q", script, "out=" .. folder, word }
     check.equal(status, 1)
     check.holds(output, message)
