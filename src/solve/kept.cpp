@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace signorini::solve {
 
@@ -135,12 +136,12 @@ void Kept::write_down(double cost) {
 
 bool Kept::solve(double* b) {
   ++statistics_.solutions;
+  const bool first = std::exchange(first_, false);
   right_ = rest_ = Eigen::Map<const VectorX>(b, pattern_.size);
   const double norm = right_.norm();
   if (norm == 0) return true;
-  const double tolerance = first_ ? forcing_.next(norm) : Forcing::tightest;
-  if (first_ && recent_cost_ * solutions_ > cost_ && !renew()) return false;
-  first_ = false;
+  const double tolerance = first ? forcing_.next(norm) : Forcing::tightest;
+  if (first && recent_cost_ * solutions_ > cost_ && !renew()) return false;
 
   const auto multiply = [this](const double* x, double* y) { matrix_.multiply(x, y); };
   const auto precondition = [this](double* z) { return apply(z); };

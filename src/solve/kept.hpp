@@ -5,14 +5,16 @@
 
 namespace signorini::solve {
 
-/// GMRES on the present matrix, preconditioned by Cholesky's factorisation of the symmetric part of an earlier one, or
-/// by LU of it where that is not positive definite. In three dimensions a factorisation costs tens of solutions, while
-/// tangents of one step differ little. It is renewed when solutions get dearer than they have been on average since the
-/// last renewal, that one included: the optimal time if the price keeps rising. Costs are counted, not measured, so the
-/// same matrices give the same bits on every run.
+/// GMRES on the present matrix, preconditioned by Cholesky's factorisation of the symmetric part of an earlier one, its
+/// block of the watched unknowns kept up to date (see SymmetricPart), or by LU where that part is not positive
+/// definite. In three dimensions a factorisation costs tens of solutions, while tangents of one step differ little. It
+/// is renewed when solutions get dearer than they have been on average since the last renewal, that one included: the
+/// optimal time if the price keeps rising. Costs are counted, not measured, so the same matrices give the same bits on
+/// every run.
 ///
-/// Accuracy: see Forcing. A matrix that is singular to working precision is reported where the right-hand side shows
-/// it: where that can be balanced, one of its solutions is returned.
+/// Accuracy: see Forcing for the first right-hand side after factor(), which is taken for Newton's; others are solved
+/// to Forcing::tightest. A matrix that is singular to working precision is reported where the right-hand side shows it:
+/// where that can be balanced, one of its solutions is returned.
 std::unique_ptr<LinearSolver> make_kept(const Pattern& pattern);
 
 /// How exactly Newton's corrections are wanted, from the residuals r_k that they are to remove (Eisenstat & Walker,

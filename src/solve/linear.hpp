@@ -54,16 +54,25 @@ struct Condensation {
   std::vector<int> contact;     ///< the unknowns whose rows and columns C touches, increasing
 };
 
-/// `automatic` takes KLU up to `klu_limit` unknowns and UMFPACK beyond. Measured on plane frictional ironing with N2
-/// (scripts/ironing2d.lua mesh=… labels=N2 linear=…), time of KLU over that of UMFPACK: 0.2 with 134 degrees of
-/// freedom, 0.3 with 402, 0.7 with 1370, 1.3 with 5034; small systems gain by the refactorisation, large ones by dense
-/// kernels.
+/// `automatic` takes KLU up to `klu_limit` unknowns and UMFPACK beyond, but `kept` once a factorisation has cost more
+/// than 200 operations for each entry that a solution reads: in space 260 with 1,440 unknowns, 400 with 2,988, 600 with
+/// 6,588, 1,050 with 17,388; in the plane 13 to 190 with 102 to 5,530 unknowns of degrees 2 to 8. Measured on plane
+/// frictional ironing with N2 (scripts/ironing2d.lua mesh=… labels=N2 linear=…), time of KLU over that of UMFPACK: 0.2
+/// with 134 degrees of freedom, 0.3 with 402, 0.7 with 1370, 1.3 with 5034; small systems gain by the refactorisation,
+/// large ones by dense kernels.
 ///
 /// `cholmod` is for symmetric tangents. While they are definite, UMFPACK takes 3.2 to 3.8 times as long with 3,167 to
 /// 14,015 unknowns, KLU 0.9 to 2.5 times with 215 to 815. `banded` is for slender bodies. On strips of 200 × 10
 /// elements, 4,423 to 4,555 unknowns of degrees 2, 4 and 8, UMFPACK takes 4.7, 6.1 and 5.0 times as long while the
 /// tangent is symmetric and definite, else 3.7, 2.6 and 1.9; `cholmod` 1.5, 1.7 and 1.4. For bodies as high as wide it
 /// is no better than UMFPACK when the tangent is not symmetric.
+///
+/// `kept` is for solids, and for any tangents that change little. Seconds of processor time on one thread, of UMFPACK
+/// over `kept`, with as many Newton iterations to 5 %: frictionless ironing of solids by a block (1,440 unknowns of
+/// degree 2) 8.9, of degree 4 (2,400) 8.4, by a spherical indenter (2,988 of N2) 7.5, (6,588 of N2-N2.2) 3.9,
+/// (17,388 of N2, the first steps of pressing only) 4.3. In the plane, frictional ironing as above, KLU takes 1.2 times
+/// as long as `kept` with 346 unknowns of degree 2 and 3.0 times with 1,266, UMFPACK 4.6 times with 4,834. GMRES takes
+/// 3 to 4 iterations where the solver was told which unknowns to watch, 10 to 20 where it was not.
 ///
 /// `condensed` needs the condensation, which is copied; the others pass it over. Its factor() reads the entries between
 /// contact unknowns only: that all other values are those of K₀ is the caller's word. Making it takes as long as one or

@@ -62,6 +62,20 @@ TEST(Kept, SolvesDriftingTangentsWithFewFactorisations) {
   }
 }
 
+/// As the first predictor of an arc: nothing to balance, then the rate of the prescribed displacements.
+TEST(Kept, ARightHandSideAfterZeroIsSolvedTightly) {
+  std::mt19937 random(53);
+  const Drift drift(random, cube(4), 10);
+  const Values values = drift.at_time(1);
+  const auto solver = make_solver(LinearKind::kept, drift.pattern);
+  ASSERT_TRUE(solver->factor(values.data()));
+  const VectorXd b = VectorXd::LinSpaced(drift.pattern.size, -1, 2);
+  VectorXd nothing = VectorXd::Zero(drift.pattern.size), x = b;
+  ASSERT_TRUE(solver->solve(nothing.data()) && solver->solve(x.data()));
+  EXPECT_EQ(nothing.norm(), 0);
+  EXPECT_LE(residual(drift.pattern, values, x, b), 1.0001 * Forcing::tightest);
+}
+
 TEST(Kept, FactorsAnewWhenTheMatrixJumps) {
   std::mt19937 random(42);
   const Pattern pattern = cube(5);
