@@ -1,7 +1,7 @@
 -- Block ironing in 3D: a block is pressed into a slab and dragged along it, without friction.
 --
--- Problem: the block's whole lower face is in contact, sharp edges included; they plough through the slab, and the forces
---          oscillate with the pitch of the slab's elements.
+-- Problem: the block's whole lower face is in contact, sharp edges included; they plough through the slab, and the
+--          forces oscillate with the pitch of the slab's elements.
 --
 --                  ________
 --                 |        |  block: 4 × 4 × 4, E = 10, its top driven, its centre from x = 3.75, in the slab's middle
@@ -13,24 +13,27 @@
 --          |  |________________________________________|
 --          +------------------------------------------------ x
 --
---          Neo-Hooke, nu = 0.3 both; normal penalty 100; slave: the block. Meshes: 4 × 4 × 4 and 8 × 4 × 4 elements. The
---          thesis prints neither where the block starts nor the steps: x = 3.75 (so that the path is symmetric), 10 and
---          125 steps are our choice. Steps that fail are cut in half; the table says where equal steps would have ended.
+--          Neo-Hooke, nu = 0.3 both; normal penalty 100; slave: the block. Meshes: 4 × 4 × 4 and 8 × 4 × 4 elements.
+--          The thesis prints neither where the block starts nor the steps: x = 3.75 (so that the path is symmetric), 10
+--          and 125 steps are our choice. Steps that fail are cut in half; the table says where equal steps would have
+--          ended.
 --          variant=sixty: the path in 10 + 50 steps, what it costs and which force comes out, beside two programs.
 -- Source: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of
---         Contact Problems, PhD thesis, IIT Guwahati, 2020, section 6.4.1, Figures 6.8 and 6.9, after L. De Lorenzis, P.
---         Wriggers, G. Zavarise, Comput. Mech. 49 (2012) 1-20. User times of FEBio and GetFEM: measured for this project.
+--         Contact Problems, PhD thesis, IIT Guwahati, 2020, section 6.4.1, Figures 6.8 and 6.9, after L. De Lorenzis,
+--         P. Wriggers, G. Zavarise, Comput. Mech. 49 (2012) 1-20. User times of FEBio and GetFEM: measured for this
+--         project.
 -- Units: any consistent ones; the thesis names none.
 -- Expected: Pz = 5.726 pressed and 6.288 on average over the drag for N2, 6.231 for N3, 6.237 for N2-N3, 5.893 for
 --           N2-N2.1, which run through in equal steps; curves symmetric about the middle of the way, since without
 --           friction a state does not depend on the way to it. The ripple comes from the block's sharp edges: layers do
 --           not calm it (see share/doc/problems/block_ironing3d.md). variant=sixty: N2-N2.1 with degree 2 through on
 --           2x2x1/8x4x2 gives 5.846 on average.
--- Run: signorini scripts/block_ironing3d.lua [labels=N2,N3,N4,N2-N3,N2-N4,N2-N2.1,N2-N2.2] [mesh=4x4x4/8x4x4] [press=10]
---      [slide=125] [linear=auto] [out=out/block_ironing3d]; mesh: elements of block/slab; press, slide: steps.
+-- Run: signorini scripts/block_ironing3d.lua [labels=N2,N3,N4,N2-N3,N2-N4,N2-N2.1,N2-N2.2] [mesh=4x4x4/8x4x4]
+--      [press=10] [slide=125] [linear=auto] [out=out/block_ironing3d]; mesh: elements of block/slab; press, slide:
+--      steps.
 --      signorini scripts/block_ironing3d.lua variant=sixty [labels=N2,N2-N2.1,N2-N2.2] [mesh=4x4x4/8x4x4] [through=1]
---      [points=auto] [linear=auto] [out=out/block_ironing3d_sixty]; all but linear and out may be lists; through: degree
---      from top to bottom; points: Gauss points per direction of a contact element, auto is 3(p + 1).
+--      [points=auto] [linear=auto] [out=out/block_ironing3d_sixty]; all but linear and out may be lists; through:
+--      degree from top to bottom; points: Gauss points per direction of a contact element, auto is 3(p + 1).
 
 local sg = require "signorini"
 local arguments = require "solid_ironing.arguments"

@@ -1,7 +1,7 @@
 -- Cylinder ironing in 3D: a half pipe is pressed into a slab and dragged across its axis, without friction.
 --
--- Problem: the pipe is narrower than the slab, so its two rims cut into it; its round bottom rolls over the elements of the
---          slab, and the forces oscillate with their pitch.
+-- Problem: the pipe is narrower than the slab, so its two rims cut into it; its round bottom moves over the elements of
+--          the slab, and the forces oscillate with their pitch.
 --
 --          |     |      die: half a pipe along y, outer radius 0.5, wall 0.1, width 0.6, E = 100, its two flat ends
 --           \   /       driven; its axis from x = 0.5, in the slab's middle across;
@@ -10,18 +10,19 @@
 --       |  E = 1, bottom clamped     |
 --       |____________________________|
 --
---          Neo-Hooke, nu = 0.3 both; normal penalty 100; slave: the die. Meshes: 12 × 6 × 2 (arc, y, wall) and 18 × 12 × 4
---          elements. The thesis does not print what is driven, where the die starts and the steps: the flat ends,
---          x = 0.5 (so that the path is symmetric), 10 steps and ten steps per element of the slab are our choice. Steps
---          that fail are cut in half; the table says where equal steps would have ended.
+--          Neo-Hooke, nu = 0.3 both; normal penalty 100; slave: the die. Meshes: 12 × 6 × 2 (arc, y, wall) and
+--          18 × 12 × 4 elements. The thesis does not print what is driven, where the die starts and the steps: the flat
+--          ends, x = 0.5 (so that the path is symmetric), 10 steps and ten steps per element of the slab are our
+--          choice. Steps that fail are cut in half; the table says where equal steps would have ended.
 -- Source: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of
---         Contact Problems, PhD thesis, IIT Guwahati, 2020, section 6.4.2, Figures 6.10 and 6.11, after L. De Lorenzis, P.
---         Wriggers, G. Zavarise, Comput. Mech. 49 (2012) 1-20.
+--         Contact Problems, PhD thesis, IIT Guwahati, 2020, section 6.4.2, Figures 6.10 and 6.11, after L. De Lorenzis,
+--         P. Wriggers, G. Zavarise, Comput. Mech. 49 (2012) 1-20.
 -- Units: any consistent ones; the thesis names none.
 -- Expected: Pz = 0.1700 pressed and 0.1757 on average over the drag for N2, which runs through in equal steps; curves
 --           symmetric about the middle of the way, since without friction a state does not depend on the way to it.
--- Run: signorini scripts/cylinder_ironing3d.lua [labels=N2,N3,N4,N2-N3,N2-N4,N2-N2.1,N2-N2.2] [mesh=12x6x2/18x12x4]
---      [press=10] [slide=108] [linear=auto] [out=out/cylinder_ironing3d]; mesh: elements of die/slab; press, slide: steps.
+-- Run: signorini scripts/cylinder_ironing3d.lua [labels=N2,N3,N4,N2-N3,N2-N4,N2-N2.1,N2-N2.2]
+--      [mesh=12x6x2/18x12x4] [press=10] [slide=108] [linear=auto] [out=out/cylinder_ironing3d]; mesh: elements of
+--      die/slab; press, slide: steps.
 
 local sg = require "signorini"
 local arguments = require "solid_ironing.arguments"

@@ -8,7 +8,8 @@ local study = require "solid_ironing.study"
 
 local sixty = {}
 
---- User time in seconds, measured elsewhere, and the range in which those programs' mean pressing force in the drag lies.
+--- User times in seconds, measured elsewhere, and the range in which those programs' mean pressing force in the drag
+--- lies.
 sixty.febio, sixty.getfem, sixty.range = 13.6, 61, { 5.75, 5.85 }
 
 local press, slide = 10, 50
@@ -23,8 +24,8 @@ local function result_table(cases)
                 drag.high, drag.mean and (inside and "yes" or "no"), case.user / sixty.febio, case.user / sixty.getfem }
   end
   return sg.table{
-    columns = { "label", "mesh", "through", "points", "DOFs", "iterations", "cut-backs", "end", "user", "Pz", "Pz", "Pz",
-                "Pz", "5.75-5.85", "user", "user" },
+    columns = { "label", "mesh", "through", "points", "DOFs", "iterations", "cut-backs", "end", "user", "Pz", "Pz",
+                "Pz", "Pz", "5.75-5.85", "user", "user" },
     units = { "", "", "degree", "", "", "", "", "", "s", "pressed", "mean", "least", "greatest", "", "of FEBio's",
               "of GetFEM's" }, rows = rows,
     formats = { "%s", "%s", "%d", "%s", "%d", "%d", "%d", "%s", "%.2f", "%.3f", "%.3f", "%.3f", "%.3f", "%s", "%.3f",
@@ -70,22 +71,22 @@ function sixty.run(problem, options, files)
             through = arguments.count("through", through),
             points = points ~= "auto" and arguments.count("points", points) or nil,
           })
-          print(("%s at %s, degree %s through, points %s: %.2f s of user time"):format(label, mesh.name, through, points,
-            case.user))
+          print(("%s at %s, degree %s through, points %s: %.2f s of user time")
+            :format(label, mesh.name, through, points, case.user))
           print(case.run)
           cases[#cases + 1] = case
         end
       end
     end
   end
-  print(("\n%d + %d steps; pressing force at the full depth and while the block slides; user time beside FEBio's %g s and ")
-    :format(press, slide, sixty.febio) .. ("GetFEM's %g s"):format(sixty.getfem))
+  print(("\n%d + %d steps; pressing force at the full depth and while the block slides; user time beside FEBio's %g s ")
+    :format(press, slide, sixty.febio) .. ("and GetFEM's %g s"):format(sixty.getfem))
   print(result_table(cases))
   csv(files.path "sixty.csv", cases)
   local cheapest = sixty.cheapest(cases)
-  print(cheapest and ("cheapest within %g to %g: %s at %s, degree %d through, %.2f s: 1/%.1f of FEBio's, 1/%.1f of GetFEM's")
+  print(cheapest and ("cheapest within %g to %g: %s at %s, degree %d through, %.2f s: 1/%.1f of FEBio's, 1/%.1f of ")
     :format(sixty.range[1], sixty.range[2], cheapest.label, cheapest.mesh.name, cheapest.through, cheapest.user,
-      sixty.febio / cheapest.user, sixty.getfem / cheapest.user)
+      sixty.febio / cheapest.user, sixty.getfem / cheapest.user) .. "GetFEM's"
     or ("no case lies within %g to %g"):format(table.unpack(sixty.range)))
   files.draw("sixty.png", "a step of the sliding", function(file)
     local named = {}

@@ -31,12 +31,13 @@ function output.work_table(cases)
   for i, case in ipairs(cases) do
     local run, spent, failure = case.run, case.run.timings, case.first_failure
     rows[i] = { case.label, case.dofs.die, case.dofs.slab, case.dofs.total, run.iterations,
-                run.iterations / math.max(1, run.steps), failure and ("%s in step %d"):format(failure.reason, failure.step)
-                  or "none", run.cutbacks, ending(case), case.user, run.wall, spent.bulk, spent.contact, spent.linear }
+                run.iterations / math.max(1, run.steps),
+                failure and ("%s in step %d"):format(failure.reason, failure.step) or "none", run.cutbacks,
+                ending(case), case.user, run.wall, spent.bulk, spent.contact, spent.linear }
   end
   return sg.table{
-    columns = { "label", "die", "slab", "total", "iterations", "iterations", "first failure", "cut-backs", "end", "user",
-                "wall", "bulk", "contact", "linear" },
+    columns = { "label", "die", "slab", "total", "iterations", "iterations", "first failure", "cut-backs", "end",
+                "user", "wall", "bulk", "contact", "linear" },
     units = { "", "DOFs", "DOFs", "DOFs", "", "per step", "", "", "", "s", "s", "s", "s", "s" }, rows = rows,
     formats = { "%s", "%d", "%d", "%d", "%d", "%.2f", "%s", "%d", "%s", "%.1f", "%.1f", "%.1f", "%.1f", "%.1f" },
   }

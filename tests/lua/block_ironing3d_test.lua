@@ -1,4 +1,5 @@
--- scripts/block_ironing3d.lua, coarse: symmetry and balance of the forces, what a layer does to them, the files it leaves.
+-- scripts/block_ironing3d.lua, coarse: symmetry and balance of the forces, what a layer does to them, the files it
+-- leaves.
 
 local sg = require "signorini"
 local core = require "signorini.core"
@@ -18,7 +19,8 @@ check.case("both labels run through; forces of this mesh stay what they are", fu
   check.near({ layer.pressed, layer.drag.mean, layer.drag.high }, { 7.2888, 8.1716, 8.5332 }, 1e-4)
 end)
 
-check.case("without friction the way back is the way there: Pz is symmetric about the slab's middle, Px its opposite", function()
+-- Without friction the way back is the way there.
+check.case("Pz is symmetric about the slab's middle, Px its opposite", function()
   for _, case in ipairs(study.cases) do
     check.near({ case.x[3], case.x[13], case.x[23] }, { 3.75, 10, 16.25 }, 1e-12)
     for k = 0, 20 do
@@ -36,7 +38,8 @@ check.case("without friction a state does not depend on the way to it: pressed i
                          material = sg.neo_hookean{ E = 10, nu = 0.3 } }
   local model = sg.model{
     bodies   = { block = block, slab = slab },
-    supports = { bed = { on = slab:face "front", fix = "xyz" }, grip = { on = block:face "back", drive = "z", fix = "xy" } },
+    supports = { bed = { on = slab:face "front", fix = "xyz" },
+                 grip = { on = block:face "back", drive = "z", fix = "xy" } },
     contacts = { interface = { slave = block:face "front", master = slab:face "back", penalty = 100 } },
   }
   local run = model:run{ { steps = 3, grip = -1 } }
@@ -103,7 +106,8 @@ check.case("wrong arguments", function()
     ["press=0"] = "press must be a whole number of at least 1, got '0'",
     ["through=2"] = "unknown argument 'through=2'; known with variant=standard: labels=",
     ["variant=sixty slide=9"] = "unknown argument 'slide=9'; known with variant=sixty: labels=N2,",
-    ["variant=sixty points=x"] = "points must be a whole number", ["variant=x"] = "variant must be standard or sixty, got 'x'",
+    ["variant=sixty points=x"] = "points must be a whole number",
+    ["variant=x"] = "variant must be standard or sixty, got 'x'",
   } do
     local arguments = { "-q", script, "out=" .. folder }
     for word in words:gmatch "%S+" do arguments[#arguments + 1] = word end
