@@ -52,10 +52,16 @@ template <int D> int timings(lua_State* L) {
 
 template <int D> int solver(lua_State* L) {
   const Model<D>& model = self<Model<D>>(L);
-  lua_createtable(L, 0, 3);
+  const solve::SolverStatistics statistics = model->solver_statistics();
+  lua_createtable(L, 0, 8);
   set_field(L, "linear", solve::name_of(model->linear_kind()));
   set_field(L, "unknowns", model->unknowns().size());
   set_field(L, "patterns", model->patterns());
+  set_field(L, "factorisations", statistics.factorisations);
+  set_field(L, "solutions", statistics.solutions);
+  set_field(L, "iterations", statistics.iterations);
+  set_field(L, "factor_memory", statistics.memory);
+  set_field(L, "memory", model->memory());
   return 1;
 }
 
@@ -85,8 +91,10 @@ constexpr Function rows[] = {
      "m:timings()\nSeconds so far: { bulk, contact, linear }; linear is factorisation and solve."},
     {"solver", wrap<solver<D>>,
      "m:solver()\n"
-     "{ linear, unknowns, patterns }: the linear solver in use, the size of its systems, how many sparse patterns\n"
-     "were analysed."},
+     "{ linear, unknowns, patterns, factorisations, solutions, iterations, factor_memory, memory }: the linear solver\n"
+     "in use, the size of its systems, how many sparse patterns were analysed; then what was done since the model was\n"
+     "made: numerical factorisations, right-hand sides, iterations of GMRES where a factorisation was kept; bytes of\n"
+     "the present factors, and of the bodies' tables with the tangent and its patterns."},
 };
 
 /// All methods, subject by subject.
