@@ -27,7 +27,8 @@ view::Solid skin_of(const model::Model<3>& model, int b, const Showing& showing,
   if (showing.field == pressure_name) solid.skin.values = model::contact_pressure(model, b, divisions);
   solid.skin.values *= showing.factor;
   solid.rim = lines_of(std::move(skin.rim), false);
-  if (showing.mesh) solid.mesh_lines = lines_of(std::move(skin.mesh_lines), true);
+  solid.mesh_lines = lines_of(std::move(skin.mesh_lines), true);
+  solid.mesh = showing.mesh;
   if (showing.control_points) {
     solid.control_points = std::move(skin.control_points);
     solid.net_lines = std::move(skin.net_lines);

@@ -240,6 +240,7 @@ Solid cut(const Solid& solid, const CutPlane& plane) {
   const double tolerance = 1e-9 * bounds(solid).size();
   const Vec<3> normal = plane.normal.normalized();
   Solid left;
+  left.mesh = solid.mesh;
   const VectorX distance = distances(solid.skin.points, plane, tolerance);
   if (distance.size() > 0 && distance.minCoeff() < 0) {
     Builder face;

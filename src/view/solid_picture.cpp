@@ -93,7 +93,7 @@ void add_lines(Scene& scene, const std::vector<SurfaceLine>& lines, const Pen& p
 
 void add_body(Scene& scene, const Solid& body, const Style& style) {
   const double u = style.unit;
-  add_lines(scene, body.mesh_lines, {line_colour, 1.6 * u, 1.2, true});
+  if (body.mesh) add_lines(scene, body.mesh_lines, {line_colour, 1.6 * u, 1.2, true});
   add_lines(scene, body.rim, {line_colour, 2.4 * u, 1.5, true});
   add_lines(scene, body.undeformed_rim, {ghost_rim_colour, 1.8 * u, -2, false});
   if (body.undeformed.points.cols() > 0)

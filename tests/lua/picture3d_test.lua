@@ -1,0 +1,186 @@
+-- sg.picture and sg.frame of solids: what changes a picture, symmetric models, cuts, and what they refuse.
+
+local sg = require "signorini"
+local check = require "check"
+
+local folder = os.tmpname()
+os.remove(folder)
+os.execute("mkdir " .. folder)
+
+local file = folder .. "/picture.png"
+
+--- Width, height and bytes of the PNG file that these arguments draw.
+local function draw(arguments)
+  arguments.file = file
+  arguments.size = arguments.size or { 200, 160 }
+  sg.picture(arguments)
+  local stream = assert(io.open(file, "rb"))
+  local bytes = stream:read "a"
+  stream:close()
+  local width, height = string.unpack(">I4I4", bytes, 17)
+  return { width = width, height = height, bytes = bytes }
+end
+
+local function drawn_alike(a, b)
+  return draw(a).bytes == draw(b).bytes
+end
+
+local rubber = sg.neo_hookean{ E = 1, nu = 0.3 }
+
+--- A block whose back is pressed by an obstacle.
+local function pressed(size, corner, supports, obstacle, depth)
+  local block = sg.body{ patch = sg.shapes.block{ size = size, corner = corner }, elements = { 4, 2, 2 }, order = "N2",
+                         contact = "back", material = rubber }
+  local all = { bed = { on = block:face "front", fix = "xyz" }, tool = { on = obstacle, drive = "z" } }
+  for name, support in pairs(supports) do all[name] = { on = block:face(support[1]), fix = support[2] } end
+  local model = sg.model{
+    bodies = { block = block }, supports = all,
+    contacts = { touch = { slave = block:face "back", master = obstacle, penalty = 20 } },
+  }
+  check.equal(model:run({ { name = "press", steps = 2, tool = { -depth } } }).failed, false)
+  return model
+end
+
+local function ball(x, y)
+  return sg.rigid.sphere{ centre = { x, y, 1.8 }, radius = 0.8 }
+end
+
+local model = pressed({ 2, 1, 1 }, { 0, 0, 0 }, {}, ball(1.2, 0.4), 0.15)
+
+check.case("every option changes the picture", function()
+  local seen = {}
+  local variants = {
+    {}, { field = "uz" }, { field = "syz" }, { field = "contact_pressure" }, { field = "uz", factor = 2 },
+    { field = "uz", label = "lift" }, { field = "uz", range = { -1, 0 } }, { deformed = false }, { undeformed = true },
+    { mesh = false }, { control_points = true }, { obstacles = false }, { title = "pressed" },
+    { mirror = "x" }, { mirror = "z" }, { mirror = "xyz" },
+    { camera = "front" }, { camera = "back" }, { camera = "left" }, { camera = "right" }, { camera = "top" },
+    { camera = "bottom" }, { camera = { from = { 1, -1, 3 } } }, { camera = { from = { 1, -1, 3 }, up = { 1, 0, 0 } } },
+    { cut = "x" }, { cut = "-x" }, { cut = { normal = "x", at = 0.3 } }, { cut = { normal = { 1, -1, 0.2 } } },
+    { cut = { normal = { 1, -1, 0.2 }, point = { 0.5, 0.5, 0.5 } } }, { crop = { 0, 1, 0, 1, 0, 1 } },
+  }
+  for i, variant in ipairs(variants) do
+    variant.model = model
+    local bytes = draw(variant).bytes
+    if seen[bytes] then error(("variants %d and %d look alike"):format(seen[bytes], i)) end
+    seen[bytes] = i
+  end
+end)
+
+check.case("what says the same draws the same", function()
+  local m = model
+  check.equal(drawn_alike({ model = m }, { model = m }), true)
+  check.equal(drawn_alike({ model = m }, { model = m, camera = "iso", bodies = { "block" } }), true)
+  check.equal(drawn_alike({ model = m, camera = "front" }, { model = m, camera = { from = { 0, -2, 0 } } }), true)
+  check.equal(drawn_alike({ model = m, camera = "top" }, { model = m, camera = { from = { 0, 0, 1 } } }), true)
+  local half = { normal = "-y", at = 0.5 }
+  check.equal(drawn_alike({ model = m, field = "szz", cut = half },
+                          { model = m, field = "szz", cut = { normal = { 0, -3, 0 }, point = { 7, 0.5, -2 } } }), true)
+end)
+
+check.case("a quarter and its images are the whole model, cut open as well", function()
+  local symmetry = { left = { "west", "x" }, near = { "south", "y" } }
+  local quarter = pressed({ 1, 0.5, 1 }, { 0, 0, 0 }, symmetry, ball(0, 0), 0.1)
+  local whole
+  do
+    local shape = sg.shapes.block{ size = { 2, 1, 1 }, corner = { -1, -0.5, 0 } }
+    local block = sg.body{ patch = shape, elements = { 8, 4, 2 }, order = "N2", contact = "back", material = rubber }
+    local tool = ball(0, 0)
+    whole = sg.model{
+      bodies = { block = block },
+      supports = { bed = { on = block:face "front", fix = "xyz" }, tool = { on = tool, drive = "z" } },
+      contacts = { touch = { slave = block:face "back", master = tool, penalty = 20 } },
+    }
+    check.equal(whole:run({ { name = "press", steps = 2, tool = { -0.1 } } }).failed, false)
+  end
+  -- A bit of the cut face where no field vanishes; the narrow range leaves two colours, one for each sign. Drawn on the
+  -- reference shape, which is the same to the last digit.
+  local function picture(of, field, mirror, x, factor)
+    return draw{ model = of, field = field, label = field, factor = factor, mirror = mirror, deformed = false,
+                 cut = { normal = "-y", at = -0.2 }, obstacles = false, range = { -1e-6, 1e-6 }, camera = "front",
+                 crop = { x - 0.02, x + 0.02, -0.21, -0.19, 0.62, 0.66 } }.bytes
+  end
+  for _, field in ipairs { "ux", "uy", "uz", "sxy", "sxz", "szz", "F13", "F32" } do
+    local right = picture(whole, field, nil, -0.35)
+    check.equal(picture(quarter, field, "xy", -0.35) == right, true)
+    check.equal(picture(quarter, field, "xy", -0.35, -1) == right, false)
+  end
+  check.equal(drawn_alike({ model = quarter, mirror = "xy", mesh = false, obstacles = false, deformed = false },
+                          { model = whole, mesh = false, obstacles = false, deformed = false }), true)
+end)
+
+check.case("frames of solids share a camera and keep their cut", function()
+  local first = sg.frame{ model = model, field = "uz", title = "whole" }
+  local second = sg.frame{ model = model, field = "uz", title = "open", cut = "-y", undeformed = true }
+  check.holds(tostring(second), "frame 'open' of 1 body", "u_z")
+  local row = draw{ frames = { first, second }, columns = 2, size = 800 }
+  local column = draw{ frames = { first, second }, columns = 1, size = 800 }
+  check.equal(row.width / row.height > 1.5 * column.width / column.height, true)
+  check.equal(draw{ frames = { first, second }, camera = "front" }.bytes == draw{ frames = { first, second } }.bytes,
+              false)
+end)
+
+check.case("poles and layers of all kinds can be drawn", function()
+  local octant = sg.body{ patch = sg.shapes.sphere_octant{ inner = 0.3, outer = 1 }, elements = { 3, 3, 2 },
+                          order = "N2-N2.1", contact = "front", material = rubber }
+  local trough = sg.shapes.half_cylinder_shell{ inner = 0.6, outer = 0.9, width = 1, centre = { 3, 0, 0 } }
+  local shell = sg.body{ patch = trough, elements = { 4, 2, 1 }, order = { "N2-N4", "N2" }, contact = "front",
+                         material = rubber }
+  local bowl = sg.rigid.surface(sg.shapes.sphere_octant{ inner = 1.05, outer = 2 }:face "back")
+  local scene = sg.model{
+    bodies = { octant = octant, shell = shell },
+    supports = { hold = { on = { octant:face "back", shell:face "back" }, fix = "xyz" } },
+    contacts = { bowl = { slave = octant:face "front", master = bowl, penalty = 10 } },
+  }
+  -- Stresses at a pole are those close by: the state is at rest and all of it has one colour.
+  local function picture(more)
+    return draw{ model = scene, field = "von_mises", cut = more.cut, bodies = more.bodies, obstacles = more.obstacles }
+  end
+  local all = picture{}
+  check.equal(picture{ cut = "x" }.bytes == all.bytes, false)
+  check.equal(picture{ bodies = { "shell" } }.bytes == all.bytes, false)
+  check.equal(picture{ obstacles = false }.bytes == all.bytes, false)
+  check.equal(picture{ bodies = { "octant", "shell" } }.bytes == all.bytes, true)
+end)
+
+check.case("wrong arguments", function()
+  local strip = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = { 2, 2 }, order = "N2",
+                         contact = "north", material = rubber }
+  local plane = sg.model{ bodies = { strip = strip }, contacts = {},
+                          supports = { foot = { on = strip:face "south", fix = "xy" } } }
+  local flat, solid = sg.frame{ model = plane }, sg.frame{ model = model }
+  local wrong = {
+    { { model = model, field = "w" }, "unknown field 'w'", "uz", "contact_pressure" },
+    { { model = plane, field = "contact_pressure" }, "unknown field" },
+    { { model = model, mirror = "zz" }, "mirror must be 'x', 'y', 'z'" },
+    { { model = model, camera = "above" }, "camera must be 'iso'", "'above'" },
+    { { model = model, camera = 3 }, "camera must be 'iso'", "{ from" },
+    { { model = model, camera = { eye = { 1, 0, 0 } } }, "camera: unknown argument 'eye'", "from, up" },
+    { { model = model, camera = { up = { 0, 0, 1 } } }, "camera.from", "is missing" },
+    { { model = model, camera = { from = { 0, 0, 0 } } }, "camera.from must be a vector that is not zero" },
+    { { model = model, camera = { from = { 0, 0, 1 }, up = { 0, 0, 2 } } }, "up points along from" },
+    { { model = model, cut = "w" }, "cut must be 'x'" },
+    { { model = model, cut = true }, "cut must be an axis" },
+    { { model = model, cut = { normal = { 0, 0, 0 } } }, "cut.normal must be a vector that is not zero" },
+    { { model = model, cut = { normal = { 0, 1, 0 }, at = 2 } }, "cut.at needs an axis" },
+    { { model = model, cut = { normal = "y", at = 2, point = { 0, 0, 0 } } }, "both at and point" },
+    { { model = model, cut = { at = 1 } }, "cut.normal", "is missing" },
+    { { model = model, cut = { normal = "y", at = -1 } }, "takes all bodies away" },
+    { { model = model, crop = { 0, 1, 0, 1 } }, "crop must be a list of 6 numbers" },
+    { { model = model, crop = { 0, 1, 0, 1, 1, 0 } }, "expected {xmin, xmax, ymin, ymax, zmin, zmax}" },
+    { { model = model, bodies = { "slab" } }, "no body 'slab'", "'block'" },
+    { { model = model, bodies = {} }, "bodies must be a list of at least one name" },
+    { { model = plane, camera = "iso" }, "camera is for models of solids" },
+    { { model = plane, cut = "y" }, "cut is for models of solids" },
+    { { frames = { solid, flat } }, "frames[2] shows a plane model" },
+    { { frames = { solid }, cut = "y" }, "cut belongs to each of the frames" },
+    { { model = 3 }, "model must be a model" },
+  }
+  for _, case in ipairs(wrong) do
+    check.fails(function() draw(case[1]) end, "sg.picture", table.unpack(case, 2))
+  end
+  check.fails(function() sg.frame{ model = model, camera = "iso" } end, "sg.frame", "unknown argument 'camera'")
+end)
+
+os.execute("rm -r " .. folder)
+check.done()
