@@ -25,8 +25,8 @@
 -- Units: any consistent ones; the thesis names none.
 -- Expected: all seven labels run through in equal steps. Pz = 5.726 pressed and 6.288 on average over the drag for N2;
 --           averages 6.231 (N3), 6.262 (N4), 6.237 (N2-N3), 6.273 (N2-N4), 5.893 (N2-N2.1), 5.804 (N2-N2.2). Curves are
---           symmetric about the middle of the way, since without friction a state does not depend on the way to it. The
---           ripple comes from the block's sharp edges: neither degree nor layers calm it (see
+--           symmetric about the middle of the way, since without friction a state does not depend on the way to it.
+--           Neither degree nor layers calm the ripple, since the block's edges stay sharp (see
 --           share/doc/problems/block_ironing3d.md). variant=sixty: N2-N2.1 with degree 2 through and 4 points gives
 --           5.846 on average on 2x2x1/8x4x2.
 -- Run: signorini scripts/block_ironing3d.lua [labels=N2,N3,N4,N2-N3,N2-N4,N2-N2.1,N2-N2.2] [mesh=4x4x4/8x4x4]
