@@ -111,7 +111,8 @@ function output.draw_forces(file, cases, title)
     for i, case in ipairs(cases) do
       if #case.x > 0 then
         chart[#chart + 1] = { x = case.x, y = case[curve[1]], dashed = curve[2], color = i,
-                              label = ("%s %s %s"):format(curve[1], case.label, case.mesh) }
+                              label = ("%s %s %s"):format(curve[1], case.label,
+                                case.mu and ("mu = %g"):format(case.mu) or case.mesh) }
       end
     end
   end
