@@ -49,7 +49,7 @@ Pair<D>::Pair(Surface<D> slave, Master<D> master, Law law, int points, bool revo
       slave_.functions(face, 1);
       reference.slave = face.position;
       reference.slave_tangent = face.tangent;
-      points_.push_back({e, weight, slave_measure(reference, derivative), values_.size()});
+      points_.push_back({e, q, weight, slave_measure(reference, derivative), values_.size()});
       reference_positions_.push_back(face.position);
       values_.insert(values_.end(), face.value.begin(), face.value.begin() + n);
       for (const auto& values : face.derivative) values_.insert(values_.end(), values.begin(), values.begin() + n);

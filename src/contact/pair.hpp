@@ -84,6 +84,9 @@ public:
   const Law& law() const { return law_; }
   /// Per contact point, along the slave face (element by element).
   const std::vector<PointResult<D>>& results() const { return results_; }
+  /// Element of the slave face that contact point i lies in, and its number there, ξ¹ running fastest; those that a
+  /// region leaves out are counted.
+  std::pair<int, int> place(std::size_t i) const { return {points_[i].element, points_[i].number}; }
   /// Positions of the contact points in the reference configuration.
   const std::vector<Vec<D>>& reference_positions() const { return reference_positions_; }
   Resultant<D> resultant() const;
@@ -97,7 +100,7 @@ public:
 private:
   /// A Gauss point of the slave face: constant data.
   struct Point {
-    int element;
+    int element, number;
     double weight;      ///< parametric
     double reference;   ///< reference area per parametric area
     std::size_t values; ///< offset into values_: R_A, then R_A,1 …

@@ -62,7 +62,8 @@ struct Plane {
   Vec<3> point, normal;
 };
 
-/// The elements of a solid that one of the planes at least crosses or touches. `field` may be null.
+/// The elements of a solid that one of the planes at least may meet: it crosses or touches the hull of their control
+/// points. `field` may be null.
 std::vector<Inside> crossed_elements(const Model<3>& model, int body, const Field<3>* field, int divisions,
                                      bool deformed, const std::vector<Plane>& planes);
 

@@ -149,20 +149,13 @@ struct FacePressure {
 FacePressure face_pressure(const Model<3>& model, int contact) {
   const Contact<3>& definition = model.scene().contacts[at(contact)];
   const contact::Pair<3>& pair = model.pairs()[at(contact)];
-  const SkinSide side{model, definition.slave.body, definition.slave.side, false};
-  const solid::QuadratureRule rule = solid::gauss_legendre(definition.points, 0, 1);
+  const int per_element = definition.points * definition.points;
   FacePressure result{definition.slave.side, definition.points, {}};
-  std::size_t next = 0;
-  for (int j = 0; j < side.elements(1); ++j)
-    for (int i = 0; i < side.elements(0); ++i)
-      for (int q = 0; q < definition.points * definition.points; ++q) {
-        const int e = side.element(i, j);
-        const VectorX xi =
-            side.parameter(e, rule.points[at(q % definition.points)], rule.points[at(q / definition.points)]);
-        const bool acts = !definition.where || definition.where(body_point(model, side.body, e, xi).reference);
-        result.values.push_back(acts && next < pair.results().size() ? pair.results()[next].pressure : 0);
-        next += acts;
-      }
+  result.values.assign(at(pair.slave().elements() * per_element), 0.0);
+  for (std::size_t i = 0; i < pair.results().size(); ++i) {
+    const auto [element, number] = pair.place(i);
+    result.values[at(element * per_element + number)] = pair.results()[i].pressure;
+  }
   return result;
 }
 

@@ -1,0 +1,197 @@
+#include "model/tessellate.hpp"
+
+#include "nurbs/shapes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <set>
+
+namespace signorini::model {
+namespace {
+
+const nurbs::Side west{0, false}, south{1, false}, front{2, false}, back{2, true};
+
+Scene<3> one_body(const nurbs::Patch& patch, std::vector<int> elements, nurbs::Side contact) {
+  nurbs::Plan plan;
+  plan.elements = std::move(elements);
+  plan.contact = {contact};
+  plan.labels.assign(2, nurbs::parse_label("N2-N2.1"));
+  const auto space = std::make_shared<const nurbs::Discretisation>(patch, plan);
+  Scene<3> scene;
+  scene.bodies.push_back({"body", std::make_shared<const solid::Body<3>>(space, solid::neo_hookean(1, 0.3))});
+  return scene;
+}
+
+Held held(const Scene<3>& scene, nurbs::Side side) {
+  return {0, scene.bodies[0].body->space().face_functions(side)};
+}
+
+/// A hollow octant at rest.
+Scene<3> octant() {
+  Scene<3> scene = one_body(nurbs::sphere_octant(0.5, 1, Eigen::Vector3d(0, 0, 0)), {2, 2, 2}, front);
+  scene.supports.push_back({"hold", {held(scene, back)}, {Hold::fixed, Hold::fixed, Hold::fixed}});
+  return scene;
+}
+
+/// A block 2 × 1 × 1 on smooth planes under a rigid obstacle, pressed by a little.
+Scene<3> pressed(const contact::Obstacle<3>& obstacle) {
+  Scene<3> scene = one_body(nurbs::block({2, 1, 1}, Eigen::Vector3d(0, 0, 0)), {4, 2, 2}, back);
+  scene.obstacles.push_back(obstacle);
+  scene.supports.push_back({"bed", {held(scene, front)}, {Hold::free, Hold::free, Hold::fixed}});
+  scene.supports.push_back({"left", {held(scene, west)}, {Hold::fixed, Hold::free, Hold::free}});
+  scene.supports.push_back({"near", {held(scene, south)}, {Hold::free, Hold::fixed, Hold::free}});
+  scene.supports.push_back({"tool", {}, {Hold::fixed, Hold::fixed, Hold::driven}, {0}});
+  scene.contacts.push_back({"touch", {0, back}, ObstacleReference{0}, contact::PenaltyLaw{50, 0, 0}, 5});
+  return scene;
+}
+
+void press(Model<3>& model, double depth) {
+  model.set_target(0, 0, -depth);
+  ASSERT_EQ(model.solve_step({}).outcome, solve::Outcome::converged);
+  model.accept();
+}
+
+/// ∫ x·n dA / 3 over the triangles.
+double volume(const Skin& skin) {
+  double sum = 0;
+  for (Eigen::Index t = 0; t < skin.triangles.cols(); ++t) {
+    const Vec<3> a = skin.points.col(skin.triangles(0, t)), b = skin.points.col(skin.triangles(1, t)),
+                 c = skin.points.col(skin.triangles(2, t));
+    const Vec<3> facing = 0.5 * (b - a).cross(c - a);
+    sum += (a + b + c).dot(facing) / 9 * (facing.dot(skin.normals.col(skin.triangles(0, t))) < 0 ? -1 : 1);
+  }
+  return sum;
+}
+
+double length(const std::vector<SkinLine>& lines) {
+  double sum = 0;
+  for (const SkinLine& line : lines)
+    for (Eigen::Index i = 1; i < line.points.cols(); ++i) sum += (line.points.col(i) - line.points.col(i - 1)).norm();
+  return sum;
+}
+
+TEST(Skin, EnclosesTheBodyWithExactNormals) {
+  const Model<3> model(octant());
+  const double exact = 4 * std::numbers::pi / 3 * (1 - 0.125) / 8;
+  std::vector<double> errors;
+  for (int divisions : {2, 4, 8}) {
+    const Skin skin = tessellate(model, 0, &find_field<3>("von_mises"), divisions, true);
+    errors.push_back(std::abs(volume(skin) - exact));
+    EXPECT_TRUE(skin.values.allFinite()); // at the pole too, where ∂X/∂ξ is singular
+    EXPECT_LT(skin.values.cwiseAbs().maxCoeff(), 1e-12);
+    for (Eigen::Index i = 0; i < skin.points.cols(); ++i) {
+      EXPECT_NEAR(skin.normals.col(i).norm(), 1, 1e-12);
+      const Vec<3> x = skin.points.col(i), n = skin.normals.col(i);
+      const double along = n.dot(x) / x.norm();
+      // Outer sphere, inner sphere, or a plane through the centre
+      const bool spherical = std::abs(std::abs(along) - 1) < 1e-3;
+      // On the axis the map is collapsed: the normal is that of a point a little inwards.
+      const double tolerance = x.head<2>().norm() < 1e-9 ? 1e-4 : 1e-9;
+      EXPECT_TRUE(spherical || std::abs(along) < tolerance) << along;
+      if (spherical) {
+        EXPECT_NEAR(x.norm(), along > 0 ? 1 : 0.5, 1e-12);
+      }
+    }
+  }
+  EXPECT_NEAR(std::log2(errors[0] / errors[1]), 2, 0.1);
+  EXPECT_NEAR(std::log2(errors[1] / errors[2]), 2, 0.1);
+}
+
+TEST(Skin, HasTheBordersOfElementsAndSides) {
+  const Scene<3> scene = one_body(nurbs::block({2, 1, 3}, Eigen::Vector3d(0, 0, 0)), {4, 2, 3}, back);
+  const Model<3> model(scene);
+  const Skin skin = tessellate(model, 0, nullptr, 3, false);
+  EXPECT_EQ(skin.values.size(), 0);
+  EXPECT_NEAR(volume(skin), 6, 1e-12);
+  EXPECT_NEAR(length(skin.rim), 2 * 4 * (2 + 1 + 3), 1e-12);
+  // On each pair of sides: lines across × their length
+  EXPECT_NEAR(length(skin.mesh_lines), 2 * (3 * 1 + 1 * 2 + 1 * 3 + 2 * 1 + 3 * 3 + 2 * 2), 1e-12);
+  std::set<double> spacings;
+  for (const SkinLine& line : skin.mesh_lines) spacings.insert(std::round(1e9 * line.spacing) / 1e9);
+  EXPECT_EQ(spacings, (std::set<double>{0.5, 1}));
+  EXPECT_EQ(surface_elements(scene.bodies[0].body->space()), 2 * (8 + 6 + 12));
+}
+
+TEST(Skin, CarriesFieldsAndContactPressure) {
+  Model<3> model(pressed(contact::make_plane<3>({0, 0, 1}, {0, 0, -1})));
+  press(model, 0.2);
+  const int divisions = 3;
+  const Field<3>& stress = find_field<3>("szz");
+  const Skin skin = tessellate(model, 0, &stress, divisions, true);
+  const VectorX pressure = contact_pressure(model, 0, divisions);
+  ASSERT_EQ(pressure.size(), skin.points.cols());
+  const double uniform = sample(model, 0, stress, Vec<3>(0.3, 0.6, 0.7));
+  EXPECT_LT(uniform, -0.1);
+  const double top = skin.points.row(2).maxCoeff();
+  int touching = 0;
+  for (Eigen::Index i = 0; i < skin.points.cols(); ++i) {
+    EXPECT_NEAR(skin.values[i], uniform, 1e-8);
+    const bool touches = skin.normals(2, i) > 0.9;
+    if (touches) {
+      EXPECT_NEAR(skin.points(2, i), top, 1e-9);
+    }
+    // p = −σ_zz, both per current area
+    EXPECT_NEAR(pressure[i], touches ? -uniform : 0, 1e-8);
+    touching += touches;
+  }
+  EXPECT_EQ(touching, 4 * 2 * 16);
+}
+
+TEST(Skin, InterpolatesBetweenContactPoints) {
+  Model<3> model(pressed(contact::make_ball<3>({0.75, 0.25, 1.6}, 0.6)));
+  press(model, 0.1);
+  // An odd number of contact points has one at the middle of every element, and so do two divisions.
+  const VectorX pressure = contact_pressure(model, 0, 2);
+  const auto& results = model.pairs()[0].results();
+  const Eigen::Index first = pressure.size() - 8 * 9; // the back is the last side
+  double largest = 0;
+  for (int e = 0; e < 8; ++e) {
+    const double middle = results[static_cast<std::size_t>(25 * e + 12)].pressure;
+    EXPECT_NEAR(pressure[first + 9 * e + 4], middle, 1e-12);
+    largest = std::max(largest, middle);
+  }
+  EXPECT_GT(largest, 0);
+  EXPECT_EQ(pressure.head(first).cwiseAbs().maxCoeff(), 0);
+  // Where the contact does not act there is none.
+  Scene<3> scene = pressed(contact::make_ball<3>({0.75, 0.25, 1.6}, 0.6));
+  scene.contacts[0].where = [](const Vec<3>& place) { return place(0) < 1; };
+  Model<3> half(scene);
+  press(half, 0.1);
+  const VectorX partial = contact_pressure(half, 0, 2);
+  for (int e = 0; e < 8; ++e)
+    for (int i = 0; i < 9; ++i)
+      if (e % 4 >= 2) {
+        EXPECT_EQ(partial[first + 9 * e + i], 0);
+      }
+  EXPECT_GT(partial.maxCoeff(), 0);
+}
+
+TEST(Inside, SamplesTheElementsThatAPlaneMeets) {
+  Model<3> model(pressed(contact::make_ball<3>({1, 0.5, 1.6}, 0.6)));
+  press(model, 0.1);
+  const auto count = [&](const std::vector<Plane>& planes) {
+    return crossed_elements(model, 0, nullptr, 2, false, planes).size();
+  };
+  EXPECT_EQ(count({{{0, 0, 0.25}, {0, 0, 7}}}), 8u);
+  EXPECT_EQ(count({{{0, 0, 0.5}, {0, 0, 1}}}), 16u); // both sides of a border
+  EXPECT_EQ(count({{{0, 0, 1}, {0, 0, 1}}}), 8u);
+  EXPECT_EQ(count({{{0, 0, 1.1}, {0, 0, 1}}}), 0u);
+  // Along the face control points reach beyond their element: its neighbours may be taken as well.
+  EXPECT_GE(count({{{0.25, 0, 0}, {1, 0, 0}}, {{1.75, 0, 0}, {1, 0, 0}}}), 8u);
+  EXPECT_LE(count({{{0.25, 0, 0}, {1, 0, 0}}, {{1.75, 0, 0}, {1, 0, 0}}}), 16u);
+
+  const Field<3>& field = find_field<3>("uz");
+  const auto all = crossed_elements(model, 0, &field, 2, true, {{{0, 0, 0.75}, {0, 0, 1}}});
+  ASSERT_FALSE(all.empty());
+  // The middle of the last element, and its last corner
+  const Inside& last = all.back();
+  const Vec<3> middle(0.875, 0.75, 0.75), corner(1, 1, 1);
+  EXPECT_NEAR(last.values[13], sample(model, 0, field, middle), 1e-12);
+  EXPECT_NEAR(last.values[26], sample(model, 0, field, corner), 1e-12);
+  EXPECT_NEAR(last.points(2, 26), 1 + last.values[26], 1e-12);
+}
+
+} // namespace
+} // namespace signorini::model
