@@ -93,7 +93,8 @@ template <int D> void push_model(lua_State* L, const Options& o) {
     });
   if constexpr (D == 2)
     if (scene.kind == solid::Kind::axisymmetric) revolve(L, scene);
-  push_object<Model<D>>(L, std::make_shared<model::Model<D>>(std::move(scene)));
+  const auto& made = push_object<Model<D>>(L, std::make_shared<model::Model<D>>(std::move(scene)));
+  count_memory(L, made->memory());
 }
 
 int make_model(lua_State* L) {

@@ -1,4 +1,5 @@
 #include "bind/stack.hpp"
+#include <algorithm>
 
 #include <cmath>
 #include <limits>
@@ -177,6 +178,10 @@ void push(lua_State* L, const MatrixX& points) {
     push(L, VectorX(points.col(i)));
     lua_rawseti(L, -2, i + 1);
   }
+}
+
+void count_memory(lua_State* L, double bytes) {
+  lua_gc(L, LUA_GCSTEP, static_cast<int>(std::min(bytes / 1024, 1e6)));
 }
 
 } // namespace signorini::bind

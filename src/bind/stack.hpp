@@ -125,4 +125,8 @@ template <class T> T& push_object(lua_State* L, T value) {
   return *object;
 }
 
+/// Tells Lua's collector that the object just pushed holds this much memory that Lua does not see, so that it works
+/// as hard as if it had allocated that itself.
+void count_memory(lua_State* L, double bytes);
+
 } // namespace signorini::bind
