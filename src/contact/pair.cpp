@@ -100,8 +100,7 @@ template <int D> void Pair<D>::evaluate_part(int index, bool tangent) {
   std::size_t first = 0; // group of the present slave element
   const auto multiply = [&] {
     if constexpr (D == 3)
-      for (std::size_t g = first; g < part.groups.size() && tangent; ++g)
-        part.products[g - first].add_to(part.groups[g].matrix.data());
+      for (std::size_t g = first; g < part.groups.size() && tangent; ++g) part.products[g - first].finish();
     first = part.groups.size();
   };
   for (std::size_t i = part.first; i < part.last; ++i) {

@@ -32,7 +32,7 @@ std::size_t Pair<D>::group(int slave_element, int master_element, int slip_eleme
   result.matrix.assign(tangent ? static_cast<std::size_t>(result.rows * result.columns) : 0, 0.0);
   if constexpr (D == 3) {
     if (part.products.size() <= own) part.products.emplace_back();
-    part.products[own].start(ns + nm, nm, result.columns);
+    part.products[own].start(ns + nm, nm, result.columns, result.matrix.data());
   }
   return groups.size() - 1;
 }

@@ -29,29 +29,35 @@ void add_product(int rows, int columns, int depth, const double* a, const double
 
 } // namespace
 
-void Products::start(int nodes, int master_nodes, int columns) {
+void Products::start(int nodes, int master_nodes, int columns, double* block) {
   nodes_ = nodes;
   master_nodes_ = master_nodes;
   columns_ = columns;
+  block_ = block;
   points_ = 0;
 }
 
 Products::Room Products::add() {
+  // Products of this size stay within the cache, and BLAS does not call its own threads to those of the assembly:
+  // OpenBLAS does above 2^18 multiplications.
+  constexpr int most = 200'000;
+  if (points_ > 0 && (points_ + 1) * nodes_ * columns_ > most) finish();
   const Room room{extend(left_, points_, nodes_), extend(rates_, points_, 2 * master_nodes_),
                   extend(traction_, points_, 3 * columns_), extend(turn_, points_, 6 * columns_)};
   ++points_;
   return room;
 }
 
-void Products::add_to(double* block) const {
+void Products::finish() {
   if (points_ == 0) return;
   const int step = 3 * columns_;
-  double* of_master = block + (nodes_ - master_nodes_) * step;
+  double* of_master = block_ + (nodes_ - master_nodes_) * step;
   for (int i = 0; i < 3; ++i) {
-    add_product(nodes_, columns_, points_, left_.data(), traction_.data() + i * columns_, step, block + i * columns_);
+    add_product(nodes_, columns_, points_, left_.data(), traction_.data() + i * columns_, step, block_ + i * columns_);
     add_product(master_nodes_, columns_, 2 * points_, rates_.data(), turn_.data() + i * columns_, step,
                 of_master + i * columns_);
   }
+  points_ = 0;
 }
 
 } // namespace signorini::contact

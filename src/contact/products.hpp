@@ -11,19 +11,20 @@ namespace signorini::contact {
 /// as matrix products over all points: most of the work of a contact in space.
 class Products {
 public:
-  /// Row nodes (the master's are the last ones) and columns of the block to come; forgets all points.
-  void start(int nodes, int master_nodes, int columns);
+  /// Row nodes (the master's are the last ones) and columns of the block that is added to, 3 rows per row node.
+  void start(int nodes, int master_nodes, int columns, double* block);
   /// Room for another point's factors, in this order: `nodes` values left; 2 × `master_nodes` rates; 3 × `columns`
   /// values ∂T_i; 2 × 3 × `columns` values T_i ∂ξ̄^α, α slowest.
   struct Room {
     double *left, *rates, *traction, *turn;
   };
   Room add();
-  /// Adds the products to the block, 3 rows per row node, `columns` values each.
-  void add_to(double* block) const;
+  /// Adds what is still due to the block.
+  void finish();
 
 private:
   int nodes_ = 0, master_nodes_ = 0, columns_ = 0, points_ = 0;
+  double* block_ = nullptr;
   std::vector<double> left_, rates_, traction_, turn_;
 };
 

@@ -15,9 +15,9 @@ TEST(Products, AddUpEveryPointsTerms) {
   Random random(1);
   Products products;
   for (int round = 0; round < 6; ++round) {
-    const int master = 2 + round, nodes = master + 3 + 2 * round, columns = 7 + 5 * round, points = round * 9;
-    products.start(nodes, master, columns);
+    const int master = 2 + round, nodes = master + 3 + 2 * round, columns = 7 + 45 * round, points = round * 40;
     std::vector<double> block(static_cast<std::size_t>(3 * nodes * columns), 0.5), expected = block;
+    products.start(nodes, master, columns, block.data());
     const auto value = [](double* values, int i) -> double& { return values[i]; };
     for (int p = 0; p < points; ++p) {
       const Products::Room room = products.add();
@@ -38,7 +38,7 @@ TEST(Products, AddUpEveryPointsTerms) {
               sum += room.rates[k * master + m] * room.turn[(3 * k + i) * columns + c];
           }
     }
-    products.add_to(block.data());
+    products.finish();
     for (std::size_t i = 0; i < block.size(); ++i) EXPECT_NEAR(block[i], expected[i], 1e-13 * (points + 1));
   }
 }
