@@ -117,7 +117,7 @@ Patch spherical_indenter(double width, double depth, double height, double radiu
   require(elements >= 1, "elements: the cap has ", elements, " spans per direction, expected 1 or more");
   const double half_diagonal = std::hypot(width, depth) / 2;
   require(half_diagonal <= radius, "radius: a sphere of radius ", radius,
-          " does not reach the corners, half the diagonal is ", half_diagonal);
+          " does not reach the corners, half the diagonal is ", half_diagonal, "; take a larger radius");
   const double cap = radius - std::sqrt(radius * radius - half_diagonal * half_diagonal);
   require(cap < height, "height: the cap rises by ", cap, " to its corners and the whole height is only ", height,
           "; give a larger height or radius");
