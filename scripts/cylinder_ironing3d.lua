@@ -18,7 +18,7 @@
 --         Contact Problems, PhD thesis, IIT Guwahati, 2020, section 6.4.2, Figures 6.10 and 6.11, after L. De Lorenzis,
 --         P. Wriggers, G. Zavarise, Comput. Mech. 49 (2012) 1-20.
 -- Units: any consistent ones; the thesis names none.
--- Expected: N2, N3, N2-N3 and N2-N2.1 run through in equal steps. Pz = 0.1700 pressed and 0.1757 on average over the
+-- Expected: six labels run through in equal steps. Pz = 0.1700 pressed and 0.1757 on average over the
 --           drag for N2; averages 0.1731 (N3), 0.1736 (N2-N3), 0.1724 (N2-N2.1). Amplitudes of Pz and Px 1.95e-3 and
 --           1.00e-3 for N2; in % of these 54 and 95 for N3, 56 and 94 for N2-N3, 10 and 8 for N2-N2.1. Curves are
 --           symmetric about the middle of the way, since without friction a state does not depend on the way to it.
