@@ -35,20 +35,25 @@ function amplitude.of(values, first, last)
   return { raw = spread(part), detrended = spread(without_parabola(part)) }
 end
 
---- Adds to each case the amplitudes of its reactions, dPx and dPy, and what they are in % of those of `reference`, a
---- case or nothing: raw_percent, detrended_percent.
-function amplitude.compare(cases, reference)
+--- Adds what the named amplitudes are in % of those of a case, or of nothing: raw_percent, detrended_percent.
+function amplitude.percent(cases, forces, reference)
   for _, case in ipairs(cases) do
-    case.dPx, case.dPy = amplitude.of(case.run:column "grip.fx"), amplitude.of(case.run:column "grip.fy")
-  end
-  for _, case in ipairs(cases) do
-    for _, force in ipairs { "dPx", "dPy" } do
+    for _, force in ipairs(forces) do
       for _, kind in ipairs { "raw", "detrended" } do
         local part, whole = case[force][kind], reference and reference[force][kind]
         case[force][kind .. "_percent"] = part and whole and 100 * part / whole or nil
       end
     end
   end
+end
+
+--- Adds to each case the amplitudes of its reactions, dPx and dPy, and what they are in % of those of `reference`, a
+--- case or nothing.
+function amplitude.compare(cases, reference)
+  for _, case in ipairs(cases) do
+    case.dPx, case.dPy = amplitude.of(case.run:column "grip.fx"), amplitude.of(case.run:column "grip.fy")
+  end
+  amplitude.percent(cases, { "dPx", "dPy" }, reference)
 end
 
 return amplitude

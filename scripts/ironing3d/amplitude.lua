@@ -19,14 +19,7 @@ end
 
 --- Adds what the amplitudes are in % of those of a case, or of nothing: raw_percent, detrended_percent.
 function amplitude.compare(cases, reference)
-  for _, case in ipairs(cases) do
-    for _, force in ipairs { "dPx", "dPz" } do
-      for _, kind in ipairs { "raw", "detrended" } do
-        local part, whole = case[force][kind], reference and reference[force][kind]
-        case[force][kind .. "_percent"] = part and whole and 100 * part / whole or nil
-      end
-    end
-  end
+  plane.percent(cases, { "dPx", "dPz" }, reference)
 end
 
 return amplitude

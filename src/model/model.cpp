@@ -116,10 +116,8 @@ template <int D> solve::LinearSolver& Model<D>::solver(const StepOptions& option
       solver_ = solve::make_solver(symmetric ? solve::symmetric_choice(assembly_.pattern()) : options.linear,
                                    assembly_.pattern());
     }
-    solver_->watch(assembly_.contact_unknowns());
-  } else if (!same_contacts) {
-    solver_->watch(assembly_.contact_unknowns());
   }
+  if (!fits || !same_contacts) solver_->watch(assembly_.contact_unknowns());
   solver_version_ = assembly_.pattern_version();
   solver_contacts_ = assembly_.contact_version();
   solver_asked_ = options.linear;

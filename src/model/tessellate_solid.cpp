@@ -125,19 +125,19 @@ void add_control_points(Skin& skin, const Model<3>& model, int body, bool deform
 /// The pressures at the contact points of a slave face.
 struct FacePressure {
   nurbs::Side side;
-  int points; ///< per element and direction
+  int points;                 ///< per element and direction
+  std::vector<double> places; ///< of these in a direction, as fractions of the element
   /// By element, contact point by contact point; 0 where the contact does not act.
   std::vector<double> values;
 
   /// Between the four nearest contact points of element e; fractions of its way in both directions.
   double at_place(int e, double s, double t) const {
-    const solid::QuadratureRule rule = solid::gauss_legendre(points, 0, 1);
     const auto weight = [&](double fraction) {
       int i = 0;
-      while (i + 2 < points && rule.points[at(i + 1)] < fraction) ++i;
+      while (i + 2 < points && places[at(i + 1)] < fraction) ++i;
       const int j = std::min(i + 1, points - 1);
-      const double gap = rule.points[at(j)] - rule.points[at(i)];
-      return std::tuple{i, j, gap > 0 ? std::clamp((fraction - rule.points[at(i)]) / gap, 0.0, 1.0) : 0.0};
+      const double gap = places[at(j)] - places[at(i)];
+      return std::tuple{i, j, gap > 0 ? std::clamp((fraction - places[at(i)]) / gap, 0.0, 1.0) : 0.0};
     };
     const auto [i0, i1, u] = weight(s);
     const auto [j0, j1, v] = weight(t);
@@ -150,7 +150,8 @@ FacePressure face_pressure(const Model<3>& model, int contact) {
   const Contact<3>& definition = model.scene().contacts[at(contact)];
   const contact::Pair<3>& pair = model.pairs()[at(contact)];
   const int per_element = definition.points * definition.points;
-  FacePressure result{definition.slave.side, definition.points, {}};
+  FacePressure result{
+      definition.slave.side, definition.points, solid::gauss_legendre(definition.points, 0, 1).points, {}};
   result.values.assign(at(pair.slave().elements() * per_element), 0.0);
   for (std::size_t i = 0; i < pair.results().size(); ++i) {
     const auto [element, number] = pair.place(i);
