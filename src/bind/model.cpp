@@ -100,7 +100,8 @@ constexpr Function rows[] = {
 /// All methods, subject by subject.
 template <int D> std::vector<Function> all_rows() {
   std::vector<Function> all;
-  for (const std::span<const Function> part : {std::span<const Function>(rows<D>), path_rows<D>(), result_rows<D>()})
+  for (const std::span<const Function> part :
+       {std::span<const Function>(rows<D>), path_rows<D>(), system_rows<D>(), result_rows<D>()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

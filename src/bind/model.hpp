@@ -8,6 +8,8 @@ namespace signorini::bind {
 
 /// What takes a model along its path: targets, steps, accepting and rolling back, snapshots.
 template <int D> std::span<const Function> path_rows();
+/// What Newton's method works with: residual, tangent, unknowns, diagnosis.
+template <int D> std::span<const Function> system_rows();
 /// What a model's present state looks like: forces, profiles, samples, energies.
 template <int D> std::span<const Function> result_rows();
 

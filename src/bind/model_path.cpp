@@ -47,6 +47,11 @@ template <int D> int target(lua_State* L) {
   return 1;
 }
 
+/// What solve_step and iterate take.
+const std::vector<std::string> step_keys = {"tolerance", "iterations",        "line_search",        "linear",
+                                            "predictor", "freeze_active_set", "active_set_changes", "augmented",
+                                            "damping"};
+
 void read_newton(const Options& o, model::StepOptions& options) {
   options.newton.tolerance = o.positive("tolerance", "relative residual that counts as zero", options.newton.tolerance);
   options.newton.iterations =
@@ -54,22 +59,55 @@ void read_newton(const Options& o, model::StepOptions& options) {
   options.linear = solve::linear_kind(o.string("linear", "linear solver", "auto"));
 }
 
+model::Predictor read_predictor(const Options& o) {
+  const std::string name = o.choice("predictor", "first guess of a step", {"tangent", "constant", "linear"}, "tangent");
+  return name == "tangent"    ? model::Predictor::tangent
+         : name == "constant" ? model::Predictor::constant
+                              : model::Predictor::linear;
+}
+
+model::StepOptions read_step_options(lua_State* L) {
+  model::StepOptions options;
+  if (lua_isnoneornil(L, 2)) return options;
+  const Options o(L, 2, step_keys);
+  read_newton(o, options);
+  options.newton.line_search = solve::line_search_kind(
+      o.choice("line_search", "how Newton's moves are shortened", {"none", "residual", "energy"}, "none"));
+  options.predictor = read_predictor(o);
+  options.active_set.freeze =
+      o.non_negative("freeze_active_set", "part of its first value below which |f·Δu| frees the active set", 0.0);
+  options.active_set.changes = o.integer(
+      "active_set_changes", "most changes of a contact point's state in a step; 0: no limit", 0, 1'000'000, 0);
+  if (o.has("augmented")) {
+    const Options augmented = o.table("augmented", {"penetration", "loops"});
+    options.augmented.penetration =
+        augmented.positive("penetration", "largest penetration, as a part of the largest body's size", 1e-6);
+    options.augmented.loops = augmented.integer("loops", "most augmentations in a step", 1, 1'000'000, 50);
+  }
+  options.damping = o.flag("damping", "whether to damp bodies that only contact holds", false);
+  return options;
+}
+
 int push_report(lua_State* L, const solve::NewtonReport& report) {
-  lua_createtable(L, 0, 7);
+  lua_createtable(L, 0, 8);
   set_field(L, "converged", report.outcome == solve::Outcome::converged);
   set_field(L, "reason", solve::name_of(report.outcome));
   set_field(L, "iterations", report.iterations);
   set_field(L, "message", report.message);
   set_field(L, "residuals", report.residuals);
   set_field(L, "energies", report.energies);
+  set_field(L, "parts", report.parts);
   return 1;
 }
 
 template <int D> int solve_step(lua_State* L) {
   const Model<D>& model = self<Model<D>>(L);
-  model::StepOptions options;
-  if (!lua_isnoneornil(L, 2)) read_newton(Options(L, 2, {"tolerance", "iterations", "linear"}), options);
-  return push_report(L, model->solve_step(options));
+  return push_report(L, model->solve_step(read_step_options(L)));
+}
+
+template <int D> int iterate(lua_State* L) {
+  const Model<D>& model = self<Model<D>>(L);
+  return push_report(L, model->iterate(read_step_options(L)));
 }
 
 template <int D> int solve_arc(lua_State* L) {
@@ -80,6 +118,16 @@ template <int D> int solve_arc(lua_State* L) {
   read_newton(o, options);
   push_report(L, model->solve_arc(options, length));
   set_field(L, "fraction", model->arc_fraction());
+  return 1;
+}
+
+template <int D> int set_penalty_factor(lua_State* L) {
+  self<Model<D>>(L)->set_penalty_factor(read_number(L, 2, {"factor", "of all penalty parameters"}));
+  return 0;
+}
+
+template <int D> int penalty_factor(lua_State* L) {
+  push(L, self<Model<D>>(L)->penalty_factor());
   return 1;
 }
 
@@ -132,12 +180,33 @@ constexpr Function rows[] = {
     {"target", wrap<target<D>>,
      "m:target(name)\nWhat the components of a support or load are in the last accepted state."},
     {"solve_step", wrap<solve_step<D>>,
-     "m:solve_step{ tolerance = 1e-10, iterations = 25, linear = \"auto\" }\n"
+     "m:solve_step{ tolerance = 1e-10, iterations = 25, line_search = \"none\", linear = \"auto\", predictor = "
+     "\"tangent\",\n"
+     "  freeze_active_set = 0, active_set_changes = 0, augmented = { penetration = 1e-6, loops = 50 }, damping = false "
+     "}\n"
      "Newton's method from the accepted state to the targets; accepts nothing. Returns { converged, reason,\n"
-     "iterations, message, residuals, energies }; reason is \"converged\", \"iterations\", \"diverged\",\n"
-     "\"inverted\", \"singular\", \"nan\" or \"interrupted\". linear: \"auto\"; \"klu\", \"umfpack\"; \"cholmod\",\n"
-     "\"banded\" (symmetric tangents only); \"kept\" (a factorisation serves several systems as preconditioner,\n"
-     "where one is dear); \"condensed\" (linear elastic bodies: all but the contact unknowns are eliminated once)."},
+     "iterations, message, residuals, energies, parts }; reason is \"converged\", \"iterations\", \"diverged\",\n"
+     "\"cycling\", \"lost_projection\", \"inverted\", \"singular\", \"nan\", \"line_search\", \"penetration\" or\n"
+     "\"interrupted\". linear: \"auto\"; \"klu\", \"umfpack\"; \"cholmod\", \"banded\" (symmetric tangents only);\n"
+     "\"kept\" (a factorisation serves several systems as preconditioner, where one is dear); \"condensed\" (linear\n"
+     "elastic bodies: all but the contact unknowns are eliminated once). line_search: \"residual\" (non-monotone),\n"
+     "\"energy\"; predictor: \"constant\", \"linear\" (goes on as the last step did). freeze_active_set: states of\n"
+     "contact points stay as they were until |f·Δu| has fallen to this part of its first value (thesis 4.5.2);\n"
+     "active_set_changes: a point that changes its state more often is held until the others have converged (0: "
+     "never).\n"
+     "augmented: pressures are augmented until the largest penetration is this part of the largest body's size.\n"
+     "damping: keeps bodies that only contact holds from flying off; the state that it leads to is in equilibrium."},
+    {"iterate", wrap<iterate<D>>,
+     "m:iterate{ … }\n"
+     "One iteration of m:solve_step, with the same arguments: evaluates, and unless that ends it solves and moves. "
+     "The\n"
+     "first one after m:accept, m:rollback, m:restore or m:set_target begins a step. Returns what m:solve_step\n"
+     "returns, so far; reason is \"iterating\" while it goes on."},
+    {"set_penalty_factor", wrap<set_penalty_factor<D>>,
+     "m:set_penalty_factor(factor)\n"
+     "Multiplies the penalty parameters of all contacts, as sg.model got them, from now on: for penalties that grow\n"
+     "along the path."},
+    {"penalty_factor", wrap<penalty_factor<D>>, "m:penalty_factor()\nWhat m:set_penalty_factor was told last; 1."},
     {"solve_arc", wrap<solve_arc<D>>,
      "m:solve_arc{ length, tolerance = 1e-10, iterations = 25, linear = \"auto\" }\n"
      "Goes a given distance (2-norm of the control points' displacements) from the accepted state along the path\n"

@@ -4,6 +4,8 @@
 
 #include "contact/projection.hpp"
 
+#include <optional>
+
 namespace signorini::contact {
 
 /// Open: no traction (penalty), or past the strongest attraction (adhesion). Stick and slip: touching under the penalty
@@ -25,6 +27,8 @@ template <int D> struct LocalGeometry {
   const Vec<D>* slip_point; ///< xᵐ(ξ_sl) on the current master; null: no friction yet at this point
   bool revolved = false;    ///< axisymmetric: the first coordinate is the radius, areas are those of the full circle
   double reference_measure; ///< reference area per parametric area
+  double multiplier = 0;    ///< λ_N of the augmented Lagrangian method, a pressure
+  std::optional<ContactState> held = {}; ///< the state to evaluate, stick or slip; nothing: the one that the law finds
 };
 
 /// Traction and derivatives. Columns of the derivatives run over the local variables

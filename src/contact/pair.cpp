@@ -135,15 +135,20 @@ template <int D> void Pair<D>::evaluate_point(std::size_t i, bool tangent, Part&
   for (int a = 0; a < n; ++a) geometry.slave += values[a] * slave_.points().col(nodes[a]);
   result = {};
   result.position = geometry.slave;
-  if (travel_ < memory.cleared) return;
+  const std::optional<ContactState> held = penalty_ && holds() ? held_[i] : std::nullopt;
+  if (held ? *held == ContactState::open : travel_ < memory.cleared) return;
 
   memory.projection = master_.project(geometry.slave, memory.projection, master);
   const Foot foot = memory.projection.foot;
   const double gap = memory.projection.gap;
-  if (foot == Foot::none) return;
+  result.beyond = foot == Foot::none;
+  if (result.beyond) return;
   if (penalty_) {
-    memory.cleared = foot == Foot::regular && gap > 0 ? travel_ + gap : 0;
-    if (gap >= 0) return;
+    // t_N = λ_N − ε_N g > 0 below a distance of λ_N/ε_N
+    const double distance = gap - memory.multiplier / penalty_->normal;
+    memory.cleared = foot == Foot::regular && distance > 0 ? travel_ + distance : 0;
+    if (!held && distance >= 0) return;
+    if (foot != Foot::regular && gap == 0) return; // no direction
   }
 
   for (int k = 0; k < D - 1; ++k) {
@@ -158,6 +163,8 @@ template <int D> void Pair<D>::evaluate_point(std::size_t i, bool tangent, Part&
   geometry.gap = gap;
   geometry.normal = foot == Foot::regular ? master_.normal(master) : Vec<D>((geometry.slave - master.position) / gap);
   geometry.reference_measure = point.reference;
+  geometry.multiplier = memory.multiplier;
+  geometry.held = held;
   geometry.slip_point = nullptr;
   if (friction() && !memory.slips) remember_touch(i);
   if (friction() && memory.slips) {
@@ -226,6 +233,18 @@ template <int D> void Pair<D>::advance(std::size_t i) {
 
 template <int D> void Pair<D>::rollback() {
   memory_ = accepted_;
+}
+
+template <int D> void Pair<D>::augment() {
+  if (!penalty_) return;
+  for (std::size_t i = 0; i < points_.size(); ++i) memory_[i].multiplier = results_[i].pressure;
+}
+
+template <int D> void Pair<D>::scale_penalty(double factor) {
+  if (!penalty_) return;
+  const PenaltyLaw& given = std::get<PenaltyLaw>(law_);
+  penalty_->normal = factor * given.normal;
+  penalty_->tangential = factor * given.tangential;
 }
 
 template <int D> typename Pair<D>::History Pair<D>::history() const {

@@ -35,6 +35,7 @@ template <int D> struct PointResult {
   ContactState state = ContactState::open;
   Vec<D> position = Vec<D>::Zero(); ///< current slave point
   double gap = 0;                   ///< of a point that the law acts on
+  bool beyond = false;              ///< its closest point is an open end of the master
   double pressure = 0;
   /// Of the slave face at a touching point, current, not of unit length
   Eigen::Matrix<double, D, D - 1> tangents = Eigen::Matrix<double, D, D - 1>::Zero();
@@ -74,6 +75,16 @@ public:
   void accept();
   /// Forgets what happened since the last accept().
   void rollback();
+  /// Keeps points in a state, whatever gap and friction say, until it is called again: one entry per point, nothing for
+  /// those that find their own; empty frees all. Points under adhesion always find their own.
+  void hold(std::vector<std::optional<ContactState>> states) { held_ = std::move(states); }
+  bool holds() const { return !held_.empty(); }
+  /// Uzawa's step of the augmented Lagrangian method (J. C. Simo, T. A. Laursen, Comput. Struct. 42, 1992): λ_N at each
+  /// point becomes the pressure λ_N − ε_N g of the last evaluation. Part of the history. Nothing under adhesion.
+  void augment();
+  /// Multiplies both penalty parameters of the law as it was given. Nothing under adhesion.
+  void scale_penalty(double factor);
+
   /// The accepted state, to return to later.
   struct History;
   History history() const;
@@ -111,7 +122,8 @@ private:
     double cleared = 0; ///< value of travel_ up to which an open point cannot touch
     bool slips = false; ///< has a slip point
     FaceCoordinates<D> slip = FaceCoordinates<D>::Zero();
-    double limit = 0; ///< μ t_N times the area in the accepted state
+    double limit = 0;      ///< μ t_N times the area in the accepted state
+    double multiplier = 0; ///< λ_N, what augmentation adds to the pressure
   };
 
   /// A piece of the slave face: whole elements, with what its evaluation makes and uses.
@@ -133,7 +145,8 @@ private:
   Surface<D> slave_;
   Master<D> master_, accepted_master_;
   Law law_;
-  std::optional<PenaltyLaw> penalty_; ///< the law when it is this one
+  std::optional<PenaltyLaw> penalty_; ///< the law when it is this one, times what scale_penalty() said
+  std::vector<std::optional<ContactState>> held_;
   bool revolved_;
   std::vector<Point> points_;
   std::vector<double> values_;

@@ -10,8 +10,8 @@ template <int D> void penalty_force(const PenaltyLaw& law, const LocalGeometry<D
   const double g = geometry.gap;
   const GapRows<D> rows = gap_rows(geometry, result.shift);
 
-  // t_N = −ε_N g,  δ(t_N n̄) = −ε_N δg n̄ + t_N δn̄
-  result.pressure = -law.normal * g;
+  // t_N = λ_N − ε_N g,  δ(t_N n̄) = −ε_N δg n̄ + t_N δn̄
+  result.pressure = geometry.multiplier - law.normal * g;
   Vec<D> traction = result.pressure * n;
   LocalBlock<D> traction_rows = result.pressure * rows.normal - (law.normal * n) * rows.gap;
 
@@ -29,7 +29,8 @@ template <int D> void penalty_force(const PenaltyLaw& law, const LocalGeometry<D
       trial_rows.noalias() += (law.tangential * master.tangent[static_cast<std::size_t>(a)]) * result.shift.row(a);
 
     const double magnitude = trial.norm(), limit = law.friction * result.pressure;
-    if (magnitude <= limit) {
+    const bool sticks = geometry.held ? *geometry.held == ContactState::stick : magnitude <= limit;
+    if (sticks || magnitude == 0) {
       result.friction = trial;
       traction_rows -= trial_rows;
     } else {

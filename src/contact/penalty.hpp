@@ -12,7 +12,7 @@ struct PenaltyLaw {
   double friction = 0;   ///< Coulomb's μ ≥ 0
 };
 
-/// Evaluates the law at a penetrating point (gap < 0).
+/// Evaluates the law at a touching point: t_N = λ_N − ε_N g > 0, or at one that is held.
 template <int D> void penalty_force(const PenaltyLaw& law, const LocalGeometry<D>& geometry, LocalForce<D>& result);
 
 } // namespace signorini::contact

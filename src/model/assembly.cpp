@@ -384,6 +384,16 @@ template <int D> void Assembly<D>::find_largest_diagonal() {
   for (int position : diagonal_) largest_diagonal_ = std::max(largest_diagonal_, values_[at(position)]);
 }
 
+template <int D> VectorX Assembly<D>::diagonal() const {
+  VectorX result(diagonal_.size());
+  for (std::size_t i = 0; i < diagonal_.size(); ++i) result(static_cast<Eigen::Index>(i)) = values_[at(diagonal_[i])];
+  return result;
+}
+
+template <int D> void Assembly<D>::add_diagonal(const VectorX& shift) {
+  for (std::size_t i = 0; i < diagonal_.size(); ++i) values_[at(diagonal_[i])] += shift(static_cast<Eigen::Index>(i));
+}
+
 template <int D> double Assembly<D>::memory() const {
   const auto bytes = [](const auto& list) { return static_cast<double>(list.capacity() * sizeof(list[0])); };
   double sum = bytes(values_) + bytes(constant_) + bytes(positions_) + bytes(bulk_positions_);

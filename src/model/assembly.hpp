@@ -51,6 +51,10 @@ public:
   int contact_version() const { return contact_version_; }
   /// Largest diagonal entry of the last tangent; 0 before the first.
   double largest_diagonal() const { return largest_diagonal_; }
+  /// The last tangent's diagonal, by unknown.
+  VectorX diagonal() const;
+  /// Adds to it.
+  void add_diagonal(const VectorX& shift);
   /// Bytes of the tangent, its patterns and the places of the elements' entries in it.
   double memory() const;
 

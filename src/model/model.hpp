@@ -1,19 +1,15 @@
 #pragma once
 // A scene in motion: the displacement state, one Newton step at a time, accepted or rolled back by the caller.
 
+#include "model/active_set.hpp"
 #include "model/assembly.hpp"
+#include "model/damping.hpp"
 #include "model/drives.hpp"
-#include "solve/linear.hpp"
-#include "solve/newton.hpp"
+#include "model/step_options.hpp"
 
 #include <memory>
 
 namespace signorini::model {
-
-struct StepOptions {
-  solve::NewtonOptions newton;
-  solve::LinearKind linear = solve::LinearKind::automatic;
-};
 
 /// Energies of a state and what led to it. While friction slips at μ t_N and steps are small,
 ///   work = stored + contact + friction + what acted at the start.
@@ -26,10 +22,11 @@ struct Energies {
 
 /// The accepted state of a model, with all that its next step depends on.
 template <int D> struct Snapshot {
-  VectorX displacement, last_increment, targets;
+  VectorX displacement, last_increment, targets, previous_targets;
   std::vector<typename contact::Pair<D>::History> contacts;
   double force_scale, work;
   VectorX force; ///< see Model::accepted_force_
+  double penalty_factor;
 };
 
 /// The model keeps two states: the accepted one, and the present one, which equals it before a step and after a
@@ -54,6 +51,28 @@ public:
 
   /// Solves for the present targets by Newton's method from the accepted state. Does not accept.
   solve::NewtonReport solve_step(const StepOptions& options);
+  /// One iteration of solve_step(); the first after an accepted state, a roll-back or new targets begins a step.
+  /// Returns the report so far; nothing happens any more once it is not `iterating`.
+  const solve::NewtonReport& iterate(const StepOptions& options);
+  /// Of the last solve_step(), iterate() or solve_arc() since the accepted state was left; null: there was none.
+  const solve::NewtonReport* report() const { return step_ ? &step_->report : nullptr; }
+  /// Evaluates residual, tangent and contacts at the present state, whose displacements are those of the last move.
+  /// Returns converged, or why there are none.
+  solve::Outcome evaluate(std::string& why);
+  /// Of the present step: f_int + f_c − f_ext by unknown, and the tangent, as last evaluated.
+  const VectorX& unbalanced() const { return unbalanced_; }
+  /// The same by degree of freedom, with the reactions.
+  const VectorX& residual() const { return residual_; }
+  const Assembly<D>& assembly() const { return assembly_; }
+  /// Where an element was inverted in the last evaluation that found one since the last roll-back.
+  const std::optional<BodyInversion>& inversion() const { return inverted_; }
+  const ActiveSet<D>& active_set() const { return active_set_; }
+  /// The present step's largest penetration that augmentation allows, a length.
+  double extent() const { return extent_; }
+
+  /// Multiplies the penalty parameters of all contacts, as they were given, from now on.
+  void set_penalty_factor(double factor);
+  double penalty_factor() const { return penalty_factor_; }
 
   /// Solves for a state at a given distance from the accepted one along the path that leads to the present targets, the
   /// fraction λ of the way being an unknown of its own: it may turn back, so limit points in λ can be passed. The
@@ -99,10 +118,28 @@ public:
   double memory() const;
 
 private:
+  /// A step under way.
+  struct Step {
+    VectorX increment; ///< prescribed displacements that wait for the first solve
+    bool pending;      ///< whether there are any
+    solve::NewtonReport report = {};
+    bool moved = true; ///< the state has moved since active_set_ took note of it
+    int augmentations = 0;
+    VectorX before = {}, move = {}; ///< for line search: the state before the last move, and the move
+    double slope = 0;               ///< f·Δu in that state
+  };
+
   solve::Outcome assemble(const VectorX* direction, bool tangent, std::string& why);
   solve::LinearSolver& solver(const StepOptions& options);
   bool factor(const StepOptions& options);
-  bool advance(const StepOptions& options, VectorX& increment, double& energy);
+  void damp();
+  Step begin_step(const StepOptions& options);
+  bool predict(const VectorX& increment);
+  solve::Outcome assemble_step(bool tangent, std::string& why);
+  bool advance(const StepOptions& options, double& energy);
+  solve::Trial retreat(double part);
+  solve::Outcome settle(const StepOptions& options, std::string& why);
+  void classify(solve::NewtonReport& report) const;
   bool advance_arc(const StepOptions& options, const VectorX& direction, double length, VectorX& tangent,
                    double& energy);
   solve::NewtonSystem system(std::function<solve::Outcome(bool, std::string&)> assemble,
@@ -118,19 +155,25 @@ private:
   std::vector<contact::Pair<D>> pairs_;
   VectorX displacement_, accepted_, last_increment_;
   VectorX targets_, accepted_targets_; ///< see Drives
+  VectorX previous_targets_;           ///< before the last accepted step
   VectorX present_;                    ///< the targets that displacement_ and external_ realise
   VectorX external_;                   ///< force of the loads
   VectorX residual_;                   ///< f_int + f_c − f_ext of all degrees of freedom
   VectorX unbalanced_;                 ///< what Newton's loop brings to zero: the residual by unknown
   VectorX accepted_force_;             ///< f_int + f_c in the accepted state: what supports and loads balance
   double work_ = 0;                    ///< of supports and loads up to the accepted state
-  double arc_fraction_ = 0;
+  double arc_fraction_ = 0, penalty_factor_ = 1;
+  std::optional<Step> step_;
+  ActiveSet<D> active_set_;
+  std::optional<BodyInversion> inverted_;
+  std::optional<std::vector<LooseMotion>> loose_; ///< found when damping is first asked for
   std::unique_ptr<solve::LinearSolver> solver_;
   solve::SolverStatistics past_solvers_; ///< what those before solver_ did
   solve::LinearKind solver_asked_ = solve::LinearKind::automatic;
   int solver_version_ = 0, solver_contacts_ = 0;
   double force_scale_ = 0; ///< largest force norm of the accepted states
   double size_ = 0;        ///< largest coordinate of a control point
+  double extent_ = 0;      ///< largest extent of a body along an axis
   Timings timings_;
 };
 

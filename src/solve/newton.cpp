@@ -10,18 +10,30 @@ namespace signorini::solve {
 
 std::string name_of(Outcome outcome) {
   switch (outcome) {
+  case Outcome::iterating:
+    return "iterating";
   case Outcome::converged:
     return "converged";
   case Outcome::iteration_limit:
     return "iterations";
   case Outcome::diverged:
     return "diverged";
+  case Outcome::cycling:
+    return "cycling";
+  case Outcome::lost_projection:
+    return "lost_projection";
   case Outcome::inverted_element:
     return "inverted";
   case Outcome::singular_tangent:
     return "singular";
+  case Outcome::indefinite:
+    return "indefinite";
   case Outcome::not_finite:
     return "nan";
+  case Outcome::line_search:
+    return "line_search";
+  case Outcome::penetration:
+    return "penetration";
   case Outcome::interrupted:
     return "interrupted";
   }
@@ -38,44 +50,67 @@ double predicted_residual(const std::vector<double>& residuals) {
   return last * (last / before) * (last / before);
 }
 
+bool search(const NewtonSystem& system, LineSearchKind kind, NewtonReport& report) {
+  const double slope = kind == LineSearchKind::energy ? system.slope() : 0;
+  const std::optional<double> part = line_search(kind, system.retreat, report.residuals, slope);
+  if (part) report.parts.push_back(*part);
+  return part.has_value();
+}
+
 } // namespace
 
-NewtonReport newton(const NewtonSystem& system, const NewtonOptions& options, bool pending) {
-  NewtonReport report;
+bool iterate(const NewtonSystem& system, const NewtonOptions& options, bool pending, NewtonReport& report) {
   const auto stop = [&](Outcome outcome, std::string message) {
     report.outcome = outcome;
     report.message = std::move(message);
-    return report;
+    return false;
   };
-  double enough = 0;
-  for (;; ++report.iterations) {
-    std::string why;
-    // Where quadratic convergence promises the last iteration, the residual alone is enough to confirm it.
-    const bool tangent = predicted_residual(report.residuals) > 0.1 * enough;
-    if (const Outcome state = system.assemble(tangent, why); state != Outcome::converged) return stop(state, why);
-    const double residual = system.residual();
-    report.residuals.push_back(residual);
-    if (!std::isfinite(residual)) return stop(Outcome::not_finite, "the residual is not a finite number");
+  std::string why;
+  // Where quadratic convergence promises the last iteration, the residual alone is enough to confirm it.
+  const bool tangent = predicted_residual(report.residuals) > 0.1 * report.enough;
+  if (const Outcome state = system.assemble(tangent, why); state != Outcome::converged) return stop(state, why);
+  const double residual = system.residual();
+  report.residuals.push_back(residual);
+  if (!std::isfinite(residual)) return stop(Outcome::not_finite, "the residual is not a finite number");
 
-    const double floor = system.floor();
-    enough = options.tolerance * system.scale() + floor;
-    const bool small_energy = residual <= floor || report.energies.empty() ||
-                              report.energies.back() <= options.tolerance * report.energies.front();
-    if (residual <= enough && small_energy && !(pending && report.iterations == 0)) return report;
-    // Far beyond anything that a Newton iteration recovers from
-    constexpr double hopeless = 1e12;
-    if (residual > hopeless * (system.scale() + report.residuals.front()))
-      return stop(Outcome::diverged, text("the residual grew to ", residual));
-    if (report.iterations == options.iterations)
-      return stop(Outcome::iteration_limit, text("no convergence in ", options.iterations,
-                                                 " iterations; the residual is ", residual, ", asked was ", enough));
-    if (!tangent)
-      if (const Outcome state = system.assemble(true, why); state != Outcome::converged) return stop(state, why);
-    if (interrupted()) return stop(Outcome::interrupted, "stopped by Ctrl-C");
-    double energy = 0;
-    if (!system.advance(energy)) return stop(Outcome::singular_tangent, "the tangent is singular; is a body not held?");
-    report.energies.push_back(energy);
+  const double floor = system.floor();
+  report.enough = options.tolerance * system.scale() + floor;
+  const bool small_energy = residual <= floor || report.energies.empty() ||
+                            report.energies.back() <= options.tolerance * report.energies.front();
+  const bool waiting = pending && report.iterations == 0;
+  if (residual <= report.enough && small_energy && !waiting) {
+    const Outcome settled = system.settle ? system.settle(why) : Outcome::converged;
+    if (settled != Outcome::iterating) return stop(settled, why);
+    report.begun = report.iterations;
+    return true;
   }
+  // Far beyond anything that a Newton iteration recovers from
+  constexpr double hopeless = 1e12;
+  if (residual > hopeless * (system.scale() + report.residuals.front()))
+    return stop(Outcome::diverged, text("the residual grew to ", residual));
+  if (report.iterations - report.begun >= options.iterations)
+    return stop(Outcome::iteration_limit,
+                text("no convergence in ", options.iterations, " iterations; the residual is ", residual,
+                     ", asked was ", report.enough));
+  if (!tangent)
+    if (const Outcome state = system.assemble(true, why); state != Outcome::converged) return stop(state, why);
+  if (interrupted()) return stop(Outcome::interrupted, "stopped by Ctrl-C");
+  double energy = 0;
+  if (!system.advance(energy)) return stop(Outcome::singular_tangent, "the tangent is singular; is a body not held?");
+  ++report.iterations;
+  report.energies.push_back(energy);
+  // The move that brings in prescribed displacements has to be whole.
+  if (options.line_search != LineSearchKind::none && !waiting && !search(system, options.line_search, report))
+    return stop(Outcome::line_search,
+                text("line search: no part of the move down to 1/128 brings the residual, ", residual, ", down"));
+  return true;
+}
+
+NewtonReport newton(const NewtonSystem& system, const NewtonOptions& options, bool pending) {
+  NewtonReport report;
+  while (iterate(system, options, pending, report)) {
+  }
+  return report;
 }
 
 } // namespace signorini::solve

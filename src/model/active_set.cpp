@@ -1,0 +1,127 @@
+#include "model/active_set.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace signorini::model {
+
+namespace {
+
+constexpr unsigned char beyond = 255;
+
+template <int D> unsigned char code(const contact::PointResult<D>& result) {
+  return result.beyond ? beyond : static_cast<unsigned char>(result.state);
+}
+
+} // namespace
+
+template <int D> void ActiveSet<D>::begin(Pairs& pairs, const ActiveSetOptions& options) {
+  options_ = options;
+  entries_.clear();
+  first_.assign(1, 0);
+  for (const auto& pair : pairs) first_.push_back(first_.back() + static_cast<int>(pair.results().size()));
+  counts_.assign(static_cast<std::size_t>(first_.back()), 0);
+  rounds_ = 0;
+  frozen_ = options.freeze > 0;
+  for (auto& pair : pairs) {
+    std::vector<std::optional<contact::ContactState>> held;
+    if (frozen_)
+      for (const auto& result : pair.results()) held.push_back(result.state);
+    pair.hold(std::move(held));
+  }
+}
+
+template <int D> void ActiveSet<D>::note(Pairs& pairs, double residual) {
+  Entry entry{residual, {}};
+  entry.states.reserve(counts_.size());
+  for (const auto& pair : pairs)
+    for (const auto& result : pair.results()) entry.states.push_back(code(result));
+  if (!entries_.empty() && options_.changes > 0 && !frozen_) {
+    const std::vector<unsigned char>& before = entries_.back().states;
+    for (std::size_t i = 0; i < counts_.size(); ++i) counts_[i] += entry.states[i] != before[i];
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+      const auto& results = pairs[k].results();
+      const int* counts = counts_.data() + first_[k];
+      if (std::none_of(counts, counts + results.size(), [&](int count) { return count > options_.changes; })) continue;
+      std::vector<std::optional<contact::ContactState>> held(results.size());
+      for (std::size_t i = 0; i < results.size(); ++i)
+        if (counts[i] > options_.changes) held[i] = results[i].state;
+      pairs[k].hold(std::move(held));
+    }
+  }
+  entries_.push_back(std::move(entry));
+  if (entries_.size() > remembered) entries_.pop_front();
+}
+
+template <int D> void ActiveSet<D>::thaw(Pairs& pairs, double ratio) {
+  if (!frozen_ || ratio >= options_.freeze) return;
+  frozen_ = false;
+  for (auto& pair : pairs) pair.hold({});
+}
+
+template <int D> bool ActiveSet<D>::release(Pairs& pairs) {
+  bool held = false;
+  for (auto& pair : pairs) {
+    held = held || pair.holds();
+    pair.hold({});
+  }
+  std::fill(counts_.begin(), counts_.end(), 0);
+  if (held && !frozen_) ++rounds_;
+  frozen_ = false;
+  return held;
+}
+
+template <int D> int ActiveSet<D>::period() const {
+  constexpr double same = 1e-9;
+  const std::size_t n = entries_.size();
+  for (std::size_t p = 2; 3 * p <= n; ++p) {
+    bool repeats = true, changes = false;
+    for (std::size_t i = n - 2 * p; i < n && repeats; ++i) {
+      const Entry &now = entries_[i], &before = entries_[i - p];
+      repeats = std::abs(now.residual - before.residual) <= same * now.residual && now.states == before.states;
+      changes = changes || now.states != entries_[i - 1].states;
+    }
+    if (repeats && changes) return static_cast<int>(p);
+  }
+  return 0;
+}
+
+/// How often each point's state changed in the last evaluations; `stray`: to or from beyond the master's end.
+template <int D> std::vector<int> ActiveSet<D>::changes(bool stray) const {
+  constexpr std::size_t looked_at = 8;
+  std::vector<int> sums(counts_.size(), 0);
+  for (std::size_t k = entries_.size() - std::min(entries_.size(), looked_at) + 1; k < entries_.size(); ++k)
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+      const unsigned char now = entries_[k].states[i], before = entries_[k - 1].states[i];
+      sums[i] += now != before && (!stray || now == beyond || before == beyond);
+    }
+  return sums;
+}
+
+template <int D> std::vector<PointIndex> ActiveSet<D>::points_with(const std::vector<int>& changes, int least) const {
+  std::vector<int> order;
+  for (std::size_t i = 0; i < changes.size(); ++i)
+    if (changes[i] >= least) order.push_back(static_cast<int>(i));
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
+    return changes[static_cast<std::size_t>(a)] > changes[static_cast<std::size_t>(b)];
+  });
+  std::vector<PointIndex> points;
+  for (int i : order) {
+    const auto contact = std::upper_bound(first_.begin(), first_.end(), i) - first_.begin() - 1;
+    points.push_back({static_cast<int>(contact), i - first_[static_cast<std::size_t>(contact)]});
+  }
+  return points;
+}
+
+template <int D> std::vector<PointIndex> ActiveSet<D>::restless() const {
+  return points_with(changes(false), 2);
+}
+
+template <int D> std::vector<PointIndex> ActiveSet<D>::strays() const {
+  return points_with(changes(true), 2);
+}
+
+template class ActiveSet<2>;
+template class ActiveSet<3>;
+
+} // namespace signorini::model

@@ -1,0 +1,102 @@
+#include "model/damping.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace signorini::model {
+
+namespace {
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// Translations along the axes, then rotations about them (in the plane about z), of control points around their
+/// middle.
+template <int D> std::vector<VectorX> rigid_motions(const MatrixX& points, solid::Kind kind) {
+  const Eigen::Index n = points.cols();
+  std::vector<VectorX> motions;
+  for (int c = kind == solid::Kind::axisymmetric ? 1 : 0; c < D; ++c) {
+    VectorX motion = VectorX::Zero(D * n);
+    for (Eigen::Index a = 0; a < n; ++a) motion(D * a + c) = 1;
+    motions.push_back(std::move(motion));
+  }
+  if (kind == solid::Kind::axisymmetric) return motions;
+  const VectorX middle = points.rowwise().mean();
+  for (int axis = D == 2 ? 2 : 0; axis < 3; ++axis) {
+    const int i = (axis + 1) % 3, j = (axis + 2) % 3;
+    VectorX motion = VectorX::Zero(D * n);
+    for (Eigen::Index a = 0; a < n; ++a) {
+      motion(D * a + i) = -(points(j, a) - middle(j));
+      motion(D * a + j) = points(i, a) - middle(i);
+    }
+    motions.push_back(motion / motion.cwiseAbs().maxCoeff());
+  }
+  return motions;
+}
+
+} // namespace
+
+template <int D> std::vector<LooseMotion> loose_motions(const Scene<D>& scene, const Unknowns<D>& unknowns) {
+  std::vector<LooseMotion> loose;
+  for (int b = 0; b < static_cast<int>(scene.bodies.size()); ++b)
+    for (VectorX& motion : rigid_motions<D>(scene.bodies[at(b)].body->space().points(), scene.kind)) {
+      bool free = true;
+      for (Eigen::Index i = 0; i < motion.size() && free; ++i)
+        free = std::abs(motion(i)) < 1e-12 || unknowns.unknown(unknowns.offset(b) + static_cast<int>(i)) >= 0;
+      if (free) loose.push_back({b, std::move(motion)});
+    }
+  return loose;
+}
+
+template <int D>
+VectorX damping(const Scene<D>& scene, const Unknowns<D>& unknowns, const std::vector<LooseMotion>& motions,
+                const VectorX& diagonal, const VectorX& force, const std::vector<double>& stride) {
+  constexpr double least = 1e-10; // keeps motions regular that no force works on, such as sliding without friction
+  std::vector<double> factor(scene.bodies.size(), 0);
+  for (const auto& [body, motion] : motions) {
+    const int offset = unknowns.offset(body);
+    double work = 0, stiffness = 0;
+    for (Eigen::Index i = 0; i < motion.size(); ++i)
+      if (const int unknown = unknowns.unknown(offset + static_cast<int>(i)); unknown >= 0) {
+        work += force(offset + i) * motion(i);
+        stiffness += diagonal(unknown) * motion(i) * motion(i);
+      }
+    factor[at(body)] = std::max({factor[at(body)], least, std::abs(work) / (stride[at(body)] * stiffness)});
+  }
+  VectorX shift = VectorX::Zero(unknowns.size());
+  for (int b = 0; b < static_cast<int>(factor.size()); ++b)
+    for (int i = 0; i < D * scene.bodies[at(b)].body->functions(); ++i)
+      if (const int unknown = unknowns.unknown(unknowns.offset(b) + i); unknown >= 0)
+        shift(unknown) = factor[at(b)] * diagonal(unknown);
+  return shift;
+}
+
+template <int D>
+std::vector<double> strides(const Scene<D>& scene, const std::vector<contact::Pair<D>>& pairs, double small) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::vector<double> nearest(scene.bodies.size(), infinity);
+  const auto note = [&](int body, double distance) { nearest[at(body)] = std::min(nearest[at(body)], distance); };
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const double touch = pairs[k].resultant().active > 0 ? 0 : infinity;
+    double distance = touch;
+    if (touch > 0)
+      for (const double gap : pairs[k].gaps()) distance = std::min(distance, std::abs(gap));
+    note(scene.contacts[k].slave.body, distance);
+    if (const auto* face = std::get_if<FaceReference>(&scene.contacts[k].master)) note(face->body, distance);
+  }
+  for (double& distance : nearest) distance = distance == infinity ? small : std::max(distance, small);
+  return nearest;
+}
+
+#define SIGNORINI_INSTANTIATE(D)                                                                                       \
+  template std::vector<LooseMotion> loose_motions(const Scene<D>&, const Unknowns<D>&);                                \
+  template VectorX damping(const Scene<D>&, const Unknowns<D>&, const std::vector<LooseMotion>&, const VectorX&,       \
+                           const VectorX&, const std::vector<double>&);                                                \
+  template std::vector<double> strides(const Scene<D>&, const std::vector<contact::Pair<D>>&, double);
+SIGNORINI_INSTANTIATE(2)
+SIGNORINI_INSTANTIATE(3)
+#undef SIGNORINI_INSTANTIATE
+
+} // namespace signorini::model

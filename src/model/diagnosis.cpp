@@ -1,0 +1,211 @@
+#include "model/diagnosis.hpp"
+
+#include "base/error.hpp"
+#include "base/words.hpp"
+#include "model/weak_directions.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace signorini::model {
+
+namespace {
+
+using solve::Outcome;
+
+constexpr std::size_t most_places = 5;
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// A control point of a body, with the place where it is now.
+template <int D> TroubleSpot control_point(const Model<D>& model, int body, int function) {
+  const auto& named = model.scene().bodies[at(body)];
+  const VectorX reference = named.body->space().points().col(function);
+  return {"control point",
+          named.name,
+          function,
+          reference,
+          reference + VectorX(model.body_displacement(body).col(function)),
+          0,
+          ""};
+}
+
+/// Control points in the order of their share of a vector of unknowns, largest first, with that share.
+template <int D> std::vector<TroubleSpot> largest(const Model<D>& model, const VectorX& values, const char* what) {
+  struct Share {
+    int body, function;
+    double size;
+  };
+  std::vector<Share> shares;
+  const VectorX all = model.unknowns().spread(values);
+  for (int b = 0; b < static_cast<int>(model.scene().bodies.size()); ++b)
+    for (int a = 0; a < model.scene().bodies[at(b)].body->functions(); ++a)
+      shares.push_back({b, a, all.segment<D>(model.unknowns().offset(b) + D * a).norm()});
+  const std::size_t count = std::min<std::size_t>(3, shares.size());
+  std::partial_sort(shares.begin(), shares.begin() + static_cast<std::ptrdiff_t>(count), shares.end(),
+                    [](const Share& a, const Share& b) { return a.size > b.size; });
+  std::vector<TroubleSpot> spots;
+  for (std::size_t k = 0; k < count; ++k) {
+    TroubleSpot spot = control_point(model, shares[k].body, shares[k].function);
+    spot.value = shares[k].size;
+    spot.text = text(what, ' ', coordinates(Vec<1>(spot.value)));
+    spots.push_back(std::move(spot));
+  }
+  return spots;
+}
+
+template <int D> TroubleSpot contact_point(const Model<D>& model, const PointIndex& index, const char* what) {
+  const contact::Pair<D>& pair = model.pairs()[at(index.contact)];
+  const auto i = at(index.point);
+  const contact::PointResult<D>& result = pair.results()[i];
+  return {"contact point",
+          model.scene().contacts[at(index.contact)].name,
+          pair.place(i).first,
+          pair.reference_positions()[i],
+          result.position,
+          result.gap,
+          what};
+}
+
+template <int D>
+void add_points(Diagnosis& diagnosis, const Model<D>& model, const std::vector<PointIndex>& points, const char* what) {
+  for (std::size_t k = 0; k < std::min(points.size(), most_places); ++k)
+    diagnosis.places.push_back(contact_point(model, points[k], what));
+  if (points.empty()) return;
+  const TroubleSpot& first = diagnosis.places.front();
+  diagnosis.message +=
+      text("; ", points.size(), points.size() == 1 ? " point" : " points", " of contact '", first.where,
+           "', the first in slave element ", first.index + 1, " at X = ", coordinates(first.reference));
+}
+
+/// The element that is inverted: its Gauss point, where it is now.
+template <int D> TroubleSpot inverted_element(const Model<D>& model) {
+  const auto& [body, inversion] = *model.inversion();
+  const auto& named = model.scene().bodies[at(body)];
+  const nurbs::Discretisation& space = named.body->space();
+  const solid::ElementQuadrature rule = solid::element_quadrature(space, inversion.element);
+  VectorX current = inversion.point;
+  for (Eigen::Index q = 0; q < rule.points.cols(); ++q)
+    if (named.body->reference_point(inversion.element, static_cast<int>(q)) == inversion.point) {
+      const nurbs::ElementBasis basis = space.basis(inversion.element, rule.points.col(q));
+      for (std::size_t a = 0; a < basis.functions.size(); ++a)
+        current += basis.values(static_cast<Eigen::Index>(a)) * model.body_displacement(body).col(basis.functions[a]);
+    }
+  return {"element",
+          named.name,
+          inversion.element,
+          inversion.point,
+          current,
+          inversion.jacobian,
+          text("J = ", coordinates(Vec<1>(inversion.jacobian)))};
+}
+
+/// Whether a direction moves a body as a whole, and how, in words; empty when it deforms it.
+template <int D> std::string rigid_part(const Model<D>& model, const VectorX& direction) {
+  const VectorX all = model.unknowns().spread(direction);
+  for (std::size_t b = 0; b < model.scene().bodies.size(); ++b) {
+    const auto& named = model.scene().bodies[b];
+    const int functions = named.body->functions();
+    const Eigen::Map<const Eigen::Matrix<double, D, Eigen::Dynamic>> own(
+        all.data() + model.unknowns().offset(static_cast<int>(b)), D, functions);
+    const Vec<D> mean = own.rowwise().mean();
+    constexpr double whole = 0.01;
+    if (own.norm() < 0.5 * all.norm()) continue;
+    if ((own.colwise() - mean).norm() <= whole * own.norm())
+      return text("body '", named.name, "' moves as a whole along ", coordinates(mean / mean.norm()));
+    // u = c + W x with a skew W, in the sense of least squares
+    const MatrixX points = named.body->space().points();
+    const VectorX middle = points.rowwise().mean();
+    constexpr int rotations = D == 2 ? 1 : 3;
+    MatrixX columns = MatrixX::Zero(D * functions, D + rotations);
+    for (int a = 0; a < functions; ++a) {
+      for (int c = 0; c < D; ++c) columns(D * a + c, c) = 1;
+      const VectorX arm = points.col(a) - middle;
+      for (int r = 0; r < rotations; ++r) {
+        const int i = D == 2 ? 0 : (r + 1) % 3, j = D == 2 ? 1 : (r + 2) % 3;
+        columns(D * a + i, D + r) = -arm(j);
+        columns(D * a + j, D + r) = arm(i);
+      }
+    }
+    const VectorX flat = Eigen::Map<const VectorX>(own.data(), D * functions);
+    const VectorX fit = columns.colPivHouseholderQr().solve(flat);
+    if ((columns * fit - flat).norm() <= whole * flat.norm()) return text("body '", named.name, "' turns as a whole");
+  }
+  return "";
+}
+
+template <int D> void add_direction(Diagnosis& diagnosis, const Model<D>& model, const WeakDirection& weak) {
+  if (weak.direction.norm() == 0) return;
+  diagnosis.places = largest(model, weak.direction, "part of the direction");
+  const std::string rigid = rigid_part(model, weak.direction);
+  const TroubleSpot& first = diagnosis.places.front();
+  diagnosis.message += rigid.empty() ? text("; in its direction, control point ", first.index + 1, " of body '",
+                                            first.where, "' at X = ", coordinates(first.reference), " moves most")
+                                     : text("; in its direction ", rigid);
+}
+
+std::string cure(Outcome outcome) {
+  switch (outcome) {
+  case Outcome::iteration_limit:
+    return "allow more iterations (newton = { iterations = … }) or smaller steps (step = { adaptive = true })";
+  case Outcome::diverged:
+  case Outcome::not_finite:
+    return "take smaller steps (step = { adaptive = true }) or a line search (newton = { line_search = \"residual\" })";
+  case Outcome::cycling:
+    return "take smaller steps (step = { adaptive = true }), a line search (newton = { line_search = \"residual\" }), "
+           "more contact points per element (points), or hold points that change too often "
+           "(newton = { active_set_changes = 4 })";
+  case Outcome::lost_projection:
+    return "extend the master face beyond where the slave face reaches, or end the path before it";
+  case Outcome::inverted_element:
+    return "take smaller steps (step = { adaptive = true }), a line search, or a mesh that can follow the deformation";
+  case Outcome::singular_tangent:
+    return "hold the body with a support; damping = true carries a body that only contact will hold until it touches";
+  case Outcome::indefinite:
+    return "the state is at or beyond a limit of stability: arc_length = true follows the path around it";
+  case Outcome::line_search:
+    return "take smaller steps (step = { adaptive = true }) or no line search";
+  case Outcome::penetration:
+    return "raise the penalty, allow more loops (augmented = { loops = … }) or more penetration; where a curved master "
+           "meets more contact points than the slave has control points, some penetration always remains";
+  default:
+    return "";
+  }
+}
+
+} // namespace
+
+template <int D> Diagnosis diagnose(const Model<D>& model, const solve::NewtonReport& report) {
+  Diagnosis diagnosis{report.outcome, report.message, "", {}, {}};
+  const Assembly<D>& assembly = model.assembly();
+  const bool has_tangent = model.unknowns().size() > 0 && assembly.largest_diagonal() > 0;
+  if (report.outcome == Outcome::inverted_element && model.inversion()) diagnosis.places = {inverted_element(model)};
+  if (report.outcome == Outcome::cycling)
+    add_points(diagnosis, model, model.active_set().restless(), "changes its state");
+  if (report.outcome == Outcome::lost_projection)
+    add_points(diagnosis, model, model.active_set().strays(), "leaves the master");
+  if (report.outcome == Outcome::singular_tangent && has_tangent)
+    add_direction(diagnosis, model, null_direction(assembly.pattern(), assembly.values()));
+  const bool stalls = report.outcome == Outcome::iteration_limit || report.outcome == Outcome::diverged ||
+                      report.outcome == Outcome::line_search;
+  if (stalls && has_tangent) {
+    const WeakDirection softest = softest_direction(assembly.pattern(), assembly.values());
+    if (softest.stiffness < 0) {
+      diagnosis.outcome = Outcome::indefinite;
+      diagnosis.message += text("; the tangent is indefinite there");
+      add_direction(diagnosis, model, softest);
+    }
+  }
+  if (model.unbalanced().size() > 0 && model.unbalanced().allFinite() && !report.residuals.empty())
+    diagnosis.unbalanced = largest(model, model.unbalanced(), "unbalanced force");
+  if (diagnosis.places.empty()) diagnosis.places = diagnosis.unbalanced;
+  diagnosis.cure = cure(diagnosis.outcome);
+  return diagnosis;
+}
+
+template Diagnosis diagnose<2>(const Model<2>&, const solve::NewtonReport&);
+template Diagnosis diagnose<3>(const Model<3>&, const solve::NewtonReport&);
+
+} // namespace signorini::model

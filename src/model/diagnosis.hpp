@@ -1,0 +1,31 @@
+#pragma once
+// Why a step failed: where in the model, and what may help.
+
+#include "model/model.hpp"
+
+namespace signorini::model {
+
+/// A place that has to do with a failure.
+struct TroubleSpot {
+  std::string kind;  ///< "element", "contact point", "control point"
+  std::string where; ///< name of the body, or of the contact
+  int index;         ///< of the element (of the slave face for a contact point), of the control point; from 0
+  VectorX reference; ///< X, of a control point its own position
+  VectorX current;   ///< x in the state that failed
+  double value;      ///< J, gap, unbalanced force, part of the direction
+  std::string text;  ///< a few words: "J = -0.12"
+};
+
+struct Diagnosis {
+  solve::Outcome outcome;              ///< the report's, or `indefinite` where that is found to be behind it
+  std::string message;                 ///< what happened
+  std::string cure;                    ///< what may help
+  std::vector<TroubleSpot> places;     ///< the worst first
+  std::vector<TroubleSpot> unbalanced; ///< control points with the largest unbalanced forces
+};
+
+/// Looks at the state in which a step failed: call it before the roll-back. Costs a few factorisations where the
+/// tangent is looked into (its null vector, its directions of negative stiffness), else next to nothing.
+template <int D> Diagnosis diagnose(const Model<D>& model, const solve::NewtonReport& report);
+
+} // namespace signorini::model

@@ -1,0 +1,310 @@
+// How a model's steps are solved: by iteration at prescribed targets, and by arc length.
+#include "model/model.hpp"
+
+#include "base/error.hpp"
+#include "base/timer.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace signorini::model {
+
+namespace {
+
+/// Whether the tangent is symmetric: all but the penalty law, whose traction acts on the current area, have a
+/// potential.
+template <int D> bool has_potential(const Scene<D>& scene) {
+  return std::all_of(scene.contacts.begin(), scene.contacts.end(),
+                     [](const Contact<D>& contact) { return std::holds_alternative<contact::Adhesion>(contact.law); });
+}
+
+/// What two solvers have done in turn; size and cost are those of the later one.
+solve::SolverStatistics sum(const solve::SolverStatistics& before, const solve::SolverStatistics& now) {
+  solve::SolverStatistics result = now;
+  result.factorisations += before.factorisations;
+  result.solutions += before.solutions;
+  result.iterations += before.iterations;
+  return result;
+}
+
+} // namespace
+
+/// The linear solver for the present pattern. Where all bodies are linear elastic only the contacts' part of the
+/// tangent changes: unless told otherwise, the rest is factored once.
+template <int D> solve::LinearSolver& Model<D>::solver(const StepOptions& options) {
+  const bool can_condense = assembly_.linear() && !pairs_.empty() && !options.damping;
+  require(
+      options.linear != solve::LinearKind::condensed || can_condense,
+      "linear = \"condensed\" needs bodies that are all linear elastic, and a contact (without damping): use \"auto\"");
+  const bool condense = options.linear == solve::LinearKind::condensed ||
+                        (options.linear == solve::LinearKind::automatic && can_condense);
+  const bool same = solver_ && solver_asked_ == options.linear;
+  const bool same_contacts = solver_contacts_ == assembly_.contact_version();
+  // A growing pattern need not make an end of what a solver has.
+  const bool fits =
+      same && (solver_version_ == assembly_.pattern_version() || (!condense && solver_->adopt(assembly_.pattern())));
+  if (!fits || (condense && !same_contacts)) {
+    if (solver_) past_solvers_ = sum(past_solvers_, solver_->statistics());
+    if (condense) {
+      const auto& values = assembly_.constant_values();
+      const solve::Condensation condensation{{values.begin(), values.begin() + assembly_.pattern().entries()},
+                                             assembly_.contact_unknowns()};
+      solver_ = solve::make_solver(solve::LinearKind::condensed, assembly_.pattern(), &condensation);
+    } else {
+      const bool symmetric = options.linear == solve::LinearKind::automatic && has_potential(scene_);
+      solver_ = solve::make_solver(symmetric ? solve::symmetric_choice(assembly_.pattern()) : options.linear,
+                                   assembly_.pattern());
+    }
+  }
+  if (!fits || !same_contacts) solver_->watch(assembly_.contact_unknowns());
+  solver_version_ = assembly_.pattern_version();
+  solver_contacts_ = assembly_.contact_version();
+  solver_asked_ = options.linear;
+  return *solver_;
+}
+
+template <int D> bool Model<D>::factor(const StepOptions& options) {
+  if (options.damping) damp();
+  return unknowns_.size() == 0 || solver(options).factor(assembly_.values().data());
+}
+
+/// Adds to the tangent what keeps loose bodies from flying off.
+template <int D> void Model<D>::damp() {
+  if (!loose_) loose_ = loose_motions(scene_, unknowns_);
+  if (loose_->empty()) return;
+  constexpr double small = 1e-3;
+  assembly_.add_diagonal(
+      damping(scene_, unknowns_, *loose_, assembly_.diagonal(), residual_, strides(scene_, pairs_, small * extent_)));
+}
+
+template <int D> bool Model<D>::advance(const StepOptions& options, double& energy) {
+  ScopedTimer timer(timings_.linear);
+  if (!factor(options)) return false;
+  VectorX step = -unbalanced_;
+  if (unknowns_.size() > 0 && !solver_->solve(step.data())) return false;
+  if (!step.allFinite()) return false;
+  const double slope = unbalanced_.dot(step);
+  energy = std::abs(slope);
+  if (options.newton.line_search != solve::LineSearchKind::none) {
+    step_->before = displacement_;
+    step_->move = unknowns_.spread(step);
+    step_->slope = slope;
+  }
+  displacement_ += unknowns_.spread(step) + step_->increment;
+  step_->increment.setZero();
+  step_->moved = true;
+  present_ = targets_;
+  return true;
+}
+
+/// What Newton's loop needs, around a way to assemble and one to advance.
+template <int D>
+solve::NewtonSystem Model<D>::system(std::function<solve::Outcome(bool, std::string&)> assemble,
+                                     std::function<bool(double&)> advance) const {
+  solve::NewtonSystem system;
+  system.assemble = std::move(assemble);
+  system.advance = std::move(advance);
+  system.residual = [this] { return unbalanced_.norm(); };
+  system.scale = [this] { return force_norm(); };
+  system.floor = [this] { return rounding_floor(); };
+  return system;
+}
+
+/// Size of the forces of the run so far: of supports and loads, in the accepted states and now.
+template <int D> double Model<D>::force_norm() const {
+  return std::max({force_scale_, unknowns_.held_norm(residual_), external_.norm()});
+}
+
+/// What rounding leaves of the residual: ε |K| |x|, in space four times as much, where a row adds up some ten times as
+/// many products.
+template <int D> double Model<D>::rounding_floor() const {
+  return (D == 2 ? 1 : 4) * std::numeric_limits<double>::epsilon() * assembly_.largest_diagonal() * size_;
+}
+
+/// Whether the state could be moved on to the targets as the last step went.
+template <int D> bool Model<D>::predict(const VectorX& increment) {
+  const VectorX step = targets_ - accepted_targets_, last = accepted_targets_ - previous_targets_;
+  if (!(last.squaredNorm() > 0) || present_ != accepted_targets_) return false;
+  const double ratio = step.dot(last) / last.squaredNorm();
+  constexpr double straight = 1e-6;
+  if ((step - ratio * last).norm() > straight * step.norm()) return false;
+  // Free ones by as much as in the last step, prescribed ones exactly
+  const VectorX prescribed = drives_.displacement(accepted_targets_) - drives_.displacement(previous_targets_);
+  displacement_ += ratio * (last_increment_ - prescribed) + increment;
+  return true;
+}
+
+template <int D> typename Model<D>::Step Model<D>::begin_step(const StepOptions& options) {
+  Step step{drives_.displacement(targets_) - drives_.displacement(present_), false};
+  active_set_.begin(pairs_, options.active_set);
+  external_ = drives_.force(targets_);
+  const bool constant = options.predictor == Predictor::constant;
+  if (constant) displacement_ += step.increment;
+  if (constant || (options.predictor == Predictor::linear && predict(step.increment))) {
+    step.increment.setZero();
+    present_ = targets_;
+  }
+  step.pending = (step.increment.array() != 0).any();
+  return step;
+}
+
+template <int D> solve::Outcome Model<D>::assemble_step(bool tangent, std::string& why) {
+  const solve::NewtonReport& report = step_->report;
+  const bool first = step_->pending && report.iterations == 0;
+  if (!report.energies.empty()) active_set_.thaw(pairs_, report.energies.back() / report.energies.front());
+  const solve::Outcome outcome = assemble(first ? &step_->increment : nullptr, tangent, why);
+  if (first) unbalanced_ += unknowns_.gather(assembly_.product());
+  if (outcome != solve::Outcome::converged || !std::exchange(step_->moved, false)) return outcome;
+  active_set_.note(pairs_, unbalanced_.norm());
+  if (const int period = active_set_.period(); period > 0) {
+    why = text("the states of contact points repeat every ", period, " iterations");
+    return active_set_.strays().empty() ? solve::Outcome::cycling : solve::Outcome::lost_projection;
+  }
+  return outcome;
+}
+
+template <int D> solve::Trial Model<D>::retreat(double part) {
+  displacement_ = step_->before + part * step_->move;
+  step_->moved = true;
+  std::string why;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (assemble(nullptr, false, why) != solve::Outcome::converged) return {infinity, infinity};
+  return {unbalanced_.norm(), residual_.dot(step_->move)};
+}
+
+template <int D> solve::Outcome Model<D>::settle(const StepOptions& options, std::string& why) {
+  if (active_set_.release(pairs_)) {
+    step_->moved = true;
+    if (!active_set_.exhausted()) return solve::Outcome::iterating;
+    why = "points that were held do not keep their states when they are freed";
+    return solve::Outcome::cycling;
+  }
+  if (options.augmented.penetration == 0) return solve::Outcome::converged;
+  double deepest = 0;
+  for (const auto& pair : pairs_)
+    if (std::holds_alternative<contact::PenaltyLaw>(pair.law()))
+      deepest = std::max(deepest, pair.resultant().max_penetration);
+  if (deepest <= options.augmented.penetration * extent_) return solve::Outcome::converged;
+  if (step_->augmentations == options.augmented.loops) {
+    why = text("the largest penetration is ", deepest, " after ", options.augmented.loops, " augmentations, asked was ",
+               options.augmented.penetration * extent_);
+    return solve::Outcome::penetration;
+  }
+  for (auto& pair : pairs_) pair.augment();
+  ++step_->augmentations;
+  step_->moved = true;
+  return solve::Outcome::iterating;
+}
+
+/// Tells where contact is why there was no convergence.
+template <int D> void Model<D>::classify(solve::NewtonReport& report) const {
+  const bool stalls =
+      report.outcome == solve::Outcome::iteration_limit || report.outcome == solve::Outcome::line_search;
+  if (!stalls || active_set_.restless().empty()) return;
+  report.outcome = active_set_.strays().empty() ? solve::Outcome::cycling : solve::Outcome::lost_projection;
+  report.message += "; the states of contact points keep changing";
+}
+
+template <int D> const solve::NewtonReport& Model<D>::iterate(const StepOptions& options) {
+  if (!step_) step_ = begin_step(options);
+  solve::NewtonReport& report = step_->report;
+  if (report.outcome != solve::Outcome::iterating) return report;
+  solve::NewtonSystem newton = system([this](bool tangent, std::string& why) { return assemble_step(tangent, why); },
+                                      [&](double& energy) { return advance(options, energy); });
+  newton.retreat = [this](double part) { return retreat(part); };
+  newton.slope = [this] { return step_->slope; };
+  newton.settle = [&](std::string& why) { return settle(options, why); };
+  if (!solve::iterate(newton, options.newton, step_->pending, report)) classify(report);
+  return report;
+}
+
+template <int D> solve::NewtonReport Model<D>::solve_step(const StepOptions& options) {
+  step_.reset();
+  while (iterate(options).outcome == solve::Outcome::iterating) {
+  }
+  return step_->report;
+}
+
+template <int D> solve::Outcome Model<D>::evaluate(std::string& why) {
+  if (!step_) external_ = drives_.force(targets_);
+  return assemble(nullptr, true, why);
+}
+
+/// Brings the prescribed displacements and loads from present_ to other targets.
+template <int D> void Model<D>::move_targets(const VectorX& targets) {
+  displacement_ += drives_.displacement(targets) - drives_.displacement(present_);
+  external_ = drives_.force(targets);
+  present_ = targets;
+}
+
+template <int D>
+bool Model<D>::advance_arc(const StepOptions& options, const VectorX& direction, double length, VectorX& tangent,
+                           double& energy) {
+  ScopedTimer timer(timings_.linear);
+  if (unknowns_.size() == 0 || !factor(options)) return false;
+  // K δ₁ = −f,  K δ₂ = −∂f/∂λ with ∂f/∂λ = K_p ∂u_p/∂λ − ∂f_ext/∂λ
+  const VectorX force = -unbalanced_;
+  const VectorX change = -unknowns_.gather(assembly_.product() - drives_.force(direction));
+  VectorX first = force, second = change;
+  if (!solver_->solve(first.data()) || !solver_->solve(second.data())) return false;
+  if (!first.allFinite() || !second.allFinite()) return false;
+  const VectorX step = unknowns_.spread(first), free_rate = unknowns_.spread(second);
+  const VectorX rate = free_rate + drives_.rate(present_, direction);
+  double lambda;
+  if (tangent.size() == 0) {
+    // Predictor: along the curve's tangent, on in the sense of the last step
+    const bool back = rate.dot(last_increment_) < 0;
+    lambda = (back ? -1 : 1) * length / rate.norm();
+    tangent = rate / (back ? -rate.norm() : rate.norm());
+  } else {
+    // t·(u + δ₁ + δλ (δ₂ + ∂u_p/∂λ) − u₀) = length
+    lambda = (length - tangent.dot(displacement_ - accepted_ + step)) / tangent.dot(rate);
+  }
+  if (!std::isfinite(lambda)) return false;
+  energy = std::abs((force + lambda * change).dot(first + lambda * second));
+  displacement_ += step + lambda * free_rate;
+  arc_fraction_ += lambda;
+  move_targets(accepted_targets_ + arc_fraction_ * direction);
+  return true;
+}
+
+template <int D> solve::NewtonReport Model<D>::solve_arc(const StepOptions& options, double length) {
+  const VectorX direction = targets_ - accepted_targets_;
+  require((direction.array() != 0).any(), "an arc needs a path: set a target other than the accepted one");
+  require(length > 0, "an arc's length must be positive, got ", length);
+  arc_fraction_ = 0;
+  active_set_.begin(pairs_, {});
+  step_ = Step{{}, true};
+  VectorX rate, tangent;
+  const auto assemble_rate = [&](bool wanted, std::string& why) {
+    rate = drives_.rate(present_, direction);
+    return assemble(wanted ? &rate : nullptr, wanted, why);
+  };
+  const auto step = [&](double& energy) { return advance_arc(options, direction, length, tangent, energy); };
+  step_->report = solve::newton(system(assemble_rate, step), options.newton, true);
+  targets_ = present_;
+  return step_->report;
+}
+
+template <int D> solve::LinearKind Model<D>::linear_kind() const {
+  return solver_ ? solver_->kind() : solve::LinearKind::automatic;
+}
+
+template <int D> solve::SolverStatistics Model<D>::solver_statistics() const {
+  return solver_ ? sum(past_solvers_, solver_->statistics()) : past_solvers_;
+}
+
+#define SIGNORINI_INSTANTIATE(D)                                                                                       \
+  template solve::NewtonReport Model<D>::solve_step(const StepOptions&);                                               \
+  template const solve::NewtonReport& Model<D>::iterate(const StepOptions&);                                           \
+  template solve::Outcome Model<D>::evaluate(std::string&);                                                            \
+  template solve::NewtonReport Model<D>::solve_arc(const StepOptions&, double);                                        \
+  template double Model<D>::force_norm() const;                                                                        \
+  template solve::LinearKind Model<D>::linear_kind() const;                                                            \
+  template solve::SolverStatistics Model<D>::solver_statistics() const;
+SIGNORINI_INSTANTIATE(2)
+SIGNORINI_INSTANTIATE(3)
+#undef SIGNORINI_INSTANTIATE
+
+} // namespace signorini::model

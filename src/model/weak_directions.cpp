@@ -1,0 +1,79 @@
+#include "model/weak_directions.hpp"
+
+#include "solve/linear.hpp"
+#include "solve/values.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
+
+#include <algorithm>
+
+namespace signorini::model {
+
+namespace {
+
+double largest_entry(const solve::Pattern& pattern, const std::vector<double>& values) {
+  double largest = 0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(pattern.entries()); ++i)
+    largest = std::max(largest, std::abs(values[i]));
+  return largest;
+}
+
+std::vector<double> shifted(const solve::Pattern& pattern, std::vector<double> values, double shift) {
+  for (int i = 0; i < pattern.size; ++i) values[static_cast<std::size_t>(pattern.find(i, i))] += shift;
+  return values;
+}
+
+MatrixX times(const solve::Pattern& pattern, const std::vector<double>& values, const MatrixX& x) {
+  MatrixX product = MatrixX::Zero(x.rows(), x.cols());
+  for (int j = 0; j < pattern.size; ++j)
+    for (int k = pattern.starts[static_cast<std::size_t>(j)]; k < pattern.starts[static_cast<std::size_t>(j) + 1]; ++k)
+      product.row(pattern.rows[static_cast<std::size_t>(k)]) += values[static_cast<std::size_t>(k)] * x.row(j);
+  return product;
+}
+
+/// Directions that prefer nothing, the same for each call.
+MatrixX some_directions(int size, int count) {
+  MatrixX x(size, count);
+  for (int j = 0; j < count; ++j)
+    for (int i = 0; i < size; ++i) x(i, j) = std::sin(1.0 + 0.7 * (i + 1) * (j + 1) + 0.01 * i * i);
+  return x;
+}
+
+/// Q of X = Q R.
+MatrixX orthonormal(const MatrixX& x) {
+  return Eigen::HouseholderQR<MatrixX>(x).householderQ() * MatrixX::Identity(x.rows(), x.cols());
+}
+
+/// Ritz pair of least stiffness in the space that inverse iteration of `matrix` leads to.
+WeakDirection iterate(const solve::Pattern& pattern, const std::vector<double>& matrix, int count, int rounds) {
+  constexpr double relative_shift = 1e-12; // regular, where the matrix is not
+  const std::vector<double> regular = shifted(pattern, matrix, relative_shift * largest_entry(pattern, matrix));
+  const auto solver = solve::make_solver(solve::LinearKind::umfpack, pattern);
+  count = std::min(count, pattern.size);
+  MatrixX x = orthonormal(some_directions(pattern.size, count));
+  if (!solver->factor(regular.data())) return {VectorX::Zero(pattern.size), 0};
+  for (int round = 0; round < rounds; ++round) {
+    for (int j = 0; j < count; ++j)
+      if (!solver->solve(x.col(j).data())) return {VectorX::Zero(pattern.size), 0};
+    x = orthonormal(x);
+  }
+  const MatrixX small = x.transpose() * times(pattern, matrix, x);
+  const Eigen::SelfAdjointEigenSolver<MatrixX> ritz(0.5 * (small + small.transpose()));
+  return {x * ritz.eigenvectors().col(0), ritz.eigenvalues()(0)};
+}
+
+} // namespace
+
+WeakDirection null_direction(const solve::Pattern& pattern, const std::vector<double>& values) {
+  return iterate(pattern, values, 1, 6);
+}
+
+WeakDirection softest_direction(const solve::Pattern& pattern, const std::vector<double>& values) {
+  std::vector<double> symmetric;
+  solve::Symmetry(pattern).transpose(values.data(), symmetric);
+  for (std::size_t i = 0; i < symmetric.size(); ++i) symmetric[i] = 0.5 * (symmetric[i] + values[i]);
+  return iterate(pattern, symmetric, 8, 12);
+}
+
+} // namespace signorini::model

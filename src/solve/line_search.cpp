@@ -1,0 +1,76 @@
+#include "solve/line_search.hpp"
+
+#include "base/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace signorini::solve {
+
+namespace {
+
+constexpr double shortest = 1.0 / 128;
+
+std::optional<double> by_residual(const std::function<Trial(double)>& evaluate, const std::vector<double>& residuals) {
+  constexpr double decrease = 1e-4;
+  constexpr std::size_t memory = 4;
+  const std::size_t first = residuals.size() - std::min(residuals.size(), memory);
+  const double highest = *std::max_element(residuals.begin() + static_cast<std::ptrdiff_t>(first), residuals.end());
+  const double start = residuals.back();
+  for (double s = 1; s >= shortest;) {
+    const double now = evaluate(s).residual;
+    if (now <= (1 - decrease * s) * highest) return s;
+    // φ(s) = |f|², φ(0) = start², φ′(0) = −2 start² for the exact tangent: the parabola through φ(s) has its minimum at
+    //   s* = start² s² / (φ(s) − start² + 2 start² s)
+    const double ratio = (now / start) * (now / start);
+    const double next = s * s / (ratio - 1 + 2 * s);
+    s = std::isfinite(next) ? std::clamp(next, 0.1 * s, 0.5 * s) : 0.5 * s;
+  }
+  return std::nullopt;
+}
+
+std::optional<double> by_energy(const std::function<Trial(double)>& evaluate, double slope) {
+  constexpr double small = 0.5;
+  constexpr int most = 10;
+  double low = 0, low_slope = slope, high = 1, high_slope = 0;
+  double s = 1;
+  for (int i = 0; i < most; ++i) {
+    const Trial now = evaluate(s);
+    if (!std::isfinite(now.residual)) { // where there is no state at all, try nearer
+      high = s;
+      high_slope = 0;
+      s = 0.5 * (low + s);
+    } else if (std::abs(now.slope) <= small * std::abs(slope)) {
+      return s;
+    } else if (now.slope * slope > 0) { // not yet far enough: the whole move is the longest
+      if (s == 1) return s;
+      low = s;
+      low_slope = now.slope;
+      s = high_slope == 0 ? 0.5 * (low + high) : low + (high - low) * low_slope / (low_slope - high_slope);
+    } else {
+      high = s;
+      high_slope = now.slope;
+      // Regula falsi, kept away from the ends
+      const double root = low + (high - low) * low_slope / (low_slope - high_slope);
+      s = std::clamp(root, low + 0.1 * (high - low), high - 0.1 * (high - low));
+    }
+    if (s < shortest) return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+} // namespace
+
+LineSearchKind line_search_kind(const std::string& name) {
+  if (name == "none") return LineSearchKind::none;
+  if (name == "residual") return LineSearchKind::residual;
+  if (name == "energy") return LineSearchKind::energy;
+  fail("line_search: unknown kind '", name, "'; known are 'none', 'residual', 'energy'");
+}
+
+std::optional<double> line_search(LineSearchKind kind, const std::function<Trial(double)>& evaluate,
+                                  const std::vector<double>& residuals, double slope) {
+  return kind == LineSearchKind::residual ? by_residual(evaluate, residuals) : by_energy(evaluate, slope);
+}
+
+} // namespace signorini::solve
