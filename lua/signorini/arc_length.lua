@@ -1,6 +1,8 @@
 -- Arc length: goes on where a step at prescribed targets fails because the path turns back (a snap-back of peeling, a
 -- snap-through under a load), and finds out whether that is why it failed.
 
+local steps = require "signorini.steps"
+
 local arc_length = {}
 
 local first_share = 0.3     -- of the last accepted step's length: the first arc
@@ -25,9 +27,11 @@ Switch.__index = Switch
 --- prescribed again, and the next step begins as `inner` would.
 function arc_length.policy(inner) return setmetatable({ inner = inner }, Switch) end
 
+function Switch:shorten() return self.inner:shorten() end
+
 function Switch:take(step)
   local result = self.inner:take(step)
-  if result.converged or result.reason == "interrupted" then return result end
+  if result.converged or steps.is_asked_for(result) then return result end
   step:switch_control("arc length", result.reason)
   local first = first_share * step.model:last_length()
   local length, longest = first, 4 * first / first_share

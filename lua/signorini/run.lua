@@ -4,6 +4,7 @@
 local core = require "signorini.core"
 local arc_length = require "signorini.arc_length"
 local arguments = require "signorini.arguments"
+local controls = require "signorini.controls"
 local drives = require "signorini.drives"
 local progress = require "signorini.progress"
 local steps = require "signorini.steps"
@@ -71,18 +72,22 @@ local function read_policy(step)
   return arguments.flag(where, "step.adaptive", step.adaptive, true) and steps.halving(options) or steps.plain()
 end
 
---- What solve_step takes, the policy, and the callback after each step.
-local function read_options(options)
-  arguments.table(where, "options", options, { "newton", "step", "arc_length", "linear", "on_step" })
+--- The controls of a run: { solver, tries, penalty } (see controls.lua), policy, on_step, on_iteration.
+local function read_options(model, options)
+  local known = { "step", "arc_length", "on_step", "on_iteration" }
+  arguments.table(where, "options", options, table.move(controls.keys, 1, #controls.keys, #known + 1, known))
   options = options or {}
   local policy = read_policy(options.step)
   if arguments.flag(where, "arc_length", options.arc_length, false) then policy = arc_length.policy(policy) end
-  local newton = arguments.table(where, "options.newton", options.newton, { "tolerance", "iterations" })
+  local solver, tries, penalty = controls.read(model, options)
+  if options.arc_length and solver.augmented then
+    core.fail(where .. ": augmented and arc_length cannot be used together: take one of the two out")
+  end
   return {
-    tolerance = arguments.positive(where, "newton.tolerance", newton.tolerance, 1e-10),
-    iterations = arguments.count(where, "newton.iterations", newton.iterations, 25),
-    linear = arguments.string(where, "linear", options.linear, "auto"),
-  }, policy, arguments.callback(where, "on_step", options.on_step)
+    solver = solver, tries = tries, penalty = penalty, policy = policy,
+    on_step = arguments.callback(where, "on_step", options.on_step),
+    on_iteration = arguments.callback(where, "on_iteration", options.on_iteration),
+  }
 end
 
 -- ── One step ─────────────────────────────────────────────────────────────────────────────────────────────────────────
@@ -91,9 +96,12 @@ end
 local Step = {}
 Step.__index = Step
 
-local function begin_step(model, run, stage, number, solver)
+local function begin_step(model, run, stage, number, options)
   run:begin_step()
-  return setmetatable({ model = model, run = run, stage = stage, number = number, solver = solver, done = 0 }, Step)
+  return setmetatable({
+    model = model, run = run, stage = stage, number = number, options = options, solver = options.solver, done = 0,
+    start = options.on_step and model:snapshot(),
+  }, Step)
 end
 
 --- Prescribes the targets at the part `to` of the step: linear from the stage's start, its end met exactly.
@@ -107,13 +115,60 @@ function Step:set_targets(to)
   end
 end
 
---- Solves for the targets at the part `to` of the step, then accepts or rolls back. Returns the solver's result.
-function Step:attempt(to)
+--- The penalties' factor at the part `to` of the step, where it grows along the path: start^(1 − steps so far/steps).
+function Step:set_penalty(to)
+  local penalty = self.options.penalty
+  if not penalty then return end
+  local part = math.min(1, (self.run.steps + to) / penalty.steps)
+  self.model:set_penalty_factor(part == 1 and 1 or penalty.start ^ (1 - part))
+end
+
+--- Solves for the present targets; on_iteration sees each iteration and may end the attempt.
+function Step:solve(solver, to)
+  local on_iteration = self.options.on_iteration
+  if not on_iteration then return self.model:solve_step(solver) end
+  repeat
+    local result = self.model:iterate(solver)
+    local residuals, energies = result.residuals, result.energies
+    local answer = on_iteration {
+      stage = self.stage.name, step = self.run.steps + 1, from = self.done, to = to, iteration = result.iterations,
+      residual = residuals[#residuals], energy = energies[#energies], reason = result.reason,
+    }
+    if result.reason == "iterating" and (answer == "stop" or answer == "cut") then
+      result.reason = answer == "stop" and "stopped" or "cut"
+      result.message = ("on_iteration asked for it in iteration %d"):format(result.iterations)
+    end
+  until result.reason ~= "iterating"
+  return result
+end
+
+--- One attempt with given controls: accepts or rolls back, finds out why it failed. `rescue` is the control's name where
+--- another one has failed before.
+function Step:try(solver, to, rescue)
   local began = core.now()
   self:set_targets(to)
-  local result = self.model:solve_step(self.solver)
-  if result.converged then self.model:accept() else self.model:rollback() end
-  self.run:record_attempt(self.done, to, result, core.now() - began)
+  self:set_penalty(to)
+  local result = self:solve(solver, to)
+  if result.converged then
+    self.model:accept()
+  else
+    if not steps.is_asked_for(result) then result.diagnosis = self.model:diagnose() end
+    self.model:rollback()
+  end
+  self.run:record_attempt(self.done, to, result, core.now() - began, rescue)
+  return result
+end
+
+--- Solves for the targets at the part `to` of the step, where that fails with the controls that may carry it through;
+--- then accepts or rolls back. Returns the solver's result: that of the first try where all fail.
+function Step:attempt(to)
+  local first = self:try(self.solver, to)
+  local result = first
+  for _, rescue in ipairs(self.options.tries) do
+    if result.converged or steps.is_asked_for(result) then break end
+    result = self:try(rescue.solver, to, rescue.name)
+  end
+  if not result.converged and not steps.is_asked_for(result) then return first end
   if result.converged then self.done = to end
   return result
 end
@@ -201,29 +256,52 @@ end
 --- Notes why a step was not reached; unless the user stopped it, arcs find out whether the path turns back.
 local function fail(run, step, result)
   local began = core.now()
-  local turn = result.reason ~= "interrupted" and arc_length.turning_point(step)
+  local turn = not steps.is_asked_for(result) and arc_length.turning_point(step)
   run:record_probe(core.now() - began)
   run:record_failure(step, result, turn and step:place(turn))
+end
+
+--- Takes a step and shows it to on_step, which may want it in smaller parts. Returns the last result, and what on_step
+--- said.
+local function take(step, run, options, display)
+  while true do
+    local result = options.policy:take(step)
+    if not result.converged then return result end
+    run:record_step()
+    display:step(step.stage.name)
+    if not options.on_step then return result end
+    display:clear()
+    local answer = options.on_step(run:info(step.stage, result))
+    if type(answer) == "table" then run:record_extra(answer) end
+    if answer ~= "cut" then return result, answer end
+    run:drop_step()
+    step.model:restore(step.start)
+    if not options.policy:shorten() then
+      return { converged = false, reason = "cut", message = "on_step asked for shorter steps, and there are none: "
+        .. "step = { adaptive = true, min = … } allows them", residuals = {} }
+    end
+    step.done = 0
+    step:cut_back()
+  end
 end
 
 --- Takes the model along the stages and returns a run. A step that fails ends the run with the last accepted state intact;
 --- that is a result (run.failed, run.reason, run.report), not an error.
 return function(model, stages, options)
   local path, total = read_stages(model, stages)
-  local solver, policy, on_step = read_options(options)
+  options = read_options(model, options)
   local run = Run.new(model)
   local display = progress(total)
   for _, stage in ipairs(path) do
     begin_stage(model, stage)
     run:begin_stage(stage)
     for number = 1, stage.steps do
-      local step = begin_step(model, run, stage, number, solver)
-      local result = policy:take(step)
-      if result.converged then run:record_step() else fail(run, step, result) end
-      display:step(stage.name)
-      if result.converged and on_step then
-        display:clear()
-        if on_step(run:info(stage, result)) == "stop" then run.reason = "stopped" end
+      local step = begin_step(model, run, stage, number, options)
+      local result, answer = take(step, run, options, display)
+      if answer == "stop" or result.reason == "stopped" then
+        run.reason = "stopped"
+      elseif not result.converged then
+        fail(run, step, result)
       end
       if run.reason ~= "completed" then
         display:line(("%s: %s in step %d of %d"):format(stage.name, run.reason, number, stage.steps))

@@ -1,5 +1,6 @@
 -- What a load path leaves behind: one row per step that was reached, how much work it was, and why it ended.
 
+local arguments = require "signorini.arguments"
 local core = require "signorini.core"
 local csv = require "signorini.csv"
 local drives = require "signorini.drives"
@@ -63,8 +64,8 @@ end
 --- A run without steps. Columns are set up once, so that a step only appends numbers.
 function Run.new(model)
   local run = setmetatable({
-    failed = false, reason = "completed", steps = 0, rows = 0, iterations = 0, cutbacks = 0,
-    wall = 0, stages = {}, controls = {},
+    failed = false, reason = "completed", steps = 0, rows = 0, iterations = 0, cutbacks = 0, rescues = 0,
+    places = {}, wall = 0, stages = {}, controls = {}, extra = {},
     names = {}, values = {}, histories = {}, recorders = {}, before = model:timings(),
   }, Run)
   run.step_column, run.increment_column = add_column(run, "step"), add_column(run, "increments")
@@ -86,15 +87,17 @@ function Run:begin_step()
   self.histories[#self.histories + 1] = {}
 end
 
---- Notes an attempt to get from one part of the step to another; `seconds` is what it took.
-function Run:record_attempt(from, to, result, seconds)
+--- Notes an attempt to get from one part of the step to another; `seconds` is what it took, `rescue` the control that it
+--- tried where others had failed.
+function Run:record_attempt(from, to, result, seconds, rescue)
   for _, account in ipairs { self, self.stages[#self.stages], self.step } do
     account.iterations, account.wall = account.iterations + result.iterations, account.wall + seconds
   end
   if result.converged then self.step.increments = self.step.increments + 1 end
   local attempts = self.histories[#self.histories]
   attempts[#attempts + 1] = { from = from, to = to, converged = result.converged, reason = result.reason,
-                              iterations = result.iterations, residuals = result.residuals }
+                              iterations = result.iterations, residuals = result.residuals, rescue = rescue }
+  if rescue and result.converged then self.rescues = self.rescues + 1 end
 end
 
 --- Adds the seconds that finding out about a failure took.
@@ -114,6 +117,30 @@ local function append_row(run, position, increments, iterations, wall)
   run.step_column[row], run.increment_column[row] = position, increments
   run.iteration_column[row], run.wall_column[row] = iterations, wall
   for _, record in ipairs(run.recorders) do record(row) end
+end
+
+--- Adds to the last row what on_step returned: numbers by column name. A new name becomes a column.
+function Run:record_extra(figures)
+  for name, value in pairs(figures) do
+    if type(name) ~= "string" then
+      arguments.reject("on_step", "what it returns", "\"stop\", \"cut\" or a table of numbers by name", figures)
+    end
+    arguments.number("on_step", name, value)
+    if not self.extra[name] then
+      if self.values[name] then
+        core.fail(("on_step: the run has a column '%s' of its own: choose another name"):format(name))
+      end
+      self.extra[name] = add_column(self, name)
+    end
+    self.extra[name][self.rows] = value
+  end
+end
+
+--- Takes the last row back.
+function Run:drop_step()
+  local stage = self.stages[#self.stages]
+  for _, values in pairs(self.values) do values[self.rows] = nil end
+  self.rows, self.steps, stage.steps = self.rows - 1, self.steps - 1, stage.steps - 1
 end
 
 --- Appends the row of a step that was reached.
@@ -144,29 +171,51 @@ local function tried(attempts, done)
   local texts = {}
   for _, attempt in ipairs(attempts) do
     if not attempt.converged and attempt.from == done then
-      texts[#texts + 1] = ("%g (%s)"):format(attempt.to - done, attempt.reason)
+      local how = attempt.rescue and (" with %s"):format(attempt.rescue) or ""
+      texts[#texts + 1] = ("%g%s (%s)"):format(attempt.to - done, how, attempt.reason)
     end
   end
   if #texts < 2 then return "" end
   return (" Tried from there, in parts of a step: %s."):format(table.concat(texts, ", "))
 end
 
+--- Where in the model, in words: "contact point (contact 'interface', element 3) at X = (1, 2): changes its state".
+local function place_text(place)
+  local coordinates = {}
+  for i, value in ipairs(place.X) do coordinates[i] = ("%.6g"):format(value) end
+  return ("%s %sof %s '%s' at X = (%s): %s"):format(place.kind,
+    place.kind == "contact point" and ("in slave element %d "):format(place.element) or
+    ("%d "):format(place.element or place.point),
+    place.contact and "contact" or "body", place.contact or place.body, table.concat(coordinates, ", "), place.text)
+end
+
+local function places_text(places)
+  local texts = {}
+  for i = 1, math.min(3, #places) do texts[i] = place_text(places[i]) end
+  return #texts > 0 and " Worst places: " .. table.concat(texts, "; ") .. "." or ""
+end
+
 --- Notes why a step was not reached. `turn`: where the path turns back, in words, if it does.
 function Run:record_failure(step, result, turn)
-  self.failed, self.reason = true, turn and "turning_point" or result.reason
+  local diagnosis = result.diagnosis or { reason = result.reason, message = result.message, cure = "", places = {} }
+  self.failed, self.cause, self.places = true, turn and "turning_point" or diagnosis.reason, diagnosis.places
+  self.reason = not turn and result.shortest and "minimum_step" or self.cause
   local attempts = self.histories[#self.histories]
   local done = step.done
   local place = self.steps > 0 and ("step, %d"):format(self.steps) or "step, its start"
   if done ~= 0 then
     place = ("increment, %.4g of the way from step %d to step %d"):format(done, self.steps, self.steps + 1)
   end
-  self.report = ("step %d (stage '%s', %d of %d) was not reached: %s.%s Residuals: %s. The model is at its last accepted %s.")
+  self.report = ("step %d (stage '%s', %d of %d) was not reached: %s.%s%s%s Residuals: %s. The model is at its last accepted %s.")
     :format(self.steps + 1, step.stage.name, step.number, step.stage.steps,
-      result.message ~= "" and result.message or result.reason,
-      tried(attempts, done), joined(result.residuals, "%.3g"), place)
+      diagnosis.message ~= "" and diagnosis.message or diagnosis.reason,
+      result.shortest and (" The shortest step, %g of the user's, is still too long."):format(result.shortest) or "",
+      tried(attempts, done), places_text(diagnosis.places), joined(result.residuals, "%.3g"), place)
   if turn then
     self.report = ("%s The path has a turning point at %s: it turns back there, and only a jump to another branch leads "
       .. "beyond it by prescribing targets; model:run{ …, arc_length = true } follows it."):format(self.report, turn)
+  elseif diagnosis.cure ~= "" then
+    self.report = ("%s What may help: %s."):format(self.report, diagnosis.cure)
   end
 end
 

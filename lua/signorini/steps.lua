@@ -1,9 +1,10 @@
--- How a step of the user's is reached: the policies of model:run. A policy is an object with one function, take(step),
+-- How a step of the user's is reached: the policies of model:run. A policy is an object with two functions: take(step),
 -- which ends with the result of the last attempt: converged when the step was reached. `step` is made by run.lua:
 --   step.done          the part of the step that is accepted so far, 0 to 1
 --   step.solver        what model:solve_step takes
 --   step:attempt(to)   solves for the targets at the part `to` of the step; accepts, or rolls back; returns the result
 --   step:cut_back()    says that a failed attempt is tried again, shorter
+-- and another, shorten(), which makes the next attempts half as long and says whether it could.
 -- A policy may be asked to go on where another one has given up: it starts at step.done.
 
 local steps = {}
@@ -20,6 +21,9 @@ function steps.plain() return setmetatable({}, Plain) end
 
 function Plain:take(step) return step:attempt(1) end
 
+--- Whether steps can be made half as long from now on.
+function Plain:shorten() return false end
+
 -- ── Cutting in half ──────────────────────────────────────────────────────────────────────────────────────────────────
 
 local Halving = {}
@@ -31,6 +35,9 @@ Halving.__index = Halving
 function steps.halving(options)
   return setmetatable({ length = options.max, min = options.min, max = options.max, growth = options.growth }, Halving)
 end
+
+--- Whether an attempt ended because somebody wanted it to, not because it failed.
+function steps.is_asked_for(result) return result.reason == "interrupted" or result.reason == "stopped" end
 
 --- Newton has converged in half of the iterations that it may take.
 local function is_easy(result, solver) return 2 * result.iterations <= solver.iterations end
@@ -45,7 +52,10 @@ function Halving:take(step)
       if is_easy(result, step.solver) then
         self.length = math.max(self.length, math.min(self.max, self.growth * length))
       end
-    elseif result.reason == "interrupted" or length / 2 < self.min - rounding then
+    elseif steps.is_asked_for(result) then
+      return result
+    elseif length / 2 < self.min - rounding then
+      result.shortest = length
       return result
     else
       self.length = length / 2
@@ -53,6 +63,12 @@ function Halving:take(step)
     end
   until step.done == 1
   return result
+end
+
+function Halving:shorten()
+  if self.length / 2 < self.min - rounding then return false end
+  self.length = self.length / 2
+  return true
 end
 
 return steps

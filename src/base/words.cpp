@@ -4,11 +4,18 @@
 
 namespace signorini {
 
-std::string coordinates(const VectorX& point) {
+std::string number(double value) {
   std::ostringstream out;
-  for (Eigen::Index i = 0; i < point.size(); ++i) out << (i == 0 ? "(" : ", ") << point(i);
-  out << ')';
+  out << value;
   return out.str();
+}
+
+std::string coordinates(const VectorX& point) {
+  constexpr double rounding = 1e-12;
+  const double least = rounding * point.cwiseAbs().maxCoeff();
+  std::string words;
+  for (const double value : point) words += (words.empty() ? "(" : ", ") + number(std::abs(value) <= least ? 0 : value);
+  return words + ")";
 }
 
 } // namespace signorini

@@ -7,7 +7,10 @@
 
 namespace signorini {
 
-/// "(1.5, -2)", with six digits.
+/// "-0.125": six digits.
+std::string number(double value);
+
+/// "(1.5, -2)"; what is nothing but rounding beside the largest coordinate is 0.
 std::string coordinates(const VectorX& point);
 
 } // namespace signorini

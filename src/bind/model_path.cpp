@@ -82,7 +82,7 @@ model::StepOptions read_step_options(lua_State* L) {
     const Options augmented = o.table("augmented", {"penetration", "loops"});
     options.augmented.penetration =
         augmented.positive("penetration", "largest penetration, as a part of the largest body's size", 1e-6);
-    options.augmented.loops = augmented.integer("loops", "most augmentations in a step", 1, 1'000'000, 50);
+    options.augmented.loops = augmented.integer("loops", "most augmentations in a step", 1, 1'000'000, 100);
   }
   options.damping = o.flag("damping", "whether to damp bodies that only contact holds", false);
   return options;
@@ -182,7 +182,8 @@ constexpr Function rows[] = {
     {"solve_step", wrap<solve_step<D>>,
      "m:solve_step{ tolerance = 1e-10, iterations = 25, line_search = \"none\", linear = \"auto\", predictor = "
      "\"tangent\",\n"
-     "  freeze_active_set = 0, active_set_changes = 0, augmented = { penetration = 1e-6, loops = 50 }, damping = false "
+     "  freeze_active_set = 0, active_set_changes = 0, augmented = { penetration = 1e-6, loops = 100 }, damping = "
+     "false "
      "}\n"
      "Newton's method from the accepted state to the targets; accepts nothing. Returns { converged, reason,\n"
      "iterations, message, residuals, energies, parts }; reason is \"converged\", \"iterations\", \"diverged\",\n"

@@ -61,6 +61,17 @@ template <int D> int unknowns(lua_State* L) {
   return 1;
 }
 
+template <int D> int loose_bodies(lua_State* L) {
+  const Model<D>& model = self<Model<D>>(L);
+  std::vector<std::string> names;
+  for (const model::LooseMotion& loose : model->loose()) {
+    const std::string& name = model->scene().bodies[static_cast<std::size_t>(loose.body)].name;
+    if (names.empty() || names.back() != name) names.push_back(name);
+  }
+  push(L, names);
+  return 1;
+}
+
 void push_spots(lua_State* L, const char* key, const std::vector<model::TroubleSpot>& spots) {
   lua_createtable(L, static_cast<int>(spots.size()), 0);
   for (std::size_t i = 0; i < spots.size(); ++i) {
@@ -108,6 +119,9 @@ constexpr Function rows[] = {
     {"unknowns", wrap<unknowns<D>>,
      "m:unknowns()\n"
      "What each unknown is: a list of { body, point, component }; of control points that move as one the first."},
+    {"loose_bodies", wrap<loose_bodies<D>>,
+     "m:loose_bodies()\n"
+     "The names of the bodies that can move as a whole in some way that no support stops: only contact can hold them."},
     {"diagnose", wrap<diagnose<D>>,
      "m:diagnose()\n"
      "Why the last solve_step, iterate or solve_arc failed; call it before m:rollback. Returns { reason, message, "

@@ -4,13 +4,14 @@
 
 #include "contact/projection.hpp"
 
-#include <optional>
-
 namespace signorini::contact {
 
 /// Open: no traction (penalty), or past the strongest attraction (adhesion). Stick and slip: touching under the penalty
 /// law, without friction always stick. Adhesion: closer than where the attraction is strongest.
 enum class ContactState { open, stick, slip, adhesion };
+
+/// What a point is told to be, whatever its gap and friction say: touching leaves the choice of stick or slip.
+enum class Held : unsigned char { free, open, touching, stick, slip };
 
 /// "open", "stick", "slip", "adhesion".
 const char* name_of(ContactState state);
@@ -28,7 +29,7 @@ template <int D> struct LocalGeometry {
   bool revolved = false;    ///< axisymmetric: the first coordinate is the radius, areas are those of the full circle
   double reference_measure; ///< reference area per parametric area
   double multiplier = 0;    ///< λ_N of the augmented Lagrangian method, a pressure
-  std::optional<ContactState> held = {}; ///< the state to evaluate, stick or slip; nothing: the one that the law finds
+  Held held = Held::free;
 };
 
 /// Traction and derivatives. Columns of the derivatives run over the local variables

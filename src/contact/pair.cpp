@@ -135,8 +135,8 @@ template <int D> void Pair<D>::evaluate_point(std::size_t i, bool tangent, Part&
   for (int a = 0; a < n; ++a) geometry.slave += values[a] * slave_.points().col(nodes[a]);
   result = {};
   result.position = geometry.slave;
-  const std::optional<ContactState> held = penalty_ && holds() ? held_[i] : std::nullopt;
-  if (held ? *held == ContactState::open : travel_ < memory.cleared) return;
+  const Held held = penalty_ && holds() ? held_[i] : Held::free;
+  if (held == Held::free ? travel_ < memory.cleared : held == Held::open) return;
 
   memory.projection = master_.project(geometry.slave, memory.projection, master);
   const Foot foot = memory.projection.foot;
@@ -147,7 +147,7 @@ template <int D> void Pair<D>::evaluate_point(std::size_t i, bool tangent, Part&
     // t_N = λ_N − ε_N g > 0 below a distance of λ_N/ε_N
     const double distance = gap - memory.multiplier / penalty_->normal;
     memory.cleared = foot == Foot::regular && distance > 0 ? travel_ + distance : 0;
-    if (!held && distance >= 0) return;
+    if (held == Held::free && distance >= 0) return;
     if (foot != Foot::regular && gap == 0) return; // no direction
   }
 

@@ -75,9 +75,8 @@ public:
   void accept();
   /// Forgets what happened since the last accept().
   void rollback();
-  /// Keeps points in a state, whatever gap and friction say, until it is called again: one entry per point, nothing for
-  /// those that find their own; empty frees all. Points under adhesion always find their own.
-  void hold(std::vector<std::optional<ContactState>> states) { held_ = std::move(states); }
+  /// Keeps points in a state until it is called again: one entry per point; empty frees all. Adhesion is always free.
+  void hold(std::vector<Held> states) { held_ = std::move(states); }
   bool holds() const { return !held_.empty(); }
   /// Uzawa's step of the augmented Lagrangian method (J. C. Simo, T. A. Laursen, Comput. Struct. 42, 1992): λ_N at each
   /// point becomes the pressure λ_N − ε_N g of the last evaluation. Part of the history. Nothing under adhesion.
@@ -146,7 +145,7 @@ private:
   Master<D> master_, accepted_master_;
   Law law_;
   std::optional<PenaltyLaw> penalty_; ///< the law when it is this one, times what scale_penalty() said
-  std::vector<std::optional<ContactState>> held_;
+  std::vector<Held> held_;
   bool revolved_;
   std::vector<Point> points_;
   std::vector<double> values_;

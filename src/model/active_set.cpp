@@ -5,12 +5,22 @@
 
 namespace signorini::model {
 
+using contact::Held;
+
 namespace {
 
 constexpr unsigned char beyond = 255;
 
+/// Under adhesion a point's state says no more than how far away it is: nothing changes there by leaps.
 template <int D> unsigned char code(const contact::PointResult<D>& result) {
-  return result.beyond ? beyond : static_cast<unsigned char>(result.state);
+  if (result.beyond) return beyond;
+  const bool smooth = result.state == contact::ContactState::adhesion;
+  return static_cast<unsigned char>(smooth ? contact::ContactState::open : result.state);
+}
+
+Held held_state(contact::ContactState state) {
+  if (state == contact::ContactState::open) return Held::open;
+  return state == contact::ContactState::slip ? Held::slip : Held::stick;
 }
 
 } // namespace
@@ -24,9 +34,10 @@ template <int D> void ActiveSet<D>::begin(Pairs& pairs, const ActiveSetOptions& 
   rounds_ = 0;
   frozen_ = options.freeze > 0;
   for (auto& pair : pairs) {
-    std::vector<std::optional<contact::ContactState>> held;
+    std::vector<Held> held;
     if (frozen_)
-      for (const auto& result : pair.results()) held.push_back(result.state);
+      for (const auto& result : pair.results())
+        held.push_back(result.state == contact::ContactState::open ? Held::open : Held::touching);
     pair.hold(std::move(held));
   }
 }
@@ -43,9 +54,9 @@ template <int D> void ActiveSet<D>::note(Pairs& pairs, double residual) {
       const auto& results = pairs[k].results();
       const int* counts = counts_.data() + first_[k];
       if (std::none_of(counts, counts + results.size(), [&](int count) { return count > options_.changes; })) continue;
-      std::vector<std::optional<contact::ContactState>> held(results.size());
+      std::vector<Held> held(results.size(), Held::free);
       for (std::size_t i = 0; i < results.size(); ++i)
-        if (counts[i] > options_.changes) held[i] = results[i].state;
+        if (counts[i] > options_.changes) held[i] = held_state(results[i].state);
       pairs[k].hold(std::move(held));
     }
   }

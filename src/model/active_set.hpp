@@ -17,7 +17,8 @@ template <int D> class ActiveSet {
 public:
   using Pairs = std::vector<contact::Pair<D>>;
 
-  /// Starts a step from the states of the last evaluation: all held when options.freeze says so.
+  /// Starts a step from the states of the last evaluation: who touches and who does not is held when options.freeze
+  /// says so.
   void begin(Pairs& pairs, const ActiveSetOptions& options);
   /// Notes the states of an evaluation with its residual, and holds points that have changed too often.
   void note(Pairs& pairs, double residual);

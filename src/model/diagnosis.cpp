@@ -50,7 +50,7 @@ template <int D> std::vector<TroubleSpot> largest(const Model<D>& model, const V
   for (std::size_t k = 0; k < count; ++k) {
     TroubleSpot spot = control_point(model, shares[k].body, shares[k].function);
     spot.value = shares[k].size;
-    spot.text = text(what, ' ', coordinates(Vec<1>(spot.value)));
+    spot.text = text(what, ' ', number(spot.value));
     spots.push_back(std::move(spot));
   }
   return spots;
@@ -99,7 +99,7 @@ template <int D> TroubleSpot inverted_element(const Model<D>& model) {
           inversion.point,
           current,
           inversion.jacobian,
-          text("J = ", coordinates(Vec<1>(inversion.jacobian)))};
+          text("J = ", number(inversion.jacobian))};
 }
 
 /// Whether a direction moves a body as a whole, and how, in words; empty when it deforms it.

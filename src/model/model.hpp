@@ -67,7 +67,9 @@ public:
   /// Where an element was inverted in the last evaluation that found one since the last roll-back.
   const std::optional<BodyInversion>& inversion() const { return inverted_; }
   const ActiveSet<D>& active_set() const { return active_set_; }
-  /// The present step's largest penetration that augmentation allows, a length.
+  /// Rigid motions that no support stops.
+  const std::vector<LooseMotion>& loose();
+  /// Largest extent of a body along an axis: what sizes are measured against.
   double extent() const { return extent_; }
 
   /// Multiplies the penalty parameters of all contacts, as they were given, from now on.

@@ -33,10 +33,11 @@ solve::SolverStatistics sum(const solve::SolverStatistics& before, const solve::
 /// The linear solver for the present pattern. Where all bodies are linear elastic only the contacts' part of the
 /// tangent changes: unless told otherwise, the rest is factored once.
 template <int D> solve::LinearSolver& Model<D>::solver(const StepOptions& options) {
-  const bool can_condense = assembly_.linear() && !pairs_.empty() && !options.damping;
-  require(
-      options.linear != solve::LinearKind::condensed || can_condense,
-      "linear = \"condensed\" needs bodies that are all linear elastic, and a contact (without damping): use \"auto\"");
+  const bool damps = options.damping && !loose().empty();
+  const bool can_condense = assembly_.linear() && !pairs_.empty() && !damps;
+  require(options.linear != solve::LinearKind::condensed || can_condense,
+          "linear = \"condensed\" needs bodies that are all linear elastic, and a contact, without damping of loose "
+          "bodies: use \"auto\"");
   const bool condense = options.linear == solve::LinearKind::condensed ||
                         (options.linear == solve::LinearKind::automatic && can_condense);
   const bool same = solver_ && solver_asked_ == options.linear;
@@ -69,13 +70,17 @@ template <int D> bool Model<D>::factor(const StepOptions& options) {
   return unknowns_.size() == 0 || solver(options).factor(assembly_.values().data());
 }
 
+template <int D> const std::vector<LooseMotion>& Model<D>::loose() {
+  if (!loose_) loose_ = loose_motions(scene_, unknowns_);
+  return *loose_;
+}
+
 /// Adds to the tangent what keeps loose bodies from flying off.
 template <int D> void Model<D>::damp() {
-  if (!loose_) loose_ = loose_motions(scene_, unknowns_);
-  if (loose_->empty()) return;
+  if (loose().empty()) return;
   constexpr double small = 1e-3;
   assembly_.add_diagonal(
-      damping(scene_, unknowns_, *loose_, assembly_.diagonal(), residual_, strides(scene_, pairs_, small * extent_)));
+      damping(scene_, unknowns_, loose(), assembly_.diagonal(), residual_, strides(scene_, pairs_, small * extent_)));
 }
 
 template <int D> bool Model<D>::advance(const StepOptions& options, double& energy) {
@@ -298,6 +303,7 @@ template <int D> solve::SolverStatistics Model<D>::solver_statistics() const {
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
   template solve::NewtonReport Model<D>::solve_step(const StepOptions&);                                               \
   template const solve::NewtonReport& Model<D>::iterate(const StepOptions&);                                           \
+  template const std::vector<LooseMotion>& Model<D>::loose();                                                          \
   template solve::Outcome Model<D>::evaluate(std::string&);                                                            \
   template solve::NewtonReport Model<D>::solve_arc(const StepOptions&, double);                                        \
   template double Model<D>::force_norm() const;                                                                        \

@@ -15,8 +15,8 @@ enum class Predictor {
 
 /// What Newton's iteration does about points whose state (open, stick, slip) keeps changing.
 struct ActiveSetOptions {
-  /// ε_acts: all states are those of the accepted state until |f·Δu| has fallen below this part of its first value
-  /// (thesis 4.5.2); 0: never held.
+  /// ε_acts: the points that touch are those of the accepted state until |f·Δu| has fallen below this part of its first
+  /// value (thesis 4.5.2); 0: never held.
   double freeze = 0;
   /// A point whose state has changed more often than this in a step is held until the others have converged, then
   /// freed; 0: never held.
@@ -26,7 +26,7 @@ struct ActiveSetOptions {
 /// Augmented Lagrangian contact: pressures are augmented (Uzawa) until penetrations are small.
 struct AugmentationOptions {
   double penetration = 0; ///< largest that may remain, as a part of the bodies' size; 0: plain penalty
-  int loops = 50;         ///< most augmentations in a step
+  int loops = 100;        ///< most augmentations in a step
 };
 
 struct StepOptions {

@@ -96,7 +96,7 @@ bool iterate(const NewtonSystem& system, const NewtonOptions& options, bool pend
     if (const Outcome state = system.assemble(true, why); state != Outcome::converged) return stop(state, why);
   if (interrupted()) return stop(Outcome::interrupted, "stopped by Ctrl-C");
   double energy = 0;
-  if (!system.advance(energy)) return stop(Outcome::singular_tangent, "the tangent is singular; is a body not held?");
+  if (!system.advance(energy)) return stop(Outcome::singular_tangent, "the tangent is singular");
   ++report.iterations;
   report.energies.push_back(energy);
   // The move that brings in prescribed displacements has to be whole.

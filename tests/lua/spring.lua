@@ -23,6 +23,7 @@ local function spring(fails)
   function model:solve_step(options)
     self.options, self.spent = options, self.spent + 1
     local reason = fails and fails(self.next[1], self.next[2], self)
+    self.failure = reason
     return { converged = not reason, iterations = reason and options.iterations or self.needs,
              reason = reason or "converged", message = reason and "no luck" or "",
              residuals = { 1, 1e-3, reason and 1e-2 or 1e-12 }, energies = {} }
@@ -36,6 +37,12 @@ local function spring(fails)
     note "rollback"
     self.next = self.accepted
   end
+  function model:diagnose()
+    return { reason = self.failure, message = "no luck", cure = "be lucky", places = {}, unbalanced = {} }
+  end
+  function model:loose_bodies() return {} end
+  function model:snapshot() return { self.accepted[1], self.accepted[2] } end
+  function model:restore(kept) self.accepted, self.next = kept, kept end
   function model:last_length() return 0 end -- no length to look for a turning point with
   function model:reaction(name)
     local u, sign = self.accepted, name == "bed" and -1 or 1
