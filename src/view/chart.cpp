@@ -1,6 +1,7 @@
 #include "view/chart.hpp"
 
 #include "base/error.hpp"
+#include "base/whole_file.hpp"
 #include "view/inset.hpp"
 #include "view/legend.hpp"
 #include "view/output.hpp"

@@ -1,16 +1,11 @@
 #pragma once
-// Files that are written whole or not at all, and the forms a drawing can take.
+// The forms of a file that a drawing can take.
 
 #include "view/drawing.hpp"
 
 #include <string>
-#include <string_view>
 
 namespace signorini::view {
-
-/// Puts the bytes into a temporary file beside `file`, then renames it. Throws Error when the folder does not exist or
-/// the file cannot be written.
-void write_whole(const std::string& file, std::string_view bytes);
 
 /// The ending of a file's name in lower case, with its dot.
 std::string file_ending(const std::string& file);

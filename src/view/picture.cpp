@@ -1,6 +1,7 @@
 #include "view/picture.hpp"
 
 #include "base/error.hpp"
+#include "base/whole_file.hpp"
 #include "view/clip.hpp"
 #include "view/colormap.hpp"
 #include "view/obstacle.hpp"

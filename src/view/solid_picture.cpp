@@ -1,6 +1,7 @@
 #include "view/solid_picture.hpp"
 
 #include "base/error.hpp"
+#include "base/whole_file.hpp"
 #include "view/colormap.hpp"
 #include "view/output.hpp"
 #include "view/renderer.hpp"

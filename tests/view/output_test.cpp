@@ -2,36 +2,11 @@
 
 #include "base/error.hpp"
 #include "messages.hpp"
-#include "scenes.hpp"
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-
 namespace signorini::view {
 namespace {
-
-namespace fs = std::filesystem;
-
-TEST(WriteWhole, ReplacesAFileAndLeavesNothingElse) {
-  const fs::path folder = scratch("whole");
-  fs::create_directory(folder);
-  write_whole((folder / "a.txt").string(), "first, longer");
-  write_whole((folder / "a.txt").string(), "second");
-  EXPECT_EQ(file_bytes((folder / "a.txt").string()), "second");
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 1);
-}
-
-TEST(WriteWhole, NamesFileAndCureWhenItCannotWrite) {
-  const std::string nowhere = scratch("missing") + "/a.txt";
-  const std::string message = message_of([&] { write_whole(nowhere, "x"); });
-  EXPECT_TRUE(holds(message, {nowhere, "does not exist", "create it first"})) << message;
-
-  fs::create_directory(scratch("folder"));
-  EXPECT_TRUE(holds(message_of([] { write_whole(scratch("folder"), "x"); }), {"it is a folder"}));
-  const std::string kernel = message_of([] { write_whole("/proc/signorini.txt", "x"); });
-  EXPECT_TRUE(holds(kernel, {"/proc/signorini.txt", "choose a file"})) << kernel;
-}
 
 TEST(Svg, EscapesTextAndKeepsItAsText) {
   const Drawing drawing{{200, 150}, {Text{{10, 20}, "a < b & σ₁₁ [N/mm²]", 12}}};

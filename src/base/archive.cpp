@@ -1,0 +1,71 @@
+#include "base/archive.hpp"
+
+#include "base/whole_file.hpp"
+
+namespace signorini {
+
+std::string_view ArchiveReader::take(std::size_t count) {
+  require(count <= rest_.size(), count, " bytes were expected where ", rest_.size(), " are left");
+  const std::string_view taken = rest_.substr(0, count);
+  rest_.remove_prefix(count);
+  return taken;
+}
+
+std::size_t ArchiveReader::count() {
+  const auto count = get<std::uint64_t>();
+  require(count <= rest_.size(), "a list of ", count, " entries was expected where ", rest_.size(), " bytes are left");
+  return static_cast<std::size_t>(count);
+}
+
+std::string_view ArchiveReader::section(const std::string& name) {
+  const auto found = get<std::string>();
+  require(found == name, "the section '", name, "' was expected, '", found, "' came");
+  return take(count());
+}
+
+std::uint64_t checksum(std::string_view bytes) {
+  std::uint64_t sum = 0xcbf29ce484222325; // offset basis and prime of Fowler, Noll and Vo
+  for (const char byte : bytes) sum = (sum ^ static_cast<unsigned char>(byte)) * 0x100000001b3;
+  return sum;
+}
+
+namespace {
+
+std::string first_line(const ArchiveKind& kind) {
+  return text("SIGNORINI ", kind.name, "\n");
+}
+
+} // namespace
+
+void write_archive(const std::string& file, const ArchiveKind& kind, const ArchiveWriter& archive) {
+  const std::string line = first_line(kind);
+  ArchiveWriter whole;
+  whole.append(line.data(), line.size());
+  whole.put(kind.version, archive.bytes());
+  whole.put(checksum(whole.bytes()));
+  write_durably(file, whole.bytes());
+}
+
+std::string read_archive(const std::string& file, const ArchiveKind& kind) {
+  const std::string bytes = read_whole(file), line = first_line(kind);
+  require(bytes.starts_with(line), "'", file, "' is not a ", kind.name, " of signorini: name a file that it has saved");
+  const auto damaged = [&](const auto&... what) {
+    fail("'", file, "' is damaged: ", what..., "; take an older copy, or start anew without it");
+  };
+  ArchiveReader reader(std::string_view(bytes).substr(line.size()));
+  if (reader.remaining() < sizeof(kind.version)) damaged("it is cut off after ", bytes.size(), " bytes");
+  const auto version = reader.get<std::uint32_t>();
+  require(version == kind.version, "'", file, "' was written in format ", version, ", this program reads format ",
+          kind.version, ": use the program that wrote it");
+  if (reader.remaining() < sizeof(std::uint64_t)) damaged("it is cut off after ", bytes.size(), " bytes");
+  const auto length = reader.get<std::uint64_t>();
+  const std::size_t rest = reader.remaining(), tail = sizeof(std::uint64_t);
+  if (rest < tail || length > rest - tail) damaged("it is cut off after ", bytes.size(), " bytes");
+  if (length < rest - tail) damaged(rest - tail - length, " bytes follow its end");
+  std::string body(reader.take(static_cast<std::size_t>(length)));
+  if (reader.get<std::uint64_t>() != checksum(std::string_view(bytes).substr(0, bytes.size() - tail)))
+    damaged("its checksum is wrong");
+  return body;
+}
+
+} // namespace signorini

@@ -1,0 +1,139 @@
+#pragma once
+// Values as bytes, for files that are read back: numbers bit by bit, least significant byte first, on any machine.
+//
+// A type is put by a free function write(ArchiveWriter&, const T&) and got by T read(ArchiveReader&,
+// std::type_identity<T>), both in the type's namespace. They are here for numbers, strings, lists and matrices.
+
+#include "base/eigen.hpp"
+#include "base/error.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+namespace signorini {
+
+/// Gathers bytes.
+class ArchiveWriter {
+public:
+  template <class... T> void put(const T&... values) { (write(*this, values), ...); }
+  /// What `fill(ArchiveWriter&)` puts, under a name and with its length in front.
+  template <class Fill> void section(const std::string& name, const Fill& fill) {
+    ArchiveWriter inside;
+    fill(inside);
+    put(name, inside.bytes_);
+  }
+  void append(const char* bytes, std::size_t count) { bytes_.append(bytes, count); }
+  const std::string& bytes() const { return bytes_; }
+
+private:
+  std::string bytes_;
+};
+
+/// Takes bytes apart again; never reads beyond them: that throws Error. Does not own them.
+class ArchiveReader {
+public:
+  explicit ArchiveReader(std::string_view bytes) : rest_(bytes) {}
+
+  template <class T> T get() { return read(*this, std::type_identity<T>()); }
+  template <class... T> void into(T&... values) { ((values = get<T>()), ...); }
+  /// The bytes of a section. Throws Error when the next one has another name.
+  std::string_view section(const std::string& name);
+  std::string_view take(std::size_t count);
+  /// How many elements follow, of at least one byte each.
+  std::size_t count();
+  std::size_t remaining() const { return rest_.size(); }
+
+private:
+  std::string_view rest_;
+};
+
+template <class T>
+concept Plain = std::is_arithmetic_v<T> || std::is_enum_v<T>;
+
+template <Plain T> void write(ArchiveWriter& to, T value) {
+  auto bytes = std::bit_cast<std::array<char, sizeof(T)>>(value);
+  if constexpr (std::endian::native == std::endian::big) std::reverse(bytes.begin(), bytes.end());
+  to.append(bytes.data(), bytes.size());
+}
+template <Plain T> T read(ArchiveReader& from, std::type_identity<T>) {
+  std::array<char, sizeof(T)> bytes{};
+  const std::string_view taken = from.take(sizeof(T));
+  std::copy(taken.begin(), taken.end(), bytes.begin());
+  if constexpr (std::endian::native == std::endian::big) std::reverse(bytes.begin(), bytes.end());
+  if constexpr (std::is_same_v<T, bool>)
+    return bytes[0] != 0;
+  else
+    return std::bit_cast<T>(bytes);
+}
+
+inline void write(ArchiveWriter& to, const std::string& value) {
+  to.put(static_cast<std::uint64_t>(value.size()));
+  to.append(value.data(), value.size());
+}
+inline std::string read(ArchiveReader& from, std::type_identity<std::string>) {
+  return std::string(from.take(from.count()));
+}
+
+template <class T> void write(ArchiveWriter& to, const std::vector<T>& values) {
+  to.put(static_cast<std::uint64_t>(values.size()));
+  for (const auto& value : values) to.put(value);
+}
+template <class T> std::vector<T> read(ArchiveReader& from, std::type_identity<std::vector<T>>) {
+  const std::size_t count = from.count();
+  std::vector<T> values;
+  values.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) values.push_back(from.get<T>());
+  return values;
+}
+
+template <class T, std::size_t N> void write(ArchiveWriter& to, const std::array<T, N>& values) {
+  for (const T& value : values) to.put(value);
+}
+template <class T, std::size_t N> std::array<T, N> read(ArchiveReader& from, std::type_identity<std::array<T, N>>) {
+  std::array<T, N> values;
+  for (T& value : values) value = from.get<T>();
+  return values;
+}
+
+/// Numbers of rows and columns in front.
+template <int Rows, int Columns> void write(ArchiveWriter& to, const Eigen::Matrix<double, Rows, Columns>& matrix) {
+  to.put(static_cast<std::uint64_t>(matrix.rows()), static_cast<std::uint64_t>(matrix.cols()));
+  for (Eigen::Index i = 0; i < matrix.size(); ++i) to.put(matrix.data()[i]);
+}
+template <int Rows, int Columns>
+auto read(ArchiveReader& from, std::type_identity<Eigen::Matrix<double, Rows, Columns>>) {
+  const auto rows = from.get<std::uint64_t>(), columns = from.get<std::uint64_t>();
+  constexpr auto fits = [](int fixed, std::uint64_t size) {
+    return fixed == Eigen::Dynamic || static_cast<std::uint64_t>(fixed) == size;
+  };
+  require(fits(Rows, rows) && fits(Columns, columns), "a matrix of ", rows, " x ", columns, " stands where one of ",
+          Rows, " x ", Columns, " was expected");
+  require(columns == 0 || rows <= from.remaining() / sizeof(double) / columns, "a matrix of ", rows, " x ", columns,
+          " is cut off");
+  Eigen::Matrix<double, Rows, Columns> matrix(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(columns));
+  for (Eigen::Index i = 0; i < matrix.size(); ++i) matrix.data()[i] = from.get<double>();
+  return matrix;
+}
+
+/// A file of one kind: a line that names the kind, the version of its format, length, bytes, and a checksum of all.
+struct ArchiveKind {
+  std::string name; ///< "checkpoint"
+  std::uint32_t version;
+};
+
+/// Writes the file whole or not at all, on the disk on return. Throws Error when it cannot be written.
+void write_archive(const std::string& file, const ArchiveKind& kind, const ArchiveWriter& archive);
+
+/// The bytes of a file for an ArchiveReader. Throws Error when it is of another kind or version, or damaged.
+std::string read_archive(const std::string& file, const ArchiveKind& kind);
+
+/// FNV-1a, 64 bits: each byte that changes changes it.
+std::uint64_t checksum(std::string_view bytes);
+
+} // namespace signorini

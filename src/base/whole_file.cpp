@@ -1,0 +1,118 @@
+#include "base/whole_file.hpp"
+
+#include "base/error.hpp"
+
+#include <cerrno>
+#include <charconv>
+#include <csignal>
+#include <cstring>
+#include <fcntl.h>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <unistd.h>
+#include <utility>
+
+namespace signorini {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Removes the temporary file unless it has become the real one.
+struct Temporary {
+  std::string path;
+  int handle;
+  bool kept = false;
+
+  ~Temporary() {
+    if (handle >= 0) ::close(handle);
+    if (!kept) ::unlink(path.c_str());
+  }
+};
+
+[[noreturn]] void cannot_write(const std::string& file, int error) {
+  fail("cannot write '", file, "': ", std::strerror(error),
+       "; choose a file in a folder that you may write to, with space left");
+}
+
+void write_all(int handle, std::string_view bytes, const std::string& file) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(handle, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) cannot_write(file, errno);
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+constexpr std::string_view ending = ".part";
+
+/// How the temporary files of `path` begin; the process's number and the ending follow.
+std::string temporary_stem(const fs::path& path) {
+  return text(".", path.filename().string(), ".");
+}
+
+fs::path folder_of(const fs::path& path) {
+  return path.has_parent_path() ? path.parent_path() : ".";
+}
+
+/// The process that a temporary file of this stem belongs to; 0 for any other file.
+int owner(std::string_view name, std::string_view stem) {
+  if (!name.starts_with(stem) || !name.ends_with(ending) || name.size() <= stem.size() + ending.size()) return 0;
+  const std::string_view digits = name.substr(stem.size(), name.size() - stem.size() - ending.size());
+  int process = 0;
+  const auto [end, error] = std::from_chars(digits.begin(), digits.end(), process);
+  return error == std::errc() && end == digits.end() ? process : 0;
+}
+
+void remove_leftovers(const fs::path& path) {
+  const std::string stem = temporary_stem(path);
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder_of(path), ignored))
+    if (const int process = owner(entry.path().filename().string(), stem);
+        process > 0 && ::kill(process, 0) != 0 && errno == ESRCH)
+      fs::remove(entry.path(), ignored);
+}
+
+void write(const std::string& file, std::string_view bytes, bool durable) {
+  const fs::path path(file), folder = folder_of(path);
+  std::error_code ignored;
+  require(path.has_filename(), "file '", file, "' names a folder; add the name of a file");
+  require(fs::is_directory(folder, ignored), "cannot write '", file, "': the folder '", folder.string(),
+          "' does not exist; create it first");
+  require(!fs::is_directory(path, ignored), "cannot write '", file, "': it is a folder; add the name of a file");
+
+  const std::string name = (folder / text(temporary_stem(path), ::getpid(), ending)).string();
+  Temporary temporary{name, ::open(name.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)};
+  if (temporary.handle < 0) cannot_write(file, errno);
+  write_all(temporary.handle, bytes, file);
+  if (durable && ::fsync(temporary.handle) != 0) cannot_write(file, errno);
+  // Some file systems report a full disk only here.
+  const int closed = ::close(std::exchange(temporary.handle, -1));
+  if (closed != 0 || ::rename(name.c_str(), file.c_str()) != 0) cannot_write(file, errno);
+  temporary.kept = true;
+}
+
+} // namespace
+
+void write_whole(const std::string& file, std::string_view bytes) {
+  write(file, bytes, false);
+}
+
+void write_durably(const std::string& file, std::string_view bytes) {
+  write(file, bytes, true);
+  remove_leftovers(file);
+}
+
+std::string read_whole(const std::string& file) {
+  std::error_code ignored;
+  require(!fs::is_directory(file, ignored), "cannot read '", file, "': it is a folder; name a file");
+  std::ifstream in(file, std::ios::binary);
+  require(in.good(), "cannot read '", file, "': ", std::strerror(errno), "; check the name and the folder");
+  std::ostringstream out;
+  out << in.rdbuf();
+  require(!in.bad(), "cannot read '", file, "': ", std::strerror(errno));
+  return std::move(out).str();
+}
+
+} // namespace signorini

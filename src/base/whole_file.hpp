@@ -1,0 +1,20 @@
+#pragma once
+// Files that are written whole or not at all.
+
+#include <string>
+#include <string_view>
+
+namespace signorini {
+
+/// Puts the bytes into a temporary file beside `file`, then renames it. Throws Error when the folder does not exist or
+/// the file cannot be written.
+void write_whole(const std::string& file, std::string_view bytes);
+
+/// The same, and the bytes are on the disk before the old file goes. Removes temporary files of the same name that
+/// processes left which were killed while they wrote.
+void write_durably(const std::string& file, std::string_view bytes);
+
+/// All bytes of a file. Throws Error when it cannot be read.
+std::string read_whole(const std::string& file);
+
+} // namespace signorini

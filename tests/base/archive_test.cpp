@@ -1,0 +1,127 @@
+#include "base/archive.hpp"
+
+#include "base/whole_file.hpp"
+#include "scratch.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <limits>
+
+namespace signorini {
+namespace {
+
+using test::message_of;
+
+const ArchiveKind trial{"trial", 7};
+
+/// Something of each type.
+ArchiveWriter example() {
+  ArchiveWriter out;
+  MatrixX matrix(2, 3);
+  matrix << 1, 2, 3, 4, 5, 6;
+  out.put(-3, true, 1e-310, std::string("a\0b", 3), std::vector<double>{0.1, 0.2}, std::vector<int>());
+  out.section("inside", [&](ArchiveWriter& to) { to.put(matrix, Vec<3>(7, 8, 9), std::array<int, 2>{4, 5}); });
+  return out;
+}
+
+void read_example(std::string_view bytes) {
+  ArchiveReader in(bytes);
+  EXPECT_EQ(in.get<int>(), -3);
+  EXPECT_EQ(in.get<bool>(), true);
+  EXPECT_EQ(in.get<double>(), 1e-310);
+  EXPECT_EQ(in.get<std::string>(), std::string("a\0b", 3));
+  EXPECT_EQ(in.get<std::vector<double>>(), (std::vector<double>{0.1, 0.2}));
+  EXPECT_TRUE(in.get<std::vector<int>>().empty());
+  ArchiveReader inside(in.section("inside"));
+  EXPECT_EQ(inside.get<MatrixX>()(1, 2), 6);
+  EXPECT_EQ(inside.get<Vec<3>>(), Vec<3>(7, 8, 9));
+  EXPECT_EQ((inside.get<std::array<int, 2>>()), (std::array<int, 2>{4, 5}));
+  EXPECT_EQ(inside.remaining(), 0u);
+  EXPECT_EQ(in.remaining(), 0u);
+}
+
+TEST(Archive, GivesBackWhatWasPut) {
+  read_example(example().bytes());
+  ArchiveWriter empty;
+  empty.put(VectorX(), MatrixX(3, 0));
+  ArchiveReader in(empty.bytes());
+  EXPECT_EQ(in.get<VectorX>().size(), 0);
+  EXPECT_EQ(in.get<MatrixX>().rows(), 3);
+}
+
+TEST(Archive, KeepsEveryBitOfANumber) {
+  using Limits = std::numeric_limits<double>;
+  for (const double value :
+       {0.0, -0.0, Limits::denorm_min(), Limits::max(), Limits::infinity(), -Limits::quiet_NaN(), 0.1, 1.0 / 3}) {
+    ArchiveWriter out;
+    out.put(value);
+    const double back = ArchiveReader(out.bytes()).get<double>();
+    EXPECT_EQ(std::memcmp(&back, &value, sizeof(double)), 0) << value;
+  }
+}
+
+/// The form of the file does not depend on the machine.
+TEST(Archive, PutsTheLeastSignificantByteFirst) {
+  ArchiveWriter out;
+  out.put(0x01020304, 1.5);
+  EXPECT_EQ(out.bytes(), std::string("\4\3\2\1\0\0\0\0\0\0\xf8\x3f", 12));
+}
+
+TEST(Archive, NeverReadsBeyondTheEnd) {
+  const std::string bytes = example().bytes();
+  for (std::size_t length = 0; length < bytes.size(); ++length)
+    EXPECT_THROW(read_example(std::string_view(bytes).substr(0, length)), Error) << length;
+  ArchiveWriter vast;
+  vast.put(std::numeric_limits<std::uint64_t>::max() / 8, std::uint64_t(8));
+  EXPECT_THROW(ArchiveReader(vast.bytes()).get<std::vector<double>>(), Error);
+  EXPECT_THROW(ArchiveReader(vast.bytes()).get<std::string>(), Error);
+  EXPECT_THROW(ArchiveReader(vast.bytes()).get<MatrixX>(), Error);
+}
+
+TEST(Archive, ChecksSectionsAndSizes) {
+  ArchiveWriter out;
+  out.section("one", [](ArchiveWriter& to) { to.put(Vec<2>(1, 2)); });
+  EXPECT_EQ(message_of([&] { ArchiveReader(out.bytes()).section("two"); }),
+            "the section 'two' was expected, 'one' came");
+  EXPECT_THROW(ArchiveReader(ArchiveReader(out.bytes()).section("one")).get<Vec<3>>(), Error);
+}
+
+TEST(ArchiveFile, GivesBackItsBytes) {
+  const test::ScratchFolder folder;
+  write_archive(folder.file("a"), trial, example());
+  read_example(read_archive(folder.file("a"), trial));
+  EXPECT_TRUE(read_whole(folder.file("a")).starts_with("SIGNORINI trial\n"));
+  EXPECT_EQ(folder.count(), 1);
+}
+
+TEST(ArchiveFile, SaysWhatIsWrongWithAFile) {
+  const test::ScratchFolder folder;
+  const std::string file = folder.file("a");
+  const auto message = [&](const std::string& bytes) {
+    write_whole(file, bytes);
+    return message_of([&] { read_archive(file, trial); });
+  };
+  const auto holds = [](const std::string& text, const std::string& part) {
+    EXPECT_NE(text.find(part), std::string::npos) << text;
+  };
+  write_archive(file, trial, example());
+  const std::string good = read_whole(file);
+  holds(message("PK\3\4 something else"), "'" + file + "' is not a trial of signorini");
+  holds(message(""), "is not a trial");
+  std::string newer = good;
+  newer[std::strlen("SIGNORINI trial\n")] = 8;
+  holds(message(newer), "was written in format 8, this program reads format 7");
+  holds(message(good + "x"), "is damaged: 1 bytes follow its end");
+  for (std::size_t length = std::strlen("SIGNORINI trial\n"); length < good.size(); ++length)
+    holds(message(good.substr(0, length)), "is damaged: it is cut off");
+  // Any one bit, wherever it is.
+  for (std::size_t bit = 0; bit < 8 * good.size(); ++bit) {
+    std::string flipped = good;
+    flipped[bit / 8] = static_cast<char>(flipped[bit / 8] ^ (1 << bit % 8));
+    ASSERT_NE(message(flipped), "no error") << bit;
+  }
+}
+
+} // namespace
+} // namespace signorini

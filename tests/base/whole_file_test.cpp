@@ -1,0 +1,70 @@
+#include "base/whole_file.hpp"
+
+#include "scratch.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace signorini {
+namespace {
+
+using test::message_of;
+
+TEST(WholeFile, ReplacesAFileAndLeavesNothingElse) {
+  const test::ScratchFolder folder;
+  const std::string file = folder.file("a.txt");
+  write_whole(file, "first, longer");
+  write_whole(file, "second");
+  EXPECT_EQ(read_whole(file), "second");
+  write_durably(file, std::string("third\0", 6));
+  EXPECT_EQ(read_whole(file), std::string("third\0", 6));
+  EXPECT_EQ(folder.count(), 1);
+}
+
+TEST(WholeFile, NamesFileAndCureWhenItCannotWrite) {
+  const test::ScratchFolder folder;
+  const std::string nowhere = folder.file("missing") + "/a.txt";
+  const std::string message = message_of([&] { write_whole(nowhere, "x"); });
+  EXPECT_NE(message.find(nowhere), std::string::npos) << message;
+  EXPECT_NE(message.find("does not exist; create it first"), std::string::npos) << message;
+
+  std::filesystem::create_directory(folder.file("folder"));
+  EXPECT_NE(message_of([&] { write_durably(folder.file("folder"), "x"); }).find("it is a folder"), std::string::npos);
+  EXPECT_NE(message_of([&] { write_whole("/proc/signorini.txt", "x"); }).find("choose a file"), std::string::npos);
+  EXPECT_EQ(folder.count(), 1);
+}
+
+TEST(WholeFile, NamesWhatItCannotRead) {
+  const test::ScratchFolder folder;
+  const std::string message = message_of([&] { read_whole(folder.file("a")); });
+  EXPECT_NE(message.find("cannot read '" + folder.file("a") + "': No such file"), std::string::npos) << message;
+  std::filesystem::create_directory(folder.file("folder"));
+  EXPECT_NE(message_of([&] { read_whole(folder.file("folder")); }).find("it is a folder"), std::string::npos);
+}
+
+/// A process that is gone left its file; one that still writes, and files of other names, are let alone.
+TEST(WholeFile, RemovesWhatKilledProcessesLeft) {
+  const test::ScratchFolder folder;
+  const pid_t gone = ::fork();
+  if (gone == 0) ::_exit(0);
+  ASSERT_EQ(::waitpid(gone, nullptr, 0), gone);
+  const auto temporary = [&](const std::string& name, int process) {
+    const std::string file = folder.file("." + name + "." + std::to_string(process) + ".part");
+    std::ofstream(file) << "half of i";
+    return file;
+  };
+  const std::string left = temporary("a.sgn", gone), other = temporary("b.sgn", gone),
+                    writing = temporary("a.sgn", ::getppid());
+  write_whole(folder.file("a.sgn"), "x");
+  EXPECT_TRUE(std::filesystem::exists(left));
+  write_durably(folder.file("a.sgn"), "y");
+  EXPECT_FALSE(std::filesystem::exists(left));
+  EXPECT_TRUE(std::filesystem::exists(other));
+  EXPECT_TRUE(std::filesystem::exists(writing));
+}
+
+} // namespace
+} // namespace signorini
