@@ -84,7 +84,7 @@ template <int D> void Pair<D>::move(const double* slave_displacement, const doub
   // The last evaluation's groups go back to where they came from, for their memory.
   auto group = groups_.begin();
   for (std::size_t p = 0; p < parts_.size(); ++p)
-    for (std::size_t k = 0; k < shares_[p]; ++k) parts_[p].spare.push_back(std::move(*group++));
+    for (; shares_[p] > 0; --shares_[p]) parts_[p].spare.push_back(std::move(*group++));
   groups_.clear();
 }
 
@@ -119,9 +119,17 @@ template <int D> void Pair<D>::gather() {
   }
 }
 
+template <int D> Vec<D> Pair<D>::position(std::size_t i) const {
+  const Point& point = points_[i];
+  const int* nodes = slave_.nodes(point.element);
+  const double* values = values_.data() + point.values;
+  Vec<D> sum = Vec<D>::Zero();
+  for (int a = 0; a < slave_.functions_per_element(); ++a) sum += values[a] * slave_.points().col(nodes[a]);
+  return sum;
+}
+
 /// Adds one contact point to the results and groups.
 template <int D> void Pair<D>::evaluate_point(std::size_t i, bool tangent, Part& part) {
-  const int n = slave_.functions_per_element();
   FacePoint<D> master, slip_point;
   LocalGeometry<D> geometry;
   geometry.revolved = revolved_;
@@ -129,10 +137,7 @@ template <int D> void Pair<D>::evaluate_point(std::size_t i, bool tangent, Part&
   const Point& point = points_[i];
   Memory& memory = memory_[i];
   PointResult<D>& result = results_[i];
-  const int* nodes = slave_.nodes(point.element);
-  const double* values = values_.data() + point.values;
-  geometry.slave.setZero();
-  for (int a = 0; a < n; ++a) geometry.slave += values[a] * slave_.points().col(nodes[a]);
+  geometry.slave = position(i);
   result = {};
   result.position = geometry.slave;
   const Held held = penalty_ && holds() ? held_[i] : Held::free;
@@ -151,6 +156,9 @@ template <int D> void Pair<D>::evaluate_point(std::size_t i, bool tangent, Part&
     if (foot != Foot::regular && gap == 0) return; // no direction
   }
 
+  const int n = slave_.functions_per_element();
+  const int* nodes = slave_.nodes(point.element);
+  const double* values = values_.data() + point.values;
   for (int k = 0; k < D - 1; ++k) {
     Vec<D>& tangent = geometry.slave_tangent[static_cast<std::size_t>(k)];
     tangent.setZero();
@@ -202,6 +210,7 @@ template <int D> void Pair<D>::accept() {
     accepted_master_ = master_;
   }
   accepted_ = memory_;
+  accepted_results_ = results_;
 }
 
 /// Moves a point's slip point to where it stands at the end of an accepted step.
@@ -233,6 +242,15 @@ template <int D> void Pair<D>::advance(std::size_t i) {
 
 template <int D> void Pair<D>::rollback() {
   memory_ = accepted_;
+  results_ = accepted_results_;
+}
+
+template <int D> void Pair<D>::settle() {
+  travel_ = 0;
+  for (Memory& memory : accepted_) memory.cleared = 0;
+  accepted_master_ = master_;
+  for (std::size_t i = 0; i < points_.size(); ++i) accepted_results_[i].position = accepted_positions_[i] = position(i);
+  rollback();
 }
 
 template <int D> void Pair<D>::augment() {
@@ -248,13 +266,14 @@ template <int D> void Pair<D>::scale_penalty(double factor) {
 }
 
 template <int D> typename Pair<D>::History Pair<D>::history() const {
-  return {accepted_, accepted_master_, accepted_positions_, dissipated_};
+  return {accepted_, accepted_master_, accepted_positions_, accepted_results_, dissipated_};
 }
 
 template <int D> void Pair<D>::restore(const History& history) {
   accepted_ = history.memory;
   accepted_master_ = history.master;
   accepted_positions_ = history.positions;
+  accepted_results_ = history.results;
   dissipated_ = history.dissipated;
   rollback();
 }

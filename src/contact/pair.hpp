@@ -73,7 +73,7 @@ public:
   /// Takes the state of the last evaluation as accepted: slip points advance; points that touch later slip from where
   /// they would have touched now. Call after evaluate() at the converged displacements.
   void accept();
-  /// Forgets what happened since the last accept().
+  /// Forgets what happened since the last accept(); the faces must have been moved back to where they were then.
   void rollback();
   /// Keeps points in a state until it is called again: one entry per point; empty frees all. Adhesion is always free.
   void hold(std::vector<Held> states) { held_ = std::move(states); }
@@ -88,6 +88,9 @@ public:
   struct History;
   History history() const;
   void restore(const History& history);
+  /// Drops all that evaluations in the past have left behind and that rounding may depend on later, so that what comes
+  /// next depends on the accepted state alone. Call it when both faces stand there and nothing is pending.
+  void settle();
 
   const Surface<D>& slave() const { return slave_; }
   const Master<D>& master() const { return master_; }
@@ -139,6 +142,8 @@ private:
            bool tangent, Part& part);
   void advance(std::size_t i);
   void remember_touch(std::size_t i);
+  /// Current position of the slave point.
+  Vec<D> position(std::size_t i) const;
   std::size_t group(int slave_element, int master_element, int slip_element, bool tangent, Part& part);
 
   Surface<D> slave_;
@@ -150,7 +155,7 @@ private:
   std::vector<Point> points_;
   std::vector<double> values_;
   std::vector<Memory> accepted_, memory_;
-  std::vector<PointResult<D>> results_;
+  std::vector<PointResult<D>> results_, accepted_results_;
   std::vector<Vec<D>> reference_positions_, accepted_positions_; ///< of the slave points
   std::vector<Part> parts_;
   std::vector<Group> groups_;
@@ -165,6 +170,7 @@ template <int D> struct Pair<D>::History {
   std::vector<Memory> memory;
   Master<D> master;
   std::vector<Vec<D>> positions;
+  std::vector<PointResult<D>> results;
   double dissipated;
 };
 

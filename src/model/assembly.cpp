@@ -219,6 +219,19 @@ template <int D> bool Assembly<D>::locate(const std::vector<contact::Pair<D>>& p
   return true;
 }
 
+template <int D> void Assembly<D>::move(std::vector<contact::Pair<D>>& pairs, const VectorX& displacement) const {
+  for (std::size_t k = 0; k < pairs.size(); ++k)
+    pairs[k].move(displacement.data() + unknowns_.offset(scene_.contacts[k].slave.body),
+                  displacement.data() + master_offset(scene_.contacts[k]));
+}
+
+template <int D> void Assembly<D>::forget_contacts() {
+  cover({});
+  std::fill(is_contact_unknown_.begin(), is_contact_unknown_.end(), false);
+  contact_unknowns_.clear();
+  ++contact_version_;
+}
+
 template <int D>
 std::optional<BodyInversion> Assembly<D>::assemble(std::vector<contact::Pair<D>>& pairs, const VectorX& displacement,
                                                    const VectorX* direction, bool tangent, Timings& timings) {
@@ -270,9 +283,7 @@ std::optional<BodyInversion> Assembly<D>::add_bulk(std::vector<contact::Pair<D>>
   };
 
   const Stopwatch watch;
-  for (std::size_t k = 0; k < pairs.size(); ++k)
-    pairs[k].move(request.displacement.data() + unknowns_.offset(scene_.contacts[k].slave.body),
-                  request.displacement.data() + master_offset(scene_.contacts[k]));
+  move(pairs, request.displacement);
   add_heads(contact_tasks.size());
   for (contact::Pair<D>& pair : pairs) pair.gather();
   if (!locate(pairs)) {

@@ -35,6 +35,11 @@ public:
   std::optional<BodyInversion> assemble(std::vector<contact::Pair<D>>& pairs, const VectorX& displacement,
                                         const VectorX* direction, bool tangent, Timings& timings);
 
+  /// Moves the contacts' faces to where the bodies and obstacles are at `displacement`.
+  void move(std::vector<contact::Pair<D>>& pairs, const VectorX& displacement) const;
+  /// Goes back to the pattern of the bodies alone, and to no contact unknowns: as newly made.
+  void forget_contacts();
+
   const VectorX& residual() const { return residual_; }
   const VectorX& product() const { return product_; }
   /// Values of the tangent in the order of pattern(), and others behind them.

@@ -58,7 +58,7 @@ Model<D>::Model(Scene<D> scene)
   std::string why;
   assemble(nullptr, false, why);
   for (auto& pair : pairs_) pair.accept();
-  accepted_force_ = assembly_.residual();
+  accepted_force_ = force_;
   require_clearance(scene_, pairs_);
 }
 
@@ -79,7 +79,8 @@ template <int D> double Model<D>::accepted_target(int drive, int component) cons
 
 template <int D> solve::Outcome Model<D>::assemble(const VectorX* direction, bool tangent, std::string& why) {
   const auto inverted = assembly_.assemble(pairs_, displacement_, direction, tangent, timings_);
-  residual_ = assembly_.residual() - external_;
+  force_ = assembly_.residual();
+  residual_ = force_ - external_;
   unbalanced_ = unknowns_.gather(residual_);
   if (!inverted) return solve::Outcome::converged;
   inverted_ = inverted;
@@ -94,8 +95,8 @@ template <int D> void Model<D>::accept() {
   for (auto& pair : pairs_) pair.accept();
   last_increment_ = displacement_ - accepted_;
   previous_targets_ = accepted_targets_;
-  work_ += 0.5 * (accepted_force_ + assembly_.residual()).dot(last_increment_);
-  accepted_force_ = assembly_.residual();
+  work_ += 0.5 * (accepted_force_ + force_).dot(last_increment_);
+  accepted_force_ = force_;
   accepted_ = displacement_;
   accepted_targets_ = targets_;
   force_scale_ = force_norm();
@@ -108,13 +109,20 @@ template <int D> void Model<D>::rollback() {
   displacement_ = accepted_;
   targets_ = present_ = accepted_targets_;
   external_ = drives_.force(present_);
-  for (auto& pair : pairs_) {
-    pair.hold({});
-    pair.rollback();
-  }
-  // Reactions and contact results belong to the state again.
-  std::string why;
-  assemble(nullptr, false, why);
+  for (auto& pair : pairs_) pair.hold({});
+  // Reactions and contact results belong to the state again, with the bits that they had.
+  force_ = accepted_force_;
+  residual_ = force_ - external_;
+  unbalanced_ = unknowns_.gather(residual_);
+  assembly_.move(pairs_, displacement_);
+  for (auto& pair : pairs_) pair.rollback();
+}
+
+template <int D> void Model<D>::settle() {
+  rollback();
+  for (auto& pair : pairs_) pair.settle();
+  assembly_.forget_contacts();
+  forget_solver();
 }
 
 template <int D> Snapshot<D> Model<D>::snapshot() const {

@@ -95,6 +95,10 @@ public:
   Snapshot<D> snapshot() const;
   /// Returns to a state of this model that was kept before.
   void restore(const Snapshot<D>& snapshot);
+  /// Drops all that the way to the accepted state has left behind and that rounding may depend on later: sparse
+  /// pattern, linear solver, what projections start from. Afterwards the model goes on, bit by bit, as any model of the
+  /// same scene does that is restored to this state and settled. Call it when no step is pending.
+  void settle();
 
   /// Present displacement of all degrees of freedom (see Unknowns).
   const VectorX& displacement() const { return displacement_; }
@@ -134,6 +138,7 @@ private:
   solve::Outcome assemble(const VectorX* direction, bool tangent, std::string& why);
   solve::LinearSolver& solver(const StepOptions& options);
   bool factor(const StepOptions& options);
+  void forget_solver();
   void damp();
   Step begin_step(const StepOptions& options);
   bool predict(const VectorX& increment);
@@ -160,6 +165,7 @@ private:
   VectorX previous_targets_;           ///< before the last accepted step
   VectorX present_;                    ///< the targets that displacement_ and external_ realise
   VectorX external_;                   ///< force of the loads
+  VectorX force_;                      ///< f_int + f_c of all degrees of freedom
   VectorX residual_;                   ///< f_int + f_c − f_ext of all degrees of freedom
   VectorX unbalanced_;                 ///< what Newton's loop brings to zero: the residual by unknown
   VectorX accepted_force_;             ///< f_int + f_c in the accepted state: what supports and loads balance

@@ -46,7 +46,7 @@ template <int D> solve::LinearSolver& Model<D>::solver(const StepOptions& option
   const bool fits =
       same && (solver_version_ == assembly_.pattern_version() || (!condense && solver_->adopt(assembly_.pattern())));
   if (!fits || (condense && !same_contacts)) {
-    if (solver_) past_solvers_ = sum(past_solvers_, solver_->statistics());
+    forget_solver();
     if (condense) {
       const auto& values = assembly_.constant_values();
       const solve::Condensation condensation{{values.begin(), values.begin() + assembly_.pattern().entries()},
@@ -63,6 +63,11 @@ template <int D> solve::LinearSolver& Model<D>::solver(const StepOptions& option
   solver_contacts_ = assembly_.contact_version();
   solver_asked_ = options.linear;
   return *solver_;
+}
+
+template <int D> void Model<D>::forget_solver() {
+  if (solver_) past_solvers_ = sum(past_solvers_, solver_->statistics());
+  solver_.reset();
 }
 
 template <int D> bool Model<D>::factor(const StepOptions& options) {
@@ -303,6 +308,7 @@ template <int D> solve::SolverStatistics Model<D>::solver_statistics() const {
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
   template solve::NewtonReport Model<D>::solve_step(const StepOptions&);                                               \
   template const solve::NewtonReport& Model<D>::iterate(const StepOptions&);                                           \
+  template void Model<D>::forget_solver();                                                                             \
   template const std::vector<LooseMotion>& Model<D>::loose();                                                          \
   template solve::Outcome Model<D>::evaluate(std::string&);                                                            \
   template solve::NewtonReport Model<D>::solve_arc(const StepOptions&, double);                                        \
