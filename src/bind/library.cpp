@@ -61,6 +61,7 @@ void open_library(lua_State* L, const Settings& settings) {
   open_rigid(L);
   open_scene(L);
   open_model(L);
+  open_checkpoint(L);
   open_chart(L);
   open_picture(L);
 

@@ -1,3 +1,4 @@
+#include "bind/checkpoint.hpp"
 #include "bind/model.hpp"
 
 namespace signorini::bind {
@@ -221,6 +222,12 @@ constexpr Function rows[] = {
     {"snapshot", wrap<snapshot<D>>,
      "m:snapshot()\nA copy of the accepted state with its contact history, for m:restore. Call it between steps."},
     {"restore", wrap<restore<D>>, "m:restore(snapshot)\nReturns to a state that m:snapshot() has kept."},
+    {"save", wrap<save<D>>,
+     "m:save(path)\n"
+     "Writes the model with its accepted state to a file for sg.load, whole or not at all. From here on the model and\n"
+     "one that is loaded give the same bits; for that the model forgets factorisations and patterns, so that the next\n"
+     "step takes a little longer. Call it between steps.\n"
+     "Example: model:save \"pressed.sgn\""},
 };
 
 template <int D>

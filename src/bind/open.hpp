@@ -5,16 +5,17 @@
 
 namespace signorini::bind {
 
-void open_core(lua_State* L);     ///< core.*: what the library in lua/ needs from C++
-void open_curves(lua_State* L);   ///< sg.nurbs.*
-void open_shapes(lua_State* L);   ///< sg.shapes.*
-void open_patch(lua_State* L);    ///< the patch type and its methods
-void open_material(lua_State* L); ///< sg.neo_hookean, sg.linear_elastic
-void open_body(lua_State* L);     ///< bodies, their faces, edges and corners
-void open_rigid(lua_State* L);    ///< sg.rigid.*
-void open_scene(lua_State* L);    ///< sg.model
-void open_model(lua_State* L);    ///< the methods of a model
-void open_chart(lua_State* L);    ///< sg.chart
-void open_picture(lua_State* L);  ///< sg.picture
+void open_core(lua_State* L);       ///< core.*: what the library in lua/ needs from C++
+void open_curves(lua_State* L);     ///< sg.nurbs.*
+void open_shapes(lua_State* L);     ///< sg.shapes.*
+void open_patch(lua_State* L);      ///< the patch type and its methods
+void open_material(lua_State* L);   ///< sg.neo_hookean, sg.linear_elastic
+void open_body(lua_State* L);       ///< bodies, their faces, edges and corners
+void open_rigid(lua_State* L);      ///< sg.rigid.*
+void open_scene(lua_State* L);      ///< sg.model
+void open_model(lua_State* L);      ///< the methods of a model
+void open_checkpoint(lua_State* L); ///< sg.load, core.save and others
+void open_chart(lua_State* L);      ///< sg.chart
+void open_picture(lua_State* L);    ///< sg.picture
 
 } // namespace signorini::bind

@@ -123,13 +123,41 @@ Discretisation::Discretisation(const Patch& patch, const Plan& plan)
       const Space space = label.layer && in_layer(j) ? *label.layer : label.bulk;
       row = refine_to(row, a, space, inserted[at(directions[at(a)])], label.text);
     }
-    first_.push_back(j == 0 ? 0 : first_.back() + rows_.back().functions());
     rows_.push_back(std::move(row));
   }
+  gather_rows();
+}
 
-  homogeneous_.resize(patch.dimension() + 1, first_.back() + rows_.back().functions());
-  for (int j = 0; j < count; ++j)
-    homogeneous_.middleCols(first_[at(j)], rows_[at(j)].functions()) = rows_[at(j)].homogeneous();
+Discretisation::Discretisation(int through, KnotVector through_knots, std::vector<Patch> rows,
+                               std::vector<Side> contact)
+    : through_(through), through_knots_(std::move(through_knots)), rows_(std::move(rows)),
+      contact_(std::move(contact)) {
+  require(static_cast<int>(rows_.size()) == through_knots_.functions(), "a body of ", through_knots_.functions(),
+          " rows of control points was given ", rows_.size());
+  const Patch& first = rows_.front();
+  require(first.parametric_dimension() + 1 == first.dimension() && through_ >= 0 && through_ < first.dimension(),
+          "a body's rows are of one dimension less than space");
+  for (const Patch& row : rows_) {
+    bool fits = row.dimension() == first.dimension() && row.parametric_dimension() == first.parametric_dimension();
+    for (int a = 0; fits && a < row.parametric_dimension(); ++a)
+      fits = row.direction(a).breaks() == first.direction(a).breaks();
+    require(fits, "all rows of a body must have the same elements");
+  }
+  for (int d = 0; d < first.dimension(); ++d)
+    elements_.push_back((d == through_ ? through_knots_ : first.direction(d < through_ ? d : d - 1)).elements());
+  gather_rows();
+}
+
+/// Numbers the functions row after row.
+void Discretisation::gather_rows() {
+  int count = 0;
+  for (const Patch& row : rows_) {
+    first_.push_back(count);
+    count += row.functions();
+  }
+  homogeneous_.resize(rows_.front().dimension() + 1, count);
+  for (std::size_t j = 0; j < rows_.size(); ++j)
+    homogeneous_.middleCols(first_[j], rows_[j].functions()) = rows_[j].homogeneous();
 }
 
 MatrixX Discretisation::points() const {

@@ -34,6 +34,9 @@ struct ElementBasis {
 class Discretisation {
 public:
   Discretisation(const Patch& patch, const Plan& plan);
+  /// From its parts, bit by bit as through(), through_knots(), rows() and contact() gave them. Throws Error when they
+  /// do not fit together.
+  Discretisation(int through, KnotVector through_knots, std::vector<Patch> rows, std::vector<Side> contact);
 
   int parametric_dimension() const { return static_cast<int>(elements_.size()); }
   int dimension() const { return static_cast<int>(homogeneous_.rows()) - 1; }
@@ -70,6 +73,7 @@ public:
   Patch face_patch(Side side) const;
 
 private:
+  void gather_rows();
   /// Index of element e in direction d.
   int element_index(int e, int d) const;
 

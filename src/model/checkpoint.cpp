@@ -1,0 +1,121 @@
+#include "model/checkpoint.hpp"
+
+#include "contact/archive.hpp"
+#include "model/scene_archive.hpp"
+
+#include <algorithm>
+
+namespace signorini::model {
+
+namespace {
+
+const ArchiveKind kind{"checkpoint", 1};
+
+using Parts = std::vector<ScenePart>;
+
+template <int D> void write_state(ArchiveWriter& to, const Snapshot<D>& state) {
+  const auto& [displacement, last_increment, targets, contacts, force_scale, work, force] = state;
+  to.put(displacement, last_increment, targets, force_scale, work, force);
+  for (const auto& history : contacts) contact::write_history<D>(to, history);
+}
+
+/// Into a snapshot of a model of the same scene.
+template <int D> void read_state(ArchiveReader& from, Snapshot<D>& state) {
+  auto& [displacement, last_increment, targets, contacts, force_scale, work, force] = state;
+  const Eigen::Index dofs = displacement.size(), components = targets.size();
+  from.into(displacement, last_increment, targets, force_scale, work, force);
+  require(displacement.size() == dofs && last_increment.size() == dofs && force.size() == dofs &&
+              targets.size() == components,
+          "a state of ", displacement.size(), " degrees of freedom was saved, the model has ", dofs);
+  for (auto& history : contacts) contact::read_history<D>(from, history);
+}
+
+template <int D> void take_state(Model<D>& model, std::string_view bytes) {
+  Snapshot<D> state = model.snapshot();
+  ArchiveReader from(bytes);
+  read_state(from, state);
+  model.restore(state);
+  model.settle();
+}
+
+/// A file taken apart.
+struct Content {
+  std::string bytes;
+  int dimension;
+  std::string_view text, scene, state; ///< of bytes
+};
+
+Content open(const std::string& file) {
+  Content content{read_archive(file, kind), 0, {}, {}, {}};
+  ArchiveReader from(content.bytes);
+  content.dimension = from.get<int>();
+  content.text = from.section("text");
+  content.scene = from.section("scene");
+  content.state = from.section("state");
+  return content;
+}
+
+template <int D> std::shared_ptr<Model<D>> load_model(const Content& content) {
+  auto model = std::make_shared<Model<D>>(read_scene<D>(ArchiveReader(content.scene).get<Parts>()));
+  take_state(*model, content.state);
+  return model;
+}
+
+/// The names of parts that the two do not have alike.
+std::vector<std::string> differences(const Parts& here, const Parts& there) {
+  std::vector<std::string> names;
+  const auto compare = [&](const Parts& a, const Parts& b, bool twice) {
+    for (const ScenePart& part : a) {
+      const auto twin =
+          std::find_if(b.begin(), b.end(), [&](const ScenePart& other) { return other.name == part.name; });
+      if (twin == b.end())
+        names.push_back(part.name);
+      else if (!twice && twin->bytes != part.bytes)
+        names.push_back(part.name);
+    }
+  };
+  compare(there, here, false);
+  compare(here, there, true);
+  return names;
+}
+
+} // namespace
+
+template <int D> void save(Model<D>& model, const std::string& file, const std::string& text) {
+  model.settle();
+  ArchiveWriter archive;
+  archive.put(D);
+  archive.section("text", [&](ArchiveWriter& to) { to.append(text.data(), text.size()); });
+  archive.section("scene", [&](ArchiveWriter& to) { to.put(scene_parts(model)); });
+  archive.section("state", [&](ArchiveWriter& to) { write_state(to, model.snapshot()); });
+  write_archive(file, kind, archive);
+}
+
+AnyModel load(const std::string& file) {
+  const Content content = open(file);
+  if (content.dimension == 3) return load_model<3>(content);
+  return load_model<2>(content);
+}
+
+std::string load_text(const std::string& file) {
+  return std::string(open(file).text);
+}
+
+template <int D> void restore(Model<D>& model, const std::string& file) {
+  const Content content = open(file);
+  require(content.dimension == D, "'", file, "' holds a model of dimension ", content.dimension, ", this one has ", D,
+          ": name the file that this model's run has written, or start anew without it");
+  const auto differ = differences(scene_parts(model), ArchiveReader(content.scene).get<Parts>());
+  std::string list;
+  for (const std::string& name : differ) list += (list.empty() ? "" : ", ") + name;
+  require(differ.empty(), "'", file, "' was saved of another scene; what differs: ", list,
+          ": name another file, or take this one away to start anew");
+  take_state(model, content.state);
+}
+
+template void save(Model<2>&, const std::string&, const std::string&);
+template void save(Model<3>&, const std::string&, const std::string&);
+template void restore(Model<2>&, const std::string&);
+template void restore(Model<3>&, const std::string&);
+
+} // namespace signorini::model

@@ -1,0 +1,196 @@
+#include "model/scene_archive.hpp"
+
+#include "contact/archive.hpp"
+#include "nurbs/archive.hpp"
+#include "solid/archive.hpp"
+
+#include <algorithm>
+
+namespace signorini::model {
+
+void write(ArchiveWriter& to, const ScenePart& part) {
+  to.put(part.name, part.bytes);
+}
+
+ScenePart read(ArchiveReader& from, std::type_identity<ScenePart>) {
+  ScenePart part;
+  from.into(part.name, part.bytes);
+  return part;
+}
+
+void write(ArchiveWriter& to, const FaceReference& face) {
+  const auto& [body, side] = face;
+  to.put(body, side);
+}
+
+FaceReference read(ArchiveReader& from, std::type_identity<FaceReference>) {
+  const int body = from.get<int>();
+  return {body, from.get<nurbs::Side>()};
+}
+
+void write(ArchiveWriter& to, const Held& held) {
+  const auto& [body, functions] = held;
+  to.put(body, functions);
+}
+
+Held read(ArchiveReader& from, std::type_identity<Held>) {
+  const int body = from.get<int>();
+  return {body, from.get<std::vector<int>>()};
+}
+
+template <int D> void write(ArchiveWriter& to, const NamedBody<D>& named) {
+  const auto& [name, body] = named;
+  to.put(name, *body);
+}
+
+template <int D> NamedBody<D> read(ArchiveReader& from, std::type_identity<NamedBody<D>>) {
+  auto name = from.get<std::string>();
+  return {std::move(name), solid::read_body<D>(from)};
+}
+
+template <int D> void write(ArchiveWriter& to, const Support<D>& support) {
+  const auto& [name, on, hold, obstacles, rotates, centre, axis] = support;
+  to.put(name, on, hold, obstacles, rotates, centre, axis);
+}
+
+template <int D> Support<D> read(ArchiveReader& from, std::type_identity<Support<D>>) {
+  Support<D> support;
+  auto& [name, on, hold, obstacles, rotates, centre, axis] = support;
+  from.into(name, on, hold, obstacles, rotates, centre, axis);
+  return support;
+}
+
+void write(ArchiveWriter& to, const Load& load) {
+  const auto& [name, on, pressure, start] = load;
+  to.put(name, on, pressure, start);
+}
+
+Load read(ArchiveReader& from, std::type_identity<Load>) {
+  Load load;
+  auto& [name, on, pressure, start] = load;
+  from.into(name, on, pressure, start);
+  return load;
+}
+
+namespace {
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+template <int D> using Places = Eigen::Matrix<double, D, Eigen::Dynamic>;
+
+/// Reference positions of the points that a region has left; no columns where all take part.
+template <int D> Places<D> kept_points(const Contact<D>& contact, const contact::Pair<D>& pair) {
+  std::size_t all = at(pair.slave().elements());
+  for (int d = 0; d < D - 1; ++d) all *= at(contact.points);
+  const auto& positions = pair.reference_positions();
+  Places<D> kept(D, positions.size() == all ? 0 : static_cast<Eigen::Index>(positions.size()));
+  for (Eigen::Index i = 0; i < kept.cols(); ++i) kept.col(i) = positions[static_cast<std::size_t>(i)];
+  return kept;
+}
+
+/// The region that consists of these points. The same faces give the same points, bit by bit.
+template <int D> contact::Region<D> region_of(const Places<D>& kept) {
+  if (kept.cols() == 0) return {};
+  const auto before = [](const Vec<D>& a, const Vec<D>& b) {
+    return std::lexicographical_compare(a.data(), a.data() + D, b.data(), b.data() + D);
+  };
+  std::vector<Vec<D>> sorted;
+  for (Eigen::Index i = 0; i < kept.cols(); ++i) sorted.push_back(kept.col(i));
+  std::sort(sorted.begin(), sorted.end(), before);
+  return [sorted, before](const Vec<D>& x) { return std::binary_search(sorted.begin(), sorted.end(), x, before); };
+}
+
+template <int D> void write_contact(ArchiveWriter& to, const Contact<D>& contact, const contact::Pair<D>& pair) {
+  const auto& [name, slave, master, law, points, where] = contact;
+  const auto* face = std::get_if<FaceReference>(&master);
+  to.put(name, slave, face != nullptr, face ? *face : FaceReference{},
+         face ? -1 : std::get<ObstacleReference>(master).obstacle, law, points, kept_points(contact, pair));
+}
+
+template <int D> Contact<D> read_contact(ArchiveReader& from) {
+  Contact<D> contact{};
+  auto& [name, slave, master, law, points, where] = contact;
+  from.into(name, slave);
+  const bool is_face = from.get<bool>();
+  const auto face = from.get<FaceReference>();
+  const ObstacleReference obstacle{from.get<int>()};
+  if (is_face)
+    master = face;
+  else
+    master = obstacle;
+  from.into(law, points);
+  where = region_of<D>(from.get<Places<D>>());
+  return contact;
+}
+
+/// The parts in order: kind and numbers, bodies, obstacles, supports, loads, contacts.
+struct Counts {
+  solid::Kind kind;
+  int bodies, obstacles, supports, loads, contacts;
+};
+
+template <class Part> ScenePart named(const char* kind, const std::string& name, const Part& part) {
+  ArchiveWriter bytes;
+  part(bytes);
+  return {text(kind, " '", name, "'"), bytes.bytes()};
+}
+
+} // namespace
+
+template <int D> std::vector<ScenePart> scene_parts(const Model<D>& model) {
+  const Scene<D>& scene = model.scene();
+  const auto& [bodies, obstacles, supports, loads, contacts, kind] = scene;
+  const auto size = [](const auto& list) { return static_cast<int>(list.size()); };
+  ArchiveWriter counts;
+  counts.put(kind, size(bodies), size(obstacles), size(supports), size(loads), size(contacts));
+  std::vector<ScenePart> parts{{"the kind of scene or the number of its parts", counts.bytes()}};
+  const auto add = [&](const char* what, const auto& list) {
+    for (const auto& item : list) parts.push_back(named(what, item.name, [&](ArchiveWriter& to) { to.put(item); }));
+  };
+  add("body", bodies);
+  for (std::size_t i = 0; i < obstacles.size(); ++i)
+    parts.push_back(named("obstacle", std::to_string(i + 1), [&](ArchiveWriter& to) { to.put(obstacles[i]); }));
+  add("support", supports);
+  add("load", loads);
+  for (std::size_t k = 0; k < contacts.size(); ++k)
+    parts.push_back(named("contact", contacts[k].name,
+                          [&](ArchiveWriter& to) { write_contact(to, contacts[k], model.pairs()[k]); }));
+  return parts;
+}
+
+template <int D> Scene<D> read_scene(const std::vector<ScenePart>& parts) {
+  std::size_t next = 0;
+  const auto part = [&] {
+    require(next < parts.size(), "the scene has only ", parts.size(), " parts");
+    return ArchiveReader(parts[next++].bytes);
+  };
+  Scene<D> scene;
+  Counts counts;
+  ArchiveReader head = part();
+  head.into(counts.kind, counts.bodies, counts.obstacles, counts.supports, counts.loads, counts.contacts);
+  const auto fill = [&]<class T>(std::vector<T>& list, int count) {
+    for (int i = 0; i < count; ++i) {
+      ArchiveReader from = part();
+      list.push_back(from.get<T>());
+    }
+  };
+  scene.kind = counts.kind;
+  fill(scene.bodies, counts.bodies);
+  fill(scene.obstacles, counts.obstacles);
+  fill(scene.supports, counts.supports);
+  fill(scene.loads, counts.loads);
+  for (int k = 0; k < counts.contacts; ++k) {
+    ArchiveReader from = part();
+    scene.contacts.push_back(read_contact<D>(from));
+  }
+  return scene;
+}
+
+template std::vector<ScenePart> scene_parts<2>(const Model<2>&);
+template std::vector<ScenePart> scene_parts<3>(const Model<3>&);
+template Scene<2> read_scene<2>(const std::vector<ScenePart>&);
+template Scene<3> read_scene<3>(const std::vector<ScenePart>&);
+
+} // namespace signorini::model
