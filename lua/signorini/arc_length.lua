@@ -25,7 +25,7 @@ Switch.__index = Switch
 
 --- Takes each step as `inner` does; where that fails, arcs lead on until the step's end is passed: there the targets are
 --- prescribed again, and the next step begins as `inner` would.
-function arc_length.policy(inner) return setmetatable({ inner = inner }, Switch) end
+function arc_length.policy(inner) return setmetatable({ inner = inner, memory = inner.memory }, Switch) end
 
 function Switch:shorten() return self.inner:shorten() end
 

@@ -4,6 +4,7 @@
 local core = require "signorini.core"
 local arc_length = require "signorini.arc_length"
 local arguments = require "signorini.arguments"
+local checkpoint = require "signorini.checkpoint"
 local controls = require "signorini.controls"
 local drives = require "signorini.drives"
 local progress = require "signorini.progress"
@@ -72,9 +73,10 @@ local function read_policy(step)
   return arguments.flag(where, "step.adaptive", step.adaptive, true) and steps.halving(options) or steps.plain()
 end
 
---- The controls of a run: { solver, tries, penalty } (see controls.lua), policy, on_step, on_iteration.
+--- The controls of a run: { solver, tries, penalty } (see controls.lua), policy, on_step, on_iteration, and what keeps
+--- checkpoints.
 local function read_options(model, options)
-  local known = { "step", "arc_length", "on_step", "on_iteration" }
+  local known = { "step", "arc_length", "on_step", "on_iteration", "checkpoint", "resume" }
   arguments.table(where, "options", options, table.move(controls.keys, 1, #controls.keys, #known + 1, known))
   options = options or {}
   local policy = read_policy(options.step)
@@ -87,6 +89,7 @@ local function read_options(model, options)
     solver = solver, tries = tries, penalty = penalty, policy = policy,
     on_step = arguments.callback(where, "on_step", options.on_step),
     on_iteration = arguments.callback(where, "on_iteration", options.on_iteration),
+    keeper = checkpoint(options),
   }
 end
 
@@ -247,9 +250,10 @@ function Step:cut_back() self.run:record_cutback() end
 -- ── The path ─────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 local function begin_stage(model, stage)
-  stage.starts, stage.now = {}, {}
+  local starts = stage.starts or {} -- those of a stage that is taken up
+  stage.starts, stage.now = starts, {}
   for name in pairs(stage.targets) do
-    stage.starts[name], stage.now[name] = model:target(name), {}
+    starts[name], stage.now[name] = starts[name] or model:target(name), {}
   end
 end
 
@@ -290,12 +294,15 @@ end
 return function(model, stages, options)
   local path, total = read_stages(model, stages)
   options = read_options(model, options)
+  local policy, keeper = options.policy, options.keeper
   local run = Run.new(model)
-  local display = progress(total)
-  for _, stage in ipairs(path) do
+  local place = keeper:begin(model, run, path, policy)
+  local display = progress(total - run.steps)
+  for index = place.stage, #path do
+    local stage = path[index]
     begin_stage(model, stage)
-    run:begin_stage(stage)
-    for number = 1, stage.steps do
+    if place.number == 0 then run:begin_stage(stage) end
+    for number = place.number + 1, stage.steps do
       local step = begin_step(model, run, stage, number, options)
       local result, answer = take(step, run, options, display)
       if answer == "stop" or result.reason == "stopped" then
@@ -303,11 +310,16 @@ return function(model, stages, options)
       elseif not result.converged then
         fail(run, step, result)
       end
+      if result.converged then
+        place.stage, place.number = index, number
+        keeper:step(model, run, path, place, policy)
+      end
       if run.reason ~= "completed" then
         display:line(("%s: %s in step %d of %d"):format(stage.name, run.reason, number, stage.steps))
         return run:finish(model)
       end
     end
+    place.number = 0
     display:stage_end(stage.name, stage.steps, run.stages[#run.stages].iterations, run.stages[#run.stages].wall)
   end
   display:clear()

@@ -119,6 +119,9 @@ local function append_row(run, position, increments, iterations, wall)
   for _, record in ipairs(run.recorders) do record(row) end
 end
 
+--- Adds a column for what on_step returns.
+function Run:add_extra(name) self.extra[name] = add_column(self, name) end
+
 --- Adds to the last row what on_step returned: numbers by column name. A new name becomes a column.
 function Run:record_extra(figures)
   for name, value in pairs(figures) do
@@ -130,7 +133,7 @@ function Run:record_extra(figures)
       if self.values[name] then
         core.fail(("on_step: the run has a column '%s' of its own: choose another name"):format(name))
       end
-      self.extra[name] = add_column(self, name)
+      self:add_extra(name)
     end
     self.extra[name][self.rows] = value
   end

@@ -5,6 +5,7 @@
 --   step:attempt(to)   solves for the targets at the part `to` of the step; accepts, or rolls back; returns the result
 --   step:cut_back()    says that a failed attempt is tried again, shorter
 -- and another, shorten(), which makes the next attempts half as long and says whether it could.
+-- What a policy carries from one step to the next stands in its table `memory`, as plain data: checkpoints keep it.
 -- A policy may be asked to go on where another one has given up: it starts at step.done.
 
 local steps = {}
@@ -33,7 +34,8 @@ Halving.__index = Halving
 --- `growth` times as long. Its length outlives the step, so that a rough stretch of the path is not begun with failures
 --- at each of its steps.
 function steps.halving(options)
-  return setmetatable({ length = options.max, min = options.min, max = options.max, growth = options.growth }, Halving)
+  return setmetatable({ memory = { length = options.max }, min = options.min, max = options.max,
+                        growth = options.growth }, Halving)
 end
 
 --- Whether an attempt ended because somebody wanted it to, not because it failed.
@@ -43,14 +45,14 @@ function steps.is_asked_for(result) return result.reason == "interrupted" or res
 local function is_easy(result, solver) return 2 * result.iterations <= solver.iterations end
 
 function Halving:take(step)
-  local result
+  local memory, result = self.memory, nil
   repeat
     local rest = 1 - step.done
-    local length = self.length < rest - rounding and self.length or rest
+    local length = memory.length < rest - rounding and memory.length or rest
     result = step:attempt(length == rest and 1 or step.done + length)
     if result.converged then
       if is_easy(result, step.solver) then
-        self.length = math.max(self.length, math.min(self.max, self.growth * length))
+        memory.length = math.max(memory.length, math.min(self.max, self.growth * length))
       end
     elseif steps.is_asked_for(result) then
       return result
@@ -58,7 +60,7 @@ function Halving:take(step)
       result.shortest = length
       return result
     else
-      self.length = length / 2
+      memory.length = length / 2
       step:cut_back()
     end
   until step.done == 1
@@ -66,8 +68,9 @@ function Halving:take(step)
 end
 
 function Halving:shorten()
-  if self.length / 2 < self.min - rounding then return false end
-  self.length = self.length / 2
+  local memory = self.memory
+  if memory.length / 2 < self.min - rounding then return false end
+  memory.length = memory.length / 2
   return true
 end
 

@@ -1,0 +1,181 @@
+-- Runs that outlive their process: model:run{ …, checkpoint = "x.sgn", resume = true }. After steps that were reached the
+-- model is saved, and with it how the run stands: the path, the place on it, what the policy remembers, and the run's
+-- record. A run that is taken up from there ends with the same numbers as one that nothing has disturbed.
+
+local core = require "signorini.core"
+local arguments = require "signorini.arguments"
+local literal = require "signorini.literal"
+
+local where = "model:run"
+
+--- What a run holds that is made anew or written in another form; all else is saved as it stands.
+local apart = {}
+for _, key in ipairs { "failed", "reason", "cause", "report", "recorders", "before", "step", "names", "values", "histories", "extra",
+                       "step_column", "increment_column", "iteration_column", "wall_column" } do
+  apart[key] = true
+end
+
+--- A function of the core for files; its errors become those of model:run.
+local function call(name, ...)
+  local ok, result = pcall(core[name], ...)
+  if ok then return result end
+  core.fail(("%s: %s"):format(where, tostring(result):gsub("^.-core%." .. name .. ": ", "", 1)))
+end
+
+-- ── The path ─────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- What a path consists of, without what a run notes in it.
+local function outline(path)
+  local stages = {}
+  for i, stage in ipairs(path) do stages[i] = { name = stage.name, steps = stage.steps, targets = stage.targets } end
+  return stages
+end
+
+--- In which way two paths differ, in words; nothing when they are alike.
+local function difference(path, saved)
+  if literal.write(path) == literal.write(saved) then return nil end
+  if #path ~= #saved then return ("it has %d stages, the file's has %d"):format(#path, #saved) end
+  for i, stage in ipairs(path) do
+    local label = ("stage %d ('%s')"):format(i, stage.name)
+    for _, key in ipairs { "name", "steps", "targets" } do
+      local here, there = literal.write(stage[key]), literal.write(saved[i][key])
+      if here ~= there then
+        if key == "targets" then return label .. " has other targets" end
+        return ("%s.%s is %s, in the file %s"):format(label, key, here, there)
+      end
+    end
+  end
+end
+
+-- ── Saving ───────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+local Keeper = {}
+Keeper.__index = Keeper
+
+--- The texts of a list's entries; those made before are taken as they are.
+local function grow(texts, count, entry)
+  for i = #texts + 1, count do texts[i] = literal.write(entry(i)) end
+  return literal.list(texts)
+end
+
+local function row_of(run, i)
+  local row = {}
+  for j, name in ipairs(run.names) do row[j] = run.values[name][i] or false end -- false: on_step gave none
+  return row
+end
+
+local function seconds_spent(model, before)
+  local spent = {}
+  for account, now in pairs(model:timings()) do spent[account] = now - before[account] end
+  return spent
+end
+
+--- How the run stands, as text.
+function Keeper:text(model, run, path, place, policy)
+  local record = {}
+  for key, value in pairs(run) do
+    if not apart[key] then record[key] = value end
+  end
+  local stage = path[place.stage]
+  local rest = literal.write { path = outline(path), place = place, starts = stage.starts or {},
+                               memory = policy.memory or {}, names = run.names, record = record,
+                               spent = seconds_spent(model, run.before) }
+  return literal.list { rest, grow(self.rows, run.rows, function(i) return row_of(run, i) end),
+                        grow(self.histories, #run.histories, function(i) return run.histories[i] end) }
+end
+
+function Keeper:save(model, run, path, place, policy)
+  call("save", model, self.file, self:text(model, run, path, place, policy))
+end
+
+--- After a step that was reached: saves the run where it is due, and at the path's end.
+function Keeper:step(model, run, path, place, policy)
+  local ended = place.stage == #path and place.number == path[#path].steps
+  if ended or run.steps % self.every == 0 then self:save(model, run, path, place, policy) end
+end
+
+-- ── Taking up ────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+local function exists(file)
+  local stream = io.open(file, "rb")
+  if stream then stream:close() end
+  return stream ~= nil
+end
+
+--- How the run of a file stands, checked against the path at hand.
+function Keeper:read(path, run)
+  local text = call("checkpoint_text", self.file)
+  if text == "" then
+    core.fail(("%s: '%s' was saved by model:save, not by a run: load it with sg.load, and run without resume")
+      :format(where, self.file))
+  end
+  local ok, saved = pcall(literal.read, text)
+  if not ok then core.fail(("%s: '%s': %s"):format(where, self.file, saved)) end
+  local state, rows, histories = table.unpack(saved)
+  local differs = difference(outline(path), state.path)
+  if differs then
+    core.fail(("%s: '%s' was saved on another path: %s. Name another file, or take this one away to start anew")
+      :format(where, self.file, differs))
+  end
+  for i = #run.names + 1, #state.names do run:add_extra(state.names[i]) end
+  if literal.write(state.names) ~= literal.write(run.names) then
+    core.fail(("%s: '%s' holds a run with other columns: it was saved by another version of the program")
+      :format(where, self.file))
+  end
+  return state, rows, histories
+end
+
+--- Brings model, run and policy to where the file's run stands. Returns the place on the path.
+function Keeper:take_up(model, run, path, policy)
+  local state, rows, histories = self:read(path, run)
+  call("restore", model, self.file)
+  for key, value in pairs(state.record) do run[key] = value end
+  for i, row in ipairs(rows) do
+    for j, name in ipairs(run.names) do run.values[name][i] = row[j] or nil end
+  end
+  run.histories, run.before = histories, model:timings()
+  for account, seconds in pairs(state.spent) do run.before[account] = run.before[account] - seconds end
+  for key in pairs(policy.memory or {}) do
+    if state.memory[key] ~= nil then policy.memory[key] = state.memory[key] end
+  end
+  if state.place.number > 0 then path[state.place.stage].starts = state.starts end
+  return state.place
+end
+
+--- Where the run begins: at the path's start, or where a file says that it stands. The place is { stage, number } of the
+--- last step that was reached.
+function Keeper:begin(model, run, path, policy)
+  if self.resume and exists(self.file) then return self:take_up(model, run, path, policy) end
+  local place = { stage = 1, number = 0 }
+  self:save(model, run, path, place, policy) -- a file that cannot be written shows now, not after the first step
+  return place
+end
+
+-- ── Options ──────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- For runs that leave no file.
+local none = {}
+function none:begin() return { stage = 1, number = 0 } end
+function none:step() end
+
+--- What options.checkpoint and options.resume ask for: an object with begin() and step().
+return function(options)
+  local resume = arguments.flag(where, "resume", options.resume, false)
+  local wanted = options.checkpoint
+  if wanted == nil then
+    if resume then
+      core.fail(where .. ": resume = true needs the file to take up from: add checkpoint = \"run.sgn\"")
+    end
+    return none
+  end
+  if type(wanted) == "string" then wanted = { file = wanted } end
+  if type(wanted) ~= "table" then
+    arguments.reject(where, "checkpoint", "a file name, or { file = …, every = 1 }", wanted)
+  end
+  arguments.table(where, "options.checkpoint", wanted, { "file", "every" })
+  return setmetatable({
+    file = arguments.string(where, "checkpoint.file", wanted.file),
+    every = arguments.count(where, "checkpoint.every", wanted.every, 1),
+    resume = resume, rows = {}, histories = {},
+  }, Keeper)
+end
