@@ -53,13 +53,13 @@ template <int D> Obstacle<D> read_obstacle(ArchiveReader& from) {
 }
 
 template <int D> void write_result(ArchiveWriter& to, const PointResult<D>& result) {
-  // The position follows from the displacements.
-  const auto& [state, position, gap, pressure, tangents, friction, force, area, potential] = result;
+  // The position follows from the displacements; a point that acts is not beyond the master.
+  const auto& [state, position, gap, beyond, pressure, tangents, friction, force, area, potential] = result;
   to.put(state, gap, pressure, tangents, friction, force, area, potential);
 }
 
 template <int D> void read_result(ArchiveReader& from, PointResult<D>& result) {
-  auto& [state, position, gap, pressure, tangents, friction, force, area, potential] = result;
+  auto& [state, position, gap, beyond, pressure, tangents, friction, force, area, potential] = result;
   from.into(state, gap, pressure, tangents, friction, force, area, potential);
 }
 
@@ -107,10 +107,10 @@ template <int D> void write_history(ArchiveWriter& to, const typename Pair<D>::H
   to.put(dissipated, static_cast<std::uint64_t>(memories.size()));
   for (std::size_t i = 0; i < memories.size(); ++i) {
     // Settling clears no point.
-    const auto& [projection, cleared, slips, slip, limit] = memories[i];
+    const auto& [projection, cleared, slips, slip, limit, multiplier] = memories[i];
     const auto& [foot, element, along, xi, gap] = projection;
     const bool acts = results[i].area != 0;
-    to.put(foot, element, along, xi, gap, slips, slip, limit, acts);
+    to.put(foot, element, along, xi, gap, slips, slip, limit, multiplier, acts);
     if (acts) write_result<D>(to, results[i]);
   }
 }
@@ -121,9 +121,9 @@ template <int D> void read_history(ArchiveReader& from, typename Pair<D>::Histor
   const auto count = from.get<std::uint64_t>();
   require(count == memories.size(), "a contact of ", count, " points was saved, this one has ", memories.size());
   for (std::size_t i = 0; i < memories.size(); ++i) {
-    auto& [projection, cleared, slips, slip, limit] = memories[i];
+    auto& [projection, cleared, slips, slip, limit, multiplier] = memories[i];
     auto& [foot, element, along, xi, gap] = projection;
-    from.into(foot, element, along, xi, gap, slips, slip, limit);
+    from.into(foot, element, along, xi, gap, slips, slip, limit, multiplier);
     results[i] = {};
     if (from.get<bool>()) read_result<D>(from, results[i]);
   }

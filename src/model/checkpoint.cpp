@@ -14,18 +14,18 @@ const ArchiveKind kind{"checkpoint", 1};
 using Parts = std::vector<ScenePart>;
 
 template <int D> void write_state(ArchiveWriter& to, const Snapshot<D>& state) {
-  const auto& [displacement, last_increment, targets, contacts, force_scale, work, force] = state;
-  to.put(displacement, last_increment, targets, force_scale, work, force);
+  const auto& [displacement, last_increment, targets, previous, contacts, force_scale, work, force, factor] = state;
+  to.put(displacement, last_increment, targets, previous, force_scale, work, force, factor);
   for (const auto& history : contacts) contact::write_history<D>(to, history);
 }
 
 /// Into a snapshot of a model of the same scene.
 template <int D> void read_state(ArchiveReader& from, Snapshot<D>& state) {
-  auto& [displacement, last_increment, targets, contacts, force_scale, work, force] = state;
+  auto& [displacement, last_increment, targets, previous, contacts, force_scale, work, force, factor] = state;
   const Eigen::Index dofs = displacement.size(), components = targets.size();
-  from.into(displacement, last_increment, targets, force_scale, work, force);
+  from.into(displacement, last_increment, targets, previous, force_scale, work, force, factor);
   require(displacement.size() == dofs && last_increment.size() == dofs && force.size() == dofs &&
-              targets.size() == components,
+              targets.size() == components && previous.size() == components,
           "a state of ", displacement.size(), " degrees of freedom was saved, the model has ", dofs);
   for (auto& history : contacts) contact::read_history<D>(from, history);
 }
