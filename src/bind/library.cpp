@@ -63,6 +63,7 @@ void open_library(lua_State* L, const Settings& settings) {
   open_model(L);
   open_checkpoint(L);
   open_chart(L);
+  open_heatmap(L);
   open_picture(L);
 
   push_table(L, "core");

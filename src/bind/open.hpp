@@ -17,5 +17,6 @@ void open_model(lua_State* L);      ///< the methods of a model
 void open_checkpoint(lua_State* L); ///< sg.load, core.save and others
 void open_chart(lua_State* L);      ///< sg.chart
 void open_picture(lua_State* L);    ///< sg.picture
+void open_heatmap(lua_State* L);    ///< sg.heatmap
 
 } // namespace signorini::bind

@@ -39,21 +39,22 @@ std::array<double, 2> colour_range(const std::array<double, 2>& values,
   return {low - room, high + room};
 }
 
-double colorbar_room(const std::array<double, 2>& range, const std::string& title, double height, const Style& style) {
-  const Ticks ticks = stacked_ticks(range[0], range[1], false, height, style);
+double colorbar_room(const std::array<double, 2>& range, const std::string& title, double height, const Style& style,
+                     bool log) {
+  const Ticks ticks = stacked_ticks(range[0], range[1], log, height, style);
   return 1.3 * style.margin + bar_width(style) + 0.5 * style.tick_size + widest(ticks, style.tick_size) +
          (title.empty() ? 0.0 : 1.6 * style.label_size);
 }
 
 void draw_colorbar(Drawing& drawing, const BarPlace& place, const std::array<double, 2>& range,
                    std::array<bool, 2> beyond, const std::vector<Rgb>& colours, const std::string& title,
-                   const Style& style) {
+                   const Style& style, bool log) {
   const double width = bar_width(style), right = place.left + width, size = style.tick_size, point = 0.8 * width;
-  const Ticks ticks = stacked_ticks(range[0], range[1], false, place.top - place.bottom, style);
+  const Ticks ticks = stacked_ticks(range[0], range[1], log, place.top - place.bottom, style);
   const double room_above = ticks.factor.empty() ? 0 : 1.2 * size;
   const double low = place.bottom + (beyond[0] ? point : 0), high = place.top - room_above - (beyond[1] ? point : 0);
   const double middle = 0.5 * (place.left + right);
-  const Scale scale{range[0], range[1], false, low, high};
+  const Scale scale{range[0], range[1], log, low, high};
 
   const double step = (high - low) / static_cast<double>(colours.size());
   for (std::size_t i = 0; i < colours.size(); ++i) {

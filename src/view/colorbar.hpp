@@ -18,11 +18,13 @@ struct BarPlace {
 };
 
 /// Width in pixels from the picture's frame to the end of the bar's title.
-double colorbar_room(const std::array<double, 2>& range, const std::string& title, double height, const Style& style);
+double colorbar_room(const std::array<double, 2>& range, const std::string& title, double height, const Style& style,
+                     bool log = false);
 
-/// `beyond`: whether values lie below and above the range; the bar then ends in a point there.
+/// `beyond`: whether values lie below and above the range; the bar then ends in a point there. `log`: the colours
+/// follow the values' logarithm.
 void draw_colorbar(Drawing& drawing, const BarPlace& place, const std::array<double, 2>& range,
                    std::array<bool, 2> beyond, const std::vector<Rgb>& colours, const std::string& title,
-                   const Style& style);
+                   const Style& style, bool log = false);
 
 } // namespace signorini::view

@@ -1,0 +1,286 @@
+#include "view/heatmap.hpp"
+
+#include "bind/functions.hpp"
+#include "bind/open.hpp"
+#include "bind/options.hpp"
+#include "view/picture.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdio>
+
+namespace signorini::bind {
+
+namespace {
+
+/// As %g, with a minus sign in place of the hyphen and powers of ten written as such: −0.5, 10⁶, 2.5×10⁻⁵.
+std::string plain(double value) {
+  static constexpr const char* raised[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  char digits[32];
+  std::snprintf(digits, sizeof digits, "%g", std::abs(value));
+  const std::string number = digits;
+  const std::size_t e = number.find('e');
+  std::string result = number.substr(0, e);
+  if (e != std::string::npos) {
+    const int exponent = std::stoi(number.substr(e + 1));
+    result = (result == "1" ? "" : result + "×") + "10" + (exponent < 0 ? "⁻" : "");
+    for (char digit : std::to_string(std::abs(exponent))) result += raised[digit - '0'];
+  }
+  return (value < 0 ? "−" : "") + result;
+}
+
+/// A string, or a number as text.
+std::string read_name(lua_State* L, int index, const Argument& argument) {
+  if (lua_type(L, index) == LUA_TNUMBER) return plain(read_number(L, index, argument));
+  if (lua_type(L, index) != LUA_TSTRING) reject(L, index, argument, "a string or a number");
+  return read_string(L, index, argument);
+}
+
+std::vector<std::string> read_names(lua_State* L, const Options& o, const char* key, const char* meaning) {
+  const Argument whole = o.argument(key, meaning);
+  const int list = o.push_value(key), count = read_list(L, list, whole, "a list of names or numbers");
+  if (count == 0) reject(L, list, whole, "a list of at least one name or number");
+  std::vector<std::string> names;
+  for (int i = 1; i <= count; ++i) {
+    lua_rawgeti(L, list, i);
+    names.push_back(read_name(L, -1, {text(whole.name, "[", i, "]"), meaning}));
+    lua_pop(L, 1);
+  }
+  lua_settop(L, list - 1);
+  return names;
+}
+
+// ── Categories ───────────────────────────────────────────────────────────────────────────────────────────────────────
+
+/// "#rrggbb"
+view::Rgb read_colour(lua_State* L, const Options& o) {
+  constexpr const char* expected = "a colour such as \"#d55e00\"";
+  const int value = o.push_value("colour");
+  const Argument argument = o.argument("colour", "of the category's cells");
+  if (lua_type(L, value) != LUA_TSTRING) reject(L, value, argument, expected);
+  const std::string hex = lua_tostring(L, value);
+  const bool digits = std::all_of(hex.begin() + (hex.empty() ? 0 : 1), hex.end(),
+                                  [](unsigned char c) { return std::isxdigit(c) != 0; });
+  if (hex.size() != 7 || hex[0] != '#' || !digits) reject(L, value, argument, expected);
+  lua_settop(L, value - 1);
+  view::Rgb colour;
+  for (std::size_t c = 0; c < 3; ++c)
+    colour[c] = static_cast<std::uint8_t>(std::stoi(hex.substr(1 + 2 * c, 2), nullptr, 16));
+  return colour;
+}
+
+/// A category before it has got a look: its own colour, or one of the good or the bad ones.
+struct Wish {
+  std::string name;
+  std::optional<bool> good = {};
+  std::optional<view::Rgb> colour = {};
+};
+
+Wish read_category(lua_State* L, int index, const Argument& entry) {
+  if (lua_type(L, index) == LUA_TSTRING) return {read_string(L, index, entry)};
+  const Options o(L, index, {"name", "colour", "good"}, false, entry.name);
+  Wish wish{o.string("name", "as it stands in values")};
+  if (o.has("good")) wish.good = o.flag("good", "an outcome that is wanted");
+  if (o.has("colour")) wish.colour = read_colour(L, o);
+  return wish;
+}
+
+/// Where none says whether it is good, the first one is.
+std::vector<view::Category> with_looks(std::vector<Wish> wishes) {
+  if (std::none_of(wishes.begin(), wishes.end(), [](const Wish& one) { return one.good.has_value(); }))
+    wishes.front().good = true;
+  const auto &good = view::good_looks(), &bad = view::bad_looks();
+  std::size_t goods = 0, bads = 0;
+  std::vector<view::Category> categories;
+  for (const Wish& wish : wishes) {
+    const view::Look next = wish.good.value_or(false) ? good[goods++ % good.size()] : bad[bads++ % bad.size()];
+    categories.push_back({wish.name, wish.colour ? view::Look{*wish.colour} : next});
+  }
+  return categories;
+}
+
+std::vector<view::Category> read_categories(lua_State* L, const Options& o) {
+  if (!o.has("categories")) return {};
+  const Argument whole = o.argument("categories", "what values may be");
+  const int list = o.push_value("categories"), count = read_list(L, list, whole, "a list of categories");
+  if (count == 0) reject(L, list, whole, "a list of at least one category", "add one such as { name = \"converged\" }");
+  std::vector<Wish> wishes;
+  for (int i = 1; i <= count; ++i) {
+    lua_rawgeti(L, list, i);
+    const Argument entry{text(whole.name, "[", i, "]"), whole.meaning};
+    wishes.push_back(read_category(L, lua_gettop(L), entry));
+    const auto same = [&](const Wish& one) { return one.name == wishes.back().name; };
+    if (std::find_if(wishes.begin(), wishes.end(), same) + 1 != wishes.end())
+      throw ArgumentError(text(function_name(L), ": ", entry.name, " has the name '", wishes.back().name,
+                               "' of an earlier one: name each category once"));
+    lua_settop(L, list);
+  }
+  lua_settop(L, list - 1);
+  return with_looks(std::move(wishes));
+}
+
+// ── Cells ────────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+/// Calls read(row, column, argument) for each entry of a list of rows, with the entry on top of the stack; rows may
+/// have holes.
+template <class Read>
+void each_cell(lua_State* L, const Options& o, const char* key, const char* meaning, std::size_t rows,
+               std::size_t columns, Read read) {
+  const Argument whole = o.argument(key, meaning);
+  const int list = o.push_value(key);
+  const std::string expected = text("a list of ", rows, rows == 1 ? " row" : " rows", ", one for each y");
+  if (read_list(L, list, whole, expected.c_str()) != static_cast<int>(rows)) reject(L, list, whole, expected);
+  for (std::size_t j = 0; j < rows; ++j) {
+    lua_rawgeti(L, list, static_cast<lua_Integer>(j) + 1);
+    const int row = lua_gettop(L);
+    const Argument named{text(whole.name, "[", j + 1, "]"), meaning};
+    const std::string of = text("a list of ", columns, columns == 1 ? " entry" : " entries", ", one for each x");
+    if (!lua_istable(L, row)) reject(L, row, named, of);
+    for (lua_pushnil(L); lua_next(L, row); lua_pop(L, 1))
+      if (!lua_isinteger(L, -2) || lua_tointeger(L, -2) < 1 || lua_tointeger(L, -2) > static_cast<lua_Integer>(columns))
+        reject(L, row, named, of);
+    for (std::size_t i = 0; i < columns; ++i) {
+      lua_rawgeti(L, row, static_cast<lua_Integer>(i) + 1);
+      if (!lua_isnil(L, -1)) read(j, i, Argument{text(named.name, "[", i + 1, "]"), meaning});
+      lua_settop(L, row);
+    }
+    lua_settop(L, list);
+  }
+  lua_settop(L, list - 1);
+}
+
+/// The number of the category that is named on top of the stack.
+double read_member(lua_State* L, const Argument& argument, const std::vector<view::Category>& categories) {
+  if (lua_type(L, -1) == LUA_TNUMBER && std::isnan(lua_tonumber(L, -1))) return lua_tonumber(L, -1);
+  std::vector<std::string> names;
+  for (const view::Category& one : categories) names.push_back(one.name);
+  if (lua_type(L, -1) != LUA_TSTRING) reject(L, -1, argument, "the name of a category, nil or nan");
+  const std::string name = lua_tostring(L, -1);
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end())
+    throw ArgumentError(text(function_name(L), ": ", argument.name, " is '", name, "', which is no category",
+                             did_you_mean(name, names), "; known: ", listed(names)));
+  return static_cast<double>(found - names.begin());
+}
+
+/// The number on top of the stack; nan for a blank cell.
+double read_cell(lua_State* L, const Argument& argument) {
+  if (lua_type(L, -1) == LUA_TSTRING)
+    reject(L, -1, argument, "a number, nil or nan", "to map names, list them in categories = { { name = … }, … }");
+  if (lua_type(L, -1) == LUA_TNUMBER && std::isnan(lua_tonumber(L, -1))) return lua_tonumber(L, -1);
+  return read_number(L, -1, argument, "a finite number, nil or nan");
+}
+
+view::Heat read_map(lua_State* L, const Options& o, const view::HeatmapOptions& options) {
+  const std::size_t rows = options.y.size(), columns = options.x.size();
+  const auto size = [](std::size_t n) { return static_cast<Eigen::Index>(n); };
+  view::Heat map{"", MatrixX::Constant(size(rows), size(columns), std::numeric_limits<double>::quiet_NaN())};
+  each_cell(
+      L, o, "values", "rows of cells", rows, columns, [&](std::size_t j, std::size_t i, const Argument& argument) {
+        const bool named = !options.categories.empty();
+        map.values(size(j), size(i)) = named ? read_member(L, argument, options.categories) : read_cell(L, argument);
+      });
+  if (!o.has("texts")) return map;
+  map.texts.assign(rows, std::vector<std::string>(columns));
+  each_cell(
+      L, o, "texts", "what stands in the cells", rows, columns,
+      [&](std::size_t j, std::size_t i, const Argument& argument) { map.texts[j][i] = read_name(L, -1, argument); });
+  return map;
+}
+
+std::vector<view::Heat> read_maps(lua_State* L, const Options& o, const view::HeatmapOptions& options) {
+  if (!o.has("panels")) return {read_map(L, o, options)};
+  for (const char* key : {"values", "texts"})
+    if (o.has(key)) throw ArgumentError(text(function_name(L), ": ", key, " belongs to each of the panels"));
+  const Argument whole = o.argument("panels", "maps side by side");
+  const int list = o.push_value("panels"), count = read_list(L, list, whole, "a list of maps");
+  if (count == 0) reject(L, list, whole, "a list of at least one map", "add one such as { title = …, values = … }");
+  std::vector<view::Heat> maps;
+  for (int i = 1; i <= count; ++i) {
+    lua_rawgeti(L, list, i);
+    const Options one(L, -1, {"title", "values", "texts"}, false, text("panels[", i, "]"));
+    maps.push_back(read_map(L, one, options));
+    maps.back().title = one.string("title", "line above the map", "");
+    lua_settop(L, list);
+  }
+  lua_settop(L, list - 1);
+  return maps;
+}
+
+// ── The figure ───────────────────────────────────────────────────────────────────────────────────────────────────────
+
+/// 1600 × 1000 pixels; several maps in as many rows as they need.
+std::array<int, 2> read_size(lua_State* L, const Options& o, std::size_t maps) {
+  if (!o.has("size")) return {1600, maps == 1 ? 1000 : maps <= 3 ? 850 : 1400};
+  const Argument argument = o.argument("size", "width and height in pixels");
+  const auto size = read_integers(L, o.push_value("size"), argument, 120, 5000);
+  if (size.size() != 2) reject(L, -1, argument, "a list of 2 whole numbers");
+  return {size[0], size[1]};
+}
+
+void read_scale(lua_State* L, const Options& o, view::HeatmapOptions& options) {
+  for (const char* key : {"label", "range", "log", "colormap"})
+    if (!options.categories.empty() && o.has(key))
+      throw ArgumentError(text(function_name(L), ": ", key, " is for maps of numbers, this one has categories"));
+  options.label = o.string("label", "title of the colour bar", "");
+  options.log = o.flag("log", "colours follow the logarithm", false);
+  options.colormap = o.choice("colormap", "colours of the cells", view::colormaps(), options.colormap);
+  if (!o.has("range")) return;
+  const VectorX range = o.point("range", "lowest and highest value", 2, 2);
+  if (!(range[0] < range[1]))
+    throw ArgumentError(
+        text(function_name(L), ": range must rise, got {", range[0], ", ", range[1], "}: put the lower value first"));
+  options.range = {range[0], range[1]};
+}
+
+int heatmap(lua_State* L) {
+  const Options o(L, 1,
+                  {"file", "x", "y", "values", "texts", "panels", "columns", "categories", "xlabel", "ylabel", "title",
+                   "size", "range", "log", "label", "colormap"});
+  const std::string file = o.string("file", "a name that ends with .png, .svg or .pdf");
+  view::HeatmapOptions options;
+  options.title = o.string("title", "line above the map", "");
+  options.xlabel = o.string("xlabel", "label of the x axis", "");
+  options.ylabel = o.string("ylabel", "label of the y axis", "");
+  options.x = read_names(L, o, "x", "names of the columns");
+  options.y = read_names(L, o, "y", "names of the rows, from below");
+  options.categories = read_categories(L, o);
+  read_scale(L, o, options);
+  const std::vector<view::Heat> maps = read_maps(L, o, options);
+  if (o.has("columns")) options.columns = o.integer("columns", "maps in a row", 1, 100);
+  options.size = read_size(L, o, maps.size());
+  view::draw_heatmap(maps, options, file);
+  return 0;
+}
+
+constexpr Function rows[] = {
+    {"heatmap", wrap<heatmap>,
+     "sg.heatmap{ file, x, y, values, texts, categories, xlabel, ylabel, title, label, range, log = false,\n"
+     "            colormap = \"viridis\", panels, columns, size = {1600, 1000} }\n"
+     "Draws a map of equal coloured cells to a file that ends with .png, .svg or .pdf. x and y: the names of columns\n"
+     "and rows, strings or numbers, in order; the first y is at the bottom. values[j][i] belongs to y[j] and x[i].\n"
+     "Numbers: a colour bar with the title label; range = {low, high} of the colours, log = true for the logarithm;\n"
+     "colormap as in sg.picture. nil or nan leaves a cell blank.\n"
+     "Names: with categories = { { name = \"converged\" }, { name = \"diverged\" }, … } values are these names. A "
+     "legend\n"
+     "shows those that occur. Categories with good = true (the first one when none says good) are light green and "
+     "blue,\n"
+     "others warm and dark, all told apart without colour too; colour = \"#rrggbb\" sets one's own.\n"
+     "texts: rows of short strings or numbers drawn in the cells, left out where they do not fit.\n"
+     "panels = { { title, values, texts }, … } draws several maps side by side, columns of them in a row.\n"
+     "Example: sg.heatmap{ file = \"map.png\", x = {\"N2\", \"N4\"}, y = {10, 20}, values = { {0.3, 0.1}, {0.2, 0.05} "
+     "} "
+     "}\n"
+     "Example: sg.heatmap{ file = \"map.png\", x = {\"N2\", \"N4\"}, y = {10, 20}, texts = { {\"\", 12}, {35, 11} },\n"
+     "                     categories = { { name = \"converged\" }, { name = \"diverged\" } },\n"
+     "                     values = { {\"diverged\", \"converged\"}, {\"converged\", \"converged\"} } }"},
+};
+
+} // namespace
+
+void open_heatmap(lua_State* L) {
+  register_functions(L, "sg", rows);
+}
+
+} // namespace signorini::bind

@@ -1,0 +1,19 @@
+#pragma once
+// The list of categories right of a map.
+
+#include "view/categories.hpp"
+
+namespace signorini::view {
+
+struct CategoryLegend {
+  std::vector<Category> rows;
+  double size = 0, row = 0, swatch = 0, width = 0; ///< pixels; no width without rows
+};
+
+/// `width`, `height`: pixels it may take. Throws Error when the rows do not fit.
+CategoryLegend make_legend(const std::vector<Category>& rows, double width, double height, const Style& style);
+
+/// From the point to the right and downwards.
+void draw_legend(Drawing& drawing, const CategoryLegend& legend, const Vec2& top_left, const Style& style);
+
+} // namespace signorini::view

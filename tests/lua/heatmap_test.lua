@@ -1,0 +1,125 @@
+-- sg.heatmap: what it writes, and what it refuses.
+
+local sg = require "signorini"
+local check = require "check"
+
+local folder = os.tmpname()
+os.remove(folder)
+os.execute("mkdir " .. folder)
+
+local function content(file)
+  local stream = assert(io.open(file, "rb"))
+  return stream:read "a", stream:close()
+end
+
+--- The bytes of a map of numbers, with some arguments replaced.
+local function draw(more, ending)
+  local options = { file = folder .. "/map" .. (ending or ".svg"), x = { "N2", "N4", -0.25 }, y = { 10, -2.5e-6 },
+                    values = { { 1, 2, 3 }, { 4, 5, 6 } }, size = { 640, 400 } }
+  for key, value in pairs(more or {}) do options[key] = value end
+  if options.panels then options.values = nil end
+  sg.heatmap(options)
+  return content(options.file)
+end
+
+local function count(text, part)
+  local found, at = 0, 1
+  while true do
+    local from, to = text:find(part, at, true)
+    if not from then return found end
+    found, at = found + 1, to + 1
+  end
+end
+
+local held = { { name = "held" }, { name = "cycling" }, { name = "inverted" } }
+local outcomes = { { "held", "cycling", "held" }, { "held", nil, "held" } }
+
+check.case("each ending writes its kind of file, the same bytes each time", function()
+  local beginnings = { [".png"] = "\137PNG", [".svg"] = "<", [".pdf"] = "%PDF" }
+  for ending, beginning in pairs(beginnings) do
+    local first = draw({ title = "map" }, ending)
+    check.equal(first:sub(1, #beginning), beginning)
+    check.equal(draw({ title = "map" }, ending) == first, true)
+  end
+end)
+
+check.case("every option changes the map", function()
+  local seen = {}
+  local variants = {
+    {}, { title = "t" }, { xlabel = "x" }, { ylabel = "y" }, { label = "error" }, { log = true }, { range = { 0, 9 } },
+    { colormap = "magma" }, { size = { 640, 500 } }, { x = { "a", "b", "c" } }, { y = { "a", "b" } },
+    { values = { { 1, 2, 3 }, { 4, 5 } } }, { values = { { 1, 0 / 0, 3 }, { 4, 5, 6 } } }, { texts = { { "a" }, {} } },
+    { values = outcomes, categories = held },
+    { values = outcomes, categories = { { name = "held", good = false }, { name = "cycling" }, { name = "inverted" } } },
+    { values = outcomes, categories = { { name = "held", colour = "#0000ff" }, "cycling", "inverted" } },
+  }
+  for i, variant in ipairs(variants) do
+    local bytes = draw(variant)
+    if seen[bytes] then error(("variants %d and %d look alike"):format(seen[bytes], i)) end
+    seen[bytes] = i
+  end
+end)
+
+check.case("names, numbers, texts and the legend's rows", function()
+  local svg = draw { texts = { { "ab", 12.5, "" }, { nil, nil, -1 } } }
+  check.holds(svg, ">N4<", ">−0.25<", ">10<", ">−2.5×10<tspan", ">−6</tspan>", ">ab<", ">12.5<", ">−1<")
+  svg = draw { values = outcomes, categories = held }
+  check.holds(svg, ">held<", ">cycling<")
+  check.equal(count(svg, ">inverted<"), 0)
+  check.equal(draw { values = outcomes, categories = { "held", "cycling", "inverted" } } == svg, true)
+  svg = draw { values = outcomes, categories = { { name = "held", colour = "#12aBcd" }, "cycling" } }
+  check.equal(count(svg, "#12abcd"), 4 + 1) -- cells and legend
+end)
+
+check.case("maps side by side share names and legend", function()
+  local svg = draw { categories = held, panels = {
+    { title = "before", values = outcomes }, { title = "after", values = { { "held" }, { "held", "held" } } } } }
+  check.holds(svg, ">before<", ">after<")
+  check.equal(count(svg, ">N4<"), 2)
+  check.equal(count(svg, ">held<"), 1)
+  local columns = { { title = "before", values = outcomes }, { title = "after", values = outcomes } }
+  check.equal(draw { categories = held, panels = columns, columns = 1 } ==
+              draw { categories = held, panels = columns, columns = 2 }, false)
+end)
+
+check.case("wrong arguments", function()
+  local wrong = {
+    { { lable = "a" }, "unknown argument 'lable' (the string 'a'); did you mean 'label'?" },
+    { { x = {} }, "x must be a list of at least one name" },
+    { { x = { "a", {}, "c" } }, "x[2] must be a string or a number" },
+    { { y = 3 }, "y must be a list of names or numbers" },
+    { { values = { { 1, 2, 3 } } }, "values must be a list of 2 rows, one for each y (rows of cells)" },
+    { { values = { { 1, 2, 3, 4 }, { 1 } } }, "values[1] must be a list of 3 entries, one for each x" },
+    { { values = { { 1, 2, 3 }, 7 } }, "values[2] must be a list of 3 entries" },
+    { { values = { { 1, "held", 3 }, { 4, 5, 6 } } }, "values[1][2] must be a number, nil or nan", "categories" },
+    { { values = { { 1, 1 / 0, 3 }, { 4, 5, 6 } } }, "values[1][2] must be a finite number" },
+    { { values = { {}, {} } }, "all blank" },
+    { { log = true, values = { { 1, 0, 3 }, { 4, 5, 6 } } }, "values[1][2] is 0", "logarithmic" },
+    { { range = { 2, 1 } }, "range must rise" },
+    { { colormap = "jet" }, "colormap must be" },
+    { { size = { 640 } }, "size must be a list of 2 whole numbers" },
+    { { file = folder .. "/map.gif" }, "map.gif", ".png, .svg or .pdf" },
+    { { categories = held }, "values[1][1] must be the name of a category" },
+    { { categories = held, values = { { "hold" }, {} } }, "values[1][1] is 'hold'", "did you mean 'held'?" },
+    { { categories = held, values = outcomes, log = true }, "log is for maps of numbers" },
+    { { categories = {}, values = outcomes }, "categories must be a list of at least one category" },
+    { { categories = { "held", "held" }, values = outcomes }, "categories[2] has the name 'held' of an earlier one" },
+    { { categories = { { name = "held", colour = "blue" } }, values = outcomes }, "categories[1].colour", "#d55e00" },
+    { { categories = { { title = "held" } }, values = outcomes }, "categories[1]: unknown argument 'title'" },
+    { { texts = { { {} }, {} } }, "texts[1][1] must be a string or a number" },
+  }
+  for _, case in ipairs(wrong) do
+    check.fails(function() draw(case[1]) end, "heatmap_test.lua", "sg.heatmap", table.unpack(case, 2))
+  end
+  local map = { file = folder .. "/map.svg", x = { 1 }, y = { 1 } }
+  check.fails(function() sg.heatmap(map) end, "values", "is missing")
+  map.panels = { { values = { { 1 }, { 2 } } } }
+  check.fails(function() sg.heatmap(map) end, "panels[1].values must be a list of 1 row,")
+  map.values = { { 1 } }
+  check.fails(function() sg.heatmap(map) end, "values belongs to each of the panels")
+  map.values, map.panels = nil, {}
+  check.fails(function() sg.heatmap(map) end, "panels must be a list of at least one map")
+end)
+
+os.execute("rm -r " .. folder)
+check.done()

@@ -1,0 +1,226 @@
+#include "view/heatmap.hpp"
+
+#include "messages.hpp"
+#include "scenes.hpp"
+#include "view/cell_axes.hpp"
+#include "view/text.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+namespace signorini::view {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+int count_of(const std::string& text, const std::string& part) {
+  int count = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+HeatmapOptions three_by_two() {
+  HeatmapOptions options;
+  options.x = {"N2", "N3", "N4"};
+  options.y = {"10", "20"};
+  options.xlabel = "label";
+  options.ylabel = "steps";
+  return options;
+}
+
+Heat ramp() {
+  Heat map;
+  map.values.resize(2, 3);
+  map.values << 1, 10, 100, 1000, nan, 10;
+  return map;
+}
+
+std::string svg_of(const std::vector<Heat>& maps, const HeatmapOptions& options) {
+  draw_heatmap(maps, options, scratch("map.svg"));
+  return file_bytes(scratch("map.svg"));
+}
+
+std::string refusal(const std::vector<Heat>& maps, const HeatmapOptions& options, const std::string& name = "no.svg") {
+  const std::string message = message_of([&] { draw_heatmap(maps, options, scratch(name)); });
+  EXPECT_FALSE(std::filesystem::exists(scratch(name)));
+  return message;
+}
+
+/// The number after `key` in the element that ends with the text, such as the y of ">20<".
+double number_at(const std::string& svg, const std::string& element, const std::string& key) {
+  const std::size_t end = svg.find(element), start = svg.rfind(" " + key + "=\"", end);
+  EXPECT_NE(end, std::string::npos) << element;
+  return std::stod(svg.substr(start + key.size() + 3));
+}
+
+TEST(Heatmap, GivesTheSameBytesForTheSameCallInEachFormat) {
+  for (const char* ending : {".png", ".svg", ".pdf"}) {
+    draw_heatmap({ramp()}, three_by_two(), scratch(std::string("first") + ending));
+    draw_heatmap({ramp()}, three_by_two(), scratch(std::string("second") + ending));
+    EXPECT_EQ(file_bytes(scratch(std::string("first") + ending)), file_bytes(scratch(std::string("second") + ending)));
+  }
+  EXPECT_EQ(png_size(file_bytes(scratch("first.png"))), (std::array<int, 2>{1600, 1000}));
+}
+
+TEST(Heatmap, ColoursCellsByValueOrByItsLogarithm) {
+  HeatmapOptions options = three_by_two();
+  options.colormap = "grey"; // 0x20 … 0xf0
+  const std::string linear = svg_of({ramp()}, options);
+  EXPECT_TRUE(holds(linear, {"#202020", "#f0f0f0", "#222222"})); // 10 of 1 … 1000 is level 2 of 255
+  options.log = true;
+  options.range = {1, 1000};
+  const std::string log = svg_of({ramp()}, options);
+  EXPECT_TRUE(holds(log, {"#656565", "#ababab"})); // a third and two thirds of the way
+  EXPECT_TRUE(holds(log, {">10<", "10<tspan"}));
+  options.range = {10, 100};
+  const std::string cut = svg_of({ramp()}, options);
+  EXPECT_EQ(count_of(cut, "<polygon"), count_of(log, "<polygon") + 2); // the bar ends in points
+}
+
+TEST(Heatmap, PutsTheFirstRowAtTheBottomAndNamesAtTheMiddlesOfCells) {
+  const std::string svg = svg_of({ramp()}, three_by_two());
+  EXPECT_GT(number_at(svg, ">10</text>", "y"), number_at(svg, ">20</text>", "y") + 200);
+  const double n2 = number_at(svg, ">N2</text>", "x"), n3 = number_at(svg, ">N3</text>", "x"),
+               n4 = number_at(svg, ">N4</text>", "x");
+  EXPECT_NEAR(n3 - n2, n4 - n3, 0.02);
+  EXPECT_GT(n3 - n2, 300);
+}
+
+TEST(Heatmap, WritesTextsInBlackOrWhiteWhereTheyFit) {
+  Heat map = ramp();
+  map.texts = {{"one", "a text that is far too long" + std::string(80, 'w'), ""}, {"high", "", "x"}};
+  HeatmapOptions options = three_by_two();
+  options.colormap = "grey";
+  const std::string svg = svg_of({map}, options);
+  EXPECT_TRUE(holds(svg, {">one<", ">high<"}));
+  EXPECT_FALSE(holds(svg, {"far too long"}));
+  const auto colour = [&](const std::string& text) {
+    return svg.substr(svg.rfind("fill=\"", svg.find(">" + text + "<")) + 6, 7);
+  };
+  EXPECT_EQ(colour("one"), "#ffffff");
+  EXPECT_EQ(colour("high"), "#000000");
+  Heat flat; // its cells are lower than legible letters
+  flat.values.setConstant(80, 3, 1.0);
+  flat.texts.assign(80, {"one", "", ""});
+  options.y.assign(80, "");
+  EXPECT_FALSE(holds(svg_of({flat}, options), {">one<"}));
+}
+
+TEST(Heatmap, ListsTheCategoriesThatOccurInTheirOrder) {
+  HeatmapOptions options = three_by_two();
+  options.categories = {{"held", good_looks()[0]}, {"never", bad_looks()[0]}, {"lost", bad_looks()[8]}};
+  Heat map = ramp();
+  map.values << 2, 0, 0, nan, 0, 2;
+  const std::string svg = svg_of({map}, options);
+  EXPECT_TRUE(holds(svg, {">held<", ">lost<"}));
+  EXPECT_FALSE(holds(svg, {">never<"}));
+  EXPECT_LT(number_at(svg, ">held<", "y"), number_at(svg, ">lost<", "y"));
+  EXPECT_EQ(count_of(svg, "fill=\"#cdebe4\""), 3 + 1); // cells, and the legend's swatch
+}
+
+TEST(Heatmap, SharesNamesAndBarAmongSeveralMaps) {
+  Heat left = ramp(), right = ramp();
+  left.title = "before", right.title = "after";
+  HeatmapOptions options = three_by_two();
+  const std::string beside = svg_of({left, right}, options);
+  EXPECT_EQ(count_of(beside, ">N3<"), 2);
+  EXPECT_EQ(count_of(beside, ">20<"), 1);
+  EXPECT_NEAR(number_at(beside, ">before<", "y"), number_at(beside, ">after<", "y"), 0.01);
+  options.columns = 1;
+  const std::string stacked = svg_of({left, right}, options);
+  EXPECT_EQ(count_of(stacked, ">N3<"), 1);
+  EXPECT_EQ(count_of(stacked, ">20<"), 2);
+  EXPECT_LT(number_at(stacked, ">before<", "y") + 300, number_at(stacked, ">after<", "y"));
+}
+
+TEST(Heatmap, RefusesWhatItCannotDraw) {
+  HeatmapOptions options = three_by_two();
+  EXPECT_TRUE(holds(refusal({}, options), {"needs values"}));
+  Heat map = ramp();
+  map.values.conservativeResize(1, 3);
+  EXPECT_TRUE(holds(refusal({map}, options), {"1 rows of 3", "expected 2 rows"}));
+  EXPECT_TRUE(holds(refusal({ramp(), map}, options), {"map 2, values are"}));
+  map = ramp();
+  map.values(1, 2) = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(holds(refusal({map}, options), {"values[2][3] is inf", "nan for a blank cell"}));
+  map.values.setConstant(nan);
+  EXPECT_TRUE(holds(refusal({map}, options), {"all blank"}));
+  map = ramp();
+  map.texts = {{"a", "b", "c"}};
+  EXPECT_TRUE(holds(refusal({map}, options), {"texts do not match", "2 rows of 3"}));
+  EXPECT_TRUE(holds(refusal({ramp()}, options, "no.gif"), {"no.gif", ".png, .svg or .pdf"}));
+
+  options.log = true;
+  map = ramp();
+  map.values(0, 1) = 0;
+  EXPECT_TRUE(holds(refusal({map}, options), {"values[1][2] is 0", "logarithmic"}));
+  options.range = {-1, 10};
+  EXPECT_TRUE(holds(refusal({ramp()}, options), {"range begins at -1"}));
+  options = three_by_two();
+  options.categories = {{"held", good_looks()[0]}};
+  EXPECT_TRUE(holds(refusal({ramp()}, options), {"values[1][1] is 1", "1 categories"}));
+  options = three_by_two();
+  options.y[1] = std::string(400, 'w');
+  EXPECT_TRUE(holds(refusal({ramp()}, options), {"names along the y axis are too long"}));
+}
+
+// ── Names ────────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+const Style usual = style_for({1600, 1000});
+
+std::vector<std::string> numbers(int count) {
+  std::vector<std::string> names;
+  for (int i = 0; i < count; ++i) names.push_back(text("0.", 100 + i));
+  return names;
+}
+
+TEST(CellNames, StandUprightOrAreLeftOutBeforeTheyOverlap) {
+  const std::vector<std::string> words = {"N2-N2.2 fine", "N2-N4 fine", "L1 coarse"};
+  const CellNames roomy = names_below(words, 400, 300, usual);
+  EXPECT_FALSE(roomy.upright);
+  EXPECT_EQ(roomy.size, usual.tick_size);
+  const CellNames dense = names_below(words, 60, 300, usual);
+  EXPECT_TRUE(dense.upright);
+  EXPECT_EQ(dense.stride, 1u);
+  EXPECT_NEAR(dense.room, text_width(words[0], dense.size), 0.5 * usual.tick_size);
+  EXPECT_EQ(names_below(words, 10, 300, usual).stride, 3u); // lines of 0.7 × 27 × 1.15 pixels
+  EXPECT_LE(names_below(words, 60, 100, usual).room, 100.0 + 1e-9);
+}
+
+TEST(CellNames, NeverRunIntoEachOther) {
+  for (double width : {12.0, 25.0, 40.0, 70.0, 200.0}) {
+    const CellNames names = names_below(numbers(30), width, 300, usual);
+    EXPECT_FALSE(names.upright);
+    EXPECT_GT(names.stride * width, text_width("0.100", names.size)) << width;
+    const CellNames beside = names_beside(numbers(30), width, 300, usual);
+    EXPECT_GT(beside.stride * width, beside.size) << width;
+  }
+}
+
+// ── Looks ────────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+TEST(Looks, StayApartWithoutColour) {
+  ASSERT_GE(bad_looks().size(), 14u);
+  std::vector<Look> all = good_looks();
+  all.insert(all.end(), bad_looks().begin(), bad_looks().end());
+  for (std::size_t a = 0; a < all.size(); ++a)
+    for (std::size_t b = 0; b < a; ++b) {
+      const double apart = std::abs(lightness(all[a].colour) - lightness(all[b].colour));
+      EXPECT_TRUE(all[a].hatch != all[b].hatch || apart > 7) << a << " and " << b << ": " << apart;
+    }
+  for (const Look& good : good_looks())
+    for (const Look& bad : bad_looks()) EXPECT_GT(lightness(good.colour), lightness(bad.colour) + 7);
+}
+
+TEST(Looks, CarryTextInTheColourOfGreaterContrast) {
+  EXPECT_EQ(text_colour({255, 255, 0}), black);
+  EXPECT_EQ(text_colour({0, 0, 255}), white);
+  EXPECT_NEAR(lightness(white), 100, 1e-6);
+  EXPECT_NEAR(lightness({119, 119, 119}), 50.0, 0.1);
+}
+
+} // namespace
+} // namespace signorini::view
