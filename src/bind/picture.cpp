@@ -1,5 +1,6 @@
 #include "bind/frame.hpp"
 #include "bind/functions.hpp"
+#include "bind/marks.hpp"
 #include "bind/model.hpp"
 #include "bind/open.hpp"
 
@@ -35,7 +36,7 @@ namespace {
 
 /// What shows a model's state, and what lays out a picture of states.
 const std::vector<std::string> state_keys = {"model",          "field",  "factor", "deformed", "undeformed", "mesh",
-                                             "control_points", "mirror", "cut",    "bodies",   "obstacles"};
+                                             "control_points", "mirror", "cut",    "bodies",   "obstacles",  "marks"};
 const std::vector<std::string> picture_keys = {"file", "title", "label", "range", "colormap", "size", "crop", "camera"};
 
 std::vector<std::string> joined(std::vector<std::string> keys, const std::vector<std::string>& more) {
@@ -135,6 +136,10 @@ StateFrame read_state(lua_State* L, const Options& o) {
     showing.bodies = read_bodies(L, o, plane);
     state.panel = show(*plane, showing);
   }
+  std::visit([&](auto& one) { one.marks = read_marks(L, o, solid ? 3 : 2); }, state.panel);
+  if (!showing.deformed && o.has("marks"))
+    throw ArgumentError(text(function_name(L), ": marks stand in the present state, which deformed = false hides: "
+                                               "leave one of them out"));
   lua_settop(L, value - 1);
   return state;
 }
@@ -289,7 +294,7 @@ constexpr Function rows[] = {
     {"picture", wrap<picture>,
      "sg.picture{ model, file, field, factor = 1, label, title, range, colormap = \"viridis\", size, crop, bodies,\n"
      "            deformed = true, undeformed = false, mesh = true, control_points = false, obstacles = true, mirror,\n"
-     "            camera = \"iso\", cut }\n"
+     "            camera = \"iso\", cut, marks }\n"
      "Draws the model's present state to a .png file. field: ux uy u, Cauchy stresses sxx syy szz sxy, von_mises,\n"
      "pressure, I1 (tr sigma), F11 F12 F21 F22; grey without. Stresses are evaluated where they are drawn, not "
      "smoothed.\n"
@@ -302,6 +307,9 @@ constexpr Function rows[] = {
      "the\n"
      "picture is no larger than what it shows; at most 1600 x 1000, sheets 1600 x 2000. crop = {xmin, xmax, ymin, "
      "ymax}.\n"
+     "marks = { { x = {x, y}, text = \"J = -0.2\" }, … } puts rings with crosses at places of the present state, the "
+     "first ones\n"
+     "first where there is little room for texts; entries may hold what the places of a failed run hold.\n"
      "Solids: also fields uz sxz syz F13 … F33, and contact_pressure on the slave faces (bilinear between contact "
      "points).\n"
      "camera: \"iso\" (from the front, the right and above), \"front\" (from -y, z upwards), \"back\", \"left\" (from "
@@ -323,8 +331,8 @@ constexpr Function rows[] = {
      "\"cut.png\" }"},
     {"frame", wrap<frame>,
      "sg.frame{ model, title, field, factor, bodies, deformed, undeformed, mesh, control_points, obstacles, mirror, "
-     "cut "
-     "}\n"
+     "cut,\n"
+     "          marks }\n"
      "Keeps the model's present state for a picture of several; arguments as in sg.picture.\n"
      "Example: local frames = {}\n"
      "         model:run(stages, { on_step = function(info)\n"

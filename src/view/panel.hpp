@@ -3,6 +3,7 @@
 
 #include "base/eigen.hpp"
 #include "view/frame.hpp"
+#include "view/marks.hpp"
 
 #include <array>
 #include <string>
@@ -47,6 +48,7 @@ struct Panel {
   std::string title; ///< above this state
   std::vector<Body> bodies;
   std::vector<Outline> obstacles = {};
+  std::vector<PointMark> marks = {};
 };
 
 /// Images in the mirror that takes x (axis 0) or y (axis 1) to its negative; `sign` is what happens to the values.

@@ -47,6 +47,8 @@ void check(const std::vector<Panel>& panels) {
     for (std::size_t b = 0; b < panels[p].bodies.size(); ++b) check(panels[p].bodies[b], text(where, "body ", b + 1));
     for (const Outline& outline : panels[p].obstacles)
       require(outline.line.allFinite(), where, "an obstacle has coordinates that are not finite");
+    for (const PointMark& mark : panels[p].marks)
+      require(mark.at.allFinite(), where, "the mark '", mark.text, "' stands at a place that is not finite");
   }
 }
 
@@ -148,8 +150,15 @@ void draw_control_points(Drawing& drawing, const Body& body, const Frame& frame,
   }
 }
 
+std::vector<PlacedMark> on_paper(const std::vector<PointMark>& marks, const Frame& frame) {
+  std::vector<PlacedMark> placed;
+  for (const PointMark& mark : marks) placed.push_back({{frame.x(mark.at[0]), frame.y(mark.at[1])}, mark.text});
+  return placed;
+}
+
 /// Everything of a state but its coloured areas.
-void draw_panel(Drawing& drawing, const Panel& panel, const Frame& frame, double title_size, const Style& style) {
+void draw_panel(Drawing& drawing, const Panel& panel, const Frame& frame, bool cropped, double title_size,
+                const Style& style) {
   for (const Body& body : panel.bodies)
     for (const Points& line : body.undeformed)
       add_line(drawing, on_paper(line, frame), frame.box, undeformed_colour, 2 * style.unit,
@@ -160,6 +169,7 @@ void draw_panel(Drawing& drawing, const Panel& panel, const Frame& frame, double
     draw_control_points(drawing, body, frame, style);
   }
   draw_frame(drawing, frame, style);
+  draw_marks(drawing, within(on_paper(panel.marks, frame), frame.box, !cropped, style), frame.box, style);
   draw_panel_title(drawing, panel.title, frame, title_size, style);
 }
 
@@ -186,7 +196,7 @@ void draw_sheet(const std::vector<Panel>& panels, const PictureOptions& options,
       Field field = field_of(body, frame, range.value_or(std::array<double, 2>{0, 1}), colours);
       fields.push_back(options.crop ? clip_field(field, frame.box) : std::move(field));
     }
-    draw_panel(drawing, panels[p], frame, sheet.panel_title_size, style);
+    draw_panel(drawing, panels[p], frame, options.crop.has_value(), sheet.panel_title_size, style);
   }
   if (range)
     draw_colorbar(drawing, sheet.bar, *range, {(*values)[0]<(*range)[0], (*values)[1]>(*range)[1]}, colours,

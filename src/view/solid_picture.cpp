@@ -55,6 +55,8 @@ void check(const std::vector<SolidPanel>& panels) {
                 " has a net line that names control points outside 0 … ", body.control_points.cols() - 1);
       require(finite, name, " has lines or insides that are not finite; nothing can be drawn");
     }
+    for (const PointMark& mark : panels[p].marks)
+      require(mark.at.allFinite(), where, "the mark '", mark.text, "' stands at a place that is not finite");
     if (const auto& cut = panels[p].cut)
       require(cut->point.allFinite() && cut->normal.allFinite() && cut->normal.norm() > 0, where,
               "a cut needs a finite point and a normal that is not zero");
@@ -179,6 +181,15 @@ void put_on_paper(Scene& scene, const Frame& frame) {
     line.line.spacing *= scale;
   }
   for (Vec<3>& dot : scene.dots) dot = scale * dot + shift;
+}
+
+std::vector<PlacedMark> on_paper(const std::vector<PointMark>& marks, const Mat<3>& axes, const Frame& frame) {
+  std::vector<PlacedMark> placed;
+  for (const PointMark& mark : marks) {
+    const Vec<3> seen = axes * mark.at;
+    placed.push_back({{frame.x(seen[0]), frame.y(seen[1])}, mark.text});
+  }
+  return placed;
 }
 
 /// Takes away what lies outside the frame.
@@ -317,6 +328,8 @@ void draw_solids(const std::vector<SolidPanel>& panels, const SolidOptions& opti
       draw_frame(drawing, frame, style);
     }
     add_relief(relief, scenes[p], range.value_or(std::array<double, 2>{0, 1}), colours, style);
+    draw_marks(drawing, within(on_paper(panels[p].marks, axes, frame), frame.box, !options.region, style), frame.box,
+               style);
     draw_panel_title(drawing, titles[p], frame, sheet.panel_title_size, style);
   }
   draw_triad(drawing, {sheet.arrows[0] + left, sheet.arrows[1] + below}, axes, style);

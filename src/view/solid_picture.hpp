@@ -13,7 +13,8 @@ struct SolidPanel {
   std::string title;
   std::vector<Solid> bodies;
   std::vector<Rigid> obstacles = {};
-  std::optional<CutPlane> cut = {}; ///< of bodies and obstacles
+  std::optional<CutPlane> cut = {};  ///< of bodies and obstacles
+  std::vector<PointMark> marks = {}; ///< drawn on top of all that is in front of them
 };
 
 /// As PictureOptions, with a camera; `region`, a box in space, takes the place of `crop`: the picture ends where the

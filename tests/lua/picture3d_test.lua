@@ -58,6 +58,7 @@ check.case("every option changes the picture", function()
     { camera = "bottom" }, { camera = { from = { 1, -1, 3 } } }, { camera = { from = { 1, -1, 3 }, up = { 1, 0, 0 } } },
     { cut = "x" }, { cut = "-x" }, { cut = { normal = "x", at = 0.3 } }, { cut = { normal = { 1, -1, 0.2 } } },
     { cut = { normal = { 1, -1, 0.2 }, point = { 0.5, 0.5, 0.5 } } }, { crop = { 0, 1, 0, 1, 0, 1 } },
+    { marks = { { x = { 1, 0.5, 0.5 } } } }, { marks = { { x = { 1, 0.5, 0.7 } } } },
   }
   for i, variant in ipairs(variants) do
     variant.model = model
@@ -168,6 +169,7 @@ check.case("wrong arguments", function()
     { { model = model, cut = { normal = "y", at = -1 } }, "takes all bodies away" },
     { { model = model, crop = { 0, 1, 0, 1 } }, "crop must be a list of 6 numbers" },
     { { model = model, crop = { 0, 1, 0, 1, 1, 0 } }, "expected {xmin, xmax, ymin, ymax, zmin, zmax}" },
+    { { model = model, marks = { { x = { 1, 2 } } } }, "marks[1].x must be a list of 3 numbers {x, y, z}" },
     { { model = model, bodies = { "slab" } }, "no body 'slab'", "'block'" },
     { { model = model, bodies = {} }, "bodies must be a list of at least one name" },
     { { model = plane, camera = "iso" }, "camera is for models of solids" },

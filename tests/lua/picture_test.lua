@@ -46,7 +46,8 @@ check.case("every option changes the picture", function()
     { field = "uy", range = { 0, 2 } }, { field = "uy", colormap = "magma" }, { deformed = false },
     { undeformed = true }, { mesh = false },
     { control_points = true }, { mirror = "x" }, { mirror = "y" }, { mirror = "xy" }, { title = "bent" },
-    { crop = { 0, 2, 0, 1 } },
+    { crop = { 0, 2, 0, 1 } }, { marks = { { x = { 2, 0.5 } } } }, { marks = { { x = { 2, 0.5 }, text = "here" } } },
+    { marks = { { x = { 2, 0.5 } }, { x = { 3, 0.9 } } } },
   }
   for i, variant in ipairs(variants) do
     variant.model, variant.size = model, { 400, 300 }
@@ -103,6 +104,17 @@ check.case("frames keep their state and share a sheet", function()
   check.equal(draw{ frames = { frames[1] }, range = { 0, 1 } }.bytes == alone.bytes, true)
 end)
 
+check.case("marks may hold what the places of a failed run hold, and belong to their frame", function()
+  local place = { x = { 2, 0.5 }, X = { 2, 0.4 }, text = "J = -0.2", kind = "inverted", body = "strip", element = { 3, 1 },
+                  contact = "touch", value = -0.2 }
+  local marked = draw{ model = model, marks = { place } }
+  check.equal(draw{ model = model, marks = { { x = { 2, 0.5 }, text = "J = -0.2" } } }.bytes == marked.bytes, true)
+  check.equal(draw{ model = model, marks = {} }.bytes == draw{ model = model }.bytes, true)
+  check.equal(draw{ frames = { sg.frame{ model = model, marks = { place } } } }.width > 0, true)
+  local sheet = draw{ frames = { sg.frame{ model = model }, sg.frame{ model = model, marks = { place } } } }
+  check.equal(draw{ frames = { sg.frame{ model = model }, sg.frame{ model = model } } }.bytes == sheet.bytes, false)
+end)
+
 check.case("wrong arguments", function()
   local other = sg.frame{ model = model, field = "ux" }
   local wrong = {
@@ -117,6 +129,15 @@ check.case("wrong arguments", function()
     { { model = model, size = "large" }, "size must be" },
     { { model = model, columns = 2 }, "columns needs frames" },
     { { model = model, crop = { 0, 1 } }, "crop must be a list of 4 numbers" },
+    { { model = model, marks = "here" }, "marks must be a list of marks { x = {…}, text = … }" },
+    { { model = model, marks = { x = { 1, 2 } } }, "marks must be a list of marks" },
+    { { model = model, marks = { { text = "here" } } }, "marks[1].x", "is missing" },
+    { { model = model, marks = { { x = { 1, 2 } }, { x = { 1, 2, 3 } } } }, "marks[2].x must be a list of 2 numbers" },
+    { { model = model, marks = { { x = { 0 / 0, 2 } } } }, "marks[1].x[1] must be a finite number" },
+    { { model = model, marks = { { x = { 1, 2 }, text = 3 } } }, "marks[1].text must be a string" },
+    { { model = model, marks = { { x = { 1, 2 }, txt = "a" } } }, "marks[1]: unknown argument 'txt'", "'text'?" },
+    { { model = model, marks = { { x = { 1, 2 } } }, deformed = false }, "marks stand in the present state" },
+    { { frames = frames, marks = {} }, "marks belongs to each of the frames" },
     { { frames = {} }, "frames must be a list of at least one frame" },
     { { frames = { model } }, "frames[1] must be a frame" },
     { { frames = frames, model = model }, "model belongs to each of the frames", "sg.frame" },

@@ -1,0 +1,233 @@
+#include "view/marks.hpp"
+
+#include "view/text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <sstream>
+
+namespace signorini::view {
+namespace {
+
+using Line = std::vector<Vec2>;
+
+constexpr Rgb ring_colour = {200, 0, 60};
+
+double radius(const Style& style) {
+  return 11 * style.unit;
+}
+/// Of the cross, from the middle to its ends.
+double arm(const Style& style) {
+  return 1.7 * radius(style);
+}
+Box box_about(const Vec2& at, double reach) {
+  return {at[0] - reach, at[0] + reach, at[1] - reach, at[1] + reach};
+}
+
+double distance(const Vec2& a, const Vec2& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1]);
+}
+
+bool overlap(const Box& a, const Box& b) {
+  return a[0] < b[1] && b[0] < a[1] && a[2] < b[3] && b[2] < a[3];
+}
+
+bool holds(const Box& outer, const Box& inner) {
+  return inner[0] >= outer[0] && inner[1] <= outer[1] && inner[2] >= outer[2] && inner[3] <= outer[3];
+}
+
+void add_line(Drawing& drawing, const Line& points, const Rgb& colour, double width) {
+  drawing.marks.push_back(Stroke{points, colour, width});
+}
+
+Line circle_about(const Vec2& at, double r) {
+  constexpr int pieces = 48;
+  Line circle;
+  for (int k = 0; k <= pieces; ++k) {
+    const double angle = 2 * std::numbers::pi * k / pieces;
+    circle.push_back({at[0] + r * std::cos(angle), at[1] + r * std::sin(angle)});
+  }
+  return circle;
+}
+
+/// White beneath, so that it shows on any colour.
+void draw_ring(Drawing& drawing, const Vec2& at, const Style& style) {
+  const double reach = arm(style);
+  const Line ring = circle_about(at, radius(style)), level = {{at[0] - reach, at[1]}, {at[0] + reach, at[1]}},
+             steep = {{at[0], at[1] - reach}, {at[0], at[1] + reach}};
+  for (const Line& line : {ring, level, steep}) add_line(drawing, line, white, 8 * style.unit);
+  add_line(drawing, ring, ring_colour, 3.4 * style.unit);
+  for (const Line& line : {level, steep}) add_line(drawing, line, ring_colour, 2 * style.unit);
+}
+
+void draw_dot(Drawing& drawing, const Vec2& at, const Style& style) {
+  drawing.marks.push_back(Fill{circle_about(at, 6.5 * style.unit), white});
+  drawing.marks.push_back(Fill{circle_about(at, 4.5 * style.unit), ring_colour});
+}
+
+/// Beside the ring, towards what is out of sight.
+void draw_arrow(Drawing& drawing, const Vec2& at, const Vec2& beyond, const Style& style) {
+  const double length = std::hypot(beyond[0], beyond[1]), r = radius(style);
+  const Vec2 along = {beyond[0] / length, beyond[1] / length}, side = {-along[1], along[0]};
+  const auto point = [&](double far, double wide) {
+    return Vec2{at[0] + r * (far * along[0] + wide * side[0]), at[1] + r * (far * along[1] + wide * side[1])};
+  };
+  drawing.marks.push_back(Fill{{point(2.7, 0), point(1.1, 1.15), point(1.1, -1.15)}, white});
+  drawing.marks.push_back(Fill{{point(2.4, 0), point(1.3, 0.8), point(1.3, -0.8)}, ring_colour});
+}
+
+// ── Texts ────────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+struct Label {
+  std::vector<std::string> lines;
+  double size, width, height;
+};
+
+constexpr double leading = 1.2;
+
+/// The text in lines of about this width.
+std::vector<std::string> wrapped(const std::string& text, double size, double width) {
+  std::istringstream words(text);
+  std::vector<std::string> lines;
+  for (std::string word; words >> word;) {
+    const bool joins = !lines.empty() && text_width(lines.back() + " " + word, size) <= width;
+    if (joins)
+      lines.back() += " " + word;
+    else
+      lines.push_back(word);
+  }
+  return lines;
+}
+
+Label make_label(const std::string& text, const Box& box, const Style& style) {
+  Label label{{}, 0.85 * style.tick_size, 0, 0};
+  const double wide = box[1] - box[0];
+  label.lines = wrapped(text, label.size, std::max(0.45 * wide, 8 * label.size));
+  for (const std::string& line : label.lines) label.width = std::max(label.width, text_width(line, label.size));
+  label.height = label.size * (1 + leading * (static_cast<double>(label.lines.size()) - 1));
+  return label;
+}
+
+/// From the marker to the text's nearest side; nothing where they are close to each other.
+Line leader(const Vec2& at, const Box& place, double size, const Style& style) {
+  const Vec2 end = {std::clamp(at[0], place[0], place[1]), std::clamp(at[1], place[2], place[3])};
+  const double length = distance(at, end), r = radius(style);
+  if (length < arm(style) + 0.6 * size) return {};
+  const double from = r / length, to = 1 - 0.15 * size / length;
+  return {{at[0] + from * (end[0] - at[0]), at[1] + from * (end[1] - at[1])},
+          {at[0] + to * (end[0] - at[0]), at[1] + to * (end[1] - at[1])}};
+}
+
+/// What a line covers, in small boxes.
+std::vector<Box> cover(const Line& line, const Style& style) {
+  std::vector<Box> boxes;
+  if (line.empty()) return boxes;
+  const double width = 4 * style.unit;
+  const int pieces = static_cast<int>(distance(line[0], line[1]) / width) + 1;
+  for (int k = 0; k <= pieces; ++k) {
+    const double t = static_cast<double>(k) / pieces;
+    boxes.push_back(
+        box_about({(1 - t) * line[0][0] + t * line[1][0], (1 - t) * line[0][1] + t * line[1][1]}, 0.5 * width));
+  }
+  return boxes;
+}
+
+/// What may not be drawn over.
+struct Taken {
+  std::vector<Box> markers, labels;
+
+  bool free(const Box& place) const {
+    const auto hit = [&](const Box& other) { return overlap(place, other); };
+    return std::none_of(markers.begin(), markers.end(), hit) && std::none_of(labels.begin(), labels.end(), hit);
+  }
+  bool free(const Line& line, const Style& style) const {
+    const auto on_label = [&](const Box& piece) {
+      return std::any_of(labels.begin(), labels.end(), [&](const Box& label) { return overlap(piece, label); });
+    };
+    const std::vector<Box> pieces = cover(line, style);
+    return std::none_of(pieces.begin(), pieces.end(), on_label);
+  }
+};
+
+/// Around the mark in eight directions, nearest first: the nearest place that is free.
+std::optional<Box> find_room(const Label& label, const Vec2& at, const Box& box, const Taken& taken,
+                             const Style& style) {
+  // right, left, then the corners, above, below
+  static constexpr double directions[][2] = {{1, 0}, {-1, 0}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}, {0, 1}, {0, -1}};
+  const double air = 0.2 * label.size;
+  for (int step = 0; step <= 9; ++step) {
+    const double reach = arm(style) + 1.5 * air + 0.7 * step * label.size;
+    for (const auto& [dx, dy] : directions) {
+      const Vec2 middle = {at[0] + dx * (reach + 0.5 * label.width), at[1] + dy * (reach + 0.5 * label.height)};
+      const Box place = {middle[0] - 0.5 * label.width, middle[0] + 0.5 * label.width, middle[1] - 0.5 * label.height,
+                         middle[1] + 0.5 * label.height};
+      const Box aired = {place[0] - air, place[1] + air, place[2] - air, place[3] + air};
+      if (holds(box, aired) && taken.free(aired) && taken.free(leader(at, place, label.size, style), style))
+        return place;
+    }
+  }
+  return std::nullopt;
+}
+
+void draw_label(Drawing& drawing, const Label& label, const Box& place, const Style& style) {
+  const auto write = [&](double dx, double dy, const Rgb& colour) {
+    double base = place[3] - 0.86 * label.size + dy;
+    for (const std::string& line : label.lines) {
+      drawing.marks.push_back(Text{{0.5 * (place[0] + place[1]) + dx, base}, line, label.size, Align::centre, colour});
+      base -= leading * label.size;
+    }
+  };
+  const double halo = 2.6 * style.unit;
+  for (int k = 0; k < 12; ++k)
+    write(halo * std::cos(k * std::numbers::pi / 6), halo * std::sin(k * std::numbers::pi / 6), white);
+  write(0, 0, black);
+}
+
+} // namespace
+
+std::vector<PlacedMark> within(std::vector<PlacedMark> marks, const Box& box, bool all, const Style& style) {
+  const auto inside = [&](const PlacedMark& mark) { return holds(box, box_about(mark.at, 0)); };
+  if (!all) std::erase_if(marks, [&](const PlacedMark& mark) { return !inside(mark); });
+  const double room = 2.9 * radius(style); // of ring and arrow
+  for (PlacedMark& mark : marks) {
+    if (inside(mark)) continue;
+    const Vec2 at = {std::clamp(mark.at[0], box[0] + room, std::max(box[0] + room, box[1] - room)),
+                     std::clamp(mark.at[1], box[2] + room, std::max(box[2] + room, box[3] - room))};
+    mark.beyond = {mark.at[0] - at[0], mark.at[1] - at[1]};
+    mark.at = at;
+  }
+  return marks;
+}
+
+void draw_marks(Drawing& drawing, const std::vector<PlacedMark>& marks, const Box& box, const Style& style) {
+  std::vector<Vec2> rings, dots;
+  Taken taken;
+  for (const PlacedMark& mark : marks) {
+    const auto near = [&](const Vec2& other) { return distance(mark.at, other) < 1.5 * radius(style); };
+    const bool ring = std::none_of(rings.begin(), rings.end(), near);
+    (ring ? rings : dots).push_back(mark.at);
+    taken.markers.push_back(box_about(mark.at, ring ? arm(style) : 0.5 * radius(style)));
+  }
+  std::vector<std::pair<Label, Box>> labels;
+  for (const PlacedMark& mark : marks) {
+    Label label = make_label(mark.text, box, style);
+    if (label.lines.empty()) continue;
+    const auto place = find_room(label, mark.at, box, taken, style);
+    if (!place) continue;
+    const Line line = leader(mark.at, *place, label.size, style);
+    for (const auto& [colour, width] : {std::pair{white, 6.0}, std::pair{ring_colour, 2.0}})
+      if (!line.empty()) add_line(drawing, line, colour, width * style.unit);
+    for (const Box& piece : cover(line, style)) taken.markers.push_back(piece);
+    taken.labels.push_back(*place);
+    labels.emplace_back(std::move(label), *place);
+  }
+  for (const Vec2& at : rings) draw_ring(drawing, at, style);
+  for (const Vec2& at : dots) draw_dot(drawing, at, style);
+  for (const PlacedMark& mark : marks)
+    if (mark.beyond != Vec2{0, 0}) draw_arrow(drawing, mark.at, mark.beyond, style);
+  for (const auto& [label, place] : labels) draw_label(drawing, label, place, style);
+}
+
+} // namespace signorini::view
