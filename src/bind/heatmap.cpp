@@ -53,17 +53,13 @@ std::vector<std::string> read_names(lua_State* L, const Options& o, const char* 
 
 // ── Categories ───────────────────────────────────────────────────────────────────────────────────────────────────────
 
-/// "#rrggbb"
-view::Rgb read_colour(lua_State* L, const Options& o) {
-  constexpr const char* expected = "a colour such as \"#d55e00\"";
-  const int value = o.push_value("colour");
-  const Argument argument = o.argument("colour", "of the category's cells");
-  if (lua_type(L, value) != LUA_TSTRING) reject(L, value, argument, expected);
-  const std::string hex = lua_tostring(L, value);
+/// "#rrggbb", read from a string at a stack index.
+view::Rgb read_colour(lua_State* L, int index, const Argument& argument) {
+  const std::string hex = lua_type(L, index) == LUA_TSTRING ? lua_tostring(L, index) : "";
   const bool digits = std::all_of(hex.begin() + (hex.empty() ? 0 : 1), hex.end(),
                                   [](unsigned char c) { return std::isxdigit(c) != 0; });
-  if (hex.size() != 7 || hex[0] != '#' || !digits) reject(L, value, argument, expected);
-  lua_settop(L, value - 1);
+  if (hex.size() != 7 || hex[0] != '#' || !digits)
+    reject(L, index, argument, "a colour such as \"#d55e00\", or the number of one");
   view::Rgb colour;
   for (std::size_t c = 0; c < 3; ++c)
     colour[c] = static_cast<std::uint8_t>(std::stoi(hex.substr(1 + 2 * c, 2), nullptr, 16));
@@ -75,6 +71,7 @@ struct Wish {
   std::string name;
   std::optional<bool> good = {};
   std::optional<view::Rgb> colour = {};
+  std::optional<std::size_t> look = {}; ///< in the list of the good or the bad ones
 };
 
 Wish read_category(lua_State* L, int index, const Argument& entry) {
@@ -82,7 +79,13 @@ Wish read_category(lua_State* L, int index, const Argument& entry) {
   const Options o(L, index, {"name", "colour", "good"}, false, entry.name);
   Wish wish{o.string("name", "as it stands in values")};
   if (o.has("good")) wish.good = o.flag("good", "an outcome that is wanted");
-  if (o.has("colour")) wish.colour = read_colour(L, o);
+  if (!o.has("colour")) return wish;
+  const int colour = o.push_value("colour");
+  const Argument argument = o.argument("colour", "of the category's cells");
+  if (lua_type(L, colour) == LUA_TNUMBER)
+    wish.look = static_cast<std::size_t>(read_index(L, colour, argument, static_cast<int>(view::bad_looks().size())));
+  else
+    wish.colour = read_colour(L, colour, argument);
   return wish;
 }
 
@@ -94,8 +97,11 @@ std::vector<view::Category> with_looks(std::vector<Wish> wishes) {
   std::size_t goods = 0, bads = 0;
   std::vector<view::Category> categories;
   for (const Wish& wish : wishes) {
-    const view::Look next = wish.good.value_or(false) ? good[goods++ % good.size()] : bad[bads++ % bad.size()];
-    categories.push_back({wish.name, wish.colour ? view::Look{*wish.colour} : next});
+    const bool wanted = wish.good.value_or(false);
+    const auto& looks = wanted ? good : bad;
+    const std::size_t next = wanted ? goods++ : bads++;
+    categories.push_back(
+        {wish.name, wish.colour ? view::Look{*wish.colour} : looks[wish.look.value_or(next) % looks.size()]});
   }
   return categories;
 }
@@ -266,9 +272,12 @@ constexpr Function rows[] = {
      "legend\n"
      "shows those that occur. Categories with good = true (the first one when none says good) are light green and "
      "blue,\n"
-     "others warm and dark, all told apart without colour too; colour = \"#rrggbb\" sets one's own.\n"
+     "others warm and dark, in the order of the list, the first seven of these plain, later ones hatched; all are told "
+     "apart\n"
+     "without colour too. colour = \"#rrggbb\", or the number of a look (1 to 21), sets a category's own.\n"
      "texts: rows of short strings or numbers drawn in the cells, left out where they do not fit.\n"
-     "panels = { { title, values, texts }, … } draws several maps side by side, columns of them in a row.\n"
+     "panels = { { title, values, texts }, … } draws several maps side by side, columns of them in a row;\n"
+     "size is then {1600, 850} or, for more than three, {1600, 1400} unless given.\n"
      "Example: sg.heatmap{ file = \"map.png\", x = {\"N2\", \"N4\"}, y = {10, 20}, values = { {0.3, 0.1}, {0.2, 0.05} "
      "} "
      "}\n"

@@ -52,6 +52,7 @@ check.case("every option changes the map", function()
     { values = outcomes, categories = held },
     { values = outcomes, categories = { { name = "held", good = false }, { name = "cycling" }, { name = "inverted" } } },
     { values = outcomes, categories = { { name = "held", colour = "#0000ff" }, "cycling", "inverted" } },
+    { values = outcomes, categories = { "held", { name = "cycling", colour = 9 }, "inverted" } },
   }
   for i, variant in ipairs(variants) do
     local bytes = draw(variant)
@@ -69,6 +70,8 @@ check.case("names, numbers, texts and the legend's rows", function()
   check.equal(draw { values = outcomes, categories = { "held", "cycling", "inverted" } } == svg, true)
   svg = draw { values = outcomes, categories = { { name = "held", colour = "#12aBcd" }, "cycling" } }
   check.equal(count(svg, "#12abcd"), 4 + 1) -- cells and legend
+  check.equal(draw { values = outcomes, categories = { "held", { name = "cycling", colour = 2 }, "inverted" } } ==
+              draw { values = outcomes, categories = { "held", "inverted", "cycling" } }, true)
 end)
 
 check.case("maps side by side share names and legend", function()
@@ -105,6 +108,7 @@ check.case("wrong arguments", function()
     { { categories = {}, values = outcomes }, "categories must be a list of at least one category" },
     { { categories = { "held", "held" }, values = outcomes }, "categories[2] has the name 'held' of an earlier one" },
     { { categories = { { name = "held", colour = "blue" } }, values = outcomes }, "categories[1].colour", "#d55e00" },
+    { { categories = { { name = "held", colour = 22 } }, values = outcomes }, "categories[1].colour", "from 1 to 21" },
     { { categories = { { title = "held" } }, values = outcomes }, "categories[1]: unknown argument 'title'" },
     { { texts = { { {} }, {} } }, "texts[1][1] must be a string or a number" },
   }
