@@ -22,6 +22,10 @@ double radius(const Style& style) {
 double arm(const Style& style) {
   return 1.7 * radius(style);
 }
+/// Into the interval; to its upper end where it is empty.
+double pushed(double value, double low, double high) {
+  return std::min(std::max(value, low), high);
+}
 Box box_about(const Vec2& at, double reach) {
   return {at[0] - reach, at[0] + reach, at[1] - reach, at[1] + reach};
 }
@@ -101,11 +105,15 @@ std::vector<std::string> wrapped(const std::string& text, double size, double wi
   return lines;
 }
 
+/// Less than half as wide as the picture, unless this is narrow; then as wide as it takes.
 Label make_label(const std::string& text, const Box& box, const Style& style) {
-  Label label{{}, 0.85 * style.tick_size, 0, 0};
-  const double wide = box[1] - box[0];
-  label.lines = wrapped(text, label.size, std::max(0.45 * wide, 8 * label.size));
-  for (const std::string& line : label.lines) label.width = std::max(label.width, text_width(line, label.size));
+  const double full = 0.85 * style.tick_size, wide = 0.9 * (box[1] - box[0]);
+  Label label{wrapped(text, full, std::min(wide, std::max(0.5 * wide, 8 * full))), full, 0, 0};
+  for (const std::string& line : label.lines) label.width = std::max(label.width, text_width(line, full));
+  if (label.width > wide) { // a long word
+    label.size *= wide / label.width;
+    label.width = wide;
+  }
   label.height = label.size * (1 + leading * (static_cast<double>(label.lines.size()) - 1));
   return label;
 }
@@ -151,20 +159,20 @@ struct Taken {
   }
 };
 
-/// Around the mark in eight directions, nearest first: the nearest place that is free.
+/// Around the mark in eight directions, pushed into the box: the nearest place that is free.
 std::optional<Box> find_room(const Label& label, const Vec2& at, const Box& box, const Taken& taken,
                              const Style& style) {
   // right, left, then the corners, above, below
   static constexpr double directions[][2] = {{1, 0}, {-1, 0}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}, {0, 1}, {0, -1}};
-  const double air = 0.2 * label.size;
+  const double air = 0.2 * label.size, across = 0.5 * label.width + air, along = 0.5 * label.height + air;
   for (int step = 0; step <= 9; ++step) {
     const double reach = arm(style) + 1.5 * air + 0.7 * step * label.size;
     for (const auto& [dx, dy] : directions) {
-      const Vec2 middle = {at[0] + dx * (reach + 0.5 * label.width), at[1] + dy * (reach + 0.5 * label.height)};
-      const Box place = {middle[0] - 0.5 * label.width, middle[0] + 0.5 * label.width, middle[1] - 0.5 * label.height,
-                         middle[1] + 0.5 * label.height};
-      const Box aired = {place[0] - air, place[1] + air, place[2] - air, place[3] + air};
-      if (holds(box, aired) && taken.free(aired) && taken.free(leader(at, place, label.size, style), style))
+      const Vec2 middle = {pushed(at[0] + dx * (reach + across - air), box[0] + across, box[1] - across),
+                           pushed(at[1] + dy * (reach + along - air), box[2] + along, box[3] - along)};
+      const Box aired = {middle[0] - across, middle[0] + across, middle[1] - along, middle[1] + along};
+      const Box place = {aired[0] + air, aired[1] - air, aired[2] + air, aired[3] - air};
+      if (holds(box, place) && taken.free(aired) && taken.free(leader(at, place, label.size, style), style))
         return place;
     }
   }
@@ -193,8 +201,8 @@ std::vector<PlacedMark> within(std::vector<PlacedMark> marks, const Box& box, bo
   const double room = 2.9 * radius(style); // of ring and arrow
   for (PlacedMark& mark : marks) {
     if (inside(mark)) continue;
-    const Vec2 at = {std::clamp(mark.at[0], box[0] + room, std::max(box[0] + room, box[1] - room)),
-                     std::clamp(mark.at[1], box[2] + room, std::max(box[2] + room, box[3] - room))};
+    const Vec2 at = {pushed(mark.at[0], box[0] + room, box[1] - room),
+                     pushed(mark.at[1], box[2] + room, box[3] - room)};
     mark.beyond = {mark.at[0] - at[0], mark.at[1] - at[1]};
     mark.at = at;
   }

@@ -94,6 +94,19 @@ TEST(Marks, ShowOnlyTextsThatHaveRoom) {
   EXPECT_TRUE(texts_of(drawn({{{210, 110}, "text"}}, {200, 220, 100, 120})).empty());
 }
 
+TEST(Marks, FitTextsIntoNarrowPictures) {
+  const Box narrow = {100, 200, 100, 900};
+  const auto texts =
+      texts_of(drawn({{{195, 500}, "an inverted element, J = −0.2"}, {{150, 200}, "incomprehensibility"}}, narrow));
+  ASSERT_GE(texts.size(), 4u);
+  for (const Text& line : texts) {
+    EXPECT_GE(extent(line)[0], 100) << line.string;
+    EXPECT_LE(extent(line)[1], 200) << line.string;
+  }
+  EXPECT_EQ(texts.back().string, "incomprehensibility");
+  EXPECT_LT(texts.back().size, texts.front().size);
+}
+
 TEST(Marks, WrapLongTexts) {
   const auto texts =
       texts_of(drawn({{{500, 500}, "a text that goes on and on until it is wider than half of the picture"}}));
