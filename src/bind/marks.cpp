@@ -10,7 +10,7 @@ std::vector<view::PointMark> read_marks(lua_State* L, const Options& o, int dime
   const int count = read_list(L, list, whole, "a list of marks { x = {…}, text = … }");
   for (int i = 1; i <= count; ++i) {
     lua_rawgeti(L, list, i);
-    const Options one(L, -1, {"x", "text", "kind", "body", "element", "contact", "X", "value"}, false,
+    const Options one(L, -1, {"x", "text", "kind", "body", "element", "point", "contact", "X", "value"}, false,
                       text(whole.name, "[", i, "]"));
     view::PointMark mark{Vec<3>::Zero(), one.string("text", "a few words beside the mark", "")};
     mark.at.head(dimension) = one.point("x", "place in the present state", dimension, dimension);

@@ -1,6 +1,7 @@
 #include "view/heatmap.hpp"
 
 #include "base/error.hpp"
+#include "base/whole_file.hpp"
 #include "view/category_legend.hpp"
 #include "view/cell_axes.hpp"
 #include "view/colorbar.hpp"

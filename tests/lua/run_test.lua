@@ -244,18 +244,18 @@ check.case("step = { adaptive = false } and no step at all are the same", functi
     local run, _, points = climb(4, rough(1, 2, 0.25), step.adaptive == false and step or nil)
     check.equal({ run.failed, run.steps, run.cutbacks, #points }, { true, 1, 0, 1 })
     check.equal(run.report, "step 2 (stage 'climb', 2 of 4) was not reached: no luck. Residuals: 1, 0.001, 0.01. "
-      .. "The model is at its last accepted step, 1.")
+      .. "The model is at its last accepted step, 1. What may help: be lucky.")
   end
 end)
 
 check.case("a step that cannot be reached leaves the model at its last increment, and says what was tried", function()
   -- The end of the road is at 1.7; increments of 1/8 are allowed.
   local run, model = climb(4, function(x) return x < 1.5 and 0.25 or 1.7 - x end, { min = 1 / 8 })
-  check.equal({ run.failed, run.reason, run.steps }, { true, "diverged", 1 })
+  check.equal({ run.failed, run.reason, run.cause, run.steps }, { true, "minimum_step", "diverged", 1 })
   check.near(model.accepted, { 1.625, 0 })
   check.equal(model.calls[#model.calls], "rollback")
   check.holds(run.report, "step 2 (stage 'climb', 2 of 4) was not reached: no luck.",
-    "last accepted increment, 0.625 of the way from step 1 to step 2")
+    "The shortest step, 0.125 of the user's, is still too long.", "last accepted increment, 0.625 of the way from step 1 to step 2")
   check.equal(#run:column "grip.fx", 1)
   local last = run:attempts(2)
   check.near({ last[#last].from, last[#last].to }, { 0.625, 0.75 })

@@ -1,0 +1,67 @@
+-- A Newton loop of one's own: what model:run does, written with the small verbs.
+--
+-- Problem: 2D frictional ironing, section 7.1 of the thesis (scripts/ironing2d.lua has the sketch), N2-N2.2 at mesh m1.
+-- Source: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of
+--         Contact Problems, PhD thesis, IIT Guwahati, 2020, Algorithm 1.
+-- Units: any consistent ones, such as mm and N/mm².
+-- Expected: the same numbers as model:run gives, to the last bit.
+-- Run: signorini scripts/newton_loop.lua [steps=46] [slides=250]; how many of the published steps are taken of each stage.
+
+local sg = require "signorini"
+local core = require "signorini.core"
+package.path = core.home .. "/scripts/?.lua;" .. package.path
+local problem = require "ironing2d.problem"
+
+local options = { steps = "46", slides = "250" }
+for _, word in ipairs(select("#", ...) > 0 and { ... } or arg) do
+  local key, value = word:match "^(%w+)=(%d+)$"
+  if not options[key] then error(("unknown argument '%s'; known: steps=46, slides=250"):format(word), 0) end
+  options[key] = value
+end
+
+local set_up = problem.variants.standard
+local stages = {
+  { name = "press", steps = math.tointeger(options.steps), grip = { 0, -set_up.depth } },
+  { name = "slide", steps = math.tointeger(options.slides), grip = { set_up.way, -set_up.depth } },
+}
+
+-- ── The loop ─────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+local model = problem.scene(set_up, "N2-N2.2", problem.elements "m1")
+local forces, iterations = { x = {}, y = {} }, 0
+
+for _, stage in ipairs(stages) do
+  local start = model:target "grip"
+  for number = 1, stage.steps do
+    local part, target = number / stage.steps, {}
+    for i, goal in ipairs(stage.grip) do target[i] = part == 1 and goal or start[i] + (goal - start[i]) * part end
+    model:set_target("grip", target)
+
+    local newton
+    repeat newton = model:iterate{ tolerance = 1e-10, iterations = 25 } until newton.reason ~= "iterating"
+    iterations = iterations + newton.iterations
+
+    if not newton.converged then
+      local diagnosis = model:diagnose()
+      model:rollback()
+      error(("step %d of '%s': %s. %s"):format(number, stage.name, diagnosis.message, diagnosis.cure), 0)
+    end
+    model:accept()
+    local force = model:reaction "grip"
+    forces.x[#forces.x + 1], forces.y[#forces.y + 1] = force[1], force[2]
+  end
+end
+
+-- ── The same by model:run ────────────────────────────────────────────────────────────────────────────────────────────
+
+local run = problem.scene(set_up, "N2-N2.2", problem.elements "m1"):run(stages)
+local differences = 0
+for i = 1, run.steps do
+  if run:column "grip.fx"[i] ~= forces.x[i] or run:column "grip.fy"[i] ~= forces.y[i] then
+    differences = differences + 1
+  end
+end
+print(("%d steps, %d iterations by the loop, %d by model:run; steps whose forces differ in any bit: %d")
+  :format(run.steps, iterations, run.iterations, differences))
+
+return { forces = forces, iterations = iterations, run = run, differences = differences }
