@@ -100,6 +100,10 @@ int worker_threads() {
   return team ? team->size() : 1;
 }
 
+void abandon_worker_threads() {
+  static_cast<void>(team.release()); // nobody is there to be joined
+}
+
 void parallel(int count, const std::function<void(int)>& task) {
   if (team && count > 1) return team->run(count, task);
   for (int i = 0; i < count; ++i) task(i);

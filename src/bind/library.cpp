@@ -3,7 +3,9 @@
 #include "bind/functions.hpp"
 #include "bind/open.hpp"
 
+#include <algorithm>
 #include <cstdlib>
+#include <thread>
 #include <unistd.h>
 #include <vector>
 
@@ -53,6 +55,7 @@ void open_library(lua_State* L, const Settings& settings) {
   lua_pop(L, 2);
 
   open_core(L);
+  open_jobs(L);
   open_patch(L);
   open_curves(L);
   open_shapes(L);
@@ -72,6 +75,7 @@ void open_library(lua_State* L, const Settings& settings) {
   set_field(L, "terminal", isatty(STDERR_FILENO) == 1); // where progress is shown
   set_field(L, "quiet", settings.quiet);
   set_field(L, "threads", settings.threads);
+  set_field(L, "processors", static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
   // In the source tree the shared data stand in share/, in an installed tree beside lua/.
   set_field(L, "share", (fs::exists(home / "share") ? home / "share" : home).string());
   set_field(L, "home", home.string());

@@ -18,5 +18,6 @@ void open_checkpoint(lua_State* L); ///< sg.load, core.save and others
 void open_chart(lua_State* L);      ///< sg.chart
 void open_picture(lua_State* L);    ///< sg.picture
 void open_heatmap(lua_State* L);    ///< sg.heatmap
+void open_jobs(lua_State* L);       ///< core.jobs: parallel processes
 
 } // namespace signorini::bind

@@ -1,0 +1,165 @@
+#include "base/jobs.hpp"
+
+#include "base/error.hpp"
+#include "base/interrupt.hpp"
+#include "base/parallel.hpp"
+#include "base/timer.hpp"
+
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <fcntl.h>
+#include <iostream>
+#include <list>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <vector>
+
+namespace signorini {
+
+namespace {
+
+// What a child writes first: whether the rest is what it returned, or why it could not.
+constexpr char returned = 'r', threw = 't';
+
+constexpr int glance = 100; // ms between two looks at the Ctrl-C flag and at the time
+
+bool write_all(int pipe, const std::string& data) {
+  for (std::size_t at = 0; at < data.size();) {
+    const ssize_t count = write(pipe, data.data() + at, data.size() - at);
+    if (count < 0 && errno != EINTR) return false;
+    if (count > 0) at += static_cast<std::size_t>(count);
+  }
+  return true;
+}
+
+/// The child's whole life. Nothing may leave it: it would run on as a second copy of the program.
+[[noreturn]] void live(int pipe, pid_t parent, int i, const std::function<std::string(int)>& job) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(1); // died before it could be said that a child follows it
+  std::signal(SIGINT, SIG_IGN);      // a terminal sends Ctrl-C to all; the parent decides
+  abandon_worker_threads();
+  std::string message;
+  try {
+    message = returned + job(i);
+  } catch (const std::exception& error) {
+    message = threw + std::string(error.what());
+  } catch (...) {
+    message = threw + std::string("something that is no exception was thrown");
+  }
+  std::cout.flush();
+  std::fflush(nullptr); // what the job printed; the parent's own output left before the fork
+  _exit(write_all(pipe, message) ? 0 : 1);
+}
+
+/// One child and the pipe from it. Whoever lets go of it kills it.
+class Child {
+public:
+  Child(int number, const std::function<std::string(int)>& job) : number_(number) {
+    int ends[2];
+    require(pipe2(ends, O_CLOEXEC) == 0, "no pipe to a further process (", std::strerror(errno),
+            "): run fewer jobs at once");
+    std::cout.flush();
+    std::fflush(nullptr);
+    const pid_t parent = getpid();
+    id_ = fork();
+    if (id_ == 0) live(ends[1], parent, number, job);
+    const int reason = errno;
+    close(ends[1]);
+    pipe_ = ends[0];
+    if (id_ < 0) close(pipe_);
+    require(id_ > 0, "no further process (", std::strerror(reason), "): run fewer jobs at once");
+  }
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+  ~Child() {
+    if (id_ > 0) end(true);
+  }
+
+  int pipe() const { return pipe_; }
+  double seconds() const { return watch_.seconds(); }
+
+  /// Takes what has come; false when nothing more will.
+  bool read_some() {
+    char buffer[1 << 16];
+    const ssize_t count = read(pipe_, buffer, sizeof buffer);
+    if (count > 0) data_.append(buffer, static_cast<std::size_t>(count));
+    return count > 0 || (count < 0 && errno == EINTR);
+  }
+
+  /// Waits for its end, which it is near unless it is killed now, and tells what came of it.
+  JobEnd result(bool late) {
+    const int status = end(late);
+    JobEnd result{number_, "", ""};
+    if (late)
+      result.failure = "time";
+    else if (WIFSIGNALED(status))
+      result.failure = text("died of signal ", WTERMSIG(status));
+    else if (status != 0 || data_.empty())
+      result.failure = text("left with status ", WEXITSTATUS(status), " before it returned anything");
+    else if (data_[0] == threw)
+      result.failure = "failed: " + data_.substr(1);
+    else
+      result.output = data_.substr(1);
+    return result;
+  }
+
+private:
+  int end(bool killed) {
+    if (killed) kill(id_, SIGKILL);
+    close(pipe_);
+    int status = 0;
+    while (waitpid(id_, &status, 0) < 0 && errno == EINTR) {
+    }
+    id_ = 0;
+    return status;
+  }
+
+  int number_;
+  pid_t id_ = 0;
+  int pipe_ = -1;
+  Stopwatch watch_;
+  std::string data_;
+};
+
+/// Which children have something to read or have ended; waits for one, though not for long.
+std::vector<pollfd> look_at(const std::list<Child>& children) {
+  std::vector<pollfd> pipes;
+  for (const Child& child : children) pipes.push_back({child.pipe(), POLLIN, 0});
+  if (poll(pipes.data(), pipes.size(), glance) <= 0)
+    for (pollfd& pipe : pipes) pipe.revents = 0;
+  return pipes;
+}
+
+} // namespace
+
+bool run_jobs(int count, const JobLimits& limits, const std::function<std::string(int)>& job,
+              const std::function<void(const JobEnd&)>& done) {
+  require(limits.at_once >= 1, "at least one process must run at once, got ", limits.at_once);
+  require(limits.seconds > 0, "the limit must be a positive number of seconds, got ", limits.seconds);
+  std::list<Child> children;
+  for (int next = 0; next < count || !children.empty();) {
+    while (next < count && static_cast<int>(children.size()) < limits.at_once && !interrupted())
+      children.emplace_back(next++, job);
+    const std::vector<pollfd> pipes = look_at(children);
+    if (interrupted()) return false;
+    auto child = children.begin();
+    for (const pollfd& pipe : pipes) {
+      const bool ended = pipe.revents && !child->read_some();
+      const bool late = !ended && child->seconds() > limits.seconds;
+      if (!ended && !late) {
+        ++child;
+        continue;
+      }
+      const JobEnd result = child->result(late);
+      child = children.erase(child);
+      done(result);
+    }
+  }
+  return true;
+}
+
+} // namespace signorini

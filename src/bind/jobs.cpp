@@ -1,0 +1,75 @@
+#include "base/jobs.hpp"
+#include "bind/functions.hpp"
+#include "bind/open.hpp"
+#include "bind/threads.hpp"
+
+namespace signorini::bind {
+
+namespace {
+
+int add_traceback(lua_State* L) {
+  luaL_traceback(L, L, luaL_tolstring(L, 1, nullptr), 1);
+  return 1;
+}
+
+void require_function(lua_State* L, int index, const char* name, const char* meaning) {
+  if (!lua_isfunction(L, index)) reject(L, index, {name, meaning}, "a function");
+}
+
+/// What the function at `index` returns for a job, in the child: one thread for all libraries, no progress.
+std::string call_job(lua_State* L, int index, int job) {
+  set_threads(1);
+  push_table(L, "core");
+  set_field(L, "quiet", true);
+  lua_pushcfunction(L, add_traceback);
+  lua_pushvalue(L, index);
+  push(L, job + 1);
+  const bool ok = lua_pcall(L, 1, 1, -3) == LUA_OK;
+  require(lua_type(L, -1) == LUA_TSTRING, "the function of a job must return a string, got ", describe(L, -1));
+  std::size_t size;
+  const char* result = lua_tolstring(L, -1, &size);
+  if (!ok) throw Error(result);
+  return {result, size};
+}
+
+int jobs(lua_State* L) {
+  const int count = read_integer(L, 1, {"count", "how many jobs"}, 0, std::numeric_limits<int>::max());
+  JobLimits limits;
+  limits.at_once = read_integer(L, 2, {"at_once", "processes side by side"}, 1, 1 << 16);
+  require_function(L, 3, "run", "what a job does");
+  require_function(L, 4, "done", "what takes the results");
+  if (!lua_isnoneornil(L, 5)) limits.seconds = read_positive(L, 5, {"limit", "seconds"});
+  lua_settop(L, 4);
+  const bool whole = run_jobs(
+      count, limits, [L](int job) { return call_job(L, 3, job); },
+      [L](const JobEnd& end) {
+        lua_pushvalue(L, 4);
+        push(L, end.job + 1);
+        const bool well = end.failure.empty();
+        well ? push(L, end.output) : lua_pushnil(L);
+        well ? lua_pushnil(L) : push(L, end.failure);
+        lua_call(L, 3, 0);
+      });
+  push(L, whole);
+  return 1;
+}
+
+constexpr Function rows[] = {
+    {"jobs", wrap<jobs>,
+     "core.jobs(count, at_once, run, done, limit)\n"
+     "Calls run(i) for i = 1 … count, each in a child process of its own, at most at_once of them side by side, and "
+     "here\n"
+     "done(i, text, failure) as each ends, in the order of their ends. run must return a string, which is the text; "
+     "else\n"
+     "the text is nil and failure is \"time\" (it took longer than limit, in seconds), \"died of signal 11\",\n"
+     "\"failed: <message and traceback>\" or \"left with status 3 …\". A child has one thread, shows no progress, and\n"
+     "what it changes is lost with it. Returns false when Ctrl-C ended it, with what had been done until then."},
+};
+
+} // namespace
+
+void open_jobs(lua_State* L) {
+  register_functions(L, "core", rows);
+}
+
+} // namespace signorini::bind

@@ -1,0 +1,232 @@
+#include "base/jobs.hpp"
+
+#include "base/interrupt.hpp"
+#include "base/parallel.hpp"
+#include "base/timer.hpp"
+
+#include <cerrno>
+#include <csignal>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <map>
+#include <stdexcept>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+#include <vector>
+
+namespace signorini {
+namespace {
+
+using Ends = std::map<int, JobEnd>;
+
+/// How all jobs ended, by their number; fails when one ends twice.
+Ends ends_of(int count, const JobLimits& limits, const std::function<std::string(int)>& job) {
+  Ends ends;
+  EXPECT_TRUE(run_jobs(count, limits, job, [&](const JobEnd& end) { EXPECT_TRUE(ends.emplace(end.job, end).second); }));
+  return ends;
+}
+
+void expect_no_children() {
+  errno = 0;
+  EXPECT_EQ(waitpid(-1, nullptr, WNOHANG), -1);
+  EXPECT_EQ(errno, ECHILD);
+}
+
+void sleep_for(double seconds) {
+  std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+}
+
+TEST(Jobs, HandOverWhatEachReturned) {
+  for (int at_once : {1, 2, 5}) {
+    const Ends ends =
+        ends_of(7, {.at_once = at_once}, [](int i) { return std::string("square ") + std::to_string(i * i); });
+    ASSERT_EQ(ends.size(), 7U);
+    for (const auto& [i, end] : ends) {
+      EXPECT_EQ(end.output, "square " + std::to_string(i * i));
+      EXPECT_EQ(end.failure, "");
+    }
+  }
+  expect_no_children();
+}
+
+TEST(Jobs, RunInProcessesOfTheirOwnSideBySideAndEndInAnyOrder) {
+  int here = 0;
+  std::vector<int> order;
+  const Stopwatch watch;
+  run_jobs(
+      3, {.at_once = 3},
+      [&](int i) {
+        here = i;
+        sleep_for(0.6 - 0.2 * i);
+        return std::to_string(getpid());
+      },
+      [&](const JobEnd& end) {
+        EXPECT_NE(end.output, std::to_string(getpid()));
+        order.push_back(end.job);
+      });
+  EXPECT_EQ(order, (std::vector<int>{2, 1, 0}));
+  EXPECT_LT(watch.seconds(), 1.1); // one behind the other they take 1.2 s
+  EXPECT_EQ(here, 0);
+}
+
+TEST(Jobs, NoMoreThanAllowedRunAtOnce) {
+  const Stopwatch watch;
+  ends_of(3, {.at_once = 1}, [](int) {
+    sleep_for(0.1);
+    return "";
+  });
+  EXPECT_GE(watch.seconds(), 0.3);
+}
+
+TEST(Jobs, EmptyTextIsAResult) {
+  const Ends ends = ends_of(1, {}, [](int) { return ""; });
+  EXPECT_EQ(ends.at(0).failure, "");
+}
+
+TEST(Jobs, ReturnMoreThanAPipeHolds) {
+  const Ends ends = ends_of(2, {.at_once = 2}, [](int i) { return std::string(3000000, static_cast<char>('a' + i)); });
+  EXPECT_TRUE(ends.at(0).output == std::string(3000000, 'a'));
+  EXPECT_TRUE(ends.at(1).output == std::string(3000000, 'b'));
+}
+
+TEST(Jobs, TellWhyTheyDidNotReturn) {
+  const Ends ends = ends_of(5, {.at_once = 2, .seconds = 0.5}, [](int i) -> std::string {
+    switch (i) {
+    case 0:
+      std::raise(SIGKILL);
+      break;
+    case 1:
+      throw std::runtime_error("no luck");
+    case 2:
+      _exit(3);
+    case 3:
+      sleep_for(60);
+      break;
+    default:
+      break;
+    }
+    return "fine";
+  });
+  EXPECT_EQ(ends.at(0).failure, "died of signal 9");
+  EXPECT_EQ(ends.at(1).failure, "failed: no luck");
+  EXPECT_EQ(ends.at(2).failure, "left with status 3 before it returned anything");
+  EXPECT_EQ(ends.at(3).failure, "time");
+  EXPECT_EQ(ends.at(4).failure, "");
+  EXPECT_EQ(ends.at(4).output, "fine");
+  EXPECT_EQ(ends.at(1).output, "");
+  expect_no_children();
+}
+
+TEST(Jobs, PrintOnceWhatWasPrintedBeforeAndInThem) {
+  const std::string file = testing::TempDir() + "jobs_output";
+  const auto print = [&] {
+    std::freopen(file.c_str(), "w", stdout);
+    std::printf("before ");
+    ends_of(1, {}, [](int) {
+      std::printf("within ");
+      return "";
+    });
+    std::printf("behind\n");
+    std::fflush(stdout);
+    _exit(0);
+  };
+  EXPECT_EXIT(print(), testing::ExitedWithCode(0), "");
+  std::string line;
+  std::ifstream in(file);
+  std::getline(in, line);
+  EXPECT_EQ(line, "before within behind");
+}
+
+TEST(Jobs, WorkAloneWhereTheParentHasThreads) {
+  set_worker_threads(3);
+  std::vector<int> runs(100);
+  const auto count_up = [&](int i) { ++runs[static_cast<std::size_t>(i)]; };
+  parallel(100, count_up);
+  const Ends ends = ends_of(2, {.at_once = 2, .seconds = 20}, [&](int) {
+    const int threads = worker_threads();
+    parallel(100, count_up);
+    set_worker_threads(1);
+    return std::to_string(threads) + " " + std::to_string(runs[99]);
+  });
+  EXPECT_EQ(ends.at(0).output, "1 2");
+  EXPECT_EQ(ends.at(1).output, "1 2");
+  EXPECT_EQ(worker_threads(), 3);
+  parallel(100, count_up);
+  EXPECT_EQ(runs[99], 2);
+  set_worker_threads(1);
+}
+
+TEST(Jobs, CtrlCEndsThemAndKeepsWhatHadEnded) {
+  catch_interrupts();
+  std::vector<int> ended;
+  const Stopwatch watch;
+  const bool whole = run_jobs(
+      4, {.at_once = 2},
+      [](int i) {
+        std::raise(SIGINT); // what the terminal sends to all is the parent's to answer
+        if (i > 0) sleep_for(60);
+        return "";
+      },
+      [&](const JobEnd& end) {
+        ended.push_back(end.job);
+        std::raise(SIGINT);
+      });
+  EXPECT_FALSE(whole);
+  EXPECT_EQ(ended, std::vector<int>{0});
+  EXPECT_LT(watch.seconds(), 10);
+  expect_no_children();
+  clear_interrupt();
+}
+
+TEST(Jobs, AnErrorInTheCallbackPassesAndLeavesNoChild) {
+  const auto run = [] {
+    run_jobs(
+        2, {.at_once = 2},
+        [](int i) {
+          if (i > 0) sleep_for(60);
+          return "";
+        },
+        [](const JobEnd&) { throw std::runtime_error("enough"); });
+  };
+  EXPECT_THROW(run(), std::runtime_error);
+  expect_no_children();
+}
+
+TEST(Jobs, DieWithTheirParent) {
+  int ends[2];
+  ASSERT_EQ(pipe(ends), 0);
+  const pid_t parent = fork();
+  if (parent == 0) {
+    run_jobs(
+        1, {},
+        [&](int) {
+          const pid_t own = getpid();
+          EXPECT_EQ(write(ends[1], &own, sizeof own), static_cast<ssize_t>(sizeof own));
+          sleep_for(60);
+          return "";
+        },
+        [](const JobEnd&) {});
+    _exit(0);
+  }
+  close(ends[1]);
+  pid_t job = 0;
+  ASSERT_EQ(read(ends[0], &job, sizeof job), static_cast<ssize_t>(sizeof job));
+  kill(parent, SIGKILL);
+  waitpid(parent, nullptr, 0);
+  char nothing;
+  EXPECT_EQ(read(ends[0], &nothing, 1), 0); // the last one who could write is gone
+  close(ends[0]);
+}
+
+TEST(Jobs, RejectLimitsThatMakeNoSense) {
+  const auto run = [](const JobLimits& limits) {
+    run_jobs(
+        1, limits, [](int) { return ""; }, [](const JobEnd&) {});
+  };
+  EXPECT_THROW(run({.at_once = 0}), std::runtime_error);
+  EXPECT_THROW(run({.seconds = 0}), std::runtime_error);
+}
+
+} // namespace
+} // namespace signorini
