@@ -9,6 +9,7 @@ sg.csv = require "signorini.csv"
 sg.table = require "signorini.table"
 sg.reference = require "signorini.reference"
 sg.mkdir = core.mkdir
+sg.stability_map = require "signorini.stability_map"
 local profile = require "signorini.profile"
 sg.profile_error, sg.profile_edges = profile.error, profile.edges
 core.types.model.run = require "signorini.run"
@@ -60,6 +61,28 @@ Where the contact of a profile begins and ends: { from, to, from_spacing, to_spa
 linear between the last point that touches and the first one that does not, is zero; the spacing is the distance of
 these two points, within which the profile knows no more. Without spacing the contact reaches the profile's end.
 Example: half_width = sg.profile_edges{ profile = model:profile "ground" }.to]])
+document("sg.stability_map", sg.stability_map, [[
+sg.stability_map{ name, x = { name = , values = {…} }, y = { name = , values = {…} }, scene = function(x, y) …,
+                  path = function(model, x, y) …, figures = function(model, run, x, y) …, jobs, limit, file }
+Where over two parameters the solve holds, and where and why it fails. For each pair of values (numbers or strings) a
+process of its own calls scene, which returns a model, and path, which returns stages and options as model:run takes
+them. What the functions change is lost with the process. Returns a map.
+figures: numbers by name, of cells that reach the end of their path; those that are not finite are left out.
+jobs:    cells that are solved side by side; by default as many as there are processors.
+limit:   seconds after which a cell is given up; none by default.
+file:    a CSV file that keeps every finished cell at once; a later call with the same names takes up what it holds, but
+         solves errors again. Remove it when the problem changes.
+A cell: x, y, outcome, reached (part of the path, 0 to 1), steps, increments, iterations, cutbacks, rescues, wall (s),
+report and place of a failure, figures. Outcomes: those of run.reason, "completed" is held; "error" (in one of the
+functions), "crashed", "time".
+map.cells; map:cell(x, y); map:held() → number held, number of cells; map:table(), a text; map:csv(file)
+map:compare(other) → { gained, lost, both, neither }: lists of {x, y} that only other or only map holds, and two numbers
+map:picture{ file, title, text = "iterations", size, beside = other map, titles = {…, …} }: outcomes as a heat map; text
+is the number in the cells, an account of the cell such as "reached" or a figure
+map:figure{ name, file, log = false, label, title, range, colormap, size, beside, titles }: one number as a heat map
+Example: map = sg.stability_map{ x = { name = "order", values = {"N2", "N4"} }, y = { name = "steps", values = {5, 10} },
+           scene = function(order) return press(order) end,
+           path = function(model, order, steps) return { { steps = steps, grip = {0, -0.5} } } end }]])
 document("model:run", core.types.model.run, [[
 model:run(stages, options)
 Takes a model along its load path and returns a run. Each stage { name = , steps = , <support or load> = {…} } moves driven

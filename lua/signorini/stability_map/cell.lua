@@ -1,0 +1,56 @@
+-- One cell of a stability map: a model is built and taken along its path; what is left of it are plain values.
+
+local core = require "signorini.core"
+
+local where = "sg.stability_map"
+
+--- How far a run came, 0 to 1: whole steps, and of the one that failed the part that was accepted.
+local function reached(run, stages)
+  local total, done = 0, run.steps
+  for _, stage in ipairs(stages) do total = total + stage.steps end
+  if run.failed then
+    local attempts = run:attempts(run.steps + 1)
+    local last = attempts[#attempts]
+    if last then done = done + math.max(0, math.min(1, last.from)) end
+  end
+  return done / total
+end
+
+--- Accepted increments, those of a step that failed in the end among them.
+local function increments(run)
+  local count = 0
+  for step = 1, run.steps + (run.failed and 1 or 0) do
+    for _, attempt in ipairs(run:attempts(step)) do count = count + (attempt.converged and 1 or 0) end
+  end
+  return count
+end
+
+--- The user's figures; those that are no finite numbers are left out.
+local function read_figures(figures)
+  if type(figures) ~= "table" then
+    core.fail(("%s: figures must return a table of numbers by name, got %s"):format(where, core.describe(figures)))
+  end
+  local kept = {}
+  for name, value in pairs(figures) do
+    if type(name) ~= "string" or type(value) ~= "number" then
+      core.fail(("%s: figures must return numbers by name, got %s = %s")
+        :format(where, tostring(name), core.describe(value)))
+    end
+    if value == value and math.abs(value) < math.huge then kept[name] = value end
+  end
+  return kept
+end
+
+--- Solves the cell at x, y of the map that has these functions. Errors of theirs pass.
+return function(map, x, y)
+  local model = map.scene(x, y)
+  if model == nil then core.fail(where .. ": scene must return a model, it returned nothing") end
+  local stages, options = map.path(model, x, y)
+  local run = model:run(stages, options)
+  local place = run.places and run.places[1]
+  local cell = { outcome = run.reason, reached = reached(run, stages), steps = run.steps, increments = increments(run),
+                 iterations = run.iterations, cutbacks = run.cutbacks, rescues = run.rescues or 0, wall = run.wall,
+                 report = run.report, place = place and place.text, figures = {} }
+  if run.reason == "completed" and map.figures then cell.figures = read_figures(map.figures(model, run, x, y)) end
+  return cell
+end

@@ -1,0 +1,132 @@
+-- The pictures of a stability map: heat maps of outcomes, and of numbers.
+
+local core = require "signorini.core"
+local arguments = require "signorini.arguments"
+local outcomes = require "signorini.stability_map.outcomes"
+local store = require "signorini.stability_map.store"
+
+local pictures = {}
+
+local formats = { reached = "%.0f%%", wall = "%.1f", steps = "%d", increments = "%d", iterations = "%d",
+                  cutbacks = "%d", rescues = "%d" }
+
+--- A number of a cell by its name, an account of the run or one of the user's figures.
+local function number(cell, name)
+  if not formats[name] then return cell.figures[name] end
+  return cell[name] and (name == "reached" and 100 * cell[name] or cell[name])
+end
+
+--- value(cell) for all cells as rows from y's first value on; nil where there is no cell or no value.
+local function grid(map, value)
+  local rows = {}
+  for j, y in ipairs(map.y.values) do
+    rows[j] = {}
+    for i, x in ipairs(map.x.values) do
+      local cell = map:cell(x, y)
+      rows[j][i] = cell and value(cell)
+    end
+  end
+  return rows
+end
+
+--- The numbers of that name as short texts.
+local function texts(map, name)
+  return grid(map, function(cell)
+    local value = number(cell, name)
+    return value and (formats[name] or "%.3g"):format(value)
+  end)
+end
+
+local function same_values(a, b)
+  if #a.values ~= #b.values then return false end
+  for i, value in ipairs(a.values) do
+    if value ~= b.values[i] then return false end
+  end
+  return true
+end
+
+--- The map and the one beside it, with the titles of the two.
+local function read_maps(where, map, options)
+  if options.beside == nil then return { map } end
+  local other = options.beside
+  if getmetatable(other) ~= getmetatable(map) then arguments.reject(where, "beside", "a stability map", other) end
+  if not same_values(map.x, other.x) or not same_values(map.y, other.y) then
+    core.fail(where .. ": beside is a map of other values: both need the same x and y to stand side by side")
+  end
+  if options.titles ~= nil and (type(options.titles) ~= "table" or #options.titles ~= 2) then
+    arguments.reject(where, "titles", "a list of two strings", options.titles)
+  end
+  return { map, other }, options.titles or { map.name, other.name }
+end
+
+--- The name of something that a picture can show, checked.
+local function read_name(where, argument, maps, name, default)
+  name = arguments.string(where, argument, name, default)
+  local known = { "iterations", "reached", "increments", "steps", "cutbacks", "rescues", "wall" }
+  for _, map in ipairs(maps) do
+    for _, figure in ipairs(store.figure_names(map.cells)) do known[#known + 1] = figure end
+  end
+  for _, one in ipairs(known) do
+    if one == name then return name end
+  end
+  arguments.reject(where, argument, "a number that cells have", name, "choose among " .. table.concat(known, ", "))
+end
+
+--- Draws one heat map, or two side by side. `panel(map)` gives what differs: values, texts.
+local function draw(chart, maps, titles, panel)
+  local map = maps[1]
+  chart.x, chart.y, chart.xlabel, chart.ylabel = map.x.values, map.y.values, map.x.name, map.y.name
+  if #maps == 1 then
+    for key, value in pairs(panel(map)) do chart[key] = value end
+  else
+    chart.panels = {}
+    for i, one in ipairs(maps) do
+      chart.panels[i] = panel(one)
+      chart.panels[i].title = titles[i]
+    end
+  end
+  core.sg.heatmap(chart)
+end
+
+--- The fixed outcomes as categories, and behind them those that only these maps have.
+local function categories(maps)
+  local list, known = {}, {}
+  local function add(name)
+    if not known[name] then known[name], list[#list + 1] = true, { name = name } end
+  end
+  for _, name in ipairs(outcomes) do add(name) end
+  for _, map in ipairs(maps) do
+    for _, cell in ipairs(map.cells) do add(cell.outcome) end
+  end
+  return list
+end
+
+--- map:picture{ file, title, text, beside, titles, size }
+function pictures.outcomes(map, options)
+  local where = "map:picture"
+  arguments.table(where, "its argument", options, { "file", "title", "text", "beside", "titles", "size" })
+  local maps, titles = read_maps(where, map, options)
+  local shown = read_name(where, "text", maps, options.text, "iterations")
+  draw({ file = arguments.string(where, "file", options.file), size = options.size, categories = categories(maps),
+         title = arguments.string(where, "title", options.title, map.name) }, maps, titles, function(one)
+    return { values = grid(one, function(cell) return cell.outcome end), texts = texts(one, shown) }
+  end)
+end
+
+--- map:figure{ name, file, log, label, title, range, colormap, beside, titles, size }
+function pictures.figure(map, options)
+  local where = "map:figure"
+  arguments.table(where, "its argument", options,
+    { "name", "file", "log", "label", "title", "range", "colormap", "beside", "titles", "size" })
+  local maps, titles = read_maps(where, map, options)
+  local name = read_name(where, "name", maps, options.name)
+  local label = arguments.string(where, "label", options.label, name)
+  draw({ file = arguments.string(where, "file", options.file), size = options.size, range = options.range,
+         colormap = options.colormap, label = label, log = arguments.flag(where, "log", options.log, false),
+         title = arguments.string(where, "title", options.title, map.name .. ": " .. label) }, maps, titles,
+    function(one)
+      return { values = grid(one, function(cell) return number(cell, name) end), texts = texts(one, name) }
+    end)
+end
+
+return pictures

@@ -1,0 +1,296 @@
+-- Stability maps: cells in processes of their own, what becomes of each, files that are taken up, pictures.
+
+local sg = require "signorini"
+local core = require "signorini.core"
+local check = require "check"
+local spring = require "spring"
+local run_path = require "signorini.run"
+
+core.quiet = true
+
+--- A spring that fails, for the reason that is its order's name, where it is pulled further than `holds`.
+local function scene(order, steps)
+  local model = spring(function(x, y)
+    if order ~= "good" and math.abs(y) > 0.5 then return order end
+  end)
+  model.run = run_path
+  return model
+end
+
+local function path(_, _, steps) return { { name = "press", steps = steps, grip = { 0, -1 } } } end
+
+--- A map of two orders and two numbers of steps with some arguments changed.
+local function make(changes)
+  local options = { name = "springs", x = { name = "order", values = { "good", "diverged" } },
+                    y = { name = "steps", values = { 4, 10 } }, scene = scene, path = path, jobs = 2 }
+  for key, value in pairs(changes or {}) do options[key] = value end
+  return sg.stability_map(options)
+end
+
+local function read_all(file)
+  local stream = assert(io.open(file, "rb"))
+  local text = stream:read "a"
+  stream:close()
+  return text
+end
+
+check.case("cells hold how far each run came, what it cost, and why it failed", function()
+  local map = make{ figures = function(model, run) return { pull = -model.accepted[2] * run.steps, none = 0 / 0 } end }
+  check.equal(#map.cells, 4)
+  local good, bad = map:cell("good", 10), map:cell("diverged", 4)
+  check.equal({ good.outcome, good.reached, good.steps, good.increments, good.iterations, good.cutbacks, good.rescues },
+    { "completed", 1, 10, 10, 30, 0, 0 })
+  check.equal({ good.figures.pull, good.figures.none, good.report }, { 10, nil, nil })
+  check.equal({ bad.outcome, bad.reached, bad.steps, bad.increments }, { "diverged", 0.5, 2, 2 })
+  check.equal(bad.iterations, 2 * 3 + 25)
+  check.holds(bad.report, "step 3", "no luck")
+  check.equal(next(bad.figures), nil)
+  check.equal({ map:held() }, { 2, 4 })
+  check.equal({ map.cells[1].x, map.cells[1].y, map.cells[2].x, map.cells[3].y }, { "good", 4, "diverged", 10 })
+end)
+
+check.case("the part of a step that cut-backs accepted counts", function()
+  local map = make{ path = function(_, _, steps)
+    return { { steps = steps, grip = { 0, -1 } } }, { step = { adaptive = true, min = 1 / 4 } }
+  end, y = { name = "steps", values = { 3 } } }
+  local bad = map:cell("diverged", 3)
+  check.near(bad.reached, 0.5, 1e-12)
+  check.equal({ bad.steps, bad.increments, bad.cutbacks }, { 1, 2, 2 })
+end)
+
+check.case("rescues and the place of a failure come from the run", function()
+  local map = make{ scene = function(order)
+    local model = scene(order)
+    function model:run(stages)
+      local run = run_path(self, stages)
+      run.rescues = 3
+      if run.failed then run.places = { { text = "J = -0.2 in element 7" } } end
+      return run
+    end
+    return model
+  end }
+  check.equal({ map:cell("good", 4).rescues, map:cell("good", 4).place }, { 3, nil })
+  check.equal(map:cell("diverged", 4).place, "J = -0.2 in element 7")
+end)
+
+check.case("errors, crashes and endless loops are outcomes of their cells alone", function()
+  local map = make{ limit = 0.5, x = { name = "order", values = { "good", "wrong", "none", "crash", "endless" } },
+    y = { name = "steps", values = { 4 } },
+    scene = function(order)
+      if order == "wrong" then error "the slab is missing" end
+      if order == "crash" then os.execute "kill -SEGV $PPID" end
+      while order == "endless" do end
+      return order ~= "none" and scene(order) or nil
+    end }
+  local function outcome(order) return map:cell(order, 4).outcome end
+  check.equal({ outcome "good", outcome "wrong", outcome "none", outcome "crash", outcome "endless" },
+    { "completed", "error", "error", "crashed", "time" })
+  check.holds(map:cell("wrong", 4).report, "the slab is missing", "stability_map_test.lua:", "traceback")
+  check.holds(map:cell("none", 4).report, "scene must return a model")
+  check.equal({ map:cell("crash", 4).report, map:cell("endless", 4).wall }, { "died of signal 11", 0.5 })
+  check.holds(tostring(map), "1 of 5 cells held", "error at wrong, 4: ", "the slab is missing")
+end)
+
+check.case("the table and the CSV file", function()
+  local map = make{ figures = function() return { pull = 0.25 } end }
+  local lines = {}
+  for line in map:table():gmatch "[^\n]+" do lines[#lines + 1] = line:gsub("%s+", " "):gsub("^ ", "") end
+  check.equal(lines[1], "order steps outcome reached increments iterations cut-backs rescues wall pull")
+  check.holds(lines[3], "good 4 completed 100.0 4 12 0 0", "0.25")
+  check.holds(lines[4], "diverged 4 diverged 50.0 2 31 0 0", "–")
+  local file = os.tmpname()
+  map:csv(file)
+  local data = sg.csv.read(file)
+  check.equal(data.comments[1], "stability map: springs; x: order; y: steps")
+  check.equal(data:column "outcome", { "completed", "diverged", "completed", "diverged" })
+  local pull = data:column "figure pull"
+  check.equal({ pull[1], pull[2], pull[3], pull[4] }, { 0.25, nil, 0.25, nil })
+  check.holds(data:column "report"[2], "no luck")
+  os.remove(file)
+end)
+
+check.case("a file keeps finished cells; a second call solves only those that are missing", function()
+  local file, trace = os.tmpname(), os.tmpname()
+  os.remove(file)
+  local function noted(broken)
+    return function(order, steps)
+      local out = assert(io.open(trace, "a"))
+      out:write(order, steps, " "):close()
+      if order == broken then error "broken" end
+      return scene(order)
+    end
+  end
+  local figures = function() return { ["a b"] = 0.1, c = -1e300 } end
+  local first = make{ file = file, scene = noted "diverged", jobs = 1, y = { name = "steps", values = { 10 } },
+                      figures = figures }
+  check.equal(read_all(trace), "good10 diverged10 ")
+  os.remove(trace)
+  local second = make{ file = file, scene = noted(), jobs = 1 }
+  check.equal(read_all(trace), "good4 diverged4 diverged10 ") -- an error is solved again
+  local before, after = first:cell("good", 10), second:cell("good", 10)
+  for _, key in ipairs { "outcome", "reached", "steps", "increments", "iterations", "cutbacks", "rescues", "wall" } do
+    check.equal(after[key], before[key])
+  end
+  check.equal({ after.figures["a b"], after.figures.c }, { 0.1, -1e300 })
+  os.remove(trace)
+  make{ file = file, scene = noted(), x = { name = "order", values = { "nan" } } }
+  local kept = sg.csv.read(file)
+  check.equal(#kept.rows, 6) -- cells of other values stay
+  check.fails(function() make{ file = file, name = "rings" } end, "stability_map_test.lua:", "sg.stability_map", file,
+    "springs", "rings", "choose another file")
+  os.remove(file)
+  os.remove(trace)
+end)
+
+check.case("Ctrl-C and kill -9 leave the finished cells in the file", function()
+  for _, signal in ipairs { "INT", "KILL" } do
+    local file = os.tmpname()
+    os.remove(file)
+    local _, status = check.script(([[
+      local sg = require "signorini"
+      local id = io.open "/proc/self/stat":read "n"
+      package.path = %q .. package.path
+      local spring, run = require "spring", require "signorini.run"
+      sg.stability_map{ x = { name = "a", values = { 1, 2 } }, y = { name = "b", values = { 1 } }, jobs = 1, file = %q,
+        scene = function(a)
+          if a == 2 then os.execute("kill -%s " .. id) end
+          while a == 2 do end
+          local model = spring()
+          model.run = run
+          return model
+        end, path = function() return { { steps = 2, grip = { 0, -1 } } } end }
+    ]]):format(arg[0]:match "^(.*)/[^/]*$" .. "/?.lua;", file, signal))
+    check.equal(status, signal == "INT" and 130 or 137)
+    check.equal(sg.csv.read(file):column "outcome", { "completed" })
+    os.remove(file)
+  end
+end)
+
+check.case("maps are compared cell by cell", function()
+  local plain = make{ x = { name = "order", values = { "good", "nan", "inverted", "late" } } }
+  local other = make{
+    x = { name = "order", values = { "good", "nan", "inverted", "late" } },
+    scene = function(order, steps)
+      if order == "nan" and steps == 4 then return scene "good" end
+      return scene(order == "good" and "late" or order)
+    end,
+  }
+  local result = plain:compare(other)
+  check.equal(result.gained, { { "nan", 4 } })
+  check.equal(result.lost, { { "good", 4 }, { "good", 10 } })
+  check.equal({ result.both, result.neither }, { 0, 5 })
+  check.fails(function() plain:compare {} end, "map:compare", "stability map")
+end)
+
+-- ── Pictures ─────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- What sg.heatmap was given by a body.
+local function charts_of(body)
+  local charts, heatmap = {}, sg.heatmap
+  sg.heatmap = function(chart) charts[#charts + 1] = chart end
+  local ok, message = pcall(body)
+  sg.heatmap = heatmap
+  if not ok then error(message, 0) end
+  return charts
+end
+
+check.case("the picture of outcomes: rows from the first y on, numbers in the cells, the legend's order", function()
+  local map = make{ figures = function(_, run) return { load = run.steps / 3 } end }
+  local charts = charts_of(function()
+    map:picture{ file = "a.png" }
+    map:picture{ file = "b.png", title = "Springs", text = "reached", size = { 800, 600 } }
+    map:picture{ file = "c.png", text = "load" }
+  end)
+  local a, b, c = table.unpack(charts)
+  check.equal({ a.file, a.title, a.xlabel, a.ylabel }, { "a.png", "springs", "order", "steps" })
+  check.equal({ a.x, a.y }, { { "good", "diverged" }, { 4, 10 } })
+  check.equal(a.values, { { "completed", "diverged" }, { "completed", "diverged" } })
+  check.equal(a.texts, { { "12", "31" }, { "30", "40" } })
+  check.equal({ a.categories[1].name, a.categories[#a.categories].name, #a.categories }, { "completed", "time", 20 })
+  check.equal({ b.title, b.size, b.texts[1] }, { "Springs", { 800, 600 }, { "100%", "50%" } })
+  check.equal({ c.texts[1][1], c.texts[1][2] }, { "1.33", nil })
+end)
+
+check.case("a figure: numbers with a colour bar, blank where there is none", function()
+  local map = make{ figures = function(_, run) return { load = run.steps / 3 } end }
+  local chart = charts_of(function() map:figure{ name = "load", file = "f.png", log = true, label = "load (N)" } end)[1]
+  check.near({ chart.values[1][1], chart.values[2][1] }, { 4 / 3, 10 / 3 }, 1e-15)
+  check.equal({ chart.values[1][2], chart.log, chart.label, chart.title },
+    { nil, true, "load (N)", "springs: load (N)" })
+  check.equal(chart.categories, nil)
+end)
+
+check.case("two maps side by side share the axes", function()
+  local plain, controls = make(), make{ name = "controls", scene = function(order)
+    return scene(order == "diverged" and "strange" or order)
+  end }
+  local charts = charts_of(function()
+    plain:picture{ file = "both.png", beside = controls, titles = { "plain Newton", "with controls" } }
+    plain:figure{ name = "iterations", file = "both.png", beside = controls }
+  end)
+  local panels = charts[1].panels
+  check.equal({ panels[1].title, panels[2].title, charts[1].values }, { "plain Newton", "with controls", nil })
+  check.equal({ panels[1].values[1], panels[2].values[1] }, { { "completed", "diverged" }, { "completed", "strange" } })
+  check.equal(charts[1].categories[21].name, "strange")
+  check.equal({ charts[2].panels[2].title, charts[2].panels[2].values[1] }, { "controls", { 12, 31 } })
+  local other = make{ x = { name = "order", values = { "good" } } }
+  check.fails(function() plain:picture{ file = "x.png", beside = other } end, "map:picture", "other values")
+  check.fails(function() plain:picture{ file = "x.png", beside = 7 } end, "beside must be a stability map")
+  check.fails(function() plain:picture{ file = "x.png", text = "iteration" } end, "text must be", "iterations, reached")
+  check.fails(function() plain:figure{ file = "x.png" } end, "map:figure: name is missing")
+  check.fails(function() plain:picture{ fil = "x.png" } end, "did you mean 'file'?")
+end)
+
+-- ── A real model ─────────────────────────────────────────────────────────────────────────────────────────────────────
+
+check.case("a block is pressed into a plane: a stiff penalty or long steps fail", function()
+  local map = sg.stability_map{
+    name = "block on a plane",
+    x = { name = "penalty", values = { 10, 1e3 } }, y = { name = "depth", values = { 0.1, 3 } },
+    scene = function(penalty)
+      local block = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = { 2, 2 }, order = "N2",
+                             contact = "south", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+      return sg.model{ bodies = { block = block }, supports = { head = { on = block:face "north", drive = "xy" } },
+        contacts = { ground = { slave = block:face "south", master = sg.rigid.plane{ point = {0, 0}, normal = {0, 1} },
+                                penalty = penalty } } }
+    end,
+    path = function(_, _, depth) return { { name = "press", steps = 2, head = { 0, -depth } } } end,
+    figures = function(model, run) return { force = run:column "ground.fy"[run.steps] } end,
+    jobs = 2, limit = 60,
+  }
+  check.equal({ map:held() }, { 1, 4 })
+  check.equal({ map:cell(10, 0.1).outcome, map:cell(10, 3).outcome }, { "completed", "inverted" })
+  check.equal({ map:cell(1e3, 0.1).reached, map:cell(1e3, 0.1).steps }, { 0, 0 })
+  check.holds(map:cell(10, 3).report, "step 1 (stage 'press', 1 of 2) was not reached")
+  check.near(map:cell(10, 0.1).figures.force, 0.1113, 1e-3)
+end)
+
+check.case("wrong arguments are errors at the user's line that name the cure", function()
+  check.fails(function() make{ x = { name = "order" } } end, "stability_map_test.lua:",
+    "sg.stability_map: x.values is missing")
+  check.fails(function() make{ x = { name = "order", values = { "a", "a" } } } end, "x.values has the string 'a' twice")
+  check.fails(function() make{ y = { name = "steps", values = { {} } } } end, "y.values[1] must be a finite number")
+  check.fails(function() make{ scene = "scene" } end, "scene must be a function")
+  check.fails(function() make{ jobs = 0 } end, "jobs must be a whole number of at least 1")
+  check.fails(function() make{ limits = 3 } end, "unknown argument 'limits'", "did you mean 'limit'?")
+  check.fails(function() sg.stability_map() end, "sg.stability_map")
+  check.fails(function() make():cell("good", 5) end, "map:cell: steps has no value the number 5")
+end)
+
+check.case("piped, each cell is a line; quiet, there is none", function()
+  local code = ([[
+    package.path = %q .. package.path
+    local spring, run = require "spring", require "signorini.run"
+    sg.stability_map{ name = "m", x = { name = "a", values = { 1, 2 } }, y = { name = "b", values = { 5 } }, jobs = 1,
+      scene = function(a)
+        local model = spring(a == 2 and function(_, y) return y < -0.6 and "nan" or nil end or nil)
+        model.run = run
+        return model
+      end, path = function() return { { steps = 2, grip = { 0, -1 } } } end }
+  ]]):format(arg[0]:match "^(.*)/[^/]*$" .. "/?.lua;")
+  local output = check.program { "-e", code }
+  check.holds(output, "m: a = 1, b = 5: completed, 6 iterations, ", "m: a = 2, b = 5: nan, 28 iterations, at 50%, ")
+  check.equal(check.program { "-q", "-e", code }, "")
+end)
+
+check.done()
