@@ -130,13 +130,18 @@ end
 function Step:solve(solver, to)
   local on_iteration = self.options.on_iteration
   if not on_iteration then return self.model:solve_step(solver) end
+  local result
   repeat
-    local result = self.model:iterate(solver)
+    result = self.model:iterate(solver)
     local residuals, energies = result.residuals, result.energies
-    local answer = on_iteration {
+    local ok, answer = pcall(on_iteration, {
       stage = self.stage.name, step = self.run.steps + 1, from = self.done, to = to, iteration = result.iterations,
       residual = residuals[#residuals], energy = energies[#energies], reason = result.reason,
-    }
+    })
+    if not ok then
+      self.model:rollback()
+      error(answer, 0)
+    end
     if result.reason == "iterating" and (answer == "stop" or answer == "cut") then
       result.reason = answer == "stop" and "stopped" or "cut"
       result.message = ("on_iteration asked for it in iteration %d"):format(result.iterations)

@@ -1,0 +1,52 @@
+-- Ctrl-C while a solid is solved: the prompt comes back within one iteration, and the model can be used.
+
+local check = require "check"
+
+local state, scene = os.tmpname(), os.tmpname()
+os.remove(state)
+local file = assert(io.open(scene, "w"))
+file:write [[
+core = require "signorini.core"
+local block = sg.body{ patch = sg.shapes.block{ size = {4, 4, 4}, corner = {2, 3, 10} }, elements = {6, 6, 4},
+  order = "N3", contact = "front", material = sg.neo_hookean{ E = 10, nu = 0.3 } }
+local slab = sg.body{ patch = sg.shapes.block{ size = {20, 10, 10} }, elements = {16, 8, 5}, order = "N3",
+  contact = "back", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+model = sg.model{ bodies = { block = block, slab = slab },
+  supports = { bed = { on = slab:face "front", fix = "xyz" }, grip = { on = block:face "back", drive = "xyz" } },
+  contacts = { interface = { slave = block:face "front", master = slab:face "back", penalty = 100 } } }
+accepted = 0
+function press(steps)
+  times = { core.now() }
+  model:run({ { steps = steps, grip = { 0, 0, -1 } } },
+    { on_step = function() accepted = model:reaction("grip")[3] end,
+      on_iteration = function() times[#times + 1] = core.now() end })
+end
+function longest()
+  local most = 0
+  for i = 2, #times do most = math.max(most, times[i] - times[i - 1]) end
+  return most
+end
+]]
+file:close()
+
+check.case("Ctrl-C in a 3D solve: back at the prompt within an iteration, the last accepted state is there", function()
+  -- What is typed after Ctrl-C waits in the terminal until the prompt reads it.
+  local typing = ([[sleep 1; printf 'dofile "%s"\n'; sleep 1.5; printf 'press(40)\n'; sleep 6; printf '\003'; ]]
+    .. [[printf 'print("late", core.now() - times[#times], "longest", longest())\n'; sleep 2; ]]
+    .. [[printf 'model:reaction("grip")[3] - accepted\n'; ]]
+    .. [[printf 'model:run({{ steps = 1, grip = model:target "grip" }}).reason\n'; sleep 3; printf '\004']])
+    :format(scene)
+  local output, status = check.shell(("(%s) | XDG_STATE_HOME=%s TERM=dumb script -qec 'exec %s -q' /dev/null")
+    :format(typing, state, arg[-1]))
+  output = output:gsub("\r", "")
+  check.equal(status, 0)
+  check.holds(output, "\ninterrupted\n", "\n0.0\n", '"completed"')
+  local late, longest = output:match "\nlate%s+(%S+)%s+longest%s+(%S+)"
+  print(("an iteration takes up to %s s; the prompt came %s s after the last one"):format(longest, late))
+  if not (tonumber(late) <= 1.5 * tonumber(longest) + 0.1) then
+    error(("the prompt came %s s after the last iteration, the longest of which took %s s"):format(late, longest))
+  end
+end)
+
+os.execute("rm -rf " .. state .. " " .. scene)
+check.done()
