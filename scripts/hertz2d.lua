@@ -25,10 +25,8 @@
 
 local sg = require "signorini"
 local core = require "signorini.core"
+local problem = require "hertz2d.problem"
 
-local inner, outer, young, poisson = 0.1, 1, 1, 0.3
-local half_load, push_down = 1e-3, 0.00463
-local penalties = { force = 1000, displacement = 2000 }
 --- N2-N2.2 on a mesh against N2 on the next one: how much less time it took as published, in %.
 local savings = { m3 = 42.48, m4 = 43.74 }
 local figures = { error = { "L1", "N2", "N2-N2.1", "N2-N2.2" },
@@ -57,7 +55,7 @@ local function read_arguments(words)
   local function check(key, value, good, expected)
     if not good then error(("%s must be %s, got '%s'"):format(key, expected, value), 0) end
   end
-  check("load", options.load, penalties[options.load], "force or displacement")
+  check("load", options.load, problem.penalties[options.load], "force or displacement")
   for _, key in ipairs { "meshes", "labels", "sizes" } do options[key] = list_of(options[key]) end
   for _, mesh in ipairs(options.meshes) do check("meshes", mesh, mesh:match "^m[1-6]$", "among m1 to m6") end
   check("reference", options.reference, options.reference:match "^m[1-6]$", "one of m1 to m6")
@@ -72,57 +70,17 @@ local function read_arguments(words)
   return options
 end
 
--- ── Scene and path ───────────────────────────────────────────────────────────────────────────────────────────────────
-
---- The ring on its plane. `o`: label, mesh, load; for the study of the size also size, the multiple of R/a (the load
---- falls with its square; there are as many elements per half-width near the contact and beyond), stiffer, the multiple
---- of the penalty, and through, the degree through the wall.
-local function scene(o)
-  local refined, size = 1 << (math.tointeger(o.mesh:sub(2)) - 1), o.size or 1
-  -- 0.8 N elements in the part 0.1/size of the length, 0.2 N size in the rest: twice the size, twice the elements there
-  local growth = 0.8 + 0.2 * size
-  local graded = { elements = 0.8 / growth, length = 0.1 / size, at = "start" }
-  local ring = sg.body{
-    patch    = sg.shapes.quarter_annulus{ inner = inner, outer = outer, start = 270 },
-    elements = { math.floor(9 * refined * growth + 0.5), math.floor(48 * growth + 0.5) }, grading = { graded, graded },
-    order = o.label, contact = "south", through = o.through, material = sg.linear_elastic{ E = young, nu = poisson },
-  }
-  local force, cut = o.load == "force", ring:face "east"
-  -- A force alone does not hold a ring that only touches. Under a given force the height of the plane changes nothing,
-  -- so it stands a little higher: the first iteration finds points in contact.
-  local height = force and -outer + 1e-4 / size ^ 2 or -outer
-  local model = sg.model{
-    bodies   = { ring = ring },
-    supports = { symmetry = { on = ring:face "west", fix = "x" },
-                 grip     = not force and { on = cut, drive = "y" } or nil },
-    loads    = { push = force and { on = cut, traction = {0, 0} } or nil },
-    contacts = { ground = { slave = ring:face "south", master = sg.rigid.plane{ point = {0, height}, normal = {0, 1} },
-                            penalty = penalties[o.load] * size * (o.stiffer or 1) } },
-  }
-  local stage = { name = "press" }
-  if force then
-    stage.push = { 0, -half_load / (outer - inner) / size ^ 2 }
-  else
-    stage.grip = { -push_down / size ^ 2 }
-  end
-  return model, stage, ring
-end
+-- ── Solving ──────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 local function median(values)
   table.sort(values)
   return (values[(#values + 1) // 2] + values[#values // 2 + 1]) / 2
 end
 
---- Half-width and peak pressure of Hertz's line contact under a load p per depth on the whole cylinder.
-local function hertz(p)
-  local a = math.sqrt(4 * p * outer * (1 - poisson ^ 2) / (math.pi * young))
-  return a, 2 * p / (math.pi * a)
-end
-
 --- Solves a scene and measures its contact, all figures beside Hertz's under the force that came out.
 local function solve(o, steps, linear)
   local began = core.now()
-  local model, stage, ring = scene(o)
+  local model, stage, ring = problem.scene(o)
   stage.steps = steps
   local run = model:run({ stage }, { linear = linear })
   if run.failed then error(("%s at %s: %s"):format(o.label, o.mesh, run.report), 0) end
@@ -130,7 +88,7 @@ local function solve(o, steps, linear)
   local case = { label = o.label, mesh = o.mesh, run = run, wall = wall, dofs = ring:dofs(), model = model }
   case.profile, case.edges = model:profile "ground", sg.profile_edges{ profile = model:profile "ground" }
   case.force, case.peak = run:column "ground.fy"[steps], run:column "ground.max_pressure"[steps]
-  case.a, case.p0 = hertz(2 * case.force)
+  case.a, case.p0 = problem.hertz(2 * case.force)
   case.peak_percent, case.width_percent = 100 * (case.peak / case.p0 - 1), 100 * (case.edges.to / case.a - 1)
   case.spacing_percent = 100 * case.edges.to_spacing / case.a
   return case
@@ -210,7 +168,7 @@ local function size_study(options)
       local case = solve(o, options.steps, options.linear)
       case.size, case.stiffer = size, stiffer
       cases[#cases + 1] = case
-      rows[#rows + 1] = { stiffer, size, outer / case.a, case.dofs.total, case.peak_percent, case.width_percent,
+      rows[#rows + 1] = { stiffer, size, problem.outer / case.a, case.dofs.total, case.peak_percent, case.width_percent,
                           case.spacing_percent }
     end
   end

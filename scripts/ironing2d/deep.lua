@@ -16,13 +16,6 @@ local thesis = { [3] = { N2 = "fails" } }
 local independent = { [1] = { N2 = "fails", N4 = "fails" }, [2] = { N2 = "fails at 17" }, [3] = {} }
 local function finding(found, multiple, label) return found[multiple] and (found[multiple][label] or "converges") end
 
---- Degree of the functions on the contact face: that of the label's last part, N2-N2.1x2 has 2 + 1.
-local function layer_degree(label)
-  local degree, elevations = label:match "[^-]*$":match "^%a(%d+)%.?(%d*)"
-  if not degree then error(("cannot read the degree of the label '%s'"):format(label), 0) end
-  return math.tointeger(degree) + (math.tointeger(elevations) or 0)
-end
-
 --- The number of iterations after which the last residuals come again, or nothing: contact points that take turns in
 --- sticking and slipping, or in touching and not, send Newton's iteration round in a cycle.
 local function cycle(residuals)
@@ -52,7 +45,7 @@ end
 --- problem.solve returns them.
 local function compare(options, label, mesh, multiple, coarser, on_step)
   local case = { set_up = problem.variants.deep, label = label, mesh = mesh, coarser = coarser, linear = options.linear,
-                 points = multiple * (layer_degree(label) + 1) }
+                 points = multiple * (problem.layer_degree(label) + 1) }
   local plain = problem.solve(case)
   case.step, case.on_step = { adaptive = true }, on_step
   return { label = label, mesh = mesh, multiple = multiple, coarser = coarser, plain = plain,

@@ -33,6 +33,21 @@ function problem.elements(mesh)
   return { die = { spans, spans // 6 }, slab = { spans, spans // 2 } }
 end
 
+--- Degree of the functions on the contact face: that of the label's last part, N2-N2.1x2 has 2 + 1.
+function problem.layer_degree(label)
+  local degree, elevations = label:match "[^-]*$":match "^%a(%d+)%.?(%d*)"
+  if not degree then error(("cannot read the degree of the label '%s'"):format(label), 0) end
+  return math.tointeger(degree) + (math.tointeger(elevations) or 0)
+end
+
+--- The stages of a variant, with steps `coarser` times as long.
+function problem.path(set_up, coarser)
+  return {
+    { name = "press", steps = math.ceil(set_up.press_steps / coarser), grip = { 0, -set_up.depth } },
+    { name = "slide", steps = math.ceil(set_up.slide_steps / coarser), grip = { set_up.way, -set_up.depth } },
+  }
+end
+
 --- Model, die and slab of a variant; `points` are the Gauss points per contact element, 3(p + 1) when absent.
 function problem.scene(set_up, label, elements, points)
   local die = sg.body{
@@ -59,13 +74,10 @@ end
 --- `linear` and `on_step(model, info)` as model:run takes them. Returns { label, mesh, run, model, die_dofs,
 --- slab_dofs }.
 function problem.solve(case)
-  local set_up, coarser = case.set_up, case.coarser or 1
+  local set_up = case.set_up
   local model, die, slab = problem.scene(set_up, case.label, problem.elements(case.mesh), case.points)
-  local run = model:run({
-    { name = "press", steps = math.ceil(set_up.press_steps / coarser), grip = { 0, -set_up.depth } },
-    { name = "slide", steps = math.ceil(set_up.slide_steps / coarser), grip = { set_up.way, -set_up.depth } },
-  }, { linear = case.linear, step = case.step,
-       on_step = case.on_step and function(info) return case.on_step(model, info) end })
+  local run = model:run(problem.path(set_up, case.coarser or 1), { linear = case.linear, step = case.step,
+     on_step = case.on_step and function(info) return case.on_step(model, info) end })
   return { label = case.label, mesh = case.mesh, run = run, model = model,
            die_dofs = die:dofs(), slab_dofs = slab:dofs() }
 end

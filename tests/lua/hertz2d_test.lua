@@ -4,6 +4,7 @@ local sg = require "signorini"
 local core = require "signorini.core"
 local check = require "check"
 
+package.path = core.home .. "/scripts/?.lua;" .. package.path
 local script = core.home .. "/scripts/hertz2d.lua"
 local folder = os.tmpname()
 os.remove(folder)
