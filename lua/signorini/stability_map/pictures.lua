@@ -33,7 +33,7 @@ end
 local function texts(map, name)
   return grid(map, function(cell)
     local value = number(cell, name)
-    return value and (formats[name] or "%.3g"):format(value)
+    return value and (formats[name] or "%.2g"):format(value)
   end)
 end
 

@@ -1,0 +1,69 @@
+-- Where ironing forth and back holds: step size against friction.
+--
+-- Problem: a half ring is pressed into a slab, dragged along it and back again. Where it turns, every contact point
+--          goes from slip over stick to slip the other way; the longer the step and the stronger the friction, the more
+--          of them change at once.
+--
+--              (   )        die: half annulus, radii 0.3 and 0.5, E = 1000, its two flat ends driven: pressed by 0.23
+--        _______\_/_______   in 46 steps, dragged by 1.5 in 250 steps and back in 250 steps, or in fewer
+--       |  <--------->   |
+--       |  slab: 3 × 1, E = 1, bottom clamped
+--
+--          Plane strain, neo-Hooke, nu = 0.3, both penalties 100, slave: die; mesh m1: die 6 × 2 and slab 8 × 3
+--          elements.
+-- Source: the problem of V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for
+--         Isogeometric Analysis of Contact Problems, PhD thesis, IIT Guwahati, 2020, section 7.1; the way back, other
+--         coefficients and longer steps are chosen here.
+-- Units: mm, N, N/mm².
+-- Expected: plain Newton holds 22 (N2), 23 (N4) and 20 (N2-N2.2) of 30 cells. Steps up to 4 times as long hold
+--           with every friction; where they are 8 times as long, N2 fails where the die turns (51 % and 54 % of the
+--           path at mu = 0.8 and 0.2). Drag over pressing force is 0.43 at mu = 0.4, forth and back alike. Cutting
+--           steps holds all cells.
+-- Run: signorini scripts/stability/friction_steps.lua [labels=N2,N4,N2-N2.2] [friction=0,0.1,0.2,0.4,0.6,0.8]
+--      [coarser=1,2,4,8,16] [mesh=m1] [jobs=2] [limit=600] [keep=no] [out=out/stability/friction_steps]; one map for
+--      each label; coarser: steps that many times as long; keep=yes takes up the cells that an earlier call left in the
+--      folder.
+
+package.path = require "signorini.core".home .. "/scripts/?.lua;" .. package.path
+local ironing = require "ironing2d.problem"
+local study = require "stability.study"
+
+local options = study.read(select("#", ...) > 0 and { ... } or arg, {
+  labels = "N2,N4,N2-N2.2", friction = "0,0.1,0.2,0.4,0.6,0.8", coarser = "1,2,4,8,16", mesh = "m1",
+  out = "out/stability/friction_steps",
+})
+local elements = ironing.elements(options.mesh)
+
+--- The standard set-up with another coefficient of friction.
+local function with_friction(mu) return setmetatable({ mu = mu }, { __index = ironing.variants.standard }) end
+
+--- Forth and back.
+local function path(coarser)
+  local set_up = ironing.variants.standard
+  local stages = ironing.path(set_up, coarser)
+  stages[3] = { name = "back", steps = stages[2].steps, grip = { 0, -set_up.depth } }
+  return stages
+end
+
+--- Drag over pressing force in the middle of the way forth and of the way back.
+local function figures(_, run)
+  local function drag(stages)
+    local step = run.stages[1].steps + math.floor((stages - 0.5) * run.stages[2].steps)
+    return run:column "grip.fx"[step] / -run:column "grip.fy"[step]
+  end
+  return { ["drag forth"] = drag(1), ["drag back"] = drag(2) }
+end
+
+local files, results = {}, {}
+for _, label in ipairs(study.split(options.labels)) do
+  results[label] = study.solve({
+    name = ("Ironing forth and back, %s at %s"):format(label, options.mesh), key = label,
+    x = { name = "length of a step (published: 1)", values = study.positive("coarser", options.coarser) },
+    y = { name = "coefficient of friction", values = study.numbers("friction", options.friction) },
+    scene = function(_, mu) return (ironing.scene(with_friction(mu), label, elements)) end,
+    path = function(_, coarser) return path(coarser) end,
+    figures = figures,
+  }, options, files)
+end
+study.finish(files)
+return { maps = results, files = files }

@@ -1,0 +1,79 @@
+-- Nearly incompressible bodies: Poisson's ratio against discretisation label, what fails and what locks.
+--
+-- Problem: a rigid cylinder is pressed into a block that slides on its bed: the material must flow aside.
+--
+--                 (     )      cylinder: radius 0.5, pressed by 0.15 in 5 steps, without friction
+--          x = 0 |_\___/_____
+--       u_x = 0  |           |   block: half of it, 1 × 1, E = 1, neo-Hooke, plane strain, 8 × 8 elements
+--                |           |   right side free
+--                |___________|
+--                  u_y = 0
+--
+--          Error: the cylinder's force over that of N4 on 24 × 24 elements at the same nu, less 1, without sign. A mesh
+--          that locks is too stiff: the force is too high. The normal penalty is 1000.
+-- Source: chosen here. On locking of splines: T. Elguedj, Y. Bazilevs, V. M. Calo, T. J. R. Hughes, CMAME 197 (2008)
+--         2732.
+-- Units: any consistent ones.
+-- Expected: plain Newton holds 33 of 42 cells; what fails inverts elements in its first step (N3 at nu up to 0.49, N4
+--           and L2 at 0.499), or goes round. Cutting steps holds all. Errors at nu = 0.3, 0.49, 0.499: L1 3 %, 14 %, 79 %; N2
+--           0.7 %, 0.6 %, 3.2 %; N4 0.1 %, 0.1 %, 0.1 %; a layer on N2 changes little: it is the bulk that locks.
+-- Run: signorini scripts/stability/locking.lua [labels=L1,L2,N2,N3,N4,N2-N2.1,N2-N4] [nu=0.3,0.4,0.45,0.49,0.495,0.499]
+--      [elements=8] [reference=24] [steps=5] [depth=0.15] [jobs=2] [limit=600] [keep=no] [out=out/stability/locking];
+--      elements and reference: along each side of the block; keep=yes takes up the cells that an earlier call left in
+--      the folder.
+
+package.path = require "signorini.core".home .. "/scripts/?.lua;" .. package.path
+local sg = require "signorini"
+local controls = require "stability.controls"
+local study = require "stability.study"
+
+local options = study.read(select("#", ...) > 0 and { ... } or arg, {
+  labels = "L1,L2,N2,N3,N4,N2-N2.1,N2-N4", nu = "0.3,0.4,0.45,0.49,0.495,0.499", elements = "8", reference = "24",
+  steps = "5", depth = "0.15", out = "out/stability/locking",
+})
+local elements, finest = study.count("elements", options.elements), study.count("reference", options.reference)
+local ratios = study.positive("nu", options.nu)
+local stages = { { name = "press", steps = study.count("steps", options.steps),
+                   push = { 0, -study.positive("depth", options.depth)[1] } } }
+
+local function scene(label, nu, count)
+  local degree = math.tointeger(label:match "^%a(%d+)") -- of the bulk, in both directions: locking is a matter of it
+  local block = sg.body{
+    patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = { count, count }, order = label,
+    through = degree, contact = "north", material = sg.neo_hookean{ E = 1, nu = nu },
+  }
+  local punch = sg.rigid.cylinder{ centre = { 0, 1.5 }, radius = 0.5 }
+  return sg.model{
+    bodies   = { block = block },
+    supports = { symmetry = { on = block:face "west", fix = "x" }, bed = { on = block:face "south", fix = "y" },
+                 push = { on = punch, drive = "xy" } },
+    contacts = { indent = { slave = block:face "north", master = punch, penalty = 1000 } },
+  }
+end
+
+local function force(run) return math.abs(run:column "push.fy"[run.steps]) end
+
+--- The reference forces by nu, each solved in a process of its own.
+local reference = sg.stability_map{
+  name = ("N4 on %d × %d elements"):format(finest, finest),
+  x = { name = "label", values = { "N4" } }, y = { name = "nu", values = ratios },
+  scene = function(label, nu) return scene(label, nu, finest) end,
+  path = function() return stages, controls.robust() end,
+  figures = function(_, run) return { force = force(run) } end, jobs = options.jobs,
+}
+print(reference)
+
+local files = {}
+local maps = study.solve({
+  name = ("Indentation, %d × %d elements"):format(elements, elements),
+  x = { name = "label", values = study.split(options.labels) }, y = { name = "Poisson's ratio", values = ratios },
+  scene = function(label, nu) return scene(label, nu, elements) end,
+  path = function() return stages end,
+  figures = function(_, run, _, nu)
+    local exact = reference:cell("N4", nu).figures.force
+    return { force = force(run), error = exact and math.abs(force(run) / exact - 1) }
+  end,
+  charts = { { key = "error", name = "error", log = true, label = "error of the force" } },
+}, options, files)
+study.finish(files)
+return { maps = maps, reference = reference, files = files }

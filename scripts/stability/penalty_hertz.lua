@@ -1,0 +1,77 @@
+-- Hertz's line contact over the penalty: where the solve holds, and what high penalties do to the pressure.
+--
+-- Problem: a quarter of a hollow elastic cylinder is pressed onto a rigid plane in 10 steps, without friction.
+--
+--         x = 0   ______   u_y = −0.00463 of the cut y = 0, or the half load P0 Ro spread evenly over it
+--        u_x = 0 |  cut |
+--                 \    /   quarter ring, radii 0.1 and 1, linear elastic, E = 1, nu = 0.3, plane strain
+--          _______|\__/____   rigid plane, normal penalty 1 to 10⁶
+--
+--          The penalty holds the gap at every contact point (Gauss points to surface), 3(p + 1) of them per element:
+--          more conditions than the face has functions. A high penalty makes the pressure follow the gap that is left.
+--          Oscillation: the root of the mean square of p(x) − f(x) over the contact points within 0.8 of the half-width
+--          a, over Hertz's peak pressure under the force that came out. f is the best sum of an ellipse √(1 − (x/a)²),
+--          Hertz's pressure, and a parabola 1 − (x/a)², that of a face which gives way like a mattress; a is the larger
+--          one of Hertz's half-width and the one that came out.
+-- Source: the problem of V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for
+--         Isogeometric Analysis of Contact Problems, PhD thesis, IIT Guwahati, 2020, section 7.2, where the penalty is
+--         2000; on over-constraint: L. De Lorenzis, P. Wriggers, T. J. R. Hughes, GAMM-Mitteilungen 37 (2014) 85.
+-- Units: any consistent ones; lengths in outer radii, pressures in Young's moduli; penalties in pressure per length.
+-- Expected: plain Newton holds 28 of 35 cells: all labels up to 10⁴, at 10⁵ N2 and N2-N2.2, at 10⁶ N2 alone.
+--           Oscillation at 10³, 10⁴, 10⁵: N2 0.003, 0.016, 0.037; N4 0.005, 0.032, 0.11; N2-N2.2 0.001, 0.001, 0.002.
+--           Up to 10² it is the shape of f that does not fit, 0.003. The penetration falls with the penalty.
+-- Run: signorini scripts/stability/penalty_hertz.lua [labels=N2,N4,N2-N4,N2-N2.1,N2-N2.2]
+--      [penalties=1,10,1e2,1e3,1e4,1e5,1e6] [mesh=m3] [load=displacement] [steps=10] [jobs=2] [limit=600] [keep=no]
+--      [out=out/stability/penalty_hertz]; mesh: m1 to m6 as in hertz2d.lua; load: displacement or force; keep=yes takes
+--      up the cells that an earlier call left in the folder.
+
+package.path = require "signorini.core".home .. "/scripts/?.lua;" .. package.path
+local sg = require "signorini"
+local hertz = require "hertz2d.problem"
+local smooth = require "stability.smooth"
+local study = require "stability.study"
+
+local options = study.read(select("#", ...) > 0 and { ... } or arg, {
+  labels = "N2,N4,N2-N4,N2-N2.1,N2-N2.2", penalties = "1,10,1e2,1e3,1e4,1e5,1e6", mesh = "m3", load = "displacement",
+  steps = "10", out = "out/stability/penalty_hertz",
+})
+study.choice("mesh", options.mesh, { "m1", "m2", "m3", "m4", "m5", "m6" })
+study.choice("load", options.load, { "displacement", "force" })
+local steps = study.count("steps", options.steps)
+local part = 0.8 -- of the half-width: at its end one point more or less touches, which is another matter
+
+--- Oscillation of the pressure, half-width and largest penetration.
+local function figures(model, run)
+  local profile = model:profile "ground"
+  local a, peak = hertz.hertz(2 * run:column "ground.fy"[run.steps])
+  local half_width = sg.profile_edges{ profile = profile }.to
+  a = math.max(a, half_width)
+  local x, pressure = {}, {}
+  for i, place in ipairs(profile.x) do
+    if place <= part * a then x[#x + 1], pressure[#pressure + 1] = place / a, profile.pressure[i] / peak end
+  end
+  return { oscillation = smooth.rest_of_hump(x, pressure), half_width = half_width,
+           penetration = run:column "ground.max_penetration"[run.steps] }
+end
+
+local files = {}
+local maps = study.solve({
+  name = ("Hertz at %s, load by %s"):format(options.mesh, options.load),
+  x = { name = "label", values = study.split(options.labels) },
+  y = { name = "penalty", values = study.positive("penalties", options.penalties) },
+  scene = function(label, penalty)
+    return (hertz.scene{ label = label, mesh = options.mesh, load = options.load, penalty = penalty })
+  end,
+  path = function(_, label, penalty)
+    local _, stage = hertz.scene{ label = label, mesh = options.mesh, load = options.load, penalty = penalty }
+    stage.steps = steps
+    return { stage }
+  end,
+  figures = figures,
+  charts = {
+    { key = "oscillation", name = "oscillation", log = true, label = "oscillation of the pressure / peak" },
+    { key = "penetration", name = "penetration", log = true, label = "largest penetration" },
+  },
+}, options, files)
+study.finish(files)
+return { maps = maps, files = files }

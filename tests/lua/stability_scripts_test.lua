@@ -1,0 +1,133 @@
+-- scripts/stability, coarse: which cells plain Newton holds, that the controls lose none of them, the figures and
+-- files.
+
+local sg = require "signorini"
+local core = require "signorini.core"
+local check = require "check"
+
+core.quiet = true
+package.path = core.home .. "/scripts/?.lua;" .. package.path
+local folder = os.tmpname()
+os.remove(folder)
+
+--- What a script returns. Its tables are left out.
+local function study(name, ...)
+  local print_to_terminal = print
+  print = function() end
+  local ok, result = pcall(assert(loadfile(("%s/scripts/stability/%s.lua"):format(core.home, name))),
+    ("out=%s/%s"):format(folder, name), ...)
+  print = print_to_terminal
+  if not ok then error(result, 0) end
+  return result
+end
+
+--- Names of the outcomes, row by row from the first y on.
+local function outcomes(map)
+  local names = {}
+  for i, cell in ipairs(map.cells) do names[i] = cell.outcome end
+  return names
+end
+
+local function check_controls(maps, held)
+  check.equal(maps.comparison.lost, {})
+  check.equal({ maps.robust:held() }, { held, #maps.plain.cells })
+  for _, map in ipairs { maps.plain, maps.robust } do
+    for _, cell in ipairs(map.cells) do
+      if cell.outcome == "error" or cell.outcome == "crashed" then error(cell.report) end
+    end
+  end
+end
+
+local function check_files(result, count)
+  check.equal(#result.files, count)
+  for _, name in ipairs(result.files) do
+    local file = assert(io.open(name, "rb"), name)
+    check.equal(file:seek "end" > 150, true)
+    file:close()
+  end
+end
+
+check.case("deep ironing: with p + 1 points long steps fail, and shorter ones carry them through", function()
+  local result = study("deep_ironing", "points=p+1", "labels=N2,N4", "coarser=2,16")
+  local maps = result.maps["p+1"]
+  check.equal(maps.plain:cell("N2", 2).outcome, "completed")
+  check.equal({ maps.plain:held() }, { 1, 4 })
+  check_controls(maps, 4)
+  check_files(result, 3)
+end)
+
+check.case("Hertz over the penalty: a high one makes the pressure oscillate, a layer calms it", function()
+  local result = study("penalty_hertz", "labels=N2,N2-N2.2", "penalties=1e2,1e4,1e6", "mesh=m2")
+  local plain, robust = result.maps.plain, result.maps.robust
+  check.equal({ plain:held() }, { 5, 6 })
+  check.equal(plain:cell("N2-N2.2", 1e6).outcome ~= "completed", true)
+  check_controls(result.maps, 6)
+  local function oscillation(label, penalty) return plain:cell(label, penalty).figures.oscillation end
+  check.near({ oscillation("N2", 1e2), oscillation("N2", 1e4), oscillation("N2-N2.2", 1e4) },
+    { 0.00325, 0.1230, 0.0144 }, 5e-4)
+  check.near(robust:cell("N2", 1e4).figures.penetration, 3.23e-6, 1e-8)
+  check_files(result, 5)
+end)
+
+check.case("peeling: rotation control meets a turning point on the coarse mesh, arcs follow the path", function()
+  local result = study("peeling", "meshes=m0", "labels=N2,N2-N2.1", "angle=40", "pitch=0.4")
+  check.equal(outcomes(result.maps.rotation.plain), { "turning_point", "completed" })
+  check.near(result.maps.rotation.plain:cell("N2", "m0").reached, 0.65, 0.02)
+  check.equal(outcomes(result.maps.arc.plain), { "completed", "completed" })
+  check_controls(result.maps.rotation, 2)
+  check_controls(result.maps.arc, 2)
+  check_files(result, 6)
+end)
+
+check.case("ironing forth and back: drag changes its sign; long steps fail where it turns", function()
+  local result = study("friction_steps", "labels=N2", "coarser=4,8", "friction=0,0.8")
+  local plain = result.maps.N2.plain
+  check.equal({ plain:held() }, { 3, 4 })
+  check.near(plain:cell(8, 0.8).reached, 0.51, 0.02)
+  local figures = plain:cell(4, 0.8).figures
+  check.near({ figures["drag forth"], figures["drag back"] }, { 0.812, -0.812 }, 1e-3)
+  check_controls(result.maps.N2, 4)
+  check_files(result, 3)
+end)
+
+check.case("locking: the force of L1 is too high the nearer nu comes to 0.5, that of N4 is not", function()
+  local result = study("locking", "labels=L1,N2,N4", "nu=0.45,0.499", "elements=4", "reference=8")
+  local robust = result.maps.robust
+  check_controls(result.maps, 6)
+  check.equal({ result.reference:held() }, { 2, 2 })
+  local function off(label, nu) return robust:cell(label, nu).figures.error end
+  check.near({ off("L1", 0.45), off("L1", 0.499), off("N2", 0.45) }, { 0.2125, 1.537, 0.0085 }, 1e-3)
+  check.near({ off("N4", 0.45), off("N4", 0.499) }, { 0.0047, 0.0104 }, 1e-3)
+  check_files(result, 4)
+end)
+
+check.case("first touch: a free body is singular before it touches; one that overlaps is held", function()
+  local result = study("first_touch", "under=plane,slab", "friction=0.3", "gaps=-1e-3,1e-3", "loads=1e-3")
+  for _, key in ipairs { "plane_mu0.3", "slab_mu0.3" } do
+    local plain = result.maps[key].plain
+    check.equal(outcomes(plain), { "completed", "singular" })
+    check.near(plain:cell(-1e-3, 1e-3).figures.carried, 1e-3, 1e-9)
+    check.equal(result.maps[key].comparison.lost, {})
+  end
+  check_files(result, 6)
+end)
+
+check.case("a second call takes up the cells when it is told to", function()
+  local words = { "labels=N2", "penalties=1e2", "mesh=m1" }
+  local first = study("penalty_hertz", table.unpack(words))
+  local wall = first.maps.plain.cells[1].wall
+  words[4] = "keep=yes"
+  check.equal(study("penalty_hertz", table.unpack(words)).maps.plain.cells[1].wall, wall)
+end)
+
+check.case("wrong arguments", function()
+  check.fails(function() study("penalty_hertz", "penalties=0,1") end, "penalties must be above 0")
+  check.fails(function() study("penalty_hertz", "mesh=m7") end, "mesh must be one of m1")
+  check.fails(function() study("deep_ironing", "points=p") end, "points must be one of p+1")
+  check.fails(function() study("locking", "mu=0.3") end, "unknown argument 'mu=0.3'", "reference=24")
+  check.fails(function() study("first_touch", "gaps=wide") end, "gaps must be numbers")
+  check.fails(function() study("peeling", "keep=maybe") end, "keep must be one of yes, no")
+end)
+
+os.execute("rm -r " .. folder)
+check.done()
