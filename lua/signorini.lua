@@ -69,7 +69,7 @@ process of its own calls scene, which returns a model, and path, which returns s
 them. What the functions change is lost with the process. Returns a map.
 figures: numbers by name, of cells that reach the end of their path; those that are not finite are left out.
 jobs:    cells that are solved side by side; by default as many as there are processors.
-limit:   seconds after which a cell is given up; none by default.
+limit:   seconds by the clock on the wall after which a cell is given up; none by default.
 file:    a CSV file that keeps every finished cell at once; a later call with the same names takes up what it holds, but
          solves errors again. Remove it when the problem changes.
 A cell: x, y, outcome, reached (part of the path, 0 to 1), steps, increments, iterations, cutbacks, rescues, wall (s),
