@@ -1,0 +1,218 @@
+-- Saved models of every kind go on in another process with the same bits as in the one that saved them.
+
+local sg = require "signorini"
+local check = require "check"
+
+local soft, stiff = sg.neo_hookean{ E = 1, nu = 0.3 }, sg.neo_hookean{ E = 1000, nu = 0.3 }
+local file = os.tmpname()
+
+--- Everything that a state and a run show, bit by bit; defined by its text, for the other process has to have it, too.
+local digest_code = [[
+return function(model, run)
+  local parts = {}
+  local function add(value)
+    if type(value) == "table" then
+      local keys = {}
+      for key in pairs(value) do keys[#keys + 1] = key end
+      table.sort(keys)
+      for _, key in ipairs(keys) do parts[#parts + 1] = tostring(key) add(value[key]) end
+    else
+      parts[#parts + 1] = math.type(value) == "float" and ("%a"):format(value) or tostring(value)
+    end
+  end
+  for _, name in ipairs(run:columns()) do
+    if name ~= "wall" then add(run:column(name)) end
+  end
+  for step = 1, run.steps do add(run:residuals(step)) end
+  for _, name in ipairs(model:contact_names()) do add(model:profile(name)) end
+  for _, name in ipairs(model:body_names()) do
+    for _, xi in ipairs { 0.1, 0.5, 0.8 } do
+      for _, field in ipairs { "ux", "uy", "von_mises" } do
+        local ok, value = pcall(model.sample, model, name, field, { xi, 0.3 })
+        add(ok and value or model:sample(name, field, { xi, 0.3, 0.4 }))
+      end
+    end
+  end
+  add(model:energy())
+  return table.concat(parts, " ")
+end
+]]
+local digest = load(digest_code)()
+
+--- Takes the model along the first stages, saves it, and goes on here and in another process.
+local function continues(model, before, after, options)
+  local first = model:run(before, options)
+  check.equal(first.failed, false)
+  model:save(file)
+  local code = ("local digest = (function() %s end)()\nlocal model = sg.load(arg[1])\nlocal run = model:run(%s, %s)\n" ..
+    "io.write(digest(model, run))"):format(digest_code, after, options and "{ linear = '" .. options.linear .. "' }" or "nil")
+  local output, status = check.script("local sg = require 'signorini'\nrequire('signorini.core').quiet = true\n" .. code, file)
+  local run = model:run(load("return " .. after)(), options)
+  check.equal(run.failed, false)
+  check.equal(status, 0)
+  if output ~= digest(model, run) then
+    local here, there = digest(model, run), output
+    local at = 1
+    while here:byte(at) == there:byte(at) do at = at + 1 end
+    error(("they differ at character %d of %d: '%s', '%s'"):format(at, #here, here:sub(at - 20, at + 60), there:sub(at - 20, at + 60)))
+  end
+  return run
+end
+
+local function ironing(die_elements, slab_elements, label)
+  local die = sg.body{ patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, centre = {0.75, 1.5} },
+                       elements = die_elements, order = label, contact = "south", material = stiff }
+  local slab = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = slab_elements, order = label,
+                        contact = "north", material = soft }
+  return sg.model{
+    bodies = { die = die, slab = slab },
+    supports = { bed = { on = slab:face "south", fix = "xy" },
+                 grip = { on = {die:face "west", die:face "east"}, drive = "xy" } },
+    contacts = { interface = { slave = die:face "south", master = slab:face "north", penalty = 100,
+                               friction = { mu = 0.2, penalty = 100 } } },
+  }
+end
+
+check.case("frictional ironing in the plane, KLU", function()
+  local model = ironing({6, 2}, {8, 3}, "N2-N2.2")
+  continues(model, { { steps = 10, grip = {0, -0.15} } }, "{ { steps = 15, grip = {0.3, -0.15} } }")
+  check.equal(model:solver().linear, "klu")
+end)
+
+check.case("a larger one, UMFPACK", function()
+  local model = ironing({24, 4}, {72, 18}, "N2")
+  continues(model, { { steps = 4, grip = {0, -0.08} } }, "{ { steps = 3, grip = {0.06, -0.08} } }")
+  check.equal(model:solver().linear, "umfpack")
+end)
+
+check.case("peeling with adhesion on a part of the face, under a support that turns: banded and CHOLMOD", function()
+  for _, linear in ipairs { "auto", "cholmod" } do
+    local strip = sg.body{ patch = sg.shapes.rectangle{ width = 60, height = 10 }, elements = {48, 4}, order = "N2-N2.1",
+                           contact = "south", material = sg.neo_hookean{ E = 2, nu = 0.2 } }
+    local model = sg.model{
+      bodies = { strip = strip },
+      supports = { edge = { on = strip:face "east", rotate = true }, pin = { on = strip:corner "south-west", fix = "x" } },
+      contacts = { film = { slave = strip:face "south", master = sg.rigid.plane{ point = {0, -0.25}, normal = {0, 1} },
+                            adhesion = { hamaker = 0.1, r0 = 0.4 }, where = function(X) return X[1] <= 45 end } },
+    }
+    continues(model, { { steps = 12, edge = 6 } }, "{ { steps = 8, edge = 10 } }", { linear = linear })
+    check.equal(model:solver().linear, linear == "auto" and "banded" or linear)
+  end
+end)
+
+check.case("linear elastic bodies, condensed onto the contact", function()
+  local rigid = sg.rigid.cylinder{ centre = {0, 1.4}, radius = 0.4 }
+  local slab = sg.body{ patch = sg.shapes.rectangle{ width = 4, height = 1, corner = {-2, 0} }, elements = {32, 8},
+                        order = "N2-N2.1", contact = "north", material = sg.linear_elastic{ E = 10, nu = 0.3 } }
+  local model = sg.model{
+    bodies = { slab = slab },
+    supports = { bed = { on = slab:face "south", fix = "xy" }, roll = { on = rigid, drive = "xy" } },
+    contacts = { rub = { slave = slab:face "north", master = rigid, penalty = 500, friction = { mu = 0.3, penalty = 500 } } },
+  }
+  continues(model, { { steps = 6, roll = {0, -0.1} } }, "{ { steps = 8, roll = {0.8, -0.1} } }")
+  check.equal(model:solver().linear, "condensed")
+end)
+
+check.case("a rigid NURBS obstacle that is driven, loads, a deep layer", function()
+  local rigid = sg.rigid.surface(sg.nurbs.arc{ centre = {0, 1.5}, radius = 0.5, from = -180, to = 0 })
+  local slab = sg.body{ patch = sg.shapes.rectangle{ width = 4, height = 1, corner = {-2, 0} }, elements = {20, 4},
+                        order = "N2-N2.2x2", contact = "north", material = sg.neo_hookean{ E = 10, nu = 0.3 } }
+  local model = sg.model{
+    bodies = { slab = slab },
+    supports = { bed = { on = slab:face "south", fix = "xy" }, roll = { on = rigid, drive = "xy" } },
+    loads = { wind = { on = slab:face "west", traction = {0.1, 0} }, gas = { on = slab:face "east", pressure = 0.2 } },
+    contacts = { rub = { slave = slab:face "north", master = rigid, penalty = 500, friction = { mu = 0.3, penalty = 500 } } },
+  }
+  continues(model, { { steps = 6, roll = {0, -0.1}, wind = {0.2, 0.1} } },
+    "{ { steps = 8, roll = {0.3, -0.1}, gas = 0.5 }, { steps = 2, wind = {0, 0} } }")
+end)
+
+check.case("a body of revolution", function()
+  local ball = sg.rigid.sphere{ centre = {0, 2}, radius = 1 }
+  local disc = sg.body{ patch = sg.shapes.rectangle{ width = 2, height = 1 }, elements = {16, 4}, order = "N2-N2.1",
+                        contact = "north", material = soft }
+  local model = sg.model{
+    kind = "axisymmetric", bodies = { disc = disc },
+    supports = { axis = { on = disc:face "west", fix = "x" }, bed = { on = disc:face "south", fix = "xy" },
+                 ball = { on = ball, drive = "y" } },
+    contacts = { touch = { slave = disc:face "north", master = ball, penalty = 100, friction = { mu = 0.2, penalty = 100 } } },
+  }
+  continues(model, { { steps = 5, ball = -0.1 } }, "{ { steps = 5, ball = -0.2 } }")
+end)
+
+check.case("classical elements", function()
+  continues(ironing({6, 2}, {8, 3}, "L2"), { { steps = 10, grip = {0, -0.1} } }, "{ { steps = 6, grip = {0.1, -0.1} } }")
+end)
+
+--- An indenter on a slab in space, to be pressed, dragged, turned.
+local function solids(slab_elements, rotate)
+  local cap = sg.shapes.spherical_indenter{ width = 1, depth = 1, height = 0.8, radius = 1.2, elements = 1,
+                                            corner = {0.6, 0.5, 1} }
+  local block = sg.body{ patch = cap, elements = {3, 3, 2}, order = "N2", contact = "front",
+                         material = sg.neo_hookean{ E = 5, nu = 0.3 } }
+  local slab = sg.body{ patch = sg.shapes.block{ size = {3, 2, 1} }, elements = slab_elements, order = "N2",
+                        contact = "back", material = soft }
+  return sg.model{
+    bodies = { block = block, slab = slab },
+    supports = { bed = { on = slab:face "front", fix = "xyz" },
+                 grip = { on = block:face "back", drive = "xyz", rotate = rotate } },
+    contacts = { touch = { slave = block:face "front", master = slab:face "back", penalty = 50, points = 4,
+                           friction = { mu = 0.3, penalty = 50 } } },
+  }
+end
+
+check.case("solids, where the solver has gone over to a kept factorisation", function()
+  local model = solids({14, 9, 4})
+  continues(model, { { steps = 3, grip = {0, 0, -0.1} } }, "{ { steps = 3, grip = {0.2, 0, -0.1} } }")
+  check.equal(model:solver().linear, "kept")
+end)
+
+check.case("small solids that turn: KLU and a kept factorisation", function()
+  for _, linear in ipairs { "auto", "kept" } do
+    continues(solids({6, 4, 2}, "z"), { { steps = 3, grip = {0, 0, -0.1, 0} } }, "{ { steps = 4, grip = {0, 0, -0.1, 20} } }",
+      { linear = linear })
+  end
+end)
+
+check.case("a loaded model names its parts, and can be saved again", function()
+  local model = ironing({6, 2}, {8, 3}, "N2")
+  model:run{ { steps = 3, grip = {0, -0.06} } }
+  model:save(file)
+  local again = sg.load(file)
+  check.equal(tostring(again), tostring(model))
+  check.equal(again:target "grip", { 0, -0.06 })
+  again:save(file)
+  check.equal(sg.load(file):reaction "grip", model:reaction "grip")
+  check.equal(again:body("die"):dofs(), model:body("die"):dofs())
+end)
+
+check.case("wrong files are errors at the user's own line that name the cure", function()
+  local model = ironing({6, 2}, {8, 3}, "N2")
+  model:run{ { steps = 1, grip = {0, -0.06} } }
+  model:save(file)
+  local stream = assert(io.open(file, "rb"))
+  local good = stream:read "a"
+  stream:close()
+  local function write(bytes) assert(io.open(file, "wb")):write(bytes):close() end
+  local function refused(...) check.fails(function() sg.load(file) end, "checkpoint_test.lua:", "sg.load: ", file, ...) end
+  write "{ \"a\": 1 }"
+  refused "is not a checkpoint of signorini"
+  write(good:sub(1, -100))
+  refused("is damaged: it is cut off after", "take an older copy")
+  for _, at in ipairs { 60, #good // 2, #good } do
+    write(good:sub(1, at - 1) .. string.char(good:byte(at) ~ 16) .. good:sub(at + 1))
+    refused "is damaged: its checksum is wrong"
+  end
+  write(good:gsub("^(SIGNORINI checkpoint\n)\1", "%1\7"))
+  refused "was written in format 7, this program reads format 1"
+  os.remove(file)
+  refused("cannot read", "No such file")
+  check.fails(function() sg.load(3) end, "path must be a string")
+  check.fails(function() model:save() end, "model:save: path (the checkpoint's file) is missing")
+  check.fails(function() model:save "nowhere/at/all.sgn" end, "checkpoint_test.lua:", "model:save: cannot write 'nowhere/at/all.sgn'",
+    "create it first")
+  check.fails(function() model:save "/proc/a.sgn" end, "model:save: cannot write '/proc/a.sgn'", "choose a file in a folder")
+end)
+
+os.remove(file)
+check.done()

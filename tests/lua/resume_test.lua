@@ -1,0 +1,205 @@
+-- Runs with checkpoints: taken up anywhere they end as if nothing had happened; wrong files, paths and options.
+
+local sg = require "signorini"
+local core = require "signorini.core"
+local literal = require "signorini.literal"
+local check = require "check"
+
+local file = os.tmpname()
+
+local function ironing(modulus)
+  local die = sg.body{ patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, centre = {0.75, 1.5} },
+                       elements = {6, 2}, order = "N2", contact = "south", material = sg.neo_hookean{ E = 1000, nu = 0.3 } }
+  local slab = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = {8, 3}, order = "N2",
+                        contact = "north", material = sg.neo_hookean{ E = modulus or 1, nu = 0.3 } }
+  return sg.model{
+    bodies = { die = die, slab = slab },
+    supports = { bed = { on = slab:face "south", fix = "xy" },
+                 grip = { on = {die:face "west", die:face "east"}, drive = "xy" } },
+    contacts = { interface = { slave = die:face "south", master = slab:face "north", penalty = 100,
+                               friction = { mu = 0.2, penalty = 100 } } },
+  }
+end
+
+local path = { { name = "press", steps = 8, grip = {0, -0.15} }, { name = "slide", steps = 12, grip = {0.2, -0.15} } }
+
+--- Everything of two runs but seconds is the same, bit by bit.
+local function alike(run, other, model, other_model)
+  local function strip(value)
+    if type(value) ~= "table" then return value end
+    local copy = {}
+    for key, entry in pairs(value) do
+      if key ~= "wall" and key ~= "timings" and key ~= "wall_column" then copy[key] = strip(entry) end
+    end
+    return copy
+  end
+  check.equal(literal.write(strip(run)), literal.write(strip(other)))
+  for _, name in ipairs(model:support_names()) do check.equal(model:reaction(name), other_model:reaction(name)) end
+  for _, name in ipairs(model:contact_names()) do
+    check.equal(literal.write(model:profile(name)), literal.write(other_model:profile(name)))
+  end
+end
+
+--- Runs a path whole; then, for each step of the list, once more up to it, and on from the file with a new model.
+local function taken_up(make, stages, options, stops)
+  options.checkpoint = options.checkpoint or file
+  local model = make()
+  local run = model:run(stages, options)
+  for _, stop in ipairs(stops) do
+    os.remove(file)
+    options.on_step = function(info) return info.step == stop and "stop" or nil end
+    local part = make():run(stages, options)
+    check.equal({ part.reason, part.steps }, { "stopped", stop })
+    options.on_step, options.resume = nil, true
+    local other = make()
+    alike(run, other:run(stages, options), model, other)
+    options.resume = nil
+  end
+  return run, model
+end
+
+check.case("a run that is taken up after any step ends as if it had never been interrupted", function()
+  local run = taken_up(ironing, path, {}, { 1, 7, 8, 9, 15, 19, 20 })
+  check.equal({ run.failed, run.steps }, { false, 20 })
+end)
+
+check.case("with a checkpoint after every few steps it goes on from the last of them", function()
+  taken_up(ironing, path, { checkpoint = { file = file, every = 6 } }, { 5, 6, 11, 18, 20 })
+end)
+
+check.case("increments keep their length", function()
+  local rough = { { name = "press", steps = 4, grip = {0, -0.3} }, { name = "slide", steps = 5, grip = {0.8, -0.3} } }
+  local run = taken_up(ironing, rough, { newton = { iterations = 6 }, step = { growth = 1.5 } }, { 1, 2, 4, 5, 6, 8 })
+  assert(run.cutbacks > 2, run.cutbacks)
+  local shorter = 0
+  for _, count in ipairs(run:column "increments") do shorter = shorter + (count > 1 and 1 or 0) end
+  assert(shorter > 3)
+end)
+
+check.case("so do arcs, which lead through a snap-back in step 145", function()
+  local film = { hamaker = 0.1, r0 = 0.4 }
+  local function strip()
+    local body = sg.body{ patch = sg.shapes.rectangle{ width = 100, height = 5 }, elements = {40, 2}, order = "N2",
+                          contact = "south", material = sg.neo_hookean{ E = 2, nu = 0.2 } }
+    return sg.model{
+      bodies   = { strip = body },
+      supports = { edge = { on = body:face "east", rotate = true }, pin = { on = body:corner "south-west", fix = "x" } },
+      contacts = { film = { slave = body:face "south", adhesion = film, where = function(X) return X[1] <= 80 end,
+                            master = sg.rigid.plane{ point = {0, -15 ^ (-1 / 6) * film.r0}, normal = {0, 1} } } },
+    }
+  end
+  local run = taken_up(strip, { { name = "peel", steps = 152, edge = 76 } },
+    { checkpoint = { file = file, every = 5 }, arc_length = true, newton = { iterations = 10 } }, { 143, 145, 149 })
+  check.equal({ run.reason, run.steps, #run.controls }, { "completed", 152, 2 })
+end)
+
+check.case("a step that fails leaves the last file; taken up it fails in the same way", function()
+  os.remove(file)
+  local far = { { name = "press", steps = 6, grip = {0, -0.15} }, { name = "leap", steps = 1, grip = {2.5, -0.9} } }
+  local model, other = ironing(), ironing()
+  local run = model:run(far, { checkpoint = file })
+  check.equal({ run.failed, run.steps }, { true, 6 })
+  local again = other:run(far, { checkpoint = file, resume = true })
+  check.equal({ again.reason, again.report }, { run.reason, run.report })
+  alike(run, again, model, other)
+end)
+
+check.case("the file of a finished run gives the run at once; without a file it begins", function()
+  os.remove(file)
+  local model, other = ironing(), ironing()
+  local run = model:run(path, { checkpoint = file, resume = true })
+  check.equal(run.steps, 20)
+  local again = other:run(path, { checkpoint = file, resume = true })
+  alike(run, again, model, other)
+  check.equal(other:solver().factorisations, 0)
+  check.holds(tostring(again), "press", "slide", "total")
+  local fresh = ironing()
+  fresh:run(path, { checkpoint = file })
+  assert(fresh:solver().factorisations > 0)
+  -- The model of the file alone, too
+  local loaded = sg.load(file)
+  check.equal(loaded:reaction "grip", model:reaction "grip")
+end)
+
+check.case("a path from a state that is not the first one, in two runs of one model", function()
+  local function both(options, stop)
+    local model = ironing()
+    model:run{ { steps = 6, grip = {0, -0.12} } }
+    options.on_step = stop and function(info) return info.step == stop and "stop" or nil end
+    return model:run({ { steps = 8, grip = {0.16, -0.12} } }, options), model
+  end
+  local run, model = both({ checkpoint = file })
+  os.remove(file)
+  both({ checkpoint = file }, 3)
+  local again, other = both({ checkpoint = file, resume = true })
+  alike(run, again, model, other)
+end)
+
+check.case("files that do not fit are errors at the user's own line", function()
+  local function refused(model, stages, ...)
+    local before = model:reaction "grip"
+    check.fails(function() model:run(stages, { checkpoint = file, resume = true }) end, "resume_test.lua:", "model:run: ",
+      file, ...)
+    check.equal(model:reaction "grip", before)
+  end
+  ironing():run(path, { checkpoint = file })
+  refused(ironing(2), path, "was saved of another scene; what differs: body 'slab'")
+  refused(ironing(), { path[1] }, "another path: it has 1 stages, the file's has 2")
+  refused(ironing(), { path[1], { name = "slide", steps = 13, grip = {0.2, -0.15} } }, "stage 2 ('slide').steps is 13, in the file 12")
+  refused(ironing(), { path[1], { name = "slide", steps = 12, grip = {0.3, -0.15} } }, "stage 2 ('slide') has other targets")
+  refused(ironing(), { { name = "down", steps = 8, grip = {0, -0.15} }, path[2] }, "stage 1 ('down').name", "press")
+  local model = ironing()
+  model:save(file)
+  refused(ironing(), path, "was saved by model:save, not by a run")
+  core.save(model, file, "{{},{},")
+  refused(ironing(), path, "the text is damaged at character 8")
+  assert(io.open(file, "wb")):write("SIGNORINI checkpoint\n"):close()
+  refused(ironing(), path, "is damaged: it is cut off after 21 bytes")
+  assert(io.open(file, "wb")):write("something else"):close()
+  refused(ironing(), path, "is not a checkpoint of signorini")
+  local output, status = check.script("local sg = require 'signorini'\nprint(sg.load(arg[1]))", file)
+  check.equal(status, 1)
+  check.holds(output, "study.lua:2: sg.load: '" .. file)
+end)
+
+check.case("wrong options", function()
+  local model = ironing()
+  local function refused(options, ...)
+    check.fails(function() model:run(path, options) end, "resume_test.lua:", "model:run: ", ...)
+  end
+  refused({ resume = true }, "resume = true needs the file to take up from: add checkpoint = \"run.sgn\"")
+  refused({ checkpoint = 3 }, "checkpoint must be a file name, or { file = …, every = 1 }, got the number 3")
+  refused({ checkpoint = { every = 2 } }, "checkpoint.file is missing: it must be a string")
+  refused({ checkpoint = { file = file, every = 0 } }, "checkpoint.every must be a whole number of at least 1")
+  refused({ checkpoint = { fiel = file } }, "unknown argument 'fiel' in options.checkpoint; did you mean 'file'?")
+  refused({ checkpoint = file, resume = "yes" }, "resume must be true or false")
+  -- before the first step, not after it
+  refused({ checkpoint = "nowhere/at/all.sgn" }, "cannot write 'nowhere/at/all.sgn'", "create it first")
+  check.equal(model:solver().factorisations, 0)
+end)
+
+check.case("plain data as text and back, bit by bit", function()
+  local value = { 1, -2, 0.1, 1 / 3, -0.0, 5e-324, 1e308, math.huge, -math.huge, math.mininteger, true, false, "", "a\"b\\c\nd\0e ü",
+                  {}, { { 3 } }, name = "x", ["grip.fx"] = { 1.5 } }
+  local text = literal.write(value)
+  local back = literal.read(text)
+  check.equal(literal.write(back), text)
+  for i, entry in ipairs(value) do
+    if type(entry) ~= "table" then check.equal(back[i], entry) end
+    check.equal(math.type(back[i]), math.type(entry))
+  end
+  check.equal(1 / back[5], -math.huge)
+  local nan = literal.read(literal.write(0 / 0))
+  assert(nan ~= nan)
+  -- Nothing is run, nothing is guessed.
+  for _, wrong in ipairs { "", "{", "{1", "{1,", "{1 2}", "{1}}", "{1} ", "os.exit()", "0x1p", "\"a", "\"a\nb\"", "{[1]=2}", "{a=1}",
+                           "{[\"a\"]}", "1;2", "nil" } do
+    check.equal((pcall(literal.read, wrong)), false)
+  end
+  for _, wrong in ipairs { print, { [1.5] = 1 }, { [3] = 1 }, io.stdout } do
+    check.equal((pcall(literal.write, wrong)), false)
+  end
+end)
+
+os.remove(file)
+check.done()
