@@ -14,16 +14,17 @@ const ArchiveKind kind{"checkpoint", 1};
 using Parts = std::vector<ScenePart>;
 
 template <int D> void write_state(ArchiveWriter& to, const Snapshot<D>& state) {
-  const auto& [displacement, last_increment, targets, previous, contacts, force_scale, work, force, factor] = state;
-  to.put(displacement, last_increment, targets, previous, force_scale, work, force, factor);
+  const auto& [displacement, last_increment, targets, previous, contacts, force_scale, work, force, factor, bend] =
+      state;
+  to.put(displacement, last_increment, targets, previous, force_scale, work, force, factor, bend);
   for (const auto& history : contacts) contact::write_history<D>(to, history);
 }
 
 /// Into a snapshot of a model of the same scene.
 template <int D> void read_state(ArchiveReader& from, Snapshot<D>& state) {
-  auto& [displacement, last_increment, targets, previous, contacts, force_scale, work, force, factor] = state;
+  auto& [displacement, last_increment, targets, previous, contacts, force_scale, work, force, factor, bend] = state;
   const Eigen::Index dofs = displacement.size(), components = targets.size();
-  from.into(displacement, last_increment, targets, previous, force_scale, work, force, factor);
+  from.into(displacement, last_increment, targets, previous, force_scale, work, force, factor, bend);
   require(displacement.size() == dofs && last_increment.size() == dofs && force.size() == dofs &&
               targets.size() == components && previous.size() == components,
           "a state of ", displacement.size(), " degrees of freedom was saved, the model has ", dofs);

@@ -67,6 +67,16 @@ template <int D> void Model<D>::set_target(int drive, int component, double valu
   step_.reset();
 }
 
+/// The step from the accepted targets as a multiple of the last accepted one; nothing where the path bends.
+template <int D> std::optional<double> Model<D>::straight_ratio(const VectorX& step) const {
+  const VectorX last = accepted_targets_ - previous_targets_;
+  if (!(last.squaredNorm() > 0)) return std::nullopt;
+  const double ratio = step.dot(last) / last.squaredNorm();
+  constexpr double straight = 1e-6;
+  if ((step - ratio * last).norm() > straight * step.norm()) return std::nullopt;
+  return ratio;
+}
+
 template <int D> void Model<D>::set_penalty_factor(double factor) {
   require(std::isfinite(factor) && factor > 0, "the penalty's factor must be positive, got ", factor);
   for (auto& pair : pairs_) pair.scale_penalty(factor);
@@ -93,7 +103,11 @@ template <int D> solve::Outcome Model<D>::assemble(const VectorX* direction, boo
 template <int D> void Model<D>::accept() {
   ScopedTimer timer(timings_.contact);
   for (auto& pair : pairs_) pair.accept();
-  last_increment_ = displacement_ - accepted_;
+  // How far this step's rate of displacement, Δu for the same Δtargets, is from the last one's
+  const VectorX increment = displacement_ - accepted_, step = targets_ - accepted_targets_;
+  const std::optional<double> ratio = straight_ratio(step);
+  bend_ = ratio ? (increment - *ratio * last_increment_).norm() / increment.norm() : 1;
+  last_increment_ = increment;
   previous_targets_ = accepted_targets_;
   work_ += 0.5 * (accepted_force_ + force_).dot(last_increment_);
   accepted_force_ = force_;
@@ -127,7 +141,7 @@ template <int D> void Model<D>::settle() {
 
 template <int D> Snapshot<D> Model<D>::snapshot() const {
   Snapshot<D> kept{accepted_,    last_increment_, accepted_targets_, previous_targets_, {},
-                   force_scale_, work_,           accepted_force_,   penalty_factor_};
+                   force_scale_, work_,           accepted_force_,   penalty_factor_,   bend_};
   for (const auto& pair : pairs_) kept.contacts.push_back(pair.history());
   return kept;
 }
@@ -137,6 +151,7 @@ template <int D> void Model<D>::restore(const Snapshot<D>& snapshot) {
   last_increment_ = snapshot.last_increment;
   accepted_targets_ = snapshot.targets;
   previous_targets_ = snapshot.previous_targets;
+  bend_ = snapshot.bend;
   set_penalty_factor(snapshot.penalty_factor);
   for (std::size_t k = 0; k < pairs_.size(); ++k) pairs_[k].restore(snapshot.contacts[k]);
   force_scale_ = snapshot.force_scale;

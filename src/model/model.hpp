@@ -26,7 +26,7 @@ template <int D> struct Snapshot {
   std::vector<typename contact::Pair<D>::History> contacts;
   double force_scale, work;
   VectorX force; ///< see Model::accepted_force_
-  double penalty_factor;
+  double penalty_factor, bend;
 };
 
 /// The model keeps two states: the accepted one, and the present one, which equals it before a step and after a
@@ -141,6 +141,7 @@ private:
   void forget_solver();
   void damp();
   Step begin_step(const StepOptions& options);
+  std::optional<double> straight_ratio(const VectorX& step) const;
   bool predict(const VectorX& increment);
   solve::Outcome assemble_step(bool tangent, std::string& why);
   bool advance(const StepOptions& options, double& energy);
@@ -171,6 +172,7 @@ private:
   VectorX accepted_force_;             ///< f_int + f_c in the accepted state: what supports and loads balance
   double work_ = 0;                    ///< of supports and loads up to the accepted state
   double arc_fraction_ = 0, penalty_factor_ = 1;
+  double bend_ = 1; ///< relative difference of the last two steps' rates; 1 where there are none to compare
   std::optional<Step> step_;
   ActiveSet<D> active_set_;
   std::optional<BodyInversion> inverted_;
