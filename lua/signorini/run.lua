@@ -167,14 +167,15 @@ function Step:try(solver, to, rescue)
   return result
 end
 
---- Solves for the targets at the part `to` of the step, where that fails with the controls that may carry it through;
---- then accepts or rolls back. Returns the solver's result: that of the first try where all fail.
-function Step:attempt(to)
+--- Solves for the targets at the part `to` of the step, where that fails with the controls that may carry it through
+--- (`shorter`: a shorter attempt can follow); then accepts or rolls back. Returns the solver's result: that of the first
+--- try where all fail.
+function Step:attempt(to, shorter)
   local first = self:try(self.solver, to)
   local result = first
   for _, rescue in ipairs(self.options.tries) do
     if result.converged or steps.is_asked_for(result) then break end
-    result = self:try(rescue.solver, to, rescue.name)
+    if rescue.early or not shorter then result = self:try(rescue.solver, to, rescue.name) end
   end
   if not result.converged and not steps.is_asked_for(result) then return first end
   if result.converged then self.done = to end
@@ -207,6 +208,9 @@ function Step:solve_arc(length, iterations)
   end
   return result, self.done + result.fraction, kept
 end
+
+--- Whether there are controls to try where an attempt has failed.
+function Step:has_rescues() return #self.options.tries > 0 end
 
 --- An arc that is accepted unless it leads beyond the step's end.
 function Step:attempt_arc(length, iterations)

@@ -2,7 +2,9 @@
 -- which ends with the result of the last attempt: converged when the step was reached. `step` is made by run.lua:
 --   step.done          the part of the step that is accepted so far, 0 to 1
 --   step.solver        what model:solve_step takes
---   step:attempt(to)   solves for the targets at the part `to` of the step; accepts, or rolls back; returns the result
+--   step:attempt(to, shorter)  solves for the targets at the part `to` of the step; accepts, or rolls back; returns the
+--                      result. `shorter`: where it fails a shorter one will follow
+--   step:has_rescues() says whether something is tried where an attempt has failed
 --   step:cut_back()    says that a failed attempt is tried again, shorter
 -- and another, shorten(), which makes the next attempts half as long and says whether it could.
 -- What a policy carries from one step to the next stands in its table `memory`, as plain data: checkpoints keep it.
@@ -44,21 +46,30 @@ function steps.is_asked_for(result) return result.reason == "interrupted" or res
 --- Newton has converged in half of the iterations that it may take.
 local function is_easy(result, solver) return 2 * result.iterations <= solver.iterations end
 
+--- The last resort where the shortest step fails: all that is left of the step at once, with all that may carry it through.
+local function leap(step, failed)
+  if not step:has_rescues() then return failed end
+  local result = step:attempt(1)
+  return (result.converged or steps.is_asked_for(result)) and result or failed
+end
+
 function Halving:take(step)
   local memory, result = self.memory, nil
   repeat
     local rest = 1 - step.done
     local length = memory.length < rest - rounding and memory.length or rest
-    result = step:attempt(length == rest and 1 or step.done + length)
+    local last = length / 2 < self.min - rounding
+    result = step:attempt(length == rest and 1 or step.done + length, not last)
     if result.converged then
       if is_easy(result, step.solver) then
         memory.length = math.max(memory.length, math.min(self.max, self.growth * length))
       end
     elseif steps.is_asked_for(result) then
       return result
-    elseif length / 2 < self.min - rounding then
+    elseif last then
       result.shortest = length
-      return result
+      result = leap(step, result)
+      if not result.converged then return result end
     else
       memory.length = length / 2
       step:cut_back()
