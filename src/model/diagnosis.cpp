@@ -149,7 +149,8 @@ template <int D> void add_direction(Diagnosis& diagnosis, const Model<D>& model,
 std::string cure(Outcome outcome) {
   switch (outcome) {
   case Outcome::iteration_limit:
-    return "allow more iterations (newton = { iterations = … }) or smaller steps (step = { adaptive = true })";
+    return "allow more iterations (newton = { iterations = … }), smaller steps (step = { adaptive = true }), or, where "
+           "rounding is in the way, a looser newton.tolerance or a lower penalty";
   case Outcome::diverged:
   case Outcome::not_finite:
     return "take smaller steps (step = { adaptive = true }) or a line search (newton = { line_search = \"residual\" })";

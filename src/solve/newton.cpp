@@ -91,7 +91,7 @@ bool iterate(const NewtonSystem& system, const NewtonOptions& options, bool pend
   if (report.iterations - report.begun >= options.iterations)
     return stop(Outcome::iteration_limit,
                 text("no convergence in ", options.iterations, " iterations; the residual is ", residual,
-                     ", asked was ", report.enough));
+                     ", asked was ", report.enough, residual <= 10 * floor ? ", near what rounding leaves of it" : ""));
   if (!tangent)
     if (const Outcome state = system.assemble(true, why); state != Outcome::converged) return stop(state, why);
   if (interrupted()) return stop(Outcome::interrupted, "stopped by Ctrl-C");

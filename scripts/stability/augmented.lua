@@ -1,0 +1,122 @@
+-- Penalty beside augmented Lagrangian: what is left of the penetration, and what that does to the pressure.
+--
+-- Problem: Hertz' line contact (scripts/hertz2d.lua): a quarter of a hollow cylinder, radii 0.1 and 1, E = 1, nu = 0.3,
+--          is pressed onto a rigid plane, with penalties from far too soft to far too stiff; each time with the penalty
+--          alone, and with pressures augmented (Uzawa) until no contact point is deeper than 1e-6 of the body's size.
+-- Source: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of
+--         Contact Problems, PhD thesis, IIT Guwahati, 2020, section 7.2, for the problem; J. C. Simo, T. A. Laursen, An
+--         augmented Lagrangian treatment of contact problems involving friction, Comput. Struct. 42, 1992, for the method.
+-- Units: lengths in outer radii, pressures in Young's moduli.
+-- Expected: augmentation brings the penetration below 1e-6 of the size from the softest penalty on, and the force within
+--           0.1 %. With N2 the pressure suffers as under a high penalty: every contact point becomes a constraint, and
+--           these are too many. With N2-N2.2 they are not: under the softest penalty its error falls to a tenth, to
+--           what the best of all penalties alone gives.
+-- Run: signorini scripts/stability/augmented.lua [labels=N2,N2-N2.2] [mesh=m3] [penalties=1e2,5e2,2e3,1e4,1e5,1e6]
+--      [penetration=1e-6] [loops=500] [steps=4] [reference=m5] [out=out/stability/augmented]
+
+package.path = require "signorini.core".home .. "/scripts/?.lua;" .. package.path
+local sg = require "signorini"
+local hertz = require "hertz2d.problem"
+local study = require "stability.study"
+
+local options = study.read(select("#", ...) > 0 and { ... } or arg, {
+  labels = "N2,N2-N2.2", mesh = "m3", penalties = "1e2,5e2,2e3,1e4,1e5,1e6", penetration = "1e-6", loops = "500",
+  steps = "4", reference = "m5", out = "out/stability/augmented",
+})
+local steps, loops = study.count("steps", options.steps), study.count("loops", options.loops)
+local penetration, penalties = study.positive("penetration", options.penetration)[1],
+  study.positive("penalties", options.penalties)
+local labels = study.split(options.labels)
+local reference_penalty = 1e4
+
+-- ── Runs ─────────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+local function solve(label, mesh, penalty, controls)
+  local model, stage = hertz.scene{ label = label, mesh = mesh, load = "displacement", penalty = penalty }
+  stage.steps = steps
+  local run = model:run({ stage }, controls)
+  local case = { label = label, mesh = mesh, penalty = penalty, run = run, outcome = run.cause or run.reason }
+  if run.failed then return case end
+  case.profile = model:profile "ground"
+  case.edge = sg.profile_edges{ profile = case.profile }.to
+  case.penetration = run:column "ground.max_penetration"[run.steps]
+  case.force, case.peak = run:column "ground.fy"[run.steps], run:column "ground.max_pressure"[run.steps]
+  return case
+end
+
+local reference = solve("N2-N2.2", options.reference, reference_penalty, sg.robust{})
+local _, p0 = hertz.hertz(2 * reference.force)
+
+--- L2 error of the pressure in units of Hertz' peak, over x in units of the reference's half-width: over all of the
+--- contact, and inside, up to 0.8 of it.
+local function errors(case)
+  local function error_of(profile)
+    return (sg.profile_error{ profile = profile, reference = reference.profile, normalise = p0,
+                              coordinate = function(point) return point.x / reference.edge end })
+  end
+  local inside = {}
+  for name, values in pairs(case.profile) do inside[name] = {} end
+  for i, x in ipairs(case.profile.x) do
+    if x <= 0.8 * reference.edge then
+      for name, values in pairs(case.profile) do table.insert(inside[name], values[i]) end
+    end
+  end
+  return error_of(case.profile), error_of(inside)
+end
+
+local cases, rows = {}, {}
+for _, label in ipairs(labels) do
+  for _, penalty in ipairs(penalties) do
+    for _, way in ipairs { "penalty", "augmented" } do
+      local case = solve(label, options.mesh, penalty,
+        sg.robust{ augmented = way == "augmented" and { penetration = penetration, loops = loops } or nil })
+      case.way = way
+      if case.profile then
+        case.error, case.inside = errors(case)
+        case.force_percent, case.peak_percent = 100 * (case.force / reference.force - 1), 100 * (case.peak / p0 - 1)
+      end
+      cases[#cases + 1] = case
+      cases[("%s %g %s"):format(label, penalty, way)] = case
+      rows[#rows + 1] = { label, penalty, way, case.outcome, case.run.iterations, case.penetration, case.error,
+                          case.inside, case.force_percent, case.peak_percent }
+    end
+  end
+end
+
+print(("Hertz at %s: penalty alone and augmented to a penetration of %g; errors against N2-N2.2 at %s, penalty %g")
+  :format(options.mesh, penetration, options.reference, reference_penalty))
+print(sg.table{
+  columns = { "label", "penalty", "way", "outcome", "iterations", "penetration", "L2 error", "inside 0.8 a", "force",
+              "peak" },
+  units = { "", "", "", "", "", "", "of p_0", "of p_0", "% off", "% off" }, rows = rows,
+  formats = { penalty = "%g", penetration = "%.2e", ["L2 error"] = "%.2e", ["inside 0.8 a"] = "%.2e", force = "%.3f",
+              peak = "%.2f" },
+})
+
+-- ── Charts ───────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+sg.mkdir(options.out)
+local files = {}
+local function chart(key, ylabel, title)
+  files[#files + 1] = ("%s/%s.png"):format(options.out, key)
+  local drawing = { file = files[#files], title = title, xlabel = "penalty, in E / R", ylabel = ylabel, log = "xy" }
+  for i, label in ipairs(labels) do
+    for _, way in ipairs { "penalty", "augmented" } do
+      local line = { x = {}, y = {}, label = ("%s, %s"):format(label, way), dashed = way == "augmented", color = i,
+                     markers = true }
+      for _, penalty in ipairs(penalties) do
+        local case = cases[("%s %g %s"):format(label, penalty, way)]
+        if case[key] then line.x[#line.x + 1], line.y[#line.y + 1] = penalty, case[key] end
+      end
+      if #line.x > 0 then drawing[#drawing + 1] = line end
+    end
+  end
+  sg.chart(drawing)
+end
+chart("error", "L2 error of the pressure, in Hertz' peaks", "Hertz at " .. options.mesh .. ": error of the pressure")
+chart("inside", "L2 error of the pressure up to 0.8 a, in Hertz' peaks",
+  "Hertz at " .. options.mesh .. ": error of the pressure inside the contact")
+chart("penetration", "largest penetration, in R", "Hertz at " .. options.mesh .. ": penetration")
+study.finish(files)
+
+return { cases = cases, reference = reference, files = files }

@@ -1,0 +1,118 @@
+-- What robustness costs where nothing fails, and what the first guess of a step saves.
+--
+-- Problem: the easy runs: 2D frictional ironing as published (scripts/ironing2d.lua) and Hertz' line contact under its
+--          load and under its displacement (scripts/hertz2d.lua), each with plain Newton and with all controls on
+--          (sg.robust); then ironing with the three predictors: tangent, constant, linear.
+-- Source: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of
+--         Contact Problems, PhD thesis, IIT Guwahati, 2020, sections 7.1, 6.1 and 7.2, for the problems.
+-- Units: iterations of Newton's method; seconds.
+-- Expected: with the controls on no run takes more iterations than without (asked: at most 1.05 times as many); ironing
+--           takes two thirds of them, Hertz nine tenths. The linear predictor takes a third off the sliding stage.
+-- Run: signorini scripts/stability/cost.lua [labels=N2,N4,N6,N2-N4,N2-N6,N2-N2.1,N2-N2.2,N2-N2.3] [mesh=m1]
+--      [hertz=L1,N2,N4,N2-N4,N2-N2.1,N2-N2.2] [rings=m3] [steps=10] [coarser=1] [repeats=3] [out=out/stability/cost];
+--      rings is Hertz' mesh, steps his; coarser: ironing's steps that many times as long; times are medians of repeats.
+
+package.path = require "signorini.core".home .. "/scripts/?.lua;" .. package.path
+local sg = require "signorini"
+local hertz = require "hertz2d.problem"
+local ironing = require "ironing2d.problem"
+local study = require "stability.study"
+
+local options = study.read(select("#", ...) > 0 and { ... } or arg, {
+  labels = "N2,N4,N6,N2-N4,N2-N6,N2-N2.1,N2-N2.2,N2-N2.3", mesh = "m1", hertz = "L1,N2,N4,N2-N4,N2-N2.1,N2-N2.2",
+  rings = "m3", steps = "10", coarser = "1", repeats = "3", out = "out/stability/cost",
+})
+local steps, repeats = study.count("steps", options.steps), study.count("repeats", options.repeats)
+local coarser = study.positive("coarser", options.coarser)[1]
+local predictors = { "tangent", "constant", "linear" }
+
+-- ── Runs ─────────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- Runs a case { problem, label, run(controls) } in each of several ways, in turns; returns for each way the last run
+--- and the median of the times.
+local function solve(case, ways)
+  local results = {}
+  for i = 1, repeats do
+    for name, controls in pairs(ways) do
+      local run = case.run(controls)
+      results[name] = results[name] or { walls = {} }
+      results[name].run, results[name].walls[i] = run, run.wall
+    end
+  end
+  for _, result in pairs(results) do
+    table.sort(result.walls)
+    result.wall = result.walls[(#result.walls + 1) // 2]
+  end
+  return results
+end
+
+local function ironing_case(label)
+  local set_up = ironing.variants.standard
+  return { problem = "ironing at " .. options.mesh, label = label, run = function(controls)
+    return ironing.scene(set_up, label, ironing.elements(options.mesh)):run(ironing.path(set_up, coarser), controls)
+  end }
+end
+
+local function hertz_case(load, label)
+  return { problem = ("Hertz at %s by %s"):format(options.rings, load), label = label, run = function(controls)
+    local model, stage = hertz.scene{ label = label, mesh = options.rings, load = load }
+    stage.steps = steps
+    return model:run({ stage }, controls)
+  end }
+end
+
+-- ── Controls on and off ──────────────────────────────────────────────────────────────────────────────────────────────
+
+local costs, rows = {}, {}
+local function add(case)
+  local results = solve(case, { plain = {}, controls = sg.robust{} })
+  local plain, controls = results.plain, results.controls
+  local cost = {
+    problem = case.problem, label = case.label, plain = plain.run.iterations, controls = controls.run.iterations,
+    ratio = controls.run.iterations / plain.run.iterations, time_ratio = controls.wall / plain.wall,
+    failed = plain.run.failed or controls.run.failed,
+  }
+  costs[#costs + 1] = cost
+  rows[#rows + 1] = { cost.problem, cost.label, cost.plain, cost.controls, cost.ratio, cost.time_ratio,
+                      cost.failed and "fails" or "" }
+end
+for _, label in ipairs(study.split(options.labels)) do add(ironing_case(label)) end
+for _, load in ipairs { "force", "displacement" } do
+  for _, label in ipairs(study.split(options.hertz)) do add(hertz_case(load, label)) end
+end
+print "Iterations with plain Newton and with the controls on; their ratio, and that of the times"
+print(sg.table{ columns = { "problem", "label", "plain", "controls", "ratio", "time ratio", "" }, rows = rows,
+                formats = { ratio = "%.3f", ["time ratio"] = "%.2f" } })
+
+-- ── Predictors ───────────────────────────────────────────────────────────────────────────────────────────────────────
+
+local guesses = {}
+rows = {}
+for _, label in ipairs(study.split(options.labels)) do
+  local ways, row = {}, { label }
+  for _, predictor in ipairs(predictors) do ways[predictor] = { predictor = predictor } end
+  local results, guess = solve(ironing_case(label), ways), { label = label }
+  for _, predictor in ipairs(predictors) do
+    local run = results[predictor].run
+    guess[predictor] = not run.failed and run.stages[2].iterations or nil
+    row[#row + 1] = guess[predictor] or run.reason
+  end
+  guess.saved = guess.tangent and guess.linear and 100 * (1 - guess.linear / guess.tangent)
+  guess.time_saved = 100 * (1 - results.linear.wall / results.tangent.wall)
+  row[#row + 1], row[#row + 2] = guess.saved or "", guess.time_saved
+  guesses[#guesses + 1], rows[#rows + 1] = guess, row
+end
+print(("\nIroning at %s: iterations of the sliding stage by predictor, what the linear one saves, and of the run's time")
+  :format(options.mesh))
+print(sg.table{ columns = { "label", "tangent", "constant", "linear", "iterations saved", "time saved" },
+                units = { "", "", "", "", "%", "%" }, rows = rows,
+                formats = { ["iterations saved"] = "%.1f", ["time saved"] = "%.1f" } })
+
+sg.mkdir(options.out)
+local file = options.out .. "/cost.csv"
+local data = { columns = { "problem", "label", "plain", "controls", "ratio", "time_ratio" }, rows = {} }
+for i, c in ipairs(costs) do data.rows[i] = { c.problem, c.label, c.plain, c.controls, c.ratio, c.time_ratio } end
+sg.csv.write(file, data)
+study.finish { file }
+
+return { costs = costs, guesses = guesses, files = { file } }
