@@ -24,7 +24,8 @@ std::optional<double> by_residual(const std::function<Trial(double)>& evaluate, 
     //   s* = start² s² / (φ(s) − start² + 2 start² s)
     const double ratio = (now / start) * (now / start);
     const double next = s * s / (ratio - 1 + 2 * s);
-    s = std::isfinite(next) ? std::clamp(next, 0.1 * s, 0.5 * s) : 0.5 * s;
+    // Where there is no state at all, the parabola knows nothing.
+    s = std::isfinite(now) ? std::clamp(next, 0.1 * s, 0.5 * s) : 0.5 * s;
   }
   return std::nullopt;
 }
