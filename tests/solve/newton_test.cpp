@@ -20,6 +20,9 @@ struct Scalar {
   Outcome outcome = Outcome::converged;
 
   NewtonReport solve(const NewtonOptions& options = {}, bool pending = false) {
+    return newton(system(), options, pending);
+  }
+  NewtonSystem system() {
     NewtonSystem system;
     system.assemble = [this](bool tangent, std::string& why) {
       ++assemblies;
@@ -39,7 +42,7 @@ struct Scalar {
       x += step;
       return true;
     };
-    return newton(system, options, pending);
+    return system;
   }
 };
 
@@ -169,12 +172,103 @@ TEST(Newton, StopsWhenInterrupted) {
   EXPECT_EQ(problem.x, 1.0);
 }
 
+TEST(Newton, IterationByIterationIsTheSame) {
+  for (const bool pending : {false, true})
+    for (const int limit : {2, 25}) {
+      const NewtonOptions options{1e-14, limit};
+      Scalar whole = root_of_two(), pieces = root_of_two();
+      const NewtonReport at_once = whole.solve(options, pending);
+      const NewtonSystem system = pieces.system();
+      NewtonReport report;
+      int calls = 0;
+      while (iterate(system, options, pending, report)) {
+        EXPECT_EQ(report.outcome, Outcome::iterating);
+        EXPECT_EQ(report.iterations, ++calls);
+        EXPECT_EQ(report.residuals.size(), static_cast<std::size_t>(calls));
+        EXPECT_EQ(pieces.solves, calls);
+      }
+      EXPECT_EQ(report.outcome, at_once.outcome);
+      EXPECT_EQ(report.residuals, at_once.residuals);
+      EXPECT_EQ(report.energies, at_once.energies);
+      EXPECT_EQ(report.enough, at_once.enough);
+      EXPECT_EQ(report.message, at_once.message);
+      EXPECT_EQ(pieces.x, whole.x);
+      EXPECT_EQ(pieces.assemblies, whole.assemblies);
+    }
+}
+
+TEST(Newton, SettleIsAskedOnlyOnceConvergedAndMayFail) {
+  Scalar problem = root_of_two();
+  NewtonSystem system = problem.system();
+  int asked = 0;
+  system.settle = [&](std::string&) {
+    ++asked;
+    EXPECT_NEAR(problem.x, std::sqrt(2.0), 1e-7);
+    return Outcome::converged;
+  };
+  const NewtonReport report = newton(system, {1e-10, 25}, false);
+  EXPECT_EQ(report.outcome, Outcome::converged);
+  EXPECT_EQ(asked, 1);
+  EXPECT_EQ(report.begun, 0);
+
+  system.settle = [](std::string& why) {
+    why = "too deep";
+    return Outcome::penetration;
+  };
+  problem.x = 1;
+  const NewtonReport failed = newton(system, {1e-10, 25}, false);
+  EXPECT_EQ(failed.outcome, Outcome::penetration);
+  EXPECT_EQ(failed.message, "too deep");
+  EXPECT_EQ(failed.residuals, report.residuals);
+
+  problem.x = 1;
+  system.settle = [&](std::string&) {
+    ADD_FAILURE() << "asked where nothing has converged";
+    return Outcome::converged;
+  };
+  EXPECT_EQ(newton(system, {1e-10, 2}, false).outcome, Outcome::iteration_limit);
+}
+
+/// √2, then √3, then √5 with one limit for each.
+TEST(Newton, IterationsCountFromWhereSettleAskedForMore) {
+  double square = 2;
+  Scalar problem{[&](double x) { return x * x - square; }, [](double x) { return 2 * x; }, 1.0};
+  NewtonSystem system = problem.system();
+  const auto raise = [&](std::string&) {
+    if (square == 5) return Outcome::converged;
+    square = square == 2 ? 3 : 5;
+    return Outcome::iterating;
+  };
+  system.settle = raise;
+  const NewtonReport report = newton(system, {1e-12, 6}, false);
+  EXPECT_EQ(report.outcome, Outcome::converged);
+  EXPECT_NEAR(problem.x, std::sqrt(5.0), 1e-12);
+  EXPECT_GT(report.iterations, 6);
+  EXPECT_GT(report.begun, 6);
+  EXPECT_LE(report.iterations - report.begun, 6);
+
+  problem.x = 1, square = 2;
+  const NewtonReport limited = newton(system, {1e-12, 4}, false);
+  EXPECT_EQ(limited.outcome, Outcome::iteration_limit);
+  EXPECT_EQ(limited.iterations - limited.begun, 4);
+
+  // An end that settle never sees comes all the same.
+  problem.x = 1;
+  system.settle = [&](std::string&) { return square += 1, Outcome::iterating; };
+  request_interrupt();
+  EXPECT_EQ(newton(system, {1e-12, 6}, false).outcome, Outcome::interrupted);
+  clear_interrupt();
+}
+
 TEST(Newton, OutcomesHaveNames) {
   const std::pair<Outcome, const char*> names[] = {
       {Outcome::converged, "converged"},       {Outcome::iteration_limit, "iterations"},
       {Outcome::diverged, "diverged"},         {Outcome::inverted_element, "inverted"},
       {Outcome::singular_tangent, "singular"}, {Outcome::not_finite, "nan"},
-      {Outcome::interrupted, "interrupted"},
+      {Outcome::interrupted, "interrupted"},   {Outcome::iterating, "iterating"},
+      {Outcome::cycling, "cycling"},           {Outcome::lost_projection, "lost_projection"},
+      {Outcome::indefinite, "indefinite"},     {Outcome::line_search, "line_search"},
+      {Outcome::penetration, "penetration"},
   };
   for (const auto& [outcome, name] : names) EXPECT_EQ(name_of(outcome), name);
 }

@@ -1,0 +1,32 @@
+#include "base/words.hpp"
+
+#include <gtest/gtest.h>
+
+namespace signorini {
+namespace {
+
+TEST(Words, NumbersHaveSixDigits) {
+  EXPECT_EQ(number(-0.125), "-0.125");
+  EXPECT_EQ(number(1.0 / 3), "0.333333");
+  EXPECT_EQ(number(12345678), "1.23457e+07");
+  EXPECT_EQ(number(1), "1");
+  EXPECT_EQ(number(1.2345678e-9), "1.23457e-09");
+}
+
+TEST(Words, CoordinatesStandInBrackets) {
+  EXPECT_EQ(coordinates(Eigen::Vector2d(1.5, -2)), "(1.5, -2)");
+  EXPECT_EQ(coordinates(Eigen::Vector3d(0, 1.0 / 3, 100)), "(0, 0.333333, 100)");
+  EXPECT_EQ(coordinates(VectorX::Constant(1, 7)), "(7)");
+}
+
+TEST(Words, WhatIsNothingButRoundingIsZero) {
+  EXPECT_EQ(coordinates(Eigen::Vector2d(1, -1e-16)), "(1, 0)");
+  EXPECT_EQ(coordinates(Eigen::Vector2d(1, -0.0)), "(1, 0)");
+  EXPECT_EQ(coordinates(Eigen::Vector2d(1, 1e-11)), "(1, 1e-11)");
+  // Small beside nothing is not small.
+  EXPECT_EQ(coordinates(Eigen::Vector2d(1e-16, -3e-16)), "(1e-16, -3e-16)");
+  EXPECT_EQ(coordinates(Eigen::Vector2d::Zero()), "(0, 0)");
+}
+
+} // namespace
+} // namespace signorini

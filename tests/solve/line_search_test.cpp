@@ -1,0 +1,275 @@
+// Line search on functions whose Newton steps are known, and inside the loop where plain Newton fails.
+#include "solve/newton.hpp"
+
+#include "base/eigen.hpp"
+#include "base/error.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace signorini::solve {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// f(x) = 0 in several unknowns; where f is not finite there is no state.
+struct Problem {
+  std::function<VectorX(const VectorX&)> f;
+  std::function<MatrixX(const VectorX&)> slope;
+  VectorX x;
+  VectorX before = {}, move = {};
+  std::vector<double> asked = {}; ///< parts that a search has looked at
+
+  NewtonReport solve(LineSearchKind kind, int iterations = 25) {
+    NewtonSystem system;
+    system.assemble = [this](bool, std::string& why) {
+      why = "no state";
+      return f(x).allFinite() ? Outcome::converged : Outcome::inverted_element;
+    };
+    system.residual = [this] { return f(x).norm(); };
+    system.scale = [] { return 1.0; };
+    system.floor = [] { return 1e-15; };
+    system.advance = [this](double& energy) {
+      before = x;
+      move = -slope(x).partialPivLu().solve(f(x));
+      energy = std::abs(f(x).dot(move));
+      x += move;
+      return true;
+    };
+    system.slope = [this] { return f(before).dot(move); };
+    system.retreat = [this](double part) {
+      asked.push_back(part);
+      x = before + part * move;
+      const VectorX residual = f(x);
+      return residual.allFinite() ? Trial{residual.norm(), residual.dot(move)} : Trial{infinity, infinity};
+    };
+    return newton(system, {1e-12, iterations, kind}, false);
+  }
+};
+
+Problem scalar(double (*f)(double), double (*slope)(double), double start) {
+  return {[f](const VectorX& x) { return VectorX::Constant(1, f(x(0))); },
+          [slope](const VectorX& x) { return MatrixX::Constant(1, 1, slope(x(0))); }, VectorX::Constant(1, start)};
+}
+
+Problem arctan_from(double start) {
+  return scalar([](double x) { return std::atan(x); }, [](double x) { return 1 / (1 + x * x); }, start);
+}
+
+/// Odd, convex on either side: from ±a Newton's method goes to ∓a and back for ever.
+/// f = x³ − 5x, f′ = 3x² − 5: x − f/f′ = 2x³/(3x² − 5) = −x for 5x² = 5.
+Problem two_cycle() {
+  return scalar([](double x) { return x * x * x - 5 * x; }, [](double x) { return 3 * x * x - 5; }, 1);
+}
+
+TEST(LineSearch, TheWholeMoveIsKeptWhereItIsGood) {
+  for (LineSearchKind kind : {LineSearchKind::residual, LineSearchKind::energy}) {
+    Problem plain = arctan_from(0.5), searched = arctan_from(0.5);
+    const NewtonReport without = plain.solve(LineSearchKind::none), with = searched.solve(kind);
+    EXPECT_EQ(with.outcome, Outcome::converged);
+    EXPECT_EQ(with.residuals, without.residuals); // to the last bit
+    EXPECT_EQ(with.parts, std::vector<double>(static_cast<std::size_t>(with.iterations), 1));
+    EXPECT_EQ(searched.asked.size(), with.parts.size());
+    EXPECT_TRUE(without.parts.empty());
+  }
+}
+
+TEST(LineSearch, GoesBackWhereNewtonOvershoots) {
+  EXPECT_NE(arctan_from(3).solve(LineSearchKind::none).outcome, Outcome::converged);
+  for (LineSearchKind kind : {LineSearchKind::residual, LineSearchKind::energy}) {
+    Problem problem = arctan_from(3);
+    const NewtonReport report = problem.solve(kind);
+    EXPECT_EQ(report.outcome, Outcome::converged);
+    EXPECT_LT(report.iterations, 10);
+    EXPECT_NEAR(problem.x(0), 0, 1e-12);
+    EXPECT_LT(report.parts.front(), 1);
+    EXPECT_EQ(report.parts.back(), 1); // Newton's own convergence at the end
+    for (std::size_t k = 1; k < report.residuals.size(); ++k) EXPECT_LT(report.residuals[k], report.residuals[k - 1]);
+  }
+}
+
+TEST(LineSearch, GoesBackInSeveralUnknowns) {
+  // A rotated pair of arctan, weights 1 and 4
+  const Eigen::Matrix2d turn = Eigen::Rotation2Dd(0.7).toRotationMatrix();
+  const auto f = [turn](const VectorX& x) {
+    const Eigen::Vector2d y = turn * x;
+    return VectorX(turn.transpose() * Eigen::Vector2d(std::atan(y(0)), 4 * std::atan(y(1))));
+  };
+  const auto slope = [turn](const VectorX& x) {
+    const Eigen::Vector2d y = turn * x;
+    const Eigen::Vector2d d(1 / (1 + y(0) * y(0)), 4 / (1 + y(1) * y(1)));
+    return MatrixX(turn.transpose() * d.asDiagonal() * turn);
+  };
+  EXPECT_NE((Problem{f, slope, Eigen::Vector2d(3, -2.5)}.solve(LineSearchKind::none).outcome), Outcome::converged);
+  for (LineSearchKind kind : {LineSearchKind::residual, LineSearchKind::energy}) {
+    Problem problem{f, slope, Eigen::Vector2d(3, -2.5)};
+    EXPECT_EQ(problem.solve(kind).outcome, Outcome::converged);
+    EXPECT_LT(problem.x.norm(), 1e-12);
+  }
+}
+
+TEST(LineSearch, AvoidsStatesThatDoNotExist) {
+  // ln x from x = 4: Newton's first move leads to 4 − 4 ln 4 < 0.
+  const auto f = [](double x) { return x > 0 ? std::log(x) : std::numeric_limits<double>::quiet_NaN(); };
+  const auto slope = [](double x) { return 1 / x; };
+  EXPECT_EQ(scalar(f, slope, 4).solve(LineSearchKind::none).outcome, Outcome::inverted_element);
+  for (LineSearchKind kind : {LineSearchKind::residual, LineSearchKind::energy}) {
+    Problem problem = scalar(f, slope, 4);
+    EXPECT_EQ(problem.solve(kind).outcome, Outcome::converged);
+    EXPECT_NEAR(problem.x(0), 1, 1e-12);
+    EXPECT_EQ(problem.asked.front(), 1);
+  }
+}
+
+TEST(LineSearch, BreaksCyclesOfPlainNewton) {
+  Problem plain = two_cycle();
+  const NewtonReport without = plain.solve(LineSearchKind::none, 40);
+  EXPECT_EQ(without.outcome, Outcome::iteration_limit);
+  EXPECT_EQ(without.residuals.back(), without.residuals.front());
+  for (LineSearchKind kind : {LineSearchKind::residual, LineSearchKind::energy}) {
+    Problem problem = two_cycle();
+    const NewtonReport report = problem.solve(kind, 40);
+    EXPECT_EQ(report.outcome, Outcome::converged) << report.message;
+    EXPECT_LT(std::abs(problem.x(0) * (problem.x(0) * problem.x(0) - 5)), 1e-11);
+  }
+}
+
+// ── The search itself ────────────────────────────────────────────────────────────────────────────────────────────────
+
+/// What a search looks at, and what it takes.
+struct Looks {
+  std::vector<double> at;
+  std::optional<double> part;
+};
+
+Looks look(LineSearchKind kind, const std::function<Trial(double)>& trial, const std::vector<double>& residuals,
+           double slope = 0) {
+  Looks looks;
+  looks.part = line_search(
+      kind,
+      [&](double s) {
+        looks.at.push_back(s);
+        return trial(s);
+      },
+      residuals, slope);
+  return looks;
+}
+
+TEST(LineSearch, ByResidualFollowsTheParabola) {
+  // φ(0) = 1, φ′(0) = −2, φ(1) = 2²: the parabola's minimum is at 1/(4 − 1 + 2) = 0.2.
+  const auto trial = [](double s) { return Trial{s == 1 ? 2.0 : 0.5, 0}; };
+  const Looks looks = look(LineSearchKind::residual, trial, {1});
+  ASSERT_EQ(looks.at.size(), 2u);
+  EXPECT_NEAR(looks.at[1], 0.2, 1e-15);
+  EXPECT_EQ(looks.part, looks.at[1]);
+  // Kept between a tenth and a half of the last part
+  const auto huge = [](double s) { return Trial{s == 1 ? 1e6 : 0.5, 0}; };
+  EXPECT_EQ(look(LineSearchKind::residual, huge, {1}).part, 0.1);
+  const auto scarce = [](double s) { return Trial{s == 1 ? 1 + 1e-9 : 0.5, 0}; };
+  EXPECT_EQ(look(LineSearchKind::residual, scarce, {1}).part, look(LineSearchKind::residual, scarce, {1}).at[1]);
+  EXPECT_NEAR(*look(LineSearchKind::residual, scarce, {1}).part, 0.5, 1e-8);
+}
+
+TEST(LineSearch, ByResidualLetsItRiseForAWhile) {
+  const auto risen = [](double) { return Trial{3, 0}; };
+  EXPECT_EQ(look(LineSearchKind::residual, risen, {4, 1, 2, 1}).part, 1);
+  EXPECT_EQ(look(LineSearchKind::residual, risen, {1, 1, 2, 1}).part, std::nullopt);
+  // The fourth but last counts, the fifth does not.
+  EXPECT_EQ(look(LineSearchKind::residual, risen, {4, 1, 1, 1, 1}).part, std::nullopt);
+  EXPECT_EQ(look(LineSearchKind::residual, risen, {1, 4, 1, 1, 1}).part, 1);
+  // As high as the highest is not lower.
+  EXPECT_EQ(look(LineSearchKind::residual, risen, {3}).part, std::nullopt);
+}
+
+TEST(LineSearch, ByEnergyFindsWhereTheSlopeIsSmall) {
+  // f·Δu = −1 + 5s is zero at 0.2; regula falsi finds it at once.
+  const auto steep = [](double s) { return Trial{1, -1 + 5 * s}; };
+  const Looks looks = look(LineSearchKind::energy, steep, {1}, -1);
+  ASSERT_EQ(looks.at.size(), 2u);
+  EXPECT_NEAR(*looks.part, 0.2, 1e-15);
+  // Of the same sign still, or small enough: the whole move, however the residual stands
+  EXPECT_EQ(look(
+                LineSearchKind::energy,
+                [](double s) {
+                  return Trial{9, -1 - s};
+                },
+                {1}, -1)
+                .part,
+            1);
+  EXPECT_EQ(look(
+                LineSearchKind::energy,
+                [](double s) {
+                  return Trial{9, -1 + 1.5 * s};
+                },
+                {1}, -1)
+                .part,
+            1);
+  EXPECT_LT(*look(
+                 LineSearchKind::energy,
+                 [](double s) {
+                   return Trial{9, -1 + 1.6 * s};
+                 },
+                 {1}, -1)
+                 .part,
+            1);
+  // A positive slope, as an indefinite tangent leaves it, is searched alike.
+  EXPECT_NEAR(*look(
+                   LineSearchKind::energy,
+                   [](double s) {
+                     return Trial{1, 1 - 5 * s};
+                   },
+                   {1}, 1)
+                   .part,
+              0.2, 1e-15);
+}
+
+TEST(LineSearch, GivesUpAtOnePartIn128) {
+  const Looks by_residual = look(LineSearchKind::residual, [](double) { return Trial{infinity, infinity}; }, {1});
+  EXPECT_EQ(by_residual.part, std::nullopt);
+  EXPECT_EQ(by_residual.at, (std::vector<double>{1, 0.5, 0.25, 1. / 8, 1. / 16, 1. / 32, 1. / 64, 1. / 128}));
+  const Looks by_energy = look(
+      LineSearchKind::energy,
+      [](double) {
+        return Trial{infinity, infinity};
+      },
+      {1}, -1);
+  EXPECT_EQ(by_energy.part, std::nullopt);
+  EXPECT_EQ(by_energy.at, by_residual.at);
+  // A leap of the slope that no part comes near
+  const Looks leap = look(
+      LineSearchKind::energy,
+      [](double s) {
+        return Trial{1, s < 0.3 ? -1.0 : 1.0};
+      },
+      {1}, -1);
+  EXPECT_EQ(leap.part, std::nullopt);
+  EXPECT_LE(leap.at.size(), 10u);
+}
+
+TEST(LineSearch, ALoopThatFindsNothingSaysSo) {
+  // The slope has the wrong sign: Newton's moves lead uphill.
+  Problem problem = scalar([](double x) { return 1 + x * x; }, [](double) { return -1.0; }, 1);
+  const NewtonReport report = problem.solve(LineSearchKind::residual);
+  EXPECT_EQ(report.outcome, Outcome::line_search);
+  EXPECT_EQ(name_of(report.outcome), "line_search");
+  EXPECT_EQ(report.iterations, 1);
+  EXPECT_TRUE(report.parts.empty());
+  EXPECT_NE(report.message.find("no part of the move down to 1/128"), std::string::npos) << report.message;
+}
+
+TEST(LineSearch, KindsHaveNames) {
+  EXPECT_EQ(line_search_kind("none"), LineSearchKind::none);
+  EXPECT_EQ(line_search_kind("residual"), LineSearchKind::residual);
+  EXPECT_EQ(line_search_kind("energy"), LineSearchKind::energy);
+  try {
+    line_search_kind("enrgy");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(), "line_search: unknown kind 'enrgy'; known are 'none', 'residual', 'energy'");
+  }
+}
+
+} // namespace
+} // namespace signorini::solve
