@@ -263,6 +263,10 @@ template <int D> void Pair<D>::scale_penalty(double factor) {
   const PenaltyLaw& given = std::get<PenaltyLaw>(law_);
   penalty_->normal = factor * given.normal;
   penalty_->tangential = factor * given.tangential;
+  // A softer penalty holds up a multiplier's pressure to a larger gap.
+  for (auto* memories : {&accepted_, &memory_})
+    for (Memory& memory : *memories)
+      if (memory.multiplier > 0) memory.cleared = 0;
 }
 
 template <int D> typename Pair<D>::History Pair<D>::history() const {
