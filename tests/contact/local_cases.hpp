@@ -35,7 +35,8 @@ template <int D> struct Situation {
   Second<D> second;
   Foot foot = Foot::regular;
   bool slips = false, revolved = false;
-  double reference_measure = 1;
+  double reference_measure = 1, multiplier = 0;
+  Held held = Held::free;
 };
 
 template <int D> struct Outcome {
@@ -118,6 +119,8 @@ template <int D, class Law> Outcome<D> evaluate(const Law& law, const Variables<
   geometry.slip_point = situation.slips ? &slip : nullptr;
   geometry.revolved = situation.revolved;
   geometry.reference_measure = situation.reference_measure;
+  geometry.multiplier = situation.multiplier;
+  geometry.held = situation.held;
   outcome.gap = geometry.gap;
   apply(law, geometry, outcome.force);
   return outcome;

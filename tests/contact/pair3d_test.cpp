@@ -1,8 +1,6 @@
 // A contact of solids: force and tangent against finite differences in every state, on smooth and kinked surfaces and
 // on obstacles, balance of forces and moments, Coulomb's law for any direction of slip, reversal and twisting.
-#include "contact/faces3d.hpp"
-
-#include "differences.hpp"
+#include "contact/couple3d.hpp"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -15,109 +13,8 @@ namespace {
 
 using namespace test;
 
-/// An indenter with a bulging bottom whose lowest point is (x, y, z), above a master; all displacements in one vector,
-/// the master body's or the obstacle's last.
-struct Couple3 {
-  nurbs::Discretisation die;
-  std::optional<nurbs::Discretisation> base;
-  Pair<3> pair;
-  VectorX u;
-
-  static nurbs::Discretisation indenter(const std::string& label, const Vec<3>& at) {
-    nurbs::Plan plan;
-    plan.elements = {2, 2, 1};
-    plan.contact = {nurbs::side_of("front", 3)};
-    plan.labels.assign(2, nurbs::parse_label(label));
-    return {nurbs::spherical_indenter(1, 1, 0.8, 1.2, 2, at - Vec<3>(0.5, 0.5, 0)), plan};
-  }
-  Couple3(const std::string& label, const nurbs::Discretisation& master, const Law& law, const Vec<3>& at,
-          int points = 4)
-      : die(indenter(label, at)), base(master),
-        pair(Surface<3>(die, nurbs::side_of("front", 3)), top_of(*base), law, points),
-        u(VectorX::Zero(3 * (die.functions() + base->functions()))) {}
-  Couple3(const std::string& label, const Obstacle<3>& master, const Law& law, const Vec<3>& at)
-      : die(indenter(label, at)), pair(Surface<3>(die, nurbs::side_of("front", 3)), master, law, 4),
-        u(VectorX::Zero(3 * (die.functions() + 1))) {}
-
-  int die_dofs() const { return 3 * die.functions(); }
-  int base_dofs() const { return static_cast<int>(u.size()) - die_dofs(); }
-  void evaluate(const VectorX& at) { pair.evaluate(at.data(), at.data() + die_dofs()); }
-  void evaluate() { evaluate(u); }
-  Dense dense() const { return test::dense(pair, die_dofs(), base_dofs()); }
-  void move_die(const Vec<3>& by) {
-    for (int i = 0; i < die_dofs(); i += 3) u.segment<3>(i) += by;
-  }
-  void turn_die(double angle, const Vec<3>& about) {
-    const MatrixX points = die.points();
-    const Eigen::AngleAxisd turn(angle, Vec<3>::UnitZ());
-    for (int i = 0; i < die.functions(); ++i) {
-      const Vec<3> x = Vec<3>(points.col(i)) + u.segment<3>(3 * i);
-      u.segment<3>(3 * i) += turn * (x - about) + about - x;
-    }
-  }
-  void touch() {
-    for (int round = 0; round < 10; ++round) {
-      evaluate();
-      const std::vector<double> gaps = pair.gaps();
-      move_die({0, 0, -*std::min_element(gaps.begin(), gaps.end())});
-    }
-    evaluate();
-    pair.accept();
-  }
-  void shake(Random& random, double size) {
-    for (int i = 0; i < u.size(); ++i) u(i) += uniform(random, -size, size);
-  }
-};
-
-std::vector<int> signature(const Pair<3>& pair) {
-  std::vector<int> result;
-  for (const auto& point : pair.results()) result.push_back(static_cast<int>(point.state));
-  for (const Group& group : pair.groups())
-    result.insert(result.end(), {group.slave_element, group.master_element, group.slip_element});
-  return result;
-}
-
-struct Census {
-  int compared = 0, stepped_over = 0, stick = 0, slip = 0, elsewhere = 0;
-};
-
-/// Tangent times random directions against differences of the force; both faces, or face and obstacle, move.
-void compare_with_differences(Couple3& couple, Random& random, Census& census) {
-  couple.evaluate();
-  const Dense at = couple.dense();
-  const std::vector<int> before = signature(couple.pair);
-  Census here = census;
-  for (const auto& point : couple.pair.results()) {
-    here.stick += point.state == ContactState::stick;
-    here.slip += point.state == ContactState::slip;
-  }
-  for (const Group& group : couple.pair.groups()) here.elsewhere += group.slip_element >= 0;
-  for (int k = 0; k < 8; ++k) {
-    VectorX direction = VectorX::Zero(couple.u.size());
-    for (int i = 0; i < direction.size(); ++i) direction(i) = uniform(random, -1, 1);
-    bool crossed = false;
-    const VectorX slope = signorini::test::derivative<VectorX>(
-        [&](double h) {
-          couple.evaluate(couple.u + h * direction);
-          crossed = crossed || signature(couple.pair) != before;
-          return couple.dense().force;
-        },
-        2e-6);
-    if (crossed) {
-      ++census.stepped_over;
-      couple.evaluate();
-      return;
-    }
-    const VectorX product = at.tangent * direction;
-    EXPECT_LE((slope - product).norm(), 2e-8 * at.tangent.norm());
-  }
-  couple.evaluate();
-  census = here;
-  ++census.compared;
-}
-
 /// Presses, drags to and fro, twists, with a comparison after each, from random displaced states.
-void wander(Couple3 couple, unsigned seed, double depth, Census& census) {
+void wander(Couple3 couple, unsigned seed, double depth, Census3& census) {
   Random random(seed);
   couple.shake(random, 0.003);
   couple.touch();
@@ -138,7 +35,7 @@ void wander(Couple3 couple, unsigned seed, double depth, Census& census) {
 
 TEST(SolidPair, TangentIsTheForcesDerivativeInEveryState) {
   Random random(1);
-  Census sum;
+  Census3 sum;
   unsigned seed = 0;
   for (const char* label : {"N2", "N3", "N2-N2.1"})
     for (double mu : {0.0, 0.3})
@@ -174,7 +71,7 @@ TEST(SolidPair, TangentIsTheForcesDerivativeOnEdgesAndCorners) {
     }
     EXPECT_GE(off_normal, 4);
     couple.pair.accept();
-    Census census;
+    Census3 census;
     for (const Vec<3>& drag : {Vec<3>(2e-4, 1e-4, 0), Vec<3>(0.002, -0.001, 0)}) {
       couple.move_die(drag);
       compare_with_differences(couple, random, census);
@@ -192,7 +89,7 @@ std::vector<Obstacle<3>> obstacles(Random& random) {
 
 TEST(SolidPair, TangentIsTheForcesDerivativeOnObstacles) {
   Random random(2);
-  Census sum;
+  Census3 sum;
   unsigned seed = 50;
   for (double mu : {0.0, 0.3})
     for (const Obstacle<3>& obstacle : obstacles(random))

@@ -83,5 +83,65 @@ TEST(Penalty, FrictionOpposesTheMotion) {
   }
 }
 
+// ── Points that are held, and points with a multiplier ───────────────────────────────────────────────────────────────
+
+/// At a gap of ±0.05 with the slip point 0.01 or 0.3 away; returns the force of the last trial.
+template <int D>
+void held_or_augmented(Foot foot, double gap, double reach, Held held, double multiplier, ContactState expected) {
+  Random random(static_cast<unsigned>(D));
+  const PenaltyLaw law{100, 80, 0.3};
+  for (int trial = 0; trial < 20; ++trial) {
+    const Variables<D> q = random_variables<D>(random, foot, gap, reach);
+    const Situation<D> situation{random_curvature<D>(random), foot, reach > 0, false, 1, multiplier, held};
+    const Outcome<D> at = evaluate<D>(law, q, situation);
+    EXPECT_EQ(at.force.state, expected);
+    EXPECT_NEAR(at.force.pressure, multiplier - 100 * at.gap, 1e-14 * (multiplier + 100));
+    if (at.force.state == ContactState::slip) {
+      EXPECT_NEAR(at.force.friction.norm(), 0.3 * std::abs(at.force.pressure), 1e-12);
+    } else if (held == Held::touching && at.force.pressure < 0) {
+      EXPECT_EQ(at.force.friction.norm(), 0); // it pulls
+    } else if (foot == Foot::regular) {
+      EXPECT_NEAR(at.force.friction.norm(), 80 * reach, 1e-12);
+    }
+    compare_with_differences<D>(law, q, situation, 1e-4);
+  }
+}
+
+template <int D> void held_points() {
+  const ContactState stick = ContactState::stick, slip = ContactState::slip;
+  for (Foot foot : {Foot::regular, Foot::corner}) {
+    held_or_augmented<D>(foot, 0.05, 0.01, Held::touching, 0, stick);
+    held_or_augmented<D>(foot, 0.05, 0.3, Held::touching, 0, stick);
+    for (double gap : {-0.05, 0.05}) {
+      held_or_augmented<D>(foot, gap, 0.3, Held::stick, 0, stick); // beyond Coulomb's cone
+      held_or_augmented<D>(foot, gap, 0.3, Held::slip, 0, slip);
+      held_or_augmented<D>(foot, gap, 0.015, Held::slip, 0, slip); // within it
+    }
+  }
+}
+
+TEST(Penalty, HeldPointsPullAndHaveTheFrictionThatTheyAreToldTo) {
+  held_points<2>();
+  held_points<3>();
+}
+
+TEST(Penalty, HeldTouchingLeavesStickOrSlipToCoulomb) {
+  held_or_augmented<2>(Foot::regular, -0.05, 0.01, Held::touching, 0, ContactState::stick);
+  held_or_augmented<2>(Foot::regular, -0.05, 0.3, Held::touching, 0, ContactState::slip);
+  held_or_augmented<3>(Foot::regular, -0.05, 0.01, Held::touching, 0, ContactState::stick);
+  held_or_augmented<3>(Foot::regular, -0.05, 0.3, Held::touching, 0, ContactState::slip);
+}
+
+/// λ = 9 presses up to a gap of 0.09.
+TEST(Penalty, AMultiplierAddsToThePressureAndToFrictionsLimit) {
+  for (Foot foot : {Foot::regular, Foot::corner})
+    for (double gap : {-0.03, 0.03}) {
+      held_or_augmented<2>(foot, gap, 0.005, Held::free, 9, ContactState::stick);
+      held_or_augmented<2>(foot, gap, 0.3, Held::free, 9, ContactState::slip);
+      held_or_augmented<3>(foot, gap, 0.005, Held::free, 9, ContactState::stick);
+      held_or_augmented<3>(foot, gap, 0.3, Held::free, 9, ContactState::slip);
+    }
+}
+
 } // namespace
 } // namespace signorini::contact

@@ -1,0 +1,117 @@
+#pragma once
+// An indenter above a master in space, with all displacements in one vector, and its tangent against finite
+// differences.
+
+#include "contact/faces3d.hpp"
+
+#include "differences.hpp"
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace signorini::contact::test {
+
+/// An indenter with a bulging bottom whose lowest point is (x, y, z), above a master; all displacements in one vector,
+/// the master body's or the obstacle's last.
+struct Couple3 {
+  nurbs::Discretisation die;
+  std::optional<nurbs::Discretisation> base;
+  Pair<3> pair;
+  VectorX u;
+
+  static nurbs::Discretisation indenter(const std::string& label, const Vec<3>& at) {
+    nurbs::Plan plan;
+    plan.elements = {2, 2, 1};
+    plan.contact = {nurbs::side_of("front", 3)};
+    plan.labels.assign(2, nurbs::parse_label(label));
+    return {nurbs::spherical_indenter(1, 1, 0.8, 1.2, 2, at - Vec<3>(0.5, 0.5, 0)), plan};
+  }
+  Couple3(const std::string& label, const nurbs::Discretisation& master, const Law& law, const Vec<3>& at,
+          int points = 4)
+      : die(indenter(label, at)), base(master),
+        pair(Surface<3>(die, nurbs::side_of("front", 3)), top_of(*base), law, points),
+        u(VectorX::Zero(3 * (die.functions() + base->functions()))) {}
+  Couple3(const std::string& label, const Obstacle<3>& master, const Law& law, const Vec<3>& at)
+      : die(indenter(label, at)), pair(Surface<3>(die, nurbs::side_of("front", 3)), master, law, 4),
+        u(VectorX::Zero(3 * (die.functions() + 1))) {}
+
+  int die_dofs() const { return 3 * die.functions(); }
+  int base_dofs() const { return static_cast<int>(u.size()) - die_dofs(); }
+  void evaluate(const VectorX& at) { pair.evaluate(at.data(), at.data() + die_dofs()); }
+  void evaluate() { evaluate(u); }
+  Dense dense() const { return test::dense(pair, die_dofs(), base_dofs()); }
+  void move_die(const Vec<3>& by) {
+    for (int i = 0; i < die_dofs(); i += 3) u.segment<3>(i) += by;
+  }
+  void turn_die(double angle, const Vec<3>& about) {
+    const MatrixX points = die.points();
+    const Eigen::AngleAxisd turn(angle, Vec<3>::UnitZ());
+    for (int i = 0; i < die.functions(); ++i) {
+      const Vec<3> x = Vec<3>(points.col(i)) + u.segment<3>(3 * i);
+      u.segment<3>(3 * i) += turn * (x - about) + about - x;
+    }
+  }
+  void touch() {
+    for (int round = 0; round < 10; ++round) {
+      evaluate();
+      const std::vector<double> gaps = pair.gaps();
+      move_die({0, 0, -*std::min_element(gaps.begin(), gaps.end())});
+    }
+    evaluate();
+    pair.accept();
+  }
+  void shake(Random& random, double size) {
+    for (int i = 0; i < u.size(); ++i) u(i) += uniform(random, -size, size);
+  }
+};
+
+inline std::vector<int> signature(const Pair<3>& pair) {
+  std::vector<int> result;
+  for (const auto& point : pair.results()) result.push_back(static_cast<int>(point.state));
+  for (const Group& group : pair.groups())
+    result.insert(result.end(), {group.slave_element, group.master_element, group.slip_element});
+  return result;
+}
+
+struct Census3 {
+  int compared = 0, stepped_over = 0, stick = 0, slip = 0, elsewhere = 0;
+};
+
+/// Tangent times random directions against differences of the force; both faces, or face and obstacle, move.
+inline void compare_with_differences(Couple3& couple, Random& random, Census3& census) {
+  couple.evaluate();
+  const Dense at = couple.dense();
+  const std::vector<int> before = signature(couple.pair);
+  Census3 here = census;
+  for (const auto& point : couple.pair.results()) {
+    here.stick += point.state == ContactState::stick;
+    here.slip += point.state == ContactState::slip;
+  }
+  for (const Group& group : couple.pair.groups()) here.elsewhere += group.slip_element >= 0;
+  for (int k = 0; k < 8; ++k) {
+    VectorX direction = VectorX::Zero(couple.u.size());
+    for (int i = 0; i < direction.size(); ++i) direction(i) = uniform(random, -1, 1);
+    bool crossed = false;
+    const VectorX slope = signorini::test::derivative<VectorX>(
+        [&](double h) {
+          couple.evaluate(couple.u + h * direction);
+          crossed = crossed || signature(couple.pair) != before;
+          return couple.dense().force;
+        },
+        2e-6);
+    if (crossed) {
+      ++census.stepped_over;
+      couple.evaluate();
+      return;
+    }
+    const VectorX product = at.tangent * direction;
+    EXPECT_LE((slope - product).norm(), 2e-8 * at.tangent.norm());
+  }
+  couple.evaluate();
+  census = here;
+  ++census.compared;
+}
+
+} // namespace signorini::contact::test

@@ -1,0 +1,142 @@
+// Contact points that are told what to be, in a whole contact.
+#include "contact/couple.hpp"
+#include "contact/couple3d.hpp"
+
+namespace signorini::contact {
+namespace {
+
+using namespace test;
+
+std::vector<Held> all(const Pair<2>& pair, Held state) {
+  return std::vector<Held>(pair.results().size(), state);
+}
+
+/// A die pressed into a slab by 0.05.
+Couple pressed(double mu = 0.2) {
+  Couple couple("N2", slab("N2"), {100, 100, mu}, 1.4, 1.0);
+  couple.touch();
+  couple.move_die(0, -0.05);
+  couple.evaluate();
+  return couple;
+}
+
+TEST(Held, OpenStaysOpenThoughItPenetrates) {
+  Couple couple = pressed();
+  const VectorX before = couple.dense().force;
+  ASSERT_GT(couple.pair.resultant().active, 5);
+  couple.pair.hold(all(couple.pair, Held::open));
+  EXPECT_TRUE(couple.pair.holds());
+  couple.evaluate();
+  EXPECT_EQ(couple.pair.resultant().active, 0);
+  EXPECT_TRUE(couple.pair.groups().empty());
+  couple.pair.hold({});
+  EXPECT_FALSE(couple.pair.holds());
+  couple.evaluate();
+  EXPECT_LT((couple.dense().force - before).norm(), 1e-13 * before.norm());
+}
+
+TEST(Held, TouchingPullsWhereThereIsAGap) {
+  for (double mu : {0.0, 0.2}) {
+    Couple couple = pressed(mu);
+    couple.pair.accept();
+    couple.move_die(0.01, 0.06);
+    couple.evaluate();
+    ASSERT_EQ(couple.pair.resultant().active, 0);
+    couple.pair.hold(all(couple.pair, Held::touching));
+    couple.evaluate();
+    const std::vector<double> gaps = couple.pair.gaps();
+    int pulling = 0;
+    for (std::size_t i = 0; i < gaps.size(); ++i) {
+      const PointResult<2>& point = couple.pair.results()[i];
+      if (point.beyond) continue;
+      ++pulling;
+      EXPECT_EQ(point.state, ContactState::stick);
+      EXPECT_EQ(point.friction.norm(), 0);
+      EXPECT_NEAR(point.pressure, -100 * gaps[i], 1e-12);
+      EXPECT_LT(point.pressure, 0);
+    }
+    EXPECT_EQ(pulling, static_cast<int>(gaps.size()));
+    EXPECT_LT(couple.pair.resultant().force(1), 0);
+    EXPECT_EQ(couple.pair.resultant().max_penetration, 0);
+    couple.pair.hold({});
+    couple.evaluate();
+    EXPECT_EQ(couple.pair.resultant().active, 0);
+  }
+}
+
+TEST(Held, StickAndSlipAreKeptWhateverCoulombSays) {
+  Couple couple = pressed();
+  couple.pair.accept();
+  for (double drag : {1e-3, 0.2})
+    for (Held state : {Held::stick, Held::slip}) {
+      Couple dragged = couple;
+      dragged.move_die(drag, 0);
+      dragged.pair.hold(all(dragged.pair, state));
+      dragged.evaluate();
+      int deep = 0;
+      for (const auto& point : dragged.pair.results()) {
+        if (point.pressure <= 0) continue;
+        ++deep;
+        EXPECT_EQ(point.state, state == Held::stick ? ContactState::stick : ContactState::slip);
+        EXPECT_NEAR(point.friction.norm(), state == Held::stick ? 100 * drag : 0.2 * point.pressure, 1e-12);
+      }
+      EXPECT_GT(deep, 5);
+    }
+}
+
+TEST(Held, TangentIsTheForcesDerivativeInEveryMixture) {
+  Random random(11);
+  Census census;
+  for (int trial = 0; trial < 12; ++trial) {
+    Couple couple("N2-N2.1", trial % 2 == 0 ? slab("N2") : wavy(random, 3, 0.15, 3, 6), {100, 100, 0.3}, 1.3,
+                  trial % 2 == 0 ? 1.0 : 0.1);
+    couple.shake(random, 0.005);
+    couple.touch();
+    couple.move_die(0, -0.05);
+    couple.evaluate();
+    couple.pair.accept();
+    couple.move_die(0.03, 0);
+    couple.shake(random, 0.0005);
+    std::vector<Held> held;
+    for (std::size_t i = 0; i < couple.pair.results().size(); ++i)
+      held.push_back(static_cast<Held>(integer(random, 0, 4)));
+    couple.pair.hold(held);
+    compare_with_differences(couple, census);
+  }
+  EXPECT_GE(census.states, 8) << census.stepped_over << " states lay on a change of state";
+  EXPECT_GT(census.slip, 50);
+  EXPECT_GT(census.stick, 50);
+}
+
+TEST(Held, TangentIsTheForcesDerivativeInSpace) {
+  Random random(12);
+  Census3 census;
+  const auto plate = wavy_plate(random, 2, 0.1, 2, 3);
+  for (Held state : {Held::touching, Held::stick, Held::slip}) {
+    Couple3 couple("N2", plate, PenaltyLaw{100, 100, 0.3}, {1, 1, 0.2}, 3);
+    couple.touch();
+    couple.move_die({0, 0, -0.03});
+    couple.evaluate();
+    couple.pair.accept();
+    couple.move_die({0.02, -0.01, 0.01});
+    couple.pair.hold(std::vector<Held>(couple.pair.results().size(), state));
+    compare_with_differences(couple, random, census);
+    bool pulls = false;
+    for (const auto& point : couple.pair.results()) pulls = pulls || point.pressure < 0;
+    EXPECT_TRUE(pulls);
+  }
+  EXPECT_GE(census.compared, 2) << census.stepped_over << " states lay on a change of state";
+}
+
+TEST(Held, AdhesionIsAlwaysFree) {
+  Couple couple("N2", slab("N2"), Adhesion{0.02, 0.05}, 1.4, 1.02);
+  couple.evaluate();
+  const VectorX before = couple.dense().force;
+  ASSERT_GT(before.norm(), 0);
+  couple.pair.hold(all(couple.pair, Held::open));
+  couple.evaluate();
+  EXPECT_LT((couple.dense().force - before).norm(), 1e-13 * before.norm());
+}
+
+} // namespace
+} // namespace signorini::contact
