@@ -43,11 +43,11 @@ std::optional<double> by_energy(const std::function<Trial(double)>& evaluate, do
       s = 0.5 * (low + s);
     } else if (std::abs(now.slope) <= small * std::abs(slope)) {
       return s;
-    } else if (now.slope * slope > 0) { // not yet far enough: the whole move is the longest
-      if (s == 1) return s;
+    } else if (now.slope * slope > 0) { // not yet far enough: kept where the whole move ends or states do
+      if (s == 1 || high_slope == 0) return s;
       low = s;
       low_slope = now.slope;
-      s = high_slope == 0 ? 0.5 * (low + high) : low + (high - low) * low_slope / (low_slope - high_slope);
+      s = low + (high - low) * low_slope / (low_slope - high_slope);
     } else {
       high = s;
       high_slope = now.slope;

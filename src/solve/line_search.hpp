@@ -26,7 +26,8 @@ struct Trial {
 /// points that begin to touch may raise it for a while.
 ///
 /// By energy (H. Matthies, G. Strang, Int. J. Numer. Meth. Engng 14, 1979): s = 1 unless f(s)·Δu has changed its sign
-/// and is still more than half as large as f(0)·Δu = `slope`; then the place where regula falsi finds it small.
+/// and is still more than half as large as f(0)·Δu = `slope`; then the place where regula falsi finds it small. Where
+/// the move leads to no state at all it is halved until there is one.
 std::optional<double> line_search(LineSearchKind kind, const std::function<Trial(double)>& evaluate,
                                   const std::vector<double>& residuals, double slope);
 

@@ -225,6 +225,14 @@ TEST(LineSearch, ByEnergyFindsWhereTheSlopeIsSmall) {
               0.2, 1e-15);
 }
 
+/// Short of zero, with no state beyond: there is nothing better to look for.
+TEST(LineSearch, ByEnergyGoesAsFarAsThereAreStates) {
+  const auto edge = [](double s) { return s > 0.6 ? Trial{infinity, infinity} : Trial{1, -1 + 0.2 * s}; };
+  const Looks looks = look(LineSearchKind::energy, edge, {1}, -1);
+  EXPECT_EQ(looks.part, 0.5);
+  EXPECT_EQ(looks.at, (std::vector<double>{1, 0.5}));
+}
+
 TEST(LineSearch, GivesUpAtOnePartIn128) {
   const Looks by_residual = look(LineSearchKind::residual, [](double) { return Trial{infinity, infinity}; }, {1});
   EXPECT_EQ(by_residual.part, std::nullopt);
