@@ -192,14 +192,16 @@ template <int D> solve::Outcome Model<D>::settle(const StepOptions& options, std
     return solve::Outcome::cycling;
   }
   if (options.augmented.penetration == 0) return solve::Outcome::converged;
-  double deepest = 0;
+  // A point that is drawn off presses on at a gap as long as its multiplier is not taken back.
+  double farthest = 0;
   for (const auto& pair : pairs_)
-    if (std::holds_alternative<contact::PenaltyLaw>(pair.law()))
-      deepest = std::max(deepest, pair.resultant().max_penetration);
-  if (deepest <= options.augmented.penetration * extent_) return solve::Outcome::converged;
+    for (const auto& point : pair.results())
+      if (std::holds_alternative<contact::PenaltyLaw>(pair.law()) && point.state != contact::ContactState::open)
+        farthest = std::max(farthest, std::abs(point.gap));
+  if (farthest <= options.augmented.penetration * extent_) return solve::Outcome::converged;
   if (step_->augmentations == options.augmented.loops) {
-    why = text("the largest penetration is ", deepest, " after ", options.augmented.loops, " augmentations, asked was ",
-               options.augmented.penetration * extent_);
+    why = text("points that press are up to ", farthest, " off the master after ", options.augmented.loops,
+               " augmentations, asked was ", options.augmented.penetration * extent_);
     return solve::Outcome::penetration;
   }
   for (auto& pair : pairs_) pair.augment();
