@@ -80,6 +80,19 @@ void add_points(Diagnosis& diagnosis, const Model<D>& model, const std::vector<P
            "', the first in slave element ", first.index + 1, " at X = ", coordinates(first.reference));
 }
 
+/// The contact points that press and are not on the master, the farthest first.
+template <int D> std::vector<PointIndex> farthest(const Model<D>& model) {
+  const auto result = [&](const PointIndex& p) { return model.pairs()[at(p.contact)].results()[at(p.point)]; };
+  std::vector<PointIndex> points;
+  for (int k = 0; k < static_cast<int>(model.pairs().size()); ++k)
+    for (int i = 0; i < static_cast<int>(model.pairs()[at(k)].results().size()); ++i)
+      if (result({k, i}).state != contact::ContactState::open) points.push_back({k, i});
+  std::stable_sort(points.begin(), points.end(), [&](const PointIndex& a, const PointIndex& b) {
+    return std::abs(result(a).gap) > std::abs(result(b).gap);
+  });
+  return points;
+}
+
 /// The element that is inverted: its Gauss point, where it is now.
 template <int D> TroubleSpot inverted_element(const Model<D>& model) {
   const auto& [body, inversion] = *model.inversion();
@@ -187,6 +200,7 @@ template <int D> Diagnosis diagnose(const Model<D>& model, const solve::NewtonRe
     add_points(diagnosis, model, model.active_set().restless(), "changes its state");
   if (report.outcome == Outcome::lost_projection)
     add_points(diagnosis, model, model.active_set().strays(), "leaves the master");
+  if (report.outcome == Outcome::penetration) add_points(diagnosis, model, farthest(model), "is off the master");
   if (report.outcome == Outcome::singular_tangent && has_tangent)
     add_direction(diagnosis, model, null_direction(assembly.pattern(), assembly.values()));
   const bool stalls = report.outcome == Outcome::iteration_limit || report.outcome == Outcome::diverged ||
