@@ -207,7 +207,7 @@ constexpr Function rows[] = {
     {"set_penalty_factor", wrap<set_penalty_factor<D>>,
      "m:set_penalty_factor(factor)\n"
      "Multiplies the penalty parameters of all contacts, as sg.model got them, from now on: for penalties that grow\n"
-     "along the path."},
+     "along the path. m:rollback returns to that of the accepted state."},
     {"penalty_factor", wrap<penalty_factor<D>>, "m:penalty_factor()\nWhat m:set_penalty_factor was told last; 1."},
     {"solve_arc", wrap<solve_arc<D>>,
      "m:solve_arc{ length, tolerance = 1e-10, iterations = 25, linear = \"auto\" }\n"

@@ -113,6 +113,7 @@ template <int D> void Model<D>::accept() {
   accepted_force_ = force_;
   accepted_ = displacement_;
   accepted_targets_ = targets_;
+  accepted_penalty_factor_ = penalty_factor_;
   force_scale_ = force_norm();
   step_.reset();
 }
@@ -123,6 +124,7 @@ template <int D> void Model<D>::rollback() {
   displacement_ = accepted_;
   targets_ = present_ = accepted_targets_;
   external_ = drives_.force(present_);
+  set_penalty_factor(accepted_penalty_factor_);
   for (auto& pair : pairs_) pair.hold({});
   // Reactions and contact results belong to the state again, with the bits that they had.
   force_ = accepted_force_;
@@ -140,8 +142,8 @@ template <int D> void Model<D>::settle() {
 }
 
 template <int D> Snapshot<D> Model<D>::snapshot() const {
-  Snapshot<D> kept{accepted_,    last_increment_, accepted_targets_, previous_targets_, {},
-                   force_scale_, work_,           accepted_force_,   penalty_factor_,   bend_};
+  Snapshot<D> kept{accepted_,    last_increment_, accepted_targets_, previous_targets_,        {},
+                   force_scale_, work_,           accepted_force_,   accepted_penalty_factor_, bend_};
   for (const auto& pair : pairs_) kept.contacts.push_back(pair.history());
   return kept;
 }
@@ -152,7 +154,7 @@ template <int D> void Model<D>::restore(const Snapshot<D>& snapshot) {
   accepted_targets_ = snapshot.targets;
   previous_targets_ = snapshot.previous_targets;
   bend_ = snapshot.bend;
-  set_penalty_factor(snapshot.penalty_factor);
+  accepted_penalty_factor_ = snapshot.penalty_factor;
   for (std::size_t k = 0; k < pairs_.size(); ++k) pairs_[k].restore(snapshot.contacts[k]);
   force_scale_ = snapshot.force_scale;
   work_ = snapshot.work;

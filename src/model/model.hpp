@@ -72,7 +72,8 @@ public:
   /// Largest extent of a body along an axis: what sizes are measured against.
   double extent() const { return extent_; }
 
-  /// Multiplies the penalty parameters of all contacts, as they were given, from now on.
+  /// Multiplies the penalty parameters of all contacts, as they were given, from now on; a roll-back returns to the
+  /// accepted state's.
   void set_penalty_factor(double factor);
   double penalty_factor() const { return penalty_factor_; }
 
@@ -171,7 +172,7 @@ private:
   VectorX unbalanced_;                 ///< what Newton's loop brings to zero: the residual by unknown
   VectorX accepted_force_;             ///< f_int + f_c in the accepted state: what supports and loads balance
   double work_ = 0;                    ///< of supports and loads up to the accepted state
-  double arc_fraction_ = 0, penalty_factor_ = 1;
+  double arc_fraction_ = 0, penalty_factor_ = 1, accepted_penalty_factor_ = 1;
   double bend_ = 1; ///< relative difference of the last two steps' rates; 1 where there are none to compare
   std::optional<Step> step_;
   ActiveSet<D> active_set_;
