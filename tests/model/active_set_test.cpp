@@ -1,0 +1,232 @@
+// States of contact points over iterations: held back, held still, found cycling, on a strip whose touching part is
+// told.
+#include "model/active_set.hpp"
+
+#include "contact/faces.hpp"
+
+#include <gtest/gtest.h>
+
+namespace signorini::model {
+namespace {
+
+using contact::ContactState;
+using contact::test::discretise;
+
+constexpr int points_per_element = 3;
+
+/// The lower side of a strip from x = 0 to 3 in 6 elements, above a plane or another strip's upper side.
+struct Strip {
+  nurbs::Discretisation strip = discretise(nurbs::rectangle(3, 0.5, Eigen::Vector2d(0, 0)), {6, 1}, "N2", "south");
+  std::optional<nurbs::Discretisation> base;
+  std::vector<contact::Pair<2>> pairs;
+  VectorX u, base_u;
+
+  explicit Strip(const contact::Law& law) : base_u(VectorX::Zero(2)) {
+    u = VectorX::Zero(2 * strip.functions());
+    pairs.emplace_back(contact::Surface<2>(strip, nurbs::side_of("south", 2)),
+                       contact::Master<2>(contact::make_plane<2>({0, 0}, {0, 1})), law, points_per_element);
+    touch(0);
+  }
+  /// Above a strip from 0 to `length`
+  Strip(const contact::Law& law, double length)
+      : base(discretise(nurbs::rectangle(length, 1, Eigen::Vector2d(0, -1)), {2, 1}, "N2", "north")) {
+    u = VectorX::Zero(2 * strip.functions());
+    base_u = VectorX::Zero(2 * base->functions());
+    pairs.emplace_back(contact::Surface<2>(strip, nurbs::side_of("south", 2)),
+                       contact::Master<2>(contact::Surface<2>(*base, nurbs::side_of("north", 2))), law,
+                       points_per_element);
+  }
+  /// Tilts the strip so that it penetrates from x = 0 to `end` and is open beyond.
+  void touch(double end) {
+    const MatrixX points = strip.points();
+    for (int a = 0; a < points.cols(); ++a) u(2 * a + 1) = 0.01 * (points(0, a) - end);
+    evaluate();
+  }
+  void shift(double x) {
+    for (int a = 0; a < strip.functions(); ++a) u.segment<2>(2 * a) << x, -0.01;
+    evaluate();
+  }
+  void evaluate() { pairs[0].evaluate(u.data(), base_u.data()); }
+  int touching() const { return pairs[0].resultant().active; }
+};
+
+const contact::PenaltyLaw law{100};
+
+TEST(ActiveSet, FreezesWhoTouchesUntilTheEnergyHasFallen) {
+  Strip strip(law);
+  strip.touch(1.5);
+  ASSERT_EQ(strip.touching(), 9);
+  ActiveSet<2> set;
+  set.begin(strip.pairs, {0.01, 0});
+  for (double end : {2.0, 0.5, 3.0}) {
+    strip.touch(end);
+    EXPECT_EQ(strip.touching(), 9);
+  }
+  set.thaw(strip.pairs, 0.01);
+  strip.evaluate();
+  EXPECT_EQ(strip.touching(), 9);
+  set.thaw(strip.pairs, 0.0099);
+  strip.evaluate();
+  EXPECT_EQ(strip.touching(), 18);
+  EXPECT_FALSE(set.release(strip.pairs));
+
+  set.begin(strip.pairs, {});
+  strip.touch(0.5);
+  EXPECT_EQ(strip.touching(), 3);
+}
+
+TEST(ActiveSet, ReleaseFreesWhatIsStillFrozenWithoutCountingARound) {
+  Strip strip(law);
+  strip.touch(1.5);
+  ActiveSet<2> set;
+  for (int round = 0; round < 20; ++round) {
+    set.begin(strip.pairs, {0.01, 0});
+    strip.touch(2);
+    EXPECT_TRUE(set.release(strip.pairs));
+    EXPECT_FALSE(set.exhausted());
+    EXPECT_FALSE(set.release(strip.pairs));
+    strip.evaluate();
+    EXPECT_EQ(strip.touching(), 12);
+    strip.touch(1.5);
+  }
+}
+
+TEST(ActiveSet, HoldsPointsThatChangeTooOftenAndFreesThemForSomeRounds) {
+  Strip strip(law);
+  strip.touch(1.5);
+  ActiveSet<2> set;
+  set.begin(strip.pairs, {0, 2});
+  double residual = 1;
+  const auto go = [&](double end) {
+    strip.touch(end);
+    set.note(strip.pairs, residual *= 0.9);
+    return strip.touching();
+  };
+  EXPECT_EQ(go(1.5), 9);
+  EXPECT_EQ(go(2), 12);
+  EXPECT_EQ(go(1.5), 9);
+  EXPECT_FALSE(strip.pairs[0].holds()); // two changes are allowed
+  EXPECT_EQ(go(2), 12);
+  EXPECT_TRUE(strip.pairs[0].holds()); // in the state that the last change led to
+  EXPECT_EQ(go(1.5), 12);
+  EXPECT_EQ(go(0.5), 6); // the others are free
+  EXPECT_TRUE(set.release(strip.pairs));
+  EXPECT_FALSE(set.exhausted());
+  EXPECT_EQ(go(0.5), 3);
+  // Six rounds of the same in one step
+  set.begin(strip.pairs, {0, 1});
+  for (int round = 1; round <= 6; ++round) {
+    for (double end : {1.5, 2.0, 1.5}) go(end);
+    ASSERT_TRUE(strip.pairs[0].holds());
+    EXPECT_FALSE(set.exhausted());
+    EXPECT_TRUE(set.release(strip.pairs));
+    EXPECT_EQ(set.exhausted(), round == 6) << round;
+  }
+  set.begin(strip.pairs, {0, 1});
+  EXPECT_FALSE(set.exhausted());
+}
+
+/// What period() says after each of these: where the strip touches, and the residual.
+std::vector<int> periods(const std::vector<std::pair<double, double>>& path) {
+  Strip strip(law);
+  ActiveSet<2> set;
+  set.begin(strip.pairs, {});
+  std::vector<int> result;
+  for (const auto& [end, residual] : path) {
+    strip.touch(end);
+    set.note(strip.pairs, residual);
+    result.push_back(set.period());
+  }
+  return result;
+}
+
+TEST(ActiveSet, FindsCyclesOnceTheyHaveComeTwice) {
+  EXPECT_EQ(periods({{1, 5}, {2, 1}, {1, 2}, {2, 1}, {1, 2}, {2, 1}, {1, 2}}), (std::vector<int>{0, 0, 0, 0, 0, 0, 2}));
+  EXPECT_EQ(periods({{1, 1}, {2, 2}, {0.5, 3}, {1, 1}, {2, 2}, {0.5, 3}, {1, 1}, {2, 2}, {0.5, 3}}),
+            (std::vector<int>{0, 0, 0, 0, 0, 0, 0, 0, 3}));
+  std::vector<std::pair<double, double>> long_way;
+  for (int round = 0; round < 3; ++round)
+    for (int k = 0; k < 8; ++k) long_way.push_back({k < 4 ? 1 : 2, 1 + k});
+  EXPECT_EQ(periods(long_way).back(), 8);
+}
+
+TEST(ActiveSet, TakesNothingElseForACycle) {
+  const auto none = [](const std::vector<std::pair<double, double>>& path) {
+    for (int period : periods(path)) EXPECT_EQ(period, 0);
+  };
+  std::vector<std::pair<double, double>> converging, similar, still, states_only;
+  for (int k = 0; k < 30; ++k) {
+    const bool odd = k % 2 == 1;
+    converging.push_back({odd ? 2 : 1, (odd ? 2 : 1) * std::pow(0.5, k)});
+    similar.push_back({odd ? 2 : 1, (odd ? 2 : 1) * (1 + 1e-8 * k)});
+    still.push_back({1, odd ? 2 : 1});
+    states_only.push_back({1 + 0.1 * (k * k % 13), odd ? 2 : 1});
+  }
+  none(converging);
+  none(similar);
+  none(still); // residuals repeat, but no point changes
+  none(states_only);
+}
+
+TEST(ActiveSet, RestlessPointsAreThoseThatChangedMostFirst) {
+  Strip strip(law);
+  ActiveSet<2> set;
+  set.begin(strip.pairs, {});
+  const auto go = [&](double end) {
+    strip.touch(end);
+    set.note(strip.pairs, 1);
+  };
+  go(1), go(1.5);
+  EXPECT_TRUE(set.restless().empty()); // once is no unrest
+  go(1), go(1.5), go(2), go(1.5), go(1);
+  // Element 3 (x from 1 to 1.5) changed four times, element 4 twice.
+  const std::vector<PointIndex> restless = set.restless();
+  ASSERT_EQ(restless.size(), 6u);
+  for (int i = 0; i < 6; ++i) {
+    EXPECT_EQ(restless[static_cast<std::size_t>(i)].contact, 0);
+    EXPECT_EQ(restless[static_cast<std::size_t>(i)].point, 6 + i);
+    EXPECT_EQ(strip.pairs[0].place(static_cast<std::size_t>(6 + i)).first, i < 3 ? 2 : 3);
+  }
+  EXPECT_TRUE(set.strays().empty());
+  // What is long ago is forgotten.
+  for (int k = 0; k < 8; ++k) go(1);
+  EXPECT_TRUE(set.restless().empty());
+}
+
+TEST(ActiveSet, StraysComeAndGoBeyondTheMastersEnd) {
+  Strip strip(law, 2);
+  ActiveSet<2> set;
+  strip.shift(0);
+  set.begin(strip.pairs, {});
+  for (double x : {0.0, -0.5, 0.0, -0.5}) {
+    strip.shift(x);
+    EXPECT_EQ(strip.touching(), 12);
+    set.note(strip.pairs, 1);
+  }
+  // At the right end 2 … 2.5 comes and goes; at the left one 0 … 0.5.
+  std::vector<int> points;
+  for (const PointIndex& index : set.strays()) points.push_back(index.point);
+  std::sort(points.begin(), points.end());
+  EXPECT_EQ(points, (std::vector<int>{0, 1, 2, 12, 13, 14}));
+  EXPECT_EQ(set.restless().size(), 6u);
+}
+
+TEST(ActiveSet, AdhesionNeverCounts) {
+  Strip strip(contact::Adhesion{0.02, 0.05});
+  ActiveSet<2> set;
+  set.begin(strip.pairs, {0, 1});
+  int adhesive = 0;
+  for (int k = 0; k < 12; ++k) {
+    strip.touch(k % 2 == 0 ? -1 : -4); // near the plane, and farther than where it pulls most
+    adhesive += strip.touching();
+    set.note(strip.pairs, 1 + k % 2);
+    EXPECT_EQ(set.period(), 0);
+    EXPECT_FALSE(strip.pairs[0].holds());
+  }
+  EXPECT_GT(adhesive, 0);
+  EXPECT_LT(adhesive, 12 * 18);
+  EXPECT_TRUE(set.restless().empty());
+}
+
+} // namespace
+} // namespace signorini::model

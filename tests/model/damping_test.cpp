@@ -1,0 +1,232 @@
+// Bodies that only contact holds: what of them is loose, how far damping lets them go, where they come to rest.
+#include "model/damping.hpp"
+
+#include "model/scenes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace signorini::model {
+namespace {
+
+using namespace test;
+
+constexpr Hold fixed = Hold::fixed, free_to_move = Hold::free;
+
+StepOptions damped() {
+  StepOptions options;
+  options.damping = true;
+  return options;
+}
+
+std::vector<LooseMotion> loose_of(const Scene<2>& scene) {
+  return loose_motions(scene, Unknowns<2>(scene));
+}
+
+// ── Loose motions ────────────────────────────────────────────────────────────────────────────────────────────────────
+
+TEST(Damping, AFreeBodyHasAllRigidMotions) {
+  const Scene<2> scene = square({});
+  const auto loose = loose_of(scene);
+  ASSERT_EQ(loose.size(), 3u);
+  const MatrixX points = scene.bodies[0].body->space().points();
+  const auto at = [&](std::size_t k, int a) { return Vec<2>(loose[k].motion.segment<2>(2 * a)); };
+  for (int a = 0; a < points.cols(); ++a) {
+    EXPECT_EQ(at(0, a), Vec<2>(1, 0));
+    EXPECT_EQ(at(1, a), Vec<2>(0, 1));
+    // About the middle, the farthest along an axis by one: u = (−y, x)/0.5
+    const Vec<2> arm = points.col(a) - Vec<2>(0.5, 0.5);
+    EXPECT_NEAR((at(2, a) - Vec<2>(-arm(1), arm(0)) / 0.5).norm(), 0, 1e-14);
+  }
+}
+
+TEST(Damping, SupportsStopMotions) {
+  // Held in x along its west face: only y is left, for turning moves that face in x.
+  const auto along = loose_of(square({{"wall", "west", {fixed, free_to_move}}}));
+  ASSERT_EQ(along.size(), 1u);
+  EXPECT_EQ(along[0].motion(1), 1);
+  EXPECT_EQ(along[0].motion(0), 0);
+  // Driven is held too; at one point no motion is left in which that takes no part.
+  EXPECT_EQ(loose_of(square({{"wall", "west", {Hold::driven, free_to_move}}})).size(), 1u);
+  Scene<2> pinned = square({});
+  pinned.supports = {{"pin", {corner(pinned, 0, {0, 0})}, {fixed, fixed}}};
+  EXPECT_TRUE(loose_of(pinned).empty());
+  EXPECT_TRUE(loose_of(square({{"bed", "south", {fixed, fixed}}})).empty());
+}
+
+TEST(Damping, ABodyOfRevolutionMovesAlongItsAxisOnly) {
+  Scene<2> scene;
+  scene.kind = solid::Kind::axisymmetric;
+  scene.bodies.push_back({"disc", make_body(nurbs::rectangle(1, 1, Eigen::Vector2d(0, 0)), {2, 2}, "N2", "south",
+                                            solid::neo_hookean(1, 0.3), {}, solid::Kind::axisymmetric)});
+  scene.supports = {{"axis", {held(scene, 0, "west")}, {fixed, free_to_move}}};
+  const auto loose = loose_of(scene);
+  ASSERT_EQ(loose.size(), 1u);
+  EXPECT_EQ(Vec<2>(loose[0].motion.head<2>()), Vec<2>(0, 1));
+}
+
+TEST(Damping, EachBodyHasItsOwn) {
+  Scene<2> scene = ironing("N2");
+  EXPECT_TRUE(loose_of(scene).empty());
+  scene.supports.pop_back(); // the die's grip
+  const auto loose = loose_of(scene);
+  ASSERT_EQ(loose.size(), 3u);
+  for (const LooseMotion& motion : loose) EXPECT_EQ(motion.body, 0);
+}
+
+// ── In space ─────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+const nurbs::Side west{0, false}, south{1, false}, front{2, false}, back{2, true};
+
+/// A block with its front face `gap` above the plane z = 0, pressed by 0.05 from behind.
+Scene<3> block_above_plane(double gap) {
+  nurbs::Plan plan;
+  plan.elements = {2, 2, 1};
+  plan.contact = {front};
+  plan.labels.assign(2, nurbs::parse_label("N2"));
+  const nurbs::Patch patch = nurbs::block({1, 1, 0.6}, Eigen::Vector3d(0, 0, gap));
+  Scene<3> scene;
+  scene.bodies.push_back(
+      {"block", std::make_shared<const solid::Body<3>>(std::make_shared<const nurbs::Discretisation>(patch, plan),
+                                                       solid::neo_hookean(1, 0.3))});
+  const auto face = [&](nurbs::Side side) { return Held{0, scene.bodies[0].body->space().face_functions(side)}; };
+  scene.supports = {{"x", {face(west)}, {fixed, free_to_move, free_to_move}},
+                    {"y", {face(south)}, {free_to_move, fixed, free_to_move}}};
+  scene.loads = {{"weight", {{0, back}}, true, {0}}};
+  scene.obstacles = {contact::make_plane<3>({0, 0, 0}, {0, 0, 1})};
+  scene.contacts = {{"floor", {0, front}, ObstacleReference{0}, contact::PenaltyLaw{50}, 3}};
+  return scene;
+}
+
+TEST(Damping, MotionsInSpace) {
+  Scene<3> scene = block_above_plane(0.1);
+  EXPECT_EQ(loose_motions(scene, Unknowns<3>(scene)).size(), 1u); // along z
+  scene.supports.pop_back();
+  EXPECT_EQ(loose_motions(scene, Unknowns<3>(scene)).size(), 3u); // along y and z, about x
+  scene.supports.clear();
+  const auto loose = loose_motions(scene, Unknowns<3>(scene));
+  ASSERT_EQ(loose.size(), 6u);
+  for (const LooseMotion& motion : loose) EXPECT_NEAR(motion.motion.cwiseAbs().maxCoeff(), 1, 1e-14);
+}
+
+// ── How far a body goes ──────────────────────────────────────────────────────────────────────────────────────────────
+
+/// A free square `gap` above a plane, with a pressure from above that is not there at first.
+Scene<2> above_plane(double gap, const std::vector<Grip>& grips) {
+  Scene<2> scene = square(grips);
+  scene.bodies[0].body =
+      make_body(nurbs::rectangle(1, 1, Eigen::Vector2d(0, gap)), {3, 2}, "N2", "south", solid::neo_hookean(1, 0.3));
+  scene.supports.clear();
+  for (const Grip& grip : grips) scene.supports.push_back({grip.name, {held(scene, 0, grip.face)}, grip.hold});
+  scene.loads = {{"weight", {{0, nurbs::side_of("north", 2)}}, true, {0}}};
+  scene.obstacles = {contact::make_plane<2>({0, 0}, {0, 1})};
+  scene.contacts = {{"floor", {0, nurbs::side_of("south", 2)}, ObstacleReference{0}, contact::PenaltyLaw{50}, 4}};
+  return scene;
+}
+
+/// (K + αD) u = f with K m = 0: the rigid part of u, Σ D_ii m_i u_i / Σ D_ii m_i², is f·m/(α Σ D_ii m_i²) = stride.
+TEST(Damping, AFreeBodyTravelsOneStrideInOneSolve) {
+  for (double gap : {0.3, 0.02})
+    for (double weight : {0.01, 10.0}) {
+      Model<2> model(above_plane(gap, {}));
+      model.set_target(0, 0, weight);
+      const solve::NewtonReport& report = model.iterate(damped());
+      ASSERT_EQ(report.outcome, solve::Outcome::iterating) << report.message;
+      // The shift is a multiple of the diagonal, so that it may stand for it.
+      const VectorX diagonal = model.assembly().diagonal();
+      double travel = 0, sum = 0;
+      for (int i = 0; i < model.unknowns().size(); ++i)
+        if (i % 2 == 1) travel += diagonal(i) * model.displacement()(i), sum += diagonal(i);
+      EXPECT_NEAR(travel / sum, -gap, 1e-9 * gap);
+    }
+}
+
+TEST(Damping, StridesAreTheGapsOfWhatTouchesNothing) {
+  Scene<2> scene = above_plane(0.2, {});
+  Model<2> model(scene);
+  EXPECT_NEAR(strides(model.scene(), model.pairs(), 1e-3)[0], 0.2, 1e-14);
+  EXPECT_EQ(strides(model.scene(), model.pairs(), 0.5)[0], 0.5);
+  Model<2> touching(above_plane(-1e-3, {}));
+  EXPECT_EQ(strides(touching.scene(), touching.pairs(), 1e-3)[0], 1e-3);
+  scene.contacts.clear();
+  EXPECT_EQ(strides(scene, {}, 1e-3)[0], 1e-3);
+}
+
+/// Σ |f·m|/(stride Σ K m²), the largest of all motions, and 10⁻¹⁰ where no force works.
+TEST(Damping, TheFactorIsThatOfTheMotionWithMostWork) {
+  const Scene<2> scene = square({});
+  const Unknowns<2> unknowns(scene);
+  const auto loose = loose_motions(scene, unknowns);
+  const VectorX diagonal = VectorX::LinSpaced(unknowns.size(), 1, 3);
+  VectorX force = VectorX::Zero(unknowns.dofs());
+  EXPECT_LT((damping(scene, unknowns, loose, diagonal, force, {0.1}) - 1e-10 * diagonal).norm(), 1e-22);
+  for (int i = 1; i < force.size(); i += 2) force(i) = -2;
+  double along_y = 0;
+  for (int i = 1; i < force.size(); i += 2) along_y += diagonal(i);
+  const double factor = 2 * static_cast<double>(force.size() / 2) / (0.1 * along_y);
+  EXPECT_LT((damping(scene, unknowns, loose, diagonal, force, {0.1}) - factor * diagonal).norm(),
+            1e-13 * factor * diagonal.norm());
+}
+
+// ── Where it comes to rest ───────────────────────────────────────────────────────────────────────────────────────────
+
+/// Where the control points are, each from the plane.
+template <int D> MatrixX places(const Model<D>& model) {
+  return MatrixX(model.scene().bodies[0].body->space().points()) + MatrixX(model.body_displacement(0));
+}
+
+template <int D> void expect_the_same_rest(const std::function<Scene<D>(double)>& scene, double load, double gap) {
+  Model<D> touching(scene(-1e-3)), apart(scene(gap)), undamped(scene(gap));
+  touching.set_target(0, 0, load);
+  ASSERT_EQ(touching.solve_step({}).outcome, solve::Outcome::converged);
+  apart.set_target(0, 0, load);
+  const solve::NewtonReport report = apart.solve_step(damped());
+  ASSERT_EQ(report.outcome, solve::Outcome::converged) << report.message;
+  EXPECT_LT((places(apart) - places(touching)).cwiseAbs().maxCoeff(), 1e-8);
+  EXPECT_GT(apart.contact_resultant(0).active, 0);
+  EXPECT_LT((apart.contact_resultant(0).force - touching.contact_resultant(0).force).norm(), 1e-8);
+  undamped.set_target(0, 0, load);
+  const solve::NewtonReport failed = undamped.solve_step({});
+  EXPECT_EQ(failed.outcome, solve::Outcome::singular_tangent) << failed.message;
+}
+
+TEST(Damping, ASquareFallsOnAPlaneAndRestsWhereItRestsOtherwise) {
+  const auto scene = [](double gap) { return above_plane(gap, {{"wall", "west", {fixed, free_to_move}}}); };
+  for (double gap : {0.05, 0.4}) expect_the_same_rest<2>(scene, 0.1, gap);
+}
+
+TEST(Damping, ADiscDoesSo) {
+  // Half of a ring, pressed down at its ends, which glide along walls
+  const auto scene = [](double gap) {
+    Scene<2> result;
+    result.bodies.push_back({"ring", make_body(nurbs::half_annulus(0.3, 0.5, Eigen::Vector2d(0, 0.5 + gap)), {8, 2},
+                                               "N2", "south", solid::neo_hookean(1, 0.3))});
+    result.supports = {{"walls", {held(result, 0, "west"), held(result, 0, "east")}, {fixed, free_to_move}}};
+    result.loads = {{"weight", {{0, nurbs::side_of("west", 2)}, {0, nurbs::side_of("east", 2)}}, true, {0}}};
+    result.obstacles = {contact::make_plane<2>({0, 0}, {0, 1})};
+    result.contacts = {{"floor", {0, nurbs::side_of("south", 2)}, ObstacleReference{0}, contact::PenaltyLaw{50}, 9}};
+    return result;
+  };
+  expect_the_same_rest<2>(scene, 0.02, 0.1);
+}
+
+TEST(Damping, ABlockInSpaceDoesSo) {
+  expect_the_same_rest<3>(block_above_plane, 0.05, 0.1);
+}
+
+TEST(Damping, ChangesNoBitWhereSupportsHoldAllBodies) {
+  Model<2> plain(ironing("N2")), with(ironing("N2"));
+  EXPECT_TRUE(with.loose().empty());
+  for (int step : {2, 4, 6, 8, 10, 12}) {
+    ASSERT_EQ(ironing_step(plain, step).outcome, solve::Outcome::converged);
+    const solve::NewtonReport report = ironing_step(with, step, damped());
+    EXPECT_EQ(report.residuals, plain.report()->residuals);
+    EXPECT_EQ(with.displacement(), plain.displacement());
+    plain.accept();
+    with.accept();
+  }
+}
+
+} // namespace
+} // namespace signorini::model

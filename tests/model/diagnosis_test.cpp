@@ -1,0 +1,335 @@
+// Why steps fail: the outcome, the place, the words, each provoked on purpose.
+#include "model/diagnosis.hpp"
+
+#include "model/scenes.hpp"
+#include "model/weak_directions.hpp"
+
+#include <Eigen/Eigenvalues>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace signorini::model {
+namespace {
+
+using namespace test;
+using solve::Outcome;
+
+constexpr Hold fixed = Hold::fixed, free_to_move = Hold::free, driven = Hold::driven;
+
+// ── Weak directions of matrices ──────────────────────────────────────────────────────────────────────────────────────
+
+/// A dense matrix with its pattern.
+struct Matrix {
+  solve::Pattern pattern;
+  std::vector<double> values;
+
+  explicit Matrix(const MatrixX& full) {
+    std::vector<int> all(static_cast<std::size_t>(full.rows()));
+    std::iota(all.begin(), all.end(), 0);
+    pattern = solve::couple(static_cast<int>(full.rows()), {all});
+    for (int j = 0; j < pattern.size; ++j)
+      for (int k = pattern.starts[static_cast<std::size_t>(j)]; k < pattern.starts[static_cast<std::size_t>(j) + 1];
+           ++k)
+        values.push_back(full(pattern.rows[static_cast<std::size_t>(k)], j));
+  }
+};
+
+/// An orthogonal matrix without zeros.
+MatrixX turned(int n) {
+  MatrixX random(n, n);
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) random(i, j) = std::sin(1 + 3 * i + 7 * j + i * j);
+  return random.householderQr().householderQ();
+}
+
+TEST(WeakDirections, NullVectorOfAChainOfSprings) {
+  constexpr int n = 12;
+  MatrixX chain = MatrixX::Zero(n, n);
+  for (int i = 0; i + 1 < n; ++i)
+    chain.block<2, 2>(i, i) += (1 + 0.3 * i) * (Eigen::Matrix2d() << 1, -1, -1, 1).finished();
+  const Matrix matrix(chain);
+  const WeakDirection weak = null_direction(matrix.pattern, matrix.values);
+  EXPECT_NEAR(weak.direction.norm(), 1, 1e-12);
+  EXPECT_NEAR(std::abs(weak.direction.dot(VectorX::Constant(n, 1 / std::sqrt(double(n))))), 1, 1e-9);
+  EXPECT_NEAR(weak.stiffness, 0, 1e-9);
+}
+
+TEST(WeakDirections, NullVectorOfAMatrixThatIsNotSymmetric) {
+  constexpr int n = 9;
+  VectorX sizes = VectorX::LinSpaced(n, 1, 5);
+  sizes(4) = 0;
+  const MatrixX right = turned(n), left = turned(n + 1).topLeftCorner(n, n);
+  const Matrix matrix(left * sizes.asDiagonal() * right.transpose());
+  const WeakDirection weak = null_direction(matrix.pattern, matrix.values);
+  EXPECT_NEAR(std::abs(weak.direction.dot(right.col(4))), 1, 1e-9);
+}
+
+TEST(WeakDirections, SoftestIsTheMostNegativeOfThoseNearNothing) {
+  for (int n : {5, 40}) {
+    VectorX stiffness = VectorX::LinSpaced(n, 2, 50);
+    stiffness(1) = -0.5, stiffness(3) = 0.2;
+    const MatrixX axes = turned(n);
+    const Matrix matrix(axes * stiffness.asDiagonal() * axes.transpose());
+    const WeakDirection weak = softest_direction(matrix.pattern, matrix.values);
+    EXPECT_NEAR(weak.stiffness, -0.5, 1e-9);
+    EXPECT_NEAR(std::abs(weak.direction.dot(axes.col(1))), 1, 1e-8);
+  }
+}
+
+TEST(WeakDirections, SoftestLooksAtTheSymmetricPart) {
+  constexpr int n = 10;
+  const MatrixX axes = turned(n);
+  MatrixX skew = turned(n);
+  skew -= skew.transpose().eval();
+  const MatrixX stiff = axes * VectorX::LinSpaced(n, 0.7, 9).asDiagonal() * axes.transpose();
+  const Matrix matrix(stiff + 5 * skew);
+  EXPECT_NEAR(softest_direction(matrix.pattern, matrix.values).stiffness, 0.7, 1e-9);
+}
+
+// ── Steps that fail ──────────────────────────────────────────────────────────────────────────────────────────────────
+
+bool holds(const std::string& whole, const std::string& part) {
+  return whole.find(part) != std::string::npos;
+}
+
+/// F = diag(1, 1 + d) everywhere at the first guess: J = 1 + d at X, x = X₂(1 + d).
+TEST(Diagnosis, AnInvertedElementIsNamedWithItsPoint) {
+  Model<2> model(square({{"bed", "south", {fixed, fixed}},
+                         {"walls", "west", {fixed, free_to_move}},
+                         {"far", "east", {fixed, free_to_move}},
+                         {"top", "north", {fixed, driven}}}));
+  model.set_target(0, 0, -1.2);
+  const solve::NewtonReport report = model.solve_step({});
+  ASSERT_EQ(report.outcome, Outcome::inverted_element);
+  const Diagnosis diagnosis = diagnose(model, report);
+  EXPECT_EQ(diagnosis.outcome, Outcome::inverted_element);
+  ASSERT_EQ(diagnosis.places.size(), 1u);
+  const TroubleSpot& spot = diagnosis.places[0];
+  EXPECT_EQ(spot.kind, "element");
+  EXPECT_EQ(spot.where, "block");
+  EXPECT_EQ(spot.index, 0);
+  EXPECT_NEAR(spot.value, -0.2, 1e-9);
+  EXPECT_EQ(spot.text, "J = -0.2");
+  EXPECT_NEAR(spot.current(0), spot.reference(0), 1e-9);
+  EXPECT_NEAR(spot.current(1), -0.2 * spot.reference(1), 1e-9);
+  EXPECT_TRUE(spot.reference(0) > 0 && spot.reference(0) < 0.5 && spot.reference(1) > 0 && spot.reference(1) < 0.5);
+  EXPECT_TRUE(holds(diagnosis.message, "element 1 of body 'block' is inverted (J = -0.2")) << diagnosis.message;
+  EXPECT_TRUE(holds(diagnosis.cure, "smaller steps")) << diagnosis.cure;
+}
+
+/// A square under a traction; the diagnosis of its first step.
+Diagnosis under_traction(const std::vector<Grip>& grips, bool pinned = false) {
+  Scene<2> scene = square(grips);
+  if (pinned) scene.supports.push_back({"pin", {corner(scene, 0, {0, 0})}, {fixed, fixed}});
+  scene.loads = {{"wind", {{0, nurbs::side_of("north", 2)}}, false, {0, 0}}};
+  Model<2> model(std::move(scene));
+  model.set_target(0, 0, 0.1);
+  model.set_target(0, 1, -0.1);
+  const solve::NewtonReport report = model.solve_step({});
+  EXPECT_EQ(report.outcome, Outcome::singular_tangent) << report.message;
+  return diagnose(model, report);
+}
+
+TEST(Diagnosis, ASingularTangentIsNamedWithItsMotion) {
+  const Diagnosis along = under_traction({{"wall", "west", {fixed, free_to_move}}});
+  EXPECT_TRUE(holds(along.message, "body 'block' moves as a whole along (0, 1)") ||
+              holds(along.message, "body 'block' moves as a whole along (0, -1)"))
+      << along.message;
+  ASSERT_EQ(along.places.size(), 3u);
+  EXPECT_EQ(along.places[0].kind, "control point");
+  EXPECT_EQ(along.places[0].where, "block");
+  EXPECT_NEAR(along.places[0].value, 1 / std::sqrt(12.0), 1e-6); // 12 control points move alike
+  EXPECT_TRUE(holds(along.cure, "hold the body with a support"));
+
+  // About the pinned corner the opposite one moves most.
+  const Diagnosis turning = under_traction({}, true);
+  EXPECT_TRUE(holds(turning.message, "body 'block' turns as a whole")) << turning.message;
+  EXPECT_EQ(turning.places[0].reference, VectorX(Eigen::Vector2d(1, 1)));
+}
+
+/// A column pressed far beyond Euler's load, straight for want of anything that bends it: its top would swerve.
+TEST(Diagnosis, AnIndefiniteTangentIsFoundBehindAStall) {
+  const auto press = [](double depth, int iterations) {
+    Scene<2> scene;
+    scene.bodies.push_back({"column", make_body(nurbs::rectangle(0.5, 10, Eigen::Vector2d(0, 0)), {1, 8}, "N3", "west",
+                                                solid::neo_hookean(1, 0.3))});
+    scene.supports = {{"bed", {held(scene, 0, "south")}, {fixed, fixed}},
+                      {"top", {held(scene, 0, "north")}, {free_to_move, driven}}};
+    Model<2> model(std::move(scene));
+    model.set_target(0, 0, -depth);
+    StepOptions options;
+    options.newton.iterations = iterations;
+    const solve::NewtonReport report = model.solve_step(options);
+    EXPECT_EQ(report.outcome, Outcome::iteration_limit);
+    return diagnose(model, report);
+  };
+  // Clamped below and held upright only in y above: buckles at a shortening of about (π t)²/(48 L) = 0.005.
+  const Diagnosis beyond = press(0.1, 1);
+  EXPECT_EQ(beyond.outcome, Outcome::indefinite);
+  EXPECT_TRUE(holds(beyond.message, "the tangent is indefinite there")) << beyond.message;
+  EXPECT_TRUE(holds(beyond.cure, "limit of stability"));
+  ASSERT_FALSE(beyond.places.empty());
+  EXPECT_EQ(beyond.places[0].where, "column");
+  EXPECT_GT(beyond.places[0].reference(1), 8);
+  const Diagnosis before = press(0.002, 1);
+  EXPECT_EQ(before.outcome, Outcome::iteration_limit);
+  EXPECT_TRUE(holds(before.cure, "allow more iterations"));
+  EXPECT_EQ(before.places.size(), before.unbalanced.size());
+  EXPECT_EQ(before.places[0].index, before.unbalanced[0].index);
+}
+
+TEST(Diagnosis, UnbalancedForcesAreTheLargestOnes) {
+  Model<2> model(square({{"bed", "south", {fixed, fixed}}, {"top", "north", {driven, driven}}}));
+  model.set_target(0, 0, 0.4);
+  StepOptions options;
+  options.newton.iterations = 2;
+  const solve::NewtonReport report = model.solve_step(options);
+  ASSERT_EQ(report.outcome, Outcome::iteration_limit);
+  const Diagnosis diagnosis = diagnose(model, report);
+  ASSERT_EQ(diagnosis.unbalanced.size(), 3u);
+  std::vector<double> forces;
+  const VectorX all = model.unknowns().spread(model.unbalanced());
+  for (int a = 0; a < all.size() / 2; ++a) forces.push_back(all.segment<2>(2 * a).norm());
+  std::sort(forces.rbegin(), forces.rend());
+  for (std::size_t k = 0; k < 3; ++k) {
+    const TroubleSpot& spot = diagnosis.unbalanced[k];
+    EXPECT_EQ(spot.value, forces[k]);
+    EXPECT_EQ(all.segment<2>(2 * spot.index).norm(), forces[k]);
+    EXPECT_EQ(spot.current, VectorX(spot.reference + model.body_displacement(0).col(spot.index)));
+  }
+}
+
+/// Deep ironing with p + 1 contact points per element comes to a step that plain Newton's method goes round in.
+TEST(Diagnosis, CyclingPointsAreNamed) {
+  Scene<2> scene = ironing("N6");
+  const nurbs::Patch arc = nurbs::half_annulus(0.3, 0.5, Eigen::Vector2d(0.75, 1.5));
+  scene.bodies[0].body = make_body(arc, {6, 2}, "N6", "south", solid::neo_hookean(1e4, 0.3));
+  scene.contacts[0].law = contact::PenaltyLaw{100, 100, 0.1};
+  scene.contacts[0].points = 7;
+  Model<2> model(std::move(scene));
+  solve::NewtonReport report;
+  int step = 1;
+  for (; step <= 46; ++step) {
+    report = step_to(model, drive_of_grip, 0, -0.5 * step / 46);
+    if (report.outcome != Outcome::converged) break;
+    model.accept();
+  }
+  ASSERT_EQ(report.outcome, Outcome::cycling) << report.message;
+  EXPECT_EQ(step, 27);
+  EXPECT_TRUE(holds(report.message, "repeat every ")) << report.message;
+  const Diagnosis diagnosis = diagnose(model, report);
+  EXPECT_EQ(diagnosis.outcome, Outcome::cycling);
+  ASSERT_EQ(diagnosis.places.size(), 5u);
+  const auto restless = model.active_set().restless();
+  for (std::size_t k = 0; k < 5; ++k) {
+    const TroubleSpot& spot = diagnosis.places[k];
+    EXPECT_EQ(spot.kind, "contact point");
+    EXPECT_EQ(spot.where, "interface");
+    const auto i = static_cast<std::size_t>(restless[k].point);
+    EXPECT_EQ(spot.index, model.pairs()[0].place(i).first);
+    EXPECT_EQ(spot.reference, VectorX(model.pairs()[0].reference_positions()[i]));
+    EXPECT_EQ(spot.current, VectorX(model.pairs()[0].results()[i].position));
+    EXPECT_NEAR((spot.reference - Eigen::Vector2d(0.75, 1.5)).norm(), 0.5, 1e-9); // on the die
+  }
+  EXPECT_TRUE(holds(diagnosis.message, " points of contact 'interface', the first in slave element "));
+  EXPECT_TRUE(holds(diagnosis.cure, "hold points that change too often"));
+
+  // Line search, and points that are held, go through.
+  for (const bool search : {true, false}) {
+    model.rollback();
+    StepOptions options;
+    if (search)
+      options.newton.line_search = solve::LineSearchKind::residual;
+    else
+      options.active_set.changes = 4;
+    EXPECT_EQ(step_to(model, drive_of_grip, 0, -0.5 * 27 / 46, options).outcome, Outcome::converged) << search;
+  }
+}
+
+/// A soft bar that stands on a ramp is pushed over the ramp's lower end, lets go, comes back, …
+TEST(Diagnosis, PointsThatLeaveTheMasterAreNamed) {
+  const double angle = -25 * std::acos(-1) / 180, cosine = std::cos(angle), sine = std::sin(angle);
+  const nurbs::Patch level = nurbs::rectangle(2, 0.5, Eigen::Vector2d(-2, -0.5));
+  MatrixX points = level.points();
+  const MatrixX turn = (Eigen::Matrix2d() << cosine, -sine, sine, cosine).finished();
+  points = turn * points;
+  const nurbs::Patch ramp =
+      nurbs::make_patch({level.direction(0), level.direction(1)}, points, VectorX::Ones(points.cols()));
+  Scene<2> scene;
+  scene.bodies.push_back({"bar", make_body(nurbs::rectangle(0.1, 2, Eigen::Vector2d(-0.105, 0.1)), {2, 8}, "N2",
+                                           "south", solid::linear_elastic(1, 0.3))});
+  scene.bodies.push_back({"ramp", make_body(ramp, {4, 2}, "N2", "north", solid::linear_elastic(100, 0.3))});
+  scene.supports = {{"top", {held(scene, 0, "north")}, {fixed, driven}},
+                    {"bed", {held(scene, 1, "south")}, {fixed, fixed}}};
+  scene.contacts = {{"edge",
+                     {0, nurbs::side_of("south", 2)},
+                     FaceReference{1, nurbs::side_of("north", 2)},
+                     contact::PenaltyLaw{10},
+                     3}};
+  Model<2> model(std::move(scene));
+  model.set_target(0, 0, -0.0625);
+  ASSERT_EQ(model.solve_step({}).outcome, Outcome::converged);
+  model.accept();
+  model.set_target(0, 0, -0.125);
+  const solve::NewtonReport report = model.solve_step({});
+  EXPECT_EQ(report.outcome, Outcome::lost_projection) << report.message;
+  const Diagnosis diagnosis = diagnose(model, report);
+  ASSERT_FALSE(diagnosis.places.empty());
+  for (const TroubleSpot& spot : diagnosis.places) {
+    EXPECT_EQ(spot.kind, "contact point");
+    EXPECT_EQ(spot.where, "edge");
+    EXPECT_EQ(spot.text, "leaves the master");
+    EXPECT_NEAR(spot.reference(1), 0.1, 1e-12);
+  }
+  EXPECT_TRUE(holds(diagnosis.cure, "extend the master face"));
+}
+
+TEST(Diagnosis, PenetrationThatRemainsIsNamedWithItsPoints) {
+  Scene<2> scene = square({{"top", "north", {fixed, driven}}});
+  scene.obstacles = {contact::make_plane<2>({0, 0}, {0, 1})};
+  scene.contacts = {{"floor", {0, nurbs::side_of("south", 2)}, ObstacleReference{0}, contact::PenaltyLaw{10}, 4}};
+  Model<2> model(std::move(scene));
+  model.set_target(0, 0, -0.1);
+  StepOptions options;
+  options.augmented = {1e-9, 1};
+  const solve::NewtonReport report = model.solve_step(options);
+  ASSERT_EQ(report.outcome, Outcome::penetration);
+  const Diagnosis diagnosis = diagnose(model, report);
+  ASSERT_EQ(diagnosis.places.size(), 5u);
+  double farthest = 0;
+  for (const auto& point : model.pairs()[0].results())
+    if (point.state != contact::ContactState::open) farthest = std::max(farthest, std::abs(point.gap));
+  EXPECT_EQ(std::abs(diagnosis.places[0].value), farthest);
+  for (const TroubleSpot& spot : diagnosis.places) EXPECT_EQ(spot.kind, "contact point");
+  EXPECT_TRUE(holds(diagnosis.cure, "raise the penalty"));
+}
+
+TEST(Diagnosis, LineSearchAndNumbersThatAreNone) {
+  Scene<2> scene = square({{"bed", "south", {fixed, fixed}}});
+  scene.loads = {{"wind", {{0, nurbs::side_of("north", 2)}}, false, {0, 0}}};
+  Model<2> model(std::move(scene));
+  model.set_target(0, 0, 1e200); // its square is no number
+  const solve::NewtonReport none = model.solve_step({});
+  EXPECT_EQ(none.outcome, Outcome::not_finite);
+  const Diagnosis diagnosis = diagnose(model, none);
+  EXPECT_EQ(diagnosis.outcome, Outcome::not_finite);
+  EXPECT_TRUE(holds(diagnosis.message, "not a finite number"));
+  model.rollback();
+  model.set_target(0, 0, 0.05);
+  EXPECT_EQ(model.solve_step({}).outcome, Outcome::converged);
+
+  // What a report says of line search is looked into like any stall.
+  solve::NewtonReport stalled = *model.report();
+  stalled.outcome = Outcome::line_search;
+  const Diagnosis search = diagnose(model, stalled);
+  EXPECT_EQ(search.outcome, Outcome::line_search);
+  EXPECT_TRUE(holds(search.cure, "no line search"));
+  EXPECT_EQ(search.places.size(), 3u);
+}
+
+} // namespace
+} // namespace signorini::model

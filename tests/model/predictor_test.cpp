@@ -1,0 +1,158 @@
+// Where a step begins: other first guesses, the same states.
+#include "model/scenes.hpp"
+
+#include "model/drives.hpp"
+
+#include <gtest/gtest.h>
+
+namespace signorini::model {
+namespace {
+
+using namespace test;
+
+StepOptions with(Predictor predictor) {
+  StepOptions options;
+  options.predictor = predictor;
+  return options;
+}
+
+constexpr Predictor all[] = {Predictor::tangent, Predictor::constant, Predictor::linear};
+
+/// Iterations of steps along a path, accepted one by one.
+int walk(Model<2>& model, const std::function<void(int)>& set_targets, int steps, Predictor predictor) {
+  int iterations = 0;
+  for (int step = 1; step <= steps; ++step) {
+    set_targets(step);
+    const solve::NewtonReport report = model.solve_step(with(predictor));
+    EXPECT_EQ(report.outcome, solve::Outcome::converged) << step << ": " << report.message;
+    iterations += report.iterations;
+    model.accept();
+  }
+  return iterations;
+}
+
+/// The states are the same to `tolerance`; returns the iterations of tangent, constant and linear.
+std::vector<int> compare(const std::function<Scene<2>()>& scene, const std::function<void(Model<2>&, int)>& set_targets,
+                         int steps, double tolerance) {
+  std::vector<int> iterations;
+  VectorX reference;
+  for (Predictor predictor : all) {
+    Model<2> model(scene());
+    iterations.push_back(walk(
+        model, [&](int step) { set_targets(model, step); }, steps, predictor));
+    if (predictor == Predictor::tangent) reference = model.displacement();
+    EXPECT_LT((model.displacement() - reference).cwiseAbs().maxCoeff(), tolerance);
+  }
+  return iterations;
+}
+
+void iron(Model<2>& model, int step) {
+  const double press = std::min(step, 46) / 46.0, slide = std::max(step - 46, 0) / 250.0;
+  model.set_target(drive_of_grip, 0, 1.5 * slide);
+  model.set_target(drive_of_grip, 1, -0.23 * press);
+}
+
+TEST(Predictor, IroningEndsInTheSameStateWithFewerIterationsByTheLinearOne) {
+  const auto iterations = compare([] { return ironing("N2"); }, iron, 86, 1e-9);
+  EXPECT_LT(iterations[2], 0.9 * iterations[0]);
+}
+
+/// Where the path bends the linear one begins as the tangent one does; so it does in the first step of all.
+TEST(Predictor, LinearIsTangentWhereThePathBends) {
+  Model<2> linear(ironing("N2")), tangent(ironing("N2"));
+  for (int step = 1; step <= 50; ++step) {
+    linear.restore(tangent.snapshot()); // both from the same state: the tangent one's
+    iron(linear, step);
+    iron(tangent, step);
+    const double first = linear.solve_step(with(Predictor::linear)).residuals.front();
+    const double reference = tangent.solve_step(with(Predictor::tangent)).residuals.front();
+    if (step == 1 || step == 47) {
+      EXPECT_NEAR(first, reference, 1e-9 * reference) << step;
+    } else {
+      EXPECT_LT(first, 0.1 * reference) << step;
+    }
+    EXPECT_LT((linear.displacement() - tangent.displacement()).cwiseAbs().maxCoeff(), 1e-9);
+    tangent.accept();
+  }
+}
+
+TEST(Predictor, PrescribedDisplacementsAreMetFromTheFirstGuessOn) {
+  Model<2> model(ironing("N2"));
+  for (int step = 1; step <= 3; ++step) {
+    iron(model, step);
+    const solve::NewtonReport first = model.iterate(with(step == 1 ? Predictor::constant : Predictor::linear));
+    EXPECT_EQ(first.outcome, solve::Outcome::iterating);
+    for (int dof : model.unknowns().of_support(grip, 1))
+      EXPECT_NEAR(model.displacement()(dof), -0.23 * step / 46, 1e-16) << step;
+    model.solve_step({});
+    model.accept();
+  }
+}
+
+/// A strip whose end turns: positions that depend on the target in a curve.
+TEST(Predictor, SupportsThatTurn) {
+  const auto scene = [] {
+    Scene<2> strip;
+    strip.bodies.push_back({"strip", make_body(nurbs::rectangle(6, 1, Eigen::Vector2d(0, 0)), {6, 1}, "N2", "south",
+                                               solid::neo_hookean(2, 0.3), 2)});
+    Support<2> east{"east", {held(strip, 0, "east")}, {Hold::free, Hold::free}};
+    east.rotates = true;
+    east.centre = face_centroid(*strip.bodies[0].body, nurbs::side_of("east", 2));
+    strip.supports = {{"west", {held(strip, 0, "west")}, {Hold::fixed, Hold::fixed}}, east};
+    return strip;
+  };
+  const auto iterations = compare(
+      scene, [](Model<2>& model, int step) { model.set_target(0, 0, 4.0 * step); }, 15, 1e-9);
+  EXPECT_LT(iterations[2], iterations[0]);
+}
+
+TEST(Predictor, Loads) {
+  const auto scene = [] {
+    Scene<2> bar = square({{"bed", "south", {Hold::fixed, Hold::fixed}}});
+    bar.loads = {{"pull", {{0, nurbs::side_of("north", 2)}}, false, {0, 0}}};
+    return bar;
+  };
+  const auto set = [](Model<2>& model, int step) { model.set_target(0, 1, 0.02 * step); };
+  const auto iterations = compare(scene, set, 10, 1e-9);
+  EXPECT_LE(iterations[2], iterations[0]);
+  // It leaves less to do from the second step on.
+  Model<2> model(scene());
+  for (int step = 1; step <= 5; ++step) {
+    set(model, step);
+    const double plain = model.solve_step(with(Predictor::constant)).residuals.front();
+    model.rollback();
+    set(model, step);
+    const double linear = model.solve_step(with(Predictor::linear)).residuals.front();
+    if (step == 1) {
+      EXPECT_EQ(linear, plain);
+    } else {
+      EXPECT_LT(linear, 0.2 * plain) << step;
+    }
+    model.accept();
+  }
+}
+
+TEST(Predictor, ARestoredStateGoesOnAsItDid) {
+  Model<2> model(ironing("N2"));
+  walk(
+      model, [&](int step) { iron(model, step); }, 5, Predictor::linear);
+  const Snapshot<2> kept = model.snapshot();
+  iron(model, 6);
+  const auto residuals = model.solve_step(with(Predictor::linear)).residuals;
+  const VectorX reached = model.displacement();
+  model.accept();
+  iron(model, 9);
+  model.solve_step(with(Predictor::linear));
+  model.accept();
+  for (int again = 0; again < 2; ++again) {
+    model.restore(kept);
+    iron(model, 6);
+    const auto once_more = model.solve_step(with(Predictor::linear)).residuals;
+    EXPECT_EQ(once_more.size(), residuals.size());
+    EXPECT_NEAR(once_more.front(), residuals.front(), 1e-9 * residuals.front());
+    EXPECT_LT((model.displacement() - reached).cwiseAbs().maxCoeff(), 1e-12);
+  }
+}
+
+} // namespace
+} // namespace signorini::model
