@@ -10,7 +10,8 @@ namespace signorini::model {
 enum class Predictor {
   tangent,  ///< the accepted state; the first solve takes prescribed displacements along, by its tangent
   constant, ///< the accepted state, prescribed displacements imposed
-  linear    ///< goes on as the last step did, prescribed displacements imposed; where the path bends, as `tangent`
+  linear ///< goes on as the last step did, prescribed displacements imposed, where the last two went alike and the path
+         ///< goes straight on; elsewhere as `tangent`
 };
 
 /// What Newton's iteration does about points whose state (open, stick, slip) keeps changing.

@@ -57,7 +57,8 @@ TEST(Predictor, IroningEndsInTheSameStateWithFewerIterationsByTheLinearOne) {
   EXPECT_LT(iterations[2], 0.9 * iterations[0]);
 }
 
-/// Where the path bends the linear one begins as the tangent one does; so it does in the first step of all.
+/// Where no two steps in a row have gone alike, at the path's beginning and where it bends, the linear one begins as
+/// the tangent one does.
 TEST(Predictor, LinearIsTangentWhereThePathBends) {
   Model<2> linear(ironing("N2")), tangent(ironing("N2"));
   for (int step = 1; step <= 50; ++step) {
@@ -66,7 +67,7 @@ TEST(Predictor, LinearIsTangentWhereThePathBends) {
     iron(tangent, step);
     const double first = linear.solve_step(with(Predictor::linear)).residuals.front();
     const double reference = tangent.solve_step(with(Predictor::tangent)).residuals.front();
-    if (step == 1 || step == 47) {
+    if (step <= 2 || step == 47 || step == 48) {
       EXPECT_NEAR(first, reference, 1e-9 * reference) << step;
     } else {
       EXPECT_LT(first, 0.1 * reference) << step;
@@ -80,7 +81,7 @@ TEST(Predictor, PrescribedDisplacementsAreMetFromTheFirstGuessOn) {
   Model<2> model(ironing("N2"));
   for (int step = 1; step <= 3; ++step) {
     iron(model, step);
-    const solve::NewtonReport first = model.iterate(with(step == 1 ? Predictor::constant : Predictor::linear));
+    const solve::NewtonReport first = model.iterate(with(step <= 2 ? Predictor::constant : Predictor::linear));
     EXPECT_EQ(first.outcome, solve::Outcome::iterating);
     for (int dof : model.unknowns().of_support(grip, 1))
       EXPECT_NEAR(model.displacement()(dof), -0.23 * step / 46, 1e-16) << step;
@@ -115,7 +116,7 @@ TEST(Predictor, Loads) {
   const auto set = [](Model<2>& model, int step) { model.set_target(0, 1, 0.02 * step); };
   const auto iterations = compare(scene, set, 10, 1e-9);
   EXPECT_LE(iterations[2], iterations[0]);
-  // It leaves less to do from the second step on.
+  // It leaves less to do from the third step on.
   Model<2> model(scene());
   for (int step = 1; step <= 5; ++step) {
     set(model, step);
@@ -123,7 +124,7 @@ TEST(Predictor, Loads) {
     model.rollback();
     set(model, step);
     const double linear = model.solve_step(with(Predictor::linear)).residuals.front();
-    if (step == 1) {
+    if (step <= 2) {
       EXPECT_EQ(linear, plain);
     } else {
       EXPECT_LT(linear, 0.2 * plain) << step;
