@@ -95,6 +95,7 @@ options:
   rescue = true: a step that fails is tried again with damping (where contact alone holds a body) and with the tangent's
     predictor; then, where it cannot be cut any more, with a line search and with a frozen active set. run.rescues counts
     what helped, run:attempts(step) tells. Off by default. sg.robust{} turns on all that easy runs do not pay for.
+  threads = how many work on this solve and later ones; bits are the same for any number. By default what --threads says.
   penalty = { start = 0.01, steps = 20 }: all penalties grow from this part of their values to the whole in so many steps.
   step = { adaptive = true, min = 1/64, max = 1, growth = 2 }: a step that fails is cut in half, down to the part `min` of
   it; after an easy increment (half of the iterations allowed) the next is `growth` times as long, up to `max`.

@@ -76,9 +76,10 @@ end
 --- The controls of a run: { solver, tries, penalty } (see controls.lua), policy, on_step, on_iteration, and what keeps
 --- checkpoints.
 local function read_options(model, options)
-  local known = { "step", "arc_length", "on_step", "on_iteration", "checkpoint", "resume" }
+  local known = { "step", "arc_length", "on_step", "on_iteration", "checkpoint", "resume", "threads" }
   arguments.table(where, "options", options, table.move(controls.keys, 1, #controls.keys, #known + 1, known))
   options = options or {}
+  if options.threads ~= nil then core.set_threads(arguments.count(where, "threads", options.threads)) end
   local policy = read_policy(options.step)
   if arguments.flag(where, "arc_length", options.arc_length, false) then policy = arc_length.policy(policy) end
   local solver, tries, penalty = controls.read(model, options)

@@ -92,6 +92,7 @@ std::unique_ptr<Team> team;
 } // namespace
 
 void set_worker_threads(int threads) {
+  if (threads == worker_threads()) return;
   team.reset();
   if (threads > 1) team = std::make_unique<Team>(threads - 1);
 }

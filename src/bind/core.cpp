@@ -1,6 +1,7 @@
 #include "base/timer.hpp"
 #include "bind/functions.hpp"
 #include "bind/open.hpp"
+#include "bind/threads.hpp"
 
 #include <filesystem>
 
@@ -50,6 +51,12 @@ int core_nearest(lua_State* L) {
   return 1;
 }
 
+int core_set_threads(lua_State* L) {
+  const double threads = read_number(L, 1, {"threads", "how many work on a solve"});
+  set_threads(static_cast<int>(threads));
+  return 0;
+}
+
 int kind(lua_State* L) {
   if (lua_isuserdata(L, 1) && luaL_getmetafield(L, 1, "__name") == LUA_TSTRING) return 1;
   push(L, luaL_typename(L, 1));
@@ -60,6 +67,8 @@ constexpr Function rows[] = {
     {"fail", wrap<core_fail>, "core.fail(message)\nEnds with an error at the line of the user's own script."},
     {"now", wrap<now>, "core.now()\nWall-clock seconds since some moment in the past."},
     {"mkdir", wrap<mkdir>, "core.mkdir(path)\nMakes a folder and those above it; an existing folder is fine."},
+    {"set_threads", wrap<core_set_threads>,
+     "core.set_threads(threads)\nHow many threads work on a solve from now on; core.threads is what --threads said."},
     {"describe", wrap<core_describe>, "core.describe(value)\nA value in the words of error messages."},
     {"nearest", wrap<core_nearest>, "core.nearest(word, words)\nThe word of a list that is nearest, or nil."},
     {"kind", wrap<kind>, "core.kind(value)\nThe type, with the names of the program's own types such as \"patch\"."},
