@@ -97,6 +97,8 @@ public:
   const Law& law() const { return law_; }
   /// Per contact point, along the slave face (element by element).
   const std::vector<PointResult<D>>& results() const { return results_; }
+  /// The same in the accepted state.
+  const std::vector<PointResult<D>>& accepted_results() const { return accepted_results_; }
   /// Element of the slave face that contact point i lies in, and its number there, ξ¹ running fastest; those that a
   /// region leaves out are counted.
   std::pair<int, int> place(std::size_t i) const { return {points_[i].element, points_[i].number}; }

@@ -128,6 +128,17 @@ template <int D> std::vector<PointIndex> ActiveSet<D>::restless() const {
   return points_with(changes(false), 2);
 }
 
+template <int D> std::string ActiveSet<D>::last_states(const PointIndex& index) const {
+  const auto i = static_cast<std::size_t>(first_[static_cast<std::size_t>(index.contact)] + index.point);
+  std::string names;
+  for (std::size_t k = entries_.size() - std::min<std::size_t>(entries_.size(), 2); k < entries_.size(); ++k) {
+    const unsigned char state = entries_[k].states[i];
+    names += names.empty() ? "" : " / ";
+    names += state == beyond ? "beyond" : name_of(static_cast<contact::ContactState>(state));
+  }
+  return names;
+}
+
 template <int D> std::vector<PointIndex> ActiveSet<D>::strays() const {
   return points_with(changes(true), 2);
 }

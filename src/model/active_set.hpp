@@ -5,6 +5,7 @@
 #include "model/step_options.hpp"
 
 #include <deque>
+#include <string>
 
 namespace signorini::model {
 
@@ -33,6 +34,8 @@ public:
   int period() const;
   /// Points whose state changed at least twice in the last evaluations, those that changed most first.
   std::vector<PointIndex> restless() const;
+  /// The states that a point had in the last evaluation and in the one before: "stick / slip", "beyond / open".
+  std::string last_states(const PointIndex& index) const;
   /// Those among them whose closest point was an open end of the master in between.
   std::vector<PointIndex> strays() const;
 

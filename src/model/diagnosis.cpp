@@ -19,7 +19,12 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-/// A control point of a body, with the place where it is now.
+/// Displacement of a control point in the accepted state.
+template <int D> VectorX accepted_displacement(const Model<D>& model, int body, int function) {
+  return model.accepted().template segment<D>(model.unknowns().offset(body) + D * function);
+}
+
+/// A control point of a body.
 template <int D> TroubleSpot control_point(const Model<D>& model, int body, int function) {
   const auto& named = model.scene().bodies[at(body)];
   const VectorX reference = named.body->space().points().col(function);
@@ -27,7 +32,7 @@ template <int D> TroubleSpot control_point(const Model<D>& model, int body, int 
           named.name,
           function,
           reference,
-          reference + VectorX(model.body_displacement(body).col(function)),
+          reference + accepted_displacement(model, body, function),
           0,
           ""};
 }
@@ -42,7 +47,7 @@ template <int D> std::vector<TroubleSpot> largest(const Model<D>& model, const V
   const VectorX all = model.unknowns().spread(values);
   for (int b = 0; b < static_cast<int>(model.scene().bodies.size()); ++b)
     for (int a = 0; a < model.scene().bodies[at(b)].body->functions(); ++a)
-      shares.push_back({b, a, all.segment<D>(model.unknowns().offset(b) + D * a).norm()});
+      shares.push_back({b, a, all.template segment<D>(model.unknowns().offset(b) + D * a).norm()});
   const std::size_t count = std::min<std::size_t>(3, shares.size());
   std::partial_sort(shares.begin(), shares.begin() + static_cast<std::ptrdiff_t>(count), shares.end(),
                     [](const Share& a, const Share& b) { return a.size > b.size; });
@@ -56,23 +61,23 @@ template <int D> std::vector<TroubleSpot> largest(const Model<D>& model, const V
   return spots;
 }
 
-template <int D> TroubleSpot contact_point(const Model<D>& model, const PointIndex& index, const char* what) {
+template <int D> TroubleSpot contact_point(const Model<D>& model, const PointIndex& index, std::string text) {
   const contact::Pair<D>& pair = model.pairs()[at(index.contact)];
   const auto i = at(index.point);
-  const contact::PointResult<D>& result = pair.results()[i];
   return {"contact point",
           model.scene().contacts[at(index.contact)].name,
           pair.place(i).first,
           pair.reference_positions()[i],
-          result.position,
-          result.gap,
-          what};
+          pair.accepted_results()[i].position,
+          pair.results()[i].gap,
+          std::move(text)};
 }
 
-template <int D>
-void add_points(Diagnosis& diagnosis, const Model<D>& model, const std::vector<PointIndex>& points, const char* what) {
+/// Names points of contacts, each with a few words about it.
+template <int D, class Words>
+void add_points(Diagnosis& diagnosis, const Model<D>& model, const std::vector<PointIndex>& points, Words words) {
   for (std::size_t k = 0; k < std::min(points.size(), most_places); ++k)
-    diagnosis.places.push_back(contact_point(model, points[k], what));
+    diagnosis.places.push_back(contact_point(model, points[k], words(points[k])));
   if (points.empty()) return;
   const TroubleSpot& first = diagnosis.places.front();
   diagnosis.message +=
@@ -93,7 +98,7 @@ template <int D> std::vector<PointIndex> farthest(const Model<D>& model) {
   return points;
 }
 
-/// The element that is inverted: its Gauss point, where it is now.
+/// The element that is inverted: its Gauss point.
 template <int D> TroubleSpot inverted_element(const Model<D>& model) {
   const auto& [body, inversion] = *model.inversion();
   const auto& named = model.scene().bodies[at(body)];
@@ -104,7 +109,7 @@ template <int D> TroubleSpot inverted_element(const Model<D>& model) {
     if (named.body->reference_point(inversion.element, static_cast<int>(q)) == inversion.point) {
       const nurbs::ElementBasis basis = space.basis(inversion.element, rule.points.col(q));
       for (std::size_t a = 0; a < basis.functions.size(); ++a)
-        current += basis.values(static_cast<Eigen::Index>(a)) * model.body_displacement(body).col(basis.functions[a]);
+        current += basis.values(static_cast<Eigen::Index>(a)) * accepted_displacement(model, body, basis.functions[a]);
     }
   return {"element",
           named.name,
@@ -196,11 +201,14 @@ template <int D> Diagnosis diagnose(const Model<D>& model, const solve::NewtonRe
   const Assembly<D>& assembly = model.assembly();
   const bool has_tangent = model.unknowns().size() > 0 && assembly.largest_diagonal() > 0;
   if (report.outcome == Outcome::inverted_element && model.inversion()) diagnosis.places = {inverted_element(model)};
-  if (report.outcome == Outcome::cycling)
-    add_points(diagnosis, model, model.active_set().restless(), "changes its state");
-  if (report.outcome == Outcome::lost_projection)
-    add_points(diagnosis, model, model.active_set().strays(), "leaves the master");
-  if (report.outcome == Outcome::penetration) add_points(diagnosis, model, farthest(model), "is off the master");
+  const ActiveSet<D>& set = model.active_set();
+  const auto states = [&](const PointIndex& point) { return set.last_states(point); };
+  if (report.outcome == Outcome::cycling) add_points(diagnosis, model, set.restless(), states);
+  if (report.outcome == Outcome::lost_projection) add_points(diagnosis, model, set.strays(), states);
+  if (report.outcome == Outcome::penetration)
+    add_points(diagnosis, model, farthest(model), [&](const PointIndex& point) {
+      return text("gap ", number(model.pairs()[at(point.contact)].results()[at(point.point)].gap));
+    });
   if (report.outcome == Outcome::singular_tangent && has_tangent)
     add_direction(diagnosis, model, null_direction(assembly.pattern(), assembly.values()));
   const bool stalls = report.outcome == Outcome::iteration_limit || report.outcome == Outcome::diverged ||

@@ -11,9 +11,9 @@ struct TroubleSpot {
   std::string where; ///< name of the body, or of the contact
   int index;         ///< of the element (of the slave face for a contact point), of the control point; from 0
   VectorX reference; ///< X, of a control point its own position
-  VectorX current;   ///< x in the state that failed
+  VectorX current;   ///< x in the accepted state
   double value;      ///< J, gap, unbalanced force, part of the direction
-  std::string text;  ///< a few words: "J = -0.12"
+  std::string text;  ///< a few words: "J = -0.12", "stick / slip" (the last two states of a contact point)
 };
 
 struct Diagnosis {

@@ -103,6 +103,8 @@ public:
 
   /// Present displacement of all degrees of freedom (see Unknowns).
   const VectorX& displacement() const { return displacement_; }
+  /// Displacement of all degrees of freedom in the accepted state.
+  const VectorX& accepted() const { return accepted_; }
   /// Present displacement of a body's control points, D × functions.
   Eigen::Map<const Eigen::Matrix<double, D, Eigen::Dynamic>> body_displacement(int body) const;
   /// Force that a support exerts on its bodies and obstacles.

@@ -115,7 +115,7 @@ TEST(Diagnosis, AnInvertedElementIsNamedWithItsPoint) {
   EXPECT_NEAR(spot.value, -0.2, 1e-9);
   EXPECT_EQ(spot.text, "J = -0.2");
   EXPECT_NEAR(spot.current(0), spot.reference(0), 1e-9);
-  EXPECT_NEAR(spot.current(1), -0.2 * spot.reference(1), 1e-9);
+  EXPECT_NEAR(spot.current(1), spot.reference(1), 1e-9); // in the accepted state, not in the one that failed
   EXPECT_TRUE(spot.reference(0) > 0 && spot.reference(0) < 0.5 && spot.reference(1) > 0 && spot.reference(1) < 0.5);
   EXPECT_TRUE(holds(diagnosis.message, "element 1 of body 'block' is inverted (J = -0.2")) << diagnosis.message;
   EXPECT_TRUE(holds(diagnosis.cure, "smaller steps")) << diagnosis.cure;
@@ -199,7 +199,7 @@ TEST(Diagnosis, UnbalancedForcesAreTheLargestOnes) {
     const TroubleSpot& spot = diagnosis.unbalanced[k];
     EXPECT_EQ(spot.value, forces[k]);
     EXPECT_EQ(all.segment<2>(2 * spot.index).norm(), forces[k]);
-    EXPECT_EQ(spot.current, VectorX(spot.reference + model.body_displacement(0).col(spot.index)));
+    EXPECT_EQ(spot.current, spot.reference);
   }
 }
 
