@@ -14,17 +14,18 @@ const ArchiveKind kind{"checkpoint", 1};
 using Parts = std::vector<ScenePart>;
 
 template <int D> void write_state(ArchiveWriter& to, const Snapshot<D>& state) {
-  const auto& [displacement, last_increment, targets, previous, contacts, force_scale, work, force, factor, bend] =
-      state;
-  to.put(displacement, last_increment, targets, previous, force_scale, work, force, factor, bend);
+  const auto& [displacement, last_increment, targets, previous, contacts, force_scale, work, force, factor, bend,
+               automatic] = state;
+  to.put(displacement, last_increment, targets, previous, force_scale, work, force, factor, bend, automatic);
   for (const auto& history : contacts) contact::write_history<D>(to, history);
 }
 
 /// Into a snapshot of a model of the same scene.
 template <int D> void read_state(ArchiveReader& from, Snapshot<D>& state) {
-  auto& [displacement, last_increment, targets, previous, contacts, force_scale, work, force, factor, bend] = state;
+  auto& [displacement, last_increment, targets, previous, contacts, force_scale, work, force, factor, bend, automatic] =
+      state;
   const Eigen::Index dofs = displacement.size(), components = targets.size();
-  from.into(displacement, last_increment, targets, previous, force_scale, work, force, factor, bend);
+  from.into(displacement, last_increment, targets, previous, force_scale, work, force, factor, bend, automatic);
   require(displacement.size() == dofs && last_increment.size() == dofs && force.size() == dofs &&
               targets.size() == components && previous.size() == components,
           "a state of ", displacement.size(), " degrees of freedom was saved, the model has ", dofs);

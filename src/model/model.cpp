@@ -143,7 +143,8 @@ template <int D> void Model<D>::settle() {
 
 template <int D> Snapshot<D> Model<D>::snapshot() const {
   Snapshot<D> kept{accepted_,    last_increment_, accepted_targets_, previous_targets_,        {},
-                   force_scale_, work_,           accepted_force_,   accepted_penalty_factor_, bend_};
+                   force_scale_, work_,           accepted_force_,   accepted_penalty_factor_, bend_,
+                   automatic_};
   for (const auto& pair : pairs_) kept.contacts.push_back(pair.history());
   return kept;
 }
@@ -159,6 +160,7 @@ template <int D> void Model<D>::restore(const Snapshot<D>& snapshot) {
   force_scale_ = snapshot.force_scale;
   work_ = snapshot.work;
   accepted_force_ = snapshot.force;
+  automatic_ = snapshot.automatic;
   rollback();
 }
 

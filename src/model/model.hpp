@@ -27,6 +27,7 @@ template <int D> struct Snapshot {
   double force_scale, work;
   VectorX force; ///< see Model::accepted_force_
   double penalty_factor, bend;
+  solve::LinearKind automatic; ///< see Model::automatic_
 };
 
 /// The model keeps two states: the accepted one, and the present one, which equals it before a step and after a
@@ -181,7 +182,10 @@ private:
   std::optional<BodyInversion> inverted_;
   std::optional<std::vector<LooseMotion>> loose_; ///< found when damping is first asked for
   std::unique_ptr<solve::LinearSolver> solver_;
-  solve::SolverStatistics past_solvers_; ///< what those before solver_ did
+  solve::SolverStatistics past_solvers_;                       ///< what those before solver_ did
+  solve::LinearKind past_kind_ = solve::LinearKind::automatic; ///< of the last of them
+  /// What an automatic choice begins with: a kept factorisation where it had come to one before.
+  solve::LinearKind automatic_ = solve::LinearKind::automatic;
   solve::LinearKind solver_asked_ = solve::LinearKind::automatic;
   int solver_version_ = 0, solver_contacts_ = 0;
   double force_scale_ = 0; ///< largest force norm of the accepted states

@@ -54,8 +54,9 @@ template <int D> solve::LinearSolver& Model<D>::solver(const StepOptions& option
       solver_ = solve::make_solver(solve::LinearKind::condensed, assembly_.pattern(), &condensation);
     } else {
       const bool symmetric = options.linear == solve::LinearKind::automatic && has_potential(scene_);
-      solver_ = solve::make_solver(symmetric ? solve::symmetric_choice(assembly_.pattern()) : options.linear,
-                                   assembly_.pattern());
+      const solve::LinearKind plain = options.linear == solve::LinearKind::automatic ? automatic_ : options.linear;
+      solver_ =
+          solve::make_solver(symmetric ? solve::symmetric_choice(assembly_.pattern()) : plain, assembly_.pattern());
     }
   }
   if (!fits || !same_contacts) solver_->watch(assembly_.contact_unknowns());
@@ -66,7 +67,10 @@ template <int D> solve::LinearSolver& Model<D>::solver(const StepOptions& option
 }
 
 template <int D> void Model<D>::forget_solver() {
-  if (solver_) past_solvers_ = sum(past_solvers_, solver_->statistics());
+  if (!solver_) return;
+  past_solvers_ = sum(past_solvers_, solver_->statistics());
+  past_kind_ = solver_->kind();
+  if (solver_asked_ == solve::LinearKind::automatic && past_kind_ == solve::LinearKind::kept) automatic_ = past_kind_;
   solver_.reset();
 }
 
@@ -301,7 +305,7 @@ template <int D> solve::NewtonReport Model<D>::solve_arc(const StepOptions& opti
 }
 
 template <int D> solve::LinearKind Model<D>::linear_kind() const {
-  return solver_ ? solver_->kind() : solve::LinearKind::automatic;
+  return solver_ ? solver_->kind() : past_kind_;
 }
 
 template <int D> solve::SolverStatistics Model<D>::solver_statistics() const {

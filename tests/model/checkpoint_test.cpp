@@ -76,6 +76,22 @@ TEST(Rollback, GivesBackTheBitsOfTheAcceptedState) {
   EXPECT_TRUE(same_bits(seen(model), before));
 }
 
+/// Of a failed attempt nothing is left, not even where no other follows.
+TEST(Rollback, AcceptingAfterwardsChangesNothing) {
+  Model<2> model(ironing("N2"));
+  iron(model, 1, 5);
+  StepOptions hasty;
+  hasty.newton.iterations = 2;
+  EXPECT_NE(step_to(model, drive_of_grip, 3, -0.15, hasty).outcome, solve::Outcome::converged);
+  model.rollback();
+  const VectorX reaction = model.reaction(grip);
+  const double work = model.energies().work;
+  model.accept();
+  model.rollback();
+  EXPECT_TRUE(same_bits(VectorX(model.reaction(grip)), reaction));
+  EXPECT_EQ(model.energies().work, work);
+}
+
 TEST(Checkpoint, TheSavedAndTheLoadedModelGoOnWithTheSameBits) {
   const ScratchFolder folder;
   for (const auto linear : {solve::LinearKind::automatic, solve::LinearKind::umfpack, solve::LinearKind::kept}) {
