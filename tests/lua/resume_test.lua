@@ -76,6 +76,17 @@ check.case("increments keep their length", function()
   assert(shorter > 3)
 end)
 
+check.case("whatever the controls are", function()
+  for _, options in ipairs {
+    { predictor = "linear" }, { predictor = "constant", newton = { line_search = "energy" } },
+    { newton = { freeze_active_set = true } }, { newton = { active_set_changes = 5 } }, { damping = true },
+    { augmented = { penetration = 1e-2 } }, { penalty = { start = 0.1, steps = 5 } },
+    sg.robust{ newton = { iterations = 6 } },
+  } do
+    check.equal(taken_up(ironing, path, options, { 3, 13 }).failed, false)
+  end
+end)
+
 check.case("so do arcs, which lead through a snap-back in step 145", function()
   local film = { hamaker = 0.1, r0 = 0.4 }
   local function strip()
