@@ -161,7 +161,7 @@ function Step:try(solver, to, rescue)
   if result.converged then
     self.model:accept()
   else
-    if not steps.is_asked_for(result) then result.diagnosis = self.model:diagnose() end
+    if not steps.is_wanted(result) then result.diagnosis = self.model:diagnose() end
     self.model:rollback()
   end
   self.run:record_attempt(self.done, to, result, core.now() - began, rescue)
@@ -175,10 +175,10 @@ function Step:attempt(to, shorter)
   local first = self:try(self.solver, to)
   local result = first
   for _, rescue in ipairs(self.options.tries) do
-    if result.converged or steps.is_asked_for(result) then break end
+    if result.converged or steps.is_wanted(result) then break end
     if rescue.early or not shorter then result = self:try(rescue.solver, to, rescue.name) end
   end
-  if not result.converged and not steps.is_asked_for(result) then return first end
+  if not result.converged and not steps.is_wanted(result) then return first end
   if result.converged then self.done = to end
   return result
 end
@@ -270,7 +270,7 @@ end
 --- Notes why a step was not reached; unless the user stopped it, arcs find out whether the path turns back.
 local function fail(run, step, result)
   local began = core.now()
-  local turn = not steps.is_asked_for(result) and arc_length.turning_point(step)
+  local turn = not steps.is_wanted(result) and arc_length.turning_point(step)
   run:record_probe(core.now() - began)
   run:record_failure(step, result, turn and step:place(turn))
 end
@@ -290,11 +290,11 @@ local function take(step, run, options, display)
     if answer ~= "cut" then return result, answer end
     run:drop_step()
     step.model:restore(step.start)
+    step.done = 0
     if not options.policy:shorten() then
       return { converged = false, reason = "cut", message = "on_step asked for shorter steps, and there are none: "
         .. "step = { adaptive = true, min = … } allows them", residuals = {} }
     end
-    step.done = 0
     step:cut_back()
   end
 end

@@ -40,8 +40,11 @@ function steps.halving(options)
                         growth = options.growth }, Halving)
 end
 
---- Whether an attempt ended because somebody wanted it to, not because it failed.
+--- Whether an attempt ended because somebody wants the run to end.
 function steps.is_asked_for(result) return result.reason == "interrupted" or result.reason == "stopped" end
+
+--- Whether an attempt ended because somebody wanted it to, not because it failed: there is nothing to diagnose or rescue.
+function steps.is_wanted(result) return result.reason == "cut" or steps.is_asked_for(result) end
 
 --- Newton has converged in half of the iterations that it may take.
 local function is_easy(result, solver) return 2 * result.iterations <= solver.iterations end
