@@ -107,7 +107,7 @@ options:
   resume = true: goes on from the checkpoint's file where there is one, with the same bits as a run that nothing has
   disturbed; the file of a finished run gives that run at once. Scene and stages must be the same. See also model:save.
   on_step = function(info): sees info.step, info.stage, info["grip.fx"] … after each step; returns nothing, "stop" to end
-    cleanly, "cut" to have the step done again in halves, or a table of numbers: columns of the run.
+    cleanly, "cut" to have the step done again in halves, or a table of numbers: columns of the run, else nan.
   on_iteration = function(info): sees stage, step, from, to (parts of the step), iteration, residual, energy, reason;
     returns nothing, "stop", or "cut" to give the attempt up.
 A step that is not reached ends the run, a result: run.failed, run.reason, run.cause (what was behind minimum_step),

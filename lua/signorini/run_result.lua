@@ -252,13 +252,15 @@ end
 
 --- The values of a column, one per step that was reached: "step", "increments" it was made of, "iterations" and "wall"
 --- (seconds) with those of failed attempts, "<support>.fx" (reaction), "<support>.ux" (accepted target of a driven
---- component), "<contact>.area" and so on.
+--- component), "<contact>.area" and so on; columns of on_step's are nan where it returned none.
 function Run:column(name)
   local values = self.values[name]
   if not values then
     core.fail(("run:column: there is no column '%s'; known: %s"):format(tostring(name), table.concat(self.names, ", ")))
   end
-  return table.move(values, 1, #values, 1, {})
+  local list = {}
+  for row = 1, self.rows do list[row] = values[row] or 0 / 0 end
+  return list
 end
 
 local function history(run, what, step)
@@ -283,11 +285,14 @@ function Run:residuals(step)
   return table.move(residuals, 1, #residuals, 1, {})
 end
 
---- Writes all columns to a CSV file.
+--- Writes all columns to a CSV file; a figure that on_step did not return is left out.
 function Run:csv(file)
-  local data = { columns = self.names, comments = { self.report } }
-  for name, values in pairs(self.values) do data[name] = values end
-  csv.write(file, data)
+  local rows = {}
+  for row = 1, self.rows do
+    rows[row] = {}
+    for i, name in ipairs(self.names) do rows[row][i] = self.values[name][row] end
+  end
+  csv.write(file, { columns = self.names, rows = rows, comments = { self.report } })
 end
 
 local function work_row(name, work, cutbacks)
