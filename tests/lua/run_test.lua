@@ -273,4 +273,30 @@ check.case("an interrupted step is not tried again", function()
   check.equal({ run.reason, run.cutbacks, model.spent }, { "interrupted", 0, 1 })
 end)
 
+check.case("arcs that all leave the path have strayed", function()
+  local model = model_of(function() return "iterations" end)
+  local last = 1
+  function model:last_length() return last end
+  function model:solve_arc(options)
+    last = 2 * options.length -- along the tangent: more than any bend of one path
+    return { converged = true, reason = "converged", message = "", fraction = 0.5, iterations = 2, residuals = { 1, 0 } }
+  end
+  function model:restore(kept)
+    self.accepted, self.next, last = kept, kept, 1
+  end
+  local run = model:run({ { steps = 2, grip = { 1, 0 } } }, { arc_length = true })
+  check.equal({ run.failed, run.reason, run.steps, run.controls[1].to },
+    { true, "strayed", 0, "arc length" })
+  check.equal(model.accepted, { 0, 0 })
+end)
+
+check.case("with on_iteration steps are taken iteration by iteration", function()
+  local plain, seen = model_of():run(two_stages), {}
+  local run = model_of():run(two_stages, { on_iteration = function(info)
+    seen[#seen + 1] = ("%d %d %s"):format(info.step, info.iteration, info.reason)
+  end })
+  check.equal(run:column "grip.fx", plain:column "grip.fx")
+  check.equal({ #seen, seen[1], seen[3], seen[18] }, { 18, "1 1 iterating", "1 3 converged", "6 3 converged" })
+end)
+
 check.done()

@@ -28,6 +28,18 @@ local function spring(fails)
              reason = reason or "converged", message = reason and "no luck" or "",
              residuals = { 1, 1e-3, reason and 1e-2 or 1e-12 }, energies = {} }
   end
+  --- solve_step in as many calls as it has residuals.
+  function model:iterate(options)
+    self.under_way = self.under_way or { left = 3, result = self:solve_step(options) }
+    local step = self.under_way
+    step.left = step.left - 1
+    if step.left == 0 then
+      self.under_way = nil
+      return step.result
+    end
+    return { converged = false, iterations = 3 - step.left, reason = "iterating", message = "", energies = {},
+             residuals = table.move(step.result.residuals, 1, 3 - step.left, 1, {}) }
+  end
   function model:accept()
     note "accept"
     self.accepted = self.next
@@ -35,7 +47,7 @@ local function spring(fails)
   end
   function model:rollback()
     note "rollback"
-    self.next = self.accepted
+    self.next, self.under_way = self.accepted, nil
   end
   function model:diagnose()
     return { reason = self.failure, message = "no luck", cure = "be lucky", places = {}, unbalanced = {} }

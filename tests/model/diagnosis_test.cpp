@@ -203,12 +203,12 @@ TEST(Diagnosis, UnbalancedForcesAreTheLargestOnes) {
   }
 }
 
-/// Deep ironing with p + 1 contact points per element comes to a step that plain Newton's method goes round in.
+/// Pressing of deep ironing with hard contact comes to a state between whose two sides one point goes to and fro.
 TEST(Diagnosis, CyclingPointsAreNamed) {
-  Scene<2> scene = ironing("N6");
+  Scene<2> scene = ironing("N4");
   const nurbs::Patch arc = nurbs::half_annulus(0.3, 0.5, Eigen::Vector2d(0.75, 1.5));
-  scene.bodies[0].body = make_body(arc, {6, 2}, "N6", "south", solid::neo_hookean(1e4, 0.3));
-  scene.contacts[0].law = contact::PenaltyLaw{100, 100, 0.1};
+  scene.bodies[0].body = make_body(arc, {6, 2}, "N4", "south", solid::neo_hookean(1e4, 0.3));
+  scene.contacts[0].law = contact::PenaltyLaw{1000, 100, 0.1};
   scene.contacts[0].points = 7;
   Model<2> model(std::move(scene));
   solve::NewtonReport report;
@@ -219,13 +219,13 @@ TEST(Diagnosis, CyclingPointsAreNamed) {
     model.accept();
   }
   ASSERT_EQ(report.outcome, Outcome::cycling) << report.message;
-  EXPECT_EQ(step, 27);
-  EXPECT_TRUE(holds(report.message, "repeat every ")) << report.message;
+  EXPECT_EQ(step, 34);
+  EXPECT_TRUE(holds(report.message, "repeat every 2 iterations")) << report.message;
   const Diagnosis diagnosis = diagnose(model, report);
   EXPECT_EQ(diagnosis.outcome, Outcome::cycling);
-  ASSERT_EQ(diagnosis.places.size(), 5u);
   const auto restless = model.active_set().restless();
-  for (std::size_t k = 0; k < 5; ++k) {
+  ASSERT_EQ(diagnosis.places.size(), restless.size());
+  for (std::size_t k = 0; k < restless.size(); ++k) {
     const TroubleSpot& spot = diagnosis.places[k];
     EXPECT_EQ(spot.kind, "contact point");
     EXPECT_EQ(spot.where, "interface");
@@ -235,18 +235,15 @@ TEST(Diagnosis, CyclingPointsAreNamed) {
     EXPECT_EQ(spot.current, VectorX(model.pairs()[0].results()[i].position));
     EXPECT_NEAR((spot.reference - Eigen::Vector2d(0.75, 1.5)).norm(), 0.5, 1e-9); // on the die
   }
-  EXPECT_TRUE(holds(diagnosis.message, " points of contact 'interface', the first in slave element "));
+  EXPECT_TRUE(holds(diagnosis.message, "1 point of contact 'interface', the first in slave element "));
   EXPECT_TRUE(holds(diagnosis.cure, "hold points that change too often"));
 
-  // Line search, and points that are held, go through.
-  for (const bool search : {true, false}) {
+  // Line search goes through.
+  for (const auto kind : {solve::LineSearchKind::residual, solve::LineSearchKind::energy}) {
     model.rollback();
     StepOptions options;
-    if (search)
-      options.newton.line_search = solve::LineSearchKind::residual;
-    else
-      options.active_set.changes = 4;
-    EXPECT_EQ(step_to(model, drive_of_grip, 0, -0.5 * 27 / 46, options).outcome, Outcome::converged) << search;
+    options.newton.line_search = kind;
+    EXPECT_EQ(step_to(model, drive_of_grip, 0, -0.5 * 34 / 46, options).outcome, Outcome::converged);
   }
 }
 

@@ -1,0 +1,291 @@
+-- The controls of a run: what is tried where a step fails, penalties that grow, callbacks, sg.robust, wrong options.
+
+local sg = require "signorini"
+local check = require "check"
+local spring = require "spring"
+local run_path = require "signorini.run"
+
+--- 2D ironing at m1; `o`: E of the die, mu, label, penalty, points.
+local function ironing(o)
+  local die = sg.body{ patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, centre = {0.75, 1.5} },
+                       elements = {6, 2}, order = o.label or "N2", contact = "south",
+                       material = sg.neo_hookean{ E = o.E or 1e3, nu = 0.3 } }
+  local slab = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = {8, 3}, order = o.label or "N2",
+                        contact = "north", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+  local mu = o.mu or 0.2
+  return sg.model{
+    bodies   = { die = die, slab = slab },
+    supports = { bed = { on = slab:face "south", fix = "xy" },
+                 grip = { on = { die:face "west", die:face "east" }, drive = "xy" } },
+    contacts = { interface = { slave = die:face "south", master = slab:face "north", penalty = o.penalty or 100, points = o.points,
+                               friction = mu > 0 and { mu = mu, penalty = 100 } or nil } },
+  }
+end
+
+--- Pressed by 0.5 in 46 steps, plain Newton goes round in the 34th.
+local function deep() return ironing{ E = 1e4, mu = 0.1, label = "N4", penalty = 1000, points = 7 } end
+
+--- The published path's first 60 steps: 46 of pressing, 14 of sliding.
+local sixty = { { name = "press", steps = 46, grip = {0, -0.23} }, { name = "slide", steps = 14, grip = {0.084, -0.23} } }
+
+local function largest_difference(a, b)
+  local most = 0
+  for i = 1, math.max(#a, #b) do most = math.max(most, math.abs(a[i] - b[i])) end
+  return most
+end
+
+--- A spring whose steps are not solved unless `works(options)` of an attempt; see spring.lua.
+local function spring_model(works, loose)
+  local model
+  model = spring(function() return not works(model.options) and "cycling" or nil end)
+  if loose then function model:loose_bodies() return { "ball" } end end
+  model.run = run_path
+  return model
+end
+
+local one_step = { { name = "pull", steps = 1, grip = {1, 0} } }
+
+-- ── Rescue ───────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- The names of the attempts at a step, with how they ended: "plain cycling, tangent converged".
+local function story(run, step)
+  local words = {}
+  for i, attempt in ipairs(run:attempts(step)) do words[i] = (attempt.rescue or "plain") .. " " .. attempt.reason end
+  return table.concat(words, ", ")
+end
+
+check.case("other controls are tried in order, each with what it changes alone", function()
+  local tried = {}
+  local model = spring_model(function(options)
+    tried[#tried + 1] = ("%s %s %g %s"):format(options.predictor, options.line_search, options.freeze_active_set,
+      options.damping)
+    return false
+  end, true)
+  local run = model:run(one_step, { rescue = true, predictor = "linear" })
+  check.equal(tried, { "linear none 0 false", "tangent none 0 true", "tangent none 0 false", "tangent residual 0 false",
+                       "tangent none 0.01 false" })
+  check.equal(story(run, 1),
+    "plain cycling, damping cycling, tangent cycling, line search cycling, frozen cycling")
+  check.equal({ run.failed, run.reason, run.rescues, run.iterations }, { true, "cycling", 0, 5 * 25 })
+  check.holds(run.report, "Tried from there, in parts of a step: 1 (cycling), 1 with damping (cycling), "
+    .. "1 with tangent (cycling), 1 with line search (cycling), 1 with frozen (cycling).")
+end)
+
+check.case("what changes nothing is not tried, damping only where contact alone holds a body", function()
+  local run = spring_model(function() return false end):run(one_step, { rescue = true })
+  check.equal(story(run, 1), "plain cycling, line search cycling, frozen cycling")
+  run = spring_model(function() return false end):run(one_step,
+    { rescue = true, newton = { line_search = "residual", freeze_active_set = true } })
+  check.equal(story(run, 1), "plain cycling")
+  run = spring_model(function() return false end):run(one_step)
+  check.equal(story(run, 1), "plain cycling")
+end)
+
+check.case("the first that helps ends the search, is counted, and the next step begins as before", function()
+  local model
+  model = spring_model(function(options) return model.accepted[1] ~= 1 or options.line_search == "residual" end)
+  local run = model:run({ { steps = 3, grip = {3, 0} } }, { rescue = true, predictor = "linear" })
+  check.equal({ story(run, 1), story(run, 2), story(run, 3) },
+    { "plain converged", "plain cycling, tangent cycling, line search converged", "plain converged" })
+  check.equal({ run.failed, run.rescues, run.cutbacks }, { false, 1, 0 })
+  check.equal({ run:attempts(2)[1].rescue, run:attempts(2)[3].rescue }, { nil, "line search" })
+  check.equal(run:column "iterations", { 3, 25 + 25 + 3, 3 })
+end)
+
+check.case("rescue comes before cutting, at each length", function()
+  local model
+  model = spring_model(function(options) return options.freeze_active_set > 0 and model.next[1] <= 0.5 end)
+  local run = model:run(one_step, { rescue = true, step = { adaptive = true, min = 0.5 } })
+  check.equal(story(run, 1), "plain cycling, line search cycling, frozen cycling, plain cycling, line search cycling, "
+    .. "frozen converged, plain cycling, line search cycling, frozen cycling")
+  check.equal({ run.rescues, run.cutbacks, run.reason, run.cause }, { 1, 1, "minimum_step", "cycling" })
+end)
+
+check.case("deep ironing, where plain Newton goes round, is carried through", function()
+  local path = { { name = "press", steps = 46, grip = {0, -0.5} } }
+  local run = deep():run(path, { rescue = true })
+  check.equal({ run.failed, run.steps, run.rescues }, { false, 46, 1 })
+  check.equal({ story(run, 33), story(run, 34) }, { "plain converged", "plain cycling, line search converged" })
+  local fy = run:column "grip.fy"
+  for _, newton in ipairs { { line_search = "residual" }, { line_search = "energy" } } do
+    run = deep():run(path, { newton = newton })
+    check.equal({ run.failed, run.steps }, { false, 46 })
+    check.near(run:column("grip.fy")[46] / fy[46], 1, 1e-6)
+  end
+end)
+
+check.case("a body that falls is caught by damping", function()
+  local body = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1, corner = {0, 0.2} }, elements = {2, 2},
+                        order = "N2", contact = "south", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+  local model = sg.model{
+    bodies   = { block = body }, supports = { wall = { on = body:face "west", fix = "x" } },
+    loads    = { weight = { on = body:face "north", traction = {0, 0} } },
+    contacts = { floor = { slave = body:face "south", penalty = 50,
+                           master = sg.rigid.plane{ point = {0, 0}, normal = {0, 1} } } },
+  }
+  check.equal(model:loose_bodies(), { "block" })
+  local run = model:run({ { steps = 2, weight = {0, -0.1} } }, { rescue = true })
+  check.equal({ run.failed, story(run, 1) }, { false, "plain singular, damping converged" })
+  check.near(run:column "floor.fy", { 0.05, 0.1 }, 1e-9)
+end)
+
+-- ── Penalties that grow ──────────────────────────────────────────────────────────────────────────────────────────────
+
+check.case("a growing penalty ends in the states of the full one", function()
+  local path = { { steps = 8, grip = {0, -0.1} } }
+  local full, model = ironing{ mu = 0 }:run(path), ironing{ mu = 0 }
+  local factors = {}
+  local run = model:run(path, { penalty = { start = 0.01, steps = 4 },
+                                on_step = function() factors[#factors + 1] = model:penalty_factor() end })
+  -- start^(1 − step/steps)
+  check.near(factors, { 0.01 ^ 0.75, 0.1, 0.01 ^ 0.25, 1, 1, 1, 1, 1 }, 1e-12)
+  local reference, forces = full:column "grip.fy", run:column "grip.fy"
+  for step = 1, 3 do check.equal(forces[step] > reference[step] + 1e-4, true) end -- softer: less thrust
+  for step = 4, 8 do check.near(forces[step], reference[step], 1e-8) end
+end)
+
+check.case("a step that fails leaves the penalty of the last one", function()
+  local model = ironing{ mu = 0 }
+  local run = model:run({ { steps = 2, grip = {0, -0.1} } },
+    { penalty = { start = 0.01, steps = 4 }, on_iteration = function(info) return info.step == 2 and "stop" or nil end })
+  check.equal({ run.reason, run.steps }, { "stopped", 1 })
+  check.near(model:penalty_factor(), 0.01 ^ 0.75, 1e-15)
+  check.near(model:reaction("grip")[2], run:column("grip.fy")[1], 1e-12)
+end)
+
+-- ── Callbacks ────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+check.case("on_iteration sees every iteration and changes no bit", function()
+  local path = { { name = "press", steps = 3, grip = {0, -0.015} } }
+  local plain, seen = ironing{}:run(path), {}
+  local run = ironing{}:run(path, { on_iteration = function(info) seen[#seen + 1] = info end })
+  for _, column in ipairs { "grip.fx", "grip.fy", "interface.area", "iterations" } do
+    check.equal(run:column(column), plain:column(column))
+  end
+  local i = 0
+  for step = 1, 3 do
+    check.equal(run:residuals(step), plain:residuals(step))
+    for k, residual in ipairs(run:residuals(step)) do
+      i = i + 1
+      local info, last = seen[i], k == #run:residuals(step)
+      check.equal({ info.stage, info.step, info.from, info.to, info.residual }, { "press", step, 0, 1, residual })
+      check.equal({ info.iteration, info.reason }, { last and k - 1 or k, last and "converged" or "iterating" })
+    end
+  end
+  check.equal(#seen, i)
+end)
+
+check.case("on_iteration cuts an attempt, and shorter steps go on", function()
+  local run = ironing{}:run({ { steps = 2, grip = {0, -0.01} } }, { step = { adaptive = true }, rescue = true,
+    on_iteration = function(info) return info.to - info.from > 0.6 and info.iteration == 2 and "cut" or nil end })
+  check.equal({ run.failed, run.steps, run.cutbacks, run.rescues }, { false, 2, 2, 0 })
+  check.equal(story(run, 1), "plain cut, plain converged, plain converged")
+  check.equal({ run:attempts(1)[1].iterations, run:column("increments")[1] }, { 2, 2 })
+end)
+
+check.case("on_step cuts a step that was reached, and adds columns", function()
+  local model = ironing{}
+  local reference = ironing{}:run{ { steps = 4, grip = {0, -0.01} } }
+  local seen = 0
+  local run = model:run({ { steps = 2, grip = {0, -0.01} } }, { step = { adaptive = true, growth = 1 },
+    on_step = function(info)
+      seen = seen + 1
+      if seen == 1 then return "cut" end
+      return { twice = 2 * info["grip.fy"], late = info.step == 2 and 7 or nil }
+    end })
+  check.equal({ run.failed, run.steps, run.cutbacks, seen }, { false, 2, 1, 3 })
+  check.equal(run:column "increments", { 3, 2 }) -- one that was taken back
+  local fy, by_four = run:column "grip.fy", reference:column "grip.fy"
+  check.near(fy, { by_four[2], by_four[4] }, 1e-10) -- the same increments
+  check.equal(run:column "twice", { 2 * fy[1], 2 * fy[2] })
+  local late, name = run:column "late", os.tmpname()
+  check.equal({ #late, late[1] ~= late[1], late[2] }, { 2, true, 7 }) -- nan, 7
+  run:csv(name)
+  local read = sg.csv.read(name)
+  os.remove(name)
+  local n = #read.columns
+  check.equal({ read.columns[n], read.rows[2][n], read.rows[1][n] }, { "late", 7 })
+end)
+
+check.case("figures that on_step must not return", function()
+  local function returning(value)
+    return function() spring_model(function() return true end):run(one_step, { on_step = function() return value end }) end
+  end
+  check.fails(returning { 1, 2 }, "controls_test.lua:", "on_step: what it returns must be")
+  check.fails(returning { depth = "1" }, "controls_test.lua:", "on_step: depth must be a finite number, got the string '1'")
+  check.fails(returning { ["grip.fx"] = 1 }, "on_step: the run has a column 'grip.fx' of its own: choose another name")
+end)
+
+-- ── sg.robust ────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+check.case("sg.robust turns on what easy runs do not pay for", function()
+  local robust = sg.robust()
+  check.equal({ robust.predictor, robust.rescue, robust.step.adaptive }, { "linear", true, true })
+  robust = sg.robust { step = { adaptive = true, min = 1 / 256 }, predictor = "tangent", linear = "klu" }
+  check.equal({ robust.predictor, robust.rescue, robust.step.min, robust.linear }, { "tangent", true, 1 / 256, "klu" })
+  check.fails(function() sg.robust(7) end, "controls_test.lua:", "sg.robust: options must be a table of options of model:run")
+end)
+
+check.case("easy ironing takes fewer iterations with sg.robust, and is the same", function()
+  local plain, robust = ironing{}:run(sixty), ironing{}:run(sixty, sg.robust{})
+  check.equal({ robust.failed, robust.rescues, robust.cutbacks }, { false, 0, 0 })
+  print(("ironing m1, 60 steps: %d iterations, robust %d"):format(plain.iterations, robust.iterations))
+  check.equal(robust.iterations < 0.75 * plain.iterations, true)
+  for _, column in ipairs { "grip.fx", "grip.fy" } do
+    check.equal(largest_difference(robust:column(column), plain:column(column)) < 1e-8, true)
+  end
+end)
+
+-- ── Wrong options ────────────────────────────────────────────────────────────────────────────────────────────────────
+
+check.case("wrong options are refused before the first step, at the user's line", function()
+  local model = spring_model(function() return true end)
+  local wrong = {
+    { { predictor = "linaer" }, "predictor must be one of 'tangent', 'constant', 'linear', got the string 'linaer'" },
+    { { predictor = true }, "predictor must be one of 'tangent', 'constant', 'linear', got true" },
+    { { predicter = "linear" }, "unknown argument 'predicter' in options", "did you mean 'predictor'?" },
+    { { newton = { line_search = "enrgy" } }, "newton.line_search must be one of 'none', 'residual', 'energy'" },
+    { { newton = { linesearch = "energy" } }, "unknown argument 'linesearch'", "did you mean 'line_search'?" },
+    { { newton = { freeze_active_set = 2 } }, "newton.freeze_active_set must be a number above 0 and at most 1" },
+    { { newton = { freeze_active_set = "yes" } }, "newton.freeze_active_set must be", "got the string 'yes'" },
+    { { newton = { active_set_changes = 1.5 } }, "newton.active_set_changes must be a whole number" },
+    { { newton = { active_set_change = 4 } }, "did you mean 'active_set_changes'?" },
+    { { augmented = 1e-6 }, "augmented must be a table of named arguments" },
+    { { augmented = { penetration = 0 } }, "augmented.penetration must be a number above 0 and at most 1" },
+    { { augmented = { loops = 0 } }, "augmented.loops must be a whole number of at least 1" },
+    { { augmented = { loop = 3 } }, "unknown argument 'loop' in augmented", "did you mean 'loops'?" },
+    { { augmented = true, arc_length = true }, "augmented and arc_length cannot be used together" },
+    { { damping = 1 }, "damping must be true or false, got the number 1" },
+    { { dampin = true }, "did you mean 'damping'?" },
+    { { penalty = 100 }, "penalty must be a table of named arguments" },
+    { { penalty = { steps = 3 } }, "penalty.start is missing" },
+    { { penalty = { start = 0.1 } }, "penalty.steps is missing" },
+    { { penalty = { start = 2, steps = 3 } }, "penalty.start must be a number above 0 and at most 1" },
+    { { penalty = { start = 0.1, step = 3 } }, "unknown argument 'step' in penalty", "did you mean" },
+    { { rescue = "yes" }, "rescue must be true or false, got the string 'yes'" },
+    { { resceu = true }, "did you mean 'rescue'?" },
+    { { on_iteration = 3 }, "on_iteration must be a function" },
+    { { on_iterations = print }, "did you mean 'on_iteration'?" },
+  }
+  for _, case in ipairs(wrong) do
+    check.fails(function() model:run(one_step, case[1]) end, "controls_test.lua:", "model:run: ", table.unpack(case, 2))
+  end
+  check.equal({ model.spent, #model.calls }, { 0, 0 })
+end)
+
+check.case("a real model's verbs refuse them as well", function()
+  local model = ironing{}
+  for _, case in ipairs {
+    { { predictor = "linaer" }, "predictor" }, { { line_search = 3 }, "line_search" }, { { freeze_active_set = -1 }, "freeze_active_set" },
+    { { active_set_changes = -1 }, "active_set_changes" }, { { augmented = { loop = 1 } }, "loop" },
+    { { damping = 1 }, "damping" }, { { predict = "linear" }, "did you mean 'predictor'?" },
+  } do
+    for _, verb in ipairs { "solve_step", "iterate" } do
+      check.fails(function() model[verb](model, case[1]) end, "controls_test.lua:", case[2])
+    end
+  end
+  check.fails(function() model:set_penalty_factor(0) end, "penalty's factor must be positive, got 0")
+  check.fails(function() model:diagnose() end, "there is no step to diagnose")
+end)
+
+check.done()

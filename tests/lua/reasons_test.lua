@@ -1,0 +1,256 @@
+-- Every reason why a run may end, provoked on purpose on a small model: the reason, the place, the words.
+
+local sg = require "signorini"
+local check = require "check"
+
+-- ── Small models ─────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- A unit square, or what `options` says, of neo-Hookean material with E = 1.
+local function block(options)
+  local o = options or {}
+  return sg.body{
+    patch = sg.shapes.rectangle{ width = o.width or 1, height = o.height or 1, corner = o.corner }, order = o.order or "N2",
+    elements = o.elements or {2, 2}, contact = o.contact or "south", material = o.material or sg.neo_hookean{ E = 1, nu = 0.3 },
+  }
+end
+
+--- A square on a bed; its top is driven down.
+local function press()
+  local body = block()
+  return sg.model{ bodies = { block = body }, supports = {
+    bed = { on = body:face "south", fix = "xy" }, top = { on = body:face "north", fix = "x", drive = "y" } } }
+end
+
+--- A square on a bed under a wind from above.
+local function windy(supports)
+  local body = block()
+  return sg.model{ bodies = { block = body }, supports = supports(body),
+                   loads = { wind = { on = body:face "north", traction = {0, 0} } } }
+end
+
+local function on_bed(body) return { bed = { on = body:face "south", fix = "xy" } } end
+
+--- A soft bar above the lower end of a ramp, that the bar is pushed over as it is lowered.
+local function bar_on_ramp()
+  local bar = block{ width = 0.1, height = 2, corner = {-0.105, 0.1}, elements = {2, 8},
+                     material = sg.linear_elastic{ E = 1, nu = 0.3 } }
+  local ramp = sg.body{
+    patch = sg.shapes.rectangle{ width = 2, height = 0.5, corner = {-2, -0.5} }:rotate{ angle = -25, centre = {0, 0} },
+    elements = {4, 2}, order = "N2", contact = "north", material = sg.linear_elastic{ E = 100, nu = 0.3 },
+  }
+  return sg.model{
+    bodies   = { bar = bar, ramp = ramp },
+    supports = { top = { on = bar:face "north", fix = "x", drive = "y" }, bed = { on = ramp:face "south", fix = "xy" } },
+    contacts = { edge = { slave = bar:face "south", master = ramp:face "north", penalty = 10, points = 3 } },
+  }
+end
+
+--- Deep 2D ironing with hard contact, whose pressing comes to a state between whose two sides one point goes to and fro.
+local function deep_ironing()
+  local die = sg.body{ patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, centre = {0.75, 1.5} },
+                       elements = {6, 2}, order = "N4", contact = "south", material = sg.neo_hookean{ E = 1e4, nu = 0.3 } }
+  local slab = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = {8, 3}, order = "N4",
+                        contact = "north", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+  return sg.model{
+    bodies   = { die = die, slab = slab },
+    supports = { bed = { on = slab:face "south", fix = "xy" },
+                 grip = { on = { die:face "west", die:face "east" }, drive = "xy" } },
+    contacts = { interface = { slave = die:face "south", master = slab:face "north", penalty = 1000, points = 7,
+                               friction = { mu = 0.1, penalty = 100 } } },
+  }
+end
+
+--- The run failed for this reason after so many steps; its report holds the fragments. Returns its worst place.
+local function expect(run, reason, steps, ...)
+  check.equal({ run.failed, run.reason, run.cause, run.steps }, { true, reason, reason, steps })
+  check.holds(run.report, ...)
+  return run.places[1]
+end
+
+-- ── Ends that somebody wants ─────────────────────────────────────────────────────────────────────────────────────────
+
+check.case("completed", function()
+  local run = press():run{ { steps = 2, top = -0.1 } }
+  check.equal({ run.failed, run.reason, run.cause, run.report }, { false, "completed" })
+  check.equal(run.places, {})
+end)
+
+check.case("stopped by on_step and by on_iteration", function()
+  local model = press()
+  local run = model:run({ { steps = 4, top = -0.2 } }, { on_step = function(info) return info.step == 2 and "stop" end })
+  check.equal({ run.failed, run.reason, run.steps, model:target("top")[1] }, { false, "stopped", 2, -0.1 })
+  model = press()
+  run = model:run({ { steps = 4, top = -0.2 } },
+    { on_iteration = function(info) return info.step == 3 and info.iteration == 1 and "stop" end })
+  check.equal({ run.failed, run.reason, run.steps, model:target("top")[1] }, { false, "stopped", 2, -0.1 })
+  check.equal(run:attempts(3)[1].reason, "stopped")
+  -- The model is as it was after the last step.
+  check.near(model:reaction("top"), { run:column("top.fx")[2], run:column("top.fy")[2] }, 1e-12)
+end)
+
+check.case("cut, where no shorter steps are allowed", function()
+  local run = press():run({ { steps = 1, top = -0.2 } }, { on_step = function() return "cut" end })
+  check.equal(expect(run, "cut", 0, "on_step asked for shorter steps, and there are none: step = { adaptive = true",
+    "The model is at its last accepted step, its start."), nil)
+  run = press():run({ { name = "crush", steps = 2, top = -0.2 } },
+    { rescue = true, on_iteration = function(info) return info.step == 2 and info.iteration == 2 and "cut" end })
+  check.equal(expect(run, "cut", 1, "step 2 (stage 'crush', 2 of 2) was not reached: on_iteration asked for it in iteration 2",
+    "last accepted step, 1"), nil)
+  check.equal(#run:attempts(2), 1) -- who wants a cut wants no rescue
+end)
+
+check.case("interrupted: Ctrl-C ends the run at its last step, and the model can go on", function()
+  local output, status = check.program({}, [[
+    sg, Run = require "signorini", require "signorini.run_result"
+    new = Run.new; Run.new = function(model) kept = new(model) return kept end
+    b = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = {16, 16}, order = "N2", contact = "south", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+    m = sg.model{ bodies = { block = b }, supports = { bed = { on = b:face "south", fix = "xy" }, top = { on = b:face "north", drive = "xy" } } }
+    timer = io.popen "sleep 0.3; kill -INT $PPID" m:run{ { name = "shear", steps = 1000000, top = {0.3, 0} } }
+    first = kept
+    print(first.reason, first.cause, first.failed, first.steps > 0, first.steps == first.rows, #first.places)
+    print(first.report:match "not reached: [^.]*", first.report:match "last accepted step, %d+" == "last accepted step, " .. first.steps)
+    print("again:", m:run{ { steps = 2, top = {0, 0} } }.reason)
+  ]])
+  check.holds(output, "interrupted\n", "interrupted\tinterrupted\ttrue\ttrue\ttrue\t0\n",
+    "not reached: stopped by Ctrl-C\ttrue", "again:\tcompleted")
+  check.equal(status, 1) -- a line of the input failed
+end)
+
+-- ── Newton's method ──────────────────────────────────────────────────────────────────────────────────────────────────
+
+check.case("iterations: too few, with the largest unbalanced forces", function()
+  local body = block()
+  local model = sg.model{ bodies = { block = body }, supports = {
+    bed = { on = body:face "south", fix = "xy" }, top = { on = body:face "north", drive = "xy" } } }
+  local run = model:run({ { name = "shear", steps = 1, top = {0.3, 0} } }, { newton = { iterations = 2 } })
+  local place = expect(run, "iterations", 0, "step 1 (stage 'shear', 1 of 1) was not reached: no convergence in 2 iterations",
+    "Worst places: control point", "What may help: allow more iterations")
+  check.equal({ place.kind, place.body }, { "control point", "block" })
+  check.near(place.X[2], 0.5, 1e-12) -- neither held face
+  check.holds(place.text, "unbalanced force")
+end)
+
+check.case("diverged: a soft body falls onto one that is harder than numbers can tell", function()
+  local soft = sg.linear_elastic{ E = 1, nu = 0.3 }
+  local upper = block{ corner = {0, 1.5}, material = soft }
+  local lower = block{ width = 2, corner = {-0.5, 0}, elements = {2, 4}, contact = "north", material = soft }
+  local model = sg.model{
+    bodies   = { upper = upper, lower = lower },
+    supports = { top = { on = upper:face "north", fix = "xy" }, bed = { on = lower:face "south", fix = "xy" } },
+    loads    = { pull = { on = upper:face "south", traction = {0, 0} } },
+    contacts = { floor = { slave = upper:face "south", master = lower:face "north", penalty = 1e15 } },
+  }
+  local run = model:run{ { steps = 1, pull = {0, -1} } }
+  local place = expect(run, "diverged", 0, "the residual grew to", "What may help: take smaller steps", "line search")
+  check.equal(place.kind, "control point")
+  check.near(place.X[2], place.body == "upper" and 1.5 or 1, 1e-12) -- on the faces that meet
+end)
+
+check.case("cycling: one point of deep ironing goes to and fro", function()
+  local run = deep_ironing():run{ { name = "press", steps = 46, grip = {0, -0.5} } }
+  local place = expect(run, "cycling", 33, "step 34 (stage 'press', 34 of 46)",
+    "the states of contact points repeat every 2 iterations; 1 point of contact 'interface', the first in slave element",
+    "Worst places: contact point in slave element", "What may help: take smaller steps", "active_set_changes")
+  check.equal({ place.kind, place.contact, place.text, #run.places }, { "contact point", "interface", "changes its state", 1 })
+  check.near((place.X[1] - 0.75) ^ 2 + (place.X[2] - 1.5) ^ 2, 0.25, 1e-9) -- on the die's face
+  check.near(place.x[2], place.X[2] - 0.5 * 34 / 46, 5e-3)              -- the die is nearly rigid
+end)
+
+check.case("lost_projection: a bar slides off the end of a ramp", function()
+  local run = bar_on_ramp():run{ { name = "lower", steps = 4, top = -0.25 } }
+  local place = expect(run, "lost_projection", 1, "of contact 'edge'", "leaves the master",
+    "What may help: extend the master face beyond where the slave face reaches")
+  check.equal({ place.kind, place.contact, place.element }, { "contact point", "edge", 1 })
+  check.near(place.X[2], 0.1, 1e-12)
+end)
+
+check.case("inverted: a block pressed flat and farther", function()
+  local run = press():run{ { name = "crush", steps = 1, top = -1.2 } }
+  local place = expect(run, "inverted", 0, "of body 'block' is inverted (J = -0.", "Worst places: element",
+    "What may help: take smaller steps")
+  check.equal({ place.kind, place.body, place.value < 0 }, { "element", "block", true })
+  -- The first guess is linear: x₂ = X₂(1 − 1.2) by symmetry of the material's linear part.
+  check.near(place.x[2], -0.2 * place.X[2], 1e-9)
+  local i, j = place.X[1] < 0.5 and 1 or 2, place.X[2] < 0.5 and 0 or 1
+  check.equal(place.element, i + 2 * j)
+end)
+
+check.case("singular: nothing holds a body, and what it does is named", function()
+  local run = windy(function(body) return { wall = { on = body:face "west", fix = "x" } } end):run{ { steps = 1, wind = {0, -0.1} } }
+  local place = expect(run, "singular", 0, "the tangent is singular; in its direction body 'block' moves as a whole along (0, ",
+    "hold the body with a support", "damping = true")
+  check.equal({ place.kind, place.body }, { "control point", "block" })
+  run = windy(function(body) return { pin = { on = body:corner "south-west", fix = "xy" } } end)
+    :run{ { steps = 1, wind = {0.1, 0} } }
+  place = expect(run, "singular", 0, "body 'block' turns as a whole")
+  check.near(place.X, { 1, 1 }, 1e-12) -- farthest from the pin
+end)
+
+check.case("indefinite: a column beyond Euler's load", function()
+  local body = block{ width = 0.5, height = 10, elements = {1, 8}, order = "N3", contact = "west" }
+  local model = sg.model{ bodies = { column = body }, supports = {
+    bed = { on = body:face "south", fix = "xy" }, top = { on = body:face "north", drive = "y" } } }
+  local run = model:run({ { steps = 1, top = -0.1 } }, { newton = { iterations = 1 } })
+  local place = expect(run, "indefinite", 0, "no convergence in 1 iterations", "the tangent is indefinite there",
+    "of body 'column'", "limit of stability: arc_length = true")
+  check.equal({ place.kind, place.body, place.X[2] > 8 }, { "control point", "column", true }) -- it swerves at the top
+end)
+
+check.case("nan: forces whose squares are no numbers", function()
+  local run = windy(on_bed):run{ { steps = 1, wind = {1e200, 0} } }
+  local place = expect(run, "nan", 0, "the residual is not a finite number", "What may help: take smaller steps")
+  check.equal({ place.kind, place.body, place.X[2] }, { "control point", "block", 1.0 })
+end)
+
+check.case("line_search: no part of the move helps where a point comes and goes", function()
+  local run = bar_on_ramp():run({ { name = "lower", steps = 4, top = -0.25 } }, { newton = { line_search = "residual" } })
+  local place = expect(run, "line_search", 1, "line search: no part of the move down to 1/128", "What may help: take smaller steps",
+    "or no line search")
+  check.equal({ place.kind, place.body }, { "control point", "ramp" })
+  check.near(place.X, { 0, 0 }, 1e-9) -- its end
+end)
+
+check.case("penetration: one augmentation is not enough", function()
+  local body = block()
+  local model = sg.model{
+    bodies   = { block = body }, supports = { top = { on = body:face "north", fix = "x", drive = "y" } },
+    contacts = { floor = { slave = body:face "south", penalty = 10,
+                           master = sg.rigid.plane{ point = {0, 0}, normal = {0, 1} } } },
+  }
+  local run = model:run({ { name = "press", steps = 2, top = -0.1 } }, { augmented = { loops = 1 } })
+  local place = expect(run, "penetration", 0, "off the master after 1 augmentations, asked was 1e-06",
+    "Worst places: contact point in slave element", "raise the penalty, allow more loops")
+  check.equal({ place.kind, place.contact, place.text }, { "contact point", "floor", "is off the master" })
+  check.equal({ place.X[2], math.abs(place.value) > 1e-6 }, { 0.0, true })
+end)
+
+-- ── Paths ────────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+check.case("turning_point: an arch under a load that it cannot carry", function()
+  local function line(offset)
+    return sg.nurbs.arc{ centre = {0, -40}, radius = 40 + offset, from = 100, to = 80 }
+  end
+  local arch = sg.body{ patch = sg.nurbs.ruled{ a = line(-0.15), b = line(0.15) }, elements = {16, 1}, order = "N3",
+                        through = 2, contact = "north", material = sg.neo_hookean{ E = 1000, nu = 0 } }
+  local model = sg.model{
+    bodies   = { arch = arch },
+    supports = { left = { on = arch:face "west", fix = "xy" }, right = { on = arch:face "east", fix = "xy" } },
+    loads    = { push = { on = arch:face "north", traction = {0, 0} } },
+  }
+  local run = model:run({ { name = "load", steps = 20, push = {0, -0.02} } }, { newton = { iterations = 8 } }) -- more: it jumps
+  check.equal({ run.failed, run.reason, run.cause }, { true, "turning_point", "turning_point" })
+  check.holds(run.report, "The path has a turning point at push.ty = -0.0", "arc_length = true")
+  local turn = -tonumber(run.report:match "push%.ty = ([-%d.]+)")
+  local reached = -run:column("push.ty")[run.steps]
+  check.equal({ reached > 0.005, turn >= reached - 1e-9, turn < reached + 0.001 }, { true, true, true })
+end)
+
+check.case("minimum_step: shorter steps are not allowed; the cause stands beside it", function()
+  local run = press():run({ { name = "crush", steps = 1, top = -1.2 } }, { step = { adaptive = true, min = 0.25 } })
+  check.equal({ run.failed, run.reason, run.cause, run.steps, run.cutbacks }, { true, "minimum_step", "inverted", 0, 2 })
+  check.holds(run.report, "is inverted", "The shortest step, 0.25 of the user's, is still too long.",
+    "last accepted increment, 0.75 of the way from step 0 to step 1")
+  check.equal({ run.places[1].kind, run.places[1].body }, { "element", "block" })
+end)
+
+check.done()
