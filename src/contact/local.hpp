@@ -11,7 +11,7 @@ namespace signorini::contact {
 enum class ContactState { open, stick, slip, adhesion };
 
 /// What a point is told to be, whatever its gap and friction say: touching leaves the choice of stick or slip.
-enum class Held : unsigned char { free, open, touching, stick, slip };
+enum class Held : unsigned char { free, open, touching, stick };
 
 /// "open", "stick", "slip", "adhesion".
 const char* name_of(ContactState state);

@@ -20,8 +20,8 @@ template <int D> void penalty_force(const PenaltyLaw& law, const LocalGeometry<D
   // ε_N g²/2, and with friction |t_T|²/(2 ε_T)
   result.potential = 0.5 * law.normal * g * g;
   // A point that is held may pull, and then has no friction to limit.
-  const bool told = geometry.held == Held::stick || geometry.held == Held::slip;
-  if (law.friction > 0 && geometry.slip_point && (result.pressure > 0 || told)) {
+  const bool sticks = geometry.held == Held::stick;
+  if (law.friction > 0 && geometry.slip_point && (result.pressure > 0 || sticks)) {
     // Trial t_T = ε_T (xᵐ(ξ̄) − xᵐ(ξ_sl)) (thesis 3.74), both on the current master
     const Vec<D> trial = law.tangential * (master.position - *geometry.slip_point);
     LocalBlock<D> trial_rows = LocalBlock<D>::Zero();
@@ -31,8 +31,7 @@ template <int D> void penalty_force(const PenaltyLaw& law, const LocalGeometry<D
       trial_rows.noalias() += (law.tangential * master.tangent[static_cast<std::size_t>(a)]) * result.shift.row(a);
 
     const double magnitude = trial.norm(), limit = law.friction * result.pressure;
-    const bool sticks = told ? geometry.held == Held::stick : magnitude <= limit;
-    if (sticks || magnitude == 0) {
+    if (sticks || magnitude <= limit) {
       result.friction = trial;
       traction_rows -= trial_rows;
     } else {

@@ -18,9 +18,9 @@ template <int D> unsigned char code(const contact::PointResult<D>& result) {
   return static_cast<unsigned char>(smooth ? contact::ContactState::open : result.state);
 }
 
+/// One that slips is held sticking: were it to slip on, its friction would follow each turn of its way.
 Held held_state(contact::ContactState state) {
-  if (state == contact::ContactState::open) return Held::open;
-  return state == contact::ContactState::slip ? Held::slip : Held::stick;
+  return state == contact::ContactState::open ? Held::open : Held::stick;
 }
 
 } // namespace

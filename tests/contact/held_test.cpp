@@ -64,24 +64,23 @@ TEST(Held, TouchingPullsWhereThereIsAGap) {
   }
 }
 
-TEST(Held, StickAndSlipAreKeptWhateverCoulombSays) {
+TEST(Held, StickIsKeptWhateverCoulombSays) {
   Couple couple = pressed();
   couple.pair.accept();
-  for (double drag : {1e-3, 0.2})
-    for (Held state : {Held::stick, Held::slip}) {
-      Couple dragged = couple;
-      dragged.move_die(drag, 0);
-      dragged.pair.hold(all(dragged.pair, state));
-      dragged.evaluate();
-      int deep = 0;
-      for (const auto& point : dragged.pair.results()) {
-        if (point.pressure <= 0) continue;
-        ++deep;
-        EXPECT_EQ(point.state, state == Held::stick ? ContactState::stick : ContactState::slip);
-        EXPECT_NEAR(point.friction.norm(), state == Held::stick ? 100 * drag : 0.2 * point.pressure, 1e-12);
-      }
-      EXPECT_GT(deep, 5);
+  for (double drag : {1e-3, 0.2}) {
+    Couple dragged = couple;
+    dragged.move_die(drag, 0);
+    dragged.pair.hold(all(dragged.pair, Held::stick));
+    dragged.evaluate();
+    int deep = 0;
+    for (const auto& point : dragged.pair.results()) {
+      if (point.pressure <= 0) continue;
+      ++deep;
+      EXPECT_EQ(point.state, ContactState::stick);
+      EXPECT_NEAR(point.friction.norm(), 100 * drag, 1e-12);
     }
+    EXPECT_GT(deep, 5);
+  }
 }
 
 TEST(Held, TangentIsTheForcesDerivativeInEveryMixture) {
@@ -99,12 +98,12 @@ TEST(Held, TangentIsTheForcesDerivativeInEveryMixture) {
     couple.shake(random, 0.0005);
     std::vector<Held> held;
     for (std::size_t i = 0; i < couple.pair.results().size(); ++i)
-      held.push_back(static_cast<Held>(integer(random, 0, 4)));
+      held.push_back(static_cast<Held>(integer(random, 0, 3)));
     couple.pair.hold(held);
     compare_with_differences(couple, census);
   }
   EXPECT_GE(census.states, 8) << census.stepped_over << " states lay on a change of state";
-  EXPECT_GT(census.slip, 50);
+  EXPECT_GT(census.slip, 20);
   EXPECT_GT(census.stick, 50);
 }
 
@@ -112,7 +111,7 @@ TEST(Held, TangentIsTheForcesDerivativeInSpace) {
   Random random(12);
   Census3 census;
   const auto plate = wavy_plate(random, 2, 0.1, 2, 3);
-  for (Held state : {Held::touching, Held::stick, Held::slip}) {
+  for (Held state : {Held::touching, Held::stick}) {
     Couple3 couple("N2", plate, PenaltyLaw{100, 100, 0.3}, {1, 1, 0.2}, 3);
     couple.touch();
     couple.move_die({0, 0, -0.03});

@@ -108,19 +108,16 @@ void held_or_augmented(Foot foot, double gap, double reach, Held held, double mu
 }
 
 template <int D> void held_points() {
-  const ContactState stick = ContactState::stick, slip = ContactState::slip;
+  const ContactState stick = ContactState::stick;
   for (Foot foot : {Foot::regular, Foot::corner}) {
     held_or_augmented<D>(foot, 0.05, 0.01, Held::touching, 0, stick);
     held_or_augmented<D>(foot, 0.05, 0.3, Held::touching, 0, stick);
-    for (double gap : {-0.05, 0.05}) {
-      held_or_augmented<D>(foot, gap, 0.3, Held::stick, 0, stick); // beyond Coulomb's cone
-      held_or_augmented<D>(foot, gap, 0.3, Held::slip, 0, slip);
-      held_or_augmented<D>(foot, gap, 0.015, Held::slip, 0, slip); // within it
-    }
+    for (double gap : {-0.05, 0.05}) // beyond Coulomb's cone
+      held_or_augmented<D>(foot, gap, 0.3, Held::stick, 0, stick);
   }
 }
 
-TEST(Penalty, HeldPointsPullAndHaveTheFrictionThatTheyAreToldTo) {
+TEST(Penalty, HeldPointsPullAndStickWhereTheyAreTold) {
   held_points<2>();
   held_points<3>();
 }

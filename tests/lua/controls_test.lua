@@ -114,6 +114,17 @@ check.case("deep ironing, where plain Newton goes round, is carried through", fu
   end
 end)
 
+check.case("points that are held do no harm: where they cannot be freed the run says so", function()
+  for _, changes in ipairs { 2, 4, 8 } do
+    local run = deep():run({ { name = "press", steps = 46, grip = {0, -0.5} } }, { newton = { active_set_changes = changes } })
+    check.equal({ run.reason, run.steps, run.places[1].contact }, { "cycling", 33, "interface" })
+    check.holds(run.report, "points that were held do not keep their states when they are freed")
+  end
+  local run = ironing{ E = 1e4, mu = 0.1, label = "N6", points = 7 }:run({ { steps = 46, grip = {0, -0.5} } },
+    { newton = { active_set_changes = 4 } })
+  check.equal({ run.failed, run.steps }, { false, 46 })
+end)
+
 check.case("a body that falls is caught by damping", function()
   local body = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1, corner = {0, 0.2} }, elements = {2, 2},
                         order = "N2", contact = "south", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
