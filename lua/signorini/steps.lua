@@ -71,7 +71,7 @@ function Halving:take(step)
       return result
     elseif last then
       result.shortest = length
-      result = leap(step, result)
+      if not steps.is_wanted(result) then result = leap(step, result) end
       if not result.converged then return result end
     else
       memory.length = length / 2
