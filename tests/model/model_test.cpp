@@ -176,5 +176,43 @@ TEST(Model, RestoredStateGoesOnAsBefore) {
   EXPECT_NEAR((model.reaction(grip) - reaction).norm(), 0, 1e-9 * reaction.norm());
 }
 
+/// What begins a step, what ends it, and that nothing happens afterwards.
+TEST(Model, IterationByIterationIsOneStep) {
+  Model<2> whole(ironing("N2")), pieces(ironing("N2"));
+  EXPECT_EQ(pieces.report(), nullptr);
+  const auto iterate = [&] {
+    int calls = 0;
+    while (pieces.iterate({}).outcome == solve::Outcome::iterating) EXPECT_EQ(pieces.report()->iterations, ++calls);
+    return calls;
+  };
+  for (int step : {3, 6}) {
+    const solve::NewtonReport report = ironing_step(whole, step);
+    ASSERT_EQ(report.outcome, solve::Outcome::converged);
+    pieces.set_target(drive_of_grip, 1, -0.23 * (step / 46.0));
+    EXPECT_EQ(iterate(), report.iterations);
+    for (const auto& residuals : {pieces.report()->residuals, pieces.iterate({}).residuals}) // it is over
+      EXPECT_EQ(residuals, report.residuals);
+    EXPECT_EQ(pieces.displacement(), whole.displacement());
+    whole.accept();
+    pieces.accept();
+    EXPECT_EQ(pieces.report(), nullptr);
+  }
+  // Half a step, then other targets: another step, from where that one went. A roll-back begins anew.
+  pieces.set_target(drive_of_grip, 1, -0.04);
+  pieces.iterate({});
+  pieces.set_target(drive_of_grip, 1, -0.045);
+  EXPECT_EQ(pieces.report(), nullptr);
+  iterate();
+  EXPECT_EQ(pieces.report()->outcome, solve::Outcome::converged);
+  for (int dof : pieces.unknowns().of_support(grip, 1)) EXPECT_NEAR(pieces.displacement()(dof), -0.045, 1e-16);
+  pieces.rollback();
+  EXPECT_EQ(pieces.report(), nullptr);
+  EXPECT_EQ(pieces.displacement(), whole.displacement());
+  pieces.set_target(drive_of_grip, 1, -0.23 * (9 / 46.0));
+  iterate();
+  ironing_step(whole, 9);
+  EXPECT_LT((pieces.displacement() - whole.displacement()).cwiseAbs().maxCoeff(), 1e-11);
+}
+
 } // namespace
 } // namespace signorini::model
