@@ -196,12 +196,14 @@ end
 
 --- Goes a distance along the path, back where it turns back, and accepts it, without a trace in the run. An arc whose
 --- chord is much longer than its part along the tangent has left the path for another part of it: it does not count as
---- converged. Returns the result, the part of the step that the arc leads to, and the state before it.
-function Step:solve_arc(length, iterations)
+--- converged. Returns the result, the part of the step that the arc leads to, and the state before it; `diagnoses`: where
+--- it fails, also why.
+function Step:solve_arc(length, iterations, diagnoses)
   self:set_next_targets()
   local model, solver, kept = self.model, self.solver, self.model:snapshot()
   local result = model:solve_arc { length = length, iterations = iterations, tolerance = solver.tolerance,
                                    linear = solver.linear }
+  if not result.converged and diagnoses and not steps.is_wanted(result) then result.diagnosis = model:diagnose() end
   if result.converged then model:accept() else model:rollback() end
   if result.converged and model:last_length() > longest_chord * length then
     model:restore(kept)
@@ -216,7 +218,7 @@ function Step:has_rescues() return #self.options.tries > 0 end
 --- An arc that is accepted unless it leads beyond the step's end.
 function Step:attempt_arc(length, iterations)
   local began = core.now()
-  local result, to, kept = self:solve_arc(length, iterations)
+  local result, to, kept = self:solve_arc(length, iterations, true)
   local accepted = result.converged and to < 1
   if result.converged and not accepted then self.model:restore(kept) end
   self.run:record_attempt(self.done, to, result, core.now() - began)

@@ -92,12 +92,15 @@ check.case("the first that helps ends the search, is counted, and the next step 
   check.equal(run:column "iterations", { 3, 25 + 25 + 3, 3 })
 end)
 
-check.case("rescue comes before cutting, at each length", function()
+check.case("line search and frozen active sets wait until nothing can be cut, then try the whole rest, too", function()
   local model
   model = spring_model(function(options) return options.freeze_active_set > 0 and model.next[1] <= 0.5 end)
   local run = model:run(one_step, { rescue = true, step = { adaptive = true, min = 0.5 } })
-  check.equal(story(run, 1), "plain cycling, line search cycling, frozen cycling, plain cycling, line search cycling, "
-    .. "frozen converged, plain cycling, line search cycling, frozen cycling")
+  local in_vain = "plain cycling, line search cycling, frozen cycling"
+  check.equal(story(run, 1), "plain cycling, plain cycling, line search cycling, frozen converged, " .. in_vain .. ", "
+    .. in_vain)
+  local attempts = run:attempts(1)
+  check.near({ attempts[1].to, attempts[2].to, attempts[5].from, attempts[5].to, attempts[8].to }, { 1, 0.5, 0.5, 1, 1 })
   check.equal({ run.rescues, run.cutbacks, run.reason, run.cause }, { 1, 1, "minimum_step", "cycling" })
 end)
 

@@ -151,14 +151,14 @@ check.case("cycling: one point of deep ironing goes to and fro", function()
   local place = expect(run, "cycling", 33, "step 34 (stage 'press', 34 of 46)",
     "the states of contact points repeat every 2 iterations; 1 point of contact 'interface', the first in slave element",
     "Worst places: contact point in slave element", "What may help: take smaller steps", "active_set_changes")
-  check.equal({ place.kind, place.contact, place.text, #run.places }, { "contact point", "interface", "changes its state", 1 })
+  check.equal({ place.kind, place.contact, place.text, #run.places }, { "contact point", "interface", "stick / slip", 1 })
   check.near((place.X[1] - 0.75) ^ 2 + (place.X[2] - 1.5) ^ 2, 0.25, 1e-9) -- on the die's face
-  check.near(place.x[2], place.X[2] - 0.5 * 34 / 46, 5e-3)              -- the die is nearly rigid
+  check.near(place.x[2], place.X[2] - 0.5 * 33 / 46, 5e-3) -- the die is nearly rigid; the accepted state is step 33's
 end)
 
 check.case("lost_projection: a bar slides off the end of a ramp", function()
   local run = bar_on_ramp():run{ { name = "lower", steps = 4, top = -0.25 } }
-  local place = expect(run, "lost_projection", 1, "of contact 'edge'", "leaves the master",
+  local place = expect(run, "lost_projection", 1, "of contact 'edge'", "stick / beyond",
     "What may help: extend the master face beyond where the slave face reaches")
   check.equal({ place.kind, place.contact, place.element }, { "contact point", "edge", 1 })
   check.near(place.X[2], 0.1, 1e-12)
@@ -169,8 +169,7 @@ check.case("inverted: a block pressed flat and farther", function()
   local place = expect(run, "inverted", 0, "of body 'block' is inverted (J = -0.", "Worst places: element",
     "What may help: take smaller steps")
   check.equal({ place.kind, place.body, place.value < 0 }, { "element", "block", true })
-  -- The first guess is linear: x₂ = X₂(1 − 1.2) by symmetry of the material's linear part.
-  check.near(place.x[2], -0.2 * place.X[2], 1e-9)
+  check.near(place.x, place.X, 1e-12) -- where the last accepted state, the first one, has it
   local i, j = place.X[1] < 0.5 and 1 or 2, place.X[2] < 0.5 and 0 or 1
   check.equal(place.element, i + 2 * j)
 end)
@@ -220,7 +219,7 @@ check.case("penetration: one augmentation is not enough", function()
   local run = model:run({ { name = "press", steps = 2, top = -0.1 } }, { augmented = { loops = 1 } })
   local place = expect(run, "penetration", 0, "off the master after 1 augmentations, asked was 1e-06",
     "Worst places: contact point in slave element", "raise the penalty, allow more loops")
-  check.equal({ place.kind, place.contact, place.text }, { "contact point", "floor", "is off the master" })
+  check.equal({ place.kind, place.contact, place.text }, { "contact point", "floor", ("gap %.6g"):format(place.value) })
   check.equal({ place.X[2], math.abs(place.value) > 1e-6 }, { 0.0, true })
 end)
 
