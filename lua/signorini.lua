@@ -103,7 +103,8 @@ options:
   arc_length = true: where a step fails, arcs follow the path, also back, until the step's end is passed; rows between
   steps have a fractional step, run.controls says where control changed.
   checkpoint = "run.sgn", or { file = "run.sgn", every = 10 }: after every step, or every so many, and at the end the model
-  is saved together with how the run stands; a process that is killed leaves the file of the last such step.
+  is saved together with how the run stands; a process that is killed leaves the file of the last such step. It is on the
+  disk after a second; durable = true waits for the disk at every step.
   resume = true: goes on from the checkpoint's file where there is one, with the same bits as a run that nothing has
   disturbed; the file of a finished run gives that run at once. Scene and stages must be the same. See also model:save.
   on_step = function(info): sees info.step, info.stage, info["grip.fx"] … after each step; returns nothing, "stop" to end

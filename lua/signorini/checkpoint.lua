@@ -84,14 +84,19 @@ function Keeper:text(model, run, path, place, policy)
                         grow(self.histories, #run.histories, function(i) return run.histories[i] end) }
 end
 
-function Keeper:save(model, run, path, place, policy)
-  call("save", model, self.file, self:text(model, run, path, place, policy))
+--- Every file outlives the process; to outlive the machine's power it has to be on the disk, for which a save waits
+--- where that is wanted always, and else once a second.
+function Keeper:save(model, run, path, place, policy, ended)
+  local now, patience = core.now(), 1 -- seconds
+  local durable = self.durable or ended or not self.synced or now - self.synced > patience
+  if durable then self.synced = now end
+  call("save", model, self.file, self:text(model, run, path, place, policy), durable)
 end
 
 --- After a step that was reached: saves the run where it is due, and at the path's end.
 function Keeper:step(model, run, path, place, policy)
   local ended = place.stage == #path and place.number == path[#path].steps
-  if ended or run.steps % self.every == 0 then self:save(model, run, path, place, policy) end
+  if ended or run.steps % self.every == 0 then self:save(model, run, path, place, policy, ended) end
 end
 
 -- ── Taking up ────────────────────────────────────────────────────────────────────────────────────────────────────────
@@ -172,10 +177,11 @@ return function(options)
   if type(wanted) ~= "table" then
     arguments.reject(where, "checkpoint", "a file name, or { file = …, every = 1 }", wanted)
   end
-  arguments.table(where, "options.checkpoint", wanted, { "file", "every" })
+  arguments.table(where, "options.checkpoint", wanted, { "file", "every", "durable" })
   return setmetatable({
     file = arguments.string(where, "checkpoint.file", wanted.file),
     every = arguments.count(where, "checkpoint.every", wanted.every, 1),
+    durable = arguments.flag(where, "checkpoint.durable", wanted.durable, false),
     resume = resume, rows = {}, histories = {},
   }, Keeper)
 end

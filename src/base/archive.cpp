@@ -37,13 +37,17 @@ std::string first_line(const ArchiveKind& kind) {
 
 } // namespace
 
-void write_archive(const std::string& file, const ArchiveKind& kind, const ArchiveWriter& archive) {
+void write_archive(const std::string& file, const ArchiveKind& kind, const ArchiveWriter& archive, bool durable) {
   const std::string line = first_line(kind);
   ArchiveWriter whole;
   whole.append(line.data(), line.size());
   whole.put(kind.version, archive.bytes());
   whole.put(checksum(whole.bytes()));
-  write_durably(file, whole.bytes());
+  if (durable)
+    write_durably(file, whole.bytes());
+  else
+    write_whole(file, whole.bytes());
+  remove_leftovers(file);
 }
 
 std::string read_archive(const std::string& file, const ArchiveKind& kind) {

@@ -127,8 +127,9 @@ struct ArchiveKind {
   std::uint32_t version;
 };
 
-/// Writes the file whole or not at all, on the disk on return. Throws Error when it cannot be written.
-void write_archive(const std::string& file, const ArchiveKind& kind, const ArchiveWriter& archive);
+/// Writes the file whole or not at all, and removes what writes of it have left that were killed; `durable`: it is on
+/// the disk on return. Throws Error when it cannot be written.
+void write_archive(const std::string& file, const ArchiveKind& kind, const ArchiveWriter& archive, bool durable = true);
 
 /// The bytes of a file for an ArchiveReader. Throws Error when it is of another kind or version, or damaged.
 std::string read_archive(const std::string& file, const ArchiveKind& kind);

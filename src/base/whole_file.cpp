@@ -65,15 +65,6 @@ int owner(std::string_view name, std::string_view stem) {
   return error == std::errc() && end == digits.end() ? process : 0;
 }
 
-void remove_leftovers(const fs::path& path) {
-  const std::string stem = temporary_stem(path);
-  std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator(folder_of(path), ignored))
-    if (const int process = owner(entry.path().filename().string(), stem);
-        process > 0 && ::kill(process, 0) != 0 && errno == ESRCH)
-      fs::remove(entry.path(), ignored);
-}
-
 void write(const std::string& file, std::string_view bytes, bool durable) {
   const fs::path path(file), folder = folder_of(path);
   std::error_code ignored;
@@ -101,7 +92,16 @@ void write_whole(const std::string& file, std::string_view bytes) {
 
 void write_durably(const std::string& file, std::string_view bytes) {
   write(file, bytes, true);
-  remove_leftovers(file);
+}
+
+void remove_leftovers(const std::string& file) {
+  const fs::path path(file);
+  const std::string stem = temporary_stem(path);
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder_of(path), ignored))
+    if (const int process = owner(entry.path().filename().string(), stem);
+        process > 0 && ::kill(process, 0) != 0 && errno == ESRCH)
+      fs::remove(entry.path(), ignored);
 }
 
 std::string read_whole(const std::string& file) {

@@ -10,9 +10,11 @@ namespace signorini {
 /// the file cannot be written.
 void write_whole(const std::string& file, std::string_view bytes);
 
-/// The same, and the bytes are on the disk before the old file goes. Removes temporary files of the same name that
-/// processes left which were killed while they wrote.
+/// The same, and the bytes are on the disk before the old file goes.
 void write_durably(const std::string& file, std::string_view bytes);
+
+/// Removes temporary files of this name that processes left which were killed while they wrote.
+void remove_leftovers(const std::string& file);
 
 /// All bytes of a file. Throws Error when it cannot be read.
 std::string read_whole(const std::string& file);

@@ -11,7 +11,8 @@ const Argument file_argument{"path", "the checkpoint's file"};
 
 template <int D> int save_run(lua_State* L, Model<D>& model) {
   const std::string file = read_string(L, 2, file_argument);
-  model::save(*model, file, lua_isnoneornil(L, 3) ? std::string() : read_string(L, 3, {"text"}));
+  const bool durable = lua_isnoneornil(L, 4) || lua_toboolean(L, 4) != 0;
+  model::save(*model, file, lua_isnoneornil(L, 3) ? std::string() : read_string(L, 3, {"text"}), durable);
   return 0;
 }
 
@@ -47,7 +48,8 @@ int load(lua_State* L) {
 
 constexpr Function core_rows[] = {
     {"save", wrap<core_save>,
-     "core.save(model, path, text)\nAs model:save, with a text beside the model: how a run stands."},
+     "core.save(model, path, text, durable = true)\n"
+     "As model:save, with a text beside the model: how a run stands. durable: on the disk on return."},
     {"restore", wrap<core_restore>,
      "core.restore(model, path)\nBrings a model to the state of a file that was saved of the same scene."},
     {"checkpoint_text", wrap<core_text>, "core.checkpoint_text(path)\nThe text that core.save was given."},

@@ -1,5 +1,6 @@
 #include "model/checkpoint.hpp"
 
+#include "base/whole_file.hpp"
 #include "contact/archive.hpp"
 #include "model/scene_archive.hpp"
 
@@ -83,14 +84,14 @@ std::vector<std::string> differences(const Parts& here, const Parts& there) {
 
 } // namespace
 
-template <int D> void save(Model<D>& model, const std::string& file, const std::string& text) {
+template <int D> void save(Model<D>& model, const std::string& file, const std::string& text, bool durable) {
   model.settle();
   ArchiveWriter archive;
   archive.put(D);
   archive.section("text", [&](ArchiveWriter& to) { to.append(text.data(), text.size()); });
   archive.section("scene", [&](ArchiveWriter& to) { to.put(scene_parts(model)); });
   archive.section("state", [&](ArchiveWriter& to) { write_state(to, model.snapshot()); });
-  write_archive(file, kind, archive);
+  write_archive(file, kind, archive, durable);
 }
 
 AnyModel load(const std::string& file) {
@@ -113,10 +114,11 @@ template <int D> void restore(Model<D>& model, const std::string& file) {
   require(differ.empty(), "'", file, "' was saved of another scene; what differs: ", list,
           ": name another file, or take this one away to start anew");
   take_state(model, content.state);
+  remove_leftovers(file); // what is taken up may have ended in the middle of writing
 }
 
-template void save(Model<2>&, const std::string&, const std::string&);
-template void save(Model<3>&, const std::string&, const std::string&);
+template void save(Model<2>&, const std::string&, const std::string&, bool);
+template void save(Model<3>&, const std::string&, const std::string&, bool);
 template void restore(Model<2>&, const std::string&);
 template void restore(Model<3>&, const std::string&);
 

@@ -9,11 +9,11 @@
 
 namespace signorini::model {
 
-/// Writes the scene and the accepted state, with a text for the caller's own use; the file is whole or the old one, on
-/// the disk on return. The model is settled first (Model::settle): from here on it and one that is loaded from the file
-/// give the same bits on one kind of processor. Call it when no step is pending. Throws Error when the file cannot be
-/// written.
-template <int D> void save(Model<D>& model, const std::string& file, const std::string& text = {});
+/// Writes the scene and the accepted state, with a text for the caller's own use; the file is whole or the old one;
+/// `durable`: on the disk on return, so that it outlives the machine's power, not only the process. The model is
+/// settled first (Model::settle): from here on it and one that is loaded from the file give the same bits on one kind
+/// of processor. Call it when no step is pending. Throws Error when the file cannot be written.
+template <int D> void save(Model<D>& model, const std::string& file, const std::string& text = {}, bool durable = true);
 
 using AnyModel = std::variant<std::shared_ptr<Model<2>>, std::shared_ptr<Model<3>>>;
 /// The model of a file, made anew. Throws Error when the file is missing, foreign, of another format, or damaged.

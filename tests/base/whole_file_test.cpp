@@ -60,7 +60,7 @@ TEST(WholeFile, RemovesWhatKilledProcessesLeft) {
                     writing = temporary("a.sgn", ::getppid());
   write_whole(folder.file("a.sgn"), "x");
   EXPECT_TRUE(std::filesystem::exists(left));
-  write_durably(folder.file("a.sgn"), "y");
+  remove_leftovers(folder.file("a.sgn"));
   EXPECT_FALSE(std::filesystem::exists(left));
   EXPECT_TRUE(std::filesystem::exists(other));
   EXPECT_TRUE(std::filesystem::exists(writing));

@@ -19,7 +19,7 @@ local model = sg.model{
                              friction = { mu = 0.2, penalty = 100 } } },
 }
 local run = model:run({ { name = "press", steps = 20, grip = {0, -0.2} }, { name = "slide", steps = 80, grip = {0.6, -0.2} } },
-  { checkpoint = file, resume = resume })
+  { checkpoint = { file = file, durable = true }, resume = resume })
 if run.failed then os.exit(3) end
 for _, name in ipairs(run:columns()) do
   if name ~= "wall" then

@@ -1,0 +1,75 @@
+-- What checkpoints cost: runs without, and with one after every so many steps.
+--
+-- Problem: 2D frictional ironing as published, N2 at mesh m1 (scripts/ironing2d.lua): short steps, so that a file after each
+--          of them shows; and 3D ironing without friction, N2 on a mesh of its own (scripts/ironing3d.lua): there a
+--          checkpoint drops a factorisation that would have been kept.
+-- Source: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of
+--         Contact Problems, PhD thesis, IIT Guwahati, 2020, sections 7.1 and 7.5, for the problems.
+-- Units: seconds by the clock; kB.
+-- Expected: on the plane path of short steps a file after every step makes the run six times as long, one after every tenth
+--           step less than twice; in 3D one after every step makes it less than twice as long.
+-- Run: signorini scripts/checkpoint_cost.lua [every=0,10,1] [mesh=coarse] [slides=6] [repeats=3] [out=out/checkpoint_cost];
+--      every: steps between checkpoints, 0 for none; mesh, slides: of 3D ironing; times are medians of repeats.
+
+package.path = require "signorini.core".home .. "/scripts/?.lua;" .. package.path
+local sg = require "signorini"
+local core = require "signorini.core"
+local plane = require "ironing2d.problem"
+local solid = require "ironing3d.problem"
+local arguments = require "solid_ironing.arguments"
+
+local texts = arguments.read(select("#", ...) > 0 and { ... } or arg, { "standard" }, { standard = {
+  every = "0,10,1", mesh = "coarse", slides = "6", repeats = "3", out = "out/checkpoint_cost",
+} })
+local repeats, slides = arguments.count("repeats", texts.repeats), arguments.count("slides", texts.slides)
+sg.mkdir(texts.out)
+local file = texts.out .. "/run.sgn"
+
+local problems = {
+  { name = "2D ironing, N2 at m1", begin = function()
+    local set_up = plane.variants.standard
+    return plane.scene(set_up, "N2", plane.elements "m1"), plane.path(set_up, 1)
+  end },
+  { name = "3D ironing, N2, " .. texts.mesh, begin = function()
+    local case = { label = "N2", mesh = texts.mesh, radius = 7.5, depth = 2, way = 0.3 * slides, down = 0.5 }
+    return solid.scene(case, 50), solid.stages(case)
+  end },
+}
+
+--- The wall time of a run with its checkpoints, and the size of the last file.
+local function seconds(problem, every)
+  local model, stages = problem.begin()
+  local began = core.now()
+  local run = model:run(stages, every > 0 and { checkpoint = { file = file, every = every } } or nil)
+  local spent = core.now() - began
+  if run.failed then error(run.report, 0) end
+  local size = nil
+  if every > 0 then
+    local stream = assert(io.open(file, "rb"))
+    size = stream:seek "end" / 1024
+    stream:close()
+    os.remove(file)
+  end
+  return spent, size, run.steps
+end
+
+local rows, costs = {}, {}
+for _, problem in ipairs(problems) do
+  local without
+  for _, word in ipairs(arguments.split(texts.every)) do
+    local every, times, size, steps = math.tointeger(tonumber(word)), {}, nil, nil
+    if not every or every < 0 then error(("every must be whole numbers from 0, got '%s'"):format(texts.every), 0) end
+    for i = 1, repeats do times[i], size, steps = seconds(problem, every) end
+    table.sort(times)
+    local median = times[(repeats + 1) // 2]
+    without = without or every == 0 and median or nil
+    costs[#costs + 1] = { problem = problem.name, every = every, wall = median, size = size }
+    rows[#rows + 1] = { problem.name, steps, every == 0 and "none" or ("every %d"):format(every), median,
+                        without and median / without or "", size or "" }
+  end
+end
+print(sg.table{ columns = { "problem", "steps", "checkpoints", "wall", "times as long", "last file" },
+                units = { "", "", "", "s", "", "kB" }, rows = rows,
+                formats = { wall = "%.2f", ["times as long"] = "%.2f", ["last file"] = "%.0f" } })
+
+return costs
