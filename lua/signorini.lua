@@ -92,9 +92,10 @@ options:
     linear = "auto", augmented = { penetration = 1e-6, loops = 100 }, damping = false: see help "model:solve_step";
     freeze_active_set = true is 0.01.
   predictor = "tangent", "constant" or "linear": the first guess of a step; linear goes on as the last one went.
-  rescue = true: a step that fails is tried again with damping (where contact alone holds a body) and with the tangent's
-    predictor; then, where it cannot be cut any more, with a line search and with a frozen active set. run.rescues counts
-    what helped, run:attempts(step) tells. Off by default. sg.robust{} turns on all that easy runs do not pay for.
+  rescue = true: a step that fails is tried again with the tangent's predictor, and, where the tangent is singular because
+    contact alone holds a body, with damping; then, where it cannot be cut any more, with damping, a line search, a frozen
+    active set. run.rescues counts what helped, run:attempts(step) tells. Off by default. sg.robust{} turns on all that easy
+    runs do not pay for.
   threads = how many work on this solve and later ones; bits are the same for any number. By default what --threads says.
   penalty = { start = 0.01, steps = 20 }: all penalties grow from this part of their values to the whole in so many steps.
   step = { adaptive = true, min = 1/64, max = 1, growth = 2 }: a step that fails is cut in half, down to the part `min` of

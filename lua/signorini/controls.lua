@@ -9,11 +9,11 @@ local where = "model:run"
 
 --- What may be tried, in turn, where an attempt at a step has failed: names as they appear in records, and the solver's
 --- arguments that differ from those of the attempt that failed. `loose`: of use only where bodies are held by contact alone.
---- `early`: tried before a step is cut, the others only where it cannot be cut any more: what they converge to on a long
---- step may be another equilibrium than the one that the path leads to.
+--- `early`: tried before a step is cut, always or for that reason. The others are tried only where it cannot be cut any
+--- more: what they converge to on a long step may be another equilibrium than the one that the path leads to.
 local rescues = {
-  { name = "damping", change = { predictor = "tangent", damping = true }, loose = true, early = true },
   { name = "tangent", change = { predictor = "tangent" }, early = true },
+  { name = "damping", change = { predictor = "tangent", damping = true }, loose = true, early = "singular" },
   { name = "line search", change = { predictor = "tangent", line_search = "residual" } },
   { name = "frozen", change = { predictor = "tangent", freeze_active_set = 1e-2 } },
 }
@@ -52,7 +52,8 @@ end
 --- The keys of model:run's options that are read here.
 controls.keys = { "newton", "linear", "predictor", "augmented", "damping", "penalty", "rescue" }
 
---- What model:solve_step takes, what is tried where it fails (a list of { name, solver, early }), and the growing penalty.
+--- What model:solve_step takes; what is tried where it fails, a list of { name, solver, early } that is also a table by name;
+--- and the growing penalty.
 function controls.read(model, options)
   local newton = arguments.table(where, "options.newton", options.newton,
     { "tolerance", "iterations", "line_search", "freeze_active_set", "active_set_changes" })
@@ -78,7 +79,10 @@ function controls.read(model, options)
         differs = differs or changed[key] ~= value
         changed[key] = value
       end
-      if differs and (loose or not rescue.loose) then tries[#tries + 1] = { name = rescue.name, solver = changed, early = rescue.early } end
+      if differs and (loose or not rescue.loose) then
+        tries[rescue.name] = { name = rescue.name, solver = changed, early = rescue.early }
+        tries[#tries + 1] = tries[rescue.name]
+      end
     end
   end
   return solver, tries, read_penalty(options.penalty)

@@ -64,7 +64,7 @@ end
 --- A run without steps. Columns are set up once, so that a step only appends numbers.
 function Run.new(model)
   local run = setmetatable({
-    failed = false, reason = "completed", steps = 0, rows = 0, iterations = 0, cutbacks = 0, rescues = 0,
+    failed = false, reason = "completed", steps = 0, rows = 0, iterations = 0, cutbacks = 0, rescues = 0, wary = 0,
     places = {}, wall = 0, stages = {}, controls = {}, extra = {},
     names = {}, values = {}, histories = {}, recorders = {}, before = model:timings(),
   }, Run)

@@ -296,6 +296,14 @@ template <int D> Resultant<D> Pair<D>::resultant() const {
   return sum;
 }
 
+template <int D> double Pair<D>::stiffness() const {
+  if (!penalty_) return 0;
+  double sum = 0;
+  for (const PointResult<D>& point : results_)
+    if (point.state != ContactState::open) sum += point.area * point.area;
+  return penalty_->normal * std::sqrt(sum);
+}
+
 template <int D> double Pair<D>::potential() const {
   double sum = 0;
   for (const PointResult<D>& point : results_) sum += point.potential;

@@ -105,6 +105,9 @@ public:
   /// Positions of the contact points in the reference configuration.
   const std::vector<Vec<D>>& reference_positions() const { return reference_positions_; }
   Resultant<D> resultant() const;
+  /// ‖ε_N a‖ over the points that touched in the last evaluation, a their areas: what an error in all gaps, each on its
+  /// own, is multiplied by in the residual. 0 under adhesion.
+  double stiffness() const;
   /// Energy of the law in the last evaluation: springs of the penalty law, or adhesion.
   double potential() const;
   /// Work of friction in all accepted steps: ∫ μ t_N dγ da, by the trapezoidal rule over each step.

@@ -131,9 +131,11 @@ template <int D> double Model<D>::force_norm() const {
 }
 
 /// What rounding leaves of the residual: ε |K| |x|, in space four times as much, where a row adds up some ten times as
-/// many products.
+/// many products. Gaps are differences of positions, wrong by ε |x| each: a high penalty makes more of that.
 template <int D> double Model<D>::rounding_floor() const {
-  return (D == 2 ? 1 : 4) * std::numeric_limits<double>::epsilon() * assembly_.largest_diagonal() * size_;
+  double stiffness = assembly_.largest_diagonal();
+  for (const auto& pair : pairs_) stiffness = std::max(stiffness, pair.stiffness());
+  return (D == 2 ? 1 : 4) * std::numeric_limits<double>::epsilon() * stiffness * size_;
 }
 
 /// Whether the state could be moved on to the targets as the last step went: where the path goes straight on, and the

@@ -62,13 +62,28 @@ check.case("other controls are tried in order, each with what it changes alone",
     return false
   end, true)
   local run = model:run(one_step, { rescue = true, predictor = "linear" })
-  check.equal(tried, { "linear none 0 false", "tangent none 0 true", "tangent none 0 false", "tangent residual 0 false",
+  check.equal(tried, { "linear none 0 false", "tangent none 0 false", "tangent none 0 true", "tangent residual 0 false",
                        "tangent none 0.01 false" })
   check.equal(story(run, 1),
-    "plain cycling, damping cycling, tangent cycling, line search cycling, frozen cycling")
+    "plain cycling, tangent cycling, damping cycling, line search cycling, frozen cycling")
   check.equal({ run.failed, run.reason, run.rescues, run.iterations }, { true, "cycling", 0, 5 * 25 })
-  check.holds(run.report, "Tried from there, in parts of a step: 1 (cycling), 1 with damping (cycling), "
-    .. "1 with tangent (cycling), 1 with line search (cycling), 1 with frozen (cycling).")
+  check.holds(run.report, "Tried from there, in parts of a step: 1 (cycling), 1 with tangent (cycling), "
+    .. "1 with damping (cycling), 1 with line search (cycling), 1 with frozen (cycling).")
+end)
+
+check.case("attempts after one whose predictor has failed do without it for a while", function()
+  local tried, model = {}, nil
+  model = spring_model(function(options)
+    tried[#tried + 1] = options.predictor
+    return options.predictor == "tangent" or #tried ~= 2
+  end)
+  local run = model:run({ { name = "pull", steps = 12, grip = {1, 0} } }, { rescue = true, predictor = "linear" })
+  check.equal({ run.failed, run.rescues }, { false, 1 })
+  local expected = { "linear", "linear", "tangent" }
+  for _ = 1, 8 do expected[#expected + 1] = "tangent" end
+  table.move({ "linear", "linear" }, 1, 2, #expected + 1, expected)
+  check.equal(tried, expected)
+  for step = 3, 12 do check.equal(run:attempts(step)[1].rescue, nil) end
 end)
 
 check.case("what changes nothing is not tried, damping only where contact alone holds a body", function()
