@@ -14,15 +14,18 @@ namespace signorini::bind {
 
 namespace {
 
-/// As %g, with a minus sign in place of the hyphen and powers of ten written as such: −0.5, 10⁶, 2.5×10⁻⁵.
-std::string plain(double value) {
+/// As %g, with a minus sign in place of the hyphen and powers of ten written as such: −0.5, 10⁶, 2.5×10⁻⁵. `powers`:
+/// from 10⁴ on and below 10⁻³ written so, too, where %g would write the digits out.
+std::string plain(double value, bool powers = false) {
   static constexpr const char* raised[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  const double size = std::abs(value);
   char digits[32];
-  std::snprintf(digits, sizeof digits, "%g", std::abs(value));
+  std::snprintf(digits, sizeof digits, powers && (size >= 1e4 || (size > 0 && size < 1e-3)) ? "%.5e" : "%g", size);
   const std::string number = digits;
   const std::size_t e = number.find('e');
   std::string result = number.substr(0, e);
   if (e != std::string::npos) {
+    if (result.find('.') != std::string::npos) result.erase(result.find_last_not_of(".0") + 1);
     const int exponent = std::stoi(number.substr(e + 1));
     result = (result == "1" ? "" : result + "×") + "10" + (exponent < 0 ? "⁻" : "");
     for (char digit : std::to_string(std::abs(exponent))) result += raised[digit - '0'];
@@ -31,20 +34,33 @@ std::string plain(double value) {
 }
 
 /// A string, or a number as text.
-std::string read_name(lua_State* L, int index, const Argument& argument) {
-  if (lua_type(L, index) == LUA_TNUMBER) return plain(read_number(L, index, argument));
+std::string read_name(lua_State* L, int index, const Argument& argument, bool powers = false) {
+  if (lua_type(L, index) == LUA_TNUMBER) return plain(read_number(L, index, argument), powers);
   if (lua_type(L, index) != LUA_TSTRING) reject(L, index, argument, "a string or a number");
   return read_string(L, index, argument);
+}
+
+/// Whether %g writes a number of the list as a power of ten: then no 100000 shall stand beside it.
+bool has_powers(lua_State* L, int list, int count) {
+  bool found = false;
+  for (int i = 1; i <= count; ++i) {
+    lua_rawgeti(L, list, i);
+    const double size = lua_type(L, -1) == LUA_TNUMBER ? std::abs(lua_tonumber(L, -1)) : 0;
+    found = found || size >= 1e6 || (size > 0 && size < 1e-4);
+    lua_pop(L, 1);
+  }
+  return found;
 }
 
 std::vector<std::string> read_names(lua_State* L, const Options& o, const char* key, const char* meaning) {
   const Argument whole = o.argument(key, meaning);
   const int list = o.push_value(key), count = read_list(L, list, whole, "a list of names or numbers");
   if (count == 0) reject(L, list, whole, "a list of at least one name or number");
+  const bool powers = has_powers(L, list, count);
   std::vector<std::string> names;
   for (int i = 1; i <= count; ++i) {
     lua_rawgeti(L, list, i);
-    names.push_back(read_name(L, -1, {text(whole.name, "[", i, "]"), meaning}));
+    names.push_back(read_name(L, -1, {text(whole.name, "[", i, "]"), meaning}, powers));
     lua_pop(L, 1);
   }
   lua_settop(L, list - 1);

@@ -74,6 +74,14 @@ check.case("names, numbers, texts and the legend's rows", function()
               draw { values = outcomes, categories = { "held", "inverted", "cycling" } }, true)
 end)
 
+check.case("powers of ten do not mix with long numbers in one axis", function()
+  local svg = draw { x = { 1e6, 1e5, 1e4 }, y = { 1e3, 2.5e4 } }
+  check.holds(svg, ">10<tspan", ">6</tspan>", ">5</tspan>", ">4</tspan>", ">1000<", ">25000<")
+  svg = draw { x = { 1e-5, -5e-4, 1e-3 }, y = { 1e3, 2.5e6 } }
+  check.holds(svg, ">10<tspan", ">−5</tspan>", ">−5×10<tspan", ">−4</tspan>", ">0.001<", ">2.5×10<tspan")
+  check.holds(draw { x = { 1, 1e4, 1e5 }, y = { 1e3, "a" } }, ">1<", ">10000<", ">100000<")
+end)
+
 check.case("maps side by side share names and legend", function()
   local svg = draw { categories = held, panels = {
     { title = "before", values = outcomes }, { title = "after", values = { { "held" }, { "held", "held" } } } } }
