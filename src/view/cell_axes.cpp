@@ -59,7 +59,7 @@ CellNames names_below(const std::vector<std::string>& names, double width, doubl
   if (fit >= least * full || numbers) {
     result.size = std::clamp(fit, least * full, full);
     result.stride = stride_for((longest + 0.6) * result.size, width);
-    result.room = 1.35 * full;
+    result.room = 1.6 * full;
     return result;
   }
   result.upright = true;
