@@ -5,7 +5,8 @@
 --         Contact Problems, PhD thesis, IIT Guwahati, 2020, Algorithm 1.
 -- Units: any consistent ones, such as mm and N/mm².
 -- Expected: the same numbers as model:run gives, to the last bit.
--- Run: signorini scripts/newton_loop.lua [steps=46] [slides=250]; how many of the published steps are taken of each stage.
+-- Run: signorini scripts/newton_loop.lua [steps=46] [slides=250]; how many of the published steps are taken of each
+--      stage.
 
 local sg = require "signorini"
 local core = require "signorini.core"
@@ -20,9 +21,11 @@ for _, word in ipairs(select("#", ...) > 0 and { ... } or arg) do
 end
 
 local set_up = problem.variants.standard
+local presses, slides = math.tointeger(options.steps), math.tointeger(options.slides)
+local depth = set_up.depth * (presses / set_up.press_steps)
 local stages = {
-  { name = "press", steps = math.tointeger(options.steps), grip = { 0, -set_up.depth } },
-  { name = "slide", steps = math.tointeger(options.slides), grip = { set_up.way, -set_up.depth } },
+  { name = "press", steps = presses, grip = { 0, -depth } },
+  { name = "slide", steps = slides, grip = { set_up.way * (slides / set_up.slide_steps), -depth } },
 }
 
 -- ── The loop ─────────────────────────────────────────────────────────────────────────────────────────────────────────

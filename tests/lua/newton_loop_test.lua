@@ -1,0 +1,26 @@
+-- scripts/newton_loop.lua on a short way: a loop of one's own gives the numbers of model:run to the last bit.
+
+local core = require "signorini.core"
+local check = require "check"
+
+core.quiet = true
+local script = core.home .. "/scripts/newton_loop.lua"
+
+check.case("the loop and model:run take the same iterations to the same bits", function()
+  local print_to_terminal = print
+  print = function() end
+  local ok, result = pcall(assert(loadfile(script)), "steps=20", "slides=10")
+  print = print_to_terminal
+  if not ok then error(result, 0) end
+  check.equal(result.differences, 0)
+  check.equal({ result.run.reason, result.run.steps, #result.forces.x, #result.forces.y }, { "completed", 30, 30, 30 })
+  check.equal(result.iterations, result.run.iterations)
+  check.near({ result.forces.x[30], result.forces.y[30] }, { 0.016714, -0.082821 }, 1e-6)
+end)
+
+check.case("wrong arguments", function()
+  check.fails(function() assert(loadfile(script))("steps=many") end, "unknown argument 'steps=many'")
+  check.fails(function() assert(loadfile(script))("slide=10") end, "unknown argument 'slide=10'", "slides=250")
+end)
+
+check.done()
