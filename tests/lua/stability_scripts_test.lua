@@ -48,19 +48,30 @@ local function check_files(result, count)
 end
 
 check.case("deep ironing: with p + 1 points long steps fail, and shorter ones carry them through", function()
-  local result = study("deep_ironing", "points=p+1", "labels=N2,N4", "coarser=2,16")
+  local result = study("deep_ironing", "points=p+1", "labels=N2,N4", "coarser=2,16", "places=none")
   local maps = result.maps["p+1"]
   check.equal(maps.plain:cell("N2", 2).outcome, "completed")
   check.equal({ maps.plain:held() }, { 1, 4 })
   check_controls(maps, 4)
+  local press = maps.robust:cell("N4", 2).figures.press
+  check.near({ press, maps.robust:cell("N4", 16).figures.press }, { 0.7801, 0.7800 }, 1e-4)
   check_files(result, 3)
+end)
+
+check.case("deep ironing: a picture shows where N6 goes round", function()
+  local result = study("deep_ironing", "points=p+1", "labels=N6", "coarser=1", "places=N6")
+  check.equal(outcomes(result.maps["p+1"].plain), { "cycling" })
+  check.equal({ result.failed.reason, result.failed.steps }, { "cycling", 26 })
+  local place = result.failed.places[1]
+  check.equal({ place.kind, place.contact, place.element, place.text }, { "contact point", "interface", 3, "stick / slip" })
+  check.equal(result.files[4]:match "[^/]*$", "places.png")
+  check_files(result, 4)
 end)
 
 check.case("Hertz over the penalty: a high one makes the pressure oscillate, a layer calms it", function()
   local result = study("penalty_hertz", "labels=N2,N2-N2.2", "penalties=1e2,1e4,1e6", "mesh=m2")
   local plain, robust = result.maps.plain, result.maps.robust
-  check.equal({ plain:held() }, { 5, 6 })
-  check.equal(plain:cell("N2-N2.2", 1e6).outcome ~= "completed", true)
+  check.equal(outcomes(plain), { "completed", "completed", "completed", "completed", "completed", "cycling" })
   check_controls(result.maps, 6)
   local function oscillation(label, penalty) return plain:cell(label, penalty).figures.oscillation end
   check.near({ oscillation("N2", 1e2), oscillation("N2", 1e4), oscillation("N2-N2.2", 1e4) },
@@ -101,15 +112,41 @@ check.case("locking: the force of L1 is too high the nearer nu comes to 0.5, tha
   check_files(result, 4)
 end)
 
-check.case("first touch: a free body is singular before it touches; one that overlaps is held", function()
+check.case("first touch: a free body is singular before it touches; damping carries it there", function()
   local result = study("first_touch", "under=plane,slab", "friction=0.3", "gaps=-1e-3,1e-3", "loads=1e-3")
   for _, key in ipairs { "plane_mu0.3", "slab_mu0.3" } do
     local plain = result.maps[key].plain
     check.equal(outcomes(plain), { "completed", "singular" })
-    check.near(plain:cell(-1e-3, 1e-3).figures.carried, 1e-3, 1e-9)
-    check.equal(result.maps[key].comparison.lost, {})
+    check_controls(result.maps[key], 2)
+    local robust = result.maps[key].robust
+    check.near({ plain:cell(-1e-3, 1e-3).figures.carried, robust:cell(1e-3, 1e-3).figures.carried }, { 1e-3, 1e-3 }, 1e-9)
+    check.equal(robust:cell(1e-3, 1e-3).rescues, 1)
   end
   check_files(result, 6)
+end)
+
+check.case("cost: the controls take no more iterations where nothing fails; the linear predictor saves a third", function()
+  local result = study("cost", "labels=N2,N2-N2.2", "hertz=N2,N4", "rings=m2", "steps=5", "coarser=2", "repeats=1")
+  check.equal(#result.costs, 6)
+  for _, cost in ipairs(result.costs) do
+    check.equal({ cost.failed, cost.ratio <= 1.05 }, { false, true })
+  end
+  check.near({ result.costs[1].ratio, result.costs[2].ratio }, { 0.62, 0.64 }, 0.03)
+  for _, guess in ipairs(result.guesses) do check.near(guess.saved, 38, 3) end
+  check_files(result, 1)
+end)
+
+check.case("augmented: no penetration is left; what that does to the pressure depends on the layer", function()
+  local result = study("augmented", "penalties=1e2", "reference=m4")
+  local function figures(label)
+    local plain, augmented = result.cases[label .. " 100 penalty"], result.cases[label .. " 100 augmented"]
+    check.equal({ plain.outcome, augmented.outcome }, { "completed", "completed" })
+    check.equal({ plain.penetration > 1e-4, augmented.penetration <= 1e-6 }, { true, true })
+    check.equal({ plain.force_percent < -3, math.abs(augmented.force_percent) < 0.2 }, { true, true })
+    return augmented.error / plain.error
+  end
+  check.near({ figures "N2-N2.2", figures "N2" }, { 0.11, 0.75 }, 0.05)
+  check_files(result, 3)
 end)
 
 check.case("a second call takes up the cells when it is told to", function()
@@ -126,6 +163,7 @@ check.case("wrong arguments", function()
   check.fails(function() study("deep_ironing", "points=p") end, "points must be one of p+1")
   check.fails(function() study("locking", "mu=0.3") end, "unknown argument 'mu=0.3'", "reference=24")
   check.fails(function() study("first_touch", "gaps=wide") end, "gaps must be numbers")
+  check.fails(function() study("deep_ironing", "points=p+1", "labels=N2", "coarser=16", "places=M2") end, "M2")
   check.fails(function() study("peeling", "keep=maybe") end, "keep must be one of yes, no")
 end)
 
