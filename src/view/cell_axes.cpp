@@ -72,9 +72,10 @@ CellNames names_below(const std::vector<std::string>& names, double width, doubl
 CellNames names_beside(const std::vector<std::string>& names, double height, double most, const Style& style) {
   CellNames result{names};
   const double full = style.tick_size;
-  result.size = size_within(std::clamp(height / 1.15, least * full, full), widest(names), most - gap(style), 'y');
+  const double air = 1.5 * gap(style);
+  result.size = size_within(std::clamp(height / 1.15, least * full, full), widest(names), most - air, 'y');
   result.stride = stride_for(1.15 * result.size, height);
-  result.room = widest(names) * result.size + gap(style);
+  result.room = widest(names) * result.size + air;
   return result;
 }
 

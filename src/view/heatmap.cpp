@@ -86,7 +86,7 @@ Colours make_colours(const std::vector<Heat>& maps, const HeatmapOptions& option
   const auto [low, high] = colours.values;
   if (options.log && !options.range) {
     const auto [from, to] = colour_range({std::log10(low), std::log10(high)}, {}, false);
-    colours.range = {std::pow(10, from), std::pow(10, to)};
+    colours.range = {std::min(low, std::pow(10, from)), std::max(high, std::pow(10, to))}; // whatever rounding does
   } else {
     colours.range = colour_range(colours.values, options.range, is_diverging(options.colormap));
     require(!options.log || colours.range[0] > 0, "range begins at ", colours.range[0],

@@ -82,6 +82,21 @@ check.case("powers of ten do not mix with long numbers in one axis", function()
   check.holds(draw { x = { 1, 1e4, 1e5 }, y = { 1e3, "a" } }, ">1<", ">10000<", ">100000<")
 end)
 
+check.case("the least and the largest value have colours of their own on a logarithmic bar, too", function()
+  local seen = 0
+  for digits = 101, 199 do
+    local low, high = digits * 1e-10, digits * 1e-3
+    local outside = 10 ^ math.log(low, 10) > low or 10 ^ math.log(high, 10) < high
+    if outside and seen < 3 then
+      seen = seen + 1
+      local values = { { low, 1e-4, 1e-4 }, { 1e-4, 1e-4, high } }
+      local given = draw { log = true, values = values, range = { low, high } }
+      check.equal(draw { log = true, values = values } == given, true)
+    end
+  end
+  check.equal(seen, 3)
+end)
+
 check.case("maps side by side share names and legend", function()
   local svg = draw { categories = held, panels = {
     { title = "before", values = outcomes }, { title = "after", values = { { "held" }, { "held", "held" } } } } }

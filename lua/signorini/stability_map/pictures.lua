@@ -29,11 +29,12 @@ local function grid(map, value)
   return rows
 end
 
---- The numbers of that name as short texts.
+--- The numbers of that name, short: accounts as texts, figures as numbers, which heat maps write with powers of ten.
 local function texts(map, name)
   return grid(map, function(cell)
     local value = number(cell, name)
-    return value and (formats[name] or "%.2g"):format(value)
+    if not value then return nil end
+    return formats[name] and formats[name]:format(value) or tonumber(("%.2g"):format(value))
   end)
 end
 
