@@ -63,7 +63,8 @@ check.case("deep ironing: a picture shows where N6 goes round", function()
   check.equal(outcomes(result.maps["p+1"].plain), { "cycling" })
   check.equal({ result.failed.reason, result.failed.steps }, { "cycling", 26 })
   local place = result.failed.places[1]
-  check.equal({ place.kind, place.contact, place.element, place.text }, { "contact point", "interface", 3, "stick / slip" })
+  check.equal({ place.kind, place.contact, place.element }, { "contact point", "interface", 3 })
+  check.equal(place.text, "stick / slip")
   check.equal(result.files[4]:match "[^/]*$", "places.png")
   check_files(result, 4)
 end)
@@ -119,13 +120,14 @@ check.case("first touch: a free body is singular before it touches; damping carr
     check.equal(outcomes(plain), { "completed", "singular" })
     check_controls(result.maps[key], 2)
     local robust = result.maps[key].robust
-    check.near({ plain:cell(-1e-3, 1e-3).figures.carried, robust:cell(1e-3, 1e-3).figures.carried }, { 1e-3, 1e-3 }, 1e-9)
+    local function carried(map, gap) return map:cell(gap, 1e-3).figures.carried end
+    check.near({ carried(plain, -1e-3), carried(robust, 1e-3) }, { 1e-3, 1e-3 }, 1e-9)
     check.equal(robust:cell(1e-3, 1e-3).rescues, 1)
   end
   check_files(result, 6)
 end)
 
-check.case("cost: the controls take no more iterations where nothing fails; the linear predictor saves a third", function()
+check.case("cost: controls take no more iterations where nothing fails; the linear predictor saves a third", function()
   local result = study("cost", "labels=N2,N2-N2.2", "hertz=N2,N4", "rings=m2", "steps=5", "coarser=2", "repeats=1")
   check.equal(#result.costs, 6)
   for _, cost in ipairs(result.costs) do
