@@ -150,7 +150,7 @@ private:
   solve::Outcome assemble_step(bool tangent, std::string& why);
   bool advance(const StepOptions& options, double& energy);
   solve::Trial retreat(double part);
-  solve::Outcome settle(const StepOptions& options, std::string& why);
+  solve::Outcome conclude(const StepOptions& options, std::string& why);
   void classify(solve::NewtonReport& report) const;
   bool advance_arc(const StepOptions& options, const VectorX& direction, double length, VectorX& tangent,
                    double& energy);

@@ -141,8 +141,9 @@ template <int D> double Model<D>::rounding_floor() const {
 /// Whether the state could be moved on to the targets as the last step went: where the path goes straight on, and the
 /// last two steps went alike.
 template <int D> bool Model<D>::predict(const VectorX& increment) {
-  constexpr double most_bent =
-      0.3; // measured on ironing and Hertz: 0.1 to 0.5 make no difference, 1 fails where bodies touch first
+  // Measured on ironing and Hertz: 0.1 to 0.5 make no difference; with 1 steps fail where bodies have just touched
+  // first.
+  constexpr double most_bent = 0.3;
   if (bend_ > most_bent || present_ != accepted_targets_) return false;
   const std::optional<double> ratio = straight_ratio(targets_ - accepted_targets_);
   if (!ratio) return false;
@@ -190,7 +191,7 @@ template <int D> solve::Trial Model<D>::retreat(double part) {
   return {unbalanced_.norm(), residual_.dot(step_->move)};
 }
 
-template <int D> solve::Outcome Model<D>::settle(const StepOptions& options, std::string& why) {
+template <int D> solve::Outcome Model<D>::conclude(const StepOptions& options, std::string& why) {
   if (active_set_.release(pairs_)) {
     step_->moved = true;
     if (!active_set_.exhausted()) return solve::Outcome::iterating;
@@ -233,7 +234,7 @@ template <int D> const solve::NewtonReport& Model<D>::iterate(const StepOptions&
                                       [&](double& energy) { return advance(options, energy); });
   newton.retreat = [this](double part) { return retreat(part); };
   newton.slope = [this] { return step_->slope; };
-  newton.settle = [&](std::string& why) { return settle(options, why); };
+  newton.conclude = [&](std::string& why) { return conclude(options, why); };
   if (!solve::iterate(newton, options.newton, step_->pending, report)) classify(report);
   return report;
 }

@@ -79,8 +79,8 @@ bool iterate(const NewtonSystem& system, const NewtonOptions& options, bool pend
                             report.energies.back() <= options.tolerance * report.energies.front();
   const bool waiting = pending && report.iterations == 0;
   if (residual <= report.enough && small_energy && !waiting) {
-    const Outcome settled = system.settle ? system.settle(why) : Outcome::converged;
-    if (settled != Outcome::iterating) return stop(settled, why);
+    const Outcome concluded = system.conclude ? system.conclude(why) : Outcome::converged;
+    if (concluded != Outcome::iterating) return stop(concluded, why);
     report.begun = report.iterations;
     return true;
   }

@@ -56,7 +56,7 @@ struct NewtonSystem {
   std::function<double()> slope = {};
   /// Called when the residual is small enough: releases what was held back, improves what is approximate. Returns
   /// converged when there was nothing to do, iterating when the residual has to be looked at again, or why it failed.
-  std::function<Outcome(std::string& why)> settle = {};
+  std::function<Outcome(std::string& why)> conclude = {};
 };
 
 struct NewtonReport {
@@ -66,7 +66,7 @@ struct NewtonReport {
   std::vector<double> energies;  ///< |f·Δu| of each solve
   std::vector<double> parts;     ///< of each Δu that a line search left; empty without
   double enough = 0;             ///< the residual that counts as zero
-  int begun = 0;                 ///< iterations before settle() last asked for more
+  int begun = 0;                 ///< iterations before conclude() last asked for more
   std::string message;           ///< what went wrong, in words
 };
 

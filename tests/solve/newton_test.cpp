@@ -201,7 +201,7 @@ TEST(Newton, SettleIsAskedOnlyOnceConvergedAndMayFail) {
   Scalar problem = root_of_two();
   NewtonSystem system = problem.system();
   int asked = 0;
-  system.settle = [&](std::string&) {
+  system.conclude = [&](std::string&) {
     ++asked;
     EXPECT_NEAR(problem.x, std::sqrt(2.0), 1e-7);
     return Outcome::converged;
@@ -211,7 +211,7 @@ TEST(Newton, SettleIsAskedOnlyOnceConvergedAndMayFail) {
   EXPECT_EQ(asked, 1);
   EXPECT_EQ(report.begun, 0);
 
-  system.settle = [](std::string& why) {
+  system.conclude = [](std::string& why) {
     why = "too deep";
     return Outcome::penetration;
   };
@@ -222,7 +222,7 @@ TEST(Newton, SettleIsAskedOnlyOnceConvergedAndMayFail) {
   EXPECT_EQ(failed.residuals, report.residuals);
 
   problem.x = 1;
-  system.settle = [&](std::string&) {
+  system.conclude = [&](std::string&) {
     ADD_FAILURE() << "asked where nothing has converged";
     return Outcome::converged;
   };
@@ -239,7 +239,7 @@ TEST(Newton, IterationsCountFromWhereSettleAskedForMore) {
     square = square == 2 ? 3 : 5;
     return Outcome::iterating;
   };
-  system.settle = raise;
+  system.conclude = raise;
   const NewtonReport report = newton(system, {1e-12, 6}, false);
   EXPECT_EQ(report.outcome, Outcome::converged);
   EXPECT_NEAR(problem.x, std::sqrt(5.0), 1e-12);
@@ -254,7 +254,7 @@ TEST(Newton, IterationsCountFromWhereSettleAskedForMore) {
 
   // An end that settle never sees comes all the same.
   problem.x = 1;
-  system.settle = [&](std::string&) { return square += 1, Outcome::iterating; };
+  system.conclude = [&](std::string&) { return square += 1, Outcome::iterating; };
   request_interrupt();
   EXPECT_EQ(newton(system, {1e-12, 6}, false).outcome, Outcome::interrupted);
   clear_interrupt();
