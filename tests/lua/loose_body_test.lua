@@ -1,0 +1,54 @@
+-- A body that nothing but contact holds: it falls, lands, carries its load, and slides off where friction ends.
+
+local sg = require "signorini"
+local check = require "check"
+
+local mu, press, width = 0.3, 0.1, 2
+
+--- A block above a rigid plane, loaded from above.
+local function falling(gap)
+  local block = sg.body{
+    patch = sg.shapes.rectangle{ width = width, height = 1, corner = {0, gap} }, elements = {4, 2}, order = "N2",
+    contact = "south", material = sg.neo_hookean{ E = 10, nu = 0.3 },
+  }
+  return sg.model{
+    bodies = { block = block }, supports = {}, loads = { push = { on = block:face "north", traction = {0, 0} } },
+    contacts = { floor = { slave = block:face "south", master = sg.rigid.plane{ point = {0, 0}, normal = {0, 1} },
+                           penalty = 100, friction = { mu = mu, penalty = 100 } } },
+  }
+end
+
+check.case("plain Newton's tangent is singular; damped, it falls from any height into the same equilibrium", function()
+  check.equal(falling(0.5):loose_bodies(), { "block" })
+  local run = falling(0.5):run{ { steps = 1, push = {0, -press} } }
+  check.equal({ run.reason, run.places[1].body }, { "singular", "block" })
+  local penetration
+  for _, gap in ipairs { 1e-6, 1e-2, 0.5 } do
+    for _, controls in ipairs { { damping = true }, sg.robust{} } do
+      local model = falling(gap)
+      run = model:run({ { steps = 2, push = {0, -press} } }, controls)
+      check.equal({ run.reason, run.steps }, { "completed", 2 })
+      check.near(run:column "floor.fy"[2], press * width, 1e-9)
+      local deepest = run:column "floor.max_penetration"[2]
+      penetration = penetration or deepest
+      check.near(deepest, penetration, 1e-7)
+    end
+  end
+end)
+
+check.case("pushed sideways it holds as long as friction does, and the run says what it does then", function()
+  local model, steps, most = falling(0.01), 8, 1.7 * mu * press
+  local run = model:run({
+    { name = "press", steps = 2, push = {0, -press} }, { name = "shove", steps = steps, push = {most, -press} },
+  }, sg.robust{})
+  check.equal(run.failed, true)
+  -- No equilibrium carries more than mu times the load; the increments come as near as the shortest of them, 1/64 step.
+  local reached, limit = model:target("push")[1], mu * press
+  if reached > limit * (1 + 1e-9) or reached < limit - 2 * most / steps / 64 then
+    error(("the body held up to %g of the limit"):format(reached / limit))
+  end
+  print(("held up to %.4f of the limit; %s"):format(reached / limit, run.reason))
+  check.holds(run.report, "body 'block' moves as a whole along (", ", 0)")
+end)
+
+check.done()
