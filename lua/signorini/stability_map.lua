@@ -4,7 +4,7 @@
 local core = require "signorini.core"
 local arguments = require "signorini.arguments"
 local format_table = require "signorini.table"
-local pack = require "signorini.pack"
+local literal = require "signorini.literal"
 local pictures = require "signorini.stability_map.pictures"
 local progress = require "signorini.progress"
 local solve_cell = require "signorini.stability_map.cell"
@@ -122,9 +122,9 @@ local function execute(map)
   end
   local display = progress(#missing)
   core.jobs(#missing, map.jobs, function(i)
-    return pack.text(solve_cell(map, missing[i].x, missing[i].y))
+    return literal.write(solve_cell(map, missing[i].x, missing[i].y))
   end, function(i, text, failure)
-    local cell = text and pack.value(text) or lost_cell(map, failure)
+    local cell = text and literal.read(text) or lost_cell(map, failure)
     cell.x, cell.y = missing[i].x, missing[i].y
     place(map, cell)
     save(map)
