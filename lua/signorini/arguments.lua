@@ -76,11 +76,14 @@ function arguments.flag(where, name, value, default)
   return value
 end
 
---- A whole number of at least 1, or the default when absent.
-function arguments.count(where, name, value, default)
+--- A whole number of at least 1, and at most `most` where that is given, or the default when absent.
+function arguments.count(where, name, value, default, most)
   if value == nil and default then return default end
   local whole = type(value) == "number" and math.tointeger(value)
-  if not whole or whole < 1 then arguments.reject(where, name, "a whole number of at least 1", value) end
+  if not whole or whole < 1 or whole > (most or whole) then
+    arguments.reject(where, name, most and ("a whole number from 1 to %d"):format(most) or "a whole number of at least 1",
+      value)
+  end
   return whole
 end
 
@@ -89,6 +92,24 @@ function arguments.string(where, name, value, default)
   if value == nil and default then return default end
   if type(value) ~= "string" then arguments.reject(where, name, "a string", value) end
   return value
+end
+
+--- "'a', 'b' or 'c'" of a list of words.
+local function one_of(words)
+  local quoted = {}
+  for i, word in ipairs(words) do quoted[i] = ("'%s'"):format(word) end
+  local last = table.remove(quoted)
+  return #quoted > 0 and table.concat(quoted, ", ") .. " or " .. last or last
+end
+
+--- One of a list of words, or the default when absent.
+function arguments.choice(where, name, value, words, default)
+  if value == nil and default then return default end
+  for _, word in ipairs(words) do
+    if value == word then return value end
+  end
+  local meant = type(value) == "string" and core.nearest(value, words)
+  arguments.reject(where, name, one_of(words), value, meant and ("did you mean '%s'?"):format(meant))
 end
 
 --- A function or nothing.

@@ -101,12 +101,6 @@ end
 
 -- ── Taking up ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-local function exists(file)
-  local stream = io.open(file, "rb")
-  if stream then stream:close() end
-  return stream ~= nil
-end
-
 --- How the run of a file stands, checked against the path at hand.
 function Keeper:read(path, run)
   local text = call("checkpoint_text", self.file)
@@ -150,7 +144,7 @@ end
 --- Where the run begins: at the path's start, or where a file says that it stands. The place is { stage, number } of the
 --- last step that was reached.
 function Keeper:begin(model, run, path, policy)
-  if self.resume and exists(self.file) then return self:take_up(model, run, path, policy) end
+  if self.resume and core.exists(self.file) then return self:take_up(model, run, path, policy) end
   local place = { stage = 1, number = 0 }
   self:save(model, run, path, place, policy) -- a file that cannot be written shows now, not after the first step
   return place

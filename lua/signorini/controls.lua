@@ -1,6 +1,7 @@
 -- How steps are solved: the options of model:run that say so, and sg.robust, which turns on all that easy runs do not pay
 -- for.
 
+local core = require "signorini.core"
 local arguments = require "signorini.arguments"
 
 local controls = {}
@@ -17,14 +18,6 @@ local rescues = {
   { name = "line search", change = { predictor = "tangent", line_search = "residual" } },
   { name = "frozen", change = { predictor = "tangent", freeze_active_set = 1e-2 } },
 }
-
-local function choice(name, value, choices, default)
-  if value == nil then return default end
-  for _, known in ipairs(choices) do
-    if value == known then return value end
-  end
-  arguments.reject(where, name, "one of '" .. table.concat(choices, "', '") .. "'", value)
-end
 
 --- ε_acts of the frozen active set: a number, true for 0.01, false or nothing for none.
 local function read_freeze(value)
@@ -60,12 +53,13 @@ function controls.read(model, options)
   local solver = {
     tolerance = arguments.positive(where, "newton.tolerance", newton.tolerance, 1e-10),
     iterations = arguments.count(where, "newton.iterations", newton.iterations, 25),
-    line_search = choice("newton.line_search", newton.line_search, { "none", "residual", "energy" }, "none"),
+    line_search = arguments.choice(where, "newton.line_search", newton.line_search, { "none", "residual", "energy" },
+      "none"),
     freeze_active_set = read_freeze(newton.freeze_active_set),
     active_set_changes = newton.active_set_changes and arguments.count(where, "newton.active_set_changes",
       newton.active_set_changes) or 0,
-    predictor = choice("predictor", options.predictor, { "tangent", "constant", "linear" }, "tangent"),
-    linear = arguments.string(where, "linear", options.linear, "auto"),
+    predictor = arguments.choice(where, "predictor", options.predictor, { "tangent", "constant", "linear" }, "tangent"),
+    linear = arguments.choice(where, "linear", options.linear, core.linear_solvers, "auto"),
     augmented = read_augmented(options.augmented),
     damping = arguments.flag(where, "damping", options.damping, false),
   }

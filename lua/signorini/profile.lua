@@ -103,14 +103,6 @@ end
 
 -- ── The error ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-local function choice(where, name, value, default, known)
-  if value == nil then return default end
-  for _, word in ipairs(known) do
-    if value == word then return value end
-  end
-  arguments.reject(where, name, '"' .. table.concat(known, '", "') .. '"', value)
-end
-
 --- A function as the other side of a comparison: it has no points and is known on all of the profile's stretch.
 local function known_everywhere(where, reference, mine)
   return {
@@ -157,10 +149,11 @@ function profile.error(options)
   local where = "sg.profile_error"
   local o = arguments.table(where, "its argument", options,
     { "profile", "reference", "coordinate", "value", "normalise", "quadrature", "zone", "edge" })
-  local coordinate, value = o.coordinate or "x", choice(where, "value", o.value, "pressure", { "pressure", "traction" })
-  local quadrature = choice(where, "quadrature", o.quadrature, "profile", { "profile", "reference", "union" })
-  local zone = choice(where, "zone", o.zone, "either", { "either", "both" })
-  local edge = choice(where, "edge", o.edge, "point", { "point", "gap" })
+  local coordinate = o.coordinate or "x"
+  local value = arguments.choice(where, "value", o.value, { "pressure", "traction" }, "pressure")
+  local quadrature = arguments.choice(where, "quadrature", o.quadrature, { "profile", "reference", "union" }, "profile")
+  local zone = arguments.choice(where, "zone", o.zone, { "either", "both" }, "either")
+  local edge = arguments.choice(where, "edge", o.edge, { "point", "gap" }, "point")
   local mine = stretch(where, "profile", o.profile, coordinate, value, edge)
   local is_function = type(o.reference) == "function"
   if is_function and quadrature == "reference" then

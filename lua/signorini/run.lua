@@ -80,19 +80,21 @@ local function read_options(model, options)
   local known = { "step", "arc_length", "on_step", "on_iteration", "checkpoint", "resume", "threads" }
   arguments.table(where, "options", options, table.move(controls.keys, 1, #controls.keys, #known + 1, known))
   options = options or {}
-  if options.threads ~= nil then core.set_threads(arguments.count(where, "threads", options.threads)) end
+  local threads = options.threads ~= nil and arguments.count(where, "threads", options.threads, nil, core.most_threads)
   local policy = read_policy(options.step)
   if arguments.flag(where, "arc_length", options.arc_length, false) then policy = arc_length.policy(policy) end
   local solver, tries, penalty = controls.read(model, options)
   if options.arc_length and solver.augmented then
     core.fail(where .. ": augmented and arc_length cannot be used together: take one of the two out")
   end
-  return {
+  local read = {
     solver = solver, tries = tries, penalty = penalty, policy = policy,
     on_step = arguments.callback(where, "on_step", options.on_step),
     on_iteration = arguments.callback(where, "on_iteration", options.on_iteration),
     keeper = checkpoint(options),
   }
+  if threads then core.set_threads(threads) end -- not for a run that is refused
+  return read
 end
 
 -- ── One step ─────────────────────────────────────────────────────────────────────────────────────────────────────────
@@ -143,6 +145,10 @@ function Step:solve(solver, to)
     if not ok then
       self.model:rollback()
       error(answer, 0)
+    end
+    if answer and answer ~= "stop" and answer ~= "cut" then
+      self.model:rollback()
+      arguments.reject("on_iteration", "what it returns", "nothing, \"stop\" or \"cut\"", answer)
     end
     if result.reason == "iterating" and (answer == "stop" or answer == "cut") then
       result.reason = answer == "stop" and "stopped" or "cut"
@@ -294,7 +300,7 @@ local function take(step, run, options, display)
     if not options.on_step then return result end
     display:clear()
     local answer = options.on_step(run:info(step.stage, result))
-    if type(answer) == "table" then run:record_extra(answer) end
+    if answer and answer ~= "stop" and answer ~= "cut" then run:record_extra(answer) end
     if answer ~= "cut" then return result, answer end
     run:drop_step()
     step.model:restore(step.start)

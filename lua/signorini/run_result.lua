@@ -124,10 +124,12 @@ function Run:add_extra(name) self.extra[name] = add_column(self, name) end
 
 --- Adds to the last row what on_step returned: numbers by column name. A new name becomes a column.
 function Run:record_extra(figures)
+  local function reject()
+    arguments.reject("on_step", "what it returns", "nothing, \"stop\", \"cut\" or a table of numbers by name", figures)
+  end
+  if type(figures) ~= "table" then reject() end
   for name, value in pairs(figures) do
-    if type(name) ~= "string" then
-      arguments.reject("on_step", "what it returns", "\"stop\", \"cut\" or a table of numbers by name", figures)
-    end
+    if type(name) ~= "string" then reject() end
     arguments.number("on_step", name, value)
     if not self.extra[name] then
       if self.values[name] then

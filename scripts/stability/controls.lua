@@ -8,11 +8,6 @@ local controls = {}
 function controls.plain(overrides) return overrides end
 
 --- All controls on.
-function controls.robust(overrides)
-  if sg.robust then return sg.robust(overrides) end
-  local options = { step = { adaptive = true } }
-  for key, value in pairs(overrides or {}) do options[key] = value end
-  return options
-end
+controls.robust = sg.robust
 
 return controls

@@ -51,9 +51,13 @@ int core_nearest(lua_State* L) {
   return 1;
 }
 
+int core_exists(lua_State* L) {
+  push(L, std::filesystem::exists(read_string(L, 1, {"path"})));
+  return 1;
+}
+
 int core_set_threads(lua_State* L) {
-  const double threads = read_number(L, 1, {"threads", "how many work on a solve"});
-  set_threads(static_cast<int>(threads));
+  set_threads(read_integer(L, 1, {"threads", "how many work on a solve"}, 1, most_threads));
   return 0;
 }
 
@@ -67,6 +71,7 @@ constexpr Function rows[] = {
     {"fail", wrap<core_fail>, "core.fail(message)\nEnds with an error at the line of the user's own script."},
     {"now", wrap<now>, "core.now()\nWall-clock seconds since some moment in the past."},
     {"mkdir", wrap<mkdir>, "core.mkdir(path)\nMakes a folder and those above it; an existing folder is fine."},
+    {"exists", wrap<core_exists>, "core.exists(path)\nWhether there is a file or a folder of that name."},
     {"set_threads", wrap<core_set_threads>,
      "core.set_threads(threads)\nHow many threads work on a solve from now on; core.threads is what --threads said."},
     {"describe", wrap<core_describe>, "core.describe(value)\nA value in the words of error messages."},

@@ -2,6 +2,8 @@
 
 #include "bind/functions.hpp"
 #include "bind/open.hpp"
+#include "bind/threads.hpp"
+#include "solve/linear.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -75,6 +77,8 @@ void open_library(lua_State* L, const Settings& settings) {
   set_field(L, "terminal", isatty(STDERR_FILENO) == 1); // where progress is shown
   set_field(L, "quiet", settings.quiet);
   set_field(L, "threads", settings.threads);
+  set_field(L, "most_threads", most_threads);
+  set_field(L, "linear_solvers", solve::linear_names());
   set_field(L, "processors", static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
   // In the source tree the shared data stand in share/, in an installed tree beside lua/.
   set_field(L, "share", (fs::exists(home / "share") ? home / "share" : home).string());

@@ -5,6 +5,9 @@
 
 namespace signorini::bind {
 
+/// More of them are a slip of the pen, and may be more than the system starts.
+inline constexpr int most_threads = 1024;
+
 /// Sets the threads of assembly, BLAS and OpenMP; those of the libraries for child processes as well.
 void set_threads(int threads);
 

@@ -23,6 +23,12 @@ constexpr std::pair<LinearKind, const char*> names[] = {
 
 } // namespace
 
+std::vector<std::string> linear_names() {
+  std::vector<std::string> all;
+  for (const auto& [kind, name] : names) all.emplace_back(name);
+  return all;
+}
+
 LinearKind linear_kind(const std::string& name) {
   std::string known;
   for (const auto& [kind, kind_name] : names) {

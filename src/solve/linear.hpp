@@ -13,6 +13,8 @@ enum class LinearKind { automatic, klu, umfpack, cholmod, banded, condensed, kep
 
 /// "auto", "klu", "umfpack", "cholmod", "banded", "condensed", "kept". Throws Error that lists them.
 LinearKind linear_kind(const std::string& name);
+/// All names that linear_kind() knows, "auto" first.
+std::vector<std::string> linear_names();
 std::string name_of(LinearKind kind);
 
 /// What a solver has done since it was made.

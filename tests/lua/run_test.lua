@@ -165,7 +165,6 @@ check.case("wrong stages and options are refused before the first step", functio
     { { newton = { tolerence = 1 } }, "unknown argument 'tolerence' in options.newton", "did you mean 'tolerance'?" },
     { { newton = { tolerance = -1 } }, "newton.tolerance must be a positive number, got the number -1" },
     { { newton = { iterations = 0 } }, "newton.iterations must be a whole number" },
-    { { linear = 3 }, "linear must be a string" },
     { { step = true }, "options.step must be a table of named arguments, got true" },
     { { step = { adaptiv = true } }, "unknown argument 'adaptiv' in options.step", "did you mean 'adaptive'?" },
     { { step = { adaptive = 1 } }, "step.adaptive must be true or false, got the number 1" },

@@ -62,15 +62,11 @@ end
 
 --- The name of something that a picture can show, checked.
 local function read_name(where, argument, maps, name, default)
-  name = arguments.string(where, argument, name, default)
   local known = { "iterations", "reached", "increments", "steps", "cutbacks", "rescues", "wall" }
   for _, map in ipairs(maps) do
     for _, figure in ipairs(store.figure_names(map.cells)) do known[#known + 1] = figure end
   end
-  for _, one in ipairs(known) do
-    if one == name then return name end
-  end
-  arguments.reject(where, argument, "a number that cells have", name, "choose among " .. table.concat(known, ", "))
+  return arguments.choice(where, argument, name, known, default)
 end
 
 --- Draws one heat map, or two side by side. `panel(map)` gives what differs: values, texts.

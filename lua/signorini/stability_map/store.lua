@@ -40,12 +40,6 @@ function store.write(file, map, cells)
   csv.write(file, data)
 end
 
-local function exists(file)
-  local stream = io.open(file, "rb")
-  if stream then stream:close() end
-  return stream ~= nil
-end
-
 local function read_cell(data, row)
   local cell = { figures = {} }
   for j, name in ipairs(data.columns) do
@@ -57,7 +51,7 @@ end
 
 --- The cells that a file holds; none when there is no file yet.
 function store.read(file, map)
-  if not exists(file) then return {} end
+  if not core.exists(file) then return {} end
   local data, cells = csv.read(file), {}
   if data.comments[1] ~= title(map) then
     core.fail(("sg.stability_map: '%s' holds something else (%s) than this map (%s): remove it, or choose another file")
