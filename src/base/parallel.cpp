@@ -1,9 +1,12 @@
 #include "base/parallel.hpp"
 
+#include "base/error.hpp"
+
 #include <atomic>
 #include <cstdint>
 #include <exception>
 #include <memory>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -15,13 +18,14 @@ namespace {
 class Team {
 public:
   explicit Team(int helpers) {
-    for (int i = 0; i < helpers; ++i) threads_.emplace_back([this] { serve(); });
+    try {
+      for (int i = 0; i < helpers; ++i) threads_.emplace_back([this] { serve(); });
+    } catch (const std::system_error& e) {
+      end();
+      fail("the system starts no more than ", size(), " of ", helpers + 1, " threads (", e.what(), "): take fewer");
+    }
   }
-  ~Team() {
-    over_ = true;
-    begin(0);
-    for (auto& thread : threads_) thread.join();
-  }
+  ~Team() { end(); }
   Team(const Team&) = delete;
   Team& operator=(const Team&) = delete;
 
@@ -42,6 +46,12 @@ public:
 private:
   static constexpr int bits = 32;
   static constexpr std::uint64_t closed = 0xffffffff;
+
+  void end() {
+    over_ = true;
+    begin(0);
+    for (auto& thread : threads_) thread.join();
+  }
 
   void begin(int count) {
     const std::uint32_t call = call_ + 1;

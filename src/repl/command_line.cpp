@@ -1,6 +1,7 @@
 #include "repl/command_line.hpp"
 
 #include "bind/message.hpp"
+#include "bind/threads.hpp"
 
 #include <charconv>
 
@@ -11,8 +12,8 @@ namespace {
 int parse_threads(const std::string& word) {
   int threads = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), threads);
-  if (error != std::errc() || end != word.data() + word.size() || threads < 1 || threads > 1024)
-    throw UsageError(text("--threads takes a whole number from 1 to 1024, got '", word, "'"));
+  if (error != std::errc() || end != word.data() + word.size() || threads < 1 || threads > bind::most_threads)
+    throw UsageError(text("--threads takes a whole number from 1 to ", bind::most_threads, ", got '", word, "'"));
   return threads;
 }
 

@@ -75,6 +75,13 @@ check.case("a wrong command line ends with status 2 and a hint", function()
   end
 end)
 
+check.case("more threads than the system starts are an error that says how many there can be", function()
+  -- a stack of 8 MB each, and 4 GB for all
+  local result = run({ "--threads", "1024", "-e", "print(1)" }, nil, "ulimit -s 8192; ulimit -v 4000000;")
+  check.equal(result.status, 1)
+  check.holds(result.output, "signorini: the system starts no more than ", " of 1024 threads", "take fewer")
+end)
+
 check.case("the library is found by SIGNORINI_HOME, or the message says where it was looked for", function()
   local result = run({ "-e", "print(1)" }, nil, "env SIGNORINI_HOME=/nowhere")
   check.equal(result.status, 1)
