@@ -3,26 +3,15 @@
 
 local sg = require "signorini"
 local check = require "check"
+local strip = require "strip"
+
+local film, equilibrium = strip.film, strip.equilibrium
 
 -- ── Snap-back: a strip of 40 × 2 elements, so coarse that it peels element by element ────────────────────────────────
 
-local film = { hamaker = 0.1, r0 = 0.4 }
-local equilibrium = 15 ^ (-1 / 6) * film.r0
-
-local function strip()
-  local body = sg.body{ patch = sg.shapes.rectangle{ width = 100, height = 5 }, elements = {40, 2}, order = "N2",
-                        contact = "south", material = sg.neo_hookean{ E = 2, nu = 0.2 } }
-  return sg.model{
-    bodies   = { strip = body },
-    supports = { edge = { on = body:face "east", rotate = true }, pin = { on = body:corner "south-west", fix = "x" } },
-    contacts = { film = { slave = body:face "south", adhesion = film, where = function(X) return X[1] <= 80 end,
-                          master = sg.rigid.plane{ point = {0, -equilibrium}, normal = {0, 1} } } },
-  }
-end
-
 --- Turns a strip's edge by 76°. No step needs more than five iterations, unless it jumps over a snap-back.
 local function peel(steps, arcs, iterations)
-  local model = strip()
+  local model = strip.model()
   local run = model:run({ { name = "peel", steps = steps, edge = 76 } },
     { arc_length = arcs, newton = { iterations = iterations or 10 } })
   return run, model
@@ -91,7 +80,7 @@ check.case("behind the snap-back are the states that smaller steps and a jump fi
 end)
 
 check.case("the moment's work along the path, back and forth, is what bodies and film store", function()
-  local before, errors = stored(strip()), {}
+  local before, errors = stored(strip.model()), {}
   for i, steps in ipairs { 76, 152 } do
     local run, model = peel(steps, true)
     local angle, moment, work = run:column "edge.angle", run:column "edge.moment", 0
@@ -108,7 +97,7 @@ end)
 check.case("arcs stay on the path through deep snap-backs, one per element, whatever the step", function()
   for _, length in ipairs { 1, 0.5, 0.25, 0.1 } do
     local steps = math.floor(118 / length + 0.5)
-    local run = strip():run({ { name = "peel", steps = steps, edge = 118 } }, { arc_length = true })
+    local run = strip.model():run({ { name = "peel", steps = steps, edge = 118 } }, { arc_length = true })
     check.equal({ run.failed, run.steps }, { false, steps })
     local step, angle, moment = run:column "step", run:column "edge.angle", run:column "edge.moment"
     for i = 1, #step do
@@ -119,7 +108,7 @@ check.case("arcs stay on the path through deep snap-backs, one per element, what
 end)
 
 check.case("where a step fails by an inverted element, the report names the turning point as well", function()
-  local run = strip():run({ { name = "peel", steps = 472, edge = 118 } }, { newton = { iterations = 200 } })
+  local run = strip.model():run({ { name = "peel", steps = 472, edge = 118 } }, { newton = { iterations = 200 } })
   check.equal({ run.reason, run.steps }, { "turning_point", 471 })
   check.holds(run.report, "is inverted", "turning point at edge.angle = 117.8")
 end)

@@ -2,8 +2,9 @@
 
 local sg = require "signorini"
 local check = require "check"
+local ironing = require "ironing"
 
-local soft, stiff = sg.neo_hookean{ E = 1, nu = 0.3 }, sg.neo_hookean{ E = 1000, nu = 0.3 }
+local soft = sg.neo_hookean{ E = 1, nu = 0.3 }
 local file = os.tmpname()
 
 --- Everything that a state and a run show, bit by bit; defined by its text, for the other process has to have it, too.
@@ -59,28 +60,14 @@ local function continues(model, before, after, options)
   return run
 end
 
-local function ironing(die_elements, slab_elements, label)
-  local die = sg.body{ patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, centre = {0.75, 1.5} },
-                       elements = die_elements, order = label, contact = "south", material = stiff }
-  local slab = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = slab_elements, order = label,
-                        contact = "north", material = soft }
-  return sg.model{
-    bodies = { die = die, slab = slab },
-    supports = { bed = { on = slab:face "south", fix = "xy" },
-                 grip = { on = {die:face "west", die:face "east"}, drive = "xy" } },
-    contacts = { interface = { slave = die:face "south", master = slab:face "north", penalty = 100,
-                               friction = { mu = 0.2, penalty = 100 } } },
-  }
-end
-
 check.case("frictional ironing in the plane, KLU", function()
-  local model = ironing({6, 2}, {8, 3}, "N2-N2.2")
+  local model = ironing{ label = "N2-N2.2" }
   continues(model, { { steps = 10, grip = {0, -0.15} } }, "{ { steps = 15, grip = {0.3, -0.15} } }")
   check.equal(model:solver().linear, "klu")
 end)
 
 check.case("a larger one, UMFPACK", function()
-  local model = ironing({24, 4}, {72, 18}, "N2")
+  local model = ironing{ elements = { die = {24, 4}, slab = {72, 18} } }
   continues(model, { { steps = 4, grip = {0, -0.08} } }, "{ { steps = 3, grip = {0.06, -0.08} } }")
   check.equal(model:solver().linear, "umfpack")
 end)
@@ -141,7 +128,7 @@ check.case("a body of revolution", function()
 end)
 
 check.case("classical elements", function()
-  continues(ironing({6, 2}, {8, 3}, "L2"), { { steps = 10, grip = {0, -0.1} } }, "{ { steps = 6, grip = {0.1, -0.1} } }")
+  continues(ironing{ label = "L2" }, { { steps = 10, grip = {0, -0.1} } }, "{ { steps = 6, grip = {0.1, -0.1} } }")
 end)
 
 --- An indenter on a slab in space, to be pressed, dragged, turned.
@@ -176,7 +163,7 @@ check.case("small solids that turn: KLU and a kept factorisation", function()
 end)
 
 check.case("a loaded model names its parts, and can be saved again", function()
-  local model = ironing({6, 2}, {8, 3}, "N2")
+  local model = ironing()
   model:run{ { steps = 3, grip = {0, -0.06} } }
   model:save(file)
   local again = sg.load(file)
@@ -188,7 +175,7 @@ check.case("a loaded model names its parts, and can be saved again", function()
 end)
 
 check.case("wrong files are errors at the user's own line that name the cure", function()
-  local model = ironing({6, 2}, {8, 3}, "N2")
+  local model = ironing()
   model:run{ { steps = 1, grip = {0, -0.06} } }
   model:save(file)
   local stream = assert(io.open(file, "rb"))

@@ -4,22 +4,10 @@ local sg = require "signorini"
 local core = require "signorini.core"
 local literal = require "signorini.literal"
 local check = require "check"
+local ironing = require "ironing"
+local bonded = require "strip"
 
 local file = os.tmpname()
-
-local function ironing(modulus)
-  local die = sg.body{ patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, centre = {0.75, 1.5} },
-                       elements = {6, 2}, order = "N2", contact = "south", material = sg.neo_hookean{ E = 1000, nu = 0.3 } }
-  local slab = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = {8, 3}, order = "N2",
-                        contact = "north", material = sg.neo_hookean{ E = modulus or 1, nu = 0.3 } }
-  return sg.model{
-    bodies = { die = die, slab = slab },
-    supports = { bed = { on = slab:face "south", fix = "xy" },
-                 grip = { on = {die:face "west", die:face "east"}, drive = "xy" } },
-    contacts = { interface = { slave = die:face "south", master = slab:face "north", penalty = 100,
-                               friction = { mu = 0.2, penalty = 100 } } },
-  }
-end
 
 local path = { { name = "press", steps = 8, grip = {0, -0.15} }, { name = "slide", steps = 12, grip = {0.2, -0.15} } }
 
@@ -88,18 +76,7 @@ check.case("whatever the controls are", function()
 end)
 
 check.case("so do arcs, which lead through a snap-back in step 145", function()
-  local film = { hamaker = 0.1, r0 = 0.4 }
-  local function strip()
-    local body = sg.body{ patch = sg.shapes.rectangle{ width = 100, height = 5 }, elements = {40, 2}, order = "N2",
-                          contact = "south", material = sg.neo_hookean{ E = 2, nu = 0.2 } }
-    return sg.model{
-      bodies   = { strip = body },
-      supports = { edge = { on = body:face "east", rotate = true }, pin = { on = body:corner "south-west", fix = "x" } },
-      contacts = { film = { slave = body:face "south", adhesion = film, where = function(X) return X[1] <= 80 end,
-                            master = sg.rigid.plane{ point = {0, -15 ^ (-1 / 6) * film.r0}, normal = {0, 1} } } },
-    }
-  end
-  local run = taken_up(strip, { { name = "peel", steps = 152, edge = 76 } },
+  local run = taken_up(bonded.model, { { name = "peel", steps = 152, edge = 76 } },
     { checkpoint = { file = file, every = 5 }, arc_length = true, newton = { iterations = 10 } }, { 143, 145, 149 })
   check.equal({ run.reason, run.steps, #run.controls }, { "completed", 152, 2 })
 end)
@@ -154,7 +131,7 @@ check.case("files that do not fit are errors at the user's own line", function()
     check.equal(model:reaction "grip", before)
   end
   ironing():run(path, { checkpoint = file })
-  refused(ironing(2), path, "was saved of another scene; what differs: body 'slab'")
+  refused(ironing{ slab_E = 2 }, path, "was saved of another scene; what differs: body 'slab'")
   refused(ironing(), { path[1] }, "another path: it has 1 stages, the file's has 2")
   refused(ironing(), { path[1], { name = "slide", steps = 13, grip = {0.2, -0.15} } }, "stage 2 ('slide').steps is 13, in the file 12")
   refused(ironing(), { path[1], { name = "slide", steps = 12, grip = {0.3, -0.15} } }, "stage 2 ('slide') has other targets")
