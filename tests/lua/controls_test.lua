@@ -270,10 +270,10 @@ end)
 check.case("wrong options are refused before the first step, at the user's line", function()
   local model = spring_model(function() return true end)
   local wrong = {
-    { { predictor = "linaer" }, "predictor must be one of 'tangent', 'constant', 'linear', got the string 'linaer'" },
-    { { predictor = true }, "predictor must be one of 'tangent', 'constant', 'linear', got true" },
+    { { predictor = "linaer" }, "predictor must be 'tangent', 'constant' or 'linear', got the string 'linaer'" },
+    { { predictor = true }, "predictor must be 'tangent', 'constant' or 'linear', got true" },
     { { predicter = "linear" }, "unknown argument 'predicter' in options", "did you mean 'predictor'?" },
-    { { newton = { line_search = "enrgy" } }, "newton.line_search must be one of 'none', 'residual', 'energy'" },
+    { { newton = { line_search = "enrgy" } }, "newton.line_search must be 'none', 'residual' or 'energy'" },
     { { newton = { linesearch = "energy" } }, "unknown argument 'linesearch'", "did you mean 'line_search'?" },
     { { newton = { freeze_active_set = 2 } }, "newton.freeze_active_set must be a number above 0 and at most 1" },
     { { newton = { freeze_active_set = "yes" } }, "newton.freeze_active_set must be", "got the string 'yes'" },
