@@ -172,7 +172,7 @@ constexpr Function rows[] = {
     {"driven", wrap<driven<D>>,
      "m:driven(name)\n"
      "The components that stages move, in order: {\"x\", \"y\"} (in 3D also \"z\") of a driven support or a\n"
-     "traction, \n"
+     "traction,\n"
      "{\"angle\"} of a support that rotates (after its driven components), {\"pressure\"}."},
     {"set_target", wrap<set_target<D>>,
      "m:set_target(name, {ux, uy, …})\n"
@@ -186,7 +186,8 @@ constexpr Function rows[] = {
      "  freeze_active_set = 0, active_set_changes = 0, augmented = { penetration = 1e-6, loops = 100 }, damping = "
      "false "
      "}\n"
-     "Newton's method from the accepted state to the targets; accepts nothing. Returns { converged, reason,\n"
+     "Newton's method from the present state, after m:accept and m:rollback the accepted one, to the targets; accepts\n"
+     "nothing. Returns { converged, reason,\n"
      "iterations, message, residuals, energies, parts }; reason is \"converged\", \"iterations\", \"diverged\",\n"
      "\"cycling\", \"lost_projection\", \"inverted\", \"singular\", \"nan\", \"line_search\", \"penetration\" or\n"
      "\"interrupted\". linear: \"auto\"; \"klu\", \"umfpack\"; \"cholmod\", \"banded\" (symmetric tangents only);\n"
@@ -194,15 +195,17 @@ constexpr Function rows[] = {
      "elastic bodies: all but the contact unknowns are eliminated once). line_search: \"residual\" (non-monotone),\n"
      "\"energy\"; predictor: \"constant\", \"linear\" (goes on as the last step did). freeze_active_set: states of\n"
      "contact points stay as they were until |f·Δu| has fallen to this part of its first value (thesis 4.5.2);\n"
-     "active_set_changes: a point that changes its state more often is held until the others have converged (0: "
-     "never).\n"
-     "augmented: pressures are augmented until the largest penetration is this part of the largest body's size.\n"
+     "active_set_changes: a point that changes its state more often is held, one that slips as sticking, until the\n"
+     "others have converged (0: never).\n"
+     "augmented: pressures are augmented until no point that presses is farther from the master, on either side, than\n"
+     "this part of the largest body's size.\n"
      "damping: keeps bodies that only contact holds from flying off; the state that it leads to is in equilibrium."},
     {"iterate", wrap<iterate<D>>,
      "m:iterate{ … }\n"
      "One iteration of m:solve_step, with the same arguments: evaluates, and unless that ends it solves and moves. "
      "The\n"
-     "first one after m:accept, m:rollback, m:restore or m:set_target begins a step. Returns what m:solve_step\n"
+     "first one after m:accept, m:rollback, m:restore, m:set_target or m:set_penalty_factor begins a step. Returns "
+     "what m:solve_step\n"
      "returns, so far; reason is \"iterating\" while it goes on."},
     {"set_penalty_factor", wrap<set_penalty_factor<D>>,
      "m:set_penalty_factor(factor)\n"
@@ -217,8 +220,13 @@ constexpr Function rows[] = {
      "state, 1 at the targets."},
     {"last_length", wrap<last_length<D>>,
      "m:last_length()\n2-norm of the last accepted step's displacements: the scale for arc lengths."},
-    {"accept", wrap<accept<D>>, "m:accept()\nMakes the present state the accepted one; slip points advance."},
-    {"rollback", wrap<rollback<D>>, "m:rollback()\nReturns to the accepted state."},
+    {"accept", wrap<accept<D>>,
+     "m:accept()\n"
+     "Makes the present state the accepted one; slip points advance. An error when the step under way has not\n"
+     "converged, or new targets wait for one."},
+    {"rollback", wrap<rollback<D>>,
+     "m:rollback()\nReturns to the accepted state: displacements, targets, penalties, contact. Call it after a step "
+     "that failed."},
     {"snapshot", wrap<snapshot<D>>,
      "m:snapshot()\nA copy of the accepted state with its contact history, for m:restore. Call it between steps."},
     {"restore", wrap<restore<D>>, "m:restore(snapshot)\nReturns to a state that m:snapshot() has kept."},

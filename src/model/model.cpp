@@ -81,6 +81,7 @@ template <int D> void Model<D>::set_penalty_factor(double factor) {
   require(std::isfinite(factor) && factor > 0, "the penalty's factor must be positive, got ", factor);
   for (auto& pair : pairs_) pair.scale_penalty(factor);
   penalty_factor_ = factor;
+  step_.reset(); // as for new targets: what has converged is no equilibrium any more
 }
 
 template <int D> double Model<D>::accepted_target(int drive, int component) const {
@@ -101,6 +102,17 @@ template <int D> solve::Outcome Model<D>::assemble(const VectorX* direction, boo
 }
 
 template <int D> void Model<D>::accept() {
+  if (!step_) {
+    const bool same = displacement_ == accepted_ && targets_ == accepted_targets_;
+    require(same && penalty_factor_ == accepted_penalty_factor_,
+            "no step has been solved since targets or penalties were changed: solve one, or roll back");
+    return;
+  }
+  const solve::Outcome outcome = step_->report.outcome;
+  require(outcome != solve::Outcome::iterating, "the step is not in equilibrium yet: iterate on until its reason is "
+                                                "\"converged\", or roll back");
+  require(outcome == solve::Outcome::converged, "the step has failed (", solve::name_of(outcome),
+          "), its state is not in equilibrium: roll back");
   ScopedTimer timer(timings_.contact);
   for (auto& pair : pairs_) pair.accept();
   // How far this step's rate of displacement, Δu for the same Δtargets, is from the last one's

@@ -2,25 +2,9 @@
 
 local sg = require "signorini"
 local check = require "check"
+local ironing = require "ironing"
 local spring = require "spring"
 local run_path = require "signorini.run"
-
---- 2D ironing at m1; `o`: E of the die, mu, label, penalty, points.
-local function ironing(o)
-  local die = sg.body{ patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, centre = {0.75, 1.5} },
-                       elements = {6, 2}, order = o.label or "N2", contact = "south",
-                       material = sg.neo_hookean{ E = o.E or 1e3, nu = 0.3 } }
-  local slab = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = {8, 3}, order = o.label or "N2",
-                        contact = "north", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
-  local mu = o.mu or 0.2
-  return sg.model{
-    bodies   = { die = die, slab = slab },
-    supports = { bed = { on = slab:face "south", fix = "xy" },
-                 grip = { on = { die:face "west", die:face "east" }, drive = "xy" } },
-    contacts = { interface = { slave = die:face "south", master = slab:face "north", penalty = o.penalty or 100, points = o.points,
-                               friction = mu > 0 and { mu = mu, penalty = 100 } or nil } },
-  }
-end
 
 --- Pressed by 0.5 in 46 steps, plain Newton goes round in the 34th.
 local function deep() return ironing{ E = 1e4, mu = 0.1, label = "N4", penalty = 1000, points = 7 } end
@@ -241,8 +225,20 @@ check.case("figures that on_step must not return", function()
     return function() spring_model(function() return true end):run(one_step, { on_step = function() return value end }) end
   end
   check.fails(returning { 1, 2 }, "controls_test.lua:", "on_step: what it returns must be")
+  check.fails(returning "stopp", "controls_test.lua:", "on_step: what it returns must be nothing, \"stop\", \"cut\" or a table",
+    "got the string 'stopp'")
+  check.fails(returning(true), "controls_test.lua:", "on_step: what it returns must be", "got true")
   check.fails(returning { depth = "1" }, "controls_test.lua:", "on_step: depth must be a finite number, got the string '1'")
   check.fails(returning { ["grip.fx"] = 1 }, "on_step: the run has a column 'grip.fx' of its own: choose another name")
+end)
+
+check.case("answers of on_iteration that are none leave the model at its accepted state", function()
+  local model = ironing{}
+  check.fails(function()
+    model:run({ { steps = 1, grip = {0, -0.01} } }, { on_iteration = function() return "halt" end })
+  end, "controls_test.lua:", "on_iteration: what it returns must be nothing, \"stop\" or \"cut\", got the string 'halt'")
+  check.equal(model:target "grip", {0, 0})
+  check.equal(model:run({ { steps = 1, grip = {0, -0.01} } }, { on_iteration = function() return false end }).failed, false)
 end)
 
 -- ── sg.robust ────────────────────────────────────────────────────────────────────────────────────────────────────────
@@ -265,15 +261,56 @@ check.case("easy ironing takes fewer iterations with sg.robust, and is the same"
   end
 end)
 
+check.case("only a step that has converged is accepted", function()
+  local model = ironing{}
+  local function refused(...)
+    check.fails(function() model:accept() end, "controls_test.lua:", "model:accept: ", ...)
+  end
+  model:accept() -- what is accepted already
+  model:set_target("grip", {0, -0.01})
+  refused("no step has been solved since targets or penalties were changed", "solve one, or roll back")
+  check.equal(model:iterate{}.reason, "iterating")
+  refused("the step is not in equilibrium yet", "iterate on")
+  repeat local result = model:iterate{} until result.reason ~= "iterating"
+  model:set_penalty_factor(2) -- the state belongs to another penalty
+  refused "no step has been solved since targets or penalties were changed"
+  model:set_penalty_factor(1)
+  check.equal(model:solve_step{}.converged, true)
+  model:accept()
+  check.equal(model:target "grip", {0, -0.01})
+  local length = model:last_length()
+  model:accept()
+  check.equal({ length > 0, model:last_length() }, { true, length })
+  model:set_target("grip", {0, -5})
+  check.equal(model:solve_step{}.reason, "inverted")
+  refused("the step has failed (inverted)", "roll back")
+  check.fails(function() model:residual() end, "model:residual: the present state has no residual", "model:rollback()")
+  check.equal(model:iterate{}.reason, "inverted") -- it stays failed
+  model:rollback()
+  check.equal(#model:residual(), #model:unknowns())
+  check.equal(model:target "grip", {0, -0.01})
+end)
+
+check.case("targets beyond all sense end a run, which leaves the model as it was", function()
+  local model = ironing{}
+  local run = model:run({ { steps = 1, grip = {1e300, 0} } }, sg.robust{})
+  check.equal({ run.failed, run.reason, run.cause, model:target "grip" }, { true, "minimum_step", "nan", {0, 0} })
+  for _, depth in ipairs { 5, 0.01 } do
+    run = model:run{ { steps = 1, grip = {0, -depth} } }
+    check.equal(run.failed, depth == 5)
+  end
+end)
+
 -- ── Wrong options ────────────────────────────────────────────────────────────────────────────────────────────────────
 
 check.case("wrong options are refused before the first step, at the user's line", function()
   local model = spring_model(function() return true end)
   local wrong = {
-    { { predictor = "linaer" }, "predictor must be 'tangent', 'constant' or 'linear', got the string 'linaer'" },
+    { { predictor = "linaer" }, "predictor must be 'tangent', 'constant' or 'linear', got the string 'linaer'",
+      "did you mean 'linear'?" },
     { { predictor = true }, "predictor must be 'tangent', 'constant' or 'linear', got true" },
     { { predicter = "linear" }, "unknown argument 'predicter' in options", "did you mean 'predictor'?" },
-    { { newton = { line_search = "enrgy" } }, "newton.line_search must be 'none', 'residual' or 'energy'" },
+    { { newton = { line_search = "enrgy" } }, "newton.line_search must be 'none', 'residual' or 'energy'", "did you mean 'energy'?" },
     { { newton = { linesearch = "energy" } }, "unknown argument 'linesearch'", "did you mean 'line_search'?" },
     { { newton = { freeze_active_set = 2 } }, "newton.freeze_active_set must be a number above 0 and at most 1" },
     { { newton = { freeze_active_set = "yes" } }, "newton.freeze_active_set must be", "got the string 'yes'" },
@@ -291,6 +328,12 @@ check.case("wrong options are refused before the first step, at the user's line"
     { { penalty = { start = 0.1 } }, "penalty.steps is missing" },
     { { penalty = { start = 2, steps = 3 } }, "penalty.start must be a number above 0 and at most 1" },
     { { penalty = { start = 0.1, step = 3 } }, "unknown argument 'step' in penalty", "did you mean" },
+    { { linear = "cholmodd" }, "linear must be 'auto', 'klu',", "got the string 'cholmodd'", "did you mean 'cholmod'?" },
+    { { linear = 3 }, "linear must be 'auto', 'klu',", "got the number 3" },
+    { { threads = 0 }, "threads must be a whole number from 1 to 1024, got the number 0" },
+    { { threads = 100000 }, "threads must be a whole number from 1 to 1024, got the number 100000" },
+    { { resume = true }, "resume = true needs the file to take up from", "add checkpoint =" },
+    { { rescue = 1 }, "rescue must be true or false, got the number 1" },
     { { rescue = "yes" }, "rescue must be true or false, got the string 'yes'" },
     { { resceu = true }, "did you mean 'rescue'?" },
     { { on_iteration = 3 }, "on_iteration must be a function" },
@@ -314,6 +357,8 @@ check.case("a real model's verbs refuse them as well", function()
     end
   end
   check.fails(function() model:set_penalty_factor(0) end, "penalty's factor must be positive, got 0")
+  check.fails(function() model:set_penalty_factor(0 / 0) end, "factor must be a finite number", "got nan")
+  check.fails(function() model:set_penalty_factor "x" end, "factor must be a number", "got the string 'x'")
   check.fails(function() model:diagnose() end, "there is no step to diagnose")
 end)
 
