@@ -213,6 +213,7 @@ end
 return function(options)
   local map = read_map(options)
   take_up(map)
+  save(map) -- a file that cannot be written shows now, not after the first cell
   execute(map)
   sort_cells(map)
   return map

@@ -272,6 +272,13 @@ check.case("wrong arguments are errors at the user's line that name the cure", f
   check.fails(function() make{ x = { name = "order", values = { "a", "a" } } } end, "x.values has the string 'a' twice")
   check.fails(function() make{ y = { name = "steps", values = { {} } } } end, "y.values[1] must be a finite number")
   check.fails(function() make{ scene = "scene" } end, "scene must be a function")
+  local solved = os.tmpname()
+  check.fails(function()
+    make{ file = "nowhere/map.csv", scene = function(order) os.remove(solved) return scene(order) end }
+  end, "stability_map_test.lua:", "cannot write nowhere/map.csv")
+  check.equal(os.remove(solved), true) -- no cell was solved before
+  local map = make{ x = { name = "order", values = { "good" } }, scene = function() return 3 end }
+  check.holds(map.cells[1].report, "scene must return a model, it returned the number 3")
   check.fails(function() make{ jobs = 0 } end, "jobs must be a whole number of at least 1")
   check.fails(function() make{ limits = 3 } end, "unknown argument 'limits'", "did you mean 'limit'?")
   check.fails(function() sg.stability_map() end, "sg.stability_map")

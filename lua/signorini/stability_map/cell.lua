@@ -44,7 +44,9 @@ end
 --- Solves the cell at x, y of the map that has these functions. Errors of theirs pass.
 return function(map, x, y)
   local model = map.scene(x, y)
-  if model == nil then core.fail(where .. ": scene must return a model, it returned nothing") end
+  if type(model) ~= "userdata" and type(model) ~= "table" then
+    core.fail(("%s: scene must return a model, it returned %s"):format(where, model and core.describe(model) or "nothing"))
+  end
   local stages, options = map.path(model, x, y)
   local run = model:run(stages, options)
   local place = run.places and run.places[1]
