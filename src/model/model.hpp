@@ -50,9 +50,11 @@ public:
   /// What it is in the accepted state.
   double accepted_target(int drive, int component) const;
 
-  /// Solves for the present targets by Newton's method from the accepted state. Does not accept.
+  /// Solves for the present targets by Newton's method from the present state: the accepted one, unless a step has
+  /// been left without a roll-back. Does not accept.
   solve::NewtonReport solve_step(const StepOptions& options);
-  /// One iteration of solve_step(); the first after an accepted state, a roll-back or new targets begins a step.
+  /// One iteration of solve_step(); the first after an accepted state, a roll-back, new targets or penalties begins a
+  /// step.
   /// Returns the report so far; nothing happens any more once it is not `iterating`.
   const solve::NewtonReport& iterate(const StepOptions& options);
   /// Of the last solve_step(), iterate() or solve_arc() since the accepted state was left; null: there was none.
@@ -60,18 +62,17 @@ public:
   /// Evaluates residual, tangent and contacts at the present state, whose displacements are those of the last move.
   /// Returns converged, or why there are none.
   solve::Outcome evaluate(std::string& why);
-  /// Of the present step: f_int + f_c − f_ext by unknown, and the tangent, as last evaluated.
+  /// f_int + f_c − f_ext by unknown: of the last evaluation, or of the accepted state after a roll-back.
   const VectorX& unbalanced() const { return unbalanced_; }
   /// The same by degree of freedom, with the reactions.
   const VectorX& residual() const { return residual_; }
+  /// Holds the tangent of the last evaluation that wanted one.
   const Assembly<D>& assembly() const { return assembly_; }
   /// Where an element was inverted in the last evaluation that found one since the last roll-back.
   const std::optional<BodyInversion>& inversion() const { return inverted_; }
   const ActiveSet<D>& active_set() const { return active_set_; }
   /// Rigid motions that no support stops.
   const std::vector<LooseMotion>& loose();
-  /// Largest extent of a body along an axis: what sizes are measured against.
-  double extent() const { return extent_; }
 
   /// Multiplies the penalty parameters of all contacts, as they were given, from now on; a roll-back returns to the
   /// accepted state's.
@@ -88,7 +89,8 @@ public:
   double arc_fraction() const { return arc_fraction_; }
   /// 2-norm of the last accepted step's displacements, the scale for arc lengths.
   double last_length() const { return last_increment_.norm(); }
-  /// Makes the present state the accepted one. Call after solve_step() has converged.
+  /// Makes the present state the accepted one. Throws Error where the step under way has not converged, or targets or
+  /// penalties have changed since; without a step nothing happens.
   void accept();
   /// Returns to the accepted state, targets included.
   void rollback();
@@ -190,7 +192,7 @@ private:
   int solver_version_ = 0, solver_contacts_ = 0;
   double force_scale_ = 0; ///< largest force norm of the accepted states
   double size_ = 0;        ///< largest coordinate of a control point
-  double extent_ = 0;      ///< largest extent of a body along an axis
+  double extent_ = 0;      ///< largest extent of a body along an axis: what penetrations are measured against
   Timings timings_;
 };
 
