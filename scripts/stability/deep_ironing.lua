@@ -20,10 +20,11 @@
 --           controls take 0.65 times as many iterations and find the same forces to 1e-9.
 -- Run: signorini scripts/stability/deep_ironing.lua [points=p+1,2(p+1),3(p+1)]
 --      [labels=N2,N4,N6,N2-N4,N2-N6,N2-N2.1,N2-N2.2,N2-N2.3] [coarser=1,2,4,8,16] [mesh=m1] [places=N6] [jobs=2]
---      [limit=600] [keep=no] [out=out/stability/deep_ironing]; one map for each of points, the contact points per
---      element, p the degree on the contact face; coarser: steps that many times as long; places: a label, or none: a
---      picture shows where plain Newton fails with it, at the first of points and of coarser; keep=yes takes up the
---      cells that an earlier call left in the folder.
+--      [limit=600] [keep=no] [with=robust] [out=out/stability/deep_ironing]; one map for each of points, the contact
+--      points per element, p the degree on the contact face; coarser: steps that many times as long; places: a label,
+--      or none: a picture shows where plain Newton fails with it, at the first of points and of coarser; keep=yes takes
+--      up the cells that an earlier call left in the folder; with=cutting, rescue or prediction turns on one of the
+--      controls alone.
 
 package.path = require "signorini.core".home .. "/scripts/?.lua;" .. package.path
 local sg = require "signorini"
@@ -74,7 +75,7 @@ local function draw_places(label)
   files[#files + 1] = options.out .. "/places.png"
   local x, y = run.places[1].x[1], run.places[1].x[2]
   sg.picture{ model = model, field = "syy", marks = run.places, file = files[#files],
-              crop = { x - 0.45, x + 0.45, y - 0.3, y + 0.3 },
+              crop = { x - 0.45, x + 0.45, y - 0.25, y + 0.25 }, size = 960,
               title = ("%s, %s contact points: %s in step %d"):format(label, points[1], run.reason, run.steps + 1) }
   return run
 end

@@ -20,8 +20,9 @@
 --           The controls hold all 96: damping carries the body to its first contact. The contact carries the load.
 -- Run: signorini scripts/stability/first_touch.lua [under=plane,slab] [friction=0,0.3] [label=N2]
 --      [gaps=-1e-2,-1e-3,0,1e-3,1e-2,1e-1] [loads=1e-4,1e-3,1e-2,0.05] [steps=5] [jobs=2] [limit=600] [keep=no]
---      [out=out/stability/first_touch]; one map for each of under and friction; keep=yes takes up the cells that an
---      earlier call left in the folder.
+--      [with=robust] [out=out/stability/first_touch]; one map for each of under and friction; keep=yes takes up the
+--      cells that an earlier call left in the folder; with=cutting, rescue or prediction turns on one of the controls
+--      alone.
 
 package.path = require "signorini.core".home .. "/scripts/?.lua;" .. package.path
 local sg = require "signorini"

@@ -20,9 +20,9 @@
 --           every friction; where they are 8 times as long, N2 fails where the die turns (51 % and 54 % of the path at
 --           mu = 0.8 and 0.2). Drag over pressing force is 0.43 at mu = 0.4, forth and back alike.
 -- Run: signorini scripts/stability/friction_steps.lua [labels=N2,N4,N2-N2.2] [friction=0,0.1,0.2,0.4,0.6,0.8]
---      [coarser=1,2,4,8,16] [mesh=m1] [jobs=2] [limit=600] [keep=no] [out=out/stability/friction_steps]; one map for
---      each label; coarser: steps that many times as long; keep=yes takes up the cells that an earlier call left in the
---      folder.
+--      [coarser=1,2,4,8,16] [mesh=m1] [jobs=2] [limit=600] [keep=no] [with=robust] [out=out/stability/friction_steps];
+--      one map for each label; coarser: steps that many times as long; keep=yes takes up the cells that an earlier call
+--      left in the folder; with=cutting, rescue or prediction turns on one of the controls alone.
 
 package.path = require "signorini.core".home .. "/scripts/?.lua;" .. package.path
 local ironing = require "ironing2d.problem"

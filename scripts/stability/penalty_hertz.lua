@@ -24,8 +24,9 @@
 --           penetration falls with the penalty.
 -- Run: signorini scripts/stability/penalty_hertz.lua [labels=N2,N4,N2-N4,N2-N2.1,N2-N2.2]
 --      [penalties=1,10,1e2,1e3,1e4,1e5,1e6] [mesh=m3] [load=displacement] [steps=10] [jobs=2] [limit=600] [keep=no]
---      [out=out/stability/penalty_hertz]; mesh: m1 to m6 as in hertz2d.lua; load: displacement or force; keep=yes takes
---      up the cells that an earlier call left in the folder.
+--      [with=robust] [out=out/stability/penalty_hertz]; mesh: m1 to m6 as in hertz2d.lua; load: displacement or force;
+--      keep=yes takes up the cells that an earlier call left in the folder; with=cutting, rescue or prediction turns on
+--      one of the controls alone.
 
 package.path = require "signorini.core".home .. "/scripts/?.lua;" .. package.path
 local sg = require "signorini"

@@ -7,8 +7,7 @@ local controls = require "stability.controls"
 
 local study = { split = arguments.split }
 
-local titles = { "plain Newton", "with controls" }
-local common = { jobs = "2", limit = "600", keep = "no" }
+local common = { jobs = "2", limit = "600", keep = "no", with = "robust" }
 
 -- ── Arguments ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
@@ -42,12 +41,13 @@ end
 
 study.count = arguments.count
 
---- Reads a script's words key=value, with its own defaults and those that all have: jobs, limit, keep.
+--- Reads a script's words key=value, with its own defaults and those that all have: jobs, limit, keep, with.
 function study.read(words, defaults)
   for key, value in pairs(common) do defaults[key] = value end
   local texts = arguments.read(words, { "standard" }, { standard = defaults })
   local options = { jobs = arguments.count("jobs", texts.jobs), limit = study.positive("limit", texts.limit)[1],
-                    keep = study.choice("keep", texts.keep, { "yes", "no" }) == "yes" }
+                    keep = study.choice("keep", texts.keep, { "yes", "no" }) == "yes",
+                    with = study.choice("with", texts.with, controls.names) }
   return setmetatable(options, { __index = texts })
 end
 
@@ -71,9 +71,9 @@ local function pairs_text(cells)
   return table.concat(texts, "; ")
 end
 
---- Prints both maps and what the controls gained and lost. Returns the comparison, with the iterations of the cells
---- that both hold.
-local function report(plain, robust)
+--- Prints both maps, under their titles, and what the controls gained and lost. Returns the comparison, with the
+--- iterations of the cells that both hold.
+local function report(plain, robust, titles)
   for i, map in ipairs { plain, robust } do print(("\n%s: %s"):format(titles[i], tostring(map))) end
   local result = plain:compare(robust)
   local held, total = plain:held()
@@ -98,6 +98,7 @@ function study.solve(problem, options, files)
     files[#files + 1] = ("%s/%s%s"):format(options.out, problem.key and problem.key .. "_" or "", name)
     return files[#files]
   end
+  local titles = { controls.titles.plain, controls.titles[options.with] }
   local function solve(kind)
     local name = file(kind .. ".csv")
     if not options.keep then os.remove(name) end
@@ -110,8 +111,8 @@ function study.solve(problem, options, files)
       end,
     }
   end
-  local plain, robust = solve "plain", solve "robust"
-  local comparison = report(plain, robust)
+  local plain, robust = solve "plain", solve(options.with)
+  local comparison = report(plain, robust, titles)
   plain:picture{ file = file "outcomes.png", title = problem.name .. ": outcome, and Newton's iterations",
                  beside = robust, titles = titles }
   for _, chart in ipairs(problem.charts or {}) do

@@ -151,6 +151,12 @@ check.case("augmented: no penetration is left; what that does to the pressure de
   check_files(result, 3)
 end)
 
+check.case("one control at a time: cutting does not carry a free body to its first contact, rescues do", function()
+  local words = { "under=plane", "friction=0", "gaps=1e-3", "loads=1e-3" }
+  check.equal(outcomes(study("first_touch", "with=cutting", table.unpack(words)).maps.plane_mu0.robust), { "minimum_step" })
+  check.equal(outcomes(study("first_touch", "with=rescue", table.unpack(words)).maps.plane_mu0.robust), { "completed" })
+end)
+
 check.case("a second call takes up the cells when it is told to", function()
   local words = { "labels=N2", "penalties=1e2", "mesh=m1" }
   local first = study("penalty_hertz", table.unpack(words))
@@ -166,6 +172,7 @@ check.case("wrong arguments", function()
   check.fails(function() study("locking", "mu=0.3") end, "unknown argument 'mu=0.3'", "reference=24")
   check.fails(function() study("first_touch", "gaps=wide") end, "gaps must be numbers")
   check.fails(function() study("deep_ironing", "points=p+1", "labels=N2", "coarser=16", "places=M2") end, "M2")
+  check.fails(function() study("locking", "with=luck") end, "with must be one of robust, cutting")
   check.fails(function() study("peeling", "keep=maybe") end, "keep must be one of yes, no")
 end)
 
