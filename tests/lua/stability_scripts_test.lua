@@ -91,7 +91,7 @@ check.case("peeling: rotation control meets a turning point on the coarse mesh, 
   check_files(result, 6)
 end)
 
-check.case("ironing forth and back: drag changes its sign; long steps fail where it turns", function()
+check.case("ironing forth and back: drag changes its sign; long steps fail near where it turns", function()
   local result = study("friction_steps", "labels=N2", "coarser=4,8", "friction=0,0.8")
   local plain = result.maps.N2.plain
   check.equal({ plain:held() }, { 3, 4 })
