@@ -42,6 +42,17 @@ local function read_penalty(value)
            steps = arguments.count(where, "penalty.steps", value.steps) }
 end
 
+--- A solver's arguments with some of them changed, and whether that makes a difference.
+function controls.changed(solver, change)
+  local changed, differs = {}, false
+  for key, value in pairs(solver) do changed[key] = value end
+  for key, value in pairs(change) do
+    differs = differs or changed[key] ~= value
+    changed[key] = value
+  end
+  return changed, differs
+end
+
 --- The keys of model:run's options that are read here.
 controls.keys = { "newton", "linear", "predictor", "augmented", "damping", "penalty", "rescue" }
 
@@ -67,12 +78,7 @@ function controls.read(model, options)
   if arguments.flag(where, "rescue", options.rescue, false) then
     local loose = #model:loose_bodies() > 0
     for _, rescue in ipairs(rescues) do
-      local changed, differs = {}, false
-      for key, value in pairs(solver) do changed[key] = value end
-      for key, value in pairs(rescue.change) do
-        differs = differs or changed[key] ~= value
-        changed[key] = value
-      end
+      local changed, differs = controls.changed(solver, rescue.change)
       if differs and (loose or not rescue.loose) then
         tries[rescue.name] = { name = rescue.name, solver = changed, early = rescue.early }
         tries[#tries + 1] = tries[rescue.name]

@@ -82,13 +82,14 @@ local function read_options(model, options)
   options = options or {}
   local threads = options.threads ~= nil and arguments.count(where, "threads", options.threads, nil, core.most_threads)
   local policy = read_policy(options.step)
-  if arguments.flag(where, "arc_length", options.arc_length, false) then policy = arc_length.policy(policy) end
+  local arcs = arguments.flag(where, "arc_length", options.arc_length, false)
+  if arcs then policy = arc_length.policy(policy) end
   local solver, tries, penalty = controls.read(model, options)
-  if options.arc_length and solver.augmented then
+  if arcs and solver.augmented then
     core.fail(where .. ": augmented and arc_length cannot be used together: take one of the two out")
   end
   local read = {
-    solver = solver, tries = tries, penalty = penalty, policy = policy,
+    solver = solver, tries = tries, penalty = penalty, policy = policy, arcs = arcs,
     on_step = arguments.callback(where, "on_step", options.on_step),
     on_iteration = arguments.callback(where, "on_iteration", options.on_iteration),
     keeper = checkpoint(options),
@@ -177,16 +178,17 @@ end
 
 --- Solves for the targets at the part `to` of the step, where that fails with the controls that may carry it through
 --- (`shorter`: a shorter attempt can follow); then accepts or rolls back. Returns the solver's result: that of the first
---- try where all fail. Where a predictor has failed, the next attempts do without it.
+--- try where all fail. Where a predictor has failed, the next attempts do without it. Where arcs follow the path nothing
+--- is tried that may lead off it.
 function Step:attempt(to, shorter)
-  local run, tries = self.run, self.options.tries
+  local run, tries, last = self.run, self.options.tries, not shorter and not self.options.arcs
   local plain = run.wary > 0 and tries.tangent
   local first = self:try(plain and plain.solver or self.solver, to)
   run.wary = math.max(0, run.wary - 1)
   local result = first
   for _, rescue in ipairs(tries) do
     if result.converged or steps.is_wanted(result) then break end
-    local now = rescue.early == true or rescue.early == result.reason or not shorter
+    local now = rescue.early == true or rescue.early == result.reason or last
     if now and rescue ~= plain then result = self:try(rescue.solver, to, rescue.name) end
   end
   if first ~= result and not plain then run.wary = wariness end
@@ -224,8 +226,8 @@ function Step:solve_arc(length, iterations, diagnoses)
   return result, self.done + result.fraction, kept
 end
 
---- Whether there are controls to try where an attempt has failed.
-function Step:has_rescues() return #self.options.tries > 0 end
+--- Whether there are controls to try on all that is left of a step.
+function Step:has_rescues() return #self.options.tries > 0 and not self.options.arcs end
 
 --- An arc that is accepted unless it leads beyond the step's end.
 function Step:attempt_arc(length, iterations)
@@ -241,11 +243,16 @@ function Step:attempt_arc(length, iterations)
   return result, to
 end
 
---- Solves for the targets at a part of the step, without a trace in the run.
+--- Solves for the targets at a part of the step, with a line search where it has to be, without a trace in the run.
 function Step:probe(to)
-  self:set_targets(to)
-  local result = self.model:solve_step(self.solver)
-  if result.converged then self.model:accept() else self.model:rollback() end
+  local searching, differs = controls.changed(self.solver, { line_search = "residual" })
+  local result
+  for _, solver in ipairs { self.solver, differs and searching or nil } do
+    self:set_targets(to)
+    result = self.model:solve_step(solver)
+    if result.converged then self.model:accept() else self.model:rollback() end
+    if result.converged or steps.is_wanted(result) then break end
+  end
   return result
 end
 

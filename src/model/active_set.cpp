@@ -29,7 +29,12 @@ template <int D> void ActiveSet<D>::begin(Pairs& pairs, const ActiveSetOptions& 
   options_ = options;
   entries_.clear();
   first_.assign(1, 0);
-  for (const auto& pair : pairs) first_.push_back(first_.back() + static_cast<int>(pair.results().size()));
+  frictional_.clear();
+  for (const auto& pair : pairs) {
+    first_.push_back(first_.back() + static_cast<int>(pair.results().size()));
+    const auto* penalty = std::get_if<contact::PenaltyLaw>(&pair.law());
+    frictional_.push_back(penalty && penalty->friction > 0);
+  }
   counts_.assign(static_cast<std::size_t>(first_.back()), 0);
   rounds_ = 0;
   frozen_ = options.freeze > 0;
@@ -132,9 +137,11 @@ template <int D> std::string ActiveSet<D>::last_states(const PointIndex& index) 
   const auto i = static_cast<std::size_t>(first_[static_cast<std::size_t>(index.contact)] + index.point);
   std::string names;
   for (std::size_t k = entries_.size() - std::min<std::size_t>(entries_.size(), 2); k < entries_.size(); ++k) {
-    const unsigned char state = entries_[k].states[i];
+    const unsigned char code = entries_[k].states[i];
+    const auto state = static_cast<contact::ContactState>(code);
+    const bool sticks = state == contact::ContactState::stick && frictional_[static_cast<std::size_t>(index.contact)];
     names += names.empty() ? "" : " / ";
-    names += state == beyond ? "beyond" : name_of(static_cast<contact::ContactState>(state));
+    names += code == beyond ? "beyond" : state == contact::ContactState::stick && !sticks ? "touching" : name_of(state);
   }
   return names;
 }

@@ -34,7 +34,8 @@ public:
   int period() const;
   /// Points whose state changed at least twice in the last evaluations, those that changed most first.
   std::vector<PointIndex> restless() const;
-  /// The states that a point had in the last evaluation and in the one before: "stick / slip", "beyond / open".
+  /// The states that a point had in the last evaluation and in the one before: "stick / slip", "beyond / open",
+  /// without friction "open / touching".
   std::string last_states(const PointIndex& index) const;
   /// Those among them whose closest point was an open end of the master in between.
   std::vector<PointIndex> strays() const;
@@ -51,8 +52,9 @@ private:
 
   ActiveSetOptions options_;
   std::deque<Entry> entries_;
-  std::vector<int> counts_; ///< changes of each point in this step
-  std::vector<int> first_;  ///< index of each contact's first point
+  std::vector<int> counts_;      ///< changes of each point in this step
+  std::vector<int> first_;       ///< index of each contact's first point
+  std::vector<bool> frictional_; ///< of each contact
   bool frozen_ = false;
   int rounds_ = 0;
 };

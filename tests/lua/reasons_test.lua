@@ -158,7 +158,7 @@ end)
 
 check.case("lost_projection: a bar slides off the end of a ramp", function()
   local run = bar_on_ramp():run{ { name = "lower", steps = 4, top = -0.25 } }
-  local place = expect(run, "lost_projection", 1, "of contact 'edge'", "stick / beyond",
+  local place = expect(run, "lost_projection", 1, "of contact 'edge'", "touching / beyond",
     "What may help: extend the master face beyond where the slave face reaches")
   check.equal({ place.kind, place.contact, place.element }, { "contact point", "edge", 1 })
   check.near(place.X[2], 0.1, 1e-12)

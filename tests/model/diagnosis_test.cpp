@@ -279,7 +279,7 @@ TEST(Diagnosis, PointsThatLeaveTheMasterAreNamed) {
   for (const TroubleSpot& spot : diagnosis.places) {
     EXPECT_EQ(spot.kind, "contact point");
     EXPECT_EQ(spot.where, "edge");
-    EXPECT_TRUE(spot.text == "stick / beyond" || spot.text == "beyond / stick") << spot.text;
+    EXPECT_TRUE(spot.text == "touching / beyond" || spot.text == "beyond / touching") << spot.text;
     EXPECT_NEAR(spot.reference(1), 0.1, 1e-12);
   }
   EXPECT_TRUE(holds(diagnosis.cure, "extend the master face"));
