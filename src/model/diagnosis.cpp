@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/words.hpp"
+#include "model/rigid_motions.hpp"
 #include "model/weak_directions.hpp"
 
 #include <algorithm>
@@ -133,20 +134,10 @@ template <int D> std::string rigid_part(const Model<D>& model, const VectorX& di
     if (own.norm() < 0.5 * all.norm()) continue;
     if ((own.colwise() - mean).norm() <= whole * own.norm())
       return text("body '", named.name, "' moves as a whole along ", coordinates(mean / mean.norm()));
-    // u = c + W x with a skew W, in the sense of least squares
-    const MatrixX points = named.body->space().points();
-    const VectorX middle = points.rowwise().mean();
-    constexpr int rotations = D == 2 ? 1 : 3;
-    MatrixX columns = MatrixX::Zero(D * functions, D + rotations);
-    for (int a = 0; a < functions; ++a) {
-      for (int c = 0; c < D; ++c) columns(D * a + c, c) = 1;
-      const VectorX arm = points.col(a) - middle;
-      for (int r = 0; r < rotations; ++r) {
-        const int i = D == 2 ? 0 : (r + 1) % 3, j = D == 2 ? 1 : (r + 2) % 3;
-        columns(D * a + i, D + r) = -arm(j);
-        columns(D * a + j, D + r) = arm(i);
-      }
-    }
+    // u = Σ_m a_m m over the rigid motions m, in the sense of least squares
+    const std::vector<VectorX> motions = rigid_motions<D>(named.body->space().points(), model.scene().kind);
+    MatrixX columns(D * functions, static_cast<Eigen::Index>(motions.size()));
+    for (std::size_t m = 0; m < motions.size(); ++m) columns.col(static_cast<Eigen::Index>(m)) = motions[m];
     const VectorX flat = Eigen::Map<const VectorX>(own.data(), D * functions);
     const VectorX fit = columns.colPivHouseholderQr().solve(flat);
     if ((columns * fit - flat).norm() <= whole * flat.norm()) return text("body '", named.name, "' turns as a whole");
