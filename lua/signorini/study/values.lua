@@ -1,0 +1,68 @@
+-- What the rows of a study hold, and how it is picked from them: shared by all that reads studies.
+--
+-- A study has name, parameters (names in order), figures (names in order), units (by name) and rows; a row holds the
+-- values of parameters and figures by name, wall (s), and of a case that failed: failed = true and reason. Parameters and
+-- figures are plain data; tables among them show by their field `name`.
+
+local core = require "signorini.core"
+local arguments = require "signorini.arguments"
+
+local values = {}
+
+--- Whether two values of plain data are equal, tables entry by entry.
+function values.same(a, b)
+  if type(a) ~= "table" or type(b) ~= "table" then return a == b end
+  for key, value in pairs(a) do
+    if not values.same(value, b[key]) then return false end
+  end
+  for key in pairs(b) do
+    if a[key] == nil then return false end
+  end
+  return true
+end
+
+--- A value as people read it: {6, 2} is "6×2", { name = "m1", … } is "m1".
+function values.text(value)
+  if type(value) == "table" then
+    if value.name then return values.text(value.name) end
+    local texts = {}
+    for i, entry in ipairs(value) do texts[i] = values.text(entry) end
+    if #texts > 0 then return table.concat(texts, "×") end
+    for key, entry in pairs(value) do texts[#texts + 1] = ("%s=%s"):format(key, values.text(entry)) end
+    table.sort(texts)
+    return table.concat(texts, " ")
+  end
+  return math.type(value) == "float" and ("%.6g"):format(value) or tostring(value)
+end
+
+--- All columns of a study by name: parameters, figures, then the accounts that every case has.
+function values.columns(study)
+  local names, seen = {}, {}
+  for _, list in ipairs { study.parameters, study.figures, { "wall", "failed", "reason" } } do
+    for _, name in ipairs(list) do
+      if not seen[name] then seen[name], names[#names + 1] = true, name end
+    end
+  end
+  return names
+end
+
+--- A column's name, checked, or a function of a row: what `values.of` takes. nil without a default is an error.
+function values.pick(where, key, study, pick, default)
+  if pick == nil then pick = default end
+  if type(pick) == "function" then return pick end
+  return arguments.choice(where, key, pick, values.columns(study))
+end
+
+--- The number that a column or a function picks from a row; nil where there is none. Texts and what is not finite are
+--- errors.
+function values.number(where, key, pick, row)
+  local value = row[pick]
+  if type(pick) == "function" then value = pick(row) end
+  if value == nil then return nil end
+  if type(value) ~= "number" or value ~= value or math.abs(value) == math.huge then
+    core.fail(("%s: %s must pick finite numbers, got %s"):format(where, key, core.describe(value)))
+  end
+  return value
+end
+
+return values
