@@ -9,6 +9,9 @@ sg.csv = require "signorini.csv"
 sg.table = require "signorini.table"
 sg.reference = require "signorini.reference"
 sg.mkdir = core.mkdir
+sg.grid = require "signorini.study.grid"
+local study = require "signorini.study"
+sg.study = study.new
 sg.stability_map = require "signorini.stability_map"
 local profile = require "signorini.profile"
 sg.profile_error, sg.profile_edges = profile.error, profile.edges
@@ -61,6 +64,69 @@ Where the contact of a profile begins and ends: { from, to, from_spacing, to_spa
 linear between the last point that touches and the first one that does not, is zero; the spacing is the distance of
 these two points, within which the profile knows no more. Without spacing the contact reaches the profile's end.
 Example: half_width = sg.profile_edges{ profile = model:profile "ground" }.to]])
+document("sg.grid", sg.grid, [[
+sg.grid{ order = {"N2", "N4"}, mesh = {"m1", "m2"} }
+All combinations of the parameters' values, as a list of cases for sg.study. Values are numbers, strings, true, false or
+plain tables; a table shows by its field `name`, or as 6×2. The parameters stand in the order of their names, the last
+one changes fastest; several tables, sg.grid({ order = … }, { mesh = … }), put them in this order instead.]])
+document("sg.study", sg.study, [[
+sg.study{ name, cases = sg.grid{ … }, run = function(case) … return { dPx = …, wall = run.wall } end, folder, units,
+          alone = false, inputs }
+A function that is solved for many cases, side by side, and whose results are kept. study:execute{ jobs = 2 } does it.
+cases:  a list of tables of parameters, or of such lists: grids may stand side by side.
+run:    returns figures by name: numbers, texts, true or false, and lists of these, which tables leave out. A case that
+        did not come out returns failed = true and a reason: that is a result, too. A figure that is nan or infinite
+        makes the case an error. Each case is a process of its own: what it changes is lost with it.
+folder: where each finished case is written at once as a JSON file: out/<name> by default.
+units:  of figures and parameters by name, for heads of tables and labels of axes.
+alone:  true, or a function of a case: such cases run last and one by one, with nothing beside them, to be timed.
+inputs: plain data. A case counts as done as long as its parameters, the text of run and all that run refers to
+        (functions, numbers, tables; not the program itself) stay as they are; with inputs only these count.
+Beside its figures each row has wall, the seconds that run took, unless it returned a figure of that name.
+study.rows: a list of tables; #study; print(study); see help "study:where", "study:table", "study:chart".
+Example: study = sg.study{ name = "steps", cases = sg.grid{ steps = {5, 10} },
+           run = function(case) local run = press(case.steps); return { force = run:column "grip.fy"[run.steps] } end }]])
+local methods = study.methods
+document("study:execute", methods.execute, [[
+study:execute{ jobs, limit, again }
+Runs the cases that are missing in the study's folder, or whose inputs have changed, and returns the study. Each finished
+case is on the disk at once; when the program is stopped or killed, the next call goes on with what is missing. A case
+that fails is a result and stays; one that ended in an error or whose process died runs again at the next call.
+jobs:  cases side by side; by default what --jobs says, else as many as there are processors. Each has one thread.
+limit: seconds by the clock on the wall after which a case is given up; none by default.
+again: true for all cases, "failed", or a function of a row: which cases run anew in any case.
+Two processes cannot execute the same study at a time. study:read() takes what there is without running anything.]])
+document("study:read", methods.read, [[
+study:read()
+Reads what the study's folder holds of its cases, without running any, and returns the study. It may be called while
+another process executes it; changed inputs are not looked for.]])
+document("study:where", methods.where, [[
+study:where{ order = "N2", mesh = {"m1", "m2"}, failed = false } or study:where(function(row) return row.wall < 1 end)
+The part of a study with these values, as a study that has results only: for a list any of its values.]])
+document("study:by", methods.by, [[
+study:by "order"
+Goes over the parts of a study that share a value: for order, part in study:by "order" do print(order, #part) end]])
+document("study:with", methods["with"], [[
+study:with(name, function(row) … return value end, unit)
+The study with one figure more, made from each row; nil where it is not known.
+Example: study:with("error", function(row) return math.abs(row.peak / 0.0286 - 1) end)]])
+document("study:median", methods.median, [[
+study:median "round"
+The study without this parameter: of rows that differ in nothing else one is left, with the medians of their numbers.
+For figures that come out differently each time, above all times: cases = sg.grid{ …, round = {1, 2, 3} }.]])
+document("study:row", methods.row, [[
+study:row{ order = "N2", mesh = "m1" }
+The one row with these values, a table of parameters and figures by name. None or several are an error.]])
+document("study:column", methods.column, [[
+study:column "dPx"
+A parameter or figure as a list over the rows, nan where it is missing.]])
+document("study:table", methods.table, [[
+study:table{ columns, sort, formats }
+The text of an aligned table, with units: all parameters and figures, or the columns named; sort is a column or a list of
+columns, in rising order; formats are patterns of string.format by column name.]])
+document("study:csv", methods.csv, [[
+study:csv(file, { columns, sort })
+Writes the table to a CSV file, units in comments.]])
 document("sg.stability_map", sg.stability_map, [[
 sg.stability_map{ name, x = { name = , values = {…} }, y = { name = , values = {…} }, scene = function(x, y) …,
                   path = function(model, x, y) …, figures = function(model, run, x, y) …, jobs, limit, file }
@@ -68,7 +134,7 @@ Where over two parameters the solve holds, and where and why it fails. For each 
 process of its own calls scene, which returns a model, and path, which returns stages and options as model:run takes
 them. What the functions change is lost with the process. Returns a map.
 figures: numbers by name, of cells that reach the end of their path; those that are not finite are left out.
-jobs:    cells that are solved side by side; by default as many as there are processors.
+jobs:    cells that are solved side by side; by default what --jobs says, else as many as there are processors.
 limit:   seconds by the clock on the wall after which a cell is given up; none by default.
 file:    a CSV file that keeps every finished cell at once; a later call with the same names takes up what it holds, but
          solves errors again. Remove it when the problem changes.

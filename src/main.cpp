@@ -16,7 +16,7 @@ namespace {
 enum Status { success = 0, failure = 1, wrong_usage = 2, stopped_by_user = 130 };
 
 bool run(const repl::CommandLine& line, const std::string& program) {
-  repl::Interpreter interpreter({line.quiet, line.threads});
+  repl::Interpreter interpreter({line.quiet, line.threads, line.jobs});
   repl::catch_interrupts(interpreter.state());
   interpreter.set_arguments(program, line.script, line.arguments);
   // A script in a file says what it needs; whatever is typed finds the language already there.

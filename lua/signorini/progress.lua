@@ -26,18 +26,27 @@ function Progress:clear()
   self.visible = false
 end
 
---- One more step is done.
-function Progress:step(stage)
-  self.done = self.done + 1
+--- Draws the bar anew, unless that was done just now: name, part that is done (0 to 1), and what else to tell.
+function Progress:draw(name, part, text)
   if core.quiet or not self.terminal then return end
   local now = core.now()
   if now - self.drawn < redraw_after then return end
   self.drawn, self.visible = now, true
-  local part = self.done / self.total
   local filled = math.floor(bar_width * part)
-  io.stderr:write(("\r\27[K%s [%s%s] %d/%d, %s to go"):format(stage, ("#"):rep(filled), ("."):rep(bar_width - filled),
-    self.done, self.total, seconds_text((now - self.began) * (1 / part - 1))))
+  io.stderr:write(("\r\27[K%s [%s%s] %s"):format(name, ("#"):rep(filled), ("."):rep(bar_width - filled), text))
   io.stderr:flush()
+end
+
+--- What remains of the time when this part (0 to 1) of the work is done, in words.
+function Progress:to_go(part)
+  return part > 0 and seconds_text((core.now() - self.began) * (1 / part - 1)) .. " to go" or "time left not known yet"
+end
+
+--- One more step is done.
+function Progress:step(stage)
+  self.done = self.done + 1
+  local part = self.done / self.total
+  self:draw(stage, part, ("%d/%d, %s"):format(self.done, self.total, self:to_go(part)))
 end
 
 --- A line that stays, in place of the bar.

@@ -48,7 +48,7 @@ local function read_map(options)
     x = read_axis("x", options.x), y = read_axis("y", options.y),
     scene = read_function("scene", options.scene), path = read_function("path", options.path),
     figures = arguments.callback(where, "figures", options.figures),
-    jobs = arguments.count(where, "jobs", options.jobs, core.processors),
+    jobs = arguments.count(where, "jobs", options.jobs, core.at_once),
     limit = options.limit and arguments.positive(where, "limit", options.limit),
     file = options.file and arguments.string(where, "file", options.file),
     cells = {}, by_x = {}, elsewhere = {},

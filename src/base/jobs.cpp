@@ -137,7 +137,7 @@ std::vector<pollfd> look_at(const std::list<Child>& children) {
 } // namespace
 
 bool run_jobs(int count, const JobLimits& limits, const std::function<std::string(int)>& job,
-              const std::function<void(const JobEnd&)>& done) {
+              const std::function<void(const JobEnd&)>& done, const std::function<void(int)>& look) {
   require(limits.at_once >= 1, "at least one process must run at once, got ", limits.at_once);
   require(limits.seconds > 0, "the limit must be a positive number of seconds, got ", limits.seconds);
   std::list<Child> children;
@@ -146,6 +146,7 @@ bool run_jobs(int count, const JobLimits& limits, const std::function<std::strin
       children.emplace_back(next++, job);
     const std::vector<pollfd> pipes = look_at(children);
     if (interrupted()) return false;
+    if (look) look(static_cast<int>(children.size()));
     auto child = children.begin();
     for (const pollfd& pipe : pipes) {
       const bool ended = pipe.revents && !child->read_some();

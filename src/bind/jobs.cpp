@@ -39,7 +39,9 @@ int jobs(lua_State* L) {
   require_function(L, 3, "run", "what a job does");
   require_function(L, 4, "done", "what takes the results");
   if (!lua_isnoneornil(L, 5)) limits.seconds = read_positive(L, 5, {"limit", "seconds"});
-  lua_settop(L, 4);
+  const bool looks = !lua_isnoneornil(L, 6);
+  if (looks) require_function(L, 6, "look", "what shows how things stand");
+  lua_settop(L, 6);
   const bool whole = run_jobs(
       count, limits, [L](int job) { return call_job(L, 3, job); },
       [L](const JobEnd& end) {
@@ -49,6 +51,12 @@ int jobs(lua_State* L) {
         well ? push(L, end.output) : lua_pushnil(L);
         well ? lua_pushnil(L) : push(L, end.failure);
         lua_call(L, 3, 0);
+      },
+      [L, looks](int running) {
+        if (!looks) return;
+        lua_pushvalue(L, 6);
+        push(L, running);
+        lua_call(L, 1, 0);
       });
   push(L, whole);
   return 1;
@@ -56,14 +64,15 @@ int jobs(lua_State* L) {
 
 constexpr Function rows[] = {
     {"jobs", wrap<jobs>,
-     "core.jobs(count, at_once, run, done, limit)\n"
-     "Calls run(i) for i = 1 … count, each in a child process of its own, at most at_once of them side by side, and "
-     "here\n"
-     "done(i, text, failure) as each ends, in the order of their ends. run must return a string, which is the text; "
-     "else\n"
-     "the text is nil and failure is \"time\" (it took longer than limit, in seconds), \"died of signal 11\",\n"
+     "core.jobs(count, at_once, run, done, limit, look)\n"
+     "Calls run(i) for i = 1 … count, each in a child process of its own, at most at_once of them side by side, and\n"
+     "here done(i, text, failure) as each ends, in the order of their ends. run must return a string, which is the "
+     "text;\n"
+     "else the text is nil and failure is \"time\" (it took longer than limit, in seconds), \"died of signal 11\",\n"
      "\"failed: <message and traceback>\" or \"left with status 3 …\". A child has one thread, shows no progress, and\n"
-     "what it changes is lost with it. Returns false when Ctrl-C ended it, with what had been done until then."},
+     "what it changes is lost with it. look(running) is called about ten times a second. Returns false when Ctrl-C "
+     "ended\n"
+     "it, with what had been done until then."},
 };
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "bind/library.hpp"
 
+#include "base/machine.hpp"
 #include "bind/functions.hpp"
 #include "bind/open.hpp"
 #include "bind/threads.hpp"
@@ -58,6 +59,8 @@ void open_library(lua_State* L, const Settings& settings) {
 
   open_core(L);
   open_jobs(L);
+  open_files(L);
+  open_json(L);
   open_patch(L);
   open_curves(L);
   open_shapes(L);
@@ -79,7 +82,12 @@ void open_library(lua_State* L, const Settings& settings) {
   set_field(L, "threads", settings.threads);
   set_field(L, "most_threads", most_threads);
   set_field(L, "linear_solvers", solve::linear_names());
-  set_field(L, "processors", static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
+  const int processors = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  set_field(L, "processors", processors);
+  set_field(L, "at_once", settings.jobs > 0 ? settings.jobs : processors);
+  set_field(L, "host", host_name());
+  set_field(L, "processor", processor_name());
+  set_field(L, "version", SIGNORINI_VERSION);
   // In the source tree the shared data stand in share/, in an installed tree beside lua/.
   set_field(L, "share", (fs::exists(home / "share") ? home / "share" : home).string());
   set_field(L, "home", home.string());

@@ -10,6 +10,7 @@ namespace signorini::bind {
 struct Settings {
   bool quiet = false; ///< no progress, no banner
   int threads = 1;    ///< for BLAS and loops
+  int jobs = 0;       ///< processes side by side where a study does not say; 0: as many as there are processors
 };
 
 /// The folder that holds lua/: $SIGNORINI_HOME, else ../share/signorini or .. seen from the executable.

@@ -9,18 +9,21 @@ namespace signorini::repl {
 
 namespace {
 
-int parse_threads(const std::string& word) {
-  int threads = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), threads);
-  if (error != std::errc() || end != word.data() + word.size() || threads < 1 || threads > bind::most_threads)
-    throw UsageError(text("--threads takes a whole number from 1 to ", bind::most_threads, ", got '", word, "'"));
-  return threads;
+constexpr int most_jobs = 1 << 16;
+
+/// The number behind an option such as --threads.
+int parse_count(const char* option, const std::string& word, int most) {
+  int count = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), count);
+  if (error != std::errc() || end != word.data() + word.size() || count < 1 || count > most)
+    throw UsageError(text(option, " takes a whole number from 1 to ", most, ", got '", word, "'"));
+  return count;
 }
 
 } // namespace
 
 CommandLine parse(const std::vector<std::string>& words) {
-  const std::vector<std::string> known = {"-e", "-i", "-q", "--threads", "--version", "--help", "--doctor"};
+  const std::vector<std::string> known = {"-e", "-i", "-q", "--threads", "--jobs", "--version", "--help", "--doctor"};
   CommandLine line;
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::string& word = words[i];
@@ -28,16 +31,23 @@ CommandLine parse(const std::vector<std::string>& words) {
       if (i + 1 == words.size()) throw UsageError(text(word, " needs ", what, " behind it"));
       return words[++i];
     };
-    if (word == "-e")
+    // What stands behind the script is the script's own, but for this one: every study can be told so.
+    if (word == "--jobs")
+      line.jobs = parse_count("--jobs", value("a number"), most_jobs);
+    else if (word.starts_with("--jobs="))
+      line.jobs = parse_count("--jobs", word.substr(7), most_jobs);
+    else if (!line.script.empty())
+      line.arguments.push_back(word);
+    else if (word == "-e")
       line.code.push_back(value("code, such as -e 'print(sg)'"));
     else if (word == "-i")
       line.interactive = true;
     else if (word == "-q")
       line.quiet = true;
     else if (word == "--threads")
-      line.threads = parse_threads(value("a number"));
+      line.threads = parse_count("--threads", value("a number"), bind::most_threads);
     else if (word.starts_with("--threads="))
-      line.threads = parse_threads(word.substr(10));
+      line.threads = parse_count("--threads", word.substr(10), bind::most_threads);
     else if (word == "--version")
       line.wish = CommandLine::Wish::version;
     else if (word == "--help" || word == "-h")
@@ -47,11 +57,8 @@ CommandLine parse(const std::vector<std::string>& words) {
     else if (word.starts_with("-") && word != "-")
       throw UsageError(text("unknown option '", word, "'", bind::did_you_mean(word, known),
                             "; options stand before the script, --help lists them"));
-    else {
+    else
       line.script = word;
-      line.arguments.assign(words.begin() + static_cast<std::ptrdiff_t>(i) + 1, words.end());
-      break;
-    }
   }
   return line;
 }
@@ -67,6 +74,7 @@ const char* usage() {
          "  -i              go to the prompt afterwards\n"
          "  -q              no progress, no greeting\n"
          "  --threads N     threads of assembly and linear algebra (1)\n"
+         "  --jobs N        cases of a study side by side, also behind the script (as many as there are processors)\n"
          "  --version       version\n"
          "  --help          this text\n"
          "  --doctor        versions of all libraries, and a test picture\n"

@@ -23,6 +23,7 @@ struct CommandLine {
   bool interactive = false;           ///< -i
   bool quiet = false;                 ///< -q
   int threads = 1;
+  int jobs = 0; ///< of studies, side by side; 0 when --jobs is not there
 
   /// Whether there is nothing to run but the prompt.
   bool prompt_only() const { return code.empty() && script.empty(); }

@@ -21,18 +21,26 @@ function values.same(a, b)
   return true
 end
 
---- A value as people read it: {6, 2} is "6×2", { name = "m1", … } is "m1".
-function values.text(value)
+--- A number with the fewest digits that tell it from all others.
+local function exact(value)
+  local short = ("%.14g"):format(value)
+  return tonumber(short) == value and short or ("%.17g"):format(value)
+end
+
+--- A value as people read it: {6, 2} is "6×2", { name = "m1", … } is "m1". exactly: numbers with all digits that count.
+function values.text(value, exactly)
   if type(value) == "table" then
-    if value.name then return values.text(value.name) end
+    if value.name then return values.text(value.name, exactly) end
     local texts = {}
-    for i, entry in ipairs(value) do texts[i] = values.text(entry) end
+    for i, entry in ipairs(value) do texts[i] = values.text(entry, exactly) end
     if #texts > 0 then return table.concat(texts, "×") end
-    for key, entry in pairs(value) do texts[#texts + 1] = ("%s=%s"):format(key, values.text(entry)) end
+    for key, entry in pairs(value) do texts[#texts + 1] = ("%s=%s"):format(key, values.text(entry, exactly)) end
     table.sort(texts)
     return table.concat(texts, " ")
   end
-  return math.type(value) == "float" and ("%.6g"):format(value) or tostring(value)
+  if type(value) ~= "number" then return tostring(value) end
+  if math.type(value) == "integer" then return ("%d"):format(value) end
+  return exactly and exact(value) or ("%.6g"):format(value)
 end
 
 --- All columns of a study by name: parameters, figures, then the accounts that every case has.

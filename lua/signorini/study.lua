@@ -1,0 +1,90 @@
+-- sg.study: a function solved for many cases, its results kept in a folder, and verbs that read them.
+
+local core = require "signorini.core"
+local arguments = require "signorini.arguments"
+local execute = require "signorini.study.execute"
+local read_cases = require("signorini.study.cases").read
+local store = require "signorini.study.store"
+local verbs = require "signorini.study.verbs"
+
+local where = "sg.study"
+
+local Study = { execute = execute }
+Study.__index = Study
+Study.__name = "study"
+for name, verb in pairs(verbs) do Study[name] = verb end
+
+-- ── From records to rows ─────────────────────────────────────────────────────────────────────────────────────────────
+
+--- The row of a case: its parameters and figures by name, wall (s; the figure of that name where run returned one), and
+--- failed, reason of a case that failed.
+function Study:row_of(entry, record)
+  local row = { wall = record.wall }
+  for _, source in ipairs { entry.case, record.figures } do
+    for name, value in pairs(source) do row[name] = value end
+  end
+  if record.outcome ~= "done" then row.failed, row.reason = true, record.reason or record.outcome end
+  return row
+end
+
+--- The names of all figures, sorted; lists are none that a table could show, yet rows hold them.
+local function figure_names(study)
+  local names, seen = {}, {}
+  for _, record in pairs(study.records) do
+    for name, value in pairs(record.figures) do
+      if type(value) ~= "table" and not seen[name] then seen[name], names[#names + 1] = true, name end
+    end
+  end
+  table.sort(names)
+  return names
+end
+
+--- Makes the rows anew from the records of the cases that are known.
+function Study:gather()
+  self.rows, self.figures = {}, figure_names(self)
+  for i, entry in ipairs(self.cases) do
+    if self.records[i] then self.rows[#self.rows + 1] = self:row_of(entry, self.records[i]) end
+  end
+end
+
+--- Reads what the folder holds of these cases, without running any; also while another process executes the study.
+function Study:read()
+  if not self.cases then core.fail "study:read: this is a part of a study: read the study that it was taken from" end
+  store.check("study:read", self)
+  self.records = {}
+  for i, entry in ipairs(self.cases) do self.records[i] = (store.read(self, entry)) end
+  self:gather()
+  return self
+end
+
+-- ── The study ────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+local function read_units(units)
+  if units == nil then return {} end
+  if type(units) ~= "table" then arguments.reject(where, "units", "a table such as { dPx = \"N/mm\" }", units) end
+  local copy = {}
+  for name, unit in pairs(units) do
+    copy[name] = arguments.string(where, ("units.%s"):format(tostring(name)), unit)
+  end
+  return copy
+end
+
+--- See help "sg.study".
+local function new(options)
+  if type(options) ~= "table" then arguments.reject(where, "its argument", "a table of named arguments", options) end
+  arguments.table(where, "its argument", options, { "name", "cases", "run", "folder", "units", "alone", "inputs" })
+  local name = arguments.string(where, "name", options.name)
+  if options.run == nil then arguments.reject(where, "run", "a function that takes a case and returns figures", nil) end
+  local alone = options.alone
+  if type(alone) ~= "function" then alone = arguments.flag(where, "alone", alone, false) end
+  local study = {
+    name = name, run = arguments.callback(where, "run", options.run), alone = alone, inputs = options.inputs,
+    folder = arguments.string(where, "folder", options.folder, "out/" .. name:gsub("[^%w.=+()-]+", "_")),
+    units = read_units(options.units), records = {}, unsaved = {}, rows = {}, figures = {},
+  }
+  study.units.wall = study.units.wall or "s"
+  study.cases, study.parameters = read_cases(options.cases)
+  return setmetatable(study, Study)
+end
+
+return { new = new, methods = Study }

@@ -1,0 +1,55 @@
+-- One case of a study, solved in a process of its own: what its function returns becomes figures, checked.
+
+local core = require "signorini.core"
+
+--- An error that says which figure of which case is wrong.
+local function reject(entry, what, cure)
+  core.fail(("sg.study: case %s: %s%s"):format(entry.text, what, cure and ": " .. cure or ""))
+end
+
+--- `path`: what messages call the figure.
+local function check_figure(entry, path, value)
+  local kind = type(value)
+  if kind == "table" then
+    for key, part in next, value do check_figure(entry, ("%s[%s]"):format(path, tostring(key)), part) end
+  elseif kind == "number" and (value ~= value or math.abs(value) == math.huge) then
+    reject(entry, ("the figure %s is %s"):format(path, core.describe(value)),
+      "return nil for what is not known, or failed = true with a reason")
+  elseif kind ~= "number" and kind ~= "string" and kind ~= "boolean" then
+    reject(entry, ("the figure %s is %s"):format(path, core.describe(value)), "figures are numbers, texts, or lists of these")
+  end
+end
+
+local function read_figures(entry, figures)
+  if type(figures) ~= "table" then
+    reject(entry, ("run returned %s"):format(figures == nil and "nothing" or core.describe(figures)),
+      "return a table of figures such as { wall = run.wall }")
+  end
+  for name, value in next, figures do
+    if type(name) ~= "string" then
+      reject(entry, ("a figure has no name but %s"):format(core.describe(name)), "write name = value")
+    end
+    if entry.case[name] ~= nil then reject(entry, ("the figure '%s' is called like a parameter"):format(name)) end
+    check_figure(entry, name, value)
+  end
+  if figures.failed ~= nil and type(figures.failed) ~= "boolean" then
+    reject(entry, "failed must be true or false, got " .. core.describe(figures.failed))
+  end
+  if figures.reason ~= nil and type(figures.reason) ~= "string" then
+    reject(entry, "reason must be a string, got " .. core.describe(figures.reason))
+  end
+end
+
+--- Solves the case of an entry (see cases.lua): { figures, outcome = "done" or "failed", reason, wall (s) }.
+return function(run, entry)
+  local copy = core.read_json(core.write_json(entry.case)) -- what run does to it stays its own affair
+  local began = core.now()
+  local figures = run(copy)
+  local wall = core.now() - began
+  read_figures(entry, figures)
+  local record = { outcome = figures.failed and "failed" or "done", reason = figures.reason, wall = wall, figures = {} }
+  for name, value in next, figures do
+    if name ~= "failed" and name ~= "reason" then record.figures[name] = value end
+  end
+  return record
+end

@@ -1,0 +1,71 @@
+-- The cases of a study: plain data by the names of parameters, each with a name of its own for messages and files.
+
+local core = require "signorini.core"
+local arguments = require "signorini.arguments"
+local values = require "signorini.study.values"
+
+local cases = {}
+
+local where = "sg.study"
+
+--- All cases of a list that may hold further lists, such as grids, with the parameters in the order in which they come.
+local function flatten(list, into, names)
+  for _, name in ipairs((getmetatable(list) or {}).parameters or {}) do names[#names + 1] = name end
+  for i, entry in ipairs(list) do
+    if type(entry) ~= "table" then
+      arguments.reject(where, ("cases[%d]"):format(i), "a table of parameters, or a list of such tables", entry)
+    end
+    if #entry > 0 then flatten(entry, into, names) else into[#into + 1] = entry end
+  end
+  return into, names
+end
+
+--- The names of all parameters: first those that grids put in order, then the others, sorted.
+local function parameter_names(list, ordered)
+  local names, seen, others = {}, {}, {}
+  for _, name in ipairs(ordered) do
+    if not seen[name] then seen[name], names[#names + 1] = true, name end
+  end
+  for i, case in ipairs(list) do
+    for name in pairs(case) do
+      if type(name) ~= "string" then
+        core.fail(("%s: cases[%d] has a value without a name: write parameter = value"):format(where, i))
+      end
+      if name == "wall" or name == "failed" or name == "reason" then
+        core.fail(("%s: cases[%d]: a parameter cannot be called '%s', an account that every case has"):format(where, i, name))
+      end
+      if not seen[name] then seen[name], others[#others + 1] = true, name end
+    end
+  end
+  table.sort(others)
+  return table.move(others, 1, #others, #names + 1, names)
+end
+
+--- Reads the argument `cases`: a list of { case, text, id }, and the names of the parameters. `text` is how messages
+--- call a case, `id` its file without ending. Cases that read alike are errors.
+function cases.read(list)
+  if type(list) ~= "table" or #list == 0 then
+    arguments.reject(where, "cases", "a list of cases, such as sg.grid{ order = {\"N2\", \"N4\"} }", list)
+  end
+  local flat, ordered = flatten(list, {}, {})
+  local names, result, seen = parameter_names(flat, ordered), {}, {}
+  for i, case in ipairs(flat) do
+    core.write_json(case, ("%s: cases[%d]"):format(where, i)) -- an error for what is no plain data
+    local parts = {}
+    for _, name in ipairs(names) do
+      if case[name] ~= nil then parts[#parts + 1] = ("%s=%s"):format(name, values.text(case[name], true)) end
+    end
+    local text = table.concat(parts, " ")
+    if seen[text] then
+      core.fail(("%s: cases[%d] and cases[%d] are both called '%s': leave one out, or give their values different names")
+        :format(where, seen[text], i, text))
+    end
+    seen[text] = i
+    -- Readable for people; the digits keep apart what differs in characters that no file's name should have.
+    local stem = text:gsub("[^%w.=+()-]+", "_"):sub(1, 120)
+    result[i] = { case = case, text = text, id = ("%s-%s"):format(stem, core.hash(text):sub(1, 8)) }
+  end
+  return result, names
+end
+
+return cases

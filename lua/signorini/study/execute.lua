@@ -1,0 +1,174 @@
+-- study:execute: solves the cases that are missing, in processes of their own, and keeps each as soon as it is done.
+
+local core = require "signorini.core"
+local arguments = require "signorini.arguments"
+local inputs = require "signorini.study.inputs"
+local literal = require "signorini.literal"
+local progress = require "signorini.progress"
+local solve_case = require "signorini.study.case"
+local store = require "signorini.study.store"
+local values = require "signorini.study.values"
+
+local where = "study:execute"
+
+-- ── What is to do ────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- Why a record does not stand for its case any more; nothing when it does.
+local function outdated(entry, record, now, limit)
+  if not values.same(record.case, entry.case) then return "a parameter changed" end
+  local changed = inputs.difference(record.inputs or {}, now)
+  if #changed > 0 then return table.concat(changed, ", ") .. " changed" end
+  if record.outcome == "error" or record.outcome == "crashed" then return "it did not end well" end
+  if record.outcome == "time" and (not limit or limit > record.wall) then return "it has more time now" end
+end
+
+--- Reads `again`: true for all, "failed", or a function of a row.
+local function read_again(value)
+  if value == nil or type(value) == "function" then return value end
+  if value == true then return function() return true end end
+  if value == "failed" then return function(row) return row.failed end end
+  if value ~= false then arguments.reject(where, "again", "true, \"failed\" or a function of a row", value) end
+end
+
+--- What execute says before it begins: how many cases are kept, and why others run once more.
+local function words_on(study, missing, reasons, older)
+  local kept, words = #study.cases - #missing, {}
+  for why, count in pairs(reasons) do words[#words + 1] = ("%d because %s"):format(count, why) end
+  table.sort(words)
+  local again = #words > 0 and "; run again: " .. table.concat(words, "; ") or ""
+  local version = older > 0 and ("; %d of them are of another version than %s"):format(older, core.version) or ""
+  return (again ~= "" or version ~= "") and
+    ("%s: %d of %d cases are kept%s%s"):format(study.name, kept, #study.cases, version, again) or nil
+end
+
+--- The positions of the cases that must run, and in words what is to say about those that ran before.
+local function missing(study, now, limit, again)
+  local list, reasons, older = {}, {}, 0
+  for i, entry in ipairs(study.cases) do
+    local record, damaged = store.read(study, entry)
+    local why = damaged and "the file cannot be read" or record and outdated(entry, record, now, limit)
+    if record and not why and again and again(study:row_of(entry, record)) then why = "you ask for it" end
+    if why then reasons[why] = (reasons[why] or 0) + 1 end
+    if record and not why then
+      study.records[i] = record
+      if (record.made or {}).signorini ~= core.version then older = older + 1 end
+    else
+      list[#list + 1] = i
+    end
+  end
+  return list, words_on(study, list, reasons, older)
+end
+
+--- Those that may run side by side, and those that ask to run alone.
+local function split_alone(study, list)
+  local together, alone = {}, {}
+  for _, i in ipairs(list) do
+    local asks = study.alone
+    if type(asks) == "function" then asks = asks(study.cases[i].case) end
+    local part = asks and alone or together
+    part[#part + 1] = i
+  end
+  return together, alone
+end
+
+-- ── Doing it ─────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- The record of a case from what its process returned, or of what became of it.
+local function finished(text, failure, limit)
+  if text then return literal.read(text) end
+  if failure == "time" then
+    return { outcome = "time", reason = ("not done within %g s"):format(limit), wall = limit, figures = {} }
+  end
+  local message = failure:match "^failed: (.*)$"
+  local first = message and message:match "^[^\n]*" or failure
+  if failure:find "signal 9" then first = first .. ": killed from outside, perhaps for want of memory" end
+  return { outcome = message and "error" or "crashed", reason = first, traceback = message, figures = {} }
+end
+
+local function outcome_text(record)
+  if record.outcome == "done" then return ("%.1f s"):format(record.wall) end
+  return ("%s: %s"):format(record.outcome, (record.reason or "no reason given"):match "^[^\n]*")
+end
+
+--- How the execution stands, on the terminal or line by line.
+local Display = {}
+Display.__index = Display
+
+local function open_display(study, kept, todo)
+  local bar = progress(todo)
+  return setmetatable({ bar = bar, name = study.name, kept = kept, todo = todo, ended = 0, failed = 0 }, Display)
+end
+
+function Display:look(running)
+  self.bar:draw(self.name, (self.kept + self.ended) / (self.kept + self.todo),
+    ("%d of %d done, %d failed, %d running, %s"):format(self.kept + self.ended, self.kept + self.todo, self.failed,
+      running, self.bar:to_go(self.ended / self.todo)))
+end
+
+function Display:case(entry, record)
+  self.ended = self.ended + 1
+  if record.outcome ~= "done" then self.failed = self.failed + 1 end
+  if record.outcome ~= "done" or not core.terminal then
+    self.bar:line(("%s: %d of %d: %s: %s"):format(self.name, self.kept + self.ended, self.kept + self.todo, entry.text,
+      outcome_text(record)))
+  end
+end
+
+--- Runs the cases of a list, at_once side by side. Returns whether all were done.
+local function run_cases(study, list, at_once, limit, display, keep)
+  return core.jobs(#list, at_once, function(k)
+    return literal.write(solve_case(study.run, study.cases[list[k]]))
+  end, function(k, text, failure)
+    local record = finished(text, failure, limit)
+    keep(list[k], record, at_once)
+    display:case(study.cases[list[k]], record)
+  end, limit, function(running) display:look(running) end)
+end
+
+--- Runs what is missing; `keeper` holds the folder.
+local function execute(study, keeper, options)
+  local now = inputs.of(study.run, study.inputs)
+  for i, record in pairs(study.unsaved) do
+    store.write(keeper, study.cases[i], record)
+    study.unsaved[i] = nil
+  end
+  local list, words = missing(study, now, options.limit, options.again)
+  if #list > 0 then store.take_reserve(keeper) end
+  local display = open_display(study, #study.cases - #list, #list)
+  if words then display.bar:line(words) end
+  local function keep(i, record, at_once)
+    record.study, record.case, record.inputs = study.name, study.cases[i].case, now
+    record.made = { signorini = core.version, host = core.host, processor = core.processor,
+                    time = os.date "!%Y-%m-%dT%H:%M:%SZ", at_once = at_once }
+    study.records[i], study.unsaved[i] = record, record
+    store.write(keeper, study.cases[i], record)
+    study.unsaved[i] = nil
+    if keeper.full then
+      core.fail(("%s: no space is left for '%s': make room and execute again; all that was done is kept")
+        :format(where, study.folder))
+    end
+  end
+  local together, alone = split_alone(study, list)
+  local whole = run_cases(study, together, options.jobs, options.limit, display, keep)
+  if whole then run_cases(study, alone, 1, options.limit, display, keep) end
+  display.bar:clear()
+end
+
+--- See help "study:execute".
+return function(study, options)
+  arguments.table(where, "its argument", options, { "jobs", "limit", "again" })
+  options = options or {}
+  local read = { jobs = arguments.count(where, "jobs", options.jobs, core.at_once),
+                 limit = options.limit and arguments.positive(where, "limit", options.limit),
+                 again = read_again(options.again) }
+  if not study.cases then
+    core.fail(where .. ": this is a part of a study, which has results only: execute the study that it was taken from")
+  end
+  local keeper = store.open(where, study)
+  study.records = {}
+  local ok, message = pcall(execute, study, keeper, read)
+  store.close(keeper)
+  study:gather()
+  if not ok then error(message, 0) end
+  return study
+end

@@ -1,0 +1,50 @@
+-- sg.grid: all combinations of a few parameters' values, as cases of a study.
+
+local core = require "signorini.core"
+local arguments = require "signorini.arguments"
+
+local where = "sg.grid"
+
+--- The names and lists of one table of parameters, sorted by name.
+local function read_axes(name, axes)
+  if type(axes) ~= "table" or next(axes) == nil then
+    arguments.reject(where, name, "a table of lists such as { order = {\"N2\", \"N4\"} }", axes)
+  end
+  local sorted = {}
+  for key, list in pairs(axes) do
+    if type(key) ~= "string" then
+      core.fail(("%s: %s has an entry without a name: write parameter = { its values }"):format(where, name))
+    end
+    if type(list) ~= "table" or #list == 0 then arguments.reject(where, key, "a list of values", list) end
+    sorted[#sorted + 1] = { name = key, values = list }
+  end
+  table.sort(sorted, function(a, b) return a.name < b.name end)
+  return sorted
+end
+
+--- See help "sg.grid".
+return function(...)
+  local axes, seen = {}, {}
+  for i = 1, math.max(1, select("#", ...)) do
+    for _, axis in ipairs(read_axes(("argument %d"):format(i), (select(i, ...)))) do
+      if seen[axis.name] then core.fail(("%s: the parameter '%s' is there twice"):format(where, axis.name)) end
+      seen[axis.name], axes[#axes + 1] = true, axis
+    end
+  end
+  local cases = { {} }
+  for _, axis in ipairs(axes) do
+    local longer = {}
+    for _, case in ipairs(cases) do
+      for _, value in ipairs(axis.values) do
+        local copy = { [axis.name] = value }
+        for key, known in pairs(case) do copy[key] = known end
+        longer[#longer + 1] = copy
+      end
+    end
+    cases = longer
+  end
+  -- The order in which the parameters were given, for tables; it is no parameter itself.
+  local names = {}
+  for i, axis in ipairs(axes) do names[i] = axis.name end
+  return setmetatable(cases, { parameters = names })
+end

@@ -1,0 +1,258 @@
+-- Verbs that read a study. Those that choose, group or add return a study of their own, so that they can be chained; it
+-- has results only and cannot be executed.
+
+local core = require "signorini.core"
+local arguments = require "signorini.arguments"
+local csv = require "signorini.csv"
+local format_table = require "signorini.table"
+local pictures = require "signorini.study.pictures"
+local values = require "signorini.study.values"
+
+local verbs = { chart = pictures.chart, heatmap = pictures.heatmap }
+
+--- A study of these rows; `more` replaces what else is not as in the old one.
+local function part_of(study, rows, more)
+  local part = { name = study.name, parameters = study.parameters, figures = study.figures, units = study.units, rows = rows }
+  for key, value in pairs(more or {}) do part[key] = value end
+  return setmetatable(part, getmetatable(study))
+end
+
+-- ── Choosing ─────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- Whether a row has one of the values that a filter allows in a column: a list of values, or one.
+local function allows(wanted, value)
+  if type(wanted) == "table" and not wanted.name then
+    for _, one in ipairs(wanted) do
+      if values.same(one, value) then return true end
+    end
+  end
+  return values.same(wanted, value) or (type(value) == "table" and value.name ~= nil and value.name == wanted)
+end
+
+local function read_filter(where, study, filter)
+  if type(filter) == "function" then return filter end
+  if type(filter) ~= "table" then
+    arguments.reject(where, "its argument", "a table such as { order = \"N2\" }, or a function of a row", filter)
+  end
+  arguments.table(where, "its argument", filter, values.columns(study))
+  return function(row)
+    for name, wanted in pairs(filter) do
+      -- false stands for what a row does not have: failed = false
+      if not allows(wanted, row[name]) and not (wanted == false and row[name] == nil) then return false end
+    end
+    return true
+  end
+end
+
+--- See help "study:where".
+function verbs:where(filter)
+  local keeps, rows = read_filter("study:where", self, filter), {}
+  for _, row in ipairs(self.rows) do
+    if keeps(row) then rows[#rows + 1] = row end
+  end
+  return part_of(self, rows)
+end
+
+--- See help "study:row".
+function verbs:row(filter)
+  local rows = verbs.where(self, filter).rows
+  if #rows ~= 1 then
+    core.fail(("study:row: %s rows are like that, not one: %s"):format(#rows == 0 and "no" or #rows,
+      #rows == 0 and "print the study to see what it holds" or "name more parameters"))
+  end
+  return rows[1]
+end
+
+--- See help "study:by".
+function verbs:by(name)
+  name = arguments.choice("study:by", "its argument", name, values.columns(self))
+  local groups = {}
+  for _, row in ipairs(self.rows) do
+    local found
+    for _, group in ipairs(groups) do
+      if values.same(group.value, row[name]) then found = group end
+    end
+    if not found then
+      found = { value = row[name], rows = {} }
+      groups[#groups + 1] = found
+    end
+    found.rows[#found.rows + 1] = row
+  end
+  local i = 0
+  return function()
+    i = i + 1
+    if groups[i] then return groups[i].value, part_of(self, groups[i].rows) end
+  end
+end
+
+-- ── Reckoning ────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- See help "study:column".
+function verbs:column(name)
+  name = arguments.choice("study:column", "its argument", name, values.columns(self))
+  local list = {}
+  for i, row in ipairs(self.rows) do
+    list[i] = row[name]
+    if list[i] == nil then list[i] = 0 / 0 end
+  end
+  return list
+end
+
+--- See help "study:with".
+function verbs:with(name, make, unit)
+  local where = "study:with"
+  name = arguments.string(where, "name", name)
+  if make == nil then arguments.reject(where, "make", "a function of a row", make) end
+  arguments.callback(where, "make", make)
+  for _, parameter in ipairs(self.parameters) do
+    if parameter == name then core.fail(("%s: '%s' is a parameter: choose another name"):format(where, name)) end
+  end
+  local rows, figures, units = {}, { name }, { [name] = unit and arguments.string(where, "unit", unit) }
+  for i, row in ipairs(self.rows) do
+    local copy = {}
+    for key, value in pairs(row) do copy[key] = value end
+    copy[name] = make(row)
+    if type(copy[name]) == "number" and copy[name] ~= copy[name] then
+      core.fail(("%s: %s is nan in row %d: return nil for what is not known"):format(where, name, i))
+    end
+    rows[i] = copy
+  end
+  for _, known in ipairs(self.figures) do
+    if known ~= name then table.insert(figures, #figures, known) end
+  end
+  for key, value in pairs(self.units) do
+    if key ~= name then units[key] = value end
+  end
+  return part_of(self, rows, { figures = figures, units = units })
+end
+
+local function median(list)
+  table.sort(list)
+  return (list[(#list + 1) // 2] + list[#list // 2 + 1]) / 2
+end
+
+--- One row of several that differ in one parameter only: numbers by their median, all else as in the first.
+local function merge(rows, name)
+  local merged = {}
+  for key, value in pairs(rows[1]) do
+    local list = {}
+    for _, row in ipairs(rows) do list[#list + 1] = type(row[key]) == "number" and row[key] or nil end
+    if #list == #rows then merged[key] = median(list) else merged[key] = value end
+  end
+  for _, row in ipairs(rows) do
+    if row.failed then merged.failed, merged.reason = true, row.reason end
+  end
+  merged[name] = nil
+  return merged
+end
+
+--- See help "study:median".
+function verbs:median(name)
+  name = arguments.choice("study:median", "its argument", name, self.parameters)
+  local kept, groups = {}, {}
+  for _, parameter in ipairs(self.parameters) do
+    if parameter ~= name then kept[#kept + 1] = parameter end
+  end
+  for _, row in ipairs(self.rows) do
+    local words = {}
+    for i, parameter in ipairs(kept) do words[i] = values.text(row[parameter], true) end
+    local key = table.concat(words, "\0")
+    if not groups[key] then groups[key], groups[#groups + 1] = {}, key end
+    table.insert(groups[key], row)
+  end
+  local rows = {}
+  for i, key in ipairs(groups) do
+    rows[i] = merge(groups[key], name)
+    -- A parameter is no measurement: what all rows of the group share stays the bits that it was.
+    for _, parameter in ipairs(kept) do rows[i][parameter] = groups[key][1][parameter] end
+  end
+  return part_of(self, rows, { parameters = kept })
+end
+
+-- ── Tables ───────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- Columns that tell something: reason and failed only where there is one.
+local function telling_columns(study)
+  local names = {}
+  for _, name in ipairs(values.columns(study)) do
+    local told = name ~= "failed" and name ~= "reason"
+    for _, row in ipairs(study.rows) do told = told or (name == "reason" and row.reason ~= nil) end
+    if told then names[#names + 1] = name end
+  end
+  return names
+end
+
+--- Whether one value stands before another: numbers before texts, what is missing last.
+local function before(a, b)
+  if a == nil or b == nil then return a ~= nil end
+  if type(a) == "number" and type(b) == "number" then return a < b end
+  if type(a) == "number" or type(b) == "number" then return type(a) == "number" end
+  return values.text(a) < values.text(b)
+end
+
+local function sorted_rows(where, study, sort)
+  local rows = table.move(study.rows, 1, #study.rows, 1, {})
+  if sort == nil then return rows end
+  local names, place = type(sort) == "table" and sort or { sort }, {}
+  for i, name in ipairs(names) do names[i] = arguments.choice(where, "sort", name, values.columns(study)) end
+  for i, row in ipairs(rows) do place[row] = i end
+  table.sort(rows, function(a, b)
+    for _, name in ipairs(names) do
+      if not values.same(a[name], b[name]) then return before(a[name], b[name]) end
+    end
+    return place[a] < place[b]
+  end)
+  return rows
+end
+
+--- The columns and rows of a table, values as texts where a cell could not hold them.
+local function read_table(where, study, options)
+  options = arguments.table(where, "its argument", options, { "columns", "sort", "formats" })
+  local columns = options.columns or telling_columns(study)
+  if type(columns) ~= "table" then arguments.reject(where, "columns", "a list of names", columns) end
+  local units, rows = {}, {}
+  for j, name in ipairs(columns) do
+    columns[j] = arguments.choice(where, ("columns[%d]"):format(j), name, values.columns(study))
+    units[j] = study.units[name] or ""
+  end
+  for i, row in ipairs(sorted_rows(where, study, options.sort)) do
+    rows[i] = {}
+    for j, name in ipairs(columns) do
+      local value = row[name]
+      if type(value) == "table" or type(value) == "boolean" then value = values.text(value) end
+      if name == "reason" and value then value = value:match "^[^\n]*" end
+      rows[i][j] = value
+    end
+  end
+  return columns, units, rows, options.formats
+end
+
+--- See help "study:table".
+function verbs:table(options)
+  local columns, units, rows, formats = read_table("study:table", self, options)
+  return format_table{ columns = columns, units = units, rows = rows, formats = formats }
+end
+
+--- See help "study:csv".
+function verbs:csv(file, options)
+  local columns, units, rows = read_table("study:csv", self, options)
+  local comments = { ("study: %s"):format(self.name) }
+  for j, name in ipairs(columns) do
+    if units[j] ~= "" then comments[#comments + 1] = ("%s / %s"):format(name, units[j]) end
+  end
+  csv.write(arguments.string("study:csv", "file", file), { columns = columns, rows = rows, comments = comments })
+end
+
+function verbs:__len() return #self.rows end
+
+--- How many cases are done and failed, and the table.
+function verbs:__tostring()
+  local failed = 0
+  for _, row in ipairs(self.rows) do failed = failed + (row.failed and 1 or 0) end
+  local of = self.cases and (" of %d"):format(#self.cases) or ""
+  local head = ("%s: %d%s cases%s%s"):format(self.name, #self.rows, of, self.cases and " are done" or "",
+    failed > 0 and (", %d failed"):format(failed) or "")
+  return #self.rows > 0 and head .. "\n" .. self:table() or head
+end
+
+return verbs

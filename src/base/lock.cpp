@@ -1,0 +1,50 @@
+#include "base/lock.hpp"
+
+#include "base/error.hpp"
+#include "base/machine.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+#include <utility>
+
+namespace signorini {
+
+namespace {
+
+/// What the holder has written: who it is.
+std::string holder(int handle) {
+  char name[512];
+  const ssize_t count = pread(handle, name, sizeof name, 0);
+  return count > 0 ? std::string(name, static_cast<std::size_t>(count)) : "another process";
+}
+
+} // namespace
+
+Lock::Lock(const std::string& file) : handle_(open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
+  require(handle_ >= 0, "cannot write '", file, "': ", std::strerror(errno), "; choose a folder that you may write to");
+  // Children of a holder that was just killed take a moment to follow it.
+  bool held = false;
+  for (int attempt = 0; attempt < 20 && !held; ++attempt) {
+    if (attempt > 0) usleep(50'000);
+    held = flock(handle_, LOCK_EX | LOCK_NB) == 0;
+  }
+  if (!held) {
+    const std::string who = holder(handle_);
+    close(handle_);
+    fail("'", file, "' is held by ", who, ": wait until it has ended, or choose another folder");
+  }
+  // Who holds it is told to others on a best effort: a full disk is no reason to stop here.
+  const std::string self = text("process ", getpid(), " on ", host_name());
+  if (ftruncate(handle_, 0) != 0 || pwrite(handle_, self.data(), self.size(), 0) < 0) errno = 0;
+}
+
+Lock::Lock(Lock&& other) noexcept : handle_(std::exchange(other.handle_, -1)) {}
+
+Lock::~Lock() {
+  if (handle_ >= 0) close(handle_);
+}
+
+} // namespace signorini

@@ -1,0 +1,21 @@
+#include "base/machine.hpp"
+
+#include <fstream>
+#include <unistd.h>
+
+namespace signorini {
+
+std::string host_name() {
+  char name[256] = "";
+  return gethostname(name, sizeof name - 1) == 0 ? name : "an unknown host";
+}
+
+std::string processor_name() {
+  std::ifstream about("/proc/cpuinfo");
+  for (std::string line; std::getline(about, line);)
+    if (line.starts_with("model name"))
+      if (const std::size_t colon = line.find(": "); colon != std::string::npos) return line.substr(colon + 2);
+  return "";
+}
+
+} // namespace signorini

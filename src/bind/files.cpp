@@ -1,0 +1,67 @@
+#include "base/archive.hpp"
+#include "base/lock.hpp"
+#include "base/whole_file.hpp"
+#include "bind/functions.hpp"
+#include "bind/open.hpp"
+
+namespace signorini::bind {
+
+template <> struct Type<Lock> { static constexpr auto name = "lock"; };
+
+namespace {
+
+const Argument file_argument{"file", "a path"};
+
+int write_file(lua_State* L) {
+  std::size_t size;
+  const char* bytes = luaL_checklstring(L, 2, &size);
+  write_whole(read_string(L, 1, file_argument), {bytes, size});
+  return 0;
+}
+
+int read_file(lua_State* L) {
+  push(L, read_whole(read_string(L, 1, file_argument)));
+  return 1;
+}
+
+int remove_temporary_files(lua_State* L) {
+  remove_leftovers(read_string(L, 1, file_argument));
+  return 0;
+}
+
+int hash(lua_State* L) {
+  std::size_t size;
+  const char* bytes = luaL_checklstring(L, 1, &size);
+  char digits[17];
+  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(checksum({bytes, size})));
+  push(L, digits);
+  return 1;
+}
+
+int lock(lua_State* L) {
+  push_object(L, Lock(read_string(L, 1, file_argument)));
+  return 1;
+}
+
+constexpr Function rows[] = {
+    {"write_file", wrap<write_file>, "core.write_file(file, bytes)\nWrites a file, whole or not at all."},
+    {"read_file", wrap<read_file>, "core.read_file(file)\nAll bytes of a file."},
+    {"remove_leftovers", wrap<remove_temporary_files>,
+     "core.remove_leftovers(file)\nRemoves temporary files of this name that killed processes left."},
+    {"hash", wrap<hash>, "core.hash(bytes)\nSixteen hexadecimal digits that stand for a text."},
+    {"lock", wrap<lock>,
+     "core.lock(file)\nHolds a file, made where there is none, until :release(). An error when somebody holds it."},
+};
+
+constexpr Function methods[] = {
+    {"release", collect<Lock>, "lock:release()\nLets go of the file."},
+};
+
+} // namespace
+
+void open_files(lua_State* L) {
+  register_type<Lock>(L, methods);
+  register_functions(L, "core", rows);
+}
+
+} // namespace signorini::bind

@@ -1,0 +1,142 @@
+#include "bind/functions.hpp"
+#include "bind/open.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+
+namespace signorini::bind {
+
+namespace {
+
+using Json = nlohmann::ordered_json; // keys stay in the order in which they are put
+
+constexpr int deepest = 100; // levels of tables: what is deeper is likely to hold itself
+
+Json value_at(lua_State* L, int index, const std::string& path, int level);
+
+/// The names of a table's fields, sorted; those that are part of its list 1…length are left out.
+std::set<std::string> names_of(lua_State* L, int index, lua_Integer length, const std::string& path) {
+  std::set<std::string> names;
+  lua_pushnil(L);
+  while (lua_next(L, index)) {
+    lua_pop(L, 1);
+    if (lua_type(L, -1) == LUA_TSTRING)
+      names.insert(lua_tostring(L, -1));
+    else if (!lua_isinteger(L, -1) || lua_tointeger(L, -1) < 1 || lua_tointeger(L, -1) > length)
+      throw ArgumentError(text(path, " has the key ", describe(L, -1), ", which is neither a name nor part of a list"));
+  }
+  return names;
+}
+
+Json table_at(lua_State* L, int index, const std::string& path, int level) {
+  if (level > deepest) throw ArgumentError(text(path, " is nested deeper than ", deepest, " tables"));
+  luaL_checkstack(L, 4, "nested tables");
+  const auto length = static_cast<lua_Integer>(lua_rawlen(L, index));
+  const std::set<std::string> names = names_of(L, index, length, path);
+  if (!names.empty() && length > 0)
+    throw ArgumentError(text(path, " has names and a list in one table: put the list under a name"));
+  Json json = names.empty() ? Json::array() : Json::object();
+  for (lua_Integer i = 1; i <= length; ++i) {
+    lua_rawgeti(L, index, i);
+    json.push_back(value_at(L, lua_gettop(L), text(path, "[", i, "]"), level + 1));
+    lua_pop(L, 1);
+  }
+  for (const std::string& name : names) {
+    lua_pushlstring(L, name.data(), name.size());
+    lua_rawget(L, index);
+    json[name] = value_at(L, lua_gettop(L), text(path, ".", name), level + 1);
+    lua_pop(L, 1);
+  }
+  return json;
+}
+
+/// `path`: what messages call the value.
+Json value_at(lua_State* L, int index, const std::string& path, int level) {
+  switch (lua_type(L, index)) {
+  case LUA_TBOOLEAN:
+    return lua_toboolean(L, index) != 0;
+  case LUA_TNUMBER:
+    if (lua_isinteger(L, index)) return lua_tointeger(L, index);
+    if (!std::isfinite(lua_tonumber(L, index)))
+      throw ArgumentError(text(path, " is ", describe(L, index), ": only finite numbers can be written"));
+    return lua_tonumber(L, index);
+  case LUA_TSTRING: {
+    std::size_t size;
+    const char* bytes = lua_tolstring(L, index, &size);
+    return std::string(bytes, size);
+  }
+  case LUA_TTABLE:
+    return table_at(L, index, path, level);
+  default:
+    throw ArgumentError(text(path, " is ", describe(L, index),
+                             ": only numbers, strings, true, false and tables of these "
+                             "can be written"));
+  }
+}
+
+void push_json(lua_State* L, const Json& json) {
+  luaL_checkstack(L, 4, "nested values");
+  switch (json.type()) {
+  case Json::value_t::boolean:
+    return push(L, json.get<bool>());
+  case Json::value_t::number_integer:
+  case Json::value_t::number_unsigned:
+    return lua_pushinteger(L, json.get<lua_Integer>());
+  case Json::value_t::number_float:
+    return push(L, json.get<double>());
+  case Json::value_t::string:
+    return push(L, json.get<std::string>());
+  case Json::value_t::array:
+    lua_createtable(L, static_cast<int>(json.size()), 0);
+    for (std::size_t i = 0; i < json.size(); ++i) {
+      push_json(L, json[i]);
+      lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
+    }
+    return;
+  case Json::value_t::object:
+    lua_createtable(L, 0, static_cast<int>(json.size()));
+    for (const auto& [name, value] : json.items()) {
+      push(L, name);
+      push_json(L, value);
+      lua_rawset(L, -3);
+    }
+    return;
+  default:
+    return lua_pushnil(L);
+  }
+}
+
+int write_json(lua_State* L) {
+  luaL_checkany(L, 1);
+  const std::string path = lua_isnoneornil(L, 2) ? "the value" : read_string(L, 2, {"name"});
+  // Bytes that are no UTF-8 are replaced: what a message quotes must not keep it from being written.
+  push(L, value_at(L, 1, path, 1).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  return 1;
+}
+
+int read_json(lua_State* L) {
+  const std::string source = read_string(L, 1, {"text", "JSON"});
+  const Json json = Json::parse(source, nullptr, false);
+  require(!json.is_discarded(), "the text is no JSON");
+  push_json(L, json);
+  return 1;
+}
+
+constexpr Function rows[] = {
+    {"write_json", wrap<write_json>,
+     "core.write_json(value, name)\n"
+     "Plain data as the text of JSON, names sorted; numbers read back as the same bits. An empty table is an empty "
+     "list.\n"
+     "An error for what is no plain data or not finite says where in the value it stands; name is what it calls the "
+     "value."},
+    {"read_json", wrap<read_json>, "core.read_json(text)\nThe value of a JSON text; null is nil."},
+};
+
+} // namespace
+
+void open_json(lua_State* L) {
+  register_functions(L, "core", rows);
+}
+
+} // namespace signorini::bind

@@ -1,0 +1,54 @@
+#include "base/lock.hpp"
+
+#include "scratch.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace signorini {
+namespace {
+
+using test::message_of;
+
+TEST(Lock, IsHeldByOneAtATime) {
+  const test::ScratchFolder folder;
+  const std::string file = folder.file("lock");
+  {
+    const Lock first(file);
+    const std::string message = message_of([&] { Lock second(file); });
+    EXPECT_NE(message.find("is held by process " + std::to_string(::getpid()) + " on "), std::string::npos) << message;
+    EXPECT_NE(message.find("wait until it has ended, or choose another folder"), std::string::npos) << message;
+  }
+  EXPECT_EQ(message_of([&] { Lock third(file); }), "no error");
+}
+
+TEST(Lock, EndsWithItsProcess) {
+  const test::ScratchFolder folder;
+  const std::string file = folder.file("lock");
+  int ready[2];
+  ASSERT_EQ(::pipe(ready), 0);
+  const pid_t holder = ::fork();
+  if (holder == 0) {
+    const Lock held(file);
+    if (::write(ready[1], "x", 1) == 1) ::pause();
+    ::_exit(1);
+  }
+  char byte;
+  ASSERT_EQ(::read(ready[0], &byte, 1), 1);
+  EXPECT_NE(message_of([&] { Lock mine(file); }).find("held by process " + std::to_string(holder)), std::string::npos);
+  ::kill(holder, SIGKILL);
+  ASSERT_EQ(::waitpid(holder, nullptr, 0), holder);
+  EXPECT_EQ(message_of([&] { Lock mine(file); }), "no error");
+  ::close(ready[0]);
+  ::close(ready[1]);
+}
+
+TEST(Lock, SaysWhereItCannotBeMade) {
+  EXPECT_NE(message_of([] { Lock lock("/proc/signorini/lock"); }).find("cannot write '/proc/signorini/lock'"),
+            std::string::npos);
+}
+
+} // namespace
+} // namespace signorini

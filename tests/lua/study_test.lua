@@ -1,0 +1,341 @@
+-- Studies: cases in processes of their own, results that are kept, and the verbs that read them.
+
+local sg = require "signorini"
+local core = require "signorini.core"
+local check = require "check"
+
+local scratch = os.tmpname()
+os.remove(scratch)
+local count = 0
+
+--- A folder that no other case of this test has.
+local function new_folder()
+  count = count + 1
+  return ("%s/%d"):format(scratch, count)
+end
+
+--- How many cases a folder holds.
+local function files_in(folder)
+  return tonumber((check.shell(("ls %s/cases 2>/dev/null | grep -c 'json$'"):format(folder))))
+end
+
+-- ── Cases ────────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+check.case("a grid holds all combinations, the last name fastest", function()
+  local grid = sg.grid{ order = { "N2", "N4" }, mesh = { "m1", "m2", "m3" } }
+  local words = {}
+  for i, case in ipairs(grid) do words[i] = case.mesh .. case.order end
+  check.equal(words, { "m1N2", "m1N4", "m2N2", "m2N4", "m3N2", "m3N4" })
+  local ordered = sg.grid({ order = { "N2", "N4" } }, { mesh = { "m1", "m2" } })
+  check.equal({ ordered[2].order, ordered[2].mesh, ordered[3].order }, { "N2", "m2", "N4" })
+  check.fails(function() sg.grid{ order = "N2" } end, "study_test.lua", "order must be a list of values", "'N2'")
+  check.fails(function() sg.grid{ { 1, 2 } } end, "an entry without a name")
+  check.fails(function() sg.grid({ a = { 1 } }, { a = { 2 } }) end, "the parameter 'a' is there twice")
+  check.fails(function() sg.grid() end, "argument 1", "missing")
+end)
+
+check.case("wrong arguments are errors at the user's line", function()
+  local function run() return {} end
+  for _, wrong in ipairs {
+    { { cases = sg.grid{ a = { 1 } }, run = run }, "name is missing" },
+    { { name = "s", run = run }, "cases is missing" },
+    { { name = "s", cases = {}, run = run }, "cases must be a list of cases" },
+    { { name = "s", cases = { 3 }, run = run }, "cases[1] must be a table of parameters", "the number 3" },
+    { { name = "s", cases = sg.grid{ a = { 1 } } }, "run is missing" },
+    { { name = "s", cases = sg.grid{ a = { 1 } }, runs = run }, "unknown argument 'runs'", "did you mean 'run'?" },
+    { { name = "s", cases = sg.grid{ wall = { 1 } }, run = run }, "cannot be called 'wall'" },
+    { { name = "s", cases = sg.grid{ a = { print } }, run = run }, "cases[1].a", "function" },
+    { { name = "s", cases = sg.grid{ a = { 0 / 0 } }, run = run }, "cases[1].a", "nan" },
+    { { name = "s", cases = { { a = 1 }, { a = 1 } }, run = run }, "cases[1] and cases[2]", "'a=1'" },
+    { { name = "s", cases = sg.grid{ a = { 1 } }, run = run, units = "mm" }, "units must be a table" },
+    { { name = "s", cases = sg.grid{ a = { 1 } }, run = run, alone = 1 }, "alone must be true or false" },
+  } do
+    check.fails(function() sg.study(wrong[1]) end, "study_test.lua", table.unpack(wrong, 2))
+  end
+  local study = sg.study{ name = "s", cases = sg.grid{ a = { 1 } }, run = run, folder = new_folder() }
+  check.fails(function() study:execute{ job = 2 } end, "unknown argument 'job'", "did you mean 'jobs'?")
+  check.fails(function() study:execute{ jobs = 0 } end, "jobs must be a whole number", "the number 0")
+  check.fails(function() study:execute{ again = "all" } end, "again must be true")
+  check.fails(function() study:where{ b = 1 } end, "unknown argument 'b'")
+  check.fails(function() study:where{}:execute{} end, "part of a study")
+end)
+
+-- ── Execution ────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- A study whose run notes in a file that it was called.
+local function noted(folder, cases, run, more)
+  local options = { name = "noted", folder = folder, cases = cases, inputs = {}, run = function(case)
+    os.execute(("echo %s >>%s.log"):format(case.a, folder))
+    return run(case)
+  end }
+  for key, value in pairs(more or {}) do options[key] = value end
+  return sg.study(options)
+end
+
+local function calls(folder)
+  local file, lines = io.open(folder .. ".log"), 0
+  for _ in file and file:lines() or function() end do lines = lines + 1 end
+  return lines
+end
+
+check.case("figures, failures, errors and crashes become rows; what is done does not run again", function()
+  local folder = new_folder()
+  local function study()
+    return noted(folder, sg.grid{ a = { 1, 2, 3, 4, 5 } }, function(case)
+      if case.a == 2 then return { failed = true, reason = "cycling", at = 0.5 } end
+      if case.a == 3 then error "no luck" end
+      if case.a == 4 then os.execute "kill -SEGV $PPID" end
+      return { b = case.a ^ 2 / 3, list = { 0.1, 0.2 }, word = "w", flag = true }
+    end, { units = { b = "N" } })
+  end
+  local first = study():execute{ jobs = 2 }
+  check.equal(#first, 5)
+  check.equal(first:row{ a = 5 }.b, 25 / 3)
+  check.equal(first:row{ a = 5 }.list, { 0.1, 0.2 })
+  check.equal({ first.rows[2].failed, first.rows[2].reason, first.rows[2].at }, { true, "cycling", 0.5 })
+  check.holds(first.rows[3].reason, "study_test.lua", "no luck")
+  check.equal(first.rows[4].reason, "died of signal 11")
+  check.holds(tostring(first), "noted: 5 of 5 cases are done, 3 failed", "cycling", "8.33333", "  N ")
+  check.equal(calls(folder), 5)
+  local second = study():execute{ jobs = 2 }
+  check.equal(calls(folder), 7) -- the error and the crash, which may have passed
+  check.equal(second:row{ a = 5 }.b, 25 / 3)
+  check.equal(study():read():table{ columns = { "a", "b" } }, first:table{ columns = { "a", "b" } })
+  study():execute{ again = "failed" }
+  check.equal(calls(folder), 10)
+  study():execute{ again = function(row) return row.a == 1 end }
+  check.equal(calls(folder), 13)
+end)
+
+check.case("the file of a case is JSON with inputs, figures, version, host and time", function()
+  local folder = new_folder()
+  sg.study{ name = "one", folder = folder, cases = { { order = "N2", mesh = { name = "m1", die = { 6, 2 } } } },
+            run = function(case) return { third = 1 / 3, die = case.mesh.die[1] } end }:execute{}
+  local name = check.shell(("ls %s/cases"):format(folder)):gsub("\n", "")
+  check.holds(name, "mesh=m1_order=N2-", ".json")
+  local record = core.read_json(core.read_file(folder .. "/cases/" .. name))
+  check.equal({ record.study, record.case.order, record.case.mesh.die, record.figures.third, record.figures.die },
+    { "one", "N2", { 6, 2 }, 1 / 3, 6 })
+  check.equal({ record.made.signorini, record.made.host, record.outcome }, { core.version, core.host, "done" })
+  check.holds(record.made.time:gsub("%d", "0"), "0000-00-00T00:00:00Z")
+  check.equal(record.wall > 0 and record.wall < 5, true)
+end)
+
+check.case("a changed parameter, function or number that run refers to makes a case run again, and is named", function()
+  local script = [[
+    local sg = require "signorini"
+    local young, meshes = %s, { m1 = { %s, 2 } }
+    function scene(mesh) return meshes[mesh][1] * young%s end
+    local jobs = sg.study{ name = "n", folder = arg[1], cases = sg.grid{ mesh = { "m1" } },
+                           run = function(case) return { f = scene(case.mesh) } end }:execute{}
+    print(jobs.rows[1].f)]]
+  local folder = new_folder()
+  local function output(...) return (check.script(script:format(...), folder)) end
+  check.equal(output("10", "6", ""), "n: 1 of 1: mesh=m1: 0.0 s\n60\n")
+  check.equal(output("10", "6", ""), "60\n")
+  check.holds(output("11", "6", ""), "n: 0 of 1 cases are kept; run again: 1 because scene changed", "66\n")
+  check.holds(output("11", "7", ""), "scene changed", "77\n")
+  check.holds(output("11", "7", " + 1"), "scene changed", "78\n")
+  check.equal(output("11", "7", " + 1"), "78\n")
+end)
+
+check.case("cases that ask for it run last, and alone", function()
+  local folder = new_folder()
+  local study = noted(folder, sg.grid{ a = { 1, 2, 3, 4 } }, function() return {} end,
+    { alone = function(case) return case.a <= 2 end })
+  study:execute{ jobs = 2 }
+  local order = {}
+  for line in io.lines(folder .. ".log") do order[#order + 1] = tonumber(line) end
+  check.equal({ order[3], order[4] }, { 1, 2 })
+  local record = core.read_json((check.shell(("cat %s/cases/a=1-*.json"):format(folder))))
+  check.equal(record.made.at_once, 1)
+end)
+
+check.case("a limit gives a case up; more time takes it up again", function()
+  local folder = new_folder()
+  local function study() return noted(folder, { { a = 1 } }, function() os.execute "sleep 0.4" return { b = 1 } end) end
+  local late = study():execute{ limit = 0.1 }
+  check.equal(late.rows[1].reason, "not done within 0.1 s")
+  study():execute{ limit = 0.1 }
+  check.equal(calls(folder), 1)
+  check.equal(study():execute{ limit = 20 }.rows[1].b, 1)
+end)
+
+check.case("24 cases with two jobs take half of the time of one", function()
+  local function time(jobs)
+    local began = core.now()
+    sg.study{ name = "t", folder = new_folder(), cases = sg.grid{ a = { 1, 2, 3, 4 }, b = { 1, 2, 3, 4, 5, 6 } }, inputs = {},
+              run = function() os.execute "sleep 0.1" return {} end }:execute{ jobs = jobs }
+    return core.now() - began
+  end
+  local one, two = time(1), time(2)
+  check.equal(two < 0.6 * one, true)
+end)
+
+check.case("killed three times and taken up again it ends with the same table and repeats no finished case", function()
+  local script = ([[
+    local sg = require "signorini"
+    local folder = arg[1]
+    local study = sg.study{ name = "killed", folder = folder, cases = sg.grid{ a = { 1, 2, 3, 4 }, b = { 1, 2, 3 } },
+      inputs = {}, run = function(case)
+        os.execute "sleep 0.05"
+        os.execute(("echo %d %d >>%s.log"):format(case.a, case.b, folder))
+        return { c = case.a / case.b }
+      end }:execute{ jobs = 2 }
+    print(study:table{ columns = { "a", "b", "c" } })]])
+  local whole, broken, name = new_folder(), new_folder(), os.tmpname()
+  core.write_file(name, script)
+  check.shell("mkdir -p " .. scratch)
+  local expected = check.program { "-q", name, whole }
+  for _, moment in ipairs { 0.11, 0.17, 0.14 } do
+    local before = files_in(broken)
+    check.shell(("%s -q %s %s & sleep %g; kill -9 $!; wait $! 2>/dev/null; true"):format(arg[-1], name, broken, moment))
+    check.equal(files_in(broken) >= before, true)
+  end
+  local finished = files_in(broken)
+  check.equal(finished < 12, true)
+  -- Cases that were under way when they were killed may have been begun twice; none of those that had ended.
+  local before = calls(broken)
+  check.equal(check.program { "-q", name, broken }, expected)
+  check.equal(calls(broken) - before, 12 - finished)
+  os.remove(name)
+end)
+
+-- ── What goes wrong ──────────────────────────────────────────────────────────────────────────────────────────────────
+
+check.case("a figure that is nan makes its case an error that names it; the others are kept", function()
+  local study = noted(new_folder(), sg.grid{ a = { 1, 2, 3, 4, 5 } }, function(case)
+    if case.a == 2 then return { dPx = 0 / 0 } end
+    if case.a == 3 then return { curve = { 1, math.huge } } end
+    if case.a == 4 then return { a = 1 } end
+    if case.a == 5 then return end
+    return { dPx = 1 }
+  end):execute{}
+  check.equal(study.rows[1].dPx, 1)
+  check.holds(study.rows[2].reason, "case a=2: the figure dPx is nan", "return nil for what is not known")
+  check.holds(study.rows[3].reason, "case a=3: the figure curve[2] is inf")
+  check.holds(study.rows[4].reason, "the figure 'a' is called like a parameter")
+  check.holds(study.rows[5].reason, "run returned nothing: return a table of figures")
+  check.equal({ study.rows[2].failed, study.rows[2].dPx }, { true, nil })
+end)
+
+check.case("two studies cannot use a folder: neither of different names, nor the same one twice at a time", function()
+  local folder = new_folder()
+  noted(folder, { { a = 1 } }, function() return {} end):execute{}
+  local other = sg.study{ name = "other", folder = folder, cases = { { a = 1 } }, run = function() return {} end }
+  check.fails(function() other:execute{} end, "study_test.lua", folder, "holds the study 'noted', not 'other'", "a folder of its own")
+  check.fails(function() other:read() end, "holds the study 'noted'")
+  local lock = core.lock(folder .. "/lock")
+  check.fails(function() noted(folder, { { a = 2 } }, function() return {} end):execute{} end,
+    "study:execute: '" .. folder .. "/lock' is held by process", "choose another folder")
+  lock:release()
+  check.equal(files_in(folder), 1)
+end)
+
+check.case("a file that cannot be read is solved again", function()
+  local folder = new_folder()
+  local function study() return noted(folder, sg.grid{ a = { 1, 2 } }, function(case) return { b = case.a } end) end
+  study():execute{}
+  check.shell(("cd %s/cases; for f in a=1-*; do head -c 40 $f >x; mv x $f; done"):format(folder))
+  check.equal(study():execute{}.rows[1].b, 1)
+  check.equal(calls(folder), 3)
+end)
+
+--- A command with a small file system at a folder: nothing where the machine does not allow that.
+local function with_disk(folder, options, command)
+  for _, way in ipairs { "unshare -m", "unshare -rm" } do
+    if select(2, check.shell(way .. " sh -c 'mount -t tmpfs tmpfs /mnt'")) == 0 then
+      return check.shell(("mkdir -p %s; %s sh -c 'mount -t tmpfs -o %s tmpfs %s && { %s; }'")
+        :format(folder, way, options, folder, command))
+    end
+  end
+  print "this machine allows no small file systems: full disks are left out"
+end
+
+check.case("on a disk that fills up nothing finished is lost, and with more room it goes on", function()
+  local folder, name = new_folder(), os.tmpname()
+  core.write_file(name, ([[
+    local sg = require "signorini"
+    local study = sg.study{ name = "large", folder = "%s", cases = sg.grid{ a = { 1, 2, 3, 4, 5, 6, 7, 8 } }, inputs = {},
+      run = function(case)
+        local list = {}
+        for i = 1, 40000 do list[i] = i + case.a end
+        return { list = list, sum = case.a }
+      end }
+    study:execute{ jobs = 1 }
+    local sum = 0
+    for _, row in ipairs(study.rows) do sum = sum + row.list[40000] end
+    print("sum", sum)]]):format(folder))
+  local run = ("%s %s 2>&1"):format(arg[-1], name)
+  local output = with_disk(folder, "size=3m", ("%s; echo status $?; ls %s/cases | wc -l; mount -o remount,size=30m %s; %s")
+    :format(run, folder, folder, run))
+  os.remove(name)
+  if not output then return end
+  check.holds(output, "no space is left for '" .. folder .. "'", "make room and execute again", "status 1", "sum\t320036")
+  -- Each case that said that it was done is there, and only the others run after that.
+  local first, rest = output:match "^(.-)status 1\n(.*)$"
+  local _, done = first:gsub(": a=%d: %d", "")
+  local kept = tonumber(rest:match "^%s*(%d+)")
+  check.equal(kept >= done and kept <= done + 1 and kept >= 3, true)
+  local _, later = rest:gsub(": a=%d: %d", "")
+  check.equal(later, 8 - kept)
+end)
+
+check.case("a folder that cannot be written to is an error before any case runs", function()
+  local folder = new_folder()
+  check.shell(("mkdir -p %s; echo x >%s"):format(scratch, folder))
+  local function execute(where) noted(where, { { a = 1 } }, function() return {} end):execute{} end
+  check.fails(function() execute(folder) end, "study_test.lua", "study:execute: cannot make the folder '" .. folder .. "/cases'")
+  check.equal(calls(folder), 0)
+  local inside = new_folder()
+  local output = with_disk(inside, "ro", ([[%s -e "require(\"signorini\").study{ name = \"s\", folder = \"%s\", cases = { { a = 1 } }, run = function() print(1) return {} end }:execute{}"]])
+    :format(arg[-1], inside))
+  if output then check.holds(output, "cannot make the folder '" .. inside .. "/cases'", "Read-only", "choose a place") end
+end)
+
+-- ── Verbs ────────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+local function sample()
+  return noted(new_folder(), sg.grid({ order = { "N2", "N4" } }, { mesh = { 1, 2 }, round = { 1, 2, 3 } }), function(case)
+    return { cost = case.mesh * 10 + (case.round == 2 and 100 or case.round), name = case.order,
+             error = case.order == "N4" and case.mesh == 2 and case.round == 1 and nil or 1 / case.mesh }
+  end, { units = { cost = "s" } }):execute{}
+end
+
+check.case("where, row, by, with, column and median", function()
+  local study = sample()
+  check.equal(#study, 12)
+  check.equal(#study:where{ order = "N2" }, 6)
+  check.equal(#study:where{ order = { "N2", "N4" }, mesh = 2 }, 6)
+  check.equal(#study:where(function(row) return row.round > 1 end), 8)
+  check.equal(study:where{ mesh = 1, order = "N2" }:column "cost", { 11, 110, 13 })
+  local names, sizes = {}, {}
+  for order, part in study:by "order" do names[#names + 1], sizes[#sizes + 1] = order, #part end
+  check.equal({ names, sizes }, { { "N2", "N4" }, { 6, 6 } })
+  local calm = study:median "round"
+  check.equal(calm:column "cost", { 13, 23, 13, 23 })
+  check.equal(calm.parameters, { "order", "mesh" })
+  check.equal(calm:where{ mesh = { 2 } }:column "name", { "N2", "N4" })
+  local more = calm:with("double", function(row) return 2 * row.cost end, "s")
+  check.equal(more:column "double", { 26, 46, 26, 46 })
+  check.equal(more:table{ columns = { "order", "double" }, sort = "double" }, table.concat({
+    "order  double", "            s", "N2         26", "N4         26", "N2         46", "N4         46" }, "\n"))
+  check.fails(function() study:row{ order = "N2" } end, "6 rows are like that, not one", "name more parameters")
+  check.fails(function() study:row{ order = "N8" } end, "no rows are like that")
+  check.fails(function() study:median "cost" end, "must be 'order', 'mesh' or 'round'")
+  check.fails(function() calm:with("x", function() return 0 / 0 end) end, "x is nan in row 1")
+  check.fails(function() calm:with("mesh", function() return 0 end) end, "'mesh' is a parameter")
+  check.fails(function() study:table{ columns = { "costs" } } end, "columns[1]", "did you mean 'cost'?")
+end)
+
+check.case("csv writes what table shows", function()
+  local study, file = sample():median "round", scratch .. "/study.csv"
+  study:csv(file, { sort = { "mesh", "order" } })
+  local data = sg.csv.read(file)
+  check.equal(data.comments, { "study: noted", "cost / s", "wall / s" })
+  check.equal(data:column "cost", { 13, 13, 23, 23 })
+  check.equal(data:column "order", { "N2", "N4", "N2", "N4" })
+end)
+
+check.shell("rm -rf " .. scratch .. "*")
+check.done()
