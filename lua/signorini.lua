@@ -12,6 +12,7 @@ sg.mkdir = core.mkdir
 sg.grid = require "signorini.study.grid"
 local study = require "signorini.study"
 sg.study = study.new
+sg.recommend = require "signorini.recommend"
 sg.stability_map = require "signorini.stability_map"
 local profile = require "signorini.profile"
 sg.profile_error, sg.profile_edges = profile.error, profile.edges
@@ -127,6 +128,24 @@ columns, in rising order; formats are patterns of string.format by column name.]
 document("study:csv", methods.csv, [[
 study:csv(file, { columns, sort })
 Writes the table to a CSV file, units in comments.]])
+document("sg.recommend", sg.recommend, [[
+sg.recommend{ scene = function(label, mesh) … return model, stages, options end, error, at_most, labels, meshes, limit }
+The least model that is enough: solves labels and meshes from coarse to fine, estimates the error of each from the next
+level, and stops as soon as one is proven to be within the tolerance. Prints what it tried and what that cost.
+scene:   returns the model of a label and a mesh, and what model:run takes.
+error:   what shall be accurate: a column of the run such as "ground.max_pressure" (its last value counts), or a function
+         of model and run that returns a number, or a list of numbers at places that do not change with the mesh.
+at_most: the relative error, 0.02 for 2 %.
+labels:  from the plainest to the richest; { "N2", "N2-N2.2" } by default.
+meshes:  from coarse to fine, each about half as wide as the one before, in whatever way scene understands them;
+         { 1, 2, 4, 8, 16, 32 } by default.
+limit:   seconds after which no further level is begun; none by default.
+Returns label, mesh, error (the estimate), wall (s), unknowns of the cheapest case that is enough (nil where none is),
+tries, spent (s), report. With d the relative distance of the richest label's figures on two levels and r the share of
+the error that a level leaves (1/2, from three levels on as observed, at least 1/4) the finer one is at most d r/(1 - r)
+off, and coarser cases by their distance from it more. The error is that of the discretisation: what penalty, steps or
+the scene itself leave, no mesh can show. Labels that cost more and are less accurate than another are not tried again.
+Example: sg.recommend{ scene = press, error = "ground.max_pressure", at_most = 0.02 }]])
 document("sg.stability_map", sg.stability_map, [[
 sg.stability_map{ name, x = { name = , values = {…} }, y = { name = , values = {…} }, scene = function(x, y) …,
                   path = function(model, x, y) …, figures = function(model, run, x, y) …, jobs, limit, file }

@@ -1,0 +1,215 @@
+-- sg.recommend: the least model that is enough for a tolerance. Labels and meshes are tried from coarse to fine; the
+-- error of a coarse case is estimated from the next level, and the search ends as soon as one case is proven enough.
+
+local core = require "signorini.core"
+local arguments = require "signorini.arguments"
+local format_table = require "signorini.table"
+local progress = require "signorini.progress"
+local values = require "signorini.study.values"
+
+local where = "sg.recommend"
+
+-- How much of the error one level is taken to leave. Two levels cannot tell; three can, yet a better ratio than a quarter
+-- is not believed, and one near 1 means that the levels do not converge.
+local unknown_ratio, best_ratio, worst_ratio = 1 / 2, 1 / 4, 0.9
+
+-- ── Arguments ────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+local function read_list(key, list, default)
+  if list == nil then return default end
+  if type(list) ~= "table" or #list == 0 then arguments.reject(where, key, "a list of values", list) end
+  return list
+end
+
+local function read(options)
+  if type(options) ~= "table" then arguments.reject(where, "its argument", "a table of named arguments", options) end
+  arguments.table(where, "its argument", options, { "scene", "error", "at_most", "labels", "meshes", "limit" })
+  if options.scene == nil then
+    arguments.reject(where, "scene", "a function of label and mesh that returns a model, its stages and options", nil)
+  end
+  local measured = options.error
+  if type(measured) ~= "string" and type(measured) ~= "function" then
+    arguments.reject(where, "error", "a column of the run such as \"ground.max_pressure\", or a function of model and run",
+      measured)
+  end
+  return { scene = arguments.callback(where, "scene", options.scene), measured = measured,
+           at_most = arguments.positive(where, "at_most", options.at_most),
+           labels = read_list("labels", options.labels, { "N2", "N2-N2.2" }),
+           meshes = read_list("meshes", options.meshes, { 1, 2, 4, 8, 16, 32 }),
+           limit = options.limit and arguments.positive(where, "limit", options.limit) }
+end
+
+-- ── One case ─────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- The figure as a list of finite numbers.
+local function measure(search, model, run)
+  local figure
+  if type(search.measured) == "string" then
+    local column = run:column(search.measured)
+    figure = column[#column]
+  else
+    figure = search.measured(model, run)
+  end
+  local list = type(figure) == "table" and figure or { figure }
+  if #list == 0 then
+    core.fail(("%s: error must give a number or a list of numbers, it gave %s"):format(where, core.describe(figure)))
+  end
+  for i, value in ipairs(list) do arguments.number(where, ("what error gives, [%d],"):format(i), value) end
+  return list
+end
+
+--- Solves a case; adds it to what was tried.
+local function try(search, label, level)
+  local mesh, began = search.meshes[level], core.now()
+  local model, stages, options = search.scene(label, mesh)
+  if type(model) ~= "userdata" then
+    core.fail(("%s: scene must return a model and its stages, it returned %s"):format(where, core.describe(model)))
+  end
+  local run = model:run(stages, options)
+  local case = { label = label, mesh = mesh, level = level, wall = core.now() - began, unknowns = #model:unknowns() }
+  if run.failed then case.failed = run.reason else case.figure = measure(search, model, run) end
+  search.tries[#search.tries + 1] = case
+  search.by_level[level] = search.by_level[level] or {}
+  search.by_level[level][label] = case
+  search.spent = search.spent + case.wall
+  search.display:line(("recommend: %s, mesh %s: %d unknowns, %.2f s%s"):format(label, values.text(mesh), case.unknowns,
+    case.wall, case.failed and ", " .. case.failed or ""))
+  return case
+end
+
+-- ── Estimates ────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+local function norm(list)
+  local sum = 0
+  for _, value in ipairs(list) do sum = sum + value ^ 2 end
+  return math.sqrt(sum)
+end
+
+--- ‖a − b‖ / ‖b‖.
+local function distance(a, b)
+  if #a ~= #b then
+    core.fail(("%s: error gave lists of %d and of %d numbers: give the values at the same places each time")
+      :format(where, #a, #b))
+  end
+  local difference, scale = {}, norm(b)
+  for i, value in ipairs(a) do difference[i] = value - b[i] end
+  if scale == 0 then core.fail(where .. ": the figure is zero, which has no relative error: measure something else") end
+  return norm(difference) / scale
+end
+
+local function solved(search, level, label)
+  local case = search.by_level[level] and search.by_level[level][label]
+  return case and case.figure and case
+end
+
+--- How much of the error a level leaves, as far as the label's last three levels tell.
+local function ratio(search, label, level)
+  local older, old, new = solved(search, level - 2, label), solved(search, level - 1, label), solved(search, level, label)
+  if not older then return unknown_ratio end
+  local before, now = distance(older.figure, old.figure), distance(old.figure, new.figure)
+  if before == 0 then return now == 0 and best_ratio or worst_ratio end
+  return math.max(best_ratio, math.min(worst_ratio, now / before))
+end
+
+--- Estimates what it can with `reference`, a case whose label was solved on the level below, too. With d the distance of
+--- these two and r the share of the error that a level leaves, the reference's own error is at most d (r + r² + …) =
+--- d r/(1 − r); any coarser case is farther off by its distance from the reference.
+local function estimate(search, reference)
+  local level = reference.level
+  local r = ratio(search, reference.label, level)
+  local own = distance(solved(search, level - 1, reference.label).figure, reference.figure) * r / (1 - r)
+  reference.error = own
+  for _, case in pairs(search.by_level[level - 1]) do
+    if case.figure then case.error = distance(case.figure, reference.figure) + own end
+  end
+end
+
+--- The cheapest case whose error is proven to be at most the tolerance.
+local function cheapest(search)
+  local best
+  for _, case in ipairs(search.tries) do
+    local enough = case.error and case.error <= search.at_most
+    if enough and (not best or case.wall < best.wall) then best = case end
+  end
+  return best
+end
+
+--- Whether another label was both cheaper and more accurate on a level: then this one need not be tried again.
+local function dominated(search, label, level)
+  local case = solved(search, level, label)
+  for _, other in pairs(search.by_level[level] or {}) do
+    if case and other ~= case and case.error and other.error and other.error < case.error and other.wall < case.wall then
+      return true
+    end
+  end
+  return false
+end
+
+-- ── The search ───────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- The last label, the richest, that was solved on a level and on the one below.
+local function reference_on(search, level)
+  for i = #search.labels, 1, -1 do
+    local label = search.labels[i]
+    if not solved(search, level, label) then try(search, label, level) end
+    if solved(search, level, label) and solved(search, level - 1, label) then return solved(search, level, label) end
+  end
+end
+
+local function explore(search)
+  for level = 1, #search.meshes do
+    local reference = level > 1 and reference_on(search, level)
+    if reference then estimate(search, reference) end
+    local best = cheapest(search)
+    if best or (search.limit and search.spent > search.limit) then return best end
+    for _, label in ipairs(search.labels) do
+      local known = search.by_level[level] and search.by_level[level][label]
+      if not known and level < #search.meshes and not dominated(search, label, level - 1) then try(search, label, level) end
+    end
+  end
+end
+
+-- ── The result ───────────────────────────────────────────────────────────────────────────────────────────────────────
+
+local Recommendation = {}
+Recommendation.__index = Recommendation
+Recommendation.__name = "recommendation"
+
+local function verdict(search, best)
+  local total = ("%d runs, %.2f s in all"):format(#search.tries, search.spent)
+  if best then
+    return ("%s on mesh %s is enough: its error is at most %.3g, estimated from the next level; allowed %.3g. %s.")
+      :format(best.label, values.text(best.mesh), best.error, search.at_most, total)
+  end
+  local nearest
+  for _, case in ipairs(search.tries) do
+    if case.error and (not nearest or case.error < nearest.error) then nearest = case end
+  end
+  return ("None of these is proven to be within %.3g%s. %s. Finer meshes may do.")
+    :format(search.at_most, nearest and ("; %s on mesh %s comes nearest with %.3g"):format(nearest.label,
+      values.text(nearest.mesh), nearest.error) or "", total)
+end
+
+--- What was tried, and the verdict.
+function Recommendation:__tostring()
+  local rows = {}
+  for i, case in ipairs(self.tries) do
+    local figure = case.figure and (#case.figure == 1 and case.figure[1] or ("%d numbers"):format(#case.figure))
+    rows[i] = { case.label, values.text(case.mesh), case.unknowns, case.wall, case.failed or figure, case.error,
+                case.label == self.label and case.mesh == self.mesh and "enough" or "" }
+  end
+  return format_table{ columns = { "label", "mesh", "unknowns", "wall", "figure", "error at most", "" },
+    units = { "", "", "", "s", "", "", "" }, rows = rows, formats = { [4] = "%.3f", [6] = "%.2e" } } .. "\n" .. self.report
+end
+
+--- See help "sg.recommend".
+return function(options)
+  local search = read(options)
+  search.tries, search.by_level, search.spent, search.display = {}, {}, 0, progress(1)
+  local best = explore(search) or {}
+  local result = setmetatable({ label = best.label, mesh = best.mesh, error = best.error, wall = best.wall,
+    unknowns = best.unknowns, tries = search.tries, spent = search.spent, report = verdict(search, best.label and best) },
+    Recommendation)
+  print(result)
+  return result
+end

@@ -1,0 +1,121 @@
+-- sg.recommend on Hertz's line contact, where the true error is known.
+
+local sg = require "signorini"
+local core = require "signorini.core"
+local check = require "check"
+
+package.path = core.home .. "/scripts/?.lua;" .. package.path
+local problem = require "hertz2d.problem"
+
+local steps = 5
+
+local function scene(label, mesh)
+  local model, stage = problem.scene{ label = label, mesh = mesh, load = "force" }
+  stage.steps = steps
+  return model, { stage }
+end
+
+local meshes = { "m1", "m2", "m3", "m4", "m5", "m6" }
+
+local function recommend(more)
+  local options = { scene = scene, error = "ground.max_pressure", at_most = 0.02, meshes = meshes }
+  for key, value in pairs(more or {}) do options[key] = value end
+  return sg.recommend(options)
+end
+
+local function time(body)
+  local best = math.huge
+  for _ = 1, 3 do
+    local began = core.now()
+    body()
+    best = math.min(best, core.now() - began)
+  end
+  return best
+end
+
+check.case("for 2 % it finds a case that is within 2 % of Hertz, for less than the next finer uniform run", function()
+  local found = recommend()
+  local model, stages = scene(found.label, found.mesh)
+  local run = model:run(stages)
+  local _, p0 = problem.hertz(2 * run:column "ground.fy"[steps])
+  local off = math.abs(run:column "ground.max_pressure"[steps] / p0 - 1)
+  check.equal(off < 0.02, true)
+  check.equal(off <= found.error + 0.0075, true) -- 0.7 % is the ring's finite size and its penalty, on any mesh
+  local finest = 0
+  for _, case in ipairs(found.tries) do finest = math.max(finest, case.level) end
+  local uniform = time(function()
+    local next_model, next_stages = scene("N2", meshes[finest + 1])
+    next_model:run(next_stages)
+  end)
+  local search = time(recommend)
+  print(("search %.3f s, next finer uniform run %.3f s"):format(search, uniform))
+  check.equal(search < uniform, true)
+end)
+
+check.case("estimates hold: each case is as near to the finest mesh as it says", function()
+  local found = recommend{ at_most = 1e-3 }
+  local model, stages = scene("N2-N2.2", "m5")
+  local exact = model:run(stages):column "ground.max_pressure"[steps]
+  local estimated = 0
+  for _, case in ipairs(found.tries) do
+    if case.error then
+      estimated = estimated + 1
+      check.equal(math.abs(case.figure[1] / exact - 1) <= case.error, true)
+    end
+  end
+  check.equal(estimated >= 3 and found.error <= 1e-3, true)
+  check.holds(tostring(found), "error at most", "enough", "estimated from the next level; allowed 0.001")
+end)
+
+check.case("lists of numbers; none that is enough; labels that are dominated; a limit", function()
+  local function pressures(model)
+    local profile, list = model:profile "ground", {}
+    for k = 0, 4 do
+      local x = k * 0.005
+      for i = 2, #profile.x do
+        if profile.x[i - 1] <= x and x <= profile.x[i] then
+          local part = (x - profile.x[i - 1]) / (profile.x[i] - profile.x[i - 1])
+          list[k + 1] = profile.pressure[i - 1] * (1 - part) + profile.pressure[i] * part
+        end
+      end
+      list[k + 1] = list[k + 1] or profile.pressure[1]
+    end
+    return list
+  end
+  local none = recommend{ error = pressures, at_most = 1e-9, meshes = { "m1", "m2" } }
+  check.equal({ none.label, none.error }, {})
+  check.holds(none.report, "None of these is proven to be within 1e-09", "comes nearest")
+  check.equal(#none.tries, 3) -- both labels on m1, the richest on m2
+  local short = recommend{ at_most = 1e-9, limit = 1e-6 }
+  check.equal(short.tries[#short.tries].mesh, "m2")
+end)
+
+check.case("runs that fail are told and passed over", function()
+  local found = recommend{ labels = { "N2", "N2-N2.1", "N4" }, scene = function(label, mesh)
+    local model, stages = scene(label, mesh)
+    return model, stages, label == "N4" and { newton = { iterations = 1 } } or nil
+  end }
+  check.equal(found.label ~= "N4" and found.label ~= nil, true)
+  local failed = 0
+  for _, case in ipairs(found.tries) do failed = failed + (case.failed == "iterations" and 1 or 0) end
+  check.equal(failed >= 1, true)
+end)
+
+check.case("wrong arguments are errors at the user's line", function()
+  for _, wrong in ipairs {
+    { { scene = false }, "scene must be a function" },
+    { { error = 3 }, "error must be a column of the run", "the number 3" },
+    { { error = "ground.pressure" }, "ground.pressure" },
+    { { error = function() end }, "error must give a number" , "nothing" },
+    { { error = function() return 0 / 0 end }, "finite number", "nan" },
+    { { error = function() return 0 end, meshes = { "m1", "m2" } }, "the figure is zero" },
+    { { at_most = -1 }, "at_most must be a positive number" },
+    { { labels = {} }, "labels must be a list of values" },
+    { { label = { 1 } }, "unknown argument 'label'", "did you mean 'labels'?" },
+    { { scene = function() return 1 end }, "scene must return a model" },
+  } do
+    check.fails(function() recommend(wrong[1]) end, "recommend_test.lua", table.unpack(wrong, 2))
+  end
+end)
+
+check.done()
