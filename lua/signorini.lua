@@ -7,6 +7,9 @@ local sg = core.sg
 sg.help = require "signorini.help"
 sg.csv = require "signorini.csv"
 sg.table = require "signorini.table"
+sg.arguments = require "signorini.script_arguments"
+sg.files = require "signorini.files"
+sg.median = require "signorini.median"
 sg.reference = require "signorini.reference"
 sg.mkdir = core.mkdir
 sg.grid = require "signorini.study.grid"
@@ -41,6 +44,32 @@ what was corrected. The names are those of the files in share/reference.]])
 document("sg.mkdir", sg.mkdir, [[
 sg.mkdir(path)
 Makes a folder and those above it; an existing folder is fine.]])
+document("sg.arguments", sg.arguments, [[
+sg.arguments{ <name> = default, <name> = { default, <restriction> = … }, … }
+The arguments name=value that stand behind a script's name on the command line, as a table of values by name. The
+default gives the type: a whole number (10; of at least 1 unless it is told otherwise), a number (2.5, 100.0), a text,
+true or false (yes or no on the command line), or a list of numbers or of texts (values with commas in between).
+Restrictions, of a list's entries where the default is a list: { {"m1"}, choices = {"m1", "m2"} }
+choices:  a list of what it may be
+at_least, above, at_most, below: limits of a number
+none:     true: the word none stands for the empty list
+check:    a function of the value (or entry) and of all values, which returns whether it is good; with
+expected: what check asks for, in words that follow "must be"
+variants: further arguments by variant: variant = { "plain", variants = { plain = {…}, deep = { depth = 0.5 } } }; those
+          of a variant go before those that all have
+What cannot be understood ends the script with one line that says what came and what was expected; the word help or
+--help prints all arguments with their defaults and ends the program. A script that is called as a function takes the
+words of the call; sg.arguments(defaults, words) those of a list.
+Example: options = sg.arguments{ labels = {"N2", "N4"}, steps = 10, penalty = { 100.0, above = 0 }, out = "out/study" }]])
+document("sg.files", sg.files, [[
+sg.files(folder)
+Makes the folder and returns a list of the files that a script writes there: files "forces.png" is the path of a file and
+adds it to the list. files:draw(name, need, body): body(path) draws the file, or returns false when there is nothing to
+draw; then a line says what it would need. files:report() prints the list; files.folder is the folder.
+Example: files = sg.files "out/study"; run:csv(files "N2.csv"); files:report()]])
+document("sg.median", sg.median, [[
+sg.median(numbers)
+The median of a list of numbers: the one in the middle, or the mean of the two.]])
 document("sg.profile_error", sg.profile_error, [[
 sg.profile_error{ profile, reference, coordinate = "x", value = "pressure", normalise = 1, quadrature = "profile",
                   zone = "either", edge = "point" }

@@ -22,11 +22,19 @@ int user_frames(lua_State* L) {
   return count;
 }
 
+/// Whether an error is meant for who typed the command, such as a wrong argument (lua/signorini/script_arguments.lua).
+bool is_refusal(lua_State* L) {
+  const bool found = luaL_getmetafield(L, 1, "without_traceback") != LUA_TNIL;
+  if (found) lua_pop(L, 1);
+  return found;
+}
+
 /// Message handler: any error value as text, with the traceback below it unless it tells nothing new.
 int add_traceback(lua_State* L) {
-  const bool brief = lua_toboolean(L, lua_upvalueindex(1));
+  const bool brief = lua_toboolean(L, lua_upvalueindex(1)) && user_frames(L) < 2;
+  const bool refusal = is_refusal(L);
   luaL_tolstring(L, 1, nullptr);
-  if (interrupted() || (brief && user_frames(L) < 2)) return 1;
+  if (interrupted() || brief || refusal) return 1;
   luaL_traceback(L, L, lua_tostring(L, -1), 1);
   return 1;
 }

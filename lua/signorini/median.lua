@@ -1,0 +1,14 @@
+-- The median of a list of numbers.
+
+local arguments = require "signorini.arguments"
+
+--- See the help page.
+return function(values)
+  if type(values) ~= "table" or #values == 0 then
+    arguments.reject("sg.median", "its argument", "a list of numbers", values)
+  end
+  for i, value in ipairs(values) do arguments.number("sg.median", ("its entry %d"):format(i), value) end
+  local sorted = table.move(values, 1, #values, 1, {})
+  table.sort(sorted)
+  return (sorted[(#sorted + 1) // 2] + sorted[#sorted // 2 + 1]) / 2
+end

@@ -1,0 +1,227 @@
+-- sg.arguments: what each type takes, what is refused and in which words, variants, help; sg.files and sg.median.
+
+local sg = require "signorini"
+local check = require "check"
+
+local function refused(defaults, word, message)
+  local got = tostring(select(2, pcall(sg.arguments, defaults, { word })))
+  check.equal(got, message)
+end
+
+check.case("defaults, each as it was declared", function()
+  local options = sg.arguments({ mesh = { "m1" }, sizes = { 1, 2 }, loads = { 0, 0.5 }, steps = 10, penalty = 100.0,
+                                 keep = false, label = "N2", limit = { 1e5, above = 0 }, fine = {} }, {})
+  check.equal({ options.mesh, options.sizes, options.loads, options.fine }, { { "m1" }, { 1, 2 }, { 0, 0.5 }, {} })
+  check.equal({ options.steps, options.penalty, options.keep, options.label, options.limit },
+    { 10, 100.0, false, "N2", 1e5 })
+end)
+
+check.case("words of each type; the later of two counts", function()
+  local defaults = { mesh = { "m1" }, sizes = { 1, 2 }, loads = { 0, 0.5 }, steps = 10, penalty = 100.0, keep = false,
+                     label = "N2", fine = { { "N2" }, none = true }, flat_2 = true }
+  local options = sg.arguments(defaults, {
+    "steps=7", "mesh=m2,m3", "sizes=4", "loads=1e-3,2,-3", "steps=12", "keep=yes", "penalty=5", "label=a=b c",
+    "fine=none", "flat_2=no",
+  })
+  check.equal({ options.mesh, options.sizes, options.loads, options.fine },
+    { { "m2", "m3" }, { 4 }, { 1e-3, 2, -3 }, {} })
+  check.equal({ options.steps, options.penalty, options.keep, options.label, options.flat_2 },
+    { 12, 5, true, "a=b c", false })
+  check.equal({ math.type(options.steps), math.type(options.sizes[1]) }, { "integer", "integer" })
+  -- Numbers are never integers, whose products can overflow.
+  check.equal({ math.type(options.penalty), math.type(options.loads[2]) }, { "float", "float" })
+  check.equal({ sg.arguments(defaults, { "steps=1e2" }).steps, sg.arguments(defaults, { "mesh=m2,,m3," }).mesh },
+    { 100, { "m2", "m3" } })
+end)
+
+check.case("a list that was changed leaves the default alone", function()
+  local defaults = { mesh = { "m1" } }
+  table.insert(sg.arguments(defaults, {}).mesh, "m2")
+  check.equal(defaults.mesh, { "m1" })
+end)
+
+check.case("values of the wrong type", function()
+  refused({ steps = 10 }, "steps=x", "steps must be a whole number of at least 1, got 'x'")
+  refused({ steps = 10 }, "steps=2.5", "steps must be a whole number of at least 1, got '2.5'")
+  refused({ steps = 10 }, "steps=0", "steps must be a whole number of at least 1, got '0'")
+  refused({ sizes = { 1, 2 } }, "sizes=1,x,3", "sizes must be whole numbers of at least 1, got 'x' in '1,x,3'")
+  refused({ penalty = 2.5 }, "penalty=stiff", "penalty must be a number, got 'stiff'")
+  refused({ penalty = 2.5 }, "penalty=nan", "penalty must be a number, got 'nan'")
+  refused({ penalty = 2.5 }, "penalty=1e999", "penalty must be a number, got '1e999'")
+  refused({ loads = { 0, 0.5 } }, "loads=,", "loads must be numbers, got ','")
+  refused({ loads = { 0, 0.5 } }, "loads=none", "loads must be numbers, got 'none'")
+  refused({ keep = false }, "keep=maybe", "keep must be yes or no, got 'maybe'")
+  refused({ keep = false }, "keep=true", "keep must be yes or no, got 'true'")
+  refused({ label = "N2" }, "label=", "label must be a text, got nothing")
+  refused({ labels = { "N2" } }, "labels=", "labels must be texts, got nothing")
+end)
+
+check.case("choices and limits", function()
+  local load = { load = { "force", choices = { "force", "displacement" } } }
+  check.equal(sg.arguments(load, { "load=displacement" }).load, "displacement")
+  refused(load, "load=x", "load must be force or displacement, got 'x'")
+  refused(load, "load=forse", "load must be force or displacement, got 'forse'; did you mean 'force'?")
+  local meshes = { meshes = { { "m1" }, choices = { "m1", "m2", "m3" } } }
+  check.equal(sg.arguments(meshes, { "meshes=m3,m1" }).meshes, { "m3", "m1" })
+  refused(meshes, "meshes=m1,m9", "meshes must be among m1, m2 and m3, got 'm9' in 'm1,m9'; did you mean 'm1'?")
+  local dimensions = { dimensions = { { 2, 3 }, choices = { 2, 3 } } }
+  check.equal(sg.arguments(dimensions, { "dimensions=3" }).dimensions, { 3 })
+  refused(dimensions, "dimensions=4", "dimensions must be among 2 and 3, got '4'")
+  local limits = { every = { { 0, 10 }, at_least = 0 }, gap = { 5.0, at_least = 0, below = 10.4 },
+                   share = { 0.5, above = 0, at_most = 1 }, fine = { { 1.5 }, above = 1e-6, none = true } }
+  local options = sg.arguments(limits, { "every=0", "gap=0", "share=1" })
+  check.equal({ options.every, options.gap, options.share }, { { 0 }, 0, 1 })
+  refused(limits, "every=-1", "every must be whole numbers of at least 0, got '-1'")
+  refused(limits, "gap=10.4", "gap must be a number of at least 0 and below 10.4, got '10.4'")
+  refused(limits, "share=0", "share must be a number above 0 and of at most 1, got '0'")
+  refused(limits, "share=1.1", "share must be a number above 0 and of at most 1, got '1.1'")
+  refused(limits, "fine=0", "fine must be numbers above 1e-06, or none, got '0'")
+end)
+
+check.case("checks of the script see the value, or each entry, and all others", function()
+  local function shorter(value, all) return value < all.length end
+  local defaults = { length = 200.0, bonded = { 150.0, check = shorter, expected = "a length below that of the strip" },
+                     rows = { { "1", "all" }, expected = "whole numbers, or all",
+                              check = function(row) return row == "all" or math.tointeger(tonumber(row)) end } }
+  check.equal(sg.arguments(defaults, { "bonded=250", "length=300", "rows=all,2" }).rows, { "all", "2" })
+  refused(defaults, "bonded=200", "bonded must be a length below that of the strip, got '200'")
+  refused(defaults, "length=100", "bonded must be a length below that of the strip, got '150'")
+  refused(defaults, "rows=1,most", "rows must be whole numbers, or all, got 'most' in '1,most'")
+end)
+
+check.case("names that are not known", function()
+  local defaults = { meshes = { "m1", "m2" }, steps = 10, keep = true }
+  local known = "known: keep=yes, meshes=m1,m2, steps=10"
+  refused(defaults, "step=3", "unknown argument 'step=3'; did you mean 'steps'? " .. known)
+  refused(defaults, "out=x", "unknown argument 'out=x'; " .. known)
+  refused(defaults, "m1", "unknown argument 'm1': arguments look like name=value; " .. known)
+  refused(defaults, "-q", "unknown argument '-q': arguments look like name=value; " .. known)
+end)
+
+local variants = {
+  labels = { "N2" }, out = "out/a",
+  variant = { "plain", variants = {
+    plain = { ["repeat"] = 1, mesh = "m1" }, deep = { points = { 1, 2 }, out = "out/b" },
+  } },
+}
+
+check.case("variants have arguments of their own, and defaults of their own", function()
+  local plain = sg.arguments(variants, { "repeat=2", "labels=N4" })
+  check.equal({ plain.variant, plain["repeat"], plain.mesh, plain.labels, plain.out, plain.points },
+    { "plain", 2, "m1", { "N4" }, "out/a" })
+  local deep = sg.arguments(variants, { "points=3", "variant=deep" })
+  check.equal({ deep.variant, deep.points, deep.labels, deep.out }, { "deep", { 3 }, { "N2" }, "out/b" })
+  check.equal(deep["repeat"], nil)
+  refused(variants, "variant=x", "variant must be plain or deep, got 'x'")
+  refused(variants, "points=3",
+    "unknown argument 'points=3', which belongs to variant=deep; known with variant=plain: " ..
+    "labels=N2, mesh=m1, out=out/a, repeat=1, variant=plain")
+  refused(variants, "x=3",
+    "unknown argument 'x=3'; known with variant=plain: labels=N2, mesh=m1, out=out/a, repeat=1, variant=plain")
+end)
+
+check.case("a script's own mistakes are errors at its line", function()
+  for defaults, message in pairs {
+    [{ load = { "x", choices = { "force" } } }] = "the default of load must be force, got the string 'x'",
+    [{ offset = 0 }] = "the default of offset must be a whole number of at least 1, got the number 0",
+    [{ load = { "force", choice = { "force" } } }] = "unknown argument 'choice' in load; did you mean 'choices'?",
+    [{ load = { "force", choices = { 1 } } }] = "load.choices[1] must be of the type of the default, got the number 1",
+    [{ load = { choices = { "force" } } }] = "the default of load is missing",
+    [{ mesh = { "m1", "m2", none = true } }] = "mesh has a list as default and restrictions: write { { m1, … }, … }",
+    [{ mesh = { "m1", 2 } }] = "the default of mesh must be a text, a number, true, false, or a list",
+    [{ scene = print }] = "the default of scene must be a text, a number",
+    [{ label = { "N2", at_least = 1 } }] = "label.at_least is for numbers, and label is not one",
+    [{ label = { "N2", none = true } }] = "label.none is for lists",
+    [{ label = { "N2", check = print } }] = "label needs both check, a function, and expected",
+    [{ label = { "N2", check = 1, expected = "a" } }] = "label.check must be a function, got the number 1",
+    [{ help = "a" }] = "the string 'help' cannot be the name of an argument",
+    [{ "mesh" }] = "the number 1 cannot be the name of an argument",
+    [{ variant = { "a", variants = { b = {} } } }] = "the default of variant must be b, got the string 'a'",
+    [{ a = { "x", variants = { x = {} } }, b = { "y", variants = { y = {} } } }] = "both a and b have variants",
+    [{ a = { "x", variants = { x = { a = 1 } } } }] = "the variant x chooses once more",
+  } do
+    local output = check.fails(function() sg.arguments(defaults, {}) end, "sg.arguments: ", message)
+    check.holds(output, "arguments_test.lua:")
+  end
+  check.fails(function() sg.arguments(3) end, "sg.arguments: its argument must be a table of defaults")
+  check.fails(function() sg.arguments({}, "a=1") end, "sg.arguments: words must be a list of words")
+  check.fails(function() sg.arguments({}, { 1 }) end, "sg.arguments: words[1] must be a string")
+end)
+
+local script = [[
+local sg = require "signorini"
+local function read() return sg.arguments{ steps = 10, labels = { { "N2" }, choices = { "N2", "N4" } },
+  variant = { "plain", variants = { plain = {}, deep = { depth = 0.5 } } } } end
+print(read().steps)]]
+
+check.case("a script takes its words from the command line, and errors are one line without a traceback", function()
+  check.equal({ check.script(script, "steps=3") }, { "3\n", 0 })
+  check.equal({ check.script(script) }, { "10\n", 0 })
+  check.equal({ check.script(script, "steps=x") },
+    { "signorini: steps must be a whole number of at least 1, got 'x'\n", 1 })
+end)
+
+check.case("the word help, or --help, prints all arguments and ends well", function()
+  local page = [[
+Arguments of study.lua, with their defaults:
+  labels=N2      among N2 and N4
+  steps=10       a whole number of at least 1
+  variant=plain  plain or deep
+with variant=plain also:
+with variant=deep also:
+  depth=0.5  a number
+Several values have commas in between: a,b,c.
+]]
+  check.equal({ check.script(script, "help") }, { page, 0 })
+  check.equal({ check.script(script, "steps=x", "--help") }, { page, 0 })
+end)
+
+check.case("a script that is called as a function, and a module that it requires, take the words of the call", function()
+  local folder = os.tmpname()
+  os.remove(folder)
+  sg.mkdir(folder)
+  local function write(name, text) assert(io.open(folder .. "/" .. name, "w")):write(text):close() end
+  write("inner.lua", 'local options = require "reader" return options.steps')
+  write("reader.lua", 'local o = require "signorini".arguments{ steps = 10 } return o')
+  write("outer.lua", ('print(loadfile(%q)("steps=4"))'):format(folder .. "/inner.lua"))
+  check.equal({ check.program { folder .. "/outer.lua", "steps=5" } }, { "4\n", 0 })
+  check.equal({ check.program { folder .. "/inner.lua", "steps=z" } },
+    { "signorini: steps must be a whole number of at least 1, got 'z'\n", 1 })
+  check.shell("rm -r " .. folder)
+end)
+
+check.case("files: a folder, paths that are kept, what is left out, and the list at the end", function()
+  local folder = os.tmpname()
+  os.remove(folder)
+  local files, lines, print_to_terminal = sg.files(folder .. "/deep"), {}, print
+  print = function(line) lines[#lines + 1] = line end
+  local ok, message = pcall(function()
+    files:report()
+    check.equal({ files "a.csv", files "b.csv", files "a.csv" },
+      { folder .. "/deep/a.csv", folder .. "/deep/b.csv", folder .. "/deep/a.csv" })
+    files:draw("c.png", "a step", function(path) return path == folder .. "/deep/c.png" end)
+    files:draw("d.png", "a step", function() return false end)
+    files:report()
+  end)
+  print = print_to_terminal
+  if not ok then error(message, 0) end
+  check.equal({ table.unpack(files) }, { folder .. "/deep/a.csv", folder .. "/deep/b.csv", folder .. "/deep/c.png" })
+  check.equal(lines, { "d.png is left out: it needs a step",
+    ("\nWritten: %s/deep/a.csv\n         %s/deep/b.csv\n         %s/deep/c.png"):format(folder, folder, folder) })
+  check.equal(files.folder, folder .. "/deep")
+  assert(io.open(folder .. "/deep/x", "w")):close() -- the folder is there
+  check.fails(function() files(3) end, "sg.files: the name of a file must be a string, got the number 3")
+  check.fails(function() sg.files() end, "sg.files: its argument is missing")
+  check.fails(function() sg.files(folder .. "/deep/x") end, "cannot make the folder")
+  check.shell("rm -r " .. folder)
+end)
+
+check.case("the median leaves the list as it is", function()
+  local list = { 5, 1, 3 }
+  check.equal({ sg.median(list), sg.median { 4, 1, 3, 2 }, sg.median { 7 } }, { 3, 2.5, 7 })
+  check.equal(list, { 5, 1, 3 })
+  check.fails(function() sg.median {} end, "sg.median: its argument must be a list of numbers, got an empty table")
+  check.fails(function() sg.median { 1, 0 / 0 } end, "sg.median: its entry 2 must be a finite number")
+end)
+
+check.done()
