@@ -1,13 +1,11 @@
 #include "bind/doctor.hpp"
 
-#include "base/eigen.hpp"
 #include "base/error.hpp"
 #include "bind/library.hpp"
-#include "bind/threads.hpp"
+#include "bind/versions.hpp"
 #include "view/picture.hpp"
 #include "view/renderer.hpp"
 
-#include <dlfcn.h>
 #include <filesystem>
 #include <iomanip>
 #include <ostream>
@@ -18,14 +16,6 @@ namespace signorini::bind {
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string suitesparse_version() {
-  int v[3] = {0, 0, 0};
-  auto* version = reinterpret_cast<int (*)(int*)>(dlsym(RTLD_DEFAULT, "SuiteSparse_version"));
-  if (!version) return "not loaded";
-  version(v);
-  return text(v[0], ".", v[1], ".", v[2]);
-}
 
 /// A coloured square, drawn and thrown away.
 std::string test_picture() {
@@ -60,12 +50,8 @@ bool doctor(std::ostream& out, int threads, const std::string& readline) {
       row(name, text("FAILED: ", error.what()));
     }
   };
-  row("signorini", SIGNORINI_VERSION);
+  for (const auto& [name, version] : versions()) row(name.c_str(), version);
   attempt("library", [] { return find_home().string(); });
-  row("Lua", LUA_RELEASE);
-  row("Eigen", text(EIGEN_WORLD_VERSION, ".", EIGEN_MAJOR_VERSION, ".", EIGEN_MINOR_VERSION));
-  row("SuiteSparse", suitesparse_version());
-  row("BLAS", blas_description());
   row("threads", std::to_string(threads));
   row("readline", readline);
   attempt("renderer", [] { return view::renderer_description(); });

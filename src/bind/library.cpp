@@ -4,6 +4,7 @@
 #include "bind/functions.hpp"
 #include "bind/open.hpp"
 #include "bind/threads.hpp"
+#include "bind/versions.hpp"
 #include "solve/linear.hpp"
 
 #include <algorithm>
@@ -87,7 +88,9 @@ void open_library(lua_State* L, const Settings& settings) {
   set_field(L, "at_once", settings.jobs > 0 ? settings.jobs : processors);
   set_field(L, "host", host_name());
   set_field(L, "processor", processor_name());
-  set_field(L, "version", SIGNORINI_VERSION);
+  lua_newtable(L);
+  for (const auto& [name, version] : versions()) set_field(L, name.c_str(), version);
+  lua_setfield(L, -2, "versions");
   // In the source tree the shared data stand in share/, in an installed tree beside lua/.
   set_field(L, "share", (fs::exists(home / "share") ? home / "share" : home).string());
   set_field(L, "home", home.string());

@@ -116,7 +116,7 @@ check.case("the file of a case is JSON with inputs, figures, version, host and t
   local record = core.read_json(core.read_file(folder .. "/cases/" .. name))
   check.equal({ record.study, record.case.order, record.case.mesh.die, record.figures.third, record.figures.die },
     { "one", "N2", { 6, 2 }, 1 / 3, 6 })
-  check.equal({ record.made.signorini, record.made.host, record.outcome }, { core.version, core.host, "done" })
+  check.equal({ record.made.versions.signorini, record.made.host, record.outcome }, { core.versions.signorini, core.host, "done" })
   check.holds(record.made.time:gsub("%d", "0"), "0000-00-00T00:00:00Z")
   check.equal(record.wall > 0 and record.wall < 5, true)
 end)

@@ -36,7 +36,7 @@ local function words_on(study, missing, reasons, older)
   for why, count in pairs(reasons) do words[#words + 1] = ("%d because %s"):format(count, why) end
   table.sort(words)
   local again = #words > 0 and "; run again: " .. table.concat(words, "; ") or ""
-  local version = older > 0 and ("; %d of them are of another version than %s"):format(older, core.version) or ""
+  local version = older > 0 and ("; %d of them are of another version than %s"):format(older, core.versions.signorini) or ""
   return (again ~= "" or version ~= "") and
     ("%s: %d of %d cases are kept%s%s"):format(study.name, kept, #study.cases, version, again) or nil
 end
@@ -51,7 +51,7 @@ local function missing(study, now, limit, again)
     if why then reasons[why] = (reasons[why] or 0) + 1 end
     if record and not why then
       study.records[i] = record
-      if (record.made or {}).signorini ~= core.version then older = older + 1 end
+      if ((record.made or {}).versions or {}).signorini ~= core.versions.signorini then older = older + 1 end
     else
       list[#list + 1] = i
     end
@@ -138,7 +138,7 @@ local function execute(study, keeper, options)
   if words then display.bar:line(words) end
   local function keep(i, record, at_once)
     record.study, record.case, record.inputs = study.name, study.cases[i].case, now
-    record.made = { signorini = core.version, host = core.host, processor = core.processor,
+    record.made = { versions = core.versions, host = core.host, processor = core.processor,
                     time = os.date "!%Y-%m-%dT%H:%M:%SZ", at_once = at_once }
     study.records[i], study.unsaved[i] = record, record
     store.write(keeper, study.cases[i], record)

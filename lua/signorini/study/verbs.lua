@@ -5,6 +5,7 @@ local core = require "signorini.core"
 local arguments = require "signorini.arguments"
 local csv = require "signorini.csv"
 local format_table = require "signorini.table"
+local median = require "signorini.median"
 local pictures = require "signorini.study.pictures"
 local values = require "signorini.study.values"
 
@@ -124,11 +125,6 @@ function verbs:with(name, make, unit)
     if key ~= name then units[key] = value end
   end
   return part_of(self, rows, { figures = figures, units = units })
-end
-
-local function median(list)
-  table.sort(list)
-  return (list[(#list + 1) // 2] + list[#list // 2 + 1]) / 2
 end
 
 --- One row of several that differ in one parameter only: numbers by their median, all else as in the first.

@@ -1,0 +1,13 @@
+#pragma once
+// The versions of the program and of the libraries that results depend on.
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace signorini::bind {
+
+/// Names and versions: signorini, Lua, Eigen, SuiteSparse, BLAS.
+std::vector<std::pair<std::string, std::string>> versions();
+
+} // namespace signorini::bind
