@@ -1,0 +1,135 @@
+-- What it takes to run a study side by side, and what is lost when it is killed: nothing that was finished.
+--
+-- Problem: 24 cases of 2D frictional ironing at m2 (scripts/ironing2d.lua): eight labels, each with p + 1, 2(p + 1) and
+--          3(p + 1) contact points; the die is pressed and dragged for the first third of its way, steps that fail are
+--          cut in half. The study is executed with one process at a time and with several; then once more, and killed
+--          three times at random moments of it.
+-- Source: the problem is that of V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for
+--         Isogeometric Analysis of Contact Problems, PhD thesis, IIT Guwahati, 2020, section 7.1; the study is ours.
+-- Units: seconds by the clock on the wall.
+-- Expected: with two jobs on two processors at most 0.6 of the time of one, where nothing else uses them; after the kills
+--           the same table, and no finished case repeated.
+-- Run: signorini scripts/parallel_study.lua [jobs=2] [rounds=3] [labels=N2,N4,N6,N2-N4,N2-N6,N2-N2.1,N2-N2.2,N2-N2.3]
+--      [mesh=m2] [steps=130] [out=out/parallel_study]; times are medians of `rounds`; steps of the path that are taken.
+--      signorini scripts/parallel_study.lua once=FOLDER jobs=2 executes the study in a folder and prints its table: this is
+--      what is killed.
+
+package.path = require("signorini.core").home .. "/scripts/?.lua;" .. package.path
+local sg = require "signorini"
+local core = require "signorini.core"
+local ironing = require "ironing2d.problem"
+
+local options = sg.arguments{
+  jobs = 2, rounds = 3, labels = { "N2", "N4", "N6", "N2-N4", "N2-N6", "N2-N2.1", "N2-N2.2", "N2-N2.3" },
+  mesh = "m2", steps = 130, out = "out/parallel_study", once = "",
+}
+
+-- ── The study ────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+local function solve(case)
+  local set_up = ironing.variants.standard
+  local model = ironing.scene(set_up, case.label, ironing.elements(case.mesh),
+    case.points * (ironing.layer_degree(case.label) + 1))
+  local run = model:run(ironing.path(set_up, 1), { step = { adaptive = true }, on_step = function(info)
+    return info.step == case.steps and "stop" or nil
+  end })
+  local last = run.steps
+  return { iterations = run.iterations, drag = run:column "grip.fx"[last], press = run:column "grip.fy"[last],
+           failed = run.failed, reason = run.failed and run.reason or nil }
+end
+
+local function new_study(folder)
+  return sg.study{
+    name = "ironing", folder = folder, units = { drag = "N/mm", press = "N/mm" }, run = solve,
+    cases = sg.grid{ label = options.labels, points = { 1, 2, 3 }, steps = { options.steps },
+                     mesh = { options.mesh } },
+  }
+end
+
+--- The table of what the cases computed, without the times, which differ.
+local function table_of(study)
+  return study:table{ columns = { "label", "points", "iterations", "drag", "press" } }
+end
+
+if options.once ~= "" then
+  local study = new_study(options.once):execute{ jobs = options.jobs }
+  print(table_of(study))
+  return { study = study }
+end
+
+-- ── Side by side ─────────────────────────────────────────────────────────────────────────────────────────────────────
+
+local files = sg.files(options.out)
+
+--- Executes the study anew; its seconds and its table.
+local function time(jobs)
+  local folder = ("%s/%d_at_once"):format(options.out, jobs)
+  local study, began = new_study(folder), core.now()
+  study:execute{ jobs = jobs, again = true }
+  return core.now() - began, table_of(study), study
+end
+
+local seconds, text, study = { one = {}, several = {} }, nil, nil
+for _ = 1, options.rounds do
+  local one, first = time(1)
+  local several, second
+  several, second, study = time(options.jobs)
+  if first ~= second then error("the cases came out differently side by side") end
+  table.insert(seconds.one, one)
+  table.insert(seconds.several, several)
+  text = second
+end
+local one, several = sg.median(seconds.one), sg.median(seconds.several)
+print(text)
+print(("\n%d cases on %s, %d processors: one at a time %.1f s, %d at a time %.1f s, %.3f times as long (medians of %d)")
+  :format(#study, core.processor, core.processors, one, options.jobs, several, several / one, options.rounds))
+study:csv(files "cases.csv")
+
+-- ── Killed ───────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+local folder = options.out .. "/killed"
+
+--- The cases that are finished, by the texts of their files' times.
+local function finished()
+  local cases = {}
+  for _, row in ipairs(new_study(folder):read().rows) do
+    cases[row.label .. " " .. row.points] = row.wall -- measured once: another one would mean another run
+  end
+  return cases
+end
+
+local function count(cases)
+  local number = 0
+  for _ in pairs(cases) do number = number + 1 end
+  return number
+end
+
+local function quoted(word) return "'" .. word:gsub("'", [['\'']]) .. "'" end
+
+--- The command that executes the study in the folder of the kills.
+local function command()
+  return ("%s -q %s once=%s jobs=%d mesh=%s steps=%d labels=%s"):format(quoted(arg[-1]),
+    quoted(core.home .. "/scripts/parallel_study.lua"), quoted(folder), options.jobs, options.mesh, options.steps,
+    table.concat(options.labels, ","))
+end
+
+os.execute("rm -rf " .. quoted(folder))
+math.randomseed(os.time())
+local repeated, moments, counts = 0, {}, {}
+for i = 1, 3 do
+  local before = finished()
+  moments[i] = several / 4 * (0.5 + math.random())
+  os.execute(("%s >/dev/null & sleep %.3f; kill -9 $!; wait $! 2>/dev/null"):format(command(), moments[i]))
+  local after = finished()
+  for name, wall in pairs(before) do repeated = repeated + (after[name] == wall and 0 or 1) end
+  counts[i] = count(after)
+end
+local before, pipe = finished(), assert(io.popen(command()))
+local taken_up = pipe:read "a":gsub("%s+$", "")
+pipe:close()
+for name, wall in pairs(before) do repeated = repeated + (finished()[name] == wall and 0 or 1) end
+print(("killed after %.1f, %.1f, %.1f s with %d, %d, %d cases finished, then taken up: %s table, %d finished cases repeated")
+  :format(moments[1], moments[2], moments[3], counts[1], counts[2], counts[3],
+    taken_up == text and "the same" or "ANOTHER", repeated))
+files:report()
+return { ratio = several / one, same = taken_up == text, repeated = repeated, counts = counts, study = study }

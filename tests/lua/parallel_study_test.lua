@@ -1,0 +1,21 @@
+-- scripts/parallel_study.lua, coarse: side by side, and killed three times, the study comes to the same table.
+
+local core = require "signorini.core"
+local check = require "check"
+
+local folder = os.tmpname()
+os.remove(folder)
+
+check.case("no result changes side by side, and no finished case is repeated after kills", function()
+  local result = assert(loadfile(core.home .. "/scripts/parallel_study.lua"))("mesh=m1", "labels=N2,N2-N2.2", "steps=20",
+    "rounds=1", "out=" .. folder)
+  check.equal({ #result.study, result.same, result.repeated }, { 6, true, 0 })
+  check.equal(result.counts[1] <= result.counts[2] and result.counts[2] <= result.counts[3], true)
+  for _, row in ipairs(result.study.rows) do
+    check.equal({ row.failed, row.press < 0 }, { nil, true })
+  end
+  check.holds(core.read_file(folder .. "/cases.csv"), "# study: ironing", "N2-N2.2")
+end)
+
+check.shell("rm -rf " .. folder)
+check.done()
