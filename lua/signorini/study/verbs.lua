@@ -220,7 +220,7 @@ local function read_table(where, study, options)
       rows[i][j] = value
     end
   end
-  return columns, units, rows, options.formats
+  return columns, units, rows, options.formats or { wall = "%.3g" }
 end
 
 --- See help "study:table".
