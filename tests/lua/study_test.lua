@@ -201,6 +201,21 @@ check.case("killed three times and taken up again it ends with the same table an
   os.remove(name)
 end)
 
+check.case("Ctrl-C ends it with what is done, and lets go of the folder", function()
+  local folder, name = new_folder(), os.tmpname()
+  core.write_file(name, ([[
+    local sg = require "signorini"
+    sg.study{ name = "stopped", folder = "%s", cases = sg.grid{ a = { 1, 2, 3, 4, 5, 6 } }, inputs = {},
+              run = function(case) os.execute "sleep 0.2" return { b = case.a } end }:execute{ jobs = 1 }
+    print "not stopped"]]):format(folder))
+  local output = check.shell(("%s -q %s & sleep 0.5; kill -INT $!; wait $!; echo status $?"):format(arg[-1], name))
+  check.holds(output, "interrupted", "status 130")
+  check.equal(files_in(folder) >= 1 and files_in(folder) <= 3, true)
+  check.equal(check.program { "-q", name }, "not stopped\n")
+  check.equal(files_in(folder), 6)
+  os.remove(name)
+end)
+
 -- ── What goes wrong ──────────────────────────────────────────────────────────────────────────────────────────────────
 
 check.case("a figure that is nan makes its case an error that names it; the others are kept", function()
