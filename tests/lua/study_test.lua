@@ -227,8 +227,8 @@ check.case("a figure that is nan makes its case an error that names it; the othe
     return { dPx = 1 }
   end):execute{}
   check.equal(study.rows[1].dPx, 1)
-  check.holds(study.rows[2].reason, "case a=2: the figure dPx is nan", "return nil for what is not known")
-  check.holds(study.rows[3].reason, "case a=3: the figure curve[2] is inf")
+  check.holds(study.rows[2].reason, "case a=2: the figure dPx is nan (not a number): figures are finite numbers", "return nil for what is not known")
+  check.holds(study.rows[3].reason, "case a=3: the figure curve[2] is infinity")
   check.holds(study.rows[4].reason, "the figure 'a' is called like a parameter")
   check.holds(study.rows[5].reason, "run returned nothing: return a table of figures")
   check.equal({ study.rows[2].failed, study.rows[2].dPx }, { true, nil })

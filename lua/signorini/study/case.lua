@@ -7,19 +7,6 @@ local function reject(entry, what, cure)
   core.fail(("sg.study: case %s: %s%s"):format(entry.text, what, cure and ": " .. cure or ""))
 end
 
---- `path`: what messages call the figure.
-local function check_figure(entry, path, value)
-  local kind = type(value)
-  if kind == "table" then
-    for key, part in next, value do check_figure(entry, ("%s[%s]"):format(path, tostring(key)), part) end
-  elseif kind == "number" and (value ~= value or math.abs(value) == math.huge) then
-    reject(entry, ("the figure %s is %s"):format(path, core.describe(value)),
-      "return nil for what is not known, or failed = true with a reason")
-  elseif kind ~= "number" and kind ~= "string" and kind ~= "boolean" then
-    reject(entry, ("the figure %s is %s"):format(path, core.describe(value)), "figures are numbers, texts, or lists of these")
-  end
-end
-
 local function read_figures(entry, figures)
   if type(figures) ~= "table" then
     reject(entry, ("run returned %s"):format(figures == nil and "nothing" or core.describe(figures)),
@@ -30,7 +17,11 @@ local function read_figures(entry, figures)
       reject(entry, ("a figure has no name but %s"):format(core.describe(name)), "write name = value")
     end
     if entry.case[name] ~= nil then reject(entry, ("the figure '%s' is called like a parameter"):format(name)) end
-    check_figure(entry, name, value)
+    local ok, message = pcall(core.write_json, value, "the figure " .. name) -- finite numbers, plain data
+    if not ok then
+      reject(entry, tostring(message):gsub("^.-:%d+: ", "", 1):gsub(": only .*$", ""),
+        "figures are finite numbers, texts, or lists of these; return nil for what is not known, or failed = true with a reason")
+    end
   end
   if figures.failed ~= nil and type(figures.failed) ~= "boolean" then
     reject(entry, "failed must be true or false, got " .. core.describe(figures.failed))
