@@ -22,13 +22,15 @@ double widest(const Ticks& ticks, double size) {
   return width;
 }
 
-/// Leaves out ticks until the others' numbers stand apart; `needed(i)` is the room from tick i − 1 to tick i.
+/// Leaves out ticks until the others' numbers stand apart, on a log axis as minor ones; `needed(i)` is the room from
+/// tick i − 1 to tick i.
 template <class Needed> void thin_out(Ticks& ticks, const Scale& scale, Needed needed) {
   for (std::size_t i = 1; i < ticks.at.size();) {
     if (scale(ticks.at[i]) - scale(ticks.at[i - 1]) >= needed(i)) {
       ++i;
       continue;
     }
+    if (scale.log) ticks.minor.push_back(ticks.at[i]);
     ticks.at.erase(ticks.at.begin() + static_cast<std::ptrdiff_t>(i));
     ticks.labels.erase(ticks.labels.begin() + static_cast<std::ptrdiff_t>(i));
   }

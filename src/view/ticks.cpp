@@ -58,6 +58,17 @@ Ticks decades(int first, int last, int count) {
   return ticks;
 }
 
+/// Linear ticks with marks that part each step in fifths or, where it is 2 × 10ᵏ, in quarters.
+Ticks with_minor(Ticks ticks, double low, double high) {
+  if (ticks.at.size() < 2) return ticks;
+  const double step = ticks.at[1] - ticks.at[0], digit = step / std::pow(10.0, std::floor(std::log10(step) + slack));
+  const int parts = std::lround(digit) == 2 ? 4 : 5;
+  const int before = static_cast<int>((ticks.at.front() - low) / step * parts + slack);
+  for (int i = -before; ticks.at.front() + i * step / parts <= high + slack * step; ++i)
+    if (i % parts != 0) ticks.minor.push_back(ticks.at.front() + i * step / parts);
+  return ticks;
+}
+
 } // namespace
 
 Ticks linear_ticks(double low, double high, int count) {
@@ -80,8 +91,11 @@ Ticks linear_ticks(double low, double high, int count) {
 Ticks log_ticks(double low, double high, int count) {
   const double from = std::log10(low), to = std::log10(high);
   const int first = static_cast<int>(std::ceil(from - slack)), last = static_cast<int>(std::floor(to + slack));
+  if (high / low < 5) return with_minor(linear_ticks(low, high, count), low, high);
   Ticks ticks;
-  if (last > first) {
+  // One or two powers alone would say little.
+  const bool few = to - from < 1.5 && count >= 5;
+  if (last > first && !few) {
     ticks = decades(first, last, count);
     std::erase_if(ticks.minor, [&](double v) { return v < low || v > high; });
     return ticks;
@@ -97,7 +111,7 @@ Ticks log_ticks(double low, double high, int count) {
         ticks.minor.push_back(value);
       }
     }
-  return ticks.at.size() >= 2 ? ticks : linear_ticks(low, high, count);
+  return ticks;
 }
 
 } // namespace signorini::view

@@ -17,7 +17,8 @@ struct Ticks {
 /// At most `count` (≥ 2) round numbers 1, 2, 5 × 10ᵏ apart within [low, high]. Needs low < high.
 Ticks linear_ticks(double low, double high, int count);
 
-/// Powers of ten within [low, high]; below two decades also multiples. Needs 0 < low < high.
+/// Powers of ten within [low, high]; below a decade and a half 2 and 5 times them, too; below a factor of 5, where
+/// these are few, round numbers as on a linear axis. With minor ticks between. Needs 0 < low < high.
 Ticks log_ticks(double low, double high, int count);
 
 } // namespace signorini::view

@@ -53,6 +53,25 @@ TEST(LinearTicks, StayInsideTheRangeAndBelowTheCountForAnyRange) {
   }
 }
 
+TEST(FrameTicks, StandApartOnLogAxesOfAnySpan) {
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> size(300, 1400), exponent(-12, 9), width(0.02, 6);
+  const Style style = style_for({1600, 1000});
+  for (int trial = 0; trial < 1000; ++trial) {
+    const double pixels = size(random), low = std::pow(10, exponent(random));
+    const Scale scale{low, low * std::pow(10, width(random)), true, 0, pixels};
+    const Ticks up = stacked_ticks(scale.low, scale.high, true, pixels, style);
+    ASSERT_GE(up.at.size(), 2u) << scale.low << " " << scale.high;
+    for (std::size_t i = 1; i < up.at.size(); ++i)
+      ASSERT_GE(scale(up.at[i]) - scale(up.at[i - 1]), 1.1 * style.tick_size);
+    const Ticks along = fitting_ticks(scale.low, scale.high, true, pixels, style);
+    ASSERT_GE(along.at.size(), 2u) << scale.low << " " << scale.high << " " << pixels;
+    for (std::size_t i = 1; i < along.at.size(); ++i)
+      ASSERT_GE(scale(along.at[i]) - scale(along.at[i - 1]), 0.5 * (text_width(along.labels[i - 1], style.tick_size) +
+                                                                    text_width(along.labels[i], style.tick_size)));
+  }
+}
+
 TEST(LogTicks, ArePowersOfTenWithTheirMultiplesAsMinorTicks) {
   const Ticks ticks = log_ticks(0.5, 200, 9);
   EXPECT_EQ(ticks.labels, (Labels{"10⁰", "10¹", "10²"}));
@@ -83,6 +102,24 @@ TEST(LogTicks, ShowMultiplesWhereFewPowersLieInTheRange) {
   EXPECT_EQ(log_ticks(0.015, 0.6, 9).labels, (Labels{"0.02", "0.05", "0.1", "0.2", "0.5"}));
   EXPECT_EQ(log_ticks(1.5e-7, 9e-7, 9).labels, (Labels{"2×10⁻⁷", "5×10⁻⁷"}));
   EXPECT_EQ(log_ticks(3.1, 4.4, 5).labels, (Labels{"3.5", "4.0"}));
+  EXPECT_EQ(log_ticks(0.9, 12, 9).labels, (Labels{"1", "2", "5", "10"}));
+  EXPECT_EQ(log_ticks(0.9, 12, 3).labels, (Labels{"10⁰", "10¹"})); // where there is no room for more
+}
+
+TEST(LogTicks, HaveMinorOnesInAnyRangeAndNoneBesideIt) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> exponent(-9, 9), width(0.01, 3);
+  for (int trial = 0; trial < 2000; ++trial) {
+    const double low = std::pow(10, exponent(random)), high = low * std::pow(10, width(random));
+    const Ticks ticks = log_ticks(low, high, 9);
+    ASSERT_GE(ticks.at.size(), 2u) << low << " " << high;
+    ASSERT_GE(ticks.minor.size(), 2u) << low << " " << high;
+    for (double v : ticks.minor) {
+      ASSERT_TRUE(v >= low * (1 - 1e-8) && v <= high * (1 + 1e-8)) << v;
+      for (double major : ticks.at) ASSERT_GT(std::abs(v - major), 1e-6 * v);
+    }
+  }
+  EXPECT_EQ(log_ticks(3.1, 4.4, 5).minor.size(), 12u); // 3.1, 3.2 … 4.4 but 3.5 and 4.0
 }
 
 } // namespace
