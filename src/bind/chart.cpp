@@ -20,6 +20,36 @@ std::array<double, 2> read_range(lua_State* L, const Options& o, const char* key
   return {range[0], range[1]};
 }
 
+/// The number of the curve that it looks like, or gray.
+int read_colour(const Options& o, lua_State* L) {
+  const int value = o.push_value("color");
+  const Argument argument = o.argument("color", "number of the curve that it looks like");
+  if (lua_type(L, value) != LUA_TSTRING) return o.integer("color", argument.meaning, 1) - 1;
+  if (read_string(L, value, argument) != "gray") reject(L, value, argument, "the number of a curve, or \"gray\"");
+  return view::gray;
+}
+
+/// One name per point, as numbers in the chart's list, which grows by new names unless the user has given it.
+std::vector<int> read_marks(lua_State* L, const Options& o, std::vector<std::string>& names, bool given) {
+  std::vector<int> marks;
+  const Argument whole = o.argument("marks", "what each point is");
+  const int list = o.push_value("marks"), count = read_list(L, list, whole, "a list of one name per point");
+  for (int i = 1; i <= count; ++i) {
+    lua_rawgeti(L, list, i);
+    const Argument entry{text(whole.name, "[", i, "]"), whole.meaning};
+    const std::string name = read_string(L, -1, entry);
+    auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end() && given)
+      throw ArgumentError(text(function_name(L), ": ", entry.name, " is '", name,
+                               "', which the chart's marks do not list", did_you_mean(name, names),
+                               "; known: ", listed(names)));
+    if (found == names.end()) found = names.insert(names.end(), name);
+    marks.push_back(static_cast<int>(found - names.begin()));
+    lua_pop(L, 1);
+  }
+  return marks;
+}
+
 /// A marker's number, or no_marker for "none".
 int read_marker(const Options& o) {
   std::vector<std::string> names = view::marker_names();
@@ -29,9 +59,10 @@ int read_marker(const Options& o) {
   return found + 1 == names.end() ? view::no_marker : static_cast<int>(found - names.begin());
 }
 
-view::Series read_series(lua_State* L, int index, int number, const std::vector<double>& common_x) {
-  const Options o(L, index, {"y", "x", "label", "markers", "dashed", "line", "color", "width", "marker"}, false,
-                  text("[", number, "]"));
+view::Series read_series(lua_State* L, int index, int number, const std::vector<double>& common_x,
+                         std::vector<std::string>& marks, bool marks_given) {
+  const Options o(L, index, {"y", "x", "label", "markers", "dashed", "line", "color", "width", "marker", "marks"},
+                  false, text("[", number, "]"));
   const auto list = [&](const char* key, const char* meaning) {
     return read_numbers(L, o.push_value(key), o.argument(key, meaning), true);
   };
@@ -51,9 +82,14 @@ view::Series read_series(lua_State* L, int index, int number, const std::vector<
   series.dashed = o.flag("dashed", "draw a dashed line", false);
   series.line = o.flag("line", "draw the line", true);
   series.width = o.positive("width", "of the line, in pixels of a chart of 1600 x 1000", series.width);
-  if (o.has("color")) series.colour = o.integer("color", "number of the curve that it looks like", 1) - 1;
+  if (o.has("color")) series.colour = read_colour(o, L);
   if (o.has("marker")) series.marker = read_marker(o);
-  if (!series.line && (!series.markers || series.marker == view::no_marker))
+  if (o.has("marks")) series.marks = read_marks(L, o, marks, marks_given);
+  if (o.has("marks") && series.marks.size() != series.y.size())
+    throw ArgumentError(text(function_name(L), ": ", o.path(),
+                             ".marks must have as many names as the curve has points, ", series.y.size(), ", got ",
+                             series.marks.size()));
+  if (!series.line && series.marks.empty() && (!series.markers || series.marker == view::no_marker))
     throw ArgumentError(text(function_name(L), ": ", o.path(), " shows neither line nor markers: set markers = true"));
   return series;
 }
@@ -95,10 +131,28 @@ view::Inset read_inset(lua_State* L, const Options& chart) {
   return inset;
 }
 
+/// The kinds of points in the order of their markers, each once.
+std::vector<std::string> read_mark_names(lua_State* L, const Options& o) {
+  const Argument whole = o.argument("marks", "names of kinds of points");
+  const int list = o.push_value("marks"), count = read_list(L, list, whole, "a list of names");
+  std::vector<std::string> names;
+  for (int i = 1; i <= count; ++i) {
+    lua_rawgeti(L, list, i);
+    const Argument entry{text(whole.name, "[", i, "]"), whole.meaning};
+    names.push_back(read_string(L, -1, entry));
+    if (std::find(names.begin(), names.end(), names.back()) + 1 != names.end())
+      throw ArgumentError(text(function_name(L), ": ", entry.name, " is '", names.back(),
+                               "' once more: name each kind of points once"));
+    lua_pop(L, 1);
+  }
+  lua_settop(L, list - 1);
+  return names;
+}
+
 int chart(lua_State* L) {
   const Options o(L, 1,
                   {"file", "x", "xlabel", "ylabel", "log", "title", "legend", "xrange", "yrange", "xticks", "hlines",
-                   "vlines", "inset", "size"},
+                   "vlines", "inset", "size", "legend_title", "marks", "marks_title"},
                   true);
   view::ChartOptions options;
   const std::string file = o.string("file", "a name that ends with .png, .svg or .pdf");
@@ -106,6 +160,9 @@ int chart(lua_State* L) {
   options.xlabel = o.string("xlabel", "label of the x axis", "");
   options.ylabel = o.string("ylabel", "label of the y axis", "");
   options.legend = o.flag("legend", "show the legend", true);
+  options.legend_title = o.string("legend_title", "line above the curves' names", "");
+  options.marks_title = o.string("marks_title", "line above the names of points", "");
+  if (o.has("marks")) options.marks = read_mark_names(L, o);
   const std::string log = o.has("log") ? o.choice("log", "logarithmic axes", {"x", "y", "xy"}) : "";
   options.log_x = log == "x" || log == "xy";
   options.log_y = log == "y" || log == "xy";
@@ -127,7 +184,7 @@ int chart(lua_State* L) {
   std::vector<view::Series> series;
   const int top = lua_gettop(L);
   for (int i = 1; lua_rawgeti(L, 1, i) != LUA_TNIL; ++i) {
-    series.push_back(read_series(L, top + 1, i, x));
+    series.push_back(read_series(L, top + 1, i, x, options.marks, o.has("marks")));
     lua_settop(L, top);
   }
   if (series.empty())
@@ -141,10 +198,17 @@ constexpr Function rows[] = {
      "sg.chart{ file, x, { y, label, … }, …, xlabel, ylabel, log, title, legend = true, xticks, hlines, inset }\n"
      "Draws curves to a file that ends with .png, .svg or .pdf. Each curve is a table without a name:\n"
      "  { y = {…}, x = its own abscissae (the chart's x), label = , markers = false, dashed = false, line = true,\n"
-     "    width = 3, color = number of the curve that it looks like (its own), marker = \"circle\", … or \"none\" }\n"
+     "    width = 3, color = number of the curve that it looks like (its own) or \"gray\", marker = \"circle\", … or "
+     "\"none\" }\n"
      "Markers: circle, square, triangle, diamond, triangle down, cross, pentagon, plus, and open ones (\"open "
      "circle\").\n"
      "Curves of one label and look share a row of the legend; one without a label has none. A nan leaves a gap.\n"
+     "marks = {…} in a curve names the kind of each of its points, such as the mesh: one marker per kind in all "
+     "curves, "
+     "each\n"
+     "curve keeps its colour, and the legend lists both. For the chart, marks = {…} sets the kinds' order (that of "
+     "their\n"
+     "first points), legend_title and marks_title stand above the two parts of the legend.\n"
      "log = \"x\", \"y\" or \"xy\" for logarithmic axes; xrange, yrange = {low, high}; size = {1600, 1000} pixels.\n"
      "xticks = { {1, \"m1\"}, {2, \"m2\"} }: names in place of numbers; hlines, vlines = { {value, text}, … }: "
      "reference\n"

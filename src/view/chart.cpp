@@ -30,7 +30,12 @@ void check(const std::vector<Series>& series, const ChartOptions& options) {
     const Series& s = series[n];
     require(s.x.size() == s.y.size(), name_of(series, n), " has ", s.x.size(), " x values and ", s.y.size(),
             " y values; give as many of one as of the other");
-    require(s.line || (s.markers && s.marker != no_marker), name_of(series, n),
+    require(s.marks.empty() || s.marks.size() == s.x.size(), name_of(series, n), " has ", s.marks.size(), " marks for ",
+            s.x.size(), " points; give one per point, or none");
+    for (int mark : s.marks)
+      require(mark >= 0 && mark < static_cast<int>(options.marks.size()), name_of(series, n), " has mark ", mark,
+              "; the chart names ", options.marks.size());
+    require(s.line || !s.marks.empty() || (s.markers && s.marker != no_marker), name_of(series, n),
             " has neither line nor markers; switch one of them on");
     for (std::size_t i = 0; i < s.x.size(); ++i) {
       if (!drawn(s, i)) continue;
@@ -39,6 +44,8 @@ void check(const std::vector<Series>& series, const ChartOptions& options) {
       if (options.log_y) check_positive(s.y[i], 'y', name_of(series, n));
     }
   }
+  require(options.marks.size() <= marker_names().size(), "the chart has ", options.marks.size(),
+          " kinds of points, and there are ", marker_names().size(), " markers; mark fewer kinds, or none");
   require(any, "the chart's series hold no finite point; nothing can be drawn");
 }
 

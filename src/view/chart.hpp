@@ -11,6 +11,7 @@
 namespace signorini::view {
 
 inline constexpr int no_marker = -1;
+inline constexpr int gray = -1; ///< a colour of no curve, for what others are compared with
 
 /// Names of the markers: eight filled ones, then eight open ones.
 const std::vector<std::string>& marker_names();
@@ -23,8 +24,9 @@ struct Series {
   bool markers = false; ///< a marker at each point; among several curves each line has a few in any case
   bool dashed = false;
   double width = 3;               ///< of the line, in pixels of a chart of 1600 × 1000
-  std::optional<int> colour = {}; ///< looks like the series of this number (from 0), the series' own when absent
+  std::optional<int> colour = {}; ///< looks like the series of this number (from 0), or gray; its own when absent
   std::optional<int> marker = {}; ///< in marker_names(), or no_marker; the look's own when absent
+  std::vector<int> marks = {};    ///< one per point, in ChartOptions::marks: their markers take the place of its own
 };
 
 enum class Corner { north_east, north_west, south_east, south_west };
@@ -39,7 +41,10 @@ struct Inset {
 struct ChartOptions {
   std::string title, xlabel, ylabel;
   bool log_x = false, log_y = false;
-  bool legend = true; ///< right of the data, never over it; left out for a single unlabelled series
+  bool legend = true;             ///< right of the data, never over it; left out for a single unlabelled series
+  std::string legend_title;       ///< above the curves' names
+  std::vector<std::string> marks; ///< what points are, each with a marker of its own: the legend's second part
+  std::string marks_title;        ///< above these names
   std::optional<std::array<double, 2>> xrange, yrange;
   std::vector<Name> xticks;         ///< in rising order; they take the place of numbers
   std::vector<Name> hlines, vlines; ///< reference lines across the chart; the text may be empty
@@ -50,7 +55,8 @@ struct ChartOptions {
 /// Draws to .png, .svg or .pdf (by the ending), whole or not at all. The same call gives the same bytes. Curves of one
 /// label and look share a row of the legend. Where an inset finds no free corner, the y axis goes on until there is
 /// one, unless yrange is given. Throws Error on no series, unequal lengths, nothing finite to draw, values ≤ 0 on a log
-/// axis, ranges that do not rise, an inset without data, an unknown ending, or a file that cannot be written.
+/// axis, ranges that do not rise, more marks than markers, an inset without data, an unknown ending, or a file that
+/// cannot be written.
 void draw_chart(const std::vector<Series>& series, const ChartOptions& options, const std::string& file);
 
 } // namespace signorini::view

@@ -11,9 +11,9 @@ namespace {
 
 // Okabe and Ito's colours, which colour-blind readers tell apart; their yellow is too pale on white and gives way to
 // brown.
-constexpr Rgb palette[] = {{0, 114, 178},  {213, 94, 0},  {0, 158, 115}, {204, 121, 167},
-                           {86, 180, 233}, {230, 159, 0}, {60, 60, 60},  {135, 75, 30}};
-constexpr int palette_size = 8;
+const std::vector<Rgb> palette = {{0, 114, 178},  {213, 94, 0},  {0, 158, 115}, {204, 121, 167},
+                                  {86, 180, 233}, {230, 159, 0}, {60, 60, 60},  {135, 75, 30}};
+const int palette_size = static_cast<int>(palette.size());
 constexpr double marker_radius = 8; // in a chart of 1600 × 1000
 
 /// The series' unbroken stretches in pixels; points closer than a fifth of a pixel to the last one are passed over.
@@ -38,16 +38,24 @@ bool within(const Vec2& p, const Box& box) {
   return p[0] >= box[0] - 0.5 && p[0] <= box[1] + 0.5 && p[1] >= box[2] - 0.5 && p[1] <= box[3] + 0.5;
 }
 
+struct Place {
+  Vec2 at;
+  int marker;
+};
+
 /// All points, or about ten spread along the line, shifted from series to series so that they do not hide each other.
-std::vector<Vec2> marker_places(const std::vector<Series>& series, std::size_t index, const Frame& frame, bool sparse) {
+std::vector<Place> marker_places(const std::vector<Series>& series, std::size_t index, const Frame& frame,
+                                 const Style& style) {
   const Series& s = series[index];
-  std::vector<Vec2> places;
+  const int own = look_of(series, index, style).marker;
+  if (own == no_marker && s.marks.empty()) return {};
+  std::vector<Place> places;
   for (std::size_t i = 0; i < s.x.size(); ++i)
-    if (drawn(s, i)) places.push_back({frame.x(s.x[i]), frame.y(s.y[i])});
-  std::erase_if(places, [&](const Vec2& p) { return !within(p, frame.box); });
+    if (drawn(s, i)) places.push_back({{frame.x(s.x[i]), frame.y(s.y[i])}, s.marks.empty() ? own : s.marks[i]});
+  std::erase_if(places, [&](const Place& p) { return !within(p.at, frame.box); });
   constexpr std::size_t few = 10;
-  if (!sparse || places.size() <= 2 * few) return places;
-  std::vector<Vec2> chosen;
+  if (s.markers || !s.marks.empty() || places.size() <= 2 * few) return places;
+  std::vector<Place> chosen;
   const double stride = static_cast<double>(places.size()) / few;
   for (std::size_t k = 0; k < few; ++k)
     chosen.push_back(places[static_cast<std::size_t>(stride * (k + (index + 0.5) / series.size()))]);
@@ -87,15 +95,21 @@ Range axis_range(const Range& values, const std::optional<std::array<double, 2>>
   return {values.low - room, values.high + room};
 }
 
+const std::vector<Rgb>& curve_colours() {
+  return palette;
+}
+
 bool drawn(const Series& s, std::size_t point) {
   return std::isfinite(s.x[point]) && std::isfinite(s.y[point]);
 }
 
-Look look_of(const std::vector<Series>& series, std::size_t index, const Style& style) {
+CurveLook look_of(const std::vector<Series>& series, std::size_t index, const Style& style) {
   const Series& s = series[index];
   const int number = s.colour.value_or(static_cast<int>(index));
-  const bool marked = s.markers || (s.line && series.size() > 1);
-  return {palette[number % palette_size], marked ? s.marker.value_or(number) : no_marker, s.width * style.unit,
+  const bool neutral = number == gray;
+  const bool marked = s.marks.empty() && (s.markers || (s.line && series.size() > 1 && !neutral));
+  return {neutral ? gray_colour : palette[number % palette_size],
+          marked ? s.marker.value_or(std::max(number, 0)) : no_marker, s.width * style.unit,
           dash_of(s, number, style.unit)};
 }
 
@@ -122,22 +136,26 @@ Range range_within(const std::vector<Series>& series, const std::array<double, 2
 void draw_series(Drawing& drawing, const std::vector<Series>& series, std::size_t index, const Frame& frame,
                  const Style& style) {
   const Series& s = series[index];
-  const Look look = look_of(series, index, style);
+  const CurveLook look = look_of(series, index, style);
   if (s.line)
     for (const auto& stretch : stretches(s, frame))
       for (auto& part : clip_line(stretch, frame.box))
         drawing.marks.push_back(Stroke{std::move(part), look.colour, look.width, look.dash});
-  if (look.marker == no_marker) return;
-  for (const Vec2& place : marker_places(series, index, frame, !s.markers))
-    draw_marker(drawing, look.marker, place, marker_radius * style.unit, look.colour);
+  for (const Place& place : marker_places(series, index, frame, style))
+    draw_marker(drawing, place.marker, place.at, marker_radius * style.unit, look.colour);
 }
 
-void draw_sample(Drawing& drawing, const Series& s, const Look& look, const Vec2& from, const Vec2& to,
+void draw_sample(Drawing& drawing, const Series& s, const CurveLook& look, const Vec2& from, const Vec2& to,
                  const Style& style) {
-  if (s.line) drawing.marks.push_back(Stroke{{from, to}, look.colour, 1.13 * look.width, look.dash});
+  if (s.line || !s.marks.empty())
+    drawing.marks.push_back(Stroke{{from, to}, look.colour, 1.13 * look.width, look.dash});
   if (look.marker == no_marker) return;
   const Vec2 middle = {0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1])};
   draw_marker(drawing, look.marker, middle, 1.06 * marker_radius * style.unit, look.colour);
+}
+
+void draw_mark_sample(Drawing& drawing, int mark, const Vec2& at, const Style& style) {
+  draw_marker(drawing, mark, at, 1.06 * marker_radius * style.unit, ink);
 }
 
 Lines lines_of(const std::vector<Series>& series, const Frame& frame, const Style& style) {
@@ -146,9 +164,10 @@ Lines lines_of(const std::vector<Series>& series, const Frame& frame, const Styl
   for (std::size_t n = 0; n < series.size(); ++n) {
     if (series[n].line)
       for (auto& stretch : stretches(series[n], frame)) lines.push_back(std::move(stretch));
-    if (look_of(series, n, style).marker != no_marker)
-      for (const auto& [x, y] : marker_places(series, n, frame, !series[n].markers))
-        lines.insert(lines.end(), {{{x - radius, y}, {x + radius, y}}, {{x, y - radius}, {x, y + radius}}});
+    for (const Place& place : marker_places(series, n, frame, style)) {
+      const auto [x, y] = place.at;
+      lines.insert(lines.end(), {{{x - radius, y}, {x + radius, y}}, {{x, y - radius}, {x, y + radius}}});
+    }
   }
   return lines;
 }

@@ -22,17 +22,21 @@ Range axis_range(const Range& values, const std::optional<std::array<double, 2>>
 /// Whether a point of the series is drawn: both coordinates are finite.
 bool drawn(const Series& s, std::size_t point);
 
+/// The colours of curves, in their order, and the neutral one.
+const std::vector<Rgb>& curve_colours();
+inline constexpr Rgb gray_colour = {196, 196, 196};
+
 /// How a series looks. Grey prints tell lines apart by their markers, and from the ninth on by dashes and open markers.
-struct Look {
+struct CurveLook {
   Rgb colour;
-  int marker; ///< or no_marker
+  int marker; ///< or no_marker, also where its points have marks of their own
   double width;
   std::vector<double> dash;
 
-  bool operator==(const Look&) const = default;
+  bool operator==(const CurveLook&) const = default;
 };
 
-Look look_of(const std::vector<Series>& series, std::size_t index, const Style& style);
+CurveLook look_of(const std::vector<Series>& series, std::size_t index, const Style& style);
 
 /// Where the curves run for x within `within`, their crossings of its ends included; empty when they do not.
 Range range_within(const std::vector<Series>& series, const std::array<double, 2>& within, bool log_x, bool log_y);
@@ -40,9 +44,12 @@ Range range_within(const std::vector<Series>& series, const std::array<double, 2
 void draw_series(Drawing& drawing, const std::vector<Series>& series, std::size_t index, const Frame& frame,
                  const Style& style);
 
-/// A stretch of curve and the marker on it, as in a legend.
-void draw_sample(Drawing& drawing, const Series& s, const Look& look, const Vec2& from, const Vec2& to,
+/// A stretch of curve and the marker on it, as in a legend; points with marks have their own part of the legend.
+void draw_sample(Drawing& drawing, const Series& s, const CurveLook& look, const Vec2& from, const Vec2& to,
                  const Style& style);
+
+/// The marker of a kind of points, without the colour of any curve.
+void draw_mark_sample(Drawing& drawing, int mark, const Vec2& at, const Style& style);
 
 using Lines = std::vector<std::vector<Vec2>>;
 

@@ -9,7 +9,8 @@ struct Legend {
   double size = 0, width = 0, row = 0; ///< pixels; no width without rows
   struct Row {
     std::string label;
-    std::size_t series;
+    std::optional<std::size_t> series = {}; ///< whose curve stands before it
+    std::optional<int> mark = {};           ///< whose marker does; a row with neither is a title, or a gap
   };
   std::vector<Row> rows;
 };

@@ -70,6 +70,42 @@ check.case("curves of one label and colour share a row of the legend", function(
   check.equal(rows(2), 2)
 end)
 
+check.case("marks: a marker per kind of points, curves and kinds in two parts of the legend", function()
+  local function svg(marks, more)
+    local options = { file = folder .. "/marks.svg", marks = marks, legend_title = "order", marks_title = "mesh",
+                      { x = { 1, 2, 3 }, y = { 1, 2, 3 }, label = "N2", marks = { "m1", "m2", "m3" } },
+                      { x = { 1, 2 }, y = { 2, 4 }, label = "N4", marks = { "m4", "m1" } } }
+    for key, value in pairs(more or {}) do options[key] = value end
+    sg.chart(options)
+    return content(options.file)
+  end
+  local function order(text, ...)
+    local last = 0
+    for _, name in ipairs { ... } do
+      local at = text:find(">" .. name .. "<", 1, true)
+      if not at or at < last then error(("'%s' is missing or too early"):format(name)) end
+      last = at
+    end
+  end
+  order(svg(), "order", "N2", "N4", "mesh", "m1", "m2", "m3", "m4")
+  order(svg { "m4", "m3", "m2", "m1" }, "N4", "mesh", "m4", "m3", "m2", "m1")
+  check.equal(svg(nil, { legend = false }):find(">mesh<", 1, true), nil)
+  check.fails(function() svg { "m1", "m2", "m3" } end, "[2].marks[1] is 'm4'", "did you mean", "known: m1, m2, m3")
+  check.fails(function() svg { "m1", "m1" } end, "marks[2] is 'm1' once more")
+  check.fails(function() svg(nil, { [3] = { y = { 1 }, x = { 1 }, marks = { 4 } } }) end,
+    "[3].marks[1] must be a string")
+  check.fails(function() svg(nil, { [3] = { y = { 1 }, x = { 1 }, marks = {} } }) end,
+    "[3].marks must have as many names as the curve has points, 1, got 0")
+end)
+
+check.case("gray belongs to no curve", function()
+  local file = folder .. "/gray.svg"
+  sg.chart { file = file, x = { 1, 2 }, { y = { 1, 2 }, label = "front", color = "gray", width = 12 } }
+  check.holds(content(file), '#c4c4c4" stroke-width="12"')
+  check.fails(function() sg.chart { file = file, x = { 1, 2 }, { y = { 1, 2 }, color = "red" } } end,
+    '[1].color must be the number of a curve, or "gray"', "'red'")
+end)
+
 check.case("wrong arguments", function()
   local wrong = {
     { { xlable = "a" }, "unknown argument 'xlable' (the string 'a'); did you mean 'xlabel'?" },

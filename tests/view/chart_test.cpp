@@ -140,6 +140,27 @@ TEST(Chart, ObeysWidthMarkerAndColour) {
   EXPECT_EQ(count_of(file_bytes(scratch("bare.svg")), "<polygon"), 0);
 }
 
+TEST(Chart, DrawsTheMarkersOfKindsOfPointsInTheCurvesColours) {
+  ChartOptions options;
+  options.marks = {"m1", "m2", "m3"};
+  Series first = line_of({1, 2, 3}), second = line_of({3, 2, 1});
+  first.label = "N2", second.label = "N4";
+  first.marks = {0, 1, 2}, second.marks = {2, 1, 0};
+  draw_chart({first, second}, options, scratch("marks.svg"));
+  const std::string svg = file_bytes(scratch("marks.svg"));
+  EXPECT_EQ(count_of(svg, "<polygon"), 2 * (6 + 3)); // of points and of the legend, each with a white rim
+  const std::string fill = "fill=\"";
+  EXPECT_EQ(count_of(svg, fill + "#0072b2"), 3);
+  EXPECT_EQ(count_of(svg, fill + "#d55e00"), 3);
+  EXPECT_TRUE(holds(svg, {">N2<", ">N4<", ">m1<", ">m3<"}));
+  second.marks = {2, 1};
+  EXPECT_TRUE(holds(refusal({first, second}, options), {"series 2 'N4'", "2 marks", "3 points"}));
+  second.marks = {2, 1, 3};
+  EXPECT_TRUE(holds(refusal({first, second}, options), {"mark 3", "names 3"}));
+  options.marks.resize(17);
+  EXPECT_TRUE(holds(refusal({first}, options), {"17 kinds", "16 markers"}));
+}
+
 TEST(Chart, TakesConstantDataAndSinglePoints) {
   draw_chart({line_of({2, 2, 2})}, {}, scratch("flat.svg"));
   Series point = line_of({0});

@@ -30,7 +30,7 @@ TEST(Look, TellsSixteenSeriesApartByLinesAloneAndByMarkersAlone) {
   const auto series = labelled(16);
   for (std::size_t a = 0; a < series.size(); ++a)
     for (std::size_t b = 0; b < a; ++b) {
-      const Look one = look_of(series, a, style), other = look_of(series, b, style);
+      const CurveLook one = look_of(series, a, style), other = look_of(series, b, style);
       EXPECT_FALSE(one.colour == other.colour && one.dash == other.dash) << a << " " << b;
       EXPECT_NE(one.marker, other.marker) << a << " " << b;
     }
@@ -46,6 +46,43 @@ TEST(Look, FollowsColourMarkerAndDashes) {
   series[1].marker = no_marker;
   EXPECT_EQ(look_of(series, 1, style).marker, no_marker);
   EXPECT_EQ(look_of(labelled(1), 0, style).marker, no_marker); // a single line needs none
+}
+
+TEST(Look, OfGrayIsTheNeutralOneWithoutMarkers) {
+  auto series = labelled(3);
+  series[0].colour = gray;
+  EXPECT_EQ(look_of(series, 0, style).colour, gray_colour);
+  EXPECT_EQ(look_of(series, 0, style).marker, no_marker);
+  EXPECT_TRUE(look_of(series, 0, style).dash.empty());
+  series[0].markers = true;
+  EXPECT_EQ(look_of(series, 0, style).marker, 0);
+}
+
+TEST(Legend, ListsCurvesThenKindsOfPointsWithTheirTitles) {
+  auto series = labelled(2);
+  for (Series& s : series) s.marks = {0, 1};
+  ChartOptions options;
+  options.marks = {"m1", "m2"};
+  options.legend_title = "order";
+  options.marks_title = "mesh";
+  const Legend legend = make_legend(series, options, style, 900);
+  std::vector<std::string> labels;
+  for (const Legend::Row& row : legend.rows) labels.push_back(row.label);
+  EXPECT_EQ(labels, (std::vector<std::string>{"order", "N0", "N1", "", "mesh", "m1", "m2"}));
+  EXPECT_EQ(legend.rows[2].series, 1u);
+  EXPECT_EQ(legend.rows[6].mark, 1);
+  EXPECT_FALSE(legend.rows[4].series || legend.rows[4].mark);
+  EXPECT_EQ(look_of(series, 1, style).marker, no_marker); // the legend's curve has none of its own
+  series.resize(1);
+  series[0].label.clear();
+  EXPECT_EQ(make_legend(series, options, style, 900).rows.size(), 3u); // one curve needs no name, its points do
+}
+
+TEST(Legend, OfSixteenCurvesAndEightKindsOfPointsIsLegible) {
+  ChartOptions options;
+  options.legend_title = options.marks_title = "title";
+  for (int k = 0; k < 8; ++k) options.marks.push_back(text("mesh ", k));
+  EXPECT_GE(make_legend(labelled(17), options, style, 860).size, 18); // pixels of 1000; numbers have 27
 }
 
 TEST(Legend, GivesCurvesOfOneLabelAndLookOneRow) {
