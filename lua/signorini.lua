@@ -17,6 +17,8 @@ local study = require "signorini.study"
 sg.study = study.new
 sg.recommend = require "signorini.recommend"
 sg.stability_map = require "signorini.stability_map"
+sg.work_precision = require "signorini.work_precision"
+sg.cheapest = require "signorini.cheapest"
 local profile = require "signorini.profile"
 sg.profile_error, sg.profile_edges = profile.error, profile.edges
 core.types.model.run = require "signorini.run"
@@ -197,6 +199,29 @@ map:figure{ name, file, log = false, label, title, range, colormap, size, beside
 Example: map = sg.stability_map{ x = { name = "order", values = {"N2", "N4"} }, y = { name = "steps", values = {5, 10} },
            scene = function(order) return press(order) end,
            path = function(model, order, steps) return { { steps = steps, grip = {0, -0.5} } } end }]])
+document("sg.work_precision", sg.work_precision, [[
+sg.work_precision(study, { error, time = "wall", series = "order", marker, where, at, file or files, title, xlabel, ylabel,
+                           size })
+Error against time: one curve per series through its cases by rising time, one marker per kind of case, both axes
+logarithmic, the Pareto front as grey steps. Returns the comparison; print shows ratios, front and what was left out.
+error, time, series, marker: columns of the study, or functions of a row. Errors count by their size. series is the first
+         parameter where none is called order; marker all other parameters together, false for none.
+where:   a function of a row: only rows for which it is true.
+at:      errors at which times are compared; by default the least, the middle and the largest one that both curves reach.
+file, files: .png, .svg, .pdf; none by default.
+Cases that failed, and those without time or error or with a zero of them, are left out and listed with the reason.
+Times at equal error are interpolated on the lines between cases; where a curve comes down to an error more than once, the
+least time counts. Nothing is extrapolated: not below a curve's least error, and not above that of its cheapest case.
+result.ratios: { a, b, from, to, at = {…}, ratio = {…} } for each pair: at the error at[i] a takes ratio[i] of b's time,
+nil beyond from … to; without errors that both reach, why. result.pareto: the rows of the front; result.left_out: { row,
+why }; result:table(), result:front(): texts.
+Example: print(sg.work_precision(study, { error = "dPx", at = {0.05}, file = "speed.png" }))]])
+document("sg.cheapest", sg.cheapest, [[
+sg.cheapest(study, { error, at_most, cost = "wall", where })
+The cheapest row of a study whose error is at most so large, and the runner-up; nil and a text about the nearest case when
+there is none. error and cost: columns, or functions of a row; errors count by their size. where: a function of a row:
+only rows for which it is true. Rows that failed, or lack error or cost, do not count.
+Example: best, next_best = sg.cheapest(study, { error = "dPx", at_most = 0.05 })]])
 document("model:run", core.types.model.run, [[
 model:run(stages, options)
 Takes a model along its load path and returns a run. Each stage { name = , steps = , <support or load> = {…} } moves driven

@@ -1,0 +1,60 @@
+-- What the readers of a study pick from its rows: a column or a function, with its name, unit and axis label.
+
+local arguments = require "signorini.arguments"
+local values = require "signorini.study.values"
+
+local quantity = {}
+
+--- A study, checked as far as its readers need it.
+function quantity.study(where, study)
+  for _, key in ipairs { "rows", "parameters", "figures", "units" } do
+    if type(study) ~= "table" or type(study[key]) ~= "table" then
+      arguments.reject(where, "its first argument", "a study", study, "make one with sg.study")
+    end
+  end
+  return study
+end
+
+--- { where, key, study, pick, name, unit, label } of the argument `key`: a column's name or a function of a row.
+function quantity.read(where, key, study, pick, default)
+  pick = values.pick(where, key, study, pick, default)
+  local column = type(pick) == "string" and pick or nil
+  local unit = column and (study.units[column] or column == "wall" and "s") or ""
+  return { where = where, key = key, study = study, pick = pick, name = column or key, unit = unit,
+           label = column and (unit ~= "" and ("%s / %s"):format(column, unit) or column) or "" }
+end
+
+--- "order = N2, mesh = m1"
+function quantity.case(study, row)
+  local parts = {}
+  for i, name in ipairs(study.parameters) do parts[i] = ("%s = %s"):format(name, values.text(row[name])) end
+  return table.concat(parts, ", ")
+end
+
+--- The number that it has in a row, or nil; a text or a number that is not finite is an error that names the case.
+function quantity.number(q, row)
+  return values.number(q.where, ("%s (of the case %s)"):format(q.key, quantity.case(q.study, row)), q.pick, row)
+end
+
+--- What it has in a row, as a text, or nil.
+function quantity.text(q, row)
+  local value = row[q.pick]
+  if type(q.pick) == "function" then value = q.pick(row) end
+  return value ~= nil and values.text(value) or nil
+end
+
+--- Its name as a title, empty for a function.
+function quantity.title(q) return type(q.pick) == "string" and q.name or "" end
+
+--- A number with its name and unit: "wall = 1.25 s".
+function quantity.stated(q, number)
+  return ("%s = %.4g%s"):format(q.name, number, q.unit ~= "" and " " .. q.unit or "")
+end
+
+--- What came of a case that failed, in a line.
+function quantity.failure(row)
+  local reason = row.reason and tostring(row.reason):match "^[^\n]*"
+  return reason and "failed: " .. reason or "failed"
+end
+
+return quantity

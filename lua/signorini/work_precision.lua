@@ -1,0 +1,215 @@
+-- sg.work_precision: the cases of a study as error against time, one curve per discretisation, and what one takes of
+-- the other's time at equal error. It interpolates between cases and never goes beyond them.
+
+local core = require "signorini.core"
+local arguments = require "signorini.arguments"
+local curves = require "signorini.work_precision.curves"
+local draw = require "signorini.work_precision.picture"
+local format_table = require "signorini.table"
+local quantity = require "signorini.study.quantity"
+local values = require "signorini.study.values"
+
+local where = "sg.work_precision"
+local most_marks = 16 -- as many markers as charts have
+
+local Result = {}
+Result.__index = Result
+Result.__name = "work-precision comparison"
+
+-- ── Reading the arguments ────────────────────────────────────────────────────────────────────────────────────────────
+
+local function holds(list, value)
+  for _, one in ipairs(list) do
+    if one == value then return true end
+  end
+  return false
+end
+
+--- A function from rows to the texts that markers stand for, and its title; none where there is nothing to tell apart.
+local function read_marker(study, pick, series)
+  if pick == false then return nil end
+  if pick ~= nil then
+    local q = quantity.read(where, "marker", study, pick)
+    return function(row) return quantity.text(q, row) or "–" end, quantity.title(q)
+  end
+  local others = {}
+  for _, name in ipairs(study.parameters) do
+    if name ~= series.pick then others[#others + 1] = name end
+  end
+  if #others == 0 then return nil end
+  return function(row)
+    local texts = {}
+    for i, name in ipairs(others) do texts[i] = values.text(row[name]) end
+    return table.concat(texts, ", ")
+  end, table.concat(others, ", ")
+end
+
+--- Errors at which times are compared.
+local function read_at(at)
+  if at == nil then return nil end
+  if type(at) ~= "table" or #at == 0 then arguments.reject(where, "at", "a list of errors such as {0.05, 0.01}", at) end
+  for i, size in ipairs(at) do arguments.positive(where, ("at[%d]"):format(i), size) end
+  return table.move(at, 1, #at, 1, {})
+end
+
+--- The names of the files to draw.
+local function read_files(options)
+  if options.files == nil then return options.file and { arguments.string(where, "file", options.file) } or {} end
+  if options.file then core.fail(where .. ": file and files are given; keep one of them") end
+  if type(options.files) ~= "table" then arguments.reject(where, "files", "a list of file names", options.files) end
+  for i, file in ipairs(options.files) do arguments.string(where, ("files[%d]"):format(i), file) end
+  return options.files
+end
+
+local function read_options(study, options)
+  arguments.table(where, "its second argument", options,
+    { "time", "error", "series", "marker", "where", "at", "file", "files", "title", "xlabel", "ylabel", "size" })
+  options = options or {}
+  for _, key in ipairs { "title", "xlabel", "ylabel" } do
+    if options[key] ~= nil then arguments.string(where, key, options[key]) end
+  end
+  local series = holds(study.parameters, "order") and "order" or study.parameters[1]
+  local read = { time = quantity.read(where, "time", study, options.time, "wall"),
+                 error = quantity.read(where, "error", study, options.error),
+                 series = quantity.read(where, "series", study, options.series, series),
+                 keep = arguments.callback(where, "where", options.where), at = read_at(options.at),
+                 files = read_files(options) }
+  read.mark, read.marker = read_marker(study, options.marker, read.series)
+  return read
+end
+
+-- ── Cases as points ──────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- A case as a point, or why it is none.
+local function read_point(row, read)
+  if row.failed then return nil, quantity.failure(row) end
+  local series = quantity.text(read.series, row)
+  local time, size = quantity.number(read.time, row), quantity.number(read.error, row)
+  if not series then return nil, "no " .. read.series.name end
+  if not time then return nil, "no " .. read.time.name end
+  if not size then return nil, "no " .. read.error.name end
+  if time <= 0 then return nil, ("%s is %g: no place on a logarithmic axis"):format(read.time.name, time) end
+  if size == 0 then return nil, read.error.name .. " is 0: no place on a logarithmic axis" end
+  return { row = row, series = series, time = time, error = math.abs(size), mark = read.mark and read.mark(row) }
+end
+
+--- The points, those left out as { row, why }, and the names of markers in the order of the cases.
+local function read_points(study, read)
+  local points, left_out, marks = {}, {}, {}
+  for _, row in ipairs(study.rows) do
+    if not read.keep or read.keep(row) then
+      local point, why = read_point(row, read)
+      if point then points[#points + 1] = point else left_out[#left_out + 1] = { row = row, why = why } end
+      if point and point.mark and not holds(marks, point.mark) then marks[#marks + 1] = point.mark end
+    end
+  end
+  return points, left_out, marks
+end
+
+--- Markers, when there are enough of them.
+local function check_marks(marks, given)
+  if #marks <= most_marks then return marks end
+  if given then
+    core.fail(("%s: marker has %d values and charts have %d markers: choose a column with fewer, or filter the cases")
+      :format(where, #marks, most_marks))
+  end
+  return {}
+end
+
+--- One curve per series, in the order of the cases.
+local function make_curves(points)
+  local list, by_name = {}, {}
+  for _, point in ipairs(points) do
+    local curve = by_name[point.series]
+    if not curve then
+      curve = { name = point.series, points = {} }
+      list[#list + 1], by_name[point.series] = curve, curve
+    end
+    curve.points[#curve.points + 1] = point
+  end
+  for _, curve in ipairs(list) do curve.points = curves.sorted(curve.points) end
+  return list
+end
+
+local function make_ratios(list, at)
+  local ratios = {}
+  for i, a in ipairs(list) do
+    for j = i + 1, #list do
+      local ratio = curves.compare(a.points, list[j].points, at)
+      ratio.a, ratio.b = a.name, list[j].name
+      ratios[#ratios + 1] = ratio
+    end
+  end
+  return ratios
+end
+
+-- ── Reading (by the user) ────────────────────────────────────────────────────────────────────────────────────────────
+
+--- The text of a table: what part of B's time A takes at equal errors.
+function Result:table()
+  local columns, rows, formats = { "A", "B", "from", "to" }, {}, { [3] = "%.3g", [4] = "%.3g" }
+  local heads = { "at from", "middle", "at to" }
+  for i, size in ipairs(self.at or heads) do
+    columns[4 + i], formats[4 + i] = self.at and ("at %.3g"):format(size) or size, "%.3g"
+  end
+  for r, ratio in ipairs(self.ratios) do
+    rows[r] = { ratio.a, ratio.b, ratio.from, ratio.to }
+    for i = 1, #columns - 4 do rows[r][4 + i] = ratio.ratio[i] end
+  end
+  local units = self.error.unit ~= "" and { "", "", self.error.unit, self.error.unit } or nil
+  return format_table { columns = columns, units = units, rows = rows, formats = formats }
+end
+
+--- The text of a table of the cases that no other one beats.
+function Result:front()
+  local study, columns, units, rows = self.study, {}, {}, {}
+  for i, name in ipairs(study.parameters) do columns[i], units[i] = name, study.units[name] or "" end
+  local last = #columns
+  for i, q in ipairs { self.time, self.error } do columns[last + i], units[last + i] = q.name, q.unit end
+  for r, row in ipairs(self.pareto) do
+    rows[r] = {}
+    for i, name in ipairs(study.parameters) do rows[r][i] = values.text(row[name]) end
+    rows[r][last + 1], rows[r][last + 2] = quantity.number(self.time, row), math.abs(quantity.number(self.error, row))
+  end
+  local formats = { [last + 1] = "%.4g", [last + 2] = "%.4g" }
+  return format_table { columns = columns, units = units, rows = rows, formats = formats }
+end
+
+--- Ratios, front, and what was left out.
+function Result:__tostring()
+  local time, size = self.time.name, self.error.name
+  local lines = {}
+  if #self.ratios > 0 then
+    lines = { ("%s: at equal %s, A takes so much of B's %s:"):format(self.name, size, time), self:table() }
+  end
+  for _, ratio in ipairs(self.ratios) do
+    if ratio.why then
+      lines[#lines + 1] = ("%s, %s: no %s that both reach: %s"):format(ratio.a, ratio.b, size, ratio.why)
+    end
+  end
+  lines[#lines + 1] = ("Pareto front of %s and %s:"):format(time, size)
+  lines[#lines + 1] = self:front()
+  if #self.left_out > 0 then lines[#lines + 1] = "Left out:" end
+  for _, one in ipairs(self.left_out) do
+    lines[#lines + 1] = ("  %s: %s"):format(quantity.case(self.study, one.row), one.why)
+  end
+  return table.concat(lines, "\n")
+end
+
+return function(study, options)
+  quantity.study(where, study)
+  local read = read_options(study, options)
+  local points, left_out, marks = read_points(study, read)
+  if #points == 0 then
+    core.fail(("%s: no case has both %s and %s%s"):format(where, read.time.name, read.error.name,
+      left_out[1] and (": %s: %s"):format(quantity.case(study, left_out[1].row), left_out[1].why) or ""))
+  end
+  marks = check_marks(marks, options.marker)
+  local list, front = make_curves(points), curves.front(points)
+  local result = setmetatable({ name = study.name or "study", study = study, time = read.time, error = read.error,
+    series = read.series, marker = read.marker, at = read.at, curves = list, ratios = make_ratios(list, read.at),
+    pareto = {}, left_out = left_out }, Result)
+  for i, point in ipairs(front) do result.pareto[i] = point.row end
+  for _, file in ipairs(read.files) do draw(result, points, front, marks, options, file) end
+  return result
+end

@@ -1,0 +1,59 @@
+-- sg.cheapest: the best row and the runner-up, what is said when none is good enough, and what it refuses.
+
+local sg = require "signorini"
+local check = require "check"
+
+local study = { name = "ironing", parameters = { "order", "mesh" }, figures = { "dPx", "dofs" },
+                units = { wall = "s", dPx = "%" }, rows = {
+  { order = "N4", mesh = { 12, 4 }, wall = 3, dPx = -0.03, dofs = 400 },
+  { order = "N2", mesh = { 12, 4 }, wall = 1, dPx = 0.2, dofs = 300 },
+  { order = "N2-N2.2", mesh = { 12, 4 }, wall = 1.25, dPx = 0.04, dofs = 350 },
+  { order = "N2", mesh = { 24, 8 }, wall = 9, dPx = 0.05, dofs = 200 },
+  { order = "N6", mesh = { 12, 4 }, wall = 0.5, failed = true, reason = "diverged" },
+  { order = "N6", mesh = { 24, 8 }, wall = 0.1 },
+} }
+
+check.case("the cheapest case that is good enough, and the runner-up", function()
+  local best, second = sg.cheapest(study, { error = "dPx", at_most = 0.05 })
+  check.equal({ best.order, best.wall, second.order, second.wall }, { "N2-N2.2", 1.25, "N4", 3 })
+  check.equal(tostring(best), "order = N2-N2.2, mesh = 12×4: dPx = 0.04 %, wall = 1.25 s")
+  check.equal(tostring(second), "order = N4, mesh = 12×4: dPx = 0.03 %, wall = 3 s")
+  check.equal(sg.cheapest(study, { error = "dPx", at_most = 0.05, cost = "dofs" }).mesh, { 24, 8 })
+  best, second = sg.cheapest(study, { error = "dPx", at_most = 0.03 })
+  check.equal({ best.order, second }, { "N4", nil })
+end)
+
+check.case("functions, filters, and equal costs", function()
+  local function none() return 0 end
+  local best, second = sg.cheapest(study, { error = "dPx", at_most = 1, cost = none })
+  check.equal({ best.dPx, second.dPx }, { -0.03, 0.04 }) -- the smaller error first
+  check.equal(tostring(best), "order = N4, mesh = 12×4: dPx = 0.03 %, cost = 0")
+  check.equal(sg.cheapest(study, { error = none, at_most = 0 }).order, "N6")
+  local function of_n2(row) return row.order == "N2" end
+  check.equal(sg.cheapest(study, { error = "dPx", at_most = 0.1, where = of_n2 }).wall, 9)
+end)
+
+check.case("none is good enough: nil, and which came nearest", function()
+  local best, text = sg.cheapest(study, { error = "dPx", at_most = 0.01 })
+  check.equal({ best, text }, { nil, "no case has dPx of at most 0.01; the nearest is order = N4, mesh = 12×4: "
+    .. "dPx = 0.03 %, wall = 3 s; left out: 2 that failed or lack dPx or wall" })
+  best, text = sg.cheapest(study, { error = "dPx", at_most = 1, where = function() return false end })
+  check.equal({ best, text }, { nil, "no case has dPx of at most 1" })
+end)
+
+check.case("wrong arguments", function()
+  local function fails(options, ...)
+    check.fails(function() sg.cheapest(study, options) end, "cheapest_test.lua:", ...)
+  end
+  check.fails(function() sg.cheapest({}, {}) end, "its first argument must be a study")
+  fails(nil, "error is missing")
+  fails({ error = "dPx" }, "at_most is missing: it must be the largest error that is good enough")
+  fails({ error = "dPx", at_most = "5%" }, "at_most must be a number of at least 0, got the string '5%'")
+  fails({ error = "dPx", at_most = 0 / 0 }, "at_most must be a number of at least 0, got nan")
+  fails({ error = "dPx", atmost = 1 }, "unknown argument 'atmost'", "did you mean 'at_most'?")
+  fails({ error = "dPx", at_most = 1, cost = "time" }, "cost must be")
+  fails({ error = "dPx", at_most = 1, cost = "order" },
+    "cost (of the case order = N4, mesh = 12×4) must pick finite numbers, got the string 'N4'")
+end)
+
+check.done()
