@@ -1,0 +1,206 @@
+-- The pictures of a study: its rows as curves, and over two of its parameters as a heat map.
+
+local core = require "signorini.core"
+local arguments = require "signorini.arguments"
+local quantity = require "signorini.study.quantity"
+local values = require "signorini.study.values"
+
+local pictures = {}
+
+--- The arguments of sg.chart or sg.heatmap among the options; a label that is missing is the quantity's own.
+local function passed_on(options, known, labels)
+  local chart = {}
+  for _, key in ipairs(known) do chart[key] = options[key] end
+  for key, q in pairs(labels) do
+    if chart[key] == nil and q.label ~= "" then chart[key] = q.label end
+  end
+  return chart
+end
+
+--- Two rows where one was expected: says what tells them apart, and so what is missing.
+local function ambiguous(where, study, a, b, place, also)
+  local differing = {}
+  for _, name in ipairs(study.parameters) do
+    if not values.same(a[name], b[name]) then
+      differing[#differing + 1] = ("%s (%s, %s)"):format(name, values.text(a[name]), values.text(b[name]))
+    end
+  end
+  if #differing == 0 then core.fail(("%s: the case %s is there twice"):format(where, place)) end
+  core.fail(("%s: more than one case at %s: they differ in %s: keep one value with study:where%s")
+    :format(where, place, table.concat(differing, ", "), also or ""))
+end
+
+-- ── Charts ───────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+local chart_options = { "file", "xlabel", "ylabel", "log", "title", "legend", "legend_title", "xrange", "yrange",
+                        "xticks", "hlines", "vlines", "inset", "size" }
+local curve_options = { "markers", "dashed", "line", "width" }
+
+--- Where the rows stand on the x axis: their numbers, or, where a column holds anything else, their place in the order
+--- in which the values first appear, with the names of these places.
+local function read_places(where, x, rows)
+  local plain = true
+  for _, row in ipairs(rows) do
+    local value = row[x.pick]
+    plain = plain and (type(x.pick) == "function" or value == nil or type(value) == "number")
+  end
+  if plain then return function(row) return quantity.number(x, row) end end
+  local names, places = {}, {}
+  local function place(row)
+    local name = quantity.text(x, row)
+    if name and not places[name] then
+      names[#names + 1] = { #names + 1, name }
+      places[name] = #names
+    end
+    return name and places[name]
+  end
+  for _, row in ipairs(rows) do place(row) end
+  return place, names
+end
+
+--- One curve per series, each with the points { x, y, row } by x.
+local function read_curves(where, study, rows, x_of, y, series, alone)
+  local curves, by_name = {}, {}
+  for _, row in ipairs(rows) do
+    local name = series and quantity.text(series, row) or not series and "" or nil
+    local at, height = x_of(row), quantity.number(y, row)
+    if name and at and height then
+      local curve = by_name[name]
+      if not curve then
+        curve = { name = name }
+        curves[#curves + 1], by_name[name] = curve, curve
+      end
+      curve[#curve + 1] = { x = at, y = height, row = row, place = #curve }
+    end
+  end
+  for _, curve in ipairs(curves) do
+    table.sort(curve, function(a, b) return a.x < b.x or a.x == b.x and a.place < b.place end)
+    for i = 2, alone and #curve or 1 do
+      local a, b = curve[i - 1], curve[i]
+      if a.x == b.x then
+        local place = ("%s = %s"):format(alone, values.text(a.row[alone]))
+        local of = curve.name ~= "" and (" of the curve %s"):format(curve.name) or ""
+        ambiguous(where, study, a.row, b.row, place .. of, ", or give each a curve of its own by series")
+      end
+    end
+  end
+  return curves
+end
+
+local function finished(study)
+  local rows = {}
+  for _, row in ipairs(study.rows) do
+    if not row.failed then rows[#rows + 1] = row end
+  end
+  return rows
+end
+
+local function is_parameter(study, name)
+  for _, known in ipairs(study.parameters) do
+    if known == name then return true end
+  end
+  return false
+end
+
+--- study:chart{ x, y, series, file, … }
+function pictures.chart(study, options)
+  local where = "study:chart"
+  quantity.study(where, study)
+  local known = table.move(chart_options, 1, #chart_options, 4, { "x", "y", "series" })
+  arguments.table(where, "its argument", options, table.move(curve_options, 1, #curve_options, #known + 1, known))
+  options = options or {}
+  local file = arguments.string(where, "file", options.file)
+  local x, y = quantity.read(where, "x", study, options.x), quantity.read(where, "y", study, options.y)
+  local series = options.series ~= nil and quantity.read(where, "series", study, options.series) or nil
+  local rows = finished(study)
+  local x_of, names = read_places(where, x, rows)
+  local lone = is_parameter(study, x.pick) and options.line ~= false and x.pick or nil
+  local curves = read_curves(where, study, rows, x_of, y, series, lone)
+  if #curves == 0 then
+    core.fail(("%s: no case has both %s and %s; %s cannot be drawn"):format(where, x.name, y.name, file))
+  end
+
+  local chart = passed_on(options, chart_options, { xlabel = x, ylabel = y })
+  chart.xticks = chart.xticks or names
+  chart.title = chart.title or study.name
+  if series and not chart.legend_title then chart.legend_title = quantity.title(series) end
+  for i, curve in ipairs(curves) do
+    chart[i] = { x = {}, y = {}, label = curve.name, markers = true }
+    for _, key in ipairs(curve_options) do
+      if options[key] ~= nil then chart[i][key] = options[key] end
+    end
+    for j, point in ipairs(curve) do chart[i].x[j], chart[i].y[j] = point.x, point.y end
+  end
+  core.sg.chart(chart)
+end
+
+-- ── Heat maps ────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+local heatmap_options = { "file", "xlabel", "ylabel", "title", "size", "range", "log", "label", "colormap" }
+
+--- A parameter's values in their order, as texts.
+local function read_axis(where, key, study, name)
+  local axis, seen = { name = arguments.choice(where, key, name, study.parameters), texts = {} }, {}
+  for _, row in ipairs(study.rows) do
+    local text = values.text(row[axis.name])
+    if not seen[text] then seen[text], axis.texts[#axis.texts + 1] = true, text end
+  end
+  return axis
+end
+
+--- The row of each cell: rows[y][x] by the axes' texts.
+local function read_cells(where, study, x, y)
+  local cells = {}
+  for _, text in ipairs(y.texts) do cells[text] = {} end
+  for _, row in ipairs(study.rows) do
+    local line, at = cells[values.text(row[y.name])], values.text(row[x.name])
+    if line[at] then
+      ambiguous(where, study, line[at], row,
+        ("%s = %s, %s = %s"):format(x.name, at, y.name, values.text(row[y.name])))
+    end
+    line[at] = row
+  end
+  return cells
+end
+
+--- What stands in a cell: the value in three digits, "failed", or nothing.
+local function cell_text(row, number)
+  if row.failed then return "failed" end
+  return number and tonumber(("%.3g"):format(number)) or ""
+end
+
+--- study:heatmap{ x, y, value, file, … }
+function pictures.heatmap(study, options)
+  local where = "study:heatmap"
+  quantity.study(where, study)
+  arguments.table(where, "its argument", options,
+    table.move(heatmap_options, 1, #heatmap_options, 5, { "x", "y", "value", "texts" }))
+  options = options or {}
+  local file = arguments.string(where, "file", options.file)
+  local x, y = read_axis(where, "x", study, options.x), read_axis(where, "y", study, options.y)
+  if x.name == y.name then core.fail(("%s: x and y are both %s: choose two parameters"):format(where, x.name)) end
+  local value = quantity.read(where, "value", study, options.value)
+  local texts = arguments.flag(where, "texts", options.texts, true)
+  local cells = read_cells(where, study, x, y)
+
+  local chart = passed_on(options, heatmap_options, { label = value, xlabel = quantity.read(where, "x", study, x.name),
+                                                      ylabel = quantity.read(where, "y", study, y.name) })
+  chart.title = chart.title or study.name
+  chart.x, chart.y, chart.values, chart.texts = x.texts, y.texts, {}, texts and {} or nil
+  local any = false
+  for j, line in ipairs(y.texts) do
+    chart.values[j] = {}
+    if texts then chart.texts[j] = {} end
+    for i, at in ipairs(x.texts) do
+      local row = cells[line][at]
+      local number = row and not row.failed and quantity.number(value, row) or nil
+      any = any or number ~= nil
+      chart.values[j][i] = number
+      if texts then chart.texts[j][i] = row and cell_text(row, number) end
+    end
+  end
+  if not any then core.fail(("%s: no case has %s; %s cannot be drawn"):format(where, value.name, file)) end
+  core.sg.heatmap(chart)
+end
+
+return pictures
