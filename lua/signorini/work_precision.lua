@@ -39,7 +39,7 @@ local function read_marker(study, pick, series)
   if #others == 0 then return nil end
   return function(row)
     local texts = {}
-    for i, name in ipairs(others) do texts[i] = values.text(row[name]) end
+    for i, name in ipairs(others) do texts[i] = values.text(row[name], true) end
     return table.concat(texts, ", ")
   end, table.concat(others, ", ")
 end

@@ -142,7 +142,7 @@ local heatmap_options = { "file", "xlabel", "ylabel", "title", "size", "range", 
 local function read_axis(where, key, study, name)
   local axis, seen = { name = arguments.choice(where, key, name, study.parameters), texts = {} }, {}
   for _, row in ipairs(study.rows) do
-    local text = values.text(row[axis.name])
+    local text = values.text(row[axis.name], true)
     if not seen[text] then seen[text], axis.texts[#axis.texts + 1] = true, text end
   end
   return axis
@@ -153,7 +153,7 @@ local function read_cells(where, study, x, y)
   local cells = {}
   for _, text in ipairs(y.texts) do cells[text] = {} end
   for _, row in ipairs(study.rows) do
-    local line, at = cells[values.text(row[y.name])], values.text(row[x.name])
+    local line, at = cells[values.text(row[y.name], true)], values.text(row[x.name], true)
     if line[at] then
       ambiguous(where, study, line[at], row,
         ("%s = %s, %s = %s"):format(x.name, at, y.name, values.text(row[y.name])))

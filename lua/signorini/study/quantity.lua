@@ -36,11 +36,11 @@ function quantity.number(q, row)
   return values.number(q.where, ("%s (of the case %s)"):format(q.key, quantity.case(q.study, row)), q.pick, row)
 end
 
---- What it has in a row, as a text, or nil.
+--- What it has in a row, as a text with all digits that count, or nil.
 function quantity.text(q, row)
   local value = row[q.pick]
   if type(q.pick) == "function" then value = q.pick(row) end
-  return value ~= nil and values.text(value) or nil
+  return value ~= nil and values.text(value, true) or nil
 end
 
 --- Its name as a title, empty for a function.
