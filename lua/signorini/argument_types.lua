@@ -82,9 +82,8 @@ local function series(texts, conjunction)
   return #texts > 1 and ("%s %s %s"):format(first, conjunction, texts[#texts]) or texts[1]
 end
 
---- What an argument must be: "a number above 0", "among m1 and m2".
-local function in_words(argument)
-  if argument.expected then return argument.expected end
+--- What the restrictions leave of a type, "numbers above 0", or which choices there are, "among m1 and m2".
+local function restricted(argument)
   if argument.choices then
     local texts = {}
     for i, choice in ipairs(argument.choices) do texts[i] = argument_types.text(choice) end
@@ -97,7 +96,12 @@ local function in_words(argument)
     if number then limits[#limits + 1] = ("%s %s"):format(limit[2], number_text(number)) end
   end
   local words = argument.list and kind.several or kind.one
-  words = #limits > 0 and words .. " " .. table.concat(limits, " and ") or words
+  return #limits > 0 and words .. " " .. table.concat(limits, " and ") or words
+end
+
+--- What an argument must be.
+local function in_words(argument)
+  local words = argument.expected or restricted(argument)
   return argument.none and words .. ", or none" or words
 end
 

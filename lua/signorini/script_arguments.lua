@@ -97,10 +97,11 @@ local function listed(known)
   return texts
 end
 
---- One line per argument: its default and what it must be.
+--- One line per argument: its default and what it must be, one below the other unless a default is very long.
 local function page(known, lines)
+  local most = 54
   local texts, width = listed(known), 0
-  for _, text in ipairs(texts) do width = math.max(width, math.min(utf8.len(text), 40)) end
+  for _, text in ipairs(texts) do width = math.max(width, math.min(utf8.len(text), most)) end
   for i, name in ipairs(sorted(known)) do
     local blanks = (" "):rep(width - utf8.len(texts[i]))
     lines[#lines + 1] = ("  %s%s  %s"):format(texts[i], blanks, known[name].words)
