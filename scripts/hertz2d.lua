@@ -32,50 +32,7 @@ local savings = { m3 = 42.48, m4 = 43.74 }
 local figures = { error = { "L1", "N2", "N2-N2.1", "N2-N2.2" },
                   error_smooth = { "N2-N4", "N4", "N2-N3.2", "N2-N2.2", "N2", "L1" } }
 
--- ── Arguments ────────────────────────────────────────────────────────────────────────────────────────────────────────
-
-local function list_of(text)
-  local list = {}
-  for word in text:gmatch "[^,]+" do list[#list + 1] = word end
-  return list
-end
-
-local function read_arguments(words)
-  local options = { load = "displacement", meshes = "m1,m2,m3,m4,m5", labels = "L1,N2,N4,N2-N4,N2-N2.1,N2-N2.2,N2-N3.2",
-                    reference = "m6", sizes = "1,2,4", steps = "10", repeats = "3", linear = "auto",
-                    out = "out/hertz2d" }
-  for _, word in ipairs(words) do
-    local key, value = word:match "^(%w+)=(.+)$"
-    if not options[key] then
-      error(("unknown argument '%s'; known: load=displacement, meshes=m1,m2, labels=N2,N4, reference=m6, sizes=1,2,4, ")
-        :format(word) .. "steps=10, repeats=3, linear=auto, out=folder", 0)
-    end
-    options[key] = value
-  end
-  local function check(key, value, good, expected)
-    if not good then error(("%s must be %s, got '%s'"):format(key, expected, value), 0) end
-  end
-  check("load", options.load, problem.penalties[options.load], "force or displacement")
-  for _, key in ipairs { "meshes", "labels", "sizes" } do options[key] = list_of(options[key]) end
-  for _, mesh in ipairs(options.meshes) do check("meshes", mesh, mesh:match "^m[1-6]$", "among m1 to m6") end
-  check("reference", options.reference, options.reference:match "^m[1-6]$", "one of m1 to m6")
-  for i, size in ipairs(options.sizes) do
-    check("sizes", size, (tonumber(size) or 0) >= 1, "numbers from 1")
-    options.sizes[i] = tonumber(size)
-  end
-  for _, key in ipairs { "steps", "repeats" } do
-    check(key, options[key], options[key]:match "^[1-9]%d*$", "a whole number of at least 1")
-    options[key] = math.tointeger(tonumber(options[key]))
-  end
-  return options
-end
-
 -- ── Solving ──────────────────────────────────────────────────────────────────────────────────────────────────────────
-
-local function median(values)
-  table.sort(values)
-  return (values[(#values + 1) // 2] + values[#values // 2 + 1]) / 2
-end
 
 --- Solves a scene and measures its contact, all figures beside Hertz's under the force that came out.
 local function solve(o, steps, linear)
@@ -110,7 +67,7 @@ local function solve_all(list, options)
   end
   for _, case in ipairs(cases) do
     case.times = {}
-    for account, values in pairs(case.seconds) do case.times[account] = median(values) end
+    for account, values in pairs(case.seconds) do case.times[account] = sg.median(values) end
   end
   return cases
 end
@@ -218,18 +175,20 @@ end
 
 -- ── The study ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-local options = read_arguments(select("#", ...) > 0 and { ... } or arg)
-sg.mkdir(options.out)
-local files, cases = {}, {}
-local function path(name)
-  files[#files + 1] = options.out .. "/" .. name
-  return files[#files]
-end
+local levels = { "m1", "m2", "m3", "m4", "m5", "m6" }
+local options = sg.arguments{
+  load = { "displacement", choices = { "force", "displacement" } },
+  meshes = { { "m1", "m2", "m3", "m4", "m5" }, choices = levels },
+  labels = { "L1", "N2", "N4", "N2-N4", "N2-N2.1", "N2-N2.2", "N2-N3.2" },
+  reference = { "m6", choices = levels }, sizes = { { 1.0, 2.0, 4.0 }, at_least = 1 },
+  steps = 10, repeats = 3, linear = "auto", out = "out/hertz2d",
+}
+local files, cases = sg.files(options.out), {}
 
 local function write_profile(case)
   local data = { columns = { "x", "y", "pressure", "gap" }, comments = { ("%s at %s"):format(case.label, case.mesh) } }
   for _, name in ipairs(data.columns) do data[name] = case.profile[name] end
-  sg.csv.write(path(("%s_%s.csv"):format(case.label, case.mesh)), data)
+  sg.csv.write(files(("%s_%s.csv"):format(case.label, case.mesh)), data)
 end
 
 local list = { { "N2", options.reference } }
@@ -262,20 +221,20 @@ if #options.sizes > 1 then
   print(text)
 end
 
-for _, mesh in ipairs(options.meshes) do draw_pressure(cases, finest, mesh, path(("pressure_%s.png"):format(mesh))) end
+for _, mesh in ipairs(options.meshes) do draw_pressure(cases, finest, mesh, files(("pressure_%s.png"):format(mesh))) end
 local ticks = {}
 for i, mesh in ipairs(options.meshes) do ticks[i] = { i, mesh } end
 for _, name in ipairs { "error", "error_smooth" } do
-  local chart = { file = path(name .. ".png"), title = "Hertz: error of the contact pressure", xlabel = "mesh",
+  local chart = { file = files(name .. ".png"), title = "Hertz: error of the contact pressure", xlabel = "mesh",
                   log = "y", xticks = ticks }
   draw_errors(chart, cases, figures[name], options.meshes, function(_, i) return i end)
 end
-draw_errors({ file = path "error_time.png", title = "Hertz: error over time", log = "xy",
+draw_errors({ file = files "error_time.png", title = "Hertz: error over time", log = "xy",
               xlabel = ("time in %% of N2 at %s"):format(finest.mesh) },
   cases, figures.error, options.meshes, function(case) return 100 * case.times.wall / finest.times.wall end)
-sg.picture{ model = finest.model, field = "syy", file = path "syy.png", mesh = false,
+sg.picture{ model = finest.model, field = "syy", file = files "syy.png", mesh = false,
             crop = { 0, 0.12, -1.002, -0.915 },
             title = ("Hertz, N2 at %s: stress near the contact"):format(finest.mesh) }
-print("\nWritten: " .. table.concat(files, "\n         "))
+files:report()
 
 return { cases = cases, reference = finest, sizes = sizes, files = files }

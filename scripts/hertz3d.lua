@@ -32,39 +32,6 @@ local pressed = -load / (math.pi * (outer ^ 2 - inner ^ 2)) -- traction on the c
 -- it stands a little higher: the first iteration finds points in contact.
 local height = -outer + 1e-4
 
--- ── Arguments ────────────────────────────────────────────────────────────────────────────────────────────────────────
-
-local function list_of(text)
-  local list = {}
-  for word in text:gmatch "[^,]+" do list[#list + 1] = word end
-  return list
-end
-
-local function read_arguments(words)
-  local options = { meshes = "m1,m2,m3", labels = "N2,N2-N2.2", around = "1,2,4", steps = "10", linear = "auto",
-                    out = "out/hertz3d" }
-  for _, word in ipairs(words) do
-    local key, value = word:match "^(%w+)=(.+)$"
-    if not options[key] then
-      error(("unknown argument '%s'; known: meshes=m1,m2, labels=N2,N2-N2.2, around=1,2,4, steps=10, linear=auto, ")
-        :format(word) .. "out=folder", 0)
-    end
-    options[key] = value
-  end
-  local function check(key, value, good, expected)
-    if not good then error(("%s must be %s, got '%s'"):format(key, expected, value), 0) end
-  end
-  for _, key in ipairs { "meshes", "labels", "around" } do options[key] = list_of(options[key]) end
-  for _, mesh in ipairs(options.meshes) do check("meshes", mesh, mesh:match "^m[1-5]$", "among m1 to m5") end
-  for i, count in ipairs(options.around) do
-    check("around", count, count:match "^[1-9]%d*$", "whole numbers from 1")
-    options.around[i] = math.tointeger(tonumber(count))
-  end
-  check("steps", options.steps, options.steps:match "^[1-9]%d*$", "a whole number of at least 1")
-  options.steps = math.tointeger(tonumber(options.steps))
-  return options
-end
-
 -- ── Scenes ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 local function elements_of(mesh)
@@ -233,9 +200,9 @@ local function draw_pressure(cases, label, file)
 end
 
 --- The whole eighth, a cut through the contact of the completed half, and the contact of the whole from below.
-local function draw_states(case, path)
+local function draw_states(case, files)
   local function draw(name, what, options)
-    options.model, options.file = case.model, path(name)
+    options.model, options.file = case.model, files(name)
     options.title = ("Hertz in 3D, %s at %s: %s"):format(case.label, case.mesh, what)
     sg.picture(options)
   end
@@ -248,20 +215,18 @@ end
 
 -- ── The study ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-local options = read_arguments(select("#", ...) > 0 and { ... } or arg)
-sg.mkdir(options.out)
-local files, cases, turns = {}, {}, {}
-local function path(name)
-  files[#files + 1] = options.out .. "/" .. name
-  return files[#files]
-end
+local options = sg.arguments{
+  meshes = { { "m1", "m2", "m3" }, choices = { "m1", "m2", "m3", "m4", "m5" } }, labels = { "N2", "N2-N2.2" },
+  around = { 1, 2, 4 }, steps = 10, linear = "auto", out = "out/hertz3d",
+}
+local files, cases, turns = sg.files(options.out), {}, {}
 
 for _, mesh in ipairs(options.meshes) do
   for _, label in ipairs(options.labels) do
     local case = solve_both({ label = label, mesh = mesh }, options)
     local data = { columns = { "r", "pressure", "gap" }, r = case.profile.x, pressure = case.profile.pressure,
                    gap = case.profile.gap }
-    sg.csv.write(path(("%s_%s.csv"):format(label, mesh)), data)
+    sg.csv.write(files(("%s_%s.csv"):format(label, mesh)), data)
     cases[#cases + 1], cases[label .. " " .. mesh] = case, case
   end
 end
@@ -276,8 +241,8 @@ print "\nThe axisymmetric scene of the same meridian mesh, and how far 3D is fro
 print(twin_table(cases))
 print "\nElements around the axis"
 print(case_table(turns))
-for _, label in ipairs(options.labels) do draw_pressure(cases, label, path(("pressure_%s.png"):format(label))) end
-draw_states(cases[#cases], path)
-print("\nWritten: " .. table.concat(files, "\n         "))
+for _, label in ipairs(options.labels) do draw_pressure(cases, label, files(("pressure_%s.png"):format(label))) end
+draw_states(cases[#cases], files)
+files:report()
 
 return { cases = cases, turns = turns, files = files }

@@ -26,39 +26,6 @@ local sg = require "signorini"
 local inner, outer, young, poisson = 0.2, 1, 1, 0.3
 local load, penalty = math.pi * outer ^ 2 * 1e-4, 1000
 
--- ── Arguments ────────────────────────────────────────────────────────────────────────────────────────────────────────
-
-local function list_of(text)
-  local list = {}
-  for word in text:gmatch "[^,]+" do list[#list + 1] = word end
-  return list
-end
-
-local function read_arguments(words)
-  local options = { meshes = "m1,m2,m3,m4", labels = "N2,N2-N2.2", sizes = "1,2,4", steps = "10", linear = "auto",
-                    out = "out/hertz_sphere" }
-  for _, word in ipairs(words) do
-    local key, value = word:match "^(%w+)=(.+)$"
-    if not options[key] then
-      error(("unknown argument '%s'; known: meshes=m1,m2, labels=N2,N2-N2.2, sizes=1,2,4, steps=10, linear=auto, ")
-        :format(word) .. "out=folder", 0)
-    end
-    options[key] = value
-  end
-  local function check(key, value, good, expected)
-    if not good then error(("%s must be %s, got '%s'"):format(key, expected, value), 0) end
-  end
-  for _, key in ipairs { "meshes", "labels", "sizes" } do options[key] = list_of(options[key]) end
-  for _, mesh in ipairs(options.meshes) do check("meshes", mesh, mesh:match "^m[1-6]$", "among m1 to m6") end
-  for i, size in ipairs(options.sizes) do
-    check("sizes", size, (tonumber(size) or 0) >= 1, "numbers from 1")
-    options.sizes[i] = tonumber(size)
-  end
-  check("steps", options.steps, options.steps:match "^[1-9]%d*$", "a whole number of at least 1")
-  options.steps = math.tointeger(tonumber(options.steps))
-  return options
-end
-
 -- ── Scene and path ───────────────────────────────────────────────────────────────────────────────────────────────────
 
 --- The sphere on its plane, and the traction on its cut. `o`: label, mesh; for the study of the size also size, the
@@ -166,20 +133,19 @@ end
 
 -- ── The study ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-local options = read_arguments(select("#", ...) > 0 and { ... } or arg)
-sg.mkdir(options.out)
-local files, cases = {}, {}
-local function path(name)
-  files[#files + 1] = options.out .. "/" .. name
-  return files[#files]
-end
+local options = sg.arguments{
+  meshes = { { "m1", "m2", "m3", "m4" }, choices = { "m1", "m2", "m3", "m4", "m5", "m6" } },
+  labels = { "N2", "N2-N2.2" }, sizes = { { 1.0, 2.0, 4.0 }, at_least = 1 }, steps = 10, linear = "auto",
+  out = "out/hertz_sphere",
+}
+local files, cases = sg.files(options.out), {}
 
 for _, mesh in ipairs(options.meshes) do
   for _, label in ipairs(options.labels) do
     local case = solve({ label = label, mesh = mesh }, options.steps, options.linear)
     local data = { columns = { "x", "y", "pressure", "gap" } }
     for _, name in ipairs(data.columns) do data[name] = case.profile[name] end
-    sg.csv.write(path(("%s_%s.csv"):format(label, mesh)), data)
+    sg.csv.write(files(("%s_%s.csv"):format(label, mesh)), data)
     cases[#cases + 1], cases[label .. " " .. mesh] = case, case
   end
 end
@@ -192,10 +158,10 @@ if #options.sizes > 1 then
   print "\nFinite size: quadratic through the wall"
   print(case_table(sizes))
 end
-for _, label in ipairs(options.labels) do draw_pressure(cases, label, path(("pressure_%s.png"):format(label))) end
+for _, label in ipairs(options.labels) do draw_pressure(cases, label, files(("pressure_%s.png"):format(label))) end
 local last = cases[#cases]
-sg.picture{ model = last.model, field = "syy", file = path "syy.png", mesh = true, crop = { 0, 0.15, -1.003, -0.9 },
+sg.picture{ model = last.model, field = "syy", file = files "syy.png", mesh = true, crop = { 0, 0.15, -1.003, -0.9 },
             title = ("Hertz, sphere, %s at %s: stress near the contact"):format(last.label, last.mesh) }
-print("\nWritten: " .. table.concat(files, "\n         "))
+files:report()
 
 return { cases = cases, sizes = sizes, files = files }

@@ -56,42 +56,6 @@ local problems = {
 }
 local base = "N2"
 
--- ── Arguments ────────────────────────────────────────────────────────────────────────────────────────────────────────
-
-local function list_of(text, separator)
-  local list = {}
-  for word in text:gmatch("[^" .. (separator or ",") .. "]+") do list[#list + 1] = word end
-  return list
-end
-
-local function read_arguments(words)
-  local options = { problems = "peeling,ironing,hertz,rings", layers = "N2.1,N2.2,N4", rows = "1,2,3,all",
-                    ["repeat"] = "3", linear = "auto", out = "out/layer_depth" }
-  for name, problem in pairs(problems) do options[name] = problem.arguments end
-  local known = {}
-  for key, value in pairs(options) do known[#known + 1] = key .. "=" .. value end
-  table.sort(known)
-  for _, word in ipairs(words) do
-    local key, value = word:match "^(%w+)=(.+)$"
-    if not options[key] then
-      error(("unknown argument '%s'; known: %s"):format(word, table.concat(known, ", ")), 0)
-    end
-    options[key] = value
-  end
-  local function check(key, good, expected)
-    if not good then error(("%s must be %s, got '%s'"):format(key, expected, options[key]), 0) end
-  end
-  check("repeat", options["repeat"]:match "^[1-9]%d*$", "a whole number of at least 1")
-  local asked, layers, rows = list_of(options.problems), list_of(options.layers), list_of(options.rows)
-  for _, name in ipairs(asked) do check("problems", problems[name], "among peeling, ironing, hertz and rings") end
-  for _, depth in ipairs(rows) do
-    check("rows", depth == "all" or depth:match "^[1-9]%d*$", "whole numbers of at least 1, or all")
-  end
-  options.problems, options.layers, options.rows = asked, layers, rows
-  options["repeat"] = math.tointeger(tonumber(options["repeat"]))
-  return options
-end
-
 -- ── Runs ─────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 --- The label of a layer of a depth: "N2-N2.1", "N2-N2.1x2", "N2.1".
@@ -111,7 +75,8 @@ local function study(name, options)
       cases[#cases + 1], labels[#labels + 1] = { layer = layer, depth = depth, label = label }, label
     end
   end
-  local words = list_of(options[name], ";")
+  local words = {}
+  for word in options[name]:gmatch "[^;]+" do words[#words + 1] = word end
   words[#words + 1] = "labels=" .. table.concat(labels, ",")
   words[#words + 1] = "linear=" .. options.linear
   if problem.repeats then words[#words + 1] = ("%s=%d"):format(problem.repeats, options["repeat"]) end
@@ -194,9 +159,16 @@ end
 
 -- ── The study ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-local options = read_arguments(select("#", ...) > 0 and { ... } or arg)
-sg.mkdir(options.out)
-local studies, files = {}, {}
+local function is_depth(depth) return depth == "all" or (math.tointeger(tonumber(depth)) or 0) >= 1 end
+local names = { "peeling", "ironing", "hertz", "rings" }
+local arguments = {
+  problems = { names, choices = names }, layers = { "N2.1", "N2.2", "N4" },
+  rows = { { "1", "2", "3", "all" }, check = is_depth, expected = "whole numbers of at least 1, or all" },
+  ["repeat"] = 3, linear = "auto", out = "out/layer_depth",
+}
+for _, name in ipairs(names) do arguments[name] = problems[name].arguments end
+local options = sg.arguments(arguments)
+local studies, files = {}, sg.files(options.out)
 for _, name in ipairs(options.problems) do
   print(("\n=== %s ==="):format(problems[name].title))
   studies[name] = study(name, options)
@@ -211,13 +183,14 @@ for _, name in ipairs(options.problems) do
     data.rows[i] = { case.layer, case.depth, case.label, case.dofs, case.wall,
                      table.unpack(case.errors, 1, #problem.names) }
   end
-  files[#files + 1] = ("%s/%s.csv"):format(options.out, name)
-  sg.csv.write(files[#files], data)
+  sg.csv.write(files(name .. ".csv"), data)
   for i, figure in ipairs(problem.names) do
-    local file = ("%s/%s_%s.png"):format(options.out, name, figure:match "^%w+")
-    if draw(file, cases, problem, i, options) then files[#files + 1] = file end
+    local file = ("%s_%s.png"):format(name, figure:match "^%w+")
+    files:draw(file, "a case that reaches what is measured", function(path)
+      return draw(path, cases, problem, i, options)
+    end)
   end
 end
-print("\nWritten: " .. table.concat(files, "\n         "))
+files:report()
 
 return { studies = studies, files = files }

@@ -13,15 +13,9 @@ local core = require "signorini.core"
 package.path = core.home .. "/scripts/?.lua;" .. package.path
 local problem = require "ironing2d.problem"
 
-local options = { steps = "46", slides = "250" }
-for _, word in ipairs(select("#", ...) > 0 and { ... } or arg) do
-  local key, value = word:match "^(%w+)=(%d+)$"
-  if not options[key] then error(("unknown argument '%s'; known: steps=46, slides=250"):format(word), 0) end
-  options[key] = value
-end
-
+local options = sg.arguments{ steps = 46, slides = 250 }
 local set_up = problem.variants.standard
-local presses, slides = math.tointeger(options.steps), math.tointeger(options.slides)
+local presses, slides = options.steps, options.slides
 local depth = set_up.depth * (presses / set_up.press_steps)
 local stages = {
   { name = "press", steps = presses, grip = { 0, -depth } },

@@ -34,44 +34,6 @@ local exact_pairs = { { "matching", 4, 4, "lower" }, { "matching", 4, 4, "upper"
 local pairs_with_kinks = { { "master finer", 2, 6, "lower" }, { "non-matching", 3, 5, "lower" },
                            { "non-matching", 3, 5, "upper" } }
 
--- ── Arguments ────────────────────────────────────────────────────────────────────────────────────────────────────────
-
-local function list_of(text)
-  local list = {}
-  for word in text:gmatch "[^,]+" do list[#list + 1] = word end
-  return list
-end
-
-local function read_arguments(words)
-  local options = { dimensions = "2,3", materials = "linear,neo_hooke", labels = "N1,L2,N2,N3,N2-N2.2", points = "20",
-                    sides = "guided", penalties = "10,100,1000,10000", out = "out/patch_test" }
-  for _, word in ipairs(words) do
-    local key, value = word:match "^(%w+)=(.+)$"
-    if not options[key] then
-      error(("unknown argument '%s'; known: dimensions=2,3, materials=linear,neo_hooke, labels=N1,N2, points=20, ")
-        :format(word) .. "sides=guided, penalties=10,100, out=folder", 0)
-    end
-    options[key] = value
-  end
-  local function check(key, value, good, expected)
-    if not good then error(("%s must be %s, got '%s'"):format(key, expected, value), 0) end
-  end
-  for _, key in ipairs { "dimensions", "materials", "labels", "penalties" } do options[key] = list_of(options[key]) end
-  for i, dimension in ipairs(options.dimensions) do
-    check("dimensions", dimension, dimension == "2" or dimension == "3", "2 or 3 or both")
-    options.dimensions[i] = math.tointeger(tonumber(dimension))
-  end
-  for _, name in ipairs(options.materials) do check("materials", name, materials[name], "linear or neo_hooke") end
-  for i, value in ipairs(options.penalties) do
-    check("penalties", value, (tonumber(value) or 0) > 0, "positive numbers")
-    options.penalties[i] = tonumber(value)
-  end
-  check("sides", options.sides, options.sides == "guided" or options.sides == "free", "guided or free")
-  check("points", options.points, options.points:match "^[1-9]%d*$", "a whole number of at least 1")
-  options.points = math.tointeger(tonumber(options.points))
-  return options
-end
-
 --- Of a label's functions on the face: their degree, and the first derivative that jumps between elements.
 local function smoothness(label)
   local kind, degree, elevations = label:match "([NL])(%d+)%.?(%d*)x?%d*$"
@@ -330,13 +292,13 @@ end
 
 -- ── The study ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-local options = read_arguments(select("#", ...) > 0 and { ... } or arg)
-sg.mkdir(options.out)
-local files = {}
-local function path(name)
-  files[#files + 1] = options.out .. "/" .. name
-  return files[#files]
-end
+local options = sg.arguments{
+  dimensions = { { 2, 3 }, choices = { 2, 3 } },
+  materials = { { "linear", "neo_hooke" }, choices = { "linear", "neo_hooke" } },
+  labels = { "N1", "L2", "N2", "N3", "N2-N2.2" }, points = 20, sides = { "guided", choices = { "guided", "free" } },
+  penalties = { { 10.0, 100.0, 1000.0, 10000.0 }, above = 0 }, out = "out/patch_test",
+}
+local files = sg.files(options.out)
 
 local exact = solve_all(options, exact_pairs, function(degree) return { degree + 1, 3 * (degree + 1) } end)
 print(("Largest errors relative to p0 where the master has no kink inside the slave's elements, sides %s")
@@ -359,7 +321,7 @@ if options.dimensions[1] == 2 or options.dimensions[2] == 2 then
   penalties = penalty_study(options)
   print "\nThe penalty: 2D, linear, 3 elements under 5, slave upper, 3(p+1) points"
   print(penalty_table(penalties))
-  draw_pressure(options, path "pressure.png")
+  draw_pressure(options, files "pressure.png")
 end
 
 local data = { columns = { "dimension", "material", "label", "meshes", "slave", "points", "pressure_error",
@@ -369,12 +331,12 @@ for i, case in ipairs(cases) do
   data.rows[i] = { case.dimension, case.material, case.label, case.pair, case.slave, case.points, case.pressure_error,
                    case.stress_error }
 end
-sg.csv.write(path "errors.csv", data)
+sg.csv.write(files "errors.csv", data)
 for _, dimension in ipairs(options.dimensions) do
   for _, slave in ipairs { "lower", "upper" } do
-    draw_errors(series, dimension, options.materials[1], slave, path(("error_%dd_%s.png"):format(dimension, slave)))
+    draw_errors(series, dimension, options.materials[1], slave, files(("error_%dd_%s.png"):format(dimension, slave)))
   end
 end
-print("\nWritten: " .. table.concat(files, "\n         "))
+files:report()
 
 return { exact = exact, cases = cases, series = series, rates = rates, penalties = penalties, files = files }

@@ -39,59 +39,22 @@ local steady = require "peeling2d.steady"
 
 local picture_angles = { 30, 60, 90, 120, 150 }
 
--- ── Arguments ────────────────────────────────────────────────────────────────────────────────────────────────────────
-
-local function list_of(text)
-  local list = {}
-  for word in text:gmatch "[^,]+" do list[#list + 1] = word end
-  return list
-end
-
-local function read_arguments(words)
-  local options = { mesh = "m2", labels = "N2,N4,N2-N4,N2-N2.1,N2-N2.2", steps = "1500", control = "arc",
-                    ["repeat"] = "1", window = "120,140", length = tostring(problem.length),
-                    bonded = tostring(problem.bonded), iterations = "30", linear = "auto", out = "out/peeling2d" }
-  local known = {}
-  for key, value in pairs(options) do known[#known + 1] = key .. "=" .. value end
-  table.sort(known)
-  for _, word in ipairs(words) do
-    local key, value = word:match "^(%w+)=(.+)$"
-    if not options[key] then
-      error(("unknown argument '%s'; known: %s"):format(word, table.concat(known, ", ")), 0)
-    end
-    options[key] = value
-  end
-  local function check(key, good, expected)
-    if not good then error(("%s must be %s, got '%s'"):format(key, expected, options[key]), 0) end
-  end
-  for _, key in ipairs { "steps", "repeat", "iterations" } do
-    check(key, options[key]:match "^[1-9]%d*$", "a whole number of at least 1")
-    options[key] = math.tointeger(tonumber(options[key]))
-  end
-  check("control", options.control == "rotation" or options.control == "arc", "rotation or arc")
-  local from, to = options.window:match "^([%d.]+),([%d.]+)$"
-  from, to = tonumber(from), tonumber(to)
-  check("window", from and to and from < to, "two rising angles in degrees such as 120,140")
-  options.window = { from, to }
-  local length, bonded = tonumber(options.length), tonumber(options.bonded)
-  check("length", length and length > 0, "a positive number of nm")
-  check("bonded", bonded and bonded > 0 and bonded < length,
-    ("a number of nm above 0 and below length=%s"):format(options.length))
-  options.length, options.bonded = length, bonded
-  options.meshes, options.labels = list_of(options.mesh), list_of(options.labels)
-  for _, mesh in ipairs(options.meshes) do problem.elements(mesh, length) end
-  return options
-end
-
 -- ── The study ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-local options = read_arguments(select("#", ...) > 0 and { ... } or arg)
-sg.mkdir(options.out)
-local files, cases = {}, {}
-local function path(name)
-  files[#files + 1] = options.out .. "/" .. name
-  return files[#files]
+local function is_window(_, options)
+  local window = options.window
+  return #window == 2 and window[1] < window[2]
 end
+local options = sg.arguments{
+  mesh = { { "m2" }, choices = { "m0", "m1", "m2", "m3" } }, labels = { "N2", "N4", "N2-N4", "N2-N2.1", "N2-N2.2" },
+  steps = 1500, control = { "arc", choices = { "rotation", "arc" } }, ["repeat"] = 1,
+  window = { { 120.0, 140.0 }, check = is_window, expected = "two rising angles in degrees such as 120,140" },
+  length = { problem.length, above = 0 },
+  bonded = { problem.bonded, above = 0, check = function(bonded, all) return bonded < all.length end,
+             expected = "a number of nm above 0 and below the strip's length" },
+  iterations = 30, linear = "auto", out = "out/peeling2d",
+}
+local files, cases = sg.files(options.out), {}
 
 --- Runs a label on a mesh `repeat` times; `work` is the run of median wall time, the earlier one of two in the middle.
 local function solve(label, mesh, on_step)
@@ -128,14 +91,14 @@ local function tell(case)
 end
 
 local function write(case)
-  sg.csv.write(path(("%s_%s.csv"):format(case.label, case.mesh)), {
+  sg.csv.write(files(("%s_%s.csv"):format(case.label, case.mesh)), {
     columns = { "step", "angle", "moment" }, step = case.step, angle = case.angle, moment = case.moment,
     comments = { ("%s at %s: angle in degrees, moment in E0 L0³; steps with a fraction are states that arcs led to")
       :format(case.label, case.mesh), case.rotation.report },
   })
 end
 
-for _, mesh in ipairs(options.meshes) do
+for _, mesh in ipairs(options.mesh) do
   for _, label in ipairs(options.labels) do
     local case = solve(label, mesh, #cases == 0 and keep_state or nil)
     tell(case)
@@ -163,13 +126,13 @@ print(times)
 
 --- Adds a chart to the files if it was drawn.
 local function draw(name, drawing, ...)
-  if drawing(options.out .. "/" .. name, ...) then path(name) end
+  if drawing(files.folder .. "/" .. name, ...) then files(name) end
 end
 
-for _, mesh in ipairs(options.meshes) do
+for _, mesh in ipairs(options.mesh) do
   local shown = {}
   for i, label in ipairs(options.labels) do shown[i] = case_of(label, mesh) end
-  output.draw_moment(path(("moment_%s.png"):format(mesh)), case_of("N2", mesh) or shown[1], finite, options.window)
+  output.draw_moment(files(("moment_%s.png"):format(mesh)), case_of("N2", mesh) or shown[1], finite, options.window)
   for name, wanted in pairs { standard = function(label) return not label:find "-" end,
                               layer = function(label) return label:find "-" ~= nil end } do
     draw(("plateau_%s_%s.png"):format(name, mesh), output.draw_plateau, shown,
@@ -180,13 +143,13 @@ for _, mesh in ipairs(options.meshes) do
     draw(("snap_back_%s_%s.png"):format(case.label, mesh), output.draw_snap_back, case)
   end
 end
-if #options.meshes > 1 then
-  draw("amplitude_over_mesh.png", output.draw_over_mesh, options.labels, options.meshes, case_of)
+if #options.mesh > 1 then
+  draw("amplitude_over_mesh.png", output.draw_over_mesh, options.labels, options.mesh, case_of)
 end
 if #frames > 0 then
-  sg.picture{ file = path "states.png", frames = frames, columns = math.min(2, #frames), label = "I1 / E",
+  sg.picture{ file = files "states.png", frames = frames, columns = math.min(2, #frames), label = "I1 / E",
               title = ("Peeling, %s at %s"):format(cases[1].label, cases[1].mesh) }
 end
-print("\nWritten: " .. table.concat(files, "\n         "))
+files:report()
 
 return { cases = cases, thin = thin, finite = finite, files = files }

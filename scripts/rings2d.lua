@@ -34,37 +34,6 @@ for _, way in ipairs { { "either", "point" }, { "either", "gap" }, { "both", "po
   end
 end
 
--- ── Arguments ────────────────────────────────────────────────────────────────────────────────────────────────────────
-
-local function list_of(text)
-  local list = {}
-  for word in text:gmatch "[^,]+" do list[#list + 1] = word end
-  return list
-end
-
-local function read_arguments(words)
-  local options = { meshes = "m1,m2", labels = "N2,N4,N2-N4,N2-N2.1", reference = "m3", coordinate = "x", repeats = "3",
-                    linear = "auto", out = "out/rings2d" }
-  for _, word in ipairs(words) do
-    local key, value = word:match "^(%w+)=(.+)$"
-    if not options[key] then
-      error(("unknown argument '%s'; known: meshes=m1,m2, labels=N2,N4, reference=m3, coordinate=x, repeats=3, ")
-        :format(word) .. "linear=auto, out=folder", 0)
-    end
-    options[key] = value
-  end
-  local function check(key, value, pattern, expected)
-    if not value:match(pattern) then error(("%s must be %s, got '%s'"):format(key, expected, value), 0) end
-  end
-  check("reference", options.reference, "^m[1-5]$", "one of m1 to m5")
-  check("coordinate", options.coordinate, "^[xX]$", "x or X")
-  check("repeats", options.repeats, "^[1-9]%d*$", "a whole number of at least 1")
-  options.meshes, options.labels = list_of(options.meshes), list_of(options.labels)
-  for _, mesh in ipairs(options.meshes) do check("meshes", mesh, "^m[1-5]$", "among m1 to m5") end
-  options.repeats = math.tointeger(tonumber(options.repeats))
-  return options
-end
-
 -- ── Scene and path ───────────────────────────────────────────────────────────────────────────────────────────────────
 
 local function scene(label, mesh)
@@ -88,11 +57,6 @@ local function scene(label, mesh)
                                penalty = 100, friction = { mu = mu, penalty = 10 } } },
   }
   return model, upper:dofs().total + lower:dofs().total
-end
-
-local function median(values)
-  table.sort(values)
-  return (values[(#values + 1) // 2] + values[#values // 2 + 1]) / 2
 end
 
 --- Takes a label on a mesh along the path. `on_state` sees the model at the start and after every step.
@@ -121,7 +85,7 @@ local function solve_all(list, options)
   end
   for _, case in ipairs(cases) do
     case.times = {}
-    for account, values in pairs(case.seconds) do case.times[account] = median(values) end
+    for account, values in pairs(case.seconds) do case.times[account] = sg.median(values) end
   end
   return cases
 end
@@ -267,14 +231,13 @@ end
 
 -- ── The study ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-local options = read_arguments(select("#", ...) > 0 and { ... } or arg)
-sg.mkdir(options.out)
-
-local files, cases = {}, {}
-local function path(name)
-  files[#files + 1] = options.out .. "/" .. name
-  return files[#files]
-end
+local levels = { "m1", "m2", "m3", "m4", "m5" }
+local options = sg.arguments{
+  meshes = { { "m1", "m2" }, choices = levels }, labels = { "N2", "N4", "N2-N4", "N2-N2.1" },
+  reference = { "m3", choices = levels }, coordinate = { "x", choices = { "x", "X" } }, repeats = 3, linear = "auto",
+  out = "out/rings2d",
+}
+local files, cases = sg.files(options.out), {}
 
 local frames = {}
 local function keep_state(model, step)
@@ -288,11 +251,11 @@ for _, mesh in ipairs(options.meshes) do
 end
 local solved = solve_all(list, options)
 local finest = solved[1]
-write_profile(finest, path(("%s_%s.csv"):format(finest.label, finest.mesh)))
+write_profile(finest, files(("%s_%s.csv"):format(finest.label, finest.mesh)))
 for i = 2, #solved do
   local case = solved[i]
   measure(case, finest, options.coordinate)
-  write_profile(case, path(("%s_%s.csv"):format(case.label, case.mesh)))
+  write_profile(case, files(("%s_%s.csv"):format(case.label, case.mesh)))
   cases[i - 1], cases[case.label .. " " .. case.mesh] = case, case
 end
 solve(options.labels[1], options.meshes[1], options.linear, keep_state)
@@ -305,13 +268,13 @@ print(rule_table(cases))
 print(("\nTime beside Table 7.6, medians of %d (linear: factorisation and solve)"):format(options.repeats))
 print(time_table(cases))
 
-write_errors(cases, path "errors.csv")
-sg.picture{ frames = frames, columns = 3, file = path "states.png",
+write_errors(cases, files "errors.csv")
+sg.picture{ frames = frames, columns = 3, file = files "states.png",
             title = ("Rings, %s at %s"):format(options.labels[1], options.meshes[1]) }
 for _, mesh in ipairs(options.meshes) do
-  draw_traction(cases, finest, mesh, "pressure", options.coordinate, path(("pressure_%s.png"):format(mesh)))
-  draw_traction(cases, finest, mesh, "traction", options.coordinate, path(("traction_%s.png"):format(mesh)))
+  draw_traction(cases, finest, mesh, "pressure", options.coordinate, files(("pressure_%s.png"):format(mesh)))
+  draw_traction(cases, finest, mesh, "traction", options.coordinate, files(("traction_%s.png"):format(mesh)))
 end
-print("\nWritten: " .. table.concat(files, "\n         "))
+files:report()
 
 return { cases = cases, reference = finest, files = files }

@@ -35,36 +35,6 @@ local table_times = { 0.5, 1, 1.5 }
 local picture_times = { 1, 1.25, 1.5, 2 }
 local ripple_times = { 1.4, 1.6 } -- where the forces themselves hardly change
 
--- ── Arguments ────────────────────────────────────────────────────────────────────────────────────────────────────────
-
-local function read_arguments(words)
-  local options = { mesh = "m2", labels = "N2,N2-N2.2", through = "1", penalty = "1e5", steps = "50", linear = "auto",
-                    out = "out/shallow_ironing2d" }
-  for _, word in ipairs(words) do
-    local key, value = word:match "^(%w+)=(.+)$"
-    if not options[key] then
-      error(("unknown argument '%s'; known: mesh=m2, labels=N2,N4, through=1, penalty=1e5, steps=50, linear=auto, "
-        .. "out=folder"):format(word), 0)
-    end
-    options[key] = value
-  end
-  local level = math.tointeger(options.mesh:match "^m([1-5])$")
-  if not level then error(("mesh must be one of m1 to m5, got '%s'"):format(options.mesh), 0) end
-  local function number(key, check, expected)
-    local value = tonumber(options[key])
-    if not value or not check(value) then error(("%s must be %s, got '%s'"):format(key, expected, options[key]), 0) end
-    return value
-  end
-  local function is_count(value) return math.tointeger(value) and value >= 1 end
-  local labels = {}
-  for label in options.labels:gmatch "[^,]+" do labels[#labels + 1] = label end
-  return { mesh = options.mesh, halvings = 1 << (level - 1), labels = labels, linear = options.linear,
-           out = options.out,
-           through = number("through", is_count, "a degree such as 1 or 2"),
-           penalty = number("penalty", function(value) return value > 0 end, "a positive number"),
-           steps = number("steps", is_count, "a whole number of at least 1") }
-end
-
 -- ── Scene and path ───────────────────────────────────────────────────────────────────────────────────────────────────
 
 --- The die: straight lines from its arc up to its top. With radius R = 0.75 and half the width 0.6 the arc spans 2θ,
@@ -80,7 +50,7 @@ local function die_patch(left, apex)
 end
 
 local function scene(label, options)
-  local n = options.halvings
+  local n = 1 << (math.tointeger(tonumber(options.mesh:sub(2))) - 1)
   local die = sg.body{
     patch = die_patch(0.2, 4.2), elements = { 3 * n, 2 * n }, order = label, contact = "south",
     through = options.through, material = sg.neo_hookean{ E = 6896, nu = 0.32 },
@@ -219,20 +189,18 @@ end
 
 -- ── The study ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-local options = read_arguments(select("#", ...) > 0 and { ... } or arg)
-sg.mkdir(options.out)
-local files, cases = {}, {}
-local function path(name)
-  files[#files + 1] = options.out .. "/" .. name
-  return files[#files]
-end
+local options = sg.arguments{
+  mesh = { "m2", choices = { "m1", "m2", "m3", "m4", "m5" } }, labels = { "N2", "N2-N2.2" }, through = 1,
+  penalty = { 1e5, above = 0 }, steps = 50, linear = "auto", out = "out/shallow_ironing2d",
+}
+local files, cases = sg.files(options.out), {}
 
 local published = sg.reference "shallow_ironing2d_forces"
 for i, label in ipairs(options.labels) do
   print(("%s at %s"):format(label, options.mesh))
   local case = solve(label, options)
   print(case.run)
-  case.run:csv(path(label .. ".csv"))
+  case.run:csv(files(label .. ".csv"))
   case.ripple = { V = ripple(case, case.V), H = ripple(case, case.H) }
   cases[i], cases[label] = case, case
 end
@@ -242,16 +210,12 @@ print(work_table(cases))
 print "\nVertical force V, horizontal force H and their ratio at some times, beside what others' curves show"
 print(force_table(cases, published))
 
-if draw_forces(cases, published, options.out .. "/forces.png") then
-  path "forces.png"
-else
-  print "forces.png is left out: it needs an accepted step"
-end
+files:draw("forces.png", "an accepted step", function(file) return draw_forces(cases, published, file) end)
 if #cases[1].frames > 0 then
-  sg.picture{ frames = cases[1].frames, columns = 2, file = path "states.png", range = { 0, 400 },
+  sg.picture{ frames = cases[1].frames, columns = 2, file = files "states.png", range = { 0, 400 },
               label = "von Mises stress (N/mm²)",
               title = ("Shallow ironing, %s at %s"):format(options.labels[1], options.mesh) }
 end
-print("\nWritten: " .. table.concat(files, "\n         "))
+files:report()
 
 return { mesh = options.mesh, cases = cases, files = files }

@@ -32,47 +32,6 @@ local sg = require "signorini"
 local mu, penalty, depth = 0.5, 100, 1
 local meshes = { m1 = { {4, 4, 1}, {4, 4, 2} }, m2 = { {6, 6, 2}, {6, 6, 3} }, m3 = { {8, 8, 2}, {8, 8, 4} } }
 
--- ── Arguments ────────────────────────────────────────────────────────────────────────────────────────────────────────
-
-local function list_of(text)
-  local list = {}
-  for word in text:gmatch "[^,]+" do list[#list + 1] = word end
-  return list
-end
-
-local function read_arguments(words)
-  local options = { parts = "twist,punch,balance", labels = "N2,N4,N2-N4,N2-N2.2", meshes = "m1", press = "10",
-                    twist = "90", angle = "180", slave = "hemisphere", poles = "ends", linear = "auto",
-                    out = "out/twisting3d" }
-  for _, word in ipairs(words) do
-    local key, value = word:match "^(%w+)=(.+)$"
-    if not options[key] then
-      error(("unknown argument '%s'; known: parts=twist,punch,balance, labels=N2,N4, meshes=m1,m2, press=10, ")
-        :format(word) .. "twist=90, angle=180, slave=hemisphere, poles=ends, linear=auto, out=folder", 0)
-    end
-    options[key] = value
-  end
-  local function check(key, value, good, expected)
-    if not good then error(("%s must be %s, got '%s'"):format(key, expected, value), 0) end
-  end
-  local parts = { twist = false, punch = false, balance = false }
-  for _, part in ipairs(list_of(options.parts)) do
-    check("parts", part, parts[part] ~= nil, "among twist, punch and balance")
-    parts[part] = true
-  end
-  options.parts, options.labels, options.meshes = parts, list_of(options.labels), list_of(options.meshes)
-  for _, mesh in ipairs(options.meshes) do check("meshes", mesh, meshes[mesh], "among m1, m2 and m3") end
-  check("slave", options.slave, options.slave == "hemisphere" or options.slave == "cube", "hemisphere or cube")
-  check("poles", options.poles, options.poles == "ends" or options.poles == "bottom", "ends or bottom")
-  for _, key in ipairs { "press", "twist" } do
-    check(key, options[key], options[key]:match "^[1-9]%d*$", "a whole number of at least 1")
-    options[key] = math.tointeger(tonumber(options[key]))
-  end
-  check("angle", options.angle, (tonumber(options.angle) or 0) > 0, "a positive number")
-  options.angle = tonumber(options.angle)
-  return options
-end
-
 -- ── Scenes ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 --- The hemisphere on the cube.
@@ -274,48 +233,50 @@ local function keep_states(whole, cut, options)
   end
 end
 
-local function draw_states(whole, cut, name, path)
-  sg.picture{ frames = whole, columns = 2, file = path "states.png", title = "Twisting, " .. name }
-  sg.picture{ frames = cut, columns = 2, camera = "front", file = path "cut.png",
+local function draw_states(whole, cut, name, files)
+  sg.picture{ frames = whole, columns = 2, file = files "states.png", title = "Twisting, " .. name }
+  sg.picture{ frames = cut, columns = 2, camera = "front", file = files "cut.png",
               title = ("Twisting, %s: the half y > 0"):format(name) }
 end
 
 -- ── The study ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-local options = read_arguments(select("#", ...) > 0 and { ... } or arg)
-sg.mkdir(options.out)
-local files, punches, cases, balance = {}, {}, {}, {}
-local function path(name)
-  files[#files + 1] = options.out .. "/" .. name
-  return files[#files]
-end
+local options = sg.arguments{
+  parts = { { "twist", "punch", "balance" }, choices = { "twist", "punch", "balance" } },
+  labels = { "N2", "N4", "N2-N4", "N2-N2.2" }, meshes = { { "m1" }, choices = { "m1", "m2", "m3" } }, press = 10,
+  twist = 90, angle = { 180.0, above = 0 }, slave = { "hemisphere", choices = { "hemisphere", "cube" } },
+  poles = { "ends", choices = { "ends", "bottom" } }, linear = "auto", out = "out/twisting3d",
+}
+local files, punches, cases, balance = sg.files(options.out), {}, {}, {}
+local wanted = {}
+for _, part in ipairs(options.parts) do wanted[part] = true end
 
-if options.parts.punch then
+if wanted.punch then
   for i, shape in ipairs { "square", "tube" } do punches[i] = press_and_turn(shape) end
   print "Punches with a flat face on a rigid plane: torque beside μ∫pr dA of the profile and of a uniform pressure"
   print(punch_table(punches))
 end
 
-if options.parts.twist then
+if wanted.twist then
   local whole, cut = {}, {}
   for _, mesh in ipairs(options.meshes) do
     for _, label in ipairs(options.labels) do
       local case = twist({ label = label, mesh = mesh, press = options.press, twist = options.twist,
                            on_step = #cases == 0 and keep_states(whole, cut, options) or nil }, options)
       if case.run.failed then print(("%s at %s: %s"):format(label, mesh, case.run.report)) end
-      write_rows(case, path(("%s_%s.csv"):format(label, mesh)))
+      write_rows(case, files(("%s_%s.csv"):format(label, mesh)))
       cases[#cases + 1], cases[label .. " " .. mesh] = case, case
     end
   end
   print(("\nTwisting, slave: %s; torque and its swing (max − min): over the last third of the angle")
     :format(options.slave))
   print(twist_table(cases))
-  draw(cases, "moment", "torque", path "torque.png")
-  draw(cases, "force", "vertical force", path "force.png")
-  draw_states(whole, cut, ("%s at %s"):format(options.labels[1], options.meshes[1]), path)
+  draw(cases, "moment", "torque", files "torque.png")
+  draw(cases, "force", "vertical force", files "force.png")
+  draw_states(whole, cut, ("%s at %s"):format(options.labels[1], options.meshes[1]), files)
 end
 
-if options.parts.balance then
+if wanted.balance then
   for i, factor in ipairs { 1, 2, 4 } do
     balance[i] = twist({ label = options.labels[1], mesh = options.meshes[1], press = factor * options.press,
                          twist = factor * options.twist }, options)
@@ -323,6 +284,6 @@ if options.parts.balance then
   print "\nThe energies' balance with smaller steps"
   print(twist_table(balance))
 end
-if #files > 0 then print("\nWritten: " .. table.concat(files, "\n         ")) end
+files:report()
 
 return { cases = cases, punches = punches, balance = balance, files = files }

@@ -3,7 +3,7 @@
 local sg = require "signorini"
 
 local problem = {
-  length = 200, bonded = 150,   -- as published; bonded is the part that feels the substrate
+  length = 200.0, bonded = 150.0, -- as published; bonded is the part that feels the substrate
   height = 10, modulus = 2, poisson = 0.2,
   hamaker = 0.1, r0 = 0.4,      -- nN nm, nm
   moment_unit = 2,              -- E0 L0³ per nm of depth, in nN

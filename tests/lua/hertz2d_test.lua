@@ -75,9 +75,9 @@ check.case("charts, a picture and a profile per run", function()
 end)
 
 check.case("wrong arguments", function()
-  for word, message in pairs { ["mesh=m1"] = "unknown argument 'mesh=m1'; known: load=", ["meshes=m9"] = "got 'm9'",
+  for word, message in pairs { ["mesh=m1"] = "unknown argument 'mesh=m1'; known: labels=", ["meshes=m9"] = "got 'm9'",
                                ["load=weight"] = "load must be force or displacement, got 'weight'",
-                               ["sizes=1,0.5"] = "sizes must be numbers from 1, got '0.5'",
+                               ["sizes=1,0.5"] = "sizes must be numbers of at least 1, got '0.5'",
                                ["steps=x"] = "steps must be", ["labels=Q7"] = "Q7" } do
     local output, status = check.program { "-q", script, "out=" .. folder, "reference=m1", word }
     check.equal(status, 1)

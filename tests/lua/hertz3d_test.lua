@@ -58,8 +58,8 @@ check.case("charts, pictures and a profile per run", function()
 end)
 
 check.case("wrong arguments", function()
-  for word, message in pairs { ["mesh=m1"] = "unknown argument 'mesh=m1'; known: meshes=", ["meshes=m9"] = "got 'm9'",
-                               ["around=0"] = "around must be whole numbers from 1, got '0'",
+  for word, message in pairs { ["mesh=m1"] = "unknown argument 'mesh=m1'; known: around=", ["meshes=m9"] = "got 'm9'",
+                               ["around=0"] = "around must be whole numbers of at least 1, got '0'",
                                ["steps=0"] = "steps must be", ["labels=Q7"] = "Q7" } do
     local output, status = check.program { "-q", script, "out=" .. folder, word }
     check.equal(status, 1)

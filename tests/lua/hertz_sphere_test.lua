@@ -53,9 +53,9 @@ check.case("charts, a picture and a profile per run", function()
 end)
 
 check.case("wrong arguments", function()
-  for word, message in pairs { ["mesh=m1"] = "unknown argument 'mesh=m1'; known: meshes=", ["meshes=m9"] = "got 'm9'",
-                               ["sizes=0"] = "sizes must be numbers from 1, got '0'", ["steps=0"] = "steps must be",
-                               ["labels=Q7"] = "Q7" } do
+  for word, message in pairs { ["mesh=m1"] = "unknown argument 'mesh=m1'; known: labels=", ["meshes=m9"] = "got 'm9'",
+                               ["sizes=0"] = "sizes must be numbers of at least 1, got '0'",
+                               ["steps=0"] = "steps must be", ["labels=Q7"] = "Q7" } do
     local output, status = check.program { "-q", script, "out=" .. folder, word }
     check.equal(status, 1)
     check.holds(output, message)

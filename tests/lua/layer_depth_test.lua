@@ -66,7 +66,7 @@ check.case("files: a table and charts per problem", function()
 end)
 
 check.case("wrong arguments", function()
-  for word, message in pairs { ["problem=rings"] = "unknown argument 'problem=rings'; known: hertz=meshes=m2;sizes=1",
+  for word, message in pairs { ["problem=rings"] = "did you mean 'problems'? known: hertz=meshes=m2;sizes=1",
                                ["problems=rings,peel"] = "problems must be among peeling, ironing, hertz and rings",
                                ["rows=0"] = "rows must be whole numbers of at least 1, or all, got '0'",
                                ["repeat=x"] = "repeat must be a whole number of at least 1, got 'x'" } do

@@ -19,8 +19,8 @@ check.case("the loop and model:run take the same iterations to the same bits", f
 end)
 
 check.case("wrong arguments", function()
-  check.fails(function() assert(loadfile(script))("steps=many") end, "unknown argument 'steps=many'")
-  check.fails(function() assert(loadfile(script))("slide=10") end, "unknown argument 'slide=10'", "slides=250")
+  check.fails(function() assert(loadfile(script))("steps=many") end, "steps must be a whole number", "got 'many'")
+  check.fails(function() assert(loadfile(script))("slide=10") end, "'slide=10'; did you mean 'slides'?", "slides=250")
 end)
 
 check.done()

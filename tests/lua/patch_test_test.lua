@@ -85,9 +85,9 @@ check.case("tables and charts", function()
 end)
 
 check.case("wrong arguments", function()
-  for word, message in pairs { ["label=N2"] = "unknown argument 'label=N2'; known: dimensions=",
-                               ["dimensions=4"] = "dimensions must be 2 or 3 or both, got '4'",
-                               ["materials=steel"] = "materials must be linear or neo_hooke, got 'steel'",
+  for word, message in pairs { ["label=N2"] = "unknown argument 'label=N2'; did you mean 'labels'? known: dimensions=",
+                               ["dimensions=4"] = "dimensions must be among 2 and 3, got '4'",
+                               ["materials=steel"] = "materials must be among linear and neo_hooke, got 'steel'",
                                ["sides=open"] = "sides must be guided or free, got 'open'",
                                ["penalties=-1"] = "penalties must be", ["points=x"] = "points must be" } do
     local output, status = check.program { "-q", script, "out=" .. folder, word }

@@ -89,7 +89,8 @@ end)
 
 check.case("wrong arguments", function()
   local script = core.home .. "/scripts/rings2d.lua"
-  for word, message in pairs { ["mesh=m1"] = "unknown argument 'mesh=m1'; known: meshes=m1", ["meshes=m9"] = "got 'm9'",
+  for word, message in pairs { ["mesh=m1"] = "unknown argument 'mesh=m1'; known: coordinate=x",
+                               ["meshes=m9"] = "got 'm9'",
                                ["coordinate=z"] = "coordinate must be x or X, got 'z'",
                                ["repeats=0"] = "repeats must be", ["labels=Q7"] = "Q7" } do
     local output, status = check.program { "-q", script, "out=" .. folder, word }

@@ -75,9 +75,9 @@ check.case("a sheet, a chart and two files", function()
 end)
 
 check.case("wrong arguments", function()
-  for word, message in pairs { ["msh=m1"] = "unknown argument 'msh=m1'; known: mesh=m2", ["mesh=m9"] = "got 'm9'",
-                               ["penalty=-1"] = "penalty must be a positive number, got '-1'",
-                               ["through=two"] = "through must be a degree",
+  for word, message in pairs { ["msh=m1"] = "unknown argument 'msh=m1'; did you mean 'mesh'?", ["mesh=m9"] = "got 'm9'",
+                               ["penalty=-1"] = "penalty must be a number above 0, got '-1'",
+                               ["through=two"] = "through must be a whole number",
                                ["steps=0"] = "steps must be a whole number" } do
     local output, status = check.program { "-q", script, "out=" .. folder, word }
     check.equal(status, 1)

@@ -67,12 +67,12 @@ check.case("curves, charts and pictures", function()
 end)
 
 check.case("wrong arguments", function()
-  for word, message in pairs { ["label=N2"] = "unknown argument 'label=N2'; known: parts=",
+  for word, message in pairs { ["label=N2"] = "unknown argument 'label=N2'; did you mean 'labels'? known: angle=",
                                ["parts=turn"] = "parts must be among twist, punch and balance, got 'turn'",
                                ["meshes=m4"] = "meshes must be among m1, m2 and m3, got 'm4'",
                                ["slave=die"] = "slave must be hemisphere or cube, got 'die'",
                                ["poles=top"] = "poles must be ends or bottom, got 'top'",
-                               ["angle=0"] = "angle must be a positive number, got '0'",
+                               ["angle=0"] = "angle must be a number above 0, got '0'",
                                ["twist=x"] = "twist must be" } do
     local output, status = check.program { "-q", script, "out=" .. folder, word }
     check.equal(status, 1)
