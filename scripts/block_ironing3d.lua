@@ -37,9 +37,8 @@
 --      degree from top to bottom; points: Gauss points per direction of a contact element, auto is 3(p + 1).
 
 local sg = require "signorini"
-local arguments = require "solid_ironing.arguments"
 local labels = require "solid_ironing.labels"
-local output = require "solid_ironing.output"
+local mesh = require "solid_ironing.mesh"
 local sixty = require "block_ironing3d.sixty"
 
 local problem = { title = "Block ironing", length = 20, start = 3.75, depth = 1, way = 12.5 }
@@ -65,14 +64,18 @@ function problem.scene(case)
   return model, block, slab
 end
 
-local options, variant = arguments.read(select("#", ...) > 0 and { ... } or arg, { "standard", "sixty" }, {
-  standard = { labels = "N2,N3,N4,N2-N3,N2-N4,N2-N2.1,N2-N2.2", mesh = "4x4x4/8x4x4", press = "10", slide = "125",
-               linear = "auto", out = "out/block_ironing3d" },
-  sixty = { labels = "N2,N2-N2.1,N2-N2.2", mesh = "4x4x4/8x4x4", through = "1", points = "auto", linear = "auto",
-            out = "out/block_ironing3d_sixty" },
-})
-local files = output.open_files(options.out)
-local result = (variant == "sixty" and sixty or labels).run(problem, options, files)
-print("\nWritten: " .. table.concat(files, "\n         "))
+local function is_count(text) return text == "auto" or (math.tointeger(tonumber(text)) or 0) >= 1 end
+local options = sg.arguments{
+  linear = "auto", variant = { "standard", variants = {
+    standard = { labels = { "N2", "N3", "N4", "N2-N3", "N2-N4", "N2-N2.1", "N2-N2.2" },
+                 mesh = mesh.argument "4x4x4/8x4x4", press = 10, slide = 125, out = "out/block_ironing3d" },
+    sixty = { labels = { "N2", "N2-N2.1", "N2-N2.2" }, mesh = mesh.argument{ "4x4x4/8x4x4" }, through = { 1 },
+              points = { { "auto" }, check = is_count, expected = "whole numbers of at least 1, or auto" },
+              out = "out/block_ironing3d_sixty" },
+  } },
+}
+local files = sg.files(options.out)
+local result = (options.variant == "sixty" and sixty or labels).run(problem, options, files)
+files:report()
 result.files = files
 return result

@@ -16,22 +16,21 @@ local sg = require "signorini"
 local core = require "signorini.core"
 local plane = require "ironing2d.problem"
 local solid = require "ironing3d.problem"
-local arguments = require "solid_ironing.arguments"
 
-local texts = arguments.read(select("#", ...) > 0 and { ... } or arg, { "standard" }, { standard = {
-  every = "0,10,1", mesh = "coarse", slides = "6", repeats = "3", out = "out/checkpoint_cost",
-} })
-local repeats, slides = arguments.count("repeats", texts.repeats), arguments.count("slides", texts.slides)
-sg.mkdir(texts.out)
-local file = texts.out .. "/run.sgn"
+local options = sg.arguments{
+  every = { { 0, 10, 1 }, at_least = 0 }, mesh = { "coarse", choices = solid.mesh_names }, slides = 6, repeats = 3,
+  out = "out/checkpoint_cost",
+}
+sg.mkdir(options.out)
+local file = options.out .. "/run.sgn"
 
 local problems = {
   { name = "2D ironing, N2 at m1", begin = function()
     local set_up = plane.variants.standard
     return plane.scene(set_up, "N2", plane.elements "m1"), plane.path(set_up, 1)
   end },
-  { name = "3D ironing, N2, " .. texts.mesh, begin = function()
-    local case = { label = "N2", mesh = texts.mesh, radius = 7.5, depth = 2, way = 0.3 * slides, down = 0.5 }
+  { name = "3D ironing, N2, " .. options.mesh, begin = function()
+    local case = { label = "N2", mesh = options.mesh, radius = 7.5, depth = 2, way = 0.3 * options.slides, down = 0.5 }
     return solid.scene(case, 50), solid.stages(case)
   end },
 }
@@ -56,12 +55,10 @@ end
 local rows, costs = {}, {}
 for _, problem in ipairs(problems) do
   local without
-  for _, word in ipairs(arguments.split(texts.every)) do
-    local every, times, size, steps = math.tointeger(tonumber(word)), {}, nil, nil
-    if not every or every < 0 then error(("every must be whole numbers from 0, got '%s'"):format(texts.every), 0) end
-    for i = 1, repeats do times[i], size, steps = seconds(problem, every) end
-    table.sort(times)
-    local median = times[(repeats + 1) // 2]
+  for _, every in ipairs(options.every) do
+    local times, size, steps = {}, nil, nil
+    for i = 1, options.repeats do times[i], size, steps = seconds(problem, every) end
+    local median = sg.median(times)
     without = without or every == 0 and median or nil
     costs[#costs + 1] = { problem = problem.name, every = every, wall = median, size = size }
     rows[#rows + 1] = { problem.name, steps, every == 0 and "none" or ("every %d"):format(every), median,

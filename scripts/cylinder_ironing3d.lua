@@ -27,9 +27,8 @@
 --      die/slab; press, slide: steps.
 
 local sg = require "signorini"
-local arguments = require "solid_ironing.arguments"
 local labels = require "solid_ironing.labels"
-local output = require "solid_ironing.output"
+local mesh = require "solid_ironing.mesh"
 
 local problem = { title = "Cylinder ironing", length = 2.5, start = 0.5, depth = 0.2, way = 1.5 }
 
@@ -52,12 +51,12 @@ function problem.scene(case)
   return model, die, slab
 end
 
-local options = arguments.read(select("#", ...) > 0 and { ... } or arg, { "standard" }, {
-  standard = { labels = "N2,N3,N4,N2-N3,N2-N4,N2-N2.1,N2-N2.2", mesh = "12x6x2/18x12x4", press = "10", slide = "108",
-               linear = "auto", out = "out/cylinder_ironing3d" },
-})
-local files = output.open_files(options.out)
+local options = sg.arguments{
+  labels = { "N2", "N3", "N4", "N2-N3", "N2-N4", "N2-N2.1", "N2-N2.2" }, mesh = mesh.argument "12x6x2/18x12x4",
+  press = 10, slide = 108, linear = "auto", out = "out/cylinder_ironing3d",
+}
+local files = sg.files(options.out)
 local result = labels.run(problem, options, files)
-print("\nWritten: " .. table.concat(files, "\n         "))
+files:report()
 result.files = files
 return result

@@ -43,84 +43,6 @@ local validation = require "ironing2d.validation"
 
 local picture_steps = { [4] = true, [23] = true, [46] = true, [80] = true, [160] = true, [250] = true }
 local reference_label = "N2"
-local all_labels = "N2,N4,N6,N2-N4,N2-N6,N2-N2.1,N2-N2.2,N2-N2.3"
-
--- ── Arguments ────────────────────────────────────────────────────────────────────────────────────────────────────────
-
---- The arguments of each variant with their defaults.
-local defaults = {
-  standard = { mesh = "m1", labels = all_labels, ["repeat"] = "1", linear = "auto", out = "out/ironing2d" },
-  deep = { mesh = "m1", labels = all_labels, points = "1,2,3", coarser = "1,2", linear = "auto",
-           out = "out/ironing2d_deep" },
-  validation = { mesh = "48", labels = "N2,N4", linear = "auto", out = "out/ironing2d_validation" },
-}
-
-local function split(text)
-  local parts = {}
-  for part in text:gmatch "[^,]+" do parts[#parts + 1] = part end
-  return parts
-end
-
---- A list of whole numbers of at least 1, rising.
-local function counts(name, text)
-  local numbers = split(text)
-  for i, part in ipairs(numbers) do
-    numbers[i] = math.tointeger(part)
-    if not numbers[i] or numbers[i] < 1 then
-      error(("%s must be whole numbers of at least 1 such as 1,2,3, got '%s'"):format(name, text), 0)
-    end
-  end
-  table.sort(numbers)
-  return numbers
-end
-
-local function read_arguments(words)
-  local given = {}
-  for _, word in ipairs(words) do
-    local key, value = word:match "^(%w+)=(.+)$"
-    if not key then error(("unknown argument '%s'; arguments look like mesh=m1"):format(word), 0) end
-    given[key] = value
-  end
-  local variant = given.variant or "standard"
-  if not defaults[variant] then
-    error(("variant must be standard, deep or validation, got '%s'"):format(variant), 0)
-  end
-  given.variant = nil
-  local known = {}
-  for key, value in pairs(defaults[variant]) do known[#known + 1] = key .. "=" .. value end
-  table.sort(known)
-  for key, value in pairs(given) do
-    if not defaults[variant][key] then
-      error(("unknown argument '%s=%s'; known: variant=%s, %s")
-        :format(key, value, variant, table.concat(known, ", ")), 0)
-    end
-  end
-  local options = setmetatable(given, { __index = defaults[variant] })
-  for _, mesh in ipairs(split(options.mesh)) do problem.elements(mesh) end
-  if variant == "validation" and options.mesh:find "," then
-    error(("variant=validation takes one mesh, got '%s'"):format(options.mesh), 0)
-  end
-  return { variant = variant, meshes = split(options.mesh), labels = split(options.labels), linear = options.linear,
-           out = options.out, repeats = counts("repeat", options["repeat"] or "1")[1],
-           points = counts("points", options.points or "3"), coarser = counts("coarser", options.coarser or "1") }
-end
-
--- ── Files ────────────────────────────────────────────────────────────────────────────────────────────────────────────
-
---- A list of what was written: path(name) adds to it; draw(name, need, body) adds the file of a chart that body(file)
---- has drawn, or says what it would have needed.
-local function open_files(folder)
-  sg.mkdir(folder)
-  local files = {}
-  function files.path(name)
-    files[#files + 1] = folder .. "/" .. name
-    return files[#files]
-  end
-  function files.draw(name, need, body)
-    if body(folder .. "/" .. name) then files.path(name) else print(name .. " is left out: it needs " .. need) end
-  end
-  return files
-end
 
 -- ── The standard variant ─────────────────────────────────────────────────────────────────────────────────────────────
 
@@ -136,8 +58,8 @@ end
 local function solve_all(options, suffix, files)
   local studies = {}
   local keep, draw_states = output.record_states(picture_steps)
-  for round = 1, options.repeats do
-    for m, mesh in ipairs(options.meshes) do
+  for round = 1, options["repeat"] do
+    for m, mesh in ipairs(options.mesh) do
       local study = studies[m] or { mesh = mesh, cases = {} }
       studies[m], studies[mesh] = study, study
       for i, label in ipairs(options.labels) do
@@ -147,7 +69,7 @@ local function solve_all(options, suffix, files)
         if round == 1 then
           print(("%s at %s"):format(label, mesh))
           print(case.run)
-          case.run:csv(files.path(label .. suffix(mesh) .. ".csv"))
+          case.run:csv(files(label .. suffix(mesh) .. ".csv"))
           case.runs = { case.run }
           study.cases[i], study.cases[label] = case, case
         else
@@ -156,8 +78,8 @@ local function solve_all(options, suffix, files)
       end
     end
   end
-  files.draw("states.png", "an accepted step", function(file)
-    return draw_states(file, ("Ironing, %s at %s"):format(options.labels[1], options.meshes[1]), 2)
+  files:draw("states.png", "an accepted step", function(file)
+    return draw_states(file, ("Ironing, %s at %s"):format(options.labels[1], options.mesh[1]), 2)
   end)
   for _, study in ipairs(studies) do
     for _, case in ipairs(study.cases) do case.work = median_run(case.runs) end
@@ -171,36 +93,43 @@ local function report_mesh(options, study, suffix, files)
   local published = mesh == "m1" and sg.reference "ironing2d_oscillation_table7_3":by "discretisation" or nil
   print(("\nDegrees of freedom and work at %s, %d steps (linear: factorisation and solve)%s")
     :format(mesh, problem.variants.standard.press_steps + problem.variants.standard.slide_steps,
-      options.repeats > 1 and (", medians of %d runs"):format(options.repeats) or ""))
+      options["repeat"] > 1 and (", medians of %d runs"):format(options["repeat"]) or ""))
   print(output.work_table(cases))
   print(("\nAmplitude of the contact forces at %s, max − min over steps %d to %d%s"):format(mesh, amplitude.first,
     amplitude.last, published and ", beside Table 7.3" or ", as it is and without a parabola"))
   print(output.amplitude_table(cases, published))
-  files.draw("forces" .. suffix(mesh) .. ".png", "an accepted step", function(file)
+  files:draw("forces" .. suffix(mesh) .. ".png", "an accepted step", function(file)
     return output.draw_forces(file, cases, "Ironing, mesh " .. mesh)
   end)
   local need = "N2 among the labels, and runs that reach the window"
-  files.draw("amplitudes" .. suffix(mesh) .. ".png", need, function(file)
+  files:draw("amplitudes" .. suffix(mesh) .. ".png", need, function(file)
     return output.draw_amplitudes(file, cases, "Ironing, mesh " .. mesh, published)
   end)
 end
 
 local function standard(options, files)
-  local several = #options.meshes > 1
+  local several = #options.mesh > 1
   local function suffix(mesh) return several and "_" .. mesh or "" end
   local studies = solve_all(options, suffix, files)
   for _, study in ipairs(studies) do report_mesh(options, study, suffix, files) end
   if not several then return { mesh = studies[1].mesh, cases = studies[1].cases, studies = studies } end
-  local savings, cheapest = convergence.report(studies, options.labels, files.draw)
+  local savings, cheapest = convergence.report(studies, options.labels, files)
   return { studies = studies, savings = savings, cheapest = cheapest }
 end
 
 -- ── The study ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-local options = read_arguments(select("#", ...) > 0 and { ... } or arg)
-local files = open_files(options.out)
+local options = sg.arguments{
+  mesh = problem.meshes{ "m1" }, labels = { "N2", "N4", "N6", "N2-N4", "N2-N6", "N2-N2.1", "N2-N2.2", "N2-N2.3" },
+  linear = "auto", variant = { "standard", variants = {
+    standard = { ["repeat"] = 1, out = "out/ironing2d" },
+    deep = { points = { 1, 2, 3 }, coarser = { 1, 2 }, out = "out/ironing2d_deep" },
+    validation = { mesh = problem.meshes "48", labels = { "N2", "N4" }, out = "out/ironing2d_validation" },
+  } },
+}
+local files = sg.files(options.out)
 local variants = { standard = standard, deep = deep.run, validation = validation.run }
 local result = variants[options.variant](options, files)
-print("\nWritten: " .. table.concat(files, "\n         "))
+files:report()
 result.files = files
 return result

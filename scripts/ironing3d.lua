@@ -44,108 +44,29 @@ local variants = {
   depth = require "ironing3d.depth", cost = require "ironing3d.cost",
 }
 
--- ── Arguments ────────────────────────────────────────────────────────────────────────────────────────────────────────
-
---- The arguments of each variant with their defaults.
-local defaults = {
-  standard = { labels = "N2,N3,N4,N2-N3,N2-N4,N2-N2.1,N2-N2.2", fine = "N2", radius = "25.5", gap = "5",
-               cap = "1", slide = "window", down = "0.2", linear = "auto", out = "out/ironing3d" },
-  friction = { labels = "N2", radius = "7.5", gap = "5", mu = "0,0.3", way = "30", finer = "1", penalty = "100",
-               cap = "1", linear = "auto", out = "out/ironing3d_friction" },
-  depth = { labels = "N2", radius = "7.5,12,25.5", from = "50,47.3", cap = "1", down = "0.2",
-            linear = "auto", out = "out/ironing3d_depth" },
-  cost = { labels = "N2", mesh = "sparse,coarse,middle,fine", layered = "N2-N2.2", linear = "auto",
-           out = "out/ironing3d_cost" },
-}
-
-local function split(text)
-  local parts = {}
-  for part in text:gmatch "[^,]+" do
-    if part ~= "none" then parts[#parts + 1] = part end
-  end
-  return parts
-end
-
-local function reject(name, expected, got) error(("%s must be %s, got '%s'"):format(name, expected, got), 0) end
-
---- A list of numbers of at least `least`, and less than `below` where that is given.
-local function numbers(name, text, least, below)
-  local expected = below and ("from %g to less than %g"):format(least, below) or ("of at least %g"):format(least)
-  local list = split(text)
-  for i, part in ipairs(list) do
-    list[i] = tonumber(part)
-    if not list[i] or list[i] < least or below and list[i] >= below then reject(name, "numbers " .. expected, text) end
-  end
-  return list
-end
-
---- A whole number of at least 1.
-local function whole(name, text)
-  local number = math.tointeger(text)
-  if not number or number < 1 then reject(name, "a whole number of at least 1", text) end
-  return number
-end
-
-local function read_arguments(words)
-  local given = {}
-  for _, word in ipairs(words) do
-    local key, value = word:match "^(%w+)=(.+)$"
-    if not key then error(("unknown argument '%s'; arguments look like labels=N2"):format(word), 0) end
-    given[key] = value
-  end
-  local variant = given.variant or "standard"
-  if not defaults[variant] then reject("variant", "standard, friction, depth or cost", variant) end
-  given.variant = nil
-  local known = {}
-  for key, value in pairs(defaults[variant]) do known[#known + 1] = key .. "=" .. value end
-  table.sort(known)
-  for key, value in pairs(given) do
-    if not defaults[variant][key] then
-      error(("unknown argument '%s=%s'; known: variant=%s, %s")
-        :format(key, value, variant, table.concat(known, ", ")), 0)
-    end
-  end
-  local o = setmetatable(given, { __index = defaults[variant] })
-  local meshes = split(o.mesh or "coarse")
-  for _, mesh in ipairs(meshes) do
-    if not problem.meshes[mesh] then
-      reject("mesh", "one or more of " .. table.concat(problem.mesh_names, ", "), o.mesh)
-    end
-  end
-  if o.slide and o.slide ~= "window" and o.slide ~= "full" then reject("slide", "window or full", o.slide) end
-  return {
-    variant = variant, labels = split(o.labels), fine = split(o.fine or ""), layered = split(o.layered or ""),
-    meshes = meshes, slide = o.slide, linear = o.linear, out = o.out,
-    radii = numbers("radius", o.radius or "25.5", 7.1), gaps = numbers("gap", o.gap or "5", 0, problem.published_depth),
-    from = numbers("from", o.from or "50", 5, 95), cap = whole("cap", o.cap or "1"),
-    down = numbers("down", o.down or "0.2", 0.01)[1], mu = numbers("mu", o.mu or "0", 0),
-    way = numbers("way", o.way or "30", 0.3, 76)[1], finer = numbers("finer", o.finer or "1", 0.25)[1],
-    penalty = numbers("penalty", o.penalty or "100", 1e-6)[1],
-  }
-end
-
--- ── Files ────────────────────────────────────────────────────────────────────────────────────────────────────────────
-
---- A list of what was written: path(name) adds to it; draw(name, need, body) adds the file of a chart that body(file)
---- has drawn, or says what it would have needed.
-local function open_files(folder)
-  sg.mkdir(folder)
-  local files = {}
-  function files.path(name)
-    files[#files + 1] = folder .. "/" .. name
-    return files[#files]
-  end
-  function files.draw(name, need, body)
-    if body(folder .. "/" .. name) then files.path(name) else print(name .. " is left out: it needs " .. need) end
-  end
-  return files
-end
-
 -- ── The study ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-local options = read_arguments(select("#", ...) > 0 and { ... } or arg)
-local files = open_files(options.out)
+--- Arguments that several variants have: the cap's radii, the gaps before touching, the steps while it is pressed.
+local function radii(default) return { default, at_least = 7.1 } end
+local function gaps(default) return { default, at_least = 0, below = problem.published_depth } end
+local down = { problem.down, at_least = 0.01 }
+
+local options = sg.arguments{
+  labels = { "N2" }, linear = "auto", variant = { "standard", variants = {
+    standard = { labels = { "N2", "N3", "N4", "N2-N3", "N2-N4", "N2-N2.1", "N2-N2.2" },
+                 fine = { { "N2" }, none = true }, radius = radii{ 25.5 }, gap = gaps{ 5.0 }, cap = 1,
+                 slide = { "window", choices = { "window", "full" } }, down = down, out = "out/ironing3d" },
+    friction = { radius = radii{ 7.5 }, gap = gaps{ 5.0 }, mu = { { 0, 0.3 }, at_least = 0 }, cap = 1,
+                 way = { 30.0, at_least = 0.3, below = 76 }, finer = { 1.0, at_least = 0.25 },
+                 penalty = { 100.0, above = 0 }, out = "out/ironing3d_friction" },
+    depth = { radius = radii{ 7.5, 12, 25.5 }, from = { { 50, 47.3 }, at_least = 5, below = 95 }, cap = 1, down = down,
+              out = "out/ironing3d_depth" },
+    cost = { mesh = { problem.mesh_names, choices = problem.mesh_names }, layered = { { "N2-N2.2" }, none = true },
+             out = "out/ironing3d_cost" },
+  } },
+}
+local files = sg.files(options.out)
 local result = variants[options.variant].run(options, files)
-print("\nWritten: " .. table.concat(files, "\n         "))
+files:report()
 result.files = files
 return result

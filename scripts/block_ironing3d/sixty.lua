@@ -2,7 +2,7 @@
 -- the pressing force that they give.
 
 local sg = require "signorini"
-local arguments = require "solid_ironing.arguments"
+local meshes = require "solid_ironing.mesh"
 local output = require "solid_ironing.output"
 local study = require "solid_ironing.study"
 
@@ -57,21 +57,20 @@ local function csv(file, cases)
   sg.csv.write(file, data)
 end
 
---- All combinations of the lists labels, meshes, through, points (a number or "auto", 3(p + 1)). Returns { cases,
---- cheapest }.
+--- All combinations of the lists labels, mesh, through, points (texts: a number or "auto", 3(p + 1)). Returns
+--- { cases, cheapest }.
 function sixty.run(problem, options, files)
   local cases = {}
-  for _, text in ipairs(arguments.split(options.mesh)) do
-    local mesh = arguments.mesh(text)
-    for _, through in ipairs(arguments.split(options.through)) do
-      for _, points in ipairs(arguments.split(options.points)) do
-        for _, label in ipairs(arguments.split(options.labels)) do
+  for _, text in ipairs(options.mesh) do
+    local mesh = meshes.read(text)
+    for _, through in ipairs(options.through) do
+      for _, points in ipairs(options.points) do
+        for _, label in ipairs(options.labels) do
           local case = study.solve(problem, {
             label = label, mesh = mesh, press = press, slide = slide, linear = options.linear,
-            through = arguments.count("through", through),
-            points = points ~= "auto" and arguments.count("points", points) or nil,
+            through = through, points = math.tointeger(tonumber(points)),
           })
-          print(("%s at %s, degree %s through, points %s: %.2f s of user time")
+          print(("%s at %s, degree %d through, points %s: %.2f s of user time")
             :format(label, mesh.name, through, points, case.user))
           print(case.run)
           cases[#cases + 1] = case
@@ -82,13 +81,13 @@ function sixty.run(problem, options, files)
   print(("\n%d + %d steps; pressing force at the full depth and while the block slides; user time beside FEBio's %g s ")
     :format(press, slide, sixty.febio) .. ("and GetFEM's %g s"):format(sixty.getfem))
   print(result_table(cases))
-  csv(files.path "sixty.csv", cases)
+  csv(files "sixty.csv", cases)
   local cheapest = sixty.cheapest(cases)
   print(cheapest and ("cheapest within %g to %g: %s at %s, degree %d through, %.2f s: 1/%.1f of FEBio's, 1/%.1f of ")
     :format(sixty.range[1], sixty.range[2], cheapest.label, cheapest.mesh.name, cheapest.through, cheapest.user,
       sixty.febio / cheapest.user, sixty.getfem / cheapest.user) .. "GetFEM's"
     or ("no case lies within %g to %g"):format(table.unpack(sixty.range)))
-  files.draw("sixty.png", "a step of the sliding", function(file)
+  files:draw("sixty.png", "a step of the sliding", function(file)
     local named = {}
     for i, case in ipairs(cases) do
       named[i] = setmetatable({ label = ("%s %s q=%d %s"):format(case.label, case.mesh.name, case.through,

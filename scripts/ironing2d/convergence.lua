@@ -128,12 +128,12 @@ local function draw_work_precision(file, studies, labels)
   return #chart > 0
 end
 
---- Charts over the mesh and the tables of equal accuracy. `draw(name, need, body)` gives each chart its file.
-function convergence.report(studies, labels, draw)
+--- Charts over the mesh and the tables of equal accuracy.
+function convergence.report(studies, labels, files)
   local names = { raw = "as it is", detrended = "without a parabola" }
   for _, force in ipairs { "Py", "Px" } do
     for _, kind in ipairs { "raw", "detrended" } do
-      draw(("%s_over_mesh_%s.png"):format(force, kind), "runs that reach the window", function(file)
+      files:draw(("%s_over_mesh_%s.png"):format(force, kind), "runs that reach the window", function(file)
         return output.draw_over_mesh({ file = file, ylabel = ("amplitude d%s (N/mm)"):format(force),
           title = ("Ironing: amplitude of %s, %s"):format(force, names[kind]) },
           studies, labels, function(case) return case["d" .. force][kind] end)
@@ -141,12 +141,12 @@ function convergence.report(studies, labels, draw)
     end
   end
   local whole, case = longest(studies)
-  draw("time_over_mesh.png", "an accepted step", function(file)
+  files:draw("time_over_mesh.png", "an accepted step", function(file)
     return output.draw_over_mesh({ file = file, ylabel = "analysis time (%)",
       title = ("Ironing: time of an analysis; 100 %% is %s at %s, %.2f s"):format(case.label, case.mesh, whole) },
       studies, labels, function(each) return 100 * each.work.wall / whole end)
   end)
-  draw("accuracy_over_time.png", "runs that reach the window", function(file)
+  files:draw("accuracy_over_time.png", "runs that reach the window", function(file)
     return draw_work_precision(file, studies, labels)
   end)
 

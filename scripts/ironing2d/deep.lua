@@ -81,7 +81,7 @@ local function study_mesh(options, mesh, coarser, files)
       if shown then
         c.halving.work = c.halving.run
         best[#best + 1], best[label] = c.halving, c.halving
-        c.halving.run:csv(files.path(("%s_%s.csv"):format(label, mesh)))
+        c.halving.run:csv(files(("%s_%s.csv"):format(label, mesh)))
       end
     end
   end
@@ -90,7 +90,7 @@ local function study_mesh(options, mesh, coarser, files)
     :format(mesh, length))
   print(outcome_table(comparisons))
   if coarser == 1 then
-    files.draw(("states_%s.png"):format(mesh), "an accepted step", function(file)
+    files:draw(("states_%s.png"):format(mesh), "an accepted step", function(file)
       return draw_states(file, ("Deep ironing, %s at %s"):format(options.labels[1], mesh), 2)
     end)
   end
@@ -99,8 +99,10 @@ end
 
 --- The whole study. Returns { comparisons, studies = the runs at most contact points by mesh }.
 function deep.run(options, files)
+  table.sort(options.points)
+  table.sort(options.coarser)
   local all, studies = {}, {}
-  for _, mesh in ipairs(options.meshes) do
+  for _, mesh in ipairs(options.mesh) do
     for _, coarser in ipairs(options.coarser) do
       local comparisons, best = study_mesh(options, mesh, coarser, files)
       table.move(comparisons, 1, #comparisons, #all + 1, all)
@@ -110,7 +112,7 @@ function deep.run(options, files)
         print(("\nAmplitudes at %s with %d(p+1) contact points, max − min over steps %d to %d, also without a parabola")
           :format(mesh, options.points[#options.points], amplitude.first, amplitude.last))
         print(output.amplitude_table(best))
-        files.draw(("forces_%s.png"):format(mesh), "an accepted step", function(file)
+        files:draw(("forces_%s.png"):format(mesh), "an accepted step", function(file)
           return output.draw_forces(file, best, "Deep ironing, " .. mesh)
         end)
       end
@@ -118,7 +120,7 @@ function deep.run(options, files)
   end
   for _, force in ipairs { "Py", "Px" } do
     if #studies > 1 then
-      files.draw(force .. "_over_mesh.png", "runs that reach the window", function(file)
+      files:draw(force .. "_over_mesh.png", "runs that reach the window", function(file)
         return output.draw_over_mesh({ file = file, ylabel = ("amplitude d%s (N/mm)"):format(force),
           title = ("Deep ironing: amplitude of %s"):format(force) }, studies, options.labels,
           function(case) return case["d" .. force].raw end)

@@ -19,18 +19,23 @@ problem.variants = {
 }
 
 --- Elements of die and slab by mesh: m1 to m6, each of which halves every span of the one before (Table 7.1), or the
---- number of spans along both faces in the proportions of section 6.2, where 48 stands for 48 × 8 and 48 × 24.
+--- number of spans along both faces in the proportions of section 6.2, where 48 stands for 48 × 8 and 48 × 24; nothing
+--- for what is no mesh.
 function problem.elements(mesh)
   local level = math.tointeger(mesh:match "^m([1-6])$")
   if level then
     local halvings = 1 << (level - 1)
     return { die = { 6 * halvings, 2 * halvings }, slab = { 8 * halvings, 3 * halvings } }
   end
-  local spans = math.tointeger(mesh)
-  if not spans or spans < 6 or spans % 6 ~= 0 then
-    error(("mesh must be one of m1 to m6, or a multiple of 6 as the spans along both faces, got '%s'"):format(mesh), 0)
-  end
+  local spans = math.tointeger(tonumber(mesh))
+  if not spans or spans < 6 or spans % 6 ~= 0 then return nil end
   return { die = { spans, spans // 6 }, slab = { spans, spans // 2 } }
+end
+
+--- A script's argument that names one mesh, or a list of them, as sg.arguments takes it.
+function problem.meshes(default)
+  return { default, check = problem.elements,
+           expected = "m1 to m6, or a multiple of 6 as the spans along both faces" }
 end
 
 --- Degree of the functions on the contact face: that of the label's last part, N2-N2.1x2 has 2 + 1.

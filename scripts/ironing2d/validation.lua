@@ -66,14 +66,14 @@ end
 
 --- The whole study. Returns { mesh, cases }.
 function validation.run(options, files)
-  local set_up, mesh, cases = problem.variants.validation, options.meshes[1], {}
+  local set_up, mesh, cases = problem.variants.validation, options.mesh, {}
   local keep, draw_states = output.record_states(picture_steps)
   for i, label in ipairs(options.labels) do
     print(("%s at %s spans"):format(label, mesh))
     local case = problem.solve{ set_up = set_up, label = label, mesh = mesh, linear = options.linear,
                                 step = { adaptive = true }, on_step = i == 1 and keep or nil }
     print(case.run)
-    case.run:csv(files.path(label .. ".csv"))
+    case.run:csv(files(label .. ".csv"))
     measure(case, set_up)
     cases[i], cases[label] = case, case
   end
@@ -81,16 +81,16 @@ function validation.run(options, files)
   print(("\nForces on the die; means and ripples (max − min without a parabola) over steps %d to %d; mu is %g")
     :format(first, last, set_up.mu))
   print(force_table(cases))
-  files.draw("states.png", "an accepted step", function(file)
+  files:draw("states.png", "an accepted step", function(file)
     return draw_states(file, ("Ironing for validation, %s at %s spans"):format(options.labels[1], mesh), 2)
   end)
-  files.draw("forces.png", "an accepted step", function(file)
+  files:draw("forces.png", "an accepted step", function(file)
     return output.draw_forces(file, cases, ("Ironing for validation, %s spans"):format(mesh))
   end)
-  files.draw("Py.png", "runs that reach the middle of the sliding", function(file)
+  files:draw("Py.png", "runs that reach the middle of the sliding", function(file)
     return draw_magnified(file, cases, set_up, "grip.fy", -1, "pressing force Py")
   end)
-  files.draw("Px.png", "runs that reach the middle of the sliding", function(file)
+  files:draw("Px.png", "runs that reach the middle of the sliding", function(file)
     return draw_magnified(file, cases, set_up, "grip.fx", 1, "drag Px")
   end)
   return { mesh = mesh, cases = cases }

@@ -54,7 +54,7 @@ end
 --- The study. Returns { cases }.
 function depth.run(options, files)
   local cases, frames = {}, {}
-  for _, radius in ipairs(options.radii) do
+  for _, radius in ipairs(options.radius) do
     for _, label in ipairs(options.labels) do
       for _, from in ipairs(options.from) do
         local case = depth.solve{ label = label, radius = radius, from = from, cap = options.cap, down = options.down,
@@ -66,7 +66,7 @@ function depth.run(options, files)
         case.model = nil
         print(name)
         print(case.run)
-        case.run:csv(files.path(("%s_R%g_x%g.csv"):format(label, radius, from)))
+        case.run:csv(files(("%s_R%g_x%g.csv"):format(label, radius, from)))
         case.turn = turning_point(case.run)
         cases[#cases + 1] = case
       end
@@ -74,12 +74,12 @@ function depth.run(options, files)
   end
   print(("\nPressed to 10.4 in steps of %g, cut in half where they fail"):format(options.down))
   print(result_table(cases))
-  files.draw("states.png", "an accepted step", function(file)
+  files:draw("states.png", "an accepted step", function(file)
     if #frames > 0 then output.draw_sheet(file, frames, "3D ironing: the deepest states") end
     return #frames > 0
   end)
-  files.draw("pressing.png", "an accepted step", function(file) return draw(file, cases, "Pz", "pressing force Pz") end)
-  files.draw("area.png", "an accepted step", function(file) return draw(file, cases, "area", "area in contact") end)
+  files:draw("pressing.png", "an accepted step", function(file) return draw(file, cases, "Pz", "pressing force Pz") end)
+  files:draw("area.png", "an accepted step", function(file) return draw(file, cases, "area", "area in contact") end)
   return { cases = cases }
 end
 

@@ -73,7 +73,7 @@ end
 
 --- The study: each label with each mu. Returns { cases }.
 function friction.run(options, files)
-  local cases, radius, depth = {}, options.radii[1], problem.published_depth - options.gaps[1]
+  local cases, radius, depth = {}, options.radius[1], problem.published_depth - options.gap[1]
   for _, label in ipairs(options.labels) do
     for _, mu in ipairs(options.mu) do
       local case = friction.solve{
@@ -84,8 +84,8 @@ function friction.run(options, files)
       local name = ("%s_mu%g"):format(label, mu)
       print(("%s, mu = %g"):format(label, mu))
       print(case.run)
-      case.run:csv(files.path(name .. ".csv"))
-      files.draw(("energy_%s.png"):format(name), "an accepted step", function(file)
+      case.run:csv(files(name .. ".csv"))
+      files:draw(("energy_%s.png"):format(name), "an accepted step", function(file)
         return draw_energies(file, case)
       end)
       case.model = nil
@@ -95,8 +95,8 @@ function friction.run(options, files)
   print(("\nR = %g, depth %g, dragged by %g through the middle: forces and energies")
     :format(radius, depth, options.way))
   print(result_table(cases))
-  files.draw("ratio.png", "a state that slides", function(file) return draw_ratio(file, cases) end)
-  files.draw("forces.png", "a state that slides", function(file)
+  files:draw("ratio.png", "a state that slides", function(file) return draw_ratio(file, cases) end)
+  files:draw("forces.png", "a state that slides", function(file)
     return output.draw_forces(file, cases, "3D ironing with friction and without")
   end)
   return { cases = cases }

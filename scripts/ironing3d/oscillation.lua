@@ -66,13 +66,13 @@ local function solve_set(options, radius, gap, files)
     case.model = nil
     print(("%s %s, R = %g, gap %g"):format(label, mesh, radius, gap))
     print(case.run)
-    case.run:csv(files.path(("%s_%s_R%g_gap%g.csv"):format(label, mesh, radius, gap)))
+    case.run:csv(files(("%s_%s_R%g_gap%g.csv"):format(label, mesh, radius, gap)))
     table.insert(set.cases, case)
     set.cases[label .. " " .. mesh] = case
   end
   for _, label in ipairs(options.labels) do solve(label, "coarse") end
   for _, label in ipairs(options.fine) do solve(label, "fine") end
-  files.draw(("states_R%g_gap%g.png"):format(radius, gap), "an accepted step", function(file)
+  files:draw(("states_R%g_gap%g.png"):format(radius, gap), "an accepted step", function(file)
     return draw_states(file, ("%s, R = %g, depth %g"):format(set.cases[1].label, radius, depth))
   end)
   amplitude.compare(set.cases, set.cases["N2 coarse"])
@@ -93,8 +93,8 @@ function oscillation.run(options, files)
   print(("Degrees of freedom beside Table 7.11: %d of %d entries differ"):format(differences, 7 * #dofs))
   print(output.dofs_table(dofs))
   local printed, sets = published(), {}
-  for _, radius in ipairs(options.radii) do
-    for _, gap in ipairs(options.gaps) do
+  for _, radius in ipairs(options.radius) do
+    for _, gap in ipairs(options.gap) do
       local set = solve_set(options, radius, gap, files)
       sets[#sets + 1] = set
       local name = ("_R%g_gap%g"):format(radius, gap)
@@ -103,11 +103,11 @@ function oscillation.run(options, files)
       print(("\nR = %g, gap %g (depth %g): max − min for the centre from x = %g to %g, beside Table 7.10")
         :format(radius, gap, set.depth, amplitude.from, amplitude.to))
       print(output.amplitude_table(set.cases, printed))
-      output.amplitude_csv(files.path("amplitudes" .. name .. ".csv"), set, printed)
-      files.draw("forces" .. name .. ".png", "a state that slides", function(file)
+      output.amplitude_csv(files("amplitudes" .. name .. ".csv"), set, printed)
+      files:draw("forces" .. name .. ".png", "a state that slides", function(file)
         return output.draw_forces(file, set.cases, ("R = %g, depth %g"):format(radius, set.depth))
       end)
-      files.draw("amplitudes" .. name .. ".png", "N2 among the labels, and runs that reach the window", function(file)
+      files:draw("amplitudes" .. name .. ".png", "N2 among the labels, and runs that reach the window", function(file)
         return output.draw_amplitudes(file, set, printed)
       end)
     end

@@ -1,7 +1,7 @@
 -- The study of labels: all of them along the whole path on one mesh; forces, amplitudes, work, pictures.
 
 local sg = require "signorini"
-local arguments = require "solid_ironing.arguments"
+local meshes = require "solid_ironing.mesh"
 local output = require "solid_ironing.output"
 local study = require "solid_ironing.study"
 
@@ -9,17 +9,17 @@ local labels = {}
 
 local reference_label = "N2"
 
---- `options`: the texts of labels, mesh, press, slide, linear. Returns { mesh, cases }; cases also by label.
+--- `options`: labels, mesh (its name), press, slide, linear. Returns { mesh, cases }; cases also by label.
 function labels.run(problem, options, files)
-  local mesh, press = arguments.mesh(options.mesh), arguments.count("press", options.press)
-  local slide, cases, states = arguments.count("slide", options.slide), {}, {}
-  for i, label in ipairs(arguments.split(options.labels)) do
+  local mesh, press, slide = meshes.read(options.mesh), options.press, options.slide
+  local cases, states = {}, {}
+  for i, label in ipairs(options.labels) do
     local case = { label = label, mesh = mesh, press = press, slide = slide, linear = options.linear }
     if i == 1 then case.on_step, states = study.record_states(case, "uz") end
     study.solve(problem, case)
     print(("%s at %s, %.1f s of processor time"):format(label, mesh.name, case.user))
     print(case.run)
-    case.run:csv(files.path(label .. ".csv"))
+    case.run:csv(files(label .. ".csv"))
     cases[i], cases[label] = case, case
   end
   study.compare(cases, cases[reference_label])
@@ -30,22 +30,22 @@ function labels.run(problem, options, files)
   local window = ("max - min over the steps %d to %d, as they are and without the best parabola"):format(first, last)
   print(("\nForces; amplitudes: %s"):format(window))
   print(output.force_table(cases))
-  output.force_csv(files.path "forces.csv", cases,
+  output.force_csv(files "forces.csv", cases,
     ("%s at %s; amplitudes: %s"):format(problem.title, mesh.name, window))
   local title = ("%s at %s"):format(problem.title, mesh.name)
-  files.draw("path.png", "an accepted step", function(file)
+  files:draw("path.png", "an accepted step", function(file)
     return output.draw_path(file, cases, title .. ": pressing force")
   end)
-  files.draw("Pz.png", "a step of the sliding", function(file)
+  files:draw("Pz.png", "a step of the sliding", function(file)
     return output.draw_force(file, cases, "Pz", { title = title .. ": pressing force", ylabel = "Pz" })
   end)
-  files.draw("Px.png", "a step of the sliding", function(file)
+  files:draw("Px.png", "a step of the sliding", function(file)
     return output.draw_force(file, cases, "Px", { title = title .. ": drag, without friction", ylabel = "Px" })
   end)
-  files.draw("amplitudes.png", "N2 among the labels, and runs that reach the window", function(file)
+  files:draw("amplitudes.png", "N2 among the labels, and runs that reach the window", function(file)
     return output.draw_amplitudes(file, cases, title .. ": amplitude of the forces")
   end)
-  files.draw("states.png", "a completed stage", function(file)
+  files:draw("states.png", "a completed stage", function(file)
     if #states == 0 then return false end
     sg.picture{ file = file, frames = states, columns = 1, label = "displacement u_z",
                 title = ("%s, %s"):format(title, cases[1].label) }

@@ -4,21 +4,6 @@ local sg = require "signorini"
 
 local output = {}
 
---- A list of what was written: path(name) adds to it; draw(name, need, body) adds the file of a chart that body(file)
---- has drawn, or says what it would have needed.
-function output.open_files(folder)
-  sg.mkdir(folder)
-  local files = {}
-  function files.path(name)
-    files[#files + 1] = folder .. "/" .. name
-    return files[#files]
-  end
-  function files.draw(name, need, body)
-    if body(folder .. "/" .. name) then files.path(name) else print(name .. " is left out: it needs " .. need) end
-  end
-  return files
-end
-
 --- How a run ended: "complete", or why and where the die was.
 local function ending(case)
   if not case.run.failed then return "complete" end

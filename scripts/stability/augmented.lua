@@ -17,23 +17,21 @@
 package.path = require "signorini.core".home .. "/scripts/?.lua;" .. package.path
 local sg = require "signorini"
 local hertz = require "hertz2d.problem"
-local study = require "stability.study"
 
-local options = study.read(select("#", ...) > 0 and { ... } or arg, {
-  labels = "N2,N2-N2.2", mesh = "m3", penalties = "1e2,5e2,2e3,1e4,1e5,1e6", penetration = "1e-6", loops = "500",
-  steps = "4", reference = "m5", out = "out/stability/augmented",
-})
-local steps, loops = study.count("steps", options.steps), study.count("loops", options.loops)
-local penetration, penalties = study.positive("penetration", options.penetration)[1],
-  study.positive("penalties", options.penalties)
-local labels = study.split(options.labels)
+local levels = { "m1", "m2", "m3", "m4", "m5", "m6" }
+local options = sg.arguments{
+  labels = { "N2", "N2-N2.2" }, mesh = { "m3", choices = levels },
+  penalties = { { 1e2, 5e2, 2e3, 1e4, 1e5, 1e6 }, above = 0 }, penetration = { 1e-6, above = 0 }, loops = 500,
+  steps = 4, reference = { "m5", choices = levels }, out = "out/stability/augmented",
+}
+local labels, penalties, penetration, loops = options.labels, options.penalties, options.penetration, options.loops
 local reference_penalty = 1e4
 
 -- ── Runs ─────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 local function solve(label, mesh, penalty, controls)
   local model, stage = hertz.scene{ label = label, mesh = mesh, load = "displacement", penalty = penalty }
-  stage.steps = steps
+  stage.steps = options.steps
   local run = model:run({ stage }, controls)
   local case = { label = label, mesh = mesh, penalty = penalty, run = run, outcome = run.cause or run.reason }
   if run.failed then return case end
@@ -95,11 +93,10 @@ print(sg.table{
 
 -- ── Charts ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-sg.mkdir(options.out)
-local files = {}
+local files = sg.files(options.out)
 local function chart(key, ylabel, title)
-  files[#files + 1] = ("%s/%s.png"):format(options.out, key)
-  local drawing = { file = files[#files], title = title, xlabel = "penalty, in E / R", ylabel = ylabel, log = "xy" }
+  local drawing = { file = files(key .. ".png"), title = title, xlabel = "penalty, in E / R", ylabel = ylabel,
+                    log = "xy" }
   for i, label in ipairs(labels) do
     for _, way in ipairs { "penalty", "augmented" } do
       local line = { x = {}, y = {}, label = ("%s, %s"):format(label, way), dashed = way == "augmented", color = i,
@@ -117,6 +114,6 @@ chart("error", "L2 error of the pressure, in Hertz' peaks", "Hertz at " .. optio
 chart("inside", "L2 error of the pressure up to 0.8 a, in Hertz' peaks",
   "Hertz at " .. options.mesh .. ": error of the pressure inside the contact")
 chart("penetration", "largest penetration, in R", "Hertz at " .. options.mesh .. ": penetration")
-study.finish(files)
+files:report()
 
 return { cases = cases, reference = reference, files = files }

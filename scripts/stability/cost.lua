@@ -17,14 +17,13 @@ package.path = require "signorini.core".home .. "/scripts/?.lua;" .. package.pat
 local sg = require "signorini"
 local hertz = require "hertz2d.problem"
 local ironing = require "ironing2d.problem"
-local study = require "stability.study"
 
-local options = study.read(select("#", ...) > 0 and { ... } or arg, {
-  labels = "N2,N4,N6,N2-N4,N2-N6,N2-N2.1,N2-N2.2,N2-N2.3", mesh = "m1", hertz = "L1,N2,N4,N2-N4,N2-N2.1,N2-N2.2",
-  rings = "m3", steps = "10", coarser = "1", repeats = "3", out = "out/stability/cost",
-})
-local steps, repeats = study.count("steps", options.steps), study.count("repeats", options.repeats)
-local coarser = study.positive("coarser", options.coarser)[1]
+local options = sg.arguments{
+  labels = { "N2", "N4", "N6", "N2-N4", "N2-N6", "N2-N2.1", "N2-N2.2", "N2-N2.3" }, mesh = ironing.meshes "m1",
+  hertz = { "L1", "N2", "N4", "N2-N4", "N2-N2.1", "N2-N2.2" },
+  rings = { "m3", choices = { "m1", "m2", "m3", "m4", "m5", "m6" } }, steps = 10, coarser = { 1.0, above = 0 },
+  repeats = 3, out = "out/stability/cost",
+}
 local predictors = { "tangent", "constant", "linear" }
 
 -- ── Runs ─────────────────────────────────────────────────────────────────────────────────────────────────────────────
@@ -33,31 +32,29 @@ local predictors = { "tangent", "constant", "linear" }
 --- and the median of the times.
 local function solve(case, ways)
   local results = {}
-  for i = 1, repeats do
+  for i = 1, options.repeats do
     for name, controls in pairs(ways) do
       local run = case.run(controls)
       results[name] = results[name] or { walls = {} }
       results[name].run, results[name].walls[i] = run, run.wall
     end
   end
-  for _, result in pairs(results) do
-    table.sort(result.walls)
-    result.wall = result.walls[(#result.walls + 1) // 2]
-  end
+  for _, result in pairs(results) do result.wall = sg.median(result.walls) end
   return results
 end
 
 local function ironing_case(label)
   local set_up = ironing.variants.standard
   return { problem = "ironing at " .. options.mesh, label = label, run = function(controls)
-    return ironing.scene(set_up, label, ironing.elements(options.mesh)):run(ironing.path(set_up, coarser), controls)
+    local model = ironing.scene(set_up, label, ironing.elements(options.mesh))
+    return model:run(ironing.path(set_up, options.coarser), controls)
   end }
 end
 
 local function hertz_case(load, label)
   return { problem = ("Hertz at %s by %s"):format(options.rings, load), label = label, run = function(controls)
     local model, stage = hertz.scene{ label = label, mesh = options.rings, load = load }
-    stage.steps = steps
+    stage.steps = options.steps
     return model:run({ stage }, controls)
   end }
 end
@@ -77,9 +74,9 @@ local function add(case)
   rows[#rows + 1] = { cost.problem, cost.label, cost.plain, cost.controls, cost.ratio, cost.time_ratio,
                       cost.failed and "fails" or "" }
 end
-for _, label in ipairs(study.split(options.labels)) do add(ironing_case(label)) end
+for _, label in ipairs(options.labels) do add(ironing_case(label)) end
 for _, load in ipairs { "force", "displacement" } do
-  for _, label in ipairs(study.split(options.hertz)) do add(hertz_case(load, label)) end
+  for _, label in ipairs(options.hertz) do add(hertz_case(load, label)) end
 end
 print "Iterations with plain Newton and with the controls on; their ratio, and that of the times"
 print(sg.table{ columns = { "problem", "label", "plain", "controls", "ratio", "time ratio", "" }, rows = rows,
@@ -89,7 +86,7 @@ print(sg.table{ columns = { "problem", "label", "plain", "controls", "ratio", "t
 
 local guesses = {}
 rows = {}
-for _, label in ipairs(study.split(options.labels)) do
+for _, label in ipairs(options.labels) do
   local ways, row = {}, { label }
   for _, predictor in ipairs(predictors) do ways[predictor] = { predictor = predictor } end
   local results, guess = solve(ironing_case(label), ways), { label = label }
@@ -109,11 +106,10 @@ print(sg.table{ columns = { "label", "tangent", "constant", "linear", "iteration
                 units = { "", "", "", "", "%", "%" }, rows = rows,
                 formats = { ["iterations saved"] = "%.1f", ["time saved"] = "%.1f" } })
 
-sg.mkdir(options.out)
-local file = options.out .. "/cost.csv"
+local files = sg.files(options.out)
 local data = { columns = { "problem", "label", "plain", "controls", "ratio", "time_ratio" }, rows = {} }
 for i, c in ipairs(costs) do data.rows[i] = { c.problem, c.label, c.plain, c.controls, c.ratio, c.time_ratio } end
-sg.csv.write(file, data)
-study.finish { file }
+sg.csv.write(files "cost.csv", data)
+files:report()
 
-return { costs = costs, guesses = guesses, files = { file } }
+return { costs = costs, guesses = guesses, files = files }

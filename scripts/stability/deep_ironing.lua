@@ -31,12 +31,15 @@ local sg = require "signorini"
 local ironing = require "ironing2d.problem"
 local study = require "stability.study"
 
-local options = study.read(select("#", ...) > 0 and { ... } or arg, {
-  points = "p+1,2(p+1),3(p+1)", labels = "N2,N4,N6,N2-N4,N2-N6,N2-N2.1,N2-N2.2,N2-N2.3", coarser = "1,2,4,8,16",
-  mesh = "m1", places = "N6", out = "out/stability/deep_ironing",
-})
-local set_up, elements = ironing.variants.deep, ironing.elements(options.mesh)
 local multiples = { ["p+1"] = 1, ["2(p+1)"] = 2, ["3(p+1)"] = 3 }
+local all_points = { "p+1", "2(p+1)", "3(p+1)" }
+local options = study.arguments{
+  points = { all_points, choices = all_points },
+  labels = { "N2", "N4", "N6", "N2-N4", "N2-N6", "N2-N2.1", "N2-N2.2", "N2-N2.3" },
+  coarser = { { 1.0, 2.0, 4.0, 8.0, 16.0 }, above = 0 }, mesh = ironing.meshes "m1", places = "N6",
+  out = "out/stability/deep_ironing",
+}
+local set_up, elements = ironing.variants.deep, ironing.elements(options.mesh)
 
 local function scene(label, multiple)
   return (ironing.scene(set_up, label, elements, multiple * (ironing.layer_degree(label) + 1)))
@@ -47,13 +50,13 @@ local function figures(_, run)
   return { drag = run:column "grip.fx"[run.steps], press = -run:column "grip.fy"[run.steps] }
 end
 
-local points, coarser = study.split(options.points), study.positive("coarser", options.coarser)
-local files, results = {}, {}
+local points, coarser = options.points, options.coarser
+local files, results = sg.files(options.out), {}
 for _, name in ipairs(points) do
-  local multiple = multiples[study.choice("points", name, { "p+1", "2(p+1)", "3(p+1)" })]
+  local multiple = multiples[name]
   results[name] = study.solve({
     name = ("Deep ironing with %s contact points"):format(name), key = ("points%d"):format(multiple),
-    x = { name = "label", values = study.split(options.labels) },
+    x = { name = "label", values = options.labels },
     y = { name = "length of a step (published: 1)", values = coarser },
     scene = function(label) return scene(label, multiple) end,
     path = function(_, _, times) return ironing.path(set_up, times) end,
@@ -72,14 +75,13 @@ local function draw_places(label)
     return run
   end
   print(("\n%s with %s contact points: %s: %s"):format(label, points[1], run.reason, run.report))
-  files[#files + 1] = options.out .. "/places.png"
   local x, y = run.places[1].x[1], run.places[1].x[2]
-  sg.picture{ model = model, field = "syy", marks = run.places, file = files[#files],
+  sg.picture{ model = model, field = "syy", marks = run.places, file = files "places.png",
               crop = { x - 0.45, x + 0.45, y - 0.25, y + 0.25 }, size = 960,
               title = ("%s, %s contact points: %s in step %d"):format(label, points[1], run.reason, run.steps + 1) }
   return run
 end
 
 local failed = options.places ~= "none" and draw_places(options.places) or nil
-study.finish(files)
+files:report()
 return { maps = results, failed = failed, files = files }

@@ -28,14 +28,12 @@ package.path = require "signorini.core".home .. "/scripts/?.lua;" .. package.pat
 local sg = require "signorini"
 local study = require "stability.study"
 
-local options = study.read(select("#", ...) > 0 and { ... } or arg, {
-  under = "plane,slab", friction = "0,0.3", label = "N2", gaps = "-1e-2,-1e-3,0,1e-3,1e-2,1e-1",
-  loads = "1e-4,1e-3,1e-2,0.05", steps = "5", out = "out/stability/first_touch",
-})
-local steps = study.count("steps", options.steps)
+local options = study.arguments{
+  under = { { "plane", "slab" }, choices = { "plane", "slab" } }, friction = { 0, 0.3 }, label = "N2",
+  gaps = { -1e-2, -1e-3, 0, 1e-3, 1e-2, 1e-1 }, loads = { { 1e-4, 1e-3, 1e-2, 0.05 }, above = 0 }, steps = 5,
+  out = "out/stability/first_touch",
+}
 local inner, outer, penalty = 0.5, 1, 100
-local gaps, loads = study.numbers("gaps", options.gaps), study.positive("loads", options.loads)
-local frictions = study.numbers("friction", options.friction)
 
 local function scene(under, mu, gap)
   local ring = sg.body{
@@ -62,21 +60,20 @@ local function scene(under, mu, gap)
   }
 end
 
-local files, results = {}, {}
-for _, under in ipairs(study.split(options.under)) do
-  study.choice("under", under, { "plane", "slab" })
-  for _, mu in ipairs(frictions) do
+local files, results = sg.files(options.out), {}
+for _, under in ipairs(options.under) do
+  for _, mu in ipairs(options.friction) do
     local key = ("%s_mu%g"):format(under, mu)
     results[key] = study.solve({
       name = ("First touch of a %s, friction %g"):format(under, mu), key = key,
-      x = { name = "gap", values = gaps }, y = { name = "load", values = loads },
+      x = { name = "gap", values = options.gaps }, y = { name = "load", values = options.loads },
       scene = function(gap) return scene(under, mu, gap) end,
       path = function(_, _, load)
-        return { { name = "press", steps = steps, push = { 0, -load / (outer - inner) } } }
+        return { { name = "press", steps = options.steps, push = { 0, -load / (outer - inner) } } }
       end,
       figures = function(_, run) return { carried = run:column "ground.fy"[run.steps] } end,
     }, options, files)
   end
 end
-study.finish(files)
+files:report()
 return { maps = results, files = files }

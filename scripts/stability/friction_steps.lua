@@ -25,13 +25,15 @@
 --      left in the folder; with=cutting, rescue or prediction turns on one of the controls alone.
 
 package.path = require "signorini.core".home .. "/scripts/?.lua;" .. package.path
+local sg = require "signorini"
 local ironing = require "ironing2d.problem"
 local study = require "stability.study"
 
-local options = study.read(select("#", ...) > 0 and { ... } or arg, {
-  labels = "N2,N4,N2-N2.2", friction = "0,0.1,0.2,0.4,0.6,0.8", coarser = "1,2,4,8,16", mesh = "m1",
+local options = study.arguments{
+  labels = { "N2", "N4", "N2-N2.2" }, friction = { 0, 0.1, 0.2, 0.4, 0.6, 0.8 },
+  coarser = { { 1.0, 2.0, 4.0, 8.0, 16.0 }, above = 0 }, mesh = ironing.meshes "m1",
   out = "out/stability/friction_steps",
-})
+}
 local elements = ironing.elements(options.mesh)
 
 --- The standard set-up with another coefficient of friction.
@@ -54,16 +56,16 @@ local function figures(_, run)
   return { ["drag forth"] = drag(1), ["drag back"] = drag(2) }
 end
 
-local files, results = {}, {}
-for _, label in ipairs(study.split(options.labels)) do
+local files, results = sg.files(options.out), {}
+for _, label in ipairs(options.labels) do
   results[label] = study.solve({
     name = ("Ironing forth and back, %s at %s"):format(label, options.mesh), key = label,
-    x = { name = "length of a step (published: 1)", values = study.positive("coarser", options.coarser) },
-    y = { name = "coefficient of friction", values = study.numbers("friction", options.friction) },
+    x = { name = "length of a step (published: 1)", values = options.coarser },
+    y = { name = "coefficient of friction", values = options.friction },
     scene = function(_, mu) return (ironing.scene(with_friction(mu), label, elements)) end,
     path = function(_, coarser) return path(coarser) end,
     figures = figures,
   }, options, files)
 end
-study.finish(files)
+files:report()
 return { maps = results, files = files }

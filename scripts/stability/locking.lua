@@ -28,14 +28,13 @@ local sg = require "signorini"
 local controls = require "stability.controls"
 local study = require "stability.study"
 
-local options = study.read(select("#", ...) > 0 and { ... } or arg, {
-  labels = "L1,L2,N2,N3,N4,N2-N2.1,N2-N4", nu = "0.3,0.4,0.45,0.49,0.495,0.499", elements = "8", reference = "24",
-  steps = "5", depth = "0.15", out = "out/stability/locking",
-})
-local elements, finest = study.count("elements", options.elements), study.count("reference", options.reference)
-local ratios = study.positive("nu", options.nu)
-local stages = { { name = "press", steps = study.count("steps", options.steps),
-                   push = { 0, -study.positive("depth", options.depth)[1] } } }
+local options = study.arguments{
+  labels = { "L1", "L2", "N2", "N3", "N4", "N2-N2.1", "N2-N4" },
+  nu = { { 0.3, 0.4, 0.45, 0.49, 0.495, 0.499 }, above = 0 }, elements = 8, reference = 24, steps = 5,
+  depth = { 0.15, above = 0 }, out = "out/stability/locking",
+}
+local elements, finest, ratios = options.elements, options.reference, options.nu
+local stages = { { name = "press", steps = options.steps, push = { 0, -options.depth } } }
 
 local function scene(label, nu, count)
   local degree = math.tointeger(label:match "^%a(%d+)") -- of the bulk, in both directions: locking is a matter of it
@@ -64,10 +63,10 @@ local reference = sg.stability_map{
 }
 print(reference)
 
-local files = {}
+local files = sg.files(options.out)
 local maps = study.solve({
   name = ("Indentation, %d × %d elements"):format(elements, elements),
-  x = { name = "label", values = study.split(options.labels) }, y = { name = "Poisson's ratio", values = ratios },
+  x = { name = "label", values = options.labels }, y = { name = "Poisson's ratio", values = ratios },
   scene = function(label, nu) return scene(label, nu, elements) end,
   path = function() return stages end,
   figures = function(_, run, _, nu)
@@ -76,5 +75,5 @@ local maps = study.solve({
   end,
   charts = { { key = "error", name = "error", log = true, label = "error of the force" } },
 }, options, files)
-study.finish(files)
+files:report()
 return { maps = maps, reference = reference, files = files }

@@ -27,26 +27,26 @@
 --      folder; with=cutting, rescue or prediction turns on one of the controls alone.
 
 package.path = require "signorini.core".home .. "/scripts/?.lua;" .. package.path
+local sg = require "signorini"
 local peeling = require "peeling2d.problem"
 local study = require "stability.study"
 
-local options = study.read(select("#", ...) > 0 and { ... } or arg, {
-  control = "rotation,arc", labels = "N2,N4,N2-N4,N2-N2.1,N2-N2.2", meshes = "m0,m1,m2", angle = "90", pitch = "0.2",
-  length = "100", bonded = "85", out = "out/stability/peeling",
-})
-local function number(key) return study.positive(key, options[key])[1] end
-local angle, length, bonded = number "angle", number "length", number "bonded"
-local steps = math.ceil(angle / number "pitch" - 1e-9)
-local meshes = study.split(options.meshes)
-for _, mesh in ipairs(meshes) do peeling.elements(mesh, length) end
+local options = study.arguments{
+  control = { { "rotation", "arc" }, choices = { "rotation", "arc" } },
+  labels = { "N2", "N4", "N2-N4", "N2-N2.1", "N2-N2.2" },
+  meshes = { { "m0", "m1", "m2" }, choices = { "m0", "m1", "m2", "m3" } }, angle = { 90.0, above = 0 },
+  pitch = { 0.2, above = 0 }, length = { 100.0, above = 0 }, bonded = { 85.0, above = 0 },
+  out = "out/stability/peeling",
+}
+local angle, length, bonded = options.angle, options.length, options.bonded
+local steps = math.ceil(angle / options.pitch - 1e-9)
 
 local names = { rotation = "rotation control", arc = "arcs where rotation fails" }
-local files, results = {}, {}
-for _, control in ipairs(study.split(options.control)) do
-  study.choice("control", control, { "rotation", "arc" })
+local files, results = sg.files(options.out), {}
+for _, control in ipairs(options.control) do
   results[control] = study.solve({
     name = ("Peeling to %g°, %s"):format(angle, names[control]), key = control,
-    x = { name = "label", values = study.split(options.labels) }, y = { name = "mesh", values = meshes },
+    x = { name = "label", values = options.labels }, y = { name = "mesh", values = options.meshes },
     scene = function(label, mesh) return (peeling.scene(label, mesh, length, bonded)) end,
     path = function()
       return { { name = "rotate", steps = steps, edge = angle } },
@@ -54,5 +54,5 @@ for _, control in ipairs(study.split(options.control)) do
     end,
   }, options, files)
 end
-study.finish(files)
+files:report()
 return { maps = results, files = files }

@@ -33,13 +33,12 @@ local hertz = require "hertz2d.problem"
 local smooth = require "stability.smooth"
 local study = require "stability.study"
 
-local options = study.read(select("#", ...) > 0 and { ... } or arg, {
-  labels = "N2,N4,N2-N4,N2-N2.1,N2-N2.2", penalties = "1,10,1e2,1e3,1e4,1e5,1e6", mesh = "m3", load = "displacement",
-  steps = "10", out = "out/stability/penalty_hertz",
-})
-study.choice("mesh", options.mesh, { "m1", "m2", "m3", "m4", "m5", "m6" })
-study.choice("load", options.load, { "displacement", "force" })
-local steps = study.count("steps", options.steps)
+local options = study.arguments{
+  labels = { "N2", "N4", "N2-N4", "N2-N2.1", "N2-N2.2" },
+  penalties = { { 1.0, 10.0, 1e2, 1e3, 1e4, 1e5, 1e6 }, above = 0 },
+  mesh = { "m3", choices = { "m1", "m2", "m3", "m4", "m5", "m6" } },
+  load = { "displacement", choices = { "displacement", "force" } }, steps = 10, out = "out/stability/penalty_hertz",
+}
 local part = 0.8 -- of the half-width: at its end one point more or less touches, which is another matter
 
 --- Oscillation of the pressure, half-width and largest penetration.
@@ -56,17 +55,17 @@ local function figures(model, run)
            penetration = run:column "ground.max_penetration"[run.steps] }
 end
 
-local files = {}
+local files = sg.files(options.out)
 local maps = study.solve({
   name = ("Hertz at %s, load by %s"):format(options.mesh, options.load),
-  x = { name = "label", values = study.split(options.labels) },
-  y = { name = "penalty", values = study.positive("penalties", options.penalties) },
+  x = { name = "label", values = options.labels },
+  y = { name = "penalty", values = options.penalties },
   scene = function(label, penalty)
     return (hertz.scene{ label = label, mesh = options.mesh, load = options.load, penalty = penalty })
   end,
   path = function(_, label, penalty)
     local _, stage = hertz.scene{ label = label, mesh = options.mesh, load = options.load, penalty = penalty }
-    stage.steps = steps
+    stage.steps = options.steps
     return { stage }
   end,
   figures = figures,
@@ -75,5 +74,5 @@ local maps = study.solve({
     { key = "penetration", name = "penetration", log = true, label = "largest penetration" },
   },
 }, options, files)
-study.finish(files)
+files:report()
 return { maps = maps, files = files }

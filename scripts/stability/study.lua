@@ -2,53 +2,17 @@
 -- one holds beside the other, and the files.
 
 local sg = require "signorini"
-local arguments = require "solid_ironing.arguments"
 local controls = require "stability.controls"
 
-local study = { split = arguments.split }
-
-local common = { jobs = "2", limit = "600", keep = "no", with = "robust" }
+local study = {}
 
 -- ── Arguments ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- A list of numbers such as "-0.5,0,1e3".
-function study.numbers(name, text)
-  local numbers = arguments.split(text)
-  for i, part in ipairs(numbers) do
-    local number = tonumber(part)
-    if not number or number ~= number or math.abs(number) == math.huge then
-      error(("%s must be numbers such as 0,0.5,1e3, got '%s'"):format(name, text), 0)
-    end
-    numbers[i] = number
-  end
-  return numbers
-end
-
---- A list of numbers above 0.
-function study.positive(name, text)
-  local numbers = study.numbers(name, text)
-  if math.min(table.unpack(numbers)) <= 0 then error(("%s must be above 0, got '%s'"):format(name, text), 0) end
-  return numbers
-end
-
---- One of the words of a list.
-function study.choice(name, text, words)
-  for _, word in ipairs(words) do
-    if word == text then return word end
-  end
-  error(("%s must be one of %s, got '%s'"):format(name, table.concat(words, ", "), text), 0)
-end
-
-study.count = arguments.count
-
---- Reads a script's words key=value, with its own defaults and those that all have: jobs, limit, keep, with.
-function study.read(words, defaults)
-  for key, value in pairs(common) do defaults[key] = value end
-  local texts = arguments.read(words, { "standard" }, { standard = defaults })
-  local options = { jobs = arguments.count("jobs", texts.jobs), limit = study.positive("limit", texts.limit)[1],
-                    keep = study.choice("keep", texts.keep, { "yes", "no" }) == "yes",
-                    with = study.choice("with", texts.with, controls.names) }
-  return setmetatable(options, { __index = texts })
+--- The arguments of a script: its own defaults, as sg.arguments takes them, and those that all maps have.
+function study.arguments(defaults)
+  defaults.jobs, defaults.limit, defaults.keep = 2, { 600.0, above = 0 }, false
+  defaults.with = { "robust", choices = controls.names }
+  return sg.arguments(defaults)
 end
 
 -- ── Maps ─────────────────────────────────────────────────────────────────────────────────────────────────────────────
@@ -67,7 +31,8 @@ end
 
 local function pairs_text(cells)
   local texts = {}
-  for i, cell in ipairs(cells) do texts[i] = ("%s, %s"):format(cell[1], cell[2]) end
+  local function text(value) return type(value) == "number" and ("%g"):format(value) or value end
+  for i, cell in ipairs(cells) do texts[i] = ("%s, %s"):format(text(cell[1]), text(cell[2])) end
   return table.concat(texts, "; ")
 end
 
@@ -91,13 +56,9 @@ end
 --- Solves a problem's map both ways. `problem`: name, x, y, scene, figures as sg.stability_map takes them, path(model,
 --- x, y) with the overrides of model:run's options that both ways need, charts (further pictures: map:figure's name,
 --- log and label, and `key`, their file's name), and `key`, part of the files' names when a script has several
---- problems. Returns { plain, robust, comparison }; adds the files that it wrote to `files`.
+--- problems. Returns { plain, robust, comparison }; `files` is what sg.files gives.
 function study.solve(problem, options, files)
-  sg.mkdir(options.out)
-  local function file(name)
-    files[#files + 1] = ("%s/%s%s"):format(options.out, problem.key and problem.key .. "_" or "", name)
-    return files[#files]
-  end
+  local function file(name) return files((problem.key and problem.key .. "_" or "") .. name) end
   local titles = { controls.titles.plain, controls.titles[options.with] }
   local function solve(kind)
     local name = file(kind .. ".csv")
@@ -121,8 +82,5 @@ function study.solve(problem, options, files)
   end
   return { plain = plain, robust = robust, comparison = comparison }
 end
-
---- Ends a script: says what was written.
-function study.finish(files) print("\nWritten: " .. table.concat(files, "\n         ")) end
 
 return study

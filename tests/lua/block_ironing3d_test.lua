@@ -104,9 +104,9 @@ check.case("wrong arguments", function()
     ["mesh=4x4/8x4x4"] = "mesh must be elements of die and slab per direction such as 4x4x4/8x4x4, got '4x4/8x4x4'",
     ["mesh=0x4x4/8x4x4"] = "mesh must be elements", ["labels=Q7"] = "Q7", ["block"] = "unknown argument 'block'",
     ["press=0"] = "press must be a whole number of at least 1, got '0'",
-    ["through=2"] = "unknown argument 'through=2'; known with variant=standard: labels=",
-    ["variant=sixty slide=9"] = "unknown argument 'slide=9'; known with variant=sixty: labels=N2,",
-    ["variant=sixty points=x"] = "points must be a whole number",
+    ["through=2"] = "'through=2', which belongs to variant=sixty; known with variant=standard: labels=",
+    ["variant=sixty slide=9"] = "'slide=9', which belongs to variant=standard; known with variant=sixty: labels=N2,",
+    ["variant=sixty points=x"] = "points must be whole numbers of at least 1, or auto, got 'x'",
     ["variant=x"] = "variant must be standard or sixty, got 'x'",
   } do
     local arguments = { "-q", script, "out=" .. folder }

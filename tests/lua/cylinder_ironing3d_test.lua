@@ -65,7 +65,8 @@ check.case("wrong arguments", function()
   for word, message in pairs {
     ["mesh=12x6x2"] = "mesh must be elements of die and slab per direction", ["labels=Q7"] = "Q7",
     ["slide=ten"] = "slide must be a whole number of at least 1, got 'ten'",
-    ["points=4"] = "unknown argument 'points=4'; known: labels=", ["variant=sixty"] = "variant must be standard",
+    ["points=4"] = "unknown argument 'points=4'; known: labels=",
+    ["variant=sixty"] = "unknown argument 'variant=sixty'",
   } do
     local output, status = check.program { "-q", script, "out=" .. folder, word }
     check.equal(status, 1)

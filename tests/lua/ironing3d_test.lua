@@ -98,11 +98,12 @@ end)
 check.case("wrong arguments", function()
   local script = core.home .. "/scripts/ironing3d.lua"
   for words, message in pairs {
-    ["labls=N2"] = "unknown argument 'labls=N2'; known: variant=standard, cap=1", ["N2"] = "unknown argument 'N2'",
-    ["radius=5"] = "radius must be numbers of at least 7.1, got '5'", ["gap=11"] = "from 0 to less than 10.4",
-    ["variant=steep"] = "variant must be standard, friction, depth or cost, got 'steep'",
+    ["labls=N2"] = "unknown argument 'labls=N2'; did you mean 'labels'? known with variant=standard: cap=1",
+    ["N2"] = "unknown argument 'N2'", ["radius=5"] = "radius must be numbers of at least 7.1, got '5'",
+    ["gap=11"] = "gap must be numbers of at least 0 and below 10.4, got '11'",
+    ["variant=steep"] = "variant must be standard, cost, depth or friction, got 'steep'",
     ["slide=half"] = "slide must be window or full, got 'half'", ["cap=0"] = "cap must be a whole number of at least 1",
-    ["variant=cost mesh=m1"] = "mesh must be one or more of sparse, coarse, middle, fine, got 'm1'",
+    ["variant=cost mesh=m1"] = "mesh must be among sparse, coarse, middle and fine, got 'm1'",
   } do
     local arguments = { "-q", script, "out=" .. folder }
     for word in words:gmatch "%S+" do arguments[#arguments + 1] = word end
