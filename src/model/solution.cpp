@@ -3,6 +3,7 @@
 
 #include "base/error.hpp"
 #include "base/timer.hpp"
+#include "model/linear_choice.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -11,13 +12,6 @@
 namespace signorini::model {
 
 namespace {
-
-/// Whether the tangent is symmetric: all but the penalty law, whose traction acts on the current area, have a
-/// potential.
-template <int D> bool has_potential(const Scene<D>& scene) {
-  return std::all_of(scene.contacts.begin(), scene.contacts.end(),
-                     [](const Contact<D>& contact) { return std::holds_alternative<contact::Adhesion>(contact.law); });
-}
 
 /// What two solvers have done in turn; size and cost are those of the later one.
 solve::SolverStatistics sum(const solve::SolverStatistics& before, const solve::SolverStatistics& now) {

@@ -8,19 +8,14 @@ namespace signorini::solve {
 
 namespace {
 
-/// Whether a factorisation costs so many solutions that it should be kept: operations per entry that a solution reads.
-bool worth_keeping(const SolverStatistics& direct) {
-  constexpr double many = 200;
-  return direct.operations > many * direct.entries;
-}
-
 class Automatic final : public LinearSolver {
 public:
   explicit Automatic(const Pattern& pattern)
       : pattern_(pattern), solver_(pattern.size <= klu_limit ? make_klu(pattern) : make_umfpack(pattern)) {}
 
   bool factor(const double* values) override {
-    if (solver_->kind() != LinearKind::kept && worth_keeping(solver_->statistics())) {
+    if (solver_->kind() != LinearKind::kept &&
+        worth_keeping(solver_->statistics().operations, solver_->statistics().entries)) {
       before_ = solver_->statistics();
       solver_ = make_kept(pattern_);
       solver_->watch(watched_);
@@ -53,6 +48,11 @@ private:
 };
 
 } // namespace
+
+bool worth_keeping(double operations, double entries) {
+  constexpr double many = 200;
+  return operations > many * entries;
+}
 
 std::unique_ptr<LinearSolver> make_automatic(const Pattern& pattern) {
   return std::make_unique<Automatic>(pattern);

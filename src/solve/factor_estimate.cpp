@@ -1,0 +1,39 @@
+#include "solve/factor_estimate.hpp"
+
+#include "base/error.hpp"
+#include "solve/automatic.hpp"
+#include "solve/band_order.hpp"
+#include "solve/cholmod.hpp"
+
+namespace signorini::solve {
+
+FactorEstimate estimate_factor(LinearKind kind, const Pattern& pattern) {
+  if (kind == LinearKind::banded)
+    return {kind, sizeof(double) * (band_width(pattern, band_order(pattern)) + 1.0) * pattern.size};
+
+  CholmodCommon common;
+  CholmodFactor lower(common);
+  common.nmethods = 1;
+  common.method[0].ordering = CHOLMOD_METIS;
+  common.supernodal = CHOLMOD_SUPERNODAL;
+  cholmod_sparse matrix = lower_triangle(pattern, nullptr);
+  matrix.xtype = CHOLMOD_PATTERN;
+  lower.factor = cholmod_analyze(&matrix, &common);
+  require(lower.factor != nullptr, "the sparse solver could not analyse the tangent (CHOLMOD status ", common.status,
+          ")");
+  const double entries = common.lnz; // of L
+  if (kind == LinearKind::automatic)
+    kind = worth_keeping(2 * common.fl, 2 * entries) ? LinearKind::kept
+           : pattern.size > klu_limit                ? LinearKind::umfpack
+                                                     : LinearKind::klu;
+  switch (kind) {
+  case LinearKind::klu:
+    return {kind, 2 * (sizeof(double) + sizeof(int)) * entries};
+  case LinearKind::umfpack:
+    return {kind, 2 * sizeof(double) * entries};
+  default: // whole blocks of L
+    return {kind, sizeof(double) * static_cast<double>(lower.factor->xsize)};
+  }
+}
+
+} // namespace signorini::solve
