@@ -22,6 +22,7 @@ sg.cheapest = require "signorini.cheapest"
 local profile = require "signorini.profile"
 sg.profile_error, sg.profile_edges = profile.error, profile.edges
 core.types.model.run = require "signorini.run"
+core.types.model.cost = require "signorini.cost"
 sg.robust = require("signorini.controls").robust
 
 --- Gives functions written in Lua their help pages, like the rows of the bindings.
@@ -259,6 +260,29 @@ run:column "grip.fx" is a list over the steps; print(run) is a short table; run:
 increments, iterations, wall; <support>.fx, .fy, in 3D .fz, .moment where it rotates, .ux, .uy, .uz, .angle where driven;
 <load>.fx …, .tx … or .pressure; <contact>.fx …, .area, .max_pressure, .max_penetration.
 Example: model:run{ { name = "press", steps = 46, grip = {0, -0.23} } }]])
+document("model:cost", core.types.model.cost, [[
+model:cost()
+What a model is made of, before a solve or after it, and what could be saved. print(model:cost()) shows tables and advice.
+cost.unknowns:   of the linear system; obstacles (cost.obstacles, how many) have none.
+cost.bodies:     by name { unknowns, contact_layer, bulk, prescribed, elements, gauss_points }: contact_layer are the
+                 unknowns on the faces that `contact` names, bulk all others, prescribed what supports fix or drive.
+cost.contacts:   by name { points, rigid }: contact points, and whether the master is an obstacle.
+cost.nonzeros:   of the tangent; it grows where contacts touch.
+cost.memory:     bytes, the sum of cost.memory_of { bodies, tangent, factors }: tables of Gauss points, the tangent with
+                 its patterns, its factors by the solver cost.linear. cost.factors_are is "measured" once a solver has
+                 told, before that "counted": from the pattern in the order of nested dissection. Contact points are not
+                 counted.
+cost.advice:     a list of { kind, saves, needs, text }: unknowns saved and left in the whole scene, and why, for what is
+                 certain to be so from the scene alone:
+  symmetry:    it is its own mirror image in planes x, y or z = c (in an axisymmetric scene y = c): control points,
+               weights, knots, supports, loads, contacts, obstacles. What drives or turns through a plane breaks it.
+  axisymmetry: solids of revolution about one axis, or sectors that supports hold in their end planes.
+  rigid:       a body at least 100 times as stiff as those that it touches, which one support moves without turning it.
+  layer:       a uniform degree above 2 on a body whose contact face alone may need it.
+  idle layer:  a layer on a face that is in no contact.
+  points:      more than twice 3(p+1) contact points per element and direction; it saves no unknowns.
+Paths are not looked at: they must be symmetric, too.
+Example: for _, advice in ipairs(model:cost().advice) do print(advice.saves, advice.text) end]])
 document("sg.robust", sg.robust, [[
 sg.robust{ … }
 Options for model:run with the controls on that easy runs do not pay for: steps begin as the last one went on

@@ -101,7 +101,7 @@ constexpr Function rows[] = {
 template <int D> std::vector<Function> all_rows() {
   std::vector<Function> all;
   for (const std::span<const Function> part :
-       {std::span<const Function>(rows<D>), path_rows<D>(), system_rows<D>(), result_rows<D>()})
+       {std::span<const Function>(rows<D>), path_rows<D>(), system_rows<D>(), result_rows<D>(), cost_rows<D>()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

@@ -12,6 +12,8 @@ template <int D> std::span<const Function> path_rows();
 template <int D> std::span<const Function> system_rows();
 /// What a model's present state looks like: forces, profiles, samples, energies.
 template <int D> std::span<const Function> result_rows();
+/// What a model costs, and what could be saved.
+template <int D> std::span<const Function> cost_rows();
 
 /// Makes the type of snapshots.
 void open_snapshots(lua_State* L);
