@@ -275,7 +275,8 @@ cost.memory:     bytes, the sum of cost.memory_of { bodies, tangent, factors }: 
 cost.advice:     a list of { kind, saves, needs, text }: unknowns saved and left in the whole scene, and why, for what is
                  certain to be so from the scene alone:
   symmetry:    it is its own mirror image in planes x, y or z = c (in an axisymmetric scene y = c): control points,
-               weights, knots, supports, loads, contacts, obstacles. What drives or turns through a plane breaks it.
+               weights, knots, supports, loads, contacts, obstacles. What turns or has moved through it breaks it.
+  symmetry if fixed: the same, but a support may drive through the plane: only while it does not.
   axisymmetry: solids of revolution about one axis, or sectors that supports hold in their end planes.
   rigid:       a body at least 100 times as stiff as those that it touches, which one support moves without turning it.
   layer:       a uniform degree above 2 on a body whose contact face alone may need it.

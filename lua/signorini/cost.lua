@@ -13,17 +13,23 @@ Cost.__name = "cost"
 --- "x = 1.5".
 local function plane_text(plane) return ("%s = %.6g"):format(plane.axis, plane.place) end
 
+--- "'grip' and 'rest' are".
+local function subject(names)
+  return ("'%s' %s"):format(table.concat(names, "' and '"), #names == 1 and "is" or "are")
+end
+
 local function symmetries(figures, add)
   for _, choice in ipairs(figures.symmetries) do
-    local names, axes = {}, {}
+    local names, axes, driven = {}, {}, choice.planes[1].driven
     for i, plane in ipairs(choice.planes) do names[i], axes[i] = plane_text(plane), plane.axis end
-    local saves = figures.unknowns - choice.needs
+    local saves, part = figures.unknowns - choice.needs, ({ "half", "quarter", "eighth" })[#names]
     if saves > 0 then
-      local part, plane = ({ "half", "quarter", "eighth" })[#names],
-        #names == 1 and "that plane" or "these planes"
-      add("symmetry", saves, choice.needs, ("The scene is its own mirror image in %s: one %s of it, with %s fixed on %s, "
-        .. "would need %d unknowns, %d fewer. The path must be symmetric, too; forces are then those of the %s.")
-        :format(table.concat(names, ", "), part, table.concat(axes, " and "), plane, choice.needs, saves, part))
+      local sure = #choice.planes > 1 or #driven == 0
+      local condition = sure and "" or (" as long as %s not driven along %s"):format(subject(driven), axes[1])
+      add(sure and "symmetry" or "symmetry if fixed", saves, choice.needs, ("The scene is its own mirror image in "
+        .. "%s%s: one %s of it, with %s fixed on %s, would need %d unknowns, %d fewer. The path must be symmetric, too; "
+        .. "forces are then those of the %s."):format(table.concat(names, ", "), condition, part,
+          table.concat(axes, " and "), #names == 1 and "that plane" or "these planes", choice.needs, saves, part))
     end
   end
 end

@@ -63,15 +63,21 @@ template <int D> void push_memory(lua_State* L, const model::Model<D>& model) {
 }
 
 template <int D> void push_planes(lua_State* L, const model::Model<D>& model) {
-  const std::vector<model::Mirror> all = model::find_mirrors(model);
   std::vector<std::vector<model::Mirror>> choices;
-  for (const model::Mirror& mirror : all) choices.push_back({mirror});
-  if (all.size() > 1) choices.push_back(all);
+  std::vector<model::Mirror> sure;
+  for (const model::Mirror& mirror : model::find_mirrors(model)) {
+    choices.push_back({mirror});
+    if (mirror.driven.empty()) sure.push_back(mirror);
+  }
+  if (sure.size() > 1) choices.push_back(sure);
   set_list(L, "symmetries", choices, [&](const std::vector<model::Mirror>& planes) {
     set_field(L, "needs", model::unknowns_beside(model, planes));
     set_list(L, "planes", planes, [&](const model::Mirror& plane) {
       set_field(L, "axis", model::component_name(plane.axis));
       set_field(L, "place", plane.place);
+      std::vector<std::string> driven;
+      for (int support : plane.driven) driven.push_back(model.scene().supports[static_cast<std::size_t>(support)].name);
+      set_field(L, "driven", driven);
     });
   });
 }

@@ -37,6 +37,14 @@ template <int D> int points_everywhere(const Model<D>& model, int contact, int p
   return elements * (D == 3 ? per_direction * per_direction : per_direction);
 }
 
+template <int D> double accepted_value(const Model<D>& model, int support, int load, int component) {
+  const auto& drives = model.drives().all();
+  const auto found = std::find_if(drives.begin(), drives.end(),
+                                  [&](const Drive& drive) { return drive.support == support && drive.load == load; });
+  if (found == drives.end() || component < 0) return 0;
+  return model.accepted_target(static_cast<int>(found - drives.begin()), component);
+}
+
 template <int D> MemoryCost memory_cost(const Model<D>& model) {
   MemoryCost cost{0, model.assembly().memory(), model.solver_statistics().memory, true, model.linear_kind()};
   for (const auto& named : model.scene().bodies) cost.bodies += static_cast<double>(named.body->memory());
@@ -54,6 +62,8 @@ template BodyCost body_cost(const Model<2>&, int);
 template BodyCost body_cost(const Model<3>&, int);
 template int points_everywhere(const Model<2>&, int, int);
 template int points_everywhere(const Model<3>&, int, int);
+template double accepted_value(const Model<2>&, int, int, int);
+template double accepted_value(const Model<3>&, int, int, int);
 template MemoryCost memory_cost(const Model<2>&);
 template MemoryCost memory_cost(const Model<3>&);
 

@@ -23,6 +23,10 @@ template <int D> bool limited(const Model<D>& model, int contact) {
          points_everywhere(model, contact, model.scene().contacts[k].points);
 }
 
+/// The accepted target of a support's component among those it drives, or of a load's; the other index is −1. 0 where
+/// the component is −1.
+template <int D> double accepted_value(const Model<D>& model, int support, int load, int component);
+
 /// Bytes. Contact points and their groups are not counted.
 struct MemoryCost {
   double bodies;  ///< tables of Gauss points

@@ -202,9 +202,12 @@ bool actions_fit(const Model<3>& model, const Revolution& revolution, const Axis
     if (support.rotates ||
         std::any_of(axis.across.begin(), axis.across.end(), [&](int c) { return support.hold[at(c)] == Hold::driven; }))
       return false;
-  for (const Load& load : scene.loads) {
+  for (int l = 0; l < static_cast<int>(scene.loads.size()); ++l) {
+    const Load& load = scene.loads[at(l)];
     if (!std::all_of(load.on.begin(), load.on.end(), around)) return false;
-    if (!load.pressure && (load.start[at(axis.across[0])] != 0 || load.start[at(axis.across[1])] != 0)) return false;
+    if (!load.pressure && std::any_of(axis.across.begin(), axis.across.end(),
+                                      [&](int c) { return accepted_value(model, -1, l, c) != 0; }))
+      return false;
   }
   for (int k = 0; k < static_cast<int>(scene.contacts.size()); ++k) {
     const Contact<3>& contact = scene.contacts[at(k)];

@@ -116,30 +116,47 @@ struct Symmetric {
   }
 };
 
-template <int D> bool supports_fit(const Scene<D>& scene, const Plane& plane, const std::vector<Turn>& turns) {
+/// Which of a support's targets moves it along an axis; −1: none.
+template <int D> int driven_component(const Support<D>& support, int axis) {
+  if (support.hold[at(axis)] != Hold::driven) return -1;
+  return static_cast<int>(std::count(support.hold.begin(), support.hold.begin() + axis, Hold::driven));
+}
+
+/// The supports that drive along the normal, which must stay; nothing where supports break the symmetry anyway.
+template <int D>
+std::optional<std::vector<int>> supports_fit(const Model<D>& model, const Plane& plane,
+                                             const std::vector<Turn>& turns) {
   using Functions = std::set<std::pair<int, int>>; // body, function
   const auto maps = [&](const Functions& functions) {
     return std::all_of(functions.begin(), functions.end(), [&](const auto& entry) {
       return functions.contains({entry.first, turns[at(entry.first)].partner[at(entry.second)]});
     });
   };
+  const Scene<D>& scene = model.scene();
+  std::vector<int> driven;
   std::array<Functions, D> fixed; // by component: of all supports together
-  for (const Support<D>& support : scene.supports) {
-    if (support.rotates || support.hold[at(plane.axis)] == Hold::driven) return false;
+  for (int s = 0; s < static_cast<int>(scene.supports.size()); ++s) {
+    const Support<D>& support = scene.supports[at(s)];
+    const int along = driven_component(support, plane.axis);
+    if (support.rotates || accepted_value(model, s, -1, along) != 0) return std::nullopt;
+    if (along >= 0) driven.push_back(s);
     Functions own;
     for (const Held& held : support.on)
       for (int function : held.functions) own.emplace(held.body, function);
     for (std::size_t c = 0; c < D; ++c) {
-      if (support.hold[c] == Hold::driven && !maps(own)) return false;
+      if (support.hold[c] == Hold::driven && !maps(own)) return std::nullopt;
       if (support.hold[c] == Hold::fixed) fixed[c].insert(own.begin(), own.end());
     }
   }
-  return std::all_of(fixed.begin(), fixed.end(), maps);
+  if (!std::all_of(fixed.begin(), fixed.end(), maps)) return std::nullopt;
+  return driven;
 }
 
-template <int D> bool loads_fit(const Scene<D>& scene, const Plane& plane, const std::vector<Turn>& turns) {
-  for (const Load& load : scene.loads) {
-    if (!load.pressure && load.start[at(plane.axis)] != 0) return false;
+template <int D> bool loads_fit(const Model<D>& model, const Plane& plane, const std::vector<Turn>& turns) {
+  const auto& loads = model.scene().loads;
+  for (int l = 0; l < static_cast<int>(loads.size()); ++l) {
+    const Load& load = loads[at(l)];
+    if (!load.pressure && accepted_value(model, -1, l, plane.axis) != 0) return false;
     for (FaceReference face : load.on) {
       if (face.side.direction == turns[at(face.body)].direction) face.side.at_end = !face.side.at_end;
       if (std::find(load.on.begin(), load.on.end(), face) == load.on.end()) return false;
@@ -235,10 +252,11 @@ template <int D> std::vector<Mirror> find_mirrors(const Model<D>& model) {
       if (!turn) break;
       turns.push_back(std::move(*turn));
     }
-    if (turns.size() < scene.bodies.size() || !supports_fit(scene, plane, turns) || !loads_fit(scene, plane, turns) ||
-        !contacts_fit(model, plane, turns))
+    if (turns.size() < scene.bodies.size() || !loads_fit(model, plane, turns) || !contacts_fit(model, plane, turns))
       continue;
-    Mirror mirror{axis, std::abs(plane.place) <= tolerance * plane.length ? 0 : plane.place, {}};
+    auto driven = supports_fit(model, plane, turns);
+    if (!driven) continue;
+    Mirror mirror{axis, std::abs(plane.place) <= tolerance * plane.length ? 0 : plane.place, {}, std::move(*driven)};
     for (const Turn& turn : turns) mirror.directions.push_back(turn.direction);
     found.push_back(std::move(mirror));
   }

@@ -10,12 +10,13 @@ struct Mirror {
   int axis;                    ///< component along its normal
   double place;                ///< c
   std::vector<int> directions; ///< per body: the parametric direction that it turns round
+  std::vector<int> driven;     ///< supports that drive along the normal: only while they do not is it a mirror
 };
 
 /// The planes through the middle of the bodies, normal to an axis, that map everything onto itself: every body's
 /// control points, weights and knots (each body onto itself, to 1e-9 of the scene's size), supports, loads, contacts
-/// with their points, and obstacles. What moves along the normal or turns breaks the symmetry; so may a path. In an
-/// axisymmetric scene only planes across the axis are looked at.
+/// with their points, and obstacles. What turns, or has moved along the normal, breaks the symmetry; so may a path. In
+/// an axisymmetric scene only planes across the axis are looked at.
 template <int D> std::vector<Mirror> find_mirrors(const Model<D>& model);
 
 /// Unknowns of the part on one side of all these planes, which hold what moves through them.

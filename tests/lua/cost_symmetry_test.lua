@@ -101,12 +101,22 @@ check.case("what is symmetric in itself does not stand in the way", function()
   end }), "symmetry")
 end)
 
-check.case("what moves or turns through the plane breaks the symmetry", function()
+check.case("what may move or turns through the plane breaks the symmetry", function()
   for _, hold in ipairs { { drive = "xy" }, { drive = "x", fix = "y" } } do
-    local die = sg.body{ patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5 }, elements = { 4, 2 }, order = "N2",
-                         material = soft }
-    hold.on = { die:face "west", die:face "east" }
-    none(sg.model{ bodies = { die = die }, supports = { grip = hold } }, "symmetry")
+    local function scene(patch, faces)
+      local die = sg.body{ patch = patch { inner = 0.3, outer = 0.5 }, elements = { faces == 2 and 4 or 2, 2 },
+                           order = "N2", material = soft }
+      local supports = { grip = { drive = hold.drive, fix = hold.fix,
+                                  on = faces == 2 and { die:face "west", die:face "east" } or die:face "east" } }
+      if faces == 1 then supports.middle = { on = die:face "west", fix = "x" } end
+      return sg.model{ bodies = { die = die }, supports = supports }
+    end
+    local model = scene(sg.shapes.half_annulus, 2)
+    none(model, "symmetry")
+    check.holds(promises(model, "symmetry if fixed", scene(sg.shapes.quarter_annulus, 1)),
+      "mirror image in x = 0 as long as 'grip' is not driven along x: one half")
+    check.equal(model:run({ { steps = 1, grip = #hold.drive == 2 and { 0.01, 0 } or { 0.01 } } }).failed, false)
+    none(model, "symmetry if fixed")
   end
   local strip = sg.body{ patch = sg.shapes.rectangle{ width = 4, height = 1 }, elements = { 4, 2 }, order = "N2",
                          contact = "south", material = soft }
@@ -131,8 +141,9 @@ check.case("halves and the quarter of a solid scene", function()
     return function(top) return { on = top:face "back", drive = direction .. "z", fix = direction == "x" and "y" or "x" } end
   end
   local model = punch("N2", 1, 1, along "x")
-  check.equal(#advice(model, "symmetry"), 1)
+  check.equal({ #advice(model, "symmetry"), #advice(model, "symmetry if fixed") }, { 1, 1 })
   check.holds(advice(model, "symmetry")[1].text, "mirror image in y = 2")
+  promises(model, "symmetry if fixed", punch("N2", 0.5, 1))
   none(punch("N2", 1, 1, function(top) return { on = top:face "back", drive = "z", fix = "xy", rotate = "z" } end),
     "symmetry")
 end)
@@ -162,6 +173,7 @@ local function octant(label, change)
                         elements = { 3, 4, 2 }, order = label, contact = "front", material = soft }
   return sg.model{
     bodies   = { ball = ball },
+    loads    = { wind = change.traction and { on = ball:face "back", traction = change.traction } },
     supports = { top = { on = ball:face "south", drive = change.drive or "z", fix = change.fix },
                  y = { on = ball:face(change.y or "west"), fix = "y" },
                  x = not change.free and { on = ball:face(change.x or "east"), fix = "x" } or nil },
@@ -185,6 +197,7 @@ check.case("the section of a ball's octant has the unknowns that were promised",
   for _, label in ipairs { "N2", "N3", "N2.1" } do
     check.holds(promises(octant(label), "axisymmetry", section(label)), "parallel to z through (3, 2, 0)")
   end
+  promises(octant("N2", { traction = { 0, 0, 1 } }), "axisymmetry", section "N2")
   promises(octant("N2", { master = sg.rigid.sphere{ centre = { 3, 2, -2 }, radius = 1 } }), "axisymmetry", section "N2")
 end)
 
@@ -197,7 +210,7 @@ check.case("no axis where one thing stands in its way", function()
     knots = { octant_patch:knots(1), octant_patch:knots(2), octant_patch:knots(3) } }
   for what, change in pairs {
     point = { patch = bent }, free = { free = true }, sideways = { fix = "x" }, drive = { drive = "xz", fix = "y", free = true },
-    where = { where = function(X) return X[3] < -0.5 end },
+    where = { where = function(X) return X[3] < -0.5 end }, load = { traction = { 0.1, 0, 1 } },
     slope = { master = sg.rigid.plane{ point = { 0, 0, -1 }, normal = { 0, 0.01, 1 } } },
     off = { master = sg.rigid.sphere{ centre = { 3, 2.001, -2 }, radius = 1 } },
     across = { master = sg.rigid.cylinder{ centre = { 3, 2, -2 }, axis = { 1, 0, 0 }, radius = 1 } },

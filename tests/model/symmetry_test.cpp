@@ -65,14 +65,33 @@ TEST(Symmetry, ThePublishedDieStandsBesideTheMiddle) {
   EXPECT_EQ(mirrors(middle), 1u);
 }
 
-TEST(Symmetry, ADriveAcrossThePlaneKeepsItOneThroughThePlaneDoesNot) {
+TEST(Symmetry, ADriveThroughThePlaneIsTold) {
   for (const bool through : {false, true}) {
     Scene<2> scene = square({{"bed", "south", {Hold::fixed, Hold::fixed}}});
     scene.supports.push_back({"grip",
                               {held(scene, 0, "north")},
                               {through ? Hold::driven : Hold::fixed, through ? Hold::fixed : Hold::driven}});
-    EXPECT_EQ(mirrors(scene), through ? 0u : 1u);
+    Model<2> model(scene);
+    const std::vector<Mirror> found = find_mirrors(model);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].driven, through ? std::vector<int>{1} : std::vector<int>{});
+    model.set_target(0, 0, 0.1);
+    ASSERT_EQ(model.solve_step({}).outcome, solve::Outcome::converged);
+    EXPECT_EQ(find_mirrors(model).size(), 1u);
+    model.accept();
+    EXPECT_EQ(find_mirrors(model).size(), through ? 0u : 1u);
   }
+}
+
+TEST(Symmetry, ATractionAlongTheNormalBreaksIt) {
+  Scene<2> scene = square({{"bed", "south", {Hold::fixed, Hold::fixed}}});
+  scene.loads = {{"push", {{0, nurbs::side_of("north", 2)}}, false, {0, -0.1}}};
+  Model<2> model(scene);
+  EXPECT_EQ(find_mirrors(model).size(), 1u);
+  model.set_target(0, 0, 0.01);
+  ASSERT_EQ(model.solve_step({}).outcome, solve::Outcome::converged);
+  model.accept();
+  EXPECT_EQ(find_mirrors(model).size(), 0u);
 }
 
 TEST(Symmetry, ThroughTheBodyRowsCount) {
