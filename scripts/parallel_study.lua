@@ -21,7 +21,7 @@ local ironing = require "ironing2d.problem"
 
 local options = sg.arguments{
   jobs = 2, rounds = 3, labels = { "N2", "N4", "N6", "N2-N4", "N2-N6", "N2-N2.1", "N2-N2.2", "N2-N2.3" },
-  mesh = "m2", steps = 130, out = "out/parallel_study", once = "",
+  mesh = ironing.meshes "m2", steps = 130, out = "out/parallel_study", once = "",
 }
 
 -- ── The study ────────────────────────────────────────────────────────────────────────────────────────────────────────
