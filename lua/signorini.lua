@@ -172,11 +172,12 @@ labels:  from the plainest to the richest; { "N2", "N2-N2.2" } by default.
 meshes:  from coarse to fine, each about half as wide as the one before, in whatever way scene understands them;
          { 1, 2, 4, 8, 16, 32 } by default.
 limit:   seconds after which no further level is begun; none by default.
-Returns label, mesh, error (the estimate), wall (s), unknowns of the cheapest case that is enough (nil where none is),
-tries, spent (s), report. With d the relative distance of the richest label's figures on two levels and r the share of
-the error that a level leaves (1/2, from three levels on as observed, at least 1/4) the finer one is at most d r/(1 - r)
-off, and coarser cases by their distance from it more. The error is that of the discretisation: what penalty, steps or
-the scene itself leave, no mesh can show. Labels that cost more and are less accurate than another are not tried again.
+Returns label, mesh, error (the estimate), wall (s), unknowns of the case of least work that is enough (nil where none
+is), tries, spent (s), report. Work is unknowns times iterations, which is the same each time. With d the relative
+distance of the richest label's figures on two levels and r the share of the error that a level leaves (1/2; from three
+levels on as observed, if it is more) the finer one is about d r/(1 - r) off, and coarser cases by their distance from it
+more. The error is that of the discretisation: what penalty, steps or the scene itself leave, no mesh can show. Labels
+that take about the work of another one and have twice its error are not tried again.
 Example: sg.recommend{ scene = press, error = "ground.max_pressure", at_most = 0.02 }]])
 document("sg.stability_map", sg.stability_map, [[
 sg.stability_map{ name, x = { name = , values = {…} }, y = { name = , values = {…} }, scene = function(x, y) …,

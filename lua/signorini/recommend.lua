@@ -9,9 +9,12 @@ local values = require "signorini.study.values"
 
 local where = "sg.recommend"
 
--- How much of the error one level is taken to leave. Two levels cannot tell; three can, yet a better ratio than a quarter
--- is not believed, and one near 1 means that the levels do not converge.
-local unknown_ratio, best_ratio, worst_ratio = 1 / 2, 1 / 4, 0.9
+-- How much of the error one level is taken to leave: half, as two levels cannot tell; three can, yet less than half is not
+-- believed, and a ratio near 1 means that the levels do not converge.
+local usual_ratio, worst_ratio = 1 / 2, 0.9
+
+-- Work that is about the same.
+local about = 1.1
 
 -- ── Arguments ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
@@ -67,6 +70,8 @@ local function try(search, label, level)
   end
   local run = model:run(stages, options)
   local case = { label = label, mesh = mesh, level = level, wall = core.now() - began, unknowns = #model:unknowns() }
+  -- Unlike seconds it is the same in every search, so that the same scene gets the same answer.
+  case.work = case.unknowns * run.iterations
   if run.failed then case.failed = run.reason else case.figure = measure(search, model, run) end
   search.tries[#search.tries + 1] = case
   search.by_level[level] = search.by_level[level] or {}
@@ -105,10 +110,10 @@ end
 --- How much of the error a level leaves, as far as the label's last three levels tell.
 local function ratio(search, label, level)
   local older, old, new = solved(search, level - 2, label), solved(search, level - 1, label), solved(search, level, label)
-  if not older then return unknown_ratio end
+  if not older then return usual_ratio end
   local before, now = distance(older.figure, old.figure), distance(old.figure, new.figure)
-  if before == 0 then return now == 0 and best_ratio or worst_ratio end
-  return math.max(best_ratio, math.min(worst_ratio, now / before))
+  if before == 0 then return now == 0 and usual_ratio or worst_ratio end
+  return math.max(usual_ratio, math.min(worst_ratio, now / before))
 end
 
 --- Estimates what it can with `reference`, a case whose label was solved on the level below, too. With d the distance of
@@ -124,21 +129,21 @@ local function estimate(search, reference)
   end
 end
 
---- The cheapest case whose error is proven to be at most the tolerance.
+--- The case of least work whose error is proven to be within the tolerance.
 local function cheapest(search)
   local best
   for _, case in ipairs(search.tries) do
     local enough = case.error and case.error <= search.at_most
-    if enough and (not best or case.wall < best.wall) then best = case end
+    if enough and (not best or case.work < best.work) then best = case end
   end
   return best
 end
 
---- Whether another label was both cheaper and more accurate on a level: then this one need not be tried again.
+--- Whether another label is twice as accurate on a level for about the same work: then this one need not be tried again.
 local function dominated(search, label, level)
   local case = solved(search, level, label)
   for _, other in pairs(search.by_level[level] or {}) do
-    if case and other ~= case and case.error and other.error and other.error < case.error and other.wall < case.wall then
+    if case and case.error and other.error and other.error < case.error / 2 and other.work < about * case.work then
       return true
     end
   end
@@ -178,7 +183,7 @@ Recommendation.__name = "recommendation"
 local function verdict(search, best)
   local total = ("%d runs, %.2f s in all"):format(#search.tries, search.spent)
   if best then
-    return ("%s on mesh %s is enough: its error is at most %.3g, estimated from the next level; allowed %.3g. %s.")
+    return ("%s on mesh %s is enough: its error is about %.3g, estimated from the next level; allowed %.3g. %s.")
       :format(best.label, values.text(best.mesh), best.error, search.at_most, total)
   end
   local nearest
@@ -198,7 +203,7 @@ function Recommendation:__tostring()
     rows[i] = { case.label, values.text(case.mesh), case.unknowns, case.wall, case.failed or figure, case.error,
                 case.label == self.label and case.mesh == self.mesh and "enough" or "" }
   end
-  return format_table{ columns = { "label", "mesh", "unknowns", "wall", "figure", "error at most", "" },
+  return format_table{ columns = { "label", "mesh", "unknowns", "wall", "figure", "estimated error", "" },
     units = { "", "", "", "s", "", "", "" }, rows = rows, formats = { [4] = "%.3f", [6] = "%.2e" } } .. "\n" .. self.report
 end
 

@@ -64,7 +64,7 @@ check.case("estimates hold: each case is as near to the finest mesh as it says",
     end
   end
   check.equal(estimated >= 3 and found.error <= 1e-3, true)
-  check.holds(tostring(found), "error at most", "enough", "estimated from the next level; allowed 0.001")
+  check.holds(tostring(found), "estimated error", "enough", "estimated from the next level; allowed 0.001")
 end)
 
 check.case("lists of numbers; none that is enough; labels that are dominated; a limit", function()
