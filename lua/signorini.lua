@@ -160,6 +160,22 @@ columns, in rising order; formats are patterns of string.format by column name.]
 document("study:csv", methods.csv, [[
 study:csv(file, { columns, sort })
 Writes the table to a CSV file, units in comments.]])
+document("study:chart", methods.chart, [[
+study:chart{ x, y, series, file, … }
+Draws the rows as curves to .png, .svg or .pdf: one per value of series, by rising x. x, y and series are columns, or
+functions of a row; rows that failed or lack one of them have no point. Texts and tables along x stand in the order in
+which they first appear. Where a parameter along x has several rows of one curve at a place, that is an error unless
+line = false: choose with study:where, or give series. markers = true, dashed, line, width: of all curves; all else as in
+sg.chart: xlabel, ylabel (the column and its unit), title (the study's name), log, legend, legend_title, xrange, yrange,
+xticks, hlines, vlines, inset, size.
+Example: study:chart{ x = "dofs", y = "dPx", series = "order", log = "xy", file = "dPx.png" }]])
+document("study:heatmap", methods.heatmap, [[
+study:heatmap{ x, y, value, file, texts = true, … }
+Draws a number over two parameters x and y, in the order of their values in the cases; value is a column, or a function of
+a row. texts: the numbers in the cells, "failed" where a case did. More than one case in a cell is an error that says what
+study:where has to choose. All else as in sg.heatmap: xlabel, ylabel, title, label (the column and its unit), range, log,
+colormap, size.
+Example: study:heatmap{ x = "order", y = "mesh", value = "wall", log = true, file = "wall.png" }]])
 document("sg.recommend", sg.recommend, [[
 sg.recommend{ scene = function(label, mesh) … return model, stages, options end, error, at_most, labels, meshes, limit }
 The least model that is enough: solves labels and meshes from coarse to fine, estimates the error of each from the next
