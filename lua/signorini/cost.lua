@@ -138,9 +138,9 @@ function Cost:__tostring()
   local parts = { bodies_text(self) }
   if next(self.contacts) then parts[#parts + 1] = contacts_text(self) end
   local of = self.memory_of
-  parts[#parts + 1] = ("%d nonzeros in the tangent; memory %s: bodies %s, tangent %s, factors (%s, %s) %s")
-    :format(self.nonzeros, bytes_text(self.memory), bytes_text(of.bodies), bytes_text(of.tangent), self.linear,
-      self.factors_are, bytes_text(of.factors))
+  parts[#parts + 1] = ("%d nonzeros in the tangent; memory %s: bodies %s, contacts %s, tangent %s, factors "
+    .. "(%s, %s) %s"):format(self.nonzeros, bytes_text(self.memory), bytes_text(of.bodies), bytes_text(of.contacts),
+      bytes_text(of.tangent), self.linear, self.factors_are, bytes_text(of.factors))
   for _, advice in ipairs(self.advice) do parts[#parts + 1] = advice.text end
   if #self.advice == 0 then parts[#parts + 1] = "Nothing to save in sight." end
   return table.concat(parts, "\n")

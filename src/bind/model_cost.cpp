@@ -52,9 +52,10 @@ template <int D> void push_contacts(lua_State* L, const model::Model<D>& model) 
 
 template <int D> void push_memory(lua_State* L, const model::Model<D>& model) {
   const model::MemoryCost memory = model::memory_cost(model);
-  set_field(L, "memory", memory.bodies + memory.tangent + memory.factors);
-  lua_createtable(L, 0, 3);
+  set_field(L, "memory", memory.bodies + memory.contacts + memory.tangent + memory.factors);
+  lua_createtable(L, 0, 4);
   set_field(L, "bodies", memory.bodies);
+  set_field(L, "contacts", memory.contacts);
   set_field(L, "tangent", memory.tangent);
   set_field(L, "factors", memory.factors);
   lua_setfield(L, -2, "memory_of");

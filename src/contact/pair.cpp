@@ -318,6 +318,15 @@ template <int D> std::vector<double> Pair<D>::gaps() const {
   return gaps;
 }
 
+template <int D> double Pair<D>::memory() const {
+  const auto bytes = [](const auto& list) { return static_cast<double>(list.capacity() * sizeof(list[0])); };
+  double sum = bytes(points_) + bytes(values_) + bytes(accepted_) + bytes(memory_) + bytes(results_) +
+               bytes(accepted_results_) + bytes(reference_positions_) + bytes(accepted_positions_) + bytes(groups_);
+  for (const Group& group : groups_) sum += bytes(group.force) + bytes(group.matrix);
+  for (const Part& part : parts_) sum += bytes(part.spare) + bytes(part.rows) + bytes(part.products);
+  return sum;
+}
+
 template class Pair<2>;
 template class Pair<3>;
 

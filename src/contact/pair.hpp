@@ -112,6 +112,8 @@ public:
   double potential() const;
   /// Work of friction in all accepted steps: ∫ μ t_N dγ da, by the trapezoidal rule over each step.
   double dissipated() const { return dissipated_; }
+  /// Bytes of points, history and results, and of the last evaluation's groups.
+  double memory() const;
   /// Gaps of all points in the configuration of the last evaluation (evaluate() looks at those only that may touch).
   std::vector<double> gaps() const;
 

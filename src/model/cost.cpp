@@ -46,8 +46,9 @@ template <int D> double accepted_value(const Model<D>& model, int support, int l
 }
 
 template <int D> MemoryCost memory_cost(const Model<D>& model) {
-  MemoryCost cost{0, model.assembly().memory(), model.solver_statistics().memory, true, model.linear_kind()};
+  MemoryCost cost{0, 0, model.assembly().memory(), model.solver_statistics().memory, true, model.linear_kind()};
   for (const auto& named : model.scene().bodies) cost.bodies += static_cast<double>(named.body->memory());
+  for (const contact::Pair<D>& pair : model.pairs()) cost.contacts += pair.memory();
   if (cost.factors == 0 && model.unknowns().size() > 0) {
     const solve::FactorEstimate estimate =
         solve::estimate_factor(first_choice(model.scene(), model.assembly().pattern()), model.assembly().pattern());

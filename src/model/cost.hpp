@@ -27,10 +27,11 @@ template <int D> bool limited(const Model<D>& model, int contact) {
 /// the component is −1.
 template <int D> double accepted_value(const Model<D>& model, int support, int load, int component);
 
-/// Bytes. Contact points and their groups are not counted.
+/// Bytes.
 struct MemoryCost {
-  double bodies;  ///< tables of Gauss points
-  double tangent; ///< with its patterns
+  double bodies;   ///< tables of Gauss points
+  double contacts; ///< points with their history, and what the last evaluation made
+  double tangent;  ///< with its patterns
   double factors;
   bool measured; ///< whether the linear solver has told `factors`; otherwise counted (solve/factor_estimate.hpp)
   solve::LinearKind solver;

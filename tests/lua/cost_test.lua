@@ -24,7 +24,8 @@ check.case("the numbers are those of bodies, contacts and solver, before a solve
   check.equal({ cost.contacts.interface.points, cost.contacts.interface.rigid }, { 6 * 15, false })
   check.equal(cost.nonzeros, #model:tangent().values)
   check.equal({ cost.factors_are, cost.linear }, { "counted", "klu" })
-  check.equal(cost.memory, cost.memory_of.bodies + cost.memory_of.tangent + cost.memory_of.factors)
+  check.equal(cost.memory, cost.memory_of.bodies + cost.memory_of.contacts + cost.memory_of.tangent
+    + cost.memory_of.factors)
 
   check.equal(model:run({ { steps = 2, grip = { -0.05 } } }).failed, false)
   local later = model:cost()
@@ -32,6 +33,7 @@ check.case("the numbers are those of bodies, contacts and solver, before a solve
   check.equal({ later.memory_of.factors, later.memory_of.tangent + later.memory_of.bodies },
     { model:solver().factor_memory, model:solver().memory })
   check.equal({ later.unknowns, #later.advice }, { cost.unknowns, #cost.advice })
+  if not (later.memory_of.contacts > cost.memory_of.contacts) then error "points that touch have groups" end
   if not (later.nonzeros > cost.nonzeros) then error "contact adds to the tangent" end
   local ratio = cost.memory_of.factors / later.memory_of.factors
   if ratio < 0.6 or ratio > 1.1 then error(("counted %g of the measured factors"):format(ratio)) end
