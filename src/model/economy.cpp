@@ -4,7 +4,6 @@
 #include "model/changed_space.hpp"
 #include "model/cost.hpp"
 
-#include <numeric>
 #include <set>
 
 namespace signorini::model {
