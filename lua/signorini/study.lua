@@ -14,6 +14,20 @@ Study.__index = Study
 Study.__name = "study"
 for name, verb in pairs(verbs) do Study[name] = verb end
 
+-- A part of a study has no cases, and what it is not given has no inputs. All else that is not there is misspelt.
+local may_be_missing = { cases = true, inputs = true }
+setmetatable(Study, { __index = function(_, name)
+  if may_be_missing[name] or type(name) ~= "string" or name:find "^__" then return nil end
+  local known = { "rows", "parameters", "figures", "units", "name", "folder" }
+  for method in next, Study do
+    if not method:find "^_" then known[#known + 1] = method end
+  end
+  table.sort(known)
+  local meant = core.nearest(name, known)
+  core.fail(("a study has no '%s'%s: it has %s"):format(name, meant and ("; did you mean '%s'?"):format(meant) or "",
+    table.concat(known, ", ")))
+end })
+
 -- ── From records to rows ─────────────────────────────────────────────────────────────────────────────────────────────
 
 --- The row of a case: its parameters and figures by name, wall (s; the figure of that name where run returned one), and

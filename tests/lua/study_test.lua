@@ -58,6 +58,7 @@ check.case("wrong arguments are errors at the user's line", function()
   check.fails(function() study:execute{ again = "all" } end, "again must be true")
   check.fails(function() study:where{ b = 1 } end, "unknown argument 'b'")
   check.fails(function() study:where{}:execute{} end, "part of a study")
+  check.fails(function() study:exeute{} end, "study_test.lua", "a study has no 'exeute'; did you mean 'execute'?")
 end)
 
 -- ── Execution ────────────────────────────────────────────────────────────────────────────────────────────────────────
