@@ -2,6 +2,7 @@
 // Wall-clock accounting: a Stopwatch measures, a ScopedTimer adds what its scope took to an account.
 
 #include <chrono>
+#include <optional>
 
 namespace signorini {
 
@@ -18,14 +19,20 @@ private:
 
 class ScopedTimer {
 public:
-  explicit ScopedTimer(double& account) : account_(account) {}
-  ~ScopedTimer() { account_ += watch_.seconds(); }
+  explicit ScopedTimer(double& account) : ScopedTimer(&account) {}
+  /// Null: no clock is read.
+  explicit ScopedTimer(double* account) : account_(account) {
+    if (account_) watch_.emplace();
+  }
+  ~ScopedTimer() {
+    if (account_) *account_ += watch_->seconds();
+  }
   ScopedTimer(const ScopedTimer&) = delete;
   ScopedTimer& operator=(const ScopedTimer&) = delete;
 
 private:
-  double& account_;
-  Stopwatch watch_;
+  double* account_;
+  std::optional<Stopwatch> watch_;
 };
 
 } // namespace signorini

@@ -1,9 +1,11 @@
 #include "contact/pair.hpp"
 
 #include "base/error.hpp"
+#include "base/timer.hpp"
 #include "solid/quadrature.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace signorini::contact {
 
@@ -77,9 +79,12 @@ Pair<D>::Pair(Surface<D> slave, Master<D> master, Law law, int points, bool revo
 
 template <int D> void Pair<D>::move(const double* slave_displacement, const double* master_displacement) {
   slave_.move(slave_displacement);
+  const double moved = [&] {
+    const ScopedTimer timer(times_search_ ? &search_seconds_ : nullptr);
+    return master_.move(master_displacement);
+  }();
   // A surface point is a convex combination of control points: none moves farther than the farthest of those.
-  travel_ += std::sqrt((slave_.points() - previous_slave_).colwise().squaredNorm().maxCoeff()) +
-             master_.move(master_displacement);
+  travel_ += std::sqrt((slave_.points() - previous_slave_).colwise().squaredNorm().maxCoeff()) + moved;
   previous_slave_ = slave_.points();
   // The last evaluation's groups go back to where they came from, for their memory.
   auto group = groups_.begin();
@@ -116,6 +121,7 @@ template <int D> void Pair<D>::gather() {
     shares_[p] = groups.size();
     for (Group& group : groups) groups_.push_back(std::move(group));
     groups.clear();
+    search_seconds_ += std::exchange(parts_[p].search_seconds, 0);
   }
 }
 
@@ -143,7 +149,10 @@ template <int D> void Pair<D>::evaluate_point(std::size_t i, bool tangent, Part&
   const Held held = penalty_ && holds() ? held_[i] : Held::free;
   if (held == Held::free ? travel_ < memory.cleared : held == Held::open) return;
 
-  memory.projection = master_.project(geometry.slave, memory.projection, master);
+  {
+    const ScopedTimer timer(times_search_ ? &part.search_seconds : nullptr);
+    memory.projection = master_.project(geometry.slave, memory.projection, master);
+  }
   const Foot foot = memory.projection.foot;
   const double gap = memory.projection.gap;
   result.beyond = foot == Foot::none;

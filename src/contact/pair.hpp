@@ -88,6 +88,10 @@ public:
   struct History;
   History history() const;
   void restore(const History& history);
+  /// Whether to take the time of the search: a clock is read twice per point that is projected.
+  void time_search(bool wanted) { times_search_ = wanted; }
+  /// Seconds that moving the search tree and projections took while that was wanted, summed over threads.
+  double search_seconds() const { return search_seconds_; }
   /// Drops all that evaluations in the past have left behind and that rounding may depend on later, so that what comes
   /// next depends on the accepted state alone. Call it when both faces stand there and nothing is pending.
   void settle();
@@ -141,6 +145,7 @@ private:
     std::vector<Group> groups = {}, spare = {};
     std::vector<double> rows = {};       ///< working space of add(): ∂force and ∂ξ̄ by column
     std::vector<Products> products = {}; ///< of the last groups, those of the present slave element
+    double search_seconds = 0;           ///< since the last gather()
   };
 
   bool friction() const { return penalty_ && penalty_->friction > 0; }
@@ -170,6 +175,8 @@ private:
   /// Bound on how far slave and master points have moved towards each other, summed over all evaluations.
   double travel_ = 0;
   double dissipated_ = 0;
+  bool times_search_ = false;
+  double search_seconds_ = 0;
   Eigen::Matrix<double, D, Eigen::Dynamic> previous_slave_;
 };
 

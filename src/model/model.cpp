@@ -84,6 +84,16 @@ template <int D> void Model<D>::set_penalty_factor(double factor) {
   step_.reset(); // as for new targets: what has converged is no equilibrium any more
 }
 
+template <int D> void Model<D>::time_search(bool wanted) {
+  for (auto& pair : pairs_) pair.time_search(wanted);
+}
+
+template <int D> double Model<D>::search_seconds() const {
+  double sum = 0;
+  for (const auto& pair : pairs_) sum += pair.search_seconds();
+  return sum;
+}
+
 template <int D> double Model<D>::accepted_target(int drive, int component) const {
   return accepted_targets_(drives_.target(drive, component));
 }

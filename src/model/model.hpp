@@ -121,6 +121,10 @@ public:
   Energies energies() const;
 
   const Timings& timings() const { return timings_; }
+  /// Whether to take the time of the contacts' search from now on, see contact::Pair.
+  void time_search(bool wanted);
+  /// Seconds that it has taken, summed over threads; part of timings().contact where there is one.
+  double search_seconds() const;
   /// Patterns analysed, full assemblies.
   int patterns() const { return assembly_.pattern_version(); }
   solve::LinearKind linear_kind() const;
@@ -144,6 +148,7 @@ private:
   solve::Outcome assemble(const VectorX* direction, bool tangent, std::string& why);
   solve::LinearSolver& solver(const StepOptions& options);
   bool factor(const StepOptions& options);
+  bool solve_for(VectorX& b);
   void forget_solver();
   void damp();
   Step begin_step(const StepOptions& options);

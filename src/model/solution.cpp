@@ -69,8 +69,15 @@ template <int D> void Model<D>::forget_solver() {
 }
 
 template <int D> bool Model<D>::factor(const StepOptions& options) {
+  ScopedTimer timer(timings_.factorisation);
   if (options.damping) damp();
   return unknowns_.size() == 0 || solver(options).factor(assembly_.values().data());
+}
+
+/// Overwrites b by K⁻¹ b; call it after factor().
+template <int D> bool Model<D>::solve_for(VectorX& b) {
+  ScopedTimer timer(timings_.solution);
+  return unknowns_.size() == 0 || solver_->solve(b.data());
 }
 
 template <int D> const std::vector<LooseMotion>& Model<D>::loose() {
@@ -90,7 +97,7 @@ template <int D> bool Model<D>::advance(const StepOptions& options, double& ener
   ScopedTimer timer(timings_.linear);
   if (!factor(options)) return false;
   VectorX step = -unbalanced_;
-  if (unknowns_.size() > 0 && !solver_->solve(step.data())) return false;
+  if (!solve_for(step)) return false;
   if (!step.allFinite()) return false;
   const double slope = unbalanced_.dot(step);
   energy = std::abs(slope);
@@ -261,7 +268,7 @@ bool Model<D>::advance_arc(const StepOptions& options, const VectorX& direction,
   const VectorX force = -unbalanced_;
   const VectorX change = -unknowns_.gather(assembly_.product() - drives_.force(direction));
   VectorX first = force, second = change;
-  if (!solver_->solve(first.data()) || !solver_->solve(second.data())) return false;
+  if (!solve_for(first) || !solve_for(second)) return false;
   if (!first.allFinite() || !second.allFinite()) return false;
   const VectorX step = unknowns_.spread(first), free_rate = unknowns_.spread(second);
   const VectorX rate = free_rate + drives_.rate(present_, direction);

@@ -17,6 +17,9 @@ TEST(Timer, AnAccountGrowsByWhatItsScopesTook) {
   EXPECT_GE(once, 1.005);
   { ScopedTimer timer(account); }
   EXPECT_GE(account, once);
+  const double twice = account;
+  { ScopedTimer timer(nullptr); } // nobody's
+  EXPECT_EQ(account, twice);
 }
 
 } // namespace
