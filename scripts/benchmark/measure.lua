@@ -1,0 +1,115 @@
+-- What is timed: Newton iterations of ironing in the plane and in space, files of a state, an element's tangent.
+
+local sg = require "signorini"
+local core = require "signorini.core"
+local plane = require "ironing2d.problem"
+local solid = require "ironing3d.problem"
+
+local measure = {}
+
+--- By dimension: the meshes, rising, the field that is drawn, and begin(label, mesh, steps), which returns a model, its
+--- bodies, the stage that comes before the clock and the one that is timed.
+measure.problems = {
+  plane = {
+    name = "2D ironing", meshes = { "m1", "m2", "m3", "m4", "m5", "m6" }, field = "uy",
+    begin = function(label, mesh, steps)
+      local set_up = plane.variants.standard
+      local model, die, slab = plane.scene(set_up, label, plane.elements(mesh))
+      return model, { die, slab }, { name = "press", steps = 10, grip = { 0, -0.05 } },
+        { name = "slide", steps = steps, grip = { 0.006 * steps, -0.05 } }
+    end,
+  },
+  solid = {
+    name = "3D ironing", meshes = solid.mesh_names, field = "uz",
+    begin = function(label, mesh, steps)
+      local model, indenter, slab = solid.scene({ label = label, mesh = mesh, radius = 7.5 }, 50)
+      return model, { indenter, slab }, { name = "press", steps = 4, grip = { 0, 0, -1 } },
+        { name = "slide", steps = steps, grip = { 0.3 * steps, 0, -1 } }
+    end,
+  },
+}
+
+--- What an iteration's time is shared out to; search is part of contact, factorisation and solution make up linear.
+measure.accounts = { "bulk", "contact", "search", "linear", "factorisation", "solution", "rest", "iteration" }
+--- What writes a state.
+measure.outputs = { "picture", "csv", "checkpoint" }
+
+--- Milliseconds that body() takes, and what it returns.
+local function milliseconds(body)
+  local began = core.now()
+  local result = body()
+  return 1e3 * (core.now() - began), result
+end
+
+local function finished(run)
+  if run.failed then error(run.report, 0) end
+  return run
+end
+
+--- Milliseconds to write a state's picture, contact profile and checkpoint, by name.
+local function write(model, field, folder)
+  return {
+    picture = milliseconds(function()
+      sg.picture{ model = model, field = field, file = folder .. "/state.png", size = { 800, 500 } }
+    end),
+    csv = milliseconds(function() sg.csv.write(folder .. "/state.csv", model:profile "interface") end),
+    checkpoint = milliseconds(function() model:save(folder .. "/state.sgn") end),
+  }
+end
+
+--- One pass over a case: milliseconds per iteration by account, and per file, with the sizes.
+local function pass(problem, case, options)
+  collectgarbage() -- models are larger than Lua can see
+  local model, bodies, press, slide = problem.begin(case.label, case.mesh, options.steps)
+  local how = { linear = options.linear, step = { adaptive = true } }
+  finished(model:run({ press }, how))
+  model:time_search(true)
+  local before = model:timings()
+  local wall, run = milliseconds(function() return finished(model:run({ slide }, how)) end)
+  local spent, after = {}, model:timings()
+  for account, seconds in pairs(after) do spent[account] = 1e3 * (seconds - before[account]) / run.iterations end
+  spent.iteration = wall / run.iterations
+  spent.rest = spent.iteration - spent.bulk - spent.contact - spent.linear
+  for name, time in pairs(write(model, problem.field, options.out)) do spent[name] = time end
+  case.dofs, case.unknowns, case.iterations = 0, model:solver().unknowns, run.iterations
+  for _, body in ipairs(bodies) do case.dofs = case.dofs + body:dofs().total end
+  return spent
+end
+
+--- A case { problem (name), label, mesh }, to which milliseconds are added by name: per iteration those of the pass with
+--- the median iteration of `options.repeats`, so that accounts add up, and per file medians of all passes. Options also
+--- have linear, steps (timed) and out (folder).
+function measure.case(case, options)
+  local problem, passes = measure.problems[case.problem], {}
+  for i = 1, options.repeats do passes[i] = pass(problem, case, options) end
+  table.sort(passes, function(a, b) return a.iteration < b.iteration end)
+  for name, time in pairs(passes[(#passes + 1) // 2]) do case[name] = time end
+  for _, name in ipairs(measure.outputs) do
+    local times = {}
+    for i, spent in ipairs(passes) do times[i] = spent[name] end
+    case[name] = sg.median(times)
+  end
+  case.around = (case.iteration - case.linear) / case.linear
+  return case
+end
+
+--- Milliseconds that residual and tangent of a solid element with 27 functions and 27 Gauss points take, in a
+--- neo-Hookean block of n³ elements that is sheared: median of repeats.
+function measure.element(n, repeats)
+  local block = sg.body{
+    patch = sg.shapes.block{ size = { 1, 1, 1 } }, elements = { n, n, n }, order = "N2", contact = "back", through = 2,
+    material = sg.neo_hookean{ E = 1, nu = 0.3 },
+  }
+  local model = sg.model{ bodies = { block = block }, supports = {
+    bed = { on = block:face "front", fix = "xyz" }, lid = { on = block:face "back", drive = "xyz" } } }
+  finished(model:run{ { name = "shear", steps = 1, lid = { 0.05, 0, -0.05 } } })
+  local times = {}
+  for i = 1, repeats do
+    local before = model:timings().bulk
+    model:residual()
+    times[i] = 1e3 * (model:timings().bulk - before) / n ^ 3
+  end
+  return sg.median(times)
+end
+
+return measure

@@ -1,0 +1,139 @@
+-- Tables, charts and page of the benchmark. Cases are those of measure.case; exponents by problem and account.
+
+local sg = require "signorini"
+local core = require "signorini.core"
+local measure = require "benchmark.measure"
+
+local report = {}
+
+local all_accounts = table.move(measure.outputs, 1, #measure.outputs, #measure.accounts + 1,
+  table.move(measure.accounts, 1, #measure.accounts, 1, {}))
+
+--- A table of cases: mesh and sizes, then these figures by name.
+local function case_sheet(cases, names, more)
+  local columns, rows = { "problem", "mesh", "DOFs", table.unpack(more) }, {}
+  local fixed = #columns
+  for _, name in ipairs(names) do columns[#columns + 1] = name end
+  for i, case in ipairs(cases) do
+    rows[i] = { measure.problems[case.problem].name, case.mesh, case.dofs }
+    for j = 4, #columns do rows[i][j] = case[columns[j]] end
+  end
+  return { columns = columns, rows = rows }, fixed
+end
+
+local function case_table(cases, names, more)
+  local sheet, fixed = case_sheet(cases, names, more)
+  sheet.formats = {}
+  for i = fixed + 1, #sheet.columns do sheet.formats[i] = "%.3g" end
+  return sg.table(sheet)
+end
+
+function report.iteration_table(cases)
+  local names = table.move(measure.accounts, 1, #measure.accounts, 1, {})
+  names[#names + 1] = "around"
+  return case_table(cases, names, { "iterations" })
+end
+
+function report.output_table(cases) return case_table(cases, measure.outputs, {}) end
+
+--- Everything that was measured, for a CSV file.
+function report.sheet(cases, options)
+  local names = table.move(all_accounts, 1, #all_accounts, 1, {})
+  names[#names + 1] = "around"
+  local sheet = case_sheet(cases, names, { "label", "unknowns", "iterations" })
+  sheet.comments = { ("ms per iteration and per file, medians of %d; linear solver %s"):format(options.repeats,
+    options.linear) }
+  return sheet
+end
+
+function report.growth_sheet(exponents)
+  local sheet = { columns = { "account", "plane", "solid" }, rows = {} }
+  local plane, solid = exponents.plane or {}, exponents.solid or {}
+  for i, account in ipairs(all_accounts) do sheet.rows[i] = { account, plane[account], solid[account] } end
+  return sheet
+end
+
+function report.growth_table(exponents)
+  local sheet = report.growth_sheet(exponents)
+  sheet.columns, sheet.formats = { "", "2D", "3D" }, { "%s", "%.2f", "%.2f" }
+  return sg.table(sheet)
+end
+
+-- ── Charts ───────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- Adds a line of one figure over the degrees of freedom of a problem.
+local function add_line(chart, cases, problem, name, label)
+  local line = { x = {}, y = {}, label = label, markers = true }
+  for _, case in ipairs(cases) do
+    if case.problem == problem and case[name] > 0 then
+      line.x[#line.x + 1], line.y[#line.y + 1] = case.dofs, case[name]
+    end
+  end
+  if #line.x > 1 then chart[#chart + 1] = line end
+end
+
+local function finish(chart)
+  chart.log, chart.xlabel, chart.size = "xy", "degrees of freedom", { 1600, 1000 }
+  if #chart > 0 then sg.chart(chart) end
+  return #chart > 0
+end
+
+local function draw_iteration(problem)
+  return function(file, cases)
+    local chart = { file = file, ylabel = "time of an iteration (ms)",
+                    title = measure.problems[problem].name .. ": parts of a Newton iteration" }
+    for _, name in ipairs { "bulk", "contact", "search", "factorisation", "solution" } do
+      add_line(chart, cases, problem, name, name)
+    end
+    return finish(chart)
+  end
+end
+
+--- What is drawn: file, which meshes it needs in words, draw(file, cases) that returns whether there was anything.
+report.charts = {
+  { file = "benchmark_2d.png", needs = "2D ironing", draw = draw_iteration "plane" },
+  { file = "benchmark_3d.png", needs = "3D ironing", draw = draw_iteration "solid" },
+  { file = "benchmark_output.png", needs = "a problem", draw = function(file, cases)
+    local chart = { file = file, ylabel = "time of a file (ms)", title = "Writing a state" }
+    for _, problem in ipairs { "plane", "solid" } do
+      for _, name in ipairs(measure.outputs) do
+        local what = name == "csv" and "CSV" or name
+        add_line(chart, cases, problem, name, ("%s, %s"):format(problem == "plane" and "2D" or "3D", what))
+      end
+    end
+    return finish(chart)
+  end },
+}
+
+-- ── Page ─────────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+local function markdown(columns, rows)
+  local lines = { "| " .. table.concat(columns, " | ") .. " |", "|" .. ("---|"):rep(#columns) }
+  for _, row in ipairs(rows) do
+    local cells = {}
+    for i in ipairs(columns) do
+      cells[i] = math.type(row[i]) == "float" and ("%.3g"):format(row[i]) or tostring(row[i] or "–")
+    end
+    lines[#lines + 1] = "| " .. table.concat(cells, " | ") .. " |"
+  end
+  return table.concat(lines, "\n")
+end
+
+--- Replaces what stands between the two marks of benchmark.md in a folder, and the charts there.
+function report.page(folder, cases, exponents, element)
+  local path, first, last = folder .. "/benchmark.md", "<!-- measured -->\n", "<!-- end of measured -->"
+  local text = core.read_file(path)
+  local _, from = text:find(first, 1, true)
+  local to = from and text:find(last, from, true)
+  if not to then error(("%s must have the lines '%s' and '%s'"):format(path, first:sub(1, -2), last), 0) end
+  local names = table.move(all_accounts, 1, #all_accounts, 1, {})
+  names[#names + 1] = "around"
+  local sheet, growth = case_sheet(cases, names, { "iterations" }), report.growth_sheet(exponents)
+  local measured = table.concat({ markdown(sheet.columns, sheet.rows),
+    markdown({ "exponent", "2D", "3D" }, growth.rows),
+    ("Residual and tangent of a solid element with 27 functions: %.3f ms.\n"):format(element) }, "\n\n")
+  core.write_file(path, text:sub(1, from) .. measured .. text:sub(to))
+  for _, chart in ipairs(report.charts) do chart.draw(folder .. "/" .. chart.file, cases) end
+end
+
+return report

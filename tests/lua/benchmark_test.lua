@@ -1,0 +1,87 @@
+-- scripts/benchmark.lua, coarse: its accounts add up, its growth is what least squares say, its files are there.
+
+local core = require "signorini.core"
+local sg = require "signorini"
+local check = require "check"
+
+package.path = core.home .. "/scripts/?.lua;" .. package.path
+local growth = require "benchmark.growth"
+
+core.quiet = true
+local folder = os.tmpname()
+os.remove(folder)
+
+local function benchmark(...)
+  local print_to_terminal = print
+  print = function() end
+  local ok, result = pcall(assert(loadfile(core.home .. "/scripts/benchmark.lua")), "out=" .. folder, ...)
+  print = print_to_terminal
+  if not ok then error(result, 0) end
+  return result
+end
+
+check.case("exponents of costs that are known", function()
+  local sizes, square, bent = { 10, 20, 40, 80, 160 }, {}, {}
+  for i, size in ipairs(sizes) do square[i], bent[i] = 3 * size ^ 2, i <= 2 and 1000 or 0.5 * size ^ 1.5 end
+  check.near(growth.exponent(sizes, square), 2, 1e-12)
+  check.near(growth.exponent(sizes, bent), 1.5, 1e-12) -- the smaller half does not count
+  -- log2 of cost 0, 1, 1 over log2 of size 0, 1, 2: least squares give 1/2
+  check.near(growth.exponent({ 1, 1, 1, 2, 4 }, { 9, 9, 1, 2, 2 }), 0.5, 1e-12)
+  check.equal(growth.exponent({ 10 }, { 1 }), nil)
+  check.equal(growth.exponent({ 10, 20, 40 }, { 1, 1, 0 }), nil)
+end)
+
+check.case("components in 2D and 3D", function()
+  core.mkdir(folder)
+  core.write_file(folder .. "/benchmark.md", "before\n<!-- measured -->\nold\n<!-- end of measured -->\nafter\n")
+  local result = benchmark("plane=m1,m2,m4", "solid=sparse", "steps=1", "repeats=1", "element=2", "page=" .. folder)
+  check.equal(#result.cases, 4)
+  for _, case in ipairs(result.cases) do
+    -- Parts of the whole, none of them idle; search lies in contact, factorisation and solution make up linear.
+    for _, part in ipairs { "bulk", "contact", "search", "factorisation", "solution", "picture", "csv",
+                            "checkpoint" } do
+      check.equal({ part, case[part] > 0 }, { part, true })
+    end
+    check.equal(case.bulk + case.contact + case.linear <= case.iteration, true)
+    check.near(case.bulk + case.contact + case.linear + case.rest, case.iteration, 1e-9 * case.iteration)
+    check.equal(case.search < case.contact, true)
+    local both = case.factorisation + case.solution
+    check.equal(both <= case.linear and both > 0.5 * case.linear, true)
+    check.near(case.around, case.iteration / case.linear - 1, 1e-9 * case.iteration / case.linear)
+  end
+  check.equal({ result.cases[1].dofs, result.cases[4].problem }, { 134, "solid" })
+  -- Wide limits: a clock on a busy machine says little of small meshes.
+  local plane = result.exponents.plane
+  for _, account in ipairs { "bulk", "factorisation" } do
+    check.equal({ account, plane[account] > -0.5 and plane[account] < 3 }, { account, true })
+  end
+  check.equal(result.exponents.solid.bulk, nil) -- one mesh
+  check.equal(result.element > 0.001 and result.element < 10, true)
+
+  local sheet = sg.csv.read(folder .. "/benchmark.csv")
+  check.equal(#sheet.rows, 4)
+  check.equal({ sheet.columns[1], sheet.columns[2], sheet.columns[3] }, { "problem", "mesh", "DOFs" })
+  check.equal(core.exists(folder .. "/growth.csv"), true)
+  check.equal(core.exists(folder .. "/benchmark_2d.png"), true)
+  check.equal(core.exists(folder .. "/benchmark_3d.png"), false) -- one mesh makes no line
+  check.equal(core.exists(folder .. "/state.sgn"), false)
+  local page = core.read_file(folder .. "/benchmark.md")
+  check.holds(page, "before\n<!-- measured -->\n| problem |", "| 2D ironing | m4 |",
+    "<!-- end of measured -->\nafter\n")
+  check.equal(page:find("old", 1, true), nil)
+end)
+
+check.case("accounts that nobody asked for stay empty", function()
+  local model, bodies, press = require "benchmark.measure".problems.plane.begin("N2", "m1", 1)
+  model:run{ press }
+  check.equal({ model:timings().search, model:timings().contact > 0 }, { 0, true })
+  check.fails(function() model:time_search(1) end, "wanted")
+end)
+
+check.case("wrong arguments", function()
+  check.fails(function() benchmark("plane=m2,m1", "solid=none") end, "meshes must come in rising order")
+  check.fails(function() benchmark("plane=m9") end, "plane must be")
+end)
+
+os.execute("rm -r " .. folder)
+check.done()
