@@ -22,8 +22,8 @@
 --      coordinate is x (deformed) or X (undeformed), repeats is of how many runs a time is the median.
 
 local sg = require "signorini"
+local problem = require "rings2d.problem"
 
-local mu, steps, push = 0.1, 40, -4
 local picture_steps = { [0] = true, [10] = true, [20] = true, [30] = true, [40] = true }
 --- How an error can be integrated: on whose points, where either side touches or only where both do, and whether a
 --- profile falls to zero at the next open point or where the gap is zero. The first one is that of the table.
@@ -34,40 +34,7 @@ for _, way in ipairs { { "either", "point" }, { "either", "gap" }, { "both", "po
   end
 end
 
--- ── Scene and path ───────────────────────────────────────────────────────────────────────────────────────────────────
-
-local function scene(label, mesh)
-  local refined = 1 << (math.tointeger(mesh:sub(2)) - 1)
-  local upper = sg.body{
-    patch    = sg.shapes.quarter_annulus{ inner = 8, outer = 10, centre = {0, 22}, start = 270 },
-    elements = { 12 * refined, 3 }, order = label, contact = "south",
-    material = sg.neo_hookean{ E = 100, nu = 0.3 },
-  }
-  local lower = sg.body{
-    patch    = sg.shapes.quarter_annulus{ inner = 10, outer = 12, start = 0 },
-    elements = { 20 * refined, 3 }, order = label, contact = "south",
-    material = sg.neo_hookean{ E = 300, nu = 0.3 },
-  }
-  local model = sg.model{
-    bodies   = { upper = upper, lower = lower },
-    supports = { bed      = { on = lower:face "west", fix = "xy" },
-                 symmetry = { on = {upper:face "west", lower:face "east"}, fix = "x" },
-                 grip     = { on = upper:face "east", fix = "x", drive = "y" } },
-    contacts = { interface = { slave = upper:face "south", master = lower:face "south",
-                               penalty = 100, friction = { mu = mu, penalty = 10 } } },
-  }
-  return model, upper:dofs().total + lower:dofs().total
-end
-
---- Takes a label on a mesh along the path. `on_state` sees the model at the start and after every step.
-local function solve(label, mesh, linear, on_state)
-  local model, dofs = scene(label, mesh)
-  if on_state then on_state(model, 0) end
-  local run = model:run({ { name = "press", steps = steps, grip = { push } } },
-    { linear = linear, on_step = on_state and function(info) on_state(model, info.step) end or nil })
-  if run.failed then error(("%s at %s: %s"):format(label, mesh, run.report), 0) end
-  return { label = label, mesh = mesh, run = run, dofs = dofs, profile = model:profile "interface" }
-end
+-- ── Solving ──────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 --- Solves all pairs of label and mesh several times and takes the medians of the times. The runs go round in turns, so
 --- that a busy spell of the machine meets all alike.
@@ -76,7 +43,7 @@ local function solve_all(list, options)
   for i = 1, options.repeats do
     for k, pair in ipairs(list) do
       local seconds = cases[k] and cases[k].seconds or { wall = {}, bulk = {}, contact = {}, linear = {}, rest = {} }
-      local case = solve(pair[1], pair[2], options.linear)
+      local case = problem.solve(pair[1], pair[2], options.linear)
       for account, values in pairs(seconds) do
         values[i] = account == "wall" and case.run.wall or case.run.timings[account]
       end
@@ -100,7 +67,7 @@ local function coulomb(profile)
     if state ~= "open" then count.touching = count.touching + 1 end
     if state == "stick" then count.sticking = count.sticking + 1 end
     if state == "slip" then
-      local ratio = math.abs(profile.traction[i]) / (mu * profile.pressure[i])
+      local ratio = math.abs(profile.traction[i]) / (problem.mu * profile.pressure[i])
       count.deviation = math.max(count.deviation, math.abs(ratio - 1))
     end
   end
@@ -258,7 +225,7 @@ for i = 2, #solved do
   write_profile(case, files(("%s_%s.csv"):format(case.label, case.mesh)))
   cases[i - 1], cases[case.label .. " " .. case.mesh] = case, case
 end
-solve(options.labels[1], options.meshes[1], options.linear, keep_state)
+problem.solve(options.labels[1], options.meshes[1], options.linear, keep_state)
 
 print(("\nL2 errors of the contact tractions against %s at %s over %s, beside Table 7.5 (N/m²·√m)")
   :format(finest.label, finest.mesh, options.coordinate))

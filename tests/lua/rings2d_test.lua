@@ -3,6 +3,7 @@
 local sg = require "signorini"
 local core = require "signorini.core"
 local check = require "check"
+package.path = core.home .. "/scripts/?.lua;" .. package.path
 
 local folder = os.tmpname()
 os.remove(folder)

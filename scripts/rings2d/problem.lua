@@ -1,0 +1,42 @@
+-- Two elastic half rings that are pushed into each other: meshes, scene, path. Lengths in m, forces in N.
+
+local sg = require "signorini"
+
+local problem = { mu = 0.1, steps = 40, push = -4 }
+
+--- Model and degrees of freedom of a label on a mesh, m1 to m5.
+function problem.scene(label, mesh)
+  local refined = 1 << (math.tointeger(mesh:sub(2)) - 1)
+  local upper = sg.body{
+    patch    = sg.shapes.quarter_annulus{ inner = 8, outer = 10, centre = {0, 22}, start = 270 },
+    elements = { 12 * refined, 3 }, order = label, contact = "south",
+    material = sg.neo_hookean{ E = 100, nu = 0.3 },
+  }
+  local lower = sg.body{
+    patch    = sg.shapes.quarter_annulus{ inner = 10, outer = 12, start = 0 },
+    elements = { 20 * refined, 3 }, order = label, contact = "south",
+    material = sg.neo_hookean{ E = 300, nu = 0.3 },
+  }
+  local model = sg.model{
+    bodies   = { upper = upper, lower = lower },
+    supports = { bed      = { on = lower:face "west", fix = "xy" },
+                 symmetry = { on = {upper:face "west", lower:face "east"}, fix = "x" },
+                 grip     = { on = upper:face "east", fix = "x", drive = "y" } },
+    contacts = { interface = { slave = upper:face "south", master = lower:face "south",
+                               penalty = 100, friction = { mu = problem.mu, penalty = 10 } } },
+  }
+  return model, upper:dofs().total + lower:dofs().total
+end
+
+--- Takes a label on a mesh along the path. `on_state` sees the model at the start and after every step. Returns
+--- { label, mesh, run, dofs, profile }.
+function problem.solve(label, mesh, linear, on_state)
+  local model, dofs = problem.scene(label, mesh)
+  if on_state then on_state(model, 0) end
+  local run = model:run({ { name = "press", steps = problem.steps, grip = { problem.push } } },
+    { linear = linear, on_step = on_state and function(info) on_state(model, info.step) end or nil })
+  if run.failed then error(("%s at %s: %s"):format(label, mesh, run.report), 0) end
+  return { label = label, mesh = mesh, run = run, dofs = dofs, profile = model:profile "interface" }
+end
+
+return problem
