@@ -1,0 +1,64 @@
+-- Speed against accuracy: which discretisation gives a result soonest, on five problems in one run; charts and a page.
+--
+-- Problem: ironing (ripple of both forces), Hertz (L2 error of the pressure), two rings (the same), peeling (amplitude
+--          of the moment), ironing in 3D (ripple of both forces): uniform and varying-order discretisations on several
+--          meshes, error over time.
+--
+--          error |  o
+--                |   \ o          one curve per label, one marker per mesh; further down and left is better;
+--                |    o \         at equal error one label takes a share of the other one's time
+--                |     \ o
+--                |______\_________ time
+--
+--          The problems are those of ironing2d.lua, hertz2d.lua, rings2d.lua, peeling2d.lua and ironing3d.lua; what is
+--          measured, and what is chosen differently, is in the files of speed_against_accuracy/.
+-- Source: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of
+--         Contact Problems, PhD thesis, IIT Guwahati, 2020, sections 7.1 to 7.5; printed savings from section 7.1.3,
+--         section 7.2 and Table 7.6.
+-- Units: times in s; errors in N/mm (ironing), 1 (Hertz), N/m²·√m (rings), E0 L0³ (peeling); 3D: any consistent ones.
+-- Expected: layers of elevated degree beat both N2 and N4: at equal error N2-N2.2 takes a part of their time in every
+--           problem; the thesis prints 56.62 and 72.78 % less time for ironing (N2-N2.2 at m1, m2 beside N2 at m3, m4),
+--           42.48 and 43.74 % for Hertz (at m3, m4 beside N2 at m4, m5).
+-- Run: signorini scripts/speed_against_accuracy.lua [problems=ironing,hertz,rings,peeling,ironing3d] [labels=all]
+--      [meshes=all] [rounds=0] [time=wall] [out=out/speed_against_accuracy] [page=none]; labels and meshes: all that a
+--      problem has, or a list (of any labels; of meshes, those that a problem has); rounds: how often each case is run,
+--      for medians, 0 as each problem has it (3, dear ones 1); time: wall, or cpu, for a machine that does other
+--      things, too; page: folder of the page, such as share/doc. Cases that are done are kept in `out` and not run
+--      again.
+
+local sg = require "signorini"
+local page = require "speed_against_accuracy.page"
+local report = require "speed_against_accuracy.report"
+local study = require "speed_against_accuracy.study"
+
+local names = { "ironing", "hertz", "rings", "peeling", "ironing3d" }
+local options = sg.arguments{
+  problems = { names, choices = names }, labels = { "all" }, meshes = { "all" }, rounds = { 0, at_least = 0 },
+  time = { "wall", choices = { "wall", "cpu" } }, out = "out/speed_against_accuracy", page = "none",
+}
+local files, page_name = sg.files(options.out), "speed_against_accuracy"
+local paths = setmetatable({}, { __call = function(_, name) return files(name) end })
+
+--- The path of a chart of the page.
+function paths.page(name) return ("%s/%s/%s"):format(options.page, page_name, name) end
+
+if options.page ~= "none" then sg.mkdir(("%s/%s"):format(options.page, page_name)) end
+local results = {}
+for _, name in ipairs(options.problems) do
+  local measured = study.of(require("speed_against_accuracy." .. name), options)
+  if measured then
+    local result = report.of(measured, options, paths)
+    results[#results + 1], results[name] = result, result
+    report.print(result)
+  else
+    print(("%s is left out: it has none of the meshes %s"):format(name, table.concat(options.meshes, ", ")))
+  end
+end
+files:report()
+if options.page ~= "none" and #results > 0 then
+  local file = ("%s/%s.md"):format(options.page, page_name)
+  page.write(file, results, options, page_name)
+  print(("The page: %s"):format(file))
+end
+
+return { results = results, files = files }

@@ -1,0 +1,141 @@
+-- The page share/doc/speed_against_accuracy.md: what the report says of all problems, with the charts, in Markdown.
+
+local core = require "signorini.core"
+local shares = require "speed_against_accuracy.shares"
+local tables = require "speed_against_accuracy.tables"
+
+local page = {}
+
+-- ── Markdown ─────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+local raised = { ["0"] = "⁰", ["1"] = "¹", ["2"] = "²", ["3"] = "³", ["4"] = "⁴", ["5"] = "⁵", ["6"] = "⁶", ["7"] = "⁷",
+                 ["8"] = "⁸", ["9"] = "⁹", ["-"] = "⁻" }
+
+--- Numbers such as 1.30e-02 in a text as 1.30·10⁻².
+local function typeset(text)
+  return (text:gsub("(%d)e([+-])(%d+)", function(digit, sign, power)
+    local exponent = tostring(math.tointeger(tonumber(power)))
+    if exponent == "0" then return digit end
+    return digit .. "·10" .. ((sign == "-" and "-" or "") .. exponent):gsub(".", raised)
+  end))
+end
+
+local function cell(value, format)
+  if value == nil then return "–" end
+  local text = type(value) == "number" and format and format:format(value) or tostring(value)
+  return typeset(text):gsub("|", "\\|"), nil
+end
+
+--- A table of tables.lua; units stand behind the names.
+local function write_table(table_)
+  local lines, heads, rules = {}, {}, {}
+  for j, name in ipairs(table_.columns) do
+    local unit = table_.units[j]
+    heads[j], rules[j] = unit ~= "" and ("%s (%s)"):format(name, unit) or name, "---"
+  end
+  lines[1], lines[2] = table.concat(heads, " | "), table.concat(rules, "|")
+  for i, row in ipairs(table_.rows) do
+    local cells = {}
+    for j = 1, #table_.columns do cells[j] = cell(row[j], table_.formats[j]) end
+    lines[i + 2] = table.concat(cells, " | ")
+  end
+  lines[2] = "|" .. lines[2] .. "|"
+  for i = 1, #lines do
+    if i ~= 2 then lines[i] = "| " .. lines[i] .. " |" end
+  end
+  return table.concat(lines, "\n")
+end
+
+local function write_block(block, folder)
+  if block.chart then return ("![%s](%s/%s)"):format(block.title, folder, block.chart) end
+  if block.table then return ("%s:\n\n%s"):format(block.title, write_table(block.table)) end
+  return typeset(block.text)
+end
+
+-- ── Where the figures come from ──────────────────────────────────────────────────────────────────────────────────────
+
+--- Processors, versions and days of all cases, as a text.
+local function origin(results)
+  local lists, seen = { processor = {}, signorini = {}, day = {} }, {}
+  local function add(key, value)
+    if value and not seen[key .. value] then
+      seen[key .. value] = true
+      table.insert(lists[key], value)
+    end
+  end
+  for _, result in ipairs(results) do
+    for _, record in pairs(result.measured.study.records) do
+      local made = record.made or {}
+      add("processor", made.processor)
+      add("signorini", (made.versions or {}).signorini)
+      add("day", made.time and made.time:sub(1, 10))
+    end
+  end
+  for _, list in pairs(lists) do table.sort(list) end
+  local days = lists.day
+  return ("Signorini %s on %s, %s"):format(table.concat(lists.signorini, " and "),
+    table.concat(lists.processor, " and "), #days > 1 and days[1] .. " to " .. days[#days] or days[1] or "")
+end
+
+-- ── The page ─────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+local head = [[
+# Speed against accuracy
+
+What does an accurate result cost, and which is the least model that is enough? Every chart on this page has the time
+of a run to the right and its error upwards, one curve per discretisation, one marker per mesh: what lies further down
+and left is better. The gray steps are the Pareto front: whatever lies above them is beaten by a case that is both
+faster and better. Made by `scripts/speed_against_accuracy.lua` with %s.
+
+Times are those of scene and path together, %s, and of one case at a time. At equal error two curves are compared by
+straight lines between their points in both logarithms, and never beyond their ends: not below the least error of
+either, and not above that of its fastest case, which might have been faster still.]]
+
+local summary_head = [[
+## At a glance
+
+What a label takes of another one's time at the same error: at the least, the (geometrically) middle and the largest
+one that both reach.]]
+
+local run_head = [[
+## Run it
+
+    build/signorini scripts/speed_against_accuracy.lua page=share/doc
+
+makes this page anew. Cases that are done are kept in the folder `out`: a run that was stopped goes on where it was,
+and one that is complete draws and writes only. Times mean something on a machine that does nothing else.
+`problems=hertz labels=N2,N2-N2.3 meshes=m1,m2` looks at a part; any label will do.]]
+
+--- Between which shares of another one's time a label takes, over all problems.
+local function summary_words(results)
+  local lines = {}
+  local function place(one) return ("%.2f (%s, %s)"):format(one.share, one.problem, one.error) end
+  for _, pair in ipairs(shares.pairs) do
+    local list = shares.over_all(results, pair[1], pair[2])
+    local from, to = list[1], list[#list]
+    if from then
+      lines[#lines + 1] = ("In the middle %s takes %s of the time of %s."):format(pair[1],
+        #list > 1 and ("between %s and %s"):format(place(from), place(to)) or place(from), pair[2])
+    end
+  end
+  return #lines > 0 and table.concat(lines, " ") or "No two labels of these reach a common error."
+end
+
+--- The text of the page; `folder` is that of its charts, seen from it.
+function page.text(results, options, folder)
+  local clock = options.time == "cpu" and "in seconds of processor time" or "by the wall clock"
+  local parts = { head:format(origin(results), clock), summary_head, write_table(tables.summary(results)),
+                  summary_words(results) }
+  for _, result in ipairs(results) do
+    local problem = result.measured.problem
+    parts[#parts + 1] = ("## %s\n\n[The problem](%s). %s"):format(problem.title, problem.page, result.blocks[1].text)
+    for i = 2, #result.blocks do parts[#parts + 1] = write_block(result.blocks[i], folder) end
+  end
+  parts[#parts + 1] = run_head
+  return table.concat(parts, "\n\n") .. "\n"
+end
+
+--- Writes the page, whole or not at all.
+function page.write(file, results, options, folder) core.write_file(file, page.text(results, options, folder)) end
+
+return page

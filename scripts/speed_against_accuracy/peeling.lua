@@ -1,0 +1,33 @@
+-- Peeling of an adhesive strip: the amplitude of the moment in 120° to 140° (peeling2d/measure.lua). Runs end there,
+-- ten degrees before those of peeling2d.lua.
+
+local measure = require "peeling2d.measure"
+local problem = require "peeling2d.problem"
+local timed = require "speed_against_accuracy.timed"
+
+local window = { 120, 140 }
+
+return {
+  name = "peeling", title = "Peeling", page = "problems/peeling2d.md",
+  about = [[
+A strip that sticks to a flat substrate is peeled off by turning its end, to 140° in 1400 steps, by arc length where
+rotation alone would stop. The true moment is constant from 120° to 140°; what it oscillates by is error.]],
+  labels = { "N2", "N4", "N2-N4", "N2-N2.1", "N2-N2.2", "N2-N2.2x2" },
+  meshes = { "m0", "m1", "m2" }, rounds = 1,
+  errors = { { name = "dM", title = "amplitude of the moment", unit = "E0 L0³",
+               of = function(row) return measure.window(row, window).amplitude end } },
+  savings = {},
+
+  run = function(case)
+    local solved, spent = timed(function()
+      return problem.solve(case.order, case.mesh, {
+        length = problem.length, bonded = problem.bonded, steps = math.floor(window[2] / problem.pitch + 0.5),
+        control = "arc", iterations = 30,
+      })
+    end)
+    local last = solved.arc or solved.rotation
+    return { wall = spent.wall, cpu = spent.cpu, iterations = solved.iterations, dofs = solved.dofs,
+             step = solved.step, angle = solved.angle, moment = solved.moment,
+             failed = last.failed, reason = last.failed and last.report or nil }
+  end,
+}

@@ -1,0 +1,70 @@
+-- What one label takes of another one's time at equal error, and which of a study's cases are enough.
+
+local sg = require "signorini"
+
+local shares = {}
+
+--- Label and another one, which it is held against: where N2-N2.2 stands, and what a second row of it brings.
+shares.pairs = { { "N2-N2.2", "N2" }, { "N2-N2.2", "N4" }, { "N2-N2.2x2", "N2-N2.2" } }
+
+--- { at (errors), share (of the other one's time, at each of them) }, or { why } where both reach no common error; of
+--- a comparison by sg.work_precision. nil when one of the two was not run.
+function shares.of(comparison, label, other)
+  for _, ratio in ipairs(comparison.ratios) do
+    local turned = ratio.a == other and ratio.b == label
+    if turned or ratio.a == label and ratio.b == other then
+      if ratio.why then return { why = ratio.why } end
+      local found = { at = ratio.at, share = {} }
+      for i, value in ipairs(ratio.ratio) do found.share[i] = turned and 1 / value or value end
+      return found
+    end
+  end
+end
+
+--- The shares of a pair of labels in the middle of the common errors, over all problems' results, from the least to the
+--- most: a list of { share, problem (its title), error (its title) }.
+function shares.over_all(results, label, other)
+  local list = {}
+  for _, result in ipairs(results) do
+    local problem = result.measured.problem
+    for _, error in ipairs(problem.errors) do
+      local comparison = result.comparisons[error.name]
+      local found = comparison and shares.of(comparison, label, other)
+      if found and found.share then
+        list[#list + 1] = { share = found.share[(#found.share + 1) // 2], problem = problem.title, error = error.title }
+      end
+    end
+  end
+  table.sort(list, function(a, b) return a.share < b.share end)
+  return list
+end
+
+--- For N2 on every mesh, what is as accurate and takes least time: a list of { plain, best }, rows of the study.
+function shares.least(cases, error, time)
+  local list = {}
+  for _, row in ipairs(cases:where{ order = "N2" }.rows) do
+    if row[error] then
+      local best = sg.cheapest(cases, { error = error, at_most = math.abs(row[error]), cost = time })
+      list[#list + 1] = { plain = row, best = best }
+    end
+  end
+  return list
+end
+
+--- The pairs whose saving is printed and of which both were run: { row, other, saved, printed (both in %) }.
+function shares.published(cases, savings, time)
+  local function row_of(order, mesh)
+    local row = cases:where{ order = order, mesh = mesh }.rows[1]
+    return row and not row.failed and row[time] and row or nil
+  end
+  local list = {}
+  for _, pair in ipairs(savings) do
+    local row, other = row_of(pair[1], pair[2]), row_of(pair[3], pair[4])
+    if row and other then
+      list[#list + 1] = { row = row, other = other, saved = 100 * (1 - row[time] / other[time]), printed = pair[5] }
+    end
+  end
+  return list
+end
+
+return shares
