@@ -109,13 +109,13 @@ and one that is complete draws and writes only. Times mean something on a machin
 --- Between which shares of another one's time a label takes, over all problems.
 local function summary_words(results)
   local lines = {}
-  local function place(one) return ("%.2f (%s, %s)"):format(one.share, one.problem, one.error) end
+  local function place(one) return ("%.2f (%s: %s)"):format(one.share, one.problem, one.error) end
   for _, pair in ipairs(shares.pairs) do
     local list = shares.over_all(results, pair[1], pair[2])
     local from, to = list[1], list[#list]
     if from then
-      lines[#lines + 1] = ("In the middle %s takes %s of the time of %s."):format(pair[1],
-        #list > 1 and ("between %s and %s"):format(place(from), place(to)) or place(from), pair[2])
+      lines[#lines + 1] = ("In the middle of the common errors %s takes %s of the time of %s."):format(pair[1],
+        #list > 1 and ("from %s to %s"):format(place(from), place(to)) or place(from), pair[2])
     end
   end
   return #lines > 0 and table.concat(lines, " ") or "No two labels of these reach a common error."

@@ -15,9 +15,26 @@ local function series(texts)
   return #texts > 1 and ("%s and %s"):format(first, texts[#texts]) or texts[1]
 end
 
+--- The least and the largest error of a label.
+local function extremes(comparison, label)
+  local least, largest = math.huge, 0
+  for _, curve in ipairs(comparison.curves) do
+    for _, point in ipairs(curve.name == label and curve.points or {}) do
+      least, largest = math.min(least, point.error), math.max(largest, point.error)
+    end
+  end
+  return least, largest
+end
+
 --- Where a label stands against another one.
-local function standing(error, label, other, found)
+local function standing(comparison, error, label, other, found)
   if found.why then
+    local _, worst = extremes(comparison, label)
+    local best = extremes(comparison, other)
+    if worst < best then
+      return ("On all of its meshes %s has less %s than %s on any (at most %s, at least %s)."):format(label, error.title,
+        other, amount(worst, error.unit), amount(best, error.unit))
+    end
     return ("%s and %s reach no %s that both have (%s)."):format(label, other, error.title, found.why)
   end
   local parts, at = {}, {}
@@ -50,7 +67,7 @@ local function words(comparison, error)
   local lines = {}
   for _, pair in ipairs(shares.pairs) do
     local found = shares.of(comparison, pair[1], pair[2])
-    if found then lines[#lines + 1] = standing(error, pair[1], pair[2], found) end
+    if found then lines[#lines + 1] = standing(comparison, error, pair[1], pair[2], found) end
   end
   lines[#lines + 1] = front(comparison, error)
   lines[#lines + 1] = left_out(comparison)

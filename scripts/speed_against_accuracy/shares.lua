@@ -4,8 +4,8 @@ local sg = require "signorini"
 
 local shares = {}
 
---- Label and another one, which it is held against: where N2-N2.2 stands, and what a second row of it brings.
-shares.pairs = { { "N2-N2.2", "N2" }, { "N2-N2.2", "N4" }, { "N2-N2.2x2", "N2-N2.2" } }
+--- Label and another one, which it is held against: where the layers stand, and what a second row brings.
+shares.pairs = { { "N2-N2.1", "N2" }, { "N2-N2.2", "N2" }, { "N2-N2.2", "N4" }, { "N2-N2.2x2", "N2-N2.2" } }
 
 --- { at (errors), share (of the other one's time, at each of them) }, or { why } where both reach no common error; of
 --- a comparison by sg.work_precision. nil when one of the two was not run.

@@ -111,7 +111,7 @@ function tables.summary(results)
   local to = new()
   add_column(to, "problem")
   add_column(to, "at equal")
-  for _, pair in ipairs(shares.pairs) do add_column(to, pair[1], "of " .. pair[2]) end
+  for _, pair in ipairs(shares.pairs) do add_column(to, ("%s of %s"):format(pair[1], pair[2])) end
   for _, result in ipairs(results) do
     for _, error in ipairs(result.measured.problem.errors) do
       local cells = { result.measured.problem.title, error.title }
