@@ -16,11 +16,11 @@
 --         Contact Problems, PhD thesis, IIT Guwahati, 2020, sections 7.1 to 7.5; printed savings from section 7.1.3,
 --         section 7.2 and Table 7.6.
 -- Units: times in s; errors in N/mm (ironing), 1 (Hertz), N/m²·√m (rings), E0 L0³ (peeling); 3D: any consistent ones.
--- Expected: at equal error, in the middle of what both reach, N2-N2.2 takes about a twentieth of N2's time in ironing, a
---           fifth in peeling, half in Hertz, three quarters in the rings; of N4's about a tenth, an eighth, a quarter and
---           a third; in 3D its sparse mesh is better than the middle mesh of N2. The thesis prints 56.62 and 72.78 % less
---           time for ironing (N2-N2.2 at m1, m2 beside N2 at m3, m4), here over 90; 42.48 and 43.74 % for Hertz (at m3,
---           m4 beside N2 at m4, m5), here about 50. About 20 minutes on one processor.
+-- Expected: at equal error, in the middle of what both reach, N2-N2.2 takes about a twentieth of N2's time in ironing,
+--           a fifth in peeling, half in Hertz, three quarters in the rings; of N4's about a tenth, an eighth, a quarter
+--           and a third; in 3D its sparse mesh is better than the middle mesh of N2. The thesis prints 56.62 and 72.78 %
+--           less time for ironing (N2-N2.2 at m1, m2 beside N2 at m3, m4), here over 90; 42.48 and 43.74 % for Hertz
+--           (at m3, m4 beside N2 at m4, m5), here about 50. About 20 minutes on one processor.
 -- Run: signorini scripts/speed_against_accuracy.lua [problems=ironing,hertz,rings,peeling,ironing3d] [labels=all]
 --      [meshes=all] [rounds=0] [time=wall] [out=out/speed_against_accuracy] [page=none]; labels and meshes: all that a
 --      problem has, or a list (of any labels; of meshes, those that a problem has); rounds: how often each case is run,
@@ -34,8 +34,23 @@ local report = require "speed_against_accuracy.report"
 local study = require "speed_against_accuracy.study"
 
 local names = { "ironing", "hertz", "rings", "peeling", "ironing3d" }
+local problems = {}
+for _, name in ipairs(names) do problems[name] = require("speed_against_accuracy." .. name) end
+
+--- Whether one of the problems that were asked for has a mesh.
+local function is_mesh(mesh, options)
+  for _, name in ipairs(options.problems) do
+    for _, known in ipairs(problems[name].meshes) do
+      if mesh == known then return true end
+    end
+  end
+  return mesh == "all"
+end
+
 local options = sg.arguments{
-  problems = { names, choices = names }, labels = { "all" }, meshes = { "all" }, rounds = { 0, at_least = 0 },
+  problems = { names, choices = names }, labels = { "all" },
+  meshes = { { "all" }, check = is_mesh, expected = "all, or meshes that one of the problems has" },
+  rounds = { 0, at_least = 0 },
   time = { "wall", choices = { "wall", "cpu" } }, out = "out/speed_against_accuracy", page = "none",
 }
 local files, page_name = sg.files(options.out), "speed_against_accuracy"
@@ -47,7 +62,7 @@ function paths.page(name) return ("%s/%s/%s"):format(options.page, page_name, na
 if options.page ~= "none" then sg.mkdir(("%s/%s"):format(options.page, page_name)) end
 local results = {}
 for _, name in ipairs(options.problems) do
-  local measured = study.of(require("speed_against_accuracy." .. name), options)
+  local measured = study.of(problems[name], options)
   if measured then
     local result = report.of(measured, options, paths)
     results[#results + 1], results[name] = result, result

@@ -32,8 +32,8 @@ local function standing(comparison, error, label, other, found)
     local _, worst = extremes(comparison, label)
     local best = extremes(comparison, other)
     if worst < best then
-      return ("On all of its meshes %s has less %s than %s on any (at most %s, at least %s)."):format(label, error.title,
-        other, amount(worst, error.unit), amount(best, error.unit))
+      return ("On all of its meshes %s has less %s than %s on any (at most %s, at least %s)."):format(label,
+        error.title, other, amount(worst, error.unit), amount(best, error.unit))
     end
     return ("%s and %s reach no %s that both have (%s)."):format(label, other, error.title, found.why)
   end

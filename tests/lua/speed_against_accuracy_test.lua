@@ -109,6 +109,7 @@ check.case("wrong arguments", function()
   for word, message in pairs {
     ["problems=ring"] = "problems must be among ironing, hertz, rings, peeling and ironing3d",
     ["rounds=-1"] = "rounds must be a whole number of at least 0, got '-1'",
+    ["meshes=m1,m9"] = "meshes must be all, or meshes that one of the problems has, got 'm9' in 'm1,m9'",
     ["clock=cpu"] = "unknown argument 'clock=cpu'",
   } do
     local output, status = check.program { "-q", core.home .. "/scripts/speed_against_accuracy.lua",
