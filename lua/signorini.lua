@@ -19,6 +19,8 @@ sg.recommend = require "signorini.recommend"
 sg.stability_map = require "signorini.stability_map"
 sg.work_precision = require "signorini.work_precision"
 sg.cheapest = require "signorini.cheapest"
+local pvd = require "signorini.pvd"
+sg.pvd = pvd.new
 local profile = require "signorini.profile"
 sg.profile_error, sg.profile_edges = profile.error, profile.edges
 core.types.model.run = require "signorini.run"
@@ -37,6 +39,16 @@ Example: sg.csv.write("a.csv", { columns = {"step", "fx"}, rows = {{1, 0.2}, {2,
 document("sg.csv.read", sg.csv.read, [[
 sg.csv.read(file)
 Reads a table: { columns = {…}, rows = {{…}, …}, comments = {…} }; lines that begin with # are comments.]])
+document("sg.pvd", sg.pvd, [[
+sg.pvd(file)
+Begins a time series for ParaView: a .pvd file that lists the .vtu files of states, which stand beside it as
+<name>_0001.vtu and so on. series:add{ model = model, time = 3 } adds the present state. A file of this name that was
+there begins anew; it can be opened while the run goes on.
+Example: local series = sg.pvd "ironing.pvd"
+         model:run(stages, { on_step = function(info) series:add{ model = model, time = info.step } end })]])
+document("series:add", pvd.methods.add, [[
+series:add{ model, time, deformed = true }
+Writes the model's present state as sg.vtu does and adds it to a series made by sg.pvd; times must grow.]])
 document("sg.table", sg.table, [[
 sg.table{ columns = {…}, rows = {{…}, …}, units = {…}, formats = {…} }
 The text of an aligned table, numbers to the right; formats are patterns of string.format by position or column name.]])

@@ -74,6 +74,7 @@ void open_library(lua_State* L, const Settings& settings) {
   open_chart(L);
   open_heatmap(L);
   open_picture(L);
+  open_vtu(L);
 
   push_table(L, "core");
   push_table(L, "sg");

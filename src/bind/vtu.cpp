@@ -1,0 +1,109 @@
+// sg.vtu: a model's present state for ParaView, as exact rational Bézier cells.
+
+#include "view/vtu.hpp"
+#include "base/whole_file.hpp"
+#include "bind/functions.hpp"
+#include "bind/open.hpp"
+#include "bind/scene.hpp"
+#include "model/bezier_cells.hpp"
+#include "view/output.hpp"
+
+#include <limits>
+
+namespace signorini::bind {
+
+namespace {
+
+const std::vector<std::string>& component_names(const std::string& field) {
+  static const std::vector<std::string> none, stress = {"XX", "YY", "ZZ", "XY", "YZ", "XZ"},
+                                              gradient = {"11", "12", "13", "21", "22", "23", "31", "32", "33"};
+  return field == "stress" ? stress : field == "F" ? gradient : none;
+}
+
+/// Puts cells at the end of a grid; where they lack one of its fields it is not a number.
+void append(view::BezierGrid& grid, const model::BezierCells& cells, int body, int contact) {
+  const Eigen::Index before = grid.points.cols(), added = cells.points.cols(), all = before + added;
+  grid.degrees.insert(grid.degrees.end(), cells.degrees.begin(), cells.degrees.end());
+  grid.points.conservativeResize(3, all);
+  grid.points.rightCols(added) = cells.points;
+  grid.weights.conservativeResize(all);
+  grid.weights.tail(added) = cells.weights;
+  for (view::PointArray& array : grid.point_arrays) {
+    const Eigen::Index rows = array.values.rows();
+    array.values.conservativeResize(rows, all);
+    array.values.rightCols(added).setConstant(std::numeric_limits<double>::quiet_NaN());
+    for (const model::CellField& field : cells.fields)
+      if (field.name == array.name) array.values.rightCols(added) = field.values;
+  }
+  const std::vector<int> values = {body, contact};
+  for (std::size_t i = 0; i < values.size(); ++i)
+    grid.cell_arrays[i].values.insert(grid.cell_arrays[i].values.end(), cells.degrees.size(), values[i]);
+}
+
+template <class Items> std::vector<std::string> names_of(const Items& items) {
+  std::vector<std::string> names;
+  for (const auto& item : items) names.push_back(item.name);
+  return names;
+}
+
+/// All bodies, then the slave faces of all contacts.
+template <int D> view::BezierGrid grid_of(const model::Model<D>& model, bool deformed) {
+  const model::Scene<D>& scene = model.scene();
+  std::vector<model::BezierCells> bodies;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+    bodies.push_back(model::bezier_cells(model, static_cast<int>(b), deformed));
+  view::BezierGrid grid;
+  grid.points.resize(3, 0);
+  for (const model::CellField& field : bodies.front().fields)
+    grid.point_arrays.push_back({field.name, MatrixX(field.values.rows(), 0), component_names(field.name)});
+  if (!scene.contacts.empty()) grid.point_arrays.push_back({"contact_pressure", MatrixX(1, 0)});
+  grid.cell_arrays = {{"body", {}}, {"contact", {}}};
+  grid.names = {{"body_names", names_of(scene.bodies)}, {"contact_names", names_of(scene.contacts)}};
+  for (std::size_t b = 0; b < bodies.size(); ++b) append(grid, bodies[b], static_cast<int>(b) + 1, 0);
+  for (std::size_t c = 0; c < scene.contacts.size(); ++c) {
+    const int contact = static_cast<int>(c), body = scene.contacts[c].slave.body;
+    append(grid, model::contact_cells(model, contact, bodies[static_cast<std::size_t>(body)]), body + 1, contact + 1);
+  }
+  return grid;
+}
+
+int vtu(lua_State* L) {
+  const Options o(L, 1, {"model", "file", "deformed"});
+  const int value = o.push_value("model");
+  const Model<3>* solid = test_object<Model<3>>(L, value);
+  const Model<2>* plane = solid ? nullptr : &o.object<Model<2>>("model", "made by sg.model");
+  const std::string file = o.string("file", "a name that ends with .vtu");
+  if (view::file_ending(file) != ".vtu")
+    reject(L, o.push_value("file"), o.argument("file", ""), "a name that ends with .vtu");
+  const bool deformed = o.flag("deformed", "the present shape, not the reference", true);
+  write_whole(file, view::vtu(solid ? grid_of(**solid, deformed) : grid_of(**plane, deformed)));
+  return 0;
+}
+
+constexpr Function rows[] = {
+    {"vtu", wrap<vtu>,
+     "sg.vtu{ model, file, deformed = true }\n"
+     "Writes the model's present state to a .vtu file for ParaView: every element is a rational Bezier cell of its "
+     "own\n"
+     "degrees, so shape and displacement are exact, also where rows of different degrees meet. deformed = false gives\n"
+     "the reference shape; ParaView's Warp By Vector then leads to the present one.\n"
+     "At points: displacement; stress (Cauchy: XX YY ZZ XY YZ XZ), von_mises, pressure (-tr sigma/3) and F (11 12 … "
+     "33),\n"
+     "exact at the p + 1 Gauss points per direction of each element and not smoothed between elements.\n"
+     "Behind the bodies stand the slave faces of the contacts, cells of one dimension less, with the same fields and\n"
+     "contact_pressure (nan in bodies): least squares at the contact points of each element, so that it may swing "
+     "below\n"
+     "zero where contact ends; model:profile has the values themselves.\n"
+     "Cells have the numbers body and contact (0 for elements of bodies); body_names, contact_names say which is "
+     "which.\n"
+     "VTK 9.1, ParaView 5.10 or newer. A plane model lies in z = 0; of an axisymmetric one ZZ is the hoop direction.\n"
+     "Example: sg.vtu{ model = model, file = \"state.vtu\" }"},
+};
+
+} // namespace
+
+void open_vtu(lua_State* L) {
+  register_functions(L, "sg", rows);
+}
+
+} // namespace signorini::bind

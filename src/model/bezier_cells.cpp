@@ -1,0 +1,235 @@
+#include "model/bezier_cells.hpp"
+
+#include "model/sample.hpp"
+#include "nurbs/bezier.hpp"
+#include "nurbs/bezier_element.hpp"
+#include "solid/quadrature.hpp"
+
+#include <numeric>
+
+namespace signorini::model {
+
+namespace {
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// Bernstein coefficients of degree `degree` of the polynomial that is nearest to values at places in [0, 1]; it passes
+/// through them where they are no more than degree+1.
+MatrixX fit(int degree, const std::vector<double>& places) {
+  const int n = static_cast<int>(places.size()), own = std::min(degree, n - 1);
+  MatrixX values(n, own + 1);
+  for (int i = 0; i < n; ++i) {
+    VectorX bernstein(own + 1);
+    nurbs::bernstein(own, places[at(i)], 1, 0, bernstein.data());
+    values.row(i) = bernstein;
+  }
+  return nurbs::bernstein_elevation(own, degree).transpose() * values.completeOrthogonalDecomposition().pseudoInverse();
+}
+
+/// The tensor product of matrices, the first one's indices running fastest.
+MatrixX tensor_product(const std::vector<MatrixX>& factors) {
+  MatrixX result = MatrixX::Ones(1, 1);
+  for (const MatrixX& factor : factors) {
+    MatrixX next(result.rows() * factor.rows(), result.cols() * factor.cols());
+    for (Eigen::Index i = 0; i < factor.rows(); ++i)
+      for (Eigen::Index j = 0; j < factor.cols(); ++j)
+        next.block(i * result.rows(), j * result.cols(), result.rows(), result.cols()) = factor(i, j) * result;
+    result = std::move(next);
+  }
+  return result;
+}
+
+/// What projects values at a lattice of places onto a cell: Bernstein coefficients from values, and Bernstein
+/// polynomials at the places.
+struct Projector {
+  MatrixX fit, values;
+
+  Projector(const std::vector<int>& degrees, const std::vector<std::vector<double>>& places) {
+    std::vector<MatrixX> fits, all;
+    for (std::size_t d = 0; d < degrees.size(); ++d) {
+      fits.push_back(model::fit(degrees[d], places[d]));
+      MatrixX one(static_cast<Eigen::Index>(places[d].size()), degrees[d] + 1);
+      for (std::size_t i = 0; i < places[d].size(); ++i) {
+        VectorX bernstein(degrees[d] + 1);
+        nurbs::bernstein(degrees[d], places[d][i], 1, 0, bernstein.data());
+        one.row(static_cast<Eigen::Index>(i)) = bernstein;
+      }
+      all.push_back(std::move(one));
+    }
+    fit = tensor_product(fits);
+    values = tensor_product(all);
+  }
+
+  /// c_k of a rational field with the given values (components × places): W f = Σ_k B_k (w_k c_k).
+  MatrixX operator()(const MatrixX& field, const VectorX& weights) const {
+    const VectorX denominator = values * weights;
+    return (fit * (field * denominator.asDiagonal()).transpose()).transpose() * weights.cwiseInverse().asDiagonal();
+  }
+};
+
+/// A field of the cells and the scalar fields that are its components; null is 0.
+template <int D> struct Composition {
+  const char* name;
+  std::vector<const Field<D>*> components;
+};
+
+template <int D> const std::vector<Composition<D>>& compositions() {
+  static const std::vector<Composition<D>> all = [] {
+    const auto plane = [](const char* name) { return &find_field<D>(name); };
+    const auto third = [](const char* name) { return D == 3 ? &find_field<D>(name) : nullptr; };
+    return std::vector<Composition<D>>{
+        {"stress", {plane("sxx"), plane("syy"), plane("szz"), plane("sxy"), third("syz"), third("sxz")}},
+        {"von_mises", {plane("von_mises")}},
+        {"pressure", {plane("pressure")}},
+        {"F",
+         {plane("F11"), plane("F12"), third("F13"), plane("F21"), plane("F22"), third("F23"), third("F31"),
+          third("F32"), third("F33")}}};
+  }();
+  return all;
+}
+
+/// All components of all compositions at a point, one below the other.
+template <int D> VectorX composed(const solid::Material& material, const FieldPoint<D>& point) {
+  std::vector<double> values;
+  for (const Composition<D>& composition : compositions<D>())
+    for (const Field<D>* field : composition.components) values.push_back(field ? field->value(material, point) : 0.0);
+  if constexpr (D == 2) values.back() = point.hoop; // F₃₃
+  return Eigen::Map<const VectorX>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+int points_of(const std::vector<int>& degrees) {
+  return std::accumulate(degrees.begin(), degrees.end(), 1, [](int product, int p) { return product * (p + 1); });
+}
+
+/// The body's element behind element f of a side; these are counted with the first of their directions fastest.
+int element_behind(const nurbs::Discretisation& space, nurbs::Side side, int f) {
+  int e = 0, stride = 1;
+  for (int d = 0; d < space.parametric_dimension(); ++d) {
+    int index = side.at_end ? space.elements(d) - 1 : 0;
+    if (d != side.direction) {
+      index = f % space.elements(d);
+      f /= space.elements(d);
+    }
+    e += index * stride;
+    stride *= space.elements(d);
+  }
+  return e;
+}
+
+/// Where a cell's points on a side stand among all its points.
+std::vector<int> points_on(nurbs::Side side, const std::vector<int>& degrees) {
+  int stride = 1;
+  for (int d = 0; d < side.direction; ++d) stride *= degrees[at(d)] + 1;
+  const int count = degrees[at(side.direction)] + 1, wanted = side.at_end ? count - 1 : 0;
+  std::vector<int> result;
+  for (int point = 0; point < points_of(degrees); ++point)
+    if (point / stride % count == wanted) result.push_back(point);
+  return result;
+}
+
+/// The pressures at the contact points of each slave element, one column per element; 0 at those that a region leaves
+/// out.
+template <int D> MatrixX pressures_of(const Model<D>& model, int contact) {
+  const contact::Pair<D>& pair = model.pairs()[at(contact)];
+  const int points = model.scene().contacts[at(contact)].points;
+  MatrixX result = MatrixX::Zero(D == 3 ? points * points : points, pair.slave().elements());
+  for (std::size_t i = 0; i < pair.results().size(); ++i) {
+    const auto [element, number] = pair.place(i);
+    result(number, element) = pair.results()[i].pressure;
+  }
+  return result;
+}
+
+} // namespace
+
+template <int D> BezierCells bezier_cells(const Model<D>& model, int body, bool deformed) {
+  const solid::Body<D>& solid = *model.scene().bodies[at(body)].body;
+  const nurbs::Discretisation& space = solid.space();
+  const MatrixX weighted = model.body_displacement(body) * space.homogeneous().row(D).asDiagonal();
+  BezierCells cells;
+  std::vector<nurbs::BezierElement> elements;
+  int count = 0, components = 0;
+  for (int e = 0; e < space.elements(); ++e) {
+    elements.push_back(nurbs::bezier_element(space, e));
+    cells.degrees.push_back(elements.back().degrees);
+    count += points_of(cells.degrees.back());
+  }
+  for (const Composition<D>& composition : compositions<D>())
+    components += static_cast<int>(composition.components.size());
+  cells.points.setZero(3, count);
+  cells.weights.resize(count);
+  MatrixX displacement = MatrixX::Zero(3, count), all(components, count);
+  for (int e = 0, first = 0; e < space.elements(); ++e) {
+    const nurbs::BezierElement& element = elements[at(e)];
+    const int size = points_of(element.degrees);
+    const MatrixX homogeneous = space.homogeneous()(Eigen::all, element.functions) * element.extraction;
+    const VectorX weights = homogeneous.row(D).transpose();
+    const auto divided = weights.cwiseInverse().asDiagonal();
+    displacement.block(0, first, D, size) = weighted(Eigen::all, element.functions) * element.extraction * divided;
+    cells.points.block(0, first, D, size) = homogeneous.topRows(D) * divided;
+    cells.weights.segment(first, size) = weights;
+
+    std::vector<std::vector<double>> places;
+    for (int p : element.degrees) places.push_back(solid::gauss_legendre(p + 1, 0, 1).points);
+    MatrixX values(components, size);
+    for (int g = 0; g < size; ++g) {
+      VectorX xi(D);
+      for (int d = 0, rest = g; d < D; ++d) {
+        const auto [from, to] = space.interval(e, d);
+        xi(d) = from + (to - from) * places[at(d)][at(rest % (element.degrees[at(d)] + 1))];
+        rest /= element.degrees[at(d)] + 1;
+      }
+      values.col(g) = composed<D>(solid.material(), body_point(model, body, e, xi).state);
+    }
+    all.middleCols(first, size) = Projector(element.degrees, places)(values, weights);
+    first += size;
+  }
+  if (deformed) cells.points += displacement;
+  cells.fields.push_back({"displacement", std::move(displacement)});
+  int row = 0;
+  for (const Composition<D>& composition : compositions<D>()) {
+    const auto rows = static_cast<int>(composition.components.size());
+    cells.fields.push_back({composition.name, all.middleRows(row, rows)});
+    row += rows;
+  }
+  return cells;
+}
+
+template <int D> BezierCells contact_cells(const Model<D>& model, int contact, const BezierCells& cells) {
+  const Contact<D>& definition = model.scene().contacts[at(contact)];
+  const nurbs::Side side = definition.slave.side;
+  const nurbs::Discretisation& space = model.scene().bodies[at(definition.slave.body)].body->space();
+  std::vector<int> first_point = {0};
+  for (const std::vector<int>& degrees : cells.degrees) first_point.push_back(first_point.back() + points_of(degrees));
+
+  const std::vector<std::vector<double>> places(D - 1, solid::gauss_legendre(definition.points, 0, 1).points);
+  const MatrixX pressures = pressures_of(model, contact);
+  BezierCells result;
+  std::vector<int> chosen;        // among the points of the body's cells
+  std::vector<double> on_contact; // pressures there
+  for (int f = 0; f < pressures.cols(); ++f) {
+    const int e = element_behind(space, side, f);
+    std::vector<int> degrees = cells.degrees[at(e)], own = points_on(side, degrees);
+    for (int& point : own) point += first_point[at(e)];
+    degrees.erase(degrees.begin() + side.direction);
+    const MatrixX fitted = Projector(degrees, places)(pressures.col(f).transpose(), cells.weights(own));
+    on_contact.insert(on_contact.end(), fitted.data(), fitted.data() + fitted.size());
+    chosen.insert(chosen.end(), own.begin(), own.end());
+    result.degrees.push_back(std::move(degrees));
+  }
+  result.points = cells.points(Eigen::all, chosen);
+  result.weights = cells.weights(chosen);
+  for (const CellField& field : cells.fields) result.fields.push_back({field.name, field.values(Eigen::all, chosen)});
+  const auto count = static_cast<Eigen::Index>(chosen.size());
+  result.fields.push_back({"contact_pressure", Eigen::Map<const MatrixX>(on_contact.data(), 1, count)});
+  return result;
+}
+
+template BezierCells bezier_cells<2>(const Model<2>&, int, bool);
+template BezierCells bezier_cells<3>(const Model<3>&, int, bool);
+template BezierCells contact_cells<2>(const Model<2>&, int, const BezierCells&);
+template BezierCells contact_cells<3>(const Model<3>&, int, const BezierCells&);
+
+} // namespace signorini::model
