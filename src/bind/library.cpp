@@ -64,6 +64,7 @@ void open_library(lua_State* L, const Settings& settings) {
   open_json(L);
   open_patch(L);
   open_curves(L);
+  open_exchange(L);
   open_shapes(L);
   open_material(L);
   open_body(L);

@@ -7,6 +7,7 @@ namespace signorini::bind {
 
 void open_core(lua_State* L);       ///< core.*: what the library in lua/ needs from C++
 void open_curves(lua_State* L);     ///< sg.nurbs.*
+void open_exchange(lua_State* L);   ///< sg.nurbs.read, sg.nurbs.write
 void open_shapes(lua_State* L);     ///< sg.shapes.*
 void open_patch(lua_State* L);      ///< the patch type and its methods
 void open_material(lua_State* L);   ///< sg.neo_hookean, sg.linear_elastic

@@ -221,7 +221,8 @@ constexpr Function rows[] = {
      "patch\n"
      "A NURBS curve, surface or volume: an immutable value. Methods that change something return a new patch.\n"
      "Make one with sg.nurbs.* or sg.shapes.*; methods: p(xi), evaluate, derivatives, basis, insert, elevate, refine,\n"
-     "face, degrees, elements, knots, points, weights, translate, rotate, scale. help \"patch:refine\" tells more."},
+     "face, degrees, elements, knots, points, weights, translate, rotate, scale, write. help \"patch:refine\" tells "
+     "more."},
     {"__tostring", wrap<tostring>, "tostring(p)\nThe kind, degrees, elements and number of control points in words."},
     {"evaluate", wrap<call>, call_doc},
     {"derivatives", wrap<derivatives>,
@@ -263,6 +264,9 @@ constexpr Function rows[] = {
     {"scale", wrap<scale>,
      "p:scale{ factor, centre = {0, 0} }\n"
      "A new patch scaled about a centre, by one factor or by a list of one factor per coordinate."},
+    {"write", wrap<write_patch>,
+     "p:write(file, form)\n"
+     "Writes the patch to a file of its own for other programs, as sg.nurbs.write does."},
 };
 
 } // namespace

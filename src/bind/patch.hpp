@@ -21,4 +21,7 @@ std::vector<std::optional<nurbs::Grading>> read_gradings(lua_State* L, int index
 std::vector<int> read_per_direction(lua_State* L, int index, const Argument& argument, int directions, int low,
                                     int high);
 
+/// patch:write(file, form).
+int write_patch(lua_State* L);
+
 } // namespace signorini::bind

@@ -1,0 +1,70 @@
+#include "nurbs/exchange.hpp"
+
+#include "base/whole_file.hpp"
+#include "nurbs/exchange_text.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+namespace signorini::nurbs {
+
+namespace {
+
+struct Form {
+  std::string name, ending;
+  std::vector<Patch> (*read)(const std::string& file, const std::string& text);
+  std::string (*write)(const std::vector<Patch>& patches);
+};
+
+const std::vector<Form> forms = {{"gismo", ".xml", read_gismo, gismo},
+                                 {"geopdes", ".txt", read_geopdes, geopdes},
+                                 {"mfem", ".mesh", read_mfem, mfem}};
+
+/// The form of a text by how it begins.
+const Form& form_of(const std::string& file, const std::string& text) {
+  std::size_t begin = text.starts_with("\xEF\xBB\xBF") ? 3 : 0; // byte-order mark
+  while (begin < text.size() && std::isspace(static_cast<unsigned char>(text[begin]))) ++begin;
+  const std::string_view start = std::string_view(text).substr(begin);
+  require(!start.empty(), file, ": the file is empty");
+  if (start.front() == '<') return forms[0];
+  if (start.starts_with("MFEM")) return forms[2];
+  require(
+      start.front() == '#' || std::isdigit(static_cast<unsigned char>(start.front())), file,
+      ":1: this is no file of patches: G+Smo's XML begins with '<', GeoPDEs' text with '#' or a number, MFEM's mesh "
+      "with 'MFEM NURBS mesh v1.0'");
+  return forms[1];
+}
+
+} // namespace
+
+const std::vector<std::string>& exchange_forms() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (const Form& form : forms) all.push_back(form.name);
+    return all;
+  }();
+  return names;
+}
+
+std::string exchange_form_of(const std::string& file) {
+  std::string ending = std::filesystem::path(file).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  for (const Form& form : forms)
+    if (form.ending == ending) return form.name;
+  return "";
+}
+
+std::vector<Patch> read_patches(const std::string& file) {
+  const std::string text = read_whole(file);
+  return form_of(file, text).read(file, text);
+}
+
+void write_patches(const std::string& file, const std::vector<Patch>& patches, const std::string& form) {
+  require(!patches.empty(), "patches: there is none to be written");
+  for (const Form& one : forms)
+    if (one.name == form) return write_whole(file, one.write(patches));
+  fail("form: '", form, "' is none of gismo, geopdes, mfem");
+}
+
+} // namespace signorini::nurbs

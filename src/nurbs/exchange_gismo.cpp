@@ -1,0 +1,176 @@
+// G+Smo's XML: elements <Geometry> with a tensor basis of knot vectors, weights in the basis, and control points that
+// are not multiplied by their weights, ξ¹ fastest.
+#include "nurbs/exchange_text.hpp"
+
+#include <algorithm>
+#include <pugixml.hpp>
+
+namespace signorini::nurbs {
+
+namespace {
+
+/// A file's text and where things stand in it.
+struct Document {
+  const std::string& file;
+  const std::string& text;
+
+  int line(std::ptrdiff_t offset) const {
+    return 1 + static_cast<int>(std::count(text.begin(), text.begin() + std::max<std::ptrdiff_t>(0, offset), '\n'));
+  }
+  template <class... Parts> [[noreturn]] void wrong(const pugi::xml_node& node, const Parts&... parts) const {
+    fail(file, ":", line(node.offset_debug()), ": ", parts...);
+  }
+  pugi::xml_node child(const pugi::xml_node& parent, const char* name) const {
+    const pugi::xml_node result = parent.child(name);
+    if (!result) wrong(parent, "<", parent.name(), "> has no <", name, ">");
+    return result;
+  }
+  /// Reads what stands in an element.
+  TextReader inside(const pugi::xml_node& node) const {
+    const std::string_view form = node.attribute("format").as_string("ASCII");
+    if (form != "ASCII" && form != "ascii")
+      wrong(node, "<", node.name(), "> is in the format '", form, "'; only ASCII can be read");
+    const pugi::xml_node content = node.first_child();
+    return {file, content.value(), line(content.offset_debug()), false};
+  }
+};
+
+int whole_number(const Document& document, const pugi::xml_node& node, const char* attribute, int low, int high) {
+  const std::string text = node.attribute(attribute).value();
+  return TextReader(document.file, text, document.line(node.offset_debug()))
+      .integer(signorini::text("the attribute ", attribute, " of <", node.name(), ">").c_str(), low, high);
+}
+
+KnotVector read_direction(const Document& document, const pugi::xml_node& basis) {
+  const std::string type = basis.attribute("type").value();
+  if (type != "BSplineBasis") document.wrong(basis, "expected a basis of the type BSplineBasis, got '", type, "'");
+  const pugi::xml_node node = document.child(basis, "KnotVector");
+  const int degree = whole_number(document, node, "degree", 1, max_degree);
+  TextReader from = document.inside(node);
+  std::vector<double> knots;
+  while (!from.at_end()) knots.push_back(from.number("a knot"));
+  return placed(document.file, document.line(node.offset_debug()),
+                [&] { return KnotVector(degree, std::move(knots)); });
+}
+
+/// Which patches there are, by the types of their element and of its basis.
+struct Kind {
+  const char *type, *basis;
+  int directions;
+  bool rational;
+};
+constexpr Kind kinds[] = {{"BSpline", "BSplineBasis", 1, false},
+                          {"TensorBSpline2", "TensorBSplineBasis2", 2, false},
+                          {"TensorBSpline3", "TensorBSplineBasis3", 3, false},
+                          {"Nurbs", "NurbsBasis", 1, true},
+                          {"TensorNurbs2", "TensorNurbsBasis2", 2, true},
+                          {"TensorNurbs3", "TensorNurbsBasis3", 3, true}};
+
+Patch read_patch(const Document& document, const pugi::xml_node& geometry) {
+  const std::string type = geometry.attribute("type").value();
+  const auto* kind =
+      std::find_if(std::begin(kinds), std::end(kinds), [&](const Kind& one) { return one.type == type; });
+  if (kind == std::end(kinds))
+    document.wrong(geometry, "a geometry of the type '", type,
+                   "' cannot be read; expected BSpline, TensorBSpline2, TensorBSpline3, Nurbs, TensorNurbs2 or "
+                   "TensorNurbs3");
+  pugi::xml_node basis = document.child(geometry, "Basis");
+  pugi::xml_node weights;
+  if (basis.attribute("type").value() != std::string(kind->basis))
+    document.wrong(basis, "expected a basis of the type ", kind->basis, ", got '", basis.attribute("type").value(),
+                   "'");
+  if (kind->rational) {
+    weights = document.child(basis, "weights");
+    basis = document.child(basis, "Basis");
+  }
+  std::vector<KnotVector> directions;
+  if (kind->directions == 1) {
+    directions.push_back(read_direction(document, basis));
+  } else {
+    std::vector<pugi::xml_node> nodes(basis.children("Basis").begin(), basis.children("Basis").end());
+    if (static_cast<int>(nodes.size()) != kind->directions)
+      document.wrong(basis, "expected ", kind->directions, " bases, one per direction, got ", nodes.size());
+    std::stable_sort(nodes.begin(), nodes.end(), [](const auto& a, const auto& b) {
+      return a.attribute("index").as_int() < b.attribute("index").as_int();
+    });
+    for (const pugi::xml_node& node : nodes) directions.push_back(read_direction(document, node));
+  }
+
+  int size = 1;
+  for (const KnotVector& knots : directions) size *= knots.functions();
+  const pugi::xml_node coefficients = document.child(geometry, "coefs");
+  const int dimension = whole_number(document, coefficients, "geoDim", 2, 3);
+  const auto read = [&](const pugi::xml_node& node, int rows, const char* expected) {
+    TextReader from = document.inside(node);
+    MatrixX values(rows, size);
+    for (int a = 0; a < size; ++a)
+      for (int i = 0; i < rows; ++i) {
+        if (from.at_end())
+          from.wrong("<", node.name(), "> ends after ", a * rows + i, " numbers, expected ", size * rows);
+        values(i, a) = from.number(expected);
+      }
+    if (!from.at_end()) from.wrong("<", node.name(), "> holds more than the ", size * rows, " numbers expected");
+    return values;
+  };
+  const MatrixX points = read(coefficients, dimension, "a coordinate");
+  const VectorX all = weights ? VectorX(read(weights, 1, "a weight").row(0).transpose()) : VectorX();
+  return placed(document.file, document.line(geometry.offset_debug()),
+                [&] { return make_patch(std::move(directions), points, all); });
+}
+
+std::string basis_of(const Patch& patch, const std::string& indent) {
+  std::string out;
+  const int directions = patch.parametric_dimension();
+  for (int d = 0; d < directions; ++d) {
+    const std::string own = directions > 1 ? indent + "  " : indent;
+    out += text(own, "<Basis type=\"BSplineBasis\"", directions > 1 ? text(" index=\"", d, "\"") : "", ">\n", own,
+                "  <KnotVector degree=\"", patch.direction(d).degree(), "\">");
+    for (double knot : patch.direction(d).knots()) out += digits(knot) + " ";
+    out += "</KnotVector>\n" + own + "</Basis>\n";
+  }
+  if (directions == 1) return out;
+  return text(indent, "<Basis type=\"TensorBSplineBasis", directions, "\">\n", out, indent, "</Basis>\n");
+}
+
+} // namespace
+
+std::vector<Patch> read_gismo(const std::string& file, const std::string& text) {
+  pugi::xml_document parsed;
+  const Document document{file, text};
+  const pugi::xml_parse_result result = parsed.load_buffer(text.data(), text.size());
+  require(result, file, ":", document.line(result.offset), ": this is no XML: ", result.description());
+  std::vector<Patch> patches;
+  for (const pugi::xpath_node& geometry : parsed.select_nodes("//Geometry"))
+    patches.push_back(read_patch(document, geometry.node()));
+  require(!patches.empty(), file, ": expected at least one element <Geometry>, found none");
+  return patches;
+}
+
+std::string gismo(const std::vector<Patch>& patches) {
+  std::string out = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<xml>\n", ids;
+  for (std::size_t i = 0; i < patches.size(); ++i) {
+    const Patch& patch = patches[i];
+    const int directions = patch.parametric_dimension();
+    const VectorX weights = patch.weights();
+    const bool rational = (weights.array() != 1).any();
+    const std::string name = text(directions > 1 ? "Tensor" : "", rational ? "Nurbs" : "BSpline");
+    const std::string number = directions > 1 ? text(directions) : "";
+    out += text("  <Geometry type=\"", name, number, "\" id=\"", i, "\">\n");
+    if (rational) {
+      out += text("    <Basis type=\"", name, "Basis", number, "\">\n", basis_of(patch, "      "), "      <weights>\n");
+      for (double weight : weights) out += digits(weight) + "\n";
+      out += "      </weights>\n    </Basis>\n";
+    } else {
+      out += basis_of(patch, "    ");
+    }
+    out += text("    <coefs geoDim=\"", patch.dimension(), "\">\n");
+    const MatrixX points = patch.points();
+    for (int a = 0; a < patch.functions(); ++a)
+      for (int k = 0; k < patch.dimension(); ++k)
+        out += digits(points(k, a)) + (k + 1 < patch.dimension() ? " " : "\n");
+    out += "    </coefs>\n  </Geometry>\n";
+  }
+  return out + "</xml>\n";
+}
+
+} // namespace signorini::nurbs

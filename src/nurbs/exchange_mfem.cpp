@@ -1,0 +1,98 @@
+// MFEM NURBS mesh v1.0 with its section "patches": a topology of vertices, edges and elements, then per patch knots and
+// control points, ξ¹ fastest.
+#include "nurbs/exchange_text.hpp"
+
+namespace signorini::nurbs {
+
+namespace {
+
+constexpr const char* title = "MFEM NURBS mesh v1.0";
+
+Patch read_patch(TextReader& from) {
+  from.keyword("knotvectors");
+  const int parametric = from.integer("the number of knot vectors", 1, 3);
+  std::vector<KnotVector> directions;
+  int size = 1;
+  for (int d = 0; d < parametric; ++d) {
+    const int degree = from.integer("a degree", 1, max_degree);
+    const int functions = from.integer("a number of control points", degree + 1, most_functions / size);
+    directions.push_back(read_knots(from, degree, functions));
+    size *= functions;
+  }
+  from.keyword("dimension");
+  const int dimension = from.integer("the dimension of space", 2, 3);
+  const std::string_view kind = from.word("'controlpoints' or 'controlpoints_cartesian'");
+  const bool cartesian = kind == "controlpoints_cartesian";
+  if (!cartesian && kind != "controlpoints" && kind != "controlpoints_homogeneous")
+    from.wrong("expected 'controlpoints' or 'controlpoints_cartesian', got '", kind, "'");
+  MatrixX homogeneous(dimension + 1, size);
+  for (int a = 0; a < size; ++a) {
+    for (int i = 0; i < dimension; ++i) homogeneous(i, a) = from.number("a coordinate");
+    homogeneous(dimension, a) = from.number("a weight");
+    if (cartesian) homogeneous.col(a).head(dimension) *= homogeneous(dimension, a);
+  }
+  return placed(from.file(), from.line(), [&] { return Patch(std::move(directions), std::move(homogeneous)); });
+}
+
+/// Vertices of the square and the cube as MFEM numbers them. An edge: the direction it runs along, its ends; a side:
+/// its attribute (west 1, east 2, south 3, north 4, front 5, back 6) and vertices.
+struct Topology {
+  int vertices, element;
+  const char *corners, *sides, *edges;
+};
+
+constexpr Topology topologies[] = {
+    {2, 1, "0 1", "2\n1 0 0\n2 0 1\n", "1\n0 0 1\n"},
+    {4, 3, "0 1 2 3", "4\n3 1 0 1\n2 1 1 2\n4 1 2 3\n1 1 3 0\n", "4\n0 0 1\n0 3 2\n1 0 3\n1 1 2\n"},
+    {8, 5, "0 1 2 3 4 5 6 7", "6\n5 3 3 2 1 0\n3 3 0 1 5 4\n2 3 1 2 6 5\n4 3 2 3 7 6\n1 3 3 0 4 7\n6 3 4 5 6 7\n",
+     "12\n0 0 1\n0 3 2\n0 4 5\n0 7 6\n1 0 3\n1 1 2\n1 4 7\n1 5 6\n2 0 4\n2 1 5\n2 2 6\n2 3 7\n"}};
+
+} // namespace
+
+std::vector<Patch> read_mfem(const std::string& file, const std::string& text) {
+  const std::string_view first = std::string_view(text).substr(0, text.find('\n'));
+  require(first.starts_with(title), file, ":1: expected '", title, "', got '", first, "'");
+  TextReader from(file, text);
+  from.rest_of_line();
+  int elements = 0;
+  while (from.peek() != "patches") {
+    const std::string_view word = from.word("the section 'patches'");
+    if (word == "weights")
+      from.wrong("this mesh lists its control points by MFEM's numbers of unknowns; only meshes with a section "
+                 "'patches' can be read");
+    if (word == "elements") elements = from.integer("the number of elements", 1, most_functions);
+  }
+  from.keyword("patches");
+  std::vector<Patch> patches;
+  while (from.peek() == "knotvectors") patches.push_back(read_patch(from));
+  if (patches.empty()) from.keyword("knotvectors");
+  if (static_cast<int>(patches.size()) != elements)
+    from.wrong("expected a patch for each of the ", elements, " elements, got ", patches.size());
+  return patches;
+}
+
+std::string mfem(const std::vector<Patch>& patches) {
+  require(patches.size() == 1, "patches: a mesh of MFEM needs to know how patches meet, so it can hold only one; got ",
+          patches.size(), ": write one file per patch, or an .xml or .txt file");
+  const Patch& patch = patches.front();
+  const int parametric = patch.parametric_dimension();
+  const Topology& topology = topologies[parametric - 1];
+  std::string out = text(title, "\n\ndimension\n", parametric, "\n\nelements\n1\n1 ", topology.element, " ",
+                         topology.corners, "\n\nboundary\n", topology.sides, "\nedges\n", topology.edges,
+                         "\nvertices\n", topology.vertices, "\n\npatches\n\nknotvectors\n", parametric, "\n");
+  for (const KnotVector& knots : patch.directions()) {
+    out += text(knots.degree(), " ", knots.functions());
+    for (double knot : knots.knots()) {
+      out += ' ';
+      out += digits(knot);
+    }
+    out += '\n';
+  }
+  out += text("\ndimension\n", patch.dimension(), "\n\ncontrolpoints\n");
+  for (int a = 0; a < patch.functions(); ++a)
+    for (int i = 0; i <= patch.dimension(); ++i)
+      out += digits(patch.homogeneous()(i, a)) + (i < patch.dimension() ? " " : "\n");
+  return out;
+}
+
+} // namespace signorini::nurbs

@@ -1,0 +1,185 @@
+// Patches of other programs: files written by hand after the formats' descriptions, round trips to the last bit, and
+// what is said of broken files.
+#include "nurbs/exchange.hpp"
+
+#include "nurbs/random_patch.hpp"
+#include "nurbs/refine.hpp"
+#include "nurbs/shapes.hpp"
+#include "scratch.hpp"
+
+#include <fstream>
+#include <gtest/gtest.h>
+
+namespace signorini::nurbs {
+namespace {
+
+using signorini::test::message_of;
+using signorini::test::ScratchFolder;
+
+std::vector<Patch> sample(const std::string& name) {
+  return read_patches(std::string(SAMPLE_DIR) + "/" + name);
+}
+
+VectorX at(const Patch& patch, std::initializer_list<double> xi) {
+  return evaluate(patch, Eigen::Map<const VectorX>(xi.begin(), static_cast<Eigen::Index>(xi.size())));
+}
+
+TEST(Exchange, GismoFilesHoldCurvesSurfacesAndVolumes) {
+  const auto patches = sample("gismo.xml");
+  ASSERT_EQ(patches.size(), 3U);
+  EXPECT_EQ(patches[0].direction(0).degree(), 1);
+  EXPECT_EQ(patches[0].direction(1).degree(), 2);
+  for (double t : {0.0, 0.2, 0.7, 1.0}) {
+    EXPECT_NEAR(at(patches[0], {0, t}).norm(), 1, 1e-15);
+    EXPECT_NEAR(at(patches[0], {0.5, t}).norm(), 1.5, 1e-15);
+    EXPECT_NEAR(at(patches[2], {t}).norm(), 1, 1e-15);
+  }
+  EXPECT_LT((at(patches[0], {1, 1}) - Vec<2>(0, 2)).norm(), 1e-15);
+  EXPECT_LT((at(patches[1], {0.5, 1, 0.25}) - Vec<3>(1, 3, 1)).norm(), 1e-15);
+  EXPECT_EQ(patches[1].direction(2).elements(), 2);
+}
+
+TEST(Exchange, GeopdesFilesAreOfOldAndNewVersions) {
+  const auto ring = sample("geopdes_v07.txt");
+  ASSERT_EQ(ring.size(), 1U);
+  for (double t : {0.0, 0.3, 1.0}) {
+    const VectorX x = at(ring[0], {0.5, t, 0.25});
+    EXPECT_NEAR(x.head<2>().norm(), 2, 2e-15);
+    EXPECT_NEAR(x(2), 0.5, 1e-15);
+  }
+  const auto squares = sample("geopdes_v21.txt");
+  ASSERT_EQ(squares.size(), 2U);
+  EXPECT_LT((at(squares[0], {0.25, 0.75}) - Vec<2>(0.25, 0.75)).norm(), 1e-15);
+  EXPECT_LT((at(squares[1], {0.25, 0.75}) - Vec<2>(1.25, 0.75)).norm(), 1e-15);
+  EXPECT_EQ(squares[1].direction(0).elements(), 2);
+}
+
+TEST(Exchange, MfemMeshesListPatches) {
+  const auto disc = sample("mfem.mesh");
+  ASSERT_EQ(disc.size(), 1U);
+  for (double t : {0.0, 0.3, 1.0}) {
+    EXPECT_NEAR(at(disc[0], {t, 0}).norm(), 2, 1e-15);
+    EXPECT_NEAR(at(disc[0], {1, t}).norm(), 2, 1e-15);
+  }
+  EXPECT_LT(at(disc[0], {0.5, 0.5}).norm(), 1e-15);
+}
+
+/// Knots, weights and control points are the same bits.
+void expect_same(const Patch& read, const Patch& written) {
+  ASSERT_EQ(read.parametric_dimension(), written.parametric_dimension());
+  EXPECT_EQ(read.directions(), written.directions());
+  EXPECT_EQ(read.points(), written.points());
+  EXPECT_EQ(read.weights(), written.weights());
+}
+
+TEST(Exchange, RoundTripsKeepAllBits) {
+  ScratchFolder folder;
+  test::Random random(3);
+  for (int i = 0; i < 60; ++i) {
+    const int dimension = 2 + i % 2, parametric = 1 + i % dimension;
+    const Patch patch = test::random_patch(random, parametric, dimension);
+    const Patch other = elevate(test::random_patch(random, parametric, dimension), 0, 1);
+    for (const std::string& form : exchange_forms()) {
+      const std::vector<Patch> written = form == "mfem" ? std::vector{patch} : std::vector{patch, other};
+      write_patches(folder.file("p"), written, form);
+      const std::vector<Patch> read = read_patches(folder.file("p"));
+      ASSERT_EQ(read.size(), written.size());
+      for (std::size_t k = 0; k < read.size(); ++k) expect_same(read[k], written[k]);
+      if (form != "gismo") {
+        EXPECT_EQ(read[0].homogeneous(), patch.homogeneous());
+      }
+    }
+  }
+}
+
+TEST(Exchange, PolynomialPatchesNeedNoWeightsInXml) {
+  ScratchFolder folder;
+  const Patch square = rectangle(1, 1, Vec<2>::Zero());
+  write_patches(folder.file("p.xml"), {square}, exchange_form_of("p.xml"));
+  std::ifstream in(folder.file("p.xml"));
+  const std::string text((std::istreambuf_iterator<char>(in)), {});
+  EXPECT_NE(text.find("TensorBSpline2"), std::string::npos);
+  EXPECT_EQ(text.find("weights"), std::string::npos);
+  expect_same(read_patches(folder.file("p.xml"))[0], square);
+}
+
+TEST(Exchange, EndingsSayTheForm) {
+  EXPECT_EQ(exchange_form_of("a.xml"), "gismo");
+  EXPECT_EQ(exchange_form_of("b/a.TXT"), "geopdes");
+  EXPECT_EQ(exchange_form_of("a.mesh"), "mfem");
+  EXPECT_EQ(exchange_form_of("a.csv"), "");
+}
+
+/// What reading a text says, without the folder.
+std::string refusal(const std::string& text) {
+  ScratchFolder folder;
+  const std::string file = folder.file("f");
+  std::ofstream(file) << text;
+  std::string message = message_of([&] { read_patches(file); });
+  if (message.starts_with(file)) message.erase(0, file.size());
+  return message;
+}
+
+std::string replaced(const std::string& name, const std::string& from, const std::string& to) {
+  std::ifstream in(std::string(SAMPLE_DIR) + "/" + name);
+  std::string text((std::istreambuf_iterator<char>(in)), {});
+  const std::size_t place = text.find(from);
+  EXPECT_NE(place, std::string::npos) << from;
+  return text.replace(place, from.size(), to);
+}
+
+TEST(Exchange, BrokenFilesAreRefusedWithTheLine) {
+  EXPECT_EQ(refusal(""), ": the file is empty");
+  EXPECT_TRUE(refusal("solid bracket").starts_with(":1: this is no file of patches"));
+  EXPECT_EQ(refusal("# nothing\n"), ": the file holds comments only");
+
+  const std::string ring = "geopdes_v07.txt", squares = "geopdes_v21.txt";
+  EXPECT_TRUE(refusal(replaced(ring, "\n3\n", "\n4\n")).starts_with(":3: expected the dimension of the parameters"));
+  EXPECT_EQ(refusal(replaced(ring, "1 2 1\n", "1 2 1.5\n")),
+            ":4: expected a degree (a whole number from 1 to 15), got '1.5'");
+  EXPECT_EQ(refusal(replaced(ring, "0 0 0 1 1 1", "0 0 0 1 1 x")), ":7: expected a knot, got 'x'");
+  EXPECT_TRUE(refusal(replaced(ring, "0 0 0 1 1 1", "0 0 1 0 1 1")).starts_with(":7: knot"));
+  EXPECT_TRUE(refusal(replaced(ring, "\n1 1 0.7", "\n-1 1 0.7")).starts_with(":12: weights: weight 1 is -1"));
+  EXPECT_EQ(refusal(replaced(squares, " 2 2 2 1 1", " 2 2 3 1 1")),
+            ":23: expected 3 patches as the first line says, but 'INTERFACE' comes before the last");
+
+  const std::string mesh = "mfem.mesh";
+  EXPECT_EQ(refusal(replaced(mesh, "v1.0", "v2.0")), ":1: expected 'MFEM NURBS mesh v1.0', got 'MFEM NURBS mesh v2.0'");
+  EXPECT_TRUE(refusal(replaced(mesh, "patches", "weights")).starts_with(":31: this mesh lists its control points"));
+  EXPECT_TRUE(refusal(replaced(mesh, "_cartesian", "_polar")).starts_with(":41: expected 'controlpoints'"));
+  EXPECT_TRUE(
+      refusal(replaced(mesh, "elements\n1", "elements\n2")).find("expected a patch for each of the 2 elements") !=
+      std::string::npos);
+  EXPECT_TRUE(
+      refusal(replaced(mesh, " 1.4142135623730951 1.4142135623730951 1", "1 2")).starts_with(":50: expected a weight"));
+
+  const std::string xml = "gismo.xml";
+  EXPECT_TRUE(refusal(replaced(xml, "</xml>", "")).find("this is no XML") != std::string::npos);
+  EXPECT_TRUE(refusal("<xml/>").find("at least one element <Geometry>") != std::string::npos);
+  EXPECT_TRUE(
+      refusal(replaced(xml, "TensorNurbs2", "THBSpline2")).starts_with(":7: a geometry of the type 'THBSpline2'"));
+  EXPECT_TRUE(refusal(replaced(xml, "degree=\"2\"", "degree=\"x\"")).starts_with(":14: expected the attribute degree"));
+  EXPECT_TRUE(refusal(replaced(xml, "0 0 1 1 <", "0 0 1 <")).starts_with(":11: knot"));
+  EXPECT_EQ(refusal(replaced(xml, "1 0\n2 0", "1 0\n2 zero")), ":25: expected a coordinate, got 'zero'");
+  EXPECT_EQ(refusal(replaced(xml, "0 2\n</coefs>", "0\n</coefs>")), ":29: <coefs> ends after 11 numbers, expected 12");
+  EXPECT_EQ(refusal(replaced(xml, "1</weights>", "1 1</weights>")),
+            ":22: <weights> holds more than the 6 numbers expected");
+  EXPECT_TRUE(refusal(replaced(xml, "geoDim=\"2\"", "geoDim=\"1\"")).starts_with(":24: expected the attribute geoDim"));
+}
+
+TEST(Exchange, WhatAFormCannotHoldIsRefused) {
+  ScratchFolder folder;
+  const Patch square = rectangle(1, 1, Vec<2>::Zero());
+  const auto refused = [&](const std::vector<Patch>& patches, const std::string& form) {
+    return message_of([&] { write_patches(folder.file("p"), patches, form); });
+  };
+  EXPECT_EQ(refused({}, "gismo"), "patches: there is none to be written");
+  EXPECT_TRUE(refused({square, square}, "mfem").find("can hold only one; got 2") != std::string::npos);
+  EXPECT_TRUE(refused({square, face(square, {0, false})}, "geopdes").find("number 2 is of another dimension") !=
+              std::string::npos);
+  EXPECT_TRUE(refused({square}, "iges").find("'iges' is none of gismo, geopdes, mfem") != std::string::npos);
+  EXPECT_EQ(folder.count(), 0);
+}
+
+} // namespace
+} // namespace signorini::nurbs
