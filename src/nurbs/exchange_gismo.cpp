@@ -97,7 +97,11 @@ Patch read_patch(const Document& document, const pugi::xml_node& geometry) {
   }
 
   int size = 1;
-  for (const KnotVector& knots : directions) size *= knots.functions();
+  for (const KnotVector& knots : directions) {
+    if (knots.functions() > most_functions / size)
+      document.wrong(geometry, "the knots ask for more than ", most_functions, " control points");
+    size *= knots.functions();
+  }
   const pugi::xml_node coefficients = document.child(geometry, "coefs");
   const int dimension = whole_number(document, coefficients, "geoDim", 2, 3);
   const auto read = [&](const pugi::xml_node& node, int rows, const char* expected) {
@@ -147,7 +151,7 @@ std::vector<Patch> read_gismo(const std::string& file, const std::string& text) 
 }
 
 std::string gismo(const std::vector<Patch>& patches) {
-  std::string out = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<xml>\n", ids;
+  std::string out = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<xml>\n";
   for (std::size_t i = 0; i < patches.size(); ++i) {
     const Patch& patch = patches[i];
     const int directions = patch.parametric_dimension();
@@ -170,6 +174,13 @@ std::string gismo(const std::vector<Patch>& patches) {
         out += digits(points(k, a)) + (k + 1 < patch.dimension() ? " " : "\n");
     out += "    </coefs>\n  </Geometry>\n";
   }
+  // Without it G+Smo sees the patches one by one.
+  const int parametric = patches.front().parametric_dimension();
+  const bool alike = std::all_of(patches.begin(), patches.end(),
+                                 [&](const Patch& patch) { return patch.parametric_dimension() == parametric; });
+  if (patches.size() > 1 && alike)
+    out += text("  <MultiPatch parDim=\"", parametric, "\" id=\"", patches.size(),
+                "\">\n    <patches type=\"id_range\">0 ", patches.size() - 1, "</patches>\n  </MultiPatch>\n");
   return out + "</xml>\n";
 }
 

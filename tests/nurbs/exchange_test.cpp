@@ -2,6 +2,7 @@
 // what is said of broken files.
 #include "nurbs/exchange.hpp"
 
+#include "base/whole_file.hpp"
 #include "nurbs/random_patch.hpp"
 #include "nurbs/refine.hpp"
 #include "nurbs/shapes.hpp"
@@ -96,11 +97,22 @@ TEST(Exchange, PolynomialPatchesNeedNoWeightsInXml) {
   ScratchFolder folder;
   const Patch square = rectangle(1, 1, Vec<2>::Zero());
   write_patches(folder.file("p.xml"), {square}, exchange_form_of("p.xml"));
-  std::ifstream in(folder.file("p.xml"));
-  const std::string text((std::istreambuf_iterator<char>(in)), {});
+  const std::string text = read_whole(folder.file("p.xml"));
   EXPECT_NE(text.find("TensorBSpline2"), std::string::npos);
   EXPECT_EQ(text.find("weights"), std::string::npos);
   expect_same(read_patches(folder.file("p.xml"))[0], square);
+}
+
+TEST(Exchange, PatchesOfOneKindAreAMultiPatchInXml) {
+  ScratchFolder folder;
+  const auto text_of = [&](const std::vector<Patch>& patches) {
+    write_patches(folder.file("p.xml"), patches, "gismo");
+    return read_whole(folder.file("p.xml"));
+  };
+  const Patch square = rectangle(1, 1, Vec<2>::Zero());
+  const std::string wanted = "<MultiPatch parDim=\"2\" id=\"3\">\n    <patches type=\"id_range\">0 2</patches>";
+  EXPECT_NE(text_of({square, square, square}).find(wanted), std::string::npos);
+  EXPECT_EQ(text_of({square, face(square, {0, false})}).find("MultiPatch"), std::string::npos);
 }
 
 TEST(Exchange, EndingsSayTheForm) {
@@ -121,8 +133,7 @@ std::string refusal(const std::string& text) {
 }
 
 std::string replaced(const std::string& name, const std::string& from, const std::string& to) {
-  std::ifstream in(std::string(SAMPLE_DIR) + "/" + name);
-  std::string text((std::istreambuf_iterator<char>(in)), {});
+  std::string text = read_whole(std::string(SAMPLE_DIR) + "/" + name);
   const std::size_t place = text.find(from);
   EXPECT_NE(place, std::string::npos) << from;
   return text.replace(place, from.size(), to);
@@ -165,6 +176,35 @@ TEST(Exchange, BrokenFilesAreRefusedWithTheLine) {
   EXPECT_EQ(refusal(replaced(xml, "1</weights>", "1 1</weights>")),
             ":22: <weights> holds more than the 6 numbers expected");
   EXPECT_TRUE(refusal(replaced(xml, "geoDim=\"2\"", "geoDim=\"1\"")).starts_with(":24: expected the attribute geoDim"));
+}
+
+TEST(Exchange, DamagedFilesAreReadOrRefusedNeverFatal) {
+  ScratchFolder folder;
+  test::Random random(11);
+  const std::string file = folder.file("f"), letters = "0 1.-e#<>/\"\nPx9";
+  int refused = 0, taken = 0;
+  for (const char* name : {"gismo.xml", "geopdes_v07.txt", "geopdes_v21.txt", "mfem.mesh"})
+    for (int i = 0; i < 150; ++i) {
+      std::string text = replaced(name, " ", " ");
+      const auto place = [&] {
+        return static_cast<std::size_t>(test::integer(random, 0, static_cast<int>(text.size()) - 1));
+      };
+      if (i % 3 == 0) {
+        text.resize(place());
+      } else if (i % 3 == 1) {
+        text[place()] =
+            letters[static_cast<std::size_t>(test::integer(random, 0, static_cast<int>(letters.size()) - 1))];
+      } else {
+        text.erase(place(), static_cast<std::size_t>(test::integer(random, 1, 20)));
+      }
+      std::ofstream(file) << text;
+      const std::string message = message_of([&] { taken += !read_patches(file).empty(); });
+      if (message == "no error") continue;
+      ++refused;
+      EXPECT_TRUE(message.starts_with(file + ":")) << message;
+    }
+  EXPECT_GT(refused, 200);
+  EXPECT_GT(taken, 50);
 }
 
 TEST(Exchange, WhatAFormCannotHoldIsRefused) {
