@@ -7,15 +7,38 @@ local Series = {}
 Series.__index = Series
 Series.__name = "series"
 
+local header = '<?xml version="1.0"?>\n<VTKFile type="Collection" version="0.1" byte_order="LittleEndian">\n'
+
+local function unescaped(text) return (text:gsub("&quot;", '"'):gsub("&lt;", "<"):gsub("&amp;", "&")) end
 local function escaped(text) return (text:gsub("&", "&amp;"):gsub("<", "&lt;"):gsub('"', "&quot;")) end
 
 --- The list as it stands, so that what is there can be opened while a run goes on, or after it was killed.
 local function write_list(series)
-  local lines = { '<?xml version="1.0"?>', '<VTKFile type="Collection" version="0.1" byte_order="LittleEndian">', "  <Collection>" }
+  local lines = { "  <Collection>" }
   for _, state in ipairs(series) do
     lines[#lines + 1] = ('    <DataSet timestep="%.17g" part="0" file="%s"/>'):format(state.time, escaped(state.name))
   end
-  core.write_file(series.file, table.concat(lines, "\n") .. "\n  </Collection>\n</VTKFile>\n")
+  core.write_file(series.file, header .. table.concat(lines, "\n") .. "\n  </Collection>\n</VTKFile>\n")
+end
+
+--- Takes up the list of a file that an earlier process has written.
+local function read_list(series)
+  local text = core.read_file(series.file)
+  if text:sub(1, #header) ~= header then
+    core.fail(("sg.pvd: '%s' was not written by sg.pvd, so it cannot be taken up: leave out resume, or choose another name")
+      :format(series.file))
+  end
+  for time, name in text:gmatch '<DataSet timestep="([^"]*)" part="0" file="([^"]*)"/>' do
+    series[#series + 1] = { time = tonumber(time), name = unescaped(name) }
+  end
+  series.taken_up = #series
+end
+
+--- Drops states taken up that the run comes to a second time.
+local function drop_from(series, time)
+  while series.taken_up == #series and #series > 0 and series[#series].time >= time do
+    series[#series], series.taken_up = nil, #series - 1
+  end
 end
 
 --- Writes the model's present state and adds it to the list.
@@ -23,12 +46,13 @@ function Series:add(state)
   if getmetatable(self) ~= Series then core.fail "series:add: write series:add{ … } with a colon" end
   state = arguments.table("series:add", "the argument", state, { "model", "time", "deformed" })
   local time = arguments.number("series:add", "time", state.time)
+  if core.kind(state.model) ~= "model" then
+    arguments.reject("series:add", "model", "a model made by sg.model", state.model)
+  end
+  drop_from(self, time)
   local last = self[#self]
   if last and time <= last.time then
     core.fail(("series:add: time is %g, but the state before it has %g: times must grow"):format(time, last.time))
-  end
-  if core.kind(state.model) ~= "model" then
-    arguments.reject("series:add", "model", "a model made by sg.model", state.model)
   end
   local name = ("%s_%04d.vtu"):format(self.stem, #self + 1)
   core.sg.vtu { model = state.model, file = self.folder .. name, deformed = state.deformed }
@@ -41,11 +65,13 @@ function Series:__tostring()
 end
 
 --- A series without states; its file is there at once, so that a place that cannot be written to is told at once.
-local function new(file)
+local function new(file, options)
   arguments.string("sg.pvd", "file", file)
   local folder, stem = file:match "^(.-)([^/]*)%.[pP][vV][dD]$"
   if not stem or stem == "" then arguments.reject("sg.pvd", "file", "a name that ends with .pvd", file) end
-  local series = setmetatable({ file = file, folder = folder, stem = stem }, Series)
+  local series = setmetatable({ file = file, folder = folder, stem = stem, taken_up = 0 }, Series)
+  options = arguments.table("sg.pvd", "options", options, { "resume" })
+  if arguments.flag("sg.pvd", "resume", options.resume, false) and core.exists(file) then read_list(series) end
   write_list(series)
   return series
 end

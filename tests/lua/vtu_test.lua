@@ -274,6 +274,28 @@ check.case("a series lists its states, also while it grows", function()
   check.fails(function() sg.pvd(folder .. "/none/a.pvd") end, "cannot write", "none")
 end)
 
+check.case("a series is taken up where a run was broken off", function()
+  local model, file = ironing { E = 20 }, folder .. "/long <1>.pvd"
+  local first = sg.pvd(file, { resume = true })
+  for time = 1, 4 do first:add { model = model, time = time } end
+  local again = sg.pvd(file, { resume = true })
+  check.equal(#again, 4)
+  again:add { model = model, time = 3 }
+  local times = {}
+  for time, name in core.read_file(file):gmatch 'timestep="(%d)" part="0" file="long &lt;1>_000(%d).vtu"' do
+    times[#times + 1] = time .. name
+  end
+  check.equal(times, { "11", "22", "33" })
+  check.fails(function() again:add { model = model, time = 3 } end, "times must grow")
+  check.fails(function() again:add { model = model, time = 2 } end, "times must grow")
+  again:add { model = model, time = 5 }
+  check.equal(#sg.pvd(file, { resume = true }), 4)
+  check.equal(#sg.pvd(file), 0)
+  core.write_file(file, "<xml/>")
+  check.fails(function() sg.pvd(file, { resume = true }) end, "vtu_test.lua:", "was not written by sg.pvd")
+  check.fails(function() sg.pvd(file, { resum = true }) end, "unknown argument 'resum'", "did you mean 'resume'")
+end)
+
 check.case("wrong calls are errors that name the argument, and leave no file", function()
   local model = ironing()
   local wrong = {
