@@ -1,5 +1,6 @@
 -- sg.cheapest: the cheapest case of a study that meets a tolerance.
 
+local core = require "signorini.core"
 local arguments = require "signorini.arguments"
 local quantity = require "signorini.study.quantity"
 
@@ -40,6 +41,12 @@ local function sort(cases, first, second)
   end)
 end
 
+core.docs["sg.cheapest"] = [[
+sg.cheapest(study, { error, at_most, cost = "wall", where })
+The cheapest row of a study whose error is at most so large, and the runner-up; nil and a text about the nearest case when
+there is none. error and cost: columns, or functions of a row; errors count by their size. where: a function of a row:
+only rows for which it is true. Rows that failed, or lack error or cost, do not count.
+Example: best, next_best = sg.cheapest(study, { error = "error", at_most = 0.1 })]]
 return function(study, options)
   quantity.study(where, study)
   arguments.table(where, "its second argument", options, { "error", "at_most", "cost", "where" })

@@ -88,7 +88,12 @@ function controls.read(model, options)
   return solver, tries, read_penalty(options.penalty)
 end
 
---- Options for model:run with the controls on that easy runs do not pay for; what is given replaces them.
+core.docs["sg.robust"] = [[
+sg.robust{ … }
+Options for model:run with the controls on that easy runs do not pay for: steps begin as the last one went on
+(predictor = "linear"), what fails is tried again with other controls (rescue = true), then cut in half
+(step = { adaptive = true }). What is given replaces these.
+Example: model:run(stages, sg.robust{ arc_length = true, step = { adaptive = true, min = 1/256 } })]]
 function controls.robust(options)
   if options ~= nil and type(options) ~= "table" then
     arguments.reject("sg.robust", "options", "a table of options of model:run", options)

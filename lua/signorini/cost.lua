@@ -146,7 +146,30 @@ function Cost:__tostring()
   return table.concat(parts, "\n")
 end
 
---- model:cost() of the language.
+core.docs["model:cost"] = [[
+model:cost()
+What a model is made of, before a solve or after it, and what could be saved. print(model:cost()) shows tables and advice.
+cost.unknowns:   of the linear system; obstacles (cost.obstacles, how many) have none.
+cost.bodies:     by name { unknowns, contact_layer, bulk, prescribed, elements, gauss_points }: contact_layer are the
+                 unknowns on the faces that `contact` names, bulk all others, prescribed what supports fix or drive.
+cost.contacts:   by name { points, rigid }: contact points, and whether the master is an obstacle.
+cost.nonzeros:   of the tangent; it grows where contacts touch.
+cost.memory:     bytes, the sum of cost.memory_of { bodies, tangent, factors }: tables of Gauss points, the tangent with
+                 its patterns, its factors by the solver cost.linear. cost.factors_are is "measured" once a solver has
+                 told, before that "counted": from the pattern in the order of nested dissection. Contact points are not
+                 counted.
+cost.advice:     a list of { kind, saves, needs, text }: unknowns saved and left in the whole scene, and why, for what is
+                 certain to be so from the scene alone:
+  symmetry:    it is its own mirror image in planes x, y or z = c (in an axisymmetric scene y = c): control points,
+               weights, knots, supports, loads, contacts, obstacles. What turns or has moved through it breaks it.
+  symmetry if fixed: the same, but a support may drive through the plane: only while it does not.
+  axisymmetry: solids of revolution about one axis, or sectors that supports hold in their end planes.
+  rigid:       a body at least 100 times as stiff as those that it touches, which one support moves without turning it.
+  layer:       a uniform degree above 2 on a body whose contact face alone may need it.
+  idle layer:  a layer on a face that is in no contact.
+  points:      more than twice 3(p+1) contact points per element and direction; it saves no unknowns.
+Paths are not looked at: they must be symmetric, too.
+Example: for _, advice in ipairs(model:cost().advice) do print(advice.saves, advice.text) end]]
 return function(model)
   local figures = core.types.model.cost_figures(model) -- says so when it is no model
   local cost = {

@@ -106,8 +106,10 @@ local function file_text(data)
   return table.concat(lines, "\n") .. "\n"
 end
 
---- Writes a table, either { columns = {names}, rows = {{…}, …} } or named lists of equal length
---- { step = {…}, fx = {…}, columns = {"step", "fx"} }. The file appears whole or not at all.
+core.docs["sg.csv.write"] = [[
+sg.csv.write(file, { columns = {…}, rows = {{…}, …}, comments = {…} })
+Writes a table, whole or not at all. Instead of rows, equally long lists may stand under the columns' names.
+Example: sg.csv.write("a.csv", { columns = {"step", "fx"}, rows = {{1, 0.2}, {2, 0.3}} })]]
 function csv.write(file, data)
   if type(file) ~= "string" then core.fail "sg.csv.write: the first argument must be a file name" end
   if type(data) ~= "table" then core.fail "sg.csv.write: the second argument must be a table with columns and rows" end
@@ -131,6 +133,8 @@ end
 
 local Data = {}
 Data.__index = Data
+Data.__name = "data"
+core.types.data = Data
 
 --- Position of a column; an unknown name is an error that lists the known ones.
 local function position(data, name)
@@ -140,14 +144,24 @@ local function position(data, name)
   core.fail(("a CSV table: there is no column '%s'; known: %s"):format(tostring(name), table.concat(data.columns, ", ")))
 end
 
---- The values of a column as a list (missing ones are nil).
+core.docs["data"] = [[
+data
+What sg.csv.read and sg.reference return: columns, a list of names; rows, a list of lists; comments, a list of texts.]]
+
+core.docs["data:column"] = [[
+data:column(name)
+The values of a column as a list; missing ones are nil.
+Example: sg.reference "ironing2d_oscillation_table7_3":column "discretisation"]]
 function Data:column(name)
   local j, values = position(self, name), {}
   for i, row in ipairs(self.rows) do values[i] = row[j] end
   return values
 end
 
---- The rows by the value they have in one column, each as a table of named values: t:by("discretisation").N4.dofs
+core.docs["data:by"] = [[
+data:by(name)
+The rows by the value that they have in one column, each as a table of named values; of equal values the last row stays.
+Example: sg.reference "hertz2d_dofs_table7_4":by "mesh"]]
 function Data:by(name)
   local key, rows = position(self, name), {}
   for _, row in ipairs(self.rows) do
@@ -200,8 +214,9 @@ local function head(fields, count, where)
   return fields
 end
 
---- Reads a file that csv.write or a spreadsheet wrote: { columns, rows, comments } with the methods :column(name) and
---- :by(name). Fields that look like numbers are numbers unless quoted.
+core.docs["sg.csv.read"] = [[
+sg.csv.read(file)
+Reads a table: { columns = {…}, rows = {{…}, …}, comments = {…} }; lines that begin with # are comments.]]
 function csv.read(file)
   if type(file) ~= "string" then core.fail "sg.csv.read: the argument must be a file name" end
   local stream, reason = io.open(file, "rb")

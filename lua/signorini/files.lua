@@ -6,6 +6,7 @@ local arguments = require "signorini.arguments"
 local Files = {}
 Files.__index = Files
 Files.__name = "list of files"
+core.types.files = Files
 
 local function path_of(files, name)
   return ("%s/%s"):format(files.folder, arguments.string("sg.files", "the name of a file", name))
@@ -21,17 +22,31 @@ function Files:__call(name)
   return path
 end
 
---- Has a file drawn by body(path), which returns whether there was anything to draw; says what it needs if there was
---- not.
+core.docs["files"] = [[
+files
+What sg.files returns: files "name" is a path in its folder, files.folder the folder; a list of what was written.]]
+
+core.docs["files:draw"] = [[
+files:draw(name, need, body)
+Has a file drawn by body(path), and counts it as written; when body returns false there was nothing to draw, and a line
+says what it would need.
+Example: files:draw("forces.png", "two steps", function(path) return run.steps > 1 and run:csv(path) == nil end)]]
 function Files:draw(name, need, body)
   if body(path_of(self, name)) then self(name) else print(("%s is left out: it needs %s"):format(name, need)) end
 end
 
---- Prints what was written; nothing when nothing was.
+core.docs["files:report"] = [[
+files:report()
+Prints the list of what was written; nothing when nothing was.]]
 function Files:report()
   if #self > 0 then print("\nWritten: " .. table.concat(self, "\n         ")) end
 end
 
+core.docs["sg.files"] = [[
+sg.files(folder)
+Makes the folder and returns a list of the files that a script writes there: files "forces.png" is the path of a file and
+adds it to the list; files:draw and files:report, which see. files.folder is the folder.
+Example: files = sg.files "out/study"; run:csv(files "N2.csv"); files:report()]]
 return function(folder)
   core.mkdir(arguments.string("sg.files", "its argument", folder))
   return setmetatable({ folder = folder }, Files)

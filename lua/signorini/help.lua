@@ -1,35 +1,9 @@
--- help(): the pages that the bindings and the library register with their functions, and a few on whole subjects.
+-- help(): the pages that stand beside the functions, in C++ (rows of src/bind) and in Lua (core.docs["sg.study"] = …), and
+-- a few on whole subjects.
 
 local core = require "signorini.core"
-
-local subjects = {
-  start = [[
-signorini: isogeometric contact mechanics.
-  help "labels"           discretisation labels such as N2-N2.2
-  help "geometry"         patches and how to make them
-  help(sg.shapes)         what a table holds
-  help(sg.shapes.block)   one function: arguments, units, defaults, an example
-  help "refine"           every page with this word
-At the prompt: Tab completes, Ctrl-C stops, Ctrl-D leaves. A local variable lives for one line only: leave out `local`.
-Units are yours, as long as they are consistent; angles are degrees; directions and indices count from 1.]],
-  labels = [[
-Discretisation labels, for the directions along the contact face:
-  Np          NURBS of degree p, continuity C^(p-1)
-  Np.s        Np elevated s times more: degree p + s, still C^(p-1)
-  Lp          classical C0 elements of degree p; the geometry is interpolated at p equidistant parameters per span
-  Nb-Nc       degree b in the bulk, degree c on the contact face's row of control points only
-  Nb-Nc.s     the same, the row elevated s times more
-  Nb-Nc.sxr   the same on the first r rows from the contact face, such as N2-N2.2x2 (x1 is the default)
-A solid's face has two directions: one label holds for both, order = {"N2-N2.2", "N2"} gives each its own, the direction
-of the lower xi first.
-Source: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method (thesis, IIT Guwahati).]],
-  geometry = [[
-A patch is a NURBS curve, surface or volume, an immutable value.
-  sg.shapes.*    ready-made bodies: rectangle, half_annulus, quarter_annulus, block, …
-  sg.nurbs.*     curve, surface, volume from knots and points; line, arc, circle, ruled, extrude, revolve, coons
-  p(xi)          a point; p:face "south", p:refine{ elements = {8, 3} } and more: help "patch"
-Faces: west/east are the ends of xi1, south/north of xi2, front/back of xi3. Points run fastest in xi1.]],
-}
+local subjects = require "signorini.help.subjects"
+local texts = require "signorini.help.texts"
 
 local function sorted(set)
   local names = {}
@@ -62,27 +36,63 @@ local function table_page(value)
 end
 
 local function word_page(word)
-  local exact = subjects[word] or core.docs[word] or core.docs["sg." .. word]
+  local exact = texts[word] or core.docs[word] or core.docs["sg." .. word]
   if exact then return exact end
+  local group = subjects.group(word)
+  if group then return list(group.title .. ":", subjects.pages(group)) end
   local names, last = {}, {}
   for name, page in pairs(core.docs) do
     if (name .. "\n" .. page):lower():find(word:lower(), 1, true) then names[name] = true end
     last[name:match "[^.:]+$"] = true
   end
   if next(names) then return list(("Pages with '%s':"):format(word), sorted(names)) end
-  for subject in pairs(subjects) do last[subject] = true end
+  for subject in pairs(texts) do last[subject] = true end
+  for _, each in ipairs(subjects.groups) do last[each.word] = true end
   local meant = core.nearest(word, sorted(last))
   return ("There is no page on '%s'%s"):format(word, meant and ("; did you mean '%s'?"):format(meant) or ". help() shows where to begin.")
 end
 
-local function page_of(...)
-  local value = ...
-  if select("#", ...) == 0 then return subjects.start end
-  if value == nil then return "help(nil): this name stands for nothing. help() shows where to begin." end
-  if type(value) == "string" then return word_page(value) end
-  if core.names[value] then return core.docs[core.names[value]] end
+local function value_page(value)
+  local methods = type(value) == "table" and getmetatable(value) or nil
+  local name = core.names[value] or core.names[methods] or core.kind(value)
+  if core.docs[name] then return core.docs[name] end
   if type(value) == "table" then return table_page(value) end
-  return core.docs[core.kind(value)] or ("There is no help page for a %s."):format(core.kind(value))
+  return ("There is no help page for a %s."):format(core.kind(value))
 end
 
-return function(...) print(page_of(...)) end
+local help = {}
+
+core.docs["help"] = [[
+help(), help(sg.nurbs.arc), help "patch:refine", help "labels"
+Shows what a function does, its arguments with units and defaults, and an example; a word finds all pages that hold it.
+At the prompt ?sg.nurbs.arc and ?refine do the same.
+Example: help(sg.nurbs.arc)]]
+function help.show(...)
+  local value = ...
+  if select("#", ...) == 0 then return print(texts.start) end
+  if value == nil then return print "help(nil): this name stands for nothing. help() shows where to begin." end
+  print(type(value) == "string" and word_page(value) or value_page(value))
+end
+
+--- What a path of names such as "sg.shapes", "run:column" or "x.y" stands for among the globals, or nil.
+local function look_up(path)
+  local value = _G
+  for name in path:gmatch "[^.:]+" do
+    local found, entry = pcall(function() return value == _G and rawget(_G, name) or value ~= _G and value[name] end)
+    if not found or not entry then return nil end
+    value = entry
+  end
+  return value
+end
+
+--- What ?query at the prompt shows: the page of that name, else of the value that it stands for, else a search.
+function help.ask(query)
+  local word = query:match "^%s*(.-)[%s()]*$"
+  if word == "" then return help.show() end
+  if core.docs[word] or texts[word] then return help.show(word) end
+  local value = word:find "^[%a_][%w_.:]*$" and look_up(word)
+  local known = value and (core.names[value] or type(value) == "table" or type(value) == "userdata")
+  help.show(known and type(value) ~= "string" and value or word)
+end
+
+return help

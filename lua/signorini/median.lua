@@ -1,8 +1,11 @@
 -- The median of a list of numbers.
 
+local core = require "signorini.core"
 local arguments = require "signorini.arguments"
 
---- See the help page.
+core.docs["sg.median"] = [[
+sg.median(numbers)
+The median of a list of numbers: the one in the middle, or the mean of the two.]]
 return function(values)
   if type(values) ~= "table" or #values == 0 then
     arguments.reject("sg.median", "its argument", "a list of numbers", values)

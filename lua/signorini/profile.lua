@@ -143,8 +143,24 @@ local function share(mine, theirs, from, to)
   return high > low and math.max(0, math.min(to, high) - math.max(from, low)) / (high - low) or 1
 end
 
---- The L₂ error √∫ ((p − p_ref)/N)² ds of a contact profile (thesis eq. 7.2 with N = max p_ref); see the help page.
---- Returns the error and { from, to, points, scale, covered }.
+core.docs["sg.profile_error"] = [[
+sg.profile_error{ profile, reference, coordinate = "x", value = "pressure", normalise = 1, quadrature = "profile",
+                  zone = "either", edge = "point" }
+The L2 error sqrt(integral of ((p - p_ref)/N)^2 ds) of a contact profile (model:profile) against a reference: another
+profile, or a function of the coordinate. Returns the error and { from, to, points, scale, covered }: the range and the
+number of points of the integral, N, and the share of the zone where either one touches that the range covers.
+coordinate: a column such as "x" (deformed) or "X" (reference), or a function of a point { x =, y =, pressure =, … }; it
+            is s, so ds is its own length. It must grow along the contact zone; beyond, what turns back is left out.
+value:      "pressure" or "traction". normalise: N, a number, or "max", the reference's largest value.
+quadrature: whose points carry the integral: "profile" or "reference" (trapezoids between its points; the other one is
+            interpolated linearly), or "union" (the points of both, exact for two polygons).
+zone:       "either": open points count, with p = 0; "both": only where both touch, from edge point to edge point.
+            Where the contact of one ends earlier than that of the other, "both" leaves out the largest differences.
+edge:       how a profile falls to zero between its last point that touches and the next one: "point", linearly to that
+            next one; "gap", to where the gap, linear between these two, is zero, which is a point of the integral, too.
+Ranges that do not overlap are an error.
+Example: sg.profile_error{ profile = model:profile "interface", reference = finer:profile "interface", normalise = "max" }
+Source: V. Agrawal, thesis, IIT Guwahati 2020, eq. (7.2), which says nothing about the points of the integral.]]
 function profile.error(options)
   local where = "sg.profile_error"
   local o = arguments.table(where, "its argument", options,
@@ -188,7 +204,12 @@ end
 
 -- ── The edges ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- Where a profile's contact begins and ends: { from, to, from_spacing, to_spacing }; see the help page.
+core.docs["sg.profile_edges"] = [[
+sg.profile_edges{ profile, coordinate = "x" }
+Where the contact of a profile begins and ends: { from, to, from_spacing, to_spacing }. An edge lies where the gap,
+linear between the last point that touches and the first one that does not, is zero; the spacing is the distance of
+these two points, within which the profile knows no more. Without spacing the contact reaches the profile's end.
+Example: half_width = sg.profile_edges{ profile = model:profile "interface" }.to]]
 function profile.edges(options)
   local where = "sg.profile_edges"
   local o = arguments.table(where, "its argument", options, { "profile", "coordinate" })

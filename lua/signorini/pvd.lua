@@ -6,6 +6,10 @@ local core = require "signorini.core"
 local Series = {}
 Series.__index = Series
 Series.__name = "series"
+core.types.series = Series
+core.docs["series"] = [[
+series
+A time series for ParaView, made by sg.pvd: a list of { time, name } of its states; help "series:add".]]
 
 local header = '<?xml version="1.0"?>\n<VTKFile type="Collection" version="0.1" byte_order="LittleEndian">\n'
 
@@ -41,7 +45,10 @@ local function drop_from(series, time)
   end
 end
 
---- Writes the model's present state and adds it to the list.
+core.docs["series:add"] = [[
+series:add{ model, time, deformed = true }
+Writes the model's present state as sg.vtu does and adds it to a series made by sg.pvd; times must grow.
+Example: sg.pvd("ironing.pvd"):add{ model = model, time = 0 }]]
 function Series:add(state)
   if getmetatable(self) ~= Series then core.fail "series:add: write series:add{ … } with a colon" end
   state = arguments.table("series:add", "the argument", state, { "model", "time", "deformed" })
@@ -64,6 +71,14 @@ function Series:__tostring()
   return ("series %s: %d %s"):format(self.file, #self, #self == 1 and "state" or "states")
 end
 
+core.docs["sg.pvd"] = [[
+sg.pvd(file, { resume = false })
+Begins a time series for ParaView: a .pvd file that lists the .vtu files of states, which stand beside it as
+<name>_0001.vtu and so on. series:add{ model = model, time = 3 } adds the present state. The file can be opened while the
+run goes on. A file of this name that was there begins anew; with resume = true its states stay, up to the time of the
+first one that is added, as model:run{ …, resume = true } needs it.
+Example: local series = sg.pvd "ironing.pvd"
+         model:run(stages, { on_step = function(info) series:add{ model = model, time = info.step } end })]]
 --- A series without states; its file is there at once, so that a place that cannot be written to is told at once.
 local function new(file, options)
   arguments.string("sg.pvd", "file", file)
@@ -76,4 +91,4 @@ local function new(file, options)
   return series
 end
 
-return { new = new, methods = Series }
+return { new = new }

@@ -207,7 +207,25 @@ function Recommendation:__tostring()
     units = { "", "", "", "s", "", "", "" }, rows = rows, formats = { [4] = "%.3f", [6] = "%.2e" } } .. "\n" .. self.report
 end
 
---- See help "sg.recommend".
+core.docs["sg.recommend"] = [[
+sg.recommend{ scene = function(label, mesh) … return model, stages, options end, error, at_most, labels, meshes, limit }
+The least model that is enough: solves labels and meshes from coarse to fine, estimates the error of each from the next
+level, and stops as soon as one is proven to be within the tolerance. Prints what it tried and what that cost.
+scene:   returns the model of a label and a mesh, and what model:run takes.
+error:   what shall be accurate: a column of the run such as "ground.max_pressure" (its last value counts), or a function
+         of model and run that returns a number, or a list of numbers at places that do not change with the mesh.
+at_most: the relative error, 0.02 for 2 %.
+labels:  from the plainest to the richest; { "N2", "N2-N2.2" } by default.
+meshes:  from coarse to fine, each about half as wide as the one before, in whatever way scene understands them;
+         { 1, 2, 4, 8, 16, 32 } by default.
+limit:   seconds after which no further level is begun; none by default.
+Returns label, mesh, error (the estimate), wall (s), unknowns of the case of least work that is enough (nil where none
+is), tries, spent (s), report. Work is unknowns times iterations, which is the same each time. With d the relative
+distance of the richest label's figures on two levels and r the share of the error that a level leaves (1/2; from three
+levels on as observed, if it is more) the finer one is about d r/(1 - r) off, and coarser cases by their distance from it
+more. The error is that of the discretisation: what penalty, steps or the scene itself leave, no mesh can show. Labels
+that take about the work of another one and have twice its error are not tried again.
+Example: sg.recommend{ scene = press, error = "grip.fy", at_most = 0.1, meshes = {1, 2, 4} }]]
 return function(options)
   local search = read(options)
   search.tries, search.by_level, search.spent, search.display = {}, {}, 0, progress(1)

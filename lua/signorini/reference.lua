@@ -3,7 +3,10 @@
 local core = require "signorini.core"
 local csv = require "signorini.csv"
 
---- A published table by the name of its file in share/reference, as sg.csv.read gives it; its source is the first comment.
+core.docs["sg.reference"] = [[
+sg.reference "ironing2d_oscillation_table7_3"
+A published table that comes with the program, as sg.csv.read gives it; the first comment says where it was printed and
+what was corrected. The names are those of the files in share/reference.]]
 return function(name)
   return csv.read(("%s/reference/%s.csv"):format(core.share, name))
 end

@@ -320,8 +320,7 @@ local function take(step, run, options, display)
   end
 end
 
---- Takes the model along the stages and returns a run. A step that fails ends the run with the last accepted state intact;
---- that is a result (run.failed, run.reason, run.report), not an error.
+core.docs["model:run"] = require "signorini.run_page"
 return function(model, stages, options)
   local path, total = read_stages(model, stages)
   options = read_options(model, options)

@@ -9,6 +9,7 @@ local format_table = require "signorini.table"
 local Run = {}
 Run.__index = Run
 Run.__name = "run"
+core.types.run = Run
 
 local axes = { "x", "y", "z" }
 local contact_columns = { "fx", "fy", "fz", "area", "max_pressure", "max_penetration" }
@@ -247,14 +248,26 @@ end
 
 -- ── Reading (by the user) ────────────────────────────────────────────────────────────────────────────────────────────
 
---- The names of all columns, in order.
+core.docs["run"] = [[
+run
+What model:run returns: run.failed, reason, cause, report, places (see help "model:run"); run.steps that were reached,
+iterations, cutbacks, rescues, wall (s), timings { bulk, contact, linear, rest } (s), stages (a list of accounts by name),
+controls (where arc length took over). print(run) shows a short table.]]
+
+core.docs["run:columns"] = [[
+run:columns()
+The names of all columns, in order.
+Example: for _, name in ipairs(run:columns()) do print(name) end]]
 function Run:columns()
   return table.move(self.names, 1, #self.names, 1, {})
 end
 
---- The values of a column, one per step that was reached: "step", "increments" it was made of, "iterations" and "wall"
---- (seconds) with those of failed attempts, "<support>.fx" (reaction), "<support>.ux" (accepted target of a driven
---- component), "<contact>.area" and so on; columns of on_step's are nan where it returned none.
+core.docs["run:column"] = [[
+run:column(name)
+The values of a column, one per step that was reached: "step", the "increments" it was made of, "iterations" and "wall"
+(s) with those of failed attempts, "<support>.fx" (reaction), "<support>.ux" (where a driven component stands),
+"<contact>.area" and so on; those that on_step returns are nan where it returned none.
+Example: run:column "grip.fy"]]
 function Run:column(name)
   local values = self.values[name]
   if not values then
@@ -273,21 +286,30 @@ local function history(run, what, step)
   return attempts
 end
 
---- How a step was reached or missed: a list of { from, to, converged, reason, iterations, residuals }, where from and to
---- are parts of the step; a step that was not reached is the one after the last row.
+core.docs["run:attempts"] = [[
+run:attempts(step)
+How a step was reached or missed: a list of { from, to, converged, reason, iterations, residuals, rescue }, where from and
+to are parts of the step; a step that was not reached is the one after the last row.
+Example: run:attempts(1)[1].iterations]]
 function Run:attempts(step)
   local attempts = history(self, "run:attempts", step)
   return table.move(attempts, 1, #attempts, 1, {})
 end
 
---- The residual norms of the iterations of a step's last attempt.
+core.docs["run:residuals"] = [[
+run:residuals(step)
+The residual norms of the iterations of a step's last attempt.
+Example: run:residuals(run.steps)]]
 function Run:residuals(step)
   local attempts = history(self, "run:residuals", step)
   local residuals = attempts[#attempts].residuals
   return table.move(residuals, 1, #residuals, 1, {})
 end
 
---- Writes all columns to a CSV file; a figure that on_step did not return is left out.
+core.docs["run:csv"] = [[
+run:csv(file)
+Writes all columns to a CSV file; a figure that on_step did not return is left out.
+Example: run:csv "run.csv"]]
 function Run:csv(file)
   local rows = {}
   for row = 1, self.rows do

@@ -186,7 +186,23 @@ local function run_check(argument, options, text)
   end
 end
 
---- See the help page.
+core.docs["sg.arguments"] = [[
+sg.arguments{ <name> = default, <name> = { default, <restriction> = … }, … }
+The arguments name=value that stand behind a script's name on the command line, as a table of values by name. The
+default gives the type: a whole number (10; of at least 1 unless it is told otherwise), a number (2.5, 100.0), a text,
+true or false (yes or no on the command line), or a list of numbers or of texts (values with commas in between).
+Restrictions, of a list's entries where the default is a list: { {"m1"}, choices = {"m1", "m2"} }
+choices:  a list of what it may be
+at_least, above, at_most, below: limits of a number
+none:     true: the word none stands for the empty list
+check:    a function of the value (or entry) and of all values, which returns whether it is good; with
+expected: what check asks for, in words that follow "must be"
+variants: further arguments by variant: variant = { "plain", variants = { plain = {…}, deep = { depth = 0.5 } } }; those
+          of a variant go before those that all have
+What cannot be understood ends the script with one line that says what came and what was expected; the word help or
+--help prints all arguments with their defaults and ends the program. A script that is called as a function takes the
+words of the call; sg.arguments(defaults, words) those of a list.
+Example: options = sg.arguments{ labels = {"N2", "N4"}, steps = 10, penalty = { 100.0, above = 0 }, out = "out/study" }]]
 return function(defaults, words)
   if type(defaults) ~= "table" then arguments.reject(where, "its argument", "a table of defaults", defaults) end
   if words == nil then words = words_of_script() end

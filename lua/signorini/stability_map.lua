@@ -15,6 +15,7 @@ local where = "sg.stability_map"
 local Map = { picture = pictures.outcomes, figure = pictures.figure }
 Map.__index = Map
 Map.__name = "stability map"
+core.types.map = Map
 
 -- ── Reading the arguments ────────────────────────────────────────────────────────────────────────────────────────────
 
@@ -139,7 +140,15 @@ end
 
 -- ── Reading (by the user) ────────────────────────────────────────────────────────────────────────────────────────────
 
---- The cell at two of the parameters' values; nil when it was not solved.
+core.docs["map"] = [[
+map
+What sg.stability_map returns: map.cells, a list of { x, y, outcome, reached, steps, increments, iterations, cutbacks,
+rescues, wall, report, place, figures }; print(map) shows how many cells are held, and the table.]]
+
+core.docs["map:cell"] = [[
+map:cell(x, y)
+The cell at two of the parameters' values; nil when it was not solved.
+Example: map:cell("N2", 4).outcome]]
 function Map:cell(x, y)
   for _, pair in ipairs { { self.x, x }, { self.y, y } } do
     if not holds(pair[1], pair[2]) then
@@ -151,14 +160,19 @@ end
 
 local function is_held(cell) return cell ~= nil and cell.outcome == "completed" end
 
---- How many cells were held to the end of their path, and how many there are.
+core.docs["map:held"] = [[
+map:held()
+How many cells were held to the end of their path, and how many there are.
+Example: held, cells = map:held()]]
 function Map:held()
   local count = 0
   for _, cell in ipairs(self.cells) do count = count + (is_held(cell) and 1 or 0) end
   return count, #self.x.values * #self.y.values
 end
 
---- The text of a table, one row per cell.
+core.docs["map:table"] = [[
+map:table()
+The text of a table, one row per cell.]]
 function Map:table()
   local columns = { self.x.name, self.y.name, "outcome", "reached", "increments", "iterations", "cut-backs", "rescues",
                     "wall" }
@@ -174,13 +188,19 @@ function Map:table()
   return format_table { columns = columns, units = units, rows = rows, formats = formats }
 end
 
---- Writes all cells to a CSV file, with the reports of the failures.
+core.docs["map:csv"] = [[
+map:csv(file)
+Writes all cells to a CSV file, with the reports of the failures.
+Example: map:csv "map.csv"]]
 function Map:csv(file)
   store.write(arguments.string("map:csv", "file", file), self, self.cells)
 end
 
---- What another map of the same parameters holds beside this one: { gained, lost } are lists of {x, y} that only the
---- other one or only this one held; both and neither are numbers of cells.
+core.docs["map:compare"] = [[
+map:compare(other)
+What another map of the same parameters holds beside this one: { gained, lost, both, neither }. gained and lost are lists
+of {x, y} that only the other one or only this one held, both and neither numbers of cells.
+Example: #map:compare(map).gained]]
 function Map:compare(other)
   if getmetatable(other) ~= Map then arguments.reject("map:compare", "its argument", "a stability map", other) end
   local result = { gained = {}, lost = {}, both = 0, neither = 0 }
@@ -209,7 +229,24 @@ function Map:__tostring()
   return text
 end
 
---- Solves all cells that the file does not hold already. Ctrl-C ends it with those that are done.
+core.docs["sg.stability_map"] = [[
+sg.stability_map{ name, x = { name = , values = {…} }, y = { name = , values = {…} }, scene = function(x, y) …,
+                  path = function(model, x, y) …, figures = function(model, run, x, y) …, jobs, limit, file }
+Where over two parameters the solve holds, and where and why it fails. For each pair of values (numbers or strings) a
+process of its own calls scene, which returns a model, and path, which returns stages and options as model:run takes
+them. What the functions change is lost with the process. Returns a map.
+figures: numbers by name, of cells that reach the end of their path; those that are not finite are left out.
+jobs:    cells that are solved side by side; by default what --jobs says, else as many as there are processors.
+limit:   seconds by the clock on the wall after which a cell is given up; none by default.
+file:    a CSV file that keeps every finished cell at once; a later call with the same names takes up what it holds, but
+         solves errors again. Remove it when the problem changes.
+A cell: x, y, outcome, reached (part of the path, 0 to 1), steps, increments, iterations, cutbacks, rescues, wall (s),
+report and place of a failure, figures. Outcomes: those of run.reason, "completed" is held; "error" (in one of the
+functions), "crashed", "time". Ctrl-C ends it with the cells that are done.
+map.cells is a list; print(map) shows how many are held and the table; see help "map:picture", "map:compare".
+Example: map = sg.stability_map{ x = { name = "order", values = {"N2", "N4"} }, y = { name = "steps", values = {5, 10} },
+           scene = function(order) return (press(order, 1)) end,
+           path = function(model, order, steps) return { { steps = steps, grip = {0, -0.1} } } end }]]
 return function(options)
   local map = read_map(options)
   take_up(map)

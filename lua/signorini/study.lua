@@ -12,6 +12,7 @@ local where = "sg.study"
 local Study = { execute = execute }
 Study.__index = Study
 Study.__name = "study"
+core.types.study = Study
 for name, verb in pairs(verbs) do Study[name] = verb end
 
 -- A part of a study has no cases, and what it is not given has no inputs. All else that is not there is misspelt.
@@ -61,7 +62,10 @@ function Study:gather()
   end
 end
 
---- Reads what the folder holds of these cases, without running any; also while another process executes the study.
+core.docs["study:read"] = [[
+study:read()
+Reads what the study's folder holds of its cases, without running any, and returns the study. It may be called while
+another process executes it; changed inputs are not looked for.]]
 function Study:read()
   if not self.cases then core.fail "study:read: this is a part of a study: read the study that it was taken from" end
   store.check("study:read", self)
@@ -83,7 +87,31 @@ local function read_units(units)
   return copy
 end
 
---- See help "sg.study".
+core.docs["study"] = [[
+study
+What sg.study returns: #study rows, study.rows, a list of tables of parameters and figures by name; print(study) shows how
+many cases are done, and the table. Verbs that choose, group or add return a study of their own that has rows only.]]
+
+core.docs["sg.study"] = [[
+sg.study{ name, cases = sg.grid{ … }, run = function(case) … return { dPx = …, wall = run.wall } end, folder, units,
+          alone = false, inputs }
+A function that is solved for many cases, side by side, and whose results are kept. study:execute{ jobs = 2 } does it.
+cases:  a list of tables of parameters, or of such lists: grids may stand side by side.
+run:    returns figures by name: numbers, texts, true or false, and lists of these, which tables leave out. A case that
+        did not come out returns failed = true and a reason: that is a result, too. A figure that is nan or infinite
+        makes the case an error. Each case is a process of its own: what it changes is lost with it.
+folder: where each finished case is written at once as a JSON file: out/<name> by default.
+units:  of figures and parameters by name, for heads of tables and labels of axes.
+alone:  true, or a function of a case: such cases run last and one by one, with nothing beside them, to be timed.
+inputs: plain data. A case counts as done as long as its parameters, the text of run and all that run refers to
+        (functions, numbers, tables; not the program itself) stay as they are; with inputs only these count.
+Beside its figures each row has wall, the seconds that run took, unless it returned a figure of that name.
+study.rows: a list of tables; #study; print(study); see help "study:where", "study:table", "study:chart".
+Example: study = sg.study{ name = "steps", cases = sg.grid{ steps = {5, 10} },
+           run = function(case)
+             local run = press("N2", 1):run{ { name = "press", steps = case.steps, grip = {0, -0.1} } }
+             return { force = run:column "grip.fy"[run.steps] }
+           end }]]
 local function new(options)
   if type(options) ~= "table" then arguments.reject(where, "its argument", "a table of named arguments", options) end
   arguments.table(where, "its argument", options, { "name", "cases", "run", "folder", "units", "alone", "inputs" })
@@ -101,4 +129,4 @@ local function new(options)
   return setmetatable(study, Study)
 end
 
-return { new = new, methods = Study }
+return { new = new }

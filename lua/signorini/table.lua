@@ -1,5 +1,6 @@
 -- Tables as aligned text.
 
+local core = require "signorini.core"
 local arguments = require "signorini.arguments"
 
 --- A cell as text: by the column's format, whole numbers as such, others with six digits, nothing as a dash.
@@ -15,10 +16,10 @@ local function pad(text, width, right)
   return right and blanks .. text or text .. blanks
 end
 
---- The text of a table without a final line break:
----   sg.table{ columns = {names}, rows = {{…}, …}, units = {…}, formats = {…} }
---- `units` is a second line of heads; `formats` are string.format patterns for numbers by position or column name.
---- Columns that hold numbers are aligned to the right. Missing values (nil) are shown as a dash.
+core.docs["sg.table"] = [[
+sg.table{ columns = {…}, rows = {{…}, …}, units = {…}, formats = {…} }
+The text of an aligned table, numbers to the right; formats are patterns of string.format by position or column name;
+a missing value is a dash, units make a second line of heads.]]
 return function(options)
   arguments.table("sg.table", "its argument", options, { "columns", "rows", "units", "formats" })
   local columns, formats = options.columns, options.formats or {}

@@ -15,6 +15,7 @@ local most_marks = 16 -- as many markers as charts have
 local Result = {}
 Result.__index = Result
 Result.__name = "work-precision comparison"
+core.types.comparison = Result
 
 -- ── Reading the arguments ────────────────────────────────────────────────────────────────────────────────────────────
 
@@ -145,7 +146,13 @@ end
 
 -- ── Reading (by the user) ────────────────────────────────────────────────────────────────────────────────────────────
 
---- The text of a table: what part of B's time A takes at equal errors.
+core.docs["comparison"] = [[
+comparison
+What sg.work_precision returns: ratios, pareto, left_out; print(comparison) shows them all.]]
+
+core.docs["comparison:table"] = [[
+comparison:table()
+The text of a table: what part of B's time A takes at equal errors.]]
 function Result:table()
   local columns, rows, formats = { "A", "B", "from", "to" }, {}, { [3] = "%.3g", [4] = "%.3g" }
   local heads = { "at from", "middle", "at to" }
@@ -160,7 +167,9 @@ function Result:table()
   return format_table { columns = columns, units = units, rows = rows, formats = formats }
 end
 
---- The text of a table of the cases that no other one beats.
+core.docs["comparison:front"] = [[
+comparison:front()
+The text of a table of the cases that no other one beats: the Pareto front of time and error.]]
 function Result:front()
   local study, columns, units, rows = self.study, {}, {}, {}
   for i, name in ipairs(study.parameters) do columns[i], units[i] = name, study.units[name] or "" end
@@ -196,6 +205,23 @@ function Result:__tostring()
   return table.concat(lines, "\n")
 end
 
+core.docs["sg.work_precision"] = [[
+sg.work_precision(study, { error, time = "wall", series = "order", marker, where, at, file or files, title, xlabel, ylabel,
+                           size })
+Error against time: one curve per series through its cases by rising time, one marker per kind of case, both axes
+logarithmic, the Pareto front as grey steps. Returns the comparison; print shows ratios, front and what was left out.
+error, time, series, marker: columns of the study, or functions of a row. Errors count by their size. series is the first
+         parameter where none is called order; marker all other parameters together, false for none.
+where:   a function of a row: only rows for which it is true.
+at:      errors at which times are compared; by default the least, the middle and the largest one that both curves reach.
+file, files: .png, .svg, .pdf; none by default.
+Cases that failed, and those without time or error or with a zero of them, are left out and listed with the reason.
+Times at equal error are interpolated on the lines between cases; where a curve comes down to an error more than once, the
+least time counts. Nothing is extrapolated: not below a curve's least error, and not above that of its cheapest case.
+result.ratios: { a, b, from, to, at = {…}, ratio = {…} } for each pair: at the error at[i] a takes ratio[i] of b's time,
+nil beyond from … to; without errors that both reach, why. result.pareto: the rows of the front; result.left_out: { row,
+why }; result:table(), result:front(): texts.
+Example: print(sg.work_precision(study, { error = "error", at = {0.1}, file = "speed.png" }))]]
 return function(study, options)
   quantity.study(where, study)
   local read = read_options(study, options)

@@ -135,7 +135,9 @@ constexpr Function functions[] = {
 
 template <int D>
 constexpr Function rows[] = {
-    {"__tostring", wrap<tostring<D>>, "tostring(b)\nThe body's size in words."},
+    {"__tostring", wrap<tostring<D>>,
+     "body\nWhat sg.body returns, an immutable value; print(body) tells its size. Methods: face, edge, corner, dofs, "
+     "points."},
     {"dofs", wrap<dofs<D>>,
      "b:dofs()\n"
      "Degrees of freedom { interface, bulk, total }: of the contact faces' control points, of all others, of all."},

@@ -195,7 +195,9 @@ int chart(lua_State* L) {
 
 constexpr Function rows[] = {
     {"chart", wrap<chart>,
-     "sg.chart{ file, x, { y, label, … }, …, xlabel, ylabel, log, title, legend = true, xticks, hlines, inset }\n"
+     "sg.chart{ file, x, { y, label, … }, …, xlabel, ylabel, log, title, legend = true, legend_title, marks, "
+     "marks_title,\n"
+     "          xrange, yrange, xticks, hlines, vlines, inset, size = {1600, 1000} }\n"
      "Draws curves to a file that ends with .png, .svg or .pdf. Each curve is a table without a name:\n"
      "  { y = {…}, x = its own abscissae (the chart's x), label = , markers = false, dashed = false, line = true,\n"
      "    width = 3, color = number of the curve that it looks like (its own) or \"gray\", marker = \"circle\", … or "

@@ -79,10 +79,16 @@ constexpr Function rows[] = {
     {"kind", wrap<kind>, "core.kind(value)\nThe type, with the names of the program's own types such as \"patch\"."},
 };
 
+constexpr Function public_rows[] = {
+    {"mkdir", wrap<mkdir>,
+     "sg.mkdir(path)\nMakes a folder and those above it; an existing folder is fine.\nExample: sg.mkdir \"out/study\""},
+};
+
 } // namespace
 
 void open_core(lua_State* L) {
   register_functions(L, "core", rows);
+  register_functions(L, "sg", public_rows);
 }
 
 } // namespace signorini::bind

@@ -149,10 +149,10 @@ constexpr Function rows[] = {
      "Revolves a curve or a surface in 3D about an axis by an angle in degrees, exact; the new direction is the last "
      "one."},
     {"coons", wrap<coons>,
-     "sg.nurbs.coons{ west, east, south, north } or with front, back\n"
-     "Coons patch: the surface between four boundary curves or the volume between six boundary surfaces, whose "
-     "corners\n"
-     "meet. west and east run along xi2, south and north along xi1."},
+     "sg.nurbs.coons{ west, east, south, north, front, back }\n"
+     "Coons patch: the surface between four boundary curves or the volume between six boundary surfaces "
+     "(then with front\n"
+     "and back), whose corners meet. west and east run along xi2, south and north along xi1."},
 };
 
 } // namespace

@@ -36,7 +36,8 @@ constexpr Function functions[] = {
 };
 
 constexpr Function rows[] = {
-    {"__tostring", wrap<tostring>, "tostring(material)\nThe law and its constants in words."},
+    {"__tostring", wrap<tostring>,
+     "material\nWhat sg.neo_hookean and sg.linear_elastic return; print(material) tells the law and its constants."},
 };
 
 } // namespace

@@ -87,7 +87,10 @@ template <int D> int tostring(lua_State* L) {
 
 template <int D>
 constexpr Function rows[] = {
-    {"__tostring", wrap<tostring<D>>, "tostring(m)\nThe model's parts and size in words."},
+    {"__tostring", wrap<tostring<D>>,
+     "model\nWhat sg.model returns: the scene with its accepted state and the present one; print(model) tells its "
+     "parts and size.\n"
+     "model:run takes it along a load path; help \"results\" and help \"verbs\" list the other methods."},
     {"body_names", wrap<body_names<D>>, "m:body_names()\nThe names of the bodies, sorted."},
     {"support_names", wrap<support_names<D>>, "m:support_names()\nThe names of the supports, sorted."},
     {"contact_names", wrap<contact_names<D>>, "m:contact_names()\nThe names of the contacts, sorted."},

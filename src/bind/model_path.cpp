@@ -240,7 +240,7 @@ constexpr Function rows[] = {
 
 template <int D>
 constexpr Function snapshot_rows[] = {
-    {"__tostring", wrap<snapshot_tostring<D>>, "tostring(s)\nWhat it is."},
+    {"__tostring", wrap<snapshot_tostring<D>>, "snapshot\nWhat m:snapshot returns, a state that m:restore returns to."},
 };
 
 } // namespace

@@ -217,13 +217,13 @@ constexpr const char* call_doc = "p(xi) or p:evaluate(xi)\n"
                                  "Example: sg.shapes.rectangle{ width = 3, height = 1 }{0.5, 0.5}  --> {1.5, 0.5}";
 
 constexpr Function rows[] = {
-    {"__call", wrap<call>,
+    {"__call", wrap<call>, call_doc},
+    {"__tostring", wrap<tostring>,
      "patch\n"
      "A NURBS curve, surface or volume: an immutable value. Methods that change something return a new patch.\n"
      "Make one with sg.nurbs.* or sg.shapes.*; methods: p(xi), evaluate, derivatives, basis, insert, elevate, refine,\n"
      "face, degrees, elements, knots, points, weights, translate, rotate, scale, write. help \"patch:refine\" tells "
      "more."},
-    {"__tostring", wrap<tostring>, "tostring(p)\nThe kind, degrees, elements and number of control points in words."},
     {"evaluate", wrap<call>, call_doc},
     {"derivatives", wrap<derivatives>,
      "p:derivatives(xi, n)\n"
@@ -248,7 +248,7 @@ constexpr Function rows[] = {
      "direction: { elements = 0.8, length = 0.1, at = \"start\" | \"end\" } puts 80 % of the elements into a tenth of "
      "the\n"
      "length at that end; false leaves the direction uniform.\n"
-     "Example: p:refine{ elements = {8, 3}, degree = {2, 2} }"},
+     "Example: patch:refine{ elements = {8, 3}, degree = {2, 2} }"},
     {"face", wrap<face>,
      "p:face(name)\n"
      "The side as a patch of one direction less: west/east (xi1), south/north (xi2), front/back (xi3)."},

@@ -294,7 +294,7 @@ constexpr Function rows[] = {
     {"picture", wrap<picture>,
      "sg.picture{ model, file, field, factor = 1, label, title, range, colormap = \"viridis\", size, crop, bodies,\n"
      "            deformed = true, undeformed = false, mesh = true, control_points = false, obstacles = true, mirror,\n"
-     "            camera = \"iso\", cut, marks }\n"
+     "            camera = \"iso\", cut, marks, frames, columns }\n"
      "Draws the model's present state to a .png file. field: ux uy u, Cauchy stresses sxx syy szz sxy, von_mises,\n"
      "pressure, I1 (tr sigma), F11 F12 F21 F22; grey without. Stresses are evaluated where they are drawn, not "
      "smoothed.\n"
@@ -327,7 +327,7 @@ constexpr Function rows[] = {
      "sg.picture{ frames = {…}, file, columns, camera, … } draws states kept by sg.frame side by side, with one colour "
      "bar.\n"
      "Example: sg.picture{ model = model, field = \"uy\", file = \"die.png\" }\n"
-     "Example: sg.picture{ model = model, field = \"szz\", cut = \"-y\", camera = { from = {1, -2, 1} }, file = "
+     "Example: sg.picture{ model = solid, field = \"szz\", cut = \"-y\", camera = { from = {1, -2, 1} }, file = "
      "\"cut.png\" }"},
     {"frame", wrap<frame>,
      "sg.frame{ model, title, field, factor, bodies, deformed, undeformed, mesh, control_points, obstacles, mirror, "
@@ -336,13 +336,15 @@ constexpr Function rows[] = {
      "Keeps the model's present state for a picture of several; arguments as in sg.picture.\n"
      "Example: local frames = {}\n"
      "         model:run(stages, { on_step = function(info)\n"
-     "           if info.step % 10 == 0 then frames[#frames + 1] = sg.frame{ model = model, field = \"uy\" } end\n"
+     "           if info.step % 2 == 0 then frames[#frames + 1] = sg.frame{ model = model, field = \"uy\" } end\n"
      "         end })\n"
      "         sg.picture{ frames = frames, columns = 2, file = \"states.png\" }"},
 };
 
 constexpr Function frame_rows[] = {
-    {"__tostring", wrap<frame_tostring>, "tostring(frame)\nThe frame's title and field in words."},
+    {"__tostring", wrap<frame_tostring>,
+     "frame\nWhat sg.frame returns, a state kept for sg.picture{ frames = {…} }; print(frame) tells its title and "
+     "field."},
 };
 
 } // namespace

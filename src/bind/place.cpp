@@ -79,7 +79,8 @@ template <int D> int tostring(lua_State* L) {
 
 template <int D>
 constexpr Function rows[] = {
-    {"__tostring", wrap<tostring<D>>, "tostring(f)\nWhich face, edge or corner it is."},
+    {"__tostring", wrap<tostring<D>>,
+     "face\nA face, edge or corner of a body, for supports, loads and contacts; print(face) tells which one it is."},
 };
 
 } // namespace

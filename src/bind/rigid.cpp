@@ -115,7 +115,9 @@ constexpr Function functions[] = {
 
 template <int D>
 constexpr Function rows[] = {
-    {"__tostring", wrap<rigid_tostring<D>>, "tostring(obstacle)\nThe shape in words."},
+    {"__tostring", wrap<rigid_tostring<D>>,
+     "obstacle\nWhat sg.rigid.* return, a master without unknowns that a support may drive; print(obstacle) tells its "
+     "shape."},
 };
 
 } // namespace

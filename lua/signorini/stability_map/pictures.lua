@@ -98,7 +98,11 @@ local function categories(maps)
   return list
 end
 
---- map:picture{ file, title, text, beside, titles, size }
+core.docs["map:picture"] = [[
+map:picture{ file, title, text = "iterations", beside, titles, size }
+Draws the outcomes as a heat map. text: the number in the cells, an account of the cell such as "reached", or a figure.
+beside: another map, drawn at its side, with titles = {…, …} for the two. size in pixels as in sg.heatmap.
+Example: map:picture{ file = "map.png", text = "reached" }]]
 function pictures.outcomes(map, options)
   local where = "map:picture"
   arguments.table(where, "its argument", options, { "file", "title", "text", "beside", "titles", "size" })
@@ -110,7 +114,11 @@ function pictures.outcomes(map, options)
   end)
 end
 
---- map:figure{ name, file, log, label, title, range, colormap, beside, titles, size }
+core.docs["map:figure"] = [[
+map:figure{ name, file, log = false, label, title, range, colormap, beside, titles, size }
+Draws one number of the cells, an account or a figure, as a heat map; label is the colour bar's title (the name), all else
+as in map:picture and sg.heatmap.
+Example: map:figure{ name = "iterations", file = "iterations.png" }]]
 function pictures.figure(map, options)
   local where = "map:figure"
   arguments.table(where, "its argument", options,

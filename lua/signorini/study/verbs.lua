@@ -45,7 +45,10 @@ local function read_filter(where, study, filter)
   end
 end
 
---- See help "study:where".
+core.docs["study:where"] = [[
+study:where{ order = "N2", mesh = {"m1", "m2"}, failed = false } or study:where(function(row) return row.wall < 1 end)
+The part of a study with these values, as a study that has results only: for a list any of its values.
+Example: study:where{ order = "N2", mesh = {1, 2} }]]
 function verbs:where(filter)
   local keeps, rows = read_filter("study:where", self, filter), {}
   for _, row in ipairs(self.rows) do
@@ -54,7 +57,10 @@ function verbs:where(filter)
   return part_of(self, rows)
 end
 
---- See help "study:row".
+core.docs["study:row"] = [[
+study:row{ order = "N2", mesh = "m1" }
+The one row with these values, a table of parameters and figures by name. None or several are an error.
+Example: study:row{ order = "N2", mesh = 1 }.force]]
 function verbs:row(filter)
   local rows = verbs.where(self, filter).rows
   if #rows ~= 1 then
@@ -64,7 +70,10 @@ function verbs:row(filter)
   return rows[1]
 end
 
---- See help "study:by".
+core.docs["study:by"] = [[
+study:by "order"
+Goes over the parts of a study that share a value.
+Example: for order, part in study:by "order" do print(order, #part) end]]
 function verbs:by(name)
   name = arguments.choice("study:by", "its argument", name, values.columns(self))
   local groups = {}
@@ -88,7 +97,10 @@ end
 
 -- ── Reckoning ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- See help "study:column".
+core.docs["study:column"] = [[
+study:column "dPx"
+A parameter or figure as a list over the rows, nan where it is missing.
+Example: study:column "force"]]
 function verbs:column(name)
   name = arguments.choice("study:column", "its argument", name, values.columns(self))
   local list = {}
@@ -99,7 +111,10 @@ function verbs:column(name)
   return list
 end
 
---- See help "study:with".
+core.docs["study:with"] = [[
+study:with(name, function(row) … return value end, unit)
+The study with one figure more, made from each row; nil where it is not known.
+Example: study:with("error", function(row) return math.abs(row.force / 0.079 - 1) end)]]
 function verbs:with(name, make, unit)
   local where = "study:with"
   name = arguments.string(where, "name", name)
@@ -142,7 +157,10 @@ local function merge(rows, name)
   return merged
 end
 
---- See help "study:median".
+core.docs["study:median"] = [[
+study:median "round"
+The study without this parameter: of rows that differ in nothing else one is left, with the medians of their numbers.
+For figures that come out differently each time, above all times: cases = sg.grid{ …, round = {1, 2, 3} }.]]
 function verbs:median(name)
   name = arguments.choice("study:median", "its argument", name, self.parameters)
   local kept, groups = {}, {}
@@ -202,8 +220,8 @@ local function sorted_rows(where, study, sort)
 end
 
 --- The columns and rows of a table, values as texts where a cell could not hold them.
-local function read_table(where, study, options)
-  options = arguments.table(where, "its argument", options, { "columns", "sort", "formats" })
+local function read_table(where, study, options, known)
+  options = arguments.table(where, "its argument", options, known)
   local columns = options.columns or telling_columns(study)
   if type(columns) ~= "table" then arguments.reject(where, "columns", "a list of names", columns) end
   local units, rows = {}, {}
@@ -223,15 +241,21 @@ local function read_table(where, study, options)
   return columns, units, rows, options.formats or { wall = "%.3g" }
 end
 
---- See help "study:table".
+core.docs["study:table"] = [[
+study:table{ columns, sort, formats }
+The text of an aligned table, with units: all parameters and figures, or the columns named; sort is a column or a list of
+columns, in rising order; formats are patterns of string.format by column name.]]
 function verbs:table(options)
-  local columns, units, rows, formats = read_table("study:table", self, options)
+  local columns, units, rows, formats = read_table("study:table", self, options, { "columns", "sort", "formats" })
   return format_table{ columns = columns, units = units, rows = rows, formats = formats }
 end
 
---- See help "study:csv".
+core.docs["study:csv"] = [[
+study:csv(file, { columns, sort })
+Writes the table to a CSV file, units in comments.
+Example: study:csv "press.csv"]]
 function verbs:csv(file, options)
-  local columns, units, rows = read_table("study:csv", self, options)
+  local columns, units, rows = read_table("study:csv", self, options, { "columns", "sort" })
   local comments = { ("study: %s"):format(self.name) }
   for j, name in ipairs(columns) do
     if units[j] ~= "" then comments[#comments + 1] = ("%s / %s"):format(name, units[j]) end

@@ -1,0 +1,50 @@
+-- A half ring is pressed into a slab.
+function press(order, mesh)
+  local die = sg.body{
+    patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, centre = {0.75, 1.5} },
+    elements = {6 * mesh, mesh}, order = order, contact = "south", material = sg.neo_hookean{ E = 1000, nu = 0.3 },
+  }
+  local slab = sg.body{
+    patch = sg.shapes.rectangle{ width = 3, height = 1 },
+    elements = {8 * mesh, 2 * mesh}, order = order, contact = "north", material = sg.neo_hookean{ E = 1, nu = 0.3 },
+  }
+  local model = sg.model{
+    bodies = { die = die, slab = slab },
+    supports = { bed = { on = slab:face "south", fix = "xy" },
+                 grip = { on = {die:face "west", die:face "east"}, drive = "xy" } },
+    contacts = { interface = { slave = die:face "south", master = slab:face "north", penalty = 100 } },
+  }
+  return model, { { name = "press", steps = 4, grip = {0, -0.1} } }
+end
+
+model, stages = press("N2-N2.2", 1)
+die, slab = model:body "die", model:body "slab"
+patch = sg.shapes.rectangle{ width = 3, height = 1 }
+run = model:run(stages)
+files = sg.files "out/press"
+finer = press("N2-N2.2", 2)
+finer:run(stages)
+
+-- A cube is pressed together.
+cube = sg.body{ patch = sg.shapes.block{ size = {1, 1, 1} }, elements = {2, 2, 2}, order = "N2", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+solid = sg.model{
+  bodies = { cube = cube },
+  supports = { bed = { on = cube:face "front", fix = "xyz" }, top = { on = cube:face "back", drive = "z", fix = "xy" } },
+}
+solid:run{ { name = "press", steps = 1, top = {-0.2} } }
+
+-- The ring with two discretisations on two meshes; the error is that of the force.
+function force_of(case)
+  local model, stages = press(case.order, case.mesh)
+  return { force = model:run(stages):column "grip.fy"[4] }
+end
+study = sg.study{ name = "press", cases = sg.grid{ order = {"N2", "N2-N2.2"}, mesh = {1, 2} }, run = force_of }
+finest = study:execute{ jobs = 2 }:row{ order = "N2-N2.2", mesh = 2 }.force
+study = study:with("error", function(row) return math.abs(row.force / finest - 1) end)
+comparison = sg.work_precision(study, { error = "error", where = function(row) return row.error > 0 end })
+
+map = sg.stability_map{
+  x = { name = "order", values = {"N2", "N2-N2.2"} }, y = { name = "steps", values = {1, 4} }, jobs = 2,
+  scene = function(order) return (press(order, 1)) end,
+  path = function(_, _, steps) return { { name = "press", steps = steps, grip = {0, -0.1} } } end,
+}
