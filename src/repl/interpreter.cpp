@@ -11,17 +11,6 @@ namespace signorini::repl {
 
 namespace {
 
-/// How many of the user's own functions stand on the stack.
-int user_frames(lua_State* L) {
-  int count = 0;
-  lua_Debug frame;
-  for (int level = 0; lua_getstack(L, level, &frame); ++level) {
-    lua_getinfo(L, "Sl", &frame);
-    count += frame.currentline > 0 && !bind::in_library(L, frame);
-  }
-  return count;
-}
-
 /// Whether an error is meant for who typed the command, such as a wrong argument (lua/signorini/script_arguments.lua).
 bool is_refusal(lua_State* L) {
   const bool found = luaL_getmetafield(L, 1, "without_traceback") != LUA_TNIL;
@@ -29,13 +18,17 @@ bool is_refusal(lua_State* L) {
   return found;
 }
 
-/// Message handler: any error value as text, with the traceback below it unless it tells nothing new.
+/// Message handler: any error value as text, with the traceback below it unless it is not wanted, or kept for later.
 int add_traceback(lua_State* L) {
-  const bool brief = lua_toboolean(L, lua_upvalueindex(1)) && user_frames(L) < 2;
-  const bool refusal = is_refusal(L);
+  const bool later = lua_toboolean(L, lua_upvalueindex(1)), refusal = is_refusal(L);
   luaL_tolstring(L, 1, nullptr);
-  if (interrupted() || brief || refusal) return 1;
+  if (interrupted() || refusal) return 1;
   luaL_traceback(L, L, lua_tostring(L, -1), 1);
+  if (!later) return 1;
+  bind::push_table(L, "core");
+  lua_insert(L, -2);
+  lua_setfield(L, -2, "traceback");
+  lua_pop(L, 1);
   return 1;
 }
 
@@ -80,10 +73,10 @@ bool Interpreter::open_globals() {
   return run_code("sg = require 'signorini'; help = sg.help", "=signorini");
 }
 
-bool Interpreter::call(int arguments, bool brief_traceback) {
+bool Interpreter::call(int arguments, bool keep_traceback) {
   lua_State* L = state();
   const int base = lua_gettop(L) - arguments;
-  lua_pushboolean(L, brief_traceback);
+  lua_pushboolean(L, keep_traceback);
   lua_pushcclosure(L, add_traceback, 1);
   lua_insert(L, base);
   const int status = lua_pcall(L, arguments, LUA_MULTRET, base);

@@ -24,9 +24,9 @@ public:
   bool run_code(const std::string& code, const std::string& name);
   bool run_file(const std::string& file, const std::vector<std::string>& arguments);
 
-  /// Calls the function below `arguments` values on the stack with a traceback for errors: true with all its results on
-  /// the stack, or false with the message.
-  bool call(int arguments, bool brief_traceback = false);
+  /// Calls the function below `arguments` values on the stack: true with all its results on the stack, or false with
+  /// the message and the traceback, which goes to core.traceback instead when it is to be kept for later.
+  bool call(int arguments, bool keep_traceback = false);
 
 private:
   bool report(bool ok);

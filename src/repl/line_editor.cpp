@@ -19,6 +19,7 @@ namespace fs = std::filesystem;
 namespace {
 
 lua_State* state = nullptr;
+std::string above; ///< the lines of the unfinished statement
 
 /// $XDG_STATE_HOME/signorini/history, ~/.local/state/signorini/history, or nothing when there is no home.
 std::string find_history() {
@@ -35,32 +36,36 @@ std::string find_history() {
   return error ? "" : (folder / "signorini/history").string();
 }
 
-/// The n-th completion of `word` according to signorini.complete, or nullptr behind the last.
-char* next_completion(const char* word, int n) {
+/// The n-th completion of `word` behind `before` according to signorini.complete, or nullptr behind the last.
+char* next_completion(const char* word, const std::string& before, int n) {
   const int top = lua_gettop(state);
   char* result = nullptr;
   lua_getglobal(state, "require");
   lua_pushstring(state, "signorini.complete");
   if (lua_pcall(state, 1, 1, 0) == LUA_OK) {
     lua_pushstring(state, word);
+    lua_pushlstring(state, before.data(), before.size());
     lua_pushinteger(state, n + 1);
-    if (lua_pcall(state, 2, 1, 0) == LUA_OK && lua_isstring(state, -1)) result = strdup(lua_tostring(state, -1));
+    if (lua_pcall(state, 3, 1, 0) == LUA_OK && lua_isstring(state, -1)) result = strdup(lua_tostring(state, -1));
   }
   lua_settop(state, top);
   return result;
 }
 
+std::string before_word; ///< all that stands before the word that is completed
+
 char* completion_entry(const char* word, int first) {
   static int n = 0;
   n = first == 0 ? 0 : n + 1;
-  return next_completion(word, n);
+  return next_completion(word, before_word, n);
 }
 
 char** complete(const char* word, int start, int) {
-  // Inside quotes readline's own completion of file names takes over.
-  if (start > 0 && (rl_line_buffer[start - 1] == '"' || rl_line_buffer[start - 1] == '\'')) return nullptr;
-  rl_attempted_completion_over = 1;
   rl_completion_append_character = '\0';
+  // Inside quotes readline's own completion of file names takes over.
+  if (rl_completion_quote_character) return nullptr;
+  before_word = above + "\n" + std::string(rl_line_buffer, static_cast<std::size_t>(start));
+  rl_attempted_completion_over = 1;
   return rl_completion_matches(word, completion_entry);
 }
 
@@ -93,7 +98,9 @@ std::string readline_version() {
 LineEditor::LineEditor(lua_State* L) : history_file_(find_history()) {
   state = L;
   rl_readline_name = "signorini";
-  rl_basic_word_break_characters = " \t\n\"'`@$><=;|&{}()[],+-*/^%#~";
+  // Without the slash, with which names of files begin; signorini.complete knows that it divides as well.
+  rl_basic_word_break_characters = " \t\n\"'`@$><=;|&{}()[],+-*^%#~";
+  rl_completer_quote_characters = "\"'";
   rl_attempted_completion_function = complete;
   using_history();
   stifle_history(2000);
@@ -101,8 +108,9 @@ LineEditor::LineEditor(lua_State* L) : history_file_(find_history()) {
 }
 
 // readline() would swallow the keys that follow a Ctrl-C, so the loop over the keys is our own.
-Input LineEditor::read(const char* prompt, std::string& line) {
+Input LineEditor::read(const char* prompt, const std::string& before, std::string& line) {
   finished = false;
+  above = before;
   rl_callback_handler_install(prompt, on_line);
   while (!finished) {
     wait_for_key();

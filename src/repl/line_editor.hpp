@@ -13,7 +13,8 @@ enum class Input { line, interrupted, end };
 class LineEditor {
 public:
   explicit LineEditor(lua_State* L);
-  Input read(const char* prompt, std::string& line);
+  /// `before`: the lines of the unfinished statement above this one, for completion.
+  Input read(const char* prompt, const std::string& before, std::string& line);
   /// Adds a line to the history, in memory and on disk.
   void remember(const std::string& line);
 

@@ -2,6 +2,7 @@
 
 #include "base/interrupt.hpp"
 #include "bind/functions.hpp"
+#include "repl/colour.hpp"
 #include "repl/interrupt.hpp"
 #include "repl/line_editor.hpp"
 
@@ -19,9 +20,23 @@ bool unfinished(const std::string& message) {
   return message.ends_with("<eof>");
 }
 
-/// Loads the lines so far as an expression or as statements. True with a function or an error message on the stack,
-/// false when more lines are needed.
+/// Pushes a function of a module of the library.
+void push_library_function(lua_State* L, const char* module, const char* name) {
+  lua_getglobal(L, "require");
+  bind::push(L, module);
+  lua_call(L, 1, 1);
+  lua_getfield(L, -1, name);
+  lua_remove(L, -2);
+}
+
+/// Loads the lines so far as an expression or as statements, or as a query for help ("?sg.body"). True with a function
+/// and its arguments, or an error message, on the stack, false when more lines are needed.
 bool load(lua_State* L, const std::string& code) {
+  if (code.front() == '?') {
+    push_library_function(L, "signorini.help", "ask");
+    bind::push(L, code.substr(1));
+    return true;
+  }
   const std::string expression = text("return ", code);
   if (luaL_loadbufferx(L, expression.data(), expression.size(), "=prompt", "t") == LUA_OK) return true;
   lua_pop(L, 1);
@@ -31,18 +46,15 @@ bool load(lua_State* L, const std::string& code) {
 /// Runs what load() left, and prints its results.
 bool run(Interpreter& interpreter) {
   lua_State* L = interpreter.state();
-  bool ok = lua_isfunction(L, -1) && interpreter.call(0, true);
-  if (ok && lua_gettop(L) > 0) {
-    lua_getglobal(L, "require");
-    bind::push(L, "signorini.show");
-    lua_call(L, 1, 1);
-    lua_getfield(L, -1, "print");
+  bool ok = lua_isfunction(L, 1) && interpreter.call(lua_gettop(L) - 1, true);
+  if (ok) {
+    push_library_function(L, "signorini.prompt", "results");
     lua_insert(L, 1);
-    lua_pop(L, 1);
-    ok = interpreter.call(lua_gettop(L) - 1);
+    ok = interpreter.call(lua_gettop(L) - 1, true);
   }
   std::fflush(stdout);
-  if (!ok) std::cerr << (interrupted() ? "interrupted" : lua_tostring(L, -1)) << std::endl;
+  if (!ok)
+    std::cerr << painted(interrupted() ? "interrupted" : lua_tostring(L, -1), Colour::red, STDERR_FILENO) << std::endl;
   lua_settop(L, 0);
   forget_interrupt(L);
   return ok;
@@ -53,18 +65,23 @@ bool run(Interpreter& interpreter) {
 bool prompt(Interpreter& interpreter, bool quiet) {
   lua_State* L = interpreter.state();
   std::optional<LineEditor> editor;
+  push_library_function(L, "signorini.prompt", "traceback");
+  lua_setglobal(L, "traceback");
   if (isatty(STDIN_FILENO)) {
     editor.emplace(L);
     if (!quiet) std::cout << "signorini " SIGNORINI_VERSION "; help() helps, Ctrl-D leaves" << std::endl;
   }
-  const auto read = [&](const char* sign, std::string& line) {
-    if (editor) return editor->read(sign, line);
+  std::string code;
+  const auto read = [&](const std::string& sign, std::string& line) {
+    if (editor) return editor->read(sign.c_str(), code, line);
     return std::getline(std::cin, line) ? Input::line : Input::end;
   };
 
+  const std::string first = painted("sg> ", Colour::green, STDOUT_FILENO, true),
+                    next = painted("..> ", Colour::green, STDOUT_FILENO, true);
   bool all_well = true;
-  std::string code, line;
-  for (Input input; (input = read(code.empty() ? "sg> " : "..> ", line)) != Input::end;) {
+  std::string line;
+  for (Input input; (input = read(code.empty() ? first : next, line)) != Input::end;) {
     if (input == Input::interrupted) {
       code.clear();
       continue;

@@ -100,6 +100,19 @@ check.case("the prompt reads lines from a pipe: expressions, statements over sev
   gives(run({ "-i", "-e", "z = 5" }, "z\n"), "5\n")
 end)
 
+check.case("at the prompt errors are one line, traceback() tells how they came about, and _ is the last result", function()
+  local result = run({}, "function f() error 'no' end\nfunction g() f() return 1 end\ng()\n40 + 2\n_ / 2\nx = 3\n_\ntraceback()\n")
+  check.equal(result.status, 1)
+  check.equal(result.output:match "^prompt:1: no\n42\n21.0\n21.0\nprompt:1: no\nstack traceback:\n" ~= nil, true)
+  check.holds(result.output, "in function 'f'", "in function 'g'")
+  check.holds(run({}, "traceback()\n").output, "There has been no error.")
+end)
+
+check.case("nothing is coloured that does not go to a terminal", function()
+  local output = check.program({}, "error 'no'\n", "env -u NO_COLOR TERM=xterm-256color")
+  check.equal(output, "prompt:1: no\n")
+end)
+
 check.case("the prompt cuts long tables and does not follow cycles", function()
   local result = run({}, "t = {} for i = 1, 100 do t[i] = i end\nt\nt = {} t.t = t\nt\n{{1, 2}, {{3}}}\n")
   check.equal(result.status, 0)
@@ -113,23 +126,11 @@ check.case("help finds functions, methods, tables and words", function()
     "N2-N2.2x2", "Pages with 'refin'", "did you mean 'rectangle'?")
 end)
 
-check.case("every function of the language has a help page that says how to call it", function()
-  local core = require "signorini.core"
-  local sg = require "signorini"
-  local function visit(entries, path, seen)
-    for key, value in pairs(entries) do
-      if type(value) == "function" then
-        local page = core.names[value] and core.docs[core.names[value]]
-        if not page then error(path .. "." .. key .. " has no help page") end
-        if not page:find "\n" then error(path .. "." .. key .. " has a page of one line only") end
-      elseif type(value) == "table" and not seen[value] then
-        seen[value] = true
-        visit(value, path .. "." .. key, seen)
-      end
-    end
-  end
-  visit(sg, "sg", { [sg] = true })
-  visit(core.types, "types", {})
+check.case("help shows groups, types of Lua objects, and what a query at the prompt stands for", function()
+  local output = check.program({}, '?\n?labels\n?sg.shapes.block\n? patch:refine\nx = sg.median\n?x\n?sg.nurbs\n?refin\n'
+    .. 'help "studies"\nhelp "rectangel"\nhelp(sg.reference "hertz2d_dofs_table7_4")\n')
+  check.holds(output, "signorini: isogeometric", "N2-N2.2x2", "sg.shapes.block{ size", "p:refine{ elements", "sg.median(numbers)",
+    "It holds:\n  sg.nurbs.arc{", "Pages with 'refin':", "Studies:\n  sg.study{", "did you mean 'rectangle'?", "data\nWhat sg.csv.read")
 end)
 
 check.case("Ctrl-C ends a script with status 130, wherever it is", function()

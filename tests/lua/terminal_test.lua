@@ -29,6 +29,25 @@ check.case("Tab completes names, fields and methods", function()
   check.holds(output, "sg.shapes.rectangle{ width", "p:translate{ 1, 1 }\nNURBS surface in 2D")
 end)
 
+check.case("Tab completes named arguments, also on the next line, and names of files in quotes", function()
+  local output = session("p = sg.shapes.rectangle{ wid\t3, he\t\n", "1 }\n", "p:degrees()[1] + 41\n",
+    "io.open(\"" .. state .. "/signorini/hist\t):read 'l'\n", "\4")
+  check.holds(output, "rectangle{ width = 3, height = \n..> 1 }\n", "42\n", "/signorini/history\"):read 'l'\n\"1 + 1\"\n")
+end)
+
+check.case("?name is help, and errors are red where the terminal has colours and NO_COLOR does not say no", function()
+  local function typed(environment)
+    return (check.shell(("(sleep 1; printf '?sg.median\\nerror(0)\\n'; sleep 0.5; printf '\\004') | env %s XDG_STATE_HOME=%s "
+      .. "script -qec 'exec %s' /dev/null"):format(environment, state, arg[-1])))
+  end
+  check.holds(typed "-u NO_COLOR TERM=xterm", "The median of a list", "\27[31m0\27[0m", "\27[32msg> \27[0m")
+  for _, environment in ipairs { "NO_COLOR=1 TERM=xterm", "-u NO_COLOR TERM=dumb" } do
+    local output = typed(environment)
+    check.holds(output, "The median of a list", "0\r\n")
+    check.equal(output:find "\27%[3[12]m", nil)
+  end
+end)
+
 check.case("history is kept between sessions", function()
   session("marker = 4711\n", "\4")
   local output = session("\16\n", "\4") -- Ctrl-P
