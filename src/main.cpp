@@ -1,5 +1,6 @@
 #include "base/interrupt.hpp"
 #include "bind/doctor.hpp"
+#include "bind/new_study.hpp"
 #include "bind/threads.hpp"
 #include "repl/command_line.hpp"
 #include "repl/interpreter.hpp"
@@ -43,6 +44,10 @@ int main(int argc, char** argv) {
       return success;
     case repl::CommandLine::Wish::doctor:
       return bind::doctor(std::cout, line.threads, repl::readline_version()) ? success : failure;
+    case repl::CommandLine::Wish::new_study:
+      bind::write_new_study(line.new_study);
+      std::cout << "Written: " << line.new_study << "; run it with: signorini " << line.new_study << "\n";
+      return success;
     case repl::CommandLine::Wish::run:
       break;
     }

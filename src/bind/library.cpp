@@ -43,6 +43,11 @@ fs::path find_home() {
        ": install the program with cmake --install, or set SIGNORINI_HOME to the folder that holds lua/");
 }
 
+fs::path find_share() {
+  const fs::path home = find_home();
+  return fs::exists(home / "share") ? home / "share" : home;
+}
+
 void open_library(lua_State* L, const Settings& settings) {
   const fs::path home = find_home(), lua = home / "lua";
   luaL_openlibs(L);
@@ -93,8 +98,7 @@ void open_library(lua_State* L, const Settings& settings) {
   lua_newtable(L);
   for (const auto& [name, version] : versions()) set_field(L, name.c_str(), version);
   lua_setfield(L, -2, "versions");
-  // In the source tree the shared data stand in share/, in an installed tree beside lua/.
-  set_field(L, "share", (fs::exists(home / "share") ? home / "share" : home).string());
+  set_field(L, "share", find_share().string());
   set_field(L, "home", home.string());
   lua_pop(L, 1);
 }

@@ -17,6 +17,9 @@ struct Settings {
 /// Throws Error that lists where it looked.
 std::filesystem::path find_home();
 
+/// The folder of data that come with the program: share/ of the source tree, in an installed tree beside lua/.
+std::filesystem::path find_share();
+
 /// Opens Lua's own libraries, the bindings (module "signorini.core"), and package.path for `require "signorini"`.
 void open_library(lua_State* L, const Settings& settings);
 

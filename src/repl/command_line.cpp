@@ -23,7 +23,8 @@ int parse_count(const char* option, const std::string& word, int most) {
 } // namespace
 
 CommandLine parse(const std::vector<std::string>& words) {
-  const std::vector<std::string> known = {"-e", "-i", "-q", "--threads", "--jobs", "--version", "--help", "--doctor"};
+  const std::vector<std::string> known = {"-e",    "-i",        "-q",     "--threads", "--jobs",
+                                          "--new", "--version", "--help", "--doctor"};
   CommandLine line;
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::string& word = words[i];
@@ -48,7 +49,10 @@ CommandLine parse(const std::vector<std::string>& words) {
       line.threads = parse_count("--threads", value("a number"), bind::most_threads);
     else if (word.starts_with("--threads="))
       line.threads = parse_count("--threads", word.substr(10), bind::most_threads);
-    else if (word == "--version")
+    else if (word == "--new") {
+      line.wish = CommandLine::Wish::new_study;
+      line.new_study = value("the name of a file, such as study.lua");
+    } else if (word == "--version")
       line.wish = CommandLine::Wish::version;
     else if (word == "--help" || word == "-h")
       line.wish = CommandLine::Wish::help;
@@ -75,6 +79,7 @@ const char* usage() {
          "  -q              no progress, no greeting\n"
          "  --threads N     threads of assembly and linear algebra (1)\n"
          "  --jobs N        cases of a study side by side, also behind the script (as many as there are processors)\n"
+         "  --new FILE      write a commented study to begin with, such as study.lua\n"
          "  --version       version\n"
          "  --help          this text\n"
          "  --doctor        versions of all libraries, and a test picture\n"

@@ -15,10 +15,11 @@ public:
 };
 
 struct CommandLine {
-  enum class Wish { run, version, help, doctor };
+  enum class Wish { run, version, help, doctor, new_study };
   Wish wish = Wish::run;
   std::vector<std::string> code;      ///< of each -e
   std::string script;                 ///< a file, "-" for standard input, or empty
+  std::string new_study;              ///< the file of --new
   std::vector<std::string> arguments; ///< of the script
   bool interactive = false;           ///< -i
   bool quiet = false;                 ///< -q

@@ -43,7 +43,7 @@ check.case("--version and --help", function()
   assert(result.output:find "^signorini %d+%.%d+%.%d+\n$")
   result = run { "--help" }
   check.equal(result.status, 0)
-  check.holds(result.output, "-e ", "-i ", "-q ", "--threads", "--doctor", "Exit status")
+  check.holds(result.output, "-e ", "-i ", "-q ", "--threads", "--new", "--doctor", "Exit status")
 end)
 
 check.case("--doctor draws without a display", function()

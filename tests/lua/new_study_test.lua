@@ -1,0 +1,47 @@
+-- signorini --new: the study that it writes runs, and nothing that exists is overwritten.
+
+local check = require "check"
+local core = require "signorini.core"
+
+local folder = os.tmpname()
+os.remove(folder)
+core.mkdir(folder)
+
+local function run(arguments)
+  return check.shell(("cd %s && SIGNORINI_HOME=%s %s %s"):format(folder, core.home, arg[-1], arguments))
+end
+
+check.case("the starter runs as it is written", function()
+  local output, status = run "--new study.lua"
+  check.equal(status, 0)
+  check.equal(output, "Written: study.lua; run it with: signorini study.lua\n")
+  output, status = run "-q study.lua steps=3 meshes=1,2 orders=N2"
+  check.equal(status, 0)
+  check.holds(output, "starter: 2 of 2 cases are done", "Written: out/starter/starter.csv", "force.png")
+  for _, name in ipairs { "starter.csv", "force.png", "N2_mesh1.png", "N2_mesh2.csv" } do
+    check.equal(core.exists(folder .. "/out/starter/" .. name), true)
+  end
+  local force = require("signorini").csv.read(folder .. "/out/starter/starter.csv"):column "force"
+  check.near(force, { 0.018, 0.0162 }, 0.0005)
+  check.holds(run "study.lua help", "orders", "meshes", "steps")
+end)
+
+check.case("a file that exists stays, a folder must be there, and the name ends with .lua", function()
+  core.write_file(folder .. "/mine.lua", "-- mine")
+  local output, status = run "--new mine.lua"
+  check.equal(status, 1)
+  check.holds(output, "there is a file 'mine.lua' already", "choose another name")
+  check.equal(core.read_file(folder .. "/mine.lua"), "-- mine")
+  for arguments, words in pairs { ["--new mine"] = "write mine.lua", ["--new no/folder.lua"] = "no/folder.lua" } do
+    output, status = run(arguments)
+    check.equal(status, 1)
+    check.holds(output, words)
+  end
+  check.equal(core.exists(folder .. "/mine"), false)
+  output, status = run "--new"
+  check.equal(status, 2)
+  check.holds(output, "--new needs the name of a file")
+end)
+
+check.shell("rm -rf " .. folder)
+check.done()
