@@ -1,0 +1,24 @@
+# What an installed tree holds, and the Debian package of it: cpack --config build/CPackConfig.cmake
+
+install(TARGETS signorini RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS signorini_view LIBRARY DESTINATION lib/signorini)
+install(DIRECTORY lua DESTINATION ${CMAKE_INSTALL_DATADIR}/signorini)
+install(DIRECTORY scripts DESTINATION ${CMAKE_INSTALL_DATADIR}/signorini FILES_MATCHING PATTERN "*.lua")
+install(DIRECTORY share/ DESTINATION ${CMAKE_INSTALL_DATADIR}/signorini
+  PATTERN man EXCLUDE
+  PATTERN completion EXCLUDE)
+install(FILES README.md LICENSE CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DATADIR}/signorini)
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
+install(FILES share/man/signorini.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(FILES share/completion/signorini DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_CONTACT "The maintainers of signorini <maintainers@localhost>")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+# The libraries are found by dpkg-shlibdeps; texts in pictures need the fonts.
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_DEPENDS fonts-liberation)
+include(CPack)
