@@ -4,6 +4,7 @@
 -- nil in a row and an empty field in the file.
 
 local core = require "signorini.core"
+local format_table = require "signorini.table"
 
 local csv = {}
 
@@ -170,6 +171,15 @@ function Data:by(name)
     if row[key] ~= nil then rows[row[key]] = named end
   end
   return rows
+end
+
+--- The comments and the first rows as an aligned table.
+function Data:__tostring()
+  local most, lines = 20, {}
+  for i, comment in ipairs(self.comments) do lines[i] = "# " .. comment end
+  lines[#lines + 1] = format_table { columns = self.columns, rows = table.move(self.rows, 1, math.min(most, #self.rows), 1, {}) }
+  if #self.rows > most then lines[#lines + 1] = ("… %d more rows"):format(#self.rows - most) end
+  return table.concat(lines, "\n")
 end
 
 --- One record from a position on: its fields, their number (missing values are nil), and where the next record begins.

@@ -1,6 +1,8 @@
 -- How the prompt shows values: numbers and texts as one would write them, tables two levels deep and cut where they are
 -- long.
 
+local object_text = require "signorini.show.objects"
+
 local show = {}
 
 local width = 100   -- characters of a line
@@ -57,7 +59,7 @@ function text(value, level, indent)
 end
 
 --- The text of a value as the prompt shows it.
-function show.text(value) return (text(value, 1, "")) end
+function show.text(value) return object_text(value) or (text(value, 1, "")) end
 
 --- Prints values one below the other.
 function show.print(...)

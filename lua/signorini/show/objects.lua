@@ -1,0 +1,88 @@
+-- The few lines that the prompt shows of a patch, a body, a model and a contact profile.
+
+local core = require "signorini.core"
+
+local axes = { "x", "y", "z" }
+
+local function range_text(name, values)
+  local low, high = math.huge, -math.huge
+  for _, value in ipairs(values) do low, high = math.min(low, value), math.max(high, value) end
+  return ("%s %.4g … %.4g"):format(name, low, high)
+end
+
+--- "x 0 … 3, y 0 … 1" of a list of points.
+local function box_text(points)
+  local parts = {}
+  for d = 1, #points[1] do
+    local values = {}
+    for i, point in ipairs(points) do values[i] = point[d] end
+    parts[d] = range_text(axes[d], values)
+  end
+  return table.concat(parts, ", ")
+end
+
+local objects = {}
+
+function objects.patch(patch)
+  return ("%s\n  control points in %s"):format(patch, box_text(patch:points()))
+end
+
+function objects.body(body)
+  local dofs = body:dofs()
+  return ("%s\n  %d degrees of freedom on contact faces, %d in the bulk\n  control points in %s")
+    :format(body, dofs.interface, dofs.bulk, box_text(body:points()))
+end
+
+--- "grip at x = 0, y = -0.1" for what stages move.
+local function driven_text(model, name)
+  local components, values = model:driven(name), model:target(name)
+  for i, component in ipairs(components) do components[i] = ("%s = %.4g"):format(component, values[i]) end
+  return ("%s at %s"):format(name, table.concat(components, ", "))
+end
+
+local function contact_text(model, name)
+  local now, force = model:contact_resultant(name), {}
+  if now.active == 0 then return ("  contact %s: open"):format(name) end
+  for i, axis in ipairs(axes) do force[i] = now["f" .. axis] and ("%.4g"):format(now["f" .. axis]) end
+  return ("  contact %s: %d points touch, %d of them slip; force {%s}, largest pressure %.4g")
+    :format(name, now.active, now.slipping, table.concat(force, ", "), now.max_pressure)
+end
+
+function objects.model(model)
+  local lines, driven = { tostring(model) }, {}
+  for _, name in ipairs(model:body_names()) do lines[#lines + 1] = ("  %s: %s"):format(name, model:body(name)) end
+  for i, name in ipairs(model:driven_names()) do driven[i] = driven_text(model, name) end
+  if #driven > 0 then lines[#lines + 1] = "  moved by stages: " .. table.concat(driven, "; ") end
+  for _, name in ipairs(model:contact_names()) do lines[#lines + 1] = contact_text(model, name) end
+  return table.concat(lines, "\n")
+end
+
+--- Whether a table is what model:profile returns.
+local function is_profile(value)
+  for _, name in ipairs { "x", "pressure", "gap", "state" } do
+    if type(rawget(value, name)) ~= "table" then return false end
+  end
+  return #value.pressure > 0 and #value.state == #value.pressure
+end
+
+local function profile(value)
+  local counts, parts = {}, {}
+  for _, state in ipairs(value.state) do
+    if not counts[state] then parts[#parts + 1] = state end
+    counts[state] = (counts[state] or 0) + 1
+  end
+  for i, state in ipairs(parts) do parts[i] = ("%d %s"):format(counts[state], state) end
+  local ranges, names = {}, {}
+  for name in pairs(value) do names[#names + 1] = name end
+  table.sort(names)
+  for _, name in ipairs { "x", "pressure", "traction", "gap" } do ranges[#ranges + 1] = range_text(name, value[name]) end
+  return ("contact profile of %d points: %s\n  %s\n  lists: %s"):format(#value.pressure, table.concat(parts, ", "),
+    table.concat(ranges, ", "), table.concat(names, ", "))
+end
+
+--- The text of such an object; nothing of other values.
+return function(value)
+  if type(value) == "table" then return getmetatable(value) == nil and is_profile(value) and profile(value) or nil end
+  local own = type(value) == "userdata" and objects[core.kind(value)]
+  return own and own(value) or nil
+end

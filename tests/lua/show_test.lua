@@ -1,0 +1,49 @@
+-- What the prompt shows of the language's objects: the few lines that matter.
+
+local check = require "check"
+local sg = require "signorini"
+local show = require "signorini.show"
+
+local slab = sg.body { patch = sg.shapes.rectangle { width = 3, height = 1 }, elements = { 4, 2 }, order = "N2-N2.2",
+  contact = "south", material = sg.neo_hookean { E = 1, nu = 0.3 } }
+local model = sg.model { bodies = { slab = slab }, supports = { grip = { on = slab:face "north", drive = "xy" } },
+  contacts = { ground = { slave = slab:face "south", master = sg.rigid.plane { point = { 0, -0.05 }, normal = { 0, 1 } },
+    penalty = 10 } } }
+
+check.case("a patch and a body, with where they are", function()
+  check.equal(show.text(sg.shapes.rectangle { width = 3, height = 1, corner = { -1, 0 } }),
+    "NURBS surface in 2D: degree 1 x 1, elements 1 x 1, 4 control points\n  control points in x -1 … 2, y 0 … 1")
+  local dofs = slab:dofs()
+  check.equal(show.text(slab), ("%s\n  %d degrees of freedom on contact faces, %d in the bulk\n  control points in x 0 … 3, y 0 … 1")
+    :format(slab, dofs.interface, dofs.bulk))
+end)
+
+check.case("a model before and after a step", function()
+  check.holds(show.text(model), tostring(model), "\n  slab: plane body: 4 x 2 elements",
+    "\n  moved by stages: grip at x = 0, y = 0\n  contact ground: open")
+  model:run { { name = "press", steps = 4, grip = { 0, -0.1 } } }
+  local now = model:contact_resultant "ground"
+  check.equal(now.active > 0, true)
+  check.holds(show.text(model), "grip at x = 0, y = -0.1\n",
+    ("contact ground: %d points touch, %d of them slip; force {%.4g, %.4g}, largest pressure %.4g")
+      :format(now.active, now.slipping, now.fx, now.fy, now.max_pressure))
+end)
+
+check.case("a profile, a table, and plain tables as ever", function()
+  local profile = model:profile "ground"
+  local touching = 0
+  for _, state in ipairs(profile.state) do touching = touching + (state == "open" and 0 or 1) end
+  check.holds(show.text(profile), ("contact profile of %d points: "):format(#profile.x), ("%d %s"):format(touching, profile.state[30]),
+    "pressure ", "lists: X, Y, area, gap, pressure, state, traction, x, y")
+  local data = sg.reference "ironing2d_oscillation_table7_3"
+  check.holds(show.text(data), "# " .. data.comments[1], data.columns[1])
+  check.equal(show.text { x = { 1 }, gap = 2 }, "{gap = 2, x = {1}}")
+  local file = os.tmpname()
+  local list = {}
+  for i = 1, 25 do list[i] = i end
+  sg.csv.write(file, { step = list })
+  check.holds(show.text(sg.csv.read(file)), "step\n   1\n", "\n  20\n… 5 more rows")
+  os.remove(file)
+end)
+
+check.done()
