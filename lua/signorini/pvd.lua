@@ -81,11 +81,11 @@ Example: local series = sg.pvd "ironing.pvd"
          model:run(stages, { on_step = function(info) series:add{ model = model, time = info.step } end })]]
 --- A series without states; its file is there at once, so that a place that cannot be written to is told at once.
 local function new(file, options)
+  options = arguments.table("sg.pvd", "options", options, { "resume" })
   arguments.string("sg.pvd", "file", file)
   local folder, stem = file:match "^(.-)([^/]*)%.[pP][vV][dD]$"
   if not stem or stem == "" then arguments.reject("sg.pvd", "file", "a name that ends with .pvd", file) end
   local series = setmetatable({ file = file, folder = folder, stem = stem, taken_up = 0 }, Series)
-  options = arguments.table("sg.pvd", "options", options, { "resume" })
   if arguments.flag("sg.pvd", "resume", options.resume, false) and core.exists(file) then read_list(series) end
   write_list(series)
   return series

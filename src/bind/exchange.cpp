@@ -61,7 +61,8 @@ constexpr Function rows[] = {
      "  the text file of GeoPDEs and the NURBS toolbox, versions 0.7, 1.0 and 2.1, one or several patches\n"
      "  MFEM NURBS mesh v1.0 with a section `patches`\n"
      "How patches meet, and boundaries, are not read. Wrong files are errors that name file and line.\n"
-     "Example: bracket = sg.nurbs.read(\"bracket.xml\")[1]"},
+     "Example: sg.shapes.half_annulus{ inner = 1, outer = 2 }:write \"bracket.xml\"\n"
+     "         bracket = sg.nurbs.read(\"bracket.xml\")[1]"},
     {"write", wrap<write>,
      "sg.nurbs.write(file, patches, form)\n"
      "Writes a patch or a list of patches, whole or not at all. form: \"gismo\" (G+Smo's XML), \"geopdes\" (text "

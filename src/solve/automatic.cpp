@@ -2,7 +2,6 @@
 
 #include "solve/kept.hpp"
 #include "solve/klu.hpp"
-#include "solve/umfpack.hpp"
 
 namespace signorini::solve {
 
@@ -10,10 +9,10 @@ namespace {
 
 class Automatic final : public LinearSolver {
 public:
-  explicit Automatic(const Pattern& pattern)
-      : pattern_(pattern), solver_(pattern.size <= klu_limit ? make_klu(pattern) : make_umfpack(pattern)) {}
+  explicit Automatic(const Pattern& pattern) : pattern_(pattern), solver_(make_klu(pattern)) {}
 
   bool factor(const double* values) override {
+    // KLU's analysis has counted before the first factorisation.
     if (solver_->kind() != LinearKind::kept &&
         worth_keeping(solver_->statistics().operations, solver_->statistics().entries)) {
       before_ = solver_->statistics();
@@ -50,7 +49,7 @@ private:
 } // namespace
 
 bool worth_keeping(double operations, double entries) {
-  constexpr double many = 200;
+  constexpr double many = 45;
   return operations > many * entries;
 }
 

@@ -5,8 +5,7 @@
 
 namespace signorini::solve {
 
-/// KLU up to `klu_limit` unknowns, UMFPACK beyond; `kept` in place of either once a factorisation has proved to be
-/// worth many solutions.
+/// KLU, and `kept` in its place where a factorisation is worth many solutions.
 std::unique_ptr<LinearSolver> make_automatic(const Pattern& pattern);
 
 /// Whether a direct factorisation costs so many solutions that it should be kept: its operations, and the entries that

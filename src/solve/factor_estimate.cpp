@@ -23,9 +23,7 @@ FactorEstimate estimate_factor(LinearKind kind, const Pattern& pattern) {
           ")");
   const double entries = common.lnz; // of L
   if (kind == LinearKind::automatic)
-    kind = worth_keeping(2 * common.fl, 2 * entries) ? LinearKind::kept
-           : pattern.size > klu_limit                ? LinearKind::umfpack
-                                                     : LinearKind::klu;
+    kind = worth_keeping(2 * common.fl, 2 * entries) ? LinearKind::kept : LinearKind::klu;
   switch (kind) {
   case LinearKind::klu:
     return {kind, 2 * (sizeof(double) + sizeof(int)) * entries};

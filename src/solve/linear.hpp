@@ -56,12 +56,13 @@ struct Condensation {
   std::vector<int> contact;     ///< the unknowns whose rows and columns C touches, increasing
 };
 
-/// `automatic` takes KLU up to `klu_limit` unknowns and UMFPACK beyond, but `kept` once a factorisation has cost more
-/// than 200 operations for each entry that a solution reads: in space 260 with 1,440 unknowns, 400 with 2,988, 600 with
-/// 6,588, 1,050 with 17,388; in the plane 13 to 190 with 102 to 5,530 unknowns of degrees 2 to 8. Measured on plane
-/// frictional ironing with N2 (scripts/ironing2d.lua mesh=… labels=N2 linear=…), time of KLU over that of UMFPACK: 0.2
-/// with 134 degrees of freedom, 0.3 with 402, 0.7 with 1370, 1.3 with 5034; small systems gain by the refactorisation,
-/// large ones by dense kernels.
+/// `automatic` takes KLU, but `kept` where a factorisation costs more than 45 operations for each entry that a solution
+/// reads. Measured on the first steps of frictional ironing and of two rings (scripts/ironing2d/problem.lua,
+/// rings2d/problem.lua), seconds in the linear solver with KLU, UMFPACK and `kept`, behind that ratio: ironing N2 at m2
+/// (402 degrees of freedom, 24) 0.056, 0.213, 0.082; N2-N2.2 at m2 (514, 32) 0.10, 0.32, 0.17; N2 at m3 (1370, 50)
+/// 0.69, 1.04, 0.44; N2-N2.2 at m3 (1594, 53) 0.87, 1.34, 0.60; N2 at m4 (5034, 87) 3.8, 3.7, 0.82; rings, slender:
+/// N2-N2.2 at m4 (3104, 41) 0.37, 1.04, 0.41; at m5 (6176, 42) 0.38, 1.18, 0.37. In space the ratio is 260 with 1,440
+/// unknowns, 400 with 2,988, 600 with 6,588, 1,050 with 17,388.
 ///
 /// `cholmod` is for symmetric tangents. While they are definite, UMFPACK takes 3.2 to 3.8 times as long with 3,167 to
 /// 14,015 unknowns, KLU 0.9 to 2.5 times with 215 to 815. `banded` is for slender bodies. On strips of 200 × 10
@@ -83,7 +84,6 @@ struct Condensation {
 /// 14,591 and 867 (1/5 when all are touched), 1/35 with 27,839 and 579.
 std::unique_ptr<LinearSolver> make_solver(LinearKind kind, const Pattern& pattern,
                                           const Condensation* condensation = nullptr);
-inline constexpr int klu_limit = 2500;
 
 /// What suits tangents that are symmetric: `banded` for slender bodies, whose band is at most twice √n wide, `cholmod`
 /// for others. Measured, milliseconds of factor() and solve() on one thread, banded and cholmod: strip of 200 × 10
