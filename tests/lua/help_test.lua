@@ -71,6 +71,7 @@ check.case("the page shows the named arguments that the function takes", functio
     material = sg.linear_elastic { E = 1, nu = 0.3 } }
   local study = sg.study { name = "a", cases = sg.grid { a = { 1 } }, run = function() return {} end }
   local selves = { patch = sg.shapes.block { size = { 1, 1, 1 } }, study = study, map = setmetatable({}, core.types.map),
+    series = setmetatable({}, core.types.series),
     model = sg.model { bodies = { a = body }, supports = { s = { on = body:face "south", fix = "xy" } } } }
   local free = { ["sg.grid"] = true, ["sg.arguments"] = true, ["study:where"] = true, ["study:row"] = true, ["sg.table"] = true,
     ["sg.csv.write"] = true, ["model:iterate"] = true, ["sg.robust"] = true, ["study:execute"] = false }
