@@ -49,7 +49,7 @@ private:
 } // namespace
 
 bool worth_keeping(double operations, double entries) {
-  constexpr double many = 45;
+  constexpr double many = 70;
   return operations > many * entries;
 }
 

@@ -56,13 +56,13 @@ struct Condensation {
   std::vector<int> contact;     ///< the unknowns whose rows and columns C touches, increasing
 };
 
-/// `automatic` takes KLU, but `kept` where a factorisation costs more than 45 operations for each entry that a solution
-/// reads. Measured on the first steps of frictional ironing and of two rings (scripts/ironing2d/problem.lua,
-/// rings2d/problem.lua), seconds in the linear solver with KLU, UMFPACK and `kept`, behind that ratio: ironing N2 at m2
-/// (402 degrees of freedom, 24) 0.056, 0.213, 0.082; N2-N2.2 at m2 (514, 32) 0.10, 0.32, 0.17; N2 at m3 (1370, 50)
-/// 0.69, 1.04, 0.44; N2-N2.2 at m3 (1594, 53) 0.87, 1.34, 0.60; N2 at m4 (5034, 87) 3.8, 3.7, 0.82; rings, slender:
-/// N2-N2.2 at m4 (3104, 41) 0.37, 1.04, 0.41; at m5 (6176, 42) 0.38, 1.18, 0.37. In space the ratio is 260 with 1,440
-/// unknowns, 400 with 2,988, 600 with 6,588, 1,050 with 17,388.
+/// `automatic` takes KLU, but `kept` where a factorisation costs more than 70 operations for each entry that a solution
+/// reads. Measured on frictional ironing and on two rings (scripts/ironing2d/problem.lua, rings2d/problem.lua), seconds
+/// in the linear solver with KLU and with `kept`, behind that ratio: ironing N2 at m3 (1370 degrees of freedom, 50)
+/// 2.68, 2.84, N2-N2.2 at m3 (1594, 53) 3.24, 3.90, over the whole path; N2 at m4 (5034, 87) 9.3, 5.0, N2-N2.2 at m4
+/// (5482) 11.6, 5.9, over 110 of its 296 steps; slender rings, N2-N2.2 at m4 (3104, 41) 0.37, 0.41, at m5 (6176, 42)
+/// 0.38, 0.37. UMFPACK takes 1.04 and 1.18 s for the rings, and as long as KLU for ironing at m4. In space the ratio is
+/// 260 with 1,440 unknowns, 400 with 2,988, 600 with 6,588, 1,050 with 17,388.
 ///
 /// `cholmod` is for symmetric tangents. While they are definite, UMFPACK takes 3.2 to 3.8 times as long with 3,167 to
 /// 14,015 unknowns, KLU 0.9 to 2.5 times with 215 to 815. `banded` is for slender bodies. On strips of 200 × 10

@@ -54,7 +54,7 @@ TEST(FactorEstimate, CountsABandExactly) {
 
 TEST(FactorEstimate, ForeseesTheAutomaticChoice) {
   EXPECT_EQ(compare(LinearKind::automatic, sheet(20, 20)).kind, LinearKind::klu);
-  EXPECT_EQ(compare(LinearKind::automatic, sheet(50, 40)).kind, LinearKind::kept);
+  EXPECT_EQ(compare(LinearKind::automatic, sheet(100, 90)).kind, LinearKind::kept);
   const Counted solid = compare(LinearKind::automatic, cube(11));
   EXPECT_EQ(solid.kind, LinearKind::kept);
   EXPECT_GT(solid.part, 0.8);

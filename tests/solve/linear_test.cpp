@@ -98,7 +98,7 @@ TEST(LinearKinds, KeepsWhatIsDearToFactor) {
   };
   EXPECT_EQ(choice(chain(400)), LinearKind::klu);
   EXPECT_EQ(choice(grid(200, 8)), LinearKind::klu); // slender
-  EXPECT_EQ(choice(grid(50, 50)), LinearKind::kept);
+  EXPECT_EQ(choice(grid(120, 120)), LinearKind::kept);
   EXPECT_EQ(choice(cube(9)), LinearKind::kept);
   EXPECT_EQ(choice(cube(11)), LinearKind::kept);
 }
