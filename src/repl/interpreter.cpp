@@ -2,10 +2,12 @@
 
 #include "base/interrupt.hpp"
 #include "bind/functions.hpp"
+#include "repl/colour.hpp"
 
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
+#include <unistd.h>
 
 namespace signorini::repl {
 
@@ -86,7 +88,8 @@ bool Interpreter::call(int arguments, bool keep_traceback) {
 
 bool Interpreter::report(bool ok) {
   std::fflush(stdout);
-  if (!ok) std::cerr << "signorini: " << lua_tostring(state(), -1) << std::endl;
+  if (!ok)
+    std::cerr << painted("signorini:", Colour::red, STDERR_FILENO) << " " << lua_tostring(state(), -1) << std::endl;
   lua_settop(state(), 0);
   return ok;
 }

@@ -40,6 +40,8 @@ check.case("?name is help, and errors are red where the terminal has colours and
     return (check.shell(("(sleep 1; printf '?sg.median\\nerror(0)\\n'; sleep 0.5; printf '\\004') | env %s XDG_STATE_HOME=%s "
       .. "script -qec 'exec %s' /dev/null"):format(environment, state, arg[-1])))
   end
+  local output = check.shell(("env -u NO_COLOR TERM=xterm script -qec \"%s -e 'error(0)'\" /dev/null"):format(arg[-1]))
+  check.holds(output, "\27[31msignorini:\27[0m 0")
   check.holds(typed "-u NO_COLOR TERM=xterm", "The median of a list", "\27[31m0\27[0m", "\27[32msg> \27[0m")
   for _, environment in ipairs { "NO_COLOR=1 TERM=xterm", "-u NO_COLOR TERM=dumb" } do
     local output = typed(environment)
