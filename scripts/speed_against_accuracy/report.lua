@@ -46,12 +46,12 @@ local function standing(comparison, error, label, other, found)
 end
 
 --- The cases that none beats in both time and error.
-local function front(comparison, error)
+local function front(comparison)
   local names = {}
   for i, row in ipairs(comparison.pareto) do
-    names[i] = ("%s at %s (%s)"):format(row.order, row.mesh, amount(math.abs(row[error.name]), error.unit))
+    names[i] = ("%s %s"):format(row.order, row.mesh)
   end
-  return ("Nothing is both faster and better than %s."):format(series(names))
+  return ("On the Pareto front, from the fastest to the best: %s."):format(series(names))
 end
 
 --- What has no place in a chart, by name.
@@ -69,7 +69,7 @@ local function words(comparison, error)
     local found = shares.of(comparison, pair[1], pair[2])
     if found then lines[#lines + 1] = standing(comparison, error, pair[1], pair[2], found) end
   end
-  lines[#lines + 1] = front(comparison, error)
+  lines[#lines + 1] = front(comparison)
   lines[#lines + 1] = left_out(comparison)
   return table.concat(lines, " ")
 end
