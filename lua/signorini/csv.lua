@@ -226,7 +226,9 @@ end
 
 core.docs["sg.csv.read"] = [[
 sg.csv.read(file)
-Reads a table: { columns = {…}, rows = {{…}, …}, comments = {…} }; lines that begin with # are comments.]]
+Reads a table: { columns = {…}, rows = {{…}, …}, comments = {…} }; lines that begin with # are comments.
+Example: run:csv "run.csv"
+         fx = sg.csv.read("run.csv"):column "grip.fx"]]
 function csv.read(file)
   if type(file) ~= "string" then core.fail "sg.csv.read: the argument must be a file name" end
   local stream, reason = io.open(file, "rb")

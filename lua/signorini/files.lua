@@ -37,7 +37,8 @@ end
 
 core.docs["files:report"] = [[
 files:report()
-Prints the list of what was written; nothing when nothing was.]]
+Prints the list of what was written; nothing when nothing was.
+Example: files:report()]]
 function Files:report()
   if #self > 0 then print("\nWritten: " .. table.concat(self, "\n         ")) end
 end

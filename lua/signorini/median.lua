@@ -5,7 +5,8 @@ local arguments = require "signorini.arguments"
 
 core.docs["sg.median"] = [[
 sg.median(numbers)
-The median of a list of numbers: the one in the middle, or the mean of the two.]]
+The median of a list of numbers: the one in the middle, or the mean of the two.
+Example: sg.median{3, 1, 2}  --> 2.0]]
 return function(values)
   if type(values) ~= "table" or #values == 0 then
     arguments.reject("sg.median", "its argument", "a list of numbers", values)

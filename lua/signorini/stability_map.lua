@@ -172,7 +172,8 @@ end
 
 core.docs["map:table"] = [[
 map:table()
-The text of a table, one row per cell.]]
+The text of a table, one row per cell.
+Example: print(map:table())]]
 function Map:table()
   local columns = { self.x.name, self.y.name, "outcome", "reached", "increments", "iterations", "cut-backs", "rescues",
                     "wall" }

@@ -65,7 +65,8 @@ end
 core.docs["study:read"] = [[
 study:read()
 Reads what the study's folder holds of its cases, without running any, and returns the study. It may be called while
-another process executes it; changed inputs are not looked for.]]
+another process executes it; changed inputs are not looked for.
+Example: print(study:read())]]
 function Study:read()
   if not self.cases then core.fail "study:read: this is a part of a study: read the study that it was taken from" end
   store.check("study:read", self)

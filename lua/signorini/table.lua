@@ -19,7 +19,8 @@ end
 core.docs["sg.table"] = [[
 sg.table{ columns = {…}, rows = {{…}, …}, units = {…}, formats = {…} }
 The text of an aligned table, numbers to the right; formats are patterns of string.format by position or column name;
-a missing value is a dash, units make a second line of heads.]]
+a missing value is a dash, units make a second line of heads.
+Example: print(sg.table{ columns = {"x", "y"}, rows = {{1, 0.5}, {2, 0.25}}, units = {"mm", "N"} })]]
 return function(options)
   arguments.table("sg.table", "its argument", options, { "columns", "rows", "units", "formats" })
   local columns, formats = options.columns, options.formats or {}

@@ -152,7 +152,8 @@ What sg.work_precision returns: ratios, pareto, left_out; print(comparison) show
 
 core.docs["comparison:table"] = [[
 comparison:table()
-The text of a table: what part of B's time A takes at equal errors.]]
+The text of a table: what part of B's time A takes at equal errors.
+Example: print(comparison:table())]]
 function Result:table()
   local columns, rows, formats = { "A", "B", "from", "to" }, {}, { [3] = "%.3g", [4] = "%.3g" }
   local heads = { "at from", "middle", "at to" }
@@ -169,7 +170,8 @@ end
 
 core.docs["comparison:front"] = [[
 comparison:front()
-The text of a table of the cases that no other one beats: the Pareto front of time and error.]]
+The text of a table of the cases that no other one beats: the Pareto front of time and error.
+Example: print(comparison:front())]]
 function Result:front()
   local study, columns, units, rows = self.study, {}, {}, {}
   for i, name in ipairs(study.parameters) do columns[i], units[i] = name, study.units[name] or "" end

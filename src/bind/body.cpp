@@ -140,21 +140,26 @@ constexpr Function rows[] = {
      "points."},
     {"dofs", wrap<dofs<D>>,
      "b:dofs()\n"
-     "Degrees of freedom { interface, bulk, total }: of the contact faces' control points, of all others, of all."},
+     "Degrees of freedom { interface, bulk, total }: of the contact faces' control points, of all others, of all.\n"
+     "Example: slab:dofs().total"},
     {"face", wrap<face<D>>,
      "b:face(name)\n"
      "A face for supports and contacts: \"west\", \"east\" (xi1), \"south\", \"north\" (xi2), in 3D \"front\",\n"
-     "\"back\" (xi3)."},
+     "\"back\" (xi3).\n"
+     "Example: slab:face \"north\""},
     {"edge", wrap<edge<D>>,
-     "b:edge(name)\nThe control points where two faces of a solid body meet, for supports: \"south-front\" and so on."},
+     "b:edge(name)\nThe control points where two faces of a solid body meet, for supports: \"south-front\" and so on.\n"
+     "Example: cube:edge \"south-front\""},
     {"corner", wrap<corner<D>>,
      "b:corner(name)\n"
-     "The control point of a corner for supports: \"south-west\", in 3D \"west-south-front\" and so on."},
+     "The control point of a corner for supports: \"south-west\", in 3D \"west-south-front\" and so on.\n"
+     "Example: slab:corner \"south-west\""},
     {"points", wrap<points<D>>,
      "b:points()\n"
      "The control points {{x, y}, …}, row after row from south to north (west to east when the contact face is west\n"
      "or east); in 3D {{x, y, z}, …}, layer after layer from front to back, or along the direction of the contact\n"
-     "face."},
+     "face.\n"
+     "Example: slab:points()[1]  --> {0.0, 0.0}"},
 };
 
 } // namespace

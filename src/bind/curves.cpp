@@ -121,7 +121,10 @@ constexpr Function rows[] = {
      "                           points = {{0, 0}, {1, 0}, {0, 1}, {1, 1}} }"},
     {"volume", wrap<volume>,
      "sg.nurbs.volume{ degrees = {p, q, r}, knots = {U, V, W}, points, weights = {1, …} }\n"
-     "A tensor-product NURBS volume; points run fastest in xi1, then xi2."},
+     "A tensor-product NURBS volume; points run fastest in xi1, then xi2.\n"
+     "Example: sg.nurbs.volume{ degrees = {1, 1, 1}, knots = {{0, 0, 1, 1}, {0, 0, 1, 1}, {0, 0, 1, 1}},\n"
+     "                          points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, "
+     "{1, 1, 2}} }"},
     {"line", wrap<line>,
      "sg.nurbs.line{ from, to }\n"
      "A straight line, degree 1.\n"
@@ -133,7 +136,8 @@ constexpr Function rows[] = {
      "Example: sg.nurbs.arc{ radius = 0.5, from = 180, to = 360 }"},
     {"circle", wrap<circle>,
      "sg.nurbs.circle{ radius, centre = {0, 0} }\n"
-     "A full circle of four quarter arcs, exact, degree 2."},
+     "A full circle of four quarter arcs, exact, degree 2.\n"
+     "Example: sg.nurbs.circle{ radius = 1 }"},
     {"ruled", wrap<ruled>,
      "sg.nurbs.ruled{ a, b }\n"
      "Straight lines between two curves or two surfaces, which are brought to common degrees and knots first; the new\n"
@@ -147,12 +151,17 @@ constexpr Function rows[] = {
     {"revolve", wrap<revolve>,
      "sg.nurbs.revolve{ patch, point = {0, 0, 0}, axis = {0, 0, 1}, angle = 360 }\n"
      "Revolves a curve or a surface in 3D about an axis by an angle in degrees, exact; the new direction is the last "
-     "one."},
+     "one.\n"
+     "Example: sg.nurbs.revolve{ patch = sg.nurbs.line{ from = {1, 0, 0}, to = {1, 0, 2} }, angle = 180 }"},
     {"coons", wrap<coons>,
      "sg.nurbs.coons{ west, east, south, north, front, back }\n"
      "Coons patch: the surface between four boundary curves or the volume between six boundary surfaces "
      "(then with front\n"
-     "and back), whose corners meet. west and east run along xi2, south and north along xi1."},
+     "and back), whose corners meet. west and east run along xi2, south and north along xi1.\n"
+     "Example: sg.nurbs.coons{ west = sg.nurbs.line{ from = {0, 0}, to = {0, 1} }, east = sg.nurbs.line{ from = {1, "
+     "0}, to = {1, 2} },\n"
+     "                         south = sg.nurbs.line{ from = {0, 0}, to = {1, 0} }, north = sg.nurbs.line{ from = {0, "
+     "1}, to = {1, 2} } }"},
 };
 
 } // namespace

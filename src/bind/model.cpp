@@ -91,31 +91,45 @@ constexpr Function rows[] = {
      "model\nWhat sg.model returns: the scene with its accepted state and the present one; print(model) tells its "
      "parts and size.\n"
      "model:run takes it along a load path; help \"results\" and help \"verbs\" list the other methods."},
-    {"body_names", wrap<body_names<D>>, "m:body_names()\nThe names of the bodies, sorted."},
-    {"support_names", wrap<support_names<D>>, "m:support_names()\nThe names of the supports, sorted."},
-    {"contact_names", wrap<contact_names<D>>, "m:contact_names()\nThe names of the contacts, sorted."},
-    {"body", wrap<body_of<D>>, "m:body(name)\nA body of the model."},
-    {"load_names", wrap<load_names<D>>, "m:load_names()\nThe names of the loads, sorted."},
+    {"body_names", wrap<body_names<D>>,
+     "m:body_names()\nThe names of the bodies, sorted.\n"
+     "Example: model:body_names()  --> {\"die\", \"slab\"}"},
+    {"support_names", wrap<support_names<D>>,
+     "m:support_names()\nThe names of the supports, sorted.\n"
+     "Example: model:support_names()  --> {\"bed\", \"grip\"}"},
+    {"contact_names", wrap<contact_names<D>>,
+     "m:contact_names()\nThe names of the contacts, sorted.\n"
+     "Example: model:contact_names()  --> {\"interface\"}"},
+    {"body", wrap<body_of<D>>,
+     "m:body(name)\nA body of the model.\n"
+     "Example: model:body \"slab\""},
+    {"load_names", wrap<load_names<D>>,
+     "m:load_names()\nThe names of the loads, sorted.\n"
+     "Example: model:load_names()  --> {}"},
     {"driven_names", wrap<driven_names<D>>,
-     "m:driven_names()\nThe names of what stages can move: supports that drive or rotate, then loads."},
+     "m:driven_names()\nThe names of what stages can move: supports that drive or rotate, then loads.\n"
+     "Example: model:driven_names()  --> {\"grip\"}"},
     {"timings", wrap<timings<D>>,
      "m:timings()\n"
      "Seconds so far: { bulk, contact, linear, factorisation, solution, search }. linear consists of factorisation "
      "and\n"
      "solution, but for a few vectors (with linear = \"kept\" a solution renews the factorisation when it pays). "
      "search is\n"
-     "part of contact, summed over threads: closest points and the tree of boxes, while m:time_search(true)."},
+     "part of contact, summed over threads: closest points and the tree of boxes, while m:time_search(true).\n"
+     "Example: model:timings().linear"},
     {"time_search", wrap<time_search<D>>,
      "m:time_search(wanted)\n"
      "Whether m:timings takes account of the contacts' search from now on: true or false, as at first. A clock is "
      "read\n"
-     "twice for each contact point that is projected, about 50 ns."},
+     "twice for each contact point that is projected, about 50 ns.\n"
+     "Example: model:time_search(true)"},
     {"solver", wrap<solver<D>>,
      "m:solver()\n"
      "{ linear, unknowns, patterns, factorisations, solutions, iterations, factor_memory, memory }: the linear solver\n"
      "in use, the size of its systems, how many sparse patterns were analysed; then what was done since the model was\n"
      "made: numerical factorisations, right-hand sides, iterations of GMRES where a factorisation was kept; bytes of\n"
-     "the present factors, and of the bodies' tables with the tangent and its patterns."},
+     "the present factors, and of the bodies' tables with the tangent and its patterns.\n"
+     "Example: model:solver().linear"},
 };
 
 /// All methods, subject by subject.

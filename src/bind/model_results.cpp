@@ -100,26 +100,31 @@ constexpr Function rows[] = {
     {"reaction", wrap<reaction<D>>,
      "m:reaction(name)\n"
      "The force {fx, fy} ({fx, fy, fz} in 3D) that a support exerts on its bodies, and with it the moment about the\n"
-     "centre (in 3D about the axis) of a support that rotates; the force of a load."},
+     "centre (in 3D about the axis) of a support that rotates; the force of a load.\n"
+     "Example: model:reaction \"grip\""},
     {"contact_resultant", wrap<contact_resultant<D>>,
      "m:contact_resultant(contact)\n"
      "{ fx, fy, fz, area, max_pressure, max_penetration, active, slipping }: the force that the master exerts on the\n"
-     "slave (fz in 3D), the current area in contact, extremes, and how many contact points touch and slip."},
+     "slave (fz in 3D), the current area in contact, extremes, and how many contact points touch and slip.\n"
+     "Example: model:contact_resultant(\"interface\").area"},
     {"profile", wrap<profile<D>>,
      "m:profile(contact)\n"
      "Lists along the slave face, one entry per contact point: x, y (current), X, Y (reference), area (that the\n"
      "traction acts on), pressure, traction (tangential), gap, state (\"open\", \"stick\", \"slip\", \"adhesion\").\n"
      "In 3D also z, Z, and tx, ty, tz, the components of the tangential traction t_T, whose size is `traction`; on\n"
-     "the slave acts -t_T."},
+     "the slave acts -t_T.\n"
+     "Example: model:profile(\"interface\").pressure"},
     {"sample", wrap<sample<D>>,
      "m:sample(body, field, {xi1, xi2})\n"
      "A field's value at a parametric point ({xi1, xi2, xi3} in 3D) of a body (or its name); fields as in\n"
-     "sg.picture."},
+     "sg.picture.\n"
+     "Example: model:sample(\"slab\", \"uy\", {0.5, 1})"},
     {"energy", wrap<energy<D>>,
      "m:energy()\n"
      "{ stored, contact, friction, work }: the energy in the bodies; in the springs of penalty laws, or of adhesion;\n"
      "dissipated by friction in all accepted steps; done by supports and loads in all accepted steps (trapezoidal\n"
-     "rule). Per unit depth in plane strain. work = stored + contact + friction as steps become small."},
+     "rule). Per unit depth in plane strain. work = stored + contact + friction as steps become small.\n"
+     "Example: model:energy().stored"},
 };
 
 } // namespace

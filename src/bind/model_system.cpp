@@ -110,18 +110,22 @@ constexpr Function rows[] = {
      "m:residual()\n"
      "The unbalanced force f_int + f_c − f_ext at the present displacements and the present targets' loads: one "
      "number\n"
-     "for each unknown (see m:unknowns). Prescribed displacements that no iteration has brought in yet do not count."},
+     "for each unknown (see m:unknowns). Prescribed displacements that no iteration has brought in yet do not count.\n"
+     "Example: #model:residual()"},
     {"tangent", wrap<tangent<D>>,
      "m:tangent()\n"
      "The derivative of m:residual by the unknowns as triplets, { size, rows, columns, values }: entry k of the "
      "matrix\n"
-     "stands in rows[k], columns[k], counted from 1; column after column, rows rising."},
+     "stands in rows[k], columns[k], counted from 1; column after column, rows rising.\n"
+     "Example: model:tangent().size"},
     {"unknowns", wrap<unknowns<D>>,
      "m:unknowns()\n"
-     "What each unknown is: a list of { body, point, component }; of control points that move as one the first."},
+     "What each unknown is: a list of { body, point, component }; of control points that move as one the first.\n"
+     "Example: model:unknowns()[1].body  --> \"die\""},
     {"loose_bodies", wrap<loose_bodies<D>>,
      "m:loose_bodies()\n"
-     "The names of the bodies that can move as a whole in some way that no support stops: only contact can hold them."},
+     "The names of the bodies that can move as a whole in some way that no support stops: only contact can hold them.\n"
+     "Example: model:loose_bodies()"},
     {"diagnose", wrap<diagnose<D>>,
      "m:diagnose()\n"
      "Why the last solve_step, iterate or solve_arc failed; call it before m:rollback. Returns { reason, message, "

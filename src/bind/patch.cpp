@@ -228,17 +228,21 @@ constexpr Function rows[] = {
     {"derivatives", wrap<derivatives>,
      "p:derivatives(xi, n)\n"
      "All partial derivatives of the map at xi up to total order n, as a list of { orders = {1, 0}, value = {x, y} },\n"
-     "by total order, then falling in xi1. Source: Piegl & Tiller, The NURBS Book, eq. (4.20)."},
+     "by total order, then falling in xi1. Source: Piegl & Tiller, The NURBS Book, eq. (4.20).\n"
+     "Example: patch:derivatives({0.5, 0.5}, 1)[2].value  --> {3.0, 0.0}"},
     {"basis", wrap<basis>,
      "p:basis(xi)\n"
      "The rational functions that do not vanish at xi, as a list of { index = , value = }; index counts the control\n"
-     "points from 1, fastest in xi1. The values add up to 1."},
+     "points from 1, fastest in xi1. The values add up to 1.\n"
+     "Example: patch:basis({0.5, 0.5})[1].value  --> 0.25"},
     {"insert", wrap<insert>,
      "p:insert(dir, {knots})\n"
-     "A new patch of the same shape with knots inserted in direction dir (1, 2, 3); a repeated knot counts as often."},
+     "A new patch of the same shape with knots inserted in direction dir (1, 2, 3); a repeated knot counts as often.\n"
+     "Example: patch:insert(1, {0.25, 0.5}):elements()  --> {3, 1}"},
     {"elevate", wrap<elevate>,
      "p:elevate(dir, times = 1)\n"
-     "A new patch of the same shape whose degree in direction dir is higher by `times`; continuity is kept."},
+     "A new patch of the same shape whose degree in direction dir is higher by `times`; continuity is kept.\n"
+     "Example: patch:elevate(1, 2):degrees()  --> {3, 1}"},
     {"refine", wrap<refine>,
      "p:refine{ elements = {…}, degree = {…}, grading = {…} }\n"
      "k-refinement, the same shape: elevates to `degree` first, then inserts knots until each direction has "
@@ -251,22 +255,38 @@ constexpr Function rows[] = {
      "Example: patch:refine{ elements = {8, 3}, degree = {2, 2} }"},
     {"face", wrap<face>,
      "p:face(name)\n"
-     "The side as a patch of one direction less: west/east (xi1), south/north (xi2), front/back (xi3)."},
-    {"degrees", wrap<degrees>, "p:degrees()\nThe list of degrees, one per direction."},
-    {"elements", wrap<elements>, "p:elements()\nThe list of the numbers of non-empty knot spans, one per direction."},
-    {"knots", wrap<knots>, "p:knots(dir)\nThe knot vector of direction dir (1, 2, 3)."},
-    {"points", wrap<points>, "p:points()\nThe control points {{x, y}, …}, fastest in xi1."},
-    {"weights", wrap<weights>, "p:weights()\nThe weights of the control points, in the order of p:points()."},
-    {"translate", wrap<translate>, "p:translate{dx, dy}\nA new patch moved by a vector."},
+     "The side as a patch of one direction less: west/east (xi1), south/north (xi2), front/back (xi3).\n"
+     "Example: patch:face \"south\""},
+    {"degrees", wrap<degrees>,
+     "p:degrees()\nThe list of degrees, one per direction.\n"
+     "Example: patch:degrees()  --> {1, 1}"},
+    {"elements", wrap<elements>,
+     "p:elements()\nThe list of the numbers of non-empty knot spans, one per direction.\n"
+     "Example: patch:elements()  --> {1, 1}"},
+    {"knots", wrap<knots>,
+     "p:knots(dir)\nThe knot vector of direction dir (1, 2, 3).\n"
+     "Example: patch:knots(1)  --> {0.0, 0.0, 1.0, 1.0}"},
+    {"points", wrap<points>,
+     "p:points()\nThe control points {{x, y}, …}, fastest in xi1.\n"
+     "Example: patch:points()[4]  --> {3.0, 1.0}"},
+    {"weights", wrap<weights>,
+     "p:weights()\nThe weights of the control points, in the order of p:points().\n"
+     "Example: patch:weights()[1]  --> 1.0"},
+    {"translate", wrap<translate>,
+     "p:translate{dx, dy}\nA new patch moved by a vector.\n"
+     "Example: patch:translate{1, 0}{0, 0}  --> {1.0, 0.0}"},
     {"rotate", wrap<rotate>,
      "p:rotate{ angle, centre = {0, 0} }, in 3D p:rotate{ angle, axis, centre = {0, 0, 0} }\n"
-     "A new patch turned by an angle in degrees (counter-clockwise), in 3D about the axis through the centre."},
+     "A new patch turned by an angle in degrees (counter-clockwise), in 3D about the axis through the centre.\n"
+     "Example: patch:rotate{ angle = 30, centre = {1.5, 0.5} }"},
     {"scale", wrap<scale>,
      "p:scale{ factor, centre = {0, 0} }\n"
-     "A new patch scaled about a centre, by one factor or by a list of one factor per coordinate."},
+     "A new patch scaled about a centre, by one factor or by a list of one factor per coordinate.\n"
+     "Example: patch:scale{ factor = {2, 1} }{1, 1}  --> {6.0, 1.0}"},
     {"write", wrap<write_patch>,
      "p:write(file, form)\n"
-     "Writes the patch to a file of its own for other programs, as sg.nurbs.write does."},
+     "Writes the patch to a file of its own for other programs, as sg.nurbs.write does.\n"
+     "Example: patch:write \"slab.xml\""},
 };
 
 } // namespace

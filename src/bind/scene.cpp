@@ -136,7 +136,11 @@ constexpr Function functions[] = {
      "or obstacle that it is projected onto. penalty: pressure per length. adhesion: van der Waals traction with\n"
      "Hamaker's constant (force times length) and r0 (length) in place of penalty and friction. where: whether the\n"
      "contact acts at a reference position X = {x, y} ({x, y, z}) of the slave face. An open end of the master is no\n"
-     "contact."},
+     "contact.\n"
+     "Example: sg.model{ bodies = { slab = slab }, supports = { bed = { on = slab:face \"south\", fix = \"x\", drive = "
+     "\"y\" } },\n"
+     "                   contacts = { roof = { slave = slab:face \"north\", penalty = 100,\n"
+     "                                         master = sg.rigid.plane{ point = {0, 1}, normal = {0, -1} } } } }"},
 };
 
 } // namespace

@@ -80,7 +80,7 @@ check.case("the page shows the named arguments that the function takes", functio
     if #keys > 0 and not free[name] and subjects.is_public(name) then
       local value, type_name = names.value(name), name:match "^([%w_]+):"
       local arguments = { { no_such_argument = 1 } }
-      if page:match "^[%w_.:]+%(" then table.insert(arguments, 1, type_name and "file" or study) end
+      if page:match "^[%w_.:]+%(" then table.insert(arguments, 1, page:match "^[%w_.:]+%(study" and study or "a.pvd") end
       if type_name then table.insert(arguments, 1, (assert(selves[type_name], name))) end
       local known, shown = message_of(name, function() value(table.unpack(arguments)) end), {}
       if not known then error(name .. " does not say which arguments it knows") end
@@ -129,6 +129,16 @@ check.case("every example runs on the scene of the examples, and gives what it s
   if failed then error((output:gsub("[^\n]*\n?", function(line) return line:find "FAILED" and line or "" end)) .. failed) end
   check.equal(status, 0)
   check.equal(count > 60, true)
+end)
+
+check.case("every function that is not internal has an example", function()
+  local without = { ["model:cost_figures"] = true, ["model:diagnose"] = true, ["traceback"] = true }
+  for name, page in pairs(core.docs) do
+    local is_type = rawget(core.types, name)
+    if subjects.is_public(name) and not is_type and not without[name] and not page:find "\nExample: " then
+      error(name .. " has no example")
+    end
+  end
 end)
 
 check.case("share/doc/reference.md holds what is on the pages", function()

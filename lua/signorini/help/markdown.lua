@@ -33,7 +33,7 @@ return function()
   for _, group in ipairs(subjects.groups) do parts[#parts + 1] = group.title end
   parts[#parts + 1], parts[#parts + 2] = "The scene of the examples", "The prompt"
   for _, title in ipairs(parts) do
-    add(lines, ("- [%s](#%s)"):format(title, title:lower():gsub("[,:]", ""):gsub(" ", "-")))
+    add(lines, ("- [%s](#%s)"):format(title, title:lower():gsub("[,:']", ""):gsub(" ", "-")))
   end
   add_text(lines, "Labels", "labels")
   add_text(lines, "Geometry", "geometry")

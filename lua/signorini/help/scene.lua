@@ -33,15 +33,15 @@ solid = sg.model{
 }
 solid:run{ { name = "press", steps = 1, top = {-0.2} } }
 
--- The ring with two discretisations on two meshes; the error is that of the force.
+-- The ring with two discretisations on two meshes; the force is 0.0768 on a fine one.
 function force_of(case)
   local model, stages = press(case.order, case.mesh)
-  return { force = model:run(stages):column "grip.fy"[4] }
+  local force = -model:run(stages):column "grip.fy"[4]
+  return { force = force, error = math.abs(force / 0.0768 - 1) }
 end
 study = sg.study{ name = "press", cases = sg.grid{ order = {"N2", "N2-N2.2"}, mesh = {1, 2} }, run = force_of }
-finest = study:execute{ jobs = 2 }:row{ order = "N2-N2.2", mesh = 2 }.force
-study = study:with("error", function(row) return math.abs(row.force / finest - 1) end)
-comparison = sg.work_precision(study, { error = "error", where = function(row) return row.error > 0 end })
+study:execute{ jobs = 2 }
+comparison = sg.work_precision(study, { error = "error" })
 
 map = sg.stability_map{
   x = { name = "order", values = {"N2", "N2-N2.2"} }, y = { name = "steps", values = {1, 4} }, jobs = 2,

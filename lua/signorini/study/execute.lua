@@ -162,7 +162,8 @@ that fails is a result and stays; one that ended in an error or whose process di
 jobs:  cases side by side; by default what --jobs says, else as many as there are processors. Each has one thread.
 limit: seconds by the clock on the wall after which a case is given up; none by default.
 again: true for all cases, "failed", or a function of a row: which cases run anew in any case.
-Two processes cannot execute the same study at a time. study:read() takes what there is without running anything.]]
+Two processes cannot execute the same study at a time. study:read() takes what there is without running anything.
+Example: study:execute{ jobs = 2, again = "failed" }]]
 return function(study, options)
   arguments.table(where, "its argument", options, { "jobs", "limit", "again" })
   options = options or {}

@@ -26,7 +26,8 @@ core.docs["sg.grid"] = [[
 sg.grid{ order = {"N2", "N4"}, mesh = {"m1", "m2"} }
 All combinations of the parameters' values, as a list of cases for sg.study. Values are numbers, strings, true, false or
 plain tables; a table shows by its field `name`, or as 6×2. The parameters stand in the order of their names, the last
-one changes fastest; several tables, sg.grid({ order = … }, { mesh = … }), put them in this order instead.]]
+one changes fastest; several tables, sg.grid({ order = … }, { mesh = … }), put them in this order instead.
+Example: #sg.grid{ order = {"N2", "N4"}, mesh = {1, 2, 3} }  --> 6]]
 return function(...)
   local axes, seen = {}, {}
   for i = 1, math.max(1, select("#", ...)) do

@@ -114,7 +114,7 @@ end
 core.docs["study:with"] = [[
 study:with(name, function(row) … return value end, unit)
 The study with one figure more, made from each row; nil where it is not known.
-Example: study:with("error", function(row) return math.abs(row.force / 0.079 - 1) end)]]
+Example: study:with("deviation", function(row) return math.abs(row.force / 0.08 - 1) end)]]
 function verbs:with(name, make, unit)
   local where = "study:with"
   name = arguments.string(where, "name", name)
@@ -160,7 +160,8 @@ end
 core.docs["study:median"] = [[
 study:median "round"
 The study without this parameter: of rows that differ in nothing else one is left, with the medians of their numbers.
-For figures that come out differently each time, above all times: cases = sg.grid{ …, round = {1, 2, 3} }.]]
+For figures that come out differently each time, above all times: cases = sg.grid{ …, round = {1, 2, 3} }.
+Example: study:median "mesh"]]
 function verbs:median(name)
   name = arguments.choice("study:median", "its argument", name, self.parameters)
   local kept, groups = {}, {}
@@ -244,7 +245,8 @@ end
 core.docs["study:table"] = [[
 study:table{ columns, sort, formats }
 The text of an aligned table, with units: all parameters and figures, or the columns named; sort is a column or a list of
-columns, in rising order; formats are patterns of string.format by column name.]]
+columns, in rising order; formats are patterns of string.format by column name.
+Example: print(study:table{ columns = {"order", "mesh", "error"}, sort = "error" })]]
 function verbs:table(options)
   local columns, units, rows, formats = read_table("study:table", self, options, { "columns", "sort", "formats" })
   return format_table{ columns = columns, units = units, rows = rows, formats = formats }
