@@ -1,0 +1,33 @@
+-- share/doc/gallery.md names every script; its pictures are there, small, and drawn by scripts/gallery.
+
+local core = require "signorini.core"
+local check = require "check"
+
+local function lines(command)
+  local list = {}
+  for line in check.shell(("cd '%s' && %s"):format(core.home, command)):gmatch "[^\n]+" do list[#list + 1] = line end
+  return list
+end
+
+local page = core.read_file(core.home .. "/share/doc/gallery.md")
+
+check.case("every script", function()
+  local scripts = lines "cd scripts && grep -l '^-- Run: ' *.lua stability/*.lua"
+  check.equal(#scripts > 20, true)
+  for _, script in ipairs(scripts) do check.holds(page, "### `" .. script .. "`\n") end
+end)
+
+check.case("every picture", function()
+  local gallery = core.read_file(core.home .. "/scripts/gallery")
+  local total, shown = 0, 0
+  for name in page:gmatch "%(gallery/([%w_]+)%.png%)" do
+    local size = #core.read_file(("%s/share/doc/gallery/%s.png"):format(core.home, name))
+    check.equal(size <= 150000 or name .. " is too large", true)
+    total, shown = total + size, shown + 1
+    check.holds(gallery, "\n" .. name:gsub("^stability_", "stability/") .. " ")
+  end
+  check.equal(total <= 3000000, true)
+  check.equal(#lines "ls share/doc/gallery", shown)
+end)
+
+check.done()
