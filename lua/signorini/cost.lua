@@ -154,12 +154,12 @@ cost.bodies:     by name { unknowns, contact_layer, bulk, prescribed, elements, 
                  unknowns on the faces that `contact` names, bulk all others, prescribed what supports fix or drive.
 cost.contacts:   by name { points, rigid }: contact points, and whether the master is an obstacle.
 cost.nonzeros:   of the tangent; it grows where contacts touch.
-cost.memory:     bytes, the sum of cost.memory_of { bodies, tangent, factors }: tables of Gauss points, the tangent with
-                 its patterns, its factors by the solver cost.linear. cost.factors_are is "measured" once a solver has
-                 told, before that "counted": from the pattern in the order of nested dissection. Contact points are not
-                 counted.
-cost.advice:     a list of { kind, saves, needs, text }: unknowns saved and left in the whole scene, and why, for what is
-                 certain to be so from the scene alone:
+cost.memory:     bytes, the sum of cost.memory_of { bodies, contacts, tangent, factors }: tables of Gauss points, contact
+                 points with their history, the tangent with its patterns, its factors by the solver cost.linear.
+                 cost.factors_are is "measured" once a solver has told, before that "counted": from the pattern in the
+                 order of nested dissection.
+cost.advice:     a list of { kind, saves, needs, text }: unknowns saved and left in the whole scene, and why, as far as the
+                 scene alone can tell:
   symmetry:    it is its own mirror image in planes x, y or z = c (in an axisymmetric scene y = c): control points,
                weights, knots, supports, loads, contacts, obstacles. What turns or has moved through it breaks it.
   symmetry if fixed: the same, but a support may drive through the plane: only while it does not.
