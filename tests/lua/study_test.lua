@@ -140,6 +140,22 @@ check.case("a changed parameter, function or number that run refers to makes a c
   check.equal(output("11", "7", " + 1"), "78\n")
 end)
 
+check.case("a changed object that run refers to makes a case run again", function()
+  local folder = new_folder()
+  local function output(young, width)
+    return (check.script(([[
+      local sg = require "signorini"
+      local soft, patch = sg.neo_hookean{ E = %s, nu = 0.3 }, sg.shapes.rectangle{ width = %s, height = 1 }
+      sg.study{ name = "n", folder = arg[1], cases = { { a = 1 } }, run = function()
+        return { knows = soft ~= nil and patch ~= nil }
+      end }:execute{}]]):format(young, width), folder))
+  end
+  output("1", "3")
+  check.equal(output("1", "3"), "")
+  check.holds(output("2", "3"), "1 because soft changed")
+  check.holds(output("2", "3.000001"), "1 because patch changed")
+end)
+
 check.case("cases that ask for it run last, and alone", function()
   local folder = new_folder()
   local study = noted(folder, sg.grid{ a = { 1, 2, 3, 4 } }, function() return {} end,

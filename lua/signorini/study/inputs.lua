@@ -100,6 +100,12 @@ local function write_table(value, out, seen)
   end
 end
 
+--- What can be seen of an object: all of a patch; of others, such as materials and bodies, what print shows.
+local function write_object(value, out, seen)
+  out[#out + 1] = tostring(value):gsub(": 0x%x+$", "", 1) -- an address tells nothing
+  if core.kind(value) == "patch" then write({ value:points(), value:weights() }, out, seen) end
+end
+
 function write(value, out, seen)
   local kind = type(value)
   if kind == "table" or kind == "function" then
@@ -111,7 +117,8 @@ function write(value, out, seen)
     out[#out + 1] = kind
     return (kind == "table" and write_table or write_function)(value, out, seen)
   end
-  out[#out + 1] = kind == "number" and ("%a"):format(value) or kind == "userdata" and core.kind(value) or tostring(value)
+  if kind == "userdata" then return write_object(value, out, seen) end
+  out[#out + 1] = kind == "number" and ("%a"):format(value) or tostring(value)
 end
 
 local function hash_of(value)
