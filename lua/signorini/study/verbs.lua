@@ -142,14 +142,20 @@ function verbs:with(name, make, unit)
   return part_of(self, rows, { figures = figures, units = units })
 end
 
---- One row of several that differ in one parameter only: numbers by their median, all else as in the first.
+--- One row of several that differ in one parameter only: numbers by their median, all else as in the first row that
+--- has it.
 local function merge(rows, name)
-  local merged = {}
-  for key, value in pairs(rows[1]) do
-    local list = {}
-    for _, row in ipairs(rows) do list[#list + 1] = type(row[key]) == "number" and row[key] or nil end
-    if #list == #rows then merged[key] = median(list) else merged[key] = value end
+  local merged, numbers = {}, {}
+  for _, row in ipairs(rows) do
+    for key, value in pairs(row) do
+      if merged[key] == nil then merged[key] = value end
+      if type(value) == "number" then
+        numbers[key] = numbers[key] or {}
+        table.insert(numbers[key], value)
+      end
+    end
   end
+  for key, list in pairs(numbers) do merged[key] = median(list) end
   for _, row in ipairs(rows) do
     if row.failed then merged.failed, merged.reason = true, row.reason end
   end
@@ -159,7 +165,8 @@ end
 
 core.docs["study:median"] = [[
 study:median "round"
-The study without this parameter: of rows that differ in nothing else one is left, with the medians of their numbers.
+The study without this parameter: of rows that differ in nothing else one is left, with the medians of their numbers,
+each over the rows that have it.
 For figures that come out differently each time, above all times: cases = sg.grid{ …, round = {1, 2, 3} }.
 Example: study:median "mesh"]]
 function verbs:median(name)
