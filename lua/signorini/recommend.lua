@@ -1,5 +1,6 @@
 -- sg.recommend: the least model that is enough for a tolerance. Labels and meshes are tried from coarse to fine; the
--- error of a coarse case is estimated from the next level, and the search ends as soon as one case is proven enough.
+-- error of a coarse case is estimated from the next level, and the search ends as soon as the estimate of one is small
+-- enough.
 
 local core = require "signorini.core"
 local arguments = require "signorini.arguments"
@@ -61,6 +62,15 @@ local function measure(search, model, run)
   return list
 end
 
+--- Two levels tell nothing of an error when the second one is no finer.
+local function check_finer(search, label, level, unknowns)
+  local coarser = (search.by_level[level - 1] or {})[label]
+  if coarser and unknowns <= coarser.unknowns then
+    core.fail(("%s: %s has %d unknowns on mesh %s and %d on mesh %s: meshes must run from coarse to fine, and scene use them")
+      :format(where, label, coarser.unknowns, values.text(coarser.mesh), unknowns, values.text(search.meshes[level])))
+  end
+end
+
 --- Solves a case; adds it to what was tried.
 local function try(search, label, level)
   local mesh, began = search.meshes[level], core.now()
@@ -68,8 +78,10 @@ local function try(search, label, level)
   if type(model) ~= "userdata" then
     core.fail(("%s: scene must return a model and its stages, it returned %s"):format(where, core.describe(model)))
   end
+  local unknowns = #model:unknowns()
+  check_finer(search, label, level, unknowns)
   local run = model:run(stages, options)
-  local case = { label = label, mesh = mesh, level = level, wall = core.now() - began, unknowns = #model:unknowns() }
+  local case = { label = label, mesh = mesh, level = level, wall = core.now() - began, unknowns = unknowns }
   -- Unlike seconds it is the same in every search, so that the same scene gets the same answer.
   case.work = case.unknowns * run.iterations
   if run.failed then case.failed = run.reason else case.figure = measure(search, model, run) end
@@ -129,7 +141,7 @@ local function estimate(search, reference)
   end
 end
 
---- The case of least work whose error is proven to be within the tolerance.
+--- The case of least work whose error is estimated to be within the tolerance.
 local function cheapest(search)
   local best
   for _, case in ipairs(search.tries) do
@@ -190,7 +202,7 @@ local function verdict(search, best)
   for _, case in ipairs(search.tries) do
     if case.error and (not nearest or case.error < nearest.error) then nearest = case end
   end
-  return ("None of these is proven to be within %.3g%s. %s. Finer meshes may do.")
+  return ("None of these is known to be within %.3g%s. %s. Finer meshes may do.")
     :format(search.at_most, nearest and ("; %s on mesh %s comes nearest with %.3g"):format(nearest.label,
       values.text(nearest.mesh), nearest.error) or "", total)
 end
@@ -210,7 +222,7 @@ end
 core.docs["sg.recommend"] = [[
 sg.recommend{ scene = function(label, mesh) … return model, stages, options end, error, at_most, labels, meshes, limit }
 The least model that is enough: solves labels and meshes from coarse to fine, estimates the error of each from the next
-level, and stops as soon as one is proven to be within the tolerance. Prints what it tried and what that cost.
+level, and stops as soon as one is estimated to be within the tolerance. Prints what it tried and what that cost.
 scene:   returns the model of a label and a mesh, and what model:run takes.
 error:   what shall be accurate: a column of the run such as "ground.max_pressure" (its last value counts), or a function
          of model and run that returns a number, or a list of numbers at places that do not change with the mesh.

@@ -85,7 +85,7 @@ check.case("lists of numbers; none that is enough; labels that are dominated; a 
   end
   local none = recommend{ error = pressures, at_most = 1e-9, meshes = { "m1", "m2" } }
   check.equal({ none.label, none.error }, {})
-  check.holds(none.report, "None of these is proven to be within 1e-09", "comes nearest")
+  check.holds(none.report, "None of these is known to be within 1e-09", "comes nearest")
   check.equal(#none.tries, 3) -- both labels on m1, the richest on m2
   local short = recommend{ at_most = 1e-9, limit = 1e-6 }
   check.equal(short.tries[#short.tries].mesh, "m2")
@@ -114,6 +114,8 @@ check.case("wrong arguments are errors at the user's line", function()
     { { labels = {} }, "labels must be a list of values" },
     { { label = { 1 } }, "unknown argument 'label'", "did you mean 'labels'?" },
     { { scene = function() return 1 end }, "scene must return a model" },
+    { { meshes = { "m2", "m1" } }, "N2-N2.2 has", "unknowns on mesh m2", "on mesh m1: meshes must run from coarse to fine" },
+    { { scene = function(label) return scene(label, "m1") end }, "and scene use them" },
   } do
     check.fails(function() recommend(wrong[1]) end, "recommend_test.lua", table.unpack(wrong, 2))
   end
