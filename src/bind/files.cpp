@@ -15,7 +15,8 @@ const Argument file_argument{"file", "a path"};
 int write_file(lua_State* L) {
   std::size_t size;
   const char* bytes = luaL_checklstring(L, 2, &size);
-  write_whole(read_string(L, 1, file_argument), {bytes, size});
+  const bool durable = lua_toboolean(L, 3) != 0;
+  (durable ? write_durably : write_whole)(read_string(L, 1, file_argument), {bytes, size});
   return 0;
 }
 
@@ -44,7 +45,9 @@ int lock(lua_State* L) {
 }
 
 constexpr Function rows[] = {
-    {"write_file", wrap<write_file>, "core.write_file(file, bytes)\nWrites a file, whole or not at all."},
+    {"write_file", wrap<write_file>,
+     "core.write_file(file, bytes, durable = false)\n"
+     "Writes a file, whole or not at all; durable: on the disk on return, so that it outlives the machine's power."},
     {"read_file", wrap<read_file>, "core.read_file(file)\nAll bytes of a file."},
     {"remove_leftovers", wrap<remove_temporary_files>,
      "core.remove_leftovers(file)\nRemoves temporary files of this name that killed processes left."},

@@ -264,12 +264,14 @@ check.case("two studies cannot use a folder: neither of different names, nor the
   check.equal(files_in(folder), 1)
 end)
 
-check.case("a file that cannot be read is solved again", function()
+check.case("a file that cannot be read is solved again; what a killed process left goes", function()
   local folder = new_folder()
   local function study() return noted(folder, sg.grid{ a = { 1, 2 } }, function(case) return { b = case.a } end) end
   study():execute{}
-  check.shell(("cd %s/cases; for f in a=1-*; do head -c 40 $f >x; mv x $f; done"):format(folder))
+  check.shell(("cd %s/cases; for f in a=1-*; do head -c 40 $f >x; mv x $f; echo >.$f.2147483646.part; done")
+    :format(folder))
   check.equal(study():execute{}.rows[1].b, 1)
+  check.equal(check.shell(("ls -A %s/cases | grep -c part"):format(folder)), "0\n")
   check.equal(calls(folder), 3)
 end)
 

@@ -1,5 +1,6 @@
 -- A study's folder: one JSON file for each case that is done, and study.json, which says whose folder it is. Files are
--- written whole or not at all, so that whoever reads them, or goes on after a power cut, finds results and nothing else.
+-- written whole or not at all and are on the disk before the next case begins, so that whoever reads them, or goes on
+-- after a power cut, finds results and nothing else.
 
 local core = require "signorini.core"
 local arguments = require "signorini.arguments"
@@ -62,15 +63,17 @@ function store.check(where, study) check_owner(where, study) end
 
 --- Takes the room that the last results will need, before any case runs.
 function store.take_reserve(keeper)
+  core.remove_leftovers(keeper.reserve)
   call(keeper.where, "write_file", keeper.reserve, (" "):rep(reserve_size))
 end
 
 --- Writes a case's record. When the disk is full the reserve makes room for it.
 function store.write(keeper, entry, record)
   local file, text = case_file(keeper.study, entry), core.write_json(record, "the case's record")
-  if pcall(core.write_file, file, text) then return end
+  core.remove_leftovers(file)
+  if pcall(core.write_file, file, text, true) then return end
   os.remove(keeper.reserve)
-  call(keeper.where, "write_file", file, text)
+  call(keeper.where, "write_file", file, text, true)
   keeper.full = true
 end
 
