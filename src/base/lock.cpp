@@ -26,14 +26,16 @@ std::string holder(int handle) {
 Lock::Lock(const std::string& file) : handle_(open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
   require(handle_ >= 0, "cannot write '", file, "': ", std::strerror(errno), "; choose a folder that you may write to");
   // Children of a holder that was just killed take a moment to follow it.
-  bool held = false;
-  for (int attempt = 0; attempt < 20 && !held; ++attempt) {
+  int reason = EWOULDBLOCK;
+  for (int attempt = 0; attempt < 20 && (reason == EWOULDBLOCK || reason == EINTR); ++attempt) {
     if (attempt > 0) usleep(50'000);
-    held = flock(handle_, LOCK_EX | LOCK_NB) == 0;
+    reason = flock(handle_, LOCK_EX | LOCK_NB) == 0 ? 0 : errno;
   }
-  if (!held) {
+  if (reason != 0) {
     const std::string who = holder(handle_);
     close(handle_);
+    require(reason == EWOULDBLOCK, "cannot lock '", file, "': ", std::strerror(reason),
+            "; choose a folder of another file system");
     fail("'", file, "' is held by ", who, ": wait until it has ended, or choose another folder");
   }
   // Who holds it is told to others on a best effort: a full disk is no reason to stop here.
