@@ -21,9 +21,11 @@ std::set<std::string> names_of(lua_State* L, int index, lua_Integer length, cons
   lua_pushnil(L);
   while (lua_next(L, index)) {
     lua_pop(L, 1);
-    if (lua_type(L, -1) == LUA_TSTRING)
-      names.insert(lua_tostring(L, -1));
-    else if (!lua_isinteger(L, -1) || lua_tointeger(L, -1) < 1 || lua_tointeger(L, -1) > length)
+    if (lua_type(L, -1) == LUA_TSTRING) {
+      std::size_t size;
+      const char* name = lua_tolstring(L, -1, &size);
+      names.emplace(name, size);
+    } else if (!lua_isinteger(L, -1) || lua_tointeger(L, -1) < 1 || lua_tointeger(L, -1) > length)
       throw ArgumentError(text(path, " has the key ", describe(L, -1), ", which is neither a name nor part of a list"));
   }
   return names;
