@@ -3,6 +3,7 @@
 
 local core = require "signorini.core"
 local arguments = require "signorini.arguments"
+local number_text = require "signorini.number_text"
 
 local where = "sg.arguments"
 local restrictions = { "choices", "at_least", "above", "at_most", "below", "check", "expected", "none", "variants" }
@@ -58,13 +59,6 @@ local function type_of_entries(list)
 end
 
 -- ── In words ─────────────────────────────────────────────────────────────────────────────────────────────────────────
-
-local function number_text(value)
-  for digits = 6, 17 do
-    local text = ("%." .. digits .. "g"):format(value)
-    if tonumber(text) == value then return text end
-  end
-end
 
 --- A value as it would stand on the command line.
 function argument_types.text(value)

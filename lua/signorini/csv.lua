@@ -5,19 +5,11 @@
 
 local core = require "signorini.core"
 local format_table = require "signorini.table"
+local number_text = require "signorini.number_text"
 
 local csv = {}
 
 -- ── Writing ──────────────────────────────────────────────────────────────────────────────────────────────────────────
-
---- The shortest decimal text that reads back as the same number.
-local function number_text(value)
-  if math.type(value) == "integer" then return ("%d"):format(value) end
-  for digits = 15, 17 do
-    local text = ("%." .. digits .. "g"):format(value)
-    if tonumber(text) == value then return text end
-  end
-end
 
 --- What an unquoted field stands for.
 local function field_value(text)

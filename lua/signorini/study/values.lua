@@ -6,6 +6,7 @@
 
 local core = require "signorini.core"
 local arguments = require "signorini.arguments"
+local number_text = require "signorini.number_text"
 
 local values = {}
 
@@ -21,12 +22,6 @@ function values.same(a, b)
   return true
 end
 
---- A number with the fewest digits that tell it from all others.
-local function exact(value)
-  local short = ("%.14g"):format(value)
-  return tonumber(short) == value and short or ("%.17g"):format(value)
-end
-
 --- A value as people read it: {6, 2} is "6×2", { name = "m1", … } is "m1". exactly: numbers with all digits that count.
 function values.text(value, exactly)
   if type(value) == "table" then
@@ -39,8 +34,7 @@ function values.text(value, exactly)
     return table.concat(texts, " ")
   end
   if type(value) ~= "number" then return tostring(value) end
-  if math.type(value) == "integer" then return ("%d"):format(value) end
-  return exactly and exact(value) or ("%.6g"):format(value)
+  return (exactly or math.type(value) == "integer") and number_text(value) or ("%.6g"):format(value)
 end
 
 --- All columns of a study by name: parameters, figures, then the accounts that every case has.
