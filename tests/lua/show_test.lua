@@ -38,6 +38,8 @@ check.case("a profile, a table, and plain tables as ever", function()
   local data = sg.reference "ironing2d_oscillation_table7_3"
   check.holds(show.text(data), "# " .. data.comments[1], data.columns[1])
   check.equal(show.text { x = { 1 }, gap = 2 }, "{gap = 2, x = {1}}")
+  check.equal(show.text { x = { 1 }, pressure = { 2 }, gap = { 0 }, state = { "stick" } },
+    "{gap = {0}, pressure = {2}, state = {\"stick\"}, x = {1}}")
   local file = os.tmpname()
   local list = {}
   for i = 1, 25 do list[i] = i end

@@ -59,7 +59,7 @@ end
 
 --- Whether a table is what model:profile returns.
 local function is_profile(value)
-  for _, name in ipairs { "x", "pressure", "gap", "state" } do
+  for _, name in ipairs { "x", "pressure", "traction", "gap", "state" } do
     if type(rawget(value, name)) ~= "table" then return false end
   end
   return #value.pressure > 0 and #value.state == #value.pressure
