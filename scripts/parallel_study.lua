@@ -89,7 +89,7 @@ study:csv(files "cases.csv")
 
 local folder = options.out .. "/killed"
 
---- The cases that are finished, by the texts of their files' times.
+--- The seconds that the finished cases took, by label and points.
 local function finished()
   local cases = {}
   for _, row in ipairs(new_study(folder):read().rows) do
