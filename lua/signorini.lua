@@ -24,6 +24,10 @@ types.model.run = require "signorini.run"
 types.model.cost = require "signorini.cost"
 sg.robust = require("signorini.controls").robust
 
+local methods = require "signorini.methods"
+methods.guard("model", { "run", "cost" })
+for _, name in ipairs { "run", "study", "comparison", "map", "files", "data", "series" } do methods.guard(name) end
+
 require "signorini.prompt" -- has a page, too
 require("signorini.help.names").give()
 

@@ -53,8 +53,9 @@ function controls.changed(solver, change)
   return changed, differs
 end
 
---- The keys of model:run's options that are read here.
-controls.keys = { "newton", "linear", "predictor", "augmented", "damping", "penalty", "rescue" }
+--- The keys of model:run's options; those from newton to rescue are read here.
+controls.keys = { "step", "arc_length", "on_step", "on_iteration", "checkpoint", "resume", "threads", "newton", "linear",
+                  "predictor", "augmented", "damping", "penalty", "rescue" }
 
 --- What model:solve_step takes; what is tried where it fails, a list of { name, solver, early } that is also a table by name;
 --- and the growing penalty.
@@ -98,6 +99,7 @@ function controls.robust(options)
   if options ~= nil and type(options) ~= "table" then
     arguments.reject("sg.robust", "options", "a table of options of model:run", options)
   end
+  arguments.table("sg.robust", "options", options, controls.keys)
   local robust = { predictor = "linear", rescue = true, step = { adaptive = true } }
   for key, value in pairs(options or {}) do robust[key] = value end
   return robust

@@ -4,6 +4,7 @@
 -- nil in a row and an empty field in the file.
 
 local core = require "signorini.core"
+local arguments = require "signorini.arguments"
 local format_table = require "signorini.table"
 local number_text = require "signorini.number_text"
 
@@ -38,6 +39,11 @@ end
 --- The column names of a table, checked; for named arrays without `columns` all names, sorted.
 local function column_names(data)
   local columns = data.columns
+  if columns ~= nil or data.rows ~= nil then
+    local known = { "columns", "comments", "rows" }
+    if data.rows == nil and type(columns) == "table" then table.move(columns, 1, #columns, 3, known) end
+    arguments.table("sg.csv.write", "its argument", data, known)
+  end
   if columns == nil and data.rows == nil then
     columns = {}
     for name in pairs(data) do
@@ -60,7 +66,9 @@ end
 --- A function (row, column) → value and the number of rows, for both forms of a table.
 local function cells(data, columns)
   if data.rows then
+    if type(data.rows) ~= "table" then arguments.reject("sg.csv.write", "rows", "a list of rows", data.rows) end
     for i, row in ipairs(data.rows) do
+      if type(row) ~= "table" then arguments.reject("sg.csv.write", ("rows[%d]"):format(i), "a list of values", row) end
       for key in pairs(row) do
         if math.type(key) ~= "integer" or key < 1 or key > #columns then
           core.fail(("sg.csv.write: rows[%d] has an entry '%s', but there are %d columns"):format(i, key, #columns))
@@ -86,7 +94,11 @@ local function file_text(data)
   local columns = column_names(data)
   local cell, count = cells(data, columns)
   local lines, fields = {}, {}
-  for _, comment in ipairs(data.comments or {}) do
+  if data.comments ~= nil and type(data.comments) ~= "table" then
+    arguments.reject("sg.csv.write", "comments", "a list of texts", data.comments)
+  end
+  for i, comment in ipairs(data.comments or {}) do
+    arguments.string("sg.csv.write", ("comments[%d]"):format(i), comment)
     lines[#lines + 1] = "# " .. comment:gsub("[\r\n]+", " ")
   end
   for j, name in ipairs(columns) do fields[j] = field_text(name, "a column's name") end
@@ -104,7 +116,7 @@ sg.csv.write(file, { columns = {…}, rows = {{…}, …}, comments = {…} })
 Writes a table, whole or not at all. Instead of rows, equally long lists may stand under the columns' names.
 Example: sg.csv.write("a.csv", { columns = {"step", "fx"}, rows = {{1, 0.2}, {2, 0.3}} })]]
 function csv.write(file, data)
-  if type(file) ~= "string" then core.fail "sg.csv.write: the first argument must be a file name" end
+  if type(file) ~= "string" then core.fail "sg.csv.write: file, the first argument, must be a file name" end
   if type(data) ~= "table" then core.fail "sg.csv.write: the second argument must be a table with columns and rows" end
   local text = file_text(data)
   local part = file .. ".part"

@@ -32,6 +32,9 @@ Has a file drawn by body(path), and counts it as written; when body returns fals
 says what it would need.
 Example: files:draw("forces.png", "two steps", function(path) return run.steps > 1 and run:csv(path) == nil end)]]
 function Files:draw(name, need, body)
+  arguments.string("files:draw", "need", need)
+  if body == nil then arguments.reject("files:draw", "body", "a function of the file's path", body) end
+  arguments.callback("files:draw", "body", body)
   if body(path_of(self, name)) then self(name) else print(("%s is left out: it needs %s"):format(name, need)) end
 end
 

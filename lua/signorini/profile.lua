@@ -10,28 +10,33 @@ local profile = {}
 
 -- ── A profile as a function of the coordinate ────────────────────────────────────────────────────────────────────────
 
---- A column of a profile, checked.
-local function column(where, name, data, key)
+--- A column of a profile, checked; `argument` is what asked for it.
+local function column(where, name, data, key, argument)
   local values = data[key]
-  if type(values) == "table" and #values == #data.x then return values end
+  if type(values) == "table" and #values == #data.x then
+    for i, value in ipairs(values) do arguments.number(where, ("%s.%s[%d]"):format(name, key, i), value) end
+    return values
+  end
   local known = {}
   for other, list in pairs(data) do
     if type(list) == "table" and type(list[1]) == "number" then known[#known + 1] = other end
   end
   table.sort(known)
-  core.fail(("%s: %s has no values '%s'; known: %s"):format(where, name, tostring(key), table.concat(known, ", ")))
+  core.fail(("%s: %s has no list '%s' as long as %s.x, which %s asks for; known: %s"):format(where, name, tostring(key), name,
+    argument, table.concat(known, ", ")))
 end
 
 local function check_profile(where, name, data)
   local expected, cure = "a contact profile with at least two points", "take what model:profile returns"
-  if type(data) ~= "table" or type(data.x) ~= "table" or #data.x < 2 then
-    arguments.reject(where, name, expected, data, cure)
+  if type(data) ~= "table" then arguments.reject(where, name, expected, data, cure) end
+  if type(data.x) ~= "table" or #data.x < 2 then
+    arguments.reject(where, name .. ".x", "a list of at least two numbers", data.x, cure)
   end
 end
 
 --- The coordinate of every point. A function gets one point at a time, as a table of its values by name.
 local function coordinates(where, name, data, coordinate)
-  if type(coordinate) == "string" then return column(where, name, data, coordinate) end
+  if type(coordinate) == "string" then return column(where, name, data, coordinate, "coordinate") end
   if type(coordinate) ~= "function" then
     arguments.reject(where, "coordinate", "the name of a column such as \"x\", or a function of a point", coordinate)
   end
@@ -65,7 +70,7 @@ end
 --- Returns { s = {…}, v = {…}, from, to }; from … to is the zone that carries something. `edge`: see the help page.
 local function stretch(where, name, data, coordinate, value, edge)
   check_profile(where, name, data)
-  local s, v = coordinates(where, name, data, coordinate), column(where, name, data, value)
+  local s, v = coordinates(where, name, data, coordinate), column(where, name, data, value, "value")
   local first, last
   for i = 1, #v do
     if v[i] ~= 0 then first, last = first or i, i end
@@ -82,7 +87,7 @@ local function stretch(where, name, data, coordinate, value, edge)
   while low > 1 and sign * (s[low] - s[low - 1]) > 0 do low = low - 1 end
   while high < #s and sign * (s[high + 1] - s[high]) > 0 do high = high + 1 end
   local part = { s = {}, v = {}, from = math.min(s[first], s[last]), to = math.max(s[first], s[last]) }
-  local gap, kept = edge == "gap" and column(where, name, data, "gap"), {}
+  local gap, kept = edge == "gap" and column(where, name, data, "gap", "edge"), {}
   for i = sign > 0 and low or high, sign > 0 and high or low, sign do
     part.s[#part.s + 1], part.v[#part.v + 1], kept[#kept + 1] = s[i], v[i], gap and gap[i]
   end

@@ -36,6 +36,11 @@ local function read_stage(model, index, stage, known)
   local label = ("stage %d"):format(index)
   if type(stage) ~= "table" then arguments.reject(where, label, "a table { steps = …, <support> = {…} }", stage) end
   local name = arguments.string(where, label .. ".name", stage.name, label)
+  for key in pairs(stage) do
+    if type(key) ~= "string" or not (known[key] or key == "name" or key == "steps" or drives.is_support(model, key)) then
+      arguments.unknown(where, key, ("stage '%s'"):format(name), table.move(known, 1, #known, 3, { "name", "steps" }))
+    end
+  end
   local read = { name = name, steps = arguments.count(where, name .. ".steps", stage.steps), targets = {} }
   for key, value in pairs(stage) do
     if type(key) == "string" and known[key] then
@@ -43,8 +48,6 @@ local function read_stage(model, index, stage, known)
     elseif drives.is_support(model, key) then
       core.fail(("%s: the support '%s' of stage '%s' is not driven: give it drive = \"x\", \"xy\" or the like in sg.model")
         :format(where, key, name))
-    elseif key ~= "name" and key ~= "steps" then
-      arguments.unknown(where, key, ("stage '%s'"):format(name), table.move(known, 1, #known, 3, { "name", "steps" }))
     end
   end
   return read
@@ -77,8 +80,7 @@ end
 --- The controls of a run: { solver, tries, penalty } (see controls.lua), policy, on_step, on_iteration, and what keeps
 --- checkpoints.
 local function read_options(model, options)
-  local known = { "step", "arc_length", "on_step", "on_iteration", "checkpoint", "resume", "threads" }
-  arguments.table(where, "options", options, table.move(controls.keys, 1, #controls.keys, #known + 1, known))
+  arguments.table(where, "options", options, controls.keys)
   options = options or {}
   local threads = options.threads ~= nil and arguments.count(where, "threads", options.threads, nil, core.most_threads)
   local policy = read_policy(options.step)

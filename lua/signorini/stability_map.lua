@@ -150,9 +150,10 @@ map:cell(x, y)
 The cell at two of the parameters' values; nil when it was not solved.
 Example: map:cell("N2", 4).outcome]]
 function Map:cell(x, y)
-  for _, pair in ipairs { { self.x, x }, { self.y, y } } do
-    if not holds(pair[1], pair[2]) then
-      core.fail(("map:cell: %s has no value %s"):format(pair[1].name, core.describe(pair[2])))
+  for _, entry in ipairs { { "x", self.x, x }, { "y", self.y, y } } do
+    local name, axis, given = table.unpack(entry, 1, 3)
+    if not holds(axis, given) then
+      core.fail(("map:cell: %s must be one of the values of %s, got %s"):format(name, axis.name, core.describe(given)))
     end
   end
   return self.by_x[x] and self.by_x[x][y]

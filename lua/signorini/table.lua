@@ -16,6 +16,25 @@ local function pad(text, width, right)
   return right and blanks .. text or text .. blanks
 end
 
+--- A list or a table by name of texts, or nothing.
+local function check_texts(name, texts)
+  if texts == nil then return end
+  if type(texts) ~= "table" then arguments.reject("sg.table", name, "a list of texts", texts) end
+  for key, text in pairs(texts) do arguments.string("sg.table", ("%s.%s"):format(name, tostring(key)), text) end
+end
+
+--- Formats must be patterns for one number.
+local function check_formats(formats)
+  check_texts("formats", formats)
+  for key, format in pairs(formats) do
+    local fits, text = pcall(string.format, format, 1)
+    if not fits or text == format then
+      arguments.reject("sg.table", ("formats.%s"):format(tostring(key)), "a pattern of string.format for a number", format,
+        "such as \"%.3g\"")
+    end
+  end
+end
+
 core.docs["sg.table"] = [[
 sg.table{ columns = {…}, rows = {{…}, …}, units = {…}, formats = {…} }
 The text of an aligned table, numbers to the right; formats are patterns of string.format by position or column name;
@@ -26,6 +45,12 @@ return function(options)
   local columns, formats = options.columns, options.formats or {}
   if type(columns) ~= "table" then arguments.reject("sg.table", "columns", "a list of names", columns) end
   if type(options.rows) ~= "table" then arguments.reject("sg.table", "rows", "a list of rows", options.rows) end
+  check_texts("columns", columns)
+  check_texts("units", options.units)
+  check_formats(formats)
+  for i, row in ipairs(options.rows) do
+    if type(row) ~= "table" then arguments.reject("sg.table", ("rows[%d]"):format(i), "a list of values", row) end
+  end
 
   local heads = options.units and { columns, options.units } or { columns }
   local lines = {}

@@ -282,7 +282,7 @@ check.case("wrong arguments are errors at the user's line that name the cure", f
   check.fails(function() make{ jobs = 0 } end, "jobs must be a whole number of at least 1")
   check.fails(function() make{ limits = 3 } end, "unknown argument 'limits'", "did you mean 'limit'?")
   check.fails(function() sg.stability_map() end, "sg.stability_map")
-  check.fails(function() make():cell("good", 5) end, "map:cell: steps has no value the number 5")
+  check.fails(function() make():cell("good", 5) end, "map:cell: y must be one of the values of steps, got the number 5")
 end)
 
 check.case("piped, each cell is a line; quiet, there is none", function()

@@ -44,7 +44,7 @@ check.case("wrong arguments are errors at the user's line", function()
     { { name = "s", cases = sg.grid{ a = { 1 } } }, "run is missing" },
     { { name = "s", cases = sg.grid{ a = { 1 } }, runs = run }, "unknown argument 'runs'", "did you mean 'run'?" },
     { { name = "s", cases = sg.grid{ wall = { 1 } }, run = run }, "cannot be called 'wall'" },
-    { { name = "s", cases = sg.grid{ a = { print } }, run = run }, "cases[1].a", "function" },
+    { { name = "s", cases = { { a = print } }, run = run }, "cases[1].a", "function" },
     { { name = "s", cases = sg.grid{ a = { 0 / 0 } }, run = run }, "cases[1].a", "nan" },
     { { name = "s", cases = { { a = 1 }, { a = 1 } }, run = run }, "cases[1] and cases[2]", "'a=1'" },
     { { name = "s", cases = sg.grid{ a = { 1 } }, run = run, units = "mm" }, "units must be a table" },
@@ -356,8 +356,8 @@ check.case("where, row, by, with, column and median", function()
   check.equal(more:column "double", { 26, 46, 26, 46 })
   check.equal(more:table{ columns = { "order", "double" }, sort = "double" }, table.concat({
     "order  double", "            s", "N2         26", "N4         26", "N2         46", "N4         46" }, "\n"))
-  check.fails(function() study:row{ order = "N2" } end, "6 rows are like that, not one", "name more parameters")
-  check.fails(function() study:row{ order = "N8" } end, "no rows are like that")
+  check.fails(function() study:row{ order = "N2" } end, "6 rows have order = N2, not one", "name more parameters")
+  check.fails(function() study:row{ order = "N8" } end, "no rows have order = N8")
   check.fails(function() study:median "cost" end, "must be 'order', 'mesh' or 'round'")
   check.fails(function() calm:with("x", function() return 0 / 0 end) end, "x is nan in row 1")
   check.fails(function() calm:with("mesh", function() return 0 end) end, "'mesh' is a parameter")

@@ -16,6 +16,11 @@ local function read_axes(name, axes)
       core.fail(("%s: %s has an entry without a name: write parameter = { its values }"):format(where, name))
     end
     if type(list) ~= "table" or #list == 0 then arguments.reject(where, key, "a list of values", list) end
+    for i, value in ipairs(list) do
+      if type(value) == "function" or type(value) == "userdata" then
+        arguments.reject(where, ("%s[%d]"):format(key, i), "a number, a string, true, false or a plain table", value)
+      end
+    end
     sorted[#sorted + 1] = { name = key, values = list }
   end
   table.sort(sorted, function(a, b) return a.name < b.name end)

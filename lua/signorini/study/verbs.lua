@@ -30,6 +30,15 @@ local function allows(wanted, value)
   return values.same(wanted, value) or (type(value) == "table" and value.name ~= nil and value.name == wanted)
 end
 
+--- A filter as it was written, for messages.
+local function filter_text(filter)
+  if type(filter) == "function" then return "the function" end
+  local parts = {}
+  for name, wanted in pairs(filter) do parts[#parts + 1] = ("%s = %s"):format(name, values.text(wanted)) end
+  table.sort(parts)
+  return table.concat(parts, ", ")
+end
+
 local function read_filter(where, study, filter)
   if type(filter) == "function" then return filter end
   if type(filter) ~= "table" then
@@ -45,26 +54,28 @@ local function read_filter(where, study, filter)
   end
 end
 
+local function kept_rows(where, study, filter)
+  local keeps, rows = read_filter(where, study, filter), {}
+  for _, row in ipairs(study.rows) do
+    if keeps(row) then rows[#rows + 1] = row end
+  end
+  return rows
+end
+
 core.docs["study:where"] = [[
 study:where{ order = "N2", mesh = {"m1", "m2"}, failed = false } or study:where(function(row) return row.wall < 1 end)
 The part of a study with these values, as a study that has results only: for a list any of its values.
 Example: study:where{ order = "N2", mesh = {1, 2} }]]
-function verbs:where(filter)
-  local keeps, rows = read_filter("study:where", self, filter), {}
-  for _, row in ipairs(self.rows) do
-    if keeps(row) then rows[#rows + 1] = row end
-  end
-  return part_of(self, rows)
-end
+function verbs:where(filter) return part_of(self, kept_rows("study:where", self, filter)) end
 
 core.docs["study:row"] = [[
 study:row{ order = "N2", mesh = "m1" }
 The one row with these values, a table of parameters and figures by name. None or several are an error.
 Example: study:row{ order = "N2", mesh = 1 }.force]]
 function verbs:row(filter)
-  local rows = verbs.where(self, filter).rows
+  local rows = kept_rows("study:row", self, filter)
   if #rows ~= 1 then
-    core.fail(("study:row: %s rows are like that, not one: %s"):format(#rows == 0 and "no" or #rows,
+    core.fail(("study:row: %s rows have %s, not one: %s"):format(#rows == 0 and "no" or #rows, filter_text(filter),
       #rows == 0 and "print the study to see what it holds" or "name more parameters"))
   end
   return rows[1]
