@@ -248,7 +248,12 @@ return function(folder)
     { "sg.cheapest", { study, { error = "error", at_most = 1, cost = "time", where = function() return true end } },
       names = "study named",
       needs = "error at_most", right = { "2%.at_most: the number 0", "2%.error: a function", "2%.cost: a function" } },
-    { "sg.recommend", { { scene = function(_, mesh) return sg.model(film), { { steps = mesh } } end,
+    { "sg.recommend", { { scene = function(order, mesh)
+        local plate = sg.body { patch = sg.shapes.rectangle { width = 1, height = 1 }, elements = { mesh, mesh },
+                                order = order, material = sg.linear_elastic { E = 1, nu = 0.3 } }
+        return sg.model { bodies = { plate = plate }, supports = { bed = { on = plate:face "south", fix = "xy" } } },
+          { { steps = 1 } }
+      end,
       error = function() return 1 end, at_most = 0.1,
       labels = { "N2" }, meshes = { 1, 2, 4 }, limit = 100 } }, needs = "scene error at_most",
       right = { "1%.labels%.1", "1%.meshes%.%d" } },
