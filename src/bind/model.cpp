@@ -8,9 +8,7 @@ namespace signorini::bind {
 namespace {
 
 template <class Items> int push_names(lua_State* L, const Items& items) {
-  std::vector<std::string> names;
-  for (const auto& item : items) names.push_back(item.name);
-  push(L, names);
+  push(L, names_of(items));
   return 1;
 }
 

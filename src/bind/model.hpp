@@ -18,13 +18,18 @@ template <int D> std::span<const Function> cost_rows();
 /// Makes the type of snapshots.
 void open_snapshots(lua_State* L);
 
+/// The names of bodies, supports or contacts, in order.
+template <class Items> std::vector<std::string> names_of(const Items& items) {
+  std::vector<std::string> names(items.size());
+  std::transform(items.begin(), items.end(), names.begin(), [](const auto& item) { return item.name; });
+  return names;
+}
+
 /// Index into a list of named items. Throws ArgumentError that lists the names; `kind` says what they are.
 template <class Items> int find(lua_State* L, const Items& items, const std::string& name, const char* kind) {
-  std::vector<std::string> names;
-  for (const auto& item : items) {
-    if (item.name == name) return static_cast<int>(names.size());
-    names.push_back(item.name);
-  }
+  const std::vector<std::string> names = names_of(items);
+  if (const auto found = std::find(names.begin(), names.end(), name); found != names.end())
+    return static_cast<int>(found - names.begin());
   throw ArgumentError(text(function_name(L), ": the model has no ", kind, " '", name, "'", did_you_mean(name, names),
                            names.empty() ? "" : "; it has " + one_of(names)));
 }

@@ -3,8 +3,8 @@
 #include "view/vtu.hpp"
 #include "base/whole_file.hpp"
 #include "bind/functions.hpp"
+#include "bind/model.hpp"
 #include "bind/open.hpp"
-#include "bind/scene.hpp"
 #include "model/bezier_cells.hpp"
 #include "view/output.hpp"
 
@@ -38,12 +38,6 @@ void append(view::BezierGrid& grid, const model::BezierCells& cells, int body, i
   const std::vector<int> values = {body, contact};
   for (std::size_t i = 0; i < values.size(); ++i)
     grid.cell_arrays[i].values.insert(grid.cell_arrays[i].values.end(), cells.degrees.size(), values[i]);
-}
-
-template <class Items> std::vector<std::string> names_of(const Items& items) {
-  std::vector<std::string> names;
-  for (const auto& item : items) names.push_back(item.name);
-  return names;
 }
 
 /// All bodies, then the slave faces of all contacts.
