@@ -79,8 +79,8 @@ local function arguments(beginning, before)
   return found
 end
 
---- The n-th completion of a word, a path of names, that stands behind a text, or nil behind the last. Where a named argument may
---- stand and one begins like this, those are all that is offered.
+--- The n-th completion of a word, a path of names, that stands behind a text, or nil behind the last. Where a named
+--- argument may stand and one begins like this, those are all that is offered.
 return function(word, before, n)
   local divided, path = word:match "^(.*/)(.*)$"
   path = path or word

@@ -1,5 +1,5 @@
--- How steps are solved: the options of model:run that say so, and sg.robust, which turns on all that easy runs do not pay
--- for.
+-- How steps are solved: the options of model:run that say so, and sg.robust, which turns on all that easy runs do not
+-- pay for.
 
 local core = require "signorini.core"
 local arguments = require "signorini.arguments"
@@ -9,9 +9,9 @@ local controls = {}
 local where = "model:run"
 
 --- What may be tried, in turn, where an attempt at a step has failed: names as they appear in records, and the solver's
---- arguments that differ from those of the attempt that failed. `loose`: of use only where bodies are held by contact alone.
---- `early`: tried before a step is cut, always or for that reason. The others are tried only where it cannot be cut any
---- more: what they converge to on a long step may be another equilibrium than the one that the path leads to.
+--- arguments that differ from those of the attempt that failed. `loose`: of use only where bodies are held by contact
+--- alone. `early`: tried before a step is cut, always or for that reason. The others are tried only where it cannot be
+--- cut any more: what they converge to on a long step may be another equilibrium than the one that the path leads to.
 local rescues = {
   { name = "tangent", change = { predictor = "tangent" }, early = true },
   { name = "damping", change = { predictor = "tangent", damping = true }, loose = true, early = "singular" },
@@ -57,8 +57,8 @@ end
 controls.keys = { "step", "arc_length", "on_step", "on_iteration", "checkpoint", "resume", "threads", "newton", "linear",
                   "predictor", "augmented", "damping", "penalty", "rescue" }
 
---- What model:solve_step takes; what is tried where it fails, a list of { name, solver, early } that is also a table by name;
---- and the growing penalty.
+--- What model:solve_step takes; what is tried where it fails, a list of { name, solver, early } that is also a table by
+--- name; and the growing penalty.
 function controls.read(model, options)
   local newton = arguments.table(where, "options.newton", options.newton,
     { "tolerance", "iterations", "line_search", "freeze_active_set", "active_set_changes" })

@@ -27,8 +27,8 @@ local function symmetries(figures, add)
       local sure = #choice.planes > 1 or #driven == 0
       local condition = sure and "" or (" as long as %s not driven along %s"):format(subject(driven), axes[1])
       add(sure and "symmetry" or "symmetry if fixed", saves, choice.needs, ("The scene is its own mirror image in "
-        .. "%s%s: one %s of it, with %s fixed on %s, would need %d unknowns, %d fewer. The path must be symmetric, too; "
-        .. "forces are then those of the %s."):format(table.concat(names, ", "), condition, part,
+        .. "%s%s: one %s of it, with %s fixed on %s, would need %d unknowns, %d fewer. The path must be symmetric, "
+        .. "too; forces are then those of the %s."):format(table.concat(names, ", "), condition, part,
           table.concat(axes, " and "), #names == 1 and "that plane" or "these planes", choice.needs, saves, part))
     end
   end
@@ -40,15 +40,15 @@ local function revolution(figures, add)
   local saves, centre = figures.unknowns - found.needs, {}
   for i, value in ipairs(found.centre) do centre[i] = ("%.6g"):format(value) end
   add("axisymmetry", saves, found.needs, ("All bodies turn around one axis, parallel to %s through (%s): a plane scene "
-    .. "of their section with kind = \"axisymmetric\" would need %d unknowns, %d fewer. The path must not leave the axis, "
-    .. "and wrinkles around it cannot be seen.")
+    .. "of their section with kind = \"axisymmetric\" would need %d unknowns, %d fewer. The path must not leave the "
+    .. "axis, and wrinkles around it cannot be seen.")
     :format(found.axis, table.concat(centre, ", "), found.needs, saves))
 end
 
 local function rigid(figures, add)
   for _, stiff in ipairs(figures.stiff) do
-    add("rigid", stiff.saves, figures.unknowns - stiff.saves, ("Body '%s' is %.4g times as stiff as '%s' and one support "
-      .. "moves it: as a rigid obstacle, sg.rigid.surface of its contact face, it would save all of its %d unknowns. "
+    add("rigid", stiff.saves, figures.unknowns - stiff.saves, ("Body '%s' is %.4g times as stiff as '%s' and one "
+      .. "support moves it: as a rigid obstacle, sg.rigid.surface of its contact face, it would save all of its %d unknowns. "
       .. "This leaves out its own deformation, about 1/%.4g of the other's.")
       :format(stiff.body, stiff.ratio, stiff.partner, stiff.saves, stiff.ratio))
   end
@@ -72,7 +72,8 @@ local function layers(figures, add)
   for _, choice in ipairs(figures.idle_layers) do
     local saves = figures.bodies[choice.body].unknowns - choice.needs
     add("idle layer", saves, figures.unknowns - saves, ("The layer of body '%s' is on a face without contact: %s would "
-      .. "need %d unknowns in this body, %d fewer."):format(choice.body, order_text(choice.labels), choice.needs, saves))
+      .. "need %d unknowns in this body, %d fewer.")
+      :format(choice.body, order_text(choice.labels), choice.needs, saves))
   end
 end
 

@@ -1,5 +1,5 @@
--- help(): the pages that stand beside the functions, in C++ (rows of src/bind) and in Lua (core.docs["sg.study"] = …), and
--- a few on whole subjects.
+-- help(): the pages that stand beside the functions, in C++ (rows of src/bind) and in Lua (core.docs["sg.study"] = …),
+-- and a few on whole subjects.
 
 local core = require "signorini.core"
 local subjects = require "signorini.help.subjects"
@@ -49,7 +49,8 @@ local function word_page(word)
   for subject in pairs(texts) do last[subject] = true end
   for _, each in ipairs(subjects.groups) do last[each.word] = true end
   local meant = core.nearest(word, sorted(last))
-  return ("There is no page on '%s'%s"):format(word, meant and ("; did you mean '%s'?"):format(meant) or ". help() shows where to begin.")
+  return ("There is no page on '%s'%s"):format(word, meant and ("; did you mean '%s'?"):format(meant)
+    or ". help() shows where to begin.")
 end
 
 local function value_page(value)

@@ -29,8 +29,8 @@ end
 local function read_list(series)
   local text = core.read_file(series.file)
   if text:sub(1, #header) ~= header then
-    core.fail(("sg.pvd: '%s' was not written by sg.pvd, so it cannot be taken up: leave out resume, or choose another name")
-      :format(series.file))
+    core.fail(("sg.pvd: '%s' was not written by sg.pvd, so it cannot be taken up: leave out resume, or choose another "
+      .. "name"):format(series.file))
   end
   for time, name in text:gmatch '<DataSet timestep="([^"]*)" part="0" file="([^"]*)"/>' do
     series[#series + 1] = { time = tonumber(time), name = unescaped(name) }

@@ -10,8 +10,8 @@ local values = require "signorini.study.values"
 
 local where = "sg.recommend"
 
--- How much of the error one level is taken to leave: half, as two levels cannot tell; three can, yet less than half is not
--- believed, and a ratio near 1 means that the levels do not converge.
+-- How much of the error one level is taken to leave: half, as two levels cannot tell; three can, yet less than half is
+-- not believed, and a ratio near 1 means that the levels do not converge.
 local usual_ratio, worst_ratio = 1 / 2, 0.9
 
 -- Work that is about the same.
@@ -33,8 +33,8 @@ local function read(options)
   end
   local measured = options.error
   if type(measured) ~= "string" and type(measured) ~= "function" then
-    arguments.reject(where, "error", "a column of the run such as \"ground.max_pressure\", or a function of model and run",
-      measured)
+    arguments.reject(where, "error",
+      "a column of the run such as \"ground.max_pressure\", or a function of model and run", measured)
   end
   return { scene = arguments.callback(where, "scene", options.scene), measured = measured,
            at_most = arguments.positive(where, "at_most", options.at_most),
@@ -66,8 +66,9 @@ end
 local function check_finer(search, label, level, unknowns)
   local coarser = (search.by_level[level - 1] or {})[label]
   if coarser and unknowns <= coarser.unknowns then
-    core.fail(("%s: %s has %d unknowns on mesh %s and %d on mesh %s: meshes must run from coarse to fine, and scene use them")
-      :format(where, label, coarser.unknowns, values.text(coarser.mesh), unknowns, values.text(search.meshes[level])))
+    core.fail(("%s: %s has %d unknowns on mesh %s and %d on mesh %s: meshes must run from coarse to fine, and scene use "
+      .. "them"):format(where, label, coarser.unknowns, values.text(coarser.mesh), unknowns,
+        values.text(search.meshes[level])))
   end
 end
 
@@ -121,15 +122,16 @@ end
 
 --- How much of the error a level leaves, as far as the label's last three levels tell.
 local function ratio(search, label, level)
-  local older, old, new = solved(search, level - 2, label), solved(search, level - 1, label), solved(search, level, label)
+  local older, old = solved(search, level - 2, label), solved(search, level - 1, label)
+  local new = solved(search, level, label)
   if not older then return usual_ratio end
   local before, now = distance(older.figure, old.figure), distance(old.figure, new.figure)
   if before == 0 then return now == 0 and usual_ratio or worst_ratio end
   return math.max(usual_ratio, math.min(worst_ratio, now / before))
 end
 
---- Estimates what it can with `reference`, a case whose label was solved on the level below, too. With d the distance of
---- these two and r the share of the error that a level leaves, the reference's own error is at most d (r + r² + …) =
+--- Estimates what it can with `reference`, a case whose label was solved on the level below, too. With d the distance
+--- of these two and r the share of the error that a level leaves, the reference's own error is at most d (r + r² + …) =
 --- d r/(1 − r); any coarser case is farther off by its distance from the reference.
 local function estimate(search, reference)
   local level = reference.level
@@ -151,7 +153,8 @@ local function cheapest(search)
   return best
 end
 
---- Whether another label is twice as accurate on a level for about the same work: then this one need not be tried again.
+--- Whether another label is twice as accurate on a level for about the same work: then this one need not be tried
+--- again.
 local function dominated(search, label, level)
   local case = solved(search, level, label)
   for _, other in pairs(search.by_level[level] or {}) do
@@ -181,7 +184,9 @@ local function explore(search)
     if best or (search.limit and search.spent > search.limit) then return best end
     for _, label in ipairs(search.labels) do
       local known = search.by_level[level] and search.by_level[level][label]
-      if not known and level < #search.meshes and not dominated(search, label, level - 1) then try(search, label, level) end
+      if not known and level < #search.meshes and not dominated(search, label, level - 1) then
+        try(search, label, level)
+      end
     end
   end
 end
@@ -216,7 +221,8 @@ function Recommendation:__tostring()
                 case.label == self.label and case.mesh == self.mesh and "enough" or "" }
   end
   return format_table{ columns = { "label", "mesh", "unknowns", "wall", "figure", "estimated error", "" },
-    units = { "", "", "", "s", "", "", "" }, rows = rows, formats = { [4] = "%.3f", [6] = "%.2e" } } .. "\n" .. self.report
+    units = { "", "", "", "s", "", "", "" }, rows = rows, formats = { [4] = "%.3f", [6] = "%.2e" } }
+    .. "\n" .. self.report
 end
 
 core.docs["sg.recommend"] = [[
@@ -243,8 +249,8 @@ return function(options)
   search.tries, search.by_level, search.spent, search.display = {}, {}, 0, progress(1)
   local best = explore(search) or {}
   local result = setmetatable({ label = best.label, mesh = best.mesh, error = best.error, wall = best.wall,
-    unknowns = best.unknowns, tries = search.tries, spent = search.spent, report = verdict(search, best.label and best) },
-    Recommendation)
+    unknowns = best.unknowns, tries = search.tries, spent = search.spent,
+    report = verdict(search, best.label and best) }, Recommendation)
   print(result)
   return result
 end

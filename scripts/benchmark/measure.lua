@@ -76,9 +76,9 @@ local function pass(problem, case, options)
   return spent
 end
 
---- A case { problem (name), label, mesh }, to which milliseconds are added by name: per iteration those of the pass with
---- the median iteration of `options.repeats`, so that accounts add up, and per file medians of all passes. Options also
---- have linear, steps (timed) and out (folder).
+--- A case { problem (name), label, mesh }, to which milliseconds are added by name: per iteration those of the pass
+--- with the median iteration of `options.repeats`, so that accounts add up, and per file medians of all passes. Options
+--- also have linear, steps (timed) and out (folder).
 function measure.case(case, options)
   local problem, passes = measure.problems[case.problem], {}
   for i = 1, options.repeats do passes[i] = pass(problem, case, options) end

@@ -3,7 +3,8 @@
 
 --- Adds what begins the entries of a table as it is written, "{ a, b = {1, 2}, c or d }".
 local function add_keys(keys, text)
-  local plain = text:sub(2, -2):gsub('"[^"]*"', ""):gsub("%b{}", ""):gsub("%b()", ""):gsub("function.-%f[%w]end%f[%W]", "")
+  local plain = text:sub(2, -2):gsub('"[^"]*"', ""):gsub("%b{}", ""):gsub("%b()", "")
+    :gsub("function.-%f[%w]end%f[%W]", "")
   for entry in (plain .. ","):gmatch "([^,]*)," do
     for _, key in ipairs { entry:match "^%s*([%a_][%w_]*)", entry:match "^%s*[%w_]+ or ([%a_][%w_]*)" } do
       if not keys[key] then keys[key], keys[#keys + 1] = true, key end

@@ -75,7 +75,7 @@ local function profile(value)
   local ranges, names = {}, {}
   for name in pairs(value) do names[#names + 1] = name end
   table.sort(names)
-  for _, name in ipairs { "x", "pressure", "traction", "gap" } do ranges[#ranges + 1] = range_text(name, value[name]) end
+  for i, name in ipairs { "x", "pressure", "traction", "gap" } do ranges[i] = range_text(name, value[name]) end
   return ("contact profile of %d points: %s\n  %s\n  lists: %s"):format(#value.pressure, table.concat(parts, ", "),
     table.concat(ranges, ", "), table.concat(names, ", "))
 end

@@ -32,7 +32,8 @@ local function parameter_names(list, ordered)
         core.fail(("%s: cases[%d] has a value without a name: write parameter = value"):format(where, i))
       end
       if name == "wall" or name == "failed" or name == "reason" then
-        core.fail(("%s: cases[%d]: a parameter cannot be called '%s', an account that every case has"):format(where, i, name))
+        core.fail(("%s: cases[%d]: a parameter cannot be called '%s', an account that every case has")
+          :format(where, i, name))
       end
       if not seen[name] then seen[name], others[#others + 1] = true, name end
     end
@@ -57,8 +58,8 @@ function cases.read(list)
     end
     local text = table.concat(parts, " ")
     if seen[text] then
-      core.fail(("%s: cases[%d] and cases[%d] are both called '%s': leave one out, or give their values different names")
-        :format(where, seen[text], i, text))
+      core.fail(("%s: cases[%d] and cases[%d] are both called '%s': leave one out, or give their values different "
+        .. "names"):format(where, seen[text], i, text))
     end
     seen[text] = i
     -- Readable for people; the digits keep apart what differs in characters that no file's name should have.

@@ -36,7 +36,8 @@ local function words_on(study, missing, reasons, older)
   for why, count in pairs(reasons) do words[#words + 1] = ("%d because %s"):format(count, why) end
   table.sort(words)
   local again = #words > 0 and "; run again: " .. table.concat(words, "; ") or ""
-  local version = older > 0 and ("; %d of them are of another version than %s"):format(older, core.versions.signorini) or ""
+  local version = older > 0
+    and ("; %d of them are of another version than %s"):format(older, core.versions.signorini) or ""
   return (again ~= "" or version ~= "") and
     ("%s: %d of %d cases are kept%s%s"):format(study.name, kept, #study.cases, version, again) or nil
 end

@@ -1,5 +1,5 @@
--- What the results of a study depend on beside the parameters of a case: the text of its function `run`, and all that this
--- refers to. When that changes, what was computed before no longer counts.
+-- What the results of a study depend on beside the parameters of a case: the text of its function `run`, and all that
+-- this refers to. When that changes, what was computed before no longer counts.
 
 local core = require "signorini.core"
 local arguments = require "signorini.arguments"

@@ -29,8 +29,8 @@ local function case_file(study, entry) return ("%s/cases/%s.json"):format(study.
 local function check_owner(where, study)
   local owner = read(study.folder .. "/study.json")
   if owner and owner.study ~= study.name then
-    core.fail(("%s: the folder '%s' holds the study '%s', not '%s': give this one a folder of its own, or remove the old one")
-      :format(where, study.folder, tostring(owner.study), study.name))
+    core.fail(("%s: the folder '%s' holds the study '%s', not '%s': give this one a folder of its own, or remove the old "
+      .. "one"):format(where, study.folder, tostring(owner.study), study.name))
   end
   return owner ~= nil
 end
@@ -38,7 +38,8 @@ end
 --- What is known of a case: its record, or nil; and whether its file is there but cannot be understood.
 function store.read(study, entry)
   local record, damaged = read(case_file(study, entry))
-  if record and type(record.case) == "table" and type(record.figures) == "table" and type(record.outcome) == "string" then
+  if record and type(record.case) == "table" and type(record.figures) == "table"
+    and type(record.outcome) == "string" then
     return record, false
   end
   return nil, damaged or record ~= nil

@@ -1,8 +1,8 @@
 -- What the rows of a study hold, and how it is picked from them: shared by all that reads studies.
 --
 -- A study has name, parameters (names in order), figures (names in order), units (by name) and rows; a row holds the
--- values of parameters and figures by name, wall (s), and of a case that failed: failed = true and reason. Parameters and
--- figures are plain data; tables among them show by their field `name`.
+-- values of parameters and figures by name, wall (s), and of a case that failed: failed = true and reason. Parameters
+-- and figures are plain data; tables among them show by their field `name`.
 
 local core = require "signorini.core"
 local arguments = require "signorini.arguments"

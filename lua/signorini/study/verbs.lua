@@ -13,7 +13,8 @@ local verbs = { chart = pictures.chart, heatmap = pictures.heatmap }
 
 --- A study of these rows; `more` replaces what else is not as in the old one.
 local function part_of(study, rows, more)
-  local part = { name = study.name, parameters = study.parameters, figures = study.figures, units = study.units, rows = rows }
+  local part = { name = study.name, parameters = study.parameters, figures = study.figures, units = study.units,
+                 rows = rows }
   for key, value in pairs(more or {}) do part[key] = value end
   return setmetatable(part, getmetatable(study))
 end

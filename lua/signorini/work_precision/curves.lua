@@ -47,8 +47,8 @@ function curves.time(curve, size)
 end
 
 --- At equal error, a takes so much of b's time: { from, to, at, ratio }. Without `at`, at the least, the
---- (geometrically) middle and the largest error that both reach; where one of them does not, the ratio is nil. Without errors that both
---- reach there are no from, to and ratios, but why.
+--- (geometrically) middle and the largest error that both reach; where one of them does not, the ratio is nil. Without
+--- errors that both reach there are no from, to and ratios, but why.
 function curves.compare(a, b, at)
   local least_a, largest_a = curves.reach(a)
   local least_b, largest_b = curves.reach(b)
