@@ -45,7 +45,13 @@ local function word_page(word)
     if (name .. "\n" .. page):lower():find(word:lower(), 1, true) then names[name] = true end
     last[name:match "[^.:]+$"] = true
   end
-  if next(names) then return list(("Pages with '%s':"):format(word), sorted(names)) end
+  if next(names) then
+    local found, own = list(("Pages with '%s':"):format(word), sorted(names)), {}
+    for name in pairs(names) do
+      if name:match "[^.:]+$" == word then own[#own + 1] = name end
+    end
+    return #own == 1 and ("%s\n\n%s"):format(core.docs[own[1]], found) or found
+  end
   for subject in pairs(texts) do last[subject] = true end
   for _, each in ipairs(subjects.groups) do last[each.word] = true end
   local meant = core.nearest(word, sorted(last))
