@@ -28,6 +28,18 @@ local methods = require "signorini.methods"
 methods.guard("model", { "run", "cost" })
 for _, name in ipairs { "run", "study", "comparison", "map", "files", "data", "series" } do methods.guard(name) end
 
+-- A misspelt name of the language is an error, not nil.
+local function strict(entries, path)
+  setmetatable(entries, { __index = function(_, key)
+    local known = {}
+    for name in next, entries do known[#known + 1] = name end
+    local meant = core.nearest(tostring(key), known)
+    core.fail(("there is no %s.%s%s"):format(path, tostring(key), meant and ("; did you mean '%s'?"):format(meant) or ""))
+  end })
+end
+for _, name in ipairs { "shapes", "nurbs", "rigid" } do strict(sg[name], "sg." .. name) end
+strict(sg, "sg")
+
 require "signorini.prompt" -- has a page, too
 require("signorini.help.names").give()
 
