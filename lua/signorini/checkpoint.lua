@@ -10,7 +10,7 @@ local where = "model:run"
 
 --- What a run holds that is made anew or written in another form; all else is saved as it stands.
 local apart = {}
-for _, key in ipairs { "failed", "reason", "cause", "report", "recorders", "before", "step", "names", "values", "histories", "extra",
+for _, key in ipairs { "failed", "reason", "cause", "report", "recorders", "before", "step", "names", "values", "histories", "extra", "kept",
                        "step_column", "increment_column", "iteration_column", "wall_column" } do
   apart[key] = true
 end

@@ -8,6 +8,7 @@ local checkpoint = require "signorini.checkpoint"
 local controls = require "signorini.controls"
 local drives = require "signorini.drives"
 local progress = require "signorini.progress"
+local states = require "signorini.states"
 local steps = require "signorini.steps"
 local Run = require "signorini.run_result"
 
@@ -77,9 +78,9 @@ local function read_policy(step)
   return arguments.flag(where, "step.adaptive", step.adaptive, true) and steps.halving(options) or steps.plain()
 end
 
---- The controls of a run: { solver, tries, penalty } (see controls.lua), policy, on_step, on_iteration, and what keeps
---- checkpoints.
-local function read_options(model, options)
+--- The controls of a run: { solver, tries, penalty } (see controls.lua), policy, on_step, on_iteration, what keeps
+--- checkpoints, and which states are kept.
+local function read_options(model, options, path, total)
   arguments.table(where, "options", options, controls.keys)
   options = options or {}
   local threads = options.threads ~= nil and arguments.count(where, "threads", options.threads, nil, core.most_threads)
@@ -94,7 +95,7 @@ local function read_options(model, options)
     solver = solver, tries = tries, penalty = penalty, policy = policy, arcs = arcs,
     on_step = arguments.callback(where, "on_step", options.on_step),
     on_iteration = arguments.callback(where, "on_iteration", options.on_iteration),
-    keeper = checkpoint(options),
+    keeper = checkpoint(options), states = states.read(where, options.states, path, total),
   }
   if threads then core.set_threads(threads) end -- not for a run that is refused
   return read
@@ -325,11 +326,12 @@ end
 core.docs["model:run"] = require "signorini.run_page"
 return function(model, stages, options)
   local path, total = read_stages(model, stages)
-  options = read_options(model, options)
+  options = read_options(model, options, path, total)
   local policy, keeper = options.policy, options.keeper
   local run = Run.new(model)
   local place = keeper:begin(model, run, path, policy)
   local display = progress(total - run.steps)
+  if options.states.wants(run.steps) then run:keep_state(model, path[place.stage].name) end
   for index = place.stage, #path do
     local stage = path[index]
     begin_stage(model, stage)
@@ -344,10 +346,14 @@ return function(model, stages, options)
       end
       if result.converged then
         place.stage, place.number = index, number
+        if options.states.wants(run.steps, function() return run:info(stage, result) end) then
+          run:keep_state(model, stage.name)
+        end
         keeper:step(model, run, path, place, policy)
       end
       if run.reason ~= "completed" then
         display:line(("%s: %s in step %d of %d"):format(stage.name, run.reason, number, stage.steps))
+        if options.states.last then run:keep_state(model, stage.name) end
         return run:finish(model)
       end
     end
@@ -355,5 +361,6 @@ return function(model, stages, options)
     display:stage_end(stage.name, stage.steps, run.stages[#run.stages].iterations, run.stages[#run.stages].wall)
   end
   display:clear()
+  if options.states.last then run:keep_state(model, path[#path].name) end
   return run:finish(model)
 end

@@ -27,6 +27,9 @@ options:
   disturbed; the file of a finished run gives that run at once. Scene and stages must be the same. See also model:save.
   on_step = function(info): sees info.step, info.stage, info["grip.fx"] … after each step; returns nothing, "stop" to end
     cleanly, "cut" to have the step done again in halves, or a table of numbers: columns of the run, else nan.
+  states = 5 (so many, from the start to the end), {0, 10, 46} (steps; 0 is the start) or function(info) (true: this one):
+    which states run:states() has for pictures; without it the start and the end of each stage. A run that is taken up has
+    those since then.
   on_iteration = function(info): sees stage, step, from, to (parts of the step), iteration, residual, energy, reason;
     returns nothing, "stop", or "cut" to give the attempt up.
 A step that is not reached ends the run, a result: run.failed, run.reason, run.cause (what was behind minimum_step),

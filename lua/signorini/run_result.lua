@@ -5,6 +5,7 @@ local core = require "signorini.core"
 local csv = require "signorini.csv"
 local drives = require "signorini.drives"
 local format_table = require "signorini.table"
+local states = require "signorini.states"
 
 local Run = {}
 Run.__index = Run
@@ -67,7 +68,7 @@ function Run.new(model)
   local run = setmetatable({
     failed = false, reason = "completed", steps = 0, rows = 0, iterations = 0, cutbacks = 0, rescues = 0, wary = 0,
     places = {}, wall = 0, stages = {}, controls = {}, extra = {},
-    names = {}, values = {}, histories = {}, recorders = {}, before = model:timings(),
+    names = {}, values = {}, histories = {}, recorders = {}, kept = {}, before = model:timings(),
   }, Run)
   run.step_column, run.increment_column = add_column(run, "step"), add_column(run, "increments")
   run.iteration_column, run.wall_column = add_column(run, "iterations"), add_column(run, "wall")
@@ -225,6 +226,13 @@ function Run:record_failure(step, result, turn)
   end
 end
 
+--- Keeps the model's present state, once.
+function Run:keep_state(model, stage)
+  local last = self.kept[#self.kept]
+  if last and last.step == self.steps then return end
+  self.kept[#self.kept + 1] = states.keep(model, self.steps, stage)
+end
+
 --- What on_step sees after an accepted step: step, stage, iterations, residual, and every column's value by name.
 function Run:info(stage, result)
   local info = {}
@@ -304,6 +312,15 @@ function Run:residuals(step)
   local attempts = history(self, "run:residuals", step)
   local residuals = attempts[#attempts].residuals
   return table.move(residuals, 1, #residuals, 1, {})
+end
+
+core.docs["run:states"] = [[
+run:states()
+The states that a run has kept, in order, for sg.picture{ states = run:states() }: those that the option `states` of
+model:run asked for; without it the start, the end of each stage and the last one that was reached.
+Example: sg.picture{ states = run:states(), field = "uy", file = "states.png" }]]
+function Run:states()
+  return table.move(self.kept, 1, #self.kept, 1, {})
 end
 
 core.docs["run:csv"] = [[

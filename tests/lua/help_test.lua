@@ -12,7 +12,7 @@ local subjects = require "signorini.help.subjects"
 -- Methods of Lua's types that the library calls; users read about the others.
 local private = {
   run = "new begin_stage begin_step record_attempt record_probe record_cutback add_extra record_extra drop_step record_step "
-    .. "record_arc record_control record_failure info finish",
+    .. "record_arc record_control record_failure keep_state info finish",
   study = "row_of gather",
 }
 

@@ -10,7 +10,7 @@ subjects.groups = {
   { word = "patches", title = "Shapes and patches", "sg.shapes.", "sg.nurbs.", "patch", "patch:" },
   { word = "bodies", title = "Materials, bodies, obstacles", "sg.neo_hookean", "sg.linear_elastic", "material", "sg.body",
     "body", "body:", "face", "sg.rigid.", "obstacle" },
-  { word = "solving", title = "Models and load paths", "sg.model", "model", "model:run", "sg.robust", "run", "run:", "model:cost",
+  { word = "solving", title = "Models and load paths", "sg.model", "model", "model:run", "sg.robust", "run", "run:", "state", "model:cost",
     "model:save", "sg.load" },
   { word = "results", title = "Results of a model", "model:profile", "model:sample", "model:energy", "model:reaction",
     "model:contact_resultant", "sg.profile_error", "sg.profile_edges" },

@@ -1,0 +1,78 @@
+-- What a run keeps of its states, for pictures of the path: model:run(stages, { states = … }) and run:states().
+
+local arguments = require "signorini.arguments"
+local core = require "signorini.core"
+
+local State = {}
+State.__index = State
+State.__name = "state"
+core.types.state = State
+
+core.docs["state"] = [[
+state
+An entry of run:states(): state.step (0 is the start), state.stage, state.title, state.snapshot, to which
+model:restore(state.snapshot) returns.
+Example: local states = run:states(); print(states[#states].title)]]
+
+function State:__tostring() return ("state at %s"):format(self.title) end
+
+local expected = "a number of states from 2, a list of steps, or a function"
+
+--- The steps of a list as a set.
+local function set_of(where, list, total)
+  local set = {}
+  for i, step in ipairs(list) do
+    local whole = type(step) == "number" and math.tointeger(step)
+    if not whole or whole < 0 or whole > total then
+      arguments.reject(where, ("states[%d]"):format(i), ("a step from 0 (the start) to %d"):format(total), step)
+    end
+    set[whole] = true
+  end
+  return set
+end
+
+--- The steps of so many states, evenly spread from the start to the end.
+local function spread(count, total)
+  local set = {}
+  for i = 0, count - 1 do set[(i * total + (count - 1) // 2) // (count - 1)] = true end
+  return set
+end
+
+--- The start and the ends of stages.
+local function ends(path)
+  local set, step = { [0] = true }, 0
+  for _, stage in ipairs(path) do
+    step = step + stage.steps
+    set[step] = true
+  end
+  return set
+end
+
+local states = {}
+
+--- What the option asks for: a function of a step and of what makes its `info`, and whether the last state of all is
+--- kept whatever it is.
+function states.read(where, wanted, path, total)
+  if type(wanted) == "function" then
+    return { wants = function(step, info) return step > 0 and wanted(info()) end, last = false }
+  end
+  local set
+  if wanted == nil then
+    set = ends(path)
+  elseif type(wanted) == "table" then
+    set = set_of(where, wanted, total)
+  elseif math.tointeger(wanted) and wanted >= 2 then
+    set = spread(math.tointeger(wanted), total)
+  else
+    arguments.reject(where, "states", expected, wanted)
+  end
+  return { wants = function(step) return set[step] end, last = type(wanted) ~= "table" }
+end
+
+--- The model's present state as an entry of run:states().
+function states.keep(model, step, stage)
+  local title = step == 0 and "start" or ("%s, step %d"):format(stage, step)
+  return setmetatable({ step = step, stage = stage, title = title, snapshot = model:snapshot() }, State)
+end
+
+return states
