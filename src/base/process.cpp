@@ -1,0 +1,72 @@
+#include "base/process.hpp"
+
+#include "base/error.hpp"
+
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <fcntl.h>
+#include <spawn.h>
+#include <sstream>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace signorini {
+namespace {
+
+constexpr std::size_t kept = 600; // bytes of what a program says
+
+/// All that comes out of a pipe, its end at least.
+std::string last_words(int pipe) {
+  std::string words;
+  std::array<char, 4096> buffer;
+  for (;;) {
+    const ssize_t got = ::read(pipe, buffer.data(), buffer.size());
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) return words;
+    words.append(buffer.data(), static_cast<std::size_t>(got));
+    if (words.size() > kept) words.erase(0, words.size() - kept);
+  }
+}
+
+int wait_for(pid_t id) {
+  int status = 0;
+  while (::waitpid(id, &status, 0) < 0 && errno == EINTR) {
+  }
+  return status;
+}
+
+} // namespace
+
+bool has_program(const std::string& name) {
+  const char* path = std::getenv("PATH");
+  std::istringstream folders(path ? path : "");
+  for (std::string folder; std::getline(folders, folder, ':');)
+    if (::access(text(folder, "/", name).c_str(), X_OK) == 0) return true;
+  return false;
+}
+
+void run_program(const std::vector<std::string>& words) {
+  std::vector<char*> arguments;
+  for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+  arguments.push_back(nullptr);
+  int ends[2];
+  require(::pipe2(ends, O_CLOEXEC) == 0, "cannot run ", words[0], ": ", std::strerror(errno));
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_adddup2(&actions, ends[1], 1);
+  posix_spawn_file_actions_adddup2(&actions, ends[1], 2);
+  pid_t id;
+  const int failed = ::posix_spawnp(&id, words[0].c_str(), &actions, nullptr, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  ::close(ends[1]);
+  const std::string said = failed ? "" : last_words(ends[0]);
+  ::close(ends[0]);
+  require(failed == 0, "cannot run ", words[0], ": ", std::strerror(failed));
+  const int status = wait_for(id);
+  require(WIFEXITED(status) && WEXITSTATUS(status) == 0, words[0], " failed and said: ", said);
+}
+
+} // namespace signorini
