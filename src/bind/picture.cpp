@@ -1,152 +1,30 @@
-#include "bind/frame.hpp"
-#include "bind/functions.hpp"
-#include "bind/marks.hpp"
-#include "bind/model.hpp"
+#include "base/whole_file.hpp"
 #include "bind/open.hpp"
+#include "bind/state_frame.hpp"
+#include "view/close_up.hpp"
+#include "view/series.hpp"
+#include "view/sheet.hpp"
+#include "view/side_by_side.hpp"
 
 #include <algorithm>
-#include <variant>
+#include <cmath>
 
 namespace signorini::bind {
 
 namespace {
 
-/// A state as it is drawn, and what its colours mean.
-struct StateFrame {
-  std::variant<view::Panel, view::SolidPanel> panel;
-  std::string label;
-
-  const std::string& title() const {
-    return std::visit([](const auto& one) -> const std::string& { return one.title; }, panel);
-  }
-  void set_title(std::string title) {
-    std::visit([&](auto& one) { one.title = std::move(title); }, panel);
-  }
-  std::size_t bodies() const {
-    return std::visit([](const auto& one) { return one.bodies.size(); }, panel);
-  }
-  bool solid() const { return std::holds_alternative<view::SolidPanel>(panel); }
-};
-
-} // namespace
-
-template <> struct Type<StateFrame> { static constexpr auto name = "frame"; };
-
-namespace {
-
-/// What shows a model's state, and what lays out a picture of states.
-const std::vector<std::string> state_keys = {"model",          "field",  "factor", "deformed", "undeformed", "mesh",
-                                             "control_points", "mirror", "cut",    "bodies",   "obstacles",  "marks"};
-const std::vector<std::string> picture_keys = {"file", "title", "label", "range", "colormap", "size", "crop", "camera"};
+const std::vector<std::string> picture_keys = {"fields",      "states", "frames", "columns",  "file", "fps",
+                                               "title",       "label",  "range",  "colormap", "size", "scale",
+                                               "transparent", "crop",   "inset",  "camera"};
 
 std::vector<std::string> joined(std::vector<std::string> keys, const std::vector<std::string>& more) {
   keys.insert(keys.end(), more.begin(), more.end());
   return keys;
 }
 
-// ── A state ──────────────────────────────────────────────────────────────────────────────────────────────────────────
-
-const std::vector<std::string> axis_names = {"x", "y", "z", "-x", "-y", "-z"};
-
-Vec<3> unit(const std::string& axis) {
-  return (axis[0] == '-' ? -1.0 : 1.0) * Vec<3>::Unit(axis.back() - 'x');
-}
-
-/// "y", or { normal = …, point = … }, or { normal = "y", at = … }.
-std::optional<Cut> read_cut(lua_State* L, const Options& o) {
-  if (!o.has("cut")) return std::nullopt;
-  constexpr const char* meaning = "the half on this side is taken away";
-  const int value = o.push_value("cut"), type = lua_type(L, value);
-  if (type == LUA_TSTRING) return Cut{unit(o.choice("cut", meaning, axis_names))};
-  if (type != LUA_TTABLE)
-    reject(L, value, o.argument("cut", meaning), "an axis such as \"y\" or \"-y\", or a table with normal and point");
-  const Options c = o.table("cut", {"normal", "point", "at"});
-  const int normal = c.push_value("normal");
-  Cut cut;
-  if (lua_type(L, normal) == LUA_TSTRING) {
-    cut.normal = unit(c.choice("normal", meaning, axis_names));
-    if (c.has("at")) cut.point = c.number("at", "where the plane meets the normal's axis") * cut.normal.cwiseAbs();
-  } else {
-    cut.normal = c.point("normal", "points to the half that is taken away", 3, 3);
-    if (cut.normal.norm() == 0)
-      reject(L, normal, c.argument("normal", "points to the half that is taken away"), "a vector that is not zero");
-    if (c.has("at"))
-      throw ArgumentError(text(function_name(L), ": cut.at needs an axis as cut.normal, such as \"y\"; with a vector "
-                                                 "give cut.point"));
-  }
-  if (c.has("point")) {
-    if (cut.point) throw ArgumentError(text(function_name(L), ": cut has both at and point; give one of them"));
-    cut.point = c.point("point", "a point of the plane", 3, 3);
-  }
-  return cut;
-}
-
-template <int D> std::string read_label(const Options& o, const Showing& showing) {
-  if (!o.has("field")) return "";
-  const std::string label = field_label<D>(showing.field);
-  return showing.factor == 1 ? label : text(showing.factor, " × ", label);
-}
-
-/// The bodies that are named; all when none are.
-template <int D> std::vector<int> read_bodies(lua_State* L, const Options& o, const Model<D>& model) {
-  const int all = static_cast<int>(model->scene().bodies.size());
-  std::vector<int> bodies;
-  if (!o.has("bodies")) {
-    for (int b = 0; b < all; ++b) bodies.push_back(b);
-    return bodies;
-  }
-  const Argument argument = o.argument("bodies", "names of the bodies to be drawn");
-  const int list = o.push_value("bodies"), count = read_list(L, list, argument, "a list of names");
-  if (count == 0) reject(L, list, argument, "a list of at least one name");
-  for (int i = 1; i <= count; ++i) {
-    lua_rawgeti(L, list, i);
-    bodies.push_back(find_body(L, model, read_string(L, -1, {text("bodies[", i, "]"), "name of a body"})));
-    lua_pop(L, 1);
-  }
-  return bodies;
-}
-
-StateFrame read_state(lua_State* L, const Options& o) {
-  const int value = o.push_value("model");
-  const Model<3>* solid = test_object<Model<3>>(L, value);
-  if (!solid) o.object<Model<2>>("model", "made by sg.model");
-  Showing showing;
-  showing.field = o.string("field", "such as \"uy\" or \"von_mises\"", "");
-  showing.factor = o.number("factor", "multiplies the field", 1.0);
-  StateFrame state;
-  state.label = solid ? read_label<3>(o, showing) : read_label<2>(o, showing);
-  if (!o.has("field") && o.has("factor"))
-    throw ArgumentError(text(function_name(L), ": factor has no field to multiply: name one, as in field = \"uy\""));
-  showing.deformed = o.flag("deformed", "draw the present state, not the reference", true);
-  showing.undeformed = o.flag("undeformed", "draw the reference shape as well", false);
-  showing.mesh = o.flag("mesh", "draw element borders", true);
-  showing.control_points = o.flag("control_points", "draw control points and their rows", false);
-  showing.obstacles = o.flag("obstacles", "draw rigid obstacles", true);
-  if (o.has("mirror")) {
-    constexpr const char* meaning = "axis across which the model is continued";
-    showing.mirror = solid ? o.choice("mirror", meaning, {"x", "y", "z", "xy", "xz", "yz", "xyz"})
-                           : o.choice("mirror", meaning, {"x", "y", "xy"});
-  }
-  if (solid) {
-    showing.bodies = read_bodies(L, o, *solid);
-    state.panel = show(**solid, showing, read_cut(L, o));
-  } else {
-    if (o.has("cut")) throw ArgumentError(text(function_name(L), ": cut is for models of solids, this one is plane"));
-    const Model<2>& plane = o.object<Model<2>>("model", "made by sg.model");
-    showing.bodies = read_bodies(L, o, plane);
-    state.panel = show(*plane, showing);
-  }
-  std::visit([&](auto& one) { one.marks = read_marks(L, o, solid ? 3 : 2); }, state.panel);
-  if (!showing.deformed && o.has("marks"))
-    throw ArgumentError(text(function_name(L), ": marks stand in the present state, which deformed = false hides: "
-                                               "leave one of them out"));
-  lua_settop(L, value - 1);
-  return state;
-}
-
 int frame(lua_State* L) {
   const Options o(L, 1, joined(state_keys, {"title"}));
-  StateFrame state = read_state(L, o);
+  StateFrame state = read_state(L, o, {read_field(o)}).front();
   state.set_title(o.string("title", "line above this state", ""));
   push_object(L, std::move(state));
   return 1;
@@ -168,7 +46,7 @@ constexpr int largest_size = 5000; // OpenGL's limit after supersampling
 /// stands for 1600 × 1000 at most, for sheets 1600 × 2000.
 void read_size(lua_State* L, const Options& o, view::PictureOptions& options) {
   options.trim = true;
-  if (o.has("frames")) options.size = {1600, 2000};
+  if (o.has("frames") || o.has("states") || o.has("fields")) options.size = {1600, 2000};
   if (!o.has("size")) return;
   const Argument argument = o.argument("size", "width and height in pixels, or the greatest width");
   const int value = o.push_value("size");
@@ -183,9 +61,21 @@ void read_size(lua_State* L, const Options& o, view::PictureOptions& options) {
   options.trim = false;
 }
 
+/// Everything larger or smaller, text as well.
+void read_scale(lua_State* L, const Options& o, view::PictureOptions& options) {
+  const double scale = o.positive("scale", "multiplies the size, of text as well", 1.0);
+  for (int& side : options.size) {
+    const double scaled = std::round(scale * side);
+    if (scaled < 120 || scaled > largest_size)
+      throw ArgumentError(text(function_name(L), ": scale = ", scale, " makes ", scaled, " pixels of ", side,
+                               "; a picture may have from 120 to ", largest_size, " each way"));
+    side = static_cast<int>(scaled);
+  }
+}
+
 /// The frames of a sheet: of one field and one dimension.
 std::vector<StateFrame> read_frames(lua_State* L, const Options& o) {
-  for (const std::string& key : state_keys)
+  for (const std::string& key : joined(state_keys, {"fields", "states"}))
     if (o.has(key.c_str()))
       throw ArgumentError(
           text(function_name(L), ": ", key, " belongs to each of the frames: give it to sg.frame{ … }"));
@@ -207,12 +97,6 @@ std::vector<StateFrame> read_frames(lua_State* L, const Options& o) {
     lua_pop(L, 1);
   }
   return frames;
-}
-
-template <class Panel> std::vector<Panel> panels_of(const std::vector<StateFrame>& frames) {
-  std::vector<Panel> panels;
-  for (const StateFrame& frame : frames) panels.push_back(std::get<Panel>(frame.panel));
-  return panels;
 }
 
 /// A name, or { from = …, up = … }.
@@ -239,74 +123,195 @@ void read_options(lua_State* L, const Options& o, view::PictureOptions& options)
   options.title = o.string("title", "line above the picture", "");
   options.colormap = o.choice("colormap", "colours of the field", view::colormaps(), options.colormap);
   read_size(L, o, options);
+  read_scale(L, o, options);
+  options.transparent = o.flag("transparent", "no white ground", false);
   if (o.has("range")) {
     const VectorX range = o.point("range", "lowest and highest value", 2, 2);
     options.range = {range[0], range[1]};
   }
 }
 
-std::vector<double> read_crop(lua_State* L, const Options& o, const char* meaning, std::size_t count) {
-  const std::vector<double> crop = o.numbers("crop", meaning);
-  if (crop.size() != count)
-    reject(L, o.push_value("crop"), o.argument("crop", meaning), text("a list of ", count, " numbers"));
-  return crop;
+std::vector<double> read_box(lua_State* L, const Options& o, const char* key, const char* meaning, std::size_t count) {
+  const std::vector<double> box = o.numbers(key, meaning);
+  if (box.size() != count)
+    reject(L, o.push_value(key), o.argument(key, meaning), text("a list of ", count, " numbers"));
+  return box;
+}
+
+/// The options with the part of the model that `key` names, or none.
+std::optional<view::SolidOptions> read_region(lua_State* L, const Options& o, const char* key,
+                                              view::SolidOptions options) {
+  if (!o.has(key)) return std::nullopt;
+  const std::vector<double> box = read_box(L, o, key, "xmin, xmax, ymin, ymax, zmin, zmax", 6);
+  options.region = view::Bounds{{box[0], box[2], box[4]}, {box[1], box[3], box[5]}};
+  return options;
+}
+
+std::optional<view::PictureOptions> read_region(lua_State* L, const Options& o, const char* key,
+                                                view::PictureOptions options) {
+  if (!o.has(key)) return std::nullopt;
+  const std::vector<double> box = read_box(L, o, key, "xmin, xmax, ymin, ymax", 4);
+  options.crop = {box[0], box[1], box[2], box[3]};
+  return options;
+}
+
+/// What one picture shows: by field, the states in their order.
+using Sheets = std::vector<std::vector<StateFrame>>;
+
+Sheets read_sheets(lua_State* L, const Options& o) {
+  if (o.has("frames")) return {read_frames(L, o)};
+  const std::vector<std::string> fields = read_fields(L, o);
+  if (o.has("states")) return read_states(L, o, fields);
+  Sheets sheets;
+  for (StateFrame& state : read_state(L, o, fields)) sheets.push_back({std::move(state)});
+  return sheets;
+}
+
+/// The states of a sheet with the options that they are drawn with.
+template <class Panel, class PanelOptions> struct FieldSheet {
+  std::vector<Panel> panels;
+  PanelOptions options;
+  std::optional<PanelOptions> inset; ///< of what is magnified
+};
+
+template <class Panel, class PanelOptions> std::string close_up_png(const FieldSheet<Panel, PanelOptions>& sheet) {
+  const auto whole = [&](const std::optional<view::Box>& extent) {
+    PanelOptions options = sheet.options;
+    if (extent) options.extent = extent;
+    return view::make_plate(sheet.panels, options);
+  };
+  auto untitled = sheet.panels;
+  for (Panel& panel : untitled) panel.title.clear();
+  const auto detail = [&](const std::array<int, 2>& most) {
+    PanelOptions options = *sheet.inset;
+    options.size = most;
+    return view::make_plate(untitled, options);
+  };
+  return view::with_close_up(whole, detail, sheet.options.transparent);
+}
+
+/// The bytes of a picture: the sheets of several fields side by side.
+template <class Panel, class PanelOptions>
+std::string png_of(const std::vector<FieldSheet<Panel, PanelOptions>>& sheets) {
+  const PanelOptions& first = sheets[0].options;
+  if (sheets[0].inset) return close_up_png(sheets[0]);
+  if (sheets.size() == 1) return view::png(view::make_plate(sheets[0].panels, first), first.transparent);
+  const bool single = sheets[0].panels.size() == 1; // then the columns are those of the fields
+  view::PictureOptions whole = first;
+  if (!single) whole.columns.reset();
+  return view::side_by_side(static_cast<int>(sheets.size()), whole, [&](int i, const std::array<int, 2>& most) {
+    PanelOptions options = sheets[static_cast<std::size_t>(i)].options;
+    options.title.clear();
+    options.size = most;
+    options.trim = true;
+    if (single) options.columns.reset();
+    return view::make_plate(sheets[static_cast<std::size_t>(i)].panels, options);
+  });
+}
+
+template <class Panel, class PanelOptions>
+void draw(const Sheets& sheets, const PanelOptions& options, const std::optional<PanelOptions>& inset,
+          const std::string& file, double rate) {
+  std::vector<FieldSheet<Panel, PanelOptions>> all;
+  for (const auto& states : sheets) {
+    auto& sheet = all.emplace_back(FieldSheet<Panel, PanelOptions>{{}, options, inset});
+    if (options.field_label.empty()) sheet.options.field_label = states.front().label;
+    for (const StateFrame& state : states) sheet.panels.push_back(std::get<Panel>(state.panel));
+    if (!inset) continue;
+    const auto extent = sheet.options.extent;
+    align(sheet.options, sheet.panels); // one meaning of colours
+    sheet.options.extent = extent;
+    sheet.inset->range = sheet.options.range;
+    sheet.inset->bar = false;
+    sheet.inset->trim = true;
+    sheet.inset->title.clear();
+  }
+  if (!view::is_series(file)) {
+    view::check_file(file);
+    return write_whole(file, png_of(all));
+  }
+  for (auto& sheet : all) align(sheet.options, sheet.panels);
+  view::write_series(file, static_cast<int>(sheets[0].size()), rate, [&](int state) {
+    auto one = all;
+    for (auto& sheet : one) sheet.panels = {sheet.panels[static_cast<std::size_t>(state)]};
+    return png_of(one);
+  });
+}
+
+/// Refuses what has no meaning without something else.
+void check_company(lua_State* L, const Options& o, const std::string& file) {
+  const bool series = view::is_series(file), many = o.has("frames") || o.has("states");
+  const auto refuse = [&](const auto&... words) { throw ArgumentError(text(function_name(L), ": ", words...)); };
+  if (series && !many) refuse("file '", file, "' names a series: give it states = run:states(), or frames");
+  if (o.has("columns") && !many && !o.has("fields"))
+    refuse("columns needs frames = {…}, made by sg.frame, or states, or fields");
+  if (o.has("columns") && series) refuse("columns has no meaning for a series, whose pictures show one state each");
+  if (o.has("fps") && !series) refuse("fps is of a film, file = \"x.mp4\"; this is one picture");
+  if (o.has("inset") && (o.has("fields") || (many && !series)))
+    refuse("inset magnifies a part of one state with one field; draw the others in pictures of their own");
+  if (o.has("label") && o.has("fields")) refuse("label names one colour bar, but each of fields has its own");
 }
 
 int picture(lua_State* L) {
-  const Options o(L, 1, joined(joined(state_keys, picture_keys), {"frames", "columns"}));
-  const std::string file = o.string("file", "a name that ends with .png");
+  const Options o(L, 1, joined(state_keys, picture_keys));
+  const std::string file = o.string("file", "a name that ends with .png, or \"x-%04d.png\" or .mp4 for a series");
+  check_company(L, o, file);
   view::SolidOptions options;
   read_options(L, o, options);
-  std::vector<StateFrame> frames;
-  if (o.has("frames")) {
-    frames = read_frames(L, o);
-    if (o.has("columns")) options.columns = o.integer("columns", "frames in a row", 1, 100);
-  } else {
-    if (o.has("columns")) throw ArgumentError(text(function_name(L), ": columns needs frames = {…}, made by sg.frame"));
-    frames.push_back(read_state(L, o));
-  }
-  options.field_label = frames.front().label;
+  const double rate = o.positive("fps", "pictures per second of a film", 10.0);
+  if (o.has("columns")) options.columns = o.integer("columns", "pictures in a row", 1, 100);
+  const Sheets sheets = read_sheets(L, o);
+  const StateFrame& first = sheets.front().front();
   if (o.has("label")) {
-    if (options.field_label.empty())
+    if (first.label.empty())
       throw ArgumentError(text(function_name(L), ": label names a colour bar, but no field is drawn: add field"));
     options.field_label = o.string("label", "title of the colour bar");
   }
-  if (frames.front().solid()) {
+  if (first.solid()) {
     options.camera = read_camera(L, o);
-    if (o.has("crop")) {
-      const std::vector<double> crop = read_crop(L, o, "xmin, xmax, ymin, ymax, zmin, zmax", 6);
-      options.region = view::Bounds{{crop[0], crop[2], crop[4]}, {crop[1], crop[3], crop[5]}};
-    }
-    view::draw_solids(panels_of<view::SolidPanel>(frames), options, file);
+    const auto whole = read_region(L, o, "crop", options).value_or(options);
+    draw<view::SolidPanel>(sheets, whole, read_region(L, o, "inset", options), file, rate);
   } else {
     if (o.has("camera"))
       throw ArgumentError(text(function_name(L), ": camera is for models of solids, this one is plane"));
-    if (o.has("crop")) {
-      const std::vector<double> crop = read_crop(L, o, "xmin, xmax, ymin, ymax", 4);
-      options.crop = {crop[0], crop[1], crop[2], crop[3]};
-    }
-    view::draw_sheet(panels_of<view::Panel>(frames), options, file);
+    const view::PictureOptions& plane = options;
+    const auto whole = read_region(L, o, "crop", plane).value_or(plane);
+    draw<view::Panel>(sheets, whole, read_region(L, o, "inset", plane), file, rate);
   }
   return 0;
 }
 
 constexpr Function rows[] = {
     {"picture", wrap<picture>,
-     "sg.picture{ model, file, field, factor = 1, label, title, range, colormap = \"viridis\", size, crop, bodies,\n"
-     "            deformed = true, undeformed = false, mesh = true, control_points = false, obstacles = true, mirror,\n"
-     "            camera = \"iso\", cut, marks, frames, columns }\n"
+     "sg.picture{ model, file, field, fields, factor = 1, label, title, range, colormap = \"viridis\", size, scale = "
+     "1, crop,\n"
+     "            inset, transparent = false, bodies, deformed = true, undeformed = false, mesh = true,\n"
+     "            control_points = false, obstacles = true, mirror, camera = \"iso\", cut, marks, states, frames, "
+     "columns, fps }\n"
      "Draws the model's present state to a .png file. field: ux uy u, Cauchy stresses sxx syy szz sxy, von_mises,\n"
-     "pressure, I1 (tr sigma), F11 F12 F21 F22; grey without. Stresses are evaluated where they are drawn, not "
-     "smoothed.\n"
+     "pressure, I1 (tr sigma), F11 F12 F21 F22; grey without. Stresses are evaluated where they are drawn, from the "
+     "exact\n"
+     "deformation gradient: nothing is extrapolated or averaged, so that jumps between elements, where N1 and Lp have "
+     "them,\n"
+     "show. fields = {\"sxx\", \"syy\"} draws several side by side, each with its own colour bar, in columns = 2 if "
+     "you like.\n"
      "factor multiplies the field; label is the colour bar's title (the field's own); range = {low, high} of the "
      "colours.\n"
      "undeformed adds the reference shape's outline; mirror = \"x\" the mirror image at x = 0, for half models; bodies "
      "= {names}\n"
-     "draws these only. Rigid obstacles are drawn hatched.\n"
+     "draws these only. Rigid obstacles are drawn hatched. control_points draws them with the net between them.\n"
      "size = {width, height} in pixels, or a number: the greatest width, and half the greatest height. Without a pair "
      "the\n"
-     "picture is no larger than what it shows; at most 1600 x 1000, sheets 1600 x 2000. crop = {xmin, xmax, ymin, "
-     "ymax}.\n"
+     "picture is no larger than what it shows; at most 1600 x 1000, sheets 1600 x 2000. scale = 2 makes twice as many "
+     "pixels,\n"
+     "with larger text. transparent = true leaves the ground out. crop = {xmin, xmax, ymin, ymax} shows this part; "
+     "inset =\n"
+     "{xmin, xmax, ymin, ymax} shows it magnified in a box within the picture.\n"
+     "states = run:states() draws a sheet of states with one colour bar, or a series: file = \"press-%04d.png\" "
+     "numbers its\n"
+     "pictures from 1, file = \"press.mp4\" makes a film of fps = 10 pictures per second, which needs ffmpeg. The "
+     "pictures of a\n"
+     "series have one frame and one range of colours. Call it between steps; the model is as it was afterwards.\n"
      "marks = { { x = {x, y}, text = \"J = -0.2\" }, … } puts rings with crosses at places of the present state, the "
      "first ones\n"
      "first where there is little room for texts; entries may hold what the places of a failed run hold.\n"
@@ -320,13 +325,16 @@ constexpr Function rows[] = {
      "{ normal = \"y\", at = 0.5 } at y = 0.5; { normal = {…}, point = {…} } the half that the normal points to. The "
      "cut face\n"
      "is coloured by the field inside. undeformed adds the reference shape, translucent; mirror = \"x\" … \"xyz\"; "
-     "crop = {xmin,\n"
-     "xmax, ymin, ymax, zmin, zmax} zooms to this box. Surfaces are shaded a little: what faces the light has the "
-     "colours of\n"
-     "the bar. Rigid obstacles are grey and translucent.\n"
+     "crop and inset\n"
+     "= {xmin, xmax, ymin, ymax, zmin, zmax} zoom to this box. Surfaces are shaded a little: what faces the light has "
+     "the\n"
+     "colours of the bar. Rigid obstacles are grey and translucent.\n"
      "sg.picture{ frames = {…}, file, columns, camera, … } draws states kept by sg.frame side by side, with one colour "
-     "bar.\n"
+     "bar, or\n"
+     "as a series.\n"
      "Example: sg.picture{ model = model, field = \"uy\", file = \"die.png\" }\n"
+     "Example: sg.picture{ model = model, field = \"syy\", inset = {0.6, 0.9, 0.85, 1}, file = \"close.png\" }\n"
+     "Example: sg.picture{ states = run:states(), fields = {\"ux\", \"uy\"}, file = \"press-%04d.png\" }\n"
      "Example: sg.picture{ model = solid, field = \"szz\", cut = \"-y\", camera = { from = {1, -2, 1} }, file = "
      "\"cut.png\" }"},
     {"frame", wrap<frame>,

@@ -170,7 +170,7 @@ void draw_chart(const std::vector<Series>& series, const ChartOptions& options, 
   require(ending == ".png" || ending == ".svg" || ending == ".pdf", "file '", file,
           "' has no ending that charts know; expected .png, .svg or .pdf");
   const Drawing drawing = draw(series, options);
-  write_whole(file, ending == ".png" ? png(drawing) : ending == ".svg" ? svg(drawing) : pdf(drawing));
+  write_whole(file, ending == ".png" ? png(Plate{drawing}) : ending == ".svg" ? svg(drawing) : pdf(drawing));
 }
 
 } // namespace signorini::view

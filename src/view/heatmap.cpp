@@ -300,7 +300,7 @@ void draw_heatmap(const std::vector<Heat>& maps, const HeatmapOptions& options, 
   require(ending == ".png" || ending == ".svg" || ending == ".pdf", "file '", file,
           "' has no ending that heat maps know; expected .png, .svg or .pdf");
   const Drawing drawing = draw(maps, options);
-  write_whole(file, ending == ".png" ? png(drawing) : ending == ".svg" ? svg(drawing) : pdf(drawing));
+  write_whole(file, ending == ".png" ? png(Plate{drawing}) : ending == ".svg" ? svg(drawing) : pdf(drawing));
 }
 
 } // namespace signorini::view

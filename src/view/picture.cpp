@@ -175,18 +175,19 @@ void draw_panel(Drawing& drawing, const Panel& panel, const Frame& frame, bool c
 
 } // namespace
 
-void draw_sheet(const std::vector<Panel>& panels, const PictureOptions& options, const std::string& file) {
-  check_sheet(options, file);
+Plate make_plate(const std::vector<Panel>& panels, const PictureOptions& options) {
+  check_columns(options);
   check(panels);
   const Style style = style_for(options.size);
   const std::vector<Rgb> colours = colormap(options.colormap);
-  const ModelBoxes boxes = model_boxes(panels, options.crop);
+  const ModelBoxes boxes = widened(model_boxes(panels, options.crop), options);
   const auto values = value_range(panels);
   std::optional<std::array<double, 2>> range;
   if (values) range = colour_range(*values, options.range, is_diverging(options.colormap));
+  const auto shown = options.bar ? range : std::nullopt;
   std::vector<std::string> titles;
   for (const Panel& panel : panels) titles.push_back(panel.title);
-  const Sheet sheet = lay_out_sheet(titles, boxes, options, range, style);
+  const Sheet sheet = lay_out_sheet(titles, boxes, options, shown, style);
 
   Drawing drawing{sheet.size, {}};
   std::vector<Field> fields;
@@ -198,11 +199,23 @@ void draw_sheet(const std::vector<Panel>& panels, const PictureOptions& options,
     }
     draw_panel(drawing, panels[p], frame, options.crop.has_value(), sheet.panel_title_size, style);
   }
-  if (range)
+  if (shown)
     draw_colorbar(drawing, sheet.bar, *range, {(*values)[0]<(*range)[0], (*values)[1]>(*range)[1]}, colours,
                   options.field_label, style);
   draw_title(drawing, options.title, sheet.whole, style);
-  write_whole(file, png(drawing, std::move(fields)));
+  return {std::move(drawing), std::move(fields), {}, sheet.frames};
+}
+
+void align(PictureOptions& options, const std::vector<Panel>& panels) {
+  check(panels);
+  options.extent = hull(model_boxes(panels, options.crop));
+  if (const auto values = value_range(panels))
+    options.range = colour_range(*values, options.range, is_diverging(options.colormap));
+}
+
+void draw_sheet(const std::vector<Panel>& panels, const PictureOptions& options, const std::string& file) {
+  check_file(file);
+  write_whole(file, png(make_plate(panels, options), options.transparent));
 }
 
 void draw_picture(const std::vector<Body>& bodies, const PictureOptions& options, const std::string& file) {

@@ -2,6 +2,7 @@
 // Pictures of bodies: coloured, tessellated geometry with mesh lines, drawn off-screen to PNG. Knows arrays, no models.
 
 #include "view/panel.hpp"
+#include "view/renderer.hpp"
 
 #include <optional>
 
@@ -15,7 +16,11 @@ struct PictureOptions {
   std::array<int, 2> size = {1600, 1000};    ///< pixels
   bool trim = false;                         ///< `size` is the most; the picture is cut down to what is drawn
   std::optional<std::array<double, 4>> crop; ///< xmin, xmax, ymin, ymax in model units
-  std::optional<int> columns;                ///< of a sheet; the number that shows the states largest when absent
+  bool transparent = false;                  ///< no ground; else white
+  bool bar = true;                           ///< draw the colour bar
+  /// Shown of each state at least, in model units on paper: pictures of a series get one scale.
+  std::optional<std::array<double, 4>> extent;
+  std::optional<int> columns; ///< of a sheet; the number that shows the states largest when absent
 };
 
 /// Draws states in rows from left to right to a PNG file, whole or not at all: all on one scale, with one colour range
@@ -23,6 +28,13 @@ struct PictureOptions {
 /// same bytes. Throws Error on an unknown colour map, a file that cannot be written, a range that is empty or not
 /// finite, or when off-screen rendering is not to be had.
 void draw_sheet(const std::vector<Panel>& panels, const PictureOptions& options, const std::string& file);
+
+/// The same before it is a file.
+Plate make_plate(const std::vector<Panel>& panels, const PictureOptions& options);
+
+/// What gives the pictures of several states one frame and one meaning of colours, each drawn alone: extent and range,
+/// unless they are given.
+void align(PictureOptions& options, const std::vector<Panel>& panels);
 
 /// A sheet of one state.
 void draw_picture(const std::vector<Body>& bodies, const PictureOptions& options, const std::string& file);

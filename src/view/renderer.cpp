@@ -55,10 +55,21 @@ struct Collector {
 
 } // namespace
 
-std::string png(const Drawing& drawing, std::vector<Field> fields, Relief relief) {
-  Raster raster{drawing.size, std::move(relief), std::move(fields), {}, {}, {}};
-  for (const Mark& mark : drawing.marks) std::visit(Collector{raster}, mark);
-  return renderer().png(raster);
+std::string png(const std::array<int, 2>& size, std::vector<PlacedPlate> plates, bool transparent) {
+  Image image{size, {}, transparent};
+  for (auto& [at, plate] : plates) {
+    Raster raster{plate.drawing.size, std::move(plate.relief), std::move(plate.fields), {}, {}, {}};
+    for (const Mark& mark : plate.drawing.marks) std::visit(Collector{raster}, mark);
+    image.parts.push_back({at, std::move(raster)});
+  }
+  return renderer().png(image);
+}
+
+std::string png(Plate plate, bool transparent) {
+  const std::array<int, 2> size = plate.drawing.size;
+  std::vector<PlacedPlate> plates;
+  plates.push_back({{0, 0}, std::move(plate)});
+  return png(size, std::move(plates), transparent);
 }
 
 std::string renderer_description() {

@@ -196,8 +196,24 @@ void draw_panel_title(Drawing& drawing, const std::string& title, const Frame& f
                                ink});
 }
 
-void check_sheet(const PictureOptions& options, const std::string& file) {
+Box hull(const ModelBoxes& boxes) {
+  Box all = boxes.front();
+  for (const Box& box : boxes)
+    all = {std::min(all[0], box[0]), std::max(all[1], box[1]), std::min(all[2], box[2]), std::max(all[3], box[3])};
+  return all;
+}
+
+ModelBoxes widened(ModelBoxes boxes, const PictureOptions& options) {
+  if (options.extent)
+    for (Box& box : boxes) box = hull({box, *options.extent});
+  return boxes;
+}
+
+void check_file(const std::string& file) {
   require(file_ending(file) == ".png", "file '", file, "' of a picture must end in .png");
+}
+
+void check_columns(const PictureOptions& options) {
   require(!options.columns || *options.columns >= 1, "columns is ", options.columns.value_or(1),
           "; a sheet needs at least one");
 }

@@ -32,7 +32,16 @@ Sheet lay_out_sheet(const std::vector<std::string>& titles, const ModelBoxes& bo
 /// The title of one state above its frame.
 void draw_panel_title(Drawing& drawing, const std::string& title, const Frame& frame, double size, const Style& style);
 
-/// Throws Error unless the file's name ends with .png and the columns are at least one.
-void check_sheet(const PictureOptions& options, const std::string& file);
+/// What holds all boxes.
+Box hull(const ModelBoxes& boxes);
+
+/// The boxes with the extent that the options ask for.
+ModelBoxes widened(ModelBoxes boxes, const PictureOptions& options);
+
+/// Throws Error unless the file's name ends with .png.
+void check_file(const std::string& file);
+
+/// Throws Error unless the columns are at least one.
+void check_columns(const PictureOptions& options);
 
 } // namespace signorini::view

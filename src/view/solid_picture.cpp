@@ -168,6 +168,20 @@ Box paper_box(const Bounds& region, const Mat<3>& axes) {
   return {seen.low[0], seen.high[0], seen.low[1], seen.high[1]};
 }
 
+std::vector<Scene> scenes_of(const std::vector<SolidPanel>& panels, const Mat<3>& axes, const Style& style) {
+  std::vector<Scene> scenes;
+  for (const SolidPanel& panel : panels) scenes.push_back(scene_of(panel, axes, style));
+  return scenes;
+}
+
+/// What each scene shows, or the box in space that the options ask for.
+ModelBoxes paper_boxes(const std::vector<Scene>& scenes, const SolidOptions& options, const Mat<3>& axes) {
+  ModelBoxes boxes;
+  for (const Scene& scene : scenes)
+    boxes.push_back(options.region ? paper_box(*options.region, axes) : paper_box(scene));
+  return boxes;
+}
+
 // ── On paper ─────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 /// Moves a scene to its place in the picture: pixels, z towards the eye.
@@ -297,26 +311,23 @@ std::optional<std::array<double, 2>> value_range(const std::vector<Scene>& scene
 
 } // namespace
 
-void draw_solids(const std::vector<SolidPanel>& panels, const SolidOptions& options, const std::string& file) {
-  check_sheet(options, file);
+Plate make_plate(const std::vector<SolidPanel>& panels, const SolidOptions& options) {
+  check_columns(options);
   check(panels);
   const Style style = style_for(options.size);
   const std::vector<Rgb> colours = colormap(options.colormap);
   const Mat<3> axes = picture_axes(options.camera);
-  std::vector<Scene> scenes;
+  std::vector<Scene> scenes = scenes_of(panels, axes, style);
   std::vector<std::string> titles;
-  ModelBoxes boxes;
-  for (const SolidPanel& panel : panels) {
-    scenes.push_back(scene_of(panel, axes, style));
-    titles.push_back(panel.title);
-    boxes.push_back(options.region ? paper_box(*options.region, axes) : paper_box(scenes.back()));
-  }
+  for (const SolidPanel& panel : panels) titles.push_back(panel.title);
+  const ModelBoxes boxes = widened(paper_boxes(scenes, options, axes), options);
   const auto values = value_range(scenes);
   std::optional<std::array<double, 2>> range;
   if (values) range = colour_range(*values, options.range, is_diverging(options.colormap));
+  const auto shown = options.bar ? range : std::nullopt;
   const auto [left, right, below, above] = triad_room(axes, style);
   const Sheet sheet =
-      lay_out_sheet(titles, boxes, options, range, style, ArrowRoom{left + right + 0.3 * style.margin, below + above});
+      lay_out_sheet(titles, boxes, options, shown, style, ArrowRoom{left + right + 0.3 * style.margin, below + above});
 
   Drawing drawing{sheet.size, {}};
   Relief relief;
@@ -333,11 +344,25 @@ void draw_solids(const std::vector<SolidPanel>& panels, const SolidOptions& opti
     draw_panel_title(drawing, titles[p], frame, sheet.panel_title_size, style);
   }
   draw_triad(drawing, {sheet.arrows[0] + left, sheet.arrows[1] + below}, axes, style);
-  if (range)
+  if (shown)
     draw_colorbar(drawing, sheet.bar, *range, {(*values)[0]<(*range)[0], (*values)[1]>(*range)[1]}, colours,
                   options.field_label, style);
   draw_title(drawing, options.title, sheet.whole, style);
-  write_whole(file, png(drawing, {}, std::move(relief)));
+  return {std::move(drawing), {}, std::move(relief), sheet.frames};
+}
+
+void align(SolidOptions& options, const std::vector<SolidPanel>& panels) {
+  check(panels);
+  const Mat<3> axes = picture_axes(options.camera);
+  const std::vector<Scene> scenes = scenes_of(panels, axes, style_for(options.size));
+  options.extent = hull(paper_boxes(scenes, options, axes));
+  if (const auto values = value_range(scenes))
+    options.range = colour_range(*values, options.range, is_diverging(options.colormap));
+}
+
+void draw_solids(const std::vector<SolidPanel>& panels, const SolidOptions& options, const std::string& file) {
+  check_file(file);
+  write_whole(file, png(make_plate(panels, options), options.transparent));
 }
 
 } // namespace signorini::view

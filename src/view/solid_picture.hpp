@@ -24,6 +24,10 @@ struct SolidOptions : PictureOptions {
   std::optional<Bounds> region = {};
 };
 
+/// As those of plane panels.
+Plate make_plate(const std::vector<SolidPanel>& panels, const SolidOptions& options);
+void align(SolidOptions& options, const std::vector<SolidPanel>& panels);
+
 /// As draw_sheet, all states seen by one camera. Axes are shown by three arrows.
 void draw_solids(const std::vector<SolidPanel>& panels, const SolidOptions& options, const std::string& file);
 

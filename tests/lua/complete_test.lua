@@ -28,7 +28,7 @@ check.case("methods of Lua's objects, without those that only the library calls"
   run = setmetatable({}, require("signorini.run_result"))
   check.equal(all "run:co", { "run:column", "run:columns" })
   check.equal(all "run:record", {})
-  check.equal(all "run:", { "run:attempts", "run:column", "run:columns", "run:csv", "run:residuals" })
+  check.equal(all "run:", { "run:attempts", "run:column", "run:columns", "run:csv", "run:residuals", "run:states" })
 end)
 
 check.case("named arguments where they may stand, without those that are there", function()
@@ -38,7 +38,7 @@ check.case("named arguments where they may stand, without those that are there",
   check.equal(all "x = sg.body{ patch = sg.shapes.rectangle{ w", { "width = " })
   check.equal(all "sg.cheapest(study, { at", { "at_most = " })
   check.equal(all "patch:refine{ ele", { "elements = " })
-  check.equal(all 'sg.picture{ file = "{.png", fi', { "field = " })
+  check.equal(all 'sg.picture{ file = "{.png", fi', { "field = ", "fields = " })
   check.equal(all "sg.chart{ f", { "file = " })
   check.equal(all "sg.rigid.plane{ point = {0, 0}, no", { "normal = " })
 end)

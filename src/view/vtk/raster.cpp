@@ -74,10 +74,10 @@ vtkSmartPointer<vtkActor> triangles_actor(const Raster& raster) {
   return flat_actor(*mapper);
 }
 
-/// Draws everything but text, at the larger size; returns red, green, blue, opacity per pixel, rows from the bottom up.
-vtkUnsignedCharArray& render(const Raster& raster) {
-  vtkNew<vtkRenderer> renderer;
-  renderer->SetBackground(1, 1, 1);
+/// A part without its texts.
+vtkSmartPointer<vtkRenderer> renderer_of(const Raster& raster, double ground) {
+  auto renderer = vtkSmartPointer<vtkRenderer>::New();
+  renderer->SetBackground(ground, ground, ground);
   add_relief(*renderer, raster.relief);
   for (const Field& field : raster.fields) renderer->AddActor(field_actor(field));
   if (!raster.colours.empty()) renderer->AddActor(triangles_actor(raster));
@@ -87,18 +87,32 @@ vtkUnsignedCharArray& render(const Raster& raster) {
   camera->SetPosition(0.5 * raster.size[0], 0.5 * raster.size[1], 10);
   camera->SetParallelScale(0.5 * raster.size[1]);
   camera->SetClippingRange(8, 11);
+  return renderer;
+}
 
-  const std::array<int, 2> size = {supersampling * raster.size[0], supersampling * raster.size[1]};
+/// Draws everything but text, at the larger size, on ground of this grey; returns red, green, blue, opacity per pixel,
+/// rows from the bottom up.
+vtkUnsignedCharArray& render(const Image& image, double ground) {
+  const std::array<int, 2> size = {supersampling * image.size[0], supersampling * image.size[1]};
   vtkRenderWindow& window = offscreen_window(size);
   window.SetMultiSamples(0);
-  window.AddRenderer(renderer);
+  std::vector<vtkSmartPointer<vtkRenderer>> renderers;
+  // Renderers erase their own part of the window only: what no part covers is this one's.
+  if (image.parts.size() > 1) renderers.push_back(renderer_of({image.size, {}, {}, {}, {}, {}}, ground));
+  for (const auto& [at, raster] : image.parts) {
+    renderers.push_back(renderer_of(raster, ground));
+    const double width = image.size[0], height = image.size[1];
+    renderers.back()->SetViewport(at[0] / width, at[1] / height, (at[0] + raster.size[0]) / width,
+                                  (at[1] + raster.size[1]) / height);
+  }
+  for (const auto& renderer : renderers) window.AddRenderer(renderer);
   window.Render();
   // Kept from picture to picture: fresh pages for so many pixels cost as much as drawing them.
   static vtkNew<vtkUnsignedCharArray> pixels;
   const int failed = window.GetRGBACharPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels);
-  window.RemoveRenderer(renderer);
+  for (const auto& renderer : renderers) window.RemoveRenderer(renderer);
   require(failed != VTK_ERROR && pixels->GetNumberOfValues() == vtkIdType(4) * size[0] * size[1],
-          "OpenGL did not draw a picture of ", raster.size[0], " × ", raster.size[1], " pixels; choose a smaller size");
+          "OpenGL did not draw a picture of ", image.size[0], " × ", image.size[1], " pixels; choose a smaller size");
   return *pixels.Get();
 }
 
@@ -122,24 +136,49 @@ Pixels shrink(vtkUnsignedCharArray& large, const std::array<int, 2>& size) {
   return small;
 }
 
-std::string encode(const Pixels& image) {
+std::string encode(const std::array<int, 2>& size, int components, const std::vector<std::uint8_t>& bytes) {
   vtkNew<vtkImageData> data;
-  data->SetDimensions(image.size[0], image.size[1], 1);
-  data->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  std::copy(image.rgb.begin(), image.rgb.end(), static_cast<std::uint8_t*>(data->GetScalarPointer()));
+  data->SetDimensions(size[0], size[1], 1);
+  data->AllocateScalars(VTK_UNSIGNED_CHAR, components);
+  std::copy(bytes.begin(), bytes.end(), static_cast<std::uint8_t*>(data->GetScalarPointer()));
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputData(data);
   writer->WriteToMemoryOn();
   writer->Write();
-  const vtkUnsignedCharArray& bytes = *writer->GetResult();
-  return {reinterpret_cast<const char*>(const_cast<vtkUnsignedCharArray&>(bytes).GetPointer(0)),
-          static_cast<std::size_t>(bytes.GetNumberOfValues())};
+  const vtkUnsignedCharArray& result = *writer->GetResult();
+  return {reinterpret_cast<const char*>(const_cast<vtkUnsignedCharArray&>(result).GetPointer(0)),
+          static_cast<std::size_t>(result.GetNumberOfValues())};
 }
 
-std::string draw_png(const Raster& raster) {
-  Pixels image = shrink(render(raster), raster.size);
-  for (const Text& text : raster.texts) draw_text(image, text);
-  return encode(image);
+Pixels draw(const Image& image, double ground) {
+  Pixels pixels = shrink(render(image, ground), image.size);
+  for (const auto& [at, raster] : image.parts)
+    for (Text text : raster.texts) {
+      text.at = {text.at[0] + at[0], text.at[1] + at[1]};
+      draw_text(pixels, text);
+    }
+  return pixels;
+}
+
+/// Red, green, blue, opacity of what looks one way on white and the other on black: white − black = 255 (1 − opacity).
+std::vector<std::uint8_t> see_through(const Pixels& white, const Pixels& black) {
+  std::vector<std::uint8_t> rgba;
+  rgba.reserve(black.rgb.size() / 3 * 4);
+  for (std::size_t i = 0; i < black.rgb.size(); i += 3) {
+    int ground = 255;
+    for (std::size_t c = 0; c < 3; ++c) ground = std::min(ground, white.rgb[i + c] - black.rgb[i + c]);
+    const int opacity = 255 - std::max(0, ground);
+    for (std::size_t c = 0; c < 3; ++c)
+      rgba.push_back(static_cast<std::uint8_t>(opacity ? std::min(255, 255 * black.rgb[i + c] / opacity) : 0));
+    rgba.push_back(static_cast<std::uint8_t>(opacity));
+  }
+  return rgba;
+}
+
+std::string draw_png(const Image& image) {
+  const Pixels white = draw(image, 1);
+  if (!image.transparent) return encode(image.size, 3, white.rgb);
+  return encode(image.size, 4, see_through(white, draw(image, 0)));
 }
 
 std::string describe() {

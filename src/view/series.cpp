@@ -1,0 +1,80 @@
+#include "view/series.hpp"
+
+#include "base/error.hpp"
+#include "base/process.hpp"
+#include "base/whole_file.hpp"
+#include "view/output.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <regex>
+
+namespace signorini::view {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The name's parts before and after the number, and the number's least count of digits.
+struct Pattern {
+  std::string before, after;
+  int digits;
+
+  std::string operator()(int number) const {
+    const std::string figures = std::to_string(number);
+    const std::size_t zeros = static_cast<std::size_t>(digits) - std::min<std::size_t>(digits, figures.size());
+    return before + std::string(zeros, '0') + figures + after;
+  }
+};
+
+Pattern pattern_of(const std::string& file) {
+  static const std::regex place("([^%]*)%(?:0([1-9]))?d([^%]*)");
+  std::smatch found;
+  require(std::regex_match(file, found, place) && file_ending(file) == ".png", "file '", file,
+          "' of a series must hold one number and end in .png, as in \"x-%04d.png\"");
+  return {found[1], found[3], found[2].length() ? std::stoi(found[2]) : 1};
+}
+
+/// A folder beside a file, which goes with all that it holds.
+class Folder {
+public:
+  explicit Folder(const std::string& file) : name_(file + ".XXXXXX") {
+    require(::mkdtemp(name_.data()) != nullptr, "cannot make a folder for the pictures of '", file, "' beside it");
+  }
+  ~Folder() {
+    std::error_code ignored;
+    fs::remove_all(name_, ignored);
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  std::string path(const std::string& name) const { return name_ + "/" + name; }
+
+private:
+  std::string name_;
+};
+
+void write_pictures(const Pattern& name, int count, const std::function<std::string(int)>& png) {
+  for (int i = 0; i < count; ++i) write_whole(name(i + 1), png(i));
+}
+
+} // namespace
+
+bool is_series(const std::string& file) {
+  return file.find('%') != std::string::npos || file_ending(file) == ".mp4";
+}
+
+void write_series(const std::string& file, int count, double rate, const std::function<std::string(int)>& png) {
+  if (file_ending(file) != ".mp4") return write_pictures(pattern_of(file), count, png);
+  require(has_program("ffmpeg"), "file '", file, "' needs the program ffmpeg, which is not in PATH: install it, or ",
+          "draw a series of pictures, file = \"x-%04d.png\"");
+  const Folder folder(fs::absolute(file).string());
+  write_pictures({folder.path(""), ".png", 1}, count, png);
+  // H.264 with colours at half the resolution, which all players know, wants even sizes.
+  run_program({"ffmpeg", "-loglevel", "error", "-y", "-framerate", std::to_string(rate), "-i", folder.path("%d.png"),
+               "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white", "-c:v", "libx264", "-pix_fmt", "yuv420p",
+               folder.path("film.mp4")});
+  fs::rename(folder.path("film.mp4"), file);
+}
+
+} // namespace signorini::view

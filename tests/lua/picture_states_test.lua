@@ -1,0 +1,150 @@
+-- Pictures of the states that a run has kept: sheets, series, films; several fields, insets, no ground.
+
+local sg = require "signorini"
+local check = require "check"
+local core = require "signorini.core"
+
+local folder = os.tmpname()
+os.remove(folder)
+core.mkdir(folder)
+
+local body = sg.body{ patch = sg.shapes.rectangle{ width = 4, height = 1 }, elements = { 4, 2 }, order = "N2",
+                      contact = "south", material = sg.neo_hookean{ E = 2, nu = 0.3 } }
+local model = sg.model{ bodies = { strip = body }, contacts = {},
+                        supports = { foot = { on = body:face "west", fix = "xy" },
+                                     tip = { on = body:face "east", drive = "xy" } } }
+local at_rest = model:snapshot()
+local stages = { { name = "bend", steps = 4, tip = { 0, 1 } }, { name = "back", steps = 2, tip = { 0, 0.5 } } }
+
+local function run(states, on_step)
+  model:restore(at_rest)
+  return model:run(stages, { states = states, on_step = on_step })
+end
+
+local function steps(of)
+  local list = {}
+  for i, state in ipairs(of:states()) do list[i] = state.step end
+  return list
+end
+
+local function bytes(name) return core.read_file(folder .. "/" .. name) end
+local function size(name) return { string.unpack(">I4I4", bytes(name), 17) } end
+
+--- The bytes of the picture that these arguments draw.
+local function draw(arguments)
+  arguments.file = folder .. "/one.png"
+  sg.picture(arguments)
+  return bytes "one.png"
+end
+
+check.case("a run keeps the states that are asked for", function()
+  check.equal(steps(run()), { 0, 4, 6 })
+  check.equal(steps(run(3)), { 0, 3, 6 })
+  check.equal(steps(run(20)), { 0, 1, 2, 3, 4, 5, 6 })
+  check.equal(steps(run { 5, 1 }), { 1, 5 })
+  check.equal(steps(run(function(info) return info["tip.uy"] > 0.7 end)), { 3, 4, 5 })
+  check.equal(steps(run(nil, function(info) if info.step == 2 then return "stop" end end)), { 0, 2 })
+  local states = run():states()
+  check.equal({ tostring(states[1]), states[2].stage, states[2].title }, { "state at start", "bend", "bend, step 4" })
+  model:restore(states[2].snapshot)
+  check.near(model:target "tip", { 0, 1 })
+  for _, wrong in ipairs { 1, 2.5, "all", { 7 }, { -1 }, { "end" } } do
+    check.fails(function() run(wrong) end, "model:run: states")
+  end
+end)
+
+check.case("a sheet of states is the sheet of their frames, and leaves the model as it was", function()
+  model:restore(at_rest)
+  local frames = { sg.frame{ model = model, field = "uy", title = "start" } }
+  local kept = run({ 0, 4 }, function(info)
+    if info.step == 4 then frames[2] = sg.frame{ model = model, field = "uy", title = "bend, step 4" } end
+  end)
+  local tip = model:sample("strip", "uy", { 1, 0.5 })
+  check.equal(draw{ states = kept:states(), field = "uy", model = model } == draw{ frames = frames }, true)
+  check.near(model:sample("strip", "uy", { 1, 0.5 }), tip, 0)
+  check.near(tip, 0.5)
+end)
+
+check.case("a series has one size and one range, and numbers its files", function()
+  sg.picture{ states = run(3):states(), field = "uy", size = 400, file = folder .. "/bend-%03d.png" }
+  check.equal(size "bend-001.png", size "bend-003.png")
+  check.equal(bytes "bend-001.png" == bytes "bend-002.png", false)
+  check.equal(core.exists(folder .. "/bend-004.png"), false)
+end)
+
+check.case("films are made by ffmpeg, whatever the name holds, and leave nothing else behind", function()
+  core.mkdir(folder .. "/bin")
+  core.write_file(folder .. "/bin/ffmpeg", [[#!/bin/sh
+for last; do :; done
+{ ls "$(dirname "$last")"; printf '%s\n' "$@"; } > "$last"
+]])
+  check.shell(("chmod +x %s/bin/ffmpeg; mkdir '%s/a b'"):format(folder, folder))
+  local code = ([[
+    local sg = require "signorini"
+    local body = sg.body{ patch = sg.shapes.rectangle{ width = 4, height = 1 }, elements = { 4, 2 }, order = "N2",
+      contact = "south", material = sg.neo_hookean{ E = 2, nu = 0.3 } }
+    local model = sg.model{ bodies = { a = body }, supports = { foot = { on = body:face "west", fix = "xy" } } }
+    local frame = sg.frame{ model = model }
+    sg.picture{ frames = { frame, frame }, fps = 5, file = "%s/a b/;x'.mp4" }]]):format(folder)
+  core.write_file(folder .. "/film.lua", code)
+  local output, status = check.program({ folder .. "/film.lua" }, nil, "PATH=" .. folder .. "/bin:$PATH")
+  check.equal({ output, status }, { "", 0 })
+  check.holds(bytes "a b/;x'.mp4", "1.png\n2.png\n", "-framerate\n5.000000\n", "libx264")
+  check.equal((check.shell(("ls '%s/a b'"):format(folder))), ";x'.mp4\n")
+  output, status = check.program({ folder .. "/film.lua" }, nil, "PATH=/nowhere")
+  check.holds(output, "film.lua:6: sg.picture: file", "needs the program ffmpeg", "x-%04d.png")
+  check.equal(status, 1)
+end)
+
+check.case("several fields, insets, scale and ground", function()
+  local single = draw{ model = model, field = "uy", size = 600 }
+  local pair = draw{ model = model, fields = { "uy", "sxx" }, columns = 2, size = 1200 }
+  local function dimensions(png) return string.unpack(">I4I4", png, 17) end
+  check.equal(dimensions(pair) > 1.6 * dimensions(single), true)
+  check.equal(draw{ model = model, fields = { "uy" }, size = 600 } == single, true)
+  local inset = draw{ model = model, field = "uy", size = 600, inset = { 3.5, 4, 0.5, 1 } }
+  check.equal(inset == single, false)
+  check.equal(dimensions(draw{ model = model, size = { 300, 200 }, scale = 2 }), 600)
+  check.equal({ single:byte(26), draw{ model = model, transparent = true }:byte(26) }, { 2, 6 })
+end)
+
+check.case("stresses are continuous where elements are joined with C1, and jump where they are not", function()
+  run()
+  local function jump(field, xi, d)
+    local before, after = { xi[1], xi[2] }, { xi[1], xi[2] }
+    before[d], after[d] = xi[d] - 1e-9, xi[d] + 1e-9
+    return math.abs(model:sample("strip", field, after) - model:sample("strip", field, before))
+  end
+  for _, field in ipairs { "sxx", "syy", "sxy", "von_mises" } do
+    check.equal(jump(field, { 0.5, 0.3 }, 1) < 1e-6, true)
+    check.equal(jump(field, { 0.3, 0.5 }, 2) > 1e-3, true)
+  end
+end)
+
+check.case("wrong arguments", function()
+  local states = run():states()
+  local other = sg.model{ bodies = { strip = body }, supports = { foot = { on = body:face "west", fix = "xy" } } }
+  for _, case in ipairs {
+    { { states = {} }, "states must be a list of at least one state" },
+    { { states = { 3 } }, "states[1] must be a state made by run:states()", "got the number 3" },
+    { { states = { {} } }, "states[1] must be a state" },
+    { { states = states, model = other }, "states[1] is a state of another model" },
+    { { model = model, field = "uy", fields = { "ux" } }, "field and fields are both given" },
+    { { model = model, fields = {} }, "fields must be a list of at least one name" },
+    { { model = model, fields = { "ux", 3 } }, "fields[2] must be a string" },
+    { { model = model, fields = { "ux", "uz" } }, "unknown field 'uz'" },
+    { { model = model, fields = { "ux", "uy" }, label = "u" }, "each of fields has its own" },
+    { { model = model, fps = 3 }, "fps is of a film" },
+    { { model = model, scale = 0 }, "scale must be a positive number" },
+    { { model = model, scale = 9 }, "makes 14400 pixels of 1600" },
+    { { states = states, inset = { 0, 1, 0, 1 } }, "inset magnifies a part of one state" },
+    { { model = model, inset = { 0, 1 } }, "inset must be a list of 4 numbers" },
+  } do
+    check.fails(function() draw(case[1]) end, "sg.picture", table.unpack(case, 2))
+  end
+  check.fails(function() sg.picture{ model = model, file = "x%d.png" } end, "names a series", "run:states()")
+  check.fails(function() sg.picture{ states = states, file = "x%s.png" } end, "must hold one number")
+end)
+
+os.execute(("rm -r '%s'"):format(folder))
+check.done()
