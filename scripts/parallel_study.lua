@@ -118,8 +118,8 @@ math.randomseed(os.time())
 local repeated, moments, counts = 0, {}, {}
 for i = 1, 3 do
   local before = finished()
-  moments[i] = several / 4 * (0.5 + math.random())
-  os.execute(("%s >/dev/null & sleep %.3f; kill -9 $!; wait $! 2>/dev/null"):format(command(), moments[i]))
+  moments[i] = several / 6 * (0.5 + math.random())
+  os.execute(("%s >/dev/null & sleep %.3f; kill -9 $! 2>/dev/null; wait $! 2>/dev/null"):format(command(), moments[i]))
   local after = finished()
   for name, wall in pairs(before) do repeated = repeated + (after[name] == wall and 0 or 1) end
   counts[i] = count(after)

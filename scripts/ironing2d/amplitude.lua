@@ -35,13 +35,14 @@ function amplitude.of(values, first, last)
   return { raw = spread(part), detrended = spread(without_parabola(part)) }
 end
 
---- Adds what the named amplitudes are in % of those of a case, or of nothing: raw_percent, detrended_percent.
+--- Adds what the named amplitudes are in % of those of a case, or of nothing: raw_percent, detrended_percent. There is no
+--- part of an amplitude of zero, which two or three steps have without their parabola.
 function amplitude.percent(cases, forces, reference)
   for _, case in ipairs(cases) do
     for _, force in ipairs(forces) do
       for _, kind in ipairs { "raw", "detrended" } do
         local part, whole = case[force][kind], reference and reference[force][kind]
-        case[force][kind .. "_percent"] = part and whole and 100 * part / whole or nil
+        case[force][kind .. "_percent"] = part and whole and whole > 0 and 100 * part / whole or nil
       end
     end
   end
