@@ -21,7 +21,7 @@ setmetatable(Study, { __index = function(_, name)
   if may_be_missing[name] or type(name) ~= "string" or name:find "^__" then return nil end
   local known = { "rows", "parameters", "figures", "units", "name", "folder" }
   for method in next, Study do
-    if core.names[Study[method]] then known[#known + 1] = method end -- those with a page
+    if not method:find "^__" and core.names[Study[method]] then known[#known + 1] = method end -- those with a page
   end
   table.sort(known)
   local meant = core.nearest(name, known)
