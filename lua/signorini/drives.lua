@@ -1,13 +1,8 @@
 -- What stages move: driven supports and loads, and how their components are called in messages and columns.
 
-local drives = {}
+local holds = require("signorini.lists").holds
 
-local function holds(names, name)
-  for _, known in ipairs(names) do
-    if known == name then return true end
-  end
-  return false
-end
+local drives = {}
 
 --- Whether a name is that of a support, driven or not.
 function drives.is_support(model, name) return holds(model:support_names(), name) end

@@ -2,15 +2,9 @@
 -- and a few on whole subjects.
 
 local core = require "signorini.core"
+local sorted = require("signorini.lists").sorted_names
 local subjects = require "signorini.help.subjects"
 local texts = require "signorini.help.texts"
-
-local function sorted(set)
-  local names = {}
-  for name in pairs(set) do names[#names + 1] = name end
-  table.sort(names)
-  return names
-end
 
 --- The first line of a page: how to call it.
 local function head(name) return core.docs[name]:match "^[^\n]*" end

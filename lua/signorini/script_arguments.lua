@@ -3,6 +3,7 @@
 local core = require "signorini.core"
 local arguments = require "signorini.arguments"
 local argument_types = require "signorini.argument_types"
+local sorted = require("signorini.lists").sorted_names
 
 local where = "sg.arguments"
 
@@ -32,13 +33,6 @@ function Refusal.__tostring(refusal) return refusal.message end
 local function refuse(message) error(setmetatable({ message = message }, Refusal), 0) end
 
 -- ── What a script declares ───────────────────────────────────────────────────────────────────────────────────────────
-
-local function sorted(set)
-  local names = {}
-  for name in pairs(set) do names[#names + 1] = name end
-  table.sort(names)
-  return names
-end
 
 --- The entries of one table and of another one, or of nothing, which come before those of the first.
 local function joined(first, second)

@@ -4,6 +4,7 @@
 local core = require "signorini.core"
 local arguments = require "signorini.arguments"
 local format_table = require "signorini.table"
+local holds = require("signorini.lists").holds
 local literal = require "signorini.literal"
 local pictures = require "signorini.stability_map.pictures"
 local progress = require "signorini.progress"
@@ -58,13 +59,6 @@ end
 
 -- ── Cells ────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-local function holds(axis, value)
-  for _, known in ipairs(axis.values) do
-    if known == value then return true end
-  end
-  return false
-end
-
 local function place(map, cell)
   map.by_x[cell.x] = map.by_x[cell.x] or {}
   map.by_x[cell.x][cell.y] = cell
@@ -82,7 +76,7 @@ end
 --- stay in the file.
 local function take_up(map)
   for _, cell in ipairs(map.file and store.read(map.file, map) or {}) do
-    local inside = holds(map.x, cell.x) and holds(map.y, cell.y)
+    local inside = holds(map.x.values, cell.x) and holds(map.y.values, cell.y)
     if inside and cell.outcome ~= "error" then place(map, cell) end
     if not inside then map.elsewhere[#map.elsewhere + 1] = cell end
   end
@@ -152,7 +146,7 @@ Example: map:cell("N2", 4).outcome]]
 function Map:cell(x, y)
   for _, entry in ipairs { { "x", self.x, x }, { "y", self.y, y } } do
     local name, axis, given = table.unpack(entry, 1, 3)
-    if not holds(axis, given) then
+    if not holds(axis.values, given) then
       core.fail(("map:cell: %s must be one of the values of %s, got %s"):format(name, axis.name, core.describe(given)))
     end
   end

@@ -6,6 +6,7 @@ local arguments = require "signorini.arguments"
 local curves = require "signorini.work_precision.curves"
 local draw = require "signorini.work_precision.picture"
 local format_table = require "signorini.table"
+local holds = require("signorini.lists").holds
 local quantity = require "signorini.study.quantity"
 local values = require "signorini.study.values"
 
@@ -18,13 +19,6 @@ Result.__name = "work-precision comparison"
 core.types.comparison = Result
 
 -- ── Reading the arguments ────────────────────────────────────────────────────────────────────────────────────────────
-
-local function holds(list, value)
-  for _, one in ipairs(list) do
-    if one == value then return true end
-  end
-  return false
-end
 
 --- A function from rows to the texts that markers stand for, and its title; none where there is nothing to tell apart.
 local function read_marker(study, pick, series)

@@ -7,15 +7,9 @@
 -- printed in saved_in.
 
 local sg = require "signorini"
+local holds = require("signorini.lists").holds
 
 local study = {}
-
-local function holds(list, value)
-  for _, one in ipairs(list) do
-    if one == value then return true end
-  end
-  return false
-end
 
 --- Those of a problem's own values that were asked for, in its order; all others that were asked for, too, behind them,
 --- if `open`.

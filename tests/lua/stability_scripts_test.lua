@@ -1,7 +1,6 @@
 -- scripts/stability, coarse: which cells plain Newton holds, that the controls lose none of them, the figures and
 -- files.
 
-local sg = require "signorini"
 local core = require "signorini.core"
 local check = require "check"
 

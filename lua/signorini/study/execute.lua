@@ -3,7 +3,6 @@
 local core = require "signorini.core"
 local arguments = require "signorini.arguments"
 local inputs = require "signorini.study.inputs"
-local literal = require "signorini.literal"
 local progress = require "signorini.progress"
 local solve_case = require "signorini.study.case"
 local store = require "signorini.study.store"
@@ -76,7 +75,7 @@ end
 
 --- The record of a case from what its process returned, or of what became of it.
 local function finished(text, failure, limit)
-  if text then return literal.read(text) end
+  if text then return core.read_json(text) end
   if failure == "time" then
     return { outcome = "time", reason = ("not done within %g s"):format(limit), wall = limit, figures = {} }
   end
@@ -118,7 +117,7 @@ end
 --- Runs the cases of a list, at_once side by side. Returns whether all were done.
 local function run_cases(study, list, at_once, limit, display, keep)
   return core.jobs(#list, at_once, function(k)
-    return literal.write(solve_case(study.run, study.cases[list[k]]))
+    return core.write_json(solve_case(study.run, study.cases[list[k]]))
   end, function(k, text, failure)
     local record = finished(text, failure, limit)
     keep(list[k], record, at_once)

@@ -3,7 +3,6 @@
 -- after a power cut, finds results and nothing else.
 
 local core = require "signorini.core"
-local arguments = require "signorini.arguments"
 
 local store = {}
 
