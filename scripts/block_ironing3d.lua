@@ -17,7 +17,8 @@
 --          The thesis prints neither where the block starts nor the steps: x = 3.75 (so that the path is symmetric), 10
 --          and 125 steps are our choice. Steps that fail are cut in half; the table says where equal steps would have
 --          ended.
---          variant=sixty: the path in 10 + 50 steps, what it costs and which force comes out, beside two programs.
+--          variant=sixty: the path in 10 + 50 steps, on half of the scene and with line search by energy, what it costs
+--          and which force comes out, beside two programs.
 -- Source: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of
 --         Contact Problems, PhD thesis, IIT Guwahati, 2020, section 6.4.1, Figures 6.8 and 6.9, after L. De Lorenzis,
 --         P. Wriggers, G. Zavarise, Comput. Mech. 49 (2012) 1-20. User times of FEBio and GetFEM: measured for this
@@ -28,13 +29,14 @@
 --           symmetric about the middle of the way, since without friction a state does not depend on the way to it.
 --           Neither degree nor layers calm the ripple, since the block's edges stay sharp (see
 --           share/doc/problems/block_ironing3d.md). variant=sixty: N2-N2.1 with degree 2 through and 4 points gives
---           5.846 on average on 2x2x1/8x4x2.
+--           5.846 on average on 2x2x1/8x4x2 (part=whole), and 5.826 with part=half.
 -- Run: signorini scripts/block_ironing3d.lua [labels=N2,N3,N4,N2-N3,N2-N4,N2-N2.1,N2-N2.2] [mesh=4x4x4/8x4x4]
 --      [press=10] [slide=125] [linear=auto] [out=out/block_ironing3d]; mesh: elements of block/slab; press, slide:
 --      steps.
 --      signorini scripts/block_ironing3d.lua variant=sixty [labels=N2,N2-N2.1,N2-N2.2] [mesh=4x4x4/8x4x4] [through=1]
---      [points=auto] [linear=auto] [out=out/block_ironing3d_sixty]; all but linear and out may be lists; through:
---      degree from top to bottom; points: Gauss points per direction of a contact element, auto is 3(p + 1).
+--      [points=auto] [part=half] [line_search=energy] [linear=auto] [out=out/block_ironing3d_sixty]; all but the
+--      last three may be lists; through: degree from top to bottom; points: Gauss points per direction of a contact
+--      element, auto is 3(p + 1); part: half of the scene, up to its plane of symmetry, or whole.
 
 local sg = require "signorini"
 local labels = require "solid_ironing.labels"
@@ -43,21 +45,28 @@ local sixty = require "block_ironing3d.sixty"
 
 local problem = { title = "Block ironing", length = 20, start = 3.75, depth = 1, way = 12.5 }
 
+--- The elements of the half with y < 5, across half as many.
+local function half_of(elements) return { elements[1], elements[2] // 2, elements[3] } end
+
+--- The whole model, or with case.half what lies before the plane y = 5 that mirrors it (elements across: even numbers).
 function problem.scene(case)
+  local width = case.half and 0.5 or 1
+  local across = case.half and half_of or function(elements) return elements end
   local slab = sg.body{
-    patch    = sg.shapes.block{ size = {20, 10, 10} },
-    elements = case.mesh.slab, order = case.label, contact = "back", through = case.through,
+    patch    = sg.shapes.block{ size = {20, 10 * width, 10} },
+    elements = across(case.mesh.slab), order = case.label, contact = "back", through = case.through,
     material = sg.neo_hookean{ E = 1, nu = 0.3 },
   }
   local block = sg.body{
-    patch    = sg.shapes.block{ size = {4, 4, 4}, corner = {problem.start - 2, 3, 10} },
-    elements = case.mesh.die, order = case.label, contact = "front", through = case.through,
+    patch    = sg.shapes.block{ size = {4, 4 * width, 4}, corner = {problem.start - 2, 3, 10} },
+    elements = across(case.mesh.die), order = case.label, contact = "front", through = case.through,
     material = sg.neo_hookean{ E = 10, nu = 0.3 },
   }
+  local supports = { bed  = { on = slab:face "front", fix = "xyz" },
+                     grip = { on = block:face "back", drive = "xz", fix = "y" } }
+  if case.half then supports.mirror = { on = { slab:face "north", block:face "north" }, fix = "y" } end
   local model = sg.model{
-    bodies   = { block = block, slab = slab },
-    supports = { bed  = { on = slab:face "front", fix = "xyz" },
-                 grip = { on = block:face "back", drive = "xz", fix = "y" } },
+    bodies = { block = block, slab = slab }, supports = supports,
     contacts = { interface = { slave = block:face "front", master = slab:face "back", penalty = 100,
                                points = case.points } },
   }
@@ -71,6 +80,8 @@ local options = sg.arguments{
                  mesh = mesh.argument "4x4x4/8x4x4", press = 10, slide = 125, out = "out/block_ironing3d" },
     sixty = { labels = { "N2", "N2-N2.1", "N2-N2.2" }, mesh = mesh.argument{ "4x4x4/8x4x4" }, through = { 1 },
               points = { { "auto" }, check = is_count, expected = "whole numbers of at least 1, or auto" },
+              part = { { "half" }, choices = { "half", "whole" } },
+              line_search = { "energy", choices = { "energy", "residual", "none" } },
               out = "out/block_ironing3d_sixty" },
   } },
 }

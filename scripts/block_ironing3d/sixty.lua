@@ -19,16 +19,16 @@ local function result_table(cases)
   for i, case in ipairs(cases) do
     local run, drag = case.run, case.drag or {}
     local inside = drag.mean and drag.mean >= sixty.range[1] and drag.mean <= sixty.range[2]
-    rows[i] = { case.label, case.mesh.name, case.through, case.points or "3(p+1)", case.dofs.total, run.iterations,
+    rows[i] = { case.label, case.mesh.name, case.part, case.through, case.points or "3(p+1)", case.dofs.total, run.iterations,
                 run.cutbacks, run.failed and run.reason or "complete", case.user, case.pressed, drag.mean, drag.low,
                 drag.high, drag.mean and (inside and "yes" or "no"), case.user / sixty.febio, case.user / sixty.getfem }
   end
   return sg.table{
-    columns = { "label", "mesh", "through", "points", "DOFs", "iterations", "cut-backs", "end", "user", "Pz", "Pz",
+    columns = { "label", "mesh", "part", "through", "points", "DOFs", "iterations", "cut-backs", "end", "user", "Pz", "Pz",
                 "Pz", "Pz", "5.75-5.85", "user", "user" },
-    units = { "", "", "degree", "", "", "", "", "", "s", "pressed", "mean", "least", "greatest", "", "of FEBio's",
+    units = { "", "", "", "degree", "", "", "", "", "", "s", "pressed", "mean", "least", "greatest", "", "of FEBio's",
               "of GetFEM's" }, rows = rows,
-    formats = { "%s", "%s", "%d", "%s", "%d", "%d", "%d", "%s", "%.2f", "%.3f", "%.3f", "%.3f", "%.3f", "%s", "%.3f",
+    formats = { "%s", "%s", "%s", "%d", "%s", "%d", "%d", "%d", "%s", "%.2f", "%.3f", "%.3f", "%.3f", "%.3f", "%s", "%.3f",
                 "%.3f" },
   }
 end
@@ -46,37 +46,35 @@ function sixty.cheapest(cases)
 end
 
 local function csv(file, cases)
-  local data = { columns = { "label", "mesh", "through", "points", "dofs", "iterations", "cutbacks", "user", "pressed",
+  local data = { columns = { "label", "mesh", "part", "through", "points", "dofs", "iterations", "cutbacks", "user", "pressed",
                              "drag_mean", "drag_low", "drag_high" },
                  comments = { ("user time in s; FEBio %g, GetFEM %g"):format(sixty.febio, sixty.getfem) }, rows = {} }
   for i, case in ipairs(cases) do
     local drag = case.drag or {}
-    data.rows[i] = { case.label, case.mesh.name, case.through, case.points, case.dofs.total, case.run.iterations,
+    data.rows[i] = { case.label, case.mesh.name, case.part, case.through, case.points, case.dofs.total, case.run.iterations,
                      case.run.cutbacks, case.user, case.pressed, drag.mean, drag.low, drag.high }
   end
   sg.csv.write(file, data)
 end
 
---- All combinations of the lists labels, mesh, through, points (texts: a number or "auto", 3(p + 1)). Returns
---- { cases, cheapest }.
+--- Runs all combinations of the lists labels, mesh, part ("half" or "whole"), through, points (texts: a number or
+--- "auto", 3(p + 1)). Returns { cases, cheapest }.
 function sixty.run(problem, options, files)
-  local cases = {}
-  for _, text in ipairs(options.mesh) do
-    local mesh = meshes.read(text)
-    for _, through in ipairs(options.through) do
-      for _, points in ipairs(options.points) do
-        for _, label in ipairs(options.labels) do
-          local case = study.solve(problem, {
-            label = label, mesh = mesh, press = press, slide = slide, linear = options.linear,
-            through = through, points = math.tointeger(tonumber(points)),
-          })
-          print(("%s at %s, degree %d through, points %s: %.2f s of user time")
-            :format(label, mesh.name, through, points, case.user))
-          print(case.run)
-          cases[#cases + 1] = case
-        end
-      end
+  local cases = sg.grid({ mesh = options.mesh }, { part = options.part }, { through = options.through },
+                        { points = options.points }, { label = options.labels })
+  for i, case in ipairs(cases) do
+    local name, points = case.mesh, case.points
+    case.mesh, case.points = meshes.read(name), math.tointeger(tonumber(points))
+    case.half = case.part == "half"
+    if case.half and (case.mesh.die[2] % 2 == 1 or case.mesh.slab[2] % 2 == 1) then
+      error(("mesh=%s: half of the scene has half of the elements across, so that both numbers (%d and %d) must be "
+        .. "even; or part=whole"):format(name, case.mesh.die[2], case.mesh.slab[2]), 0)
     end
+    case.press, case.slide, case.line_search, case.linear = press, slide, options.line_search, options.linear
+    cases[i] = study.solve(problem, case)
+    print(("%s at %s (%s), degree %d through, points %s: %.2f s of user time")
+      :format(case.label, name, case.part, case.through, points, case.user))
+    print(case.run)
   end
   print(("\n%d + %d steps; pressing force at the full depth and while the block slides; user time beside FEBio's %g s ")
     :format(press, slide, sixty.febio) .. ("and GetFEM's %g s"):format(sixty.getfem))
@@ -90,8 +88,8 @@ function sixty.run(problem, options, files)
   files:draw("sixty.png", "a step of the sliding", function(file)
     local named = {}
     for i, case in ipairs(cases) do
-      named[i] = setmetatable({ label = ("%s %s q=%d %s"):format(case.label, case.mesh.name, case.through,
-        case.points or "3(p+1)") }, { __index = case })
+      named[i] = setmetatable({ label = ("%s %s %s q=%d %s"):format(case.label, case.mesh.name, case.part,
+        case.through, case.points or "3(p+1)") }, { __index = case })
     end
     return output.draw_force(file, named, "Pz", {
       title = "Block ironing in 60 steps: pressing force", ylabel = "Pz",

@@ -2,7 +2,8 @@
 --
 -- A problem is { title, die (its name), length (the slab's), start (x of the die's centre), depth, way, scene(case) };
 -- scene returns the model with the supports `grip` (drives x and z) and `bed` and the contact `interface`, the die and
--- the slab. A case is { label, mesh, press, slide (steps), through, points, linear }; see study.solve.
+-- the slab. A case is { label, mesh, press, slide (steps), through, points, half (the scene is cut at its plane of
+-- symmetry, y = const.), line_search, linear }; see study.solve.
 
 local sg = require "signorini"
 local plane = require "ironing2d.amplitude"
@@ -32,7 +33,10 @@ end
 local function measure(problem, case)
   local run = case.run
   case.x, case.Px, case.Pz = run:column "grip.ux", run:column "grip.fx", run:column "grip.fz"
-  for i = 1, run.steps do case.x[i], case.Pz[i] = problem.start + case.x[i], -case.Pz[i] end
+  local parts = case.half and 2 or 1
+  for i = 1, run.steps do
+    case.x[i], case.Px[i], case.Pz[i] = problem.start + case.x[i], parts * case.Px[i], -parts * case.Pz[i]
+  end
   case.pressed, case.first_failure = case.Pz[case.press], first_failure(run)
   case.first, case.last = window(problem, case)
   case.dPx, case.dPz = plane.of(case.Px, case.first, case.last), plane.of(case.Pz, case.first, case.last)
@@ -52,7 +56,7 @@ end
 
 --- Runs a case, also with on_step(model, info); steps that fail are cut in half. Adds to it: run, dofs (both bodies),
 --- user (seconds of processor time that the run took, all threads), x (of the die's centre), Px, Pz (forces on the
---- slab) after every step, pressed (Pz at the full depth), drag (mean, low and high of Pz while it slides), dPx, dPz
+--- slab, of the whole scene) after every step, pressed (Pz at the full depth), drag (mean, low and high of Pz while it slides), dPx, dPz
 --- ({ raw, detrended } over the steps first to last; empty when the run ended before), first_failure ({ step, reason }
 --- of the first attempt that failed).
 function study.solve(problem, case)
@@ -61,7 +65,7 @@ function study.solve(problem, case)
   case.run = model:run({
     { name = "press", steps = case.press, grip = { 0, -problem.depth } },
     { name = "slide", steps = case.slide, grip = { problem.way, -problem.depth } },
-  }, { linear = case.linear, step = { adaptive = true },
+  }, { linear = case.linear, step = { adaptive = true }, newton = { line_search = case.line_search },
        on_step = case.on_step and function(info) return case.on_step(model, info) end })
   case.user = os.clock() - began
   case.dofs = { die = die:dofs().total, slab = slab:dofs().total }
