@@ -92,23 +92,24 @@ constexpr Function functions[] = {
     {"plane", wrap<plane>,
      "sg.rigid.plane{ point, normal }\n"
      "A rigid half space as obstacle: master of a contact. normal points out of it, towards the body. Two\n"
-     "coordinates in the plane, three in 3D.\n"
+     "coordinates in the plane, three in 3D. A support drives it: see help \"obstacle\".\n"
      "Example: sg.rigid.plane{ point = {0, -1}, normal = {0, 1} }\n"
      "Example: sg.rigid.plane{ point = {0, 0, -1}, normal = {0, 0, 1} }"},
     {"cylinder", wrap<cylinder>,
      "sg.rigid.cylinder{ centre, axis, radius }\n"
      "A rigid cylinder without ends. In plane strain its axis is normal to the plane, and it is a disc; in 3D it\n"
-     "lies along the vector `axis` through `centre`.\n"
+     "lies along the vector `axis` through `centre`. A support drives it: see help \"obstacle\".\n"
      "Example: sg.rigid.cylinder{ centre = {0, 2}, radius = 1 }\n"
      "Example: sg.rigid.cylinder{ centre = {0, 0, 2}, axis = {0, 1, 0}, radius = 1 }"},
     {"sphere", wrap<sphere>,
      "sg.rigid.sphere{ centre, radius }\n"
-     "A rigid sphere in 3D, or on the axis of an axisymmetric model.\n"
+     "A rigid sphere in 3D, or on the axis of an axisymmetric model. A support drives it: see help \"obstacle\".\n"
      "Example: sg.rigid.sphere{ centre = {0, 0, 2}, radius = 1 }"},
     {"surface", wrap<surface>,
      "sg.rigid.surface(patch)\n"
      "A rigid obstacle bounded by any NURBS: a curve in the plane, its outside on the right of the curve's\n"
      "direction; or a surface in 3D, its outside where the product of its tangents along xi1 and xi2 points.\n"
+     "A support drives it: see help \"obstacle\".\n"
      "Example: sg.rigid.surface(sg.nurbs.arc{ centre = {0, 0}, radius = 1, from = 0, to = 180 })\n"
      "Example: sg.rigid.surface(sg.shapes.block{ size = {9, 9, 1}, corner = {0, 0, -1} }:face \"back\")"},
 };
@@ -116,8 +117,15 @@ constexpr Function functions[] = {
 template <int D>
 constexpr Function rows[] = {
     {"__tostring", wrap<rigid_tostring<D>>,
-     "obstacle\nWhat sg.rigid.* return, a master without unknowns that a support may drive; print(obstacle) tells its "
-     "shape."},
+     "obstacle\n"
+     "What sg.rigid.* return: a master without unknowns; print(obstacle) tells its shape. It stands still unless a\n"
+     "support drives it: supports = { push = { on = obstacle, drive = \"y\" } }; stages then give its displacement,\n"
+     "push = {-0.1}, and run:column \"push.fy\" the force on it.\n"
+     "Example: disc = sg.rigid.cylinder{ centre = {1.5, 2}, radius = 1 }\n"
+     "         sg.model{ bodies = { slab = slab },\n"
+     "           supports = { bed = { on = slab:face \"south\", fix = \"xy\" }, push = { on = disc, drive = \"y\" } "
+     "},\n"
+     "           contacts = { touch = { slave = slab:face \"north\", master = disc, penalty = 100 } } }"},
 };
 
 } // namespace
