@@ -6,8 +6,32 @@ local sorted = require("signorini.lists").sorted_names
 local subjects = require "signorini.help.subjects"
 local texts = require "signorini.help.texts"
 
---- The first line of a page: how to call it.
-local function head(name) return core.docs[name]:match "^[^\n]*" end
+--- The first line of a page: how to call it. One that goes on in the next line ends with … and what is open.
+local function head(name)
+  local line = core.docs[name]:match "^[^\n]*"
+  local open = {}
+  for bracket in line:gmatch "[(){}]" do
+    if bracket == "(" or bracket == "{" then open[#open + 1] = bracket else open[#open] = nil end
+  end
+  if #open == 0 then return line end
+  local ends = ""
+  for _, bracket in ipairs(open) do ends = (bracket == "(" and ")" or " }") .. ends end
+  return line:gsub("[%s,]*$", "") .. ", …" .. ends
+end
+
+--- Pages by the name that their first line calls by: "m:iterate" for "model:iterate".
+local function page_by_head(word)
+  for _, name in ipairs(sorted(core.docs)) do
+    if core.docs[name]:match "^[%w_.:]+" == word then return core.docs[name] end
+  end
+end
+
+--- "model:run" for "m:run", by the letters that pages use.
+local letters = { b = "body", m = "model", p = "patch" }
+local function spelt_out(word)
+  local letter, method = word:match "^(%a):([%w_]+)$"
+  return letters[letter] and letters[letter] .. ":" .. method
+end
 
 local function list(title, names)
   local lines = { title }
@@ -30,7 +54,8 @@ local function table_page(value)
 end
 
 local function word_page(word)
-  local exact = texts[word] or core.docs[word] or core.docs["sg." .. word]
+  local exact = texts[word] or core.docs[word] or core.docs["sg." .. word] or core.docs[spelt_out(word) or ""]
+    or page_by_head(word)
   if exact then return exact end
   local group = subjects.group(word)
   if group then return list(group.title .. ":", subjects.pages(group)) end

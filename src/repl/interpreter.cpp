@@ -4,9 +4,13 @@
 #include "bind/functions.hpp"
 #include "repl/colour.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
+#include <set>
+#include <sstream>
+#include <string_view>
 #include <unistd.h>
 
 namespace signorini::repl {
@@ -20,13 +24,52 @@ bool is_refusal(lua_State* L) {
   return found;
 }
 
-/// Message handler: any error value as text, with the traceback below it unless it is not wanted, or kept for later.
+/// How tracebacks name the frames that belong to the library or to C.
+std::set<std::string> library_places(lua_State* L) {
+  bind::push_table(L, "core");
+  lua_getfield(L, -1, "home");
+  const std::string library = text("@", lua_tostring(L, -1), "/lua/");
+  lua_pop(L, 2);
+  std::set<std::string> places;
+  lua_Debug frame;
+  for (int level = 1; lua_getstack(L, level, &frame); ++level) {
+    lua_getinfo(L, "S", &frame);
+    if (*frame.what == 'C' || std::string_view(frame.source).starts_with(library))
+      places.insert(text(frame.short_src, ":"));
+  }
+  return places;
+}
+
+/// A traceback without the frames of the library and of C, which say nothing to whoever wrote the script. All of them
+/// stay where the message itself speaks of a place in the library, which is then at fault.
+std::string users_frames(lua_State* L, const std::string& traceback) {
+  std::set<std::string> places = library_places(L);
+  const auto stands_in = [&](std::string_view line) {
+    return std::any_of(places.begin(), places.end(), [&](const std::string& place) { return line.starts_with(place); });
+  };
+  if (stands_in(traceback)) return traceback;
+  places.insert("(...tail calls...)");
+  std::istringstream lines(traceback);
+  std::string kept;
+  bool in_frames = false;
+  for (std::string line; std::getline(lines, line);) {
+    if (!in_frames || !stands_in(std::string_view(line).substr(1))) kept += (kept.empty() ? "" : "\n") + line;
+    in_frames = in_frames || line == "stack traceback:";
+  }
+  return kept;
+}
+
+/// Message handler: any error value as text, with the script's own traceback below it unless it is not wanted; where it
+/// is kept for later, all of it.
 int add_traceback(lua_State* L) {
   const bool later = lua_toboolean(L, lua_upvalueindex(1)), refusal = is_refusal(L);
   luaL_tolstring(L, 1, nullptr);
   if (interrupted() || refusal) return 1;
   luaL_traceback(L, L, lua_tostring(L, -1), 1);
-  if (!later) return 1;
+  if (!later) {
+    bind::push(L, users_frames(L, lua_tostring(L, -1)));
+    return 1;
+  }
   bind::push_table(L, "core");
   lua_insert(L, -2);
   lua_setfield(L, -2, "traceback");

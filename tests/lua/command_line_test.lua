@@ -133,6 +133,12 @@ check.case("help shows groups, types of Lua objects, and what a query at the pro
     "It holds:\n  sg.nurbs.arc{", "Pages with 'refin':", "Studies:\n  sg.study{", "did you mean 'rectangle'?", "data\nWhat sg.csv.read")
 end)
 
+check.case("help takes a method by the letter that pages call its object by, and closes what a list cuts off", function()
+  local output = check.program({}, '?m:iterate\nhelp "m:run"\nhelp "p:insert"\nhelp "pictures"\nhelp "m:nonsense"\n')
+  check.holds(output, "m:iterate{ … }\nOne iteration of", "model:run(stages, options)\nTakes a model along", "p:insert(",
+    "  sg.picture{ model,", ", … }\n", "no page on 'm:nonsense'")
+end)
+
 check.case("Ctrl-C ends a script with status 130, wherever it is", function()
   for _, code in ipairs { "while true do end", "pcall(function() while true do end end) while true do end" } do
     local output, status = check.shell(("%s -e '%s' & sleep 0.3; kill -INT $!; wait $!"):format(arg[-1], code))

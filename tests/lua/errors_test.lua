@@ -113,6 +113,19 @@ local patch = die()
     .. "got the string '0.5': remove the quotes", "stack traceback", "study.lua:5: in main chunk")
 end)
 
+check.case("the traceback of a script holds its own frames; those of the library only where that is at fault", function()
+  local script = [[
+local sg = require "signorini"
+local function choose() local options = sg.robust{ bogus = 1 } return options end
+local function study() local options = choose() return options end
+study()
+]]
+  local output = check.script(script)
+  check.holds(output, "signorini: study.lua:2: sg.robust: unknown argument 'bogus'",
+    "stack traceback:\n\tstudy.lua:2: in upvalue 'choose'\n\tstudy.lua:3: in local 'study'\n\tstudy.lua:4: in main chunk\n")
+  check.holds(check.script [[require("signorini.lists").sorted_names(1)]], "lua/signorini/lists.lua:", "[C]: in ")
+end)
+
 check.case("syntax errors, missing files and thrown values are reported", function()
   local output, status = check.script "local x = = 1"
   check.equal(status, 1)
