@@ -8,6 +8,19 @@ install(DIRECTORY share/ DESTINATION ${CMAKE_INSTALL_DATADIR}/signorini
   PATTERN man EXCLUDE
   PATTERN completion EXCLUDE)
 install(FILES README.md LICENSE CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DATADIR}/signorini)
+# The installed pages find each other, and the program, where they are in their own tree.
+install(CODE "set(tree \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}/signorini\")")
+install(CODE [[
+  file(GLOB_RECURSE pages ${tree}/*.md)
+  foreach(page ${pages})
+    file(READ ${page} text)
+    string(REPLACE "build/signorini" "signorini" text "${text}")
+    if(page STREQUAL "${tree}/README.md")
+      string(REPLACE "share/" "" text "${text}")
+    endif()
+    file(WRITE ${page} "${text}")
+  endforeach()
+]])
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
 install(FILES share/man/signorini.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES share/completion/signorini DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)

@@ -23,10 +23,12 @@ bool run(const repl::CommandLine& line, const std::string& program) {
   // A script in a file says what it needs; whatever is typed finds the language already there.
   const bool typed = line.interactive || line.script.empty() || line.script == "-" || !line.code.empty();
   if (typed && !interpreter.open_globals()) return false;
-  for (const auto& code : line.code)
-    if (!interpreter.run_code(code, "=(command line)")) return false;
-  if (!line.script.empty() && !interpreter.run_file(line.script, line.arguments)) return false;
-  return (line.prompt_only() || line.interactive) ? repl::prompt(interpreter, line.quiet) : true;
+  bool ok = true;
+  for (const auto& code : line.code) ok = ok && interpreter.run_code(code, "=(command line)");
+  ok = ok && (line.script.empty() || interpreter.run_file(line.script, line.arguments));
+  if (line.interactive) repl::forget_interrupt(interpreter.state()); // what is there may still be looked at
+  if (line.interactive || line.prompt_only()) return repl::prompt(interpreter, line.quiet) && ok;
+  return ok;
 }
 
 } // namespace

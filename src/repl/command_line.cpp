@@ -58,6 +58,8 @@ CommandLine parse(const std::vector<std::string>& words) {
       line.wish = CommandLine::Wish::help;
     else if (word == "--doctor")
       line.wish = CommandLine::Wish::doctor;
+    else if (word == "--")
+      line.script = value("a script");
     else if (word.starts_with("-") && word != "-")
       throw UsageError(text("unknown option '", word, "'", bind::did_you_mean(word, known),
                             "; options stand before the script, --help lists them"));
@@ -75,7 +77,7 @@ const char* usage() {
          "  echo 'code' | signorini -       run what standard input says\n"
          "\n"
          "  -e 'code'       run code (may be repeated, before the script)\n"
-         "  -i              go to the prompt afterwards\n"
+         "  -i              go to the prompt afterwards, also after an error\n"
          "  -q              no progress, no greeting\n"
          "  --threads N     threads of assembly and linear algebra (1)\n"
          "  --jobs N        cases of a study side by side, also behind the script (as many as there are processors)\n"

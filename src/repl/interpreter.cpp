@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <string_view>
@@ -137,16 +138,38 @@ bool Interpreter::report(bool ok) {
   return ok;
 }
 
+void add_syntax_hint(lua_State* L) {
+  // Lua's words where a table's entries have no comma in between.
+  static const std::regex comma("'\\}' expected (\\(to close .*\\) )?near '.*'$");
+  const std::string message = lua_tostring(L, -1);
+  if (!std::regex_search(message, comma)) return;
+  lua_pop(L, 1);
+  bind::push(L, message + "; is a comma missing before it?");
+}
+
 bool Interpreter::run_code(const std::string& code, const std::string& name) {
-  return report(luaL_loadbufferx(state(), code.data(), code.size(), name.c_str(), "t") == LUA_OK && call(0));
+  lua_State* L = state();
+  const bool loaded = luaL_loadbufferx(L, code.data(), code.size(), name.c_str(), "t") == LUA_OK;
+  if (!loaded) add_syntax_hint(L);
+  return report(loaded && call(0));
 }
 
 bool Interpreter::run_file(const std::string& file, const std::vector<std::string>& arguments) {
   lua_State* L = state();
-  if (luaL_loadfilex(L, file == "-" ? nullptr : file.c_str(), "t") != LUA_OK) return report(false);
+  if (luaL_loadfilex(L, file == "-" ? nullptr : file.c_str(), "t") != LUA_OK) {
+    add_syntax_hint(L);
+    return report(false);
+  }
   luaL_checkstack(L, static_cast<int>(arguments.size()), "too many arguments");
   for (const auto& argument : arguments) bind::push(L, argument);
-  return report(call(static_cast<int>(arguments.size())));
+  const bool ok = call(static_cast<int>(arguments.size()));
+  if (ok && lua_gettop(L) > 0) { // what the prompt calls the last result
+    lua_pushglobaltable(L);
+    bind::push(L, "_");
+    lua_pushvalue(L, 1);
+    lua_rawset(L, -3);
+  }
+  return report(ok);
 }
 
 } // namespace signorini::repl

@@ -20,7 +20,8 @@ public:
   /// Makes `sg` and `help` global. Returns whether the library could be loaded.
   bool open_globals();
 
-  /// Each returns whether the chunk ran without error; an error goes to standard error with a traceback.
+  /// Each returns whether the chunk ran without error; an error goes to standard error with a traceback. What a file
+  /// returns is `_` from then on, as a result at the prompt is.
   bool run_code(const std::string& code, const std::string& name);
   bool run_file(const std::string& file, const std::vector<std::string>& arguments);
 
@@ -36,5 +37,8 @@ private:
   };
   std::unique_ptr<lua_State, Close> state_;
 };
+
+/// Adds to a syntax error on the stack what is most often behind it, where Lua's own words do not say so.
+void add_syntax_hint(lua_State* L);
 
 } // namespace signorini::repl

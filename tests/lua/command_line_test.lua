@@ -100,6 +100,26 @@ check.case("the prompt reads lines from a pipe: expressions, statements over sev
   gives(run({ "-i", "-e", "z = 5" }, "z\n"), "5\n")
 end)
 
+check.case("-i opens the prompt after a script, with what it returned as _, and after one that failed", function()
+  local name = os.tmpname()
+  local function write(text) assert(io.open(name, "w")):write(text):close() end
+  write "y = 3 return 42, 43"
+  gives(run({ "-i", name }, "_ + y\n"), "45\n")
+  gives(run({ "-i", "--", name }, "y\n"), "3\n")
+  write "y = 3 error 'no'"
+  local result = run({ "-i", name }, "y\n")
+  check.equal(result.status, 1)
+  check.holds(result.output, ":1: no\nstack traceback:", "\n3\n")
+  os.remove(name)
+end)
+
+check.case("where entries of a table have no comma in between, the message asks for it", function()
+  for _, case in ipairs { { { "-e", "f{ a=1 b=2 }" } }, { { "-" }, "f{ a=1\n b=2 }" } } do
+    check.holds(run(case[1], case[2]).output, ": '}' expected", "near 'b'; is a comma missing before it?")
+  end
+  check.equal(run { "-e", "f(1 2)" }.output:find "is a comma", nil)
+end)
+
 check.case("at the prompt errors are one line, traceback() tells how they came about, and _ is the last result", function()
   local result = run({}, "function f() error 'no' end\nfunction g() f() return 1 end\ng()\n40 + 2\n_ / 2\nx = 3\n_\ntraceback()\n")
   check.equal(result.status, 1)
