@@ -42,6 +42,13 @@ bool write_all(int pipe, const std::string& data) {
   if (getppid() != parent) _exit(1); // died before it could be said that a child follows it
   std::signal(SIGINT, SIG_IGN);      // a terminal sends Ctrl-C to all; the parent decides
   abandon_worker_threads();
+  // Handlers that the parent registered for its own exit wait for threads that a child does not have.
+  on_exit(
+      [](int status, void*) {
+        std::fflush(nullptr);
+        _exit(status);
+      },
+      nullptr);
   std::string message;
   try {
     message = returned + job(i);

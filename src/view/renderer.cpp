@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "view/strokes.hpp"
 
+#include <cstdlib>
 #include <dlfcn.h>
 #include <filesystem>
 
@@ -23,6 +24,9 @@ std::filesystem::path module_file() {
 const Renderer& renderer() {
   static const Renderer* const loaded = [] {
     const std::string file = module_file().string();
+    // Mesa's rasteriser without threads of its own: a study's cases are forked from this process, and there they would
+    // wait for threads that only their parent has. Pictures take as long.
+    ::setenv("LP_NUM_THREADS", "0", 0);
     // Never unloaded: VTK's factories and Mesa's threads do not survive that.
     void* module = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
     if (module == nullptr) fail("cannot load ", file, " for pictures: ", ::dlerror());

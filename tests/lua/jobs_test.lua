@@ -45,6 +45,21 @@ check.case("an error comes with its traceback, a crash with its signal, an endle
   check.holds(results[4], "failed: ", "must return a string, got the number 7")
 end)
 
+check.case("jobs draw, and leave, where something was drawn before them", function()
+  local sg, file = require "signorini", os.tmpname() .. ".png"
+  local function draw() sg.chart { file = file, x = { 1, 2 }, { y = { 1, 2 } }, size = { 300, 200 } } end
+  draw()
+  local results = gather(3, 2, function(i)
+    draw()
+    if i == 2 then os.exit(7) end
+    if i == 3 then os.exit(0, true) end
+    return "drawn"
+  end, 20)
+  check.equal(results, { "drawn", "left with status 7 before it returned anything",
+                         "left with status 0 before it returned anything" })
+  os.remove(file)
+end)
+
 check.case("an error where results are taken ends all, and no process is left", function()
   check.fails(function()
     core.jobs(2, 2, function(i)
