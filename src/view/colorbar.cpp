@@ -29,12 +29,16 @@ std::array<double, 2> colour_range(const std::array<double, 2>& values,
     const auto [low, high] = *given;
     require(std::isfinite(low) && std::isfinite(high) && low < high, "range is {", low, ", ", high,
             "}; expected two finite numbers, the lower one first");
+    require_drawable(low, high, false);
     return *given;
   }
   auto [low, high] = values;
   if (diverging && low < 0 && high > 0) high = std::max(-low, high), low = -high;
   const double size = std::max(std::abs(low), std::abs(high));
-  if (high - low > 1e-9 * size) return {low, high};
+  if (high - low > 1e-9 * size) {
+    require_drawable(low, high, false);
+    return {low, high};
+  }
   const double room = size == 0 ? 1 : 0.1 * size;
   return {low - room, high + room};
 }

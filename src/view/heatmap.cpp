@@ -9,6 +9,7 @@
 #include "view/output.hpp"
 #include "view/renderer.hpp"
 #include "view/text.hpp"
+#include "view/ticks.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -87,6 +88,7 @@ Colours make_colours(const std::vector<Heat>& maps, const HeatmapOptions& option
   if (options.log && !options.range) {
     const auto [from, to] = colour_range({std::log10(low), std::log10(high)}, {}, false);
     colours.range = {std::min(low, std::pow(10, from)), std::max(high, std::pow(10, to))}; // whatever rounding does
+    require_drawable(colours.range[0], colours.range[1], true);
   } else {
     colours.range = colour_range(colours.values, options.range, is_diverging(options.colormap));
     require(!options.log || colours.range[0] > 0, "range begins at ", colours.range[0],

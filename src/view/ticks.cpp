@@ -1,5 +1,6 @@
 #include "view/ticks.hpp"
 
+#include "base/error.hpp"
 #include "view/text.hpp"
 
 #include <algorithm>
@@ -71,7 +72,16 @@ Ticks with_minor(Ticks ticks, double low, double high) {
 
 } // namespace
 
+void require_drawable(double low, double high, bool log) {
+  // Beyond these, lengths and steps are no longer numbers of full precision.
+  constexpr double largest = 1e300, narrowest = 1e-300;
+  require(std::max(std::abs(low), std::abs(high)) <= largest && high - low >= narrowest,
+          "what is drawn must lie within ±1e300 and spread over 1e-300 at least; choose other units");
+  require(!log || high / low <= largest, "what is drawn on a logarithmic scale must spread over 300 decades at most");
+}
+
 Ticks linear_ticks(double low, double high, int count) {
+  require_drawable(low, high, false);
   Ticks ticks;
   const double step = round_step(low, high, count);
   const int size = static_cast<int>(std::floor(std::log10(std::max(std::abs(low), std::abs(high))) + slack));
@@ -89,6 +99,7 @@ Ticks linear_ticks(double low, double high, int count) {
 }
 
 Ticks log_ticks(double low, double high, int count) {
+  require_drawable(low, high, true);
   const double from = std::log10(low), to = std::log10(high);
   const int first = static_cast<int>(std::ceil(from - slack)), last = static_cast<int>(std::floor(to + slack));
   if (high / low < 5) return with_minor(linear_ticks(low, high, count), low, high);

@@ -14,6 +14,9 @@ struct Ticks {
   double shrink = 1;               ///< of the labels' size, below 1 where long ones stand close together
 };
 
+/// Fails where a range [low, high] is too wide or too narrow to be divided in double precision.
+void require_drawable(double low, double high, bool log);
+
 /// At most `count` (≥ 2) round numbers 1, 2, 5 × 10ᵏ apart within [low, high]. Needs low < high.
 Ticks linear_ticks(double low, double high, int count);
 

@@ -113,6 +113,26 @@ local patch = die()
     .. "got the string '0.5': remove the quotes", "stack traceback", "study.lua:5: in main chunk")
 end)
 
+check.case("numbers that no axis can hold are refused, and nothing hangs", function()
+  local file = os.tmpname()
+  local wide, decades = "must lie within ±1e300 and spread over 1e-300", "at most"
+  local huge, tiny = { 1e308, -1e308, 1 }, { 1e-320, 0, 0 }
+  check.fails(function() sg.chart { file = file .. ".png", x = { 1, 2, 3 }, { y = huge } } end, "sg.chart: ", wide)
+  check.fails(function() sg.chart { file = file .. ".png", x = huge, { y = { 1, 2, 3 } } } end, wide)
+  check.fails(function() sg.chart { file = file .. ".png", x = { 1, 2, 3 }, { y = tiny } } end, wide)
+  check.fails(function()
+    sg.chart { file = file .. ".png", x = { 1, 2 }, { y = { 1, 2 } }, hlines = { { 1e308, "a" }, { -1e308, "b" } } }
+  end, wide)
+  check.fails(function() sg.heatmap { file = file .. ".png", x = { 1, 2 }, y = { 1 }, values = { { 1e308, -1e308 } } } end,
+    "sg.heatmap: ", wide)
+  check.fails(function()
+    sg.heatmap { file = file .. ".png", x = { 1, 2 }, y = { 1 }, log = true, values = { { 1e-200, 1e200 } } }
+  end, decades)
+  sg.heatmap { file = file .. ".png", x = { 1, 2 }, y = { 1 }, log = true, values = { { 7, 7 } } }
+  os.remove(file)
+  os.remove(file .. ".png")
+end)
+
 check.case("the traceback of a script holds its own frames; those of the library only where that is at fault", function()
   local script = [[
 local sg = require "signorini"
