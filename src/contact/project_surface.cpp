@@ -1,5 +1,7 @@
 #include "contact/projection.hpp"
 
+#include "base/index.hpp"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -15,10 +17,6 @@ using Interval = std::array<double, 2>;
 
 /// Per direction: 0 where a search ended inside an element, −1 (+1) where the element's start (end) held it back.
 using Held = std::array<int, 2>;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Newton's direction for the squared distance in the directions that are not held; Gauss–Newton's where the curvature
 /// of the distance is negative, or small and the step longer than a hundredth of the element (`size`).

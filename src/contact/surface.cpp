@@ -1,5 +1,6 @@
 #include "contact/surface.hpp"
 
+#include "base/index.hpp"
 #include "nurbs/bezier.hpp"
 
 #include <algorithm>
@@ -13,10 +14,6 @@ constexpr int row = nurbs::max_degree + 1;
 
 /// Value and derivatives up to the second: how many there are.
 template <int D> constexpr int derivatives = D == 2 ? 3 : 6;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// 0, 1, … count − 1.
 std::vector<int> numbers(int count) {

@@ -1,5 +1,6 @@
 #include "model/bezier_cells.hpp"
 
+#include "base/index.hpp"
 #include "model/sample.hpp"
 #include "nurbs/bezier.hpp"
 #include "nurbs/bezier_element.hpp"
@@ -10,10 +11,6 @@
 namespace signorini::model {
 
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Bernstein coefficients of degree `degree` of the polynomial that is nearest to values at places in [0, 1]; it passes
 /// through them where they are no more than degree+1.

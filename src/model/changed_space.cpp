@@ -1,5 +1,6 @@
 #include "model/changed_space.hpp"
 
+#include "base/index.hpp"
 #include "nurbs/coincident.hpp"
 
 #include <bit>
@@ -9,10 +10,6 @@
 namespace signorini::model {
 
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Functions that are one point, and along which directions they lie.
 struct Folds {

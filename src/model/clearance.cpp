@@ -1,16 +1,13 @@
 #include "model/clearance.hpp"
 
 #include "base/error.hpp"
+#include "base/index.hpp"
 
 #include <Eigen/Geometry>
 
 namespace signorini::model {
 
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 double size_of(const MatrixX& points) {
   return (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();

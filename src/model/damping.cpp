@@ -1,5 +1,6 @@
 #include "model/damping.hpp"
 
+#include "base/index.hpp"
 #include "model/rigid_motions.hpp"
 
 #include <algorithm>
@@ -7,14 +8,6 @@
 #include <limits>
 
 namespace signorini::model {
-
-namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
-} // namespace
 
 template <int D> std::vector<LooseMotion> loose_motions(const Scene<D>& scene, const Unknowns<D>& unknowns) {
   std::vector<LooseMotion> loose;

@@ -1,6 +1,7 @@
 #include "model/diagnosis.hpp"
 
 #include "base/error.hpp"
+#include "base/index.hpp"
 #include "base/words.hpp"
 #include "model/rigid_motions.hpp"
 #include "model/weak_directions.hpp"
@@ -15,10 +16,6 @@ namespace {
 using solve::Outcome;
 
 constexpr std::size_t most_places = 5;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Displacement of a control point in the accepted state.
 template <int D> VectorX accepted_displacement(const Model<D>& model, int body, int function) {

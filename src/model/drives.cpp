@@ -1,6 +1,7 @@
 #include "model/drives.hpp"
 
 #include "base/error.hpp"
+#include "base/index.hpp"
 #include "solid/load.hpp"
 
 #include <Eigen/Geometry>
@@ -13,10 +14,6 @@ namespace signorini::model {
 namespace {
 
 constexpr double radians_per_degree = std::numbers::pi / 180;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Components of a support that a path moves.
 template <int D> std::vector<std::string> moved_components(const Support<D>& support) {

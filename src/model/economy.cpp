@@ -1,6 +1,7 @@
 #include "model/economy.hpp"
 
 #include "base/error.hpp"
+#include "base/index.hpp"
 #include "model/changed_space.hpp"
 #include "model/cost.hpp"
 
@@ -13,10 +14,6 @@ namespace {
 using nurbs::Discretisation;
 using nurbs::KnotVector;
 using nurbs::Side;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 int master_body(const auto& contact) {
   const auto* face = std::get_if<FaceReference>(&contact.master);

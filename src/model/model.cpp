@@ -1,6 +1,7 @@
 #include "model/model.hpp"
 
 #include "base/error.hpp"
+#include "base/index.hpp"
 #include "base/timer.hpp"
 #include "base/words.hpp"
 #include "model/clearance.hpp"
@@ -11,10 +12,6 @@
 namespace signorini::model {
 
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 template <int D> Scene<D> checked(Scene<D> scene) {
   require(!scene.bodies.empty(), "bodies: a model needs at least one body");

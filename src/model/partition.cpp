@@ -1,5 +1,7 @@
 #include "model/partition.hpp"
 
+#include "base/index.hpp"
+
 #include <algorithm>
 
 namespace signorini::model {
@@ -9,10 +11,6 @@ namespace {
 constexpr int most_shares = 4; // more than cores: contacts are shared out beside them
 /// Elements in a share: 30 µs of work, several times what it takes to wake a thread.
 template <int D> constexpr int worth_sharing = D == 2 ? 64 : 8;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// The slabs of a body across one parametric direction.
 struct Slabs {

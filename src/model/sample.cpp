@@ -1,16 +1,10 @@
 #include "model/sample.hpp"
 
+#include "base/index.hpp"
+
 #include <cmath>
 
 namespace signorini::model {
-
-namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
-} // namespace
 
 template <int D> BodyPoint<D> body_point(const Model<D>& model, int body, int e, const VectorX& xi) {
   const nurbs::Discretisation& space = model.scene().bodies[at(body)].body->space();

@@ -1,5 +1,6 @@
 #include "model/scene_archive.hpp"
 
+#include "base/index.hpp"
 #include "contact/archive.hpp"
 #include "nurbs/archive.hpp"
 #include "solid/archive.hpp"
@@ -73,10 +74,6 @@ Load read(ArchiveReader& from, std::type_identity<Load>) {
 }
 
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 template <int D> using Places = Eigen::Matrix<double, D, Eigen::Dynamic>;
 

@@ -1,12 +1,10 @@
 #include "model/tessellate.hpp"
 
+#include "base/index.hpp"
+
 namespace signorini::model {
 
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Polyline through an element along direction d, the other parameter fixed.
 Points border(const Model<2>& model, int body, int e, int d, double fixed, int divisions, bool deformed) {

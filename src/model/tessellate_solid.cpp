@@ -1,3 +1,4 @@
+#include "base/index.hpp"
 #include "model/tessellate.hpp"
 #include "solid/quadrature.hpp"
 
@@ -9,10 +10,6 @@
 namespace signorini::model {
 
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// A point of a side of a solid.
 struct SkinPoint {

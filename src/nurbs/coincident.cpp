@@ -1,6 +1,7 @@
 #include "nurbs/coincident.hpp"
 
 #include "base/error.hpp"
+#include "base/index.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -12,10 +13,6 @@ namespace signorini::nurbs {
 namespace {
 
 using Functions = std::vector<int>;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Which functions are one; the least of a group stands for it.
 class Groups {

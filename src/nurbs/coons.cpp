@@ -2,6 +2,7 @@
 #include "nurbs/constructions.hpp"
 
 #include "base/error.hpp"
+#include "base/index.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,10 +10,6 @@
 namespace signorini::nurbs {
 
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// The boundary as faces of one lattice of control points.
 struct Lattice {

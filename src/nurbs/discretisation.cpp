@@ -1,6 +1,7 @@
 #include "nurbs/discretisation.hpp"
 
 #include "base/error.hpp"
+#include "base/index.hpp"
 #include "nurbs/basis.hpp"
 #include "nurbs/lagrange.hpp"
 
@@ -9,10 +10,6 @@
 namespace signorini::nurbs {
 
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 std::vector<int> other_directions(int dimensions, int through) {
   std::vector<int> result;

@@ -2,15 +2,12 @@
 #include "nurbs/patch.hpp"
 
 #include "base/error.hpp"
+#include "base/index.hpp"
 #include "nurbs/basis.hpp"
 
 namespace signorini::nurbs {
 
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// The functions that do not vanish on the element of xi, direction by direction; missing directions are constant 1.
 struct LocalBasis {

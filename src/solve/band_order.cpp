@@ -1,5 +1,7 @@
 #include "solve/band_order.hpp"
 
+#include "base/index.hpp"
+
 #include <algorithm>
 #include <cstdlib>
 #include <utility>
@@ -7,10 +9,6 @@
 namespace signorini::solve {
 
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Walks through the connected part of a pattern level by level.
 class Walk {

@@ -1,5 +1,6 @@
 #include "solve/banded.hpp"
 
+#include "base/index.hpp"
 #include "solve/band_order.hpp"
 #include "solve/lapack.hpp"
 #include "solve/values.hpp"
@@ -7,10 +8,6 @@
 namespace signorini::solve {
 
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 class Banded final : public LinearSolver {
 public:

@@ -1,5 +1,6 @@
 #include "solve/changing_block.hpp"
 
+#include "base/index.hpp"
 #include "solve/lapack.hpp"
 
 #include <algorithm>
@@ -7,14 +8,6 @@
 #include <numeric>
 
 namespace signorini::solve {
-
-namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
-} // namespace
 
 ChangingBlock::ChangingBlock(MatrixX constant)
     : constant_(std::move(constant)), order_(at(size())), place_(at(size())), lower_(size(), size()),

@@ -2,6 +2,7 @@
 
 #include "base/eigen.hpp"
 #include "base/error.hpp"
+#include "base/index.hpp"
 #include "solve/changing_block.hpp"
 #include "solve/cholmod.hpp"
 #include "solve/lapack.hpp"
@@ -14,10 +15,6 @@
 namespace signorini::solve {
 
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// With the contact unknowns c behind the interior i, and a shift D of their diagonal that makes K₀ regular where only
 /// contact holds a body,

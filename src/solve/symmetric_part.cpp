@@ -1,6 +1,7 @@
 #include "solve/symmetric_part.hpp"
 
 #include "base/error.hpp"
+#include "base/index.hpp"
 #include "solve/cholmod.hpp"
 #include "solve/lapack.hpp"
 #include "solve/values.hpp"
@@ -8,14 +9,6 @@
 #include <algorithm>
 
 namespace signorini::solve {
-
-namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
-} // namespace
 
 struct SymmetricPart::Factors {
   CholmodCommon common;
