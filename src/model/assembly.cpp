@@ -1,5 +1,6 @@
 #include "model/assembly.hpp"
 
+#include "base/index.hpp"
 #include "base/parallel.hpp"
 #include "base/timer.hpp"
 
@@ -9,10 +10,6 @@
 namespace signorini::model {
 
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 std::uint64_t key(const contact::Group& group) {
   constexpr int bits = 21; // two million elements on a face

@@ -48,8 +48,7 @@ public:
   const solve::Pattern& pattern() const { return pattern_; }
   /// Grows by one whenever the pattern is a new one.
   int pattern_version() const { return version_; }
-  /// Whether all bodies are linear elastic: the tangent is constant_values() plus what contacts add.
-  bool linear() const { return linear_; }
+  /// The tangent of bodies that are all linear elastic, to which contacts add; otherwise empty.
   const std::vector<double>& constant_values() const { return constant_; }
   /// The unknowns that contacts have added to or may soon, sorted; they grow in leaps, each with a new version. Kept
   /// where bodies are linear, and in space.

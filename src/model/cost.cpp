@@ -50,8 +50,9 @@ template <int D> MemoryCost memory_cost(const Model<D>& model) {
   for (const auto& named : model.scene().bodies) cost.bodies += static_cast<double>(named.body->memory());
   for (const contact::Pair<D>& pair : model.pairs()) cost.contacts += pair.memory();
   if (cost.factors == 0 && model.unknowns().size() > 0) {
-    const solve::FactorEstimate estimate =
-        solve::estimate_factor(first_choice(model.scene(), model.assembly().pattern()), model.assembly().pattern());
+    const solve::Pattern& pattern = model.assembly().pattern();
+    constexpr bool damps = false;
+    const solve::FactorEstimate estimate = solve::estimate_factor(first_choice(model.scene(), pattern, damps), pattern);
     cost.factors = estimate.memory;
     cost.solver = estimate.kind;
     cost.measured = false;

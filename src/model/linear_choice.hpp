@@ -6,11 +6,11 @@
 
 namespace signorini::model {
 
-/// Whether the tangent is symmetric: all but the penalty law, whose traction acts on the current area, have a
-/// potential.
-template <int D> bool has_potential(const Scene<D>& scene);
+/// Whether only the contacts' part of the tangent changes, so that the rest is factored once: bodies that are all
+/// linear elastic, a contact, and no damping of loose bodies.
+template <int D> bool can_condense(const Scene<D>& scene, bool damps);
 
-/// What a path without damping of loose bodies begins with; `automatic` stands for solve::make_automatic.
-template <int D> solve::LinearKind first_choice(const Scene<D>& scene, const solve::Pattern& pattern);
+/// What a path begins with; `automatic` stands for solve::make_automatic.
+template <int D> solve::LinearKind first_choice(const Scene<D>& scene, const solve::Pattern& pattern, bool damps);
 
 } // namespace signorini::model

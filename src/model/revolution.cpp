@@ -1,7 +1,9 @@
 #include "model/revolution.hpp"
 
+#include "base/index.hpp"
 #include "model/changed_space.hpp"
 #include "model/cost.hpp"
+#include "model/symmetry.hpp"
 
 namespace signorini::model {
 
@@ -9,12 +11,6 @@ namespace {
 
 using nurbs::Discretisation;
 using nurbs::Side;
-
-constexpr double tolerance = 1e-9;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// An axis under trial.
 struct Axis {
@@ -65,7 +61,7 @@ std::optional<Eigen::Vector2d> find_centre(const Samples& samples, int d, const 
   Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
   Eigen::Vector2d right = Eigen::Vector2d::Zero();
   for (std::size_t i = 0; i < samples.points.size(); ++i) {
-    if (std::abs(samples.tangents[i](axis.axis, d)) > tolerance) return std::nullopt;
+    if (std::abs(samples.tangents[i](axis.axis, d)) > symmetry_tolerance) return std::nullopt;
     const Eigen::Vector2d tangent = across(samples.tangents[i].col(d));
     normal += tangent * tangent.transpose();
     right += tangent * tangent.dot(across(samples.points[i]));
@@ -74,7 +70,8 @@ std::optional<Eigen::Vector2d> find_centre(const Samples& samples, int d, const 
   if (normal.determinant() < straight * normal.trace() * normal.trace()) return std::nullopt;
   const Eigen::Vector2d centre = normal.ldlt().solve(right);
   for (std::size_t i = 0; i < samples.points.size(); ++i)
-    if (std::abs(across(samples.tangents[i].col(d)).dot(across(samples.points[i]) - centre)) > tolerance * axis.length)
+    if (std::abs(across(samples.tangents[i].col(d)).dot(across(samples.points[i]) - centre)) >
+        symmetry_tolerance * axis.length)
       return std::nullopt;
   return centre;
 }
@@ -90,9 +87,9 @@ std::optional<Revolution> find_shape(const std::vector<Samples>& bodies, const A
     for (std::size_t k = 0; k < 2; ++k) {
       double& coordinate = found.centre(axis.across[k]);
       if (found.directions.empty()) coordinate = (*centre)(static_cast<Eigen::Index>(k));
-      if (std::abs(coordinate) <= tolerance * axis.length) coordinate = 0;
+      if (std::abs(coordinate) <= symmetry_tolerance * axis.length) coordinate = 0;
       // The least squares of small sectors lose a digit.
-      if (std::abs(coordinate - (*centre)(static_cast<Eigen::Index>(k))) > 10 * tolerance * axis.length)
+      if (std::abs(coordinate - (*centre)(static_cast<Eigen::Index>(k))) > 10 * symmetry_tolerance * axis.length)
         return std::nullopt;
     }
     found.directions.push_back(d);
@@ -138,7 +135,7 @@ std::vector<std::vector<int>> lines_along(const Discretisation& space, int d) {
 int plane_of(const MatrixX& points, const std::vector<int>& functions, const Axis& axis, const Vec<3>& centre) {
   for (int c : axis.across)
     if (std::all_of(functions.begin(), functions.end(),
-                    [&](int f) { return std::abs(points(c, f) - centre(c)) <= tolerance * axis.length; }))
+                    [&](int f) { return std::abs(points(c, f) - centre(c)) <= symmetry_tolerance * axis.length; }))
       return c;
   return -1;
 }
@@ -157,7 +154,7 @@ bool held_all_around(const Model<3>& model, int body, const Revolution& revoluti
     return false;
   const std::vector<int> start = space.face_functions({d, false}), end = space.face_functions({d, true});
   const bool closed = std::all_of(lines.begin(), lines.end(), [&](const std::vector<int>& line) {
-    return (points.col(line.front()) - points.col(line.back())).norm() <= tolerance * axis.length;
+    return (points.col(line.front()) - points.col(line.back())).norm() <= symmetry_tolerance * axis.length;
   });
   const int first_plane = closed ? -1 : plane_of(points, start, axis, revolution.centre);
   const int last_plane = closed ? -1 : plane_of(points, end, axis, revolution.centre);
@@ -184,9 +181,9 @@ struct Revolves {
 
   bool on_axis(const Vec<3>& point) const {
     return std::all_of(axis.across.begin(), axis.across.end(),
-                       [&](int c) { return std::abs(point(c) - centre(c)) <= tolerance * axis.length; });
+                       [&](int c) { return std::abs(point(c) - centre(c)) <= symmetry_tolerance * axis.length; });
   }
-  bool along(const Vec<3>& direction) const { return std::abs(direction(axis.axis)) >= 1 - tolerance; }
+  bool along(const Vec<3>& direction) const { return std::abs(direction(axis.axis)) >= 1 - symmetry_tolerance; }
   bool operator()(const contact::Plane<3>& plane) const { return along(plane.normal); }
   bool operator()(const contact::Ball<3>& ball) const { return on_axis(ball.centre); }
   bool operator()(const contact::Cylinder& cylinder) const { return along(cylinder.axis) && on_axis(cylinder.point); }
@@ -266,7 +263,7 @@ int unknowns_of_section(const Model<3>& model, const Revolution& revolution) {
     const MatrixX points = space.points();
     const auto on_axis = [&](int function) {
       const Vec<3> arm = points.col(function) - revolution.centre;
-      return std::hypot(arm(first), arm(second)) <= tolerance * length;
+      return std::hypot(arm(first), arm(second)) <= symmetry_tolerance * length;
     };
     count += count_free(space, section, 2, [&](int component, int function, const Place&) {
       if (component == 0 && on_axis(function)) return true;

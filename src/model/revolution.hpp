@@ -12,7 +12,7 @@ struct Revolution {
 };
 
 /// The axis that all of a scene turns around, if there is one. Bodies: along one parametric direction the map runs on
-/// circles about it (tangents t at sampled points: t·e = 0 and t·(x − c) = 0, to 1e-9); they are whole turns, or end in
+/// circles about it (tangents t at sampled points: t·e = 0 and t·(x − c) = 0); they are whole turns, or end in
 /// planes normal to coordinate axes that supports hold as symmetry planes. Supports hold both or none of the components
 /// across the axis, and drive none; loads, contact faces and obstacles fit too. Regions (`where`) are taken for none
 /// that do.

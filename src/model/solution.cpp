@@ -24,16 +24,13 @@ solve::SolverStatistics sum(const solve::SolverStatistics& before, const solve::
 
 } // namespace
 
-/// The linear solver for the present pattern. Where all bodies are linear elastic only the contacts' part of the
-/// tangent changes: unless told otherwise, the rest is factored once.
+/// The linear solver for the present pattern.
 template <int D> solve::LinearSolver& Model<D>::solver(const StepOptions& options) {
-  const bool damps = options.damping && !loose().empty();
-  const bool can_condense = assembly_.linear() && !pairs_.empty() && !damps;
-  require(options.linear != solve::LinearKind::condensed || can_condense,
+  const bool damps = options.damping && !loose().empty(), open = options.linear == solve::LinearKind::automatic;
+  const bool condense = (open || options.linear == solve::LinearKind::condensed) && can_condense(scene_, damps);
+  require(condense || options.linear != solve::LinearKind::condensed,
           "linear = \"condensed\" needs bodies that are all linear elastic, and a contact, without damping of loose "
           "bodies: use \"auto\"");
-  const bool condense = options.linear == solve::LinearKind::condensed ||
-                        (options.linear == solve::LinearKind::automatic && can_condense);
   const bool same = solver_ && solver_asked_ == options.linear;
   const bool same_contacts = solver_contacts_ == assembly_.contact_version();
   // A growing pattern need not make an end of what a solver has.
@@ -47,10 +44,8 @@ template <int D> solve::LinearSolver& Model<D>::solver(const StepOptions& option
                                              assembly_.contact_unknowns()};
       solver_ = solve::make_solver(solve::LinearKind::condensed, assembly_.pattern(), &condensation);
     } else {
-      const bool symmetric = options.linear == solve::LinearKind::automatic && has_potential(scene_);
-      const solve::LinearKind plain = options.linear == solve::LinearKind::automatic ? automatic_ : options.linear;
-      solver_ =
-          solve::make_solver(symmetric ? solve::symmetric_choice(assembly_.pattern()) : plain, assembly_.pattern());
+      const solve::LinearKind kind = open ? first_choice(scene_, assembly_.pattern(), damps) : options.linear;
+      solver_ = solve::make_solver(kind == solve::LinearKind::automatic ? automatic_ : kind, assembly_.pattern());
     }
   }
   if (!fits || !same_contacts) solver_->watch(assembly_.contact_unknowns());

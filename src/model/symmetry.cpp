@@ -1,5 +1,6 @@
 #include "model/symmetry.hpp"
 
+#include "base/index.hpp"
 #include "model/changed_space.hpp"
 #include "model/cost.hpp"
 
@@ -13,12 +14,6 @@ namespace {
 using nurbs::KnotVector;
 using nurbs::Side;
 
-constexpr double tolerance = 1e-9;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
 /// A mirror under trial.
 struct Plane {
   int axis;
@@ -27,7 +22,7 @@ struct Plane {
 
 bool same_both_ways(const KnotVector& knots) {
   const std::vector<double>& list = knots.knots();
-  const double sum = knots.first() + knots.last(), limit = tolerance * (knots.last() - knots.first());
+  const double sum = knots.first() + knots.last(), limit = symmetry_tolerance * (knots.last() - knots.first());
   for (std::size_t i = 0; i < list.size(); ++i)
     if (std::abs(list[i] + list[list.size() - 1 - i] - sum) > limit) return false;
   return true;
@@ -40,7 +35,8 @@ bool mirrors(const MatrixX& homogeneous, const Plane& plane, const std::vector<i
     VectorX image = homogeneous.col(partner[static_cast<std::size_t>(i)]);
     image(plane.axis) = 2 * plane.place * image(last) - image(plane.axis);
     const VectorX difference = (image - homogeneous.col(i)).cwiseAbs();
-    if (difference.head(last).maxCoeff() > tolerance * plane.length || difference(last) > tolerance) return false;
+    if (difference.head(last).maxCoeff() > symmetry_tolerance * plane.length || difference(last) > symmetry_tolerance)
+      return false;
   }
   return true;
 }
@@ -97,16 +93,17 @@ std::optional<Turn> find_turn(const nurbs::Discretisation& space, const Plane& p
 struct Symmetric {
   const Plane& plane;
 
-  bool close(double a, double b) const { return std::abs(a - b) <= tolerance * plane.length; }
+  bool close(double a, double b) const { return std::abs(a - b) <= symmetry_tolerance * plane.length; }
   template <int D> bool operator()(const contact::Plane<D>& flat) const {
-    return std::abs(flat.normal(plane.axis)) <= tolerance;
+    return std::abs(flat.normal(plane.axis)) <= symmetry_tolerance;
   }
   template <int D> bool operator()(const contact::Ball<D>& ball) const {
     return close(ball.centre(plane.axis), plane.place);
   }
   bool operator()(const contact::Cylinder& cylinder) const {
     const double along = std::abs(cylinder.axis(plane.axis));
-    return along >= 1 - tolerance || (along <= tolerance && close(cylinder.point(plane.axis), plane.place));
+    return along >= 1 - symmetry_tolerance ||
+           (along <= symmetry_tolerance && close(cylinder.point(plane.axis), plane.place));
   }
   bool operator()(const nurbs::Patch& patch) const {
     for (int d = 0; d < patch.parametric_dimension(); ++d)
@@ -208,7 +205,7 @@ template <int D> bool contacts_fit(const Model<D>& model, const Plane& plane, co
 /// The numbers of a half's functions along a direction. It ends in the middle, where a clamped knot vector has as many
 /// functions as there are knots before.
 std::vector<int> half(const KnotVector& knots) {
-  const double middle = (knots.first() + knots.last()) / 2, limit = tolerance * (knots.last() - knots.first());
+  const double middle = (knots.first() + knots.last()) / 2, limit = symmetry_tolerance * (knots.last() - knots.first());
   const auto before =
       std::count_if(knots.knots().begin(), knots.knots().end(), [&](double knot) { return knot < middle - limit; });
   std::vector<int> images(static_cast<std::size_t>(before));
@@ -256,7 +253,8 @@ template <int D> std::vector<Mirror> find_mirrors(const Model<D>& model) {
       continue;
     auto driven = supports_fit(model, plane, turns);
     if (!driven) continue;
-    Mirror mirror{axis, std::abs(plane.place) <= tolerance * plane.length ? 0 : plane.place, {}, std::move(*driven)};
+    Mirror mirror{
+        axis, std::abs(plane.place) <= symmetry_tolerance * plane.length ? 0 : plane.place, {}, std::move(*driven)};
     for (const Turn& turn : turns) mirror.directions.push_back(turn.direction);
     found.push_back(std::move(mirror));
   }
@@ -277,7 +275,7 @@ template <int D> int unknowns_beside(const Model<D>& model, const std::vector<Mi
       return static_cast<int>(row.along[at(d < space.through() ? d : d - 1)].size()) - 1;
     };
     const MatrixX points = space.points();
-    const double limit = tolerance * points.cwiseAbs().maxCoeff();
+    const double limit = symmetry_tolerance * points.cwiseAbs().maxCoeff();
     count += count_free(space, part, D, [&](int component, int function, const Place& place) {
       for (const Mirror& mirror : mirrors) {
         if (component != mirror.axis) continue;

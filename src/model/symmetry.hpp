@@ -5,6 +5,9 @@
 
 namespace signorini::model {
 
+/// How exactly a scene must repeat: lengths against its size, cosines and weights against 1. For revolution.hpp, too.
+constexpr double symmetry_tolerance = 1e-9;
+
 /// A plane x = c, y = c or z = c.
 struct Mirror {
   int axis;                    ///< component along its normal
@@ -14,7 +17,7 @@ struct Mirror {
 };
 
 /// The planes through the middle of the bodies, normal to an axis, that map everything onto itself: every body's
-/// control points, weights and knots (each body onto itself, to 1e-9 of the scene's size), supports, loads, contacts
+/// control points, weights and knots (each body onto itself), supports, loads, contacts
 /// with their points, and obstacles. What turns, or has moved along the normal, breaks the symmetry; so may a path. In
 /// an axisymmetric scene only planes across the axis are looked at.
 template <int D> std::vector<Mirror> find_mirrors(const Model<D>& model);
