@@ -177,9 +177,7 @@ Several values have commas in between: a,b,c.
 end)
 
 check.case("a script that is called as a function, and a module that it requires, take the words of the call", function()
-  local folder = os.tmpname()
-  os.remove(folder)
-  sg.mkdir(folder)
+  local folder = check.folder()
   local function write(name, text) assert(io.open(folder .. "/" .. name, "w")):write(text):close() end
   write("inner.lua", 'local options = require "reader" return options.steps')
   write("reader.lua", 'local o = require "signorini".arguments{ steps = 10 } return o')
@@ -187,12 +185,10 @@ check.case("a script that is called as a function, and a module that it requires
   check.equal({ check.program { folder .. "/outer.lua", "steps=5" } }, { "4\n", 0 })
   check.equal({ check.program { folder .. "/inner.lua", "steps=z" } },
     { "signorini: steps must be a whole number of at least 1, got 'z'\n", 1 })
-  check.shell("rm -r " .. folder)
 end)
 
 check.case("files: a folder, paths that are kept, what is left out, and the list at the end", function()
-  local folder = os.tmpname()
-  os.remove(folder)
+  local folder = check.folder()
   local files, lines, print_to_terminal = sg.files(folder .. "/deep"), {}, print
   print = function(line) lines[#lines + 1] = line end
   local ok, message = pcall(function()
@@ -213,7 +209,6 @@ check.case("files: a folder, paths that are kept, what is left out, and the list
   check.fails(function() files(3) end, "sg.files: the name of a file must be a string, got the number 3")
   check.fails(function() sg.files() end, "sg.files: its argument is missing")
   check.fails(function() sg.files(folder .. "/deep/x") end, "cannot make the folder")
-  check.shell("rm -r " .. folder)
 end)
 
 check.case("the median leaves the list as it is", function()

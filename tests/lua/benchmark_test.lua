@@ -8,8 +8,7 @@ package.path = core.home .. "/scripts/?.lua;" .. package.path
 local growth = require "benchmark.growth"
 
 core.quiet = true
-local folder = os.tmpname()
-os.remove(folder)
+local folder = check.folder()
 
 local function benchmark(...)
   local print_to_terminal = print
@@ -83,5 +82,4 @@ check.case("wrong arguments", function()
   check.fails(function() benchmark("plane=m9") end, "plane must be")
 end)
 
-os.execute("rm -r " .. folder)
 check.done()

@@ -1,16 +1,10 @@
 -- sg.chart: what it writes, and what it refuses.
 
 local sg = require "signorini"
+local core = require "signorini.core"
 local check = require "check"
 
-local folder = os.tmpname()
-os.remove(folder)
-os.execute("mkdir " .. folder)
-
-local function content(file)
-  local stream = assert(io.open(file, "rb"))
-  return stream:read "a", stream:close()
-end
+local folder = check.folder()
 
 local function chart(more)
   local options = { file = folder .. "/chart.png", x = { 1, 2, 3 }, { y = { 1, 4, 9 }, label = "x squared" } }
@@ -23,10 +17,10 @@ check.case("each ending writes its kind of file, the same bytes each time", func
   for ending, beginning in pairs(beginnings) do
     local file = folder .. "/a." .. ending
     sg.chart(chart { file = file, xlabel = "x", ylabel = "y", title = "squares", size = { 400, 300 } })
-    local first = content(file)
+    local first = core.read_file(file)
     check.equal(first:sub(1, #beginning), beginning)
     sg.chart(chart { file = file, xlabel = "x", ylabel = "y", title = "squares", size = { 400, 300 } })
-    check.equal(content(file) == first, true)
+    check.equal(core.read_file(file) == first, true)
   end
 end)
 
@@ -53,7 +47,7 @@ check.case("options change the picture", function()
   for i, variant in ipairs(variants) do
     variant.size = { 400, 300 }
     sg.chart(chart(variant))
-    local bytes = content(folder .. "/chart.png")
+    local bytes = core.read_file(folder .. "/chart.png")
     if seen[bytes] then error(("variants %d and %d look alike"):format(seen[bytes], i)) end
     seen[bytes] = i
   end
@@ -64,7 +58,7 @@ check.case("curves of one label and colour share a row of the legend", function(
     local file = folder .. "/legend.svg"
     sg.chart { file = file, x = { 1, 2 }, { y = { 1, 2 }, label = "N2" }, { y = { 2, 3 }, label = "N2", color = color },
                { y = { 4, 5 }, label = "N4" } }
-    return select(2, content(file):gsub(">N2<", ""))
+    return select(2, core.read_file(file):gsub(">N2<", ""))
   end
   check.equal(rows(1), 1)
   check.equal(rows(2), 2)
@@ -77,7 +71,7 @@ check.case("marks: a marker per kind of points, curves and kinds in two parts of
                       { x = { 1, 2 }, y = { 2, 4 }, label = "N4", marks = { "m4", "m1" } } }
     for key, value in pairs(more or {}) do options[key] = value end
     sg.chart(options)
-    return content(options.file)
+    return core.read_file(options.file)
   end
   local function order(text, ...)
     local last = 0
@@ -101,7 +95,7 @@ end)
 check.case("gray belongs to no curve", function()
   local file = folder .. "/gray.svg"
   sg.chart { file = file, x = { 1, 2 }, { y = { 1, 2 }, label = "front", color = "gray", width = 12 } }
-  check.holds(content(file), '#c4c4c4" stroke-width="12"')
+  check.holds(core.read_file(file), '#c4c4c4" stroke-width="12"')
   check.fails(function() sg.chart { file = file, x = { 1, 2 }, { y = { 1, 2 }, color = "red" } } end,
     '[1].color must be the number of a curve, or "gray"', "'red'")
 end)
@@ -141,5 +135,4 @@ check.case("wrong arguments", function()
   check.fails(function() sg.chart { { y = { 1 } } } end, "file", "is missing")
 end)
 
-os.execute("rm -r " .. folder)
 check.done()

@@ -1,8 +1,10 @@
 -- A harness of one page: cases with names, a few comparisons, and the program run as a user runs it.
 
+local core = require "signorini.core"
+
 local check = {}
 
-local failures, cases = 0, 0
+local failures, cases, folders = 0, 0, {}
 
 --- Runs one case; a failure is reported and the rest goes on.
 function check.case(name, body)
@@ -13,8 +15,20 @@ function check.case(name, body)
   io.stderr:write(("FAILED: %s\n%s\n"):format(name, message))
 end
 
+local function quoted(word) return "'" .. word:gsub("'", [['\'']]) .. "'" end
+
+--- A new empty folder, which check.done removes.
+function check.folder()
+  local name = os.tmpname()
+  os.remove(name)
+  core.mkdir(name)
+  folders[#folders + 1] = name
+  return name
+end
+
 --- Ends the test program.
 function check.done()
+  for _, name in ipairs(folders) do check.shell("rm -r " .. quoted(name)) end
   print(("%d cases, %d failed"):format(cases, failures))
   os.exit(failures == 0 and cases > 0, true)
 end
@@ -50,6 +64,42 @@ function check.near(actual, expected, tolerance)
   end
 end
 
+--- A number that is small; `what` is named if not.
+function check.at_most(what, value, bound)
+  if not (value and math.abs(value) <= bound) then
+    error(("%s: expected at most %g in size, got %s"):format(what, bound, tostring(value)), 2)
+  end
+end
+
+--- A number within a tolerance; `what` is named if not.
+function check.within(what, value, expected, tolerance)
+  if not (value and math.abs(value - expected) <= tolerance) then
+    error(("%s: expected %g ± %g, got %s"):format(what, expected, tolerance, tostring(value)), 2)
+  end
+end
+
+--- A number within a share of what is expected; `what` is named if not.
+function check.within_share(what, value, expected, share)
+  if not (value and math.abs(value / expected - 1) <= share) then
+    error(("%s: expected %g within %g %%, got %s"):format(what, expected, 100 * share, tostring(value)), 2)
+  end
+end
+
+--- A PNG file: its width, height and bytes.
+function check.png(file)
+  local bytes = core.read_file(file)
+  local width, height = string.unpack(">I4I4", bytes, 17)
+  return { width = width, height = height, bytes = bytes }
+end
+
+--- PNG files of these names are in a folder, whole.
+function check.pictures(folder, names)
+  for _, name in ipairs(names) do
+    local bytes = core.read_file(("%s/%s.png"):format(folder, name))
+    if not (bytes:find("^\137PNG\r\n\26\n") and bytes:find("IEND....$")) then error(name .. " is no whole picture", 2) end
+  end
+end
+
 --- The text holds every fragment.
 function check.holds(whole, ...)
   for _, fragment in ipairs { ... } do
@@ -64,8 +114,6 @@ function check.fails(body, ...)
   check.holds(message, ...)
   return message
 end
-
-local function quoted(word) return "'" .. word:gsub("'", [['\'']]) .. "'" end
 
 --- A command of the shell: everything it writes, and its exit status.
 function check.shell(command)
@@ -96,6 +144,18 @@ function check.script(code, ...)
   local output, status = check.program { name, ... }
   os.remove(name)
   return output:gsub(name:gsub("%p", "%%%0"), "study.lua"), status
+end
+
+--- A script refuses wrong arguments: { ["mesh=m9 steps=1"] = "got 'm9'" } are words and what the message holds; `…` goes
+--- in front of each.
+function check.refused(script, wrong, ...)
+  for words, message in pairs(wrong) do
+    local arguments = { "-q", script, ... }
+    for word in words:gmatch "%S+" do arguments[#arguments + 1] = word end
+    local output, status = check.program(arguments)
+    check.equal(status, 1)
+    check.holds(output, message)
+  end
 end
 
 return check

@@ -4,8 +4,7 @@ local core = require "signorini.core"
 local check = require "check"
 
 core.quiet = true
-local folder = os.tmpname()
-os.remove(folder)
+local folder = check.folder()
 
 check.case("both problems with and without checkpoints", function()
   local print_to_terminal = print
@@ -28,5 +27,4 @@ check.case("wrong arguments", function()
   check.fails(function() run "evry=1" end, "unknown argument 'evry=1'")
 end)
 
-os.execute("rm -r " .. folder)
 check.done()

@@ -1,19 +1,11 @@
 -- CSV files: what goes in comes out, files appear whole or not at all, wrong input is named.
 
 local sg = require "signorini"
+local core = require "signorini.core"
 local check = require "check"
 
-local folder = os.tmpname()
-os.remove(folder)
-sg.mkdir(folder)
+local folder = check.folder()
 local file = folder .. "/a.csv"
-
-local function content(name)
-  local stream = assert(io.open(name or file, "rb"))
-  local text = stream:read "a"
-  stream:close()
-  return text
-end
 
 local function write_text(text)
   local stream = assert(io.open(file, "wb"))
@@ -48,9 +40,9 @@ end)
 
 check.case("named lists are columns, in the order asked for or of their names", function()
   sg.csv.write(file, { b = { 1, 2 }, a = { 3, 4.5 }, columns = { "b", "a" } })
-  check.equal(content(), "b,a\n1,3\n2,4.5\n")
+  check.equal(core.read_file(file), "b,a\n1,3\n2,4.5\n")
   sg.csv.write(file, { b = { 1 }, a = { "x" } })
-  check.equal(content(), "a,b\nx,1\n")
+  check.equal(core.read_file(file), "a,b\nx,1\n")
 end)
 
 check.case("files from elsewhere: byte-order mark, carriage returns, blanks, blank lines, no last line break", function()
@@ -82,7 +74,7 @@ check.case("wrong tables are not written, and leave the old file alone", functio
   for _, case in ipairs(wrong) do
     check.fails(function() sg.csv.write(file, case[1]) end, "csv_test.lua:", "sg.csv.write: ", table.unpack(case, 2))
   end
-  check.equal(content(), "a\n1\n")
+  check.equal(core.read_file(file), "a\n1\n")
   check.fails(function() sg.csv.write(folder .. "/none/a.csv", { a = { 1 } }) end, "cannot write", "none/a.csv")
   check.fails(function() sg.csv.write(folder, { a = { 1 } }) end, "cannot write")
   check.equal(io.open(folder .. ".part"), nil)
@@ -130,5 +122,4 @@ check.case("text tables: numbers to the right, words to the left, a dash for wha
   check.fails(function() sg.table{ columns = { "a" }, rows = {}, colour = 1 } end, "unknown argument 'colour'")
 end)
 
-os.execute("rm -r '" .. folder .. "'")
 check.done()

@@ -4,9 +4,7 @@ local sg = require "signorini"
 local core = require "signorini.core"
 local check = require "check"
 
-local folder = os.tmpname()
-os.remove(folder)
-sg.mkdir(folder)
+local folder = check.folder()
 local samples = core.home .. "/tests/nurbs/samples/"
 
 local function same(a, b)
@@ -61,5 +59,4 @@ check.case("wrong calls and wrong files are errors at the user's line", function
   check.equal(core.exists(folder .. "/c.xml"), false)
 end)
 
-os.execute("rm -r '" .. folder .. "'")
 check.done()

@@ -6,9 +6,7 @@ local check = require "check"
 
 check.case("the page's listing", function()
   local code = core.read_file(core.home .. "/share/doc/files.md"):match "```lua\n(.-)```"
-  local folder = os.tmpname()
-  os.remove(folder)
-  sg.mkdir(folder)
+  local folder = check.folder()
   local file = assert(io.open(folder .. "/listing.lua", "wb"))
   file:write(code):close()
   local output, status = check.shell(("cd %s && SIGNORINI_HOME=%s %s -q listing.lua"):format(folder, core.home, arg[-1]))
@@ -19,7 +17,6 @@ check.case("the page's listing", function()
   check.equal(core.read_file(folder .. "/pressed.vtu"), core.read_file(folder .. "/ring_0005.vtu"))
   check.holds(core.read_file(folder .. "/ring.pvd"), "ring_0001.vtu", "ring_0005.vtu")
   check.equal(core.read_file(folder .. "/pressed.vtu") ~= core.read_file(folder .. "/reference.vtu"), true)
-  os.execute("rm -r '" .. folder .. "'")
 end)
 
 check.done()

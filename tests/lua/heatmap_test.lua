@@ -1,16 +1,10 @@
 -- sg.heatmap: what it writes, and what it refuses.
 
 local sg = require "signorini"
+local core = require "signorini.core"
 local check = require "check"
 
-local folder = os.tmpname()
-os.remove(folder)
-os.execute("mkdir " .. folder)
-
-local function content(file)
-  local stream = assert(io.open(file, "rb"))
-  return stream:read "a", stream:close()
-end
+local folder = check.folder()
 
 --- The bytes of a map of numbers, with some arguments replaced.
 local function draw(more, ending)
@@ -19,7 +13,7 @@ local function draw(more, ending)
   for key, value in pairs(more or {}) do options[key] = value end
   if options.panels then options.values = nil end
   sg.heatmap(options)
-  return content(options.file)
+  return core.read_file(options.file)
 end
 
 local function count(text, part)
@@ -148,5 +142,4 @@ check.case("wrong arguments", function()
   check.fails(function() sg.heatmap(map) end, "panels must be a list of at least one map")
 end)
 
-os.execute("rm -r " .. folder)
 check.done()

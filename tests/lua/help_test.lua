@@ -98,9 +98,7 @@ check.case("the page shows the named arguments that the function takes", functio
 end)
 
 check.case("every example runs on the scene of the examples, and gives what it says", function()
-  local folder = os.tmpname()
-  os.remove(folder)
-  core.mkdir(folder)
+  local folder = check.folder()
   local lines = { "sg = require 'signorini' help = sg.help", "local text = require('signorini.show').text", require("signorini.help.texts").scene, [[
     local function example(name, code, expected)
       local own = setmetatable({}, { __index = _G })
@@ -124,7 +122,6 @@ check.case("every example runs on the scene of the examples, and gives what it s
   end
   core.write_file(folder .. "/examples.lua", table.concat(lines, "\n"))
   local output, status = check.shell(("cd %s && SIGNORINI_HOME=%s %s -q examples.lua 2>&1"):format(folder, core.home, arg[-1]))
-  check.shell("rm -rf " .. folder)
   local failed = output:match "FAILED[^\n]*" or output:match "signorini: [^\n]*"
   if failed then error((output:gsub("[^\n]*\n?", function(line) return line:find "FAILED" and line or "" end)) .. failed) end
   check.equal(status, 0)

@@ -4,8 +4,7 @@ local core = require "signorini.core"
 local check = require "check"
 
 package.path = core.home .. "/scripts/?.lua;" .. package.path
-local folder = os.tmpname()
-os.remove(folder)
+local folder = check.folder()
 local study = assert(loadfile(core.home .. "/scripts/ironing2d.lua"))("variant=deep", "labels=N4,N2-N2.2", "points=1,3",
   "coarser=1,2", "out=" .. folder)
 
@@ -59,5 +58,4 @@ check.case("amplitudes, a sheet and a chart of the runs with most points", funct
   end
 end)
 
-os.execute("rm -r '" .. folder .. "'")
 check.done()

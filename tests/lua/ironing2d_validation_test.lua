@@ -4,8 +4,7 @@ local core = require "signorini.core"
 local check = require "check"
 
 package.path = core.home .. "/scripts/?.lua;" .. package.path
-local folder = os.tmpname()
-os.remove(folder)
+local folder = check.folder()
 local study = assert(loadfile(core.home .. "/scripts/ironing2d.lua"))("variant=validation", "mesh=24", "out=" .. folder)
 
 check.case("both labels run to the end, without a step cut", function()
@@ -34,5 +33,4 @@ check.case("a sheet, three charts and two files", function()
   check.equal(#study.files, 6)
 end)
 
-os.execute("rm -r '" .. folder .. "'")
 check.done()

@@ -33,9 +33,7 @@ for _, value in ipairs(model:profile "interface".pressure) do io.write(("%a "):f
 io.write(run.iterations, " ", run.steps, "\n")
 ]]
 
-local folder = os.tmpname()
-os.remove(folder)
-os.execute("mkdir " .. folder)
+local folder = check.folder()
 local script, file, output = folder .. "/study.lua", folder .. "/run.sgn", folder .. "/output"
 assert(io.open(script, "w")):write(study):close()
 
@@ -106,5 +104,4 @@ check.case("ended by Ctrl-C at 10 moments", function()
   check.equal(torn, 0)
 end)
 
-os.execute("rm -r " .. folder)
 check.done()

@@ -6,8 +6,7 @@ local core = require "signorini.core"
 local check = require "check"
 package.path = core.home .. "/scripts/?.lua;" .. package.path
 
-local folder = os.tmpname()
-os.remove(folder)
+local folder = check.folder()
 local study = assert(loadfile(core.home .. "/scripts/layer_depth.lua"))(
   "out=" .. folder, "rows=1,2,all", "layers=N2.2,N4", "repeat=1", "linear=banded",
   "peeling=mesh=m0;length=60;bonded=50;steps=400;window=34,40", "hertz=meshes=m1;sizes=1;reference=m3",
@@ -57,11 +56,7 @@ check.case("files: a table and charts per problem", function()
   for name, charts in pairs { peeling = { "dM" }, ironing = { "dPy", "dPx" }, hertz = { "L2" }, rings = { "L2" } } do
     local read = sg.csv.read(("%s/%s.csv"):format(folder, name))
     check.equal(read:column "label", { "N2", "N2-N2.2", "N2-N2.2x2", "N2.2", "N2-N4", "N2-N4x2", "N4" })
-    for _, chart in ipairs(charts) do
-      local stream = assert(io.open(("%s/%s_%s.png"):format(folder, name, chart), "rb"))
-      check.equal(stream:read(8), "\137PNG\r\n\26\n")
-      stream:close()
-    end
+    for _, chart in ipairs(charts) do check.pictures(folder, { name .. "_" .. chart }) end
   end
 end)
 
@@ -76,5 +71,4 @@ check.case("wrong arguments", function()
   end
 end)
 
-os.execute("rm -r '" .. folder .. "'")
 check.done()

@@ -3,9 +3,7 @@
 local check = require "check"
 local core = require "signorini.core"
 
-local folder = os.tmpname()
-os.remove(folder)
-core.mkdir(folder)
+local folder = check.folder()
 
 local function run(arguments)
   return check.shell(("cd %s && SIGNORINI_HOME=%s %s %s"):format(folder, core.home, arg[-1], arguments))
@@ -43,5 +41,4 @@ check.case("a file that exists stays, a folder must be there, and the name ends 
   check.holds(output, "--new needs the name of a file")
 end)
 
-check.shell("rm -rf " .. folder)
 check.done()

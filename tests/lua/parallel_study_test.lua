@@ -3,8 +3,7 @@
 local core = require "signorini.core"
 local check = require "check"
 
-local folder = os.tmpname()
-os.remove(folder)
+local folder = check.folder()
 
 check.case("no result changes side by side, and no finished case is repeated after kills", function()
   local result = assert(loadfile(core.home .. "/scripts/parallel_study.lua"))("mesh=m1", "labels=N2,N2-N2.2", "steps=20",
@@ -17,5 +16,4 @@ check.case("no result changes side by side, and no finished case is repeated aft
   check.holds(core.read_file(folder .. "/cases.csv"), "# study: ironing", "N2-N2.2")
 end)
 
-check.shell("rm -rf " .. folder)
 check.done()

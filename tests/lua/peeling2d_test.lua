@@ -9,20 +9,13 @@ local measure = require "peeling2d.measure"
 local problem = require "peeling2d.problem"
 local steady = require "peeling2d.steady"
 
-local folder = os.tmpname()
-os.remove(folder)
+local folder = check.folder()
 
 local function run(...)
   return assert(loadfile(core.home .. "/scripts/peeling2d.lua"))("length=60", "bonded=50", "out=" .. folder, ...)
 end
 local study = run("mesh=m1", "labels=N2,N2-N2.1", "steps=480", "window=36,47", "linear=banded")
 local coarse = run("mesh=m0", "labels=N2", "steps=400", "window=34,40", "iterations=10", "linear=banded")
-
-local function within(what, value, expected, relative)
-  if not value or math.abs(value / expected - 1) > relative then
-    error(("%s: expected %g within %g %%, got %s"):format(what, expected, 100 * relative, tostring(value)), 2)
-  end
-end
 
 check.case("Tables 7.8 and B.2: degrees of freedom of the published strip", function()
   local rows, counted = sg.reference "peeling2d_table7_8_and_B2".rows, 0
@@ -39,20 +32,20 @@ end)
 check.case("energy of a bent section: at small curvature the thin strip's; its derivative is the moment", function()
   local stiffness = problem.modulus * problem.height ^ 3 / 12 / (1 - problem.poisson ^ 2)
   local U, M = steady.bend(1e-4)
-  within("moment", M, stiffness * 1e-4, 1e-6)
-  within("energy", U, stiffness * 1e-8 / 2, 1e-6)
+  check.within_share("moment", M, stiffness * 1e-4, 1e-6)
+  check.within_share("energy", U, stiffness * 1e-8 / 2, 1e-6)
   local k, d = 0.0188, 1e-5
   local _, moment = steady.bend(k)
-  within("dU/dk", (steady.bend(k + d) - steady.bend(k - d)) / (2 * d), moment, 1e-7)
+  check.within_share("dU/dk", (steady.bend(k + d) - steady.bend(k - d)) / (2 * d), moment, 1e-7)
   -- The thin strip's moment comes from M k = U + W with the thin strip's U.
   local curvature = steady.thin_moment() * problem.moment_unit / stiffness
-  within("balance", stiffness * curvature ^ 2 / 2, steady.work_of_adhesion(), 1e-12)
+  check.within_share("balance", stiffness * curvature ^ 2 / 2, steady.work_of_adhesion(), 1e-12)
 end)
 
 check.case("the plateau is the energy balance's moment at finite strains, and not the thin strip's", function()
   local finite, thin = steady.finite_moment(), steady.thin_moment()
   for _, case in ipairs(study.cases) do
-    within(case.label, case.window.mean, finite, 5e-4)
+    check.within_share(case.label, case.window.mean, finite, 5e-4)
     assert(math.abs(case.window.mean / thin - 1) > 1e-3)
   end
 end)
@@ -62,9 +55,9 @@ check.case("amplitudes and slopes stay what they are; the layer's are a fraction
                    ["N2-N2.1 m1"] = { 2.2036e-3, 1.8068e-3, -2.818e-3 } }
   for name, values in pairs(pinned) do
     local window = study.cases[name].window
-    within(name .. " amplitude", window.amplitude, values[1], 2e-3)
-    within(name .. " rise", window.rise, values[2], 2e-3)
-    within(name .. " fall", window.fall, values[3], 2e-3)
+    check.within_share(name .. " amplitude", window.amplitude, values[1], 2e-3)
+    check.within_share(name .. " rise", window.rise, values[2], 2e-3)
+    check.within_share(name .. " fall", window.fall, values[3], 2e-3)
     check.equal(study.cases[name].rotation.failed, false)
   end
 end)
@@ -76,14 +69,14 @@ check.case("a coarse mesh stops where its path turns back, and goes on by arcs",
   assert(turn > stopped and turn < stopped + 0.1 + 1e-9, "the turning point lies within the step that failed")
   check.equal({ case.arc.failed, case.arc.controls[1].to, case.arc.controls[2].to }, { false, "arc length", "targets" })
   check.near(case.angle[#case.angle], 40, 1e-9)
-  within("first turning point", case.snap_backs[1].from, turn, 1e-3)
+  check.within_share("first turning point", case.snap_backs[1].from, turn, 1e-3)
   local widest = 0
   for _, back in ipairs(case.snap_backs) do
     assert(back.drop > 0)
     widest = math.max(widest, back.width)
   end
   assert(#case.snap_backs >= 5 and widest > 0.8 and widest < 1.2)
-  within("plateau", case.window.mean, steady.finite_moment(), 0.01)
+  check.within_share("plateau", case.window.mean, steady.finite_moment(), 0.01)
 end)
 
 check.case("measures of a path: whole steps alone, snap-backs in order", function()
@@ -103,11 +96,7 @@ check.case("files: curves as CSV, charts, states", function()
   local case = study.cases["N2-N2.1 m1"]
   local read = sg.csv.read(folder .. "/N2-N2.1_m1.csv")
   check.equal({ read:column "angle", read:column "moment" }, { case.angle, case.moment })
-  for _, name in ipairs { "moment_m1", "plateau_standard_m1", "plateau_layer_m1", "states", "snap_back_N2_m0" } do
-    local stream = assert(io.open(("%s/%s.png"):format(folder, name), "rb"))
-    check.equal(stream:read(8), "\137PNG\r\n\26\n")
-    stream:close()
-  end
+  check.pictures(folder, { "moment_m1", "plateau_standard_m1", "plateau_layer_m1", "states", "snap_back_N2_m0" })
 end)
 
 check.case("wrong arguments", function()
@@ -121,5 +110,4 @@ check.case("wrong arguments", function()
   end
 end)
 
-os.execute("rm -r '" .. folder .. "'")
 check.done()

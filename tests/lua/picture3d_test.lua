@@ -3,9 +3,7 @@
 local sg = require "signorini"
 local check = require "check"
 
-local folder = os.tmpname()
-os.remove(folder)
-os.execute("mkdir " .. folder)
+local folder = check.folder()
 
 local file = folder .. "/picture.png"
 
@@ -14,11 +12,7 @@ local function draw(arguments)
   arguments.file = file
   arguments.size = arguments.size or { 200, 160 }
   sg.picture(arguments)
-  local stream = assert(io.open(file, "rb"))
-  local bytes = stream:read "a"
-  stream:close()
-  local width, height = string.unpack(">I4I4", bytes, 17)
-  return { width = width, height = height, bytes = bytes }
+  return check.png(file)
 end
 
 local function drawn_alike(a, b)
@@ -184,5 +178,4 @@ check.case("wrong arguments", function()
   check.fails(function() sg.frame{ model = model, camera = "iso" } end, "sg.frame", "unknown argument 'camera'")
 end)
 
-os.execute("rm -r " .. folder)
 check.done()

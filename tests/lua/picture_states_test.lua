@@ -4,9 +4,7 @@ local sg = require "signorini"
 local check = require "check"
 local core = require "signorini.core"
 
-local folder = os.tmpname()
-os.remove(folder)
-core.mkdir(folder)
+local folder = check.folder()
 
 local body = sg.body{ patch = sg.shapes.rectangle{ width = 4, height = 1 }, elements = { 4, 2 }, order = "N2",
                       contact = "south", material = sg.neo_hookean{ E = 2, nu = 0.3 } }
@@ -146,5 +144,4 @@ check.case("wrong arguments", function()
   check.fails(function() sg.picture{ states = states, file = "x%s.png" } end, "must hold one number")
 end)
 
-os.execute(("rm -r '%s'"):format(folder))
 check.done()

@@ -3,9 +3,7 @@
 local sg = require "signorini"
 local check = require "check"
 
-local folder = os.tmpname()
-os.remove(folder)
-os.execute("mkdir " .. folder)
+local folder = check.folder()
 
 local file = folder .. "/picture.png"
 
@@ -13,11 +11,7 @@ local file = folder .. "/picture.png"
 local function draw(arguments)
   arguments.file = file
   sg.picture(arguments)
-  local stream = assert(io.open(file, "rb"))
-  local bytes = stream:read "a"
-  stream:close()
-  local width, height = string.unpack(">I4I4", bytes, 17)
-  return { width = width, height = height, bytes = bytes }
+  return check.png(file)
 end
 
 --- A body of this shape, held at one face and driven at another.
@@ -151,5 +145,4 @@ check.case("wrong arguments", function()
   check.equal(draw{ frames = { frames[1], other }, label = "displacement" }.width > 0, true)
 end)
 
-os.execute("rm -r " .. folder)
 check.done()

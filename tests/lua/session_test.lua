@@ -4,9 +4,7 @@
 local core = require "signorini.core"
 local check = require "check"
 
-local folder = os.tmpname()
-os.remove(folder)
-core.mkdir(folder)
+local folder = check.folder()
 
 --- What the terminal shows when the lines are typed one after the other, each when the program has answered the one before:
 --- then its output stands still with a prompt at the end.
@@ -56,5 +54,4 @@ check.case("a scene of two bodies, typed", function()
     "undefined variable 'modle'; did you mean 'model'?", "model:run{ { name", "sg> run\nstage  steps  iterations", "\npress     20 ", "false\n20\n", '"PNG"\n')
 end)
 
-check.shell("rm -r " .. folder)
 check.done()

@@ -6,8 +6,7 @@ local core = require "signorini.core"
 local check = require "check"
 package.path = core.home .. "/scripts/?.lua;" .. package.path
 
-local folder = os.tmpname()
-os.remove(folder)
+local folder = check.folder()
 local words = { "problems=ironing,hertz", "meshes=m1,m2", "labels=N2,N4,N2-N2.2", "rounds=1",
                 "out=" .. folder .. "/out", "page=" .. folder .. "/doc" }
 local function run(...) return assert(loadfile(core.home .. "/scripts/speed_against_accuracy.lua"))(...) end
@@ -119,5 +118,4 @@ check.case("wrong arguments", function()
   end
 end)
 
-os.execute("rm -r '" .. folder .. "'")
 check.done()

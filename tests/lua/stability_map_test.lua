@@ -27,13 +27,6 @@ local function make(changes)
   return sg.stability_map(options)
 end
 
-local function read_all(file)
-  local stream = assert(io.open(file, "rb"))
-  local text = stream:read "a"
-  stream:close()
-  return text
-end
-
 check.case("cells hold how far each run came, what it cost, and why it failed", function()
   local map = make{ figures = function(model, run) return { pull = -model.accepted[2] * run.steps, none = 0 / 0 } end }
   check.equal(#map.cells, 4)
@@ -123,10 +116,10 @@ check.case("a file keeps finished cells; a second call solves only those that ar
   local figures = function() return { ["a b"] = 0.1, c = -1e300 } end
   local first = make{ file = file, scene = noted "diverged", jobs = 1, y = { name = "steps", values = { 10 } },
                       figures = figures }
-  check.equal(read_all(trace), "good10 diverged10 ")
+  check.equal(core.read_file(trace), "good10 diverged10 ")
   os.remove(trace)
   local second = make{ file = file, scene = noted(), jobs = 1 }
-  check.equal(read_all(trace), "good4 diverged4 diverged10 ") -- an error is solved again
+  check.equal(core.read_file(trace), "good4 diverged4 diverged10 ") -- an error is solved again
   local before, after = first:cell("good", 10), second:cell("good", 10)
   for _, key in ipairs { "outcome", "reached", "steps", "increments", "iterations", "cutbacks", "rescues", "wall" } do
     check.equal(after[key], before[key])

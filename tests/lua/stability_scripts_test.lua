@@ -6,8 +6,7 @@ local check = require "check"
 
 core.quiet = true
 package.path = core.home .. "/scripts/?.lua;" .. package.path
-local folder = os.tmpname()
-os.remove(folder)
+local folder = check.folder()
 
 --- What a script returns. Its tables are left out.
 local function study(name, ...)
@@ -177,5 +176,4 @@ check.case("wrong arguments", function()
   check.fails(function() study("peeling", "keep=maybe") end, "keep must be yes or no")
 end)
 
-os.execute("rm -r " .. folder)
 check.done()

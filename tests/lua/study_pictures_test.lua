@@ -85,18 +85,12 @@ check.case("more than one case in a cell says which filter is missing", function
 end)
 
 check.case("they draw", function()
-  local folder = os.tmpname()
-  os.remove(folder)
-  sg.mkdir(folder)
+  local folder = check.folder()
   pictures.chart(study(), { x = "mesh", y = "dPx", series = "order", file = folder .. "/chart.svg" })
   pictures.heatmap(study(), { x = "order", y = "mesh", value = "dPx", file = folder .. "/map.svg" })
   for file, texts in pairs { chart = { ">6×2<", ">dPx / %<", ">N2<" }, map = { ">6×2<", ">failed<", ">dPx / %<" } } do
-    local stream = assert(io.open(("%s/%s.svg"):format(folder, file), "rb"))
-    check.holds(stream:read "a", table.unpack(texts))
-    stream:close()
-    os.remove(("%s/%s.svg"):format(folder, file))
+    check.holds(core.read_file(("%s/%s.svg"):format(folder, file)), table.unpack(texts))
   end
-  os.remove(folder)
 end)
 
 check.case("wrong arguments", function()

@@ -19,9 +19,7 @@ for language, kind, body in page:gmatch "```(%l+) ?(%l*)\n(.-)```" do
 end
 
 check.case("the listings", function()
-  local folder = os.tmpname()
-  os.remove(folder)
-  sg.mkdir(folder)
+  local folder = check.folder()
   core.write_file(folder .. "/ring.lua", table.concat(listing))
   local output, status = check.shell(("cd %s && OPENBLAS_NUM_THREADS=1 SIGNORINI_HOME=%s %s -q ring.lua"):format(folder,
     core.home, arg[-1]))
@@ -38,7 +36,6 @@ check.case("the listings", function()
   end
   check.equal(#sg.csv.read(folder .. "/press.csv").rows, 9)
   check.holds(core.read_file(folder .. "/press.pvd"), "press_0010.vtu")
-  os.execute("rm -r '" .. folder .. "'")
 end)
 
 check.done()

@@ -6,9 +6,7 @@ local core = require "signorini.core"
 local check = require "check"
 local ironing = require "ironing"
 
-local folder = os.tmpname()
-os.remove(folder)
-sg.mkdir(folder)
+local folder = check.folder()
 local reader = (arg[-1]:match "^(.*)/[^/]*$" or ".") .. "/tests/read_vtu"
 
 --- Gauss points of n points on [0, 1].
@@ -311,5 +309,4 @@ check.case("wrong calls are errors that name the argument, and leave no file", f
   check.equal(core.exists(folder .. "/a.vtu"), false)
 end)
 
-os.execute("rm -r '" .. folder .. "'")
 check.done()

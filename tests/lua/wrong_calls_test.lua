@@ -10,9 +10,7 @@ local names = require "signorini.help.names"
 local subjects = require "signorini.help.subjects"
 local valid_calls = require "valid_calls"
 
-local folder = os.tmpname()
-os.remove(folder)
-sg.mkdir(folder)
+local folder = check.folder()
 local rows = valid_calls(folder)
 
 local function words(text)
@@ -181,5 +179,4 @@ check.case("wrong calls are errors at their line that name the argument", functi
   if #faults > 0 then error(("%d faults\n%s"):format(#faults, table.concat(faults, "\n"))) end
 end)
 
-check.shell(("rm -rf '%s'"):format(folder))
 check.done()
