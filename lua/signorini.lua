@@ -34,7 +34,8 @@ local function strict(entries, path)
     local known = {}
     for name in next, entries do known[#known + 1] = name end
     local meant = core.nearest(tostring(key), known)
-    core.fail(("there is no %s.%s%s"):format(path, tostring(key), meant and ("; did you mean '%s'?"):format(meant) or ""))
+    core.fail(("there is no %s.%s%s"):format(path, tostring(key),
+      meant and ("; did you mean '%s'?"):format(meant) or ""))
   end })
 end
 for _, name in ipairs { "shapes", "nurbs", "rigid" } do strict(sg[name], "sg." .. name) end

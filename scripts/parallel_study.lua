@@ -7,12 +7,12 @@
 -- Source: the problem is that of V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for
 --         Isogeometric Analysis of Contact Problems, PhD thesis, IIT Guwahati, 2020, section 7.1; the study is ours.
 -- Units: seconds by the clock on the wall.
--- Expected: with two jobs on two processors at most 0.6 of the time of one, where nothing else uses them; after the kills
---           the same table, and no finished case repeated.
+-- Expected: with two jobs on two processors at most 0.6 of the time of one, where nothing else uses them; after the
+--           kills the same table, and no finished case repeated.
 -- Run: signorini scripts/parallel_study.lua [jobs=2] [rounds=3] [labels=N2,N4,N6,N2-N4,N2-N6,N2-N2.1,N2-N2.2,N2-N2.3]
 --      [mesh=m2] [steps=130] [out=out/parallel_study]; times are medians of `rounds`; steps of the path that are taken.
---      signorini scripts/parallel_study.lua once=FOLDER jobs=2 executes the study in a folder and prints its table: this is
---      what is killed.
+--      signorini scripts/parallel_study.lua once=FOLDER jobs=2 executes the study in a folder and prints its table:
+--      this is what is killed.
 
 package.path = require("signorini.core").home .. "/scripts/?.lua;" .. package.path
 local sg = require "signorini"
@@ -128,8 +128,8 @@ local before, pipe = finished(), assert(io.popen(command()))
 local taken_up = pipe:read "a":gsub("%s+$", "")
 pipe:close()
 for name, wall in pairs(before) do repeated = repeated + (finished()[name] == wall and 0 or 1) end
-print(("killed after %.1f, %.1f, %.1f s with %d, %d, %d cases finished, then taken up: %s table, %d finished cases repeated")
-  :format(moments[1], moments[2], moments[3], counts[1], counts[2], counts[3],
+print(("killed after %.1f, %.1f, %.1f s with %d, %d, %d cases finished, then taken up: %s table, %d finished cases "
+  .. "repeated"):format(moments[1], moments[2], moments[3], counts[1], counts[2], counts[3],
     taken_up == text and "the same" or "ANOTHER", repeated))
 files:report()
 return { ratio = several / one, same = taken_up == text, repeated = repeated, counts = counts, study = study }

@@ -18,8 +18,8 @@
 -- Units: times in s; errors in N/mm (ironing), 1 (Hertz), N/m²·√m (rings), E0 L0³ (peeling); 3D: any consistent ones.
 -- Expected: at equal error, in the middle of what both reach, N2-N2.2 takes about a twentieth of N2's time in ironing,
 --           a fifth in peeling, half in Hertz, three quarters in the rings; of N4's about a tenth, an eighth, a quarter
---           and a third; in 3D its sparse mesh is better than the middle mesh of N2. The thesis prints 56.62 and 72.78 %
---           less time for ironing (N2-N2.2 at m1, m2 beside N2 at m3, m4), here over 90; 42.48 and 43.74 % for Hertz
+--           and a third; in 3D its sparse mesh is better than the middle mesh of N2. The thesis prints 56.62 and 72.78
+--           % less time for ironing (N2-N2.2 at m1, m2 beside N2 at m3, m4), here over 90; 42.48 and 43.74 % for Hertz
 --           (at m3, m4 beside N2 at m4, m5), here about 50. About 20 minutes on one processor.
 -- Run: signorini scripts/speed_against_accuracy.lua [problems=ironing,hertz,rings,peeling,ironing3d] [labels=all]
 --      [meshes=all] [rounds=0] [time=wall] [out=out/speed_against_accuracy] [page=none]; labels and meshes: all that a

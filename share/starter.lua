@@ -57,8 +57,8 @@ local function solve(case)
   return { force = forces[#forces], pressure = run:column "interface.max_pressure"[#forces] }
 end
 
--- All combinations, side by side in processes of their own. What is done stays in the study's folder: a second call takes
--- it from there, unless the scene above has changed.
+-- All combinations, side by side in processes of their own. What is done stays in the study's folder: a second call
+-- takes it from there, unless the scene above has changed.
 local study = sg.study{
   name = "starter", folder = options.out .. "/cases", cases = sg.grid{ order = options.orders, mesh = options.meshes },
   run = solve, units = { force = "N/mm", pressure = "N/mm²" },

@@ -23,8 +23,8 @@ end
 local Switch = {}
 Switch.__index = Switch
 
---- Takes each step as `inner` does; where that fails, arcs lead on until the step's end is passed: there the targets are
---- prescribed again, and the next step begins as `inner` would.
+--- Takes each step as `inner` does; where that fails, arcs lead on until the step's end is passed: there the targets
+--- are prescribed again, and the next step begins as `inner` would.
 function arc_length.policy(inner) return setmetatable({ inner = inner, memory = inner.memory }, Switch) end
 
 function Switch:shorten() return self.inner:shorten() end
@@ -72,8 +72,8 @@ local function turns_back(step, length, reach)
   return not near
 end
 
---- Follows the path by arcs from where a step failed, then returns to that state. Gives the part of the step at which the
---- path turns back, or nothing when it does not within reach.
+--- Follows the path by arcs from where a step failed, then returns to that state. Gives the part of the step at which
+--- the path turns back, or nothing when it does not within reach.
 function arc_length.turning_point(step)
   local model, done = step.model, step.done
   local first = first_share * model:last_length()

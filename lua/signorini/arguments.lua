@@ -81,8 +81,8 @@ function arguments.count(where, name, value, default, most)
   if value == nil and default then return default end
   local whole = type(value) == "number" and math.tointeger(value)
   if not whole or whole < 1 or whole > (most or whole) then
-    arguments.reject(where, name, most and ("a whole number from 1 to %d"):format(most) or "a whole number of at least 1",
-      value)
+    arguments.reject(where, name, most and ("a whole number from 1 to %d"):format(most)
+      or "a whole number of at least 1", value)
   end
   return whole
 end

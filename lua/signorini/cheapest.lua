@@ -43,9 +43,9 @@ end
 
 core.docs["sg.cheapest"] = [[
 sg.cheapest(study, { error, at_most, cost = "wall", where })
-The cheapest row of a study whose error is at most so large, and the runner-up; nil and a text about the nearest case when
-there is none. error and cost: columns, or functions of a row; errors count by their size. where: a function of a row:
-only rows for which it is true. Rows that failed, or lack error or cost, do not count.
+The cheapest row of a study whose error is at most so large, and the runner-up; nil and a text about the nearest case
+when there is none. error and cost: columns, or functions of a row; errors count by their size. where: a function of a
+row: only rows for which it is true. Rows that failed, or lack error or cost, do not count.
 Example: best, next_best = sg.cheapest(study, { error = "error", at_most = 0.1 })]]
 return function(study, options)
   quantity.study(where, study)

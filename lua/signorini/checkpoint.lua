@@ -1,6 +1,6 @@
--- Runs that outlive their process: model:run{ …, checkpoint = "x.sgn", resume = true }. After steps that were reached the
--- model is saved, and with it how the run stands: the path, the place on it, what the policy remembers, and the run's
--- record. A run that is taken up from there ends with the same numbers as one that nothing has disturbed.
+-- Runs that outlive their process: model:run{ …, checkpoint = "x.sgn", resume = true }. After steps that were reached
+-- the model is saved, and with it how the run stands: the path, the place on it, what the policy remembers, and the
+-- run's record. A run that is taken up from there ends with the same numbers as one that nothing has disturbed.
 
 local core = require "signorini.core"
 local arguments = require "signorini.arguments"
@@ -10,8 +10,9 @@ local where = "model:run"
 
 --- What a run holds that is made anew or written in another form; all else is saved as it stands.
 local apart = {}
-for _, key in ipairs { "failed", "reason", "cause", "report", "recorders", "before", "step", "names", "values", "histories", "extra", "kept",
-                       "step_column", "increment_column", "iteration_column", "wall_column" } do
+for _, key in ipairs { "failed", "reason", "cause", "report", "recorders", "before", "step", "names", "values",
+                       "histories", "extra", "kept", "step_column", "increment_column", "iteration_column",
+                       "wall_column" } do
   apart[key] = true
 end
 
@@ -141,8 +142,8 @@ function Keeper:take_up(model, run, path, policy)
   return state.place
 end
 
---- Where the run begins: at the path's start, or where a file says that it stands. The place is { stage, number } of the
---- last step that was reached.
+--- Where the run begins: at the path's start, or where a file says that it stands. The place is { stage, number } of
+--- the last step that was reached.
 function Keeper:begin(model, run, path, policy)
   if self.resume and core.exists(self.file) then return self:take_up(model, run, path, policy) end
   local place = { stage = 1, number = 0 }

@@ -54,8 +54,8 @@ function controls.changed(solver, change)
 end
 
 --- The keys of model:run's options; those from newton to rescue are read here.
-controls.keys = { "step", "arc_length", "on_step", "on_iteration", "checkpoint", "resume", "threads", "newton", "linear",
-                  "predictor", "augmented", "damping", "penalty", "rescue", "states" }
+controls.keys = { "step", "arc_length", "on_step", "on_iteration", "checkpoint", "resume", "threads", "newton",
+                  "linear", "predictor", "augmented", "damping", "penalty", "rescue", "states" }
 
 --- What model:solve_step takes; what is tried where it fails, a list of { name, solver, early } that is also a table by
 --- name; and the growing penalty.

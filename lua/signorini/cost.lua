@@ -48,8 +48,8 @@ end
 local function rigid(figures, add)
   for _, stiff in ipairs(figures.stiff) do
     add("rigid", stiff.saves, figures.unknowns - stiff.saves, ("Body '%s' is %.4g times as stiff as '%s' and one "
-      .. "support moves it: as a rigid obstacle, sg.rigid.surface of its contact face, it would save all of its %d unknowns. "
-      .. "This leaves out its own deformation, about 1/%.4g of the other's.")
+      .. "support moves it: as a rigid obstacle, sg.rigid.surface of its contact face, it would save all of its %d "
+      .. "unknowns. This leaves out its own deformation, about 1/%.4g of the other's.")
       :format(stiff.body, stiff.ratio, stiff.partner, stiff.saves, stiff.ratio))
   end
 end
@@ -149,18 +149,19 @@ end
 
 core.docs["model:cost"] = [[
 model:cost()
-What a model is made of, before a solve or after it, and what could be saved. print(model:cost()) shows tables and advice.
+What a model is made of, before a solve or after it, and what could be saved. print(model:cost()) shows tables and
+advice.
 cost.unknowns:   of the linear system; obstacles (cost.obstacles, how many) have none.
 cost.bodies:     by name { unknowns, contact_layer, bulk, prescribed, elements, gauss_points }: contact_layer are the
                  unknowns on the faces that `contact` names, bulk all others, prescribed what supports fix or drive.
 cost.contacts:   by name { points, rigid }: contact points, and whether the master is an obstacle.
 cost.nonzeros:   of the tangent; it grows where contacts touch.
-cost.memory:     bytes, the sum of cost.memory_of { bodies, contacts, tangent, factors }: tables of Gauss points, contact
-                 points with their history, the tangent with its patterns, its factors by the solver cost.linear.
-                 cost.factors_are is "measured" once a solver has told, before that "counted": from the pattern in the
-                 order of nested dissection.
-cost.advice:     a list of { kind, saves, needs, text }: unknowns saved and left in the whole scene, and why, as far as the
-                 scene alone can tell:
+cost.memory:     bytes, the sum of cost.memory_of { bodies, contacts, tangent, factors }: tables of Gauss points,
+                 contact points with their history, the tangent with its patterns, its factors by the solver
+                 cost.linear. cost.factors_are is "measured" once a solver has told, before that "counted": from the
+                 pattern in the order of nested dissection.
+cost.advice:     a list of { kind, saves, needs, text }: unknowns saved and left in the whole scene, and why, as far as
+                 the scene alone can tell:
   symmetry:    it is its own mirror image in planes x, y or z = c (in an axisymmetric scene y = c): control points,
                weights, knots, supports, loads, contacts, obstacles. What turns or has moved through it breaks it.
   symmetry if fixed: the same, but a support may drive through the plane: only while it does not.

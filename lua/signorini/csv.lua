@@ -32,7 +32,8 @@ local function field_text(value, where)
   if type(value) ~= "string" then
     core.fail(("sg.csv.write: %s must be a number, a string, true or false, got a %s"):format(where, type(value)))
   end
-  local plain = field_value(value) == value and not value:find '[",\r\n]' and not value:find "^[#%s]" and not value:find "%s$"
+  local plain = field_value(value) == value and not value:find '[",\r\n]' and not value:find "^[#%s]"
+    and not value:find "%s$"
   return plain and value or '"' .. value:gsub('"', '""') .. '"'
 end
 
@@ -146,7 +147,8 @@ local function position(data, name)
   for j, known in ipairs(data.columns) do
     if known == name then return j end
   end
-  core.fail(("a CSV table: there is no column '%s'; known: %s"):format(tostring(name), table.concat(data.columns, ", ")))
+  core.fail(("a CSV table: there is no column '%s'; known: %s"):format(tostring(name),
+    table.concat(data.columns, ", ")))
 end
 
 core.docs["data"] = [[
@@ -181,7 +183,8 @@ end
 function Data:__tostring()
   local most, lines = 20, {}
   for i, comment in ipairs(self.comments) do lines[i] = "# " .. comment end
-  lines[#lines + 1] = format_table { columns = self.columns, rows = table.move(self.rows, 1, math.min(most, #self.rows), 1, {}) }
+  lines[#lines + 1] = format_table { columns = self.columns,
+    rows = table.move(self.rows, 1, math.min(most, #self.rows), 1, {}) }
   if #self.rows > most then lines[#lines + 1] = ("… %d more rows"):format(#self.rows - most) end
   return table.concat(lines, "\n")
 end
@@ -267,7 +270,9 @@ function csv.read(file)
       at = next_at
     end
   end
-  if not data.columns then core.fail(("sg.csv.read: '%s' holds no table: a line of column names is missing"):format(file)) end
+  if not data.columns then
+    core.fail(("sg.csv.read: '%s' holds no table: a line of column names is missing"):format(file))
+  end
   return data
 end
 

@@ -48,8 +48,8 @@ end
 
 core.docs["sg.files"] = [[
 sg.files(folder)
-Makes the folder and returns a list of the files that a script writes there: files "forces.png" is the path of a file and
-adds it to the list; files:draw and files:report, which see. files.folder is the folder.
+Makes the folder and returns a list of the files that a script writes there: files "forces.png" is the path of a file
+and adds it to the list; files:draw and files:report, which see. files.folder is the folder.
 Example: files = sg.files "out/study"; run:csv(files "N2.csv"); files:report()]]
 return function(folder)
   core.mkdir(arguments.string("sg.files", "its argument", folder))

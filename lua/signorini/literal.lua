@@ -1,5 +1,5 @@
--- Plain data as text and back, for checkpoints and for what jobs in processes of their own hand over: numbers bit by bit,
--- strings, true, false, and tables of these. The text looks like Lua, yet it is read, never run.
+-- Plain data as text and back, for checkpoints and for what jobs in processes of their own hand over: numbers bit by
+-- bit, strings, true, false, and tables of these. The text looks like Lua, yet it is read, never run.
 
 local literal = {}
 

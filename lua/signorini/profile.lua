@@ -22,8 +22,8 @@ local function column(where, name, data, key, argument)
     if type(list) == "table" and type(list[1]) == "number" then known[#known + 1] = other end
   end
   table.sort(known)
-  core.fail(("%s: %s has no list '%s' as long as %s.x, which %s asks for; known: %s"):format(where, name, tostring(key), name,
-    argument, table.concat(known, ", ")))
+  core.fail(("%s: %s has no list '%s' as long as %s.x, which %s asks for; known: %s"):format(where, name, tostring(key),
+    name, argument, table.concat(known, ", ")))
 end
 
 local function check_profile(where, name, data)
@@ -164,7 +164,8 @@ zone:       "either": open points count, with p = 0; "both": only where both tou
 edge:       how a profile falls to zero between its last point that touches and the next one: "point", linearly to that
             next one; "gap", to where the gap, linear between these two, is zero, which is a point of the integral, too.
 Ranges that do not overlap are an error.
-Example: sg.profile_error{ profile = model:profile "interface", reference = finer:profile "interface", normalise = "max" }
+Example: sg.profile_error{ profile = model:profile "interface", reference = finer:profile "interface",
+                           normalise = "max" }
 Source: V. Agrawal, thesis, IIT Guwahati 2020, eq. (7.2), which says nothing about the points of the integral.]]
 function profile.error(options)
   local where = "sg.profile_error"

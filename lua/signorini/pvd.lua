@@ -74,9 +74,9 @@ end
 core.docs["sg.pvd"] = [[
 sg.pvd(file, { resume = false })
 Begins a time series for ParaView: a .pvd file that lists the .vtu files of states, which stand beside it as
-<name>_0001.vtu and so on. series:add{ model = model, time = 3 } adds the present state. The file can be opened while the
-run goes on. A file of this name that was there begins anew; with resume = true its states stay, up to the time of the
-first one that is added, as model:run{ …, resume = true } needs it.
+<name>_0001.vtu and so on. series:add{ model = model, time = 3 } adds the present state. The file can be opened while
+the run goes on. A file of this name that was there begins anew; with resume = true its states stay, up to the time of
+the first one that is added, as model:run{ …, resume = true } needs it.
 Example: local series = sg.pvd "ironing.pvd"
          model:run(stages, { on_step = function(info) series:add{ model = model, time = info.step } end })]]
 --- A series without states; its file is there at once, so that a place that cannot be written to is told at once.

@@ -66,8 +66,8 @@ end
 local function check_finer(search, label, level, unknowns)
   local coarser = (search.by_level[level - 1] or {})[label]
   if coarser and unknowns <= coarser.unknowns then
-    core.fail(("%s: %s has %d unknowns on mesh %s and %d on mesh %s: meshes must run from coarse to fine, and scene use "
-      .. "them"):format(where, label, coarser.unknowns, values.text(coarser.mesh), unknowns,
+    core.fail(("%s: %s has %d unknowns on mesh %s and %d on mesh %s: meshes must run from coarse to fine, and scene "
+      .. "use them"):format(where, label, coarser.unknowns, values.text(coarser.mesh), unknowns,
         values.text(search.meshes[level])))
   end
 end
@@ -230,8 +230,9 @@ sg.recommend{ scene = function(label, mesh) … return model, stages, options en
 The least model that is enough: solves labels and meshes from coarse to fine, estimates the error of each from the next
 level, and stops as soon as one is estimated to be within the tolerance. Prints what it tried and what that cost.
 scene:   returns the model of a label and a mesh, and what model:run takes.
-error:   what shall be accurate: a column of the run such as "ground.max_pressure" (its last value counts), or a function
-         of model and run that returns a number, or a list of numbers at places that do not change with the mesh.
+error:   what shall be accurate: a column of the run such as "ground.max_pressure" (its last value counts), or a
+         function of model and run that returns a number, or a list of numbers at places that do not change with the
+         mesh.
 at_most: the relative error, 0.02 for 2 %.
 labels:  from the plainest to the richest; { "N2", "N2-N2.2" } by default.
 meshes:  from coarse to fine, each about half as wide as the one before, in whatever way scene understands them;
@@ -240,9 +241,9 @@ limit:   seconds after which no further level is begun; none by default.
 Returns label, mesh, error (the estimate), wall (s), unknowns of the case of least work that is enough (nil where none
 is), tries, spent (s), report. Work is unknowns times iterations, which is the same each time. With d the relative
 distance of the richest label's figures on two levels and r the share of the error that a level leaves (1/2; from three
-levels on as observed, if it is more) the finer one is about d r/(1 - r) off, and coarser cases by their distance from it
-more. The error is that of the discretisation: what penalty, steps or the scene itself leave, no mesh can show. Labels
-that take about the work of another one and have twice its error are not tried again.
+levels on as observed, if it is more) the finer one is about d r/(1 - r) off, and coarser cases by their distance from
+it more. The error is that of the discretisation: what penalty, steps or the scene itself leave, no mesh can show.
+Labels that take about the work of another one and have twice its error are not tried again.
 Example: sg.recommend{ scene = press, error = "grip.fy", at_most = 0.1, meshes = {1, 2, 4} }]]
 return function(options)
   local search = read(options)

@@ -1,5 +1,5 @@
--- The load path: model:run(stages, options). Each stage moves the driven supports and the loads in equal steps from where
--- they are to where they shall be; each step is solved, then accepted. What happened is kept in a run.
+-- The load path: model:run(stages, options). Each stage moves the driven supports and the loads in equal steps from
+-- where they are to where they shall be; each step is solved, then accepted. What happened is kept in a run.
 
 local core = require "signorini.core"
 local arc_length = require "signorini.arc_length"
@@ -13,7 +13,7 @@ local steps = require "signorini.steps"
 local Run = require "signorini.run_result"
 
 local where = "model:run"
-local wariness = 8 -- attempts without a predictor that has failed; 3D block ironing takes 846, 743, 706 iterations with 2, 4, 8
+local wariness = 8 -- attempts without a predictor that failed; 3D block ironing: 846, 743, 706 iterations with 2, 4, 8
 local longest_chord = 1.25 -- of an arc, in lengths along its tangent: the two differ by 37° at most
 
 -- ── Reading the arguments ────────────────────────────────────────────────────────────────────────────────────────────
@@ -38,7 +38,8 @@ local function read_stage(model, index, stage, known)
   if type(stage) ~= "table" then arguments.reject(where, label, "a table { steps = …, <support> = {…} }", stage) end
   local name = arguments.string(where, label .. ".name", stage.name, label)
   for key in pairs(stage) do
-    if type(key) ~= "string" or not (known[key] or key == "name" or key == "steps" or drives.is_support(model, key)) then
+    if type(key) ~= "string"
+      or not (known[key] or key == "name" or key == "steps" or drives.is_support(model, key)) then
       arguments.unknown(where, key, ("stage '%s'"):format(name), table.move(known, 1, #known, 3, { "name", "steps" }))
     end
   end
@@ -47,8 +48,8 @@ local function read_stage(model, index, stage, known)
     if type(key) == "string" and known[key] then
       read.targets[key] = read_target(model, name, key, value)
     elseif drives.is_support(model, key) then
-      core.fail(("%s: the support '%s' of stage '%s' is not driven: give it drive = \"x\", \"xy\" or the like in sg.model")
-        :format(where, key, name))
+      core.fail(("%s: the support '%s' of stage '%s' is not driven: give it drive = \"x\", \"xy\" or the like in "
+        .. "sg.model"):format(where, key, name))
     end
   end
   return read
@@ -162,8 +163,8 @@ function Step:solve(solver, to)
   return result
 end
 
---- One attempt with given controls: accepts or rolls back, finds out why it failed. `rescue` is the control's name where
---- another one has failed before.
+--- One attempt with given controls: accepts or rolls back, finds out why it failed. `rescue` is the control's name
+--- where another one has failed before.
 function Step:try(solver, to, rescue)
   local began = core.now()
   self:set_targets(to)
@@ -180,9 +181,9 @@ function Step:try(solver, to, rescue)
 end
 
 --- Solves for the targets at the part `to` of the step, where that fails with the controls that may carry it through
---- (`shorter`: a shorter attempt can follow); then accepts or rolls back. Returns the solver's result: that of the first
---- try where all fail. Where a predictor has failed, the next attempts do without it. Where arcs follow the path nothing
---- is tried that may lead off it.
+--- (`shorter`: a shorter attempt can follow); then accepts or rolls back. Returns the solver's result: that of the
+--- first try where all fail. Where a predictor has failed, the next attempts do without it. Where arcs follow the path
+--- nothing is tried that may lead off it.
 function Step:attempt(to, shorter)
   local run, tries, last = self.run, self.options.tries, not shorter and not self.options.arcs
   local plain = run.wary > 0 and tries.tangent
@@ -200,8 +201,8 @@ function Step:attempt(to, shorter)
   return result
 end
 
---- Prescribes the targets one step on from the accepted ones: from where the path stands, not from where `done` says that
---- it stands. The difference, mere rounding, would be multiplied by every arc's fraction, which may be 10.
+--- Prescribes the targets one step on from the accepted ones: from where the path stands, not from where `done` says
+--- that it stands. The difference, mere rounding, would be multiplied by every arc's fraction, which may be 10.
 function Step:set_next_targets()
   local stage = self.stage
   for name, goal in pairs(stage.targets) do
@@ -213,8 +214,8 @@ end
 
 --- Goes a distance along the path, back where it turns back, and accepts it, without a trace in the run. An arc whose
 --- chord is much longer than its part along the tangent has left the path for another part of it: it does not count as
---- converged. Returns the result, the part of the step that the arc leads to, and the state before it; `diagnoses`: where
---- it fails, also why.
+--- converged. Returns the result, the part of the step that the arc leads to, and the state before it; `diagnoses`:
+--- where it fails, also why.
 function Step:solve_arc(length, iterations, diagnoses)
   self:set_next_targets()
   local model, solver, kept = self.model, self.solver, self.model:snapshot()

@@ -89,8 +89,8 @@ function Run:begin_step()
   self.histories[#self.histories + 1] = {}
 end
 
---- Notes an attempt to get from one part of the step to another; `seconds` is what it took, `rescue` the control that it
---- tried where others had failed.
+--- Notes an attempt to get from one part of the step to another; `seconds` is what it took, `rescue` the control that
+--- it tried where others had failed.
 function Run:record_attempt(from, to, result, seconds, rescue)
   for _, account in ipairs { self, self.stages[#self.stages], self.step } do
     account.iterations, account.wall = account.iterations + result.iterations, account.wall + seconds
@@ -213,14 +213,15 @@ function Run:record_failure(step, result, turn)
   if done ~= 0 then
     place = ("increment, %.4g of the way from step %d to step %d"):format(done, self.steps, self.steps + 1)
   end
-  self.report = ("step %d (stage '%s', %d of %d) was not reached: %s.%s%s%s Residuals: %s. The model is at its last accepted %s.")
-    :format(self.steps + 1, step.stage.name, step.number, step.stage.steps,
+  self.report = ("step %d (stage '%s', %d of %d) was not reached: %s.%s%s%s Residuals: %s. The model is at its last "
+    .. "accepted %s."):format(self.steps + 1, step.stage.name, step.number, step.stage.steps,
       diagnosis.message ~= "" and diagnosis.message or diagnosis.reason,
       result.shortest and (" The shortest step, %g of the user's, is still too long."):format(result.shortest) or "",
       tried(attempts, done), places_text(diagnosis.places), joined(result.residuals, "%.3g"), place)
   if turn then
-    self.report = ("%s The path has a turning point at %s: it turns back there, and only a jump to another branch leads "
-      .. "beyond it by prescribing targets; model:run{ …, arc_length = true } follows it."):format(self.report, turn)
+    self.report = ("%s The path has a turning point at %s: it turns back there, and only a jump to another branch "
+      .. "leads beyond it by prescribing targets; model:run{ …, arc_length = true } follows it.")
+      :format(self.report, turn)
   elseif diagnosis.cure ~= "" then
     self.report = ("%s What may help: %s."):format(self.report, diagnosis.cure)
   end
@@ -259,8 +260,8 @@ end
 core.docs["run"] = [[
 run
 What model:run returns: run.failed, reason, cause, report, places (see help "model:run"); run.steps that were reached,
-iterations, cutbacks, rescues, wall (s), timings { bulk, contact, linear, rest } (s), stages (a list of accounts by name),
-controls (where arc length took over). print(run) shows a short table.]]
+iterations, cutbacks, rescues, wall (s), timings { bulk, contact, linear, rest } (s), stages (a list of accounts by
+name), controls (where arc length took over). print(run) shows a short table.]]
 
 core.docs["run:columns"] = [[
 run:columns()
@@ -296,8 +297,8 @@ end
 
 core.docs["run:attempts"] = [[
 run:attempts(step)
-How a step was reached or missed: a list of { from, to, converged, reason, iterations, residuals, rescue }, where from and
-to are parts of the step; a step that was not reached is the one after the last row.
+How a step was reached or missed: a list of { from, to, converged, reason, iterations, residuals, rescue }, where from
+and to are parts of the step; a step that was not reached is the one after the last row.
 Example: run:attempts(1)[1].iterations]]
 function Run:attempts(step)
   local attempts = history(self, "run:attempts", step)

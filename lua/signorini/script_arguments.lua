@@ -196,7 +196,8 @@ variants: further arguments by variant: variant = { "plain", variants = { plain 
 What cannot be understood ends the script with one line that says what came and what was expected; the word help or
 --help prints all arguments with their defaults and ends the program. A script that is called as a function takes the
 words of the call; sg.arguments(defaults, words) those of a list.
-Example: options = sg.arguments{ labels = {"N2", "N4"}, steps = 10, penalty = { 100.0, above = 0 }, out = "out/study" }]]
+Example: options = sg.arguments{ labels = {"N2", "N4"}, steps = 10, penalty = { 100.0, above = 0 },
+                                  out = "out/study" }]]
 return function(defaults, words)
   if type(defaults) ~= "table" then arguments.reject(where, "its argument", "a table of defaults", defaults) end
   if words == nil then words = words_of_script() end

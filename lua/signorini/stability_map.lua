@@ -194,8 +194,8 @@ end
 
 core.docs["map:compare"] = [[
 map:compare(other)
-What another map of the same parameters holds beside this one: { gained, lost, both, neither }. gained and lost are lists
-of {x, y} that only the other one or only this one held, both and neither numbers of cells.
+What another map of the same parameters holds beside this one: { gained, lost, both, neither }. gained and lost are
+lists of {x, y} that only the other one or only this one held, both and neither numbers of cells.
 Example: #map:compare(map).gained]]
 function Map:compare(other)
   if getmetatable(other) ~= Map then arguments.reject("map:compare", "its argument", "a stability map", other) end
@@ -240,8 +240,8 @@ A cell: x, y, outcome, reached (part of the path, 0 to 1), steps, increments, it
 report and place of a failure, figures. Outcomes: those of run.reason, "completed" is held; "error" (in one of the
 functions), "crashed", "time". Ctrl-C ends it with the cells that are done.
 map.cells is a list; print(map) shows how many are held and the table; see help "map:picture", "map:compare".
-Example: map = sg.stability_map{ x = { name = "order", values = {"N2", "N4"} }, y = { name = "steps", values = {5, 10} },
-           scene = function(order) return (press(order, 1)) end,
+Example: map = sg.stability_map{ x = { name = "order", values = {"N2", "N4"} },
+           y = { name = "steps", values = {5, 10} }, scene = function(order) return (press(order, 1)) end,
            path = function(model, order, steps) return { { steps = steps, grip = {0, -0.1} } } end }]]
 return function(options)
   local map = read_map(options)

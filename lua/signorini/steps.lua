@@ -43,13 +43,15 @@ end
 --- Whether an attempt ended because somebody wants the run to end.
 function steps.is_asked_for(result) return result.reason == "interrupted" or result.reason == "stopped" end
 
---- Whether an attempt ended because somebody wanted it to, not because it failed: there is nothing to diagnose or rescue.
+--- Whether an attempt ended because somebody wanted it to, not because it failed: there is nothing to diagnose or
+--- rescue.
 function steps.is_wanted(result) return result.reason == "cut" or steps.is_asked_for(result) end
 
 --- Newton has converged in half of the iterations that it may take.
 local function is_easy(result, solver) return 2 * result.iterations <= solver.iterations end
 
---- The last resort where the shortest step fails: all that is left of the step at once, with all that may carry it through.
+--- The last resort where the shortest step fails: all that is left of the step at once, with all that may carry it
+--- through.
 local function leap(step, failed)
   if not step:has_rescues() then return failed end
   local result = step:attempt(1)

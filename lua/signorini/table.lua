@@ -29,8 +29,8 @@ local function check_formats(formats)
   for key, format in pairs(formats) do
     local fits, text = pcall(string.format, format, 1)
     if not fits or text == format then
-      arguments.reject("sg.table", ("formats.%s"):format(tostring(key)), "a pattern of string.format for a number", format,
-        "such as \"%.3g\"")
+      arguments.reject("sg.table", ("formats.%s"):format(tostring(key)), "a pattern of string.format for a number",
+        format, "such as \"%.3g\"")
     end
   end
 end

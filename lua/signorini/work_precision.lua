@@ -202,18 +202,20 @@ function Result:__tostring()
 end
 
 core.docs["sg.work_precision"] = [[
-sg.work_precision(study, { error, time = "wall", series = "order", marker, where, at, file or files, title, xlabel, ylabel,
-                           size })
+sg.work_precision(study, { error, time = "wall", series = "order", marker, where, at, file or files, title, xlabel,
+                           ylabel, size })
 Error against time: one curve per series through its cases by rising time, one marker per kind of case, both axes
 logarithmic, the Pareto front as grey steps. Returns the comparison; print shows ratios, front and what was left out.
-error, time, series, marker: columns of the study, or functions of a row. Errors count by their size. series is the first
-         parameter where none is called order; marker all other parameters together, false for none.
+error, time, series, marker: columns of the study, or functions of a row. Errors count by their size. series is the
+         first parameter where none is called order; marker all other parameters together, false for none.
 where:   a function of a row: only rows for which it is true.
-at:      errors at which times are compared; by default the least, the middle and the largest one that both curves reach.
+at:      errors at which times are compared; by default the least, the middle and the largest one that both curves
+         reach.
 file, files: .png, .svg, .pdf; none by default.
 Cases that failed, and those without time or error or with a zero of them, are left out and listed with the reason.
-Times at equal error are interpolated on the lines between cases; where a curve comes down to an error more than once, the
-least time counts. Nothing is extrapolated: not below a curve's least error, and not above that of its cheapest case.
+Times at equal error are interpolated on the lines between cases; where a curve comes down to an error more than once,
+the least time counts. Nothing is extrapolated: not below a curve's least error, and not above that of its cheapest
+case.
 result.ratios: { a, b, from, to, at = {…}, ratio = {…} } for each pair: at the error at[i] a takes ratio[i] of b's time,
 nil beyond from … to; without errors that both reach, why. result.pareto: the rows of the front; result.left_out: { row,
 why }; result:table(), result:front(): texts.

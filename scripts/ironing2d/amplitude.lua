@@ -35,8 +35,8 @@ function amplitude.of(values, first, last)
   return { raw = spread(part), detrended = spread(without_parabola(part)) }
 end
 
---- Adds what the named amplitudes are in % of those of a case, or of nothing: raw_percent, detrended_percent. There is no
---- part of an amplitude of zero, which two or three steps have without their parabola.
+--- Adds what the named amplitudes are in % of those of a case, or of nothing: raw_percent, detrended_percent. There is
+--- no part of an amplitude of zero, which two or three steps have without their parabola.
 function amplitude.percent(cases, forces, reference)
   for _, case in ipairs(cases) do
     for _, force in ipairs(forces) do

@@ -61,7 +61,8 @@ function depth.run(options, files)
                                   linear = options.linear }
         local name = ("%s, R = %g, x = %g"):format(label, radius, from)
         if #case.states > 0 then
-          frames[#frames + 1] = output.frame(case.model, ("%s, depth %.2f"):format(name, case.states[#case.states].depth))
+          frames[#frames + 1] = output.frame(case.model,
+            ("%s, depth %.2f"):format(name, case.states[#case.states].depth))
         end
         case.model = nil
         print(name)

@@ -176,7 +176,7 @@ Several values have commas in between: a,b,c.
   check.equal({ check.script(script, "steps=x", "--help") }, { page, 0 })
 end)
 
-check.case("a script that is called as a function, and a module that it requires, take the words of the call", function()
+check.case("a script that is called as a function, and a module that it requires, get the words of the call", function()
   local folder = check.folder()
   local function write(name, text) assert(io.open(folder .. "/" .. name, "w")):write(text):close() end
   write("inner.lua", 'local options = require "reader" return options.steps')

@@ -96,14 +96,18 @@ end
 function check.pictures(folder, names)
   for _, name in ipairs(names) do
     local bytes = core.read_file(("%s/%s.png"):format(folder, name))
-    if not (bytes:find("^\137PNG\r\n\26\n") and bytes:find("IEND....$")) then error(name .. " is no whole picture", 2) end
+    if not (bytes:find("^\137PNG\r\n\26\n") and bytes:find("IEND....$")) then
+      error(name .. " is no whole picture", 2)
+    end
   end
 end
 
 --- The text holds every fragment.
 function check.holds(whole, ...)
   for _, fragment in ipairs { ... } do
-    if not tostring(whole):find(fragment, 1, true) then error(("'%s' is missing in:\n%s"):format(fragment, whole), 2) end
+    if not tostring(whole):find(fragment, 1, true) then
+      error(("'%s' is missing in:\n%s"):format(fragment, whole), 2)
+    end
   end
 end
 
@@ -123,8 +127,8 @@ function check.shell(command)
   return output, status
 end
 
---- The program with a list of arguments, as check.shell runs it. `input` is its standard input, `before` goes in front of
---- the command.
+--- The program with a list of arguments, as check.shell runs it. `input` is its standard input, `before` goes in front
+--- of the command.
 function check.program(arguments, input, before)
   local words = { before or "", quoted(arg[-1]) }
   for _, word in ipairs(arguments) do words[#words + 1] = quoted(word) end
@@ -146,8 +150,8 @@ function check.script(code, ...)
   return output:gsub(name:gsub("%p", "%%%0"), "study.lua"), status
 end
 
---- A script refuses wrong arguments: { ["mesh=m9 steps=1"] = "got 'm9'" } are words and what the message holds; `…` goes
---- in front of each.
+--- A script refuses wrong arguments: { ["mesh=m9 steps=1"] = "got 'm9'" } are words and what the message holds; `…`
+--- goes in front of each.
 function check.refused(script, wrong, ...)
   for words, message in pairs(wrong) do
     local arguments = { "-q", script, ... }

@@ -45,9 +45,11 @@ local function continues(model, before, after, options)
   local first = model:run(before, options)
   check.equal(first.failed, false)
   model:save(file)
-  local code = ("local digest = (function() %s end)()\nlocal model = sg.load(arg[1])\nlocal run = model:run(%s, %s)\n" ..
-    "io.write(digest(model, run))"):format(digest_code, after, options and "{ linear = '" .. options.linear .. "' }" or "nil")
-  local output, status = check.script("local sg = require 'signorini'\nrequire('signorini.core').quiet = true\n" .. code, file)
+  local code = ("local digest = (function() %s end)()\nlocal model = sg.load(arg[1])\n"
+    .. "local run = model:run(%s, %s)\nio.write(digest(model, run))"):format(digest_code, after,
+      options and "{ linear = '" .. options.linear .. "' }" or "nil")
+  local output, status = check.script("local sg = require 'signorini'\nrequire('signorini.core').quiet = true\n"
+    .. code, file)
   local run = model:run(load("return " .. after)(), options)
   check.equal(run.failed, false)
   check.equal(status, 0)
@@ -55,7 +57,8 @@ local function continues(model, before, after, options)
     local here, there = digest(model, run), output
     local at = 1
     while here:byte(at) == there:byte(at) do at = at + 1 end
-    error(("they differ at character %d of %d: '%s', '%s'"):format(at, #here, here:sub(at - 20, at + 60), there:sub(at - 20, at + 60)))
+    error(("they differ at character %d of %d: '%s', '%s'"):format(at, #here, here:sub(at - 20, at + 60),
+      there:sub(at - 20, at + 60)))
   end
   return run
 end
@@ -69,18 +72,20 @@ end)
 check.case("a larger one: UMFPACK, and a kept factorisation", function()
   for linear, kind in pairs { umfpack = "umfpack", auto = "kept" } do
     local model = ironing{ elements = { die = {24, 4}, slab = {72, 18} } }
-    continues(model, { { steps = 4, grip = {0, -0.08} } }, "{ { steps = 3, grip = {0.06, -0.08} } }", { linear = linear })
+    continues(model, { { steps = 4, grip = {0, -0.08} } }, "{ { steps = 3, grip = {0.06, -0.08} } }",
+      { linear = linear })
     check.equal(model:solver().linear, kind)
   end
 end)
 
 check.case("peeling with adhesion on a part of the face, under a support that turns: banded and CHOLMOD", function()
   for _, linear in ipairs { "auto", "cholmod" } do
-    local strip = sg.body{ patch = sg.shapes.rectangle{ width = 60, height = 10 }, elements = {48, 4}, order = "N2-N2.1",
-                           contact = "south", material = sg.neo_hookean{ E = 2, nu = 0.2 } }
+    local strip = sg.body{ patch = sg.shapes.rectangle{ width = 60, height = 10 }, elements = {48, 4},
+                           order = "N2-N2.1", contact = "south", material = sg.neo_hookean{ E = 2, nu = 0.2 } }
     local model = sg.model{
       bodies = { strip = strip },
-      supports = { edge = { on = strip:face "east", rotate = true }, pin = { on = strip:corner "south-west", fix = "x" } },
+      supports = { edge = { on = strip:face "east", rotate = true },
+        pin = { on = strip:corner "south-west", fix = "x" } },
       contacts = { film = { slave = strip:face "south", master = sg.rigid.plane{ point = {0, -0.25}, normal = {0, 1} },
                             adhesion = { hamaker = 0.1, r0 = 0.4 }, where = function(X) return X[1] <= 45 end } },
     }
@@ -96,7 +101,8 @@ check.case("linear elastic bodies, condensed onto the contact", function()
   local model = sg.model{
     bodies = { slab = slab },
     supports = { bed = { on = slab:face "south", fix = "xy" }, roll = { on = rigid, drive = "xy" } },
-    contacts = { rub = { slave = slab:face "north", master = rigid, penalty = 500, friction = { mu = 0.3, penalty = 500 } } },
+    contacts = { rub = { slave = slab:face "north", master = rigid, penalty = 500,
+      friction = { mu = 0.3, penalty = 500 } } },
   }
   continues(model, { { steps = 6, roll = {0, -0.1} } }, "{ { steps = 8, roll = {0.8, -0.1} } }")
   check.equal(model:solver().linear, "condensed")
@@ -110,7 +116,8 @@ check.case("a rigid NURBS obstacle that is driven, loads, a deep layer", functio
     bodies = { slab = slab },
     supports = { bed = { on = slab:face "south", fix = "xy" }, roll = { on = rigid, drive = "xy" } },
     loads = { wind = { on = slab:face "west", traction = {0.1, 0} }, gas = { on = slab:face "east", pressure = 0.2 } },
-    contacts = { rub = { slave = slab:face "north", master = rigid, penalty = 500, friction = { mu = 0.3, penalty = 500 } } },
+    contacts = { rub = { slave = slab:face "north", master = rigid, penalty = 500,
+      friction = { mu = 0.3, penalty = 500 } } },
   }
   continues(model, { { steps = 6, roll = {0, -0.1}, wind = {0.2, 0.1} } },
     "{ { steps = 8, roll = {0.3, -0.1}, gas = 0.5 }, { steps = 2, wind = {0, 0} } }")
@@ -124,7 +131,8 @@ check.case("a body of revolution", function()
     kind = "axisymmetric", bodies = { disc = disc },
     supports = { axis = { on = disc:face "west", fix = "x" }, bed = { on = disc:face "south", fix = "xy" },
                  ball = { on = ball, drive = "y" } },
-    contacts = { touch = { slave = disc:face "north", master = ball, penalty = 100, friction = { mu = 0.2, penalty = 100 } } },
+    contacts = { touch = { slave = disc:face "north", master = ball, penalty = 100,
+      friction = { mu = 0.2, penalty = 100 } } },
   }
   continues(model, { { steps = 5, ball = -0.1 } }, "{ { steps = 5, ball = -0.2 } }")
 end)
@@ -158,8 +166,8 @@ end)
 
 check.case("small solids that turn: KLU and a kept factorisation", function()
   for _, linear in ipairs { "auto", "kept" } do
-    continues(solids({6, 4, 2}, "z"), { { steps = 3, grip = {0, 0, -0.1, 0} } }, "{ { steps = 4, grip = {0, 0, -0.1, 20} } }",
-      { linear = linear })
+    continues(solids({6, 4, 2}, "z"), { { steps = 3, grip = {0, 0, -0.1, 0} } },
+      "{ { steps = 4, grip = {0, 0, -0.1, 20} } }", { linear = linear })
   end
 end)
 
@@ -183,7 +191,9 @@ check.case("wrong files are errors at the user's own line that name the cure", f
   local good = stream:read "a"
   stream:close()
   local function write(bytes) assert(io.open(file, "wb")):write(bytes):close() end
-  local function refused(...) check.fails(function() sg.load(file) end, "checkpoint_test.lua:", "sg.load: ", file, ...) end
+  local function refused(...)
+    check.fails(function() sg.load(file) end, "checkpoint_test.lua:", "sg.load: ", file, ...)
+  end
   write "{ \"a\": 1 }"
   refused "is not a checkpoint of signorini"
   write(good:sub(1, -100))
@@ -198,9 +208,10 @@ check.case("wrong files are errors at the user's own line that name the cure", f
   refused("cannot read", "No such file")
   check.fails(function() sg.load(3) end, "path must be a string")
   check.fails(function() model:save() end, "model:save: path (the checkpoint's file) is missing")
-  check.fails(function() model:save "nowhere/at/all.sgn" end, "checkpoint_test.lua:", "model:save: cannot write 'nowhere/at/all.sgn'",
-    "create it first")
-  check.fails(function() model:save "/proc/a.sgn" end, "model:save: cannot write '/proc/a.sgn'", "choose a file in a folder")
+  check.fails(function() model:save "nowhere/at/all.sgn" end, "checkpoint_test.lua:",
+    "model:save: cannot write 'nowhere/at/all.sgn'", "create it first")
+  check.fails(function() model:save "/proc/a.sgn" end, "model:save: cannot write '/proc/a.sgn'",
+    "choose a file in a folder")
 end)
 
 os.remove(file)

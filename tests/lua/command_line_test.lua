@@ -120,8 +120,10 @@ check.case("where entries of a table have no comma in between, the message asks 
   check.equal(run { "-e", "f(1 2)" }.output:find "is a comma", nil)
 end)
 
-check.case("at the prompt errors are one line, traceback() tells how they came about, and _ is the last result", function()
-  local result = run({}, "function f() error 'no' end\nfunction g() f() return 1 end\ng()\n40 + 2\n_ / 2\nx = 3\n_\ntraceback()\n")
+check.case("at the prompt errors are one line, traceback() tells how they came about, and _ is the last result",
+  function()
+  local result = run({},
+    "function f() error 'no' end\nfunction g() f() return 1 end\ng()\n40 + 2\n_ / 2\nx = 3\n_\ntraceback()\n")
   check.equal(result.status, 1)
   check.equal(result.output:match "^prompt:1: no\n42\n21.0\n21.0\nprompt:1: no\nstack traceback:\n" ~= nil, true)
   check.holds(result.output, "in function 'f'", "in function 'g'")
@@ -140,17 +142,20 @@ check.case("the prompt cuts long tables and does not follow cycles", function()
 end)
 
 check.case("help finds functions, methods, tables and words", function()
-  local result = run({}, 'help()\nhelp(sg.shapes.block)\nhelp "patch:refine"\nhelp(sg.nurbs)\nhelp "labels"\nhelp "refin"\nhelp "rectangel"\n')
+  local result = run({}, 'help()\nhelp(sg.shapes.block)\nhelp "patch:refine"\nhelp(sg.nurbs)\nhelp "labels"\n'
+    .. 'help "refin"\nhelp "rectangel"\n')
   check.equal(result.status, 0)
-  check.holds(result.output, "signorini: isogeometric", "sg.shapes.block{ size", "p:refine{ elements", "sg.nurbs.coons{",
-    "N2-N2.2x2", "Pages with 'refin'", "did you mean 'rectangle'?")
+  check.holds(result.output, "signorini: isogeometric", "sg.shapes.block{ size", "p:refine{ elements",
+    "sg.nurbs.coons{", "N2-N2.2x2", "Pages with 'refin'", "did you mean 'rectangle'?")
 end)
 
 check.case("help shows groups, types of Lua objects, and what a query at the prompt stands for", function()
-  local output = check.program({}, '?\n?labels\n?sg.shapes.block\n? patch:refine\nx = sg.median\n?x\n?sg.nurbs\n?refin\n'
+  local output = check.program({},
+    '?\n?labels\n?sg.shapes.block\n? patch:refine\nx = sg.median\n?x\n?sg.nurbs\n?refin\n'
     .. 'help "studies"\nhelp "rectangel"\nhelp(sg.reference "hertz2d_dofs_table7_4")\n')
-  check.holds(output, "signorini: isogeometric", "N2-N2.2x2", "sg.shapes.block{ size", "p:refine{ elements", "sg.median(numbers)",
-    "It holds:\n  sg.nurbs.arc{", "Pages with 'refin':", "Studies:\n  sg.study{", "did you mean 'rectangle'?", "data\nWhat sg.csv.read")
+  check.holds(output, "signorini: isogeometric", "N2-N2.2x2", "sg.shapes.block{ size", "p:refine{ elements",
+    "sg.median(numbers)", "It holds:\n  sg.nurbs.arc{", "Pages with 'refin':", "Studies:\n  sg.study{",
+    "did you mean 'rectangle'?", "data\nWhat sg.csv.read")
 end)
 
 check.case("help takes a method by the letter that pages call its object by, and closes what a list cuts off", function()

@@ -10,7 +10,8 @@ local run_path = require "signorini.run"
 local function deep() return ironing{ E = 1e4, mu = 0.1, label = "N4", penalty = 1000, points = 7 } end
 
 --- The published path's first 60 steps: 46 of pressing, 14 of sliding.
-local sixty = { { name = "press", steps = 46, grip = {0, -0.23} }, { name = "slide", steps = 14, grip = {0.084, -0.23} } }
+local sixty = { { name = "press", steps = 46, grip = {0, -0.23} },
+  { name = "slide", steps = 14, grip = {0.084, -0.23} } }
 
 local function largest_difference(a, b)
   local most = 0
@@ -99,7 +100,8 @@ check.case("line search and frozen active sets wait until nothing can be cut, th
   check.equal(story(run, 1), "plain cycling, plain cycling, line search cycling, frozen converged, " .. in_vain .. ", "
     .. in_vain)
   local attempts = run:attempts(1)
-  check.near({ attempts[1].to, attempts[2].to, attempts[5].from, attempts[5].to, attempts[8].to }, { 1, 0.5, 0.5, 1, 1 })
+  check.near({ attempts[1].to, attempts[2].to, attempts[5].from, attempts[5].to, attempts[8].to },
+    { 1, 0.5, 0.5, 1, 1 })
   check.equal({ run.rescues, run.cutbacks, run.reason, run.cause }, { 1, 1, "minimum_step", "cycling" })
 end)
 
@@ -118,7 +120,8 @@ end)
 
 check.case("points that are held do no harm: where they cannot be freed the run says so", function()
   for _, changes in ipairs { 2, 4, 8 } do
-    local run = deep():run({ { name = "press", steps = 46, grip = {0, -0.5} } }, { newton = { active_set_changes = changes } })
+    local run = deep():run({ { name = "press", steps = 46, grip = {0, -0.5} } },
+      { newton = { active_set_changes = changes } })
     check.equal({ run.reason, run.steps, run.places[1].contact }, { "cycling", 33, "interface" })
     check.holds(run.report, "points that were held do not keep their states when they are freed")
   end
@@ -160,7 +163,8 @@ end)
 check.case("a step that fails leaves the penalty of the last one", function()
   local model = ironing{ mu = 0 }
   local run = model:run({ { steps = 2, grip = {0, -0.1} } },
-    { penalty = { start = 0.01, steps = 4 }, on_iteration = function(info) return info.step == 2 and "stop" or nil end })
+    { penalty = { start = 0.01, steps = 4 },
+      on_iteration = function(info) return info.step == 2 and "stop" or nil end })
   check.equal({ run.reason, run.steps }, { "stopped", 1 })
   check.near(model:penalty_factor(), 0.01 ^ 0.75, 1e-15)
   check.near(model:reaction("grip")[2], run:column("grip.fy")[1], 1e-12)
@@ -222,13 +226,15 @@ end)
 
 check.case("figures that on_step must not return", function()
   local function returning(value)
-    return function() spring_model(function() return true end):run(one_step, { on_step = function() return value end }) end
+    local options = { on_step = function() return value end }
+    return function() spring_model(function() return true end):run(one_step, options) end
   end
   check.fails(returning { 1, 2 }, "controls_test.lua:", "on_step: what it returns must be")
-  check.fails(returning "stopp", "controls_test.lua:", "on_step: what it returns must be nothing, \"stop\", \"cut\" or a table",
-    "got the string 'stopp'")
+  check.fails(returning "stopp", "controls_test.lua:",
+    "on_step: what it returns must be nothing, \"stop\", \"cut\" or a table", "got the string 'stopp'")
   check.fails(returning(true), "controls_test.lua:", "on_step: what it returns must be", "got true")
-  check.fails(returning { depth = "1" }, "controls_test.lua:", "on_step: depth must be a finite number, got the string '1'")
+  check.fails(returning { depth = "1" }, "controls_test.lua:",
+    "on_step: depth must be a finite number, got the string '1'")
   check.fails(returning { ["grip.fx"] = 1 }, "on_step: the run has a column 'grip.fx' of its own: choose another name")
 end)
 
@@ -236,9 +242,11 @@ check.case("answers of on_iteration that are none leave the model at its accepte
   local model = ironing{}
   check.fails(function()
     model:run({ { steps = 1, grip = {0, -0.01} } }, { on_iteration = function() return "halt" end })
-  end, "controls_test.lua:", "on_iteration: what it returns must be nothing, \"stop\" or \"cut\", got the string 'halt'")
+  end, "controls_test.lua:",
+  "on_iteration: what it returns must be nothing, \"stop\" or \"cut\", got the string 'halt'")
   check.equal(model:target "grip", {0, 0})
-  check.equal(model:run({ { steps = 1, grip = {0, -0.01} } }, { on_iteration = function() return false end }).failed, false)
+  check.equal(model:run({ { steps = 1, grip = {0, -0.01} } }, { on_iteration = function() return false end }).failed,
+    false)
 end)
 
 -- ── sg.robust ────────────────────────────────────────────────────────────────────────────────────────────────────────
@@ -248,7 +256,8 @@ check.case("sg.robust turns on what easy runs do not pay for", function()
   check.equal({ robust.predictor, robust.rescue, robust.step.adaptive }, { "linear", true, true })
   robust = sg.robust { step = { adaptive = true, min = 1 / 256 }, predictor = "tangent", linear = "klu" }
   check.equal({ robust.predictor, robust.rescue, robust.step.min, robust.linear }, { "tangent", true, 1 / 256, "klu" })
-  check.fails(function() sg.robust(7) end, "controls_test.lua:", "sg.robust: options must be a table of options of model:run")
+  check.fails(function() sg.robust(7) end, "controls_test.lua:",
+    "sg.robust: options must be a table of options of model:run")
 end)
 
 check.case("easy ironing takes fewer iterations with sg.robust, and is the same", function()
@@ -310,7 +319,8 @@ check.case("wrong options are refused before the first step, at the user's line"
       "did you mean 'linear'?" },
     { { predictor = true }, "predictor must be 'tangent', 'constant' or 'linear', got true" },
     { { predicter = "linear" }, "unknown argument 'predicter' in options", "did you mean 'predictor'?" },
-    { { newton = { line_search = "enrgy" } }, "newton.line_search must be 'none', 'residual' or 'energy'", "did you mean 'energy'?" },
+    { { newton = { line_search = "enrgy" } }, "newton.line_search must be 'none', 'residual' or 'energy'",
+      "did you mean 'energy'?" },
     { { newton = { linesearch = "energy" } }, "unknown argument 'linesearch'", "did you mean 'line_search'?" },
     { { newton = { freeze_active_set = 2 } }, "newton.freeze_active_set must be a number above 0 and at most 1" },
     { { newton = { freeze_active_set = "yes" } }, "newton.freeze_active_set must be", "got the string 'yes'" },
@@ -328,7 +338,8 @@ check.case("wrong options are refused before the first step, at the user's line"
     { { penalty = { start = 0.1 } }, "penalty.steps is missing" },
     { { penalty = { start = 2, steps = 3 } }, "penalty.start must be a number above 0 and at most 1" },
     { { penalty = { start = 0.1, step = 3 } }, "unknown argument 'step' in penalty", "did you mean" },
-    { { linear = "cholmodd" }, "linear must be 'auto', 'klu',", "got the string 'cholmodd'", "did you mean 'cholmod'?" },
+    { { linear = "cholmodd" }, "linear must be 'auto', 'klu',", "got the string 'cholmodd'",
+      "did you mean 'cholmod'?" },
     { { linear = 3 }, "linear must be 'auto', 'klu',", "got the number 3" },
     { { threads = 0 }, "threads must be a whole number from 1 to 1024, got the number 0" },
     { { threads = 100000 }, "threads must be a whole number from 1 to 1024, got the number 100000" },
@@ -348,7 +359,8 @@ end)
 check.case("a real model's verbs refuse them as well", function()
   local model = ironing{}
   for _, case in ipairs {
-    { { predictor = "linaer" }, "predictor" }, { { line_search = 3 }, "line_search" }, { { freeze_active_set = -1 }, "freeze_active_set" },
+    { { predictor = "linaer" }, "predictor" }, { { line_search = 3 }, "line_search" },
+    { { freeze_active_set = -1 }, "freeze_active_set" },
     { { active_set_changes = -1 }, "active_set_changes" }, { { augmented = { loop = 1 } }, "loop" },
     { { damping = 1 }, "damping" }, { { predict = "linear" }, "did you mean 'predictor'?" },
   } do

@@ -58,13 +58,14 @@ end
 --- A punch on a slab; `parts` of it along x and y are left: 1 or 1/2.
 function cost.punch(label, along_x, along_y, hold)
   local function body(size, corner, elements, contact, material)
-    return sg.body{ patch = sg.shapes.block{ size = { size[1] * along_x, size[2] * along_y, size[3] }, corner = corner },
+    return sg.body{ patch = sg.shapes.block{ size = { size[1] * along_x, size[2] * along_y, size[3] },
+                                            corner = corner },
                     elements = { elements[1] * along_x // 1 | 0, elements[2] * along_y // 1 | 0, elements[3] },
                     order = label, contact = contact, material = material }
   end
   local slab = body({ 4, 4, 2 }, { 0, 0, 0 }, { 4, 4, 2 }, "back", soft)
-  local top = body({ 2, 2, 1 }, { 2 - 2 * along_x + (along_x == 1 and 1 or 0), 2 - 2 * along_y + (along_y == 1 and 1 or 0), 2 },
-    { 2, 2, 1 }, "front", sg.neo_hookean{ E = 50, nu = 0.3 })
+  local top = body({ 2, 2, 1 }, { 2 - 2 * along_x + (along_x == 1 and 1 or 0),
+    2 - 2 * along_y + (along_y == 1 and 1 or 0), 2 }, { 2, 2, 1 }, "front", sg.neo_hookean{ E = 50, nu = 0.3 })
   local supports = { bed = { on = slab:face "front", fix = "xyz" },
                      grip = hold and hold(top) or { on = top:face "back", drive = "z", fix = "xy" } }
   if along_x < 1 then supports.x = { on = { slab:face "east", top:face "east" }, fix = "x" } end

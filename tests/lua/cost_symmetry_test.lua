@@ -18,7 +18,8 @@ local function half_ironing(label, elements)
                         elements = elements or { 4, 3 }, order = label, contact = "north", material = soft }
   return sg.model{
     bodies   = { die = die, slab = slab },
-    supports = { bed    = { on = slab:face "south", fix = "xy" }, grip = { on = die:face "east", drive = "y", fix = "x" },
+    supports = { bed    = { on = slab:face "south", fix = "xy" },
+                 grip = { on = die:face "east", drive = "y", fix = "x" },
                  middle = { on = { die:face "west", slab:face "west" }, fix = "x" } },
     contacts = { interface = { slave = die:face "south", master = slab:face "north", penalty = 100,
                                friction = { mu = 0.2, penalty = 100 } } },
@@ -138,7 +139,9 @@ check.case("halves and the quarter of a solid scene", function()
       "x = 2, y = 2: one quarter of it, with x and y fixed on these planes")
   end
   local function along(direction)
-    return function(top) return { on = top:face "back", drive = direction .. "z", fix = direction == "x" and "y" or "x" } end
+    return function(top)
+      return { on = top:face "back", drive = direction .. "z", fix = direction == "x" and "y" or "x" }
+    end
   end
   local model = punch("N2", 1, 1, along "x")
   check.equal({ #advice(model, "symmetry"), #advice(model, "symmetry if fixed") }, { 1, 1 })
@@ -209,7 +212,8 @@ check.case("no axis where one thing stands in its way", function()
   local bent = sg.nurbs.volume{ degrees = degrees, points = points, weights = octant_patch:weights(),
     knots = { octant_patch:knots(1), octant_patch:knots(2), octant_patch:knots(3) } }
   for what, change in pairs {
-    point = { patch = bent }, free = { free = true }, sideways = { fix = "x" }, drive = { drive = "xz", fix = "y", free = true },
+    point = { patch = bent }, free = { free = true }, sideways = { fix = "x" },
+    drive = { drive = "xz", fix = "y", free = true },
     where = { where = function(X) return X[3] < -0.5 end }, load = { traction = { 0.1, 0, 1 } },
     slope = { master = sg.rigid.plane{ point = { 0, 0, -1 }, normal = { 0, 0.01, 1 } } },
     off = { master = sg.rigid.sphere{ centre = { 3, 2.001, -2 }, radius = 1 } },

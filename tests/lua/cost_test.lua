@@ -101,10 +101,11 @@ end)
 -- ── Labels, points ───────────────────────────────────────────────────────────────────────────────────────────────────
 
 local function slab_alone(label, change)
-  local slab = sg.body{ patch = change and change.patch or sg.shapes.rectangle{ width = 3, height = 1 }, elements = { 8, 3 },
-                        order = label, contact = "north", material = soft }
+  local slab = sg.body{ patch = change and change.patch or sg.shapes.rectangle{ width = 3, height = 1 },
+                        elements = { 8, 3 }, order = label, contact = "north", material = soft }
   return sg.model{ bodies = { slab = slab }, supports = { side = { on = slab:face "west", fix = "xy" } },
-    contacts = { c = { slave = slab:face(change and change.face or "north"), points = change and change.points, where = change and change.where,
+    contacts = { c = { slave = slab:face(change and change.face or "north"), points = change and change.points,
+      where = change and change.where,
       master = sg.rigid.plane{ point = { 0, 9 }, normal = { 0, -1 } }, penalty = 1 } } }
 end
 
@@ -200,7 +201,8 @@ check.case("17,952 unknowns in space are looked through in a second", function()
   local top = sg.body{ patch = sg.shapes.block{ size = { 2, 2, 2 }, corner = { 1, 1, 2 } }, elements = { 8, 8, 8 },
                        order = "N2", contact = "front", material = stiff }
   local model = sg.model{ bodies = { slab = slab, top = top },
-    supports = { bed = { on = slab:face "front", fix = "xyz" }, grip = { on = top:face "back", drive = "z", fix = "xy" } },
+    supports = { bed = { on = slab:face "front", fix = "xyz" },
+      grip = { on = top:face "back", drive = "z", fix = "xy" } },
     contacts = { c = { slave = top:face "front", master = slab:face "back", penalty = 100 } } }
   local before = os.clock()
   local cost = model:cost()

@@ -13,8 +13,8 @@ local function write_text(text)
 end
 
 check.case("rows, comments and awkward values survive", function()
-  local rows = { { 1, 0.1, "N2" }, { 2, nil, 'a,"b"\nc' }, { 3, 1 / 3, "2" }, { -4, 1e300, " edges " }, { 5, 2 ^ -1074, "#5" },
-                 { 6, true, "true" }, { math.maxinteger, false, "ξ" } }
+  local rows = { { 1, 0.1, "N2" }, { 2, nil, 'a,"b"\nc' }, { 3, 1 / 3, "2" }, { -4, 1e300, " edges " },
+                 { 5, 2 ^ -1074, "#5" }, { 6, true, "true" }, { math.maxinteger, false, "ξ" } }
   sg.csv.write(file, { columns = { "step", "fx", "label" }, rows = rows, comments = { "source: a test", "one\ntwo" } })
   local read = sg.csv.read(file)
   check.equal(read.columns, { "step", "fx", "label" })
@@ -45,7 +45,8 @@ check.case("named lists are columns, in the order asked for or of their names", 
   check.equal(core.read_file(file), "a,b\nx,1\n")
 end)
 
-check.case("files from elsewhere: byte-order mark, carriage returns, blanks, blank lines, no last line break", function()
+check.case("files from elsewhere: byte-order mark, carriage returns, blanks, blank lines, no last line break",
+  function()
   write_text "\xEF\xBB\xBF# from a spreadsheet\r\nname , value\r\n\r\n\"x, y\" , 2\r\nz,"
   local ok, message = pcall(sg.csv.read, file)
   check.equal(ok, false)

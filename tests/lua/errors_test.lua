@@ -9,10 +9,12 @@ local nan = 0 / 0
 check.case("wrong named arguments", function()
   local rectangle = sg.shapes.rectangle
   local wrong = {
-    { { width = 3, hieght = 1 }, "unknown argument 'hieght' (the number 1); did you mean 'height'? known: width, height, corner" },
+    { { width = 3, hieght = 1 },
+      "unknown argument 'hieght' (the number 1); did you mean 'height'? known: width, height, corner" },
     { { width = 3, height = 1, frobnicate = 2 }, "unknown argument 'frobnicate' (the number 2); known: width" },
     { { width = 3 }, "height (size along y) is missing: it must be a positive number" },
-    { { width = "3", height = 1 }, "width must be a positive number (size along x), got the string '3': remove the quotes" },
+    { { width = "3", height = 1 },
+      "width must be a positive number (size along x), got the string '3': remove the quotes" },
     { { width = -3, height = 1 }, "width must be a positive number", "got the number -3", "above 0" },
     { { width = 0, height = 1 }, "got the number 0" },
     { { width = nan, height = 1 }, "width must be a finite number", "nan", "division by zero" },
@@ -28,7 +30,8 @@ check.case("wrong named arguments", function()
   for _, case in ipairs(wrong) do
     check.fails(function() rectangle(case[1]) end, "sg.shapes.rectangle", table.unpack(case, 2))
   end
-  check.fails(function() rectangle(3, 1) end, "takes a table of named arguments, got the number 3: write sg.shapes.rectangle{ width")
+  check.fails(function() rectangle(3, 1) end,
+    "takes a table of named arguments, got the number 3: write sg.shapes.rectangle{ width")
   check.fails(function() rectangle() end, "got nothing")
 end)
 
@@ -46,10 +49,14 @@ check.case("wrong arguments of methods", function()
   check.fails(function() p:insert(1, 0.5) end, "knots must be a list", "braces")
   check.fails(function() p:refine { elements = { 0, 1 } } end, "elements[1]", "got the number 0")
   check.fails(function() p:refine { elements = 4 } end, "elements must be a list of 2 whole numbers")
-  check.fails(function() p:refine { elements = { 4, 4 }, grading = { false } } end, "grading must be a list of 2 entries")
-  check.fails(function() p:refine { elements = { 4, 4 }, grading = { false, { elements = 1.5, length = 0.1, at = "end" } } } end,
+  check.fails(function() p:refine { elements = { 4, 4 }, grading = { false } } end,
+    "grading must be a list of 2 entries")
+  local function graded(grading)
+    return function() p:refine { elements = { 4, 4 }, grading = { false, grading } } end
+  end
+  check.fails(graded { elements = 1.5, length = 0.1, at = "end" },
     "grading[2].elements", "1.5")
-  check.fails(function() p:refine { elements = { 4, 4 }, grading = { false, { elements = 0.5, length = 0.1, at = "ende" } } } end,
+  check.fails(graded { elements = 0.5, length = 0.1, at = "ende" },
     "grading[2].at must be 'start' or 'end'", "did you mean 'end'?")
   check.fails(function() p:refine { grading = { false, false } } end, "grading needs elements")
   check.fails(function() p:translate { 1 } end, "by must be a list of 2 numbers")
@@ -60,8 +67,10 @@ end)
 
 check.case("wrong geometry", function()
   check.fails(function() sg.shapes.half_annulus { inner = 2, outer = 1 } end, "sg.shapes.half_annulus", "2", "1")
-  check.fails(function() sg.nurbs.curve { degree = 2, knots = { 0, 0, 1, 1 }, points = { { 0, 0 }, { 1, 1 } } } end, "sg.nurbs.curve", "knot")
-  check.fails(function() sg.nurbs.curve { degree = 1, knots = { 0, 0, 1, 1 }, points = { { 0, 0 }, { 1, 1, 1 } } } end, "points[2]")
+  check.fails(function() sg.nurbs.curve { degree = 2, knots = { 0, 0, 1, 1 }, points = { { 0, 0 }, { 1, 1 } } } end,
+    "sg.nurbs.curve", "knot")
+  check.fails(function() sg.nurbs.curve { degree = 1, knots = { 0, 0, 1, 1 }, points = { { 0, 0 }, { 1, 1, 1 } } } end,
+    "points[2]")
   check.fails(function() sg.nurbs.surface { degrees = { 1, 1 }, knots = { { 0, 0, 1, 1 } }, points = { { 0, 0 } } } end,
     "knots must be a list of 2 knot vectors")
   check.fails(function() sg.nurbs.ruled { a = p, b = 3 } end, "b must be a patch", "got the number 3")

@@ -20,13 +20,14 @@ check.case("files of all forms become patches that bodies can be made of", funct
   check.near(patches[1] { 0.5, 0.5 }, { 1.5 * math.sqrt(0.5), 1.5 * math.sqrt(0.5) })
   check.equal(#sg.nurbs.read(samples .. "geopdes_v21.txt"), 2)
   check.near(sg.nurbs.read(samples .. "mfem.mesh")[1] { 0.5, 1 }, { 0, 2 })
-  local body = sg.body { patch = sg.nurbs.read(samples .. "geopdes_v07.txt")[1], elements = { 1, 2, 1 }, order = { "N2", "N2" },
-                         contact = "west", material = sg.neo_hookean { E = 1, nu = 0.3 } }
+  local body = sg.body { patch = sg.nurbs.read(samples .. "geopdes_v07.txt")[1], elements = { 1, 2, 1 },
+                         order = { "N2", "N2" }, contact = "west", material = sg.neo_hookean { E = 1, nu = 0.3 } }
   check.equal(body:dofs().total > 0, true)
 end)
 
 check.case("what is written comes back to the last bit", function()
-  local disc = sg.shapes.half_annulus { inner = 0.3, outer = 0.5, centre = { 0.75, 1.5 } }:refine { elements = { 6, 3 }, degree = { 3, 2 } }
+  local disc = sg.shapes.half_annulus { inner = 0.3, outer = 0.5, centre = { 0.75, 1.5 } }
+    :refine { elements = { 6, 3 }, degree = { 3, 2 } }
   local cuboid = sg.shapes.block { size = { 1, 2, 3 } }:rotate { angle = 20, axis = { 1, 1, 0 } }
   local arc = sg.nurbs.arc { radius = 1, from = 10, to = 200 }
   for _, patch in ipairs { disc, cuboid, arc } do

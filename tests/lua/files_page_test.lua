@@ -9,7 +9,8 @@ check.case("the page's listing", function()
   local folder = check.folder()
   local file = assert(io.open(folder .. "/listing.lua", "wb"))
   file:write(code):close()
-  local output, status = check.shell(("cd %s && SIGNORINI_HOME=%s %s -q listing.lua"):format(folder, core.home, arg[-1]))
+  local output, status = check.shell(("cd %s && SIGNORINI_HOME=%s %s -q listing.lua"):format(folder, core.home,
+    arg[-1]))
   if status ~= 0 then error(output) end
   local same = sg.nurbs.read(folder .. "/ring.mesh")[1]
   check.equal(same:points(), sg.nurbs.read(folder .. "/ring.xml")[1]:points())

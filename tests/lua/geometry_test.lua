@@ -24,7 +24,8 @@ end)
 
 check.case("surfaces and volumes take one knot vector per direction, points fastest in xi1", function()
   local U = { 0, 0, 1, 1 }
-  local s = sg.nurbs.surface { degrees = { 1, 1 }, knots = { U, U }, points = { { 0, 0 }, { 2, 0 }, { 0, 1 }, { 2, 1 } } }
+  local s = sg.nurbs.surface { degrees = { 1, 1 }, knots = { U, U },
+    points = { { 0, 0 }, { 2, 0 }, { 0, 1 }, { 2, 1 } } }
   check.near(s { 0.25, 0.5 }, { 0.5, 0.5 })
   local points = {}
   for z = 0, 1 do for y = 0, 1 do for x = 0, 1 do points[#points + 1] = { x, 2 * y, 3 * z } end end end

@@ -44,7 +44,8 @@ check.case("every option changes the map", function()
     { colormap = "magma" }, { size = { 640, 500 } }, { x = { "a", "b", "c" } }, { y = { "a", "b" } },
     { values = { { 1, 2, 3 }, { 4, 5 } } }, { values = { { 1, 0 / 0, 3 }, { 4, 5, 6 } } }, { texts = { { "a" }, {} } },
     { values = outcomes, categories = held },
-    { values = outcomes, categories = { { name = "held", good = false }, { name = "cycling" }, { name = "inverted" } } },
+    { values = outcomes, categories = { { name = "held", good = false }, { name = "cycling" },
+      { name = "inverted" } } },
     { values = outcomes, categories = { { name = "held", colour = "#0000ff" }, "cycling", "inverted" } },
     { values = outcomes, categories = { "held", { name = "cycling", colour = 9 }, "inverted" } },
   }

@@ -11,8 +11,8 @@ local subjects = require "signorini.help.subjects"
 
 -- Methods of Lua's types that the library calls; users read about the others.
 local private = {
-  run = "new begin_stage begin_step record_attempt record_probe record_cutback add_extra record_extra drop_step record_step "
-    .. "record_arc record_control record_failure keep_state info finish",
+  run = "new begin_stage begin_step record_attempt record_probe record_cutback add_extra record_extra drop_step "
+    .. "record_step record_arc record_control record_failure keep_state info finish",
   study = "row_of gather",
 }
 
@@ -55,7 +55,9 @@ check.case("every page is about something, and is internal or in a group", funct
   for name in pairs(core.docs) do
     if not name:find "^core%." and not name:find "^lock" then
       if not subjects.is_public(name) then error(name .. " is in none of help's groups") end
-      if name ~= "traceback" and not names.value(name) and not rawget(core.types, name) then error(name .. " is no name of the language") end
+      if name ~= "traceback" and not names.value(name) and not rawget(core.types, name) then
+        error(name .. " is no name of the language")
+      end
     end
   end
 end)
@@ -70,17 +72,20 @@ check.case("the page shows the named arguments that the function takes", functio
   local body = sg.body { patch = sg.shapes.rectangle { width = 1, height = 1 }, elements = { 1, 1 }, order = "N1",
     material = sg.linear_elastic { E = 1, nu = 0.3 } }
   local study = sg.study { name = "a", cases = sg.grid { a = { 1 } }, run = function() return {} end }
-  local selves = { patch = sg.shapes.block { size = { 1, 1, 1 } }, study = study, map = setmetatable({}, core.types.map),
-    series = setmetatable({}, core.types.series),
+  local selves = { patch = sg.shapes.block { size = { 1, 1, 1 } }, study = study,
+    map = setmetatable({}, core.types.map), series = setmetatable({}, core.types.series),
     model = sg.model { bodies = { a = body }, supports = { s = { on = body:face "south", fix = "xy" } } } }
-  local free = { ["sg.grid"] = true, ["sg.arguments"] = true, ["study:where"] = true, ["study:row"] = true, ["sg.table"] = true,
+  local free = { ["sg.grid"] = true, ["sg.arguments"] = true, ["study:where"] = true, ["study:row"] = true,
+    ["sg.table"] = true,
     ["sg.csv.write"] = true, ["model:iterate"] = true, ["sg.robust"] = true, ["study:execute"] = false }
   for name, page in pairs(core.docs) do
     local keys = keys_of(page)
     if #keys > 0 and not free[name] and subjects.is_public(name) then
       local value, type_name = names.value(name), name:match "^([%w_]+):"
       local arguments = { { no_such_argument = 1 } }
-      if page:match "^[%w_.:]+%(" then table.insert(arguments, 1, page:match "^[%w_.:]+%(study" and study or "a.pvd") end
+      if page:match "^[%w_.:]+%(" then
+        table.insert(arguments, 1, page:match "^[%w_.:]+%(study" and study or "a.pvd")
+      end
       if type_name then table.insert(arguments, 1, (assert(selves[type_name], name))) end
       local known, shown = message_of(name, function() value(table.unpack(arguments)) end), {}
       if not known then error(name .. " does not say which arguments it knows") end
@@ -89,7 +94,9 @@ check.case("the page shows the named arguments that the function takes", functio
         if not keys[key] then error(("the head of the page of %s lacks '%s'"):format(name, key)) end
       end
       for _, key in ipairs(keys) do
-        if not shown[key] then error(("the head of the page of %s has '%s', which is no argument"):format(name, key)) end
+        if not shown[key] then
+          error(("the head of the page of %s has '%s', which is no argument"):format(name, key))
+        end
       end
       checked = checked + 1
     end
@@ -99,7 +106,8 @@ end)
 
 check.case("every example runs on the scene of the examples, and gives what it says", function()
   local folder = check.folder()
-  local lines = { "sg = require 'signorini' help = sg.help", "local text = require('signorini.show').text", require("signorini.help.texts").scene, [[
+  local lines = { "sg = require 'signorini' help = sg.help", "local text = require('signorini.show').text",
+    require("signorini.help.texts").scene, [[
     local function example(name, code, expected)
       local own = setmetatable({}, { __index = _G })
       local chunk, message = load("return " .. code, "=" .. name, "t", own)
@@ -121,9 +129,12 @@ check.case("every example runs on the scene of the examples, and gives what it s
     end
   end
   core.write_file(folder .. "/examples.lua", table.concat(lines, "\n"))
-  local output, status = check.shell(("cd %s && SIGNORINI_HOME=%s %s -q examples.lua 2>&1"):format(folder, core.home, arg[-1]))
+  local output, status = check.shell(("cd %s && SIGNORINI_HOME=%s %s -q examples.lua 2>&1"):format(folder, core.home,
+    arg[-1]))
   local failed = output:match "FAILED[^\n]*" or output:match "signorini: [^\n]*"
-  if failed then error((output:gsub("[^\n]*\n?", function(line) return line:find "FAILED" and line or "" end)) .. failed) end
+  if failed then
+    error((output:gsub("[^\n]*\n?", function(line) return line:find "FAILED" and line or "" end)) .. failed)
+  end
   check.equal(status, 0)
   check.equal(count > 60, true)
 end)

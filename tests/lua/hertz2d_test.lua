@@ -47,7 +47,8 @@ check.case("the layer's error at m3 is at most a third of N2's, and that of N2 o
     end
   end
   for level = 1, 2 do
-    check.at_most("N2-N2.2 m" .. level, pushed.cases["N2-N2.2 m" .. level].error, pushed.cases["N2 m" .. level + 1].error)
+    check.at_most("N2-N2.2 m" .. level, pushed.cases["N2-N2.2 m" .. level].error,
+      pushed.cases["N2 m" .. level + 1].error)
   end
 end)
 

@@ -22,7 +22,8 @@ check.case("peak and radius converge to Hertz's; the layer is ahead of N2", func
     check.at_most(label .. " error", fine.error, 0.5 * coarse.error)
   end
   for _, mesh in ipairs { "m1", "m2" } do
-    check.at_most("error of the layer at " .. mesh, study.cases["N2-N2.2 " .. mesh].error, study.cases["N2 " .. mesh].error)
+    check.at_most("error of the layer at " .. mesh, study.cases["N2-N2.2 " .. mesh].error,
+      study.cases["N2 " .. mesh].error)
   end
 end)
 

@@ -79,7 +79,8 @@ check.case("two meshes: amplitudes at m2, times of pairs, charts over the mesh",
     check.equal(pair.ours.work.wall, math.min(pair.ours.runs[1].wall, pair.ours.runs[2].wall))
   end
   check.equal(both.cheapest, {}) -- N2 was not run
-  check.pictures(folder, { "Py_over_mesh_raw", "Px_over_mesh_detrended", "time_over_mesh", "accuracy_over_time", "forces_m2" })
+  check.pictures(folder, { "Py_over_mesh_raw", "Px_over_mesh_detrended", "time_over_mesh", "accuracy_over_time",
+    "forces_m2" })
 end)
 
 check.case("the cheapest case that is as accurate as N2 on a mesh: both amplitudes count, then time", function()

@@ -1,5 +1,5 @@
--- Runs that are killed at random moments, in the middle of writing too, and taken up again end with the same bits as one
--- that nothing disturbs; so do runs that Ctrl-C ends.
+-- Runs that are killed at random moments, in the middle of writing too, and taken up again end with the same bits as
+-- one that nothing disturbs; so do runs that Ctrl-C ends.
 
 local check = require "check"
 
@@ -8,7 +8,8 @@ local sg = require "signorini"
 require "signorini.core".quiet = true
 local file, resume = arg[1], arg[2] == "resume"
 local die = sg.body{ patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, centre = {0.75, 1.5} },
-                     elements = {6, 2}, order = "N2", contact = "south", material = sg.neo_hookean{ E = 1000, nu = 0.3 } }
+                     elements = {6, 2}, order = "N2", contact = "south",
+                     material = sg.neo_hookean{ E = 1000, nu = 0.3 } }
 local slab = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = {8, 3}, order = "N2",
                       contact = "north", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
 local model = sg.model{
@@ -18,7 +19,8 @@ local model = sg.model{
   contacts = { interface = { slave = die:face "south", master = slab:face "north", penalty = 100,
                              friction = { mu = 0.2, penalty = 100 } } },
 }
-local run = model:run({ { name = "press", steps = 20, grip = {0, -0.2} }, { name = "slide", steps = 80, grip = {0.6, -0.2} } },
+local run = model:run({ { name = "press", steps = 20, grip = {0, -0.2} },
+                        { name = "slide", steps = 80, grip = {0.6, -0.2} } },
   { checkpoint = { file = file, durable = true }, resume = resume })
 if run.failed then os.exit(3) end
 for _, name in ipairs(run:columns()) do

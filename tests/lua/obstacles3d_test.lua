@@ -6,7 +6,8 @@ local check = require "check"
 local soft = sg.neo_hookean{ E = 10, nu = 0.3 }
 
 --- The forces, first all horizontal, then all vertical ones, on a rigid obstacle that is pressed into a bed of width 3
---- and height 1 (and depth 0.5 in 3D) and dragged along, per unit depth. `law`: adhesion instead of penalty and friction.
+--- and height 1 (and depth 0.5 in 3D) and dragged along, per unit depth. `law`: adhesion instead of penalty and
+--- friction.
 local function drag(obstacle, flat, law)
   local shape = flat and sg.shapes.rectangle{ width = 3, height = 1 } or
     sg.nurbs.extrude{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, along = {0, 0, 0.5} }

@@ -78,7 +78,8 @@ check.case("wrong arguments", function()
                                ["dimensions=4"] = "dimensions must be among 2 and 3, got '4'",
                                ["materials=steel"] = "materials must be among linear and neo_hooke, got 'steel'",
                                ["sides=open"] = "sides must be guided or free, got 'open'",
-                               ["penalties=-1"] = "penalties must be", ["points=x"] = "points must be" }, "out=" .. folder)
+                               ["penalties=-1"] = "penalties must be", ["points=x"] = "points must be" },
+                "out=" .. folder)
 end)
 
 check.done()

@@ -99,8 +99,8 @@ check.case("frames keep their state and share a sheet", function()
 end)
 
 check.case("marks may hold what the places of a failed run hold, and belong to their frame", function()
-  local place = { x = { 2, 0.5 }, X = { 2, 0.4 }, text = "J = -0.2", kind = "inverted", body = "strip", element = { 3, 1 },
-                  contact = "touch", value = -0.2 }
+  local place = { x = { 2, 0.5 }, X = { 2, 0.4 }, text = "J = -0.2", kind = "inverted", body = "strip",
+                  element = { 3, 1 }, contact = "touch", value = -0.2 }
   local marked = draw{ model = model, marks = { place } }
   check.equal(draw{ model = model, marks = { { x = { 2, 0.5 }, text = "J = -0.2" } } }.bytes == marked.bytes, true)
   check.equal(draw{ model = model, marks = {} }.bytes == draw{ model = model }.bytes, true)

@@ -136,7 +136,8 @@ check.case("wrong inputs name the argument, what came, what was expected, and th
   end
   fails({ profile = p, reference = 3 }, "reference must be a contact profile", "take what model:profile returns")
   fails({ reference = r }, "profile is missing")
-  fails({ profile = p, reference = r, coordinate = "z" }, "profile has no list 'z'", "which coordinate asks for; known: gap, pressure")
+  fails({ profile = p, reference = r, coordinate = "z" }, "profile has no list 'z'",
+    "which coordinate asks for; known: gap, pressure")
   fails({ profile = p, reference = r, coordinate = 3 }, "coordinate must be the name of a column", "got the number 3")
   fails({ profile = p, reference = r, value = "gap" }, "value must be 'pressure' or 'traction'")
   fails({ profile = p, reference = r, quadrature = "gauss" }, "quadrature must be 'profile', 'reference' or 'union'")

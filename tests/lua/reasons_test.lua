@@ -9,8 +9,10 @@ local check = require "check"
 local function block(options)
   local o = options or {}
   return sg.body{
-    patch = sg.shapes.rectangle{ width = o.width or 1, height = o.height or 1, corner = o.corner }, order = o.order or "N2",
-    elements = o.elements or {2, 2}, contact = o.contact or "south", material = o.material or sg.neo_hookean{ E = 1, nu = 0.3 },
+    patch = sg.shapes.rectangle{ width = o.width or 1, height = o.height or 1, corner = o.corner },
+    order = o.order or "N2",
+    elements = o.elements or {2, 2}, contact = o.contact or "south",
+    material = o.material or sg.neo_hookean{ E = 1, nu = 0.3 },
   }
 end
 
@@ -40,15 +42,18 @@ local function bar_on_ramp()
   }
   return sg.model{
     bodies   = { bar = bar, ramp = ramp },
-    supports = { top = { on = bar:face "north", fix = "x", drive = "y" }, bed = { on = ramp:face "south", fix = "xy" } },
+    supports = { top = { on = bar:face "north", fix = "x", drive = "y" },
+      bed = { on = ramp:face "south", fix = "xy" } },
     contacts = { edge = { slave = bar:face "south", master = ramp:face "north", penalty = 10, points = 3 } },
   }
 end
 
---- Deep 2D ironing with hard contact, whose pressing comes to a state between whose two sides one point goes to and fro.
+--- Deep 2D ironing with hard contact, whose pressing comes to a state between whose two sides one point goes to and
+--- fro.
 local function deep_ironing()
   local die = sg.body{ patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, centre = {0.75, 1.5} },
-                       elements = {6, 2}, order = "N4", contact = "south", material = sg.neo_hookean{ E = 1e4, nu = 0.3 } }
+                       elements = {6, 2}, order = "N4", contact = "south",
+                       material = sg.neo_hookean{ E = 1e4, nu = 0.3 } }
   local slab = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = {8, 3}, order = "N4",
                         contact = "north", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
   return sg.model{
@@ -77,7 +82,8 @@ end)
 
 check.case("stopped by on_step and by on_iteration", function()
   local model = press()
-  local run = model:run({ { steps = 4, top = -0.2 } }, { on_step = function(info) return info.step == 2 and "stop" end })
+  local run = model:run({ { steps = 4, top = -0.2 } },
+    { on_step = function(info) return info.step == 2 and "stop" end })
   check.equal({ run.failed, run.reason, run.steps, model:target("top")[1] }, { false, "stopped", 2, -0.1 })
   model = press()
   run = model:run({ { steps = 4, top = -0.2 } },
@@ -94,7 +100,8 @@ check.case("cut, where no shorter steps are allowed", function()
     "The model is at its last accepted step, its start."), nil)
   run = press():run({ { name = "crush", steps = 2, top = -0.2 } },
     { rescue = true, on_iteration = function(info) return info.step == 2 and info.iteration == 2 and "cut" end })
-  check.equal(expect(run, "cut", 1, "step 2 (stage 'crush', 2 of 2) was not reached: on_iteration asked for it in iteration 2",
+  check.equal(expect(run, "cut", 1,
+    "step 2 (stage 'crush', 2 of 2) was not reached: on_iteration asked for it in iteration 2",
     "last accepted step, 1"), nil)
   check.equal(#run:attempts(2), 1) -- who wants a cut wants no rescue
 end)
@@ -103,12 +110,15 @@ check.case("interrupted: Ctrl-C ends the run at its last step, and the model can
   local output, status = check.program({}, [[
     sg, Run = require "signorini", require "signorini.run_result"
     new = Run.new; Run.new = function(model) kept = new(model) return kept end
-    b = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = {16, 16}, order = "N2", contact = "south", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
-    m = sg.model{ bodies = { block = b }, supports = { bed = { on = b:face "south", fix = "xy" }, top = { on = b:face "north", drive = "xy" } } }
+    b = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = {16, 16}, order = "N2",
+                 contact = "south", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+    m = sg.model{ bodies = { block = b }, supports = { bed = { on = b:face "south", fix = "xy" },
+                                                       top = { on = b:face "north", drive = "xy" } } }
     timer = io.popen "sleep 0.3; kill -INT $PPID" m:run{ { name = "shear", steps = 1000000, top = {0.3, 0} } }
     first = kept
     print(first.reason, first.cause, first.failed, first.steps > 0, first.steps == first.rows, #first.places)
-    print(first.report:match "not reached: [^.]*", first.report:match "last accepted step, %d+" == "last accepted step, " .. first.steps)
+    print(first.report:match "not reached: [^.]*",
+          first.report:match "last accepted step, %d+" == "last accepted step, " .. first.steps)
     print("again:", m:run{ { steps = 2, top = {0, 0} } }.reason)
   ]])
   check.holds(output, "interrupted\n", "interrupted\tinterrupted\ttrue\ttrue\ttrue\t0\n",
@@ -123,7 +133,8 @@ check.case("iterations: too few, with the largest unbalanced forces", function()
   local model = sg.model{ bodies = { block = body }, supports = {
     bed = { on = body:face "south", fix = "xy" }, top = { on = body:face "north", drive = "xy" } } }
   local run = model:run({ { name = "shear", steps = 1, top = {0.3, 0} } }, { newton = { iterations = 2 } })
-  local place = expect(run, "iterations", 0, "step 1 (stage 'shear', 1 of 1) was not reached: no convergence in 2 iterations",
+  local place = expect(run, "iterations", 0,
+    "step 1 (stage 'shear', 1 of 1) was not reached: no convergence in 2 iterations",
     "Worst places: control point", "What may help: allow more iterations")
   check.equal({ place.kind, place.body }, { "control point", "block" })
   check.near(place.X[2], 0.5, 1e-12) -- neither held face
@@ -149,9 +160,10 @@ end)
 check.case("cycling: one point of deep ironing goes to and fro", function()
   local run = deep_ironing():run{ { name = "press", steps = 46, grip = {0, -0.5} } }
   local place = expect(run, "cycling", 33, "step 34 (stage 'press', 34 of 46)",
-    "the states of contact points repeat every 2 iterations; 1 point of contact 'interface', the first in slave element",
+    "the states of contact points repeat every 2 iterations; 1 point of contact 'interface', the first in slave",
     "Worst places: contact point in slave element", "What may help: take smaller steps", "active_set_changes")
-  check.equal({ place.kind, place.contact, place.text, #run.places }, { "contact point", "interface", "stick / slip", 1 })
+  check.equal({ place.kind, place.contact, place.text, #run.places },
+    { "contact point", "interface", "stick / slip", 1 })
   check.near((place.X[1] - 0.75) ^ 2 + (place.X[2] - 1.5) ^ 2, 0.25, 1e-9) -- on the die's face
   check.near(place.x[2], place.X[2] - 0.5 * 33 / 46, 5e-3) -- the die is nearly rigid; the accepted state is step 33's
 end)
@@ -175,8 +187,10 @@ check.case("inverted: a block pressed flat and farther", function()
 end)
 
 check.case("singular: nothing holds a body, and what it does is named", function()
-  local run = windy(function(body) return { wall = { on = body:face "west", fix = "x" } } end):run{ { steps = 1, wind = {0, -0.1} } }
-  local place = expect(run, "singular", 0, "the tangent is singular; in its direction body 'block' moves as a whole along (0, ",
+  local run = windy(function(body) return { wall = { on = body:face "west", fix = "x" } } end)
+    :run{ { steps = 1, wind = {0, -0.1} } }
+  local place = expect(run, "singular", 0,
+    "the tangent is singular; in its direction body 'block' moves as a whole along (0, ",
     "hold the body with a support", "damping = true")
   check.equal({ place.kind, place.body }, { "control point", "block" })
   run = windy(function(body) return { pin = { on = body:corner "south-west", fix = "xy" } } end)
@@ -202,9 +216,10 @@ check.case("nan: forces whose squares are no numbers", function()
 end)
 
 check.case("line_search: no part of the move helps where a point comes and goes", function()
-  local run = bar_on_ramp():run({ { name = "lower", steps = 4, top = -0.25 } }, { newton = { line_search = "residual" } })
-  local place = expect(run, "line_search", 1, "line search: no part of the move down to 1/128", "What may help: take smaller steps",
-    "or no line search")
+  local run = bar_on_ramp():run({ { name = "lower", steps = 4, top = -0.25 } },
+    { newton = { line_search = "residual" } })
+  local place = expect(run, "line_search", 1, "line search: no part of the move down to 1/128",
+    "What may help: take smaller steps", "or no line search")
   check.equal({ place.kind, place.body }, { "control point", "ramp" })
   check.near(place.X, { 0, 0 }, 1e-9) -- its end
 end)
@@ -236,7 +251,8 @@ check.case("turning_point: an arch under a load that it cannot carry", function(
     supports = { left = { on = arch:face "west", fix = "xy" }, right = { on = arch:face "east", fix = "xy" } },
     loads    = { push = { on = arch:face "north", traction = {0, 0} } },
   }
-  local run = model:run({ { name = "load", steps = 20, push = {0, -0.02} } }, { newton = { iterations = 8 } }) -- more: it jumps
+  -- more: it jumps
+  local run = model:run({ { name = "load", steps = 20, push = {0, -0.02} } }, { newton = { iterations = 8 } })
   check.equal({ run.failed, run.reason, run.cause }, { true, "turning_point", "turning_point" })
   check.holds(run.report, "The path has a turning point at push.ty = -0.0", "arc_length = true")
   local turn = -tonumber(run.report:match "push%.ty = ([-%d.]+)")
@@ -246,7 +262,8 @@ end)
 
 check.case("minimum_step: shorter steps are not allowed; the cause stands beside it", function()
   local run = press():run({ { name = "crush", steps = 1, top = -1.2 } }, { step = { adaptive = true, min = 0.25 } })
-  check.equal({ run.failed, run.reason, run.cause, run.steps, run.cutbacks }, { true, "minimum_step", "inverted", 0, 2 })
+  check.equal({ run.failed, run.reason, run.cause, run.steps, run.cutbacks },
+    { true, "minimum_step", "inverted", 0, 2 })
   check.holds(run.report, "is inverted", "The shortest step, 0.25 of the user's, is still too long.",
     "last accepted increment, 0.75 of the way from step 0 to step 1")
   check.equal({ run.places[1].kind, run.places[1].body }, { "element", "block" })

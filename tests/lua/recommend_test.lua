@@ -114,7 +114,8 @@ check.case("wrong arguments are errors at the user's line", function()
     { { labels = {} }, "labels must be a list of values" },
     { { label = { 1 } }, "unknown argument 'label'", "did you mean 'labels'?" },
     { { scene = function() return 1 end }, "scene must return a model" },
-    { { meshes = { "m2", "m1" } }, "N2-N2.2 has", "unknowns on mesh m2", "on mesh m1: meshes must run from coarse to fine" },
+    { { meshes = { "m2", "m1" } }, "N2-N2.2 has", "unknowns on mesh m2",
+      "on mesh m1: meshes must run from coarse to fine" },
     { { scene = function(label) return scene(label, "m1") end }, "and scene use them" },
   } do
     check.fails(function() recommend(wrong[1]) end, "recommend_test.lua", table.unpack(wrong, 2))

@@ -126,15 +126,17 @@ end)
 check.case("files that do not fit are errors at the user's own line", function()
   local function refused(model, stages, ...)
     local before = model:reaction "grip"
-    check.fails(function() model:run(stages, { checkpoint = file, resume = true }) end, "resume_test.lua:", "model:run: ",
-      file, ...)
+    check.fails(function() model:run(stages, { checkpoint = file, resume = true }) end, "resume_test.lua:",
+      "model:run: ", file, ...)
     check.equal(model:reaction "grip", before)
   end
   ironing():run(path, { checkpoint = file })
   refused(ironing{ slab_E = 2 }, path, "was saved of another scene; what differs: body 'slab'")
   refused(ironing(), { path[1] }, "another path: it has 1 stages, the file's has 2")
-  refused(ironing(), { path[1], { name = "slide", steps = 13, grip = {0.2, -0.15} } }, "stage 2 ('slide').steps is 13, in the file 12")
-  refused(ironing(), { path[1], { name = "slide", steps = 12, grip = {0.3, -0.15} } }, "stage 2 ('slide') has other targets")
+  refused(ironing(), { path[1], { name = "slide", steps = 13, grip = {0.2, -0.15} } },
+    "stage 2 ('slide').steps is 13, in the file 12")
+  refused(ironing(), { path[1], { name = "slide", steps = 12, grip = {0.3, -0.15} } },
+    "stage 2 ('slide') has other targets")
   refused(ironing(), { { name = "down", steps = 8, grip = {0, -0.15} }, path[2] }, "stage 1 ('down').name", "press")
   local model = ironing()
   model:save(file)
@@ -167,8 +169,8 @@ check.case("wrong options", function()
 end)
 
 check.case("plain data as text and back, bit by bit", function()
-  local value = { 1, -2, 0.1, 1 / 3, -0.0, 5e-324, 1e308, math.huge, -math.huge, math.mininteger, true, false, "", "a\"b\\c\nd\0e ü",
-                  {}, { { 3 } }, name = "x", ["grip.fx"] = { 1.5 } }
+  local value = { 1, -2, 0.1, 1 / 3, -0.0, 5e-324, 1e308, math.huge, -math.huge, math.mininteger, true, false, "",
+                  "a\"b\\c\nd\0e ü", {}, { { 3 } }, name = "x", ["grip.fx"] = { 1.5 } }
   local text = literal.write(value)
   local back = literal.read(text)
   check.equal(literal.write(back), text)
@@ -180,8 +182,8 @@ check.case("plain data as text and back, bit by bit", function()
   local nan = literal.read(literal.write(0 / 0))
   assert(nan ~= nan)
   -- Nothing is run, nothing is guessed.
-  for _, wrong in ipairs { "", "{", "{1", "{1,", "{1 2}", "{1}}", "{1} ", "os.exit()", "0x1p", "\"a", "\"a\nb\"", "{[1]=2}", "{a=1}",
-                           "{[\"a\"]}", "1;2", "nil" } do
+  for _, wrong in ipairs { "", "{", "{1", "{1,", "{1 2}", "{1}}", "{1} ", "os.exit()", "0x1p", "\"a", "\"a\nb\"",
+                           "{[1]=2}", "{a=1}", "{[\"a\"]}", "1;2", "nil" } do
     check.equal((pcall(literal.read, wrong)), false)
   end
   for _, wrong in ipairs { print, { [1.5] = 1 }, { [3] = 1 }, io.stdout } do

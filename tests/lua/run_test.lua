@@ -254,7 +254,8 @@ check.case("a step that cannot be reached leaves the model at its last increment
   check.near(model.accepted, { 1.625, 0 })
   check.equal(model.calls[#model.calls], "rollback")
   check.holds(run.report, "step 2 (stage 'climb', 2 of 4) was not reached: no luck.",
-    "The shortest step, 0.125 of the user's, is still too long.", "last accepted increment, 0.625 of the way from step 1 to step 2")
+    "The shortest step, 0.125 of the user's, is still too long.",
+    "last accepted increment, 0.625 of the way from step 1 to step 2")
   check.equal(#run:column "grip.fx", 1)
   local last = run:attempts(2)
   check.near({ last[#last].from, last[#last].to }, { 0.625, 0.75 })
@@ -278,7 +279,8 @@ check.case("arcs that all leave the path have strayed", function()
   function model:last_length() return last end
   function model:solve_arc(options)
     last = 2 * options.length -- along the tangent: more than any bend of one path
-    return { converged = true, reason = "converged", message = "", fraction = 0.5, iterations = 2, residuals = { 1, 0 } }
+    return { converged = true, reason = "converged", message = "", fraction = 0.5, iterations = 2,
+      residuals = { 1, 0 } }
   end
   function model:restore(kept)
     self.accepted, self.next, last = kept, kept, 1

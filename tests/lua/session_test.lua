@@ -1,13 +1,13 @@
--- A first session at the prompt, on a terminal that util-linux' `script` provides: a scene of two bodies is typed line by
--- line, with completion and help, two mistakes and their cure, a solve and a picture.
+-- A first session at the prompt, on a terminal that util-linux' `script` provides: a scene of two bodies is typed line
+-- by line, with completion and help, two mistakes and their cure, a solve and a picture.
 
 local core = require "signorini.core"
 local check = require "check"
 
 local folder = check.folder()
 
---- What the terminal shows when the lines are typed one after the other, each when the program has answered the one before:
---- then its output stands still with a prompt at the end.
+--- What the terminal shows when the lines are typed one after the other, each when the program has answered the one
+--- before: then its output stands still with a prompt at the end.
 local function session(lines)
   local words = {}
   for i, line in ipairs(lines) do words[i] = ("'%s'"):format(line:gsub("'", [['\'']])) end
@@ -17,15 +17,17 @@ screen=$1; shift
 answered() { # waits until the last line is a prompt again and nothing more comes
   for try in $(seq 60); do
     before=$(stat -c %%s "$screen" 2>/dev/null || echo 0); sleep 0.1
-    [ "$before" = "$(stat -c %%s "$screen" 2>/dev/null)" ] && tail -n 1 "$screen" | grep -q "^\(sg\|[.][.]\)> $" && return
+    [ "$before" = "$(stat -c %%s "$screen" 2>/dev/null)" ] && tail -n 1 "$screen" | grep -q "^\(sg\|[.][.]\)> $" &&
+      return
   done
 }
 answered
 for line in %s; do printf '%%b\n' "$line"; answered; done
 printf '\004'
 ]=]):format(table.concat(words, " ")))
-  local output, status = check.shell(("cd %s && : >screen && bash typist screen | XDG_STATE_HOME=%s TERM=dumb NO_COLOR=1 "
-    .. "script -qfec 'stty cols 300; exec %s' screen >/dev/null; status=$?; cat screen; exit $status"):format(folder, folder, arg[-1]))
+  local output, status = check.shell(("cd %s && : >screen && bash typist screen | XDG_STATE_HOME=%s TERM=dumb "
+    .. "NO_COLOR=1 script -qfec 'stty cols 300; exec %s' screen >/dev/null; status=$?; cat screen; exit $status")
+    :format(folder, folder, arg[-1]))
   return output:gsub("\r", ""), status
 end
 
@@ -51,7 +53,8 @@ check.case("a scene of two bodies, typed", function()
   check.equal(status, 0)
   check.holds(output, "sg.shapes.half_annulus{ inner, outer, centre = {0, 0} }", "sg.shapes.half_annulus{ inner = 0.3",
     "..> order = ", "prompt:1: sg.shapes.rectangle: unknown argument 'hieght' (the number 1); did you mean 'height'?",
-    "undefined variable 'modle'; did you mean 'model'?", "model:run{ { name", "sg> run\nstage  steps  iterations", "\npress     20 ", "false\n20\n", '"PNG"\n')
+    "undefined variable 'modle'; did you mean 'model'?", "model:run{ { name", "sg> run\nstage  steps  iterations",
+    "\npress     20 ", "false\n20\n", '"PNG"\n')
 end)
 
 check.done()

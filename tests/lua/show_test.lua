@@ -7,14 +7,15 @@ local show = require "signorini.show"
 local slab = sg.body { patch = sg.shapes.rectangle { width = 3, height = 1 }, elements = { 4, 2 }, order = "N2-N2.2",
   contact = "south", material = sg.neo_hookean { E = 1, nu = 0.3 } }
 local model = sg.model { bodies = { slab = slab }, supports = { grip = { on = slab:face "north", drive = "xy" } },
-  contacts = { ground = { slave = slab:face "south", master = sg.rigid.plane { point = { 0, -0.05 }, normal = { 0, 1 } },
-    penalty = 10 } } }
+  contacts = { ground = { slave = slab:face "south",
+    master = sg.rigid.plane { point = { 0, -0.05 }, normal = { 0, 1 } }, penalty = 10 } } }
 
 check.case("a patch and a body, with where they are", function()
   check.equal(show.text(sg.shapes.rectangle { width = 3, height = 1, corner = { -1, 0 } }),
     "NURBS surface in 2D: degree 1 x 1, elements 1 x 1, 4 control points\n  control points in x -1 … 2, y 0 … 1")
   local dofs = slab:dofs()
-  check.equal(show.text(slab), ("%s\n  %d degrees of freedom on contact faces, %d in the bulk\n  control points in x 0 … 3, y 0 … 1")
+  check.equal(show.text(slab),
+    ("%s\n  %d degrees of freedom on contact faces, %d in the bulk\n  control points in x 0 … 3, y 0 … 1")
     :format(slab, dofs.interface, dofs.bulk))
 end)
 
@@ -33,7 +34,8 @@ check.case("a profile, a table, and plain tables as ever", function()
   local profile = model:profile "ground"
   local touching = 0
   for _, state in ipairs(profile.state) do touching = touching + (state == "open" and 0 or 1) end
-  check.holds(show.text(profile), ("contact profile of %d points: "):format(#profile.x), ("%d %s"):format(touching, profile.state[30]),
+  check.holds(show.text(profile), ("contact profile of %d points: "):format(#profile.x),
+    ("%d %s"):format(touching, profile.state[30]),
     "pressure ", "lists: X, Y, area, gap, pressure, state, traction, x, y")
   local data = sg.reference "ironing2d_oscillation_table7_3"
   check.holds(show.text(data), "# " .. data.comments[1], data.columns[1])

@@ -229,8 +229,8 @@ check.case("two maps side by side share the axes", function()
   local other = make{ x = { name = "order", values = { "good" } } }
   check.fails(function() plain:picture{ file = "x.png", beside = other } end, "map:picture", "other values")
   check.fails(function() plain:picture{ file = "x.png", beside = 7 } end, "beside must be a stability map")
-  check.fails(function() plain:picture{ file = "x.png", text = "iteration" } end, "text must be 'iterations', 'reached',",
-    "did you mean 'iterations'?")
+  check.fails(function() plain:picture{ file = "x.png", text = "iteration" } end,
+    "text must be 'iterations', 'reached',", "did you mean 'iterations'?")
   check.fails(function() plain:figure{ file = "x.png" } end, "map:figure: name is missing")
   check.fails(function() plain:picture{ fil = "x.png" } end, "did you mean 'file'?")
 end)

@@ -1,4 +1,5 @@
--- How long the program takes to start: printed, not judged beyond what any machine keeps, for others may use it as well.
+-- How long the program takes to start: printed, not judged beyond what any machine keeps, for others may use it as
+-- well.
 
 local check = require "check"
 local sg = require "signorini"

@@ -1,4 +1,5 @@
--- A strip of 40 × 2 elements that sticks to a rigid plane, so coarse that it peels off element by element, in snap-backs.
+-- A strip of 40 × 2 elements that sticks to a rigid plane, so coarse that it peels off element by element, in
+-- snap-backs.
 
 local sg = require "signorini"
 

@@ -5,15 +5,16 @@ local check = require "check"
 
 check.case("the listing", function()
   local parts = {}
-  for part in core.read_file(core.home .. "/share/doc/studies.md"):gmatch "```lua\n(.-)```" do parts[#parts + 1] = part end
+  for part in core.read_file(core.home .. "/share/doc/studies.md"):gmatch "```lua\n(.-)```" do parts[#parts + 1] =
+    part end
   local folder, script = os.tmpname(), os.tmpname()
   os.remove(folder)
   core.write_file(script, table.concat(parts))
-  local output, status = check.shell(("mkdir %s && cd %s && SIGNORINI_HOME=%s %s -q %s && ls"):format(folder, folder, core.home,
-    arg[-1], script))
+  local output, status = check.shell(("mkdir %s && cd %s && SIGNORINI_HOME=%s %s -q %s && ls"):format(folder, folder,
+    core.home, arg[-1], script))
   check.equal(status, 0)
-  check.holds(output, "at equal error, A takes so much of B's wall", "Pareto front of wall and error", "line_contact.png",
-    "refined = 2, order = N2: error = 0.527", "N2 on mesh 2 is enough")
+  check.holds(output, "at equal error, A takes so much of B's wall", "Pareto front of wall and error",
+    "line_contact.png", "refined = 2, order = N2: error = 0.527", "N2 on mesh 2 is enough")
   check.shell(("rm -rf %s %s"):format(folder, script))
 end)
 

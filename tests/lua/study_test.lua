@@ -117,7 +117,8 @@ check.case("the file of a case is JSON with inputs, figures, version, host and t
   local record = core.read_json(core.read_file(folder .. "/cases/" .. name))
   check.equal({ record.study, record.case.order, record.case.mesh.die, record.figures.third, record.figures.die },
     { "one", "N2", { 6, 2 }, 1 / 3, 6 })
-  check.equal({ record.made.versions.signorini, record.made.host, record.outcome }, { core.versions.signorini, core.host, "done" })
+  check.equal({ record.made.versions.signorini, record.made.host, record.outcome },
+    { core.versions.signorini, core.host, "done" })
   check.holds(record.made.time:gsub("%d", "0"), "0000-00-00T00:00:00Z")
   check.equal(record.wall > 0 and record.wall < 5, true)
 end)
@@ -181,8 +182,8 @@ end)
 check.case("24 cases with two jobs take half of the time of one", function()
   local function time(jobs)
     local began = core.now()
-    sg.study{ name = "t", folder = new_folder(), cases = sg.grid{ a = { 1, 2, 3, 4 }, b = { 1, 2, 3, 4, 5, 6 } }, inputs = {},
-              run = function() os.execute "sleep 0.2" return {} end }:execute{ jobs = jobs }
+    sg.study{ name = "t", folder = new_folder(), cases = sg.grid{ a = { 1, 2, 3, 4 }, b = { 1, 2, 3, 4, 5, 6 } },
+              inputs = {}, run = function() os.execute "sleep 0.2" return {} end }:execute{ jobs = jobs }
     return core.now() - began
   end
   -- Other work on the machine delays the one or the other; that may happen to two tries, hardly to three.
@@ -229,8 +230,8 @@ check.case("Ctrl-C ends it with what is done, and lets go of the folder", functi
     sg.study{ name = "stopped", folder = "%s", cases = sg.grid{ a = { 1, 2, 3, 4, 5, 6 } }, inputs = {},
               run = function(case) os.execute "sleep 0.2" return { b = case.a } end }:execute{ jobs = 1 }
     print "not stopped"]]):format(folder))
-  local output = check.shell(("%s -q %s & for i in $(seq 1000); do ls %s/cases/*.json >/dev/null 2>&1 && break; sleep 0.02;"
-    .. " done; kill -INT $!; wait $!; echo status $?"):format(arg[-1], name, folder))
+  local output = check.shell(("%s -q %s & for i in $(seq 1000); do ls %s/cases/*.json >/dev/null 2>&1 && break; "
+    .. "sleep 0.02; done; kill -INT $!; wait $!; echo status $?"):format(arg[-1], name, folder))
   check.holds(output, "interrupted", "status 130")
   check.equal(files_in(folder) >= 1 and files_in(folder) < 6, true)
   check.equal(check.program { "-q", name }, "not stopped\n")
@@ -249,7 +250,8 @@ check.case("a figure that is nan makes its case an error that names it; the othe
     return { dPx = 1 }
   end):execute{}
   check.equal(study.rows[1].dPx, 1)
-  check.holds(study.rows[2].reason, "case a=2: the figure dPx is nan (not a number): figures are finite numbers", "return nil for what is not known")
+  check.holds(study.rows[2].reason, "case a=2: the figure dPx is nan (not a number): figures are finite numbers",
+    "return nil for what is not known")
   check.holds(study.rows[3].reason, "case a=3: the figure curve[2] is infinity")
   check.holds(study.rows[4].reason, "the figure 'a' is called like a parameter")
   check.holds(study.rows[5].reason, "run returned nothing: return a table of figures")
@@ -260,7 +262,8 @@ check.case("two studies cannot use a folder: neither of different names, nor the
   local folder = new_folder()
   noted(folder, { { a = 1 } }, function() return {} end):execute{}
   local other = sg.study{ name = "other", folder = folder, cases = { { a = 1 } }, run = function() return {} end }
-  check.fails(function() other:execute{} end, "study_test.lua", folder, "holds the study 'noted', not 'other'", "a folder of its own")
+  check.fails(function() other:execute{} end, "study_test.lua", folder, "holds the study 'noted', not 'other'",
+    "a folder of its own")
   check.fails(function() other:read() end, "holds the study 'noted'")
   local lock = core.lock(folder .. "/lock")
   check.fails(function() noted(folder, { { a = 2 } }, function() return {} end):execute{} end,
@@ -295,8 +298,8 @@ check.case("on a disk that fills up nothing finished is lost, and with more room
   local folder, name = new_folder(), os.tmpname()
   core.write_file(name, ([[
     local sg = require "signorini"
-    local study = sg.study{ name = "large", folder = "%s", cases = sg.grid{ a = { 1, 2, 3, 4, 5, 6, 7, 8 } }, inputs = {},
-      run = function(case)
+    local study = sg.study{ name = "large", folder = "%s", cases = sg.grid{ a = { 1, 2, 3, 4, 5, 6, 7, 8 } },
+      inputs = {}, run = function(case)
         local list = {}
         for i = 1, 40000 do list[i] = i + case.a end
         return { list = list, sum = case.a }
@@ -306,11 +309,13 @@ check.case("on a disk that fills up nothing finished is lost, and with more room
     for _, row in ipairs(study.rows) do sum = sum + row.list[40000] end
     print("sum", sum)]]):format(folder))
   local run = ("%s %s 2>&1"):format(arg[-1], name)
-  local output = with_disk(folder, "size=3m", ("%s; echo status $?; ls %s/cases | wc -l; mount -o remount,size=30m %s; %s")
+  local output = with_disk(folder, "size=3m",
+    ("%s; echo status $?; ls %s/cases | wc -l; mount -o remount,size=30m %s; %s")
     :format(run, folder, folder, run))
   os.remove(name)
   if not output then return end
-  check.holds(output, "no space is left for '" .. folder .. "'", "make room and execute again", "status 1", "sum\t320036")
+  check.holds(output, "no space is left for '" .. folder .. "'", "make room and execute again", "status 1",
+    "sum\t320036")
   -- Each case that said that it was done is there, and only the others run after that.
   local first, rest = output:match "^(.-)status 1\n(.*)$"
   local _, done = first:gsub(": a=%d: %d", "")
@@ -324,18 +329,22 @@ check.case("a folder that cannot be written to is an error before any case runs"
   local folder = new_folder()
   check.shell(("mkdir -p %s; echo x >%s"):format(scratch, folder))
   local function execute(where) noted(where, { { a = 1 } }, function() return {} end):execute{} end
-  check.fails(function() execute(folder) end, "study_test.lua", "study:execute: cannot make the folder '" .. folder .. "/cases'")
+  check.fails(function() execute(folder) end, "study_test.lua",
+    "study:execute: cannot make the folder '" .. folder .. "/cases'")
   check.equal(calls(folder), 0)
   local inside = new_folder()
-  local output = with_disk(inside, "ro", ([[%s -e "require(\"signorini\").study{ name = \"s\", folder = \"%s\", cases = { { a = 1 } }, run = function() print(1) return {} end }:execute{}"]])
-    :format(arg[-1], inside))
-  if output then check.holds(output, "cannot make the folder '" .. inside .. "/cases'", "Read-only", "choose a place") end
+  local output = with_disk(inside, "ro", ([[%s -e "require(\"signorini\").study{ name = \"s\", folder = \"%s\",
+    cases = { { a = 1 } }, run = function() print(1) return {} end }:execute{}"]]):format(arg[-1], inside))
+  if output then
+    check.holds(output, "cannot make the folder '" .. inside .. "/cases'", "Read-only", "choose a place")
+  end
 end)
 
 -- ── Verbs ────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 local function sample()
-  return noted(new_folder(), sg.grid({ order = { "N2", "N4" } }, { mesh = { 1, 2 }, round = { 1, 2, 3 } }), function(case)
+  return noted(new_folder(), sg.grid({ order = { "N2", "N4" } }, { mesh = { 1, 2 }, round = { 1, 2, 3 } }),
+    function(case)
     local missing = case.order == "N4" and case.mesh == 2 and case.round == 1
     return { cost = case.mesh * 10 + (case.round == 2 and 100 or case.round), name = case.order,
              error = not missing and case.round / case.mesh or nil }

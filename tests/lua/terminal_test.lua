@@ -9,7 +9,8 @@ os.remove(state)
 local function session(...)
   local typing = {}
   for _, keys in ipairs { ... } do
-    typing[#typing + 1] = ("printf '%s'; sleep 0.5"):format((keys:gsub(".", function(c) return ("\\%03o"):format(c:byte()) end)))
+    typing[#typing + 1] = ("printf '%s'; sleep 0.5"):format((keys:gsub(".",
+      function(c) return ("\\%03o"):format(c:byte()) end)))
   end
   local output, status = check.shell(("(sleep 1; %s) | XDG_STATE_HOME=%s TERM=dumb script -qec 'exec %s' /dev/null")
     :format(table.concat(typing, "; "), state, arg[-1]))
@@ -32,13 +33,14 @@ end)
 check.case("Tab completes named arguments, also on the next line, and names of files in quotes", function()
   local output = session("p = sg.shapes.rectangle{ wid\t3, he\t\n", "1 }\n", "p:degrees()[1] + 41\n",
     "io.open(\"" .. state .. "/signorini/hist\t):read 'l'\n", "\4")
-  check.holds(output, "rectangle{ width = 3, height = \n..> 1 }\n", "42\n", "/signorini/history\"):read 'l'\n\"1 + 1\"\n")
+  check.holds(output, "rectangle{ width = 3, height = \n..> 1 }\n", "42\n",
+    "/signorini/history\"):read 'l'\n\"1 + 1\"\n")
 end)
 
 check.case("?name is help, and errors are red where the terminal has colours and NO_COLOR does not say no", function()
   local function typed(environment)
-    return (check.shell(("(sleep 1; printf '?sg.median\\nerror(0)\\n'; sleep 0.5; printf '\\004') | env %s XDG_STATE_HOME=%s "
-      .. "script -qec 'exec %s' /dev/null"):format(environment, state, arg[-1])))
+    return (check.shell(("(sleep 1; printf '?sg.median\\nerror(0)\\n'; sleep 0.5; printf '\\004') | env %s "
+      .. "XDG_STATE_HOME=%s script -qec 'exec %s' /dev/null"):format(environment, state, arg[-1])))
   end
   local output = check.shell(("env -u NO_COLOR TERM=xterm script -qec \"%s -e 'error(0)'\" /dev/null"):format(arg[-1]))
   check.holds(output, "\27[31msignorini:\27[0m 0")

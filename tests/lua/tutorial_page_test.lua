@@ -1,5 +1,6 @@
--- The listings of share/doc/tutorial.md run as printed, one after the other as one script, and print what the page quotes.
--- Blocks marked `times` hold seconds, so their decimals are not compared; those marked `example` are not compared at all.
+-- The listings of share/doc/tutorial.md run as printed, one after the other as one script, and print what the page
+-- quotes. Blocks marked `times` hold seconds, so their decimals are not compared; those marked `example` are not
+-- compared at all.
 
 local sg = require "signorini"
 local core = require "signorini.core"

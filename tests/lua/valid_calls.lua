@@ -28,7 +28,8 @@ return function(folder)
   end
   local plane = sg.rigid.plane { point = { 0, 3 }, normal = { 0, -1 } }
   local film = { bodies = { slab = slab }, supports = { bed = { on = slab:face "south", fix = "xy" } },
-                 contacts = { film = { slave = slab:face "north", master = plane, adhesion = { hamaker = 0.1, r0 = 0.4 } } } }
+                 contacts = { film = { slave = slab:face "north", master = plane,
+                   adhesion = { hamaker = 0.1, r0 = 0.4 } } } }
   local turned = { bodies = { cube = cube }, supports = { bed = { on = cube:face "front", fix = "xyz" },
                    top = { on = cube:face "back", fix = "xyz", rotate = "z" } } }
   local model = sg.model(scene())

@@ -1,5 +1,5 @@
--- Files for ParaView, opened again with VTK's own reader (tests/vtk/read_vtu.cpp): exact shapes and displacements, fields
--- exact where they are said to be, series.
+-- Files for ParaView, opened again with VTK's own reader (tests/vtk/read_vtu.cpp): exact shapes and displacements,
+-- fields exact where they are said to be, series.
 
 local sg = require "signorini"
 local core = require "signorini.core"
@@ -68,7 +68,8 @@ end
 for _, label in ipairs { "N2", "N2-N2.2" } do
   local layered = label ~= "N2"
   local model = ironing { label = label, points = layered and 5 or 3, E = 20 }
-  local run = model:run { { name = "press", steps = 12, grip = { 0, -0.15 } }, { name = "slide", steps = 1, grip = { 0.01, -0.15 } } }
+  local run = model:run { { name = "press", steps = 12, grip = { 0, -0.15 } },
+    { name = "slide", steps = 1, grip = { 0.01, -0.15 } } }
   check.equal(run.failed, false)
   local file, reference = folder .. "/present.vtu", folder .. "/reference.vtu"
   sg.vtu { model = model, file = file }
@@ -138,7 +139,8 @@ for _, label in ipairs { "N2", "N2-N2.2" } do
   end)
 
   check.case(label .. ": fields are exact at Gauss points", function()
-    local fields = { { "sxx", "stress", 1 }, { "szz", "stress", 3 }, { "sxy", "stress", 4 }, { "von_mises", "von_mises", 1 },
+    local fields = { { "sxx", "stress", 1 }, { "szz", "stress", 3 }, { "sxy", "stress", 4 },
+                     { "von_mises", "von_mises", 1 },
                      { "pressure", "pressure", 1 }, { "F12", "F", 2 }, { "F21", "F", 4 }, { "F22", "F", 5 } }
     local count, elsewhere = 0, 0
     each_element(present, function(name, number, cell)
@@ -185,7 +187,8 @@ end
 
 check.case("solids with layers: hexahedra of different degrees, faces with pressure", function()
   local lower = sg.body { patch = sg.shapes.block { size = { 2, 2, 1 } }, elements = { 2, 2, 2 },
-                          order = { "N2-N2.2", "N3-N4" }, through = 2, contact = "back", material = sg.neo_hookean { E = 1, nu = 0.3 } }
+                          order = { "N2-N2.2", "N3-N4" }, through = 2, contact = "back",
+                          material = sg.neo_hookean { E = 1, nu = 0.3 } }
   local ball = sg.rigid.sphere { centre = { 1, 1, 3 }, radius = 2 }
   local model = sg.model {
     bodies = { lower = lower }, supports = { bed = { on = lower:face "front", fix = "xy", drive = "z" } },
@@ -236,7 +239,8 @@ check.case("bodies of revolution have the hoop direction across", function()
   local ring = sg.body { patch = sg.shapes.rectangle { width = 1, height = 1 }, elements = { 2, 2 }, order = "N2",
                          material = sg.neo_hookean { E = 1, nu = 0.3 } }
   local model = sg.model { bodies = { ring = ring }, kind = "axisymmetric",
-    supports = { bed = { on = ring:face "south", fix = "xy" }, top = { on = ring:face "north", drive = "y", fix = "x" } } }
+    supports = { bed = { on = ring:face "south", fix = "xy" },
+      top = { on = ring:face "north", drive = "y", fix = "x" } } }
   model:run { { name = "press", steps = 1, top = { -0.1 } } }
   sg.vtu { model = model, file = folder .. "/ring.vtu" }
   local found, most = read(folder .. "/ring.vtu", gauss[3]), 0
@@ -261,11 +265,13 @@ check.case("a series lists its states, also while it grows", function()
   local text = core.read_file(file)
   check.holds(text, 'timestep="0.10000000000000001" part="0" file="series &amp; more_0001.vtu"', 'timestep="0.2000')
   check.equal(tostring(series):match "%d states", "2 states")
-  local first, second = read(folder .. "/series & more_0001.vtu", { 0 }), read(folder .. "/series & more_0002.vtu", { 0 })
+  local first, second = read(folder .. "/series & more_0001.vtu", { 0 }),
+    read(folder .. "/series & more_0002.vtu", { 0 })
   check.near(first.cells[7].points[1].displacement[2] * 2, second.cells[7].points[1].displacement[2], 0.01)
   check.fails(function() series:add { model = model, time = 0.2 } end, "vtu_test.lua:", "times must grow")
   check.fails(function() series:add { model = model, tiem = 1 } end, "unknown argument 'tiem'", "did you mean 'time'")
-  check.fails(function() series:add { model = 1, time = 1 } end, "series:add: model must be a model made by sg.model, got")
+  check.fails(function() series:add { model = 1, time = 1 } end,
+    "series:add: model must be a model made by sg.model, got")
   check.fails(function() series:add { model = model } end, "series:add: time is missing: it must be a finite number")
   check.fails(function() series.add { model = model, time = 1 } end, "with a colon")
   check.fails(function() sg.pvd "a.vtu" end, "sg.pvd: file must be a name that ends with .pvd")
@@ -297,7 +303,8 @@ end)
 check.case("wrong calls are errors that name the argument, and leave no file", function()
   local model = ironing()
   local wrong = {
-    { { model = model }, "file" }, { { file = folder .. "/a.vtu" }, "model" }, { { model = 1, file = "a.vtu" }, "model" },
+    { { model = model }, "file" }, { { file = folder .. "/a.vtu" }, "model" },
+    { { model = 1, file = "a.vtu" }, "model" },
     { { model = model, file = folder .. "/a.vtk" }, "a name that ends with .vtu" },
     { { model = model, file = folder .. "/a.vtu", deformd = true }, "deformd", "deformed" },
     { { model = model, file = folder .. "/a.vtu", deformed = 1 }, "deformed", "true or false" },

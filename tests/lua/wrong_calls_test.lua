@@ -1,7 +1,7 @@
--- Wrong calls of every public function: from valid ones (valid_calls.lua) one argument each is given another type, a value
--- out of its range, nan or infinity, a misspelt key, or is left out. Each must be an error at the line of the call that
--- names the argument: no crash, and nothing that passes in silence. They are a few thousand; with the word `trace` behind the
--- script's name each is told before it runs.
+-- Wrong calls of every public function: from valid ones (valid_calls.lua) one argument each is given another type, a
+-- value out of its range, nan or infinity, a misspelt key, or is left out. Each must be an error at the line of the
+-- call that names the argument: no crash, and nothing that passes in silence. They are a few thousand; with the word
+-- `trace` behind the script's name each is told before it runs.
 
 local sg = require "signorini"
 local check = require "check"
@@ -20,11 +20,11 @@ local function words(text)
 end
 
 -- What a number must be, and which texts are free, by the name of the argument.
-local positive = words("size width height inner outer radius elements E penalty r0 steps growth tolerance at_most depth "
-  .. "every loops limit penetration")
+local positive = words("size width height inner outer radius elements E penalty r0 steps growth tolerance at_most "
+  .. "depth every loops limit penetration")
 local whole = words("elements degree degrees dir times steps iterations threads every loops jobs n step")
-local free_text = words("title label xlabel ylabel text file name folder path unit units comments values words choices rows cases "
-  .. "inputs x y xticks hlines vlines texts")
+local free_text = words("title label xlabel ylabel text file name folder path unit units comments values words choices "
+  .. "rows cases inputs x y xticks hlines vlines texts")
 
 -- ── Wrong values ─────────────────────────────────────────────────────────────────────────────────────────────────────
 
@@ -57,7 +57,9 @@ local function replaced(arguments, path, value, depth)
   depth = depth or 1
   local copy = {}
   for key, entry in pairs(arguments) do copy[key] = entry end
-  if depth == #path then copy[path[depth]] = value else copy[path[depth]] = replaced(arguments[path[depth]], path, value, depth + 1) end
+  if depth == #path then
+    copy[path[depth]] = value else copy[path[depth]] = replaced(arguments[path[depth]], path, value, depth + 1)
+  end
   return copy
 end
 
@@ -142,9 +144,13 @@ local function fault(call)
   local ok, message = run(call.row, arguments)
   if ok then return "passes in silence" end
   message = tostring(message)
-  if not message:find(("wrong_calls_test.lua:%d: "):format(line), 1, true) then return "not at the line of the call: " .. message end
+  if not message:find(("wrong_calls_test.lua:%d: "):format(line), 1, true) then
+    return "not at the line of the call: " .. message
+  end
   local called = call.row.called and call.row.called[call.name] or call.name
-  if not message:find(call.name, 1, true) and not message:find(called, 1, true) then return ("does not name %s: %s"):format(call.name, message) end
+  if not message:find(call.name, 1, true) and not message:find(called, 1, true) then
+    return ("does not name %s: %s"):format(call.name, message)
+  end
 end
 
 -- ── The test ─────────────────────────────────────────────────────────────────────────────────────────────────────────

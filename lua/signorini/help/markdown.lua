@@ -8,8 +8,9 @@ local texts = require "signorini.help.texts"
 local head = [[
 # Reference
 
-Every function of the language, as `help` shows it at the prompt; `scripts/reference` writes this page from the same texts. Named arguments stand in braces with their
-defaults; those without one, unless the text says so, are needed. Units are yours, as long as they are consistent; angles are degrees; directions and indices count from 1.
+Every function of the language, as `help` shows it at the prompt; `scripts/reference` writes this page from the same
+texts. Named arguments stand in braces with their defaults; those without one, unless the text says so, are needed.
+Units are yours, as long as they are consistent; angles are degrees; directions and indices count from 1.
 ]]
 
 local function add(lines, ...)

@@ -26,10 +26,12 @@ finer = press("N2-N2.2", 2)
 finer:run(stages)
 
 -- A cube is pressed together.
-cube = sg.body{ patch = sg.shapes.block{ size = {1, 1, 1} }, elements = {2, 2, 2}, order = "N2", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+cube = sg.body{ patch = sg.shapes.block{ size = {1, 1, 1} }, elements = {2, 2, 2}, order = "N2",
+                material = sg.neo_hookean{ E = 1, nu = 0.3 } }
 solid = sg.model{
   bodies = { cube = cube },
-  supports = { bed = { on = cube:face "front", fix = "xyz" }, top = { on = cube:face "back", drive = "z", fix = "xy" } },
+  supports = { bed = { on = cube:face "front", fix = "xyz" },
+               top = { on = cube:face "back", drive = "z", fix = "xy" } },
 }
 solid:run{ { name = "press", steps = 1, top = {-0.2} } }
 

@@ -1,5 +1,5 @@
--- The order of the pages for readers: groups by subject. An entry is a page's name, or the beginning of such names, which
--- ends with a dot or a colon; a page stands where its own name does, else with the first beginning that fits.
+-- The order of the pages for readers: groups by subject. An entry is a page's name, or the beginning of such names,
+-- which ends with a dot or a colon; a page stands where its own name does, else with the first beginning that fits.
 
 local core = require "signorini.core"
 
@@ -8,21 +8,23 @@ local subjects = {}
 --- { word for help, title, entries }. What belongs to none is not part of the language: signorini.core, and locks.
 subjects.groups = {
   { word = "patches", title = "Shapes and patches", "sg.shapes.", "sg.nurbs.", "patch", "patch:" },
-  { word = "bodies", title = "Materials, bodies, obstacles", "sg.neo_hookean", "sg.linear_elastic", "material", "sg.body",
-    "body", "body:", "face", "sg.rigid.", "obstacle" },
-  { word = "solving", title = "Models and load paths", "sg.model", "model", "model:run", "sg.robust", "run", "run:", "state", "model:cost",
-    "model:save", "sg.load" },
+  { word = "bodies", title = "Materials, bodies, obstacles", "sg.neo_hookean", "sg.linear_elastic", "material",
+    "sg.body", "body", "body:", "face", "sg.rigid.", "obstacle" },
+  { word = "solving", title = "Models and load paths", "sg.model", "model", "model:run", "sg.robust", "run", "run:",
+    "state", "model:cost", "model:save", "sg.load" },
   { word = "results", title = "Results of a model", "model:profile", "model:sample", "model:energy", "model:reaction",
     "model:contact_resultant", "sg.profile_error", "sg.profile_edges" },
   { word = "verbs", title = "Small verbs: loops of one's own", "model:", "snapshot" },
   { word = "pictures", title = "Pictures and charts", "sg.picture", "sg.frame", "frame", "sg.chart", "sg.heatmap" },
   { word = "studies", title = "Studies", "sg.study", "sg.grid", "study", "study:", "sg.work_precision", "comparison",
     "comparison:", "sg.cheapest", "sg.recommend", "sg.stability_map", "map", "map:" },
-  { word = "scripts", title = "Tables, files, scripts", "sg.arguments", "sg.files", "files", "files:", "sg.mkdir", "sg.table", "sg.csv.",
-    "sg.reference", "data", "data:", "sg.vtu", "sg.pvd", "series", "series:", "sg.median", "help", "traceback" },
+  { word = "scripts", title = "Tables, files, scripts", "sg.arguments", "sg.files", "files", "files:", "sg.mkdir",
+    "sg.table", "sg.csv.", "sg.reference", "data", "data:", "sg.vtu", "sg.pvd", "series", "series:", "sg.median",
+    "help", "traceback" },
 }
 
---- Where a page stands: the group and the place of the entry in it; nothing for pages that are not part of the language.
+--- Where a page stands: the group and the place of the entry in it; nothing for pages that are not part of the
+--- language.
 local function place(name)
   for _, beginning in ipairs { false, true } do
     for g, group in ipairs(subjects.groups) do

@@ -45,7 +45,8 @@ end
 return function(map, x, y)
   local model = map.scene(x, y)
   if type(model) ~= "userdata" and type(model) ~= "table" then
-    core.fail(("%s: scene must return a model, it returned %s"):format(where, model and core.describe(model) or "nothing"))
+    core.fail(("%s: scene must return a model, it returned %s"):format(where,
+      model and core.describe(model) or "nothing"))
   end
   local stages, options = map.path(model, x, y)
   local run = model:run(stages, options)

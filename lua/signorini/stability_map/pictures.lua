@@ -116,8 +116,8 @@ end
 
 core.docs["map:figure"] = [[
 map:figure{ name, file, log = false, label, title, range, colormap, beside, titles, size }
-Draws one number of the cells, an account or a figure, as a heat map; label is the colour bar's title (the name), all else
-as in map:picture and sg.heatmap.
+Draws one number of the cells, an account or a figure, as a heat map; label is the colour bar's title (the name), all
+else as in map:picture and sg.heatmap.
 Example: map:figure{ name = "iterations", file = "iterations.png" }]]
 function pictures.figure(map, options)
   local where = "map:figure"

@@ -20,8 +20,8 @@ local function read_figures(entry, figures)
     local ok, message = pcall(core.write_json, value, "the figure " .. name) -- finite numbers, plain data
     if not ok then
       reject(entry, tostring(message):gsub("^.-:%d+: ", "", 1):gsub(": only .*$", ""),
-        "figures are finite numbers, texts, or lists of these; return nil for what is not known, or failed = true with a "
-        .. "reason")
+        "figures are finite numbers, texts, or lists of these; return nil for what is not known, or failed = true with "
+        .. "a reason")
     end
   end
   if figures.failed ~= nil and type(figures.failed) ~= "boolean" then

@@ -156,9 +156,9 @@ end
 
 core.docs["study:execute"] = [[
 study:execute{ jobs, limit, again }
-Runs the cases that are missing in the study's folder, or whose inputs have changed, and returns the study. Each finished
-case is on the disk at once; when the program is stopped or killed, the next call goes on with what is missing. A case
-that fails is a result and stays; one that ended in an error or whose process died runs again at the next call.
+Runs the cases that are missing in the study's folder, or whose inputs have changed, and returns the study. Each
+finished case is on the disk at once; when the program is stopped or killed, the next call goes on with what is missing.
+A case that fails is a result and stays; one that ended in an error or whose process died runs again at the next call.
 jobs:  cases side by side; by default what --jobs says, else as many as there are processors. Each has one thread.
 limit: seconds by the clock on the wall after which a case is given up; none by default.
 again: true for all cases, "failed", or a function of a row: which cases run anew in any case.

@@ -28,8 +28,8 @@ local function case_file(study, entry) return ("%s/cases/%s.json"):format(study.
 local function check_owner(where, study)
   local owner = read(study.folder .. "/study.json")
   if owner and owner.study ~= study.name then
-    core.fail(("%s: the folder '%s' holds the study '%s', not '%s': give this one a folder of its own, or remove the old "
-      .. "one"):format(where, study.folder, tostring(owner.study), study.name))
+    core.fail(("%s: the folder '%s' holds the study '%s', not '%s': give this one a folder of its own, or remove the "
+      .. "old one"):format(where, study.folder, tostring(owner.study), study.name))
   end
   return owner ~= nil
 end

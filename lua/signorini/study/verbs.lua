@@ -263,8 +263,8 @@ end
 
 core.docs["study:table"] = [[
 study:table{ columns, sort, formats }
-The text of an aligned table, with units: all parameters and figures, or the columns named; sort is a column or a list of
-columns, in rising order; formats are patterns of string.format by column name.
+The text of an aligned table, with units: all parameters and figures, or the columns named; sort is a column or a list
+of columns, in rising order; formats are patterns of string.format by column name.
 Example: print(study:table{ columns = {"order", "mesh", "error"}, sort = "error" })]]
 function verbs:table(options)
   local columns, units, rows, formats = read_table("study:table", self, options, { "columns", "sort", "formats" })
