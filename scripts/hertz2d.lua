@@ -26,6 +26,7 @@
 local sg = require "signorini"
 local core = require "signorini.core"
 local problem = require "hertz2d.problem"
+local in_turns = require "timing.in_turns"
 
 --- N2-N2.2 on a mesh against N2 on the next one: how much less time it took as published, in %.
 local savings = { m3 = 42.48, m4 = 43.74 }
@@ -51,25 +52,13 @@ local function solve(o, steps, linear)
   return case
 end
 
---- Solves all pairs of label and mesh several times and takes the medians of the times. The runs go round in turns, so
---- that a busy spell of the machine meets all alike. Only the first one keeps its model.
+--- Solves all pairs of label and mesh. Only the first one keeps its model.
 local function solve_all(list, options)
-  local cases = {}
-  for i = 1, options.repeats do
-    for k, pair in ipairs(list) do
-      local seconds = cases[k] and cases[k].seconds or { wall = {}, bulk = {}, contact = {}, linear = {} }
-      local case = solve({ label = pair[1], mesh = pair[2], load = options.load }, options.steps, options.linear)
-      for account, values in pairs(seconds) do
-        values[i] = account == "wall" and case.wall or case.run.timings[account]
-      end
-      case.seconds, case.model, cases[k] = seconds, k == 1 and case.model or nil, case
-    end
-  end
-  for _, case in ipairs(cases) do
-    case.times = {}
-    for account, values in pairs(case.seconds) do case.times[account] = sg.median(values) end
-  end
-  return cases
+  return in_turns(list, options.repeats, function(pair, k)
+    local case = solve({ label = pair[1], mesh = pair[2], load = options.load }, options.steps, options.linear)
+    if k > 1 then case.model = nil end
+    return case
+  end)
 end
 
 -- ── Tables ───────────────────────────────────────────────────────────────────────────────────────────────────────────

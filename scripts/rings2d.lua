@@ -23,6 +23,7 @@
 
 local sg = require "signorini"
 local problem = require "rings2d.problem"
+local in_turns = require "timing.in_turns"
 
 local picture_steps = { [0] = true, [10] = true, [20] = true, [30] = true, [40] = true }
 --- How an error can be integrated: on whose points, where either side touches or only where both do, and whether a
@@ -32,29 +33,6 @@ for _, way in ipairs { { "either", "point" }, { "either", "gap" }, { "both", "po
   for _, quadrature in ipairs { "profile", "reference", "union" } do
     rules[#rules + 1] = { quadrature = quadrature, zone = way[1], edge = way[2] }
   end
-end
-
--- ── Solving ──────────────────────────────────────────────────────────────────────────────────────────────────────────
-
---- Solves all pairs of label and mesh several times and takes the medians of the times. The runs go round in turns, so
---- that a busy spell of the machine meets all alike.
-local function solve_all(list, options)
-  local cases = {}
-  for i = 1, options.repeats do
-    for k, pair in ipairs(list) do
-      local seconds = cases[k] and cases[k].seconds or { wall = {}, bulk = {}, contact = {}, linear = {}, rest = {} }
-      local case = problem.solve(pair[1], pair[2], options.linear)
-      for account, values in pairs(seconds) do
-        values[i] = account == "wall" and case.run.wall or case.run.timings[account]
-      end
-      case.seconds, cases[k] = seconds, case
-    end
-  end
-  for _, case in ipairs(cases) do
-    case.times = {}
-    for account, values in pairs(case.seconds) do case.times[account] = sg.median(values) end
-  end
-  return cases
 end
 
 -- ── Pressures ────────────────────────────────────────────────────────────────────────────────────────────────────────
@@ -216,7 +194,8 @@ local list = { { "N2", options.reference } }
 for _, mesh in ipairs(options.meshes) do
   for _, label in ipairs(options.labels) do list[#list + 1] = { label, mesh } end
 end
-local solved = solve_all(list, options)
+local solved = in_turns(list, options.repeats,
+  function(pair) return problem.solve(pair[1], pair[2], options.linear) end)
 local finest = solved[1]
 write_profile(finest, files(("%s_%s.csv"):format(finest.label, finest.mesh)))
 for i = 2, #solved do

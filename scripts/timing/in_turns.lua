@@ -1,0 +1,26 @@
+-- Times of runs that shall be compared.
+
+local sg = require "signorini"
+
+--- Has every entry of a list solved several times: solve(entry, number) returns a case with its run. The runs go round
+--- in turns, so that a busy spell of the machine meets all alike. Returns the cases of the last round; case.times holds
+--- the medians of run.timings and of wall, which is the case's own where it has one.
+return function(list, rounds, solve)
+  local cases, seconds = {}, {}
+  for round = 1, rounds do
+    for k, entry in ipairs(list) do
+      local case = solve(entry, k)
+      cases[k], seconds[k] = case, seconds[k] or { wall = {} }
+      seconds[k].wall[round] = case.wall or case.run.wall
+      for account, value in pairs(case.run.timings) do
+        seconds[k][account] = seconds[k][account] or {}
+        seconds[k][account][round] = value
+      end
+    end
+  end
+  for k, case in ipairs(cases) do
+    case.times = {}
+    for account, values in pairs(seconds[k]) do case.times[account] = sg.median(values) end
+  end
+  return cases
+end
