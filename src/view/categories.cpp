@@ -68,7 +68,8 @@ void fill_cell(Drawing& drawing, const Box& box, const Look& look, const Style& 
   const auto draw = [&](const std::vector<Vec2>& line) {
     for (auto& part : clip_line(line, box)) drawing.marks.push_back(Stroke{std::move(part), colour, 0.16 * step});
   };
-  for (double at = 0.5 * step; at < width + height; at += step) {
+  for (int k = 0; (k + 0.5) * step < width + height; ++k) {
+    const double at = (k + 0.5) * step;
     draw({{left + at - height, bottom}, {left + at, top}});
     if (look.hatch == Hatch::crossed) draw({{left + at, bottom}, {left + at - height, top}});
   }

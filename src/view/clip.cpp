@@ -1,5 +1,7 @@
 #include "view/clip.hpp"
 
+#include "base/index.hpp"
+
 namespace signorini::view {
 namespace {
 
@@ -29,13 +31,14 @@ Field clip_field(const Field& field, const Box& box) {
   Field result{{}, {}, {}, field.range, field.colours};
   for (const auto& triangle : field.triangles) {
     std::vector<Corner> polygon;
+    polygon.reserve(triangle.size());
     for (int corner : triangle) polygon.push_back({field.points[corner], field.values[corner]});
     for (int axis = 0; axis < 2; ++axis) {
-      polygon = cut(polygon, axis, box[2 * axis], 1);
-      polygon = cut(polygon, axis, box[2 * axis + 1], -1);
+      polygon = cut(polygon, axis, box[at(2 * axis)], 1);
+      polygon = cut(polygon, axis, box[at(2 * axis + 1)], -1);
     }
     const int first = static_cast<int>(result.points.size());
-    for (const auto& [at, value] : polygon) result.points.push_back(at), result.values.push_back(value);
+    for (const auto& [place, value] : polygon) result.points.push_back(place), result.values.push_back(value);
     for (int k = 2; k < static_cast<int>(polygon.size()); ++k)
       result.triangles.push_back({first, first + k - 1, first + k});
   }

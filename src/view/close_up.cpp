@@ -1,6 +1,7 @@
 #include "view/close_up.hpp"
 
 #include "base/error.hpp"
+#include "base/index.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -67,9 +68,7 @@ Placing place(const Plate& whole, const DetailMaker& detail) {
 
 /// The two pairs of corners that lines join, from the marked region to the inset.
 std::array<std::array<Vec2, 2>, 2> joins(const Box& from, const Box& to) {
-  const auto corner = [](const Box& box, int x, int y) {
-    return Vec2{box[static_cast<std::size_t>(x)], box[static_cast<std::size_t>(2 + y)]};
-  };
+  const auto corner = [](const Box& box, int x, int y) { return Vec2{box[at(x)], box[at(2 + y)]}; };
   if (to[2] >= from[3]) return {{{corner(from, 0, 1), corner(to, 0, 0)}, {corner(from, 1, 1), corner(to, 1, 0)}}};
   if (to[3] <= from[2]) return {{{corner(from, 0, 0), corner(to, 0, 1)}, {corner(from, 1, 0), corner(to, 1, 1)}}};
   const int near = to[0] >= from[1] ? 0 : 1, side = 1 - near;

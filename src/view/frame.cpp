@@ -121,7 +121,7 @@ void draw_grid(Drawing& drawing, const Frame& frame, const Style& style) {
 }
 
 void draw_frame(Drawing& drawing, const Frame& frame, const Style& style) {
-  const auto& [left, right, bottom, top] = frame.box;
+  const double left = frame.box[0], right = frame.box[1], bottom = frame.box[2], top = frame.box[3];
   const double width = 1.6 * style.unit, tick = 9 * style.unit;
   const auto x_tick = [&](double v, double length) {
     line(drawing, {frame.x(v), bottom}, {frame.x(v), bottom + length}, axis_colour, width);

@@ -164,8 +164,8 @@ Layout lay_out(const std::vector<Heat>& maps, const HeatmapOptions& options, con
   layout.beside = names_beside(options.y, height / along, most_beside, style);
 
   for (int m = 0; m < count; ++m) {
-    const double x = left + (m % layout.columns) * (width + column_gap);
-    const double y = top - head - (m / layout.columns) * (height + row_gap);
+    const int column = m % layout.columns, row = m / layout.columns;
+    const double x = left + column * (width + column_gap), y = top - head - row * (height + row_gap);
     layout.boxes.push_back({x, x + width, y - height, y});
   }
   layout.whole = {left, right, layout.boxes.back()[2], top};

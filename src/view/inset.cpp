@@ -1,6 +1,7 @@
 #include "view/inset.hpp"
 
 #include "base/error.hpp"
+#include "base/index.hpp"
 #include "view/rules.hpp"
 #include "view/text.hpp"
 
@@ -40,8 +41,9 @@ Box marked_box(const Frame& region, const Frame& chart, const Style& style) {
   Box box = {chart.x(region.x.low) - air, chart.x(region.x.high) + air, chart.y(region.y.low) - air,
              chart.y(region.y.high) + air};
   for (int axis = 0; axis < 2; ++axis) {
-    box[2 * axis] = std::max(box[2 * axis], chart.box[2 * axis]);
-    box[2 * axis + 1] = std::min(box[2 * axis + 1], chart.box[2 * axis + 1]);
+    const std::size_t low = at(2 * axis), high = low + 1;
+    box[low] = std::max(box[low], chart.box[low]);
+    box[high] = std::min(box[high], chart.box[high]);
   }
   require(box[0] < box[1] && box[2] < box[3],
           "inset: its region lies outside the chart's axes; choose one within xrange and yrange of the chart");
@@ -60,7 +62,8 @@ void fit_frame(Frame& frame, const Box& outer, const std::vector<Name>& names, c
   frame.box[0] = outer[0] + pad + room_left(style, frame.yticks, "");
   frame.box[3] = outer[3] - pad - (frame.yticks.factor.empty() ? 0.4 : 1.3) * size;
   // Half of the last number stands out over the axis' end.
-  for (double overhang = size, round = 0; round < 2; ++round) {
+  double overhang = size;
+  for (int round = 0; round < 2; ++round) {
     frame.box[1] = outer[1] - pad - overhang;
     frame.x.from = frame.box[0], frame.x.to = frame.box[1];
     frame.xticks = names.empty()

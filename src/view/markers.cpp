@@ -12,28 +12,28 @@ namespace {
 struct Shape {
   const char* name;
   int corners;
+  bool open;
   double turn;  ///< of the first corner, in degrees
   double scale; ///< of the radius
-  bool open;
 };
 
 // An open cross would look like a full one; other polygons stand for them.
-constexpr Shape shapes[] = {{"circle", 20, 0, 1.0, false},
-                            {"square", 4, 45, 1.25, false},
-                            {"triangle", 3, 90, 1.4, false},
-                            {"diamond", 4, 90, 1.25, false},
-                            {"triangle down", 3, -90, 1.4, false},
-                            {"cross", 0, 45, 1.2, false},
-                            {"pentagon", 5, 90, 1.2, false},
-                            {"plus", 0, 0, 1.2, false},
-                            {"open circle", 20, 0, 1.0, true},
-                            {"open square", 4, 45, 1.25, true},
-                            {"open triangle", 3, 90, 1.4, true},
-                            {"open diamond", 4, 90, 1.25, true},
-                            {"open triangle down", 3, -90, 1.4, true},
-                            {"open hexagon", 6, 0, 1.15, true},
-                            {"open pentagon", 5, 90, 1.2, true},
-                            {"open pentagon down", 5, -90, 1.2, true}};
+constexpr Shape shapes[] = {{"circle", 20, false, 0, 1.0},
+                            {"square", 4, false, 45, 1.25},
+                            {"triangle", 3, false, 90, 1.4},
+                            {"diamond", 4, false, 90, 1.25},
+                            {"triangle down", 3, false, -90, 1.4},
+                            {"cross", 0, false, 45, 1.2},
+                            {"pentagon", 5, false, 90, 1.2},
+                            {"plus", 0, false, 0, 1.2},
+                            {"open circle", 20, true, 0, 1.0},
+                            {"open square", 4, true, 45, 1.25},
+                            {"open triangle", 3, true, 90, 1.4},
+                            {"open diamond", 4, true, 90, 1.25},
+                            {"open triangle down", 3, true, -90, 1.4},
+                            {"open hexagon", 6, true, 0, 1.15},
+                            {"open pentagon", 5, true, 90, 1.2},
+                            {"open pentagon down", 5, true, -90, 1.2}};
 constexpr int count = sizeof shapes / sizeof shapes[0];
 
 std::vector<Vec2> ring(const Shape& shape, const Vec2& at, double radius, int corners) {

@@ -8,7 +8,7 @@ namespace signorini::view {
 
 struct PointMark {
   Vec<3> at; ///< in model units; z = 0 in the plane
-  std::string text = "";
+  std::string text;
 };
 
 /// A mark in pixels of the picture.

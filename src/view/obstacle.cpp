@@ -29,13 +29,14 @@ void hatch(Drawing& drawing, const std::vector<Vec2>& line, const Box& box, cons
     const double size = distance(line[i - 1], line[i]);
     if (size == 0) continue;
     const Vec2 t = {(line[i][0] - line[i - 1][0]) / size, (line[i][1] - line[i - 1][1]) / size};
-    for (; next < size; next += spacing) {
+    while (next < size) {
       const Vec2 from = {line[i - 1][0] + next * t[0], line[i - 1][1] + next * t[1]};
       // (t + n)/√2 with the left normal n = (−t_y, t_x)
       const Vec2 to = {from[0] + std::sqrt(0.5) * length * (t[0] - t[1]),
                        from[1] + std::sqrt(0.5) * length * (t[1] + t[0])};
       for (auto& part : clip_line({from, to}, box))
         drawing.marks.push_back(Stroke{std::move(part), rim_colour, 1.8 * style.unit});
+      next += spacing;
     }
     next -= size;
   }

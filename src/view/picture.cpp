@@ -1,6 +1,7 @@
 #include "view/picture.hpp"
 
 #include "base/error.hpp"
+#include "base/index.hpp"
 #include "base/whole_file.hpp"
 #include "view/clip.hpp"
 #include "view/colormap.hpp"
@@ -55,8 +56,9 @@ void check(const std::vector<Panel>& panels) {
 void take(Box& box, const Points& points) {
   if (points.cols() == 0) return;
   for (int axis = 0; axis < 2; ++axis) {
-    box[2 * axis] = std::min(box[2 * axis], points.row(axis).minCoeff());
-    box[2 * axis + 1] = std::max(box[2 * axis + 1], points.row(axis).maxCoeff());
+    double &low = box[at(2 * axis)], &high = box[at(2 * axis + 1)];
+    low = std::min(low, points.row(axis).minCoeff());
+    high = std::max(high, points.row(axis).maxCoeff());
   }
 }
 
@@ -152,6 +154,7 @@ void draw_control_points(Drawing& drawing, const Body& body, const Frame& frame,
 
 std::vector<PlacedMark> on_paper(const std::vector<PointMark>& marks, const Frame& frame) {
   std::vector<PlacedMark> placed;
+  placed.reserve(marks.size());
   for (const PointMark& mark : marks) placed.push_back({{frame.x(mark.at[0]), frame.y(mark.at[1])}, mark.text});
   return placed;
 }
@@ -186,6 +189,7 @@ Plate make_plate(const std::vector<Panel>& panels, const PictureOptions& options
   if (values) range = colour_range(*values, options.range, is_diverging(options.colormap));
   const auto shown = options.bar ? range : std::nullopt;
   std::vector<std::string> titles;
+  titles.reserve(panels.size());
   for (const Panel& panel : panels) titles.push_back(panel.title);
   const Sheet sheet = lay_out_sheet(titles, boxes, options, shown, style);
 

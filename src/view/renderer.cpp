@@ -61,10 +61,11 @@ struct Collector {
 
 std::string png(const std::array<int, 2>& size, std::vector<PlacedPlate> plates, bool transparent) {
   Image image{size, {}, transparent};
-  for (auto& [at, plate] : plates) {
+  for (PlacedPlate& placed : plates) {
+    Plate& plate = placed.plate;
     Raster raster{plate.drawing.size, std::move(plate.relief), std::move(plate.fields), {}, {}, {}};
     for (const Mark& mark : plate.drawing.marks) std::visit(Collector{raster}, mark);
-    image.parts.push_back({at, std::move(raster)});
+    image.parts.push_back({placed.at, std::move(raster)});
   }
   return renderer().png(image);
 }

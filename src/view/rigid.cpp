@@ -22,10 +22,10 @@ bool same(const Vec<3>& a, const Vec<3>& b, double size) {
 /// 0 … 1.
 template <class Place> Surface tessellated(int columns, int rows, const Place& place) {
   Surface surface;
-  const int side = columns + 1;
-  surface.points.resize(3, side * (rows + 1));
+  const int side = columns + 1, count = side * (rows + 1), triangles = 2 * columns * rows;
+  surface.points.resize(3, count);
   surface.normals.resize(3, surface.points.cols());
-  surface.triangles.resize(3, 2 * columns * rows);
+  surface.triangles.resize(3, triangles);
   for (int j = 0, triangle = 0; j <= rows; ++j)
     for (int i = 0; i <= columns; ++i) {
       const auto [point, normal] = place(double(i) / columns, double(j) / rows);

@@ -17,6 +17,7 @@ void flip(std::vector<SurfaceLine>& lines, int axis) {
 /// Half of the lines are closer together; without any, all lines get their full width.
 double typical_spacing(const std::vector<SurfaceLine>& lines) {
   std::vector<double> all;
+  all.reserve(lines.size());
   for (const SurfaceLine& line : lines) all.push_back(line.spacing);
   if (all.empty()) return 0;
   std::nth_element(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2), all.end());
