@@ -1,5 +1,7 @@
 #include "nurbs/bezier.hpp"
 
+#include "base/index.hpp"
+
 #include <vector>
 
 namespace signorini::nurbs {
@@ -7,7 +9,7 @@ namespace signorini::nurbs {
 MatrixX bezier_extraction(const KnotVector& knots, int element) {
   const int p = knots.degree(), span = knots.span(element);
   const auto& u = knots.knots();
-  const double start = u[static_cast<std::size_t>(span)], end = u[static_cast<std::size_t>(span) + 1];
+  const double start = u[at(span)], end = u[at(span + 1)];
   // Q_k is the blossom of the curve at (start, p−k times; end, k times): de Boor's recursion with one argument a level,
   // on unit control points.
   MatrixX extraction(p + 1, p + 1);
@@ -16,8 +18,7 @@ MatrixX bezier_extraction(const KnotVector& knots, int element) {
     for (int r = 1; r <= p; ++r) {
       const double argument = r <= p - k ? start : end;
       for (int i = p; i >= r; --i) {
-        const std::size_t left = static_cast<std::size_t>(span - p + i),
-                          right = left + static_cast<std::size_t>(p + 1 - r);
+        const std::size_t left = at(span - p + i), right = left + at(p + 1 - r);
         const double alpha = (argument - u[left]) / (u[right] - u[left]);
         level.col(i) = (1 - alpha) * level.col(i - 1) + alpha * level.col(i);
       }

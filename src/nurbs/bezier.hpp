@@ -18,8 +18,8 @@ template <int P = 0> void bernstein(int degree, double t, double length, int ord
   const int p = P > 0 ? P : degree;
   const double s = 1 - t;
   double* value = out;
-  double *slope = out + p + 1, *curvature = out + 2 * (p + 1);
-  std::fill(out, out + (order + 1) * (p + 1), 0.0);
+  double *slope = value + p + 1, *curvature = slope + p + 1;
+  std::fill_n(out, (order + 1) * (p + 1), 0.0);
   value[0] = 1;
   // B^q_k = s B^{q−1}_k + t B^{q−1}_{k−1};  ∂B^p_k = p (B^{p−1}_{k−1} − B^{p−1}_k);  ∂²B^p_k = p(p−1)(B^{p−2}_{k−2} −
   // 2B^{p−2}_{k−1} + B^{p−2}_k)

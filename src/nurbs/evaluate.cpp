@@ -33,7 +33,7 @@ struct LocalBasis {
   /// Calls visit(function, value) for the product of the directions' derivatives of the given orders.
   template <class Visit> void each(const int (&orders)[3], Visit visit) const {
     const double* n[3];
-    for (int d = 0; d < 3; ++d) n[d] = values[d].data() + orders[d] * count[d];
+    for (int d = 0; d < 3; ++d) n[d] = values[d].data() + at(orders[d] * count[d]);
     for (int c = 0; c < count[2]; ++c)
       for (int b = 0; b < count[1]; ++b)
         for (int a = 0; a < count[0]; ++a)

@@ -41,6 +41,7 @@ const Form& form_of(const std::string& file, const std::string& text) {
 const std::vector<std::string>& exchange_forms() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> all;
+    all.reserve(std::size(forms));
     for (const Form& form : forms) all.push_back(form.name);
     return all;
   }();

@@ -68,7 +68,7 @@ std::vector<Patch> read_geopdes(const std::string& file, const std::string& text
   TextReader from(file, text);
   const Sizes sizes = read_sizes(from, file);
   std::vector<Patch> patches;
-  for (int i = 0; i < sizes.patches; ++i) patches.push_back(read_patch(from, sizes));
+  while (static_cast<int>(patches.size()) < sizes.patches) patches.push_back(read_patch(from, sizes));
   return patches; // interfaces, subdomains and boundaries follow
 }
 

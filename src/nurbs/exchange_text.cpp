@@ -85,8 +85,8 @@ std::string_view TextReader::rest_of_line() {
 }
 
 KnotVector read_knots(TextReader& from, int degree, int functions) {
-  std::vector<double> knots;
-  for (int i = 0; i < functions + degree + 1; ++i) knots.push_back(from.number("a knot"));
+  std::vector<double> knots; // not reserved: a wrong file may claim any number
+  while (static_cast<int>(knots.size()) < functions + degree + 1) knots.push_back(from.number("a knot"));
   return placed(from.file(), from.line(), [&] { return KnotVector(degree, std::move(knots)); });
 }
 

@@ -1,5 +1,6 @@
 #include "nurbs/lagrange.hpp"
 
+#include "base/index.hpp"
 #include "nurbs/basis.hpp"
 
 namespace signorini::nurbs {
@@ -31,18 +32,19 @@ std::vector<double> nodes(const KnotVector& knots) {
 void to_coefficients(const KnotVector& knots, int start, int stride, MatrixX& values) {
   const int p = knots.degree();
   MatrixX collocation(p + 1, p + 1), local(values.rows(), p + 1);
-  const std::vector<double> at = nodes(knots);
+  const std::vector<double> places = nodes(knots);
   MatrixX line(values.rows(), knots.functions());
   for (int i = 0; i < knots.functions(); ++i) line.col(i) = values.col(start + i * stride);
   for (int e = 0; e < knots.elements(); ++e) {
+    const int first = e * p;
     for (int k = 0; k <= p; ++k) {
       Eigen::RowVectorXd row(p + 1);
-      basis_derivatives(knots, e, at[static_cast<std::size_t>(e * p + k)], 0, row.data());
+      basis_derivatives(knots, e, places[at(first + k)], 0, row.data());
       collocation.row(k) = row;
     }
     // v_k = Σ_j B_j(ξ_k) c_j on every span
-    local = collocation.partialPivLu().solve(line.middleCols(e * p, p + 1).transpose()).transpose();
-    for (int k = 0; k <= p; ++k) values.col(start + (e * p + k) * stride) = local.col(k);
+    local = collocation.partialPivLu().solve(line.middleCols(first, p + 1).transpose()).transpose();
+    for (int k = 0; k <= p; ++k) values.col(start + (first + k) * stride) = local.col(k);
   }
 }
 

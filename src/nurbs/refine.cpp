@@ -50,16 +50,16 @@ Patch replace_direction(const Patch& patch, int d, KnotVector knots, const std::
   Eigen::SparseMatrix<double, Eigen::RowMajor> combine(after, before);
   combine.setFromTriplets(triplets.begin(), triplets.end());
 
-  int stride = 1;
-  for (int k = 0; k < d; ++k) stride *= patch.direction(k).functions();
-  const int outer = patch.functions() / (stride * before);
+  Eigen::Index stride = 1, outer = 1;
+  for (int k = 0; k < patch.parametric_dimension(); ++k)
+    if (k != d) (k < d ? stride : outer) *= patch.direction(k).functions();
   // Columns of one index along d are blocks of `stride`.
   MatrixX points = MatrixX::Zero(patch.dimension() + 1, stride * after * outer);
-  for (int o = 0; o < outer; ++o)
-    for (int j = 0; j < after; ++j)
+  for (Eigen::Index o = 0; o < outer; ++o)
+    for (Eigen::Index j = 0; j < after; ++j)
       for (decltype(combine)::InnerIterator it(combine, j); it; ++it)
         points.middleCols(stride * (j + after * o), stride) +=
-            it.value() * patch.homogeneous().middleCols(stride * (static_cast<int>(it.col()) + before * o), stride);
+            it.value() * patch.homogeneous().middleCols(stride * (it.col() + before * o), stride);
 
   std::vector<KnotVector> directions = patch.directions();
   directions[static_cast<std::size_t>(d)] = std::move(knots);

@@ -2,6 +2,7 @@
 #include "nurbs/patch.hpp"
 
 #include "base/error.hpp"
+#include "base/index.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -33,7 +34,7 @@ int edits(const std::string& a, const std::string& b) {
 Side side_of(const std::string& name, int parametric_dimension) {
   require(parametric_dimension >= 1 && parametric_dimension <= 3,
           "face: a patch has 1 to 3 parametric directions, got ", parametric_dimension);
-  const auto end = names + 2 * parametric_dimension;
+  const auto end = names + at(2 * parametric_dimension);
   const auto found = std::find(names, end, name);
   if (found == end) {
     std::string fitting;

@@ -1,6 +1,7 @@
 #pragma once
 // The routines of LAPACK and BLAS that the solvers call: Fortran by its C address, from whichever the machine has.
 
+// NOLINTBEGIN(readability-identifier-naming)
 extern "C" {
 /// Row-pivoted LU of a dense matrix, and the solution with it.
 void dgetrf_(const int* rows, const int* columns, double* a, const int* leading, int* pivots, int* info);
@@ -24,3 +25,4 @@ void dpbtrf_(const char* triangle, const int* size, const int* band, double* a, 
 void dpbtrs_(const char* triangle, const int* size, const int* band, const int* right_sides, const double* a,
              const int* leading, double* b, const int* leading_b, int* info);
 }
+// NOLINTEND(readability-identifier-naming)

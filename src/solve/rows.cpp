@@ -1,5 +1,6 @@
 #include "solve/rows.hpp"
 
+#include "base/index.hpp"
 #include "base/parallel.hpp"
 
 namespace signorini::solve {
@@ -17,9 +18,8 @@ void RowMatrix::multiply(int first, int last, const double* x, double* y) const 
     double sums[4] = {};
     int k = starts[i];
     for (const int end = starts[i + 1] - 3; k < end; k += 4)
-      for (int lane = 0; lane < 4; ++lane)
-        sums[lane] += values_[static_cast<std::size_t>(k + lane)] * x[columns[k + lane]];
-    for (; k < starts[i + 1]; ++k) sums[0] += values_[static_cast<std::size_t>(k)] * x[columns[k]];
+      for (int lane = 0; lane < 4; ++lane) sums[lane] += values_[at(k + lane)] * x[columns[k + lane]];
+    for (; k < starts[i + 1]; ++k) sums[0] += values_[at(k)] * x[columns[k]];
     y[i] = (sums[0] + sums[1]) + (sums[2] + sums[3]);
   }
 }
