@@ -1,6 +1,7 @@
 #include "view/heatmap.hpp"
 
 #include "bind/functions.hpp"
+#include "bind/number_text.hpp"
 #include "bind/open.hpp"
 #include "bind/options.hpp"
 #include "view/picture.hpp"
@@ -8,34 +9,14 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <cstdio>
 
 namespace signorini::bind {
 
 namespace {
 
-/// As %g, with a minus sign in place of the hyphen and powers of ten written as such: −0.5, 10⁶, 2.5×10⁻⁵. `powers`:
-/// from 10⁴ on and below 10⁻³ written so, too, where %g would write the digits out.
-std::string plain(double value, bool powers = false) {
-  static constexpr const char* raised[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-  const double size = std::abs(value);
-  char digits[32];
-  std::snprintf(digits, sizeof digits, powers && (size >= 1e4 || (size > 0 && size < 1e-3)) ? "%.5e" : "%g", size);
-  const std::string number = digits;
-  const std::size_t e = number.find('e');
-  std::string result = number.substr(0, e);
-  if (e != std::string::npos) {
-    if (result.find('.') != std::string::npos) result.erase(result.find_last_not_of(".0") + 1);
-    const int exponent = std::stoi(number.substr(e + 1));
-    result = (result == "1" ? "" : result + "×") + "10" + (exponent < 0 ? "⁻" : "");
-    for (char digit : std::to_string(std::abs(exponent))) result += raised[digit - '0'];
-  }
-  return (value < 0 ? "−" : "") + result;
-}
-
 /// A string, or a number as text.
 std::string read_name(lua_State* L, int index, const Argument& argument, bool powers = false) {
-  if (lua_type(L, index) == LUA_TNUMBER) return plain(read_number(L, index, argument), powers);
+  if (lua_type(L, index) == LUA_TNUMBER) return number_text(read_number(L, index, argument), powers);
   if (lua_type(L, index) != LUA_TSTRING) reject(L, index, argument, "a string or a number");
   return read_string(L, index, argument);
 }
@@ -278,28 +259,30 @@ int heatmap(lua_State* L) {
 
 constexpr Function rows[] = {
     {"heatmap", wrap<heatmap>,
-     "sg.heatmap{ file, x, y, values, texts, categories, xlabel, ylabel, title, label, range, log = false,\n"
-     "            colormap = \"viridis\", panels, columns, size = {1600, 1000} }\n"
-     "Draws a map of equal coloured cells to a file that ends with .png, .svg or .pdf. x and y: the names of columns\n"
-     "and rows, strings or numbers, in order; the first y is at the bottom. values[j][i] belongs to y[j] and x[i].\n"
-     "Numbers: a colour bar with the title label; range = {low, high} of the colours, log = true for the logarithm;\n"
-     "colormap as in sg.picture. nil or nan leaves a cell blank.\n"
-     "Names: with categories = { { name = \"converged\" }, { name = \"diverged\" }, … } values are these names. A "
-     "legend\n"
-     "shows those that occur. Categories with good = true (the first one when none says good) are light green and "
-     "blue,\n"
-     "others warm and dark, in the order of the list, the first seven of these plain, later ones hatched; all are told "
-     "apart\n"
-     "without colour too. colour = \"#rrggbb\", or the number of a look (1 to 21), sets a category's own.\n"
-     "texts: rows of short strings or numbers drawn in the cells, left out where they do not fit.\n"
-     "panels = { { title, values, texts }, … } draws several maps side by side, columns of them in a row;\n"
-     "size is then {1600, 850} or, for more than three, {1600, 1400} unless given.\n"
-     "Example: sg.heatmap{ file = \"map.png\", x = {\"N2\", \"N4\"}, y = {10, 20}, values = { {0.3, 0.1}, {0.2, 0.05} "
-     "} "
-     "}\n"
-     "Example: sg.heatmap{ file = \"map.png\", x = {\"N2\", \"N4\"}, y = {10, 20}, texts = { {\"\", 12}, {35, 11} },\n"
-     "                     categories = { { name = \"converged\" }, { name = \"diverged\" } },\n"
-     "                     values = { {\"diverged\", \"converged\"}, {\"converged\", \"converged\"} } }"},
+     R"(sg.heatmap{ file, x, y, values, texts, categories, xlabel, ylabel, title, label, range, log = false,
+            colormap = "viridis", panels, columns, size = {1600, 1000} }
+Draws a map of equal coloured cells to a file, whole or not at all: numbers with a colour bar, or names with a legend.
+file:         a name that ends with .png, .svg or .pdf.
+x, y:         names of the columns and rows, strings or numbers, in order; the first y is at the bottom.
+values:       values[j][i] belongs to y[j] and x[i]: a number, or the name of a category; nil or nan is a blank.
+texts:        rows of short strings or numbers drawn in the cells, left out where they do not fit; by default none.
+xlabel, ylabel, title: texts at the axes and above; by default none. Write units into them.
+label, range, log, colormap: for numbers. label: title of the colour bar, with the values' unit (none); range: {low,
+              high} of the colours, in that unit (that of the values); log: colours follow the logarithm (false);
+              colormap: as in sg.picture ("viridis").
+categories:   { { name = "converged" }, { name = "diverged" }, … }: values are these names. A legend shows those that
+              occur. Those with good = true (the first one when none says good) are light green and blue, others warm
+              and dark, in the order of the list, the first seven of these plain, later ones hatched; all are told
+              apart without colour too. colour = "#rrggbb", or the number of a look (1 to 21), sets a category's own.
+              By default none.
+panels:       { { title, values, texts }, … } draws several maps side by side, in the place of values and texts.
+columns:      maps in a row; by default three at most, of four two.
+size:         {width, height} in pixels, from 160 x 120 to 5000 x 5000 ({1600, 1000}; of two or three panels {1600,
+              850}, of more {1600, 1400}).
+Example: sg.heatmap{ file = "map.png", x = {"N2", "N4"}, y = {10, 20}, values = { {0.3, 0.1}, {0.2, 0.05} } }
+Example: sg.heatmap{ file = "map.png", x = {"N2", "N4"}, y = {10, 20}, texts = { {"", 12}, {35, 11} },
+                     categories = { { name = "converged" }, { name = "diverged" } },
+                     values = { {"diverged", "converged"}, {"converged", "converged"} } })"},
 };
 
 } // namespace

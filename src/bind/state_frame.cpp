@@ -2,6 +2,7 @@
 
 #include "bind/marks.hpp"
 #include "bind/model.hpp"
+#include "bind/number_text.hpp"
 
 #include <algorithm>
 
@@ -50,7 +51,7 @@ std::optional<Cut> read_cut(lua_State* L, const Options& o) {
 template <int D> std::string read_label(const Showing& showing) {
   if (showing.field.empty()) return "";
   const std::string label = field_label<D>(showing.field);
-  return showing.factor == 1 ? label : text(showing.factor, " × ", label);
+  return showing.factor == 1 ? label : number_text(showing.factor) + " × " + label;
 }
 
 /// The bodies that are named; all when none are.

@@ -49,13 +49,13 @@ template <int D, int I, int J> double gradient(const Material&, const FieldPoint
 
 template <int D> std::vector<Field<D>> common_fields() {
   return {
-      {"ux", "displacement u_x", displacement<D, 0>},         {"uy", "displacement u_y", displacement<D, 1>},
-      {"u", "displacement |u|", displacement_norm<D>},        {"sxx", "Cauchy stress σ_xx", stress<D, 0, 0>},
-      {"syy", "Cauchy stress σ_yy", stress<D, 1, 1>},         {"szz", "Cauchy stress σ_zz", stress<D, 2, 2>},
-      {"sxy", "Cauchy stress σ_xy", stress<D, 0, 1>},         {"von_mises", "von Mises stress", von_mises<D>},
-      {"pressure", "pressure −tr σ/3", pressure<D>},          {"I1", "first stress invariant tr σ", trace<D>},
-      {"F11", "deformation gradient F11", gradient<D, 0, 0>}, {"F12", "deformation gradient F12", gradient<D, 0, 1>},
-      {"F21", "deformation gradient F21", gradient<D, 1, 0>}, {"F22", "deformation gradient F22", gradient<D, 1, 1>}};
+      {"ux", "displacement u_x", displacement<D, 0>},          {"uy", "displacement u_y", displacement<D, 1>},
+      {"u", "displacement |u|", displacement_norm<D>},         {"sxx", "Cauchy stress σ_xx", stress<D, 0, 0>},
+      {"syy", "Cauchy stress σ_yy", stress<D, 1, 1>},          {"szz", "Cauchy stress σ_zz", stress<D, 2, 2>},
+      {"sxy", "Cauchy stress σ_xy", stress<D, 0, 1>},          {"von_mises", "von Mises stress", von_mises<D>},
+      {"pressure", "pressure −tr σ/3", pressure<D>},           {"I1", "first stress invariant tr σ", trace<D>},
+      {"F11", "deformation gradient F_11", gradient<D, 0, 0>}, {"F12", "deformation gradient F_12", gradient<D, 0, 1>},
+      {"F21", "deformation gradient F_21", gradient<D, 1, 0>}, {"F22", "deformation gradient F_22", gradient<D, 1, 1>}};
 }
 
 } // namespace
@@ -71,11 +71,11 @@ template <> const std::vector<Field<3>>& fields<3>() {
     list.push_back({"uz", "displacement u_z", displacement<3, 2>});
     list.push_back({"sxz", "Cauchy stress σ_xz", stress<3, 0, 2>});
     list.push_back({"syz", "Cauchy stress σ_yz", stress<3, 1, 2>});
-    list.push_back({"F13", "deformation gradient F13", gradient<3, 0, 2>});
-    list.push_back({"F23", "deformation gradient F23", gradient<3, 1, 2>});
-    list.push_back({"F31", "deformation gradient F31", gradient<3, 2, 0>});
-    list.push_back({"F32", "deformation gradient F32", gradient<3, 2, 1>});
-    list.push_back({"F33", "deformation gradient F33", gradient<3, 2, 2>});
+    list.push_back({"F13", "deformation gradient F_13", gradient<3, 0, 2>});
+    list.push_back({"F23", "deformation gradient F_23", gradient<3, 1, 2>});
+    list.push_back({"F31", "deformation gradient F_31", gradient<3, 2, 0>});
+    list.push_back({"F32", "deformation gradient F_32", gradient<3, 2, 1>});
+    list.push_back({"F33", "deformation gradient F_33", gradient<3, 2, 2>});
     return list;
   }();
   return all;
