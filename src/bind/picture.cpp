@@ -1,5 +1,6 @@
 #include "base/whole_file.hpp"
 #include "bind/open.hpp"
+#include "bind/picture_pages.hpp"
 #include "bind/state_frame.hpp"
 #include "view/close_up.hpp"
 #include "view/series.hpp"
@@ -174,39 +175,44 @@ template <class Panel, class PanelOptions> struct FieldSheet {
   std::optional<PanelOptions> inset; ///< of what is magnified
 };
 
-template <class Panel, class PanelOptions> std::string close_up_png(const FieldSheet<Panel, PanelOptions>& sheet) {
+/// A sheet within a size, as part of a whole of the style or as the whole.
+template <class Panel, class PanelOptions>
+view::Figure figure_of(const FieldSheet<Panel, PanelOptions>& sheet, const PanelOptions& options) {
+  if (!sheet.inset) return view::figure_of(view::make_plate(sheet.panels, options));
   const auto whole = [&](const std::optional<view::Box>& extent) {
-    PanelOptions options = sheet.options;
-    if (extent) options.extent = extent;
-    return view::make_plate(sheet.panels, options);
+    PanelOptions larger = options;
+    if (extent) larger.extent = extent;
+    return view::make_plate(sheet.panels, larger);
   };
-  auto untitled = sheet.panels;
-  for (Panel& panel : untitled) panel.title.clear();
-  const auto detail = [&](const std::array<int, 2>& most) {
-    PanelOptions options = *sheet.inset;
-    options.size = most;
-    return view::make_plate(untitled, options);
+  const auto detail = [&](int state, const std::array<int, 2>& most) {
+    PanelOptions own = *sheet.inset;
+    own.size = most;
+    own.style = view::close_up_style(view::style_of(options));
+    std::vector<Panel> one = {sheet.panels[static_cast<std::size_t>(state)]};
+    one[0].title.clear();
+    return view::make_plate(one, own);
   };
-  return view::with_close_up(whole, detail, sheet.options.transparent);
+  return view::with_close_ups(whole, detail);
 }
 
 /// The bytes of a picture: the sheets of several fields side by side.
 template <class Panel, class PanelOptions>
 std::string png_of(const std::vector<FieldSheet<Panel, PanelOptions>>& sheets) {
   const PanelOptions& first = sheets[0].options;
-  if (sheets[0].inset) return close_up_png(sheets[0]);
-  if (sheets.size() == 1) return view::png(view::make_plate(sheets[0].panels, first), first.transparent);
+  if (sheets.size() == 1) return view::png(figure_of(sheets[0], first), first.transparent);
   const bool single = sheets[0].panels.size() == 1; // then the columns are those of the fields
   view::PictureOptions whole = first;
   if (!single) whole.columns.reset();
-  return view::side_by_side(static_cast<int>(sheets.size()), whole, [&](int i, const std::array<int, 2>& most) {
+  const auto part = [&](int i, const std::array<int, 2>& most) {
     PanelOptions options = sheets[static_cast<std::size_t>(i)].options;
     options.title.clear();
     options.size = most;
     options.trim = true;
+    options.style = view::part_style(most, view::style_of(first));
     if (single) options.columns.reset();
-    return view::make_plate(sheets[static_cast<std::size_t>(i)].panels, options);
-  });
+    return figure_of(sheets[static_cast<std::size_t>(i)], options);
+  };
+  return view::png(view::side_by_side(static_cast<int>(sheets.size()), whole, part), first.transparent);
 }
 
 template <class Panel, class PanelOptions>
@@ -223,6 +229,7 @@ void draw(const Sheets& sheets, const PanelOptions& options, const std::optional
     sheet.options.extent = extent;
     sheet.inset->range = sheet.options.range;
     sheet.inset->bar = false;
+    sheet.inset->axis_names = false;
     sheet.inset->trim = true;
     sheet.inset->title.clear();
   }
@@ -247,8 +254,8 @@ void check_company(lua_State* L, const Options& o, const std::string& file) {
     refuse("columns needs frames = {…}, made by sg.frame, or states, or fields");
   if (o.has("columns") && series) refuse("columns has no meaning for a series, whose pictures show one state each");
   if (o.has("fps") && !series) refuse("fps is of a film, file = \"x.mp4\"; this is one picture");
-  if (o.has("inset") && (o.has("fields") || (many && !series)))
-    refuse("inset magnifies a part of one state with one field; draw the others in pictures of their own");
+  if (o.flag("transparent", "no white ground", false) && view::is_film(file))
+    refuse("transparent has no meaning for a film: draw a series of pictures, file = \"x-%04d.png\"");
   if (o.has("label") && o.has("fields")) refuse("label names one colour bar, but each of fields has its own");
 }
 
@@ -281,73 +288,7 @@ int picture(lua_State* L) {
   return 0;
 }
 
-constexpr Function rows[] = {
-    {"picture", wrap<picture>,
-     "sg.picture{ model, file, field, fields, factor = 1, label, title, range, colormap = \"viridis\", size, scale = "
-     "1, crop,\n"
-     "            inset, transparent = false, bodies, deformed = true, undeformed = false, mesh = true,\n"
-     "            control_points = false, obstacles = true, mirror, camera = \"iso\", cut, marks, states, frames, "
-     "columns, fps }\n"
-     "Draws the model's present state to a .png file. field: ux uy u, Cauchy stresses sxx syy szz sxy, von_mises,\n"
-     "pressure, I1 (tr sigma), F11 F12 F21 F22; grey without. Stresses are evaluated where they are drawn, from the "
-     "exact\n"
-     "deformation gradient: nothing is extrapolated or averaged, so that jumps between elements, where N1 and Lp have "
-     "them,\n"
-     "show. fields = {\"sxx\", \"syy\"} draws several side by side, each with its own colour bar, in columns = 2 if "
-     "you like.\n"
-     "factor multiplies the field; label is the colour bar's title (the field's own); range = {low, high} of the "
-     "colours.\n"
-     "undeformed adds the reference shape's outline; mirror = \"x\" the mirror image at x = 0, for half models; bodies "
-     "= {names}\n"
-     "draws these only. Rigid obstacles are drawn hatched. control_points draws them with the net between them.\n"
-     "size = {width, height} in pixels, or a number: the greatest width, and half the greatest height. Without a pair "
-     "the\n"
-     "picture is no larger than what it shows; at most 1600 x 1000, sheets 1600 x 2000. scale = 2 makes twice as many "
-     "pixels,\n"
-     "with larger text. transparent = true leaves the ground out. crop = {xmin, xmax, ymin, ymax} shows this part; "
-     "inset =\n"
-     "{xmin, xmax, ymin, ymax} shows it magnified in a box within the picture.\n"
-     "states = run:states() draws a sheet of states with one colour bar, or a series: file = \"press-%04d.png\" "
-     "numbers its\n"
-     "pictures from 1, file = \"press.mp4\" makes a film of fps = 10 pictures per second, which needs ffmpeg. The "
-     "pictures of a\n"
-     "series have one frame and one range of colours. Call it between steps; the model is as it was afterwards.\n"
-     "marks = { { x = {x, y}, text = \"J = -0.2\" }, … } puts rings with crosses at places of the present state, the "
-     "first ones\n"
-     "first where there is little room for texts; entries may hold what the places of a failed run hold.\n"
-     "Solids: also fields uz sxz syz F13 … F33, and contact_pressure on the slave faces (bilinear between contact "
-     "points).\n"
-     "camera: \"iso\" (from the front, the right and above), \"front\" (from -y, z upwards), \"back\", \"left\" (from "
-     "-x), \"right\",\n"
-     "\"top\" (from +z, y upwards), \"bottom\", or { from = {direction to the eye}, up = {direction} }; parallel "
-     "projection.\n"
-     "cut takes a half away: \"y\" that of greater y, \"-y\" that of smaller y, through the middle of the bodies;\n"
-     "{ normal = \"y\", at = 0.5 } at y = 0.5; { normal = {…}, point = {…} } the half that the normal points to. The "
-     "cut face\n"
-     "is coloured by the field inside. undeformed adds the reference shape, translucent; mirror = \"x\" … \"xyz\"; "
-     "crop and inset\n"
-     "= {xmin, xmax, ymin, ymax, zmin, zmax} zoom to this box. Surfaces are shaded a little: what faces the light has "
-     "the\n"
-     "colours of the bar. Rigid obstacles are grey and translucent.\n"
-     "sg.picture{ frames = {…}, file, columns, camera, … } draws states kept by sg.frame side by side, with one colour "
-     "bar, or\n"
-     "as a series.\n"
-     "Example: sg.picture{ model = model, field = \"uy\", file = \"die.png\" }\n"
-     "Example: sg.picture{ model = model, field = \"syy\", inset = {0.6, 0.9, 0.85, 1}, file = \"close.png\" }\n"
-     "Example: sg.picture{ states = run:states(), fields = {\"ux\", \"uy\"}, file = \"press-%04d.png\" }\n"
-     "Example: sg.picture{ model = solid, field = \"szz\", cut = \"-y\", camera = { from = {1, -2, 1} }, file = "
-     "\"cut.png\" }"},
-    {"frame", wrap<frame>,
-     "sg.frame{ model, title, field, factor, bodies, deformed, undeformed, mesh, control_points, obstacles, mirror, "
-     "cut,\n"
-     "          marks }\n"
-     "Keeps the model's present state for a picture of several; arguments as in sg.picture.\n"
-     "Example: local frames = {}\n"
-     "         model:run(stages, { on_step = function(info)\n"
-     "           if info.step % 2 == 0 then frames[#frames + 1] = sg.frame{ model = model, field = \"uy\" } end\n"
-     "         end })\n"
-     "         sg.picture{ frames = frames, columns = 2, file = \"states.png\" }"},
-};
+constexpr Function rows[] = {{"picture", wrap<picture>, picture_page}, {"frame", wrap<frame>, frame_page}};
 
 constexpr Function frame_rows[] = {
     {"__tostring", wrap<frame_tostring>,

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/index.hpp"
+#include "view/sheet.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +12,7 @@ namespace signorini::view {
 namespace {
 
 constexpr Rgb frame_colour = {20, 20, 20};
+constexpr int least_width = 160, least_height = 120; // pixels: that any picture has
 
 bool is_within(double x, double y, const Box& box) {
   return x >= box[0] && x <= box[1] && y >= box[2] && y <= box[3];
@@ -35,32 +37,55 @@ Box place_of(const Frame& detail, const Frame& whole) {
   return {whole.x(detail.x.low), whole.x(detail.x.high), whole.y(detail.y.low), whole.y(detail.y.high)};
 }
 
+Box extent_of(const Frame& frame) {
+  return {frame.x.low, frame.x.high, frame.y.low, frame.y.high};
+}
+
 struct Placing {
   long hidden = std::numeric_limits<long>::max();
   PlacedPlate inset{{}, {{{}, {}}}};
   Box marked{};
 };
 
-/// The largest magnified part that hides nothing, or the one that hides least.
-Placing place(const Plate& whole, const DetailMaker& detail) {
-  const Frame& frame = whole.frames.front();
+/// A magnified part of this share of its frame, in the corner where it hides least.
+Placing place(const Plate& whole, int state, double share, const DetailMaker& detail) {
+  const Frame& frame = whole.frames[static_cast<std::size_t>(state)];
   const auto& [left, right, bottom, top] = frame.box;
+  const std::array<int, 2> most = {static_cast<int>(0.9 * std::sqrt(share) * (right - left)),
+                                   static_cast<int>(share * (top - bottom))};
   Placing best;
+  if (most[0] < least_width || most[1] < least_height) return best;
+  Plate plate = detail(state, most);
+  const double width = plate.drawing.size[0], height = plate.drawing.size[1];
+  const double air = 0.012 * (right - left);
+  const Box marked = place_of(plate.frames.front(), frame);
+  for (const double x : {right - air - width, left + air})
+    for (const double y : {top - air - height, bottom + air}) {
+      const Box box = {x, x + width, y, y + height};
+      const long count = hidden(whole, box) + (overlap(box, marked) ? 1000000 : 0);
+      if (count < best.hidden)
+        best = {count, {{static_cast<int>(std::round(x)), static_cast<int>(std::round(y))}, plate}, marked};
+    }
+  return best;
+}
+
+struct Placings {
+  std::vector<Placing> of_states;
+  bool found = true; ///< a place for each
+  long hidden = 0;
+};
+
+/// The largest magnified parts that hide nothing, or those that hide least, of one share in all states.
+Placings place(const Plate& whole, const DetailMaker& detail) {
+  Placings best{{}, false, std::numeric_limits<long>::max()};
   for (const double share : {0.5, 0.42, 0.35, 0.28}) {
-    const std::array<int, 2> most = {static_cast<int>(0.9 * std::sqrt(share) * (right - left)),
-                                     static_cast<int>(share * (top - bottom))};
-    if (most[0] < 160 || most[1] < 120) break;
-    Plate plate = detail(most);
-    const double width = plate.drawing.size[0], height = plate.drawing.size[1];
-    const double air = 0.012 * (right - left);
-    const Box marked = place_of(plate.frames.front(), frame);
-    for (const double x : {right - air - width, left + air})
-      for (const double y : {top - air - height, bottom + air}) {
-        const Box box = {x, x + width, y, y + height};
-        const long count = hidden(whole, box) + (overlap(box, marked) ? 1000000 : 0);
-        if (count < best.hidden)
-          best = {count, {{static_cast<int>(std::round(x)), static_cast<int>(std::round(y))}, plate}, marked};
-      }
+    Placings next;
+    for (int state = 0; next.found && state < static_cast<int>(whole.frames.size()); ++state) {
+      next.of_states.push_back(place(whole, state, share, detail));
+      next.found = next.of_states.back().hidden < std::numeric_limits<long>::max();
+      next.hidden += next.found ? next.of_states.back().hidden : 0;
+    }
+    if (next.found && next.hidden < best.hidden) best = std::move(next);
     if (best.hidden == 0) break;
   }
   return best;
@@ -90,24 +115,30 @@ void draw_joins(Drawing& drawing, const Placing& placing) {
 
 } // namespace
 
-std::string with_close_up(const WholeMaker& make, const DetailMaker& detail, bool transparent) {
+Figure with_close_ups(const WholeMaker& make, const DetailMaker& detail) {
   Plate whole = make(std::nullopt);
-  Placing placing = place(whole, detail);
-  if (placing.hidden > 0) {
+  Placings placings = place(whole, detail);
+  if (placings.hidden > 0) {
     // Room above: as much again as half of what is shown.
-    const Frame& frame = whole.frames.front();
-    const double height = frame.y.high - frame.y.low;
-    whole = make(Box{frame.x.low, frame.x.high, frame.y.low, frame.y.high + 0.75 * height});
-    placing = place(whole, detail);
+    Box shown = extent_of(whole.frames.front());
+    for (const Frame& frame : whole.frames) shown = hull({shown, extent_of(frame)});
+    shown[3] += 0.75 * (shown[3] - shown[2]);
+    whole = make(shown);
+    placings = place(whole, detail);
   }
-  require(placing.inset.plate.frames.size() == 1,
-          "the picture is too small for an inset; choose a larger size, or crop = … for a picture of its own");
-  draw_joins(whole.drawing, placing);
-  const std::array<int, 2> size = whole.drawing.size;
-  std::vector<PlacedPlate> plates;
-  plates.push_back({{0, 0}, std::move(whole)});
-  plates.push_back(std::move(placing.inset));
-  return png(size, std::move(plates), transparent);
+  require(placings.found, "the picture is too small for an inset",
+          whole.frames.size() > 1 ? " in each state; choose a larger size or fewer columns" : "; choose a larger size",
+          ", or crop = … for a picture of its own");
+  for (const Placing& placing : placings.of_states) draw_joins(whole.drawing, placing);
+  Figure figure = figure_of(std::move(whole));
+  for (Placing& placing : placings.of_states) figure.plates.push_back(std::move(placing.inset));
+  return figure;
+}
+
+Style close_up_style(Style whole) {
+  whole.tick_size *= 0.8;
+  whole.margin *= 0.35;
+  return whole;
 }
 
 } // namespace signorini::view

@@ -55,7 +55,7 @@ void draw_colorbar(Drawing& drawing, const BarPlace& place, const std::array<dou
                    const Style& style, bool log) {
   const double width = bar_width(style), right = place.left + width, size = style.tick_size, point = 0.8 * width;
   const Ticks ticks = stacked_ticks(range[0], range[1], log, place.top - place.bottom, style);
-  const double room_above = ticks.factor.empty() ? 0 : 1.2 * size;
+  const double room_above = ticks.factor.empty() ? 0 : 1.45 * size;
   const double low = place.bottom + (beyond[0] ? point : 0), high = place.top - room_above - (beyond[1] ? point : 0);
   const double middle = 0.5 * (place.left + right);
   const Scale scale{range[0], range[1], log, low, high};
@@ -88,7 +88,9 @@ void draw_colorbar(Drawing& drawing, const BarPlace& place, const std::array<dou
   if (!title.empty()) {
     const double x = right + 0.5 * size + widest(ticks, size) + 1.15 * style.label_size;
     const double fit = fitting_size(title, style.label_size, place.top - place.bottom);
-    drawing.marks.push_back(Text{{x, 0.5 * (low + high)}, title, fit, Align::centre, ink, true});
+    const double half = 0.5 * text_width(title, fit), lowest = place.bottom + half;
+    const double centre = std::clamp(0.5 * (low + high), lowest, std::max(lowest, place.top - half));
+    drawing.marks.push_back(Text{{x, centre}, title, fit, Align::centre, ink, true});
   }
 }
 

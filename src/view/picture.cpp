@@ -124,7 +124,7 @@ void add_line(Drawing& drawing, const std::vector<Vec2>& line, const Box& box, c
 
 /// Lines of a mesh that is fine on paper darken a tenth of it at most each way, and go where they would be threads.
 void draw_mesh(Drawing& drawing, const Body& body, const Frame& frame, const Style& style) {
-  const double full = 1.7 * style.unit, thread = 0.2;
+  const double full = std::max(1.7 * style.unit, 0.8), thread = 0.2;
   const double scale = (frame.x.to - frame.x.from) / (frame.x.high - frame.x.low);
   for (const auto& [line, spacing] : body.mesh_lines) {
     const double width = std::min(full, 0.1 * scale * spacing);
@@ -181,7 +181,7 @@ void draw_panel(Drawing& drawing, const Panel& panel, const Frame& frame, bool c
 Plate make_plate(const std::vector<Panel>& panels, const PictureOptions& options) {
   check_columns(options);
   check(panels);
-  const Style style = style_for(options.size);
+  const Style style = style_of(options);
   const std::vector<Rgb> colours = colormap(options.colormap);
   const ModelBoxes boxes = widened(model_boxes(panels, options.crop), options);
   const auto values = value_range(panels);
@@ -208,6 +208,11 @@ Plate make_plate(const std::vector<Panel>& panels, const PictureOptions& options
                   options.field_label, style);
   draw_title(drawing, options.title, sheet.whole, style);
   return {std::move(drawing), std::move(fields), {}, sheet.frames};
+}
+
+Style style_of(const PictureOptions& options) {
+  const Style own = style_for(options.size);
+  return options.style.value_or(own);
 }
 
 void align(PictureOptions& options, const std::vector<Panel>& panels) {

@@ -21,6 +21,8 @@ struct PictureOptions {
   /// Shown of each state at least, in model units on paper: pictures of a series get one scale.
   std::optional<std::array<double, 4>> extent;
   std::optional<int> columns; ///< of a sheet; the number that shows the states largest when absent
+  std::optional<Style> style; ///< of texts and lines; that of the size when absent
+  bool axis_names = true;     ///< x and y beside the numbers, or the three arrows
 };
 
 /// Draws states in rows from left to right to a PNG file, whole or not at all: all on one scale, with one colour range
@@ -38,6 +40,9 @@ void align(PictureOptions& options, const std::vector<Panel>& panels);
 
 /// A sheet of one state.
 void draw_picture(const std::vector<Body>& bodies, const PictureOptions& options, const std::string& file);
+
+/// The style that the options ask for. Throws Error on a size that no figure may have.
+Style style_of(const PictureOptions& options);
 
 /// Names of the colour maps that pictures know.
 std::vector<std::string> colormaps();

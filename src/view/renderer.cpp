@@ -59,22 +59,28 @@ struct Collector {
 
 } // namespace
 
-std::string png(const std::array<int, 2>& size, std::vector<PlacedPlate> plates, bool transparent) {
-  Image image{size, {}, transparent};
-  for (PlacedPlate& placed : plates) {
-    Plate& plate = placed.plate;
+Figure figure_of(Plate plate) {
+  Figure figure{plate.drawing.size, {}};
+  figure.plates.push_back({{0, 0}, std::move(plate)});
+  return figure;
+}
+
+std::string png(Figure figure, bool transparent) {
+  Image image{figure.size, {}, transparent};
+  for (auto& [at, plate] : figure.plates) {
     Raster raster{plate.drawing.size, std::move(plate.relief), std::move(plate.fields), {}, {}, {}};
     for (const Mark& mark : plate.drawing.marks) std::visit(Collector{raster}, mark);
-    image.parts.push_back({placed.at, std::move(raster)});
+    image.parts.push_back({at, std::move(raster)});
   }
   return renderer().png(image);
 }
 
 std::string png(Plate plate, bool transparent) {
-  const std::array<int, 2> size = plate.drawing.size;
-  std::vector<PlacedPlate> plates;
-  plates.push_back({{0, 0}, std::move(plate)});
-  return png(size, std::move(plates), transparent);
+  return png(figure_of(std::move(plate)), transparent);
+}
+
+void write_ogv(const std::string& file, int count, int rate, const PngMaker& png) {
+  renderer().ogv(file, count, rate, png);
 }
 
 std::string renderer_description() {

@@ -6,6 +6,7 @@
 #include "view/relief.hpp"
 
 #include <array>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -33,9 +34,13 @@ struct Image {
   bool transparent; ///< no ground behind them; else white
 };
 
+/// Makes the bytes of a film's picture of a number (from 0).
+using PngMaker = std::function<std::string(int index)>;
+
 /// The module's table of functions, found under the name `signorini_renderer`.
 struct Renderer {
-  std::string (*png)(const Image& image); ///< the bytes of a PNG file
+  std::string (*png)(const Image& image);                                         ///< the bytes of a PNG file
+  void (*ogv)(const std::string& file, int count, int rate, const PngMaker& png); ///< a film in Ogg Theora
   std::string (*description)();
 };
 
@@ -52,12 +57,24 @@ struct PlacedPlate {
   Plate plate;
 };
 
-/// The bytes of a PNG file: plates laid over a whole of this size, on white ground or on none. Throws Error when no
-/// off-screen context can be made.
-std::string png(const std::array<int, 2>& size, std::vector<PlacedPlate> plates, bool transparent = false);
+/// Plates laid over a whole of this size; later ones cover earlier ones.
+struct Figure {
+  std::array<int, 2> size; ///< pixels
+  std::vector<PlacedPlate> plates;
+};
+
+/// One plate alone.
+Figure figure_of(Plate plate);
+
+/// The bytes of a PNG file, on white ground or on none. Throws Error when no off-screen context can be made.
+std::string png(Figure figure, bool transparent = false);
 
 /// Of one plate.
 std::string png(Plate plate, bool transparent = false);
+
+/// Writes a film of `rate` pictures per second, Theora in Ogg. Throws Error where VTK has been built without it, and on
+/// pictures of several sizes.
+void write_ogv(const std::string& file, int count, int rate, const PngMaker& png);
 
 /// What renders, for --doctor: "VTK 9.1.0, llvmpipe …, OpenGL 4.5 …".
 std::string renderer_description();

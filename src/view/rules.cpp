@@ -32,9 +32,11 @@ void draw_text(Drawing& drawing, const Name& rule, bool vertical, const Frame& f
   const Scale& scale = vertical ? frame.x : frame.y;
   if (rule.text.empty() || !crosses(scale, rule.at)) return;
   const auto& [left, right, bottom, top] = frame.box;
-  const double size = 0.85 * style.tick_size, length = text_width(rule.text, size), gap = 0.5 * size;
+  const double full = 0.85 * style.tick_size, gap = 0.5 * full;
   const double at = scale(rule.at);
-  const bool upright = vertical && length > 3 * size; // a sign or two reads better level
+  const bool upright = vertical && text_width(rule.text, full) > 3 * full; // a sign or two reads better level
+  const double size = fitting_size(rule.text, full, (upright ? top - bottom : right - left) - 2 * gap);
+  const double length = text_width(rule.text, size);
   const std::vector<Box> candidates = upright    ? places(at, bottom, top, length, size, gap)
                                       : vertical ? places(at, bottom, top, size, length, gap)
                                                  : places(at, left, right, length, size, gap);

@@ -4,8 +4,10 @@
 #include "base/process.hpp"
 #include "base/whole_file.hpp"
 #include "view/output.hpp"
+#include "view/renderer.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <regex>
@@ -58,16 +60,17 @@ void write_pictures(const Pattern& name, int count, const std::function<std::str
   for (int i = 0; i < count; ++i) write_whole(name(i + 1), png(i));
 }
 
-} // namespace
-
-bool is_series(const std::string& file) {
-  return file.find('%') != std::string::npos || file_ending(file) == ".mp4";
+void write_by_vtk(const std::string& file, int count, double rate, const std::function<std::string(int)>& png) {
+  require(rate == std::round(rate) && rate >= 1 && rate <= 5000, "fps is ", rate,
+          "; a film in Ogg Theora has a whole number of pictures per second");
+  const Folder folder(fs::absolute(file).string());
+  write_ogv(folder.path("film.ogv"), count, static_cast<int>(rate), png);
+  fs::rename(folder.path("film.ogv"), file);
 }
 
-void write_series(const std::string& file, int count, double rate, const std::function<std::string(int)>& png) {
-  if (file_ending(file) != ".mp4") return write_pictures(pattern_of(file), count, png);
+void write_by_ffmpeg(const std::string& file, int count, double rate, const std::function<std::string(int)>& png) {
   require(has_program("ffmpeg"), "file '", file, "' needs the program ffmpeg, which is not in PATH: install it, or ",
-          "draw a series of pictures, file = \"x-%04d.png\"");
+          "write a film without it, file = \"x.ogv\", or a series of pictures, file = \"x-%04d.png\"");
   const Folder folder(fs::absolute(file).string());
   write_pictures({folder.path(""), ".png", 1}, count, png);
   // H.264 with colours at half the resolution, which all players know, wants even sizes.
@@ -75,6 +78,25 @@ void write_series(const std::string& file, int count, double rate, const std::fu
                "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white", "-c:v", "libx264", "-pix_fmt", "yuv420p",
                folder.path("film.mp4")});
   fs::rename(folder.path("film.mp4"), file);
+}
+
+} // namespace
+
+bool is_film(const std::string& file) {
+  const std::string ending = file_ending(file);
+  return ending == ".mp4" || ending == ".ogv";
+}
+
+bool is_series(const std::string& file) {
+  return file.find('%') != std::string::npos || is_film(file);
+}
+
+void write_series(const std::string& file, int count, double rate, const std::function<std::string(int)>& png) {
+  if (!is_film(file)) return write_pictures(pattern_of(file), count, png);
+  if (file_ending(file) == ".ogv")
+    write_by_vtk(file, count, rate, png);
+  else
+    write_by_ffmpeg(file, count, rate, png);
 }
 
 } // namespace signorini::view

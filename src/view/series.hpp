@@ -6,12 +6,16 @@
 
 namespace signorini::view {
 
-/// Whether a file's name stands for a series: it holds a number's place, as in "x-%04d.png", or ends with .mp4.
+/// Whether a file's name is that of a film: it ends with .mp4 or .ogv.
+bool is_film(const std::string& file);
+
+/// Whether a file's name stands for a series: a film, or a number's place in it, as in "x-%04d.png".
 bool is_series(const std::string& file);
 
-/// Draws `count` pictures: to files numbered from 1, or by ffmpeg to a film of `rate` pictures per second (H.264).
-/// `png` makes the bytes of a picture, counted from 0. Throws Error on a name with more than one number, and where
-/// there is no ffmpeg.
+/// Draws `count` pictures: to files numbered from 1, or to a film of `rate` pictures per second, .mp4 (H.264) by the
+/// program ffmpeg, .ogv (Theora, a whole number per second) by VTK; a film is whole or not there. `png` makes the bytes
+/// of a picture, counted from 0. Throws Error on a name with more than one number, and where there is no ffmpeg or a
+/// VTK without Theora.
 void write_series(const std::string& file, int count, double rate, const std::function<std::string(int)>& png);
 
 } // namespace signorini::view

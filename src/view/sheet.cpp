@@ -10,7 +10,10 @@
 namespace signorini::view {
 namespace {
 
-const std::string axis_names[] = {"x", "y"};
+/// What stands beside the numbers of an axis, 0 or 1.
+std::string axis_name(const PictureOptions& options, int axis) {
+  return options.axis_names ? axis == 0 ? "x" : "y" : "";
+}
 
 using Interval = std::array<double, 2>;
 
@@ -66,14 +69,14 @@ Rooms rooms_of(const Grid& grid, const std::vector<std::string>& titles, const P
   const double width = options.size[0], height = options.size[1];
   Rooms rooms{};
   rooms.title = (options.title.empty() ? 0.4 : 1.7) * style.title_size;
-  rooms.below = arrows ? 0 : room_below(style, axis_names[0]);
+  rooms.below = arrows ? 0 : room_below(style, axis_name(options, 0));
   // Numbers change little with the size that the states will get.
   const double guess = (height - 2 * style.margin - rooms.title - rooms.below) / grid.rows();
   bool factor = false;
   if (arrows) rooms.left = arrows->width;
   for (const auto& [low, high] : arrows ? std::vector<Interval>() : grid.y) {
     const Ticks ticks = stacked_ticks(low, high, false, guess, style);
-    rooms.left = std::max(rooms.left, room_left(style, ticks, axis_names[1]));
+    rooms.left = std::max(rooms.left, room_left(style, ticks, axis_name(options, 1)));
     factor |= !ticks.factor.empty();
   }
   rooms.head = (factor ? 1.2 * style.tick_size : 0) + (titled ? 1.5 * style.label_size : 0);
@@ -102,7 +105,7 @@ void clear_numbers(Ticks& ticks) {
 }
 
 std::vector<Frame> make_frames(const Grid& grid, const Rooms& rooms, double scale, double left, double top,
-                               std::size_t count, bool numbers, const Style& style) {
+                               std::size_t count, bool numbers, const PictureOptions& options, const Style& style) {
   std::vector<Frame> frames;
   const double width = scale * length(grid.x);
   for (std::size_t i = 0; i < count; ++i) {
@@ -122,11 +125,11 @@ std::vector<Frame> make_frames(const Grid& grid, const Rooms& rooms, double scal
     frame.yticks = stacked_ticks(y[0], y[1], false, top - bottom, style);
     // Numbers stand at the rim of the sheet only.
     if (i + grid.columns >= count)
-      frame.xlabel = axis_names[0];
+      frame.xlabel = axis_name(options, 0);
     else
       clear_numbers(frame.xticks);
     if (column == 0)
-      frame.ylabel = axis_names[1];
+      frame.ylabel = axis_name(options, 1);
     else
       clear_numbers(frame.yticks);
     frames.push_back(std::move(frame));
@@ -177,8 +180,10 @@ Sheet lay_out_sheet(const std::vector<std::string>& titles, const ModelBoxes& bo
   }
   const double left = 0.5 * (sheet.size[0] - wide) + style.margin + rooms.left;
   const double middle = 0.5 * (sheet.size[1] - high) + style.margin + down, top = middle + 0.5 * height;
-  sheet.frames = make_frames(grid, rooms, scale, left, top, titles.size(), !arrows, style);
+  sheet.frames = make_frames(grid, rooms, scale, left, top, titles.size(), !arrows, options, style);
   sheet.panel_title_size = 0.9 * style.label_size;
+  for (const std::string& one : titles)
+    sheet.panel_title_size = fitting_size(one, sheet.panel_title_size, scale * length(grid.x));
   sheet.arrows = {left - rooms.left, std::min(middle - 0.5 * height, middle - low)};
   sheet.bar = {left + width + 1.3 * style.margin, middle - 0.5 * bar, middle + 0.5 * bar};
   sheet.whole = {left, left + width, middle - 0.5 * height, middle + up};
@@ -189,11 +194,7 @@ void draw_panel_title(Drawing& drawing, const std::string& title, const Frame& f
   if (title.empty()) return;
   const auto& [left, right, bottom, top] = frame.box;
   const double raised = frame.yticks.factor.empty() ? 0 : 1.2 * style.tick_size;
-  drawing.marks.push_back(Text{{0.5 * (left + right), top + raised + 0.5 * size},
-                               title,
-                               fitting_size(title, size, right - left),
-                               Align::centre,
-                               ink});
+  drawing.marks.push_back(Text{{0.5 * (left + right), top + raised + 0.5 * size}, title, size, Align::centre, ink});
 }
 
 Box hull(const ModelBoxes& boxes) {

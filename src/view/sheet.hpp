@@ -17,8 +17,8 @@ struct ArrowRoom {
 struct Sheet {
   std::array<int, 2> size;   ///< pixels, trimmed when asked for
   std::vector<Frame> frames; ///< one per panel
-  double panel_title_size;
-  Vec2 arrows; ///< bottom left corner of the arrows' room
+  double panel_title_size;   ///< one for all, at which the longest fits its frame
+  Vec2 arrows;               ///< bottom left corner of the arrows' room
   BarPlace bar;
   Box whole; ///< of all frames, up to where the title may stand
 };

@@ -22,27 +22,32 @@ std::optional<std::array<int, 2>> cell_of(int count, int columns, const std::arr
   return cell;
 }
 
-/// The cell in which the first picture comes out largest, and its columns.
-std::pair<int, std::array<int, 2>> best_cell(int count, const PictureOptions& options, const std::array<int, 2>& paper,
-                                             const PlateMaker& make) {
-  int best = 0;
+/// The first picture in a number of columns.
+struct Trial {
+  int columns = 0;
   std::array<int, 2> cell{};
-  double largest = 0;
+  double area = 0; ///< of the picture, pixels
+};
+
+/// The most columns in which the first picture is not much smaller than in others: the whole is then no tower.
+Trial best_trial(int count, const PictureOptions& options, const std::array<int, 2>& paper, const FigureMaker& make) {
+  std::vector<Trial> trials;
   std::string reason = "choose a larger size";
   for (int columns = options.columns.value_or(1); columns <= options.columns.value_or(count); ++columns) {
-    const auto next = cell_of(count, columns, paper);
-    if (!next) continue;
+    const auto cell = cell_of(count, columns, paper);
+    if (!cell) continue;
     try {
-      const std::array<int, 2> size = make(0, *next).drawing.size;
-      const double area = static_cast<double>(size[0]) * size[1];
-      if (area > largest * (1 + 1e-9)) best = columns, cell = *next, largest = area;
+      const std::array<int, 2> size = make(0, *cell).size;
+      trials.push_back({columns, *cell, static_cast<double>(size[0]) * size[1]});
     } catch (const Error& error) {
       reason = error.what();
     }
   }
-  require(best > 0, count, " pictures find no room side by side on ", options.size[0], " × ", options.size[1],
+  require(!trials.empty(), count, " pictures find no room side by side on ", options.size[0], " × ", options.size[1],
           " pixels: ", reason);
-  return {best, cell};
+  double largest = 0;
+  for (const Trial& trial : trials) largest = std::max(largest, trial.area);
+  return *std::find_if(trials.rbegin(), trials.rend(), [&](const Trial& trial) { return trial.area >= 0.6 * largest; });
 }
 
 /// Where rows or columns of these widths begin.
@@ -54,15 +59,16 @@ std::vector<int> begins(const std::vector<int>& widths, int start) {
 
 } // namespace
 
-std::string side_by_side(int count, const PictureOptions& options, const PlateMaker& make) {
+Figure side_by_side(int count, const PictureOptions& options, const FigureMaker& make) {
   const Style style = style_for(options.size);
   const int head = options.title.empty() ? 0 : static_cast<int>(std::ceil(style.margin + 1.3 * style.title_size));
-  const auto [columns, cell] = best_cell(count, options, {options.size[0], options.size[1] - head}, make);
-  std::vector<PlacedPlate> plates;
+  const Trial best = best_trial(count, options, {options.size[0], options.size[1] - head}, make);
+  const int columns = best.columns;
+  std::vector<Figure> parts;
   std::vector<int> widths(columns), heights(rows_of(count, columns));
   for (int i = 0; i < count; ++i) {
-    plates.push_back({{i % columns, i / columns}, make(i, cell)});
-    const std::array<int, 2>& size = plates.back().plate.drawing.size;
+    parts.push_back(make(i, best.cell));
+    const std::array<int, 2>& size = parts.back().size;
     widths[i % columns] = std::max(widths[i % columns], size[0]);
     heights[i / columns] = std::max(heights[i / columns], size[1]);
   }
@@ -74,19 +80,29 @@ std::string side_by_side(int count, const PictureOptions& options, const PlateMa
     whole = {std::clamp(static_cast<int>(std::ceil(title)), wide, std::max(wide, whole[0])), high + head};
   const std::vector<int> left = begins(widths, (whole[0] - wide) / 2),
                          down = begins(heights, (whole[1] - high - head) / 2 + head);
-  for (auto& [at, plate] : plates) {
-    const int column = at[0], row = at[1];
-    at = {left[column] + (widths[column] - plate.drawing.size[0]) / 2,
-          whole[1] - down[row] - (heights[row] + plate.drawing.size[1]) / 2};
+  Figure figure{whole, {}};
+  for (int i = 0; i < count; ++i) {
+    const int column = i % columns, row = i / columns;
+    const std::array<int, 2>& size = parts[static_cast<std::size_t>(i)].size;
+    const int x = left[column] + (widths[column] - size[0]) / 2,
+              y = whole[1] - down[row] - (heights[row] + size[1]) / 2;
+    for (auto& [at, plate] : parts[static_cast<std::size_t>(i)].plates)
+      figure.plates.push_back({{x + at[0], y + at[1]}, std::move(plate)});
   }
-
   if (!options.title.empty()) {
     // A plate as high as the title, so that it covers no other one.
     Drawing top{{whole[0], head}, {}};
     draw_title(top, options.title, {0.0, static_cast<double>(whole[0]), 0.0, 0.0}, style);
-    plates.push_back({{0, whole[1] - head}, {std::move(top)}});
+    figure.plates.push_back({{0, whole[1] - head}, {std::move(top)}});
   }
-  return png(whole, std::move(plates), options.transparent);
+  return figure;
+}
+
+Style part_style(const std::array<int, 2>& size, const Style& whole) {
+  const Style own = style_for(size);
+  const double larger = std::sqrt(std::max(1.0, whole.unit / own.unit));
+  return {own.unit * larger, own.tick_size * larger, own.label_size * larger, own.title_size * larger,
+          own.margin * larger};
 }
 
 } // namespace signorini::view

@@ -8,10 +8,15 @@
 namespace signorini::view {
 
 /// Makes the picture of a number (from 0), no larger than a size in pixels.
-using PlateMaker = std::function<Plate(int index, const std::array<int, 2>& most)>;
+using FigureMaker = std::function<Figure(int index, const std::array<int, 2>& most)>;
 
-/// The bytes of a PNG file: `count` pictures in rows from left to right, with the options' title, size and ground, in
-/// so many columns as the options say or as show the first picture largest. Throws Error when they find no room.
-std::string side_by_side(int count, const PictureOptions& options, const PlateMaker& make);
+/// `count` pictures in rows from left to right, with the options' title and size, in so many columns as the options say
+/// or, where they say nothing, as many as show the first picture not much smaller than fewer would. Throws Error when
+/// they find no room.
+Figure side_by_side(int count, const PictureOptions& options, const FigureMaker& make);
+
+/// The style of a picture of this size that is a part of a whole: its text is between that of a picture of its own and
+/// the whole's.
+Style part_style(const std::array<int, 2>& size, const Style& whole);
 
 } // namespace signorini::view

@@ -96,7 +96,7 @@ void add_lines(Scene& scene, const std::vector<SurfaceLine>& lines, const Pen& p
 
 void add_body(Scene& scene, const Solid& body, const Style& style) {
   const double u = style.unit;
-  if (body.mesh) add_lines(scene, body.mesh_lines, {line_colour, 1.6 * u, 1.2, true});
+  if (body.mesh) add_lines(scene, body.mesh_lines, {line_colour, std::max(1.6 * u, 0.8), 1.2, true});
   add_lines(scene, body.rim, {line_colour, 2.4 * u, 1.5, true});
   add_lines(scene, body.undeformed_rim, {ghost_rim_colour, 1.8 * u, -2, false});
   if (body.undeformed.points.cols() > 0)
@@ -314,7 +314,7 @@ std::optional<std::array<double, 2>> value_range(const std::vector<Scene>& scene
 Plate make_plate(const std::vector<SolidPanel>& panels, const SolidOptions& options) {
   check_columns(options);
   check(panels);
-  const Style style = style_for(options.size);
+  const Style style = style_of(options);
   const std::vector<Rgb> colours = colormap(options.colormap);
   const Mat<3> axes = picture_axes(options.camera);
   std::vector<Scene> scenes = scenes_of(panels, axes, style);
@@ -326,8 +326,9 @@ Plate make_plate(const std::vector<SolidPanel>& panels, const SolidOptions& opti
   if (values) range = colour_range(*values, options.range, is_diverging(options.colormap));
   const auto shown = options.bar ? range : std::nullopt;
   const auto [left, right, below, above] = triad_room(axes, style);
-  const Sheet sheet =
-      lay_out_sheet(titles, boxes, options, shown, style, ArrowRoom{left + right + 0.3 * style.margin, below + above});
+  ArrowRoom arrows{0, 0};
+  if (options.axis_names) arrows = {left + right + 0.3 * style.margin, below + above};
+  const Sheet sheet = lay_out_sheet(titles, boxes, options, shown, style, arrows);
 
   Drawing drawing{sheet.size, {}};
   Relief relief;
@@ -343,7 +344,7 @@ Plate make_plate(const std::vector<SolidPanel>& panels, const SolidOptions& opti
                style);
     draw_panel_title(drawing, titles[p], frame, sheet.panel_title_size, style);
   }
-  draw_triad(drawing, {sheet.arrows[0] + left, sheet.arrows[1] + below}, axes, style);
+  if (options.axis_names) draw_triad(drawing, {sheet.arrows[0] + left, sheet.arrows[1] + below}, axes, style);
   if (shown)
     draw_colorbar(drawing, sheet.bar, *range, {(*values)[0]<(*range)[0], (*values)[1]>(*range)[1]}, colours,
                   options.field_label, style);
@@ -354,7 +355,7 @@ Plate make_plate(const std::vector<SolidPanel>& panels, const SolidOptions& opti
 void align(SolidOptions& options, const std::vector<SolidPanel>& panels) {
   check(panels);
   const Mat<3> axes = picture_axes(options.camera);
-  const std::vector<Scene> scenes = scenes_of(panels, axes, style_for(options.size));
+  const std::vector<Scene> scenes = scenes_of(panels, axes, style_of(options));
   options.extent = hull(paper_boxes(scenes, options, axes));
   if (const auto values = value_range(scenes))
     options.range = colour_range(*values, options.range, is_diverging(options.colormap));

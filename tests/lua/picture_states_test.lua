@@ -90,8 +90,46 @@ for last; do :; done
   check.holds(bytes "a b/;x'.mp4", "1.png\n2.png\n", "-framerate\n5.000000\n", "libx264")
   check.equal((check.shell(("ls '%s/a b'"):format(folder))), ";x'.mp4\n")
   output, status = check.program({ folder .. "/film.lua" }, nil, "PATH=/nowhere")
-  check.holds(output, "film.lua:6: sg.picture: file", "needs the program ffmpeg", "x-%04d.png")
+  check.holds(output, "film.lua:6: sg.picture: file", "needs the program ffmpeg", "x.ogv", "x-%04d.png")
   check.equal(status, 1)
+end)
+
+--- Width, height, pictures per second and count of pictures of a film in Ogg Theora.
+local function read_ogv(ogg)
+  local packets, at = 0, 1
+  while at <= #ogg do
+    check.equal(ogg:sub(at, at + 3), "OggS")
+    local segments = ogg:byte(at + 26)
+    local size = 0
+    for i = at + 27, at + 26 + segments do
+      local length = ogg:byte(i)
+      size = size + length
+      if length < 255 then packets = packets + 1 end
+    end
+    at = at + 27 + segments + size
+  end
+  local width, height, _, rate, per = (">I3I3I2I4I4"):unpack(ogg, ogg:find("\x80theora", 1, true) + 14)
+  return { width, height, rate / per, packets - 3 } -- three packets of headers
+end
+
+check.case("films are made by VTK alone, of even size, whole or not at all", function()
+  core.mkdir(folder .. "/film")
+  local frames = {}
+  for step, state in ipairs(run(20):states()) do frames[step] = state end
+  local film = { states = frames, field = "uy", size = { 301, 203 }, fps = 5, file = folder .. "/film/x'y.ogv" }
+  sg.picture(film)
+  check.equal(read_ogv(bytes "film/x'y.ogv"), { 302, 204, 5, 7 })
+  local first = bytes "film/x'y.ogv"
+  film.fps = 2.5
+  check.fails(function() sg.picture(film) end, "sg.picture: fps is 2.5", "whole number")
+  film.fps, film.transparent = 5, true
+  check.fails(function() sg.picture(film) end, "sg.picture: transparent has no meaning for a film", "x-%04d.png")
+  film.transparent, film.field = nil, "w"
+  check.fails(function() sg.picture(film) end, "unknown field 'w'")
+  check.equal(bytes "film/x'y.ogv" == first, true)
+  check.equal((check.shell("ls " .. folder .. "/film")), "x'y.ogv\n")
+  film.field, film.file = "uy", folder .. "/missing/x.ogv"
+  check.fails(function() sg.picture(film) end, "sg.picture", "missing")
 end)
 
 check.case("several fields, insets, scale and ground", function()
@@ -102,6 +140,11 @@ check.case("several fields, insets, scale and ground", function()
   check.equal(draw{ model = model, fields = { "uy" }, size = 600 } == single, true)
   local inset = draw{ model = model, field = "uy", size = 600, inset = { 3.5, 4, 0.5, 1 } }
   check.equal(inset == single, false)
+  for _, many in ipairs { { states = run():states(), field = "uy" }, { model = model, fields = { "ux", "uy" } } } do
+    local plain = draw(many)
+    many.inset = { 3.5, 4, 0.5, 1 }
+    check.equal(draw(many) == plain, false)
+  end
   check.equal(dimensions(draw{ model = model, size = { 300, 200 }, scale = 2 }), 600)
   check.equal({ single:byte(26), draw{ model = model, transparent = true }:byte(26) }, { 2, 6 })
 end)
@@ -135,7 +178,7 @@ check.case("wrong arguments", function()
     { { model = model, fps = 3 }, "fps is of a film" },
     { { model = model, scale = 0 }, "scale must be a positive number" },
     { { model = model, scale = 9 }, "makes 14400 pixels of 1600" },
-    { { states = states, inset = { 0, 1, 0, 1 } }, "inset magnifies a part of one state" },
+    { { states = states, size = 400, inset = { 0, 1, 0, 1 } }, "too small for an inset in each state", "fewer columns" },
     { { model = model, inset = { 0, 1 } }, "inset must be a list of 4 numbers" },
   } do
     check.fails(function() draw(case[1]) end, "sg.picture", table.unpack(case, 2))

@@ -2,6 +2,7 @@
 
 #include "messages.hpp"
 #include "scenes.hpp"
+#include "solid_scenes.hpp"
 #include "view/close_up.hpp"
 #include "view/series.hpp"
 #include "view/side_by_side.hpp"
@@ -18,38 +19,98 @@ std::vector<Panel> ring(double lift, double scale = 1, const std::string& title 
   return {{title, {body}}};
 }
 
+/// What a text covers from `below` its baseline to `above` it, both in its size.
+Box covered_by(const Text& text, double below, double above) {
+  const double length = text_width(text.string, text.size);
+  const double before = text.align == Align::left ? 0 : text.align == Align::right ? length : 0.5 * length;
+  const std::size_t along = text.upright ? 1 : 0, across = 1 - along;
+  const double from = text.at[along] - before, low = text.at[across] - (text.upright ? above : below) * text.size,
+               high = text.at[across] + (text.upright ? below : above) * text.size;
+  return text.upright ? Box{low, high, from, from + length} : Box{from, from + length, low, high};
+}
+
 /// The texts of a drawing that reach beyond its rim.
 std::vector<std::string> cut_off(const Drawing& drawing) {
   std::vector<std::string> found;
   for (const Mark& mark : drawing.marks) {
     const Text* text = std::get_if<Text>(&mark);
     if (!text) continue;
-    const double length = text_width(text->string, text->size);
-    const double before = text->align == Align::left ? 0 : text->align == Align::right ? length : 0.5 * length;
-    const int along = text->upright ? 1 : 0, across = 1 - along;
-    const double from = text->at[along] - before, low = text->at[across] - (text->upright ? 0.75 : 0.2) * text->size,
-                 high = text->at[across] + (text->upright ? 0.2 : 0.75) * text->size;
-    if (from < 0 || from + length > drawing.size[along] || low < 0 || high > drawing.size[across])
-      found.push_back(text->string);
+    const Box box = covered_by(*text, 0.2, 0.75);
+    if (box[0] < 0 || box[1] > drawing.size[0] || box[2] < 0 || box[3] > drawing.size[1]) found.push_back(text->string);
   }
   return found;
 }
 
-TEST(Plate, CutsNoTextOff) {
-  const std::string words = "A title that goes on and on with ΔP_x, E = 1.5·10⁹ and much else that nobody needs";
+/// The pairs of a drawing's texts that lie on each other, from the baselines to the tops of their capitals.
+std::vector<std::string> overlaps(const Drawing& drawing) {
+  std::vector<std::string> found;
+  std::vector<const Text*> texts;
+  for (const Mark& mark : drawing.marks)
+    if (const Text* text = std::get_if<Text>(&mark)) texts.push_back(text);
+  for (std::size_t i = 0; i < texts.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const Box a = covered_by(*texts[i], 0, 0.72), b = covered_by(*texts[j], 0, 0.72);
+      if (a[0] < b[1] && b[0] < a[1] && a[2] < b[3] && b[2] < a[3])
+        found.push_back(texts[j]->string + " | " + texts[i]->string);
+    }
+  return found;
+}
+
+using Sizes = std::vector<std::array<int, 2>>;
+
+const std::string words = "A title that goes on and on with ΔP_x, E = 1.5·10⁹ and much else that nobody needs";
+
+/// Calls check(plate, what it is) for plates of all sizes, with tiny and huge numbers, that `make` makes of options and
+/// the values' scale; returns how many texts stood on them.
+int each_plate(const Sizes& sizes, const std::function<Plate(const PictureOptions&, double)>& make) {
   int texts = 0;
-  for (const std::array<int, 2>& size : {std::array{1600, 1000}, {400, 300}, {300, 700}, {1200, 250}})
+  for (const std::array<int, 2>& size : sizes)
     for (const double scale : {1e-12, 1.0, -123456.789, 1e15})
       for (const bool trim : {false, true}) {
         PictureOptions options;
         options.size = size;
         options.trim = trim;
         options.title = options.field_label = words;
-        const Plate plate = make_plate(ring(scale > 1e3 ? 1e7 : 0, scale, words), options);
-        EXPECT_EQ(cut_off(plate.drawing), std::vector<std::string>()) << size[0] << " × " << size[1] << ", " << scale;
+        const Plate plate = make(options, scale);
+        const std::string what = text(size[0], " × ", size[1], ", ", scale, trim ? ", trimmed" : "");
+        EXPECT_EQ(cut_off(plate.drawing), std::vector<std::string>()) << what;
+        EXPECT_EQ(overlaps(plate.drawing), std::vector<std::string>()) << what;
         for (const Mark& mark : plate.drawing.marks) texts += std::holds_alternative<Text>(mark);
       }
+  return texts;
+}
+
+TEST(Plate, CutsNoTextOffAndLaysNoneOnAnother) {
+  const Sizes sizes = {{1600, 1000}, {400, 300}, {300, 700}, {1200, 250}};
+  const int texts = each_plate(sizes, [](const PictureOptions& options, double scale) {
+    return make_plate(ring(scale > 1e3 ? 1e7 : 0, scale, words), options);
+  });
   EXPECT_GT(texts, 200);
+}
+
+TEST(Plate, OfASheetCutsNoTextOff) {
+  const Sizes sizes = {{1600, 2000}, {560, 1120}, {900, 400}};
+  const int texts = each_plate(sizes, [](const PictureOptions& options, double scale) {
+    std::vector<Panel> panels = ring(0, scale, words);
+    for (const double lift : {0.1, 3.0, 5.0}) panels.push_back(ring(lift, scale, "state")[0]);
+    return make_plate(panels, options);
+  });
+  EXPECT_GT(texts, 300);
+}
+
+TEST(Plate, OfSolidsCutsNoTextOff) {
+  for (const char* seen : {"iso", "front"}) {
+    const Sizes sizes = {{1600, 1000}, {560, 1120}, {560, 160}, {300, 200}};
+    const int texts = each_plate(sizes, [&](const PictureOptions& options, double scale) {
+      const Solid block =
+          mapped_solid(block_map({0, 0, 0}, {2, 1, 0.6}), {2, 1, 1}, 2, [&](const Vec<3>& x) { return scale * x[2]; });
+      SolidOptions solid;
+      static_cast<PictureOptions&>(solid) = options;
+      solid.camera = camera(seen);
+      return make_plate({{"start", {block}}, {words, {block}}, {"end", {block}}}, solid);
+    });
+    EXPECT_GT(texts, 150);
+  }
 }
 
 TEST(Plate, OfASeriesHasTheSameFrameAndColours) {
@@ -73,16 +134,16 @@ TEST(SideBySide, PutsPicturesIntoColumns) {
     PictureOptions own;
     own.trim = true;
     own.size = most;
-    return make_plate(ring(i), own);
+    return figure_of(make_plate(ring(i), own));
   };
   const auto shape = [&](int columns) {
     options.columns = columns;
-    const auto [width, height] = png_size(side_by_side(4, options, make));
+    const auto [width, height] = side_by_side(4, options, make).size;
     return static_cast<double>(width) / height;
   };
   EXPECT_GT(shape(4), 3 * shape(1));
   options.columns.reset();
-  const auto [width, height] = png_size(side_by_side(4, options, make));
+  const auto [width, height] = side_by_side(4, options, make).size;
   EXPECT_LE(width, 1200);
   EXPECT_LE(height, 900);
   options.size = {200, 150};
@@ -105,14 +166,16 @@ TEST(CloseUp, MakesRoomWhereNoCornerIsFree) {
     options.extent = extent;
     return make_plate({{"", {block}}}, options);
   };
-  const auto detail = [&](const std::array<int, 2>& most) {
+  const auto detail = [&](int state, const std::array<int, 2>& most) {
+    EXPECT_EQ(state, 0);
     PictureOptions options;
     options.size = most;
     options.trim = true;
     options.crop = {0.4, 1.6, 0.2, 0.8};
     return make_plate({{"", {block}}}, options);
   };
-  with_close_up(whole, detail, false);
+  const Figure figure = with_close_ups(whole, detail);
+  EXPECT_EQ(figure.plates.size(), 2u);
   EXPECT_EQ(drawn, 2);
   ASSERT_TRUE(given);
   EXPECT_GT((*given)[3], 1.5);

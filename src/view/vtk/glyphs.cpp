@@ -94,17 +94,35 @@ Glyphs rasterise(const std::string& utf8, double size) {
   return glyphs;
 }
 
-} // namespace
-
-void draw_text(Pixels& image, const Text& text) {
+/// A line of text at a size, run by run.
+struct Line {
   std::vector<Glyphs> runs;
   std::vector<int> rises;
   int width = 0;
-  for (const TextRun& run : text_runs(text.string)) {
-    runs.push_back(rasterise(run.string, text.size * run_size(run.level)));
-    rises.push_back(static_cast<int>(std::lround(text.size * run_rise(run.level))));
-    width += runs.back().width;
+};
+
+Line rasterise_line(const std::string& utf8, double size) {
+  Line line;
+  for (const TextRun& run : text_runs(utf8)) {
+    line.runs.push_back(rasterise(run.string, size * run_size(run.level)));
+    line.rises.push_back(static_cast<int>(std::lround(size * run_rise(run.level))));
+    line.width += line.runs.back().width;
   }
+  return line;
+}
+
+/// No longer than the layout takes it to be: sizes are whole pixels, and small letters stand on whole pixels.
+Line fitting_line(const Text& text) {
+  const double most = 1.01 * text_width(text.string, text.size) + 1;
+  Line line = rasterise_line(text.string, text.size);
+  for (double size = text.size - 1; line.width > most && size > 1; --size) line = rasterise_line(text.string, size);
+  return line;
+}
+
+} // namespace
+
+void draw_text(Pixels& image, const Text& text) {
+  const auto [runs, rises, width] = fitting_line(text);
   const int shift = text.align == Align::left ? 0 : text.align == Align::centre ? width / 2 : width;
   int along = -shift;
   for (std::size_t r = 0; r < runs.size(); ++r) {

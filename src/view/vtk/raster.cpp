@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "view/renderer.hpp"
+#include "view/vtk/film.hpp"
 #include "view/vtk/glyphs.hpp"
 #include "view/vtk/relief_actors.hpp"
 #include "view/vtk/window.hpp"
@@ -198,4 +199,5 @@ std::string describe() {
 } // namespace
 } // namespace signorini::view
 
-extern "C" const signorini::view::Renderer signorini_renderer = {signorini::view::draw_png, signorini::view::describe};
+extern "C" const signorini::view::Renderer signorini_renderer = {signorini::view::draw_png, signorini::view::draw_ogv,
+                                                                 signorini::view::describe};

@@ -1,0 +1,11 @@
+#pragma once
+// Films by VTK itself.
+
+#include "view/renderer.hpp"
+
+namespace signorini::view {
+
+/// Writes pictures to a film of `rate` per second, Theora in Ogg. Throws Error where VTK has been built without it.
+void draw_ogv(const std::string& file, int count, int rate, const PngMaker& png);
+
+} // namespace signorini::view
