@@ -211,7 +211,7 @@ error, time, series, marker: columns of the study, or functions of a row. Errors
 where:   a function of a row: only rows for which it is true.
 at:      errors at which times are compared; by default the least, the middle and the largest one that both curves
          reach.
-file, files: .png, .svg, .pdf; none by default.
+file, files: .png, .svg, .pdf; none by default. size = {1600, 1000} pixels, as in sg.chart.
 Cases that failed, and those without time or error or with a zero of them, are left out and listed with the reason.
 Times at equal error are interpolated on the lines between cases; where a curve comes down to an error more than once,
 the least time counts. Nothing is extrapolated: not below a curve's least error, and not above that of its cheapest

@@ -195,29 +195,38 @@ int chart(lua_State* L) {
 
 constexpr Function rows[] = {
     {"chart", wrap<chart>,
-     "sg.chart{ file, x, { y, label, … }, …, xlabel, ylabel, log, title, legend = true, legend_title, marks, "
-     "marks_title,\n"
-     "          xrange, yrange, xticks, hlines, vlines, inset, size = {1600, 1000} }\n"
-     "Draws curves to a file that ends with .png, .svg or .pdf. Each curve is a table without a name:\n"
-     "  { y = {…}, x = its own abscissae (the chart's x), label = , markers = false, dashed = false, line = true,\n"
-     "    width = 3, color = number of the curve that it looks like (its own) or \"gray\", marker = \"circle\", … or "
-     "\"none\" }\n"
-     "Markers: circle, square, triangle, diamond, triangle down, cross, pentagon, plus, and open ones (\"open "
-     "circle\").\n"
-     "Curves of one label and look share a row of the legend; one without a label has none. A nan leaves a gap.\n"
-     "marks = {…} in a curve names the kind of each of its points, such as the mesh: one marker per kind in all "
-     "curves, "
-     "each\n"
-     "curve keeps its colour, and the legend lists both. For the chart, marks = {…} sets the kinds' order (that of "
-     "their\n"
-     "first points), legend_title and marks_title stand above the two parts of the legend.\n"
-     "log = \"x\", \"y\" or \"xy\" for logarithmic axes; xrange, yrange = {low, high}; size = {1600, 1000} pixels.\n"
-     "xticks = { {1, \"m1\"}, {2, \"m2\"} }: names in place of numbers; hlines, vlines = { {value, text}, … }: "
-     "reference\n"
-     "lines. inset = { xrange = {low, high}, yrange (the curves' own), place = \"north-east\", … (the emptiest corner) "
-     "}\n"
-     "magnifies a part of the chart in a box; where no corner is free the y axis goes on, unless yrange is given.\n"
-     "Example: sg.chart{ file = \"square.png\", x = {1, 2, 3}, { y = {1, 4, 9}, label = \"x squared\" } }"},
+     R"(sg.chart{ file, x, { y, x, label, line = true, width = 3, dashed = false, markers = false, marker, marks,
+          color }, …, xlabel, ylabel, log, title, legend = true, legend_title, marks, marks_title, xrange, yrange,
+          xticks, hlines, vlines, inset, size = {1600, 1000} }
+Draws curves to a file, whole or not at all. Values, ranges and positions are in the units of the data.
+file:         a name that ends with .png, .svg or .pdf.
+x:            abscissae of the curves that have none of their own.
+xlabel, ylabel, title: texts at the axes and above; by default none. Write units into them: "force in N".
+log:          "x", "y" or "xy": logarithmic axes; by default none.
+xrange, yrange: {low, high} of an axis; by default those of the data, of y within xrange.
+xticks:       { {1, "m1"}, {2, "m2"} }, in rising order: names in the place of numbers; by default numbers.
+hlines, vlines: { value, {value, text}, … }: dotted reference lines; by default none.
+legend:       the curves' names right of the chart (true).
+legend_title, marks_title: lines above its two parts, curves and kinds of points; by default none.
+marks:        the order of the kinds of points; by default that of their first points.
+inset:        { xrange = {low, high}, yrange = {low, high} (that of the curves), place = "north-east", "north-west",
+              "south-east" or "south-west" (the emptiest corner) } magnifies a part of the chart in a box; where no
+              corner is free the y axis goes on, unless yrange is given. By default none.
+size:         {width, height} in pixels, from 160 x 120 to 5000 x 5000 ({1600, 1000}).
+Each curve is a table without a name:
+ y:           values; a nan leaves a gap.
+ x:           as many abscissae (the chart's x).
+ label:       its name in the legend, where curves of one label and look share a row; one without has none.
+ line:        draws the line (true).
+ width:       of the line, in pixels of a chart of 1600 x 1000 (3).
+ dashed:      a dashed line (false).
+ markers:     a marker at each point (false); of several curves each has a few in any case.
+ marker:      circle, square, triangle, diamond, triangle down, cross, pentagon, plus, the same open ("open circle"),
+              or "none"; by default that of the curve's number.
+ marks:       { "m1", "m2", … }, the kind of each of its points, such as the mesh: one marker per kind in all curves;
+              the legend lists them after the curves. By default none.
+ color:       the number of the curve that it looks like, or "gray"; by default a colour of its own.
+Example: sg.chart{ file = "square.png", x = {1, 2, 3}, { y = {1, 4, 9}, label = "x squared" } })"},
 };
 
 } // namespace
