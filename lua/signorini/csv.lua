@@ -19,22 +19,33 @@ local function field_value(text)
   return tonumber(text) or text
 end
 
-local function field_text(value, where)
+local function string_text(value)
+  local plain = field_value(value) == value and not value:find '[",\r\n]' and not value:find "^[#%s]" and not value:find "%s$"
+  return plain and value or '"' .. value:gsub('"', '""') .. '"'
+end
+
+local function place(i, name) return ("row %d, column '%s'"):format(i, name) end
+
+--- The text of a field in row i; `texts` keeps those of strings, as few of them come many times.
+local function field_text(value, texts, i, name)
   if value == nil then return "" end
-  if type(value) == "boolean" then return tostring(value) end
   if type(value) == "number" then
     if value ~= value or math.abs(value) == math.huge then
       core.fail(("sg.csv.write: %s is %s, not a finite number: leave the value out (nil) where there is none")
-        :format(where, core.describe(value)))
+        :format(place(i, name), core.describe(value)))
     end
     return number_text(value)
   end
+  if type(value) == "boolean" then return tostring(value) end
   if type(value) ~= "string" then
-    core.fail(("sg.csv.write: %s must be a number, a string, true or false, got a %s"):format(where, type(value)))
+    core.fail(("sg.csv.write: %s must be a number, a string, true or false, got a %s"):format(place(i, name), type(value)))
   end
-  local plain = field_value(value) == value and not value:find '[",\r\n]' and not value:find "^[#%s]"
-    and not value:find "%s$"
-  return plain and value or '"' .. value:gsub('"', '""') .. '"'
+  local text = texts[value]
+  if not text then
+    text = string_text(value)
+    texts[value] = text
+  end
+  return text
 end
 
 --- The column names of a table, checked; for named arrays without `columns` all names, sorted.
@@ -94,7 +105,7 @@ end
 local function file_text(data)
   local columns = column_names(data)
   local cell, count = cells(data, columns)
-  local lines, fields = {}, {}
+  local lines, fields, texts = {}, {}, {}
   if data.comments ~= nil and type(data.comments) ~= "table" then
     arguments.reject("sg.csv.write", "comments", "a list of texts", data.comments)
   end
@@ -102,10 +113,10 @@ local function file_text(data)
     arguments.string("sg.csv.write", ("comments[%d]"):format(i), comment)
     lines[#lines + 1] = "# " .. comment:gsub("[\r\n]+", " ")
   end
-  for j, name in ipairs(columns) do fields[j] = field_text(name, "a column's name") end
+  for j, name in ipairs(columns) do fields[j] = string_text(name) end
   lines[#lines + 1] = table.concat(fields, ",")
   for i = 1, count do
-    for j, name in ipairs(columns) do fields[j] = field_text(cell(i, j), ("row %d, column '%s'"):format(i, name)) end
+    for j, name in ipairs(columns) do fields[j] = field_text(cell(i, j), texts, i, name) end
     -- A line that would be empty is no row when read back, so its one missing value is written as quotes.
     lines[#lines + 1] = #columns == 1 and fields[1] == "" and '""' or table.concat(fields, ",")
   end

@@ -3,6 +3,7 @@
 #include "bind/open.hpp"
 #include "bind/threads.hpp"
 
+#include <charconv>
 #include <filesystem>
 
 namespace signorini::bind {
@@ -61,6 +62,27 @@ int core_set_threads(lua_State* L) {
   return 0;
 }
 
+int core_number_text(lua_State* L) {
+  char digits[32];
+  const auto text_of = [&](auto value, auto... format) {
+    return std::string_view(digits, std::to_chars(digits, digits + sizeof digits, value, format...).ptr);
+  };
+  if (lua_isinteger(L, 1)) {
+    push(L, std::string(text_of(lua_tointeger(L, 1))));
+    return 1;
+  }
+  const double value = luaL_checknumber(L, 1);
+  std::string_view shortest;
+  double again = 0;
+  for (int precision = 15; precision <= 17; ++precision) {
+    shortest = text_of(value, std::chars_format::general, precision);
+    std::from_chars(shortest.begin(), shortest.end(), again);
+    if (again == value) break;
+  }
+  lua_pushlstring(L, shortest.data(), shortest.size());
+  return 1;
+}
+
 int kind(lua_State* L) {
   if (lua_isuserdata(L, 1) && luaL_getmetafield(L, 1, "__name") == LUA_TSTRING) return 1;
   push(L, luaL_typename(L, 1));
@@ -76,6 +98,8 @@ constexpr Function rows[] = {
      "core.set_threads(threads)\nHow many threads work on a solve from now on; core.threads is what --threads said."},
     {"describe", wrap<core_describe>, "core.describe(value)\nA value in the words of error messages."},
     {"nearest", wrap<core_nearest>, "core.nearest(word, words)\nThe word of a list that is nearest, or nil."},
+    {"number_text", wrap<core_number_text>,
+     "core.number_text(value)\nThe shortest decimal text of a finite number that reads back as the same number."},
     {"kind", wrap<kind>, "core.kind(value)\nThe type, with the names of the program's own types such as \"patch\"."},
 };
 
