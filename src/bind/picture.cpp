@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <memory>
 
 namespace signorini::bind {
 
@@ -168,39 +170,49 @@ Sheets read_sheets(lua_State* L, const Options& o) {
   return sheets;
 }
 
-/// The states of a sheet with the options that they are drawn with.
+/// Where insets go, by the size of the picture.
+using Plans = std::map<std::array<int, 2>, view::CloseUpPlan>;
+
+/// The states of a field with the options that they are drawn with.
 template <class Panel, class PanelOptions> struct FieldSheet {
-  std::vector<Panel> panels;
+  std::vector<std::vector<Panel>> pictures; ///< one, or those of a series
   PanelOptions options;
-  std::optional<PanelOptions> inset; ///< of what is magnified
+  std::optional<PanelOptions> inset;                        ///< of what is magnified
+  std::shared_ptr<Plans> plans = std::make_shared<Plans>(); ///< made once for a series
 };
 
-/// A sheet within a size, as part of a whole of the style or as the whole.
+/// A picture of a field, drawn with these options.
 template <class Panel, class PanelOptions>
-view::Figure figure_of(const FieldSheet<Panel, PanelOptions>& sheet, const PanelOptions& options) {
-  if (!sheet.inset) return view::figure_of(view::make_plate(sheet.panels, options));
-  const auto whole = [&](const std::optional<view::Box>& extent) {
+view::Figure figure_of(const FieldSheet<Panel, PanelOptions>& sheet, int picture, const PanelOptions& options) {
+  const auto panels = [&](int of) -> const std::vector<Panel>& { return sheet.pictures[static_cast<std::size_t>(of)]; };
+  if (!sheet.inset) return view::figure_of(view::make_plate(panels(picture), options));
+  const auto whole = [&](int of, const std::optional<view::Box>& extent) {
     PanelOptions larger = options;
     if (extent) larger.extent = extent;
-    return view::make_plate(sheet.panels, larger);
+    return view::make_plate(panels(of), larger);
   };
-  const auto detail = [&](int state, const std::array<int, 2>& most) {
+  const auto detail = [&](int of, int state, const std::array<int, 2>& most) {
     PanelOptions own = *sheet.inset;
     own.size = most;
     own.style = view::close_up_style(view::style_of(options));
-    std::vector<Panel> one = {sheet.panels[static_cast<std::size_t>(state)]};
+    std::vector<Panel> one = {panels(of)[static_cast<std::size_t>(state)]};
     one[0].title.clear();
     return view::make_plate(one, own);
   };
-  return view::with_close_ups(whole, detail);
+  auto plan = sheet.plans->find(options.size);
+  if (plan == sheet.plans->end()) {
+    const int pictures = static_cast<int>(sheet.pictures.size());
+    plan = sheet.plans->emplace(options.size, view::plan_close_ups(pictures, whole, detail)).first;
+  }
+  return view::with_close_ups(picture, plan->second, whole, detail);
 }
 
 /// The bytes of a picture: the sheets of several fields side by side.
 template <class Panel, class PanelOptions>
-std::string png_of(const std::vector<FieldSheet<Panel, PanelOptions>>& sheets) {
+std::string png_of(const std::vector<FieldSheet<Panel, PanelOptions>>& sheets, int picture = 0) {
   const PanelOptions& first = sheets[0].options;
-  if (sheets.size() == 1) return view::png(figure_of(sheets[0], first), first.transparent);
-  const bool single = sheets[0].panels.size() == 1; // then the columns are those of the fields
+  if (sheets.size() == 1) return view::png(figure_of(sheets[0], picture, first), first.transparent);
+  const bool single = sheets[0].pictures[0].size() == 1; // then the columns are those of the fields
   view::PictureOptions whole = first;
   if (!single) whole.columns.reset();
   const auto part = [&](int i, const std::array<int, 2>& most) {
@@ -210,39 +222,46 @@ std::string png_of(const std::vector<FieldSheet<Panel, PanelOptions>>& sheets) {
     options.trim = true;
     options.style = view::part_style(most, view::style_of(first));
     if (single) options.columns.reset();
-    return figure_of(sheets[static_cast<std::size_t>(i)], options);
+    return figure_of(sheets[static_cast<std::size_t>(i)], picture, options);
   };
   return view::png(view::side_by_side(static_cast<int>(sheets.size()), whole, part), first.transparent);
+}
+
+/// One meaning of colours in all states, and in a series one frame.
+template <class Panel, class PanelOptions>
+void align_states(FieldSheet<Panel, PanelOptions>& sheet, const std::vector<Panel>& states, bool series) {
+  if (!series && !sheet.inset) return;
+  const auto extent = sheet.options.extent;
+  align(sheet.options, states);
+  if (!series) sheet.options.extent = extent;
+  if (!sheet.inset) return;
+  sheet.inset->range = sheet.options.range;
+  sheet.inset->bar = false;
+  sheet.inset->axis_names = false;
+  sheet.inset->trim = true;
+  sheet.inset->title.clear();
 }
 
 template <class Panel, class PanelOptions>
 void draw(const Sheets& sheets, const PanelOptions& options, const std::optional<PanelOptions>& inset,
           const std::string& file, double rate) {
+  const bool series = view::is_series(file);
   std::vector<FieldSheet<Panel, PanelOptions>> all;
   for (const auto& states : sheets) {
     auto& sheet = all.emplace_back(FieldSheet<Panel, PanelOptions>{{}, options, inset});
     if (options.field_label.empty()) sheet.options.field_label = states.front().label;
-    for (const StateFrame& state : states) sheet.panels.push_back(std::get<Panel>(state.panel));
-    if (!inset) continue;
-    const auto extent = sheet.options.extent;
-    align(sheet.options, sheet.panels); // one meaning of colours
-    sheet.options.extent = extent;
-    sheet.inset->range = sheet.options.range;
-    sheet.inset->bar = false;
-    sheet.inset->axis_names = false;
-    sheet.inset->trim = true;
-    sheet.inset->title.clear();
+    std::vector<Panel> panels;
+    for (const StateFrame& state : states) panels.push_back(std::get<Panel>(state.panel));
+    align_states(sheet, panels, series);
+    if (!series)
+      sheet.pictures = {std::move(panels)};
+    else
+      for (Panel& panel : panels) sheet.pictures.push_back({std::move(panel)});
   }
-  if (!view::is_series(file)) {
-    view::check_file(file);
-    return write_whole(file, png_of(all));
-  }
-  for (auto& sheet : all) align(sheet.options, sheet.panels);
-  view::write_series(file, static_cast<int>(sheets[0].size()), rate, [&](int state) {
-    auto one = all;
-    for (auto& sheet : one) sheet.panels = {sheet.panels[static_cast<std::size_t>(state)]};
-    return png_of(one);
-  });
+  if (series)
+    return view::write_series(file, static_cast<int>(sheets[0].size()), rate, [&](int i) { return png_of(all, i); });
+  view::check_file(file);
+  write_whole(file, png_of(all));
 }
 
 /// Refuses what has no meaning without something else.

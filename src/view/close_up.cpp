@@ -23,7 +23,7 @@ bool overlap(const Box& a, const Box& b) {
 }
 
 /// How many of the points that the bodies are made of lie in a box.
-long hidden(const Plate& plate, const Box& box) {
+long hidden_in(const Plate& plate, const Box& box) {
   long count = 0;
   for (const Field& field : plate.fields)
     for (const Vec2& p : field.points) count += is_within(p[0], p[1], box);
@@ -42,52 +42,66 @@ Box extent_of(const Frame& frame) {
 }
 
 struct Placing {
-  long hidden = std::numeric_limits<long>::max();
-  PlacedPlate inset{{}, {{{}, {}}}};
-  Box marked{};
+  PlacedPlate inset;
+  Box marked;
 };
 
-/// A magnified part of this share of its frame, in the corner where it hides least.
-Placing place(const Plate& whole, int state, double share, const DetailMaker& detail) {
-  const Frame& frame = whole.frames[static_cast<std::size_t>(state)];
+constexpr double shares[] = {0.5, 0.42, 0.35, 0.28};
+
+/// The room of a magnified part with this share of a frame; nothing where that is too little for any.
+std::optional<std::array<int, 2>> room_of(const Frame& frame, double share) {
   const auto& [left, right, bottom, top] = frame.box;
   const std::array<int, 2> most = {static_cast<int>(0.9 * std::sqrt(share) * (right - left)),
                                    static_cast<int>(share * (top - bottom))};
-  Placing best;
-  if (most[0] < least_width || most[1] < least_height) return best;
-  Plate plate = detail(state, most);
-  const double width = plate.drawing.size[0], height = plate.drawing.size[1];
-  const double air = 0.012 * (right - left);
-  const Box marked = place_of(plate.frames.front(), frame);
-  for (const double x : {right - air - width, left + air})
-    for (const double y : {top - air - height, bottom + air}) {
-      const Box box = {x, x + width, y, y + height};
-      const long count = hidden(whole, box) + (overlap(box, marked) ? 1000000 : 0);
-      if (count < best.hidden)
-        best = {count, {{static_cast<int>(std::round(x)), static_cast<int>(std::round(y))}, plate}, marked};
-    }
-  return best;
+  if (most[0] < least_width || most[1] < least_height) return std::nullopt;
+  return most;
 }
 
-struct Placings {
-  std::vector<Placing> of_states;
-  bool found = true; ///< a place for each
-  long hidden = 0;
-};
+/// In corner 0 to 3 of a frame: north-east, south-east, north-west, south-west.
+Placing placed(const Frame& frame, int corner, Plate detail) {
+  const auto& [left, right, bottom, top] = frame.box;
+  const double width = detail.drawing.size[0], height = detail.drawing.size[1], air = 0.012 * (right - left);
+  const double x = corner < 2 ? right - air - width : left + air,
+               y = corner % 2 == 0 ? top - air - height : bottom + air;
+  const Box marked = place_of(detail.frames.front(), frame);
+  return {{{static_cast<int>(std::round(x)), static_cast<int>(std::round(y))}, std::move(detail)}, marked};
+}
 
-/// The largest magnified parts that hide nothing, or those that hide least, of one share in all states.
-Placings place(const Plate& whole, const DetailMaker& detail) {
-  Placings best{{}, false, std::numeric_limits<long>::max()};
-  for (const double share : {0.5, 0.42, 0.35, 0.28}) {
-    Placings next;
-    for (int state = 0; next.found && state < static_cast<int>(whole.frames.size()); ++state) {
-      next.of_states.push_back(place(whole, state, share, detail));
-      next.found = next.of_states.back().hidden < std::numeric_limits<long>::max();
-      next.hidden += next.found ? next.of_states.back().hidden : 0;
+Box box_of(const PlacedPlate& plate) {
+  const double x = plate.at[0], y = plate.at[1];
+  return {x, x + plate.plate.drawing.size[0], y, y + plate.plate.drawing.size[1]};
+}
+
+/// How much magnified parts would hide in all states, by share and corner; fewer shares where frames are too small.
+using Hidden = std::vector<std::array<long, 4>>;
+
+void add_hidden(Hidden& hidden, int picture, const Plate& whole, const DetailMaker& detail) {
+  for (std::size_t state = 0; state < whole.frames.size(); ++state)
+    for (std::size_t s = 0; s < hidden.size(); ++s) {
+      const Frame& frame = whole.frames[state];
+      const auto most = room_of(frame, shares[s]);
+      if (!most) {
+        hidden.resize(s);
+        break;
+      }
+      const Plate plate = detail(picture, static_cast<int>(state), *most);
+      for (int corner = 0; corner < 4; ++corner) {
+        const Placing placing = placed(frame, corner, plate);
+        const Box box = box_of(placing.inset);
+        hidden[s][static_cast<std::size_t>(corner)] +=
+            hidden_in(whole, box) + (overlap(box, placing.marked) ? 1000000 : 0);
+      }
     }
-    if (next.found && next.hidden < best.hidden) best = std::move(next);
-    if (best.hidden == 0) break;
-  }
+}
+
+/// The largest share and its corner that hide least; by how much, and nothing where frames are too small.
+std::optional<std::pair<CloseUpPlan, long>> best_plan(const Hidden& hidden) {
+  std::optional<std::pair<CloseUpPlan, long>> best;
+  for (std::size_t s = 0; s < hidden.size(); ++s)
+    for (int corner = 0; corner < 4; ++corner) {
+      const long count = hidden[s][static_cast<std::size_t>(corner)];
+      if (!best || count < best->second) best = {{shares[s], corner, std::nullopt}, count};
+    }
   return best;
 }
 
@@ -115,23 +129,47 @@ void draw_joins(Drawing& drawing, const Placing& placing) {
 
 } // namespace
 
-Figure with_close_ups(const WholeMaker& make, const DetailMaker& detail) {
-  Plate whole = make(std::nullopt);
-  Placings placings = place(whole, detail);
-  if (placings.hidden > 0) {
+CloseUpPlan plan_close_ups(int pictures, const WholeMaker& make, const DetailMaker& detail) {
+  std::optional<Box> extent;
+  for (const bool raised : {false, true}) {
+    Hidden hidden(std::size(shares));
+    Box shown{};
+    std::size_t states = 0;
+    for (int picture = 0; picture < pictures; ++picture) {
+      const Plate whole = make(picture, extent);
+      add_hidden(hidden, picture, whole, detail);
+      if (picture == 0) shown = extent_of(whole.frames.front());
+      for (const Frame& frame : whole.frames) shown = hull({shown, extent_of(frame)});
+      states = whole.frames.size();
+    }
+    auto best = best_plan(hidden);
+    if (best && (best->second == 0 || raised)) {
+      best->first.extent = extent;
+      return best->first;
+    }
+    require(!raised, "the picture is too small for an inset",
+            states > 1 ? " in each state; choose a larger size or fewer columns" : "; choose a larger size",
+            ", or crop = … for a picture of its own");
     // Room above: as much again as half of what is shown.
-    Box shown = extent_of(whole.frames.front());
-    for (const Frame& frame : whole.frames) shown = hull({shown, extent_of(frame)});
-    shown[3] += 0.75 * (shown[3] - shown[2]);
-    whole = make(shown);
-    placings = place(whole, detail);
+    extent = shown;
+    (*extent)[3] += 0.75 * (shown[3] - shown[2]);
   }
-  require(placings.found, "the picture is too small for an inset",
-          whole.frames.size() > 1 ? " in each state; choose a larger size or fewer columns" : "; choose a larger size",
-          ", or crop = … for a picture of its own");
-  for (const Placing& placing : placings.of_states) draw_joins(whole.drawing, placing);
+  return {};
+}
+
+Figure with_close_ups(int picture, const CloseUpPlan& plan, const WholeMaker& make, const DetailMaker& detail) {
+  Plate whole = make(picture, plan.extent);
+  std::vector<PlacedPlate> insets;
+  const std::vector<Frame> frames = whole.frames;
+  for (std::size_t state = 0; state < frames.size(); ++state) {
+    const auto most = room_of(frames[state], plan.share);
+    require(most.has_value(), "the picture is too small for an inset; choose a larger size");
+    Placing placing = placed(frames[state], plan.corner, detail(picture, static_cast<int>(state), *most));
+    draw_joins(whole.drawing, placing);
+    insets.push_back(std::move(placing.inset));
+  }
   Figure figure = figure_of(std::move(whole));
-  for (Placing& placing : placings.of_states) figure.plates.push_back(std::move(placing.inset));
+  for (PlacedPlate& inset : insets) figure.plates.push_back(std::move(inset));
   return figure;
 }
 

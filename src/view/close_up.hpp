@@ -7,14 +7,24 @@
 
 namespace signorini::view {
 
-/// Makes the picture of states; where an extent is given, each so large at least.
-using WholeMaker = std::function<Plate(const std::optional<Box>& extent)>;
-/// Makes the magnified part of a state (from 0), no larger than a size in pixels.
-using DetailMaker = std::function<Plate(int state, const std::array<int, 2>& most)>;
+/// Makes a picture (from 0) of states; where an extent is given, each so large at least.
+using WholeMaker = std::function<Plate(int picture, const std::optional<Box>& extent)>;
+/// Makes the magnified part of a state (from 0) of a picture, no larger than a size in pixels.
+using DetailMaker = std::function<Plate(int picture, int state, const std::array<int, 2>& most)>;
 
-/// The picture of states, and in a corner of each one's frame that hides no body the magnified part, joined by lines to
-/// where it belongs. The frames get higher where no corner is free. Throws Error where a frame is too small.
-Figure with_close_ups(const WholeMaker& whole, const DetailMaker& detail);
+/// Where magnified parts go, in all states alike.
+struct CloseUpPlan {
+  double share = 0;               ///< of the frame's height
+  int corner = 0;                 ///< of the frame
+  std::optional<Box> extent = {}; ///< of each state at least
+};
+
+/// The largest parts, and the corner in which they hide no body in any state of the pictures. The frames get higher
+/// where no corner is free. Throws Error where a frame is too small.
+CloseUpPlan plan_close_ups(int pictures, const WholeMaker& whole, const DetailMaker& detail);
+
+/// A picture of states, and in each one's frame the magnified part, joined by lines to where it belongs.
+Figure with_close_ups(int picture, const CloseUpPlan& plan, const WholeMaker& whole, const DetailMaker& detail);
 
 /// The style of a magnified part in a picture of this style: numbers a little smaller, and less air.
 Style close_up_style(Style whole);

@@ -159,14 +159,14 @@ TEST(CloseUp, MakesRoomWhereNoCornerIsFree) {
   block.triangles << 0, 0, 1, 2, 2, 3;
   int drawn = 0;
   std::optional<Box> given;
-  const auto whole = [&](const std::optional<Box>& extent) {
+  const auto whole = [&](int, const std::optional<Box>& extent) {
     ++drawn;
     given = extent;
     PictureOptions options;
     options.extent = extent;
     return make_plate({{"", {block}}}, options);
   };
-  const auto detail = [&](int state, const std::array<int, 2>& most) {
+  const auto detail = [&](int, int state, const std::array<int, 2>& most) {
     EXPECT_EQ(state, 0);
     PictureOptions options;
     options.size = most;
@@ -174,11 +174,36 @@ TEST(CloseUp, MakesRoomWhereNoCornerIsFree) {
     options.crop = {0.4, 1.6, 0.2, 0.8};
     return make_plate({{"", {block}}}, options);
   };
-  const Figure figure = with_close_ups(whole, detail);
-  EXPECT_EQ(figure.plates.size(), 2u);
+  const CloseUpPlan plan = plan_close_ups(1, whole, detail);
   EXPECT_EQ(drawn, 2);
+  EXPECT_EQ(with_close_ups(0, plan, whole, detail).plates.size(), 2u);
   ASSERT_TRUE(given);
   EXPECT_GT((*given)[3], 1.5);
+}
+
+TEST(CloseUp, GoesToOneCornerInAllPictures) {
+  // The first ring lies to the right of its frame's middle, the second one above it.
+  const auto whole = [](int picture, const std::optional<Box>& extent) {
+    PictureOptions options;
+    options.extent = extent.value_or(Box{-4, 4, -4, 4});
+    options.range = {0, 1};
+    const Body first = bent_ring({0, 0}, 1, 3, picture == 0 ? -45 : 45, 6, 3);
+    return make_plate({{"", {first}}}, options);
+  };
+  const auto detail = [](int, int, const std::array<int, 2>& most) {
+    PictureOptions options;
+    options.size = most;
+    options.trim = true;
+    options.crop = {-0.1, 0.1, -0.1, 0.1};
+    return make_plate(ring(0), options);
+  };
+  const CloseUpPlan both = plan_close_ups(2, whole, detail), one = plan_close_ups(1, whole, detail);
+  EXPECT_FALSE(both.extent);
+  EXPECT_FALSE(one.extent);
+  EXPECT_EQ(both.corner, 3);
+  EXPECT_NE(one.corner, 3);
+  const auto place = [&](int picture) { return with_close_ups(picture, both, whole, detail).plates[1].at; };
+  EXPECT_EQ(place(0), place(1));
 }
 
 TEST(Plate, HasNoGroundWhereThatIsWanted) {
