@@ -5,6 +5,7 @@
 #include "bind/versions.hpp"
 #include "view/picture.hpp"
 #include "view/renderer.hpp"
+#include "view/series.hpp"
 
 #include <filesystem>
 #include <iomanip>
@@ -56,6 +57,7 @@ bool doctor(std::ostream& out, int threads, const std::string& readline) {
   row("readline", readline);
   attempt("renderer", [] { return view::renderer_description(); });
   attempt("test picture", test_picture);
+  attempt("films", [] { return view::film_description(); });
   row("all in all", well ? "ok" : "something is missing, see above");
   return well;
 }

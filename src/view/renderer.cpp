@@ -80,7 +80,14 @@ std::string png(Plate plate, bool transparent) {
 }
 
 void write_ogv(const std::string& file, int count, int rate, const PngMaker& png) {
+  require(has_theora(), "file '", file,
+          "' needs a VTK with Theora, and this one was built without: write an .mp4 film ",
+          "by ffmpeg, or a series of pictures, file = \"x-%04d.png\"");
   renderer().ogv(file, count, rate, png);
+}
+
+bool has_theora() {
+  return renderer().ogv != nullptr;
 }
 
 std::string renderer_description() {

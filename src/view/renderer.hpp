@@ -39,8 +39,9 @@ using PngMaker = std::function<std::string(int index)>;
 
 /// The module's table of functions, found under the name `signorini_renderer`.
 struct Renderer {
-  std::string (*png)(const Image& image);                                         ///< the bytes of a PNG file
-  void (*ogv)(const std::string& file, int count, int rate, const PngMaker& png); ///< a film in Ogg Theora
+  std::string (*png)(const Image& image); ///< the bytes of a PNG file
+  /// Writes a film, Theora in Ogg; null where VTK has been built without it.
+  void (*ogv)(const std::string& file, int count, int rate, const PngMaker& png);
   std::string (*description)();
 };
 
@@ -75,6 +76,9 @@ std::string png(Plate plate, bool transparent = false);
 /// Writes a film of `rate` pictures per second, Theora in Ogg. Throws Error where VTK has been built without it, and on
 /// pictures of several sizes.
 void write_ogv(const std::string& file, int count, int rate, const PngMaker& png);
+
+/// Whether VTK has been built with Theora.
+bool has_theora();
 
 /// What renders, for --doctor: "VTK 9.1.0, llvmpipe …, OpenGL 4.5 …".
 std::string renderer_description();

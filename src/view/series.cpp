@@ -41,7 +41,8 @@ Pattern pattern_of(const std::string& file) {
 class Folder {
 public:
   explicit Folder(const std::string& file) : name_(file + ".XXXXXX") {
-    require(::mkdtemp(name_.data()) != nullptr, "cannot make a folder for the pictures of '", file, "' beside it");
+    require(::mkdtemp(name_.data()) != nullptr, "cannot make a folder for the pictures of '", file,
+            "' beside it: does the folder exist, and may it be written to?");
   }
   ~Folder() {
     std::error_code ignored;
@@ -89,6 +90,12 @@ bool is_film(const std::string& file) {
 
 bool is_series(const std::string& file) {
   return file.find('%') != std::string::npos || is_film(file);
+}
+
+std::string film_description() {
+  const std::string vtk = has_theora() ? ".ogv by VTK" : "no .ogv, VTK was built without Theora",
+                    other = has_program("ffmpeg") ? ".mp4 by ffmpeg" : "no .mp4, ffmpeg is not in PATH";
+  return vtk + "; " + other;
 }
 
 void write_series(const std::string& file, int count, double rate, const std::function<std::string(int)>& png) {

@@ -12,6 +12,9 @@ bool is_film(const std::string& file);
 /// Whether a file's name stands for a series: a film, or a number's place in it, as in "x-%04d.png".
 bool is_series(const std::string& file);
 
+/// What films can be written here, for --doctor: ".ogv by VTK, .mp4 by ffmpeg".
+std::string film_description();
+
 /// Draws `count` pictures: to files numbered from 1, or to a film of `rate` pictures per second, .mp4 (H.264) by the
 /// program ffmpeg, .ogv (Theora, a whole number per second) by VTK; a film is whole or not there. `png` makes the bytes
 /// of a picture, counted from 0. Throws Error on a name with more than one number, and where there is no ffmpeg or a

@@ -211,7 +211,9 @@ ModelBoxes widened(ModelBoxes boxes, const PictureOptions& options) {
 }
 
 void check_file(const std::string& file) {
-  require(file_ending(file) == ".png", "file '", file, "' of a picture must end in .png");
+  require(file_ending(file) == ".png", "file '", file,
+          "' of a picture must end in .png; several states may also make a series, \"x-%04d.png\", or a film, .mp4 or "
+          ".ogv");
 }
 
 void check_columns(const PictureOptions& options) {

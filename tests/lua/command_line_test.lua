@@ -51,7 +51,7 @@ check.case("--doctor draws without a display", function()
     local result = run({ "--doctor", "--threads", "2" }, nil, display)
     check.equal(result.status, 0)
     check.holds(result.output, "Lua 5.4", "Eigen", "SuiteSparse", "BLAS", "readline", "VTK", "threads       2",
-      "test picture  ok")
+      "test picture  ok", "films         ")
   end
 end)
 

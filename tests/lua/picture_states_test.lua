@@ -117,7 +117,8 @@ check.case("films are made by VTK alone, of even size, whole or not at all", fun
   local frames = {}
   for step, state in ipairs(run(20):states()) do frames[step] = state end
   local film = { states = frames, field = "uy", size = { 301, 203 }, fps = 5, file = folder .. "/film/x'y.ogv" }
-  sg.picture(film)
+  local ok, message = pcall(sg.picture, film)
+  if not ok then return check.holds(message, "this one was built without") end
   check.equal(read_ogv(bytes "film/x'y.ogv"), { 302, 204, 5, 7 })
   local first = bytes "film/x'y.ogv"
   film.fps = 2.5
@@ -178,7 +179,7 @@ check.case("wrong arguments", function()
     { { model = model, fps = 3 }, "fps is of a film" },
     { { model = model, scale = 0 }, "scale must be a positive number" },
     { { model = model, scale = 9 }, "makes 14400 pixels of 1600" },
-    { { states = states, size = 400, inset = { 0, 1, 0, 1 } }, "too small for an inset in each state", "fewer columns" },
+    { { states = states, size = 400, field = "uy", inset = { 0, 1, 0, 1 } }, "too small for an inset in each state", "fewer columns" },
     { { model = model, inset = { 0, 1 } }, "inset must be a list of 4 numbers" },
   } do
     check.fails(function() draw(case[1]) end, "sg.picture", table.unpack(case, 2))

@@ -217,6 +217,8 @@ TEST(Plate, HasNoGroundWhereThatIsWanted) {
 TEST(Series, IsTakenFromTheNameOfItsFile) {
   EXPECT_TRUE(is_series("a-%04d.png"));
   EXPECT_TRUE(is_series("a.mp4"));
+  EXPECT_TRUE(is_film("a.ogv"));
+  EXPECT_FALSE(is_film("a-%d.png"));
   EXPECT_FALSE(is_series("a.png"));
   const auto number = [](int i) { return std::to_string(i); };
   const std::string folder = scratch("");

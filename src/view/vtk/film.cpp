@@ -2,7 +2,6 @@
 
 #include "base/error.hpp"
 
-#ifdef SIGNORINI_VTK_HAS_THEORA
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkOggTheoraWriter.h>
@@ -10,12 +9,8 @@
 
 #include <algorithm>
 #include <cstdint>
-#endif
 
 namespace signorini::view {
-
-#ifdef SIGNORINI_VTK_HAS_THEORA
-
 namespace {
 
 constexpr int best_quality = 2;
@@ -68,15 +63,5 @@ void draw_ogv(const std::string& file, int count, int rate, const PngMaker& png)
   }
   writer->End();
 }
-
-#else
-
-void draw_ogv(const std::string& file, int, int, const PngMaker&) {
-  fail("file '", file,
-       "' needs a VTK with Theora (libvtkIOOggTheora), and this one was built without; draw an .mp4 by ",
-       "ffmpeg, or a series of pictures, file = \"x-%04d.png\"");
-}
-
-#endif
 
 } // namespace signorini::view

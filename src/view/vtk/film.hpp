@@ -5,7 +5,7 @@
 
 namespace signorini::view {
 
-/// Writes pictures to a film of `rate` per second, Theora in Ogg. Throws Error where VTK has been built without it.
+/// Writes pictures to a film of `rate` per second, Theora in Ogg. Throws Error on pictures of several sizes.
 void draw_ogv(const std::string& file, int count, int rate, const PngMaker& png);
 
 } // namespace signorini::view

@@ -199,5 +199,10 @@ std::string describe() {
 } // namespace
 } // namespace signorini::view
 
-extern "C" const signorini::view::Renderer signorini_renderer = {signorini::view::draw_png, signorini::view::draw_ogv,
+extern "C" const signorini::view::Renderer signorini_renderer = {signorini::view::draw_png,
+#ifdef SIGNORINI_VTK_HAS_THEORA
+                                                                 signorini::view::draw_ogv,
+#else
+                                                                 nullptr,
+#endif
                                                                  signorini::view::describe};
