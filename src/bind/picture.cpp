@@ -138,6 +138,13 @@ std::vector<double> read_box(lua_State* L, const Options& o, const char* key, co
   const std::vector<double> box = o.numbers(key, meaning);
   if (box.size() != count)
     reject(L, o.push_value(key), o.argument(key, meaning), text("a list of ", count, " numbers"));
+  for (std::size_t i = 0; i < count; i += 2)
+    if (!(box[i] < box[i + 1])) {
+      std::string numbers = text(box[0]);
+      for (std::size_t n = 1; n < count; ++n) numbers += text(", ", box[n]);
+      throw ArgumentError(
+          text(function_name(L), ": ", key, " is {", numbers, "}; expected {", meaning, "} with min below max"));
+    }
   return box;
 }
 
@@ -260,7 +267,6 @@ void draw(const Sheets& sheets, const PanelOptions& options, const std::optional
   }
   if (series)
     return view::write_series(file, static_cast<int>(sheets[0].size()), rate, [&](int i) { return png_of(all, i); });
-  view::check_file(file);
   write_whole(file, png_of(all));
 }
 
@@ -268,11 +274,13 @@ void draw(const Sheets& sheets, const PanelOptions& options, const std::optional
 void check_company(lua_State* L, const Options& o, const std::string& file) {
   const bool series = view::is_series(file), many = o.has("frames") || o.has("states");
   const auto refuse = [&](const auto&... words) { throw ArgumentError(text(function_name(L), ": ", words...)); };
-  if (series && !many) refuse("file '", file, "' names a series: give it states = run:states(), or frames");
+  if (!series) view::check_file(file);
+  if (series && !many)
+    refuse("file '", file, "' is for several states and names a series: give it states = run:states(), or frames");
   if (o.has("columns") && !many && !o.has("fields"))
     refuse("columns needs frames = {…}, made by sg.frame, or states, or fields");
   if (o.has("columns") && series) refuse("columns has no meaning for a series, whose pictures show one state each");
-  if (o.has("fps") && !series) refuse("fps is of a film, file = \"x.mp4\"; this is one picture");
+  if (o.has("fps") && !series) refuse("fps is of a film, file = \"x.mp4\" or \"x.ogv\"; this is one picture");
   if (o.flag("transparent", "no white ground", false) && view::is_film(file))
     refuse("transparent has no meaning for a film: draw a series of pictures, file = \"x-%04d.png\"");
   if (o.has("label") && o.has("fields")) refuse("label names one colour bar, but each of fields has its own");
@@ -280,7 +288,7 @@ void check_company(lua_State* L, const Options& o, const std::string& file) {
 
 int picture(lua_State* L) {
   const Options o(L, 1, joined(state_keys, picture_keys));
-  const std::string file = o.string("file", "a name that ends with .png, or \"x-%04d.png\" or .mp4 for a series");
+  const std::string file = o.string("file", "a name that ends with .png, or \"x-%04d.png\", .mp4 or .ogv for a series");
   check_company(L, o, file);
   view::SolidOptions options;
   read_options(L, o, options);

@@ -85,6 +85,8 @@ void add_hidden(Hidden& hidden, int picture, const Plate& whole, const DetailMak
         break;
       }
       const Plate plate = detail(picture, static_cast<int>(state), *most);
+      require(overlap(frame.box, place_of(plate.frames.front(), frame)),
+              "inset lies outside of what the picture shows; choose a part of the bodies");
       for (int corner = 0; corner < 4; ++corner) {
         const Placing placing = placed(frame, corner, plate);
         const Box box = box_of(placing.inset);

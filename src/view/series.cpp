@@ -41,8 +41,11 @@ Pattern pattern_of(const std::string& file) {
 class Folder {
 public:
   explicit Folder(const std::string& file) : name_(file + ".XXXXXX") {
+    const fs::path place = fs::path(file).parent_path();
+    require(fs::is_directory(place), "cannot write '", file, "': the folder '", place.string(),
+            "' does not exist; create it first");
     require(::mkdtemp(name_.data()) != nullptr, "cannot make a folder for the pictures of '", file,
-            "' beside it: does the folder exist, and may it be written to?");
+            "' beside it; choose a folder that can be written to");
   }
   ~Folder() {
     std::error_code ignored;
@@ -75,9 +78,13 @@ void write_by_ffmpeg(const std::string& file, int count, double rate, const std:
   const Folder folder(fs::absolute(file).string());
   write_pictures({folder.path(""), ".png", 1}, count, png);
   // H.264 with colours at half the resolution, which all players know, wants even sizes.
-  run_program({"ffmpeg", "-loglevel", "error", "-y", "-framerate", std::to_string(rate), "-i", folder.path("%d.png"),
-               "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white", "-c:v", "libx264", "-pix_fmt", "yuv420p",
-               folder.path("film.mp4")});
+  try {
+    run_program({"ffmpeg", "-loglevel", "error", "-y", "-framerate", std::to_string(rate), "-i", folder.path("%d.png"),
+                 "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white", "-c:v", "libx264", "-pix_fmt", "yuv420p",
+                 folder.path("film.mp4")});
+  } catch (const Error& error) {
+    fail("no film '", file, "' (file = \"x.ogv\" makes one without ffmpeg): ", error.what());
+  }
   fs::rename(folder.path("film.mp4"), file);
 }
 

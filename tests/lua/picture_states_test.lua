@@ -89,6 +89,11 @@ for last; do :; done
   check.equal({ output, status }, { "", 0 })
   check.holds(bytes "a b/;x'.mp4", "1.png\n2.png\n", "-framerate\n5.000000\n", "libx264")
   check.equal((check.shell(("ls '%s/a b'"):format(folder))), ";x'.mp4\n")
+  core.write_file(folder .. "/bin/ffmpeg", "#!/bin/sh\necho 'Unknown encoder' >&2\nexit 1\n")
+  check.shell(("chmod +x %s/bin/ffmpeg"):format(folder))
+  output, status = check.program({ folder .. "/film.lua" }, nil, "PATH=" .. folder .. "/bin:$PATH")
+  check.holds(output, "film.lua:6: sg.picture: no film", "x.ogv", "ffmpeg failed and said: Unknown encoder")
+  check.equal({ status, (check.shell(("ls '%s/a b'"):format(folder))) }, { 1, ";x'.mp4\n" })
   output, status = check.program({ folder .. "/film.lua" }, nil, "PATH=/nowhere")
   check.holds(output, "film.lua:6: sg.picture: file", "needs the program ffmpeg", "x.ogv", "x-%04d.png")
   check.equal(status, 1)
@@ -181,11 +186,14 @@ check.case("wrong arguments", function()
     { { model = model, scale = 9 }, "makes 14400 pixels of 1600" },
     { { states = states, size = 400, field = "uy", inset = { 0, 1, 0, 1 } }, "too small for an inset in each state", "fewer columns" },
     { { model = model, inset = { 0, 1 } }, "inset must be a list of 4 numbers" },
+    { { model = model, inset = { 2, 1, 0, 1 } }, "inset is {2, 1, 0, 1}", "with min below max" },
+    { { model = model, inset = { 9, 10, 9, 10 } }, "inset lies outside of what the picture shows" },
   } do
     check.fails(function() draw(case[1]) end, "sg.picture", table.unpack(case, 2))
   end
   check.fails(function() sg.picture{ model = model, file = "x%d.png" } end, "names a series", "run:states()")
   check.fails(function() sg.picture{ states = states, file = "x%s.png" } end, "must hold one number")
+  check.fails(function() sg.picture{ states = states, file = "x.avi", fps = 5 } end, "x.avi", ".png", ".mp4 or .ogv")
 end)
 
 check.done()
