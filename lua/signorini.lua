@@ -27,6 +27,7 @@ sg.robust = require("signorini.controls").robust
 local methods = require "signorini.methods"
 methods.guard("model", { "run", "cost" })
 for _, name in ipairs { "run", "study", "comparison", "map", "files", "data", "series" } do methods.guard(name) end
+methods.offer(sg)
 
 -- A misspelt name of the language is an error, not nil.
 local function strict(entries, path)

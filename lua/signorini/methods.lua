@@ -22,7 +22,15 @@ end
 
 local methods = {}
 
---- Puts the check in front of these methods, or of all of a type that have a page.
+--- Offers what a table of the language holds, and the tables in it: errors stand at the line of the call.
+function methods.offer(entries)
+  for key, entry in next, entries do
+    if type(entry) == "table" then methods.offer(entry) end
+    if type(entry) == "function" and not core.names[entry] then entries[key] = core.offered(entry) end
+  end
+end
+
+--- Puts the check in front of these methods, or of all of a type that have a page, and offers them.
 function methods.guard(type_name, keys)
   local entries, owns = core.types[type_name], is_own(type_name)
   if not keys then
@@ -31,7 +39,9 @@ function methods.guard(type_name, keys)
       if type(entry) == "function" and core.docs[type_name .. ":" .. key] then keys[#keys + 1] = key end
     end
   end
-  for _, key in ipairs(keys) do entries[key] = guarded(type_name, key, entries[key], owns) end
+  for _, key in ipairs(keys) do
+    entries[key] = core.offered(guarded(type_name, key, entries[key], owns))
+  end
 end
 
 return methods

@@ -89,8 +89,31 @@ int kind(lua_State* L) {
   return 1;
 }
 
+int results(lua_State* L, int, lua_KContext) {
+  return lua_gettop(L);
+}
+
+/// Calls the first upvalue; coroutines may yield across it.
+int call_offered(lua_State* L) {
+  lua_pushvalue(L, lua_upvalueindex(1));
+  lua_insert(L, 1);
+  lua_callk(L, lua_gettop(L) - 1, LUA_MULTRET, 0, results);
+  return results(L, LUA_OK, 0);
+}
+
+int core_offered(lua_State* L) {
+  luaL_checktype(L, 1, LUA_TFUNCTION);
+  lua_settop(L, 1);
+  lua_pushcclosure(L, call_offered, 1);
+  return 1;
+}
+
 constexpr Function rows[] = {
     {"fail", wrap<core_fail>, "core.fail(message)\nEnds with an error at the line of the user's own script."},
+    {"offered", wrap<core_offered>,
+     "core.offered(f)\nThe function as users get it, so that errors find their line also behind `return f()`: a tail "
+     "call of "
+     "a function in Lua drops the caller, one of a function in C does not."},
     {"now", wrap<now>, "core.now()\nWall-clock seconds since some moment in the past."},
     {"mkdir", wrap<mkdir>, "core.mkdir(path)\nMakes a folder and those above it; an existing folder is fine."},
     {"exists", wrap<core_exists>, "core.exists(path)\nWhether there is a file or a folder of that name."},

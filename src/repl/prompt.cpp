@@ -29,25 +29,30 @@ void push_library_function(lua_State* L, const char* module, const char* name) {
   lua_remove(L, -2);
 }
 
-/// Loads the lines so far as an expression or as statements, or as a query for help ("?sg.body"). True with a function
-/// and its arguments, or an error message, on the stack, false when more lines are needed.
-bool load(lua_State* L, const std::string& code) {
+enum class Chunk { unfinished, statements, expression };
+
+/// Loads the lines so far as an expression or as statements, or as a query for help ("?sg.body"), and leaves a function
+/// and its arguments, or an error message, on the stack. An expression stands behind a nil, so that a call in it is no
+/// tail call, which would lose its place in errors.
+Chunk load(lua_State* L, const std::string& code) {
   if (code.front() == '?') {
     push_library_function(L, "signorini.help", "ask");
     bind::push(L, code.substr(1));
-    return true;
+    return Chunk::statements;
   }
-  const std::string expression = text("return ", code);
-  if (luaL_loadbufferx(L, expression.data(), expression.size(), "=prompt", "t") == LUA_OK) return true;
+  const std::string expression = text("return nil, ", code);
+  if (luaL_loadbufferx(L, expression.data(), expression.size(), "=prompt", "t") == LUA_OK) return Chunk::expression;
   lua_pop(L, 1);
-  return luaL_loadbufferx(L, code.data(), code.size(), "=prompt", "t") == LUA_OK || !unfinished(lua_tostring(L, -1));
+  const bool whole = luaL_loadbufferx(L, code.data(), code.size(), "=prompt", "t") == LUA_OK;
+  return whole || !unfinished(lua_tostring(L, -1)) ? Chunk::statements : Chunk::unfinished;
 }
 
 /// Runs what load() left, and prints its results.
-bool run(Interpreter& interpreter) {
+bool run(Interpreter& interpreter, Chunk chunk) {
   lua_State* L = interpreter.state();
   bool ok = lua_isfunction(L, 1) && interpreter.call(lua_gettop(L) - 1, true);
   if (ok) {
+    if (chunk == Chunk::expression) lua_remove(L, 1);
     push_library_function(L, "signorini.prompt", "results");
     lua_insert(L, 1);
     ok = interpreter.call(lua_gettop(L) - 1, true);
@@ -92,12 +97,13 @@ bool prompt(Interpreter& interpreter, bool quiet) {
       code.clear();
       continue;
     }
-    if (!load(L, code)) {
+    const Chunk chunk = load(L, code);
+    if (chunk == Chunk::unfinished) {
       lua_settop(L, 0);
       continue;
     }
     code.clear();
-    all_well = run(interpreter) && all_well;
+    all_well = run(interpreter, chunk) && all_well;
   }
   if (!code.empty()) {
     std::cerr << "prompt: the input ends inside a statement" << std::endl;

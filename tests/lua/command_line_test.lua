@@ -130,6 +130,13 @@ check.case("at the prompt errors are one line, traceback() tells how they came a
   check.holds(run({}, "traceback()\n").output, "There has been no error.")
 end)
 
+check.case("errors in a call that is all of a line, of -e or the end of a script find their place", function()
+  local result = run({}, "sg.study{ a = 1 }\nreturn sg.median { 'a' }\nfunction f() error('no', 2) end\n\nf()\n(1)\n")
+  check.holds(result.output, "prompt:1: sg.study: unknown argument 'a'", "prompt:1: sg.median: ", "prompt:1: no\n1\n")
+  check.holds(run { "-e", "return sg.study{ a = 1 }" }.output, "signorini: (command line):1: sg.study: unknown argument 'a'")
+  check.holds((check.script "local sg = require 'signorini'\n\nreturn sg.study{ a = 1 }"), "signorini: study.lua:3: sg.study: unknown")
+end)
+
 check.case("nothing is coloured that does not go to a terminal", function()
   local output = check.program({}, "error 'no'\n", "env -u NO_COLOR TERM=xterm-256color")
   check.equal(output, "prompt:1: no\n")

@@ -93,6 +93,24 @@ check.case("the message begins with the user's line, also in functions, coroutin
   check.holds(message, ("errors_test.lua:%d: "):format(expected))
 end)
 
+check.case("functions and methods written in Lua are found behind `return`, too, and let coroutines yield through", function()
+  local body = sg.body { patch = p, elements = { 1, 1 }, order = "N1", material = sg.neo_hookean { E = 1, nu = 0.3 } }
+  local model = sg.model { bodies = { body = body }, supports = { bed = { on = body:face "south", drive = "xy" } } }
+  local first = debug.getinfo(1, "l").currentline + 1
+  local function study() return sg.study { nmae = "a" } end
+  local function run() return model:run { { steps = 0 } } end
+  local function rows() return sg.csv.write(3, {}) end
+  for i, tail in ipairs { study, run, rows } do
+    check.fails(tail, ("errors_test.lua:%d: %s"):format(first + i - 1, ({ "sg.study", "model:run", "sg.csv.write" })[i]))
+  end
+  local thread = coroutine.create(function()
+    return model:run({ { steps = 2, bed = { 0, 0 } } }, { on_step = function(info) coroutine.yield(info.step) end })
+  end)
+  for step = 1, 2 do check.equal({ coroutine.resume(thread) }, { true, step }) end
+  local _, finished = coroutine.resume(thread)
+  check.equal(finished.steps, 2)
+end)
+
 check.case("errors of the library written in Lua stand at the user's line too", function()
   local expected = debug.getinfo(1, "l").currentline + 1
   local _, message = pcall(function() sg.csv.write(3, {}) end)
