@@ -31,6 +31,16 @@ void push_library_function(lua_State* L, const char* module, const char* name) {
 
 enum class Chunk { unfinished, statements, expression };
 
+/// Whether statements fail at their first word: then they were meant as an expression.
+bool is_no_statement(const std::string& code, std::string message) {
+  const std::string begin = "unexpected symbol near '";
+  const auto at = message.find(begin);
+  if (at == std::string::npos) return false;
+  message = message.substr(at + begin.size());
+  message.pop_back();
+  return code.substr(code.find_first_not_of(" \t\n")).starts_with(message);
+}
+
 /// Loads the lines so far as an expression or as statements, or as a query for help ("?sg.body"), and leaves a function
 /// and its arguments, or an error message, on the stack. An expression stands behind a nil, so that a call in it is no
 /// tail call, which would lose its place in errors.
@@ -42,9 +52,12 @@ Chunk load(lua_State* L, const std::string& code) {
   }
   const std::string expression = text("return nil, ", code);
   if (luaL_loadbufferx(L, expression.data(), expression.size(), "=prompt", "t") == LUA_OK) return Chunk::expression;
-  lua_pop(L, 1);
-  const bool whole = luaL_loadbufferx(L, code.data(), code.size(), "=prompt", "t") == LUA_OK;
-  return whole || !unfinished(lua_tostring(L, -1)) ? Chunk::statements : Chunk::unfinished;
+  if (luaL_loadbufferx(L, code.data(), code.size(), "=prompt", "t") == LUA_OK ||
+      !is_no_statement(code, lua_tostring(L, -1)))
+    lua_remove(L, 1);
+  else
+    lua_settop(L, 1);
+  return lua_isfunction(L, 1) || !unfinished(lua_tostring(L, 1)) ? Chunk::statements : Chunk::unfinished;
 }
 
 /// Runs what load() left, and prints its results.

@@ -100,6 +100,13 @@ check.case("the prompt reads lines from a pipe: expressions, statements over sev
   gives(run({ "-i", "-e", "z = 5" }, "z\n"), "5\n")
 end)
 
+check.case("expressions go over several lines, and their errors are told as such", function()
+  gives(run({}, "{1,\n2,\n  3}\n1 +\n2\n'a' ..\n\n'b'\n(2 *\n3)\n"), '{1, 2, 3}\n3\n"ab"\n6\n')
+  local output = run({}, "1 + * 2\nx = = 3\n)\nx =\n7\nx\n").output
+  check.holds(output, "prompt:1: unexpected symbol near '*'\n", "prompt:1: unexpected symbol near '='\n",
+    "prompt:1: unexpected symbol near ')'\n7\n")
+end)
+
 check.case("-i opens the prompt after a script, with what it returned as _, and after one that failed", function()
   local name = os.tmpname()
   local function write(text) assert(io.open(name, "w")):write(text):close() end
