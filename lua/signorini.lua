@@ -29,7 +29,8 @@ methods.guard("model", { "run", "cost" })
 for _, name in ipairs { "run", "study", "comparison", "map", "files", "data", "series" } do methods.guard(name) end
 methods.offer(sg)
 
--- A misspelt name of the language is an error, not nil.
+-- A misspelt name of the language is an error, not nil; print(sg) shows the names.
+local language = require "signorini.show.language"
 local function strict(entries, path)
   setmetatable(entries, { __index = function(_, key)
     local known = {}
@@ -37,9 +38,9 @@ local function strict(entries, path)
     local meant = core.nearest(tostring(key), known)
     core.fail(("there is no %s.%s%s"):format(path, tostring(key),
       meant and ("; did you mean '%s'?"):format(meant) or ""))
-  end })
+  end, __tostring = function() return language.of_table(entries, path) end })
 end
-for _, name in ipairs { "shapes", "nurbs", "rigid" } do strict(sg[name], "sg." .. name) end
+for _, name in ipairs { "shapes", "nurbs", "rigid", "csv" } do strict(sg[name], "sg." .. name) end
 strict(sg, "sg")
 
 require "signorini.prompt" -- has a page, too

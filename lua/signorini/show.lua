@@ -1,7 +1,9 @@
 -- How the prompt shows values: numbers and texts as one would write them, tables two levels deep and cut where they are
 -- long.
 
+local language = require "signorini.show.language"
 local object_text = require "signorini.show.objects"
+local wrapped = require "signorini.show.wrapped"
 
 local show = {}
 
@@ -33,7 +35,8 @@ local function table_text(value, level, indent)
     if #entries < most then entries[#entries + 1] = make() else left_out = left_out + 1 end
   end
   for i = 1, #value do add(function() return text(rawget(value, i), level + 1, inner) end) end
-  for _, key in ipairs(sorted_keys(value)) do
+  local keys = sorted_keys(value)
+  for _, key in ipairs(keys) do
     add(function()
       local label = is_name(key) and key or ("[%s]"):format(text(key, levels + 1, inner))
       return label .. " = " .. text(rawget(value, key), level + 1, inner)
@@ -43,6 +46,7 @@ local function table_text(value, level, indent)
   if #entries == 0 then return "{}" end
   local line = table.concat(entries, ", ")
   if #indent + #line + 2 <= width and not line:find "\n" then return "{" .. line .. "}" end
+  if #keys == 0 and not line:find "\n" then return "{\n" .. wrapped(entries, inner) .. "\n" .. indent .. "}" end
   return "{\n" .. inner .. table.concat(entries, ",\n" .. inner) .. "\n" .. indent .. "}"
 end
 
@@ -51,6 +55,7 @@ function text(value, level, indent)
   if type(value) == "string" then
     return level == 1 and value:find "\n" and value or ("%q"):format(value):gsub("\\\n", "\\n")
   end
+  if type(value) == "function" then return language.of_function(value, level > 1) end
   local own = type(value) == "table" and getmetatable(value)
   if type(value) == "table" and not (type(own) == "table" and own.__tostring) then
     return table_text(value, level, indent)

@@ -50,4 +50,30 @@ check.case("a profile, a table, and plain tables as ever", function()
   os.remove(file)
 end)
 
+check.case("functions by the head of their page or their place, tables of the language by their names", function()
+  check.equal(show.text(sg.shapes.rectangle),
+    "sg.shapes.rectangle{ width, height, corner = {0, 0} }\n  help(sg.shapes.rectangle) tells more")
+  check.holds(show.text(sg.chart), "sg.chart{ file, x, { y, label, … }", "size = {1600, 1000} }\n  help(sg.chart) tells more")
+  check.equal(show.text(model.run), 'model:run(stages, options)\n  help "model:run" tells more')
+  local function own() end
+  check.equal(show.text(own), ("function (%s:%d)"):format(debug.getinfo(1, "S").short_src, debug.getinfo(own, "S").linedefined))
+  check.equal(show.text { print, sg.body }, "{function, sg.body}")
+  check.equal(show.text(sg.csv), "sg.csv: help(sg.csv) tells more\n  read, write")
+  check.equal(tostring(sg), show.text(sg))
+  check.holds(tostring(sg), "sg: help(sg) tells more\n  arguments, body,", "\n  csv:\n    read, write\n  nurbs:\n    arc, circle,")
+end)
+
+check.case("long lists are cut and share lines", function()
+  local list = {}
+  for i = 1, 10000 do list[i] = i / 8 + 1000 end
+  local lines = {}
+  for line in show.text(list):gmatch "[^\n]+" do
+    lines[#lines + 1] = line
+    check.equal(#line <= 102, true)
+  end
+  check.equal({ #lines, lines[1], lines[#lines] }, { 7, "{", "}" })
+  check.holds(lines[2], "  1000.125, 1000.25, 1000.375,")
+  check.equal(lines[6], "  … 9960 more")
+end)
+
 check.done()

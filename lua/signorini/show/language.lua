@@ -1,0 +1,36 @@
+-- How the language itself shows at the prompt: a function by the head of its help page, a table such as sg.shapes by the
+-- names that it holds.
+
+local core = require "signorini.core"
+local sorted_names = require("signorini.lists").sorted_names
+local wrapped = require "signorini.show.wrapped"
+
+local language = {}
+
+--- The text of a function. `brief`: where it is one of many.
+function language.of_function(f, brief)
+  local name, about = core.names[f], debug.getinfo(f, "S")
+  local page = name and core.docs[name]
+  if not page then
+    return about.what == "C" and "function" or ("function (%s:%d)"):format(about.short_src, about.linedefined)
+  end
+  if brief then return name end
+  local head = page:match "^[%w_.:]+%b{}" or page:match "^[%w_.:]+%b()" or page:match "^[^\n]*"
+  return ("%s\n  help%s tells more"):format(head, name:find ":" and (" %q"):format(name) or ("(%s)"):format(name))
+end
+
+--- The text of a table of the language.
+function language.of_table(entries, name)
+  local functions, lines = {}, {}
+  for _, key in ipairs(sorted_names(entries)) do
+    if type(entries[key]) == "function" then functions[#functions + 1] = key end
+    if type(entries[key]) == "table" then
+      lines[#lines + 1] = ("  %s:\n%s"):format(key, wrapped(sorted_names(entries[key]), "    "))
+    end
+  end
+  table.insert(lines, 1, ("%s: help(%s) tells more"):format(name, name))
+  table.insert(lines, 2, wrapped(functions, "  "))
+  return table.concat(lines, "\n")
+end
+
+return language
