@@ -43,6 +43,7 @@ end
 for _, name in ipairs { "shapes", "nurbs", "rigid", "csv" } do strict(sg[name], "sg." .. name) end
 strict(sg, "sg")
 
+print = core.offered(require "signorini.print")
 require "signorini.prompt" -- has a page, too
 require("signorini.help.names").give()
 

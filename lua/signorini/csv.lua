@@ -196,7 +196,9 @@ function Data:__tostring()
   for i, comment in ipairs(self.comments) do lines[i] = "# " .. comment end
   lines[#lines + 1] = format_table { columns = self.columns,
     rows = table.move(self.rows, 1, math.min(most, #self.rows), 1, {}) }
-  if #self.rows > most then lines[#lines + 1] = ("… %d more rows"):format(#self.rows - most) end
+  if #self.rows > most then
+    lines[#lines + 1] = ("… %d more row%s"):format(#self.rows - most, #self.rows > most + 1 and "s" or "")
+  end
   return table.concat(lines, "\n")
 end
 

@@ -22,6 +22,11 @@ function Files:__call(name)
   return path
 end
 
+function Files:__tostring()
+  return ("%d file%s in %s%s"):format(#self, #self == 1 and "" or "s", self.folder,
+    #self > 0 and ":\n  " .. table.concat(self, "\n  ") or "")
+end
+
 core.docs["files"] = [[
 files
 What sg.files returns: files "name" is a path in its folder, files.folder the folder; a list of what was written.]]

@@ -63,6 +63,19 @@ check.case("functions by the head of their page or their place, tables of the la
   check.holds(tostring(sg), "sg: help(sg) tells more\n  arguments, body,", "\n  csv:\n    read, write\n  nurbs:\n    arc, circle,")
 end)
 
+check.case("print begins a line for each value where one has a text of its own, else it is Lua's", function()
+  check.equal((check.script [[
+    local sg = require "signorini"
+    local files = sg.files(os.tmpname() .. ".d")
+    files "a.png"
+    print(files, files, nil)
+    print(1, nil, "a", {} ~= nil)
+    print(files)
+    print()
+    os.remove(files.folder)]]):gsub("/[^\n:]*/lua_%w+", "x"),
+    ("1 file in x.d:\n  x.d/a.png\n"):rep(2) .. "nil\n1\tnil\ta\ttrue\n1 file in x.d:\n  x.d/a.png\n\n")
+end)
+
 check.case("long lists are cut and share lines", function()
   local list = {}
   for i = 1, 10000 do list[i] = i / 8 + 1000 end
