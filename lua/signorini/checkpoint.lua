@@ -158,25 +158,25 @@ local none = {}
 function none:begin() return { stage = 1, number = 0 } end
 function none:step() end
 
---- What options.checkpoint and options.resume ask for: an object with begin() and step().
-return function(options)
-  local resume = arguments.flag(where, "resume", options.resume, false)
+--- What options.checkpoint and options.resume of a function ask for: an object with begin() and step().
+return function(caller, options)
+  local resume = arguments.flag(caller, "resume", options.resume, false)
   local wanted = options.checkpoint
   if wanted == nil then
     if resume then
-      core.fail(where .. ": resume = true needs the file to take up from: add checkpoint = \"run.sgn\"")
+      core.fail(caller .. ": resume = true needs the file to take up from: add checkpoint = \"run.sgn\"")
     end
     return none
   end
   if type(wanted) == "string" then wanted = { file = wanted } end
   if type(wanted) ~= "table" then
-    arguments.reject(where, "checkpoint", "a file name, or { file = …, every = 1 }", wanted)
+    arguments.reject(caller, "checkpoint", "a file name, or { file = …, every = 1 }", wanted)
   end
-  arguments.table(where, "options.checkpoint", wanted, { "file", "every", "durable" })
+  arguments.table(caller, "options.checkpoint", wanted, { "file", "every", "durable" })
   return setmetatable({
-    file = arguments.string(where, "checkpoint.file", wanted.file),
-    every = arguments.count(where, "checkpoint.every", wanted.every, 1),
-    durable = arguments.flag(where, "checkpoint.durable", wanted.durable, false),
+    file = arguments.string(caller, "checkpoint.file", wanted.file),
+    every = arguments.count(caller, "checkpoint.every", wanted.every, 1),
+    durable = arguments.flag(caller, "checkpoint.durable", wanted.durable, false),
     resume = resume, rows = {}, histories = {},
   }, Keeper)
 end

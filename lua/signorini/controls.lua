@@ -1,12 +1,10 @@
--- How steps are solved: the options of model:run that say so, and sg.robust, which turns on all that easy runs do not
--- pay for.
+-- What is tried where a step fails, and sg.robust, which turns on all that easy runs do not pay for.
 
 local core = require "signorini.core"
 local arguments = require "signorini.arguments"
+local run_options = require "signorini.run_options"
 
 local controls = {}
-
-local where = "model:run"
 
 --- What may be tried, in turn, where an attempt at a step has failed: names as they appear in records, and the solver's
 --- arguments that differ from those of the attempt that failed. `loose`: of use only where bodies are held by contact
@@ -19,29 +17,6 @@ local rescues = {
   { name = "frozen", change = { predictor = "tangent", freeze_active_set = 1e-2 } },
 }
 
---- ε_acts of the frozen active set: a number, true for 0.01, false or nothing for none.
-local function read_freeze(value)
-  if value == nil or value == false then return 0 end
-  if value == true then return 1e-2 end
-  return arguments.share(where, "newton.freeze_active_set", value, 1)
-end
-
-local function read_augmented(value)
-  if value == nil or value == false then return nil end
-  if value == true then value = {} end
-  arguments.table(where, "augmented", value, { "penetration", "loops" })
-  return { penetration = arguments.share(where, "augmented.penetration", value.penetration, 1, 1e-6),
-           loops = arguments.count(where, "augmented.loops", value.loops, 100) }
-end
-
---- The penalties' factor that grows along the path: { start, steps }, or nothing.
-local function read_penalty(value)
-  if value == nil then return nil end
-  arguments.table(where, "penalty", value, { "start", "steps" })
-  return { start = arguments.share(where, "penalty.start", value.start, 1),
-           steps = arguments.count(where, "penalty.steps", value.steps) }
-end
-
 --- A solver's arguments with some of them changed, and whether that makes a difference.
 function controls.changed(solver, change)
   local changed, differs = {}, false
@@ -53,40 +28,17 @@ function controls.changed(solver, change)
   return changed, differs
 end
 
---- The keys of model:run's options; those from newton to rescue are read here.
-controls.keys = { "step", "arc_length", "on_step", "on_iteration", "checkpoint", "resume", "threads", "newton",
-                  "linear", "predictor", "augmented", "damping", "penalty", "rescue", "states" }
-
---- What model:solve_step takes; what is tried where it fails, a list of { name, solver, early } that is also a table by
---- name; and the growing penalty.
-function controls.read(model, options)
-  local newton = arguments.table(where, "options.newton", options.newton,
-    { "tolerance", "iterations", "line_search", "freeze_active_set", "active_set_changes" })
-  local solver = {
-    tolerance = arguments.positive(where, "newton.tolerance", newton.tolerance, 1e-10),
-    iterations = arguments.count(where, "newton.iterations", newton.iterations, 25),
-    line_search = arguments.choice(where, "newton.line_search", newton.line_search, { "none", "residual", "energy" },
-      "none"),
-    freeze_active_set = read_freeze(newton.freeze_active_set),
-    active_set_changes = newton.active_set_changes and arguments.count(where, "newton.active_set_changes",
-      newton.active_set_changes) or 0,
-    predictor = arguments.choice(where, "predictor", options.predictor, { "tangent", "constant", "linear" }, "tangent"),
-    linear = arguments.choice(where, "linear", options.linear, core.linear_solvers, "auto"),
-    augmented = read_augmented(options.augmented),
-    damping = arguments.flag(where, "damping", options.damping, false),
-  }
-  local tries = {}
-  if arguments.flag(where, "rescue", options.rescue, false) then
-    local loose = #model:loose_bodies() > 0
-    for _, rescue in ipairs(rescues) do
-      local changed, differs = controls.changed(solver, rescue.change)
-      if differs and (loose or not rescue.loose) then
-        tries[rescue.name] = { name = rescue.name, solver = changed, early = rescue.early }
-        tries[#tries + 1] = tries[rescue.name]
-      end
+--- What is tried where the solver fails, a list of { name, solver, early } that is also a table by name.
+function controls.rescues(model, solver)
+  local tries, loose = {}, #model:loose_bodies() > 0
+  for _, rescue in ipairs(rescues) do
+    local changed, differs = controls.changed(solver, rescue.change)
+    if differs and (loose or not rescue.loose) then
+      tries[rescue.name] = { name = rescue.name, solver = changed, early = rescue.early }
+      tries[#tries + 1] = tries[rescue.name]
     end
   end
-  return solver, tries, read_penalty(options.penalty)
+  return tries
 end
 
 core.docs["sg.robust"] = [[
@@ -99,7 +51,7 @@ function controls.robust(options)
   if options ~= nil and type(options) ~= "table" then
     arguments.reject("sg.robust", "options", "a table of options of model:run", options)
   end
-  arguments.table("sg.robust", "options", options, controls.keys)
+  run_options.read("sg.robust", options)
   local robust = { predictor = "linear", rescue = true, step = { adaptive = true } }
   for key, value in pairs(options or {}) do robust[key] = value end
   return robust

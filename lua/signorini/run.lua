@@ -4,10 +4,10 @@
 local core = require "signorini.core"
 local arc_length = require "signorini.arc_length"
 local arguments = require "signorini.arguments"
-local checkpoint = require "signorini.checkpoint"
 local controls = require "signorini.controls"
 local drives = require "signorini.drives"
 local progress = require "signorini.progress"
+local run_options = require "signorini.run_options"
 local states = require "signorini.states"
 local steps = require "signorini.steps"
 local Run = require "signorini.run_result"
@@ -69,36 +69,12 @@ local function read_stages(model, stages)
   return read, total
 end
 
---- The policy that takes each step (see steps.lua).
-local function read_policy(step)
-  if step == nil then return steps.plain() end
-  arguments.table(where, "options.step", step, { "adaptive", "min", "max", "growth" })
-  local max = arguments.share(where, "step.max", step.max, 1, 1)
-  local options = { max = max, min = arguments.share(where, "step.min", step.min, max, math.min(max, 1 / 64)),
-                    growth = arguments.at_least(where, "step.growth", step.growth, 1, 2) }
-  return arguments.flag(where, "step.adaptive", step.adaptive, true) and steps.halving(options) or steps.plain()
-end
-
---- The controls of a run: { solver, tries, penalty } (see controls.lua), policy, on_step, on_iteration, what keeps
---- checkpoints, and which states are kept.
+--- The controls of a run: what run_options.lua reads, `tries` (see controls.lua), and which states are kept.
 local function read_options(model, options, path, total)
-  arguments.table(where, "options", options, controls.keys)
-  options = options or {}
-  local threads = options.threads ~= nil and arguments.count(where, "threads", options.threads, nil, core.most_threads)
-  local policy = read_policy(options.step)
-  local arcs = arguments.flag(where, "arc_length", options.arc_length, false)
-  if arcs then policy = arc_length.policy(policy) end
-  local solver, tries, penalty = controls.read(model, options)
-  if arcs and solver.augmented then
-    core.fail(where .. ": augmented and arc_length cannot be used together: take one of the two out")
-  end
-  local read = {
-    solver = solver, tries = tries, penalty = penalty, policy = policy, arcs = arcs,
-    on_step = arguments.callback(where, "on_step", options.on_step),
-    on_iteration = arguments.callback(where, "on_iteration", options.on_iteration),
-    keeper = checkpoint(options), states = states.read(where, options.states, path, total),
-  }
-  if threads then core.set_threads(threads) end -- not for a run that is refused
+  local read, given = run_options.read(where, options)
+  read.tries = read.rescue and controls.rescues(model, read.solver) or {}
+  read.states = states.read(where, given.states, path, total)
+  if read.threads then core.set_threads(read.threads) end -- not for a run that is refused
   return read
 end
 

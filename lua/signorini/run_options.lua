@@ -1,0 +1,88 @@
+-- The options of model:run, as far as they can be read without a model and a path: sg.robust checks them, too.
+
+local core = require "signorini.core"
+local arc_length = require "signorini.arc_length"
+local arguments = require "signorini.arguments"
+local checkpoint = require "signorini.checkpoint"
+local steps = require "signorini.steps"
+
+local run_options = {}
+
+--- All of them.
+run_options.keys = { "step", "arc_length", "on_step", "on_iteration", "checkpoint", "resume", "threads", "newton", "linear",
+                     "predictor", "augmented", "damping", "penalty", "rescue", "states" }
+
+--- ε_acts of the frozen active set: a number, true for 0.01, false or nothing for none.
+local function read_freeze(where, value)
+  if value == nil or value == false then return 0 end
+  if value == true then return 1e-2 end
+  return arguments.share(where, "newton.freeze_active_set", value, 1)
+end
+
+local function read_augmented(where, value)
+  if value == nil or value == false then return nil end
+  if value == true then value = {} end
+  arguments.table(where, "augmented", value, { "penetration", "loops" })
+  return { penetration = arguments.share(where, "augmented.penetration", value.penetration, 1, 1e-6),
+           loops = arguments.count(where, "augmented.loops", value.loops, 100) }
+end
+
+--- The penalties' factor that grows along the path: { start, steps }, or nothing.
+local function read_penalty(where, value)
+  if value == nil then return nil end
+  arguments.table(where, "penalty", value, { "start", "steps" })
+  return { start = arguments.share(where, "penalty.start", value.start, 1),
+           steps = arguments.count(where, "penalty.steps", value.steps) }
+end
+
+--- What model:solve_step takes.
+local function read_solver(where, options)
+  local newton = arguments.table(where, "options.newton", options.newton,
+    { "tolerance", "iterations", "line_search", "freeze_active_set", "active_set_changes" })
+  return {
+    tolerance = arguments.positive(where, "newton.tolerance", newton.tolerance, 1e-10),
+    iterations = arguments.count(where, "newton.iterations", newton.iterations, 25),
+    line_search = arguments.choice(where, "newton.line_search", newton.line_search, { "none", "residual", "energy" },
+      "none"),
+    freeze_active_set = read_freeze(where, newton.freeze_active_set),
+    active_set_changes = newton.active_set_changes and arguments.count(where, "newton.active_set_changes",
+      newton.active_set_changes) or 0,
+    predictor = arguments.choice(where, "predictor", options.predictor, { "tangent", "constant", "linear" }, "tangent"),
+    linear = arguments.choice(where, "linear", options.linear, core.linear_solvers, "auto"),
+    augmented = read_augmented(where, options.augmented),
+    damping = arguments.flag(where, "damping", options.damping, false),
+  }
+end
+
+--- The policy that takes each step (see steps.lua).
+local function read_policy(where, step)
+  if step == nil then return steps.plain() end
+  arguments.table(where, "options.step", step, { "adaptive", "min", "max", "growth" })
+  local max = arguments.share(where, "step.max", step.max, 1, 1)
+  local options = { max = max, min = arguments.share(where, "step.min", step.min, max, math.min(max, 1 / 64)),
+                    growth = arguments.at_least(where, "step.growth", step.growth, 1, 2) }
+  return arguments.flag(where, "step.adaptive", step.adaptive, true) and steps.halving(options) or steps.plain()
+end
+
+--- { solver, rescue, penalty, policy, arcs, on_step, on_iteration, keeper (of checkpoints), threads }, and the table of
+--- options itself. `where`: whose options they are, for messages.
+function run_options.read(where, options)
+  options = arguments.table(where, "options", options, run_options.keys)
+  local threads = options.threads ~= nil and arguments.count(where, "threads", options.threads, nil, core.most_threads)
+  local policy = read_policy(where, options.step)
+  local arcs = arguments.flag(where, "arc_length", options.arc_length, false)
+  if arcs then policy = arc_length.policy(policy) end
+  local read = {
+    solver = read_solver(where, options), rescue = arguments.flag(where, "rescue", options.rescue, false),
+    penalty = read_penalty(where, options.penalty), policy = policy, arcs = arcs, threads = threads,
+    on_step = arguments.callback(where, "on_step", options.on_step),
+    on_iteration = arguments.callback(where, "on_iteration", options.on_iteration),
+    keeper = checkpoint(where, options),
+  }
+  if arcs and read.solver.augmented then
+    core.fail(where .. ": augmented and arc_length cannot be used together: take one of the two out")
+  end
+  return read, options
+end
+
+return run_options
