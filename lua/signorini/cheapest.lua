@@ -55,7 +55,7 @@ return function(study, options)
                  cost = quantity.read(where, "cost", study, options.cost, "wall"),
                  keep = arguments.callback(where, "where", options.where) }
   if options.at_most == nil then arguments.reject(where, "at_most", "the largest error that is good enough") end
-  local at_most = arguments.at_least(where, "at_most", options.at_most, 0)
+  local at_most = arguments.positive(where, "at_most", options.at_most)
   local cases, left_out = read_cases(study, read)
 
   local good = {}
