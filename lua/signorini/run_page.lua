@@ -2,8 +2,9 @@
 
 return [[
 model:run(stages, options)
-Takes a model along its load path and returns a run. Each stage { name = , steps = , <support or load> = {…} } moves
-driven supports and loads in equal steps to the values at its end; those that are not named stay where they are.
+Takes a model along its load path and returns a run. Each stage { name = , steps = , <support or load> = {…} } moves driven
+supports and loads in equal steps to the values at its end, a list over the components that are driven (of one alone a number
+will do); those that are not named stay where they are.
 options:
   newton = { tolerance = 1e-10, iterations = 25, line_search = "none", freeze_active_set = false, 
     active_set_changes = }, linear = "auto", augmented = { penetration = 1e-6, loops = 100 }, damping = false: see help

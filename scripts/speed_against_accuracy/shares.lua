@@ -39,11 +39,14 @@ function shares.over_all(results, label, other)
   return list
 end
 
+--- Whether a row has this order, and this mesh where one is given; a study need not have any such case.
+local function is_case(row, order, mesh) return row.order == order and (mesh == nil or row.mesh == mesh) end
+
 --- For N2 on every mesh, what is as accurate and takes least time: a list of { plain, best }, rows of the study.
 function shares.least(cases, error, time)
   local list = {}
-  for _, row in ipairs(cases:where{ order = "N2" }.rows) do
-    if row[error] then
+  for _, row in ipairs(cases.rows) do
+    if is_case(row, "N2") and row[error] and row[error] ~= 0 then
       local best = sg.cheapest(cases, { error = error, at_most = math.abs(row[error]), cost = time })
       list[#list + 1] = { plain = row, best = best }
     end
@@ -54,7 +57,7 @@ end
 --- The pairs whose saving is printed and of which both were run: { row, other, saved, printed (both in %) }.
 function shares.published(cases, savings, time)
   local function row_of(order, mesh)
-    local row = cases:where{ order = order, mesh = mesh }.rows[1]
+    local row = cases:where(function(row) return is_case(row, order, mesh) end).rows[1]
     return row and not row.failed and row[time] and row or nil
   end
   local list = {}

@@ -371,7 +371,15 @@ check.case("where, row, by, with, column and median", function()
   check.equal(more:table{ columns = { "order", "double" }, sort = "double" }, table.concat({
     "order  double", "            s", "N2         26", "N4         26", "N2         46", "N4         46" }, "\n"))
   check.fails(function() study:row{ order = "N2" } end, "6 rows have order = N2, not one", "name more parameters")
-  check.fails(function() study:row{ order = "N8" } end, "no rows have order = N8")
+  check.fails(function() study:row{ order = "N8" } end, "order must be a value that a case has, N2, N4, got the string 'N8'",
+    "did you mean 'N2'?")
+  check.fails(function() study:where{ mesh = { 1, "2" } } end, "study_test.lua:",
+    "study:where: mesh must be a value that a case has, 1, 2, got the string '2'")
+  local part = study:where{ order = "N2" }
+  check.equal({ #part:where{ order = "N4" }, #part:where(function(row) return row.order == "N8" end) }, { 0, 0 })
+  check.fails(function() part:where{ order = "N3" } end, "N2, N4, got the string 'N3'")
+  check.fails(function() part:row{ order = "N4" } end, "no rows have order = N4")
+  check.equal(#study:where{ failed = true, cost = 7 }, 0)
   check.fails(function() study:median "cost" end, "must be 'order', 'mesh' or 'round'")
   check.fails(function() calm:with("x", function() return 0 / 0 end) end, "x is nan in row 1")
   check.fails(function() calm:with("mesh", function() return 0 end) end, "'mesh' is a parameter")

@@ -4,6 +4,7 @@
 local core = require "signorini.core"
 local arguments = require "signorini.arguments"
 local csv = require "signorini.csv"
+local filter = require "signorini.study.filter"
 local format_table = require "signorini.table"
 local median = require "signorini.median"
 local pictures = require "signorini.study.pictures"
@@ -14,69 +15,28 @@ local verbs = { chart = pictures.chart, heatmap = pictures.heatmap }
 --- A study of these rows; `more` replaces what else is not as in the old one.
 local function part_of(study, rows, more)
   local part = { name = study.name, parameters = study.parameters, figures = study.figures, units = study.units,
-                 rows = rows }
+                 rows = rows, whole = study.whole or study }
   for key, value in pairs(more or {}) do part[key] = value end
   return setmetatable(part, getmetatable(study))
 end
 
 -- ── Choosing ─────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- Whether a row has one of the values that a filter allows in a column: a list of values, or one.
-local function allows(wanted, value)
-  if type(wanted) == "table" and not wanted.name then
-    for _, one in ipairs(wanted) do
-      if values.same(one, value) then return true end
-    end
-  end
-  return values.same(wanted, value) or (type(value) == "table" and value.name ~= nil and value.name == wanted)
-end
-
---- A filter as it was written, for messages.
-local function filter_text(filter)
-  if type(filter) == "function" then return "the function" end
-  local parts = {}
-  for name, wanted in pairs(filter) do parts[#parts + 1] = ("%s = %s"):format(name, values.text(wanted)) end
-  table.sort(parts)
-  return table.concat(parts, ", ")
-end
-
-local function read_filter(where, study, filter)
-  if type(filter) == "function" then return filter end
-  if type(filter) ~= "table" then
-    arguments.reject(where, "its argument", "a table such as { order = \"N2\" }, or a function of a row", filter)
-  end
-  arguments.table(where, "its argument", filter, values.columns(study))
-  return function(row)
-    for name, wanted in pairs(filter) do
-      -- false stands for what a row does not have: failed = false
-      if not allows(wanted, row[name]) and not (wanted == false and row[name] == nil) then return false end
-    end
-    return true
-  end
-end
-
-local function kept_rows(where, study, filter)
-  local keeps, rows = read_filter(where, study, filter), {}
-  for _, row in ipairs(study.rows) do
-    if keeps(row) then rows[#rows + 1] = row end
-  end
-  return rows
-end
-
 core.docs["study:where"] = [[
 study:where{ order = "N2", mesh = {"m1", "m2"}, failed = false } or study:where(function(row) return row.wall < 1 end)
-The part of a study with these values, as a study that has results only: for a list any of its values.
+The part of a study with these values, as a study that has results only: for a list any of its values. A value that no
+case has is an error; a function may ask for any.
 Example: study:where{ order = "N2", mesh = {1, 2} }]]
-function verbs:where(filter) return part_of(self, kept_rows("study:where", self, filter)) end
+function verbs:where(wanted) return part_of(self, filter.rows("study:where", self, wanted)) end
 
 core.docs["study:row"] = [[
 study:row{ order = "N2", mesh = "m1" }
 The one row with these values, a table of parameters and figures by name. None or several are an error.
 Example: study:row{ order = "N2", mesh = 1 }.force]]
-function verbs:row(filter)
-  local rows = kept_rows("study:row", self, filter)
+function verbs:row(wanted)
+  local rows = filter.rows("study:row", self, wanted)
   if #rows ~= 1 then
-    core.fail(("study:row: %s rows have %s, not one: %s"):format(#rows == 0 and "no" or #rows, filter_text(filter),
+    core.fail(("study:row: %s rows have %s, not one: %s"):format(#rows == 0 and "no" or #rows, filter.text(wanted),
       #rows == 0 and "print the study to see what it holds" or "name more parameters"))
   end
   return rows[1]
