@@ -2,7 +2,9 @@
 -- sg.body{ … also the named arguments that are not there yet.
 
 local core = require "signorini.core"
-local keys_of = require "signorini.help.keys"
+local keys_at = require "signorini.complete.keys"
+local place = require "signorini.complete.place"
+local values = require "signorini.complete.values"
 
 local words = { "and", "break", "do", "else", "elseif", "end", "false", "for", "function", "goto", "if", "in", "local",
   "nil", "not", "or", "repeat", "return", "then", "true", "until", "while" }
@@ -59,29 +61,58 @@ local function candidates(path)
   return found
 end
 
---- The brace that is open at the end of a text: the path of names before it and the text behind it; or nothing.
-local function open_call(text)
-  text = text:gsub('\\.', ""):gsub('"[^"\n]*"', "0"):gsub("'[^'\n]*'", "0"):gsub("%b{}", "0"):gsub("%b()", "0")
-  local before, behind = text:match "^(.*){(.-)$"
-  local path = before and (before:match "([%a_][%w_.:]*)%s*$" or before:match "([%a_][%w_.:]*)%s*%([^(){}]*$")
-  return path, behind
+--- The page of what a path stands for, and the value in front of its last name.
+local function page_of(path)
+  local owner = follow(path:match "^(.*)[.:]" or "")
+  return core.names[(follow(path))], owner
+end
+
+local function begins(text, beginning) return text:sub(1, #beginning) == beginning end
+
+--- The named arguments that a call knows at a place: in a stage also what the model moves.
+local function names_at(call)
+  local page, owner = page_of(call.path)
+  local names = page and keys_at(page, call.argument, call.keys) or {}
+  if page == "model:run" and call.argument == 1 and #call.keys == 1 then
+    table.move(owner:driven_names(), 1, #owner:driven_names(), #names + 1, names)
+  end
+  return names
 end
 
 --- Named arguments that begin like this, where one may stand: behind the brace of a call or a comma.
 local function arguments(beginning, before)
-  local path, behind = open_call(before)
-  if not path or not behind:find "^%s*$" and not behind:find "[,;]%s*$" then return {} end
-  local page, found = core.docs[core.names[(follow(path))] or ""], {}
-  for _, key in ipairs(page and keys_of(page) or {}) do
-    local taken = (";" .. behind):find("[,;%s]" .. key .. "%s*=")
-    if key:sub(1, #beginning) == beginning and not taken then found[#found + 1] = key .. " = " end
+  local call, found = place.of(before), {}
+  if not call or not call.in_braces or not (call.behind:find "^%s*$" or call.behind:find "[,;]%s*$") then return {} end
+  for _, key in ipairs(names_at(call)) do
+    local taken = (";" .. call.behind):find("[,;%s]" .. key .. "%s*=")
+    if begins(key, beginning) and not taken then found[#found + 1] = key .. " = " end
   end
   return found
 end
 
---- The n-th completion of a word, a path of names, that stands behind a text, or nil behind the last. Where a named
---- argument may stand and one begins like this, those are all that is offered.
+--- Texts that begin like this, behind a quotation mark.
+local function texts(beginning, before)
+  local call = place.of(before)
+  if not call or not call.quoted then return {} end
+  local page, owner = page_of(call.path)
+  if not page then return {} end
+  local key, list = call.behind:match "([%a_][%w_]*)%s*=%s*$" or call.keys[#call.keys], nil
+  if key then
+    list = values.of_key(page, key, page:find "^study:" and owner or (follow(call.first)))
+  else
+    list = values.of_argument(page, owner)
+  end
+  local found = {}
+  for _, text in ipairs(list) do
+    if begins(text, beginning) then found[#found + 1] = text end
+  end
+  return found
+end
+
+--- The n-th completion of a word that stands behind a text, or nil behind the last: of a path of names or, inside quotes,
+--- of a text. Where a named argument may stand and one begins like this, those are all that is offered.
 return function(word, before, n)
+  if before:find "[\"']$" and place.is_open(before) then return texts(word, before)[n] end
   local divided, path = word:match "^(.*/)(.*)$"
   path = path or word
   local found = word:find "[.:/]" and {} or arguments(path, before)

@@ -197,7 +197,8 @@ function Data:__tostring()
   lines[#lines + 1] = format_table { columns = self.columns,
     rows = table.move(self.rows, 1, math.min(most, #self.rows), 1, {}) }
   if #self.rows > most then
-    lines[#lines + 1] = ("… %d more row%s"):format(#self.rows - most, #self.rows > most + 1 and "s" or "")
+    local rest = #self.rows - most
+    lines[#lines + 1] = ("… %d more row%s"):format(rest, rest > 1 and "s" or "")
   end
   return table.concat(lines, "\n")
 end

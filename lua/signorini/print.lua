@@ -1,5 +1,5 @@
--- print for several values of which one has a text of its own that may fill lines, such as a run, a study or a case of it:
--- each begins a line. All else is as Lua has it.
+-- print for several values of which one has a text of its own that may fill lines, such as a run, a study or a case of
+-- it: each begins a line. All else is as Lua has it.
 
 local plain = print
 

@@ -15,8 +15,8 @@ Study.__name = "study"
 core.types.study = Study
 for name, verb in pairs(verbs) do Study[name] = verb end
 
--- A part of a study has no cases but the whole that it was taken from, and what it is not given has no inputs. All else that
--- is not there is misspelt.
+-- A part of a study has no cases but the whole that it was taken from, and what it is not given has no inputs. All else
+-- that is not there is misspelt.
 local may_be_missing = { cases = true, inputs = true, whole = true }
 setmetatable(Study, { __index = function(_, name)
   if may_be_missing[name] or type(name) ~= "string" or name:find "^__" then return nil end

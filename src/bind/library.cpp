@@ -5,7 +5,10 @@
 #include "bind/open.hpp"
 #include "bind/threads.hpp"
 #include "bind/versions.hpp"
+#include "model/field.hpp"
 #include "solve/linear.hpp"
+#include "view/camera.hpp"
+#include "view/picture.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -90,6 +93,11 @@ void open_library(lua_State* L, const Settings& settings) {
   set_field(L, "threads", settings.threads);
   set_field(L, "most_threads", most_threads);
   set_field(L, "linear_solvers", solve::linear_names());
+  set_field(L, "colormaps", view::colormaps());
+  set_field(L, "cameras", view::camera_names());
+  std::vector<std::string> fields;
+  for (const auto& field : model::fields<3>()) fields.push_back(field.name);
+  set_field(L, "fields", fields);
   const int processors = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   set_field(L, "processors", processors);
   set_field(L, "at_once", settings.jobs > 0 ? settings.jobs : processors);

@@ -247,11 +247,12 @@ constexpr Function rows[] = {
      "p:refine{ elements = {…}, degree = {…}, grading = {…} }\n"
      "k-refinement, the same shape: elevates to `degree` first, then inserts knots until each direction has "
      "`elements`\n"
-     "spans (the patch's own knots stay). One value per direction; a curve takes plain numbers. grading, one entry "
-     "per\n"
-     "direction: { elements = 0.8, length = 0.1, at = \"start\" | \"end\" } puts 80 % of the elements into a tenth of "
-     "the\n"
-     "length at that end; false leaves the direction uniform.\n"
+     "spans (the patch's own knots stay). One value per direction; a curve takes plain numbers. "
+     "grading,\n"
+     "one entry per direction: grading = { { elements = 0.8, length = 0.1, at = \"start\" or \"end\" }, false } puts "
+     "80 % "
+     "of\n"
+     "the elements of the first one into a tenth of the length at that end and leaves the second one uniform.\n"
      "Example: patch:refine{ elements = {8, 3}, degree = {2, 2} }"},
     {"face", wrap<face>,
      "p:face(name)\n"

@@ -62,11 +62,11 @@ char* completion_entry(const char* word, int first) {
 
 char** complete(const char* word, int start, int) {
   rl_completion_append_character = '\0';
-  // Inside quotes readline's own completion of file names takes over.
-  if (rl_completion_quote_character) return nullptr;
   before_word = above + "\n" + std::string(rl_line_buffer, static_cast<std::size_t>(start));
-  rl_attempted_completion_over = 1;
-  return rl_completion_matches(word, completion_entry);
+  char** matches = rl_completion_matches(word, completion_entry);
+  // Inside quotes, where no known text may stand, readline's own completion of file names takes over.
+  rl_attempted_completion_over = matches || !rl_completion_quote_character;
+  return matches;
 }
 
 bool finished = false;

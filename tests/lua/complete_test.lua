@@ -5,9 +5,11 @@ local complete = require "signorini.complete"
 
 sg = require "signorini" -- as at the prompt
 
---- All completions of what stands behind the last blank, brace or comma of a text.
+--- All completions of what stands behind the last blank, brace or comma of a text, or behind its last quotation mark where
+--- their number is odd.
 local function all(text)
   local before, word = text:match "^(.-)([%w_.:/]*)$"
+  if select(2, text:gsub('"', "")) % 2 == 1 then before, word = text:match '^(.*")([^"]*)$' end
   local list = {}
   repeat
     list[#list + 1] = complete(word, before, #list + 1)
@@ -41,6 +43,90 @@ check.case("named arguments where they may stand, without those that are there",
   check.equal(all 'sg.picture{ file = "{.png", fi', { "field = ", "fields = " })
   check.equal(all "sg.chart{ f", { "file = " })
   check.equal(all "sg.rigid.plane{ point = {0, 0}, no", { "normal = " })
+end)
+
+slab = sg.body { patch = sg.shapes.rectangle { width = 3, height = 1 }, elements = { 1, 1 }, order = "N1",
+  contact = "south", material = sg.neo_hookean { E = 1, nu = 0.3 } }
+local ground = sg.rigid.plane { point = { 0, 0 }, normal = { 0, 1 } }
+model = sg.model { bodies = { slab = slab }, supports = { grip = { on = slab:face "north", drive = "xy" } },
+  contacts = { ground = { slave = slab:face "south", master = ground, penalty = 1 } } }
+
+check.case("named arguments of tables in tables, whatever the user calls them", function()
+  check.equal(all "sg.model{ contacts = { c = { friction = { m", { "mu = " })
+  check.equal(all 'sg.model{ bodies = {}, supports = { interface = { on = slab:face "south", ', { "fix = ", "drive = ", "rotate = " })
+  check.equal(all "sg.model{ loads = { a = {}, b = {\n", { "on = ", "traction = ", "pressure = " })
+  check.equal(all "model:run(stages, { newton = { l", { "line_search = " })
+  check.equal(all "model:run(stages, { step = { min = 1/8, m", { "max = " })
+  check.equal(all "model:run(stages, { checkpoint = { ", { "file = ", "every = ", "durable = " })
+  check.equal(all "x = model:run(stages, sg.robust{ step = { gr", { "growth = " })
+  check.equal(all 'sg.chart{ file = "a.png", { y = {1, 2}, ma', { "markers = ", "marker = " })
+  check.equal(all "sg.picture{ marks = { { x = {0, 0}, ", { "text = " })
+  check.equal(all "sg.picture{ camera = { ", { "from = ", "up = " })
+  check.equal(all "sg.chart{ inset = { p", { "place = " })
+end)
+
+check.case("what a stage may hold, and what the model moves", function()
+  check.equal(all "model:run{ { ", { "name = ", "steps = ", "grip = " })
+  check.equal(all "run = model:run({ { steps = 1, grip = {0, 0} }, { name = 'slide', ", { "steps = ", "grip = " })
+end)
+
+check.case("texts of closed sets, and names of an object's parts", function()
+  check.equal(all 'sg.body{ patch = p, order = "N2-', { "N2-N2.1", "N2-N2.2", "N2-N4" })
+  check.equal(all 'sg.model{ supports = { bed = { on = slab:face "', { "west", "east", "south", "north" })
+  check.equal(all 'sg.model{ supports = { bed = { on = slab:face "south", fix = "x', { "x", "xy", "xz", "xyz" })
+  check.equal(all 'model:run(stages, { linear = "k', { "klu", "kept" })
+  check.equal(all 'sg.picture{ model = model, colormap = "v', { "viridis" })
+  check.equal(all 'sg.picture{ model = model, fields = {"ux", "von', { "von_mises" })
+  check.equal(all 'slab:corner("north', { "north-west", "north-east" })
+  check.equal(all 'model:profile "', { "ground" })
+  check.equal(all 'model:reaction "g', { "grip" })
+  study = sg.study { name = "s", cases = sg.grid { order = { "N1" } }, run = function() return {} end }
+  check.equal(all 'study:by "', { "order", "wall", "failed", "reason" })
+  check.equal(all 'sg.cheapest(study, { error = "or', { "order" })
+  for _, free in ipairs { 'sg.picture{ file = "', 'io.open("', 'x = "', 'nothing "', 'slab:edge "' } do check.equal(all(free), {}) end
+end)
+
+check.case("these sets are those that the functions name themselves", function()
+  local values = require "signorini.complete.values"
+  local function named(call)
+    local _, message = pcall(call)
+    local list = {}
+    for word in message:gsub(": did you mean.*", ""):gsub(", got .*", ""):gmatch "'([%w_-]+)'" do list[#list + 1] = word end
+    return list
+  end
+  local cube = sg.body { patch = sg.shapes.block { size = { 1, 1, 1 } }, elements = { 1, 1, 1 }, order = "N1",
+    material = sg.neo_hookean { E = 1, nu = 0.3 } }
+  local function picture(more) more.file = "a.png"; return function() sg.picture(more) end end
+  local solid = sg.model { bodies = { cube = cube }, supports = { s = { on = cube:face "front", fix = "xyz" } } }
+  local rows = {
+    { "sg.model", "kind", function() sg.model { bodies = { slab = slab }, kind = "?" } end },
+    { "sg.model", "fix", function() sg.model { bodies = { c = cube }, supports = { a = { on = cube:face "front", fix = "?" } } } end },
+    { "model:run", "linear", function() model:run({ { steps = 1 } }, { linear = "?" }) end },
+    { "model:run", "predictor", function() model:run({ { steps = 1 } }, { predictor = "?" }) end },
+    { "model:run", "line_search", function() model:run({ { steps = 1 } }, { newton = { line_search = "?" } }) end },
+    { "sg.picture", "colormap", picture { model = model, colormap = "?" } },
+    { "sg.picture", "camera", picture { model = solid, camera = "?" } },
+    { "sg.picture", "cut", picture { model = solid, cut = "?" } },
+    { "sg.picture", "mirror", picture { model = solid, mirror = "?" } },
+    { "sg.chart", "log", function() sg.chart { file = "a.png", x = { 1, 2 }, { y = { 1, 2 } }, log = "?" } end },
+    { "sg.shapes.hollow_hemisphere", "poles", function() sg.shapes.hollow_hemisphere { inner = 1, outer = 2, poles = "?" } end },
+    { "sg.profile_error", "zone", function() sg.profile_error { profile = model:profile "ground", reference = print, zone = "?" } end },
+  }
+  for _, row in ipairs(rows) do
+    local page, key, call = table.unpack(row)
+    local known, said = values.of_key(page, key), named(call)
+    table.sort(known)
+    table.sort(said)
+    if #said == 0 or table.concat(known, " ") ~= table.concat(said, " ") then
+      error(("%s of %s: %s, but the function says %s"):format(key, page, table.concat(known, " "), table.concat(said, " ")))
+    end
+  end
+  check.equal(values.of_argument("body:edge", cube), named(function() cube:edge "?" end))
+  check.equal(values.of_argument("body:corner", cube), named(function() cube:corner "?" end))
+  check.equal(values.of_argument("body:corner", slab), named(function() slab:corner "?" end))
+  for _, body in ipairs { slab, cube } do
+    check.fails(function() body:face "?" end, "one of " .. table.concat(values.of_argument("body:face", body), ", ") .. " (")
+  end
 end)
 
 check.case("values, lists and unknown calls take none", function()

@@ -5,7 +5,7 @@ local check = require "check"
 local core = require "signorini.core"
 local sg = require "signorini"
 local examples_of = require "signorini.help.examples"
-local keys_of = require "signorini.help.keys"
+local keys_of = require("signorini.help.keys").of_page
 local names = require "signorini.help.names"
 local subjects = require "signorini.help.subjects"
 
@@ -83,9 +83,8 @@ check.case("the page shows the named arguments that the function takes", functio
     if #keys > 0 and not free[name] and subjects.is_public(name) then
       local value, type_name = names.value(name), name:match "^([%w_]+):"
       local arguments = { { no_such_argument = 1 } }
-      if page:match "^[%w_.:]+%(" then
-        table.insert(arguments, 1, page:match "^[%w_.:]+%(study" and study or "a.pvd")
-      end
+      local first = page:match "^[%w_.:]+%((%w+)"
+      if first then table.insert(arguments, 1, ({ study = study, stages = { { steps = 1 } } })[first] or "a.pvd") end
       if type_name then table.insert(arguments, 1, (assert(selves[type_name], name))) end
       local known, shown = message_of(name, function() value(table.unpack(arguments)) end), {}
       if not known then error(name .. " does not say which arguments it knows") end

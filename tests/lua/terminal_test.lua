@@ -37,6 +37,12 @@ check.case("Tab completes named arguments, also on the next line, and names of f
     "/signorini/history\"):read 'l'\n\"1 + 1\"\n")
 end)
 
+check.case("Tab completes arguments of tables in tables, and texts in quotes", function()
+  local output = session("p = sg.shapes.rectangle{ width = 1, height = 1 }\n", "p:face \"sou\t\n",
+    "x = function() return sg.model{ contacts = { c = { friction = { m\t2 } } } } end\n", "\4")
+  check.holds(output, 'p:face "south"\nNURBS curve in 2D', "friction = { mu = 2 }")
+end)
+
 check.case("?name is help, and errors are red where the terminal has colours and NO_COLOR does not say no", function()
   local function typed(environment)
     return (check.shell(("(sleep 1; printf '?sg.median\\nerror(0)\\n'; sleep 0.5; printf '\\004') | env %s "
