@@ -172,6 +172,17 @@ TEST(Newton, StopsWhenInterrupted) {
   EXPECT_EQ(problem.x, 1.0);
 }
 
+TEST(Newton, StopsBeforeAStepThatNeedsNoIteration) {
+  Scalar problem = root_of_two();
+  problem.x = std::sqrt(2.0);
+  EXPECT_EQ(problem.solve().iterations, 0);
+  request_interrupt();
+  const NewtonReport report = problem.solve();
+  clear_interrupt();
+  EXPECT_EQ(report.outcome, Outcome::interrupted);
+  EXPECT_EQ(report.residuals.size(), 0U);
+}
+
 TEST(Newton, IterationByIterationIsTheSame) {
   for (const bool pending : {false, true})
     for (const int limit : {2, 25}) {
