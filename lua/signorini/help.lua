@@ -62,7 +62,7 @@ local function word_page(word)
   local names, last = {}, {}
   for name, page in pairs(core.docs) do
     if (name .. "\n" .. page):lower():find(word:lower(), 1, true) then names[name] = true end
-    last[name:match "[^.:]+$"] = true
+    last[name], last[name:match "[^.:]+$"] = true, true
   end
   if next(names) then
     local found, own = list(("Pages with '%s':"):format(word), sorted(names)), {}

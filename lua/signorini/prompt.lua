@@ -5,11 +5,20 @@ local show = require "signorini.show"
 
 local prompt = {}
 
---- Shows the results of a line; the first one is `_` from then on.
+--- Shows the results of a line; the first one is `_` from then on, unless it is nil.
 function prompt.results(...)
   if select("#", ...) == 0 then return end
-  rawset(_G, "_", (...))
+  if (...) ~= nil then rawset(_G, "_", (...)) end
   show.print(...)
+end
+
+--- What Ctrl-C leaves: the run that it has stopped is `_`, as the line that would have kept it has come to its end, too.
+function prompt.interrupted()
+  local run = core.interrupted_run
+  core.interrupted_run = nil
+  if not run then return "interrupted" end
+  rawset(_G, "_", run)
+  return "interrupted; _ is the run so far"
 end
 
 core.docs.traceback = [[

@@ -328,6 +328,7 @@ return function(model, stages, options)
         end
         keeper:step(model, run, path, place, policy)
       end
+      if run.reason == "interrupted" then core.interrupted_run = run end -- for the prompt
       if run.reason ~= "completed" then
         display:line(("%s: %s in step %d of %d"):format(stage.name, run.reason, number, stage.steps))
         if options.states.last then run:keep_state(model, stage.name) end

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <poll.h>
+#include <string_view>
 
 #include <readline/history.h>
 #include <readline/readline.h>
@@ -69,6 +70,14 @@ char** complete(const char* word, int start, int) {
   return matches;
 }
 
+/// Tab completes; at the beginning of a line it is itself, as in lines that are pasted.
+int tab(int count, int key) {
+  const std::string_view left(rl_line_buffer, static_cast<std::size_t>(rl_point));
+  if (left.find_first_not_of(" \t") == std::string_view::npos) return rl_insert(count, key);
+  if (rl_last_func == tab) rl_last_func = rl_complete; // a second one lists
+  return rl_complete(count, key);
+}
+
 bool finished = false;
 char* typed = nullptr; ///< the finished line; nullptr at the end of the input
 
@@ -102,6 +111,7 @@ LineEditor::LineEditor(lua_State* L) : history_file_(find_history()) {
   rl_basic_word_break_characters = " \t\n\"'`@$><=;|&{}()[],+-*^%#~";
   rl_completer_quote_characters = "\"'";
   rl_attempted_completion_function = complete;
+  rl_bind_key('\t', tab);
   using_history();
   stifle_history(2000);
   if (!history_file_.empty()) read_history(history_file_.c_str());

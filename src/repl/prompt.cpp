@@ -41,23 +41,36 @@ bool is_no_statement(const std::string& code, std::string message) {
   return code.substr(code.find_first_not_of(" \t\n")).starts_with(message);
 }
 
+/// Pushes the code as a function, or an error message.
+bool compiles(lua_State* L, const std::string& code) {
+  return luaL_loadbufferx(L, code.data(), code.size(), "=prompt", "t") == LUA_OK;
+}
+
+/// Code whose last line stands behind a return: lines that were pasted together may end with an expression.
+std::string with_result(const std::string& code) {
+  const auto end = code.find_last_not_of(" \t\n"), line = code.rfind('\n', end) + 1;
+  return text(code.substr(0, line), "return nil, ", code.substr(line));
+}
+
 /// Loads the lines so far as an expression or as statements, or as a query for help ("?sg.body"), and leaves a function
-/// and its arguments, or an error message, on the stack. An expression stands behind a nil, so that a call in it is no
-/// tail call, which would lose its place in errors.
+/// and its arguments, or an error message, alone on the stack. An expression stands behind a nil, so that a call in it
+/// is no tail call, which would lose its place in errors.
 Chunk load(lua_State* L, const std::string& code) {
-  if (code.front() == '?') {
+  lua_settop(L, 0);
+  if (const auto begin = code.find_first_not_of(" \t"); code[begin] == '?') {
     push_library_function(L, "signorini.help", "ask");
-    bind::push(L, code.substr(1));
+    bind::push(L, code.substr(begin + 1));
     return Chunk::statements;
   }
-  const std::string expression = text("return nil, ", code);
-  if (luaL_loadbufferx(L, expression.data(), expression.size(), "=prompt", "t") == LUA_OK) return Chunk::expression;
-  if (luaL_loadbufferx(L, code.data(), code.size(), "=prompt", "t") == LUA_OK ||
-      !is_no_statement(code, lua_tostring(L, -1)))
-    lua_remove(L, 1);
-  else
-    lua_settop(L, 1);
-  return lua_isfunction(L, 1) || !unfinished(lua_tostring(L, 1)) ? Chunk::statements : Chunk::unfinished;
+  if (compiles(L, text("return nil, ", code))) return Chunk::expression;
+  const bool well = compiles(L, code);
+  lua_remove(L, well || !is_no_statement(code, lua_tostring(L, -1)) ? 1 : 2);
+  if (well) return Chunk::statements;
+  if (unfinished(lua_tostring(L, 1))) return Chunk::unfinished;
+  const bool has_result = code.find('\n') != std::string::npos && compiles(L, with_result(code));
+  if (has_result) lua_insert(L, 1);
+  lua_settop(L, 1);
+  return has_result ? Chunk::expression : Chunk::statements;
 }
 
 /// Runs what load() left, and prints its results.
@@ -71,10 +84,14 @@ bool run(Interpreter& interpreter, Chunk chunk) {
     ok = interpreter.call(lua_gettop(L) - 1, true);
   }
   std::fflush(stdout);
-  if (!ok)
-    std::cerr << painted(interrupted() ? "interrupted" : lua_tostring(L, -1), Colour::red, STDERR_FILENO) << std::endl;
-  lua_settop(L, 0);
+  const bool stopped = interrupted();
   forget_interrupt(L);
+  if (!ok && stopped) {
+    push_library_function(L, "signorini.prompt", "interrupted");
+    interpreter.call(0, true);
+  }
+  if (!ok) std::cerr << painted(lua_tostring(L, -1), Colour::red, STDERR_FILENO) << std::endl;
+  lua_settop(L, 0);
   return ok;
 }
 
@@ -99,8 +116,11 @@ bool prompt(Interpreter& interpreter, bool quiet) {
                     next = painted("..> ", Colour::green, STDOUT_FILENO, true);
   bool all_well = true;
   std::string line;
-  for (Input input; (input = read(code.empty() ? first : next, line)) != Input::end;) {
-    if (input == Input::interrupted) {
+  for (;;) {
+    const Input input = read(code.empty() ? first : next, line);
+    const bool leave = input == Input::end && (!editor || code.empty()); // else Ctrl-D leaves the unfinished statement
+    if (leave) break;
+    if (input != Input::line) {
       code.clear();
       continue;
     }
@@ -111,10 +131,7 @@ bool prompt(Interpreter& interpreter, bool quiet) {
       continue;
     }
     const Chunk chunk = load(L, code);
-    if (chunk == Chunk::unfinished) {
-      lua_settop(L, 0);
-      continue;
-    }
+    if (chunk == Chunk::unfinished) continue;
     code.clear();
     all_well = run(interpreter, chunk) && all_well;
   }

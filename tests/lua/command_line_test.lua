@@ -130,11 +130,12 @@ end)
 check.case("at the prompt errors are one line, traceback() tells how they came about, and _ is the last result",
   function()
   local result = run({},
-    "function f() error 'no' end\nfunction g() f() return 1 end\ng()\n40 + 2\n_ / 2\nx = 3\n_\ntraceback()\n")
+    "function f() error 'no' end\nfunction g() f() return 1 end\ng()\n40 + 2\n_ / 2\nx = 3\n_\nnil\n_\ntraceback()\n")
   check.equal(result.status, 1)
-  check.equal(result.output:match "^prompt:1: no\n42\n21.0\n21.0\nprompt:1: no\nstack traceback:\n" ~= nil, true)
+  check.equal(result.output:match "^prompt:1: no\n42\n21.0\n21.0\nnil\n21.0\nprompt:1: no\nstack traceback:\n" ~= nil, true)
   check.holds(result.output, "in function 'f'", "in function 'g'")
   check.holds(run({}, "traceback()\n").output, "There has been no error.")
+  check.holds(run({}, "_\n").output, "undefined variable '_'; at the prompt it is the last result, once there is one")
 end)
 
 check.case("errors in a call that is all of a line, of -e or the end of a script find their place", function()
@@ -166,10 +167,10 @@ end)
 check.case("help shows groups, types of Lua objects, and what a query at the prompt stands for", function()
   local output = check.program({},
     '?\n?labels\n?sg.shapes.block\n? patch:refine\nx = sg.median\n?x\n?sg.nurbs\n?refin\n'
-    .. 'help "studies"\nhelp "rectangel"\nhelp(sg.reference "hertz2d_dofs_table7_4")\n')
+    .. 'help "studies"\nhelp "rectangel"\n ?sg.bdy\nhelp(sg.reference "hertz2d_dofs_table7_4")\n')
   check.holds(output, "signorini: isogeometric", "N2-N2.2x2", "sg.shapes.block{ size", "p:refine{ elements",
     "sg.median(numbers)", "It holds:\n  sg.nurbs.arc{", "Pages with 'refin':", "Studies:\n  sg.study{",
-    "did you mean 'rectangle'?", "data\nWhat sg.csv.read")
+    "did you mean 'rectangle'?", "did you mean 'sg.body'?", "data\nWhat sg.csv.read")
 end)
 
 check.case("help takes a method by the letter that pages call its object by, and closes what a list cuts off", function()

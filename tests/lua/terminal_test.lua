@@ -43,6 +43,25 @@ check.case("Tab completes arguments of tables in tables, and texts in quotes", f
   check.holds(output, 'p:face "south"\nNURBS curve in 2D', "friction = { mu = 2 }")
 end)
 
+check.case("Ctrl-D forgets an unfinished statement, a tab at the beginning of a line is a tab", function()
+  local output, status = session("for i = 1, 2 do\n", "\4", "40 + 2\n", "x = {\n", "\t\t5 }\n", "x\n", "\4")
+  check.equal(status, 0)
+  check.holds(output, "sg> 40 + 2\n42\n", "sg> x\n{5}\n")
+end)
+
+check.case("Ctrl-C leaves the run that it has stopped", function()
+  local output = session('b = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = {1, 1}, order = "N1", '
+    .. 'material = sg.neo_hookean{ E = 1, nu = 0.3 } }\n', 'm = sg.model{ bodies = { b = b }, supports = { s = { on = b:face "south", '
+    .. 'drive = "xy" } } }\n', "m:run{ { steps = 100000000, s = {0, 0} } }\n", "\3", "_.reason, _.steps > 10\n", "\4")
+  check.holds(output, "interrupted; _ is the run so far\n", '"interrupted"\ntrue\n')
+end)
+
+check.case("what is pasted runs as one, shows its last expression, and keeps its local variables", function()
+  local output = check.shell(([[(sleep 1; printf '\033[200~local a = 20\nfor i = 1, 2 do\n\ta = a + i\nend\na - 1\033[201~\n'; ]]
+    .. [[sleep 0.5; printf '\004') | NO_COLOR=1 TERM=xterm XDG_STATE_HOME=%s script -qec 'exec %s' /dev/null]]):format(state, arg[-1]))
+  check.holds(output, "22\r\n")
+end)
+
 check.case("?name is help, and errors are red where the terminal has colours and NO_COLOR does not say no", function()
   local function typed(environment)
     return (check.shell(("(sleep 1; printf '?sg.median\\nerror(0)\\n'; sleep 0.5; printf '\\004') | env %s "

@@ -21,8 +21,9 @@ Units are yours, as long as they are consistent; angles are degrees; directions 
 At the prompt:
   ?sg.body, ?refine       help on a name or a word
   2 * x                   shows what an expression gives; _ is the last such result
-  Tab                     completes names, fields, methods, named arguments in name{ … }, file names in quotes
-  Ctrl-C                  stops a solve, with the last accepted state intact, or forgets the line; Ctrl-D leaves
+  Tab                     completes names, fields, methods, named arguments in name{ … }, texts and file names in quotes
+  Ctrl-C                  stops a solve: the model keeps its last accepted state, and _ is the run; or forgets the line
+  Ctrl-D                  leaves; on a further line of a statement it forgets that
   traceback()             how the last error came about
 A statement may go over several lines. A local variable lives for one of them only: leave out `local`. Lines are kept in
 ~/.local/state/signorini/history. NO_COLOR in the environment turns colours off.]],
