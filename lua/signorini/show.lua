@@ -10,6 +10,7 @@ local show = {}
 local width = 100   -- characters of a line
 local most = 40     -- entries of a table
 local levels = 2    -- of nested tables
+local longest = 1000 -- characters of a text in quotes
 
 local function is_name(key) return type(key) == "string" and key:find "^[%a_][%w_]*$" ~= nil end
 
@@ -23,6 +24,14 @@ local function sorted_keys(value)
     return tostring(a) < tostring(b)
   end)
   return keys
+end
+
+--- A text in quotes, cut where it is very long, at the end of a character.
+local function quoted(value)
+  if #value <= longest then return (("%q"):format(value):gsub("\\\n", "\\n")) end
+  local most = longest
+  while most > 0 and (value:byte(most + 1) or 0) & 0xC0 == 0x80 do most = most - 1 end
+  return ("%s… %d more bytes"):format(quoted(value:sub(1, most)), #value - most)
 end
 
 local text
@@ -52,9 +61,8 @@ end
 
 --- One value; tables and objects that know how to write themselves do so.
 function text(value, level, indent)
-  if type(value) == "string" then
-    return level == 1 and value:find "\n" and value or ("%q"):format(value):gsub("\\\n", "\\n")
-  end
+  if type(value) == "string" then return level == 1 and value:find "\n" and value or quoted(value) end
+  if value ~= value then return "nan" end -- without the sign that the C library may print
   if type(value) == "function" then return language.of_function(value, level > 1) end
   local own = type(value) == "table" and getmetatable(value)
   if type(value) == "table" and not (type(own) == "table" and own.__tostring) then

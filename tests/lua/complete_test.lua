@@ -82,6 +82,9 @@ check.case("texts of closed sets, and names of an object's parts", function()
   check.equal(all 'model:reaction "g', { "grip" })
   study = sg.study { name = "s", cases = sg.grid { order = { "N1" } }, run = function() return {} end }
   check.equal(all 'study:by "', { "order", "wall", "failed", "reason" })
+  help = sg.help
+  check.equal(all 'help "patch:re', { "patch:refine" })
+  check.equal(all 'help "la', { "labels" })
   check.equal(all 'sg.cheapest(study, { error = "or', { "order" })
   for _, free in ipairs { 'sg.picture{ file = "', 'io.open("', 'x = "', 'nothing "', 'slab:edge "' } do check.equal(all(free), {}) end
 end)

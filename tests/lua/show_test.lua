@@ -76,6 +76,12 @@ check.case("print begins a line for each value where one has a text of its own, 
     ("1 file in x.d:\n  x.d/a.png\n"):rep(2) .. "nil\n1\tnil\ta\ttrue\n1 file in x.d:\n  x.d/a.png\n\n")
 end)
 
+check.case("long texts are cut between characters, nan has no sign", function()
+  check.equal(show.text(("ab"):rep(500)), '"' .. ("ab"):rep(500) .. '"')
+  check.equal(show.text(("x"):rep(999) .. "äb"), '"' .. ("x"):rep(999) .. '"… 3 more bytes')
+  check.equal(show.text { "a\nb" }, '{"a\\nb"}')
+end)
+
 check.case("long lists are cut and share lines", function()
   local list = {}
   for i = 1, 10000 do list[i] = i / 8 + 1000 end

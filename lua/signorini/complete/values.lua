@@ -2,6 +2,7 @@
 
 local core = require "signorini.core"
 local columns_of = require("signorini.study.values").columns
+local sorted_names = require("signorini.lists").sorted_names
 
 local faces = { "west", "east", "south", "north", "front", "back" }
 local corners = { "south-west", "south-east", "north-west", "north-east" }
@@ -72,6 +73,17 @@ local named = {
   ["study:column"] = columns_of, ["study:by"] = columns_of,
   ["study:median"] = function(study) return study.parameters end,
 }
+
+--- Words that help knows.
+function named.help()
+  local texts, subjects = require "signorini.help.texts", require "signorini.help.subjects"
+  local words = sorted_names(texts)
+  for _, group in ipairs(subjects.groups) do
+    words[#words + 1] = group.word
+    for _, name in ipairs(subjects.pages(group)) do words[#words + 1] = name end
+  end
+  return words
+end
 
 local values = {}
 
