@@ -24,6 +24,9 @@ local function cure(name, level)
   if name == "sg" then return [[; write local sg = require "signorini" at the top]] end
   if name == "exit" or name == "quit" then return "; Ctrl-D leaves the prompt, os.exit() a script" end
   if name == "_" then return "; at the prompt it is the last result, once there is one" end
+  if core.line_locals and core.line_locals[name] then
+    return "; it was local to its line: leave out `local` at the prompt"
+  end
   local meant = core.nearest(name, names_in_sight(level + 1))
   return meant and ("; did you mean '%s'?"):format(meant) or ""
 end

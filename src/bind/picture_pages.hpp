@@ -51,7 +51,7 @@ title:       a line above the picture; by default none.
 crop:        {xmin, xmax, ymin, ymax}, lengths, in space with zmin, zmax: shows this part only; by default all.
 inset:       the same: this part is magnified in a box within the picture, in every state and field; by default none.
 camera:      solids only: "iso" (from the front, the right and above), "front" (from -y, z upwards), "back", "left"
-             (from -x), "right", "top" (from +z, y upwards), "bottom", or { from = {direction to the eye}, up =
+             (from -x), "right", "top" (from +z, y upwards), "bottom", or camera = { from = {direction to the eye}, up =
              {upwards} }; parallel projection ("iso").
 transparent: no white ground; not in films (false).
 fps:         pictures per second of a film, for .ogv a whole number (10).

@@ -6,7 +6,10 @@
 #include "repl/interrupt.hpp"
 #include "repl/line_editor.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <cstdio>
+#include <cstring>
 #include <iostream>
 #include <optional>
 #include <unistd.h>
@@ -27,6 +30,13 @@ void push_library_function(lua_State* L, const char* module, const char* name) {
   lua_call(L, 1, 1);
   lua_getfield(L, -1, name);
   lua_remove(L, -2);
+}
+
+/// Lets errors about undefined variables know which ones were local to a line.
+void note_locals(lua_State* L, const std::string& code) {
+  push_library_function(L, "signorini.prompt", "note_locals");
+  bind::push(L, code);
+  lua_call(L, 1, 0);
 }
 
 enum class Chunk { unfinished, statements, expression };
@@ -52,14 +62,27 @@ std::string with_result(const std::string& code) {
   return text(code.substr(0, line), "return nil, ", code.substr(line));
 }
 
-/// Loads the lines so far as an expression or as statements, or as a query for help ("?sg.body"), and leaves a function
+/// What a line asks help for: "?sg.body", or "help sg.body", which is no Lua; nothing in other lines.
+std::optional<std::string> query(const std::string& code) {
+  const auto begin = code.find_first_not_of(" \t");
+  if (code[begin] == '?') return code.substr(begin + 1);
+  if (code.compare(begin, 5, "help ") != 0) return {};
+  const auto first = code.find_first_not_of(' ', begin + 5), last = code.find_last_not_of(' ');
+  const std::string word = first == std::string::npos ? "" : code.substr(first, last + 1 - first);
+  const bool is_path = std::all_of(word.begin(), word.end(),
+                                   [](unsigned char c) { return std::isalnum(c) || (c && std::strchr("_.:", c)); });
+  return is_path && !word.empty() && std::isalpha(static_cast<unsigned char>(word.front())) ? std::optional(word)
+                                                                                            : std::nullopt;
+}
+
+/// Loads the lines so far as an expression or as statements, or as a query for help, and leaves a function
 /// and its arguments, or an error message, alone on the stack. An expression stands behind a nil, so that a call in it
 /// is no tail call, which would lose its place in errors.
 Chunk load(lua_State* L, const std::string& code) {
   lua_settop(L, 0);
-  if (const auto begin = code.find_first_not_of(" \t"); code[begin] == '?') {
+  if (const auto wanted = query(code)) {
     push_library_function(L, "signorini.help", "ask");
-    bind::push(L, code.substr(begin + 1));
+    bind::push(L, *wanted);
     return Chunk::statements;
   }
   if (compiles(L, text("return nil, ", code))) return Chunk::expression;
@@ -132,6 +155,7 @@ bool prompt(Interpreter& interpreter, bool quiet) {
     }
     const Chunk chunk = load(L, code);
     if (chunk == Chunk::unfinished) continue;
+    note_locals(L, code);
     code.clear();
     all_well = run(interpreter, chunk) && all_well;
   }

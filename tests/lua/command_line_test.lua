@@ -135,6 +135,8 @@ check.case("at the prompt errors are one line, traceback() tells how they came a
   check.equal(result.output:match "^prompt:1: no\n42\n21.0\n21.0\nnil\n21.0\nprompt:1: no\nstack traceback:\n" ~= nil, true)
   check.holds(result.output, "in function 'f'", "in function 'g'")
   check.holds(run({}, "traceback()\n").output, "There has been no error.")
+  check.holds(run({}, "local y, z = 3\nlocal function f() end\nx = 1\nz\nf()\nw\n").output, "undefined variable 'z'; it was local to its line: leave "
+    .. "out `local` at the prompt\n", "undefined variable 'f'; it was local", "undefined variable 'w'\n")
   check.holds(run({}, "_\n").output, "undefined variable '_'; at the prompt it is the last result, once there is one")
 end)
 
@@ -167,10 +169,11 @@ end)
 check.case("help shows groups, types of Lua objects, and what a query at the prompt stands for", function()
   local output = check.program({},
     '?\n?labels\n?sg.shapes.block\n? patch:refine\nx = sg.median\n?x\n?sg.nurbs\n?refin\n'
-    .. 'help "studies"\nhelp "rectangel"\n ?sg.bdy\nhelp(sg.reference "hertz2d_dofs_table7_4")\n')
+    .. 'help "studies"\nhelp "rectangel"\n ?sg.bdy\nhelp sg.mkdir\nhelp\nhelp(sg.reference "hertz2d_dofs_table7_4")\n')
   check.holds(output, "signorini: isogeometric", "N2-N2.2x2", "sg.shapes.block{ size", "p:refine{ elements",
     "sg.median(numbers)", "It holds:\n  sg.nurbs.arc{", "Pages with 'refin':", "Studies:\n  sg.study{",
-    "did you mean 'rectangle'?", "did you mean 'sg.body'?", "data\nWhat sg.csv.read")
+    "did you mean 'rectangle'?", "did you mean 'sg.body'?",
+    "sg.mkdir(path)\nMakes", "mkdir \"out/study\"\nsignorini: isogeometric", "data\nWhat sg.csv.read")
 end)
 
 check.case("help takes a method by the letter that pages call its object by, and closes what a list cuts off", function()
