@@ -87,15 +87,33 @@ void on_line(char* line) {
   typed = line;
 }
 
-/// Waits for a key. Ctrl-C is only let through while waiting, so that none is missed between the check and the wait.
-void wait_for_key() {
+volatile std::sig_atomic_t continued = 0;
+
+void on_continue(int) {
+  continued = 1;
+}
+
+/// Waits for a key or a signal, and tells which. Ctrl-C is only let through while waiting, so that none is missed
+/// between the check and the wait.
+bool wait_for_key() {
   sigset_t interrupt, others;
   sigemptyset(&interrupt);
   sigaddset(&interrupt, SIGINT);
   sigprocmask(SIG_BLOCK, &interrupt, &others);
   pollfd input{fileno(rl_instream ? rl_instream : stdin), POLLIN, 0};
-  if (!interrupted()) ppoll(&input, 1, nullptr, &others);
+  const bool key = !interrupted() && ppoll(&input, 1, nullptr, &others) > 0;
   sigprocmask(SIG_SETMASK, &others, nullptr);
+  return key;
+}
+
+/// What readline does about signals; after a pause (Ctrl-Z, fg) the terminal is in the shell's mode.
+void handle_signals() {
+  rl_check_signals();
+  if (!continued) return;
+  continued = 0;
+  rl_deprep_terminal();
+  rl_prep_terminal(1);
+  rl_forced_update_display();
 }
 
 } // namespace
@@ -112,6 +130,7 @@ LineEditor::LineEditor(lua_State* L) : history_file_(find_history()) {
   rl_completer_quote_characters = "\"'";
   rl_attempted_completion_function = complete;
   rl_bind_key('\t', tab);
+  std::signal(SIGCONT, on_continue);
   using_history();
   stifle_history(2000);
   if (!history_file_.empty()) read_history(history_file_.c_str());
@@ -123,7 +142,8 @@ Input LineEditor::read(const char* prompt, const std::string& before, std::strin
   above = before;
   rl_callback_handler_install(prompt, on_line);
   while (!finished) {
-    wait_for_key();
+    const bool key = wait_for_key();
+    if (!key) handle_signals();
     if (interrupted()) {
       rl_echo_signal_char(SIGINT);
       rl_callback_sigcleanup();
@@ -132,7 +152,7 @@ Input LineEditor::read(const char* prompt, const std::string& before, std::strin
       std::puts("");
       return Input::interrupted;
     }
-    rl_callback_read_char();
+    if (key) rl_callback_read_char();
   }
   if (!typed) {
     std::puts("");

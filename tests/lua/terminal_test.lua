@@ -5,17 +5,18 @@ local check = require "check"
 local state = os.tmpname()
 os.remove(state)
 
---- What the terminal shows when these keys are typed, with a pause after each; and the exit status.
-local function session(...)
+--- What the terminal shows when these keys are typed to a command, with a pause after each; and the exit status.
+local function typed_to(command, keys_in_turn)
   local typing = {}
-  for _, keys in ipairs { ... } do
-    typing[#typing + 1] = ("printf '%s'; sleep 0.5"):format((keys:gsub(".",
-      function(c) return ("\\%03o"):format(c:byte()) end)))
+  for _, keys in ipairs(keys_in_turn) do
+    typing[#typing + 1] = ("printf '%s'; sleep 0.5"):format((keys:gsub(".", function(c) return ("\\%03o"):format(c:byte()) end)))
   end
   local output, status = check.shell(("(sleep 1; %s) | XDG_STATE_HOME=%s TERM=dumb script -qec 'exec %s' /dev/null")
-    :format(table.concat(typing, "; "), state, arg[-1]))
+    :format(table.concat(typing, "; "), state, command))
   return output:gsub("\r", ""), status
 end
+
+local function session(...) return typed_to(arg[-1], { ... }) end
 
 check.case("a session: expressions, several lines, Ctrl-C in a loop and at the prompt, Ctrl-D", function()
   local output, status = session("1 + 1\n", "while true do end\n", "\3", "abc def", "\3", "40 + 2\n",
@@ -47,6 +48,11 @@ check.case("Ctrl-D forgets an unfinished statement, a tab at the beginning of a 
   local output, status = session("for i = 1, 2 do\n", "\4", "40 + 2\n", "x = {\n", "\t\t5 }\n", "x\n", "\4")
   check.equal(status, 0)
   check.holds(output, "sg> 40 + 2\n42\n", "sg> x\n{5}\n")
+end)
+
+check.case("after Ctrl-Z and fg the line can be edited as before", function()
+  local output = typed_to("bash --norc -i", { arg[-1] .. "\n", "abc", "\26", "fg\n", "\21", "2 + 2\n", "\4", "exit\n" })
+  check.holds(output, "Stopped", "\n4\n")
 end)
 
 check.case("Ctrl-C leaves the run that it has stopped", function()
