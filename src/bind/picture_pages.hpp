@@ -24,7 +24,7 @@ control_points: control points with the net between them (false).
 obstacles:   rigid obstacles, hatched, in space grey and translucent (true).
 mirror:      "x", "y", "xy", in space also with "z": adds mirror images at 0 of these axes; by default none.
 cut:         solids only: the half that is taken away. "y" that of greater y, "-y" that of smaller y, through the
-             middle of the bodies; { normal = "y", at = 0.5 } at y = 0.5 (length); { normal = {…}, point = {…} } the
+             middle of the bodies; cut = { normal = "y", at = 0.5 } at y = 0.5 (length); cut = { normal = {…}, point = {…} } the
              half that the normal points to. The cut face has the colours of the field inside. By default nothing is
              cut.
 marks:       { { x = {x, y}, text = "J = -0.2" }, … }: rings with crosses at places (lengths) of the present state,
@@ -51,8 +51,8 @@ title:       a line above the picture; by default none.
 crop:        {xmin, xmax, ymin, ymax}, lengths, in space with zmin, zmax: shows this part only; by default all.
 inset:       the same: this part is magnified in a box within the picture, in every state and field; by default none.
 camera:      solids only: "iso" (from the front, the right and above), "front" (from -y, z upwards), "back", "left"
-             (from -x), "right", "top" (from +z, y upwards), "bottom", or camera = { from = {direction to the eye}, up =
-             {upwards} }; parallel projection ("iso").
+             (from -x), "right", "top" (from +z, y upwards), "bottom", or
+             camera = { from = {direction to the eye}, up = {upwards} }; parallel projection ("iso").
 transparent: no white ground; not in films (false).
 fps:         pictures per second of a film, for .ogv a whole number (10).
 Surfaces of solids are shaded a little: what faces the light has the colours of the bar.
