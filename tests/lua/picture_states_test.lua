@@ -146,6 +146,11 @@ check.case("several fields, insets, scale and ground", function()
   check.equal(draw{ model = model, fields = { "uy" }, size = 600 } == single, true)
   local inset = draw{ model = model, field = "uy", size = 600, inset = { 3.5, 4, 0.5, 1 } }
   check.equal(inset == single, false)
+  local function marked(text, part)
+    return draw{ model = model, field = "uy", size = 600, inset = part, marks = { { x = { 0.5, 2 }, text = text } } }
+  end
+  check.equal(marked("one", { 3.5, 4, 0.5, 1 }) == marked("two", { 3.5, 4, 0.5, 1 }), true) -- beneath the inset
+  check.equal(marked "one" == marked "two", false)
   for _, many in ipairs { { states = run():states(), field = "uy" }, { model = model, fields = { "ux", "uy" } } } do
     local plain = draw(many)
     many.inset = { 3.5, 4, 0.5, 1 }

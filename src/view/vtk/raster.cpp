@@ -151,12 +151,19 @@ std::string encode(const std::array<int, 2>& size, int components, const std::ve
           static_cast<std::size_t>(result.GetNumberOfValues())};
 }
 
+bool covers(const PlacedRaster& part, const Vec2& at) {
+  const double x = at[0] - part.at[0], y = at[1] - part.at[1];
+  return x >= 0 && x <= part.raster.size[0] && y >= 0 && y <= part.raster.size[1];
+}
+
 Pixels draw(const Image& image, double ground) {
   Pixels pixels = shrink(render(image, ground), image.size);
-  for (const auto& [at, raster] : image.parts)
-    for (Text text : raster.texts) {
-      text.at = {text.at[0] + at[0], text.at[1] + at[1]};
-      draw_text(pixels, text);
+  for (auto part = image.parts.begin(); part != image.parts.end(); ++part)
+    for (Text text : part->raster.texts) {
+      text.at = {text.at[0] + part->at[0], text.at[1] + part->at[1]};
+      // What begins beneath a later part goes with what it stands at.
+      if (std::none_of(part + 1, image.parts.end(), [&](const PlacedRaster& later) { return covers(later, text.at); }))
+        draw_text(pixels, text);
     }
   return pixels;
 }
