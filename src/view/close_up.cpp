@@ -72,37 +72,59 @@ Box box_of(const PlacedPlate& plate) {
   return {x, x + plate.plate.drawing.size[0], y, y + plate.plate.drawing.size[1]};
 }
 
-/// How much magnified parts would hide in all states, by share and corner; fewer shares where frames are too small.
-using Hidden = std::vector<std::array<long, 4>>;
+/// What speaks against magnified parts of one share in one corner, summed over states.
+struct Cost {
+  long hidden = 0;     ///< points of bodies, and far more for the marked region itself
+  double distance = 0; ///< from the marked region, in diagonals of the frame: lines that join them cross bodies
+};
 
-void add_hidden(Hidden& hidden, int picture, const Plate& whole, const DetailMaker& detail) {
+/// By share and corner; fewer shares where frames are too small.
+using Costs = std::vector<std::array<Cost, 4>>;
+
+double distance(const Box& a, const Box& b) {
+  return 0.5 * std::hypot(a[0] + a[1] - b[0] - b[1], a[2] + a[3] - b[2] - b[3]);
+}
+
+void add_costs(Costs& costs, int picture, const Plate& whole, const DetailMaker& detail) {
   for (std::size_t state = 0; state < whole.frames.size(); ++state)
-    for (std::size_t s = 0; s < hidden.size(); ++s) {
+    for (std::size_t s = 0; s < costs.size(); ++s) {
       const Frame& frame = whole.frames[state];
       const auto most = room_of(frame, shares[s]);
       if (!most) {
-        hidden.resize(s);
+        costs.resize(s);
         break;
       }
       const Plate plate = detail(picture, static_cast<int>(state), *most);
       require(overlap(frame.box, place_of(plate.frames.front(), frame)),
               "inset lies outside of what the picture shows; choose a part of the bodies");
+      const double diagonal = std::hypot(frame.box[1] - frame.box[0], frame.box[3] - frame.box[2]);
       for (int corner = 0; corner < 4; ++corner) {
         const Placing placing = placed(frame, corner, plate);
         const Box box = box_of(placing.inset);
-        hidden[s][static_cast<std::size_t>(corner)] +=
-            hidden_in(whole, box) + (overlap(box, placing.marked) ? 1000000 : 0);
+        Cost& cost = costs[s][static_cast<std::size_t>(corner)];
+        cost.hidden += hidden_in(whole, box) + (overlap(box, placing.marked) ? 1000000 : 0);
+        cost.distance += distance(box, placing.marked) / diagonal;
       }
     }
 }
 
-/// The largest share and its corner that hide least; by how much, and nothing where frames are too small.
-std::optional<std::pair<CloseUpPlan, long>> best_plan(const Hidden& hidden) {
-  std::optional<std::pair<CloseUpPlan, long>> best;
-  for (std::size_t s = 0; s < hidden.size(); ++s)
-    for (int corner = 0; corner < 4; ++corner) {
-      const long count = hidden[s][static_cast<std::size_t>(corner)];
-      if (!best || count < best->second) best = {{shares[s], corner, std::nullopt}, count};
+struct Choice {
+  CloseUpPlan plan;
+  long hidden;
+};
+
+/// What hides least; of several that hide as little, large ones near the marked region. Nothing where frames are too
+/// small.
+std::optional<Choice> best_choice(const Costs& costs, std::size_t states) {
+  std::optional<Choice> best;
+  double merit = 0;
+  for (std::size_t s = 0; s < costs.size(); ++s)
+    for (std::size_t corner = 0; corner < 4; ++corner) {
+      const Cost& cost = costs[s][corner];
+      const double own = shares[s] - 0.35 * cost.distance / static_cast<double>(states);
+      if (best && (cost.hidden > best->hidden || (cost.hidden == best->hidden && own <= merit + 1e-9))) continue;
+      best = {{shares[s], static_cast<int>(corner), std::nullopt}, cost.hidden};
+      merit = own;
     }
   return best;
 }
@@ -134,23 +156,24 @@ void draw_joins(Drawing& drawing, const Placing& placing) {
 CloseUpPlan plan_close_ups(int pictures, const WholeMaker& make, const DetailMaker& detail) {
   std::optional<Box> extent;
   for (const bool raised : {false, true}) {
-    Hidden hidden(std::size(shares));
+    Costs costs(std::size(shares));
     Box shown{};
     std::size_t states = 0;
     for (int picture = 0; picture < pictures; ++picture) {
       const Plate whole = make(picture, extent);
-      add_hidden(hidden, picture, whole, detail);
+      add_costs(costs, picture, whole, detail);
       if (picture == 0) shown = extent_of(whole.frames.front());
       for (const Frame& frame : whole.frames) shown = hull({shown, extent_of(frame)});
-      states = whole.frames.size();
+      states += whole.frames.size();
     }
-    auto best = best_plan(hidden);
-    if (best && (best->second == 0 || raised)) {
-      best->first.extent = extent;
-      return best->first;
+    auto best = best_choice(costs, states);
+    if (best && (best->hidden == 0 || raised)) {
+      best->plan.extent = extent;
+      return best->plan;
     }
     require(!raised, "the picture is too small for an inset",
-            states > 1 ? " in each state; choose a larger size or fewer columns" : "; choose a larger size",
+            static_cast<int>(states) > pictures ? " in each state; choose a larger size or fewer columns"
+                                                : "; choose a larger size",
             ", or crop = … for a picture of its own");
     // Room above: as much again as half of what is shown.
     extent = shown;

@@ -147,7 +147,7 @@ check.case("several fields, insets, scale and ground", function()
   local inset = draw{ model = model, field = "uy", size = 600, inset = { 3.5, 4, 0.5, 1 } }
   check.equal(inset == single, false)
   local function marked(text, part)
-    return draw{ model = model, field = "uy", size = 600, inset = part, marks = { { x = { 0.5, 2 }, text = text } } }
+    return draw{ model = model, field = "uy", size = 600, inset = part, marks = { { x = { 3, 2 }, text = text } } }
   end
   check.equal(marked("one", { 3.5, 4, 0.5, 1 }) == marked("two", { 3.5, 4, 0.5, 1 }), true) -- beneath the inset
   check.equal(marked "one" == marked "two", false)
