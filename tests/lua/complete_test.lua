@@ -59,7 +59,7 @@ check.case("named arguments of tables in tables, whatever the user calls them", 
   check.equal(all "model:run(stages, { step = { min = 1/8, m", { "max = " })
   check.equal(all "model:run(stages, { checkpoint = { ", { "file = ", "every = ", "durable = " })
   check.equal(all "x = model:run(stages, sg.robust{ step = { gr", { "growth = " })
-  check.equal(all 'sg.chart{ file = "a.png", { y = {1, 2}, ma', { "markers = ", "marker = " })
+  check.equal(all 'sg.chart{ file = "a.png", { y = {1, 2}, ma', { "markers = ", "marker = ", "marks = " })
   check.equal(all "sg.picture{ marks = { { x = {0, 0}, ", { "text = " })
   check.equal(all "sg.picture{ camera = { ", { "from = ", "up = " })
   check.equal(all "sg.chart{ inset = { p", { "place = " })
