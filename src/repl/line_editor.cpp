@@ -87,10 +87,10 @@ void on_line(char* line) {
   typed = line;
 }
 
-volatile std::sig_atomic_t continued = 0;
+volatile std::sig_atomic_t continued = 0, resized = 0;
 
-void on_continue(int) {
-  continued = 1;
+void note_signal(int signal) {
+  (signal == SIGCONT ? continued : resized) = 1;
 }
 
 /// Waits for a key or a signal, and tells which. Ctrl-C is only let through while waiting, so that none is missed
@@ -109,6 +109,8 @@ bool wait_for_key() {
 /// What readline does about signals; after a pause (Ctrl-Z, fg) the terminal is in the shell's mode.
 void handle_signals() {
   rl_check_signals();
+  if (resized) rl_resize_terminal();
+  resized = 0;
   if (!continued) return;
   continued = 0;
   rl_deprep_terminal();
@@ -130,7 +132,9 @@ LineEditor::LineEditor(lua_State* L) : history_file_(find_history()) {
   rl_completer_quote_characters = "\"'";
   rl_attempted_completion_function = complete;
   rl_bind_key('\t', tab);
-  std::signal(SIGCONT, on_continue);
+  rl_catch_sigwinch = 0; // readline would look at it only with the next key
+  std::signal(SIGWINCH, note_signal);
+  std::signal(SIGCONT, note_signal);
   using_history();
   stifle_history(2000);
   if (!history_file_.empty()) read_history(history_file_.c_str());
@@ -143,7 +147,7 @@ Input LineEditor::read(const char* prompt, const std::string& before, std::strin
   rl_callback_handler_install(prompt, on_line);
   while (!finished) {
     const bool key = wait_for_key();
-    if (!key) handle_signals();
+    handle_signals();
     if (interrupted()) {
       rl_echo_signal_char(SIGINT);
       rl_callback_sigcleanup();

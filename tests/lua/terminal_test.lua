@@ -55,6 +55,14 @@ check.case("after Ctrl-Z and fg the line can be edited as before", function()
   check.holds(output, "Stopped", "\n4\n")
 end)
 
+check.case("the line is laid out for the terminal's width of now", function()
+  local long = '"' .. ("x"):rep(60) .. '"'
+  local output = session("os.execute 'stty cols 100'\n", long .. "\n", "os.execute 'stty cols 40'\n", long .. "\n", "\4")
+  local wide, narrow = output:match "^(.*)os.execute 'stty cols 40'(.*)$"
+  check.holds(wide, "sg> " .. long)
+  check.equal(narrow:find("sg> " .. long, 1, true), nil)
+end)
+
 check.case("Ctrl-C leaves the run that it has stopped", function()
   local output = session('b = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = {1, 1}, order = "N1", '
     .. 'material = sg.neo_hookean{ E = 1, nu = 0.3 } }\n', 'm = sg.model{ bodies = { b = b }, supports = { s = { on = b:face "south", '
