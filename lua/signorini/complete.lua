@@ -5,6 +5,7 @@ local core = require "signorini.core"
 local keys_at = require "signorini.complete.keys"
 local place = require "signorini.complete.place"
 local values = require "signorini.complete.values"
+local columns_of = require("signorini.study.values").columns
 
 local words = { "and", "break", "do", "else", "elseif", "end", "false", "for", "function", "goto", "if", "in", "local",
   "nil", "not", "or", "repeat", "return", "then", "true", "until", "while" }
@@ -69,9 +70,10 @@ end
 
 local function begins(text, beginning) return text:sub(1, #beginning) == beginning end
 
---- The named arguments that a call knows at a place: in a stage also what the model moves.
+--- The named arguments that a call knows at a place: in a stage also what the model moves, in a filter the columns.
 local function names_at(call)
   local page, owner = page_of(call.path)
+  if values.is_filter(page) then return #call.keys == 0 and columns_of(owner) or {} end
   local names = page and keys_at(page, call.argument, call.keys) or {}
   if page == "model:run" and call.argument == 1 and #call.keys == 1 then
     table.move(owner:driven_names(), 1, #owner:driven_names(), #names + 1, names)

@@ -85,6 +85,9 @@ check.case("texts of closed sets, and names of an object's parts", function()
   help = sg.help
   check.equal(all 'help "patch:re', { "patch:refine" })
   check.equal(all 'help "la', { "labels" })
+  study.rows = { { order = "N1", wall = 1 }, { order = "N2", wall = 1 }, { order = "N1", wall = 2 } }
+  check.equal(all 'study:where{ ', { "order = ", "wall = ", "failed = ", "reason = " })
+  check.equal(all 'study:row{ wall = 1, order = "', { "N1", "N2" })
   check.equal(all 'sg.cheapest(study, { error = "or', { "order" })
   for _, free in ipairs { 'sg.picture{ file = "', 'io.open("', 'x = "', 'nothing "', 'slab:edge "' } do check.equal(all(free), {}) end
 end)

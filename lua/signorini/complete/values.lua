@@ -87,8 +87,22 @@ end
 
 local values = {}
 
+--- Whether the names of a page's arguments are the columns of the study that it is called on.
+function values.is_filter(page) return page == "study:where" or page == "study:row" end
+
+--- The texts in a column of a study, each once.
+local function texts_in(study, column)
+  local list, seen = {}, {}
+  for _, row in ipairs(study.rows) do
+    local text = row[column]
+    if type(text) == "string" and not seen[text] then seen[text], list[#list + 1] = true, text end
+  end
+  return list
+end
+
 --- The texts for a key of a page; `study`: the study that the call is about, if any.
 function values.of_key(page, key, study)
+  if values.is_filter(page) then return texts_in(study, key) end
   local names = columns[page]
   if names and study and (" " .. names .. " "):find(" " .. key .. " ", 1, true) then return columns_of(study) end
   return keyed[page] and keyed[page][key] or {}
