@@ -236,7 +236,7 @@ std::optional<Revolution> find_revolution(const Model<3>& model) {
   for (const auto& body : scene.bodies) bodies.push_back(take_samples(body.body->space()));
   for (int e = 0; e < 3; ++e) {
     const Axis axis{e, {(e + 1) % 3, (e + 2) % 3}, longest_side(scene)};
-    const std::optional<Revolution> found = find_shape(bodies, axis);
+    std::optional<Revolution> found = find_shape(bodies, axis);
     if (!found || !actions_fit(model, *found, axis)) continue;
     bool held = true;
     for (int b = 0; b < static_cast<int>(scene.bodies.size()); ++b)
