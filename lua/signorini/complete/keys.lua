@@ -1,5 +1,5 @@
--- The named arguments that may stand at a place in a call, read off the help page: those of its head, and those of tables
--- in it, which the page shows as key = { a = …, b }. Where all entries of such a table are tables themselves, their names
+-- The named arguments that may stand at a place in a call, read off the help page: those of its head, and those of
+-- tables in it, which the page shows as key = { a = …, b }. Where all entries of such a table are tables themselves, their names
 -- are examples of the user's own, such as those of contacts; lists of tables are shown as { { a = … }, … }.
 
 local core = require "signorini.core"
@@ -10,10 +10,12 @@ local same = { ["sg.robust"] = { "model:run", 2 }, ["model:iterate"] = { "model:
 
 local function is_table(form) return form:find "^{ " ~= nil end
 
---- The tables behind a key anywhere in a text.
+--- The tables behind a key anywhere in a text, as "key = { … }" or in the list of a page as "key: { … }".
 local function tables_of(text, key, found)
-  for form in text:gmatch("%f[%w_]" .. key .. "%s*=%s*(%b{})") do
-    if is_table(form) then found[#found + 1] = form end
+  for _, pattern in ipairs { "%f[%w_]" .. key .. "%s*=%s*(%b{})", "\n" .. key .. ": +(%b{})" } do
+    for form in text:gmatch(pattern) do
+      if is_table(form) then found[#found + 1] = form end
+    end
   end
 end
 
