@@ -32,6 +32,10 @@ std::vector<int> read_per_direction(lua_State* L, int index, const Argument& arg
   return values;
 }
 
+int read_direction(lua_State* L, int index, const Patch& patch, const char* name) {
+  return read_index(L, index, {name, "parametric direction, counted from 1"}, patch.parametric_dimension());
+}
+
 namespace {
 
 nurbs::Grading read_grading(lua_State* L, int index, const Argument& argument) {
@@ -78,10 +82,6 @@ int basis(lua_State* L) {
     lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
   }
   return 1;
-}
-
-int read_direction(lua_State* L, int index, const Patch& patch) {
-  return read_index(L, index, {"dir", "parametric direction, counted from 1"}, patch.parametric_dimension());
 }
 
 int insert(lua_State* L) {
@@ -162,42 +162,6 @@ int weights(lua_State* L) {
   return 1;
 }
 
-int translate(lua_State* L) {
-  const Patch& patch = self<Patch>(L);
-  const int dimension = patch.dimension();
-  push_object(L, nurbs::translate(patch, read_point(L, 2, {"by", "displacement"}, dimension, dimension)));
-  return 1;
-}
-
-int rotate(lua_State* L) {
-  const Patch& patch = self<Patch>(L);
-  const int dimension = patch.dimension();
-  const VectorX origin = VectorX::Zero(dimension);
-  const bool spatial = dimension == 3;
-  const Options o(L, 2,
-                  spatial ? std::vector<std::string>{"angle", "centre", "axis"}
-                          : std::vector<std::string>{"angle", "centre"});
-  const double angle = o.number("angle", "degrees, counter-clockwise");
-  const VectorX centre = o.point("centre", "the point that stays", dimension, dimension, origin);
-  push_object(
-      L, nurbs::rotate(patch, angle, centre, spatial ? o.point("axis", "direction of the axis", 3, 3) : VectorX()));
-  return 1;
-}
-
-int scale(lua_State* L) {
-  const Patch& patch = self<Patch>(L);
-  const int dimension = patch.dimension();
-  const Options o(L, 2, {"factor", "centre"});
-  const int factor = o.push_value("factor");
-  const Argument argument = o.argument("factor", "one for all coordinates, or a list of one each");
-  const VectorX factors = lua_istable(L, factor) ? read_point(L, factor, argument, dimension, dimension)
-                                                 : VectorX::Constant(dimension, read_positive(L, factor, argument));
-  push_object(L,
-              nurbs::scale(patch, factors,
-                           o.point("centre", "the point that stays", dimension, dimension, VectorX::Zero(dimension))));
-  return 1;
-}
-
 int tostring(lua_State* L) {
   const Patch& patch = self<Patch>(L);
   const char* kinds[] = {"curve", "surface", "volume"};
@@ -222,8 +186,8 @@ constexpr Function rows[] = {
      "patch\n"
      "A NURBS curve, surface or volume: an immutable value. Methods that change something return a new patch.\n"
      "Make one with sg.nurbs.* or sg.shapes.*; methods: p(xi), evaluate, derivatives, basis, insert, elevate, refine,\n"
-     "face, degrees, elements, knots, points, weights, translate, rotate, scale, write. help \"patch:refine\" tells "
-     "more."},
+     "face, degrees, elements, knots, points, weights, translate, rotate, scale, mirror, reverse, swap, write.\n"
+     "help \"patch:refine\" tells more."},
     {"evaluate", wrap<call>, call_doc},
     {"derivatives", wrap<derivatives>,
      "p:derivatives(xi, n)\n"
@@ -273,17 +237,6 @@ constexpr Function rows[] = {
     {"weights", wrap<weights>,
      "p:weights()\nThe weights of the control points, in the order of p:points().\n"
      "Example: patch:weights()[1]  --> 1.0"},
-    {"translate", wrap<translate>,
-     "p:translate{dx, dy}\nA new patch moved by a vector.\n"
-     "Example: patch:translate{1, 0}{0, 0}  --> {1.0, 0.0}"},
-    {"rotate", wrap<rotate>,
-     "p:rotate{ angle, centre = {0, 0} }, in 3D p:rotate{ angle, axis, centre = {0, 0, 0} }\n"
-     "A new patch turned by an angle in degrees (counter-clockwise), in 3D about the axis through the centre.\n"
-     "Example: patch:rotate{ angle = 30, centre = {1.5, 0.5} }"},
-    {"scale", wrap<scale>,
-     "p:scale{ factor, centre = {0, 0} }\n"
-     "A new patch scaled about a centre, by one factor or by a list of one factor per coordinate.\n"
-     "Example: patch:scale{ factor = {2, 1} }{1, 1}  --> {6.0, 1.0}"},
     {"write", wrap<write_patch>,
      "p:write(file, form)\n"
      "Writes the patch to a file of its own for other programs, as sg.nurbs.write does.\n"
@@ -313,7 +266,10 @@ std::vector<std::optional<nurbs::Grading>> read_gradings(lua_State* L, int index
 }
 
 void open_patch(lua_State* L) {
-  register_type<Patch>(L, rows);
+  std::vector<Function> all(std::begin(rows), std::end(rows));
+  const auto maps = patch_map_rows();
+  all.insert(all.end(), maps.begin(), maps.end());
+  register_type<Patch>(L, all);
 }
 
 } // namespace signorini::bind

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/index.hpp"
+#include "base/words.hpp"
 
 #include <Eigen/Geometry>
 
@@ -105,19 +106,21 @@ template <int D> void require_clearance(const Scene<D>& scene, const std::vector
     const double size = size_of(named.body->space().points());
     for (const auto& point : pairs[k].results())
       require(point.gap > -tolerated * size, "contacts: the obstacle of '", contact.name, "' is inside body '",
-              named.name, "' at the start: the face reaches ", -point.gap, " deep into it at (",
-              point.position.transpose(), "); move the obstacle out, or turn its normal round");
+              named.name, "' at the start: the face reaches ", -point.gap, " deep into it at ",
+              coordinates(point.position), "; move the obstacle out, or turn its normal round",
+              std::holds_alternative<nurbs::Patch>(scene.obstacles[at(reference->obstacle)]) ? " by patch:reverse(1)"
+                                                                                             : "");
     // The face of a body that only touches a plane turned round has no gap that tells; the body's middle does.
     if (const auto* plane = std::get_if<contact::Plane<D>>(&scene.obstacles[at(reference->obstacle)])) {
       const Vec<D> middle = named.body->reference_point(named.body->elements() / 2, 0);
       require(plane->normal.dot(middle - plane->point) > 0, "contacts: the obstacle of '", contact.name,
-              "' holds the middle of body '", named.name, "' at the start, (", middle.transpose(),
-              "); turn the plane's normal round: it points out of the obstacle, towards the body");
+              "' holds the middle of body '", named.name, "' at the start, ", coordinates(middle),
+              "; turn the plane's normal round: it points out of the obstacle, towards the body");
     }
     if (const auto* ball = std::get_if<contact::Ball<D>>(&scene.obstacles[at(reference->obstacle)]))
       require(!inside(named.body->space(), ball->centre), "contacts: the obstacle of '", contact.name,
-              "' is inside body '", named.name, "' at the start: its centre (", ball->centre.transpose(),
-              ") lies in the body; move the obstacle out");
+              "' is inside body '", named.name, "' at the start: its centre ", coordinates(ball->centre),
+              " lies in the body; move the obstacle out");
   }
 }
 

@@ -1,6 +1,8 @@
 #include "nurbs/transform.hpp"
 
 #include "base/error.hpp"
+#include "base/words.hpp"
+#include "nurbs/directions.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -9,7 +11,7 @@ namespace signorini::nurbs {
 
 void check_point(const char* name, const Point& point, int dimension) {
   require(point.size() == dimension, name, ": ", dimension, " coordinates are needed, got ", point.size());
-  require(point.allFinite(), name, ": every coordinate must be a finite number, got (", point.transpose(), ")");
+  require(point.allFinite(), name, ": every coordinate must be a finite number, got ", coordinates(point));
 }
 
 Eigen::Vector2d direction_of(double degrees) {
@@ -71,8 +73,46 @@ Patch scale(const Patch& patch, const Point& factors, const Point& centre) {
   check_point("factors", factors, patch.dimension());
   check_point("centre", centre, patch.dimension());
   for (double factor : factors)
-    require(factor > 0, "factors: ", factor, " is not positive; a mirrored patch would turn inside out");
+    require(factor > 0, "factors: ", factor, " is not positive",
+            factor < 0 ? ", and would turn the patch inside out: take patch:mirror{ normal = … } for a mirror image"
+                       : ": it would leave nothing of the patch");
   return transform(patch, factors.asDiagonal(), centre - factors.cwiseProduct(centre));
+}
+
+namespace {
+
+/// The direction whose lines of control points lead farthest along the normal from end to end, all in all.
+int direction_along(const Patch& patch, const Point& normal) {
+  const VectorX heights = patch.points().transpose() * normal;
+  constexpr double rounding = 1e-10;
+  int best = 0, stride = 1;
+  double most = 0;
+  for (int d = 0; d < patch.parametric_dimension(); ++d) {
+    const int count = patch.direction(d).functions();
+    double way = 0;
+    for (int n = 0; n < patch.functions(); ++n)
+      if (n / stride % count == 0) way += std::abs(heights(n + stride * (count - 1)) - heights(n));
+    way *= count; // the mean over the lines, but for a factor that all directions share
+    if (way > (1 + rounding) * most) {
+      best = d;
+      most = way;
+    }
+    stride *= count;
+  }
+  return best;
+}
+
+} // namespace
+
+Patch mirror(const Patch& patch, const Point& point, const Point& normal) {
+  check_point("point", point, patch.dimension());
+  check_point("normal", normal, patch.dimension());
+  require(normal.norm() > 0, "normal: it has no length; give the direction across the mirror");
+  const VectorX n = normal.normalized();
+  // x ↦ x − 2 n n·(x − p)
+  const MatrixX linear = MatrixX::Identity(patch.dimension(), patch.dimension()) - 2 * n * n.transpose();
+  const Patch image = transform(patch, linear, 2 * n * n.dot(point));
+  return patch.parametric_dimension() < patch.dimension() - 1 ? image : reverse(image, direction_along(patch, n));
 }
 
 } // namespace signorini::nurbs

@@ -17,6 +17,11 @@ Patch translate(const Patch& patch, const Point& by);
 Patch rotate(const Patch& patch, double angle, const Point& centre, const Point& axis = {});
 /// Scales by one factor per coordinate about `centre`. Throws Error for a factor that is not positive.
 Patch scale(const Patch& patch, const Point& factors, const Point& centre);
+/// Reflects every point in the plane (in 2D: the line) through `point` across `normal` (any length but 0). Surfaces in
+/// the plane, volumes, and what may bound an obstacle (a curve in the plane, a surface in space) have their direction
+/// that runs most along the normal reversed, the first of several: so right-handed stays right-handed, outside stays
+/// outside, and on a patch along the axes the names of faces keep their sides.
+Patch mirror(const Patch& patch, const Point& point, const Point& normal);
 
 /// Throws Error unless `point`, the argument `name`, has `dimension` finite coordinates.
 void check_point(const char* name, const Point& point, int dimension);

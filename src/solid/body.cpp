@@ -1,10 +1,12 @@
 #include "solid/body.hpp"
 
 #include "base/error.hpp"
+#include "base/words.hpp"
 #include "solid/axisymmetric.hpp"
 #include "solid/linear.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace signorini::solid {
@@ -45,9 +47,19 @@ VectorX place_of(const nurbs::ElementBasis& basis, const MatrixX& points) {
 }
 
 void require_radius(double least, const VectorX& point) {
-  require(point(0) > least, "patch: an axisymmetric body reaches (", point.transpose(),
-          "), beyond its axis x = 0; x is ",
+  require(point(0) > least, "patch: an axisymmetric body reaches ", coordinates(point),
+          ", beyond its axis x = 0; x is ",
           "the radius and must be positive: move the patch to x >= 0, or make the model plane");
+}
+
+/// Refuses a map that is folded flat, by more than rounding, or turned inside out.
+template <int D> void check_jacobian(const Mat<D>& jacobian, double determinant, const VectorX& place) {
+  constexpr double rounding = 1e-13;
+  require(std::abs(determinant) > rounding * jacobian.colwise().norm().prod(), "patch: the map has no ",
+          D == 2 ? "area" : "volume", " (Jacobian ", determinant, ") near ", coordinates(place), ": it is folded ",
+          D == 2 ? "into a line" : "flat", " there; move the control points apart");
+  require(determinant > 0, "patch: the map is not right-handed (Jacobian ", determinant, ") near ", coordinates(place),
+          "; reverse one parametric direction with patch:reverse(1), or untangle the control points");
 }
 
 /// Refuses a body with a corner of an element beyond the axis; the Gauss points are seen to as they are made.
@@ -159,8 +171,7 @@ template <int D> void Body<D>::add_element(int e, const MatrixX& points) {
     for (int a = 0; a < table.functions; ++a)
       jacobian += points.col(basis.functions[static_cast<std::size_t>(a)]) * basis.gradients.col(a).transpose();
     const double determinant = jacobian.determinant();
-    require(determinant > 0, "patch: the map is not right-handed (Jacobian ", determinant, ") near (",
-            place.transpose(), "); reverse one parametric direction, or untangle the control points");
+    check_jacobian(jacobian, determinant, place);
     double weight = rule.weights(q) * determinant;
     const MatrixX gradients = jacobian.inverse().transpose() * basis.gradients;
     for (int k = 0; k < D; ++k)

@@ -129,7 +129,7 @@ end
 check.case("left-handed and crossing volumes are no bodies", function()
   local square = sg.nurbs.ruled { a = sg.nurbs.line { from = { 2, 0, 0 }, to = { 2, 0, 1 } },
                                   b = sg.nurbs.line { from = { 3, 0, 0 }, to = { 3, 0, 1 } } }
-  local cure = "reverse one parametric direction, or untangle the control points"
+  local cure = "reverse one parametric direction with patch:reverse(1), or untangle the control points"
   local function turned(patch, angle)
     return solid(sg.nurbs.revolve { patch = patch, angle = angle }, { 2, 2, 4 }, "N2")
   end
@@ -137,6 +137,8 @@ check.case("left-handed and crossing volumes are no bodies", function()
   assert(turned(square:translate { -2, 0, 0 }, 360)) -- touches its axis
   check.fails(function() turned(square, -90) end, "sg.body: patch: the map is not right-handed (Jacobian -", cure)
   check.fails(function() turned(square:translate { -2.5, 0, 0 }, 90) end, "patch: the map is not right-handed", cure)
+  local flat = sg.nurbs.ruled { a = square, b = square:translate { 1, 0, 0.5 } }
+  check.fails(function() solid(flat, { 1, 1, 1 }, "N1") end, "patch: the map has no volume (Jacobian 0) near (2.42", "folded flat")
   local points = sg.shapes.block { size = { 1, 1, 1 } }:points()
   points[1], points[2] = points[2], points[1]
   local U = { 0, 0, 1, 1 }

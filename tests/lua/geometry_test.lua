@@ -151,6 +151,34 @@ check.case("faces, motions and scaling return new patches", function()
   check.near(block:rotate { angle = 90, axis = { 1, 0, 0 } } { 0, 1, 0 }, { 0, 0, 2 })
 end)
 
+check.case("directions run backwards, change places, and mirror images stay right-handed", function()
+  local soft = sg.neo_hookean { E = 1, nu = 0.3 }
+  local function body(patch, elements) return sg.body { patch = patch, elements = elements, order = "N2", material = soft } end
+  local p = sg.shapes.rectangle { width = 3, height = 1 }
+  check.near(p:reverse(1) { 0.25, 0 }, { 2.25, 0 })
+  check.near(p:reverse(2) { 0.25, 0 }, { 0.75, 1 })
+  check.near(p:swap(1, 2) { 1, 0.5 }, { 1.5, 1 })
+  check.fails(function() body(p:reverse(1), { 1, 1 }) end, "not right-handed (Jacobian -3) near (", "patch:reverse(1)")
+  body(p:reverse(1):reverse(2), { 1, 1 })
+  body(p:swap(1, 2):reverse(1), { 1, 1 })
+  check.near(p:mirror { normal = { 2, 0 }, point = { -1, 7 } } { 0, 0 }, { -5, 0 }) -- west is on the left again
+  body(p:mirror { normal = { 1, 3 } }, { 1, 1 })
+  local shell = sg.shapes.half_cylinder_shell { inner = 1, outer = 2, width = 3 }
+  local image = shell:mirror { normal = { 0, 0, 1 } }
+  check.near(image:face "front" (({ 0.5, 0.5 }))[3], 1) -- along z its wall runs most
+  body(image, { 2, 1, 1 })
+end)
+
+check.case("wrong directions and mirrors", function()
+  local p = sg.shapes.rectangle { width = 3, height = 1 }
+  check.fails(function() p:reverse(3) end, "patch:reverse: dir must be a whole number from 1 to 2", "got the number 3")
+  check.fails(function() p:swap(1) end, "patch:swap: j (parametric direction, counted from 1) is missing")
+  check.fails(function() p:swap(2, 2) end, "patch:swap: j must be another direction than i", "got the number 2")
+  check.fails(function() p:mirror { normal = { 0, 0 } } end, "patch:mirror: normal: it has no length")
+  check.fails(function() p:mirror { 1, 0 } end, "takes named arguments")
+  check.fails(function() p:scale { factor = { -1, 1 } } end, "-1 is not positive", "patch:mirror{ normal")
+end)
+
 check.case("patches outlive the garbage collector as long as Lua holds them", function()
   local kept = {}
   for i = 1, 200 do

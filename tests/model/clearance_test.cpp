@@ -45,7 +45,8 @@ TEST(Clearance, ObstacleThatReachesIntoTheBodyIsAnError) {
 TEST(Clearance, NormalTurnedRoundIsAnError) {
   EXPECT_ERROR(build(plane(-0.3, -1)), "0.3 deep");
   EXPECT_ERROR(build(plane(0, -1)), "holds the middle of body 'block'"); // only touches
-  EXPECT_ERROR(build(nurbs::line(Eigen::Vector2d(-1, -0.3), Eigen::Vector2d(2, -0.3))), "turn its normal round");
+  EXPECT_ERROR(build(nurbs::line(Eigen::Vector2d(-1, -0.3), Eigen::Vector2d(2, -0.3))),
+               "turn its normal round by patch:reverse(1)");
 }
 
 /// A disc in the middle of the body touches no face.

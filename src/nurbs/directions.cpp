@@ -1,0 +1,67 @@
+#include "nurbs/directions.hpp"
+
+#include "base/error.hpp"
+
+#include <algorithm>
+
+namespace signorini::nurbs {
+
+namespace {
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+void check_direction(const char* what, const Patch& patch, int d) {
+  require(d >= 0 && d < patch.parametric_dimension(), what, ": direction ", d + 1, " is not one of the patch's ",
+          patch.parametric_dimension());
+}
+
+/// The knots from the other end, both ends as they are to the last bit.
+KnotVector reversed(const KnotVector& knots) {
+  std::vector<double> mirrored = knots.knots();
+  std::reverse(mirrored.begin(), mirrored.end());
+  for (double& knot : mirrored)
+    knot = knot == knots.last()    ? knots.first()
+           : knot == knots.first() ? knots.last()
+                                   : knots.first() + (knots.last() - knot);
+  return {knots.degree(), std::move(mirrored)};
+}
+
+} // namespace
+
+Patch reverse(const Patch& patch, int d) {
+  check_direction("reverse", patch, d);
+  std::vector<KnotVector> directions = patch.directions();
+  directions[at(d)] = reversed(patch.direction(d));
+  int stride = 1;
+  for (int k = 0; k < d; ++k) stride *= patch.direction(k).functions();
+  const int count = patch.direction(d).functions();
+  // Index = inner + stride·(i_d + count·outer)
+  MatrixX homogeneous(patch.dimension() + 1, patch.functions());
+  for (int n = 0; n < patch.functions(); ++n) {
+    const int i = n / stride % count;
+    homogeneous.col(n + stride * (count - 1 - 2 * i)) = patch.homogeneous().col(n);
+  }
+  return {std::move(directions), std::move(homogeneous)};
+}
+
+Patch swap_directions(const Patch& patch, int i, int j) {
+  check_direction("swap", patch, i);
+  check_direction("swap", patch, j);
+  std::vector<KnotVector> directions = patch.directions();
+  std::swap(directions[at(i)], directions[at(j)]);
+  MatrixX homogeneous(patch.dimension() + 1, patch.functions());
+  for (int n = 0; n < patch.functions(); ++n) {
+    std::vector<int> place;
+    for (int d = 0, rest = n; d < patch.parametric_dimension(); rest /= patch.direction(d++).functions())
+      place.push_back(rest % patch.direction(d).functions());
+    std::swap(place[at(i)], place[at(j)]);
+    int to = 0;
+    for (int d = patch.parametric_dimension() - 1; d >= 0; --d) to = to * directions[at(d)].functions() + place[at(d)];
+    homogeneous.col(to) = patch.homogeneous().col(n);
+  }
+  return {std::move(directions), std::move(homogeneous)};
+}
+
+} // namespace signorini::nurbs
