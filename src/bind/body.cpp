@@ -55,10 +55,13 @@ int read_dimension(lua_State* L, const Options& o, const nurbs::Patch& patch) {
   const int dimensions = patch.parametric_dimension();
   if (dimensions == patch.dimension()) return dimensions;
   const char* kinds[] = {"curve", "surface", "volume"};
-  reject(L, o.push_value("patch"), o.argument("patch", "the reference geometry"),
-         "a surface in the plane, or a volume in 3D",
-         text("this one is a ", kinds[dimensions - 1], patch.dimension() == 2 ? " in the plane" : " in 3D",
-              dimensions == 2 ? ", make a volume of it with sg.nurbs.extrude" : ""));
+  reject(
+      L, o.push_value("patch"), o.argument("patch", "the reference geometry"),
+      "a surface in the plane, or a volume in 3D",
+      text("this one is a ", kinds[dimensions - 1], patch.dimension() == 2 ? " in the plane" : " in 3D",
+           dimensions == 2
+               ? ": make a volume of it with sg.nurbs.extrude, or bring a flat one with patch:to_plane() to the plane"
+               : ""));
 }
 
 template <int D> void push_body(lua_State* L, const nurbs::Patch& patch, const nurbs::Plan& plan, const Options& o) {

@@ -2,6 +2,7 @@
 #include "bind/open.hpp"
 #include "bind/patch.hpp"
 #include "nurbs/shapes.hpp"
+#include "nurbs/transform.hpp"
 
 namespace signorini::bind {
 
@@ -83,16 +84,31 @@ int ruled(lua_State* L) {
 int extrude(lua_State* L) {
   const Options o(L, 1, {"patch", "along"});
   const Patch& patch = o.object<Patch>("patch", "what is swept");
-  push_object(L, nurbs::extrude(patch, o.point("along", "the vector of the sweep")));
+  const VectorX along = o.point("along", "the vector of the sweep");
+  if (patch.parametric_dimension() == 2 && patch.dimension() == 2 && along.size() == 2)
+    reject(L, o.push_value("along"), o.argument("along", "the vector of the sweep"), "a list of 3 numbers {x, y, z}",
+           "a plane surface lies in z = 0 and is swept out of its plane, as by {0, 0, 1}");
+  push_object(L, nurbs::extrude(patch, along));
   return 1;
 }
 
 int revolve(lua_State* L) {
   const Options o(L, 1, {"patch", "point", "axis", "angle"});
   const Patch& patch = o.object<Patch>("patch", "what is revolved");
-  const VectorX point = o.point("point", "a point of the axis", 3, 3, VectorX::Zero(3));
-  const VectorX axis = o.point("axis", "direction of the axis", 3, 3, VectorX::Unit(3, 2));
-  push_object(L, nurbs::revolve(patch, point, axis, o.number("angle", "degrees", 360.0)));
+  const bool plane = patch.dimension() == 2;
+  const auto vector = [&](const char* key, const char* meaning, const VectorX& otherwise) {
+    VectorX value = o.point(key, meaning, patch.dimension(), 3, otherwise);
+    value.conservativeResizeLike(VectorX::Zero(3));
+    return value;
+  };
+  const VectorX point = vector("point", "a point of the axis", VectorX::Zero(3));
+  // A right-handed section at x > 0 makes a right-handed volume about −y.
+  const VectorX axis = vector("axis", "direction of the axis", plane ? Vec<3>(0, -1, 0) : Vec<3>(0, 0, 1));
+  if (plane && patch.parametric_dimension() == 2 && axis(0) == 0 && axis(1) == 0)
+    throw ArgumentError(text(function_name(L), ": axis is normal to the plane of the patch, z = 0, which would only ",
+                             "turn in it: give an axis in the plane, as {0, -1}, or leave it out"));
+  push_object(L,
+              nurbs::revolve(plane ? nurbs::to_space(patch) : patch, point, axis, o.number("angle", "degrees", 360.0)));
   return 1;
 }
 
@@ -145,14 +161,17 @@ constexpr Function rows[] = {
      "Example: sg.nurbs.ruled{ a = sg.nurbs.circle{ radius = 2 }, b = sg.nurbs.circle{ radius = 1 } }"},
     {"extrude", wrap<extrude>,
      "sg.nurbs.extrude{ patch, along }\n"
-     "Sweeps a curve or a surface along a vector; the new direction is the last one, degree 1. A vector in 3D makes a\n"
-     "plane patch a spatial one.\n"
-     "Example: sg.nurbs.extrude{ patch = sg.nurbs.line{ from = {0, 0}, to = {1, 0} }, along = {0, 2} }"},
+     "Sweeps a curve or a surface along a vector; the new direction is the last one, degree 1. A plane patch lies\n"
+     "in z = 0 where the vector is one in 3D.\n"
+     "Example: sg.nurbs.extrude{ patch = sg.nurbs.line{ from = {0, 0}, to = {1, 0} }, along = {0, 2} }\n"
+     "Example: sg.nurbs.extrude{ patch = sg.shapes.quarter_annulus{ inner = 1, outer = 2 }, along = {0, 0, 1} }"},
     {"revolve", wrap<revolve>,
      "sg.nurbs.revolve{ patch, point = {0, 0, 0}, axis = {0, 0, 1}, angle = 360 }\n"
-     "Revolves a curve or a surface in 3D about an axis by an angle in degrees, exact; the new direction is the last "
-     "one.\n"
-     "Example: sg.nurbs.revolve{ patch = sg.nurbs.line{ from = {1, 0, 0}, to = {1, 0, 2} }, angle = 180 }"},
+     "Revolves a curve or a surface about an axis by an angle in degrees, exact; the new direction is the last one.\n"
+     "A plane patch lies in z = 0; its axis is {0, -1, 0} unless another is given: as in axisymmetric models, x is\n"
+     "the radius, and what is right-handed at x > 0 gives a right-handed volume.\n"
+     "Example: sg.nurbs.revolve{ patch = sg.nurbs.line{ from = {1, 0, 0}, to = {1, 0, 2} }, angle = 180 }\n"
+     "Example: sg.nurbs.revolve{ patch = sg.shapes.rectangle{ width = 1, height = 2, corner = {3, 0} }, angle = 90 }"},
     {"coons", wrap<coons>,
      "sg.nurbs.coons{ west, east, south, north, front, back }\n"
      "Coons patch: the surface between four boundary curves or the volume between six boundary surfaces "

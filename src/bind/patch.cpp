@@ -186,8 +186,8 @@ constexpr Function rows[] = {
      "patch\n"
      "A NURBS curve, surface or volume: an immutable value. Methods that change something return a new patch.\n"
      "Make one with sg.nurbs.* or sg.shapes.*; methods: p(xi), evaluate, derivatives, basis, insert, elevate, refine,\n"
-     "face, degrees, elements, knots, points, weights, translate, rotate, scale, mirror, reverse, swap, write.\n"
-     "help \"patch:refine\" tells more."},
+     "face, degrees, elements, knots, points, weights, translate, rotate, scale, mirror, reverse, swap, to_plane,\n"
+     "to_space, write. help \"patch:refine\" tells more."},
     {"evaluate", wrap<call>, call_doc},
     {"derivatives", wrap<derivatives>,
      "p:derivatives(xi, n)\n"

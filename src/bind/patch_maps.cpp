@@ -70,6 +70,18 @@ int swap(lua_State* L) {
   return 1;
 }
 
+int to_plane(lua_State* L) {
+  push_object(L, nurbs::to_plane(self<Patch>(L)));
+  return 1;
+}
+
+int to_space(lua_State* L) {
+  const Patch& patch = self<Patch>(L);
+  const double z = lua_isnoneornil(L, 2) ? 0 : Options(L, 2, {"z"}).number("z", "of all its points", 0.0);
+  push_object(L, nurbs::to_space(patch, z));
+  return 1;
+}
+
 constexpr Function rows[] = {
     {"translate", wrap<translate>,
      "p:translate{dx, dy}\nA new patch moved by a vector.\n"
@@ -100,6 +112,15 @@ constexpr Function rows[] = {
      "p:reverse puts that right.\n"
      "Source: as nrbpermute and nrbtransp of the nurbs toolbox for two directions.\n"
      "Example: patch:swap(1, 2){1, 0}  --> {0.0, 1.0}"},
+    {"to_plane", wrap<to_plane>,
+     "p:to_plane()\n"
+     "A curve or surface in 3D whose z is the same everywhere as one in the plane, for plane bodies: programs such as\n"
+     "G+Smo write flat patches with three coordinates. An error where z changes; a plane patch stays as it is.\n"
+     "Example: sg.nurbs.line{ from = {0, 0, 4}, to = {3, 1, 4} }:to_plane()(1)  --> {3.0, 1.0}"},
+    {"to_space", wrap<to_space>,
+     "p:to_space{ z = 0 }\n"
+     "A curve or surface in the plane as one in 3D, all its points at one z.\n"
+     "Example: patch:to_space{ z = 2 }{1, 1}  --> {3.0, 1.0, 2.0}"},
 };
 
 } // namespace

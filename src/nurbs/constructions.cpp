@@ -62,7 +62,7 @@ void unify(const std::vector<Along>& all) {
 
 Patch ruled(const Patch& a, const Patch& b) {
   require(a.dimension() == b.dimension(), "ruled: the patches lie in space of dimension ", a.dimension(), " and ",
-          b.dimension(), "; both need the same");
+          b.dimension(), "; both need the same: patch:to_space{ z = 0 } or patch:to_plane() brings one to the other's");
   require(a.parametric_dimension() == b.parametric_dimension(), "ruled: the patches have ", a.parametric_dimension(),
           " and ", b.parametric_dimension(), " parametric directions; both need the same number");
   require(a.parametric_dimension() <= 2, "ruled: it lies between two curves or two surfaces, got volumes");

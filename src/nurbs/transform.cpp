@@ -79,6 +79,23 @@ Patch scale(const Patch& patch, const Point& factors, const Point& centre) {
   return transform(patch, factors.asDiagonal(), centre - factors.cwiseProduct(centre));
 }
 
+Patch to_space(const Patch& patch, double z) {
+  require(patch.dimension() == 2, "to_space: the patch lies in 3D already; patch:translate moves it there");
+  require(std::isfinite(z), "z: it is ", z, ", expected a finite number");
+  return transform(patch, MatrixX::Identity(3, 2), Vec<3>(0, 0, z));
+}
+
+Patch to_plane(const Patch& patch) {
+  if (patch.dimension() == 2) return patch;
+  require(patch.parametric_dimension() <= 2, "to_plane: a volume does not fit into the plane; take one of its faces");
+  const MatrixX points = patch.points();
+  const double low = points.row(2).minCoeff(), high = points.row(2).maxCoeff();
+  constexpr double rounding = 1e-12;
+  require(high - low <= rounding * points.cwiseAbs().maxCoeff(), "to_plane: z of its control points goes from ",
+          number(low), " to ", number(high), ", expected one z for all; turn the patch with patch:rotate first");
+  return transform(patch, MatrixX::Identity(2, 3), Vec<2>(0, 0));
+}
+
 namespace {
 
 /// The direction whose lines of control points lead farthest along the normal from end to end, all in all.

@@ -23,6 +23,12 @@ Patch scale(const Patch& patch, const Point& factors, const Point& centre);
 /// outside, and on a patch along the axes the names of faces keep their sides.
 Patch mirror(const Patch& patch, const Point& point, const Point& normal);
 
+/// A curve or surface in the plane as one in space, at one z. Throws Error for a patch that is in space already.
+Patch to_space(const Patch& patch, double z = 0);
+/// A curve or surface in space whose z is the same everywhere, but for rounding, as one in the plane. Throws Error
+/// where it is not, and for volumes; a patch in the plane stays as it is.
+Patch to_plane(const Patch& patch);
+
 /// Throws Error unless `point`, the argument `name`, has `dimension` finite coordinates.
 void check_point(const char* name, const Point& point, int dimension);
 /// (cos, sin) of an angle in degrees, exact at quarter turns.

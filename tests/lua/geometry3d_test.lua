@@ -147,6 +147,40 @@ check.case("left-handed and crossing volumes are no bodies", function()
   check.fails(function() solid(square, { 1, 1 }, "N1") end, "a volume in 3D")
 end)
 
+check.case("between plane and space", function()
+  local ring = sg.shapes.quarter_annulus { inner = 1, outer = 2 }
+  local raised = ring:to_space { z = 3 }
+  check.near(raised { 0.3, 0.5 }[3], 3)
+  check.equal(raised:to_plane():points(), ring:points())
+  check.equal(ring:to_plane():points(), ring:points())
+  check.near(ring:to_space() { 0, 0 }, { 0, -2, 0 })
+  check.fails(function() raised:to_space { z = 1 } end, "patch:to_space: the patch lies in 3D already", "patch:translate")
+  check.fails(function() raised:rotate { angle = 30, axis = { 1, 0, 0 } }:to_plane() end,
+    "patch:to_plane: z of its control points goes from 1.59", "to 2.59", "patch:rotate")
+  check.fails(function() sg.shapes.block { size = { 1, 1, 1 } }:to_plane() end, "patch:to_plane: a volume does not fit")
+  check.fails(function() solid(raised, { 1, 1 }, "N2") end, "this one is a surface in 3D", "patch:to_plane()")
+  local file = os.tmpname()
+  raised:write(file, "gismo") -- with geoDim 3
+  assert(solid(sg.nurbs.read(file)[1]:to_plane(), { 1, 1 }, "N2"))
+  os.remove(file)
+  check.fails(function() sg.nurbs.ruled { a = ring, b = raised } end, "dimension 2 and 3", "patch:to_space{ z = 0 }")
+end)
+
+check.case("plane patches are swept out of their plane", function()
+  local section = sg.shapes.rectangle { width = 1, height = 2, corner = { 3, 0 } }
+  local turned = sg.nurbs.revolve { patch = section, angle = 90 }
+  check.near(turned { 0, 1, 0 }, { 3, 2, 0 })
+  check.near(turned { 0, 1, 1 }, { 0, 2, 3 })
+  assert(solid(turned, { 1, 1, 2 }, "N2"))
+  check.near(sg.nurbs.revolve { patch = section, point = { 3, 0 }, axis = { 0, -1 }, angle = 90 } { 1, 0, 1 }, { 3, 0, 1 })
+  check.fails(function() sg.nurbs.revolve { patch = section, axis = { 0, 0, 1 } } end, "axis is normal to the plane of the patch")
+  local disc = sg.nurbs.revolve { patch = sg.nurbs.line { from = { 1, 0 }, to = { 2, 0 } }, axis = { 0, 0, 1 }, angle = 90 }
+  check.near(disc { 1, 1 }, { 0, 2, 0 })
+  check.fails(function() sg.nurbs.extrude { patch = section, along = { 0, 1 } } end,
+    "sg.nurbs.extrude: along must be a list of 3 numbers {x, y, z}", "lies in z = 0", "{0, 0, 1}")
+  check.near(sg.nurbs.extrude { patch = section, along = { 0, 0, 5 } } { 1, 1, 1 }, { 4, 2, 5 })
+end)
+
 check.case("labels per direction, layers on any face, none across a pole", function()
   local cube = sg.shapes.block { size = { 1, 2, 3 } }
   -- 5, 6 functions of N2 on 3, 4 elements, N2.1 on 3 has 8; 2 + 1 rows of a linear direction

@@ -107,6 +107,7 @@ return function(folder)
     { "patch:mirror", { block, { normal = { 1, 0, 0 }, point = { 0, 0, 0 } } }, names = "patch:mirror named",
       needs = "normal" },
     { "patch:reverse", { patch, 2 }, names = "patch:reverse dir" },
+    { "patch:to_space", { patch, { z = 2 } }, names = "patch:to_space named" },
     { "patch:swap", { patch, 1, 2 }, names = "patch:swap i j" },
     { "patch:refine", { patch, { elements = { 8, 3 }, degree = { 2, 2 }, grading = { false, { elements = 0.5,
       length = 0.1, at = "end" } } } },
