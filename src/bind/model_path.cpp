@@ -255,7 +255,8 @@ constexpr Function rows[] = {
      "m:save(path)\n"
      "Writes the model with its accepted state to a file for sg.load, whole or not at all. From here on the model and\n"
      "one that is loaded give the same bits; for that the model forgets factorisations and patterns, so that the next\n"
-     "step takes a little longer. Call it between steps.\n"
+     "step takes a little longer. An error while a step, targets or\n"
+     "penalties are not accepted.\n"
      "Example: model:save \"pressed.sgn\""},
 };
 

@@ -10,6 +10,12 @@ template <int D> int contact_of_argument(lua_State* L) {
   return find_contact(L, self<Model<D>>(L), read_string(L, 2, {"name", "a contact"}));
 }
 
+/// Pushes a force as a list with its components by name.
+template <int D> void push_force(lua_State* L, const Vec<D>& force) {
+  push(L, VectorX(force));
+  for (int k = 0; k < D; ++k) set_field(L, text("f", model::component_name(k)).c_str(), force(k));
+}
+
 /// Of a support or a load.
 template <int D> int reaction(lua_State* L) {
   const Model<D>& model = self<Model<D>>(L);
@@ -17,16 +23,17 @@ template <int D> int reaction(lua_State* L) {
   const auto& loads = model->scene().loads;
   for (std::size_t i = 0; i < loads.size(); ++i)
     if (loads[i].name == name) {
-      push(L, VectorX(model->load_resultant(static_cast<int>(i))));
+      push_force<D>(L, model->load_resultant(static_cast<int>(i)));
       return 1;
     }
   const int support = find_support(L, model, name);
-  VectorX force = model->reaction(support);
+  push_force<D>(L, model->reaction(support));
   if (model->scene().supports[static_cast<std::size_t>(support)].rotates) {
-    force.conservativeResize(D + 1);
-    force(D) = model->moment(support);
+    const double moment = model->moment(support);
+    push(L, moment);
+    lua_rawseti(L, -2, D + 1);
+    set_field(L, "moment", moment);
   }
-  push(L, force);
   return 1;
 }
 
@@ -100,8 +107,8 @@ constexpr Function rows[] = {
     {"reaction", wrap<reaction<D>>,
      "m:reaction(name)\n"
      "The force {fx, fy} ({fx, fy, fz} in 3D) that a support exerts on its bodies, and with it the moment about the\n"
-     "centre (in 3D about the axis) of a support that rotates; the force of a load.\n"
-     "Example: model:reaction \"grip\""},
+     "centre (in 3D about the axis) of a support that rotates; the force of a load. Also by name: fx, fy, fz, moment.\n"
+     "Example: model:reaction(\"grip\").fy"},
     {"contact_resultant", wrap<contact_resultant<D>>,
      "m:contact_resultant(contact)\n"
      "{ fx, fy, fz, area, max_pressure, max_penetration, active, slipping }: the force that the master exerts on the\n"

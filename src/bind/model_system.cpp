@@ -27,11 +27,11 @@ template <int D> int tangent(lua_State* L) {
   evaluate(model);
   const solve::Pattern& pattern = model->assembly().pattern();
   const auto entries = static_cast<std::size_t>(pattern.entries());
-  std::vector<double> rows, columns;
+  std::vector<int> rows, columns;
   for (std::size_t j = 0; j < static_cast<std::size_t>(pattern.size); ++j)
     for (int k = pattern.starts[j]; k < pattern.starts[j + 1]; ++k) {
       rows.push_back(pattern.rows[static_cast<std::size_t>(k)] + 1);
-      columns.push_back(static_cast<double>(j + 1));
+      columns.push_back(static_cast<int>(j) + 1);
     }
   const auto& values = model->assembly().values();
   lua_createtable(L, 0, 4);
@@ -58,6 +58,27 @@ template <int D> int unknowns(lua_State* L) {
       set_field(L, "component", model::component_name(i % D));
       lua_rawseti(L, -2, unknown + 1);
     }
+  return 1;
+}
+
+template <int D> int move(lua_State* L) {
+  const Model<D>& model = self<Model<D>>(L);
+  const Argument argument{"du", "the change of each unknown"};
+  const std::vector<double> change = read_numbers(L, 2, argument);
+  const int count = model->unknowns().size();
+  if (static_cast<int>(change.size()) != count)
+    reject(L, 2, argument, text("a list of ", count, " numbers, as m:residual() is"));
+  model->move(Eigen::Map<const VectorX>(change.data(), count));
+  return 0;
+}
+
+template <int D> int displacements(lua_State* L) {
+  const Model<D>& model = self<Model<D>>(L);
+  const auto& numbers = model->unknowns();
+  VectorX values(numbers.size());
+  for (int dof = numbers.dofs() - 1; dof >= 0; --dof)
+    if (const int unknown = numbers.unknown(dof); unknown >= 0) values(unknown) = model->displacement()(dof);
+  push(L, values);
   return 1;
 }
 
@@ -122,6 +143,21 @@ constexpr Function rows[] = {
      "m:unknowns()\n"
      "What each unknown is: a list of { body, point, component }; of control points that move as one the first.\n"
      "Example: model:unknowns()[1].body  --> \"die\""},
+    {"move", wrap<move<D>>,
+     "m:move(du)\n"
+     "Adds a Δu of one's own to the unknowns, one number for each in the order of m:residual. The first move after\n"
+     "m:set_target also brings the prescribed displacements to their targets: begin a step with a move of zeros.\n"
+     "m:accept takes the state if its residual is as small as m:solve_step{} wants it; m:rollback forgets it;\n"
+     "m:iterate and m:solve_step go on from it.\n"
+     "Example: local zeros = {}\n"
+     "         for i = 1, #model:residual() do zeros[i] = 0 end\n"
+     "         model:move(zeros)\n"
+     "         model:rollback()"},
+    {"displacements", wrap<displacements<D>>,
+     "m:displacements()\n"
+     "The present displacement of each unknown, in the order of m:unknowns: of control points that move as one that\n"
+     "of the first.\n"
+     "Example: #model:displacements()"},
     {"loose_bodies", wrap<loose_bodies<D>>,
      "m:loose_bodies()\n"
      "The names of the bodies that can move as a whole in some way that no support stops: only contact can hold them.\n"

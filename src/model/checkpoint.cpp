@@ -85,6 +85,8 @@ std::vector<std::string> differences(const Parts& here, const Parts& there) {
 } // namespace
 
 template <int D> void save(Model<D>& model, const std::string& file, const std::string& text, bool durable) {
+  require(model.settled(), "the file would hold the accepted state alone, and there are a step, targets or penalties "
+                           "that are not accepted: call model:accept() to keep them, or model:rollback() first");
   model.settle();
   ArchiveWriter archive;
   archive.put(D);

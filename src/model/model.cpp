@@ -108,13 +108,17 @@ template <int D> solve::Outcome Model<D>::assemble(const VectorX* direction, boo
   return solve::Outcome::inverted_element;
 }
 
+template <int D> bool Model<D>::settled() const {
+  return !step_ && displacement_ == accepted_ && targets_ == accepted_targets_ &&
+         penalty_factor_ == accepted_penalty_factor_;
+}
+
 template <int D> void Model<D>::accept() {
   if (!step_) {
-    const bool same = displacement_ == accepted_ && targets_ == accepted_targets_;
-    require(same && penalty_factor_ == accepted_penalty_factor_,
-            "no step has been solved since targets or penalties were changed: solve one, or roll back");
+    require(settled(), "no step has been solved since targets or penalties were changed: solve one, or roll back");
     return;
   }
+  if (step_->lead && step_->report.outcome == solve::Outcome::iterating) judge_lead();
   const solve::Outcome outcome = step_->report.outcome;
   require(outcome != solve::Outcome::iterating, "the step is not in equilibrium yet: iterate on until its reason is "
                                                 "\"converged\", or roll back");

@@ -57,6 +57,10 @@ public:
   /// step.
   /// Returns the report so far; nothing happens any more once it is not `iterating`.
   const solve::NewtonReport& iterate(const StepOptions& options);
+  /// Adds a change of one's own to the unknowns; the first move of a step brings the prescribed displacements to their
+  /// targets with it. solve_step() and iterate() go on from there, and accept() looks whether it is in equilibrium.
+  /// Throws Error for another number of values than there are unknowns.
+  void move(const VectorX& change);
   /// Of the last solve_step(), iterate() or solve_arc() since the accepted state was left; null: there was none.
   const solve::NewtonReport* report() const { return step_ ? &step_->report : nullptr; }
   /// Evaluates residual, tangent and contacts at the present state, whose displacements are those of the last move.
@@ -90,10 +94,13 @@ public:
   /// 2-norm of the last accepted step's displacements, the scale for arc lengths.
   double last_length() const { return last_increment_.norm(); }
   /// Makes the present state the accepted one. Throws Error where the step under way has not converged, or targets or
-  /// penalties have changed since; without a step nothing happens.
+  /// penalties have changed since, or where move() has led to no equilibrium; without a step nothing happens.
   void accept();
   /// Returns to the accepted state, targets included.
   void rollback();
+
+  /// Whether the present state, its targets and penalties are the accepted ones, and no step is under way.
+  bool settled() const;
 
   /// A copy of the accepted state; call it when no step is pending.
   Snapshot<D> snapshot() const;
@@ -140,6 +147,7 @@ private:
     bool pending;      ///< whether there are any
     solve::NewtonReport report = {};
     bool moved = true; ///< the state has moved since active_set_ took note of it
+    bool lead = false; ///< the last to move the state was move()
     int augmentations = 0;
     VectorX before = {}, move = {}; ///< for line search: the state before the last move, and the move
     double slope = 0;               ///< f·Δu in that state
@@ -159,6 +167,7 @@ private:
   solve::Trial retreat(double part);
   solve::Outcome conclude(const StepOptions& options, std::string& why);
   void classify(solve::NewtonReport& report) const;
+  void judge_lead();
   bool advance_arc(const StepOptions& options, const VectorX& direction, double length, VectorX& tangent,
                    double& energy);
   solve::NewtonSystem system(std::function<solve::Outcome(bool, std::string&)> assemble,

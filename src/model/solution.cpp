@@ -104,6 +104,7 @@ template <int D> bool Model<D>::advance(const StepOptions& options, double& ener
   displacement_ += unknowns_.spread(step) + step_->increment;
   step_->increment.setZero();
   step_->moved = true;
+  step_->lead = false;
   present_ = targets_;
   return true;
 }
@@ -247,6 +248,29 @@ template <int D> solve::Outcome Model<D>::evaluate(std::string& why) {
   return assemble(nullptr, true, why);
 }
 
+template <int D> void Model<D>::move(const VectorX& change) {
+  require(change.size() == unknowns_.size(), "a move has one value per unknown, ", unknowns_.size(), " of them, got ",
+          change.size());
+  require(change.allFinite(), "a move has finite values");
+  if (!step_ || step_->report.outcome != solve::Outcome::iterating) step_ = begin_step({});
+  displacement_ += unknowns_.spread(change) + step_->increment;
+  step_->increment.setZero();
+  step_->pending = false;
+  step_->moved = step_->lead = true;
+  present_ = targets_;
+}
+
+/// Whether a state that move() has led to counts as converged, as solve_step() would have it by default.
+template <int D> void Model<D>::judge_lead() {
+  std::string why;
+  const solve::Outcome outcome = assemble(nullptr, true, why);
+  require(outcome == solve::Outcome::converged, "the present state has no residual: ", why, "; roll back");
+  const double enough = solve::NewtonOptions{}.tolerance * force_norm() + rounding_floor();
+  require(unbalanced_.norm() <= enough, "the state is not in equilibrium yet: its residual is ", unbalanced_.norm(),
+          ", asked is ", enough, ": move on, or roll back");
+  step_->report.outcome = solve::Outcome::converged;
+}
+
 /// Brings the prescribed displacements and loads from present_ to other targets.
 template <int D> void Model<D>::move_targets(const VectorX& targets) {
   displacement_ += drives_.displacement(targets) - drives_.displacement(present_);
@@ -317,6 +341,8 @@ template <int D> solve::SolverStatistics Model<D>::solver_statistics() const {
   template void Model<D>::forget_solver();                                                                             \
   template const std::vector<LooseMotion>& Model<D>::loose();                                                          \
   template solve::Outcome Model<D>::evaluate(std::string&);                                                            \
+  template void Model<D>::move(const VectorX&);                                                                        \
+  template void Model<D>::judge_lead();                                                                                \
   template solve::NewtonReport Model<D>::solve_arc(const StepOptions&, double);                                        \
   template double Model<D>::force_norm() const;                                                                        \
   template solve::LinearKind Model<D>::linear_kind() const;                                                            \

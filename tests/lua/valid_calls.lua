@@ -153,6 +153,7 @@ return function(folder)
     { "run:column", { run, "grip.fy" }, names = "run:column column" },
     { "run:csv", { run, file "run.csv" }, names = "run:csv file" },
     { "run:residuals", { run, 1 }, names = "run:residuals step" },
+    { "model:move", { solid, solid:displacements() }, names = "model:move du" },
     { "model:save", { model, file "m.sgn" }, names = "model:save path" },
     { "sg.load", { file "model.sgn" }, names = "path" },
     -- Results of a model

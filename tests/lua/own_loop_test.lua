@@ -1,0 +1,181 @@
+-- A Newton loop with nothing of the program but residual and tangent: its own solver, its own moves.
+
+local sg = require "signorini"
+local check = require "check"
+
+--- A small block on a rigid plane, pressed and pushed sideways by its top, which may also turn.
+local function scene(turning)
+  local block = sg.body { patch = sg.shapes.rectangle { width = 1, height = 0.5 }, elements = { 2, 1 }, order = "N2",
+                          contact = "south", material = sg.neo_hookean { E = 1, nu = 0.3 } }
+  local plane = sg.rigid.plane { point = { 0, 0 }, normal = { 0, 1 } }
+  local grip = { on = block:face "north", drive = "xy", rotate = turning }
+  return sg.model { bodies = { block = block }, supports = { grip = grip },
+                    contacts = { floor = { slave = block:face "south", master = plane, penalty = 10,
+                                           friction = { mu = 0.3, penalty = 10 } } },
+                    loads = turning and { weight = { on = block:face "east", traction = { 0, 0 } } } }
+end
+
+--- K x = b by elimination with pivots.
+local function solve(matrix, b)
+  local n, rows = matrix.size, {}
+  for i = 1, n do
+    rows[i] = { [n + 1] = b[i] }
+    for j = 1, n do rows[i][j] = 0 end
+  end
+  for k, value in ipairs(matrix.values) do rows[matrix.rows[k]][matrix.columns[k]] = value end
+  for k = 1, n do
+    local pivot = k
+    for i = k + 1, n do if math.abs(rows[i][k]) > math.abs(rows[pivot][k]) then pivot = i end end
+    rows[k], rows[pivot] = rows[pivot], rows[k]
+    for i = k + 1, n do
+      local factor = rows[i][k] / rows[k][k]
+      for j = k, n + 1 do rows[i][j] = rows[i][j] - factor * rows[k][j] end
+    end
+  end
+  local x = {}
+  for i = n, 1, -1 do
+    local sum = rows[i][n + 1]
+    for j = i + 1, n do sum = sum - rows[i][j] * x[j] end
+    x[i] = sum / rows[i][i]
+  end
+  return x
+end
+
+local function largest(values)
+  local most = 0
+  for _, value in ipairs(values) do most = math.max(most, math.abs(value)) end
+  return most
+end
+
+local function zeros(model)
+  local list = {}
+  for i = 1, #model:residual() do list[i] = 0 end
+  return list
+end
+
+--- One step to the targets; returns how many moves it took.
+local function newton(model)
+  model:move(zeros(model))
+  for count = 1, 20 do
+    local residual = model:residual()
+    if largest(residual) < 1e-14 then return count end
+    for i, value in ipairs(residual) do residual[i] = -value end
+    model:move(solve(model:tangent(), residual))
+  end
+  error "no convergence"
+end
+
+local function difference(a, b)
+  local most = 0
+  for i = 1, #a do most = math.max(most, math.abs(a[i] - b[i])) end
+  return most
+end
+
+check.case("a loop of one's own finds the states of model:run", function()
+  local own, theirs = scene(), scene()
+  local targets = { { 0, -0.02 }, { 0, -0.04 }, { 0.03, -0.04 }, { 0.06, -0.04 } }
+  for _, target in ipairs(targets) do
+    own:set_target("grip", target)
+    check.equal(newton(own) < 12, true)
+    own:accept()
+  end
+  local run = theirs:run { { steps = 2, grip = { 0, -0.04 } }, { steps = 2, grip = { 0.06, -0.04 } } }
+  check.equal(run.steps, 4)
+  check.equal(own:contact_resultant("floor").slipping, theirs:contact_resultant("floor").slipping)
+  check.equal(largest(own:displacements()) > 0.03, true)
+  check.equal(difference(own:displacements(), theirs:displacements()) < 1e-12, true)
+  check.near(own:reaction "grip", theirs:reaction "grip", 1e-12)
+  check.near(own:energy().work, theirs:energy().work, 1e-12)
+end)
+
+check.case("displacements are in the order of the unknowns", function()
+  local model = scene()
+  model:set_target("grip", { 0, -0.02 })
+  newton(model)
+  local list, points = model:displacements(), model:body "block":points()
+  local checked = 0
+  for i, unknown in ipairs(model:unknowns()) do
+    local point = points[unknown.point]
+    if point[1] == 0 and point[2] == 0 then -- a corner, whose control point is on the body
+      check.near(list[i], model:sample("block", "u" .. unknown.component, { 0, 0 }), 1e-15)
+      checked = checked + 1
+    end
+  end
+  check.equal(checked, 2)
+end)
+
+check.case("moves are accepted in equilibrium only, and rolled back", function()
+  local model = scene()
+  model:set_target("grip", { 0, -0.02 })
+  newton(model)
+  model:accept()
+  local accepted = model:displacements()
+  model:set_target("grip", { 0, -0.03 })
+  model:move(zeros(model))
+  check.fails(function() model:accept() end, "own_loop_test.lua:", "model:accept: the state is not in equilibrium yet: its residual is ",
+    "move on, or roll back")
+  model:rollback()
+  check.equal(model:displacements(), accepted)
+  local change = zeros(model)
+  change[1] = 1e-3
+  model:move(change)
+  check.near(model:displacements()[1], accepted[1] + 1e-3, 1e-16)
+  check.equal(largest(model:residual()) > 1e-6, true)
+  check.equal(model:iterate {}.reason, "iterating") -- goes on from there
+  check.equal(model:solve_step {}.converged, true)
+  check.equal(difference(model:displacements(), accepted) < 1e-12, true)
+  model:move(change) -- leaves equilibrium again
+  check.fails(function() model:accept() end, "not in equilibrium yet")
+  change[1] = 50
+  model:move(change)
+  check.fails(function() model:residual() end, "the present state has no residual", "is inverted", "model:rollback()")
+  model:rollback()
+  check.equal(model:displacements(), accepted)
+end)
+
+check.case("wrong moves", function()
+  local model = scene()
+  local count = #model:residual()
+  check.fails(function() model:move { 1, 2 } end, ("model:move: du must be a list of %d numbers, as m:residual() is"):format(count),
+    "got a list of 2 values")
+  local change = zeros(model)
+  change[3] = 0 / 0
+  check.fails(function() model:move(change) end, "du[3] must be a finite number", "nan")
+  check.equal(largest(model:displacements()), 0)
+  model:accept() -- nothing has begun
+end)
+
+check.case("rows and columns of the tangent are whole numbers", function()
+  local tangent = scene():tangent()
+  for _, key in ipairs { "rows", "columns" } do
+    for _, index in ipairs(tangent[key]) do check.equal(math.type(index), "integer") end
+  end
+end)
+
+check.case("a converged step that is not accepted is not thrown away by model:save", function()
+  local model, file = scene(), os.tmpname()
+  model:set_target("grip", { 0, -0.02 })
+  check.fails(function() model:save(file) end, "own_loop_test.lua:", "model:save: ", "targets", "not accepted", "model:rollback()")
+  check.equal(model:solve_step {}.converged, true)
+  check.fails(function() model:save(file) end, "model:save: ", "not accepted", "model:accept()")
+  model:accept()
+  model:save(file)
+  check.equal(sg.load(file):displacements(), model:displacements())
+  check.equal(largest(model:displacements()) > 1e-3, true)
+  model:move(zeros(model))
+  check.fails(function() model:save(file) end, "not accepted")
+  os.remove(file)
+end)
+
+check.case("reactions have names beside their places", function()
+  local model = scene(true)
+  check.equal(model:run { { steps = 1, grip = { 0.01, -0.02, 2 } } }.steps, 1)
+  local force = model:reaction "grip"
+  check.equal(#force, 3)
+  check.equal({ force.fx, force.fy, force.moment }, { force[1], force[2], force[3] })
+  check.equal(math.abs(force.moment) > 1e-5, true)
+  local weight = model:reaction "weight"
+  check.equal({ weight.fx, weight.fy }, { 0, 0 })
+end)
+
+check.done()
