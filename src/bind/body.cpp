@@ -3,6 +3,7 @@
 #include "bind/open.hpp"
 #include "bind/patch.hpp"
 #include "bind/place.hpp"
+#include "nurbs/coincident.hpp"
 
 namespace signorini::bind {
 
@@ -114,10 +115,12 @@ template <int D> int points(lua_State* L) {
 template <int D> int tostring(lua_State* L) {
   const solid::Body<D>& body = *self<Body<D>>(L);
   const nurbs::Discretisation& space = body.space();
-  std::string elements;
+  std::string elements, closed;
+  for (int d : nurbs::closed_directions(space)) closed += text(closed.empty() ? "closed along xi" : " and xi", d + 1);
   for (int d = 0; d < D; ++d) elements += text(d == 0 ? "" : " x ", space.elements(d));
   push(L, text(D == 2 ? "plane" : "solid", " body: ", elements, " elements, ", D * space.functions(),
-               " degrees of freedom, ", body.linear() ? "linear elastic, " : "", constants_in_words(body.material())));
+               " degrees of freedom, ", closed, closed.empty() ? "" : ", ", body.linear() ? "linear elastic, " : "",
+               constants_in_words(body.material())));
   return 1;
 }
 
@@ -128,7 +131,8 @@ constexpr Function functions[] = {
      "direction. order: a discretisation label, see help \"labels\", or a list of one per direction. contact: the\n"
      "face that carries the layer (\"south\"), or two opposite ones; along it the label holds, through the body the\n"
      "geometry's own degree, unless `through` says another. Without contact the label holds in all directions.\n"
-     "grading: as in patch:refine.\n"
+     "grading: as in patch:refine. Where a patch is folded so that two opposite faces are one, as in a full ring, the\n"
+     "body is joined at that seam; print(body) says along which direction it is closed.\n"
      "Example: sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = {8, 3}, order = \"N2-N2.2\",\n"
      "                  contact = \"north\", material = sg.neo_hookean{ E = 1, nu = 0.3 } }\n"
      "Example: sg.body{ patch = sg.shapes.block{ size = {4, 4, 2} }, elements = {4, 4, 2}, order = {\"N2-N4\", "

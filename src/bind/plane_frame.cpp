@@ -68,6 +68,14 @@ std::vector<view::Points> rim(const Grid& grid) {
   return lines;
 }
 
+/// The lines of rim() without pairs of opposite sides that are one: where a body is closed it has no border.
+std::vector<view::Points> without_seams(std::vector<view::Points> lines) {
+  for (std::size_t pair = lines.size(); pair >= 2; pair -= 2)
+    if (const auto first = lines.begin() + static_cast<std::ptrdiff_t>(pair) - 2; first[0].isApprox(first[1], 1e-9))
+      lines.erase(first, first + 2);
+  return lines;
+}
+
 void add_mirror_image(view::Panel& panel, int axis, double sign) {
   for (std::size_t i = 0, count = panel.bodies.size(); i < count; ++i)
     panel.bodies.push_back(view::mirrored(panel.bodies[i], axis, sign));
@@ -133,7 +141,7 @@ view::Panel show(const model::Model<2>& model, const Showing& showing) {
     }
     if (showing.undeformed) {
       const view::Points reference = model::tessellate(model, b, nullptr, divisions, false).points;
-      body.undeformed = rim({reference, divisions, elements});
+      body.undeformed = without_seams(rim({reference, divisions, elements}));
     }
     panel.bodies.push_back(std::move(body));
   }

@@ -151,6 +151,15 @@ std::vector<Functions> edges_of(const Discretisation& space) {
   return edges;
 }
 
+/// Whether the two faces across a direction are the same, control point by control point.
+bool is_closed(const Discretisation& space, const Places& places, int d) {
+  const Functions first = space.face_functions({d, false}), last = space.face_functions({d, true});
+  bool closed = first.size() == last.size(); // not with a layer on one of the two
+  for (std::size_t i = 0; closed && i < first.size(); ++i)
+    closed = places.same(first[i], last[i]) && places.same_weight(first[i], last[i]);
+  return closed;
+}
+
 } // namespace
 
 std::vector<std::vector<int>> coincident_functions(const Discretisation& space) {
@@ -175,15 +184,19 @@ std::vector<std::vector<int>> coincident_functions(const Discretisation& space) 
     for (const Functions& edge : edges_of(space))
       if (places.one_point(edge)) unite(edge);
 
-  for (int d = 0; d < dimensions; ++d) {
+  for (int d : closed_directions(space)) {
     const Functions first = space.face_functions({d, false}), last = space.face_functions({d, true});
-    bool closed = first.size() == last.size(); // not with a layer on one of the two
-    for (std::size_t i = 0; closed && i < first.size(); ++i)
-      closed = places.same(first[i], last[i]) && places.same_weight(first[i], last[i]);
-    if (!closed) continue;
     for (std::size_t i = 0; i < first.size(); ++i) groups.unite(first[i], last[i]);
   }
   return groups.all();
+}
+
+std::vector<int> closed_directions(const Discretisation& space) {
+  const Places places(space);
+  std::vector<int> closed;
+  for (int d = 0; d < space.parametric_dimension(); ++d)
+    if (is_closed(space, places, d)) closed.push_back(d);
+  return closed;
 }
 
 } // namespace signorini::nurbs

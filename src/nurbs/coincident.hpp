@@ -19,4 +19,7 @@ namespace signorini::nurbs {
 /// closed seam.
 std::vector<std::vector<int>> coincident_functions(const Discretisation& space);
 
+/// The directions (counted from 0) whose two faces are one seam, where coincident_functions() joins them.
+std::vector<int> closed_directions(const Discretisation& space);
+
 } // namespace signorini::nurbs
