@@ -60,6 +60,10 @@ local function read_stages(model, stages)
     arguments.reject(where, "stages", "a list of stages", stages, "write model:run{ { steps = 10, grip = {0, -1} } }")
   end
   local known = model:driven_names()
+  if #known + #model:support_names() + #model:contact_names() == 0 then
+    core.fail(where .. ": nothing holds, moves or loads the model: name supports or loads in sg.model, such as "
+      .. "supports = { bed = { on = body:face \"south\", fix = \"xy\" } }")
+  end
   for _, name in ipairs(known) do known[name] = true end
   local read, total = {}, 0
   for i, stage in ipairs(stages) do

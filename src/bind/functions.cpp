@@ -19,10 +19,81 @@ void document(lua_State* L, const std::string& name, const char* doc) {
   lua_pop(L, 1);
 }
 
-/// The function as a closure that knows its qualified name.
-void push_function(lua_State* L, const std::string& name, const Function& row) {
+/// The end of what a bracket opens.
+std::size_t closing(std::string_view text, std::size_t open) {
+  int depth = 0;
+  for (std::size_t i = open; i < text.size(); ++i) {
+    if (text[i] == '(' || text[i] == '{') ++depth;
+    if ((text[i] == ')' || text[i] == '}') && --depth == 0) return i;
+  }
+  return text.size();
+}
+
+/// How a page's head says that a function is called: "p:elevate(dir, times = 1)", "sg.body{ … }"; and the most
+/// arguments that Lua may hand over then, the object of a method with them. −1: it does not say, or takes any number.
+struct Call {
+  std::string head;
+  int most;
+};
+
+Call read_call(std::string_view doc, bool method) {
+  const std::size_t open = doc.find_first_not_of("abcdefghijklmnopqrstuvwxyz_0123456789.:");
+  if (open == std::string_view::npos || (doc[open] != '(' && doc[open] != '{')) return {"", -1};
+  const std::string name(doc.substr(0, open));
+  if (doc[open] == '{') return {name + "{ … }", 1 + method};
+  const std::size_t end = closing(doc, open);
+  const std::string_view list = doc.substr(open + 1, end - open - 1);
+  if (list.find("…)") != std::string_view::npos || list.ends_with("…")) return {"", -1};
+  int count = list.empty() ? 0 : 1;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    if (list[i] == '{' || list[i] == '(') i = closing(list, i);
+    if (i < list.size() && list[i] == ',') ++count;
+  }
+  return {std::string(doc.substr(0, end + 1)), count + method};
+}
+
+// What a function's closure knows: its qualified name, the most arguments, how it is called, the C++ function; and of a
+// method of two C++ types the other function, and the key of its type.
+enum Upvalue { name_of_function = 1, most_arguments, head_of_page, first_function, second_function, second_key };
+
+/// Refuses what the function would never look at.
+void check_count(lua_State* L) {
+  const int most = static_cast<int>(lua_tointeger(L, lua_upvalueindex(most_arguments)));
+  int given = lua_gettop(L);
+  while (given > most && lua_isnil(L, given)) --given;
+  if (most < 0 || given <= most) return;
+  const std::string head = lua_tostring(L, lua_upvalueindex(head_of_page));
+  const bool named = head.ends_with("}"); // what stands there instead of the table is worth the better message
+  if (named && !lua_istable(L, most)) return;
+  const bool numbers = lua_type(L, most) == LUA_TNUMBER && lua_type(L, most + 1) == LUA_TNUMBER;
+  throw ArgumentError(text(function_name(L), ": too many arguments: it is called as ", head, ", got ",
+                           describe(L, most + 1), " beyond that",
+                           numbers ? ": put numbers that belong together into braces, as in {1, 2}" : ""));
+}
+
+int invoke(lua_State* L) {
+  check_count(L);
+  const bool two = !lua_isnone(L, lua_upvalueindex(second_key));
+  const bool second = two && luaL_testudata(L, 1, lua_tostring(L, lua_upvalueindex(second_key)));
+  return lua_tocfunction(L, lua_upvalueindex(second ? second_function : first_function))(L);
+}
+
+/// The function as a closure that knows its qualified name and how many arguments it takes. `method`: its object is one
+/// of them. `types`: the C++ types of a method, or none.
+void push_function(lua_State* L, const std::string& name, const Function& row, bool method,
+                   std::span<const Implementation> types = {}, std::size_t place = 0) {
+  const bool internal = name.starts_with("core.") || (row.name[0] == '_' && std::string_view(row.name) != "__call");
+  const Call call = internal ? Call{"", -1} : read_call(row.doc, method);
+  const bool two = types.size() == 2;
   push(L, name);
-  lua_pushcclosure(L, row.function, 1);
+  push(L, call.most);
+  push(L, call.head);
+  lua_pushcfunction(L, row.function);
+  if (two) {
+    lua_pushcfunction(L, types[1].rows[place].function);
+    push(L, types[1].key);
+  }
+  lua_pushcclosure(L, wrap<invoke>, two ? second_key : first_function);
   document(L, name, row.doc);
 }
 
@@ -42,24 +113,6 @@ int unknown_method(lua_State* L) {
                            hint.empty() ? "; it has " : " It has ", listed(known)));
 }
 
-/// A method of two C++ types. Upvalues: its name, both functions, and the key of the second type.
-int dispatch(lua_State* L) {
-  const bool second = luaL_testudata(L, 1, lua_tostring(L, lua_upvalueindex(4)));
-  return lua_tocfunction(L, lua_upvalueindex(second ? 3 : 2))(L);
-}
-
-/// The method of a type's row as one function.
-void push_method(lua_State* L, const std::string& name, std::span<const Implementation> types, std::size_t row) {
-  const Function& first = types[0].rows[row];
-  if (types.size() == 1) return push_function(L, name, first);
-  push(L, name);
-  lua_pushcfunction(L, first.function);
-  lua_pushcfunction(L, types[1].rows[row].function);
-  push(L, types[1].key);
-  lua_pushcclosure(L, dispatch, 4);
-  document(L, name, first.doc);
-}
-
 bool is_metamethod(const Function& row) {
   return std::string_view(row.name).starts_with("__");
 }
@@ -69,7 +122,7 @@ void push_methods(lua_State* L, const char* name, std::span<const Implementation
   push_table(L, text("core.types.", name));
   for (std::size_t row = 0; row < types[0].rows.size(); ++row)
     if (const Function& first = types[0].rows[row]; !is_metamethod(first)) {
-      push_method(L, text(name, ":", first.name), types, row);
+      push_function(L, text(name, ":", first.name), first, true, types, row);
       lua_setfield(L, -2, first.name);
     }
   lua_createtable(L, 0, 1);
@@ -85,7 +138,7 @@ void make_metatable(lua_State* L, const char* name, const Implementation& type) 
   set_field(L, "__name", name);
   for (const Function& row : type.rows)
     if (is_metamethod(row)) {
-      push_function(L, name, row);
+      push_function(L, name, row, true);
       lua_setfield(L, -2, row.name);
     }
   lua_pushvalue(L, -2);
@@ -124,7 +177,7 @@ void push_table(lua_State* L, const std::string& name) {
 void register_functions(lua_State* L, const std::string& table, std::span<const Function> rows) {
   push_table(L, table);
   for (const Function& row : rows) {
-    push_function(L, table + "." + row.name, row);
+    push_function(L, table + "." + row.name, row, false);
     lua_setfield(L, -2, row.name);
   }
   lua_pop(L, 1);

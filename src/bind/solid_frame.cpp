@@ -160,6 +160,8 @@ template <> std::string field_label<3>(const std::string& field) {
 
 view::SolidPanel show(const model::Model<3>& model, const Showing& showing, const std::optional<Cut>& cut) {
   const bool pressure = showing.field == pressure_name;
+  require(!pressure || !model.pairs().empty(), "field '", pressure_name,
+          "': the model has no contact, and so no pressure; name contacts in sg.model, or draw another field");
   const model::Field<3>* field = showing.field.empty() || pressure ? nullptr : &model::find_field<3>(showing.field);
   const auto divisions = [&](int b) {
     return divisions_for(model::surface_elements(model.scene().bodies[static_cast<std::size_t>(b)].body->space()));

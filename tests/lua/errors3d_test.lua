@@ -122,6 +122,11 @@ local wrong = {
     "model:sample: body must be a body in 3D" },
   { "two parameters for a solid", [[sg.model(held{ on = b:face "front", fix = "x" }):sample(b, "ux", {0, 0})]],
     "model:sample: xi must be a list of 3 numbers", "got a list of 2 values" },
+  { "a run of what nothing holds", [[sg.model{ bodies = { b = b } }:run{ { steps = 1 } }]],
+    "model:run: nothing holds, moves or loads the model", "supports or loads" },
+  { "the pressure of no contact", [[sg.picture{ model = sg.model(held{ on = b:face "front", fix = "x" }),
+      field = "contact_pressure", file = "none.png" }]],
+    "sg.picture: field 'contact_pressure': the model has no contact", line = 15 },
   { "a plane snapshot for a solid", [[local a = sg.model{ bodies = { a = flat } }
       sg.model{ bodies = { b = b } }:restore(a:snapshot())]],
     "model:restore: snapshot must be a snapshot in 3D, got one in the plane", line = 15 },

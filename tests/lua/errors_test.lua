@@ -65,6 +65,17 @@ check.case("wrong arguments of methods", function()
   check.fails(function() p.face("north") end, "patch:face must be called on a patch", "colon")
 end)
 
+check.case("more arguments than a function takes", function()
+  local c = sg.nurbs.circle { radius = 1 }
+  check.fails(function() c(0.5, 0.5) end, "errors_test.lua:", "patch: too many arguments: it is called as p(xi), got the number 0.5 beyond that",
+    "into braces")
+  check.fails(function() p:degrees(1) end, "patch:degrees: too many arguments: it is called as p:degrees(), got the number 1")
+  check.fails(function() p:elevate(1, 2, 3) end, "called as p:elevate(dir, times = 1), got the number 3")
+  check.fails(function() sg.shapes.rectangle({ width = 1, height = 1 }, "x") end,
+    "sg.shapes.rectangle: too many arguments: it is called as sg.shapes.rectangle{ … }, got the string 'x'")
+  check.equal(#p:degrees(nil), 2)
+end)
+
 check.case("wrong geometry", function()
   check.fails(function() sg.shapes.half_annulus { inner = 2, outer = 1 } end, "sg.shapes.half_annulus", "2", "1")
   check.fails(function() sg.nurbs.curve { degree = 2, knots = { 0, 0, 1, 1 }, points = { { 0, 0 }, { 1, 1 } } } end,
