@@ -59,7 +59,8 @@ end
 --- A stage has ended; on a terminal the bar alone tells.
 function Progress:stage_end(stage, steps, iterations, wall)
   if self.terminal then return end
-  self:line(("%s: %d steps, %d iterations, %s"):format(stage, steps, iterations, seconds_text(wall)))
+  local function counted(count, noun) return ("%d %s%s"):format(count, noun, count == 1 and "" or "s") end
+  self:line(("%s: %s, %s, %s"):format(stage, counted(steps, "step"), counted(iterations, "iteration"), seconds_text(wall)))
 end
 
 return start

@@ -4,6 +4,7 @@
 #include "bind/patch.hpp"
 #include "bind/place.hpp"
 #include "nurbs/coincident.hpp"
+#include "nurbs/side_hint.hpp"
 
 namespace signorini::bind {
 
@@ -18,7 +19,12 @@ std::vector<Side> read_contact(lua_State* L, const Options& o, int dimensions) {
   const Argument argument = o.argument("contact", "the face that carries the layer, or a list of two opposite ones");
   const int index = o.push_value("contact");
   const std::vector<std::string> names = face_names(dimensions);
-  const auto add = [&](int at) { sides.push_back(nurbs::side_of(read_choice(L, at, argument, names), dimensions)); };
+  const auto add = [&](int at) {
+    const std::string name = lua_type(L, at) == LUA_TSTRING ? lua_tostring(L, at) : "";
+    const std::string meant = nurbs::meant_side(name, dimensions);
+    if (!meant.empty() && meant != name) reject(L, at, argument, one_of(names), text("did you mean '", meant, "'?"));
+    sides.push_back(nurbs::side_of(read_choice(L, at, argument, names), dimensions));
+  };
   if (!lua_istable(L, index)) {
     add(index);
     return sides;

@@ -60,7 +60,7 @@ int line(lua_State* L) {
 }
 
 int arc(lua_State* L) {
-  const Options o(L, 1, {"centre", "radius", "from", "to"});
+  const Options o(L, 1, {"radius", "from", "to", "centre"});
   const VectorX centre = o.point("centre", "centre of the circle", 2, 3, VectorX::Zero(2));
   const double radius = o.positive("radius", "radius"), from = o.number("from", "first angle, degrees");
   push_object(L, nurbs::arc(centre, radius, from, o.number("to", "last angle, degrees")));
@@ -68,7 +68,7 @@ int arc(lua_State* L) {
 }
 
 int circle(lua_State* L) {
-  const Options o(L, 1, {"centre", "radius"});
+  const Options o(L, 1, {"radius", "centre"});
   const VectorX centre = o.point("centre", "centre", 2, 3, VectorX::Zero(2));
   push_object(L, nurbs::circle(centre, o.positive("radius", "radius")));
   return 1;

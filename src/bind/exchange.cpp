@@ -24,7 +24,7 @@ int read(lua_State* L) {
 
 /// Writes to the file at one index of the stack, in the form at the next one that is given, else by the file's ending.
 int write_to(lua_State* L, int file_index, int form_index, const std::vector<Patch>& patches) {
-  const Argument file_argument{"file", "a name that ends with .xml, .txt or .mesh"};
+  const Argument file_argument{"file", "where the patches go"};
   const std::string file = read_string(L, file_index, file_argument);
   const std::string form = lua_isnoneornil(L, form_index)
                                ? nurbs::exchange_form_of(file)

@@ -4,6 +4,7 @@
 #include "bind/number_text.hpp"
 #include "bind/open.hpp"
 #include "bind/options.hpp"
+#include "bind/range.hpp"
 #include "view/picture.hpp"
 
 #include <algorithm>
@@ -230,7 +231,7 @@ void read_scale(lua_State* L, const Options& o, view::HeatmapOptions& options) {
   options.log = o.flag("log", "colours follow the logarithm", false);
   options.colormap = o.choice("colormap", "colours of the cells", view::colormaps(), options.colormap);
   if (!o.has("range")) return;
-  const VectorX range = o.point("range", "lowest and highest value", 2, 2);
+  const std::array<double, 2> range = read_range(L, o);
   if (!(range[0] < range[1]))
     throw ArgumentError(
         text(function_name(L), ": range must rise, got {", range[0], ", ", range[1], "}: put the lower value first"));

@@ -7,6 +7,11 @@ namespace signorini::bind {
 
 namespace {
 
+/// "1 support", "2 supports".
+std::string counted(std::size_t count, const char* noun) {
+  return text(count, " ", noun, count == 1 ? "" : "s");
+}
+
 template <class Items> int push_names(lua_State* L, const Items& items) {
   push(L, names_of(items));
   return 1;
@@ -78,8 +83,8 @@ template <int D> int tostring(lua_State* L) {
   for (const auto& body : scene.bodies) names += (names.empty() ? "" : ", ") + body.name;
   const char* kind = D == 3 ? "solid" : scene.kind == solid::Kind::axisymmetric ? "axisymmetric" : "plane-strain";
   push(L, text(kind, " model of ", names, ": ", model->unknowns().dofs(), " degrees of freedom, ",
-               model->unknowns().size(), " of them free, ", scene.supports.size(), " supports, ", scene.contacts.size(),
-               scene.contacts.size() == 1 ? " contact" : " contacts"));
+               model->unknowns().size(), " of them free, ", counted(scene.supports.size(), "support"), ", ",
+               counted(scene.contacts.size(), "contact")));
   return 1;
 }
 

@@ -30,6 +30,10 @@ template <int D> int driven(lua_State* L) {
 template <int D> int set_target(lua_State* L) {
   const Model<D>& model = self<Model<D>>(L);
   const model::Drive drive = drive_of_argument<D>(L);
+  if (drive.components.empty())
+    throw ArgumentError(
+        text(function_name(L), ": name '", drive.name,
+             "': this support drives nothing: give it drive = ", "\"x\", \"xy\" or the like in sg.model"));
   const Argument argument{"target", "one number per driven component"};
   const std::vector<double> values = read_numbers(L, 3, argument);
   const std::size_t count = drive.components.size();

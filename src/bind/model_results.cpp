@@ -88,7 +88,11 @@ template <int D> int sample(lua_State* L) {
   const Model<D>& model = self<Model<D>>(L);
   const int body = body_of_argument<D>(L, model);
   const auto& field = model::find_field<D>(read_string(L, 3, {"field", "such as \"uy\" or \"von_mises\""}));
-  push(L, model::sample(*model, body, field, read_point(L, 4, {"xi", "parametric coordinates"}, D, D)));
+  const Argument argument{"xi", "parametric coordinates"};
+  const char* expected = D == 2 ? "a list of 2 numbers {xi1, xi2}" : "a list of 3 numbers {xi1, xi2, xi3}";
+  if (!lua_istable(L, 4)) reject(L, 4, argument, expected, "put the coordinates into braces");
+  if (read_list(L, 4, argument, expected) != D) reject(L, 4, argument, expected);
+  push(L, model::sample(*model, body, field, read_point(L, 4, argument, D, D)));
   return 1;
 }
 

@@ -16,7 +16,11 @@ VectorX read_parameters(lua_State* L, int index, const Patch& patch) {
   const char* expected = directions == 1   ? "a number"
                          : directions == 2 ? "a list of 2 numbers {xi1, xi2}"
                                            : "a list of 3 numbers {xi1, xi2, xi3}";
-  if (!lua_istable(L, index)) reject(L, index, argument, expected, "put the coordinates into braces");
+  if (!lua_istable(L, index))
+    reject(L, index, argument, expected,
+           directions > 1                      ? "put the coordinates into braces"
+           : lua_type(L, index) == LUA_TSTRING ? "remove the quotes"
+                                               : "");
   const std::vector<double> xi = read_numbers(L, index, argument);
   if (static_cast<int>(xi.size()) != directions) reject(L, index, argument, expected);
   return Eigen::Map<const VectorX>(xi.data(), directions);
@@ -128,6 +132,9 @@ int refine(lua_State* L) {
 int face(lua_State* L) {
   const Patch& patch = self<Patch>(L);
   const std::string name = read_string(L, 2, {"name", "a face, such as \"south\""});
+  if (patch.parametric_dimension() == 1)
+    throw ArgumentError(text(function_name(L), ": a curve has two end points, and no faces: evaluate it at its first "
+                                               "and last knot, as in curve(0)"));
   push_object(L, nurbs::face(patch, nurbs::side_of(name, patch.parametric_dimension())));
   return 1;
 }

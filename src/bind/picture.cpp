@@ -1,6 +1,7 @@
 #include "base/whole_file.hpp"
 #include "bind/open.hpp"
 #include "bind/picture_pages.hpp"
+#include "bind/range.hpp"
 #include "bind/state_frame.hpp"
 #include "view/close_up.hpp"
 #include "view/series.hpp"
@@ -129,7 +130,7 @@ void read_options(lua_State* L, const Options& o, view::PictureOptions& options)
   read_scale(L, o, options);
   options.transparent = o.flag("transparent", "no white ground", false);
   if (o.has("range")) {
-    const VectorX range = o.point("range", "lowest and highest value", 2, 2);
+    const std::array<double, 2> range = read_range(L, o);
     options.range = {range[0], range[1]};
   }
 }

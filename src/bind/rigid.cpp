@@ -1,4 +1,5 @@
 #include "bind/rigid.hpp"
+#include "base/words.hpp"
 #include "bind/functions.hpp"
 #include "bind/open.hpp"
 #include "bind/options.hpp"
@@ -65,14 +66,14 @@ struct InWords {
   RigidForm form;
 
   template <int D> std::string operator()(const contact::Plane<D>& plane) const {
-    return text("rigid plane through (", plane.point.transpose(), "), normal (", plane.normal.transpose(), ")");
+    return text("rigid plane through ", coordinates(plane.point), ", normal ", coordinates(plane.normal));
   }
   template <int D> std::string operator()(const contact::Ball<D>& ball) const {
-    return text("rigid ", name_of(form), " about (", ball.centre.transpose(), "), radius ", ball.radius);
+    return text("rigid ", name_of(form), " about ", coordinates(ball.centre), ", radius ", ball.radius);
   }
   std::string operator()(const contact::Cylinder& cylinder) const {
-    return text("rigid cylinder about (", cylinder.point.transpose(), "), axis (", cylinder.axis.transpose(),
-                "), radius ", cylinder.radius);
+    return text("rigid cylinder about ", coordinates(cylinder.point), ", axis ", coordinates(cylinder.axis),
+                ", radius ", cylinder.radius);
   }
   std::string operator()(const nurbs::Patch& patch) const {
     const bool curve = patch.parametric_dimension() == 1;

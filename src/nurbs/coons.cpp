@@ -3,6 +3,7 @@
 
 #include "base/error.hpp"
 #include "base/index.hpp"
+#include "base/words.hpp"
 
 #include <algorithm>
 #include <array>
@@ -47,11 +48,11 @@ void check_meeting(const Lattice& lattice, double size) {
         const VectorX a = lattice.value(index, known), b = lattice.value(index, d);
         const VectorX x = a.head(space) / a(space), y = b.head(space) / b(space);
         const std::string first = name_of({known, index[at(known)] > 0}), second = name_of({d, index[at(d)] > 0});
-        require((x - y).norm() <= 1e-9 * size, "coons: '", first, "' and '", second, "' do not meet: one is at (",
-                x.transpose(), "), the other at (", y.transpose(),
-                "); each must run along the rising parameter, west to east, south to north, front to back");
+        require((x - y).norm() <= 1e-9 * size, "coons: '", first, "' and '", second, "' do not meet: one is at ",
+                coordinates(x), ", the other at ", coordinates(y),
+                "; each must run along the rising parameter, west to east, south to north, front to back");
         require(std::abs(a(space) - b(space)) <= 1e-9 * std::abs(a(space)), "coons: '", first, "' and '", second,
-                "' meet at (", x.transpose(), ") with different weights, ", a(space), " and ", b(space));
+                "' meet at ", coordinates(x), " with different weights, ", a(space), " and ", b(space));
       }
       known = d;
     }

@@ -1,6 +1,7 @@
 #include "nurbs/curves.hpp"
 
 #include "base/error.hpp"
+#include "base/words.hpp"
 
 #include <cmath>
 
@@ -9,7 +10,7 @@ namespace signorini::nurbs {
 Patch line(const Point& from, const Point& to) {
   check_point("from", from, from.size() == 3 ? 3 : 2);
   check_point("to", to, static_cast<int>(from.size()));
-  require(from != to, "line: it starts and ends at the same point, (", from.transpose(), ")");
+  require(from != to, "line: it starts and ends at the same point, ", coordinates(from));
   MatrixX points(from.size(), 2);
   points << from, to;
   return make_patch({KnotVector::single(1)}, points);

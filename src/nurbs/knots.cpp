@@ -59,9 +59,11 @@ KnotVector KnotVector::single(int degree) {
 }
 
 int KnotVector::find_element(double xi) const {
-  require(xi >= first() && xi <= last(), "xi: ", xi, " is outside the knots, [", first(), ", ", last(), "]");
+  const double beyond = std::max(first() - xi, xi - last()), rounding = 1e-12 * (last() - first());
+  require(beyond <= rounding, "xi: ", xi, " is outside the knots, [", first(), ", ", last(), "]",
+          beyond > 0 && beyond < 1e-6 * (last() - first()) ? text(", by ", beyond) : "");
   const auto next = std::upper_bound(breaks_.begin(), breaks_.end() - 1, xi);
-  return static_cast<int>(next - breaks_.begin()) - 1;
+  return std::max(static_cast<int>(next - breaks_.begin()) - 1, 0);
 }
 
 int KnotVector::multiplicity(double knot) const {

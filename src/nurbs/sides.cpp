@@ -3,6 +3,7 @@
 
 #include "base/error.hpp"
 #include "base/index.hpp"
+#include "nurbs/side_hint.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -29,7 +30,24 @@ int edits(const std::string& a, const std::string& b) {
   return row.back();
 }
 
+/// Everyday names, as they fit a rectangle and a block along the axes.
+struct Nickname {
+  const char *name, *plane, *space;
+};
+const Nickname nicknames[] = {
+    {"left", "west", "west"}, {"right", "east", "east"},   {"bottom", "south", "front"},
+    {"top", "north", "back"}, {"lower", "south", "front"}, {"upper", "north", "back"},
+};
+
 } // namespace
+
+std::string meant_side(const std::string& name, int parametric_dimension) {
+  for (const auto& [nickname, plane, space] : nicknames)
+    if (name == nickname) return parametric_dimension == 2 ? plane : space;
+  const auto end = names + 2 * parametric_dimension;
+  const auto nearest = std::min_element(names, end, [&](auto a, auto b) { return edits(name, a) < edits(name, b); });
+  return edits(name, *nearest) <= 2 ? *nearest : "";
+}
 
 Side side_of(const std::string& name, int parametric_dimension) {
   require(parametric_dimension >= 1 && parametric_dimension <= 3,
@@ -39,8 +57,12 @@ Side side_of(const std::string& name, int parametric_dimension) {
   if (found == end) {
     std::string fitting;
     for (auto it = names; it != end; ++it) fitting += (it == names ? "" : ", ") + std::string(*it);
-    const auto nearest = std::min_element(names, end, [&](auto a, auto b) { return edits(name, a) < edits(name, b); });
-    fail("face: '", name, "' is unknown; expected one of ", fitting, " (did you mean '", *nearest, "'?)");
+    const std::string meant = meant_side(name, parametric_dimension);
+    fail("face: '", name, "' is unknown; expected one of ", fitting, ", the ends of xi1",
+         parametric_dimension == 1   ? ""
+         : parametric_dimension == 2 ? " and xi2"
+                                     : ", xi2 and xi3",
+         meant.empty() ? "" : text(" (did you mean '", meant, "'?)"));
   }
   const int i = static_cast<int>(found - names);
   return {i / 2, i % 2 == 1};

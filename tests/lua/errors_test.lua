@@ -76,6 +76,22 @@ check.case("more arguments than a function takes", function()
   check.equal(#p:degrees(nil), 2)
 end)
 
+check.case("messages name the cure that helps", function()
+  local c = sg.nurbs.line { from = { 0, 0 }, to = { 2, 0 } }
+  check.fails(function() c("0.5") end, "xi must be a number (parametric coordinates), got the string '0.5': remove the quotes")
+  check.near(c(1 + 1e-13), { 2, 0 }, 1e-12)
+  check.fails(function() c(1 + 1e-10) end, "xi: 1 is outside the knots, [0, 1], by 1.0000")
+  check.fails(function() c:face "south" end, "patch:face: a curve has two end points, and no faces")
+  check.fails(function() p:face "top" end, "'top' is unknown", "the ends of xi1 and xi2 (did you mean 'north'?)")
+  local message = check.fails(function() p:face "nonsense" end, "'nonsense' is unknown")
+  check.equal(message:find "did you mean", nil)
+  check.fails(function() sg.nurbs.circle(1) end, "write sg.nurbs.circle{ radius = … }")
+  message = check.fails(function() p:write "slab.vtk" end, "file must be a name that ends with .xml, .txt or .mesh (where the patches go)")
+  check.equal(select(2, message:gsub("a name that ends", "")), 1)
+  check.fails(function() sg.nurbs.line { from = { 0, 1.5 }, to = { 0, 1.5 } } end, "the same point, (0, 1.5)")
+  check.equal(tostring(sg.rigid.plane { point = { 0, -1 }, normal = { 0, 1 } }), "rigid plane through (0, -1), normal (0, 1)")
+end)
+
 check.case("wrong geometry", function()
   check.fails(function() sg.shapes.half_annulus { inner = 2, outer = 1 } end, "sg.shapes.half_annulus", "2", "1")
   check.fails(function() sg.nurbs.curve { degree = 2, knots = { 0, 0, 1, 1 }, points = { { 0, 0 }, { 1, 1 } } } end,

@@ -333,15 +333,15 @@ end)
 
 check.case("obstacles and models tell what they are", function()
   check.equal(tostring(sg.rigid.plane{ point = {0, 0, 1}, normal = {0, 0, 2} }),
-              "rigid plane through (0 0 1), normal (0 0 1)")
-  check.equal(tostring(sg.rigid.sphere{ centre = {1, 2, 3}, radius = 4 }), "rigid sphere about (1 2 3), radius 4")
+              "rigid plane through (0, 0, 1), normal (0, 0, 1)")
+  check.equal(tostring(sg.rigid.sphere{ centre = {1, 2, 3}, radius = 4 }), "rigid sphere about (1, 2, 3), radius 4")
   check.equal(tostring(sg.rigid.cylinder{ centre = {1, 2, 3}, axis = {0, 5, 0}, radius = 4 }),
-              "rigid cylinder about (1 2 3), axis (0 1 0), radius 4")
+              "rigid cylinder about (1, 2, 3), axis (0, 1, 0), radius 4")
   check.equal(tostring(sg.rigid.surface(sg.shapes.block{ size = {1, 1, 1} }:face "back")),
               "rigid surface of degrees 1 and 1")
   local b = sg.body{ patch = sg.shapes.block{ size = {1, 1, 1} }, elements = {1, 1, 1}, order = "N1", material = soft }
   local model = sg.model{ bodies = { b = b }, supports = { bed = { on = b:face "front", fix = "xyz" } } }
-  check.equal(tostring(model), "solid model of b: 24 degrees of freedom, 12 of them free, 1 supports, 0 contacts")
+  check.equal(tostring(model), "solid model of b: 24 degrees of freedom, 12 of them free, 1 support, 0 contacts")
   check.equal(tostring(model:snapshot()), "snapshot of a model with 24 degrees of freedom")
   check.equal(require "signorini.core".kind(model), "model")
 end)

@@ -86,6 +86,7 @@ local wrong = {
   { "an unknown label", [[sg.body{ patch = r, elements = {4, 2}, order = "Q2", contact = "north", material = soft }]],
     "sg.body: order: unknown discretisation label 'Q2'", "Np (N2)" },
   { "an unknown face", [[sg.body{ patch = r, elements = {4, 2}, order = "N2", contact = "top", material = soft }]],
+    "did you mean 'north'?",
     "sg.body: contact must be", "'north'", "got the string 'top'" },
   { "slave and master the same", [[sg.model{ bodies = { a = a, b = b },
       contacts = { i = { slave = a:face "north", master = a:face "north", penalty = 100 } } }]],

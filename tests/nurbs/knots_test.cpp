@@ -33,7 +33,10 @@ TEST(Knots, FindsTheElementFromTheLeftAndTheLastAtTheEnd) {
   EXPECT_EQ(knots.find_element(1), 1);
   EXPECT_EQ(knots.find_element(3), 2);
   EXPECT_EQ(knots.find_element(4), 2);
-  EXPECT_ERROR(knots.find_element(-1e-9), "outside the knots, [0, 4]");
+  EXPECT_ERROR(knots.find_element(-1e-9), "outside the knots, [0, 4], by 1e-09");
+  EXPECT_ERROR(knots.find_element(4 + 1e-11), "xi: 4 is outside the knots, [0, 4], by 1");
+  EXPECT_EQ(knots.find_element(-1e-13), 0); // rounding
+  EXPECT_EQ(knots.find_element(4 + 1e-13), knots.elements() - 1);
   EXPECT_ERROR(knots.find_element(4.1), "xi: 4.1");
   EXPECT_ERROR(knots.find_element(std::numeric_limits<double>::quiet_NaN()), "outside");
 }

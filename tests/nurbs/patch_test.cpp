@@ -202,7 +202,8 @@ TEST(Sides, HaveNamesByDimension) {
 
 TEST(Sides, UnknownNamesListTheOnesThatFit) {
   EXPECT_ERROR(side_of("nort", 2),
-               "'nort' is unknown; expected one of west, east, south, north (did you mean 'north'?)");
+               "'nort' is unknown; expected one of west, east, south, north, the ends of xi1 and xi2 (did you mean "
+               "'north'?)");
   EXPECT_ERROR(side_of("back", 2), "west, east, south, north");
   EXPECT_ERROR(side_of("Front", 3), "did you mean 'front'?");
   EXPECT_ERROR(side_of("", 1), "expected one of west, east (");
