@@ -109,7 +109,8 @@ constexpr Function functions[] = {
     {"surface", wrap<surface>,
      "sg.rigid.surface(patch)\n"
      "A rigid obstacle bounded by any NURBS: a curve in the plane, its outside on the right of the curve's\n"
-     "direction; or a surface in 3D, its outside where the product of its tangents along xi1 and xi2 points.\n"
+     "direction; or a surface in 3D, its outside where the product of its tangents along xi1 and xi2 points;\n"
+     "patch:reverse(1) turns it to the other side.\n"
      "A support drives it: see help \"obstacle\".\n"
      "Example: sg.rigid.surface(sg.nurbs.arc{ centre = {0, 0}, radius = 1, from = 0, to = 180 })\n"
      "Example: sg.rigid.surface(sg.shapes.block{ size = {9, 9, 1}, corner = {0, 0, -1} }:face \"back\")"},

@@ -146,7 +146,7 @@ local wrong = {
     "the obstacle of 'f' is inside body 's' at the start", "2 deep", "move the obstacle out" },
   { "a cylinder inside the body",
     "sg.model(with{ adhesion = film, master = sg.rigid.cylinder{ centre = {10, 2}, radius = 1 } })",
-    "the obstacle of 'f' is inside body 's' at the start", "its centre (10  2) lies in the body",
+    "the obstacle of 'f' is inside body 's' at the start", "its centre (10, 2) lies in the body",
     "move the obstacle out" },
   { "two faces that rotate as one", [[sg.model(turned{ on = { edge, s:face "west" }, rotate = true })]],
     "supports.e.on must be one face", "got a list of 2 values", "give other faces a support of their own" },

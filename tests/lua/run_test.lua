@@ -300,4 +300,16 @@ check.case("with on_iteration steps are taken iteration by iteration", function(
   check.equal({ #seen, seen[1], seen[3], seen[18] }, { 18, "1 1 iterating", "1 3 converged", "6 3 converged" })
 end)
 
+check.case("one step is told as one", function()
+  local output = check.script [[
+local sg = require "signorini"
+local block = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = {1, 1}, order = "N2",
+                       material = sg.linear_elastic{ E = 1, nu = 0.3 } }
+local model = sg.model{ bodies = { block = block }, supports = { lid = { on = block:face "north", drive = "y", fix = "x" } } }
+model:run{ { steps = 1, lid = {1} } }
+print(model)
+]]
+  check.holds(output, "stage 1: 1 step, ", "12 of them free, 1 support, 0 contacts")
+end)
+
 check.done()

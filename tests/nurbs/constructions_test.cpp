@@ -194,7 +194,7 @@ TEST(Coons, RefusesWhatDoesNotMeet) {
   EXPECT_ERROR(coons({west, east, south, line(Vec<3>(0, 1, 0), Vec<3>(1, 1, 0))}),
                "'north' lies in space of dimension 3, 'west' in 2");
   const Patch heavy = make_patch({KnotVector::single(1)}, south.points(), Vec<2>(1, 2));
-  EXPECT_ERROR(coons({west, east, heavy, north}), "'east' and 'south' meet at (1 0) with different weights, 1 and 2");
+  EXPECT_ERROR(coons({west, east, heavy, north}), "'east' and 'south' meet at (1, 0) with different weights, 1 and 2");
   const Patch surface = ruled(west, east);
   EXPECT_ERROR(coons({west, surface, south, north}), "'east' has 2 parametric directions, expected 1");
 }

@@ -20,7 +20,7 @@ TEST(Line, RunsStraight) {
   EXPECT_LT((evaluate(patch, xi(0.25)) - Vec<3>(1.25, 2.5, 3.5)).norm(), 1e-15);
   EXPECT_NEAR(measure(patch).content, 3, 1e-14);
   EXPECT_ERROR(line(Vec<2>(1, 2), Vec<3>(1, 2, 3)), "to: 2 coordinates are needed, got 3");
-  EXPECT_ERROR(line(Vec<2>(1, 2), Vec<2>(1, 2)), "starts and ends at the same point, (1 2)");
+  EXPECT_ERROR(line(Vec<2>(1, 2), Vec<2>(1, 2)), "starts and ends at the same point, (1, 2)");
   EXPECT_ERROR(line(VectorX::Ones(4), VectorX::Ones(4)), "from: 2 coordinates are needed, got 4");
   EXPECT_ERROR(line(Vec<2>(std::nan(""), 2), Vec<2>(1, 2)), "from: every coordinate must be a finite number");
 }

@@ -206,7 +206,7 @@ TEST(Sides, UnknownNamesListTheOnesThatFit) {
                "'north'?)");
   EXPECT_ERROR(side_of("back", 2), "west, east, south, north");
   EXPECT_ERROR(side_of("Front", 3), "did you mean 'front'?");
-  EXPECT_ERROR(side_of("", 1), "expected one of west, east (");
+  EXPECT_ERROR(side_of("", 1), "expected one of west, east, the ends of xi1");
   EXPECT_ERROR(side_of("west", 4), "got 4");
 }
 
