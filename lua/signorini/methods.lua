@@ -40,7 +40,9 @@ function methods.guard(type_name, keys)
     end
   end
   for _, key in ipairs(keys) do
-    entries[key] = core.offered(guarded(type_name, key, entries[key], owns))
+    local parameters = debug.getinfo(entries[key], "u")
+    entries[key] = core.offered(guarded(type_name, key, entries[key], owns),
+      not parameters.isvararg and parameters.nparams or nil)
   end
 end
 

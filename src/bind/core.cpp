@@ -5,6 +5,7 @@
 
 #include <charconv>
 #include <filesystem>
+#include <limits>
 
 namespace signorini::bind {
 
@@ -93,8 +94,24 @@ int results(lua_State* L, int, lua_KContext) {
   return lua_gettop(L);
 }
 
-/// Calls the first upvalue; coroutines may yield across it.
+/// Calls the first upvalue with no more arguments than the second one allows; coroutines may yield across it.
 int call_offered(lua_State* L) {
+  if (const auto most = static_cast<int>(lua_tointeger(L, lua_upvalueindex(2))); arguments_given(L) > most) {
+    lua_Debug running;
+    lua_getstack(L, 0, &running);
+    push_table(L, "core.names");
+    lua_getinfo(L, "f", &running);
+    if (lua_rawget(L, -2) == LUA_TSTRING) {
+      const std::string name = lua_tostring(L, -1);
+      push_table(L, "core.docs");
+      lua_getfield(L, -1, name.c_str());
+      const std::string head = lua_isstring(L, -1) ? head_of_call(lua_tostring(L, -1)) : "";
+      lua_pop(L, 4);
+      refuse_excess(L, name, head.empty() ? name : head, most);
+    } else {
+      lua_pop(L, 2);
+    }
+  }
   lua_pushvalue(L, lua_upvalueindex(1));
   lua_insert(L, 1);
   lua_callk(L, lua_gettop(L) - 1, LUA_MULTRET, 0, results);
@@ -103,17 +120,25 @@ int call_offered(lua_State* L) {
 
 int core_offered(lua_State* L) {
   luaL_checktype(L, 1, LUA_TFUNCTION);
-  lua_settop(L, 1);
-  lua_pushcclosure(L, call_offered, 1);
+  lua_settop(L, 2);
+  lua_Debug function;
+  lua_pushvalue(L, 1);
+  lua_getinfo(L, ">u", &function);
+  const int most = function.isvararg ? std::numeric_limits<int>::max() : function.nparams;
+  if (lua_isnil(L, 2)) {
+    lua_pop(L, 1);
+    push(L, most);
+  }
+  lua_pushcclosure(L, wrap<call_offered>, 2);
   return 1;
 }
 
 constexpr Function rows[] = {
     {"fail", wrap<core_fail>, "core.fail(message)\nEnds with an error at the line of the user's own script."},
     {"offered", wrap<core_offered>,
-     "core.offered(f)\nThe function as users get it, so that errors find their line also behind `return f()`: a tail "
-     "call of "
-     "a function in Lua drops the caller, one of a function in C does not."},
+     "core.offered(f, most)\n"
+     "The function as users get it. Errors find their line also behind `return f()`: a tail call of a function in\n"
+     "Lua drops the caller, one of a function in C does not. It takes no more arguments than it looks at, or `most`."},
     {"now", wrap<now>, "core.now()\nWall-clock seconds since some moment in the past."},
     {"mkdir", wrap<mkdir>, "core.mkdir(path)\nMakes a folder and those above it; an existing folder is fine."},
     {"exists", wrap<core_exists>, "core.exists(path)\nWhether there is a file or a folder of that name."},

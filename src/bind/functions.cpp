@@ -56,23 +56,10 @@ Call read_call(std::string_view doc, bool method) {
 // method of two C++ types the other function, and the key of its type.
 enum Upvalue { name_of_function = 1, most_arguments, head_of_page, first_function, second_function, second_key };
 
-/// Refuses what the function would never look at.
-void check_count(lua_State* L) {
-  const int most = static_cast<int>(lua_tointeger(L, lua_upvalueindex(most_arguments)));
-  int given = lua_gettop(L);
-  while (given > most && lua_isnil(L, given)) --given;
-  if (most < 0 || given <= most) return;
-  const std::string head = lua_tostring(L, lua_upvalueindex(head_of_page));
-  const bool named = head.ends_with("}"); // what stands there instead of the table is worth the better message
-  if (named && !lua_istable(L, most)) return;
-  const bool numbers = lua_type(L, most) == LUA_TNUMBER && lua_type(L, most + 1) == LUA_TNUMBER;
-  throw ArgumentError(text(function_name(L), ": too many arguments: it is called as ", head, ", got ",
-                           describe(L, most + 1), " beyond that",
-                           numbers ? ": put numbers that belong together into braces, as in {1, 2}" : ""));
-}
-
 int invoke(lua_State* L) {
-  check_count(L);
+  const int most = static_cast<int>(lua_tointeger(L, lua_upvalueindex(most_arguments)));
+  if (most >= 0 && arguments_given(L) > most)
+    refuse_excess(L, function_name(L), lua_tostring(L, lua_upvalueindex(head_of_page)), most);
   const bool two = !lua_isnone(L, lua_upvalueindex(second_key));
   const bool second = two && luaL_testudata(L, 1, lua_tostring(L, lua_upvalueindex(second_key)));
   return lua_tocfunction(L, lua_upvalueindex(second ? second_function : first_function))(L);
@@ -150,6 +137,25 @@ void make_metatable(lua_State* L, const char* name, const Implementation& type) 
 }
 
 } // namespace
+
+int arguments_given(lua_State* L) {
+  int given = lua_gettop(L);
+  while (given > 0 && lua_isnil(L, given)) --given;
+  return given;
+}
+
+std::string head_of_call(std::string_view doc) {
+  return read_call(doc, false).head;
+}
+
+void refuse_excess(lua_State* L, const std::string& name, const std::string& head, int most) {
+  const bool named = head.ends_with("}"); // what stands there instead of the table is worth the better message
+  if (named && !lua_istable(L, most)) return;
+  const bool numbers = lua_type(L, most) == LUA_TNUMBER && lua_type(L, most + 1) == LUA_TNUMBER;
+  throw ArgumentError(text(name, ": too many arguments: it is called as ", head, ", got ", describe(L, most + 1),
+                           " beyond that",
+                           numbers ? ": put numbers that belong together into braces, as in {1, 2}" : ""));
+}
 
 int raise(lua_State* L, const std::exception& error) {
   std::string message = user_position(L), reason = error.what();

@@ -185,11 +185,11 @@ check.case("wrong calls are errors at their line that name the argument", functi
   if #faults > 0 then error(("%d faults\n%s"):format(#faults, table.concat(faults, "\n"))) end
 end)
 
-check.case("functions in C++ take no more arguments than their pages show", function()
+check.case("functions take no more arguments than their pages show", function()
   local checked, faults = 0, {}
   for _, row in ipairs(rows) do
     local value = names.value(row[1])
-    if debug.getinfo(value, "S").what == "C" then
+    if debug.getinfo(value, "S").what == "C" and row[1] ~= "sg.grid" then -- takes any number of tables
       if row.before then row.before(row[2]) end
       local arguments = table.move(row[2], 1, #row[2], 1, {})
       for i = 1, 2 do arguments[#row[2] + i] = true end -- the first may be in the place of one that was left out
