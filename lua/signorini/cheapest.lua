@@ -2,6 +2,7 @@
 
 local core = require "signorini.core"
 local arguments = require "signorini.arguments"
+local outcomes = require "signorini.study.outcomes"
 local quantity = require "signorini.study.quantity"
 
 local where = "sg.cheapest"
@@ -66,6 +67,8 @@ return function(study, options)
   local function show(case) return case and shown(case.row, case.size, case.cost, read) end
   if good[1] then return show(good[1]), show(good[2]) end
 
+  local why = outcomes.why_none(study)
+  if why then return nil, ("no case has both %s and %s: %s"):format(read.error.name, read.cost.name, why) end
   sort(cases, "size", "cost")
   local without = left_out > 0 and ("; left out: %d that failed or lack %s or %s"):format(left_out, read.error.name,
     read.cost.name) or ""

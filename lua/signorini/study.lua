@@ -33,13 +33,15 @@ end })
 -- ── From records to rows ─────────────────────────────────────────────────────────────────────────────────────────────
 
 --- The row of a case: its parameters and figures by name, wall (s; the figure of that name where run returned one), and
---- failed, reason of a case that failed.
+--- failed, outcome, reason of a case that did not come out.
 function Study:row_of(entry, record)
   local row = { wall = record.wall }
   for _, source in ipairs { entry.case, record.figures } do
     for name, value in pairs(source) do row[name] = value end
   end
-  if record.outcome ~= "done" then row.failed, row.reason = true, record.reason or record.outcome end
+  if record.outcome ~= "done" then
+    row.failed, row.outcome, row.reason = true, record.outcome, record.reason or record.outcome
+  end
   return row
 end
 
@@ -109,7 +111,8 @@ alone:  true, or a function of a case: such cases run last and one by one, with 
 inputs: plain data. A case counts as done as long as its parameters, the text of run and all that run refers to
         (functions, numbers, tables; of bodies and models what print shows; not the program itself) stay as they are;
         with inputs only these count.
-Beside its figures each row has wall, the seconds that run took, unless it returned a figure of that name.
+Beside its figures each row has wall, the seconds that run took, unless it returned a figure of that name. A case that
+did not come out has failed = true, outcome ("failed", "error", "crashed", or "time" beyond a limit) and reason.
 study.rows: a list of tables; #study; print(study); see help "study:where", "study:table", "study:chart".
 Example: study = sg.study{ name = "steps", cases = sg.grid{ steps = {5, 10} },
            run = function(case)

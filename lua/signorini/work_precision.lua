@@ -4,13 +4,16 @@
 local core = require "signorini.core"
 local arguments = require "signorini.arguments"
 local curves = require "signorini.work_precision.curves"
+local cut = require "signorini.cut"
 local draw = require "signorini.work_precision.picture"
 local format_table = require "signorini.table"
 local holds = require("signorini.lists").holds
+local outcomes = require "signorini.study.outcomes"
 local quantity = require "signorini.study.quantity"
 local values = require "signorini.study.values"
 
 local where = "sg.work_precision"
+local widest = 80 -- characters of a reason that is printed
 local most_marks = 16 -- as many markers as charts have
 
 local Result = {}
@@ -77,7 +80,7 @@ end
 
 --- A case as a point, or why it is none.
 local function read_point(row, read)
-  if row.failed then return nil, quantity.failure(row) end
+  if row.failed then return nil, outcomes.line(row) end
   local series = quantity.text(read.series, row)
   local time, size = quantity.number(read.time, row), quantity.number(read.error, row)
   if not series then return nil, "no " .. read.series.name end
@@ -196,7 +199,7 @@ function Result:__tostring()
   lines[#lines + 1] = self:front()
   if #self.left_out > 0 then lines[#lines + 1] = "Left out:" end
   for _, one in ipairs(self.left_out) do
-    lines[#lines + 1] = ("  %s: %s"):format(quantity.case(self.study, one.row), one.why)
+    lines[#lines + 1] = ("  %s: %s"):format(quantity.case(self.study, one.row), cut(one.why, widest))
   end
   return table.concat(lines, "\n")
 end
@@ -225,6 +228,8 @@ return function(study, options)
   local read = read_options(study, options)
   local points, left_out, marks = read_points(study, read)
   if #points == 0 then
+    local why = outcomes.why_none(study)
+    if why then core.fail(("%s: no case has both %s and %s: %s"):format(where, read.time.name, read.error.name, why)) end
     core.fail(("%s: no case has both %s and %s%s"):format(where, read.time.name, read.error.name,
       left_out[1] and (": %s: %s"):format(quantity.case(study, left_out[1].row), left_out[1].why) or ""))
   end

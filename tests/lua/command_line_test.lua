@@ -178,7 +178,7 @@ end)
 
 check.case("help takes a method by the letter that pages call its object by, and closes what a list cuts off", function()
   local output = check.program({}, '?m:iterate\nhelp "m:run"\nhelp "p:insert"\nhelp "pictures"\nhelp "m:nonsense"\n')
-  check.holds(output, "m:iterate{ … }\nOne iteration of", "\nmodel:run(stages, { step, ", "\nTakes a model along", "p:insert(",
+  check.holds(output, "m:iterate{ … }\nOne iteration of", "model:run(stages, { step,", "\nTakes a model along", "p:insert(",
     "  sg.picture{ model,", ", … }\n", "no page on 'm:nonsense'")
 end)
 

@@ -56,7 +56,7 @@ check.case("wrong arguments are errors at the user's line", function()
   check.fails(function() study:execute{ job = 2 } end, "unknown argument 'job'", "did you mean 'jobs'?")
   check.fails(function() study:execute{ jobs = 0 } end, "jobs must be a whole number", "the number 0")
   check.fails(function() study:execute{ again = "all" } end, "again must be true")
-  check.fails(function() study:where{ b = 1 } end, "unknown argument 'b'")
+  check.fails(function() study:where{ b = 1 } end, "study:where: no case has 'b': none of its cases is done yet")
   check.fails(function() study:where{}:execute{} end, "part of a study")
   check.fails(function() study:exeute{} end, "study_test.lua", "a study has no 'exeute'; did you mean 'execute'?")
 end)
@@ -96,7 +96,9 @@ check.case("figures, failures, errors and crashes become rows; what is done does
   check.equal({ first.rows[2].failed, first.rows[2].reason, first.rows[2].at }, { true, "cycling", 0.5 })
   check.holds(first.rows[3].reason, "study_test.lua", "no luck")
   check.equal(first.rows[4].reason, "died of signal 11")
-  check.holds(tostring(first), "noted: 5 of 5 cases are done, 3 failed", "cycling", "8.33333", "  N ")
+  check.holds(tostring(first), "noted: 5 of 5 cases are done, 1 failed, 1 ended by an error, 1 crashed\n", "cycling", "8.33333", "  N ")
+  check.equal({ first.rows[1].outcome, first.rows[2].outcome, first.rows[3].outcome, first.rows[4].outcome },
+    { nil, "failed", "error", "crashed" })
   check.equal(calls(folder), 5)
   local second = study():execute{ jobs = 2 }
   check.equal(calls(folder), 7) -- the error and the crash, which may have passed
@@ -256,6 +258,33 @@ check.case("a figure that is nan makes its case an error that names it; the othe
   check.holds(study.rows[4].reason, "the figure 'a' is called like a parameter")
   check.holds(study.rows[5].reason, "run returned nothing: return a table of figures")
   check.equal({ study.rows[2].failed, study.rows[2].dPx }, { true, nil })
+end)
+
+check.case("where no case came out, whoever asks for a figure learns why", function()
+  local function study(run) return noted(new_folder(), sg.grid{ a = { 1, 2 } }, run) end
+  local failed = study(function() return { failed = true, reason = "penalty = -5" } end):execute{}
+  local grid = noted(new_folder(), sg.grid{ a = { 1 }, b = { 2 } }, function() return { failed = true } end):execute{}
+  local why = ": no case has 'error': 2 of 2 failed: penalty = -5"
+  for name, ask in pairs {
+    ["study:chart"] = function() failed:chart{ x = "a", y = "error", file = "no.png" } end,
+    ["study:heatmap"] = function() grid:heatmap{ x = "a", y = "b", value = "error", file = "no.png" } end,
+    ["study:table"] = function() failed:table{ columns = { "a", "error" } } end,
+    ["study:column"] = function() failed:column "error" end,
+    ["study:where"] = function() failed:where{ error = 1 } end,
+    ["sg.work_precision"] = function() sg.work_precision(failed, { error = "error" }) end,
+    ["sg.cheapest"] = function() sg.cheapest(failed, { error = "error", at_most = 1 }) end,
+  } do
+    check.fails(ask, "study_test.lua", name == "study:heatmap" and name .. ": no case has 'error': 1 of 1 failed" or name .. why)
+  end
+  check.fails(function() failed:chart{ x = "a", y = "wall", file = "no.png" } end,
+    "study:chart: no case has both a and wall; no.png cannot be drawn: 2 of 2 failed: penalty = -5")
+  check.equal(select(2, sg.cheapest(failed, { error = "a", at_most = 1 })),
+    "no case has both a and wall: 2 of 2 failed: penalty = -5")
+  local mixed = study(function(case) return case.a == 1 and error "no luck" or { failed = true } end):execute{}
+  check.fails(function() mixed:column "error" end, "1 failed, 1 ended by an error; the first one ended by an error: ", "no luck")
+  local fresh = study(function() return { error = 1 } end)
+  check.fails(function() fresh:column "error" end, "no case has 'error': none of its cases is done yet: execute the study")
+  check.fails(function() fresh:execute{}:column "errors" end, "did you mean 'error'?")
 end)
 
 check.case("two studies cannot use a folder: neither of different names, nor the same one twice at a time", function()

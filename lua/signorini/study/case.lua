@@ -16,6 +16,7 @@ local function read_figures(entry, figures)
     if type(name) ~= "string" then
       reject(entry, ("a figure has no name but %s"):format(core.describe(name)), "write name = value")
     end
+    if name == "outcome" then reject(entry, "a figure cannot be called 'outcome', an account that every case has") end
     if entry.case[name] ~= nil then reject(entry, ("the figure '%s' is called like a parameter"):format(name)) end
     local ok, message = pcall(core.write_json, value, "the figure " .. name) -- finite numbers, plain data
     if not ok then

@@ -31,7 +31,7 @@ local function parameter_names(list, ordered)
       if type(name) ~= "string" then
         core.fail(("%s: cases[%d] has a value without a name: write parameter = value"):format(where, i))
       end
-      if name == "wall" or name == "failed" or name == "reason" then
+      if name == "wall" or name == "failed" or name == "outcome" or name == "reason" then
         core.fail(("%s: cases[%d]: a parameter cannot be called '%s', an account that every case has")
           :format(where, i, name))
       end

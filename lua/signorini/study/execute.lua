@@ -37,8 +37,8 @@ local function words_on(study, missing, reasons, older)
   local again = #words > 0 and "; run again: " .. table.concat(words, "; ") or ""
   local version = older > 0
     and ("; %d of them are of another version than %s"):format(older, core.versions.signorini) or ""
-  return (again ~= "" or version ~= "") and
-    ("%s: %d of %d cases are kept%s%s"):format(study.name, kept, #study.cases, version, again) or nil
+  local told = #missing > 0 and kept > 0 or again ~= "" or version ~= ""
+  return told and ("%s: %d of %d cases are kept%s%s"):format(study.name, kept, #study.cases, version, again) or nil
 end
 
 --- The positions of the cases that must run, and in words what is to say about those that ran before.

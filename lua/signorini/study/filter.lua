@@ -69,6 +69,7 @@ local function read(where, study, wanted)
   if type(wanted) ~= "table" then
     arguments.reject(where, "its argument", "a table such as { order = \"N2\" }, or a function of a row", wanted)
   end
+  for name in pairs(wanted) do values.check_known(where, name, study) end
   arguments.table(where, "its argument", wanted, values.columns(study))
   for _, name in ipairs(study.parameters) do
     if wanted[name] ~= nil then check_value(where, study, name, wanted[name]) end

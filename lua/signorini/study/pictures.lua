@@ -2,6 +2,7 @@
 
 local core = require "signorini.core"
 local arguments = require "signorini.arguments"
+local outcomes = require "signorini.study.outcomes"
 local quantity = require "signorini.study.quantity"
 local values = require "signorini.study.values"
 
@@ -15,6 +16,12 @@ local function passed_on(options, known, labels)
     if chart[key] == nil and q.label ~= "" then chart[key] = q.label end
   end
   return chart
+end
+
+--- Raises an error about a picture that would be empty.
+local function nothing_to_draw(where, study, what, file)
+  local why = outcomes.why_none(study)
+  core.fail(("%s: no case has %s; %s cannot be drawn%s"):format(where, what, file, why and ": " .. why or ""))
 end
 
 --- Two rows where one was expected: says what tells them apart, and so what is missing.
@@ -125,9 +132,7 @@ function pictures.chart(study, options)
   local x_of, names = read_places(where, x, rows)
   local lone = is_parameter(study, x.pick) and options.line ~= false and x.pick or nil
   local curves = read_curves(where, study, rows, x_of, y, series, lone)
-  if #curves == 0 then
-    core.fail(("%s: no case has both %s and %s; %s cannot be drawn"):format(where, x.name, y.name, file))
-  end
+  if #curves == 0 then nothing_to_draw(where, study, ("both %s and %s"):format(x.name, y.name), file) end
 
   local chart = passed_on(options, chart_options, { xlabel = x, ylabel = y })
   chart.xticks = chart.xticks or names
@@ -172,18 +177,18 @@ local function read_cells(where, study, x, y)
   return cells
 end
 
---- What stands in a cell: the value in three digits, "failed", or nothing.
+--- What stands in a cell: the value in three digits, what became of a case that failed, or nothing.
 local function cell_text(row, number)
-  if row.failed then return "failed" end
+  if row.failed then return row.outcome or "failed" end
   return number and tonumber(("%.3g"):format(number)) or ""
 end
 
 core.docs["study:heatmap"] = [[
 study:heatmap{ x, y, value, file, texts = true, xlabel, ylabel, title, label, range, log = false, colormap, size }
-Draws a number over two parameters x and y, in the order of their values in the cases; value is a column, or a function
-of a row. texts: the numbers in the cells, "failed" where a case did. More than one case in a cell is an error that says
-what study:where has to choose. All else as in sg.heatmap: xlabel, ylabel, title, label (the column and its unit),
-range, log, colormap, size in pixels.
+Draws a number over two parameters x and y, in the order of their values in the cases; value is a column, or a function of
+a row. texts: the numbers in the cells, "failed" or "error" where a case did not come out. More than one case in a cell is an error that says what
+study:where has to choose. All else as in sg.heatmap: xlabel, ylabel, title, label (the column and its unit), range, log,
+colormap, size in pixels.
 Example: study:heatmap{ x = "order", y = "mesh", value = "wall", log = true, file = "wall.png" }]]
 function pictures.heatmap(study, options)
   local where = "study:heatmap"
@@ -214,7 +219,7 @@ function pictures.heatmap(study, options)
       if texts then chart.texts[j][i] = row and cell_text(row, number) end
     end
   end
-  if not any then core.fail(("%s: no case has %s; %s cannot be drawn"):format(where, value.name, file)) end
+  if not any then nothing_to_draw(where, study, value.name, file) end
   core.sg.heatmap(chart)
 end
 

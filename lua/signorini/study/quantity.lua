@@ -51,10 +51,4 @@ function quantity.stated(q, number)
   return ("%s = %.4g%s"):format(q.name, number, q.unit ~= "" and " " .. q.unit or "")
 end
 
---- What came of a case that failed, in a line.
-function quantity.failure(row)
-  local reason = row.reason and tostring(row.reason):match "^[^\n]*"
-  return reason and "failed: " .. reason or "failed"
-end
-
 return quantity

@@ -6,7 +6,9 @@
 
 local core = require "signorini.core"
 local arguments = require "signorini.arguments"
+local holds = require("signorini.lists").holds
 local number_text = require "signorini.number_text"
+local outcomes = require "signorini.study.outcomes"
 
 local values = {}
 
@@ -40,7 +42,7 @@ end
 --- All columns of a study by name: parameters, figures, then the accounts that every case has.
 function values.columns(study)
   local names, seen = {}, {}
-  for _, list in ipairs { study.parameters, study.figures, { "wall", "failed", "reason" } } do
+  for _, list in ipairs { study.parameters, study.figures, { "wall", "failed", "outcome", "reason" } } do
     for _, name in ipairs(list) do
       if not seen[name] then seen[name], names[#names + 1] = true, name end
     end
@@ -48,11 +50,26 @@ function values.columns(study)
   return names
 end
 
+--- Raises an error about a figure that no case has because none came out: its name may be right, and the reason is the
+--- cure.
+function values.check_known(where, name, study)
+  local columns = values.columns(study)
+  if type(name) ~= "string" or holds(columns, name) or core.nearest(name, columns) then return end
+  local why = outcomes.why_none(study)
+  if why then core.fail(("%s: no case has '%s': %s"):format(where, name, why)) end
+end
+
+--- A column's name, checked.
+function values.column(where, key, name, study)
+  values.check_known(where, name, study)
+  return arguments.choice(where, key, name, values.columns(study))
+end
+
 --- A column's name, checked, or a function of a row: what `values.of` takes. nil without a default is an error.
 function values.pick(where, key, study, pick, default)
   if pick == nil then pick = default end
   if type(pick) == "function" then return pick end
-  return arguments.choice(where, key, pick, values.columns(study))
+  return values.column(where, key, pick, study)
 end
 
 --- The number that a column or a function picks from a row; nil where there is none. Texts and what is not finite are

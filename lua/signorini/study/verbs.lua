@@ -3,12 +3,17 @@
 
 local core = require "signorini.core"
 local arguments = require "signorini.arguments"
+local counted = require "signorini.counted"
 local csv = require "signorini.csv"
+local cut = require "signorini.cut"
 local filter = require "signorini.study.filter"
 local format_table = require "signorini.table"
 local median = require "signorini.median"
+local outcomes = require "signorini.study.outcomes"
 local pictures = require "signorini.study.pictures"
 local values = require "signorini.study.values"
+
+local widest = 60 -- characters of a cell that is printed
 
 local verbs = { chart = pictures.chart, heatmap = pictures.heatmap }
 
@@ -47,7 +52,7 @@ study:by "order"
 Goes over the parts of a study that share a value.
 Example: for order, part in study:by "order" do print(order, #part) end]]
 function verbs:by(name)
-  name = arguments.choice("study:by", "its argument", name, values.columns(self))
+  name = values.column("study:by", "its argument", name, self)
   local groups = {}
   for _, row in ipairs(self.rows) do
     local found
@@ -74,7 +79,7 @@ study:column "dPx"
 A parameter or figure as a list over the rows, nan where it is missing.
 Example: study:column "force"]]
 function verbs:column(name)
-  name = arguments.choice("study:column", "its argument", name, values.columns(self))
+  name = values.column("study:column", "its argument", name, self)
   local list = {}
   for i, row in ipairs(self.rows) do
     list[i] = row[name]
@@ -129,7 +134,7 @@ local function merge(rows, name)
   end
   for key, list in pairs(numbers) do merged[key] = median(list) end
   for _, row in ipairs(rows) do
-    if row.failed then merged.failed, merged.reason = true, row.reason end
+    if row.failed then merged.failed, merged.outcome, merged.reason = true, row.outcome, row.reason end
   end
   merged[name] = nil
   return merged
@@ -165,12 +170,12 @@ end
 
 -- ── Tables ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- Columns that tell something: reason and failed only where there is one.
+--- Columns that tell something: outcome and reason only where there is one.
 local function telling_columns(study)
   local names = {}
   for _, name in ipairs(values.columns(study)) do
-    local told = name ~= "failed" and name ~= "reason"
-    for _, row in ipairs(study.rows) do told = told or (name == "reason" and row.reason ~= nil) end
+    local told = name ~= "failed" and name ~= "outcome" and name ~= "reason"
+    for _, row in ipairs(study.rows) do told = told or (name ~= "failed" and row[name] ~= nil) end
     if told then names[#names + 1] = name end
   end
   return names
@@ -188,7 +193,7 @@ local function sorted_rows(where, study, sort)
   local rows = table.move(study.rows, 1, #study.rows, 1, {})
   if sort == nil then return rows end
   local names, place = type(sort) == "table" and sort or { sort }, {}
-  for i, name in ipairs(names) do names[i] = arguments.choice(where, "sort", name, values.columns(study)) end
+  for i, name in ipairs(names) do names[i] = values.column(where, "sort", name, study) end
   for i, row in ipairs(rows) do place[row] = i end
   table.sort(rows, function(a, b)
     for _, name in ipairs(names) do
@@ -206,7 +211,7 @@ local function read_table(where, study, options, known)
   if type(columns) ~= "table" then arguments.reject(where, "columns", "a list of names", columns) end
   local units, rows = {}, {}
   for j, name in ipairs(columns) do
-    columns[j] = arguments.choice(where, ("columns[%d]"):format(j), name, values.columns(study))
+    columns[j] = values.column(where, ("columns[%d]"):format(j), name, study)
     units[j] = study.units[name] or ""
   end
   for i, row in ipairs(sorted_rows(where, study, options.sort)) do
@@ -223,11 +228,16 @@ end
 
 core.docs["study:table"] = [[
 study:table{ columns, sort, formats }
-The text of an aligned table, with units: all parameters and figures, or the columns named; sort is a column or a list
-of columns, in rising order; formats are patterns of string.format by column name.
+The text of an aligned table, with units: all parameters and figures, or the columns named; sort is a column or a list of
+columns, in rising order; formats are patterns of string.format by column name. Where a case did not come out, outcome
+says failed, error, crashed or time, and reason why. Texts of more than 60 characters end with …; study.rows and
+study:csv hold them whole.
 Example: print(study:table{ columns = {"order", "mesh", "error"}, sort = "error" })]]
 function verbs:table(options)
   local columns, units, rows, formats = read_table("study:table", self, options, { "columns", "sort", "formats" })
+  for _, row in ipairs(rows) do
+    for j = 1, #columns do row[j] = type(row[j]) == "string" and cut(row[j], widest) or row[j] end
+  end
   return format_table{ columns = columns, units = units, rows = rows, formats = formats }
 end
 
@@ -246,13 +256,12 @@ end
 
 function verbs:__len() return #self.rows end
 
---- How many cases are done and failed, and the table.
+--- How many cases are done, what became of those that did not come out, and the table.
 function verbs:__tostring()
-  local failed = 0
-  for _, row in ipairs(self.rows) do failed = failed + (row.failed and 1 or 0) end
-  local of = self.cases and (" of %d"):format(#self.cases) or ""
-  local head = ("%s: %d%s cases%s%s"):format(self.name, #self.rows, of, self.cases and " are done" or "",
-    failed > 0 and (", %d failed"):format(failed) or "")
+  local counts, all = outcomes.counts(self.rows), self.cases and #self.cases or #self.rows
+  local head = ("%s: %s%s%s%s"):format(self.name, self.cases and ("%d of "):format(#self.rows) or "",
+    counted(all, "case"), self.cases and (all == 1 and " is done" or " are done") or "",
+    #counts > 0 and ", " .. table.concat(counts, ", ") or "")
   return #self.rows > 0 and head .. "\n" .. self:table() or head
 end
 
