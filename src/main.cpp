@@ -28,7 +28,7 @@ bool run(const repl::CommandLine& line, const std::string& program) {
   ok = ok && (line.script.empty() || interpreter.run_file(line.script, line.arguments));
   if (line.interactive) repl::forget_interrupt(interpreter.state()); // what is there may still be looked at
   if (line.interactive || line.prompt_only()) return repl::prompt(interpreter, line.quiet) && ok;
-  return ok;
+  return ok && !interpreter.lost_cases();
 }
 
 } // namespace

@@ -172,4 +172,13 @@ bool Interpreter::run_file(const std::string& file, const std::vector<std::strin
   return report(ok);
 }
 
+bool Interpreter::lost_cases() const {
+  lua_State* L = state();
+  bind::push_table(L, "core");
+  lua_getfield(L, -1, "lost_cases");
+  const bool lost = lua_toboolean(L, -1);
+  lua_pop(L, 2);
+  return lost;
+}
+
 } // namespace signorini::repl

@@ -25,6 +25,9 @@ public:
   bool run_code(const std::string& code, const std::string& name);
   bool run_file(const std::string& file, const std::vector<std::string>& arguments);
 
+  /// Whether a case of a study ended by an error (lua/signorini/study/execute.lua), so that not all went well.
+  bool lost_cases() const;
+
   /// Calls the function below `arguments` values on the stack: true with all its results on the stack, or false with
   /// the message and the traceback, which goes to core.traceback instead when it is to be kept for later.
   bool call(int arguments, bool keep_traceback = false);

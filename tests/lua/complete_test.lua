@@ -81,7 +81,7 @@ check.case("texts of closed sets, and names of an object's parts", function()
   check.equal(all 'model:profile "', { "ground" })
   check.equal(all 'model:reaction "g', { "grip" })
   study = sg.study { name = "s", cases = sg.grid { order = { "N1" } }, run = function() return {} end }
-  check.equal(all 'study:by "', { "order", "wall", "failed", "reason" })
+  check.equal(all 'study:by "', { "order", "wall", "failed", "outcome", "reason" })
   help = sg.help
   check.equal(all 'help "patch:re', { "patch:refine" })
   check.equal(all 'help "la', { "labels" })

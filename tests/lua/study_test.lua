@@ -171,6 +171,22 @@ check.case("cases that ask for it run last, and alone", function()
   check.equal(record.made.at_once, 1)
 end)
 
+check.case("an error of a case is told aloud and makes the status 1; a case that failed, or os.exit, leaves it 0", function()
+  local function run(body, ending)
+    return check.script(([[
+      require "signorini".study{ name = "e", folder = arg[1], cases = { { a = 1 }, { a = 2 } },
+                                 run = function(case) %s end }:execute{}
+      print "end" %s]]):format(body, ending or ""), new_folder())
+  end
+  local output, status = run 'if case.a == 2 then error "no luck" end return {}'
+  check.holds(output, "end\n", "signorini: e: 1 of 2 cases ended by an error, which makes the exit status 1; the first one, a=2: ",
+    "study.lua:2: no luck\n")
+  check.equal(status, 1)
+  output, status = run 'return { failed = true, reason = "cycling" }'
+  check.equal({ status, output:find "ended by an error" }, { 0, nil })
+  check.equal({ select(2, run('error "no luck"', "os.exit(true)")) }, { 0 })
+end)
+
 check.case("a limit gives a case up; more time takes it up again", function()
   local folder = new_folder()
   local function study() return noted(folder, { { a = 1 } }, function() os.execute "sleep 0.4" return { b = 1 } end) end
@@ -232,11 +248,14 @@ check.case("Ctrl-C ends it with what is done, and lets go of the folder", functi
     sg.study{ name = "stopped", folder = "%s", cases = sg.grid{ a = { 1, 2, 3, 4, 5, 6 } }, inputs = {},
               run = function(case) os.execute "sleep 0.2" return { b = case.a } end }:execute{ jobs = 1 }
     print "not stopped"]]):format(folder))
-  local output = check.shell(("%s -q %s & for i in $(seq 1000); do ls %s/cases/*.json >/dev/null 2>&1 && break; "
-    .. "sleep 0.02; done; kill -INT $!; wait $!; echo status $?"):format(arg[-1], name, folder))
-  check.holds(output, "interrupted", "status 130")
-  check.equal(files_in(folder) >= 1 and files_in(folder) < 6, true)
-  check.equal(check.program { "-q", name }, "not stopped\n")
+  local output = check.shell(("%s -q %s & for i in $(seq 1000); do ls %s/cases/*.json >/dev/null 2>&1 && break; sleep 0.02;"
+    .. " done; kill -INT $!; wait $!; echo status $?"):format(arg[-1], name, folder))
+  local kept = files_in(folder)
+  check.equal(kept >= 1 and kept < 6, true)
+  check.holds(output, ("stopped: interrupted: %d of 6 cases %s kept; the same call goes on with the others\n")
+    :format(kept, kept == 1 and "is" or "are"), ":2: interrupted", "status 130")
+  check.holds(check.program { name }, ("stopped: %d of 6 cases are kept\nstopped: %d of 6: a="):format(kept, kept + 1),
+    "not stopped\n")
   check.equal(files_in(folder), 6)
   os.remove(name)
 end)

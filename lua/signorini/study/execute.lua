@@ -2,7 +2,9 @@
 
 local core = require "signorini.core"
 local arguments = require "signorini.arguments"
+local counted = require "signorini.counted"
 local inputs = require "signorini.study.inputs"
+local outcomes = require "signorini.study.outcomes"
 local progress = require "signorini.progress"
 local solve_case = require "signorini.study.case"
 local store = require "signorini.study.store"
@@ -17,7 +19,7 @@ local function outdated(entry, record, now, limit)
   if not values.same(record.case, entry.case) then return "a parameter changed" end
   local changed = inputs.difference(record.inputs or {}, now)
   if #changed > 0 then return table.concat(changed, ", ") .. " changed" end
-  if record.outcome == "error" or record.outcome == "crashed" then return "it did not end well" end
+  if outcomes.is_error(record.outcome) then return "it did not end well" end
   if record.outcome == "time" and (not limit or limit > record.wall) then return "it has more time now" end
 end
 
@@ -125,6 +127,29 @@ local function run_cases(study, list, at_once, limit, display, keep)
   end, limit, function(running) display:look(running) end)
 end
 
+--- Tells how many cases ended by errors, even where the program is quiet, and has the program end with status 1: a
+--- mistake in the script would look like a result otherwise.
+local function tell_errors(study)
+  local count, first = 0, nil
+  for i in ipairs(study.cases) do
+    local record = study.records[i]
+    if record and outcomes.is_error(record.outcome) then count, first = count + 1, first or i end
+  end
+  if count == 0 then return end
+  core.lost_cases = true
+  io.stderr:write(("signorini: %s: %d of %s ended by an error, which makes the exit status 1; the first one, %s: %s\n"):format(
+    study.name, count, counted(#study.cases, "case"), study.cases[first].text, study.records[first].reason))
+end
+
+--- Ends an execution that Ctrl-C has stopped.
+local function stop(study)
+  local kept = 0
+  for i in ipairs(study.cases) do kept = kept + (study.records[i] and 1 or 0) end
+  io.stderr:write(("%s: interrupted: %d of %s %s kept; the same call goes on with the others\n"):format(study.name, kept,
+    counted(#study.cases, "case"), kept == 1 and "is" or "are"))
+  core.fail "interrupted"
+end
+
 --- Runs what is missing; `keeper` holds the folder.
 local function execute(study, keeper, options)
   local now = inputs.of(study.run, study.inputs)
@@ -150,15 +175,18 @@ local function execute(study, keeper, options)
   end
   local together, alone = split_alone(study, list)
   local whole = run_cases(study, together, options.jobs, options.limit, display, keep)
-  if whole then run_cases(study, alone, 1, options.limit, display, keep) end
+  whole = whole and run_cases(study, alone, 1, options.limit, display, keep)
   display.bar:clear()
+  tell_errors(study)
+  if not whole then stop(study) end
 end
 
 core.docs["study:execute"] = [[
 study:execute{ jobs, limit, again }
-Runs the cases that are missing in the study's folder, or whose inputs have changed, and returns the study. Each
-finished case is on the disk at once; when the program is stopped or killed, the next call goes on with what is missing.
-A case that fails is a result and stays; one that ended in an error or whose process died runs again at the next call.
+Runs the cases that are missing in the study's folder, or whose inputs have changed, and returns the study. Each finished
+case is on the disk at once; when the program is stopped by Ctrl-C or killed, the same call goes on with what is missing.
+A case that fails is a result and stays. One that ended by an error or whose process died is told on standard error at
+the end, runs again at the next call, and makes the exit status of the program 1, unless the script ends with os.exit.
 jobs:  cases side by side; by default what --jobs says, else as many as there are processors. Each has one thread.
 limit: seconds by the clock on the wall after which a case is given up; none by default.
 again: true for all cases, "failed", or a function of a row: which cases run anew in any case.
