@@ -21,6 +21,12 @@ check.case("the starter runs as it is written", function()
   end
   local force = require("signorini").csv.read(folder .. "/out/starter/starter.csv"):column "force"
   check.near(force, { 0.018, 0.0162 }, 0.0005)
+  local names = core.list_folder(folder .. "/out/starter/cases/cases")
+  check.equal(#names, 2)
+  for _, name in ipairs(names) do -- the time of the solve, not that of the pictures, too
+    local record = core.read_json(core.read_file(folder .. "/out/starter/cases/cases/" .. name))
+    check.equal(record.figures.wall > 0 and record.figures.wall < record.wall, true)
+  end
   check.holds(run "study.lua help", "orders", "meshes", "steps")
 end)
 
