@@ -15,7 +15,8 @@ end
 --- Raises an error about a key that is none of the known ones (a list), with the one that was probably meant.
 function arguments.unknown(where, key, name, known)
   local meant = type(key) == "string" and core.nearest(key, known)
-  core.fail(("%s: unknown argument '%s' in %s; %s%s"):format(where, tostring(key), name,
+  local place = name ~= "its argument" and " in " .. name or ""
+  core.fail(("%s: unknown argument '%s'%s; %s%s"):format(where, tostring(key), place,
     meant and ("did you mean '%s'? Known: "):format(meant) or "known: ", table.concat(known, ", ")))
 end
 

@@ -5,6 +5,7 @@
 
 local core = require "signorini.core"
 local arguments = require "signorini.arguments"
+local counted = require "signorini.counted"
 local format_table = require "signorini.table"
 local number_text = require "signorini.number_text"
 
@@ -69,6 +70,7 @@ local function column_names(data)
   local seen = {}
   for i, name in ipairs(columns) do
     if type(name) ~= "string" then core.fail(("sg.csv.write: columns[%d] must be a string"):format(i)) end
+    if name == "" then arguments.reject("sg.csv.write", ("columns[%d]"):format(i), "a name", name) end
     if seen[name] then core.fail(("sg.csv.write: the column '%s' is there twice"):format(name)) end
     seen[name] = true
   end
@@ -83,7 +85,8 @@ local function cells(data, columns)
       if type(row) ~= "table" then arguments.reject("sg.csv.write", ("rows[%d]"):format(i), "a list of values", row) end
       for key in pairs(row) do
         if math.type(key) ~= "integer" or key < 1 or key > #columns then
-          core.fail(("sg.csv.write: rows[%d] has an entry '%s', but there are %d columns"):format(i, key, #columns))
+          core.fail(("sg.csv.write: rows[%d] has an entry '%s', but there %s %s"):format(i, key,
+            #columns == 1 and "is" or "are", counted(#columns, "column")))
         end
       end
     end
@@ -126,9 +129,11 @@ end
 core.docs["sg.csv.write"] = [[
 sg.csv.write(file, { columns = {…}, rows = {{…}, …}, comments = {…} })
 Writes a table, whole or not at all. Instead of rows, equally long lists may stand under the columns' names.
+Values are numbers, texts, true or false. A missing one, nil, is an empty field; so is what a row lacks at its end.
+An empty text reads back as nil.
 Example: sg.csv.write("a.csv", { columns = {"step", "fx"}, rows = {{1, 0.2}, {2, 0.3}} })]]
 function csv.write(file, data)
-  if type(file) ~= "string" then core.fail "sg.csv.write: file, the first argument, must be a file name" end
+  if type(file) ~= "string" then arguments.reject("sg.csv.write", "file, the first argument,", "the name of a file", file) end
   if type(data) ~= "table" then core.fail "sg.csv.write: the second argument must be a table with columns and rows" end
   local text = file_text(data)
   local part = file .. ".part"
@@ -251,7 +256,7 @@ Reads a table: { columns = {…}, rows = {{…}, …}, comments = {…} }; lines
 Example: run:csv "run.csv"
          fx = sg.csv.read("run.csv"):column "grip.fx"]]
 function csv.read(file)
-  if type(file) ~= "string" then core.fail "sg.csv.read: the argument must be a file name" end
+  if type(file) ~= "string" then arguments.reject("sg.csv.read", "file", "the name of a file", file) end
   local stream, reason = io.open(file, "rb")
   if not stream then core.fail("sg.csv.read: cannot read " .. reason) end
   local text = stream:read "a"

@@ -3,6 +3,7 @@
 local arguments = require "signorini.arguments"
 local core = require "signorini.core"
 local csv = require "signorini.csv"
+local in_name_of = require "signorini.in_name_of"
 local drives = require "signorini.drives"
 local format_table = require "signorini.table"
 local states = require "signorini.states"
@@ -334,7 +335,7 @@ function Run:csv(file)
     rows[row] = {}
     for i, name in ipairs(self.names) do rows[row][i] = self.values[name][row] end
   end
-  csv.write(file, { columns = self.names, rows = rows, comments = { self.report } })
+  in_name_of("run:csv", "sg.csv.write", csv.write, file, { columns = self.names, rows = rows, comments = { self.report } })
 end
 
 local function work_row(name, work, cutbacks)

@@ -91,6 +91,15 @@ local function read_units(units)
   return copy
 end
 
+--- The name of a study's folder below out/, from its own name.
+local function folder_name(name)
+  local stem = name:gsub("[^%w.=+()-]+", "_")
+  if name:find "^%s*$" or stem == "." or stem == ".." then
+    arguments.reject(where, "name", "a text that can name a folder", name)
+  end
+  return stem
+end
+
 core.docs["study"] = [[
 study
 What sg.study returns: #study rows, study.rows, a list of tables of parameters and figures by name; print(study) shows
@@ -123,13 +132,14 @@ local function new(options)
   if type(options) ~= "table" then arguments.reject(where, "its argument", "a table of named arguments", options) end
   arguments.table(where, "its argument", options, { "name", "cases", "run", "folder", "units", "alone", "inputs" })
   local name = arguments.string(where, "name", options.name)
+  local folder = arguments.string(where, "folder", options.folder, "out/" .. folder_name(name))
+  if folder == "" then arguments.reject(where, "folder", "the name of a folder", folder) end
   if options.run == nil then arguments.reject(where, "run", "a function that takes a case and returns figures", nil) end
   local alone = options.alone
   if type(alone) ~= "function" then alone = arguments.flag(where, "alone", alone, false) end
   local study = {
     name = name, run = arguments.callback(where, "run", options.run), alone = alone, inputs = options.inputs,
-    folder = arguments.string(where, "folder", options.folder, "out/" .. name:gsub("[^%w.=+()-]+", "_")),
-    units = read_units(options.units), records = {}, unsaved = {}, rows = {}, figures = {},
+    folder = folder, units = read_units(options.units), records = {}, unsaved = {}, rows = {}, figures = {},
   }
   study.units.wall = study.units.wall or "s"
   study.cases, study.parameters = read_cases(options.cases)

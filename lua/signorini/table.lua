@@ -2,6 +2,9 @@
 
 local core = require "signorini.core"
 local arguments = require "signorini.arguments"
+local counted = require "signorini.counted"
+
+local shows = { number = true, string = true, boolean = true }
 
 --- A cell as text: by the column's format, whole numbers as such, others with six digits, nothing as a dash.
 local function cell_text(value, format)
@@ -14,6 +17,21 @@ end
 local function pad(text, width, right)
   local blanks = (" "):rep(width - (utf8.len(text) or #text))
   return right and blanks .. text or text .. blanks
+end
+
+--- A row must hold what a cell can show, and no more than there are columns.
+local function check_row(i, row, columns)
+  if type(row) ~= "table" then arguments.reject("sg.table", ("rows[%d]"):format(i), "a list of values", row) end
+  for key, value in pairs(row) do
+    if math.type(key) ~= "integer" or key < 1 or key > #columns then
+      core.fail(("sg.table: rows[%d] has an entry '%s', but there %s %s"):format(i, tostring(key),
+        #columns == 1 and "is" or "are", counted(#columns, "column")))
+    end
+    if not shows[type(value)] then
+      arguments.reject("sg.table", ("rows[%d][%d]"):format(i, key), "a number, a text, true or false", value,
+        "write it as a text")
+    end
+  end
 end
 
 --- A list or a table by name of texts, or nothing.
@@ -38,7 +56,7 @@ end
 core.docs["sg.table"] = [[
 sg.table{ columns = {…}, rows = {{…}, …}, units = {…}, formats = {…} }
 The text of an aligned table, numbers to the right; formats are patterns of string.format by position or column name;
-a missing value is a dash, units make a second line of heads.
+a missing value is a dash, units make a second line of heads. Values are numbers, texts, true or false.
 Example: print(sg.table{ columns = {"x", "y"}, rows = {{1, 0.5}, {2, 0.25}}, units = {"mm", "N"} })]]
 return function(options)
   arguments.table("sg.table", "its argument", options, { "columns", "rows", "units", "formats" })
@@ -48,9 +66,7 @@ return function(options)
   check_texts("columns", columns)
   check_texts("units", options.units)
   check_formats(formats)
-  for i, row in ipairs(options.rows) do
-    if type(row) ~= "table" then arguments.reject("sg.table", ("rows[%d]"):format(i), "a list of values", row) end
-  end
+  for i, row in ipairs(options.rows) do check_row(i, row, columns) end
 
   local heads = options.units and { columns, options.units } or { columns }
   local lines = {}

@@ -4,6 +4,9 @@
 #include "bind/functions.hpp"
 #include "bind/open.hpp"
 
+#include <algorithm>
+#include <filesystem>
+
 namespace signorini::bind {
 
 template <> struct Type<Lock> { static constexpr auto name = "lock"; };
@@ -22,6 +25,15 @@ int write_file(lua_State* L) {
 
 int read_file(lua_State* L) {
   push(L, read_whole(read_string(L, 1, file_argument)));
+  return 1;
+}
+
+int list_folder(lua_State* L) {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(read_string(L, 1, {"folder"})))
+    names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  push(L, names);
   return 1;
 }
 
@@ -49,6 +61,7 @@ constexpr Function rows[] = {
      "core.write_file(file, bytes, durable = false)\n"
      "Writes a file, whole or not at all; durable: on the disk on return, so that it outlives the machine's power."},
     {"read_file", wrap<read_file>, "core.read_file(file)\nAll bytes of a file."},
+    {"list_folder", wrap<list_folder>, "core.list_folder(folder)\nThe names of what a folder holds, sorted."},
     {"remove_leftovers", wrap<remove_temporary_files>,
      "core.remove_leftovers(file)\nRemoves temporary files of this name that killed processes left."},
     {"hash", wrap<hash>, "core.hash(bytes)\nSixteen hexadecimal digits that stand for a text."},

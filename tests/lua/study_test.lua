@@ -32,6 +32,11 @@ check.case("a grid holds all combinations, the last name fastest", function()
   check.fails(function() sg.grid{ { 1, 2 } } end, "an entry without a name")
   check.fails(function() sg.grid({ a = { 1 } }, { a = { 2 } }) end, "the parameter 'a' is there twice")
   check.fails(function() sg.grid() end, "argument 1", "missing")
+  check.fails(function() sg.grid{ a = { 1, 0 / 0 } } end, "sg.grid: a[2] must be a finite number", "got nan")
+  check.equal(tostring(sg.grid{ a = { 0.5 }, mesh = { { 6, 2 }, { name = "m1", 1 } } }), "2 cases\n  a  mesh\n0.5  6×2\n0.5  m1")
+  local list = {}
+  for i = 1, 23 do list[i] = i end
+  check.holds(tostring(sg.grid{ a = list }), "23 cases\n", "\n20\n… 3 more")
 end)
 
 check.case("wrong arguments are errors at the user's line", function()
@@ -45,9 +50,14 @@ check.case("wrong arguments are errors at the user's line", function()
     { { name = "s", cases = sg.grid{ a = { 1 } }, runs = run }, "unknown argument 'runs'", "did you mean 'run'?" },
     { { name = "s", cases = sg.grid{ wall = { 1 } }, run = run }, "cannot be called 'wall'" },
     { { name = "s", cases = { { a = print } }, run = run }, "cases[1].a", "function" },
-    { { name = "s", cases = sg.grid{ a = { 0 / 0 } }, run = run }, "cases[1].a", "nan" },
+    { { name = "s", cases = { { a = 0 / 0 } }, run = run }, "cases[1].a", "nan" },
     { { name = "s", cases = { { a = 1 }, { a = 1 } }, run = run }, "cases[1] and cases[2]", "'a=1'" },
     { { name = "s", cases = sg.grid{ a = { 1 } }, run = run, units = "mm" }, "units must be a table" },
+    { { name = "", cases = sg.grid{ a = { 1 } }, run = run }, "name must be a text that can name a folder, got the string ''" },
+    { { name = "..", cases = sg.grid{ a = { 1 } }, run = run }, "name must be a text that can name a folder" },
+    { { name = "s", cases = sg.grid{ a = { 1 } }, run = run, folder = "" }, "folder must be the name of a folder" },
+    { { name = "s", cases = sg.grid{ a = { 1 } }, run = run, outcome = 1 }, "unknown argument 'outcome'; known: " },
+    { { name = "s", cases = sg.grid{ outcome = { 1 } }, run = run }, "cannot be called 'outcome'" },
     { { name = "s", cases = sg.grid{ a = { 1 } }, run = run, alone = 1 }, "alone must be true or false" },
   } do
     check.fails(function() sg.study(wrong[1]) end, "study_test.lua", table.unpack(wrong, 2))
@@ -441,6 +451,7 @@ check.case("csv writes what table shows", function()
   check.equal(data.comments, { "study: noted", "cost / s", "wall / s" })
   check.equal(data:column "cost", { 13, 13, 23, 23 })
   check.equal(data:column "order", { "N2", "N4", "N2", "N4" })
+  check.fails(function() study:csv(scratch .. "/no/a.csv") end, "study_test.lua", ": study:csv: ", "/no/a.csv")
 end)
 
 check.shell("rm -rf " .. scratch .. "*")

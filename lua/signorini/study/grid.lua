@@ -2,8 +2,13 @@
 
 local core = require "signorini.core"
 local arguments = require "signorini.arguments"
+local counted = require "signorini.counted"
+local cut = require "signorini.cut"
+local format_table = require "signorini.table"
+local values = require "signorini.study.values"
 
 local where = "sg.grid"
+local most, widest = 20, 40 -- cases and characters of a value that print shows
 
 --- The names and lists of one table of parameters, sorted by name.
 local function read_axes(name, axes)
@@ -17,8 +22,9 @@ local function read_axes(name, axes)
     end
     if type(list) ~= "table" or #list == 0 then arguments.reject(where, key, "a list of values", list) end
     for i, value in ipairs(list) do
-      if type(value) == "function" or type(value) == "userdata" then
-        arguments.reject(where, ("%s[%d]"):format(key, i), "a number, a string, true, false or a plain table", value)
+      local finite = type(value) ~= "number" or value == value and math.abs(value) < math.huge
+      if type(value) == "function" or type(value) == "userdata" or not finite then
+        arguments.reject(where, ("%s[%d]"):format(key, i), "a finite number, a string, true, false or a plain table", value)
       end
     end
     sorted[#sorted + 1] = { name = key, values = list }
@@ -27,11 +33,26 @@ local function read_axes(name, axes)
   return sorted
 end
 
+--- How many cases, and the first ones as rows of a table.
+local function shown(cases)
+  local names, rows = getmetatable(cases).parameters, {}
+  for i = 1, math.min(most, #cases) do
+    rows[i] = {}
+    for j, name in ipairs(names) do
+      local value = cases[i][name]
+      rows[i][j] = type(value) == "number" and value or cut(values.text(value), widest)
+    end
+  end
+  local more = #cases > most and ("\n… %d more"):format(#cases - most) or ""
+  return ("%s\n%s%s"):format(counted(#cases, "case"), format_table{ columns = names, rows = rows }, more)
+end
+
 core.docs["sg.grid"] = [[
 sg.grid{ order = {"N2", "N4"}, mesh = {"m1", "m2"} }
 All combinations of the parameters' values, as a list of cases for sg.study. Values are numbers, strings, true, false or
 plain tables; a table shows by its field `name`, or as 6×2. The parameters stand in the order of their names, the last
-one changes fastest; several tables, sg.grid({ order = … }, { mesh = … }), put them in this order instead.
+one changes fastest; several tables, sg.grid({ order = … }, { mesh = … }), put them in this order instead. print shows
+the cases as a table.
 Example: #sg.grid{ order = {"N2", "N4"}, mesh = {1, 2, 3} }  --> 6]]
 return function(...)
   local axes, seen = {}, {}
@@ -56,5 +77,5 @@ return function(...)
   -- The order in which the parameters were given, for tables; it is no parameter itself.
   local names = {}
   for i, axis in ipairs(axes) do names[i] = axis.name end
-  return setmetatable(cases, { parameters = names })
+  return setmetatable(cases, { parameters = names, __tostring = shown })
 end

@@ -7,6 +7,7 @@ local counted = require "signorini.counted"
 local csv = require "signorini.csv"
 local cut = require "signorini.cut"
 local filter = require "signorini.study.filter"
+local in_name_of = require "signorini.in_name_of"
 local format_table = require "signorini.table"
 local median = require "signorini.median"
 local outcomes = require "signorini.study.outcomes"
@@ -251,7 +252,7 @@ function verbs:csv(file, options)
   for j, name in ipairs(columns) do
     if units[j] ~= "" then comments[#comments + 1] = ("%s / %s"):format(name, units[j]) end
   end
-  csv.write(arguments.string("study:csv", "file", file), { columns = columns, rows = rows, comments = comments })
+  in_name_of("study:csv", "sg.csv.write", csv.write, arguments.string("study:csv", "file", file), { columns = columns, rows = rows, comments = comments })
 end
 
 function verbs:__len() return #self.rows end
