@@ -1,5 +1,8 @@
--- print for several values of which one has a text of its own that may fill lines, such as a run, a study or a case of
--- it: each begins a line. All else is as Lua has it.
+-- print shows patches, bodies, models and profiles in the few lines that the prompt does, too. Where one of several values
+-- has a text of its own that may fill lines, such as these, a run, a study or a case of it, each begins a line. All else is
+-- as Lua has it.
+
+local object_text = require "signorini.show.objects"
 
 local plain = print
 
@@ -9,8 +12,12 @@ local function has_text(value)
 end
 
 return function(...)
-  local below = false
-  for i = 1, select("#", ...) do below = below or has_text((select(i, ...))) end
+  local below, shown = false, { ... }
+  for i = 1, select("#", ...) do
+    local text = object_text(shown[i])
+    below = below or text ~= nil or has_text(shown[i])
+    shown[i] = text or shown[i]
+  end
   if not below then return plain(...) end
-  for i = 1, select("#", ...) do plain((select(i, ...))) end
+  for i = 1, select("#", ...) do plain(shown[i]) end
 end

@@ -18,4 +18,8 @@ std::string coordinates(const VectorX& point) {
   return words + ")";
 }
 
+std::string counted(std::size_t count, const std::string& noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
 } // namespace signorini

@@ -118,15 +118,36 @@ template <int D> int points(lua_State* L) {
   return 1;
 }
 
+/// "2 x 1" of a row's degrees, that of the direction through the body in its place.
+std::string degrees_in_words(const nurbs::Discretisation& space, const nurbs::Patch& row) {
+  std::string words;
+  for (int d = 0, along = 0; d < space.parametric_dimension(); ++d) {
+    const int degree = d == space.through() ? space.through_knots().degree() : row.direction(along++).degree();
+    words += text(d == 0 ? "" : " x ", degree);
+  }
+  return words;
+}
+
+/// The degrees of all rows of control points, in the order of the rows.
+std::string all_degrees_in_words(const nurbs::Discretisation& space) {
+  std::string words, last;
+  for (const nurbs::Patch& row : space.rows())
+    if (const std::string own = degrees_in_words(space, row); own != last) {
+      words += (words.empty() ? "" : ", then ") + own;
+      last = own;
+    }
+  return words;
+}
+
 template <int D> int tostring(lua_State* L) {
   const solid::Body<D>& body = *self<Body<D>>(L);
   const nurbs::Discretisation& space = body.space();
   std::string elements, closed;
   for (int d : nurbs::closed_directions(space)) closed += text(closed.empty() ? "closed along xi" : " and xi", d + 1);
   for (int d = 0; d < D; ++d) elements += text(d == 0 ? "" : " x ", space.elements(d));
-  push(L, text(D == 2 ? "plane" : "solid", " body: ", elements, " elements, ", D * space.functions(),
-               " degrees of freedom, ", closed, closed.empty() ? "" : ", ", body.linear() ? "linear elastic, " : "",
-               constants_in_words(body.material())));
+  push(L, text(D == 2 ? "plane" : "solid", " body: ", elements, " elements, degree ", all_degrees_in_words(space), ", ",
+               D * space.functions(), " degrees of freedom, ", closed, closed.empty() ? "" : ", ",
+               body.linear() ? "linear elastic, " : "", constants_in_words(body.material())));
   return 1;
 }
 
@@ -136,9 +157,10 @@ constexpr Function functions[] = {
      "A solid body. patch: its shape, a surface in the plane or a volume in 3D. elements: knot spans per parametric\n"
      "direction. order: a discretisation label, see help \"labels\", or a list of one per direction. contact: the\n"
      "face that carries the layer (\"south\"), or two opposite ones; along it the label holds, through the body the\n"
-     "geometry's own degree, unless `through` says another. Without contact the label holds in all directions.\n"
-     "grading: as in patch:refine. Where a patch is folded so that two opposite faces are one, as in a full ring, the\n"
-     "body is joined at that seam; print(body) says along which direction it is closed.\n"
+     "geometry's own degree, unless `through` says another: N3 on a rectangle is of degree 1 through it. Without\n"
+     "contact the label holds in all directions. print(body) shows the degrees. grading: as in patch:refine.\n"
+     "Where a patch is folded so that two opposite faces are one, as in a full ring, the body is joined at that seam;\n"
+     "print(body) says along which direction it is closed.\n"
      "Example: sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = {8, 3}, order = \"N2-N2.2\",\n"
      "                  contact = \"north\", material = sg.neo_hookean{ E = 1, nu = 0.3 } }\n"
      "Example: sg.body{ patch = sg.shapes.block{ size = {4, 4, 2} }, elements = {4, 4, 2}, order = {\"N2-N4\", "
@@ -149,8 +171,9 @@ constexpr Function functions[] = {
 template <int D>
 constexpr Function rows[] = {
     {"__tostring", wrap<tostring<D>>,
-     "body\nWhat sg.body returns, an immutable value; print(body) tells its size. Methods: face, edge, corner, dofs, "
-     "points."},
+     "body\nWhat sg.body returns, an immutable value; print(body) tells its elements and degrees per direction, of its "
+     "rows\nof control points one after the other where these differ, and its size; tostring(body) the first line of "
+     "that.\nMethods: face, edge, corner, dofs, points."},
     {"dofs", wrap<dofs<D>>,
      "b:dofs()\n"
      "Degrees of freedom { interface, bulk, total }: of the contact faces' control points, of all others, of all.\n"

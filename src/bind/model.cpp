@@ -1,4 +1,5 @@
 #include "bind/model.hpp"
+#include "base/words.hpp"
 #include "bind/open.hpp"
 
 #include <algorithm>
@@ -92,7 +93,7 @@ template <int D>
 constexpr Function rows[] = {
     {"__tostring", wrap<tostring<D>>,
      "model\nWhat sg.model returns: the scene with its accepted state and the present one; print(model) tells its "
-     "parts and size.\n"
+     "size and its\nparts, where stages have moved them and which contacts touch; tostring(model) its size.\n"
      "model:run takes it along a load path; help \"results\" and help \"verbs\" list the other methods."},
     {"body_names", wrap<body_names<D>>,
      "m:body_names()\nThe names of the bodies, sorted.\n"

@@ -79,8 +79,8 @@ void add_points(Diagnosis& diagnosis, const Model<D>& model, const std::vector<P
   if (points.empty()) return;
   const TroubleSpot& first = diagnosis.places.front();
   diagnosis.message +=
-      text("; ", points.size(), points.size() == 1 ? " point" : " points", " of contact '", first.where,
-           "', the first in slave element ", first.index + 1, " at X = ", coordinates(first.reference));
+      text("; ", counted(points.size(), "point"), " of contact '", first.where, "', the first in slave element ",
+           first.index + 1, " at X = ", coordinates(first.reference));
 }
 
 /// The contact points that press and are not on the master, the farthest first.

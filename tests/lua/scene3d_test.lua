@@ -20,7 +20,7 @@ check.case("bodies tell their size, faces, edges and corners", function()
                      material = soft }
   -- N2 along x and y: 4 + 2 and 3 + 2 functions; through the body degree 1: 3
   check.equal({ b:dofs().interface, b:dofs().total }, { 3 * 6 * 5, 3 * 6 * 5 * 3 })
-  check.equal(tostring(b), "solid body: 4 x 3 x 2 elements, 270 degrees of freedom, E = 10, nu = 0.3")
+  check.equal(tostring(b), "solid body: 4 x 3 x 2 elements, degree 2 x 2 x 1, 270 degrees of freedom, E = 10, nu = 0.3")
   check.equal(tostring(b:face "back"), "face 'back' of a body, 30 control points")
   check.equal(tostring(b:face "east"), "face 'east' of a body, 15 control points")
   check.equal(tostring(b:edge "south-front"), "edge 'south-front' of a body, 6 control points")
@@ -32,7 +32,7 @@ check.case("bodies tell their size, faces, edges and corners", function()
   local flat = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = {2, 2}, order = "N2",
                         material = soft }
   check.equal(b.dofs(flat).total, 2 * 4 * 4)
-  check.equal(tostring(flat), "plane body: 2 x 2 elements, 32 degrees of freedom, E = 10, nu = 0.3")
+  check.equal(tostring(flat), "plane body: 2 x 2 elements, degree 2 x 2, 32 degrees of freedom, E = 10, nu = 0.3")
 end)
 
 check.case("an edge and a corner are where their faces meet", function()

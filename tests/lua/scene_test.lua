@@ -25,7 +25,7 @@ check.case("bodies tell their degrees of freedom, faces and corners", function()
   check.equal({ dofs.interface, dofs.bulk, dofs.total }, { 16, 20, 36 })
   check.holds(low:face "west", "face 'west' of a body, 3 control points")
   check.holds(low:corner "south-west", "corner 'south-west' of a body, 1 control point")
-  check.holds(low, "4 x 2 elements, 36 degrees of freedom")
+  check.holds(low, "4 x 2 elements, degree 2 x 1, 36 degrees of freedom")
   check.equal(sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = {2, 2}, order = "N3",
                        material = soft }:dofs().total, 2 * 5 * 5)
 end)

@@ -1,6 +1,7 @@
--- The few lines that the prompt shows of a patch, a body, a model and a contact profile.
+-- The few lines that print and the prompt show of a patch, a body, a model and a contact profile.
 
 local core = require "signorini.core"
+local counted = require "signorini.counted"
 
 local axes = { "x", "y", "z" }
 
@@ -44,8 +45,8 @@ local function contact_text(model, name)
   local now, force = model:contact_resultant(name), {}
   if now.active == 0 then return ("  contact %s: open"):format(name) end
   for i, axis in ipairs(axes) do force[i] = now["f" .. axis] and ("%.4g"):format(now["f" .. axis]) end
-  return ("  contact %s: %d points touch, %d of them slip; force {%s}, largest pressure %.4g")
-    :format(name, now.active, now.slipping, table.concat(force, ", "), now.max_pressure)
+  return ("  contact %s: %s, %d of them slip; force {%s}, largest pressure %.4g")
+    :format(name, now.active == 1 and "1 point touches" or now.active .. " points touch", now.slipping, table.concat(force, ", "), now.max_pressure)
 end
 
 function objects.model(model)
@@ -76,7 +77,7 @@ local function profile(value)
   for name in pairs(value) do names[#names + 1] = name end
   table.sort(names)
   for i, name in ipairs { "x", "pressure", "traction", "gap" } do ranges[i] = range_text(name, value[name]) end
-  return ("contact profile of %d points: %s\n  %s\n  lists: %s"):format(#value.pressure, table.concat(parts, ", "),
+  return ("contact profile of %s: %s\n  %s\n  lists: %s"):format(counted(#value.pressure, "point"), table.concat(parts, ", "),
     table.concat(ranges, ", "), table.concat(names, ", "))
 end
 

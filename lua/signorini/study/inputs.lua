@@ -100,7 +100,7 @@ local function write_table(value, out, seen)
   end
 end
 
---- What can be seen of an object: all of a patch; of others, such as materials and bodies, what print shows.
+--- What can be seen of an object: all of a patch; of others, such as materials and bodies, what tostring says.
 local function write_object(value, out, seen)
   out[#out + 1] = tostring(value):gsub(": 0x%x+$", "", 1) -- an address tells nothing
   if core.kind(value) == "patch" then write({ value:points(), value:weights() }, out, seen) end
