@@ -19,13 +19,15 @@ enum Status { success = 0, failure = 1, wrong_usage = 2, stopped_by_user = 130 }
 bool run(const repl::CommandLine& line, const std::string& program) {
   repl::Interpreter interpreter({line.quiet, line.threads, line.jobs});
   repl::catch_interrupts(interpreter.state());
-  interpreter.set_arguments(program, line.script, line.arguments);
+  const std::string script = bind::find_script(line.script);
+  if (script != line.script && !line.quiet) std::cerr << "signorini: running " << script << std::endl;
+  interpreter.set_arguments(program, script, line.arguments);
   // A script in a file says what it needs; whatever is typed finds the language already there.
   const bool typed = line.interactive || line.script.empty() || line.script == "-" || !line.code.empty();
   if (typed && !interpreter.open_globals()) return false;
   bool ok = true;
   for (const auto& code : line.code) ok = ok && interpreter.run_code(code, "=(command line)");
-  ok = ok && (line.script.empty() || interpreter.run_file(line.script, line.arguments));
+  ok = ok && (line.script.empty() || interpreter.run_file(script, line.arguments));
   if (line.interactive) repl::forget_interrupt(interpreter.state()); // what is there may still be looked at
   if (line.interactive || line.prompt_only()) return repl::prompt(interpreter, line.quiet) && ok;
   return ok && !interpreter.lost_cases();

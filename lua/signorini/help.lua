@@ -1,23 +1,12 @@
 -- help(): the pages that stand beside the functions, in C++ (rows of src/bind) and in Lua (core.docs["sg.study"] = …),
--- and a few on whole subjects.
+-- a few on whole subjects, and the headers of the scripts that come along.
 
 local core = require "signorini.core"
+local pages = require "signorini.help.pages"
+local scripts = require "signorini.help.scripts"
 local sorted = require("signorini.lists").sorted_names
 local subjects = require "signorini.help.subjects"
 local texts = require "signorini.help.texts"
-
---- The first line of a page: how to call it. One that goes on in the next line ends with … and what is open.
-local function head(name)
-  local line = core.docs[name]:match "^[^\n]*"
-  local open = {}
-  for bracket in line:gmatch "[(){}]" do
-    if bracket == "(" or bracket == "{" then open[#open + 1] = bracket else open[#open] = nil end
-  end
-  if #open == 0 then return line end
-  local ends = ""
-  for _, bracket in ipairs(open) do ends = (bracket == "(" and ")" or " }") .. ends end
-  return line:gsub("[%s,]*$", "") .. ", …" .. ends
-end
 
 --- Pages by the name that their first line calls by: "m:iterate" for "model:iterate".
 local function page_by_head(word)
@@ -33,10 +22,19 @@ local function spelt_out(word)
   return letters[letter] and letters[letter] .. ":" .. method
 end
 
-local function list(title, names)
-  local lines = { title }
-  for _, name in ipairs(names) do lines[#lines + 1] = "  " .. head(name) end
-  return table.concat(lines, "\n")
+local function list(title, names) return title .. "\n" .. pages.list(names) end
+
+--- A list of scripts.
+local function script_list(title, found)
+  local entries = {}
+  for i, script in ipairs(found) do entries[i] = { script.name, script.title } end
+  return title .. "\n" .. pages.lines(entries)
+end
+
+--- Every script, with how to run them.
+local function all_scripts()
+  return script_list("Scripts that come along; signorini <name> runs one, signorini <name> help lists its arguments,\n"
+    .. "help \"<name>\" shows what it solves:", scripts.all())
 end
 
 --- The pages of what a table holds, such as sg.nurbs.
@@ -53,29 +51,51 @@ local function table_page(value)
   return list("It holds:", sorted(names))
 end
 
+--- Everything with a word in it: pages, the one that is called so in full, and scripts.
+local function search(word)
+  local names, own, parts = {}, {}, {}
+  for name, page in pairs(core.docs) do
+    if subjects.is_public(name) and (name .. "\n" .. page):lower():find(word:lower(), 1, true) then
+      names[#names + 1] = name
+      if name:match "[^.:]+$" == word then own[#own + 1] = name end
+    end
+  end
+  table.sort(names)
+  if #own == 1 then parts[#parts + 1] = core.docs[own[1]] end
+  if #names > 0 then parts[#parts + 1] = list(("Pages with '%s':"):format(word), names) end
+  local found = scripts.with(word)
+  if #found > 0 then parts[#parts + 1] = script_list(("Scripts with '%s':"):format(word), found) end
+  return #parts > 0 and table.concat(parts, "\n\n") or nil
+end
+
+--- What to say of a word that nothing has.
+local function no_page(word)
+  local known = {}
+  for name in pairs(core.docs) do
+    if subjects.is_public(name) then known[name], known[name:match "[^.:]+$"] = true, true end
+  end
+  for subject in pairs(texts) do known[subject] = true end
+  for _, each in ipairs(subjects.groups) do known[each.word] = true end
+  for _, script in ipairs(scripts.all()) do known[script.name] = true end
+  local meant = core.nearest(word, sorted(known))
+  return ("There is no page on '%s'%s"):format(word, meant and ("; did you mean '%s'?"):format(meant)
+    or ". help() shows where to begin.")
+end
+
 local function word_page(word)
+  if not word:find "%w" then return texts.prompt end -- such as ?_
   local exact = texts[word] or core.docs[word] or core.docs["sg." .. word] or core.docs[spelt_out(word) or ""]
     or page_by_head(word)
   if exact then return exact end
+  if word == "gallery" then return all_scripts() end
   local group = subjects.group(word)
-  if group then return list(group.title .. ":", subjects.pages(group)) end
-  local names, last = {}, {}
-  for name, page in pairs(core.docs) do
-    if (name .. "\n" .. page):lower():find(word:lower(), 1, true) then names[name] = true end
-    last[name], last[name:match "[^.:]+$"] = true, true
+  if group then
+    local pages_of_group = list(group.title .. ":", subjects.pages(group))
+    return word == "scripts" and pages_of_group .. "\n\n" .. all_scripts() or pages_of_group
   end
-  if next(names) then
-    local found, own = list(("Pages with '%s':"):format(word), sorted(names)), {}
-    for name in pairs(names) do
-      if name:match "[^.:]+$" == word then own[#own + 1] = name end
-    end
-    return #own == 1 and ("%s\n\n%s"):format(core.docs[own[1]], found) or found
-  end
-  for subject in pairs(texts) do last[subject] = true end
-  for _, each in ipairs(subjects.groups) do last[each.word] = true end
-  local meant = core.nearest(word, sorted(last))
-  return ("There is no page on '%s'%s"):format(word, meant and ("; did you mean '%s'?"):format(meant)
-    or ". help() shows where to begin.")
+  local script = scripts.of(word)
+  if script then return ("%s\n\n%s"):format(script.path, script.header) end
+  return search(word) or no_page(word)
 end
 
 local function value_page(value)
@@ -90,7 +110,8 @@ local help = {}
 
 core.docs["help"] = [[
 help(), help(sg.nurbs.arc), help "patch:refine", help "labels"
-Shows what a function does, its arguments with units and defaults, and an example; a word finds all pages that hold it.
+Shows what a function does, its arguments with units and defaults, and an example; a word finds all pages and scripts that
+hold it. help "scripts" lists the scripts that come along, help "hertz2d.lua" shows what one of them solves.
 At the prompt ?sg.nurbs.arc and ?refine do the same.
 Example: help(sg.nurbs.arc)]]
 function help.show(...)

@@ -51,6 +51,13 @@ fs::path find_share() {
   return fs::exists(home / "share") ? home / "share" : home;
 }
 
+std::string find_script(const std::string& name) {
+  if (name.empty() || name == "-" || fs::exists(name) || fs::path(name).is_absolute()) return name;
+  const fs::path home = find_home();
+  const fs::path place = name.starts_with("scripts/") ? home / name : home / "scripts" / name;
+  return place.extension() == ".lua" && fs::exists(place) ? place.string() : name;
+}
+
 void open_library(lua_State* L, const Settings& settings) {
   const fs::path home = find_home(), lua = home / "lua";
   luaL_openlibs(L);

@@ -74,6 +74,7 @@ const char* usage() {
          "\n"
          "  signorini                       prompt with history, completion and help()\n"
          "  signorini study.lua [args…]     run a script; its arguments are in `arg`\n"
+         "  signorini hertz2d.lua [args…]   also one that comes along; help \"gallery\" at the prompt lists them\n"
          "  echo 'code' | signorini -       run what standard input says\n"
          "\n"
          "  -e 'code'       run code (may be repeated, before the script)\n"
@@ -86,7 +87,7 @@ const char* usage() {
          "  --help          this text\n"
          "  --doctor        versions of all libraries, and a test picture\n"
          "\n"
-         "Exit status: 0 when all went well, 1 after an error, 2 for a wrong command line, 130 after Ctrl-C.\n"
+         "Exit status: 0 when all went well, 1 after an error, also in a case of a study, 2 for a wrong command line, 130 after Ctrl-C.\n"
          "SIGNORINI_HOME: the folder that holds lua/, if it is not where the program was installed.\n";
 }
 

@@ -1,6 +1,7 @@
 -- The command line: options, exit status, standard input, the prompt without a terminal, Ctrl-C.
 
 local check = require "check"
+local core = require "signorini.core"
 
 local function run(arguments, input, before)
   local output, status = check.program(arguments, input, before)
@@ -16,7 +17,7 @@ check.case("-e runs code, several in a row, with sg at hand", function()
   gives(run { "-e", "print(1)" }, "1\n")
   gives(run { "-e", "x = 2", "-e", "print(x + 1)" }, "3\n")
   gives(run { "-e", "print(sg.shapes.rectangle{ width = 1, height = 1 })" },
-    "NURBS surface in 2D: degree 1 x 1, elements 1 x 1, 4 control points\n")
+    "NURBS surface in 2D: degree 1 x 1, elements 1 x 1, 4 control points\n  control points in x 0 … 1, y 0 … 1\n")
 end)
 
 check.case("scripts get their arguments, and find modules beside themselves", function()
@@ -176,10 +177,32 @@ check.case("help shows groups, types of Lua objects, and what a query at the pro
     "sg.mkdir(path)\nMakes", "mkdir \"out/study\"\nsignorini: isogeometric", "data\nWhat sg.csv.read")
 end)
 
+check.case("a script that comes along runs by its name, unless there is a file of that name", function()
+  local folder = os.tmpname()
+  os.remove(folder)
+  core.mkdir(folder .. "/scripts")
+  local function run(words)
+    return check.shell(("cd %s && SIGNORINI_HOME=%s %s %s"):format(folder, core.home, arg[-1], words))
+  end
+  for _, name in ipairs { "newton_loop.lua", "scripts/newton_loop.lua", "stability/peeling.lua" } do
+    local output, status = run(name .. " help")
+    check.equal(status, 0)
+    check.holds(output, "signorini: running " .. core.home .. "/scripts/", "Arguments of " .. core.home .. "/scripts/")
+  end
+  core.write_file(folder .. "/newton_loop.lua", "print 'my own'")
+  check.equal(run "newton_loop.lua", "my own\n")
+  for _, name in ipairs { "none.lua", "lua/signorini.lua", "demo" } do
+    local output, status = run(name)
+    check.equal(status, 1)
+    check.holds(output, "cannot open " .. name)
+  end
+  check.shell("rm -r " .. folder)
+end)
+
 check.case("help takes a method by the letter that pages call its object by, and closes what a list cuts off", function()
   local output = check.program({}, '?m:iterate\nhelp "m:run"\nhelp "p:insert"\nhelp "pictures"\nhelp "m:nonsense"\n')
   check.holds(output, "m:iterate{ … }\nOne iteration of", "model:run(stages, { step,", "\nTakes a model along", "p:insert(",
-    "  sg.picture{ model,", ", … }\n", "no page on 'm:nonsense'")
+    "  sg.picture{ model,", ", … }  Draws", "no page on 'm:nonsense'")
 end)
 
 check.case("Ctrl-C ends a script with status 130, wherever it is", function()

@@ -7,6 +7,8 @@ local sg = require "signorini"
 local examples_of = require "signorini.help.examples"
 local keys_of = require("signorini.help.keys").of_page
 local names = require "signorini.help.names"
+local pages = require "signorini.help.pages"
+local scripts = require "signorini.help.scripts"
 local subjects = require "signorini.help.subjects"
 
 -- Methods of Lua's types that the library calls; users read about the others.
@@ -15,6 +17,12 @@ local private = {
     .. "record_step record_arc record_control record_failure keep_state info finish",
   study = "row_of gather",
 }
+
+local function lines_of(text)
+  local list = {}
+  for line in text:gmatch "[^\n]+" do list[#list + 1] = line end
+  return list
+end
 
 local function is_private(type_name, key)
   return key:find "^__" or (" " .. (private[type_name] or "") .. " "):find(" " .. key .. " ", 1, true)
@@ -49,6 +57,42 @@ check.case("every public name has a page", function()
     end
   end
   check.equal(count > 130, true)
+end)
+
+check.case("help finds the scripts that come along, and shows what they solve", function()
+  local all = {}
+  for i, script in ipairs(scripts.all()) do
+    all[i] = script.name
+    if #script.title < 20 then error(script.name .. " has no title") end
+  end
+  check.equal(#all > 20, true)
+  check.equal({ scripts.of "hertz2d".name, scripts.of "scripts/stability/peeling.lua".name, scripts.of "problem" },
+    { "hertz2d.lua", "stability/peeling.lua", nil })
+  local output = check.program({}, 'help "gallery"\nhelp "hertz"\nhelp "hertz2d"\nhelp "scripts"\nhelp "hertz_sphere.lau"\n')
+  for _, name in ipairs(all) do check.holds(output, "\n  " .. name .. " ") end
+  check.holds(output, "Scripts with 'hertz':\n  hertz2d.lua ", "/scripts/hertz2d.lua\n\nHertz's line contact: what", "\nRun: signorini",
+    "Tables, files, scripts:\n", "did you mean 'hertz_sphere.lua'?")
+end)
+
+check.case("lists give each page a line with its first sentence", function()
+  local names = {}
+  for name in pairs(core.docs) do
+    if subjects.is_public(name) then names[#names + 1] = name end
+  end
+  check.equal(#names > 130, true)
+  for i, line in ipairs(lines_of(pages.list(names))) do
+    local summary = line:match "%S  +(%S.*)$"
+    if utf8.len(line) > 118 or not summary or #summary < 8 then error(names[i] .. " is listed as " .. line) end
+  end
+  check.equal(pages.list { "study:with" },
+    "  study:with(name, …)  The study with one figure more, made from each row; nil where it is not known")
+  check.equal({ pages.head "help", pages.head "sg.picture" }, { "help(…)", "sg.picture{ model, file, field, fields, … }" })
+end)
+
+check.case("internal pages are in no list", function()
+  local output = check.program({}, 'help "_"\nhelp "core"\nhelp "jobs"\n')
+  check.equal(output:find("core.", 1, true), nil)
+  check.holds(output, "At the prompt:", "no page on 'core'", "study:execute{ jobs, limit, again }")
 end)
 
 check.case("every page is about something, and is internal or in a group", function()

@@ -15,7 +15,8 @@ signorini: isogeometric contact mechanics.
   help "solving"          the pages on a subject: patches, bodies, solving, results, verbs, pictures, studies, scripts
   help(sg.shapes)         what a table holds
   help(sg.shapes.block)   one function: arguments, units, defaults, an example
-  help "refine"           every page with this word
+  help "refine"           every page and script with this word
+  help "gallery"          the scripts that come along: published problems, studies
 Units are yours, as long as they are consistent; angles are degrees; directions and indices count from 1.]],
   prompt = [[
 At the prompt:
