@@ -3,6 +3,7 @@
 -- run's record. A run that is taken up from there ends with the same numbers as one that nothing has disturbed.
 
 local core = require "signorini.core"
+local counted = require "signorini.counted"
 local arguments = require "signorini.arguments"
 local literal = require "signorini.literal"
 
@@ -35,7 +36,7 @@ end
 --- In which way two paths differ, in words; nothing when they are alike.
 local function difference(path, saved)
   if literal.write(path) == literal.write(saved) then return nil end
-  if #path ~= #saved then return ("it has %d stages, the file's has %d"):format(#path, #saved) end
+  if #path ~= #saved then return ("it has %s, the file's has %d"):format(counted(#path, "stage"), #saved) end
   for i, stage in ipairs(path) do
     local label = ("stage %d ('%s')"):format(i, stage.name)
     for _, key in ipairs { "name", "steps", "targets" } do

@@ -98,8 +98,8 @@ local function cells(data, columns)
     if type(array) ~= "table" then core.fail(("sg.csv.write: the column '%s' has no list of values"):format(name)) end
     count = count or #array
     if #array ~= count then
-      core.fail(("sg.csv.write: the column '%s' has %d values, the column '%s' has %d")
-        :format(name, #array, columns[1], count))
+      core.fail(("sg.csv.write: the column '%s' has %s, the column '%s' has %d")
+        :format(name, counted(#array, "value"), columns[1], count))
     end
   end
   return function(i, j) return data[columns[j]][i] end, count
@@ -282,7 +282,8 @@ function csv.read(file)
       if not data.columns then
         data.columns = head(fields, count, where)
       elseif count ~= #data.columns then
-        core.fail(where() .. ("%d fields, but there are %d columns"):format(count, #data.columns))
+        core.fail(where() .. ("%s, but there %s %s"):format(counted(count, "field"), #data.columns == 1 and "is" or "are",
+          counted(#data.columns, "column")))
       else
         data.rows[#data.rows + 1] = fields
       end

@@ -2,6 +2,7 @@
 -- elsewhere, nothing when the program runs quietly (-q).
 
 local core = require "signorini.core"
+local counted = require "signorini.counted"
 
 local Progress = {}
 Progress.__index = Progress
@@ -59,7 +60,6 @@ end
 --- A stage has ended; on a terminal the bar alone tells.
 function Progress:stage_end(stage, steps, iterations, wall)
   if self.terminal then return end
-  local function counted(count, noun) return ("%d %s%s"):format(count, noun, count == 1 and "" or "s") end
   self:line(("%s: %s, %s, %s"):format(stage, counted(steps, "step"), counted(iterations, "iteration"), seconds_text(wall)))
 end
 

@@ -4,6 +4,7 @@
 
 local core = require "signorini.core"
 local arguments = require "signorini.arguments"
+local counted = require "signorini.counted"
 local format_table = require "signorini.table"
 local progress = require "signorini.progress"
 local values = require "signorini.study.values"
@@ -90,8 +91,8 @@ local function try(search, label, level)
   search.by_level[level] = search.by_level[level] or {}
   search.by_level[level][label] = case
   search.spent = search.spent + case.wall
-  search.display:line(("recommend: %s, mesh %s: %d unknowns, %.2f s%s"):format(label, values.text(mesh), case.unknowns,
-    case.wall, case.failed and ", " .. case.failed or ""))
+  search.display:line(("recommend: %s, mesh %s: %s, %.2f s%s"):format(label, values.text(mesh),
+    counted(case.unknowns, "unknown"), case.wall, case.failed and ", " .. case.failed or ""))
   return case
 end
 
@@ -198,7 +199,7 @@ Recommendation.__index = Recommendation
 Recommendation.__name = "recommendation"
 
 local function verdict(search, best)
-  local total = ("%d runs, %.2f s in all"):format(#search.tries, search.spent)
+  local total = ("%s, %.2f s in all"):format(counted(#search.tries, "run"), search.spent)
   if best then
     return ("%s on mesh %s is enough: its error is about %.3g, estimated from the next level; allowed %.3g. %s.")
       :format(best.label, values.text(best.mesh), best.error, search.at_most, total)

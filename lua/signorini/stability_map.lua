@@ -3,6 +3,7 @@
 
 local core = require "signorini.core"
 local arguments = require "signorini.arguments"
+local counted = require "signorini.counted"
 local format_table = require "signorini.table"
 local holds = require("signorini.lists").holds
 local literal = require "signorini.literal"
@@ -100,7 +101,7 @@ end
 
 local function outcome_text(cell)
   local parts = { cell.outcome }
-  if cell.iterations then parts[#parts + 1] = ("%d iterations"):format(cell.iterations) end
+  if cell.iterations then parts[#parts + 1] = counted(cell.iterations, "iteration") end
   if cell.outcome ~= "completed" and cell.reached then parts[#parts + 1] = ("at %.0f%%"):format(100 * cell.reached) end
   if cell.wall then parts[#parts + 1] = ("%.1f s"):format(cell.wall) end
   if cell.outcome == "error" then parts[#parts + 1] = cell.report:match "^[^\n]*" end
@@ -218,7 +219,7 @@ end
 --- How many cells were held, the table, and the first error, if there was one.
 function Map:__tostring()
   local held, total = self:held()
-  local text = ("%s: %d of %d cells held\n%s"):format(self.name, held, total, self:table())
+  local text = ("%s: %d of %s held\n%s"):format(self.name, held, counted(total, "cell"), self:table())
   for _, cell in ipairs(self.cells) do
     if cell.outcome == "error" then return ("%s\nerror at %s, %s: %s"):format(text, cell.x, cell.y, cell.report) end
   end

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
+#include "base/words.hpp"
 
 #include <cmath>
 #include <limits>
@@ -93,7 +94,7 @@ bool iterate(const NewtonSystem& system, const NewtonOptions& options, bool pend
     return stop(Outcome::diverged, text("the residual grew to ", residual));
   if (report.iterations - report.begun >= options.iterations)
     return stop(Outcome::iteration_limit,
-                text("no convergence in ", options.iterations, " iterations; the residual is ", residual,
+                text("no convergence in ", counted(options.iterations, "iteration"), "; the residual is ", residual,
                      ", asked was ", report.enough, residual <= 10 * floor ? ", near what rounding leaves of it" : ""));
   if (!tangent)
     if (const Outcome state = system.assemble(true, why); state != Outcome::converged) return stop(state, why);

@@ -105,7 +105,7 @@ end)
 
 check.case("broken files are refused with file and line", function()
   local broken = {
-    { "a,b\n1,2\n3\n", "a.csv:3: 1 fields, but there are 2 columns" },
+    { "a,b\n1,2\n3\n", "a.csv:3: 1 field, but there are 2 columns" },
     { "a\n\"1\n", "a.csv:2: a quoted field does not end" },
     { "a,a\n", "a.csv:1: the column 'a' is there twice" },
     { "a,,b\n", "a.csv:1: column 2 has no name" },

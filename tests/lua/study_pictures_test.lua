@@ -57,6 +57,21 @@ check.case("texts and tables along x: their names in the order in which they com
   check.equal(chart{ x = "steps", y = "dPx", line = false }.xticks, nil)
 end)
 
+check.case("a parameter with few whole values along x has its ticks there, and there only", function()
+  local function ticks(values, options)
+    local rows = {}
+    for i, value in ipairs(values) do rows[i] = { n = value, f = i, wall = i } end
+    options = options or {}
+    options.x, options.y = options.x or "n", "f"
+    return chart(options, { name = "s", parameters = { "n" }, figures = { "f" }, units = {}, rows = rows }).xticks
+  end
+  check.equal(ticks { 3, 1, 2.0 }, { { 1, "1" }, { 2, "2" }, { 3, "3" } })
+  check.equal({ ticks { 1, 1.5, 2 }, ticks { 1, 2, 100 }, ticks { 2 } }, {})
+  check.equal(ticks({ 1, 2, 4, 16 }, { log = "x" }), { { 1, "1" }, { 2, "2" }, { 4, "4" }, { 16, "16" } })
+  check.equal({ ticks({ 1, 2, 3 }, { x = "wall" }), ticks({ 1, 2, 3 }, { xrange = { 0, 5 } }) }, {})
+  check.equal(ticks({ 1, 2 }, { xticks = { { 1, "one" } } }), { { 1, "one" } })
+end)
+
 check.case("a parameter along x with several cases at a place is ambiguous", function()
   check.fails(function() chart { x = "order", y = "dPx" } end, "study:chart: more than one case at order = N2: ",
     "they differ in mesh (12×4, 6×2)", "study:where", "series")

@@ -147,7 +147,7 @@ check.case("a changed parameter, function or number that run refers to makes a c
   local function output(...) return (check.script(script:format(...), folder)) end
   check.equal(output("10", "6", ""), "n: 1 of 1: mesh=m1: 0.0 s\n60\n")
   check.equal(output("10", "6", ""), "60\n")
-  check.holds(output("11", "6", ""), "n: 0 of 1 cases are kept; run again: 1 because scene changed", "66\n")
+  check.holds(output("11", "6", ""), "n: 0 of 1 case is kept; run again: 1 because scene changed", "66\n")
   check.holds(output("11", "7", ""), "scene changed", "77\n")
   check.holds(output("11", "7", " + 1"), "scene changed", "78\n")
   check.equal(output("11", "7", " + 1"), "78\n")
@@ -264,7 +264,8 @@ check.case("Ctrl-C ends it with what is done, and lets go of the folder", functi
   check.equal(kept >= 1 and kept < 6, true)
   check.holds(output, ("stopped: interrupted: %d of 6 cases %s kept; the same call goes on with the others\n")
     :format(kept, kept == 1 and "is" or "are"), ":2: interrupted", "status 130")
-  check.holds(check.program { name }, ("stopped: %d of 6 cases are kept\nstopped: %d of 6: a="):format(kept, kept + 1),
+  check.holds(check.program { name }, ("stopped: %d of 6 cases %s kept\nstopped: %d of 6: a="):format(kept,
+    kept == 1 and "is" or "are", kept + 1),
     "not stopped\n")
   check.equal(files_in(folder), 6)
   os.remove(name)

@@ -31,6 +31,11 @@ local function read_again(value)
   if value ~= false then arguments.reject(where, "again", "true, \"failed\" or a function of a row", value) end
 end
 
+--- "1 of 6 cases is kept"
+local function kept_words(kept, all)
+  return ("%d of %s %s kept"):format(kept, counted(all, "case"), (kept == 1 or all == 1) and "is" or "are")
+end
+
 --- What execute says before it begins: how many cases are kept, and why others run once more.
 local function words_on(study, missing, reasons, older)
   local kept, words = #study.cases - #missing, {}
@@ -40,7 +45,7 @@ local function words_on(study, missing, reasons, older)
   local version = older > 0
     and ("; %d of them are of another version than %s"):format(older, core.versions.signorini) or ""
   local told = #missing > 0 and kept > 0 or again ~= "" or version ~= ""
-  return told and ("%s: %d of %d cases are kept%s%s"):format(study.name, kept, #study.cases, version, again) or nil
+  return told and ("%s: %s%s%s"):format(study.name, kept_words(kept, #study.cases), version, again) or nil
 end
 
 --- The positions of the cases that must run, and in words what is to say about those that ran before.
@@ -145,8 +150,8 @@ end
 local function stop(study)
   local kept = 0
   for i in ipairs(study.cases) do kept = kept + (study.records[i] and 1 or 0) end
-  io.stderr:write(("%s: interrupted: %d of %s %s kept; the same call goes on with the others\n"):format(study.name, kept,
-    counted(#study.cases, "case"), kept == 1 and "is" or "are"))
+  io.stderr:write(("%s: interrupted: %s; the same call goes on with the others\n"):format(study.name,
+    kept_words(kept, #study.cases)))
   core.fail "interrupted"
 end
 

@@ -41,6 +41,7 @@ end
 
 local chart_options = { "file", "xlabel", "ylabel", "log", "title", "legend", "legend_title", "xrange", "yrange",
                         "xticks", "hlines", "vlines", "inset", "size" }
+local most_ticks = 12 -- that are set to whole numbers
 local curve_options = { "markers", "dashed", "line", "width" }
 
 --- Where the rows stand on the x axis: their numbers, or, where a column holds anything else, their place in the order
@@ -94,6 +95,29 @@ local function read_curves(where, study, rows, x_of, y, series, alone)
   return curves
 end
 
+--- Ticks at the values along x where these are few whole numbers with room between them, so that none stands at 1.5;
+--- else the axis chooses.
+local function whole_ticks(curves, log)
+  local seen, list = {}, {}
+  for _, curve in ipairs(curves) do
+    for _, point in ipairs(curve) do
+      local whole = math.tointeger(point.x)
+      if not whole then return nil end
+      if not seen[whole] then seen[whole], list[#list + 1] = true, whole end
+    end
+  end
+  table.sort(list)
+  if #list < 2 or #list > most_ticks then return nil end
+  local function place(value) return log and math.log(value) or value end
+  local least = (place(list[#list]) - place(list[1])) / most_ticks
+  local ticks = {}
+  for i, value in ipairs(list) do
+    if i > 1 and place(value) - place(list[i - 1]) < least then return nil end
+    ticks[i] = { value, tostring(value) }
+  end
+  return ticks
+end
+
 local function finished(study)
   local rows = {}
   for _, row in ipairs(study.rows) do
@@ -114,10 +138,10 @@ study:chart{ x, y, series, file, markers = true, dashed = false, line = true, wi
              legend = true, legend_title, xrange, yrange, xticks, hlines, vlines, inset, size = {1600, 1000} }
 Draws the rows as curves to .png, .svg or .pdf: one per value of series, by rising x. x, y and series are columns, or
 functions of a row; rows that failed or lack one of them have no point. Texts and tables along x stand in the order in
-which they first appear. Where a parameter along x has several rows of one curve at a place, that is an error unless
-line = false: choose with study:where, or give series. markers = true, dashed, line, width: of all curves; all else as
-in sg.chart: xlabel, ylabel (the column and its unit), title (the study's name), log, legend, legend_title, xrange,
-yrange, xticks, hlines, vlines, inset, size in pixels.
+which they first appear; a parameter with few whole values has its ticks there. Where a parameter along x has several rows of one curve at a place, that is an error unless
+line = false: choose with study:where, or give series. markers = true, dashed, line, width: of all curves; all else as in
+sg.chart: xlabel, ylabel (the column and its unit), title (the study's name), log, legend, legend_title, xrange, yrange,
+xticks, hlines, vlines, inset, size in pixels.
 Example: study:chart{ x = "mesh", y = "error", series = "order", file = "error.png" }]]
 function pictures.chart(study, options)
   local where = "study:chart"
@@ -136,6 +160,9 @@ function pictures.chart(study, options)
 
   local chart = passed_on(options, chart_options, { xlabel = x, ylabel = y })
   chart.xticks = chart.xticks or names
+  if not (chart.xticks or chart.xrange or chart.vlines) and is_parameter(study, x.pick) then
+    chart.xticks = whole_ticks(curves, (chart.log or ""):find "x")
+  end
   chart.title = chart.title or study.name
   if series and not chart.legend_title then chart.legend_title = quantity.title(series) end
   for i, curve in ipairs(curves) do
