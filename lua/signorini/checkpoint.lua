@@ -2,6 +2,7 @@
 -- the model is saved, and with it how the run stands: the path, the place on it, what the policy remembers, and the
 -- run's record. A run that is taken up from there ends with the same numbers as one that nothing has disturbed.
 
+local in_name_of = require "signorini.in_name_of"
 local core = require "signorini.core"
 local counted = require "signorini.counted"
 local arguments = require "signorini.arguments"
@@ -18,11 +19,7 @@ for _, key in ipairs { "failed", "reason", "cause", "report", "recorders", "befo
 end
 
 --- A function of the core for files; its errors become those of model:run.
-local function call(name, ...)
-  local ok, result = pcall(core[name], ...)
-  if ok then return result end
-  core.fail(("%s: %s"):format(where, tostring(result):gsub("^.-core%." .. name .. ": ", "", 1)))
-end
+local function call(name, ...) return in_name_of(where, "core." .. name, core[name], ...) end
 
 -- ── The path ─────────────────────────────────────────────────────────────────────────────────────────────────────────
 
@@ -92,7 +89,7 @@ function Keeper:save(model, run, path, place, policy, ended)
   local now, patience = core.now(), 1 -- seconds
   local durable = self.durable or ended or not self.synced or now - self.synced > patience
   if durable then self.synced = now end
-  call("save", model, self.file, self:text(model, run, path, place, policy), durable)
+  in_name_of("save", model, self.file, self:text(model, run, path, place, policy), durable)
 end
 
 --- After a step that was reached: saves the run where it is due, and at the path's end.
@@ -105,7 +102,7 @@ end
 
 --- How the run of a file stands, checked against the path at hand.
 function Keeper:read(path, run)
-  local text = call("checkpoint_text", self.file)
+  local text = in_name_of("checkpoint_text", self.file)
   if text == "" then
     core.fail(("%s: '%s' was saved by model:save, not by a run: load it with sg.load, and run without resume")
       :format(where, self.file))
@@ -129,7 +126,7 @@ end
 --- Brings model, run and policy to where the file's run stands. Returns the place on the path.
 function Keeper:take_up(model, run, path, policy)
   local state, rows, histories = self:read(path, run)
-  call("restore", model, self.file)
+  in_name_of("restore", model, self.file)
   for key, value in pairs(state.record) do run[key] = value end
   for i, row in ipairs(rows) do
     for j, name in ipairs(run.names) do run.values[name][i] = row[j] or nil end

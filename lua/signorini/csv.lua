@@ -6,6 +6,7 @@
 local core = require "signorini.core"
 local arguments = require "signorini.arguments"
 local counted = require "signorini.counted"
+local in_name_of = require "signorini.in_name_of"
 local format_table = require "signorini.table"
 local number_text = require "signorini.number_text"
 
@@ -136,19 +137,7 @@ function csv.write(file, data)
   if type(file) ~= "string" then arguments.reject("sg.csv.write", "file, the first argument,", "the name of a file", file) end
   if type(data) ~= "table" then core.fail "sg.csv.write: the second argument must be a table with columns and rows" end
   local text = file_text(data)
-  local part = file .. ".part"
-  local out, reason = io.open(part, "wb")
-  local ok = out
-  if out then
-    ok, reason = out:write(text)
-    local closed, close_reason = out:close()
-    if ok and not closed then ok, reason = nil, close_reason end
-  end
-  if ok then ok, reason = os.rename(part, file) end
-  if not ok then
-    os.remove(part)
-    core.fail(("sg.csv.write: cannot write %s"):format(reason))
-  end
+  in_name_of("sg.csv.write", "core.write_file", core.write_file, file, text)
 end
 
 -- ── Reading ──────────────────────────────────────────────────────────────────────────────────────────────────────────

@@ -1,4 +1,4 @@
--- Verbs that call other verbs of the language: errors name what the user has called.
+-- What is called for a verb of the language by another function: errors name what the user has called.
 
 local core = require "signorini.core"
 

@@ -1,6 +1,7 @@
 -- sg.pvd: a time series for ParaView: one .vtu file per state, and the .pvd file that lists them.
 
 local arguments = require "signorini.arguments"
+local in_name_of = require "signorini.in_name_of"
 local core = require "signorini.core"
 
 local Series = {}
@@ -22,12 +23,13 @@ local function write_list(series)
   for _, state in ipairs(series) do
     lines[#lines + 1] = ('    <DataSet timestep="%.17g" part="0" file="%s"/>'):format(state.time, escaped(state.name))
   end
-  core.write_file(series.file, header .. table.concat(lines, "\n") .. "\n  </Collection>\n</VTKFile>\n")
+  in_name_of("sg.pvd", "core.write_file", core.write_file, series.file,
+    header .. table.concat(lines, "\n") .. "\n  </Collection>\n</VTKFile>\n")
 end
 
 --- Takes up the list of a file that an earlier process has written.
 local function read_list(series)
-  local text = core.read_file(series.file)
+  local text = in_name_of("sg.pvd", "core.read_file", core.read_file, series.file)
   if text:sub(1, #header) ~= header then
     core.fail(("sg.pvd: '%s' was not written by sg.pvd, so it cannot be taken up: leave out resume, or choose another "
       .. "name"):format(series.file))
@@ -62,7 +64,7 @@ function Series:add(state)
     core.fail(("series:add: time is %g, but the state before it has %g: times must grow"):format(time, last.time))
   end
   local name = ("%s_%04d.vtu"):format(self.stem, #self + 1)
-  core.sg.vtu { model = state.model, file = self.folder .. name, deformed = state.deformed }
+  in_name_of("series:add", "sg.vtu", core.sg.vtu, { model = state.model, file = self.folder .. name, deformed = state.deformed })
   self[#self + 1] = { time = time, name = name }
   write_list(self)
 end

@@ -335,7 +335,8 @@ function Run:csv(file)
     rows[row] = {}
     for i, name in ipairs(self.names) do rows[row][i] = self.values[name][row] end
   end
-  in_name_of("run:csv", "sg.csv.write", csv.write, file, { columns = self.names, rows = rows, comments = { self.report } })
+  in_name_of("run:csv", "sg.csv.write", csv.write, arguments.string("run:csv", "file", file),
+    { columns = self.names, rows = rows, comments = { self.report } })
 end
 
 local function work_row(name, work, cutbacks)

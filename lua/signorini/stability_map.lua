@@ -87,7 +87,7 @@ local function save(map)
   sort_cells(map)
   if not map.file then return end
   local cells = table.move(map.cells, 1, #map.cells, 1, {})
-  store.write(map.file, map, table.move(map.elsewhere, 1, #map.elsewhere, #cells + 1, cells))
+  store.write("sg.stability_map", map.file, map, table.move(map.elsewhere, 1, #map.elsewhere, #cells + 1, cells))
 end
 
 --- What became of a job that returned nothing.
@@ -190,7 +190,7 @@ map:csv(file)
 Writes all cells to a CSV file, with the reports of the failures.
 Example: map:csv "map.csv"]]
 function Map:csv(file)
-  store.write(arguments.string("map:csv", "file", file), self, self.cells)
+  store.write("map:csv", arguments.string("map:csv", "file", file), self, self.cells)
 end
 
 core.docs["map:compare"] = [[

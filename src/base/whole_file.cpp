@@ -65,12 +65,26 @@ int owner(std::string_view name, std::string_view stem) {
   return error == std::errc() && end == digits.end() ? process : 0;
 }
 
+/// Throws Error unless the file's folder is there, and says what is in its place or how it comes to be.
+void check_folder(const std::string& file, const fs::path& folder) {
+  std::error_code ignored;
+  if (fs::is_directory(folder, ignored)) return;
+  fs::path above = folder;
+  while (above.has_parent_path() && above != above.parent_path() && !fs::exists(above, ignored))
+    above = above.parent_path();
+  require(!fs::exists(above, ignored) || fs::is_directory(above, ignored), "cannot write '", file, "': '",
+          above.string(), "' is a file, not a folder; choose another name");
+  require(*folder.begin() != "~", "cannot write '", file,
+          "': only the shell knows '~'; write the folder's whole name, os.getenv \"HOME\" .. \"/…\"");
+  fail("cannot write '", file, "': the folder '", folder.string(), "' does not exist; create it first: sg.mkdir \"",
+       folder.string(), "\"");
+}
+
 void write(const std::string& file, std::string_view bytes, bool durable) {
   const fs::path path(file), folder = folder_of(path);
   std::error_code ignored;
   require(path.has_filename(), "file '", file, "' names a folder; add the name of a file");
-  require(fs::is_directory(folder, ignored), "cannot write '", file, "': the folder '", folder.string(),
-          "' does not exist; create it first");
+  check_folder(file, folder);
   require(!fs::is_directory(path, ignored), "cannot write '", file, "': it is a folder; add the name of a file");
 
   const std::string name = (folder / text(temporary_stem(path), ::getpid(), ending)).string();

@@ -29,7 +29,16 @@ TEST(WholeFile, NamesFileAndCureWhenItCannotWrite) {
   const std::string nowhere = folder.file("missing") + "/a.txt";
   const std::string message = message_of([&] { write_whole(nowhere, "x"); });
   EXPECT_NE(message.find(nowhere), std::string::npos) << message;
-  EXPECT_NE(message.find("does not exist; create it first"), std::string::npos) << message;
+  EXPECT_NE(message.find("does not exist; create it first: sg.mkdir \"" + folder.file("missing") + "\""),
+            std::string::npos)
+      << message;
+
+  write_whole(folder.file("file"), "x");
+  const std::string below = message_of([&] { write_whole(folder.file("file") + "/a/b.txt", "x"); });
+  EXPECT_NE(below.find("'" + folder.file("file") + "' is a file, not a folder"), std::string::npos) << below;
+  std::filesystem::remove(folder.file("file"));
+  const std::string home = message_of([&] { write_whole("~/a.txt", "x"); });
+  EXPECT_NE(home.find("only the shell knows '~'"), std::string::npos) << home;
 
   std::filesystem::create_directory(folder.file("folder"));
   EXPECT_NE(message_of([&] { write_durably(folder.file("folder"), "x"); }).find("it is a folder"), std::string::npos);

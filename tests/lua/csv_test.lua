@@ -98,7 +98,8 @@ check.case("wrong tables are not written, and leave the old file alone", functio
     check.fails(function() sg.csv.write(file, case[1]) end, "csv_test.lua:", "sg.csv.write: ", table.unpack(case, 2))
   end
   check.equal(core.read_file(file), "a\n1\n")
-  check.fails(function() sg.csv.write(folder .. "/none/a.csv", { a = { 1 } }) end, "cannot write", "none/a.csv")
+  check.fails(function() sg.csv.write(folder .. "/none/a.csv", { a = { 1 } }) end, "csv_test.lua:",
+    "sg.csv.write: cannot write '" .. folder .. "/none/a.csv'", 'create it first: sg.mkdir "' .. folder .. '/none"')
   check.fails(function() sg.csv.write(folder, { a = { 1 } }) end, "cannot write")
   check.equal(io.open(folder .. ".part"), nil)
 end)

@@ -192,6 +192,22 @@ check.case("every function that is not internal has an example", function()
   end
 end)
 
+check.case("a word finds pages of the language only", function()
+  local found, said = 0, nil
+  local print_as_ever = print
+  print = function(text) said = text end
+  for name, page in pairs(core.docs) do
+    local last = name:match "^core%.([%w_]+)$"
+    if last then
+      found = found + 1
+      require("signorini.help").show(last)
+      if said:find("core." .. last, 1, true) then print_as_ever(said) error("help finds core." .. last) end
+    end
+  end
+  print = print_as_ever
+  check.equal(found > 10, true)
+end)
+
 check.case("share/doc/reference.md holds what is on the pages", function()
   if core.read_file(core.home .. "/share/doc/reference.md") ~= require "signorini.help.markdown"() then
     error "share/doc/reference.md is not what the help pages say: run scripts/reference"

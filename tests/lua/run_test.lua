@@ -129,6 +129,8 @@ check.case("the table and the file tell the same", function()
     "factorisation and solve")
   local name = os.tmpname()
   run:csv(name)
+  check.fails(function() run:csv "nowhere/at.csv" end, "run_test.lua:", "run:csv: cannot write 'nowhere/at.csv'",
+    'sg.mkdir "nowhere"')
   local read = sg.csv.read(name)
   os.remove(name)
   check.equal(read.columns, run:columns())

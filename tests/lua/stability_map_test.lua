@@ -268,7 +268,7 @@ check.case("wrong arguments are errors at the user's line that name the cure", f
   local solved = os.tmpname()
   check.fails(function()
     make{ file = "nowhere/map.csv", scene = function(order) os.remove(solved) return scene(order) end }
-  end, "stability_map_test.lua:", "cannot write nowhere/map.csv")
+  end, "stability_map_test.lua:", "sg.stability_map: cannot write 'nowhere/map.csv'", 'sg.mkdir "nowhere"')
   check.equal(os.remove(solved), true) -- no cell was solved before
   local map = make{ x = { name = "order", values = { "good" } }, scene = function() return 3 end }
   check.holds(map.cells[1].report, "scene must return a model, it returned the number 3")

@@ -1,5 +1,6 @@
 -- A stability map as a table and as a file. The file holds what is known; it is written anew, whole, after each cell.
 
+local in_name_of = require "signorini.in_name_of"
 local core = require "signorini.core"
 local csv = require "signorini.csv"
 
@@ -26,8 +27,8 @@ local function title(map)
   return ("stability map: %s; x: %s; y: %s"):format(map.name, map.x.name, map.y.name):gsub("[\r\n]+", " ")
 end
 
---- Writes cells to a CSV file, one a row.
-function store.write(file, map, cells)
+--- Writes cells to a CSV file, one a row, for the function `where`.
+function store.write(where, file, map, cells)
   local data = { columns = table.move(columns, 1, #columns, 1, {}), rows = {}, comments = { (title(map)) } }
   local figures = store.figure_names(cells)
   for i, name in ipairs(figures) do data.columns[#columns + i] = prefix .. name end
@@ -37,7 +38,7 @@ function store.write(file, map, cells)
     for i, name in ipairs(figures) do row[#columns + i] = cell.figures[name] end
     data.rows[r] = row
   end
-  csv.write(file, data)
+  in_name_of(where, "sg.csv.write", csv.write, file, data)
 end
 
 local function read_cell(data, row)

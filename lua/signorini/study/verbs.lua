@@ -252,7 +252,8 @@ function verbs:csv(file, options)
   for j, name in ipairs(columns) do
     if units[j] ~= "" then comments[#comments + 1] = ("%s / %s"):format(name, units[j]) end
   end
-  in_name_of("study:csv", "sg.csv.write", csv.write, arguments.string("study:csv", "file", file), { columns = columns, rows = rows, comments = comments })
+  in_name_of("study:csv", "sg.csv.write", csv.write, arguments.string("study:csv", "file", file),
+    { columns = columns, rows = rows, comments = comments })
 end
 
 function verbs:__len() return #self.rows end
