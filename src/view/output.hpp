@@ -13,8 +13,8 @@ std::string file_ending(const std::string& file);
 /// SVG with text as text.
 std::string svg(const Drawing& drawing);
 
-/// A PDF of one page without dates, set in the viewer's Helvetica and Symbol. Throws Error on a character that neither
-/// font has.
+/// A PDF of one page without dates, set in the viewer's Helvetica and Symbol. Characters that neither has become boxes,
+/// with a warning.
 std::string pdf(const Drawing& drawing);
 
 } // namespace signorini::view

@@ -1,6 +1,7 @@
-// The PDF writer: one page, an uncompressed content stream, the two standard fonts that every viewer brings along.
+// The PDF writer: one page, an uncompressed content stream, the three standard fonts that every viewer brings along.
 
 #include "base/error.hpp"
+#include "base/warning.hpp"
 #include "view/output.hpp"
 #include "view/text.hpp"
 
@@ -32,7 +33,7 @@ constexpr SymbolSign symbol_signs[] = {
     {U'√', 0xD6}, {U'∆', 0x44}, {U'∑', 0xE5}, {U'∫', 0xF2}, {U'←', 0xAC}, {U'ϕ', 0x6A}, {U'∝', 0xB5},
 };
 
-/// A byte and the font that draws it: 1 Helvetica, 2 Symbol.
+/// A byte and the font that draws it: 1 Helvetica, 2 Symbol, 3 Zapf Dingbats.
 struct Glyph {
   unsigned char byte;
   int font;
@@ -51,6 +52,8 @@ std::optional<Glyph> find_glyph(char32_t p) {
   return std::nullopt;
 }
 
+constexpr Glyph box = {0x6F, 3}; // in the place of what no font has
+
 std::string num(double value) {
   char digits[32];
   std::snprintf(digits, sizeof digits, "%.2f", value);
@@ -67,21 +70,28 @@ std::string colour(const Rgb& c, const char* verb) {
   return digits;
 }
 
-/// Shows a run's characters, changing fonts where needed.
-std::string show(const TextRun& run, double size, const std::string& whole) {
+/// Says which characters the fonts lack.
+void warn_of(const std::string& missing, const std::string& whole) {
+  if (!missing.empty())
+    warn(text("a PDF's standard fonts cannot show ", missing, " of the text '", whole,
+              "': boxes stand in the place; write .svg or .png, or use other words"));
+}
+
+/// Shows a run's characters, changing fonts where needed; names those that the fonts lack.
+std::string show(const TextRun& run, double size, std::string& missing) {
   std::string out;
   int font = 0;
   for (char32_t p : code_points(run.string)) {
-    const auto glyph = find_glyph(p);
-    require(glyph.has_value(), "the text '", whole, "' holds '", to_utf8(p),
-            "', which a PDF's standard fonts cannot show; use other words or write .svg or .png");
-    if (glyph->font != font) {
+    const auto found = find_glyph(p);
+    if (!found && p != 0xFFFD) missing += (missing.empty() ? "'" : ", '") + to_utf8(p) + "'";
+    const Glyph glyph = found.value_or(box);
+    if (glyph.font != font) {
       if (font != 0) out += "> Tj\n";
-      font = glyph->font;
+      font = glyph.font;
       out += "/F" + std::to_string(font) + " " + num(size * run_size(run.level)) + " Tf <";
     }
     char digits[4];
-    std::snprintf(digits, sizeof digits, "%02x", glyph->byte);
+    std::snprintf(digits, sizeof digits, "%02x", glyph.byte);
     out += digits;
   }
   return out + (font != 0 ? "> Tj\n" : "");
@@ -105,13 +115,16 @@ struct Writer {
   void operator()(const Fill& fill) const { out += colour(fill.colour, "rg") + path(fill.outline) + "f\n"; }
 
   void operator()(const Text& text) const {
+    warn_of_broken(text.string);
     const double shift =
         text.align == Align::left ? 0 : text_width(text.string, text.size) * (text.align == Align::centre ? 0.5 : 1);
     const Vec2 start = text.upright ? Vec2{text.at[0], text.at[1] - shift} : Vec2{text.at[0] - shift, text.at[1]};
     out += "BT\n" + colour(text.colour, "rg") + (text.upright ? "0 1 -1 0 " : "1 0 0 1 ") + at(start) + " Tm\n";
+    std::string missing;
     for (const TextRun& run : text_runs(text.string))
-      out += num(run_rise(run.level) * text.size) + " Ts\n" + show(run, text.size, text.string);
+      out += num(run_rise(run.level) * text.size) + " Ts\n" + show(run, text.size, missing);
     out += "ET\n";
+    warn_of(missing, text.string);
   }
 };
 
@@ -126,10 +139,11 @@ std::string pdf(const Drawing& drawing) {
       "<< /Type /Catalog /Pages 2 0 R >>",
       "<< /Type /Pages /Kids [3 0 R] /Count 1 >>",
       "<< /Type /Page /Parent 2 0 R /MediaBox [0 0 " + at(page) +
-          "] /Contents 4 0 R /Resources << /Font << /F1 5 0 R /F2 6 0 R >> >> >>",
+          "] /Contents 4 0 R /Resources << /Font << /F1 5 0 R /F2 6 0 R /F3 7 0 R >> >> >>",
       "<< /Length " + std::to_string(content.size()) + " >>\nstream\n" + content + "endstream",
       "<< /Type /Font /Subtype /Type1 /BaseFont /Helvetica /Encoding /WinAnsiEncoding >>",
       "<< /Type /Font /Subtype /Type1 /BaseFont /Symbol >>",
+      "<< /Type /Font /Subtype /Type1 /BaseFont /ZapfDingbats >>",
   };
   std::string file = "%PDF-1.4\n", table = "0000000000 65535 f \n";
   int count = 1;

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "view/strokes.hpp"
+#include "view/text.hpp"
 
 #include <cstdlib>
 #include <dlfcn.h>
@@ -49,7 +50,10 @@ struct Collector {
     add(corners, fill.colour);
   }
 
-  void operator()(const Text& text) const { raster.texts.push_back(text); }
+  void operator()(const Text& text) const {
+    warn_of_broken(text.string);
+    raster.texts.push_back(text);
+  }
 
   void add(const std::vector<Vec2>& corners, const Rgb& colour) const {
     raster.corners.insert(raster.corners.end(), corners.begin(), corners.end());

@@ -67,6 +67,7 @@ struct Writer {
   }
 
   void operator()(const Text& text) const {
+    warn_of_broken(text.string);
     const std::string x = num(text.at[0]), y = num(height - text.at[1]);
     out +=
         "<text x=\"" + x + "\" y=\"" + y + "\" font-size=\"" + num(text.size) + "\" fill=\"" + hex(text.colour) + "\"";

@@ -1,6 +1,10 @@
 #include "view/text.hpp"
 
+#include "base/warning.hpp"
+
 #include <array>
+#include <optional>
+#include <utility>
 
 namespace signorini::view {
 namespace {
@@ -40,16 +44,66 @@ TextRun shift(char32_t point) {
   return {to_utf8(point), 0};
 }
 
-/// Letters and digits, Latin and Greek.
-bool is_letter(char32_t p) {
-  return (p >= U'0' && p <= U'9') || (p >= U'A' && p <= U'Z') || (p >= U'a' && p <= U'z') || (p >= U'Α' && p <= U'ω');
+bool is_digit(char32_t p) {
+  return p >= U'0' && p <= U'9';
 }
 
-/// An underscore between a single letter and others: u_y, but not max_pressure.
-bool begins_index(const std::vector<char32_t>& points, std::size_t i) {
-  return points[i] == U'_' && i > 0 && i + 1 < points.size() && is_letter(points[i - 1]) && is_letter(points[i + 1]) &&
-         (i == 1 || (!is_letter(points[i - 2]) && points[i - 2] != U'_'));
+/// Letters of any script that names in pictures are written in.
+bool is_letter(char32_t p) {
+  return (p >= U'A' && p <= U'Z') || (p >= U'a' && p <= U'z') || (p >= 0xC0 && p < 0x2000 && p != U'×' && p != U'÷') ||
+         p >= 0x2E80;
 }
+
+bool is_word(char32_t p) {
+  return is_letter(p) || is_digit(p);
+}
+
+using Points = std::vector<char32_t>;
+
+/// Points [from, to) stand on another level, and the text goes on at `next`.
+struct Group {
+  std::size_t from, to, next;
+};
+
+/// What the sign at i raises or lowers: what braces hold; else a word that stands directly behind it.
+std::optional<Group> group_at(const Points& points, std::size_t i) {
+  const std::size_t count = points.size();
+  const auto at = [&](std::size_t k) { return k < count ? points[k] : U' '; };
+  if (at(i) != U'_' && at(i) != U'^') return std::nullopt;
+  if (at(i + 1) == U'{') {
+    for (std::size_t end = i + 2; end < count; ++end)
+      if (points[end] == U'}' && points[end - 1] != U'\\') return Group{i + 2, end, end + 1};
+    return std::nullopt;
+  }
+  if (i == 0 || at(i - 1) == U' ') return std::nullopt;
+  std::size_t end = i + 1;
+  if (at(i) == U'^' && (at(end) == U'-' || at(end) == U'−' || at(end) == U'+')) ++end;
+  if (!is_word(at(end))) return std::nullopt;
+  while (is_word(at(end))) ++end;
+  if (at(i) == U'^') return Group{i + 1, end, end};
+  // Names of more than one letter before it, or of several parts, are names of files and columns.
+  const bool lone = is_letter(points[i - 1]) && (i == 1 || (!is_word(points[i - 2]) && points[i - 2] != U'_'));
+  if (!lone || at(end) == U'_') return std::nullopt;
+  return Group{i + 1, end, end};
+}
+
+bool is_escaped(const Points& points, std::size_t i) {
+  constexpr std::u32string_view signs = U"_^{}\\";
+  return points[i] == U'\\' && i + 1 < points.size() && signs.find(points[i + 1]) != signs.npos;
+}
+
+struct Runs {
+  std::vector<TextRun> list;
+
+  void add(char32_t point, int level) {
+    TextRun next = shift(point < 0x20 ? U' ' : point);
+    if (level != 0) next.level = level;
+    if (!list.empty() && list.back().level == next.level)
+      list.back().string += next.string;
+    else
+      list.push_back(std::move(next));
+  }
+};
 
 } // namespace
 
@@ -79,25 +133,35 @@ std::vector<char32_t> code_points(std::string_view utf8) {
   return points;
 }
 
+void warn_of_broken(std::string_view utf8) {
+  std::string shown;
+  for (char32_t point : code_points(utf8)) shown += to_utf8(point);
+  if (shown != utf8)
+    warn("the text '" + shown +
+         "' is not UTF-8: signs stand in the place of what cannot be read; save the script as UTF-8");
+}
+
 std::vector<TextRun> text_runs(std::string_view utf8) {
-  std::vector<TextRun> runs;
-  const std::vector<char32_t> points = code_points(utf8);
-  bool lowered = false; // within an index such as the y of u_y
+  Runs runs;
+  const Points points = code_points(utf8);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const char32_t point = points[i];
-    if (begins_index(points, i)) {
-      lowered = true;
+    if (is_escaped(points, i)) {
+      runs.add(points[++i], 0);
       continue;
     }
-    lowered = lowered && is_letter(point);
-    TextRun next = shift(point < 0x20 ? U' ' : point);
-    if (lowered && next.level == 0) next.level = -1;
-    if (!runs.empty() && runs.back().level == next.level)
-      runs.back().string += next.string;
-    else
-      runs.push_back(std::move(next));
+    const std::optional<Group> group = group_at(points, i);
+    if (!group) {
+      runs.add(points[i], 0);
+      continue;
+    }
+    const int level = points[i] == U'^' ? 1 : -1;
+    for (std::size_t k = group->from; k < group->to; ++k) {
+      if (is_escaped(points, k)) ++k;
+      runs.add(points[k] == U'-' && level > 0 ? U'−' : points[k], level);
+    }
+    i = group->next - 1;
   }
-  return runs;
+  return std::move(runs.list);
 }
 
 double run_size(int level) {

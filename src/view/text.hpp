@@ -13,8 +13,10 @@ struct TextRun {
   int level;
 };
 
-/// Splits at Unicode's superscripts and subscripts (10⁻³, σ₁₁), which come back as plain characters on their level:
-/// few fonts hold all of them. What follows a single letter and an underscore is lowered too (u_y, p_max).
+/// Splits a text where its level changes. Unicode's superscripts and subscripts (10⁻³, σ₁₁) come back as plain
+/// characters on their level: few fonts hold all of them. `_{…}` lowers and `^{…}` raises what the braces hold; `^`
+/// raises the letters and digits behind it, with their sign (mm^2, 10^-3), and `_` behind a single letter lowers them
+/// (u_y, p_max). So max_pressure and a_b_c are plain. A backslash before _ ^ { } or \\ stands for the sign itself.
 std::vector<TextRun> text_runs(std::string_view utf8);
 
 /// Size of a run's characters and height of its baseline, relative to the line's size.
@@ -24,6 +26,9 @@ double run_rise(int level);
 /// The code points of UTF-8 text; a byte that is no UTF-8 comes back as U+FFFD.
 std::vector<char32_t> code_points(std::string_view utf8);
 std::string to_utf8(char32_t point);
+
+/// Warns of a text that is not UTF-8.
+void warn_of_broken(std::string_view utf8);
 
 /// Width in pixels of a line set in Helvetica or a font with its metrics (Arial, Liberation Sans).
 double text_width(std::string_view utf8, double size);

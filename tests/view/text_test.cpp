@@ -16,6 +16,33 @@ TEST(TextRuns, RaiseAndLowerDigits) {
   EXPECT_EQ(runs[3].level, 1);
 }
 
+/// The runs as one string: raised ones after ^, lowered ones after _, in brackets.
+std::string levels(const std::string& utf8) {
+  std::string result;
+  for (const TextRun& run : text_runs(utf8))
+    result += run.level == 0 ? run.string : (run.level > 0 ? "^[" : "_[") + run.string + "]";
+  return result;
+}
+
+TEST(TextRuns, FollowOneRuleOfMarkup) {
+  const std::pair<const char*, const char*> cases[] = {{"mm^2, 10^-3 m^n", "mm^[2], 10^[−3] m^[n]"},
+                                                       {"x_{max} and dP_{x y}", "x_[max] and dP_[x y]"},
+                                                       {"e^{i φ}-1", "e^[i φ]-1"},
+                                                       {"σ_yy^2 / F_max", "σ_[yy]^[2] / F_[max]"},
+                                                       {"m² u₁", "m^[2] u_[1]"},
+                                                       {"a_b_c", "a_b_c"},
+                                                       {"out/a_b_c.png", "out/a_b_c.png"},
+                                                       {"max_pressure", "max_pressure"},
+                                                       {"Größe_x", "Größe_x"},
+                                                       {"E\\_x 5\\^2 \\{a\\}", "E_x 5^2 {a}"},
+                                                       {"C:\\dir", "C:\\dir"},
+                                                       {"p_{a\\}b}", "p_[a}b]"},
+                                                       {"x_{open", "x_{open"},
+                                                       {"a ^2 ^ _", "a ^2 ^ _"},
+                                                       {"1_2", "1_2"}};
+  for (const auto& [utf8, expected] : cases) EXPECT_EQ(levels(utf8), expected) << utf8;
+}
+
 TEST(TextRuns, LowerTheIndexOfASingleLetter) {
   const auto runs = text_runs("displacement u_y (p_max)");
   ASSERT_EQ(runs.size(), 5u);

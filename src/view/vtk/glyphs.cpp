@@ -1,6 +1,7 @@
 #include "view/vtk/glyphs.hpp"
 
 #include "base/error.hpp"
+#include "base/warning.hpp"
 #include "view/text.hpp"
 
 #include <vtkImageData.h>
@@ -23,12 +24,34 @@ constexpr int pixels_per_inch = 72; // VTK's sizes are points: one point, one pi
 struct Font {
   const char* file; // null: VTK's own
   double scale;
+  const char* package; // of Debian
 };
 
-constexpr Font fonts[] = {{"/usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf", 1.0},
-                          {"/usr/share/fonts/truetype/liberation2/LiberationSans-Regular.ttf", 1.0},
-                          {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf", 0.88},
-                          {nullptr, 0.9}};
+constexpr Font dejavu = {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf", 0.88, "fonts-dejavu-core"};
+constexpr Font east = {"/usr/share/fonts/opentype/noto/NotoSansCJK-Regular.ttc", 0.95, "fonts-noto-cjk"};
+constexpr Font signs = {"/usr/share/fonts/truetype/noto/NotoSansMath-Regular.ttf", 0.95, "fonts-noto-core"};
+constexpr Font fonts[] = {
+    {"/usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf", 1.0, "fonts-liberation"},
+    {"/usr/share/fonts/truetype/liberation2/LiberationSans-Regular.ttf", 1.0, "fonts-liberation2"},
+    dejavu,
+    east,
+    signs,
+    {nullptr, 0.9, ""}};
+
+bool is_there(const Font& font) {
+  return font.file == nullptr || std::filesystem::exists(font.file);
+}
+
+/// The package with the font, one of the above, that is likely to have a character; empty where it is there already.
+std::string package_for(char32_t p) {
+  // VTK draws nothing above U+FFFF.
+  const bool eastern = (p >= 0x2E80 && p <= 0x9FFF) || (p >= 0xAC00 && p <= 0xD7AF) || (p >= 0xF900 && p <= 0xFAFF) ||
+                       (p >= 0xFF00 && p <= 0xFFEF);
+  const bool sign = p >= 0x2000 && p <= 0x2BFF;
+  if (!eastern && !sign && p >= 0x2000) return "";
+  const Font& font = eastern ? east : sign ? signs : dejavu;
+  return is_there(font) ? "" : font.package;
+}
 
 vtkSmartPointer<vtkTextProperty> style_of(const Font& font, double size) {
   auto style = vtkSmartPointer<vtkTextProperty>::New();
@@ -51,19 +74,55 @@ bool shows(const Font& font, char32_t point) {
   return box[1] > box[0] + 1;
 }
 
-/// The first font that is there and shows all of the text.
-const Font& font_for(const std::string& utf8) {
-  char32_t missing = 0;
-  for (const Font& font : fonts) {
-    if (font.file != nullptr && !std::filesystem::exists(font.file)) continue;
-    const auto points = code_points(utf8);
-    const auto lacking =
-        std::find_if(points.begin(), points.end(), [&](char32_t p) { return p > 0x7E && !shows(font, p); });
-    if (lacking == points.end()) return font;
-    if (missing == 0) missing = *lacking;
+/// The first font that is there and shows all of the points; null when none does.
+const Font* font_with(const std::vector<char32_t>& points) {
+  for (const Font& font : fonts)
+    if (is_there(font) &&
+        std::all_of(points.begin(), points.end(), [&](char32_t p) { return p <= 0x7E || shows(font, p); }))
+      return &font;
+  return nullptr;
+}
+
+/// Says which characters have boxes in their place, once for each text.
+void warn_of(const std::vector<char32_t>& missing, const std::string& utf8) {
+  std::string names, packages;
+  for (char32_t point : missing) {
+    if (point == 0xFFFD) continue;
+    names += (names.empty() ? "'" : ", '") + to_utf8(point) + "'";
+    const std::string package = package_for(point);
+    if (!package.empty() && packages.find(package) == packages.npos)
+      packages += (packages.empty() ? "" : " ") + package;
   }
-  fail("no installed font shows '", to_utf8(missing), "' of the text '", utf8,
-       "'; use other words, or install fonts-liberation and fonts-dejavu-core");
+  if (!names.empty())
+    warn(text("no installed font shows ", names, " of the text '", utf8, "': boxes stand in the place; ",
+              packages.empty() ? "use other words" : "apt install " + packages));
+}
+
+/// Stretches of a text with the font that each is drawn in. Where no font shows all, each character has its own, and
+/// those that none shows become boxes.
+struct Piece {
+  std::string utf8;
+  const Font* font;
+};
+
+/// `whole`: the line that the text belongs to, for the warning.
+std::vector<Piece> pieces_of(const std::string& utf8, const std::string& whole) {
+  const std::vector<char32_t> points = code_points(utf8);
+  if (const Font* font = font_with(points)) return {{utf8, font}};
+  std::vector<Piece> pieces;
+  std::vector<char32_t> missing;
+  for (char32_t point : points) {
+    const Font* font = font_with({point});
+    if (font == nullptr) missing.push_back(point);
+    const Font* box = font != nullptr ? font : font_with({U'□'});
+    Piece next{to_utf8(font != nullptr ? point : box != nullptr ? U'□' : U'?'), box != nullptr ? box : &fonts[0]};
+    if (!pieces.empty() && pieces.back().font == next.font)
+      pieces.back().utf8 += next.utf8;
+    else
+      pieces.push_back(std::move(next));
+  }
+  warn_of(missing, whole);
+  return pieces;
 }
 
 /// A run's coverage (0 … 255), rows from the bottom up, and where it goes.
@@ -73,9 +132,9 @@ struct Glyphs {
   int descent = 0; // rows below the baseline
 };
 
-Glyphs rasterise(const std::string& utf8, double size) {
+Glyphs rasterise(const std::string& utf8, const Font& font, double size) {
   Glyphs glyphs;
-  const auto style = style_of(font_for(utf8), size);
+  const auto style = style_of(font, size);
   vtkTextRenderer* renderer = vtkTextRenderer::GetInstance();
   renderer->SetScaleToPowerOfTwo(false);
   vtkNew<vtkImageData> image;
@@ -104,9 +163,11 @@ struct Line {
 Line rasterise_line(const std::string& utf8, double size) {
   Line line;
   for (const TextRun& run : text_runs(utf8)) {
-    line.runs.push_back(rasterise(run.string, size * run_size(run.level)));
-    line.rises.push_back(static_cast<int>(std::lround(size * run_rise(run.level))));
-    line.width += line.runs.back().width;
+    for (const Piece& piece : pieces_of(run.string, utf8)) {
+      line.runs.push_back(rasterise(piece.utf8, *piece.font, size * run_size(run.level)));
+      line.rises.push_back(static_cast<int>(std::lround(size * run_rise(run.level))));
+      line.width += line.runs.back().width;
+    }
   }
   return line;
 }
