@@ -78,7 +78,7 @@ view::Series read_series(lua_State* L, int index, int number, const std::vector<
                                          : text(function_name(L), ": ", o.path(), ".y must have as many values as x, ",
                                                 series.x.size(), ", got ", series.y.size()));
   series.label = o.string("label", "name in the legend", "");
-  series.markers = o.flag("markers", "draw markers", false);
+  if (o.has("markers")) series.markers = o.flag("markers", "draw markers");
   series.dashed = o.flag("dashed", "draw a dashed line", false);
   series.line = o.flag("line", "draw the line", true);
   series.width = o.positive("width", "of the line, in pixels of a chart of 1600 x 1000", series.width);
@@ -89,7 +89,7 @@ view::Series read_series(lua_State* L, int index, int number, const std::vector<
     throw ArgumentError(text(function_name(L), ": ", o.path(),
                              ".marks must have as many names as the curve has points, ", series.y.size(), ", got ",
                              series.marks.size()));
-  if (!series.line && series.marks.empty() && (!series.markers || series.marker == view::no_marker))
+  if (!series.line && series.marks.empty() && (!series.markers.value_or(false) || series.marker == view::no_marker))
     throw ArgumentError(text(function_name(L), ": ", o.path(), " shows neither line nor markers: set markers = true"));
   return series;
 }
@@ -195,18 +195,19 @@ int chart(lua_State* L) {
 
 constexpr Function rows[] = {
     {"chart", wrap<chart>,
-     R"(sg.chart{ file, x, { y, x, label, line = true, width = 3, dashed = false, markers = false, marker, marks,
+     R"(sg.chart{ file, x, { y, x, label, line = true, width = 3, dashed = false, markers, marker, marks,
           color }, …, xlabel, ylabel, log, title, legend = true, legend_title, marks, marks_title, xrange, yrange,
           xticks, hlines, vlines, inset, size = {1600, 1000} }
 Draws curves to a file, whole or not at all. Values, ranges and positions are in the units of the data.
 file:         a name that ends with .png, .svg or .pdf.
 x:            abscissae of the curves that have none of their own.
-xlabel, ylabel, title: texts at the axes and above; by default none. Write units into them: "force in N".
+xlabel, ylabel, title: texts at the axes and above; by default none. Write units into them: "force in N". In all texts
+              u_y, x_{max}, mm^2 and 10^-3 are lowered and raised; \\_ and \\^ are the signs themselves.
 log:          "x", "y" or "xy": logarithmic axes; by default none.
 xrange, yrange: {low, high} of an axis; by default those of the data, of y within xrange.
 xticks:       { {1, "m1"}, {2, "m2"} }, in rising order: names in the place of numbers; by default numbers.
 hlines, vlines: { value, {value, text}, … }: dotted reference lines; by default none.
-legend:       the curves' names right of the chart (true).
+legend:       the curves' names right of the chart, or below it where they are long or many (true).
 legend_title, marks_title: lines above its two parts, curves and kinds of points; by default none.
 marks:        the order of the kinds of points; by default that of their first points.
 inset:        { xrange = {low, high}, yrange = {low, high} (that of the curves), place = "north-east", "north-west",
@@ -214,18 +215,19 @@ inset:        { xrange = {low, high}, yrange = {low, high} (that of the curves),
               corner is free the y axis goes on, unless yrange is given. By default none.
 size:         {width, height} in pixels, from 160 x 120 to 5000 x 5000 ({1600, 1000}).
 Each curve is a table without a name:
- y:           values; a nan leaves a gap.
+ y:           values; nan and inf leave a gap. A point between gaps has a marker.
  x:           as many abscissae (the chart's x).
  label:       its name in the legend, where curves of one label and look share a row; one without has none.
  line:        draws the line (true).
  width:       of the line, in pixels of a chart of 1600 x 1000 (3).
  dashed:      a dashed line (false).
- markers:     a marker at each point (false); of several curves each has a few in any case.
+ markers:     a marker at each point, or false for none; by default a few on each of several curves, none on one.
  marker:      circle, square, triangle, diamond, triangle down, cross, pentagon, plus, the same open ("open circle"),
               or "none"; by default that of the curve's number.
  marks:       { "m1", "m2", … }, the kind of each of its points, such as the mesh: one marker per kind in all curves;
               the legend lists them after the curves. By default none.
- color:       the number of the curve that it looks like, or "gray"; by default a colour of its own.
+ color:       the number of the curve that it looks like, or "gray"; by default its own look: 40 curves are told
+              apart by colour and dashes, and a warning tells of more.
 Example: sg.chart{ file = "square.png", x = {1, 2, 3}, { y = {1, 4, 9}, label = "x squared" } })"},
 };
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <limits>
 
 namespace signorini::bind {
 
@@ -154,9 +155,16 @@ void each_cell(lua_State* L, const Options& o, const char* key, const char* mean
   lua_settop(L, list - 1);
 }
 
+constexpr double blank = std::numeric_limits<double>::quiet_NaN();
+
+/// Whether nan or infinity is on top of the stack: no value, as in charts.
+bool is_gap(lua_State* L) {
+  return lua_type(L, -1) == LUA_TNUMBER && !std::isfinite(lua_tonumber(L, -1));
+}
+
 /// The number of the category that is named on top of the stack.
 double read_member(lua_State* L, const Argument& argument, const std::vector<view::Category>& categories) {
-  if (lua_type(L, -1) == LUA_TNUMBER && std::isnan(lua_tonumber(L, -1))) return lua_tonumber(L, -1);
+  if (is_gap(L)) return blank;
   std::vector<std::string> names;
   for (const view::Category& one : categories) names.push_back(one.name);
   if (lua_type(L, -1) != LUA_TSTRING) reject(L, -1, argument, "the name of a category, nil or nan");
@@ -172,14 +180,14 @@ double read_member(lua_State* L, const Argument& argument, const std::vector<vie
 double read_cell(lua_State* L, const Argument& argument) {
   if (lua_type(L, -1) == LUA_TSTRING)
     reject(L, -1, argument, "a number, nil or nan", "to map names, list them in categories = { { name = … }, … }");
-  if (lua_type(L, -1) == LUA_TNUMBER && std::isnan(lua_tonumber(L, -1))) return lua_tonumber(L, -1);
-  return read_number(L, -1, argument, "a finite number, nil or nan");
+  if (is_gap(L)) return blank;
+  return read_number(L, -1, argument, "a number, nil or nan");
 }
 
 view::Heat read_map(lua_State* L, const Options& o, const view::HeatmapOptions& options) {
   const std::size_t rows = options.y.size(), columns = options.x.size();
   const auto size = [](std::size_t n) { return static_cast<Eigen::Index>(n); };
-  view::Heat map{"", MatrixX::Constant(size(rows), size(columns), std::numeric_limits<double>::quiet_NaN())};
+  view::Heat map{"", MatrixX::Constant(size(rows), size(columns), blank)};
   each_cell(
       L, o, "values", "rows of cells", rows, columns, [&](std::size_t j, std::size_t i, const Argument& argument) {
         const bool named = !options.categories.empty();
@@ -187,9 +195,10 @@ view::Heat read_map(lua_State* L, const Options& o, const view::HeatmapOptions& 
       });
   if (!o.has("texts")) return map;
   map.texts.assign(rows, std::vector<std::string>(columns));
-  each_cell(
-      L, o, "texts", "what stands in the cells", rows, columns,
-      [&](std::size_t j, std::size_t i, const Argument& argument) { map.texts[j][i] = read_name(L, -1, argument); });
+  each_cell(L, o, "texts", "what stands in the cells", rows, columns,
+            [&](std::size_t j, std::size_t i, const Argument& argument) {
+              if (!is_gap(L)) map.texts[j][i] = read_name(L, -1, argument);
+            });
   return map;
 }
 
@@ -265,9 +274,10 @@ constexpr Function rows[] = {
 Draws a map of equal coloured cells to a file, whole or not at all: numbers with a colour bar, or names with a legend.
 file:         a name that ends with .png, .svg or .pdf.
 x, y:         names of the columns and rows, strings or numbers, in order; the first y is at the bottom.
-values:       values[j][i] belongs to y[j] and x[i]: a number, or the name of a category; nil or nan is a blank.
+values:       values[j][i] belongs to y[j] and x[i]: a number, or the name of a category; nil, nan and inf are blank.
 texts:        rows of short strings or numbers drawn in the cells, left out where they do not fit; by default none.
-xlabel, ylabel, title: texts at the axes and above; by default none. Write units into them.
+xlabel, ylabel, title: texts at the axes and above; by default none. Write units into them. u_y, x_{max}, mm^2 and
+              10^-3 are lowered and raised in all texts, as in sg.chart.
 label, range, log, colormap: for numbers. label: title of the colour bar, with the values' unit (none); range: {low,
               high} of the colours, in that unit (that of the values); log: colours follow the logarithm (false);
               colormap: as in sg.picture ("viridis").

@@ -25,8 +25,8 @@ std::string list_cure(lua_State* L, int index) {
   return "";
 }
 
-double read_value(lua_State* L, int index, const Argument& argument, bool nan_allowed) {
-  if (nan_allowed && lua_type(L, index) == LUA_TNUMBER && std::isnan(lua_tonumber(L, index)))
+double read_value(lua_State* L, int index, const Argument& argument, bool gaps_allowed) {
+  if (gaps_allowed && lua_type(L, index) == LUA_TNUMBER && !std::isfinite(lua_tonumber(L, index)))
     return std::numeric_limits<double>::quiet_NaN();
   return read_number(L, index, argument);
 }
@@ -98,7 +98,7 @@ int read_list(lua_State* L, int index, const Argument& argument, const char* exp
   return static_cast<int>(length);
 }
 
-std::vector<double> read_numbers(lua_State* L, int index, const Argument& argument, bool nan_allowed) {
+std::vector<double> read_numbers(lua_State* L, int index, const Argument& argument, bool gaps_allowed) {
   const int count = read_list(L, index, argument, "a list of numbers");
   std::vector<double> values(static_cast<std::size_t>(count));
   for (int i = 1; i <= count; ++i) {
@@ -106,7 +106,7 @@ std::vector<double> read_numbers(lua_State* L, int index, const Argument& argume
       values[static_cast<std::size_t>(i - 1)] = lua_tonumber(L, -1);
     else
       values[static_cast<std::size_t>(i - 1)] =
-          read_value(L, -1, {element(argument, i), argument.meaning}, nan_allowed);
+          read_value(L, -1, {element(argument, i), argument.meaning}, gaps_allowed);
     lua_pop(L, 1);
   }
   return values;

@@ -26,8 +26,8 @@ std::string read_choice(lua_State* L, int index, const Argument& argument, const
 
 /// The length of a list. Throws for anything but a table whose keys are 1…n.
 int read_list(lua_State* L, int index, const Argument& argument, const char* expected = "a list");
-/// A list of numbers; NaN only where gaps are meant.
-std::vector<double> read_numbers(lua_State* L, int index, const Argument& argument, bool nan_allowed = false);
+/// A list of numbers; where gaps are allowed, nan and infinity come back as NaN.
+std::vector<double> read_numbers(lua_State* L, int index, const Argument& argument, bool gaps_allowed = false);
 std::vector<int> read_integers(lua_State* L, int index, const Argument& argument, int low, int high);
 /// A point or vector {x, y} or {x, y, z} with low … high coordinates.
 VectorX read_point(lua_State* L, int index, const Argument& argument, int low = 2, int high = 3);

@@ -1,6 +1,7 @@
 #include "view/chart.hpp"
 
 #include "base/error.hpp"
+#include "base/warning.hpp"
 #include "base/whole_file.hpp"
 #include "view/inset.hpp"
 #include "view/legend.hpp"
@@ -35,7 +36,7 @@ void check(const std::vector<Series>& series, const ChartOptions& options) {
     for (int mark : s.marks)
       require(mark >= 0 && mark < static_cast<int>(options.marks.size()), name_of(series, n), " has mark ", mark,
               "; the chart names ", options.marks.size());
-    require(s.line || !s.marks.empty() || (s.markers && s.marker != no_marker), name_of(series, n),
+    require(s.line || !s.marks.empty() || (s.markers.value_or(false) && s.marker != no_marker), name_of(series, n),
             " has neither line nor markers; switch one of them on");
     for (std::size_t i = 0; i < s.x.size(); ++i) {
       if (!drawn(s, i)) continue;
@@ -47,6 +48,11 @@ void check(const std::vector<Series>& series, const ChartOptions& options) {
   require(options.marks.size() <= marker_names().size(), "the chart has ", options.marks.size(),
           " kinds of points, and there are ", marker_names().size(), " markers; mark fewer kinds, or none");
   require(any, "the chart's series hold no finite point; nothing can be drawn");
+  const auto own = std::count_if(series.begin(), series.end(), [](const Series& s) { return s.line && !s.colour; });
+  if (own > distinct_curves())
+    warn(text("a chart of ", own, " curves: ", distinct_curves(),
+              " are told apart by colour and dashes, and the others look like the first ones; draw several charts, or "
+              "give color"));
 }
 
 void check_names(const std::vector<Name>& names, const std::string& what, char axis, bool log) {
@@ -94,29 +100,46 @@ struct Layout {
   double title_at; ///< pixels: below the title, above all else
 };
 
+/// Moves the box' sides in until what stands below them ends before the figure's rim.
+void fit_ticks(Frame& frame, const Range& xs, const ChartOptions& options, const Style& style) {
+  const double rim = 0.5 * style.margin, most = 0.35 * options.size[1];
+  for (int round = 0; round < 3; ++round) {
+    auto& [left, right, bottom, top] = frame.box;
+    frame.x = {xs.low, xs.high, options.log_x, left, right};
+    frame.xticks = options.xticks.empty() ? fitting_ticks(xs.low, xs.high, options.log_x, right - left, style)
+                                          : named_ticks(options.xticks, frame.x, most, style);
+    const auto [from, to] = reach_of_ticks(frame, style);
+    if (from >= rim && to <= options.size[0] - rim) return;
+    left += std::max(0.0, rim - from);
+    right -= std::max(0.0, to - options.size[0] + rim);
+  }
+}
+
+/// `depth`: what names of ticks take below the numbers' row, as far as it is known.
 Layout lay_out(const std::vector<Series>& series, const ChartOptions& options, const Range& xs, const Range& ys,
-               const Style& style) {
+               const Style& style, double depth = 0) {
   Layout layout;
   Frame& frame = layout.frame;
   frame.xlabel = options.xlabel;
   frame.ylabel = options.ylabel;
-  const double bottom = style.margin + room_below(style, options.xlabel);
-  const double height =
-      options.size[1] - bottom - style.margin - (options.title.empty() ? 0.4 : 1.7) * style.title_size;
+  double bottom = style.margin + room_below(style, options.xlabel) + depth;
+  double height = options.size[1] - bottom - style.margin - title_room(options.title, options.size[0], style);
   frame.yticks = stacked_ticks(ys.low, ys.high, options.log_y, height, style);
   const double raised = frame.yticks.factor.empty() ? 0 : 1.2 * style.tick_size;
   layout.legend = make_legend(series, options, style, height - raised);
+  bottom += layout.legend.height;
+  height -= layout.legend.height;
+  if (layout.legend.height > 0) frame.yticks = stacked_ticks(ys.low, ys.high, options.log_y, height, style);
   const double left = style.margin + room_left(style, frame.yticks, options.ylabel);
   const double right = options.size[0] - style.margin - std::max(layout.legend.width, style.margin);
   const double top = bottom + height - raised;
-  require(right - left >= 0.2 * options.size[0] && top - bottom >= 0.2 * options.size[1], "a chart of ",
+  frame.box = {left, right, bottom, top};
+  fit_ticks(frame, xs, options, style);
+  require(frame.box[1] - frame.box[0] >= 0.2 * options.size[0] && top - bottom >= 0.2 * options.size[1], "a chart of ",
           options.size[0], " × ", options.size[1],
           " pixels leaves too little room for the data beside labels and legend; choose a larger size");
-  frame.box = {left, right, bottom, top};
-  frame.x = {xs.low, xs.high, options.log_x, left, right};
+  if (frame.xticks.depth > depth + 1) return lay_out(series, options, xs, ys, style, frame.xticks.depth);
   frame.y = {ys.low, ys.high, options.log_y, bottom, top};
-  frame.xticks = options.xticks.empty() ? fitting_ticks(xs.low, xs.high, options.log_x, right - left, style)
-                                        : named_ticks(options.xticks, frame.x, style);
   layout.title_at = top + raised;
   return layout;
 }

@@ -16,12 +16,12 @@ inline constexpr int gray = -1; ///< a colour of no curve, for what others are c
 /// Names of the markers: eight filled ones, then eight open ones.
 const std::vector<std::string>& marker_names();
 
-/// One curve. x and y have equal length; points with NaN leave a gap.
+/// One curve. x and y have equal length; points that are not finite leave a gap. A point between gaps has a marker.
 struct Series {
   std::string label;
   std::vector<double> x, y;
-  bool line = true;     ///< draw the line
-  bool markers = false; ///< a marker at each point; among several curves each line has a few in any case
+  bool line = true;                 ///< draw the line
+  std::optional<bool> markers = {}; ///< at each point, or none; when absent a few on each line of several
   bool dashed = false;
   double width = 3;               ///< of the line, in pixels of a chart of 1600 × 1000
   std::optional<int> colour = {}; ///< looks like the series of this number (from 0), or gray; its own when absent

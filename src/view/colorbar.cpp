@@ -1,6 +1,7 @@
 #include "view/colorbar.hpp"
 
 #include "base/error.hpp"
+#include "view/fit_text.hpp"
 #include "view/text.hpp"
 
 #include <algorithm>
@@ -87,10 +88,11 @@ void draw_colorbar(Drawing& drawing, const BarPlace& place, const std::array<dou
     drawing.marks.push_back(Text{{place.left, place.top - 0.8 * size}, ticks.factor, size, Align::left, ink});
   if (!title.empty()) {
     const double x = right + 0.5 * size + widest(ticks, size) + 1.15 * style.label_size;
-    const double fit = fitting_size(title, style.label_size, place.top - place.bottom);
-    const double half = 0.5 * text_width(title, fit), lowest = place.bottom + half;
+    const FittedText fitted =
+        fit_text(title, style.label_size, std::min(style.label_size, least_size(style)), place.top - place.bottom);
+    const double half = 0.5 * fitted.width(), lowest = place.bottom + half;
     const double centre = std::clamp(0.5 * (low + high), lowest, std::max(lowest, place.top - half));
-    drawing.marks.push_back(Text{{x, centre}, title, fit, Align::centre, ink, true});
+    drawing.marks.push_back(Text{{x, centre}, fitted.lines.front(), fitted.size, Align::centre, ink, true});
   }
 }
 

@@ -54,7 +54,7 @@ std::vector<Place> marker_places(const std::vector<Series>& series, std::size_t 
     if (drawn(s, i)) places.push_back({{frame.x(s.x[i]), frame.y(s.y[i])}, s.marks.empty() ? own : s.marks[i]});
   std::erase_if(places, [&](const Place& p) { return !within(p.at, frame.box); });
   constexpr std::size_t few = 10;
-  if (s.markers || !s.marks.empty() || places.size() <= 2 * few) return places;
+  if (s.markers.value_or(false) || !s.marks.empty() || places.size() <= 2 * few) return places;
   std::vector<Place> chosen;
   const double stride = static_cast<double>(places.size()) / few;
   for (std::size_t k = 0; k < few; ++k)
@@ -62,11 +62,23 @@ std::vector<Place> marker_places(const std::vector<Series>& series, std::size_t 
   return chosen;
 }
 
-/// Lines, dash-dots from the ninth series on, or the series' own dashes.
+/// Of curves 1 to 8, 9 to 16 and so on, in parts of a unit; and the same where all are to be dashed.
+const std::vector<std::vector<double>> line_dashes = {{}, {18, 7, 4, 7}, {4, 6}, {30, 10}, {18, 6, 4, 6, 4, 6}};
+const std::vector<std::vector<double>> dashed_dashes = {{14, 9}, {24, 8, 6, 8}, {7, 7}, {36, 12}, {24, 7, 6, 7, 6, 7}};
+
 std::vector<double> dash_of(const Series& s, int number, double unit) {
-  if (s.dashed) return {14 * unit, 9 * unit};
-  if (number / palette_size % 2 == 1) return {18 * unit, 7 * unit, 4 * unit, 7 * unit};
-  return {};
+  const auto& styles = s.dashed ? dashed_dashes : line_dashes;
+  std::vector<double> dash = styles[static_cast<std::size_t>(std::max(number, 0) / palette_size) % styles.size()];
+  for (double& length : dash) length *= unit;
+  return dash;
+}
+
+/// The ends of stretches so short that no line shows.
+std::vector<Vec2> lone_points(const Series& s, const Frame& frame) {
+  std::vector<Vec2> points;
+  for (const auto& stretch : stretches(s, frame))
+    if (stretch.size() == 1 && within(stretch.front(), frame.box)) points.push_back(stretch.front());
+  return points;
 }
 
 } // namespace
@@ -95,6 +107,10 @@ Range axis_range(const Range& values, const std::optional<std::array<double, 2>>
   return {values.low - room, values.high + room};
 }
 
+int distinct_curves() {
+  return palette_size * static_cast<int>(line_dashes.size());
+}
+
 const std::vector<Rgb>& curve_colours() {
   return palette;
 }
@@ -107,7 +123,7 @@ CurveLook look_of(const std::vector<Series>& series, std::size_t index, const St
   const Series& s = series[index];
   const int number = s.colour.value_or(static_cast<int>(index));
   const bool neutral = number == gray;
-  const bool marked = s.marks.empty() && (s.markers || (s.line && series.size() > 1 && !neutral));
+  const bool marked = s.marks.empty() && s.markers.value_or(s.line && series.size() > 1 && !neutral);
   return {neutral ? gray_colour : palette[number % palette_size],
           marked ? s.marker.value_or(std::max(number, 0)) : no_marker, s.width * style.unit,
           dash_of(s, number, style.unit)};
@@ -143,6 +159,10 @@ void draw_series(Drawing& drawing, const std::vector<Series>& series, std::size_
         drawing.marks.push_back(Stroke{std::move(part), look.colour, look.width, look.dash});
   for (const Place& place : marker_places(series, index, frame, style))
     draw_marker(drawing, place.marker, place.at, marker_radius * style.unit, look.colour);
+  if (!s.line || !s.marks.empty() || s.markers.value_or(false)) return;
+  const int marker = look.marker == no_marker ? 0 : look.marker;
+  for (const Vec2& point : lone_points(s, frame))
+    draw_marker(drawing, marker, point, marker_radius * style.unit, look.colour);
 }
 
 void draw_sample(Drawing& drawing, const Series& s, const CurveLook& look, const Vec2& from, const Vec2& to,

@@ -24,9 +24,12 @@ bool drawn(const Series& s, std::size_t point);
 
 /// The colours of curves, in their order, and the neutral one.
 const std::vector<Rgb>& curve_colours();
+/// How many curves are told apart by colour and dashes.
+int distinct_curves();
 inline constexpr Rgb gray_colour = {196, 196, 196};
 
-/// How a series looks. Grey prints tell lines apart by their markers, and from the ninth on by dashes and open markers.
+/// How a series looks. Grey prints tell lines apart by their markers, and from the ninth on by
+/// dashes and open markers.
 struct CurveLook {
   Rgb colour;
   int marker; ///< or no_marker, also where its points have marks of their own

@@ -1,10 +1,12 @@
 #include "view/frame.hpp"
 
 #include "base/error.hpp"
+#include "view/fit_text.hpp"
 #include "view/text.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace signorini::view {
 namespace {
@@ -36,6 +38,75 @@ template <class Needed> void thin_out(Ticks& ticks, const Scale& scale, Needed n
   }
 }
 
+/// Pixels that a name at tick i may take: its neighbours' take as much.
+double room_for(const Ticks& ticks, std::size_t i, const Scale& scale) {
+  double room = scale.to - scale.from;
+  if (i > 0) room = std::min(room, scale(ticks.at[i]) - scale(ticks.at[i - 1]));
+  if (i + 1 < ticks.at.size()) room = std::min(room, scale(ticks.at[i + 1]) - scale(ticks.at[i]));
+  return room;
+}
+
+/// All on one line in one size; false where that would be too small.
+bool shrink_names(Ticks& ticks, const Scale& scale, const Style& style) {
+  double size = style.tick_size;
+  for (std::size_t i = 1; i < ticks.at.size(); ++i) {
+    const double needed = 0.5 * (text_width(ticks.labels[i - 1], 1) + text_width(ticks.labels[i], 1)) + 0.6;
+    size = std::min(size, (scale(ticks.at[i]) - scale(ticks.at[i - 1])) / needed);
+  }
+  for (const std::string& label : ticks.labels) ticks.names.push_back({{label}, size});
+  return size >= least_size(style);
+}
+
+/// Each on up to three lines, in a size of its own; false where one is cut short.
+bool wrap_names(Ticks& ticks, const Scale& scale, const Style& style) {
+  bool whole = true;
+  for (std::size_t i = 0; i < ticks.at.size(); ++i) {
+    const double room = room_for(ticks, i, scale) - 0.6 * least_size(style);
+    ticks.names[i] = fit_text(ticks.labels[i], style.tick_size, least_size(style), room, 3);
+    ticks.depth = std::max(ticks.depth, ticks.names[i].depth());
+    whole = whole && !ticks.names[i].cut;
+  }
+  return whole;
+}
+
+void stand_names_up(Ticks& ticks, const Scale& scale, double most, const Style& style) {
+  double closest = style.tick_size * line_step;
+  for (std::size_t i = 0; i < ticks.at.size(); ++i) closest = std::min(closest, room_for(ticks, i, scale));
+  const double size = std::max(closest / line_step, least_size(style));
+  Ticks kept;
+  kept.upright = true;
+  for (std::size_t i = 0; i < ticks.at.size(); ++i) {
+    if (!kept.at.empty() && scale(ticks.at[i]) - scale(kept.at.back()) < (line_step - 1e-9) * size) continue;
+    kept.at.push_back(ticks.at[i]), kept.labels.push_back(ticks.labels[i]);
+    kept.names.push_back(fit_text(ticks.labels[i], size, least_size(style), most));
+    kept.depth = std::max(kept.depth, kept.names.back().width() - style.tick_size);
+  }
+  ticks = std::move(kept);
+}
+
+void draw_name(Drawing& drawing, const FittedText& name, const Vec2& at, bool upright, const Style& style) {
+  const double tick = style.tick_size;
+  for (std::size_t line = 0; line < name.lines.size(); ++line) {
+    const double down = static_cast<double>(line) * line_step * name.size;
+    const Vec2 start = upright ? Vec2{at[0] + 0.5 * digit_height * name.size, at[1] - 0.5 * tick}
+                               : Vec2{at[0], at[1] - 1.2 * tick - down};
+    if (!name.lines[line].empty())
+      drawing.marks.push_back(
+          Text{start, name.lines[line], name.size, upright ? Align::right : Align::centre, ink, upright});
+  }
+}
+
+/// The lines of a title that leaves `above` pixels at most over the box.
+FittedText fit_title(const std::string& title, double room, double above, const Style& style) {
+  const double full = style.title_size;
+  FittedText fitted;
+  for (int most = 3; most >= 1; --most) {
+    fitted = fit_text(title, full, std::max(0.6 * full, least_size(style)), room, most);
+    if (1.5 * full + fitted.depth() <= above + 1e-6) break;
+  }
+  return fitted;
+}
+
 Ticks make_ticks(double low, double high, bool log, int count) {
   return log ? log_ticks(low, high, count) : linear_ticks(low, high, count);
 }
@@ -48,6 +119,10 @@ Style style_for(const std::array<int, 2>& size) {
   // Small figures keep their text a little larger, so that it stays legible.
   const double scale = std::min(size[0] / 1600.0, size[1] / 1000.0), unit = scale < 1 ? std::pow(scale, 0.75) : scale;
   return {unit, 27 * unit, 30 * unit, 34 * unit, 26 * unit};
+}
+
+double least_size(const Style& style) {
+  return 18 * style.unit;
 }
 
 double Scale::operator()(double value) const {
@@ -88,19 +163,24 @@ Ticks stacked_ticks(double low, double high, bool log, double pixels, const Styl
   return ticks;
 }
 
-Ticks named_ticks(const std::vector<Name>& names, const Scale& scale, const Style& style) {
+Ticks named_ticks(const std::vector<Name>& names, const Scale& scale, double most, const Style& style) {
   Ticks ticks;
   for (const auto& [at, name] : names)
     if (at >= scale.low && at <= scale.high) ticks.at.push_back(at), ticks.labels.push_back(name);
-  for (std::size_t i = 1; i < ticks.at.size(); ++i) {
-    const double room = scale(ticks.at[i]) - scale(ticks.at[i - 1]);
-    const double needed =
-        0.5 * (text_width(ticks.labels[i - 1], style.tick_size) + text_width(ticks.labels[i], style.tick_size));
-    ticks.shrink = std::min(ticks.shrink, room / (needed + 0.6 * style.tick_size));
-  }
-  require(ticks.shrink * style.tick_size >= 5, "the ", names.size(),
-          " names along the x axis do not fit beside each other", "; choose shorter ones or a wider chart");
+  if (shrink_names(ticks, scale, style) || wrap_names(ticks, scale, style)) return ticks;
+  if (most >= 2 * style.tick_size) stand_names_up(ticks, scale, most, style);
   return ticks;
+}
+
+std::array<double, 2> reach_of_ticks(const Frame& frame, const Style& style) {
+  const Ticks& ticks = frame.xticks;
+  std::array<double, 2> reach = {frame.box[0], frame.box[1]};
+  for (std::size_t i = 0; i < ticks.at.size(); ++i) {
+    const double width = ticks.names.empty() ? text_width(ticks.labels[i], style.tick_size) : ticks.names[i].width();
+    const double half = 0.5 * (ticks.upright ? ticks.names[i].size : width), at = frame.x(ticks.at[i]);
+    reach = {std::min(reach[0], at - half), std::max(reach[1], at + half)};
+  }
+  return reach;
 }
 
 void fill_box(Drawing& drawing, const Box& box, const Rgb& colour) {
@@ -141,8 +221,10 @@ void draw_frame(Drawing& drawing, const Frame& frame, const Style& style) {
   for (std::size_t i = 0; i < frame.xticks.at.size(); ++i) {
     const double x = frame.x(frame.xticks.at[i]);
     x_tick(frame.xticks.at[i], tick);
-    if (frame.xticks.labels[i].empty()) continue;
-    drawing.marks.push_back(Text{{x, below}, frame.xticks.labels[i], size * frame.xticks.shrink, Align::centre, ink});
+    if (!frame.xticks.names.empty())
+      draw_name(drawing, frame.xticks.names[i], {x, bottom}, frame.xticks.upright, style);
+    else if (!frame.xticks.labels[i].empty())
+      drawing.marks.push_back(Text{{x, below}, frame.xticks.labels[i], size, Align::centre, ink});
   }
   for (std::size_t i = 0; i < frame.yticks.at.size(); ++i) {
     const double y = frame.y(frame.yticks.at[i]);
@@ -154,11 +236,11 @@ void draw_frame(Drawing& drawing, const Frame& frame, const Style& style) {
   if (!frame.yticks.factor.empty())
     drawing.marks.push_back(Text{{left, top + 0.4 * size}, frame.yticks.factor, size, Align::left, ink});
 
-  const double label_base = bottom - 1.45 * size - 1.05 * style.label_size;
-  if (!frame.xlabel.empty()) {
-    const double fit = fitting_size(frame.xlabel, style.label_size, right - left);
-    drawing.marks.push_back(Text{{0.5 * (left + right), label_base}, frame.xlabel, fit, Align::centre, ink});
-  }
+  const double label_base = bottom - 1.45 * size - 1.05 * style.label_size - frame.xticks.depth;
+  const double factor = frame.xticks.factor.empty() ? 0 : text_width(frame.xticks.factor, size) + 0.5 * size;
+  if (!frame.xlabel.empty())
+    draw_fitting(drawing, {{0.5 * (left + right), label_base}, frame.xlabel, style.label_size, Align::centre, ink},
+                 right - left - 2 * factor, style);
   // The common factor stands at the axis' end in the label's row, or in the numbers' row where there is no label.
   if (!frame.xticks.factor.empty())
     drawing.marks.push_back(Text{{right, frame.xlabel.empty() ? bottom - 2.4 * size : label_base},
@@ -167,19 +249,36 @@ void draw_frame(Drawing& drawing, const Frame& frame, const Style& style) {
                                  Align::right,
                                  ink});
   if (!frame.ylabel.empty()) {
-    const double fit = fitting_size(frame.ylabel, style.label_size, top - bottom);
     const double at = left - 0.55 * size - widest(frame.yticks, size) - 0.45 * style.label_size;
-    drawing.marks.push_back(Text{{at, 0.5 * (bottom + top)}, frame.ylabel, fit, Align::centre, ink, true});
+    draw_fitting(drawing, {{at, 0.5 * (bottom + top)}, frame.ylabel, style.label_size, Align::centre, ink, true},
+                 top - bottom, style);
   }
+}
+
+double title_room(const std::string& title, double figure_width, const Style& style) {
+  if (title.empty()) return 0.4 * style.title_size;
+  const double room = figure_width - 2 * style.margin;
+  return 1.7 * style.title_size + fit_title(title, room, std::numeric_limits<double>::infinity(), style).depth();
 }
 
 void draw_title(Drawing& drawing, const std::string& title, const Box& box, const Style& style) {
   if (title.empty()) return;
   const double room = drawing.size[0] - 2 * style.margin;
-  const double size = fitting_size(title, style.title_size, room);
-  const double half = 0.5 * text_width(title, size);
+  const FittedText fitted = fit_title(title, room, drawing.size[1] - box[3], style);
+  const double half = 0.5 * fitted.width();
   const double centre = std::clamp(0.5 * (box[0] + box[1]), style.margin + half, drawing.size[0] - style.margin - half);
-  drawing.marks.push_back(Text{{centre, box[3] + 0.7 * style.title_size}, title, size, Align::centre, black});
+  double base = box[3] + 0.7 * style.title_size + fitted.depth();
+  for (const std::string& line : fitted.lines) {
+    drawing.marks.push_back(Text{{centre, base}, line, fitted.size, Align::centre, black});
+    base -= line_step * fitted.size;
+  }
+}
+
+void draw_fitting(Drawing& drawing, Text text, double room, const Style& style) {
+  const FittedText fitted = fit_text(text.string, text.size, std::min(text.size, least_size(style)), room);
+  text.string = fitted.lines.front();
+  text.size = fitted.size;
+  drawing.marks.emplace_back(std::move(text));
 }
 
 double fitting_size(const std::string& text, double wanted, double room) {

@@ -18,6 +18,9 @@ struct Style {
   double margin; ///< at the figure's rim
 };
 
+/// The size in pixels that texts shrink to at most before they are cut short: 18 in a figure of 1600 × 1000.
+double least_size(const Style& style);
+
 /// Throws Error on a size below 160 × 120 or above 5000 pixels a side (OpenGL's limit after supersampling).
 Style style_for(const std::array<int, 2>& size);
 
@@ -51,16 +54,26 @@ double room_left(const Style& style, const Ticks& ticks, const std::string& labe
 Ticks fitting_ticks(double low, double high, bool log, double pixels, const Style& style);
 /// The same along y, where only the height of a number counts.
 Ticks stacked_ticks(double low, double high, bool log, double pixels, const Style& style);
-/// The names within the scale as ticks along x, small enough to stand side by side. Throws Error when they would be
-/// illegible.
-Ticks named_ticks(const std::vector<Name>& names, const Scale& scale, const Style& style);
+/// The names within the scale as ticks along x: side by side, smaller or on several lines; upright where that is not
+/// enough and `most` pixels below the numbers' row allow it. What does not fit is cut short; upright names that would
+/// lie on each other are left out.
+Ticks named_ticks(const std::vector<Name>& names, const Scale& scale, double most, const Style& style);
+
+/// From where to where numbers or names below the box reach, pixels.
+std::array<double, 2> reach_of_ticks(const Frame& frame, const Style& style);
 
 void fill_box(Drawing& drawing, const Box& box, const Rgb& colour);
 void draw_grid(Drawing& drawing, const Frame& frame, const Style& style);
 void draw_frame(Drawing& drawing, const Frame& frame, const Style& style);
 
-/// The title above the box, smaller when it is too long for the figure.
+/// Pixels for a title above a box, on up to three lines; and for the air above a box without one.
+double title_room(const std::string& title, double figure_width, const Style& style);
+
+/// The title above the box, on as many lines as there is room for, smaller or cut short where it is too long for these.
 void draw_title(Drawing& drawing, const std::string& title, const Box& box, const Style& style);
+
+/// One line of text, smaller than `wanted` or cut short where it is longer than `room`.
+void draw_fitting(Drawing& drawing, Text text, double room, const Style& style);
 
 /// The greatest size up to `wanted` at which the text is no wider than `room`.
 double fitting_size(const std::string& text, double wanted, double room);

@@ -24,7 +24,6 @@ constexpr double legible = 5; // pixels
 // ── Checks ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 void check_value(double value, const HeatmapOptions& options, const std::string& where) {
-  require(std::isfinite(value), where, " is ", value, "; expected a finite number, or nan for a blank cell");
   const auto count = static_cast<double>(options.categories.size());
   if (count > 0)
     require(value >= 0 && value < count && value == std::floor(value), where, " is ", value,
@@ -46,7 +45,7 @@ void check(const std::vector<Heat>& maps, const HeatmapOptions& options) {
             values.cols(), "; expected ", rows, " rows, one per y, of ", columns, " values, one per x");
     for (Eigen::Index j = 0; j < rows; ++j)
       for (Eigen::Index i = 0; i < columns; ++i) {
-        if (std::isnan(values(j, i))) continue;
+        if (!std::isfinite(values(j, i))) continue;
         any = true;
         check_value(values(j, i), options, text(map, "values[", j + 1, "][", i + 1, "]"));
       }
@@ -78,7 +77,7 @@ std::array<double, 2> lowest_and_highest(const std::vector<Heat>& maps) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const Heat& map : maps)
     for (double value : map.values.reshaped())
-      if (!std::isnan(value)) low = std::min(low, value), high = std::max(high, value);
+      if (std::isfinite(value)) low = std::min(low, value), high = std::max(high, value);
   return {low, high};
 }
 
@@ -101,7 +100,7 @@ std::vector<Category> present(const std::vector<Heat>& maps, const std::vector<C
   std::vector<bool> found(categories.size());
   for (const Heat& map : maps)
     for (double value : map.values.reshaped())
-      if (!std::isnan(value)) found[static_cast<std::size_t>(value)] = true;
+      if (std::isfinite(value)) found[static_cast<std::size_t>(value)] = true;
   std::vector<Category> result;
   for (std::size_t c = 0; c < categories.size(); ++c)
     if (found[c]) result.push_back(categories[c]);
@@ -134,7 +133,7 @@ Layout lay_out(const std::vector<Heat>& maps, const HeatmapOptions& options, con
   const double wide = options.size[0], high = options.size[1];
   const bool titled = std::any_of(maps.begin(), maps.end(), [](const Heat& map) { return !map.title.empty(); });
   const double head = titled ? 1.5 * layout.map_title : 0;
-  const double top = high - style.margin - (options.title.empty() ? 0.4 : 1.7) * style.title_size;
+  const double top = high - style.margin - title_room(options.title, wide, style);
   const double xlabel = options.xlabel.empty() ? 0.3 * style.label_size : 1.5 * style.label_size;
   const double ylabel = options.ylabel.empty() ? 0 : 1.4 * style.label_size;
 
@@ -161,7 +160,7 @@ Layout lay_out(const std::vector<Heat>& maps, const HeatmapOptions& options, con
   const double height = height_with(layout.below.room);
   require(height >= 0.1 * high, "a map of ", options.size[0], " × ", options.size[1],
           " pixels leaves too little room for its cells above names and labels; choose a larger size");
-  layout.beside = names_beside(options.y, height / along, most_beside, style);
+  layout.beside = names_beside(options.y, height / along, layout.beside.room, style);
 
   for (int m = 0; m < count; ++m) {
     const int column = m % layout.columns, row = m / layout.columns;
@@ -215,7 +214,7 @@ void draw_cells(Drawing& drawing, const Heat& map, const Cells& cells, const Hea
                 const std::optional<Colours>& colours, double size, const Style& style) {
   const auto shown = [&](Eigen::Index j, Eigen::Index i) {
     const double value = map.values(j, i);
-    if (std::isnan(value)) return Look{blank};
+    if (!std::isfinite(value)) return Look{blank};
     return colours ? colours->look(value) : options.categories[static_cast<std::size_t>(value)].look;
   };
   constexpr double overlap = 0.6; // pixels under the next cell, so that no seam shows between them
@@ -250,14 +249,14 @@ void draw_labels(Drawing& drawing, const HeatmapOptions& options, const Layout& 
   const auto& [left, right, bottom, top] = layout.whole;
   if (!options.xlabel.empty()) {
     const double y = bottom - layout.below.room - 1.05 * style.label_size;
-    const double size = fitting_size(options.xlabel, style.label_size, right - left);
-    drawing.marks.push_back(Text{{0.5 * (left + right), y}, options.xlabel, size, Align::centre, ink});
+    draw_fitting(drawing, {{0.5 * (left + right), y}, options.xlabel, style.label_size, Align::centre, ink},
+                 right - left, style);
   }
   if (!options.ylabel.empty()) {
     const double x = left - layout.beside.room - 0.45 * style.label_size;
     const double high = layout.boxes.front()[3];
-    const double size = fitting_size(options.ylabel, style.label_size, high - bottom);
-    drawing.marks.push_back(Text{{x, 0.5 * (bottom + high)}, options.ylabel, size, Align::centre, ink, true});
+    draw_fitting(drawing, {{x, 0.5 * (bottom + high)}, options.ylabel, style.label_size, Align::centre, ink, true},
+                 high - bottom, style);
   }
 }
 
@@ -274,11 +273,13 @@ Drawing draw(const std::vector<Heat>& maps, const HeatmapOptions& options) {
     const Box& box = layout.boxes[m];
     draw_cells(drawing, maps[m], {box, columns, rows}, options, colours, size, style);
     if (!maps[m].title.empty())
-      drawing.marks.push_back(Text{{0.5 * (box[0] + box[1]), box[3] + 0.5 * layout.map_title},
-                                   maps[m].title,
-                                   fitting_size(maps[m].title, layout.map_title, box[1] - box[0]),
-                                   Align::centre,
-                                   ink});
+      draw_fitting(drawing,
+                   {{0.5 * (box[0] + box[1]), box[3] + 0.5 * layout.map_title},
+                    maps[m].title,
+                    layout.map_title,
+                    Align::centre,
+                    ink},
+                   box[1] - box[0], style);
     // Names stand at the rim of the figure only.
     if (m % layout.columns == 0) draw_names_beside(drawing, layout.beside, box, style);
     if (m + layout.columns >= maps.size()) draw_names_below(drawing, layout.below, box, style);

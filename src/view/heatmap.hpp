@@ -11,7 +11,7 @@ namespace signorini::view {
 /// One map of a figure.
 struct Heat {
   std::string title;
-  MatrixX values; ///< row j is that of y j (from below), column i that of x i; NaN: a blank cell
+  MatrixX values; ///< row j is that of y j (from below), column i that of x i; not finite: a blank cell
   std::vector<std::vector<std::string>> texts = {}; ///< as values, or empty
 };
 
@@ -29,7 +29,7 @@ struct HeatmapOptions {
 
 /// Draws to .png, .svg or .pdf (by the ending), whole or not at all; several maps share names, colours, and bar or
 /// legend, which lists the categories that occur. The same call gives the same bytes. A cell's text is left out where
-/// it does not fit. Throws Error on values that do not match the names, are infinite, ≤ 0 on a logarithmic scale or no
+/// it does not fit. Throws Error on values that do not match the names, are ≤ 0 on a logarithmic scale or no
 /// category; on nothing to draw, a range that does not rise, an unknown colour map, texts that leave no room for cells,
 /// an unknown ending, or a file that cannot be written.
 void draw_heatmap(const std::vector<Heat>& maps, const HeatmapOptions& options, const std::string& file);

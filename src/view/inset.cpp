@@ -3,7 +3,6 @@
 #include "base/error.hpp"
 #include "base/index.hpp"
 #include "view/rules.hpp"
-#include "view/text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -68,13 +67,10 @@ void fit_frame(Frame& frame, const Box& outer, const std::vector<Name>& names, c
     frame.x.from = frame.box[0], frame.x.to = frame.box[1];
     frame.xticks = names.empty()
                        ? fitting_ticks(frame.x.low, frame.x.high, frame.x.log, frame.box[1] - frame.box[0], style)
-                       : named_ticks(names, frame.x, style);
-    overhang = 0;
-    for (std::size_t i = 0; i < frame.xticks.at.size(); ++i)
-      overhang = std::max(overhang,
-                          frame.x(frame.xticks.at[i]) + 0.5 * text_width(frame.xticks.labels[i], size) - frame.box[1]);
+                       : named_ticks(names, frame.x, 0, style);
+    overhang = reach_of_ticks(frame, style)[1] - frame.box[1];
   }
-  frame.box[2] = outer[2] + pad + (frame.xticks.factor.empty() ? 1.3 : 2.6) * size;
+  frame.box[2] = outer[2] + pad + (frame.xticks.factor.empty() ? 1.3 : 2.6) * size + frame.xticks.depth;
   frame.y.from = frame.box[2], frame.y.to = frame.box[3];
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 // Where an axis is marked, and with which numbers.
 
+#include "view/fit_text.hpp"
+
 #include <string>
 #include <vector>
 
@@ -11,7 +13,9 @@ struct Ticks {
   std::vector<std::string> labels; ///< one per tick
   std::vector<double> minor;       ///< unlabelled marks between them
   std::string factor;              ///< common power of ten of all labels, "×10⁻³", or empty
-  double shrink = 1;               ///< of the labels' size, below 1 where long ones stand close together
+  std::vector<FittedText> names;   ///< empty, or one per tick, as its label is drawn
+  bool upright = false;            ///< names read from bottom to top
+  double depth = 0;                ///< pixels that names take below the row that numbers would stand in
 };
 
 /// Fails where a range [low, high] is too wide or too narrow to be divided in double precision.

@@ -92,6 +92,47 @@ check.case("marks: a marker per kind of points, curves and kinds in two parts of
     "[3].marks must have as many names as the curve has points, 1, got 0")
 end)
 
+check.case("infinity is a gap like nan", function()
+  local function svg(gap)
+    sg.chart(chart { file = folder .. "/gap.svg", x = { 1, 2, 3, 4, 5 }, [1] = { y = { 1, 2, gap, 4, 5 } } })
+    return content(folder .. "/gap.svg")
+  end
+  check.equal(svg(1 / 0) == svg(0 / 0), true)
+  check.equal(svg(-1 / 0) == svg(0 / 0), true)
+  check.equal(svg(3) == svg(0 / 0), false)
+end)
+
+check.case("markers = false takes the markers of several curves away", function()
+  local function polygons(markers)
+    sg.chart { file = folder .. "/markers.svg", x = { 1, 2 }, legend = false, { y = { 1, 2 }, markers = markers },
+               { y = { 2, 1 }, markers = markers } }
+    return select(2, content(folder .. "/markers.svg"):gsub("<polygon", ""))
+  end
+  check.equal({ polygons(), polygons(false), polygons(true) }, { 8, 0, 8 })
+end)
+
+check.case("characters that no font has become boxes, with a warning for each text", function()
+  local draw = [[local sg = require "signorini" for _, ending in ipairs { "png", "png", "pdf", "svg" } do
+    sg.chart { file = "%s/signs." .. ending, title = "%s", x = { 1, 2 }, { y = { 1, 2 } } } end]]
+  local function said(title)
+    local output, status = check.program { "-e", draw:format(folder, title) }
+    check.equal(status, 0)
+    return output, select(2, output:gsub("\n", ""))
+  end
+  local output, lines = said "Druck p_n und \u{F0000}"
+  check.equal(lines, 2)
+  check.holds(output, "signorini: warning: no installed font shows '\u{F0000}' of the text", "boxes",
+    "a PDF's standard fonts cannot show '\u{F0000}' of the text 'Druck p_n und")
+  local drawn = content(folder .. "/signs.png")
+  said "Druck p_n und "
+  check.equal(content(folder .. "/signs.png") == drawn, false) -- there is a box
+  output, lines = said [[\xff\xfe]]
+  check.equal(lines, 1)
+  check.holds(output, "is not UTF-8", "save the script as UTF-8")
+  output, lines = said "σ_yy ≤ 10^-3"
+  check.equal(lines, 0)
+end)
+
 check.case("gray belongs to no curve", function()
   local file = folder .. "/gray.svg"
   sg.chart { file = file, x = { 1, 2 }, { y = { 1, 2 }, label = "front", color = "gray", width = 12 } }

@@ -144,7 +144,16 @@ each_size("a logarithmic chart", chart(with { log = "xy", scale = 1e5, legend_ti
 each_size("a chart of large abscissae", chart(with { scale = 123456789 }))
 each_size("a chart with lines and an inset", chart(with { inset = { xrange = { 2, 4 } }, hlines = { { 0, words } },
                                                           vlines = { { 20, "the end" } } }))
+local twenty = { legend_title = words }
+for c = 1, 20 do twenty[c] = { label = ("%s, number %d"):format(words, c), x = { 1, 2, 3 }, y = { c, c + 1, c } } end
+each_size("a chart of twenty long names", chart(with(twenty)))
+each_size("a chart with names on its axis", chart(with { xrange = { 1, 3.1 },
+  xticks = { { 1, "a first name of some words" }, { 2, "second" }, { 3, "the name of the last one" } } }))
+local meshes = {}
+for m = 1, 30 do meshes[m] = { m, "mesh number " .. m } end
+each_size("a chart with thirty names on its axis", chart(with { xticks = meshes }))
 each_size("a heat map", heatmap {})
+each_size("a heat map of long names", heatmap { x = { words, "N2" }, y = { "m1", words } })
 each_size("a heat map of outcomes", heatmap {
   categories = { { name = "completed" }, { name = words } }, values = { { "completed", words }, { words, "completed" } } })
 each_size("heat maps side by side", heatmap {
@@ -156,7 +165,8 @@ each_size("large sheet of close-ups",
   picture { states = states, fields = { "sxx", "syy" }, inset = { 1, 2, 0.5, 0.9 } }, large)
 each_size("large sheet of solids", picture(kinds["a row of solids"]), large)
 each_size("large chart", chart(with {}), large)
-each_size("large heat map", heatmap {}, large)
+each_size("large chart of twenty long names", chart(with(twenty)), large)
+each_size("large heat map", heatmap { x = { words, "N2" }, y = { "m1", words } }, large)
 
 --os.execute(("rm -r '%s'"):format(folder))
 check.done()

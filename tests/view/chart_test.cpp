@@ -3,6 +3,9 @@
 #include "messages.hpp"
 #include "scenes.hpp"
 
+#include "view/curves.hpp"
+#include "view/text.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -111,6 +114,105 @@ TEST(Chart, NamesPlacesOnTheAxisAndDrawsReferenceLines) {
   EXPECT_TRUE(holds(ruled, {">analytic<", ">a<", ">7<"})); // y goes on up to the line
   EXPECT_FALSE(holds(ruled, {">beyond<"}));
   EXPECT_EQ(count_of(ruled, "stroke-dasharray"), 3);
+}
+
+/// The number after `key` in the element that ends with the text, such as the y of ">20<".
+double number_at(const std::string& svg, const std::string& text, const std::string& key) {
+  const std::size_t end = svg.find(">" + text + "<"), start = svg.rfind(" " + key + "=\"", end);
+  EXPECT_NE(end, std::string::npos) << text;
+  return std::stod(svg.substr(start + key.size() + 3));
+}
+
+TEST(Chart, PutsTheNamesOfCloseLinesBesideTheirOwn) {
+  ChartOptions options;
+  options.hlines = {{0.5, "limit"}, {0.52, "limit 2"}};
+  options.vlines = {{5, "five"}, {5.1, "five point one"}, {9, "end"}};
+  options.yrange = {0, 1};
+  options.xrange = {0.9, 9.1};
+  options.legend = false;
+  draw_chart({Series{"", {1, 9}, {0, 1}}}, options, scratch("close.svg"));
+  const std::string svg = file_bytes(scratch("close.svg"));
+  // Places of lines by those of ticks: y points downwards, and a text's digits are 0.36 sizes over its baseline.
+  const double size = style_for(options.size).tick_size;
+  const auto across = [&](double y) {
+    const double low = number_at(svg, "0.4", "y"), high = number_at(svg, "0.6", "y");
+    return low + (y - 0.4) / 0.2 * (high - low) - 0.36 * size;
+  };
+  const auto along = [&](double x) {
+    const double left = number_at(svg, "5", "x"), right = number_at(svg, "6", "x");
+    return left + (x - 5) * (right - left);
+  };
+  EXPECT_GT(number_at(svg, "limit", "y"), across(0.5) + 0.5 * size); // below its line
+  EXPECT_LT(number_at(svg, "limit 2", "y"), across(0.52));           // above its own
+  EXPECT_LT(number_at(svg, "limit 2", "y"), number_at(svg, "limit", "y"));
+  EXPECT_LT(number_at(svg, "five", "x"), along(5));
+  EXPECT_GT(number_at(svg, "five point one", "x"), along(5.1));
+  // No vertical line runs through the names of the horizontal ones.
+  for (const char* name : {"limit", "limit 2"})
+    for (const double x : {5.0, 5.1, 9.0}) {
+      const double from = number_at(svg, name, "x"), to = from + text_width(name, number_at(svg, name, "font-size"));
+      EXPECT_FALSE(from < along(x) && along(x) < to) << name << " at " << x;
+    }
+}
+
+TEST(Chart, LeavesMarkersOutWhereToldTo) {
+  Series first = line_of({1, 2, 3}), second = line_of({3, 2, 1});
+  ChartOptions options;
+  options.legend = false;
+  const auto polygons = [&] {
+    draw_chart({first, second}, options, scratch("told.svg"));
+    return count_of(file_bytes(scratch("told.svg")), "<polygon");
+  };
+  EXPECT_EQ(polygons(), 2 * 2 * 3); // of several curves each has markers, with rims
+  first.markers = second.markers = false;
+  EXPECT_EQ(polygons(), 0);
+  second.markers = true;
+  EXPECT_EQ(polygons(), 2 * 3);
+}
+
+TEST(Chart, TellsFortyCurvesApart) {
+  const std::vector<Series> all(40, line_of({1, 2}));
+  const Style style = style_for({1600, 1000});
+  for (std::size_t a = 0; a < all.size(); ++a)
+    for (std::size_t b = 0; b < a; ++b) {
+      const CurveLook one = look_of(all, a, style), other = look_of(all, b, style);
+      EXPECT_TRUE(one.colour != other.colour || one.dash != other.dash) << a << " and " << b;
+    }
+  EXPECT_EQ(distinct_curves(), 40);
+  testing::internal::CaptureStderr();
+  draw_chart(std::vector<Series>(41, line_of({1, 2})), {}, scratch("forty.svg"));
+  EXPECT_TRUE(holds(testing::internal::GetCapturedStderr(), {"41 curves", "40 are told apart"}));
+}
+
+TEST(Chart, MarksLonePoints) {
+  const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+  const auto polygons = [&](const std::vector<double>& y) {
+    draw_chart({line_of(y)}, {}, scratch("lone.svg"));
+    return count_of(file_bytes(scratch("lone.svg")), "<polygon");
+  };
+  EXPECT_EQ(polygons({1, 2, 3}), 0);
+  EXPECT_EQ(polygons({1}), 2); // with its rim
+  EXPECT_EQ(polygons({1, 2, nan, 3, inf, 4, 5}), 2);
+  EXPECT_EQ(polygons({nan, 1, nan, 3, -inf}), 4);
+}
+
+TEST(Chart, PutsALegendOfLongNamesBelow) {
+  std::vector<Series> series(3, line_of({1, 2, 3}));
+  const auto legend = [&](const std::string& name, std::array<int, 2> size) {
+    for (std::size_t n = 0; n < series.size(); ++n) series[n].label = name + " " + std::to_string(n);
+    ChartOptions options;
+    options.size = size;
+    options.xlabel = "abscissa";
+    draw_chart(series, options, scratch("legend.svg"));
+    return file_bytes(scratch("legend.svg"));
+  };
+  const std::string beside = legend("N2", {1600, 1000});
+  EXPECT_LT(number_at(beside, "N2 0", "y"), 100);
+  const std::string words = "a name that is too long to stand beside the chart as it takes more than half of all room";
+  const std::string below = legend(words, {1600, 1000});
+  EXPECT_GT(number_at(below, words + " 0", "y"), number_at(below, "abscissa", "y"));
+  EXPECT_GE(number_at(below, words + " 2", "font-size"), 18);
+  EXPECT_TRUE(holds(legend(words + words, {900, 600}), {"…"}));
 }
 
 TEST(Chart, FitsTheAxisOfYToTheCurvesWithinXrange) {

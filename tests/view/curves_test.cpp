@@ -82,7 +82,11 @@ TEST(Legend, OfSixteenCurvesAndEightKindsOfPointsIsLegible) {
   ChartOptions options;
   options.legend_title = options.marks_title = "title";
   for (int k = 0; k < 8; ++k) options.marks.push_back(text("mesh ", k));
-  EXPECT_GE(make_legend(labelled(17), options, style, 860).size, 18); // pixels of 1000; numbers have 27
+  const Legend legend = make_legend(labelled(17), options, style, 860);
+  EXPECT_EQ(legend.height, 0);                                                          // beside the chart
+  for (const Legend::Row& row : legend.rows) EXPECT_GE(row.text.size, 18) << row.label; // numbers have 27
+  const double swatches = 2 * 1.06 * 8 * 1.3;
+  EXPECT_GE(legend.row, swatches); // no marker lies on the next one
 }
 
 TEST(Legend, GivesCurvesOfOneLabelAndLookOneRow) {
@@ -140,15 +144,32 @@ TEST(Covered, IsTheLengthInside) {
 TEST(NamedTicks, AreSmallEnoughToStandSideBySide) {
   const std::vector<Name> labels = {
       {1, "N2"}, {2, "N2-N2.1"}, {3, "N2-N2.2x3"}, {4, "a long name of a mesh"}, {9, "far"}};
-  const Scale scale{0.5, 4.5, false, 100, 500};
-  const Ticks ticks = named_ticks(labels, scale, style);
+  const Scale scale{0.5, 4.5, false, 100, 740};
+  const Ticks ticks = named_ticks(labels, scale, 300, style);
   ASSERT_EQ(ticks.labels.size(), 4u); // the last one lies beyond the axis
-  EXPECT_LT(ticks.shrink, 1);
-  EXPECT_EQ(named_ticks({{1, "m1"}, {2, "m2"}}, scale, style).shrink, 1);
-  EXPECT_TRUE(holds(message_of([&] {
-                      named_ticks(labels, {0.5, 4.5, false, 0, 60}, style);
-                    }),
-                    {"5 names along the x axis", "wider chart"}));
+  EXPECT_LT(ticks.names[0].size, style.tick_size);
+  EXPECT_EQ(named_ticks({{1, "m1"}, {2, "m2"}}, scale, 0, style).names[0].size, style.tick_size);
+}
+
+TEST(NamedTicks, WrapThenStandUprightThenLeaveSomeOut) {
+  const std::vector<Name> labels = {{1, "m1"}, {2, "the second mesh"}, {3, "m3"}, {4, "m4"}};
+  const auto ticks = [&](double wide, double most) {
+    return named_ticks(labels, {0.5, 4.5, false, 0, wide}, most, style);
+  };
+  const Ticks wrapped = ticks(320, 300);
+  EXPECT_FALSE(wrapped.upright);
+  EXPECT_EQ(wrapped.names[0].size, style.tick_size);
+  EXPECT_GT(wrapped.names[1].lines.size(), 1u);
+  EXPECT_NEAR(wrapped.depth, wrapped.names[1].depth(), 1e-12);
+  const Ticks upright = ticks(160, 300);
+  EXPECT_TRUE(upright.upright);
+  EXPECT_EQ(upright.names.size(), 4u);
+  EXPECT_NEAR(upright.depth, upright.names[1].width() - style.tick_size, 1e-12);
+  EXPECT_EQ(ticks(60, 300).names.size(), 2u); // 15 pixels apart, of 18 pixels at the least
+  const Ticks level = ticks(160, 0);          // no room below: on one level and cut short
+  EXPECT_FALSE(level.upright);
+  EXPECT_TRUE(level.names[1].cut);
+  EXPECT_LE(level.names[1].width(), 40);
 }
 
 } // namespace
