@@ -79,12 +79,12 @@ CellNames names_below(const std::vector<std::string>& names, double width, doubl
     result.room = 1.6 * full;
     return result;
   }
-  result.size = full;
   double depth = 0;
   const double beside = width - 0.6 * least_size(style);
   for (const std::string& name : names) {
     result.names.push_back(fit_text(name, full, least_size(style), beside, 3));
     depth = std::max(depth, result.names.back().depth());
+    result.size = std::max(result.size, result.names.back().size);
   }
   result.room = 1.6 * full + depth;
   const auto cut = [](const FittedText& name) { return name.cut; };
@@ -111,7 +111,7 @@ void draw_names_below(Drawing& drawing, const CellNames& names, const Box& box, 
     if (names.stride > 1)
       drawing.marks.push_back(Stroke{{{x, box[2]}, {x, box[2] - 0.5 * gap(style)}}, tick_colour, 1.6 * style.unit});
     Vec2 at = names.upright ? Vec2{x + 0.5 * (digit_height * name.size - name.depth()), box[2] - gap(style)}
-                            : Vec2{x, box[2] - gap(style) - 0.85 * std::max(names.size, name.size)};
+                            : Vec2{x, box[2] - gap(style) - 0.85 * names.size};
     for (const std::string& line : name.lines) {
       drawing.marks.push_back(
           Text{at, line, name.size, names.upright ? Align::right : Align::centre, ink, names.upright});

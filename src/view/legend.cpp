@@ -44,7 +44,7 @@ std::vector<Legend::Row> all_rows(const std::vector<Series>& series, const Chart
 
 /// Pixels before a row's name.
 double indent(const Legend::Row& row, const Style& style) {
-  return row.series || row.mark ? swatch(style) + 0.5 * least_size(style) : 0;
+  return row.series || row.mark ? swatch(style) + 0.45 * style.label_size : 0;
 }
 
 /// Fits all names at a size into `room` pixels; whether they are whole.

@@ -18,35 +18,51 @@ bool overlap(const Box& a, const Box& b) {
   return a[0] < b[1] && b[0] < a[1] && a[2] < b[3] && b[2] < a[3];
 }
 
+/// A place for a text beside a line: {from, to} along the line and {from, to} across it.
+struct Place {
+  Box box;
+  bool far; ///< a leader says which line the text belongs to
+};
+
 /// Places for a text of the given extents along and across a line at pixel `at`: at its far end, its near end and
-/// between, on either side. As a box {from, to} along the line and {from, to} across it.
-std::vector<Box> places(double at, double from, double to, double along, double across, double gap) {
-  std::vector<Box> result;
+/// between, on either side; then those further away.
+std::vector<Place> places(double at, double from, double to, double along, double across, double gap) {
+  std::vector<Place> result;
   const double first = from + gap, last = to - gap - along;
-  for (double part : {1.0, 0.0, 0.5, 0.75, 0.25, 0.875, 0.625, 0.375, 0.125})
-    for (double base : {at + 0.6 * gap, at - 0.6 * gap - across}) {
-      const double start = first + part * (last - first);
-      result.push_back({start, start + along, base, base + across});
-    }
+  for (int away = 0; away < 4; ++away)
+    for (double part : {1.0, 0.0, 0.5, 0.75, 0.25, 0.875, 0.625, 0.375, 0.125})
+      for (double side : {1.0, -1.0}) {
+        const double start = first + part * (last - first), near = 0.6 * gap + away * (across + 0.6 * gap);
+        const double base = side > 0 ? at + near : at - near - across;
+        result.push_back({{start, start + along, base, base + across}, away > 0});
+      }
   return result;
 }
 
-/// The other reference lines: those that the text would lie on, and those as near to it as its own.
-double hidden_by_rules(const Box& place, bool vertical, const Name& own, const ChartOptions& options,
-                       const Frame& frame, double gap) {
-  const auto lies_on = [](double at, double from, double to) { return at > from && at < to ? 1.0 : 0.0; };
-  double hidden = 0;
-  for (const Name& rule : options.vlines) {
-    if (vertical && rule.at == own.at) continue;
-    const double air = vertical ? gap : 0.2 * gap;
-    hidden += lies_on(frame.x(rule.at), place[0] - air, place[1] + air);
-  }
-  for (const Name& rule : options.hlines) {
-    if (!vertical && rule.at == own.at) continue;
-    const double air = vertical ? 0.2 * gap : gap;
-    hidden += lies_on(frame.y(rule.at), place[2] - air, place[3] + air);
-  }
+/// The other reference lines that the text would lie on, and those as near to it as its own.
+int hidden_by_rules(const Box& box, bool far, bool vertical, const Name& own, const ChartOptions& options,
+                    const Frame& frame, double gap) {
+  int hidden = 0;
+  const auto count = [&](const std::vector<Name>& rules, const Scale& scale, double from, double to, bool along) {
+    const double air = along && !far ? gap : 0.2 * gap;
+    for (const Name& rule : rules) {
+      const double at = scale(rule.at);
+      if (!(along && rule.at == own.at) && crosses(scale, rule.at) && at > from - air && at < to + air) ++hidden;
+    }
+  };
+  count(options.vlines, frame.x, box[0], box[1], vertical);
+  count(options.hlines, frame.y, box[2], box[3], !vertical);
   return hidden;
+}
+
+/// From the line to a text that stands away from it, ending in a dot on the line.
+void draw_leader(Drawing& drawing, const Place& place, double at, double gap, bool vertical, const Style& style) {
+  const auto& [from, to, low, high] = place.box;
+  const double start = from - 0.4 * gap, end = low > at ? low + gap : high - gap, dot = 4 * style.unit;
+  const auto point = [&](double along, double across) { return vertical ? Vec2{across, along} : Vec2{along, across}; };
+  drawing.marks.push_back(Stroke{{point(start, at), point(start, end)}, rule_colour, 1.6 * style.unit});
+  drawing.marks.push_back(Fill{
+      {point(start - dot, at), point(start, at - dot), point(start + dot, at), point(start, at + dot)}, rule_colour});
 }
 
 void draw_text(Drawing& drawing, const Name& rule, bool vertical, const ChartOptions& options, const Frame& frame,
@@ -60,22 +76,27 @@ void draw_text(Drawing& drawing, const Name& rule, bool vertical, const ChartOpt
   const FittedText fitted =
       fit_text(rule.text, full, std::min(full, least_size(style)), (upright ? top - bottom : right - left) - 2 * gap);
   const double size = fitted.size, length = fitted.width();
-  const std::vector<Box> candidates = upright    ? places(at, bottom, top, length, size, gap)
-                                      : vertical ? places(at, bottom, top, size, length, gap)
-                                                 : places(at, left, right, length, size, gap);
+  const std::vector<Place> candidates = upright    ? places(at, bottom, top, length, size, gap)
+                                        : vertical ? places(at, bottom, top, size, length, gap)
+                                                   : places(at, left, right, length, size, gap);
+  const auto on_paper = [&](const Box& box) { return vertical ? Box{box[2], box[3], box[0], box[1]} : box; };
   double least = std::numeric_limits<double>::infinity();
-  Box best = frame.box;
-  for (Box place : candidates) {
-    if (vertical) place = {place[2], place[3], place[0], place[1]};
-    double hidden = covered(curves, place) + 1e3 * size * hidden_by_rules(place, vertical, rule, options, frame, gap);
-    for (const Box& box : taken)
-      if (overlap(place, box)) hidden += 1e6;
-    if (place[0] < left || place[1] > right || place[2] < bottom || place[3] > top) hidden += 1e6;
+  Place best{};
+  for (const Place& place : candidates) {
+    const Box box = on_paper(place.box);
+    const double worst = 1e3 * size; // more than curves can hide
+    double hidden = covered(curves, box) + (place.far ? 0.5 * worst : 0) +
+                    worst * hidden_by_rules(box, place.far, vertical, rule, options, frame, gap);
+    for (const Box& other : taken)
+      if (overlap(box, other)) hidden += 100 * worst;
+    if (box[0] < left || box[1] > right || box[2] < bottom || box[3] > top) hidden += 100 * worst;
     if (hidden < least) least = hidden, best = place;
   }
-  taken.push_back(best);
+  const Box box = on_paper(best.box);
+  taken.push_back(box);
+  if (best.far) draw_leader(drawing, best, at, gap, vertical, style);
   // A fifth of the height lies below the baseline.
-  const Vec2 start = upright ? Vec2{best[1] - 0.2 * size, best[2]} : Vec2{best[0], best[2] + 0.2 * size};
+  const Vec2 start = upright ? Vec2{box[1] - 0.2 * size, box[2]} : Vec2{box[0], box[2] + 0.2 * size};
   drawing.marks.push_back(Text{start, fitted.lines.front(), size, Align::left, ink, upright});
 }
 

@@ -155,6 +155,24 @@ TEST(Chart, PutsTheNamesOfCloseLinesBesideTheirOwn) {
     }
 }
 
+TEST(Chart, LeadsFromALineBetweenOthersToItsName) {
+  ChartOptions options;
+  options.hlines = {{0.49, "low"}, {0.5, "middle"}, {0.51, "high"}};
+  options.yrange = {0, 1};
+  const auto fills = [&] {
+    draw_chart({line_of({1, 1})}, options, scratch("three.svg"));
+    return count_of(file_bytes(scratch("three.svg")), "<polygon");
+  };
+  EXPECT_EQ(fills(), 1); // the dot at the middle line
+  const std::string svg = file_bytes(scratch("three.svg"));
+  const double low = number_at(svg, "low", "y"), middle = number_at(svg, "middle", "y"),
+               high = number_at(svg, "high", "y"), size = number_at(svg, "low", "font-size");
+  EXPECT_GT(low, high + 1.5 * size);
+  EXPECT_TRUE(middle < high + 0.3 * size || middle > low - 0.3 * size) << "it lies on the lines";
+  options.hlines = {{0.2, "low"}, {0.5, "middle"}, {0.8, "high"}};
+  EXPECT_EQ(fills(), 0);
+}
+
 TEST(Chart, LeavesMarkersOutWhereToldTo) {
   Series first = line_of({1, 2, 3}), second = line_of({3, 2, 1});
   ChartOptions options;
