@@ -89,7 +89,7 @@ function Keeper:save(model, run, path, place, policy, ended)
   local now, patience = core.now(), 1 -- seconds
   local durable = self.durable or ended or not self.synced or now - self.synced > patience
   if durable then self.synced = now end
-  in_name_of("save", model, self.file, self:text(model, run, path, place, policy), durable)
+  call("save", model, self.file, self:text(model, run, path, place, policy), durable)
 end
 
 --- After a step that was reached: saves the run where it is due, and at the path's end.
@@ -102,7 +102,7 @@ end
 
 --- How the run of a file stands, checked against the path at hand.
 function Keeper:read(path, run)
-  local text = in_name_of("checkpoint_text", self.file)
+  local text = call("checkpoint_text", self.file)
   if text == "" then
     core.fail(("%s: '%s' was saved by model:save, not by a run: load it with sg.load, and run without resume")
       :format(where, self.file))
@@ -126,7 +126,7 @@ end
 --- Brings model, run and policy to where the file's run stands. Returns the place on the path.
 function Keeper:take_up(model, run, path, policy)
   local state, rows, histories = self:read(path, run)
-  in_name_of("restore", model, self.file)
+  call("restore", model, self.file)
   for key, value in pairs(state.record) do run[key] = value end
   for i, row in ipairs(rows) do
     for j, name in ipairs(run.names) do run.values[name][i] = row[j] or nil end

@@ -11,7 +11,7 @@ local store = {}
 local reserve_name, reserve_size = "reserve", 1 << 20
 
 --- Calls a function of the core; its error becomes one of study:execute at the user's line.
-local function in_name_of(where, name, ...) return in_name_of(where, "core." .. name, core[name], ...) end
+local function call(where, name, ...) return in_name_of(where, "core." .. name, core[name], ...) end
 
 local function read(file)
   if not core.exists(file) then return nil end
@@ -43,12 +43,12 @@ end
 
 --- Makes the folder and holds it, as long as the returned keeper is not released.
 function store.open(where, study)
-  in_name_of(where, "mkdir", study.folder .. "/cases")
-  local lock = in_name_of(where, "lock", study.folder .. "/lock")
+  call(where, "mkdir", study.folder .. "/cases")
+  local lock = call(where, "lock", study.folder .. "/lock")
   local keeper = { lock = lock, study = study, where = where, reserve = study.folder .. "/" .. reserve_name }
   local ok, message = pcall(function()
     local file = study.folder .. "/study.json"
-    if not check_owner(where, study) then in_name_of(where, "write_file", file, core.write_json { study = study.name }) end
+    if not check_owner(where, study) then call(where, "write_file", file, core.write_json { study = study.name }) end
   end)
   if ok then return setmetatable(keeper, { __index = store }) end
   lock:release()
