@@ -252,6 +252,25 @@ constexpr Function rows[] = {
 
 } // namespace
 
+std::vector<Patch> read_patches(lua_State* L, const Options& o) {
+  const Argument argument = o.argument("patch", "in the place of a model");
+  const int value = o.push_value("patch");
+  if (lua_type(L, value) != LUA_TTABLE) return {read_object<Patch>(L, value, argument)};
+  const int count = read_list(L, value, argument, "a patch or a list of patches");
+  if (count == 0) reject(L, value, argument, "a list of at least one patch");
+  std::vector<Patch> patches;
+  for (int i = 1; i <= count; ++i) {
+    lua_rawgeti(L, value, i);
+    patches.push_back(read_object<Patch>(L, -1, {text("patch[", i, "]"), argument.meaning}));
+    if (patches.back().dimension() != patches.front().dimension())
+      throw ArgumentError(text(function_name(L), ": patch[", i, "] is in ", patches.back().dimension(),
+                               "D and patch[1] in ", patches.front().dimension(),
+                               "D; keep them in files of their own"));
+    lua_pop(L, 1);
+  }
+  return patches;
+}
+
 std::vector<std::optional<nurbs::Grading>> read_gradings(lua_State* L, int index, const Argument& argument,
                                                          int directions) {
   const auto expected = text("a list of ", directions, " entries, { elements, length, at } or false per direction");

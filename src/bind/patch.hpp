@@ -28,6 +28,9 @@ int read_direction(lua_State* L, int index, const nurbs::Patch& patch, const cha
 /// The methods that give the same shape at another place, of another size, or in other parameters.
 std::span<const Function> patch_map_rows();
 
+/// The argument `patch`: a patch or a list of patches, all of one dimension.
+std::vector<nurbs::Patch> read_patches(lua_State* L, const Options& o);
+
 /// patch:write(file, form).
 int write_patch(lua_State* L);
 

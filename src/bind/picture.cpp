@@ -284,6 +284,8 @@ void check_company(lua_State* L, const Options& o, const std::string& file) {
   if (o.has("fps") && !series) refuse("fps is of a film, file = \"x.mp4\" or \"x.ogv\"; this is one picture");
   if (o.flag("transparent", "no white ground", false) && view::is_film(file))
     refuse("transparent has no meaning for a film: draw a series of pictures, file = \"x-%04d.png\"");
+  for (const char* key : {"states", "fields"})
+    if (o.has("patch") && o.has(key)) refuse(key, " is for models, and patch draws a shape that is none yet");
   if (o.has("label") && o.has("fields")) refuse("label names one colour bar, but each of fields has its own");
 }
 

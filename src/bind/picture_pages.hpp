@@ -7,12 +7,16 @@ constexpr const char* picture_page =
     R"(sg.picture{ model, file, field, fields, factor = 1, label, title, range, colormap = "viridis", size, scale = 1,
             crop, inset, transparent = false, bodies, deformed = true, undeformed = false, mesh = true,
             control_points = false, obstacles = true, mirror, camera = "iso", cut, marks, states, frames, columns,
-            fps = 10 }
+            fps = 10, patch, names = true }
 Draws the model's present state, or states that were kept, to a file, whole or not at all. Lengths are those of
 the model, sizes are pixels.
 file:        "x.png"; for several states also a series: "x-%04d.png", numbered from 1, or a film: "x.mp4" (H.264,
              needs the program ffmpeg) or "x.ogv" (Theora, needs no other program).
  What is shown
+patch:       a patch, or a list of patches of one dimension, in the place of model, before they are bodies: grey;
+             takes mesh, control_points, names, marks and all on paper.
+names:       of a patch only: "west" … on its faces, ξ¹ ξ² ξ³ at arrows along its directions, and of several patches their
+             numbers (true).
 model:       whose present state is drawn; the model is as it was afterwards.
 states:      run:states() in its place: a sheet with one colour bar, or a series of one frame and range of colours.
 frames:      a list of what sg.frame kept, in the place of model: a sheet or a series as well.
@@ -57,6 +61,7 @@ transparent: no white ground; not in films (false).
 fps:         pictures per second of a film, for .ogv a whole number (10).
 Surfaces of solids are shaded a little: what faces the light has the colours of the bar.
 Example: sg.picture{ model = model, field = "uy", file = "die.png" }
+Example: sg.picture{ patch = sg.shapes.block{ size = {2, 1, 1} }, control_points = true, file = "patch.png" }
 Example: sg.picture{ model = model, field = "syy", inset = {0.6, 0.9, 0.85, 1}, file = "close.png" }
 Example: sg.picture{ states = run:states(), fields = {"ux", "uy"}, file = "press-%04d.png" }
 Example: sg.picture{ states = run:states(), field = "uy", size = 800, fps = 5, file = "press.ogv" }
@@ -64,7 +69,7 @@ Example: sg.picture{ model = solid, field = "szz", cut = "-y", camera = { from =
 
 constexpr const char* frame_page =
     R"(sg.frame{ model, title, field, factor = 1, bodies, deformed = true, undeformed = false, mesh = true,
-          control_points = false, obstacles = true, mirror, cut, marks }
+          control_points = false, obstacles = true, mirror, cut, marks, patch, names = true }
 Keeps the model's present state for a picture of several, with a title above it; all others as in sg.picture.
 Example: local frames = {}
          model:run(stages, { on_step = function(info)

@@ -1,4 +1,5 @@
 #include "bind/frame.hpp"
+#include "bind/sampled_patch.hpp"
 #include "model/tessellate.hpp"
 
 #include <algorithm>
@@ -54,48 +55,11 @@ std::vector<view::Lattice> inside_of(const model::Model<3>& model, int b, const 
   return result;
 }
 
-/// A rigid surface piece by piece between its knots.
-view::RigidSurface tessellated(const nurbs::Patch& patch, const Vec<3>& shift) {
-  const auto places = [](const nurbs::KnotVector& knots) {
-    const int pieces = std::clamp(128 / knots.elements(), 2, 32);
-    std::vector<double> all = {knots.first()};
-    for (int e = 0; e < knots.elements(); ++e) {
-      const auto i = static_cast<std::size_t>(e);
-      const double from = knots.breaks()[i], to = knots.breaks()[i + 1];
-      for (int k = 1; k <= pieces; ++k) all.push_back(from + (to - from) * k / pieces);
-    }
-    return all;
-  };
-  const std::vector<double> u = places(patch.direction(0)), v = places(patch.direction(1));
-  const int side = static_cast<int>(u.size()), rows = static_cast<int>(v.size());
-  view::RigidSurface result;
-  view::Surface& surface = result.surface;
-  surface.points.resize(3, side * rows);
-  surface.normals.resize(3, side * rows);
-  surface.triangles.resize(3, 2 * (side - 1) * (rows - 1));
-  for (int j = 0, triangle = 0; j < rows; ++j)
-    for (int i = 0; i < side; ++i) {
-      const int here = i + side * j;
-      const Vec<2> xi(u[static_cast<std::size_t>(i)], v[static_cast<std::size_t>(j)]);
-      const auto all = nurbs::derivatives(patch, xi, 1);
-      const Vec<3> first = all[1].value, second = all[2].value;
-      surface.points.col(here) = all[0].value + shift;
-      surface.normals.col(here) = first.cross(second).stableNormalized();
-      if (i + 1 == side || j + 1 == rows) continue;
-      surface.triangles.col(triangle++) << here, here + 1, here + side + 1;
-      surface.triangles.col(triangle++) << here, here + side + 1, here + side;
-    }
-  const auto add_rim = [&](int first, int step, int count) {
-    view::SurfaceLine line{view::Points(3, count), view::Points(3, count)};
-    for (int k = 0; k < count; ++k) {
-      line.points.col(k) = surface.points.col(first + k * step);
-      line.normals.col(k) = surface.normals.col(first + k * step);
-    }
-    result.rim.push_back(std::move(line));
-  };
-  for (int row : {0, rows - 1}) add_rim(side * row, 1, side);
-  for (int column : {0, side - 1}) add_rim(column, side, rows);
-  return result;
+view::RigidSurface shifted(const nurbs::Patch& patch, const Vec<3>& shift) {
+  SampledPatch piece = sampled(patch);
+  piece.surface.points.colwise() += shift;
+  for (view::SurfaceLine& line : piece.rim) line.points.colwise() += shift;
+  return {std::move(piece.surface), std::move(piece.rim)};
 }
 
 /// A model's rigid obstacle where it stands now, or stood at the start.
@@ -109,7 +73,7 @@ view::Rigid obstacle(const model::Model<3>& model, int index, bool deformed) {
     return view::RigidBall{ball->centre + shift, ball->radius};
   if (const auto* cylinder = std::get_if<contact::Cylinder>(&shape))
     return view::RigidCylinder{cylinder->point + shift, cylinder->axis, cylinder->radius};
-  return tessellated(std::get<nurbs::Patch>(shape), shift);
+  return shifted(std::get<nurbs::Patch>(shape), shift);
 }
 
 void add_mirror_image(view::SolidPanel& panel, int axis, double sign) {

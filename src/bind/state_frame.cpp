@@ -3,13 +3,16 @@
 #include "bind/marks.hpp"
 #include "bind/model.hpp"
 #include "bind/number_text.hpp"
+#include "bind/patch.hpp"
+#include "bind/patch_frame.hpp"
 
 #include <algorithm>
 
 namespace signorini::bind {
 
-const std::vector<std::string> state_keys = {"model",          "field",  "factor", "deformed", "undeformed", "mesh",
-                                             "control_points", "mirror", "cut",    "bodies",   "obstacles",  "marks"};
+const std::vector<std::string> state_keys = {"model",     "field",          "factor", "deformed", "undeformed",
+                                             "mesh",      "control_points", "mirror", "cut",      "bodies",
+                                             "obstacles", "marks",          "patch",  "names"};
 
 namespace {
 
@@ -117,6 +120,24 @@ std::vector<StateFrame> read_state(lua_State* L, const Options& o, const std::ve
   return states;
 }
 
+/// Patches before they are bodies have no state.
+StateFrame read_shape(lua_State* L, const Options& o) {
+  const int top = lua_gettop(L);
+  for (const char* key : {"model", "field", "factor", "deformed", "undeformed", "mirror", "cut", "bodies", "obstacles"})
+    if (o.has(key))
+      throw ArgumentError(text(function_name(L), ": ", key,
+                               " is for models, and patch draws a shape that is none yet: ", "leave one of them out"));
+  const std::vector<nurbs::Patch> patches = read_patches(L, o);
+  PatchShowing showing;
+  showing.mesh = o.flag("mesh", "draw element borders", true);
+  showing.control_points = o.flag("control_points", "draw control points and the net between them", false);
+  showing.names = o.flag("names", "name faces and directions", true);
+  StateFrame state{show(patches, showing), ""};
+  std::visit([&](auto& one) { one.marks = read_marks(L, o, patches.front().dimension()); }, state.panel);
+  lua_settop(L, top);
+  return state;
+}
+
 /// Puts a model back into the state in which it was.
 template <int D> class Return {
 public:
@@ -175,6 +196,9 @@ std::vector<std::string> read_fields(lua_State* L, const Options& o) {
 }
 
 std::vector<StateFrame> read_state(lua_State* L, const Options& o, const std::vector<std::string>& fields) {
+  if (o.has("patch")) return {read_shape(L, o)};
+  if (o.has("names"))
+    throw ArgumentError(text(function_name(L), ": names are those of a patch's faces and directions: give patch = …"));
   const int value = o.push_value("model");
   const Model<3>* solid = test_object<Model<3>>(L, value);
   const Model<2>* plane = solid ? nullptr : &o.object<Model<2>>("model", "made by sg.model");

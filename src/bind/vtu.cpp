@@ -5,6 +5,7 @@
 #include "bind/functions.hpp"
 #include "bind/model.hpp"
 #include "bind/open.hpp"
+#include "bind/patch.hpp"
 #include "model/bezier_cells.hpp"
 #include "view/output.hpp"
 
@@ -61,22 +62,80 @@ template <int D> view::BezierGrid grid_of(const model::Model<D>& model, bool def
   return grid;
 }
 
+/// A patch's elements as cells: with knots repeated up to the degree its control points are those of its elements.
+void append(view::BezierGrid& grid, nurbs::Patch patch, int number) {
+  const int n = patch.parametric_dimension();
+  for (int d = 0; d < n; ++d) {
+    std::vector<double> missing;
+    const nurbs::KnotVector knots = patch.direction(d);
+    for (int e = 1; e < knots.elements(); ++e) {
+      const double knot = knots.breaks()[static_cast<std::size_t>(e)];
+      missing.insert(missing.end(), static_cast<std::size_t>(knots.degree() - knots.multiplicity(knot)), knot);
+    }
+    patch = nurbs::insert_knots(patch, d, missing);
+  }
+  std::vector<int> degrees, chosen;
+  int elements = 1, size = 1;
+  for (const nurbs::KnotVector& knots : patch.directions()) {
+    degrees.push_back(knots.degree());
+    elements *= knots.elements();
+    size *= knots.degree() + 1;
+  }
+  for (int e = 0; e < elements; ++e)
+    for (int k = 0; k < size; ++k) {
+      int point = 0, stride = 1, element = e, local = k;
+      for (const nurbs::KnotVector& knots : patch.directions()) {
+        const int p = knots.degree();
+        point += stride * (p * (element % knots.elements()) + local % (p + 1));
+        stride *= knots.functions(), element /= knots.elements(), local /= p + 1;
+      }
+      chosen.push_back(point);
+    }
+  const MatrixX points = patch.points();
+  const VectorX weights = patch.weights();
+  const auto added = static_cast<Eigen::Index>(chosen.size()), all = grid.points.cols() + added;
+  grid.points.conservativeResize(3, all);
+  grid.points.rightCols(added).setZero();
+  grid.points.block(0, all - added, patch.dimension(), added) = points(Eigen::all, chosen);
+  grid.weights.conservativeResize(all);
+  grid.weights.tail(added) = weights(chosen);
+  grid.degrees.insert(grid.degrees.end(), static_cast<std::size_t>(elements), degrees);
+  grid.cell_arrays[0].values.insert(grid.cell_arrays[0].values.end(), static_cast<std::size_t>(elements), number);
+}
+
+view::BezierGrid grid_of(const std::vector<nurbs::Patch>& patches) {
+  view::BezierGrid grid;
+  grid.points.resize(3, 0);
+  grid.cell_arrays = {{"patch", {}}};
+  for (std::size_t p = 0; p < patches.size(); ++p) append(grid, patches[p], static_cast<int>(p) + 1);
+  return grid;
+}
+
+view::BezierGrid read_grid(lua_State* L, const Options& o) {
+  if (o.has("patch")) {
+    for (const char* key : {"model", "deformed"})
+      if (o.has(key))
+        throw ArgumentError(text(function_name(L), ": ", key,
+                                 " is for models, and patch is a shape that is none yet: ", "leave one of them out"));
+    return grid_of(read_patches(L, o));
+  }
+  const bool deformed = o.flag("deformed", "the present shape, not the reference", true);
+  if (const Model<3>* solid = test_object<Model<3>>(L, o.push_value("model"))) return grid_of(**solid, deformed);
+  return grid_of(*o.object<Model<2>>("model", "made by sg.model"), deformed);
+}
+
 int vtu(lua_State* L) {
-  const Options o(L, 1, {"model", "file", "deformed"});
-  const int value = o.push_value("model");
-  const Model<3>* solid = test_object<Model<3>>(L, value);
-  const Model<2>* plane = solid ? nullptr : &o.object<Model<2>>("model", "made by sg.model");
+  const Options o(L, 1, {"model", "file", "deformed", "patch"});
   const std::string file = o.string("file", "a name that ends with .vtu");
   if (view::file_ending(file) != ".vtu")
     reject(L, o.push_value("file"), o.argument("file", ""), "a name that ends with .vtu");
-  const bool deformed = o.flag("deformed", "the present shape, not the reference", true);
-  write_whole(file, view::vtu(solid ? grid_of(**solid, deformed) : grid_of(**plane, deformed)));
+  write_whole(file, view::vtu(read_grid(L, o)));
   return 0;
 }
 
 constexpr Function rows[] = {
     {"vtu", wrap<vtu>,
-     "sg.vtu{ model, file, deformed = true }\n"
+     "sg.vtu{ model, file, deformed = true, patch }\n"
      "Writes the model's present state to a .vtu file for ParaView: every element is a rational Bezier cell of its "
      "own\n"
      "degrees, so shape and displacement are exact, also where rows of different degrees meet. deformed = false gives\n"
@@ -91,7 +150,10 @@ constexpr Function rows[] = {
      "Cells have the numbers body and contact (0 for elements of bodies); body_names, contact_names say which is "
      "which.\n"
      "VTK 9.1, ParaView 5.10 or newer. A plane model lies in z = 0; of an axisymmetric one ZZ is the hoop direction.\n"
-     "Example: sg.vtu{ model = model, file = \"state.vtu\" }"},
+     "patch in the place of model: a patch, or a list of patches, before they are bodies; cells have the number "
+     "patch.\n"
+     "Example: sg.vtu{ model = model, file = \"state.vtu\" }\n"
+     "Example: sg.vtu{ patch = sg.nurbs.circle{ radius = 1 }, file = \"circle.vtu\" }"},
 };
 
 } // namespace

@@ -241,6 +241,7 @@ Solid cut(const Solid& solid, const CutPlane& plane) {
   const Vec<3> normal = plane.normal.normalized();
   Solid left;
   left.mesh = solid.mesh;
+  left.open = solid.open;
   const VectorX distance = distances(solid.skin.points, plane, tolerance);
   if (distance.size() > 0 && distance.minCoeff() < 0) {
     Builder face;

@@ -4,6 +4,7 @@
 #include "base/eigen.hpp"
 #include "view/frame.hpp"
 #include "view/marks.hpp"
+#include "view/names.hpp"
 
 #include <array>
 #include <string>
@@ -49,6 +50,7 @@ struct Panel {
   std::vector<Body> bodies;
   std::vector<Outline> obstacles = {};
   std::vector<PointMark> marks = {};
+  Names names = {};
 };
 
 /// Images in the mirror that takes x (axis 0) or y (axis 1) to its negative; `sign` is what happens to the values.

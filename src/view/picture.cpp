@@ -172,6 +172,7 @@ void draw_panel(Drawing& drawing, const Panel& panel, const Frame& frame, bool c
     draw_control_points(drawing, body, frame, style);
   }
   draw_frame(drawing, frame, style);
+  draw_names(drawing, panel.names, Mat<3>::Identity(), frame, style);
   draw_marks(drawing, within(on_paper(panel.marks, frame), frame.box, !cropped, style), frame.box, style);
   draw_panel_title(drawing, panel.title, frame, title_size, style);
 }

@@ -33,6 +33,7 @@ struct Solid {
   Surface skin;
   std::vector<SurfaceLine> mesh_lines, rim;
   bool mesh = true;            ///< draw mesh lines, those of cut faces as well
+  bool open = false;           ///< a surface without an inside, or a curve: its lines show from both sides
   std::vector<Lattice> inside; ///< of the elements that a cut plane crosses at least
   Points control_points;       ///< drawn as dots when not empty
   std::vector<std::array<int, 2>> net_lines;

@@ -96,8 +96,8 @@ void add_lines(Scene& scene, const std::vector<SurfaceLine>& lines, const Pen& p
 
 void add_body(Scene& scene, const Solid& body, const Style& style) {
   const double u = style.unit;
-  if (body.mesh) add_lines(scene, body.mesh_lines, {line_colour, std::max(1.6 * u, 0.8), 1.2, true});
-  add_lines(scene, body.rim, {line_colour, 2.4 * u, 1.5, true});
+  if (body.mesh) add_lines(scene, body.mesh_lines, {line_colour, std::max(1.6 * u, 0.8), 1.2, !body.open});
+  add_lines(scene, body.rim, {line_colour, 2.4 * u, 1.5, !body.open});
   add_lines(scene, body.undeformed_rim, {ghost_rim_colour, 1.8 * u, -2, false});
   if (body.undeformed.points.cols() > 0)
     scene.veils.push_back({body.undeformed, ghost_colour, ghost_opacity, -2, true});
@@ -340,6 +340,7 @@ Plate make_plate(const std::vector<SolidPanel>& panels, const SolidOptions& opti
       draw_frame(drawing, frame, style);
     }
     add_relief(relief, scenes[p], range.value_or(std::array<double, 2>{0, 1}), colours, style);
+    draw_names(drawing, panels[p].names, axes, frame, style);
     draw_marks(drawing, within(on_paper(panels[p].marks, axes, frame), frame.box, !options.region, style), frame.box,
                style);
     draw_panel_title(drawing, titles[p], frame, sheet.panel_title_size, style);

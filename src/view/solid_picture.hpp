@@ -15,6 +15,7 @@ struct SolidPanel {
   std::vector<Rigid> obstacles = {};
   std::optional<CutPlane> cut = {};  ///< of bodies and obstacles
   std::vector<PointMark> marks = {}; ///< drawn on top of all that is in front of them
+  Names names = {};
 };
 
 /// As PictureOptions, with a camera; `region`, a box in space, takes the place of `crop`: the picture ends where the

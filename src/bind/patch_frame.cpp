@@ -1,0 +1,163 @@
+#include "bind/patch_frame.hpp"
+
+#include "bind/sampled_patch.hpp"
+
+#include <utility>
+
+namespace signorini::bind {
+
+namespace {
+
+using nurbs::Patch;
+
+/// Parameters at fractions of the directions' lengths.
+VectorX parameters(const Patch& patch, const VectorX& fractions) {
+  VectorX xi(patch.parametric_dimension());
+  for (int d = 0; d < xi.size(); ++d) {
+    const nurbs::KnotVector& knots = patch.direction(d);
+    xi(d) = knots.first() + fractions(d) * (knots.last() - knots.first());
+  }
+  return xi;
+}
+
+Vec<3> place_at(const Patch& patch, const VectorX& fractions) {
+  return place(patch, parameters(patch, fractions));
+}
+
+/// Whether ξ¹, ξ², ξ³ of a volume stand as a left hand's fingers.
+bool left_handed(const Patch& volume) {
+  const auto all = nurbs::derivatives(volume, parameters(volume, Vec<3>::Constant(0.5)), 1);
+  const Vec<3> first = all[1].value, second = all[2].value, third = all[3].value;
+  return first.cross(second).dot(third) < 0;
+}
+
+double outward(const Patch& volume, nurbs::Side side) {
+  return (left_handed(volume) ? -1 : 1) * nurbs::outward_sign(side);
+}
+
+std::vector<nurbs::Side> sides_of(const Patch& patch) {
+  std::vector<nurbs::Side> sides;
+  for (int d = 0; d < patch.parametric_dimension(); ++d)
+    for (bool at_end : {false, true}) sides.push_back({d, at_end});
+  return sides;
+}
+
+/// The patch, or the six sides of a volume.
+std::vector<SampledPatch> pieces_of(const Patch& patch) {
+  if (patch.parametric_dimension() < 3) return {sampled(patch)};
+  std::vector<SampledPatch> pieces;
+  for (const nurbs::Side side : sides_of(patch))
+    pieces.push_back(sampled(nurbs::face(patch, side), outward(patch, side)));
+  return pieces;
+}
+
+/// Control points next to each other in any direction.
+std::vector<std::array<int, 2>> net_of(const Patch& patch) {
+  std::vector<std::array<int, 2>> lines;
+  for (int d = 0, stride = 1; d < patch.parametric_dimension(); ++d) {
+    const int count = patch.direction(d).functions();
+    for (int i = 0; i < patch.functions(); ++i)
+      if (i / stride % count > 0) lines.push_back({i - stride, i});
+    stride *= count;
+  }
+  return lines;
+}
+
+view::Points control_points(const Patch& patch) {
+  view::Points points = view::Points::Zero(3, patch.functions());
+  points.topRows(patch.dimension()) = patch.points();
+  return points;
+}
+
+view::Body plane_body(const Patch& patch, const PatchShowing& showing) {
+  SampledPatch piece = sampled(patch);
+  view::Body body;
+  body.points = std::move(piece.surface.points);
+  body.triangles = std::move(piece.surface.triangles);
+  for (view::SurfaceLine& line : piece.rim) body.rim.push_back(std::move(line.points));
+  if (showing.mesh)
+    for (view::SurfaceLine& line : piece.mesh_lines) body.mesh_lines.push_back({std::move(line.points), line.spacing});
+  if (showing.control_points) body.control_points = control_points(patch), body.net_lines = net_of(patch);
+  return body;
+}
+
+/// One solid per side of a volume.
+std::vector<view::Solid> solids_of(const Patch& patch, const PatchShowing& showing) {
+  std::vector<view::Solid> solids;
+  for (SampledPatch& piece : pieces_of(patch)) {
+    view::Solid& solid = solids.emplace_back();
+    solid.skin = std::move(piece.surface);
+    solid.mesh_lines = std::move(piece.mesh_lines);
+    solid.rim = std::move(piece.rim);
+    solid.mesh = showing.mesh;
+    solid.open = patch.parametric_dimension() < 3;
+  }
+  if (showing.control_points)
+    solids.front().control_points = control_points(patch), solids.front().net_lines = net_of(patch);
+  return solids;
+}
+
+/// A side's name at its middle: within a surface beside its border, on a volume where it faces the eye.
+view::Label side_label(const Patch& patch, nurbs::Side side) {
+  const int n = patch.parametric_dimension();
+  VectorX middle = VectorX::Constant(n, 0.5), inwards = middle;
+  middle(side.direction) = side.at_end ? 1 : 0;
+  inwards(side.direction) = side.at_end ? 0.95 : 0.05;
+  view::Label label{place_at(patch, middle), nurbs::name_of(side)};
+  if (n < 3)
+    label.shift = place_at(patch, inwards) - label.at;
+  else {
+    const auto all = nurbs::derivatives(patch, parameters(patch, middle), 1);
+    const Vec<3> first = all[side.direction == 0 ? 2 : 1].value, second = all[side.direction == 2 ? 2 : 3].value;
+    label.normal = outward(patch, side) * first.cross(second);
+  }
+  return label;
+}
+
+/// Along the first part of all edges of a direction.
+view::Arrow direction_arrow(const Patch& patch, int direction) {
+  constexpr double length = 0.25;
+  constexpr const char* names[] = {"ξ¹", "ξ²", "ξ³"};
+  const int n = patch.parametric_dimension();
+  view::Arrow arrow{{}, names[direction]};
+  for (int edge = 0; edge < 1 << (n - 1); ++edge) {
+    VectorX fractions = VectorX::Zero(n);
+    for (int d = 0, bit = 0; d < n; ++d)
+      if (d != direction) fractions(d) = edge >> bit++ & 1;
+    arrow.lines.push_back(line_along(patch, parameters(patch, fractions), direction, length));
+    if (n == 2) break; // all of a surface is seen
+  }
+  return arrow;
+}
+
+view::Names names_of(const std::vector<Patch>& patches) {
+  view::Names names;
+  for (std::size_t p = 0; p < patches.size(); ++p) {
+    const Patch& patch = patches[p];
+    const int n = patch.parametric_dimension();
+    if (n > 1)
+      for (const nurbs::Side side : sides_of(patch)) names.labels.push_back(side_label(patch, side));
+    for (int d = 0; d < n; ++d) names.arrows.push_back(direction_arrow(patch, d));
+    if (patches.size() > 1) names.labels.push_back({place_at(patch, VectorX::Constant(n, 0.5)), std::to_string(p + 1)});
+  }
+  return names;
+}
+
+} // namespace
+
+std::variant<view::Panel, view::SolidPanel> show(const std::vector<Patch>& patches, const PatchShowing& showing) {
+  const view::Names names = showing.names ? names_of(patches) : view::Names{};
+  if (patches.front().dimension() == 2) {
+    view::Panel panel;
+    for (const Patch& patch : patches) panel.bodies.push_back(plane_body(patch, showing));
+    panel.names = names;
+    return panel;
+  }
+  view::SolidPanel panel;
+  for (const Patch& patch : patches)
+    for (view::Solid& solid : solids_of(patch, showing)) panel.bodies.push_back(std::move(solid));
+  panel.names = names;
+  return panel;
+}
+
+} // namespace signorini::bind
