@@ -103,10 +103,10 @@ std::vector<StateFrame> read_frames(lua_State* L, const Options& o) {
   return frames;
 }
 
-/// A name, or { from = …, up = … }.
-view::Camera read_camera(lua_State* L, const Options& o) {
+/// A name, or { from = …, up = … }; by default the face of a cut is seen.
+view::Camera read_camera(lua_State* L, const Options& o, const std::optional<view::CutPlane>& cut) {
   constexpr const char* meaning = "where the picture is seen from";
-  if (!o.has("camera")) return view::camera("iso");
+  if (!o.has("camera")) return cut ? view::turned_to(view::camera("iso"), cut->normal) : view::camera("iso");
   const int value = o.push_value("camera"), type = lua_type(L, value);
   if (type == LUA_TSTRING) return view::camera(o.choice("camera", meaning, view::camera_names()));
   if (type != LUA_TTABLE)
@@ -250,6 +250,15 @@ void align_states(FieldSheet<Panel, PanelOptions>& sheet, const std::vector<Pane
   sheet.inset->title.clear();
 }
 
+/// Refuses parts and cuts that show or take nothing.
+template <class Panel, class PanelOptions>
+void check_shown(const std::vector<Panel>& states, const PanelOptions& options,
+                 const std::optional<PanelOptions>& inset) {
+  check_part(states, options, "crop");
+  if (inset) check_part(states, *inset, "inset");
+  if constexpr (std::is_same_v<Panel, view::SolidPanel>) check_cuts(states);
+}
+
 template <class Panel, class PanelOptions>
 void draw(const Sheets& sheets, const PanelOptions& options, const std::optional<PanelOptions>& inset,
           const std::string& file, double rate) {
@@ -260,6 +269,7 @@ void draw(const Sheets& sheets, const PanelOptions& options, const std::optional
     if (options.field_label.empty()) sheet.options.field_label = states.front().label;
     std::vector<Panel> panels;
     for (const StateFrame& state : states) panels.push_back(std::get<Panel>(state.panel));
+    check_shown(panels, options, inset);
     align_states(sheet, panels, series);
     if (!series)
       sheet.pictures = {std::move(panels)};
@@ -305,7 +315,7 @@ int picture(lua_State* L) {
     options.field_label = o.string("label", "title of the colour bar");
   }
   if (first.solid()) {
-    options.camera = read_camera(L, o);
+    options.camera = read_camera(L, o, std::get<view::SolidPanel>(first.panel).cut);
     const auto whole = read_region(L, o, "crop", options).value_or(options);
     draw<view::SolidPanel>(sheets, whole, read_region(L, o, "inset", options), file, rate);
   } else {

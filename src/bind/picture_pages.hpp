@@ -56,7 +56,8 @@ crop:        {xmin, xmax, ymin, ymax}, lengths, in space with zmin, zmax: shows 
 inset:       the same: this part is magnified in a box within the picture, in every state and field; by default none.
 camera:      solids only: "iso" (from the front, the right and above), "front" (from -y, z upwards), "back", "left"
              (from -x), "right", "top" (from +z, y upwards), "bottom", or
-             camera = { from = {direction to the eye}, up = {upwards} }; parallel projection ("iso").
+             camera = { from = {direction to the eye}, up = {upwards} }; parallel projection ("iso", with cut
+             from the side on which the cut face is seen).
 transparent: no white ground; not in films (false).
 fps:         pictures per second of a film, for .ogv a whole number (10).
 Surfaces of solids are shaded a little: what faces the light has the colours of the bar.

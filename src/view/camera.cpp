@@ -23,6 +23,14 @@ const std::vector<std::string>& camera_names() {
   return names;
 }
 
+Camera turned_to(Camera camera, const Vec<3>& normal) {
+  if (camera.from.dot(normal) > 0.1 * camera.from.norm() * normal.norm()) return camera;
+  // from·n = Σ fᵢnᵢ: the addends that are against it change their sign
+  for (int axis = 0; axis < 3; ++axis)
+    if (camera.from[axis] * normal[axis] < 0) camera.from[axis] *= -1;
+  return camera;
+}
+
 Mat<3> picture_axes(const Camera& camera) {
   require(camera.from.allFinite() && camera.up.allFinite(), "the camera's from and up must be finite numbers");
   require(camera.from.norm() > 0 && camera.up.norm() > 0,

@@ -18,6 +18,10 @@ struct Camera {
 Camera camera(const std::string& name);
 const std::vector<std::string>& camera_names();
 
+/// The camera turned so that it sees what faces along the normal: to the other side of the axes along which it would
+/// look at its back.
+Camera turned_to(Camera camera, const Vec<3>& normal);
+
 /// The picture's own axes as rows: to the right, upwards, towards the eye. Throws Error when the camera's directions
 /// are not finite, zero, or one along the other.
 Mat<3> picture_axes(const Camera& camera);

@@ -41,6 +41,11 @@ Box extent_of(const Frame& frame) {
   return {frame.x.low, frame.x.high, frame.y.low, frame.y.high};
 }
 
+Box clipped(const Box& box, const Box& frame) {
+  return {std::max(box[0], frame[0]), std::min(box[1], frame[1]), std::max(box[2], frame[2]),
+          std::min(box[3], frame[3])};
+}
+
 struct Placing {
   PlacedPlate inset;
   Box marked;
@@ -63,7 +68,7 @@ Placing placed(const Frame& frame, int corner, Plate detail) {
   const double width = detail.drawing.size[0], height = detail.drawing.size[1], air = 0.012 * (right - left);
   const double x = corner < 2 ? right - air - width : left + air,
                y = corner % 2 == 0 ? top - air - height : bottom + air;
-  const Box marked = place_of(detail.frames.front(), frame);
+  const Box marked = clipped(place_of(detail.frames.front(), frame), frame.box);
   return {{{static_cast<int>(std::round(x)), static_cast<int>(std::round(y))}, std::move(detail)}, marked};
 }
 

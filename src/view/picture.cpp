@@ -5,6 +5,7 @@
 #include "base/whole_file.hpp"
 #include "view/clip.hpp"
 #include "view/colormap.hpp"
+#include "view/extent_text.hpp"
 #include "view/obstacle.hpp"
 #include "view/output.hpp"
 #include "view/renderer.hpp"
@@ -80,13 +81,20 @@ Box model_box(const Panel& panel) {
   return {box[0] - air, box[1] + air, box[2] - air, box[3] + air};
 }
 
-ModelBoxes model_boxes(const std::vector<Panel>& panels, const std::optional<std::array<double, 4>>& crop) {
+std::string text_of(const Box& box) {
+  return text("{", box[0], ", ", box[1], ", ", box[2], ", ", box[3], "}");
+}
+
+void check_box(const Box& box, const std::string& argument) {
+  require(std::all_of(box.begin(), box.end(), [](double v) { return std::isfinite(v); }) && box[0] < box[1] &&
+              box[2] < box[3],
+          argument, " is ", text_of(box), "; expected {xmin, xmax, ymin, ymax} with min below max");
+}
+
+ModelBoxes model_boxes(const std::vector<Panel>& panels, const std::optional<Box>& crop) {
   if (crop) {
-    const auto& c = *crop;
-    require(std::all_of(c.begin(), c.end(), [](double v) { return std::isfinite(v); }) && c[0] < c[1] && c[2] < c[3],
-            "crop is {", c[0], ", ", c[1], ", ", c[2], ", ", c[3],
-            "}; expected {xmin, xmax, ymin, ymax} with min below max");
-    return ModelBoxes(panels.size(), c);
+    check_box(*crop, "crop");
+    return ModelBoxes(panels.size(), *crop);
   }
   ModelBoxes boxes;
   for (const Panel& panel : panels) boxes.push_back(model_box(panel));
@@ -221,6 +229,16 @@ void align(PictureOptions& options, const std::vector<Panel>& panels) {
   options.extent = hull(model_boxes(panels, options.crop));
   if (const auto values = value_range(panels))
     options.range = colour_range(*values, options.range, is_diverging(options.colormap));
+}
+
+void check_part(const std::vector<Panel>& panels, const PictureOptions& options, const std::string& argument) {
+  if (!options.crop) return;
+  check(panels);
+  const Box &part = *options.crop, all = hull(model_boxes(panels, {}));
+  check_box(part, argument);
+  require(part[0] < all[1] && all[0] < part[1] && part[2] < all[3] && all[2] < part[3], argument, " = ", text_of(part),
+          " shows nothing: all that is drawn lies in ", extent_text("x", all[0], all[1]), ", ",
+          extent_text("y", all[2], all[3]));
 }
 
 void draw_sheet(const std::vector<Panel>& panels, const PictureOptions& options, const std::string& file) {

@@ -38,6 +38,9 @@ Plate make_plate(const std::vector<Panel>& panels, const PictureOptions& options
 /// unless they are given.
 void align(PictureOptions& options, const std::vector<Panel>& panels);
 
+/// Throws Error unless the part that the options ask for shows something of a state; `argument` names it.
+void check_part(const std::vector<Panel>& panels, const PictureOptions& options, const std::string& argument);
+
 /// A sheet of one state.
 void draw_picture(const std::vector<Body>& bodies, const PictureOptions& options, const std::string& file);
 

@@ -146,7 +146,8 @@ Sheet lay_out_sheet(const std::vector<std::string>& titles, const ModelBoxes& bo
   Grid grid;
   Rooms rooms{};
   double scale = -1;
-  for (int columns = options.columns.value_or(1); columns <= options.columns.value_or(count); ++columns) {
+  const int most = std::min(options.columns.value_or(count), count);
+  for (int columns = options.columns ? most : 1; columns <= most; ++columns) {
     const Grid next = make_grid(boxes, columns);
     const Rooms needed = rooms_of(next, titles, options, range, style, arrows);
     if (scale_of(next, needed) > scale * (1 + 1e-9)) grid = next, rooms = needed, scale = scale_of(next, needed);

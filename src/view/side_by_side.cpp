@@ -33,7 +33,8 @@ struct Trial {
 Trial best_trial(int count, const PictureOptions& options, const std::array<int, 2>& paper, const FigureMaker& make) {
   std::vector<Trial> trials;
   std::string reason = "choose a larger size";
-  for (int columns = options.columns.value_or(1); columns <= options.columns.value_or(count); ++columns) {
+  const int most = std::min(options.columns.value_or(count), count);
+  for (int columns = options.columns ? most : 1; columns <= most; ++columns) {
     const auto cell = cell_of(count, columns, paper);
     if (!cell) continue;
     try {

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/whole_file.hpp"
 #include "view/colormap.hpp"
+#include "view/extent_text.hpp"
 #include "view/output.hpp"
 #include "view/renderer.hpp"
 #include "view/ribbon.hpp"
@@ -20,6 +21,28 @@ constexpr Rgb plain = {203, 209, 214}, line_colour = {45, 45, 45}, net_colour = 
               ghost_colour = {150, 158, 166}, ghost_rim_colour = {140, 140, 140}, rigid_colour = {140, 146, 154},
               rigid_rim_colour = {120, 120, 120};
 constexpr std::uint8_t ghost_opacity = 55, rigid_opacity = 62;
+
+std::string text_of(const Bounds& box) {
+  return text("{", box.low[0], ", ", box.high[0], ", ", box.low[1], ", ", box.high[1], ", ", box.low[2], ", ",
+              box.high[2], "}");
+}
+
+std::string extent_of(const Bounds& box) {
+  return text(extent_text("x", box.low[0], box.high[0]), ", ", extent_text("y", box.low[1], box.high[1]), ", ",
+              extent_text("z", box.low[2], box.high[2]));
+}
+
+/// Of all bodies in all states.
+Bounds bounds_of(const std::vector<SolidPanel>& panels) {
+  Bounds all;
+  for (const SolidPanel& panel : panels)
+    for (const Solid& body : panel.bodies) {
+      const Bounds own = bounds(body);
+      all.take(own.low);
+      all.take(own.high);
+    }
+  return all;
+}
 
 // ── Checks ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
@@ -151,16 +174,19 @@ Box paper_box(const Scene& scene) {
   for (const Surface& surface : scene.bodies) all.take(surface.points);
   for (const Sheer& veil : scene.veils) all.take(veil.surface.points);
   for (const Vec<3>& dot : scene.dots) all.take(dot);
-  require(!all.empty(), "the cut takes all bodies away; move its point, or turn its normal round");
+  require(!all.empty(), "the cut takes all bodies away; move its plane, or turn its normal round");
   const double air = 0.015 * std::max({all.high[0] - all.low[0], all.high[1] - all.low[1], 1e-12});
   return {all.low[0] - air, all.high[0] + air, all.low[1] - air, all.high[1] + air};
 }
 
+void check_region(const Bounds& region, const std::string& argument) {
+  require(region.low.allFinite() && region.high.allFinite() && (region.low.array() < region.high.array()).all(),
+          argument, " is ", text_of(region), "; expected {xmin, xmax, ymin, ymax, zmin, zmax} with min below max");
+}
+
 /// What shows the whole of a box in space.
 Box paper_box(const Bounds& region, const Mat<3>& axes) {
-  require(region.low.allFinite() && region.high.allFinite() && (region.low.array() < region.high.array()).all(),
-          "crop is {", region.low[0], ", ", region.high[0], ", ", region.low[1], ", ", region.high[1], ", ",
-          region.low[2], ", ", region.high[2], "}; expected {xmin, xmax, ymin, ymax, zmin, zmax} with min below max");
+  check_region(region, "crop");
   Bounds seen;
   for (int corner = 0; corner < 8; ++corner)
     seen.take(axes * Vec<3>(corner & 1 ? region.high[0] : region.low[0], corner & 2 ? region.high[1] : region.low[1],
@@ -360,6 +386,28 @@ void align(SolidOptions& options, const std::vector<SolidPanel>& panels) {
   options.extent = hull(paper_boxes(scenes, options, axes));
   if (const auto values = value_range(scenes))
     options.range = colour_range(*values, options.range, is_diverging(options.colormap));
+}
+
+void check_part(const std::vector<SolidPanel>& panels, const SolidOptions& options, const std::string& argument) {
+  if (!options.region) return;
+  const Bounds &part = *options.region, all = bounds_of(panels);
+  check_region(part, argument);
+  require((part.low.array() < all.high.array()).all() && (all.low.array() < part.high.array()).all(), argument, " = ",
+          text_of(part), " shows nothing: the bodies lie in ", extent_of(all));
+}
+
+void check_cuts(const std::vector<SolidPanel>& panels) {
+  const Bounds all = bounds_of(panels);
+  for (const SolidPanel& panel : panels) {
+    if (!panel.cut) return;
+    const Vec<3> normal = panel.cut->normal.normalized();
+    for (const Solid& body : panel.bodies)
+      if (body.skin.points.cols() > 0 &&
+          (normal.transpose() * (body.skin.points.colwise() - panel.cut->point)).maxCoeff() > 1e-9 * all.size())
+        return;
+  }
+  fail("cut takes nothing away: the bodies lie in ", extent_of(all),
+       ", none of them on the side that its normal points to; move its plane, or turn its normal round");
 }
 
 void draw_solids(const std::vector<SolidPanel>& panels, const SolidOptions& options, const std::string& file) {

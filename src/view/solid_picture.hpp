@@ -29,6 +29,11 @@ struct SolidOptions : PictureOptions {
 Plate make_plate(const std::vector<SolidPanel>& panels, const SolidOptions& options);
 void align(SolidOptions& options, const std::vector<SolidPanel>& panels);
 
+void check_part(const std::vector<SolidPanel>& panels, const SolidOptions& options, const std::string& argument);
+
+/// Throws Error when all states are cut and nothing is taken away from any.
+void check_cuts(const std::vector<SolidPanel>& panels);
+
 /// As draw_sheet, all states seen by one camera. Axes are shown by three arrows.
 void draw_solids(const std::vector<SolidPanel>& panels, const SolidOptions& options, const std::string& file);
 

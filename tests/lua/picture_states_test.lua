@@ -144,6 +144,7 @@ check.case("several fields, insets, scale and ground", function()
   local function dimensions(png) return string.unpack(">I4I4", png, 17) end
   check.equal(dimensions(pair) > 1.6 * dimensions(single), true)
   check.equal(draw{ model = model, fields = { "uy" }, size = 600 } == single, true)
+  check.equal(draw{ model = model, fields = { "uy", "sxx" }, columns = 20, size = 1200 } == pair, true)
   local inset = draw{ model = model, field = "uy", size = 600, inset = { 3.5, 4, 0.5, 1 } }
   check.equal(inset == single, false)
   local function marked(text, part)
