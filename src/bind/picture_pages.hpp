@@ -22,10 +22,11 @@ states:      run:states() in its place: a sheet with one colour bar, or a series
 frames:      a list of what sg.frame kept, in the place of model: a sheet or a series as well.
 bodies:      {"die"}, a list of names; by default all.
 deformed:    true draws the present shape, false the reference shape.
-undeformed:  true adds the reference shape: dashed outline, in space translucent (false).
+undeformed:  true adds the reference shape: dashed outline, in space translucent behind the bodies (false).
 mesh:        borders of elements (true).
 control_points: control points with the net between them (false).
-obstacles:   rigid obstacles, hatched, in space grey and translucent (true).
+obstacles:   rigid obstacles, hatched, in space grey behind the bodies, of which they tint nothing, with an outline
+             over them (true).
 mirror:      "x", "y", "xy", in space also with "z": adds mirror images at 0 of these axes; by default none.
 cut:         solids only: the half that is taken away. "y" that of greater y, "-y" that of smaller y, through the
              middle of the bodies; cut = { normal = "y", at = 0.5 } at y = 0.5 (length); cut = { normal = {…}, point = {…} } the

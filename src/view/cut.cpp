@@ -171,6 +171,20 @@ std::vector<SurfaceLine> cut(const std::vector<SurfaceLine>& lines, const CutPla
   return left;
 }
 
+/// Where a function with these values at a surface's points changes its sign, piece by piece.
+std::vector<SurfaceLine> zeros(const Surface& surface, const VectorX& values) {
+  std::vector<SurfaceLine> lines;
+  for (Eigen::Index t = 0; t < surface.triangles.cols(); ++t) {
+    const auto ends = trace({surface.triangles(0, t), surface.triangles(1, t), surface.triangles(2, t)}, values);
+    if (!ends) continue;
+    SurfaceLine line = segment(*ends, surface.points, Vec<3>::Zero(), 0);
+    line.normals << (*ends)[0].of(surface.normals).stableNormalized(),
+        (*ends)[1].of(surface.normals).stableNormalized();
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
 } // namespace
 
 Surface cut(const Surface& surface, const CutPlane& plane, double tolerance) {
@@ -223,17 +237,11 @@ std::vector<SurfaceLine> cut(const SurfaceLine& line, const CutPlane& plane, dou
 }
 
 std::vector<SurfaceLine> traces(const Surface& surface, const CutPlane& plane, double tolerance) {
-  const VectorX distance = distances(surface.points, plane, tolerance);
-  std::vector<SurfaceLine> lines;
-  for (Eigen::Index t = 0; t < surface.triangles.cols(); ++t) {
-    const auto ends = trace({surface.triangles(0, t), surface.triangles(1, t), surface.triangles(2, t)}, distance);
-    if (!ends) continue;
-    SurfaceLine line = segment(*ends, surface.points, Vec<3>::Zero(), 0);
-    line.normals << (*ends)[0].of(surface.normals).stableNormalized(),
-        (*ends)[1].of(surface.normals).stableNormalized();
-    lines.push_back(std::move(line));
-  }
-  return lines;
+  return zeros(surface, distances(surface.points, plane, tolerance));
+}
+
+std::vector<SurfaceLine> outline(const Surface& surface) {
+  return zeros(surface, surface.normals.row(2).transpose());
 }
 
 Solid cut(const Solid& solid, const CutPlane& plane) {

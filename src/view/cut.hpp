@@ -20,6 +20,9 @@ std::vector<SurfaceLine> cut(const SurfaceLine& line, const CutPlane& plane, dou
 /// Where a surface meets the plane, piece by piece, with the surface's normals.
 std::vector<SurfaceLine> traces(const Surface& surface, const CutPlane& plane, double tolerance);
 
+/// Where a surface turns away from an eye that looks along −z, piece by piece.
+std::vector<SurfaceLine> outline(const Surface& surface);
+
 /// What is left of a solid, with the cut face: coloured by the values inside, with its elements' borders and its rim.
 /// Needs the insides of all elements that the plane crosses.
 Solid cut(const Solid& solid, const CutPlane& plane);

@@ -23,7 +23,8 @@ struct Ink {
   std::vector<Rgb> colours;  ///< one per triangle
 };
 
-/// Lit translucent triangles; each is laid over those before it.
+/// Lit translucent triangles behind all else, so that they tint no colour that has a meaning; each is laid over those
+/// before it.
 struct Veil {
   std::vector<Vec3> corners, normals;               ///< three per triangle
   std::vector<std::array<std::uint8_t, 4>> colours; ///< with opacity, one per triangle

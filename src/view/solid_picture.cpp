@@ -93,12 +93,13 @@ struct Line {
   Pen pen; ///< its width is the greatest; fine meshes get thinner lines
 };
 
+/// A translucent surface behind the bodies, with an outline that lies in front of what is behind it.
 struct Sheer {
   Surface surface;
   Rgb colour;
   std::uint8_t opacity;
-  double lift;      ///< pixels towards the eye
   bool facing_only; ///< without the triangles that face away
+  Pen outline;
 };
 
 struct Scene {
@@ -121,9 +122,10 @@ void add_body(Scene& scene, const Solid& body, const Style& style) {
   const double u = style.unit;
   if (body.mesh) add_lines(scene, body.mesh_lines, {line_colour, std::max(1.6 * u, 0.8), 1.2, !body.open});
   add_lines(scene, body.rim, {line_colour, 2.4 * u, 1.5, !body.open});
-  add_lines(scene, body.undeformed_rim, {ghost_rim_colour, 1.8 * u, -2, false});
+  const Pen ghost = {ghost_rim_colour, 1.8 * u, -2, false};
+  add_lines(scene, body.undeformed_rim, ghost);
   if (body.undeformed.points.cols() > 0)
-    scene.veils.push_back({body.undeformed, ghost_colour, ghost_opacity, -2, true});
+    scene.veils.push_back({body.undeformed, ghost_colour, ghost_opacity, true, ghost});
   for (const auto& [a, b] : body.net_lines) {
     SurfaceLine line{Points(3, 2), Points(3, 2)};
     line.points << body.control_points.col(a), body.control_points.col(b);
@@ -145,8 +147,9 @@ void add_obstacle(Scene& scene, const Rigid& rigid, const Bounds& box, const std
       for (SurfaceLine& part : cut(line, *plane, tolerance)) rim.push_back(std::move(part));
     surface.surface = cut(surface.surface, *plane, tolerance);
   }
-  add_lines(scene, rim, {rigid_rim_colour, 1.6 * style.unit, 1, false});
-  scene.veils.push_back({std::move(surface.surface), rigid_colour, rigid_opacity, 0, false});
+  const Pen pen = {rigid_rim_colour, 2 * style.unit, 1, false};
+  add_lines(scene, rim, pen);
+  scene.veils.push_back({std::move(surface.surface), rigid_colour, rigid_opacity, false, pen});
 }
 
 /// What a panel shows, turned into the picture's axes.
@@ -165,6 +168,7 @@ Scene scene_of(const SolidPanel& panel, const Mat<3>& axes, const Style& style) 
   scene.each_surface([&](Surface& surface) { turn(surface.points), turn(surface.normals); });
   for (Line& line : scene.lines) turn(line.line.points), turn(line.line.normals);
   for (Vec<3>& dot : scene.dots) dot = axes * dot;
+  for (const Sheer& veil : scene.veils) add_lines(scene, outline(veil.surface), veil.outline);
   return scene;
 }
 
@@ -303,7 +307,7 @@ void add_veils(Veil& result, const std::vector<Sheer>& veils) {
     const Sheer& veil = *next.veil;
     for (int corner : turned(veil.surface, next.triangle)) {
       const Vec<3> p = veil.surface.points.col(corner), n = veil.surface.normals.col(corner);
-      result.corners.push_back({p[0], p[1], p[2] + veil.lift});
+      result.corners.push_back({p[0], p[1], p[2]});
       result.normals.push_back({n[0], n[1], n[2]});
     }
     result.colours.push_back({veil.colour[0], veil.colour[1], veil.colour[2], veil.opacity});

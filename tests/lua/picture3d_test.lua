@@ -62,6 +62,21 @@ check.case("every option changes the picture", function()
   end
 end)
 
+check.case("no obstacle and no reference shape tints a field", function()
+  local above = { model = model, field = "szz", camera = "top", crop = { 1, 1.4, 0.3, 0.5, 0, 1.2 } }
+  local function drawn_with(key, value)
+    above.obstacles, above.undeformed = false, false
+    if key then above[key] = value end
+    return draw(above).bytes
+  end
+  local bare = drawn_with()
+  check.equal(drawn_with("obstacles", true) == bare, true)
+  check.equal(drawn_with("undeformed", true) == bare, true)
+  -- The ball's outline lies over the field
+  above.crop = { 0.3, 1, 0.3, 0.5, 0, 1.2 }
+  check.equal(drawn_with("obstacles", true) == drawn_with("obstacles", false), false)
+end)
+
 check.case("what says the same draws the same", function()
   local m = model
   check.equal(drawn_alike({ model = m }, { model = m }), true)

@@ -91,10 +91,16 @@ vtkSmartPointer<vtkActor> ink_actor(const Ink& ink, const Depth& depth) {
   return flat_actor(*mapper);
 }
 
-/// Blended over what is there in the order given, without hiding each other.
-vtkSmartPointer<vtkActor> veil_actor(const Veil& veil, const Depth& depth) {
+/// Blended in the order given over the ground, behind the depths of all else. In the pass of opaque surfaces, because
+/// OpenGL blends there too; VTK's pass for translucent ones keeps buffers that cost more time than all the drawing.
+vtkSmartPointer<vtkActor> veil_actor(const Veil& veil) {
+  constexpr double farthest = -0.98, nearest = -0.92;
+  vtkNew<vtkPoints> points;
+  const double step = (nearest - farthest) / static_cast<double>(veil.corners.size());
+  for (std::size_t i = 0; i < veil.corners.size(); ++i)
+    points->InsertNextPoint(veil.corners[i][0], veil.corners[i][1], farthest + step * static_cast<double>(i - i % 3));
   vtkNew<vtkPolyData> data;
-  data->SetPoints(points_of(veil.corners, depth));
+  data->SetPoints(points);
   data->GetPointData()->SetNormals(normals_of(veil.normals));
   data->SetPolys(loose_triangles(veil.colours.size()));
   data->GetCellData()->SetScalars(colours_of(veil.colours));
@@ -102,7 +108,7 @@ vtkSmartPointer<vtkActor> veil_actor(const Veil& veil, const Depth& depth) {
   mapper->SetInputData(data);
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
-  actor->ForceTranslucentOn();
+  actor->ForceOpaqueOn();
   light_up(*actor);
   return actor;
 }
@@ -133,11 +139,10 @@ void add_relief(vtkRenderer& renderer, const Relief& relief) {
   Depth depth;
   for (const Shaded& surface : relief.surfaces) depth.take(surface.points);
   depth.take(relief.ink.corners);
-  depth.take(relief.veil.corners);
-  if (depth.low > depth.high) return;
+  if (depth.low > depth.high && relief.veil.colours.empty()) return;
+  if (!relief.veil.colours.empty()) renderer.AddActor(veil_actor(relief.veil)); // first: it is drawn beneath
   for (const Shaded& surface : relief.surfaces) renderer.AddActor(surface_actor(surface, depth));
   if (!relief.ink.colours.empty()) renderer.AddActor(ink_actor(relief.ink, depth));
-  if (!relief.veil.colours.empty()) renderer.AddActor(veil_actor(relief.veil, depth));
   vtkNew<vtkLight> light;
   light->SetLightTypeToSceneLight();
   light->PositionalOff();
