@@ -235,10 +235,10 @@ std::string png_of(const std::vector<FieldSheet<Panel, PanelOptions>>& sheets, i
   return view::png(view::side_by_side(static_cast<int>(sheets.size()), whole, part), first.transparent);
 }
 
-/// One meaning of colours in all states, and in a series one frame.
+/// One meaning of colours in all states, and in a series one frame. `beside`: there are other sheets.
 template <class Panel, class PanelOptions>
-void align_states(FieldSheet<Panel, PanelOptions>& sheet, const std::vector<Panel>& states, bool series) {
-  if (!series && !sheet.inset) return;
+void align_states(FieldSheet<Panel, PanelOptions>& sheet, const std::vector<Panel>& states, bool series, bool beside) {
+  if (!series && !sheet.inset && !beside) return;
   const auto extent = sheet.options.extent;
   align(sheet.options, states);
   if (!series) sheet.options.extent = extent;
@@ -270,12 +270,17 @@ void draw(const Sheets& sheets, const PanelOptions& options, const std::optional
     std::vector<Panel> panels;
     for (const StateFrame& state : states) panels.push_back(std::get<Panel>(state.panel));
     check_shown(panels, options, inset);
-    align_states(sheet, panels, series);
+    align_states(sheet, panels, series, sheets.size() > 1);
     if (!series)
       sheet.pictures = {std::move(panels)};
     else
       for (Panel& panel : panels) sheet.pictures.push_back({std::move(panel)});
   }
+  // One layout for all: the largest colour bar decides.
+  for (auto& sheet : all)
+    for (const auto& beside : all)
+      if (beside.options.range && all.size() > 1)
+        sheet.options.bars_beside.push_back({*beside.options.range, beside.options.field_label});
   if (series)
     return view::write_series(file, static_cast<int>(sheets[0].size()), rate, [&](int i) { return png_of(all, i); });
   write_whole(file, png_of(all));

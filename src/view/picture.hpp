@@ -8,6 +8,12 @@
 
 namespace signorini::view {
 
+/// What a colour bar shows.
+struct Bar {
+  std::array<double, 2> range;
+  std::string title;
+};
+
 struct PictureOptions {
   std::string title;
   std::string field_label;                    ///< title of the colour bar, with unit when known
@@ -20,9 +26,10 @@ struct PictureOptions {
   bool bar = true;                           ///< draw the colour bar
   /// Shown of each state at least, in model units on paper: pictures of a series get one scale.
   std::optional<std::array<double, 4>> extent;
-  std::optional<int> columns; ///< of a sheet; the number that shows the states largest when absent
-  std::optional<Style> style; ///< of texts and lines; that of the size when absent
-  bool axis_names = true;     ///< x and y beside the numbers, or the three arrows
+  std::optional<int> columns;   ///< of a sheet; the number that shows the states largest when absent
+  std::optional<Style> style;   ///< of texts and lines; that of the size when absent
+  std::vector<Bar> bars_beside; ///< of pictures that stand beside this one: each has room for the largest bar
+  bool axis_names = true;       ///< x and y beside the numbers, or the three arrows
 };
 
 /// Draws states in rows from left to right to a PNG file, whole or not at all: all on one scale, with one colour range

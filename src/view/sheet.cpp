@@ -51,6 +51,14 @@ Grid make_grid(const ModelBoxes& boxes, int columns) {
   return grid;
 }
 
+/// The bar of the range, if there is one, and those beside it.
+std::vector<Bar> bars_of(const PictureOptions& options, const std::optional<Interval>& range) {
+  if (!range) return {};
+  std::vector<Bar> bars = options.bars_beside;
+  bars.push_back({*range, options.field_label});
+  return bars;
+}
+
 /// Pixels that are not the states' own.
 struct Rooms {
   double title;                   ///< above all
@@ -80,8 +88,9 @@ Rooms rooms_of(const Grid& grid, const std::vector<std::string>& titles, const P
     factor |= !ticks.factor.empty();
   }
   rooms.head = (factor ? 1.2 * style.tick_size : 0) + (titled ? 1.5 * style.label_size : 0);
-  rooms.right =
-      style.margin + (range ? colorbar_room(*range, options.field_label, guess * grid.rows(), style) : style.margin);
+  rooms.right = range ? 0 : 2 * style.margin;
+  for (const Bar& bar : bars_of(options, range))
+    rooms.right = std::max(rooms.right, style.margin + colorbar_room(bar.range, bar.title, guess * grid.rows(), style));
   double number = 0;
   if (!arrows)
     for (const std::string& label : fitting_ticks(grid.x[0], grid.x[1], false, width / grid.columns, style).labels)
@@ -160,9 +169,9 @@ Sheet lay_out_sheet(const std::vector<std::string>& titles, const ModelBoxes& bo
   const double height = scale * grid.height() + (grid.rows() - 1) * (rooms.between + rooms.head);
   // Beside flat states the bar stands out above and below.
   double bar = height;
-  if (range) {
-    const double least = std::max(9 * style.tick_size, 0.8 * text_width(options.field_label, style.label_size));
-    bar = std::max(height, std::min(least, rooms.free_height));
+  for (const Bar& one : bars_of(options, range)) {
+    const double least = std::max(9 * style.tick_size, 0.8 * text_width(one.title, style.label_size));
+    bar = std::max(bar, std::min(least, rooms.free_height));
   }
   const double low = arrows ? 0.5 * arrows->height : 0;
   const double up = std::max({0.5 * height + rooms.head, 0.5 * bar, low}),

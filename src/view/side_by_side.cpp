@@ -26,29 +26,34 @@ std::optional<std::array<int, 2>> cell_of(int count, int columns, const std::arr
 struct Trial {
   int columns = 0;
   std::array<int, 2> cell{};
-  double area = 0; ///< of the picture, pixels
+  double area = 0;  ///< of the picture, pixels
+  double shape = 0; ///< of the whole, width by height
 };
 
-/// The most columns in which the first picture is not much smaller than in others: the whole is then no tower.
+/// The columns in which the first picture is largest and the whole no tower, or the broadest one.
 Trial best_trial(int count, const PictureOptions& options, const std::array<int, 2>& paper, const FigureMaker& make) {
   std::vector<Trial> trials;
   std::string reason = "choose a larger size";
   const int most = std::min(options.columns.value_or(count), count);
   for (int columns = options.columns ? most : 1; columns <= most; ++columns) {
     const auto cell = cell_of(count, columns, paper);
-    if (!cell) continue;
+    const bool ragged = !options.columns && columns > 1 && rows_of(count, columns) == rows_of(count, columns - 1);
+    if (!cell || ragged) continue;
     try {
       const std::array<int, 2> size = make(0, *cell).size;
-      trials.push_back({columns, *cell, static_cast<double>(size[0]) * size[1]});
+      const double width = size[0], height = size[1];
+      trials.push_back({columns, *cell, width * height, columns * width / (rows_of(count, columns) * height)});
     } catch (const Error& error) {
       reason = error.what();
     }
   }
   require(!trials.empty(), count, " pictures find no room side by side on ", options.size[0], " × ", options.size[1],
           " pixels: ", reason);
-  double largest = 0;
-  for (const Trial& trial : trials) largest = std::max(largest, trial.area);
-  return *std::find_if(trials.rbegin(), trials.rend(), [&](const Trial& trial) { return trial.area >= 0.6 * largest; });
+  constexpr double tower = 1; // higher than wide
+  return *std::max_element(trials.begin(), trials.end(), [&](const Trial& a, const Trial& b) {
+    const double first = std::min(a.shape, tower), second = std::min(b.shape, tower);
+    return first != second ? first < second : a.area < b.area;
+  });
 }
 
 /// Where rows or columns of these widths begin.

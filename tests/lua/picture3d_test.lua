@@ -62,6 +62,11 @@ check.case("every option changes the picture", function()
   end
 end)
 
+check.case("two fields of a solid stand side by side", function()
+  local pair = draw{ model = model, fields = { "uz", "szz" }, size = 1200 }
+  check.equal(pair.width > 1.5 * pair.height, true)
+end)
+
 check.case("no obstacle and no reference shape tints a field", function()
   local above = { model = model, field = "szz", camera = "top", crop = { 1, 1.4, 0.3, 0.5, 0, 1.2 } }
   local function drawn_with(key, value)

@@ -150,6 +150,25 @@ TEST(SideBySide, PutsPicturesIntoColumns) {
   EXPECT_TRUE(holds(message_of([&] { side_by_side(4, options, make); }), {"4 pictures find no room"}));
 }
 
+TEST(SideBySide, ShowsPicturesWithDifferentBarsInOneLayout) {
+  const Bar narrow{{0, 1}, "u"}, wide{{-16000, 3000}, "a long title of a colour bar"};
+  const auto frame_with = [](const Bar& own, const std::vector<Bar>& beside, bool flat) {
+    PictureOptions options;
+    options.trim = true;
+    options.range = own.range;
+    options.field_label = own.title;
+    options.bars_beside = beside;
+    if (flat) options.extent = Box{-40, 40, -1, 2};
+    const Plate plate = make_plate(ring(0), options);
+    return std::pair{plate.frames[0].box, plate.drawing.size};
+  };
+  for (const bool flat : {false, true}) {
+    EXPECT_EQ(frame_with(narrow, {wide}, flat), frame_with(wide, {narrow}, flat));
+    EXPECT_EQ(frame_with(wide, {narrow, wide}, flat), frame_with(wide, {}, flat));
+    EXPECT_NE(frame_with(narrow, {}, flat), frame_with(wide, {}, flat));
+  }
+}
+
 TEST(CloseUp, MakesRoomWhereNoCornerIsFree) {
   // A plain rectangle fills its frame.
   Body block;
