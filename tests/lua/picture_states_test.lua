@@ -193,7 +193,7 @@ check.case("wrong arguments", function()
     { { states = states, size = 400, field = "uy", inset = { 0, 1, 0, 1 } }, "too small for an inset in each state", "fewer columns" },
     { { model = model, inset = { 0, 1 } }, "inset must be a list of 4 numbers" },
     { { model = model, inset = { 2, 1, 0, 1 } }, "inset is {2, 1, 0, 1}", "with min below max" },
-    { { model = model, inset = { 9, 10, 9, 10 } }, "inset lies outside of what the picture shows" },
+    { { model = model, inset = { 9, 10, 9, 10 } }, "inset = {9, 10, 9, 10} shows nothing" },
   } do
     check.fails(function() draw(case[1]) end, "sg.picture", table.unpack(case, 2))
   end

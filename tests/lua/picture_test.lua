@@ -126,7 +126,7 @@ check.case("wrong arguments", function()
     { { model = model, crop = { 10, 11, 0, 1 } }, "crop = {10, 11, 0, 1} shows nothing: all that is drawn lies in x = ", "y = " },
     { { model = model, inset = { 10, 11, 0, 1 } }, "inset = {10, 11, 0, 1} shows nothing" },
     { { model = model, inset = { 1, 0, 0, 1 } }, "inset is {1, 0, 0, 1}; expected {xmin, xmax, ymin, ymax}" },
-    { { model = model, crop = { 0, 1, 0, 1 }, inset = { 2, 3, 0, 1 }, size = 1200 }, "the picture does not show" },
+    { { model = model, crop = { 0, 1, 0, 1 }, inset = { 2, 3, 0, 1 }, size = 1200 }, "inset lies outside of what the picture shows" },
     { { model = model, marks = "here" }, "marks must be a list of marks { x = {…}, text = … }" },
     { { model = model, marks = { x = { 1, 2 } } }, "marks must be a list of marks" },
     { { model = model, marks = { { text = "here" } } }, "marks[1].x", "is missing" },
