@@ -95,7 +95,7 @@ end)
 check.case("infinity is a gap like nan", function()
   local function svg(gap)
     sg.chart(chart { file = folder .. "/gap.svg", x = { 1, 2, 3, 4, 5 }, [1] = { y = { 1, 2, gap, 4, 5 } } })
-    return content(folder .. "/gap.svg")
+    return core.read_file(folder .. "/gap.svg")
   end
   check.equal(svg(1 / 0) == svg(0 / 0), true)
   check.equal(svg(-1 / 0) == svg(0 / 0), true)
@@ -106,7 +106,7 @@ check.case("markers = false takes the markers of several curves away", function(
   local function polygons(markers)
     sg.chart { file = folder .. "/markers.svg", x = { 1, 2 }, legend = false, { y = { 1, 2 }, markers = markers },
                { y = { 2, 1 }, markers = markers } }
-    return select(2, content(folder .. "/markers.svg"):gsub("<polygon", ""))
+    return select(2, core.read_file(folder .. "/markers.svg"):gsub("<polygon", ""))
   end
   check.equal({ polygons(), polygons(false), polygons(true) }, { 8, 0, 8 })
 end)
@@ -123,9 +123,9 @@ check.case("characters that no font has become boxes, with a warning for each te
   check.equal(lines, 2)
   check.holds(output, "signorini: warning: no installed font shows '\u{F0000}' of the text", "boxes",
     "a PDF's standard fonts cannot show '\u{F0000}' of the text 'Druck p_n und")
-  local drawn = content(folder .. "/signs.png")
+  local drawn = core.read_file(folder .. "/signs.png")
   said "Druck p_n und "
-  check.equal(content(folder .. "/signs.png") == drawn, false) -- there is a box
+  check.equal(core.read_file(folder .. "/signs.png") == drawn, false) -- there is a box
   output, lines = said [[\xff\xfe]]
   check.equal(lines, 1)
   check.holds(output, "is not UTF-8", "save the script as UTF-8")

@@ -212,7 +212,8 @@ return function(folder)
       0.05 } }, label = "l",
       texts = { { "a", "b" }, { "c", "d" } }, xlabel = "x", ylabel = "y", title = "t", range = { 0, 1 }, log = false,
       colormap = "viridis", size = { 400, 300 } } }, needs = "file x y values",
-      right = { "1%.texts%.%d.%d: the number", "1%.values%.%d.%d: nan", "1%.values%.%d.%d: infinity", "1%.[xy]%.%d: the" } },
+      right = { "1%.texts%.%d.%d: the number", "1%.values%.%d.%d: nan", "1%.values%.%d.%d: infinity",
+                "1%.[xy]%.%d: the" } },
     -- Studies
     { "sg.study", { { name = "a", folder = file "a", cases = { { a = 1 } }, run = function() return {} end,
       units = { a = "m" },

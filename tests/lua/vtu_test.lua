@@ -275,7 +275,8 @@ check.case("a series lists its states, also while it grows", function()
   check.fails(function() series:add { model = model } end, "series:add: time is missing: it must be a finite number")
   check.fails(function() series.add { model = model, time = 1 } end, "with a colon")
   check.fails(function() sg.pvd "a.vtu" end, "sg.pvd: file must be a name that ends with .pvd")
-  check.fails(function() sg.pvd(folder .. "/none/a.pvd") end, "vtu_test.lua:", "sg.pvd: cannot write", "none", "sg.mkdir")
+  check.fails(function() sg.pvd(folder .. "/none/a.pvd") end, "vtu_test.lua:", "sg.pvd: cannot write", "none",
+    "sg.mkdir")
 end)
 
 check.case("a series is taken up where a run was broken off", function()
