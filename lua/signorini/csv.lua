@@ -271,8 +271,8 @@ function csv.read(file)
       if not data.columns then
         data.columns = head(fields, count, where)
       elseif count ~= #data.columns then
-        core.fail(where() .. ("%s, but there %s %s"):format(counted(count, "field"), #data.columns == 1 and "is" or "are",
-          counted(#data.columns, "column")))
+        core.fail(where() .. ("%s, but there %s %s"):format(counted(count, "field"),
+          #data.columns == 1 and "is" or "are", counted(#data.columns, "column")))
       else
         data.rows[#data.rows + 1] = fields
       end

@@ -110,8 +110,8 @@ local help = {}
 
 core.docs["help"] = [[
 help(), help(sg.nurbs.arc), help "patch:refine", help "labels"
-Shows what a function does, its arguments with units and defaults, and an example; a word finds all pages and scripts that
-hold it. help "scripts" lists the scripts that come along, help "hertz2d.lua" shows what one of them solves.
+Shows what a function does, its arguments with units and defaults, and an example; a word finds all pages and scripts
+that hold it. help "scripts" lists the scripts that come along, help "hertz2d.lua" shows what one of them solves.
 At the prompt ?sg.nurbs.arc and ?refine do the same.
 Example: help(sg.nurbs.arc)]]
 function help.show(...)

@@ -60,7 +60,8 @@ end
 --- A stage has ended; on a terminal the bar alone tells.
 function Progress:stage_end(stage, steps, iterations, wall)
   if self.terminal then return end
-  self:line(("%s: %s, %s, %s"):format(stage, counted(steps, "step"), counted(iterations, "iteration"), seconds_text(wall)))
+  self:line(("%s: %s, %s, %s"):format(stage, counted(steps, "step"), counted(iterations, "iteration"),
+    seconds_text(wall)))
 end
 
 return start

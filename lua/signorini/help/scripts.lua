@@ -17,6 +17,7 @@ end
 --- All that can be run, in order: { name, path, header, title }.
 function scripts.all()
   local list = {}
+  if not core.exists(core.home .. "/scripts") then return list end
   for _, folder in ipairs { "", "stability/" } do
     for _, file in ipairs(core.list_folder(core.home .. "/scripts/" .. folder)) do
       local path = ("%s/scripts/%s%s"):format(core.home, folder, file)

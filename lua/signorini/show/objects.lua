@@ -46,7 +46,8 @@ local function contact_text(model, name)
   if now.active == 0 then return ("  contact %s: open"):format(name) end
   for i, axis in ipairs(axes) do force[i] = now["f" .. axis] and ("%.4g"):format(now["f" .. axis]) end
   return ("  contact %s: %s, %d of them slip; force {%s}, largest pressure %.4g")
-    :format(name, now.active == 1 and "1 point touches" or now.active .. " points touch", now.slipping, table.concat(force, ", "), now.max_pressure)
+    :format(name, now.active == 1 and "1 point touches" or now.active .. " points touch", now.slipping,
+      table.concat(force, ", "), now.max_pressure)
 end
 
 function objects.model(model)
@@ -77,8 +78,8 @@ local function profile(value)
   for name in pairs(value) do names[#names + 1] = name end
   table.sort(names)
   for i, name in ipairs { "x", "pressure", "traction", "gap" } do ranges[i] = range_text(name, value[name]) end
-  return ("contact profile of %s: %s\n  %s\n  lists: %s"):format(counted(#value.pressure, "point"), table.concat(parts, ", "),
-    table.concat(ranges, ", "), table.concat(names, ", "))
+  return ("contact profile of %s: %s\n  %s\n  lists: %s"):format(counted(#value.pressure, "point"),
+    table.concat(parts, ", "), table.concat(ranges, ", "), table.concat(names, ", "))
 end
 
 --- The text of such an object; nothing of other values.

@@ -142,8 +142,9 @@ local function tell_errors(study)
   end
   if count == 0 then return end
   core.lost_cases = true
-  io.stderr:write(("signorini: %s: %d of %s ended by an error, which makes the exit status 1; the first one, %s: %s\n"):format(
-    study.name, count, counted(#study.cases, "case"), study.cases[first].text, study.records[first].reason))
+  local words = "signorini: %s: %d of %s ended by an error, which makes the exit status 1; the first one, %s: %s\n"
+  io.stderr:write(words:format(study.name, count, counted(#study.cases, "case"), study.cases[first].text,
+    study.records[first].reason))
 end
 
 --- Ends an execution that Ctrl-C has stopped.
@@ -188,10 +189,11 @@ end
 
 core.docs["study:execute"] = [[
 study:execute{ jobs, limit, again }
-Runs the cases that are missing in the study's folder, or whose inputs have changed, and returns the study. Each finished
-case is on the disk at once; when the program is stopped by Ctrl-C or killed, the same call goes on with what is missing.
-A case that fails is a result and stays. One that ended by an error or whose process died is told on standard error at
-the end, runs again at the next call, and makes the exit status of the program 1, unless the script ends with os.exit.
+Runs the cases that are missing in the study's folder, or whose inputs have changed, and returns the study. Each
+finished case is on the disk at once; when the program is stopped by Ctrl-C or killed, the same call goes on with what
+is missing. A case that fails is a result and stays. One that ended by an error or whose process died is told on
+standard error at the end, runs again at the next call, and makes the exit status of the program 1, unless the script
+ends with os.exit.
 jobs:  cases side by side; by default what --jobs says, else as many as there are processors. Each has one thread.
 limit: seconds by the clock on the wall after which a case is given up; none by default.
 again: true for all cases, "failed", or a function of a row: which cases run anew in any case.

@@ -24,7 +24,8 @@ local function read_axes(name, axes)
     for i, value in ipairs(list) do
       local finite = type(value) ~= "number" or value == value and math.abs(value) < math.huge
       if type(value) == "function" or type(value) == "userdata" or not finite then
-        arguments.reject(where, ("%s[%d]"):format(key, i), "a finite number, a string, true, false or a plain table", value)
+        arguments.reject(where, ("%s[%d]"):format(key, i),
+          "a finite number, a string, true, false or a plain table", value)
       end
     end
     sorted[#sorted + 1] = { name = key, values = list }

@@ -138,10 +138,10 @@ study:chart{ x, y, series, file, markers = true, dashed = false, line = true, wi
              legend = true, legend_title, xrange, yrange, xticks, hlines, vlines, inset, size = {1600, 1000} }
 Draws the rows as curves to .png, .svg or .pdf: one per value of series, by rising x. x, y and series are columns, or
 functions of a row; rows that failed or lack one of them have no point. Texts and tables along x stand in the order in
-which they first appear; a parameter with few whole values has its ticks there. Where a parameter along x has several rows of one curve at a place, that is an error unless
-line = false: choose with study:where, or give series. markers = true, dashed, line, width: of all curves; all else as in
-sg.chart: xlabel, ylabel (the column and its unit), title (the study's name), log, legend, legend_title, xrange, yrange,
-xticks, hlines, vlines, inset, size in pixels.
+which they first appear; a parameter with few whole values has its ticks there. Where a parameter along x has several
+rows of one curve at a place, that is an error unless line = false: choose with study:where, or give series.
+markers = true, dashed, line, width: of all curves; all else as in sg.chart: xlabel, ylabel (the column and its unit),
+title (the study's name), log, legend, legend_title, xrange, yrange, xticks, hlines, vlines, inset, size in pixels.
 Example: study:chart{ x = "mesh", y = "error", series = "order", file = "error.png" }]]
 function pictures.chart(study, options)
   local where = "study:chart"
@@ -212,10 +212,10 @@ end
 
 core.docs["study:heatmap"] = [[
 study:heatmap{ x, y, value, file, texts = true, xlabel, ylabel, title, label, range, log = false, colormap, size }
-Draws a number over two parameters x and y, in the order of their values in the cases; value is a column, or a function of
-a row. texts: the numbers in the cells, "failed" or "error" where a case did not come out. More than one case in a cell is an error that says what
-study:where has to choose. All else as in sg.heatmap: xlabel, ylabel, title, label (the column and its unit), range, log,
-colormap, size in pixels.
+Draws a number over two parameters x and y, in the order of their values in the cases; value is a column, or a
+function of a row. texts: the numbers in the cells, "failed" or "error" where a case did not come out. More than one
+case in a cell is an error that says what study:where has to choose. All else as in sg.heatmap: xlabel, ylabel, title,
+label (the column and its unit), range, log, colormap, size in pixels.
 Example: study:heatmap{ x = "order", y = "mesh", value = "wall", log = true, file = "wall.png" }]]
 function pictures.heatmap(study, options)
   local where = "study:heatmap"
