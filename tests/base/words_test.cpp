@@ -28,5 +28,11 @@ TEST(Words, WhatIsNothingButRoundingIsZero) {
   EXPECT_EQ(coordinates(Eigen::Vector2d::Zero()), "(0, 0)");
 }
 
+TEST(Words, OneOfAThingIsSingular) {
+  EXPECT_EQ(counted(0, "support"), "0 supports");
+  EXPECT_EQ(counted(1, "support"), "1 support");
+  EXPECT_EQ(counted(2, "support"), "2 supports");
+}
+
 } // namespace
 } // namespace signorini
