@@ -146,8 +146,8 @@ template <int D> void Pair<D>::evaluate_point(std::size_t i, bool tangent, Part&
   geometry.slave = position(i);
   result = {};
   result.position = geometry.slave;
-  const Held held = penalty_ && holds() ? held_[i] : Held::free;
-  if (held == Held::free ? travel_ < memory.cleared : held == Held::open) return;
+  Held held = penalty_ && holds() ? held_[i] : Held::free;
+  if (held == Held::free ? travel_ + grazing_ < memory.cleared : held == Held::open) return;
 
   {
     const ScopedTimer timer(times_search_ ? &part.search_seconds : nullptr);
@@ -161,6 +161,7 @@ template <int D> void Pair<D>::evaluate_point(std::size_t i, bool tangent, Part&
     // t_N = λ_N − ε_N g > 0 below a distance of λ_N/ε_N
     const double distance = gap - memory.multiplier / penalty_->normal;
     memory.cleared = foot == Foot::regular && distance > 0 ? travel_ + distance : 0;
+    if (held == Held::free && std::abs(distance) < grazing_) held = Held::stick;
     if (held == Held::free && distance >= 0) return;
     if (foot != Foot::regular && gap == 0) return; // no direction
   }

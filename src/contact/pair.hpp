@@ -78,6 +78,9 @@ public:
   /// Keeps points in a state until it is called again: one entry per point; empty frees all. Adhesion is always free.
   void hold(std::vector<Held> states) { held_ = std::move(states); }
   bool holds() const { return !held_.empty(); }
+  /// Points that are free and nearer than this distance to touching, on either side, touch and stick; 0: none.
+  /// Whether such points penetrate is rounding's to say: some do, others do not, and their slip has any direction.
+  void graze(double distance) { grazing_ = distance; }
   /// Uzawa's step of the augmented Lagrangian method (J. C. Simo, T. A. Laursen, Comput. Struct. 42, 1992): λ_N at each
   /// point becomes the pressure λ_N − ε_N g of the last evaluation. Part of the history. Nothing under adhesion.
   void augment();
@@ -163,6 +166,7 @@ private:
   Law law_;
   std::optional<PenaltyLaw> penalty_; ///< the law when it is this one, times what scale_penalty() said
   std::vector<Held> held_;
+  double grazing_ = 0;
   bool revolved_;
   std::vector<Point> points_;
   std::vector<double> values_;

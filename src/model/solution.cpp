@@ -22,6 +22,8 @@ solve::SolverStatistics sum(const solve::SolverStatistics& before, const solve::
   return result;
 }
 
+constexpr double rounding = 1e-12; ///< parts of the largest coordinate: gaps nearer to 0 are what rounding makes of 0
+
 } // namespace
 
 /// The linear solver for the present pattern.
@@ -168,7 +170,11 @@ template <int D> solve::Outcome Model<D>::assemble_step(bool tangent, std::strin
   const solve::NewtonReport& report = step_->report;
   const bool first = step_->pending && report.iterations == 0;
   if (!report.energies.empty()) active_set_.thaw(pairs_, report.energies.back() / report.energies.front());
+  // What only rounding tells open from shut is taken as touching for the first guess.
+  const bool guess = report.iterations == 0 && targets_ != accepted_targets_;
+  for (auto& pair : pairs_) pair.graze(guess ? rounding * size_ : 0);
   const solve::Outcome outcome = assemble(first ? &step_->increment : nullptr, tangent, why);
+  for (auto& pair : pairs_) pair.graze(0);
   if (first) unbalanced_ += unknowns_.gather(assembly_.product());
   if (outcome != solve::Outcome::converged || !std::exchange(step_->moved, false)) return outcome;
   active_set_.note(pairs_, unbalanced_.norm());

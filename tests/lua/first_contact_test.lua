@@ -1,0 +1,47 @@
+-- Bodies that lie on each other from the start, or never meet: who touches is then rounding's to say, or nobody's.
+
+local sg = require "signorini"
+local check = require "check"
+
+local function rectangle(width, height, corner, elements, contact)
+  return sg.body{ patch = sg.shapes.rectangle{ width = width, height = height, corner = corner }, elements = elements,
+                  order = "N2", contact = contact, material = sg.neo_hookean{ E = 10, nu = 0.3 } }
+end
+
+--- A block on a slab, with knots on knots. `extra`: a further support of the block or what replaces its face.
+local function scene(gap, friction, options)
+  options = options or {}
+  local block, slab = rectangle(1, 0.5, {1, 1 + gap}, {8, 4}, "south"), rectangle(4, 1, {0, 0}, {32, 8}, "north")
+  local supports = { bed = { on = slab:face "south", fix = "xy" } }
+  if not options.load then supports.top = { on = block:face "north", drive = "xy" } end
+  return sg.model{
+    bodies = { block = block, slab = slab }, supports = supports,
+    loads = options.load and { push = { on = block:face "north", traction = {0, 0} } },
+    contacts = { c = { slave = block:face(options.slave or "south"), master = slab:face "north", penalty = 1000,
+                       friction = friction } },
+  }
+end
+
+local rough = { mu = 0.3, penalty = 1000 }
+local press = { { name = "press", steps = 5, top = {0, -0.02} } }
+
+check.case("a gap of exactly zero, of which rounding makes open and shut, is as easy as any other", function()
+  local force
+  for _, gap in ipairs { 1e-6, 1e-14, 0, -1e-14 } do
+    local run = scene(gap, rough):run(press)
+    check.equal({ gap, run.reason, run.steps }, { gap, "completed", 5 })
+    check.equal(run.iterations <= 32, true)
+    local fy = run:column "top.fy"[5]
+    force = force or fy
+    check.near(fy, force, 1e-4 * math.abs(force))
+  end
+  check.equal(scene(0, rough):run(press, sg.robust{}).rescues, 0)
+end)
+
+check.case("who touches at the start is a guess: a block that is lifted leaves at once", function()
+  local run = scene(0, rough):run{ { name = "lift", steps = 1, top = {0, 0.1} } }
+  check.equal({ run.reason, run:column "c.area"[1] }, { "completed", 0 })
+  check.near(run:column "top.fy"[1], 0, 1e-12)
+end)
+
+check.done()
