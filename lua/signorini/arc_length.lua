@@ -23,17 +23,18 @@ end
 local Switch = {}
 Switch.__index = Switch
 
---- Takes each step as `inner` does; where that fails, arcs lead on until the step's end is passed: there the targets
---- are prescribed again, and the next step begins as `inner` would.
+--- Takes each step as `inner` does; where that fails, arcs lead on until the step's end is passed: there the targets are
+--- prescribed again, and the next step begins as `inner` would. Before any step was accepted an arc has neither length
+--- nor direction: there what `inner` says counts.
 function arc_length.policy(inner) return setmetatable({ inner = inner, memory = inner.memory }, Switch) end
 
 function Switch:shorten() return self.inner:shorten() end
 
 function Switch:take(step)
   local result = self.inner:take(step)
-  if result.converged or steps.is_asked_for(result) then return result end
-  step:switch_control("arc length", result.reason)
   local first = first_share * step.model:last_length()
+  if result.converged or steps.is_asked_for(result) or not (first > 0) then return result end
+  step:switch_control("arc length", result.reason)
   local length, longest = first, 4 * first / first_share
   for _ = 1, most_arcs do
     local arc, to = step:attempt_arc(length, most_iterations)

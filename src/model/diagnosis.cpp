@@ -7,6 +7,7 @@
 #include "model/weak_directions.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace signorini::model {
@@ -152,6 +153,48 @@ template <int D> void add_direction(Diagnosis& diagnosis, const Model<D>& model,
                                      : text("; in its direction ", rigid);
 }
 
+/// Whether a displacement d slides along a contact of a body that has no friction: all points that touch let it pass.
+template <int D> bool slides(const Model<D>& model, std::size_t contact, std::size_t body, const Vec<D>& d) {
+  const Contact<D>& named = model.scene().contacts[contact];
+  const auto* face = std::get_if<FaceReference>(&named.master);
+  const auto* law = std::get_if<contact::PenaltyLaw>(&named.law);
+  const bool is_part = at(named.slave.body) == body || (face && at(face->body) == body);
+  if (!law || law->friction > 0 || !is_part) return false;
+  constexpr double along = 0.1; // the rest across the face, as a part of d
+  bool touches = false;
+  for (const auto& point : model.pairs()[contact].results()) {
+    if (point.state == contact::ContactState::open) continue;
+    const VectorX rest = d - point.tangents * point.tangents.colPivHouseholderQr().solve(d);
+    if (rest.norm() > along * d.norm()) return false;
+    touches = true;
+  }
+  return touches;
+}
+
+/// What to do about a body that slides on contact without friction; empty where none does.
+template <int D> std::string cure_of_sliding(const Model<D>& model, const VectorX& direction) {
+  const VectorX all = model.unknowns().spread(direction);
+  for (std::size_t b = 0; b < model.scene().bodies.size(); ++b) {
+    const auto& named = model.scene().bodies[b];
+    const int functions = named.body->functions();
+    const Eigen::Map<const Eigen::Matrix<double, D, Eigen::Dynamic>> own(
+        all.data() + model.unknowns().offset(static_cast<int>(b)), D, functions);
+    const Vec<D> mean = own.rowwise().mean();
+    if (mean.norm() * std::sqrt(functions) < 0.5 * all.norm()) continue;
+    for (std::size_t k = 0; k < model.scene().contacts.size(); ++k)
+      if (slides(model, k, b, mean))
+        return text("contact '", model.scene().contacts[k].name, "' is frictionless, so nothing holds body '",
+                    named.name,
+                    "' along it: give the contact friction = { mu = …, penalty = … }, or the body a support");
+  }
+  return "";
+}
+
+constexpr const char* first_step_cure =
+    "the first step may lead beyond a limit of stability, or be too long for contact with friction: take a smaller one "
+    "(step = { adaptive = true }) or let the penalties grow (penalty = { start = 0.01, steps = 20 }); arcs can only "
+    "begin where a step was accepted";
+
 std::string cure(Outcome outcome) {
   switch (outcome) {
   case Outcome::iteration_limit:
@@ -171,7 +214,7 @@ std::string cure(Outcome outcome) {
   case Outcome::singular_tangent:
     return "hold the body with a support; damping = true carries a body that only contact will hold until it touches";
   case Outcome::indefinite:
-    return "the state is at or beyond a limit of stability: arc_length = true follows the path around it";
+    return "the state may be at or beyond a limit of stability: arc_length = true follows the path around it";
   case Outcome::line_search:
     return "take smaller steps (step = { adaptive = true }) or no line search";
   case Outcome::penetration:
@@ -197,8 +240,11 @@ template <int D> Diagnosis diagnose(const Model<D>& model, const solve::NewtonRe
     add_points(diagnosis, model, farthest(model), [&](const PointIndex& point) {
       return text("gap ", number(model.pairs()[at(point.contact)].results()[at(point.point)].gap));
     });
-  if (report.outcome == Outcome::singular_tangent && has_tangent)
-    add_direction(diagnosis, model, null_direction(assembly.pattern(), assembly.values()));
+  if (report.outcome == Outcome::singular_tangent && has_tangent) {
+    const WeakDirection weak = null_direction(assembly.pattern(), assembly.values());
+    add_direction(diagnosis, model, weak);
+    if (weak.direction.norm() > 0) diagnosis.cure = cure_of_sliding(model, weak.direction);
+  }
   const bool stalls = report.outcome == Outcome::iteration_limit || report.outcome == Outcome::diverged ||
                       report.outcome == Outcome::line_search;
   if (stalls && has_tangent) {
@@ -207,12 +253,15 @@ template <int D> Diagnosis diagnose(const Model<D>& model, const solve::NewtonRe
       diagnosis.outcome = Outcome::indefinite;
       diagnosis.message += text("; the tangent is indefinite there");
       add_direction(diagnosis, model, softest);
+      diagnosis.cure = cure_of_sliding(model, softest.direction);
+      // Nothing has led up to a limit of stability, and an arc has no direction, before a step was accepted.
+      if (diagnosis.cure.empty() && model.accepted().isZero(0)) diagnosis.cure = first_step_cure;
     }
   }
   if (model.unbalanced().size() > 0 && model.unbalanced().allFinite() && !report.residuals.empty())
     diagnosis.unbalanced = largest(model, model.unbalanced(), "unbalanced force");
   if (diagnosis.places.empty()) diagnosis.places = diagnosis.unbalanced;
-  diagnosis.cure = cure(diagnosis.outcome);
+  if (diagnosis.cure.empty()) diagnosis.cure = cure(diagnosis.outcome);
   return diagnosis;
 }
 
