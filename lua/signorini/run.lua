@@ -344,5 +344,7 @@ return function(model, stages, options)
   end
   display:clear()
   if options.states.last then run:keep_state(model, path[#path].name) end
-  return run:finish(model)
+  run:finish(model)
+  for _, warning in ipairs(run.warnings) do display:line(warning) end
+  return run
 end

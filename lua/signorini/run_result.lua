@@ -7,6 +7,7 @@ local in_name_of = require "signorini.in_name_of"
 local drives = require "signorini.drives"
 local format_table = require "signorini.table"
 local states = require "signorini.states"
+local untouched = require "signorini.untouched"
 
 local Run = {}
 Run.__index = Run
@@ -69,7 +70,7 @@ function Run.new(model)
   local run = setmetatable({
     failed = false, reason = "completed", steps = 0, rows = 0, iterations = 0, cutbacks = 0, rescues = 0, wary = 0,
     places = {}, wall = 0, stages = {}, controls = {}, extra = {},
-    names = {}, values = {}, histories = {}, recorders = {}, kept = {}, before = model:timings(),
+    names = {}, values = {}, histories = {}, recorders = {}, kept = {}, before = model:timings(), warnings = {},
   }, Run)
   run.step_column, run.increment_column = add_column(run, "step"), add_column(run, "increments")
   run.iteration_column, run.wall_column = add_column(run, "iterations"), add_column(run, "wall")
@@ -253,6 +254,7 @@ function Run:finish(model)
   end
   spent.rest = math.max(0, rest)
   self.timings, self.recorders, self.before, self.step = spent, nil, nil, nil
+  self.warnings = untouched(self, model)
   return self
 end
 
@@ -261,8 +263,9 @@ end
 core.docs["run"] = [[
 run
 What model:run returns: run.failed, reason, cause, report, places (see help "model:run"); run.steps that were reached,
-iterations, cutbacks, rescues, wall (s), timings { bulk, contact, linear, rest } (s), stages (a list of accounts by
-name), controls (where arc length took over). print(run) shows a short table.]]
+iterations, cutbacks, rescues, wall (s), timings { bulk, contact, linear, rest } (s), stages (a list of accounts by name),
+controls (where arc length took over), warnings (such as a contact that never touched, in words). print(run) shows a
+short table.]]
 
 core.docs["run:columns"] = [[
 run:columns()
@@ -374,6 +377,7 @@ function Run:__tostring()
   text = ("%s\ntime: bulk %.3f s, contact %.3f s, factorisation and solve %.3f s, rest %.3f s")
     :format(text, spent.bulk, spent.contact, spent.linear, spent.rest)
   if #self.controls > 0 then text = text .. "\n" .. control_text(self.controls) end
+  for _, warning in ipairs(self.warnings) do text = text .. "\n" .. warning end
   if self.reason == "completed" then return text end
   return ("%s\n%s: %s"):format(text, self.reason, self.report or "on_step ended the run")
 end

@@ -62,4 +62,12 @@ check.case("a load along a contact without friction: the cure is not damping", f
   end
 end)
 
+check.case("a contact that never touched is named, once, with the least gap", function()
+  local run = scene(0, rough, { slave = "north" }):run(press)
+  check.equal({ run.reason, #run.warnings }, { "completed", 1 })
+  check.holds(run.warnings[1], "contact 'c' never touched; least gap 0.48")
+  check.holds(run, "contact 'c' never touched")
+  check.equal(#scene(0, rough):run(press).warnings, 0)
+end)
+
 check.done()
