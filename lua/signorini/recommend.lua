@@ -26,6 +26,14 @@ local function read_list(key, list, default)
   return list
 end
 
+local function read_tolerance(value)
+  arguments.positive(where, "at_most", value)
+  if value >= 1 then
+    arguments.reject(where, "at_most", "a relative error below 1", value, ("write %g for %g %%"):format(value / 100, value))
+  end
+  return value
+end
+
 local function read(options)
   if type(options) ~= "table" then arguments.reject(where, "its argument", "a table of named arguments", options) end
   arguments.table(where, "its argument", options, { "scene", "error", "at_most", "labels", "meshes", "limit" })
@@ -38,7 +46,7 @@ local function read(options)
       "a column of the run such as \"ground.max_pressure\", or a function of model and run", measured)
   end
   return { scene = arguments.callback(where, "scene", options.scene), measured = measured,
-           at_most = arguments.positive(where, "at_most", options.at_most),
+           at_most = read_tolerance(options.at_most),
            labels = read_list("labels", options.labels, { "N2", "N2-N2.2" }),
            meshes = read_list("meshes", options.meshes, { 1, 2, 4, 8, 16, 32 }),
            limit = options.limit and arguments.positive(where, "limit", options.limit) }
@@ -50,6 +58,7 @@ end
 local function measure(search, model, run)
   local figure
   if type(search.measured) == "string" then
+    arguments.choice(where, "error", search.measured, run:columns())
     local column = run:column(search.measured)
     figure = column[#column]
   else
@@ -87,6 +96,7 @@ local function try(search, label, level)
   -- Unlike seconds it is the same in every search, so that the same scene gets the same answer.
   case.work = case.unknowns * run.iterations
   if run.failed then case.failed = run.reason else case.figure = measure(search, model, run) end
+  search.interrupted = run.reason == "interrupted"
   search.tries[#search.tries + 1] = case
   search.by_level[level] = search.by_level[level] or {}
   search.by_level[level][label] = case
@@ -173,6 +183,7 @@ local function reference_on(search, level)
   for i = #search.labels, 1, -1 do
     local label = search.labels[i]
     if not solved(search, level, label) then try(search, label, level) end
+    if search.interrupted then return end
     if solved(search, level, label) and solved(search, level - 1, label) then return solved(search, level, label) end
   end
 end
@@ -182,11 +193,12 @@ local function explore(search)
     local reference = level > 1 and reference_on(search, level)
     if reference then estimate(search, reference) end
     local best = cheapest(search)
-    if best or (search.limit and search.spent > search.limit) then return best end
+    if best or search.interrupted or (search.limit and search.spent > search.limit) then return best end
     for _, label in ipairs(search.labels) do
       local known = search.by_level[level] and search.by_level[level][label]
       if not known and level < #search.meshes and not dominated(search, label, level - 1) then
         try(search, label, level)
+        if search.interrupted then return end
       end
     end
   end
@@ -200,6 +212,7 @@ Recommendation.__name = "recommendation"
 
 local function verdict(search, best)
   local total = ("%s, %.2f s in all"):format(counted(#search.tries, "run"), search.spent)
+  if search.interrupted then return ("Stopped by Ctrl-C: nothing is known yet. %s."):format(total) end
   if best then
     return ("%s on mesh %s is enough: its error is about %.3g, estimated from the next level; allowed %.3g. %s.")
       :format(best.label, values.text(best.mesh), best.error, search.at_most, total)
@@ -231,10 +244,9 @@ sg.recommend{ scene = function(label, mesh) … return model, stages, options en
 The least model that is enough: solves labels and meshes from coarse to fine, estimates the error of each from the next
 level, and stops as soon as one is estimated to be within the tolerance. Prints what it tried and what that cost.
 scene:   returns the model of a label and a mesh, and what model:run takes.
-error:   what shall be accurate: a column of the run such as "ground.max_pressure" (its last value counts), or a
-         function of model and run that returns a number, or a list of numbers at places that do not change with the
-         mesh.
-at_most: the relative error, 0.02 for 2 %.
+error:   what shall be accurate: a column of the run such as "ground.max_pressure" (its last value counts), or a function
+         of model and run that returns a number, or a list of numbers at places that do not change with the mesh.
+at_most: the relative error, 0.02 for 2 %; below 1.
 labels:  from the plainest to the richest; { "N2", "N2-N2.2" } by default.
 meshes:  from coarse to fine, each about half as wide as the one before, in whatever way scene understands them;
          { 1, 2, 4, 8, 16, 32 } by default.
