@@ -28,9 +28,10 @@ bool run(const repl::CommandLine& line, const std::string& program) {
   bool ok = true;
   for (const auto& code : line.code) ok = ok && interpreter.run_code(code, "=(command line)");
   ok = ok && (line.script.empty() || interpreter.run_file(script, line.arguments));
-  if (line.interactive) repl::forget_interrupt(interpreter.state()); // what is there may still be looked at
-  if (line.interactive || line.prompt_only()) return repl::prompt(interpreter, line.quiet) && ok;
-  return ok && !interpreter.lost_cases();
+  if (!line.interactive && !line.prompt_only()) return ok && !interpreter.lost_cases();
+  repl::forget_interrupt(interpreter.state()); // what is there may still be looked at
+  repl::finish_statements();
+  return repl::prompt(interpreter, line.quiet) && ok;
 }
 
 } // namespace

@@ -122,6 +122,7 @@ function Step:solve(solver, to)
   local result
   repeat
     result = self.model:iterate(solver)
+    if result.reason == "interrupted" then return result end
     local residuals, energies = result.residuals, result.energies
     local ok, answer = pcall(on_iteration, {
       stage = self.stage.name, step = self.run.steps + 1, from = self.done, to = to, iteration = result.iterations,

@@ -7,6 +7,7 @@ namespace signorini {
 namespace {
 
 volatile std::sig_atomic_t flag = 0;
+bool answered = false;
 
 void on_interrupt(int signal) {
   if (flag) {
@@ -27,7 +28,14 @@ void request_interrupt() {
 bool interrupted() {
   return flag != 0;
 }
+void answer_interrupt() {
+  answered = true;
+}
+bool interrupt_answered() {
+  return answered;
+}
 void clear_interrupt() {
+  answered = false;
   flag = 0;
 }
 

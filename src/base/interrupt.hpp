@@ -7,6 +7,10 @@ namespace signorini {
 void catch_interrupts();
 void request_interrupt();
 bool interrupted();
+/// Whatever ends because of Ctrl-C and returns what it has says so.
+void answer_interrupt();
+/// Whether something has ended because of the Ctrl-C that was seen last.
+bool interrupt_answered();
 void clear_interrupt();
 
 } // namespace signorini

@@ -152,7 +152,10 @@ bool run_jobs(int count, const JobLimits& limits, const std::function<std::strin
     while (next < count && static_cast<int>(children.size()) < limits.at_once && !interrupted())
       children.emplace_back(next++, job);
     const std::vector<pollfd> pipes = look_at(children);
-    if (interrupted()) return false;
+    if (interrupted()) {
+      answer_interrupt();
+      return false;
+    }
     if (look) look(static_cast<int>(children.size()));
     auto child = children.begin();
     for (const pollfd& pipe : pipes) {

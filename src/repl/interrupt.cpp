@@ -12,6 +12,24 @@ namespace {
 
 lua_State* running = nullptr;
 void (*raise_flag)(int) = nullptr;
+bool finishes_statements = false;
+
+/// Whether what happens in the user's own code only finishes a statement: what a solve or study has returned because of
+/// Ctrl-C is on its way to where it shall be kept, past returns and the metamethods of tables.
+bool finishes_statement(lua_State* L, lua_Debug* frame) {
+  if (!finishes_statements || !interrupt_answered() || frame->event == LUA_HOOKLINE) return false;
+  if (frame->event != LUA_HOOKCALL && frame->event != LUA_HOOKTAILCALL) return true;
+  lua_getinfo(L, "n", frame);
+  return std::string_view(frame->namewhat) == "metamethod";
+}
+
+/// Whether the user's own code calls a function, such as print, of C or of the library.
+bool user_calls(lua_State* L, const lua_Debug& frame) {
+  lua_Debug caller;
+  if (frame.event != LUA_HOOKCALL || !lua_getstack(L, 1, &caller)) return false;
+  lua_getinfo(L, "S", &caller);
+  return std::string_view(caller.what) != "C" && !bind::in_library(L, caller);
+}
 
 void stop(lua_State* L, lua_Debug* frame) {
   if (!interrupted()) {
@@ -19,7 +37,9 @@ void stop(lua_State* L, lua_Debug* frame) {
     return;
   }
   lua_getinfo(L, "S", frame);
-  if (std::string_view(frame->what) == "C" || bind::in_library(L, *frame)) return;
+  const bool own = std::string_view(frame->what) != "C" && !bind::in_library(L, *frame);
+  if (!own && !(finishes_statements && interrupt_answered() && user_calls(L, *frame))) return;
+  if (finishes_statement(L, frame)) return;
   luaL_where(L, 0);
   lua_pushstring(L, "interrupted");
   lua_concat(L, 2);
@@ -38,6 +58,10 @@ void catch_interrupts(lua_State* L) {
   running = L;
   signorini::catch_interrupts();
   raise_flag = std::signal(SIGINT, on_interrupt);
+}
+
+void finish_statements() {
+  finishes_statements = true;
 }
 
 void forget_interrupt(lua_State* L) {

@@ -10,6 +10,10 @@ namespace signorini::repl {
 /// program.
 void catch_interrupts(lua_State* L);
 
+/// From now on, when a solve or a study has ended because of Ctrl-C and returned what it has, the statement that it
+/// stands in is finished before the error is raised: `run = model:run(stages)` keeps the run. For what is typed.
+void finish_statements();
+
 /// Forgets a Ctrl-C.
 void forget_interrupt(lua_State* L);
 

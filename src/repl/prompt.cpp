@@ -35,8 +35,9 @@ bool run(Interpreter& interpreter, Chunk chunk) {
   }
   std::fflush(stdout);
   const bool stopped = interrupted();
+  ok = ok && !stopped;
   forget_interrupt(L);
-  if (!ok && stopped) {
+  if (stopped) {
     push_library_function(L, "signorini.prompt", "interrupted");
     interpreter.call(0, true);
   }

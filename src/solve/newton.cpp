@@ -66,9 +66,12 @@ bool iterate(const NewtonSystem& system, const NewtonOptions& options, bool pend
     report.message = std::move(message);
     return false;
   };
-  constexpr const char* by_user = "stopped by Ctrl-C";
+  const auto stop_by_user = [&] {
+    answer_interrupt();
+    return stop(Outcome::interrupted, "stopped by Ctrl-C");
+  };
   // Steps that need no iteration can be stopped, too.
-  if (report.residuals.empty() && interrupted()) return stop(Outcome::interrupted, by_user);
+  if (report.residuals.empty() && interrupted()) return stop_by_user();
   std::string why;
   // Where quadratic convergence promises the last iteration, the residual alone is enough to confirm it.
   const bool tangent = predicted_residual(report.residuals) > 0.1 * report.enough;
@@ -98,7 +101,7 @@ bool iterate(const NewtonSystem& system, const NewtonOptions& options, bool pend
                      ", asked was ", report.enough, residual <= 10 * floor ? ", near what rounding leaves of it" : ""));
   if (!tangent)
     if (const Outcome state = system.assemble(true, why); state != Outcome::converged) return stop(state, why);
-  if (interrupted()) return stop(Outcome::interrupted, by_user);
+  if (interrupted()) return stop_by_user();
   double energy = 0;
   if (!system.advance(energy)) return stop(Outcome::singular_tangent, "the tangent is singular");
   ++report.iterations;

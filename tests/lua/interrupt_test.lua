@@ -1,4 +1,5 @@
--- Ctrl-C while a solid is solved: the prompt comes back within one iteration, and the model can be used.
+-- Ctrl-C while a solid is solved: the prompt comes back within one iteration, and the model can be used. What was solved
+-- until then is kept where the line that was typed puts it.
 
 local check = require "check"
 
@@ -46,6 +47,63 @@ check.case("Ctrl-C in a 3D solve: back at the prompt within an iteration, the la
   if not (tonumber(late) <= 1.5 * tonumber(longest) + 0.1) then
     error(("the prompt came %s s after the last iteration, the longest of which took %s s"):format(late, longest))
   end
+end)
+
+-- ── What a solve returns because of Ctrl-C ───────────────────────────────────────────────────────────────────────────
+
+local endless = [[
+block = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = {2, 2}, order = "N2",
+  material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+function pressed()
+  return sg.model{ bodies = { block = block }, supports = { bed = { on = block:face "south", fix = "xy" },
+    top = { on = block:face "north", drive = "y" } } }
+end
+stages = { { steps = 10000000, top = -0.1 } }
+function interrupt() os.execute("(sleep 1; kill -INT $PPID) &") end
+]]
+
+--- What the prompt says to lines behind that scene.
+local function type_in(lines)
+  local name = os.tmpname()
+  local file = assert(io.open(name, "w"))
+  file:write(endless):close()
+  local output = check.program({ "-q" }, ("dofile %q\n"):format(name) .. lines)
+  os.remove(name)
+  return output
+end
+
+check.case("a run that is assigned is kept; what follows on the line is not done, the next line is", function()
+  local output = type_in [[
+run = "old"
+interrupt() run = pressed():run(stages) print "the rest"
+print(run.reason, run.steps > 0)
+local x <const> = 1 interrupt() t = { run = pressed():run(stages) } print "the rest"
+print(t.run.reason)
+]]
+  check.holds(output, "interrupted\ttrue\n")
+  check.equal(select(2, output:gsub("the rest", "")), 0)
+  check.equal(select(2, output:gsub("interrupted\n", "")), 3) -- of two lines, and what the last one prints
+end)
+
+check.case("a recommendation that is stopped says so and is kept", function()
+  local output = type_in [[
+interrupt() r = sg.recommend{ scene = function() return pressed(), stages end, error = "top.fy", at_most = 0.1 }
+print("kept", r.label, #r.tries)
+]]
+  check.holds(output, "Stopped by Ctrl-C", "kept\tnil\t1")
+end)
+
+check.case("a script that is stopped goes on with nothing, and its status is 130", function()
+  local output, status = check.script('local sg = require "signorini"\n' .. endless .. [[
+interrupt()
+for i = 1, 3 do
+  local run = pressed():run(stages)
+  print("after", i)
+end
+]])
+  check.equal(status, 130)
+  check.holds(output, "interrupted")
+  check.equal(output:find("after", 1, true), nil)
 end)
 
 os.execute("rm -rf " .. state .. " " .. scene)
