@@ -36,19 +36,19 @@ local function is_finite(value)
   return type(value) == "number" and value == value and math.abs(value) < math.huge
 end
 
+--- What to do about a number in quotes.
+local function unquote(value) return type(value) == "string" and tonumber(value) and "remove the quotes" or nil end
+
 --- A finite number.
 function arguments.number(where, name, value)
-  if not is_finite(value) then
-    local cure = tonumber(value) and type(value) == "string" and "remove the quotes" or nil
-    arguments.reject(where, name, "a finite number", value, cure)
-  end
+  if not is_finite(value) then arguments.reject(where, name, "a finite number", value, unquote(value)) end
   return value
 end
 
 --- A finite number above zero, or the default when absent.
 function arguments.positive(where, name, value, default)
   if value == nil and default then return default end
-  if not is_finite(value) or value <= 0 then arguments.reject(where, name, "a positive number", value) end
+  if not is_finite(value) or value <= 0 then arguments.reject(where, name, "a positive number", value, unquote(value)) end
   return value
 end
 
@@ -56,7 +56,7 @@ end
 function arguments.at_least(where, name, value, least, default)
   if value == nil and default then return default end
   if not is_finite(value) or value < least then
-    arguments.reject(where, name, ("a number of at least %g"):format(least), value)
+    arguments.reject(where, name, ("a number of at least %g"):format(least), value, unquote(value))
   end
   return value
 end
@@ -65,7 +65,7 @@ end
 function arguments.share(where, name, value, most, default)
   if value == nil and default then return default end
   if not is_finite(value) or value <= 0 or value > most then
-    arguments.reject(where, name, ("a number above 0 and at most %g"):format(most), value)
+    arguments.reject(where, name, ("a number above 0 and at most %g"):format(most), value, unquote(value))
   end
   return value
 end
@@ -82,8 +82,8 @@ function arguments.count(where, name, value, default, most)
   if value == nil and default then return default end
   local whole = type(value) == "number" and math.tointeger(value)
   if not whole or whole < 1 or whole > (most or whole) then
-    arguments.reject(where, name, most and ("a whole number from 1 to %d"):format(most)
-      or "a whole number of at least 1", value)
+    arguments.reject(where, name, most and ("a whole number from 1 to %d"):format(most) or "a whole number of at least 1",
+      value, unquote(value))
   end
   return whole
 end

@@ -28,6 +28,7 @@ end
 
 local function check_profile(where, name, data)
   local expected, cure = "a contact profile with at least two points", "take what model:profile returns"
+  if name == "reference" then cure = cure .. ", or a function of the coordinate that returns the value" end
   if type(data) ~= "table" then arguments.reject(where, name, expected, data, cure) end
   if type(data.x) ~= "table" or #data.x < 2 then
     arguments.reject(where, name .. ".x", "a list of at least two numbers", data.x, cure)

@@ -73,7 +73,7 @@ int read_dimension(lua_State* L, const Options& o, const nurbs::Patch& patch) {
 
 template <int D> void push_body(lua_State* L, const nurbs::Patch& patch, const nurbs::Plan& plan, const Options& o) {
   const auto& material =
-      o.object<solid::Material>("material", "made by sg.neo_hookean{ E, nu } or sg.linear_elastic{ E, nu }");
+      o.object<solid::Material>("material", "such as sg.neo_hookean{ E = 1, nu = 0.3 } or sg.linear_elastic{ … }");
   const auto& made =
       push_object<Body<D>>(L, std::make_shared<const solid::Body<D>>(nurbs::Discretisation(patch, plan), material));
   count_memory(L, static_cast<double>(made->memory()));

@@ -111,6 +111,14 @@ std::string nearest(const std::string& word, const std::vector<std::string>& wor
       least = d;
       best = candidate;
     }
+  if (!best.empty()) return best;
+  // Too far by letters, but one begins like the other: h or tol for height or tolerance, fixed for fix.
+  const auto begins = [&](const std::string& candidate) { return candidate.starts_with(word); };
+  if (!word.empty() && std::count_if(words.begin(), words.end(), begins) == 1)
+    return *std::find_if(words.begin(), words.end(), begins);
+  constexpr std::size_t telling = 3;
+  for (const auto& candidate : words)
+    if (candidate.size() >= telling && word.starts_with(candidate)) return candidate;
   return best;
 }
 

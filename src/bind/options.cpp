@@ -15,14 +15,26 @@ Options::Options(lua_State* L, int index, std::vector<std::string> known, bool p
     reject(" takes a table of named arguments, got ", describe(L, index_), ": write ",
            path_.empty() ? function_name(L) : path_ + " = ", "{ ", known_.empty() ? "" : known_.front() + " = …",
            " };");
+  std::vector<std::string> unknown;
   for (lua_pushnil(L); lua_next(L, index_); lua_pop(L, 1)) {
     if (positional && lua_isinteger(L, -2)) continue;
     if (lua_type(L, -2) != LUA_TSTRING) reject(" takes named arguments, got ", describe(L, -1), " without a name;");
     const std::string key = lua_tostring(L, -2);
     if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
-    const std::string hint = did_you_mean(key, known_);
-    reject(": unknown argument '", key, "' (", describe(L, -1), ")", hint.empty() ? ";" : hint);
+    unknown.push_back(key);
   }
+  if (unknown.empty()) return;
+  std::sort(unknown.begin(), unknown.end());
+  constexpr std::size_t most = 3;
+  unknown.resize(std::min(unknown.size(), most));
+  std::string all;
+  for (const std::string& key : unknown) {
+    lua_getfield(L, index_, key.c_str());
+    const std::string hint = did_you_mean(key, known_);
+    all += text(all.empty() ? "" : "; ", "unknown argument '", key, "' (", describe(L, -1), ")", hint);
+    lua_pop(L, 1);
+  }
+  reject(": ", all, all.ends_with('?') ? "" : ";");
 }
 
 int Options::push_value(const char* key) const {

@@ -86,11 +86,18 @@ template <int D> void push_model(lua_State* L, const Options& o) {
         else
           scene.supports.push_back(read_support(L, draft, name, index, entry));
       });
-  if (o.has("contacts"))
+  if (o.has("contacts")) {
+    const int contacts = o.push_value("contacts");
+    if (lua_istable(L, contacts) && (has_field(L, contacts, "slave") || has_field(L, contacts, "master")))
+      throw ArgumentError(text(function_name(L),
+                               ": contacts holds one contact that has no name: write contacts = { name = "
+                               "{ slave = …, master = …, penalty = … } }"));
+    lua_settop(L, contacts - 1);
     o.each("contacts", "the contacts by name", [&](const std::string& name, int index, const Argument& entry) {
       check_name(L, scene, name, entry);
       scene.contacts.push_back(read_contact(L, draft, name, index, entry));
     });
+  }
   if constexpr (D == 2)
     if (scene.kind == solid::Kind::axisymmetric) revolve(L, scene);
   const auto& made = push_object<Model<D>>(L, std::make_shared<model::Model<D>>(std::move(scene)));
@@ -133,7 +140,9 @@ constexpr Function functions[] = {
      "or a vector {ax, ay, az}, and a list of faces turns as one. Loads are dead: force per reference area; pressure\n"
      "acts against the outward normal; the value given here acts from the first step on, stages change it.\n"
      "slave: the face that is integrated over with `points` Gauss points per element and direction; master: the face\n"
-     "or obstacle that it is projected onto. penalty: pressure per length. adhesion: van der Waals traction with\n"
+     "or obstacle that it is projected onto. penalty: pressure per length. mu: Coulomb's coefficient, tan of the "
+     "angle\n"
+     "of friction, not the angle. adhesion: van der Waals traction with\n"
      "Hamaker's constant (force times length) and r0 (length) in place of penalty and friction. where: whether the\n"
      "contact acts at a reference position X = {x, y} ({x, y, z}) of the slave face. An open end of the master is no\n"
      "contact.\n"

@@ -9,8 +9,9 @@ local nan = 0 / 0
 check.case("wrong named arguments", function()
   local rectangle = sg.shapes.rectangle
   local wrong = {
-    { { width = 3, hieght = 1 },
-      "unknown argument 'hieght' (the number 1); did you mean 'height'? known: width, height, corner" },
+    { { width = 3, hieght = 1 }, "unknown argument 'hieght' (the number 1); did you mean 'height'? known: width, height, corner" },
+    { { w = 3, h = 1 }, "unknown argument 'h' (the number 1); did you mean 'height'?; unknown argument 'w' (the number 3); "
+      .. "did you mean 'width'? known: width, height, corner" },
     { { width = 3, height = 1, frobnicate = 2 }, "unknown argument 'frobnicate' (the number 2); known: width" },
     { { width = 3 }, "height (size along y) is missing: it must be a positive number" },
     { { width = "3", height = 1 },
@@ -33,6 +34,18 @@ check.case("wrong named arguments", function()
   check.fails(function() rectangle(3, 1) end,
     "takes a table of named arguments, got the number 3: write sg.shapes.rectangle{ width")
   check.fails(function() rectangle() end, "got nothing")
+end)
+
+check.case("what is meant is said: parts of names, what has no name, tables in place of objects", function()
+  local body = sg.body{ patch = p, elements = {2, 2}, order = "N2", contact = "north",
+                        material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+  check.fails(function() sg.model{ bodies = { b = body }, supports = { bed = { on = body:face "south", fixed = "xy" } } } end,
+    "supports.bed: unknown argument 'fixed'", "did you mean 'fix'?")
+  check.fails(function() sg.model{ bodies = { b = body }, contacts = { slave = body:face "north", penalty = 1 } } end,
+    "contacts holds one contact that has no name", "contacts = { name = { slave = …")
+  check.fails(function() sg.body{ patch = p, elements = {2, 2}, order = "N2", material = { E = 1, nu = 0.3 } } end,
+    "material must be", "sg.neo_hookean{ E = 1, nu = 0.3 }")
+  check.fails(function() return sg.shapes.rect end, "did you mean 'rectangle'?")
 end)
 
 check.case("wrong arguments of methods", function()
