@@ -21,8 +21,8 @@ std::filesystem::path find_home();
 /// The folder of data that come with the program: share/ of the source tree, in an installed tree beside lua/.
 std::filesystem::path find_share();
 
-/// The file of a script: as it is named, or where there is no such file the one of that name among the scripts that come
-/// along, "hertz2d.lua" or "scripts/hertz2d.lua".
+/// The file of a script: as it is named, or where there is no such file the one of that name among the scripts that
+/// come along, "hertz2d.lua" or "scripts/hertz2d.lua".
 std::string find_script(const std::string& name);
 
 /// Opens Lua's own libraries, the bindings (module "signorini.core"), and package.path for `require "signorini"`.

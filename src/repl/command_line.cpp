@@ -87,7 +87,8 @@ const char* usage() {
          "  --help          this text\n"
          "  --doctor        versions of all libraries, and a test picture\n"
          "\n"
-         "Exit status: 0 when all went well, 1 after an error, also in a case of a study, 2 for a wrong command line, 130 after Ctrl-C.\n"
+         "Exit status: 0 when all went well, 1 after an error, also in a case of a study, 2 for a wrong command line, "
+         "130 after Ctrl-C.\n"
          "SIGNORINI_HOME: the folder that holds lua/, if it is not where the program was installed.\n";
 }
 

@@ -136,8 +136,8 @@ check.case("at the prompt errors are one line, traceback() tells how they came a
   check.equal(result.output:match "^prompt:1: no\n42\n21.0\n21.0\nnil\n21.0\nprompt:1: no\nstack traceback:\n" ~= nil, true)
   check.holds(result.output, "in function 'f'", "in function 'g'")
   check.holds(run({}, "traceback()\n").output, "There has been no error.")
-  check.holds(run({}, "local y, z = 3\nlocal function f() end\nx = 1\nz\nf()\nw\n").output, "undefined variable 'z'; it was local to its line: leave "
-    .. "out `local` at the prompt\n", "undefined variable 'f'; it was local", "undefined variable 'w'\n")
+  check.holds(run({}, "local y, z = 3\nlocal function f() end\nx = 1\nz\nf()\nqq\n").output, "undefined variable 'z'; it was local to its line: leave "
+    .. "out `local` at the prompt\n", "undefined variable 'f'; it was local", "undefined variable 'qq'\n")
   check.holds(run({}, "_\n").output, "undefined variable '_'; at the prompt it is the last result, once there is one")
 end)
 
@@ -202,7 +202,7 @@ end)
 check.case("help takes a method by the letter that pages call its object by, and closes what a list cuts off", function()
   local output = check.program({}, '?m:iterate\nhelp "m:run"\nhelp "p:insert"\nhelp "pictures"\nhelp "m:nonsense"\n')
   check.holds(output, "m:iterate{ … }\nOne iteration of", "model:run(stages, { step,", "\nTakes a model along", "p:insert(",
-    "  sg.picture{ model,", ", … }  Draws", "no page on 'm:nonsense'")
+    "  sg.picture{ model,", ", … }     Draws", "no page on 'm:nonsense'")
 end)
 
 check.case("Ctrl-C ends a script with status 130, wherever it is", function()

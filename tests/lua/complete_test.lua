@@ -83,10 +83,10 @@ check.case("texts of closed sets, and names of an object's parts", function()
   study = sg.study { name = "s", cases = sg.grid { order = { "N1" } }, run = function() return {} end }
   check.equal(all 'study:by "', { "order", "wall", "failed", "outcome", "reason" })
   help = sg.help
-  check.equal(all 'help "patch:re', { "patch:refine" })
+  check.equal(all 'help "patch:re', { "patch:refine", "patch:reverse" })
   check.equal(all 'help "la', { "labels" })
   study.rows = { { order = "N1", wall = 1 }, { order = "N2", wall = 1 }, { order = "N1", wall = 2 } }
-  check.equal(all 'study:where{ ', { "order = ", "wall = ", "failed = ", "reason = " })
+  check.equal(all 'study:where{ ', { "order = ", "wall = ", "failed = ", "outcome = ", "reason = " })
   check.equal(all 'study:row{ wall = 1, order = "', { "N1", "N2" })
   check.equal(all 'sg.cheapest(study, { error = "or', { "order" })
   for _, free in ipairs { 'sg.picture{ file = "', 'io.open("', 'x = "', 'nothing "', 'slab:edge "' } do check.equal(all(free), {}) end
@@ -131,7 +131,7 @@ check.case("these sets are those that the functions name themselves", function()
   check.equal(values.of_argument("body:corner", cube), named(function() cube:corner "?" end))
   check.equal(values.of_argument("body:corner", slab), named(function() slab:corner "?" end))
   for _, body in ipairs { slab, cube } do
-    check.fails(function() body:face "?" end, "one of " .. table.concat(values.of_argument("body:face", body), ", ") .. " (")
+    check.fails(function() body:face "?" end, "one of " .. table.concat(values.of_argument("body:face", body), ", ") .. ",")
   end
 end)
 

@@ -41,7 +41,7 @@ check.case("Ctrl-C in a 3D solve: back at the prompt within an iteration, the la
     :format(typing, state, arg[-1]))
   output = output:gsub("\r", "")
   check.equal(status, 0)
-  check.holds(output, "\ninterrupted\n", "\n0.0\n", '"completed"')
+  check.holds(output, "\ninterrupted; _ is the run so far\n", "\n0.0\n", '"completed"')
   local late, longest = output:match "\nlate%s+(%S+)%s+longest%s+(%S+)"
   print(("an iteration takes up to %s s; the prompt came %s s after the last one"):format(longest, late))
   if not (tonumber(late) <= 1.5 * tonumber(longest) + 0.1) then
@@ -82,7 +82,8 @@ print(t.run.reason)
 ]]
   check.holds(output, "interrupted\ttrue\n")
   check.equal(select(2, output:gsub("the rest", "")), 0)
-  check.equal(select(2, output:gsub("interrupted\n", "")), 3) -- of two lines, and what the last one prints
+  check.equal(select(2, output:gsub("interrupted; _ is the run so far\n", "")), 2)
+  check.equal(select(2, output:gsub("interrupted\n", "")), 1) -- what the last line prints
 end)
 
 check.case("a recommendation that is stopped says so and is kept", function()
