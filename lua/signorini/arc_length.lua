@@ -23,9 +23,9 @@ end
 local Switch = {}
 Switch.__index = Switch
 
---- Takes each step as `inner` does; where that fails, arcs lead on until the step's end is passed: there the targets are
---- prescribed again, and the next step begins as `inner` would. Before any step was accepted an arc has neither length
---- nor direction: there what `inner` says counts.
+--- Takes each step as `inner` does; where that fails, arcs lead on until the step's end is passed: there the targets
+--- are prescribed again, and the next step begins as `inner` would. Before any step was accepted an arc has neither
+--- length nor direction: there what `inner` says counts.
 function arc_length.policy(inner) return setmetatable({ inner = inner, memory = inner.memory }, Switch) end
 
 function Switch:shorten() return self.inner:shorten() end

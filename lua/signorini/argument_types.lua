@@ -149,8 +149,8 @@ end
 --- The default, and the restrictions, of what a script gives for an argument.
 local function split(name, given)
   if type(given) == "table" and next(given) == nil then
-    core.fail(("%s: the default of %s is an empty table: write { {}, none = true } for a list of texts that may be empty")
-      :format(where, name))
+    core.fail(("%s: the default of %s is an empty table: write { {}, none = true } for a list of texts that may be "
+      .. "empty"):format(where, name))
   end
   local named, restricted = {}, false
   for key, value in pairs(type(given) == "table" and given or {}) do

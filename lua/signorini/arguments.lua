@@ -48,7 +48,9 @@ end
 --- A finite number above zero, or the default when absent.
 function arguments.positive(where, name, value, default)
   if value == nil and default then return default end
-  if not is_finite(value) or value <= 0 then arguments.reject(where, name, "a positive number", value, unquote(value)) end
+  if not is_finite(value) or value <= 0 then
+    arguments.reject(where, name, "a positive number", value, unquote(value))
+  end
   return value
 end
 
@@ -82,8 +84,8 @@ function arguments.count(where, name, value, default, most)
   if value == nil and default then return default end
   local whole = type(value) == "number" and math.tointeger(value)
   if not whole or whole < 1 or whole > (most or whole) then
-    arguments.reject(where, name, most and ("a whole number from 1 to %d"):format(most) or "a whole number of at least 1",
-      value, unquote(value))
+    arguments.reject(where, name, most and ("a whole number from 1 to %d"):format(most)
+      or "a whole number of at least 1", value, unquote(value))
   end
   return whole
 end

@@ -111,8 +111,8 @@ local function texts(beginning, before)
   return found
 end
 
---- The n-th completion of a word that stands behind a text, or nil behind the last: of a path of names or, inside quotes,
---- of a text. Where a named argument may stand and one begins like this, those are all that is offered.
+--- The n-th completion of a word that stands behind a text, or nil behind the last: of a path of names or, inside
+--- quotes, of a text. Where a named argument may stand and one begins like this, those are all that is offered.
 return function(word, before, n)
   if before:find "[\"']$" and place.is_open(before) then return texts(word, before)[n] end
   local divided, path = word:match "^(.*/)(.*)$"

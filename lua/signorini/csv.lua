@@ -22,7 +22,8 @@ local function field_value(text)
 end
 
 local function string_text(value)
-  local plain = field_value(value) == value and not value:find '[",\r\n]' and not value:find "^[#%s]" and not value:find "%s$"
+  local plain = field_value(value) == value and not value:find '[",\r\n]' and not value:find "^[#%s]"
+    and not value:find "%s$"
   return plain and value or '"' .. value:gsub('"', '""') .. '"'
 end
 
@@ -40,7 +41,8 @@ local function field_text(value, texts, i, name)
   end
   if type(value) == "boolean" then return tostring(value) end
   if type(value) ~= "string" then
-    core.fail(("sg.csv.write: %s must be a number, a string, true or false, got a %s"):format(place(i, name), type(value)))
+    core.fail(("sg.csv.write: %s must be a number, a string, true or false, got a %s")
+      :format(place(i, name), type(value)))
   end
   local text = texts[value]
   if not text then
@@ -134,7 +136,9 @@ Values are numbers, texts, true or false. A missing one, nil, is an empty field;
 An empty text reads back as nil.
 Example: sg.csv.write("a.csv", { columns = {"step", "fx"}, rows = {{1, 0.2}, {2, 0.3}} })]]
 function csv.write(file, data)
-  if type(file) ~= "string" then arguments.reject("sg.csv.write", "file, the first argument,", "the name of a file", file) end
+  if type(file) ~= "string" then
+    arguments.reject("sg.csv.write", "file, the first argument,", "the name of a file", file)
+  end
   if type(data) ~= "table" then core.fail "sg.csv.write: the second argument must be a table with columns and rows" end
   local text = file_text(data)
   in_name_of("sg.csv.write", "core.write_file", core.write_file, file, text)

@@ -21,7 +21,8 @@ function prompt.note_locals(code)
   end
 end
 
---- What Ctrl-C leaves: the run that it has stopped is `_`, as the line that would have kept it has come to its end, too.
+--- What Ctrl-C leaves: the run that it has stopped is `_`, as the line that would have kept it has come to its end,
+--- too.
 function prompt.interrupted()
   local run = core.interrupted_run
   core.interrupted_run = nil

@@ -64,7 +64,8 @@ function Series:add(state)
     core.fail(("series:add: time is %g, but the state before it has %g: times must grow"):format(time, last.time))
   end
   local name = ("%s_%04d.vtu"):format(self.stem, #self + 1)
-  in_name_of("series:add", "sg.vtu", core.sg.vtu, { model = state.model, file = self.folder .. name, deformed = state.deformed })
+  in_name_of("series:add", "sg.vtu", core.sg.vtu,
+    { model = state.model, file = self.folder .. name, deformed = state.deformed })
   self[#self + 1] = { time = time, name = name }
   write_list(self)
 end

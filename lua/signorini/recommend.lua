@@ -29,7 +29,8 @@ end
 local function read_tolerance(value)
   arguments.positive(where, "at_most", value)
   if value >= 1 then
-    arguments.reject(where, "at_most", "a relative error below 1", value, ("write %g for %g %%"):format(value / 100, value))
+    arguments.reject(where, "at_most", "a relative error below 1", value,
+      ("write %g for %g %%"):format(value / 100, value))
   end
   return value
 end
@@ -244,8 +245,9 @@ sg.recommend{ scene = function(label, mesh) … return model, stages, options en
 The least model that is enough: solves labels and meshes from coarse to fine, estimates the error of each from the next
 level, and stops as soon as one is estimated to be within the tolerance. Prints what it tried and what that cost.
 scene:   returns the model of a label and a mesh, and what model:run takes.
-error:   what shall be accurate: a column of the run such as "ground.max_pressure" (its last value counts), or a function
-         of model and run that returns a number, or a list of numbers at places that do not change with the mesh.
+error:   what shall be accurate: a column of the run such as "ground.max_pressure" (its last value counts), or a
+         function of model and run that returns a number, or a list of numbers at places that do not change with the
+         mesh.
 at_most: the relative error, 0.02 for 2 %; below 1.
 labels:  from the plainest to the richest; { "N2", "N2-N2.2" } by default.
 meshes:  from coarse to fine, each about half as wide as the one before, in whatever way scene understands them;

@@ -9,8 +9,8 @@ local steps = require "signorini.steps"
 local run_options = {}
 
 --- All of them.
-run_options.keys = { "step", "arc_length", "on_step", "on_iteration", "checkpoint", "resume", "threads", "newton", "linear",
-                     "predictor", "augmented", "damping", "penalty", "rescue", "states" }
+run_options.keys = { "step", "arc_length", "on_step", "on_iteration", "checkpoint", "resume", "threads", "newton",
+                     "linear", "predictor", "augmented", "damping", "penalty", "rescue", "states" }
 
 --- ε_acts of the frozen active set: a number, true for 0.01, false or nothing for none.
 local function read_freeze(where, value)

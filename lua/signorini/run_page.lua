@@ -1,16 +1,16 @@
 -- The help page of model:run, which run.lua reads and does.
 
 return [[
-model:run(stages, { step, newton, linear, predictor, rescue = false, arc_length = false, damping = false, augmented, penalty,
-                    checkpoint, resume = false, states, on_step, on_iteration, threads })
+model:run(stages, { step, newton, linear, predictor, rescue = false, arc_length = false, damping = false, augmented,
+                    penalty, checkpoint, resume = false, states, on_step, on_iteration, threads })
 Takes a model along its load path and returns a run.
-stages = { { name = , steps = , <support or load> = {…} }, … }: each moves driven supports and loads in equal steps to the
-values at its end, a list over the components that are driven (of one alone a number will do); those that are not named stay
-where they are.
+stages = { { name = , steps = , <support or load> = {…} }, … }: each moves driven supports and loads in equal steps to
+the values at its end, a list over the components that are driven (of one alone a number will do); those that are not
+named stay where they are.
 Options:
-  newton = { tolerance = 1e-10, iterations = 25, line_search = "none", freeze_active_set = false, active_set_changes = },
-    linear = "auto", augmented = { penetration = 1e-6, loops = 100 }, damping = false: see help "model:solve_step";
-    freeze_active_set = true is 0.01.
+  newton = { tolerance = 1e-10, iterations = 25, line_search = "none", freeze_active_set = false,
+    active_set_changes = }, linear = "auto", augmented = { penetration = 1e-6, loops = 100 }, damping = false: see
+    help "model:solve_step"; freeze_active_set = true is 0.01.
   predictor = "tangent", "constant" or "linear": the first guess of a step; linear goes on as the last one went.
   rescue = true: a step that fails is tried again with the tangent's predictor, and, where the tangent is singular
     because contact alone holds a body, with damping; then, where it cannot be cut any more, with damping, a line
@@ -26,9 +26,9 @@ Options:
   default.
   arc_length = true: where a step fails, arcs follow the path, also back, until the step's end is passed; rows between
   steps have a fractional step, run.controls says where control changed.
-  checkpoint = "run.sgn", or checkpoint = { file = "run.sgn", every = 10, durable = false }: after every step, or every so
-  many, and at the end the model is saved together with how the run stands; a process that is killed leaves the file of the
-  last such step. It is on the disk after a second; durable = true waits for the disk at every step.
+  checkpoint = "run.sgn", or checkpoint = { file = "run.sgn", every = 10, durable = false }: after every step, or every
+  so many, and at the end the model is saved together with how the run stands; a process that is killed leaves the file
+  of the last such step. It is on the disk after a second; durable = true waits for the disk at every step.
   resume = true: goes on from the checkpoint's file where there is one, with the same bits as a run that nothing has
   disturbed; the file of a finished run gives that run at once. Scene and stages must be the same. See also model:save.
   on_step = function(info): sees info.step, info.stage, info["grip.fx"] … after each step; returns nothing, "stop" to

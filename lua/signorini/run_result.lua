@@ -263,9 +263,9 @@ end
 core.docs["run"] = [[
 run
 What model:run returns: run.failed, reason, cause, report, places (see help "model:run"); run.steps that were reached,
-iterations, cutbacks, rescues, wall (s), timings { bulk, contact, linear, rest } (s), stages (a list of accounts by name),
-controls (where arc length took over), warnings (such as a contact that never touched, in words). print(run) shows a
-short table.]]
+iterations, cutbacks, rescues, wall (s), timings { bulk, contact, linear, rest } (s), stages (a list of accounts by
+name), controls (where arc length took over), warnings (such as a contact that never touched, in words). print(run)
+shows a short table.]]
 
 core.docs["run:columns"] = [[
 run:columns()

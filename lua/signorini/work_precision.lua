@@ -229,7 +229,9 @@ return function(study, options)
   local points, left_out, marks = read_points(study, read)
   if #points == 0 then
     local why = outcomes.why_none(study)
-    if why then core.fail(("%s: no case has both %s and %s: %s"):format(where, read.time.name, read.error.name, why)) end
+    if why then
+      core.fail(("%s: no case has both %s and %s: %s"):format(where, read.time.name, read.error.name, why))
+    end
     core.fail(("%s: no case has both %s and %s%s"):format(where, read.time.name, read.error.name,
       left_out[1] and (": %s: %s"):format(quantity.case(study, left_out[1].row), left_out[1].why) or ""))
   end

@@ -19,17 +19,18 @@ local function result_table(cases)
   for i, case in ipairs(cases) do
     local run, drag = case.run, case.drag or {}
     local inside = drag.mean and drag.mean >= sixty.range[1] and drag.mean <= sixty.range[2]
-    rows[i] = { case.label, case.mesh.name, case.part, case.through, case.points or "3(p+1)", case.dofs.total, run.iterations,
-                run.cutbacks, run.failed and run.reason or "complete", case.user, case.pressed, drag.mean, drag.low,
-                drag.high, drag.mean and (inside and "yes" or "no"), case.user / sixty.febio, case.user / sixty.getfem }
+    rows[i] = { case.label, case.mesh.name, case.part, case.through, case.points or "3(p+1)", case.dofs.total,
+                run.iterations, run.cutbacks, run.failed and run.reason or "complete", case.user, case.pressed,
+                drag.mean, drag.low, drag.high, drag.mean and (inside and "yes" or "no"), case.user / sixty.febio,
+                case.user / sixty.getfem }
   end
   return sg.table{
-    columns = { "label", "mesh", "part", "through", "points", "DOFs", "iterations", "cut-backs", "end", "user", "Pz", "Pz",
-                "Pz", "Pz", "5.75-5.85", "user", "user" },
+    columns = { "label", "mesh", "part", "through", "points", "DOFs", "iterations", "cut-backs", "end", "user", "Pz",
+                "Pz", "Pz", "Pz", "5.75-5.85", "user", "user" },
     units = { "", "", "", "degree", "", "", "", "", "", "s", "pressed", "mean", "least", "greatest", "", "of FEBio's",
               "of GetFEM's" }, rows = rows,
-    formats = { "%s", "%s", "%s", "%d", "%s", "%d", "%d", "%d", "%s", "%.2f", "%.3f", "%.3f", "%.3f", "%.3f", "%s", "%.3f",
-                "%.3f" },
+    formats = { "%s", "%s", "%s", "%d", "%s", "%d", "%d", "%d", "%s", "%.2f", "%.3f", "%.3f", "%.3f", "%.3f", "%s",
+                "%.3f", "%.3f" },
   }
 end
 
@@ -46,13 +47,13 @@ function sixty.cheapest(cases)
 end
 
 local function csv(file, cases)
-  local data = { columns = { "label", "mesh", "part", "through", "points", "dofs", "iterations", "cutbacks", "user", "pressed",
-                             "drag_mean", "drag_low", "drag_high" },
+  local data = { columns = { "label", "mesh", "part", "through", "points", "dofs", "iterations", "cutbacks", "user",
+                             "pressed", "drag_mean", "drag_low", "drag_high" },
                  comments = { ("user time in s; FEBio %g, GetFEM %g"):format(sixty.febio, sixty.getfem) }, rows = {} }
   for i, case in ipairs(cases) do
     local drag = case.drag or {}
-    data.rows[i] = { case.label, case.mesh.name, case.part, case.through, case.points, case.dofs.total, case.run.iterations,
-                     case.run.cutbacks, case.user, case.pressed, drag.mean, drag.low, drag.high }
+    data.rows[i] = { case.label, case.mesh.name, case.part, case.through, case.points, case.dofs.total,
+                     case.run.iterations, case.run.cutbacks, case.user, case.pressed, drag.mean, drag.low, drag.high }
   end
   sg.csv.write(file, data)
 end

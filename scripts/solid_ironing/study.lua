@@ -56,9 +56,9 @@ end
 
 --- Runs a case, also with on_step(model, info); steps that fail are cut in half. Adds to it: run, dofs (both bodies),
 --- user (seconds of processor time that the run took, all threads), x (of the die's centre), Px, Pz (forces on the
---- slab, of the whole scene) after every step, pressed (Pz at the full depth), drag (mean, low and high of Pz while it slides), dPx, dPz
---- ({ raw, detrended } over the steps first to last; empty when the run ended before), first_failure ({ step, reason }
---- of the first attempt that failed).
+--- slab, of the whole scene) after every step, pressed (Pz at the full depth), drag (mean, low and high of Pz while it
+--- slides), dPx, dPz ({ raw, detrended } over the steps first to last; empty when the run ended before), first_failure
+--- ({ step, reason } of the first attempt that failed).
 function study.solve(problem, case)
   local model, die, slab = problem.scene(case)
   local began = os.clock()

@@ -10,7 +10,8 @@ end
 
 check.case("defaults, each as it was declared", function()
   local options = sg.arguments({ mesh = { "m1" }, sizes = { 1, 2 }, loads = { 0, 0.5 }, steps = 10, penalty = 100.0,
-                                 keep = false, label = "N2", limit = { 1e5, above = 0 }, fine = { {}, none = true } }, {})
+                                 keep = false, label = "N2", limit = { 1e5, above = 0 },
+                                 fine = { {}, none = true } }, {})
   check.equal({ options.mesh, options.sizes, options.loads, options.fine }, { { "m1" }, { 1, 2 }, { 0, 0.5 }, {} })
   check.equal({ options.steps, options.penalty, options.keep, options.label, options.limit },
     { 10, 100.0, false, "N2", 1e5 })
@@ -131,7 +132,8 @@ check.case("a script's own mistakes are errors at its line", function()
     [{ mesh = { "m1", 2 } }] = "the default of mesh must be a text, a number, true, false, or a list",
     [{ scene = print }] = "the default of scene must be a text, a number",
     [{ label = { "N2", at_least = 1 } }] = "label.at_least is for numbers, and label is not one",
-    [{ a = {} }] = "the default of a is an empty table: write { {}, none = true } for a list of texts that may be empty",
+    [{ a = {} }] =
+      "the default of a is an empty table: write { {}, none = true } for a list of texts that may be empty",
     [{ label = { "N2", none = true } }] = "label.none is for lists",
     [{ label = { "N2", check = print } }] = "label needs both check, a function, and expected",
     [{ label = { "N2", check = 1, expected = "a" } }] = "label.check must be a function, got the number 1",

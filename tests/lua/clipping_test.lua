@@ -155,7 +155,8 @@ each_size("a chart with thirty names on its axis", chart(with { xticks = meshes 
 each_size("a heat map", heatmap {})
 each_size("a heat map of long names", heatmap { x = { words, "N2" }, y = { "m1", words } })
 each_size("a heat map of outcomes", heatmap {
-  categories = { { name = "completed" }, { name = words } }, values = { { "completed", words }, { words, "completed" } } })
+  categories = { { name = "completed" }, { name = words } },
+  values = { { "completed", words }, { words, "completed" } } })
 each_size("heat maps side by side", heatmap {
   panels = { { title = words, values = { { 1, 2 }, { 3, 4 } } }, { title = "b", values = { { 1, 2 }, { 3, 4 } } } } })
 

@@ -133,10 +133,12 @@ check.case("at the prompt errors are one line, traceback() tells how they came a
   local result = run({},
     "function f() error 'no' end\nfunction g() f() return 1 end\ng()\n40 + 2\n_ / 2\nx = 3\n_\nnil\n_\ntraceback()\n")
   check.equal(result.status, 1)
-  check.equal(result.output:match "^prompt:1: no\n42\n21.0\n21.0\nnil\n21.0\nprompt:1: no\nstack traceback:\n" ~= nil, true)
+  check.equal(result.output:match "^prompt:1: no\n42\n21.0\n21.0\nnil\n21.0\nprompt:1: no\nstack traceback:\n" ~= nil,
+    true)
   check.holds(result.output, "in function 'f'", "in function 'g'")
   check.holds(run({}, "traceback()\n").output, "There has been no error.")
-  check.holds(run({}, "local y, z = 3\nlocal function f() end\nx = 1\nz\nf()\nqq\n").output, "undefined variable 'z'; it was local to its line: leave "
+  check.holds(run({}, "local y, z = 3\nlocal function f() end\nx = 1\nz\nf()\nqq\n").output,
+    "undefined variable 'z'; it was local to its line: leave "
     .. "out `local` at the prompt\n", "undefined variable 'f'; it was local", "undefined variable 'qq'\n")
   check.holds(run({}, "_\n").output, "undefined variable '_'; at the prompt it is the last result, once there is one")
 end)
@@ -144,8 +146,10 @@ end)
 check.case("errors in a call that is all of a line, of -e or the end of a script find their place", function()
   local result = run({}, "sg.study{ a = 1 }\nreturn sg.median { 'a' }\nfunction f() error('no', 2) end\n\nf()\n(1)\n")
   check.holds(result.output, "prompt:1: sg.study: unknown argument 'a'", "prompt:1: sg.median: ", "prompt:1: no\n1\n")
-  check.holds(run { "-e", "return sg.study{ a = 1 }" }.output, "signorini: (command line):1: sg.study: unknown argument 'a'")
-  check.holds((check.script "local sg = require 'signorini'\n\nreturn sg.study{ a = 1 }"), "signorini: study.lua:3: sg.study: unknown")
+  check.holds(run { "-e", "return sg.study{ a = 1 }" }.output,
+    "signorini: (command line):1: sg.study: unknown argument 'a'")
+  check.holds((check.script "local sg = require 'signorini'\n\nreturn sg.study{ a = 1 }"),
+    "signorini: study.lua:3: sg.study: unknown")
 end)
 
 check.case("nothing is coloured that does not go to a terminal", function()
@@ -199,9 +203,11 @@ check.case("a script that comes along runs by its name, unless there is a file o
   check.shell("rm -r " .. folder)
 end)
 
-check.case("help takes a method by the letter that pages call its object by, and closes what a list cuts off", function()
+check.case("help takes a method by the letter that pages call its object by, and closes what a list cuts off",
+  function()
   local output = check.program({}, '?m:iterate\nhelp "m:run"\nhelp "p:insert"\nhelp "pictures"\nhelp "m:nonsense"\n')
-  check.holds(output, "m:iterate{ … }\nOne iteration of", "model:run(stages, { step,", "\nTakes a model along", "p:insert(",
+  check.holds(output, "m:iterate{ … }\nOne iteration of", "model:run(stages, { step,", "\nTakes a model along",
+    "p:insert(",
     "  sg.picture{ model,", ", … }     Draws", "no page on 'm:nonsense'")
 end)
 

@@ -256,13 +256,15 @@ check.case("sg.robust turns on what easy runs do not pay for", function()
   check.equal({ robust.predictor, robust.rescue, robust.step.adaptive }, { "linear", true, true })
   robust = sg.robust { step = { adaptive = true, min = 1 / 256 }, predictor = "tangent", linear = "klu" }
   check.equal({ robust.predictor, robust.rescue, robust.step.min, robust.linear }, { "tangent", true, 1 / 256, "klu" })
-  check.fails(function() sg.robust(7) end, "controls_test.lua:", "sg.robust: options must be a table of options of model:run")
+  check.fails(function() sg.robust(7) end, "controls_test.lua:",
+    "sg.robust: options must be a table of options of model:run")
   for message, options in pairs {
     ["unknown argument 'miin' in options.step; did you mean 'min'?"] = { step = { adaptive = true, miin = 0.1 } },
     ["step.min must be a number above 0 and at most 1, got the number 2"] = { step = { min = 2 } },
     ["unknown argument 'tolerence' in options.newton; did you mean 'tolerance'?"] = { newton = { tolerence = 1e-8 } },
     ["linear must be 'auto'"] = { linear = "kul" },
-    ["unknown argument 'evry' in options.checkpoint; did you mean 'every'?"] = { checkpoint = { file = "a.sgn", evry = 2 } },
+    ["unknown argument 'evry' in options.checkpoint; did you mean 'every'?"] =
+      { checkpoint = { file = "a.sgn", evry = 2 } },
     ["on_step must be a function, got true"] = { on_step = true },
   } do
     check.fails(function() sg.robust(options) end, "controls_test.lua:", "sg.robust: " .. message)
@@ -328,7 +330,8 @@ check.case("wrong options are refused before the first step, at the user's line"
       "did you mean 'linear'?" },
     { { predictor = true }, "predictor must be 'tangent', 'constant' or 'linear', got true" },
     { { predicter = "linear" }, "unknown argument 'predicter' in options", "did you mean 'predictor'?" },
-    { { newton = { line_search = "enrgy" } }, "newton.line_search must be 'none', 'residual' or 'energy'", "did you mean 'energy'?" },
+    { { newton = { line_search = "enrgy" } }, "newton.line_search must be 'none', 'residual' or 'energy'",
+      "did you mean 'energy'?" },
     { { newton = { tol = 1e-8 } }, "unknown argument 'tol' in options.newton", "did you mean 'tolerance'?" },
     { { newton = { tolerance = "1e-8" } }, "newton.tolerance must be a positive number", "remove the quotes" },
     { { newton = { linesearch = "energy" } }, "unknown argument 'linesearch'", "did you mean 'line_search'?" },

@@ -46,10 +46,12 @@ check.case("named lists are columns, in the order asked for or of their names", 
 end)
 
 check.case("columns need names, rows no more values than there are columns", function()
-  check.fails(function() sg.csv.write(file, { columns = { "" }, rows = { { 1 } } }) end, "csv_test.lua", "columns[1] must be a name")
+  check.fails(function() sg.csv.write(file, { columns = { "" }, rows = { { 1 } } }) end, "csv_test.lua",
+    "columns[1] must be a name")
   check.fails(function() sg.csv.write(file, { columns = { "a" }, rows = { { 1 }, { 1, 2 } } }) end,
     "rows[2] has an entry '2', but there is 1 column")
-  check.fails(function() sg.csv.read(5) end, "csv_test.lua", "sg.csv.read: file must be the name of a file, got the number 5")
+  check.fails(function() sg.csv.read(5) end, "csv_test.lua",
+    "sg.csv.read: file must be the name of a file, got the number 5")
   check.fails(function() sg.csv.write(nil, {}) end, "sg.csv.write: file, the first argument, is missing")
   sg.csv.write(file, { columns = { "a", "b" }, rows = { { 1, "" }, { 2 } } })
   check.equal(core.read_file(file), "a,b\n1,\"\"\n2,\n")
@@ -60,15 +62,18 @@ check.case("aligned tables show what a cell can hold, and no more than there are
   check.equal(sg.table{ columns = { "a" }, rows = { { 1 }, {}, { "x" }, { true } } }, "   a\n   1\n   –\n   x\ntrue")
   check.fails(function() sg.table{ columns = { "a" }, rows = { { {} } } } end, "csv_test.lua",
     "sg.table: rows[1][1] must be a number, a text, true or false, got an empty table")
-  check.fails(function() sg.table{ columns = { "a" }, rows = { { 2, 3 } } } end, "rows[1] has an entry '2', but there is 1 column")
+  check.fails(function() sg.table{ columns = { "a" }, rows = { { 2, 3 } } } end,
+    "rows[1] has an entry '2', but there is 1 column")
 end)
 
 check.case("a published table that does not exist: the names of those that do", function()
-  check.fails(function() sg.reference "rings2d_error_table" end, "csv_test.lua", "sg.reference: there is no table 'rings2d_error_table'",
+  check.fails(function() sg.reference "rings2d_error_table" end, "csv_test.lua",
+    "sg.reference: there is no table 'rings2d_error_table'",
     "did you mean 'rings2d_error_table7_5'?", "hertz2d_dofs_table7_4, ironing2d_dofs_table7_2, ")
 end)
 
-check.case("files from elsewhere: byte-order mark, carriage returns, blanks, blank lines, no last line break", function()
+check.case("files from elsewhere: byte-order mark, carriage returns, blanks, blank lines, no last line break",
+  function()
   write_text "\xEF\xBB\xBF# from a spreadsheet\r\nname , value\r\n\r\n\"x, y\" , 2\r\nz,"
   local ok, message = pcall(sg.csv.read, file)
   check.equal(ok, false)

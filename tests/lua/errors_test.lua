@@ -9,9 +9,10 @@ local nan = 0 / 0
 check.case("wrong named arguments", function()
   local rectangle = sg.shapes.rectangle
   local wrong = {
-    { { width = 3, hieght = 1 }, "unknown argument 'hieght' (the number 1); did you mean 'height'? known: width, height, corner" },
-    { { w = 3, h = 1 }, "unknown argument 'h' (the number 1); did you mean 'height'?; unknown argument 'w' (the number 3); "
-      .. "did you mean 'width'? known: width, height, corner" },
+    { { width = 3, hieght = 1 },
+      "unknown argument 'hieght' (the number 1); did you mean 'height'? known: width, height, corner" },
+    { { w = 3, h = 1 }, "unknown argument 'h' (the number 1); did you mean 'height'?; "
+      .. "unknown argument 'w' (the number 3); did you mean 'width'? known: width, height, corner" },
     { { width = 3, height = 1, frobnicate = 2 }, "unknown argument 'frobnicate' (the number 2); known: width" },
     { { width = 3 }, "height (size along y) is missing: it must be a positive number" },
     { { width = "3", height = 1 },
@@ -39,8 +40,9 @@ end)
 check.case("what is meant is said: parts of names, what has no name, tables in place of objects", function()
   local body = sg.body{ patch = p, elements = {2, 2}, order = "N2", contact = "north",
                         material = sg.neo_hookean{ E = 1, nu = 0.3 } }
-  check.fails(function() sg.model{ bodies = { b = body }, supports = { bed = { on = body:face "south", fixed = "xy" } } } end,
-    "supports.bed: unknown argument 'fixed'", "did you mean 'fix'?")
+  check.fails(function()
+    sg.model{ bodies = { b = body }, supports = { bed = { on = body:face "south", fixed = "xy" } } }
+  end, "supports.bed: unknown argument 'fixed'", "did you mean 'fix'?")
   check.fails(function() sg.model{ bodies = { b = body }, contacts = { slave = body:face "north", penalty = 1 } } end,
     "contacts holds one contact that has no name", "contacts = { name = { slave = …")
   check.fails(function() sg.body{ patch = p, elements = {2, 2}, order = "N2", material = { E = 1, nu = 0.3 } } end,
@@ -80,9 +82,11 @@ end)
 
 check.case("more arguments than a function takes", function()
   local c = sg.nurbs.circle { radius = 1 }
-  check.fails(function() c(0.5, 0.5) end, "errors_test.lua:", "patch: too many arguments: it is called as p(xi), got the number 0.5 beyond that",
+  check.fails(function() c(0.5, 0.5) end, "errors_test.lua:",
+    "patch: too many arguments: it is called as p(xi), got the number 0.5 beyond that",
     "into braces")
-  check.fails(function() p:degrees(1) end, "patch:degrees: too many arguments: it is called as p:degrees(), got the number 1")
+  check.fails(function() p:degrees(1) end,
+    "patch:degrees: too many arguments: it is called as p:degrees(), got the number 1")
   check.fails(function() p:elevate(1, 2, 3) end, "called as p:elevate(dir, times = 1), got the number 3")
   check.fails(function() sg.shapes.rectangle({ width = 1, height = 1 }, "x") end,
     "sg.shapes.rectangle: too many arguments: it is called as sg.shapes.rectangle{ … }, got the string 'x'")
@@ -91,7 +95,8 @@ end)
 
 check.case("messages name the cure that helps", function()
   local c = sg.nurbs.line { from = { 0, 0 }, to = { 2, 0 } }
-  check.fails(function() c("0.5") end, "xi must be a number (parametric coordinates), got the string '0.5': remove the quotes")
+  check.fails(function() c("0.5") end,
+    "xi must be a number (parametric coordinates), got the string '0.5': remove the quotes")
   check.near(c(1 + 1e-13), { 2, 0 }, 1e-12)
   check.fails(function() c(1 + 1e-10) end, "xi: 1 is outside the knots, [0, 1], by 1.0000")
   check.fails(function() c:face "south" end, "patch:face: a curve has two end points, and no faces")
@@ -99,10 +104,12 @@ check.case("messages name the cure that helps", function()
   local message = check.fails(function() p:face "nonsense" end, "'nonsense' is unknown")
   check.equal(message:find "did you mean", nil)
   check.fails(function() sg.nurbs.circle(1) end, "write sg.nurbs.circle{ radius = … }")
-  message = check.fails(function() p:write "slab.vtk" end, "file must be a name that ends with .xml, .txt or .mesh (where the patches go)")
+  message = check.fails(function() p:write "slab.vtk" end,
+    "file must be a name that ends with .xml, .txt or .mesh (where the patches go)")
   check.equal(select(2, message:gsub("a name that ends", "")), 1)
   check.fails(function() sg.nurbs.line { from = { 0, 1.5 }, to = { 0, 1.5 } } end, "the same point, (0, 1.5)")
-  check.equal(tostring(sg.rigid.plane { point = { 0, -1 }, normal = { 0, 1 } }), "rigid plane through (0, -1), normal (0, 1)")
+  check.equal(tostring(sg.rigid.plane { point = { 0, -1 }, normal = { 0, 1 } }),
+    "rigid plane through (0, -1), normal (0, 1)")
 end)
 
 check.case("wrong geometry", function()
@@ -133,7 +140,8 @@ check.case("the message begins with the user's line, also in functions, coroutin
   check.holds(message, ("errors_test.lua:%d: "):format(expected))
 end)
 
-check.case("functions and methods written in Lua are found behind `return`, too, and let coroutines yield through", function()
+check.case("functions and methods written in Lua are found behind `return`, too, and let coroutines yield through",
+  function()
   local body = sg.body { patch = p, elements = { 1, 1 }, order = "N1", material = sg.neo_hookean { E = 1, nu = 0.3 } }
   local model = sg.model { bodies = { body = body }, supports = { bed = { on = body:face "south", drive = "xy" } } }
   local first = debug.getinfo(1, "l").currentline + 1
@@ -141,7 +149,8 @@ check.case("functions and methods written in Lua are found behind `return`, too,
   local function run() return model:run { { steps = 0 } } end
   local function rows() return sg.csv.write(3, {}) end
   for i, tail in ipairs { study, run, rows } do
-    check.fails(tail, ("errors_test.lua:%d: %s"):format(first + i - 1, ({ "sg.study", "model:run", "sg.csv.write" })[i]))
+    check.fails(tail, ("errors_test.lua:%d: %s"):format(first + i - 1,
+      ({ "sg.study", "model:run", "sg.csv.write" })[i]))
   end
   local thread = coroutine.create(function()
     return model:run({ { steps = 2, bed = { 0, 0 } } }, { on_step = function(info) coroutine.yield(info.step) end })
@@ -190,7 +199,9 @@ check.case("numbers that no axis can hold are refused, and nothing hangs", funct
   check.fails(function()
     sg.chart { file = file .. ".png", x = { 1, 2 }, { y = { 1, 2 } }, hlines = { { 1e308, "a" }, { -1e308, "b" } } }
   end, wide)
-  check.fails(function() sg.heatmap { file = file .. ".png", x = { 1, 2 }, y = { 1 }, values = { { 1e308, -1e308 } } } end,
+  check.fails(function()
+    sg.heatmap { file = file .. ".png", x = { 1, 2 }, y = { 1 }, values = { { 1e308, -1e308 } } }
+  end,
     "sg.heatmap: ", wide)
   check.fails(function()
     sg.heatmap { file = file .. ".png", x = { 1, 2 }, y = { 1 }, log = true, values = { { 1e-200, 1e200 } } }
@@ -200,7 +211,8 @@ check.case("numbers that no axis can hold are refused, and nothing hangs", funct
   os.remove(file .. ".png")
 end)
 
-check.case("the traceback of a script holds its own frames; those of the library only where that is at fault", function()
+check.case("the traceback of a script holds its own frames; those of the library only where that is at fault",
+  function()
   local script = [[
 local sg = require "signorini"
 local function choose() local options = sg.robust{ bogus = 1 } return options end
@@ -209,7 +221,8 @@ study()
 ]]
   local output = check.script(script)
   check.holds(output, "signorini: study.lua:2: sg.robust: unknown argument 'bogus'",
-    "stack traceback:\n\tstudy.lua:2: in upvalue 'choose'\n\tstudy.lua:3: in local 'study'\n\tstudy.lua:4: in main chunk\n")
+    "stack traceback:\n\tstudy.lua:2: in upvalue 'choose'\n\tstudy.lua:3: in local 'study'\n"
+      .. "\tstudy.lua:4: in main chunk\n")
   check.holds(check.script [[require("signorini.lists").sorted_names(1)]], "lua/signorini/lists.lua:", "[C]: in ")
 end)
 

@@ -138,7 +138,8 @@ check.case("left-handed and crossing volumes are no bodies", function()
   check.fails(function() turned(square, -90) end, "sg.body: patch: the map is not right-handed (Jacobian -", cure)
   check.fails(function() turned(square:translate { -2.5, 0, 0 }, 90) end, "patch: the map is not right-handed", cure)
   local flat = sg.nurbs.ruled { a = square, b = square:translate { 1, 0, 0.5 } }
-  check.fails(function() solid(flat, { 1, 1, 1 }, "N1") end, "patch: the map has no volume (Jacobian 0) near (2.42", "folded flat")
+  check.fails(function() solid(flat, { 1, 1, 1 }, "N1") end, "patch: the map has no volume (Jacobian 0) near (2.42",
+    "folded flat")
   local points = sg.shapes.block { size = { 1, 1, 1 } }:points()
   points[1], points[2] = points[2], points[1]
   local U = { 0, 0, 1, 1 }
@@ -154,7 +155,8 @@ check.case("between plane and space", function()
   check.equal(raised:to_plane():points(), ring:points())
   check.equal(ring:to_plane():points(), ring:points())
   check.near(ring:to_space() { 0, 0 }, { 0, -2, 0 })
-  check.fails(function() raised:to_space { z = 1 } end, "patch:to_space: the patch lies in 3D already", "patch:translate")
+  check.fails(function() raised:to_space { z = 1 } end, "patch:to_space: the patch lies in 3D already",
+    "patch:translate")
   check.fails(function() raised:rotate { angle = 30, axis = { 1, 0, 0 } }:to_plane() end,
     "patch:to_plane: z of its control points goes from 1.59", "to 2.59", "patch:rotate")
   check.fails(function() sg.shapes.block { size = { 1, 1, 1 } }:to_plane() end, "patch:to_plane: a volume does not fit")
@@ -172,9 +174,12 @@ check.case("plane patches are swept out of their plane", function()
   check.near(turned { 0, 1, 0 }, { 3, 2, 0 })
   check.near(turned { 0, 1, 1 }, { 0, 2, 3 })
   assert(solid(turned, { 1, 1, 2 }, "N2"))
-  check.near(sg.nurbs.revolve { patch = section, point = { 3, 0 }, axis = { 0, -1 }, angle = 90 } { 1, 0, 1 }, { 3, 0, 1 })
-  check.fails(function() sg.nurbs.revolve { patch = section, axis = { 0, 0, 1 } } end, "axis is normal to the plane of the patch")
-  local disc = sg.nurbs.revolve { patch = sg.nurbs.line { from = { 1, 0 }, to = { 2, 0 } }, axis = { 0, 0, 1 }, angle = 90 }
+  check.near(sg.nurbs.revolve { patch = section, point = { 3, 0 }, axis = { 0, -1 }, angle = 90 } { 1, 0, 1 },
+    { 3, 0, 1 })
+  check.fails(function() sg.nurbs.revolve { patch = section, axis = { 0, 0, 1 } } end,
+    "axis is normal to the plane of the patch")
+  local disc = sg.nurbs.revolve { patch = sg.nurbs.line { from = { 1, 0 }, to = { 2, 0 } }, axis = { 0, 0, 1 },
+    angle = 90 }
   check.near(disc { 1, 1 }, { 0, 2, 0 })
   check.fails(function() sg.nurbs.extrude { patch = section, along = { 0, 1 } } end,
     "sg.nurbs.extrude: along must be a list of 3 numbers {x, y, z}", "lies in z = 0", "{0, 0, 1}")

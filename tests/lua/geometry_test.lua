@@ -153,7 +153,9 @@ end)
 
 check.case("directions run backwards, change places, and mirror images stay right-handed", function()
   local soft = sg.neo_hookean { E = 1, nu = 0.3 }
-  local function body(patch, elements) return sg.body { patch = patch, elements = elements, order = "N2", material = soft } end
+  local function body(patch, elements)
+    return sg.body { patch = patch, elements = elements, order = "N2", material = soft }
+  end
   local p = sg.shapes.rectangle { width = 3, height = 1 }
   check.near(p:reverse(1) { 0.25, 0 }, { 2.25, 0 })
   check.near(p:reverse(2) { 0.25, 0 }, { 0.75, 1 })
@@ -171,7 +173,8 @@ end)
 
 check.case("a body says along which directions it is closed", function()
   local function told(patch, elements)
-    return tostring(sg.body { patch = patch, elements = elements, order = "N2", material = sg.neo_hookean { E = 1, nu = 0.3 } })
+    return tostring(sg.body { patch = patch, elements = elements, order = "N2",
+      material = sg.neo_hookean { E = 1, nu = 0.3 } })
   end
   local ring = sg.nurbs.ruled { a = sg.nurbs.circle { radius = 2 }, b = sg.nurbs.circle { radius = 1 } }
   check.holds(told(ring, { 8, 1 }), "degrees of freedom, closed along xi1, E = 1")

@@ -68,9 +68,11 @@ check.case("help finds the scripts that come along, and shows what they solve", 
   check.equal(#all > 20, true)
   check.equal({ scripts.of "hertz2d".name, scripts.of "scripts/stability/peeling.lua".name, scripts.of "problem" },
     { "hertz2d.lua", "stability/peeling.lua", nil })
-  local output = check.program({}, 'help "gallery"\nhelp "hertz"\nhelp "hertz2d"\nhelp "scripts"\nhelp "hertz_sphere.lau"\n')
+  local output = check.program({},
+    'help "gallery"\nhelp "hertz"\nhelp "hertz2d"\nhelp "scripts"\nhelp "hertz_sphere.lau"\n')
   for _, name in ipairs(all) do check.holds(output, "\n  " .. name .. " ") end
-  check.holds(output, "Scripts with 'hertz':\n  hertz2d.lua ", "/scripts/hertz2d.lua\n\nHertz's line contact: what", "\nRun: signorini",
+  check.holds(output, "Scripts with 'hertz':\n  hertz2d.lua ", "/scripts/hertz2d.lua\n\nHertz's line contact: what",
+    "\nRun: signorini",
     "Tables, files, scripts:\n", "did you mean 'hertz_sphere.lua'?")
 end)
 
@@ -86,7 +88,8 @@ check.case("lists give each page a line with its first sentence", function()
   end
   check.equal(pages.list { "study:with" },
     "  study:with(name, …)  The study with one figure more, made from each row; nil where it is not known")
-  check.equal({ pages.head "help", pages.head "sg.picture" }, { "help(…)", "sg.picture{ model, file, field, fields, … }" })
+  check.equal({ pages.head "help", pages.head "sg.picture" },
+    { "help(…)", "sg.picture{ model, file, field, fields, … }" })
 end)
 
 check.case("internal pages are in no list", function()

@@ -1,5 +1,5 @@
--- Ctrl-C while a solid is solved: the prompt comes back within one iteration, and the model can be used. What was solved
--- until then is kept where the line that was typed puts it.
+-- Ctrl-C while a solid is solved: the prompt comes back within one iteration, and the model can be used. What was
+-- solved until then is kept where the line that was typed puts it.
 
 local check = require "check"
 

@@ -112,7 +112,8 @@ check.case("moves are accepted in equilibrium only, and rolled back", function()
   local accepted = model:displacements()
   model:set_target("grip", { 0, -0.03 })
   model:move(zeros(model))
-  check.fails(function() model:accept() end, "own_loop_test.lua:", "model:accept: the state is not in equilibrium yet: its residual is ",
+  check.fails(function() model:accept() end, "own_loop_test.lua:",
+    "model:accept: the state is not in equilibrium yet: its residual is ",
     "move on, or roll back")
   model:rollback()
   check.equal(model:displacements(), accepted)
@@ -136,7 +137,8 @@ end)
 check.case("wrong moves", function()
   local model = scene()
   local count = #model:residual()
-  check.fails(function() model:move { 1, 2 } end, ("model:move: du must be a list of %d numbers, as m:residual() is"):format(count),
+  check.fails(function() model:move { 1, 2 } end,
+    ("model:move: du must be a list of %d numbers, as m:residual() is"):format(count),
     "got a list of 2 values")
   local change = zeros(model)
   change[3] = 0 / 0
@@ -155,7 +157,8 @@ end)
 check.case("a converged step that is not accepted is not thrown away by model:save", function()
   local model, file = scene(), os.tmpname()
   model:set_target("grip", { 0, -0.02 })
-  check.fails(function() model:save(file) end, "own_loop_test.lua:", "model:save: ", "targets", "not accepted", "model:rollback()")
+  check.fails(function() model:save(file) end, "own_loop_test.lua:", "model:save: ", "targets", "not accepted",
+    "model:rollback()")
   check.equal(model:solve_step {}.converged, true)
   check.fails(function() model:save(file) end, "model:save: ", "not accepted", "model:accept()")
   model:accept()

@@ -70,13 +70,15 @@ end)
 
 check.case("what is refused", function()
   local file = folder .. "/no.png"
-  check.fails(function() sg.picture{ patch = ring, field = "uy", file = file } end, "field is for models, and patch draws a shape that is none yet")
+  check.fails(function() sg.picture{ patch = ring, field = "uy", file = file } end,
+    "field is for models, and patch draws a shape that is none yet")
   check.fails(function() sg.picture{ patch = ring, states = {}, file = file } end, "states is for models")
   check.fails(function() sg.picture{ patch = block, cut = "y", file = file } end, "cut is for models")
   check.fails(function() sg.picture{ patch = { ring, block }, file = file } end, "patch[2] is in 3D and patch[1] in 2D")
   check.fails(function() sg.picture{ patch = {}, file = file } end, "list of at least one patch")
   check.fails(function() sg.picture{ patch = ring, camera = "top", file = file } end, "camera is for")
-  check.fails(function() sg.vtu{ patch = ring, deformed = true, file = folder .. "/n.vtu" } end, "deformed is for models")
+  check.fails(function() sg.vtu{ patch = ring, deformed = true, file = folder .. "/n.vtu" } end,
+    "deformed is for models")
   check.equal(io.open(file), nil)
 end)
 

@@ -89,7 +89,8 @@ check.case("what says the same draws the same", function()
   check.equal(drawn_alike({ model = m, camera = "front" }, { model = m, camera = { from = { 0, -2, 0 } } }), true)
   check.equal(drawn_alike({ model = m, camera = "top" }, { model = m, camera = { from = { 0, 0, 1 } } }), true)
   -- The cut face is seen by default
-  check.equal(drawn_alike({ model = m, cut = "y" }, { model = m, cut = "y", camera = { from = { 0.75, 1.5, 1 } } }), true)
+  check.equal(drawn_alike({ model = m, cut = "y" }, { model = m, cut = "y", camera = { from = { 0.75, 1.5, 1 } } }),
+    true)
   check.equal(drawn_alike({ model = m, cut = "-z" }, { model = m, cut = "-z", camera = { from = { 0.75, -1.5, -1 } } }),
               true)
   check.equal(drawn_alike({ model = m, cut = "-y" }, { model = m, cut = "-y", camera = "iso" }), true)
@@ -188,10 +189,12 @@ check.case("wrong arguments", function()
     { { model = model, cut = { normal = "y", at = -1 } }, "takes all bodies away" },
     { { model = model, crop = { 0, 1, 0, 1 } }, "crop must be a list of 6 numbers" },
     { { model = model, crop = { 0, 1, 0, 1, 1, 0 } }, "expected {xmin, xmax, ymin, ymax, zmin, zmax}" },
-    { { model = model, crop = { 5, 6, 5, 6, 5, 6 } }, "crop = {5, 6, 5, 6, 5, 6} shows nothing", "x = ", "y = ", "z = 0 … 1" },
+    { { model = model, crop = { 5, 6, 5, 6, 5, 6 } }, "crop = {5, 6, 5, 6, 5, 6} shows nothing", "x = ", "y = ",
+      "z = 0 … 1" },
     { { model = model, inset = { 5, 6, 5, 6, 5, 6 } }, "inset = {5, 6, 5, 6, 5, 6} shows nothing" },
     { { model = model, inset = { 1, 0, 0, 1, 0, 1 } }, "inset is {1, 0, 0, 1, 0, 1}; expected {xmin, xmax" },
-    { { model = model, cut = { normal = "x", at = 5 } }, "cut takes nothing away: the bodies lie in x = ", "z = 0 … 1" },
+    { { model = model, cut = { normal = "x", at = 5 } }, "cut takes nothing away: the bodies lie in x = ",
+      "z = 0 … 1" },
     { { model = model, cut = { normal = { 0, 0, -1 }, point = { 0, 0, -1 } } }, "cut takes nothing away" },
     { { model = model, marks = { { x = { 1, 2 } } } }, "marks[1].x must be a list of 3 numbers {x, y, z}" },
     { { model = model, bodies = { "slab" } }, "no body 'slab'", "'block'" },

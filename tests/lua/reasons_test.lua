@@ -108,8 +108,10 @@ end)
 
 check.case("interrupted: Ctrl-C ends the run at its last step, and the model can go on", function()
   local output, status = check.program({}, [[
-    b = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = {16, 16}, order = "N2", contact = "south", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
-    m = sg.model{ bodies = { block = b }, supports = { bed = { on = b:face "south", fix = "xy" }, top = { on = b:face "north", drive = "xy" } } }
+    b = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = {16, 16}, order = "N2",
+      contact = "south", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+    m = sg.model{ bodies = { block = b },
+      supports = { bed = { on = b:face "south", fix = "xy" }, top = { on = b:face "north", drive = "xy" } } }
     timer = io.popen "sleep 0.3; kill -INT $PPID" m:run{ { name = "shear", steps = 1000000, top = {0.3, 0} } }
     first = _
     print(first.reason, first.cause, first.failed, first.steps > 0, first.steps == first.rows, #first.places)

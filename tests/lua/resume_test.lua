@@ -133,8 +133,10 @@ check.case("files that do not fit are errors at the user's own line", function()
   ironing():run(path, { checkpoint = file })
   refused(ironing{ slab_E = 2 }, path, "was saved of another scene; what differs: body 'slab'")
   refused(ironing(), { path[1] }, "another path: it has 1 stage, the file's has 2")
-  refused(ironing(), { path[1], { name = "slide", steps = 13, grip = {0.2, -0.15} } }, "stage 2 ('slide').steps is 13, in the file 12")
-  refused(ironing(), { path[1], { name = "slide", steps = 12, grip = {0.3, -0.15} } }, "stage 2 ('slide') has other targets")
+  refused(ironing(), { path[1], { name = "slide", steps = 13, grip = {0.2, -0.15} } },
+    "stage 2 ('slide').steps is 13, in the file 12")
+  refused(ironing(), { path[1], { name = "slide", steps = 12, grip = {0.3, -0.15} } },
+    "stage 2 ('slide') has other targets")
   refused(ironing(), { { name = "down", steps = 8, grip = {0, -0.15} }, path[2] }, "stage 1 ('down').name", "press")
   local model = ironing()
   model:save(file)

@@ -307,7 +307,8 @@ check.case("one step is told as one", function()
 local sg = require "signorini"
 local block = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = {1, 1}, order = "N2",
                        material = sg.linear_elastic{ E = 1, nu = 0.3 } }
-local model = sg.model{ bodies = { block = block }, supports = { lid = { on = block:face "north", drive = "y", fix = "x" } } }
+local model = sg.model{ bodies = { block = block },
+                        supports = { lid = { on = block:face "north", drive = "y", fix = "x" } } }
 model:run{ { steps = 1, lid = {1} } }
 print(model)
 ]]

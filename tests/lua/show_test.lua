@@ -19,13 +19,14 @@ check.case("a patch and a body, with where they are", function()
     :format(slab, dofs.interface, dofs.bulk))
 end)
 
-check.case("print shows bodies and models as the prompt does, with degrees per direction; tostring is one line", function()
+check.case("print shows bodies and models as the prompt does, with degrees per direction; tostring is one line",
+  function()
   check.holds(slab, "plane body: 4 x 2 elements, degree 4 x 1, then 2 x 1, ")
   check.equal(tostring(slab):find "\n", nil)
   local output = check.script [[
     local sg = require "signorini"
-    local b = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = {4, 2}, order = "N3", contact = "south",
-      material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+    local b = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = {4, 2}, order = "N3",
+      contact = "south", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
     print(b)
     print(sg.model{ bodies = { b = b }, supports = { s = { on = b:face "north", fix = "xy" } } }, 7)]]
   check.equal(output, "plane body: 4 x 2 elements, degree 3 x 1, 42 degrees of freedom, E = 1, nu = 0.3\n"
@@ -68,14 +69,17 @@ end)
 check.case("functions by the head of their page or their place, tables of the language by their names", function()
   check.equal(show.text(sg.shapes.rectangle),
     "sg.shapes.rectangle{ width, height, corner = {0, 0} }\n  help(sg.shapes.rectangle) tells more")
-  check.holds(show.text(sg.chart), "sg.chart{ file, x, { y, x, label, line", "size = {1600, 1000} }\n  help(sg.chart) tells more")
+  check.holds(show.text(sg.chart), "sg.chart{ file, x, { y, x, label, line",
+    "size = {1600, 1000} }\n  help(sg.chart) tells more")
   check.equal(show.text(model.save), 'm:save(path)\n  help "model:save" tells more')
   local function own() end
-  check.equal(show.text(own), ("function (%s:%d)"):format(debug.getinfo(1, "S").short_src, debug.getinfo(own, "S").linedefined))
+  check.equal(show.text(own),
+    ("function (%s:%d)"):format(debug.getinfo(1, "S").short_src, debug.getinfo(own, "S").linedefined))
   check.equal(show.text { print, sg.body }, "{function, sg.body}")
   check.equal(show.text(sg.csv), "sg.csv: help(sg.csv) tells more\n  read, write")
   check.equal(tostring(sg), show.text(sg))
-  check.holds(tostring(sg), "sg: help(sg) tells more\n  arguments, body,", "\n  csv:\n    read, write\n  nurbs:\n    arc, circle,")
+  check.holds(tostring(sg), "sg: help(sg) tells more\n  arguments, body,",
+    "\n  csv:\n    read, write\n  nurbs:\n    arc, circle,")
 end)
 
 check.case("print begins a line for each value where one has a text of its own, else it is Lua's", function()

@@ -33,7 +33,8 @@ check.case("a grid holds all combinations, the last name fastest", function()
   check.fails(function() sg.grid({ a = { 1 } }, { a = { 2 } }) end, "the parameter 'a' is there twice")
   check.fails(function() sg.grid() end, "argument 1", "missing")
   check.fails(function() sg.grid{ a = { 1, 0 / 0 } } end, "sg.grid: a[2] must be a finite number", "got nan")
-  check.equal(tostring(sg.grid{ a = { 0.5 }, mesh = { { 6, 2 }, { name = "m1", 1 } } }), "2 cases\n  a  mesh\n0.5  6×2\n0.5  m1")
+  check.equal(tostring(sg.grid{ a = { 0.5 }, mesh = { { 6, 2 }, { name = "m1", 1 } } }),
+    "2 cases\n  a  mesh\n0.5  6×2\n0.5  m1")
   local list = {}
   for i = 1, 23 do list[i] = i end
   check.holds(tostring(sg.grid{ a = list }), "23 cases\n", "\n20\n… 3 more")
@@ -53,7 +54,8 @@ check.case("wrong arguments are errors at the user's line", function()
     { { name = "s", cases = { { a = 0 / 0 } }, run = run }, "cases[1].a", "nan" },
     { { name = "s", cases = { { a = 1 }, { a = 1 } }, run = run }, "cases[1] and cases[2]", "'a=1'" },
     { { name = "s", cases = sg.grid{ a = { 1 } }, run = run, units = "mm" }, "units must be a table" },
-    { { name = "", cases = sg.grid{ a = { 1 } }, run = run }, "name must be a text that can name a folder, got the string ''" },
+    { { name = "", cases = sg.grid{ a = { 1 } }, run = run },
+      "name must be a text that can name a folder, got the string ''" },
     { { name = "..", cases = sg.grid{ a = { 1 } }, run = run }, "name must be a text that can name a folder" },
     { { name = "s", cases = sg.grid{ a = { 1 } }, run = run, folder = "" }, "folder must be the name of a folder" },
     { { name = "s", cases = sg.grid{ a = { 1 } }, run = run, outcome = 1 }, "unknown argument 'outcome'; known: " },
@@ -106,7 +108,8 @@ check.case("figures, failures, errors and crashes become rows; what is done does
   check.equal({ first.rows[2].failed, first.rows[2].reason, first.rows[2].at }, { true, "cycling", 0.5 })
   check.holds(first.rows[3].reason, "study_test.lua", "no luck")
   check.equal(first.rows[4].reason, "died of signal 11")
-  check.holds(tostring(first), "noted: 5 of 5 cases are done, 1 failed, 1 ended by an error, 1 crashed\n", "cycling", "8.33333", "  N ")
+  check.holds(tostring(first), "noted: 5 of 5 cases are done, 1 failed, 1 ended by an error, 1 crashed\n", "cycling",
+    "8.33333", "  N ")
   check.equal({ first.rows[1].outcome, first.rows[2].outcome, first.rows[3].outcome, first.rows[4].outcome },
     { nil, "failed", "error", "crashed" })
   check.equal(calls(folder), 5)
@@ -181,7 +184,8 @@ check.case("cases that ask for it run last, and alone", function()
   check.equal(record.made.at_once, 1)
 end)
 
-check.case("an error of a case is told aloud and makes the status 1; a case that failed, or os.exit, leaves it 0", function()
+check.case("an error of a case is told aloud and makes the status 1; a case that failed, or os.exit, leaves it 0",
+  function()
   local function run(body, ending)
     return check.script(([[
       require "signorini".study{ name = "e", folder = arg[1], cases = { { a = 1 }, { a = 2 } },
@@ -189,7 +193,8 @@ check.case("an error of a case is told aloud and makes the status 1; a case that
       print "end" %s]]):format(body, ending or ""), new_folder())
   end
   local output, status = run 'if case.a == 2 then error "no luck" end return {}'
-  check.holds(output, "end\n", "signorini: e: 1 of 2 cases ended by an error, which makes the exit status 1; the first one, a=2: ",
+  check.holds(output, "end\n",
+    "signorini: e: 1 of 2 cases ended by an error, which makes the exit status 1; the first one, a=2: ",
     "study.lua:2: no luck\n")
   check.equal(status, 1)
   output, status = run 'return { failed = true, reason = "cycling" }'
@@ -258,8 +263,8 @@ check.case("Ctrl-C ends it with what is done, and lets go of the folder", functi
     sg.study{ name = "stopped", folder = "%s", cases = sg.grid{ a = { 1, 2, 3, 4, 5, 6 } }, inputs = {},
               run = function(case) os.execute "sleep 0.2" return { b = case.a } end }:execute{ jobs = 1 }
     print "not stopped"]]):format(folder))
-  local output = check.shell(("%s -q %s & for i in $(seq 1000); do ls %s/cases/*.json >/dev/null 2>&1 && break; sleep 0.02;"
-    .. " done; kill -INT $!; wait $!; echo status $?"):format(arg[-1], name, folder))
+  local output = check.shell(("%s -q %s & for i in $(seq 1000); do ls %s/cases/*.json >/dev/null 2>&1 && break; "
+    .. "sleep 0.02; done; kill -INT $!; wait $!; echo status $?"):format(arg[-1], name, folder))
   local kept = files_in(folder)
   check.equal(kept >= 1 and kept < 6, true)
   check.holds(output, ("stopped: interrupted: %d of 6 cases %s kept; the same call goes on with the others\n")

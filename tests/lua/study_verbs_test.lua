@@ -28,16 +28,19 @@ check.case("where no case came out, whoever asks for a figure learns why", funct
     ["sg.work_precision"] = function() sg.work_precision(failed, { error = "error" }) end,
     ["sg.cheapest"] = function() sg.cheapest(failed, { error = "error", at_most = 1 }) end,
   } do
-    check.fails(ask, "study_verbs_test.lua", name == "study:heatmap" and name .. ": no case has 'error': 1 of 1 failed" or name .. why)
+    check.fails(ask, "study_verbs_test.lua",
+      name == "study:heatmap" and name .. ": no case has 'error': 1 of 1 failed" or name .. why)
   end
   check.fails(function() failed:chart{ x = "a", y = "wall", file = "no.png" } end,
     "study:chart: no case has both a and wall; no.png cannot be drawn: 2 of 2 failed: penalty = -5")
   check.equal(select(2, sg.cheapest(failed, { error = "a", at_most = 1 })),
     "no case has both a and wall: 2 of 2 failed: penalty = -5")
   local mixed = study(function(case) return case.a == 1 and error "no luck" or { failed = true } end):execute{}
-  check.fails(function() mixed:column "error" end, "1 failed, 1 ended by an error; the first one ended by an error: ", "no luck")
+  check.fails(function() mixed:column "error" end, "1 failed, 1 ended by an error; the first one ended by an error: ",
+    "no luck")
   local fresh = study(function() return { error = 1 } end)
-  check.fails(function() fresh:column "error" end, "no case has 'error': none of its cases is done yet: execute the study")
+  check.fails(function() fresh:column "error" end,
+    "no case has 'error': none of its cases is done yet: execute the study")
   check.fails(function() fresh:execute{}:column "errors" end, "did you mean 'error'?")
 end)
 
@@ -69,7 +72,8 @@ check.case("where, row, by, with, column and median", function()
   check.equal(more:table{ columns = { "order", "double" }, sort = "double" }, table.concat({
     "order  double", "            s", "N2         26", "N4         26", "N2         46", "N4         46" }, "\n"))
   check.fails(function() study:row{ order = "N2" } end, "6 rows have order = N2, not one", "name more parameters")
-  check.fails(function() study:row{ order = "N8" } end, "order must be a value that a case has, N2, N4, got the string 'N8'",
+  check.fails(function() study:row{ order = "N8" } end,
+    "order must be a value that a case has, N2, N4, got the string 'N8'",
     "did you mean 'N2'?")
   check.fails(function() study:where{ mesh = { 1, "2" } } end, "study_verbs_test.lua:",
     "study:where: mesh must be a value that a case has, 1, 2, got the string '2'")

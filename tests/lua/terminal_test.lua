@@ -9,7 +9,8 @@ os.remove(state)
 local function typed_to(command, keys_in_turn)
   local typing = {}
   for _, keys in ipairs(keys_in_turn) do
-    typing[#typing + 1] = ("printf '%s'; sleep 0.5"):format((keys:gsub(".", function(c) return ("\\%03o"):format(c:byte()) end)))
+    local octal = keys:gsub(".", function(c) return ("\\%03o"):format(c:byte()) end)
+    typing[#typing + 1] = ("printf '%s'; sleep 0.5"):format(octal)
   end
   local output, status = check.shell(("(sleep 1; %s) | XDG_STATE_HOME=%s TERM=dumb script -qec 'exec %s' /dev/null")
     :format(table.concat(typing, "; "), state, command))
@@ -57,22 +58,26 @@ end)
 
 check.case("the line is laid out for the terminal's width of now", function()
   local long = '"' .. ("x"):rep(60) .. '"'
-  local output = session("os.execute 'stty cols 100'\n", long .. "\n", "os.execute 'stty cols 40'\n", long .. "\n", "\4")
+  local output = session("os.execute 'stty cols 100'\n", long .. "\n", "os.execute 'stty cols 40'\n", long .. "\n",
+    "\4")
   local wide, narrow = output:match "^(.*)os.execute 'stty cols 40'(.*)$"
   check.holds(wide, "sg> " .. long)
   check.equal(narrow:find("sg> " .. long, 1, true), nil)
 end)
 
 check.case("Ctrl-C leaves the run that it has stopped", function()
-  local output = session('b = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = {1, 1}, order = "N1", '
-    .. 'material = sg.neo_hookean{ E = 1, nu = 0.3 } }\n', 'm = sg.model{ bodies = { b = b }, supports = { s = { on = b:face "south", '
+  local output = session('b = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = {1, 1}, '
+    .. 'order = "N1", material = sg.neo_hookean{ E = 1, nu = 0.3 } }\n',
+    'm = sg.model{ bodies = { b = b }, supports = { s = { on = b:face "south", '
     .. 'drive = "xy" } } }\n', "m:run{ { steps = 100000000, s = {0, 0} } }\n", "\3", "_.reason, _.steps > 10\n", "\4")
   check.holds(output, "interrupted; _ is the run so far\n", '"interrupted"\ntrue\n')
 end)
 
 check.case("what is pasted runs as one, shows its last expression, and keeps its local variables", function()
-  local output = check.shell(([[(sleep 1; printf '\033[200~local a = 20\nfor i = 1, 2 do\n\ta = a + i\nend\na - 1\033[201~\n'; ]]
-    .. [[sleep 0.5; printf '\004') | NO_COLOR=1 TERM=xterm XDG_STATE_HOME=%s script -qec 'exec %s' /dev/null]]):format(state, arg[-1]))
+  local output = check.shell(([[(sleep 1; ]]
+    .. [[printf '\033[200~local a = 20\nfor i = 1, 2 do\n\ta = a + i\nend\na - 1\033[201~\n'; ]]
+    .. [[sleep 0.5; printf '\004') | NO_COLOR=1 TERM=xterm XDG_STATE_HOME=%s script -qec 'exec %s' /dev/null]])
+    :format(state, arg[-1]))
   check.holds(output, "22\r\n")
 end)
 

@@ -1,6 +1,6 @@
 -- The named arguments that may stand at a place in a call, read off the help page: those of its head, and those of
--- tables in it, which the page shows as key = { a = …, b }. Where all entries of such a table are tables themselves, their names
--- are examples of the user's own, such as those of contacts; lists of tables are shown as { { a = … }, … }.
+-- tables in it, which the page shows as key = { a = …, b }. Where all entries of such a table are tables themselves,
+-- their names are examples of the user's own, such as those of contacts; lists of tables are shown as { { a = … }, … }.
 
 local core = require "signorini.core"
 local keys_in = require "signorini.help.keys"
@@ -71,8 +71,8 @@ local function arguments_of(page)
   return list
 end
 
---- The names in order that a page's function knows for the table at a place: in its argument of this number, behind these
---- keys.
+--- The names in order that a page's function knows for the table at a place: in its argument of this number, behind
+--- these keys.
 return function(name, argument, keys)
   if same[name] then name, argument = same[name][1], same[name][2] end
   local page = core.docs[name]

@@ -24,9 +24,10 @@ local function key_at_end(text) return text:match "([%a_][%w_]*)%s*=%s*$" end
 --- The commas outside of all brackets.
 local function commas(text) return select(2, text:gsub(",", "")) end
 
---- The innermost call that a text stands in, or nil: path (of names, "sg.body", "p:refine"), argument (its number), first
---- (the text of the first argument), keys (the way from there through braces: a name, or false for an entry of a list),
---- behind (the text in the last brackets), in_braces (whether these are braces), quoted (whether it ends inside quotes).
+--- The innermost call that a text stands in, or nil: path (of names, "sg.body", "p:refine"), argument (its number),
+--- first (the text of the first argument), keys (the way from there through braces: a name, or false for an entry of a
+--- list), behind (the text in the last brackets), in_braces (whether these are braces), quoted (whether it ends inside
+--- quotes).
 function place.of(text)
   local code, quoted = bare(text)
   local keys, at, behind, in_braces = {}, #code, nil, nil

@@ -1,5 +1,5 @@
--- How the language itself shows at the prompt: a function by the head of its help page, a table such as sg.shapes by the
--- names that it holds.
+-- How the language itself shows at the prompt: a function by the head of its help page, a table such as sg.shapes by
+-- the names that it holds.
 
 local core = require "signorini.core"
 local sorted_names = require("signorini.lists").sorted_names

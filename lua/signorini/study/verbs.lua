@@ -229,10 +229,10 @@ end
 
 core.docs["study:table"] = [[
 study:table{ columns, sort, formats }
-The text of an aligned table, with units: all parameters and figures, or the columns named; sort is a column or a list of
-columns, in rising order; formats are patterns of string.format by column name. Where a case did not come out, outcome
-says failed, error, crashed or time, and reason why. Texts of more than 60 characters end with …; study.rows and
-study:csv hold them whole.
+The text of an aligned table, with units: all parameters and figures, or the columns named; sort is a column or a list
+of columns, in rising order; formats are patterns of string.format by column name. Where a case did not come out,
+outcome says failed, error, crashed or time, and reason why. Texts of more than 60 characters end with …; study.rows
+and study:csv hold them whole.
 Example: print(study:table{ columns = {"order", "mesh", "error"}, sort = "error" })]]
 function verbs:table(options)
   local columns, units, rows, formats = read_table("study:table", self, options, { "columns", "sort", "formats" })
