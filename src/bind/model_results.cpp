@@ -121,7 +121,10 @@ constexpr Function rows[] = {
     {"profile", wrap<profile<D>>,
      "m:profile(contact)\n"
      "Lists along the slave face, one entry per contact point: x, y (current), X, Y (reference), area (that the\n"
-     "traction acts on), pressure, traction (tangential), gap, state (\"open\", \"stick\", \"slip\", \"adhesion\").\n"
+     "traction acts on), pressure, traction (tangential; in the plane positive along the face's xi: on the slave it\n"
+     "acts the other way), gap, state (\"open\", \"stick\", \"slip\", \"adhesion\"). Where a point slips |traction| "
+     "is\n"
+     "mu pressure.\n"
      "In 3D also z, Z, and tx, ty, tz, the components of the tangential traction t_T, whose size is `traction`; on\n"
      "the slave acts -t_T.\n"
      "Example: model:profile(\"interface\").pressure"},

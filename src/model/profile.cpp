@@ -1,5 +1,7 @@
 #include "model/profile.hpp"
 
+#include <cmath>
+
 namespace signorini::model {
 
 namespace {
@@ -23,7 +25,9 @@ template <int D> Profile profile(const Model<D>& model, int contact) {
     result.area.push_back(point.area);
     result.pressure.push_back(point.pressure);
     if constexpr (D == 2) {
-      result.traction.push_back(touching ? point.friction.dot(point.tangents.col(0).normalized()) : 0.0);
+      // Friction acts along the master, which meets the slave's tangent at a small angle: that gives the sign alone.
+      result.traction.push_back(
+          touching ? std::copysign(point.friction.norm(), point.friction.dot(point.tangents.col(0))) : 0.0);
     } else {
       result.traction.push_back(point.friction.norm());
       append<D>(point.friction, {&result.traction_x, &result.traction_y, &result.traction_z});

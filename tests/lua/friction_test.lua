@@ -1,0 +1,61 @@
+-- Coulomb friction in the plane: what a profile gives as traction is what acts, and what accepting a step that slips
+-- does to the balance.
+
+local sg = require "signorini"
+local check = require "check"
+
+local function body(patch, elements, face, E)
+  return sg.body{ patch = patch, elements = elements, order = "N2", contact = face,
+                  material = sg.neo_hookean{ E = E, nu = 0.3 } }
+end
+
+--- A die that has slid by 0.5 in so many steps, all of it slipping: over a soft slab, or over a rigid plane.
+local function slid(steps, rigid)
+  local die = body(sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, centre = { 0.75, 1.5 } }, { 6, 2 }, "south", 1000)
+  local slab = body(sg.shapes.rectangle{ width = 3, height = 1 }, { 8, 3 }, "north", 1)
+  local plane = sg.rigid.plane{ point = { 0, 1 }, normal = { 0, 1 } }
+  local model = sg.model{
+    bodies = not rigid and { die = die, slab = slab } or { die = die },
+    supports = { bed = not rigid and { on = slab:face "south", fix = "xy" } or nil,
+                 grip = { on = { die:face "west", die:face "east" }, drive = "xy" } },
+    contacts = { touch = { slave = die:face "south", master = rigid and plane or slab:face "north", penalty = 100,
+                           friction = { mu = 0.2, penalty = 100 } } },
+  }
+  local down = rigid and -0.001 or -0.1
+  local run = model:run{ { steps = 12, grip = { 0, down } }, { steps = steps, grip = { 0.5, down } } }
+  check.equal(run.failed, false)
+  return model
+end
+
+check.case("where a point slips, |traction| is mu times the pressure, along the way of the slave", function()
+  local profile, slips = slid(10):profile "touch", 0
+  for i, state in ipairs(profile.state) do
+    if state == "slip" then
+      slips = slips + 1
+      check.within("traction", profile.traction[i] / profile.pressure[i], 0.2, 1e-14)
+    end
+  end
+  check.equal(slips, 9)
+end)
+
+--- The largest residual of the accepted state, in parts of the force that the grip exerts.
+local function unbalanced(model)
+  local largest, force = 0, model:reaction "grip"
+  for _, value in ipairs(model:residual()) do largest = math.max(largest, math.abs(value)) end
+  return largest / math.sqrt(force[1] ^ 2 + force[2] ^ 2)
+end
+
+check.case("a slip point that follows on a curved master leaves the balance by the order of the step", function()
+  local last
+  for _, steps in ipairs { 10, 20, 40 } do
+    local now = unbalanced(slid(steps))
+    if last then check.within("part that half the step leaves", now / last, 0.5, 0.03) end
+    last = now
+  end
+end)
+
+check.case("on a straight master an accepted step stays balanced", function()
+  check.at_most("residual", unbalanced(slid(10, true)), 1e-9)
+end)
+
+check.done()
