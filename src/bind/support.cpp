@@ -36,6 +36,10 @@ void read_components(lua_State* L, const Options& o, const char* key, const char
   if (!o.has(key)) return;
   for (char letter : read_letters<D>(L, o, key, meaning)) {
     Hold& component = support.hold[static_cast<std::size_t>(letter - 'x')];
+    if (component != Hold::free && hold == Hold::free)
+      throw ArgumentError(text(function_name(L), ": ", o.path(), " frees ", letter, ", which it also ",
+                               component == Hold::fixed ? "fixes" : "drives",
+                               ": free names what neither fix nor drive does, take it out of one of the two"));
     if (component != Hold::free)
       throw ArgumentError(text(function_name(L), ": ", o.path(), " both fixes and drives ", letter,
                                ": a component is either fixed or driven, take it out of one of the two"));
@@ -104,7 +108,7 @@ template <int D> void read_rotation(lua_State* L, const Options& o, const Argume
 template <int D>
 model::Support<D> read_support(lua_State* L, Draft<D>& draft, const std::string& name, int index,
                                const Argument& entry) {
-  const Options o(L, index, {"on", "fix", "drive", "rotate"}, false, entry.name);
+  const Options o(L, index, {"on", "fix", "drive", "free", "rotate"}, false, entry.name);
   model::Support<D> support;
   support.name = name;
   const Argument on = o.argument("on", D == 2 ? "a face, a list of faces, a corner, or an obstacle"
@@ -119,6 +123,7 @@ model::Support<D> read_support(lua_State* L, Draft<D>& draft, const std::string&
   });
   read_components<D>(L, o, "fix", "components that stay", Hold::fixed, support);
   read_components<D>(L, o, "drive", "components that stages move", Hold::driven, support);
+  read_components<D>(L, o, "free", "components that move as they will", Hold::free, support);
   read_rotation(L, o, on, support);
   if (support.hold == std::array<Hold, D>{} && !support.rotates)
     throw ArgumentError(text(function_name(L), ": ", entry.name, " holds nothing: add fix = \"xy\", drive = \"xy\" or ",

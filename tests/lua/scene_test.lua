@@ -63,6 +63,19 @@ check.case("a step that fails leaves the accepted state", function()
   check.near(model:target "lid", { 0, -0.2 })
 end)
 
+check.case("a face that turns may say that its translation is free", function()
+  local function turned(free)
+    local strip = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = {3, 2}, order = "N2",
+                           material = sg.linear_elastic{ E = 1, nu = 0.3 } }
+    local model = sg.model{ bodies = { strip = strip }, supports = {
+      wall = { on = strip:face "west", fix = "xy" }, edge = { on = strip:face "east", rotate = true, free = free } } }
+    model:run{ { steps = 1, edge = 5 } }
+    return model:reaction "edge"
+  end
+  check.equal(turned "xy", turned(nil))
+  check.near({ turned "xy"[1], turned "xy"[2] }, { 0, 0 }, 1e-12)
+end)
+
 -- Each ends with status 1 and a message that names the script's line, the argument, what came and the cure.
 local start = [[
 local sg = require "signorini"
@@ -98,6 +111,15 @@ local wrong = {
   { "a support that drives what it fixes", [[sg.model{ bodies = { a = a },
       supports = { bed = { on = a:face "south", fix = "xy", drive = "y" } } }]],
     "supports.bed both fixes and drives y", "either fixed or driven" },
+  { "a support that frees what it drives", [[sg.model{ bodies = { a = a },
+      supports = { bed = { on = a:face "south", drive = "xy", free = "y" } } }]],
+    "supports.bed frees y, which it also drives", "free names what neither fix nor drive does" },
+  { "a support that frees what it fixes", [[sg.model{ bodies = { a = a },
+      supports = { bed = { on = a:face "south", fix = "x", free = "xy" } } }]],
+    "supports.bed frees x, which it also fixes" },
+  { "a support that only frees",
+    [[sg.model{ bodies = { a = a }, supports = { s = { on = a:face "south", free = "xy" } } }]],
+    "supports.s holds nothing" },
   { "a layer without a contact face", [[sg.body{ patch = r, elements = {4, 2}, order = "N2-N4", material = soft }]],
     "'N2-N4' has a layer, but the body names no contact face", [[add contact = "south"]] },
   { "a layer deeper than the body",
