@@ -74,15 +74,15 @@ template <int D> struct Composition {
 
 template <int D> const std::vector<Composition<D>>& compositions() {
   static const std::vector<Composition<D>> all = [] {
-    const auto plane = [](const char* name) { return &find_field<D>(name); };
+    const auto both = [](const char* name) { return &find_field<D>(name); };
     const auto third = [](const char* name) { return D == 3 ? &find_field<D>(name) : nullptr; };
     return std::vector<Composition<D>>{
-        {"stress", {plane("sxx"), plane("syy"), plane("szz"), plane("sxy"), third("syz"), third("sxz")}},
-        {"von_mises", {plane("von_mises")}},
-        {"pressure", {plane("pressure")}},
+        {"stress", {both("sxx"), both("syy"), both("szz"), both("sxy"), third("syz"), third("sxz")}},
+        {"von_mises", {both("von_mises")}},
+        {"pressure", {both("pressure")}},
         {"F",
-         {plane("F11"), plane("F12"), third("F13"), plane("F21"), plane("F22"), third("F23"), third("F31"),
-          third("F32"), third("F33")}}};
+         {both("F11"), both("F12"), third("F13"), both("F21"), both("F22"), third("F23"), third("F31"), third("F32"),
+          both("F33")}}};
   }();
   return all;
 }
@@ -92,7 +92,6 @@ template <int D> VectorX composed(const solid::Material& material, const FieldPo
   std::vector<double> values;
   for (const Composition<D>& composition : compositions<D>())
     for (const Field<D>* field : composition.components) values.push_back(field ? field->value(material, point) : 0.0);
-  if constexpr (D == 2) values.back() = point.hoop; // F₃₃
   return Eigen::Map<const VectorX>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 

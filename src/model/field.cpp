@@ -61,7 +61,12 @@ template <int D> std::vector<Field<D>> common_fields() {
 } // namespace
 
 template <> const std::vector<Field<2>>& fields<2>() {
-  static const std::vector<Field<2>> all = common_fields<2>();
+  static const std::vector<Field<2>> all = [] {
+    std::vector<Field<2>> list = common_fields<2>();
+    list.push_back(
+        {"F33", "deformation gradient F_33", [](const Material&, const FieldPoint<2>& point) { return point.hoop; }});
+    return list;
+  }();
   return all;
 }
 

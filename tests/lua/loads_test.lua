@@ -89,6 +89,20 @@ check.case("around an axis forces are those over the full circle", function()
   check.near(model:sample("ring", "uy", {0.5, 1}), -2 * 0.5 / 10, 1e-10)
 end)
 
+check.case("F33 is the stretch of the hoops, 1 in plane strain", function()
+  local patch = sg.shapes.rectangle{ width = 1, height = 2, corner = {1, 0} }
+  for kind, hoop in pairs { axisymmetric = true, plane_strain = false } do
+    local ring = sg.body{ patch = patch, elements = {2, 2}, order = "N2", contact = "south",
+                          material = sg.neo_hookean{ E = 10, nu = 0.3 } }
+    local model = sg.model{ kind = kind, bodies = { ring = ring }, supports = {
+      bed = { on = ring:face "south", fix = "y" }, wall = { on = ring:face "west", drive = "x" } } }
+    model:run{ { steps = 1, wall = 0.1 } }
+    local expected = hoop and 1 + model:sample("ring", "ux", {0.25, 0.5}) / 1.25 or 1
+    check.within(kind, model:sample("ring", "F33", {0.25, 0.5}), expected, 1e-14)
+    check.within("hoop at the wall", model:sample("ring", "F33", {0, 0.5}), hoop and 1.1 or 1, 1e-12)
+  end
+end)
+
 check.case("a load may stand among the supports", function()
   local body = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = {1, 1}, order = "N2",
                         contact = "south", material = sg.linear_elastic{ E = 1, nu = 0 } }
