@@ -55,6 +55,21 @@ local function read_stage(model, index, stage, known)
   return read
 end
 
+--- Options, or the parts of a stage, that stand among the stages, where they would be without effect.
+local function check_keys(stages, known)
+  for key in pairs(stages) do
+    if math.type(key) ~= "integer" or key < 1 or key > #stages then
+      local name, cure = tostring(key), "stages are counted from 1 without gaps"
+      if type(key) == "string" then cure = "write model:run({ { steps = …, … } }, { … }): a list, then the options" end
+      if known[key] or key == "name" then cure = ("put it into a stage, { steps = 10, %s = … }"):format(name) end
+      for _, option in ipairs(run_options.keys) do
+        if key == option then cure = ("options are the second argument, model:run({ … }, { %s = … })"):format(name) end
+      end
+      core.fail(("%s: unknown key '%s' in the list of stages: %s"):format(where, name, cure))
+    end
+  end
+end
+
 local function read_stages(model, stages)
   if type(stages) ~= "table" or #stages == 0 or stages.steps then
     arguments.reject(where, "stages", "a list of stages", stages, "write model:run{ { steps = 10, grip = {0, -1} } }")
@@ -65,6 +80,7 @@ local function read_stages(model, stages)
       .. "supports = { bed = { on = body:face \"south\", fix = \"xy\" } }")
   end
   for _, name in ipairs(known) do known[name] = true end
+  check_keys(stages, known)
   local read, total = {}, 0
   for i, stage in ipairs(stages) do
     read[i] = read_stage(model, i, stage, known)

@@ -58,10 +58,17 @@ end
 local function read_policy(where, step)
   if step == nil then return steps.plain() end
   arguments.table(where, "options.step", step, { "adaptive", "min", "max", "growth" })
+  local adaptive = arguments.flag(where, "step.adaptive", step.adaptive, true)
+  for _, key in ipairs { "min", "max", "growth" } do
+    if not adaptive and step[key] ~= nil then
+      core.fail(("%s: step.%s has no effect with adaptive = false, which takes each step at once: take one of the two "
+        .. "out"):format(where, key))
+    end
+  end
   local max = arguments.share(where, "step.max", step.max, 1, 1)
   local options = { max = max, min = arguments.share(where, "step.min", step.min, max, math.min(max, 1 / 64)),
                     growth = arguments.at_least(where, "step.growth", step.growth, 1, 2) }
-  return arguments.flag(where, "step.adaptive", step.adaptive, true) and steps.halving(options) or steps.plain()
+  return adaptive and steps.halving(options) or steps.plain()
 end
 
 --- { solver, rescue, penalty, policy, arcs, on_step, on_iteration, keeper (of checkpoints), threads }, and the table of

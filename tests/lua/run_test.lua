@@ -315,4 +315,28 @@ print(model)
   check.holds(output, "stage 1: 1 step, ", "12 of them free, 1 support, 0 contacts")
 end)
 
+check.case("keys among the stages that would be without effect", function()
+  local stage = { steps = 2, grip = { 0, -0.1 } }
+  for key, message in pairs {
+    newton = "options are the second argument, model:run({ … }, { newton = … })",
+    grip = "put it into a stage, { steps = 10, grip = … }", x1 = "a list, then the options",
+    [7] = "stages are counted from 1 without gaps", [true] = "counted from 1 without gaps",
+  } do
+    check.fails(function() model_of():run{ stage, [key] = { 1 } } end,
+      ("model:run: unknown key '%s' in the list of stages: "):format(tostring(key)), message)
+  end
+  check.fails(function() model_of():run({ stage }, { step = { adaptive = false, min = 0.1 } }) end,
+    "model:run: step.min has no effect with adaptive = false")
+end)
+
+check.case("a run and what on_step sees are strict about names", function()
+  local seen
+  local run = model_of():run(two_stages, { on_step = function(info) seen = info end })
+  check.fails(function() return run.faild end, "a run has no 'faild'; did you mean 'failed'?")
+  check.fails(function() return run.bogus end, "a run has no 'bogus': it has attempts", "timings")
+  check.fails(function() run.x = 1 end, "a run is a record, it takes no 'x'")
+  check.equal({ run.report == nil, run.cause == nil, type(run.timings) }, { true, true, "table" })
+  check.fails(function() return seen["grip.fu"] end, "has no 'grip.fu'; did you mean 'grip.f")
+end)
+
 check.done()
