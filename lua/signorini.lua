@@ -22,10 +22,12 @@ local profile = require "signorini.profile"
 sg.profile_error, sg.profile_edges = profile.error, profile.edges
 types.model.run = require "signorini.run"
 types.model.cost = require "signorini.cost"
+local energies, named = types.model.energy, require "signorini.named"
+function types.model:energy() return named.strict("model:energy()", energies(self)) end
 sg.robust = require("signorini.controls").robust
 
 local methods = require "signorini.methods"
-methods.guard("model", { "run", "cost" })
+methods.guard("model", { "run", "cost", "energy" })
 for _, name in ipairs { "run", "study", "comparison", "map", "files", "data", "series" } do methods.guard(name) end
 methods.offer(sg)
 

@@ -58,4 +58,9 @@ check.case("on a straight master an accepted step stays balanced", function()
   check.at_most("residual", unbalanced(slid(10, true)), 1e-9)
 end)
 
+check.case("energies are strict about names", function()
+  check.fails(function() return slid(10):energy().frictoin end,
+    "model:energy() has no 'frictoin'; did you mean 'friction'?")
+end)
+
 check.done()
