@@ -29,8 +29,10 @@ Options:
   checkpoint = "run.sgn", or checkpoint = { file = "run.sgn", every = 10, durable = false }: after every step, or every
   so many, and at the end the model is saved together with how the run stands; a process that is killed leaves the file
   of the last such step. It is on the disk after a second; durable = true waits for the disk at every step.
-  resume = true: goes on from the checkpoint's file where there is one, with the same bits as a run that nothing has
-  disturbed; the file of a finished run gives that run at once. Scene and stages must be the same. See also model:save.
+  resume = true: goes on from the checkpoint's file where there is one, with the same bits as a run that saves at the
+  same steps and that nothing has disturbed; from one without checkpoints it differs by rounding, for after each save
+  patterns and pivots are made anew. The file of a finished run gives that run at once. Scene and stages must be the
+  same. See also model:save.
   on_step = function(info): sees info.step, info.stage, info["grip.fx"] … after each step; returns nothing, "stop" to
     end cleanly, "cut" to have the step done again in halves, or a table of numbers: columns of the run, else nan.
   states = 5 (so many, from the start to the end), {0, 10, 46} (steps; 0 is the start) or function(info) (true: this
