@@ -15,11 +15,11 @@ local function page_by_head(word)
   end
 end
 
---- "model:run" for "m:run", by the letters that pages use.
+--- "model:run" for "m:run", by the letters that pages use, and for "model.run".
 local letters = { b = "body", m = "model", p = "patch" }
 local function spelt_out(word)
-  local letter, method = word:match "^(%a):([%w_]+)$"
-  return letters[letter] and letters[letter] .. ":" .. method
+  local owner, method = word:match "^([%a_]+)[.:]([%w_]+)$"
+  return owner and (letters[owner] or owner) .. ":" .. method
 end
 
 local function list(title, names) return title .. "\n" .. pages.list(names) end

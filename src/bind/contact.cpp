@@ -54,7 +54,9 @@ template <int D> contact::Region<D> read_region(lua_State* L, const Options& o, 
     lua_getfield(L, -1, "where");
     push(L, VectorX(place));
     lua_call(L, 1, 1);
-    if (!lua_isboolean(L, -1)) reject(L, -1, argument, "a function that returns true or false");
+    if (!lua_isboolean(L, -1))
+      throw ArgumentError(text(function_name(L), ": ", argument.name, " must return true or false, it returned ",
+                               describe(L, -1), ": write a comparison behind return, as in return X[1] <= 150"));
     const bool acts = lua_toboolean(L, -1) != 0;
     lua_settop(L, top);
     return acts;

@@ -28,8 +28,16 @@ std::size_t distance(const std::string& a, const std::string& b) {
 
 std::string describe_table(lua_State* L, int index) {
   const auto length = lua_rawlen(L, index);
-  if (length == 1) return "a list of 1 value";
-  if (length > 1) return text("a list of ", length, " values");
+  if (length > 0) {
+    const std::string list = text("a list of ", length, length == 1 ? " value" : " values");
+    for (lua_pushnil(L); lua_next(L, index); lua_pop(L, 1))
+      if (lua_type(L, -2) == LUA_TSTRING) {
+        const std::string key = lua_tostring(L, -2);
+        lua_pop(L, 2);
+        return text(list, " with the key '", key, "'");
+      }
+    return list;
+  }
   lua_pushnil(L);
   if (!lua_next(L, index)) return "an empty table";
   lua_pop(L, 1);
@@ -141,7 +149,8 @@ std::string did_you_mean(const std::string& word, const std::vector<std::string>
 }
 
 void reject(lua_State* L, int index, const Argument& argument, const std::string& expected, const std::string& cure) {
-  const std::string meaning = *argument.meaning ? text(" (", argument.meaning, ")") : "";
+  const std::string meaning =
+      *argument.meaning && argument.meaning != expected ? text(" (", argument.meaning, ")") : "";
   const std::string ending = cure.empty() ? "" : text(": ", cure);
   if (lua_isnoneornil(L, index))
     throw ArgumentError(text(function_name(L), ": ", argument.name, meaning, " is missing: it must be ", expected));

@@ -118,6 +118,7 @@ model::Support<D> read_support(lua_State* L, Draft<D>& draft, const std::string&
       support.obstacles.push_back(index_of(L, draft, read_object<Rigid<D>>(L, at, on), on.name));
       return;
     }
+    if (!has_type(L, at, Type<Place<D>>::name)) reject(L, at, on, on.meaning);
     const Place<D>& place = read_object<Place<D>>(L, at, on);
     support.on.push_back({index_of(L, draft.scene, place, on.name), place.functions});
   });

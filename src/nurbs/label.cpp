@@ -21,8 +21,9 @@ void check_degree(const std::string& text, const Space& space) {
 } // namespace
 
 Label parse_label(const std::string& text) {
-  static const std::regex lagrange("L(\\d{1,2})");
-  static const std::regex nurbs("N(\\d{1,2})(?:\\.(\\d{1,2}))?(?:-N(\\d{1,2})(?:\\.(\\d{1,2}))?(?:x(\\d{1,4}))?)?");
+  static const std::regex lagrange("L(0|[1-9]\\d?)");
+  static const std::regex nurbs(
+      "N(0|[1-9]\\d?)(?:\\.(0|[1-9]\\d?))?(?:-N(0|[1-9]\\d?)(?:\\.(0|[1-9]\\d?))?(?:x(0|[1-9]\\d{0,3}))?)?");
   std::smatch part;
   Label label;
   label.text = text;

@@ -14,6 +14,13 @@ void check_length(const char* name, double length) {
   require(length > 0 && std::isfinite(length), name, ": it is ", length, ", expected a positive length");
 }
 
+/// Beside a coordinate that is too large a length is rounded away.
+void check_edge(const char* name, double length, const char* from, double start) {
+  check_length(name, length);
+  require(start + length > start, name, ": ", length, " is lost in rounding beside ", from, " = ", start,
+          ": move the shape towards the origin");
+}
+
 void check_radii(double inner, double outer) {
   check_length("inner", inner);
   check_length("outer", outer);
@@ -59,9 +66,9 @@ MatrixX collocation(const KnotVector& knots) {
 } // namespace
 
 Patch rectangle(double width, double height, const Point& corner) {
-  check_length("width", width);
-  check_length("height", height);
   check_point("corner", corner, 2);
+  check_edge("width", width, "corner x", corner(0));
+  check_edge("height", height, "corner y", corner(1));
   return extrude(line(corner, corner + Vec<2>(width, 0)), Vec<2>(0, height));
 }
 
@@ -74,9 +81,9 @@ Patch quarter_annulus(double inner, double outer, const Point& centre, double st
 }
 
 Patch block(const std::array<double, 3>& size, const Point& corner) {
-  const char* const names[] = {"size x", "size y", "size z"};
-  for (std::size_t i = 0; i < 3; ++i) check_length(names[i], size[i]);
+  const char *const names[] = {"size x", "size y", "size z"}, *const starts[] = {"corner x", "corner y", "corner z"};
   check_point("corner", corner, 3);
+  for (std::size_t i = 0; i < 3; ++i) check_edge(names[i], size[i], starts[i], corner(static_cast<Eigen::Index>(i)));
   const Patch edge = line(corner, corner + Vec<3>(size[0], 0, 0));
   return extrude(extrude(edge, Vec<3>(0, size[1], 0)), Vec<3>(0, 0, size[2]));
 }

@@ -60,6 +60,8 @@ CommandLine parse(const std::vector<std::string>& words) {
       line.wish = CommandLine::Wish::doctor;
     else if (word == "--")
       line.script = value("a script");
+    else if (word.empty())
+      throw UsageError("the name of the script is empty, '': leave it out for the prompt, or give a file's name");
     else if (word.starts_with("-") && word != "-")
       throw UsageError(text("unknown option '", word, "'", bind::did_you_mean(word, known),
                             "; options stand before the script, --help lists them"));

@@ -163,6 +163,21 @@ check.case("the prompt cuts long tables and does not follow cycles", function()
   check.holds(result.output, "… 60 more", "{t = {t = {…}}}", "{{1, 2}, {{…}}}")
 end)
 
+check.case("a script without a name", function()
+  local result = run { "" }
+  check.equal(result.status, 2)
+  check.holds(result.output, "the name of the script is empty, ''")
+end)
+
+check.case("errors that are no text", function()
+  gives(run({}, "error({ code = 1 })\nerror()\n"), "an error with {code = 1} in place of a message\n"
+    .. "an error without a message, error(nil): say what is wrong, error(\"…\")\n", 1)
+end)
+
+check.case("help takes a dot for a colon", function()
+  check.holds(run({}, 'help "patch.refine"\nhelp "model.run"\n').output, "p:refine{ elements", "model:run(stages")
+end)
+
 check.case("help finds functions, methods, tables and words", function()
   local result = run({}, 'help()\nhelp(sg.shapes.block)\nhelp "patch:refine"\nhelp(sg.nurbs)\nhelp "labels"\n'
     .. 'help "refin"\nhelp "rectangel"\n')

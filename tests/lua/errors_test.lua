@@ -241,4 +241,16 @@ check.case("syntax errors, missing files and thrown values are reported", functi
   check.holds(output, [[undefined variable 'sg'; write local sg = require "signorini" at the top]])
 end)
 
+check.case("shapes that a far corner rounds away, lists with names", function()
+  check.fails(function() sg.shapes.block { size = { 1, 1, 1 }, corner = { 1e300, 0, 0 } } end,
+    "sg.shapes.block: size x: 1 is lost in rounding beside corner x = 1e+300")
+  check.fails(function() sg.shapes.rectangle { width = 1, height = 1, corner = { 0, 1e20 } } end,
+    "height: 1 is lost in rounding beside corner y = 1e+20")
+  check.fails(function() p:translate { 1, 2, Fix = 1 } end, "got a list of 2 values with the key 'Fix'")
+end)
+
+check.case("help in a script says where it is", function()
+  check.fails(function() return help end, "undefined variable 'help'; in a script it is sg.help")
+end)
+
 check.done()
