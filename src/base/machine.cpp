@@ -1,6 +1,7 @@
 #include "base/machine.hpp"
 
 #include <fstream>
+#include <limits>
 #include <unistd.h>
 
 namespace signorini {
@@ -16,6 +17,12 @@ std::string processor_name() {
     if (line.starts_with("model name"))
       if (const std::size_t colon = line.find(": "); colon != std::string::npos) return line.substr(colon + 2);
   return "";
+}
+
+double main_memory() {
+  const long pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGESIZE);
+  return pages > 0 && size > 0 ? static_cast<double>(pages) * static_cast<double>(size)
+                               : std::numeric_limits<double>::infinity();
 }
 
 } // namespace signorini

@@ -1,3 +1,4 @@
+#include "base/machine.hpp"
 #include "bind/functions.hpp"
 #include "bind/material.hpp"
 #include "bind/open.hpp"
@@ -5,6 +6,8 @@
 #include "bind/place.hpp"
 #include "nurbs/coincident.hpp"
 #include "nurbs/side_hint.hpp"
+
+#include <cmath>
 
 namespace signorini::bind {
 
@@ -71,6 +74,27 @@ int read_dimension(lua_State* L, const Options& o, const nurbs::Patch& patch) {
                : ""));
 }
 
+/// Refuses a body that cannot fit: before anything of it is made, by the least that it takes.
+void check_size(lua_State* L, const nurbs::Plan& plan, int dimensions) {
+  constexpr double most_unknowns = 20e6;
+  double elements = 1, points = 1; // all, and unknowns of one component
+  for (int count : plan.elements) elements *= count, points *= count + 1.0;
+  double functions = plan.contact.empty() ? 1 : plan.through.value_or(1) + 1; // of an element, and its Gauss points
+  for (const nurbs::Label& label : plan.labels) functions *= label.bulk.full_degree() + 1;
+  const double unknowns = dimensions * points, table = 8 * elements * functions * functions * dimensions; // bytes
+  std::string list;
+  for (int count : plan.elements) list += text(list.empty() ? "" : ", ", count);
+  const auto refuse = [&](const auto&... why) {
+    throw ArgumentError(text(function_name(L), ": elements = {", list, "} make ", why..., ": take fewer elements"));
+  };
+  const auto count = [](double value) { return text(static_cast<long long>(value)); };
+  if (unknowns > most_unknowns)
+    refuse("at least ", count(unknowns), " unknowns, and ", count(most_unknowns), " is the most");
+  if (table > main_memory())
+    refuse("at least ", count(unknowns), " unknowns, and tables at Gauss points of ", count(std::ceil(table / 1e9)),
+           " GB, more than the ", count(main_memory() / 1e9), " GB of this machine");
+}
+
 template <int D> void push_body(lua_State* L, const nurbs::Patch& patch, const nurbs::Plan& plan, const Options& o) {
   const auto& material =
       o.object<solid::Material>("material", "such as sg.neo_hookean{ E = 1, nu = 0.3 } or sg.linear_elastic{ … }");
@@ -91,6 +115,7 @@ int body(lua_State* L) {
   plan.labels = read_labels(L, o, dimensions, !plan.contact.empty());
   if (o.has("through"))
     plan.through = o.integer("through", "degree through the body, normal to the contact face", 1, nurbs::max_degree);
+  check_size(L, plan, dimensions);
   if (dimensions == 2)
     push_body<2>(L, patch, plan, o);
   else
@@ -161,6 +186,7 @@ constexpr Function functions[] = {
      "contact the label holds in all directions. print(body) shows the degrees. grading: as in patch:refine.\n"
      "Where a patch is folded so that two opposite faces are one, as in a full ring, the body is joined at that seam;\n"
      "print(body) says along which direction it is closed.\n"
+     "Source: k-refinement 2.3.3, varying-order layers (5.1) to (5.6) of V. Agrawal, thesis, IIT Guwahati, 2020.\n"
      "Example: sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = {8, 3}, order = \"N2-N2.2\",\n"
      "                  contact = \"north\", material = sg.neo_hookean{ E = 1, nu = 0.3 } }\n"
      "Example: sg.body{ patch = sg.shapes.block{ size = {4, 4, 2} }, elements = {4, 4, 2}, order = {\"N2-N4\", "

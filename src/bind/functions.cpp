@@ -1,6 +1,7 @@
 #include "bind/functions.hpp"
 
 #include <algorithm>
+#include <new>
 
 namespace signorini::bind {
 
@@ -159,6 +160,9 @@ void refuse_excess(lua_State* L, const std::string& name, const std::string& hea
 
 int raise(lua_State* L, const std::exception& error) {
   std::string message = user_position(L), reason = error.what();
+  if (dynamic_cast<const std::bad_alloc*>(&error))
+    reason =
+        "what was asked for does not fit into the memory of this machine: ask for fewer elements, points or pixels";
   if (!dynamic_cast<const ArgumentError*>(&error) && lua_isstring(L, lua_upvalueindex(1))) {
     // Errors of the rooms below name the C++ function ("face: …"); the name in the script takes its place.
     const std::string name = function_name(L), last = name.substr(name.find_last_of(".:") + 1) + ": ";
