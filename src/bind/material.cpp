@@ -26,12 +26,14 @@ constexpr Function functions[] = {
      "sg.neo_hookean{ E, nu }\n"
      "Compressible neo-Hooke material, W = lambda/2 (ln J)^2 + mu/2 (tr C - 3) - mu ln J. E: Young's modulus (force\n"
      "per area), nu: Poisson's ratio in (-1, 0.5). Plane strain in 2D, unless the model is axisymmetric.\n"
+     "Source: (3.29) of V. Agrawal, thesis, IIT Guwahati, 2020.\n"
      "Example: sg.neo_hookean{ E = 1, nu = 0.3 }"},
     {"linear_elastic", wrap<material<solid::linear_elastic>>,
      "sg.linear_elastic{ E, nu }\n"
      "Hooke's law of small strains, sigma = lambda tr(eps) I + 2 mu eps; contact still follows the deformed surface.\n"
      "E: Young's modulus (force per area), nu: Poisson's ratio in (-1, 0.5). Plane strain in 2D, unless the model is\n"
      "axisymmetric.\n"
+     "Source: linear elasticity; how it is used, share/doc/theory.md, Bodies.\n"
      "Example: sg.linear_elastic{ E = 1, nu = 0.3 }"},
 };
 

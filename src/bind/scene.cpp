@@ -146,7 +146,7 @@ constexpr Function functions[] = {
      "of friction, not the angle. adhesion: van der Waals traction with\n"
      "Hamaker's constant (force times length) and r0 (length) in place of penalty and friction. where: whether the\n"
      "contact acts at a reference position X = {x, y} ({x, y, z}) of the slave face. An open end of the master is no\n"
-     "contact.\n"
+     "contact. More on these parts: help \"support\", \"load\", \"contact\"; on the path: help \"stage\".\n"
      "Example: sg.model{ bodies = { slab = slab }, supports = { bed = { on = slab:face \"south\", fix = \"x\", drive = "
      "\"y\" } },\n"
      "                   contacts = { roof = { slave = slab:face \"north\", penalty = 100,\n"

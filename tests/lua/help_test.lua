@@ -150,6 +150,14 @@ check.case("the page shows the named arguments that the function takes", functio
   check.equal(checked > 40, true)
 end)
 
+check.case("the parts of a scene and its path have pages", function()
+  local texts = require "signorini.help.texts"
+  check.holds(texts.contact, "friction: { mu, penalty }", "points:", "3 (p + 1)", "adhesion:", "where:", "Source:")
+  check.holds(texts.support, "fix:", "drive:", "free:", "rotate:")
+  check.holds(texts.load, "traction:", "pressure:")
+  check.holds(texts.stage, "steps:", "Values count from the reference state")
+end)
+
 check.case("every example runs on the scene of the examples, and gives what it says", function()
   local folder = check.folder()
   local lines = { "sg = require 'signorini' help = sg.help", "local text = require('signorini.show').text",

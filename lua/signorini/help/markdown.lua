@@ -13,6 +13,9 @@ texts. Named arguments stand in braces with their defaults; those without one, u
 Units are yours, as long as they are consistent; angles are degrees; directions and indices count from 1.
 ]]
 
+--- Pages on parts of a scene, by title.
+local parts_of_scene = { { "Supports", "support" }, { "Loads", "load" }, { "Contacts", "contact" }, { "Stages", "stage" } }
+
 local function add(lines, ...)
   for _, line in ipairs { ... } do lines[#lines + 1] = line end
 end
@@ -31,6 +34,7 @@ end
 return function()
   local lines = { head }
   local parts = { "Labels", "Geometry" }
+  for _, part in ipairs(parts_of_scene) do parts[#parts + 1] = part[1] end
   for _, group in ipairs(subjects.groups) do parts[#parts + 1] = group.title end
   parts[#parts + 1], parts[#parts + 2] = "The scene of the examples", "The prompt"
   for _, title in ipairs(parts) do
@@ -38,6 +42,7 @@ return function()
   end
   add_text(lines, "Labels", "labels")
   add_text(lines, "Geometry", "geometry")
+  for _, part in ipairs(parts_of_scene) do add_text(lines, table.unpack(part)) end
   for _, group in ipairs(subjects.groups) do
     add(lines, "", "## " .. group.title)
     for _, name in ipairs(subjects.pages(group)) do add_page(lines, name) end

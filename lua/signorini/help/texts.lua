@@ -10,6 +10,7 @@ local texts = {
 signorini: isogeometric contact mechanics.
   help "labels"           discretisation labels such as N2-N2.2
   help "geometry"         patches and how to make them
+  help "contact"          parts of a scene and its path; also support, load, material, stage
   help "prompt"           what the prompt understands besides Lua
   help "examples"         the scene that the examples of help speak of
   help "solving"          the pages on a subject: patches, bodies, solving, results, verbs, pictures, studies, scripts
@@ -50,5 +51,7 @@ A patch is a NURBS curve, surface or volume, an immutable value.
   p(xi)          a point; p:face "south", p:refine{ elements = {8, 3} } and more: help "patch"
 Faces: west/east are the ends of xi1, south/north of xi2, front/back of xi3. Points run fastest in xi1.]],
 }
+
+for name, page in pairs(require "signorini.help.scene_pages") do texts[name] = page end
 
 return texts
