@@ -29,6 +29,13 @@ template <int D> std::string field_label(const std::string& field);
 view::Panel show(const model::Model<2>& model, const Showing& showing);
 view::SolidPanel show(const model::Model<3>& model, const Showing& showing, const std::optional<Cut>& cut);
 
+/// The field that is drawn on slave faces alone.
+inline constexpr const char* pressure_name = "contact_pressure";
+
+/// A band along the slave face of a contact, inside its body, that has the colours of the pressure; `size` is the
+/// longest side of what is drawn.
+view::Body pressure_band(const model::Model<2>& model, int contact, const Showing& showing, double size);
+
 /// What becomes of a field's values in the mirror of an axis (0, 1, 2): components that point along it once change
 /// sign.
 double mirror_sign(const std::string& field, int axis);

@@ -104,6 +104,7 @@ void open_library(lua_State* L, const Settings& settings) {
   set_field(L, "cameras", view::camera_names());
   std::vector<std::string> fields;
   for (const auto& field : model::fields<3>()) fields.push_back(field.name);
+  fields.push_back("contact_pressure");
   set_field(L, "fields", fields);
   const int processors = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   set_field(L, "processors", processors);

@@ -1,4 +1,5 @@
 #include "bind/model.hpp"
+#include "model/contact_pressure.hpp"
 #include "model/profile.hpp"
 #include "model/sample.hpp"
 
@@ -87,12 +88,16 @@ template <int D> int body_of_argument(lua_State* L, const Model<D>& model) {
 template <int D> int sample(lua_State* L) {
   const Model<D>& model = self<Model<D>>(L);
   const int body = body_of_argument<D>(L, model);
-  const auto& field = model::find_field<D>(read_string(L, 3, {"field", "such as \"uy\" or \"von_mises\""}));
+  const std::string name = read_string(L, 3, {"field", "such as \"uy\" or \"von_mises\""});
   const Argument argument{"xi", "parametric coordinates"};
   const char* expected = D == 2 ? "a list of 2 numbers {xi1, xi2}" : "a list of 3 numbers {xi1, xi2, xi3}";
   if (!lua_istable(L, 4)) reject(L, 4, argument, expected, "put the coordinates into braces");
   if (read_list(L, 4, argument, expected) != D) reject(L, 4, argument, expected);
-  push(L, model::sample(*model, body, field, read_point(L, 4, argument, D, D)));
+  const VectorX point = read_point(L, 4, argument, D, D);
+  if (name == "contact_pressure")
+    push(L, model::sample_contact_pressure(*model, body, point));
+  else
+    push(L, model::sample(*model, body, model::find_field<D>(name), point));
   return 1;
 }
 
@@ -131,7 +136,7 @@ constexpr Function rows[] = {
     {"sample", wrap<sample<D>>,
      "m:sample(body, field, {xi1, xi2})\n"
      "A field's value at a parametric point ({xi1, xi2, xi3} in 3D) of a body (or its name); fields as in\n"
-     "sg.picture.\n"
+     "sg.picture. contact_pressure is that between the contact points of a slave face, which xi must lie on.\n"
      "Example: model:sample(\"slab\", \"uy\", {0.5, 1})"},
     {"energy", wrap<energy<D>>,
      "m:energy()\n"

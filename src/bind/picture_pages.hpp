@@ -37,9 +37,9 @@ marks:       { { x = {x, y}, text = "J = -0.2" }, … }: rings with crosses at p
              none.
  Colours
 field:       ux uy u (length), Cauchy stresses sxx syy szz sxy, von_mises, pressure, I1 (tr sigma) (force per area),
-             F11 F12 F21 F22 F33 (none); solids also uz sxz syz F13 … F33, and contact_pressure (force per current area)
-             on the slave faces, bilinear between contact points. By default bodies are grey. Stresses are evaluated
-             where they are drawn, from the exact deformation gradient: nothing is extrapolated or averaged, so that
+             F11 F12 F21 F22 F33 (none); solids also uz sxz syz F13 … F32; and contact_pressure (force per current area)
+             on the slave faces, in the plane as a band along them, linear between contact points. By default bodies
+             are grey. Stresses are evaluated where they are drawn, from the exact deformation gradient: nothing is extrapolated or averaged, so that
              jumps between elements, where N1 and Lp have them, show.
 fields:      {"sxx", "syy"}, in the place of field: side by side, each with a colour bar of its own.
 factor:      multiplies the field (1).

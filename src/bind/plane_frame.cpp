@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace signorini::bind {
 
@@ -102,6 +103,22 @@ view::Outline obstacle(const model::Model<2>& model, int index, bool deformed) {
   return outline;
 }
 
+/// Bands of pressure on the slave faces of the bodies that are drawn, in front of these: what is drawn first covers what
+/// comes behind it.
+void add_pressure(view::Panel& panel, const model::Model<2>& model, const Showing& showing) {
+  Vec<3> low = Vec<3>::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (const view::Body& body : panel.bodies) {
+    low = low.cwiseMin(body.points.rowwise().minCoeff());
+    high = high.cwiseMax(body.points.rowwise().maxCoeff());
+  }
+  std::vector<view::Body> bands;
+  const auto& contacts = model.scene().contacts;
+  for (std::size_t c = 0; c < contacts.size(); ++c)
+    if (std::count(showing.bodies.begin(), showing.bodies.end(), contacts[c].slave.body) > 0)
+      bands.push_back(pressure_band(model, static_cast<int>(c), showing, (high - low).maxCoeff()));
+  panel.bodies.insert(panel.bodies.begin(), bands.begin(), bands.end());
+}
+
 } // namespace
 
 double mirror_sign(const std::string& field, int axis) {
@@ -117,11 +134,12 @@ int divisions_for(int elements) {
 }
 
 template <> std::string field_label<2>(const std::string& field) {
-  return model::find_field<2>(field).label;
+  return field == pressure_name ? "contact pressure" : model::find_field<2>(field).label;
 }
 
 view::Panel show(const model::Model<2>& model, const Showing& showing) {
-  const model::Field<2>* field = showing.field.empty() ? nullptr : &model::find_field<2>(showing.field);
+  const bool pressure = showing.field == pressure_name;
+  const model::Field<2>* field = showing.field.empty() || pressure ? nullptr : &model::find_field<2>(showing.field);
   view::Panel panel;
   for (int b : showing.bodies) {
     const nurbs::Discretisation& space = model.scene().bodies[static_cast<std::size_t>(b)].body->space();
@@ -145,6 +163,7 @@ view::Panel show(const model::Model<2>& model, const Showing& showing) {
     }
     panel.bodies.push_back(std::move(body));
   }
+  if (pressure) add_pressure(panel, model, showing);
   for (int k = 0; showing.obstacles && k < static_cast<int>(model.scene().obstacles.size()); ++k)
     panel.obstacles.push_back(obstacle(model, k, showing.deformed));
   for (char letter : showing.mirror) {

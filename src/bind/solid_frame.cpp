@@ -10,8 +10,6 @@ namespace signorini::bind {
 
 namespace {
 
-constexpr const char* pressure_name = "contact_pressure";
-
 std::vector<view::SurfaceLine> lines_of(std::vector<model::SkinLine> lines, bool spaced) {
   std::vector<view::SurfaceLine> result;
   for (model::SkinLine& line : lines)

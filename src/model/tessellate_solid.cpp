@@ -1,11 +1,10 @@
 #include "base/index.hpp"
+#include "model/contact_pressure.hpp"
 #include "model/tessellate.hpp"
-#include "solid/quadrature.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
 
 namespace signorini::model {
 
@@ -119,44 +118,6 @@ void add_control_points(Skin& skin, const Model<3>& model, int body, bool deform
   }
 }
 
-/// The pressures at the contact points of a slave face.
-struct FacePressure {
-  nurbs::Side side;
-  int points;                 ///< per element and direction
-  std::vector<double> places; ///< of these in a direction, as fractions of the element
-  /// By element, contact point by contact point; 0 where the contact does not act.
-  std::vector<double> values;
-
-  /// Between the four nearest contact points of element e; fractions of its way in both directions.
-  double at_place(int e, double s, double t) const {
-    const auto weight = [&](double fraction) {
-      int i = 0;
-      while (i + 2 < points && places[at(i + 1)] < fraction) ++i;
-      const int j = std::min(i + 1, points - 1);
-      const double gap = places[at(j)] - places[at(i)];
-      return std::tuple{i, j, gap > 0 ? std::clamp((fraction - places[at(i)]) / gap, 0.0, 1.0) : 0.0};
-    };
-    const auto [i0, i1, u] = weight(s);
-    const auto [j0, j1, v] = weight(t);
-    const auto value = [&](int i, int j) { return values[at(e * points * points + j * points + i)]; };
-    return (1 - v) * ((1 - u) * value(i0, j0) + u * value(i1, j0)) + v * ((1 - u) * value(i0, j1) + u * value(i1, j1));
-  }
-};
-
-FacePressure face_pressure(const Model<3>& model, int contact) {
-  const Contact<3>& definition = model.scene().contacts[at(contact)];
-  const contact::Pair<3>& pair = model.pairs()[at(contact)];
-  const int per_element = definition.points * definition.points;
-  FacePressure result{
-      definition.slave.side, definition.points, solid::gauss_legendre(definition.points, 0, 1).points, {}};
-  result.values.assign(at(pair.slave().elements() * per_element), 0.0);
-  for (std::size_t i = 0; i < pair.results().size(); ++i) {
-    const auto [element, number] = pair.place(i);
-    result.values[at(element * per_element + number)] = pair.results()[i].pressure;
-  }
-  return result;
-}
-
 } // namespace
 
 int surface_elements(const nurbs::Discretisation& space) {
@@ -195,9 +156,9 @@ Skin tessellate(const Model<3>& model, int body, const Field<3>* field, int divi
 }
 
 VectorX contact_pressure(const Model<3>& model, int body, int divisions) {
-  std::vector<FacePressure> faces;
+  std::vector<FacePressure<3>> faces;
   for (std::size_t c = 0; c < model.scene().contacts.size(); ++c)
-    if (model.scene().contacts[c].slave.body == body) faces.push_back(face_pressure(model, static_cast<int>(c)));
+    if (model.scene().contacts[c].slave.body == body) faces.emplace_back(model, static_cast<int>(c));
   if (faces.empty()) return {};
   const int n = divisions;
   std::vector<double> values;
@@ -206,8 +167,8 @@ VectorX contact_pressure(const Model<3>& model, int body, int divisions) {
     for (int q = 0; q <= n; ++q)
       for (int p = 0; p <= n; ++p) {
         double sum = 0;
-        for (const FacePressure& face : faces)
-          if (face.side == side.side) sum += face.at_place(e, double(p) / n, double(q) / n);
+        for (const FacePressure<3>& face : faces)
+          if (face.side() == side.side) sum += face.at_place(e, {double(p) / n, double(q) / n});
         values.push_back(sum);
       }
   });

@@ -172,7 +172,7 @@ check.case("wrong arguments", function()
   local flat, solid = sg.frame{ model = plane }, sg.frame{ model = model }
   local wrong = {
     { { model = model, field = "w" }, "unknown field 'w'", "uz", "contact_pressure" },
-    { { model = plane, field = "contact_pressure" }, "unknown field" },
+    { { model = plane, field = "contact_pressures" }, "unknown field" },
     { { model = model, mirror = "zz" }, "mirror must be 'x', 'y', 'z'" },
     { { model = model, camera = "above" }, "camera must be 'iso'", "'above'" },
     { { model = model, camera = 3 }, "camera must be 'iso'", "{ from" },

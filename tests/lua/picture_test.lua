@@ -53,6 +53,43 @@ check.case("every option changes the picture", function()
   end
 end)
 
+--- A ring or strip that is pressed onto a rigid plane.
+local function pressed(kind)
+  local ring = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1, corner = { 1, 0 } }, elements = { 4, 4 },
+                        order = "N2", contact = "south", material = sg.neo_hookean{ E = 10, nu = 0.3 } }
+  local made = sg.model{
+    kind = kind, bodies = { ring = ring }, supports = { lid = { on = ring:face "north", drive = "y", fix = "x" } },
+    contacts = { ground = { slave = ring:face "south", penalty = 100,
+                            master = sg.rigid.plane{ point = { 0, 0 }, normal = { 0, 1 } } } },
+  }
+  made:run{ { steps = 1, lid = -0.05 } }
+  return made
+end
+
+check.case("contact pressure is drawn along slave faces, and sampled there", function()
+  for _, kind in ipairs { "plane_strain", "axisymmetric" } do
+    local made, seen = pressed(kind), {}
+    for _, variant in ipairs { {}, { field = "contact_pressure" }, { field = "contact_pressure", deformed = false },
+                               { field = "contact_pressure", mirror = "x" } } do
+      variant.model, variant.size = made, { 400, 300 }
+      local bytes = draw(variant).bytes
+      check.equal(seen[bytes], nil)
+      seen[bytes] = true
+    end
+    local profile = made:profile "ground"
+    check.equal(#profile.pressure, 36)
+    -- The fifth of nine Gauss points is in the middle of its element; between two of them the pressure is linear.
+    for element = 1, 4 do
+      local at = 9 * (element - 1) + 5
+      check.within("pressure", made:sample("ring", "contact_pressure", { (element - 0.5) / 4, 0 }),
+        profile.pressure[at], 1e-13)
+    end
+    check.equal(made:sample("ring", "contact_pressure", { 0, 0 }), profile.pressure[1])
+    check.fails(function() return made:sample("ring", "contact_pressure", { 0.5, 0.5 }) end,
+      "model:sample: contact_pressure is known on slave faces alone; on this body give xi[2] = 0 (contact 'ground')")
+  end
+end)
+
 check.case("components change their sign in the mirror as they do in a model that is the mirror image", function()
   local image = beam(sg.shapes.rectangle{ width = 4, height = 1 }:translate{ -4, 0 }, "east", "west")
   image:run{ { name = "bend", steps = 2, tip = { 0, 1 } } }

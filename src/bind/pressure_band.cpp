@@ -1,0 +1,74 @@
+#include "bind/frame.hpp"
+#include "model/contact_pressure.hpp"
+#include "model/sample.hpp"
+
+#include <algorithm>
+
+namespace signorini::bind {
+
+namespace {
+
+/// The end of the band's width that lies on the face, and where the middle of the element behind it lies.
+struct BandPoint {
+  Vec<2> face, inside;
+};
+
+BandPoint band_point(const model::Model<2>& model, const model::FaceReference& slave, double along, bool deformed) {
+  const nurbs::Discretisation& space = model.scene().bodies[static_cast<std::size_t>(slave.body)].body->space();
+  const int across = slave.side.direction;
+  const auto [from, to] = space.interval(slave.side.at_end ? space.elements() - 1 : 0, across);
+  const auto position = [&](double depth) {
+    VectorX xi(2);
+    xi(1 - across) = along;
+    xi(across) = depth;
+    const model::BodyPoint<2> point = model::regular_point(model, slave.body, space.find_element(xi), xi);
+    return deformed ? Vec<2>(point.reference + point.state.displacement) : point.reference;
+  };
+  return {position(slave.side.at_end ? to : from), position(0.5 * (from + to))};
+}
+
+} // namespace
+
+view::Body pressure_band(const model::Model<2>& model, int contact, const Showing& showing, double size) {
+  const model::FaceReference& reference = model.scene().contacts[static_cast<std::size_t>(contact)].slave;
+  const contact::Surface<2>& slave = model.pairs()[static_cast<std::size_t>(contact)].slave();
+  const model::FacePressure<2> pressure(model, contact);
+  const int divisions = std::clamp(400 / slave.elements(), 8, 40), count = slave.elements() * (divisions + 1);
+  std::vector<BandPoint> places;
+  view::Body band;
+  band.values.resize(2 * count);
+  for (int e = 0; e < slave.elements(); ++e)
+    for (int k = 0; k <= divisions; ++k) {
+      const auto [from, to] = slave.interval(e, 0);
+      const double fraction = double(k) / divisions;
+      const auto i = static_cast<Eigen::Index>(places.size());
+      places.push_back(band_point(model, reference, from + (to - from) * fraction, showing.deformed));
+      band.values(i) = band.values(count + i) =
+          showing.factor * pressure.at_place(e, contact::FaceCoordinates<2>(fraction));
+    }
+  // Half of the elements at the face where that can be seen.
+  double depth = 0;
+  for (const BandPoint& place : places) depth += (place.inside - place.face).norm() / count;
+  const double width = std::clamp(depth, 0.014 * size, 0.03 * size);
+  band.points.setZero(3, 2 * count);
+  view::Points edge = view::Points::Zero(3, count);
+  for (int i = 0; i < count; ++i) {
+    const auto at = [&](int j) { return places[static_cast<std::size_t>(j)]; };
+    // Neighbours beyond the point's own twin at the border of two elements
+    const Vec<2> along = (at(std::min(i + 2, count - 1)).face - at(std::max(i - 2, 0)).face).stableNormalized();
+    Vec<2> inwards(-along(1), along(0));
+    if (inwards.dot(at(i).inside - at(i).face) < 0) inwards = -inwards;
+    band.points.col(i).head<2>() = at(i).face;
+    band.points.col(count + i).head<2>() = at(i).face + width * inwards;
+    edge.col(i) = band.points.col(count + i);
+  }
+  band.triangles.resize(3, 2 * (count - 1));
+  for (int i = 0; i + 1 < count; ++i) {
+    band.triangles.col(2 * i) << i, i + 1, count + i + 1;
+    band.triangles.col(2 * i + 1) << i, count + i + 1, count + i;
+  }
+  band.rim = {std::move(edge)};
+  return band;
+}
+
+} // namespace signorini::bind

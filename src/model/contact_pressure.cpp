@@ -1,0 +1,95 @@
+#include "model/contact_pressure.hpp"
+
+#include "base/error.hpp"
+#include "base/index.hpp"
+#include "solid/quadrature.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace signorini::model {
+
+namespace {
+
+int power(int base, int exponent) {
+  return exponent == 1 ? base : base * base;
+}
+
+} // namespace
+
+template <int D>
+FacePressure<D>::FacePressure(const Model<D>& model, int contact)
+    : side_(model.scene().contacts[at(contact)].slave.side), points_(model.scene().contacts[at(contact)].points),
+      places_(solid::gauss_legendre(points_, 0, 1).points) {
+  const contact::Pair<D>& pair = model.pairs()[at(contact)];
+  const int per_element = power(points_, D - 1);
+  values_.assign(at(pair.slave().elements() * per_element), 0.0);
+  for (std::size_t i = 0; i < pair.results().size(); ++i) {
+    const auto [element, number] = pair.place(i);
+    values_[at(element * per_element + number)] = pair.results()[i].pressure;
+  }
+}
+
+template <int D> double FacePressure<D>::at_place(int e, const contact::FaceCoordinates<D>& fraction) const {
+  double sum = 0;
+  std::array<int, D - 1> first;
+  std::array<double, D - 1> weight; // of the point behind the first
+  for (std::size_t d = 0; d < D - 1; ++d) {
+    const double place = fraction(static_cast<int>(d));
+    int i = 0;
+    while (i + 2 < points_ && places_[at(i + 1)] < place) ++i;
+    const double gap = places_[at(std::min(i + 1, points_ - 1))] - places_[at(i)];
+    first[d] = i;
+    weight[d] = gap > 0 ? std::clamp((place - places_[at(i)]) / gap, 0.0, 1.0) : 0.0;
+  }
+  for (int corner = 0; corner < 1 << (D - 1); ++corner) {
+    double share = 1;
+    int number = 0, stride = 1;
+    for (std::size_t d = 0; d < D - 1; ++d, stride *= points_) {
+      const bool behind = corner >> d & 1;
+      share *= behind ? weight[d] : 1 - weight[d];
+      number += stride * std::min(first[d] + behind, points_ - 1);
+    }
+    sum += share * values_[at(e * power(points_, D - 1) + number)];
+  }
+  return sum;
+}
+
+template <int D> double sample_contact_pressure(const Model<D>& model, int body, const VectorX& xi) {
+  const nurbs::Discretisation& space = model.scene().bodies[at(body)].body->space();
+  space.find_element(xi); // refuses what lies outside
+  double sum = 0;
+  bool found = false;
+  std::string known;
+  for (std::size_t c = 0; c < model.scene().contacts.size(); ++c) {
+    const auto& contact = model.scene().contacts[c];
+    if (contact.slave.body != body) continue;
+    const int across = contact.slave.side.direction;
+    const double end =
+        contact.slave.side.at_end ? space.interval(space.elements() - 1, across)[1] : space.interval(0, across)[0];
+    known += text(known.empty() ? "" : ", ", "xi[", across + 1, "] = ", end, " (contact '", contact.name, "')");
+    if (std::abs(xi(across) - end) > 1e-12 * std::max(1.0, std::abs(end))) continue;
+    found = true;
+    contact::FaceCoordinates<D> on_face, fraction;
+    for (int d = 0, k = 0; d < D; ++d)
+      if (d != across) on_face(k++) = xi(d);
+    const auto& slave = model.pairs()[c].slave();
+    const int e = slave.find_element(on_face);
+    for (int d = 0; d < D - 1; ++d) {
+      const auto [from, to] = slave.interval(e, d);
+      fraction(d) = (on_face(d) - from) / (to - from);
+    }
+    sum += FacePressure<D>(model, static_cast<int>(c)).at_place(e, fraction);
+  }
+  require(found, "contact_pressure is known on slave faces alone; ",
+          known.empty() ? std::string("no face of this body is one: take the other body, or model:profile(contact)")
+                        : "on this body give " + known + ", or take model:profile(contact)");
+  return sum;
+}
+
+template class FacePressure<2>;
+template class FacePressure<3>;
+template double sample_contact_pressure<2>(const Model<2>&, int, const VectorX&);
+template double sample_contact_pressure<3>(const Model<3>&, int, const VectorX&);
+
+} // namespace signorini::model
