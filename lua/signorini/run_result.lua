@@ -6,8 +6,8 @@ local csv = require "signorini.csv"
 local in_name_of = require "signorini.in_name_of"
 local drives = require "signorini.drives"
 local format_table = require "signorini.table"
-local named = require "signorini.named"
 local states = require "signorini.states"
+local strict_run = require "signorini.strict_run"
 local untouched = require "signorini.untouched"
 
 local Run = {}
@@ -15,27 +15,7 @@ Run.__index = Run
 Run.__name = "run"
 core.types.run = Run
 
-local fields = { "failed", "reason", "cause", "report", "places", "steps", "iterations", "cutbacks", "rescues", "wall",
-                 "timings", "stages", "controls" } -- those of the page
-
--- What some runs have, or have while they go on. All else that is not there is misspelt.
-local may_be_missing = { cause = true, report = true, timings = true, recorders = true, before = true, step = true }
-setmetatable(Run, { __index = function(_, name)
-  if may_be_missing[name] or type(name) == "string" and name:find "^__" then return nil end
-  local known = table.move(fields, 1, #fields, 1, {})
-  for method in next, Run do
-    if core.docs["run:" .. method] then known[#known + 1] = method end
-  end
-  named.missing("a run", name, known)
-end })
-
-function Run:__newindex(name, value)
-  if not (rawget(self, "recorders") or may_be_missing[name]) then -- it has ended
-    core.fail(("a run is a record, it takes no '%s': keep your own values in a variable, or return them from on_step as "
-      .. "columns"):format(tostring(name)))
-  end
-  rawset(self, name, value)
-end
+strict_run(Run)
 
 local axes = { "x", "y", "z" }
 local contact_columns = { "fx", "fy", "fz", "area", "max_pressure", "max_penetration" }

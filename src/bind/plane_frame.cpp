@@ -103,8 +103,8 @@ view::Outline obstacle(const model::Model<2>& model, int index, bool deformed) {
   return outline;
 }
 
-/// Bands of pressure on the slave faces of the bodies that are drawn, in front of these: what is drawn first covers what
-/// comes behind it.
+/// Bands of pressure on the slave faces of the bodies that are drawn, in front of these: what is drawn first covers
+/// what comes behind it.
 void add_pressure(view::Panel& panel, const model::Model<2>& model, const Showing& showing) {
   Vec<3> low = Vec<3>::Constant(std::numeric_limits<double>::infinity()), high = -low;
   for (const view::Body& body : panel.bodies) {

@@ -23,8 +23,8 @@ template <int D> struct Field {
 
 /// All fields: components and size of the displacement (ux uy u), of the Cauchy stress (sxx syy szz sxy), its von Mises
 /// value, pressure = −tr σ/3, I1 = tr σ, and the deformation gradient (F11 F12 F21 F22 F33); in 3D those of z as well.
-/// The stress of a linear elastic body is that of its small strains; szz of an axisymmetric body is the hoop stress, F33
-/// the hoop stretch.
+/// The stress of a linear elastic body is that of its small strains; szz of an axisymmetric body is the hoop stress,
+/// F33 the hoop stretch.
 template <int D> const std::vector<Field<D>>& fields();
 
 /// Throws Error that lists the known names.

@@ -42,7 +42,8 @@ check.case("charts, a picture and a profile per run", function()
 end)
 
 check.case("wrong arguments", function()
-  check.refused(script, { ["mesh=m1"] = "unknown argument 'mesh=m1'; did you mean 'meshes'? known: labels=", ["meshes=m9"] = "got 'm9'",
+  check.refused(script, { ["mesh=m1"] = "unknown argument 'mesh=m1'; did you mean 'meshes'? known: labels=",
+    ["meshes=m9"] = "got 'm9'",
                                ["sizes=0"] = "sizes must be numbers of at least 1, got '0'",
                                ["steps=0"] = "steps must be", ["labels=Q7"] = "Q7" }, "out=" .. folder)
 end)

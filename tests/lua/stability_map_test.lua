@@ -245,8 +245,8 @@ check.case("a block is pressed into a plane: a stiff penalty or long steps fail"
       local block = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = { 2, 2 }, order = "N2",
                              contact = "south", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
       return sg.model{ bodies = { block = block }, supports = { head = { on = block:face "north", drive = "xy" } },
-        contacts = { ground = { slave = block:face "south", master = sg.rigid.plane{ point = {0, -1e-3}, normal = {0, 1} },
-                                penalty = penalty } } }
+        contacts = { ground = { slave = block:face "south", penalty = penalty,
+                                master = sg.rigid.plane{ point = {0, -1e-3}, normal = {0, 1} } } } }
     end,
     path = function(_, _, depth) return { { name = "press", steps = 2, head = { 0, -depth - 1e-3 } } } end,
     figures = function(model, run) return { force = run:column "ground.fy"[run.steps] } end,

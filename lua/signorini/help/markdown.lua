@@ -14,7 +14,8 @@ Units are yours, as long as they are consistent; angles are degrees; directions 
 ]]
 
 --- Pages on parts of a scene, by title.
-local parts_of_scene = { { "Supports", "support" }, { "Loads", "load" }, { "Contacts", "contact" }, { "Stages", "stage" } }
+local parts_of_scene = { { "Supports", "support" }, { "Loads", "load" }, { "Contacts", "contact" },
+                         { "Stages", "stage" } }
 
 local function add(lines, ...)
   for _, line in ipairs { ... } do lines[#lines + 1] = line end
