@@ -10,12 +10,19 @@ local columns_of = require("signorini.study.values").columns
 local words = { "and", "break", "do", "else", "elseif", "end", "false", "for", "function", "goto", "if", "in", "local",
   "nil", "not", "or", "repeat", "return", "then", "true", "until", "while" }
 
+--- The methods of a value whose type is written in Lua, such as a run; nothing of others.
+local function type_of(value)
+  local own = type(value) == "table" and getmetatable(value)
+  return type(own) == "table" and core.names[own] and own or nil
+end
+
 --- The tables of entries behind a value: its own, and the methods of its type.
 local function entries_of(value)
   local tables = { type(value) == "table" and value or nil }
   if type(value) == "userdata" then tables[#tables + 1] = rawget(core.types, core.kind(value)) end
   local own = type(value) ~= "userdata" and value ~= _G and getmetatable(value)
-  if type(own) == "table" and type(own.__index) == "table" then tables[#tables + 1] = own.__index end
+  local methods = type_of(value) or type(own) == "table" and own.__index
+  if type(methods) == "table" then tables[#tables + 1] = methods end
   return tables
 end
 
@@ -35,10 +42,16 @@ local function follow(path)
   return value, tables
 end
 
---- Whether users may call what stands in a table: methods that only the library calls have no help page.
-local function offered(entries, name, value)
+--- Whether a page holds a name as a word.
+local function says(page, name) return page:find("%f[%w_]" .. name .. "%f[^%w_]") ~= nil end
+
+--- Whether users may read or call what stands in a table: methods that only the library calls have no help page, and
+--- fields that only it reads, of a type that is written in Lua, are not named on the page of the type.
+local function offered(entries, name, value, sign)
+  local methods = type_of(entries)
+  if methods then return sign == "." and says(core.docs[core.names[methods]], name) end
   local own = core.names[entries]
-  return not (own and type(value) == "function") or core.docs[own .. ":" .. name] ~= nil
+  return not own or name:find "^__" == nil and type(value) == "function" and core.docs[own .. ":" .. name] ~= nil
 end
 
 local function candidates(path)
@@ -48,7 +61,7 @@ local function candidates(path)
   for _, entries in ipairs(tables) do
     for name, value in next, entries do
       if type(name) == "string" and name:sub(1, #beginning) == beginning and
-         (sign ~= ":" or type(value) == "function") and offered(entries, name, value) then
+         (sign ~= ":" or type(value) == "function") and offered(entries, name, value, sign) then
         found[#found + 1] = owner .. sign .. name
       end
     end

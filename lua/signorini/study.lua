@@ -102,9 +102,9 @@ end
 
 core.docs["study"] = [[
 study
-What sg.study returns: #study rows, study.rows, a list of tables of parameters and figures by name; print(study) shows
-how many cases are done, and the table. Verbs that choose, group or add return a study of their own that has rows
-only.]]
+What sg.study returns: #study rows, study.rows, a list of tables of parameters and figures by name; their names are in
+study.parameters and study.figures; study.units, study.name, study.folder as they were given. print(study) shows how
+many cases are done, and the table. Verbs that choose, group or add return a study of their own that has rows only.]]
 
 core.docs["sg.study"] = [[
 sg.study{ name, cases = sg.grid{ … }, run = function(case) … return { dPx = …, wall = run.wall } end, folder, units,

@@ -84,7 +84,7 @@ check.case("texts of closed sets, and names of an object's parts", function()
   study = sg.study { name = "s", cases = sg.grid { order = { "N1" } }, run = function() return {} end }
   check.equal(all 'study:by "', { "order", "wall", "failed", "outcome", "reason" })
   help = sg.help
-  check.equal(all 'help "patch:re', { "patch:refine", "patch:reverse" })
+  check.equal(all 'help "patch:ref', { "patch:refine" })
   check.equal(all 'help "la', { "labels" })
   study.rows = { { order = "N1", wall = 1 }, { order = "N2", wall = 1 }, { order = "N1", wall = 2 } }
   check.equal(all 'study:where{ ', { "order = ", "wall = ", "failed = ", "outcome = ", "reason = " })
@@ -140,8 +140,21 @@ check.case("these sets are those that the functions name themselves", function()
   check.equal(values.of_argument("body:corner", slab), named(function() slab:corner "?" end))
   for _, body in ipairs { slab, cube } do
     check.fails(function() body:face "?" end,
-      "one of " .. table.concat(values.of_argument("body:face", body), ", ") .. ",")
+      "one of " .. table.concat(values.of_argument("body:face", body), ", ") .. ", the ends of xi1")
   end
+end)
+
+check.case("of a run and a study only what their pages name", function()
+  run = model:run { { name = "hold", steps = 1, grip = { 0, 0 } } }
+  check.equal(all "run:", { "run:attempts", "run:column", "run:columns", "run:csv", "run:residuals", "run:states" })
+  check.equal(all "run.re", { "run.reason", "run.rescues", "run.residuals" })
+  for _, hidden in ipairs { "run.__", "run.rows", "run.ex", "run.wary", "run.kept", "study:run", "study:row_of" } do
+    check.equal({ hidden, all(hidden) }, { hidden, {} })
+  end
+  check.equal(all "study.f", { "study.figures", "study.folder" })
+  check.equal(all "study:ro", { "study:row" })
+  check.equal(all "study.ro", { "study.row", "study.rows" })
+  check.equal(all "run.timings.b", { "run.timings.bulk" })
 end)
 
 check.case("values, lists and unknown calls take none", function()
