@@ -83,7 +83,7 @@ local function no_page(word)
 end
 
 local function word_page(word)
-  if not word:find "%w" then return texts.prompt end -- such as ?_
+  if not word:find "%w" or word == "exit" or word == "quit" then return texts.prompt end -- also ?_
   local exact = texts[word] or core.docs[word] or core.docs["sg." .. word] or core.docs[spelt_out(word) or ""]
     or page_by_head(word)
   if exact then return exact end

@@ -23,7 +23,9 @@ end
 local function cure(name, level)
   if name == "sg" then return [[; write local sg = require "signorini" at the top]] end
   if name == "help" then return "; in a script it is sg.help, of local sg = require \"signorini\"" end
-  if name == "exit" or name == "quit" then return "; Ctrl-D leaves the prompt, os.exit() a script" end
+  if name == "exit" or name == "quit" then
+    return "; alone on a line of the prompt it leaves that, os.exit() ends a script"
+  end
   if name == "_" then return "; at the prompt it is the last result, once there is one" end
   if core.line_locals and core.line_locals[name] then
     return "; it was local to its line: leave out `local` at the prompt"

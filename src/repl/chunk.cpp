@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cstring>
 #include <optional>
+#include <regex>
 
 namespace signorini::repl {
 
@@ -58,6 +59,17 @@ void push_library_function(lua_State* L, const char* module, const char* name) {
   lua_call(L, 1, 1);
   lua_getfield(L, -1, name);
   lua_remove(L, -2);
+}
+
+bool asks_to_leave(lua_State* L, const std::string& line) {
+  static const std::regex leave("\\s*(exit|quit)\\s*(\\(\\s*\\))?\\s*;?\\s*");
+  std::smatch found;
+  if (!std::regex_match(line, found, leave)) return false;
+  lua_pushglobaltable(L);
+  bind::push(L, found[1].str());
+  const bool is_free = lua_rawget(L, -2) == LUA_TNIL;
+  lua_pop(L, 2);
+  return is_free;
 }
 
 Chunk load(lua_State* L, const std::string& code) {

@@ -14,6 +14,9 @@ enum class Chunk { unfinished, statements, expression };
 /// that a call in it is no tail call, which would lose its place in errors.
 Chunk load(lua_State* L, const std::string& code);
 
+/// Whether a line asks to leave the prompt: exit or quit, also as a call, unless the user has a variable of that name.
+bool asks_to_leave(lua_State* L, const std::string& line);
+
 /// Pushes a function of a module of the library.
 void push_library_function(lua_State* L, const char* module, const char* name);
 

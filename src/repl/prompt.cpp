@@ -76,6 +76,7 @@ bool prompt(Interpreter& interpreter, bool quiet) {
       continue;
     }
     if (editor) editor->remember(line);
+    if (code.empty() && asks_to_leave(L, line)) break;
     code += (code.empty() ? "" : "\n") + line;
     if (code.find_first_not_of(" \t\n") == std::string::npos) {
       code.clear();

@@ -143,6 +143,21 @@ check.case("at the prompt errors are one line, traceback() tells how they came a
   check.holds(run({}, "_\n").output, "undefined variable '_'; at the prompt it is the last result, once there is one")
 end)
 
+check.case("exit and quit leave the prompt, and only that", function()
+  for _, word in ipairs { "exit", "quit", "exit()", " quit ( ) ;" } do
+    local result = run({}, "1 + 1\n" .. word .. "\n40 + 2\n")
+    check.equal({ result.output, result.status }, { "2\n", 0 })
+  end
+  check.equal(run({}, "nonsense\nexit\n").status, 1)
+  check.equal(run({}, "exit = 3\nexit\nx = {\nquit = 1,\n}\nx.quit\n").output, "3\n1\n")
+  local hint = "undefined variable 'exit'; alone on a line of the prompt it leaves that, os.exit() ends a script"
+  check.holds(run({ "-e", "exit()" }).output, hint)
+  check.holds(run({}, "x = exit()\n").output, hint)
+  for _, query in ipairs { "?exit", "?quit()", 'help "exit"', "help quit" } do
+    check.holds(run({}, query .. "\n").output, "At the prompt:\n", "Ctrl-D, exit, quit      leaves;")
+  end
+end)
+
 check.case("errors in a call that is all of a line, of -e or the end of a script find their place", function()
   local result = run({}, "sg.study{ a = 1 }\nreturn sg.median { 'a' }\nfunction f() error('no', 2) end\n\nf()\n(1)\n")
   check.holds(result.output, "prompt:1: sg.study: unknown argument 'a'", "prompt:1: sg.median: ", "prompt:1: no\n1\n")
