@@ -140,7 +140,9 @@ function csv.write(file, data)
     arguments.reject("sg.csv.write", "file, the first argument,", "the name of a file", file)
   end
   if type(data) ~= "table" then core.fail "sg.csv.write: the second argument must be a table with columns and rows" end
-  local text = file_text(data)
+  local plain = {} -- a contact profile refuses names that it does not hold
+  for name, value in next, data do plain[name] = value end
+  local text = file_text(plain)
   in_name_of("sg.csv.write", "core.write_file", core.write_file, file, text)
 end
 

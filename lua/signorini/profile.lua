@@ -12,7 +12,7 @@ local profile = {}
 
 --- A column of a profile, checked; `argument` is what asked for it.
 local function column(where, name, data, key, argument)
-  local values = data[key]
+  local values = rawget(data, key)
   if type(values) == "table" and #values == #data.x then
     for i, value in ipairs(values) do arguments.number(where, ("%s.%s[%d]"):format(name, key, i), value) end
     return values

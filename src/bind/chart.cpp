@@ -1,5 +1,6 @@
 #include "view/chart.hpp"
 
+#include "bind/contact_profile.hpp"
 #include "bind/functions.hpp"
 #include "bind/open.hpp"
 #include "bind/options.hpp"
@@ -61,6 +62,10 @@ int read_marker(const Options& o) {
 
 view::Series read_series(lua_State* L, int index, int number, const std::vector<double>& common_x,
                          std::vector<std::string>& marks, bool marks_given) {
+  if (is_profile(L, index))
+    throw ArgumentError(text(function_name(L), ": [", number,
+                             "] must be a curve, got a contact profile: write { x = "
+                             "profile.x, y = profile.pressure } or which of its lists it shall be"));
   const Options o(L, index, {"y", "x", "label", "markers", "dashed", "line", "color", "width", "marker", "marks"},
                   false, text("[", number, "]"));
   const auto list = [&](const char* key, const char* meaning) {

@@ -1,3 +1,4 @@
+#include "bind/contact_profile.hpp"
 #include "bind/model.hpp"
 #include "model/contact_pressure.hpp"
 #include "model/profile.hpp"
@@ -64,12 +65,14 @@ template <int D> int profile(lua_State* L) {
   set_field(L, "traction", profile.traction);
   set_field(L, "gap", profile.gap);
   set_field(L, "state", profile.state);
-  if (D == 2) return 1;
-  set_field(L, "z", profile.z);
-  set_field(L, "Z", profile.reference_z);
-  set_field(L, "tx", profile.traction_x);
-  set_field(L, "ty", profile.traction_y);
-  set_field(L, "tz", profile.traction_z);
+  if (D == 3) {
+    set_field(L, "z", profile.z);
+    set_field(L, "Z", profile.reference_z);
+    set_field(L, "tx", profile.traction_x);
+    set_field(L, "ty", profile.traction_y);
+    set_field(L, "tz", profile.traction_z);
+  }
+  seal_profile(L);
   return 1;
 }
 
@@ -131,7 +134,7 @@ constexpr Function rows[] = {
      "is\n"
      "mu pressure.\n"
      "In 3D also z, Z, and tx, ty, tz, the components of the tangential traction t_T, whose size is `traction`; on\n"
-     "the slave acts -t_T.\n"
+     "the slave acts -t_T. Another name is an error.\n"
      "Example: model:profile(\"interface\").pressure"},
     {"sample", wrap<sample<D>>,
      "m:sample(body, field, {xi1, xi2})\n"

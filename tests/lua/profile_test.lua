@@ -155,4 +155,39 @@ check.case("wrong inputs name the argument, what came, what was expected, and th
   check.fails(function() sg.profile_edges{ profile = 1 } end, "sg.profile_edges: profile must be a contact profile")
 end)
 
+check.case("a profile of a model has no other names than its lists, and is read, written and kept as a table", function()
+  local slab = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = {1, 1}, order = "N1",
+    contact = "south", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+  local model = sg.model{ bodies = { slab = slab }, supports = { grip = { on = slab:face "north", drive = "xy" } },
+    contacts = { ground = { slave = slab:face "south", master = sg.rigid.plane{ point = {0, 0}, normal = {0, 1} },
+      penalty = 10 } } }
+  model:run{ { steps = 1, grip = {0, -0.1} } }
+  local pr = model:profile "ground"
+  local known = "it has X, Y, area, gap, pressure, state, traction, x, y"
+  check.fails(function() return pr.presure end, "profile_test.lua:", "a contact profile has no 'presure'",
+    "did you mean 'pressure'?", known)
+  check.fails(function() return pr.z end, "a contact profile has no 'z'", known)
+  check.fails(function() return pr[1] end, "a contact profile has no entry the number 1", "profile.pressure[1]")
+  check.fails(function() sg.chart{ file = "a.png", pr } end, "profile_test.lua:",
+    "sg.chart: [1] must be a curve, got a contact profile: write { x = profile.x, y = profile.pressure }")
+  check.fails(function() sg.profile_error{ profile = pr, reference = print, coordinate = "z" } end,
+    "sg.profile_error: profile has no list 'z'")
+
+  local file, names = os.tmpname(), {}
+  sg.csv.write(file, pr)
+  check.equal(sg.csv.read(file):column "pressure", pr.pressure)
+  os.remove(file)
+  for name in pairs(pr) do names[#names + 1] = name end
+  check.equal({ #names, rawlen(pr), #pr.x > 1, pr.pressure[1] > 0 }, { 9, 0, true, true })
+  local core = require "signorini.core"
+  local kept = core.read_json(core.write_json(pr))
+  check.near(kept.gap, pr.gap, 0)
+  check.equal(kept.presure, nil)
+  local show = require "signorini.show"
+  check.equal(show.text(kept), show.text(pr))
+  check.holds(show.text(pr), ("contact profile of %d points: "):format(#pr.x))
+  local record = require "signorini.study.case"(function() return pr end, { case = {}, text = "a" })
+  check.equal({ record.outcome, record.figures.state }, { "done", pr.state })
+end)
+
 check.done()

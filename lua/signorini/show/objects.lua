@@ -59,8 +59,10 @@ function objects.model(model)
   return table.concat(lines, "\n")
 end
 
---- Whether a table is what model:profile returns.
+--- Whether a table is what model:profile returns, or has its lists.
 local function is_profile(value)
+  local own = getmetatable(value)
+  if own and not (type(own) == "table" and own.__name == "contact profile") then return false end
   for _, name in ipairs { "x", "pressure", "traction", "gap", "state" } do
     if type(rawget(value, name)) ~= "table" then return false end
   end
@@ -84,7 +86,7 @@ end
 
 --- The text of such an object; nothing of other values.
 return function(value)
-  if type(value) == "table" then return getmetatable(value) == nil and is_profile(value) and profile(value) or nil end
+  if type(value) == "table" then return is_profile(value) and profile(value) or nil end
   local own = type(value) == "userdata" and objects[core.kind(value)]
   return own and own(value) or nil
 end

@@ -7,6 +7,7 @@ local function reject(entry, what, cure)
   core.fail(("sg.study: case %s: %s%s"):format(entry.text, what, cure and ": " .. cure or ""))
 end
 
+--- Checks the figures; whether the case failed, and why.
 local function read_figures(entry, figures)
   if type(figures) ~= "table" then
     reject(entry, ("run returned %s"):format(figures == nil and "nothing" or core.describe(figures)),
@@ -25,12 +26,14 @@ local function read_figures(entry, figures)
         .. "a reason")
     end
   end
-  if figures.failed ~= nil and type(figures.failed) ~= "boolean" then
-    reject(entry, "failed must be true or false, got " .. core.describe(figures.failed))
+  local failed, reason = rawget(figures, "failed"), rawget(figures, "reason") -- a contact profile has neither
+  if failed ~= nil and type(failed) ~= "boolean" then
+    reject(entry, "failed must be true or false, got " .. core.describe(failed))
   end
-  if figures.reason ~= nil and type(figures.reason) ~= "string" then
-    reject(entry, "reason must be a string, got " .. core.describe(figures.reason))
+  if reason ~= nil and type(reason) ~= "string" then
+    reject(entry, "reason must be a string, got " .. core.describe(reason))
   end
+  return failed, reason
 end
 
 --- Solves the case of an entry (see cases.lua): { figures, outcome = "done" or "failed", reason, wall (s) }.
@@ -39,8 +42,8 @@ return function(run, entry)
   local began = core.now()
   local figures = run(copy)
   local wall = core.now() - began
-  read_figures(entry, figures)
-  local record = { outcome = figures.failed and "failed" or "done", reason = figures.reason, wall = wall, figures = {} }
+  local failed, reason = read_figures(entry, figures)
+  local record = { outcome = failed and "failed" or "done", reason = reason, wall = wall, figures = {} }
   for name, value in next, figures do
     if name ~= "failed" and name ~= "reason" then record.figures[name] = value end
   end
