@@ -121,7 +121,7 @@ local wrong = {
   { "a negative Hamaker constant", "sg.model(with{ adhesion = { hamaker = -0.1, r0 = 0.4 } })",
     "sg.model: contacts.f.adhesion.hamaker must be a positive number", "got the number -0.1", "give a value above 0" },
   { "no distance", "sg.model(with{ adhesion = { hamaker = 0.1, r0 = 0 } })",
-    "contacts.f.adhesion.r0 must be a positive number", "it returned the number 0", "give a value above 0" },
+    "contacts.f.adhesion.r0 must be a positive number", "got the number 0", "give a value above 0" },
   { "a missing distance", "sg.model(with{ adhesion = { hamaker = 0.1 } })", "contacts.f.adhesion.r0", "is missing" },
   { "a number as law", "sg.model(with{ adhesion = 0.1 })", "contacts.f.adhesion takes a table of named arguments",
     "got the number 0.1", "write contacts.f.adhesion = { hamaker = … }" },

@@ -171,7 +171,7 @@ check.case("a variable that was never set is an error", function()
   local model = 1
   check.fails(function() return modle, model end, "undefined variable 'modle'; did you mean 'model'?")
   check.fails(function() return pritn end, "did you mean 'print'?")
-  check.fails(function() return quit end, "Ctrl-D leaves the prompt")
+  check.fails(function() return quit end, "alone on a line of the prompt it leaves that")
   check.fails(function() sg.boddy {} end, "errors_test.lua", "there is no sg.boddy; did you mean 'body'?")
   check.fails(function() return sg.shapes.rectangel end, "there is no sg.shapes.rectangel; did you mean 'rectangle'?")
 end)

@@ -155,7 +155,7 @@ check.case("wrong inputs name the argument, what came, what was expected, and th
   check.fails(function() sg.profile_edges{ profile = 1 } end, "sg.profile_edges: profile must be a contact profile")
 end)
 
-check.case("a profile of a model has no other names than its lists, and is read, written and kept as a table", function()
+check.case("a profile has no other names than its lists, and is read, written and kept as a table", function()
   local slab = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = {1, 1}, order = "N1",
     contact = "south", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
   local model = sg.model{ bodies = { slab = slab }, supports = { grip = { on = slab:face "north", drive = "xy" } },
