@@ -1,4 +1,5 @@
 #include "base/jobs.hpp"
+#include "bind/error_text.hpp"
 #include "bind/functions.hpp"
 #include "bind/open.hpp"
 #include "bind/threads.hpp"
@@ -8,7 +9,8 @@ namespace signorini::bind {
 namespace {
 
 int add_traceback(lua_State* L) {
-  luaL_traceback(L, L, luaL_tolstring(L, 1, nullptr), 1);
+  push_error_text(L, 1);
+  luaL_traceback(L, L, lua_tostring(L, -1), 1);
   return 1;
 }
 

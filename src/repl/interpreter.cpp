@@ -1,8 +1,8 @@
 #include "repl/interpreter.hpp"
 
 #include "base/interrupt.hpp"
+#include "bind/error_text.hpp"
 #include "bind/functions.hpp"
-#include "repl/chunk.hpp"
 #include "repl/colour.hpp"
 
 #include <algorithm>
@@ -61,27 +61,11 @@ std::string users_frames(lua_State* L, const std::string& traceback) {
   return kept;
 }
 
-/// The error value at index 1 as text; one that is no text by itself is shown as the prompt shows values.
-void push_message(lua_State* L) {
-  const bool texted = luaL_getmetafield(L, 1, "__tostring") != LUA_TNIL;
-  if (texted) lua_pop(L, 1);
-  if (lua_isnil(L, 1))
-    bind::push(L, "an error without a message, error(nil): say what is wrong, error(\"…\")");
-  else if (lua_istable(L, 1) && !texted) {
-    push_library_function(L, "signorini.show", "text");
-    lua_pushvalue(L, 1);
-    const bool shown = lua_pcall(L, 1, 1, 0) == LUA_OK;
-    bind::push(L, text("an error with ", shown ? lua_tostring(L, -1) : "a table", " in place of a message"));
-    lua_remove(L, -2);
-  } else
-    luaL_tolstring(L, 1, nullptr);
-}
-
 /// Message handler: any error value as text, with the script's own traceback below it unless it is not wanted; where it
 /// is kept for later, all of it.
 int add_traceback(lua_State* L) {
   const bool later = lua_toboolean(L, lua_upvalueindex(1)), refusal = is_refusal(L);
-  push_message(L);
+  bind::push_error_text(L, 1);
   if (interrupted() || refusal) return 1;
   luaL_traceback(L, L, lua_tostring(L, -1), 1);
   if (!later) {
