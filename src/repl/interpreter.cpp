@@ -140,12 +140,17 @@ bool Interpreter::report(bool ok) {
 }
 
 void add_syntax_hint(lua_State* L) {
-  // Lua's words where a table's entries have no comma in between.
+  // Lua's words for the first byte of a character that is not ASCII, and where a table's entries have no comma between.
+  static const std::regex beyond_ascii("near '<\\\\(12[89]|1[3-9][0-9]|2[0-9][0-9])>'$");
   static const std::regex comma("'\\}' expected (\\(to close .*\\) )?near '.*'$");
   const std::string message = lua_tostring(L, -1);
-  if (!std::regex_search(message, comma)) return;
+  const char* hint = std::regex_search(message, beyond_ascii)
+                         ? "; names are of the letters a-z, A-Z, digits and _; other characters stand in quotes"
+                     : std::regex_search(message, comma) ? "; is a comma missing before it?"
+                                                         : nullptr;
+  if (!hint) return;
   lua_pop(L, 1);
-  bind::push(L, message + "; is a comma missing before it?");
+  bind::push(L, message + hint);
 }
 
 bool Interpreter::run_code(const std::string& code, const std::string& name) {

@@ -26,6 +26,7 @@ void note_locals(lua_State* L, const std::string& code) {
 /// Runs what load() left, and prints its results.
 bool run(Interpreter& interpreter, Chunk chunk) {
   lua_State* L = interpreter.state();
+  if (!lua_isfunction(L, 1)) add_syntax_hint(L);
   bool ok = lua_isfunction(L, 1) && interpreter.call(lua_gettop(L) - 1, true);
   if (ok) {
     if (chunk == Chunk::expression) lua_remove(L, 1);

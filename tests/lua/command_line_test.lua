@@ -126,6 +126,18 @@ check.case("where entries of a table have no comma in between, the message asks 
     check.holds(run(case[1], case[2]).output, ": '}' expected", "near 'b'; is a comma missing before it?")
   end
   check.equal(run { "-e", "f(1 2)" }.output:find "is a comma", nil)
+  check.holds(run({}, "f{ a=1 b=2 }\n").output, "prompt:1: '}' expected near 'b'; is a comma missing before it?\n")
+end)
+
+check.case("a name of other letters than Lua's is told which it may have", function()
+  local hint = "; names are of the letters a-z, A-Z, digits and _; other characters stand in quotes\n"
+  check.equal(run({}, "ü = 3\n").output, "prompt:1: unexpected symbol near '<\\195>'" .. hint)
+  for _, code in ipairs { "größe = 1", "x = 3 × 4", "x = “a”", "t = { α = 1 }" } do
+    check.holds(run({}, code .. "\n").output, "prompt:1: ", hint)
+    check.holds(run({ "-e", code }).output, "signorini: (command line):1: ", hint)
+  end
+  check.equal(run({}, "'ü'\nx = @\n").output, '"ü"\nprompt:1: unexpected symbol near \'@\'\n')
+  check.equal(run({}, "x = \1\n").output, "prompt:1: unexpected symbol near '<\\1>'\n")
 end)
 
 check.case("at the prompt errors are one line, traceback() tells how they came about, and _ is the last result",
