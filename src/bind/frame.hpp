@@ -1,6 +1,7 @@
 #pragma once
 // States of models as pictures show them, free of their models.
 
+#include "base/window.hpp"
 #include "bind/scene.hpp"
 #include "view/picture.hpp"
 #include "view/solid_picture.hpp"
@@ -13,8 +14,9 @@ struct Showing {
   double factor = 1;
   bool deformed = true, undeformed = false, mesh = true, control_points = false;
   bool obstacles = true;
-  std::vector<int> bodies; ///< those to be drawn
-  std::string mirror;      ///< axes across which the model goes on, "xy"
+  std::vector<int> bodies;     ///< those to be drawn
+  std::string mirror;          ///< axes across which the model goes on, "xy"
+  std::vector<Window> windows; ///< what is shown larger than the whole, its images in the mirrors as well
 };
 
 /// Where a model of solids is cut open; without a point through the middle of what is shown.

@@ -43,11 +43,11 @@ std::vector<nurbs::Side> sides_of(const Patch& patch) {
 }
 
 /// The patch, or the six sides of a volume.
-std::vector<SampledPatch> pieces_of(const Patch& patch) {
-  if (patch.parametric_dimension() < 3) return {sampled(patch)};
+std::vector<SampledPatch> pieces_of(const Patch& patch, const std::vector<Window>& windows) {
+  if (patch.parametric_dimension() < 3) return {sampled(patch, 1, windows)};
   std::vector<SampledPatch> pieces;
   for (const nurbs::Side side : sides_of(patch))
-    pieces.push_back(sampled(nurbs::face(patch, side), outward(patch, side)));
+    pieces.push_back(sampled(nurbs::face(patch, side), outward(patch, side), windows));
   return pieces;
 }
 
@@ -70,7 +70,7 @@ view::Points control_points(const Patch& patch) {
 }
 
 view::Body plane_body(const Patch& patch, const PatchShowing& showing) {
-  SampledPatch piece = sampled(patch);
+  SampledPatch piece = sampled(patch, 1, showing.windows);
   view::Body body;
   body.points = std::move(piece.surface.points);
   body.triangles = std::move(piece.surface.triangles);
@@ -84,7 +84,7 @@ view::Body plane_body(const Patch& patch, const PatchShowing& showing) {
 /// One solid per side of a volume.
 std::vector<view::Solid> solids_of(const Patch& patch, const PatchShowing& showing) {
   std::vector<view::Solid> solids;
-  for (SampledPatch& piece : pieces_of(patch)) {
+  for (SampledPatch& piece : pieces_of(patch, showing.windows)) {
     view::Solid& solid = solids.emplace_back();
     solid.skin = std::move(piece.surface);
     solid.mesh_lines = std::move(piece.mesh_lines);

@@ -11,7 +11,8 @@ namespace signorini::bind {
 /// How patches shall be shown.
 struct PatchShowing {
   bool mesh = true, control_points = false;
-  bool names = true; ///< faces and directions; of several patches their numbers as well
+  bool names = true;                ///< faces and directions; of several patches their numbers as well
+  std::vector<Window> windows = {}; ///< what is shown larger than the whole
 };
 
 /// Curves, surfaces and volumes; all in the plane, or all in space.

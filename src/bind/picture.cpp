@@ -28,7 +28,7 @@ std::vector<std::string> joined(std::vector<std::string> keys, const std::vector
 
 int frame(lua_State* L) {
   const Options o(L, 1, joined(state_keys, {"title"}));
-  StateFrame state = read_state(L, o, {read_field(o)}).front();
+  StateFrame state = read_state(L, o, {read_field(o)}, [](bool) { return std::vector<Window>(); }).front();
   state.set_title(o.string("title", "line above this state", ""));
   push_object(L, std::move(state));
   return 1;
@@ -103,10 +103,10 @@ std::vector<StateFrame> read_frames(lua_State* L, const Options& o) {
   return frames;
 }
 
-/// A name, or { from = …, up = … }; by default the face of a cut is seen.
-view::Camera read_camera(lua_State* L, const Options& o, const std::optional<view::CutPlane>& cut) {
+/// A name, or { from = …, up = … }; by default the face of a cut with this normal is seen.
+view::Camera read_camera(lua_State* L, const Options& o, const std::optional<Vec<3>>& cut) {
   constexpr const char* meaning = "where the picture is seen from";
-  if (!o.has("camera")) return cut ? view::turned_to(view::camera("iso"), cut->normal) : view::camera("iso");
+  if (!o.has("camera")) return cut ? view::turned_to(view::camera("iso"), *cut) : view::camera("iso");
   const int value = o.push_value("camera"), type = lua_type(L, value);
   if (type == LUA_TSTRING) return view::camera(o.choice("camera", meaning, view::camera_names()));
   if (type != LUA_TTABLE)
@@ -169,12 +169,31 @@ std::optional<view::PictureOptions> read_region(lua_State* L, const Options& o, 
 /// What one picture shows: by field, the states in their order.
 using Sheets = std::vector<std::vector<StateFrame>>;
 
-Sheets read_sheets(lua_State* L, const Options& o) {
+/// The parts that a picture of this many pixels shows alone, or magnifies.
+std::vector<Window> read_windows(lua_State* L, const Options& o, const std::array<int, 2>& size, bool solid) {
+  std::vector<Window> windows;
+  for (const char* key : {"crop", "inset"}) {
+    if (solid) {
+      const auto part = read_region(L, o, key, view::SolidOptions{});
+      if (!part) continue;
+      const auto cut = read_cut(L, o);
+      const Mat<3> axes = view::picture_axes(read_camera(L, o, cut ? std::optional(cut->normal) : std::nullopt));
+      windows.push_back(box_window(axes.topRows<2>(), part->region->low, part->region->high, size));
+    } else if (const auto part = read_region(L, o, key, view::PictureOptions{})) {
+      const auto [left, right, bottom, top] = *part->crop;
+      windows.push_back(box_window(Mat<3>::Identity().topRows<2>(), {left, bottom, 0}, {right, top, 0}, size));
+    }
+  }
+  return windows;
+}
+
+Sheets read_sheets(lua_State* L, const Options& o, const std::array<int, 2>& size) {
   if (o.has("frames")) return {read_frames(L, o)};
+  const ReadWindows windows = [&](bool solid) { return read_windows(L, o, size, solid); };
   const std::vector<std::string> fields = read_fields(L, o);
-  if (o.has("states")) return read_states(L, o, fields);
+  if (o.has("states")) return read_states(L, o, fields, windows);
   Sheets sheets;
-  for (StateFrame& state : read_state(L, o, fields)) sheets.push_back({std::move(state)});
+  for (StateFrame& state : read_state(L, o, fields, windows)) sheets.push_back({std::move(state)});
   return sheets;
 }
 
@@ -312,7 +331,7 @@ int picture(lua_State* L) {
   read_options(L, o, options);
   const double rate = o.positive("fps", "pictures per second of a film", 10.0);
   if (o.has("columns")) options.columns = o.integer("columns", "pictures in a row", 1, 100);
-  const Sheets sheets = read_sheets(L, o);
+  const Sheets sheets = read_sheets(L, o, options.size);
   const StateFrame& first = sheets.front().front();
   if (o.has("label")) {
     if (first.label.empty())
@@ -320,7 +339,8 @@ int picture(lua_State* L) {
     options.field_label = o.string("label", "title of the colour bar");
   }
   if (first.solid()) {
-    options.camera = read_camera(L, o, std::get<view::SolidPanel>(first.panel).cut);
+    const auto& cut = std::get<view::SolidPanel>(first.panel).cut;
+    options.camera = read_camera(L, o, cut ? std::optional(cut->normal) : std::nullopt);
     const auto whole = read_region(L, o, "crop", options).value_or(options);
     draw<view::SolidPanel>(sheets, whole, read_region(L, o, "inset", options), file, rate);
   } else {

@@ -1,3 +1,4 @@
+#include "base/index.hpp"
 #include "bind/frame.hpp"
 #include "model/tessellate.hpp"
 
@@ -11,28 +12,42 @@ namespace {
 
 /// The points of a tessellation in their order: element by element, row by row.
 struct Grid {
-  const view::Points& points;
-  int divisions;
-  std::array<int, 2> elements;
-
-  int index(int element, int i, int j) const {
-    const int side = divisions + 1;
-    return side * side * element + side * j + i;
+  Grid(const view::Points& of, const model::Sampling<2>& at_places)
+      : points(of),
+        sampling(at_places), elements{static_cast<int>(sampling[0].size()), static_cast<int>(sampling[1].size())} {
+    for (int e = 0, next = 0; e < elements[0] * elements[1]; ++e) {
+      first.push_back(next);
+      next += count(e, 0) * count(e, 1);
+    }
   }
+
+  const view::Points& points;
+  const model::Sampling<2>& sampling;
+  std::array<int, 2> elements;
+  std::vector<int> first; ///< point of each element
+
+  /// Points of an element in a direction.
+  int count(int element, int direction) const {
+    const int number = direction == 0 ? element % elements[0] : element / elements[0];
+    return static_cast<int>(sampling[at(direction)][at(number)].size());
+  }
+
+  int index(int element, int i, int j) const { return first[at(element)] + count(element, 0) * j + i; }
 
   /// An element's border along a direction, at the start or the end of the other one.
   view::Points border(int element, int along, int end) const {
-    view::Points line(3, divisions + 1);
-    for (int k = 0; k <= divisions; ++k)
-      line.col(k) = points.col(along == 0 ? index(element, k, end * divisions) : index(element, end * divisions, k));
+    const int fixed = end * (count(element, 1 - along) - 1);
+    view::Points line(3, count(element, along));
+    for (int k = 0; k < line.cols(); ++k)
+      line.col(k) = points.col(along == 0 ? index(element, k, fixed) : index(element, fixed, k));
     return line;
   }
 
   /// An element's size across a direction, through its middle.
   double across(int element, int along) const {
-    const int half = divisions / 2;
-    return along == 0 ? (points.col(index(element, half, divisions)) - points.col(index(element, half, 0))).norm()
-                      : (points.col(index(element, divisions, half)) - points.col(index(element, 0, half))).norm();
+    const int middle = count(element, along) / 2, last = count(element, 1 - along) - 1;
+    return along == 0 ? (points.col(index(element, middle, last)) - points.col(index(element, middle, 0))).norm()
+                      : (points.col(index(element, last, middle)) - points.col(index(element, 0, middle))).norm();
   }
 
   /// Whether an element is the first or the last of those across a direction.
@@ -85,22 +100,23 @@ void add_mirror_image(view::Panel& panel, int axis, double sign) {
 }
 
 /// The rim of a model's rigid obstacle where it stands now, or stood at the start.
-view::Outline obstacle(const model::Model<2>& model, int index, bool deformed) {
+view::Outline obstacle(const model::Model<2>& model, int index, bool deformed, const std::vector<Window>& windows) {
   const int first = model.unknowns().obstacle_offset(index);
   const Vec<2> shift = deformed ? Vec<2>(model.displacement().segment<2>(first)) : Vec<2>::Zero();
   const contact::Obstacle<2>& shape = model.scene().obstacles[static_cast<std::size_t>(index)];
   if (const auto* plane = std::get_if<contact::Plane<2>>(&shape))
     return view::half_plane(plane->point + shift, plane->normal);
-  if (const auto* ball = std::get_if<contact::Ball<2>>(&shape)) return view::circle(ball->centre + shift, ball->radius);
+  if (const auto* ball = std::get_if<contact::Ball<2>>(&shape))
+    return view::circle(ball->centre + shift, ball->radius, windows);
   const auto& curve = std::get<nurbs::Patch>(shape);
   const nurbs::KnotVector& knots = curve.directions().front();
-  constexpr int pieces = 400;
-  view::Outline outline{view::Points::Zero(3, pieces + 1)};
-  for (int k = 0; k <= pieces; ++k) {
-    const double xi = knots.first() + (knots.last() - knots.first()) * k / pieces;
-    outline.line.col(k).head<2>() = nurbs::evaluate(curve, VectorX::Constant(1, xi)) + shift;
-  }
-  return outline;
+  const auto place = [&](double fraction) {
+    const double xi = knots.first() + (knots.last() - knots.first()) * fraction;
+    Vec<3> point = Vec<3>::Zero();
+    point.head<2>() = nurbs::evaluate(curve, VectorX::Constant(1, xi)) + shift;
+    return point;
+  };
+  return view::outline(place, 400, windows);
 }
 
 /// Bands of pressure on the slave faces of the bodies that are drawn, in front of these: what is drawn first covers
@@ -143,14 +159,14 @@ view::Panel show(const model::Model<2>& model, const Showing& showing) {
   view::Panel panel;
   for (int b : showing.bodies) {
     const nurbs::Discretisation& space = model.scene().bodies[static_cast<std::size_t>(b)].body->space();
-    const std::array<int, 2> elements = {space.elements(0), space.elements(1)};
     const int divisions = divisions_for(space.elements());
-    model::Tessellation sampled = model::tessellate(model, b, field, divisions, showing.deformed);
+    const auto sampling = model::sampling(model, b, divisions, showing.deformed, showing.windows);
+    model::Tessellation sampled = model::tessellate(model, b, field, sampling, showing.deformed);
     view::Body body;
     body.points = std::move(sampled.points);
     body.triangles = std::move(sampled.triangles);
     body.values = showing.factor * sampled.values;
-    const Grid grid{body.points, divisions, elements};
+    const Grid grid(body.points, sampling);
     body.rim = rim(grid);
     if (showing.mesh) body.mesh_lines = mesh_lines(grid);
     if (showing.control_points) {
@@ -158,14 +174,15 @@ view::Panel show(const model::Model<2>& model, const Showing& showing) {
       body.net_lines = std::move(sampled.net_lines);
     }
     if (showing.undeformed) {
-      const view::Points reference = model::tessellate(model, b, nullptr, divisions, false).points;
-      body.undeformed = without_seams(rim({reference, divisions, elements}));
+      const auto at_rest = model::sampling(model, b, divisions, false, showing.windows);
+      const view::Points reference = model::tessellate(model, b, nullptr, at_rest, false).points;
+      body.undeformed = without_seams(rim({reference, at_rest}));
     }
     panel.bodies.push_back(std::move(body));
   }
   if (pressure) add_pressure(panel, model, showing);
   for (int k = 0; showing.obstacles && k < static_cast<int>(model.scene().obstacles.size()); ++k)
-    panel.obstacles.push_back(obstacle(model, k, showing.deformed));
+    panel.obstacles.push_back(obstacle(model, k, showing.deformed, showing.windows));
   for (char letter : showing.mirror) {
     const int axis = letter - 'x';
     add_mirror_image(panel, axis, mirror_sign(showing.field, axis));

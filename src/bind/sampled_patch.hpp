@@ -1,6 +1,7 @@
 #pragma once
 // Curves and surfaces as points, triangles and lines over their true geometry.
 
+#include "base/window.hpp"
 #include "nurbs/patch.hpp"
 #include "view/solid.hpp"
 
@@ -13,8 +14,8 @@ struct SampledPatch {
   std::vector<view::SurfaceLine> rim;        ///< a curve itself, the four sides of a surface
 };
 
-/// Of a curve or a surface in 2D or 3D. `sign`: of the normals ∂x/∂ξ¹ × ∂x/∂ξ².
-SampledPatch sampled(const nurbs::Patch& patch, double sign = 1);
+/// Of a curve or a surface in 2D or 3D, finer where windows need it. `sign`: of the normals ∂x/∂ξ¹ × ∂x/∂ξ².
+SampledPatch sampled(const nurbs::Patch& patch, double sign = 1, const std::vector<Window>& windows = {});
 
 /// The point in space, z = 0 for those of the plane.
 Vec<3> place(const nurbs::Patch& patch, const VectorX& xi);

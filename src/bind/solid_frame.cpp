@@ -20,10 +20,11 @@ std::vector<view::SurfaceLine> lines_of(std::vector<model::SkinLine> lines, bool
 /// A body's surface, without its inside.
 view::Solid skin_of(const model::Model<3>& model, int b, const Showing& showing, const model::Field<3>* field,
                     int divisions) {
-  model::Skin skin = model::tessellate(model, b, field, divisions, showing.deformed);
+  const auto sampling = model::sampling(model, b, divisions, showing.deformed, showing.windows);
+  model::Skin skin = model::tessellate(model, b, field, sampling, showing.deformed);
   view::Solid solid;
   solid.skin = {std::move(skin.points), std::move(skin.normals), std::move(skin.triangles), std::move(skin.values)};
-  if (showing.field == pressure_name) solid.skin.values = model::contact_pressure(model, b, divisions);
+  if (showing.field == pressure_name) solid.skin.values = model::contact_pressure(model, b, sampling);
   solid.skin.values *= showing.factor;
   solid.rim = lines_of(std::move(skin.rim), false);
   solid.mesh_lines = lines_of(std::move(skin.mesh_lines), true);
@@ -33,7 +34,8 @@ view::Solid skin_of(const model::Model<3>& model, int b, const Showing& showing,
     solid.net_lines = std::move(skin.net_lines);
   }
   if (showing.undeformed) {
-    model::Skin reference = model::tessellate(model, b, nullptr, divisions, false);
+    const auto at_rest = model::sampling(model, b, divisions, false, showing.windows);
+    model::Skin reference = model::tessellate(model, b, nullptr, at_rest, false);
     solid.undeformed = {std::move(reference.points), std::move(reference.normals), std::move(reference.triangles), {}};
     solid.undeformed_rim = lines_of(std::move(reference.rim), false);
   }
@@ -53,15 +55,19 @@ std::vector<view::Lattice> inside_of(const model::Model<3>& model, int b, const 
   return result;
 }
 
-view::RigidSurface shifted(const nurbs::Patch& patch, const Vec<3>& shift) {
-  SampledPatch piece = sampled(patch);
+view::RigidSurface shifted(const nurbs::Patch& patch, const Vec<3>& shift, std::vector<Window> windows) {
+  for (Window& window : windows) {
+    window.low -= window.axes * shift;
+    window.high -= window.axes * shift;
+  }
+  SampledPatch piece = sampled(patch, 1, windows);
   piece.surface.points.colwise() += shift;
   for (view::SurfaceLine& line : piece.rim) line.points.colwise() += shift;
   return {std::move(piece.surface), std::move(piece.rim)};
 }
 
 /// A model's rigid obstacle where it stands now, or stood at the start.
-view::Rigid obstacle(const model::Model<3>& model, int index, bool deformed) {
+view::Rigid obstacle(const model::Model<3>& model, int index, bool deformed, const std::vector<Window>& windows) {
   const int first = model.unknowns().obstacle_offset(index);
   const Vec<3> shift = deformed ? Vec<3>(model.displacement().segment<3>(first)) : Vec<3>::Zero();
   const contact::Obstacle<3>& shape = model.scene().obstacles[static_cast<std::size_t>(index)];
@@ -71,7 +77,7 @@ view::Rigid obstacle(const model::Model<3>& model, int index, bool deformed) {
     return view::RigidBall{ball->centre + shift, ball->radius};
   if (const auto* cylinder = std::get_if<contact::Cylinder>(&shape))
     return view::RigidCylinder{cylinder->point + shift, cylinder->axis, cylinder->radius};
-  return shifted(std::get<nurbs::Patch>(shape), shift);
+  return shifted(std::get<nurbs::Patch>(shape), shift, windows);
 }
 
 void add_mirror_image(view::SolidPanel& panel, int axis, double sign) {
@@ -129,7 +135,10 @@ view::SolidPanel show(const model::Model<3>& model, const Showing& showing, cons
     return divisions_for(model::surface_elements(model.scene().bodies[static_cast<std::size_t>(b)].body->space()));
   };
   view::SolidPanel panel;
-  for (int b : showing.bodies) panel.bodies.push_back(skin_of(model, b, showing, field, divisions(b)));
+  panel.windows = showing.windows;
+  Showing skins = showing;
+  if (cut) skins.windows.clear(); // cut faces have even pieces, and skins end where they do
+  for (int b : showing.bodies) panel.bodies.push_back(skin_of(model, b, skins, field, divisions(b)));
   if (cut) {
     panel.cut = plane_of(*cut, panel.bodies, showing.mirror);
     const std::vector<model::Plane> planes = images(*panel.cut, showing.mirror);
@@ -140,7 +149,7 @@ view::SolidPanel show(const model::Model<3>& model, const Showing& showing, cons
     }
   }
   for (int k = 0; showing.obstacles && k < static_cast<int>(model.scene().obstacles.size()); ++k)
-    panel.obstacles.push_back(obstacle(model, k, showing.deformed));
+    panel.obstacles.push_back(obstacle(model, k, showing.deformed, showing.windows));
   for (char letter : showing.mirror) {
     const int axis = letter - 'x';
     add_mirror_image(panel, axis, pressure ? 1 : mirror_sign(showing.field, axis));

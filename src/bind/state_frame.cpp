@@ -22,35 +22,6 @@ Vec<3> unit(const std::string& axis) {
   return (axis[0] == '-' ? -1.0 : 1.0) * Vec<3>::Unit(axis.back() - 'x');
 }
 
-/// "y", or { normal = …, point = … }, or { normal = "y", at = … }.
-std::optional<Cut> read_cut(lua_State* L, const Options& o) {
-  if (!o.has("cut")) return std::nullopt;
-  constexpr const char* meaning = "the half on this side is taken away";
-  const int value = o.push_value("cut"), type = lua_type(L, value);
-  if (type == LUA_TSTRING) return Cut{unit(o.choice("cut", meaning, axis_names))};
-  if (type != LUA_TTABLE)
-    reject(L, value, o.argument("cut", meaning), "an axis such as \"y\" or \"-y\", or a table with normal and point");
-  const Options c = o.table("cut", {"normal", "point", "at"});
-  const int normal = c.push_value("normal");
-  Cut cut;
-  if (lua_type(L, normal) == LUA_TSTRING) {
-    cut.normal = unit(c.choice("normal", meaning, axis_names));
-    if (c.has("at")) cut.point = c.number("at", "where the plane meets the normal's axis") * cut.normal.cwiseAbs();
-  } else {
-    cut.normal = c.point("normal", "points to the half that is taken away", 3, 3);
-    if (cut.normal.norm() == 0)
-      reject(L, normal, c.argument("normal", "points to the half that is taken away"), "a vector that is not zero");
-    if (c.has("at"))
-      throw ArgumentError(text(function_name(L), ": cut.at needs an axis as cut.normal, such as \"y\"; with a vector "
-                                                 "give cut.point"));
-  }
-  if (c.has("point")) {
-    if (cut.point) throw ArgumentError(text(function_name(L), ": cut has both at and point; give one of them"));
-    cut.point = c.point("point", "a point of the plane", 3, 3);
-  }
-  return cut;
-}
-
 template <int D> std::string read_label(const Showing& showing) {
   if (showing.field.empty()) return "";
   const std::string label = field_label<D>(showing.field);
@@ -94,7 +65,7 @@ Showing read_showing(const Options& o, bool solid) {
 }
 
 std::vector<StateFrame> read_state(lua_State* L, const Options& o, const std::vector<std::string>& fields,
-                                   const Model<2>* plane, const Model<3>* solid) {
+                                   const ReadWindows& windows, const Model<2>* plane, const Model<3>* solid) {
   const int top = lua_gettop(L);
   Showing showing = read_showing(o, solid);
   if (fields[0].empty() && o.has("factor"))
@@ -105,6 +76,10 @@ std::vector<StateFrame> read_state(lua_State* L, const Options& o, const std::ve
     throw ArgumentError(text(function_name(L), ": marks stand in the present state, which deformed = false hides: "
                                                "leave one of them out"));
   showing.bodies = solid ? read_bodies(L, o, *solid) : read_bodies(L, o, *plane);
+  showing.windows = windows(solid);
+  for (char letter : showing.mirror)
+    for (std::size_t i = 0, count = showing.windows.size(); i < count; ++i)
+      showing.windows.push_back(mirrored(showing.windows[i], letter - 'x'));
   std::vector<StateFrame> states;
   for (const std::string& field : fields) {
     showing.field = field;
@@ -121,7 +96,7 @@ std::vector<StateFrame> read_state(lua_State* L, const Options& o, const std::ve
 }
 
 /// Patches before they are bodies have no state.
-StateFrame read_shape(lua_State* L, const Options& o) {
+StateFrame read_shape(lua_State* L, const Options& o, const ReadWindows& windows) {
   const int top = lua_gettop(L);
   for (const char* key : {"model", "field", "factor", "deformed", "undeformed", "mirror", "cut", "bodies", "obstacles"})
     if (o.has(key))
@@ -132,6 +107,7 @@ StateFrame read_shape(lua_State* L, const Options& o) {
   showing.mesh = o.flag("mesh", "draw element borders", true);
   showing.control_points = o.flag("control_points", "draw control points and the net between them", false);
   showing.names = o.flag("names", "name faces and directions", true);
+  showing.windows = windows(patches.front().dimension() == 3);
   StateFrame state{show(patches, showing), ""};
   std::visit([&](auto& one) { one.marks = read_marks(L, o, patches.front().dimension()); }, state.panel);
   lua_settop(L, top);
@@ -154,13 +130,13 @@ private:
 /// The kept state on top of the stack, as each of the fields shows it.
 template <int D>
 std::vector<StateFrame> show_kept(lua_State* L, const Options& o, const std::vector<std::string>& fields,
-                                  const Snapshot<D>& kept) {
+                                  const ReadWindows& windows, const Snapshot<D>& kept) {
   const Return<D> back(kept.model);
   kept.model->restore(kept.state);
   if constexpr (D == 2)
-    return read_state(L, o, fields, &kept.model, nullptr);
+    return read_state(L, o, fields, windows, &kept.model, nullptr);
   else
-    return read_state(L, o, fields, nullptr, &kept.model);
+    return read_state(L, o, fields, windows, nullptr, &kept.model);
 }
 
 bool is_of(const Snapshot<2>* plane, const Snapshot<3>* solid, const void* model) {
@@ -175,6 +151,35 @@ const void* named_model(lua_State* L, const Options& o) {
 }
 
 } // namespace
+
+/// "y", or { normal = …, point = … }, or { normal = "y", at = … }.
+std::optional<Cut> read_cut(lua_State* L, const Options& o) {
+  if (!o.has("cut")) return std::nullopt;
+  constexpr const char* meaning = "the half on this side is taken away";
+  const int value = o.push_value("cut"), type = lua_type(L, value);
+  if (type == LUA_TSTRING) return Cut{unit(o.choice("cut", meaning, axis_names))};
+  if (type != LUA_TTABLE)
+    reject(L, value, o.argument("cut", meaning), "an axis such as \"y\" or \"-y\", or a table with normal and point");
+  const Options c = o.table("cut", {"normal", "point", "at"});
+  const int normal = c.push_value("normal");
+  Cut cut;
+  if (lua_type(L, normal) == LUA_TSTRING) {
+    cut.normal = unit(c.choice("normal", meaning, axis_names));
+    if (c.has("at")) cut.point = c.number("at", "where the plane meets the normal's axis") * cut.normal.cwiseAbs();
+  } else {
+    cut.normal = c.point("normal", "points to the half that is taken away", 3, 3);
+    if (cut.normal.norm() == 0)
+      reject(L, normal, c.argument("normal", "points to the half that is taken away"), "a vector that is not zero");
+    if (c.has("at"))
+      throw ArgumentError(text(function_name(L), ": cut.at needs an axis as cut.normal, such as \"y\"; with a vector "
+                                                 "give cut.point"));
+  }
+  if (c.has("point")) {
+    if (cut.point) throw ArgumentError(text(function_name(L), ": cut has both at and point; give one of them"));
+    cut.point = c.point("point", "a point of the plane", 3, 3);
+  }
+  return cut;
+}
 
 std::string read_field(const Options& o) {
   return o.string("field", "such as \"uy\" or \"von_mises\"", "");
@@ -195,18 +200,19 @@ std::vector<std::string> read_fields(lua_State* L, const Options& o) {
   return fields;
 }
 
-std::vector<StateFrame> read_state(lua_State* L, const Options& o, const std::vector<std::string>& fields) {
-  if (o.has("patch")) return {read_shape(L, o)};
+std::vector<StateFrame> read_state(lua_State* L, const Options& o, const std::vector<std::string>& fields,
+                                   const ReadWindows& windows) {
+  if (o.has("patch")) return {read_shape(L, o, windows)};
   if (o.has("names"))
     throw ArgumentError(text(function_name(L), ": names are those of a patch's faces and directions: give patch = …"));
   const int value = o.push_value("model");
   const Model<3>* solid = test_object<Model<3>>(L, value);
   const Model<2>* plane = solid ? nullptr : &o.object<Model<2>>("model", "made by sg.model");
-  return read_state(L, o, fields, plane, solid);
+  return read_state(L, o, fields, windows, plane, solid);
 }
 
-std::vector<std::vector<StateFrame>> read_states(lua_State* L, const Options& o,
-                                                 const std::vector<std::string>& fields) {
+std::vector<std::vector<StateFrame>> read_states(lua_State* L, const Options& o, const std::vector<std::string>& fields,
+                                                 const ReadWindows& windows) {
   const Argument argument = o.argument("states", "what a run has kept");
   constexpr const char* expected = "a list of states made by run:states()";
   const void* model = named_model(L, o);
@@ -223,7 +229,8 @@ std::vector<std::vector<StateFrame>> read_states(lua_State* L, const Options& o,
     if (!plane && !solid) reject(L, -2, entry, "a state made by run:states()");
     if (model && !is_of(plane, solid, model))
       throw ArgumentError(text(function_name(L), ": ", entry.name, " is a state of another model than model"));
-    std::vector<StateFrame> frames = solid ? show_kept<3>(L, o, fields, *solid) : show_kept<2>(L, o, fields, *plane);
+    std::vector<StateFrame> frames =
+        solid ? show_kept<3>(L, o, fields, windows, *solid) : show_kept<2>(L, o, fields, windows, *plane);
     lua_getfield(L, -2, "title");
     const std::string title = read_string(L, -1, {entry.name + ".title", "line above this state"});
     by_field.resize(frames.size());

@@ -4,6 +4,7 @@
 #include "bind/frame.hpp"
 #include "bind/functions.hpp"
 
+#include <functional>
 #include <variant>
 
 namespace signorini::bind {
@@ -34,12 +35,19 @@ extern const std::vector<std::string> state_keys;
 std::string read_field(const Options& o);
 std::vector<std::string> read_fields(lua_State* L, const Options& o);
 
+/// The argument `cut`.
+std::optional<Cut> read_cut(lua_State* L, const Options& o);
+
+/// What is shown larger than the whole, in the plane or in space.
+using ReadWindows = std::function<std::vector<Window>(bool solid)>;
+
 /// The state in which the argument `model` is, as each of the fields shows it.
-std::vector<StateFrame> read_state(lua_State* L, const Options& o, const std::vector<std::string>& fields);
+std::vector<StateFrame> read_state(lua_State* L, const Options& o, const std::vector<std::string>& fields,
+                                   const ReadWindows& windows);
 
 /// The states of a run that the argument `states` lists, each with its title: by field, then by state. The models are
 /// put back into their present states.
-std::vector<std::vector<StateFrame>> read_states(lua_State* L, const Options& o,
-                                                 const std::vector<std::string>& fields);
+std::vector<std::vector<StateFrame>> read_states(lua_State* L, const Options& o, const std::vector<std::string>& fields,
+                                                 const ReadWindows& windows);
 
 } // namespace signorini::bind

@@ -4,60 +4,41 @@
 
 namespace signorini::model {
 
-namespace {
-
-/// Polyline through an element along direction d, the other parameter fixed.
-Points border(const Model<2>& model, int body, int e, int d, double fixed, int divisions, bool deformed) {
-  const nurbs::Discretisation& space = model.scene().bodies[at(body)].body->space();
-  const auto [from, to] = space.interval(e, d);
-  Points line = Points::Zero(3, divisions + 1);
-  VectorX xi(2);
-  xi(1 - d) = fixed;
-  for (int k = 0; k <= divisions; ++k) {
-    xi(d) = from + (to - from) * k / divisions;
-    const BodyPoint<2> point = regular_point(model, body, e, xi);
-    line.col(k).head<2>() = point.reference;
-    if (deformed) line.col(k).head<2>() += point.state.displacement;
-  }
-  return line;
-}
-
-} // namespace
-
-Tessellation tessellate(const Model<2>& model, int body, const Field<2>* field, int divisions, bool deformed) {
+Tessellation tessellate(const Model<2>& model, int body, const Field<2>* field, const Sampling<2>& sampling,
+                        bool deformed) {
   const solid::Body<2>& solid = *model.scene().bodies[at(body)].body;
   const nurbs::Discretisation& space = solid.space();
-  const int side = divisions + 1, per_element = side * side, elements = space.elements();
+  Eigen::Index points = 0, triangles = 0;
+  for (const auto& across : sampling[1])
+    for (const auto& along : sampling[0]) {
+      points += static_cast<Eigen::Index>(along.size() * across.size());
+      triangles += static_cast<Eigen::Index>(2 * (along.size() - 1) * (across.size() - 1));
+    }
   Tessellation result;
-  result.points.setZero(3, per_element * elements);
-  result.triangles.resize(3, 2 * divisions * divisions * elements);
-  if (field) result.values.resize(per_element * elements);
+  result.points.setZero(3, points);
+  result.triangles.resize(3, triangles);
+  if (field) result.values.resize(points);
 
   VectorX xi(2);
-  for (int e = 0, triangle = 0; e < elements; ++e) {
-    const int first = per_element * e;
+  int here = 0, triangle = 0;
+  for (int e = 0; e < space.elements(); ++e) {
+    const auto &along = sampling[0][at(e % space.elements(0))], &across = sampling[1][at(e / space.elements(0))];
+    const int side = static_cast<int>(along.size());
     const auto [a, b] = space.interval(e, 0);
     const auto [c, d] = space.interval(e, 1);
-    for (int n = 0; n < per_element; ++n) {
-      xi << a + (b - a) * (n % side) / divisions, c + (d - c) * (n / side) / divisions;
-      const BodyPoint<2> point = regular_point(model, body, e, xi);
-      result.points.col(first + n).head<2>() = point.reference;
-      if (deformed) result.points.col(first + n).head<2>() += point.state.displacement;
-      if (field) result.values(first + n) = field->value(solid.material(), point.state);
-    }
-    for (int j = 0; j < divisions; ++j)
-      for (int i = 0; i < divisions; ++i) {
-        const int corner = first + i + side * j;
-        result.triangles.col(triangle++) << corner, corner + 1, corner + side + 1;
-        result.triangles.col(triangle++) << corner, corner + side + 1, corner + side;
+    for (double t : across)
+      for (double s : along) {
+        xi << a + (b - a) * s, c + (d - c) * t;
+        const BodyPoint<2> point = regular_point(model, body, e, xi);
+        result.points.col(here).head<2>() = point.reference;
+        if (deformed) result.points.col(here).head<2>() += point.state.displacement;
+        if (field) result.values(here) = field->value(solid.material(), point.state);
+        if (s < 1 && t < 1) {
+          result.triangles.col(triangle++) << here, here + 1, here + side + 1;
+          result.triangles.col(triangle++) << here, here + side + 1, here + side;
+        }
+        ++here;
       }
-    // The element's start in each direction; the last element also its end
-    const bool last_0 = e % space.elements(0) == space.elements(0) - 1,
-               last_1 = e / space.elements(0) == space.elements(1) - 1;
-    result.mesh_lines.push_back(border(model, body, e, 1, a, divisions, deformed));
-    result.mesh_lines.push_back(border(model, body, e, 0, c, divisions, deformed));
-    if (last_0) result.mesh_lines.push_back(border(model, body, e, 1, b, divisions, deformed));
-    if (last_1) result.mesh_lines.push_back(border(model, body, e, 0, d, divisions, deformed));
   }
 
   result.control_points.setZero(3, space.functions());

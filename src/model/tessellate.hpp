@@ -2,6 +2,7 @@
 // Bodies as points, triangles and lines over their true curved geometry, for pictures.
 
 #include "model/sample.hpp"
+#include "model/sampling.hpp"
 
 namespace signorini::model {
 
@@ -12,15 +13,15 @@ using Triangles = Eigen::Matrix<int, 3, Eigen::Dynamic>;
 struct Tessellation {
   Points points; ///< z = 0
   Triangles triangles;
-  VectorX values;                 ///< of the field, per point; empty without a field
-  std::vector<Points> mesh_lines; ///< element borders
+  VectorX values; ///< of the field, per point; empty without a field
   Points control_points;
   std::vector<std::array<int, 2>> net_lines; ///< control points joined along every row
 };
 
-/// Cuts every element into divisions × divisions quadrilaterals of two triangles. Points on element borders are
-/// doubled, so that fields may jump there. `field` may be null.
-Tessellation tessellate(const Model<2>& model, int body, const Field<2>* field, int divisions, bool deformed);
+/// Cuts every element into quadrilaterals of two triangles, points row by row. Points on element borders are doubled,
+/// so that fields may jump there. `field` may be null.
+Tessellation tessellate(const Model<2>& model, int body, const Field<2>* field, const Sampling<2>& sampling,
+                        bool deformed);
 
 /// A line on the surface of a solid.
 struct SkinLine {
@@ -40,7 +41,7 @@ struct Skin {
 };
 
 /// Cuts the sides of the elements at the surface as the plane tessellation does.
-Skin tessellate(const Model<3>& model, int body, const Field<3>* field, int divisions, bool deformed);
+Skin tessellate(const Model<3>& model, int body, const Field<3>* field, const Sampling<3>& sampling, bool deformed);
 
 /// Elements that have a side on the surface, once per side.
 int surface_elements(const nurbs::Discretisation& space);
@@ -48,7 +49,7 @@ int surface_elements(const nurbs::Discretisation& space);
 /// The pressure of the contacts in which faces of the body are slaves, at the points of its skin: between a face
 /// element's contact points linear, beyond the outer ones constant; 0 elsewhere. Empty when no face of the body is
 /// slave.
-VectorX contact_pressure(const Model<3>& model, int body, int divisions);
+VectorX contact_pressure(const Model<3>& model, int body, const Sampling<3>& sampling);
 
 /// An element sampled at (divisions + 1)³ points evenly spread over its parameters, ξ¹ running fastest.
 struct Inside {

@@ -63,30 +63,40 @@ struct SkinSide {
 
 /// The grid of points of one element's side.
 struct Grid {
-  int divisions;
-  Eigen::Index first; ///< index of its first point in the skin
+  const std::vector<double>&along, &across; ///< fractions of its two directions
+  Eigen::Index first;                       ///< index of its first point in the skin
 
-  Eigen::Index operator()(int i, int j) const { return first + i + (divisions + 1) * j; }
+  int columns() const { return static_cast<int>(along.size()); }
+  int rows() const { return static_cast<int>(across.size()); }
+  Eigen::Index size() const { return Eigen::Index(columns()) * rows(); }
+  Eigen::Index operator()(int i, int j) const { return first + i + Eigen::Index(columns()) * j; }
 };
+
+Grid grid_of(const Sampling<3>& sampling, const SkinSide& side, int i, int j, Eigen::Index first) {
+  return {sampling[at(side.along(0))][at(i)], sampling[at(side.along(1))][at(j)], first};
+}
 
 /// The element's border along one of the side's directions, at the start or the end of the other one.
 SkinLine border(const Skin& skin, const Grid& grid, int along, bool at_end) {
-  const int n = grid.divisions, fixed = at_end ? n : 0, half = n / 2;
-  SkinLine line{Points(3, n + 1), Points(3, n + 1), 0};
-  for (int k = 0; k <= n; ++k) {
+  const int right = grid.columns() - 1, top = grid.rows() - 1, count = along == 0 ? right : top,
+            fixed = !at_end      ? 0
+                    : along == 0 ? top
+                                 : right;
+  SkinLine line{Points(3, count + 1), Points(3, count + 1), 0};
+  for (int k = 0; k <= count; ++k) {
     const Eigen::Index point = along == 0 ? grid(k, fixed) : grid(fixed, k);
     line.points.col(k) = skin.points.col(point);
     line.normals.col(k) = skin.normals.col(point);
   }
-  line.spacing = along == 0 ? (skin.points.col(grid(half, n)) - skin.points.col(grid(half, 0))).norm()
-                            : (skin.points.col(grid(n, half)) - skin.points.col(grid(0, half))).norm();
+  line.spacing = along == 0 ? (skin.points.col(grid(right / 2, top)) - skin.points.col(grid(right / 2, 0))).norm()
+                            : (skin.points.col(grid(right, top / 2)) - skin.points.col(grid(0, top / 2))).norm();
   return line;
 }
 
 void add_triangles(Triangles& triangles, Eigen::Index& next, const Grid& grid) {
-  for (int j = 0; j < grid.divisions; ++j)
-    for (int i = 0; i < grid.divisions; ++i) {
-      const int corner = static_cast<int>(grid(i, j)), side = grid.divisions + 1;
+  for (int j = 0; j + 1 < grid.rows(); ++j)
+    for (int i = 0; i + 1 < grid.columns(); ++i) {
+      const int corner = static_cast<int>(grid(i, j)), side = grid.columns();
       triangles.col(next++) << corner, corner + 1, corner + side + 1;
       triangles.col(next++) << corner, corner + side + 1, corner + side;
     }
@@ -125,21 +135,25 @@ int surface_elements(const nurbs::Discretisation& space) {
               space.elements(2) * space.elements(0));
 }
 
-Skin tessellate(const Model<3>& model, int body, const Field<3>* field, int divisions, bool deformed) {
-  const int elements = surface_elements(model.scene().bodies[at(body)].body->space()), n = divisions,
-            per_element = (n + 1) * (n + 1);
-  Skin skin;
-  skin.points.resize(3, per_element * elements);
-  skin.normals.resize(3, per_element * elements);
-  skin.triangles.resize(3, 2 * n * n * elements);
-  if (field) skin.values.resize(per_element * elements);
-
-  Grid grid{n, 0};
-  Eigen::Index triangle = 0;
+Skin tessellate(const Model<3>& model, int body, const Field<3>* field, const Sampling<3>& sampling, bool deformed) {
+  Eigen::Index points = 0, triangles = 0;
   each_side_element(model, body, deformed, [&](const SkinSide& side, int i, int j) {
-    for (int q = 0; q <= n; ++q)
-      for (int p = 0; p <= n; ++p) {
-        const SkinPoint point = side.point(side.element(i, j), double(p) / n, double(q) / n, field);
+    const Grid grid = grid_of(sampling, side, i, j, 0);
+    points += grid.size();
+    triangles += 2 * Eigen::Index(grid.columns() - 1) * (grid.rows() - 1);
+  });
+  Skin skin;
+  skin.points.resize(3, points);
+  skin.normals.resize(3, points);
+  skin.triangles.resize(3, triangles);
+  if (field) skin.values.resize(points);
+
+  Eigen::Index first = 0, triangle = 0;
+  each_side_element(model, body, deformed, [&](const SkinSide& side, int i, int j) {
+    const Grid grid = grid_of(sampling, side, i, j, first);
+    for (int q = 0; q < grid.rows(); ++q)
+      for (int p = 0; p < grid.columns(); ++p) {
+        const SkinPoint point = side.point(side.element(i, j), grid.along[at(p)], grid.across[at(q)], field);
         skin.points.col(grid(p, q)) = point.position;
         skin.normals.col(grid(p, q)) = point.normal;
         if (field) skin.values(grid(p, q)) = point.value;
@@ -149,26 +163,26 @@ Skin tessellate(const Model<3>& model, int body, const Field<3>* field, int divi
     (i == 0 ? skin.rim : skin.mesh_lines).push_back(border(skin, grid, 1, false));
     if (j == side.elements(1) - 1) skin.rim.push_back(border(skin, grid, 0, true));
     if (i == side.elements(0) - 1) skin.rim.push_back(border(skin, grid, 1, true));
-    grid.first += per_element;
+    first += grid.size();
   });
   add_control_points(skin, model, body, deformed);
   return skin;
 }
 
-VectorX contact_pressure(const Model<3>& model, int body, int divisions) {
+VectorX contact_pressure(const Model<3>& model, int body, const Sampling<3>& sampling) {
   std::vector<FacePressure<3>> faces;
   for (std::size_t c = 0; c < model.scene().contacts.size(); ++c)
     if (model.scene().contacts[c].slave.body == body) faces.emplace_back(model, static_cast<int>(c));
   if (faces.empty()) return {};
-  const int n = divisions;
   std::vector<double> values;
   each_side_element(model, body, false, [&](const SkinSide& side, int i, int j) {
     const int e = i + side.elements(0) * j;
-    for (int q = 0; q <= n; ++q)
-      for (int p = 0; p <= n; ++p) {
+    const Grid grid = grid_of(sampling, side, i, j, 0);
+    for (double t : grid.across)
+      for (double s : grid.along) {
         double sum = 0;
         for (const FacePressure<3>& face : faces)
-          if (face.side() == side.side) sum += face.at_place(e, {double(p) / n, double(q) / n});
+          if (face.side() == side.side) sum += face.at_place(e, {s, t});
         values.push_back(sum);
       }
   });

@@ -1,5 +1,7 @@
 #include "view/panel.hpp"
 
+#include "base/index.hpp"
+
 #include <cmath>
 #include <numbers>
 
@@ -23,14 +25,25 @@ Outline half_plane(const Vec<2>& point, const Vec<2>& normal) {
   return outline;
 }
 
-Outline circle(const Vec<2>& centre, double radius) {
-  constexpr int pieces = 180;
-  Outline outline;
-  outline.line.setZero(3, pieces + 1);
-  for (int i = 0; i <= pieces; ++i) {
-    const double angle = 2 * std::numbers::pi * i / pieces;
-    outline.line.col(i).head<2>() = centre + radius * Vec<2>(std::cos(angle), std::sin(angle));
+Outline circle(const Vec<2>& centre, double radius, const std::vector<Window>& windows) {
+  const auto place = [&](double fraction) {
+    const double angle = 2 * std::numbers::pi * fraction;
+    return Vec<3>(centre[0] + radius * std::cos(angle), centre[1] + radius * std::sin(angle), 0);
+  };
+  return outline(place, 180, windows);
+}
+
+Outline outline(const std::function<Vec<3>(double)>& place, int pieces, const std::vector<Window>& windows) {
+  std::vector<double> fractions = even_cuts(pieces);
+  for (int k = 0; k < pieces && !windows.empty(); ++k) {
+    const auto piece = [&](double s, double) { return place((k + s) / pieces); };
+    const auto cuts = window_cuts(piece, windows, false);
+    for (double cut : cuts[0]) fractions.push_back((k + cut) / pieces);
   }
+  add_cuts(fractions, {});
+  Outline outline{Points(3, static_cast<Eigen::Index>(fractions.size()))};
+  for (Eigen::Index i = 0; i < outline.line.cols(); ++i)
+    outline.line.col(i) = place(fractions[at(static_cast<int>(i))]);
   return outline;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 // What a picture shows, as plain arrays in model units.
 
-#include "base/eigen.hpp"
+#include "base/window.hpp"
 #include "view/frame.hpp"
 #include "view/marks.hpp"
 #include "view/names.hpp"
@@ -42,7 +42,10 @@ struct Outline {
 
 /// The rim of a half space; the normal points out of it.
 Outline half_plane(const Vec<2>& point, const Vec<2>& normal);
-Outline circle(const Vec<2>& centre, double radius);
+Outline circle(const Vec<2>& centre, double radius, const std::vector<Window>& windows = {});
+
+/// A curve by fractions 0 … 1 of its way: as many even pieces, and more where windows need them.
+Outline outline(const std::function<Vec<3>(double)>& place, int pieces, const std::vector<Window>& windows);
 
 /// One state of a model.
 struct Panel {

@@ -1,5 +1,6 @@
 #include "view/rigid.hpp"
 
+#include "base/index.hpp"
 #include "view/cut.hpp"
 
 #include <cmath>
@@ -18,17 +19,36 @@ bool same(const Vec<3>& a, const Vec<3>& b, double size) {
   return (a - b).norm() <= 1e-9 * size;
 }
 
-/// A surface over columns × rows pieces of a rectangle of parameters; `place` gives point and normal at (u, v), both
-/// 0 … 1.
-template <class Place> Surface tessellated(int columns, int rows, const Place& place) {
+/// Even pieces in two directions, and more where windows need them.
+template <class Place>
+std::array<std::vector<double>, 2> fractions(std::array<int, 2> pieces, const std::vector<Window>& windows,
+                                             const Place& place) {
+  std::array<std::vector<double>, 2> result = {even_cuts(pieces[0]), even_cuts(pieces[1])};
+  for (int j = 0; j < pieces[1] && !windows.empty(); ++j)
+    for (int i = 0; i < pieces[0]; ++i) {
+      const auto at_piece = [&](double s, double t) { return place((i + s) / pieces[0], (j + t) / pieces[1]).first; };
+      const auto cuts = window_cuts(at_piece, windows, false);
+      for (double cut : cuts[0]) result[0].push_back((i + cut) / pieces[0]);
+      for (double cut : cuts[1]) result[1].push_back((j + cut) / pieces[1]);
+    }
+  for (std::vector<double>& all : result) add_cuts(all, {});
+  return result;
+}
+
+/// A surface over columns × rows pieces of a rectangle of parameters, and more where windows need them; `place` gives
+/// point and normal at (u, v), both 0 … 1.
+template <class Place>
+Surface tessellated(std::array<int, 2> pieces, const std::vector<Window>& windows, const Place& place) {
   Surface surface;
-  const int side = columns + 1, count = side * (rows + 1), triangles = 2 * columns * rows;
+  const auto [us, vs] = fractions(pieces, windows, place);
+  const int columns = static_cast<int>(us.size()) - 1, rows = static_cast<int>(vs.size()) - 1, side = columns + 1,
+            count = side * (rows + 1), triangles = 2 * columns * rows;
   surface.points.resize(3, count);
   surface.normals.resize(3, surface.points.cols());
   surface.triangles.resize(3, triangles);
   for (int j = 0, triangle = 0; j <= rows; ++j)
     for (int i = 0; i <= columns; ++i) {
-      const auto [point, normal] = place(double(i) / columns, double(j) / rows);
+      const auto [point, normal] = place(us[at(i)], vs[at(j)]);
       const int here = i + side * j;
       surface.points.col(here) = point;
       surface.normals.col(here) = normal;
@@ -49,19 +69,19 @@ using Place = std::pair<Vec<3>, Vec<3>>;
 
 /// A square of the plane that is larger than the box, about the point nearest to the box's middle, which is one of its
 /// corners.
-RigidSurface whole(const RigidPlane& plane, const Bounds& box) {
+RigidSurface whole(const RigidPlane& plane, const Bounds& box, const std::vector<Window>&) {
   const Vec<3> normal = plane.normal.normalized(),
                foot = box.centre() - normal.dot(box.centre() - plane.point) * normal;
   const auto [a, b] = across(normal);
   const double half = 3 * (box.high - box.low).norm();
-  const Surface square = tessellated(2, 2, [&, a = a, b = b](double u, double v) {
+  const Surface square = tessellated({2, 2}, {}, [&, a = a, b = b](double u, double v) {
     return Place{foot + half * ((2 * u - 1) * a + (2 * v - 1) * b), normal};
   });
   return {square, {}};
 }
 
-RigidSurface whole(const RigidBall& ball, const Bounds&) {
-  const Surface sphere = tessellated(96, 48, [&](double u, double v) {
+RigidSurface whole(const RigidBall& ball, const Bounds&, const std::vector<Window>& windows) {
+  const Surface sphere = tessellated({96, 48}, windows, [&](double u, double v) {
     const double length = 2 * std::numbers::pi * u, height = std::numbers::pi * (v - 0.5);
     const Vec<3> out{std::cos(height) * std::cos(length), std::cos(height) * std::sin(length), std::sin(height)};
     return Place{ball.centre + ball.radius * out, out};
@@ -70,7 +90,7 @@ RigidSurface whole(const RigidBall& ball, const Bounds&) {
 }
 
 /// As long as the box is along its axis, with a little air.
-RigidSurface whole(const RigidCylinder& cylinder, const Bounds& box) {
+RigidSurface whole(const RigidCylinder& cylinder, const Bounds& box, const std::vector<Window>& windows) {
   const Vec<3> axis = cylinder.axis.normalized(),
                middle = cylinder.point + axis.dot(box.centre() - cylinder.point) * axis;
   const double half = 0.5 * axis.cwiseAbs().dot(box.high - box.low) + 0.05 * box.size();
@@ -82,11 +102,13 @@ RigidSurface whole(const RigidCylinder& cylinder, const Bounds& box) {
     return Place{middle + (2 * v - 1) * half * axis + cylinder.radius * out, out};
   };
   constexpr int pieces = 128;
-  result.surface = tessellated(pieces, 2, place);
+  result.surface = tessellated({pieces, 2}, windows, place);
   for (int end : {0, 1}) {
-    SurfaceLine circle{Points(3, pieces + 1), Points(3, pieces + 1)};
-    for (int i = 0; i <= pieces; ++i) {
-      const auto [point, normal] = place(double(i) / pieces, end);
+    const std::vector<double> way = fractions({pieces, 2}, windows, place)[0];
+    const int count = static_cast<int>(way.size());
+    SurfaceLine circle{Points(3, count), Points(3, count)};
+    for (int i = 0; i < count; ++i) {
+      const auto [point, normal] = place(way[at(i)], end);
       circle.points.col(i) = point;
       circle.normals.col(i) = normal;
     }
@@ -95,7 +117,7 @@ RigidSurface whole(const RigidCylinder& cylinder, const Bounds& box) {
   return result;
 }
 
-RigidSurface whole(const RigidSurface& surface, const Bounds&) {
+RigidSurface whole(const RigidSurface& surface, const Bounds&, const std::vector<Window>&) {
   return surface;
 }
 
@@ -144,8 +166,8 @@ std::optional<Rigid> mirrored(const Rigid& rigid, int axis) {
   return image;
 }
 
-RigidSurface shown(const Rigid& rigid, const Bounds& box) {
-  RigidSurface surface = std::visit([&](const auto& one) { return whole(one, box); }, rigid);
+RigidSurface shown(const Rigid& rigid, const Bounds& box, const std::vector<Window>& windows) {
+  RigidSurface surface = std::visit([&](const auto& one) { return whole(one, box, windows); }, rigid);
   const Points& points = surface.surface.points;
   if (points.cols() == 0) return {};
   Eigen::Index nearest = 0;

@@ -32,6 +32,6 @@ std::optional<Rigid> mirrored(const Rigid& rigid, int axis);
 
 /// What a picture of bodies within `box` shows of an obstacle: all of one that is no larger than the box, and of the
 /// others what lies within the box and a little air; nothing of one that is far away.
-RigidSurface shown(const Rigid& rigid, const Bounds& box);
+RigidSurface shown(const Rigid& rigid, const Bounds& box, const std::vector<Window>& windows = {});
 
 } // namespace signorini::view

@@ -73,8 +73,8 @@ void add_body(Scene& scene, const Solid& body, const Style& style) {
 }
 
 void add_obstacle(Scene& scene, const Rigid& rigid, const Bounds& box, const std::optional<CutPlane>& plane,
-                  const Style& style) {
-  RigidSurface surface = shown(rigid, box);
+                  const std::vector<Window>& windows, const Style& style) {
+  RigidSurface surface = shown(rigid, box, windows);
   std::vector<SurfaceLine> rim = surface.rim;
   if (plane) {
     const double tolerance = 1e-9 * box.size();
@@ -99,7 +99,7 @@ Scene scene_of(const SolidPanel& panel, const Mat<3>& axes, const Style& style) 
     add_body(scene, panel.cut ? cut(body, *panel.cut) : body, style);
   }
   require(!box.empty(), "a picture needs at least one body with points, none came");
-  for (const Rigid& rigid : panel.obstacles) add_obstacle(scene, rigid, box, panel.cut, style);
+  for (const Rigid& rigid : panel.obstacles) add_obstacle(scene, rigid, box, panel.cut, panel.windows, style);
   const auto turn = [&](Points& points) { points = axes * points; };
   scene.each_surface([&](Surface& surface) { turn(surface.points), turn(surface.normals); });
   for (Line& line : scene.lines) turn(line.line.points), turn(line.line.normals);

@@ -16,6 +16,7 @@ struct SolidPanel {
   std::optional<CutPlane> cut = {};  ///< of bodies and obstacles
   std::vector<PointMark> marks = {}; ///< drawn on top of all that is in front of them
   Names names = {};
+  std::vector<Window> windows = {}; ///< for what is tessellated here: obstacles that are no RigidSurface
 };
 
 /// As PictureOptions, with a camera; `region`, a box in space, takes the place of `crop`: the picture ends where the

@@ -90,6 +90,21 @@ check.case("contact pressure is drawn along slave faces, and sampled there", fun
   end
 end)
 
+check.case("what is magnified is drawn anew where it is curved, and alike where it is straight", function()
+  local function drawn(shape, crop)
+    local body = sg.body{ patch = shape, elements = { 2, 1 }, order = "N2", contact = "south",
+                          material = sg.neo_hookean{ E = 2, nu = 0.3 } }
+    local of = sg.model{ bodies = { ring = body }, contacts = {},
+                         supports = { hold = { on = body:face "north", fix = "xy" } } }
+    -- A frame is sampled before it is known which part will be shown
+    local kept = draw{ frames = { sg.frame{ model = of, mesh = false } }, size = { 800, 600 }, crop = crop }.bytes
+    return draw{ model = of, mesh = false, size = { 800, 600 }, crop = crop }.bytes == kept
+  end
+  local ring = sg.shapes.half_annulus{ inner = 0.5, outer = 1 }
+  check.equal(drawn(ring, { -0.75, -0.65, -0.75, -0.65 }), false)
+  check.equal(drawn(sg.shapes.rectangle{ width = 1, height = 1 }, { 0.9, 1.1, 0.9, 1.1 }), true)
+end)
+
 check.case("components change their sign in the mirror as they do in a model that is the mirror image", function()
   local image = beam(sg.shapes.rectangle{ width = 4, height = 1 }:translate{ -4, 0 }, "east", "west")
   image:run{ { name = "bend", steps = 2, tip = { 0, 1 } } }

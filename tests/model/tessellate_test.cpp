@@ -53,6 +53,10 @@ void press(Model<3>& model, double depth) {
   model.accept();
 }
 
+Sampling<3> evenly(const Model<3>& model, int divisions) {
+  return even_sampling<3>(model.scene().bodies[0].body->space(), divisions);
+}
+
 /// ∫ x·n dA / 3 over the triangles.
 double volume(const Skin& skin) {
   double sum = 0;
@@ -77,7 +81,7 @@ TEST(Skin, EnclosesTheBodyWithExactNormals) {
   const double exact = 4 * std::numbers::pi / 3 * (1 - 0.125) / 8;
   std::vector<double> errors;
   for (int divisions : {2, 4, 8}) {
-    const Skin skin = tessellate(model, 0, &find_field<3>("von_mises"), divisions, true);
+    const Skin skin = tessellate(model, 0, &find_field<3>("von_mises"), evenly(model, divisions), true);
     errors.push_back(std::abs(volume(skin) - exact));
     EXPECT_TRUE(skin.values.allFinite()); // at the pole too, where ∂X/∂ξ is singular
     EXPECT_LT(skin.values.cwiseAbs().maxCoeff(), 1e-12);
@@ -102,7 +106,7 @@ TEST(Skin, EnclosesTheBodyWithExactNormals) {
 TEST(Skin, HasTheBordersOfElementsAndSides) {
   const Scene<3> scene = one_body(nurbs::block({2, 1, 3}, Eigen::Vector3d(0, 0, 0)), {4, 2, 3}, back);
   const Model<3> model(scene);
-  const Skin skin = tessellate(model, 0, nullptr, 3, false);
+  const Skin skin = tessellate(model, 0, nullptr, evenly(model, 3), false);
   EXPECT_EQ(skin.values.size(), 0);
   EXPECT_NEAR(volume(skin), 6, 1e-12);
   EXPECT_NEAR(length(skin.rim), 2 * 4 * (2 + 1 + 3), 1e-12);
@@ -119,8 +123,8 @@ TEST(Skin, CarriesFieldsAndContactPressure) {
   press(model, 0.2);
   const int divisions = 3;
   const Field<3>& stress = find_field<3>("szz");
-  const Skin skin = tessellate(model, 0, &stress, divisions, true);
-  const VectorX pressure = contact_pressure(model, 0, divisions);
+  const Skin skin = tessellate(model, 0, &stress, evenly(model, divisions), true);
+  const VectorX pressure = contact_pressure(model, 0, evenly(model, divisions));
   ASSERT_EQ(pressure.size(), skin.points.cols());
   const double uniform = sample(model, 0, stress, Vec<3>(0.3, 0.6, 0.7));
   EXPECT_LT(uniform, -0.1);
@@ -143,7 +147,7 @@ TEST(Skin, InterpolatesBetweenContactPoints) {
   Model<3> model(pressed(contact::make_ball<3>({0.75, 0.25, 1.6}, 0.6)));
   press(model, 0.1);
   // An odd number of contact points has one at the middle of every element, and so do two divisions.
-  const VectorX pressure = contact_pressure(model, 0, 2);
+  const VectorX pressure = contact_pressure(model, 0, evenly(model, 2));
   const auto& results = model.pairs()[0].results();
   const Eigen::Index first = pressure.size() - 8 * 9; // the back is the last side
   double largest = 0;
@@ -159,7 +163,7 @@ TEST(Skin, InterpolatesBetweenContactPoints) {
   scene.contacts[0].where = [](const Vec<3>& place) { return place(0) < 1; };
   Model<3> half(scene);
   press(half, 0.1);
-  const VectorX partial = contact_pressure(half, 0, 2);
+  const VectorX partial = contact_pressure(half, 0, evenly(half, 2));
   for (int e = 0; e < 8; ++e)
     for (int i = 0; i < 9; ++i)
       if (e % 4 >= 2) {
@@ -191,6 +195,57 @@ TEST(Inside, SamplesTheElementsThatAPlaneMeets) {
   EXPECT_NEAR(last.values[13], sample(model, 0, field, middle), 1e-12);
   EXPECT_NEAR(last.values[26], sample(model, 0, field, corner), 1e-12);
   EXPECT_NEAR(last.points(2, 26), 1 + last.values[26], 1e-12);
+}
+
+/// A half annulus of radii 0.5 and 1 at rest, two elements round and one through.
+Model<2> annulus() {
+  nurbs::Plan plan;
+  plan.elements = {2, 1};
+  plan.contact = {south};
+  plan.labels.assign(1, nurbs::parse_label("N2"));
+  const auto space =
+      std::make_shared<const nurbs::Discretisation>(nurbs::half_annulus(0.5, 1, Eigen::Vector2d(0, 0)), plan);
+  Scene<2> scene;
+  scene.bodies.push_back({"ring", std::make_shared<const solid::Body<2>>(space, solid::neo_hookean(1, 0.3))});
+  return Model<2>(scene);
+}
+
+/// How far the outline within a box lies from circles of radii 0.5 and 1, by its points and the middles of its pieces.
+double departure(const Tessellation& drawn, const Vec<2>& low, const Vec<2>& high) {
+  double largest = 0;
+  for (Eigen::Index t = 0; t < drawn.triangles.cols(); ++t)
+    for (int k = 0; k < 3; ++k) {
+      const Vec<2> a = drawn.points.col(drawn.triangles(k, t)).head<2>(),
+                   b = drawn.points.col(drawn.triangles((k + 1) % 3, t)).head<2>(), middle = 0.5 * (a + b);
+      if ((middle.array() < low.array()).any() || (middle.array() > high.array()).any()) continue;
+      for (double radius : {0.5, 1.0})
+        if (std::abs(a.norm() - radius) < 1e-9 && std::abs(b.norm() - radius) < 1e-9)
+          largest = std::max(largest, std::abs(middle.norm() - radius));
+    }
+  return largest;
+}
+
+TEST(Sampling, FollowsArcsWithinHalfAPixelOfWhatIsMagnified) {
+  const Model<2> model = annulus();
+  const auto& stress = find_field<2>("sxx");
+  const int divisions = 12;
+  const Tessellation whole =
+      tessellate(model, 0, &stress, even_sampling<2>(model.scene().bodies[0].body->space(), divisions), true);
+  for (double side : {0.1, 0.02, 0.001}) {
+    // About the lowest quarter of the outer arc, for 1600 × 1000 pixels
+    const Vec<2> middle(-std::sqrt(0.5), -std::sqrt(0.5)), half(0.5 * side, 0.3 * side);
+    const Vec<2> low = middle - half, high = middle + half;
+    const Window window =
+        box_window(Mat<3>::Identity().topRows<2>(), {low[0], low[1], 0}, {high[0], high[1], 0}, {1600, 1000});
+    const auto places = sampling(model, 0, divisions, true, {window});
+    const Tessellation fine = tessellate(model, 0, &stress, places, true);
+    const double pixel = side / 1600;
+    EXPECT_LT(departure(fine, low, high), 0.5 * pixel) << side;
+    EXPECT_GT(departure(whole, middle.array() - 0.2, middle.array() + 0.2), 10 * pixel) << side;
+    // About as many quadrilaterals as the picture of a fine mesh has at most
+    EXPECT_LT(fine.triangles.cols(), 20000) << side;
+    EXPECT_EQ(fine.values.size(), fine.points.cols());
+  }
 }
 
 } // namespace

@@ -102,5 +102,21 @@ TEST(Obstacle, WidensThePictureOnlyWhereItIsSmallOrNear) {
   EXPECT_EQ(worth_showing(half_plane({0, -300}, {0, 1}), box).cols(), 0);
 }
 
+TEST(Obstacle, IsRoundWhereItIsMagnified) {
+  const double side = 0.01;
+  const Window window =
+      box_window(Mat<3>::Identity().topRows<2>(), {2, -side / 2, 0}, {2 + side, side / 2, 0}, {1000, 1000});
+  const Points line = circle({1, 0}, 1.001, {window}).line;
+  int within = 0;
+  for (Eigen::Index i = 1; i < line.cols(); ++i) {
+    const Vec<3> middle = 0.5 * (line.col(i) + line.col(i - 1));
+    if (middle[0] < 2 || std::abs(middle[1]) > side / 2) continue;
+    ++within;
+    EXPECT_LT(1.001 - (middle - Vec<3>(1, 0, 0)).norm(), 0.5 * window.pixel);
+  }
+  EXPECT_GE(within, 2);
+  EXPECT_LT(line.cols(), 250);
+}
+
 } // namespace
 } // namespace signorini::view

@@ -44,6 +44,30 @@ TEST(Rigid, IsCutToTheBoxOfTheBodies) {
   EXPECT_LT((extent(cylinder).high - Vec<3>(2.5, 2 + air, 2)).norm(), 1e-9);
 }
 
+TEST(Rigid, IsRoundWhereItIsMagnified) {
+  // From +x, at the ball's highest point and at 1000 pixels for a hundredth of its radius
+  Eigen::Matrix<double, 2, 3> axes;
+  axes << 0, 1, 0, 0, 0, 1;
+  const double side = 0.01;
+  const Window window =
+      box_window(axes, {2, 1 - side / 2, 2 - side / 2}, {2, 1 + side / 2, 2 + side / 2}, {1000, 1000});
+  const auto departure = [&](const RigidSurface& ball) {
+    double largest = 0;
+    for (Eigen::Index t = 0; t < ball.surface.triangles.cols(); ++t)
+      for (int k = 0; k < 3; ++k) {
+        const Vec<3> middle = 0.5 * (ball.surface.points.col(ball.surface.triangles(k, t)) +
+                                     ball.surface.points.col(ball.surface.triangles((k + 1) % 3, t)));
+        if ((axes * middle - Vec<2>(1, 2)).cwiseAbs().maxCoeff() > side / 2) continue;
+        largest = std::max(largest, 1 - (middle - Vec<3>(2, 1, 1)).norm());
+      }
+    return largest;
+  };
+  const RigidSurface fine = shown(RigidBall{{2, 1, 1}, 1}, box, {window});
+  EXPECT_GT(departure(fine), 0); // some lie in the window
+  EXPECT_LT(departure(fine), 0.5 * window.pixel);
+  EXPECT_LT(fine.surface.triangles.cols(), 80000); // the pole, where all columns meet
+}
+
 TEST(Rigid, IsLeftOutWhereItIsFar) {
   EXPECT_EQ(shown(RigidPlane{{0, 0, -3}, {0, 0, 1}}, box).surface.points.cols(), 0);
   EXPECT_EQ(shown(RigidBall{{2, 1, 9}, 1}, box).surface.points.cols(), 0);

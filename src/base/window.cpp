@@ -1,0 +1,107 @@
+#include "base/window.hpp"
+
+#include "base/index.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace signorini {
+namespace {
+
+constexpr double deviation = 0.25; ///< pixels
+constexpr int facets = 16;         ///< across a window at least, where colours vary
+constexpr int deepest = 14;        ///< halvings
+
+/// Halves a rectangle of fractions as long as a window shows it too coarse.
+class Halving {
+public:
+  Halving(const PlaceAt& place, const std::vector<Window>& windows, bool coloured)
+      : place_(place), windows_(windows), coloured_(coloured) {}
+
+  void visit(const Vec<2>& low, const Vec<2>& high, int depth) {
+    Eigen::Matrix<double, 3, 9> points; // corners, middles of borders, middle; the first direction fastest
+    const Vec<2> half = 0.5 * (low + high);
+    const std::array<double, 3> s = {low[0], half[0], high[0]}, t = {low[1], half[1], high[1]};
+    for (int k = 0; k < 9; ++k) points.col(k) = place_(s[at(k % 3)], t[at(k / 3)]);
+    std::array<bool, 2> halved = {false, false};
+    for (const Window& window : windows_)
+      if (meets(window, points))
+        for (int direction : {0, 1}) halved[at(direction)] |= is_coarse(window, points, direction);
+    if (depth == deepest || (!halved[0] && !halved[1])) return;
+    for (int direction : {0, 1})
+      if (halved[at(direction)]) cuts[at(direction)].push_back(half[direction]);
+    for (int j = 0; j <= halved[1]; ++j)
+      for (int i = 0; i <= halved[0]; ++i) {
+        Vec<2> from = low, to = high;
+        if (halved[0]) (i == 0 ? to : from)[0] = half[0];
+        if (halved[1]) (j == 0 ? to : from)[1] = half[1];
+        visit(from, to, depth + 1);
+      }
+  }
+
+  std::array<std::vector<double>, 2> cuts;
+
+private:
+  /// With air for what bulges between the points.
+  static bool meets(const Window& window, const Eigen::Matrix<double, 3, 9>& points) {
+    const Eigen::Matrix<double, 2, 9> seen = window.axes * points;
+    Vec<2> low = seen.rowwise().minCoeff(), high = seen.rowwise().maxCoeff();
+    const double air = 0.3 * (high - low).maxCoeff() + 0.05 * (window.high - window.low).maxCoeff();
+    return (low.array() - air <= window.high.array()).all() && (high.array() + air >= window.low.array()).all();
+  }
+
+  bool is_coarse(const Window& window, const Eigen::Matrix<double, 3, 9>& points, int direction) const {
+    const int step = direction == 0 ? 1 : 3, across = direction == 0 ? 3 : 1;
+    const double most = (window.high - window.low).maxCoeff() / facets;
+    for (int line = 0; line < 3; ++line) {
+      const int first = across * line;
+      const Vec<3> from = points.col(first), middle = points.col(first + step), to = points.col(first + 2 * step);
+      if ((middle - 0.5 * (from + to)).norm() > deviation * window.pixel) return true;
+      if (coloured_ && (to - from).norm() > most) return true;
+    }
+    return false;
+  }
+
+  const PlaceAt& place_;
+  const std::vector<Window>& windows_;
+  bool coloured_;
+};
+
+} // namespace
+
+Window box_window(const Eigen::Matrix<double, 2, 3>& axes, const Vec<3>& low, const Vec<3>& high,
+                  const std::array<int, 2>& size) {
+  const Vec<2> centre = 0.5 * axes * (low + high), half = 0.5 * axes.cwiseAbs() * (high - low);
+  return {axes, centre - half, centre + half, std::max(2 * half[0] / size[0], 2 * half[1] / size[1])};
+}
+
+Window mirrored(Window window, int axis) {
+  window.axes.col(axis) *= -1;
+  return window;
+}
+
+std::array<std::vector<double>, 2> window_cuts(const PlaceAt& place, const std::vector<Window>& windows,
+                                               bool coloured) {
+  Halving halving(place, windows, coloured);
+  if (!windows.empty()) halving.visit(Vec<2>::Zero(), Vec<2>::Ones(), 0);
+  for (std::vector<double>& cuts : halving.cuts) {
+    std::sort(cuts.begin(), cuts.end());
+    cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
+  }
+  return halving.cuts;
+}
+
+void add_cuts(std::vector<double>& fractions, const std::vector<double>& cuts) {
+  fractions.insert(fractions.end(), cuts.begin(), cuts.end());
+  std::sort(fractions.begin(), fractions.end());
+  const auto same = [](double a, double b) { return b - a < 1e-9; };
+  fractions.erase(std::unique(fractions.begin(), fractions.end(), same), fractions.end());
+}
+
+std::vector<double> even_cuts(int pieces) {
+  std::vector<double> fractions;
+  for (int k = 0; k <= pieces; ++k) fractions.push_back(double(k) / pieces);
+  return fractions;
+}
+
+} // namespace signorini

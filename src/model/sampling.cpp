@@ -1,0 +1,87 @@
+#include "model/sampling.hpp"
+
+#include "base/index.hpp"
+#include "model/sample.hpp"
+
+namespace signorini::model {
+namespace {
+
+/// An element's number along each direction.
+template <int D> std::array<int, D> numbers(const nurbs::Discretisation& space, int e) {
+  std::array<int, D> result{};
+  for (int d = 0; d < D; ++d) {
+    result[at(d)] = e % space.elements(d);
+    e /= space.elements(d);
+  }
+  return result;
+}
+
+/// What a picture shows of a body: element by element, a piece of it that runs along two directions.
+template <int D> struct Pieces {
+  const Model<D>& model;
+  int body;
+  bool deformed;
+
+  Vec<3> place(int e, const VectorX& xi) const {
+    const BodyPoint<D> point = body_point(model, body, e, xi);
+    Vec<3> result = Vec<3>::Zero();
+    result.template head<D>() = point.reference;
+    if (deformed) result.template head<D>() += point.state.displacement;
+    return result;
+  }
+
+  /// Cuts the piece of element e along two directions, the parameters of `xi` fixed in the third one.
+  void cut(Sampling<D>& sampling, int e, std::array<int, 2> along, VectorX xi,
+           const std::vector<Window>& windows) const {
+    const nurbs::Discretisation& space = model.scene().bodies[at(body)].body->space();
+    const auto at_fractions = [&](double s, double t) {
+      for (auto [direction, fraction] : {std::pair{along[0], s}, std::pair{along[1], t}}) {
+        const auto [from, to] = space.interval(e, direction);
+        xi(direction) = from + (to - from) * fraction;
+      }
+      return place(e, xi);
+    };
+    const auto cuts = window_cuts(at_fractions, windows, true);
+    const auto number = numbers<D>(space, e);
+    for (int i : {0, 1}) add_cuts(sampling[at(along[at(i)])][at(number[at(along[at(i)])])], cuts[at(i)]);
+  }
+};
+
+} // namespace
+
+template <int D> Sampling<D> even_sampling(const nurbs::Discretisation& space, int divisions) {
+  Sampling<D> sampling;
+  for (int d = 0; d < D; ++d) sampling[at(d)].assign(at(space.elements(d)), even_cuts(divisions));
+  return sampling;
+}
+
+template <int D>
+Sampling<D> sampling(const Model<D>& model, int body, int divisions, bool deformed,
+                     const std::vector<Window>& windows) {
+  const nurbs::Discretisation& space = model.scene().bodies[at(body)].body->space();
+  Sampling<D> result = even_sampling<D>(space, divisions);
+  if (windows.empty()) return result;
+  const Pieces<D> pieces{model, body, deformed};
+  for (int e = 0; e < space.elements(); ++e) {
+    if constexpr (D == 2)
+      pieces.cut(result, e, {0, 1}, VectorX(2), windows);
+    else {
+      const auto number = numbers<3>(space, e);
+      for (int d = 0; d < 3; ++d)
+        for (int end : {0, 1}) {
+          if (number[at(d)] != (end == 0 ? 0 : space.elements(d) - 1)) continue;
+          VectorX xi(3);
+          xi(d) = space.interval(e, d)[at(end)];
+          pieces.cut(result, e, {d == 0 ? 1 : 0, d == 2 ? 1 : 2}, xi, windows);
+        }
+    }
+  }
+  return result;
+}
+
+template Sampling<2> even_sampling<2>(const nurbs::Discretisation&, int);
+template Sampling<3> even_sampling<3>(const nurbs::Discretisation&, int);
+template Sampling<2> sampling<2>(const Model<2>&, int, int, bool, const std::vector<Window>&);
+template Sampling<3> sampling<3>(const Model<3>&, int, int, bool, const std::vector<Window>&);
+
+} // namespace signorini::model
