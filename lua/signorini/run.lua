@@ -144,6 +144,10 @@ function Step:solve(solver, to)
       stage = self.stage.name, step = self.run.steps + 1, from = self.done, to = to, iteration = result.iterations,
       residual = residuals[#residuals], energy = energies[#energies], reason = result.reason,
     })
+    if not ok and core.answer_interrupt() then -- Ctrl-C has reached the function before the solver
+      if result.reason == "iterating" then result.reason, result.message = "interrupted", "stopped by Ctrl-C" end
+      return result
+    end
     if not ok then
       self.model:rollback()
       error(answer, 0)
@@ -307,7 +311,9 @@ local function take(step, run, options, display)
     display:step(step.stage.name)
     if not options.on_step then return result end
     display:clear()
+    core.interrupted_run = run -- for the prompt, where Ctrl-C ends the function
     local answer = options.on_step(run:info(step.stage, result))
+    core.interrupted_run = nil
     if answer and answer ~= "stop" and answer ~= "cut" then run:record_extra(answer) end
     if answer ~= "cut" then return result, answer end
     run:drop_step()

@@ -1,3 +1,4 @@
+#include "base/interrupt.hpp"
 #include "base/timer.hpp"
 #include "bind/functions.hpp"
 #include "bind/open.hpp"
@@ -90,6 +91,12 @@ int kind(lua_State* L) {
   return 1;
 }
 
+int core_answer_interrupt(lua_State* L) {
+  if (interrupted()) answer_interrupt();
+  push(L, interrupted());
+  return 1;
+}
+
 int results(lua_State* L, int, lua_KContext) {
   return lua_gettop(L);
 }
@@ -139,6 +146,10 @@ constexpr Function rows[] = {
      "core.offered(f, most)\n"
      "The function as users get it. Errors find their line also behind `return f()`: a tail call of a function in\n"
      "Lua drops the caller, one of a function in C does not. It takes no more arguments than it looks at, or `most`."},
+    {"answer_interrupt", wrap<core_answer_interrupt>,
+     "core.answer_interrupt()\nWhether Ctrl-C was pressed; if so, what is going on ends because of it and returns what "
+     "it "
+     "has."},
     {"now", wrap<now>, "core.now()\nWall-clock seconds since some moment in the past."},
     {"mkdir", wrap<mkdir>, "core.mkdir(path)\nMakes a folder and those above it; an existing folder is fine."},
     {"exists", wrap<core_exists>, "core.exists(path)\nWhether there is a file or a folder of that name."},
