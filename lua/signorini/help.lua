@@ -77,6 +77,7 @@ local function no_page(word)
   for subject in pairs(texts) do known[subject] = true end
   for _, each in ipairs(subjects.groups) do known[each.word] = true end
   for _, script in ipairs(scripts.all()) do known[script.name] = true end
+  known.gallery = true
   local meant = core.nearest(word, sorted(known))
   return ("There is no page on '%s'%s"):format(word, meant and ("; did you mean '%s'?"):format(meant)
     or ". help() shows where to begin.")

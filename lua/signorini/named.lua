@@ -8,8 +8,8 @@ local named = {}
 function named.missing(what, name, known)
   table.sort(known)
   local meant = type(name) == "string" and core.nearest(name, known)
-  core.fail(("%s has no '%s'%s: it has %s"):format(what, tostring(name),
-    meant and ("; did you mean '%s'?"):format(meant) or "", table.concat(known, ", ")))
+  core.fail(("%s has no '%s'%s %s"):format(what, tostring(name),
+    meant and ("; did you mean '%s'? It has"):format(meant) or ": it has", table.concat(known, ", ")))
 end
 
 --- The table itself; from now on what it does not have is an error, not nil.

@@ -7,9 +7,9 @@ local in_name_of = require "signorini.in_name_of"
 local drives = require "signorini.drives"
 local format_table = require "signorini.table"
 local named = require "signorini.named"
+local run_warnings = require "signorini.run_warnings"
 local states = require "signorini.states"
 local strict_run = require "signorini.strict_run"
-local untouched = require "signorini.untouched"
 
 local Run = {}
 Run.__index = Run
@@ -258,7 +258,7 @@ function Run:finish(model)
   end
   spent.rest = math.max(0, rest)
   self.timings, self.recorders, self.before, self.step = spent, nil, nil, nil
-  self.warnings = untouched(self, model)
+  self.warnings = run_warnings(self, model)
   return self
 end
 
@@ -268,8 +268,8 @@ core.docs["run"] = [[
 run
 What model:run returns: run.failed, reason, cause, report, places (see help "model:run"); run.steps that were reached,
 iterations, cutbacks, rescues, wall (s), timings { bulk, contact, linear, rest } (s), stages (a list of accounts by
-name), controls (where arc length took over), warnings (such as a contact that never touched, in words). print(run)
-shows a short table.]]
+name), controls (where arc length took over), warnings (of contacts that never touched, or were penetrated by more than
+2 % of the smallest body's size, in words). print(run) shows a short table.]]
 
 core.docs["run:columns"] = [[
 run:columns()

@@ -26,8 +26,9 @@ int missing(lua_State* L) {
                              ": it has lists with one value per contact point, such as profile.pressure[1]; they are ",
                              listed(known)));
   const std::string name = lua_tostring(L, 2);
+  const std::string hint = did_you_mean(name, known);
   throw ArgumentError(
-      text("a contact profile has no '", name, "'", did_you_mean(name, known), ": it has ", listed(known)));
+      text("a contact profile has no '", name, "'", hint, hint.empty() ? ": it has " : " It has ", listed(known)));
 }
 
 } // namespace

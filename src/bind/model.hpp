@@ -30,8 +30,9 @@ template <class Items> int find(lua_State* L, const Items& items, const std::str
   const std::vector<std::string> names = names_of(items);
   if (const auto found = std::find(names.begin(), names.end(), name); found != names.end())
     return static_cast<int>(found - names.begin());
-  throw ArgumentError(text(function_name(L), ": the model has no ", kind, " '", name, "'", did_you_mean(name, names),
-                           names.empty() ? "" : "; it has " + one_of(names)));
+  const std::string hint = did_you_mean(name, names);
+  throw ArgumentError(text(function_name(L), ": the model has no ", kind, " '", name, "'", hint,
+                           names.empty() ? "" : (hint.empty() ? "; it has " : " It has ") + one_of(names)));
 }
 
 /// Index of a model's body, support or contact by name.

@@ -64,6 +64,9 @@ int reverse(lua_State* L) {
 
 int swap(lua_State* L) {
   const Patch& patch = self<Patch>(L);
+  if (patch.parametric_dimension() == 1)
+    throw ArgumentError(
+        text(function_name(L), ": a curve has one parametric direction, and nothing to exchange it with"));
   const int i = read_direction(L, 2, patch, "i"), j = read_direction(L, 3, patch, "j");
   if (i == j) reject(L, 3, {"j", "parametric direction, counted from 1"}, "another direction than i");
   push_object(L, nurbs::swap_directions(patch, i, j));

@@ -15,8 +15,8 @@ file:        "x.png"; for several states also a series: "x-%04d.png", numbered f
  What is shown
 patch:       a patch, or a list of patches of one dimension, in the place of model, before they are bodies: grey;
              takes mesh, control_points, names, marks and all on paper.
-names:       of a patch only: "west" … on its faces, ξ¹ ξ² ξ³ at arrows along its directions, and of several patches their
-             numbers (true).
+names:       of a patch only: "west" … on its faces, ξ¹ ξ² ξ³ at arrows along its directions, and of several
+             patches their numbers (true).
 model:       whose present state is drawn; the model is as it was afterwards.
 states:      run:states() in its place: a sheet with one colour bar, or a series of one frame and range of colours.
 frames:      a list of what sg.frame kept, in the place of model: a sheet or a series as well.
@@ -29,18 +29,18 @@ obstacles:   rigid obstacles, hatched, in space grey behind the bodies, of which
              over them (true).
 mirror:      "x", "y", "xy", in space also with "z": adds mirror images at 0 of these axes; by default none.
 cut:         solids only: the half that is taken away. "y" that of greater y, "-y" that of smaller y, through the
-             middle of the bodies; cut = { normal = "y", at = 0.5 } at y = 0.5 (length); cut = { normal = {…}, point = {…} } the
-             half that the normal points to. The cut face has the colours of the field inside. By default nothing is
-             cut.
+             middle of the bodies; cut = { normal = "y", at = 0.5 } at y = 0.5 (length); cut = { normal = {…},
+             point = {…} } the half that the normal points to. The cut face has the colours of the field inside. By
+             default nothing is cut.
 marks:       { { x = {x, y}, text = "J = -0.2" }, … }: rings with crosses at places (lengths) of the present state,
              the first ones first where there is little room for texts; places of a failed run will do. By default
              none.
  Colours
 field:       ux uy u (length), Cauchy stresses sxx syy szz sxy, von_mises, pressure, I1 (tr sigma) (force per area),
-             F11 F12 F21 F22 F33 (none); solids also uz sxz syz F13 … F32; and contact_pressure (force per current area)
-             on the slave faces, in the plane as a band along them, linear between contact points. By default bodies
-             are grey. Stresses are evaluated where they are drawn, from the exact deformation gradient: nothing is extrapolated or averaged, so that
-             jumps between elements, where N1 and Lp have them, show.
+             F11 F12 F21 F22 F33 (none); solids also uz sxz syz F13 … F32; and contact_pressure (force per current
+             area) on the slave faces, in the plane as a band along them, linear between contact points. By default
+             bodies are grey. Stresses are evaluated where they are drawn, from the exact deformation gradient: nothing
+             is extrapolated or averaged, so that jumps between elements, where N1 and Lp have them, show.
 fields:      {"sxx", "syy"}, in the place of field: side by side, each with a colour bar of its own.
 factor:      multiplies the field (1).
 label:       title of the colour bar; by default the field's name with its factor.
@@ -53,7 +53,8 @@ size:        {width, height} in pixels, exactly; or a number, the greatest width
 scale:       multiplies the pixels, of text and lines as well (1).
 columns:     states, frames or fields in a row; by default so many as show them large.
 title:       a line above the picture; by default none.
-crop:        {xmin, xmax, ymin, ymax}, lengths, in space with zmin, zmax: shows this part only; by default all.
+crop:        {xmin, xmax, ymin, ymax}, lengths: shows this part only; in space with zmin, zmax: shows the rectangle in
+             which this box is seen, with all that stands before and behind it. By default all.
 inset:       the same: this part is magnified in a box within the picture, in every state and field; by default none.
 camera:      solids only: "iso" (from the front, the right and above), "front" (from -y, z upwards), "back", "left"
              (from -x), "right", "top" (from +z, y upwards), "bottom", or

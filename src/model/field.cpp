@@ -92,7 +92,7 @@ template <int D> const Field<D>& find_field(const std::string& name) {
     if (field.name == name) return field;
     known += (known.empty() ? "" : ", ") + field.name;
   }
-  fail("unknown field '", name, "'; known: ", known);
+  fail("unknown field '", name, "'; known: ", known, ", contact_pressure");
 }
 
 template const Field<2>& find_field<2>(const std::string&);

@@ -29,7 +29,8 @@ bool is_no_statement(const std::string& code, std::string message) {
 
 /// Pushes the code as a function, or an error message.
 bool compiles(lua_State* L, const std::string& code) {
-  return luaL_loadbufferx(L, code.data(), code.size(), "=prompt", "t") == LUA_OK;
+  const std::string line = code + "\n"; // a quotation mark that is left open is an error of its own line
+  return luaL_loadbufferx(L, line.data(), line.size(), "=prompt", "t") == LUA_OK;
 }
 
 /// Code whose last line stands behind a return: lines that were pasted together may end with an expression.

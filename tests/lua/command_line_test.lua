@@ -212,6 +212,12 @@ check.case("a script without a name", function()
   check.holds(result.output, "the name of the script is empty, ''")
 end)
 
+check.case("a quotation mark that is left open is an error of its line, and the next line is one of its own", function()
+  local output = run({}, 'x = "abc\nhelp "galery"\n[[a\nb]]\n').output
+  check.holds(output, "prompt:1: unfinished string near '\"abc'\n", "no page on 'galery'; did you mean 'gallery'?\n",
+    "a\nb")
+end)
+
 check.case("help takes a dot for a colon", function()
   check.holds(run({}, 'help "patch.refine"\nhelp "model.run"\n').output, "p:refine{ elements", "model:run(stages")
 end)

@@ -70,4 +70,20 @@ check.case("a contact that never touched is named, once, with the least gap", fu
   check.equal(#scene(0, rough):run(press).warnings, 0)
 end)
 
+check.case("a contact that gives way too much is named with its depth and the step", function()
+  local function sunk(penalty)
+    local block = sg.body{ patch = sg.shapes.rectangle{ width = 2, height = 1 }, elements = {2, 2}, order = "N2",
+                           contact = "south", material = sg.linear_elastic{ E = 1, nu = 0 } }
+    local model = sg.model{ bodies = { block = block },
+      supports = { lid = { on = block:face "north", drive = "y", fix = "x" } },
+      contacts = { ground = { slave = block:face "south", penalty = penalty,
+                              master = sg.rigid.plane{ point = {0, 0}, normal = {0, 1} } } } }
+    return model:run{ { steps = 2, lid = -0.1 } }
+  end
+  -- Springs of stiffness E and epsilon in a row: 0.1 E/(E + epsilon) of the lid's way goes into the contact.
+  check.equal(sunk(1).warnings, { "contact 'ground' is penetrated by 0.05 in step 2, 2.5 % of the size of body "
+    .. "'block': a higher penalty lets less in" })
+  check.equal(sunk(4).warnings, {}) -- 0.02 of 2
+end)
+
 check.done()

@@ -185,6 +185,8 @@ end)
 check.case("wrong directions and mirrors", function()
   local p = sg.shapes.rectangle { width = 3, height = 1 }
   check.fails(function() p:reverse(3) end, "patch:reverse: dir must be a whole number from 1 to 2", "got the number 3")
+  check.fails(function() sg.nurbs.circle{ radius = 1 }:swap(1, 2) end,
+    "patch:swap: a curve has one parametric direction")
   check.fails(function() p:swap(1) end, "patch:swap: j (parametric direction, counted from 1) is missing")
   check.fails(function() p:swap(2, 2) end, "patch:swap: j must be another direction than i", "got the number 2")
   check.fails(function() p:mirror { normal = { 0, 0 } } end, "patch:mirror: normal: it has no length")

@@ -163,7 +163,7 @@ check.case("a profile has no other names than its lists, and is read, written an
       penalty = 10 } } }
   model:run{ { steps = 1, grip = {0, -0.1} } }
   local pr = model:profile "ground"
-  local known = "it has X, Y, area, gap, pressure, state, traction, x, y"
+  local known = "t has X, Y, area, gap, pressure, state, traction, x, y"
   check.fails(function() return pr.presure end, "profile_test.lua:", "a contact profile has no 'presure'",
     "did you mean 'pressure'?", known)
   check.fails(function() return pr.z end, "a contact profile has no 'z'", known)

@@ -11,6 +11,7 @@ local function spring(fails)
   function model:support_names() return { "bed", "edge", "grip" } end
   function model:load_names() return { "gas" } end
   function model:driven_names() return { "edge", "grip", "gas" } end
+  function model:body_names() return {} end
   function model:contact_names() return { "interface" } end
   function model:driven(name) return driven[name] or {} end
   function model:target(name)
