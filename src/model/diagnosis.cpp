@@ -119,14 +119,20 @@ template <int D> TroubleSpot inverted_element(const Model<D>& model) {
           text("J = ", number(inversion.jacobian))};
 }
 
+/// How a body's control points move, a column for each, in a direction of all degrees of freedom.
+template <int D>
+Eigen::Map<const Eigen::Matrix<double, D, Eigen::Dynamic>> moves_of(const Model<D>& model, std::size_t body,
+                                                                    const VectorX& all) {
+  return {all.data() + model.unknowns().offset(static_cast<int>(body)), D,
+          model.scene().bodies[body].body->functions()};
+}
+
 /// Whether a direction moves a body as a whole, and how, in words; empty when it deforms it.
 template <int D> std::string rigid_part(const Model<D>& model, const VectorX& direction) {
   const VectorX all = model.unknowns().spread(direction);
   for (std::size_t b = 0; b < model.scene().bodies.size(); ++b) {
     const auto& named = model.scene().bodies[b];
-    const int functions = named.body->functions();
-    const Eigen::Map<const Eigen::Matrix<double, D, Eigen::Dynamic>> own(
-        all.data() + model.unknowns().offset(static_cast<int>(b)), D, functions);
+    const auto own = moves_of(model, b, all);
     const Vec<D> mean = own.rowwise().mean();
     constexpr double whole = 0.01;
     if (own.norm() < 0.5 * all.norm()) continue;
@@ -134,9 +140,9 @@ template <int D> std::string rigid_part(const Model<D>& model, const VectorX& di
       return text("body '", named.name, "' moves as a whole along ", coordinates(mean / mean.norm()));
     // u = Σ_m a_m m over the rigid motions m, in the sense of least squares
     const std::vector<VectorX> motions = rigid_motions<D>(named.body->space().points(), model.scene().kind);
-    MatrixX columns(D * functions, static_cast<Eigen::Index>(motions.size()));
+    MatrixX columns(own.size(), static_cast<Eigen::Index>(motions.size()));
     for (std::size_t m = 0; m < motions.size(); ++m) columns.col(static_cast<Eigen::Index>(m)) = motions[m];
-    const VectorX flat = Eigen::Map<const VectorX>(own.data(), D * functions);
+    const VectorX flat = Eigen::Map<const VectorX>(own.data(), own.size());
     const VectorX fit = columns.colPivHouseholderQr().solve(flat);
     if ((columns * fit - flat).norm() <= whole * flat.norm()) return text("body '", named.name, "' turns as a whole");
   }
@@ -176,11 +182,9 @@ template <int D> std::string cure_of_sliding(const Model<D>& model, const Vector
   const VectorX all = model.unknowns().spread(direction);
   for (std::size_t b = 0; b < model.scene().bodies.size(); ++b) {
     const auto& named = model.scene().bodies[b];
-    const int functions = named.body->functions();
-    const Eigen::Map<const Eigen::Matrix<double, D, Eigen::Dynamic>> own(
-        all.data() + model.unknowns().offset(static_cast<int>(b)), D, functions);
+    const auto own = moves_of(model, b, all);
     const Vec<D> mean = own.rowwise().mean();
-    if (mean.norm() * std::sqrt(functions) < 0.5 * all.norm()) continue;
+    if (mean.norm() * std::sqrt(static_cast<double>(own.cols())) < 0.5 * all.norm()) continue;
     for (std::size_t k = 0; k < model.scene().contacts.size(); ++k)
       if (slides(model, k, b, mean))
         return text("contact '", model.scene().contacts[k].name, "' is frictionless, so nothing holds body '",
