@@ -55,7 +55,8 @@ std::string users_frames(lua_State* L, const std::string& traceback) {
   std::string kept;
   bool in_frames = false;
   for (std::string line; std::getline(lines, line);) {
-    if (!in_frames || !stands_in(std::string_view(line).substr(1))) kept += (kept.empty() ? "" : "\n") + line;
+    const bool is_frame = in_frames && line.starts_with('\t'); // a message may hold a traceback, too
+    if (!is_frame || !stands_in(std::string_view(line).substr(1))) kept += (kept.empty() ? "" : "\n") + line;
     in_frames = in_frames || line == "stack traceback:";
   }
   return kept;

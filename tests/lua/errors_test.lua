@@ -223,6 +223,8 @@ study()
   check.holds(output, "signorini: study.lua:2: sg.robust: unknown argument 'bogus'",
     "stack traceback:\n\tstudy.lua:2: in upvalue 'choose'\n\tstudy.lua:3: in local 'study'\n"
       .. "\tstudy.lua:4: in main chunk\n")
+  check.holds(check.script [[error("a case: no luck\nstack traceback:\n\nits end", 0)]],
+    "signorini: a case: no luck\nstack traceback:\n\nits end\nstack traceback:\n\tstudy.lua:1: in main chunk\n")
   check.holds(check.script [[require("signorini.lists").sorted_names(1)]], "lua/signorini/lists.lua:", "[C]: in ")
 end)
 
