@@ -28,7 +28,7 @@ Switch.__index = Switch
 --- length nor direction: there what `inner` says counts.
 function arc_length.policy(inner) return setmetatable({ inner = inner, memory = inner.memory }, Switch) end
 
-function Switch:shorten() return self.inner:shorten() end
+function Switch:shorten(step) return self.inner:shorten(step) end
 
 function Switch:take(step)
   local result = self.inner:take(step)

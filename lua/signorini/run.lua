@@ -319,7 +319,7 @@ local function take(step, run, options, display)
     run:drop_step()
     step.model:restore(step.start)
     step.done = 0
-    if not options.policy:shorten() then
+    if not options.policy:shorten(step) then
       return { converged = false, reason = "cut", message = "on_step asked for shorter steps, and there are none: "
         .. "step = { adaptive = true, min = … } allows them", residuals = {} }
     end

@@ -6,7 +6,7 @@
 --                      result. `shorter`: where it fails a shorter one will follow
 --   step:has_rescues() says whether something is tried where an attempt has failed
 --   step:cut_back()    says that a failed attempt is tried again, shorter
--- and another, shorten(), which makes the next attempts half as long and says whether it could.
+-- and another, shorten(step), which makes the next attempts at this step half as long and says whether it could.
 -- What a policy carries from one step to the next stands in its table `memory`, as plain data: checkpoints keep it.
 -- A policy may be asked to go on where another one has given up: it starts at step.done.
 
@@ -24,7 +24,7 @@ function steps.plain() return setmetatable({}, Plain) end
 
 function Plain:take(step) return step:attempt(1) end
 
---- Whether steps can be made half as long from now on.
+--- Whether a step can be taken in attempts half as long.
 function Plain:shorten() return false end
 
 -- ── Cutting in half ──────────────────────────────────────────────────────────────────────────────────────────────────
@@ -67,7 +67,8 @@ function Halving:take(step)
     result = step:attempt(length == rest and 1 or step.done + length, not last)
     if result.converged then
       if is_easy(result, step.solver) then
-        memory.length = math.max(memory.length, math.min(self.max, self.growth * length))
+        local longest = step.longest or self.max
+        memory.length = math.max(memory.length, math.min(longest, self.growth * length))
       end
     elseif steps.is_asked_for(result) then
       return result
@@ -83,10 +84,11 @@ function Halving:take(step)
   return result
 end
 
-function Halving:shorten()
+function Halving:shorten(step)
   local memory = self.memory
-  if memory.length / 2 < self.min - rounding then return false end
-  memory.length = memory.length / 2
+  local length = math.min(memory.length, step.longest or self.max) / 2
+  if length < self.min - rounding then return false end
+  memory.length, step.longest = length, length
   return true
 end
 

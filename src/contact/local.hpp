@@ -30,6 +30,8 @@ template <int D> struct LocalGeometry {
   double reference_measure; ///< reference area per parametric area
   double multiplier = 0;    ///< λ_N of the augmented Lagrangian method, a pressure
   Held held = Held::free;
+  /// A slip within this distance of Coulomb's cone sticks; negative: slips. See Pair::guess().
+  double tie = 0;
 };
 
 /// Traction and derivatives. Columns of the derivatives run over the local variables

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <type_traits>
 
 namespace signorini::contact {
 
@@ -55,6 +56,25 @@ template Plane<2> make_plane<2>(const Vec<2>&, const Vec<2>&);
 template Ball<2> make_ball<2>(const Vec<2>&, double);
 template Plane<3> make_plane<3>(const Vec<3>&, const Vec<3>&);
 template Ball<3> make_ball<3>(const Vec<3>&, double);
+
+template <int D> double largest_coordinate(const Obstacle<D>& obstacle) {
+  return std::visit(
+      [](const auto& shape) {
+        using Shape = std::decay_t<decltype(shape)>;
+        if constexpr (std::is_same_v<Shape, Ball<D>>)
+          return shape.centre.cwiseAbs().maxCoeff() + shape.radius;
+        else if constexpr (std::is_same_v<Shape, Cylinder>)
+          return shape.point.cwiseAbs().maxCoeff() + shape.radius;
+        else if constexpr (std::is_same_v<Shape, Plane<D>>)
+          return shape.point.cwiseAbs().maxCoeff();
+        else
+          return shape.points().cwiseAbs().maxCoeff();
+      },
+      obstacle);
+}
+
+template double largest_coordinate<2>(const Obstacle<2>&);
+template double largest_coordinate<3>(const Obstacle<3>&);
 
 double closest(const Plane<2>& plane, const Vec<2>& x) {
   return direction(plane).dot(x - plane.point);

@@ -37,6 +37,9 @@ template <int D> Ball<D> make_ball(const Vec<D>& centre, double radius);
 /// With the axis made a unit vector. Throws Error when it is zero, or unless the radius is a positive number.
 Cylinder make_cylinder(const Vec<3>& point, const Vec<3>& axis, double radius);
 
+/// Largest coordinate that enters a closest point: of its points or centre, with the radius.
+template <int D> double largest_coordinate(const Obstacle<D>& obstacle);
+
 /// Coordinate of the point of the shape that is closest to x, both without the obstacle's translation.
 double closest(const Plane<2>& plane, const Vec<2>& x);
 double closest(const Ball<2>& ball, const Vec<2>& x);

@@ -147,7 +147,7 @@ template <int D> void Pair<D>::evaluate_point(std::size_t i, bool tangent, Part&
   result = {};
   result.position = geometry.slave;
   Held held = penalty_ && holds() ? held_[i] : Held::free;
-  if (held == Held::free ? travel_ + grazing_ < memory.cleared : held == Held::open) return;
+  if (held == Held::free ? travel_ + guessed_ < memory.cleared : held == Held::open) return;
 
   {
     const ScopedTimer timer(times_search_ ? &part.search_seconds : nullptr);
@@ -161,8 +161,9 @@ template <int D> void Pair<D>::evaluate_point(std::size_t i, bool tangent, Part&
     // t_N = λ_N − ε_N g > 0 below a distance of λ_N/ε_N
     const double distance = gap - memory.multiplier / penalty_->normal;
     memory.cleared = foot == Foot::regular && distance > 0 ? travel_ + distance : 0;
-    if (held == Held::free && std::abs(distance) < grazing_) held = Held::stick;
+    if (held == Held::free && std::abs(distance) < guessed_) held = Held::stick;
     if (held == Held::free && distance >= 0) return;
+    if (held == Held::free && landing_) held = Held::stick;
     if (foot != Foot::regular && gap == 0) return; // no direction
   }
 
@@ -183,6 +184,7 @@ template <int D> void Pair<D>::evaluate_point(std::size_t i, bool tangent, Part&
   geometry.reference_measure = point.reference;
   geometry.multiplier = memory.multiplier;
   geometry.held = held;
+  geometry.tie = tie_;
   geometry.slip_point = nullptr;
   if (friction() && !memory.slips) remember_touch(i);
   if (friction() && memory.slips) {
@@ -307,11 +309,15 @@ template <int D> Resultant<D> Pair<D>::resultant() const {
 }
 
 template <int D> double Pair<D>::stiffness() const {
-  if (!penalty_) return 0;
   double sum = 0;
+  const auto add = [&](double area, double slope) { sum += area * slope * area * slope; };
+  const double steepest = penalty_ ? std::max(penalty_->normal, friction() ? penalty_->tangential : 0) : 0;
   for (const PointResult<D>& point : results_)
-    if (point.state != ContactState::open) sum += point.area * point.area;
-  return penalty_->normal * std::sqrt(sum);
+    if (!penalty_)
+      add(point.area, contact::stiffness(std::get<Adhesion>(law_), point.gap));
+    else if (point.state != ContactState::open)
+      add(point.area, steepest);
+  return std::sqrt(sum);
 }
 
 template <int D> double Pair<D>::potential() const {

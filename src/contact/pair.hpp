@@ -78,12 +78,20 @@ public:
   /// Keeps points in a state until it is called again: one entry per point; empty frees all. Adhesion is always free.
   void hold(std::vector<Held> states) { held_ = std::move(states); }
   bool holds() const { return !held_.empty(); }
-  /// Points that are free and nearer than this distance to touching, on either side, touch and stick; 0: none.
-  /// Whether such points penetrate is rounding's to say: some do, others do not, and their slip has any direction.
-  void graze(double distance) { grazing_ = distance; }
+  /// For the first guess of a step, which starts where states are undecided: what only rounding error decides is
+  /// decided by a rule. Points that are free and nearer than `distance` to touching, on either side, touch and stick.
+  /// Points whose slip is that near to Coulomb's cone, as all are that slipped in the last step, go on slipping where
+  /// the path goes straight on (`onward`), and stick where it turns. 0: no rule.
+  void guess(double distance, bool onward = false) {
+    guessed_ = distance;
+    tie_ = onward ? -distance : distance;
+  }
   /// Uzawa's step of the augmented Lagrangian method (J. C. Simo, T. A. Laursen, Comput. Struct. 42, 1992): λ_N at each
   /// point becomes the pressure λ_N − ε_N g of the last evaluation. Part of the history. Nothing under adhesion.
   void augment();
+  /// Whether points that touch stick, however far they would slip: while a falling body lands. It sinks in much too
+  /// deep at first; were its points to slip there, the direction of slip would flip from one iteration to the next.
+  void land(bool landing) { landing_ = landing; }
   /// Multiplies both penalty parameters of the law as it was given. Nothing under adhesion.
   void scale_penalty(double factor);
 
@@ -112,8 +120,8 @@ public:
   /// Positions of the contact points in the reference configuration.
   const std::vector<Vec<D>>& reference_positions() const { return reference_positions_; }
   Resultant<D> resultant() const;
-  /// ‖ε_N a‖ over the points that touched in the last evaluation, a their areas: what an error in all gaps, each on its
-  /// own, is multiplied by in the residual. 0 under adhesion.
+  /// ‖a ∂t/∂g‖ over the points that the law acted on in the last evaluation, a their areas, or ‖a ε_T‖ where that is
+  /// more: what an error in all gaps and slips, each on its own, is multiplied by in the residual.
   double stiffness() const;
   /// Energy of the law in the last evaluation: springs of the penalty law, or adhesion.
   double potential() const;
@@ -166,7 +174,8 @@ private:
   Law law_;
   std::optional<PenaltyLaw> penalty_; ///< the law when it is this one, times what scale_penalty() said
   std::vector<Held> held_;
-  double grazing_ = 0;
+  double guessed_ = 0, tie_ = 0; ///< see guess()
+  bool landing_ = false;
   bool revolved_;
   std::vector<Point> points_;
   std::vector<double> values_;

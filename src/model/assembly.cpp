@@ -199,7 +199,7 @@ std::optional<BodyInversion> Assembly<D>::assemble(std::vector<contact::Pair<D>>
   ScopedTimer timer(timings.contact);
   if (linear_ || D == 3) watch_contacts(pairs);
   add_contacts(pairs, direction, tangent);
-  if (tangent) find_largest_diagonal();
+  if (tangent) find_diagonal_norm();
   return std::nullopt;
 }
 
@@ -349,9 +349,10 @@ void Assembly<D>::add_contacts(const std::vector<contact::Pair<D>>& pairs, const
     }
 }
 
-template <int D> void Assembly<D>::find_largest_diagonal() {
-  largest_diagonal_ = 0;
-  for (int position : diagonal_) largest_diagonal_ = std::max(largest_diagonal_, values_[at(position)]);
+template <int D> void Assembly<D>::find_diagonal_norm() {
+  double sum = 0;
+  for (int position : diagonal_) sum += values_[at(position)] * values_[at(position)];
+  diagonal_norm_ = std::sqrt(sum);
 }
 
 template <int D> VectorX Assembly<D>::diagonal() const {

@@ -54,8 +54,8 @@ public:
   /// where bodies are linear, and in space.
   const std::vector<int>& contact_unknowns() const { return contact_unknowns_; }
   int contact_version() const { return contact_version_; }
-  /// Largest diagonal entry of the last tangent; 0 before the first.
-  double largest_diagonal() const { return largest_diagonal_; }
+  /// 2-norm of the last tangent's diagonal; 0 before the first.
+  double diagonal_norm() const { return diagonal_norm_; }
   /// The last tangent's diagonal, by unknown.
   VectorX diagonal() const;
   /// Adds to it.
@@ -89,7 +89,7 @@ private:
   void scatter(int body, int e, const solid::ElementArrays<D>& arrays, double* values) const;
   void multiply(int body, int e, const solid::ElementArrays<D>& arrays, const VectorX& direction);
   void add_contacts(const std::vector<contact::Pair<D>>& pairs, const VectorX* direction, bool tangent);
-  void find_largest_diagonal();
+  void find_diagonal_norm();
 
   /// Where a contact group's entries go; found once per pattern.
   struct Placement {
@@ -114,7 +114,7 @@ private:
   std::vector<char> is_contact_unknown_;
   int contact_version_ = 0;
   VectorX residual_, product_;
-  double largest_diagonal_ = 0;
+  double diagonal_norm_ = 0;
   int version_ = 0;
 };
 

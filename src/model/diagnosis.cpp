@@ -234,7 +234,7 @@ std::string cure(Outcome outcome) {
 template <int D> Diagnosis diagnose(const Model<D>& model, const solve::NewtonReport& report) {
   Diagnosis diagnosis{report.outcome, report.message, "", {}, {}};
   const Assembly<D>& assembly = model.assembly();
-  const bool has_tangent = model.unknowns().size() > 0 && assembly.largest_diagonal() > 0;
+  const bool has_tangent = model.unknowns().size() > 0 && assembly.diagonal_norm() > 0;
   if (report.outcome == Outcome::inverted_element && model.inversion()) diagnosis.places = {inverted_element(model)};
   const ActiveSet<D>& set = model.active_set();
   const auto states = [&](const PointIndex& point) { return set.last_states(point); };

@@ -46,10 +46,12 @@ Model<D>::Model(Scene<D> scene)
                         scene_.kind == solid::Kind::axisymmetric, contact.where);
     contact.where = {}; // it may refer to what only lives while the model is made
   }
+  for (const auto& obstacle : scene_.obstacles) size_ = std::max(size_, contact::largest_coordinate<D>(obstacle));
   for (const auto& named : scene_.bodies) {
     const MatrixX points = named.body->space().points();
     size_ = std::max(size_, points.cwiseAbs().maxCoeff());
-    extent_ = std::max(extent_, (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).maxCoeff());
+    const double radius = (points.colwise() - points.rowwise().mean()).colwise().norm().maxCoeff();
+    extent_ = std::max(extent_, 2 * radius);
   }
   // Friction at points that touch later counts from where they would touch now.
   std::string why;

@@ -146,8 +146,9 @@ private:
     VectorX increment; ///< prescribed displacements that wait for the first solve
     bool pending;      ///< whether there are any
     solve::NewtonReport report = {};
-    bool moved = true; ///< the state has moved since active_set_ took note of it
-    bool lead = false; ///< the last to move the state was move()
+    bool moved = true;    ///< the state has moved since active_set_ took note of it
+    bool lead = false;    ///< the last to move the state was move()
+    bool landing = false; ///< bodies that only contact will hold have not settled on it yet, see Pair::land()
     int augmentations = 0;
     VectorX before = {}, move = {}; ///< for line search: the state before the last move, and the move
     double slope = 0;               ///< f·Δu in that state
@@ -161,6 +162,9 @@ private:
   void damp();
   Step begin_step(const StepOptions& options);
   std::optional<double> straight_ratio(const VectorX& step) const;
+  bool begin_landing(bool damping);
+  bool has_landed() const;
+  void end_landing();
   bool predict(const VectorX& increment);
   solve::Outcome assemble_step(bool tangent, std::string& why);
   bool advance(const StepOptions& options, double& energy);
@@ -174,6 +178,7 @@ private:
                              std::function<bool(double&)> advance) const;
   double force_norm() const;
   void move_targets(const VectorX& targets);
+  double largest_position() const;
   double rounding_floor() const;
 
   Scene<D> scene_;
@@ -205,8 +210,8 @@ private:
   solve::LinearKind solver_asked_ = solve::LinearKind::automatic;
   int solver_version_ = 0, solver_contacts_ = 0;
   double force_scale_ = 0; ///< largest force norm of the accepted states
-  double size_ = 0;        ///< largest coordinate of a control point
-  double extent_ = 0;      ///< largest extent of a body along an axis: what penetrations are measured against
+  double size_ = 0;        ///< largest coordinate of a control point or an obstacle
+  double extent_ = 0;      ///< largest diameter of a body about its middle: what penetrations are measured against
   Timings timings_;
 };
 

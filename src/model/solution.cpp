@@ -22,7 +22,7 @@ solve::SolverStatistics sum(const solve::SolverStatistics& before, const solve::
   return result;
 }
 
-constexpr double rounding = 1e-12; ///< parts of the largest coordinate: gaps nearer to 0 are what rounding makes of 0
+constexpr double rounding = 1e-12; ///< parts of the largest position: gaps nearer to 0 are what rounding makes of 0
 
 } // namespace
 
@@ -33,7 +33,9 @@ template <int D> solve::LinearSolver& Model<D>::solver(const StepOptions& option
   require(condense || options.linear != solve::LinearKind::condensed,
           "linear = \"condensed\" needs bodies that are all linear elastic, and a contact, without damping of loose "
           "bodies: use \"auto\"");
-  const bool same = solver_ && solver_asked_ == options.linear;
+  // A solver that keeps the bodies' factors knows nothing of damping.
+  const bool same =
+      solver_ && solver_asked_ == options.linear && condense == (solver_->kind() == solve::LinearKind::condensed);
   const bool same_contacts = solver_contacts_ == assembly_.contact_version();
   // A growing pattern need not make an end of what a solver has.
   const bool fits =
@@ -129,12 +131,18 @@ template <int D> double Model<D>::force_norm() const {
   return std::max({force_scale_, unknowns_.held_norm(residual_), external_.norm()});
 }
 
-/// What rounding leaves of the residual: ε |K| |x|, in space four times as much, where a row adds up some ten times as
-/// many products. Gaps are differences of positions, wrong by ε |x| each: a high penalty makes more of that.
+/// |X| + |u|: what rounding errors of positions are measured against.
+template <int D> double Model<D>::largest_position() const {
+  return size_ + displacement_.template lpNorm<Eigen::Infinity>();
+}
+
+/// What rounding error leaves of the residual: ε |K| (|X| + |u|), in space four times as much, where a row adds up some
+/// ten times as many products. Rows err independently of each other: |K| is the 2-norm of the diagonal. Gaps are
+/// differences of positions, wrong by ε (|X| + |u|) each, and contact multiplies them by its own stiffness.
 template <int D> double Model<D>::rounding_floor() const {
-  double stiffness = assembly_.largest_diagonal();
+  double stiffness = assembly_.diagonal_norm();
   for (const auto& pair : pairs_) stiffness = std::max(stiffness, pair.stiffness());
-  return (D == 2 ? 1 : 4) * std::numeric_limits<double>::epsilon() * stiffness * size_;
+  return (D == 2 ? 1 : 4) * std::numeric_limits<double>::epsilon() * stiffness * largest_position();
 }
 
 /// Whether the state could be moved on to the targets as the last step went: where the path goes straight on, and the
@@ -152,9 +160,40 @@ template <int D> bool Model<D>::predict(const VectorX& increment) {
   return true;
 }
 
+/// With damping, lets the points of contacts that hold a loose body, and do not touch yet, stick where they land.
+/// Returns whether there are any.
+template <int D> bool Model<D>::begin_landing(bool damping) {
+  bool any = false;
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    const auto* face = std::get_if<FaceReference>(&scene_.contacts[k].master);
+    const bool falls = damping && pairs_[k].resultant().active == 0 &&
+                       std::any_of(loose().begin(), loose().end(), [&](const LooseMotion& motion) {
+                         return motion.body == scene_.contacts[k].slave.body || (face && motion.body == face->body);
+                       });
+    pairs_[k].land(falls);
+    any = any || falls;
+  }
+  return any;
+}
+
+/// Whether contact has brought the fall to an end, near the state where all points stick.
+template <int D> bool Model<D>::has_landed() const {
+  constexpr double near = 1e-2; // part of the largest |f·Δu| in the step
+  const std::vector<double>& energies = step_->report.energies;
+  return std::any_of(pairs_.begin(), pairs_.end(), [](const auto& pair) { return pair.resultant().active > 0; }) &&
+         energies.back() < near * *std::max_element(energies.begin(), energies.end());
+}
+
+template <int D> void Model<D>::end_landing() {
+  for (auto& pair : pairs_) pair.land(false);
+  step_->landing = false;
+  step_->moved = true;
+}
+
 template <int D> typename Model<D>::Step Model<D>::begin_step(const StepOptions& options) {
   Step step{drives_.displacement(targets_) - drives_.displacement(present_), false};
   active_set_.begin(pairs_, options.active_set);
+  step.landing = begin_landing(options.damping);
   external_ = drives_.force(targets_);
   const bool constant = options.predictor == Predictor::constant;
   if (constant) displacement_ += step.increment;
@@ -170,11 +209,13 @@ template <int D> solve::Outcome Model<D>::assemble_step(bool tangent, std::strin
   const solve::NewtonReport& report = step_->report;
   const bool first = step_->pending && report.iterations == 0;
   if (!report.energies.empty()) active_set_.thaw(pairs_, report.energies.back() / report.energies.front());
-  // What only rounding tells open from shut is taken as touching for the first guess.
-  const bool guess = report.iterations == 0 && targets_ != accepted_targets_;
-  for (auto& pair : pairs_) pair.graze(guess ? rounding * size_ : 0);
+  if (step_->landing && !report.energies.empty() && has_landed()) end_landing();
+  if (report.iterations == 0 && targets_ != accepted_targets_) {
+    const bool onward = straight_ratio(targets_ - accepted_targets_).value_or(-1) > 0;
+    for (auto& pair : pairs_) pair.guess(rounding * largest_position(), onward);
+  }
   const solve::Outcome outcome = assemble(first ? &step_->increment : nullptr, tangent, why);
-  for (auto& pair : pairs_) pair.graze(0);
+  for (auto& pair : pairs_) pair.guess(0);
   if (first) unbalanced_ += unknowns_.gather(assembly_.product());
   if (outcome != solve::Outcome::converged || !std::exchange(step_->moved, false)) return outcome;
   active_set_.note(pairs_, unbalanced_.norm());
@@ -195,6 +236,10 @@ template <int D> solve::Trial Model<D>::retreat(double part) {
 }
 
 template <int D> solve::Outcome Model<D>::conclude(const StepOptions& options, std::string& why) {
+  if (step_->landing) {
+    end_landing();
+    return solve::Outcome::iterating;
+  }
   if (active_set_.release(pairs_)) {
     step_->moved = true;
     if (!active_set_.exhausted()) return solve::Outcome::iterating;
@@ -321,6 +366,7 @@ template <int D> solve::NewtonReport Model<D>::solve_arc(const StepOptions& opti
   require(length > 0, "an arc's length must be positive, got ", length);
   arc_fraction_ = 0;
   active_set_.begin(pairs_, {});
+  begin_landing(false);
   step_ = Step{{}, true};
   VectorX rate, tangent;
   const auto assemble_rate = [&](bool wanted, std::string& why) {

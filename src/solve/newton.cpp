@@ -51,6 +51,14 @@ double predicted_residual(const std::vector<double>& residuals) {
   return last * (last / before) * (last / before);
 }
 
+/// Whether the residual is near what rounding leaves of it and falls no more: Newton's method would halve it at least.
+bool stagnates(const std::vector<double>& residuals, double floor) {
+  constexpr double near = 10, falling = 0.5;
+  const std::size_t n = residuals.size();
+  return n >= 3 && residuals[n - 1] <= near * floor && residuals[n - 1] > falling * residuals[n - 2] &&
+         residuals[n - 2] <= near * floor;
+}
+
 bool search(const NewtonSystem& system, LineSearchKind kind, NewtonReport& report) {
   const double slope = kind == LineSearchKind::energy ? system.slope() : 0;
   const std::optional<double> part = line_search(kind, system.retreat, report.residuals, slope);
@@ -85,7 +93,8 @@ bool iterate(const NewtonSystem& system, const NewtonOptions& options, bool pend
   const bool small_energy = residual <= floor || report.energies.empty() ||
                             report.energies.back() <= options.tolerance * report.energies.front();
   const bool waiting = pending && report.iterations == 0;
-  if (residual <= report.enough && small_energy && !waiting) {
+  const bool small = (residual <= report.enough && small_energy) || stagnates(report.residuals, floor);
+  if (small && !waiting) {
     const Outcome concluded = system.conclude ? system.conclude(why) : Outcome::converged;
     if (concluded != Outcome::iterating) return stop(concluded, why);
     report.begun = report.iterations;

@@ -72,7 +72,8 @@ struct NewtonReport {
 
 /// One iteration: evaluates, tests, and unless that ends it solves and moves. Returns whether it goes on; `report` is
 /// its whole memory. It has converged when the residual is below tolerance·scale + floor and |f·Δu| has fallen below
-/// tolerance times its first value in this step (thesis Algorithm 1, with the absolute value that its sign needs).
+/// tolerance times its first value in this step (thesis Algorithm 1, with the absolute value that its sign needs), or
+/// when it stagnates within ten times the floor.
 /// `pending` says that prescribed displacements wait to be applied by the first solve, so that a small residual before
 /// it means nothing.
 bool iterate(const NewtonSystem& system, const NewtonOptions& options, bool pending, NewtonReport& report);

@@ -83,6 +83,52 @@ TEST(Held, StickIsKeptWhateverCoulombSays) {
   }
 }
 
+TEST(Held, WhileABodyLandsTouchingPointsStickAndOthersStayOpen) {
+  Couple couple = pressed();
+  couple.pair.accept();
+  couple.move_die(0.2, 0);
+  couple.evaluate();
+  ASSERT_GT(couple.pair.resultant().slipping, 5);
+  const int active = couple.pair.resultant().active;
+  couple.pair.land(true);
+  couple.evaluate();
+  EXPECT_EQ(couple.pair.resultant().slipping, 0);
+  EXPECT_EQ(couple.pair.resultant().active, active);
+  couple.pair.land(false);
+  couple.evaluate();
+  EXPECT_GT(couple.pair.resultant().slipping, 5);
+}
+
+/// After a step that slipped all its points lie on Coulomb's cone, to rounding.
+TEST(Held, TheFirstGuessGoesOnSlippingWhereThePathDoesAndSticksWhereItTurns) {
+  Couple couple = pressed();
+  couple.pair.accept();
+  couple.move_die(0.1, 0);
+  couple.evaluate();
+  couple.pair.accept();
+  const int slipping = couple.pair.resultant().slipping;
+  ASSERT_GT(slipping, 5);
+  for (const double shift : {-1e-14, 0.0, 1e-14}) {
+    Couple here = couple;
+    here.move_die(shift, 0);
+    here.pair.guess(1e-12, true);
+    here.evaluate();
+    EXPECT_EQ(here.pair.resultant().slipping, slipping) << shift;
+    here.pair.guess(1e-12, false);
+    here.evaluate();
+    EXPECT_EQ(here.pair.resultant().slipping, 0) << shift;
+  }
+  // What is farther off the cone than the rule's distance is left to Coulomb's law.
+  couple.pair.guess(1e-12, false);
+  couple.move_die(1e-9, 0);
+  couple.evaluate();
+  EXPECT_EQ(couple.pair.resultant().slipping, slipping);
+  couple.pair.guess(1e-12, true);
+  couple.move_die(-2e-9, 0);
+  couple.evaluate();
+  EXPECT_EQ(couple.pair.resultant().slipping, 0);
+}
+
 TEST(Held, TangentIsTheForcesDerivativeInEveryMixture) {
   Random random(11);
   Census census;

@@ -215,6 +215,23 @@ TEST(Damping, ABlockInSpaceDoesSo) {
   expect_the_same_rest<3>(block_above_plane, 0.05, 0.1);
 }
 
+TEST(Damping, ABlockWithFrictionLandsFromAnyHeightUnderItsFullLoad) {
+  for (double mu : {0.1, 0.3, 0.8})
+    for (double gap : {1e-6, 1e-3, 1e-2, 0.3})
+      for (double load : {1e-3, 1e-2, 5e-2}) {
+        Scene<2> scene = above_plane(gap, {});
+        scene.contacts[0].law = contact::PenaltyLaw{50, 50, mu};
+        Model<2> model(scene);
+        model.set_target(0, 0, load);
+        const solve::NewtonReport report = model.solve_step(damped());
+        ASSERT_EQ(report.outcome, solve::Outcome::converged) << report.message << mu << " " << gap << " " << load;
+        // As the pressure follows the face, its resultant is the load but for the face's stretch; nothing pulls aside.
+        const auto floor = model.contact_resultant(0);
+        EXPECT_NEAR(floor.force(1) / model.load_resultant(0)(1), -1, 1e-8);
+        EXPECT_NEAR(floor.force(0) / floor.force(1), 0, 1e-6);
+      }
+}
+
 TEST(Damping, ChangesNoBitWhereSupportsHoldAllBodies) {
   Model<2> plain(ironing("N2")), with(ironing("N2"));
   EXPECT_TRUE(with.loose().empty());

@@ -98,6 +98,38 @@ TEST(Newton, NothingToDoTakesNoSolveUnlessDisplacementsWait) {
   EXPECT_EQ(pending.outcome, Outcome::converged);
 }
 
+/// f = x with an error of ±size that no iteration gets rid of.
+Scalar noisy(double size) {
+  Scalar problem;
+  problem.x = 1;
+  problem.f = [size](double x) { return std::abs(x) < 3 * size ? std::copysign(size, x) : x; };
+  problem.slope = [](double) { return 0.5; };
+  problem.scale = 0;
+  return problem;
+}
+
+TEST(Newton, AResidualThatStagnatesNearTheRoundingFloorHasConverged) {
+  for (const double times : {1.5, 9.0}) {
+    Scalar problem = noisy(times * 1e-12);
+    problem.floor = 1e-12;
+    const NewtonReport report = problem.solve({1e-10, 60});
+    EXPECT_EQ(report.outcome, Outcome::converged) << times;
+    EXPECT_LE(report.residuals.back(), 10 * problem.floor);
+  }
+  Scalar far = noisy(11e-12);
+  far.floor = 1e-12;
+  EXPECT_EQ(far.solve({1e-10, 60}).outcome, Outcome::iteration_limit);
+}
+
+TEST(Newton, AResidualThatStillFallsNearTheRoundingFloorIsFollowed) {
+  // Each iteration leaves a third: all of 27, 9, 3, 1 floors are visited.
+  Scalar problem{[](double x) { return x; }, [](double) { return 1.5; }, 27e-12};
+  problem.floor = 1e-12;
+  problem.scale = 0;
+  EXPECT_EQ(problem.solve({1e-10, 60}).outcome, Outcome::converged);
+  EXPECT_LE(problem.x, 1.001 * problem.floor);
+}
+
 TEST(Newton, IterationLimit) {
   Scalar problem = root_of_two();
   const NewtonReport report = problem.solve({1e-14, 2});
