@@ -25,6 +25,7 @@ types.model.cost = require "signorini.cost"
 local energies, named = types.model.energy, require "signorini.named"
 function types.model:energy() return named.strict("model:energy()", energies(self)) end
 sg.robust = require("signorini.controls").robust
+sg.plain = require("signorini.controls").plain
 
 local methods = require "signorini.methods"
 methods.guard("model", { "run", "cost", "energy" })

@@ -1,4 +1,4 @@
--- The options of model:run, as far as they can be read without a model and a path: sg.robust checks them, too.
+-- The options of model:run, as far as they can be read without a model and a path: sg.plain and sg.robust check them, too.
 
 local core = require "signorini.core"
 local arc_length = require "signorini.arc_length"
@@ -11,6 +11,20 @@ local run_options = {}
 --- All of them.
 run_options.keys = { "step", "arc_length", "on_step", "on_iteration", "checkpoint", "resume", "threads", "newton",
                      "linear", "predictor", "augmented", "damping", "penalty", "rescue", "states" }
+
+--- What steps are solved with unless options say otherwise: `robust`, and `plain` where arcs follow the path, since cut
+--- steps and fallbacks may leave it.
+run_options.robust = { predictor = "linear", rescue = true, step = { adaptive = true } }
+run_options.plain = { predictor = "tangent", rescue = false, step = { adaptive = false } }
+
+--- Options with those of `defaults` that are not given.
+function run_options.with(defaults, options)
+  local whole = {}
+  for _, list in ipairs { defaults, options or {} } do
+    for key, value in pairs(list) do whole[key] = value end
+  end
+  return whole
+end
 
 --- ε_acts of the frozen active set: a number, true for 0.01, false or nothing for none.
 local function read_freeze(where, value)
@@ -47,7 +61,7 @@ local function read_solver(where, options)
     freeze_active_set = read_freeze(where, newton.freeze_active_set),
     active_set_changes = newton.active_set_changes and arguments.count(where, "newton.active_set_changes",
       newton.active_set_changes) or 0,
-    predictor = arguments.choice(where, "predictor", options.predictor, { "tangent", "constant", "linear" }, "tangent"),
+    predictor = arguments.choice(where, "predictor", options.predictor, { "tangent", "constant", "linear" }),
     linear = arguments.choice(where, "linear", options.linear, core.linear_solvers, "auto"),
     augmented = read_augmented(where, options.augmented),
     damping = arguments.flag(where, "damping", options.damping, false),
@@ -56,7 +70,6 @@ end
 
 --- The policy that takes each step (see steps.lua).
 local function read_policy(where, step)
-  if step == nil then return steps.plain() end
   arguments.table(where, "options.step", step, { "adaptive", "min", "max", "growth" })
   local adaptive = arguments.flag(where, "step.adaptive", step.adaptive, true)
   for _, key in ipairs { "min", "max", "growth" } do
@@ -75,12 +88,13 @@ end
 --- options itself. `where`: whose options they are, for messages.
 function run_options.read(where, options)
   options = arguments.table(where, "options", options, run_options.keys)
+  local arcs = arguments.flag(where, "arc_length", options.arc_length, false)
+  options = run_options.with(arcs and run_options.plain or run_options.robust, options)
   local threads = options.threads ~= nil and arguments.count(where, "threads", options.threads, nil, core.most_threads)
   local policy = read_policy(where, options.step)
-  local arcs = arguments.flag(where, "arc_length", options.arc_length, false)
   if arcs then policy = arc_length.policy(policy) end
   local read = {
-    solver = read_solver(where, options), rescue = arguments.flag(where, "rescue", options.rescue, false),
+    solver = read_solver(where, options), rescue = arguments.flag(where, "rescue", options.rescue),
     penalty = read_penalty(where, options.penalty), policy = policy, arcs = arcs, threads = threads,
     on_step = arguments.callback(where, "on_step", options.on_step),
     on_iteration = arguments.callback(where, "on_iteration", options.on_iteration),

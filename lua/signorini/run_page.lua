@@ -1,7 +1,7 @@
 -- The help page of model:run, which run.lua reads and does.
 
 return [[
-model:run(stages, { step, newton, linear, predictor, rescue = false, arc_length = false, damping = false, augmented,
+model:run(stages, { step, newton, linear, predictor = "linear", rescue = true, arc_length = false, damping = false, augmented,
                     penalty, checkpoint, resume = false, states, on_step, on_iteration, threads })
 Takes a model along its load path and returns a run.
 stages = { { name = , steps = , <support or load> = {…} }, … }: each moves driven supports and loads in equal steps to
@@ -12,20 +12,21 @@ Options:
     active_set_changes = }, linear = "auto", augmented = { penetration = 1e-6, loops = 100 }, damping = false: see
     help "model:solve_step"; freeze_active_set = true is 0.01.
   predictor = "tangent", "constant" or "linear": the first guess of a step; linear goes on as the last one went.
-  rescue = true: a step that fails is tried again with the tangent's predictor, and, where the tangent is singular
+  rescue: a step that fails is tried again with the tangent's predictor, and, where the tangent is singular
     because contact alone holds a body, with damping; then, where it cannot be cut any more, with damping, a line
-    search, a frozen active set. run.rescues counts what helped, run:attempts(step) tells. Off by default. sg.robust{}
-    turns on all that easy runs do not pay for.
+    search, a frozen active set. run.rescues counts what helped, run:attempts(step) tells; rescue = false tries
+    nothing. sg.plain{} turns predictor, rescue and step off: plain Newton.
   threads = how many work on this solve and later ones; bits are the same for any number. By default what --threads
     says.
   penalty = { start = 0.01, steps = 20 }: all penalties grow from this part of their values to the whole in so many
     steps.
   step = { adaptive = true, min = 1/64, max = 1, growth = 2 }: a step that fails is cut in half, down to the part `min`
   of it; after an easy increment (half of the iterations allowed) the next is `growth` times as long, up to `max`.
-  Increments are counted (run.cutbacks, run:column "increments", run:attempts(step)); rows are the steps. Off by
-  default.
+  Increments are counted (run.cutbacks, run:column "increments", run:attempts(step)); rows are the steps.
+  adaptive = false takes each step as a whole.
   arc_length = true: where a step fails, arcs follow the path, also back, until the step's end is passed; rows between
-  steps have a fractional step, run.controls says where control changed.
+  steps have a fractional step, run.controls says where control changed. predictor, rescue and step are then those of
+  sg.plain{} unless given, since shorter steps and other first guesses may leave the path.
   checkpoint = "run.sgn", or checkpoint = { file = "run.sgn", every = 10, durable = false }: after every step, or every
   so many, and at the end the model is saved together with how the run stands; a process that is killed leaves the file
   of the last such step. It is on the disk after a second; durable = true waits for the disk at every step.

@@ -20,11 +20,11 @@ end
 
 check.case("plain Newton's tangent is singular; damped, it falls from any height into the same equilibrium", function()
   check.equal(falling(0.5):loose_bodies(), { "block" })
-  local run = falling(0.5):run{ { steps = 1, push = {0, -press} } }
+  local run = falling(0.5):run({ { steps = 1, push = {0, -press} } }, sg.plain{})
   check.equal({ run.reason, run.places[1].body }, { "singular", "block" })
   local penetration
   for _, gap in ipairs { 1e-6, 1e-2, 0.5 } do
-    for _, controls in ipairs { { damping = true }, sg.robust{} } do
+    for _, controls in ipairs { sg.plain{ damping = true }, sg.robust{} } do
       local model = falling(gap)
       run = model:run({ { steps = 2, push = {0, -press} } }, controls)
       check.equal({ run.reason, run.steps }, { "completed", 2 })
@@ -33,6 +33,30 @@ check.case("plain Newton's tangent is singular; damped, it falls from any height
       penetration = penetration or deepest
       check.near(deepest, penetration, 1e-7)
     end
+  end
+end)
+
+--- A ball of linear elastic material that just touches two plates, one of them driven.
+check.case("a ball between plates is carried by damping that is tried after a failure, too", function()
+  local half = sg.nurbs.ruled{ a = sg.nurbs.line{ from = {0, -1}, to = {0, 1} },
+                               b = sg.nurbs.arc{ radius = 1, from = -90, to = 90 } }:swap(1, 2)
+  local ball = sg.body{ patch = half, elements = {4, 16}, order = "N2", through = 2, contact = "east",
+                        material = sg.linear_elastic{ E = 1, nu = 0.3 } }
+  local force
+  for _, controls in ipairs { sg.plain{ damping = true }, sg.robust{}, sg.robust{ predictor = "constant" } } do
+    local top = sg.rigid.plane{ point = {0, 1}, normal = {0, -1} }
+    local bottom = sg.rigid.plane{ point = {0, -1}, normal = {0, 1} }
+    local model = sg.model{
+      kind = "axisymmetric", bodies = { ball = ball },
+      supports = { axis = { on = ball:face "west", fix = "x" }, press = { on = top, drive = "y" } },
+      contacts = { above = { slave = ball:face "east", master = top, penalty = 500 },
+                   below = { slave = ball:face "east", master = bottom, penalty = 500 } },
+    }
+    local run = model:run({ { steps = 4, press = {-0.02} } }, controls)
+    check.equal({ run.reason, run.steps }, { "completed", 4 })
+    force = force or run:column "press.fy"[4]
+    check.near(run:column "press.fy"[4] / force, 1, 1e-8)
+    check.near(run:column "below.fy"[4], -run:column "press.fy"[4], 1e-9)
   end
 end)
 

@@ -6,7 +6,8 @@ local core = require "signorini.core"
 local keys_in = require "signorini.help.keys"
 
 -- Functions that take what an argument of another one takes.
-local same = { ["sg.robust"] = { "model:run", 2 }, ["model:iterate"] = { "model:solve_step", 1 } }
+local same = { ["sg.robust"] = { "model:run", 2 }, ["sg.plain"] = { "model:run", 2 },
+               ["model:iterate"] = { "model:solve_step", 1 } }
 
 local function is_table(form) return form:find "^{ " ~= nil end
 

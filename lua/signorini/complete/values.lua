@@ -21,7 +21,7 @@ local keyed = {
   ["patch:refine"] = { at = { "start", "end" } },
   ["sg.shapes.hollow_hemisphere"] = { poles = { "ends", "bottom" } },
   ["sg.model"] = { kind = { "plane_strain", "axisymmetric" }, fix = axes, drive = axes, rotate = { "x", "y", "z" } },
-  ["model:run"] = step, ["sg.robust"] = step, ["model:solve_step"] = step, ["model:iterate"] = step,
+  ["model:run"] = step, ["sg.robust"] = step, ["sg.plain"] = step, ["model:solve_step"] = step, ["model:iterate"] = step,
   ["model:solve_arc"] = { linear = core.linear_solvers },
   ["sg.picture"] = picture, ["sg.frame"] = picture,
   ["sg.chart"] = chart, ["study:chart"] = chart,
