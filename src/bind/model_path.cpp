@@ -119,7 +119,8 @@ template <int D> int solve_arc(lua_State* L) {
   const Model<D>& model = self<Model<D>>(L);
   model::StepOptions options;
   const Options o(L, 2, {"length", "tolerance", "iterations", "linear"});
-  const double length = o.positive("length", "distance from the accepted state, 2-norm over all control points");
+  const double length =
+      o.positive("length", "distance from the accepted state, root mean square of the displacement over all bodies");
   read_newton(o, options);
   push_report(L, model->solve_arc(options, length));
   set_field(L, "fraction", model->arc_fraction());
@@ -228,15 +229,17 @@ constexpr Function rows[] = {
      "Example: finer:penalty_factor()  --> 1.0"},
     {"solve_arc", wrap<solve_arc<D>>,
      "m:solve_arc{ length, tolerance = 1e-10, iterations = 25, linear = \"auto\" }\n"
-     "Goes a given distance (2-norm of the control points' displacements) from the accepted state along the path\n"
-     "that leads to the targets; how far along it is an unknown, so that turning points can be passed. Accepts\n"
-     "nothing; the targets become those reached. Returns what solve_step returns and fraction: 0 at the accepted\n"
-     "state, 1 at the targets.\n"
+     "Goes a given distance from the accepted state along the path that leads to the targets; how far along it is\n"
+     "an unknown, so that turning points can be passed. The distance is the root mean square of the displacement\n"
+     "over the volume of all bodies, a length that does not depend on the mesh (a rigid obstacle counts like all\n"
+     "bodies together). Accepts nothing; the targets become those reached. Returns what solve_step returns and\n"
+     "fraction: 0 at the accepted state, 1 at the targets.\n"
      "Example: model:set_target(\"grip\", {0, -0.13})\n"
      "         local result = model:solve_arc{ length = 0.01 }\n"
      "         if result.converged then model:accept() else model:rollback() end"},
     {"last_length", wrap<last_length<D>>,
-     "m:last_length()\n2-norm of the last accepted step's displacements: the scale for arc lengths.\n"
+     "m:last_length()\n"
+     "Root mean square over all bodies of the last accepted step's displacement, the scale for arc lengths.\n"
      "Example: model:last_length()"},
     {"accept", wrap<accept<D>>,
      "m:accept()\n"

@@ -85,14 +85,14 @@ public:
 
   /// Solves for a state at a given distance from the accepted one along the path that leads to the present targets, the
   /// fraction λ of the way being an unknown of its own: it may turn back, so limit points in λ can be passed. The
-  /// constraint is t·(u − u₀) = length, t the unit tangent of the solution curve at the accepted state, in the sense of
-  /// the last accepted step (pseudo-arclength: E. Riks, J. Appl. Mech. 39, 1972; H. B. Keller, 1977). Afterwards the
-  /// targets are those reached. Does not accept.
+  /// constraint is t·(u − u₀) = length in the inner product of path_norm.hpp, t the unit tangent of the solution curve
+  /// at the accepted state, in the sense of the last accepted step (pseudo-arclength: E. Riks, J. Appl. Mech. 39, 1972;
+  /// H. B. Keller, 1977). Afterwards the targets are those reached. Does not accept.
   solve::NewtonReport solve_arc(const StepOptions& options, double length);
   /// λ of the last solve_arc(): 0 at the accepted state before it, 1 at its targets.
   double arc_fraction() const { return arc_fraction_; }
-  /// 2-norm of the last accepted step's displacements, the scale for arc lengths.
-  double last_length() const { return last_increment_.norm(); }
+  /// Length of the last accepted step in the norm of path_norm.hpp, the scale for arc lengths.
+  double last_length();
   /// Makes the present state the accepted one. Throws Error where the step under way has not converged, or targets or
   /// penalties have changed since, or where move() has led to no equilibrium; without a step nothing happens.
   void accept();
@@ -176,6 +176,7 @@ private:
                    double& energy);
   solve::NewtonSystem system(std::function<solve::Outcome(bool, std::string&)> assemble,
                              std::function<bool(double&)> advance) const;
+  const VectorX& path_weights();
   double force_norm() const;
   void move_targets(const VectorX& targets);
   double largest_position() const;
@@ -202,6 +203,7 @@ private:
   ActiveSet<D> active_set_;
   std::optional<BodyInversion> inverted_;
   std::optional<std::vector<LooseMotion>> loose_; ///< found when damping is first asked for
+  std::optional<VectorX> path_weights_;           ///< see path_norm.hpp; found when a length is first asked for
   std::unique_ptr<solve::LinearSolver> solver_;
   solve::SolverStatistics past_solvers_;                       ///< what those before solver_ did
   solve::LinearKind past_kind_ = solve::LinearKind::automatic; ///< of the last of them

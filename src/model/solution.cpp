@@ -4,6 +4,7 @@
 #include "base/error.hpp"
 #include "base/timer.hpp"
 #include "model/linear_choice.hpp"
+#include "model/path_norm.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -329,6 +330,15 @@ template <int D> void Model<D>::move_targets(const VectorX& targets) {
   present_ = targets;
 }
 
+template <int D> const VectorX& Model<D>::path_weights() {
+  if (!path_weights_) path_weights_ = model::path_weights(scene_, unknowns_);
+  return *path_weights_;
+}
+
+template <int D> double Model<D>::last_length() {
+  return std::sqrt(path_weights().dot(last_increment_.cwiseAbs2()));
+}
+
 template <int D>
 bool Model<D>::advance_arc(const StepOptions& options, const VectorX& direction, double length, VectorX& tangent,
                            double& energy) {
@@ -345,11 +355,13 @@ bool Model<D>::advance_arc(const StepOptions& options, const VectorX& direction,
   double lambda;
   if (tangent.size() == 0) {
     // Predictor: along the curve's tangent, on in the sense of the last step
-    const bool back = rate.dot(last_increment_) < 0;
-    lambda = (back ? -1 : 1) * length / rate.norm();
-    tangent = rate / (back ? -rate.norm() : rate.norm());
+    const VectorX weighted = path_weights().cwiseProduct(rate);
+    const double speed = std::sqrt(rate.dot(weighted));
+    const bool back = weighted.dot(last_increment_) < 0;
+    lambda = (back ? -1 : 1) * length / speed;
+    tangent = weighted / (back ? -speed : speed);
   } else {
-    // t·(u + δ₁ + δλ (δ₂ + ∂u_p/∂λ) − u₀) = length
+    // t·(u + δ₁ + δλ (δ₂ + ∂u_p/∂λ) − u₀) = length, t with the weights of the inner product
     lambda = (length - tangent.dot(displacement_ - accepted_ + step)) / tangent.dot(rate);
   }
   if (!std::isfinite(lambda)) return false;
@@ -396,6 +408,7 @@ template <int D> solve::SolverStatistics Model<D>::solver_statistics() const {
   template void Model<D>::move(const VectorX&);                                                                        \
   template void Model<D>::judge_lead();                                                                                \
   template solve::NewtonReport Model<D>::solve_arc(const StepOptions&, double);                                        \
+  template double Model<D>::last_length();                                                                             \
   template double Model<D>::force_norm() const;                                                                        \
   template solve::LinearKind Model<D>::linear_kind() const;                                                            \
   template solve::SolverStatistics Model<D>::solver_statistics() const;

@@ -1,5 +1,6 @@
 // Paths that turn back: an adhesive bar that snaps off, whose path is known, and a shallow arch that snaps through.
 #include "model/bench.hpp"
+#include "model/path_norm.hpp"
 #include "model/scenes.hpp"
 
 #include <Eigen/LU>
@@ -31,15 +32,16 @@ double distance(const Model<2>& model) {
   return contact::equilibrium_distance(film) + model.body_displacement(0)(1, 0);
 }
 
-/// A shallow clamped arch of thickness 0.3 and rise 1.5 over a span of about 12, its left half; loaded from above.
-Scene<2> arch() {
+/// A shallow clamped arch of thickness 0.3 and rise 1.5 over a span of about 12, in some unit of length, its left half;
+/// loaded from above.
+Scene<2> arch(double unit = 1, int elements = 8) {
   constexpr double half_angle = 28;
-  const double radius = 12.5;
+  const double radius = 12.5 * unit;
   const Eigen::Vector2d centre(0, 0);
   Scene<2> scene;
   const nurbs::Patch patch = nurbs::ruled(nurbs::arc(centre, radius, 90 + half_angle, 90),
-                                          nurbs::arc(centre, radius + 0.3, 90 + half_angle, 90));
-  scene.bodies.push_back({"arch", make_body(patch, {8, 1}, "N3", "north", solid::neo_hookean(1000, 0.3), 2)});
+                                          nurbs::arc(centre, radius + 0.3 * unit, 90 + half_angle, 90));
+  scene.bodies.push_back({"arch", make_body(patch, {elements, 1}, "N3", "north", solid::neo_hookean(1000, 0.3), 2)});
   scene.supports = {{"wall", {held(scene, 0, "west")}, {Hold::fixed, Hold::fixed}},
                     {"middle", {held(scene, 0, "east")}, {Hold::fixed, Hold::free}}};
   scene.loads = {{"snow", {{0, nurbs::side_of("north", 2)}}, false, {0, 0}}};
@@ -65,12 +67,14 @@ struct Walk {
   Bench bench;
   Drives<2> drives;
   int component;
-  double sense; ///< of the target, at the beginning
+  double sense;    ///< of the target, at the beginning
+  VectorX weights; ///< of the path's norm
   VectorX targets, last_increment;
 
   Walk(const Scene<2>& scene, int component_, double sense_)
       : model(scene), bench(scene), drives(bench.scene, bench.unknowns), component(component_), sense(sense_),
-        targets(drives.start()) {}
+        weights(path_weights(bench.scene, bench.unknowns)), targets(drives.start()) {}
+  double norm(const VectorX& u) const { return std::sqrt(weights.dot(u.cwiseAbs2())); }
   double target() const { return model.accepted_target(0, component); }
 
   /// Unit tangent of the solution curve at the accepted state, on in the sense of the last step:
@@ -82,8 +86,8 @@ struct Walk {
     bench.residual(model.displacement(), &rate);
     const VectorX change = bench.unknowns.gather(bench.assembly.product() - drives.force(unit));
     const VectorX t = rate + bench.unknowns.spread(bench.tangent().partialPivLu().solve(VectorX(-change)));
-    const double along = last_increment.size() > 0 ? t.dot(last_increment) : sense;
-    return std::copysign(1 / t.norm(), along) * t;
+    const double along = last_increment.size() > 0 ? t.dot(weights.cwiseProduct(last_increment)) : sense;
+    return std::copysign(1 / norm(t), along) * t;
   }
   /// One accepted arc, and what holds of every one: its length along the tangent, its end an equilibrium.
   void arc(double length) {
@@ -94,9 +98,9 @@ struct Walk {
     ASSERT_EQ(report.outcome, solve::Outcome::converged) << report.message;
     model.accept();
     last_increment = model.displacement() - before;
-    EXPECT_NEAR(t.dot(last_increment), length, 1e-9 * length);
+    EXPECT_NEAR(t.dot(weights.cwiseProduct(last_increment)), length, 1e-9 * length);
     EXPECT_NEAR(target(), from + model.arc_fraction() * sense, 1e-14 * (1 + std::abs(from)));
-    EXPECT_NEAR(model.last_length(), last_increment.norm(), 1e-14);
+    EXPECT_NEAR(model.last_length(), norm(last_increment), 1e-14);
     targets(component) = target();
     const VectorX residual = bench.residual(model.displacement()) - drives.force(targets);
     EXPECT_LT(bench.unknowns.gather(residual).norm(), 1e-9 * bench.unknowns.held_norm(residual));
@@ -127,7 +131,7 @@ TEST(Arc, FollowsAnAdhesiveBarThroughItsSnapBack) {
   Walk walk(bar(material), 0, 1);
   std::vector<double> tops;
   while (distance(walk.model) < 0.75 && !HasFailure()) {
-    walk.arc(0.05);
+    walk.arc(0.012);
     tops.push_back(walk.target());
     EXPECT_NEAR(tops.back(), exact(distance(walk.model)), 1e-9);
     EXPECT_NEAR(walk.model.reaction(1)(1), -2 * contact::traction(film, distance(walk.model)), 1e-9);
@@ -158,7 +162,7 @@ TEST(Arc, FollowsAnArchThroughItsLimitLoad) {
   std::vector<double> loads, sags;
   int confirmed = 0;
   for (int step = 0; step < 45 && !HasFailure(); ++step) {
-    walk.arc(0.3);
+    walk.arc(0.06);
     loads.push_back(-walk.target());
     sags.push_back(sag(walk.model));
     if (step % 3 > 0) continue;
@@ -202,7 +206,7 @@ TEST(Arc, AgreesWithStepsToTheSameAngles) {
   Walk walk(strip(), 0, 1);
   Model<2> stepped(strip());
   for (int k = 0; k < 12 && !HasFailure(); ++k) {
-    walk.arc(1.5);
+    walk.arc(0.35);
     stepped.set_target(0, 0, walk.target());
     ASSERT_EQ(stepped.solve_step({}).outcome, solve::Outcome::converged);
     stepped.accept();
@@ -214,8 +218,8 @@ TEST(Arc, AgreesWithStepsToTheSameAngles) {
 
 TEST(Arc, RollbackReturnsToTheAcceptedState) {
   Walk walk(arch(), 1, -1);
-  walk.arc(0.3);
-  walk.arc(0.3);
+  walk.arc(0.06);
+  walk.arc(0.06);
   Model<2>& model = walk.model;
   const VectorX accepted = model.displacement();
   const double target = walk.target();
@@ -229,19 +233,47 @@ TEST(Arc, RollbackReturnsToTheAcceptedState) {
   StepOptions cut;
   cut.newton.iterations = 1;
   model.set_target(0, 1, target - 1);
-  EXPECT_EQ(model.solve_arc(cut, 5).outcome, solve::Outcome::iteration_limit);
+  EXPECT_EQ(model.solve_arc(cut, 1).outcome, solve::Outcome::iteration_limit);
   model.rollback();
   unchanged();
   // One that converges but is not taken
   model.set_target(0, 1, target - 1);
-  ASSERT_EQ(model.solve_arc({}, 0.3).outcome, solve::Outcome::converged);
+  ASSERT_EQ(model.solve_arc({}, 0.06).outcome, solve::Outcome::converged);
   const VectorX first = model.displacement();
-  EXPECT_GT((first - accepted).norm(), 0.29);
+  EXPECT_GT(walk.norm(first - accepted), 0.059);
   model.rollback();
   unchanged();
   model.set_target(0, 1, target - 1);
-  ASSERT_EQ(model.solve_arc({}, 0.3).outcome, solve::Outcome::converged);
+  ASSERT_EQ(model.solve_arc({}, 0.06).outcome, solve::Outcome::converged);
   EXPECT_EQ(model.displacement(), first);
+}
+
+/// ∫ |u|² dV / V of a rigid translation is |u|², of any mesh and in any unit.
+TEST(Arc, TheNormIsTheRootMeanSquareOverTheBodies) {
+  for (const Scene<2>& scene : {arch(), arch(1000), arch(1, 32), strip(), bar(solid::neo_hookean(1, 0.3))}) {
+    const Unknowns<2> unknowns(scene);
+    const VectorX weights = path_weights(scene, unknowns);
+    const int obstacles = static_cast<int>(scene.obstacles.size());
+    EXPECT_NEAR(weights.sum(), 2 + 2 * obstacles, 1e-12);
+    EXPECT_GT(weights.minCoeff(), 0);
+  }
+}
+
+TEST(Arc, AnArcOfTheSameLengthLeadsAsFarOnAnyMeshAndInAnyUnit) {
+  const auto loads = [](double unit, int elements) {
+    Walk walk(arch(unit, elements), 1, -1);
+    std::vector<double> values;
+    for (int k = 0; k < 6; ++k) {
+      walk.arc(0.1 * unit);
+      values.push_back(walk.target());
+    }
+    return values;
+  };
+  const std::vector<double> once = loads(1, 8), finer = loads(1, 32), longer = loads(1000, 8);
+  for (std::size_t k = 0; k < once.size(); ++k) {
+    EXPECT_NEAR(finer[k] / once[k], 1, 0.02) << k;
+    EXPECT_NEAR(longer[k] / once[k], 1, 1e-8) << k;
+  }
 }
 
 TEST(Arc, ErrorsNameTheArgument) {

@@ -22,7 +22,7 @@ template <class Matrix> bool same_bits(const Matrix& a, const Matrix& b) {
 }
 
 /// All that users see of a state, as one list of numbers.
-template <int D> VectorX seen(const Model<D>& model) {
+template <int D> VectorX seen(Model<D>& model) {
   std::vector<double> numbers(model.displacement().begin(), model.displacement().end());
   const auto append = [&](const auto& values) { numbers.insert(numbers.end(), values.begin(), values.end()); };
   for (std::size_t s = 0; s < model.scene().supports.size(); ++s) append(model.reaction(static_cast<int>(s)));

@@ -103,7 +103,7 @@ Scalar noisy(double size) {
   Scalar problem;
   problem.x = 1;
   problem.f = [size](double x) { return std::abs(x) < 3 * size ? std::copysign(size, x) : x; };
-  problem.slope = [](double) { return 0.5; };
+  problem.slope = [](double) { return 0.9; };
   problem.scale = 0;
   return problem;
 }
