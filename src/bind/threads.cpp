@@ -1,6 +1,7 @@
 #include "bind/threads.hpp"
 
 #include "base/parallel.hpp"
+#include "solid/kernel.hpp"
 
 #include <cstdlib>
 #include <dlfcn.h>
@@ -24,6 +25,10 @@ void set_threads(int threads) {
   for (const char* variable : {"OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS"}) setenv(variable, number.c_str(), 1);
   for (const char* name : {"openblas_set_num_threads", "omp_set_num_threads"})
     if (auto* set = loaded<void(int)>(name)) set(threads);
+}
+
+std::string kernel_description() {
+  return solid::instruction_names[static_cast<int>(solid::widest_instructions())];
 }
 
 std::string blas_description() {

@@ -1,5 +1,5 @@
 #pragma once
-// How many threads the libraries below use, and which BLAS that is.
+// How many threads and which kernels the program uses, and which BLAS that is.
 
 #include <string>
 
@@ -10,6 +10,10 @@ inline constexpr int most_threads = 1024;
 
 /// Sets the threads of assembly, BLAS and OpenMP; those of the libraries for child processes as well.
 void set_threads(int threads);
+
+/// The widest vector instructions of the element kernels, such as "avx2"; an error where SIGNORINI_KERNEL names others
+/// than this machine has.
+std::string kernel_description();
 
 /// "OpenBLAS 0.3.21 …, libopenblas.so" of the BLAS that is loaded.
 std::string blas_description();

@@ -26,7 +26,8 @@ std::vector<std::pair<std::string, std::string>> versions() {
           {"Lua", LUA_RELEASE},
           {"Eigen", text(EIGEN_WORLD_VERSION, ".", EIGEN_MAJOR_VERSION, ".", EIGEN_MINOR_VERSION)},
           {"SuiteSparse", suitesparse_version()},
-          {"BLAS", blas_description()}};
+          {"BLAS", blas_description()},
+          {"kernel", kernel_description()}};
 }
 
 } // namespace signorini::bind

@@ -7,7 +7,7 @@
 
 namespace signorini::bind {
 
-/// Names and versions: signorini, Lua, Eigen, SuiteSparse, BLAS.
+/// Names and versions: signorini, Lua, Eigen, SuiteSparse, BLAS, and the kernels' instructions.
 std::vector<std::pair<std::string, std::string>> versions();
 
 } // namespace signorini::bind

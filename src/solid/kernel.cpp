@@ -4,18 +4,44 @@
 #include "solid/kernel_space.hpp"
 #include "solid/kernel_wide.hpp"
 
+#include "base/error.hpp"
+
+#include <cstdlib>
+#include <string_view>
+
 namespace signorini::solid {
+
+Instructions widest_instructions(const char* wanted) {
+  const Instructions widest = runs_avx512() ? Instructions::avx512
+                              : runs_avx2() ? Instructions::avx2
+                                            : Instructions::sse2;
+  if (!wanted || !*wanted) return widest;
+  for (Instructions known : {Instructions::sse2, Instructions::avx2, Instructions::avx512}) {
+    const char* name = instruction_names[static_cast<int>(known)];
+    if (std::string_view(name) != wanted) continue;
+    require(known <= widest, "SIGNORINI_KERNEL=", name, " needs instructions that this processor lacks; it runs up to ",
+            instruction_names[static_cast<int>(widest)], ". Hint: unset the environment variable");
+    return known;
+  }
+  fail("SIGNORINI_KERNEL must be sse2, avx2 or avx512, got '", wanted,
+       "'. Hint: unset the environment variable for the fastest kernel");
+}
+
+Instructions widest_instructions() {
+  static const Instructions widest = widest_instructions(std::getenv("SIGNORINI_KERNEL"));
+  return widest;
+}
 
 template <> std::vector<Kernel> element_kernels<2>(int functions) {
   std::vector<Kernel> kernels{plane_kernel(functions)};
-  if (runs_avx2()) kernels.push_back(avx2_plane_kernel(functions));
+  if (widest_instructions() >= Instructions::avx2) kernels.push_back(avx2_plane_kernel(functions));
   return kernels;
 }
 
 template <> std::vector<Kernel> element_kernels<3>(int) {
   std::vector<Kernel> kernels{run_space};
-  if (runs_avx2()) kernels.push_back(avx2_space_kernel());
-  if (runs_avx512()) kernels.push_back(avx512_space_kernel());
+  if (widest_instructions() >= Instructions::avx2) kernels.push_back(avx2_space_kernel());
+  if (widest_instructions() >= Instructions::avx512) kernels.push_back(avx512_space_kernel());
   return kernels;
 }
 

@@ -41,8 +41,18 @@ struct KernelResult {
 
 using Kernel = KernelResult (*)(const KernelArguments&);
 
-/// All neo-Hooke kernels that this machine runs, for bodies in D dimensions and elements of n functions; the fastest is
-/// the last. They differ by rounding.
+/// Vector instructions, from narrow to wide; sse2 stands for what every machine has.
+enum class Instructions { sse2, avx2, avx512 };
+constexpr const char* instruction_names[] = {"sse2", "avx2", "avx512"};
+
+/// The widest instructions that kernels may use: those of this processor, or, where it is set, those that the
+/// environment variable SIGNORINI_KERNEL names.
+Instructions widest_instructions();
+/// The same for a value of the variable, or nullptr where it is not set.
+Instructions widest_instructions(const char* wanted);
+
+/// The neo-Hooke kernels up to the widest instructions, for bodies in D dimensions and elements of n functions; the
+/// fastest is the last. They differ by rounding error.
 template <int D> std::vector<Kernel> element_kernels(int functions);
 
 } // namespace signorini::solid

@@ -52,8 +52,16 @@ check.case("--doctor draws without a display", function()
     local result = run({ "--doctor", "--threads", "2" }, nil, display)
     check.equal(result.status, 0)
     check.holds(result.output, "Lua 5.4", "Eigen", "SuiteSparse", "BLAS", "readline", "VTK", "threads       2",
-      "test picture  ok", "films         ")
+      "kernel        ", "test picture  ok", "films         ")
   end
+end)
+
+check.case("SIGNORINI_KERNEL chooses the kernels' instructions", function()
+  local result = run({ "-e", "print(require 'signorini.core'.versions.kernel)" }, nil, "env SIGNORINI_KERNEL=sse2")
+  check.equal(result, { status = 0, output = "sse2\n" })
+  result = run({ "-e", "print(1)" }, nil, "env SIGNORINI_KERNEL=sse3")
+  check.equal(result.status, 1)
+  check.holds(result.output, "SIGNORINI_KERNEL must be sse2, avx2 or avx512, got 'sse3'")
 end)
 
 check.case("-q and --threads are known to the library", function()

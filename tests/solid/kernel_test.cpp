@@ -2,6 +2,7 @@
 // trace beyond what they may write.
 #include "solid/kernel.hpp"
 
+#include "base/error.hpp"
 #include "solid/bodies.hpp"
 
 #include <gtest/gtest.h>
@@ -126,6 +127,28 @@ TEST(Kernel, InversionIsFoundAtItsPoint) {
       EXPECT_FALSE(result.jacobian > 0);
     }
   }
+}
+
+TEST(Kernel, EnvironmentVariableChoosesTheWidestInstructions) {
+  const auto message = [](const char* wanted) -> std::string {
+    try {
+      widest_instructions(wanted);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const Instructions widest = widest_instructions(nullptr);
+  EXPECT_EQ(widest_instructions(""), widest);
+  EXPECT_EQ(widest_instructions("sse2"), Instructions::sse2);
+  for (int i = 0; i < 3; ++i) {
+    const char* name = instruction_names[i];
+    if (i <= static_cast<int>(widest))
+      EXPECT_EQ(static_cast<int>(widest_instructions(name)), i);
+    else
+      EXPECT_NE(message(name).find(text("SIGNORINI_KERNEL=", name, " needs instructions")), std::string::npos);
+  }
+  EXPECT_NE(message("AVX").find("SIGNORINI_KERNEL must be sse2, avx2 or avx512, got 'AVX'"), std::string::npos);
 }
 
 } // namespace
