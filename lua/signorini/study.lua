@@ -118,8 +118,8 @@ folder: where each finished case is written at once as a JSON file: out/<name> b
 units:  of figures and parameters by name, for heads of tables and labels of axes.
 alone:  true, or a function of a case: such cases run last and one by one, with nothing beside them, to be timed.
 inputs: plain data. A case counts as done as long as its parameters, the text of run and all that run refers to
-        (functions, numbers, tables; of bodies and models what tostring says; not the program itself) stay as they are;
-        with inputs only these count.
+        (functions, numbers, tables, all that bodies and models hold; not the program itself) stay as they are; with
+        inputs only these count.
 Beside its figures each row has wall, the seconds that run took, unless it returned a figure of that name. A case that
 did not come out has failed = true, outcome ("failed", "error", "crashed", or "time" beyond a limit) and reason.
 study.rows: a list of tables; #study; print(study); see help "study:where", "study:table", "study:chart".

@@ -74,6 +74,7 @@ void open_library(lua_State* L, const Settings& settings) {
   lua_pop(L, 2);
 
   open_core(L);
+  open_content(L);
   open_jobs(L);
   open_files(L);
   open_json(L);

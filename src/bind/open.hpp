@@ -20,6 +20,7 @@ void open_chart(lua_State* L);      ///< sg.chart
 void open_picture(lua_State* L);    ///< sg.picture
 void open_heatmap(lua_State* L);    ///< sg.heatmap
 void open_vtu(lua_State* L);        ///< sg.vtu
+void open_content(lua_State* L);    ///< core.content: what an object holds
 void open_jobs(lua_State* L);       ///< core.jobs: parallel processes
 void open_files(lua_State* L);      ///< core.write_file, core.lock and others
 void open_json(lua_State* L);       ///< core.write_json, core.read_json

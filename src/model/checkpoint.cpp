@@ -96,6 +96,13 @@ template <int D> void save(Model<D>& model, const std::string& file, const std::
   write_archive(file, kind, archive, durable);
 }
 
+template <int D> std::string content(const Model<D>& model, const Snapshot<D>& state) {
+  ArchiveWriter archive;
+  archive.put(scene_parts(model));
+  write_state(archive, state);
+  return archive.bytes();
+}
+
 AnyModel load(const std::string& file) {
   const Content content = open(file);
   if (content.dimension == 3) return load_model<3>(content);
@@ -121,6 +128,8 @@ template <int D> void restore(Model<D>& model, const std::string& file) {
 
 template void save(Model<2>&, const std::string&, const std::string&, bool);
 template void save(Model<3>&, const std::string&, const std::string&, bool);
+template std::string content(const Model<2>&, const Snapshot<2>&);
+template std::string content(const Model<3>&, const Snapshot<3>&);
 template void restore(Model<2>&, const std::string&);
 template void restore(Model<3>&, const std::string&);
 

@@ -15,6 +15,9 @@ namespace signorini::model {
 /// of processor. Call it when no step is pending. Throws Error when the file cannot be written.
 template <int D> void save(Model<D>& model, const std::string& file, const std::string& text = {}, bool durable = true);
 
+/// A model's scene and a state of it, as bytes to compare.
+template <int D> std::string content(const Model<D>& model, const Snapshot<D>& state);
+
 using AnyModel = std::variant<std::shared_ptr<Model<2>>, std::shared_ptr<Model<3>>>;
 /// The model of a file, made anew. Throws Error when the file is missing, foreign, of another format, or damaged.
 AnyModel load(const std::string& file);

@@ -1,4 +1,5 @@
--- Studies: cases in processes of their own, and results that are kept; study_verbs_test.lua reads them.
+-- Studies: cases in processes of their own, and results that are kept; study_inputs_test.lua changes what they
+-- depend on, study_verbs_test.lua reads them.
 
 local sg = require "signorini"
 local core = require "signorini.core"
@@ -138,40 +139,6 @@ check.case("the file of a case is JSON with inputs, figures, version, host and t
   check.equal(record.wall > 0 and record.wall < 5, true)
 end)
 
-check.case("a changed parameter, function or number that run refers to makes a case run again, and is named", function()
-  local script = [[
-    local sg = require "signorini"
-    local young, meshes = %s, { m1 = { %s, 2 } }
-    function scene(mesh) return meshes[mesh][1] * young%s end
-    local jobs = sg.study{ name = "n", folder = arg[1], cases = sg.grid{ mesh = { "m1" } },
-                           run = function(case) return { f = scene(case.mesh) } end }:execute{}
-    print(jobs.rows[1].f)]]
-  local folder = new_folder()
-  local function output(...) return (check.script(script:format(...), folder)) end
-  check.equal(output("10", "6", ""), "n: 1 of 1: mesh=m1: 0.0 s\n60\n")
-  check.equal(output("10", "6", ""), "60\n")
-  check.holds(output("11", "6", ""), "n: 0 of 1 case is kept; run again: 1 because scene changed", "66\n")
-  check.holds(output("11", "7", ""), "scene changed", "77\n")
-  check.holds(output("11", "7", " + 1"), "scene changed", "78\n")
-  check.equal(output("11", "7", " + 1"), "78\n")
-end)
-
-check.case("a changed object that run refers to makes a case run again", function()
-  local folder = new_folder()
-  local function output(young, width)
-    return (check.script(([[
-      local sg = require "signorini"
-      local soft, patch = sg.neo_hookean{ E = %s, nu = 0.3 }, sg.shapes.rectangle{ width = %s, height = 1 }
-      sg.study{ name = "n", folder = arg[1], cases = { { a = 1 } }, run = function()
-        return { knows = soft ~= nil and patch ~= nil }
-      end }:execute{}]]):format(young, width), folder))
-  end
-  output("1", "3")
-  check.equal(output("1", "3"), "")
-  check.holds(output("2", "3"), "1 because soft changed")
-  check.holds(output("2", "3.000001"), "1 because patch changed")
-end)
-
 check.case("cases that ask for it run last, and alone", function()
   local folder = new_folder()
   local study = noted(folder, sg.grid{ a = { 1, 2, 3, 4 } }, function() return {} end,
@@ -269,9 +236,8 @@ check.case("Ctrl-C ends it with what is done, and lets go of the folder", functi
   check.equal(kept >= 1 and kept < 6, true)
   check.holds(output, ("stopped: interrupted: %d of 6 cases %s kept; the same call goes on with the others\n")
     :format(kept, kept == 1 and "is" or "are"), ":2: interrupted", "status 130")
-  check.holds(check.program { name }, ("stopped: %d of 6 cases %s kept\nstopped: %d of 6: a="):format(kept,
-    kept == 1 and "is" or "are", kept + 1),
-    "not stopped\n")
+  check.holds(check.program { name }, ("stopped: %d of 6 taken from %s, %d to solve\nstopped: %d of 6: a=")
+    :format(kept, folder, 6 - kept, kept + 1), "not stopped\n")
   check.equal(files_in(folder), 6)
   os.remove(name)
 end)

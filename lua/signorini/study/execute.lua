@@ -36,16 +36,16 @@ local function kept_words(kept, all)
   return ("%d of %s %s kept"):format(kept, counted(all, "case"), (kept == 1 or all == 1) and "is" or "are")
 end
 
---- What execute says before it begins: how many cases are kept, and why others run once more.
+--- What execute says before it begins: how many cases are taken from the folder, and why others are solved again.
 local function words_on(study, missing, reasons, older)
   local kept, words = #study.cases - #missing, {}
   for why, count in pairs(reasons) do words[#words + 1] = ("%d because %s"):format(count, why) end
   table.sort(words)
-  local again = #words > 0 and "; run again: " .. table.concat(words, "; ") or ""
-  local version = older > 0
-    and ("; %d of them are of another version than %s"):format(older, core.versions.signorini) or ""
-  local told = #missing > 0 and kept > 0 or again ~= "" or version ~= ""
-  return told and ("%s: %s%s%s"):format(study.name, kept_words(kept, #study.cases), version, again) or nil
+  local again = #words > 0 and "; again: " .. table.concat(words, "; ") or ""
+  if kept == 0 and again == "" then return nil end
+  local version = older > 0 and (" (%d by another version than %s)"):format(older, core.versions.signorini) or ""
+  return ("%s: %d of %d taken from %s%s, %s%s"):format(study.name, kept, #study.cases, study.folder, version,
+    #missing > 0 and #missing .. " to solve" or "0 solved", again)
 end
 
 --- The positions of the cases that must run, and in words what is to say about those that ran before.
@@ -189,11 +189,11 @@ end
 
 core.docs["study:execute"] = [[
 study:execute{ jobs, limit, again }
-Runs the cases that are missing in the study's folder, or whose inputs have changed, and returns the study. Each
-finished case is on the disk at once; when the program is stopped by Ctrl-C or killed, the same call goes on with what
-is missing. A case that fails is a result and stays. One that ended by an error or whose process died is told on
-standard error at the end, runs again at the next call, and makes the exit status of the program 1, unless the script
-ends with os.exit.
+Runs the cases that are missing in the study's folder, or whose inputs have changed, says how many are taken from there
+and how many are to solve, and returns the study. Each finished case is on the disk at once; when the program is stopped
+by Ctrl-C or killed, the same call goes on with what is missing. A case that fails is a result and stays. One that ended
+by an error or whose process died is told on standard error at the end, runs again at the next call, and makes the exit
+status of the program 1, unless the script ends with os.exit.
 jobs:  cases side by side; by default what --jobs says, else as many as there are processors. Each has one thread.
 limit: seconds by the clock on the wall after which a case is given up; none by default.
 again: true for all cases, "failed", or a function of a row: which cases run anew in any case.

@@ -100,10 +100,10 @@ local function write_table(value, out, seen)
   end
 end
 
---- What can be seen of an object: all of a patch; of others, such as materials and bodies, what tostring says.
-local function write_object(value, out, seen)
-  out[#out + 1] = tostring(value):gsub(": 0x%x+$", "", 1) -- an address tells nothing
-  if core.kind(value) == "patch" then write({ value:points(), value:weights() }, out, seen) end
+--- What an object holds; of one without content, such as an open file, its kind.
+local function write_object(value, out)
+  out[#out + 1] = core.kind(value)
+  out[#out + 1] = core.content(value)
 end
 
 function write(value, out, seen)
@@ -117,7 +117,7 @@ function write(value, out, seen)
     out[#out + 1] = kind
     return (kind == "table" and write_table or write_function)(value, out, seen)
   end
-  if kind == "userdata" then return write_object(value, out, seen) end
+  if kind == "userdata" then return write_object(value, out) end
   out[#out + 1] = kind == "number" and ("%a"):format(value) or tostring(value)
 end
 
