@@ -1,0 +1,129 @@
+-- How runs of generated scenes end: bodies pressed into a slab and dragged along it, as they are and mirrored.
+--
+-- Problem: a block, a half ring or a rigid cylinder (in space also an indenter with a spherical bottom) is pressed into
+--          a slab by 0.01 to 0.2 and dragged along it by up to 0.6 (0.3 in space). Shape, slave, orders, meshes, E (0.1
+--          to 1000, slab: 1), mu (0 to 0.8), penalty and steps come from a seed, so that scene number 17 is always the
+--          same. A block that is the master digs its edges, where the master's face ends, into the slab.
+--
+--                 ______
+--                | body |         body: block 0.8 × 0.5, half ring of radii 0.3 and 0.5, cylinder of radius 0.4,
+--          ______|______|______         its top driven
+--         |      <---->        |
+--         |  slab: 4 × 1       |  in space the slab is 2 × 1.2 × 0.6, the bodies are 0.5 wide
+--         |____________________|
+--
+--          Neo-Hooke, nu = 0.3, plane strain or solids, with the controls of sg.robust. In the mirror x becomes -x:
+--          each force must be the same but for its sign.
+-- Source: chosen here.
+-- Units: those of E; forces per depth in plane strain.
+-- Expected: see share/doc/stability.md.
+-- Run: signorini scripts/stability/generated.lua [kind=plane] [first=1] [count=2209] [mirror=no] [jobs=2] [limit=600]
+--      [out=out/stability/generated]; kind: plane or space; first, count: the seeds; limit: seconds for a scene. A
+--      second call takes up what the folder holds.
+
+local sg = require "signorini"
+local scenes = require "generated.scenes"
+
+local options = sg.arguments{
+  kind = { "plane", choices = scenes.kinds }, first = 1, count = 2209, mirror = false, jobs = 2, limit = 600.0,
+  out = "out/stability/generated",
+}
+local tolerance = 1e-5 -- of the largest force, for a scene and its mirror image
+
+-- ── Runs ─────────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+local function solve(case)
+  local scene = scenes.describe(case.kind, case.seed)
+  local _, account = scenes.solve(scene, sg.robust{})
+  local result = {
+    shape = scene.shape, slave = scene.slave, ending = account.ending, steps = account.steps,
+    iterations = account.iterations, cutbacks = account.cutbacks, rescues = account.rescues, forces = account.forces,
+  }
+  if case.mirror then
+    local _, image = scenes.solve(scene, sg.robust{}, true)
+    result.image, result.difference = image.ending, scenes.difference(account, image)
+    result.image_cutbacks = image.cutbacks
+  end
+  return result
+end
+
+local seeds = {}
+for i = 1, options.count do seeds[i] = options.first + i - 1 end
+local study = sg.study{
+  name = "generated " .. options.kind, folder = ("%s/%s%s"):format(options.out, options.kind,
+    options.mirror and "_mirrored" or ""),
+  cases = sg.grid{ kind = { options.kind }, mirror = { options.mirror }, seed = seeds }, run = solve,
+}
+study:execute{ jobs = options.jobs, limit = options.limit }
+
+-- ── Tables ───────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- How a row's run ended: what the run says, or that of the process.
+local function ending(row) return row.ending or row.outcome end
+
+local rows = {}
+for _, row in ipairs(study.rows) do rows[#rows + 1] = row end
+
+--- Counts the rows by shape and slave, and how each of them ended: { name, scenes, early, <ending> … }.
+local function count()
+  local kinds, endings = {}, {}
+  for _, row in ipairs(rows) do
+    local name = row.shape and ("%s, slave: %s"):format(row.shape, row.slave) or "unknown"
+    local how = ending(row)
+    for _, key in ipairs { name, "all" } do
+      if not kinds[key] then
+        kinds[key] = { name = key, scenes = 0, iterations = 0, completed = 0 }
+        kinds[#kinds + 1] = kinds[key]
+      end
+      local kind = kinds[key]
+      kind.scenes, kind[how] = kind.scenes + 1, (kind[how] or 0) + 1
+      kind.iterations = kind.iterations + (row.iterations or 0)
+    end
+    if how ~= "completed" and not endings[how] then
+      endings[how] = true
+      endings[#endings + 1] = how
+    end
+  end
+  table.sort(kinds, function(a, b) return (a.name == "all" and "~" or a.name) < (b.name == "all" and "~" or b.name) end)
+  table.sort(endings)
+  return kinds, endings
+end
+
+local kinds, endings = count()
+local lines = {}
+for i, kind in ipairs(kinds) do
+  local early = kind.scenes - kind.completed
+  lines[i] = { kind.name, kind.scenes, early, 100 * early / kind.scenes, kind.iterations / kind.scenes }
+  for _, how in ipairs(endings) do table.insert(lines[i], kind[how] or 0) end
+end
+print(("\nScenes %d to %d in the %s, and how they end"):format(options.first, options.first + options.count - 1,
+  options.kind))
+print(sg.table{
+  columns = { "body and slave", "scenes", "early", "part", "iterations", table.unpack(endings) },
+  units = { "", "", "", "%", "mean" }, rows = lines, formats = { part = "%.1f", iterations = "%.0f" },
+})
+
+--- The seeds of the rows that a condition holds for, as a line; nothing when there are none.
+local function print_seeds(text, holds)
+  local found = {}
+  for _, row in ipairs(rows) do
+    if holds(row) then found[#found + 1] = row.seed end
+  end
+  if #found > 0 then print(("%s: %d: %s"):format(text, #found, table.concat(found, " "))) end
+  return found
+end
+
+local early = print_seeds("\nend early", function(row) return ending(row) ~= "completed" end)
+local unlike, apart = {}, {}
+if options.mirror then
+  unlike = print_seeds("end differently in the mirror", function(row) return row.ending and row.image ~= row.ending end)
+  apart = print_seeds(("complete, but differ by more than %g of the largest force"):format(tolerance), function(row)
+    return row.ending == "completed" and row.image == "completed" and row.difference > tolerance
+  end)
+  print(("of %d scenes %d end differently in the mirror, %d differ by more than %g of the largest force"):format(#rows,
+    #unlike, #apart, tolerance))
+end
+local files = sg.files(options.out)
+study:csv(files(("%s%s.csv"):format(options.kind, options.mirror and "_mirrored" or "")))
+files:report()
+return { study = study, kinds = kinds, early = early, unlike = unlike, apart = apart, files = files }

@@ -1,0 +1,64 @@
+-- Generated scenes (scripts/stability/generated.lua): a seed gives the same scene again, its mirror image is one, and
+-- how the first ones end.
+
+local core = require "signorini.core"
+local check = require "check"
+
+core.quiet = true
+package.path = core.home .. "/scripts/stability/?.lua;" .. package.path
+local sg = require "signorini"
+local scenes = require "generated.scenes"
+
+--- A scene as one line of text.
+local function text(scene)
+  local numbers = {}
+  for i, key in ipairs { "E", "mu", "penalty", "place", "press", "drag" } do
+    numbers[i] = ("%.5g"):format(scene[key])
+  end
+  return ("%s, slave %s, %s on %s, %s and %s; %s; %d + %d steps"):format(scene.shape, scene.slave, scene.orders.body,
+    scene.orders.slab, table.concat(scene.elements.body, "x"), table.concat(scene.elements.slab, "x"),
+    table.concat(numbers, " "), scene.steps.press, scene.steps.drag)
+end
+
+check.case("a seed gives the same scene on every machine", function()
+  check.equal(text(scenes.describe("plane", 17)), "block, slave body, N2 on N2-N2.1, 5x2 and 12x2; "
+    .. "15.388 0.67716 42.747 -0.010542 0.1027 -0.35207; 6 + 14 steps")
+  check.equal(text(scenes.describe("space", 2)), "half ring, slave body, N2-N3 on L1, 2x1x1 and 6x2x2; "
+    .. "40.35 0 78.165 0.098822 0.07582 -0.22859; 3 + 10 steps")
+end)
+
+check.case("the mirror image has the same forces, and the scene itself the same bits again", function()
+  for _, case in ipairs { { "plane", 2 }, { "plane", 17 }, { "space", 2 } } do
+    local scene = scenes.describe(table.unpack(case))
+    local _, account = scenes.solve(scene, sg.robust{})
+    local _, image = scenes.solve(scene, sg.robust{}, true)
+    local _, again = scenes.solve(scene, sg.robust{})
+    check.equal({ account.ending, image.ending }, { "completed", "completed" })
+    check.at_most(text(scene), scenes.difference(account, image), 1e-9)
+    check.equal(again.forces, account.forces)
+  end
+end)
+
+--- Solves the scenes of some seeds; counts those that `counts` holds for and lists those of them that end early.
+local function early(kind, first, last, counts)
+  local scene_count, found = 0, {}
+  for seed = first, last do
+    local scene = scenes.describe(kind, seed)
+    if counts(scene) then
+      local _, account = scenes.solve(scene, sg.robust{})
+      scene_count = scene_count + 1
+      if account.ending ~= "completed" then found[#found + 1] = ("%d (%s)"):format(seed, account.ending) end
+    end
+  end
+  return scene_count, found
+end
+
+--- The master's face ends in the sharp edges of a block.
+local function sharp(scene) return scene.shape == "block" and scene.slave == "slab" end
+
+check.case("masters without sharp edges: every scene completes", function()
+  local count, found = early("plane", 1, 150, function(scene) return not sharp(scene) end)
+  check.equal({ count, found }, { 121, {} })
+end)
+
+check.done()
