@@ -149,6 +149,7 @@ private:
     bool moved = true;    ///< the state has moved since active_set_ took note of it
     bool lead = false;    ///< the last to move the state was move()
     bool landing = false; ///< bodies that only contact will hold have not settled on it yet, see Pair::land()
+    double impact = 0;    ///< largest |f·Δu| since they touch
     int augmentations = 0;
     VectorX before = {}, move = {}; ///< for line search: the state before the last move, and the move
     double slope = 0;               ///< f·Δu in that state
@@ -163,7 +164,7 @@ private:
   Step begin_step(const StepOptions& options);
   std::optional<double> straight_ratio(const VectorX& step) const;
   bool begin_landing(bool damping);
-  bool has_landed() const;
+  bool has_landed();
   void end_landing();
   bool predict(const VectorX& increment);
   solve::Outcome assemble_step(bool tangent, std::string& why);

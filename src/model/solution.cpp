@@ -178,11 +178,13 @@ template <int D> bool Model<D>::begin_landing(bool damping) {
 }
 
 /// Whether contact has brought the fall to an end, near the state where all points stick.
-template <int D> bool Model<D>::has_landed() const {
-  constexpr double near = 1e-2; // part of the largest |f·Δu| in the step
-  const std::vector<double>& energies = step_->report.energies;
-  return std::any_of(pairs_.begin(), pairs_.end(), [](const auto& pair) { return pair.resultant().active > 0; }) &&
-         energies.back() < near * *std::max_element(energies.begin(), energies.end());
+template <int D> bool Model<D>::has_landed() {
+  if (std::none_of(pairs_.begin(), pairs_.end(), [](const auto& pair) { return pair.resultant().active > 0; }))
+    return false;
+  constexpr double near = 1e-2; // part of the largest |f·Δu|
+  const double energy = step_->report.energies.back();
+  step_->impact = std::max(step_->impact, energy);
+  return energy < near * step_->impact;
 }
 
 template <int D> void Model<D>::end_landing() {

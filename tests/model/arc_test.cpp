@@ -131,7 +131,7 @@ TEST(Arc, FollowsAnAdhesiveBarThroughItsSnapBack) {
   Walk walk(bar(material), 0, 1);
   std::vector<double> tops;
   while (distance(walk.model) < 0.75 && !HasFailure()) {
-    walk.arc(0.012);
+    walk.arc(0.006);
     tops.push_back(walk.target());
     EXPECT_NEAR(tops.back(), exact(distance(walk.model)), 1e-9);
     EXPECT_NEAR(walk.model.reaction(1)(1), -2 * contact::traction(film, distance(walk.model)), 1e-9);
