@@ -327,6 +327,13 @@ local function take(step, run, options, display)
   end
 end
 
+--- Ends a run and prints its warnings but for those that sg.model has printed.
+local function close(run, model, display)
+  run:finish(model)
+  for i = #model:warnings() + 1, #run.warnings do display:line(run.warnings[i]) end
+  return run
+end
+
 core.docs["model:run"] = require "signorini.run_page"
 return function(model, stages, options)
   local path, total = read_stages(model, stages)
@@ -359,7 +366,7 @@ return function(model, stages, options)
       if run.reason ~= "completed" then
         display:line(("%s: %s in step %d of %d"):format(stage.name, run.reason, number, stage.steps))
         if options.states.last then run:keep_state(model, stage.name) end
-        return run:finish(model)
+        return close(run, model, display)
       end
     end
     place.number = 0
@@ -367,7 +374,5 @@ return function(model, stages, options)
   end
   display:clear()
   if options.states.last then run:keep_state(model, path[#path].name) end
-  run:finish(model)
-  for _, warning in ipairs(run.warnings) do display:line(warning) end
-  return run
+  return close(run, model, display)
 end

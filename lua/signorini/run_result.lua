@@ -268,8 +268,8 @@ core.docs["run"] = [[
 run
 What model:run returns: run.failed, reason, cause, report, places (see help "model:run"); run.steps that were reached,
 iterations, cutbacks, rescues, wall (s), timings { bulk, contact, linear, rest } (s), stages (a list of accounts by
-name), controls (where arc length took over), warnings (of contacts that never touched, or were penetrated by more than
-2 % of the smallest body's size, in words). print(run) shows a short table.]]
+name), controls (where arc length took over), warnings (a list of sentences: model:warnings(), then contacts that never
+touched or were penetrated by more than 2 % of the smallest body's size). print(run) shows a short table.]]
 
 core.docs["run:columns"] = [[
 run:columns()

@@ -1,5 +1,5 @@
--- What a run that came out may still be wrong in: contacts of which no point was ever active (the wrong face, or a body
--- beside the other), and contacts that give way too much.
+-- What a run may be wrong in although it completed: what sg.model said of the scene, contacts of which no point was
+-- ever active (the wrong face, or a body that misses the other), and contacts that are penetrated too deeply.
 
 --- Whether something was transmitted at a row of the run: under adhesion a force, wherever the bodies are.
 local function acts(run, contact, row)
@@ -59,9 +59,9 @@ local function penetrated(run, model, contact)
     .. "lets less in"):format(contact, most, run.values.step[at], 100 * most / size, body)
 end
 
---- What a run warns of, in sentences.
+--- What a run warns of, in sentences; those of model:warnings() come first.
 return function(run, model)
-  local texts = {}
+  local texts = model:warnings()
   for _, contact in ipairs(run.rows > 0 and model:contact_names() or {}) do
     texts[#texts + 1] = untouched(run, model, contact) or penetrated(run, model, contact)
   end

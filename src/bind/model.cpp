@@ -45,6 +45,11 @@ template <int D> int driven_names(lua_State* L) {
   return push_names(L, self<Model<D>>(L)->drives().all());
 }
 
+template <int D> int warnings(lua_State* L) {
+  push(L, self<Model<D>>(L)->warnings());
+  return 1;
+}
+
 template <int D> int timings(lua_State* L) {
   const model::Timings& timings = self<Model<D>>(L)->timings();
   lua_createtable(L, 0, 6);
@@ -113,6 +118,11 @@ constexpr Function rows[] = {
     {"driven_names", wrap<driven_names<D>>,
      "m:driven_names()\nThe names of what stages can move: supports that drive or rotate, then loads.\n"
      "Example: model:driven_names()  --> {\"grip\"}"},
+    {"warnings", wrap<warnings<D>>,
+     "m:warnings()\nWhat may be wrong with the scene, a list of sentences: bodies that overlap before the first step "
+     "by "
+     "more than 1 %\nof the thickness of the thinner one. sg.model prints them, and run.warnings begins with them.\n"
+     "Example: model:warnings()  --> {}"},
     {"timings", wrap<timings<D>>,
      "m:timings()\n"
      "Seconds so far: { bulk, contact, linear, factorisation, solution, search }. linear consists of factorisation "

@@ -1,3 +1,4 @@
+#include "base/warning.hpp"
 #include "bind/draft.hpp"
 #include "bind/functions.hpp"
 #include "bind/open.hpp"
@@ -102,6 +103,7 @@ template <int D> void push_model(lua_State* L, const Options& o) {
     if (scene.kind == solid::Kind::axisymmetric) revolve(L, scene);
   const auto& made = push_object<Model<D>>(L, std::make_shared<model::Model<D>>(std::move(scene)));
   count_memory(L, made->memory());
+  for (const std::string& warning : made->warnings()) warn(warning);
 }
 
 int make_model(lua_State* L) {

@@ -6,6 +6,8 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
+
 namespace signorini::model {
 
 namespace {
@@ -94,37 +96,117 @@ bool inside(const nurbs::Discretisation& space, const Vec<3>& x) {
   return std::abs(angle) > 1; // 4π inside, 0 outside
 }
 
+/// Mean distance between a face and the opposite one, along the direction through the body.
+template <int D> double thickness(const nurbs::Discretisation& space, nurbs::Side side) {
+  const MatrixX points = space.points();
+  const int d = side.direction, last = space.elements(d) - 1;
+  int stride = 1;
+  for (int k = 0; k < d; ++k) stride *= space.elements(k);
+  double sum = 0;
+  int count = 0;
+  const auto position = [&](int e, bool at_end) {
+    VectorX xi(D);
+    for (int k = 0; k < D; ++k) {
+      const auto [from, to] = space.interval(e, k);
+      xi(k) = k == d ? (at_end ? to : from) : 0.5 * (from + to);
+    }
+    const nurbs::ElementBasis basis = space.basis(e, xi);
+    VectorX x = VectorX::Zero(D);
+    for (std::size_t a = 0; a < basis.functions.size(); ++a)
+      x += basis.values(static_cast<int>(a)) * points.col(basis.functions[a]);
+    return x;
+  };
+  for (int e = 0; e < space.elements(); ++e)
+    if (e / stride % space.elements(d) == 0) {
+      sum += (position(e + last * stride, true) - position(e, false)).norm();
+      ++count;
+    }
+  return sum / count;
+}
+
+/// "face 'south' of body 'slab'".
+template <int D> std::string words_of(const Scene<D>& scene, const FaceReference& face) {
+  return text("face '", nurbs::name_of(face.side), "' of body '", scene.bodies[at(face.body)].name, "'");
+}
+
+template <int D> double thickness(const Scene<D>& scene, const FaceReference& face) {
+  return thickness<D>(scene.bodies[at(face.body)].body->space(), face.side);
+}
+
+/// "12.5 %".
+std::string percent(double part) {
+  return text(std::round(1000 * part) / 10, " %");
+}
+
+constexpr double meant = 0.01;   // an overlap by more than this part of the thickness is worth a warning
+constexpr double mistaken = 0.2; // and by more than this an error
+
+/// Checks two bodies whose deepest contact point penetrates; returns a warning, or nothing.
+template <int D>
+std::string check_overlap(const Scene<D>& scene, const Contact<D>& contact, const FaceReference& master,
+                          const contact::PointResult<D>& deepest) {
+  const double depth = -deepest.gap, behind = thickness(scene, master);
+  const double part = depth / std::min(thickness(scene, contact.slave), behind);
+  if (part <= meant) return "";
+  const std::string what =
+      text("contacts.", contact.name, ": ", words_of(scene, contact.slave), " penetrates ", words_of(scene, master),
+           " by ", number(depth), " before the first step, at ", coordinates(deepest.position), ", which is ",
+           percent(part), " of the thickness of the thinner body");
+  // Behind the whole of the master's body: its back is what the slave sees.
+  constexpr double all = 0.9;
+  const std::string other = nurbs::name_of({master.side.direction, !master.side.at_end});
+  require(part <= mistaken, what, ", more than ", percent(mistaken), ". Hint: ",
+          depth > all * behind ? text("the master may be the wrong face, with its normal pointing away from the slave; "
+                                      "did you mean face '",
+                                      other, "'?")
+                               : "move the bodies apart; if they are in place, the slave or the master is the wrong "
+                                 "face, or its normal is reversed");
+  return text(what, ". Hint: the first step removes an overlap that is meant (an interference fit); otherwise move the "
+                    "bodies apart, or check that both faces are the right ones and no normal is reversed");
+}
+
 } // namespace
 
-template <int D> void require_clearance(const Scene<D>& scene, const std::vector<contact::Pair<D>>& pairs) {
+template <int D>
+std::vector<std::string> check_clearance(const Scene<D>& scene, const std::vector<contact::Pair<D>>& pairs) {
   constexpr double tolerated = 0.01;
+  std::vector<std::string> warnings;
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const Contact<D>& contact = scene.contacts[k];
-    const auto* reference = std::get_if<ObstacleReference>(&contact.master);
-    if (!reference) continue;
+    const auto& results = pairs[k].results();
+    const auto& deepest =
+        *std::min_element(results.begin(), results.end(), [](const auto& a, const auto& b) { return a.gap < b.gap; });
     const NamedBody<D>& named = scene.bodies[at(contact.slave.body)];
+    if (const auto* face = std::get_if<FaceReference>(&contact.master)) {
+      const std::string warning = deepest.gap < 0 ? check_overlap(scene, contact, *face, deepest) : "";
+      if (!warning.empty()) warnings.push_back(warning);
+      continue;
+    }
+    const contact::Obstacle<D>& obstacle = scene.obstacles[at(std::get<ObstacleReference>(contact.master).obstacle)];
+    // A thin body lies behind an obstacle before it is 1 % of its length deep.
     const double size = size_of(named.body->space().points());
-    for (const auto& point : pairs[k].results())
-      require(point.gap > -tolerated * size, "contacts: the obstacle of '", contact.name, "' is inside body '",
-              named.name, "' at the start: the face reaches ", -point.gap, " deep into it at ",
-              coordinates(point.position), "; move the obstacle out, or turn its normal round",
-              std::holds_alternative<nurbs::Patch>(scene.obstacles[at(reference->obstacle)]) ? " by patch:reverse(1)"
-                                                                                             : "");
+    require(deepest.gap > -tolerated * size &&
+                (deepest.gap >= 0 || deepest.gap > -mistaken * thickness(scene, contact.slave)),
+            "contacts: the obstacle of '", contact.name, "' is inside body '", named.name,
+            "' at the start: the face reaches ", -deepest.gap, " deep into it at ", coordinates(deepest.position),
+            "; move the obstacle out, or turn its normal round",
+            std::holds_alternative<nurbs::Patch>(obstacle) ? " by patch:reverse(1)" : "");
     // The face of a body that only touches a plane turned round has no gap that tells; the body's middle does.
-    if (const auto* plane = std::get_if<contact::Plane<D>>(&scene.obstacles[at(reference->obstacle)])) {
+    if (const auto* plane = std::get_if<contact::Plane<D>>(&obstacle)) {
       const Vec<D> middle = named.body->reference_point(named.body->elements() / 2, 0);
       require(plane->normal.dot(middle - plane->point) > 0, "contacts: the obstacle of '", contact.name,
               "' holds the middle of body '", named.name, "' at the start, ", coordinates(middle),
               "; turn the plane's normal round: it points out of the obstacle, towards the body");
     }
-    if (const auto* ball = std::get_if<contact::Ball<D>>(&scene.obstacles[at(reference->obstacle)]))
+    if (const auto* ball = std::get_if<contact::Ball<D>>(&obstacle))
       require(!inside(named.body->space(), ball->centre), "contacts: the obstacle of '", contact.name,
               "' is inside body '", named.name, "' at the start: its centre ", coordinates(ball->centre),
               " lies in the body; move the obstacle out");
   }
+  return warnings;
 }
 
-template void require_clearance<2>(const Scene<2>&, const std::vector<contact::Pair<2>>&);
-template void require_clearance<3>(const Scene<3>&, const std::vector<contact::Pair<3>>&);
+template std::vector<std::string> check_clearance<2>(const Scene<2>&, const std::vector<contact::Pair<2>>&);
+template std::vector<std::string> check_clearance<3>(const Scene<3>&, const std::vector<contact::Pair<3>>&);
 
 } // namespace signorini::model

@@ -1,13 +1,18 @@
 #pragma once
-// Refuses scenes that begin with an obstacle inside a body: no contact algorithm finds out of that.
+// Scenes that begin with bodies inside each other or an obstacle inside a body: no contact algorithm finds out of that.
 
 #include "model/scene.hpp"
 
 namespace signorini::model {
 
-/// Throws Error when a contact's slave face reaches into its obstacle by more than 1 % of the body's size, when a
-/// closed obstacle lies inside the body of its slave face, or the body behind a plane. `pairs` are those of the scene's
-/// contacts, evaluated in the reference configuration.
-template <int D> void require_clearance(const Scene<D>& scene, const std::vector<contact::Pair<D>>& pairs);
+/// Throws Error when a contact's slave face penetrates
+///  - a deformable master by more than 20 % of the mean thickness of the thinner of the two bodies: the master is the
+///    wrong face, or the bodies are misplaced;
+///  - an obstacle by more than 1 % of the body's size or 20 % of its thickness;
+/// when a closed obstacle lies inside the body of its slave face, or the body behind a plane. Returns warnings about
+/// bodies that overlap by more than 1 % of the thickness: an interference fit, or a mistake. `pairs` are those of the
+/// scene's contacts, evaluated in the reference configuration.
+template <int D>
+std::vector<std::string> check_clearance(const Scene<D>& scene, const std::vector<contact::Pair<D>>& pairs);
 
 } // namespace signorini::model

@@ -58,7 +58,7 @@ Model<D>::Model(Scene<D> scene)
   assemble(nullptr, false, why);
   for (auto& pair : pairs_) pair.accept();
   accepted_force_ = force_;
-  require_clearance(scene_, pairs_);
+  warnings_ = check_clearance(scene_, pairs_);
 }
 
 template <int D> void Model<D>::set_target(int drive, int component, double value) {

@@ -1,0 +1,112 @@
+-- Bodies that overlap before the first step, and masters that are the wrong face: errors or warnings at sg.model.
+
+local sg = require "signorini"
+local check = require "check"
+
+local material = sg.neo_hookean{ E = 1, nu = 0.3 }
+
+--- Two plane blocks of width 2, the upper one's south at height y, everything moved by `origin`.
+local function blocks(y, options)
+  options = options or {}
+  local x0, height = options.origin or 0, options.height or 1
+  local function block(bottom, tall)
+    return sg.body{ patch = sg.shapes.rectangle{ width = 2, height = tall, corner = {x0, x0 + bottom} },
+                    elements = {4, 2}, order = "N2", material = material }
+  end
+  local lower, upper = block(0, height), block(y, 1)
+  return sg.model{ kind = options.kind, bodies = { lower = lower, upper = upper },
+    supports = { bed = { on = lower:face "south", fix = "xy" },
+                 lid = { on = upper:face "north", drive = "y", fix = "x" } },
+    contacts = { c = { slave = upper:face "south", master = lower:face(options.master or "north"),
+                       penalty = not options.adhesion and 100 or nil, adhesion = options.adhesion } } }
+end
+
+check.case("bodies that overlap deeply are an error that names both faces and the depth", function()
+  for _, kind in ipairs { "plane_strain", "axisymmetric" } do
+    check.fails(function() blocks(0.5, { kind = kind }) end, "contacts.c",
+      "face 'south' of body 'upper' penetrates face 'north' of body 'lower' by 0.5 before the first step",
+      "50 % of the thickness of the thinner body", "move the bodies apart", "the wrong face", "its normal is reversed")
+  end
+  check.fails(function() blocks(0.5, { origin = 1e6 }) end, "by 0.5 before the first step")
+end)
+
+check.case("a master that looks away from the slave is an error that names the opposite face", function()
+  for _, kind in ipairs { "plane_strain", "axisymmetric" } do
+    check.fails(function() blocks(1, { master = "south", kind = kind }) end,
+      "face 'south' of body 'upper' penetrates face 'south' of body 'lower' by 1 before the first step",
+      "did you mean face 'north'?")
+  end
+  check.fails(function() blocks(1.3, { master = "south" }) end, "by 1.3 before", "did you mean face 'north'?")
+  check.fails(function() blocks(1e-3, { master = "south", height = 1e-3 }) end, "did you mean face 'north'?") -- a film
+  check.fails(function() blocks(1, { master = "south", adhesion = { hamaker = 0.1, r0 = 0.4 } }) end,
+    "did you mean face 'north'?")
+end)
+
+check.case("two opposite faces of one body are no contact pair", function()
+  local strip = sg.body{ patch = sg.shapes.rectangle{ width = 5, height = 0.1 }, elements = {4, 1}, order = "N2",
+                         material = material }
+  check.fails(function()
+    sg.model{ bodies = { strip = strip }, supports = { wall = { on = strip:face "west", fix = "xy" } },
+              contacts = { c = { slave = strip:face "south", master = strip:face "north", penalty = 10 } } }
+  end, "face 'south' of body 'strip' penetrates face 'north' of body 'strip' by 0.1", "did you mean face 'south'?")
+end)
+
+check.case("solids: deep overlap and the wrong face are errors", function()
+  local function solids(z, master)
+    local function cube(bottom)
+      return sg.body{ patch = sg.shapes.block{ size = {2, 2, 1}, corner = {0, 0, bottom} }, elements = {2, 2, 1},
+                      order = "N2", material = material }
+    end
+    local lower, upper = cube(0), cube(z)
+    return sg.model{ bodies = { lower = lower, upper = upper },
+      supports = { bed = { on = lower:face "front", fix = "xyz" },
+                   lid = { on = upper:face "back", drive = "z", fix = "xy" } },
+      contacts = { c = { slave = upper:face "front", master = lower:face(master), penalty = 100 } } }
+  end
+  check.fails(function() solids(0.5, "back") end, "penetrates face 'back' of body 'lower' by 0.5")
+  check.fails(function() solids(1, "front") end, "did you mean face 'back'?")
+  check.equal(#solids(1, "back"):warnings(), 0)
+end)
+
+check.case("an overlap of some percent, as of an interference fit, is a warning that every run repeats", function()
+  local model = blocks(0.95)
+  check.equal(#model:warnings(), 1)
+  check.holds(model:warnings()[1], "by 0.05 before the first step", "5 % of the thickness", "interference fit")
+  local run = model:run({ { steps = 1, lid = {0} } }, sg.robust{})
+  check.equal({ run.reason, run.warnings[1] }, { "completed", model:warnings()[1] })
+  check.holds(run, "interference fit")
+  local script = check.folder() .. "/overlap.lua"
+  local file = assert(io.open(script, "w"))
+  file:write [[
+    local sg = require "signorini"
+    local function block(y)
+      return sg.body{ patch = sg.shapes.rectangle{ width = 2, height = 1, corner = {0, y} }, elements = {2, 2},
+                      order = "N2", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+    end
+    local a, b = block(0), block(0.95)
+    local m = sg.model{ bodies = { a = a, b = b }, supports = { bed = { on = a:face "south", fix = "xy" },
+                        lid = { on = b:face "north", drive = "y", fix = "x" } },
+                        contacts = { c = { slave = b:face "south", master = a:face "north", penalty = 100 } } }
+    m:run{ { steps = 1, lid = {0} } }]]
+  file:close()
+  local _, said = check.program({ script }):gsub("interference fit", "")
+  check.equal(said, 1) -- by sg.model, not by the run once more
+end)
+
+check.case("touching within rounding, small overlaps, gaps and equilibrium distances are fine", function()
+  for _, y in ipairs { 1.2, 1 + 1e-15, 1, 1 - 1e-9, 0.992 } do check.equal(#blocks(y):warnings(), 0) end
+  check.equal(#blocks(1, { origin = 1e6 }):warnings(), 0)
+  check.equal(#blocks(1 + 15 ^ (-1 / 6) * 0.4, { adhesion = { hamaker = 0.1, r0 = 0.4 } }):warnings(), 0)
+end)
+
+check.case("a thin body behind an obstacle is found although its length is many times the depth", function()
+  local strip = sg.body{ patch = sg.shapes.rectangle{ width = 10, height = 0.05, corner = {0, -0.05} },
+                         elements = {4, 1}, order = "N2", material = material }
+  check.fails(function()
+    sg.model{ bodies = { strip = strip }, supports = { wall = { on = strip:face "west", fix = "xy" } },
+              contacts = { c = { slave = strip:face "south", penalty = 10,
+                                 master = sg.rigid.surface(sg.nurbs.line{ from = {12, 0}, to = {-2, 0} }) } } }
+  end, "the obstacle of 'c' is inside body 'strip' at the start", "0.05 deep")
+end)
+
+check.done()
