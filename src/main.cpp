@@ -9,6 +9,7 @@
 #include "repl/prompt.hpp"
 
 #include <iostream>
+#include <unistd.h>
 
 using namespace signorini;
 
@@ -19,6 +20,8 @@ enum Status { success = 0, failure = 1, wrong_usage = 2, stopped_by_user = 130 }
 bool run(const repl::CommandLine& line, const std::string& program) {
   repl::Interpreter interpreter({line.quiet, line.threads, line.jobs});
   repl::catch_interrupts(interpreter.state());
+  if (isatty(STDERR_FILENO)) acknowledge_interrupts(STDERR_FILENO);
+  if (line.interactive || line.prompt_only()) survive_interrupts(); // with the variables that the prompt shows
   const std::string script = bind::find_script(line.script);
   if (script != line.script && !line.quiet) std::cerr << "signorini: running " << script << std::endl;
   interpreter.set_arguments(program, script, line.arguments);

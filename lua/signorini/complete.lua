@@ -124,13 +124,14 @@ local function texts(beginning, before)
   return found
 end
 
---- The n-th completion of a word that stands behind a text, or nil behind the last: of a path of names or, inside
---- quotes, of a text. Where a named argument may stand and one begins like this, those are all that is offered.
-return function(word, before, n)
-  if before:find "[\"']$" and place.is_open(before) then return texts(word, before)[n] end
+--- The completions of a word that stands behind a text, a list: of a path of names or, inside quotes, of a text. Where
+--- a named argument may stand and one begins like this, those are all that is offered.
+return function(word, before)
+  if before:find "[\"']$" and place.is_open(before) then return texts(word, before) end
   local divided, path = word:match "^(.*/)(.*)$"
   path = path or word
   local found = word:find "[.:/]" and {} or arguments(path, before)
   if #found == 0 then found = candidates(path) end
-  return found[n] and (divided or "") .. found[n]
+  for i, name in ipairs(found) do found[i] = (divided or "") .. name end
+  return found
 end

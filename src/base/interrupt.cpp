@@ -1,19 +1,32 @@
 #include "base/interrupt.hpp"
 
+#include <cerrno>
 #include <csignal>
+#include <cstring>
+#include <unistd.h>
 
 namespace signorini {
 
 namespace {
 
-volatile std::sig_atomic_t flag = 0;
+volatile std::sig_atomic_t flag = 0, iterating = 0, survives = 0, descriptor = -1;
 bool answered = false;
 
+/// Only calls that a signal handler may make. A progress bar may stand on the line.
+void acknowledge() {
+  const char* words = survives ? "\r\33[Kinterrupting after this iteration\n"
+                               : "\r\33[Kinterrupting after this iteration; a second Ctrl-C ends the program\n";
+  const int error = errno;
+  [[maybe_unused]] const auto written = write(descriptor, words, std::strlen(words));
+  errno = error;
+}
+
 void on_interrupt(int signal) {
-  if (flag) {
+  if (flag && !survives) {
     std::signal(signal, SIG_DFL);
     std::raise(signal);
   }
+  if (iterating && descriptor >= 0) acknowledge();
   flag = 1;
 }
 
@@ -21,6 +34,18 @@ void on_interrupt(int signal) {
 
 void catch_interrupts() {
   std::signal(SIGINT, on_interrupt);
+}
+void survive_interrupts() {
+  survives = 1;
+}
+void acknowledge_interrupts(int file) {
+  descriptor = file;
+}
+Iteration::Iteration() {
+  iterating = 1;
+}
+Iteration::~Iteration() {
+  iterating = 0;
 }
 void request_interrupt() {
   flag = 1;

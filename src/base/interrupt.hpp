@@ -3,8 +3,20 @@
 
 namespace signorini {
 
-/// Installs the SIGINT handler that raises the flag. A second Ctrl-C before the first was seen ends the program.
+/// Installs the SIGINT handler that raises the flag. A second Ctrl-C before the first was seen ends the program, unless
+/// survive_interrupts() was called.
 void catch_interrupts();
+void survive_interrupts();
+/// Where Ctrl-C is acknowledged at once when it comes during an iteration: a file descriptor, none at first.
+void acknowledge_interrupts(int descriptor);
+/// An iteration of a solve, at whose end the flag is looked at.
+class Iteration {
+public:
+  Iteration();
+  ~Iteration();
+  Iteration(const Iteration&) = delete;
+  Iteration& operator=(const Iteration&) = delete;
+};
 void request_interrupt();
 bool interrupted();
 /// Whatever ends because of Ctrl-C and returns what it has says so.

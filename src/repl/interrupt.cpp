@@ -12,7 +12,7 @@ namespace {
 
 lua_State* running = nullptr;
 void (*raise_flag)(int) = nullptr;
-bool finishes_statements = false;
+bool finishes_statements = false, ends_library = false;
 
 /// Whether what happens in the user's own code only finishes a statement: what a solve or study has returned because of
 /// Ctrl-C is on its way to where it shall be kept, past returns and the metamethods of tables.
@@ -37,7 +37,7 @@ void stop(lua_State* L, lua_Debug* frame) {
     return;
   }
   lua_getinfo(L, "S", frame);
-  const bool own = std::string_view(frame->what) != "C" && !bind::in_library(L, *frame);
+  const bool own = ends_library || (std::string_view(frame->what) != "C" && !bind::in_library(L, *frame));
   if (!own && !(finishes_statements && interrupt_answered() && user_calls(L, *frame))) return;
   if (finishes_statement(L, frame)) return;
   luaL_where(L, 0);
@@ -58,6 +58,13 @@ void catch_interrupts(lua_State* L) {
   running = L;
   signorini::catch_interrupts();
   raise_flag = std::signal(SIGINT, on_interrupt);
+}
+
+InterruptsLibrary::InterruptsLibrary() {
+  ends_library = true;
+}
+InterruptsLibrary::~InterruptsLibrary() {
+  ends_library = false;
 }
 
 void finish_statements() {

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <poll.h>
 #include <string_view>
+#include <vector>
 
 #include <readline/history.h>
 #include <readline/readline.h>
@@ -37,28 +38,37 @@ std::string find_history() {
   return error ? "" : (folder / "signorini/history").string();
 }
 
-/// The n-th completion of `word` behind `before` according to signorini.complete, or nullptr behind the last.
-char* next_completion(const char* word, const std::string& before, int n) {
+/// All completions of `word` behind `before` according to signorini.complete; none when Ctrl-C ends the search.
+std::vector<std::string> completions(const char* word, const std::string& before) {
+  const InterruptsLibrary scope;
   const int top = lua_gettop(state);
-  char* result = nullptr;
+  std::vector<std::string> list;
   lua_getglobal(state, "require");
   lua_pushstring(state, "signorini.complete");
   if (lua_pcall(state, 1, 1, 0) == LUA_OK) {
     lua_pushstring(state, word);
     lua_pushlstring(state, before.data(), before.size());
-    lua_pushinteger(state, n + 1);
-    if (lua_pcall(state, 3, 1, 0) == LUA_OK && lua_isstring(state, -1)) result = strdup(lua_tostring(state, -1));
+    if (lua_pcall(state, 2, 1, 0) == LUA_OK)
+      for (lua_Integer i = 1; lua_rawgeti(state, -1, i) == LUA_TSTRING; ++i) {
+        list.emplace_back(lua_tostring(state, -1));
+        lua_pop(state, 1);
+      }
   }
   lua_settop(state, top);
-  return result;
+  return list;
 }
 
 std::string before_word; ///< all that stands before the word that is completed
 
+/// Readline asks for one after the other, `first` being 0 with the first.
 char* completion_entry(const char* word, int first) {
-  static int n = 0;
-  n = first == 0 ? 0 : n + 1;
-  return next_completion(word, before_word, n);
+  static std::vector<std::string> list;
+  static std::size_t next = 0;
+  if (first == 0) {
+    list = completions(word, before_word);
+    next = 0;
+  }
+  return next < list.size() ? strdup(list[next++].c_str()) : nullptr;
 }
 
 char** complete(const char* word, int start, int) {

@@ -1,6 +1,7 @@
 #include "solid/body.hpp"
 
 #include "base/error.hpp"
+#include "base/interrupt.hpp"
 #include "base/words.hpp"
 #include "solid/axisymmetric.hpp"
 #include "solid/linear.hpp"
@@ -84,7 +85,10 @@ Body<D>::Body(std::shared_ptr<const nurbs::Discretisation> space, Material mater
   require(D == 2 || kind_ == Kind::plane_strain, "a body of dimension ", D, " cannot be axisymmetric; only plane ones");
   if (kind_ == Kind::axisymmetric) check_radii(*space_);
   const MatrixX points = space_->points();
-  for (int e = 0; e < space_->elements(); ++e) add_element(e, points);
+  for (int e = 0; e < space_->elements(); ++e) {
+    require(!interrupted(), "interrupted");
+    add_element(e, points);
+  }
   // Kernels read whole vectors.
   gradients_.resize(gradients_.size() + vector_room);
   constants_.resize(constants_.size() + vector_room);

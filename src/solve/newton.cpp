@@ -80,6 +80,7 @@ bool iterate(const NewtonSystem& system, const NewtonOptions& options, bool pend
   };
   // Steps that need no iteration can be stopped, too.
   if (report.residuals.empty() && interrupted()) return stop_by_user();
+  const Iteration acknowledged;
   std::string why;
   // Where quadratic convergence promises the last iteration, the residual alone is enough to confirm it.
   const bool tangent = predicted_residual(report.residuals) > 0.1 * report.enough;

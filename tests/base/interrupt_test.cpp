@@ -1,7 +1,10 @@
 #include "base/interrupt.hpp"
 
 #include <csignal>
+#include <cstdlib>
 #include <gtest/gtest.h>
+#include <iostream>
+#include <unistd.h>
 
 namespace signorini {
 namespace {
@@ -24,6 +27,34 @@ TEST(Interrupt, ASecondCtrlCBeforeTheFirstWasSeenEndsTheProgram) {
         std::raise(SIGINT);
       },
       testing::KilledBySignal(SIGINT), "");
+}
+
+TEST(Interrupt, AProgramThatSurvivesIsNotEndedByAnyNumber) {
+  EXPECT_EXIT(
+      {
+        catch_interrupts();
+        survive_interrupts();
+        for (int k = 0; k < 3; ++k) std::raise(SIGINT);
+        std::exit(interrupted() ? 0 : 1);
+      },
+      testing::ExitedWithCode(0), "");
+}
+
+TEST(Interrupt, IsAcknowledgedAtOnceDuringAnIteration) {
+  EXPECT_EXIT(
+      {
+        catch_interrupts();
+        survive_interrupts();
+        acknowledge_interrupts(STDERR_FILENO);
+        {
+          const Iteration iteration;
+          std::raise(SIGINT);
+          std::cerr << "the rest of the iteration\n";
+        }
+        std::raise(SIGINT); // nothing goes on that would have to end first
+        std::exit(0);
+      },
+      testing::ExitedWithCode(0), "^\r.\\[Kinterrupting after this iteration\nthe rest of the iteration\n$");
 }
 
 } // namespace

@@ -4,17 +4,14 @@ local check = require "check"
 local complete = require "signorini.complete"
 
 sg = require "signorini" -- as at the prompt
+help = sg.help
 
 --- All completions of what stands behind the last blank, brace or comma of a text, or behind its last quotation mark
 --- where their number is odd.
 local function all(text)
   local before, word = text:match "^(.-)([%w_.:/]*)$"
   if select(2, text:gsub('"', "")) % 2 == 1 then before, word = text:match '^(.*")([^"]*)$' end
-  local list = {}
-  repeat
-    list[#list + 1] = complete(word, before, #list + 1)
-  until not complete(word, before, #list + 1)
-  return list
+  return complete(word, before)
 end
 
 check.case("names of tables and methods", function()
@@ -24,6 +21,20 @@ check.case("names of tables and methods", function()
   check.equal(all "patch:de", { "patch:degrees", "patch:derivatives" })
   check.equal(all "nothing.at.all", {})
   check.equal(all "2/sg.shapes.rec", { "2/sg.shapes.rectangle" })
+end)
+
+check.case("help's words come in one list whose work does not grow with their number squared", function()
+  local function work(text)
+    local instructions = 0
+    debug.sethook(function() instructions = instructions + 100 end, "", 100)
+    local list = all(text)
+    debug.sethook()
+    return instructions, #list
+  end
+  work 'help "' -- loads what it needs
+  local instructions, count = work 'help "'
+  check.equal(count > 100, true)
+  check.at_most("instructions for each word", instructions / count, 1000)
 end)
 
 check.case("methods of Lua's objects, without those that only the library calls", function()

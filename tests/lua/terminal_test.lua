@@ -73,6 +73,19 @@ check.case("Ctrl-C leaves the run that it has stopped", function()
   check.holds(output, "interrupted; _ is the run so far\n", '"interrupted"\ntrue\n')
 end)
 
+check.case("Ctrl-C twice before the first was seen leaves the prompt and its variables", function()
+  -- One call of C that takes a while: nothing looks at Ctrl-C before it returns.
+  local output, status = session("kept = 4711\n", '(("a"):rep(1300)):find(".-.-b")\n', "\3", "\3", "\3", "", "", "",
+    "\n", "kept + 1\n", "\4")
+  check.equal(status, 0)
+  check.holds(output, "\n4712\n")
+end)
+
+check.case("Tab behind help and a quotation mark lists its words", function()
+  local output = session('help "contac\t"\n', "\4")
+  check.holds(output, 'help "contact')
+end)
+
 check.case("what is pasted runs as one, shows its last expression, and keeps its local variables", function()
   local output = check.shell(([[(sleep 1; ]]
     .. [[printf '\033[200~local a = 20\nfor i = 1, 2 do\n\ta = a + i\nend\na - 1\033[201~\n'; ]]

@@ -23,9 +23,11 @@ subjects.groups = {
     "help", "traceback" },
 }
 
+local found = {} -- what place() returned, by name: each group asks for the places of all names
+
 --- Where a page stands: the group and the place of the entry in it; nothing for pages that are not part of the
 --- language.
-local function place(name)
+local function find_place(name)
   for _, beginning in ipairs { false, true } do
     for g, group in ipairs(subjects.groups) do
       for i, entry in ipairs(group) do
@@ -35,6 +37,11 @@ local function place(name)
       end
     end
   end
+end
+
+local function place(name)
+  if not found[name] then found[name] = table.pack(find_place(name)) end
+  return found[name][1], found[name][2]
 end
 
 --- The names of a group's pages in order.

@@ -24,7 +24,8 @@ At the prompt:
   ?sg.body, ?refine       help on a name or a word
   2 * x                   shows what an expression gives; _ is the last such result
   Tab                     completes names, fields, methods, named arguments in name{ … }, texts and file names in quotes
-  Ctrl-C                  stops a solve: the model keeps its last accepted state, and _ is the run; or forgets the line
+  Ctrl-C                  stops a solve after its iteration: the model keeps its last accepted state, and _ is the run;
+                          or forgets the line. Pressing it again never ends the prompt
   Ctrl-D, exit, quit      leaves; on a further line of a statement Ctrl-D forgets that
   traceback()             how the last error came about
 A statement may go over several lines. A local variable lives for one of them only: leave out `local`. Lines are kept in
