@@ -1,8 +1,11 @@
 #include "model/sample.hpp"
 
 #include "base/index.hpp"
+#include "solid/quadrature.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace signorini::model {
 
@@ -30,22 +33,60 @@ template <int D> BodyPoint<D> body_point(const Model<D>& model, int body, int e,
   return point;
 }
 
+namespace {
+
+/// Position and displacement of a point, everything else that of a point beside it.
+template <int D> BodyPoint<D> with_gradients(const BodyPoint<D>& point, BodyPoint<D> beside) {
+  beside.reference = point.reference;
+  beside.state.displacement = point.state.displacement;
+  return beside;
+}
+
+/// xi moved to the nearest place between the first and the last Gauss points of an element, and, where it lies outside
+/// of them in two directions or more, the point of the element's border behind it.
+template <int D> struct GaussBox {
+  VectorX inside;
+  std::optional<VectorX> border;
+};
+template <int D> GaussBox<D> gauss_box(const nurbs::Discretisation& space, int e, const VectorX& xi) {
+  VectorX inside = xi, border = xi;
+  int outside = 0;
+  for (int d = 0; d < D; ++d) {
+    const auto [from, to] = space.interval(e, d);
+    const std::vector<double> points = solid::gauss_legendre(space.degree(e, d) + 1, from, to).points;
+    inside(d) = std::clamp(xi(d), points.front(), points.back());
+    if (inside(d) == xi(d)) continue;
+    border(d) = xi(d) < inside(d) ? from : to;
+    ++outside;
+  }
+  return {inside, outside > 1 ? std::optional(border) : std::nullopt};
+}
+
+/// Whether the columns of ∂X/∂ξ are parallel, none of them being zero as at a pole: four arcs of a disc meet so.
+template <int D> bool is_flat_corner(const Mat<D>& jacobian) {
+  const auto lengths = jacobian.colwise().norm();
+  return lengths.minCoeff() > 1e-6 * lengths.maxCoeff() && std::abs(jacobian.determinant()) < 1e-8 * lengths.prod();
+}
+
+} // namespace
+
 template <int D> BodyPoint<D> regular_point(const Model<D>& model, int body, int e, const VectorX& xi) {
   BodyPoint<D> point = body_point(model, body, e, xi);
+  const solid::Body<D>& solid = *model.scene().bodies[at(body)].body;
+  const nurbs::Discretisation& space = solid.space();
+  // Towards a flat corner F grows without bound, and between the Gauss points nothing keeps det F positive.
+  const GaussBox<D> box = gauss_box<D>(space, e, xi);
+  const bool flat = box.border && is_flat_corner<D>(body_point(model, body, e, *box.border).jacobian);
+  if (flat || (!solid.linear() && point.state.deformation.determinant() <= 0))
+    return with_gradients(point, body_point(model, body, e, box.inside));
   const double size = point.jacobian.colwise().norm().maxCoeff();
   if (std::abs(point.jacobian.determinant()) > 1e-10 * std::pow(size, D)) return point;
-  const nurbs::Discretisation& space = model.scene().bodies[at(body)].body->space();
   VectorX inwards(D);
   for (int d = 0; d < D; ++d) {
     const auto [from, to] = space.interval(e, d);
     inwards(d) = 0.5 * (from + to) - xi(d);
   }
-  const BodyPoint<D> beside = body_point(model, body, e, xi + 1e-4 * inwards);
-  point.jacobian = beside.jacobian;
-  const Vec<D> displacement = point.state.displacement;
-  point.state = beside.state;
-  point.state.displacement = displacement;
-  return point;
+  return with_gradients(point, body_point(model, body, e, xi + 1e-4 * inwards));
 }
 
 template <int D> double sample(const Model<D>& model, int body, const Field<D>& field, const VectorX& xi) {

@@ -15,7 +15,9 @@ template <int D> struct BodyPoint {
 };
 template <int D> BodyPoint<D> body_point(const Model<D>& model, int body, int e, const VectorX& xi);
 
-/// As body_point; where ∂X/∂ξ is singular, with the gradients of a point close by within the element.
+/// As body_point with gradients that are finite: where ∂X/∂ξ is singular at a pole those of a point close by within the
+/// element; between a corner where its columns are parallel and the nearest Gauss point those of that point; so where a
+/// body that is not linear is inverted between its Gauss points.
 template <int D> BodyPoint<D> regular_point(const Model<D>& model, int body, int e, const VectorX& xi);
 
 /// A field's value at a parametric point. Throws Error when xi lies outside the body.

@@ -1,6 +1,8 @@
 #include "view/colorbar.hpp"
 
 #include "base/error.hpp"
+#include "base/warning.hpp"
+#include "base/words.hpp"
 #include "view/fit_text.hpp"
 #include "view/text.hpp"
 
@@ -23,6 +25,45 @@ double widest(const Ticks& ticks, double size) {
 }
 
 } // namespace
+
+std::optional<ColouredValues> coloured_values(const std::vector<const VectorX*>& values) {
+  std::vector<double> sorted;
+  for (const VectorX* some : values) sorted.insert(sorted.end(), some->begin(), some->end());
+  if (sorted.empty()) return std::nullopt;
+  constexpr double share = 0.002, far = 3;
+  const auto left_out = static_cast<std::ptrdiff_t>(std::ceil(share * static_cast<double>(sorted.size())));
+  const auto [least, most] = std::minmax_element(sorted.begin(), sorted.end());
+  ColouredValues result{{*least, *most}, {*least, *most}, sorted.size()};
+  if (2 * left_out >= static_cast<std::ptrdiff_t>(sorted.size())) return result;
+  const auto first = sorted.begin() + left_out, last = sorted.end() - 1 - left_out;
+  std::nth_element(sorted.begin(), first, sorted.end());
+  const double low = *first;
+  std::nth_element(sorted.begin(), last, sorted.end());
+  const double high = *last, width = far * (high - low);
+  if (!(width > 0)) return result;
+  if (low - result.all[0] > width) result.typical[0] = low;
+  if (result.all[1] - high > width) result.typical[1] = high;
+  result.extreme = static_cast<std::size_t>(std::count_if(sorted.begin(), sorted.end(), [&](double value) {
+    return value < result.typical[0] || value > result.typical[1];
+  }));
+  return result;
+}
+
+std::array<double, 2> colour_range(const ColouredValues& values, const std::optional<std::array<double, 2>>& given,
+                                   bool diverging, const std::string& title) {
+  const auto range = colour_range(values.typical, given, diverging);
+  if (!given && values.clipped())
+    warn(text("the colors of '", title, "' leave out ", values.extreme, " of ", values.count,
+              " samples, which reach from ", number(values.all[0]), " to ", number(values.all[1]),
+              ". Hint: range = {low, high} sets the colors"));
+  return range;
+}
+
+std::string bar_title(const ColouredValues& values, const std::optional<std::array<double, 2>>& given,
+                      const std::string& title) {
+  if (given || !values.clipped()) return title;
+  return text(title, " (", number(values.all[0]), " … ", number(values.all[1]), ")");
+}
 
 std::array<double, 2> colour_range(const std::array<double, 2>& values,
                                    const std::optional<std::array<double, 2>>& given, bool diverging) {

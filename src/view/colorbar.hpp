@@ -1,11 +1,33 @@
 #pragma once
 // The upright bar beside a picture that says which colour stands for which value.
 
+#include "base/eigen.hpp"
 #include "view/frame.hpp"
 
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace signorini::view {
+
+/// The values that colours stand for.
+struct ColouredValues {
+  std::array<double, 2> all;     ///< lowest and highest
+  std::array<double, 2> typical; ///< the same without the extreme samples, see coloured_values()
+  std::size_t count = 0, extreme = 0;
+  bool clipped() const { return extreme > 0; }
+};
+/// Of all states; nothing without values. Extreme are the highest 0.2 % (and the lowest) where they lie farther beyond
+/// the rest than three times its range: one sample in a singular point would leave a single colour for all others.
+std::optional<ColouredValues> coloured_values(const std::vector<const VectorX*>& values);
+
+/// The range of the colours where none is given leaves extreme samples out: a warning says how many, and how far they
+/// reach.
+std::array<double, 2> colour_range(const ColouredValues& values, const std::optional<std::array<double, 2>>& given,
+                                   bool diverging, const std::string& title);
+/// A bar's title; where extreme samples are left out it says what the values reach.
+std::string bar_title(const ColouredValues& values, const std::optional<std::array<double, 2>>& given,
+                      const std::string& title);
 
 /// The given range, or the values' own, lowest and highest; about zero for diverging colours where the values have both
 /// signs. A single value, or values that only rounding tells apart, get room on both sides.

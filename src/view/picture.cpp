@@ -101,15 +101,11 @@ ModelBoxes model_boxes(const std::vector<Panel>& panels, const std::optional<Box
   return boxes;
 }
 
-/// Lowest and highest value of all states; none without values.
-std::optional<std::array<double, 2>> value_range(const std::vector<Panel>& panels) {
-  double low = std::numeric_limits<double>::infinity(), high = -low;
+std::optional<ColouredValues> values_of(const std::vector<Panel>& panels) {
+  std::vector<const VectorX*> values;
   for (const Panel& panel : panels)
-    for (const Body& body : panel.bodies)
-      if (body.values.size() > 0)
-        low = std::min(low, body.values.minCoeff()), high = std::max(high, body.values.maxCoeff());
-  if (low > high) return std::nullopt;
-  return std::array<double, 2>{low, high};
+    for (const Body& body : panel.bodies) values.push_back(&body.values);
+  return coloured_values(values);
 }
 
 Field field_of(const Body& body, const Frame& frame, const std::array<double, 2>& range,
@@ -193,9 +189,9 @@ Plate make_plate(const std::vector<Panel>& panels, const PictureOptions& options
   const Style style = style_of(options);
   const std::vector<Rgb> colours = colormap(options.colormap);
   const ModelBoxes boxes = widened(model_boxes(panels, options.crop), options);
-  const auto values = value_range(panels);
+  const auto values = values_of(panels);
   std::optional<std::array<double, 2>> range;
-  if (values) range = colour_range(*values, options.range, is_diverging(options.colormap));
+  if (values) range = colour_range(*values, options.range, is_diverging(options.colormap), options.field_label);
   const auto shown = options.bar ? range : std::nullopt;
   std::vector<std::string> titles;
   titles.reserve(panels.size());
@@ -213,8 +209,8 @@ Plate make_plate(const std::vector<Panel>& panels, const PictureOptions& options
     draw_panel(drawing, panels[p], frame, options.crop.has_value(), sheet.panel_title_size, style);
   }
   if (shown)
-    draw_colorbar(drawing, sheet.bar, *range, {(*values)[0]<(*range)[0], (*values)[1]>(*range)[1]}, colours,
-                  options.field_label, style);
+    draw_colorbar(drawing, sheet.bar, *range, {values->all[0]<(*range)[0], values->all[1]>(*range)[1]}, colours,
+                  bar_title(*values, options.range, options.field_label), style);
   draw_title(drawing, options.title, sheet.whole, style);
   return {std::move(drawing), std::move(fields), {}, sheet.frames};
 }
@@ -227,8 +223,8 @@ Style style_of(const PictureOptions& options) {
 void align(PictureOptions& options, const std::vector<Panel>& panels) {
   check(panels);
   options.extent = hull(model_boxes(panels, options.crop));
-  if (const auto values = value_range(panels))
-    options.range = colour_range(*values, options.range, is_diverging(options.colormap));
+  if (const auto values = values_of(panels))
+    options.range = colour_range(*values, options.range, is_diverging(options.colormap), options.field_label);
 }
 
 void check_part(const std::vector<Panel>& panels, const PictureOptions& options, const std::string& argument) {

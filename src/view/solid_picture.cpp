@@ -260,14 +260,11 @@ void add_relief(Relief& relief, const Scene& scene, const std::array<double, 2>&
   add_veils(relief.veil, scene.veils);
 }
 
-std::optional<std::array<double, 2>> value_range(const std::vector<Scene>& scenes) {
-  double low = std::numeric_limits<double>::infinity(), high = -low;
+std::optional<ColouredValues> values_of(const std::vector<Scene>& scenes) {
+  std::vector<const VectorX*> values;
   for (const Scene& scene : scenes)
-    for (const Surface& surface : scene.bodies)
-      if (surface.values.size() > 0)
-        low = std::min(low, surface.values.minCoeff()), high = std::max(high, surface.values.maxCoeff());
-  if (low > high) return std::nullopt;
-  return std::array<double, 2>{low, high};
+    for (const Surface& surface : scene.bodies) values.push_back(&surface.values);
+  return coloured_values(values);
 }
 
 } // namespace
@@ -282,9 +279,9 @@ Plate make_plate(const std::vector<SolidPanel>& panels, const SolidOptions& opti
   std::vector<std::string> titles;
   for (const SolidPanel& panel : panels) titles.push_back(panel.title);
   const ModelBoxes boxes = widened(paper_boxes(scenes, options, axes), options);
-  const auto values = value_range(scenes);
+  const auto values = values_of(scenes);
   std::optional<std::array<double, 2>> range;
-  if (values) range = colour_range(*values, options.range, is_diverging(options.colormap));
+  if (values) range = colour_range(*values, options.range, is_diverging(options.colormap), options.field_label);
   const auto shown = options.bar ? range : std::nullopt;
   const auto [left, right, below, above] = triad_room(axes, style);
   ArrowRoom arrows{0, 0};
@@ -308,8 +305,8 @@ Plate make_plate(const std::vector<SolidPanel>& panels, const SolidOptions& opti
   }
   if (options.axis_names) draw_triad(drawing, {sheet.arrows[0] + left, sheet.arrows[1] + below}, axes, style);
   if (shown)
-    draw_colorbar(drawing, sheet.bar, *range, {(*values)[0]<(*range)[0], (*values)[1]>(*range)[1]}, colours,
-                  options.field_label, style);
+    draw_colorbar(drawing, sheet.bar, *range, {values->all[0]<(*range)[0], values->all[1]>(*range)[1]}, colours,
+                  bar_title(*values, options.range, options.field_label), style);
   draw_title(drawing, options.title, sheet.whole, style);
   return {std::move(drawing), {}, std::move(relief), sheet.frames};
 }
@@ -319,8 +316,8 @@ void align(SolidOptions& options, const std::vector<SolidPanel>& panels) {
   const Mat<3> axes = picture_axes(options.camera);
   const std::vector<Scene> scenes = scenes_of(panels, axes, style_of(options));
   options.extent = hull(paper_boxes(scenes, options, axes));
-  if (const auto values = value_range(scenes))
-    options.range = colour_range(*values, options.range, is_diverging(options.colormap));
+  if (const auto values = values_of(scenes))
+    options.range = colour_range(*values, options.range, is_diverging(options.colormap), options.field_label);
 }
 
 void draw_solids(const std::vector<SolidPanel>& panels, const SolidOptions& options, const std::string& file) {
