@@ -8,6 +8,7 @@ local controls = require "signorini.controls"
 local drives = require "signorini.drives"
 local progress = require "signorini.progress"
 local run_options = require "signorini.run_options"
+local run_warnings = require "signorini.run_warnings"
 local states = require "signorini.states"
 local steps = require "signorini.steps"
 local Run = require "signorini.run_result"
@@ -174,7 +175,7 @@ function Step:try(solver, to, rescue)
   if result.converged then
     self.model:accept()
   else
-    if not steps.is_wanted(result) then result.diagnosis = self.model:diagnose() end
+    if not steps.is_wanted(result) then result.diagnosis = self.model:diagnose(self.options.on) end
     self.model:rollback()
   end
   self.run:record_attempt(self.done, to, result, core.now() - began, rescue)
@@ -222,7 +223,9 @@ function Step:solve_arc(length, iterations, diagnoses)
   local model, solver, kept = self.model, self.solver, self.model:snapshot()
   local result = model:solve_arc { length = length, iterations = iterations, tolerance = solver.tolerance,
                                    linear = solver.linear }
-  if not result.converged and diagnoses and not steps.is_wanted(result) then result.diagnosis = model:diagnose() end
+  if not result.converged and diagnoses and not steps.is_wanted(result) then
+    result.diagnosis = model:diagnose(self.options.on)
+  end
   if result.converged then model:accept() else model:rollback() end
   if result.converged and model:last_length() > longest_chord * length then
     model:restore(kept)
@@ -327,10 +330,12 @@ local function take(step, run, options, display)
   end
 end
 
---- Ends a run and prints its warnings but for those that sg.model has printed.
-local function close(run, model, display)
-  run:finish(model)
-  for i = #model:warnings() + 1, #run.warnings do display:line(run.warnings[i]) end
+--- Ends a run and prints its warnings but for those in `said`. `early`: warnings about the path.
+local function close(run, model, display, said, early)
+  run:finish(model, early)
+  for _, warning in ipairs(run.warnings) do
+    if not said[warning] then display:line(warning) end
+  end
   return run
 end
 
@@ -339,6 +344,8 @@ return function(model, stages, options)
   local path, total = read_stages(model, stages)
   options = read_options(model, options, path, total)
   local policy, keeper = options.policy, options.keeper
+  local said, early = {}, run_warnings.of_path(model, path, options.solver)
+  for _, warning in ipairs(model:warnings()) do said[warning] = true end
   local run = Run.new(model)
   local place = keeper:begin(model, run, path, policy)
   local display = progress(total - run.steps)
@@ -366,7 +373,7 @@ return function(model, stages, options)
       if run.reason ~= "completed" then
         display:line(("%s: %s in step %d of %d"):format(stage.name, run.reason, number, stage.steps))
         if options.states.last then run:keep_state(model, stage.name) end
-        return close(run, model, display)
+        return close(run, model, display, said, early)
       end
     end
     place.number = 0
@@ -374,5 +381,5 @@ return function(model, stages, options)
   end
   display:clear()
   if options.states.last then run:keep_state(model, path[#path].name) end
-  return close(run, model, display)
+  return close(run, model, display, said, early)
 end

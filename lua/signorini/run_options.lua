@@ -84,7 +84,20 @@ local function read_policy(where, step)
   return adaptive and steps.halving(options) or steps.plain()
 end
 
---- { solver, rescue, penalty, policy, arcs, on_step, on_iteration, keeper (of checkpoints), threads }, and the table of
+--- What is on already, in the words of model:diagnose. Rescues try damping and a line search by themselves.
+local function controls_on(read, adaptive)
+  local solver, on = read.solver, {}
+  local function add(name, is_on) if is_on then on[#on + 1] = name end end
+  add("step", adaptive)
+  add("line_search", solver.line_search ~= "none" or read.rescue)
+  add("damping", solver.damping or read.rescue)
+  add("active_set_changes", solver.active_set_changes > 0)
+  add("arc_length", read.arcs)
+  add("penalty", read.penalty)
+  return on
+end
+
+--- { solver, rescue, penalty, policy, arcs, on (controls that are), on_step, on_iteration, keeper (of checkpoints), threads }, and the table of
 --- options itself. `where`: whose options they are, for messages.
 function run_options.read(where, options)
   options = arguments.table(where, "options", options, run_options.keys)
@@ -100,6 +113,7 @@ function run_options.read(where, options)
     on_iteration = arguments.callback(where, "on_iteration", options.on_iteration),
     keeper = checkpoint(where, options),
   }
+  read.on = controls_on(read, options.step ~= nil and options.step.adaptive ~= false)
   if arcs and read.solver.augmented then
     core.fail(where .. ": augmented and arc_length cannot be used together: take one of the two out")
   end

@@ -226,8 +226,8 @@ function Run:record_failure(step, result, turn)
       tried(attempts, done), places_text(diagnosis.places), joined(result.residuals, "%.3g"), place)
   if turn then
     self.report = ("%s The path has a turning point at %s: it turns back there, and only a jump to another branch "
-      .. "leads beyond it by prescribing targets; model:run{ …, arc_length = true } follows it.")
-      :format(self.report, turn)
+      .. "leads beyond it by prescribing targets; model:run(stages, { arc_length = true }) "
+      .. "follows it."):format(self.report, turn)
   elseif diagnosis.cure ~= "" then
     self.report = ("%s What may help: %s."):format(self.report, diagnosis.cure)
   end
@@ -248,8 +248,9 @@ function Run:info(stage, result)
   return named.strict("what on_step sees", info)
 end
 
---- Closes the accounts: seconds in the bodies, in contact, in factorisation and solve, and in all the rest.
-function Run:finish(model)
+--- Closes the accounts: seconds in the bodies, in contact, in factorisation and solve, and in all the rest. `early`:
+--- warnings about the path.
+function Run:finish(model, early)
   local now, spent = model:timings(), {}
   local rest = self.wall
   for _, account in ipairs { "bulk", "contact", "linear" } do
@@ -258,7 +259,7 @@ function Run:finish(model)
   end
   spent.rest = math.max(0, rest)
   self.timings, self.recorders, self.before, self.step = spent, nil, nil, nil
-  self.warnings = run_warnings(self, model)
+  self.warnings = run_warnings.of_run(self, model, early)
   return self
 end
 
@@ -268,8 +269,9 @@ core.docs["run"] = [[
 run
 What model:run returns: run.failed, reason, cause, report, places (see help "model:run"); run.steps that were reached,
 iterations, cutbacks, rescues, wall (s), timings { bulk, contact, linear, rest } (s), stages (a list of accounts by
-name), controls (where arc length took over), warnings (a list of sentences: model:warnings(), then contacts that never
-touched or were penetrated by more than 2 % of the smallest body's size). print(run) shows a short table.]]
+name), controls (where arc length took over), warnings (a list of sentences: model:warnings(), loads that act in full
+from the first step, a newton.tolerance above 1e-3, contacts that never touched or were penetrated by more than 2 % of
+the smallest body's size). print(run) shows a short table.]]
 
 core.docs["run:columns"] = [[
 run:columns()

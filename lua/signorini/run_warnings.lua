@@ -1,5 +1,8 @@
--- What a run may be wrong in although it completed: what sg.model said of the scene, contacts of which no point was
--- ever active (the wrong face, or a body that misses the other), and contacts that are penetrated too deeply.
+-- What a run may be wrong in although it completed: what sg.model said of the scene, loads that are not ramped,
+-- tolerances that leave no accuracy, contacts of which no point was ever active (the wrong face, or a body that misses
+-- the other), and contacts that are penetrated too deeply.
+
+local run_warnings = {}
 
 --- Whether something was transmitted at a row of the run: under adhesion a force, wherever the bodies are.
 local function acts(run, contact, row)
@@ -10,7 +13,12 @@ local function acts(run, contact, row)
   return false
 end
 
-local function ever_acts(run, contact)
+--- Whether it did so at some row, or does so now, between two rows, where a step has failed.
+local function ever_acts(run, model, contact)
+  local now = model:contact_resultant(contact)
+  for _, key in ipairs { "area", "fx", "fy", "fz" } do
+    if now[key] and now[key] ~= 0 then return true end
+  end
   for row = 1, run.rows do
     if acts(run, contact, row) then return true end
   end
@@ -19,7 +27,7 @@ end
 
 --- A sentence for each contact of the model that never touched in the rows of a run, with the least gap at its end.
 local function untouched(run, model, contact)
-  if ever_acts(run, contact) then return nil end
+  if ever_acts(run, model, contact) then return nil end
   local least = math.huge
   for _, gap in ipairs(model:profile(contact).gap) do
     if gap < least then least = gap end -- not so where the master is not opposite: there it is nan
@@ -59,11 +67,42 @@ local function penetrated(run, model, contact)
     .. "lets less in"):format(contact, most, run.values.step[at], 100 * most / size, body)
 end
 
---- What a run warns of, in sentences; those of model:warnings() come first.
-return function(run, model)
+local loose_tolerance = 1e-3 -- of the forces of the run
+
+--- A sentence for loads that a new model carries from the first step on because no stage changes them.
+local function constant_loads(model, path)
+  if model:last_length() > 0 then return nil end -- the run before has said so
+  local names = {}
+  for _, load in ipairs(model:load_names()) do
+    local changed, acts = false, false
+    for _, stage in ipairs(path) do changed = changed or stage.targets[load] ~= nil end
+    for _, value in ipairs(model:target(load)) do acts = acts or value ~= 0 end
+    if acts and not changed then names[#names + 1] = ("'%s'"):format(load) end
+  end
+  if #names == 0 then return nil end
+  return ("no stage changes the load%s %s, which act%s in full from the first step on. Hint: to apply a load in steps, "
+    .. "give its value to a stage and 0 to sg.model"):format(#names == 1 and "" or "s", table.concat(names, ", "),
+    #names == 1 and "s" or "")
+end
+
+--- What can be said of a path before it is taken, in sentences.
+function run_warnings.of_path(model, path, solver)
+  local texts = { constant_loads(model, path) }
+  if solver.tolerance > loose_tolerance then
+    texts[#texts + 1] = ("newton.tolerance = %g: steps count as converged with unbalanced forces of this part of the "
+      .. "run's forces, expected at most %g. Hint: the default is 1e-10"):format(solver.tolerance, loose_tolerance)
+  end
+  return texts
+end
+
+--- What a run warns of, in sentences; those of model:warnings() and about the path come first.
+function run_warnings.of_run(run, model, early)
   local texts = model:warnings()
+  table.move(early, 1, #early, #texts + 1, texts)
   for _, contact in ipairs(run.rows > 0 and model:contact_names() or {}) do
     texts[#texts + 1] = untouched(run, model, contact) or penetrated(run, model, contact)
   end
   return texts
 end
+
+return run_warnings

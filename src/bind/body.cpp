@@ -1,4 +1,6 @@
 #include "base/machine.hpp"
+#include "base/warning.hpp"
+#include "base/words.hpp"
 #include "bind/functions.hpp"
 #include "bind/material.hpp"
 #include "bind/open.hpp"
@@ -74,7 +76,7 @@ int read_dimension(lua_State* L, const Options& o, const nurbs::Patch& patch) {
                : ""));
 }
 
-/// Refuses a body that cannot fit: before anything of it is made, by the least that it takes.
+/// Refuses a body that cannot fit, and says what a large one takes: before anything of it is made.
 void check_size(lua_State* L, const nurbs::Plan& plan, int dimensions) {
   constexpr double most_unknowns = 20e6;
   double elements = 1, points = 1; // all, and unknowns of one component
@@ -93,6 +95,10 @@ void check_size(lua_State* L, const nurbs::Plan& plan, int dimensions) {
   if (table > main_memory())
     refuse("at least ", count(unknowns), " unknowns, and tables at Gauss points of ", count(std::ceil(table / 1e9)),
            " GB, more than the ", count(main_memory() / 1e9), " GB of this machine");
+  constexpr double many_unknowns = 1e6;
+  if (unknowns > many_unknowns)
+    warn(text("sg.body: elements = {", list, "} make at least ", count(unknowns), " unknowns and tables of ",
+              number(std::round(table / 1e8) / 10), " GB: making them takes a while, and solving much longer"));
 }
 
 template <int D> void push_body(lua_State* L, const nurbs::Patch& patch, const nurbs::Plan& plan, const Options& o) {

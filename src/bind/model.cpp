@@ -119,9 +119,13 @@ constexpr Function rows[] = {
      "m:driven_names()\nThe names of what stages can move: supports that drive or rotate, then loads.\n"
      "Example: model:driven_names()  --> {\"grip\"}"},
     {"warnings", wrap<warnings<D>>,
-     "m:warnings()\nWhat may be wrong with the scene, a list of sentences: bodies that overlap before the first step "
-     "by "
-     "more than 1 %\nof the thickness of the thinner one. sg.model prints them, and run.warnings begins with them.\n"
+     "m:warnings()\n"
+     "What may be wrong although it is no error, a list of sentences. About the scene, which sg.model prints as well:\n"
+     "bodies that overlap before the first step by more than 1 % of the thickness of the thinner one, Poisson's "
+     "ratios\n"
+     "that lock, mu above 3, penalties above 1e8 times the stiffness of an element, contacts that act twice. About "
+     "the\n"
+     "present state: linear elastic bodies that are turned inside out. run.warnings begins with them.\n"
      "Example: model:warnings()  --> {}"},
     {"timings", wrap<timings<D>>,
      "m:timings()\n"

@@ -115,7 +115,17 @@ template <int D> int diagnose(lua_State* L) {
   const solve::NewtonReport* report = model->report();
   require(report != nullptr, "there is no step to diagnose: call it after a solve_step, iterate or solve_arc that "
                              "failed, before model:rollback()");
-  const model::Diagnosis diagnosis = model::diagnose(*model, *report);
+  model::ControlsOn on;
+  if (!lua_isnoneornil(L, 2)) {
+    const Argument argument{"on", "names of controls that are on already"};
+    for (int i = 1, count = read_list(L, 2, argument); i <= count; ++i) {
+      lua_rawgeti(L, 2, i);
+      on.insert(read_choice(L, -1, argument,
+                            {"step", "line_search", "damping", "active_set_changes", "arc_length", "penalty"}));
+      lua_pop(L, 1);
+    }
+  }
+  const model::Diagnosis diagnosis = model::diagnose(*model, *report, on);
   lua_createtable(L, 0, 5);
   set_field(L, "reason", solve::name_of(diagnosis.outcome));
   set_field(L, "message", diagnosis.message);
@@ -163,14 +173,16 @@ constexpr Function rows[] = {
      "The names of the bodies that can move as a whole in some way that no support stops: only contact can hold them.\n"
      "Example: model:loose_bodies()"},
     {"diagnose", wrap<diagnose<D>>,
-     "m:diagnose()\n"
+     "m:diagnose(on)\n"
      "Why the last solve_step, iterate or solve_arc failed; call it before m:rollback. Returns { reason, message, "
      "cure,\n"
      "places, unbalanced }: places is a list of { kind, body or contact, element or point, X, x, value, text }, the "
      "worst\n"
      "first: the element that is inverted, contact points whose states cycle or that leave the master, control points\n"
      "that move most in the direction of a singular or indefinite tangent; unbalanced: where the largest unbalanced\n"
-     "forces are. reason: as of m:solve_step, or \"indefinite\"."},
+     "forces are. reason: as of m:solve_step, or \"indefinite\". on: a list of controls that the cure need not name, "
+     "of\n"
+     "\"step\", \"line_search\", \"damping\", \"active_set_changes\", \"arc_length\", \"penalty\"."},
 };
 
 } // namespace

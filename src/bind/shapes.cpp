@@ -101,12 +101,17 @@ constexpr Function rows[] = {
      "sg.shapes.half_cylinder_shell{ inner, outer, width, centre = {0, 0, 0} }\n"
      "Lower half of a pipe along y: xi1 along the arc (degree 2), xi2 along y, xi3 from the outer (front) to the "
      "inner\n"
-     "radius (back).\n"
+     "radius (back). With its centre at the origin west (x < 0) and east (x > 0) lie in z = 0, south in y = 0, north "
+     "in\n"
+     "y = width.\n"
      "Example: sg.shapes.half_cylinder_shell{ inner = 0.3, outer = 0.5, width = 2 }"},
     {"sphere_octant", wrap<sphere_octant>,
      "sg.shapes.sphere_octant{ inner, outer, centre = {0, 0, 0} }\n"
      "Lower octant of a hollow sphere: xi1 around the z axis, xi2 from the equator to the pole, xi3 from the outer\n"
-     "(front) to the inner radius (back).\n"
+     "(front) to the inner radius (back). With its centre at the origin it fills x, y > 0 and z < 0: west lies in y = "
+     "0,\n"
+     "east in x = 0, south in z = 0; north is the axis x = y = 0, where the map is degenerate. Symmetry needs west\n"
+     "fixed along y and east along x.\n"
      "Example: sg.shapes.sphere_octant{ inner = 0.5, outer = 1 }"},
     {"hollow_hemisphere", wrap<hollow_hemisphere>,
      "sg.shapes.hollow_hemisphere{ inner, outer, centre = {0, 0, 0}, poles = \"ends\" | \"bottom\" }\n"
@@ -114,15 +119,19 @@ constexpr Function rows[] = {
      "has poles, where an edge is one point:\n"
      "poles = \"ends\" (default): at both ends of the ring's diameter along y, none where it touches a plane below. "
      "xi1\n"
-     "from -x over the bottom to x, xi2 from -y to y; the flat ring on top is two faces, west and east.\n"
+     "from -x over the bottom to x, xi2 from -y to y; the flat ring on top, in z = 0 with the centre at the origin, is "
+     "two\n"
+     "faces, west (x < 0) and east (x > 0); south and north are degenerate, on the line x = z = 0.\n"
      "poles = \"bottom\": one, at the lowest point. xi1 once around the z axis (at least 4 elements), xi2 from the "
      "ring\n"
-     "down to the pole; the flat ring is one face, south, and the mesh the same at every angle.\n"
+     "down to the pole; the flat ring in z = 0 is one face, south, and the mesh the same at every angle; north is the\n"
+     "axis x = y = 0, west and east are the seam in y = 0.\n"
      "Example: sg.shapes.hollow_hemisphere{ inner = 2/3, outer = 1, centre = {0, 0, 3} }"},
     {"spherical_indenter", wrap<spherical_indenter>,
      "sg.shapes.spherical_indenter{ width, depth, height, radius, elements, corner = {0, 0, 0} }\n"
      "Block with a flat top whose bottom (front) bulges down as a spherical cap of the given radius, approximated by\n"
      "elements x elements biquadratic spans that pass through the sphere. `height` is measured at the lowest point.\n"
+     "west, east, south and north lie in x = 0, x = width, y = 0 and y = depth, back in z = height.\n"
      "The cap's own knots keep their continuity under every label: with elements = 1 labels count as on a block.\n"
      "Example: sg.shapes.spherical_indenter{ width = 1, depth = 1, height = 0.6, radius = 2, elements = 4 }"},
 };

@@ -2,6 +2,9 @@
 #include "bind/place.hpp"
 #include "solid/load.hpp"
 
+#include <algorithm>
+#include <set>
+
 namespace signorini::bind {
 
 using model::Hold;
@@ -19,6 +22,11 @@ template <class Add> void each_item(lua_State* L, const Options& o, const Argume
     add(lua_gettop(L));
     lua_pop(L, 1);
   }
+}
+
+[[noreturn]] void reject_twice(lua_State* L, const Argument& argument, const std::string& what) {
+  throw ArgumentError(
+      text(function_name(L), ": ", argument.name, " lists ", what, " twice, expected once: take one of the two out"));
 }
 
 /// The components that "x", "xy" and so on name.
@@ -113,14 +121,22 @@ model::Support<D> read_support(lua_State* L, Draft<D>& draft, const std::string&
   support.name = name;
   const Argument on = o.argument("on", D == 2 ? "a face, a list of faces, a corner, or an obstacle"
                                               : "a face, a list of faces, an edge, a corner, or an obstacle");
+  std::set<std::string> listed;
   each_item(L, o, on, [&](int at) {
     if (has_type(L, at, Type<Rigid<D>>::name)) {
-      support.obstacles.push_back(index_of(L, draft, read_object<Rigid<D>>(L, at, on), on.name));
+      const int obstacle = index_of(L, draft, read_object<Rigid<D>>(L, at, on), on.name);
+      if (std::find(support.obstacles.begin(), support.obstacles.end(), obstacle) != support.obstacles.end())
+        reject_twice(L, on, "an obstacle");
+      support.obstacles.push_back(obstacle);
       return;
     }
     if (!has_type(L, at, Type<Place<D>>::name)) reject(L, at, on, on.meaning);
     const Place<D>& place = read_object<Place<D>>(L, at, on);
-    support.on.push_back({index_of(L, draft.scene, place, on.name), place.functions});
+    const int body = index_of(L, draft.scene, place, on.name);
+    const std::string words = text(kind_of(place), " '", place.name, "' of body '",
+                                   draft.scene.bodies[static_cast<std::size_t>(body)].name, "'");
+    if (!listed.insert(words).second) reject_twice(L, on, words);
+    support.on.push_back({body, place.functions});
   });
   read_components<D>(L, o, "fix", "components that stay", Hold::fixed, support);
   read_components<D>(L, o, "drive", "components that stages move", Hold::driven, support);
@@ -139,7 +155,12 @@ model::Load read_load(lua_State* L, const model::Scene<D>& scene, const std::str
   model::Load load;
   load.name = name;
   const Argument on = o.argument("on", "a face, or a list of faces");
-  each_item(L, o, on, [&](int at) { load.on.push_back(face_of(L, scene, at, on)); });
+  each_item(L, o, on, [&](int at) {
+    const model::FaceReference face = face_of(L, scene, at, on);
+    if (std::find(load.on.begin(), load.on.end(), face) != load.on.end())
+      reject_twice(L, on, face_in_words(scene, face));
+    load.on.push_back(face);
+  });
   load.pressure = o.has("pressure");
   if (load.pressure == o.has("traction"))
     throw ArgumentError(text(function_name(L), ": ", entry.name, " must have one of traction = {tx, ty",

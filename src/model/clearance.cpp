@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/index.hpp"
 #include "base/words.hpp"
+#include "model/thickness.hpp"
 
 #include <Eigen/Geometry>
 
@@ -96,43 +97,6 @@ bool inside(const nurbs::Discretisation& space, const Vec<3>& x) {
   return std::abs(angle) > 1; // 4π inside, 0 outside
 }
 
-/// Mean distance between a face and the opposite one, along the direction through the body.
-template <int D> double thickness(const nurbs::Discretisation& space, nurbs::Side side) {
-  const MatrixX points = space.points();
-  const int d = side.direction, last = space.elements(d) - 1;
-  int stride = 1;
-  for (int k = 0; k < d; ++k) stride *= space.elements(k);
-  double sum = 0;
-  int count = 0;
-  const auto position = [&](int e, bool at_end) {
-    VectorX xi(D);
-    for (int k = 0; k < D; ++k) {
-      const auto [from, to] = space.interval(e, k);
-      xi(k) = k == d ? (at_end ? to : from) : 0.5 * (from + to);
-    }
-    const nurbs::ElementBasis basis = space.basis(e, xi);
-    VectorX x = VectorX::Zero(D);
-    for (std::size_t a = 0; a < basis.functions.size(); ++a)
-      x += basis.values(static_cast<int>(a)) * points.col(basis.functions[a]);
-    return x;
-  };
-  for (int e = 0; e < space.elements(); ++e)
-    if (e / stride % space.elements(d) == 0) {
-      sum += (position(e + last * stride, true) - position(e, false)).norm();
-      ++count;
-    }
-  return sum / count;
-}
-
-/// "face 'south' of body 'slab'".
-template <int D> std::string words_of(const Scene<D>& scene, const FaceReference& face) {
-  return text("face '", nurbs::name_of(face.side), "' of body '", scene.bodies[at(face.body)].name, "'");
-}
-
-template <int D> double thickness(const Scene<D>& scene, const FaceReference& face) {
-  return thickness<D>(scene.bodies[at(face.body)].body->space(), face.side);
-}
-
 /// "12.5 %".
 std::string percent(double part) {
   return text(std::round(1000 * part) / 10, " %");
@@ -149,9 +113,9 @@ std::string check_overlap(const Scene<D>& scene, const Contact<D>& contact, cons
   const double part = depth / std::min(thickness(scene, contact.slave), behind);
   if (part <= meant) return "";
   const std::string what =
-      text("contacts.", contact.name, ": ", words_of(scene, contact.slave), " penetrates ", words_of(scene, master),
-           " by ", number(depth), " before the first step, at ", coordinates(deepest.position), ", which is ",
-           percent(part), " of the thickness of the thinner body");
+      text("contacts.", contact.name, ": ", face_in_words(scene, contact.slave), " penetrates ",
+           face_in_words(scene, master), " by ", number(depth), " before the first step, at ",
+           coordinates(deepest.position), ", which is ", percent(part), " of the thickness of the thinner body");
   // Behind the whole of the master's body: its back is what the slave sees.
   constexpr double all = 0.9;
   const std::string other = nurbs::name_of({master.side.direction, !master.side.at_end});

@@ -4,6 +4,7 @@
 #include "base/index.hpp"
 #include "base/words.hpp"
 #include "model/rigid_motions.hpp"
+#include "model/scene_warnings.hpp"
 #include "model/weak_directions.hpp"
 
 #include <algorithm>
@@ -194,44 +195,95 @@ template <int D> std::string cure_of_sliding(const Model<D>& model, const Vector
   return "";
 }
 
-constexpr const char* first_step_cure =
-    "the first step may lead beyond a limit of stability, or be too long for contact with friction: take a smaller one "
-    "(step = { adaptive = true }) or let the penalties grow (penalty = { start = 0.01, steps = 20 }); arcs can only "
-    "begin where a step was accepted";
+/// One thing that may help. `control`: the one that it turns on, if any; what to say in place of that where it is on.
+struct Advice {
+  const char *control, *words, *when_on = nullptr;
+};
 
-std::string cure(Outcome outcome) {
+constexpr Advice smaller_steps{"step", "take smaller steps (step = { adaptive = true })",
+                               "allow smaller steps (step = { min = … })"};
+constexpr Advice search{"line_search", "use a line search (newton = { line_search = \"residual\" })"};
+
+std::vector<Advice> cures(Outcome outcome) {
   switch (outcome) {
   case Outcome::iteration_limit:
-    return "allow more iterations (newton = { iterations = … }), smaller steps (step = { adaptive = true }), or, where "
-           "rounding is in the way, a looser newton.tolerance or a lower penalty";
+    return {{"", "allow more iterations (newton = { iterations = … })"},
+            smaller_steps,
+            {"", "where rounding error is the limit, take a looser newton.tolerance or a lower penalty"}};
   case Outcome::diverged:
   case Outcome::not_finite:
-    return "take smaller steps (step = { adaptive = true }) or a line search (newton = { line_search = \"residual\" })";
+    return {smaller_steps, search};
   case Outcome::cycling:
-    return "take smaller steps (step = { adaptive = true }), a line search (newton = { line_search = \"residual\" }), "
-           "more contact points per element (points), or hold points that change too often "
-           "(newton = { active_set_changes = 4 })";
+    return {smaller_steps,
+            search,
+            {"", "take more contact points per element (points)"},
+            {"active_set_changes", "hold points that change too often (newton = { active_set_changes = 4 })"}};
   case Outcome::lost_projection:
-    return "extend the master face beyond where the slave face reaches, or end the path before it";
+    return {{"", "extend the master face beyond where the slave face reaches"}, {"", "end the path before it"}};
   case Outcome::inverted_element:
-    return "take smaller steps (step = { adaptive = true }), a line search, or a mesh that can follow the deformation";
+    return {smaller_steps, search, {"", "take a mesh that can follow the deformation"}};
   case Outcome::singular_tangent:
-    return "hold the body with a support; damping = true carries a body that only contact will hold until it touches";
+    return {{"", "hold the body with a support"},
+            {"damping", "damping = true carries a body that only contact will hold until it touches"}};
   case Outcome::indefinite:
-    return "the state may be at or beyond a limit of stability: arc_length = true follows the path around it";
+    return {{"arc_length",
+             "the state may be at or beyond a limit of stability: arc_length = true follows the path "
+             "around it",
+             "the state may be at or beyond a limit of stability"}};
   case Outcome::line_search:
-    return "take smaller steps (step = { adaptive = true }) or no line search";
+    return {smaller_steps, {"", "do without a line search"}};
   case Outcome::penetration:
-    return "raise the penalty, allow more loops (augmented = { loops = … }) or more penetration; where a curved master "
-           "meets more contact points than the slave has control points, some penetration always remains";
+    return {{"", "raise the penalty"},
+            {"", "allow more loops (augmented = { loops = … }) or more penetration; where a curved master meets more "
+                 "contact points than the slave has control points, some penetration always remains"}};
   default:
-    return "";
+    return {};
   }
+}
+
+/// Nothing has led up to a limit of stability, and an arc has no direction, before a step was accepted.
+std::vector<Advice> first_step_cures() {
+  return {{"", "the first step may lead beyond a limit of stability, or be too long for contact with friction"},
+          smaller_steps,
+          {"penalty", "let the penalties grow (penalty = { start = 0.01, steps = 20 })"},
+          {"", "arcs can only begin where a step was accepted"}};
+}
+
+std::string joined(const std::vector<Advice>& list, const ControlsOn& on) {
+  std::string words;
+  for (const Advice& advice : list) {
+    const char* own = on.contains(advice.control) ? advice.when_on : advice.words;
+    if (own) words += text(words.empty() ? "" : "; ", own);
+  }
+  return words;
+}
+
+/// Adds what a penalty far above the bodies' stiffness has to do with a failure.
+template <int D> void add_stiffness(Diagnosis& diagnosis, const Model<D>& model) {
+  const Scene<D>& scene = model.scene();
+  PenaltyRatio worst{0, 0, ""};
+  std::string name;
+  for (const Contact<D>& contact : scene.contacts)
+    if (PenaltyRatio penalty = penalty_ratio(scene, contact); penalty.ratio > worst.ratio) {
+      worst = std::move(penalty);
+      name = contact.name;
+    }
+  worst.ratio *= model.penalty_factor();
+  if (worst.ratio < stiff_penalty) return;
+  const bool is_cause = worst.ratio >= beyond_rounding;
+  diagnosis.message += text("; the penalty of contact '", name, "' is ", number(worst.ratio),
+                            " times the stiffness E/h of an element of body '", worst.body, "'",
+                            is_cause ? ", and this range of stiffness is the cause: the body's share is lost in "
+                                       "rounding error"
+                                     : "");
+  const std::string lower =
+      text("lower the penalty of contact '", name, "': 10 to 1000 times E/h = ", number(worst.stiffness), " is usual");
+  diagnosis.cure = is_cause || diagnosis.cure.empty() ? lower : lower + "; " + diagnosis.cure;
 }
 
 } // namespace
 
-template <int D> Diagnosis diagnose(const Model<D>& model, const solve::NewtonReport& report) {
+template <int D> Diagnosis diagnose(const Model<D>& model, const solve::NewtonReport& report, const ControlsOn& on) {
   Diagnosis diagnosis{report.outcome, report.message, "", {}, {}};
   const Assembly<D>& assembly = model.assembly();
   const bool has_tangent = model.unknowns().size() > 0 && assembly.diagonal_norm() > 0;
@@ -258,18 +310,19 @@ template <int D> Diagnosis diagnose(const Model<D>& model, const solve::NewtonRe
       diagnosis.message += text("; the tangent is indefinite there");
       add_direction(diagnosis, model, softest);
       diagnosis.cure = cure_of_sliding(model, softest.direction);
-      // Nothing has led up to a limit of stability, and an arc has no direction, before a step was accepted.
-      if (diagnosis.cure.empty() && model.accepted().isZero(0)) diagnosis.cure = first_step_cure;
+      if (diagnosis.cure.empty() && model.accepted().isZero(0)) diagnosis.cure = joined(first_step_cures(), on);
     }
   }
   if (model.unbalanced().size() > 0 && model.unbalanced().allFinite() && !report.residuals.empty())
     diagnosis.unbalanced = largest(model, model.unbalanced(), "unbalanced force");
   if (diagnosis.places.empty()) diagnosis.places = diagnosis.unbalanced;
-  if (diagnosis.cure.empty()) diagnosis.cure = cure(diagnosis.outcome);
+  if (diagnosis.cure.empty()) diagnosis.cure = joined(cures(diagnosis.outcome), on);
+  if (report.outcome != Outcome::penetration && report.outcome != Outcome::lost_projection)
+    add_stiffness(diagnosis, model);
   return diagnosis;
 }
 
-template Diagnosis diagnose<2>(const Model<2>&, const solve::NewtonReport&);
-template Diagnosis diagnose<3>(const Model<3>&, const solve::NewtonReport&);
+template Diagnosis diagnose<2>(const Model<2>&, const solve::NewtonReport&, const ControlsOn&);
+template Diagnosis diagnose<3>(const Model<3>&, const solve::NewtonReport&, const ControlsOn&);
 
 } // namespace signorini::model

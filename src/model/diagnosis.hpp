@@ -3,6 +3,8 @@
 
 #include "model/model.hpp"
 
+#include <set>
+
 namespace signorini::model {
 
 /// A place that has to do with a failure.
@@ -19,13 +21,19 @@ struct TroubleSpot {
 struct Diagnosis {
   solve::Outcome outcome;              ///< the report's, or `indefinite` where that is found to be behind it
   std::string message;                 ///< what happened
-  std::string cure;                    ///< what may help
+  std::string cure;                    ///< what may help; empty where nothing is known
   std::vector<TroubleSpot> places;     ///< the worst first
   std::vector<TroubleSpot> unbalanced; ///< control points with the largest unbalanced forces
 };
 
+/// Controls that the caller has turned on already: "step", "line_search", "damping", "active_set_changes",
+/// "arc_length", "penalty".
+using ControlsOn = std::set<std::string>;
+
 /// Looks at the state in which a step failed: call it before the roll-back. Costs a few factorisations where the
-/// tangent is looked into (its null vector, its directions of negative stiffness), else next to nothing.
-template <int D> Diagnosis diagnose(const Model<D>& model, const solve::NewtonReport& report);
+/// tangent is looked into (its null vector, its directions of negative stiffness), else next to nothing. The cure does
+/// not name what is on.
+template <int D>
+Diagnosis diagnose(const Model<D>& model, const solve::NewtonReport& report, const ControlsOn& on = {});
 
 } // namespace signorini::model

@@ -5,6 +5,7 @@
 #include "base/timer.hpp"
 #include "base/words.hpp"
 #include "model/clearance.hpp"
+#include "model/scene_warnings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -58,7 +59,8 @@ Model<D>::Model(Scene<D> scene)
   assemble(nullptr, false, why);
   for (auto& pair : pairs_) pair.accept();
   accepted_force_ = force_;
-  warnings_ = check_clearance(scene_, pairs_);
+  scene_warnings_ = check_clearance(scene_, pairs_);
+  for (std::string& warning : scene_warnings(scene_, pairs_)) scene_warnings_.push_back(std::move(warning));
 }
 
 template <int D> void Model<D>::set_target(int drive, int component, double value) {
@@ -218,6 +220,22 @@ template <int D> Energies Model<D>::energies() const {
     sum.friction += pair.dissipated();
   }
   return sum;
+}
+
+template <int D> std::vector<std::string> Model<D>::warnings() const {
+  std::vector<std::string> warnings = scene_warnings_;
+  for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
+    const auto& [name, body] = scene_.bodies[b];
+    if (!body->linear()) continue; // others refuse to be inverted
+    const auto worst = solid::worst_inversion(*body, displacement_.data() + unknowns_.offset(static_cast<int>(b)));
+    if (worst)
+      warnings.push_back(text("bodies.", name, ": the linear elastic body is turned inside out in element ",
+                              worst->element + 1, " (det F = ", number(worst->jacobian),
+                              ") at X = ", coordinates(worst->point),
+                              ", far beyond small strains. Hint: take sg.neo_hookean, or "
+                              "smaller loads and displacements"));
+  }
+  return warnings;
 }
 
 template <int D> double Model<D>::memory() const {

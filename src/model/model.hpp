@@ -44,8 +44,9 @@ public:
   const Unknowns<D>& unknowns() const { return unknowns_; }
   const Drives<D>& drives() const { return drives_; }
   const std::vector<contact::Pair<D>>& pairs() const { return pairs_; }
-  /// What may be wrong with the scene, in sentences.
-  const std::vector<std::string>& warnings() const { return warnings_; }
+  /// What may be wrong with the scene and, of linear elastic bodies that are turned inside out, with the present state,
+  /// in sentences; those about the scene come first.
+  std::vector<std::string> warnings() const;
 
   /// What a component of a drive (index into Drives::all()) shall be at the end of the next step.
   void set_target(int drive, int component, double value);
@@ -190,7 +191,7 @@ private:
   Drives<D> drives_;
   Assembly<D> assembly_;
   std::vector<contact::Pair<D>> pairs_;
-  std::vector<std::string> warnings_;
+  std::vector<std::string> scene_warnings_;
   VectorX displacement_, accepted_, last_increment_;
   VectorX targets_, accepted_targets_; ///< see Drives
   VectorX previous_targets_;           ///< before the last accepted step

@@ -79,6 +79,12 @@ template <int D> struct Scene {
   solid::Kind kind = solid::Kind::plane_strain; ///< of all bodies alike
 };
 
+/// "face 'south' of body 'slab'".
+template <int D> std::string face_in_words(const Scene<D>& scene, const FaceReference& face) {
+  return "face '" + nurbs::name_of(face.side) + "' of body '" + scene.bodies[static_cast<std::size_t>(face.body)].name +
+         "'";
+}
+
 /// "x", "y", "z".
 std::string component_name(int component);
 

@@ -32,6 +32,10 @@ template <int D>
 std::optional<Inversion> internal_force(const Body<D>& body, int e, const double* displacement,
                                         ElementArrays<D>& arrays, bool tangent = true);
 
+/// Where det F of the whole body is least, among the Gauss points at which it is not positive; nothing where it is
+/// positive everywhere. For small strains, which internal_force() lets pass.
+template <int D> std::optional<Inversion> worst_inversion(const Body<D>& body, const double* displacement);
+
 /// Stored energy of the whole body; infinity when an element is inverted, which small strains never are.
 template <int D> double stored_energy(const Body<D>& body, const double* displacement);
 

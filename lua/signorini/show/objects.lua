@@ -22,10 +22,34 @@ local function box_text(points)
   return table.concat(parts, ", ")
 end
 
+--- "west in y = 0; south in z = 0": the faces that lie in coordinate planes, in the plane the sides on lines x or y = const.
+--- Both coordinates of a face that is collapsed to a line.
+local function planes_text(patch)
+  local points, size = patch:points(), 0
+  for _, point in ipairs(points) do
+    for _, x in ipairs(point) do size = math.max(size, math.abs(x)) end
+  end
+  local texts = {}
+  for i, name in ipairs { "west", "east", "south", "north", "front", "back" } do
+    if i > 2 * #patch:degrees() then break end
+    local face, parts = patch:face(name):points(), {}
+    for d = 1, #points[1] do
+      local low, high = math.huge, -math.huge
+      for _, point in ipairs(face) do low, high = math.min(low, point[d]), math.max(high, point[d]) end
+      local value = math.abs(low) <= 1e-12 * size and 0 or low
+      if high - low <= 1e-12 * size then parts[#parts + 1] = ("%s = %.4g"):format(axes[d], value) end
+    end
+    if #parts > 0 then texts[#texts + 1] = ("%s in %s"):format(name, table.concat(parts, ", ")) end
+  end
+  return table.concat(texts, "; ")
+end
+
 local objects = {}
 
 function objects.patch(patch)
-  return ("%s\n  control points in %s"):format(patch, box_text(patch:points()))
+  local text = ("%s\n  control points in %s"):format(patch, box_text(patch:points()))
+  local planes = #patch:degrees() > 1 and planes_text(patch) or ""
+  return planes == "" and text or ("%s\n  faces: %s"):format(text, planes)
 end
 
 function objects.body(body)

@@ -1,0 +1,139 @@
+#include "model/scene_warnings.hpp"
+
+#include "base/error.hpp"
+#include "base/index.hpp"
+#include "base/words.hpp"
+#include "model/thickness.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+namespace signorini::model {
+
+namespace {
+
+/// E/h behind a face.
+template <int D> PenaltyRatio element_stiffness(const Scene<D>& scene, const FaceReference& face) {
+  const NamedBody<D>& named = scene.bodies[at(face.body)];
+  const nurbs::Discretisation& space = named.body->space();
+  const double height = thickness(scene, face) / space.elements(face.side.direction);
+  return {0, solid::constants(named.body->material()).youngs_modulus / height, named.name};
+}
+
+/// The lowest degree of a body's functions in any direction.
+template <int D> int lowest_degree(const nurbs::Discretisation& space) {
+  int degree = nurbs::max_degree;
+  for (int e = 0; e < space.elements(); ++e)
+    for (int d = 0; d < D; ++d) degree = std::min(degree, space.degree(e, d));
+  return degree;
+}
+
+/// Nearly incompressible: errors of force measured by scripts/stability/locking.lua are 14 % for L1 at ν = 0.49, 3 %
+/// for N2 at 0.499.
+template <int D> void warn_of_locking(const Scene<D>& scene, std::vector<std::string>& warnings) {
+  for (const NamedBody<D>& named : scene.bodies) {
+    const double nu = solid::constants(named.body->material()).poissons_ratio;
+    if (nu < 0.49) continue;
+    const int degree = lowest_degree<D>(named.body->space());
+    if (nu > 0.499 || degree == 1)
+      warnings.push_back(
+          text("bodies.", named.name, ": Poisson's ratio ", nu,
+               " makes the material nearly incompressible, and displacement elements lock (lowest degree "
+               "here: ",
+               degree,
+               "): forces come out too large. Hint: take nu = 0.49 or less, and degree 2 or "
+               "more in all directions"));
+  }
+}
+
+template <int D> void warn_of_friction(const Contact<D>& contact, std::vector<std::string>& warnings) {
+  constexpr double most = 3; // rubber on dry concrete is at 1
+  const auto* law = std::get_if<contact::PenaltyLaw>(&contact.law);
+  if (!law || law->friction <= most) return;
+  warnings.push_back(text("contacts.", contact.name, ": friction.mu = ", law->friction,
+                          " is far above what materials have; mu is the tangent of the angle of friction",
+                          law->friction < 90 ? text(". Hint: for an angle of ", law->friction, " degrees mu = ",
+                                                    number(std::tan(law->friction * std::numbers::pi / 180)))
+                                             : ""));
+}
+
+template <int D>
+void warn_of_stiffness(const Scene<D>& scene, const Contact<D>& contact, std::vector<std::string>& warnings) {
+  const PenaltyRatio penalty = penalty_ratio(scene, contact);
+  if (penalty.ratio < beyond_rounding) return;
+  warnings.push_back(text("contacts.", contact.name, ": penalty = ", std::get<contact::PenaltyLaw>(contact.law).normal,
+                          " is ", number(penalty.ratio), " times the stiffness E/h of an element of body '",
+                          penalty.body, "': over this range of stiffness the body's share is lost in rounding error. ",
+                          "Hint: 10 to 1000 times E/h = ", number(penalty.stiffness), " is usual"));
+}
+
+/// Places of the points that a pair integrates over; elements alone where another pair has other points.
+template <int D> std::set<std::pair<int, int>> places(const contact::Pair<D>& pair, bool points) {
+  std::set<std::pair<int, int>> result;
+  for (std::size_t i = 0; i < pair.results().size(); ++i) {
+    const auto [element, number] = pair.place(i);
+    result.insert({element, points ? number : 0});
+  }
+  return result;
+}
+
+/// Whether two contacts act on the same points. Laws that differ in kind may do so: adhesion beside a penalty.
+template <int D>
+bool act_twice(const Contact<D>& a, const Contact<D>& b, const contact::Pair<D>& first,
+               const contact::Pair<D>& second) {
+  if (a.law.index() != b.law.index()) return false;
+  const auto* master = std::get_if<FaceReference>(&a.master);
+  if (master && *master == b.slave && b.master == decltype(b.master)(a.slave)) return true; // slave and master swapped
+  if (!(a.slave == b.slave) || !(a.master == b.master)) return false;
+  const bool points = a.points == b.points;
+  const auto here = places(first, points), there = places(second, points);
+  return std::any_of(here.begin(), here.end(), [&](const auto& place) { return there.contains(place); });
+}
+
+template <int D>
+void warn_of_twins(const Scene<D>& scene, const std::vector<contact::Pair<D>>& pairs,
+                   std::vector<std::string>& warnings) {
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    for (std::size_t k = i + 1; k < pairs.size(); ++k) {
+      const Contact<D>&a = scene.contacts[i], &b = scene.contacts[k];
+      if (!act_twice(a, b, pairs[i], pairs[k])) continue;
+      const auto* master = std::get_if<FaceReference>(&a.master);
+      warnings.push_back(text("contacts.", a.name, " and contacts.", b.name, " act between the same faces, ",
+                              face_in_words(scene, a.slave), " and ",
+                              master ? face_in_words(scene, *master) : "one obstacle",
+                              ", so pressures count twice. Hint: take one of the two out, or part them by where"));
+    }
+}
+
+} // namespace
+
+template <int D> PenaltyRatio penalty_ratio(const Scene<D>& scene, const Contact<D>& contact) {
+  PenaltyRatio softest = element_stiffness(scene, contact.slave);
+  if (const auto* face = std::get_if<FaceReference>(&contact.master)) {
+    const PenaltyRatio other = element_stiffness(scene, *face);
+    if (other.stiffness < softest.stiffness) softest = other;
+  }
+  if (const auto* law = std::get_if<contact::PenaltyLaw>(&contact.law)) softest.ratio = law->normal / softest.stiffness;
+  return softest;
+}
+
+template <int D>
+std::vector<std::string> scene_warnings(const Scene<D>& scene, const std::vector<contact::Pair<D>>& pairs) {
+  std::vector<std::string> warnings;
+  warn_of_locking(scene, warnings);
+  for (const Contact<D>& contact : scene.contacts) {
+    warn_of_friction(contact, warnings);
+    warn_of_stiffness(scene, contact, warnings);
+  }
+  warn_of_twins(scene, pairs, warnings);
+  return warnings;
+}
+
+template PenaltyRatio penalty_ratio<2>(const Scene<2>&, const Contact<2>&);
+template PenaltyRatio penalty_ratio<3>(const Scene<3>&, const Contact<3>&);
+template std::vector<std::string> scene_warnings<2>(const Scene<2>&, const std::vector<contact::Pair<2>>&);
+template std::vector<std::string> scene_warnings<3>(const Scene<3>&, const std::vector<contact::Pair<3>>&);
+
+} // namespace signorini::model

@@ -1,0 +1,25 @@
+#pragma once
+// Constants and contacts of a scene that are legal but hardly meant.
+
+#include "model/scene.hpp"
+
+namespace signorini::model {
+
+/// A contact's penalty compared with the stiffness of an element behind its faces, E/h of the softest of its bodies.
+struct PenaltyRatio {
+  double ratio;     ///< ε_N h/E; 0 under adhesion
+  double stiffness; ///< E/h
+  std::string body;
+};
+template <int D> PenaltyRatio penalty_ratio(const Scene<D>& scene, const Contact<D>& contact);
+
+/// "10 to 1000 times E/h" is usual; from here on steps need cutting, and from `beyond_rounding` on the body's own
+/// stiffness is lost in the rounding error of the contact's.
+inline constexpr double stiff_penalty = 1e4, beyond_rounding = 1e8;
+
+/// Sentences about Poisson's ratios that lock, coefficients of friction that look like angles, penalties that are out
+/// of range, and contacts that act twice between the same points. `pairs` are those of the scene's contacts.
+template <int D>
+std::vector<std::string> scene_warnings(const Scene<D>& scene, const std::vector<contact::Pair<D>>& pairs);
+
+} // namespace signorini::model

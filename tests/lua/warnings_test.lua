@@ -1,0 +1,168 @@
+-- Scenes and runs that are legal but hardly meant: what run.warnings says of them, and what is an error at once.
+
+local sg = require "signorini"
+local check = require "check"
+
+local function slab_on(order, nu, material)
+  return sg.body{ patch = sg.shapes.rectangle{ width = 2, height = 1 }, elements = {8, 4}, order = order or "N2",
+                  material = (material or sg.neo_hookean){ E = 1, nu = nu or 0.3 } }
+end
+
+--- A slab under a rigid cylinder. `given`: replaces parts of the contact.
+local function pressed(given, nu)
+  local slab = slab_on("N2", nu)
+  local disc = sg.rigid.cylinder{ centre = {1, 1.5}, radius = 0.5 }
+  local contact = { slave = slab:face "north", master = disc, penalty = 100 }
+  for key, value in pairs(given or {}) do contact[key] = value end
+  return sg.model{ bodies = { slab = slab },
+    supports = { bed = { on = slab:face "south", fix = "xy" }, push = { on = disc, drive = "y" } },
+    contacts = { c = contact } }
+end
+
+--- The only warning of a model, which a run repeats.
+local function only(model)
+  local run = model:run{ { steps = 1, push = -0.002 } }
+  check.equal({ #model:warnings(), #run.warnings, run.warnings[1] }, { 1, 1, model:warnings()[1] })
+  return run.warnings[1]
+end
+
+check.case("a sound scene has no warnings", function()
+  local model = pressed{ friction = { mu = 0.8, penalty = 100 } }
+  check.equal({ #model:warnings(), #model:run({ { steps = 1, push = -0.002 } }).warnings }, { 0, 0 })
+end)
+
+check.case("mu that looks like an angle", function()
+  check.holds(only(pressed{ friction = { mu = 30, penalty = 100 } }), "contacts.c: friction.mu = 30",
+    "for an angle of 30 degrees mu = 0.57735")
+end)
+
+check.case("nearly incompressible material", function()
+  check.holds(only(pressed({}, 0.4999999)), "bodies.slab: Poisson's ratio 0.4999999", "lock", "lowest degree here: 2")
+  check.equal(#pressed({}, 0.49):warnings(), 0)
+end)
+
+check.case("a penalty beyond what rounding allows is named before the run and as the cause of its failure", function()
+  local model = pressed{ penalty = 1e20 }
+  check.holds(model:warnings()[1], "contacts.c: penalty = 1e+20 is 2.5e+19 times the stiffness E/h", "rounding error",
+    "10 to 1000 times E/h = 4 is usual")
+  local run = model:run{ { steps = 2, push = -0.05 } }
+  check.equal(run.failed, true)
+  check.holds(run.report, "this range of stiffness is the cause", "What may help: lower the penalty of contact 'c'")
+  check.equal(run.report:find("hold the body with a support", 1, true), nil)
+end)
+
+check.case("the same pair of faces in two contacts", function()
+  local function twice(options)
+    local lower, upper = slab_on(), sg.body{ patch = sg.shapes.rectangle{ width = 2, height = 1, corner = {0, 1} },
+      elements = {4, 4}, order = "N2", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+    local one = { slave = upper:face "south", master = lower:face "north", penalty = 10, where = options.left }
+    local two = { slave = upper:face "south", master = lower:face "north", penalty = 10, where = options.right }
+    if options.swap then two.slave, two.master = one.master, one.slave end
+    return sg.model{ bodies = { lower = lower, upper = upper }, contacts = { a = one, b = two },
+      supports = { bed = { on = lower:face "south", fix = "xy" }, lid = { on = upper:face "north", fix = "xy" } } }
+  end
+  for _, options in ipairs { {}, { swap = true } } do
+    local warnings = twice(options):warnings()
+    check.equal(#warnings, 1)
+    check.holds(warnings[1], "contacts.a and contacts.b act between the same faces", "face 'south' of body 'upper'",
+      "pressures count twice")
+  end
+  local parted = twice{ left = function(X) return X[1] < 1.1 end, right = function(X) return X[1] >= 1.1 end }
+  check.equal(#parted:warnings(), 0)
+end)
+
+check.case("a linear elastic body that is turned inside out", function()
+  for _, factor in ipairs { 1, 3 } do
+    local slab = slab_on("N2", 0.3, sg.linear_elastic)
+    local model = sg.model{ bodies = { slab = slab }, supports = {
+      bed = { on = slab:face "south", fix = "xy" }, lid = { on = slab:face "north", drive = "y" } } }
+    local run = model:run{ { steps = 1, lid = -0.6 * factor } }
+    check.equal({ run.reason, #run.warnings }, { "completed", factor == 1 and 0 or 1 })
+    if factor > 1 then
+      check.holds(run.warnings[1], "bodies.slab: the linear elastic body is turned inside out in element", "det F = -")
+    end
+  end
+end)
+
+check.case("a load that no stage changes is named once, one that a stage changes is not", function()
+  local function loaded()
+    local slab = slab_on()
+    return sg.model{ bodies = { slab = slab }, supports = { bed = { on = slab:face "south", fix = "xy" } },
+                     loads = { dead = { on = slab:face "north", traction = {0, -0.01} },
+                               none = { on = slab:face "west", pressure = 0 } } }
+  end
+  local model = loaded()
+  local run = model:run{ { steps = 1 } }
+  check.equal(#run.warnings, 1)
+  check.holds(run.warnings[1], "no stage changes the load 'dead', which acts in full from the first step on")
+  check.equal(#model:run({ { steps = 1 } }).warnings, 0)
+  check.equal(#loaded():run({ { steps = 1, dead = {0, -0.02} } }).warnings, 0)
+end)
+
+check.case("a tolerance that leaves no accuracy", function()
+  local run = pressed():run({ { steps = 1, push = -0.002 } }, { newton = { tolerance = 1 } })
+  check.equal(#run.warnings, 1)
+  check.holds(run.warnings[1], "newton.tolerance = 1:", "expected at most 0.001", "the default is 1e-10")
+end)
+
+check.case("a contact that touches between the last step and the failure has touched", function()
+  local beam = sg.body{ patch = sg.shapes.rectangle{ width = 10, height = 0.8 }, elements = {10, 1}, order = "N2",
+                        contact = "south", through = 2, material = sg.neo_hookean{ E = 2000, nu = 0.35 } }
+  local nose = sg.rigid.cylinder{ centre = {11.2, -0.2}, radius = 0.6 }
+  local model = sg.model{ bodies = { beam = beam },
+    supports = { wall = { on = beam:face "west", drive = "x", fix = "y" } },
+    contacts = { nose = { slave = beam:face "south", master = nose, penalty = 5e4,
+                          friction = { mu = 0.2, penalty = 5e4 } } } }
+  local run = model:run({ { name = "insert", steps = 40, wall = {4} } }, sg.robust{})
+  for _, warning in ipairs(run.warnings) do
+    check.equal(warning:find("never touched; least gap -", 1, true), nil)
+  end
+end)
+
+check.case("a face that is listed twice is an error", function()
+  local slab, other = slab_on(), slab_on()
+  local north, bed = slab:face "north", { on = slab:face "south", fix = "xy" }
+  check.fails(function()
+    sg.model{ bodies = { slab = slab }, supports = { bed = bed },
+              loads = { p = { on = { north, slab:face "north" }, traction = {0, -0.1} } } }
+  end, "loads.p.on lists face 'north' of body 'slab' twice, expected once")
+  check.fails(function()
+    sg.model{ bodies = { slab = slab }, supports = { bed = { on = { north, north }, fix = "xy" } } }
+  end, "supports.bed.on lists face 'north' of body 'slab' twice")
+  local floor = sg.rigid.plane{ point = {0, -1}, normal = {0, 1} }
+  check.fails(function()
+    sg.model{ bodies = { slab = slab }, supports = { floor = { on = { floor, floor }, drive = "y" } } }
+  end, "supports.floor.on lists an obstacle twice")
+  sg.model{ bodies = { slab = slab, other = other }, supports = { bed = { on = { north, other:face "north" },
+    fix = "xy" } } }
+end)
+
+check.case("advice does not name what is on already", function()
+  local function advice(options)
+    local run = pressed{ penalty = 2000 }:run({ { steps = 1, push = -0.8 } }, options)
+    check.equal(run.failed, true)
+    return run.report:match "What may help: (.*)" or ""
+  end
+  check.holds(advice(), "take smaller steps (step = { adaptive = true })", "line_search = \"residual\"")
+  local robust = advice(sg.robust{})
+  check.equal({ robust:find("adaptive = true", 1, true), robust:find("line_search", 1, true) }, {})
+  check.holds(robust, "allow smaller steps (step = { min = … })")
+end)
+
+check.case("many elements are announced before they are made, and too many are refused", function()
+  local script = check.folder() .. "/large.lua"
+  local file = assert(io.open(script, "w"))
+  -- A material that is none stops it before the tables are made.
+  file:write [[ local sg = require "signorini"
+    sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = {1000, 1000}, order = "L1",
+             material = 1 } ]]
+  file:close()
+  check.holds(check.program { script }, "elements = {1000, 1000} make at least 2002002 unknowns", "takes a while")
+end)
+
+check.case("faces in coordinate planes are named where a patch is shown", function()
+  local text = require("signorini.show").text(sg.shapes.sphere_octant{ inner = 0.5, outer = 1 })
+  check.holds(text, "faces: west in y = 0; east in x = 0; south in z = 0; north in x = 0, y = 0")
+end)
+
+check.done()
