@@ -97,8 +97,8 @@ local function controls_on(read, adaptive)
   return on
 end
 
---- { solver, rescue, penalty, policy, arcs, on (controls that are), on_step, on_iteration, keeper (of checkpoints), threads }, and the table of
---- options itself. `where`: whose options they are, for messages.
+--- { solver, rescue, penalty, policy, arcs, on (controls that are), on_step, on_iteration, keeper (of checkpoints),
+--- threads }, and the table of options itself. `where`: whose options they are, for messages.
 function run_options.read(where, options)
   options = arguments.table(where, "options", options, run_options.keys)
   local arcs = arguments.flag(where, "arc_length", options.arc_length, false)

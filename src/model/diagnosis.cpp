@@ -231,7 +231,7 @@ std::vector<Advice> cures(Outcome outcome) {
              "around it",
              "the state may be at or beyond a limit of stability"}};
   case Outcome::line_search:
-    return {smaller_steps, {"", "do without a line search"}};
+    return {smaller_steps, {"", "take no line search"}};
   case Outcome::penetration:
     return {{"", "raise the penalty"},
             {"", "allow more loops (augmented = { loops = … }) or more penetration; where a curved master meets more "

@@ -54,6 +54,7 @@ local function spring(fails)
     return { reason = self.failure, message = "no luck", cure = "be lucky", places = {}, unbalanced = {} }
   end
   function model:loose_bodies() return {} end
+  function model:warnings() return {} end
   function model:snapshot() return { self.accepted[1], self.accepted[2] } end
   function model:restore(kept) self.accepted, self.next = kept, kept end
   function model:last_length() return 0 end -- no length to look for a turning point with

@@ -143,7 +143,7 @@ check.case("advice does not name what is on already", function()
     check.equal(run.failed, true)
     return run.report:match "What may help: (.*)" or ""
   end
-  check.holds(advice(), "take smaller steps (step = { adaptive = true })", "line_search = \"residual\"")
+  check.holds(advice(sg.plain{}), "take smaller steps (step = { adaptive = true })", "line_search = \"residual\"")
   local robust = advice(sg.robust{})
   check.equal({ robust:find("adaptive = true", 1, true), robust:find("line_search", 1, true) }, {})
   check.holds(robust, "allow smaller steps (step = { min = … })")

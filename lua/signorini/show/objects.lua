@@ -22,8 +22,8 @@ local function box_text(points)
   return table.concat(parts, ", ")
 end
 
---- "west in y = 0; south in z = 0": the faces that lie in coordinate planes, in the plane the sides on lines x or y = const.
---- Both coordinates of a face that is collapsed to a line.
+--- "west in y = 0; south in z = 0": the faces that lie in coordinate planes, of plane patches the sides on lines x or
+--- y = const; both coordinates of a face that is collapsed to a line.
 local function planes_text(patch)
   local points, size = patch:points(), 0
   for _, point in ipairs(points) do
