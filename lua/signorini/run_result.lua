@@ -63,9 +63,14 @@ local function record_contact(run, model, contact)
   for _, key in ipairs(contact_columns) do
     if resultant[key] then columns[key] = add_column(run, contact .. "." .. key) end
   end
+  local before = resultant.unsettled
   run.recorders[#run.recorders + 1] = function(row)
     local now = model:contact_resultant(contact)
     for key, values in pairs(columns) do values[row] = now[key] end
+    if now.unsettled > before then
+      local count = (run.unsettled[contact] or { count = 0 }).count + now.unsettled - before
+      run.unsettled[contact], before = { count = count, at = now.unsettled_at }, now.unsettled
+    end
   end
 end
 
@@ -75,6 +80,7 @@ function Run.new(model)
     failed = false, reason = "completed", steps = 0, rows = 0, iterations = 0, cutbacks = 0, rescues = 0, wary = 0,
     places = {}, wall = 0, stages = {}, controls = {}, extra = {},
     names = {}, values = {}, histories = {}, recorders = {}, kept = {}, before = model:timings(), warnings = {},
+    unsettled = {},
   }, Run)
   run.step_column, run.increment_column = add_column(run, "step"), add_column(run, "increments")
   run.iteration_column, run.wall_column = add_column(run, "iterations"), add_column(run, "wall")
@@ -270,8 +276,8 @@ run
 What model:run returns: run.failed, reason, cause, report, places (see help "model:run"); run.steps that were reached,
 iterations, cutbacks, rescues, wall (s), timings { bulk, contact, linear, rest } (s), stages (a list of accounts by
 name), controls (where arc length took over), warnings (a list of sentences: model:warnings(), loads that act in full
-from the first step, a newton.tolerance above 1e-3, contacts that never touched or were penetrated by more than 2 % of
-the smallest body's size). print(run) shows a short table.]]
+from the first step, a newton.tolerance above 1e-3, contacts that never touched were penetrated by more than 2 % of the
+smallest body's size, or whose closest points were not found). print(run) shows a short table.]]
 
 core.docs["run:columns"] = [[
 run:columns()

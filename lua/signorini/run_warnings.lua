@@ -1,6 +1,8 @@
 -- What a run may be wrong in although it completed: what sg.model said of the scene, loads that are not ramped,
 -- tolerances that leave no accuracy, contacts of which no point was ever active (the wrong face, or a body that misses
--- the other), and contacts that are penetrated too deeply.
+-- the other), contacts that are penetrated too deeply, and points whose projection was given up.
+
+local counted = require "signorini.counted"
 
 local run_warnings = {}
 
@@ -69,9 +71,12 @@ end
 
 local loose_tolerance = 1e-3 -- of the forces of the run
 
---- A sentence for loads that a new model carries from the first step on because no stage changes them.
+local told = setmetatable({}, { __mode = "k" }) -- models whose loads were spoken of
+
+--- A sentence, once for each model, for loads that it carries from the first step on because no stage changes them.
 local function constant_loads(model, path)
-  if model:last_length() > 0 then return nil end -- the run before has said so
+  if told[model] then return nil end
+  told[model] = true
   local names = {}
   for _, load in ipairs(model:load_names()) do
     local changed, acts = false, false
@@ -95,12 +100,25 @@ function run_warnings.of_path(model, path, solver)
   return texts
 end
 
+--- A sentence for a contact some of whose points were taken where a search had to give up.
+local function unsettled(run, contact)
+  local found = run.unsettled[contact]
+  if not found then return nil end
+  local at = {}
+  for i, x in ipairs(found.at) do at[i] = ("%.4g"):format(x) end
+  return ("contact '%s': the search for a closest point or slip point ended at a limit of iterations %s in accepted "
+    .. "states, the last time at X = (%s): gap and friction are approximate there. Hint: refine or rebuild the master "
+    .. "where its parametrization is singular or very uneven; otherwise take shorter steps"):format(contact,
+      counted(found.count, "time"), table.concat(at, ", "))
+end
+
 --- What a run warns of, in sentences; those of model:warnings() and about the path come first.
 function run_warnings.of_run(run, model, early)
   local texts = model:warnings()
   table.move(early, 1, #early, #texts + 1, texts)
   for _, contact in ipairs(run.rows > 0 and model:contact_names() or {}) do
     texts[#texts + 1] = untouched(run, model, contact) or penetrated(run, model, contact)
+    texts[#texts + 1] = unsettled(run, contact)
   end
   return texts
 end

@@ -41,14 +41,18 @@ template <int D> int reaction(lua_State* L) {
 
 template <int D> int contact_resultant(lua_State* L) {
   const Model<D>& model = self<Model<D>>(L);
-  const auto sum = model->contact_resultant(contact_of_argument<D>(L));
-  lua_createtable(L, 0, 8);
+  const int contact = contact_of_argument<D>(L);
+  const auto sum = model->contact_resultant(contact);
+  const contact::Pair<D>& pair = model->pairs()[static_cast<std::size_t>(contact)];
+  lua_createtable(L, 0, 10);
   for (int k = 0; k < D; ++k) set_field(L, text("f", model::component_name(k)).c_str(), sum.force(k));
   set_field(L, "area", sum.area);
   set_field(L, "max_pressure", sum.max_pressure);
   set_field(L, "max_penetration", sum.max_penetration);
   set_field(L, "active", sum.active);
   set_field(L, "slipping", sum.slipping);
+  set_field(L, "unsettled", static_cast<int>(pair.unsettled()));
+  if (pair.unsettled() > 0) set_field(L, "unsettled_at", VectorX(pair.unsettled_position()));
   return 1;
 }
 
@@ -123,8 +127,10 @@ constexpr Function rows[] = {
      "Example: model:reaction(\"grip\").fy"},
     {"contact_resultant", wrap<contact_resultant<D>>,
      "m:contact_resultant(contact)\n"
-     "{ fx, fy, fz, area, max_pressure, max_penetration, active, slipping }: the force that the master exerts on the\n"
+     "{ fx, fy, fz, area, max_pressure, max_penetration, active, slipping, unsettled }: the force of the master on the\n"
      "slave (fz in 3D), the current area in contact, extremes, and how many contact points touch and slip.\n"
+     "unsettled: how often, in all accepted states so far, the search for a point's closest point or slip point ended\n"
+     "at a limit of iterations; then unsettled_at is the reference position of the latest such point.\n"
      "Example: model:contact_resultant(\"interface\").area"},
     {"profile", wrap<profile<D>>,
      "m:profile(contact)\n"
@@ -145,7 +151,8 @@ constexpr Function rows[] = {
      "m:energy()\n"
      "{ stored, contact, friction, work }: the energy in the bodies; in the springs of penalty laws, or of adhesion;\n"
      "dissipated by friction in all accepted steps; done by supports and loads in all accepted steps (trapezoidal\n"
-     "rule). Per unit depth in plane strain. work = stored + contact + friction as steps become small.\n"
+     "rule). Per unit depth in plane strain. work = stored + contact + friction as steps become small, but for what the\n"
+     "growth of the slave's area takes: see share/doc/theory.md, What is measured.\n"
      "Example: model:energy().stored"},
 };
 

@@ -54,12 +54,12 @@ template <int D> Obstacle<D> read_obstacle(ArchiveReader& from) {
 
 template <int D> void write_result(ArchiveWriter& to, const PointResult<D>& result) {
   // The position follows from the displacements; a point that acts is not beyond the master.
-  const auto& [state, position, gap, beyond, pressure, tangents, friction, force, area, potential] = result;
+  const auto& [state, position, gap, beyond, settled, pressure, tangents, friction, force, area, potential] = result;
   to.put(state, gap, pressure, tangents, friction, force, area, potential);
 }
 
 template <int D> void read_result(ArchiveReader& from, PointResult<D>& result) {
-  auto& [state, position, gap, beyond, pressure, tangents, friction, force, area, potential] = result;
+  auto& [state, position, gap, beyond, settled, pressure, tangents, friction, force, area, potential] = result;
   from.into(state, gap, pressure, tangents, friction, force, area, potential);
 }
 

@@ -11,6 +11,8 @@ namespace signorini::contact {
 
 namespace {
 
+constexpr double slip_tolerance = 1e-6; ///< how far a slip point may be off the cone, in parts of its trial distance
+
 void check(const PenaltyLaw& law) {
   require(law.normal > 0, "penalty must be positive (pressure per length), got ", law.normal);
   require(law.friction >= 0, "friction: mu must not be negative, got ", law.friction);
@@ -156,11 +158,12 @@ template <int D> void Pair<D>::evaluate_point(std::size_t i, bool tangent, Part&
   const Foot foot = memory.projection.foot;
   const double gap = memory.projection.gap;
   result.beyond = foot == Foot::none;
+  result.settled = master.settled;
   if (result.beyond) return;
   if (penalty_) {
     // t_N = λ_N − ε_N g > 0 below a distance of λ_N/ε_N
     const double distance = gap - memory.multiplier / penalty_->normal;
-    memory.cleared = foot == Foot::regular && distance > 0 ? travel_ + distance : 0;
+    memory.cleared = foot == Foot::regular && master.settled && distance > 0 ? travel_ + distance : 0;
     if (held == Held::free && std::abs(distance) < guessed_) held = Held::stick;
     if (held == Held::free && distance >= 0) return;
     if (held == Held::free && landing_) held = Held::stick;
@@ -221,6 +224,8 @@ template <int D> void Pair<D>::accept() {
     for (std::size_t i = 0; i < points_.size(); ++i) advance(i);
     accepted_master_ = master_;
   }
+  for (std::size_t i = 0; i < points_.size(); ++i)
+    if (!results_[i].settled) ++unsettled_, unsettled_position_ = reference_positions_[i];
   accepted_ = memory_;
   accepted_results_ = results_;
 }
@@ -228,7 +233,7 @@ template <int D> void Pair<D>::accept() {
 /// Moves a point's slip point to where it stands at the end of an accepted step.
 template <int D> void Pair<D>::advance(std::size_t i) {
   Memory& memory = memory_[i];
-  const PointResult<D>& result = results_[i];
+  PointResult<D>& result = results_[i];
   accepted_positions_[i] = result.position;
   const double limit = penalty_->friction * result.pressure * result.area, limit_before = memory.limit;
   memory.limit = limit;
@@ -246,9 +251,12 @@ template <int D> void Pair<D>::advance(std::size_t i) {
     master_.locate(memory.slip, slip_point);
     // |x̄ᵐ − xᵐ(ξ_sl)| falls to μ t_N/ε_T; the difference is the slip Δγ.
     const double length = penalty_->friction * result.pressure / penalty_->tangential;
-    const double slipped = std::max((slip_point.position - foot.position).norm() - length, 0.0);
+    const double before = (slip_point.position - foot.position).norm(), slipped = std::max(before - length, 0.0);
     dissipated_ += 0.5 * (limit_before + limit) * slipped;
     memory.slip = master_.advance(memory.slip, foot, length);
+    master_.locate(memory.slip, slip_point);
+    const double after = (slip_point.position - foot.position).norm();
+    if (slipped > 0 && std::abs(after - length) > slip_tolerance * before) result.settled = false;
   }
 }
 

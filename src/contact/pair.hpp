@@ -36,6 +36,7 @@ template <int D> struct PointResult {
   Vec<D> position = Vec<D>::Zero(); ///< current slave point
   double gap = 0;                   ///< of a point that the law acts on
   bool beyond = false;              ///< its closest point is an open end of the master
+  bool settled = true;              ///< its closest point, once accepted also its slip point, is where it shall be
   double pressure = 0;
   /// Of the slave face at a touching point, current, not of unit length
   Eigen::Matrix<double, D, D - 1> tangents = Eigen::Matrix<double, D, D - 1>::Zero();
@@ -127,6 +128,10 @@ public:
   double potential() const;
   /// Work of friction in all accepted steps: ∫ μ t_N dγ da, by the trapezoidal rule over each step.
   double dissipated() const { return dissipated_; }
+  /// Points of all accepted states whose closest point or slip point was not found to tolerance, each state's counted;
+  /// and the reference position of the latest.
+  std::size_t unsettled() const { return unsettled_; }
+  const Vec<D>& unsettled_position() const { return unsettled_position_; }
   /// Bytes of points, history and results, and of the last evaluation's groups.
   double memory() const;
   /// Gaps of all points in the configuration of the last evaluation (evaluate() looks at those only that may touch).
@@ -188,6 +193,8 @@ private:
   /// Bound on how far slave and master points have moved towards each other, summed over all evaluations.
   double travel_ = 0;
   double dissipated_ = 0;
+  std::size_t unsettled_ = 0;
+  Vec<D> unsettled_position_ = Vec<D>::Zero();
   bool times_search_ = false;
   double search_seconds_ = 0;
   Eigen::Matrix<double, D, Eigen::Dynamic> previous_slave_;

@@ -26,6 +26,7 @@ Stop descend(const Surface<2>& surface, const Vec<2>& x, int element, double sta
   bool falls = false, rises = false; // at low, at high
   for (int iteration = 0;; ++iteration) {
     surface.locate(element, Coordinates(xi), 2, point);
+    point.settled = true;
     const double gradient = slope(x, point);
     if (xi <= a && gradient > 0) return Stop::start;
     if (xi >= b && gradient < 0) return Stop::end;
@@ -41,6 +42,7 @@ Stop descend(const Surface<2>& surface, const Vec<2>& x, int element, double sta
     // The step just taken squares the error: from 1e-8 of the element it goes to rounding. A step out of the element
     // is none to end with: at the end itself the slope decides.
     const bool done = (std::abs(step) <= 1e-8 * (b - a) && next == xi + step) || iteration == 60;
+    point.settled = std::abs(step) <= foot_tolerance * (b - a);
     if (done && std::abs(next - xi) <= 1e-12 * (b - a)) {
       // A first-order shift is exact to rounding here.
       point.position += (next - xi) * point.tangent[0];
@@ -78,7 +80,9 @@ Foot walk(const Surface<2>& surface, const Vec<2>& x, int element, double start,
     point = beyond;
     stop = other;
   }
-  return stop == Stop::inside ? Foot::regular : Foot::none;
+  if (stop == Stop::inside) return Foot::regular;
+  point.settled = false;
+  return Foot::none;
 }
 
 /// Calls search(ξ) at those of 3(degree+1) equidistant points of an element that are nearer to x than their neighbours:

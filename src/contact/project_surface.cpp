@@ -86,6 +86,7 @@ Held descend(const Surface<3>& surface, const Vec<3>& x, int element, const Coor
     const double fraction = allowed(xi, step, box);
     if (size <= 1e-8 || iteration == 60) {
       // The step just taken squares the error: to rounding, and so is a first-order shift of the geometry.
+      point.settled = size <= foot_tolerance;
       step *= fraction;
       xi += step;
       for (int a = 0; a < 2; ++a) xi(a) = std::clamp(xi(a), box[at(a)][0], box[at(a)][1]);
@@ -223,8 +224,9 @@ Foot walk(const Surface<3>& surface, const Vec<3>& x, int element, const Coordin
           int& along) {
   Held held = descend(surface, x, element, start, point);
   FacePoint<3> beyond;
-  for (int moves = 0; moves < 2 * surface.elements() + 8; ++moves) {
-    bool moved = false;
+  bool moved = true;
+  for (int moves = 0; moved && moves < 2 * surface.elements() + 8; ++moves) {
+    moved = false;
     for (int a = 0; a < 2 && !moved; ++a) {
       if (held[at(a)] == 0) continue;
       const int next = surface.neighbour(point.element, a, held[at(a)] > 0);
@@ -236,8 +238,8 @@ Foot walk(const Surface<3>& surface, const Vec<3>& x, int element, const Coordin
       held = other;
       moved = true;
     }
-    if (!moved) break;
   }
+  if (moved) point.settled = false;
   // What holds at the minimum: the face's own border, a kink, or nothing but rounding
   bool kink[2] = {false, false}, pole = false;
   for (int a = 0; a < 2; ++a) {

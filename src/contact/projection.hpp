@@ -13,6 +13,9 @@ enum class Foot {
   corner   ///< a kink of a curve, or where kinks of a surface cross: the normal is the connecting line itself
 };
 
+/// Largest last step of a search that counts as converged, in elements. Gaps are then right to its square.
+inline constexpr double foot_tolerance = 1e-6;
+
 template <int D> struct Projection {
   Foot foot = Foot::none;
   int element = -1; ///< of the master; −1 before the first projection
@@ -30,6 +33,9 @@ template <int D> struct Projection {
 /// at a kink the kink itself is the master point, with gap −distance when x lies on the inside (Foot::edge, corner).
 /// A border of a surface that is collapsed to one point, such as a sphere's pole, is no open border: where it is the
 /// closest, it is a corner.
+///
+/// point.settled says whether the search ended where its steps are below `foot_tolerance` of an element, and not
+/// because it ran out of iterations or of moves from one element to the next.
 Projection<2> project(const Surface<2>& surface, const ElementBoxes<2>& boxes, const Vec<2>& x,
                       const Projection<2>& seed, FacePoint<2>& point);
 Projection<3> project(const Surface<3>& surface, const ElementBoxes<3>& boxes, const Vec<3>& x,

@@ -27,6 +27,7 @@ template <int D> struct FacePoint {
   Vec<D> position;
   std::array<Vec<D>, tangents> tangent;
   std::array<Vec<D>, seconds> second;
+  bool settled = true; ///< false: the search that ended here ran out of iterations, see projection.hpp
   std::array<double, most_face_functions<D>> value;
   std::array<std::array<double, most_face_functions<D>>, tangents> derivative;
 };

@@ -86,4 +86,21 @@ check.case("a contact that gives way too much is named with its depth and the st
   check.equal(sunk(4).warnings, {}) -- 0.02 of 2
 end)
 
+check.case("a closest point that was not found to tolerance is named with its place and a cure", function()
+  -- The line x = -(2 xi - 1)^7: Newton's method for the closest point to (0, y) takes off 1/13 in each iteration.
+  local line = sg.nurbs.curve{ degree = 7, knots = { 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1 },
+                               points = { {1, 0}, {-1, 0}, {1, 0}, {-1, 0}, {1, 0}, {-1, 0}, {1, 0}, {-1, 0} } }
+  local block = sg.body{ patch = sg.shapes.rectangle{ width = 2, height = 1, corner = {-1, 0.1} }, elements = {1, 1},
+                         order = "N1", contact = "south", material = sg.linear_elastic{ E = 1, nu = 0 } }
+  local model = sg.model{ bodies = { block = block },
+    supports = { grip = { on = { block:face "south", block:face "north" }, drive = "xy" } },
+    contacts = { touch = { slave = block:face "south", master = sg.rigid.surface(line), penalty = 1,
+                           points = 1 } } }
+  local run = model:run{ { steps = 1, grip = {-0.9, 0} }, { steps = 1, grip = {0, 0} } }
+  check.equal({ run.reason, #run.warnings }, { "completed", 2 })
+  check.holds(run.warnings[2], "contact 'touch': the search for a closest point or slip point ended at a limit of "
+    .. "iterations 1 time in accepted states, the last time at X = (0, 0.1): gap and friction are approximate there")
+  check.equal(model:contact_resultant "touch".unsettled, 2) -- the initial state is an accepted one, too
+end)
+
 check.done()
