@@ -12,7 +12,8 @@
 namespace signorini::model {
 
 /// Energies of a state and what led to it. While friction slips at μ t_N and steps are small,
-///   work = stored + contact + friction + what acted at the start.
+///   work = stored + contact + friction + what acted at the start,
+/// but for ∫∫ ε_N g²/2 ȧ, since tractions act per current area.
 struct Energies {
   double stored;   ///< in the bodies
   double contact;  ///< in the springs of penalty laws, in adhesion (none far away)

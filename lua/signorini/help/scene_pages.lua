@@ -6,7 +6,7 @@ return {
   contact = [[
 contacts = { <name> = { slave, master, penalty, friction, points, adhesion, where } }, in sg.model{ … }
 slave:    the face that is integrated over, such as die:face "south"; pressures are known at its contact points. Take
-          the stiffer or the finer one.
+          the finer mesh, of equal meshes the softer body. The published ironing studies take the stiff die.
 master:   the face of the other body that these points are projected onto, or an obstacle, sg.rigid.plane{ … } and so
           on. An open end of the master is no contact.
 penalty:  pressure per length of penetration, above 0: p = -penalty g where the gap g is negative. Needed without
