@@ -40,7 +40,7 @@ local problems = {
 local function seconds(problem, every)
   local model, stages = problem.begin()
   local began = core.now()
-  local run = model:run(stages, every > 0 and { checkpoint = { file = file, every = every } } or nil)
+  local run = model:run(stages, sg.plain{ checkpoint = every > 0 and { file = file, every = every } or nil })
   local spent = core.now() - began
   if run.failed then error(run.report, 0) end
   local size = nil

@@ -40,7 +40,7 @@ local function solve(o, steps, linear)
   local began = core.now()
   local model, stage, ring = problem.scene(o)
   stage.steps = steps
-  local run = model:run({ stage }, { linear = linear })
+  local run = model:run({ stage }, sg.plain{ linear = linear })
   if run.failed then error(("%s at %s: %s"):format(o.label, o.mesh, run.report), 0) end
   local wall = core.now() - began
   local case = { label = o.label, mesh = o.mesh, run = run, wall = wall, dofs = ring:dofs(), model = model }

@@ -115,7 +115,7 @@ end
 --- Solves a scene and measures its contact beside Hertz's.
 local function solve(o, scene, options)
   local run = scene.model:run({ { name = "press", steps = options.steps, push = scene.target } },
-    { linear = options.linear })
+    sg.plain{ linear = options.linear })
   if run.failed then error(("%s at %s: %s"):format(o.label, o.mesh, run.report), 0) end
   local case = { label = o.label, mesh = o.mesh, around = o.around or elements_of(o.mesh) // 4, dofs = scene.dofs,
                  model = scene.model, run = run, spread = 0 }

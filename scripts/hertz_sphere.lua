@@ -65,7 +65,7 @@ end
 --- Solves a scene and measures its contact beside Hertz's.
 local function solve(o, steps, linear)
   local model, traction, dofs = scene(o)
-  local run = model:run({ { name = "press", steps = steps, push = { 0, traction } } }, { linear = linear })
+  local run = model:run({ { name = "press", steps = steps, push = { 0, traction } } }, sg.plain{ linear = linear })
   if run.failed then error(("%s at %s: %s"):format(o.label, o.mesh, run.report), 0) end
   local case = { label = o.label, mesh = o.mesh, size = o.size or 1, stiffer = o.stiffer or 1, run = run, dofs = dofs,
                  model = model, profile = model:profile "ground" }

@@ -1,10 +1,10 @@
--- A Newton loop of one's own: what model:run does, written with the small verbs.
+-- A Newton loop of one's own: what model:run does with sg.plain{}, written with the small verbs.
 --
 -- Problem: 2D frictional ironing, section 7.1 of the thesis (scripts/ironing2d.lua has the sketch), N2-N2.2 at mesh m1.
 -- Source: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of
 --         Contact Problems, PhD thesis, IIT Guwahati, 2020, Algorithm 1.
 -- Units: any consistent ones, such as mm and N/mm².
--- Expected: the same numbers as model:run gives, to the last bit.
+-- Expected: the same numbers as model:run gives with plain Newton, to the last bit.
 -- Run: signorini scripts/newton_loop.lua [steps=46] [slides=250]; how many of the published steps are taken of each
 --      stage.
 
@@ -51,7 +51,7 @@ end
 
 -- ── The same by model:run ────────────────────────────────────────────────────────────────────────────────────────────
 
-local run = problem.scene(set_up, "N2-N2.2", problem.elements "m1"):run(stages)
+local run = problem.scene(set_up, "N2-N2.2", problem.elements "m1"):run(stages, sg.plain{})
 local differences = 0
 for i = 1, run.steps do
   if run:column "grip.fx"[i] ~= forces.x[i] or run:column "grip.fy"[i] ~= forces.y[i] then

@@ -30,7 +30,7 @@ local function solve(case)
   local set_up = ironing.variants.standard
   local model = ironing.scene(set_up, case.label, ironing.elements(case.mesh),
     case.points * (ironing.layer_degree(case.label) + 1))
-  local run = model:run(ironing.path(set_up, 1), { step = { adaptive = true }, on_step = function(info)
+  local run = model:run(ironing.path(set_up, 1), sg.plain{ step = { adaptive = true }, on_step = function(info)
     return info.step == case.steps and "stop" or nil
   end })
   local last = run.steps

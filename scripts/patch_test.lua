@@ -98,7 +98,7 @@ end
 --- Solves a scene in two steps, so that linear elasticity meets its own tangent twice, and measures it.
 local function solve(o)
   local model = scene(o)
-  local run = model:run{ { name = "press", steps = 2, push = load } }
+  local run = model:run({ { name = "press", steps = 2, push = load } }, sg.plain{})
   if run.failed then
     error(("%s, %d|%d elements, %dD: %s"):format(o.label, o.lower, o.upper, o.dimension, run.report), 0)
   end

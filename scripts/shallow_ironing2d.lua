@@ -78,7 +78,7 @@ local function solve(label, options)
   local run = model:run({
     { name = "press", steps = options.steps, grip = { 0, -1 } },
     { name = "slide", steps = 5 * options.steps, grip = { 10, -1 } },
-  }, { linear = options.linear, step = { adaptive = true }, on_step = function(info)
+  }, sg.plain{ linear = options.linear, step = { adaptive = true }, on_step = function(info)
     local time = picture_times[next_picture]
     if time and time_of(info.step, options.steps) >= time - 1e-9 then
       next_picture = next_picture + 1

@@ -120,7 +120,7 @@ local function twist(o, options)
   end
   case.run = model:run({ { name = "press", steps = o.press, ring = { -depth, 0 } },
                          { name = "twist", steps = o.twist, ring = { -depth, options.angle } } },
-                       { linear = options.linear, step = { adaptive = true }, on_step = keep })
+                       sg.plain{ linear = options.linear, step = { adaptive = true }, on_step = keep })
   local least, most, sum, torque, off, count = math.huge, 0, 0, 0, 0, 0
   for _, row in ipairs(case.rows) do
     if row.angle > 0 and row.stick == 0 and not case.slips_from then case.slips_from = row.angle end
@@ -142,8 +142,8 @@ end
 
 local function press_and_turn(shape)
   local model, arm = punch_scene(shape)
-  local run = model:run{ { name = "press", steps = 2, grip = { -0.01, 0 } },
-                         { name = "turn", steps = 10, grip = { -0.01, 20 } } }
+  local run = model:run({ { name = "press", steps = 2, grip = { -0.01, 0 } },
+                          { name = "turn", steps = 10, grip = { -0.01, 20 } } }, sg.plain{})
   if run.failed then error(("punch, %s: %s"):format(shape, run.report), 0) end
   local m, reaction = measure(model:profile "joint"), model:reaction "grip"
   return { shape = shape, force = -reaction[3], moment = reaction[4], torque = m.torque, friction = m.friction,

@@ -61,7 +61,7 @@ end
 local function pass(problem, case, options)
   collectgarbage() -- models are larger than Lua can see
   local model, bodies, press, slide = problem.begin(case.label, case.mesh, options.steps)
-  local how = { linear = options.linear, step = { adaptive = true } }
+  local how = sg.plain{ linear = options.linear, step = { adaptive = true } }
   finished(model:run({ press }, how))
   model:time_search(true)
   local before = model:timings()
@@ -102,7 +102,7 @@ function measure.element(n, repeats)
   }
   local model = sg.model{ bodies = { block = block }, supports = {
     bed = { on = block:face "front", fix = "xyz" }, lid = { on = block:face "back", drive = "xyz" } } }
-  finished(model:run{ { name = "shear", steps = 1, lid = { 0.05, 0, -0.05 } } })
+  finished(model:run({ { name = "shear", steps = 1, lid = { 0.05, 0, -0.05 } } }, sg.plain{}))
   local times = {}
   for i = 1, repeats do
     local before = model:timings().bulk

@@ -81,7 +81,7 @@ end
 function problem.solve(case)
   local set_up = case.set_up
   local model, die, slab = problem.scene(set_up, case.label, problem.elements(case.mesh), case.points)
-  local run = model:run(problem.path(set_up, case.coarser or 1), { linear = case.linear, step = case.step,
+  local run = model:run(problem.path(set_up, case.coarser or 1), sg.plain{ linear = case.linear, step = case.step,
      on_step = case.on_step and function(info) return case.on_step(model, info) end })
   return { label = case.label, mesh = case.mesh, run = run, model = model,
            die_dofs = die:dofs(), slab_dofs = slab:dofs() }

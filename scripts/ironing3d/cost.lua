@@ -9,7 +9,7 @@ local cost = {}
 local function solve(label, mesh, linear)
   local model, indenter, slab = problem.scene({ label = label, mesh = mesh, radius = 25.5 }, 50)
   local run = model:run({ { name = "press", steps = 5, grip = { 0, 0, -1 } } },
-    { linear = linear, step = { adaptive = true } })
+    sg.plain{ linear = linear, step = { adaptive = true } })
   local case = { label = label, mesh = mesh, run = run, solver = model:solver(),
                  dofs = indenter:dofs().total + slab:dofs().total }
   for _, part in ipairs { "bulk", "contact", "linear", "rest" } do case[part] = run.timings[part] / run.iterations end

@@ -70,7 +70,7 @@ end
 function problem.solve(case)
   local model, indenter, slab = problem.scene(case, case.from)
   local stages = problem.stages(case)
-  local run = model:run(stages, {
+  local run = model:run(stages, sg.plain{
     linear = case.linear, step = case.step or { adaptive = true },
     on_step = case.on_step and function(info) return case.on_step(model, info) end,
   })

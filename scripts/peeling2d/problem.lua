@@ -65,8 +65,8 @@ function problem.solve(label, mesh, options, on_step)
   local model, strip = problem.scene(label, mesh, options.length, options.bonded)
   local case = { label = label, mesh = mesh, dofs = strip:dofs().total, model = model,
                  step = {}, angle = {}, moment = {}, iterations = 0, wall = 0, timings = {} }
-  local solver = { newton = { iterations = options.iterations }, linear = options.linear,
-                   on_step = on_step and function(info) return on_step(model, info["edge.angle"]) end }
+  local solver = sg.plain{ newton = { iterations = options.iterations }, linear = options.linear,
+                           on_step = on_step and function(info) return on_step(model, info["edge.angle"]) end }
   local goal = options.steps * problem.pitch
   case.rotation = model:run({ { name = "rotate", steps = options.steps, edge = goal } }, solver)
   append(case, case.rotation, 0)

@@ -34,7 +34,7 @@ function problem.solve(label, mesh, linear, on_state)
   local model, dofs = problem.scene(label, mesh)
   if on_state then on_state(model, 0) end
   local run = model:run({ { name = "press", steps = problem.steps, grip = { problem.push } } },
-    { linear = linear, on_step = on_state and function(info) on_state(model, info.step) end or nil })
+    sg.plain{ linear = linear, on_step = on_state and function(info) on_state(model, info.step) end or nil })
   if run.failed then error(("%s at %s: %s"):format(label, mesh, run.report), 0) end
   return { label = label, mesh = mesh, run = run, dofs = dofs, profile = model:profile "interface" }
 end

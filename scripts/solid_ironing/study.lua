@@ -65,8 +65,8 @@ function study.solve(problem, case)
   case.run = model:run({
     { name = "press", steps = case.press, grip = { 0, -problem.depth } },
     { name = "slide", steps = case.slide, grip = { problem.way, -problem.depth } },
-  }, { linear = case.linear, step = { adaptive = true }, newton = { line_search = case.line_search },
-       on_step = case.on_step and function(info) return case.on_step(model, info) end })
+  }, sg.plain{ linear = case.linear, step = { adaptive = true }, newton = { line_search = case.line_search },
+               on_step = case.on_step and function(info) return case.on_step(model, info) end })
   case.user = os.clock() - began
   case.dofs = { die = die:dofs().total, slab = slab:dofs().total }
   case.dofs.total = case.dofs.die + case.dofs.slab

@@ -31,7 +31,7 @@ x/a_ref at the last of them, against N2 at m6.]],
       local stage
       model, stage, ring = problem.scene{ label = case.order, mesh = case.mesh, load = "displacement" }
       stage.steps = steps
-      run = model:run{ stage }
+      run = model:run({ stage }, sg.plain{})
     end)
     local profile = model:profile "ground"
     return { wall = spent.wall, cpu = spent.cpu, iterations = run.iterations, dofs = ring:dofs().total,

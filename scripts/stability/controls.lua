@@ -8,24 +8,20 @@ local controls = {
              rescue = "with rescues alone", prediction = "with prediction alone" },
 }
 
---- A way that turns on some options, with whatever a study needs on top.
-local function with(defaults)
+--- A way that turns on one control of plain Newton, with whatever a study needs on top.
+local function with(key, value)
   return function(overrides)
-    local options = {}
-    for _, list in ipairs { defaults, overrides or {} } do
-      for key, value in pairs(list) do options[key] = value end
-    end
+    local options = sg.plain(overrides)
+    if overrides == nil or overrides[key] == nil then options[key] = value end
     return options
   end
 end
 
---- Newton's iteration alone.
-controls.plain = with {}
-
---- All controls on, and one of them at a time.
+--- Newton's iteration alone; all controls on, which is the default of model:run; one of them at a time.
+controls.plain = sg.plain
 controls.robust = sg.robust
-controls.cutting = with { step = { adaptive = true } }
-controls.rescue = with { rescue = true }
-controls.prediction = with { predictor = "linear" }
+controls.cutting = with("step", { adaptive = true })
+controls.rescue = with("rescue", true)
+controls.prediction = with("predictor", "linear")
 
 return controls

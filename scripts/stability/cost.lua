@@ -1,8 +1,8 @@
 -- What robustness costs where nothing fails, and what the first guess of a step saves.
 --
 -- Problem: the easy runs: 2D frictional ironing as published (scripts/ironing2d.lua) and Hertz' line contact under its
---          load and under its displacement (scripts/hertz2d.lua), each with plain Newton and with all controls on
---          (sg.robust); then ironing with the three predictors: tangent, constant, linear.
+--          load and under its displacement (scripts/hertz2d.lua), each with plain Newton (sg.plain) and with all
+--          controls on (sg.robust, the default of model:run); then ironing with the three predictors: tangent, constant, linear.
 -- Source: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of
 --         Contact Problems, PhD thesis, IIT Guwahati, 2020, sections 7.1, 6.1 and 7.2, for the problems.
 -- Units: iterations of Newton's method; seconds.
@@ -63,7 +63,7 @@ end
 
 local costs, rows = {}, {}
 local function add(case)
-  local results = solve(case, { plain = {}, controls = sg.robust{} })
+  local results = solve(case, { plain = sg.plain{}, controls = sg.robust{} })
   local plain, controls = results.plain, results.controls
   local cost = {
     problem = case.problem, label = case.label, plain = plain.run.iterations, controls = controls.run.iterations,
@@ -88,7 +88,7 @@ local guesses = {}
 rows = {}
 for _, label in ipairs(options.labels) do
   local ways, row = {}, { label }
-  for _, predictor in ipairs(predictors) do ways[predictor] = { predictor = predictor } end
+  for _, predictor in ipairs(predictors) do ways[predictor] = sg.plain{ predictor = predictor } end
   local results, guess = solve(ironing_case(label), ways), { label = label }
   for _, predictor in ipairs(predictors) do
     local run = results[predictor].run

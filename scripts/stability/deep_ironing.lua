@@ -69,7 +69,7 @@ end
 --- Draws the last state that plain Newton reaches with a label, with the places that its report names. Returns the run.
 local function draw_places(label)
   local model = scene(label, multiples[points[1]])
-  local run = model:run(ironing.path(set_up, coarser[1]))
+  local run = model:run(ironing.path(set_up, coarser[1]), sg.plain{})
   if not run.failed then
     print(("\n%s with %s contact points reaches the end of its way: nothing to mark"):format(label, points[1]))
     return run
