@@ -6,7 +6,7 @@ local ironing = require "ironing"
 local spring = require "spring"
 local run_path = require "signorini.run"
 
---- Pressed by 0.5 in 46 steps, plain Newton goes round in the 34th.
+--- Pressed by 0.5 in 46 steps, plain Newton cycles in the 33rd or the 34th.
 local function deep() return ironing{ E = 1e4, mu = 0.1, label = "N4", penalty = 1000, points = 7 } end
 
 --- The published path's first 60 steps: 46 of pressing, 14 of sliding.
@@ -46,7 +46,7 @@ check.case("other controls are tried in order, each with what it changes alone",
       options.damping)
     return false
   end, true)
-  local run = model:run(one_step, { rescue = true, predictor = "linear" })
+  local run = model:run(one_step, sg.plain{ rescue = true, predictor = "linear" })
   check.equal(tried, { "linear none 0 false", "tangent none 0 false", "tangent none 0 true", "tangent residual 0 false",
                        "tangent none 0.01 false" })
   check.equal(story(run, 1),
@@ -72,19 +72,19 @@ check.case("attempts after one whose predictor has failed do without it for a wh
 end)
 
 check.case("what changes nothing is not tried, damping only where contact alone holds a body", function()
-  local run = spring_model(function() return false end):run(one_step, { rescue = true })
+  local run = spring_model(function() return false end):run(one_step, sg.plain{ rescue = true })
   check.equal(story(run, 1), "plain cycling, line search cycling, frozen cycling")
   run = spring_model(function() return false end):run(one_step,
-    { rescue = true, newton = { line_search = "residual", freeze_active_set = true } })
+    sg.plain{ rescue = true, newton = { line_search = "residual", freeze_active_set = true } })
   check.equal(story(run, 1), "plain cycling")
-  run = spring_model(function() return false end):run(one_step)
+  run = spring_model(function() return false end):run(one_step, sg.plain{})
   check.equal(story(run, 1), "plain cycling")
 end)
 
 check.case("the first that helps ends the search, is counted, and the next step begins as before", function()
   local model
   model = spring_model(function(options) return model.accepted[1] ~= 1 or options.line_search == "residual" end)
-  local run = model:run({ { steps = 3, grip = {3, 0} } }, { rescue = true, predictor = "linear" })
+  local run = model:run({ { steps = 3, grip = {3, 0} } }, sg.plain{ rescue = true, predictor = "linear" })
   check.equal({ story(run, 1), story(run, 2), story(run, 3) },
     { "plain converged", "plain cycling, tangent cycling, line search converged", "plain converged" })
   check.equal({ run.failed, run.rescues, run.cutbacks }, { false, 1, 0 })
@@ -95,7 +95,7 @@ end)
 check.case("line search and frozen active sets wait until nothing can be cut, then try the whole rest, too", function()
   local model
   model = spring_model(function(options) return options.freeze_active_set > 0 and model.next[1] <= 0.5 end)
-  local run = model:run(one_step, { rescue = true, step = { adaptive = true, min = 0.5 } })
+  local run = model:run(one_step, sg.plain{ rescue = true, step = { adaptive = true, min = 0.5 } })
   local in_vain = "plain cycling, line search cycling, frozen cycling"
   check.equal(story(run, 1), "plain cycling, plain cycling, line search cycling, frozen converged, " .. in_vain .. ", "
     .. in_vain)
@@ -105,14 +105,18 @@ check.case("line search and frozen active sets wait until nothing can be cut, th
   check.equal({ run.rescues, run.cutbacks, run.reason, run.cause }, { 1, 1, "minimum_step", "cycling" })
 end)
 
-check.case("deep ironing, where plain Newton goes round, is carried through", function()
+check.case("deep ironing, where plain Newton cycles, is carried through", function()
   local path = { { name = "press", steps = 46, grip = {0, -0.5} } }
-  local run = deep():run(path, { rescue = true })
+  local run = deep():run(path, sg.plain{ rescue = true })
   check.equal({ run.failed, run.steps, run.rescues }, { false, 46, 1 })
-  check.equal({ story(run, 33), story(run, 34) }, { "plain converged", "plain cycling, line search converged" })
+  local failed = {} -- in which step depends on the first guesses before it
+  for step = 1, 46 do
+    if #run:attempts(step) > 1 then failed[#failed + 1] = story(run, step) end
+  end
+  check.equal(failed, { "plain cycling, line search converged" })
   local fy = run:column "grip.fy"
   for _, newton in ipairs { { line_search = "residual" }, { line_search = "energy" } } do
-    run = deep():run(path, { newton = newton })
+    run = deep():run(path, sg.plain{ newton = newton })
     check.equal({ run.failed, run.steps }, { false, 46 })
     check.near(run:column("grip.fy")[46] / fy[46], 1, 1e-6)
   end
@@ -121,12 +125,12 @@ end)
 check.case("points that are held do no harm: where they cannot be freed the run says so", function()
   for _, changes in ipairs { 2, 4, 8 } do
     local run = deep():run({ { name = "press", steps = 46, grip = {0, -0.5} } },
-      { newton = { active_set_changes = changes } })
-    check.equal({ run.reason, run.steps, run.places[1].contact }, { "cycling", 33, "interface" })
+      sg.plain{ newton = { active_set_changes = changes } })
+    check.equal({ run.reason, run.steps < 46, run.places[1].contact }, { "cycling", true, "interface" })
     check.holds(run.report, "points that were held do not keep their states when they are freed")
   end
   local run = ironing{ E = 1e4, mu = 0.1, label = "N6", points = 7 }:run({ { steps = 46, grip = {0, -0.5} } },
-    { newton = { active_set_changes = 4 } })
+    sg.plain{ newton = { active_set_changes = 4 } })
   check.equal({ run.failed, run.steps }, { false, 46 })
 end)
 
@@ -140,7 +144,7 @@ check.case("a body that falls is caught by damping", function()
                            master = sg.rigid.plane{ point = {0, 0}, normal = {0, 1} } } },
   }
   check.equal(model:loose_bodies(), { "block" })
-  local run = model:run({ { steps = 2, weight = {0, -0.1} } }, { rescue = true })
+  local run = model:run({ { steps = 2, weight = {0, -0.1} } }, sg.plain{ rescue = true })
   check.equal({ run.failed, story(run, 1) }, { false, "plain singular, damping converged" })
   check.near(run:column "floor.fy", { 0.05, 0.1 }, 1e-9)
 end)
@@ -271,10 +275,10 @@ check.case("sg.robust turns on what easy runs do not pay for", function()
   end
 end)
 
-check.case("easy ironing takes fewer iterations with sg.robust, and is the same", function()
-  local plain, robust = ironing{}:run(sixty), ironing{}:run(sixty, sg.robust{})
+check.case("easy ironing takes fewer iterations with the default controls than with plain Newton, and is the same", function()
+  local plain, robust = ironing{}:run(sixty, sg.plain{}), ironing{}:run(sixty)
   check.equal({ robust.failed, robust.rescues, robust.cutbacks }, { false, 0, 0 })
-  print(("ironing m1, 60 steps: %d iterations, robust %d"):format(plain.iterations, robust.iterations))
+  print(("ironing m1, 60 steps: %d iterations of plain Newton, %d by default"):format(plain.iterations, robust.iterations))
   check.equal(robust.iterations < 0.75 * plain.iterations, true)
   for _, column in ipairs { "grip.fx", "grip.fy" } do
     check.equal(largest_difference(robust:column(column), plain:column(column)) < 1e-8, true)
@@ -316,7 +320,7 @@ check.case("targets beyond all sense end a run, which leaves the model as it was
   local run = model:run({ { steps = 1, grip = {1e300, 0} } }, sg.robust{})
   check.equal({ run.failed, run.reason, run.cause, model:target "grip" }, { true, "minimum_step", "nan", {0, 0} })
   for _, depth in ipairs { 5, 0.01 } do
-    run = model:run{ { steps = 1, grip = {0, -depth} } }
+    run = model:run({ { steps = 1, grip = {0, -depth} } }, sg.plain{})
     check.equal(run.failed, depth == 5)
   end
 end)

@@ -94,7 +94,7 @@ end)
 check.case("runs that fail are told and passed over", function()
   local found = recommend{ labels = { "N2", "N2-N2.1", "N4" }, scene = function(label, mesh)
     local model, stages = scene(label, mesh)
-    return model, stages, label == "N4" and { newton = { iterations = 1 } } or nil
+    return model, stages, label == "N4" and sg.plain{ newton = { iterations = 1 } } or nil
   end }
   check.equal(found.label ~= "N4" and found.label ~= nil, true)
   local failed = 0

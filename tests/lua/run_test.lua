@@ -52,7 +52,7 @@ end)
 
 check.case("a failed step is rolled back and reported", function()
   local model = model_of(function(x) return x > 0.5 and "diverged" or nil end)
-  local run = model:run(two_stages)
+  local run = model:run(two_stages, sg.plain{})
   check.equal({ run.failed, run.reason, run.steps }, { true, "diverged", 5 })
   check.equal(model.accepted, { 0.5, -0.4 })
   check.equal(model.calls[#model.calls], "rollback")
@@ -184,8 +184,8 @@ end)
 
 -- ── Increments ───────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- A path from 0 to `steps` in steps of 1, on a spring on which an attempt of more than limit(x) from x fails. Returns
---- the run, the model, and what was accepted of the path, point by point.
+--- A path from 0 to `steps` in steps of 1, on a spring on which an attempt of more than limit(x) from x fails, with plain
+--- Newton but for `step` and `more`. Returns the run, the model, and what was accepted of the path, point by point.
 local function climb(steps, limit, step, more)
   local model
   model = model_of(function(x)
@@ -197,7 +197,7 @@ local function climb(steps, limit, step, more)
     accept(self)
     points[#points + 1] = self.accepted[1]
   end
-  local options = more or {}
+  local options = sg.plain(more)
   options.step = step
   return model:run({ { name = "climb", steps = steps, grip = { steps, 0 } } }, options), model, points
 end
@@ -240,12 +240,19 @@ check.case("max is the longest increment, and the last of a step is what is left
   check.equal(climb(2, function() return 1 end, { max = 1 / 3 }):column "increments", { 3, 3 })
 end)
 
-check.case("step = { adaptive = false } and no step at all are the same", function()
-  for _, step in ipairs { { adaptive = false }, {} } do
-    local run, _, points = climb(4, rough(1, 2, 0.25), step.adaptive == false and step or nil)
-    check.equal({ run.failed, run.steps, run.cutbacks, #points }, { true, 1, 0, 1 })
-    check.equal(run.report, "step 2 (stage 'climb', 2 of 4) was not reached: no luck. Residuals: 1, 0.001, 0.01. "
-      .. "The model is at its last accepted step, 1. What may help: be lucky.")
+check.case("step = { adaptive = false } takes each step as a whole", function()
+  local run, _, points = climb(4, rough(1, 2, 0.25), { adaptive = false })
+  check.equal({ run.failed, run.steps, run.cutbacks, #points }, { true, 1, 0, 1 })
+  check.equal(run.report, "step 2 (stage 'climb', 2 of 4) was not reached: no luck. Residuals: 1, 0.001, 0.01. "
+    .. "The model is at its last accepted step, 1. What may help: be lucky.")
+end)
+
+check.case("steps are cut unless options say otherwise", function()
+  for _, options in ipairs { {}, { step = {} }, { step = { adaptive = true } }, sg.robust{} } do
+    local model
+    model = model_of(function(x) return x - model.accepted[1] > 0.5 and "diverged" or nil end)
+    local run = model:run({ { steps = 1, grip = { 1, 0 } } }, options)
+    check.equal({ run.failed, run.cutbacks, run:column("increments")[1] }, { false, 1, 2 })
   end
 end)
 

@@ -56,7 +56,7 @@ check.case("a step that fails leaves the accepted state", function()
   local model = two_blocks{ mu = 0.3, penalty = 50 }
   model:run{ { name = "press", steps = 4, lid = {0, -0.2} } }
   local before = model:reaction "lid"
-  local run = model:run{ { name = "crush", steps = 1, lid = {0, -1.9} } }
+  local run = model:run({ { name = "crush", steps = 1, lid = {0, -1.9} } }, sg.plain{})
   check.equal(run.failed, true)
   check.holds(run.report, "crush")
   check.near(model:reaction "lid", before, 1e-10)

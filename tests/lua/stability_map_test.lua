@@ -17,7 +17,7 @@ local function scene(order, steps)
   return model
 end
 
-local function path(_, _, steps) return { { name = "press", steps = steps, grip = { 0, -1 } } } end
+local function path(_, _, steps) return { { name = "press", steps = steps, grip = { 0, -1 } } }, sg.plain{} end
 
 --- A map of two orders and two numbers of steps with some arguments changed.
 local function make(changes)
@@ -248,7 +248,7 @@ check.case("a block is pressed into a plane: a stiff penalty or long steps fail"
         contacts = { ground = { slave = block:face "south", penalty = penalty,
                                 master = sg.rigid.plane{ point = {0, -1e-3}, normal = {0, 1} } } } }
     end,
-    path = function(_, _, depth) return { { name = "press", steps = 2, head = { 0, -depth - 1e-3 } } } end,
+    path = function(_, _, depth) return { { name = "press", steps = 2, head = { 0, -depth - 1e-3 } } }, sg.plain{} end,
     figures = function(model, run) return { force = run:column "ground.fy"[run.steps] } end,
     jobs = 2, limit = 60,
   }
@@ -281,13 +281,13 @@ end)
 check.case("piped, each cell is a line; quiet, there is none", function()
   local code = ([[
     package.path = %q .. package.path
-    local spring, run = require "spring", require "signorini.run"
+    local sg, spring, run = require "signorini", require "spring", require "signorini.run"
     sg.stability_map{ name = "m", x = { name = "a", values = { 1, 2 } }, y = { name = "b", values = { 5 } }, jobs = 1,
       scene = function(a)
         local model = spring(a == 2 and function(_, y) return y < -0.6 and "nan" or nil end or nil)
         model.run = run
         return model
-      end, path = function() return { { steps = 2, grip = { 0, -1 } } } end }
+      end, path = function() return { { steps = 2, grip = { 0, -1 } } }, sg.plain{} end }
   ]]):format(arg[0]:match "^(.*)/[^/]*$" .. "/?.lua;")
   local output = check.program { "-e", code }
   check.holds(output, "m: a = 1, b = 5: completed, 6 iterations, ", "m: a = 2, b = 5: nan, 28 iterations, at 50%, ")
