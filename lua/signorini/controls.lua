@@ -17,6 +17,13 @@ local rescues = {
   { name = "frozen", change = { predictor = "tangent", freeze_active_set = 1e-2 } },
 }
 
+--- Whether what a control converges to is the equilibrium that the path leads to, as far as that can be told.
+function controls.keeps_branch(name)
+  for _, rescue in ipairs(rescues) do
+    if rescue.name == name then return rescue.early ~= nil end
+  end
+end
+
 --- A solver's arguments with some of them changed, and whether that makes a difference.
 function controls.changed(solver, change)
   local changed, differs = {}, false
@@ -30,7 +37,7 @@ end
 
 --- What is tried where the solver fails, a list of { name, solver, early } that is also a table by name.
 function controls.rescues(model, solver)
-  local tries, loose = {}, #model:loose_bodies() > 0
+  local tries, loose = {}, #model:contact_names() > 0 and #model:loose_bodies() > 0
   for _, rescue in ipairs(rescues) do
     local changed, differs = controls.changed(solver, rescue.change)
     if differs and (loose or not rescue.loose) then

@@ -348,12 +348,13 @@ return function(model, stages, options)
   for _, warning in ipairs(model:warnings()) do said[warning] = true end
   local run = Run.new(model)
   local place = keeper:begin(model, run, path, policy)
+  run.used = { predictor = options.solver.predictor, rescue = options.rescue, adaptive = options.adaptive }
   local display = progress(total - run.steps)
   if options.states.wants(run.steps) then run:keep_state(model, path[place.stage].name) end
   for index = place.stage, #path do
     local stage = path[index]
     begin_stage(model, stage)
-    if place.number == 0 then run:begin_stage(stage) end
+    if place.number == 0 then run:begin_stage(model, stage) end
     for number = place.number + 1, stage.steps do
       local step = begin_step(model, run, stage, number, options)
       local result, answer = take(step, run, options, display)

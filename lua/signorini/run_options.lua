@@ -109,6 +109,7 @@ function run_options.read(where, options)
   local read = {
     solver = read_solver(where, options), rescue = arguments.flag(where, "rescue", options.rescue),
     penalty = read_penalty(where, options.penalty), policy = policy, arcs = arcs, threads = threads,
+    adaptive = options.step.adaptive ~= false,
     on_step = arguments.callback(where, "on_step", options.on_step),
     on_iteration = arguments.callback(where, "on_iteration", options.on_iteration),
     keeper = checkpoint(where, options),

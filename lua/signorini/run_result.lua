@@ -3,10 +3,12 @@
 local arguments = require "signorini.arguments"
 local core = require "signorini.core"
 local csv = require "signorini.csv"
+local energy_balance = require "signorini.energy_balance"
 local in_name_of = require "signorini.in_name_of"
 local drives = require "signorini.drives"
 local format_table = require "signorini.table"
 local named = require "signorini.named"
+local path_controls = require "signorini.path_controls"
 local run_warnings = require "signorini.run_warnings"
 local states = require "signorini.states"
 local strict_run = require "signorini.strict_run"
@@ -78,7 +80,7 @@ end
 function Run.new(model)
   local run = setmetatable({
     failed = false, reason = "completed", steps = 0, rows = 0, iterations = 0, cutbacks = 0, rescues = 0, wary = 0,
-    places = {}, wall = 0, stages = {}, controls = {}, extra = {},
+    places = {}, wall = 0, stages = {}, controls = {}, fallbacks = {}, energies = {}, extra = {},
     names = {}, values = {}, histories = {}, recorders = {}, kept = {}, before = model:timings(), warnings = {},
     unsettled = {},
   }, Run)
@@ -91,7 +93,8 @@ function Run.new(model)
   return run
 end
 
-function Run:begin_stage(stage)
+function Run:begin_stage(model, stage)
+  energy_balance.note(self.energies, model, #self.stages == 0 and energy_balance.is_sudden(model, stage))
   self.stages[#self.stages + 1] = { name = stage.name, steps = 0, iterations = 0, cutbacks = 0, wall = 0 }
 end
 
@@ -265,7 +268,10 @@ function Run:finish(model, early)
   end
   spent.rest = math.max(0, rest)
   self.timings, self.recorders, self.before, self.step = spent, nil, nil, nil
+  self.fallbacks = path_controls.counts(self.histories)
+  energy_balance.note(self.energies, model)
   self.warnings = run_warnings.of_run(self, model, early)
+  self.energies = nil
   return self
 end
 
@@ -274,10 +280,13 @@ end
 core.docs["run"] = [[
 run
 What model:run returns: run.failed, reason, cause, report, places (see help "model:run"); run.steps that were reached,
-iterations, cutbacks, rescues, wall (s), timings { bulk, contact, linear, rest } (s), stages (a list of accounts by
-name), controls (where arc length took over), warnings (a list of sentences: model:warnings(), loads that act in full
-from the first step, a newton.tolerance above 1e-3, contacts that never touched were penetrated by more than 2 % of the
-smallest body's size, or whose closest points were not found). print(run) shows a short table.]]
+iterations, cutbacks, rescues (steps that fallbacks have carried), fallbacks (how often each did, by name), wall (s),
+timings { bulk, contact, linear, rest } (s), stages (a list of accounts by name), controls (where arc length took over),
+warnings (a list of sentences: model:warnings(), loads that act in full from the first step, a newton.tolerance above
+1e-3, contacts that never touched, were penetrated by more than 2 % of the smallest body's size, or whose closest points
+were not found; fallbacks that may have changed to another branch of solutions; stages in which more than a tenth of the work is
+missing from the energy balance). print(run) shows a short table, with controls that are not the default ones,
+fallbacks and cuts.]]
 
 core.docs["run:columns"] = [[
 run:columns()
@@ -361,17 +370,6 @@ local function work_row(name, work, cutbacks)
   return row
 end
 
---- Where control changed, in words; long lists are cut short.
-local function control_text(controls)
-  local texts, most = {}, 6
-  for i = 1, math.min(most, #controls) do
-    local change = controls[i]
-    texts[i] = ("%s from %s in step %d (%s)"):format(change.to, change.place, change.step, change.reason)
-  end
-  if #controls > most then texts[#texts + 1] = ("and %d more, see run.controls"):format(#controls - most) end
-  return "control: " .. table.concat(texts, "; ")
-end
-
 --- A short table: steps, iterations and wall time by stage, and where the time went; cut-backs where there were any.
 function Run:__tostring()
   local rows, columns, units = {}, { "stage", "steps", "iterations", "per step", "wall" }, { "", "", "", "", "s" }
@@ -388,8 +386,9 @@ function Run:__tostring()
   local spent = self.timings
   text = ("%s\ntime: bulk %.3f s, contact %.3f s, factorisation and solve %.3f s, rest %.3f s")
     :format(text, spent.bulk, spent.contact, spent.linear, spent.rest)
-  if #self.controls > 0 then text = text .. "\n" .. control_text(self.controls) end
-  for _, warning in ipairs(self.warnings) do text = text .. "\n" .. warning end
+  for _, lines in ipairs { path_controls.lines(self), self.warnings } do
+    for _, line in ipairs(lines) do text = text .. "\n" .. line end
+  end
   if self.reason == "completed" then return text end
   return ("%s\n%s: %s"):format(text, self.reason, self.report or "on_step ended the run")
 end

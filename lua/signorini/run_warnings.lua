@@ -1,8 +1,11 @@
 -- What a run may be wrong in although it completed: what sg.model said of the scene, loads that are not ramped,
 -- tolerances that leave no accuracy, contacts of which no point was ever active (the wrong face, or a body that misses
--- the other), contacts that are penetrated too deeply, and points whose projection was given up.
+-- the other), contacts that are penetrated too deeply, points whose projection was given up,
+-- and what path_controls.lua and energy_balance.lua find.
 
 local counted = require "signorini.counted"
+local energy_balance = require "signorini.energy_balance"
+local path_controls = require "signorini.path_controls"
 
 local run_warnings = {}
 
@@ -120,6 +123,8 @@ function run_warnings.of_run(run, model, early)
     texts[#texts + 1] = untouched(run, model, contact) or penetrated(run, model, contact)
     texts[#texts + 1] = unsettled(run, contact)
   end
+  texts[#texts + 1] = path_controls.warning(run)
+  texts[#texts + 1] = energy_balance.warning(run, run.energies)
   return texts
 end
 

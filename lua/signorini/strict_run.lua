@@ -3,8 +3,8 @@
 local core = require "signorini.core"
 local named = require "signorini.named"
 
-local fields = { "failed", "reason", "cause", "report", "places", "steps", "iterations", "cutbacks", "rescues", "wall",
-                 "timings", "stages", "controls", "warnings" } -- those of the page
+local fields = { "failed", "reason", "cause", "report", "places", "steps", "iterations", "cutbacks", "rescues",
+                 "fallbacks", "wall", "timings", "stages", "controls", "warnings" } -- those of the page
 
 -- What some runs have, or have while they go on. All else that is not there is misspelt.
 local may_be_missing = { cause = true, report = true, timings = true, recorders = true, before = true, step = true }

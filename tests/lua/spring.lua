@@ -68,6 +68,7 @@ local function spring(fails)
     return { fx = 0, fy = 0, area = -self.accepted[2], max_pressure = 1, max_penetration = 0, active = 1 }
   end
   function model:profile() return { gap = { 1 } } end
+  function model:energy() return { stored = 0, contact = 0, friction = 0, work = 0 } end
   function model:timings() return { bulk = self.spent * 1e-9, contact = 0, linear = 0 } end
   return model
 end

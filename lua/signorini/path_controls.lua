@@ -1,0 +1,97 @@
+-- What a run's steps were solved with, read off its attempts: which fallbacks carried them, which of these may have left
+-- the branch of equilibria that the path follows, and where arc length took over.
+
+local counted = require "signorini.counted"
+local controls = require "signorini.controls"
+
+local path_controls = {}
+
+--- How often each fallback has converged: a table by name.
+function path_controls.counts(histories)
+  local counts = {}
+  for _, attempts in ipairs(histories) do
+    for _, attempt in ipairs(attempts) do
+      local name = attempt.converged and attempt.rescue
+      if name then counts[name] = (counts[name] or 0) + 1 end
+    end
+  end
+  return counts
+end
+
+--- Whether a shorter attempt from the same place had failed before: then the rest of the step was taken at once, as the
+--- last resort.
+local function is_leap(attempts, index)
+  local attempt = attempts[index]
+  for i = 1, index - 1 do
+    local before = attempts[i]
+    if not before.converged and before.from == attempt.from and before.to < attempt.to then return true end
+  end
+  return false
+end
+
+--- How an attempt that converged may have left the branch, in words; nothing where it cannot be blamed.
+local function departure(attempts, index)
+  local attempt = attempts[index]
+  if not attempt.converged then return nil end
+  if is_leap(attempts, index) then
+    return "the rest of the step at once" .. (attempt.rescue and " with " .. attempt.rescue or "")
+  end
+  return attempt.rescue and not controls.keeps_branch(attempt.rescue) and attempt.rescue or nil
+end
+
+--- The steps that a fallback has carried which may leave the branch: a list of { step, how }.
+function path_controls.departures(histories)
+  local found = {}
+  for step, attempts in ipairs(histories) do
+    for index = 1, #attempts do
+      local how = departure(attempts, index)
+      if how then found[#found + 1] = { step = step, how = how } end
+    end
+  end
+  return found
+end
+
+--- A sentence on them; nothing when there are none.
+function path_controls.warning(run)
+  local found = path_controls.departures(run.histories)
+  if #found == 0 then return nil end
+  local texts, most = {}, 4
+  for i = 1, math.min(most, #found) do texts[i] = ("%s in step %d"):format(found[i].how, found[i].step) end
+  if #found > most then texts[#texts + 1] = ("and %d more, see run:attempts(step)"):format(#found - most) end
+  return ("fallbacks that may change to another branch of solutions were needed (%s): compare with more steps, or "
+    .. "follow the path with arc_length = true"):format(table.concat(texts, ", "))
+end
+
+--- Controls that are not the default ones, fallbacks and cuts, in one line; nothing where there are none.
+local function solver_text(run)
+  local used, texts, counts = run.used, {}, {}
+  if used.predictor ~= "linear" then texts[1] = used.predictor .. " predictor" end
+  for name, count in pairs(run.fallbacks) do counts[#counts + 1] = ("%s %d"):format(name, count) end
+  table.sort(counts)
+  if #counts > 0 then texts[#texts + 1] = "fallbacks " .. table.concat(counts, ", ") end
+  if not used.rescue then texts[#texts + 1] = "no fallbacks" end
+  if run.cutbacks > 0 then texts[#texts + 1] = counted(run.cutbacks, "cut") end
+  if not used.adaptive then texts[#texts + 1] = "no cuts" end
+  return #texts > 0 and "controls: " .. table.concat(texts, "; ") or nil
+end
+
+--- Where control changed, in words; long lists are cut short.
+local function changes_text(changes)
+  if #changes == 0 then return nil end
+  local texts, most = {}, 6
+  for i = 1, math.min(most, #changes) do
+    local change = changes[i]
+    texts[i] = ("%s from %s in step %d (%s)"):format(change.to, change.place, change.step, change.reason)
+  end
+  if #changes > most then texts[#texts + 1] = ("and %d more, see run.controls"):format(#changes - most) end
+  return "control: " .. table.concat(texts, "; ")
+end
+
+--- The lines on controls in the table of a run.
+function path_controls.lines(run)
+  local lines = { solver_text(run) }
+  lines[#lines + 1] = changes_text(run.controls)
+  return lines
+end
+
+return path_controls

@@ -1,0 +1,157 @@
+-- What a run says of its controls: the line in its table, the fallbacks that may have left the branch of the path, the
+-- energy that is missing; and that plain Newton passes the points where the way turns back.
+
+local sg = require "signorini"
+local check = require "check"
+local spring = require "spring"
+local run_path = require "signorini.run"
+
+--- A spring that is pulled by `steps` in as many steps, and pressed a little, where `works(options, length, from)` of an attempt; see
+--- spring.lua.
+local function pull(steps, works, options)
+  local model
+  model = spring(function(x)
+    return not works(model.options, x - model.accepted[1], model.accepted[1]) and "diverged" or nil
+  end)
+  model.run = run_path
+  return model:run({ { name = "pull", steps = steps, grip = { steps, -0.1 } } }, options)
+end
+
+local function always() return true end
+
+-- ── The line in the table ────────────────────────────────────────────────────────────────────────────────────────────
+
+check.case("a run whose steps all converge at once says nothing of its controls", function()
+  local run = pull(3, always)
+  check.equal(tostring(run):find("controls", 1, true), nil)
+  check.equal({ next(run.fallbacks), #run.warnings }, { nil, 0 })
+end)
+
+check.case("controls that are not the default ones are named", function()
+  check.holds(tostring(pull(3, always, sg.plain{})), "\ncontrols: tangent predictor; no fallbacks; no cuts")
+  check.holds(tostring(pull(3, always, { predictor = "constant" })), "\ncontrols: constant predictor")
+  check.holds(tostring(pull(3, always, { rescue = false })), "\ncontrols: no fallbacks")
+end)
+
+check.case("fallbacks are counted by name, and cuts", function()
+  local run = pull(4, function(options, length, from)
+    if from == 0 then return options.predictor == "tangent" end
+    return length < 0.6
+  end)
+  check.equal({ run.failed, run.fallbacks.tangent, run.rescues, run.fallbacks.frozen }, { false, 1, 1, nil })
+  check.holds(tostring(run), ("\ncontrols: fallbacks tangent 1; %d cuts"):format(run.cutbacks))
+  check.equal(#run.warnings, 0) -- neither leaves the branch
+end)
+
+-- ── Fallbacks that may leave the branch ──────────────────────────────────────────────────────────────────────────────
+
+check.case("a fallback that carries a step which cannot be cut is a warning", function()
+  local run = pull(3, function(options, _, from) return from ~= 1 or options.line_search == "residual" end)
+  check.equal({ run.failed, run.fallbacks["line search"] }, { false, 1 })
+  check.equal(#run.warnings, 1)
+  check.holds(run.warnings[1], "may change to another branch of solutions", "(line search in step 2)",
+    "compare with more steps", "arc_length = true")
+  check.holds(tostring(run), run.warnings[1])
+end)
+
+check.case("so is the rest of a step that was taken at once, as the last resort", function()
+  local run = pull(3, function(_, length, from) return from ~= 1 or length == 1 end, { predictor = "tangent" })
+  check.equal(run.warnings, {}) -- at once, before anything was cut
+  local tried = 0
+  run = pull(3, function(_, length, from)
+    if from ~= 1 or length < 1 then return from ~= 1 end
+    tried = tried + 1
+    return tried > 2 -- after the first two attempts, which come before the cuts
+  end)
+  check.equal({ run.failed, run.cutbacks > 0 }, { false, true })
+  check.holds(run.warnings[1], "the rest of the step at once", "in step 2")
+end)
+
+check.case("a long list of them is cut short", function()
+  local run = pull(6, function(options) return options.line_search == "residual" end, { step = { min = 1 } })
+  check.holds(run.warnings[1], "line search in step 1", "line search in step 4", "and 2 more, see run:attempts(step)")
+end)
+
+-- ── Energy ───────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- A ring that is pressed into a slab in `finer` steps, and dragged along it in twice as many; the slab is the slave.
+local function drag(finer)
+  local ring = sg.body{ patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, centre = { 1.6, 1.5 } },
+                        elements = { 6, 2 }, order = "N2", contact = "south",
+                        material = sg.neo_hookean{ E = 10, nu = 0.3 } }
+  local slab = sg.body{ patch = sg.shapes.rectangle{ width = 4, height = 1 }, elements = { 16, 4 }, order = "N2-N2.2",
+                        contact = "north", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+  local model = sg.model{
+    bodies   = { ring = ring, slab = slab },
+    supports = { bed  = { on = slab:face "south", fix = "xy" },
+                 grip = { on = { ring:face "west", ring:face "east" }, drive = "xy" } },
+    contacts = { interface = { slave = slab:face "north", master = ring:face "south", penalty = 30,
+                               friction = { mu = 0.8, penalty = 30 } } },
+  }
+  local run = model:run{ { name = "press", steps = finer, grip = { 0, -0.044 } },
+                         { name = "slide", steps = 2 * finer, grip = { 0.56, -0.044 } } }
+  check.equal(run.failed, false)
+  local energy = model:energy()
+  return run, math.abs(energy.work - energy.stored - energy.contact - energy.friction) / energy.work
+end
+
+check.case("steps that are too long leave work out of the balance: a warning names the stage and the steps", function()
+  local run, missing = drag(1)
+  check.equal(#run.warnings, 1)
+  check.holds(run.warnings[1], "the energy balance is off by", "of the work in stage 'slide'", "(steps = 4)")
+  check.equal(missing > 0.1, true)
+  local _, halved = drag(2)
+  local quiet, quarter = drag(8)
+  print(("missing energy: %.3f of the work, %.3f with half the step, %.3f with an eighth")
+    :format(missing, halved, quarter))
+  check.equal({ halved < 0.8 * missing, quarter < 0.3 * missing, #quiet.warnings }, { true, true, 0 })
+end)
+
+--- A block on its bed, with a load on its top, which acts in full before the first stage or is driven.
+local function loaded(traction, stages)
+  local block = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = { 2, 2 }, order = "N2",
+                         contact = "north", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+  local model = sg.model{ bodies = { block = block }, supports = { bed = { on = block:face "south", fix = "xy" } },
+                          loads = { push = { on = block:face "north", traction = { 0, traction } } } }
+  return model:run(stages), model:energy()
+end
+
+local function balance_warnings(run)
+  local count = 0
+  for _, warning in ipairs(run.warnings) do count = count + (warning:find "energy balance" and 1 or 0) end
+  return count
+end
+
+check.case("more steps do not help where a load acts at once, and nothing is missing in a closed cycle", function()
+  local run, energy = loaded(1.5, { { steps = 2 } })
+  check.equal(math.abs(energy.work / energy.stored - 1) > 0.1, true) -- summed over one step
+  check.equal(balance_warnings(run), 0)
+  run = loaded(0, { { steps = 3, push = { 0, -0.1 } }, { steps = 5, push = { 0, 0 } } })
+  check.equal(balance_warnings(run), 0)
+end)
+
+-- ── Where the way turns back ─────────────────────────────────────────────────────────────────────────────────────────
+
+check.case("plain Newton passes the reversals of a die that is dragged back and forth", function()
+  local die = sg.body{ patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, centre = { 0.75, 1.5 } },
+                       elements = { 6, 2 }, order = "N2", contact = "south",
+                       material = sg.neo_hookean{ E = 1000, nu = 0.3 } }
+  local slab = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = { 8, 3 }, order = "N2",
+                        contact = "north", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+  local model = sg.model{
+    bodies   = { die = die, slab = slab },
+    supports = { bed  = { on = slab:face "south", fix = "xy" },
+                 grip = { on = { die:face "west", die:face "east" }, drive = "xy" } },
+    contacts = { interface = { slave = die:face "south", master = slab:face "north", penalty = 100,
+                               friction = { mu = 0.2, penalty = 100 } } },
+  }
+  local stages = { { name = "press", steps = 20, grip = { 0, -0.1 } } }
+  for _ = 1, 8 do
+    stages[#stages + 1] = { name = "there", steps = 100, grip = { 0.5, -0.1 } }
+    stages[#stages + 1] = { name = "back", steps = 100, grip = { 0, -0.1 } }
+  end
+  local run = model:run(stages, sg.plain{})
+  check.equal({ run.failed, run.reason, run.steps, #run.warnings }, { false, "completed", 1620, 0 })
+end)
+
+check.done()
