@@ -284,8 +284,8 @@ iterations, cutbacks, rescues (steps that fallbacks have carried), fallbacks (ho
 timings { bulk, contact, linear, rest } (s), stages (a list of accounts by name), controls (where arc length took over),
 warnings (a list of sentences: model:warnings(), loads that act in full from the first step, a newton.tolerance above
 1e-3, contacts that never touched, were penetrated by more than 2 % of the smallest body's size, or whose closest points
-were not found; fallbacks that may have changed to another branch of solutions; stages in which more than a tenth of the work is
-missing from the energy balance). print(run) shows a short table, with controls that are not the default ones,
+were not found; fallbacks that may have changed to another branch of solutions; stages in which more than a tenth of the
+work is missing from the energy balance). print(run) shows a short table, with controls that are not the default ones,
 fallbacks and cuts.]]
 
 core.docs["run:columns"] = [[
