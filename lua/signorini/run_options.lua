@@ -1,4 +1,5 @@
--- The options of model:run, as far as they can be read without a model and a path: sg.plain and sg.robust check them, too.
+-- The options of model:run, as far as they can be read without a model and a path: sg.plain and sg.robust check them,
+-- too.
 
 local core = require "signorini.core"
 local arc_length = require "signorini.arc_length"

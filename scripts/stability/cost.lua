@@ -2,7 +2,8 @@
 --
 -- Problem: the easy runs: 2D frictional ironing as published (scripts/ironing2d.lua) and Hertz' line contact under its
 --          load and under its displacement (scripts/hertz2d.lua), each with plain Newton (sg.plain) and with all
---          controls on (sg.robust, the default of model:run); then ironing with the three predictors: tangent, constant, linear.
+--          controls on (sg.robust, the default of model:run); then ironing with the three predictors: tangent,
+--          constant, linear.
 -- Source: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of
 --         Contact Problems, PhD thesis, IIT Guwahati, 2020, sections 7.1, 6.1 and 7.2, for the problems.
 -- Units: iterations of Newton's method; seconds.
