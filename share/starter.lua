@@ -48,7 +48,7 @@ local files = sg.files(options.out)
 -- One case: solve it, keep its forces and its picture, return the figures to compare.
 local function solve(case)
   local model = scene(case.order, case.mesh)
-  local run = model:run(stages, sg.robust{})
+  local run = model:run(stages)
   if run.failed then return { failed = true, reason = run.report } end
   local name = ("%s/%s_mesh%d"):format(options.out, case.order, case.mesh)
   run:csv(name .. ".csv")

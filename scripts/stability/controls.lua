@@ -5,7 +5,7 @@ local sg = require "signorini"
 local controls = {
   names = { "robust", "cutting", "rescue", "prediction" },
   titles = { plain = "plain Newton", robust = "with controls", cutting = "with cut steps alone",
-             rescue = "with rescues alone", prediction = "with prediction alone" },
+             rescue = "with fallbacks alone", prediction = "with prediction alone" },
 }
 
 --- A way that turns on one control of plain Newton, with whatever a study needs on top.
