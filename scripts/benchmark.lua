@@ -7,7 +7,8 @@
 --          solves; the evaluation that ends a step is shared out to them. The growth of a cost is the exponent a of
 --          cost ~ DOFs^a, by least squares of the logarithms over the larger half of the meshes.
 -- Source: scenes of ironing2d.lua (thesis, section 7.1) and ironing3d.lua (section 7.5). Yardsticks: 0.38 ms (FEBio)
---         and 2 ms (G+Smo) for the tangent of a solid element with 27 functions.
+--         and 2 ms (G+Smo) for the tangent of a solid element with 27 functions. Solved with plain Newton; steps that
+--         fail are cut.
 -- Units: ms per iteration, ms per file; DOFs are degrees of freedom of both bodies.
 -- Expected: bulk grows in proportion to the DOFs (exponent 1), contact in the plane with the square root of the DOFs,
 --           in space with their power 2/3; the factorisation with 1.5 in the plane and 2 in space in the end, less on

@@ -22,7 +22,7 @@
 -- Source: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of
 --         Contact Problems, PhD thesis, IIT Guwahati, 2020, section 6.4.1, Figures 6.8 and 6.9, after L. De Lorenzis,
 --         P. Wriggers, G. Zavarise, Comput. Mech. 49 (2012) 1-20. User times of FEBio and GetFEM: measured for this
---         project.
+--         project. Solved with plain Newton, as published; steps that fail are cut.
 -- Units: any consistent ones; the thesis names none.
 -- Expected: all seven labels run through in equal steps. Pz = 5.726 pressed and 6.288 on average over the drag for N2;
 --           averages 6.231 (N3), 6.262 (N4), 6.237 (N2-N3), 6.273 (N2-N4), 5.893 (N2-N2.1), 5.804 (N2-N2.2). Curves are

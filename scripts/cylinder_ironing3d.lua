@@ -16,7 +16,8 @@
 --          choice. Steps that fail are cut in half; the table says where equal steps would have ended.
 -- Source: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of
 --         Contact Problems, PhD thesis, IIT Guwahati, 2020, section 6.4.2, Figures 6.10 and 6.11, after L. De Lorenzis,
---         P. Wriggers, G. Zavarise, Comput. Mech. 49 (2012) 1-20.
+--         P. Wriggers, G. Zavarise, Comput. Mech. 49 (2012) 1-20. Solved with plain Newton, as published; steps that
+--         fail are cut.
 -- Units: any consistent ones; the thesis names none.
 -- Expected: six labels run through in equal steps. Pz = 0.1700 pressed and 0.1757 on average over the
 --           drag for N2; averages 0.1731 (N3), 0.1736 (N2-N3), 0.1724 (N2-N2.1). Amplitudes of Pz and Px 1.95e-3 and

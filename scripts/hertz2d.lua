@@ -12,7 +12,8 @@
 --          elements of each direction lie in the 10 % of the knot length next to the apex. Reference: N2 at m6.
 -- Source: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of
 --         Contact Problems, PhD thesis, IIT Guwahati, 2020, sections 6.1 and 7.2, Tables 6.1 and 7.4, Figures 6.2 and
---         7.12 to 7.17; K. L. Johnson, Contact Mechanics, Cambridge, 1985, section 4.2(c), for the closed form.
+--         7.12 to 7.17; K. L. Johnson, Contact Mechanics, Cambridge, 1985, section 4.2(c), for the closed form. Solved
+--         with plain Newton, as published.
 -- Units: any consistent ones; lengths in outer radii, pressures in Young's moduli, forces per depth.
 -- Expected: half-width a = √(4 p R (1 − nu²)/(pi E)) = 0.04814 and peak pressure 2 p/(pi a) = 0.02645 under the load
 --           p = 2 P0 Ro, P0 = 0.001, both within 1.5 % on m3 and finer; degrees of freedom as in Table 7.4; errors of

@@ -13,7 +13,8 @@
 --          elements of each direction lie in the 10 % of the knot length next to the pole.
 -- Source: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of
 --         Contact Problems, PhD thesis, IIT Guwahati, 2020, section 6.3, Table 6.2, Figures 6.6 and 6.7; K. L. Johnson,
---         Contact Mechanics, Cambridge, 1985, section 4.2(a), for the closed form.
+--         Contact Mechanics, Cambridge, 1985, section 4.2(a), for the closed form. Solved with plain Newton, as
+--         published.
 -- Units: any consistent ones; lengths in outer radii, pressures in Young's moduli, forces over the full circle.
 -- Expected: radius of contact a = (3 p R (1 − nu²)/(4 E))^(1/3) = 0.05985 and peak pressure 3 p/(2 pi a²) = 0.04187
 --           under the load p = pi Ro² P0, P0 = 1e-4, both within 1.5 % on m3 and m4. The difference in the peak that

@@ -18,7 +18,7 @@
 --          meshes 48 × 8 and 48 × 24: forces of N2 and N4.
 -- Source: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of
 --         Contact Problems, PhD thesis, IIT Guwahati, 2020, sections 6.2 and 7.1, Tables 7.2 and 7.3, Figures 6.5, 7.3
---         to 7.11.
+--         to 7.11. Solved with plain Newton, as published.
 -- Units: mm, N, N/mm²; forces per mm of depth.
 -- Expected: the amplitudes of Table 7.3 at m1 (in % of N2, dPy and dPx): N4 49.88 and 23.31, N6 24.57 and 11.81,
 --           N2-N6 23.83 and 12.09, N2-N2.1 5.98 and 30.84, N2-N2.2 4.31 and 7.51; N2-N4 and N2-N2.3 a few points higher

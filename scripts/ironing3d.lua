@@ -20,7 +20,8 @@
 --          variant=cost: time of a Newton iteration on four meshes and of N2-N2.2.
 -- Source: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of
 --         Contact Problems, PhD thesis, IIT Guwahati, 2020, section 7.5, Tables 7.10 and 7.11, Figures 7.28 to 7.32;
---         the geometry after I. Temizer, P. Wriggers, T. J. R. Hughes, CMAME 200 (2011) 1100-1112.
+--         the geometry after I. Temizer, P. Wriggers, T. J. R. Hughes, CMAME 200 (2011) 1100-1112. Solved with plain
+--         Newton, as published; steps that fail are cut.
 -- Units: any consistent ones; the thesis names none.
 -- Expected: the degrees of freedom of Table 7.11 exactly. Table 7.10 is not reproduced: at R = 25.5 N3 and N2-N3 leave
 --           29.4/34.9 and 27.4/34.5 % of N2's dPz/dPx (27.5/33.1 and 26.8/33.1 printed), N2-N2.1 32.9/51.7 (6.6/14.4);

@@ -14,7 +14,7 @@
 --          of the rings: m4.
 -- Source: nothing is published on layers of more than one row; the problems are those of V. Agrawal, An Accurate and
 --         Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of Contact Problems, PhD
---         thesis, IIT Guwahati, 2020, sections 7.1 to 7.4.
+--         thesis, IIT Guwahati, 2020, sections 7.1 to 7.4. Solved with plain Newton, as published.
 -- Units: dM in 1e-3 E0 L0³; dPy, dPx in 1e-3 N/mm; errors of pressures as in hertz2d and rings2d; times in s.
 -- Expected: peeling: two rows of N2.2 at most a fifth of one row's dM (an independent program: 0.64 with one row, 0.052
 --           with two; N2.1: 0.86 with one, 0.28 with two, 0.29 with all). N4, which adds no functions inside elements,

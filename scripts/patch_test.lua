@@ -15,7 +15,7 @@
 --          elements, times a constant exactly, but the master's functions have kinks inside them.
 --          Elements along the face: 3 and 5 (non-matching), 4 and 4 (matching), 2 and 6 (nested); 2 through each block.
 -- Source: the patch test for contact of R. L. Taylor and P. Papadopoulos, On a patch test for contact problems in two
---         dimensions, in: Nonlinear Computational Mechanics, Springer, 1991; closed forms.
+--         dimensions, in: Nonlinear Computational Mechanics, Springer, 1991; closed forms. Solved with plain Newton.
 -- Units: any consistent ones; pressures in the lower block's E, errors relative to p0.
 -- Expected: contact pressure and stress uniform to rounding (below 1e-11) where no border of the master's elements lies
 --           inside an element of the slave: matching meshes, and nested ones with the finer one as slave. Elsewhere the

@@ -16,7 +16,8 @@
 --          Meshes: 160 × 8 (m1), 200 × 10 (m2), 240 × 12 elements (m3); not published: 80 × 4 (m0), for a quick look.
 -- Source: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of
 --         Contact Problems, PhD thesis, IIT Guwahati, 2020, section 7.4 and appendix B, Tables 7.7, 7.8 and B.2,
---         Figures 7.22 to 7.27, after R. A. Sauer, Int. J. Numer. Meth. Engng 87 (2011).
+--         Figures 7.22 to 7.27, after R. A. Sauer, Int. J. Numer. Meth. Engng 87 (2011). Solved with plain Newton, as
+--         published.
 -- Units: nm, nN; moments in E0 L0³ = 2 nN nm per nm of depth (L0 = 1 nm), slopes in E0 L0³ per degree.
 -- Expected: degrees of freedom as in Tables 7.8 and B.2. Plateau: energy balance of steady peeling, M k = U(k) + W
 --           (work of the moment on the curvature k = energy of bending + work of adhesion W = 15^(1/3) A/(16 pi r0²),

@@ -13,6 +13,7 @@
 --          3 elements through the wall at every mesh. Reference: N2 at m3.
 -- Source: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of
 --         Contact Problems, PhD thesis, IIT Guwahati, 2020, section 7.3, Tables 7.5 and 7.6, Figures 7.18 to 7.20.
+--         Solved with plain Newton, as published.
 -- Units: m, N, N/m²; the L2 errors √∫ (p − p_ref)² dx in N/m²·√m.
 -- Expected: the errors of Table 7.5 at m1 (p_N: N2 0.2438, N4 0.1745, N2-N4 0.1718, N2-N2.1 0.0710) within 10 %, at m2
 --           N2 0.0343 within 5 %, N4 and N2-N4 within 15 %; N2-N2.1 at m2 is 1.0 to 3.1 times the printed 0.0034, by

@@ -16,7 +16,8 @@
 --          along. The die's sides are no contact faces: its leading one would carry less than 2.5 N/mm, near its lower
 --          corner.
 -- Source: K. A. Fischer and P. Wriggers, Mortar based frictional contact formulation for higher order interpolations
---         using the moving friction cone, CMAME 195 (2006) 5020; curves of five programs in share/reference.
+--         using the moving friction cone, CMAME 195 (2006) 5020; curves of five programs in share/reference. Solved
+--         with plain Newton; steps that fail are cut.
 -- Units: mm, N, N/mm²; forces per mm of depth. Time is 0 to 1 while it is pressed and 1 to 2 while it slides.
 -- Expected: V = 316 and H = 67 at time 1, V = 402 and H = 134 at time 1.5 (N2 at m2; at m3 314, 66, 400 and 131). V
 --           lies among the published curves, closest to Hartmann et al.; H/V = 0.33 is closest to Code_Aster's 0.34

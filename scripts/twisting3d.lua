@@ -17,7 +17,7 @@
 -- Source: after the twisting contact of R. A. Sauer, L. De Lorenzis, An unbiased computational contact formulation
 --         for 3D friction, Int. J. Numer. Meth. Engng 101, 2015, 251 to 280; penalties and meshes are ours, published
 --         figures were not at hand. Uniform pressure in a disc clutch: R. G. Budynas, J. K. Nisbett, Shigley's
---         Mechanical Engineering Design, McGraw-Hill, section 16-5.
+--         Mechanical Engineering Design, McGraw-Hill, section 16-5. Solved with plain Newton; steps that fail are cut.
 -- Units: any consistent ones; stresses in the cube's E, lengths in the hemisphere's outer radius, angles in degrees.
 -- Expected: the torque rises while the slip eats into the contact from its border, then levels when all slips, at
 --           mu ∫ p r dA of the printed profile. Punches: M = mu ∫ p r dA within 1 %, and within 1 % that of a uniform

@@ -1,6 +1,6 @@
--- Whether the work of a run is found again in its energies, stage by stage. With steps that are too long it is not: work
--- is summed by the trapezoidal rule, and slip is measured at the end of a step. What is missing falls at least linearly
--- with the length of the steps.
+-- Whether the work of a run is found again in its energies, stage by stage. With steps that are too long it is not:
+-- work is summed by the trapezoidal rule, and slip is measured at the end of a step. What is missing falls linearly with
+-- the length of the steps, or faster.
 
 local path_controls = require "signorini.path_controls"
 
@@ -8,8 +8,8 @@ local energy_balance = {}
 
 local much = 0.1 -- of the work: missing energy that is worth a warning
 
---- Adds what a model holds and has been given so far to a list, as plain numbers. `sudden`: a load acts in full from the
---- next step on, so that the step is no path along which work could be summed.
+--- Adds what a model holds and has been given so far to a list, as plain numbers. `sudden`: a load acts in full from
+--- the next step on, so that no path exists along which its work could be summed.
 function energy_balance.note(list, model, sudden)
   local now = model:energy()
   list[#list + 1] = { work = now.work, stored = now.stored, contact = now.contact, friction = now.friction,

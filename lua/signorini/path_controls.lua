@@ -1,5 +1,5 @@
--- What a run's steps were solved with, read off its attempts: which fallbacks carried them, which of these may have left
--- the branch of equilibria that the path follows, and where arc length took over.
+-- What a run's steps were solved with, read off its attempts: which fallbacks carried them, which of these may have
+-- left the branch of equilibria that the path follows, and where arc length took over.
 
 local counted = require "signorini.counted"
 local controls = require "signorini.controls"

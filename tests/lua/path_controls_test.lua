@@ -6,8 +6,8 @@ local check = require "check"
 local spring = require "spring"
 local run_path = require "signorini.run"
 
---- A spring that is pulled by `steps` in as many steps, and pressed a little, where `works(options, length, from)` of an
---- attempt; see spring.lua.
+--- A spring that is pulled by `steps` in as many steps, and pressed a little, where `works(options, length, from)` of
+--- an attempt; see spring.lua.
 local function pull(steps, works, options)
   local model
   model = spring(function(x)
