@@ -1,6 +1,7 @@
 // Why steps fail: the outcome, the place, the words, each provoked on purpose.
 #include "model/diagnosis.hpp"
 
+#include "base/words.hpp"
 #include "model/scenes.hpp"
 #include "model/weak_directions.hpp"
 
@@ -235,8 +236,8 @@ TEST(Diagnosis, CyclingPointsAreNamed) {
     EXPECT_EQ(spot.current, VectorX(model.pairs()[0].accepted_results()[i].position));
     EXPECT_NEAR((spot.reference - Eigen::Vector2d(0.75, 1.5)).norm(), 0.5, 1e-9); // on the die
   }
-  EXPECT_TRUE(holds(diagnosis.message, counted(static_cast<int>(restless.size()), "point") +
-                                           " of contact 'interface', the first in slave element "))
+  EXPECT_TRUE(holds(diagnosis.message,
+                    counted(restless.size(), "point") + " of contact 'interface', the first in slave element "))
       << diagnosis.message;
   EXPECT_TRUE(holds(diagnosis.cure, "hold points that change too often"));
 
