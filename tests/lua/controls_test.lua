@@ -81,6 +81,13 @@ check.case("what changes nothing is not tried, damping only where contact alone 
   check.equal(story(run, 1), "plain cycling")
 end)
 
+check.case("a body that nothing can catch is not damped", function()
+  local model = spring_model(function() return false end, true)
+  function model:contact_names() return {} end
+  local run = model:run(one_step, sg.plain{ rescue = true })
+  check.equal(story(run, 1), "plain cycling, line search cycling, frozen cycling")
+end)
+
 check.case("the first that helps ends the search, is counted, and the next step begins as before", function()
   local model
   model = spring_model(function(options) return model.accepted[1] ~= 1 or options.line_search == "residual" end)
