@@ -10,7 +10,7 @@
 -- Expected: augmentation brings the penetration below 1e-6 of the size from the softest penalty on, and the force
 --           within 0.1 %. With N2 the pressure suffers as under a high penalty: every contact point becomes a
 --           constraint, and these are too many. With N2-N2.2 they are not: under the softest penalty the error falls
---           from 0.099 to 0.011 of Hertz's peak; the best of all penalties alone, 2000, gives 0.008.
+--           from 0.099 to 0.010 of Hertz's peak; the best of all penalties alone, 2000, gives 0.008.
 -- Run: signorini scripts/stability/augmented.lua [labels=N2,N2-N2.2] [mesh=m3] [penalties=1e2,5e2,2e3,1e4,1e5,1e6]
 --      [penetration=1e-6] [loops=500] [steps=4] [reference=m5] [out=out/stability/augmented]
 

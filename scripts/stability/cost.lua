@@ -8,7 +8,7 @@
 --         Contact Problems, PhD thesis, IIT Guwahati, 2020, sections 7.1, 6.1 and 7.2, for the problems.
 -- Units: iterations of Newton's method; seconds.
 -- Expected: with the controls on no run takes more iterations than without (asked: at most 1.05 times as many); ironing
---           takes 0.60 to 0.72 times as many, Hertz 0.90 to 0.97. The linear predictor takes 28 to 42 % off the sliding
+--           takes 0.69 to 0.86 times as many, Hertz 0.89 to 0.96. The linear predictor takes 11 to 31 % off the sliding
 --           stage.
 -- Run: signorini scripts/stability/cost.lua [labels=N2,N4,N6,N2-N4,N2-N6,N2-N2.1,N2-N2.2,N2-N2.3] [mesh=m1]
 --      [hertz=L1,N2,N4,N2-N4,N2-N2.1,N2-N2.2] [rings=m3] [steps=10] [coarser=1] [repeats=3] [out=out/stability/cost];
