@@ -54,12 +54,12 @@ function problem.scene(case)
   local across = case.half and half_of or function(elements) return elements end
   local slab = sg.body{
     patch    = sg.shapes.block{ size = {20, 10 * width, 10} },
-    elements = across(case.mesh.slab), order = case.label, contact = "back", through = case.through,
+    elements = across(case.mesh.slab), order = case.label, contact = "back", through = case.through or 1,
     material = sg.neo_hookean{ E = 1, nu = 0.3 },
   }
   local block = sg.body{
     patch    = sg.shapes.block{ size = {4, 4 * width, 4}, corner = {problem.start - 2, 3, 10} },
-    elements = across(case.mesh.die), order = case.label, contact = "front", through = case.through,
+    elements = across(case.mesh.die), order = case.label, contact = "front", through = case.through or 1,
     material = sg.neo_hookean{ E = 10, nu = 0.3 },
   }
   local supports = { bed  = { on = slab:face "front", fix = "xyz" },

@@ -49,7 +49,7 @@ local function solid_scene(o)
   local ball = sg.body{
     patch    = sg.shapes.sphere_octant{ inner = inner, outer = outer },
     elements = { o.around or n // 4, n, n }, grading = { false, crowded "end", crowded "start" },
-    order    = o.label, contact = "front",
+    order    = o.label, contact = "front", through = 1,
     material = sg.linear_elastic{ E = young, nu = poisson },
   }
   local model = sg.model{
@@ -68,6 +68,7 @@ local function revolved_scene(o)
   local ball = sg.body{
     patch    = sg.shapes.quarter_annulus{ inner = inner, outer = outer, start = 270 },
     elements = { n, n }, grading = { crowded "start", crowded "start" }, order = o.label, contact = "south",
+    through = 1,
     material = sg.linear_elastic{ E = young, nu = poisson },
   }
   local model = sg.model{

@@ -40,7 +40,8 @@ local function scene(o)
   local graded = { elements = 0.75 / growth, length = 0.1 / size, at = "start" }
   local ball = sg.body{
     patch    = sg.shapes.quarter_annulus{ inner = inner, outer = outer, start = 270 },
-    elements = { count, count }, grading = { graded, graded }, order = o.label, contact = "south", through = o.through,
+    elements = { count, count }, grading = { graded, graded }, order = o.label, contact = "south",
+    through = o.through or 1,
     material = sg.linear_elastic{ E = young, nu = poisson },
   }
   -- A force alone does not hold a body that only touches. Under a given force the height of the plane changes nothing,

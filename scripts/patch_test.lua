@@ -51,7 +51,7 @@ local function block(o, side, young)
     patch    = flat and sg.shapes.rectangle{ width = 2, height = 1, corner = { 0, height } } or
                sg.shapes.block{ size = { 2, 2, 1 }, corner = { 0, 0, height } },
     elements = flat and { count, 2 } or { count, count, 2 }, order = o.label,
-    contact  = flat and (lower and "north" or "south") or (lower and "back" or "front"),
+    contact  = flat and (lower and "north" or "south") or (lower and "back" or "front"), through = 1,
     material = materials[o.material]{ E = young, nu = o.sides == "free" and 0 or 0.3 },
   }
 end

@@ -64,13 +64,13 @@ local function punch_scene(shape)
   local material = sg.neo_hookean{ E = 10, nu = 0 }
   if shape == "square" then
     body = sg.body{ patch = sg.shapes.block{ size = { 2, 2, 1 }, corner = { -1, -1, 0 } }, elements = { 4, 4, 2 },
-                    order = "N2", contact = "front", material = material }
+                    order = "N2", contact = "front", through = 1, material = material }
     foot, grip, arm = body:face "front", body:face "back", (math.sqrt(2) + math.log(1 + math.sqrt(2))) / 3
   else
     local meridian = sg.nurbs.surface{ degrees = { 1, 1 }, knots = { { 0, 0, 1, 1 }, { 0, 0, 1, 1 } },
                                        points = { { inner, 0, 0 }, { inner, 0, 1 }, { 1, 0, 0 }, { 1, 0, 1 } } }
     body = sg.body{ patch = sg.nurbs.revolve{ patch = meridian }, elements = { 2, 4, 8 }, order = "N2",
-                    contact = "west", material = material }
+                    contact = "west", through = 1, material = material }
     foot, grip, arm = body:face "west", body:face "east", 2 / 3 * (1 - inner ^ 3) / (1 - inner ^ 2)
   end
   local plane = sg.rigid.plane{ point = { 0, 0, 0 }, normal = { 0, 0, 1 } }

@@ -54,12 +54,13 @@ local function rigid(figures, add)
   end
 end
 
---- A label, or one per direction, as a script has it.
-local function order_text(labels)
+--- A label, or one per direction, as a script has it, with the degree in the thickness direction where it is needed.
+local function order_text(choice)
+  local labels, through = choice.labels, choice.through and (", through = %d"):format(choice.through) or ""
   for i = 2, #labels do
-    if labels[i] ~= labels[1] then return ("order = {\"%s\"}"):format(table.concat(labels, "\", \"")) end
+    if labels[i] ~= labels[1] then return ("order = {\"%s\"}%s"):format(table.concat(labels, "\", \""), through) end
   end
-  return ("order = \"%s\""):format(labels[1])
+  return ("order = \"%s\"%s"):format(labels[1], through)
 end
 
 local function layers(figures, add)
@@ -67,13 +68,13 @@ local function layers(figures, add)
     local saves = figures.bodies[choice.body].unknowns - choice.needs
     add("layer", saves, figures.unknowns - saves, ("Body '%s' has its high degree everywhere: %s keeps it on the "
       .. "contact face alone and would need %d unknowns in this body, %d fewer. Whether that is accurate enough, a run "
-      .. "of both tells."):format(choice.body, order_text(choice.labels), choice.needs, saves))
+      .. "of both tells."):format(choice.body, order_text(choice), choice.needs, saves))
   end
   for _, choice in ipairs(figures.idle_layers) do
     local saves = figures.bodies[choice.body].unknowns - choice.needs
     add("idle layer", saves, figures.unknowns - saves, ("The layer of body '%s' is on a face without contact: %s would "
       .. "need %d unknowns in this body, %d fewer.")
-      :format(choice.body, order_text(choice.labels), choice.needs, saves))
+      :format(choice.body, order_text(choice), choice.needs, saves))
   end
 end
 

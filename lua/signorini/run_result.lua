@@ -65,11 +65,11 @@ local function record_contact(run, model, contact)
   for _, key in ipairs(contact_columns) do
     if resultant[key] then columns[key] = add_column(run, contact .. "." .. key) end
   end
-  local before = resultant.unsettled
+  local before = resultant.unsettled or 0 -- a user's own model may do without
   run.recorders[#run.recorders + 1] = function(row)
     local now = model:contact_resultant(contact)
     for key, values in pairs(columns) do values[row] = now[key] end
-    if now.unsettled > before then
+    if (now.unsettled or 0) > before then
       local count = (run.unsettled[contact] or { count = 0 }).count + now.unsettled - before
       run.unsettled[contact], before = { count = count, at = now.unsettled_at }, now.unsettled
     end

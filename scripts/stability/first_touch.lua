@@ -38,7 +38,7 @@ local inner, outer, penalty = 0.5, 1, 100
 local function scene(under, mu, gap)
   local ring = sg.body{
     patch = sg.shapes.quarter_annulus{ inner = inner, outer = outer, start = 270 }, elements = { 12, 3 },
-    order = options.label, contact = "south", material = sg.neo_hookean{ E = 1, nu = 0.3 },
+    order = options.label, contact = "south", through = 1, material = sg.neo_hookean{ E = 1, nu = 0.3 },
   }
   local bodies = { ring = ring }
   local supports = { symmetry = { on = ring:face "west", fix = "x" } }
@@ -46,7 +46,7 @@ local function scene(under, mu, gap)
   if under == "slab" then
     local slab = sg.body{
       patch = sg.shapes.rectangle{ width = 2, height = 1, corner = { 0, -outer - gap - 1 } }, elements = { 10, 5 },
-      order = options.label, contact = "north", material = sg.neo_hookean{ E = 1, nu = 0.3 },
+      order = options.label, contact = "north", through = 1, material = sg.neo_hookean{ E = 1, nu = 0.3 },
     }
     bodies.slab, master = slab, slab:face "north"
     supports.bed = { on = slab:face "south", fix = "xy" }

@@ -117,6 +117,7 @@ template <int D> int cost(lua_State* L) {
     set_list(L, name, choices, [&](const model::LabelChoice& choice) {
       set_field(L, "body", body_name(choice.body));
       set_field(L, "labels", choice.labels);
+      if (choice.through) set_field(L, "through", *choice.through);
       set_field(L, "needs", choice.unknowns);
     });
   };

@@ -127,8 +127,8 @@ constexpr Function rows[] = {
      "Example: model:reaction(\"grip\").fy"},
     {"contact_resultant", wrap<contact_resultant<D>>,
      "m:contact_resultant(contact)\n"
-     "{ fx, fy, fz, area, max_pressure, max_penetration, active, slipping, unsettled }: the force of the master on the\n"
-     "slave (fz in 3D), the current area in contact, extremes, and how many contact points touch and slip.\n"
+     "{ fx, fy, fz, area, max_pressure, max_penetration, active, slipping, unsettled }: the force on the slave (fz\n"
+     "in 3D), the current area in contact, extremes, and how many contact points touch and slip.\n"
      "unsettled: how often, in all accepted states so far, the search for a point's closest point or slip point ended\n"
      "at a limit of iterations; then unsettled_at is the reference position of the latest such point.\n"
      "Example: model:contact_resultant(\"interface\").area"},
@@ -151,8 +151,8 @@ constexpr Function rows[] = {
      "m:energy()\n"
      "{ stored, contact, friction, work }: the energy in the bodies; in the springs of penalty laws, or of adhesion;\n"
      "dissipated by friction in all accepted steps; done by supports and loads in all accepted steps (trapezoidal\n"
-     "rule). Per unit depth in plane strain. work = stored + contact + friction as steps become small, but for what the\n"
-     "growth of the slave's area takes: see share/doc/theory.md, What is measured.\n"
+     "rule). Per unit depth in plane strain. work = stored + contact + friction as steps become small, but for what\n"
+     "the growth of the slave's area takes: see share/doc/theory.md, What is measured.\n"
      "Example: model:energy().stored"},
 };
 

@@ -153,6 +153,14 @@ int bulk_row(const Discretisation& space) {
   return space.contact().size() > 1 ? last / 2 : space.contact().front().at_end ? 0 : last;
 }
 
+/// Names the degree in the thickness direction, which stays, where the new labels alone would lead to another one.
+void keep_thickness(const Discretisation& space, LabelChoice& choice) {
+  std::vector<nurbs::Label> labels;
+  for (const std::string& label : choice.labels) labels.push_back(nurbs::parse_label(label));
+  const int present = space.through_knots().degree();
+  if (present != nurbs::bulk_space(labels).full_degree()) choice.through = present;
+}
+
 /// N2 in place of degrees above, except on the contact faces.
 template <int D> std::optional<LabelChoice> layer_of(const Model<D>& model, int body) {
   const Discretisation& space = model.scene().bodies[at(body)].body->space();
@@ -176,6 +184,7 @@ template <int D> std::optional<LabelChoice> layer_of(const Model<D>& model, int 
   }
   if (!lower) return std::nullopt;
   choice.unknowns = count_unknowns(model, body, changed);
+  keep_thickness(space, choice);
   return choice;
 }
 
@@ -195,6 +204,7 @@ template <int D> std::optional<LabelChoice> bulk_of(const Model<D>& model, int b
     for (int a = 0; a < D - 1; ++a)
       changed[at(j)].along[at(a)] = images(bulk.direction(a).functions(), space.rows()[at(j)].direction(a).functions());
   choice.unknowns = count_unknowns(model, body, changed);
+  keep_thickness(space, choice);
   return choice;
 }
 

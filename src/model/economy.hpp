@@ -20,6 +20,7 @@ struct LabelChoice {
   int body;
   std::vector<std::string> labels; ///< along each direction of the contact face
   int unknowns;                    ///< the body's with these
+  std::optional<int> through = {}; ///< the present degree in the thickness direction, unless these labels imply it
 };
 /// Uniform degrees above 2 where only the contact face may need them: the same row there, N2 elsewhere, where N2 holds
 /// the shape.

@@ -62,11 +62,17 @@ Patch refine_to(const Patch& patch, int d, const Space& space, const std::vector
   return elevate(k_refine(patch, d, space.degree, knots), d, space.elevations);
 }
 
-int through_degree(const Patch& patch, const Plan& plan, int through) {
+/// The space in the thickness direction: of the degree that the plan names, or the bulk's, but never below the
+/// geometry's own degree.
+Space through_space(const Patch& patch, const Plan& plan, int through) {
   const int own = patch.direction(through).degree();
-  require(!plan.through || *plan.through >= own, "through: degree ", plan.through.value_or(own),
-          " is below the geometry's own, ", own);
-  return plan.through.value_or(own);
+  if (plan.through) {
+    require(*plan.through >= own, "through: degree ", *plan.through, " is below the geometry's own, ", own);
+    return {*plan.through};
+  }
+  if (plan.contact.empty()) return plan.labels.back().bulk;
+  const Space bulk = bulk_space(plan.labels);
+  return {std::max(own, bulk.degree), bulk.elevations};
 }
 
 /// All rows of classical C⁰ elements, one patch sliced along `through`.
@@ -76,7 +82,7 @@ Patch lagrange_patch(const Patch& patch, const Plan& plan, int through,
   std::vector<std::vector<double>> breaks;
   for (int d = 0, along = 0; d < patch.parametric_dimension(); ++d) {
     const bool labelled = plan.contact.empty() || d != through;
-    degrees.push_back(labelled ? plan.labels[at(along++)].bulk.degree : through_degree(patch, plan, through));
+    degrees.push_back(labelled ? plan.labels[at(along++)].bulk.degree : through_space(patch, plan, through).degree);
     breaks.push_back(insert_knots(patch, d, inserted[at(d)]).direction(d).breaks());
   }
   return interpolate_lagrange(patch, degrees, breaks);
@@ -97,11 +103,9 @@ Discretisation::Discretisation(const Patch& patch, const Plan& plan)
   }
 
   const bool lagrange = plan.labels.front().lagrange;
-  const Patch stack =
-      lagrange ? lagrange_patch(patch, plan, through_, inserted)
-      : plan.contact.empty()
-          ? refine_to(patch, through_, plan.labels.back().bulk, inserted[at(through_)], plan.labels.back().text)
-          : k_refine(patch, through_, through_degree(patch, plan, through_), inserted[at(through_)]);
+  const Patch stack = lagrange ? lagrange_patch(patch, plan, through_, inserted)
+                               : refine_to(patch, through_, through_space(patch, plan, through_),
+                                           inserted[at(through_)], plan.labels.back().text);
   through_knots_ = stack.direction(through_);
 
   const int count = through_knots_.functions();

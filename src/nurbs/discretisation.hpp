@@ -16,7 +16,7 @@ struct Plan {
   std::vector<std::optional<Grading>> grading; ///< may be empty: uniform in every direction
   std::vector<Label> labels;                   ///< one per direction along the contact face; without one, per direction
   std::vector<Side> contact;                   ///< no face, one, or two opposite ones
-  std::optional<int> through;                  ///< degree through the body; the geometry's own when absent
+  std::optional<int> through;                  ///< degree in the thickness direction; the bulk's when absent
 };
 
 /// The functions that do not vanish on one element.

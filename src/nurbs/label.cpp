@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "nurbs/knots.hpp"
 
+#include <algorithm>
 #include <regex>
 
 namespace signorini::nurbs {
@@ -19,6 +20,12 @@ void check_degree(const std::string& text, const Space& space) {
 }
 
 } // namespace
+
+Space bulk_space(const std::vector<Label>& labels) {
+  return std::max_element(labels.begin(), labels.end(),
+                          [](const Label& a, const Label& b) { return a.bulk.full_degree() < b.bulk.full_degree(); })
+      ->bulk;
+}
 
 Label parse_label(const std::string& text) {
   static const std::regex lagrange("L(0|[1-9]\\d?)");

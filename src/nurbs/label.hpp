@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace signorini::nurbs {
 
@@ -24,6 +25,9 @@ struct Label {
   std::optional<Space> layer; ///< the rows next to each contact face, when they differ
   int rows = 1;               ///< depth of the layer in rows of control points
 };
+
+/// The bulk of several directions: the space of the highest degree.
+Space bulk_space(const std::vector<Label>& labels);
 
 /// Reads a label (grammar: `Np`, `Np.s`, `Lp`, `Nb-Nc`, `Nb-Nc.s`, each layer with an optional `xr`).
 /// Throws Error that shows the grammar.

@@ -17,6 +17,7 @@ inline nurbs::Discretisation discretise(const nurbs::Patch& patch, std::vector<i
   plan.elements = std::move(elements);
   plan.contact = {nurbs::side_of(contact, patch.dimension())};
   plan.labels.assign(static_cast<std::size_t>(patch.dimension()) - 1, nurbs::parse_label(label));
+  plan.through = 1;
   return {patch, plan};
 }
 

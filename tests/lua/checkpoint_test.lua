@@ -97,7 +97,8 @@ end)
 check.case("linear elastic bodies, condensed onto the contact", function()
   local rigid = sg.rigid.cylinder{ centre = {0, 1.4}, radius = 0.4 }
   local slab = sg.body{ patch = sg.shapes.rectangle{ width = 4, height = 1, corner = {-2, 0} }, elements = {32, 8},
-                        order = "N2-N2.1", contact = "north", material = sg.linear_elastic{ E = 10, nu = 0.3 } }
+                        order = "N2-N2.1", contact = "north", through = 1,
+                        material = sg.linear_elastic{ E = 10, nu = 0.3 } }
   local model = sg.model{
     bodies = { slab = slab },
     supports = { bed = { on = slab:face "south", fix = "xy" }, roll = { on = rigid, drive = "xy" } },

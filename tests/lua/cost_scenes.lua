@@ -37,11 +37,13 @@ function cost.ironing(label, change)
   change = change or {}
   local die = sg.body{
     patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, centre = { change.x or 1.5, 1.5 } },
-    elements = change.die or { 6, 2 }, order = label, contact = "south", material = change.material or stiff,
+    elements = change.die or { 6, 2 }, order = label, contact = "south", through = 1,
+    material = change.material or stiff,
   }
   local slab = sg.body{
     patch = change.slab or sg.shapes.rectangle{ width = 3, height = 1 }, elements = change.elements or { 8, 3 },
-    grading = change.grading, order = label, contact = "north", material = soft,
+    grading = change.grading, order = label, contact = "north", through = 1,
+    material = soft,
   }
   local supports = { bed = { on = slab:face "south", fix = "xy" },
                      grip = change.grip or { on = { die:face "west", die:face "east" }, drive = "y", fix = "x" } }
@@ -61,7 +63,7 @@ function cost.punch(label, along_x, along_y, hold)
     return sg.body{ patch = sg.shapes.block{ size = { size[1] * along_x, size[2] * along_y, size[3] },
                                             corner = corner },
                     elements = { elements[1] * along_x // 1 | 0, elements[2] * along_y // 1 | 0, elements[3] },
-                    order = label, contact = contact, material = material }
+                    order = label, contact = contact, through = 1, material = material }
   end
   local slab = body({ 4, 4, 2 }, { 0, 0, 0 }, { 4, 4, 2 }, "back", soft)
   local top = body({ 2, 2, 1 }, { 2 - 2 * along_x + (along_x == 1 and 1 or 0),

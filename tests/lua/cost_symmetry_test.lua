@@ -13,9 +13,10 @@ local advice, none, promises, ironing, punch = scenes.advice, scenes.none, scene
 --- The right half of it.
 local function half_ironing(label, elements)
   local die = sg.body{ patch = sg.shapes.quarter_annulus{ inner = 0.3, outer = 0.5, centre = { 1.5, 1.5 } },
-                       elements = { 3, 2 }, order = label, contact = "south", material = stiff }
+                       elements = { 3, 2 }, order = label, contact = "south", through = 1, material = stiff }
   local slab = sg.body{ patch = sg.shapes.rectangle{ width = 1.5, height = 1, corner = { 1.5, 0 } },
-                        elements = elements or { 4, 3 }, order = label, contact = "north", material = soft }
+                        elements = elements or { 4, 3 }, order = label, contact = "north", through = 1,
+                        material = soft }
   return sg.model{
     bodies   = { die = die, slab = slab },
     supports = { bed    = { on = slab:face "south", fix = "xy" },
@@ -120,7 +121,7 @@ check.case("what may move or turns through the plane breaks the symmetry", funct
     none(model, "symmetry if fixed")
   end
   local strip = sg.body{ patch = sg.shapes.rectangle{ width = 4, height = 1 }, elements = { 4, 2 }, order = "N2",
-                         contact = "south", material = soft }
+                         contact = "south", through = 1, material = soft }
   local model = sg.model{ bodies = { strip = strip },
     supports = { turn = { on = strip:face "east", rotate = true }, wall = { on = strip:face "west", fix = "xy" } } }
   check.equal(model:cost().unknowns, 2 * 4 * 3 + 2) -- two shared by the face that turns
@@ -173,7 +174,7 @@ end)
 local function octant(label, change)
   change = change or {}
   local ball = sg.body{ patch = change.patch or sg.shapes.sphere_octant{ inner = 0.5, outer = 1, centre = { 3, 2, 0 } },
-                        elements = { 3, 4, 2 }, order = label, contact = "front", material = soft }
+                        elements = { 3, 4, 2 }, order = label, contact = "front", through = 1, material = soft }
   return sg.model{
     bodies   = { ball = ball },
     loads    = { wind = change.traction and { on = ball:face "back", traction = change.traction } },
@@ -187,7 +188,7 @@ end
 
 local function section(label)
   local ball = sg.body{ patch = sg.shapes.quarter_annulus{ inner = 0.5, outer = 1 }, elements = { 4, 2 }, order = label,
-                        contact = "south", material = soft }
+                        contact = "south", through = 1, material = soft }
   return sg.model{
     kind = "axisymmetric", bodies = { ball = ball },
     supports = { top = { on = ball:face "east", drive = "y" }, axis = { on = ball:face "west", fix = "x" } },
@@ -227,10 +228,10 @@ end)
 
 check.case("a whole turn with a pole needs no support around it", function()
   local shell = sg.body{ patch = sg.shapes.hollow_hemisphere{ inner = 0.6, outer = 1, poles = "bottom" },
-                         elements = { 8, 4, 2 }, order = "N2", contact = "front", material = soft }
+                         elements = { 8, 4, 2 }, order = "N2", contact = "front", through = 1, material = soft }
   local model = sg.model{ bodies = { shell = shell }, supports = { top = { on = shell:face "south", drive = "z" } } }
   local plane = sg.body{ patch = sg.shapes.quarter_annulus{ inner = 0.6, outer = 1 }, elements = { 4, 2 }, order = "N2",
-                         contact = "south", material = soft }
+                         contact = "south", through = 1, material = soft }
   promises(model, "axisymmetry", sg.model{ kind = "axisymmetric", bodies = { plane = plane }, supports = {
     top = { on = plane:face "east", drive = "y" }, axis = { on = plane:face "west", fix = "x" } } })
 end)
@@ -253,7 +254,7 @@ end)
 check.case("an axisymmetric scene: only planes across its axis", function()
   local function pipe(height, elements, more)
     local body = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = height, corner = { 1, -1 } },
-                          elements = { 3, elements }, order = "N2", contact = "east", material = soft }
+                          elements = { 3, elements }, order = "N2", contact = "east", through = 1, material = soft }
     local supports = { inside = { on = body:face "west", fix = "x" } }
     if more then supports.middle = { on = body:face "north", fix = "y" } end
     return sg.model{ kind = "axisymmetric", bodies = { ring = body }, supports = supports, contacts = { pipe = {

@@ -54,7 +54,7 @@ end)
 
 local function rigid_ironing(label)
   local slab = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = { 8, 3 }, order = label,
-                        contact = "north", material = soft }
+                        contact = "north", through = 1, material = soft }
   local die = sg.rigid.surface(sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, centre = { 1.5, 1.5 } }:face "south")
   return sg.model{
     bodies = { slab = slab },
@@ -82,9 +82,10 @@ check.case("no obstacle where the body deforms, turns, or is moved by more than 
   none(ironing("N2", { support = function(die) return { on = die:face "north", pressure = 0.1 } end }), "rigid")
   local block = sg.shapes.rectangle{ width = 1, height = 1, corner = { 1, 1 } }
   local function pressed(supports)
-    local top = sg.body{ patch = block, elements = { 2, 2 }, order = "N2", contact = "south", material = stiff }
+    local top = sg.body{ patch = block, elements = { 2, 2 }, order = "N2", contact = "south",
+                         through = 1, material = stiff }
     local slab = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = { 6, 2 }, order = "N2",
-                          contact = "north", material = soft }
+                          contact = "north", through = 1, material = soft }
     local list = supports(top)
     list.bed = { on = slab:face "south", fix = "xy" }
     return sg.model{ bodies = { top = top, slab = slab }, supports = list,
@@ -102,7 +103,7 @@ end)
 
 local function slab_alone(label, change)
   local slab = sg.body{ patch = change and change.patch or sg.shapes.rectangle{ width = 3, height = 1 },
-                        elements = { 8, 3 }, order = label, contact = "north", material = soft }
+                        elements = { 8, 3 }, order = label, contact = "north", through = 1, material = soft }
   return sg.model{ bodies = { slab = slab }, supports = { side = { on = slab:face "west", fix = "xy" } },
     contacts = { c = { slave = slab:face(change and change.face or "north"), points = change and change.points,
       where = change and change.where,
@@ -124,10 +125,25 @@ check.case("a high degree on the contact face alone needs what was promised", fu
   end
 end)
 
+check.case("advice names the degree in the thickness direction where the label alone would change it", function()
+  local function slab(label, through)
+    local body = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = { 8, 3 }, order = label,
+                          contact = "north", through = through, material = soft }
+    return sg.model{ bodies = { slab = body }, supports = { side = { on = body:face "west", fix = "xy" } },
+      contacts = { c = { slave = body:face "north", penalty = 1,
+                         master = sg.rigid.plane{ point = { 0, 9 }, normal = { 0, -1 } } } } }
+  end
+  for _, through in ipairs { 1, 3, 4 } do
+    check.holds(promises(slab("N4", through), "layer", slab("N2-N4", through)),
+      ('order = "N2-N4", through = %d'):format(through))
+  end
+  check.equal(promises(slab("N4", 2), "layer", slab "N2-N4"):find "through", nil)
+end)
+
 check.case("a face that turns shares its unknowns in both", function()
   local function strip(label)
     local body = sg.body{ patch = sg.shapes.rectangle{ width = 4, height = 1 }, elements = { 4, 2 }, order = label,
-                          contact = "south", material = soft }
+                          contact = "south", through = 1, material = soft }
     return sg.model{ bodies = { strip = body },
       supports = { turn = { on = body:face "east", rotate = true }, wall = { on = body:face "west", fix = "xy" } },
       contacts = { c = { slave = body:face "south", penalty = 1,
@@ -139,7 +155,7 @@ end)
 check.case("labels of their own per direction", function()
   local function block(order)
     local body = sg.body{ patch = sg.shapes.block{ size = { 1, 1, 1 } }, elements = { 3, 4, 2 }, order = order,
-                          contact = "back", material = soft }
+                          contact = "back", through = 1, material = soft }
     return sg.model{ bodies = { block = body }, supports = { bed = { on = body:face "front", fix = "xyz" } },
       contacts = { c = { slave = body:face "back", penalty = 1,
                          master = sg.rigid.plane{ point = { 0, 0, 2 }, normal = { 0, 0, -1 } } } } }
@@ -174,7 +190,8 @@ end)
 check.case("linear bodies, adhesion, and a body that is held everywhere", function()
   local function strip(contact, law)
     local body = sg.body{ patch = sg.shapes.rectangle{ width = 4, height = 1, corner = { 0, 1 } }, elements = { 8, 2 },
-                          order = "N2", contact = "south", material = sg.linear_elastic{ E = 1, nu = 0.3 } }
+                          order = "N2", contact = "south", through = 1,
+                          material = sg.linear_elastic{ E = 1, nu = 0.3 } }
     law.slave, law.master = body:face "south", sg.rigid.plane{ point = { 0, 0 }, normal = { 0, 1 } }
     return sg.model{ bodies = { strip = body }, supports = { top = { on = body:face "north", drive = "xy" } },
                      contacts = contact and { c = law } or nil }
@@ -197,9 +214,9 @@ end)
 
 check.case("17,952 unknowns in space are looked through in a second", function()
   local slab = sg.body{ patch = sg.shapes.block{ size = { 4, 4, 2 } }, elements = { 16, 16, 16 }, order = "N2",
-                        contact = "back", material = soft }
+                        contact = "back", through = 1, material = soft }
   local top = sg.body{ patch = sg.shapes.block{ size = { 2, 2, 2 }, corner = { 1, 1, 2 } }, elements = { 8, 8, 8 },
-                       order = "N2", contact = "front", material = stiff }
+                       order = "N2", contact = "front", through = 1, material = stiff }
   local model = sg.model{ bodies = { slab = slab, top = top },
     supports = { bed = { on = slab:face "front", fix = "xyz" },
       grip = { on = top:face "back", drive = "z", fix = "xy" } },

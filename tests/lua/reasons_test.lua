@@ -12,7 +12,7 @@ local function block(options)
   return sg.body{
     patch = sg.shapes.rectangle{ width = o.width or 1, height = o.height or 1, corner = o.corner },
     order = o.order or "N2",
-    elements = o.elements or {2, 2}, contact = o.contact or "south",
+    elements = o.elements or {2, 2}, contact = o.contact or "south", through = 1,
     material = o.material or sg.neo_hookean{ E = 1, nu = 0.3 },
   }
 end
@@ -39,7 +39,7 @@ local function bar_on_ramp()
                      material = sg.linear_elastic{ E = 1, nu = 0.3 } }
   local ramp = sg.body{
     patch = sg.shapes.rectangle{ width = 2, height = 0.5, corner = {-2, -0.5} }:rotate{ angle = -25, centre = {0, 0} },
-    elements = {4, 2}, order = "N2", contact = "north", material = sg.linear_elastic{ E = 100, nu = 0.3 },
+    elements = {4, 2}, order = "N2", contact = "north", through = 1, material = sg.linear_elastic{ E = 100, nu = 0.3 },
   }
   return sg.model{
     bodies   = { bar = bar, ramp = ramp },
@@ -53,10 +53,10 @@ end
 --- fro.
 local function deep_ironing()
   local die = sg.body{ patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, centre = {0.75, 1.5} },
-                       elements = {6, 2}, order = "N4", contact = "south",
+                       elements = {6, 2}, order = "N4", contact = "south", through = 1,
                        material = sg.neo_hookean{ E = 1e4, nu = 0.3 } }
   local slab = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = {8, 3}, order = "N4",
-                        contact = "north", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+                        contact = "north", through = 1, material = sg.neo_hookean{ E = 1, nu = 0.3 } }
   return sg.model{
     bodies   = { die = die, slab = slab },
     supports = { bed = { on = slab:face "south", fix = "xy" },
@@ -111,7 +111,7 @@ end)
 check.case("interrupted: Ctrl-C ends the run at its last step, and the model can go on", function()
   local output, status = check.program({}, [[
     b = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = {16, 16}, order = "N2",
-      contact = "south", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+      contact = "south", through = 1, material = sg.neo_hookean{ E = 1, nu = 0.3 } }
     m = sg.model{ bodies = { block = b },
       supports = { bed = { on = b:face "south", fix = "xy" }, top = { on = b:face "north", drive = "xy" } } }
     timer = io.popen "sleep 0.3; kill -INT $PPID" m:run{ { name = "shear", steps = 1000000, top = {0.3, 0} } }

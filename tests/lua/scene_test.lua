@@ -21,11 +21,11 @@ end
 check.case("bodies tell their degrees of freedom, faces and corners", function()
   local _, low, high = two_blocks()
   local dofs = high:dofs()
-  -- N2.1 on 3 elements: 4 + 2·2 functions on the face; N2: 5 in each of the two other rows
-  check.equal({ dofs.interface, dofs.bulk, dofs.total }, { 16, 20, 36 })
-  check.holds(low:face "west", "face 'west' of a body, 3 control points")
+  -- N2.1 on 3 elements: 4 + 2·2 functions on the face; N2: 5 in each of the three other rows
+  check.equal({ dofs.interface, dofs.bulk, dofs.total }, { 16, 30, 46 })
+  check.holds(low:face "west", "face 'west' of a body, 4 control points")
   check.holds(low:corner "south-west", "corner 'south-west' of a body, 1 control point")
-  check.holds(low, "4 x 2 elements, degree 2 x 1, 36 degrees of freedom")
+  check.holds(low, "4 x 2 elements, degree 2 x 2, 48 degrees of freedom")
   check.equal(sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = {2, 2}, order = "N3",
                        material = soft }:dofs().total, 2 * 5 * 5)
 end)
@@ -135,7 +135,7 @@ local wrong = {
     "'N2-N4' has a layer, but the body names no contact face", [[add contact = "south"]] },
   { "a layer deeper than the body",
     [[sg.body{ patch = r, elements = {4, 2}, order = "N2-N2.2x9", contact = "north", material = soft }]],
-    "'N2-N2.2x9' is 9 rows deep, but the body has only 3" },
+    "'N2-N2.2x9' is 9 rows deep, but the body has only 4" },
   { "a left-handed patch", [[sg.body{ elements = {1, 1}, order = "N1", contact = "north", material = soft,
       patch = sg.nurbs.surface{ degrees = {1, 1}, knots = { {0, 0, 1, 1}, {0, 0, 1, 1} },
                                 points = { {1, 0}, {0, 0}, {1, 1}, {0, 1} } } }]],

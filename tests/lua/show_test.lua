@@ -22,7 +22,7 @@ end)
 
 check.case("print shows bodies and models as the prompt does, with degrees per direction; tostring is one line",
   function()
-  check.holds(slab, "plane body: 4 x 2 elements, degree 4 x 1, then 2 x 1, ")
+  check.holds(slab, "plane body: 4 x 2 elements, degree 4 x 2, then 2 x 2, ")
   check.equal(tostring(slab):find "\n", nil)
   local output = check.script [[
     local sg = require "signorini"
@@ -30,10 +30,10 @@ check.case("print shows bodies and models as the prompt does, with degrees per d
       contact = "south", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
     print(b)
     print(sg.model{ bodies = { b = b }, supports = { s = { on = b:face "north", fix = "xy" } } }, 7)]]
-  check.equal(output, "plane body: 4 x 2 elements, degree 3 x 1, 42 degrees of freedom, E = 1, nu = 0.3\n"
-    .. "  14 degrees of freedom on contact faces, 28 in the bulk\n  control points in x 0 … 3, y 0 … 1\n"
-    .. "plane-strain model of b: 42 degrees of freedom, 28 of them free, 1 support, 0 contacts\n"
-    .. "  b: plane body: 4 x 2 elements, degree 3 x 1, 42 degrees of freedom, E = 1, nu = 0.3\n7\n")
+  check.equal(output, "plane body: 4 x 2 elements, degree 3 x 3, 70 degrees of freedom, E = 1, nu = 0.3\n"
+    .. "  14 degrees of freedom on contact faces, 56 in the bulk\n  control points in x 0 … 3, y 0 … 1\n"
+    .. "plane-strain model of b: 70 degrees of freedom, 56 of them free, 1 support, 0 contacts\n"
+    .. "  b: plane body: 4 x 2 elements, degree 3 x 3, 70 degrees of freedom, E = 1, nu = 0.3\n7\n")
 end)
 
 check.case("a model before and after a step", function()

@@ -14,6 +14,7 @@ nurbs::Discretisation solid(const nurbs::Patch& patch, std::vector<int> elements
   plan.elements = std::move(elements);
   plan.contact = {{2, false}};
   plan.labels.assign(2, nurbs::parse_label(label));
+  plan.through = 1;
   return {patch, plan};
 }
 
@@ -32,6 +33,7 @@ TEST(ChangedSpace, PlacesRunAsTheFunctionsDo) {
     plan.elements = {2, 3, 4};
     plan.contact = {{through, true}};
     plan.labels.assign(2, nurbs::parse_label("N2-N3"));
+    plan.through = 1;
     const nurbs::Discretisation space(nurbs::block({1, 2, 3}, Eigen::Vector3d(0, 0, 0)), plan);
     const std::vector<Place> all = places(space);
     const MatrixX x = space.points();

@@ -9,7 +9,7 @@ namespace signorini::model::test {
 
 inline std::shared_ptr<const solid::Body<2>> make_body(const nurbs::Patch& patch, std::vector<int> elements,
                                                        const std::string& label, const std::string& contact,
-                                                       const solid::Material& material, std::optional<int> through = {},
+                                                       const solid::Material& material, std::optional<int> through = 1,
                                                        solid::Kind kind = solid::Kind::plane_strain) {
   nurbs::Plan plan;
   plan.elements = std::move(elements);

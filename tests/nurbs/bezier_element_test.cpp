@@ -49,7 +49,7 @@ void expect_same_functions(const Discretisation& space) {
 }
 
 Discretisation space(const Patch& patch, std::vector<int> elements, std::vector<std::string> labels, Side contact) {
-  Plan plan{std::move(elements), {}, {}, {contact}, {}};
+  Plan plan{std::move(elements), {}, {}, {contact}, 1};
   for (const std::string& label : labels) plan.labels.push_back(parse_label(label));
   return {patch, plan};
 }

@@ -142,6 +142,7 @@ TEST(Discretisation, AgreesWithTheBookOnADie) {
   plan.elements = {6, 2};
   plan.contact = {side_of("south", 2)};
   plan.labels = {parse_label("N2-N2.2")};
+  plan.through = 1;
   const Discretisation space(die, plan);
 
   const std::vector<double> inserted{1.0 / 6, 1.0 / 3, 2.0 / 3, 5.0 / 6};
@@ -179,6 +180,7 @@ TEST(Discretisation, LayerOfAllRowsIsTheUniformElevatedSpace) {
     plan.elements = {5, 3};
     plan.contact = {side_of("south", 2)};
     plan.labels = {parse_label(label)};
+    plan.through = 1;
     return Discretisation(patch, plan);
   };
   const Discretisation layered = make("N2-N2.1x4"), uniform = make("N2.1");
@@ -198,6 +200,7 @@ TEST(Discretisation, DegreeOfElementsRisesOnlyWhereTheLayerReaches) {
   plan.elements = {4, 5};
   plan.contact = {side_of("north", 2)};
   plan.labels = {parse_label("N2-N4.1x2")};
+  plan.through = 1;
   const Discretisation space(rectangle(2, 1, Eigen::Vector2d(0, 0)), plan);
   // Two rows of linear functions live on the last two element rows.
   for (int e = 0; e < space.elements(); ++e) {
@@ -253,11 +256,34 @@ TEST(Discretisation, WithoutContactFaceTheLabelsHoldPerDirection) {
   EXPECT_EQ(space.face_patch(side_of("north", 2)).functions(), 5);
 }
 
+/// Without a degree of its own the thickness direction has the bulk's, as without a contact face.
+TEST(Discretisation, ThicknessDirectionTakesTheBulksDegree) {
+  const auto through = [](const Patch& patch, const std::vector<std::string>& labels, const char* contact) {
+    Plan plan;
+    plan.elements.assign(at(patch.parametric_dimension()), 3);
+    plan.contact = {side_of(contact, patch.parametric_dimension())};
+    for (const std::string& label : labels) plan.labels.push_back(parse_label(label));
+    const KnotVector knots = Discretisation(patch, plan).through_knots();
+    return std::array{knots.degree(), knots.functions()};
+  };
+  using Pair = std::array<int, 2>; // degree, functions
+  const Patch slab = rectangle(3, 1, Eigen::Vector2d(0, 0)), ring = half_annulus(0.3, 0.5, Eigen::Vector2d(0, 0));
+  EXPECT_EQ(through(slab, {"N1"}, "north"), (Pair{1, 4}));
+  EXPECT_EQ(through(slab, {"N2"}, "north"), (Pair{2, 5}));
+  EXPECT_EQ(through(slab, {"N2-N4"}, "north"), (Pair{2, 5}));
+  EXPECT_EQ(through(slab, {"N2-N2.2"}, "north"), (Pair{2, 5}));
+  EXPECT_EQ(through(slab, {"N2.1"}, "north"), (Pair{3, 8})); // two double knots
+  EXPECT_EQ(through(slab, {"L2"}, "north"), (Pair{2, 7}));
+  EXPECT_EQ(through(block({1, 1, 1}, Eigen::Vector3d(0, 0, 0)), {"N2", "N3-N4"}, "back"), (Pair{3, 6}));
+  EXPECT_EQ(through(ring, {"N1"}, "west")[0], 2); // the geometry's own
+}
+
 TEST(Discretisation, SideAcrossALayerIsNoPatchInSpace) {
   Plan plan;
   plan.elements = {2, 2, 2};
   plan.contact = {side_of("back", 3)};
   plan.labels.assign(2, parse_label("N2-N4"));
+  plan.through = 1;
   const Discretisation space(block({1, 1, 1}, Eigen::Vector3d(0, 0, 0)), plan);
   EXPECT_ERROR(space.face_patch(side_of("west", 3)), "crosses the layer");
   // Supports need its functions all the same: 4 control points in each of two rows, 6 in the layer's.
@@ -271,6 +297,7 @@ TEST(Discretisation, ErrorsNameTheArgument) {
     result.elements = std::move(elements);
     for (const auto& label : labels) result.labels.push_back(parse_label(label));
     for (const auto& face : contact) result.contact.push_back(side_of(face, 2));
+    result.through = 1;
     return result;
   };
   const auto build = [&](const Plan& wanted) { Discretisation(slab, wanted); };

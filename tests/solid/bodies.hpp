@@ -15,7 +15,7 @@ using nurbs::test::uniform;
 /// A body with one contact face; the label holds along it.
 template <int D>
 Body<D> make_body(const nurbs::Patch& patch, std::vector<int> elements, const std::string& label,
-                  const std::string& contact, const Material& material, std::optional<int> through = {}) {
+                  const std::string& contact, const Material& material, std::optional<int> through = 1) {
   nurbs::Plan plan;
   plan.elements = std::move(elements);
   plan.contact = {nurbs::side_of(contact, D)};

@@ -2,11 +2,13 @@
 function press(order, mesh)
   local die = sg.body{
     patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, centre = {0.75, 1.5} },
-    elements = {6 * mesh, mesh}, order = order, contact = "south", material = sg.neo_hookean{ E = 1000, nu = 0.3 },
+    elements = {6 * mesh, mesh}, order = order, contact = "south", through = 1,
+    material = sg.neo_hookean{ E = 1000, nu = 0.3 },
   }
   local slab = sg.body{
     patch = sg.shapes.rectangle{ width = 3, height = 1 },
-    elements = {8 * mesh, 2 * mesh}, order = order, contact = "north", material = sg.neo_hookean{ E = 1, nu = 0.3 },
+    elements = {8 * mesh, 2 * mesh}, order = order, contact = "north", through = 1,
+    material = sg.neo_hookean{ E = 1, nu = 0.3 },
   }
   local model = sg.model{
     bodies = { die = die, slab = slab },

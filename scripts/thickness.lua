@@ -1,0 +1,141 @@
+-- Linear in the thickness direction, or of the bulk's degree? Error over time of both.
+--
+-- Problem: a body's label holds along its contact face. Through the body, from that face to the opposite one, the
+--          functions are of the bulk's degree (the default) or of another one (`through`); the thesis takes 1.
+--
+--          ironing of ironing2d.lua: ripple of the drag; Hertz's line contact of hertz2d.lua: L2 error of the pressure
+--          against N2-N2.2 at m6, quadratic through the wall; a cantilever 10 × 1, clamped at one end, a shear traction
+--          at the other, bottom face named as contact face: error of the deflection against N4 on 160 × 16 elements.
+--
+--          |=============== |     ny elements through it (m1: 1, m2: 2, m3: 4, m4: 8) and 10 ny along it;
+--          |_______________ v     nu = 0.3, and 0.49, where linear functions lock
+-- Source: ironing and Hertz: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for
+--         Isogeometric Analysis of Contact Problems, PhD thesis, IIT Guwahati, 2020, sections 7.1 and 7.2. Locking:
+--         T. J. R. Hughes, The Finite Element Method, Dover, 2000, chapter 4.
+-- Units: ripple in N/mm; errors of pressure and deflection in 1; times in s.
+-- Expected: ironing and Hertz: degree 1 takes 0.5 to 0.7 of the time at equal error; Hertz on m4 and finer: its linear
+--           elements through the wall leave 4e-3. Cantilever: degree 1 takes about six times as many elements through the beam for the same deflection
+--           at nu = 0.3; at nu = 0.49 it has lost 91 % of it with one element and 16 % with eight.
+-- Run: signorini scripts/thickness.lua [problems=ironing,hertz,cantilever,cantilever49] [labels=N2,N2-N2.2]
+--      [through=1,2] [meshes=m1,m2,m3] [rounds=1] [time=cpu] [out=out/thickness]; rounds: how often each case is run,
+--      for medians; time: cpu, or wall, for a machine that does nothing else. Cases that are done are kept in `out`.
+
+local sg = require "signorini"
+local amplitude = require "ironing2d.amplitude"
+local hertz = require "hertz2d.problem"
+local ironing = require "ironing2d.problem"
+local timed = require "speed_against_accuracy.timed"
+
+-- ── Problems: solve(case) → figures; error(row, reference) ───────────────────────────────────────────────────────────
+
+--- A cantilever's mean deflection at its loaded end. `case` as in a study: order, through, mesh.
+local function deflection(case, nu)
+  local ny = 1 << (math.tointeger(case.mesh:sub(2)) - 1)
+  local beam = sg.body{
+    patch    = sg.shapes.rectangle{ width = 10, height = 1 }, elements = { 10 * ny, ny }, order = case.order,
+    contact  = "south", through = case.through, material = sg.linear_elastic{ E = 1, nu = nu },
+  }
+  local model = sg.model{ bodies = { beam = beam }, supports = { wall = { on = beam:face "west", fix = "xy" } },
+                          loads = { tip = { on = beam:face "east", traction = { 0, -1e-4 } } } }
+  local run = model:run{ { steps = 1 } }
+  return { value = model:sample("beam", "uy", { 1, 0.5 }), iterations = run.iterations, dofs = beam:dofs().total }
+end
+
+local function bending(title, nu)
+  return {
+    title = title, error = "error of the deflection", reference = { order = "N4", through = 4, mesh = "m5" },
+    solve = function(case) return deflection(case, nu) end,
+    of = function(row, reference) return math.abs(row.value / reference.value - 1) end,
+  }
+end
+
+local problems = {
+  ironing = {
+    title = "Ironing", error = "ripple of the drag", unit = "N/mm",
+    solve = function(case)
+      local solved = ironing.solve{ set_up = ironing.variants.standard, label = case.order, mesh = case.mesh,
+                                    through = case.through }
+      local run = solved.run
+      return { ripple = amplitude.of(run:column "grip.fx").detrended, iterations = run.iterations,
+               dofs = solved.die_dofs.total + solved.slab_dofs.total,
+               failed = run.failed, reason = run.failed and run.report or nil }
+    end,
+    of = function(row) return row.ripple end,
+  },
+  hertz = {
+    title = "Hertz", error = "L₂ error of the pressure", reference = { order = "N2-N2.2", through = 2, mesh = "m6" },
+    solve = function(case)
+      local model, stage, ring = hertz.scene{ label = case.order, mesh = case.mesh, through = case.through,
+                                              load = "displacement" }
+      stage.steps = 10
+      local run = model:run{ stage }
+      local profile = model:profile "ground"
+      return { profile = { x = profile.x, pressure = profile.pressure, gap = profile.gap },
+               iterations = run.iterations, dofs = ring:dofs().total,
+               failed = run.failed, reason = run.failed and run.report or nil }
+    end,
+    of = function(row, reference)
+      local width = sg.profile_edges{ profile = reference.profile }.to
+      return (sg.profile_error{ profile = row.profile, reference = reference.profile, normalise = "max",
+                                coordinate = function(point) return point.x / width end })
+    end,
+  },
+  cantilever = bending("Cantilever, nu = 0.3", 0.3),
+  cantilever49 = bending("Cantilever, nu = 0.49", 0.49),
+}
+local names = { "ironing", "hertz", "cantilever", "cantilever49" }
+
+-- ── Study ────────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+local options = sg.arguments{
+  problems = { names, choices = names }, labels = { "N2", "N2-N2.2" }, through = { 1, 2 },
+  meshes = { { "m1", "m2", "m3" }, choices = { "m1", "m2", "m3", "m4", "m5" } }, rounds = 1,
+  time = { "cpu", choices = { "cpu", "wall" } }, out = "out/thickness",
+}
+local files = sg.files(options.out)
+
+--- "N2, through = 1"
+local function space_of(row) return ("%s, through = %d"):format(row.order, row.through) end
+
+local function measured(name)
+  local problem = problems[name]
+  local list = {}
+  for round = 1, options.rounds do
+    list[round] = sg.grid({ round = { round } }, { mesh = options.meshes }, { order = options.labels },
+      { through = options.through })
+  end
+  local wanted = problem.reference
+  if wanted then
+    list[#list + 1] = { { round = 0, mesh = wanted.mesh, order = wanted.order, through = wanted.through } }
+  end
+  local study = sg.study{
+    name = "thickness: " .. name, cases = list, alone = true, folder = files(name), units = { cpu = "s" },
+    run = function(case)
+      local figures, spent = timed(function() return problem.solve(case) end)
+      figures.wall, figures.cpu = spent.wall, spent.cpu
+      return figures
+    end,
+  }:execute{}
+  local reference = wanted and study:row{ round = 0 }
+  local medians = study:where(function(row) return row.round > 0 end):median "round"
+  medians = medians:with("error", function(row)
+    return not row.failed and problem.of(row, reference) or nil
+  end, problem.unit)
+  return medians:with("space", space_of)
+end
+
+for _, name in ipairs(options.problems) do
+  local problem, cases = problems[name], measured(name)
+  print(("\n── %s: %s ──\n"):format(problem.title, problem.error))
+  print(cases:table{ columns = { "order", "through", "mesh", "dofs", "iterations", options.time, "error" },
+                     sort = { "order", "through", "mesh" } })
+  local comparison = sg.work_precision(cases, {
+    time = options.time, error = "error", series = "space", marker = "mesh", size = { 1600, 1000 },
+    files = { files(name .. ".svg"), files(name .. ".png") },
+    title = ("%s: %s over time"):format(problem.title, problem.error),
+    ylabel = problem.unit and ("%s (%s)"):format(problem.error, problem.unit) or problem.error,
+    xlabel = options.time == "cpu" and "processor time (s)" or "time (s)",
+  })
+  print(comparison)
+end
+files:report()
