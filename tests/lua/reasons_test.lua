@@ -208,7 +208,7 @@ check.case("indefinite: a column beyond Euler's load", function()
     bed = { on = body:face "south", fix = "xy" }, top = { on = body:face "north", drive = "y" } } }
   local run = model:run({ { steps = 1, top = -0.1 } }, sg.plain{ newton = { iterations = 1 } })
   local place = expect(run, "indefinite", 0, "no convergence in 1 iteration;", "the tangent is indefinite there",
-    "of body 'column'", "limit of stability", "take a smaller one", "arcs can only begin where a step was accepted")
+    "of body 'column'", "limit of stability", "take smaller steps", "arcs can only begin where a step was accepted")
   check.equal({ place.kind, place.body, place.X[2] > 8 }, { "control point", "column", true }) -- it swerves at the top
 end)
 
@@ -236,7 +236,7 @@ check.case("penetration: one augmentation is not enough", function()
   }
   local run = model:run({ { name = "press", steps = 2, top = -0.1 } }, sg.plain{ augmented = { loops = 1 } })
   local place = expect(run, "penetration", 0, "off the master after 1 augmentations, asked was 1.41421",
-    "Worst places: contact point in slave element", "raise the penalty, allow more loops")
+    "Worst places: contact point in slave element", "raise the penalty; allow more loops")
   check.equal({ place.kind, place.contact, place.text }, { "contact point", "floor", ("gap %.6g"):format(place.value) })
   check.equal({ place.X[2], math.abs(place.value) > 1e-6 }, { 0.0, true })
 end)
