@@ -42,6 +42,15 @@ local function increments(histories, first, last)
   return count
 end
 
+--- Whether contact has acted: without it work and stored energy may both be rounding errors, as of a motion without
+--- stress.
+local function acts(list)
+  for _, state in ipairs(list) do
+    if state.contact ~= 0 or state.friction ~= 0 then return true end
+  end
+  return false
+end
+
 --- A sentence on the stage in which most energy is missing; nothing where that is little. `list`: what was noted at the
 --- start of each stage, and at the end. Not counted are the energy in the springs of the contacts, since tractions per
 --- current area do work ½ ε g² ȧ that no spring stores, and stages with jumps.
@@ -61,7 +70,7 @@ function energy_balance.warning(run, list)
     end
     first = last + 1
   end
-  if not worst or worst.missing <= much * work then return nil end
+  if not worst or worst.missing <= much * work or not acts(list) then return nil end
   return ("the energy balance is off by %.2g %% of the work in stage '%s': increments half as long (steps = %d) would "
     .. "about halve that"):format(100 * worst.missing / work, worst.stage.name, 2 * worst.increments)
 end
