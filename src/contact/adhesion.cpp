@@ -63,9 +63,12 @@ template <int D> void adhesion_force(const Adhesion& law, const LocalGeometry<D>
   result.potential = potential(law, geometry.gap);
   result.friction.setZero();
   result.measure = geometry.reference_measure;
+  LocalRow<D> measure_row = LocalRow<D>::Zero();
+  fade_area(geometry, result.shift, result.measure, measure_row);
   // T n̄ dA,  δ(T n̄) = T′ δg n̄ + T δn̄
   result.force = result.measure * result.pressure * geometry.normal;
   result.tangent = result.measure * result.pressure * rows.normal;
+  result.tangent.noalias() += (result.pressure * geometry.normal) * measure_row;
   result.tangent.noalias() += (result.measure * stiffness(law, geometry.gap) * geometry.normal) * rows.gap;
 }
 

@@ -114,8 +114,21 @@ GapRows<D> gap_rows(const LocalGeometry<D>& geometry, Eigen::Matrix<double, D - 
   return rows;
 }
 
+template <int D>
+void fade_area(const LocalGeometry<D>& geometry, const Eigen::Matrix<double, D - 1, LocalForce<D>::columns>& shift,
+               double& measure, LocalRow<D>& derivative) {
+  if (geometry.fade == 1) return;
+  derivative *= geometry.fade;
+  derivative.noalias() += measure * geometry.fade_rate.transpose() * shift;
+  measure *= geometry.fade;
+}
+
 template double slave_measure<2>(const LocalGeometry<2>&, LocalRow<2>&);
 template double slave_measure<3>(const LocalGeometry<3>&, LocalRow<3>&);
+template void fade_area<2>(const LocalGeometry<2>&, const Eigen::Matrix<double, 1, LocalForce<2>::columns>&, double&,
+                           LocalRow<2>&);
+template void fade_area<3>(const LocalGeometry<3>&, const Eigen::Matrix<double, 2, LocalForce<3>::columns>&, double&,
+                           LocalRow<3>&);
 template GapRows<2> gap_rows<2>(const LocalGeometry<2>&, Eigen::Matrix<double, 1, LocalForce<2>::columns>&);
 template GapRows<3> gap_rows<3>(const LocalGeometry<3>&, Eigen::Matrix<double, 2, LocalForce<3>::columns>&);
 

@@ -32,6 +32,8 @@ template <int D> struct LocalGeometry {
   Held held = Held::free;
   /// A slip within this distance of Coulomb's cone sticks; negative: slips. See Pair::guess().
   double tie = 0;
+  double fade = 1; ///< part of the area that counts: less than 1 beyond an open end of the master
+  FaceCoordinates<D> fade_rate = FaceCoordinates<D>::Zero(); ///< ∂fade/∂ξ̄
 };
 
 /// Traction and derivatives. Columns of the derivatives run over the local variables
@@ -62,6 +64,11 @@ template <int D> struct GapRows {
 };
 template <int D>
 GapRows<D> gap_rows(const LocalGeometry<D>& geometry, Eigen::Matrix<double, D - 1, LocalForce<D>::columns>& shift);
+
+/// Multiplies an area by the part of it that counts: m ← w m, δm ← w δm + m w_,α δξ̄^α.
+template <int D>
+void fade_area(const LocalGeometry<D>& geometry, const Eigen::Matrix<double, D - 1, LocalForce<D>::columns>& shift,
+               double& measure, LocalRow<D>& derivative);
 
 /// Current area per parametric area, |xˢ_,1| or |xˢ_,1 × xˢ_,2|, axisymmetric 2πr |xˢ_,1|, and its derivative.
 template <int D> double slave_measure(const LocalGeometry<D>& geometry, LocalRow<D>& derivative);

@@ -19,6 +19,7 @@ template <int D, class What> auto with_shape(const Obstacle<D>& obstacle, const 
 } // namespace
 
 template <int D> Master<D>::Master(Surface<D> face) : rigid_(false), surface_(std::move(face)) {
+  surface_->extend(extension);
   boxes_.update(*surface_);
   previous_ = surface_->points();
 }
@@ -26,6 +27,7 @@ template <int D> Master<D>::Master(Surface<D> face) : rigid_(false), surface_(st
 template <int D> Master<D>::Master(Obstacle<D> obstacle) : rigid_(true) {
   if (const auto* patch = std::get_if<nurbs::Patch>(&obstacle)) {
     surface_.emplace(*patch);
+    surface_->extend(extension);
     boxes_.update(*surface_);
     displacements_.resize(static_cast<std::size_t>(D * surface_->functions()));
   } else {
@@ -75,6 +77,12 @@ template <int D> Vec<D> Master<D>::normal(const FacePoint<D>& point) const {
     return Vec<2>(point.tangent[0](1), -point.tangent[0](0)).normalized();
   else
     return point.tangent[0].cross(point.tangent[1]).normalized();
+}
+
+template <int D> double Master<D>::fade(const FaceCoordinates<D>& xi, FaceCoordinates<D>& rate) const {
+  if (surface_) return surface_->fade(xi, rate);
+  rate.setZero();
+  return 1;
 }
 
 template <int D> void Master<D>::functions(FacePoint<D>& point, int order) const {

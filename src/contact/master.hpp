@@ -8,8 +8,16 @@ namespace signorini::contact {
 
 /// Position, kinematics and functions of a master. A rigid one has a single node, its translation: that function is 1
 /// everywhere, so that the same residual and tangent serve both.
+///
+/// A traction that ends with the face would jump whenever a point passes the end, which is where a block that digs its
+/// edge into a slab carries most, and nothing would hold a point at a plane of symmetry that rounding, or a small slope
+/// of the face, projects beyond it. So the face goes on by a part of its last element, over which the traction fades.
 template <int D> class Master {
 public:
+  /// That part. Of 95 generated scenes with a block's edges 28 end early without it, 16, 8, 6 and 6 with 0.05, 0.1, 0.2
+  /// and 0.4 (share/doc/stability.md).
+  static constexpr double extension = 0.2;
+
   Master(Surface<D> face);
   Master(Obstacle<D> obstacle);
 
@@ -28,6 +36,8 @@ public:
   Projection<D> project(const Vec<D>& x, const Projection<D>& seed, FacePoint<D>& point) const;
   /// Outward unit normal at a closest point that is no corner.
   Vec<D> normal(const FacePoint<D>& point) const;
+  /// How much of a traction acts at a closest point, with its derivatives: less than 1 beyond an open end.
+  double fade(const FaceCoordinates<D>& xi, FaceCoordinates<D>& rate) const;
   /// The functions at point.element, point.xi, with first derivatives when `order` is 1.
   void functions(FacePoint<D>& point, int order) const;
   /// Geometry of order 0 and functions without derivatives at a coordinate, and the element it lies in.

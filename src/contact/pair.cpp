@@ -188,6 +188,7 @@ template <int D> void Pair<D>::evaluate_point(std::size_t i, bool tangent, Part&
   geometry.multiplier = memory.multiplier;
   geometry.held = held;
   geometry.tie = tie_;
+  geometry.fade = master_.fade(memory.projection.xi, geometry.fade_rate);
   geometry.slip_point = nullptr;
   if (friction() && !memory.slips) remember_touch(i);
   if (friction() && memory.slips) {

@@ -51,6 +51,7 @@ template <int D> void penalty_force(const PenaltyLaw& law, const LocalGeometry<D
 
   LocalRow<D> measure_row;
   result.measure = slave_measure(geometry, measure_row);
+  fade_area(geometry, result.shift, result.measure, measure_row);
   result.force = result.measure * traction;
   result.tangent = result.measure * traction_rows;
   result.tangent.noalias() += traction * measure_row;

@@ -36,26 +36,38 @@ Surface<D>::Surface(const nurbs::Patch& patch, std::vector<int> functions, doubl
       polynomial_((weights_.array() == weights_(0)).all()), orientation_(orientation), reference_(patch.points()),
       points_(reference_) {
   per_element_ = 1;
-  int elements = 1;
-  for (const auto& knots : directions_) {
-    per_element_ *= knots.degree() + 1;
-    elements *= knots.elements();
+  for (std::size_t d = 0; d < directions_.size(); ++d) {
+    per_element_ *= directions_[d].degree() + 1;
+    ends_[d] = {directions_[d].first(), directions_[d].last()};
   }
-  const nurbs::KnotVector &u = directions_.front(), &v = directions_.back();
-  const int n = per_element_, nu = u.degree() + 1;
   rows_ = polynomial_ ? D : D + 1;
+  tabulate(directions_);
+}
+
+/// Nodes and Bézier extraction of all elements, with the Bézier points in the reference configuration: functions over
+/// `knots`, on the elements of directions_, which may reach farther.
+template <int D> void Surface<D>::tabulate(const std::vector<nurbs::KnotVector>& knots) {
+  const auto extraction = [&](std::size_t d, int e) {
+    const auto& breaks = directions_[d].breaks();
+    return nurbs::bezier_extraction(knots[d], e, breaks[at(e)], breaks[at(e + 1)]);
+  };
+  const nurbs::KnotVector &u = knots.front(), &v = knots.back();
+  const int n = per_element_, nu = u.degree() + 1, elements = D == 2 ? u.elements() : u.elements() * v.elements();
+  nodes_.clear();
   if constexpr (D == 3)
-    for (std::size_t d = 0; d < 2; ++d)
-      for (int e = 0; e < directions_[d].elements(); ++e) {
-        const MatrixX c = nurbs::bezier_extraction(directions_[d], e);
+    for (std::size_t d = 0; d < 2; ++d) {
+      spans_[d].clear();
+      for (int e = 0; e < knots[d].elements(); ++e) {
+        const MatrixX c = extraction(d, e);
         for (int a = 0; a < c.rows(); ++a) spans_[d].insert(spans_[d].end(), c.row(a).begin(), c.row(a).end());
       }
-  bezier_.resize(at(elements * n * rows_));
+    }
+  bezier_.assign(at(elements * n * rows_), 0.0);
   extraction_.resize(at(elements * n * n));
   for (int e = 0; e < elements; ++e) {
     const int first_u = u.first_function(e % u.elements()), first_v = D == 2 ? 0 : v.first_function(e / u.elements());
-    const MatrixX cu = nurbs::bezier_extraction(u, e % u.elements());
-    const MatrixX cv = D == 2 ? MatrixX::Ones(1, 1) : nurbs::bezier_extraction(v, e / u.elements());
+    const MatrixX cu = extraction(0, e % u.elements());
+    const MatrixX cv = D == 2 ? MatrixX::Ones(1, 1) : extraction(1, e / u.elements());
     double* c = extraction_.data() + e * n * n;
     for (int a = 0; a < n; ++a) {
       nodes_.push_back(first_u + a % nu + u.functions() * (first_v + a / nu));
@@ -69,6 +81,54 @@ Surface<D>::Surface(const nurbs::Patch& patch, std::vector<int> functions, doubl
   }
   const int last = *std::max_element(functions_.begin(), functions_.end());
   move(std::vector<double>(at(D * (last + 1)), 0.0).data());
+}
+
+template <int D> std::array<bool, 2> Surface<D>::open_ends(int alpha) const {
+  const int nu = directions_[0].functions(), nv = D == 2 ? 1 : directions_.back().functions();
+  const int across = alpha == 0 ? nv : nu, step = alpha == 0 ? nu : 1, last = alpha == 0 ? nu - 1 : nu * (nv - 1);
+  const double size = (reference_.rowwise().maxCoeff() - reference_.rowwise().minCoeff()).norm();
+  const auto apart = [&](int i, int j) { return (reference_.col(i) - reference_.col(j)).norm() > 1e-10 * size; };
+  bool seam = true;
+  std::array<bool, 2> points{D == 3, D == 3}; // borders that are one point; the end of a curve always is
+  for (int i = 0; i < across; ++i) {
+    seam = seam && !apart(i * step, last + i * step);
+    points[0] = points[0] && !apart(0, i * step);
+    points[1] = points[1] && !apart(last, last + i * step);
+  }
+  return {!seam && !points[0], !seam && !points[1]};
+}
+
+template <int D> void Surface<D>::extend(double part) {
+  const std::vector<nurbs::KnotVector> own = directions_;
+  for (std::size_t d = 0; d < own.size(); ++d) {
+    const auto& breaks = own[d].breaks();
+    const auto open = open_ends(static_cast<int>(d));
+    if (open[0]) beyond_[d][0] = part * (breaks[1] - breaks[0]);
+    if (open[1]) beyond_[d][1] = part * (breaks.back() - breaks[breaks.size() - 2]);
+    std::vector<double> knots = own[d].knots();
+    for (int i = 0; i <= own[d].degree(); ++i) {
+      knots[at(i)] -= beyond_[d][0];
+      knots[knots.size() - 1 - at(i)] += beyond_[d][1];
+    }
+    directions_[d] = nurbs::KnotVector(own[d].degree(), std::move(knots));
+  }
+  tabulate(own);
+}
+
+template <int D> double Surface<D>::fade(const FaceCoordinates<D>& xi, FaceCoordinates<D>& rate) const {
+  double product = 1;
+  rate.setZero();
+  for (int a = 0; a < D - 1; ++a) {
+    const bool behind = xi(a) > ends_[at(a)][1];
+    const double length = beyond_[at(a)][behind], out = behind ? xi(a) - ends_[at(a)][1] : ends_[at(a)][0] - xi(a);
+    if (out <= 0 || length == 0) continue;
+    // w = (1 − s)² (1 + 2s),  s the way out in parts of what was added
+    const double s = std::min(out / length, 1.0), w = (1 - s) * (1 - s) * (1 + 2 * s);
+    rate *= w;
+    rate(a) = product * (behind ? -6 : 6) * s * (1 - s) / length;
+    product *= w;
+  }
+  return product;
 }
 
 /// Bernstein polynomials of a curve's element: value, ,1, ,11 with per_element_ values each (N where the compiler

@@ -59,6 +59,13 @@ public:
   /// The element that shares the border of `element` at the start or end of direction α; −1 at the face's end.
   int neighbour(int element, int alpha, bool at_end) const;
 
+  /// Lets the face go on beyond its open ends by a part of its last elements, on their polynomials; to be called once,
+  /// before move(). A seam and a border that is one point, such as a pole, are no ends.
+  void extend(double part);
+  /// How much of a traction acts at xi: all of it on the face itself, none at the end of what extend() has added, with
+  /// continuous first derivatives `rate` by xi.
+  double fade(const FaceCoordinates<D>& xi, FaceCoordinates<D>& rate) const;
+
   /// Takes over current control points: reference positions plus displacement (D values per function of the body).
   void move(const double* displacement);
   /// Current control points, D × functions.
@@ -78,6 +85,8 @@ public:
 
 private:
   Surface(const nurbs::Patch& patch, std::vector<int> functions, double orientation);
+  void tabulate(const std::vector<nurbs::KnotVector>& knots);
+  std::array<bool, 2> open_ends(int alpha) const;
   template <int N> void locate_with(int element, const FaceCoordinates<D>& xi, int order, FacePoint<D>& point) const;
   template <int N> void bernstein(int element, const FaceCoordinates<D>& xi, int order, double* out) const;
   void bernstein_pair(int element, const FaceCoordinates<D>& xi, int order, double* u, double* v) const;
@@ -85,6 +94,8 @@ private:
   void weighted_functions(FacePoint<D>& point, int order) const;
 
   std::vector<nurbs::KnotVector> directions_;
+  std::array<std::array<double, 2>, D - 1> ends_;     ///< of the face itself
+  std::array<std::array<double, 2>, D - 1> beyond_{}; ///< parametric length that was added at each of them
   std::vector<int> functions_, nodes_;
   VectorX weights_;
   bool polynomial_; ///< all weights equal: no quotient to take

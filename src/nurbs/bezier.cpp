@@ -7,9 +7,13 @@
 namespace signorini::nurbs {
 
 MatrixX bezier_extraction(const KnotVector& knots, int element) {
+  const auto& breaks = knots.breaks();
+  return bezier_extraction(knots, element, breaks[at(element)], breaks[at(element + 1)]);
+}
+
+MatrixX bezier_extraction(const KnotVector& knots, int element, double start, double end) {
   const int p = knots.degree(), span = knots.span(element);
   const auto& u = knots.knots();
-  const double start = u[at(span)], end = u[at(span + 1)];
   // Q_k is the blossom of the curve at (start, p−k times; end, k times): de Boor's recursion with one argument a level,
   // on unit control points.
   MatrixX extraction(p + 1, p + 1);

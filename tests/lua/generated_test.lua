@@ -61,4 +61,34 @@ check.case("masters without sharp edges: every scene completes", function()
   check.equal({ count, found }, { 121, {} })
 end)
 
+check.case("masters with sharp edges: one scene of 29 ends early, where 11 did when traction ended with the face",
+  function()
+    local count, found = early("plane", 1, 150, sharp)
+    check.equal({ count, #found <= 2 or table.concat(found, ", ") }, { 29, true })
+  end)
+
+--- An eighth of a hollow sphere pressed onto a quarter of a block: at both planes of symmetry the block's face ends.
+check.case("planes of symmetry in space hold the points that project beyond the master's end", function()
+  local ball = sg.body{
+    patch = sg.shapes.sphere_octant{ inner = 0.5, outer = 1, centre = { 0, 0, 1 } }, elements = { 6, 6, 1 },
+    order = "N2", contact = "front", material = sg.neo_hookean{ E = 10, nu = 0.3 },
+  }
+  local block = sg.body{
+    patch = sg.shapes.block{ size = { 1.2, 1.2, 0.6 }, corner = { 0, 0, -0.6 } }, elements = { 6, 6, 2 },
+    order = "N2", contact = "back", material = sg.neo_hookean{ E = 1, nu = 0.3 },
+  }
+  local model = sg.model{
+    bodies = { ball = ball, block = block },
+    supports = {
+      bed = { on = block:face "front", fix = "xyz" }, grip = { on = ball:face "south", drive = "z" },
+      x0 = { on = { block:face "west", ball:face "east" }, fix = "x" },
+      y0 = { on = { block:face "south", ball:face "west" }, fix = "y" },
+    },
+    contacts = { interface = { slave = ball:face "front", master = block:face "back", penalty = 30,
+                               friction = { mu = 0.5, penalty = 30 } } },
+  }
+  local run = model:run({ { steps = 5, grip = -0.2 } }, sg.robust{})
+  check.equal({ run.reason, run.cutbacks }, { "completed", 0 })
+end)
+
 check.done()

@@ -262,7 +262,7 @@ TEST(Diagnosis, PointsThatLeaveTheMasterAreNamed) {
   Scene<2> scene;
   scene.bodies.push_back({"bar", make_body(nurbs::rectangle(0.1, 2, Eigen::Vector2d(-0.105, 0.1)), {2, 8}, "N2",
                                            "south", solid::linear_elastic(1, 0.3))});
-  scene.bodies.push_back({"ramp", make_body(ramp, {4, 2}, "N2", "north", solid::linear_elastic(100, 0.3))});
+  scene.bodies.push_back({"ramp", make_body(ramp, {100, 2}, "N2", "north", solid::linear_elastic(100, 0.3))});
   scene.supports = {{"top", {held(scene, 0, "north")}, {fixed, driven}},
                     {"bed", {held(scene, 1, "south")}, {fixed, fixed}}};
   scene.contacts = {{"edge",

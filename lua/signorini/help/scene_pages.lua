@@ -8,7 +8,7 @@ contacts = { <name> = { slave, master, penalty, friction, points, adhesion, wher
 slave:    the face that is integrated over, such as die:face "south"; pressures are known at its contact points. Take
           the finer mesh, of equal meshes the softer body. The published ironing studies take the stiff die.
 master:   the face of the other body that these points are projected onto, or an obstacle, sg.rigid.plane{ … } and so
-          on. An open end of the master is no contact.
+          on. Beyond an open end of the master the traction fades over a fifth of its last element.
 penalty:  pressure per length of penetration, above 0: p = -penalty g where the gap g is negative. Needed without
           adhesion. 100 E divided by a length of the scene is a usual choice;
           model:contact_resultant(name).max_penetration tells what it leaves, and augmented = true of model:run takes

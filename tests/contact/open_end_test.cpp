@@ -1,0 +1,215 @@
+// Beyond the open ends of a master: its face goes on along its own polynomials, and the traction fades there.
+#include "contact/couple.hpp"
+#include "contact/couple3d.hpp"
+
+#include "nurbs/shapes.hpp"
+
+#include <cmath>
+
+namespace signorini::contact {
+namespace {
+
+using namespace test;
+
+TEST(OpenEnd, TheFaceGoesOnAlongItsOwnPolynomials) {
+  Random random(1);
+  for (int degree : {1, 2, 3}) {
+    const auto plate = wavy_plate(random, 3, 0.1, degree, 3);
+    const Surface<3> face = top_of(plate);
+    Surface<3> longer = top_of(plate);
+    longer.extend(0.3);
+    ASSERT_EQ(longer.elements(), face.elements());
+    FacePoint<3> point, other;
+    for (int e = 0; e < face.elements(); ++e) {
+      const auto [a, b] = face.interval(e, 0);
+      const auto [c, d] = face.interval(e, 1);
+      for (int trial = 0; trial < 5; ++trial) {
+        // Inside and outside of the element
+        const Eigen::Vector2d xi(a + (b - a) * uniform(random, -0.3, 1.3), c + (d - c) * uniform(random, -0.3, 1.3));
+        face.locate(e, xi, 2, point);
+        longer.locate(e, xi, 2, other);
+        EXPECT_LT((point.position - other.position).norm(), 1e-12);
+        EXPECT_LT((point.tangent[1] - other.tangent[1]).norm(), 1e-11);
+        EXPECT_LT((point.second[1] - other.second[1]).norm(), 1e-9);
+        longer.functions(other, 1);
+        Vec<3> sum = Vec<3>::Zero(), slope = Vec<3>::Zero();
+        for (int i = 0; i < longer.functions_per_element(); ++i) {
+          sum += other.value[static_cast<std::size_t>(i)] * longer.points().col(longer.nodes(e)[i]);
+          slope += other.derivative[0][static_cast<std::size_t>(i)] * longer.points().col(longer.nodes(e)[i]);
+        }
+        EXPECT_LT((sum - other.position).norm(), 1e-12);
+        EXPECT_LT((slope - other.tangent[0]).norm(), 1e-11);
+      }
+    }
+  }
+}
+
+TEST(OpenEnd, SeamsAndPolesAreNone) {
+  // A closed square
+  MatrixX points(2, 5);
+  points << 0, 1, 1, 0, 0, 0, 0, 1, 1, 0;
+  const nurbs::KnotVector knots(1, {0, 0, 1, 2, 3, 4, 4});
+  Surface<2> square(nurbs::make_patch({knots}, points, VectorX::Ones(5)));
+  square.extend(0.2);
+  EXPECT_EQ(square.direction(0).breaks(), knots.breaks());
+
+  nurbs::Plan plan;
+  plan.elements = {2, 2, 1};
+  plan.contact = {nurbs::side_of("front", 3)};
+  plan.labels.assign(2, nurbs::parse_label("N2"));
+  const nurbs::Discretisation octant(nurbs::sphere_octant(0.5, 1, Vec<3>(0, 0, 0)), plan);
+  Surface<3> ball(octant, nurbs::side_of("front", 3));
+  const double equator = ball.direction(1).first(), pole = ball.direction(1).last(), west = ball.direction(0).first();
+  ball.extend(0.2);
+  EXPECT_EQ(ball.direction(1).last(), pole);
+  EXPECT_LT(ball.direction(1).first(), equator);
+  EXPECT_LT(ball.direction(0).first(), west);
+}
+
+TEST(OpenEnd, TheFadeFallsFromOneToZeroWithContinuousSlope) {
+  Random random(2);
+  Surface<3> face = top_of(wavy_plate(random, 3, 0.1, 2, 3));
+  std::array<double, 2> from, to;
+  for (int a = 0; a < 2; ++a) from[static_cast<std::size_t>(a)] = face.direction(a).first();
+  face.extend(0.4);
+  for (int a = 0; a < 2; ++a) to[static_cast<std::size_t>(a)] = face.direction(a).first();
+  FaceCoordinates<3> rate, unused;
+  EXPECT_EQ(face.fade({from[0] + 1e-9, from[1]}, rate), 1);
+  EXPECT_EQ(rate, Eigen::Vector2d(0, 0));
+  EXPECT_NEAR(face.fade({(from[0] + to[0]) / 2, from[1]}, rate), 0.5, 1e-14);
+  EXPECT_NEAR(face.fade({(from[0] + to[0]) / 2, (from[1] + to[1]) / 2}, rate), 0.25, 1e-14);
+  EXPECT_NEAR(face.fade({to[0], from[1]}, rate), 0, 1e-15);
+  EXPECT_NEAR(rate.norm(), 0, 1e-12);
+  for (int trial = 0; trial < 20; ++trial) {
+    FaceCoordinates<3> xi;
+    for (int a = 0; a < 2; ++a) {
+      const double beyond = face.direction(a).last();
+      xi(a) = uniform(random, 0, 1) < 0.5
+                  ? uniform(random, to[static_cast<std::size_t>(a)], beyond)
+                  : uniform(random, to[static_cast<std::size_t>(a)], from[static_cast<std::size_t>(a)]);
+    }
+    face.fade(xi, rate);
+    for (int a = 0; a < 2; ++a)
+      EXPECT_NEAR(signorini::test::derivative<double>(
+                      [&](double h) { return face.fade(xi + h * FaceCoordinates<3>::Unit(a), unused); }, 1e-6),
+                  rate(a), 1e-7);
+  }
+}
+
+/// How many touching points lie beyond x = 3, where the slab ends.
+template <int D> int beyond(const Pair<D>& pair, double end = 3) {
+  int count = 0;
+  for (const auto& point : pair.results())
+    count += point.state != ContactState::open && point.area > 0 && point.position(0) > end;
+  return count;
+}
+
+TEST(OpenEnd, TangentIsTheForcesDerivative) {
+  Census sum;
+  unsigned seed = 40;
+  int past = 0;
+  for (const char* label : {"N4", "N2-N2.2", "L1"})
+    for (double mu : {0.0, 0.3})
+      for (bool revolved : {false, true}) {
+        Couple couple("N2", slab(label), PenaltyLaw{100, 80, mu}, 2.95, 1.0, revolved);
+        Random random(++seed);
+        couple.shake(random, 0.001);
+        couple.touch();
+        couple.move_die(0, -0.06);
+        for (double drag : {0.0, 3e-4, 0.03, 0.1}) {
+          couple.move_die(drag, 0);
+          couple.shake(random, 0.0005);
+          compare_with_differences(couple, sum);
+          past += beyond(couple.pair);
+          couple.pair.accept();
+        }
+      }
+  EXPECT_GE(sum.states, 30) << sum.stepped_over << " states lay on a change of state";
+  EXPECT_GT(past, 60);
+  EXPECT_GT(sum.stick, 100);
+  EXPECT_GT(sum.slip, 100);
+}
+
+TEST(OpenEnd, TangentIsTheForcesDerivativeWithAdhesionAndOnRigidCurves) {
+  MatrixX points(2, 3);
+  points << 4, 2, 0, 0.95, 1.02, 0.95;
+  const nurbs::Patch curve = nurbs::make_patch({nurbs::KnotVector(2, {0, 0, 0, 1, 1, 1})}, points, VectorX::Ones(3));
+  Census sum;
+  Random random(7);
+  for (int round = 0; round < 4; ++round) {
+    std::vector<Couple> couples;
+    couples.emplace_back("N2-N2.1", slab("N2"), Adhesion{0.02, 0.05}, 2.9, 1.02);
+    couples.emplace_back("N2", Obstacle<2>(curve), PenaltyLaw{100, 80, 0.3}, 3.95, 1.0);
+    for (Couple& couple : couples) {
+      couple.touch();
+      couple.move_die(0.02 * round, -0.02 * round);
+      couple.shake(random, 0.002);
+      compare_with_differences(couple, sum);
+    }
+  }
+  EXPECT_GE(sum.states, 6) << sum.stepped_over << " states lay on a change of state";
+}
+
+TEST(OpenEnd, TangentIsTheForcesDerivativeInSpace) {
+  Census3 sum;
+  Random random(3);
+  int past = 0;
+  for (double mu : {0.0, 0.3})
+    for (const Vec<3>& at : {Vec<3>(2.9, 1.5, 0.1), Vec<3>(2.9, 2.9, 0.1)}) { // at an edge, at a corner
+      Couple3 couple("N2", wavy_plate(random, 3, 0.02, 2, 4), PenaltyLaw{100, 80, mu}, at);
+      couple.touch();
+      couple.move_die({0, 0, -0.05});
+      for (const Vec<3>& drag : {Vec<3>(0, 0, 0), Vec<3>(3e-4, 1e-4, 0), Vec<3>(0.03, 0.02, 0)}) {
+        couple.move_die(drag);
+        couple.shake(random, 0.0005);
+        compare_with_differences(couple, random, sum);
+        past += beyond(couple.pair);
+        couple.pair.accept();
+      }
+    }
+  EXPECT_GE(sum.compared, 8) << sum.stepped_over << " states lay on a change of state";
+  EXPECT_GT(past, 20);
+}
+
+/// The largest change of the force from one step to the next while the die is dragged off the slab's end.
+double largest_jump(int steps) {
+  Couple couple("N2", slab("N2"), PenaltyLaw{100, 100, 0}, 2.8, 0.95);
+  double jump = 0;
+  Vec<2> before = Vec<2>::Zero();
+  for (int step = 0; step <= steps; ++step, couple.move_die(0.6 / steps, 0)) {
+    couple.evaluate();
+    const Vec<2> force = couple.pair.resultant().force;
+    if (step > 0) jump = std::max(jump, (force - before).norm());
+    before = force;
+  }
+  EXPECT_EQ(before.norm(), 0); // off the end, and beyond where the traction fades
+  return jump;
+}
+
+TEST(OpenEnd, TheForceIsContinuousWhilePointsPassTheEnd) {
+  EXPECT_LT(largest_jump(4000), 0.6 * largest_jump(2000));
+}
+
+TEST(OpenEnd, ForcesAndMomentsBalance) {
+  Couple couple("N2", slab("N3"), PenaltyLaw{100, 100, 0}, 3.0, 0.95);
+  couple.evaluate();
+  EXPECT_GT(beyond(couple.pair), 0);
+  const VectorX force = couple.dense().force;
+  Vec<2> sum = Vec<2>::Zero();
+  double moment = 0;
+  const auto add = [&](const MatrixX& points, int offset) {
+    for (int i = 0; i < points.cols(); ++i) {
+      const Vec<2> f = force.segment<2>(offset + 2 * i),
+                   x = Vec<2>(points.col(i)) + couple.u.segment<2>(offset + 2 * i);
+      sum += f;
+      moment += x(0) * f(1) - x(1) * f(0);
+    }
+  };
+  add(couple.die.points(), 0);
+  add(couple.base->points(), couple.die_dofs());
+  EXPECT_LT(sum.norm(), 1e-13 * force.norm());
+  EXPECT_LT(std::abs(moment), 1e-12 * force.norm());
+}
+
+} // namespace
+} // namespace signorini::contact
