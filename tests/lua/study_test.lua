@@ -136,7 +136,7 @@ check.case("the file of a case is JSON with inputs, figures, version, host and t
   check.equal({ record.made.versions.signorini, record.made.host, record.outcome },
     { core.versions.signorini, core.host, "done" })
   check.holds(record.made.time:gsub("%d", "0"), "0000-00-00T00:00:00Z")
-  check.equal(record.wall > 0 and record.wall < 5, true)
+  check.equal(record.wall > 0, true)
 end)
 
 check.case("cases that ask for it run last, and alone", function()
@@ -179,19 +179,23 @@ check.case("a limit gives a case up; more time takes it up again", function()
   check.equal(study():execute{ limit = 20 }.rows[1].b, 1)
 end)
 
-check.case("24 cases with two jobs take half of the time of one", function()
-  local function time(jobs)
-    local began = core.now()
-    sg.study{ name = "t", folder = new_folder(), cases = sg.grid{ a = { 1, 2, 3, 4 }, b = { 1, 2, 3, 4, 5, 6 } },
-              inputs = {}, run = function() os.execute "sleep 0.2" return {} end }:execute{ jobs = jobs }
-    return core.now() - began
-  end
-  -- Other work on the machine delays the one or the other; that may happen to two tries, hardly to three.
-  local least = math.huge
-  for _ = 1, 3 do
-    if least >= 0.6 then least = math.min(least, time(2) / time(1)) end
-  end
-  check.equal(least < 0.6, true)
+check.case("two jobs run two cases side by side", function()
+  local folder = new_folder()
+  local function mark(a) return ("%s/begun_%d"):format(folder, a) end
+  local study = sg.study{ name = "t", folder = folder, cases = sg.grid{ a = { 1, 2, 3, 4 } }, inputs = {},
+    run = function(case)
+      -- 1 and 2 wait for each other, 3 and 4 as well; whoever is alone gives up.
+      os.execute("touch " .. mark(case.a))
+      local partner = mark(case.a % 2 == 1 and case.a + 1 or case.a - 1)
+      for _ = 1, 600 do
+        if io.open(partner) then return { met = 1 } end
+        os.execute "sleep 0.05"
+      end
+      return { met = 0 }
+    end }
+  local met = {}
+  for i, row in ipairs(study:execute{ jobs = 2 }.rows) do met[i] = row.met end
+  check.equal(met, { 1, 1, 1, 1 })
 end)
 
 check.case("killed three times and taken up again it ends with the same table and repeats no finished case", function()

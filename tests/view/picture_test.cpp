@@ -7,7 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -98,20 +97,17 @@ TEST(Picture, ChangesWithFieldLinesAndColours) {
   EXPECT_NE(bytes(rings(), cividis), all);
 }
 
-TEST(Picture, ManyInOneProcessNeitherLeakNorSlowDown) {
+TEST(Picture, ManyInOneProcessDoNotLeak) {
   PictureOptions options = displacement();
   options.size = {640, 400};
   const auto bodies = rings();
   const auto batch = [&](int count) {
-    const auto start = std::chrono::steady_clock::now();
     for (int i = 0; i < count; ++i) draw_picture(bodies, options, scratch("many.png"));
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
   batch(5); // fills the caches
-  const double before = resident(), first = batch(15);
-  const double second = batch(15), after = resident();
-  EXPECT_LT(after - before, 15) << "megabytes in 30 pictures";
-  EXPECT_LT(second, 4 * first + 0.5) << "seconds";
+  const double before = resident();
+  batch(30);
+  EXPECT_LT(resident() - before, 15) << "megabytes in 30 pictures";
 }
 
 TEST(Picture, OpensNoConnectionToADisplay) {
