@@ -82,7 +82,7 @@ const char* usage() {
          "  -e 'code'       run code (may be repeated, before the script)\n"
          "  -i              go to the prompt afterwards, also after an error\n"
          "  -q              no progress, no greeting\n"
-         "  --threads N     threads of assembly and linear algebra (1)\n"
+         "  --threads N     threads of assembly and contact search; BLAS uses one (1)\n"
          "  --jobs N        cases of a study side by side, also behind the script (as many as there are processors)\n"
          "  --new FILE      write a commented study to begin with, such as study.lua\n"
          "  --version       version\n"

@@ -84,6 +84,22 @@ check.case("a wrong command line ends with status 2 and a hint", function()
   end
 end)
 
+check.case("--threads N runs N threads, none of them of BLAS, also after a solve", function()
+  local code = [[
+    local function count() return #require("signorini.core").list_folder "/proc/self/task" end
+    local before = count()
+    local block = sg.body{ patch = sg.shapes.block{ size = { 1, 1, 1 } }, elements = { 8, 8, 8 }, order = "N2",
+                           material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+    local model = sg.model{ bodies = { block = block }, supports = { bed = { on = block:face "front", fix = "xyz" },
+      grip = { on = block:face "back", drive = "z", fix = "xy" } } }
+    model:run({ { steps = 1, grip = { 0, 0, -0.1 } } }, { linear = "umfpack" })
+    print(before, count())
+  ]]
+  for threads = 1, 3 do
+    gives(run { "-q", "--threads", tostring(threads), "-e", code }, ("%d\t%d\n"):format(threads, threads))
+  end
+end)
+
 check.case("more threads than the system starts are an error that says how many there can be", function()
   -- a stack of 8 MB each, and 4 GB for all
   local result = run({ "--threads", "1024", "-e", "print(1)" }, nil, "ulimit -s 8192; ulimit -v 4000000;")
