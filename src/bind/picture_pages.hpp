@@ -45,7 +45,7 @@ fields:      {"sxx", "syy"}, in the place of field: side by side, each with a co
 factor:      multiplies the field (1).
 label:       title of the colour bar; by default the field's name with its factor.
 range:       {low, high} of the colours, in the unit of the field times factor; by default that of the values, but for
-             0.2 % that lie far beyond the others: the bar's title then says what the values reach.
+             0.5 % that lie far beyond the others: the bar's title then says what the values reach.
 colormap:    "viridis", "magma", "inferno", "plasma", "cividis", or "coolwarm" for values of both signs ("viridis").
  On paper
 size:        {width, height} in pixels, exactly; or a number, the greatest width in pixels, with twice as much for the

@@ -30,7 +30,7 @@ std::optional<ColouredValues> coloured_values(const std::vector<const VectorX*>&
   std::vector<double> sorted;
   for (const VectorX* some : values) sorted.insert(sorted.end(), some->begin(), some->end());
   if (sorted.empty()) return std::nullopt;
-  constexpr double share = 0.002, far = 3;
+  constexpr double share = 0.005, far = 3;
   const auto left_out = static_cast<std::ptrdiff_t>(std::ceil(share * static_cast<double>(sorted.size())));
   const auto [least, most] = std::minmax_element(sorted.begin(), sorted.end());
   ColouredValues result{{*least, *most}, {*least, *most}, sorted.size()};

@@ -17,7 +17,7 @@ struct ColouredValues {
   std::size_t count = 0, extreme = 0;
   bool clipped() const { return extreme > 0; }
 };
-/// Of all states; nothing without values. Extreme are the highest 0.2 % (and the lowest) where they lie farther beyond
+/// Of all states; nothing without values. Extreme are the highest 0.5 % (and the lowest) where they lie farther beyond
 /// the rest than three times its range: one sample in a singular point would leave a single colour for all others.
 std::optional<ColouredValues> coloured_values(const std::vector<const VectorX*>& values);
 
