@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace signorini::view {
 namespace {
@@ -62,7 +63,10 @@ std::array<double, 2> colour_range(const ColouredValues& values, const std::opti
 std::string bar_title(const ColouredValues& values, const std::optional<std::array<double, 2>>& given,
                       const std::string& title) {
   if (given || !values.clipped()) return title;
-  return text(title, " (", number(values.all[0]), " … ", number(values.all[1]), ")");
+  std::ostringstream out;
+  out.precision(3);
+  out << title << " (" << values.all[0] << " … " << values.all[1] << ")";
+  return out.str();
 }
 
 std::array<double, 2> colour_range(const std::array<double, 2>& values,
