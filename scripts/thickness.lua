@@ -14,8 +14,9 @@
 --         T. J. R. Hughes, The Finite Element Method, Dover, 2000, chapter 4.
 -- Units: ripple in N/mm; errors of pressure and deflection in 1; times in s.
 -- Expected: ironing and Hertz: degree 1 takes 0.5 to 0.7 of the time at equal error; Hertz on m4 and finer: its linear
---           elements through the wall leave 4e-3. Cantilever: degree 1 takes about six times as many elements through the beam for the same deflection
---           at nu = 0.3; at nu = 0.49 it has lost 91 % of it with one element and 16 % with eight.
+--           elements through the wall leave 4e-3. Cantilever: degree 1 takes about six times as many elements through
+--           the beam for the same deflection at nu = 0.3; at nu = 0.49 it has lost 91 % of it with one element and 16 %
+--           with eight.
 -- Run: signorini scripts/thickness.lua [problems=ironing,hertz,cantilever,cantilever49] [labels=N2,N2-N2.2]
 --      [through=1,2] [meshes=m1,m2,m3] [rounds=1] [time=cpu] [out=out/thickness]; rounds: how often each case is run,
 --      for medians; time: cpu, or wall, for a machine that does nothing else. Cases that are done are kept in `out`.

@@ -28,9 +28,9 @@ end)
 
 check.case("without friction a state does not depend on the way to it: pressed in the middle", function()
   local slab = sg.body{ patch = sg.shapes.block{ size = {20, 10, 10} }, elements = {4, 2, 1}, order = "N2",
-                        contact = "back", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+                        contact = "back", through = 1, material = sg.neo_hookean{ E = 1, nu = 0.3 } }
   local block = sg.body{ patch = sg.shapes.block{ size = {4, 4, 4}, corner = {8, 3, 10} },
-                         elements = {2, 2, 1}, order = "N2", contact = "front",
+                         elements = {2, 2, 1}, order = "N2", contact = "front", through = 1,
                          material = sg.neo_hookean{ E = 10, nu = 0.3 } }
   local model = sg.model{
     bodies   = { block = block, slab = slab },

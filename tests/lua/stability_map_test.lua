@@ -243,7 +243,7 @@ check.case("a block is pressed into a plane: a stiff penalty or long steps fail"
     x = { name = "penalty", values = { 10, 1e3 } }, y = { name = "depth", values = { 0.1, 3 } },
     scene = function(penalty)
       local block = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = { 2, 2 }, order = "N2",
-                             contact = "south", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+                             contact = "south", through = 1, material = sg.neo_hookean{ E = 1, nu = 0.3 } }
       return sg.model{ bodies = { block = block }, supports = { head = { on = block:face "north", drive = "xy" } },
         contacts = { ground = { slave = block:face "south", penalty = penalty,
                                 master = sg.rigid.plane{ point = {0, -1e-3}, normal = {0, 1} } } } }
