@@ -234,6 +234,18 @@ function Step:solve_arc(length, iterations, diagnoses)
   return result, self.done + result.fraction, kept
 end
 
+--- Whether the step changes a target, or the penalties.
+function Step:moves()
+  local penalty = self.options.penalty
+  if penalty and self.run.steps < penalty.steps then return true end
+  for name, goal in pairs(self.stage.targets) do
+    for i, value in ipairs(goal) do
+      if value ~= self.stage.starts[name][i] then return true end
+    end
+  end
+  return false
+end
+
 --- Whether there are controls to try on all that is left of a step.
 function Step:has_rescues() return #self.options.tries > 0 and not self.options.arcs end
 

@@ -4,6 +4,7 @@
 --   step.solver        what model:solve_step takes
 --   step:attempt(to, shorter)  solves for the targets at the part `to` of the step; accepts, or rolls back; returns the
 --                      result. `shorter`: where it fails a shorter one will follow
+--   step:moves()       says whether anything that is prescribed changes in the step
 --   step:has_rescues() says whether something is tried where an attempt has failed
 --   step:cut_back()    says that a failed attempt is tried again, shorter
 -- and another, shorten(step), which makes the next attempts at this step half as long and says whether it could.
@@ -63,7 +64,8 @@ function Halving:take(step)
   repeat
     local rest = 1 - step.done
     local length = memory.length < rest - rounding and memory.length or rest
-    local last = length / 2 < self.min - rounding
+    local moves = step:moves() -- where nothing does a shorter attempt solves the same equations
+    local last = not moves or length / 2 < self.min - rounding
     result = step:attempt(length == rest and 1 or step.done + length, not last)
     if result.converged then
       if is_easy(result, step.solver) then
@@ -71,6 +73,8 @@ function Halving:take(step)
         memory.length = math.max(memory.length, math.min(longest, self.growth * length))
       end
     elseif steps.is_asked_for(result) then
+      return result
+    elseif not moves then
       return result
     elseif last then
       result.shortest = length

@@ -108,12 +108,16 @@ check.case("steps that are too long leave work out of the balance: a warning nam
   check.equal({ halved < 0.8 * missing, eighth < 0.3 * missing, #quiet.warnings }, { true, true, 0 })
 end)
 
---- A block on its bed, with a load on its top, which acts in full before the first stage or is driven.
+--- A block on its bed that a load pulls up to a rigid ceiling; the load acts in full before the first stage or is driven.
 local function loaded(traction, stages)
   local block = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = { 2, 2 }, order = "N2",
-                         through = 1, contact = "north", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
-  local model = sg.model{ bodies = { block = block }, supports = { bed = { on = block:face "south", fix = "xy" } },
-                          loads = { push = { on = block:face "north", traction = { 0, traction } } } }
+                         contact = "north", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+  local model = sg.model{
+    bodies   = { block = block }, supports = { bed = { on = block:face "south", fix = "xy" } },
+    loads    = { push = { on = block:face "north", traction = { 0, traction } } },
+    contacts = { ceiling = { slave = block:face "north", penalty = 100,
+                             master = sg.rigid.plane{ point = { 0, 1.2 }, normal = { 0, -1 } } } },
+  }
   return model:run(stages), model:energy()
 end
 
@@ -124,10 +128,10 @@ local function balance_warnings(run)
 end
 
 check.case("more steps do not help where a load acts at once, and nothing is missing in a closed cycle", function()
-  local run, energy = loaded(1.5, { { steps = 2 } })
-  check.equal(math.abs(energy.work / energy.stored - 1) > 0.1, true) -- summed over one step
+  local run, energy = loaded(1, { { steps = 2 } })
+  check.equal(energy.work > 1.2 * (energy.stored + energy.contact), true) -- summed over one step
   check.equal(balance_warnings(run), 0)
-  run = loaded(0, { { steps = 3, push = { 0, -0.1 } }, { steps = 5, push = { 0, 0 } } })
+  run = loaded(0, { { steps = 30, push = { 0, 0.5 } }, { steps = 50, push = { 0, 0 } } })
   check.equal(balance_warnings(run), 0)
 end)
 

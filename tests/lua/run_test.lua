@@ -278,6 +278,12 @@ check.case("a step that cannot be reached leaves the model at its last increment
   check.equal(run.cutbacks, 2)
 end)
 
+check.case("a step in which nothing moves is not cut: shorter ones would be the same", function()
+  local model = model_of(function() return "cycling" end)
+  local run = model:run{ { steps = 2, grip = { 0, 0 } } }
+  check.equal({ run.reason, run.cause, run.cutbacks, #run:attempts(1) }, { "cycling", "cycling", 0, 4 })
+end)
+
 check.case("an interrupted step is not tried again", function()
   local model = model_of(function() return "interrupted" end)
   local run = model:run({ { steps = 2, grip = { 1, 0 } } }, { step = { adaptive = true } })

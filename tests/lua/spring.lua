@@ -65,7 +65,8 @@ local function spring(fails)
     return { 2 * sign * u[1], 3 * sign * u[2] }
   end
   function model:contact_resultant()
-    return { fx = 0, fy = 0, area = -self.accepted[2], max_pressure = 1, max_penetration = 0, active = 1 }
+    return { fx = 0, fy = 0, area = -self.accepted[2], max_pressure = 1, max_penetration = 0, active = 1,
+             unsettled = 0 }
   end
   function model:profile() return { gap = { 1 } } end
   function model:energy() return { stored = 0, contact = 0, friction = 0, work = 0 } end
