@@ -1,6 +1,6 @@
 -- Whether the work of a run is found again in its energies, stage by stage. With steps that are too long it is not:
--- work is summed by the trapezoidal rule, and slip is measured at the end of a step. What is missing falls linearly with
--- the length of the steps, or faster.
+-- work is summed by the trapezoidal rule, and slip is measured at the end of a step. What is missing falls linearly
+-- with the length of the steps, or faster.
 
 local path_controls = require "signorini.path_controls"
 

@@ -108,7 +108,8 @@ check.case("steps that are too long leave work out of the balance: a warning nam
   check.equal({ halved < 0.8 * missing, eighth < 0.3 * missing, #quiet.warnings }, { true, true, 0 })
 end)
 
---- A block on its bed that a load pulls up to a rigid ceiling; the load acts in full before the first stage or is driven.
+--- A block on its bed that a load pulls up to a rigid ceiling; the load acts in full before the first stage or is
+--- driven.
 local function loaded(traction, stages)
   local block = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = { 2, 2 }, order = "N2",
                          contact = "north", material = sg.neo_hookean{ E = 1, nu = 0.3 } }

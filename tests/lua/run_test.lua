@@ -187,7 +187,8 @@ end)
 -- ── Increments ───────────────────────────────────────────────────────────────────────────────────────────────────────
 
 --- A path from 0 to `steps` in steps of 1, on a spring on which an attempt of more than limit(x) from x fails, with
---- plain Newton but for `step` and `more`. Returns the run, the model, and what was accepted of the path, point by point.
+--- plain Newton but for `step` and `more`. Returns the run, the model, and what was accepted of the path, point by
+--- point.
 local function climb(steps, limit, step, more)
   local model
   model = model_of(function(x)
