@@ -29,7 +29,7 @@ constexpr int glance = 100; // ms between two looks at the Ctrl-C flag and at th
 
 bool write_all(int pipe, const std::string& data) {
   for (std::size_t at = 0; at < data.size();) {
-    const ssize_t count = write(pipe, data.data() + at, data.size() - at);
+    const ssize_t count = ::write(pipe, data.data() + at, data.size() - at);
     if (count < 0 && errno != EINTR) return false;
     if (count > 0) at += static_cast<std::size_t>(count);
   }
@@ -92,7 +92,7 @@ public:
   /// Takes what has come; false when nothing more will.
   bool read_some() {
     char buffer[1 << 16];
-    const ssize_t count = read(pipe_, buffer, sizeof buffer);
+    const ssize_t count = ::read(pipe_, buffer, sizeof buffer);
     if (count > 0) data_.append(buffer, static_cast<std::size_t>(count));
     return count > 0 || (count < 0 && errno == EINTR);
   }

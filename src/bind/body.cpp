@@ -172,7 +172,7 @@ std::string all_degrees_in_words(const nurbs::Discretisation& space) {
   return words;
 }
 
-template <int D> int tostring(lua_State* L) {
+template <int D> int body_text(lua_State* L) {
   const solid::Body<D>& body = *self<Body<D>>(L);
   const nurbs::Discretisation& space = body.space();
   std::string elements, closed;
@@ -184,7 +184,7 @@ template <int D> int tostring(lua_State* L) {
   return 1;
 }
 
-constexpr Function functions[] = {
+constexpr Function body_functions[] = {
     {"body", wrap<body>,
      "sg.body{ patch, elements, order, contact, material, through, grading }\n"
      "A solid body. patch: its shape, a surface in the plane or a volume in 3D. elements: knot spans per parametric\n"
@@ -205,8 +205,8 @@ constexpr Function functions[] = {
 };
 
 template <int D>
-constexpr Function rows[] = {
-    {"__tostring", wrap<tostring<D>>,
+constexpr Function body_entries[] = {
+    {"__tostring", wrap<body_text<D>>,
      "body\nWhat sg.body returns, an immutable value; print(body) tells its elements and degrees per direction, of its "
      "rows\nof control points one after the other where these differ, and its size; tostring(body) the first line of "
      "that.\nMethods: face, edge, corner, dofs, points."},
@@ -237,8 +237,8 @@ constexpr Function rows[] = {
 } // namespace
 
 void open_body(lua_State* L) {
-  register_functions(L, "sg", functions);
-  register_type<Body<2>, Body<3>>(L, rows<2>, rows<3>);
+  register_functions(L, "sg", body_functions);
+  register_type<Body<2>, Body<3>>(L, body_entries<2>, body_entries<3>);
   open_places(L);
 }
 

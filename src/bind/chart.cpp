@@ -198,7 +198,7 @@ int chart(lua_State* L) {
   return 0;
 }
 
-constexpr Function rows[] = {
+constexpr Function chart_entries[] = {
     {"chart", wrap<chart>,
      R"(sg.chart{ file, x, { y, x, label, line = true, width = 3, dashed = false, markers, marker, marks,
           color }, …, xlabel, ylabel, log, title, legend = true, legend_title, marks, marks_title, xrange, yrange,
@@ -239,7 +239,7 @@ Example: sg.chart{ file = "square.png", x = {1, 2, 3}, { y = {1, 4, 9}, label = 
 } // namespace
 
 void open_chart(lua_State* L) {
-  register_functions(L, "sg", rows);
+  register_functions(L, "sg", chart_entries);
 }
 
 } // namespace signorini::bind

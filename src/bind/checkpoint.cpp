@@ -7,17 +7,17 @@ namespace signorini::bind {
 
 namespace {
 
-const Argument file_argument{"path", "the checkpoint's file"};
+const Argument checkpoint_argument{"path", "the checkpoint's file"};
 
 template <int D> int save_run(lua_State* L, Model<D>& model) {
-  const std::string file = read_string(L, 2, file_argument);
+  const std::string file = read_string(L, 2, checkpoint_argument);
   const bool durable = lua_isnoneornil(L, 4) || lua_toboolean(L, 4) != 0;
   model::save(*model, file, lua_isnoneornil(L, 3) ? std::string() : read_string(L, 3, {"text"}), durable);
   return 0;
 }
 
 template <int D> int restore_run(lua_State* L, Model<D>& model) {
-  model::restore(*model, read_string(L, 2, file_argument));
+  model::restore(*model, read_string(L, 2, checkpoint_argument));
   return 0;
 }
 
@@ -32,7 +32,7 @@ int core_restore(lua_State* L) {
 }
 
 int core_text(lua_State* L) {
-  push(L, model::load_text(read_string(L, 1, file_argument)));
+  push(L, model::load_text(read_string(L, 1, checkpoint_argument)));
   return 1;
 }
 
@@ -42,7 +42,7 @@ int load(lua_State* L) {
         push_object(L, model);
         count_memory(L, model->memory());
       },
-      model::load(read_string(L, 1, file_argument)));
+      model::load(read_string(L, 1, checkpoint_argument)));
   return 1;
 }
 
@@ -55,7 +55,7 @@ constexpr Function core_rows[] = {
     {"checkpoint_text", wrap<core_text>, "core.checkpoint_text(path)\nThe text that core.save was given."},
 };
 
-constexpr Function functions[] = {
+constexpr Function checkpoint_functions[] = {
     {"load", wrap<load>,
      "sg.load(path)\n"
      "The model that model:save(path), or a run with checkpoints, has saved: bodies, supports, loads, contacts, and\n"
@@ -67,14 +67,14 @@ constexpr Function functions[] = {
 } // namespace
 
 template <int D> int save(lua_State* L) {
-  model::save(*self<Model<D>>(L), read_string(L, 2, file_argument));
+  model::save(*self<Model<D>>(L), read_string(L, 2, checkpoint_argument));
   return 0;
 }
 template int save<2>(lua_State*);
 template int save<3>(lua_State*);
 
 void open_checkpoint(lua_State* L) {
-  register_functions(L, "sg", functions);
+  register_functions(L, "sg", checkpoint_functions);
   register_functions(L, "core", core_rows);
 }
 

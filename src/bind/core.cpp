@@ -140,7 +140,7 @@ int core_offered(lua_State* L) {
   return 1;
 }
 
-constexpr Function rows[] = {
+constexpr Function core_entries[] = {
     {"fail", wrap<core_fail>, "core.fail(message)\nEnds with an error at the line of the user's own script."},
     {"offered", wrap<core_offered>,
      "core.offered(f, most)\n"
@@ -170,7 +170,7 @@ constexpr Function public_rows[] = {
 } // namespace
 
 void open_core(lua_State* L) {
-  register_functions(L, "core", rows);
+  register_functions(L, "core", core_entries);
   register_functions(L, "sg", public_rows);
 }
 

@@ -44,7 +44,7 @@ int tensor(lua_State* L, int directions) {
   return 1;
 }
 
-int surface(lua_State* L) {
+int patch_surface(lua_State* L) {
   return tensor(L, 2);
 }
 int volume(lua_State* L) {
@@ -123,14 +123,14 @@ int coons(lua_State* L) {
   return 1;
 }
 
-constexpr Function rows[] = {
+constexpr Function curves_entries[] = {
     {"curve", wrap<curve>,
      "sg.nurbs.curve{ degree, knots, points, weights = {1, …} }\n"
      "A NURBS curve in 2D or 3D. The knot vector is open (its ends are repeated degree + 1 times) and has as many "
      "knots\n"
      "as points + degree + 1.\n"
      "Example: sg.nurbs.curve{ degree = 2, knots = {0, 0, 0, 1, 1, 1}, points = {{0, 0}, {1, 2}, {2, 0}} }"},
-    {"surface", wrap<surface>,
+    {"surface", wrap<patch_surface>,
      "sg.nurbs.surface{ degrees = {p, q}, knots = {U, V}, points, weights = {1, …} }\n"
      "A tensor-product NURBS surface in 2D or 3D; points run fastest in xi1.\n"
      "Example: sg.nurbs.surface{ degrees = {1, 1}, knots = {{0, 0, 1, 1}, {0, 0, 1, 1}},\n"
@@ -186,7 +186,7 @@ constexpr Function rows[] = {
 } // namespace
 
 void open_curves(lua_State* L) {
-  register_functions(L, "sg.nurbs", rows);
+  register_functions(L, "sg.nurbs", curves_entries);
 }
 
 } // namespace signorini::bind

@@ -53,7 +53,7 @@ int write(lua_State* L) {
   return write_to(L, 1, 3, patches);
 }
 
-constexpr Function rows[] = {
+constexpr Function exchange_entries[] = {
     {"read", wrap<read>,
      "sg.nurbs.read(file)\n"
      "All patches of a file, as a list in the file's order. Which form it has is seen by how it begins:\n"
@@ -80,7 +80,7 @@ int write_patch(lua_State* L) {
 }
 
 void open_exchange(lua_State* L) {
-  register_functions(L, "sg.nurbs", rows);
+  register_functions(L, "sg.nurbs", exchange_entries);
 }
 
 } // namespace signorini::bind

@@ -56,7 +56,7 @@ int lock(lua_State* L) {
   return 1;
 }
 
-constexpr Function rows[] = {
+constexpr Function files_entries[] = {
     {"write_file", wrap<write_file>,
      "core.write_file(file, bytes, durable = false)\n"
      "Writes a file, whole or not at all; durable: on the disk on return, so that it outlives the machine's power."},
@@ -77,7 +77,7 @@ constexpr Function methods[] = {
 
 void open_files(lua_State* L) {
   register_type<Lock>(L, methods);
-  register_functions(L, "core", rows);
+  register_functions(L, "core", files_entries);
 }
 
 } // namespace signorini::bind

@@ -267,7 +267,7 @@ int heatmap(lua_State* L) {
   return 0;
 }
 
-constexpr Function rows[] = {
+constexpr Function heatmap_entries[] = {
     {"heatmap", wrap<heatmap>,
      R"(sg.heatmap{ file, x, y, values, texts, categories, xlabel, ylabel, title, label, range, log = false,
             colormap = "viridis", panels, columns, size = {1600, 1000} }
@@ -299,7 +299,7 @@ Example: sg.heatmap{ file = "map.png", x = {"N2", "N4"}, y = {10, 20}, texts = {
 } // namespace
 
 void open_heatmap(lua_State* L) {
-  register_functions(L, "sg", rows);
+  register_functions(L, "sg", heatmap_entries);
 }
 
 } // namespace signorini::bind

@@ -64,7 +64,7 @@ int jobs(lua_State* L) {
   return 1;
 }
 
-constexpr Function rows[] = {
+constexpr Function jobs_entries[] = {
     {"jobs", wrap<jobs>,
      "core.jobs(count, at_once, run, done, limit, look)\n"
      "Calls run(i) for i = 1 … count, each in a child process of its own, at most at_once of them side by side, and\n"
@@ -80,7 +80,7 @@ constexpr Function rows[] = {
 } // namespace
 
 void open_jobs(lua_State* L) {
-  register_functions(L, "core", rows);
+  register_functions(L, "core", jobs_entries);
 }
 
 } // namespace signorini::bind

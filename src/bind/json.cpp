@@ -16,7 +16,7 @@ constexpr int deepest = 100; // levels of tables: what is deeper is likely to ho
 Json value_at(lua_State* L, int index, const std::string& path, int level);
 
 /// The names of a table's fields, sorted; those that are part of its list 1…length are left out.
-std::set<std::string> names_of(lua_State* L, int index, lua_Integer length, const std::string& path) {
+std::set<std::string> keys_of(lua_State* L, int index, lua_Integer length, const std::string& path) {
   std::set<std::string> names;
   lua_pushnil(L);
   while (lua_next(L, index)) {
@@ -35,7 +35,7 @@ Json table_at(lua_State* L, int index, const std::string& path, int level) {
   if (level > deepest) throw ArgumentError(text(path, " is nested deeper than ", deepest, " tables"));
   luaL_checkstack(L, 4, "nested tables");
   const auto length = static_cast<lua_Integer>(lua_rawlen(L, index));
-  const std::set<std::string> names = names_of(L, index, length, path);
+  const std::set<std::string> names = keys_of(L, index, length, path);
   if (!names.empty() && length > 0)
     throw ArgumentError(text(path, " has names and a list in one table: put the list under a name"));
   Json json = names.empty() ? Json::array() : Json::object();
@@ -125,7 +125,7 @@ int read_json(lua_State* L) {
   return 1;
 }
 
-constexpr Function rows[] = {
+constexpr Function json_entries[] = {
     {"write_json", wrap<write_json>,
      "core.write_json(value, name)\n"
      "Plain data as the text of JSON, names sorted; numbers read back as the same bits. An empty table is an empty "
@@ -138,7 +138,7 @@ constexpr Function rows[] = {
 } // namespace
 
 void open_json(lua_State* L) {
-  register_functions(L, "core", rows);
+  register_functions(L, "core", json_entries);
 }
 
 } // namespace signorini::bind

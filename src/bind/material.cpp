@@ -14,14 +14,14 @@ template <auto make> int material(lua_State* L) {
   return 1;
 }
 
-int tostring(lua_State* L) {
+int material_text(lua_State* L) {
   const auto& material = self<solid::Material>(L);
   const bool linear = std::holds_alternative<solid::LinearElastic>(material);
   push(L, text(linear ? "linear elastic: " : "neo-Hooke: ", constants_in_words(material)));
   return 1;
 }
 
-constexpr Function functions[] = {
+constexpr Function material_functions[] = {
     {"neo_hookean", wrap<material<solid::neo_hookean>>,
      "sg.neo_hookean{ E, nu }\n"
      "Compressible neo-Hooke material, W = lambda/2 (ln J)^2 + mu/2 (tr C - 3) - mu ln J. E: Young's modulus (force\n"
@@ -37,8 +37,8 @@ constexpr Function functions[] = {
      "Example: sg.linear_elastic{ E = 1, nu = 0.3 }"},
 };
 
-constexpr Function rows[] = {
-    {"__tostring", wrap<tostring>,
+constexpr Function material_entries[] = {
+    {"__tostring", wrap<material_text>,
      "material\nWhat sg.neo_hookean and sg.linear_elastic return; print(material) tells the law and its constants."},
 };
 
@@ -50,8 +50,8 @@ std::string constants_in_words(const solid::Material& material) {
 }
 
 void open_material(lua_State* L) {
-  register_functions(L, "sg", functions);
-  register_type<solid::Material>(L, rows);
+  register_functions(L, "sg", material_functions);
+  register_type<solid::Material>(L, material_entries);
 }
 
 } // namespace signorini::bind

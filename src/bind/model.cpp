@@ -82,7 +82,7 @@ template <int D> int solver(lua_State* L) {
   return 1;
 }
 
-template <int D> int tostring(lua_State* L) {
+template <int D> int model_text(lua_State* L) {
   const Model<D>& model = self<Model<D>>(L);
   const auto& scene = model->scene();
   std::string names;
@@ -95,8 +95,8 @@ template <int D> int tostring(lua_State* L) {
 }
 
 template <int D>
-constexpr Function rows[] = {
-    {"__tostring", wrap<tostring<D>>,
+constexpr Function model_entries[] = {
+    {"__tostring", wrap<model_text<D>>,
      "model\nWhat sg.model returns: the scene with its accepted state and the present one; print(model) tells its "
      "size and its\nparts, where stages have moved them and which contacts touch; tostring(model) its size.\n"
      "model:run takes it along a load path; help \"results\" and help \"verbs\" list the other methods."},
@@ -153,8 +153,8 @@ constexpr Function rows[] = {
 /// All methods, subject by subject.
 template <int D> std::vector<Function> all_rows() {
   std::vector<Function> all;
-  for (const std::span<const Function> part :
-       {std::span<const Function>(rows<D>), path_rows<D>(), system_rows<D>(), result_rows<D>(), cost_rows<D>()})
+  for (const std::span<const Function> part : {std::span<const Function>(model_entries<D>), path_rows<D>(),
+                                               system_rows<D>(), result_rows<D>(), cost_rows<D>()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

@@ -134,14 +134,14 @@ template <int D> int cost(lua_State* L) {
 }
 
 template <int D>
-constexpr Function rows[] = {
+constexpr Function model_cost_entries[] = {
     {"cost_figures", wrap<cost<D>>, "m:cost_figures()\nThe plain numbers behind m:cost."},
 };
 
 } // namespace
 
 template <int D> std::span<const Function> cost_rows() {
-  return rows<D>;
+  return model_cost_entries<D>;
 }
 
 template std::span<const Function> cost_rows<2>();

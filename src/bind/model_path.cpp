@@ -173,7 +173,7 @@ template <int D> int snapshot_tostring(lua_State* L) {
 }
 
 template <int D>
-constexpr Function rows[] = {
+constexpr Function model_path_entries[] = {
     {"driven", wrap<driven<D>>,
      "m:driven(name)\n"
      "The components that stages move, in order: {\"x\", \"y\"} (in 3D also \"z\") of a driven support or a\n"
@@ -275,7 +275,7 @@ constexpr Function snapshot_rows[] = {
 } // namespace
 
 template <int D> std::span<const Function> path_rows() {
-  return rows<D>;
+  return model_path_entries<D>;
 }
 
 void open_snapshots(lua_State* L) {

@@ -119,7 +119,7 @@ template <int D> int energy(lua_State* L) {
 }
 
 template <int D>
-constexpr Function rows[] = {
+constexpr Function model_results_entries[] = {
     {"reaction", wrap<reaction<D>>,
      "m:reaction(name)\n"
      "The force {fx, fy} ({fx, fy, fz} in 3D) that a support exerts on its bodies, and with it the moment about the\n"
@@ -159,7 +159,7 @@ constexpr Function rows[] = {
 } // namespace
 
 template <int D> std::span<const Function> result_rows() {
-  return rows<D>;
+  return model_results_entries<D>;
 }
 
 template std::span<const Function> result_rows<2>();

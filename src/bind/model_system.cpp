@@ -136,7 +136,7 @@ template <int D> int diagnose(lua_State* L) {
 }
 
 template <int D>
-constexpr Function rows[] = {
+constexpr Function model_system_entries[] = {
     {"residual", wrap<residual<D>>,
      "m:residual()\n"
      "The unbalanced force f_int + f_c − f_ext at the present displacements and the present targets' loads: one "
@@ -188,7 +188,7 @@ constexpr Function rows[] = {
 } // namespace
 
 template <int D> std::span<const Function> system_rows() {
-  return rows<D>;
+  return model_system_entries<D>;
 }
 
 template std::span<const Function> system_rows<2>();

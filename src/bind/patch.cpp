@@ -159,7 +159,7 @@ int knots(lua_State* L) {
   return 1;
 }
 
-int points(lua_State* L) {
+int patch_points(lua_State* L) {
   push(L, self<Patch>(L).points());
   return 1;
 }
@@ -169,7 +169,7 @@ int weights(lua_State* L) {
   return 1;
 }
 
-int tostring(lua_State* L) {
+int patch_text(lua_State* L) {
   const Patch& patch = self<Patch>(L);
   const char* kinds[] = {"curve", "surface", "volume"};
   std::string degrees, elements;
@@ -187,9 +187,9 @@ constexpr const char* call_doc = "p(xi) or p:evaluate(xi)\n"
                                  "volume. Returns {x, y} or {x, y, z}.\n"
                                  "Example: sg.shapes.rectangle{ width = 3, height = 1 }{0.5, 0.5}  --> {1.5, 0.5}";
 
-constexpr Function rows[] = {
+constexpr Function patch_entries[] = {
     {"__call", wrap<call>, call_doc},
-    {"__tostring", wrap<tostring>,
+    {"__tostring", wrap<patch_text>,
      "patch\n"
      "A NURBS curve, surface or volume: an immutable value. Methods that change something return a new patch.\n"
      "Make one with sg.nurbs.* or sg.shapes.*; methods: p(xi), evaluate, derivatives, basis, insert, elevate, refine,\n"
@@ -238,7 +238,7 @@ constexpr Function rows[] = {
     {"knots", wrap<knots>,
      "p:knots(dir)\nThe knot vector of direction dir (1, 2, 3).\n"
      "Example: patch:knots(1)  --> {0.0, 0.0, 1.0, 1.0}"},
-    {"points", wrap<points>,
+    {"points", wrap<patch_points>,
      "p:points()\nThe control points {{x, y}, …}, fastest in xi1.\n"
      "Example: patch:points()[4]  --> {3.0, 1.0}"},
     {"weights", wrap<weights>,
@@ -292,7 +292,7 @@ std::vector<std::optional<nurbs::Grading>> read_gradings(lua_State* L, int index
 }
 
 void open_patch(lua_State* L) {
-  std::vector<Function> all(std::begin(rows), std::end(rows));
+  std::vector<Function> all(std::begin(patch_entries), std::end(patch_entries));
   const auto maps = patch_map_rows();
   all.insert(all.end(), maps.begin(), maps.end());
   register_type<Patch>(L, all);

@@ -130,7 +130,7 @@ view::Arrow direction_arrow(const Patch& patch, int direction) {
   return arrow;
 }
 
-view::Names names_of(const std::vector<Patch>& patches) {
+view::Names patch_names(const std::vector<Patch>& patches) {
   view::Names names;
   for (std::size_t p = 0; p < patches.size(); ++p) {
     const Patch& patch = patches[p];
@@ -146,7 +146,7 @@ view::Names names_of(const std::vector<Patch>& patches) {
 } // namespace
 
 std::variant<view::Panel, view::SolidPanel> show(const std::vector<Patch>& patches, const PatchShowing& showing) {
-  const view::Names names = showing.names ? names_of(patches) : view::Names{};
+  const view::Names names = showing.names ? patch_names(patches) : view::Names{};
   if (patches.front().dimension() == 2) {
     view::Panel panel;
     for (const Patch& patch : patches) panel.bodies.push_back(plane_body(patch, showing));

@@ -85,7 +85,7 @@ int to_space(lua_State* L) {
   return 1;
 }
 
-constexpr Function rows[] = {
+constexpr Function patch_maps_entries[] = {
     {"translate", wrap<translate>,
      "p:translate{dx, dy}\nA new patch moved by a vector.\n"
      "Example: patch:translate{1, 0}{0, 0}  --> {1.0, 0.0}"},
@@ -129,7 +129,7 @@ constexpr Function rows[] = {
 } // namespace
 
 std::span<const Function> patch_map_rows() {
-  return rows;
+  return patch_maps_entries;
 }
 
 } // namespace signorini::bind

@@ -353,7 +353,7 @@ int picture(lua_State* L) {
   return 0;
 }
 
-constexpr Function rows[] = {{"picture", wrap<picture>, picture_page}, {"frame", wrap<frame>, frame_page}};
+constexpr Function picture_entries[] = {{"picture", wrap<picture>, picture_page}, {"frame", wrap<frame>, frame_page}};
 
 constexpr Function frame_rows[] = {
     {"__tostring", wrap<frame_tostring>,
@@ -364,7 +364,7 @@ constexpr Function frame_rows[] = {
 } // namespace
 
 void open_picture(lua_State* L) {
-  register_functions(L, "sg", rows);
+  register_functions(L, "sg", picture_entries);
   register_type<StateFrame>(L, frame_rows);
 }
 

@@ -70,7 +70,7 @@ void push_meeting(lua_State* L, const char* meaning, int count, const std::vecto
   push_object(L, Place<D>{body, name, {}, std::move(common)});
 }
 
-template <int D> int tostring(lua_State* L) {
+template <int D> int place_text(lua_State* L) {
   const Place<D>& place = self<Place<D>>(L);
   push(L, text(kind_of(place), " '", place.name, "' of a body, ", place.functions.size(), " control point",
                place.functions.size() == 1 ? "" : "s"));
@@ -78,8 +78,8 @@ template <int D> int tostring(lua_State* L) {
 }
 
 template <int D>
-constexpr Function rows[] = {
-    {"__tostring", wrap<tostring<D>>,
+constexpr Function place_entries[] = {
+    {"__tostring", wrap<place_text<D>>,
      "face\nA face, edge or corner of a body, for supports, loads and contacts; print(face) tells which one it is."},
 };
 
@@ -117,7 +117,7 @@ template <int D> int corner(lua_State* L) {
 }
 
 void open_places(lua_State* L) {
-  register_type<Place<2>, Place<3>>(L, rows<2>, rows<3>);
+  register_type<Place<2>, Place<3>>(L, place_entries<2>, place_entries<3>);
 }
 
 template std::string kind_of<2>(const Place<2>&);

@@ -11,8 +11,8 @@ namespace signorini::bind {
 namespace {
 
 /// The points of a tessellation in their order: element by element, row by row.
-struct Grid {
-  Grid(const view::Points& of, const model::Sampling<2>& at_places)
+struct PlaneGrid {
+  PlaneGrid(const view::Points& of, const model::Sampling<2>& at_places)
       : points(of),
         sampling(at_places), elements{static_cast<int>(sampling[0].size()), static_cast<int>(sampling[1].size())} {
     for (int e = 0, next = 0; e < elements[0] * elements[1]; ++e) {
@@ -58,7 +58,7 @@ struct Grid {
 };
 
 /// Borders between elements, each once.
-std::vector<view::MeshLine> mesh_lines(const Grid& grid) {
+std::vector<view::MeshLine> mesh_lines(const PlaneGrid& grid) {
   std::vector<view::MeshLine> lines;
   for (int e = 0; e < grid.elements[0] * grid.elements[1]; ++e)
     for (int along : {0, 1})
@@ -67,7 +67,7 @@ std::vector<view::MeshLine> mesh_lines(const Grid& grid) {
 }
 
 /// The sides of the body, element by element.
-std::vector<view::Points> rim(const Grid& grid) {
+std::vector<view::Points> rim(const PlaneGrid& grid) {
   std::vector<view::Points> lines;
   for (int along : {0, 1})
     for (int end : {0, 1}) {
@@ -166,7 +166,7 @@ view::Panel show(const model::Model<2>& model, const Showing& showing) {
     body.points = std::move(sampled.points);
     body.triangles = std::move(sampled.triangles);
     body.values = showing.factor * sampled.values;
-    const Grid grid(body.points, sampling);
+    const PlaneGrid grid(body.points, sampling);
     body.rim = rim(grid);
     if (showing.mesh) body.mesh_lines = mesh_lines(grid);
     if (showing.control_points) {

@@ -52,7 +52,7 @@ int sphere(lua_State* L) {
                             : push_ball<3>(L, RigidForm::sphere, centre, radius);
 }
 
-int surface(lua_State* L) {
+int rigid_surface(lua_State* L) {
   const Argument argument{"patch", "the obstacle's outline, its outside on the right of its direction, or its surface, "
                                    "its outside where xi1 x xi2 points"};
   const auto& patch = read_object<nurbs::Patch>(L, 1, argument);
@@ -89,7 +89,7 @@ template <int D> int rigid_tostring(lua_State* L) {
   return 1;
 }
 
-constexpr Function functions[] = {
+constexpr Function rigid_functions[] = {
     {"plane", wrap<plane>,
      "sg.rigid.plane{ point, normal }\n"
      "A rigid half space as obstacle: master of a contact. normal points out of it, towards the body. Two\n"
@@ -106,7 +106,7 @@ constexpr Function functions[] = {
      "sg.rigid.sphere{ centre, radius }\n"
      "A rigid sphere in 3D, or on the axis of an axisymmetric model. A support drives it: see help \"obstacle\".\n"
      "Example: sg.rigid.sphere{ centre = {0, 0, 2}, radius = 1 }"},
-    {"surface", wrap<surface>,
+    {"surface", wrap<rigid_surface>,
      "sg.rigid.surface(patch)\n"
      "A rigid obstacle bounded by any NURBS: a curve in the plane, its outside on the right of the curve's\n"
      "direction; or a surface in 3D, its outside where the product of its tangents along xi1 and xi2 points;\n"
@@ -117,7 +117,7 @@ constexpr Function functions[] = {
 };
 
 template <int D>
-constexpr Function rows[] = {
+constexpr Function rigid_entries[] = {
     {"__tostring", wrap<rigid_tostring<D>>,
      "obstacle\n"
      "What sg.rigid.* return: a master without unknowns; print(obstacle) tells its shape. It stands still unless a\n"
@@ -147,8 +147,8 @@ std::string name_of(RigidForm form) {
 }
 
 void open_rigid(lua_State* L) {
-  register_functions(L, "sg.rigid", functions);
-  register_type<Rigid<2>, Rigid<3>>(L, rows<2>, rows<3>);
+  register_functions(L, "sg.rigid", rigid_functions);
+  register_type<Rigid<2>, Rigid<3>>(L, rigid_entries<2>, rigid_entries<3>);
 }
 
 } // namespace signorini::bind

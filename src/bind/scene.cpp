@@ -115,7 +115,7 @@ int make_model(lua_State* L) {
   return 1;
 }
 
-constexpr Function functions[] = {
+constexpr Function scene_functions[] = {
     {"model", wrap<make_model>,
      "sg.model{ bodies, supports, loads, contacts, kind = \"plane_strain\" }\n"
      "A scene of plane bodies or of solids. Plane: of unit depth, or with kind = \"axisymmetric\" one of revolution:\n"
@@ -158,7 +158,7 @@ constexpr Function functions[] = {
 } // namespace
 
 void open_scene(lua_State* L) {
-  register_functions(L, "sg", functions);
+  register_functions(L, "sg", scene_functions);
 }
 
 } // namespace signorini::bind

@@ -77,7 +77,7 @@ int spherical_indenter(lua_State* L) {
   return 1;
 }
 
-constexpr Function rows[] = {
+constexpr Function shapes_entries[] = {
     {"rectangle", wrap<rectangle>,
      "sg.shapes.rectangle{ width, height, corner = {0, 0} }\n"
      "Rectangle with its lower left corner at `corner`, degree 1; xi1 along x, xi2 along y.\n"
@@ -139,7 +139,7 @@ constexpr Function rows[] = {
 } // namespace
 
 void open_shapes(lua_State* L) {
-  register_functions(L, "sg.shapes", rows);
+  register_functions(L, "sg.shapes", shapes_entries);
 }
 
 } // namespace signorini::bind

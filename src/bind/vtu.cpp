@@ -133,7 +133,7 @@ int vtu(lua_State* L) {
   return 0;
 }
 
-constexpr Function rows[] = {
+constexpr Function vtu_entries[] = {
     {"vtu", wrap<vtu>,
      "sg.vtu{ model, file, deformed = true, patch }\n"
      "Writes the model's present state to a .vtu file for ParaView: every element is a rational Bezier cell of its "
@@ -159,7 +159,7 @@ constexpr Function rows[] = {
 } // namespace
 
 void open_vtu(lua_State* L) {
-  register_functions(L, "sg", rows);
+  register_functions(L, "sg", vtu_entries);
 }
 
 } // namespace signorini::bind

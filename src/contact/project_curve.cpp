@@ -8,7 +8,7 @@ namespace signorini::contact {
 
 namespace {
 
-using Coordinates = FaceCoordinates<2>;
+using CurveCoordinates = FaceCoordinates<2>;
 
 /// Where a search within one element ended: inside, or held back at its start or end.
 enum class Stop { inside, start, end };
@@ -25,7 +25,7 @@ Stop descend(const Surface<2>& surface, const Vec<2>& x, int element, double sta
   double xi = std::clamp(start, a, b), low = a, high = b;
   bool falls = false, rises = false; // at low, at high
   for (int iteration = 0;; ++iteration) {
-    surface.locate(element, Coordinates(xi), 2, point);
+    surface.locate(element, CurveCoordinates(xi), 2, point);
     point.settled = true;
     const double gradient = slope(x, point);
     if (xi <= a && gradient > 0) return Stop::start;
@@ -54,7 +54,7 @@ Stop descend(const Surface<2>& surface, const Vec<2>& x, int element, double sta
       next = 0.5 * (low + high);
     xi = next;
     if (done) {
-      surface.locate(element, Coordinates(xi), 2, point);
+      surface.locate(element, CurveCoordinates(xi), 2, point);
       return Stop::inside;
     }
   }
@@ -96,7 +96,7 @@ template <class Search> void each_dip(const Surface<2>& surface, const Vec<2>& x
     const double next = a + (b - a) * std::min(k, last) / last;
     double there = far;
     if (k <= last) {
-      surface.locate(element, Coordinates(next), 0, sample);
+      surface.locate(element, CurveCoordinates(next), 0, sample);
       there = (x - sample.position).squaredNorm();
     }
     if (here <= before && here < there) search(xi);

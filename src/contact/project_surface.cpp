@@ -16,12 +16,12 @@ using Coordinates = FaceCoordinates<3>;
 using Interval = std::array<double, 2>;
 
 /// Per direction: 0 where a search ended inside an element, −1 (+1) where the element's start (end) held it back.
-using Held = std::array<int, 2>;
+using EdgeStop = std::array<int, 2>;
 
 /// Newton's direction for the squared distance in the directions that are not held; Gauss–Newton's where the curvature
 /// of the distance is negative, or small and the step longer than a hundredth of the element (`size`).
 Coordinates newton_step(const Vec<3>& difference, const FacePoint<3>& point, const Coordinates& gradient,
-                        const Held& held, const Coordinates& size) {
+                        const EdgeStop& held, const Coordinates& size) {
   // f = |x(ξ) − x|²/2,  f_,α = (x(ξ) − x)·τ_α,  f_,αβ = τ_α·τ_β + (x(ξ) − x)·x_,αβ
   Mat<2> metric, hessian;
   for (int a = 0; a < 2; ++a)
@@ -62,7 +62,8 @@ double allowed(const Coordinates& xi, const Coordinates& step, const std::array<
 
 /// Minimises the distance within one element by Newton's method with held borders and step halving. Leaves the face at
 /// the minimum in `point` (order 2).
-Held descend(const Surface<3>& surface, const Vec<3>& x, int element, const Coordinates& start, FacePoint<3>& point) {
+EdgeStop descend(const Surface<3>& surface, const Vec<3>& x, int element, const Coordinates& start,
+                 FacePoint<3>& point) {
   const std::array<Interval, 2> box = {surface.interval(element, 0), surface.interval(element, 1)};
   const Coordinates length(box[0][1] - box[0][0], box[1][1] - box[1][0]);
   Coordinates xi;
@@ -72,10 +73,10 @@ Held descend(const Surface<3>& surface, const Vec<3>& x, int element, const Coor
     const Vec<3> difference = point.position - x;
     const Coordinates gradient(difference.dot(point.tangent[0]), difference.dot(point.tangent[1]));
     // A border holds when the distance falls beyond it, and when the step would lead out.
-    Held held{};
+    EdgeStop held{};
     for (int a = 0; a < 2; ++a)
       held[at(a)] = xi(a) <= box[at(a)][0] && gradient(a) > 0 ? -1 : xi(a) >= box[at(a)][1] && gradient(a) < 0 ? 1 : 0;
-    Held still = held;
+    EdgeStop still = held;
     Coordinates step = newton_step(difference, point, gradient, held, length);
     for (int a : {0, 1, 0})
       if ((xi(a) <= box[at(a)][0] && step(a) < 0) || (xi(a) >= box[at(a)][1] && step(a) > 0)) {
@@ -222,7 +223,7 @@ bool degenerate(const Surface<3>& surface, const FacePoint<3>& point) {
 
 Foot walk(const Surface<3>& surface, const Vec<3>& x, int element, const Coordinates& start, FacePoint<3>& point,
           int& along) {
-  Held held = descend(surface, x, element, start, point);
+  EdgeStop held = descend(surface, x, element, start, point);
   FacePoint<3> beyond;
   bool moved = true;
   for (int moves = 0; moved && moves < 2 * surface.elements() + 8; ++moves) {
@@ -231,7 +232,7 @@ Foot walk(const Surface<3>& surface, const Vec<3>& x, int element, const Coordin
       if (held[at(a)] == 0) continue;
       const int next = surface.neighbour(point.element, a, held[at(a)] > 0);
       if (next < 0) continue;
-      const Held other = descend(surface, x, next, point.xi, beyond);
+      const EdgeStop other = descend(surface, x, next, point.xi, beyond);
       // Two elements that send each other back differ by rounding only.
       if ((beyond.position - x).squaredNorm() >= (point.position - x).squaredNorm() * (1 - 1e-14)) continue;
       point = beyond;

@@ -5,8 +5,6 @@
 
 namespace signorini::model {
 
-using contact::Held;
-
 namespace {
 
 constexpr unsigned char beyond = 255;
@@ -19,8 +17,8 @@ template <int D> unsigned char code(const contact::PointResult<D>& result) {
 }
 
 /// One that slips is held sticking: were it to slip on, its friction would follow each turn of its way.
-Held held_state(contact::ContactState state) {
-  return state == contact::ContactState::open ? Held::open : Held::stick;
+contact::Held held_state(contact::ContactState state) {
+  return state == contact::ContactState::open ? contact::Held::open : contact::Held::stick;
 }
 
 } // namespace
@@ -39,10 +37,10 @@ template <int D> void ActiveSet<D>::begin(Pairs& pairs, const ActiveSetOptions& 
   rounds_ = 0;
   frozen_ = options.freeze > 0;
   for (auto& pair : pairs) {
-    std::vector<Held> held;
+    std::vector<contact::Held> held;
     if (frozen_)
       for (const auto& result : pair.results())
-        held.push_back(result.state == contact::ContactState::open ? Held::open : Held::touching);
+        held.push_back(result.state == contact::ContactState::open ? contact::Held::open : contact::Held::touching);
     pair.hold(std::move(held));
   }
 }
@@ -59,7 +57,7 @@ template <int D> void ActiveSet<D>::note(Pairs& pairs, double residual) {
       const auto& results = pairs[k].results();
       const int* counts = counts_.data() + first_[k];
       if (std::none_of(counts, counts + results.size(), [&](int count) { return count > options_.changes; })) continue;
-      std::vector<Held> held(results.size(), Held::free);
+      std::vector<contact::Held> held(results.size(), contact::Held::free);
       for (std::size_t i = 0; i < results.size(); ++i)
         if (counts[i] > options_.changes) held[i] = held_state(results[i].state);
       pairs[k].hold(std::move(held));

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/index.hpp"
+#include "base/orthonormal.hpp"
 #include "base/words.hpp"
 #include "model/rigid_motions.hpp"
 #include "model/scene_warnings.hpp"
@@ -139,13 +140,13 @@ template <int D> std::string rigid_part(const Model<D>& model, const VectorX& di
     if (own.norm() < 0.5 * all.norm()) continue;
     if ((own.colwise() - mean).norm() <= whole * own.norm())
       return text("body '", named.name, "' moves as a whole along ", coordinates(mean / mean.norm()));
-    // u = Σ_m a_m m over the rigid motions m, in the sense of least squares
+    // what u = Σ_m a_m m leaves over the rigid motions m, in the sense of least squares
     const std::vector<VectorX> motions = rigid_motions<D>(named.body->space().points(), model.scene().kind);
     MatrixX columns(own.size(), static_cast<Eigen::Index>(motions.size()));
     for (std::size_t m = 0; m < motions.size(); ++m) columns.col(static_cast<Eigen::Index>(m)) = motions[m];
     const VectorX flat = Eigen::Map<const VectorX>(own.data(), own.size());
-    const VectorX fit = columns.colPivHouseholderQr().solve(flat);
-    if ((columns * fit - flat).norm() <= whole * flat.norm()) return text("body '", named.name, "' turns as a whole");
+    if (residual_of(orthonormal(columns), flat).norm() <= whole * flat.norm())
+      return text("body '", named.name, "' turns as a whole");
   }
   return "";
 }
@@ -171,8 +172,7 @@ template <int D> bool slides(const Model<D>& model, std::size_t contact, std::si
   bool touches = false;
   for (const auto& point : model.pairs()[contact].results()) {
     if (point.state == contact::ContactState::open) continue;
-    const VectorX rest = d - point.tangents * point.tangents.colPivHouseholderQr().solve(d);
-    if (rest.norm() > along * d.norm()) return false;
+    if (residual_of(orthonormal(point.tangents), d).norm() > along * d.norm()) return false;
     touches = true;
   }
   return touches;

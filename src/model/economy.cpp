@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/index.hpp"
+#include "base/orthonormal.hpp"
 #include "model/changed_space.hpp"
 #include "model/cost.hpp"
 
@@ -85,15 +86,14 @@ bool quadratic_holds(const nurbs::Patch& row, int a) {
     missing.insert(missing.end(), at(std::max(0, common.multiplicity(knot) - own.multiplicity(knot))), knot);
   }
   const nurbs::Patch refined = nurbs::insert_knots(row, a, missing);
-  const Eigen::HouseholderQR<MatrixX> solver(functions);
+  const MatrixX basis = orthonormal(functions);
   const MatrixX& values = refined.homogeneous();
   const int count = common.functions(), stride = a == 0 ? 1 : refined.direction(0).functions();
   for (int line = 0; line < refined.functions() / count; ++line) {
     const int first = a == 0 ? line * count : line;
     MatrixX data(count, values.rows());
     for (int i = 0; i < count; ++i) data.row(i) = values.col(first + i * stride).transpose();
-    const MatrixX residual = functions * solver.solve(data) - data;
-    if (residual.cwiseAbs().maxCoeff() > 1e-9 * data.cwiseAbs().maxCoeff()) return false;
+    if (residual_of(basis, data).cwiseAbs().maxCoeff() > 1e-9 * data.cwiseAbs().maxCoeff()) return false;
   }
   return true;
 }

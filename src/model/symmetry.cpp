@@ -15,7 +15,7 @@ using nurbs::KnotVector;
 using nurbs::Side;
 
 /// A mirror under trial.
-struct Plane {
+struct MirrorPlane {
   int axis;
   double place, length; ///< length: what differences of coordinates are measured against
 };
@@ -29,7 +29,7 @@ bool same_both_ways(const KnotVector& knots) {
 }
 
 /// Whether column i of weighted points is the mirror image of column partner(i), for all.
-bool mirrors(const MatrixX& homogeneous, const Plane& plane, const std::vector<int>& partner) {
+bool mirrors(const MatrixX& homogeneous, const MirrorPlane& plane, const std::vector<int>& partner) {
   const Eigen::Index last = homogeneous.rows() - 1;
   for (Eigen::Index i = 0; i < homogeneous.cols(); ++i) {
     VectorX image = homogeneous.col(partner[static_cast<std::size_t>(i)]);
@@ -82,7 +82,7 @@ struct Turn {
   std::vector<int> partner; ///< of every function
 };
 
-std::optional<Turn> find_turn(const nurbs::Discretisation& space, const Plane& plane) {
+std::optional<Turn> find_turn(const nurbs::Discretisation& space, const MirrorPlane& plane) {
   for (int d = 0; d < space.parametric_dimension(); ++d)
     if (auto partner = turned_round(space, d); partner && mirrors(space.homogeneous(), plane, *partner))
       return Turn{d, std::move(*partner)};
@@ -91,7 +91,7 @@ std::optional<Turn> find_turn(const nurbs::Discretisation& space, const Plane& p
 
 /// Whether an obstacle is its own mirror image.
 struct Symmetric {
-  const Plane& plane;
+  const MirrorPlane& plane;
 
   bool close(double a, double b) const { return std::abs(a - b) <= symmetry_tolerance * plane.length; }
   template <int D> bool operator()(const contact::Plane<D>& flat) const {
@@ -121,7 +121,7 @@ template <int D> int driven_component(const Support<D>& support, int axis) {
 
 /// The supports that drive along the normal, which must stay; nothing where supports break the symmetry anyway.
 template <int D>
-std::optional<std::vector<int>> supports_fit(const Model<D>& model, const Plane& plane,
+std::optional<std::vector<int>> supports_fit(const Model<D>& model, const MirrorPlane& plane,
                                              const std::vector<Turn>& turns) {
   using Functions = std::set<std::pair<int, int>>; // body, function
   const auto maps = [&](const Functions& functions) {
@@ -149,7 +149,7 @@ std::optional<std::vector<int>> supports_fit(const Model<D>& model, const Plane&
   return driven;
 }
 
-template <int D> bool loads_fit(const Model<D>& model, const Plane& plane, const std::vector<Turn>& turns) {
+template <int D> bool loads_fit(const Model<D>& model, const MirrorPlane& plane, const std::vector<Turn>& turns) {
   const auto& loads = model.scene().loads;
   for (int l = 0; l < static_cast<int>(loads.size()); ++l) {
     const Load& load = loads[at(l)];
@@ -181,7 +181,7 @@ template <int D> bool region_fits(const contact::Pair<D>& pair, const Contact<D>
   });
 }
 
-template <int D> bool contacts_fit(const Model<D>& model, const Plane& plane, const std::vector<Turn>& turns) {
+template <int D> bool contacts_fit(const Model<D>& model, const MirrorPlane& plane, const std::vector<Turn>& turns) {
   const Scene<D>& scene = model.scene();
   for (std::size_t k = 0; k < scene.contacts.size(); ++k) {
     const Contact<D>& contact = scene.contacts[k];
@@ -242,7 +242,7 @@ template <int D> std::vector<Mirror> find_mirrors(const Model<D>& model) {
   }
   std::vector<Mirror> found;
   for (int axis = scene.kind == solid::Kind::axisymmetric ? 1 : 0; axis < D; ++axis) {
-    const Plane plane{axis, (lower(axis) + upper(axis)) / 2, (upper - lower).maxCoeff()};
+    const MirrorPlane plane{axis, (lower(axis) + upper(axis)) / 2, (upper - lower).maxCoeff()};
     std::vector<Turn> turns;
     for (const auto& body : scene.bodies) {
       auto turn = find_turn(body.body->space(), plane);

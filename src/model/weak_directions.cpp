@@ -1,10 +1,10 @@
 #include "model/weak_directions.hpp"
 
+#include "base/orthonormal.hpp"
 #include "solve/linear.hpp"
 #include "solve/values.hpp"
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 
 #include <algorithm>
 
@@ -38,11 +38,6 @@ MatrixX some_directions(int size, int count) {
   for (int j = 0; j < count; ++j)
     for (int i = 0; i < size; ++i) x(i, j) = std::sin(1.0 + 0.7 * (i + 1) * (j + 1) + 0.01 * i * i);
   return x;
-}
-
-/// Q of X = Q R.
-MatrixX orthonormal(const MatrixX& x) {
-  return Eigen::HouseholderQR<MatrixX>(x).householderQ() * MatrixX::Identity(x.rows(), x.cols());
 }
 
 /// Ritz pair of least stiffness in the space that inverse iteration of `matrix` leads to.

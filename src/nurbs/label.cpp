@@ -10,7 +10,7 @@ namespace signorini::nurbs {
 
 namespace {
 
-int number(const std::ssub_match& digits, int otherwise) {
+int whole_number(const std::ssub_match& digits, int otherwise) {
   return digits.matched ? std::stoi(digits.str()) : otherwise;
 }
 
@@ -36,14 +36,14 @@ Label parse_label(const std::string& text) {
   label.text = text;
   if (std::regex_match(text, part, lagrange)) {
     label.lagrange = true;
-    label.bulk = {number(part[1], 0)};
+    label.bulk = {whole_number(part[1], 0)};
   } else {
     require(std::regex_match(text, part, nurbs), "order: unknown discretisation label '", text,
             "'; labels read Np (N2), Np.s (N2.1), Lp (L2), Nb-Nc (N2-N4), Nb-Nc.s (N2-N2.2), or Nb-Nc.sxr (N2-N2.2x2)");
-    label.bulk = {number(part[1], 0), number(part[2], 0)};
+    label.bulk = {whole_number(part[1], 0), whole_number(part[2], 0)};
     if (part[3].matched) {
-      label.layer = Space{number(part[3], 0), number(part[4], 0)};
-      label.rows = number(part[5], 1);
+      label.layer = Space{whole_number(part[3], 0), whole_number(part[4], 0)};
+      label.rows = whole_number(part[5], 1);
       check_degree(text, *label.layer);
       require(label.bulk.elevations == 0, "order: label '", text, "': the bulk of a layered label is plain Np; write N",
               label.bulk.degree, text.substr(text.find('-')));

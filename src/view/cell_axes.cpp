@@ -10,9 +10,9 @@ namespace signorini::view {
 namespace {
 
 constexpr Rgb tick_colour = {70, 70, 70};
-constexpr double least = 0.7;         // of the size of numbers: the smallest that names shrink to before some go
-constexpr double row = 1.15;          // from one line to the next at the least, in its size
-constexpr double digit_height = 0.72; // in the font's size
+constexpr double least = 0.7;        // of the size of numbers: the smallest that names shrink to before some go
+constexpr double row = 1.15;         // from one line to the next at the least, in its size
+constexpr double name_height = 0.72; // in the font's size
 
 double widest(const std::vector<std::string>& names) {
   double width = 0;
@@ -110,7 +110,7 @@ void draw_names_below(Drawing& drawing, const CellNames& names, const Box& box, 
     const double x = middle(box[0], box[1], i, count);
     if (names.stride > 1)
       drawing.marks.push_back(Stroke{{{x, box[2]}, {x, box[2] - 0.5 * gap(style)}}, tick_colour, 1.6 * style.unit});
-    Vec2 at = names.upright ? Vec2{x + 0.5 * (digit_height * name.size - name.depth()), box[2] - gap(style)}
+    Vec2 at = names.upright ? Vec2{x + 0.5 * (name_height * name.size - name.depth()), box[2] - gap(style)}
                             : Vec2{x, box[2] - gap(style) - 0.85 * names.size};
     for (const std::string& line : name.lines) {
       drawing.marks.push_back(
@@ -127,7 +127,7 @@ void draw_names_beside(Drawing& drawing, const CellNames& names, const Box& box,
     const double y = middle(box[2], box[3], i, count);
     if (names.stride > 1)
       drawing.marks.push_back(Stroke{{{box[0], y}, {box[0] - 0.5 * gap(style), y}}, tick_colour, 1.6 * style.unit});
-    double base = y + 0.5 * (name.depth() - digit_height * name.size);
+    double base = y + 0.5 * (name.depth() - name_height * name.size);
     for (const std::string& line : name.lines) {
       drawing.marks.push_back(Text{{box[0] - gap(style), base}, line, name.size, Align::right, ink});
       base -= line_step * name.size;

@@ -94,7 +94,7 @@ Range chart_yrange(const std::vector<Series>& series, const ChartOptions& option
   return axis_range(ys, options.yrange, options.log_y, "y", 0.05);
 }
 
-struct Layout {
+struct ChartLayout {
   Frame frame;
   Legend legend;
   double title_at; ///< pixels: below the title, above all else
@@ -116,9 +116,9 @@ void fit_ticks(Frame& frame, const Range& xs, const ChartOptions& options, const
 }
 
 /// `depth`: what names of ticks take below the numbers' row, as far as it is known.
-Layout lay_out(const std::vector<Series>& series, const ChartOptions& options, const Range& xs, const Range& ys,
-               const Style& style, double depth = 0) {
-  Layout layout;
+ChartLayout lay_out(const std::vector<Series>& series, const ChartOptions& options, const Range& xs, const Range& ys,
+                    const Style& style, double depth = 0) {
+  ChartLayout layout;
   Frame& frame = layout.frame;
   frame.xlabel = options.xlabel;
   frame.ylabel = options.ylabel;
@@ -155,7 +155,7 @@ Range with_room(const Range& ys, bool log, bool below) {
 Drawing draw(const std::vector<Series>& series, const ChartOptions& options) {
   const Style style = style_for(options.size);
   const Range xs = chart_xrange(series, options), ys = chart_yrange(series, options, xs);
-  Layout layout = lay_out(series, options, xs, ys, style);
+  ChartLayout layout = lay_out(series, options, xs, ys, style);
   std::optional<PlacedInset> inset;
   if (options.inset) {
     inset = place_inset(series, options, layout.frame, style);

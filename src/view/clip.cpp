@@ -5,16 +5,16 @@
 namespace signorini::view {
 namespace {
 
-struct Corner {
+struct ClippedCorner {
   Vec2 at;
   double value;
 };
 
 /// The corners of a convex polygon on one side of a limit, by Sutherland and Hodgman: sign · (coordinate − limit) ≥ 0.
-std::vector<Corner> cut(const std::vector<Corner>& polygon, int axis, double limit, double sign) {
-  std::vector<Corner> result;
+std::vector<ClippedCorner> cut(const std::vector<ClippedCorner>& polygon, int axis, double limit, double sign) {
+  std::vector<ClippedCorner> result;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Corner &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    const ClippedCorner &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
     const double from = sign * (a.at[axis] - limit), to = sign * (b.at[axis] - limit);
     if (from >= 0) result.push_back(a);
     if ((from < 0) == (to < 0)) continue;
@@ -30,7 +30,7 @@ std::vector<Corner> cut(const std::vector<Corner>& polygon, int axis, double lim
 Field clip_field(const Field& field, const Box& box) {
   Field result{{}, {}, {}, field.range, field.colours};
   for (const auto& triangle : field.triangles) {
-    std::vector<Corner> polygon;
+    std::vector<ClippedCorner> polygon;
     polygon.reserve(triangle.size());
     for (int corner : triangle) polygon.push_back({field.points[corner], field.values[corner]});
     for (int axis = 0; axis < 2; ++axis) {

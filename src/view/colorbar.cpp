@@ -13,13 +13,13 @@
 namespace signorini::view {
 namespace {
 
-constexpr Rgb rim = {70, 70, 70};
+constexpr Rgb bar_rim = {70, 70, 70};
 
 double bar_width(const Style& style) {
   return 30 * style.unit;
 }
 
-double widest(const Ticks& ticks, double size) {
+double widest_tick(const Ticks& ticks, double size) {
   double width = text_width(ticks.factor, size) - 0.5 * size; // the factor stands over the bar itself
   for (const std::string& label : ticks.labels) width = std::max(width, text_width(label, size));
   return width;
@@ -92,7 +92,7 @@ std::array<double, 2> colour_range(const std::array<double, 2>& values,
 double colorbar_room(const std::array<double, 2>& range, const std::string& title, double height, const Style& style,
                      bool log) {
   const Ticks ticks = stacked_ticks(range[0], range[1], log, height, style);
-  return 1.3 * style.margin + bar_width(style) + 0.5 * style.tick_size + widest(ticks, style.tick_size) +
+  return 1.3 * style.margin + bar_width(style) + 0.5 * style.tick_size + widest_tick(ticks, style.tick_size) +
          (title.empty() ? 0.0 : 1.6 * style.label_size);
 }
 
@@ -122,17 +122,17 @@ void draw_colorbar(Drawing& drawing, const BarPlace& place, const std::array<dou
     outline.push_back({middle, high + point});
   }
   outline.insert(outline.end(), {{place.left, high}, {place.left, low}});
-  drawing.marks.push_back(Stroke{outline, rim, 1.6 * style.unit});
+  drawing.marks.push_back(Stroke{outline, bar_rim, 1.6 * style.unit});
 
   for (std::size_t i = 0; i < ticks.at.size(); ++i) {
     const double y = scale(ticks.at[i]);
-    drawing.marks.push_back(Stroke{{{right, y}, {right + 0.22 * size, y}}, rim, 1.6 * style.unit});
+    drawing.marks.push_back(Stroke{{{right, y}, {right + 0.22 * size, y}}, bar_rim, 1.6 * style.unit});
     drawing.marks.push_back(Text{{right + 0.45 * size, y - 0.36 * size}, ticks.labels[i], size, Align::left, ink});
   }
   if (!ticks.factor.empty())
     drawing.marks.push_back(Text{{place.left, place.top - 0.8 * size}, ticks.factor, size, Align::left, ink});
   if (!title.empty()) {
-    const double x = right + 0.5 * size + widest(ticks, size) + 1.15 * style.label_size;
+    const double x = right + 0.5 * size + widest_tick(ticks, size) + 1.15 * style.label_size;
     const FittedText fitted =
         fit_text(title, style.label_size, std::min(style.label_size, least_size(style)), place.top - place.bottom);
     const double half = 0.5 * fitted.width(), lowest = place.bottom + half;

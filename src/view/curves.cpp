@@ -38,24 +38,24 @@ bool within(const Vec2& p, const Box& box) {
   return p[0] >= box[0] - 0.5 && p[0] <= box[1] + 0.5 && p[1] >= box[2] - 0.5 && p[1] <= box[3] + 0.5;
 }
 
-struct Place {
+struct CurvePlace {
   Vec2 at;
   int marker;
 };
 
 /// All points, or about ten spread along the line, shifted from series to series so that they do not hide each other.
-std::vector<Place> marker_places(const std::vector<Series>& series, std::size_t index, const Frame& frame,
-                                 const Style& style) {
+std::vector<CurvePlace> marker_places(const std::vector<Series>& series, std::size_t index, const Frame& frame,
+                                      const Style& style) {
   const Series& s = series[index];
   const int own = look_of(series, index, style).marker;
   if (own == no_marker && s.marks.empty()) return {};
-  std::vector<Place> places;
+  std::vector<CurvePlace> places;
   for (std::size_t i = 0; i < s.x.size(); ++i)
     if (drawn(s, i)) places.push_back({{frame.x(s.x[i]), frame.y(s.y[i])}, s.marks.empty() ? own : s.marks[i]});
-  std::erase_if(places, [&](const Place& p) { return !within(p.at, frame.box); });
+  std::erase_if(places, [&](const CurvePlace& p) { return !within(p.at, frame.box); });
   constexpr std::size_t few = 10;
   if (s.markers.value_or(false) || !s.marks.empty() || places.size() <= 2 * few) return places;
-  std::vector<Place> chosen;
+  std::vector<CurvePlace> chosen;
   const double stride = static_cast<double>(places.size()) / few;
   for (std::size_t k = 0; k < few; ++k)
     chosen.push_back(places[static_cast<std::size_t>(stride * (k + (index + 0.5) / series.size()))]);
@@ -157,7 +157,7 @@ void draw_series(Drawing& drawing, const std::vector<Series>& series, std::size_
     for (const auto& stretch : stretches(s, frame))
       for (auto& part : clip_line(stretch, frame.box))
         drawing.marks.push_back(Stroke{std::move(part), look.colour, look.width, look.dash});
-  for (const Place& place : marker_places(series, index, frame, style))
+  for (const CurvePlace& place : marker_places(series, index, frame, style))
     draw_marker(drawing, place.marker, place.at, marker_radius * style.unit, look.colour);
   if (!s.line || !s.marks.empty() || s.markers.value_or(false)) return;
   const int marker = look.marker == no_marker ? 0 : look.marker;
@@ -184,7 +184,7 @@ Lines lines_of(const std::vector<Series>& series, const Frame& frame, const Styl
   for (std::size_t n = 0; n < series.size(); ++n) {
     if (series[n].line)
       for (auto& stretch : stretches(series[n], frame)) lines.push_back(std::move(stretch));
-    for (const Place& place : marker_places(series, n, frame, style)) {
+    for (const CurvePlace& place : marker_places(series, n, frame, style)) {
       const auto [x, y] = place.at;
       lines.insert(lines.end(), {{{x - radius, y}, {x + radius, y}}, {{x, y - radius}, {x, y + radius}}});
     }

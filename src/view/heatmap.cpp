@@ -18,7 +18,7 @@
 namespace signorini::view {
 namespace {
 
-constexpr Rgb rim = {70, 70, 70}, blank = {246, 246, 246};
+constexpr Rgb cell_rim = {70, 70, 70}, blank = {246, 246, 246};
 constexpr double legible = 5; // pixels
 
 // ── Checks ───────────────────────────────────────────────────────────────────────────────────────────────────────────
@@ -109,7 +109,7 @@ std::vector<Category> present(const std::vector<Heat>& maps, const std::vector<C
 
 // ── Layout ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-struct Layout {
+struct HeatmapLayout {
   std::vector<Box> boxes; ///< of the maps
   Box whole;
   int columns;
@@ -123,9 +123,9 @@ int columns_for(std::size_t maps, const HeatmapOptions& options) {
   return std::min(static_cast<int>(maps), options.columns.value_or(maps == 4 ? 2 : 3));
 }
 
-Layout lay_out(const std::vector<Heat>& maps, const HeatmapOptions& options, const std::optional<Colours>& colours,
-               const Style& style) {
-  Layout layout{};
+HeatmapLayout lay_out(const std::vector<Heat>& maps, const HeatmapOptions& options,
+                      const std::optional<Colours>& colours, const Style& style) {
+  HeatmapLayout layout{};
   layout.columns = columns_for(maps.size(), options);
   layout.map_title = 0.9 * style.label_size;
   const auto count = static_cast<int>(maps.size()), rows = (count + layout.columns - 1) / layout.columns;
@@ -241,11 +241,11 @@ void draw_cells(Drawing& drawing, const Heat& map, const Cells& cells, const Hea
     }
   drawing.marks.push_back(
       Stroke{{{left, bottom}, {right, bottom}, {right, top}, {left, top}, {left, bottom}, {right, bottom}},
-             rim,
+             cell_rim,
              1.6 * style.unit});
 }
 
-void draw_labels(Drawing& drawing, const HeatmapOptions& options, const Layout& layout, const Style& style) {
+void draw_labels(Drawing& drawing, const HeatmapOptions& options, const HeatmapLayout& layout, const Style& style) {
   const auto& [left, right, bottom, top] = layout.whole;
   if (!options.xlabel.empty()) {
     const double y = bottom - layout.below.room - 1.05 * style.label_size;
@@ -264,7 +264,7 @@ Drawing draw(const std::vector<Heat>& maps, const HeatmapOptions& options) {
   const Style style = style_for(options.size);
   std::optional<Colours> colours;
   if (options.categories.empty()) colours = make_colours(maps, options);
-  const Layout layout = lay_out(maps, options, colours, style);
+  const HeatmapLayout layout = lay_out(maps, options, colours, style);
   const auto columns = static_cast<Eigen::Index>(options.x.size()), rows = static_cast<Eigen::Index>(options.y.size());
   const double size = text_size(maps, Cells{layout.boxes[0], columns, rows}(0, 0), style);
 

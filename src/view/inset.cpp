@@ -49,7 +49,7 @@ Box marked_box(const Frame& region, const Frame& chart, const Style& style) {
   return box;
 }
 
-std::vector<Vec2> rim(const Box& box) {
+std::vector<Vec2> outline_of(const Box& box) {
   const auto& [left, right, bottom, top] = box;
   return {{left, bottom}, {right, bottom}, {right, top}, {left, top}, {left, bottom}, {right, bottom}};
 }
@@ -89,7 +89,7 @@ PlacedInset place_inset(const std::vector<Series>& series, const ChartOptions& o
 
   Lines lines = lines_of(series, chart, style);
   const auto& [left, right, bottom, top] = inset.marked;
-  lines.insert(lines.end(), {rim(inset.marked), {{left, bottom}, {right, top}}, {{left, top}, {right, bottom}}});
+  lines.insert(lines.end(), {outline_of(inset.marked), {{left, bottom}, {right, top}}, {{left, top}, {right, bottom}}});
   std::vector<Corner> corners = {Corner::north_east, Corner::north_west, Corner::south_east, Corner::south_west};
   if (options.inset->place) corners = {*options.inset->place};
   inset.hidden = std::numeric_limits<double>::infinity();
@@ -109,9 +109,9 @@ PlacedInset place_inset(const std::vector<Series>& series, const ChartOptions& o
 
 void draw_inset(Drawing& drawing, const std::vector<Series>& series, const ChartOptions& options,
                 const PlacedInset& inset) {
-  drawing.marks.push_back(Stroke{rim(inset.marked), marked_colour, 1.8 * inset.style.unit});
+  drawing.marks.push_back(Stroke{outline_of(inset.marked), marked_colour, 1.8 * inset.style.unit});
   fill_box(drawing, inset.outer, white);
-  drawing.marks.push_back(Stroke{rim(inset.outer), edge_colour, 1.4 * inset.style.unit});
+  drawing.marks.push_back(Stroke{outline_of(inset.outer), edge_colour, 1.4 * inset.style.unit});
   draw_grid(drawing, inset.frame, inset.style);
   draw_rules(drawing, options, inset.frame, inset.style);
   for (std::size_t n = series.size(); n-- > 0;) draw_series(drawing, series, n, inset.frame, inset.style);

@@ -11,7 +11,7 @@
 namespace signorini::view {
 namespace {
 
-using Line = std::vector<Vec2>;
+using Polyline = std::vector<Vec2>;
 
 constexpr Rgb ring_colour = {200, 0, 60};
 
@@ -30,11 +30,11 @@ Box box_about(const Vec2& at, double reach) {
   return {at[0] - reach, at[0] + reach, at[1] - reach, at[1] + reach};
 }
 
-double distance(const Vec2& a, const Vec2& b) {
+double mark_distance(const Vec2& a, const Vec2& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1]);
 }
 
-bool overlap(const Box& a, const Box& b) {
+bool marks_overlap(const Box& a, const Box& b) {
   return a[0] < b[1] && b[0] < a[1] && a[2] < b[3] && b[2] < a[3];
 }
 
@@ -42,13 +42,13 @@ bool holds(const Box& outer, const Box& inner) {
   return inner[0] >= outer[0] && inner[1] <= outer[1] && inner[2] >= outer[2] && inner[3] <= outer[3];
 }
 
-void add_line(Drawing& drawing, const Line& points, const Rgb& colour, double width) {
+void add_line(Drawing& drawing, const Polyline& points, const Rgb& colour, double width) {
   drawing.marks.push_back(Stroke{points, colour, width});
 }
 
-Line circle_about(const Vec2& at, double r) {
+Polyline circle_about(const Vec2& at, double r) {
   constexpr int pieces = 48;
-  Line circle;
+  Polyline circle;
   for (int k = 0; k <= pieces; ++k) {
     const double angle = 2 * std::numbers::pi * k / pieces;
     circle.push_back({at[0] + r * std::cos(angle), at[1] + r * std::sin(angle)});
@@ -59,11 +59,11 @@ Line circle_about(const Vec2& at, double r) {
 /// White beneath, so that it shows on any colour.
 void draw_ring(Drawing& drawing, const Vec2& at, const Style& style) {
   const double reach = arm(style);
-  const Line ring = circle_about(at, radius(style)), level = {{at[0] - reach, at[1]}, {at[0] + reach, at[1]}},
-             steep = {{at[0], at[1] - reach}, {at[0], at[1] + reach}};
-  for (const Line& line : {ring, level, steep}) add_line(drawing, line, white, 8 * style.unit);
+  const Polyline ring = circle_about(at, radius(style)), level = {{at[0] - reach, at[1]}, {at[0] + reach, at[1]}},
+                 steep = {{at[0], at[1] - reach}, {at[0], at[1] + reach}};
+  for (const Polyline& line : {ring, level, steep}) add_line(drawing, line, white, 8 * style.unit);
   add_line(drawing, ring, ring_colour, 3.4 * style.unit);
-  for (const Line& line : {level, steep}) add_line(drawing, line, ring_colour, 2 * style.unit);
+  for (const Polyline& line : {level, steep}) add_line(drawing, line, ring_colour, 2 * style.unit);
 }
 
 void draw_dot(Drawing& drawing, const Vec2& at, const Style& style) {
@@ -84,7 +84,7 @@ void draw_arrow(Drawing& drawing, const Vec2& at, const Vec2& beyond, const Styl
 
 // ── Texts ────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-struct Label {
+struct MarkLabel {
   std::vector<std::string> lines;
   double size, width, height;
 };
@@ -92,7 +92,7 @@ struct Label {
 constexpr double leading = 1.2;
 
 /// The text in lines of about this width.
-std::vector<std::string> wrapped(const std::string& text, double size, double width) {
+std::vector<std::string> wrapped_label(const std::string& text, double size, double width) {
   std::istringstream words(text);
   std::vector<std::string> lines;
   for (std::string word; words >> word;) {
@@ -106,9 +106,9 @@ std::vector<std::string> wrapped(const std::string& text, double size, double wi
 }
 
 /// Less than half as wide as the picture, unless this is narrow; then as wide as it takes.
-Label make_label(const std::string& text, const Box& box, const Style& style) {
+MarkLabel make_label(const std::string& text, const Box& box, const Style& style) {
   const double full = 0.85 * style.tick_size, wide = 0.9 * (box[1] - box[0]);
-  Label label{wrapped(text, full, std::min(wide, std::max(0.5 * wide, 8 * full))), full, 0, 0};
+  MarkLabel label{wrapped_label(text, full, std::min(wide, std::max(0.5 * wide, 8 * full))), full, 0, 0};
   for (const std::string& line : label.lines) label.width = std::max(label.width, text_width(line, full));
   if (label.width > wide) { // a long word
     label.size *= wide / label.width;
@@ -119,9 +119,9 @@ Label make_label(const std::string& text, const Box& box, const Style& style) {
 }
 
 /// From the marker to the text's nearest side; nothing where they are close to each other.
-Line leader(const Vec2& at, const Box& place, double size, const Style& style) {
+Polyline leader(const Vec2& at, const Box& place, double size, const Style& style) {
   const Vec2 end = {std::clamp(at[0], place[0], place[1]), std::clamp(at[1], place[2], place[3])};
-  const double length = distance(at, end), r = radius(style);
+  const double length = mark_distance(at, end), r = radius(style);
   if (length < arm(style) + 0.6 * size) return {};
   const double from = r / length, to = 1 - 0.15 * size / length;
   return {{at[0] + from * (end[0] - at[0]), at[1] + from * (end[1] - at[1])},
@@ -129,11 +129,11 @@ Line leader(const Vec2& at, const Box& place, double size, const Style& style) {
 }
 
 /// What a line covers, in small boxes.
-std::vector<Box> cover(const Line& line, const Style& style) {
+std::vector<Box> cover(const Polyline& line, const Style& style) {
   std::vector<Box> boxes;
   if (line.empty()) return boxes;
   const double width = 4 * style.unit;
-  const int pieces = static_cast<int>(distance(line[0], line[1]) / width) + 1;
+  const int pieces = static_cast<int>(mark_distance(line[0], line[1]) / width) + 1;
   for (int k = 0; k <= pieces; ++k) {
     const double t = static_cast<double>(k) / pieces;
     boxes.push_back(
@@ -147,12 +147,12 @@ struct Taken {
   std::vector<Box> markers, labels;
 
   bool free(const Box& place) const {
-    const auto hit = [&](const Box& other) { return overlap(place, other); };
+    const auto hit = [&](const Box& other) { return marks_overlap(place, other); };
     return std::none_of(markers.begin(), markers.end(), hit) && std::none_of(labels.begin(), labels.end(), hit);
   }
-  bool free(const Line& line, const Style& style) const {
+  bool free(const Polyline& line, const Style& style) const {
     const auto on_label = [&](const Box& piece) {
-      return std::any_of(labels.begin(), labels.end(), [&](const Box& label) { return overlap(piece, label); });
+      return std::any_of(labels.begin(), labels.end(), [&](const Box& label) { return marks_overlap(piece, label); });
     };
     const std::vector<Box> pieces = cover(line, style);
     return std::none_of(pieces.begin(), pieces.end(), on_label);
@@ -160,7 +160,7 @@ struct Taken {
 };
 
 /// Around the mark in eight directions, pushed into the box: the nearest place that is free.
-std::optional<Box> find_room(const Label& label, const Vec2& at, const Box& box, const Taken& taken,
+std::optional<Box> find_room(const MarkLabel& label, const Vec2& at, const Box& box, const Taken& taken,
                              const Style& style) {
   // right, left, then the corners, above, below
   static constexpr double directions[][2] = {{1, 0}, {-1, 0}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}, {0, 1}, {0, -1}};
@@ -179,7 +179,7 @@ std::optional<Box> find_room(const Label& label, const Vec2& at, const Box& box,
   return std::nullopt;
 }
 
-void draw_label(Drawing& drawing, const Label& label, const Box& place, const Style& style) {
+void draw_label(Drawing& drawing, const MarkLabel& label, const Box& place, const Style& style) {
   const auto write = [&](double dx, double dy, const Rgb& colour) {
     double base = place[3] - 0.86 * label.size + dy;
     for (const std::string& line : label.lines) {
@@ -213,18 +213,18 @@ void draw_marks(Drawing& drawing, const std::vector<PlacedMark>& marks, const Bo
   std::vector<Vec2> rings, dots;
   Taken taken;
   for (const PlacedMark& mark : marks) {
-    const auto near = [&](const Vec2& other) { return distance(mark.at, other) < 1.5 * radius(style); };
+    const auto near = [&](const Vec2& other) { return mark_distance(mark.at, other) < 1.5 * radius(style); };
     const bool ring = std::none_of(rings.begin(), rings.end(), near);
     (ring ? rings : dots).push_back(mark.at);
     taken.markers.push_back(box_about(mark.at, ring ? arm(style) : 0.5 * radius(style)));
   }
-  std::vector<std::pair<Label, Box>> labels;
+  std::vector<std::pair<MarkLabel, Box>> labels;
   for (const PlacedMark& mark : marks) {
-    Label label = make_label(mark.text, box, style);
+    MarkLabel label = make_label(mark.text, box, style);
     if (label.lines.empty()) continue;
     const auto place = find_room(label, mark.at, box, taken, style);
     if (!place) continue;
-    const Line line = leader(mark.at, *place, label.size, style);
+    const Polyline line = leader(mark.at, *place, label.size, style);
     for (const auto& [colour, width] : {std::pair{white, 6.0}, std::pair{ring_colour, 2.0}})
       if (!line.empty()) add_line(drawing, line, colour, width * style.unit);
     for (const Box& piece : cover(line, style)) taken.markers.push_back(piece);

@@ -8,16 +8,16 @@ namespace {
 
 constexpr Rgb rim_colour = {95, 95, 95};
 
-double distance(const Vec2& a, const Vec2& b) {
+double corner_distance(const Vec2& a, const Vec2& b) {
   return std::hypot(b[0] - a[0], b[1] - a[1]);
 }
 
 /// Moves the end away from its neighbour until it lies outside the box, from wherever it is.
 void extend(Vec2& end, const Vec2& neighbour, const Box& box) {
-  const double length = distance(neighbour, end);
+  const double length = corner_distance(neighbour, end);
   if (length == 0) return;
   const Vec2 corner = {box[0], box[2]}, opposite = {box[1], box[3]};
-  const double factor = (distance(end, corner) + 2 * distance(corner, opposite)) / length;
+  const double factor = (corner_distance(end, corner) + 2 * corner_distance(corner, opposite)) / length;
   for (int axis = 0; axis < 2; ++axis) end[axis] += factor * (end[axis] - neighbour[axis]);
 }
 
@@ -26,7 +26,7 @@ void hatch(Drawing& drawing, const std::vector<Vec2>& line, const Box& box, cons
   const double spacing = 14 * style.unit, length = 18 * style.unit;
   double next = 0.5 * spacing; // to the next stroke
   for (std::size_t i = 1; i < line.size(); ++i) {
-    const double size = distance(line[i - 1], line[i]);
+    const double size = corner_distance(line[i - 1], line[i]);
     if (size == 0) continue;
     const Vec2 t = {(line[i][0] - line[i - 1][0]) / size, (line[i][1] - line[i - 1][1]) / size};
     while (next < size) {

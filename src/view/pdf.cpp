@@ -54,14 +54,14 @@ std::optional<Glyph> find_glyph(char32_t p) {
 
 constexpr Glyph box = {0x6F, 3}; // in the place of what no font has
 
-std::string num(double value) {
+std::string pdf_number(double value) {
   char digits[32];
   std::snprintf(digits, sizeof digits, "%.2f", value);
   return digits;
 }
 
-std::string at(const Vec2& p) {
-  return num(p[0]) + " " + num(p[1]);
+std::string pdf_point(const Vec2& p) {
+  return pdf_number(p[0]) + " " + pdf_number(p[1]);
 }
 
 std::string colour(const Rgb& c, const char* verb) {
@@ -88,7 +88,7 @@ std::string show(const TextRun& run, double size, std::string& missing) {
     if (glyph.font != font) {
       if (font != 0) out += "> Tj\n";
       font = glyph.font;
-      out += "/F" + std::to_string(font) + " " + num(size * run_size(run.level)) + " Tf <";
+      out += "/F" + std::to_string(font) + " " + pdf_number(size * run_size(run.level)) + " Tf <";
     }
     char digits[4];
     std::snprintf(digits, sizeof digits, "%02x", glyph.byte);
@@ -97,19 +97,20 @@ std::string show(const TextRun& run, double size, std::string& missing) {
   return out + (font != 0 ? "> Tj\n" : "");
 }
 
-struct Writer {
+struct PdfWriter {
   std::string& out;
 
   std::string path(const std::vector<Vec2>& line) const {
     std::string result;
-    for (const Vec2& p : line) result += at(p) + (result.empty() ? " m\n" : " l\n");
+    for (const Vec2& p : line) result += pdf_point(p) + (result.empty() ? " m\n" : " l\n");
     return result;
   }
 
   void operator()(const Stroke& stroke) const {
     std::string pattern;
-    for (double length : stroke.dash) pattern += num(length) + " ";
-    out += colour(stroke.colour, "RG") + num(stroke.width) + " w [" + pattern + "] 0 d\n" + path(stroke.points) + "S\n";
+    for (double length : stroke.dash) pattern += pdf_number(length) + " ";
+    out += colour(stroke.colour, "RG") + pdf_number(stroke.width) + " w [" + pattern + "] 0 d\n" + path(stroke.points) +
+           "S\n";
   }
 
   void operator()(const Fill& fill) const { out += colour(fill.colour, "rg") + path(fill.outline) + "f\n"; }
@@ -119,10 +120,10 @@ struct Writer {
     const double shift =
         text.align == Align::left ? 0 : text_width(text.string, text.size) * (text.align == Align::centre ? 0.5 : 1);
     const Vec2 start = text.upright ? Vec2{text.at[0], text.at[1] - shift} : Vec2{text.at[0] - shift, text.at[1]};
-    out += "BT\n" + colour(text.colour, "rg") + (text.upright ? "0 1 -1 0 " : "1 0 0 1 ") + at(start) + " Tm\n";
+    out += "BT\n" + colour(text.colour, "rg") + (text.upright ? "0 1 -1 0 " : "1 0 0 1 ") + pdf_point(start) + " Tm\n";
     std::string missing;
     for (const TextRun& run : text_runs(text.string))
-      out += num(run_rise(run.level) * text.size) + " Ts\n" + show(run, text.size, missing);
+      out += pdf_number(run_rise(run.level) * text.size) + " Ts\n" + show(run, text.size, missing);
     out += "ET\n";
     warn_of(missing, text.string);
   }
@@ -131,14 +132,14 @@ struct Writer {
 } // namespace
 
 std::string pdf(const Drawing& drawing) {
-  std::string content = num(points_per_pixel) + " 0 0 " + num(points_per_pixel) + " 0 0 cm 1 j\n";
-  for (const Mark& mark : drawing.marks) std::visit(Writer{content}, mark);
+  std::string content = pdf_number(points_per_pixel) + " 0 0 " + pdf_number(points_per_pixel) + " 0 0 cm 1 j\n";
+  for (const Mark& mark : drawing.marks) std::visit(PdfWriter{content}, mark);
 
   const Vec2 page = {drawing.size[0] * points_per_pixel, drawing.size[1] * points_per_pixel};
   const std::string objects[] = {
       "<< /Type /Catalog /Pages 2 0 R >>",
       "<< /Type /Pages /Kids [3 0 R] /Count 1 >>",
-      "<< /Type /Page /Parent 2 0 R /MediaBox [0 0 " + at(page) +
+      "<< /Type /Page /Parent 2 0 R /MediaBox [0 0 " + pdf_point(page) +
           "] /Contents 4 0 R /Resources << /Font << /F1 5 0 R /F2 6 0 R /F3 7 0 R >> >> >>",
       "<< /Length " + std::to_string(content.size()) + " >>\nstream\n" + content + "endstream",
       "<< /Type /Font /Subtype /Type1 /BaseFont /Helvetica /Encoding /WinAnsiEncoding >>",

@@ -14,20 +14,20 @@ bool crosses(const Scale& scale, double value) {
   return value >= scale.low && value <= scale.high;
 }
 
-bool overlap(const Box& a, const Box& b) {
+bool names_overlap(const Box& a, const Box& b) {
   return a[0] < b[1] && b[0] < a[1] && a[2] < b[3] && b[2] < a[3];
 }
 
 /// A place for a text beside a line: {from, to} along the line and {from, to} across it.
-struct Place {
+struct RulePlace {
   Box box;
   bool far; ///< a leader says which line the text belongs to
 };
 
 /// Places for a text of the given extents along and across a line at pixel `at`: at its far end, its near end and
 /// between, on either side; then those further away.
-std::vector<Place> places(double at, double from, double to, double along, double across, double gap) {
-  std::vector<Place> result;
+std::vector<RulePlace> places(double at, double from, double to, double along, double across, double gap) {
+  std::vector<RulePlace> result;
   const double first = from + gap, last = to - gap - along;
   for (int away = 0; away < 4; ++away)
     for (double part : {1.0, 0.0, 0.5, 0.75, 0.25, 0.875, 0.625, 0.375, 0.125})
@@ -56,7 +56,7 @@ int hidden_by_rules(const Box& box, bool far, bool vertical, const Name& own, co
 }
 
 /// From the line to a text that stands away from it, ending in a dot on the line.
-void draw_leader(Drawing& drawing, const Place& place, double at, double gap, bool vertical, const Style& style) {
+void draw_leader(Drawing& drawing, const RulePlace& place, double at, double gap, bool vertical, const Style& style) {
   const auto& [from, to, low, high] = place.box;
   const double start = from - 0.4 * gap, end = low > at ? low + gap : high - gap, dot = 4 * style.unit;
   const auto point = [&](double along, double across) { return vertical ? Vec2{across, along} : Vec2{along, across}; };
@@ -76,19 +76,19 @@ void draw_text(Drawing& drawing, const Name& rule, bool vertical, const ChartOpt
   const FittedText fitted =
       fit_text(rule.text, full, std::min(full, least_size(style)), (upright ? top - bottom : right - left) - 2 * gap);
   const double size = fitted.size, length = fitted.width();
-  const std::vector<Place> candidates = upright    ? places(at, bottom, top, length, size, gap)
-                                        : vertical ? places(at, bottom, top, size, length, gap)
-                                                   : places(at, left, right, length, size, gap);
+  const std::vector<RulePlace> candidates = upright    ? places(at, bottom, top, length, size, gap)
+                                            : vertical ? places(at, bottom, top, size, length, gap)
+                                                       : places(at, left, right, length, size, gap);
   const auto on_paper = [&](const Box& box) { return vertical ? Box{box[2], box[3], box[0], box[1]} : box; };
   double least = std::numeric_limits<double>::infinity();
-  Place best{};
-  for (const Place& place : candidates) {
+  RulePlace best{};
+  for (const RulePlace& place : candidates) {
     const Box box = on_paper(place.box);
     const double worst = 1e3 * size; // more than curves can hide
     double hidden = covered(curves, box) + (place.far ? 0.5 * worst : 0) +
                     worst * hidden_by_rules(box, place.far, vertical, rule, options, frame, gap);
     for (const Box& other : taken)
-      if (overlap(box, other)) hidden += 100 * worst;
+      if (names_overlap(box, other)) hidden += 100 * worst;
     if (box[0] < left || box[1] > right || box[2] < bottom || box[3] > top) hidden += 100 * worst;
     if (hidden < least) least = hidden, best = place;
   }

@@ -6,12 +6,12 @@
 namespace signorini::view {
 namespace {
 
-void flip(Points& points, int axis) {
+void mirror(Points& points, int axis) {
   points.row(axis) *= -1;
 }
 
-void flip(std::vector<SurfaceLine>& lines, int axis) {
-  for (SurfaceLine& line : lines) flip(line.points, axis), flip(line.normals, axis);
+void mirror(std::vector<SurfaceLine>& lines, int axis) {
+  for (SurfaceLine& line : lines) mirror(line.points, axis), mirror(line.normals, axis);
 }
 
 /// Half of the lines are closer together; without any, all lines get their full width.
@@ -40,8 +40,8 @@ Bounds bounds(const Solid& solid) {
 
 Surface mirrored(const Surface& surface, int axis, double sign) {
   Surface image = surface;
-  flip(image.points, axis);
-  flip(image.normals, axis);
+  mirror(image.points, axis);
+  mirror(image.normals, axis);
   image.values *= sign;
   return image;
 }
@@ -50,11 +50,11 @@ Solid mirrored(const Solid& solid, int axis, double sign) {
   Solid image = solid;
   image.skin = mirrored(solid.skin, axis, sign);
   image.undeformed = mirrored(solid.undeformed, axis, 1);
-  flip(image.mesh_lines, axis);
-  flip(image.rim, axis);
-  flip(image.undeformed_rim, axis);
-  flip(image.control_points, axis);
-  for (Lattice& lattice : image.inside) flip(lattice.points, axis), lattice.values *= sign;
+  mirror(image.mesh_lines, axis);
+  mirror(image.rim, axis);
+  mirror(image.undeformed_rim, axis);
+  mirror(image.control_points, axis);
+  for (Lattice& lattice : image.inside) mirror(lattice.points, axis), lattice.values *= sign;
   return image;
 }
 

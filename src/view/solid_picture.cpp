@@ -17,7 +17,7 @@
 namespace signorini::view {
 namespace {
 
-constexpr Rgb plain = {203, 209, 214}, line_colour = {45, 45, 45}, net_colour = {200, 60, 20},
+constexpr Rgb plain_colour = {203, 209, 214}, line_colour = {45, 45, 45}, net_colour = {200, 60, 20},
               ghost_colour = {150, 158, 166}, ghost_rim_colour = {140, 140, 140}, rigid_colour = {140, 146, 154},
               rigid_rim_colour = {120, 120, 120};
 constexpr std::uint8_t ghost_opacity = 55, rigid_opacity = 62;
@@ -203,7 +203,7 @@ Shaded shaded(const Surface& surface, const std::array<double, 2>& range, const 
   result.values.assign(surface.values.data(), surface.values.data() + surface.values.size());
   if (surface.values.size() == 0) {
     result.values.assign(result.points.size(), range[0]);
-    result.colours = {plain, plain};
+    result.colours = {plain_colour, plain_colour};
   }
   return result;
 }

@@ -7,7 +7,7 @@ namespace signorini::view {
 namespace {
 
 /// Two decimals of a pixel are enough, and the shortest form keeps files small.
-std::string num(double value) {
+std::string svg_number(double value) {
   char digits[32];
   int length = std::snprintf(digits, sizeof digits, "%.2f", value);
   while (digits[length - 1] == '0') --length;
@@ -40,7 +40,7 @@ std::string escaped(const std::string& text) {
 }
 
 /// Writes marks; SVG's y points downwards.
-struct Writer {
+struct SvgWriter {
   int height;
   std::string& out;
 
@@ -48,16 +48,16 @@ struct Writer {
     std::string result;
     for (const Vec2& p : line) {
       if (!result.empty()) result += ' ';
-      result.append(num(p[0])).append(",").append(num(height - p[1]));
+      result.append(svg_number(p[0])).append(",").append(svg_number(height - p[1]));
     }
     return result;
   }
 
   void operator()(const Stroke& stroke) const {
     out += "<polyline points=\"" + points(stroke.points) + "\" fill=\"none\" stroke=\"" + hex(stroke.colour) +
-           "\" stroke-width=\"" + num(stroke.width) + "\" stroke-linejoin=\"round\"";
+           "\" stroke-width=\"" + svg_number(stroke.width) + "\" stroke-linejoin=\"round\"";
     std::string pattern;
-    for (double length : stroke.dash) pattern.append(num(length)).append(" ");
+    for (double length : stroke.dash) pattern.append(svg_number(length)).append(" ");
     if (!pattern.empty()) out += " stroke-dasharray=\"" + pattern + "\"";
     out += "/>\n";
   }
@@ -68,9 +68,9 @@ struct Writer {
 
   void operator()(const Text& text) const {
     warn_of_broken(text.string);
-    const std::string x = num(text.at[0]), y = num(height - text.at[1]);
-    out +=
-        "<text x=\"" + x + "\" y=\"" + y + "\" font-size=\"" + num(text.size) + "\" fill=\"" + hex(text.colour) + "\"";
+    const std::string x = svg_number(text.at[0]), y = svg_number(height - text.at[1]);
+    out += "<text x=\"" + x + "\" y=\"" + y + "\" font-size=\"" + svg_number(text.size) + "\" fill=\"" +
+           hex(text.colour) + "\"";
     if (text.align != Align::left)
       out += text.align == Align::centre ? " text-anchor=\"middle\"" : " text-anchor=\"end\"";
     if (text.upright) out += " transform=\"rotate(-90 " + x + " " + y + ")\"";
@@ -82,8 +82,8 @@ struct Writer {
         out += escaped(run.string);
         continue;
       }
-      out += "<tspan dy=\"" + num(rise - next) + "\" font-size=\"" + num(run_size(run.level) * text.size) + "\">" +
-             escaped(run.string) + "</tspan>";
+      out += "<tspan dy=\"" + svg_number(rise - next) + "\" font-size=\"" +
+             svg_number(run_size(run.level) * text.size) + "\">" + escaped(run.string) + "</tspan>";
       rise = next;
     }
     out += "</text>\n";
@@ -99,7 +99,7 @@ std::string svg(const Drawing& drawing) {
                     width + "\" height=\"" + height + "\" viewBox=\"0 0 " + width + " " + height +
                     "\" font-family=\"Helvetica, Arial, 'Liberation Sans', sans-serif\">\n<rect width=\"" + width +
                     "\" height=\"" + height + "\" fill=\"#ffffff\"/>\n";
-  for (const Mark& mark : drawing.marks) std::visit(Writer{drawing.size[1], out}, mark);
+  for (const Mark& mark : drawing.marks) std::visit(SvgWriter{drawing.size[1], out}, mark);
   return out + "</svg>\n";
 }
 

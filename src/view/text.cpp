@@ -58,15 +58,15 @@ bool is_word(char32_t p) {
   return is_letter(p) || is_digit(p);
 }
 
-using Points = std::vector<char32_t>;
+using CodePoints = std::vector<char32_t>;
 
-/// Points [from, to) stand on another level, and the text goes on at `next`.
+/// CodePoints [from, to) stand on another level, and the text goes on at `next`.
 struct Group {
   std::size_t from, to, next;
 };
 
 /// What the sign at i raises or lowers: what braces hold; else a word that stands directly behind it.
-std::optional<Group> group_at(const Points& points, std::size_t i) {
+std::optional<Group> group_at(const CodePoints& points, std::size_t i) {
   const std::size_t count = points.size();
   const auto at = [&](std::size_t k) { return k < count ? points[k] : U' '; };
   if (at(i) != U'_' && at(i) != U'^') return std::nullopt;
@@ -87,7 +87,7 @@ std::optional<Group> group_at(const Points& points, std::size_t i) {
   return Group{i + 1, end, end};
 }
 
-bool is_escaped(const Points& points, std::size_t i) {
+bool is_escaped(const CodePoints& points, std::size_t i) {
   constexpr std::u32string_view signs = U"_^{}\\";
   return points[i] == U'\\' && i + 1 < points.size() && signs.find(points[i + 1]) != signs.npos;
 }
@@ -143,7 +143,7 @@ void warn_of_broken(std::string_view utf8) {
 
 std::vector<TextRun> text_runs(std::string_view utf8) {
   Runs runs;
-  const Points points = code_points(utf8);
+  const CodePoints points = code_points(utf8);
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (is_escaped(points, i)) {
       runs.add(points[++i], 0);

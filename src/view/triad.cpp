@@ -10,7 +10,7 @@ namespace {
 constexpr Rgb colours[] = {{178, 52, 44}, {36, 126, 62}, {40, 84, 164}};
 constexpr const char* letters[] = {"x", "y", "z"};
 
-double arm(const Style& style) {
+double arm_length(const Style& style) {
   return 2.7 * style.tick_size;
 }
 
@@ -21,7 +21,7 @@ bool drawn(const Vec<2>& direction) {
 
 /// The middle of an axis's letter, from where the axes meet.
 Vec<2> letter_at(const Vec<2>& direction, const Style& style) {
-  return arm(style) * direction + 0.55 * style.tick_size * direction.normalized();
+  return arm_length(style) * direction + 0.55 * style.tick_size * direction.normalized();
 }
 
 } // namespace
@@ -51,7 +51,7 @@ void draw_triad(Drawing& drawing, const Vec2& at, const Mat<3>& axes, const Styl
     const Vec<2> direction = axes.col(axis).head<2>();
     if (!drawn(direction)) continue;
     const Vec<2> along = direction.normalized(), side(-along[1], along[0]);
-    const double length = arm(style) * direction.norm(), head = std::min(0.5 * style.tick_size, 0.7 * length);
+    const double length = arm_length(style) * direction.norm(), head = std::min(0.5 * style.tick_size, 0.7 * length);
     const Vec<2> tip = origin + length * along, neck = tip - head * along;
     drawing.marks.push_back(Stroke{{at, plain(neck)}, colour, 3.2 * style.unit});
     drawing.marks.push_back(

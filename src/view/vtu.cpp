@@ -32,7 +32,7 @@ template <class T> constexpr const char* type_name() {
   return sizeof(T) == 1 ? "UInt8" : sizeof(T) == 4 ? "Int32" : std::is_integral_v<T> ? "Int64" : "Float64";
 }
 
-std::string escaped(const std::string& text) {
+std::string xml_text(const std::string& text) {
   std::string result;
   for (char c : text) result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '"' ? "&quot;" : std::string(1, c);
   return result;
@@ -45,12 +45,12 @@ std::string data_array(const std::string& name, const std::vector<T>& values, Ei
   std::string attributes;
   if (components > 0) attributes = text(" NumberOfComponents=\"", components, "\"");
   for (std::size_t i = 0; i < component_names.size(); ++i)
-    attributes += text(" ComponentName", i, "=\"", escaped(component_names[i]), "\"");
+    attributes += text(" ComponentName", i, "=\"", xml_text(component_names[i]), "\"");
   const std::uint64_t size = values.size() * sizeof(T);
   std::string bytes(sizeof size + size, '\0');
   std::memcpy(bytes.data(), &size, sizeof size);
   if (size > 0) std::memcpy(bytes.data() + sizeof size, values.data(), size);
-  return text("        <DataArray type=\"", type_name<T>(), "\" Name=\"", escaped(name), "\"", attributes,
+  return text("        <DataArray type=\"", type_name<T>(), "\" Name=\"", xml_text(name), "\"", attributes,
               " format=\"binary\">\n          ", base64(bytes), "\n        </DataArray>\n");
 }
 
@@ -61,7 +61,7 @@ std::string string_array(const NameList& list) {
     for (char c : entry) codes += text(static_cast<int>(static_cast<unsigned char>(c)), " ");
     codes += "0 ";
   }
-  return text("      <Array type=\"String\" Name=\"", escaped(list.name), "\" NumberOfTuples=\"", list.entries.size(),
+  return text("      <Array type=\"String\" Name=\"", xml_text(list.name), "\" NumberOfTuples=\"", list.entries.size(),
               "\" format=\"ascii\">\n        ", codes, "\n      </Array>\n");
 }
 

@@ -1,0 +1,40 @@
+#include "base/orthonormal.hpp"
+
+namespace signorini {
+
+namespace {
+
+/// Takes the parts along the first `count` columns of Q out of v.
+void subtract(const MatrixX& q, Eigen::Index count, VectorX& v) {
+  for (Eigen::Index k = 0; k < count; ++k) v -= q.col(k).dot(v) * q.col(k);
+}
+
+} // namespace
+
+MatrixX orthonormal(MatrixX x) {
+  for (Eigen::Index j = 0; j < x.cols(); ++j) {
+    VectorX v = x.col(j);
+    // Rounding errors of a pass matter where it cancels most of v; "twice is enough" unless v depends on the others.
+    for (int pass = 0; pass < 4; ++pass) {
+      const double before = v.norm();
+      if (before == 0) break;
+      v /= before;
+      subtract(x, j, v);
+      if (v.norm() > 0.7) break;
+    }
+    const double size = v.norm();
+    x.col(j) = size > 0 ? VectorX(v / size) : v;
+  }
+  return x;
+}
+
+MatrixX residual_of(const MatrixX& q, MatrixX b) {
+  for (Eigen::Index j = 0; j < b.cols(); ++j) {
+    VectorX v = b.col(j);
+    subtract(q, q.cols(), v);
+    b.col(j) = v;
+  }
+  return b;
+}
+
+} // namespace signorini
