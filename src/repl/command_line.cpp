@@ -92,7 +92,8 @@ const char* usage() {
          "Exit status: 0 when all went well, 1 after an error, also in a case of a study, 2 for a wrong command line, "
          "130 after Ctrl-C.\n"
          "SIGNORINI_HOME: the folder that holds lua/, if it is not where the program was installed.\n"
-         "SIGNORINI_KERNEL: sse2, avx2 or avx512, the widest vector instructions of the element kernels (the processor's).\n";
+         "SIGNORINI_KERNEL: sse2, avx2 or avx512, the widest vector instructions of the element kernels (the "
+         "processor's).\n";
 }
 
 } // namespace signorini::repl
