@@ -55,7 +55,7 @@ int content(lua_State* L) {
   return 1;
 }
 
-constexpr Function rows[] = {
+constexpr Function content_entries[] = {
     {"content", wrap<content>,
      "core.content(object)\n"
      "All that a patch, a material, a body, a face, an obstacle, a model or a snapshot holds, as bytes to compare; "
@@ -66,7 +66,7 @@ constexpr Function rows[] = {
 } // namespace
 
 void open_content(lua_State* L) {
-  register_functions(L, "core", rows);
+  register_functions(L, "core", content_entries);
 }
 
 } // namespace signorini::bind

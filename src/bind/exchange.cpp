@@ -36,7 +36,7 @@ int write_to(lua_State* L, int file_index, int form_index, const std::vector<Pat
   return 0;
 }
 
-int write(lua_State* L) {
+int write_patches(lua_State* L) {
   std::vector<Patch> patches;
   const Argument argument{"patches", "what is written"};
   if (const Patch* one = test_object<Patch>(L, 2)) {
@@ -63,7 +63,7 @@ constexpr Function exchange_entries[] = {
      "How patches meet, and boundaries, are not read. Wrong files are errors that name file and line.\n"
      "Example: sg.shapes.half_annulus{ inner = 1, outer = 2 }:write \"bracket.xml\"\n"
      "         bracket = sg.nurbs.read(\"bracket.xml\")[1]"},
-    {"write", wrap<write>,
+    {"write", wrap<write_patches>,
      "sg.nurbs.write(file, patches, form)\n"
      "Writes a patch or a list of patches, whole or not at all. form: \"gismo\" (G+Smo's XML), \"geopdes\" (text "
      "file,\n"
