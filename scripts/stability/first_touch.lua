@@ -16,7 +16,7 @@
 -- Source: chosen here.
 -- Units: any consistent ones; lengths in outer radii, loads in Young's modulus times outer radius.
 -- Expected: plain Newton holds no cell without overlap: the tangent is singular. With overlap it holds all on the
---           plane, and on the slab all but those of the highest load: 8 and 6 of 24 cells, with friction as without.
+--           plane without friction, elsewhere all but those of the highest load: 8 and 6 of 24 cells.
 --           The controls hold all 96: damping carries the body to its first contact. The contact carries the load.
 -- Run: signorini scripts/stability/first_touch.lua [under=plane,slab] [friction=0,0.3] [label=N2]
 --      [gaps=-1e-2,-1e-3,0,1e-3,1e-2,1e-1] [loads=1e-4,1e-3,1e-2,0.05] [steps=5] [jobs=2] [limit=600] [keep=no]
