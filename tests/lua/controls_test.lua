@@ -285,8 +285,6 @@ end)
 check.case("easy ironing takes fewer iterations by default than with plain Newton, and is the same", function()
   local plain, robust = ironing{}:run(sixty, sg.plain{}), ironing{}:run(sixty)
   check.equal({ robust.failed, robust.rescues, robust.cutbacks }, { false, 0, 0 })
-  print(("ironing m1, 60 steps: %d iterations of plain Newton, %d by default"):format(plain.iterations,
-    robust.iterations))
   check.equal(robust.iterations < 0.75 * plain.iterations, true)
   for _, column in ipairs { "grip.fx", "grip.fy" } do
     check.equal(largest_difference(robust:column(column), plain:column(column)) < 1e-8, true)
