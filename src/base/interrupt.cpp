@@ -17,7 +17,7 @@ void acknowledge() {
   const char* words = survives ? "\r\33[Kinterrupting after this iteration\n"
                                : "\r\33[Kinterrupting after this iteration; a second Ctrl-C ends the program\n";
   const int error = errno;
-  [[maybe_unused]] const auto written = write(descriptor, words, std::strlen(words));
+  [[maybe_unused]] const auto written = ::write(descriptor, words, std::strlen(words));
   errno = error;
 }
 
