@@ -37,7 +37,8 @@ Stop descend(const Surface<2>& surface, const Vec<2>& x, int element, double sta
     const double metric = point.tangent[0].squaredNorm();
     const double curvature = metric + (point.position - x).dot(point.second[0]);
     const bool trusted = curvature > 0.1 * metric || (curvature > 0 && std::abs(gradient) < 0.01 * (b - a) * curvature);
-    const double step = -gradient / (trusted ? curvature : metric);
+    const double slowness = trusted ? curvature : metric; // 0 where the parametrization stands still
+    const double step = slowness > 0 ? -gradient / slowness : 0;
     double next = std::clamp(xi + step, a, b);
     // The step just taken squares the error: from 1e-8 of the element it goes to rounding. A step out of the element
     // is none to end with: at the end itself the slope decides.

@@ -204,7 +204,7 @@ TEST(Jobs, DieWithTheirParent) {
         1, {},
         [&](int) {
           const pid_t own = getpid();
-          EXPECT_EQ(write(ends[1], &own, sizeof own), static_cast<ssize_t>(sizeof own));
+          EXPECT_EQ(::write(ends[1], &own, sizeof own), static_cast<ssize_t>(sizeof own));
           sleep_for(60);
           return "";
         },
@@ -213,11 +213,11 @@ TEST(Jobs, DieWithTheirParent) {
   }
   close(ends[1]);
   pid_t job = 0;
-  ASSERT_EQ(read(ends[0], &job, sizeof job), static_cast<ssize_t>(sizeof job));
+  ASSERT_EQ(::read(ends[0], &job, sizeof job), static_cast<ssize_t>(sizeof job));
   kill(parent, SIGKILL);
   waitpid(parent, nullptr, 0);
   char nothing;
-  EXPECT_EQ(read(ends[0], &nothing, 1), 0); // the last one who could write is gone
+  EXPECT_EQ(::read(ends[0], &nothing, 1), 0); // the last one who could write is gone
   close(ends[0]);
 }
 

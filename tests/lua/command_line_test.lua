@@ -17,7 +17,8 @@ check.case("-e runs code, several in a row, with sg at hand", function()
   gives(run { "-e", "print(1)" }, "1\n")
   gives(run { "-e", "x = 2", "-e", "print(x + 1)" }, "3\n")
   gives(run { "-e", "print(sg.shapes.rectangle{ width = 1, height = 1 })" },
-    "NURBS surface in 2D: degree 1 x 1, elements 1 x 1, 4 control points\n  control points in x 0 … 1, y 0 … 1\n")
+    "NURBS surface in 2D: degree 1 x 1, elements 1 x 1, 4 control points\n  control points in x 0 … 1, y 0 … 1\n"
+    .. "  faces: west in x = 0; east in x = 1; south in y = 0; north in y = 1\n")
 end)
 
 check.case("scripts get their arguments, and find modules beside themselves", function()
@@ -92,7 +93,7 @@ check.case("--threads N runs N threads, none of them of BLAS, also after a solve
                            material = sg.neo_hookean{ E = 1, nu = 0.3 } }
     local model = sg.model{ bodies = { block = block }, supports = { bed = { on = block:face "front", fix = "xyz" },
       grip = { on = block:face "back", drive = "z", fix = "xy" } } }
-    model:run({ { steps = 1, grip = { 0, 0, -0.1 } } }, { linear = "umfpack" })
+    model:run({ { steps = 1, grip = { -0.1 } } }, { linear = "umfpack" })
     print(before, count())
   ]]
   for threads = 1, 3 do

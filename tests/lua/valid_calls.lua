@@ -149,6 +149,14 @@ return function(folder)
     { "sg.robust", { { arc_length = true, step = { adaptive = true, min = 1 / 256 } } },
       right = { "1%.arc_length: [^a]", "1%.arc_length: a function", "1%.step: [^a]",
       "1%.step: a function", "1%.step%." } }, -- model:run looks into the values
+    { "sg.plain", { { arc_length = true, newton = { iterations = 50 } } },
+      right = { "1%.arc_length: [^a]", "1%.arc_length: a function", "1%.newton: [^a]",
+      "1%.newton: a function", "1%.newton%." } }, -- as sg.robust
+    { "model:diagnose", { solid, { "step", "damping" } }, names = "model:diagnose on",
+      before = function()
+        solid:set_target("top", { 60 })
+        solid:solve_step { iterations = 1 }
+      end },
     { "run:attempts", { run, 1 }, names = "run:attempts step" },
     { "run:column", { run, "grip.fy" }, names = "run:column column" },
     { "run:csv", { run, file "run.csv" }, names = "run:csv file" },
