@@ -9,7 +9,7 @@
 #include <limits>
 
 namespace signorini {
-namespace {
+namespace archive_test {
 
 using test::message_of;
 
@@ -123,5 +123,5 @@ TEST(ArchiveFile, SaysWhatIsWrongWithAFile) {
   }
 }
 
-} // namespace
+} // namespace archive_test
 } // namespace signorini

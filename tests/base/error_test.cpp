@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace signorini {
-namespace {
+namespace error_test {
 
 TEST(Error, PartsAreJoinedAndNumbersStayRecognisable) {
   EXPECT_EQ(text("E = ", 0.1, ", n = ", 3), "E = 0.1, n = 3");
@@ -20,5 +20,5 @@ TEST(Error, RequireThrowsTheJoinedMessageOnlyWhenItDoesNotHold) {
   }
 }
 
-} // namespace
+} // namespace error_test
 } // namespace signorini

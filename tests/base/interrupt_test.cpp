@@ -7,7 +7,7 @@
 #include <unistd.h>
 
 namespace signorini {
-namespace {
+namespace interrupt_test {
 
 TEST(Interrupt, CtrlCRaisesAFlagThatStaysUntilItIsCleared) {
   catch_interrupts();
@@ -57,5 +57,5 @@ TEST(Interrupt, IsAcknowledgedAtOnceDuringAnIteration) {
       testing::ExitedWithCode(0), "^\r.\\[Kinterrupting after this iteration\nthe rest of the iteration\n$");
 }
 
-} // namespace
+} // namespace interrupt_test
 } // namespace signorini

@@ -18,7 +18,7 @@
 #include <vector>
 
 namespace signorini {
-namespace {
+namespace jobs_test {
 
 using Ends = std::map<int, JobEnd>;
 
@@ -230,5 +230,5 @@ TEST(Jobs, RejectLimitsThatMakeNoSense) {
   EXPECT_THROW(run({.seconds = 0}), std::runtime_error);
 }
 
-} // namespace
+} // namespace jobs_test
 } // namespace signorini

@@ -8,7 +8,7 @@
 #include <unistd.h>
 
 namespace signorini {
-namespace {
+namespace lock_test {
 
 using test::message_of;
 
@@ -50,5 +50,5 @@ TEST(Lock, SaysWhereItCannotBeMade) {
             std::string::npos);
 }
 
-} // namespace
+} // namespace lock_test
 } // namespace signorini

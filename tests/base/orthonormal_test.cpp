@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace signorini {
-namespace {
+namespace orthonormal_test {
 
 MatrixX some(int rows, int columns) {
   MatrixX x(rows, columns);
@@ -37,5 +37,5 @@ TEST(Orthonormal, ResidualIsTheOneOfLeastSquares) {
   EXPECT_LT((residual_of(orthonormal(x), b) - expected).norm(), 1e-10 * b.norm());
 }
 
-} // namespace
+} // namespace orthonormal_test
 } // namespace signorini

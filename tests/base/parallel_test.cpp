@@ -6,7 +6,7 @@
 #include <vector>
 
 namespace signorini {
-namespace {
+namespace parallel_test {
 
 /// One thread again when a test ends.
 struct Workers {
@@ -64,5 +64,5 @@ TEST(Parallel, ThrowsTheFirstErrorAfterAllTasksAreDone) {
   }
 }
 
-} // namespace
+} // namespace parallel_test
 } // namespace signorini

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace signorini {
-namespace {
+namespace process_test {
 
 std::string message_of(const std::vector<std::string>& words) {
   try {
@@ -29,5 +29,5 @@ TEST(Process, TellsWhatAProgramSaidThatFailed) {
   EXPECT_FALSE(has_program("no-such-program-anywhere"));
 }
 
-} // namespace
+} // namespace process_test
 } // namespace signorini

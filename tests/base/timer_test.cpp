@@ -5,7 +5,7 @@
 #include <thread>
 
 namespace signorini {
-namespace {
+namespace timer_test {
 
 TEST(Timer, AnAccountGrowsByWhatItsScopesTook) {
   double account = 1;
@@ -22,5 +22,5 @@ TEST(Timer, AnAccountGrowsByWhatItsScopesTook) {
   EXPECT_EQ(account, twice);
 }
 
-} // namespace
+} // namespace timer_test
 } // namespace signorini

@@ -9,7 +9,7 @@
 #include <unistd.h>
 
 namespace signorini {
-namespace {
+namespace whole_file_test {
 
 using test::message_of;
 
@@ -75,5 +75,5 @@ TEST(WholeFile, RemovesWhatKilledProcessesLeft) {
   EXPECT_TRUE(std::filesystem::exists(writing));
 }
 
-} // namespace
+} // namespace whole_file_test
 } // namespace signorini

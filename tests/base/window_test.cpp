@@ -6,7 +6,7 @@
 #include <numbers>
 
 namespace signorini {
-namespace {
+namespace window_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -73,5 +73,5 @@ TEST(Window, JoinsCutsOnce) {
   EXPECT_EQ(fractions, (std::vector<double>{0, 0.125, 0.25, 0.5, 0.75, 1}));
 }
 
-} // namespace
+} // namespace window_test
 } // namespace signorini

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace signorini {
-namespace {
+namespace words_test {
 
 TEST(Words, NumbersHaveSixDigits) {
   EXPECT_EQ(number(-0.125), "-0.125");
@@ -34,5 +34,5 @@ TEST(Words, OneOfAThingIsSingular) {
   EXPECT_EQ(counted(2, "support"), "2 supports");
 }
 
-} // namespace
+} // namespace words_test
 } // namespace signorini

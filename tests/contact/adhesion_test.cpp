@@ -6,7 +6,7 @@
 #include <numbers>
 
 namespace signorini::contact {
-namespace {
+namespace adhesion_test {
 
 using namespace test;
 
@@ -135,5 +135,5 @@ TEST(Adhesion, ErrorsNameTheArgument) {
   EXPECT_ERROR(check(Adhesion{0.1, std::nan("")}), "got nan");
 }
 
-} // namespace
+} // namespace adhesion_test
 } // namespace signorini::contact

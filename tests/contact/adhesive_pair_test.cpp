@@ -4,7 +4,7 @@
 #include <cmath>
 
 namespace signorini::contact {
-namespace {
+namespace adhesive_pair_test {
 
 using namespace test;
 
@@ -117,5 +117,5 @@ TEST(AdhesivePair, ErrorsNameTheArgument) {
   EXPECT_ERROR(build(Adhesion{1, -1}), "r0 must be a positive number");
 }
 
-} // namespace
+} // namespace adhesive_pair_test
 } // namespace signorini::contact

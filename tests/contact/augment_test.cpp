@@ -3,7 +3,7 @@
 #include "contact/couple3d.hpp"
 
 namespace signorini::contact {
-namespace {
+namespace augment_test {
 
 using namespace test;
 
@@ -206,5 +206,5 @@ TEST(ScalePenalty, AdhesionHasNone) {
   EXPECT_LT((couple.dense().force - before).norm(), 1e-13 * before.norm());
 }
 
-} // namespace
+} // namespace augment_test
 } // namespace signorini::contact

@@ -3,7 +3,7 @@
 #include "contact/couple3d.hpp"
 
 namespace signorini::contact {
-namespace {
+namespace held_test {
 
 using namespace test;
 
@@ -183,5 +183,5 @@ TEST(Held, AdhesionIsAlwaysFree) {
   EXPECT_LT((couple.dense().force - before).norm(), 1e-13 * before.norm());
 }
 
-} // namespace
+} // namespace held_test
 } // namespace signorini::contact

@@ -13,7 +13,7 @@
 #include <numbers>
 
 namespace signorini::contact {
-namespace {
+namespace obstacle3d_test {
 
 using namespace test;
 
@@ -140,5 +140,5 @@ TEST(ObstacleInSpace, ErrorsNameTheArgument) {
   EXPECT_ERROR(make_plane<3>({0, 0, 0}, {0, 0, 0}), "normal must not be zero");
 }
 
-} // namespace
+} // namespace obstacle3d_test
 } // namespace signorini::contact

@@ -7,7 +7,7 @@
 #include <numbers>
 
 namespace signorini::contact {
-namespace {
+namespace obstacle_pair_test {
 
 using namespace test;
 
@@ -197,5 +197,5 @@ TEST(ObstaclePair, FrictionAroundADiscKnowsNoSeam) {
   }
 }
 
-} // namespace
+} // namespace obstacle_pair_test
 } // namespace signorini::contact

@@ -11,7 +11,7 @@
 #include <numbers>
 
 namespace signorini::contact {
-namespace {
+namespace obstacle_test {
 
 using namespace test;
 using std::numbers::pi;
@@ -176,5 +176,5 @@ TEST(Obstacle, ErrorsNameTheArgument) {
   EXPECT_ERROR(make_ball<2>({nan, 0}, 1), "centre must be finite");
 }
 
-} // namespace
+} // namespace obstacle_test
 } // namespace signorini::contact

@@ -7,7 +7,7 @@
 #include <cmath>
 
 namespace signorini::contact {
-namespace {
+namespace open_end_test {
 
 using namespace test;
 
@@ -211,5 +211,5 @@ TEST(OpenEnd, ForcesAndMomentsBalance) {
   EXPECT_LT(std::abs(moment), 1e-12 * force.norm());
 }
 
-} // namespace
+} // namespace open_end_test
 } // namespace signorini::contact

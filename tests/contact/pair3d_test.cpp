@@ -9,7 +9,7 @@
 #include <cmath>
 
 namespace signorini::contact {
-namespace {
+namespace pair3d_test {
 
 using namespace test;
 
@@ -186,5 +186,5 @@ TEST(SolidPair, TwistingIsMuTimesPressureTimesRadius) {
   EXPECT_NEAR(std::abs(moment), expected, 2e-3 * expected);
 }
 
-} // namespace
+} // namespace pair3d_test
 } // namespace signorini::contact

@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace signorini::contact {
-namespace {
+namespace pair_test {
 
 using namespace test;
 
@@ -243,5 +243,5 @@ TEST(Pair, ErrorsNameTheArgument) {
   EXPECT_ERROR(build({100, 0, 0.2}), "friction: penalty must be positive");
 }
 
-} // namespace
+} // namespace pair_test
 } // namespace signorini::contact

@@ -4,7 +4,7 @@
 #include <numbers>
 
 namespace signorini::contact {
-namespace {
+namespace penalty_test {
 
 using namespace test;
 
@@ -140,5 +140,5 @@ TEST(Penalty, AMultiplierAddsToThePressureAndToFrictionsLimit) {
     }
 }
 
-} // namespace
+} // namespace penalty_test
 } // namespace signorini::contact

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace signorini::contact {
-namespace {
+namespace products_test {
 
 using nurbs::test::Random;
 using nurbs::test::uniform;
@@ -43,5 +43,5 @@ TEST(Products, AddUpEveryPointsTerms) {
   }
 }
 
-} // namespace
+} // namespace products_test
 } // namespace signorini::contact

@@ -10,7 +10,7 @@
 #include <limits>
 
 namespace signorini::contact {
-namespace {
+namespace project_surface_test {
 
 using namespace test;
 using Coordinates = FaceCoordinates<3>;
@@ -195,5 +195,5 @@ TEST(ProjectionOnSurface, ValleyIsAnEdgeInside) {
     }
 }
 
-} // namespace
+} // namespace project_surface_test
 } // namespace signorini::contact

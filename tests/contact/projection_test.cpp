@@ -9,7 +9,7 @@
 #include <limits>
 
 namespace signorini::contact {
-namespace {
+namespace projection_test {
 
 using namespace test;
 
@@ -165,5 +165,5 @@ TEST(Projection, CrossesBordersSmoothly) {
   EXPECT_EQ(seed.element, 5);
 }
 
-} // namespace
+} // namespace projection_test
 } // namespace signorini::contact

@@ -5,7 +5,7 @@
 #include <numbers>
 
 namespace signorini::contact {
-namespace {
+namespace revolved_test {
 
 using namespace test;
 using std::numbers::pi;
@@ -82,5 +82,5 @@ TEST(Revolved, SphericalCapConvergesToItsExactForce) {
   }
 }
 
-} // namespace
+} // namespace revolved_test
 } // namespace signorini::contact

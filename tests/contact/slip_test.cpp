@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace signorini::contact {
-namespace {
+namespace slip_test {
 
 using namespace test;
 
@@ -40,5 +40,5 @@ TEST(Slip, StaysWhereItIsAtFullLength) {
   EXPECT_NEAR(advance_slip(flat, 0.9, foot, 0.3), 0.65, 1e-14);
 }
 
-} // namespace
+} // namespace slip_test
 } // namespace signorini::contact

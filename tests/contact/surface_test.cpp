@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace signorini::contact {
-namespace {
+namespace surface_test {
 
 using namespace test;
 
@@ -144,5 +144,5 @@ TEST(Surface, NeighboursShareTheirBorder) {
       }
 }
 
-} // namespace
+} // namespace surface_test
 } // namespace signorini::contact

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace signorini::contact {
-namespace {
+namespace unsettled_test {
 
 using namespace test;
 
@@ -52,5 +52,5 @@ TEST(Unsettled, PairCountsAcceptedStatesOnly) {
   EXPECT_EQ(pair.unsettled(), 1u);
 }
 
-} // namespace
+} // namespace unsettled_test
 } // namespace signorini::contact

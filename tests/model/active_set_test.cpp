@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 namespace signorini::model {
-namespace {
+namespace active_set_test {
 
 using contact::ContactState;
 using contact::test::discretise;
@@ -229,5 +229,5 @@ TEST(ActiveSet, AdhesionNeverCounts) {
   EXPECT_TRUE(set.restless().empty());
 }
 
-} // namespace
+} // namespace active_set_test
 } // namespace signorini::model

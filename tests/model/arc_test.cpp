@@ -10,7 +10,7 @@
 #include <functional>
 
 namespace signorini::model {
-namespace {
+namespace arc_test {
 
 using namespace test;
 
@@ -286,5 +286,5 @@ TEST(Arc, ErrorsNameTheArgument) {
   EXPECT_ERROR(model.solve_arc({}, 0), "an arc's length must be positive, got 0");
 }
 
-} // namespace
+} // namespace arc_test
 } // namespace signorini::model

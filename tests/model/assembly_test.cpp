@@ -3,7 +3,7 @@
 #include "model/scenes.hpp"
 
 namespace signorini::model {
-namespace {
+namespace assembly_test {
 
 using namespace test;
 
@@ -104,5 +104,5 @@ TEST(Assembly, InvertedElementNamesItsBody) {
   EXPECT_LT(inverted->inversion.point(1), 1.0 / 3);
 }
 
-} // namespace
+} // namespace assembly_test
 } // namespace signorini::model

@@ -6,7 +6,7 @@
 #include <cmath>
 
 namespace signorini::model {
-namespace {
+namespace augmented_test {
 
 using namespace test;
 
@@ -129,5 +129,5 @@ TEST(PenaltyFactor, GoesBackWithTheState) {
   EXPECT_ERROR(model.set_penalty_factor(0), "the penalty's factor must be positive, got 0");
 }
 
-} // namespace
+} // namespace augmented_test
 } // namespace signorini::model

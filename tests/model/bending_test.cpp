@@ -7,7 +7,7 @@
 #include <numbers>
 
 namespace signorini::model {
-namespace {
+namespace bending_test {
 
 using namespace test;
 using std::numbers::pi;
@@ -104,5 +104,5 @@ TEST(Bending, MomentIsTheRateOfTheStoredEnergy) {
   EXPECT_NEAR(errors[1] / errors[2], 4, 0.25);
 }
 
-} // namespace
+} // namespace bending_test
 } // namespace signorini::model

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 namespace signorini::model {
-namespace {
+namespace changed_space_test {
 
 nurbs::Discretisation solid(const nurbs::Patch& patch, std::vector<int> elements, const char* label) {
   nurbs::Plan plan;
@@ -76,5 +76,5 @@ TEST(ChangedSpace, FewerFunctionsAlongAPoleKeepItOnePoint) {
   EXPECT_EQ(count_free(fine, changed, 3, nothing), 3 * points(coarse));
 }
 
-} // namespace
+} // namespace changed_space_test
 } // namespace signorini::model

@@ -10,7 +10,7 @@
 #include <cstring>
 
 namespace signorini::model {
-namespace {
+namespace checkpoint_test {
 
 using namespace test;
 using signorini::test::message_of;
@@ -187,5 +187,5 @@ TEST(Checkpoint, FilesOfAnotherKindAreRefused) {
   EXPECT_THROW(load(folder.file("c")), Error);
 }
 
-} // namespace
+} // namespace checkpoint_test
 } // namespace signorini::model

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace signorini::model {
-namespace {
+namespace clearance_test {
 
 using namespace test;
 
@@ -74,5 +74,5 @@ TEST(Clearance, DiscInAHoleIsFine) {
   EXPECT_ERROR(shell({0, 0}, 0.7), "is inside body 'shell'");
 }
 
-} // namespace
+} // namespace clearance_test
 } // namespace signorini::model

@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace signorini::model {
-namespace {
+namespace condensed_test {
 
 using namespace test;
 
@@ -179,5 +179,5 @@ TEST(Condensed, NeedsLinearBodiesAndAContact) {
   EXPECT_NE(other.linear_kind(), solve::LinearKind::condensed);
 }
 
-} // namespace
+} // namespace condensed_test
 } // namespace signorini::model

@@ -8,7 +8,7 @@
 #include <cmath>
 
 namespace signorini::model {
-namespace {
+namespace damping_test {
 
 using namespace test;
 
@@ -246,5 +246,5 @@ TEST(Damping, ChangesNoBitWhereSupportsHoldAllBodies) {
   }
 }
 
-} // namespace
+} // namespace damping_test
 } // namespace signorini::model

@@ -14,7 +14,7 @@
 #include <numeric>
 
 namespace signorini::model {
-namespace {
+namespace diagnosis_test {
 
 using namespace test;
 using solve::Outcome;
@@ -331,5 +331,5 @@ TEST(Diagnosis, LineSearchAndNumbersThatAreNone) {
   EXPECT_EQ(search.places.size(), 3u);
 }
 
-} // namespace
+} // namespace diagnosis_test
 } // namespace signorini::model

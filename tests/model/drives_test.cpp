@@ -7,7 +7,7 @@
 #include <numbers>
 
 namespace signorini::model {
-namespace {
+namespace drives_test {
 
 using namespace test;
 using nurbs::test::Random;
@@ -194,5 +194,5 @@ TEST(Assembly, TangentOfSharedUnknownsIsTheResidualsDerivative) {
   EXPECT_GE(touching, 5);
 }
 
-} // namespace
+} // namespace drives_test
 } // namespace signorini::model

@@ -7,7 +7,7 @@
 #include <cmath>
 
 namespace signorini::model {
-namespace {
+namespace field_test {
 
 using namespace test;
 
@@ -80,5 +80,5 @@ TEST(Field, StressesAreContinuousUpToTheAxis) {
   }
 }
 
-} // namespace
+} // namespace field_test
 } // namespace signorini::model

@@ -10,7 +10,7 @@
 #include <cmath>
 
 namespace signorini::model {
-namespace {
+namespace ironing_test {
 
 using namespace test;
 
@@ -61,5 +61,5 @@ INSTANTIATE_TEST_SUITE_P(Labels, Ironing,
                            return name;
                          });
 
-} // namespace
+} // namespace ironing_test
 } // namespace signorini::model

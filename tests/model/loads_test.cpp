@@ -7,7 +7,7 @@
 #include <cmath>
 
 namespace signorini::model {
-namespace {
+namespace loads_test {
 
 using namespace test;
 
@@ -168,5 +168,5 @@ TEST(Loads, AboutAnAxisTheyActOnTheFullCircle) {
   }
 }
 
-} // namespace
+} // namespace loads_test
 } // namespace signorini::model

@@ -9,7 +9,7 @@
 #include <cmath>
 
 namespace signorini::model {
-namespace {
+namespace model_test {
 
 using namespace test;
 
@@ -214,5 +214,5 @@ TEST(Model, IterationByIterationIsOneStep) {
   EXPECT_LT((pieces.displacement() - whole.displacement()).cwiseAbs().maxCoeff(), 1e-11);
 }
 
-} // namespace
+} // namespace model_test
 } // namespace signorini::model

@@ -7,7 +7,7 @@
 #include <numbers>
 
 namespace signorini::model {
-namespace {
+namespace obstacle_test {
 
 using namespace test;
 using std::numbers::pi;
@@ -97,5 +97,5 @@ TEST(Obstacle, CylinderOnAPlaneAboutItsAxis) {
   EXPECT_NEAR(model.reaction(1)(1), -p * pi * radius * radius, 1e-9);
 }
 
-} // namespace
+} // namespace obstacle_test
 } // namespace signorini::model

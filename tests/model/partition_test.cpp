@@ -7,7 +7,7 @@
 #include <set>
 
 namespace signorini::model {
-namespace {
+namespace partition_test {
 
 using namespace test;
 
@@ -151,5 +151,5 @@ TEST(Partition, ResidualAndTangentAreTheSameBitsForAnyNumberOfThreads) {
   }
 }
 
-} // namespace
+} // namespace partition_test
 } // namespace signorini::model

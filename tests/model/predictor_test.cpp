@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace signorini::model {
-namespace {
+namespace predictor_test {
 
 using namespace test;
 
@@ -155,5 +155,5 @@ TEST(Predictor, ARestoredStateGoesOnAsItDid) {
   }
 }
 
-} // namespace
+} // namespace predictor_test
 } // namespace signorini::model

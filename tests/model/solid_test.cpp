@@ -12,7 +12,7 @@
 #include <cmath>
 
 namespace signorini::model {
-namespace {
+namespace solid_test {
 
 const nurbs::Side west{0, false}, south{1, false}, front{2, false}, back{2, true};
 
@@ -148,5 +148,5 @@ TEST(SolidModel, APoleStaysOnePoint) {
     }
 }
 
-} // namespace
+} // namespace solid_test
 } // namespace signorini::model

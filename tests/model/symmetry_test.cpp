@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace signorini::model {
-namespace {
+namespace symmetry_test {
 
 using namespace test;
 
@@ -104,5 +104,5 @@ TEST(Symmetry, ThroughTheBodyRowsCount) {
   EXPECT_EQ(unknowns_beside(model, found), 2 * (2 * 4 - 1) - 4);
 }
 
-} // namespace
+} // namespace symmetry_test
 } // namespace signorini::model

@@ -9,7 +9,7 @@
 #include <set>
 
 namespace signorini::model {
-namespace {
+namespace tessellate_test {
 
 const nurbs::Side west{0, false}, south{1, false}, front{2, false}, back{2, true};
 
@@ -250,5 +250,5 @@ TEST(Sampling, FollowsArcsWithinHalfAPixelOfWhatIsMagnified) {
   }
 }
 
-} // namespace
+} // namespace tessellate_test
 } // namespace signorini::model

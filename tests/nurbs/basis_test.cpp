@@ -7,7 +7,7 @@
 #include <cmath>
 
 namespace signorini::nurbs {
-namespace {
+namespace basis_test {
 
 using namespace test;
 
@@ -94,5 +94,5 @@ TEST(Basis, BernsteinPolynomialsInClosedForm) {
   }
 }
 
-} // namespace
+} // namespace basis_test
 } // namespace signorini::nurbs

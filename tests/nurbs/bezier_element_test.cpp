@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 namespace signorini::nurbs {
-namespace {
+namespace bezier_element_test {
 
 /// Bernstein polynomials of a tensor product at t ∈ [0, 1]^d, the first direction's index fastest.
 VectorX bernstein_at(const std::vector<int>& degrees, const VectorX& t) {
@@ -76,5 +76,5 @@ TEST(BezierElement, ElevationKeepsPolynomials) {
   }
 }
 
-} // namespace
+} // namespace bezier_element_test
 } // namespace signorini::nurbs

@@ -9,7 +9,7 @@
 #include <set>
 
 namespace signorini::nurbs {
-namespace {
+namespace coincident_test {
 
 using Groups = std::vector<std::vector<int>>;
 
@@ -200,5 +200,5 @@ TEST(Coincident, WhatOnlyTouchesStaysFree) {
   EXPECT_TRUE(none(bent_block({{7, Vec<3>(0, 0, 0)}})));
 }
 
-} // namespace
+} // namespace coincident_test
 } // namespace signorini::nurbs

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 namespace signorini::nurbs {
-namespace {
+namespace constructions_test {
 
 using namespace test;
 using std::numbers::pi;
@@ -199,5 +199,5 @@ TEST(Coons, RefusesWhatDoesNotMeet) {
   EXPECT_ERROR(coons({west, surface, south, north}), "'east' has 2 parametric directions, expected 1");
 }
 
-} // namespace
+} // namespace constructions_test
 } // namespace signorini::nurbs

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace signorini::nurbs {
-namespace {
+namespace curves_test {
 
 using namespace test;
 using std::numbers::pi;
@@ -83,5 +83,5 @@ TEST(Arc, RefusesWhatCannotBe) {
   EXPECT_ERROR(arc(VectorX::Zero(4), 1, 0, 90), "centre: 2 coordinates are needed, got 4");
 }
 
-} // namespace
+} // namespace curves_test
 } // namespace signorini::nurbs

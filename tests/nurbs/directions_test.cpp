@@ -10,7 +10,7 @@
 #include <Eigen/Geometry>
 
 namespace signorini::nurbs {
-namespace {
+namespace directions_test {
 
 using namespace test;
 
@@ -87,5 +87,5 @@ TEST(Mirror, KeepsTheOutsideOfCurvesAndSurfaces) {
   EXPECT_ERROR(mirror(image, Vec<2>(0, 0), Vec<3>(0, 0, 1)), "normal: 2 coordinates are needed, got 3");
 }
 
-} // namespace
+} // namespace directions_test
 } // namespace signorini::nurbs

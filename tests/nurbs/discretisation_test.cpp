@@ -9,7 +9,7 @@
 #include <set>
 
 namespace signorini::nurbs {
-namespace {
+namespace discretisation_test {
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
@@ -325,5 +325,5 @@ TEST(Discretisation, ErrorsNameTheArgument) {
   EXPECT_ERROR(space.find_element(Eigen::Vector2d(0.5, 1.5)), "1.5");
 }
 
-} // namespace
+} // namespace discretisation_test
 } // namespace signorini::nurbs

@@ -9,7 +9,7 @@
 #include <sstream>
 
 namespace signorini::nurbs {
-namespace {
+namespace dof_tables_test {
 
 using Rows = std::vector<std::map<std::string, std::string>>;
 
@@ -119,5 +119,5 @@ TEST(DofTables, Ironing3dTable711) {
   }
 }
 
-} // namespace
+} // namespace dof_tables_test
 } // namespace signorini::nurbs

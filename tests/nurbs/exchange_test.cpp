@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 
 namespace signorini::nurbs {
-namespace {
+namespace exchange_test {
 
 using signorini::test::message_of;
 using signorini::test::ScratchFolder;
@@ -221,5 +221,5 @@ TEST(Exchange, WhatAFormCannotHoldIsRefused) {
   EXPECT_EQ(folder.count(), 0);
 }
 
-} // namespace
+} // namespace exchange_test
 } // namespace signorini::nurbs

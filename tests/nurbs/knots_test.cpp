@@ -7,7 +7,7 @@
 #include <limits>
 
 namespace signorini::nurbs {
-namespace {
+namespace knots_test {
 
 using namespace test;
 
@@ -72,5 +72,5 @@ TEST(Knots, WrongOnesAreRefusedWithTheReason) {
   EXPECT_ERROR(KnotVector(1, {0, 0, 0.5, 0.5 + 1e-15, 1, 1}), "make them equal or move them apart");
 }
 
-} // namespace
+} // namespace knots_test
 } // namespace signorini::nurbs

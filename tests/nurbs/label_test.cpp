@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace signorini::nurbs {
-namespace {
+namespace label_test {
 
 struct Form {
   const char* text;
@@ -61,5 +61,5 @@ TEST(Label, MeaninglessNumbersAreNamed) {
   EXPECT_ERROR(parse_label("N2-N4x0"), "x1 is the least");
 }
 
-} // namespace
+} // namespace label_test
 } // namespace signorini::nurbs

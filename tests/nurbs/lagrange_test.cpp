@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 namespace signorini::nurbs {
-namespace {
+namespace lagrange_test {
 
 TEST(Lagrange, TakesThePatchsValuesAtItsNodes) {
   test::Random random(11);
@@ -74,5 +74,5 @@ TEST(Lagrange, LabelWithoutContactFaceHoldsInBothDirections) {
   EXPECT_EQ(space.functions(), 7 * 5);
 }
 
-} // namespace
+} // namespace lagrange_test
 } // namespace signorini::nurbs

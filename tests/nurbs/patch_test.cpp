@@ -8,7 +8,7 @@
 #include <limits>
 
 namespace signorini::nurbs {
-namespace {
+namespace patch_test {
 
 using namespace test;
 
@@ -237,5 +237,5 @@ TEST(Sides, RowsAndFacesThatDoNotExistAreRefused) {
   EXPECT_EQ(control_row(square, 0, 1).points(), (MatrixX(2, 2) << 1, 1, 0, 1).finished());
 }
 
-} // namespace
+} // namespace patch_test
 } // namespace signorini::nurbs

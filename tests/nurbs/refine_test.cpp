@@ -7,7 +7,7 @@
 #include <cmath>
 
 namespace signorini::nurbs {
-namespace {
+namespace refine_test {
 
 using namespace test;
 
@@ -182,5 +182,5 @@ TEST(ElementKnots, GradingOutOfRangeIsRefused) {
   EXPECT_ERROR(element_knots(knots, 4, Grading{std::nan(""), 0.5, false}), "elements is nan");
 }
 
-} // namespace
+} // namespace refine_test
 } // namespace signorini::nurbs

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace signorini::nurbs {
-namespace {
+namespace shapes_test {
 
 using namespace test;
 using std::numbers::pi;
@@ -245,5 +245,5 @@ TEST(Transform, RefusesWhatCannotBe) {
   EXPECT_ERROR(rotate(solid, 30, Vec<3>(0, 0, 0), Vec<3>(0, 0, 0)), "axis: it has no length");
 }
 
-} // namespace
+} // namespace shapes_test
 } // namespace signorini::nurbs

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 namespace signorini::nurbs {
-namespace {
+namespace solid_layers_test {
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
@@ -174,5 +174,5 @@ TEST(SolidLayers, DepthsOfTwoDirectionsMustAgreeWhereBothAreLayered) {
   EXPECT_ERROR(build("N2", "L2"), "cannot be mixed");
 }
 
-} // namespace
+} // namespace solid_layers_test
 } // namespace signorini::nurbs

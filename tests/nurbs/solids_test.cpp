@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 namespace signorini::nurbs {
-namespace {
+namespace solids_test {
 
 using namespace test;
 using std::numbers::pi;
@@ -125,5 +125,5 @@ TEST(SolidConstructions, WeightsThatNoBlendCanHaveAreRefused) {
   EXPECT_ERROR(coons(faces), "coons: the blend of the boundary's weights is -1.97 inside");
 }
 
-} // namespace
+} // namespace solids_test
 } // namespace signorini::nurbs

@@ -9,7 +9,7 @@
 #include <numbers>
 
 namespace signorini::solid {
-namespace {
+namespace axisymmetric_test {
 
 using namespace test;
 using std::numbers::pi;
@@ -169,5 +169,5 @@ TEST(Axisymmetric, ABodyBeyondTheAxisIsAnError) {
   EXPECT_ERROR(Body<3>(cube.shared_space(), steel, Kind::axisymmetric), "cannot be axisymmetric");
 }
 
-} // namespace
+} // namespace axisymmetric_test
 } // namespace signorini::solid

@@ -9,7 +9,7 @@
 #include <cmath>
 
 namespace signorini::solid {
-namespace {
+namespace closed_form_test {
 
 using namespace test;
 
@@ -158,5 +158,5 @@ TEST(ClosedForm, StressOfLamesRingConvergesWithOrderP) {
   EXPECT_LT(fine, 2e-3);
 }
 
-} // namespace
+} // namespace closed_form_test
 } // namespace signorini::solid

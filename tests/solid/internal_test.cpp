@@ -11,7 +11,7 @@
 #include <limits>
 
 namespace signorini::solid {
-namespace {
+namespace internal_test {
 
 using signorini::test::derivative;
 using namespace test;
@@ -262,5 +262,5 @@ TEST(Internal, LeftHandedPatchIsAnError) {
   EXPECT_ERROR(make_body<2>(mirrored, {3, 1}, "N2", "north", rubber), "not right-handed");
 }
 
-} // namespace
+} // namespace internal_test
 } // namespace signorini::solid

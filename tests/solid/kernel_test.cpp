@@ -11,7 +11,7 @@
 #include <limits>
 
 namespace signorini::solid {
-namespace {
+namespace kernel_test {
 
 using namespace test;
 
@@ -151,5 +151,5 @@ TEST(Kernel, EnvironmentVariableChoosesTheWidestInstructions) {
   EXPECT_NE(message("AVX").find("SIGNORINI_KERNEL must be sse2, avx2 or avx512, got 'AVX'"), std::string::npos);
 }
 
-} // namespace
+} // namespace kernel_test
 } // namespace signorini::solid

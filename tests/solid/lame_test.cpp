@@ -10,7 +10,7 @@
 #include <cstdio>
 
 namespace signorini::solid {
-namespace {
+namespace lame_test {
 
 using namespace test;
 
@@ -132,5 +132,5 @@ TEST(Lame, SphereInSpaceConvergesWithOrderPPlus1) {
   EXPECT_GT(std::log2(few / more), 3.5);
 }
 
-} // namespace
+} // namespace lame_test
 } // namespace signorini::solid

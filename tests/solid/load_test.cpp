@@ -10,7 +10,7 @@
 #include <numeric>
 
 namespace signorini::solid {
-namespace {
+namespace load_test {
 
 using namespace test;
 using nurbs::side_of;
@@ -175,5 +175,5 @@ TEST(Load, AnUnknownComponentIsAnError) {
   EXPECT_ERROR(traction_load(body, side_of("south", 2), -1), "component -1");
 }
 
-} // namespace
+} // namespace load_test
 } // namespace signorini::solid

@@ -8,7 +8,7 @@
 #include <limits>
 
 namespace signorini::solid {
-namespace {
+namespace material_test {
 
 using nurbs::test::Random;
 using nurbs::test::uniform;
@@ -97,5 +97,5 @@ TEST(Material, ErrorsNameTheConstant) {
   }
 }
 
-} // namespace
+} // namespace material_test
 } // namespace signorini::solid

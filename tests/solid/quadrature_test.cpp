@@ -10,7 +10,7 @@
 #include <numeric>
 
 namespace signorini::solid {
-namespace {
+namespace quadrature_test {
 
 TEST(Quadrature, ExactUpToDegree2nMinus1AndNotBeyond) {
   for (int n = 1; n <= 48; ++n) {
@@ -54,5 +54,5 @@ TEST(Quadrature, WeightsOfABodyAddUpToItsVolume) {
   EXPECT_NEAR(area, std::acos(-1.0) / 2 * (0.25 - 0.09), 1e-7);
 }
 
-} // namespace
+} // namespace quadrature_test
 } // namespace signorini::solid

@@ -8,7 +8,7 @@
 #include <numeric>
 
 namespace signorini::solve {
-namespace {
+namespace band_order_test {
 
 using namespace test;
 
@@ -58,5 +58,5 @@ TEST(BandOrder, WidthIsThatOfTheReorderedMatrix) {
   EXPECT_EQ(band_width(pattern, {0, 3, 1, 2}), 1);
 }
 
-} // namespace
+} // namespace band_order_test
 } // namespace signorini::solve

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace signorini::solve {
-namespace {
+namespace changing_block_test {
 
 using namespace test;
 
@@ -99,5 +99,5 @@ TEST(PivotRange, KnowsSingularAndNotFinitePivots) {
   }
 }
 
-} // namespace
+} // namespace changing_block_test
 } // namespace signorini::solve

@@ -9,7 +9,7 @@
 #include <numeric>
 
 namespace signorini::solve {
-namespace {
+namespace condensed_test {
 
 using namespace test;
 
@@ -149,5 +149,5 @@ TEST(Condensed, AGridWithAContactFace) {
     EXPECT_LT(backward_error(*solver, pattern, with_contact(random, pattern, condensation, 0.3, 100)), 1e-14);
 }
 
-} // namespace
+} // namespace condensed_test
 } // namespace signorini::solve

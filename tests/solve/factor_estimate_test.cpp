@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace signorini::solve {
-namespace {
+namespace factor_estimate_test {
 
 using namespace test;
 
@@ -61,5 +61,5 @@ TEST(FactorEstimate, ForeseesTheAutomaticChoice) {
   EXPECT_LT(solid.part, 1.2);
 }
 
-} // namespace
+} // namespace factor_estimate_test
 } // namespace signorini::solve

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 namespace signorini::solve {
-namespace {
+namespace gmres_test {
 
 using namespace test;
 using Eigen::MatrixXd;
@@ -118,5 +118,5 @@ TEST(RowMatrix, MultipliesToTheSameBitsOnAnyNumberOfThreads) {
   }
 }
 
-} // namespace
+} // namespace gmres_test
 } // namespace signorini::solve

@@ -11,7 +11,7 @@
 #include <numeric>
 
 namespace signorini::solve {
-namespace {
+namespace kept_test {
 
 using namespace test;
 using Eigen::VectorXd;
@@ -345,5 +345,5 @@ TEST(Kept, NewtonConvergesAsWithExactSolutions) {
   EXPECT_LT((x - exact).norm(), 1e-9 * exact.norm());
 }
 
-} // namespace
+} // namespace kept_test
 } // namespace signorini::solve

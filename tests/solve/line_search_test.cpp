@@ -10,7 +10,7 @@
 #include <limits>
 
 namespace signorini::solve {
-namespace {
+namespace line_search_test {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -279,5 +279,5 @@ TEST(LineSearch, KindsHaveNames) {
   }
 }
 
-} // namespace
+} // namespace line_search_test
 } // namespace signorini::solve

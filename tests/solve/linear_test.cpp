@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 namespace signorini::solve {
-namespace {
+namespace linear_test {
 
 using namespace test;
 
@@ -113,5 +113,5 @@ TEST(LinearKinds, HaveNames) {
   EXPECT_EQ(make_solver(LinearKind::automatic, chain(10))->kind(), LinearKind::klu);
 }
 
-} // namespace
+} // namespace linear_test
 } // namespace signorini::solve

@@ -9,7 +9,7 @@
 #include <limits>
 
 namespace signorini::solve {
-namespace {
+namespace newton_test {
 
 /// f(x) = 0 in one unknown with its derivative.
 struct Scalar {
@@ -316,5 +316,5 @@ TEST(Newton, OutcomesHaveNames) {
   for (const auto& [outcome, name] : names) EXPECT_EQ(name_of(outcome), name);
 }
 
-} // namespace
+} // namespace newton_test
 } // namespace signorini::solve

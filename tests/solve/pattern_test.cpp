@@ -8,7 +8,7 @@
 #include <random>
 
 namespace signorini::solve {
-namespace {
+namespace pattern_test {
 
 using Groups = std::vector<std::vector<int>>;
 using Flags = Eigen::Matrix<bool, Eigen::Dynamic, Eigen::Dynamic>;
@@ -80,5 +80,5 @@ TEST(Pattern, ExtensionKeepsTrackOfWhereEntriesMove) {
   }
 }
 
-} // namespace
+} // namespace pattern_test
 } // namespace signorini::solve

@@ -10,7 +10,7 @@
 #include <numeric>
 
 namespace signorini::solve {
-namespace {
+namespace symmetric_test {
 
 using namespace test;
 
@@ -147,5 +147,5 @@ TEST(RelativeResidual, IsThatOfTheDenseProduct) {
   EXPECT_TRUE(std::isinf(relative_residual(pattern, values.data(), broken.data(), b.data(), scratch)));
 }
 
-} // namespace
+} // namespace symmetric_test
 } // namespace signorini::solve

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace signorini::view {
-namespace {
+namespace camera_test {
 
 TEST(Camera, TurnsToTheSideThatANormalPointsTo) {
   const Camera iso = camera("iso");
@@ -23,5 +23,5 @@ TEST(Camera, TurnsToTheSideThatANormalPointsTo) {
   EXPECT_EQ(turned_to(iso, Vec<3>::UnitY()).from, Vec<3>(0.75, 1.5, 1));
 }
 
-} // namespace
+} // namespace camera_test
 } // namespace signorini::view

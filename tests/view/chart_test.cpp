@@ -13,7 +13,7 @@
 #include <limits>
 
 namespace signorini::view {
-namespace {
+namespace chart_test {
 
 ChartOptions forces() {
   ChartOptions options;
@@ -322,5 +322,5 @@ TEST(Chart, RefusesWhatItCannotDraw) {
   EXPECT_TRUE(holds(refusal({line_of({1, 2})}, {}, "missing/no.png"), {"does not exist"}));
 }
 
-} // namespace
+} // namespace chart_test
 } // namespace signorini::view

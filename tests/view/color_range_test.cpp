@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace signorini::view {
-namespace {
+namespace color_range_test {
 
 using Range = std::array<double, 2>;
 
@@ -46,5 +46,5 @@ TEST(ColorRange, KeepsAFieldThatIsZeroAlmostEverywhere) {
   EXPECT_EQ(coloured_values({&values})->typical, (Range{0, 1}));
 }
 
-} // namespace
+} // namespace color_range_test
 } // namespace signorini::view

@@ -9,7 +9,7 @@
 #include <random>
 
 namespace signorini::view {
-namespace {
+namespace curves_test {
 
 const Style style = style_for({1600, 1000});
 
@@ -172,5 +172,5 @@ TEST(NamedTicks, WrapThenStandUprightThenLeaveSomeOut) {
   EXPECT_LE(level.names[1].width(), 40);
 }
 
-} // namespace
+} // namespace curves_test
 } // namespace signorini::view

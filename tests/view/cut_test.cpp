@@ -8,7 +8,7 @@
 #include <random>
 
 namespace signorini::view {
-namespace {
+namespace cut_test {
 
 double linear(const Vec<3>& x) {
   return 0.3 + Vec<3>(2, -1, 0.5).dot(x);
@@ -132,5 +132,5 @@ TEST(Solid, BecomesOneWithItsImage) {
   EXPECT_EQ(back.inside.back().points, block.inside.back().points);
 }
 
-} // namespace
+} // namespace cut_test
 } // namespace signorini::view

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace signorini::view {
-namespace {
+namespace fit_text_test {
 
 using Lines = std::vector<std::string>;
 
@@ -40,5 +40,5 @@ TEST(FitText, KeepsWithinItsRoomAndCutsWhatIsLeft) {
   EXPECT_EQ(fit_text("", 20, 10, 100).lines, Lines{""});
 }
 
-} // namespace
+} // namespace fit_text_test
 } // namespace signorini::view

@@ -12,7 +12,7 @@
 #include <limits>
 
 namespace signorini::view {
-namespace {
+namespace heatmap_test {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
@@ -243,5 +243,5 @@ TEST(Looks, CarryTextInTheColourOfGreaterContrast) {
   EXPECT_NEAR(lightness({119, 119, 119}), 50.0, 0.1);
 }
 
-} // namespace
+} // namespace heatmap_test
 } // namespace signorini::view

@@ -10,7 +10,7 @@
 #include <random>
 
 namespace signorini::view {
-namespace {
+namespace inset_test {
 
 const Style style = style_for({1600, 1000});
 
@@ -161,5 +161,5 @@ TEST(Inset, IsDrawnInEveryForm) {
   }
 }
 
-} // namespace
+} // namespace inset_test
 } // namespace signorini::view

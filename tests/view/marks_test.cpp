@@ -12,7 +12,7 @@
 #include <limits>
 
 namespace signorini::view {
-namespace {
+namespace marks_test {
 
 const Style style = style_for({1600, 1000});
 const Box box = {200, 1400, 100, 900};
@@ -170,5 +170,5 @@ TEST(Marks, AreSeenFromTheCameraAndOnTopOfSolids) {
   EXPECT_TRUE(shown(place) == shown(place + Vec<3>(0.3, 0, 0))); // neither is within
 }
 
-} // namespace
+} // namespace marks_test
 } // namespace signorini::view

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace signorini::view {
-namespace {
+namespace names_test {
 
 Frame frame() {
   Frame frame;
@@ -70,5 +70,5 @@ TEST(Names, ArrowsRunAlongTheLineThatBeginsNearestToTheEye) {
   EXPECT_NEAR(drawn[0].at[1], 700, 10);
 }
 
-} // namespace
+} // namespace names_test
 } // namespace signorini::view

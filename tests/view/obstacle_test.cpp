@@ -6,7 +6,7 @@
 #include <random>
 
 namespace signorini::view {
-namespace {
+namespace obstacle_test {
 
 const Style style = style_for({1600, 1000});
 
@@ -118,5 +118,5 @@ TEST(Obstacle, IsRoundWhereItIsMagnified) {
   EXPECT_LT(line.cols(), 250);
 }
 
-} // namespace
+} // namespace obstacle_test
 } // namespace signorini::view

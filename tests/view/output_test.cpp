@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace signorini::view {
-namespace {
+namespace output_test {
 
 TEST(Svg, EscapesTextAndKeepsItAsText) {
   const Drawing drawing{{200, 150}, {Text{{10, 20}, "a < b & σ₁₁ [N/mm²]", 12}}};
@@ -31,5 +31,5 @@ TEST(Pdf, ShowsBoxesForCharactersThatItsFontsLack) {
   EXPECT_TRUE(holds(testing::internal::GetCapturedStderr(), {"'接', '触' of the text 'x 接触'", ".svg or .png"}));
 }
 
-} // namespace
+} // namespace output_test
 } // namespace signorini::view

@@ -7,7 +7,7 @@
 #include <cmath>
 
 namespace signorini::view {
-namespace {
+namespace palette_test {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
@@ -67,5 +67,5 @@ TEST(Palette, TellsAllColoursApartForColourBlindReadersToo) {
       for (std::size_t b = 0; b < a; ++b) EXPECT_GE(distance(eye, colours[a], colours[b]), 17) << eye.name << a << b;
 }
 
-} // namespace
+} // namespace palette_test
 } // namespace signorini::view

@@ -9,7 +9,7 @@
 #include <random>
 
 namespace signorini::view {
-namespace {
+namespace panel_test {
 
 TEST(Mirrored, TurnsOneCoordinateAndTheSignOfTheValues) {
   Body body = bent_ring({1.5, 0.2}, 0.5, 1, 0, 4, 2);
@@ -69,5 +69,5 @@ TEST(ClipField, KeepsAreaAndValuesInTheBoxesThatTileThePlane) {
   EXPECT_NEAR(sum.value, whole.value, 1e-10);
 }
 
-} // namespace
+} // namespace panel_test
 } // namespace signorini::view

@@ -15,7 +15,7 @@
 #include <unistd.h>
 
 namespace signorini::view {
-namespace {
+namespace picture_test {
 
 std::vector<Body> rings() {
   return {bent_ring({0, 0}, 0.5, 1.0, 0, 6, 3), bent_ring({1.62, 1.1}, 0.4, 0.8, 180, 8, 2)};
@@ -167,5 +167,5 @@ TEST(Renderer, SaysWhatItIs) {
   EXPECT_TRUE(holds(renderer_description(), {"VTK 9", "OpenGL"}));
 }
 
-} // namespace
+} // namespace picture_test
 } // namespace signorini::view

@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 namespace signorini::view {
-namespace {
+namespace plate_test {
 
 std::vector<Panel> ring(double lift, double scale = 1, const std::string& title = "") {
   Body body = bent_ring({0, lift}, 0.5, 1, 0, 6, 3);
@@ -248,5 +248,5 @@ TEST(Series, IsTakenFromTheNameOfItsFile) {
     EXPECT_TRUE(holds(message_of([&] { write_series(wrong, 1, 10, number); }), {"must hold one number"})) << wrong;
 }
 
-} // namespace
+} // namespace plate_test
 } // namespace signorini::view

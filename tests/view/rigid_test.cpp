@@ -9,7 +9,7 @@
 #include <numbers>
 
 namespace signorini::view {
-namespace {
+namespace rigid_test {
 
 const Bounds box{{0, 0, 0}, {4, 2, 1}};
 
@@ -122,5 +122,5 @@ TEST(Outline, OfABallIsACircleOfTheSameRadius) {
   EXPECT_NEAR(length, 2 * std::numbers::pi * 0.5, 5e-3);
 }
 
-} // namespace
+} // namespace rigid_test
 } // namespace signorini::view

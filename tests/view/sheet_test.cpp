@@ -9,7 +9,7 @@
 #include <random>
 
 namespace signorini::view {
-namespace {
+namespace sheet_test {
 
 const Style style = style_for({1600, 1000});
 
@@ -149,5 +149,5 @@ TEST(Sheet, IsDrawnWithTheSameBytesAndRefusesNothingToShow) {
   EXPECT_TRUE(holds(message_of([&] { draw_sheet(broken, {}, scratch("no.png")); }), {"state 2, body 1", "not finite"}));
 }
 
-} // namespace
+} // namespace sheet_test
 } // namespace signorini::view

@@ -12,7 +12,7 @@
 #include <filesystem>
 
 namespace signorini::view {
-namespace {
+namespace solid_picture_test {
 
 double wave(const Vec<3>& x) {
   return std::sin(2 * x[0]) * std::cos(x[1]) + 0.3 * x[2];
@@ -204,5 +204,5 @@ TEST(Triad, HasRoomForItsArrows) {
   }
 }
 
-} // namespace
+} // namespace solid_picture_test
 } // namespace signorini::view

@@ -7,7 +7,7 @@
 #include <random>
 
 namespace signorini::view {
-namespace {
+namespace strokes_test {
 
 double length(const std::vector<std::vector<Vec2>>& parts) {
   double sum = 0;
@@ -68,5 +68,5 @@ TEST(StrokeTriangles, CoverLengthTimesWidth) {
   EXPECT_NEAR(area, 10, 1e-12);
 }
 
-} // namespace
+} // namespace strokes_test
 } // namespace signorini::view

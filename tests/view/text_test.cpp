@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace signorini::view {
-namespace {
+namespace text_test {
 
 TEST(TextRuns, RaiseAndLowerDigits) {
   const auto runs = text_runs("σ₁₁ 10⁻³⁴");
@@ -71,5 +71,5 @@ TEST(TextWidth, IsHelveticas) {
   EXPECT_DOUBLE_EQ(text_width("1²", 10), 5.56 * 1.7);
 }
 
-} // namespace
+} // namespace text_test
 } // namespace signorini::view

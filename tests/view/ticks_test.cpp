@@ -8,7 +8,7 @@
 #include <random>
 
 namespace signorini::view {
-namespace {
+namespace ticks_test {
 
 using Labels = std::vector<std::string>;
 
@@ -122,5 +122,5 @@ TEST(LogTicks, HaveMinorOnesInAnyRangeAndNoneBesideIt) {
   EXPECT_EQ(log_ticks(3.1, 4.4, 5).minor.size(), 12u); // 3.1, 3.2 … 4.4 but 3.5 and 4.0
 }
 
-} // namespace
+} // namespace ticks_test
 } // namespace signorini::view
