@@ -1,4 +1,4 @@
--- A Newton loop of one's own: what model:run does with sg.plain{}, written with the small verbs.
+-- A user-defined Newton loop: what model:run does with sg.plain{}, written with low-level methods.
 --
 -- Problem: 2D frictional ironing, section 7.1 of the thesis (scripts/ironing2d.lua has the sketch), N2-N2.2 at mesh m1.
 -- Source: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of

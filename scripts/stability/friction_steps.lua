@@ -1,4 +1,4 @@
--- Where ironing forth and back holds: step size against friction.
+-- Where ironing back and forth holds: step size against friction.
 --
 -- Problem: a half ring is pressed into a slab, dragged along it and back again. Where it turns, every contact point
 --          goes from slip over stick to slip the other way; the longer the step and the stronger the friction, the more
@@ -18,7 +18,7 @@
 -- Expected: plain Newton holds 24 (N2), 24 (N4) and 21 (N2-N2.2) of 30 cells, the controls all 90, with 0.81 to 0.83
 --           times as many iterations where both hold, and the same drag to 2e-8. Steps up to 4 times as long hold with
 --           every friction, up to 8 times with N2 and N4; where they are 16 times as long all fail while the die is
---           pressed. Drag over pressing force is 0.43 at mu = 0.4, forth and back alike.
+--           pressed. Drag over pressing force is 0.43 at mu = 0.4, back and forth alike.
 -- Run: signorini scripts/stability/friction_steps.lua [labels=N2,N4,N2-N2.2] [friction=0,0.1,0.2,0.4,0.6,0.8]
 --      [coarser=1,2,4,8,16] [mesh=m1] [jobs=2] [limit=600] [keep=no] [with=robust] [out=out/stability/friction_steps];
 --      one map for each label; coarser: steps that many times as long; keep=yes takes up the cells that an earlier call
@@ -59,7 +59,7 @@ end
 local files, results = sg.files(options.out), {}
 for _, label in ipairs(options.labels) do
   results[label] = study.solve({
-    name = ("Ironing forth and back, %s at %s"):format(label, options.mesh), key = label,
+    name = ("Ironing back and forth, %s at %s"):format(label, options.mesh), key = label,
     x = { name = "length of a step (published: 1)", values = options.coarser },
     y = { name = "coefficient of friction", values = options.friction },
     scene = function(_, mu) return (ironing.scene(with_friction(mu), label, elements)) end,

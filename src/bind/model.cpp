@@ -120,7 +120,7 @@ constexpr Function model_entries[] = {
      "Example: model:driven_names()  --> {\"grip\"}"},
     {"warnings", wrap<warnings<D>>,
      "m:warnings()\n"
-     "What may be wrong although it is no error, a list of sentences. About the scene, which sg.model prints as well:\n"
+     "Returns a list of sentences on what is probably not meant. About the scene, which sg.model prints as well:\n"
      "bodies that overlap before the first step by more than 1 % of the thickness of the thinner one, Poisson's "
      "ratios\n"
      "that lock, mu above 3, penalties above 1e8 times the stiffness of an element, contacts that act twice. About "

@@ -36,7 +36,7 @@ template <int D> struct PointResult {
   Vec<D> position = Vec<D>::Zero(); ///< current slave point
   double gap = 0;                   ///< of a point that the law acts on
   bool beyond = false;              ///< its closest point is an open end of the master
-  bool settled = true;              ///< its closest point, once accepted also its slip point, is where it shall be
+  bool settled = true;              ///< the searches for its closest point and, once accepted, its slip point converged
   double pressure = 0;
   /// Of the slave face at a touching point, current, not of unit length
   Eigen::Matrix<double, D, D - 1> tangents = Eigen::Matrix<double, D, D - 1>::Zero();

@@ -31,7 +31,7 @@ template <int D> void penalty_force(const PenaltyLaw& law, const LocalGeometry<D
       trial_rows.noalias() += (law.tangential * master.tangent[static_cast<std::size_t>(a)]) * result.shift.row(a);
 
     const double magnitude = trial.norm(), limit = law.friction * result.pressure;
-    // What an error in gap and slip of |tie| makes of |t| − μ t_N; where |t| itself is no larger it has no direction.
+    // (ε_T + μ ε_N) |tie|: change of |t| − μ t_N due to an error |tie| in gap and slip. Below it |t| has no direction.
     const double tie = (law.tangential + law.friction * law.normal) * geometry.tie;
     if (sticks || magnitude <= limit + tie || magnitude <= -tie) {
       result.friction = trial;

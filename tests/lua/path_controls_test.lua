@@ -3,6 +3,7 @@
 
 local sg = require "signorini"
 local check = require "check"
+local ironing = require "ironing"
 local spring = require "spring"
 local run_path = require "signorini.run"
 
@@ -139,18 +140,7 @@ end)
 -- ── Where the way turns back ─────────────────────────────────────────────────────────────────────────────────────────
 
 check.case("plain Newton passes the reversals of a die that is dragged back and forth", function()
-  local die = sg.body{ patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, centre = { 0.75, 1.5 } },
-                       elements = { 6, 2 }, order = "N2", through = 1, contact = "south",
-                       material = sg.neo_hookean{ E = 1000, nu = 0.3 } }
-  local slab = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = { 8, 3 }, order = "N2",
-                        through = 1, contact = "north", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
-  local model = sg.model{
-    bodies   = { die = die, slab = slab },
-    supports = { bed  = { on = slab:face "south", fix = "xy" },
-                 grip = { on = { die:face "west", die:face "east" }, drive = "xy" } },
-    contacts = { interface = { slave = die:face "south", master = slab:face "north", penalty = 100,
-                               friction = { mu = 0.2, penalty = 100 } } },
-  }
+  local model = ironing{}
   local stages = { { name = "press", steps = 20, grip = { 0, -0.1 } } }
   for _ = 1, 8 do
     stages[#stages + 1] = { name = "there", steps = 100, grip = { 0.5, -0.1 } }

@@ -2,16 +2,6 @@
 
 local check = require "check"
 
-local scratch = os.tmpname()
-os.remove(scratch)
-local count = 0
-
---- A folder that no other case of this test has.
-local function new_folder()
-  count = count + 1
-  return ("%s/%d"):format(scratch, count)
-end
-
 check.case("a changed parameter, function or number that run refers to makes a case run again, and is named", function()
   local script = [[
     local sg = require "signorini"
@@ -20,7 +10,7 @@ check.case("a changed parameter, function or number that run refers to makes a c
     local jobs = sg.study{ name = "n", folder = arg[1], cases = sg.grid{ mesh = { "m1" } },
                            run = function(case) return { f = scene(case.mesh) } end }:execute{}
     print(jobs.rows[1].f)]]
-  local folder = new_folder()
+  local folder = check.folder()
   local function output(...) return (check.script(script:format(...), folder)) end
   check.equal(output("10", "6", ""), "n: 1 of 1: mesh=m1: 0.0 s\n60\n")
   check.equal(output("10", "6", ""), ("n: 1 of 1 taken from %s, 0 solved\n60\n"):format(folder))
@@ -32,7 +22,7 @@ check.case("a changed parameter, function or number that run refers to makes a c
 end)
 
 check.case("a changed object that run refers to makes a case run again", function()
-  local folder = new_folder()
+  local folder = check.folder()
   local function output(young, width)
     return (check.script(([[
       local sg = require "signorini"
@@ -80,7 +70,7 @@ check.case("all that a captured object holds is seen: of a model its laws, obsta
       "slab(2):face 'north'" },
     { "sg.rigid.cylinder{ centre = {0, 0}, radius = 1 }", "sg.rigid.cylinder{ centre = {0, 0}, radius = 2 }" },
   } do
-    local folder = new_folder()
+    local folder = check.folder()
     check.holds(object_study(folder, texts[1]), "n: 1 of 1: a=1")
     for i = 2, #texts do
       check.holds(object_study(folder, texts[i]), "1 because object changed")
@@ -89,5 +79,4 @@ check.case("all that a captured object holds is seen: of a model its laws, obsta
   end
 end)
 
-check.shell("rm -rf " .. scratch .. "*")
 check.done()
