@@ -59,7 +59,7 @@ end
 local files, results = sg.files(options.out), {}
 for _, label in ipairs(options.labels) do
   results[label] = study.solve({
-    name = ("Ironing back and forth, %s at %s"):format(label, options.mesh), key = label,
+    name = ("Ironing forth and back, %s at %s"):format(label, options.mesh), key = label,
     x = { name = "length of a step (published: 1)", values = options.coarser },
     y = { name = "coefficient of friction", values = options.friction },
     scene = function(_, mu) return (ironing.scene(with_friction(mu), label, elements)) end,
