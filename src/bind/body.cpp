@@ -185,7 +185,7 @@ template <int D> int body_text(lua_State* L) {
 }
 
 constexpr Function body_functions[] = {
-    {"body", wrap<body>,
+    {"body", body,
      "sg.body{ patch, elements, order, contact, material, through, grading }\n"
      "A solid body. patch: its shape, a surface in the plane or a volume in 3D. elements: knot spans per parametric\n"
      "direction. order: a discretisation label, see help \"labels\", or a list of one per direction. contact: the\n"
@@ -206,27 +206,27 @@ constexpr Function body_functions[] = {
 
 template <int D>
 constexpr Function body_entries[] = {
-    {"__tostring", wrap<body_text<D>>,
+    {"__tostring", body_text<D>,
      "body\nWhat sg.body returns, an immutable value; print(body) tells its elements and degrees per direction, of its "
      "rows\nof control points one after the other where these differ, and its size; tostring(body) the first line of "
      "that.\nMethods: face, edge, corner, dofs, points."},
-    {"dofs", wrap<dofs<D>>,
+    {"dofs", dofs<D>,
      "b:dofs()\n"
      "Degrees of freedom { interface, bulk, total }: of the contact faces' control points, of all others, of all.\n"
      "Example: slab:dofs().total"},
-    {"face", wrap<face<D>>,
+    {"face", face<D>,
      "b:face(name)\n"
      "A face for supports and contacts: \"west\", \"east\" (xi1), \"south\", \"north\" (xi2), in 3D \"front\",\n"
      "\"back\" (xi3).\n"
      "Example: slab:face \"north\""},
-    {"edge", wrap<edge<D>>,
+    {"edge", edge<D>,
      "b:edge(name)\nThe control points where two faces of a solid body meet, for supports: \"south-front\" and so on.\n"
      "Example: cube:edge \"south-front\""},
-    {"corner", wrap<corner<D>>,
+    {"corner", corner<D>,
      "b:corner(name)\n"
      "The control point of a corner for supports: \"south-west\", in 3D \"west-south-front\" and so on.\n"
      "Example: slab:corner \"south-west\""},
-    {"points", wrap<points<D>>,
+    {"points", points<D>,
      "b:points()\n"
      "The control points {{x, y}, …}, row after row from south to north (west to east when the contact face is west\n"
      "or east); in 3D {{x, y, z}, …}, layer after layer from front to back, or along the direction of the contact\n"

@@ -199,7 +199,7 @@ int chart(lua_State* L) {
 }
 
 constexpr Function chart_entries[] = {
-    {"chart", wrap<chart>,
+    {"chart", chart,
      R"(sg.chart{ file, x, { y, x, label, line = true, width = 3, dashed = false, markers, marker, marks,
           color }, …, xlabel, ylabel, log, title, legend = true, legend_title, marks, marks_title, xrange, yrange,
           xticks, hlines, vlines, inset, size = {1600, 1000} }

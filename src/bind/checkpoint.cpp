@@ -47,16 +47,16 @@ int load(lua_State* L) {
 }
 
 constexpr Function core_rows[] = {
-    {"save", wrap<core_save>,
+    {"save", core_save,
      "core.save(model, path, text, durable = true)\n"
      "As model:save, with a text beside the model: how a run stands. durable: on the disk on return."},
-    {"restore", wrap<core_restore>,
+    {"restore", core_restore,
      "core.restore(model, path)\nBrings a model to the state of a file that was saved of the same scene."},
-    {"checkpoint_text", wrap<core_text>, "core.checkpoint_text(path)\nThe text that core.save was given."},
+    {"checkpoint_text", core_text, "core.checkpoint_text(path)\nThe text that core.save was given."},
 };
 
 constexpr Function checkpoint_functions[] = {
-    {"load", wrap<load>,
+    {"load", load,
      "sg.load(path)\n"
      "The model that model:save(path), or a run with checkpoints, has saved: bodies, supports, loads, contacts, and\n"
      "the accepted state with its contact history. It needs nothing of the script that made it, and goes on with the\n"

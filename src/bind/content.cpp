@@ -56,7 +56,7 @@ int content(lua_State* L) {
 }
 
 constexpr Function content_entries[] = {
-    {"content", wrap<content>,
+    {"content", content,
      "core.content(object)\n"
      "All that a patch, a material, a body, a face, an obstacle, a model or a snapshot holds, as bytes to compare; "
      "nil\n"

@@ -141,29 +141,29 @@ int core_offered(lua_State* L) {
 }
 
 constexpr Function core_entries[] = {
-    {"fail", wrap<core_fail>, "core.fail(message)\nEnds with an error at the line of the user's own script."},
-    {"offered", wrap<core_offered>,
+    {"fail", core_fail, "core.fail(message)\nEnds with an error at the line of the user's own script."},
+    {"offered", core_offered,
      "core.offered(f, most)\n"
      "The function as users get it. Errors find their line also behind `return f()`: a tail call of a function in\n"
      "Lua drops the caller, one of a function in C does not. It takes no more arguments than it looks at, or `most`."},
-    {"answer_interrupt", wrap<core_answer_interrupt>,
+    {"answer_interrupt", core_answer_interrupt,
      "core.answer_interrupt()\nWhether Ctrl-C was pressed; if so, what is going on ends because of it and returns what "
      "it "
      "has."},
-    {"now", wrap<now>, "core.now()\nWall-clock seconds since some moment in the past."},
-    {"mkdir", wrap<mkdir>, "core.mkdir(path)\nMakes a folder and those above it; an existing folder is fine."},
-    {"exists", wrap<core_exists>, "core.exists(path)\nWhether there is a file or a folder of that name."},
-    {"set_threads", wrap<core_set_threads>,
+    {"now", now, "core.now()\nWall-clock seconds since some moment in the past."},
+    {"mkdir", mkdir, "core.mkdir(path)\nMakes a folder and those above it; an existing folder is fine."},
+    {"exists", core_exists, "core.exists(path)\nWhether there is a file or a folder of that name."},
+    {"set_threads", core_set_threads,
      "core.set_threads(threads)\nHow many threads work on a solve from now on; core.threads is what --threads said."},
-    {"describe", wrap<core_describe>, "core.describe(value)\nA value in the words of error messages."},
-    {"nearest", wrap<core_nearest>, "core.nearest(word, words)\nThe word of a list that is nearest, or nil."},
-    {"number_text", wrap<core_number_text>,
+    {"describe", core_describe, "core.describe(value)\nA value in the words of error messages."},
+    {"nearest", core_nearest, "core.nearest(word, words)\nThe word of a list that is nearest, or nil."},
+    {"number_text", core_number_text,
      "core.number_text(value)\nThe shortest decimal text of a finite number that reads back as the same number."},
-    {"kind", wrap<kind>, "core.kind(value)\nThe type, with the names of the program's own types such as \"patch\"."},
+    {"kind", kind, "core.kind(value)\nThe type, with the names of the program's own types such as \"patch\"."},
 };
 
 constexpr Function public_rows[] = {
-    {"mkdir", wrap<mkdir>,
+    {"mkdir", mkdir,
      "sg.mkdir(path)\nMakes a folder and those above it; an existing folder is fine.\nExample: sg.mkdir \"out/study\""},
 };
 

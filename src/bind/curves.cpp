@@ -124,55 +124,55 @@ int coons(lua_State* L) {
 }
 
 constexpr Function curves_entries[] = {
-    {"curve", wrap<curve>,
+    {"curve", curve,
      "sg.nurbs.curve{ degree, knots, points, weights = {1, …} }\n"
      "A NURBS curve in 2D or 3D. The knot vector is open (its ends are repeated degree + 1 times) and has as many "
      "knots\n"
      "as points + degree + 1.\n"
      "Example: sg.nurbs.curve{ degree = 2, knots = {0, 0, 0, 1, 1, 1}, points = {{0, 0}, {1, 2}, {2, 0}} }"},
-    {"surface", wrap<patch_surface>,
+    {"surface", patch_surface,
      "sg.nurbs.surface{ degrees = {p, q}, knots = {U, V}, points, weights = {1, …} }\n"
      "A tensor-product NURBS surface in 2D or 3D; points run fastest in xi1.\n"
      "Example: sg.nurbs.surface{ degrees = {1, 1}, knots = {{0, 0, 1, 1}, {0, 0, 1, 1}},\n"
      "                           points = {{0, 0}, {1, 0}, {0, 1}, {1, 1}} }"},
-    {"volume", wrap<volume>,
+    {"volume", volume,
      "sg.nurbs.volume{ degrees = {p, q, r}, knots = {U, V, W}, points, weights = {1, …} }\n"
      "A tensor-product NURBS volume; points run fastest in xi1, then xi2.\n"
      "Example: sg.nurbs.volume{ degrees = {1, 1, 1}, knots = {{0, 0, 1, 1}, {0, 0, 1, 1}, {0, 0, 1, 1}},\n"
      "                          points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, "
      "{1, 1, 2}} }"},
-    {"line", wrap<line>,
+    {"line", line,
      "sg.nurbs.line{ from, to }\n"
      "A straight line, degree 1.\n"
      "Example: sg.nurbs.line{ from = {0, 0}, to = {3, 0} }"},
-    {"arc", wrap<arc>,
+    {"arc", arc,
      "sg.nurbs.arc{ radius, from, to, centre = {0, 0} }\n"
      "A circular arc from one angle to another (degrees, counter-clockwise when rising), exact, degree 2, one segment\n"
      "per started quarter turn. A centre in 3D gives an arc parallel to the x-y plane.\n"
      "Example: sg.nurbs.arc{ radius = 0.5, from = 180, to = 360 }"},
-    {"circle", wrap<circle>,
+    {"circle", circle,
      "sg.nurbs.circle{ radius, centre = {0, 0} }\n"
      "A full circle of four quarter arcs, exact, degree 2.\n"
      "Example: sg.nurbs.circle{ radius = 1 }"},
-    {"ruled", wrap<ruled>,
+    {"ruled", ruled,
      "sg.nurbs.ruled{ a, b }\n"
      "Straight lines between two curves or two surfaces, which are brought to common degrees and knots first; the new\n"
      "direction is the last one.\n"
      "Example: sg.nurbs.ruled{ a = sg.nurbs.circle{ radius = 2 }, b = sg.nurbs.circle{ radius = 1 } }"},
-    {"extrude", wrap<extrude>,
+    {"extrude", extrude,
      "sg.nurbs.extrude{ patch, along }\n"
      "Sweeps a curve or a surface along a vector; the new direction is the last one, degree 1. A plane patch lies\n"
      "in z = 0 where the vector is one in 3D.\n"
      "Example: sg.nurbs.extrude{ patch = sg.nurbs.line{ from = {0, 0}, to = {1, 0} }, along = {0, 2} }\n"
      "Example: sg.nurbs.extrude{ patch = sg.shapes.quarter_annulus{ inner = 1, outer = 2 }, along = {0, 0, 1} }"},
-    {"revolve", wrap<revolve>,
+    {"revolve", revolve,
      "sg.nurbs.revolve{ patch, point = {0, 0, 0}, axis = {0, 0, 1}, angle = 360 }\n"
      "Revolves a curve or a surface about an axis by an angle in degrees, exact; the new direction is the last one.\n"
      "A plane patch lies in z = 0; its axis is {0, -1, 0} unless another is given: as in axisymmetric models, x is\n"
      "the radius, and what is right-handed at x > 0 gives a right-handed volume.\n"
      "Example: sg.nurbs.revolve{ patch = sg.nurbs.line{ from = {1, 0, 0}, to = {1, 0, 2} }, angle = 180 }\n"
      "Example: sg.nurbs.revolve{ patch = sg.shapes.rectangle{ width = 1, height = 2, corner = {3, 0} }, angle = 90 }"},
-    {"coons", wrap<coons>,
+    {"coons", coons,
      "sg.nurbs.coons{ west, east, south, north, front, back }\n"
      "Coons patch: the surface between four boundary curves or the volume between six boundary surfaces "
      "(then with front\n"

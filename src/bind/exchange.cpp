@@ -54,7 +54,7 @@ int write_patches(lua_State* L) {
 }
 
 constexpr Function exchange_entries[] = {
-    {"read", wrap<read>,
+    {"read", read,
      "sg.nurbs.read(file)\n"
      "All patches of a file, as a list in the file's order. Which form it has is seen by how it begins:\n"
      "  G+Smo's XML: geometries BSpline, Nurbs, TensorBSpline2 and 3, TensorNurbs2 and 3\n"
@@ -63,7 +63,7 @@ constexpr Function exchange_entries[] = {
      "How patches meet, and boundaries, are not read. Wrong files are errors that name file and line.\n"
      "Example: sg.shapes.half_annulus{ inner = 1, outer = 2 }:write \"bracket.xml\"\n"
      "         bracket = sg.nurbs.read(\"bracket.xml\")[1]"},
-    {"write", wrap<write_patches>,
+    {"write", write_patches,
      "sg.nurbs.write(file, patches, form)\n"
      "Writes a patch or a list of patches, whole or not at all. form: \"gismo\" (G+Smo's XML), \"geopdes\" (text "
      "file,\n"

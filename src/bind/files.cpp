@@ -57,15 +57,15 @@ int lock(lua_State* L) {
 }
 
 constexpr Function files_entries[] = {
-    {"write_file", wrap<write_file>,
+    {"write_file", write_file,
      "core.write_file(file, bytes, durable = false)\n"
      "Writes a file, whole or not at all; durable: on the disk on return, so that it outlives the machine's power."},
-    {"read_file", wrap<read_file>, "core.read_file(file)\nAll bytes of a file."},
-    {"list_folder", wrap<list_folder>, "core.list_folder(folder)\nThe names of what a folder holds, sorted."},
-    {"remove_leftovers", wrap<remove_temporary_files>,
+    {"read_file", read_file, "core.read_file(file)\nAll bytes of a file."},
+    {"list_folder", list_folder, "core.list_folder(folder)\nThe names of what a folder holds, sorted."},
+    {"remove_leftovers", remove_temporary_files,
      "core.remove_leftovers(file)\nRemoves temporary files of this name that killed processes left."},
-    {"hash", wrap<hash>, "core.hash(bytes)\nSixteen hexadecimal digits that stand for a text."},
-    {"lock", wrap<lock>,
+    {"hash", hash, "core.hash(bytes)\nSixteen hexadecimal digits that stand for a text."},
+    {"lock", lock,
      "core.lock(file)\nHolds a file, made where there is none, until :release(). An error when somebody holds it."},
 };
 

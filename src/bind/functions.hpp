@@ -7,7 +7,8 @@
 
 namespace signorini::bind {
 
-/// One row. `doc`: the first line is how to call it, the rest what it does, with units and defaults.
+/// One row. `doc`: the first line is how to call it, the rest what it does, with units and defaults. The function may
+/// throw std::exception: registration makes a Lua error of it.
 struct Function {
   const char* name;
   lua_CFunction function;
@@ -17,7 +18,8 @@ struct Function {
 /// Raises a Lua error with the message of a C++ exception, at the user's own script line.
 int raise(lua_State* L, const std::exception& error);
 
-/// A C++ function as Lua calls it. Only std::exception is caught: Lua's own throw must pass.
+/// A C++ function as Lua calls it, where none of the registrations below does. Only std::exception is caught: Lua's own
+/// throw must pass.
 template <int (*function)(lua_State*)> int wrap(lua_State* L) {
   try {
     return function(L);

@@ -268,7 +268,7 @@ int heatmap(lua_State* L) {
 }
 
 constexpr Function heatmap_entries[] = {
-    {"heatmap", wrap<heatmap>,
+    {"heatmap", heatmap,
      R"(sg.heatmap{ file, x, y, values, texts, categories, xlabel, ylabel, title, label, range, log = false,
             colormap = "viridis", panels, columns, size = {1600, 1000} }
 Draws a map of equal coloured cells to a file, whole or not at all: numbers with a colour bar, or names with a legend.

@@ -65,7 +65,7 @@ int jobs(lua_State* L) {
 }
 
 constexpr Function jobs_entries[] = {
-    {"jobs", wrap<jobs>,
+    {"jobs", jobs,
      "core.jobs(count, at_once, run, done, limit, look)\n"
      "Calls run(i) for i = 1 … count, each in a child process of its own, at most at_once of them side by side, and\n"
      "here done(i, text, failure) as each ends, in the order of their ends. run must return a string, which is the "

@@ -126,13 +126,13 @@ int read_json(lua_State* L) {
 }
 
 constexpr Function json_entries[] = {
-    {"write_json", wrap<write_json>,
+    {"write_json", write_json,
      "core.write_json(value, name)\n"
      "Plain data as the text of JSON, names sorted; numbers read back as the same bits. An empty table is an empty "
      "list.\n"
      "An error for what is no plain data or not finite says where in the value it stands; name is what it calls the "
      "value."},
-    {"read_json", wrap<read_json>, "core.read_json(text)\nThe value of a JSON text; null is nil."},
+    {"read_json", read_json, "core.read_json(text)\nThe value of a JSON text; null is nil."},
 };
 
 } // namespace

@@ -22,13 +22,13 @@ int material_text(lua_State* L) {
 }
 
 constexpr Function material_functions[] = {
-    {"neo_hookean", wrap<material<solid::neo_hookean>>,
+    {"neo_hookean", material<solid::neo_hookean>,
      "sg.neo_hookean{ E, nu }\n"
      "Compressible neo-Hooke material, W = lambda/2 (ln J)^2 + mu/2 (tr C - 3) - mu ln J. E: Young's modulus (force\n"
      "per area), nu: Poisson's ratio in (-1, 0.5). Plane strain in 2D, unless the model is axisymmetric.\n"
      "Source: (3.29) of V. Agrawal, thesis, IIT Guwahati, 2020.\n"
      "Example: sg.neo_hookean{ E = 1, nu = 0.3 }"},
-    {"linear_elastic", wrap<material<solid::linear_elastic>>,
+    {"linear_elastic", material<solid::linear_elastic>,
      "sg.linear_elastic{ E, nu }\n"
      "Hooke's law of small strains, sigma = lambda tr(eps) I + 2 mu eps; contact still follows the deformed surface.\n"
      "E: Young's modulus (force per area), nu: Poisson's ratio in (-1, 0.5). Plane strain in 2D, unless the model is\n"
@@ -38,7 +38,7 @@ constexpr Function material_functions[] = {
 };
 
 constexpr Function material_entries[] = {
-    {"__tostring", wrap<material_text>,
+    {"__tostring", material_text,
      "material\nWhat sg.neo_hookean and sg.linear_elastic return; print(material) tells the law and its constants."},
 };
 

@@ -96,29 +96,29 @@ template <int D> int model_text(lua_State* L) {
 
 template <int D>
 constexpr Function model_entries[] = {
-    {"__tostring", wrap<model_text<D>>,
+    {"__tostring", model_text<D>,
      "model\nWhat sg.model returns: the scene with its accepted state and the present one; print(model) tells its "
      "size and its\nparts, where stages have moved them and which contacts touch; tostring(model) its size.\n"
      "model:run takes it along a load path; help \"results\" and help \"verbs\" list the other methods."},
-    {"body_names", wrap<body_names<D>>,
+    {"body_names", body_names<D>,
      "m:body_names()\nThe names of the bodies, sorted.\n"
      "Example: model:body_names()  --> {\"die\", \"slab\"}"},
-    {"support_names", wrap<support_names<D>>,
+    {"support_names", support_names<D>,
      "m:support_names()\nThe names of the supports, sorted.\n"
      "Example: model:support_names()  --> {\"bed\", \"grip\"}"},
-    {"contact_names", wrap<contact_names<D>>,
+    {"contact_names", contact_names<D>,
      "m:contact_names()\nThe names of the contacts, sorted.\n"
      "Example: model:contact_names()  --> {\"interface\"}"},
-    {"body", wrap<body_of<D>>,
+    {"body", body_of<D>,
      "m:body(name)\nA body of the model.\n"
      "Example: model:body \"slab\""},
-    {"load_names", wrap<load_names<D>>,
+    {"load_names", load_names<D>,
      "m:load_names()\nThe names of the loads, sorted.\n"
      "Example: model:load_names()  --> {}"},
-    {"driven_names", wrap<driven_names<D>>,
+    {"driven_names", driven_names<D>,
      "m:driven_names()\nThe names of what stages can move: supports that drive or rotate, then loads.\n"
      "Example: model:driven_names()  --> {\"grip\"}"},
-    {"warnings", wrap<warnings<D>>,
+    {"warnings", warnings<D>,
      "m:warnings()\n"
      "Returns a list of sentences on what is probably not meant. About the scene, which sg.model prints as well:\n"
      "bodies that overlap before the first step by more than 1 % of the thickness of the thinner one, Poisson's "
@@ -127,7 +127,7 @@ constexpr Function model_entries[] = {
      "the\n"
      "present state: linear elastic bodies that are turned inside out. run.warnings begins with them.\n"
      "Example: model:warnings()  --> {}"},
-    {"timings", wrap<timings<D>>,
+    {"timings", timings<D>,
      "m:timings()\n"
      "Seconds so far: { bulk, contact, linear, factorisation, solution, search }. linear consists of factorisation "
      "and\n"
@@ -135,13 +135,13 @@ constexpr Function model_entries[] = {
      "search is\n"
      "part of contact, summed over threads: closest points and the tree of boxes, while m:time_search(true).\n"
      "Example: model:timings().linear"},
-    {"time_search", wrap<time_search<D>>,
+    {"time_search", time_search<D>,
      "m:time_search(wanted)\n"
      "Whether m:timings takes account of the contacts' search from now on: true or false, as at first. A clock is "
      "read\n"
      "twice for each contact point that is projected, about 50 ns.\n"
      "Example: model:time_search(true)"},
-    {"solver", wrap<solver<D>>,
+    {"solver", solver<D>,
      "m:solver()\n"
      "{ linear, unknowns, patterns, factorisations, solutions, iterations, factor_memory, memory }: the linear solver\n"
      "in use, the size of its systems, how many sparse patterns were analysed; then what was done since the model was\n"

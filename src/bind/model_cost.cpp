@@ -135,7 +135,7 @@ template <int D> int cost(lua_State* L) {
 
 template <int D>
 constexpr Function model_cost_entries[] = {
-    {"cost_figures", wrap<cost<D>>, "m:cost_figures()\nThe plain numbers behind m:cost."},
+    {"cost_figures", cost<D>, "m:cost_figures()\nThe plain numbers behind m:cost."},
 };
 
 } // namespace

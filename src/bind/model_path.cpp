@@ -174,21 +174,21 @@ template <int D> int snapshot_tostring(lua_State* L) {
 
 template <int D>
 constexpr Function model_path_entries[] = {
-    {"driven", wrap<driven<D>>,
+    {"driven", driven<D>,
      "m:driven(name)\n"
      "The components that stages move, in order: {\"x\", \"y\"} (in 3D also \"z\") of a driven support or a\n"
      "traction,\n"
      "{\"angle\"} of a support that rotates (after its driven components), {\"pressure\"}.\n"
      "Example: model:driven \"grip\"  --> {\"x\", \"y\"}"},
-    {"set_target", wrap<set_target<D>>,
+    {"set_target", set_target<D>,
      "m:set_target(name, {ux, uy, …})\n"
      "What the components of a support or load shall be at the end of the next step: lengths,\n"
      "degrees, force per area.\n"
      "Example: model:set_target(\"grip\", {0, -0.11})"},
-    {"target", wrap<target<D>>,
+    {"target", target<D>,
      "m:target(name)\nWhat the components of a support or load are in the last accepted state.\n"
      "Example: model:target \"grip\""},
-    {"solve_step", wrap<solve_step<D>>,
+    {"solve_step", solve_step<D>,
      "m:solve_step{ tolerance = 1e-10, iterations = 25, line_search = \"none\", linear = \"auto\", predictor = "
      "\"tangent\",\n"
      "  freeze_active_set = 0, active_set_changes = 0, augmented = { penetration = 1e-6, loops = 100 }, damping = "
@@ -210,7 +210,7 @@ constexpr Function model_path_entries[] = {
      "damping: keeps bodies that only contact holds from flying off; the state that it leads to is in equilibrium.\n"
      "Example: model:set_target(\"grip\", {0, -0.11})\n"
      "         if model:solve_step{}.converged then model:accept() else model:rollback() end"},
-    {"iterate", wrap<iterate<D>>,
+    {"iterate", iterate<D>,
      "m:iterate{ … }\n"
      "One iteration of m:solve_step, with the same arguments: evaluates, and unless that ends it solves and moves. "
      "The\n"
@@ -219,15 +219,15 @@ constexpr Function model_path_entries[] = {
      "returns, so far; reason is \"iterating\" while it goes on.\n"
      "Example: model:set_target(\"grip\", {0, -0.12})\n"
      "         repeat local now = model:iterate{} until now.reason ~= \"iterating\""},
-    {"set_penalty_factor", wrap<set_penalty_factor<D>>,
+    {"set_penalty_factor", set_penalty_factor<D>,
      "m:set_penalty_factor(factor)\n"
      "Multiplies the penalty parameters of all contacts, as sg.model got them, from now on: for penalties that grow\n"
      "along the path. m:rollback returns to that of the accepted state.\n"
      "Example: model:set_penalty_factor(0.5)"},
-    {"penalty_factor", wrap<penalty_factor<D>>,
+    {"penalty_factor", penalty_factor<D>,
      "m:penalty_factor()\nWhat m:set_penalty_factor was told last; 1.\n"
      "Example: finer:penalty_factor()  --> 1.0"},
-    {"solve_arc", wrap<solve_arc<D>>,
+    {"solve_arc", solve_arc<D>,
      "m:solve_arc{ length, tolerance = 1e-10, iterations = 25, linear = \"auto\" }\n"
      "Goes a given distance from the accepted state along the path that leads to the targets; how far along it is\n"
      "an unknown, so that turning points can be passed. The distance is the root mean square of the displacement\n"
@@ -237,28 +237,28 @@ constexpr Function model_path_entries[] = {
      "Example: model:set_target(\"grip\", {0, -0.13})\n"
      "         local result = model:solve_arc{ length = 0.01 }\n"
      "         if result.converged then model:accept() else model:rollback() end"},
-    {"last_length", wrap<last_length<D>>,
+    {"last_length", last_length<D>,
      "m:last_length()\n"
      "Root mean square over all bodies of the last accepted step's displacement, the scale for arc lengths.\n"
      "Example: model:last_length()"},
-    {"accept", wrap<accept<D>>,
+    {"accept", accept<D>,
      "m:accept()\n"
      "Makes the present state the accepted one; slip points advance. An error when the step under way has not\n"
      "converged, or new targets wait for one.\n"
      "Example: model:rollback()\n"
      "         model:set_target(\"grip\", {0, -0.1})\n"
      "         if model:solve_step{}.converged then model:accept() end"},
-    {"rollback", wrap<rollback<D>>,
+    {"rollback", rollback<D>,
      "m:rollback()\nReturns to the accepted state: displacements, targets, penalties, contact. Call it after a step "
      "that failed.\n"
      "Example: model:rollback()"},
-    {"snapshot", wrap<snapshot<D>>,
+    {"snapshot", snapshot<D>,
      "m:snapshot()\nA copy of the accepted state with its contact history, for m:restore. Call it between steps.\n"
      "Example: before = model:snapshot()"},
-    {"restore", wrap<restore<D>>,
+    {"restore", restore<D>,
      "m:restore(snapshot)\nReturns to a state that m:snapshot() has kept.\n"
      "Example: model:restore(model:snapshot())"},
-    {"save", wrap<save<D>>,
+    {"save", save<D>,
      "m:save(path)\n"
      "Writes the model with its accepted state to a file for sg.load, whole or not at all. From here on the model and\n"
      "one that is loaded give the same bits; for that the model forgets factorisations and patterns, so that the next\n"
@@ -269,7 +269,7 @@ constexpr Function model_path_entries[] = {
 
 template <int D>
 constexpr Function snapshot_rows[] = {
-    {"__tostring", wrap<snapshot_tostring<D>>, "snapshot\nWhat m:snapshot returns, a state that m:restore returns to."},
+    {"__tostring", snapshot_tostring<D>, "snapshot\nWhat m:snapshot returns, a state that m:restore returns to."},
 };
 
 } // namespace

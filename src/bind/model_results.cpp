@@ -120,19 +120,19 @@ template <int D> int energy(lua_State* L) {
 
 template <int D>
 constexpr Function model_results_entries[] = {
-    {"reaction", wrap<reaction<D>>,
+    {"reaction", reaction<D>,
      "m:reaction(name)\n"
      "The force {fx, fy} ({fx, fy, fz} in 3D) that a support exerts on its bodies, and with it the moment about the\n"
      "centre (in 3D about the axis) of a support that rotates; the force of a load. Also by name: fx, fy, fz, moment.\n"
      "Example: model:reaction(\"grip\").fy"},
-    {"contact_resultant", wrap<contact_resultant<D>>,
+    {"contact_resultant", contact_resultant<D>,
      "m:contact_resultant(contact)\n"
      "{ fx, fy, fz, area, max_pressure, max_penetration, active, slipping, unsettled }: the force on the slave (fz\n"
      "in 3D), the current area in contact, extremes, and how many contact points touch and slip.\n"
      "unsettled: how often, in all accepted states so far, the search for a point's closest point or slip point ended\n"
      "at a limit of iterations; then unsettled_at is the reference position of the latest such point.\n"
      "Example: model:contact_resultant(\"interface\").area"},
-    {"profile", wrap<profile<D>>,
+    {"profile", profile<D>,
      "m:profile(contact)\n"
      "Lists along the slave face, one entry per contact point: x, y (current), X, Y (reference), area (that the\n"
      "traction acts on), pressure, traction (tangential; in the plane positive along the face's xi: on the slave it\n"
@@ -142,12 +142,12 @@ constexpr Function model_results_entries[] = {
      "In 3D also z, Z, and tx, ty, tz, the components of the tangential traction t_T, whose size is `traction`; on\n"
      "the slave acts -t_T. Another name is an error.\n"
      "Example: model:profile(\"interface\").pressure"},
-    {"sample", wrap<sample<D>>,
+    {"sample", sample<D>,
      "m:sample(body, field, {xi1, xi2})\n"
      "A field's value at a parametric point ({xi1, xi2, xi3} in 3D) of a body (or its name); fields as in\n"
      "sg.picture. contact_pressure is that between the contact points of a slave face, which xi must lie on.\n"
      "Example: model:sample(\"slab\", \"uy\", {0.5, 1})"},
-    {"energy", wrap<energy<D>>,
+    {"energy", energy<D>,
      "m:energy()\n"
      "{ stored, contact, friction, work }: the energy in the bodies; in the springs of penalty laws, or of adhesion;\n"
      "dissipated by friction in all accepted steps; done by supports and loads in all accepted steps (trapezoidal\n"

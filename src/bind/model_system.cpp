@@ -137,23 +137,23 @@ template <int D> int diagnose(lua_State* L) {
 
 template <int D>
 constexpr Function model_system_entries[] = {
-    {"residual", wrap<residual<D>>,
+    {"residual", residual<D>,
      "m:residual()\n"
      "The unbalanced force f_int + f_c − f_ext at the present displacements and the present targets' loads: one "
      "number\n"
      "for each unknown (see m:unknowns). Prescribed displacements that no iteration has brought in yet do not count.\n"
      "Example: #model:residual()"},
-    {"tangent", wrap<tangent<D>>,
+    {"tangent", tangent<D>,
      "m:tangent()\n"
      "The derivative of m:residual by the unknowns as triplets, { size, rows, columns, values }: entry k of the "
      "matrix\n"
      "stands in rows[k], columns[k], counted from 1; column after column, rows rising.\n"
      "Example: model:tangent().size"},
-    {"unknowns", wrap<unknowns<D>>,
+    {"unknowns", unknowns<D>,
      "m:unknowns()\n"
      "What each unknown is: a list of { body, point, component }; of control points that move as one the first.\n"
      "Example: model:unknowns()[1].body  --> \"die\""},
-    {"move", wrap<move<D>>,
+    {"move", move<D>,
      "m:move(du)\n"
      "Adds a Δu of one's own to the unknowns, one number for each in the order of m:residual. The first move after\n"
      "m:set_target also brings the prescribed displacements to their targets: begin a step with a move of zeros.\n"
@@ -163,16 +163,16 @@ constexpr Function model_system_entries[] = {
      "         for i = 1, #model:residual() do zeros[i] = 0 end\n"
      "         model:move(zeros)\n"
      "         model:rollback()"},
-    {"displacements", wrap<displacements<D>>,
+    {"displacements", displacements<D>,
      "m:displacements()\n"
      "The present displacement of each unknown, in the order of m:unknowns: of control points that move as one that\n"
      "of the first.\n"
      "Example: #model:displacements()"},
-    {"loose_bodies", wrap<loose_bodies<D>>,
+    {"loose_bodies", loose_bodies<D>,
      "m:loose_bodies()\n"
      "The names of the bodies that can move as a whole in some way that no support stops: only contact can hold them.\n"
      "Example: model:loose_bodies()"},
-    {"diagnose", wrap<diagnose<D>>,
+    {"diagnose", diagnose<D>,
      "m:diagnose(on)\n"
      "Why the last solve_step, iterate or solve_arc failed; call it before m:rollback. Returns { reason, message, "
      "cure,\n"

@@ -188,33 +188,33 @@ constexpr const char* call_doc = "p(xi) or p:evaluate(xi)\n"
                                  "Example: sg.shapes.rectangle{ width = 3, height = 1 }{0.5, 0.5}  --> {1.5, 0.5}";
 
 constexpr Function patch_entries[] = {
-    {"__call", wrap<call>, call_doc},
-    {"__tostring", wrap<patch_text>,
+    {"__call", call, call_doc},
+    {"__tostring", patch_text,
      "patch\n"
      "A NURBS curve, surface or volume: an immutable value. Methods that change something return a new patch.\n"
      "Make one with sg.nurbs.* or sg.shapes.*; methods: p(xi), evaluate, derivatives, basis, insert, elevate, refine,\n"
      "face, degrees, elements, knots, points, weights, translate, rotate, scale, mirror, reverse, swap, to_plane,\n"
      "to_space, write. help \"patch:refine\" tells more."},
-    {"evaluate", wrap<call>, call_doc},
-    {"derivatives", wrap<derivatives>,
+    {"evaluate", call, call_doc},
+    {"derivatives", derivatives,
      "p:derivatives(xi, n)\n"
      "All partial derivatives of the map at xi up to total order n, as a list of { orders = {1, 0}, value = {x, y} },\n"
      "by total order, then falling in xi1. Source: Piegl & Tiller, The NURBS Book, eq. (4.20).\n"
      "Example: patch:derivatives({0.5, 0.5}, 1)[2].value  --> {3.0, 0.0}"},
-    {"basis", wrap<basis>,
+    {"basis", basis,
      "p:basis(xi)\n"
      "The rational functions that do not vanish at xi, as a list of { index = , value = }; index counts the control\n"
      "points from 1, fastest in xi1. The values add up to 1.\n"
      "Example: patch:basis({0.5, 0.5})[1].value  --> 0.25"},
-    {"insert", wrap<insert>,
+    {"insert", insert,
      "p:insert(dir, {knots})\n"
      "A new patch of the same shape with knots inserted in direction dir (1, 2, 3); a repeated knot counts as often.\n"
      "Example: patch:insert(1, {0.25, 0.5}):elements()  --> {3, 1}"},
-    {"elevate", wrap<elevate>,
+    {"elevate", elevate,
      "p:elevate(dir, times = 1)\n"
      "A new patch of the same shape whose degree in direction dir is higher by `times`; continuity is kept.\n"
      "Example: patch:elevate(1, 2):degrees()  --> {3, 1}"},
-    {"refine", wrap<refine>,
+    {"refine", refine,
      "p:refine{ elements = {…}, degree = {…}, grading = {…} }\n"
      "k-refinement, the same shape: elevates to `degree` first, then inserts knots until each direction has "
      "`elements`\n"
@@ -225,26 +225,26 @@ constexpr Function patch_entries[] = {
      "of\n"
      "the elements of the first one into a tenth of the length at that end and leaves the second one uniform.\n"
      "Example: patch:refine{ elements = {8, 3}, degree = {2, 2} }"},
-    {"face", wrap<face>,
+    {"face", face,
      "p:face(name)\n"
      "The side as a patch of one direction less: west/east (xi1), south/north (xi2), front/back (xi3).\n"
      "Example: patch:face \"south\""},
-    {"degrees", wrap<degrees>,
+    {"degrees", degrees,
      "p:degrees()\nThe list of degrees, one per direction.\n"
      "Example: patch:degrees()  --> {1, 1}"},
-    {"elements", wrap<elements>,
+    {"elements", elements,
      "p:elements()\nThe list of the numbers of non-empty knot spans, one per direction.\n"
      "Example: patch:elements()  --> {1, 1}"},
-    {"knots", wrap<knots>,
+    {"knots", knots,
      "p:knots(dir)\nThe knot vector of direction dir (1, 2, 3).\n"
      "Example: patch:knots(1)  --> {0.0, 0.0, 1.0, 1.0}"},
-    {"points", wrap<patch_points>,
+    {"points", patch_points,
      "p:points()\nThe control points {{x, y}, …}, fastest in xi1.\n"
      "Example: patch:points()[4]  --> {3.0, 1.0}"},
-    {"weights", wrap<weights>,
+    {"weights", weights,
      "p:weights()\nThe weights of the control points, in the order of p:points().\n"
      "Example: patch:weights()[1]  --> 1.0"},
-    {"write", wrap<write_patch>,
+    {"write", write_patch,
      "p:write(file, form)\n"
      "Writes the patch to a file of its own for other programs, as sg.nurbs.write does.\n"
      "Example: patch:write \"slab.xml\""},

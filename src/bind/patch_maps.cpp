@@ -86,41 +86,41 @@ int to_space(lua_State* L) {
 }
 
 constexpr Function patch_maps_entries[] = {
-    {"translate", wrap<translate>,
+    {"translate", translate,
      "p:translate{dx, dy}\nA new patch moved by a vector.\n"
      "Example: patch:translate{1, 0}{0, 0}  --> {1.0, 0.0}"},
-    {"rotate", wrap<rotate>,
+    {"rotate", rotate,
      "p:rotate{ angle, centre = {0, 0} }, in 3D p:rotate{ angle, axis, centre = {0, 0, 0} }\n"
      "A new patch turned by an angle in degrees (counter-clockwise), in 3D about the axis through the centre.\n"
      "Example: patch:rotate{ angle = 30, centre = {1.5, 0.5} }"},
-    {"scale", wrap<scale>,
+    {"scale", scale,
      "p:scale{ factor, centre = {0, 0} }\n"
      "A new patch scaled about a centre, by one factor or by a list of one factor per coordinate.\n"
      "Example: patch:scale{ factor = {2, 1} }{1, 1}  --> {6.0, 1.0}"},
-    {"mirror", wrap<mirror>,
+    {"mirror", mirror,
      "p:mirror{ normal, point = {0, 0} }\n"
      "The mirror image across a line through the point, in 3D across a plane through it, with the given normal. The\n"
      "direction that runs most along the normal is reversed, so that the image of a body is right-handed again and\n"
      "the outside of an obstacle stays outside; curves in 3D keep their direction.\n"
      "Example: patch:mirror{ normal = {1, 0} }{0, 0}  --> {-3.0, 0.0}"},
-    {"reverse", wrap<reverse>,
+    {"reverse", reverse,
      "p:reverse(dir)\n"
      "The same shape with direction dir (1, 2, 3) run backwards: its two faces exchange their names. A left-handed\n"
      "patch becomes right-handed, as sg.body wants it, and sg.rigid.surface has its outside on the other side.\n"
      "Source: as nrbreverse of the nurbs toolbox.\n"
      "Example: patch:reverse(1){0, 0}  --> {3.0, 0.0}"},
-    {"swap", wrap<swap>,
+    {"swap", swap,
      "p:swap(i, j)\n"
      "The same shape with the directions i and j (1, 2, 3) exchanged. Whether it is right-handed changes: another\n"
      "p:reverse puts that right.\n"
      "Source: as nrbpermute and nrbtransp of the nurbs toolbox for two directions.\n"
      "Example: patch:swap(1, 2){1, 0}  --> {0.0, 1.0}"},
-    {"to_plane", wrap<to_plane>,
+    {"to_plane", to_plane,
      "p:to_plane()\n"
      "A curve or surface in 3D whose z is the same everywhere as one in the plane, for plane bodies: programs such as\n"
      "G+Smo write flat patches with three coordinates. An error where z changes; a plane patch stays as it is.\n"
      "Example: sg.nurbs.line{ from = {0, 0, 4}, to = {3, 1, 4} }:to_plane()(1)  --> {3.0, 1.0}"},
-    {"to_space", wrap<to_space>,
+    {"to_space", to_space,
      "p:to_space{ z = 0 }\n"
      "A curve or surface in the plane as one in 3D, all its points at one z.\n"
      "Example: patch:to_space{ z = 2 }{1, 1}  --> {3.0, 1.0, 2.0}"},

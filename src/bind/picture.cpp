@@ -353,10 +353,10 @@ int picture(lua_State* L) {
   return 0;
 }
 
-constexpr Function picture_entries[] = {{"picture", wrap<picture>, picture_page}, {"frame", wrap<frame>, frame_page}};
+constexpr Function picture_entries[] = {{"picture", picture, picture_page}, {"frame", frame, frame_page}};
 
 constexpr Function frame_rows[] = {
-    {"__tostring", wrap<frame_tostring>,
+    {"__tostring", frame_tostring,
      "frame\nWhat sg.frame returns, a state kept for sg.picture{ frames = {…} }; print(frame) tells its title and "
      "field."},
 };

@@ -79,7 +79,7 @@ template <int D> int place_text(lua_State* L) {
 
 template <int D>
 constexpr Function place_entries[] = {
-    {"__tostring", wrap<place_text<D>>,
+    {"__tostring", place_text<D>,
      "face\nA face, edge or corner of a body, for supports, loads and contacts; print(face) tells which one it is."},
 };
 

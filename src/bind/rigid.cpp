@@ -90,23 +90,23 @@ template <int D> int rigid_tostring(lua_State* L) {
 }
 
 constexpr Function rigid_functions[] = {
-    {"plane", wrap<plane>,
+    {"plane", plane,
      "sg.rigid.plane{ point, normal }\n"
      "A rigid half space as obstacle: master of a contact. normal points out of it, towards the body. Two\n"
      "coordinates in the plane, three in 3D. A support drives it: see help \"obstacle\".\n"
      "Example: sg.rigid.plane{ point = {0, -1}, normal = {0, 1} }\n"
      "Example: sg.rigid.plane{ point = {0, 0, -1}, normal = {0, 0, 1} }"},
-    {"cylinder", wrap<cylinder>,
+    {"cylinder", cylinder,
      "sg.rigid.cylinder{ centre, axis, radius }\n"
      "A rigid cylinder without ends. In plane strain its axis is normal to the plane, and it is a disc; in 3D it\n"
      "lies along the vector `axis` through `centre`. A support drives it: see help \"obstacle\".\n"
      "Example: sg.rigid.cylinder{ centre = {0, 2}, radius = 1 }\n"
      "Example: sg.rigid.cylinder{ centre = {0, 0, 2}, axis = {0, 1, 0}, radius = 1 }"},
-    {"sphere", wrap<sphere>,
+    {"sphere", sphere,
      "sg.rigid.sphere{ centre, radius }\n"
      "A rigid sphere in 3D, or on the axis of an axisymmetric model. A support drives it: see help \"obstacle\".\n"
      "Example: sg.rigid.sphere{ centre = {0, 0, 2}, radius = 1 }"},
-    {"surface", wrap<rigid_surface>,
+    {"surface", rigid_surface,
      "sg.rigid.surface(patch)\n"
      "A rigid obstacle bounded by any NURBS: a curve in the plane, its outside on the right of the curve's\n"
      "direction; or a surface in 3D, its outside where the product of its tangents along xi1 and xi2 points;\n"
@@ -118,7 +118,7 @@ constexpr Function rigid_functions[] = {
 
 template <int D>
 constexpr Function rigid_entries[] = {
-    {"__tostring", wrap<rigid_tostring<D>>,
+    {"__tostring", rigid_tostring<D>,
      "obstacle\n"
      "What sg.rigid.* return: a master without unknowns; print(obstacle) tells its shape. It stands still unless a\n"
      "support drives it: supports = { push = { on = obstacle, drive = \"y\" } }; stages then give its displacement,\n"

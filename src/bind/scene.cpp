@@ -116,7 +116,7 @@ int make_model(lua_State* L) {
 }
 
 constexpr Function scene_functions[] = {
-    {"model", wrap<make_model>,
+    {"model", make_model,
      "sg.model{ bodies, supports, loads, contacts, kind = \"plane_strain\" }\n"
      "A scene of plane bodies or of solids. Plane: of unit depth, or with kind = \"axisymmetric\" one of revolution:\n"
      "x is the radius, y the axis, forces are those over the full circle. All parts are tables by name:\n"

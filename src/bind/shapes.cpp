@@ -78,26 +78,26 @@ int spherical_indenter(lua_State* L) {
 }
 
 constexpr Function shapes_entries[] = {
-    {"rectangle", wrap<rectangle>,
+    {"rectangle", rectangle,
      "sg.shapes.rectangle{ width, height, corner = {0, 0} }\n"
      "Rectangle with its lower left corner at `corner`, degree 1; xi1 along x, xi2 along y.\n"
      "Example: sg.shapes.rectangle{ width = 3, height = 1 }"},
-    {"half_annulus", wrap<half_annulus>,
+    {"half_annulus", half_annulus,
      "sg.shapes.half_annulus{ inner, outer, centre = {0, 0} }\n"
      "Half ring below its centre: xi1 along the arc from the left end over the bottom to the right end (two quarter\n"
      "arcs, degree 2), xi2 from the outer (south) to the inner radius (north). The flat ends are west and east.\n"
      "Example: sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, centre = {0.75, 1.5} }"},
-    {"quarter_annulus", wrap<quarter_annulus>,
+    {"quarter_annulus", quarter_annulus,
      "sg.shapes.quarter_annulus{ inner, outer, centre = {0, 0}, start = 270 }\n"
      "Quarter ring from the angle `start` (degrees) counter-clockwise by 90: xi1 along the arc (degree 2), xi2 from "
      "the\n"
      "outer (south) to the inner radius (north).\n"
      "Example: sg.shapes.quarter_annulus{ inner = 0.5, outer = 1, start = 0 }"},
-    {"block", wrap<block>,
+    {"block", block,
      "sg.shapes.block{ size = {a, b, c}, corner = {0, 0, 0} }\n"
      "Block with its corner of least coordinates at `corner`, degree 1; xi1, xi2, xi3 along x, y, z.\n"
      "Example: sg.shapes.block{ size = {6, 4, 2} }"},
-    {"half_cylinder_shell", wrap<half_cylinder_shell>,
+    {"half_cylinder_shell", half_cylinder_shell,
      "sg.shapes.half_cylinder_shell{ inner, outer, width, centre = {0, 0, 0} }\n"
      "Lower half of a pipe along y: xi1 along the arc (degree 2), xi2 along y, xi3 from the outer (front) to the "
      "inner\n"
@@ -105,7 +105,7 @@ constexpr Function shapes_entries[] = {
      "in\n"
      "y = width.\n"
      "Example: sg.shapes.half_cylinder_shell{ inner = 0.3, outer = 0.5, width = 2 }"},
-    {"sphere_octant", wrap<sphere_octant>,
+    {"sphere_octant", sphere_octant,
      "sg.shapes.sphere_octant{ inner, outer, centre = {0, 0, 0} }\n"
      "Lower octant of a hollow sphere: xi1 around the z axis, xi2 from the equator to the pole, xi3 from the outer\n"
      "(front) to the inner radius (back). With its centre at the origin it fills x, y > 0 and z < 0: west lies in y = "
@@ -113,7 +113,7 @@ constexpr Function shapes_entries[] = {
      "east in x = 0, south in z = 0; north is the axis x = y = 0, where the map is degenerate. Symmetry needs west\n"
      "fixed along y and east along x.\n"
      "Example: sg.shapes.sphere_octant{ inner = 0.5, outer = 1 }"},
-    {"hollow_hemisphere", wrap<hollow_hemisphere>,
+    {"hollow_hemisphere", hollow_hemisphere,
      "sg.shapes.hollow_hemisphere{ inner, outer, centre = {0, 0, 0}, poles = \"ends\" | \"bottom\" }\n"
      "Lower half of a hollow sphere, exact, degree 2; xi3 from the outer (front) to the inner radius (back). The map\n"
      "has poles, where an edge is one point:\n"
@@ -127,7 +127,7 @@ constexpr Function shapes_entries[] = {
      "down to the pole; the flat ring in z = 0 is one face, south, and the mesh the same at every angle; north is the\n"
      "axis x = y = 0, west and east are the seam in y = 0.\n"
      "Example: sg.shapes.hollow_hemisphere{ inner = 2/3, outer = 1, centre = {0, 0, 3} }"},
-    {"spherical_indenter", wrap<spherical_indenter>,
+    {"spherical_indenter", spherical_indenter,
      "sg.shapes.spherical_indenter{ width, depth, height, radius, elements, corner = {0, 0, 0} }\n"
      "Block with a flat top whose bottom (front) bulges down as a spherical cap of the given radius, approximated by\n"
      "elements x elements biquadratic spans that pass through the sphere. `height` is measured at the lowest point.\n"

@@ -134,7 +134,7 @@ int vtu(lua_State* L) {
 }
 
 constexpr Function vtu_entries[] = {
-    {"vtu", wrap<vtu>,
+    {"vtu", vtu,
      "sg.vtu{ model, file, deformed = true, patch }\n"
      "Writes the model's present state to a .vtu file for ParaView: every element is a rational Bezier cell of its "
      "own\n"
