@@ -1,7 +1,8 @@
 #pragma once
 // Errors that a user can act on. Every check of input in the program goes through require().
 
-#include <sstream>
+#include <initializer_list>
+#include <ostream>
 #include <stdexcept>
 #include <string>
 
@@ -13,22 +14,42 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-/// The parts streamed one behind the other; numbers with enough digits to recognise them.
+/// A reference to a part of a message, which is anything that can be streamed. Messages are put together behind it in
+/// one place: there are hundreds, and streams in each would take the compiler a tenth of its time.
+class TextPart {
+public:
+  template <class T>
+  TextPart(const T& value)
+      : value_(&value), put_([](std::ostream& out, const void* value) { out << *static_cast<const T*>(value); }) {}
+  TextPart(const char* words)
+      : value_(words), put_([](std::ostream& out, const void* value) { out << static_cast<const char*>(value); }) {}
+
+  friend std::ostream& operator<<(std::ostream& out, const TextPart& part) {
+    part.put_(out, part.value_);
+    return out;
+  }
+
+private:
+  const void* value_;
+  void (*put_)(std::ostream& out, const void* value);
+};
+
+std::string joined(std::initializer_list<TextPart> parts);
+[[noreturn]] void fail_with(std::initializer_list<TextPart> parts);
+
+/// The parts one behind the other; numbers with enough digits to recognise them.
 template <class... Parts> std::string text(const Parts&... parts) {
-  std::ostringstream out;
-  out.precision(10);
-  (out << ... << parts);
-  return out.str();
+  return joined({TextPart(parts)...});
 }
 
 template <class... Parts> [[noreturn]] void fail(const Parts&... parts) {
-  throw Error(text(parts...));
+  fail_with({TextPart(parts)...});
 }
 
 /// Throws Error with the joined parts unless `ok`; the message is only built on failure.
 template <class... Parts> void require(bool ok, const Parts&... parts) {
   if (!ok) [[unlikely]]
-    fail(parts...);
+    fail_with({TextPart(parts)...});
 }
 
 } // namespace signorini
