@@ -2,16 +2,16 @@
 
 #include "base/error.hpp"
 
-#include <Eigen/SparseCore>
-
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace signorini::nurbs {
 
 namespace {
 
-using Triplet = Eigen::Triplet<double>;
+/// New control points as combinations of old ones: by row the old points' factors.
+using Combinations = std::vector<std::map<int, double>>;
 
 void check_direction(const Patch& patch, int d) {
   require(d >= 0 && d < patch.parametric_dimension(), "direction: ", d + 1, " is not in 1 … ",
@@ -23,8 +23,7 @@ void check_direction(const Patch& patch, int d) {
 ///
 /// Oslo algorithm (Cohen, Lyche, Riesenfeld 1980): the basis recursion of the span that holds t_0 with the argument t_k
 /// in its k-th step. All coefficients are ≥ 0, so rounding does not grow.
-void add_blossom(const KnotVector& knots, double before, const double* t, double factor, int j,
-                 std::vector<Triplet>& triplets) {
+void add_blossom(const KnotVector& knots, double before, const double* t, double factor, int j, Combinations& combine) {
   const int p = knots.degree();
   const int i = knots.span(knots.find_element(before));
   const double* u = knots.knots().data() + i;
@@ -41,14 +40,12 @@ void add_blossom(const KnotVector& knots, double before, const double* t, double
     c[k] = carried;
   }
   for (int s = 0; s <= p; ++s)
-    if (c[s] != 0) triplets.emplace_back(j, i - p + s, factor * c[s]);
+    if (c[s] != 0) combine[static_cast<std::size_t>(j)][i - p + s] += factor * c[s];
 }
 
-/// Replaces direction d by `knots`, the control points along it by the combinations in `triplets`.
-Patch replace_direction(const Patch& patch, int d, KnotVector knots, const std::vector<Triplet>& triplets) {
+/// Replaces direction d by `knots`, the control points along it by these combinations.
+Patch replace_direction(const Patch& patch, int d, KnotVector knots, const Combinations& combine) {
   const int before = patch.direction(d).functions(), after = knots.functions();
-  Eigen::SparseMatrix<double, Eigen::RowMajor> combine(after, before);
-  combine.setFromTriplets(triplets.begin(), triplets.end());
 
   Eigen::Index stride = 1, outer = 1;
   for (int k = 0; k < patch.parametric_dimension(); ++k)
@@ -57,9 +54,9 @@ Patch replace_direction(const Patch& patch, int d, KnotVector knots, const std::
   MatrixX points = MatrixX::Zero(patch.dimension() + 1, stride * after * outer);
   for (Eigen::Index o = 0; o < outer; ++o)
     for (Eigen::Index j = 0; j < after; ++j)
-      for (decltype(combine)::InnerIterator it(combine, j); it; ++it)
+      for (const auto& [i, factor] : combine[static_cast<std::size_t>(j)])
         points.middleCols(stride * (j + after * o), stride) +=
-            it.value() * patch.homogeneous().middleCols(stride * (it.col() + before * o), stride);
+            factor * patch.homogeneous().middleCols(stride * (i + before * o), stride);
 
   std::vector<KnotVector> directions = patch.directions();
   directions[static_cast<std::size_t>(d)] = std::move(knots);
@@ -77,16 +74,16 @@ Patch elevate_once(const Patch& patch, int d) {
   // The elevated blossom is the mean of the old one over all ways to leave out one argument:
   //   Q_j = 1/(p+1) Σ_k F(t_{j+1}, …, t_{j+p+1} without t_{j+k})   (Prautzsch 1984; Goldman, Pyramid Algorithms, ch. 6)
   // The knots without every (p+1)-th one (t_j kept) still refine the old ones, so each term is a knot insertion.
-  std::vector<Triplet> triplets;
+  Combinations combine(static_cast<std::size_t>(elevated.functions()));
   for (int j = 0; j < elevated.functions(); ++j) {
     const double* t = knots.data() + j;
     for (int k = 1; k <= p + 1; ++k) {
       double arguments[max_degree + 1];
       std::copy(t + k + 1, t + p + 2, std::copy(t + 1, t + k, arguments));
-      add_blossom(old, t[0], arguments, 1.0 / (p + 1), j, triplets);
+      add_blossom(old, t[0], arguments, 1.0 / (p + 1), j, combine);
     }
   }
-  return replace_direction(patch, d, std::move(elevated), triplets);
+  return replace_direction(patch, d, std::move(elevated), combine);
 }
 
 } // namespace
@@ -108,12 +105,12 @@ Patch insert_knots(const Patch& patch, int d, std::vector<double> knots) {
   }
   KnotVector refined(old.degree(), all);
 
-  std::vector<Triplet> triplets;
+  Combinations combine(static_cast<std::size_t>(refined.functions()));
   for (int j = 0; j < refined.functions(); ++j) {
     const double* t = all.data() + j;
-    add_blossom(old, t[0], t + 1, 1.0, j, triplets);
+    add_blossom(old, t[0], t + 1, 1.0, j, combine);
   }
-  return replace_direction(patch, d, std::move(refined), triplets);
+  return replace_direction(patch, d, std::move(refined), combine);
 }
 
 Patch elevate(const Patch& patch, int d, int times) {
