@@ -1,17 +1,17 @@
 #include "nurbs/label.hpp"
 
 #include "base/error.hpp"
+#include "base/match.hpp"
 #include "nurbs/knots.hpp"
 
 #include <algorithm>
-#include <regex>
 
 namespace signorini::nurbs {
 
 namespace {
 
-int whole_number(const std::ssub_match& digits, int otherwise) {
-  return digits.matched ? std::stoi(digits.str()) : otherwise;
+int whole_number(const std::string& digits, int otherwise) {
+  return digits.empty() ? otherwise : std::stoi(digits);
 }
 
 void check_degree(const std::string& text, const Space& space) {
@@ -28,22 +28,20 @@ Space bulk_space(const std::vector<Label>& labels) {
 }
 
 Label parse_label(const std::string& text) {
-  static const std::regex lagrange("L(0|[1-9]\\d?)");
-  static const std::regex nurbs(
-      "N(0|[1-9]\\d?)(?:\\.(0|[1-9]\\d?))?(?:-N(0|[1-9]\\d?)(?:\\.(0|[1-9]\\d?))?(?:x(0|[1-9]\\d{0,3}))?)?");
-  std::smatch part;
   Label label;
   label.text = text;
-  if (std::regex_match(text, part, lagrange)) {
+  if (const auto lagrange = match(text, "L(0|[1-9][0-9]?)"); !lagrange.empty()) {
     label.lagrange = true;
-    label.bulk = {whole_number(part[1], 0)};
+    label.bulk = {whole_number(lagrange[1], 0)};
   } else {
-    require(std::regex_match(text, part, nurbs), "order: unknown discretisation label '", text,
+    const auto part = match(text, "N(0|[1-9][0-9]?)(\\.(0|[1-9][0-9]?))?"
+                                  "(-N(0|[1-9][0-9]?)(\\.(0|[1-9][0-9]?))?(x(0|[1-9][0-9]{0,3}))?)?");
+    require(!part.empty(), "order: unknown discretisation label '", text,
             "'; labels read Np (N2), Np.s (N2.1), Lp (L2), Nb-Nc (N2-N4), Nb-Nc.s (N2-N2.2), or Nb-Nc.sxr (N2-N2.2x2)");
-    label.bulk = {whole_number(part[1], 0), whole_number(part[2], 0)};
-    if (part[3].matched) {
-      label.layer = Space{whole_number(part[3], 0), whole_number(part[4], 0)};
-      label.rows = whole_number(part[5], 1);
+    label.bulk = {whole_number(part[1], 0), whole_number(part[3], 0)};
+    if (!part[4].empty()) {
+      label.layer = Space{whole_number(part[5], 0), whole_number(part[7], 0)};
+      label.rows = whole_number(part[9], 1);
       check_degree(text, *label.layer);
       require(label.bulk.elevations == 0, "order: label '", text, "': the bulk of a layered label is plain Np; write N",
               label.bulk.degree, text.substr(text.find('-')));

@@ -1,12 +1,12 @@
 #include "repl/chunk.hpp"
 
+#include "base/match.hpp"
 #include "bind/stack.hpp"
 
 #include <algorithm>
 #include <cctype>
 #include <cstring>
 #include <optional>
-#include <regex>
 
 namespace signorini::repl {
 
@@ -63,11 +63,10 @@ void push_library_function(lua_State* L, const char* module, const char* name) {
 }
 
 bool asks_to_leave(lua_State* L, const std::string& line) {
-  static const std::regex leave("\\s*(exit|quit)\\s*(\\(\\s*\\))?\\s*;?\\s*");
-  std::smatch found;
-  if (!std::regex_match(line, found, leave)) return false;
+  const auto found = match(line, "[[:space:]]*(exit|quit)[[:space:]]*(\\([[:space:]]*\\))?[[:space:]]*;?[[:space:]]*");
+  if (found.empty()) return false;
   lua_pushglobaltable(L);
-  bind::push(L, found[1].str());
+  bind::push(L, found[1]);
   const bool is_free = lua_rawget(L, -2) == LUA_TNIL;
   lua_pop(L, 2);
   return is_free;

@@ -1,6 +1,7 @@
 #include "repl/interpreter.hpp"
 
 #include "base/interrupt.hpp"
+#include "base/match.hpp"
 #include "bind/error_text.hpp"
 #include "bind/functions.hpp"
 #include "repl/colour.hpp"
@@ -9,7 +10,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
-#include <regex>
 #include <set>
 #include <sstream>
 #include <string_view>
@@ -142,13 +142,13 @@ bool Interpreter::report(bool ok) {
 
 void add_syntax_hint(lua_State* L) {
   // Lua's words for the first byte of a character that is not ASCII, and where a table's entries have no comma between.
-  static const std::regex beyond_ascii("near '<\\\\(12[89]|1[3-9][0-9]|2[0-9][0-9])>'$");
-  static const std::regex comma("'\\}' expected (\\(to close .*\\) )?near '.*'$");
+  constexpr const char *beyond_ascii = ".*near '<\\\\(12[89]|1[3-9][0-9]|2[0-9][0-9])>'",
+                       *comma = ".*'\\}' expected (\\(to close .*\\) )?near '.*'";
   const std::string message = lua_tostring(L, -1);
-  const char* hint = std::regex_search(message, beyond_ascii)
+  const char* hint = !match(message, beyond_ascii).empty()
                          ? "; names are of the letters a-z, A-Z, digits and _; other characters stand in quotes"
-                     : std::regex_search(message, comma) ? "; is a comma missing before it?"
-                                                         : nullptr;
+                     : !match(message, comma).empty() ? "; is a comma missing before it?"
+                                                      : nullptr;
   if (!hint) return;
   lua_pop(L, 1);
   bind::push(L, message + hint);

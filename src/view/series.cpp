@@ -1,6 +1,7 @@
 #include "view/series.hpp"
 
 #include "base/error.hpp"
+#include "base/match.hpp"
 #include "base/process.hpp"
 #include "base/whole_file.hpp"
 #include "view/output.hpp"
@@ -10,7 +11,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <regex>
 
 namespace signorini::view {
 namespace {
@@ -30,11 +30,10 @@ struct Pattern {
 };
 
 Pattern pattern_of(const std::string& file) {
-  static const std::regex place("([^%]*)%(?:0([1-9]))?d([^%]*)");
-  std::smatch found;
-  require(std::regex_match(file, found, place) && file_ending(file) == ".png", "file '", file,
+  const auto found = match(file, "([^%]*)%(0([1-9]))?d([^%]*)");
+  require(!found.empty() && file_ending(file) == ".png", "file '", file,
           "' of a series must hold one number and end in .png, as in \"x-%04d.png\"");
-  return {found[1], found[3], found[2].length() ? std::stoi(found[2]) : 1};
+  return {found[1], found[4], found[3].empty() ? 1 : std::stoi(found[3])};
 }
 
 /// A folder beside a file, which goes with all that it holds.
