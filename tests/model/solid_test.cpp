@@ -3,6 +3,7 @@
 #include "model/model.hpp"
 
 #include "base/parallel.hpp"
+#include "model/quadratic.hpp"
 #include "nurbs/coincident.hpp"
 #include "nurbs/shapes.hpp"
 
@@ -48,9 +49,8 @@ Scene<3> indentation(const std::string& label, double mu, bool turns) {
   return scene;
 }
 
-/// One step. Where its last reduction lies between the active set's changes and rounding error, it is quadratic; a step
-/// may well pass over that window, which depends on the kernel.
-void step(Model<3>& model, const std::vector<double>& targets, int& iterations) {
+/// One step, solved but not accepted.
+void solve(Model<3>& model, const std::vector<double>& targets, int& iterations) {
   for (std::size_t i = 0; i < targets.size(); ++i) model.set_target(0, static_cast<int>(i), targets[i]);
   const solve::NewtonReport report = model.solve_step({});
   ASSERT_EQ(report.outcome, solve::Outcome::converged) << report.message;
@@ -60,10 +60,10 @@ void step(Model<3>& model, const std::vector<double>& targets, int& iterations) 
   const double missing = std::sqrt(model.unknowns().size()) * report.residuals.back() + 1e-12 * scale;
   EXPECT_LT((by_bed + by_grip).norm(), missing);
   EXPECT_LT((model.contact_resultant(0).force + by_grip).norm(), missing);
-  const double last = report.residuals.back(), before = report.residuals[report.residuals.size() - 2];
-  if (before < 1e-3 * scale && before > 3e-7 * scale) {
-    EXPECT_LT(last, 300 * before * before / scale + 1e-11 * scale);
-  }
+}
+
+void step(Model<3>& model, const std::vector<double>& targets, int& iterations) {
+  solve(model, targets, iterations);
   model.accept();
 }
 
@@ -72,7 +72,13 @@ TEST(SolidModel, IroningConvergesQuadraticallyAndItsEnergyBalances) {
     Model<3> model(indentation(label, 0.3, false));
     int iterations = 0;
     for (int i = 1; i <= 8; ++i) step(model, {0, 0, -0.02 * i}, iterations);
-    for (int i = 1; i <= 24; ++i) step(model, {0.025 * i, 0.01 * i, -0.16}, iterations);
+    int pairs = 0;
+    for (int i = 1; i <= 24; ++i) {
+      solve(model, {0.025 * i, 0.01 * i, -0.16}, iterations);
+      if (i % 12 == 0) pairs += test::compare_starts(model);
+      model.accept();
+    }
+    EXPECT_GE(pairs, 4) << label; // of 8
     EXPECT_LE(iterations, 6 * 32) << label;
     const auto contact = model.contact_resultant(0);
     EXPECT_GT(contact.slipping, 0);
