@@ -52,5 +52,47 @@ TEST(Unsettled, PairCountsAcceptedStatesOnly) {
   EXPECT_EQ(pair.unsettled(), 1u);
 }
 
+/// A roof: two planes that meet at a right angle above the y-axis, outward up.
+nurbs::Patch roof() {
+  MatrixX points(3, 6);
+  points << -1, 0, 1, -1, 0, 1, -1, -1, -1, 1, 1, 1, -1, 0, -1, -1, 0, -1;
+  return nurbs::make_patch({nurbs::KnotVector(1, {0, 0, 1, 2, 2}), nurbs::KnotVector::single(1)}, points,
+                           VectorX::Ones(6));
+}
+
+/// Presses a contact point on the left plane of the roof, then on the right one, in one step across the ridge: returns
+/// how many points were not settled then. `length`: distance from the foot at which friction lets the slip point lie.
+std::size_t unsettled_across(double length) {
+  constexpr double depth = 0.1, tangential = 1;
+  const auto place = [](double x) -> Vec<3> { // whose foot is at x, z = −|x|
+    return Vec<3>(x, 0, -std::abs(x)) - depth / std::sqrt(2.0) * Vec<3>(x < 0 ? -1 : 1, 0, 1);
+  };
+  const Vec<3> start = place(-0.4);
+  const nurbs::Discretisation block =
+      discretise(nurbs::block({0.2, 0.2, 0.2}, start - Vec<3>(0.1, 0.1, 0)), {1, 1, 1}, "N1", "front");
+  Pair<3> pair(Surface<3>(block, nurbs::side_of("front", 3)), Obstacle<3>(roof()),
+               PenaltyLaw{1, tangential, tangential * length / depth}, 1);
+  const Vec<3> rest = Vec<3>::Zero();
+  const auto press = [&](double x) {
+    const MatrixX u = (place(x) - start).replicate(1, block.functions());
+    pair.evaluate(u.data(), rest.data());
+    pair.accept();
+  };
+  press(-0.4);
+  EXPECT_EQ(pair.results().front().state, ContactState::stick);
+  EXPECT_EQ(pair.unsettled(), 0u);
+  press(0.4);
+  EXPECT_EQ(pair.results().front().state, ContactState::slip);
+  EXPECT_TRUE(pair.unsettled() == 0 || pair.unsettled_position().isApprox(start));
+  return pair.unsettled();
+}
+
+TEST(Unsettled, PairCountsSlipPointsThatWereNotFound) {
+  // The slip point is looked for below the chord from one plane to the other, 0.8 long. Its middle is as near to a
+  // point 0.4/√2 from the foot as to one on the other plane, 0.4 √5/√2 from it: those in between are closest to none.
+  EXPECT_EQ(unsettled_across(0.2), 0u);
+  EXPECT_EQ(unsettled_across(0.6), 1u);
+}
+
 } // namespace unsettled_test
 } // namespace signorini::contact
