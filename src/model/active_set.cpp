@@ -102,7 +102,6 @@ template <int D> int ActiveSet<D>::period() const {
 
 /// How often each point's state changed in the last evaluations; `stray`: to or from beyond the master's end.
 template <int D> std::vector<int> ActiveSet<D>::changes(bool stray) const {
-  constexpr std::size_t looked_at = 8;
   std::vector<int> sums(counts_.size(), 0);
   for (std::size_t k = entries_.size() - std::min(entries_.size(), looked_at) + 1; k < entries_.size(); ++k)
     for (std::size_t i = 0; i < sums.size(); ++i) {
@@ -131,15 +130,22 @@ template <int D> std::vector<PointIndex> ActiveSet<D>::restless() const {
   return points_with(changes(false), 2);
 }
 
-template <int D> std::string ActiveSet<D>::last_states(const PointIndex& index) const {
+template <int D> std::string ActiveSet<D>::alternating(const PointIndex& index) const {
   const auto i = static_cast<std::size_t>(first_[static_cast<std::size_t>(index.contact)] + index.point);
-  std::string names;
-  for (std::size_t k = entries_.size() - std::min<std::size_t>(entries_.size(), 2); k < entries_.size(); ++k) {
-    const unsigned char code = entries_[k].states[i];
+  const bool frictional = frictional_[static_cast<std::size_t>(index.contact)];
+  const auto name = [&](unsigned char code) -> std::string {
+    if (code == beyond) return "beyond";
     const auto state = static_cast<contact::ContactState>(code);
-    const bool sticks = state == contact::ContactState::stick && frictional_[static_cast<std::size_t>(index.contact)];
-    names += names.empty() ? "" : " / ";
-    names += code == beyond ? "beyond" : state == contact::ContactState::stick && !sticks ? "touching" : name_of(state);
+    return state == contact::ContactState::stick && !frictional ? "touching" : name_of(state);
+  };
+  // Backward, so that each state stands where it was met last
+  std::vector<unsigned char> met;
+  std::string names;
+  for (std::size_t k = 0; k < std::min(entries_.size(), looked_at); ++k) {
+    const unsigned char code = entries_[entries_.size() - 1 - k].states[i];
+    if (std::find(met.begin(), met.end(), code) != met.end()) continue;
+    met.push_back(code);
+    names = names.empty() ? name(code) : name(code) + " / " + names;
   }
   return names;
 }

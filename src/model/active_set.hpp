@@ -34,15 +34,16 @@ public:
   int period() const;
   /// Points whose state changed at least twice in the last evaluations, those that changed most first.
   std::vector<PointIndex> restless() const;
-  /// The states that a point had in the last evaluation and in the one before: "stick / slip", "beyond / open",
-  /// without friction "open / touching".
-  std::string last_states(const PointIndex& index) const;
+  /// The states between which a point went in the last evaluations, the present one last: "stick / slip",
+  /// "open / stick / slip", "beyond / open", without friction "open / touching".
+  std::string alternating(const PointIndex& index) const;
   /// Those among them whose closest point was an open end of the master in between.
   std::vector<PointIndex> strays() const;
 
 private:
   static constexpr int most_rounds = 5;
   static constexpr std::size_t remembered = 24; ///< evaluations: three rounds of the longest period that is looked for
+  static constexpr std::size_t looked_at = 8;   ///< evaluations: where points that change their state are looked for
   struct Entry {
     double residual;
     std::vector<unsigned char> states; ///< of all points, contact after contact; see code()

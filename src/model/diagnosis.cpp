@@ -289,7 +289,7 @@ template <int D> Diagnosis diagnose(const Model<D>& model, const solve::NewtonRe
   const bool has_tangent = model.unknowns().size() > 0 && assembly.diagonal_norm() > 0;
   if (report.outcome == Outcome::inverted_element && model.inversion()) diagnosis.places = {inverted_element(model)};
   const ActiveSet<D>& set = model.active_set();
-  const auto states = [&](const PointIndex& point) { return set.last_states(point); };
+  const auto states = [&](const PointIndex& point) { return set.alternating(point); };
   if (report.outcome == Outcome::cycling) add_points(diagnosis, model, set.restless(), states);
   if (report.outcome == Outcome::lost_projection) add_points(diagnosis, model, set.strays(), states);
   if (report.outcome == Outcome::penetration)

@@ -15,7 +15,7 @@ struct TroubleSpot {
   VectorX reference; ///< X, of a control point its own position
   VectorX current;   ///< x in the accepted state
   double value;      ///< J, gap, unbalanced force, part of the direction
-  std::string text;  ///< a few words: "J = -0.12", "stick / slip" (the last two states of a contact point)
+  std::string text;  ///< a few words: "J = -0.12", "stick / slip" (states between which a contact point alternates)
 };
 
 struct Diagnosis {

@@ -193,6 +193,33 @@ TEST(ActiveSet, RestlessPointsAreThoseThatChangedMostFirst) {
   EXPECT_TRUE(set.restless().empty());
 }
 
+TEST(ActiveSet, NamesAllStatesThatAlternateInACycle) {
+  Strip strip(contact::PenaltyLaw{100, 100, 0.1});
+  strip.pairs[0].accept(); // slip points: where the strip touches now
+  ActiveSet<2> set;
+  set.begin(strip.pairs, {});
+  const PointIndex first{0, 0};
+  const auto go = [&](double x, double y) {
+    for (int a = 0; a < strip.strip.functions(); ++a) strip.u.segment<2>(2 * a) << x, y;
+    strip.evaluate();
+    set.note(strip.pairs, 1);
+    return strip.pairs[0].results()[0].state;
+  };
+  // Period 3: the last two states of a round are the same.
+  for (int round = 0; round < 3; ++round) {
+    EXPECT_EQ(go(0, -0.01), ContactState::stick);
+    EXPECT_EQ(go(0.1, -0.01), ContactState::slip);
+    EXPECT_EQ(go(0.2, -0.01), ContactState::slip);
+  }
+  EXPECT_EQ(set.alternating(first), "stick / slip");
+  // Three states in one round
+  for (int round = 0; round < 3; ++round) go(0, 0.01), go(0, -0.01), go(0.1, -0.01);
+  EXPECT_EQ(set.alternating(first), "open / stick / slip");
+  // Period 2, as the last two states had it
+  for (int round = 0; round < 4; ++round) go(0.1, -0.01), go(0, -0.01);
+  EXPECT_EQ(set.alternating(first), "slip / stick");
+}
+
 TEST(ActiveSet, StraysComeAndGoBeyondTheMastersEnd) {
   Strip strip(law, 2);
   ActiveSet<2> set;
