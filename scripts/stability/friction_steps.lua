@@ -39,7 +39,7 @@ local elements = ironing.elements(options.mesh)
 --- The standard set-up with another coefficient of friction.
 local function with_friction(mu) return setmetatable({ mu = mu }, { __index = ironing.variants.standard }) end
 
---- Forth and back.
+--- Back and forth.
 local function path(coarser)
   local set_up = ironing.variants.standard
   local stages = ironing.path(set_up, coarser)
@@ -47,19 +47,19 @@ local function path(coarser)
   return stages
 end
 
---- Drag over pressing force in the middle of the way forth and of the way back.
+--- Drag over pressing force in the middle of the way forward and of the way back.
 local function figures(_, run)
   local function drag(stages)
     local step = run.stages[1].steps + math.floor((stages - 0.5) * run.stages[2].steps)
     return run:column "grip.fx"[step] / -run:column "grip.fy"[step]
   end
-  return { ["drag forth"] = drag(1), ["drag back"] = drag(2) }
+  return { ["drag forward"] = drag(1), ["drag back"] = drag(2) }
 end
 
 local files, results = sg.files(options.out), {}
 for _, label in ipairs(options.labels) do
   results[label] = study.solve({
-    name = ("Ironing forth and back, %s at %s"):format(label, options.mesh), key = label,
+    name = ("Ironing back and forth, %s at %s"):format(label, options.mesh), key = label,
     x = { name = "length of a step (published: 1)", values = options.coarser },
     y = { name = "coefficient of friction", values = options.friction },
     scene = function(_, mu) return (ironing.scene(with_friction(mu), label, elements)) end,

@@ -41,7 +41,7 @@ TEST(ObstaclePair, TangentIsTheForcesDerivativeInEveryState) {
   EXPECT_EQ(sum.elsewhere, 0); // one node, wherever the slip point is
 }
 
-/// Presses and drags to and fro, with friction; calls look(couple) in every state.
+/// Presses and drags back and forth, with friction; calls look(couple) in every state.
 void wander(Couple& couple, const std::function<void(Couple&)>& look) {
   couple.touch();
   couple.move_die(0, -0.05);

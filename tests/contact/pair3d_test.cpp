@@ -13,7 +13,7 @@ namespace pair3d_test {
 
 using namespace test;
 
-/// Presses, drags to and fro, twists, with a comparison after each, from random displaced states.
+/// Presses, drags back and forth, twists, with a comparison after each, from random displaced states.
 void wander(Couple3 couple, unsigned seed, double depth, Census3& census) {
   Random random(seed);
   couple.shake(random, 0.003);

@@ -159,7 +159,7 @@ check.case("diverged: a soft body falls onto one that is harder than numbers can
   check.near(place.X[2], place.body == "upper" and 1.5 or 1, 1e-12) -- on the faces that meet
 end)
 
-check.case("cycling: points of deep ironing go to and fro", function()
+check.case("cycling: points of deep ironing go back and forth", function()
   local run = deep_ironing():run({ { name = "press", steps = 46, grip = {0, -0.5} } }, sg.plain{})
   local last = run.steps
   check.equal(last > 20, true) -- which step has such a point depends on the first guesses before it

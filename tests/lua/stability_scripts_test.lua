@@ -89,13 +89,13 @@ check.case("peeling: rotation control meets a turning point on the coarse mesh, 
   check_files(result, 6)
 end)
 
-check.case("ironing forth and back: drag changes its sign; long steps fail while the die is pressed", function()
+check.case("ironing back and forth: drag changes its sign; long steps fail while the die is pressed", function()
   local result = study("friction_steps", "labels=N2", "coarser=4,16", "friction=0,0.8")
   local plain = result.maps.N2.plain
   check.equal({ plain:held() }, { 2, 4 })
   check.near(plain:cell(16, 0.8).reached, 0.2, 0.02)
   local figures = plain:cell(4, 0.8).figures
-  check.near({ figures["drag forth"], figures["drag back"] }, { 0.812, -0.812 }, 1e-3)
+  check.near({ figures["drag forward"], figures["drag back"] }, { 0.812, -0.812 }, 1e-3)
   check_controls(result.maps.N2, 4)
   check_files(result, 3)
 end)

@@ -204,7 +204,7 @@ TEST(Diagnosis, UnbalancedForcesAreTheLargestOnes) {
   }
 }
 
-/// Pressing of deep ironing with hard contact comes to a state between whose two sides one point goes to and fro.
+/// Pressing of deep ironing with hard contact comes to a state between whose two sides one point goes back and forth.
 TEST(Diagnosis, CyclingPointsAreNamed) {
   Scene<2> scene = ironing("N4");
   const nurbs::Patch arc = nurbs::half_annulus(0.3, 0.5, Eigen::Vector2d(0.75, 1.5));
