@@ -37,8 +37,31 @@ check.case("mu that looks like an angle", function()
 end)
 
 check.case("nearly incompressible material", function()
-  check.holds(only(pressed({}, 0.4999999)), "bodies.slab: Poisson's ratio 0.4999999", "lock", "lowest degree here: 2")
+  check.holds(only(pressed({}, 0.4999999)),
+    "bodies.slab: at Poisson's ratio 0.4999999 elements of degree 2 (along xi1)",
+    "lock", "Hint: take nu = 0.499 or less")
   check.equal(#pressed({}, 0.49):warnings(), 0)
+end)
+
+check.case("degree 1 in any direction of a nearly incompressible body", function()
+  local function warnings(options)
+    local dimension = #options.elements
+    local body = sg.body{ patch = dimension == 2 and sg.shapes.rectangle{ width = 10, height = 1 }
+        or sg.shapes.block{ size = {10, 1, 1} }, elements = options.elements, order = options.order,
+      contact = dimension == 2 and "south" or "front", through = options.through,
+      material = sg[options.law or "neo_hookean"]{ E = 1, nu = options.nu } }
+    return sg.model{ bodies = { beam = body }, supports = { wall = { on = body:face "west", fix = "x" } } }:warnings()
+  end
+  for _, law in ipairs { "neo_hookean", "linear_elastic" } do
+    local found = warnings{ elements = {4, 2}, order = "N2", through = 1, nu = 0.45, law = law }
+    check.equal(#found, 1)
+    check.holds(found[1], "bodies.beam: at Poisson's ratio 0.45 elements of degree 1 (along xi2) lock",
+      "degree 2 or more in all directions (order N2 or above, through = 2 or left out)")
+  end
+  check.holds(warnings{ elements = {2, 2, 1}, order = {"N2", "N1"}, through = 2, nu = 0.47 }[1], "(along xi2) lock")
+  check.holds(warnings{ elements = {2, 2, 1}, order = "N2-N3", through = 1, nu = 0.47 }[1], "(along xi3) lock")
+  check.equal(#warnings{ elements = {4, 2}, order = "N2", through = 1, nu = 0.44 }, 0)
+  check.equal(#warnings{ elements = {4, 2}, order = "N2", nu = 0.47 }, 0)
 end)
 
 check.case("a penalty beyond what rounding allows is named before the run and as the cause of its failure", function()
