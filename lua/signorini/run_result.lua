@@ -65,13 +65,16 @@ local function record_contact(run, model, contact)
   for _, key in ipairs(contact_columns) do
     if resultant[key] then columns[key] = add_column(run, contact .. "." .. key) end
   end
-  local before = resultant.unsettled or 0 -- a user's own model may do without
+  local before = { unsettled = resultant.unsettled or 0, crossed = resultant.crossed or 0 } -- a user's model may lack
   run.recorders[#run.recorders + 1] = function(row)
     local now = model:contact_resultant(contact)
     for key, values in pairs(columns) do values[row] = now[key] end
-    if (now.unsettled or 0) > before then
-      local count = (run.unsettled[contact] or { count = 0 }).count + now.unsettled - before
-      run.unsettled[contact], before = { count = count, at = now.unsettled_at }, now.unsettled
+    for key, last in pairs(before) do
+      if (now[key] or 0) > last then
+        local found = run[key][contact] or { count = 0, step = run.values.step[row] }
+        found.count, found.at, before[key] = found.count + now[key] - last, now[key .. "_at"], now[key]
+        run[key][contact] = found
+      end
     end
   end
 end
@@ -82,7 +85,7 @@ function Run.new(model)
     failed = false, reason = "completed", steps = 0, rows = 0, iterations = 0, cutbacks = 0, rescues = 0, wary = 0,
     places = {}, wall = 0, stages = {}, controls = {}, fallbacks = {}, energies = {}, extra = {},
     names = {}, values = {}, histories = {}, recorders = {}, kept = {}, before = model:timings(), warnings = {},
-    unsettled = {},
+    unsettled = {}, crossed = {},
   }, Run)
   run.step_column, run.increment_column = add_column(run, "step"), add_column(run, "increments")
   run.iteration_column, run.wall_column = add_column(run, "iterations"), add_column(run, "wall")
@@ -284,9 +287,9 @@ iterations, cutbacks, rescues (steps that fallbacks have carried), fallbacks (ho
 timings { bulk, contact, linear, rest } (s), stages (a list of accounts by name), controls (where arc length took over),
 warnings (a list of sentences: model:warnings(), loads that act in full from the first step, a newton.tolerance above
 1e-3, contacts that never touched, were penetrated by more than 2 % of the smallest body's size, or whose closest points
-were not found; fallbacks that may have changed to another branch of solutions; stages in which more than a tenth of the
-work is missing from the energy balance). print(run) shows a short table, with controls that are not the default ones,
-fallbacks and cuts.]]
+were not found, or whose points have gone through the master in one step; fallbacks that may have changed to another
+branch of solutions; stages in which more than a tenth of the work is missing from the energy balance). print(run) shows
+a short table, with controls that are not the default ones, fallbacks and cuts.]]
 
 core.docs["run:columns"] = [[
 run:columns()

@@ -1,6 +1,7 @@
 -- What a run may be wrong in although it completed: what sg.model said of the scene, loads that are not ramped,
 -- tolerances that leave no accuracy, contacts of which no point was ever active (the wrong face, or a body that misses
--- the other), contacts that are penetrated too deeply, points whose projection was given up,
+-- the other), contacts that are penetrated too deeply, points that have gone through the master in one step, points
+-- whose projection was given up,
 -- and what path_controls.lua and energy_balance.lua find.
 
 local counted = require "signorini.counted"
@@ -103,16 +104,31 @@ function run_warnings.of_path(model, path, solver)
   return texts
 end
 
+--- "1, 2"
+local function position(point)
+  local texts = {}
+  for i, x in ipairs(point) do texts[i] = ("%.4g"):format(x) end
+  return table.concat(texts, ", ")
+end
+
 --- A sentence for a contact some of whose points were taken where a search had to give up.
 local function unsettled(run, contact)
   local found = run.unsettled[contact]
   if not found then return nil end
-  local at = {}
-  for i, x in ipairs(found.at) do at[i] = ("%.4g"):format(x) end
   return ("contact '%s': the search for a closest point or slip point ended at a limit of iterations %s in accepted "
     .. "states, the last time at X = (%s): gap and friction are approximate there. Hint: refine or rebuild the master "
     .. "where its parametrization is singular or very uneven; otherwise take shorter steps"):format(contact,
-      counted(found.count, "time"), table.concat(at, ", "))
+      counted(found.count, "time"), position(found.at))
+end
+
+--- A sentence for a contact whose slave points have gone through the master in one step, which no contact saw.
+local function crossed(run, contact)
+  local found = run.crossed[contact]
+  if not found then return nil end
+  return ("contact '%s': in step %s points of the slave face passed through the master, the last of %s at X = "
+    .. "(%s): the bodies moved farther in one increment than they are thick, and contact saw nothing of it. Hint: take "
+    .. "shorter steps, of less than half of the thinner body's thickness each"):format(contact, found.step,
+      counted(found.count, "point"), position(found.at))
 end
 
 --- What a run warns of, in sentences; those of model:warnings() and about the path come first.
@@ -120,7 +136,7 @@ function run_warnings.of_run(run, model, early)
   local texts = model:warnings()
   table.move(early, 1, #early, #texts + 1, texts)
   for _, contact in ipairs(run.rows > 0 and model:contact_names() or {}) do
-    texts[#texts + 1] = untouched(run, model, contact) or penetrated(run, model, contact)
+    texts[#texts + 1] = crossed(run, contact) or untouched(run, model, contact) or penetrated(run, model, contact)
     texts[#texts + 1] = unsettled(run, contact)
   end
   texts[#texts + 1] = path_controls.warning(run)

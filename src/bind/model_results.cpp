@@ -44,7 +44,7 @@ template <int D> int contact_resultant(lua_State* L) {
   const int contact = contact_of_argument<D>(L);
   const auto sum = model->contact_resultant(contact);
   const contact::Pair<D>& pair = model->pairs()[static_cast<std::size_t>(contact)];
-  lua_createtable(L, 0, 10);
+  lua_createtable(L, 0, 12);
   for (int k = 0; k < D; ++k) set_field(L, text("f", model::component_name(k)).c_str(), sum.force(k));
   set_field(L, "area", sum.area);
   set_field(L, "max_pressure", sum.max_pressure);
@@ -53,6 +53,8 @@ template <int D> int contact_resultant(lua_State* L) {
   set_field(L, "slipping", sum.slipping);
   set_field(L, "unsettled", static_cast<int>(pair.unsettled()));
   if (pair.unsettled() > 0) set_field(L, "unsettled_at", VectorX(pair.unsettled_position()));
+  set_field(L, "crossed", static_cast<int>(pair.crossed()));
+  if (pair.crossed() > 0) set_field(L, "crossed_at", VectorX(pair.crossed_position()));
   return 1;
 }
 
@@ -127,10 +129,12 @@ constexpr Function model_results_entries[] = {
      "Example: model:reaction(\"grip\").fy"},
     {"contact_resultant", contact_resultant<D>,
      "m:contact_resultant(contact)\n"
-     "{ fx, fy, fz, area, max_pressure, max_penetration, active, slipping, unsettled }: the force on the slave (fz\n"
+     "{ fx, fy, fz, area, max_pressure, max_penetration, active, slipping, unsettled, crossed }: the force on the "
+     "slave (fz\n"
      "in 3D), the current area in contact, extremes, and how many contact points touch and slip.\n"
      "unsettled: how often, in all accepted states so far, the search for a point's closest point or slip point ended\n"
-     "at a limit of iterations; then unsettled_at is the reference position of the latest such point.\n"
+     "at a limit of iterations; then unsettled_at is the reference position of the latest such point. crossed,\n"
+     "crossed_at: the same of points that had gone through the master since the state before, unseen by contact.\n"
      "Example: model:contact_resultant(\"interface\").area"},
     {"profile", profile<D>,
      "m:profile(contact)\n"

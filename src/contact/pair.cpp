@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/timer.hpp"
+#include "contact/crossing.hpp"
 #include "solid/quadrature.hpp"
 
 #include <algorithm>
@@ -136,6 +137,20 @@ template <int D> Vec<D> Pair<D>::position(std::size_t i) const {
   return sum;
 }
 
+template <int D> std::array<Vec<D>, D - 1> Pair<D>::tangents(std::size_t i) const {
+  const Point& point = points_[i];
+  const int n = slave_.functions_per_element();
+  const int* nodes = slave_.nodes(point.element);
+  const double* values = values_.data() + point.values;
+  std::array<Vec<D>, D - 1> result;
+  for (int k = 0; k < D - 1; ++k) {
+    Vec<D>& tangent = result[static_cast<std::size_t>(k)];
+    tangent.setZero();
+    for (int a = 0; a < n; ++a) tangent += values[(k + 1) * n + a] * slave_.points().col(nodes[a]);
+  }
+  return result;
+}
+
 /// Adds one contact point to the results and groups.
 template <int D> void Pair<D>::evaluate_point(std::size_t i, bool tangent, Part& part) {
   FacePoint<D> master, slip_point;
@@ -170,14 +185,7 @@ template <int D> void Pair<D>::evaluate_point(std::size_t i, bool tangent, Part&
     if (foot != Foot::regular && gap == 0) return; // no direction
   }
 
-  const int n = slave_.functions_per_element();
-  const int* nodes = slave_.nodes(point.element);
-  const double* values = values_.data() + point.values;
-  for (int k = 0; k < D - 1; ++k) {
-    Vec<D>& tangent = geometry.slave_tangent[static_cast<std::size_t>(k)];
-    tangent.setZero();
-    for (int a = 0; a < n; ++a) tangent += values[(k + 1) * n + a] * slave_.points().col(nodes[a]);
-  }
+  geometry.slave_tangent = tangents(i);
   master_.functions(master, 1);
   geometry.master = &master;
   geometry.foot = foot;
@@ -221,14 +229,29 @@ template <int D> void Pair<D>::remember_touch(std::size_t i) {
 }
 
 template <int D> void Pair<D>::accept() {
-  if (friction()) {
+  if (friction())
     for (std::size_t i = 0; i < points_.size(); ++i) advance(i);
-    accepted_master_ = master_;
-  }
-  for (std::size_t i = 0; i < points_.size(); ++i)
+  for (std::size_t i = 0; i < points_.size(); ++i) {
     if (!results_[i].settled) ++unsettled_, unsettled_position_ = reference_positions_[i];
+    if (has_crossed(i)) ++crossed_, crossed_position_ = reference_positions_[i];
+  }
+  accepted_master_ = master_;
+  accepted_travel_ = travel_;
   accepted_ = memory_;
   accepted_results_ = results_;
+}
+
+/// Whether a point has gone through the master since the accepted state. Hardly any is looked at: one that is farther
+/// from the master than the two have moved towards each other cannot have.
+template <int D> bool Pair<D>::has_crossed(std::size_t i) const {
+  const Memory& memory = memory_[i];
+  const double moved = travel_ - accepted_travel_;
+  const double least = memory.cleared > 0 ? memory.cleared - travel_ : memory.projection.gap; // distance
+  if (moved <= 0 || least > moved || results_[i].beyond) return false;
+  if (results_[i].state == ContactState::stick || results_[i].state == ContactState::slip) return false;
+  const Vec<D> outward = slave_.outward(tangents(i)).normalized();
+  return contact::has_crossed(accepted_master_, master_, accepted_results_[i].position, results_[i].position, outward,
+                              memory.projection);
 }
 
 /// Moves a point's slip point to where it stands at the end of an accepted step.
@@ -264,6 +287,7 @@ template <int D> void Pair<D>::advance(std::size_t i) {
 template <int D> void Pair<D>::rollback() {
   memory_ = accepted_;
   results_ = accepted_results_;
+  accepted_travel_ = travel_;
 }
 
 template <int D> void Pair<D>::settle() {

@@ -132,6 +132,10 @@ public:
   /// and the reference position of the latest.
   std::size_t unsettled() const { return unsettled_; }
   const Vec<D>& unsettled_position() const { return unsettled_position_; }
+  /// Points of all accepted states that had gone through the master since the state before (crossing.hpp), each
+  /// state's counted; and the reference position of the latest.
+  std::size_t crossed() const { return crossed_; }
+  const Vec<D>& crossed_position() const { return crossed_position_; }
   /// Bytes of points, history and results, and of the last evaluation's groups.
   double memory() const;
   /// Gaps of all points in the configuration of the last evaluation (evaluate() looks at those only that may touch).
@@ -170,8 +174,11 @@ private:
            bool tangent, Part& part);
   void advance(std::size_t i);
   void remember_touch(std::size_t i);
+  bool has_crossed(std::size_t i) const;
   /// Current position of the slave point.
   Vec<D> position(std::size_t i) const;
+  /// Current tangents of the slave face there.
+  std::array<Vec<D>, D - 1> tangents(std::size_t i) const;
   std::size_t group(int slave_element, int master_element, int slip_element, bool tangent, Part& part);
 
   Surface<D> slave_;
@@ -191,10 +198,10 @@ private:
   std::vector<Group> groups_;
   std::vector<std::size_t> shares_; ///< how many of them came from each part
   /// Bound on how far slave and master points have moved towards each other, summed over all evaluations.
-  double travel_ = 0;
+  double travel_ = 0, accepted_travel_ = 0; ///< now, and when the accepted state was reached or returned to
   double dissipated_ = 0;
-  std::size_t unsettled_ = 0;
-  Vec<D> unsettled_position_ = Vec<D>::Zero();
+  std::size_t unsettled_ = 0, crossed_ = 0;
+  Vec<D> unsettled_position_ = Vec<D>::Zero(), crossed_position_ = Vec<D>::Zero();
   bool times_search_ = false;
   double search_seconds_ = 0;
   Eigen::Matrix<double, D, Eigen::Dynamic> previous_slave_;

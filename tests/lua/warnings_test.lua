@@ -74,6 +74,43 @@ check.case("a penalty beyond what rounding allows is named before the run and as
   check.equal(run.report:find("hold the body with a support", 1, true), nil)
 end)
 
+--- A slab of thickness 1 under a tool of radius 0.5 half above it, whose grip is driven by `depth`.
+local function lowered(tool, depth, steps)
+  local space = tool == "sphere"
+  local slab = sg.body{ patch = space and sg.shapes.block{ size = {2, 2, 1}, corner = {-1, -1, 0} }
+      or sg.shapes.rectangle{ width = 2, height = 1, corner = {-1, 0} },
+    elements = space and {6, 6, 1} or {8, 2}, order = "N2", contact = space and "back" or "north",
+    material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+  local bodies, master, grip = { slab = slab }, nil, nil
+  if tool == "ring" then
+    local ring = sg.body{ patch = sg.nurbs.ruled{ a = sg.nurbs.circle{ radius = 0.5, centre = {0, 2} },
+                                                  b = sg.nurbs.circle{ radius = 0.3, centre = {0, 2} } },
+      elements = {8, 1}, order = "N2", contact = "south", material = sg.neo_hookean{ E = 10, nu = 0.3 } }
+    bodies.ring, master, grip = ring, ring:face "south", ring:face "north"
+  elseif tool == "cylinder" then
+    master = sg.rigid.cylinder{ centre = {0, 2}, radius = 0.5 }
+  else
+    master = sg.rigid.sphere{ centre = {0, 0, 2}, radius = 0.5 }
+  end
+  return sg.model{ bodies = bodies, supports = { bed = { on = slab:face(space and "front" or "south"),
+      fix = space and "xyz" or "xy" }, grip = { on = grip or master, drive = space and "xyz" or "xy" } },
+    contacts = { c = { slave = slab:face(space and "back" or "north"), master = master, penalty = 20 } } }
+    :run{ { steps = steps, grip = space and {0, 0, -depth} or {0, -depth} } }
+end
+
+check.case("a tool that passes through a slab in one step, or into it", function()
+  for _, tool in ipairs { "cylinder", "sphere", "ring" } do
+    for _, depth in ipairs { 3.5, 2.6 } do -- far beyond, and just behind the far side
+      local run = lowered(tool, depth, 1)
+      check.equal({ run.reason, #run.warnings }, { "completed", 1 })
+      check.holds(run.warnings[1], "contact 'c': in step 1 points of the slave face passed through the master",
+        "Hint: take shorter steps")
+    end
+    check.equal(table.concat(lowered(tool, 0.7, 4).warnings):find("passed through", 1, true), nil)
+  end
+  check.holds(lowered("cylinder", 1.5, 1).warnings[1], "in step 1 points of the slave face passed through") -- inside
+end)
+
 check.case("the same pair of faces in two contacts", function()
   local function twice(options)
     local lower, upper = slab_on(), sg.body{ patch = sg.shapes.rectangle{ width = 2, height = 1, corner = {0, 1} },
