@@ -24,7 +24,9 @@ local function is_leap(attempts, index)
   local attempt = attempts[index]
   for i = 1, index - 1 do
     local before = attempts[i]
-    if not before.converged and before.from == attempt.from and before.to < attempt.to then return true end
+    if not before.converged and not before.arc and before.from == attempt.from and before.to < attempt.to then
+      return true
+    end
   end
   return false
 end

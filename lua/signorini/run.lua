@@ -6,7 +6,9 @@ local arc_length = require "signorini.arc_length"
 local arguments = require "signorini.arguments"
 local controls = require "signorini.controls"
 local drives = require "signorini.drives"
+local jumps = require "signorini.jumps"
 local progress = require "signorini.progress"
+local read_stages = require "signorini.run_stages"
 local run_options = require "signorini.run_options"
 local run_warnings = require "signorini.run_warnings"
 local states = require "signorini.states"
@@ -18,77 +20,6 @@ local wariness = 8 -- attempts without a predictor that failed; 3D block ironing
 local longest_chord = 1.25 -- of an arc, in lengths along its tangent: the two differ by 37° at most
 
 -- ── Reading the arguments ────────────────────────────────────────────────────────────────────────────────────────────
-
---- The target of a support or a load at the end of a stage, as a list by driven component.
-local function read_target(model, stage, drive, value)
-  local components = drives.components(model, drive)
-  local name = ("%s.%s"):format(stage, drive)
-  if type(value) == "number" and #components == 1 then value = { value } end
-  local expected = ("a list of %d value%s (%s)"):format(#components, #components == 1 and "" or "s",
-    table.concat(components, ", "))
-  if type(value) ~= "table" then arguments.reject(where, name, expected, value) end
-  if #value ~= #components then arguments.reject(where, name, expected, value, "one for each driven component") end
-  for i, component in ipairs(components) do
-    arguments.number(where, ("%s[%d] (%s)"):format(name, i, component), value[i])
-  end
-  return table.move(value, 1, #components, 1, {})
-end
-
-local function read_stage(model, index, stage, known)
-  local label = ("stage %d"):format(index)
-  if type(stage) ~= "table" then arguments.reject(where, label, "a table { steps = …, <support> = {…} }", stage) end
-  local name = arguments.string(where, label .. ".name", stage.name, label)
-  for key in pairs(stage) do
-    if type(key) ~= "string"
-      or not (known[key] or key == "name" or key == "steps" or drives.is_support(model, key)) then
-      arguments.unknown(where, key, ("stage '%s'"):format(name), table.move(known, 1, #known, 3, { "name", "steps" }))
-    end
-  end
-  local read = { name = name, steps = arguments.count(where, name .. ".steps", stage.steps), targets = {} }
-  for key, value in pairs(stage) do
-    if type(key) == "string" and known[key] then
-      read.targets[key] = read_target(model, name, key, value)
-    elseif drives.is_support(model, key) then
-      core.fail(("%s: the support '%s' of stage '%s' is not driven: give it drive = \"x\", \"xy\" or the like in "
-        .. "sg.model"):format(where, key, name))
-    end
-  end
-  return read
-end
-
---- Options, or the parts of a stage, that stand among the stages, where they would be without effect.
-local function check_keys(stages, known)
-  for key in pairs(stages) do
-    if math.type(key) ~= "integer" or key < 1 or key > #stages then
-      local name, cure = tostring(key), "stages are counted from 1 without gaps"
-      if type(key) == "string" then cure = "write model:run({ { steps = …, … } }, { … }): a list, then the options" end
-      if known[key] or key == "name" then cure = ("put it into a stage, { steps = 10, %s = … }"):format(name) end
-      for _, option in ipairs(run_options.keys) do
-        if key == option then cure = ("options are the second argument, model:run({ … }, { %s = … })"):format(name) end
-      end
-      core.fail(("%s: unknown key '%s' in the list of stages: %s"):format(where, name, cure))
-    end
-  end
-end
-
-local function read_stages(model, stages)
-  if type(stages) ~= "table" or #stages == 0 or stages.steps then
-    arguments.reject(where, "stages", "a list of stages", stages, "write model:run{ { steps = 10, grip = {0, -1} } }")
-  end
-  local known = model:driven_names()
-  if #known + #model:support_names() + #model:contact_names() == 0 then
-    core.fail(where .. ": nothing holds, moves or loads the model: name supports or loads in sg.model, such as "
-      .. "supports = { bed = { on = body:face \"south\", fix = \"xy\" } }")
-  end
-  for _, name in ipairs(known) do known[name] = true end
-  check_keys(stages, known)
-  local read, total = {}, 0
-  for i, stage in ipairs(stages) do
-    read[i] = read_stage(model, i, stage, known)
-    total = total + read[i].steps
-  end
-  return read, total
-end
 
 --- The controls of a run: what run_options.lua reads, `tries` (see controls.lua), and which states are kept.
 local function read_options(model, options, path, total)
@@ -174,6 +105,8 @@ function Step:try(solver, to, rescue)
   local result = self:solve(solver, to)
   if result.converged then
     self.model:accept()
+    local length = self.run.step.length
+    self.run.step.length = length and length + self.model:last_length()
   else
     if not steps.is_wanted(result) then result.diagnosis = self.model:diagnose(self.options.on) end
     self.model:rollback()
@@ -255,7 +188,7 @@ function Step:attempt_arc(length, iterations)
   local result, to, kept = self:solve_arc(length, iterations, true)
   local accepted = result.converged and to < 1
   if result.converged and not accepted then self.model:restore(kept) end
-  self.run:record_attempt(self.done, to, result, core.now() - began)
+  self.run:record_attempt(self.done, to, result, core.now() - began, nil, true)
   if accepted then
     self.done = to
     self.run:record_arc(to)
@@ -360,7 +293,8 @@ return function(model, stages, options)
   for _, warning in ipairs(model:warnings()) do said[warning] = true end
   local run = Run.new(model)
   local place = keeper:begin(model, run, path, policy)
-  run.used = { predictor = options.solver.predictor, rescue = options.rescue, adaptive = options.adaptive }
+  run.used = { predictor = options.solver.predictor, rescue = options.rescue, adaptive = options.adaptive,
+               arcs = options.arcs }
   local display = progress(total - run.steps)
   if options.states.wants(run.steps) then run:keep_state(model, path[place.stage].name) end
   for index = place.stage, #path do
@@ -376,6 +310,7 @@ return function(model, stages, options)
         fail(run, step, result)
       end
       if result.converged then
+        jumps.note(run.jumps, model, run.steps, run.step.length)
         place.stage, place.number = index, number
         if options.states.wants(run.steps, function() return run:info(stage, result) end) then
           run:keep_state(model, stage.name)

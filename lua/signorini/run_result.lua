@@ -4,7 +4,9 @@ local arguments = require "signorini.arguments"
 local core = require "signorini.core"
 local csv = require "signorini.csv"
 local energy_balance = require "signorini.energy_balance"
+local failure_texts = require "signorini.failure_texts"
 local in_name_of = require "signorini.in_name_of"
+local jumps = require "signorini.jumps"
 local drives = require "signorini.drives"
 local format_table = require "signorini.table"
 local named = require "signorini.named"
@@ -71,9 +73,9 @@ local function record_contact(run, model, contact)
     for key, values in pairs(columns) do values[row] = now[key] end
     for key, last in pairs(before) do
       if (now[key] or 0) > last then
-        local found = run[key][contact] or { count = 0, step = run.values.step[row] }
-        found.count, found.at, before[key] = found.count + now[key] - last, now[key .. "_at"], now[key]
-        run[key][contact] = found
+        local found = run[key][contact] or { count = 0, step = run.step_column[row] }
+        run[key][contact] = { count = found.count + now[key] - last, step = found.step, at = now[key .. "_at"] }
+        before[key] = now[key]
       end
     end
   end
@@ -85,7 +87,7 @@ function Run.new(model)
     failed = false, reason = "completed", steps = 0, rows = 0, iterations = 0, cutbacks = 0, rescues = 0, wary = 0,
     places = {}, wall = 0, stages = {}, controls = {}, fallbacks = {}, energies = {}, extra = {},
     names = {}, values = {}, histories = {}, recorders = {}, kept = {}, before = model:timings(), warnings = {},
-    unsettled = {}, crossed = {},
+    unsettled = {}, crossed = {}, jumps = jumps.record(),
   }, Run)
   run.step_column, run.increment_column = add_column(run, "step"), add_column(run, "increments")
   run.iteration_column, run.wall_column = add_column(run, "iterations"), add_column(run, "wall")
@@ -98,25 +100,27 @@ end
 
 function Run:begin_stage(model, stage)
   energy_balance.note(self.energies, model, #self.stages == 0 and energy_balance.is_sudden(model, stage))
+  jumps.begin(self.jumps, model)
   self.stages[#self.stages + 1] = { name = stage.name, steps = 0, iterations = 0, cutbacks = 0, wall = 0 }
 end
 
 --- A new step's attempts; its wall time and iterations are theirs, the failed ones' too.
 function Run:begin_step()
-  self.step = { increments = 0, iterations = 0, wall = 0 }
+  self.step = { increments = 0, iterations = 0, wall = 0, length = 0 }
   self.histories[#self.histories + 1] = {}
 end
 
 --- Notes an attempt to get from one part of the step to another; `seconds` is what it took, `rescue` the control that
---- it tried where others had failed.
-function Run:record_attempt(from, to, result, seconds, rescue)
+--- it tried where others had failed; `arc`: it followed the path.
+function Run:record_attempt(from, to, result, seconds, rescue, arc)
   for _, account in ipairs { self, self.stages[#self.stages], self.step } do
     account.iterations, account.wall = account.iterations + result.iterations, account.wall + seconds
   end
   if result.converged then self.step.increments = self.step.increments + 1 end
   local attempts = self.histories[#self.histories]
   attempts[#attempts + 1] = { from = from, to = to, converged = result.converged, reason = result.reason,
-                              iterations = result.iterations, residuals = result.residuals, rescue = rescue }
+                              iterations = result.iterations, residuals = result.residuals, rescue = rescue,
+                              arc = arc }
   if rescue and result.converged then self.rescues = self.rescues + 1 end
 end
 
@@ -165,7 +169,7 @@ end
 function Run:drop_step()
   local stage = self.stages[#self.stages]
   for _, values in pairs(self.values) do values[self.rows] = nil end
-  self.rows, self.steps, stage.steps = self.rows - 1, self.steps - 1, stage.steps - 1
+  self.rows, self.steps, stage.steps, self.step.length = self.rows - 1, self.steps - 1, stage.steps - 1, 0
 end
 
 --- Appends the row of a step that was reached.
@@ -177,47 +181,13 @@ end
 
 --- Appends the row of a state between steps that an arc led to; its work is counted with the step's.
 function Run:record_arc(done)
+  self.step.length = nil
   append_row(self, self.steps + done, 0, 0, 0)
 end
 
 --- Notes that something else drives the path from here on: "arc length" or "targets".
 function Run:record_control(to, place, reason)
   self.controls[#self.controls + 1] = { step = self.steps + 1, to = to, place = place, reason = reason }
-end
-
-local function joined(values, format)
-  local texts = {}
-  for i, value in ipairs(values) do texts[i] = format:format(value) end
-  return #texts > 0 and table.concat(texts, ", ") or "none"
-end
-
---- The attempts since the last accepted one, in words; nothing when there was only one.
-local function tried(attempts, done)
-  local texts = {}
-  for _, attempt in ipairs(attempts) do
-    if not attempt.converged and attempt.from == done then
-      local how = attempt.rescue and (" with %s"):format(attempt.rescue) or ""
-      texts[#texts + 1] = ("%g%s (%s)"):format(attempt.to - done, how, attempt.reason)
-    end
-  end
-  if #texts < 2 then return "" end
-  return (" Tried from there, in parts of a step: %s."):format(table.concat(texts, ", "))
-end
-
---- Where in the model, in words: "contact point (contact 'interface', element 3) at X = (1, 2): changes its state".
-local function place_text(place)
-  local coordinates = {}
-  for i, value in ipairs(place.X) do coordinates[i] = ("%.6g"):format(value) end
-  return ("%s %sof %s '%s' at X = (%s): %s"):format(place.kind,
-    place.kind == "contact point" and ("in slave element %d "):format(place.element) or
-    ("%d "):format(place.element or place.point),
-    place.contact and "contact" or "body", place.contact or place.body, table.concat(coordinates, ", "), place.text)
-end
-
-local function places_text(places)
-  local texts = {}
-  for i = 1, math.min(3, #places) do texts[i] = place_text(places[i]) end
-  return #texts > 0 and " Worst places: " .. table.concat(texts, "; ") .. "." or ""
 end
 
 --- Notes why a step was not reached. `turn`: where the path turns back, in words, if it does.
@@ -235,7 +205,8 @@ function Run:record_failure(step, result, turn)
     .. "accepted %s."):format(self.steps + 1, step.stage.name, step.number, step.stage.steps,
       diagnosis.message ~= "" and diagnosis.message or diagnosis.reason,
       result.shortest and (" The shortest step, %g of the user's, is still too long."):format(result.shortest) or "",
-      tried(attempts, done), places_text(diagnosis.places), joined(result.residuals, "%.3g"), place)
+      failure_texts.tried(attempts, done), failure_texts.places(diagnosis.places),
+      failure_texts.joined(result.residuals, "%.3g"), place)
   if turn then
     self.report = ("%s The path has a turning point at %s: it turns back there, and only a jump to another branch "
       .. "leads beyond it by prescribing targets; model:run(stages, { arc_length = true }) "
@@ -273,8 +244,9 @@ function Run:finish(model, early)
   self.timings, self.recorders, self.before, self.step = spent, nil, nil, nil
   self.fallbacks = path_controls.counts(self.histories)
   energy_balance.note(self.energies, model)
+  jumps.close(self.jumps)
   self.warnings = run_warnings.of_run(self, model, early)
-  self.energies = nil
+  self.energies, self.jumps = nil, nil
   return self
 end
 
@@ -288,8 +260,9 @@ timings { bulk, contact, linear, rest } (s), stages (a list of accounts by name)
 warnings (a list of sentences: model:warnings(), loads that act in full from the first step, a newton.tolerance above
 1e-3, contacts that never touched, were penetrated by more than 2 % of the smallest body's size, or whose closest points
 were not found, or whose points have gone through the master in one step; fallbacks that may have changed to another
-branch of solutions; stages in which more than a tenth of the work is missing from the energy balance). print(run) shows
-a short table, with controls that are not the default ones, fallbacks and cuts.]]
+branch of solutions, steps that probably have, as displacements and released energy show; stages in which more than a
+tenth of the work is missing from the energy balance). print(run) shows a short table, with controls that are not the
+default ones, fallbacks and cuts.]]
 
 core.docs["run:columns"] = [[
 run:columns()

@@ -2,10 +2,11 @@
 -- tolerances that leave no accuracy, contacts of which no point was ever active (the wrong face, or a body that misses
 -- the other), contacts that are penetrated too deeply, points that have gone through the master in one step, points
 -- whose projection was given up,
--- and what path_controls.lua and energy_balance.lua find.
+-- and what path_controls.lua, jumps.lua and energy_balance.lua find.
 
 local counted = require "signorini.counted"
 local energy_balance = require "signorini.energy_balance"
+local jumps = require "signorini.jumps"
 local path_controls = require "signorini.path_controls"
 
 local run_warnings = {}
@@ -140,6 +141,7 @@ function run_warnings.of_run(run, model, early)
     texts[#texts + 1] = unsettled(run, contact)
   end
   texts[#texts + 1] = path_controls.warning(run)
+  texts[#texts + 1] = jumps.warning(run.jumps, run.used.arcs)
   texts[#texts + 1] = energy_balance.warning(run, run.energies)
   return texts
 end
