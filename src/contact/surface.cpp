@@ -22,6 +22,15 @@ std::vector<int> numbers(int count) {
   return list;
 }
 
+/// Bézier extraction of an element that goes on from the end of a face along its tangent, by a part of the element
+/// there, whose Bézier points at that end and next to it have the columns `end` and `next`:
+///     Q_k = Q_end + k part (Q_end − Q_next).
+MatrixX tangent_extraction(const VectorX& end, const VectorX& next, double part) {
+  MatrixX extraction(end.size(), end.size());
+  for (int k = 0; k < extraction.cols(); ++k) extraction.col(k) = end + k * part * (end - next);
+  return extraction;
+}
+
 } // namespace
 
 template <int D>
@@ -41,23 +50,31 @@ Surface<D>::Surface(const nurbs::Patch& patch, std::vector<int> functions, doubl
     ends_[d] = {directions_[d].first(), directions_[d].last()};
   }
   rows_ = polynomial_ ? D : D + 1;
-  tabulate(directions_);
+  tabulate(directions_, 0);
 }
 
 /// Nodes and Bézier extraction of all elements, with the Bézier points in the reference configuration: functions over
-/// `knots`, on the elements of directions_, which may reach farther.
-template <int D> void Surface<D>::tabulate(const std::vector<nurbs::KnotVector>& knots) {
-  const auto extraction = [&](std::size_t d, int e) {
-    const auto& breaks = directions_[d].breaks();
-    return nurbs::bezier_extraction(knots[d], e, breaks[at(e)], breaks[at(e + 1)]);
+/// `knots`, on the elements of directions_, which go on beyond open ends by `part`.
+template <int D> void Surface<D>::tabulate(const std::vector<nurbs::KnotVector>& knots, double part) {
+  // The element of the face itself whose functions live on e
+  const auto own = [&](std::size_t d, int e) {
+    return std::clamp(e - (beyond_[d][0] > 0 ? 1 : 0), 0, knots[d].elements() - 1);
   };
-  const nurbs::KnotVector &u = knots.front(), &v = knots.back();
+  const auto extraction = [&](std::size_t d, int e) {
+    const MatrixX c = nurbs::bezier_extraction(knots[d], own(d, e));
+    const double start = directions_[d].breaks()[at(e)];
+    const Eigen::Index last = c.cols() - 1;
+    if (start < ends_[d][0]) return MatrixX(tangent_extraction(c.col(0), c.col(1), part).rowwise().reverse());
+    if (start >= ends_[d][1]) return tangent_extraction(c.col(last), c.col(last - 1), part);
+    return c;
+  };
+  const nurbs::KnotVector &u = directions_.front(), &v = directions_.back();
   const int n = per_element_, nu = u.degree() + 1, elements = D == 2 ? u.elements() : u.elements() * v.elements();
   nodes_.clear();
   if constexpr (D == 3)
     for (std::size_t d = 0; d < 2; ++d) {
       spans_[d].clear();
-      for (int e = 0; e < knots[d].elements(); ++e) {
+      for (int e = 0; e < directions_[d].elements(); ++e) {
         const MatrixX c = extraction(d, e);
         for (int a = 0; a < c.rows(); ++a) spans_[d].insert(spans_[d].end(), c.row(a).begin(), c.row(a).end());
       }
@@ -65,12 +82,13 @@ template <int D> void Surface<D>::tabulate(const std::vector<nurbs::KnotVector>&
   bezier_.assign(at(elements * n * rows_), 0.0);
   extraction_.resize(at(elements * n * n));
   for (int e = 0; e < elements; ++e) {
-    const int first_u = u.first_function(e % u.elements()), first_v = D == 2 ? 0 : v.first_function(e / u.elements());
+    const int first_u = knots.front().first_function(own(0, e % u.elements()));
+    const int first_v = D == 2 ? 0 : knots.back().first_function(own(D - 2, e / u.elements()));
     const MatrixX cu = extraction(0, e % u.elements());
     const MatrixX cv = D == 2 ? MatrixX::Ones(1, 1) : extraction(1, e / u.elements());
     double* c = extraction_.data() + e * n * n;
     for (int a = 0; a < n; ++a) {
-      nodes_.push_back(first_u + a % nu + u.functions() * (first_v + a / nu));
+      nodes_.push_back(first_u + a % nu + knots.front().functions() * (first_v + a / nu));
       for (int k = 0; k < n; ++k) c[a * n + k] = cu(a % nu, k % nu) * cv(a / nu, k / nu);
     }
     if (!polynomial_)
@@ -100,19 +118,32 @@ template <int D> std::array<bool, 2> Surface<D>::open_ends(int alpha) const {
 
 template <int D> void Surface<D>::extend(double part) {
   const std::vector<nurbs::KnotVector> own = directions_;
+  std::array<std::array<bool, 2>, D - 1> opens;
+  for (int d = 0; d < D - 1; ++d) opens[at(d)] = open_ends(d);
   for (std::size_t d = 0; d < own.size(); ++d) {
     const auto& breaks = own[d].breaks();
-    const auto open = open_ends(static_cast<int>(d));
+    const auto& open = opens[d];
     if (open[0]) beyond_[d][0] = part * (breaks[1] - breaks[0]);
     if (open[1]) beyond_[d][1] = part * (breaks.back() - breaks[breaks.size() - 2]);
     std::vector<double> knots = own[d].knots();
-    for (int i = 0; i <= own[d].degree(); ++i) {
-      knots[at(i)] -= beyond_[d][0];
-      knots[knots.size() - 1 - at(i)] += beyond_[d][1];
+    if (open[0]) {
+      knots.insert(knots.begin() + own[d].degree(), knots.front());
+      for (int i = 0; i <= own[d].degree(); ++i) knots[at(i)] -= beyond_[d][0];
+    }
+    if (open[1]) {
+      knots.push_back(knots.back());
+      for (int i = 0; i <= own[d].degree(); ++i) knots[knots.size() - 1 - at(i)] += beyond_[d][1];
     }
     directions_[d] = nurbs::KnotVector(own[d].degree(), std::move(knots));
   }
-  tabulate(own);
+  tabulate(own, part);
+  // Weights that fall steeply towards an end would become negative beyond it.
+  for (int e = 0; e < elements() && !polynomial_; ++e)
+    for (int k = 0; k < per_element_; ++k)
+      if (bezier_[at((e * rows_ + D) * per_element_ + k)] <= 0) {
+        directions_ = own;
+        return extend(part / 2);
+      }
 }
 
 template <int D> double Surface<D>::fade(const FaceCoordinates<D>& xi, FaceCoordinates<D>& rate) const {

@@ -59,7 +59,7 @@ public:
   /// The element that shares the border of `element` at the start or end of direction α; −1 at the face's end.
   int neighbour(int element, int alpha, bool at_end) const;
 
-  /// Lets the face go on beyond its open ends by a part of its last elements, on their polynomials; to be called once,
+  /// Lets the face go on along its tangents beyond its open ends, by a part of its last elements; to be called once,
   /// before move(). A seam and a border that is one point, such as a pole, are no ends.
   void extend(double part);
   /// How much of a traction acts at xi: all of it on the face itself, none at the end of what extend() has added, with
@@ -85,7 +85,7 @@ public:
 
 private:
   Surface(const nurbs::Patch& patch, std::vector<int> functions, double orientation);
-  void tabulate(const std::vector<nurbs::KnotVector>& knots);
+  void tabulate(const std::vector<nurbs::KnotVector>& knots, double part);
   std::array<bool, 2> open_ends(int alpha) const;
   template <int N> void locate_with(int element, const FaceCoordinates<D>& xi, int order, FacePoint<D>& point) const;
   template <int N> void bernstein(int element, const FaceCoordinates<D>& xi, int order, double* out) const;

@@ -7,12 +7,8 @@
 namespace signorini::nurbs {
 
 MatrixX bezier_extraction(const KnotVector& knots, int element) {
-  const auto& breaks = knots.breaks();
-  return bezier_extraction(knots, element, breaks[at(element)], breaks[at(element + 1)]);
-}
-
-MatrixX bezier_extraction(const KnotVector& knots, int element, double start, double end) {
   const int p = knots.degree(), span = knots.span(element);
+  const double start = knots.breaks()[at(element)], end = knots.breaks()[at(element + 1)];
   const auto& u = knots.knots();
   // Q_k is the blossom of the curve at (start, p−k times; end, k times): de Boor's recursion with one argument a level,
   // on unit control points.

@@ -1,9 +1,10 @@
-// Beyond the open ends of a master: its face goes on along its own polynomials, and the traction fades there.
+// Beyond the open ends of a master: its face goes on along its tangents, and the traction fades there.
 #include "contact/couple.hpp"
 #include "contact/couple3d.hpp"
 
 #include "nurbs/shapes.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace signorini::contact {
@@ -11,37 +12,79 @@ namespace open_end_test {
 
 using namespace test;
 
-TEST(OpenEnd, TheFaceGoesOnAlongItsOwnPolynomials) {
+/// Checks that functions and their derivatives add up to position and tangents at a point that has been located.
+template <int D> void expect_own_functions(const Surface<D>& face, FacePoint<D>& point) {
+  face.functions(point, 1);
+  Vec<D> sum = Vec<D>::Zero(), slope = Vec<D>::Zero();
+  for (int i = 0; i < face.functions_per_element(); ++i) {
+    sum += point.value[static_cast<std::size_t>(i)] * face.points().col(face.nodes(point.element)[i]);
+    slope += point.derivative[0][static_cast<std::size_t>(i)] * face.points().col(face.nodes(point.element)[i]);
+  }
+  EXPECT_LT((sum - point.position).norm(), 1e-12);
+  EXPECT_LT((slope - point.tangent[0]).norm(), 1e-11);
+}
+
+TEST(OpenEnd, TheFaceGoesOnAlongItsTangents) {
   Random random(1);
   for (int degree : {1, 2, 3}) {
     const auto plate = wavy_plate(random, 3, 0.1, degree, 3);
     const Surface<3> face = top_of(plate);
     Surface<3> longer = top_of(plate);
     longer.extend(0.3);
-    ASSERT_EQ(longer.elements(), face.elements());
+    ASSERT_EQ(longer.elements(), (face.direction(0).elements() + 2) * (face.direction(1).elements() + 2));
     FacePoint<3> point, other;
-    for (int e = 0; e < face.elements(); ++e) {
-      const auto [a, b] = face.interval(e, 0);
-      const auto [c, d] = face.interval(e, 1);
-      for (int trial = 0; trial < 5; ++trial) {
-        // Inside and outside of the element
-        const Eigen::Vector2d xi(a + (b - a) * uniform(random, -0.3, 1.3), c + (d - c) * uniform(random, -0.3, 1.3));
-        face.locate(e, xi, 2, point);
-        longer.locate(e, xi, 2, other);
-        EXPECT_LT((point.position - other.position).norm(), 1e-12);
-        EXPECT_LT((point.tangent[1] - other.tangent[1]).norm(), 1e-11);
-        EXPECT_LT((point.second[1] - other.second[1]).norm(), 1e-9);
-        longer.functions(other, 1);
-        Vec<3> sum = Vec<3>::Zero(), slope = Vec<3>::Zero();
-        for (int i = 0; i < longer.functions_per_element(); ++i) {
-          sum += other.value[static_cast<std::size_t>(i)] * longer.points().col(longer.nodes(e)[i]);
-          slope += other.derivative[0][static_cast<std::size_t>(i)] * longer.points().col(longer.nodes(e)[i]);
-        }
-        EXPECT_LT((sum - other.position).norm(), 1e-12);
-        EXPECT_LT((slope - other.tangent[0]).norm(), 1e-11);
+    for (int trial = 0; trial < 40; ++trial) {
+      FaceCoordinates<3> xi, nearest;
+      for (int a = 0; a < 2; ++a) {
+        const auto& knots = longer.direction(a);
+        xi(a) = uniform(random, knots.first(), knots.last());
+        nearest(a) = std::clamp(xi(a), face.direction(a).first(), face.direction(a).last());
       }
+      face.locate(face.find_element(nearest), nearest, 1, point);
+      longer.locate(longer.find_element(xi), xi, 2, other);
+      expect_own_functions(longer, other);
+      const Eigen::Vector2d out = xi - nearest;
+      if (out(0) != 0 && out(1) != 0) continue; // at the corners the continuations of both directions meet
+      // Straight on: x(ξ_end + t) − x_end is parallel to τ_end and points the same way as t τ_end
+      const Vec<3> tangent = out(0) * point.tangent[0] + out(1) * point.tangent[1],
+                   way = other.position - point.position;
+      EXPECT_LE(way.cross(tangent).norm(), 1e-12 * tangent.norm());
+      EXPECT_GE(way.dot(tangent), 0);
     }
   }
+}
+
+TEST(OpenEnd, AnArcGoesOnAlongItsTangents) {
+  const double h = std::sqrt(0.5);
+  MatrixX points(2, 3);
+  points << 1, 1, 0, 0, 1, 1;
+  Surface<2> arc(nurbs::make_patch({nurbs::KnotVector(2, {0, 0, 0, 1, 1, 1})}, points, Eigen::Vector3d(1, h, 1)));
+  arc.extend(0.3);
+  ASSERT_EQ(arc.elements(), 3);
+  FacePoint<2> point;
+  for (double t : {1e-9, 0.1, 0.3}) {
+    arc.locate(0, FaceCoordinates<2>(-t), 2, point); // below (1, 0)
+    EXPECT_NEAR(point.position(0), 1, 1e-14);
+    EXPECT_LT(point.position(1), 0);
+    EXPECT_NEAR(point.tangent[0](0), 0, 1e-14);
+    expect_own_functions(arc, point);
+    arc.locate(2, FaceCoordinates<2>(1 + t), 2, point); // to the left of (0, 1)
+    EXPECT_LT(point.position(0), 0);
+    EXPECT_NEAR(point.position(1), 1, 1e-14);
+    expect_own_functions(arc, point);
+  }
+}
+
+TEST(OpenEnd, WeightsStayPositive) {
+  MatrixX points(2, 3);
+  points << 1, 0.5, 0, 0, 1, 0;
+  Surface<2> spike(nurbs::make_patch({nurbs::KnotVector(2, {0, 0, 0, 1, 1, 1})}, points, Eigen::Vector3d(1, 4, 1)));
+  spike.extend(0.3); // on which the weight would fall to 1 + 2 · 0.3 (1 − 4) < 0
+  FacePoint<2> point, end;
+  spike.locate(0, FaceCoordinates<2>(spike.direction(0).first()), 1, point);
+  spike.locate(1, FaceCoordinates<2>(0), 1, end);
+  EXPECT_LT(spike.direction(0).first(), 0);
+  EXPECT_GT((end.position - point.position).dot(end.tangent[0]), 0);
 }
 
 TEST(OpenEnd, SeamsAndPolesAreNone) {
