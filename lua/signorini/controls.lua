@@ -13,7 +13,9 @@ local controls = {}
 local rescues = {
   { name = "tangent", change = { predictor = "tangent" }, early = true },
   { name = "damping", change = { predictor = "tangent", damping = true }, loose = true, early = "singular" },
-  { name = "line search", change = { predictor = "tangent", line_search = "residual" } },
+  { name = "line search", change = { predictor = "tangent", line_search = "residual", pseudo_transient = false } },
+  { name = "pseudo-transient",
+    change = { predictor = "tangent", line_search = "none", pseudo_transient = true } },
   { name = "frozen", change = { predictor = "tangent", freeze_active_set = 1e-2 } },
 }
 

@@ -11,7 +11,7 @@ local run_options = {}
 
 --- All of them.
 run_options.keys = { "step", "arc_length", "on_step", "on_iteration", "checkpoint", "resume", "threads", "newton",
-                     "linear", "predictor", "augmented", "damping", "penalty", "rescue", "states" }
+                     "linear", "predictor", "augmented", "damping", "pseudo_transient", "penalty", "rescue", "states" }
 
 --- What steps are solved with unless options say otherwise: `robust`, and `plain` where arcs follow the path, since cut
 --- steps and fallbacks may leave it.
@@ -66,6 +66,7 @@ local function read_solver(where, options)
     linear = arguments.choice(where, "linear", options.linear, core.linear_solvers, "auto"),
     augmented = read_augmented(where, options.augmented),
     damping = arguments.flag(where, "damping", options.damping, false),
+    pseudo_transient = arguments.flag(where, "pseudo_transient", options.pseudo_transient, false),
   }
 end
 
@@ -85,13 +86,15 @@ local function read_policy(where, step)
   return adaptive and steps.halving(options) or steps.plain()
 end
 
---- What is on already, in the words of model:diagnose. Rescues try damping and a line search by themselves.
+--- What is on already, in the words of model:diagnose. Rescues try damping, a line search and pseudo-transient
+--- continuation by themselves.
 local function controls_on(read, adaptive)
   local solver, on = read.solver, {}
   local function add(name, is_on) if is_on then on[#on + 1] = name end end
   add("step", adaptive)
   add("line_search", solver.line_search ~= "none" or read.rescue)
   add("damping", solver.damping or read.rescue)
+  add("pseudo_transient", solver.pseudo_transient or read.rescue)
   add("active_set_changes", solver.active_set_changes > 0)
   add("arc_length", read.arcs)
   add("penalty", read.penalty)
@@ -116,6 +119,9 @@ function run_options.read(where, options)
     keeper = checkpoint(where, options),
   }
   read.on = controls_on(read, options.step ~= nil and options.step.adaptive ~= false)
+  if read.solver.pseudo_transient and read.solver.line_search ~= "none" then
+    core.fail(where .. ": pseudo_transient finds the length of its moves by itself: take newton.line_search out")
+  end
   if arcs and read.solver.augmented then
     core.fail(where .. ": augmented and arc_length cannot be used together: take one of the two out")
   end

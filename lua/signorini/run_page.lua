@@ -2,21 +2,21 @@
 
 return [[
 model:run(stages, { step, newton, linear, predictor = "linear", rescue = true, arc_length = false, damping = false,
-                    augmented, penalty, checkpoint, resume = false, states, on_step, on_iteration, threads })
+                    pseudo_transient = false, augmented, penalty, checkpoint, resume = false, states, on_step, on_iteration, threads })
 Takes a model along its load path and returns a run.
 stages = { { name = , steps = , <support or load> = {…} }, … }: each moves driven supports and loads in equal steps to
 the values at its end, a list over the components that are driven (of one alone a number will do); those that are not
 named stay where they are.
 Options:
   newton = { tolerance = 1e-10, iterations = 25, line_search = "none", freeze_active_set = false,
-    active_set_changes = }, linear = "auto", augmented = { penetration = 1e-6, loops = 100 }, damping = false: see
-    help "model:solve_step"; freeze_active_set = true is 0.01.
+    active_set_changes = }, linear = "auto", augmented = { penetration = 1e-6, loops = 100 }, damping = false,
+    pseudo_transient = false: see help "model:solve_step"; freeze_active_set = true is 0.01.
   predictor = "tangent", "constant" or "linear": the first guess of a step; linear goes on as the last one went.
   rescue: a step that fails is tried again with fallbacks: with the tangent's predictor, and, where the tangent is
     singular because contact alone holds a body, with damping; then, where it cannot be cut any more, with damping, a
-    line search, a frozen active set. run.fallbacks counts what helped, run:attempts(step) tells; rescue = false tries
-    nothing. run.warnings names steps carried by fallbacks that may lead to another branch of solutions. sg.plain{}
-    turns predictor, rescue and step off: plain Newton.
+    line search, pseudo-transient continuation, a frozen active set. run.fallbacks counts what helped,
+    run:attempts(step) tells; rescue = false tries nothing. run.warnings names steps carried by fallbacks that may lead
+    to another branch of solutions. sg.plain{} turns predictor, rescue and step off: plain Newton.
   threads = how many work on this solve and later ones; bits are the same for any number. By default what --threads
     says.
   penalty = { start = 0.01, steps = 20 }: all penalties grow from this part of their values to the whole in so many

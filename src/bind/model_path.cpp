@@ -55,7 +55,7 @@ template <int D> int target(lua_State* L) {
 /// What solve_step and iterate take.
 const std::vector<std::string> step_keys = {"tolerance", "iterations",        "line_search",        "linear",
                                             "predictor", "freeze_active_set", "active_set_changes", "augmented",
-                                            "damping"};
+                                            "damping",   "pseudo_transient"};
 
 void read_newton(const Options& o, model::StepOptions& options) {
   options.newton.tolerance = o.positive("tolerance", "relative residual that counts as zero", options.newton.tolerance);
@@ -90,6 +90,10 @@ model::StepOptions read_step_options(lua_State* L) {
     options.augmented.loops = augmented.integer("loops", "most augmentations in a step", 1, 1'000'000, 100);
   }
   options.damping = o.flag("damping", "whether to damp bodies that only contact holds", false);
+  options.pseudo_transient = o.flag("pseudo_transient", "whether bodies move as in a viscous medium", false);
+  if (options.pseudo_transient && options.newton.line_search != solve::LineSearchKind::none)
+    throw ArgumentError(
+        text(function_name(L), ": pseudo_transient finds the length of its moves by itself: take ", "line_search out"));
   return options;
 }
 
@@ -192,8 +196,8 @@ constexpr Function model_path_entries[] = {
      "m:solve_step{ tolerance = 1e-10, iterations = 25, line_search = \"none\", linear = \"auto\", predictor = "
      "\"tangent\",\n"
      "  freeze_active_set = 0, active_set_changes = 0, augmented = { penetration = 1e-6, loops = 100 }, damping = "
-     "false "
-     "}\n"
+     "false,\n"
+     "  pseudo_transient = false }\n"
      "Newton's method from the present state, after m:accept and m:rollback the accepted one, to the targets; accepts\n"
      "nothing. Returns { converged, reason,\n"
      "iterations, message, residuals, energies, parts }; reason is \"converged\", \"iterations\", \"diverged\",\n"
@@ -208,6 +212,9 @@ constexpr Function model_path_entries[] = {
      "augmented: pressures are augmented until no point that presses is farther from the master, on either side, than\n"
      "this part of the largest body's size.\n"
      "damping: keeps bodies that only contact holds from flying off; the state that it leads to is in equilibrium.\n"
+     "pseudo_transient: bodies move as in a viscous medium until they rest (pseudo-transient continuation), in up to "
+     "40\n"
+     "times as many iterations, past a loss of stability to the equilibrium behind it; without line_search.\n"
      "Example: model:set_target(\"grip\", {0, -0.11})\n"
      "         if model:solve_step{}.converged then model:accept() else model:rollback() end"},
     {"iterate", iterate<D>,

@@ -120,8 +120,9 @@ template <int D> int diagnose(lua_State* L) {
     const Argument argument{"on", "names of controls that are on already"};
     for (int i = 1, count = read_list(L, 2, argument); i <= count; ++i) {
       lua_rawgeti(L, 2, i);
-      on.insert(read_choice(L, -1, argument,
-                            {"step", "line_search", "damping", "active_set_changes", "arc_length", "penalty"}));
+      on.insert(read_choice(
+          L, -1, argument,
+          {"step", "line_search", "damping", "active_set_changes", "arc_length", "penalty", "pseudo_transient"}));
       lua_pop(L, 1);
     }
   }
@@ -182,7 +183,8 @@ constexpr Function model_system_entries[] = {
      "that move most in the direction of a singular or indefinite tangent; unbalanced: where the largest unbalanced\n"
      "forces are. reason: as of m:solve_step, or \"indefinite\". on: a list of controls that the cure need not name, "
      "of\n"
-     "\"step\", \"line_search\", \"damping\", \"active_set_changes\", \"arc_length\", \"penalty\"."},
+     "\"step\", \"line_search\", \"damping\", \"active_set_changes\", \"arc_length\", \"penalty\",\n"
+     "\"pseudo_transient\"."},
 };
 
 } // namespace

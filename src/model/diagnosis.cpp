@@ -202,6 +202,8 @@ struct Advice {
 
 constexpr Advice smaller_steps{"step", "take smaller steps (step = { adaptive = true })",
                                "allow smaller steps (step = { min = … })"};
+constexpr Advice flow{"pseudo_transient",
+                      "let the bodies come to rest as in a viscous medium (pseudo_transient = true)"};
 constexpr Advice search{"line_search", "use a line search (newton = { line_search = \"residual\" })"};
 
 std::vector<Advice> cures(Outcome outcome) {
@@ -217,7 +219,8 @@ std::vector<Advice> cures(Outcome outcome) {
     return {smaller_steps,
             search,
             {"", "take more contact points per element (points)"},
-            {"active_set_changes", "hold points that change too often (newton = { active_set_changes = 4 })"}};
+            {"active_set_changes", "hold points that change too often (newton = { active_set_changes = 4 })"},
+            flow};
   case Outcome::lost_projection:
     return {{"", "extend the master face beyond where the slave face reaches"}, {"", "end the path before it"}};
   case Outcome::inverted_element:
@@ -229,7 +232,8 @@ std::vector<Advice> cures(Outcome outcome) {
     return {{"arc_length",
              "the state may be at or beyond a limit of stability: arc_length = true follows the path "
              "around it",
-             "the state may be at or beyond a limit of stability"}};
+             "the state may be at or beyond a limit of stability"},
+            flow};
   case Outcome::line_search:
     return {smaller_steps, {"", "take no line search"}};
   case Outcome::penetration:

@@ -27,7 +27,7 @@ struct Diagnosis {
 };
 
 /// Controls that the caller has turned on already: "step", "line_search", "damping", "active_set_changes",
-/// "arc_length", "penalty".
+/// "arc_length", "penalty", "pseudo_transient".
 using ControlsOn = std::set<std::string>;
 
 /// Looks at the state in which a step failed: call it before the roll-back. Costs a few factorisations where the

@@ -6,6 +6,7 @@
 #include "model/damping.hpp"
 #include "model/drives.hpp"
 #include "model/step_options.hpp"
+#include "solve/pseudo_time.hpp"
 
 #include <memory>
 
@@ -157,6 +158,8 @@ private:
     int augmentations = 0;
     VectorX before = {}, move = {}; ///< for line search: the state before the last move, and the move
     double slope = 0;               ///< f·Δu in that state
+    solve::PseudoTime pseudo_time = {};
+    VectorX viscosity = {}; ///< D of pseudo-transient continuation, by unknown
   };
 
   solve::Outcome assemble(const VectorX* direction, bool tangent, std::string& why);
@@ -173,6 +176,7 @@ private:
   bool predict(const VectorX& increment);
   solve::Outcome assemble_step(bool tangent, std::string& why);
   bool advance(const StepOptions& options, double& energy);
+  bool advance_in_pseudo_time(const StepOptions& options, double& energy);
   solve::Trial retreat(double part);
   solve::Outcome conclude(const StepOptions& options, std::string& why);
   void classify(solve::NewtonReport& report) const;

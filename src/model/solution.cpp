@@ -221,7 +221,9 @@ template <int D> solve::Outcome Model<D>::assemble_step(bool tangent, std::strin
   if (first) unbalanced_ += unknowns_.gather(assembly_.product());
   if (outcome != solve::Outcome::converged || !std::exchange(step_->moved, false)) return outcome;
   active_set_.note(pairs_, unbalanced_.norm());
-  if (const int period = active_set_.period(); period > 0) {
+  // What repeats under one damping need not under the next.
+  const bool repeats = step_->pseudo_time.damping() == 0;
+  if (const int period = repeats ? active_set_.period() : 0; period > 0) {
     why = text("the states of contact points repeat every ", period, " iterations");
     return active_set_.strays().empty() ? solve::Outcome::cycling : solve::Outcome::lost_projection;
   }
@@ -280,12 +282,17 @@ template <int D> const solve::NewtonReport& Model<D>::iterate(const StepOptions&
   if (!step_) step_ = begin_step(options);
   solve::NewtonReport& report = step_->report;
   if (report.outcome != solve::Outcome::iterating) return report;
-  solve::NewtonSystem newton = system([this](bool tangent, std::string& why) { return assemble_step(tangent, why); },
-                                      [&](double& energy) { return advance(options, energy); });
+  // The move that brings in prescribed displacements has to be whole.
+  const bool flows = options.pseudo_transient && !(step_->pending && report.iterations == 0);
+  solve::NewtonSystem newton = system(
+      [this](bool tangent, std::string& why) { return assemble_step(tangent, why); },
+      [&](double& energy) { return flows ? advance_in_pseudo_time(options, energy) : advance(options, energy); });
   newton.retreat = [this](double part) { return retreat(part); };
   newton.slope = [this] { return step_->slope; };
   newton.conclude = [&](std::string& why) { return conclude(options, why); };
-  if (!solve::iterate(newton, options.newton, step_->pending, report)) classify(report);
+  solve::NewtonOptions limits = options.newton;
+  if (options.pseudo_transient) limits.iterations *= 40;
+  if (!solve::iterate(newton, limits, step_->pending, report)) classify(report);
   return report;
 }
 

@@ -37,6 +37,9 @@ struct StepOptions {
   ActiveSetOptions active_set = {};
   AugmentationOptions augmented = {};
   bool damping = false; ///< of bodies that only contact holds, see damping.hpp
+  /// Moves damped by pseudo-transient continuation (solve/pseudo_time.hpp), with up to 40 times newton.iterations; no
+  /// line search next to it.
+  bool pseudo_transient = false;
 };
 
 } // namespace signorini::model

@@ -61,11 +61,26 @@ check.case("masters without sharp edges: every scene completes", function()
   check.equal({ count, found }, { 121, {} })
 end)
 
-check.case("masters with sharp edges: one scene of 29 ends early, where 11 did when traction ended with the face",
+check.case("masters with sharp edges: no scene of 29 ends early, where 11 did when traction ended with the face",
   function()
     local count, found = early("plane", 1, 150, sharp)
-    check.equal({ count, #found <= 2 or table.concat(found, ", ") }, { 29, true })
+    check.equal({ count, #found <= 1 or table.concat(found, ", ") }, { 29, true })
   end)
+
+check.case("pseudo-transient continuation carries past a loss of stability at an edge, and the run says so", function()
+  local carried = 0
+  for _, seed in ipairs { 219, 226, 259 } do
+    local scene = scenes.describe("plane", seed)
+    check.equal(select(2, scenes.solve(scene, sg.robust{ rescue = false })).ending ~= "completed", true)
+    local run, account = scenes.solve(scene, sg.robust{})
+    if account.ending == "completed" and run.fallbacks["pseudo-transient"] then
+      carried = carried + 1
+      check.holds(table.concat(run.warnings, "\n"), "another branch of solutions were needed")
+      check.holds(table.concat(run.warnings, "\n"), "pseudo-transient in step")
+    end
+  end
+  check.equal(carried >= 2 or carried, true)
+end)
 
 --- An eighth of a hollow sphere pressed onto a quarter of a block: at both planes of symmetry the block's face ends.
 check.case("planes of symmetry in space hold the points that project beyond the master's end", function()
