@@ -28,6 +28,17 @@ MatrixX orthonormal(MatrixX x) {
   return x;
 }
 
+MatrixX pseudo_inverse(const MatrixX& x) {
+  // X = Q R, so R X⁺ = Qᵀ with the triangle R = Qᵀ X.
+  const MatrixX q = orthonormal(x);
+  MatrixX result = q.transpose();
+  for (Eigen::Index k = x.cols() - 1; k >= 0; --k) {
+    for (Eigen::Index m = k + 1; m < x.cols(); ++m) result.row(k) -= q.col(k).dot(x.col(m)) * result.row(m);
+    result.row(k) /= q.col(k).dot(x.col(k));
+  }
+  return result;
+}
+
 MatrixX residual_of(const MatrixX& q, MatrixX b) {
   for (Eigen::Index j = 0; j < b.cols(); ++j) {
     VectorX v = b.col(j);

@@ -9,6 +9,9 @@ namespace signorini {
 /// Q of X = Q R, by Gram-Schmidt with reorthogonalization; a column of zeros remains.
 MatrixX orthonormal(MatrixX x);
 
+/// The pseudo-inverse of a matrix of independent columns.
+MatrixX pseudo_inverse(const MatrixX& x);
+
 /// B − Q Qᵀ B: what least squares over orthonormal columns Q leave of each column.
 MatrixX residual_of(const MatrixX& q, MatrixX b);
 

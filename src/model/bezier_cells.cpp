@@ -1,6 +1,7 @@
 #include "model/bezier_cells.hpp"
 
 #include "base/index.hpp"
+#include "base/orthonormal.hpp"
 #include "model/sample.hpp"
 #include "nurbs/bezier.hpp"
 #include "nurbs/bezier_element.hpp"
@@ -22,7 +23,7 @@ MatrixX fit(int degree, const std::vector<double>& places) {
     nurbs::bernstein(own, places[at(i)], 1, 0, bernstein.data());
     values.row(i) = bernstein;
   }
-  return nurbs::bernstein_elevation(own, degree).transpose() * values.completeOrthogonalDecomposition().pseudoInverse();
+  return nurbs::bernstein_elevation(own, degree).transpose().lazyProduct(pseudo_inverse(values));
 }
 
 /// The tensor product of matrices, the first one's indices running fastest.
@@ -61,8 +62,9 @@ struct Projector {
 
   /// c_k of a rational field with the given values (components × places): W f = Σ_k B_k (w_k c_k).
   MatrixX operator()(const MatrixX& field, const VectorX& weights) const {
-    const VectorX denominator = values * weights;
-    return (fit * (field * denominator.asDiagonal()).transpose()).transpose() * weights.cwiseInverse().asDiagonal();
+    const VectorX denominator = values.lazyProduct(weights);
+    const MatrixX numerator = field * denominator.asDiagonal();
+    return numerator.lazyProduct(fit.transpose()) * weights.cwiseInverse().asDiagonal();
   }
 };
 
@@ -160,10 +162,11 @@ template <int D> BezierCells bezier_cells(const Model<D>& model, int body, bool 
   for (int e = 0, first = 0; e < space.elements(); ++e) {
     const nurbs::BezierElement& element = elements[at(e)];
     const int size = points_of(element.degrees);
-    const MatrixX homogeneous = space.homogeneous()(Eigen::all, element.functions) * element.extraction;
+    const MatrixX homogeneous = space.homogeneous()(Eigen::all, element.functions).lazyProduct(element.extraction);
     const VectorX weights = homogeneous.row(D).transpose();
     const auto divided = weights.cwiseInverse().asDiagonal();
-    displacement.block(0, first, D, size) = weighted(Eigen::all, element.functions) * element.extraction * divided;
+    displacement.block(0, first, D, size) =
+        weighted(Eigen::all, element.functions).lazyProduct(element.extraction) * divided;
     cells.points.block(0, first, D, size) = homogeneous.topRows(D) * divided;
     cells.weights.segment(first, size) = weights;
 

@@ -1,10 +1,9 @@
 #include "model/weak_directions.hpp"
 
 #include "base/orthonormal.hpp"
+#include "solve/least_eigenpair.hpp"
 #include "solve/linear.hpp"
 #include "solve/values.hpp"
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 
@@ -53,9 +52,9 @@ WeakDirection iterate(const solve::Pattern& pattern, const std::vector<double>& 
       if (!solver->solve(x.col(j).data())) return {VectorX::Zero(pattern.size), 0};
     x = orthonormal(x);
   }
-  const MatrixX small = x.transpose() * times(pattern, matrix, x);
-  const Eigen::SelfAdjointEigenSolver<MatrixX> ritz(0.5 * (small + small.transpose()));
-  return {x * ritz.eigenvectors().col(0), ritz.eigenvalues()(0)};
+  const MatrixX small = x.transpose().lazyProduct(times(pattern, matrix, x));
+  const auto [value, vector] = solve::least_eigenpair(0.5 * (small + small.transpose()));
+  return {x.lazyProduct(vector), value};
 }
 
 } // namespace

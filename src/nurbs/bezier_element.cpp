@@ -13,7 +13,7 @@ MatrixX bernstein_elevation(int from, int to) {
       step(k, k) = (p + 1.0 - k) / (p + 1);
       step(k, k + 1) = (k + 1.0) / (p + 1);
     }
-    result = result * step;
+    result = result.lazyProduct(step).eval();
   }
   return result;
 }
@@ -48,7 +48,8 @@ BezierElement bezier_element(const Discretisation& space, int e) {
         continue;
       }
       const KnotVector& knots = row.direction(a++);
-      coefficients[i] = bezier_extraction(knots, index[i]) * bernstein_elevation(knots.degree(), result.degrees[i]);
+      coefficients[i] =
+          bezier_extraction(knots, index[i]).lazyProduct(bernstein_elevation(knots.degree(), result.degrees[i]));
       first[i] = knots.first_function(index[i]);
       stride[i] = size;
       size *= knots.functions();

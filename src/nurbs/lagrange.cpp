@@ -1,6 +1,7 @@
 #include "nurbs/lagrange.hpp"
 
 #include "base/index.hpp"
+#include "base/orthonormal.hpp"
 #include "nurbs/basis.hpp"
 
 namespace signorini::nurbs {
@@ -43,7 +44,7 @@ void to_coefficients(const KnotVector& knots, int start, int stride, MatrixX& va
       collocation.row(k) = row;
     }
     // v_k = Σ_j B_j(ξ_k) c_j on every span
-    local = collocation.partialPivLu().solve(line.middleCols(first, p + 1).transpose()).transpose();
+    local = line.middleCols(first, p + 1).lazyProduct(pseudo_inverse(collocation).transpose());
     for (int k = 0; k <= p; ++k) values.col(start + (first + k) * stride) = local.col(k);
   }
 }

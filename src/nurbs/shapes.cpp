@@ -1,6 +1,7 @@
 #include "nurbs/shapes.hpp"
 
 #include "base/error.hpp"
+#include "base/orthonormal.hpp"
 #include "nurbs/basis.hpp"
 #include "nurbs/refine.hpp"
 
@@ -145,8 +146,9 @@ Patch spherical_indenter(double width, double depth, double height, double radiu
       heights(i, j) = radius - std::sqrt(std::max(0.0, radius * radius - x * x - y * y));
     }
   // heights = N c Nᵀ
-  const Eigen::PartialPivLU<MatrixX> solver(collocation(knots));
-  const MatrixX coefficients = solver.solve(solver.solve(heights).transpose()).transpose();
+  const MatrixX inverse = pseudo_inverse(collocation(knots));
+  const MatrixX by_rows = inverse.lazyProduct(heights);
+  const MatrixX coefficients = by_rows.lazyProduct(inverse.transpose());
 
   // x and y are linear: their control values are the Greville abscissae.
   MatrixX points(3, 2 * n * n);

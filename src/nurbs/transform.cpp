@@ -46,7 +46,8 @@ Patch transform(const Patch& patch, const MatrixX& linear, const VectorX& shift)
   const int dimension = patch.dimension();
   MatrixX homogeneous(linear.rows() + 1, patch.functions());
   const auto weights = patch.homogeneous().row(dimension);
-  homogeneous.topRows(linear.rows()) = linear * patch.homogeneous().topRows(dimension) + shift * weights;
+  homogeneous.topRows(linear.rows()) =
+      linear.lazyProduct(patch.homogeneous().topRows(dimension)) + shift.lazyProduct(weights);
   homogeneous.bottomRows(1) = weights;
   return {patch.directions(), std::move(homogeneous)};
 }
@@ -66,7 +67,7 @@ Patch rotate(const Patch& patch, double angle, const Point& centre, const Point&
     const Eigen::Vector2d turn = direction_of(angle);
     linear = (MatrixX(2, 2) << turn(0), -turn(1), turn(1), turn(0)).finished();
   }
-  return transform(patch, linear, centre - linear * centre);
+  return transform(patch, linear, centre - linear.lazyProduct(centre));
 }
 
 Patch scale(const Patch& patch, const Point& factors, const Point& centre) {
@@ -100,7 +101,7 @@ namespace {
 
 /// The direction whose lines of control points lead farthest along the normal from end to end, all in all.
 int direction_along(const Patch& patch, const Point& normal) {
-  const VectorX heights = patch.points().transpose() * normal;
+  const VectorX heights = patch.points().transpose().lazyProduct(normal);
   constexpr double rounding = 1e-10;
   int best = 0, stride = 1;
   double most = 0;

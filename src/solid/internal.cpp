@@ -26,7 +26,7 @@ void each_deformation(const Body<D>& body, const double* displacement, const Vis
       // F = I + Σ_A u_A ⊗ ∇R_A
       const Eigen::Map<const Eigen::Matrix<double, D, Eigen::Dynamic, Eigen::RowMajor>> gradients(
           body.gradients_of(e) + q * D * n, D, n);
-      visit(e, q, Mat<D>(Mat<D>::Identity() + u * gradients.transpose()), u);
+      visit(e, q, Mat<D>(Mat<D>::Identity() + u.lazyProduct(gradients.transpose())), u);
     }
   }
 }

@@ -51,7 +51,7 @@ template <int D, class Force> VectorX integrate(const Body<D>& body, nurbs::Side
       const MatrixX nodes = points(Eigen::all, basis.functions);
       double weight = rule.weights(q);
       if (body.kind() == Kind::axisymmetric) weight *= 2 * std::numbers::pi * nodes.row(0).dot(basis.values);
-      const Vec<D> density = weight * force(outward<D>(nodes * basis.gradients.transpose(), side));
+      const Vec<D> density = weight * force(outward<D>(nodes.lazyProduct(basis.gradients.transpose()), side));
       for (std::size_t a = 0; a < basis.functions.size(); ++a)
         load.template segment<D>(D * basis.functions[a]) += basis.values(static_cast<int>(a)) * density;
     }

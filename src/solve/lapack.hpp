@@ -15,6 +15,9 @@ void dtrsm_(const char* side, const char* triangle, const char* transposed, cons
             const int* leading_b);
 void dsyrk_(const char* triangle, const char* transposed, const int* size, const int* columns, const double* alpha,
             const double* a, const int* leading, const double* beta, double* c, const int* leading_c);
+/// Eigenvalues, the least one first, and in place of the matrix the eigenvectors of a dense symmetric one.
+void dsyev_(const char* vectors, const char* triangle, const int* size, double* a, const int* leading, double* values,
+            double* work, const int* work_size, int* info);
 /// Row-pivoted LU of a band.
 void dgbtrf_(const int* rows, const int* columns, const int* lower, const int* upper, double* a, const int* leading,
              int* pivots, int* info);

@@ -22,6 +22,13 @@ TEST(Orthonormal, ColumnsSpanTheGivenOnes) {
   EXPECT_LT(residual_of(q, x).norm(), 1e-14 * x.norm());
 }
 
+TEST(Orthonormal, PseudoInverseInvertsAndFits) {
+  const MatrixX square = some(5, 5), tall = some(20, 5), inverse = pseudo_inverse(tall);
+  EXPECT_LT((pseudo_inverse(square) * square - MatrixX::Identity(5, 5)).norm(), 1e-10);
+  EXPECT_LT((inverse * tall - MatrixX::Identity(5, 5)).norm(), 1e-10);
+  EXPECT_LT((tall * inverse - (tall * inverse).transpose()).norm(), 1e-10); // a projection at right angles
+}
+
 TEST(Orthonormal, DependentColumnsStayOrthogonalAndZeroStaysZero) {
   MatrixX x = some(20, 4);
   x.col(2) = 3 * x.col(0) - x.col(1);

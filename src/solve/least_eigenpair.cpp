@@ -1,0 +1,16 @@
+#include "solve/least_eigenpair.hpp"
+
+#include "solve/lapack.hpp"
+
+namespace signorini::solve {
+
+Eigenpair least_eigenpair(MatrixX symmetric) {
+  const int size = static_cast<int>(symmetric.rows()), room = 3 * size;
+  VectorX values(size), work(room);
+  int info = 0;
+  dsyev_("V", "L", &size, symmetric.data(), &size, values.data(), work.data(), &room, &info);
+  if (info != 0) return {0, VectorX::Zero(size)};
+  return {values(0), symmetric.col(0)};
+}
+
+} // namespace signorini::solve
