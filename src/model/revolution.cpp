@@ -68,7 +68,7 @@ std::optional<Eigen::Vector2d> find_centre(const Samples& samples, int d, const 
   }
   constexpr double straight = 1e-6; // tangents that are all alike belong to no circle
   if (normal.determinant() < straight * normal.trace() * normal.trace()) return std::nullopt;
-  const Eigen::Vector2d centre = normal.ldlt().solve(right);
+  const Eigen::Vector2d centre = normal.inverse() * right;
   for (std::size_t i = 0; i < samples.points.size(); ++i)
     if (std::abs(across(samples.tangents[i].col(d)).dot(across(samples.points[i]) - centre)) >
         symmetry_tolerance * axis.length)
