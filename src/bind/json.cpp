@@ -9,7 +9,7 @@ namespace signorini::bind {
 
 namespace {
 
-using Json = nlohmann::ordered_json; // keys stay in the order in which they are put
+using Json = nlohmann::json; // its keys are sorted
 
 constexpr int deepest = 100; // levels of tables: what is deeper is likely to hold itself
 
