@@ -15,7 +15,7 @@ public:
 };
 
 /// A reference to a part of a message, which is anything that can be streamed. Messages are put together behind it in
-/// one place: there are hundreds, and streams in each would take the compiler a tenth of its time.
+/// one place: there are hundreds, and streams in each were a tenth of the program's text.
 class TextPart {
 public:
   template <class T>
