@@ -2,9 +2,9 @@
 
 #include "base/interrupt.hpp"
 #include "base/parallel.hpp"
-#include "base/timer.hpp"
 #include "scratch.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <filesystem>
@@ -75,12 +75,23 @@ TEST(Jobs, RunInProcessesOfTheirOwnSideBySideAndEndInAnyOrder) {
 }
 
 TEST(Jobs, NoMoreThanAllowedRunAtOnce) {
-  const Stopwatch watch;
-  ends_of(3, {.at_once = 1}, [](int) {
-    sleep_for(0.1);
-    return "";
-  });
-  EXPECT_GE(watch.seconds(), 0.3);
+  const test::ScratchFolder folder;
+  const std::string file = folder.file("log");
+  for (int at_once : {1, 2}) {
+    std::ofstream(file) << "";
+    ends_of(6, {.at_once = at_once}, [&](int) {
+      for (const char* line : {"begins\n", "ends\n"}) std::ofstream(file, std::ios::app) << line << std::flush;
+      return "";
+    });
+    int running = 0, most = 0, lines = 0;
+    std::ifstream log(file);
+    for (std::string line; std::getline(log, line); ++lines) {
+      running += line == "begins" ? 1 : -1;
+      most = std::max(most, running);
+    }
+    EXPECT_EQ(lines, 12);
+    EXPECT_LE(most, at_once);
+  }
 }
 
 TEST(Jobs, EmptyTextIsAResult) {
@@ -95,7 +106,7 @@ TEST(Jobs, ReturnMoreThanAPipeHolds) {
 }
 
 TEST(Jobs, TellWhyTheyDidNotReturn) {
-  const Ends ends = ends_of(5, {.at_once = 2, .seconds = 0.5}, [](int i) -> std::string {
+  const Ends ends = ends_of(4, {.at_once = 2}, [](int i) -> std::string {
     switch (i) {
     case 0:
       std::raise(SIGKILL);
@@ -104,9 +115,6 @@ TEST(Jobs, TellWhyTheyDidNotReturn) {
       throw std::runtime_error("no luck");
     case 2:
       _exit(3);
-    case 3:
-      sleep_for(60);
-      break;
     default:
       break;
     }
@@ -115,10 +123,19 @@ TEST(Jobs, TellWhyTheyDidNotReturn) {
   EXPECT_EQ(ends.at(0).failure, "died of signal 9");
   EXPECT_EQ(ends.at(1).failure, "failed: no luck");
   EXPECT_EQ(ends.at(2).failure, "left with status 3 before it returned anything");
-  EXPECT_EQ(ends.at(3).failure, "time");
-  EXPECT_EQ(ends.at(4).failure, "");
-  EXPECT_EQ(ends.at(4).output, "fine");
+  EXPECT_EQ(ends.at(3).failure, "");
+  EXPECT_EQ(ends.at(3).output, "fine");
   EXPECT_EQ(ends.at(1).output, "");
+  expect_no_children();
+}
+
+TEST(Jobs, EndAtTheirLimit) {
+  const Ends ends = ends_of(2, {.at_once = 2, .seconds = 0.01}, [](int) {
+    for (;;) pause();
+    return "";
+  });
+  EXPECT_EQ(ends.at(0).failure, "time");
+  EXPECT_EQ(ends.at(1).failure, "time");
   expect_no_children();
 }
 

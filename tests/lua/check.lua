@@ -140,6 +140,38 @@ function check.program(arguments, input, before)
   return output, status
 end
 
+--- Types to a command on a terminal, which util-linux' `script` provides. `turns` are keys, or { event, keys }: typed
+--- once that text has appeared behind what was there when the last keys were typed, or the function of that name says
+--- true; without an event once a prompt has. No time enters: a slow machine takes longer. `variables` stand in front of
+--- the command. Returns what the terminal has shown, without carriage returns, and the exit status.
+function check.terminal(command, turns, variables)
+  local screen, since = check.folder() .. "/screen", 0
+  core.write_file(screen, "")
+  local function shown() return (core.read_file(screen):gsub("\r", "")) end
+  local function happened(event)
+    if type(event) == "function" then return event() end
+    local new = shown():gsub("\27%[[%d;?]*%a", ""):sub(since + 1)
+    if event then return new:find(event, 1, true) end
+    return new:find "\nsg> $" or new:find "\n%.%.> $"
+  end
+  local pipe = assert(io.popen(("%s script -qfec %s %s >%s.log 2>&1"):format(variables or "TERM=dumb", quoted(command),
+    quoted(screen), quoted(screen)), "w"))
+  for i, turn in ipairs(turns) do
+    local event, keys = nil, turn
+    if type(turn) == "table" then event, keys = turn[1], turn[2] end
+    local looks = 0
+    while not happened(event) do
+      looks = looks + 1
+      if looks == 5000 then error(("turn %d was waited for in vain; the terminal:\n%s"):format(i, shown()), 2) end
+      os.execute "sleep 0.02"
+    end
+    since = #shown():gsub("\27%[[%d;?]*%a", "")
+    pipe:write(keys):flush()
+  end
+  local _, _, status = pipe:close()
+  return shown(), status
+end
+
 --- A script with this text, run by the program.
 function check.script(code, ...)
   local name = os.tmpname()

@@ -296,8 +296,12 @@ check.case("help takes a method by the letter that pages call its object by, and
 end)
 
 check.case("Ctrl-C ends a script with status 130, wherever it is", function()
+  local file = check.folder() .. "/output"
   for _, code in ipairs { "while true do end", "pcall(function() while true do end end) while true do end" } do
-    local output, status = check.shell(("%s -e '%s' & sleep 0.3; kill -INT $!; wait $!"):format(arg[-1], code))
+    local _, status = check.shell(([[%s -e 'print "begun" io.flush() %s' >%s 2>&1 &
+      until grep -q begun %s; do sleep 0.02; done; kill -INT $!; wait $!]]):format(arg[-1], code, file, file))
+    local output = io.open(file):read "a"
+    os.remove(file)
     check.equal(status, 130)
     check.holds(output, "signorini: (command line):1: interrupted")
   end

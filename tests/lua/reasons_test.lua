@@ -110,12 +110,13 @@ check.case("cut, where no shorter steps are allowed", function()
 end)
 
 check.case("interrupted: Ctrl-C ends the run at its last step, and the model can go on", function()
-  local output, status = check.program({}, [[
+  local output, status = check.program({}, ("file = %q\n"):format(check.folder() .. "/run.sgn") .. [[
     b = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = {16, 16}, order = "N2",
       contact = "south", through = 1, material = sg.neo_hookean{ E = 1, nu = 0.3 } }
     m = sg.model{ bodies = { block = b },
       supports = { bed = { on = b:face "south", fix = "xy" }, top = { on = b:face "north", drive = "xy" } } }
-    timer = io.popen "sleep 0.3; kill -INT $PPID" m:run{ { name = "shear", steps = 1000000, top = {0.3, 0} } }
+    timer = io.popen(("until [ -e %s ]; do sleep 0.02; done; kill -INT $PPID"):format(file))
+    m:run({ { name = "shear", steps = 1000000, top = {0.3, 0} } }, { checkpoint = { file = file, every = 2 } })
     first = _
     print(first.reason, first.cause, first.failed, first.steps > 0, first.steps == first.rows, #first.places)
     print(first.report:match "not reached: [^.]*",

@@ -1,40 +1,23 @@
 -- A first session at the prompt, on a terminal that util-linux' `script` provides: a scene of two bodies is typed line
 -- by line, with completion and help, two mistakes and their cure, a solve and a picture.
 
-local core = require "signorini.core"
 local check = require "check"
 
 local folder = check.folder()
 
 --- What the terminal shows when the lines are typed one after the other, each when the program has answered the one
---- before: then its output stands still with a prompt at the end.
+--- before.
 local function session(lines)
-  local words = {}
-  for i, line in ipairs(lines) do words[i] = ("'%s'"):format(line:gsub("'", [['\'']])) end
-  local typist = folder .. "/typist"
-  core.write_file(typist, ([=[
-screen=$1; shift
-answered() { # waits until the last line is a prompt again and nothing more comes
-  for try in $(seq 60); do
-    before=$(stat -c %%s "$screen" 2>/dev/null || echo 0); sleep 0.1
-    [ "$before" = "$(stat -c %%s "$screen" 2>/dev/null)" ] && tail -n 1 "$screen" | grep -q "^\(sg\|[.][.]\)> $" &&
-      return
-  done
-}
-answered
-for line in %s; do printf '%%b\n' "$line"; answered; done
-printf '\004'
-]=]):format(table.concat(words, " ")))
-  local output, status = check.shell(("cd %s && : >screen && bash typist screen | XDG_STATE_HOME=%s TERM=dumb "
-    .. "NO_COLOR=1 script -qfec 'stty cols 300; exec %s' screen >/dev/null; status=$?; cat screen; exit $status")
-    :format(folder, folder, arg[-1]))
-  return output:gsub("\r", ""), status
+  for i, line in ipairs(lines) do lines[i] = line .. "\n" end
+  lines[#lines + 1] = "\4"
+  return check.terminal(("stty cols 300; cd %s && exec %s"):format(folder, arg[-1]), lines,
+    ("XDG_STATE_HOME=%s TERM=dumb NO_COLOR=1"):format(folder))
 end
 
 check.case("a scene of two bodies, typed", function()
   local output, status = session {
     "?half_annulus",
-    "die = sg.body{ patch = sg.shapes.half_an\\t{ inner = 0.3, outer = 0.5, centre = {0.75, 1.5} }, elements = {6, 2},",
+    "die = sg.body{ patch = sg.shapes.half_an\t{ inner = 0.3, outer = 0.5, centre = {0.75, 1.5} }, elements = {6, 2},",
     [[order = "N2-N2.2", contact = "south", material = sg.neo_hookean{ E = 1000, nu = 0.3 } }]],
     [[slab = sg.body{ patch = sg.shapes.rectangle{ width = 3, hieght = 1 }, elements = {8, 3} }]], -- a misspelt key
     [[slab = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = {8, 3}, order = "N2-N2.2",]],
@@ -44,7 +27,7 @@ check.case("a scene of two bodies, typed", function()
     [[grip = { on = {die:face "west", die:face "east"}, drive = "xy" } },]],
     [[contacts = { interface = { slave = die:face "south", master = slab:face "north", penalty = 100 } } }]],
     [[run = modle:run{ { name = "press", steps = 20, grip = {0, -0.1} } }]], -- a misspelt variable
-    [[run = model:ru\t{ { name = "press", steps = 20, grip = {0, -0.1} } }]],
+    'run = model:ru\t{ { name = "press", steps = 20, grip = {0, -0.1} } }',
     "run",
     "run.failed, #run:column 'grip.fy'",
     [[sg.picture{ model = model, field = "uy", file = "die.png" }]],

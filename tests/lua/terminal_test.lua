@@ -5,22 +5,16 @@ local check = require "check"
 local state = os.tmpname()
 os.remove(state)
 
---- What the terminal shows when these keys are typed to a command, with a pause after each; and the exit status.
-local function typed_to(command, keys_in_turn)
-  local typing = {}
-  for _, keys in ipairs(keys_in_turn) do
-    local octal = keys:gsub(".", function(c) return ("\\%03o"):format(c:byte()) end)
-    typing[#typing + 1] = ("printf '%s'; sleep 0.5"):format(octal)
-  end
-  local output, status = check.shell(("(sleep 1; %s) | XDG_STATE_HOME=%s TERM=dumb script -qec 'exec %s' /dev/null")
-    :format(table.concat(typing, "; "), state, command))
-  return output:gsub("\r", ""), status
+--- What the terminal shows, and the exit status; see check.terminal.
+local function typed_to(command, turns, variables)
+  return check.terminal(command, turns, ("XDG_STATE_HOME=%s %s"):format(state, variables or "TERM=dumb"))
 end
 
-local function session(...) return typed_to(arg[-1], { ... }) end
+local function session(...) return typed_to("exec " .. arg[-1], { ... }) end
 
 check.case("a session: expressions, several lines, Ctrl-C in a loop and at the prompt, Ctrl-D", function()
-  local output, status = session("1 + 1\n", "while true do end\n", "\3", "abc def", "\3", "40 + 2\n",
+  local output, status = session("1 + 1\n", "print 'looping' while true do end\n", { "\nlooping\n", "\3" },
+    "abc def", { "abc def", "\3" }, "40 + 2\n",
     "for i = 7, 8 do\n", "print(i) end\n", "for\n", "\3", "'still here'\n", "\4")
   check.equal(status, 0)
   check.holds(output, "help() helps", "sg> 1 + 1\n2\n", "^Cinterrupted\n", "abc def^C\n", "sg> 40 + 2\n42\n",
@@ -52,7 +46,9 @@ check.case("Ctrl-D forgets an unfinished statement, a tab at the beginning of a 
 end)
 
 check.case("after Ctrl-Z and fg the line can be edited as before", function()
-  local output = typed_to("bash --norc -i", { arg[-1] .. "\n", "abc", "\26", "fg\n", "\21", "2 + 2\n", "\4", "exit\n" })
+  local output = typed_to("PS1='ready> ' exec bash --norc -i", {
+    { "ready> ", arg[-1] .. "\n" }, "abc", { "abc", "\26" }, { "Stopped", "fg\n" }, { "sg> abc", "\21" .. "2 + 2\n" },
+    "\4", { "ready> ", "exit\n" } })
   check.holds(output, "Stopped", "\n4\n")
 end)
 
@@ -66,17 +62,22 @@ check.case("the line is laid out for the terminal's width of now", function()
 end)
 
 check.case("Ctrl-C leaves the run that it has stopped", function()
+  local file = check.folder() .. "/run.sgn" -- there once eleven steps are
   local output = session('b = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = {1, 1}, '
     .. 'order = "N1", material = sg.neo_hookean{ E = 1, nu = 0.3 } }\n',
     'm = sg.model{ bodies = { b = b }, supports = { s = { on = b:face "south", '
-    .. 'drive = "xy" } } }\n', "m:run{ { steps = 100000000, s = {0, 0} } }\n", "\3", "_.reason, _.steps > 10\n", "\4")
+    .. 'drive = "xy" } } }\n',
+    ("m:run({ { steps = 100000000, s = {0, 0} } }, { checkpoint = { file = %q, every = 11 } })\n"):format(file),
+    { function() return io.open(file) end, "\3" }, "_.reason, _.steps > 10\n", "\4")
   check.holds(output, "interrupted; _ is the run so far\n", '"interrupted"\ntrue\n')
 end)
 
 check.case("Ctrl-C twice before the first was seen leaves the prompt and its variables", function()
   -- Both come while one call of C waits, which looks at nothing.
+  local file = check.folder() .. "/both"
   local output, status = session("kept = 4711\n",
-    "io.popen('kill -INT $PPID; sleep 0.1; kill -INT $PPID; sleep 0.1'):read 'a'\n", "kept + 1\n", "\4")
+    ("io.popen('kill -INT $PPID; sleep 0.1; kill -INT $PPID; touch %s'):read 'a'\n"):format(file),
+    { function() return io.open(file) end, "kept + 1\n" }, { "\n4712\nsg> ", "\4" })
   check.equal(status, 0)
   check.holds(output, "\n4712\n")
 end)
@@ -87,24 +88,21 @@ check.case("Tab behind help and a quotation mark lists its words", function()
 end)
 
 check.case("what is pasted runs as one, shows its last expression, and keeps its local variables", function()
-  local output = check.shell(([[(sleep 1; ]]
-    .. [[printf '\033[200~local a = 20\nfor i = 1, 2 do\n\ta = a + i\nend\na - 1\033[201~\n'; ]]
-    .. [[sleep 0.5; printf '\004') | NO_COLOR=1 TERM=xterm XDG_STATE_HOME=%s script -qec 'exec %s' /dev/null]])
-    :format(state, arg[-1]))
-  check.holds(output, "22\r\n")
+  local output = typed_to("exec " .. arg[-1], {
+    "\27[200~local a = 20\nfor i = 1, 2 do\n\ta = a + i\nend\na - 1\27[201~\n", "\4" }, "NO_COLOR=1 TERM=xterm")
+  check.holds(output, "22\n")
 end)
 
 check.case("?name is help, and errors are red where the terminal has colours and NO_COLOR does not say no", function()
   local function typed(environment)
-    return (check.shell(("(sleep 1; printf '?sg.median\\nerror(0)\\n'; sleep 0.5; printf '\\004') | env %s "
-      .. "XDG_STATE_HOME=%s script -qec 'exec %s' /dev/null"):format(environment, state, arg[-1])))
+    return (typed_to("exec " .. arg[-1], { "?sg.median\n", "error(0)\n", "\4" }, "env " .. environment))
   end
   local output = check.shell(("env -u NO_COLOR TERM=xterm script -qec \"%s -e 'error(0)'\" /dev/null"):format(arg[-1]))
   check.holds(output, "\27[31msignorini:\27[0m 0")
   check.holds(typed "-u NO_COLOR TERM=xterm", "The median of a list", "\27[31m0\27[0m", "\27[32msg> \27[0m")
   for _, environment in ipairs { "NO_COLOR=1 TERM=xterm", "-u NO_COLOR TERM=dumb" } do
     local output = typed(environment)
-    check.holds(output, "The median of a list", "0\r\n")
+    check.holds(output, "The median of a list", "0\n")
     check.equal(output:find "\27%[3[12]m", nil)
   end
 end)
