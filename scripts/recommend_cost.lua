@@ -1,0 +1,64 @@
+-- What sg.recommend costs beside a uniform run one mesh finer than all that it has tried.
+--
+-- Problem: a hollow cylinder pressed onto a rigid plane (scripts/hertz2d.lua) by a load in 5 steps: the least label and
+--          mesh whose peak pressure is within a tolerance. The alternative to a search is one run that is fine enough
+--          for certain: the plainest label on the mesh behind the finest that the search has needed.
+-- Source: H. Hertz, J. reine angew. Math. 92, 1882, for the problem.
+-- Units: seconds by the clock.
+-- Expected: the search takes about 0.75 times as long as that run, for all three tolerances.
+-- Run: signorini scripts/recommend_cost.lua [at_most=0.05,0.02,0.005] [repeats=5] [out=out/recommend_cost]; times are
+--      medians of repeats, search and run in turns.
+
+package.path = require "signorini.core".home .. "/scripts/?.lua;" .. package.path
+local sg = require "signorini"
+local core = require "signorini.core"
+local hertz = require "hertz2d.problem"
+
+local options = sg.arguments{
+  at_most = { { 0.05, 0.02, 0.005 }, above = 0 }, repeats = 5, out = "out/recommend_cost",
+}
+local meshes = { "m1", "m2", "m3", "m4", "m5", "m6", "m7" }
+
+local function scene(label, mesh)
+  local model, stage = hertz.scene{ label = label, mesh = mesh, load = "force" }
+  stage.steps = 5
+  return model, { stage }
+end
+
+--- Wall time of a function, and what it returns.
+local function timed(body)
+  local began = core.now()
+  local result = body()
+  return core.now() - began, result
+end
+
+local costs, rows, figures = {}, {}, {}
+for i, at_most in ipairs(options.at_most) do
+  local searches, runs, found, finest = {}, {}, nil, 0
+  for k = 1, options.repeats do
+    searches[k], found = timed(function()
+      return sg.recommend{ scene = scene, error = "ground.max_pressure", at_most = at_most, meshes = meshes }
+    end)
+    for _, case in ipairs(found.tries) do finest = math.max(finest, case.level) end
+    if not meshes[finest + 1] then error(("at_most = %g needs the finest mesh: none is left"):format(at_most), 0) end
+    runs[k] = timed(function()
+      local model, stages = scene("N2", meshes[finest + 1])
+      return model:run(stages)
+    end)
+  end
+  local search, run = sg.median(searches), sg.median(runs)
+  costs[i] = { at_most = at_most, tries = #found.tries, search = search, uniform = run, ratio = search / run }
+  figures[i] = { at_most, search, run, search / run }
+  rows[i] = { 100 * at_most, ("%s, %s"):format(found.label, found.mesh), #found.tries, search,
+              "N2, " .. meshes[finest + 1], run, search / run }
+end
+print(sg.table{
+  columns = { "at most", "enough", "runs", "search", "uniform run", "wall", "search / run" },
+  units = { "%", "", "", "s", "", "s", "" }, rows = rows,
+  formats = { search = "%.3f", wall = "%.3f", ["search / run"] = "%.2f" },
+})
+sg.mkdir(options.out)
+sg.csv.write(options.out .. "/recommend_cost.csv", { columns = { "at_most", "search", "uniform", "ratio" },
+                                                     rows = figures })
+
+return costs
