@@ -42,18 +42,19 @@ end
 check.case("other controls are tried in order, each with what it changes alone", function()
   local tried = {}
   local model = spring_model(function(options)
-    tried[#tried + 1] = ("%s %s %g %s"):format(options.predictor, options.line_search, options.freeze_active_set,
-      options.damping)
+    tried[#tried + 1] = ("%s %s %g %s%s"):format(options.predictor, options.line_search, options.freeze_active_set,
+      options.damping, options.pseudo_transient and " pseudo-transient" or "")
     return false
   end, true)
   local run = model:run(one_step, sg.plain{ rescue = true, predictor = "linear" })
   check.equal(tried, { "linear none 0 false", "tangent none 0 false", "tangent none 0 true", "tangent residual 0 false",
-                       "tangent none 0.01 false" })
+                       "tangent none 0 false pseudo-transient", "tangent none 0.01 false" })
   check.equal(story(run, 1),
-    "plain cycling, tangent cycling, damping cycling, line search cycling, frozen cycling")
-  check.equal({ run.failed, run.reason, run.rescues, run.iterations }, { true, "cycling", 0, 5 * 25 })
+    "plain cycling, tangent cycling, damping cycling, line search cycling, pseudo-transient cycling, frozen cycling")
+  check.equal({ run.failed, run.reason, run.rescues, run.iterations }, { true, "cycling", 0, 6 * 25 })
   check.holds(run.report, "Tried from there, in parts of a step: 1 (cycling), 1 with tangent (cycling), "
-    .. "1 with damping (cycling), 1 with line search (cycling), 1 with frozen (cycling).")
+    .. "1 with damping (cycling), 1 with line search (cycling), 1 with pseudo-transient (cycling), 1 with frozen "
+    .. "(cycling).")
 end)
 
 check.case("attempts after one whose predictor has failed do without it for a while", function()
@@ -73,10 +74,12 @@ end)
 
 check.case("what changes nothing is not tried, damping only where contact alone holds a body", function()
   local run = spring_model(function() return false end):run(one_step, sg.plain{ rescue = true })
-  check.equal(story(run, 1), "plain cycling, line search cycling, frozen cycling")
+  check.equal(story(run, 1), "plain cycling, line search cycling, pseudo-transient cycling, frozen cycling")
   run = spring_model(function() return false end):run(one_step,
     sg.plain{ rescue = true, newton = { line_search = "residual", freeze_active_set = true } })
-  check.equal(story(run, 1), "plain cycling")
+  check.equal(story(run, 1), "plain cycling, pseudo-transient cycling")
+  run = spring_model(function() return false end):run(one_step, sg.plain{ rescue = true, pseudo_transient = true })
+  check.equal(story(run, 1), "plain cycling, line search cycling, frozen cycling")
   run = spring_model(function() return false end):run(one_step, sg.plain{})
   check.equal(story(run, 1), "plain cycling")
 end)
@@ -85,7 +88,7 @@ check.case("a body that nothing can catch is not damped", function()
   local model = spring_model(function() return false end, true)
   function model:contact_names() return {} end
   local run = model:run(one_step, sg.plain{ rescue = true })
-  check.equal(story(run, 1), "plain cycling, line search cycling, frozen cycling")
+  check.equal(story(run, 1), "plain cycling, line search cycling, pseudo-transient cycling, frozen cycling")
 end)
 
 check.case("the first that helps ends the search, is counted, and the next step begins as before", function()
@@ -99,15 +102,15 @@ check.case("the first that helps ends the search, is counted, and the next step 
   check.equal(run:column "iterations", { 3, 25 + 25 + 3, 3 })
 end)
 
-check.case("line search and frozen active sets wait until nothing can be cut, then try the whole rest, too", function()
+check.case("all but the first guess wait until nothing can be cut, then try the whole rest, too", function()
   local model
   model = spring_model(function(options) return options.freeze_active_set > 0 and model.next[1] <= 0.5 end)
   local run = model:run(one_step, sg.plain{ rescue = true, step = { adaptive = true, min = 0.5 } })
-  local in_vain = "plain cycling, line search cycling, frozen cycling"
-  check.equal(story(run, 1), "plain cycling, plain cycling, line search cycling, frozen converged, " .. in_vain .. ", "
+  local in_vain = "plain cycling, line search cycling, pseudo-transient cycling, frozen cycling"
+  check.equal(story(run, 1), "plain cycling, plain cycling, line search cycling, pseudo-transient cycling, frozen converged, " .. in_vain .. ", "
     .. in_vain)
   local attempts = run:attempts(1)
-  check.near({ attempts[1].to, attempts[2].to, attempts[5].from, attempts[5].to, attempts[8].to },
+  check.near({ attempts[1].to, attempts[2].to, attempts[6].from, attempts[6].to, attempts[10].to },
     { 1, 0.5, 0.5, 1, 1 })
   check.equal({ run.rescues, run.cutbacks, run.reason, run.cause }, { 1, 1, "minimum_step", "cycling" })
 end)

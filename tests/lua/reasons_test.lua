@@ -221,7 +221,7 @@ check.case("nan: forces whose squares are no numbers", function()
 end)
 
 check.case("line_search: no part of the move helps where a point comes and goes", function()
-  local run = bar_on_ramp():run({ { name = "lower", steps = 2, top = -0.2 } },
+  local run = bar_on_ramp():run({ { name = "lower", steps = 2, top = -0.15 } },
     sg.plain{ newton = { line_search = "residual" } })
   local place = expect(run, "line_search", 1, "line search: no part of the move down to 1/128",
     "What may help: take smaller steps", "take no line search")

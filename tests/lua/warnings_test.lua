@@ -210,7 +210,7 @@ check.case("advice does not name what is on already", function()
   check.fails(function() model:diagnose{ "steps" } end, "on", "'steps'")
   model:rollback()
 
-  local run = pressed():run({ { steps = 1, push = -0.05 } }, sg.robust{ newton = { iterations = 1 } })
+  local run = pressed():run({ { steps = 1, push = -0.05 } }, sg.robust{ rescue = false, newton = { iterations = 1 } })
   check.equal({ run.failed, run.report:find("adaptive = true", 1, true) }, { true, nil })
   check.holds(run.report, "allow more iterations", "allow smaller steps (step = { min = … })")
 end)
