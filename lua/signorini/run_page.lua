@@ -2,7 +2,8 @@
 
 return [[
 model:run(stages, { step, newton, linear, predictor = "linear", rescue = true, arc_length = false, damping = false,
-                    pseudo_transient = false, augmented, penalty, checkpoint, resume = false, states, on_step, on_iteration, threads })
+                    pseudo_transient = false, augmented, penalty, checkpoint, resume = false, states, on_step,
+                    on_iteration, threads })
 Takes a model along its load path and returns a run.
 stages = { { name = , steps = , <support or load> = {…} }, … }: each moves driven supports and loads in equal steps to
 the values at its end, a list over the components that are driven (of one alone a number will do); those that are not

@@ -160,6 +160,7 @@ private:
     double slope = 0;               ///< f·Δu in that state
     solve::PseudoTime pseudo_time = {};
     VectorX viscosity = {}; ///< D of pseudo-transient continuation, by unknown
+    VectorX origin = {};    ///< where that began
   };
 
   solve::Outcome assemble(const VectorX* direction, bool tangent, std::string& why);

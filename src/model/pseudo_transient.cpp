@@ -5,9 +5,15 @@
 
 namespace signorini::model {
 
-/// One move in pseudo-time. D is the diagonal of the tangent at the first of them, |K_ii|.
+/// One move in pseudo-time. D is the diagonal of the tangent at the first of them, |K_ii|. Returns false where bodies
+/// move on and on, since nothing holds them.
 template <int D> bool Model<D>::advance_in_pseudo_time(const StepOptions& options, double& energy) {
-  if (step_->viscosity.size() == 0) step_->viscosity = assembly_.diagonal().cwiseAbs();
+  if (step_->viscosity.size() == 0) {
+    step_->viscosity = assembly_.diagonal().cwiseAbs();
+    step_->origin = displacement_;
+  }
+  const auto way = [this] { return (displacement_ - step_->origin).template lpNorm<Eigen::Infinity>(); };
+  if (way() > 0.5 * extent_) return false;
   const VectorX before = displacement_, residual = unbalanced_;
   // Damped strongly enough any move is accepted; what is left are tangents that cannot be factored.
   constexpr int most_trials = 30;
@@ -25,7 +31,7 @@ template <int D> bool Model<D>::advance_in_pseudo_time(const StepOptions& option
       energy = std::abs(residual.dot(move));
       displacement_ = before + unknowns_.spread(move);
       // e = |r(u + Δu) + α D Δu| / |r(u)|
-      if (assemble(nullptr, false, why) == solve::Outcome::converged)
+      if (way() <= extent_ && assemble(nullptr, false, why) == solve::Outcome::converged)
         error = (unbalanced_ + damping.cwiseProduct(move)).norm() / residual.norm();
     }
     if (step_->pseudo_time.accept(error)) {
