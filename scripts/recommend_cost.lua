@@ -1,4 +1,4 @@
--- What sg.recommend costs beside a uniform run one mesh finer than all that it has tried.
+-- What sg.recommend costs compared with a uniform run one mesh finer than all that it has tried.
 --
 -- Problem: a hollow cylinder pressed onto a rigid plane (scripts/hertz2d.lua) by a load in 5 steps: the least label and
 --          mesh whose peak pressure is within a tolerance. The alternative to a search is one run that is fine enough

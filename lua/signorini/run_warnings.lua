@@ -1,8 +1,7 @@
 -- What a run may be wrong in although it completed: what sg.model said of the scene, loads that are not ramped,
 -- tolerances that leave no accuracy, contacts of which no point was ever active (the wrong face, or a body that misses
 -- the other), contacts that are penetrated too deeply, points that have gone through the master in one step, points
--- whose projection was given up,
--- and what path_controls.lua, jumps.lua and energy_balance.lua find.
+-- whose projection was given up, and what path_controls.lua, jumps.lua and energy_balance.lua find.
 
 local counted = require "signorini.counted"
 local energy_balance = require "signorini.energy_balance"
