@@ -61,7 +61,7 @@ check.case("masters without sharp edges: every scene completes", function()
   check.equal({ count, found }, { 121, {} })
 end)
 
-check.case("masters with sharp edges: at most one scene of 29 ends early, where 11 did when traction ended with the face",
+check.case("masters with sharp edges: at most one of 29 ends early; 11 did when traction ended with the face",
   function()
     local count, found = early("plane", 1, 150, sharp)
     check.equal({ count, #found <= 1 or table.concat(found, ", ") }, { 29, true })
