@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/index.hpp"
 #include "base/whole_file.hpp"
+#include "view/body_colours.hpp"
 #include "view/clip.hpp"
 #include "view/colormap.hpp"
 #include "view/extent_text.hpp"
@@ -19,8 +20,7 @@
 namespace signorini::view {
 namespace {
 
-constexpr Rgb plain = {203, 209, 214}, mesh_colour = {45, 45, 45}, net_colour = {200, 60, 20},
-              point_colour = {200, 60, 20}, undeformed_colour = {120, 120, 120};
+constexpr Rgb undeformed_colour = {120, 120, 120};
 
 void check(const Body& body, const std::string& name) {
   require(body.points.allFinite() && body.control_points.allFinite(), name,
@@ -116,7 +116,7 @@ Field field_of(const Body& body, const Frame& frame, const std::array<double, 2>
   field.values.assign(body.values.data(), body.values.data() + body.values.size());
   if (body.values.size() == 0) {
     field.values.assign(field.points.size(), range[0]);
-    field.colours = {plain, plain};
+    field.colours = {plain_colour, plain_colour};
   }
   return field;
 }
@@ -152,7 +152,7 @@ void draw_control_points(Drawing& drawing, const Body& body, const Frame& frame,
       dot.push_back({p[0] + 4.8 * c, p[1] + 4.8 * s});
     }
     drawing.marks.push_back(Fill{rim, white});
-    drawing.marks.push_back(Fill{dot, point_colour});
+    drawing.marks.push_back(Fill{dot, net_colour});
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/whole_file.hpp"
+#include "view/body_colours.hpp"
 #include "view/colormap.hpp"
 #include "view/output.hpp"
 #include "view/renderer.hpp"
@@ -17,8 +18,7 @@
 namespace signorini::view {
 namespace {
 
-constexpr Rgb plain_colour = {203, 209, 214}, line_colour = {45, 45, 45}, net_colour = {200, 60, 20},
-              ghost_colour = {150, 158, 166}, ghost_rim_colour = {140, 140, 140}, rigid_colour = {140, 146, 154},
+constexpr Rgb ghost_colour = {150, 158, 166}, ghost_rim_colour = {140, 140, 140}, rigid_colour = {140, 146, 154},
               rigid_rim_colour = {120, 120, 120};
 constexpr std::uint8_t ghost_opacity = 55, rigid_opacity = 62;
 
@@ -56,8 +56,8 @@ void add_lines(Scene& scene, const std::vector<SurfaceLine>& lines, const Pen& p
 
 void add_body(Scene& scene, const Solid& body, const Style& style) {
   const double u = style.unit;
-  if (body.mesh) add_lines(scene, body.mesh_lines, {line_colour, std::max(1.6 * u, 0.8), 1.2, !body.open});
-  add_lines(scene, body.rim, {line_colour, 2.4 * u, 1.5, !body.open});
+  if (body.mesh) add_lines(scene, body.mesh_lines, {mesh_colour, std::max(1.6 * u, 0.8), 1.2, !body.open});
+  add_lines(scene, body.rim, {mesh_colour, 2.4 * u, 1.5, !body.open});
   const Pen ghost = {ghost_rim_colour, 1.8 * u, -2, false};
   add_lines(scene, body.undeformed_rim, ghost);
   if (body.undeformed.points.cols() > 0)
