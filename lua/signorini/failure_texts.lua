@@ -19,7 +19,8 @@ function failure_texts.tried(attempts, done)
     end
   end
   if #texts < 2 then return "" end
-  return (" Tried from there, in parts of a step: %s."):format(table.concat(texts, ", "))
+  local again = done > 0 and attempts[#attempts].from == 0 and " The whole step was tried from its start as well." or ""
+  return (" Tried from there, in parts of a step: %s.%s"):format(table.concat(texts, ", "), again)
 end
 
 --- Where in the model, in words: "contact point (contact 'interface', element 3) at X = (1, 2): changes its state".

@@ -121,6 +121,7 @@ end
 --- nothing is tried that may lead off it.
 function Step:attempt(to, shorter)
   local run, tries, last = self.run, self.options.tries, not shorter and not self.options.arcs
+  if self.done == 0 and to < 1 then self.start = self.start or self.model:snapshot() end
   local plain = run.wary > 0 and tries.tangent
   local first = self:try(plain and plain.solver or self.solver, to)
   run.wary = math.max(0, run.wary - 1)
@@ -133,6 +134,19 @@ function Step:attempt(to, shorter)
   if first ~= result and not plain then run.wary = wariness end
   if not result.converged and not steps.is_wanted(result) then return first end
   if result.converged then self.done = to end
+  return result
+end
+
+--- The whole step at once from the state before it, whatever part is accepted; where that fails the part stays.
+function Step:attempt_from_start()
+  local kept, done, length = self.model:snapshot(), self.done, self.run.step.length
+  self.model:restore(self.start)
+  self.done, self.run.step.length = 0, length and 0
+  local result = self:attempt(1)
+  if not result.converged then
+    self.model:restore(kept)
+    self.done, self.run.step.length = done, length
+  end
   return result
 end
 

@@ -4,6 +4,7 @@
 --   step.solver        what model:solve_step takes
 --   step:attempt(to, shorter)  solves for the targets at the part `to` of the step; accepts, or rolls back; returns the
 --                      result. `shorter`: where it fails a shorter one will follow
+--   step:attempt_from_start()  solves for the whole step from the state before it; where that fails it is as it was
 --   step:moves()       says whether anything that is prescribed changes in the step
 --   step:has_rescues() says whether something is tried where an attempt has failed
 --   step:cut_back()    says that a failed attempt is tried again, shorter
@@ -52,10 +53,13 @@ function steps.is_wanted(result) return result.reason == "cut" or steps.is_asked
 local function is_easy(result, solver) return 2 * result.iterations <= solver.iterations end
 
 --- The last resort where the shortest step fails: all that is left of the step at once, with all that may carry it
---- through.
+--- through; then all of it from its start, since its accepted increments may have led to where nothing goes on.
 local function leap(step, failed)
   if not step:has_rescues() then return failed end
   local result = step:attempt(1)
+  if step.done > 0 and not result.converged and not steps.is_asked_for(result) then
+    result = step:attempt_from_start()
+  end
   return (result.converged or steps.is_asked_for(result)) and result or failed
 end
 

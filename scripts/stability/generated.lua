@@ -17,7 +17,7 @@
 -- Source: chosen here.
 -- Units: those of E; forces per depth in plane strain.
 -- Expected: every scene whose master has no sharp edges completes but one in some hundreds; of those in which the block
---           is the master about 6 % end early (35 % if the traction ended with the master's face).
+--           is the master about 1 % end early (35 % if the traction ended with the master's face).
 -- Run: signorini scripts/stability/generated.lua [kind=plane] [first=1] [count=2209] [mirror=no] [jobs=2] [limit=600]
 --      [out=out/stability/generated]; kind: plane or space; first, count: the seeds; limit: seconds for a scene. A
 --      second call takes up what the folder holds.

@@ -109,10 +109,12 @@ check.case("arcs stay on the path through deep snap-backs, one per element, what
 end)
 
 check.case("where a step fails by an inverted element, the report names the turning point as well", function()
-  local run = strip.model():run({ { name = "peel", steps = 472, edge = 118 } },
-    sg.plain{ newton = { iterations = 200 } })
-  check.equal({ run.reason, run.steps }, { "turning_point", 471 })
-  check.holds(run.report, "is inverted", "turning point at edge.angle = 117.8")
+  -- Turning the edge by 46° at once folds the elements next to it before the first iteration.
+  local run = strip.model():run({ { name = "peel", steps = 144, edge = 72 }, { name = "far", steps = 1, edge = 118 } },
+    sg.plain{ predictor = "constant" })
+  check.equal({ run.reason, run.steps }, { "turning_point", 144 })
+  check.holds(run.report, "is inverted")
+  check.near(tonumber(run.report:match "turning point at edge%.angle = ([%d.]+)"), 72.33, 0.1)
 end)
 
 -- ── Snap-through: a shallow arch with clamped ends under a dead load ─────────────────────────────────────────────────

@@ -68,6 +68,28 @@ check.case("so is the rest of a step that was taken at once, as the last resort"
   check.holds(run.warnings[1], "the rest of the step at once", "in step 2")
 end)
 
+check.case("where its accepted part leads nowhere, a step is taken from its start again", function()
+  local function stuck_at_half(tries)
+    local tried = 0
+    return pull(3, function(_, length, from)
+      if from == 1 and length == 1 then
+        tried = tried + 1
+        return tried > tries
+      end
+      return from < 1 or from >= 2 or from == 1 and length == 0.5
+    end)
+  end
+  local run = stuck_at_half(2)
+  check.equal({ run.failed, run.steps }, { false, 3 })
+  check.holds(run.warnings[1], "the whole step, from its start again in step 2")
+  local last = run:attempts(2)[#run:attempts(2)]
+  check.equal({ last.from, last.to, last.converged }, { 0, 1, true })
+  -- Where that fails as well, the accepted part stays.
+  run = stuck_at_half(1e9)
+  check.equal({ run.failed, run.steps }, { true, 1 })
+  check.holds(run.report, "0.5 of the way from step 1 to step 2", "The whole step was tried from its start as well.")
+end)
+
 check.case("a long list of them is cut short", function()
   local run = pull(6, function(options) return options.line_search == "residual" end, { step = { min = 1 } })
   check.holds(run.warnings[1], "line search in step 1", "line search in step 4", "and 2 more, see run:attempts(step)")
