@@ -139,13 +139,14 @@ end
 
 --- The whole step at once from the state before it, whatever part is accepted; where that fails the part stays.
 function Step:attempt_from_start()
-  local kept, done, length = self.model:snapshot(), self.done, self.run.step.length
+  local kept, done, account = self.model:snapshot(), self.done, self.run.step
+  local increments, length = account.increments, account.length
   self.model:restore(self.start)
-  self.done, self.run.step.length = 0, length and 0
+  self.done, account.increments, account.length = 0, 0, length and 0
   local result = self:attempt(1)
   if not result.converged then
     self.model:restore(kept)
-    self.done, self.run.step.length = done, length
+    self.done, account.increments, account.length = done, increments, length
   end
   return result
 end
