@@ -19,7 +19,7 @@ function failure_texts.tried(attempts, done)
     end
   end
   if #texts < 2 then return "" end
-  local again = done > 0 and attempts[#attempts].from == 0 and " The whole step was tried from its start as well." or ""
+  local again = attempts[#attempts].again and " The whole step was tried from its start as well." or ""
   return (" Tried from there, in parts of a step: %s.%s"):format(table.concat(texts, ", "), again)
 end
 

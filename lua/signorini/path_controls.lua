@@ -31,21 +31,12 @@ local function is_leap(attempts, index)
   return false
 end
 
---- Whether it is the whole step although a part had been accepted before: then it was taken from its start again.
-local function is_restart(attempts, index)
-  local attempt = attempts[index]
-  for i = 1, index - 1 do
-    if attempts[i].converged and attempts[i].to < 1 and attempt.from == 0 and attempt.to == 1 then return true end
-  end
-  return false
-end
-
 --- How an attempt that converged may have left the branch, in words; nothing where it cannot be blamed.
 local function departure(attempts, index)
   local attempt = attempts[index]
   if not attempt.converged then return nil end
   local with = attempt.rescue and " with " .. attempt.rescue or ""
-  if is_restart(attempts, index) then return "the whole step, from its start again" .. with end
+  if attempt.again then return "the whole step, from its start again" .. with end
   if is_leap(attempts, index) then return "the rest of the step at once" .. with end
   return attempt.rescue and not controls.keeps_branch(attempt.rescue) and attempt.rescue or nil
 end

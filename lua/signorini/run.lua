@@ -111,7 +111,7 @@ function Step:try(solver, to, rescue)
     if not steps.is_wanted(result) then result.diagnosis = self.model:diagnose(self.options.on) end
     self.model:rollback()
   end
-  self.run:record_attempt(self.done, to, result, core.now() - began, rescue)
+  self.run:record_attempt(self.done, to, result, core.now() - began, rescue, nil, self.again)
   return result
 end
 
@@ -142,8 +142,9 @@ function Step:attempt_from_start()
   local kept, done, account = self.model:snapshot(), self.done, self.run.step
   local increments, length = account.increments, account.length
   self.model:restore(self.start)
-  self.done, account.increments, account.length = 0, 0, length and 0
+  self.done, self.again, account.increments, account.length = 0, true, 0, length and 0
   local result = self:attempt(1)
+  self.again = nil
   if not result.converged then
     self.model:restore(kept)
     self.done, account.increments, account.length = done, increments, length

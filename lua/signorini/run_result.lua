@@ -111,8 +111,9 @@ function Run:begin_step()
 end
 
 --- Notes an attempt to get from one part of the step to another; `seconds` is what it took, `rescue` the control that
---- it tried where others had failed; `arc`: it followed the path.
-function Run:record_attempt(from, to, result, seconds, rescue, arc)
+--- it tried where others had failed; `arc`: it followed the path; `again`: it began at the step's start although a part
+--- of the step was accepted.
+function Run:record_attempt(from, to, result, seconds, rescue, arc, again)
   for _, account in ipairs { self, self.stages[#self.stages], self.step } do
     account.iterations, account.wall = account.iterations + result.iterations, account.wall + seconds
   end
@@ -120,7 +121,7 @@ function Run:record_attempt(from, to, result, seconds, rescue, arc)
   local attempts = self.histories[#self.histories]
   attempts[#attempts + 1] = { from = from, to = to, converged = result.converged, reason = result.reason,
                               iterations = result.iterations, residuals = result.residuals, rescue = rescue,
-                              arc = arc }
+                              arc = arc, again = again }
   if rescue and result.converged then self.rescues = self.rescues + 1 end
 end
 
@@ -298,8 +299,9 @@ end
 
 core.docs["run:attempts"] = [[
 run:attempts(step)
-How a step was reached or missed: a list of { from, to, converged, reason, iterations, residuals, rescue }, where from
-and to are parts of the step; a step that was not reached is the one after the last row.
+How a step was reached or missed: a list of { from, to, converged, reason, iterations, residuals, rescue, again }, where
+from and to are parts of the step, and again says that it began at the step's start although a part was accepted; a
+step that was not reached is the one after the last row.
 Example: run:attempts(1)[1].iterations]]
 function Run:attempts(step)
   local attempts = history(self, "run:attempts", step)

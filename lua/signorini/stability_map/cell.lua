@@ -9,9 +9,9 @@ local function reached(run, stages)
   local total, done = 0, run.steps
   for _, stage in ipairs(stages) do total = total + stage.steps end
   if run.failed then
-    local attempts = run:attempts(run.steps + 1)
-    local last = attempts[#attempts]
-    if last then done = done + math.max(0, math.min(1, last.from)) end
+    local from = 0
+    for _, attempt in ipairs(run:attempts(run.steps + 1)) do from = attempt.again and from or attempt.from end
+    done = done + math.max(0, math.min(1, from))
   end
   return done / total
 end
