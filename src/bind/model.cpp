@@ -69,9 +69,9 @@ template <int D> int time_search(lua_State* L) {
 
 template <int D> int solver(lua_State* L) {
   const Model<D>& model = self<Model<D>>(L);
-  const solve::SolverStatistics statistics = model->solver_statistics();
+  const solve::SolverStatistics statistics = model->linear().statistics();
   lua_createtable(L, 0, 8);
-  set_field(L, "linear", solve::name_of(model->linear_kind()));
+  set_field(L, "linear", solve::name_of(model->linear().kind()));
   set_field(L, "unknowns", model->unknowns().size());
   set_field(L, "patterns", model->patterns());
   set_field(L, "factorisations", statistics.factorisations);

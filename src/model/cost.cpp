@@ -46,13 +46,14 @@ template <int D> double accepted_value(const Model<D>& model, int support, int l
 }
 
 template <int D> MemoryCost memory_cost(const Model<D>& model) {
-  MemoryCost cost{0, 0, model.assembly().memory(), model.solver_statistics().memory, true, model.linear_kind()};
+  MemoryCost cost{0, 0, model.assembly().memory(), model.linear().statistics().memory, true, model.linear().kind()};
   for (const auto& named : model.scene().bodies) cost.bodies += static_cast<double>(named.body->memory());
   for (const contact::Pair<D>& pair : model.pairs()) cost.contacts += pair.memory();
   if (cost.factors == 0 && model.unknowns().size() > 0) {
     const solve::Pattern& pattern = model.assembly().pattern();
     constexpr bool damps = false;
-    const solve::FactorEstimate estimate = solve::estimate_factor(first_choice(model.scene(), pattern, damps), pattern);
+    const solve::FactorEstimate estimate =
+        solve::estimate_factor(first_choice(linear_facts(model.scene()), pattern, damps), pattern);
     cost.factors = estimate.memory;
     cost.solver = estimate.kind;
     cost.measured = false;

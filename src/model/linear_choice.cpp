@@ -2,30 +2,26 @@
 
 namespace signorini::model {
 
-namespace {
-
-/// Whether the tangent is symmetric: all but the penalty law, whose traction acts on the current area, have a
-/// potential.
-template <int D> bool has_potential(const Scene<D>& scene) {
-  return std::all_of(scene.contacts.begin(), scene.contacts.end(),
-                     [](const Contact<D>& contact) { return std::holds_alternative<contact::Adhesion>(contact.law); });
+template <int D> LinearFacts linear_facts(const Scene<D>& scene) {
+  const bool linear =
+      std::all_of(scene.bodies.begin(), scene.bodies.end(), [](const auto& named) { return named.body->linear(); });
+  // The penalty law has none, since its traction acts on the current area.
+  const bool potential = std::all_of(scene.contacts.begin(), scene.contacts.end(), [](const Contact<D>& contact) {
+    return std::holds_alternative<contact::Adhesion>(contact.law);
+  });
+  return {linear && !scene.contacts.empty(), potential};
 }
 
-} // namespace
-
-template <int D> bool can_condense(const Scene<D>& scene, bool damps) {
-  return !damps && !scene.contacts.empty() &&
-         std::all_of(scene.bodies.begin(), scene.bodies.end(), [](const auto& named) { return named.body->linear(); });
+bool can_condense(const LinearFacts& facts, bool damps) {
+  return !damps && facts.constant_bulk;
 }
 
-template <int D> solve::LinearKind first_choice(const Scene<D>& scene, const solve::Pattern& pattern, bool damps) {
-  if (can_condense(scene, damps)) return solve::LinearKind::condensed;
-  return has_potential(scene) ? solve::symmetric_choice(pattern) : solve::LinearKind::automatic;
+solve::LinearKind first_choice(const LinearFacts& facts, const solve::Pattern& pattern, bool damps) {
+  if (can_condense(facts, damps)) return solve::LinearKind::condensed;
+  return facts.potential ? solve::symmetric_choice(pattern) : solve::LinearKind::automatic;
 }
 
-template bool can_condense(const Scene<2>&, bool);
-template bool can_condense(const Scene<3>&, bool);
-template solve::LinearKind first_choice(const Scene<2>&, const solve::Pattern&, bool);
-template solve::LinearKind first_choice(const Scene<3>&, const solve::Pattern&, bool);
+template LinearFacts linear_facts(const Scene<2>&);
+template LinearFacts linear_facts(const Scene<3>&);
 
 } // namespace signorini::model

@@ -6,11 +6,18 @@
 
 namespace signorini::model {
 
-/// Whether only the contacts' part of the tangent changes, so that the rest is factored once: bodies that are all
-/// linear elastic, a contact, and no damping of loose bodies.
-template <int D> bool can_condense(const Scene<D>& scene, bool damps);
+/// What the choice of a linear solver asks of a scene.
+struct LinearFacts {
+  bool constant_bulk; ///< bodies that are all linear elastic, and a contact: only the contacts' part changes
+  bool potential;     ///< the tangent is symmetric: all contact laws but the penalty law's have a potential
+};
+
+template <int D> LinearFacts linear_facts(const Scene<D>& scene);
+
+/// Whether the bodies' part of the tangent is factored once: not where loose bodies are damped, which changes it.
+bool can_condense(const LinearFacts& facts, bool damps);
 
 /// What a path begins with; `automatic` stands for solve::make_automatic.
-template <int D> solve::LinearKind first_choice(const Scene<D>& scene, const solve::Pattern& pattern, bool damps);
+solve::LinearKind first_choice(const LinearFacts& facts, const solve::Pattern& pattern, bool damps);
 
 } // namespace signorini::model

@@ -35,7 +35,7 @@ Model<D>::Model(Scene<D> scene)
     : scene_(checked(std::move(scene))), unknowns_(scene_), drives_(scene_, unknowns_), assembly_(scene_, unknowns_),
       displacement_(VectorX::Zero(unknowns_.dofs())), accepted_(displacement_), last_increment_(displacement_),
       targets_(drives_.start()), accepted_targets_(targets_), previous_targets_(targets_), present_(targets_),
-      external_(drives_.force(targets_)) {
+      external_(drives_.force(targets_)), linear_(linear_facts(scene_)) {
   const auto surface = [&](const FaceReference& face) {
     return contact::Surface<D>(scene_.bodies[at(face.body)].body->space(), face.side);
   };
@@ -165,13 +165,13 @@ template <int D> void Model<D>::settle() {
   rollback();
   for (auto& pair : pairs_) pair.settle();
   assembly_.forget_contacts();
-  forget_solver();
+  linear_.forget();
 }
 
 template <int D> Snapshot<D> Model<D>::snapshot() const {
-  Snapshot<D> kept{accepted_,    last_increment_, accepted_targets_, previous_targets_,        {},
-                   force_scale_, work_,           accepted_force_,   accepted_penalty_factor_, bend_,
-                   automatic_};
+  Snapshot<D> kept{accepted_,          last_increment_, accepted_targets_, previous_targets_,        {},
+                   force_scale_,       work_,           accepted_force_,   accepted_penalty_factor_, bend_,
+                   linear_.beginning()};
   for (const auto& pair : pairs_) kept.contacts.push_back(pair.history());
   return kept;
 }
@@ -187,7 +187,7 @@ template <int D> void Model<D>::restore(const Snapshot<D>& snapshot) {
   force_scale_ = snapshot.force_scale;
   work_ = snapshot.work;
   accepted_force_ = snapshot.force;
-  automatic_ = snapshot.automatic;
+  linear_.begin_with(snapshot.automatic);
   rollback();
 }
 

@@ -5,10 +5,9 @@
 #include "model/assembly.hpp"
 #include "model/damping.hpp"
 #include "model/drives.hpp"
+#include "model/linear_solution.hpp"
 #include "model/step_options.hpp"
 #include "solve/pseudo_time.hpp"
-
-#include <memory>
 
 namespace signorini::model {
 
@@ -29,7 +28,7 @@ template <int D> struct Snapshot {
   double force_scale, work;
   VectorX force; ///< see Model::accepted_force_
   double penalty_factor, bend;
-  solve::LinearKind automatic; ///< see Model::automatic_
+  solve::LinearKind automatic; ///< see LinearSolution::beginning()
 };
 
 /// The model keeps two states: the accepted one, and the present one, which equals it before a step and after a
@@ -139,10 +138,8 @@ public:
   double search_seconds() const;
   /// Patterns analysed, full assemblies.
   int patterns() const { return assembly_.pattern_version(); }
-  solve::LinearKind linear_kind() const;
-  /// Of all linear solvers so far; memory and costs are those of the present one.
-  solve::SolverStatistics solver_statistics() const;
-  /// Bytes of the bodies' tables and of the tangent with its patterns; the factors are in solver_statistics().
+  const LinearSolution& linear() const { return linear_; }
+  /// Bytes of the bodies' tables and of the tangent with its patterns; the factors are in linear().statistics().
   double memory() const;
 
 private:
@@ -164,10 +161,8 @@ private:
   };
 
   solve::Outcome assemble(const VectorX* direction, bool tangent, std::string& why);
-  solve::LinearSolver& solver(const StepOptions& options);
   bool factor(const StepOptions& options);
   bool solve_for(VectorX& b);
-  void forget_solver();
   void damp();
   Step begin_step(const StepOptions& options);
   std::optional<double> straight_ratio(const VectorX& step) const;
@@ -215,13 +210,7 @@ private:
   std::optional<BodyInversion> inverted_;
   std::optional<std::vector<LooseMotion>> loose_; ///< found when damping is first asked for
   std::optional<VectorX> path_weights_;           ///< see path_norm.hpp; found when a length is first asked for
-  std::unique_ptr<solve::LinearSolver> solver_;
-  solve::SolverStatistics past_solvers_;                       ///< what those before solver_ did
-  solve::LinearKind past_kind_ = solve::LinearKind::automatic; ///< of the last of them
-  /// What an automatic choice begins with: a kept factorisation where it had come to one before.
-  solve::LinearKind automatic_ = solve::LinearKind::automatic;
-  solve::LinearKind solver_asked_ = solve::LinearKind::automatic;
-  int solver_version_ = 0, solver_contacts_ = 0;
+  LinearSolution linear_;
   double force_scale_ = 0; ///< largest force norm of the accepted states
   double size_ = 0;        ///< largest coordinate of a control point or an obstacle
   double extent_ = 0;      ///< largest diameter of a body about its middle: what penetrations are measured against

@@ -3,7 +3,6 @@
 
 #include "base/error.hpp"
 #include "base/timer.hpp"
-#include "model/linear_choice.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -13,70 +12,22 @@ namespace signorini::model {
 
 namespace {
 
-/// What two solvers have done in turn; size and cost are those of the later one.
-solve::SolverStatistics sum(const solve::SolverStatistics& before, const solve::SolverStatistics& now) {
-  solve::SolverStatistics result = now;
-  result.factorisations += before.factorisations;
-  result.solutions += before.solutions;
-  result.iterations += before.iterations;
-  return result;
-}
-
 constexpr double rounding = 1e-12; ///< parts of the largest position: gaps nearer to 0 are what rounding makes of 0
 
 } // namespace
 
-/// The linear solver for the present pattern.
-template <int D> solve::LinearSolver& Model<D>::solver(const StepOptions& options) {
-  const bool damps = options.damping && !loose().empty(), open = options.linear == solve::LinearKind::automatic;
-  const bool condense = (open || options.linear == solve::LinearKind::condensed) && can_condense(scene_, damps);
-  require(condense || options.linear != solve::LinearKind::condensed,
-          "linear = \"condensed\" needs bodies that are all linear elastic, and a contact, without damping of loose "
-          "bodies: use \"auto\"");
-  // A solver that keeps the bodies' factors knows nothing of damping.
-  const bool same =
-      solver_ && solver_asked_ == options.linear && condense == (solver_->kind() == solve::LinearKind::condensed);
-  const bool same_contacts = solver_contacts_ == assembly_.contact_version();
-  // A growing pattern need not make an end of what a solver has.
-  const bool fits =
-      same && (solver_version_ == assembly_.pattern_version() || (!condense && solver_->adopt(assembly_.pattern())));
-  if (!fits || (condense && !same_contacts)) {
-    forget_solver();
-    if (condense) {
-      const auto& values = assembly_.constant_values();
-      const solve::Condensation condensation{{values.begin(), values.begin() + assembly_.pattern().entries()},
-                                             assembly_.contact_unknowns()};
-      solver_ = solve::make_solver(solve::LinearKind::condensed, assembly_.pattern(), &condensation);
-    } else {
-      const solve::LinearKind kind = open ? first_choice(scene_, assembly_.pattern(), damps) : options.linear;
-      solver_ = solve::make_solver(kind == solve::LinearKind::automatic ? automatic_ : kind, assembly_.pattern());
-    }
-  }
-  if (!fits || !same_contacts) solver_->watch(assembly_.contact_unknowns());
-  solver_version_ = assembly_.pattern_version();
-  solver_contacts_ = assembly_.contact_version();
-  solver_asked_ = options.linear;
-  return *solver_;
-}
-
-template <int D> void Model<D>::forget_solver() {
-  if (!solver_) return;
-  past_solvers_ = sum(past_solvers_, solver_->statistics());
-  past_kind_ = solver_->kind();
-  if (solver_asked_ == solve::LinearKind::automatic && past_kind_ == solve::LinearKind::kept) automatic_ = past_kind_;
-  solver_.reset();
-}
-
 template <int D> bool Model<D>::factor(const StepOptions& options) {
   ScopedTimer timer(timings_.factorisation);
   if (options.damping) damp();
-  return unknowns_.size() == 0 || solver(options).factor(assembly_.values().data());
+  const Tangent tangent{assembly_.values(),          assembly_.pattern(),          assembly_.pattern_version(),
+                        assembly_.constant_values(), assembly_.contact_unknowns(), assembly_.contact_version()};
+  return linear_.factor(tangent, {options.linear, options.damping && !loose().empty()});
 }
 
 /// Overwrites b by K⁻¹ b; call it after factor().
 template <int D> bool Model<D>::solve_for(VectorX& b) {
   ScopedTimer timer(timings_.solution);
-  return unknowns_.size() == 0 || solver_->solve(b.data());
+  return linear_.solve(b);
 }
 
 template <int D> const std::vector<LooseMotion>& Model<D>::loose() {
@@ -331,14 +282,6 @@ template <int D> void Model<D>::judge_lead() {
   step_->report.outcome = solve::Outcome::converged;
 }
 
-template <int D> solve::LinearKind Model<D>::linear_kind() const {
-  return solver_ ? solver_->kind() : past_kind_;
-}
-
-template <int D> solve::SolverStatistics Model<D>::solver_statistics() const {
-  return solver_ ? sum(past_solvers_, solver_->statistics()) : past_solvers_;
-}
-
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
   template solve::NewtonReport Model<D>::solve_step(const StepOptions&);                                               \
   template const solve::NewtonReport& Model<D>::iterate(const StepOptions&);                                           \
@@ -347,14 +290,11 @@ template <int D> solve::SolverStatistics Model<D>::solver_statistics() const {
   template bool Model<D>::begin_landing(bool);                                                                         \
   template solve::NewtonSystem Model<D>::system(std::function<solve::Outcome(bool, std::string&)>,                     \
                                                 std::function<bool(double&)>) const;                                   \
-  template void Model<D>::forget_solver();                                                                             \
   template const std::vector<LooseMotion>& Model<D>::loose();                                                          \
   template solve::Outcome Model<D>::evaluate(std::string&);                                                            \
   template void Model<D>::move(const VectorX&);                                                                        \
   template void Model<D>::judge_lead();                                                                                \
-  template double Model<D>::force_norm() const;                                                                        \
-  template solve::LinearKind Model<D>::linear_kind() const;                                                            \
-  template solve::SolverStatistics Model<D>::solver_statistics() const;
+  template double Model<D>::force_norm() const;
 SIGNORINI_INSTANTIATE(2)
 SIGNORINI_INSTANTIATE(3)
 #undef SIGNORINI_INSTANTIATE

@@ -51,8 +51,8 @@ Seen compare_solvers(const Scene<2>& scene, const std::vector<Vec<2>>& path) {
     EXPECT_EQ(b.outcome, solve::Outcome::converged) << k << ": " << b.message;
     EXPECT_NEAR(a.iterations, b.iterations, 2) << k;
     seen.other_iterations += a.iterations != b.iterations;
-    EXPECT_EQ(condensed.linear_kind(), solve::LinearKind::condensed);
-    EXPECT_EQ(plain.linear_kind(), solve::LinearKind::umfpack);
+    EXPECT_EQ(condensed.linear().kind(), solve::LinearKind::condensed);
+    EXPECT_EQ(plain.linear().kind(), solve::LinearKind::umfpack);
     condensed.accept();
     plain.accept();
     EXPECT_NEAR((condensed.displacement() - plain.displacement()).norm(), 0, 1e-9 * plain.displacement().norm()) << k;
@@ -175,8 +175,8 @@ TEST(Condensed, NeedsLinearBodiesAndAContact) {
   Model<2> linear(roller(soft, {100})), other(roller(solid::neo_hookean(1, 0.3), {100}));
   step_to(linear, 0, 0, -0.01);
   step_to(other, 0, 0, -0.01);
-  EXPECT_EQ(linear.linear_kind(), solve::LinearKind::condensed);
-  EXPECT_NE(other.linear_kind(), solve::LinearKind::condensed);
+  EXPECT_EQ(linear.linear().kind(), solve::LinearKind::condensed);
+  EXPECT_NE(other.linear().kind(), solve::LinearKind::condensed);
 }
 
 } // namespace condensed_test

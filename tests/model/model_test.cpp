@@ -134,8 +134,8 @@ TEST(Model, SolutionDoesNotDependOnTheLinearSolver) {
   second.linear = solve::LinearKind::umfpack;
   iron(klu, 1, 60, first);
   iron(umfpack, 1, 60, second);
-  EXPECT_EQ(klu.linear_kind(), solve::LinearKind::klu);
-  EXPECT_EQ(umfpack.linear_kind(), solve::LinearKind::umfpack);
+  EXPECT_EQ(klu.linear().kind(), solve::LinearKind::klu);
+  EXPECT_EQ(umfpack.linear().kind(), solve::LinearKind::umfpack);
   EXPECT_NEAR((klu.displacement() - umfpack.displacement()).norm(), 0, 1e-9 * klu.displacement().norm());
   EXPECT_NEAR((klu.reaction(grip) - umfpack.reaction(grip)).norm(), 0, 1e-9 * klu.reaction(grip).norm());
 }

@@ -1,0 +1,71 @@
+#include "model/linear_solution.hpp"
+
+#include "base/error.hpp"
+
+namespace signorini::model {
+
+namespace {
+
+/// What two solvers have done in turn; size and cost are those of the later one.
+solve::SolverStatistics sum(const solve::SolverStatistics& before, const solve::SolverStatistics& now) {
+  solve::SolverStatistics result = now;
+  result.factorisations += before.factorisations;
+  result.solutions += before.solutions;
+  result.iterations += before.iterations;
+  return result;
+}
+
+} // namespace
+
+solve::LinearSolver& LinearSolution::solver(const Tangent& tangent, const LinearRequest& request) {
+  const bool open = request.kind == solve::LinearKind::automatic;
+  const bool condense = (open || request.kind == solve::LinearKind::condensed) && can_condense(facts_, request.damps);
+  require(condense || request.kind != solve::LinearKind::condensed,
+          "linear = \"condensed\" needs bodies that are all linear elastic, and a contact, without damping of loose "
+          "bodies: use \"auto\"");
+  // A solver that keeps the bodies' factors knows nothing of damping.
+  const bool same = solver_ && asked_ == request.kind && condense == (solver_->kind() == solve::LinearKind::condensed);
+  const bool same_contacts = contact_version_ == tangent.contact_version;
+  // A growing pattern need not make an end of what a solver has.
+  const bool fits =
+      same && (pattern_version_ == tangent.pattern_version || (!condense && solver_->adopt(tangent.pattern)));
+  if (!fits || (condense && !same_contacts)) {
+    forget();
+    if (condense) {
+      const auto& values = tangent.constant;
+      const solve::Condensation condensation{{values.begin(), values.begin() + tangent.pattern.entries()},
+                                             tangent.contact_unknowns};
+      solver_ = solve::make_solver(solve::LinearKind::condensed, tangent.pattern, &condensation);
+    } else {
+      const solve::LinearKind kind = open ? first_choice(facts_, tangent.pattern, request.damps) : request.kind;
+      solver_ = solve::make_solver(kind == solve::LinearKind::automatic ? beginning_ : kind, tangent.pattern);
+    }
+  }
+  if (!fits || !same_contacts) solver_->watch(tangent.contact_unknowns);
+  pattern_version_ = tangent.pattern_version;
+  contact_version_ = tangent.contact_version;
+  asked_ = request.kind;
+  return *solver_;
+}
+
+bool LinearSolution::factor(const Tangent& tangent, const LinearRequest& request) {
+  return tangent.pattern.size == 0 || solver(tangent, request).factor(tangent.values.data());
+}
+
+bool LinearSolution::solve(VectorX& b) {
+  return b.size() == 0 || solver_->solve(b.data());
+}
+
+void LinearSolution::forget() {
+  if (!solver_) return;
+  past_ = sum(past_, solver_->statistics());
+  past_kind_ = solver_->kind();
+  if (asked_ == solve::LinearKind::automatic && past_kind_ == solve::LinearKind::kept) beginning_ = past_kind_;
+  solver_.reset();
+}
+
+solve::SolverStatistics LinearSolution::statistics() const {
+  return solver_ ? sum(past_, solver_->statistics()) : past_;
+}
+
+} // namespace signorini::model
