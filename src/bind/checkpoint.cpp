@@ -40,7 +40,7 @@ int load(lua_State* L) {
   std::visit(
       [&](const auto& model) {
         push_object(L, model);
-        count_memory(L, model->memory());
+        count_memory(L, model::memory(*model));
       },
       model::load(read_string(L, 1, checkpoint_argument)));
   return 1;

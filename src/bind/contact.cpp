@@ -16,7 +16,7 @@ template <int D> int default_points(const model::Scene<D>& scene, const model::F
   return 3 * (degree + 1);
 }
 
-contact::Law read_law(lua_State* L, const Options& o, const Argument& entry) {
+template <int D> contact::Method<D> read_method(lua_State* L, const Options& o, const Argument& entry) {
   if (o.has("adhesion")) {
     for (const char* other : {"penalty", "friction"})
       if (o.has(other))
@@ -88,7 +88,7 @@ model::Contact<D> read_contact(lua_State* L, Draft<D>& draft, const std::string&
   if (face && contact.slave == *face)
     throw ArgumentError(text(function_name(L), ": ", entry.name, ".master is the same face as ", entry.name,
                              ".slave; a face cannot touch itself: name a face of the other body"));
-  contact.law = read_law(L, o, entry);
+  contact.method = read_method<D>(L, o, entry);
   contact.points = o.integer("points", "Gauss points per slave element and direction", 1, 100,
                              default_points(draft.scene, contact.slave));
   contact.where = read_region<D>(L, o, name);

@@ -30,7 +30,7 @@ template <int D> void write(ArchiveWriter& to, const Snapshot<D>& snapshot) {
 }
 
 template <int D> void write(ArchiveWriter& to, const Model<D>& model) {
-  to.put(model::content(*model, model->snapshot()), model->displacement(), model->penalty_factor());
+  to.put(model::content(*model, model::snapshot(*model)), model->present.displacement, model->present.penalty_factor);
 }
 
 /// Writes the object at index 1 where it is of one of these types; whether it is.

@@ -19,77 +19,78 @@ template <class Items> int push_names(lua_State* L, const Items& items) {
 }
 
 template <int D> int body_names(lua_State* L) {
-  return push_names(L, self<Model<D>>(L)->scene().bodies);
+  return push_names(L, self<Model<D>>(L)->system.scene.bodies);
 }
 
 template <int D> int support_names(lua_State* L) {
-  return push_names(L, self<Model<D>>(L)->scene().supports);
+  return push_names(L, self<Model<D>>(L)->system.scene.supports);
 }
 
 template <int D> int contact_names(lua_State* L) {
-  return push_names(L, self<Model<D>>(L)->scene().contacts);
+  return push_names(L, self<Model<D>>(L)->system.scene.contacts);
 }
 
 template <int D> int body_of(lua_State* L) {
   const Model<D>& model = self<Model<D>>(L);
   const int index = find_body(L, model, read_string(L, 2, {"name", "a body"}));
-  push_object<Body<D>>(L, model->scene().bodies[static_cast<std::size_t>(index)].body);
+  push_object<Body<D>>(L, model->system.scene.bodies[static_cast<std::size_t>(index)].body);
   return 1;
 }
 
 template <int D> int load_names(lua_State* L) {
-  return push_names(L, self<Model<D>>(L)->scene().loads);
+  return push_names(L, self<Model<D>>(L)->system.scene.loads);
 }
 
 template <int D> int driven_names(lua_State* L) {
-  return push_names(L, self<Model<D>>(L)->drives().all());
+  return push_names(L, self<Model<D>>(L)->system.drives.all());
 }
 
 template <int D> int warnings(lua_State* L) {
-  push(L, self<Model<D>>(L)->warnings());
+  push(L, model::warnings(*self<Model<D>>(L)));
   return 1;
 }
 
 template <int D> int timings(lua_State* L) {
-  const model::Timings& timings = self<Model<D>>(L)->timings();
+  const model::Timings& timings = self<Model<D>>(L)->timings;
   lua_createtable(L, 0, 6);
   set_field(L, "bulk", timings.bulk);
   set_field(L, "contact", timings.contact);
   set_field(L, "linear", timings.linear);
   set_field(L, "factorisation", timings.factorisation);
   set_field(L, "solution", timings.solution);
-  set_field(L, "search", self<Model<D>>(L)->search_seconds());
+  set_field(L, "search", model::search_seconds(*self<Model<D>>(L)));
   return 1;
 }
 
 template <int D> int time_search(lua_State* L) {
-  self<Model<D>>(L)->time_search(read_flag(L, 2, {"wanted", "whether to take the time"}));
+  const bool wanted = read_flag(L, 2, {"wanted", "whether to take the time"});
+  for (const auto& contact : self<Model<D>>(L)->system.contacts) contact->time_search(wanted);
   return 0;
 }
 
 template <int D> int solver(lua_State* L) {
   const Model<D>& model = self<Model<D>>(L);
-  const solve::SolverStatistics statistics = model->linear().statistics();
+  const solve::SolverStatistics statistics = model->linear.statistics();
   lua_createtable(L, 0, 8);
-  set_field(L, "linear", solve::name_of(model->linear().kind()));
-  set_field(L, "unknowns", model->unknowns().size());
-  set_field(L, "patterns", model->patterns());
+  set_field(L, "linear", solve::name_of(model->linear.kind()));
+  set_field(L, "unknowns", model->system.unknowns.size());
+  set_field(L, "patterns", model->system.assembly.pattern_version());
   set_field(L, "factorisations", statistics.factorisations);
   set_field(L, "solutions", statistics.solutions);
   set_field(L, "iterations", statistics.iterations);
   set_field(L, "factor_memory", statistics.memory);
-  set_field(L, "memory", model->memory());
+  set_field(L, "memory", model::memory(*model));
   return 1;
 }
 
 template <int D> int model_text(lua_State* L) {
   const Model<D>& model = self<Model<D>>(L);
-  const auto& scene = model->scene();
+  const auto& scene = model->system.scene;
   std::string names;
   for (const auto& body : scene.bodies) names += (names.empty() ? "" : ", ") + body.name;
   const char* kind = D == 3 ? "solid" : scene.kind == solid::Kind::axisymmetric ? "axisymmetric" : "plane-strain";
-  push(L, text(kind, " model of ", names, ": ", model->unknowns().dofs(), " degrees of freedom, ",
-               model->unknowns().size(), " of them free, ", counted(scene.supports.size(), "support"), ", ",
+  push(L, text(kind, " model of ", names, ": ", model->system.unknowns.dofs(), " degrees of freedom, ",
+               model->system.unknowns.size(), " of them free, ", counted(scene.supports.size(), "support"), ", ",
                counted(scene.contacts.size(), "contact")));
   return 1;
 }

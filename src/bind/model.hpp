@@ -37,13 +37,13 @@ template <class Items> int find(lua_State* L, const Items& items, const std::str
 
 /// Index of a model's body, support or contact by name.
 template <int D> int find_body(lua_State* L, const Model<D>& model, const std::string& name) {
-  return find(L, model->scene().bodies, name, "body");
+  return find(L, model->system.scene.bodies, name, "body");
 }
 template <int D> int find_support(lua_State* L, const Model<D>& model, const std::string& name) {
-  return find(L, model->scene().supports, name, "support");
+  return find(L, model->system.scene.supports, name, "support");
 }
 template <int D> int find_contact(lua_State* L, const Model<D>& model, const std::string& name) {
-  return find(L, model->scene().contacts, name, "contact");
+  return find(L, model->system.scene.contacts, name, "contact");
 }
 
 } // namespace signorini::bind

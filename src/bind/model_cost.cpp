@@ -22,7 +22,7 @@ template <class Items, class Fill> void set_list(lua_State* L, const char* name,
 }
 
 template <int D> void push_bodies(lua_State* L, const model::Model<D>& model) {
-  const auto& bodies = model.scene().bodies;
+  const auto& bodies = model.system.scene.bodies;
   lua_createtable(L, 0, static_cast<int>(bodies.size()));
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const model::BodyCost cost = model::body_cost(model, static_cast<int>(b));
@@ -39,11 +39,11 @@ template <int D> void push_bodies(lua_State* L, const model::Model<D>& model) {
 }
 
 template <int D> void push_contacts(lua_State* L, const model::Model<D>& model) {
-  const auto& scene = model.scene();
+  const auto& scene = model.system.scene;
   lua_createtable(L, 0, static_cast<int>(scene.contacts.size()));
   for (std::size_t k = 0; k < scene.contacts.size(); ++k) {
     lua_createtable(L, 0, 2);
-    set_field(L, "points", static_cast<int>(model.pairs()[k].results().size()));
+    set_field(L, "points", static_cast<int>(model.present.contacts[k].results.size()));
     set_field(L, "rigid", std::holds_alternative<model::ObstacleReference>(scene.contacts[k].master));
     lua_setfield(L, -2, scene.contacts[k].name.c_str());
   }
@@ -77,7 +77,8 @@ template <int D> void push_planes(lua_State* L, const model::Model<D>& model) {
       set_field(L, "axis", model::component_name(plane.axis));
       set_field(L, "place", plane.place);
       std::vector<std::string> driven;
-      for (int support : plane.driven) driven.push_back(model.scene().supports[static_cast<std::size_t>(support)].name);
+      for (int support : plane.driven)
+        driven.push_back(model.system.scene.supports[static_cast<std::size_t>(support)].name);
       set_field(L, "driven", driven);
     });
   });
@@ -95,13 +96,13 @@ void push_revolution(lua_State* L, const model::Model<3>& model) {
 
 template <int D> int cost(lua_State* L) {
   const model::Model<D>& model = *self<Model<D>>(L);
-  const auto& bodies = model.scene().bodies;
+  const auto& bodies = model.system.scene.bodies;
   const auto body_name = [&](int body) { return bodies[static_cast<std::size_t>(body)].name; };
   lua_newtable(L);
   set_field(L, "dimension", D);
-  set_field(L, "unknowns", model.unknowns().size());
-  set_field(L, "obstacles", static_cast<int>(model.scene().obstacles.size()));
-  set_field(L, "nonzeros", model.assembly().pattern().entries());
+  set_field(L, "unknowns", model.system.unknowns.size());
+  set_field(L, "obstacles", static_cast<int>(model.system.scene.obstacles.size()));
+  set_field(L, "nonzeros", model.system.assembly.pattern().entries());
   push_bodies(L, model);
   push_contacts(L, model);
   push_memory(L, model);
@@ -124,7 +125,7 @@ template <int D> int cost(lua_State* L) {
   set_labels("layers", model::find_layers(model));
   set_labels("idle_layers", model::find_idle_layers(model));
   set_list(L, "dense", model::find_dense_contacts(model), [&](const model::DenseContact& dense) {
-    const auto& contact = model.scene().contacts[static_cast<std::size_t>(dense.contact)];
+    const auto& contact = model.system.scene.contacts[static_cast<std::size_t>(dense.contact)];
     set_field(L, "contact", contact.name);
     set_field(L, "points", contact.points);
     set_field(L, "enough", dense.enough);

@@ -1,5 +1,7 @@
 #include "bind/checkpoint.hpp"
 #include "bind/model.hpp"
+#include "model/arc.hpp"
+#include "model/load_step.hpp"
 
 namespace signorini::bind {
 
@@ -9,14 +11,14 @@ namespace {
 template <int D> model::Drive drive_of_argument(lua_State* L) {
   const Model<D>& model = self<Model<D>>(L);
   const std::string name = read_string(L, 2, {"name", "a support or a load"});
-  for (const model::Drive& drive : model->drives().all())
+  for (const model::Drive& drive : model->system.drives.all())
     if (drive.name == name) return drive;
   return {name, find_support(L, model, name), -1, 0, {}};
 }
 
 /// Index into Drives::all() of a drive with components.
 template <int D> int index_of(const Model<D>& model, const model::Drive& drive) {
-  const auto& all = model->drives().all();
+  const auto& all = model->system.drives.all();
   for (std::size_t i = 0; i < all.size(); ++i)
     if (all[i].name == drive.name) return static_cast<int>(i);
   return -1;
@@ -38,7 +40,8 @@ template <int D> int set_target(lua_State* L) {
   const std::vector<double> values = read_numbers(L, 3, argument);
   const std::size_t count = drive.components.size();
   if (values.size() != count) reject(L, 3, argument, text("a list of ", count, count == 1 ? " number" : " numbers"));
-  for (std::size_t i = 0; i < count; ++i) model->set_target(index_of(model, drive), static_cast<int>(i), values[i]);
+  for (std::size_t i = 0; i < count; ++i)
+    model::set_target(*model, index_of(model, drive), static_cast<int>(i), values[i]);
   return 0;
 }
 
@@ -47,7 +50,7 @@ template <int D> int target(lua_State* L) {
   const model::Drive drive = drive_of_argument<D>(L);
   std::vector<double> values;
   for (std::size_t i = 0; i < drive.components.size(); ++i)
-    values.push_back(model->accepted_target(index_of(model, drive), static_cast<int>(i)));
+    values.push_back(model::accepted_target(*model, index_of(model, drive), static_cast<int>(i)));
   push(L, values);
   return 1;
 }
@@ -111,12 +114,12 @@ int push_report(lua_State* L, const solve::NewtonReport& report) {
 
 template <int D> int solve_step(lua_State* L) {
   const Model<D>& model = self<Model<D>>(L);
-  return push_report(L, model->solve_step(read_step_options(L)));
+  return push_report(L, model::solve_step(*model, read_step_options(L)));
 }
 
 template <int D> int iterate(lua_State* L) {
   const Model<D>& model = self<Model<D>>(L);
-  return push_report(L, model->iterate(read_step_options(L)));
+  return push_report(L, model::iterate(*model, read_step_options(L)));
 }
 
 template <int D> int solve_arc(lua_State* L) {
@@ -126,39 +129,39 @@ template <int D> int solve_arc(lua_State* L) {
   const double length =
       o.positive("length", "distance from the accepted state, root mean square of the displacement over all bodies");
   read_newton(o, options);
-  push_report(L, model->solve_arc(options, length));
-  set_field(L, "fraction", model->arc_fraction());
+  push_report(L, model::solve_arc(*model, options, length));
+  set_field(L, "fraction", model->step->fraction);
   return 1;
 }
 
 template <int D> int set_penalty_factor(lua_State* L) {
-  self<Model<D>>(L)->set_penalty_factor(read_number(L, 2, {"factor", "of all penalty parameters"}));
+  model::set_penalty_factor(*self<Model<D>>(L), read_number(L, 2, {"factor", "of all penalty parameters"}));
   return 0;
 }
 
 template <int D> int penalty_factor(lua_State* L) {
-  push(L, self<Model<D>>(L)->penalty_factor());
+  push(L, self<Model<D>>(L)->present.penalty_factor);
   return 1;
 }
 
 template <int D> int last_length(lua_State* L) {
-  push(L, self<Model<D>>(L)->last_length());
+  push(L, model::last_length(*self<Model<D>>(L)));
   return 1;
 }
 
 template <int D> int accept(lua_State* L) {
-  self<Model<D>>(L)->accept();
+  model::accept(*self<Model<D>>(L));
   return 0;
 }
 
 template <int D> int rollback(lua_State* L) {
-  self<Model<D>>(L)->rollback();
+  model::rollback(*self<Model<D>>(L));
   return 0;
 }
 
 template <int D> int snapshot(lua_State* L) {
   const Model<D>& model = self<Model<D>>(L);
-  push_object(L, Snapshot<D>{model, model->snapshot()});
+  push_object(L, Snapshot<D>{model, model::snapshot(*model)});
   return 1;
 }
 
@@ -167,12 +170,12 @@ template <int D> int restore(lua_State* L) {
   const Argument argument{"snapshot", "made by model:snapshot()"};
   const Snapshot<D>& snapshot = read_object<Snapshot<D>>(L, 2, argument);
   if (snapshot.model != model) reject(L, 2, argument, "a snapshot of this model", "it was taken of another model");
-  model->restore(snapshot.state);
+  model::restore(*model, snapshot.state);
   return 0;
 }
 
 template <int D> int snapshot_tostring(lua_State* L) {
-  push(L, text("snapshot of a model with ", self<Snapshot<D>>(L).model->unknowns().dofs(), " degrees of freedom"));
+  push(L, text("snapshot of a model with ", self<Snapshot<D>>(L).model->system.unknowns.dofs(), " degrees of freedom"));
   return 1;
 }
 

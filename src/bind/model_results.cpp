@@ -22,16 +22,16 @@ template <int D> void push_force(lua_State* L, const Vec<D>& force) {
 template <int D> int reaction(lua_State* L) {
   const Model<D>& model = self<Model<D>>(L);
   const std::string name = read_string(L, 2, {"name", "a support or a load"});
-  const auto& loads = model->scene().loads;
+  const auto& loads = model->system.scene.loads;
   for (std::size_t i = 0; i < loads.size(); ++i)
     if (loads[i].name == name) {
-      push_force<D>(L, model->load_resultant(static_cast<int>(i)));
+      push_force<D>(L, model::load_resultant(*model, static_cast<int>(i)));
       return 1;
     }
   const int support = find_support(L, model, name);
-  push_force<D>(L, model->reaction(support));
-  if (model->scene().supports[static_cast<std::size_t>(support)].rotates) {
-    const double moment = model->moment(support);
+  push_force<D>(L, model::reaction(*model, support));
+  if (model->system.scene.supports[static_cast<std::size_t>(support)].rotates) {
+    const double moment = model::moment(*model, support);
     push(L, moment);
     lua_rawseti(L, -2, D + 1);
     set_field(L, "moment", moment);
@@ -42,8 +42,8 @@ template <int D> int reaction(lua_State* L) {
 template <int D> int contact_resultant(lua_State* L) {
   const Model<D>& model = self<Model<D>>(L);
   const int contact = contact_of_argument<D>(L);
-  const auto sum = model->contact_resultant(contact);
-  const contact::Pair<D>& pair = model->pairs()[static_cast<std::size_t>(contact)];
+  const auto sum = contact::resultant(model->present.contacts[static_cast<std::size_t>(contact)]);
+  const contact::Formulation<D>& formulation = *model->system.contacts[static_cast<std::size_t>(contact)];
   lua_createtable(L, 0, 12);
   for (int k = 0; k < D; ++k) set_field(L, text("f", model::component_name(k)).c_str(), sum.force(k));
   set_field(L, "area", sum.area);
@@ -51,10 +51,12 @@ template <int D> int contact_resultant(lua_State* L) {
   set_field(L, "max_penetration", sum.max_penetration);
   set_field(L, "active", sum.active);
   set_field(L, "slipping", sum.slipping);
-  set_field(L, "unsettled", static_cast<int>(pair.unsettled()));
-  if (pair.unsettled() > 0) set_field(L, "unsettled_at", VectorX(pair.unsettled_position()));
-  set_field(L, "crossed", static_cast<int>(pair.crossed()));
-  if (pair.crossed() > 0) set_field(L, "crossed_at", VectorX(pair.crossed_position()));
+  const auto push_tally = [&](const char* name, const char* place, const auto& tally) {
+    set_field(L, name, static_cast<int>(tally.count));
+    if (tally.count > 0) set_field(L, place, VectorX(tally.latest));
+  };
+  push_tally("unsettled", "unsettled_at", formulation.unsettled());
+  push_tally("crossed", "crossed_at", formulation.crossed());
   return 1;
 }
 
@@ -88,7 +90,7 @@ template <int D> int body_of_argument(lua_State* L, const Model<D>& model) {
   if (!has_type(L, 2, Type<Body<D>>::name))
     return find_body(L, model, read_string(L, 2, {"body", "a body or its name"}));
   const Body<D>& wanted = read_object<Body<D>>(L, 2, {"body", "a body or its name"});
-  const auto& bodies = model->scene().bodies;
+  const auto& bodies = model->system.scene.bodies;
   for (std::size_t b = 0; b < bodies.size(); ++b)
     if (&bodies[b].body->space() == &wanted->space()) return static_cast<int>(b);
   throw ArgumentError(text(function_name(L), ": this body is not part of the model"));
@@ -111,7 +113,7 @@ template <int D> int sample(lua_State* L) {
 }
 
 template <int D> int energy(lua_State* L) {
-  const model::Energies energies = self<Model<D>>(L)->energies();
+  const model::Energies energies = model::energies(*self<Model<D>>(L));
   lua_createtable(L, 0, 4);
   set_field(L, "stored", energies.stored);
   set_field(L, "contact", energies.contact);

@@ -1,6 +1,7 @@
 // What Newton's method works with, for loops of a user's own: residual, tangent, unknowns, and why a step failed.
 #include "bind/model.hpp"
 #include "model/diagnosis.hpp"
+#include "model/load_step.hpp"
 
 #include <numeric>
 
@@ -11,21 +12,21 @@ namespace {
 /// Evaluates the present state. Throws where there is no residual.
 template <int D> void evaluate(const Model<D>& model) {
   std::string why;
-  const solve::Outcome outcome = model->evaluate(why);
+  const solve::Outcome outcome = model::evaluate(*model, why);
   require(outcome == solve::Outcome::converged, "the present state has no residual: ", why, "; call model:rollback()");
 }
 
 template <int D> int residual(lua_State* L) {
   const Model<D>& model = self<Model<D>>(L);
   evaluate(model);
-  push(L, model->unbalanced());
+  push(L, model->unbalanced);
   return 1;
 }
 
 template <int D> int tangent(lua_State* L) {
   const Model<D>& model = self<Model<D>>(L);
   evaluate(model);
-  const solve::Pattern& pattern = model->assembly().pattern();
+  const solve::Pattern& pattern = model->system.assembly.pattern();
   const auto entries = static_cast<std::size_t>(pattern.entries());
   std::vector<int> rows, columns;
   for (std::size_t j = 0; j < static_cast<std::size_t>(pattern.size); ++j)
@@ -33,7 +34,7 @@ template <int D> int tangent(lua_State* L) {
       rows.push_back(pattern.rows[static_cast<std::size_t>(k)] + 1);
       columns.push_back(static_cast<int>(j) + 1);
     }
-  const auto& values = model->assembly().values();
+  const auto& values = model->system.assembly.values();
   lua_createtable(L, 0, 4);
   set_field(L, "size", pattern.size);
   set_field(L, "rows", rows);
@@ -44,8 +45,8 @@ template <int D> int tangent(lua_State* L) {
 
 template <int D> int unknowns(lua_State* L) {
   const Model<D>& model = self<Model<D>>(L);
-  const auto& numbers = model->unknowns();
-  const auto& bodies = model->scene().bodies;
+  const auto& numbers = model->system.unknowns;
+  const auto& bodies = model->system.scene.bodies;
   lua_createtable(L, numbers.size(), 0);
   std::vector<char> seen(static_cast<std::size_t>(numbers.size()), 0);
   for (std::size_t b = 0; b < bodies.size(); ++b)
@@ -65,19 +66,19 @@ template <int D> int move(lua_State* L) {
   const Model<D>& model = self<Model<D>>(L);
   const Argument argument{"du", "the change of each unknown"};
   const std::vector<double> change = read_numbers(L, 2, argument);
-  const int count = model->unknowns().size();
+  const int count = model->system.unknowns.size();
   if (static_cast<int>(change.size()) != count)
     reject(L, 2, argument, text("a list of ", count, " numbers, as m:residual() is"));
-  model->move(Eigen::Map<const VectorX>(change.data(), count));
+  model::move_by(*model, Eigen::Map<const VectorX>(change.data(), count));
   return 0;
 }
 
 template <int D> int displacements(lua_State* L) {
   const Model<D>& model = self<Model<D>>(L);
-  const auto& numbers = model->unknowns();
+  const auto& numbers = model->system.unknowns;
   VectorX values(numbers.size());
   for (int dof = numbers.dofs() - 1; dof >= 0; --dof)
-    if (const int unknown = numbers.unknown(dof); unknown >= 0) values(unknown) = model->displacement()(dof);
+    if (const int unknown = numbers.unknown(dof); unknown >= 0) values(unknown) = model->present.displacement(dof);
   push(L, values);
   return 1;
 }
@@ -85,8 +86,8 @@ template <int D> int displacements(lua_State* L) {
 template <int D> int loose_bodies(lua_State* L) {
   const Model<D>& model = self<Model<D>>(L);
   std::vector<std::string> names;
-  for (const model::LooseMotion& loose : model->loose()) {
-    const std::string& name = model->scene().bodies[static_cast<std::size_t>(loose.body)].name;
+  for (const model::LooseMotion& loose : model->system.loose()) {
+    const std::string& name = model->system.scene.bodies[static_cast<std::size_t>(loose.body)].name;
     if (names.empty() || names.back() != name) names.push_back(name);
   }
   push(L, names);
@@ -112,9 +113,9 @@ void push_spots(lua_State* L, const char* key, const std::vector<model::TroubleS
 
 template <int D> int diagnose(lua_State* L) {
   const Model<D>& model = self<Model<D>>(L);
-  const solve::NewtonReport* report = model->report();
-  require(report != nullptr, "there is no step to diagnose: call it after a solve_step, iterate or solve_arc that "
-                             "failed, before model:rollback()");
+  require(model->step.has_value(),
+          "there is no step to diagnose: call it after a solve_step, iterate or solve_arc that "
+          "failed, before model:rollback()");
   model::ControlsOn on;
   if (!lua_isnoneornil(L, 2)) {
     const Argument argument{"on", "names of controls that are on already"};
@@ -126,7 +127,7 @@ template <int D> int diagnose(lua_State* L) {
       lua_pop(L, 1);
     }
   }
-  const model::Diagnosis diagnosis = model::diagnose(*model, *report, on);
+  const model::Diagnosis diagnosis = model::diagnose(*model, model->step->report, on);
   lua_createtable(L, 0, 5);
   set_field(L, "reason", solve::name_of(diagnosis.outcome));
   set_field(L, "message", diagnosis.message);

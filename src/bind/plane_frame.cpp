@@ -101,9 +101,9 @@ void add_mirror_image(view::Panel& panel, int axis, double sign) {
 
 /// The rim of a model's rigid obstacle where it stands now, or stood at the start.
 view::Outline obstacle(const model::Model<2>& model, int index, bool deformed, const std::vector<Window>& windows) {
-  const int first = model.unknowns().obstacle_offset(index);
-  const Vec<2> shift = deformed ? Vec<2>(model.displacement().segment<2>(first)) : Vec<2>::Zero();
-  const contact::Obstacle<2>& shape = model.scene().obstacles[static_cast<std::size_t>(index)];
+  const int first = model.system.unknowns.obstacle_offset(index);
+  const Vec<2> shift = deformed ? Vec<2>(model.present.displacement.segment<2>(first)) : Vec<2>::Zero();
+  const contact::Obstacle<2>& shape = model.system.scene.obstacles[static_cast<std::size_t>(index)];
   if (const auto* plane = std::get_if<contact::Plane<2>>(&shape))
     return view::half_plane(plane->point + shift, plane->normal);
   if (const auto* ball = std::get_if<contact::Ball<2>>(&shape))
@@ -128,7 +128,7 @@ void add_pressure(view::Panel& panel, const model::Model<2>& model, const Showin
     high = high.cwiseMax(body.points.rowwise().maxCoeff());
   }
   std::vector<view::Body> bands;
-  const auto& contacts = model.scene().contacts;
+  const auto& contacts = model.system.scene.contacts;
   for (std::size_t c = 0; c < contacts.size(); ++c)
     if (std::count(showing.bodies.begin(), showing.bodies.end(), contacts[c].slave.body) > 0)
       bands.push_back(pressure_band(model, static_cast<int>(c), showing, (high - low).maxCoeff()));
@@ -158,7 +158,7 @@ view::Panel show(const model::Model<2>& model, const Showing& showing) {
   const model::Field<2>* field = showing.field.empty() || pressure ? nullptr : &model::find_field<2>(showing.field);
   view::Panel panel;
   for (int b : showing.bodies) {
-    const nurbs::Discretisation& space = model.scene().bodies[static_cast<std::size_t>(b)].body->space();
+    const nurbs::Discretisation& space = model.system.scene.bodies[static_cast<std::size_t>(b)].body->space();
     const int divisions = divisions_for(space.elements());
     const auto sampling = model::sampling(model, b, divisions, showing.deformed, showing.windows);
     model::Tessellation sampled = model::tessellate(model, b, field, sampling, showing.deformed);
@@ -181,7 +181,7 @@ view::Panel show(const model::Model<2>& model, const Showing& showing) {
     panel.bodies.push_back(std::move(body));
   }
   if (pressure) add_pressure(panel, model, showing);
-  for (int k = 0; showing.obstacles && k < static_cast<int>(model.scene().obstacles.size()); ++k)
+  for (int k = 0; showing.obstacles && k < static_cast<int>(model.system.scene.obstacles.size()); ++k)
     panel.obstacles.push_back(obstacle(model, k, showing.deformed, showing.windows));
   for (char letter : showing.mirror) {
     const int axis = letter - 'x';

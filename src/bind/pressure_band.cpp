@@ -14,7 +14,7 @@ struct BandPoint {
 };
 
 BandPoint band_point(const model::Model<2>& model, const model::FaceReference& slave, double along, bool deformed) {
-  const nurbs::Discretisation& space = model.scene().bodies[static_cast<std::size_t>(slave.body)].body->space();
+  const nurbs::Discretisation& space = model.system.scene.bodies[static_cast<std::size_t>(slave.body)].body->space();
   const int across = slave.side.direction;
   const auto [from, to] = space.interval(slave.side.at_end ? space.elements() - 1 : 0, across);
   const auto position = [&](double depth) {
@@ -30,8 +30,8 @@ BandPoint band_point(const model::Model<2>& model, const model::FaceReference& s
 } // namespace
 
 view::Body pressure_band(const model::Model<2>& model, int contact, const Showing& showing, double size) {
-  const model::FaceReference& reference = model.scene().contacts[static_cast<std::size_t>(contact)].slave;
-  const contact::Surface<2>& slave = model.pairs()[static_cast<std::size_t>(contact)].slave();
+  const model::FaceReference& reference = model.system.scene.contacts[static_cast<std::size_t>(contact)].slave;
+  const contact::Surface<2>& slave = model.system.contacts[static_cast<std::size_t>(contact)]->slave();
   const model::FacePressure<2> pressure(model, contact);
   const int divisions = std::clamp(400 / slave.elements(), 8, 40), count = slave.elements() * (divisions + 1);
   std::vector<BandPoint> places;

@@ -102,8 +102,8 @@ template <int D> void push_model(lua_State* L, const Options& o) {
   if constexpr (D == 2)
     if (scene.kind == solid::Kind::axisymmetric) revolve(L, scene);
   const auto& made = push_object<Model<D>>(L, std::make_shared<model::Model<D>>(std::move(scene)));
-  count_memory(L, made->memory());
-  for (const std::string& warning : made->warnings()) warn(warning);
+  count_memory(L, model::memory(*made));
+  for (const std::string& warning : model::warnings(*made)) warn(warning);
 }
 
 int make_model(lua_State* L) {

@@ -3,7 +3,7 @@
 
 #include "bind/options.hpp"
 #include "bind/rigid.hpp"
-#include "model/model.hpp"
+#include "model/results.hpp"
 
 namespace signorini::bind {
 

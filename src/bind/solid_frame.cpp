@@ -68,9 +68,9 @@ view::RigidSurface shifted(const nurbs::Patch& patch, const Vec<3>& shift, std::
 
 /// A model's rigid obstacle where it stands now, or stood at the start.
 view::Rigid obstacle(const model::Model<3>& model, int index, bool deformed, const std::vector<Window>& windows) {
-  const int first = model.unknowns().obstacle_offset(index);
-  const Vec<3> shift = deformed ? Vec<3>(model.displacement().segment<3>(first)) : Vec<3>::Zero();
-  const contact::Obstacle<3>& shape = model.scene().obstacles[static_cast<std::size_t>(index)];
+  const int first = model.system.unknowns.obstacle_offset(index);
+  const Vec<3> shift = deformed ? Vec<3>(model.present.displacement.segment<3>(first)) : Vec<3>::Zero();
+  const contact::Obstacle<3>& shape = model.system.scene.obstacles[static_cast<std::size_t>(index)];
   if (const auto* plane = std::get_if<contact::Plane<3>>(&shape))
     return view::RigidPlane{plane->point + shift, plane->normal};
   if (const auto* ball = std::get_if<contact::Ball<3>>(&shape))
@@ -128,11 +128,11 @@ template <> std::string field_label<3>(const std::string& field) {
 
 view::SolidPanel show(const model::Model<3>& model, const Showing& showing, const std::optional<Cut>& cut) {
   const bool pressure = showing.field == pressure_name;
-  require(!pressure || !model.pairs().empty(), "field '", pressure_name,
+  require(!pressure || !model.system.contacts.empty(), "field '", pressure_name,
           "': the model has no contact, and so no pressure; name contacts in sg.model, or draw another field");
   const model::Field<3>* field = showing.field.empty() || pressure ? nullptr : &model::find_field<3>(showing.field);
   const auto divisions = [&](int b) {
-    return divisions_for(model::surface_elements(model.scene().bodies[static_cast<std::size_t>(b)].body->space()));
+    return divisions_for(model::surface_elements(model.system.scene.bodies[static_cast<std::size_t>(b)].body->space()));
   };
   view::SolidPanel panel;
   panel.windows = showing.windows;
@@ -148,7 +148,7 @@ view::SolidPanel show(const model::Model<3>& model, const Showing& showing, cons
       body.inside = inside_of(model, b, showing, field, divisions(b), body.skin.values.size() > 0, planes);
     }
   }
-  for (int k = 0; showing.obstacles && k < static_cast<int>(model.scene().obstacles.size()); ++k)
+  for (int k = 0; showing.obstacles && k < static_cast<int>(model.system.scene.obstacles.size()); ++k)
     panel.obstacles.push_back(obstacle(model, k, showing.deformed, showing.windows));
   for (char letter : showing.mirror) {
     const int axis = letter - 'x';

@@ -30,7 +30,7 @@ template <int D> std::string read_label(const Showing& showing) {
 
 /// The bodies that are named; all when none are.
 template <int D> std::vector<int> read_bodies(lua_State* L, const Options& o, const Model<D>& model) {
-  const int all = static_cast<int>(model->scene().bodies.size());
+  const int all = static_cast<int>(model->system.scene.bodies.size());
   std::vector<int> bodies;
   if (!o.has("bodies")) {
     for (int b = 0; b < all; ++b) bodies.push_back(b);
@@ -117,8 +117,8 @@ StateFrame read_shape(lua_State* L, const Options& o, const ReadWindows& windows
 /// Puts a model back into the state in which it was.
 template <int D> class Return {
 public:
-  explicit Return(Model<D> model) : model_(std::move(model)), state_(model_->snapshot()) {}
-  ~Return() { model_->restore(state_); }
+  explicit Return(Model<D> model) : model_(std::move(model)), state_(model::snapshot(*model_)) {}
+  ~Return() { model::restore(*model_, state_); }
   Return(const Return&) = delete;
   Return& operator=(const Return&) = delete;
 
@@ -132,7 +132,7 @@ template <int D>
 std::vector<StateFrame> show_kept(lua_State* L, const Options& o, const std::vector<std::string>& fields,
                                   const ReadWindows& windows, const Snapshot<D>& kept) {
   const Return<D> back(kept.model);
-  kept.model->restore(kept.state);
+  model::restore(*kept.model, kept.state);
   if constexpr (D == 2)
     return read_state(L, o, fields, windows, &kept.model, nullptr);
   else

@@ -43,7 +43,7 @@ void append(view::BezierGrid& grid, const model::BezierCells& cells, int body, i
 
 /// All bodies, then the slave faces of all contacts.
 template <int D> view::BezierGrid grid_of(const model::Model<D>& model, bool deformed) {
-  const model::Scene<D>& scene = model.scene();
+  const model::Scene<D>& scene = model.system.scene;
   std::vector<model::BezierCells> bodies;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)
     bodies.push_back(model::bezier_cells(model, static_cast<int>(b), deformed));

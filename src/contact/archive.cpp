@@ -78,18 +78,16 @@ Obstacle<3> read(ArchiveReader& from, std::type_identity<Obstacle<3>>) {
   return read_obstacle<3>(from);
 }
 
-void write(ArchiveWriter& to, const Law& law) {
-  to.put(static_cast<int>(law.index()));
-  if (const auto* penalty = std::get_if<PenaltyLaw>(&law)) {
-    const auto& [normal, tangential, friction] = *penalty;
-    to.put(normal, tangential, friction);
-  } else {
-    const auto& [hamaker, distance] = std::get<Adhesion>(law);
-    to.put(hamaker, distance);
-  }
+template <int D> void write(ArchiveWriter& to, const Method<D>& method) {
+  require(!std::holds_alternative<Maker<D>>(method), "a contact with a formulation of one's own cannot be saved");
+  to.put(static_cast<int>(method.index()));
+  if (const auto* penalty = std::get_if<PenaltyLaw>(&method))
+    to.put(penalty->normal, penalty->tangential, penalty->friction);
+  else if (const auto* adhesion = std::get_if<Adhesion>(&method))
+    to.put(adhesion->hamaker, adhesion->distance);
 }
 
-Law read(ArchiveReader& from, std::type_identity<Law>) {
+template <int D> Method<D> read_method(ArchiveReader& from) {
   const int index = from.get<int>();
   require(index == 0 || index == 1, "contact: there is no law ", index);
   if (index == 0) {
@@ -102,12 +100,12 @@ Law read(ArchiveReader& from, std::type_identity<Law>) {
   return law;
 }
 
-template <int D> void write_history(ArchiveWriter& to, const typename Pair<D>::History& history) {
-  const auto& [memories, master, positions, results, dissipated] = history;
-  to.put(dissipated, static_cast<std::uint64_t>(memories.size()));
-  for (std::size_t i = 0; i < memories.size(); ++i) {
+template <int D> void write_history(ArchiveWriter& to, const History<D>& history) {
+  const auto& [points, results, dissipated] = history;
+  to.put(dissipated, static_cast<std::uint64_t>(points.size()));
+  for (std::size_t i = 0; i < points.size(); ++i) {
     // Settling clears no point.
-    const auto& [projection, cleared, slips, slip, limit, multiplier] = memories[i];
+    const auto& [projection, cleared, slips, slip, limit, multiplier] = points[i];
     const auto& [foot, element, along, xi, gap] = projection;
     const bool acts = results[i].area != 0;
     to.put(foot, element, along, xi, gap, slips, slip, limit, multiplier, acts);
@@ -115,13 +113,13 @@ template <int D> void write_history(ArchiveWriter& to, const typename Pair<D>::H
   }
 }
 
-template <int D> void read_history(ArchiveReader& from, typename Pair<D>::History& history) {
-  auto& [memories, master, positions, results, dissipated] = history;
+template <int D> void read_history(ArchiveReader& from, History<D>& history) {
+  auto& [points, results, dissipated] = history;
   dissipated = from.get<double>();
   const auto count = from.get<std::uint64_t>();
-  require(count == memories.size(), "a contact of ", count, " points was saved, this one has ", memories.size());
-  for (std::size_t i = 0; i < memories.size(); ++i) {
-    auto& [projection, cleared, slips, slip, limit, multiplier] = memories[i];
+  require(count == points.size(), "a contact of ", count, " points was saved, this one has ", points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    auto& [projection, cleared, slips, slip, limit, multiplier] = points[i];
     auto& [foot, element, along, xi, gap] = projection;
     from.into(foot, element, along, xi, gap, slips, slip, limit, multiplier);
     results[i] = {};
@@ -129,9 +127,13 @@ template <int D> void read_history(ArchiveReader& from, typename Pair<D>::Histor
   }
 }
 
-template void write_history<2>(ArchiveWriter&, const Pair<2>::History&);
-template void write_history<3>(ArchiveWriter&, const Pair<3>::History&);
-template void read_history<2>(ArchiveReader&, Pair<2>::History&);
-template void read_history<3>(ArchiveReader&, Pair<3>::History&);
+#define SIGNORINI_INSTANTIATE(D)                                                                                       \
+  template void write(ArchiveWriter&, const Method<D>&);                                                               \
+  template Method<D> read_method<D>(ArchiveReader&);                                                                   \
+  template void write_history(ArchiveWriter&, const History<D>&);                                                      \
+  template void read_history(ArchiveReader&, History<D>&);
+SIGNORINI_INSTANTIATE(2)
+SIGNORINI_INSTANTIATE(3)
+#undef SIGNORINI_INSTANTIATE
 
 } // namespace signorini::contact

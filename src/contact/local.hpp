@@ -30,7 +30,7 @@ template <int D> struct LocalGeometry {
   double reference_measure; ///< reference area per parametric area
   double multiplier = 0;    ///< λ_N of the augmented Lagrangian method, a pressure
   Held held = Held::free;
-  /// A slip within this distance of Coulomb's cone sticks; negative: slips. See Pair::guess().
+  /// A slip within this distance of Coulomb's cone sticks; negative: slips. See Controls::guessed.
   double tie = 0;
   double fade = 1; ///< part of the area that counts: less than 1 beyond an open end of the master
   FaceCoordinates<D> fade_rate = FaceCoordinates<D>::Zero(); ///< ∂fade/∂ξ̄

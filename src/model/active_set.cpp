@@ -23,61 +23,60 @@ contact::Held held_state(contact::ContactState state) {
 
 } // namespace
 
-template <int D> void ActiveSet<D>::begin(Pairs& pairs, const ActiveSetOptions& options) {
+template <int D>
+void ActiveSet<D>::begin(const contact::Formulations<D>& contacts, const Histories& histories,
+                         const ActiveSetOptions& options, Controls& controls) {
   options_ = options;
   entries_.clear();
   first_.assign(1, 0);
   frictional_.clear();
-  for (const auto& pair : pairs) {
-    first_.push_back(first_.back() + static_cast<int>(pair.results().size()));
-    const auto* penalty = std::get_if<contact::PenaltyLaw>(&pair.law());
-    frictional_.push_back(penalty && penalty->friction > 0);
-  }
-  counts_.assign(static_cast<std::size_t>(first_.back()), 0);
   rounds_ = 0;
   frozen_ = options.freeze > 0;
-  for (auto& pair : pairs) {
-    std::vector<contact::Held> held;
-    if (frozen_)
-      for (const auto& result : pair.results())
-        held.push_back(result.state == contact::ContactState::open ? contact::Held::open : contact::Held::touching);
-    pair.hold(std::move(held));
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    first_.push_back(first_.back() + static_cast<int>(histories[k].results.size()));
+    frictional_.push_back(contacts[k]->frictional());
+    controls[k].held.clear();
+    if (!frozen_) continue;
+    for (const auto& result : histories[k].results)
+      controls[k].held.push_back(result.state == contact::ContactState::open ? contact::Held::open
+                                                                             : contact::Held::touching);
   }
+  counts_.assign(static_cast<std::size_t>(first_.back()), 0);
 }
 
-template <int D> void ActiveSet<D>::note(Pairs& pairs, double residual) {
+template <int D> void ActiveSet<D>::note(const Histories& histories, double residual, Controls& controls) {
   Entry entry{residual, {}};
   entry.states.reserve(counts_.size());
-  for (const auto& pair : pairs)
-    for (const auto& result : pair.results()) entry.states.push_back(code(result));
+  for (const auto& history : histories)
+    for (const auto& result : history.results) entry.states.push_back(code(result));
   if (!entries_.empty() && options_.changes > 0 && !frozen_) {
     const std::vector<unsigned char>& before = entries_.back().states;
     for (std::size_t i = 0; i < counts_.size(); ++i) counts_[i] += entry.states[i] != before[i];
-    for (std::size_t k = 0; k < pairs.size(); ++k) {
-      const auto& results = pairs[k].results();
+    for (std::size_t k = 0; k < histories.size(); ++k) {
+      const auto& results = histories[k].results;
       const int* counts = counts_.data() + first_[k];
       if (std::none_of(counts, counts + results.size(), [&](int count) { return count > options_.changes; })) continue;
-      std::vector<contact::Held> held(results.size(), contact::Held::free);
+      std::vector<contact::Held>& held = controls[k].held;
+      held.assign(results.size(), contact::Held::free);
       for (std::size_t i = 0; i < results.size(); ++i)
         if (counts[i] > options_.changes) held[i] = held_state(results[i].state);
-      pairs[k].hold(std::move(held));
     }
   }
   entries_.push_back(std::move(entry));
   if (entries_.size() > remembered) entries_.pop_front();
 }
 
-template <int D> void ActiveSet<D>::thaw(Pairs& pairs, double ratio) {
+template <int D> void ActiveSet<D>::thaw(double ratio, Controls& controls) {
   if (!frozen_ || ratio >= options_.freeze) return;
   frozen_ = false;
-  for (auto& pair : pairs) pair.hold({});
+  for (auto& control : controls) control.held.clear();
 }
 
-template <int D> bool ActiveSet<D>::release(Pairs& pairs) {
+template <int D> bool ActiveSet<D>::release(Controls& controls) {
   bool held = false;
-  for (auto& pair : pairs) {
-    held = held || pair.holds();
-    pair.hold({});
+  for (auto& control : controls) {
+    held = held || !control.held.empty();
+    control.held.clear();
   }
   std::fill(counts_.begin(), counts_.end(), 0);
   if (held && !frozen_) ++rounds_;

@@ -1,7 +1,7 @@
 #pragma once
 // States of contact points (open, stick, slip) over the iterations of a step: holds them back, finds those that cycle.
 
-#include "contact/pair.hpp"
+#include "contact/formulation.hpp"
 #include "model/step_options.hpp"
 
 #include <deque>
@@ -16,17 +16,19 @@ struct PointIndex {
 
 template <int D> class ActiveSet {
 public:
-  using Pairs = std::vector<contact::Pair<D>>;
+  using Histories = std::vector<contact::History<D>>;
+  using Controls = std::vector<contact::Controls>;
 
   /// Starts a step from the states of the last evaluation: who touches and who does not is held when options.freeze
   /// says so.
-  void begin(Pairs& pairs, const ActiveSetOptions& options);
+  void begin(const contact::Formulations<D>& contacts, const Histories& histories, const ActiveSetOptions& options,
+             Controls& controls);
   /// Notes the states of an evaluation with its residual, and holds points that have changed too often.
-  void note(Pairs& pairs, double residual);
+  void note(const Histories& histories, double residual, Controls& controls);
   /// Frees what is frozen when `ratio`, |f·Δu| over its first value, is small enough.
-  void thaw(Pairs& pairs, double ratio);
+  void thaw(double ratio, Controls& controls);
   /// Frees all; returns whether any point was held. Those that change too often may be held again `rounds` times.
-  bool release(Pairs& pairs);
+  bool release(Controls& controls);
   bool exhausted() const { return rounds_ > most_rounds; }
 
   /// The number of iterations after which residuals and states have come back twice, to 1e-9; 0 when they have not. An

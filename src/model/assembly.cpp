@@ -9,21 +9,10 @@
 
 namespace signorini::model {
 
-namespace {
-
-std::uint64_t key(const contact::Group& group) {
-  constexpr int bits = 21; // two million elements on a face
-  return (static_cast<std::uint64_t>(group.slave_element) << (2 * bits)) |
-         (static_cast<std::uint64_t>(group.master_element) << bits) |
-         static_cast<std::uint64_t>(group.slip_element + 1);
-}
-
-} // namespace
-
 template <int D>
-Assembly<D>::Assembly(const Scene<D>& scene, const Unknowns<D>& unknowns)
-    : scene_(scene), unknowns_(unknowns), placements_(scene.contacts.size()),
-      is_contact_unknown_(at(unknowns.size()), false), residual_(unknowns.dofs()), product_(unknowns.dofs()) {
+Assembly<D>::Assembly(const Scene<D>& scene, const Unknowns<D>& unknowns, const contact::Formulations<D>& contacts)
+    : scene_(scene), unknowns_(unknowns), contacts_(contacts), placements_(contacts.size()),
+      is_contact_unknown_(at(unknowns.size()), false), product_(unknowns.dofs()) {
   for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
     const solid::Body<D>& body = *scene_.bodies[b].body;
     partitions_.push_back(partition(unknowns_, body, unknowns_.offset(static_cast<int>(b))));
@@ -31,7 +20,7 @@ Assembly<D>::Assembly(const Scene<D>& scene, const Unknowns<D>& unknowns)
     linear_ = linear_ && body.linear();
   }
   build_bulk();
-  cover({});
+  cover(false);
 }
 
 template <int D> void Assembly<D>::build_bulk() {
@@ -81,18 +70,15 @@ template <int D> void Assembly<D>::build_bulk() {
   }
 }
 
-/// Makes the pattern cover the bulk, all present contact groups, and the master elements next to those: so that sliding
-/// on by part of an element does not need a new pattern.
-template <int D> void Assembly<D>::cover(const std::vector<contact::Pair<D>>& pairs) {
+/// Makes the pattern cover the bulk and, where wanted, all present contact blocks with the master elements next to
+/// them: so that sliding on by part of an element does not need a new pattern.
+template <int D> void Assembly<D>::cover(bool contacts) {
   std::vector<Nodes> groups;
-  for (std::size_t k = 0; k < pairs.size(); ++k)
-    for (const contact::Group& group : pairs[k].groups()) {
-      Nodes dofs = columns(k, pairs[k], group);
-      for (int alpha = 0; alpha < D - 1 && !pairs[k].master().rigid(); ++alpha)
-        for (bool at_end : {false, true}) {
-          const int next = pairs[k].master().surface()->neighbour(group.master_element, alpha, at_end);
-          if (next >= 0) append_master_dofs(k, pairs[k], next, dofs);
-        }
+  for (std::size_t k = 0; k < contacts_.size() && contacts; ++k)
+    for (const contact::Block& block : contacts_[k]->blocks()) {
+      Nodes dofs;
+      contacts_[k]->append_dofs(block, unknowns_.of_contact(k), dofs);
+      contacts_[k]->append_master(block.master_element, unknowns_.of_contact(k), dofs, true);
       for (int& dof : dofs) dof = unknowns_.unknown(dof);
       groups.push_back(std::move(dofs));
     }
@@ -125,34 +111,35 @@ template <int D> void Assembly<D>::build_constant() {
 }
 
 /// Keeps contact_unknowns() ahead of the contacts: when one reaches an unknown beyond them, they become those of all
-/// present groups and of the slave elements around, a quarter of the contact's width.
-template <int D> void Assembly<D>::watch_contacts(const std::vector<contact::Pair<D>>& pairs) {
-  const auto all_known = [&](std::size_t k, const contact::Group& group) {
-    const Nodes& list = placements_[k].find(key(group))->second.columns;
+/// present blocks and of the slave elements around, a quarter of the contact's width.
+template <int D> void Assembly<D>::watch_contacts() {
+  const auto all_known = [&](std::size_t k, const contact::Block& block) {
+    const Nodes& list = placements_[k].find(block.key())->second.columns;
     return std::all_of(list.begin(), list.end(), [&](int dof) {
       const int i = unknowns_.unknown(dof);
       return i < 0 || is_contact_unknown_[at(i)];
     });
   };
   bool known = true;
-  for (std::size_t k = 0; k < pairs.size() && known; ++k)
-    for (const contact::Group& group : pairs[k].groups()) known = known && all_known(k, group);
+  for (std::size_t k = 0; k < contacts_.size() && known; ++k)
+    for (const contact::Block& block : contacts_[k]->blocks()) known = known && all_known(k, block);
   if (known) return;
 
   std::fill(is_contact_unknown_.begin(), is_contact_unknown_.end(), false);
-  for (std::size_t k = 0; k < pairs.size(); ++k) {
-    const double groups = static_cast<double>(pairs[k].groups().size());
-    const int margin = 2 + static_cast<int>((D == 2 ? groups : std::sqrt(groups)) / 4);
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    const contact::Formulation<D>& contact = *contacts_[k];
+    const double blocks = static_cast<double>(contact.blocks().size());
+    const int margin = 2 + static_cast<int>((D == 2 ? blocks : std::sqrt(blocks)) / 4);
     Nodes dofs;
-    for (const contact::Group& group : pairs[k].groups()) {
-      const Nodes& own = placements_[k].find(key(group))->second.columns;
+    for (const contact::Block& block : contact.blocks()) {
+      const Nodes& own = placements_[k].find(block.key())->second.columns;
       dofs.insert(dofs.end(), own.begin(), own.end());
       for (int alpha = 0; alpha < D - 1; ++alpha)
         for (bool at_end : {false, true})
-          for (int i = 0, e = group.slave_element; i < margin; ++i) {
-            e = pairs[k].slave().neighbour(e, alpha, at_end);
+          for (int i = 0, e = block.slave_element; i < margin; ++i) {
+            e = contact.slave().neighbour(e, alpha, at_end);
             if (e < 0) break;
-            append_dofs(scene_.contacts[k].slave.body, pairs[k].slave(), e, dofs);
+            contact.append_slave(e, unknowns_.of_contact(k), dofs);
           }
     }
     for (int dof : dofs)
@@ -164,14 +151,15 @@ template <int D> void Assembly<D>::watch_contacts(const std::vector<contact::Pai
   ++contact_version_;
 }
 
-/// Finds the places of all present groups; false when the pattern does not hold them.
-template <int D> bool Assembly<D>::locate(const std::vector<contact::Pair<D>>& pairs) {
-  for (std::size_t k = 0; k < pairs.size(); ++k)
-    for (const contact::Group& group : pairs[k].groups()) {
-      Placement& placement = placements_[k][key(group)];
+/// Finds the places of all present blocks; false when the pattern does not hold them.
+template <int D> bool Assembly<D>::locate() {
+  for (std::size_t k = 0; k < contacts_.size(); ++k)
+    for (const contact::Block& block : contacts_[k]->blocks()) {
+      Placement& placement = placements_[k][block.key()];
       if (!placement.positions.empty()) continue;
-      placement.columns = columns(k, pairs[k], group);
-      placement.rows.assign(placement.columns.begin(), placement.columns.begin() + group.rows);
+      placement.columns.clear();
+      contacts_[k]->append_dofs(block, unknowns_.of_contact(k), placement.columns);
+      placement.rows.assign(placement.columns.begin(), placement.columns.begin() + block.rows);
       std::vector<int> positions;
       for (int row : placement.rows)
         for (int column : placement.columns) {
@@ -185,20 +173,21 @@ template <int D> bool Assembly<D>::locate(const std::vector<contact::Pair<D>>& p
 }
 
 template <int D> void Assembly<D>::forget_contacts() {
-  cover({});
+  cover(false);
   std::fill(is_contact_unknown_.begin(), is_contact_unknown_.end(), false);
   contact_unknowns_.clear();
   ++contact_version_;
 }
 
 template <int D>
-std::optional<BodyInversion> Assembly<D>::assemble(std::vector<contact::Pair<D>>& pairs, const VectorX& displacement,
-                                                   const VectorX* direction, bool tangent, Timings& timings) {
-  const std::optional<BodyInversion> inverted = add_bulk(pairs, {displacement, direction, tangent}, timings);
+std::optional<BodyInversion> Assembly<D>::assemble(const States<D>& states, const VectorX* direction, bool tangent,
+                                                   Timings& timings) {
+  const Request request{states, direction, tangent};
+  const std::optional<BodyInversion> inverted = add_bulk(request, timings);
   if (inverted) return inverted;
   ScopedTimer timer(timings.contact);
-  if (linear_ || D == 3) watch_contacts(pairs);
-  add_contacts(pairs, direction, tangent);
+  if (linear_ || D == 3) watch_contacts();
+  add_contacts(request);
   if (tangent) find_diagonal_norm();
   return std::nullopt;
 }
@@ -213,28 +202,31 @@ template <int D> struct Assembly<D>::Task {
 
 /// Evaluates the contacts and adds up all bodies. Contacts and shares of bodies are tasks side by side; when the
 /// contacts turn out to need a new pattern, the bodies are added up once more.
-template <int D>
-std::optional<BodyInversion> Assembly<D>::add_bulk(std::vector<contact::Pair<D>>& pairs, const Request& request,
-                                                   Timings& timings) {
+template <int D> std::optional<BodyInversion> Assembly<D>::add_bulk(const Request& request, Timings& timings) {
   std::vector<Task> tasks;
   for (std::size_t b = 0; b < partitions_.size(); ++b)
     for (std::size_t share = 0; share < partitions_[b].heads.size(); ++share)
       tasks.push_back({b, share, &arrays_[tasks.size()]});
+  const auto& [present, accepted, controls] = request.states;
   struct ContactTask {
-    contact::Pair<D>* pair;
+    std::size_t contact;
     int part;
     double seconds = 0;
   };
   std::vector<ContactTask> contact_tasks;
-  for (contact::Pair<D>& pair : pairs)
-    for (int part = 0; part < pair.parts(); ++part) contact_tasks.push_back({&pair, part});
+  std::vector<contact::Trial<D>> trials;
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    trials.push_back({present.contacts[k], accepted.contacts[k], controls[k], present.penalty_factor,
+                      present.displacement.data() + unknowns_.of_contact(k).extra});
+    for (int part = 0; part < contacts_[k]->parts(); ++part) contact_tasks.push_back({k, part});
+  }
   const auto add_heads = [&](std::size_t contacts) {
     clear(request);
     parallel(static_cast<int>(contacts + tasks.size()), [&](int i) {
       if (at(i) < contacts) {
         ContactTask& task = contact_tasks[at(i)];
         ScopedTimer timer(task.seconds);
-        return task.pair->evaluate_part(task.part, request.tangent);
+        return contacts_[task.contact]->evaluate_part(task.part, trials[task.contact], request.tangent);
       }
       Task& task = tasks[at(i) - contacts];
       add_elements(partitions_[task.body].heads[task.share], request, task);
@@ -242,12 +234,12 @@ std::optional<BodyInversion> Assembly<D>::add_bulk(std::vector<contact::Pair<D>>
   };
 
   const Stopwatch watch;
-  move(pairs, request.displacement);
+  move(present.displacement);
   add_heads(contact_tasks.size());
-  for (contact::Pair<D>& pair : pairs) pair.gather();
-  if (!locate(pairs)) {
-    cover(pairs);
-    locate(pairs);
+  for (const auto& contact : contacts_) contact->gather();
+  if (!locate()) {
+    cover(true);
+    locate();
     add_heads(0);
   }
   parallel(static_cast<int>(tasks.size()), [&](int i) {
@@ -270,7 +262,7 @@ std::optional<BodyInversion> Assembly<D>::add_bulk(std::vector<contact::Pair<D>>
 }
 
 template <int D> void Assembly<D>::clear(const Request& request) {
-  residual_.setZero();
+  request.states.present.force.setZero();
   if (request.direction) product_.setZero();
   if (!request.tangent) return;
   if (linear_)
@@ -291,16 +283,17 @@ template <int D> void Assembly<D>::add_element(int e, const Request& request, Ta
   solid::ElementArrays<D>& arrays = *task.arrays;
   const bool scatters = request.tangent && !linear_;
   const bool multiplies = request.direction && holds_[task.body][at(e)];
-  const double* displacement = request.displacement.data() + offset;
+  const double* displacement = request.states.present.displacement.data() + offset;
   if (const auto inversion = internal_force(body, e, displacement, arrays, scatters || multiplies)) {
     task.inverted = BodyInversion{b, *inversion};
     return;
   }
   const auto functions = body.functions_of(e);
   const std::size_t n = functions.size();
+  VectorX& force = request.states.present.force;
   for (std::size_t a = 0; a < n; ++a)
     for (std::size_t i = 0; i < D; ++i)
-      residual_(offset + D * functions[a] + static_cast<int>(i)) += arrays.force[i * n + a];
+      force(offset + D * functions[a] + static_cast<int>(i)) += arrays.force[i * n + a];
   if (scatters) scatter(b, e, arrays, values_.data());
   if (multiplies) multiply(b, e, arrays, *request.direction);
 }
@@ -331,20 +324,20 @@ void Assembly<D>::multiply(int b, int e, const solid::ElementArrays<D>& arrays, 
         }
 }
 
-template <int D>
-void Assembly<D>::add_contacts(const std::vector<contact::Pair<D>>& pairs, const VectorX* direction, bool tangent) {
-  for (std::size_t k = 0; k < pairs.size(); ++k)
-    for (const contact::Group& group : pairs[k].groups()) {
-      const Placement& placement = placements_[k].find(key(group))->second;
-      const double* matrix = group.matrix.data();
+template <int D> void Assembly<D>::add_contacts(const Request& request) {
+  VectorX& force = request.states.present.force;
+  for (std::size_t k = 0; k < contacts_.size(); ++k)
+    for (const contact::Block& block : contacts_[k]->blocks()) {
+      const Placement& placement = placements_[k].find(block.key())->second;
+      const double* matrix = block.matrix.data();
       const int* position = placement.positions.data();
-      for (int r = 0; r < group.rows; ++r, matrix += group.columns, position += group.columns) {
-        residual_(placement.rows[at(r)]) += group.force[at(r)];
-        if (direction)
-          for (int c = 0; c < group.columns; ++c)
-            product_(placement.rows[at(r)]) += matrix[c] * (*direction)(placement.columns[at(c)]);
-        if (!tangent) continue;
-        for (int c = 0; c < group.columns; ++c) values_[at(position[c])] += matrix[c];
+      for (int r = 0; r < block.rows; ++r, matrix += block.columns, position += block.columns) {
+        force(placement.rows[at(r)]) += block.force[at(r)];
+        if (request.direction)
+          for (int c = 0; c < block.columns; ++c)
+            product_(placement.rows[at(r)]) += matrix[c] * (*request.direction)(placement.columns[at(c)]);
+        if (!request.tangent) continue;
+        for (int c = 0; c < block.columns; ++c) values_[at(position[c])] += matrix[c];
       }
     }
 }
@@ -373,6 +366,13 @@ template <int D> double Assembly<D>::memory() const {
   for (const auto& placements : placements_)
     for (const auto& [groups, placement] : placements) sum += bytes(placement.positions);
   return sum;
+}
+
+template <int D> void Assembly<D>::move(const VectorX& displacement) const {
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    const auto& [slave, master, extra] = unknowns_.of_contact(k);
+    contacts_[k]->move(displacement.data() + slave, displacement.data() + master);
+  }
 }
 
 template class Assembly<2>;

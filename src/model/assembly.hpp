@@ -1,8 +1,8 @@
 #pragma once
 // Puts the elements' and contacts' contributions into one residual and one tangent of fixed sparse pattern.
 
-#include "contact/pair.hpp"
 #include "model/partition.hpp"
+#include "model/state.hpp"
 #include "solid/internal.hpp"
 #include "solve/pattern.hpp"
 
@@ -23,25 +23,31 @@ struct Timings {
   double factorisation = 0, solution = 0; ///< what linear consists of, but for a few vectors
 };
 
+/// A state that is tried out, next to the accepted one that it started from.
+template <int D> struct States {
+  State<D>& present;
+  const State<D>& accepted;
+  const std::vector<contact::Controls>& controls; ///< by contact
+};
+
 template <int D> class Assembly {
 public:
-  Assembly(const Scene<D>& scene, const Unknowns<D>& unknowns);
+  Assembly(const Scene<D>& scene, const Unknowns<D>& unknowns, const contact::Formulations<D>& contacts);
 
-  /// Residual f_int + f_c of all degrees of freedom and tangent of the unknowns at `displacement` (all degrees of
-  /// freedom). The full tangent times `direction` (all degrees of freedom, may be null) goes to product(): how
-  /// prescribed displacements enter a linear solve. Returns where an element is inverted; the results are then
-  /// meaningless.
+  /// Force f_int + f_c of all degrees of freedom, into the present state, and tangent of the unknowns there. Contacts
+  /// write into it where their searches ended and what their points did. The full tangent times `direction` (all
+  /// degrees of freedom, may be null) goes to product(): how prescribed displacements enter a linear solve. Returns
+  /// where an element is inverted; the results are then meaningless.
   ///
   /// Without `tangent` the residual alone is computed, and values() no longer belong to it; there must be no direction.
-  std::optional<BodyInversion> assemble(std::vector<contact::Pair<D>>& pairs, const VectorX& displacement,
-                                        const VectorX* direction, bool tangent, Timings& timings);
+  std::optional<BodyInversion> assemble(const States<D>& states, const VectorX* direction, bool tangent,
+                                        Timings& timings);
 
   /// Moves the contacts' faces to where the bodies and obstacles are at `displacement`.
-  void move(std::vector<contact::Pair<D>>& pairs, const VectorX& displacement) const;
+  void move(const VectorX& displacement) const;
   /// Goes back to the pattern of the bodies alone, and to no contact unknowns: as newly made.
   void forget_contacts();
 
-  const VectorX& residual() const { return residual_; }
   const VectorX& product() const { return product_; }
   /// Values of the tangent in the order of pattern(), and others behind them.
   const std::vector<double>& values() const { return values_; }
@@ -67,31 +73,26 @@ private:
   using Nodes = std::vector<int>;
   void build_bulk();
   void build_constant();
-  /// Degrees of freedom of the nodes of face elements, D per node.
-  void append_dofs(int body, const contact::Surface<D>& surface, int element, Nodes& dofs) const;
-  void append_master_dofs(std::size_t contact, const contact::Pair<D>& pair, int element, Nodes& dofs) const;
-  Nodes columns(std::size_t contact, const contact::Pair<D>& pair, const contact::Group& group) const;
-  int master_offset(const Contact<D>& contact) const;
-  void cover(const std::vector<contact::Pair<D>>& pairs);
-  bool locate(const std::vector<contact::Pair<D>>& pairs);
-  void watch_contacts(const std::vector<contact::Pair<D>>& pairs);
+  void cover(bool contacts);
+  bool locate();
+  void watch_contacts();
   /// What an assembly is asked for.
   struct Request {
-    const VectorX& displacement;
+    const States<D>& states;
     const VectorX* direction;
     bool tangent;
   };
   struct Task;
-  std::optional<BodyInversion> add_bulk(std::vector<contact::Pair<D>>& pairs, const Request& request, Timings& timings);
+  std::optional<BodyInversion> add_bulk(const Request& request, Timings& timings);
   void clear(const Request& request);
   void add_elements(const std::vector<int>& elements, const Request& request, Task& task);
   void add_element(int e, const Request& request, Task& task);
   void scatter(int body, int e, const solid::ElementArrays<D>& arrays, double* values) const;
   void multiply(int body, int e, const solid::ElementArrays<D>& arrays, const VectorX& direction);
-  void add_contacts(const std::vector<contact::Pair<D>>& pairs, const VectorX* direction, bool tangent);
+  void add_contacts(const Request& request);
   void find_diagonal_norm();
 
-  /// Where a contact group's entries go; found once per pattern.
+  /// Where a contact block's entries go; found once per pattern.
   struct Placement {
     Nodes rows, columns;        ///< degrees of freedom
     std::vector<int> positions; ///< in values_, row by row
@@ -99,11 +100,12 @@ private:
 
   const Scene<D>& scene_;
   const Unknowns<D>& unknowns_;
+  const contact::Formulations<D>& contacts_;
   solve::Pattern bulk_pattern_, pattern_;
   std::vector<int> bulk_positions_, positions_;          ///< per element and block entry: in bulk_pattern_, in pattern_
   std::vector<std::vector<std::size_t>> first_position_; ///< [body][element]
   std::vector<std::vector<char>> holds_;                 ///< [body][element]: has degrees of freedom that are held
-  std::vector<std::unordered_map<std::uint64_t, Placement>> placements_; ///< per contact, by the group's elements
+  std::vector<std::unordered_map<std::uint64_t, Placement>> placements_; ///< per contact, by Block::key()
   std::vector<Partition> partitions_;                                    ///< per body
   std::vector<solid::ElementArrays<D>> arrays_;                          ///< per body and share of its partition
   std::vector<int> diagonal_;
@@ -113,7 +115,7 @@ private:
   std::vector<int> contact_unknowns_;
   std::vector<char> is_contact_unknown_;
   int contact_version_ = 0;
-  VectorX residual_, product_;
+  VectorX product_;
   double diagonal_norm_ = 0;
   int version_ = 0;
 };

@@ -2,6 +2,7 @@
 
 #include "base/index.hpp"
 #include "base/orthonormal.hpp"
+#include "model/results.hpp"
 #include "model/sample.hpp"
 #include "nurbs/bezier.hpp"
 #include "nurbs/bezier_element.hpp"
@@ -130,12 +131,12 @@ std::vector<int> points_on(nurbs::Side side, const std::vector<int>& degrees) {
 /// The pressures at the contact points of each slave element, one column per element; 0 at those that a region leaves
 /// out.
 template <int D> MatrixX pressures_of(const Model<D>& model, int contact) {
-  const contact::Pair<D>& pair = model.pairs()[at(contact)];
-  const int points = model.scene().contacts[at(contact)].points;
-  MatrixX result = MatrixX::Zero(D == 3 ? points * points : points, pair.slave().elements());
-  for (std::size_t i = 0; i < pair.results().size(); ++i) {
-    const auto [element, number] = pair.place(i);
-    result(number, element) = pair.results()[i].pressure;
+  const contact::Formulation<D>& formulation = *model.system.contacts[at(contact)];
+  const int points = model.system.scene.contacts[at(contact)].points;
+  MatrixX result = MatrixX::Zero(D == 3 ? points * points : points, formulation.slave().elements());
+  for (std::size_t i = 0; i < formulation.points().size(); ++i) {
+    const contact::ContactPoint& point = formulation.points().list[i];
+    result(point.number, point.element) = model.present.contacts[at(contact)].results[i].pressure;
   }
   return result;
 }
@@ -143,9 +144,9 @@ template <int D> MatrixX pressures_of(const Model<D>& model, int contact) {
 } // namespace
 
 template <int D> BezierCells bezier_cells(const Model<D>& model, int body, bool deformed) {
-  const solid::Body<D>& solid = *model.scene().bodies[at(body)].body;
+  const solid::Body<D>& solid = *model.system.scene.bodies[at(body)].body;
   const nurbs::Discretisation& space = solid.space();
-  const MatrixX weighted = model.body_displacement(body) * space.homogeneous().row(D).asDiagonal();
+  const MatrixX weighted = body_displacement(model, body) * space.homogeneous().row(D).asDiagonal();
   BezierCells cells;
   std::vector<nurbs::BezierElement> elements;
   int count = 0, components = 0;
@@ -197,9 +198,9 @@ template <int D> BezierCells bezier_cells(const Model<D>& model, int body, bool 
 }
 
 template <int D> BezierCells contact_cells(const Model<D>& model, int contact, const BezierCells& cells) {
-  const Contact<D>& definition = model.scene().contacts[at(contact)];
+  const Contact<D>& definition = model.system.scene.contacts[at(contact)];
   const nurbs::Side side = definition.slave.side;
-  const nurbs::Discretisation& space = model.scene().bodies[at(definition.slave.body)].body->space();
+  const nurbs::Discretisation& space = model.system.scene.bodies[at(definition.slave.body)].body->space();
   std::vector<int> first_point = {0};
   for (const std::vector<int>& degrees : cells.degrees) first_point.push_back(first_point.back() + points_of(degrees));
 

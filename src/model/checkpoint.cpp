@@ -14,31 +14,31 @@ const ArchiveKind kind{"checkpoint", 1};
 
 using Parts = std::vector<ScenePart>;
 
-template <int D> void write_state(ArchiveWriter& to, const Snapshot<D>& state) {
-  const auto& [displacement, last_increment, targets, previous, contacts, force_scale, work, force, factor, bend,
-               automatic] = state;
-  to.put(displacement, last_increment, targets, previous, force_scale, work, force, factor, bend, automatic);
+template <int D> void write_state(ArchiveWriter& to, const Snapshot<D>& kept) {
+  const auto& [displacement, targets, force, factor, contacts] = kept.state;
+  const auto& [increment, previous, bend, force_scale, work] = kept.way;
+  to.put(displacement, increment, targets, previous, force_scale, work, force, factor, bend, kept.linear);
   for (const auto& history : contacts) contact::write_history<D>(to, history);
 }
 
 /// Into a snapshot of a model of the same scene.
-template <int D> void read_state(ArchiveReader& from, Snapshot<D>& state) {
-  auto& [displacement, last_increment, targets, previous, contacts, force_scale, work, force, factor, bend, automatic] =
-      state;
+template <int D> void read_state(ArchiveReader& from, Snapshot<D>& kept) {
+  auto& [displacement, targets, force, factor, contacts] = kept.state;
+  auto& [increment, previous, bend, force_scale, work] = kept.way;
   const Eigen::Index dofs = displacement.size(), components = targets.size();
-  from.into(displacement, last_increment, targets, previous, force_scale, work, force, factor, bend, automatic);
-  require(displacement.size() == dofs && last_increment.size() == dofs && force.size() == dofs &&
+  from.into(displacement, increment, targets, previous, force_scale, work, force, factor, bend, kept.linear);
+  require(displacement.size() == dofs && increment.size() == dofs && force.size() == dofs &&
               targets.size() == components && previous.size() == components,
           "a state of ", displacement.size(), " degrees of freedom was saved, the model has ", dofs);
   for (auto& history : contacts) contact::read_history<D>(from, history);
 }
 
 template <int D> void take_state(Model<D>& model, std::string_view bytes) {
-  Snapshot<D> state = model.snapshot();
+  Snapshot<D> kept = snapshot(model);
   ArchiveReader from(bytes);
-  read_state(from, state);
-  model.restore(state);
-  model.settle();
+  read_state(from, kept);
+  restore(model, kept);
+  settle(model);
 }
 
 /// A file taken apart.
@@ -85,14 +85,14 @@ std::vector<std::string> differences(const Parts& here, const Parts& there) {
 } // namespace
 
 template <int D> void save(Model<D>& model, const std::string& file, const std::string& text, bool durable) {
-  require(model.settled(), "the file would hold the accepted state alone, and there are a step, targets or penalties "
-                           "that are not accepted: call model:accept() to keep them, or model:rollback() first");
-  model.settle();
+  require(settled(model), "the file would hold the accepted state alone, and there are a step, targets or penalties "
+                          "that are not accepted: call model:accept() to keep them, or model:rollback() first");
+  settle(model);
   ArchiveWriter archive;
   archive.put(D);
   archive.section("text", [&](ArchiveWriter& to) { to.append(text.data(), text.size()); });
   archive.section("scene", [&](ArchiveWriter& to) { to.put(scene_parts(model)); });
-  archive.section("state", [&](ArchiveWriter& to) { write_state(to, model.snapshot()); });
+  archive.section("state", [&](ArchiveWriter& to) { write_state(to, snapshot(model)); });
   write_archive(file, kind, archive, durable);
 }
 

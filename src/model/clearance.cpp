@@ -132,12 +132,12 @@ std::string check_overlap(const Scene<D>& scene, const Contact<D>& contact, cons
 } // namespace
 
 template <int D>
-std::vector<std::string> check_clearance(const Scene<D>& scene, const std::vector<contact::Pair<D>>& pairs) {
+std::vector<std::string> check_clearance(const Scene<D>& scene, const std::vector<contact::History<D>>& contacts) {
   constexpr double tolerated = 0.01;
   std::vector<std::string> warnings;
-  for (std::size_t k = 0; k < pairs.size(); ++k) {
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
     const Contact<D>& contact = scene.contacts[k];
-    const auto& results = pairs[k].results();
+    const auto& results = contacts[k].results;
     const auto& deepest =
         *std::min_element(results.begin(), results.end(), [](const auto& a, const auto& b) { return a.gap < b.gap; });
     const NamedBody<D>& named = scene.bodies[at(contact.slave.body)];
@@ -170,7 +170,7 @@ std::vector<std::string> check_clearance(const Scene<D>& scene, const std::vecto
   return warnings;
 }
 
-template std::vector<std::string> check_clearance<2>(const Scene<2>&, const std::vector<contact::Pair<2>>&);
-template std::vector<std::string> check_clearance<3>(const Scene<3>&, const std::vector<contact::Pair<3>>&);
+template std::vector<std::string> check_clearance<2>(const Scene<2>&, const std::vector<contact::History<2>>&);
+template std::vector<std::string> check_clearance<3>(const Scene<3>&, const std::vector<contact::History<3>>&);
 
 } // namespace signorini::model

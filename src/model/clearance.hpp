@@ -10,9 +10,9 @@ namespace signorini::model {
 ///    wrong face, or the bodies are misplaced;
 ///  - an obstacle by more than 1 % of the body's size or 20 % of its thickness;
 /// when a closed obstacle lies inside the body of its slave face, or the body behind a plane. Returns warnings about
-/// bodies that overlap by more than 1 % of the thickness: an interference fit, or a mistake. `pairs` are those of the
-/// scene's contacts, evaluated in the reference configuration.
+/// bodies that overlap by more than 1 % of the thickness: an interference fit, or a mistake. `contacts` are those of
+/// the scene, evaluated in the reference configuration.
 template <int D>
-std::vector<std::string> check_clearance(const Scene<D>& scene, const std::vector<contact::Pair<D>>& pairs);
+std::vector<std::string> check_clearance(const Scene<D>& scene, const std::vector<contact::History<D>>& contacts);
 
 } // namespace signorini::model

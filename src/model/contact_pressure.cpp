@@ -19,14 +19,14 @@ int power(int base, int exponent) {
 
 template <int D>
 FacePressure<D>::FacePressure(const Model<D>& model, int contact)
-    : side_(model.scene().contacts[at(contact)].slave.side), points_(model.scene().contacts[at(contact)].points),
-      places_(solid::gauss_legendre(points_, 0, 1).points) {
-  const contact::Pair<D>& pair = model.pairs()[at(contact)];
+    : side_(model.system.scene.contacts[at(contact)].slave.side),
+      points_(model.system.scene.contacts[at(contact)].points), places_(solid::gauss_legendre(points_, 0, 1).points) {
+  const contact::Formulation<D>& formulation = *model.system.contacts[at(contact)];
   const int per_element = power(points_, D - 1);
-  values_.assign(at(pair.slave().elements() * per_element), 0.0);
-  for (std::size_t i = 0; i < pair.results().size(); ++i) {
-    const auto [element, number] = pair.place(i);
-    values_[at(element * per_element + number)] = pair.results()[i].pressure;
+  values_.assign(at(formulation.slave().elements() * per_element), 0.0);
+  for (std::size_t i = 0; i < formulation.points().size(); ++i) {
+    const contact::ContactPoint& point = formulation.points().list[i];
+    values_[at(point.element * per_element + point.number)] = model.present.contacts[at(contact)].results[i].pressure;
   }
 }
 
@@ -56,13 +56,13 @@ template <int D> double FacePressure<D>::at_place(int e, const contact::FaceCoor
 }
 
 template <int D> double sample_contact_pressure(const Model<D>& model, int body, const VectorX& xi) {
-  const nurbs::Discretisation& space = model.scene().bodies[at(body)].body->space();
+  const nurbs::Discretisation& space = model.system.scene.bodies[at(body)].body->space();
   space.find_element(xi); // refuses what lies outside
   double sum = 0;
   bool found = false;
   std::string known;
-  for (std::size_t c = 0; c < model.scene().contacts.size(); ++c) {
-    const auto& contact = model.scene().contacts[c];
+  for (std::size_t c = 0; c < model.system.scene.contacts.size(); ++c) {
+    const auto& contact = model.system.scene.contacts[c];
     if (contact.slave.body != body) continue;
     const int across = contact.slave.side.direction;
     const double end =
@@ -73,7 +73,7 @@ template <int D> double sample_contact_pressure(const Model<D>& model, int body,
     contact::FaceCoordinates<D> on_face, fraction;
     for (int d = 0, k = 0; d < D; ++d)
       if (d != across) on_face(k++) = xi(d);
-    const auto& slave = model.pairs()[c].slave();
+    const auto& slave = model.system.contacts[c]->slave();
     const int e = slave.find_element(on_face);
     for (int d = 0; d < D - 1; ++d) {
       const auto [from, to] = slave.interval(e, d);

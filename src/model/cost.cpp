@@ -8,8 +8,8 @@
 namespace signorini::model {
 
 template <int D> BodyCost body_cost(const Model<D>& model, int index) {
-  const solid::Body<D>& body = *model.scene().bodies[static_cast<std::size_t>(index)].body;
-  const Unknowns<D>& unknowns = model.unknowns();
+  const solid::Body<D>& body = *model.system.scene.bodies[static_cast<std::size_t>(index)].body;
+  const Unknowns<D>& unknowns = model.system.unknowns;
   std::set<int> all, layer;
   BodyCost cost{0, 0, 0, body.elements(), 0};
   const auto unknown = [&](int function, int component) {
@@ -33,27 +33,29 @@ template <int D> BodyCost body_cost(const Model<D>& model, int index) {
 }
 
 template <int D> int points_everywhere(const Model<D>& model, int contact, int per_direction) {
-  const int elements = model.pairs()[static_cast<std::size_t>(contact)].slave().elements();
+  const int elements = model.system.contacts[static_cast<std::size_t>(contact)]->slave().elements();
   return elements * (D == 3 ? per_direction * per_direction : per_direction);
 }
 
 template <int D> double accepted_value(const Model<D>& model, int support, int load, int component) {
-  const auto& drives = model.drives().all();
+  const auto& drives = model.system.drives.all();
   const auto found = std::find_if(drives.begin(), drives.end(),
                                   [&](const Drive& drive) { return drive.support == support && drive.load == load; });
   if (found == drives.end() || component < 0) return 0;
-  return model.accepted_target(static_cast<int>(found - drives.begin()), component);
+  return accepted_target(model, static_cast<int>(found - drives.begin()), component);
 }
 
 template <int D> MemoryCost memory_cost(const Model<D>& model) {
-  MemoryCost cost{0, 0, model.assembly().memory(), model.linear().statistics().memory, true, model.linear().kind()};
-  for (const auto& named : model.scene().bodies) cost.bodies += static_cast<double>(named.body->memory());
-  for (const contact::Pair<D>& pair : model.pairs()) cost.contacts += pair.memory();
-  if (cost.factors == 0 && model.unknowns().size() > 0) {
-    const solve::Pattern& pattern = model.assembly().pattern();
+  MemoryCost cost{0, 0, model.system.assembly.memory(), model.linear.statistics().memory, true, model.linear.kind()};
+  for (const auto& named : model.system.scene.bodies) cost.bodies += static_cast<double>(named.body->memory());
+  for (const auto& contact : model.system.contacts) cost.contacts += contact->memory();
+  for (const State<D>* state : {&model.accepted, &model.present})
+    for (const auto& history : state->contacts) cost.contacts += contact::memory(history);
+  if (cost.factors == 0 && model.system.unknowns.size() > 0) {
+    const solve::Pattern& pattern = model.system.assembly.pattern();
     constexpr bool damps = false;
     const solve::FactorEstimate estimate =
-        solve::estimate_factor(first_choice(linear_facts(model.scene()), pattern, damps), pattern);
+        solve::estimate_factor(first_choice(linear_facts(model.system), pattern, damps), pattern);
     cost.factors = estimate.memory;
     cost.solver = estimate.kind;
     cost.measured = false;

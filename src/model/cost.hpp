@@ -19,8 +19,8 @@ template <int D> int points_everywhere(const Model<D>& model, int contact, int p
 /// Whether a region leaves points of the slave face out.
 template <int D> bool limited(const Model<D>& model, int contact) {
   const auto k = static_cast<std::size_t>(contact);
-  return static_cast<int>(model.pairs()[k].results().size()) <
-         points_everywhere(model, contact, model.scene().contacts[k].points);
+  return static_cast<int>(model.system.contacts[k]->points().size()) <
+         points_everywhere(model, contact, model.system.scene.contacts[k].points);
 }
 
 /// The accepted target of a support's component among those it drives, or of a load's; the other index is −1. 0 where

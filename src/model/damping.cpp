@@ -45,15 +45,16 @@ VectorX damping(const Scene<D>& scene, const Unknowns<D>& unknowns, const std::v
 }
 
 template <int D>
-std::vector<double> strides(const Scene<D>& scene, const std::vector<contact::Pair<D>>& pairs, double small) {
+std::vector<double> strides(const Scene<D>& scene, const contact::Formulations<D>& contacts, const State<D>& state,
+                            double small) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   std::vector<double> nearest(scene.bodies.size(), infinity);
   const auto note = [&](int body, double distance) { nearest[at(body)] = std::min(nearest[at(body)], distance); };
-  for (std::size_t k = 0; k < pairs.size(); ++k) {
-    const double touch = pairs[k].resultant().active > 0 ? 0 : infinity;
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const double touch = resultant(state.contacts[k]).active > 0 ? 0 : infinity;
     double distance = touch;
     if (touch > 0)
-      for (const double gap : pairs[k].gaps()) distance = std::min(distance, std::abs(gap));
+      for (const double gap : contacts[k]->gaps(state.contacts[k])) distance = std::min(distance, std::abs(gap));
     note(scene.contacts[k].slave.body, distance);
     if (const auto* face = std::get_if<FaceReference>(&scene.contacts[k].master)) note(face->body, distance);
   }
@@ -65,7 +66,7 @@ std::vector<double> strides(const Scene<D>& scene, const std::vector<contact::Pa
   template std::vector<LooseMotion> loose_motions(const Scene<D>&, const Unknowns<D>&);                                \
   template VectorX damping(const Scene<D>&, const Unknowns<D>&, const std::vector<LooseMotion>&, const VectorX&,       \
                            const VectorX&, const std::vector<double>&);                                                \
-  template std::vector<double> strides(const Scene<D>&, const std::vector<contact::Pair<D>>&, double);
+  template std::vector<double> strides(const Scene<D>&, const contact::Formulations<D>&, const State<D>&, double);
 SIGNORINI_INSTANTIATE(2)
 SIGNORINI_INSTANTIATE(3)
 #undef SIGNORINI_INSTANTIATE

@@ -2,8 +2,8 @@
 // Damping of bodies that nothing but contact holds: it keeps the tangent regular and their motion short until they
 // touch.
 
-#include "contact/pair.hpp"
 #include "model/scene.hpp"
+#include "model/state.hpp"
 #include "model/unknowns.hpp"
 
 namespace signorini::model {
@@ -30,6 +30,7 @@ VectorX damping(const Scene<D>& scene, const Unknowns<D>& unknowns, const std::v
 /// How far each body may go in one iteration: as far as the nearest point of what it may touch while it touches
 /// nothing, else `small`.
 template <int D>
-std::vector<double> strides(const Scene<D>& scene, const std::vector<contact::Pair<D>>& pairs, double small);
+std::vector<double> strides(const Scene<D>& scene, const contact::Formulations<D>& contacts, const State<D>& state,
+                            double small);
 
 } // namespace signorini::model

@@ -22,12 +22,12 @@ constexpr std::size_t most_places = 5;
 
 /// Displacement of a control point in the accepted state.
 template <int D> VectorX accepted_displacement(const Model<D>& model, int body, int function) {
-  return model.accepted().template segment<D>(model.unknowns().offset(body) + D * function);
+  return model.accepted.displacement.template segment<D>(model.system.unknowns.offset(body) + D * function);
 }
 
 /// A control point of a body.
 template <int D> TroubleSpot control_point(const Model<D>& model, int body, int function) {
-  const auto& named = model.scene().bodies[at(body)];
+  const auto& named = model.system.scene.bodies[at(body)];
   const VectorX reference = named.body->space().points().col(function);
   return {"control point",
           named.name,
@@ -45,10 +45,10 @@ template <int D> std::vector<TroubleSpot> largest(const Model<D>& model, const V
     double size;
   };
   std::vector<Share> shares;
-  const VectorX all = model.unknowns().spread(values);
-  for (int b = 0; b < static_cast<int>(model.scene().bodies.size()); ++b)
-    for (int a = 0; a < model.scene().bodies[at(b)].body->functions(); ++a)
-      shares.push_back({b, a, all.template segment<D>(model.unknowns().offset(b) + D * a).norm()});
+  const VectorX all = model.system.unknowns.spread(values);
+  for (int b = 0; b < static_cast<int>(model.system.scene.bodies.size()); ++b)
+    for (int a = 0; a < model.system.scene.bodies[at(b)].body->functions(); ++a)
+      shares.push_back({b, a, all.template segment<D>(model.system.unknowns.offset(b) + D * a).norm()});
   const std::size_t count = std::min<std::size_t>(3, shares.size());
   std::partial_sort(shares.begin(), shares.begin() + static_cast<std::ptrdiff_t>(count), shares.end(),
                     [](const Share& a, const Share& b) { return a.size > b.size; });
@@ -63,14 +63,14 @@ template <int D> std::vector<TroubleSpot> largest(const Model<D>& model, const V
 }
 
 template <int D> TroubleSpot contact_point(const Model<D>& model, const PointIndex& index, std::string text) {
-  const contact::Pair<D>& pair = model.pairs()[at(index.contact)];
+  const contact::ContactPoints<D>& points = model.system.contacts[at(index.contact)]->points();
   const auto i = at(index.point);
   return {"contact point",
-          model.scene().contacts[at(index.contact)].name,
-          pair.place(i).first,
-          pair.reference_positions()[i],
-          pair.accepted_results()[i].position,
-          pair.results()[i].gap,
+          model.system.scene.contacts[at(index.contact)].name,
+          points.list[i].element,
+          points.reference[i],
+          model.accepted.contacts[at(index.contact)].results[i].position,
+          model.present.contacts[at(index.contact)].results[i].gap,
           std::move(text)};
 }
 
@@ -88,10 +88,11 @@ void add_points(Diagnosis& diagnosis, const Model<D>& model, const std::vector<P
 
 /// The contact points that press and are not on the master, the farthest first.
 template <int D> std::vector<PointIndex> farthest(const Model<D>& model) {
-  const auto result = [&](const PointIndex& p) { return model.pairs()[at(p.contact)].results()[at(p.point)]; };
+  const auto& contacts = model.present.contacts;
+  const auto result = [&](const PointIndex& p) { return contacts[at(p.contact)].results[at(p.point)]; };
   std::vector<PointIndex> points;
-  for (int k = 0; k < static_cast<int>(model.pairs().size()); ++k)
-    for (int i = 0; i < static_cast<int>(model.pairs()[at(k)].results().size()); ++i)
+  for (int k = 0; k < static_cast<int>(contacts.size()); ++k)
+    for (int i = 0; i < static_cast<int>(contacts[at(k)].results.size()); ++i)
       if (result({k, i}).state != contact::ContactState::open) points.push_back({k, i});
   std::stable_sort(points.begin(), points.end(), [&](const PointIndex& a, const PointIndex& b) {
     return std::abs(result(a).gap) > std::abs(result(b).gap);
@@ -101,8 +102,8 @@ template <int D> std::vector<PointIndex> farthest(const Model<D>& model) {
 
 /// The element that is inverted: its Gauss point.
 template <int D> TroubleSpot inverted_element(const Model<D>& model) {
-  const auto& [body, inversion] = *model.inversion();
-  const auto& named = model.scene().bodies[at(body)];
+  const auto& [body, inversion] = *model.inversion;
+  const auto& named = model.system.scene.bodies[at(body)];
   const nurbs::Discretisation& space = named.body->space();
   const solid::ElementQuadrature rule = solid::element_quadrature(space, inversion.element);
   VectorX current = inversion.point;
@@ -125,15 +126,15 @@ template <int D> TroubleSpot inverted_element(const Model<D>& model) {
 template <int D>
 Eigen::Map<const Eigen::Matrix<double, D, Eigen::Dynamic>> moves_of(const Model<D>& model, std::size_t body,
                                                                     const VectorX& all) {
-  return {all.data() + model.unknowns().offset(static_cast<int>(body)), D,
-          model.scene().bodies[body].body->functions()};
+  return {all.data() + model.system.unknowns.offset(static_cast<int>(body)), D,
+          model.system.scene.bodies[body].body->functions()};
 }
 
 /// Whether a direction moves a body as a whole, and how, in words; empty when it deforms it.
 template <int D> std::string rigid_part(const Model<D>& model, const VectorX& direction) {
-  const VectorX all = model.unknowns().spread(direction);
-  for (std::size_t b = 0; b < model.scene().bodies.size(); ++b) {
-    const auto& named = model.scene().bodies[b];
+  const VectorX all = model.system.unknowns.spread(direction);
+  for (std::size_t b = 0; b < model.system.scene.bodies.size(); ++b) {
+    const auto& named = model.system.scene.bodies[b];
     const auto own = moves_of(model, b, all);
     const Vec<D> mean = own.rowwise().mean();
     constexpr double whole = 0.01;
@@ -141,7 +142,7 @@ template <int D> std::string rigid_part(const Model<D>& model, const VectorX& di
     if ((own.colwise() - mean).norm() <= whole * own.norm())
       return text("body '", named.name, "' moves as a whole along ", coordinates(mean / mean.norm()));
     // what u = Σ_m a_m m leaves over the rigid motions m, in the sense of least squares
-    const std::vector<VectorX> motions = rigid_motions<D>(named.body->space().points(), model.scene().kind);
+    const std::vector<VectorX> motions = rigid_motions<D>(named.body->space().points(), model.system.scene.kind);
     MatrixX columns(own.size(), static_cast<Eigen::Index>(motions.size()));
     for (std::size_t m = 0; m < motions.size(); ++m) columns.col(static_cast<Eigen::Index>(m)) = motions[m];
     const VectorX flat = Eigen::Map<const VectorX>(own.data(), own.size());
@@ -163,14 +164,14 @@ template <int D> void add_direction(Diagnosis& diagnosis, const Model<D>& model,
 
 /// Whether a displacement d slides along a contact of a body that has no friction: all points that touch let it pass.
 template <int D> bool slides(const Model<D>& model, std::size_t contact, std::size_t body, const Vec<D>& d) {
-  const Contact<D>& named = model.scene().contacts[contact];
+  const Contact<D>& named = model.system.scene.contacts[contact];
   const auto* face = std::get_if<FaceReference>(&named.master);
-  const auto* law = std::get_if<contact::PenaltyLaw>(&named.law);
+  const auto* law = std::get_if<contact::PenaltyLaw>(&named.method);
   const bool is_part = at(named.slave.body) == body || (face && at(face->body) == body);
   if (!law || law->friction > 0 || !is_part) return false;
   constexpr double along = 0.1; // the rest across the face, as a part of d
   bool touches = false;
-  for (const auto& point : model.pairs()[contact].results()) {
+  for (const auto& point : model.present.contacts[contact].results) {
     if (point.state == contact::ContactState::open) continue;
     if (residual_of(orthonormal(point.tangents), d).norm() > along * d.norm()) return false;
     touches = true;
@@ -180,15 +181,15 @@ template <int D> bool slides(const Model<D>& model, std::size_t contact, std::si
 
 /// What to do about a body that slides on contact without friction; empty where none does.
 template <int D> std::string cure_of_sliding(const Model<D>& model, const VectorX& direction) {
-  const VectorX all = model.unknowns().spread(direction);
-  for (std::size_t b = 0; b < model.scene().bodies.size(); ++b) {
-    const auto& named = model.scene().bodies[b];
+  const VectorX all = model.system.unknowns.spread(direction);
+  for (std::size_t b = 0; b < model.system.scene.bodies.size(); ++b) {
+    const auto& named = model.system.scene.bodies[b];
     const auto own = moves_of(model, b, all);
     const Vec<D> mean = own.rowwise().mean();
     if (mean.norm() * std::sqrt(static_cast<double>(own.cols())) < 0.5 * all.norm()) continue;
-    for (std::size_t k = 0; k < model.scene().contacts.size(); ++k)
+    for (std::size_t k = 0; k < model.system.scene.contacts.size(); ++k)
       if (slides(model, k, b, mean))
-        return text("contact '", model.scene().contacts[k].name, "' is frictionless, so nothing holds body '",
+        return text("contact '", model.system.scene.contacts[k].name, "' is frictionless, so nothing holds body '",
                     named.name,
                     "' along it: give the contact friction = { mu = …, penalty = … }, or the body a support");
   }
@@ -264,7 +265,7 @@ std::string joined(const std::vector<Advice>& list, const ControlsOn& on) {
 
 /// Adds what a penalty far above the bodies' stiffness has to do with a failure.
 template <int D> void add_stiffness(Diagnosis& diagnosis, const Model<D>& model) {
-  const Scene<D>& scene = model.scene();
+  const Scene<D>& scene = model.system.scene;
   PenaltyRatio worst{0, 0, ""};
   std::string name;
   for (const Contact<D>& contact : scene.contacts)
@@ -272,7 +273,7 @@ template <int D> void add_stiffness(Diagnosis& diagnosis, const Model<D>& model)
       worst = std::move(penalty);
       name = contact.name;
     }
-  worst.ratio *= model.penalty_factor();
+  worst.ratio *= model.present.penalty_factor;
   if (worst.ratio < stiff_penalty) return;
   const bool is_cause = worst.ratio >= beyond_rounding;
   diagnosis.message += text("; the penalty of contact '", name, "' is ", number(worst.ratio),
@@ -289,16 +290,16 @@ template <int D> void add_stiffness(Diagnosis& diagnosis, const Model<D>& model)
 
 template <int D> Diagnosis diagnose(const Model<D>& model, const solve::NewtonReport& report, const ControlsOn& on) {
   Diagnosis diagnosis{report.outcome, report.message, "", {}, {}};
-  const Assembly<D>& assembly = model.assembly();
-  const bool has_tangent = model.unknowns().size() > 0 && assembly.diagonal_norm() > 0;
-  if (report.outcome == Outcome::inverted_element && model.inversion()) diagnosis.places = {inverted_element(model)};
-  const ActiveSet<D>& set = model.active_set();
+  const Assembly<D>& assembly = model.system.assembly;
+  const bool has_tangent = model.system.unknowns.size() > 0 && assembly.diagonal_norm() > 0;
+  if (report.outcome == Outcome::inverted_element && model.inversion) diagnosis.places = {inverted_element(model)};
+  const ActiveSet<D>& set = model.active_set;
   const auto states = [&](const PointIndex& point) { return set.alternating(point); };
   if (report.outcome == Outcome::cycling) add_points(diagnosis, model, set.restless(), states);
   if (report.outcome == Outcome::lost_projection) add_points(diagnosis, model, set.strays(), states);
   if (report.outcome == Outcome::penetration)
     add_points(diagnosis, model, farthest(model), [&](const PointIndex& point) {
-      return text("gap ", number(model.pairs()[at(point.contact)].results()[at(point.point)].gap));
+      return text("gap ", number(model.present.contacts[at(point.contact)].results[at(point.point)].gap));
     });
   if (report.outcome == Outcome::singular_tangent && has_tangent) {
     const WeakDirection weak = null_direction(assembly.pattern(), assembly.values());
@@ -314,11 +315,12 @@ template <int D> Diagnosis diagnose(const Model<D>& model, const solve::NewtonRe
       diagnosis.message += text("; the tangent is indefinite there");
       add_direction(diagnosis, model, softest);
       diagnosis.cure = cure_of_sliding(model, softest.direction);
-      if (diagnosis.cure.empty() && model.accepted().isZero(0)) diagnosis.cure = joined(first_step_cures(), on);
+      if (diagnosis.cure.empty() && model.accepted.displacement.isZero(0))
+        diagnosis.cure = joined(first_step_cures(), on);
     }
   }
-  if (model.unbalanced().size() > 0 && model.unbalanced().allFinite() && !report.residuals.empty())
-    diagnosis.unbalanced = largest(model, model.unbalanced(), "unbalanced force");
+  if (model.unbalanced.size() > 0 && model.unbalanced.allFinite() && !report.residuals.empty())
+    diagnosis.unbalanced = largest(model, model.unbalanced, "unbalanced force");
   if (diagnosis.places.empty()) diagnosis.places = diagnosis.unbalanced;
   if (diagnosis.cure.empty()) diagnosis.cure = joined(cures(diagnosis.outcome), on);
   if (report.outcome != Outcome::penetration && report.outcome != Outcome::lost_projection)

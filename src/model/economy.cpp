@@ -108,9 +108,9 @@ std::vector<int> images(int count, int present) {
 
 /// Unknowns of a body in a changed space; what turns with a face keeps its shared unknowns.
 template <int D> int count_unknowns(const Model<D>& model, int body, const ChangedSpace& changed) {
-  const Unknowns<D>& unknowns = model.unknowns();
+  const Unknowns<D>& unknowns = model.system.unknowns;
   std::set<int> shared;
-  const int own = count_free(model.scene().bodies[at(body)].body->space(), changed, D,
+  const int own = count_free(model.system.scene.bodies[at(body)].body->space(), changed, D,
                              [&](int component, int function, const Place&) {
                                const int dof = unknowns.offset(body) + D * function + component;
                                const int unknown = unknowns.unknown(dof);
@@ -163,8 +163,8 @@ void keep_thickness(const Discretisation& space, LabelChoice& choice) {
 
 /// N2 in place of degrees above, except on the contact faces.
 template <int D> std::optional<LabelChoice> layer_of(const Model<D>& model, int body) {
-  const Discretisation& space = model.scene().bodies[at(body)].body->space();
-  if (space.contact().empty() || !uniform(space) || !meets(model.scene(), body)) return std::nullopt;
+  const Discretisation& space = model.system.scene.bodies[at(body)].body->space();
+  if (space.contact().empty() || !uniform(space) || !meets(model.system.scene, body)) return std::nullopt;
   LabelChoice choice{body, {}, 0};
   ChangedSpace changed = unchanged(space);
   bool lower = false;
@@ -190,8 +190,8 @@ template <int D> std::optional<LabelChoice> layer_of(const Model<D>& model, int 
 
 /// The bulk's label for a body whose layers touch nothing.
 template <int D> std::optional<LabelChoice> bulk_of(const Model<D>& model, int body) {
-  const Discretisation& space = model.scene().bodies[at(body)].body->space();
-  if (space.contact().empty() || uniform(space) || meets(model.scene(), body)) return std::nullopt;
+  const Discretisation& space = model.system.scene.bodies[at(body)].body->space();
+  if (space.contact().empty() || uniform(space) || meets(model.system.scene, body)) return std::nullopt;
   LabelChoice choice{body, {}, 0};
   const nurbs::Patch& bulk = space.rows()[at(bulk_row(space))];
   for (const KnotVector& knots : bulk.directions()) {
@@ -212,7 +212,7 @@ template <int D> std::optional<LabelChoice> bulk_of(const Model<D>& model, int b
 
 template <int D> std::vector<StiffBody> find_stiff_bodies(const Model<D>& model) {
   constexpr double much = 100;
-  const Scene<D>& scene = model.scene();
+  const Scene<D>& scene = model.system.scene;
   const auto modulus = [&](int body) {
     return solid::constants(scene.bodies[at(body)].body->material()).youngs_modulus;
   };
@@ -242,23 +242,23 @@ template <int D> std::vector<StiffBody> find_stiff_bodies(const Model<D>& model)
 
 template <int D> std::vector<LabelChoice> find_layers(const Model<D>& model) {
   std::vector<LabelChoice> found;
-  for (int b = 0; b < static_cast<int>(model.scene().bodies.size()); ++b)
+  for (int b = 0; b < static_cast<int>(model.system.scene.bodies.size()); ++b)
     if (auto choice = layer_of(model, b)) found.push_back(std::move(*choice));
   return found;
 }
 
 template <int D> std::vector<LabelChoice> find_idle_layers(const Model<D>& model) {
   std::vector<LabelChoice> found;
-  for (int b = 0; b < static_cast<int>(model.scene().bodies.size()); ++b)
+  for (int b = 0; b < static_cast<int>(model.system.scene.bodies.size()); ++b)
     if (auto choice = bulk_of(model, b)) found.push_back(std::move(*choice));
   return found;
 }
 
 template <int D> std::vector<DenseContact> find_dense_contacts(const Model<D>& model) {
   std::vector<DenseContact> found;
-  const auto& contacts = model.scene().contacts;
+  const auto& contacts = model.system.scene.contacts;
   for (int k = 0; k < static_cast<int>(contacts.size()); ++k) {
-    const contact::Surface<D>& slave = model.pairs()[at(k)].slave();
+    const contact::Surface<D>& slave = model.system.contacts[at(k)]->slave();
     int degree = slave.degree(0);
     if (D == 3) degree = std::max(degree, slave.degree(D - 2));
     const int enough = 3 * (degree + 1);

@@ -2,13 +2,12 @@
 
 namespace signorini::model {
 
-template <int D> LinearFacts linear_facts(const Scene<D>& scene) {
+template <int D> LinearFacts linear_facts(const System<D>& system) {
+  const Scene<D>& scene = system.scene;
   const bool linear =
       std::all_of(scene.bodies.begin(), scene.bodies.end(), [](const auto& named) { return named.body->linear(); });
-  // The penalty law has none, since its traction acts on the current area.
-  const bool potential = std::all_of(scene.contacts.begin(), scene.contacts.end(), [](const Contact<D>& contact) {
-    return std::holds_alternative<contact::Adhesion>(contact.law);
-  });
+  const bool potential = std::all_of(system.contacts.begin(), system.contacts.end(),
+                                     [](const auto& contact) { return contact->has_potential(); });
   return {linear && !scene.contacts.empty(), potential};
 }
 
@@ -21,7 +20,7 @@ solve::LinearKind first_choice(const LinearFacts& facts, const solve::Pattern& p
   return facts.potential ? solve::symmetric_choice(pattern) : solve::LinearKind::automatic;
 }
 
-template LinearFacts linear_facts(const Scene<2>&);
-template LinearFacts linear_facts(const Scene<3>&);
+template LinearFacts linear_facts(const System<2>&);
+template LinearFacts linear_facts(const System<3>&);
 
 } // namespace signorini::model

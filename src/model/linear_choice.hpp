@@ -1,7 +1,7 @@
 #pragma once
 // Which linear solver suits a scene, where the user leaves the choice open.
 
-#include "model/scene.hpp"
+#include "model/system.hpp"
 #include "solve/linear.hpp"
 
 namespace signorini::model {
@@ -9,10 +9,10 @@ namespace signorini::model {
 /// What the choice of a linear solver asks of a scene.
 struct LinearFacts {
   bool constant_bulk; ///< bodies that are all linear elastic, and a contact: only the contacts' part changes
-  bool potential;     ///< the tangent is symmetric: all contact laws but the penalty law's have a potential
+  bool potential;     ///< the tangent is symmetric: all contacts have a potential
 };
 
-template <int D> LinearFacts linear_facts(const Scene<D>& scene);
+template <int D> LinearFacts linear_facts(const System<D>& system);
 
 /// Whether the bodies' part of the tangent is factored once: not where loose bodies are damped, which changes it.
 bool can_condense(const LinearFacts& facts, bool damps);

@@ -14,12 +14,13 @@ template <int D> void append(const Vec<D>& v, std::array<std::vector<double>*, 3
 } // namespace
 
 template <int D> Profile profile(const Model<D>& model, int contact) {
-  const contact::Pair<D>& pair = model.pairs()[static_cast<std::size_t>(contact)];
+  const contact::Formulation<D>& formulation = *model.system.contacts[static_cast<std::size_t>(contact)];
+  const contact::History<D>& history = model.present.contacts[static_cast<std::size_t>(contact)];
   Profile result;
-  result.gap = pair.gaps();
-  for (const Vec<D>& place : pair.reference_positions())
+  result.gap = formulation.gaps(history);
+  for (const Vec<D>& place : formulation.points().reference)
     append<D>(place, {&result.reference_x, &result.reference_y, &result.reference_z});
-  for (const auto& point : pair.results()) {
+  for (const auto& point : history.results) {
     const bool touching = point.state == contact::ContactState::stick || point.state == contact::ContactState::slip;
     append<D>(point.position, {&result.x, &result.y, &result.z});
     result.area.push_back(point.area);

@@ -1,48 +1,56 @@
-// How a model moves by pseudo-transient continuation, see solve/pseudo_time.hpp.
-#include "model/model.hpp"
+#include "model/pseudo_transient.hpp"
+
+#include "model/equilibrium.hpp"
 
 #include <limits>
 
 namespace signorini::model {
 
-/// One move in pseudo-time. D is the diagonal of the tangent at the first of them, |K_ii|. Returns false where bodies
-/// move on and on, since nothing holds them.
-template <int D> bool Model<D>::advance_in_pseudo_time(const StepOptions& options, double& energy) {
-  if (step_->viscosity.size() == 0) {
-    step_->viscosity = assembly_.diagonal().cwiseAbs();
-    step_->origin = displacement_;
+namespace {
+
+constexpr double most_way = 0.5; ///< of the bodies' extent: what moves on from there is held by nothing
+/// Damped strongly enough any move is accepted; what is left are tangents that cannot be factored.
+constexpr int most_trials = 30;
+
+} // namespace
+
+template <int D> bool advance_in_pseudo_time(Model<D>& model, const StepOptions& options, double& energy) {
+  Step& step = *model.step;
+  Assembly<D>& assembly = model.system.assembly;
+  VectorX& displacement = model.present.displacement;
+  if (step.viscosity.size() == 0) {
+    step.viscosity = assembly.diagonal().cwiseAbs();
+    step.origin = displacement;
   }
-  const auto way = [this] { return (displacement_ - step_->origin).template lpNorm<Eigen::Infinity>(); };
-  if (way() > 0.5 * extent_) return false;
-  const VectorX before = displacement_, residual = unbalanced_;
-  // Damped strongly enough any move is accepted; what is left are tangents that cannot be factored.
-  constexpr int most_trials = 30;
+  const auto way = [&] { return (displacement - step.origin).template lpNorm<Eigen::Infinity>(); };
+  if (way() > most_way * model.system.extent) return false;
+  const VectorX before = displacement, residual = model.unbalanced;
   std::string why;
   for (int trial = 0; trial < most_trials; ++trial) {
     if (trial > 0) {
-      displacement_ = before;
-      if (assemble(nullptr, true, why) != solve::Outcome::converged) return false;
+      displacement = before;
+      if (evaluate(model, nullptr, true, why) != solve::Outcome::converged) return false;
     }
-    const VectorX damping = step_->pseudo_time.damping() * step_->viscosity;
-    assembly_.add_diagonal(damping);
+    const VectorX damping = step.pseudo_time.damping() * step.viscosity;
+    assembly.add_diagonal(damping);
     VectorX move = -residual;
     double error = std::numeric_limits<double>::infinity();
-    if (factor(options) && solve_for(move) && move.allFinite()) {
+    if (factor(model, options) && solve_for(model, move) && move.allFinite()) {
       energy = std::abs(residual.dot(move));
-      displacement_ = before + unknowns_.spread(move);
+      displacement = before + model.system.unknowns.spread(move);
       // e = |r(u + Δu) + α D Δu| / |r(u)|
-      if (way() <= extent_ && assemble(nullptr, false, why) == solve::Outcome::converged)
-        error = (unbalanced_ + damping.cwiseProduct(move)).norm() / residual.norm();
+      if (way() <= model.system.extent && evaluate(model, nullptr, false, why) == solve::Outcome::converged)
+        error = (model.unbalanced + damping.cwiseProduct(move)).norm() / residual.norm();
     }
-    if (step_->pseudo_time.accept(error)) {
-      step_->moved = true;
+    if (step.pseudo_time.accept(error)) {
+      step.moved = true;
       return true;
     }
   }
   return false;
 }
 
-template bool Model<2>::advance_in_pseudo_time(const StepOptions&, double&);
-template bool Model<3>::advance_in_pseudo_time(const StepOptions&, double&);
+template bool advance_in_pseudo_time(Model<2>&, const StepOptions&, double&);
+template bool advance_in_pseudo_time(Model<3>&, const StepOptions&, double&);
 
 } // namespace signorini::model

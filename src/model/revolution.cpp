@@ -99,8 +99,8 @@ std::optional<Revolution> find_shape(const std::vector<Samples>& bodies, const A
 
 /// What holds the degrees of freedom of a body: 0 nothing, 1 a support that fixes, 2 + i drive i.
 std::vector<int> holders(const Model<3>& model, int body) {
-  const Scene<3>& scene = model.scene();
-  const Unknowns<3>& unknowns = model.unknowns();
+  const Scene<3>& scene = model.system.scene;
+  const Unknowns<3>& unknowns = model.system.unknowns;
   std::vector<int> holder(at(3 * scene.bodies[at(body)].body->functions()));
   for (int i = 0; i < static_cast<int>(holder.size()); ++i)
     holder[at(i)] = unknowns.unknown(unknowns.offset(body) + i) < 0;
@@ -142,7 +142,7 @@ int plane_of(const MatrixX& points, const std::vector<int>& functions, const Axi
 
 /// Whether the supports of a body are the same all around, and hold the ends of a sector as symmetry planes.
 bool held_all_around(const Model<3>& model, int body, const Revolution& revolution, const Axis& axis) {
-  const Discretisation& space = model.scene().bodies[at(body)].body->space();
+  const Discretisation& space = model.system.scene.bodies[at(body)].body->space();
   const int d = revolution.directions[at(body)];
   const std::vector<int> holder = holders(model, body);
   const MatrixX points = space.points();
@@ -191,7 +191,7 @@ struct Revolves {
 };
 
 bool actions_fit(const Model<3>& model, const Revolution& revolution, const Axis& axis) {
-  const Scene<3>& scene = model.scene();
+  const Scene<3>& scene = model.system.scene;
   const auto around = [&](const FaceReference& face) {
     return face.side.direction != revolution.directions[at(face.body)];
   };
@@ -231,7 +231,7 @@ double longest_side(const Scene<3>& scene) {
 } // namespace
 
 std::optional<Revolution> find_revolution(const Model<3>& model) {
-  const Scene<3>& scene = model.scene();
+  const Scene<3>& scene = model.system.scene;
   std::vector<Samples> bodies;
   for (const auto& body : scene.bodies) bodies.push_back(take_samples(body.body->space()));
   for (int e = 0; e < 3; ++e) {
@@ -249,9 +249,9 @@ std::optional<Revolution> find_revolution(const Model<3>& model) {
 int unknowns_of_section(const Model<3>& model, const Revolution& revolution) {
   int count = 0;
   const int e = revolution.axis, first = (e + 1) % 3, second = (e + 2) % 3;
-  const double length = longest_side(model.scene());
-  for (int b = 0; b < static_cast<int>(model.scene().bodies.size()); ++b) {
-    const Discretisation& space = model.scene().bodies[at(b)].body->space();
+  const double length = longest_side(model.system.scene);
+  for (int b = 0; b < static_cast<int>(model.system.scene.bodies.size()); ++b) {
+    const Discretisation& space = model.system.scene.bodies[at(b)].body->space();
     const int d = revolution.directions[at(b)];
     ChangedSpace section = unchanged(space);
     // The second function of each line: what planes at the ends hold does not count.
@@ -268,7 +268,7 @@ int unknowns_of_section(const Model<3>& model, const Revolution& revolution) {
     count += count_free(space, section, 2, [&](int component, int function, const Place&) {
       if (component == 0 && on_axis(function)) return true;
       const int held = component == 0 ? first : e;
-      return model.unknowns().unknown(model.unknowns().offset(b) + 3 * function + held) < 0;
+      return model.system.unknowns.unknown(model.system.unknowns.offset(b) + 3 * function + held) < 0;
     });
   }
   return count;

@@ -1,6 +1,7 @@
 #include "model/sample.hpp"
 
 #include "base/index.hpp"
+#include "model/results.hpp"
 #include "solid/quadrature.hpp"
 
 #include <algorithm>
@@ -10,9 +11,9 @@
 namespace signorini::model {
 
 template <int D> BodyPoint<D> body_point(const Model<D>& model, int body, int e, const VectorX& xi) {
-  const nurbs::Discretisation& space = model.scene().bodies[at(body)].body->space();
+  const nurbs::Discretisation& space = model.system.scene.bodies[at(body)].body->space();
   const nurbs::ElementBasis basis = space.basis(e, xi);
-  const auto displacement = model.body_displacement(body);
+  const auto displacement = body_displacement(model, body);
   BodyPoint<D> point{Vec<D>::Zero(), Mat<D>::Zero(), {Vec<D>::Zero(), Mat<D>::Zero()}};
   Mat<D>& jacobian = point.jacobian;
   Mat<D> rate = Mat<D>::Zero(); // ∂u/∂ξ
@@ -25,7 +26,7 @@ template <int D> BodyPoint<D> body_point(const Model<D>& model, int body, int e,
     rate += displacement.col(function) * basis.gradients.col(i).transpose();
   }
   point.state.deformation = Mat<D>::Identity() + rate * jacobian.inverse();
-  if (model.scene().bodies[at(body)].body->kind() == solid::Kind::axisymmetric) {
+  if (model.system.scene.bodies[at(body)].body->kind() == solid::Kind::axisymmetric) {
     // F_θθ = 1 + u_r/R → 1 + ∂u_r/∂R on the axis; nearer than this the quotient is rounding
     const double radius = point.reference(0), size = jacobian.cwiseAbs().maxCoeff();
     point.state.hoop = radius > 1e-8 * size ? 1 + point.state.displacement(0) / radius : point.state.deformation(0, 0);
@@ -72,7 +73,7 @@ template <int D> bool is_flat_corner(const Mat<D>& jacobian) {
 
 template <int D> BodyPoint<D> regular_point(const Model<D>& model, int body, int e, const VectorX& xi) {
   BodyPoint<D> point = body_point(model, body, e, xi);
-  const solid::Body<D>& solid = *model.scene().bodies[at(body)].body;
+  const solid::Body<D>& solid = *model.system.scene.bodies[at(body)].body;
   const nurbs::Discretisation& space = solid.space();
   // Towards a flat corner F grows without bound, and between the Gauss points nothing keeps det F positive.
   const GaussBox<D> box = gauss_box<D>(space, e, xi);
@@ -90,7 +91,7 @@ template <int D> BodyPoint<D> regular_point(const Model<D>& model, int body, int
 }
 
 template <int D> double sample(const Model<D>& model, int body, const Field<D>& field, const VectorX& xi) {
-  const solid::Body<D>& solid = *model.scene().bodies[at(body)].body;
+  const solid::Body<D>& solid = *model.system.scene.bodies[at(body)].body;
   return field.value(solid.material(), regular_point(model, body, solid.space().find_element(xi), xi).state);
 }
 

@@ -33,7 +33,7 @@ template <int D> struct Pieces {
   /// Cuts the piece of element e along two directions, the parameters of `xi` fixed in the third one.
   void cut(Sampling<D>& sampling, int e, std::array<int, 2> along, VectorX xi,
            const std::vector<Window>& windows) const {
-    const nurbs::Discretisation& space = model.scene().bodies[at(body)].body->space();
+    const nurbs::Discretisation& space = model.system.scene.bodies[at(body)].body->space();
     const auto at_fractions = [&](double s, double t) {
       for (auto [direction, fraction] : {std::pair{along[0], s}, std::pair{along[1], t}}) {
         const auto [from, to] = space.interval(e, direction);
@@ -58,7 +58,7 @@ template <int D> Sampling<D> even_sampling(const nurbs::Discretisation& space, i
 template <int D>
 Sampling<D> sampling(const Model<D>& model, int body, int divisions, bool deformed,
                      const std::vector<Window>& windows) {
-  const nurbs::Discretisation& space = model.scene().bodies[at(body)].body->space();
+  const nurbs::Discretisation& space = model.system.scene.bodies[at(body)].body->space();
   Sampling<D> result = even_sampling<D>(space, divisions);
   if (windows.empty()) return result;
   const Pieces<D> pieces{model, body, deformed};

@@ -1,7 +1,7 @@
 #pragma once
 // What a model is made of: named bodies, supports, loads, obstacles and contacts, as plain values.
 
-#include "contact/pair.hpp"
+#include "contact/method.hpp"
 #include "solid/body.hpp"
 
 #include <array>
@@ -65,7 +65,7 @@ template <int D> struct Contact {
   std::string name;
   FaceReference slave;
   std::variant<FaceReference, ObstacleReference> master;
-  contact::Law law;
+  contact::Method<D> method;
   int points; ///< Gauss points per slave element and direction
   contact::Region<D> where = {};
 };

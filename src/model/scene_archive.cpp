@@ -78,10 +78,10 @@ namespace {
 template <int D> using Places = Eigen::Matrix<double, D, Eigen::Dynamic>;
 
 /// Reference positions of the points that a region has left; no columns where all take part.
-template <int D> Places<D> kept_points(const Contact<D>& contact, const contact::Pair<D>& pair) {
-  std::size_t all = at(pair.slave().elements());
+template <int D> Places<D> kept_points(const Contact<D>& contact, const contact::Formulation<D>& formulation) {
+  std::size_t all = at(formulation.slave().elements());
   for (int d = 0; d < D - 1; ++d) all *= at(contact.points);
-  const auto& positions = pair.reference_positions();
+  const auto& positions = formulation.points().reference;
   Places<D> kept(D, positions.size() == all ? 0 : static_cast<Eigen::Index>(positions.size()));
   for (Eigen::Index i = 0; i < kept.cols(); ++i) kept.col(i) = positions[static_cast<std::size_t>(i)];
   return kept;
@@ -99,16 +99,17 @@ template <int D> contact::Region<D> region_of(const Places<D>& kept) {
   return [sorted, before](const Vec<D>& x) { return std::binary_search(sorted.begin(), sorted.end(), x, before); };
 }
 
-template <int D> void write_contact(ArchiveWriter& to, const Contact<D>& contact, const contact::Pair<D>& pair) {
-  const auto& [name, slave, master, law, points, where] = contact;
+template <int D>
+void write_contact(ArchiveWriter& to, const Contact<D>& contact, const contact::Formulation<D>& formulation) {
+  const auto& [name, slave, master, method, points, where] = contact;
   const auto* face = std::get_if<FaceReference>(&master);
   to.put(name, slave, face != nullptr, face ? *face : FaceReference{},
-         face ? -1 : std::get<ObstacleReference>(master).obstacle, law, points, kept_points(contact, pair));
+         face ? -1 : std::get<ObstacleReference>(master).obstacle, method, points, kept_points(contact, formulation));
 }
 
 template <int D> Contact<D> read_contact(ArchiveReader& from) {
   Contact<D> contact{};
-  auto& [name, slave, master, law, points, where] = contact;
+  auto& [name, slave, master, method, points, where] = contact;
   from.into(name, slave);
   const bool is_face = from.get<bool>();
   const auto face = from.get<FaceReference>();
@@ -117,7 +118,8 @@ template <int D> Contact<D> read_contact(ArchiveReader& from) {
     master = face;
   else
     master = obstacle;
-  from.into(law, points);
+  method = contact::read_method<D>(from);
+  points = from.get<int>();
   where = region_of<D>(from.get<Places<D>>());
   return contact;
 }
@@ -137,7 +139,7 @@ template <class Part> ScenePart named(const char* kind, const std::string& name,
 } // namespace
 
 template <int D> std::vector<ScenePart> scene_parts(const Model<D>& model) {
-  const Scene<D>& scene = model.scene();
+  const Scene<D>& scene = model.system.scene;
   const auto& [bodies, obstacles, supports, loads, contacts, kind] = scene;
   const auto size = [](const auto& list) { return static_cast<int>(list.size()); };
   ArchiveWriter counts;
@@ -153,7 +155,7 @@ template <int D> std::vector<ScenePart> scene_parts(const Model<D>& model) {
   add("load", loads);
   for (std::size_t k = 0; k < contacts.size(); ++k)
     parts.push_back(named("contact", contacts[k].name,
-                          [&](ArchiveWriter& to) { write_contact(to, contacts[k], model.pairs()[k]); }));
+                          [&](ArchiveWriter& to) { write_contact(to, contacts[k], *model.system.contacts[k]); }));
   return parts;
 }
 

@@ -51,7 +51,7 @@ template <int D> void warn_of_locking(const Scene<D>& scene, std::vector<std::st
 
 template <int D> void warn_of_friction(const Contact<D>& contact, std::vector<std::string>& warnings) {
   constexpr double most = 3; // rubber on dry concrete is at 1
-  const auto* law = std::get_if<contact::PenaltyLaw>(&contact.law);
+  const auto* law = std::get_if<contact::PenaltyLaw>(&contact.method);
   if (!law || law->friction <= most) return;
   warnings.push_back(text("contacts.", contact.name, ": friction.mu = ", law->friction,
                           " is far above what materials have; mu is the tangent of the angle of friction",
@@ -64,27 +64,26 @@ template <int D>
 void warn_of_stiffness(const Scene<D>& scene, const Contact<D>& contact, std::vector<std::string>& warnings) {
   const PenaltyRatio penalty = penalty_ratio(scene, contact);
   if (penalty.ratio < beyond_rounding) return;
-  warnings.push_back(text("contacts.", contact.name, ": penalty = ", std::get<contact::PenaltyLaw>(contact.law).normal,
-                          " is ", number(penalty.ratio), " times the stiffness E/h of an element of body '",
-                          penalty.body, "': over this range of stiffness the body's share is lost in rounding error. ",
+  warnings.push_back(text("contacts.", contact.name,
+                          ": penalty = ", std::get<contact::PenaltyLaw>(contact.method).normal, " is ",
+                          number(penalty.ratio), " times the stiffness E/h of an element of body '", penalty.body,
+                          "': over this range of stiffness the body's share is lost in rounding error. ",
                           "Hint: 10 to 1000 times E/h = ", number(penalty.stiffness), " is usual"));
 }
 
-/// Places of the points that a pair integrates over; elements alone where another pair has other points.
-template <int D> std::set<std::pair<int, int>> places(const contact::Pair<D>& pair, bool points) {
+/// Places of the points that a contact integrates over; elements alone where another contact has other points.
+template <int D> std::set<std::pair<int, int>> places(const contact::Formulation<D>& contact, bool points) {
   std::set<std::pair<int, int>> result;
-  for (std::size_t i = 0; i < pair.results().size(); ++i) {
-    const auto [element, number] = pair.place(i);
-    result.insert({element, points ? number : 0});
-  }
+  for (const contact::ContactPoint& point : contact.points().list)
+    result.insert({point.element, points ? point.number : 0});
   return result;
 }
 
 /// Whether two contacts act on the same points. Laws that differ in kind may do so: adhesion beside a penalty.
 template <int D>
-bool act_twice(const Contact<D>& a, const Contact<D>& b, const contact::Pair<D>& first,
-               const contact::Pair<D>& second) {
-  if (a.law.index() != b.law.index()) return false;
+bool act_twice(const Contact<D>& a, const Contact<D>& b, const contact::Formulation<D>& first,
+               const contact::Formulation<D>& second) {
+  if (a.method.index() != b.method.index()) return false;
   const auto* master = std::get_if<FaceReference>(&a.master);
   if (master && *master == b.slave && b.master == decltype(b.master)(a.slave)) return true; // slave and master swapped
   if (!(a.slave == b.slave) || !(a.master == b.master)) return false;
@@ -94,12 +93,12 @@ bool act_twice(const Contact<D>& a, const Contact<D>& b, const contact::Pair<D>&
 }
 
 template <int D>
-void warn_of_twins(const Scene<D>& scene, const std::vector<contact::Pair<D>>& pairs,
+void warn_of_twins(const Scene<D>& scene, const contact::Formulations<D>& contacts,
                    std::vector<std::string>& warnings) {
-  for (std::size_t i = 0; i < pairs.size(); ++i)
-    for (std::size_t k = i + 1; k < pairs.size(); ++k) {
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    for (std::size_t k = i + 1; k < contacts.size(); ++k) {
       const Contact<D>&a = scene.contacts[i], &b = scene.contacts[k];
-      if (!act_twice(a, b, pairs[i], pairs[k])) continue;
+      if (!act_twice(a, b, *contacts[i], *contacts[k])) continue;
       const auto* master = std::get_if<FaceReference>(&a.master);
       warnings.push_back(text("contacts.", a.name, " and contacts.", b.name, " act between the same faces, ",
                               face_in_words(scene, a.slave), " and ",
@@ -116,25 +115,26 @@ template <int D> PenaltyRatio penalty_ratio(const Scene<D>& scene, const Contact
     const PenaltyRatio other = element_stiffness(scene, *face);
     if (other.stiffness < softest.stiffness) softest = other;
   }
-  if (const auto* law = std::get_if<contact::PenaltyLaw>(&contact.law)) softest.ratio = law->normal / softest.stiffness;
+  if (const auto* law = std::get_if<contact::PenaltyLaw>(&contact.method))
+    softest.ratio = law->normal / softest.stiffness;
   return softest;
 }
 
 template <int D>
-std::vector<std::string> scene_warnings(const Scene<D>& scene, const std::vector<contact::Pair<D>>& pairs) {
+std::vector<std::string> scene_warnings(const Scene<D>& scene, const contact::Formulations<D>& contacts) {
   std::vector<std::string> warnings;
   warn_of_locking(scene, warnings);
   for (const Contact<D>& contact : scene.contacts) {
     warn_of_friction(contact, warnings);
     warn_of_stiffness(scene, contact, warnings);
   }
-  warn_of_twins(scene, pairs, warnings);
+  warn_of_twins(scene, contacts, warnings);
   return warnings;
 }
 
 template PenaltyRatio penalty_ratio<2>(const Scene<2>&, const Contact<2>&);
 template PenaltyRatio penalty_ratio<3>(const Scene<3>&, const Contact<3>&);
-template std::vector<std::string> scene_warnings<2>(const Scene<2>&, const std::vector<contact::Pair<2>>&);
-template std::vector<std::string> scene_warnings<3>(const Scene<3>&, const std::vector<contact::Pair<3>>&);
+template std::vector<std::string> scene_warnings<2>(const Scene<2>&, const contact::Formulations<2>&);
+template std::vector<std::string> scene_warnings<3>(const Scene<3>&, const contact::Formulations<3>&);
 
 } // namespace signorini::model

@@ -18,8 +18,8 @@ template <int D> PenaltyRatio penalty_ratio(const Scene<D>& scene, const Contact
 inline constexpr double stiff_penalty = 1e4, beyond_rounding = 1e8;
 
 /// Sentences about Poisson's ratios that lock, coefficients of friction that look like angles, penalties that are out
-/// of range, and contacts that act twice between the same points. `pairs` are those of the scene's contacts.
+/// of range, and contacts that act twice between the same points. `contacts` are the scene's.
 template <int D>
-std::vector<std::string> scene_warnings(const Scene<D>& scene, const std::vector<contact::Pair<D>>& pairs);
+std::vector<std::string> scene_warnings(const Scene<D>& scene, const contact::Formulations<D>& contacts);
 
 } // namespace signorini::model

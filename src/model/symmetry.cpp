@@ -129,7 +129,7 @@ std::optional<std::vector<int>> supports_fit(const Model<D>& model, const Mirror
       return functions.contains({entry.first, turns[at(entry.first)].partner[at(entry.second)]});
     });
   };
-  const Scene<D>& scene = model.scene();
+  const Scene<D>& scene = model.system.scene;
   std::vector<int> driven;
   std::array<Functions, D> fixed; // by component: of all supports together
   for (int s = 0; s < static_cast<int>(scene.supports.size()); ++s) {
@@ -150,7 +150,7 @@ std::optional<std::vector<int>> supports_fit(const Model<D>& model, const Mirror
 }
 
 template <int D> bool loads_fit(const Model<D>& model, const MirrorPlane& plane, const std::vector<Turn>& turns) {
-  const auto& loads = model.scene().loads;
+  const auto& loads = model.system.scene.loads;
   for (int l = 0; l < static_cast<int>(loads.size()); ++l) {
     const Load& load = loads[at(l)];
     if (!load.pressure && accepted_value(model, -1, l, plane.axis) != 0) return false;
@@ -163,17 +163,18 @@ template <int D> bool loads_fit(const Model<D>& model, const MirrorPlane& plane,
 }
 
 /// Whether the points that a region leaves to a contact map onto each other.
-template <int D> bool region_fits(const contact::Pair<D>& pair, const Contact<D>& contact, int direction) {
+template <int D>
+bool region_fits(const contact::Formulation<D>& formulation, const Contact<D>& contact, int direction) {
   const std::size_t alpha =
       direction < contact.slave.side.direction ? at(direction) : static_cast<std::size_t>(direction - 1);
-  const contact::Surface<D>& slave = pair.slave();
+  const contact::Surface<D>& slave = formulation.slave();
   const auto turned = [&](int number, int first, int count) { // numbers run fastest along the first direction
     if (D == 2) return count - 1 - number;
     const int i = number % first, j = number / first;
     return alpha == 0 ? count - 1 - i + first * j : i + first * (count - 1 - j);
   };
   std::set<std::pair<int, int>> points;
-  for (std::size_t i = 0; i < pair.results().size(); ++i) points.insert(pair.place(i));
+  for (const contact::ContactPoint& point : formulation.points().list) points.insert({point.element, point.number});
   const int elements = slave.direction(static_cast<int>(alpha)).elements();
   return std::all_of(points.begin(), points.end(), [&](const auto& point) {
     return points.contains({turned(point.first, slave.direction(0).elements(), elements),
@@ -182,7 +183,7 @@ template <int D> bool region_fits(const contact::Pair<D>& pair, const Contact<D>
 }
 
 template <int D> bool contacts_fit(const Model<D>& model, const MirrorPlane& plane, const std::vector<Turn>& turns) {
-  const Scene<D>& scene = model.scene();
+  const Scene<D>& scene = model.system.scene;
   for (std::size_t k = 0; k < scene.contacts.size(); ++k) {
     const Contact<D>& contact = scene.contacts[k];
     const auto turns_over = [&](const FaceReference& face) {
@@ -196,7 +197,7 @@ template <int D> bool contacts_fit(const Model<D>& model, const MirrorPlane& pla
       if (!std::visit(Symmetric{plane}, scene.obstacles[at(obstacle)])) return false;
     }
     if (limited(model, static_cast<int>(k)) &&
-        !region_fits(model.pairs()[k], contact, turns[at(contact.slave.body)].direction))
+        !region_fits(*model.system.contacts[k], contact, turns[at(contact.slave.body)].direction))
       return false;
   }
   return true;
@@ -232,7 +233,7 @@ ChangedSpace beside(const nurbs::Discretisation& space, const std::set<int>& dir
 } // namespace
 
 template <int D> std::vector<Mirror> find_mirrors(const Model<D>& model) {
-  const Scene<D>& scene = model.scene();
+  const Scene<D>& scene = model.system.scene;
   constexpr double far = std::numeric_limits<double>::infinity();
   Vec<D> lower = Vec<D>::Constant(far), upper = Vec<D>::Constant(-far);
   for (const auto& body : scene.bodies) {
@@ -263,8 +264,8 @@ template <int D> std::vector<Mirror> find_mirrors(const Model<D>& model) {
 
 template <int D> int unknowns_beside(const Model<D>& model, const std::vector<Mirror>& mirrors) {
   int count = 0;
-  for (int b = 0; b < static_cast<int>(model.scene().bodies.size()); ++b) {
-    const nurbs::Discretisation& space = model.scene().bodies[at(b)].body->space();
+  for (int b = 0; b < static_cast<int>(model.system.scene.bodies.size()); ++b) {
+    const nurbs::Discretisation& space = model.system.scene.bodies[at(b)].body->space();
     std::set<int> directions;
     for (const Mirror& mirror : mirrors) directions.insert(mirror.directions[at(b)]);
     const ChangedSpace part = beside(space, directions);
@@ -284,7 +285,7 @@ template <int D> int unknowns_beside(const Model<D>& model, const std::vector<Mi
         // A ring that is cut ends in the plane at its other end, too.
         if (number == 0 && std::abs(points(component, function) - mirror.place) <= limit) return true;
       }
-      return model.unknowns().unknown(model.unknowns().offset(b) + D * function + component) < 0;
+      return model.system.unknowns.unknown(model.system.unknowns.offset(b) + D * function + component) < 0;
     });
   }
   return count;

@@ -1,12 +1,13 @@
 #include "model/tessellate.hpp"
 
 #include "base/index.hpp"
+#include "model/results.hpp"
 
 namespace signorini::model {
 
 Tessellation tessellate(const Model<2>& model, int body, const Field<2>* field, const Sampling<2>& sampling,
                         bool deformed) {
-  const solid::Body<2>& solid = *model.scene().bodies[at(body)].body;
+  const solid::Body<2>& solid = *model.system.scene.bodies[at(body)].body;
   const nurbs::Discretisation& space = solid.space();
   Eigen::Index points = 0, triangles = 0;
   for (const auto& across : sampling[1])
@@ -43,7 +44,7 @@ Tessellation tessellate(const Model<2>& model, int body, const Field<2>* field, 
 
   result.control_points.setZero(3, space.functions());
   result.control_points.topRows<2>() = space.points();
-  if (deformed) result.control_points.topRows<2>() += model.body_displacement(body);
+  if (deformed) result.control_points.topRows<2>() += body_displacement(model, body);
   for (std::size_t j = 0; j < space.rows().size(); ++j) {
     const int first = space.first_function(static_cast<int>(j));
     for (int i = 1; i < space.rows()[j].functions(); ++i) result.net_lines.push_back({first + i - 1, first + i});

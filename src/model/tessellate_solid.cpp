@@ -1,5 +1,6 @@
 #include "base/index.hpp"
 #include "model/contact_pressure.hpp"
+#include "model/results.hpp"
 #include "model/tessellate.hpp"
 
 #include <algorithm>
@@ -23,7 +24,7 @@ struct SkinSide {
   nurbs::Side side;
   bool deformed;
 
-  const solid::Body<3>& solid() const { return *model.scene().bodies[at(body)].body; }
+  const solid::Body<3>& solid() const { return *model.system.scene.bodies[at(body)].body; }
   const nurbs::Discretisation& space() const { return solid().space(); }
   /// The side's own directions 0 and 1 among the solid's.
   int along(int i) const { return i == 0 ? (side.direction == 0 ? 1 : 0) : (side.direction == 2 ? 1 : 2); }
@@ -115,9 +116,9 @@ template <class Visit> void each_side_element(const Model<3>& model, int body, b
 }
 
 void add_control_points(Skin& skin, const Model<3>& model, int body, bool deformed) {
-  const nurbs::Discretisation& space = model.scene().bodies[at(body)].body->space();
+  const nurbs::Discretisation& space = model.system.scene.bodies[at(body)].body->space();
   skin.control_points = space.points();
-  if (deformed) skin.control_points += model.body_displacement(body);
+  if (deformed) skin.control_points += body_displacement(model, body);
   for (std::size_t r = 0; r < space.rows().size(); ++r) {
     const int first = space.first_function(static_cast<int>(r)), n = space.rows()[r].direction(0).functions(),
               count = space.rows()[r].functions();
@@ -171,8 +172,8 @@ Skin tessellate(const Model<3>& model, int body, const Field<3>* field, const Sa
 
 VectorX contact_pressure(const Model<3>& model, int body, const Sampling<3>& sampling) {
   std::vector<FacePressure<3>> faces;
-  for (std::size_t c = 0; c < model.scene().contacts.size(); ++c)
-    if (model.scene().contacts[c].slave.body == body) faces.emplace_back(model, static_cast<int>(c));
+  for (std::size_t c = 0; c < model.system.scene.contacts.size(); ++c)
+    if (model.system.scene.contacts[c].slave.body == body) faces.emplace_back(model, static_cast<int>(c));
   if (faces.empty()) return {};
   std::vector<double> values;
   each_side_element(model, body, false, [&](const SkinSide& side, int i, int j) {
@@ -191,10 +192,10 @@ VectorX contact_pressure(const Model<3>& model, int body, const Sampling<3>& sam
 
 std::vector<Inside> crossed_elements(const Model<3>& model, int body, const Field<3>* field, int divisions,
                                      bool deformed, const std::vector<Plane>& planes) {
-  const solid::Body<3>& solid = *model.scene().bodies[at(body)].body;
+  const solid::Body<3>& solid = *model.system.scene.bodies[at(body)].body;
   const nurbs::Discretisation& space = solid.space();
   Points control = space.points();
-  if (deformed) control += model.body_displacement(body);
+  if (deformed) control += body_displacement(model, body);
   const double tolerance = 1e-9 * (control.rowwise().maxCoeff() - control.rowwise().minCoeff()).norm();
   const int side = divisions + 1;
   std::vector<Inside> result;

@@ -22,7 +22,7 @@ std::string component_name(int component) {
   return std::string(1, static_cast<char>('x' + component));
 }
 
-template <int D> Unknowns<D>::Unknowns(const Scene<D>& scene) {
+template <int D> Unknowns<D>::Unknowns(const Scene<D>& scene, const contact::Formulations<D>& contacts) {
   int count = 0;
   for (const auto& body : scene.bodies) {
     offsets_.push_back(count);
@@ -91,6 +91,18 @@ template <int D> Unknowns<D>::Unknowns(const Scene<D>& scene) {
       unknown_.push_back(-1);
     }
   }
+  displacements_ = count;
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const Contact<D>& contact = scene.contacts[k];
+    const auto* face = std::get_if<FaceReference>(&contact.master);
+    const int master =
+        face ? offset(face->body) : obstacle_offset(std::get<ObstacleReference>(contact.master).obstacle);
+    of_contacts_.push_back({offset(contact.slave.body), master, dofs()});
+    for (std::size_t i = 0; i < contacts[k]->extra_unknowns().size(); ++i) {
+      held_.push_back(false);
+      unknown_.push_back(size_++);
+    }
+  }
 }
 
 template <int D> VectorX Unknowns<D>::gather(const VectorX& values) const {
@@ -111,7 +123,7 @@ template <int D> VectorX Unknowns<D>::spread(const VectorX& values) const {
 
 template <int D> double Unknowns<D>::held_norm(const VectorX& values) const {
   double sum = 0;
-  for (int dof = 0; dof < dofs(); ++dof)
+  for (int dof = 0; dof < displacements(); ++dof)
     if (held(dof)) sum += values(dof) * values(dof);
   return std::sqrt(sum);
 }

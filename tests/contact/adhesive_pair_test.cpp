@@ -100,7 +100,7 @@ TEST(AdhesivePair, WhereLimitsTheContactToAPartOfTheFace) {
       EXPECT_EQ(part.reference_positions()[i], whole.reference_positions()[i]);
       EXPECT_EQ(part.results()[i].force, whole.results()[i].force);
     }
-    for (const Group& group : part.groups()) EXPECT_LT(group.slave_element, 3);
+    for (const Block& block : part.blocks()) EXPECT_LT(block.slave_element, 3);
     EXPECT_GT(part.resultant().force.norm(), 0);
     EXPECT_EQ(part.gaps().size(), 12u);
   }

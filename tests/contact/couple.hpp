@@ -77,8 +77,8 @@ inline nurbs::Discretisation slab(const std::string& label) {
 inline std::vector<int> signature(const Pair<2>& pair) {
   std::vector<int> result;
   for (const auto& point : pair.results()) result.push_back(static_cast<int>(point.state));
-  for (const Group& group : pair.groups())
-    result.insert(result.end(), {group.slave_element, group.master_element, group.slip_element});
+  for (const Block& block : pair.blocks())
+    result.insert(result.end(), {block.slave_element, block.master_element, block.slip_element});
   return result;
 }
 
@@ -92,8 +92,8 @@ struct Census {
          : point.state == ContactState::stick ? stick
          : point.state == ContactState::slip  ? slip
                                               : adhesion);
-    for (const Group& group : pair.groups()) elsewhere += group.slip_element >= 0;
-    states += !pair.groups().empty();
+    for (const Block& block : pair.blocks()) elsewhere += block.slip_element >= 0;
+    states += !pair.blocks().empty();
   }
   void add(const Census& more) {
     states += more.states;

@@ -71,8 +71,8 @@ struct Couple3 {
 inline std::vector<int> signature(const Pair<3>& pair) {
   std::vector<int> result;
   for (const auto& point : pair.results()) result.push_back(static_cast<int>(point.state));
-  for (const Group& group : pair.groups())
-    result.insert(result.end(), {group.slave_element, group.master_element, group.slip_element});
+  for (const Block& block : pair.blocks())
+    result.insert(result.end(), {block.slave_element, block.master_element, block.slip_element});
   return result;
 }
 
@@ -90,7 +90,7 @@ inline void compare_with_differences(Couple3& couple, Random& random, Census3& c
     here.stick += point.state == ContactState::stick;
     here.slip += point.state == ContactState::slip;
   }
-  for (const Group& group : couple.pair.groups()) here.elsewhere += group.slip_element >= 0;
+  for (const Block& block : couple.pair.blocks()) here.elsewhere += block.slip_element >= 0;
   for (int k = 0; k < 8; ++k) {
     VectorX direction = VectorX::Zero(couple.u.size());
     for (int i = 0; i < direction.size(); ++i) direction(i) = uniform(random, -1, 1);

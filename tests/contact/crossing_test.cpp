@@ -58,7 +58,7 @@ std::size_t crossed(const std::vector<Vec<2>>& places, const Law& law) {
     pair.evaluate(rest.data(), shift.data());
     pair.accept();
   }
-  return pair.crossed();
+  return pair.formulation().crossed().count;
 }
 
 TEST(Crossing, PairCountsPointsThatTheMasterHasPassed) {

@@ -1,5 +1,5 @@
 #pragma once
-// Bodies whose north or south face is a given curve, and dense assembly of a contact's groups.
+// Bodies whose north or south face is a given curve, and dense assembly of a contact's blocks.
 
 #include "contact/pair.hpp"
 #include "nurbs/random_patch.hpp"
@@ -67,24 +67,15 @@ struct Dense {
 template <int D> Dense dense(const Pair<D>& pair, int slave_dofs, int master_dofs) {
   const int size = slave_dofs + master_dofs;
   Dense sum{VectorX::Zero(size), MatrixX::Zero(size, size)};
-  for (const Group& group : pair.groups()) {
+  for (const Block& block : pair.blocks()) {
     std::vector<int> dofs;
-    const auto append = [&](const Surface<D>& surface, int element, int offset) {
-      for (int a = 0; a < surface.functions_per_element(); ++a)
-        for (int c = 0; c < D; ++c) dofs.push_back(offset + D * surface.body_function(surface.nodes(element)[a]) + c);
-    };
-    append(pair.slave(), group.slave_element, 0);
-    if (pair.master().rigid())
-      for (int c = 0; c < D; ++c) dofs.push_back(slave_dofs + c);
-    else
-      append(*pair.master().surface(), group.master_element, slave_dofs);
-    if (group.slip_element >= 0) append(*pair.master().surface(), group.slip_element, slave_dofs);
-    for (int r = 0; r < group.rows; ++r) {
+    pair.formulation().append_dofs(block, {0, slave_dofs, slave_dofs + master_dofs}, dofs);
+    for (int r = 0; r < block.rows; ++r) {
       const std::size_t row = static_cast<std::size_t>(r);
-      sum.force(dofs[row]) += group.force[row];
-      for (int c = 0; c < group.columns; ++c)
+      sum.force(dofs[row]) += block.force[row];
+      for (int c = 0; c < block.columns; ++c)
         sum.tangent(dofs[row], dofs[static_cast<std::size_t>(c)]) +=
-            group.matrix[row * static_cast<std::size_t>(group.columns) + static_cast<std::size_t>(c)];
+            block.matrix[row * static_cast<std::size_t>(block.columns) + static_cast<std::size_t>(c)];
     }
   }
   return sum;

@@ -28,7 +28,7 @@ TEST(Held, OpenStaysOpenThoughItPenetrates) {
   EXPECT_TRUE(couple.pair.holds());
   couple.evaluate();
   EXPECT_EQ(couple.pair.resultant().active, 0);
-  EXPECT_TRUE(couple.pair.groups().empty());
+  EXPECT_TRUE(couple.pair.blocks().empty());
   couple.pair.hold({});
   EXPECT_FALSE(couple.pair.holds());
   couple.evaluate();

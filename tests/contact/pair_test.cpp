@@ -119,8 +119,8 @@ TEST(Pair, FrictionIsCoulombsAndOpposesTheSliding) {
   }
 }
 
-bool same(const std::vector<Group>& a, const std::vector<Group>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Group& s, const Group& t) {
+bool same(const std::vector<Block>& a, const std::vector<Block>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Block& s, const Block& t) {
     return s.slave_element == t.slave_element && s.master_element == t.master_element &&
            s.slip_element == t.slip_element && s.force == t.force && s.matrix == t.matrix;
   });
@@ -138,8 +138,8 @@ TEST(Pair, RollbackRestoresBitByBit) {
     couple.move_die(0.03, 0);
     couple.shake(random, 0.002);
     couple.evaluate();
-    const std::vector<Group> groups = couple.pair.groups();
-    ASSERT_FALSE(groups.empty());
+    const std::vector<Block> blocks = couple.pair.blocks();
+    ASSERT_FALSE(blocks.empty());
     for (int wild = 0; wild < 5; ++wild) {
       VectorX elsewhere = couple.u;
       for (int i = 0; i < elsewhere.size(); ++i) elsewhere(i) += uniform(random, -0.2, 0.2);
@@ -147,7 +147,7 @@ TEST(Pair, RollbackRestoresBitByBit) {
     }
     couple.pair.rollback();
     couple.evaluate();
-    EXPECT_TRUE(same(groups, couple.pair.groups()));
+    EXPECT_TRUE(same(blocks, couple.pair.blocks()));
   }
 }
 

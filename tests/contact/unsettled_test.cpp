@@ -43,13 +43,13 @@ TEST(Unsettled, PairCountsAcceptedStatesOnly) {
   evaluate(-0.9);
   evaluate(0);
   EXPECT_FALSE(pair.results().front().settled);
-  EXPECT_EQ(pair.unsettled(), 0u);
+  EXPECT_EQ(pair.formulation().unsettled().count, 0u);
   pair.accept();
-  EXPECT_EQ(pair.unsettled(), 1u);
-  EXPECT_EQ(pair.unsettled_position(), Vec<2>(0, 0.1));
+  EXPECT_EQ(pair.formulation().unsettled().count, 1u);
+  EXPECT_EQ(pair.formulation().unsettled().latest, Vec<2>(0, 0.1));
   evaluate(0.7);
   pair.accept();
-  EXPECT_EQ(pair.unsettled(), 1u);
+  EXPECT_EQ(pair.formulation().unsettled().count, 1u);
 }
 
 /// A roof: two planes that meet at a right angle above the y-axis, outward up.
@@ -80,11 +80,11 @@ std::size_t unsettled_across(double length) {
   };
   press(-0.4);
   EXPECT_EQ(pair.results().front().state, ContactState::stick);
-  EXPECT_EQ(pair.unsettled(), 0u);
+  EXPECT_EQ(pair.formulation().unsettled().count, 0u);
   press(0.4);
   EXPECT_EQ(pair.results().front().state, ContactState::slip);
-  EXPECT_TRUE(pair.unsettled() == 0 || pair.unsettled_position().isApprox(start));
-  return pair.unsettled();
+  EXPECT_TRUE(pair.formulation().unsettled().count == 0 || pair.formulation().unsettled().latest.isApprox(start));
+  return pair.formulation().unsettled().count;
 }
 
 TEST(Unsettled, PairCountsSlipPointsThatWereNotFound) {

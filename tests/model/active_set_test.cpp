@@ -18,23 +18,28 @@ constexpr int points_per_element = 3;
 struct Strip {
   nurbs::Discretisation strip = discretise(nurbs::rectangle(3, 0.5, Eigen::Vector2d(0, 0)), {6, 1}, "N2", "south");
   std::optional<nurbs::Discretisation> base;
-  std::vector<contact::Pair<2>> pairs;
+  contact::Formulations<2> contacts;
+  std::vector<contact::History<2>> accepted, present;
+  std::vector<contact::Controls> controls{1};
   VectorX u, base_u;
 
-  explicit Strip(const contact::Law& law) : base_u(VectorX::Zero(2)) {
+  explicit Strip(const contact::Method<2>& law) : base_u(VectorX::Zero(2)) {
     u = VectorX::Zero(2 * strip.functions());
-    pairs.emplace_back(contact::Surface<2>(strip, nurbs::side_of("south", 2)),
-                       contact::Master<2>(contact::make_plane<2>({0, 0}, {0, 1})), law, points_per_element);
+    add(contact::Master<2>(contact::make_plane<2>({0, 0}, {0, 1})), law);
     touch(0);
   }
   /// Above a strip from 0 to `length`
-  Strip(const contact::Law& law, double length)
+  Strip(const contact::Method<2>& law, double length)
       : base(discretise(nurbs::rectangle(length, 1, Eigen::Vector2d(0, -1)), {2, 1}, "N2", "north")) {
     u = VectorX::Zero(2 * strip.functions());
     base_u = VectorX::Zero(2 * base->functions());
-    pairs.emplace_back(contact::Surface<2>(strip, nurbs::side_of("south", 2)),
-                       contact::Master<2>(contact::Surface<2>(*base, nurbs::side_of("north", 2))), law,
-                       points_per_element);
+    add(contact::Master<2>(contact::Surface<2>(*base, nurbs::side_of("north", 2))), law);
+  }
+  void add(contact::Master<2> master, const contact::Method<2>& law) {
+    contacts.push_back(contact::make_formulation<2>(
+        law, {contact::Surface<2>(strip, nurbs::side_of("south", 2)), std::move(master), points_per_element}));
+    accepted.emplace_back(contacts[0]->points());
+    present = accepted;
   }
   /// Tilts the strip so that it penetrates from x = 0 to `end` and is open beyond.
   void touch(double end) {
@@ -46,8 +51,18 @@ struct Strip {
     for (int a = 0; a < strip.functions(); ++a) u.segment<2>(2 * a) << x, -0.01;
     evaluate();
   }
-  void evaluate() { pairs[0].evaluate(u.data(), base_u.data()); }
-  int touching() const { return pairs[0].resultant().active; }
+  void evaluate() {
+    contacts[0]->move(u.data(), base_u.data());
+    for (int part = 0; part < contacts[0]->parts(); ++part)
+      contacts[0]->evaluate_part(part, {present[0], accepted[0], controls[0]}, true);
+    contacts[0]->gather();
+  }
+  void accept() {
+    contacts[0]->commit(present[0], accepted[0], 1);
+    accepted = present;
+  }
+  int touching() const { return resultant(present[0]).active; }
+  bool holds() const { return !controls[0].held.empty(); }
 };
 
 const contact::PenaltyLaw law{100};
@@ -57,20 +72,20 @@ TEST(ActiveSet, FreezesWhoTouchesUntilTheEnergyHasFallen) {
   strip.touch(1.5);
   ASSERT_EQ(strip.touching(), 9);
   ActiveSet<2> set;
-  set.begin(strip.pairs, {0.01, 0});
+  set.begin(strip.contacts, strip.present, {0.01, 0}, strip.controls);
   for (double end : {2.0, 0.5, 3.0}) {
     strip.touch(end);
     EXPECT_EQ(strip.touching(), 9);
   }
-  set.thaw(strip.pairs, 0.01);
+  set.thaw(0.01, strip.controls);
   strip.evaluate();
   EXPECT_EQ(strip.touching(), 9);
-  set.thaw(strip.pairs, 0.0099);
+  set.thaw(0.0099, strip.controls);
   strip.evaluate();
   EXPECT_EQ(strip.touching(), 18);
-  EXPECT_FALSE(set.release(strip.pairs));
+  EXPECT_FALSE(set.release(strip.controls));
 
-  set.begin(strip.pairs, {});
+  set.begin(strip.contacts, strip.present, {}, strip.controls);
   strip.touch(0.5);
   EXPECT_EQ(strip.touching(), 3);
 }
@@ -80,11 +95,11 @@ TEST(ActiveSet, ReleaseFreesWhatIsStillFrozenWithoutCountingARound) {
   strip.touch(1.5);
   ActiveSet<2> set;
   for (int round = 0; round < 20; ++round) {
-    set.begin(strip.pairs, {0.01, 0});
+    set.begin(strip.contacts, strip.present, {0.01, 0}, strip.controls);
     strip.touch(2);
-    EXPECT_TRUE(set.release(strip.pairs));
+    EXPECT_TRUE(set.release(strip.controls));
     EXPECT_FALSE(set.exhausted());
-    EXPECT_FALSE(set.release(strip.pairs));
+    EXPECT_FALSE(set.release(strip.controls));
     strip.evaluate();
     EXPECT_EQ(strip.touching(), 12);
     strip.touch(1.5);
@@ -95,34 +110,34 @@ TEST(ActiveSet, HoldsPointsThatChangeTooOftenAndFreesThemForSomeRounds) {
   Strip strip(law);
   strip.touch(1.5);
   ActiveSet<2> set;
-  set.begin(strip.pairs, {0, 2});
+  set.begin(strip.contacts, strip.present, {0, 2}, strip.controls);
   double residual = 1;
   const auto go = [&](double end) {
     strip.touch(end);
-    set.note(strip.pairs, residual *= 0.9);
+    set.note(strip.present, residual *= 0.9, strip.controls);
     return strip.touching();
   };
   EXPECT_EQ(go(1.5), 9);
   EXPECT_EQ(go(2), 12);
   EXPECT_EQ(go(1.5), 9);
-  EXPECT_FALSE(strip.pairs[0].holds()); // two changes are allowed
+  EXPECT_FALSE(strip.holds()); // two changes are allowed
   EXPECT_EQ(go(2), 12);
-  EXPECT_TRUE(strip.pairs[0].holds()); // in the state that the last change led to
+  EXPECT_TRUE(strip.holds()); // in the state that the last change led to
   EXPECT_EQ(go(1.5), 12);
   EXPECT_EQ(go(0.5), 6); // the others are free
-  EXPECT_TRUE(set.release(strip.pairs));
+  EXPECT_TRUE(set.release(strip.controls));
   EXPECT_FALSE(set.exhausted());
   EXPECT_EQ(go(0.5), 3);
   // Six rounds of the same in one step
-  set.begin(strip.pairs, {0, 1});
+  set.begin(strip.contacts, strip.present, {0, 1}, strip.controls);
   for (int round = 1; round <= 6; ++round) {
     for (double end : {1.5, 2.0, 1.5}) go(end);
-    ASSERT_TRUE(strip.pairs[0].holds());
+    ASSERT_TRUE(strip.holds());
     EXPECT_FALSE(set.exhausted());
-    EXPECT_TRUE(set.release(strip.pairs));
+    EXPECT_TRUE(set.release(strip.controls));
     EXPECT_EQ(set.exhausted(), round == 6) << round;
   }
-  set.begin(strip.pairs, {0, 1});
+  set.begin(strip.contacts, strip.present, {0, 1}, strip.controls);
   EXPECT_FALSE(set.exhausted());
 }
 
@@ -130,11 +145,11 @@ TEST(ActiveSet, HoldsPointsThatChangeTooOftenAndFreesThemForSomeRounds) {
 std::vector<int> periods(const std::vector<std::pair<double, double>>& path) {
   Strip strip(law);
   ActiveSet<2> set;
-  set.begin(strip.pairs, {});
+  set.begin(strip.contacts, strip.present, {}, strip.controls);
   std::vector<int> result;
   for (const auto& [end, residual] : path) {
     strip.touch(end);
-    set.note(strip.pairs, residual);
+    set.note(strip.present, residual, strip.controls);
     result.push_back(set.period());
   }
   return result;
@@ -171,10 +186,10 @@ TEST(ActiveSet, TakesNothingElseForACycle) {
 TEST(ActiveSet, RestlessPointsAreThoseThatChangedMostFirst) {
   Strip strip(law);
   ActiveSet<2> set;
-  set.begin(strip.pairs, {});
+  set.begin(strip.contacts, strip.present, {}, strip.controls);
   const auto go = [&](double end) {
     strip.touch(end);
-    set.note(strip.pairs, 1);
+    set.note(strip.present, 1, strip.controls);
   };
   go(1), go(1.5);
   EXPECT_TRUE(set.restless().empty()); // once is no unrest
@@ -185,7 +200,7 @@ TEST(ActiveSet, RestlessPointsAreThoseThatChangedMostFirst) {
   for (int i = 0; i < 6; ++i) {
     EXPECT_EQ(restless[static_cast<std::size_t>(i)].contact, 0);
     EXPECT_EQ(restless[static_cast<std::size_t>(i)].point, 6 + i);
-    EXPECT_EQ(strip.pairs[0].place(static_cast<std::size_t>(6 + i)).first, i < 3 ? 2 : 3);
+    EXPECT_EQ(strip.contacts[0]->points().list[static_cast<std::size_t>(6 + i)].element, i < 3 ? 2 : 3);
   }
   EXPECT_TRUE(set.strays().empty());
   // What is long ago is forgotten.
@@ -195,15 +210,15 @@ TEST(ActiveSet, RestlessPointsAreThoseThatChangedMostFirst) {
 
 TEST(ActiveSet, NamesAllStatesThatAlternateInACycle) {
   Strip strip(contact::PenaltyLaw{100, 100, 0.1});
-  strip.pairs[0].accept(); // slip points: where the strip touches now
+  strip.accept(); // slip points: where the strip touches now
   ActiveSet<2> set;
-  set.begin(strip.pairs, {});
+  set.begin(strip.contacts, strip.present, {}, strip.controls);
   const PointIndex first{0, 0};
   const auto go = [&](double x, double y) {
     for (int a = 0; a < strip.strip.functions(); ++a) strip.u.segment<2>(2 * a) << x, y;
     strip.evaluate();
-    set.note(strip.pairs, 1);
-    return strip.pairs[0].results()[0].state;
+    set.note(strip.present, 1, strip.controls);
+    return strip.present[0].results[0].state;
   };
   // Period 3: the last two states of a round are the same.
   for (int round = 0; round < 3; ++round) {
@@ -224,12 +239,12 @@ TEST(ActiveSet, StraysComeAndGoBeyondTheMastersEnd) {
   Strip strip(law, 2);
   ActiveSet<2> set;
   strip.shift(0);
-  set.begin(strip.pairs, {});
+  set.begin(strip.contacts, strip.present, {}, strip.controls);
   // The master, 0 … 2, goes on beyond its ends by 0.3 of an element, 0.3.
   for (double x : {0.0, -0.5, 0.0, -0.5}) {
     strip.shift(x);
     EXPECT_EQ(strip.touching(), x == 0 ? 14 : 16);
-    set.note(strip.pairs, 1);
+    set.note(strip.present, 1, strip.controls);
   }
   // At the right end 2.3 … 2.8 comes and goes; at the left one 0 … 0.2.
   std::vector<int> points;
@@ -242,14 +257,14 @@ TEST(ActiveSet, StraysComeAndGoBeyondTheMastersEnd) {
 TEST(ActiveSet, AdhesionNeverCounts) {
   Strip strip(contact::Adhesion{0.02, 0.05});
   ActiveSet<2> set;
-  set.begin(strip.pairs, {0, 1});
+  set.begin(strip.contacts, strip.present, {0, 1}, strip.controls);
   int adhesive = 0;
   for (int k = 0; k < 12; ++k) {
     strip.touch(k % 2 == 0 ? -1 : -4); // near the plane, and farther than where it pulls most
     adhesive += strip.touching();
-    set.note(strip.pairs, 1 + k % 2);
+    set.note(strip.present, 1 + k % 2, strip.controls);
     EXPECT_EQ(set.period(), 0);
-    EXPECT_FALSE(strip.pairs[0].holds());
+    EXPECT_FALSE(strip.holds());
   }
   EXPECT_GT(adhesive, 0);
   EXPECT_LT(adhesive, 12 * 18);

@@ -31,7 +31,7 @@ Scene<2> bar(const solid::Material& material) {
 
 /// Distance from the plane at the bar's end.
 double distance(const Model<2>& model) {
-  return contact::equilibrium_distance(film) + model.body_displacement(0)(1, 0);
+  return contact::equilibrium_distance(film) + body_displacement(model, 0)(1, 0);
 }
 
 /// A shallow clamped arch of thickness 0.3 and rise 1.5 over a span of about 12, in some unit of length, its left half;
@@ -74,10 +74,10 @@ struct Walk {
   VectorX targets, last_increment;
 
   Walk(const Scene<2>& scene, int component_, double sense_)
-      : model(scene), bench(scene), drives(bench.scene, bench.unknowns), component(component_), sense(sense_),
-        weights(path_weights(bench.scene, bench.unknowns)), targets(drives.start()) {}
+      : model(scene), bench(scene), drives(bench.system.scene, bench.unknowns), component(component_), sense(sense_),
+        weights(path_weights(bench.system.scene, bench.unknowns)), targets(drives.start()) {}
   double norm(const VectorX& u) const { return std::sqrt(weights.dot(u.cwiseAbs2())); }
-  double target() const { return model.accepted_target(0, component); }
+  double target() const { return accepted_target(model, 0, component); }
 
   /// Unit tangent of the solution curve at the accepted state, on in the sense of the last step:
   ///   K δ = −(K_p ∂u_p − ∂f_ext) for a unit of the target.
@@ -85,7 +85,7 @@ struct Walk {
     const VectorX unit = VectorX::Unit(targets.size(), component);
     targets(component) = target();
     const VectorX rate = drives.rate(targets, unit);
-    bench.residual(model.displacement(), &rate);
+    bench.residual(model.present.displacement, &rate);
     const VectorX change = bench.unknowns.gather(bench.assembly.product() - drives.force(unit));
     const VectorX t = rate + bench.unknowns.spread(bench.tangent().partialPivLu().solve(VectorX(-change)));
     const double along = last_increment.size() > 0 ? t.dot(weights.cwiseProduct(last_increment)) : sense;
@@ -94,17 +94,17 @@ struct Walk {
   /// One accepted arc, and what holds of every one: its length along the tangent, its end an equilibrium.
   void arc(double length) {
     const double from = target();
-    const VectorX before = model.displacement(), t = tangent();
-    model.set_target(0, component, from + sense);
-    const solve::NewtonReport report = model.solve_arc({}, length);
+    const VectorX before = model.present.displacement, t = tangent();
+    set_target(model, 0, component, from + sense);
+    const solve::NewtonReport report = solve_arc(model, {}, length);
     ASSERT_EQ(report.outcome, solve::Outcome::converged) << report.message;
-    model.accept();
-    last_increment = model.displacement() - before;
+    accept(model);
+    last_increment = model.present.displacement - before;
     EXPECT_NEAR(t.dot(weights.cwiseProduct(last_increment)), length, 1e-9 * length);
-    EXPECT_NEAR(target(), from + model.arc_fraction() * sense, 1e-14 * (1 + std::abs(from)));
-    EXPECT_NEAR(model.last_length(), norm(last_increment), 1e-14);
+    EXPECT_NEAR(target(), from + model.step->fraction * sense, 1e-14 * (1 + std::abs(from)));
+    EXPECT_NEAR(last_length(model), norm(last_increment), 1e-14);
     targets(component) = target();
-    const VectorX residual = bench.residual(model.displacement()) - drives.force(targets);
+    const VectorX residual = bench.residual(model.present.displacement) - drives.force(targets);
     EXPECT_LT(bench.unknowns.gather(residual).norm(), 1e-9 * bench.unknowns.held_norm(residual));
   }
 };
@@ -136,7 +136,7 @@ TEST(Arc, FollowsAnAdhesiveBarThroughItsSnapBack) {
     walk.arc(0.006);
     tops.push_back(walk.target());
     EXPECT_NEAR(tops.back(), exact(distance(walk.model)), 1e-9);
-    EXPECT_NEAR(walk.model.reaction(1)(1), -2 * contact::traction(film, distance(walk.model)), 1e-9);
+    EXPECT_NEAR(reaction(walk.model, 1)(1), -2 * contact::traction(film, distance(walk.model)), 1e-9);
   }
   ASSERT_GT(tops.size(), 50u); // otherwise it stopped at a failure
   EXPECT_EQ(turns(tops), 2);
@@ -147,21 +147,21 @@ TEST(Arc, FollowsAnAdhesiveBarThroughItsSnapBack) {
   // Under displacement control the states between are not to be had: the bar lets go, or Newton's method gives up.
   Model<2> driven(bar(material));
   for (double top = 0.02;; top += 0.02) {
-    driven.set_target(0, 0, top);
-    const bool converged = driven.solve_step({}).outcome == solve::Outcome::converged;
+    set_target(driven, 0, 0, top);
+    const bool converged = solve_step(driven, {}).outcome == solve::Outcome::converged;
     const bool leaps = !converged || distance(driven) > 0.5;
     EXPECT_EQ(leaps, top > highest) << top;
     if (leaps) break;
-    driven.accept();
+    accept(driven);
   }
-  driven.rollback();
+  rollback(driven);
   EXPECT_LT(distance(driven), 0.33);
 }
 
 TEST(Arc, FollowsAnArchThroughItsLimitLoad) {
   Walk walk(arch(), 1, -1);
-  const int crown = walk.model.scene().supports[1].on[0].functions[0];
-  const auto sag = [crown](const Model<2>& model) { return -model.body_displacement(0)(1, crown); };
+  const int crown = walk.model.system.scene.supports[1].on[0].functions[0];
+  const auto sag = [crown](const Model<2>& model) { return -body_displacement(model, 0)(1, crown); };
   std::vector<double> loads, sags;
   int confirmed = 0;
   for (int step = 0; step < 45 && !HasFailure(); ++step) {
@@ -170,18 +170,19 @@ TEST(Arc, FollowsAnArchThroughItsLimitLoad) {
     sags.push_back(sag(walk.model));
     if (step % 3 > 0) continue;
     // The load alone leads away from there and back again.
-    const Snapshot<2> here = walk.model.snapshot();
+    const Snapshot<2> here = snapshot(walk.model);
     bool there_and_back = true;
     for (double factor : {0.999, 1.0}) {
-      walk.model.set_target(0, 1, -factor * loads.back());
-      there_and_back = there_and_back && walk.model.solve_step({}).outcome == solve::Outcome::converged;
-      walk.model.accept();
+      set_target(walk.model, 0, 1, -factor * loads.back());
+      there_and_back = there_and_back && solve_step(walk.model, {}).outcome == solve::Outcome::converged;
+      accept(walk.model);
     }
     confirmed += there_and_back;
     if (there_and_back) {
-      EXPECT_NEAR((walk.model.displacement() - here.displacement).norm(), 0, 1e-9 * here.displacement.norm()) << step;
+      EXPECT_NEAR((walk.model.present.displacement - here.state.displacement).norm(), 0, 1e-9 * here.state.displacement.norm())
+          << step;
     }
-    walk.model.restore(here);
+    restore(walk.model, here);
   }
   ASSERT_EQ(loads.size(), 45u); // otherwise it stopped at a failure
   EXPECT_EQ(confirmed, 15);
@@ -193,14 +194,14 @@ TEST(Arc, FollowsAnArchThroughItsLimitLoad) {
   // Under load control the arch leaps over the falling branch, or Newton's method gives up.
   Model<2> loaded(arch());
   for (double load = 0.01;; load += 0.01) {
-    loaded.set_target(0, 1, -load);
-    const bool converged = loaded.solve_step({}).outcome == solve::Outcome::converged;
+    set_target(loaded, 0, 1, -load);
+    const bool converged = solve_step(loaded, {}).outcome == solve::Outcome::converged;
     const bool leaps = !converged || sag(loaded) > 2;
     EXPECT_EQ(leaps, load > *limit) << load;
     if (leaps) break;
-    loaded.accept();
+    accept(loaded);
   }
-  loaded.rollback();
+  rollback(loaded);
   EXPECT_LT(sag(loaded), 0.3);
 }
 
@@ -210,11 +211,12 @@ TEST(Arc, AgreesWithStepsToTheSameAngles) {
   Model<2> stepped(strip());
   for (int k = 0; k < 12 && !HasFailure(); ++k) {
     walk.arc(0.35);
-    stepped.set_target(0, 0, walk.target());
-    ASSERT_EQ(stepped.solve_step({}).outcome, solve::Outcome::converged);
-    stepped.accept();
-    EXPECT_NEAR((stepped.displacement() - walk.model.displacement()).norm(), 0, 1e-9 * stepped.displacement().norm());
-    EXPECT_NEAR(walk.model.moment(1), stepped.moment(1), 1e-9 * stepped.moment(1));
+    set_target(stepped, 0, 0, walk.target());
+    ASSERT_EQ(solve_step(stepped, {}).outcome, solve::Outcome::converged);
+    accept(stepped);
+    EXPECT_NEAR((stepped.present.displacement - walk.model.present.displacement).norm(), 0,
+                1e-9 * stepped.present.displacement.norm());
+    EXPECT_NEAR(moment(walk.model, 1), moment(stepped, 1), 1e-9 * moment(stepped, 1));
   }
   EXPECT_GT(walk.target(), 60);
 }
@@ -224,31 +226,31 @@ TEST(Arc, RollbackReturnsToTheAcceptedState) {
   walk.arc(0.06);
   walk.arc(0.06);
   Model<2>& model = walk.model;
-  const VectorX accepted = model.displacement();
+  const VectorX accepted = model.present.displacement;
   const double target = walk.target();
-  const Vec<2> reaction = model.reaction(0), load = model.load_resultant(0);
+  const Vec<2> force = reaction(model, 0), load = load_resultant(model, 0);
   const auto unchanged = [&] {
-    EXPECT_EQ(model.displacement(), accepted);
+    EXPECT_EQ(model.present.displacement, accepted);
     EXPECT_EQ(walk.target(), target);
-    EXPECT_EQ(model.reaction(0), reaction);
-    EXPECT_EQ(model.load_resultant(0), load);
+    EXPECT_EQ(reaction(model, 0), force);
+    EXPECT_EQ(load_resultant(model, 0), load);
   };
   StepOptions cut;
   cut.newton.iterations = 1;
-  model.set_target(0, 1, target - 1);
-  EXPECT_EQ(model.solve_arc(cut, 1).outcome, solve::Outcome::iteration_limit);
-  model.rollback();
+  set_target(model, 0, 1, target - 1);
+  EXPECT_EQ(solve_arc(model, cut, 1).outcome, solve::Outcome::iteration_limit);
+  rollback(model);
   unchanged();
   // One that converges but is not taken
-  model.set_target(0, 1, target - 1);
-  ASSERT_EQ(model.solve_arc({}, 0.06).outcome, solve::Outcome::converged);
-  const VectorX first = model.displacement();
+  set_target(model, 0, 1, target - 1);
+  ASSERT_EQ(solve_arc(model, {}, 0.06).outcome, solve::Outcome::converged);
+  const VectorX first = model.present.displacement;
   EXPECT_GT(walk.norm(first - accepted), 0.059);
-  model.rollback();
+  rollback(model);
   unchanged();
-  model.set_target(0, 1, target - 1);
-  ASSERT_EQ(model.solve_arc({}, 0.06).outcome, solve::Outcome::converged);
-  EXPECT_EQ(model.displacement(), first);
+  set_target(model, 0, 1, target - 1);
+  ASSERT_EQ(solve_arc(model, {}, 0.06).outcome, solve::Outcome::converged);
+  EXPECT_EQ(model.present.displacement, first);
 }
 
 /// ∫ |u|² dV / V of a rigid translation is |u|², of any mesh and in any unit.
@@ -281,9 +283,9 @@ TEST(Arc, AnArcOfTheSameLengthLeadsAsFarOnAnyMeshAndInAnyUnit) {
 
 TEST(Arc, ErrorsNameTheArgument) {
   Model<2> model(arch());
-  EXPECT_ERROR(model.solve_arc({}, 0.1), "an arc needs a path: set a target other than the accepted one");
-  model.set_target(0, 1, -1);
-  EXPECT_ERROR(model.solve_arc({}, 0), "an arc's length must be positive, got 0");
+  EXPECT_ERROR(solve_arc(model, {}, 0.1), "an arc needs a path: set a target other than the accepted one");
+  set_target(model, 0, 1, -1);
+  EXPECT_ERROR(solve_arc(model, {}, 0), "an arc's length must be positive, got 0");
 }
 
 } // namespace arc_test

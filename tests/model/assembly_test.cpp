@@ -7,17 +7,17 @@ namespace assembly_test {
 
 using namespace test;
 
-struct States {
+struct Seen {
   int open = 0, stick = 0, slip = 0, elsewhere = 0;
 };
 
-States states(const contact::Pair<2>& pair) {
-  States result;
-  for (const auto& point : pair.results())
+Seen states(const Bench& bench) {
+  Seen result;
+  for (const auto& point : bench.present.contacts[0].results)
     ++(point.state == contact::ContactState::open    ? result.open
        : point.state == contact::ContactState::stick ? result.stick
                                                      : result.slip);
-  for (const auto& group : pair.groups()) result.elsewhere += group.slip_element >= 0;
+  for (const auto& block : bench.system.contacts[0]->blocks()) result.elsewhere += block.slip_element >= 0;
   return result;
 }
 
@@ -34,13 +34,13 @@ TEST(Assembly, TangentIsTheResidualsDerivativeInEveryState) {
       for (int i = 0; i < moved.size(); ++i) moved(i) += nurbs::test::uniform(random, -size, size);
       return moved;
     };
-    States seen;
+    Seen seen;
     int compared = 0;
     const auto check = [&](double size) {
       for (int trial = 0; trial < 3; ++trial)
         if (compare(bench, shaken(size))) {
           ++compared;
-          const States now = states(bench.pairs[0]);
+          const Seen now = states(bench);
           seen.open += now.open;
           seen.stick += now.stick;
           seen.slip += now.slip;
@@ -48,11 +48,11 @@ TEST(Assembly, TangentIsTheResidualsDerivativeInEveryState) {
         }
     };
     bench.residual(u);
-    bench.pairs[0].accept();
+    bench.accept();
     move_die(0, -0.05);
     check(2e-3);
     bench.residual(u);
-    bench.pairs[0].accept();
+    bench.accept();
     move_die(2e-3, 0);
     check(2e-4);
     move_die(0.03, 0);
@@ -74,9 +74,9 @@ TEST(Assembly, ResidualAloneIsTheSameToTheLastBit) {
   for (int i = 1; i < bench.unknowns.offset(1); i += 2) u(i) = -0.05;
   for (int i = 0; i < u.size(); ++i) u(i) += nurbs::test::uniform(random, -1e-3, 1e-3);
   const VectorX whole = bench.residual(u);
-  ASSERT_GT(bench.pairs[0].resultant().active, 0);
-  EXPECT_FALSE(alone.assembly.assemble(alone.pairs, u, nullptr, false, alone.timings));
-  EXPECT_TRUE((alone.assembly.residual().array() == whole.array()).all());
+  ASSERT_GT(resultant(bench.present.contacts[0]).active, 0);
+  EXPECT_FALSE(alone.assemble(u, nullptr, false));
+  EXPECT_TRUE((alone.present.force.array() == whole.array()).all());
 }
 
 TEST(Assembly, PatternStaysWhileTheSameElementsTouch) {
@@ -96,9 +96,9 @@ TEST(Assembly, PatternStaysWhileTheSameElementsTouch) {
 TEST(Assembly, InvertedElementNamesItsBody) {
   Bench bench(ironing("N2"));
   VectorX u = VectorX::Zero(bench.unknowns.dofs());
-  const auto& slab = *bench.scene.bodies[1].body;
+  const auto& slab = *bench.system.scene.bodies[1].body;
   for (int a : slab.space().face_functions(nurbs::side_of("south", 2))) u(bench.unknowns.offset(1) + 2 * a + 1) = 0.9;
-  const auto inverted = bench.assembly.assemble(bench.pairs, u, nullptr, true, bench.timings);
+  const auto inverted = bench.assemble(u);
   ASSERT_TRUE(inverted);
   EXPECT_EQ(inverted->body, 1);
   EXPECT_LT(inverted->inversion.point(1), 1.0 / 3);

@@ -39,94 +39,94 @@ TEST(Augmented, PressureIsExactAtAModeratePenalty) {
     for (double tolerance : {1e-4, 1e-8}) {
       Model<2> model(pressed_block(penalty));
       for (double depth : {0.1, 0.2}) {
-        model.set_target(0, 0, -depth);
-        const solve::NewtonReport report = model.solve_step(augmented(tolerance));
+        set_target(model, 0, 0, -depth);
+        const solve::NewtonReport report = solve_step(model, augmented(tolerance));
         ASSERT_EQ(report.outcome, solve::Outcome::converged) << report.message;
         EXPECT_GT(report.begun, 0);
-        const auto floor = model.contact_resultant(0);
+        const auto floor = resultant(model.present.contacts[0]);
         // The block's diagonal is √2.
         EXPECT_LE(floor.max_penetration, std::sqrt(2) * tolerance);
         EXPECT_EQ(floor.active, 8);
         const double p = exact_pressure(depth);
         // What is left of the penetration moves the pressure by less than λ + 2μ at this strain.
         EXPECT_NEAR(floor.max_pressure, p, 20 * tolerance + 1e-9);
-        EXPECT_NEAR(-model.reaction(2)(1), p, 20 * tolerance + 1e-9);
+        EXPECT_NEAR(-reaction(model, 2)(1), p, 20 * tolerance + 1e-9);
         if (tolerance < 1e-6) {
           EXPECT_NEAR(floor.max_pressure / p, 1, 1e-5);
         }
-        model.accept();
+        accept(model);
       }
     }
   // Plain penalty is far from it.
   Model<2> plain(pressed_block(10));
-  plain.set_target(0, 0, -0.2);
-  ASSERT_EQ(plain.solve_step({}).outcome, solve::Outcome::converged);
-  EXPECT_GT(std::abs(plain.contact_resultant(0).max_pressure / exact_pressure(0.2) - 1), 0.1);
+  set_target(plain, 0, 0, -0.2);
+  ASSERT_EQ(solve_step(plain, {}).outcome, solve::Outcome::converged);
+  EXPECT_GT(std::abs(resultant(plain.present.contacts[0]).max_pressure / exact_pressure(0.2) - 1), 0.1);
 }
 
 TEST(Augmented, ABlockThatIsDrawnOffLetsGo) {
   Model<2> model(pressed_block(40));
   for (double depth : {0.2, 0.05, -0.01}) {
-    model.set_target(0, 0, -depth);
-    const solve::NewtonReport report = model.solve_step(augmented(1e-8));
+    set_target(model, 0, 0, -depth);
+    const solve::NewtonReport report = solve_step(model, augmented(1e-8));
     ASSERT_EQ(report.outcome, solve::Outcome::converged) << report.message;
-    EXPECT_NEAR(model.contact_resultant(0).max_pressure, depth > 0 ? exact_pressure(depth) : 0, 1e-6);
-    EXPECT_NEAR(model.reaction(2)(1), depth > 0 ? -exact_pressure(depth) : 0, 1e-6);
-    model.accept();
+    EXPECT_NEAR(resultant(model.present.contacts[0]).max_pressure, depth > 0 ? exact_pressure(depth) : 0, 1e-6);
+    EXPECT_NEAR(reaction(model, 2)(1), depth > 0 ? -exact_pressure(depth) : 0, 1e-6);
+    accept(model);
   }
 }
 
 TEST(Augmented, TooFewLoopsFailAndSaySo) {
   Model<2> model(pressed_block(10));
-  model.set_target(0, 0, -0.2);
-  const solve::NewtonReport report = model.solve_step(augmented(1e-8, 3));
+  set_target(model, 0, 0, -0.2);
+  const solve::NewtonReport report = solve_step(model, augmented(1e-8, 3));
   EXPECT_EQ(report.outcome, solve::Outcome::penetration);
   EXPECT_NE(report.message.find("after 3 augmentations, asked was 1.41421"), std::string::npos) << report.message;
 }
 
 TEST(Augmented, RollBackAndRestoreBringMultipliersBack) {
   Model<2> model(pressed_block(40));
-  model.set_target(0, 0, -0.1);
-  ASSERT_EQ(model.solve_step(augmented(1e-8)).outcome, solve::Outcome::converged);
-  model.accept();
-  const Snapshot<2> kept = model.snapshot();
-  const double pressure = model.contact_resultant(0).max_pressure;
-  model.set_target(0, 0, -0.2);
-  ASSERT_EQ(model.solve_step(augmented(1e-8)).outcome, solve::Outcome::converged);
-  model.rollback();
-  EXPECT_EQ(model.contact_resultant(0).max_pressure, pressure);
-  model.set_target(0, 0, -0.2);
-  ASSERT_EQ(model.solve_step(augmented(1e-8)).outcome, solve::Outcome::converged);
-  const double deeper = model.contact_resultant(0).max_pressure;
-  model.accept();
-  model.restore(kept);
-  EXPECT_EQ(model.contact_resultant(0).max_pressure, pressure);
-  model.set_target(0, 0, -0.2);
-  ASSERT_EQ(model.solve_step(augmented(1e-8)).outcome, solve::Outcome::converged);
-  EXPECT_EQ(model.contact_resultant(0).max_pressure, deeper);
+  set_target(model, 0, 0, -0.1);
+  ASSERT_EQ(solve_step(model, augmented(1e-8)).outcome, solve::Outcome::converged);
+  accept(model);
+  const Snapshot<2> kept = snapshot(model);
+  const double pressure = resultant(model.present.contacts[0]).max_pressure;
+  set_target(model, 0, 0, -0.2);
+  ASSERT_EQ(solve_step(model, augmented(1e-8)).outcome, solve::Outcome::converged);
+  rollback(model);
+  EXPECT_EQ(resultant(model.present.contacts[0]).max_pressure, pressure);
+  set_target(model, 0, 0, -0.2);
+  ASSERT_EQ(solve_step(model, augmented(1e-8)).outcome, solve::Outcome::converged);
+  const double deeper = resultant(model.present.contacts[0]).max_pressure;
+  accept(model);
+  restore(model, kept);
+  EXPECT_EQ(resultant(model.present.contacts[0]).max_pressure, pressure);
+  set_target(model, 0, 0, -0.2);
+  ASSERT_EQ(solve_step(model, augmented(1e-8)).outcome, solve::Outcome::converged);
+  EXPECT_EQ(resultant(model.present.contacts[0]).max_pressure, deeper);
 }
 
 /// A penalty that has grown goes back with the state that it belonged to.
 TEST(PenaltyFactor, GoesBackWithTheState) {
   Model<2> model(pressed_block(40));
-  model.set_penalty_factor(0.5);
-  model.set_target(0, 0, -0.1);
-  ASSERT_EQ(model.solve_step({}).outcome, solve::Outcome::converged);
-  model.accept();
-  const double force = model.reaction(2)(1), pressure = model.contact_resultant(0).max_pressure;
-  const Snapshot<2> kept = model.snapshot();
-  model.set_penalty_factor(1);
-  model.set_target(0, 0, -0.2);
-  ASSERT_EQ(model.solve_step({}).outcome, solve::Outcome::converged);
-  model.rollback();
-  EXPECT_EQ(model.penalty_factor(), 0.5);
-  EXPECT_NEAR(model.contact_resultant(0).max_pressure, pressure, 1e-13);
-  EXPECT_NEAR(model.reaction(2)(1), force, 1e-13);
-  model.set_penalty_factor(1);
-  model.restore(kept);
-  EXPECT_EQ(model.penalty_factor(), 0.5);
-  EXPECT_NEAR(model.contact_resultant(0).max_pressure, pressure, 1e-13);
-  EXPECT_ERROR(model.set_penalty_factor(0), "the penalty's factor must be positive, got 0");
+  set_penalty_factor(model, 0.5);
+  set_target(model, 0, 0, -0.1);
+  ASSERT_EQ(solve_step(model, {}).outcome, solve::Outcome::converged);
+  accept(model);
+  const double force = reaction(model, 2)(1), pressure = resultant(model.present.contacts[0]).max_pressure;
+  const Snapshot<2> kept = snapshot(model);
+  set_penalty_factor(model, 1);
+  set_target(model, 0, 0, -0.2);
+  ASSERT_EQ(solve_step(model, {}).outcome, solve::Outcome::converged);
+  rollback(model);
+  EXPECT_EQ(model.present.penalty_factor, 0.5);
+  EXPECT_NEAR(resultant(model.present.contacts[0]).max_pressure, pressure, 1e-13);
+  EXPECT_NEAR(reaction(model, 2)(1), force, 1e-13);
+  set_penalty_factor(model, 1);
+  restore(model, kept);
+  EXPECT_EQ(model.present.penalty_factor, 0.5);
+  EXPECT_NEAR(resultant(model.present.contacts[0]).max_pressure, pressure, 1e-13);
+  EXPECT_ERROR(set_penalty_factor(model, 0), "the penalty's factor must be positive, got 0");
 }
 
 } // namespace augmented_test

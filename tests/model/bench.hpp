@@ -1,8 +1,7 @@
 #pragma once
 // A model's parts, so that states can be set that are no equilibria, and its tangent against finite differences.
 
-#include "model/assembly.hpp"
-#include "model/drives.hpp"
+#include "model/system.hpp"
 
 #include "differences.hpp"
 #include "nurbs/random_patch.hpp"
@@ -12,29 +11,27 @@
 namespace signorini::model::test {
 
 struct Bench {
-  Scene<2> scene;
-  Unknowns<2> unknowns;
-  Assembly<2> assembly;
-  std::vector<contact::Pair<2>> pairs;
+  System<2> system;
+  State<2> accepted, present;
+  std::vector<contact::Controls> controls;
   Timings timings;
+  const Unknowns<2>& unknowns;
+  const Assembly<2>& assembly;
 
-  explicit Bench(Scene<2> wanted) : scene(std::move(wanted)), unknowns(scene), assembly(scene, unknowns) {
-    for (const Contact<2>& contact : scene.contacts) {
-      const auto surface = [&](const FaceReference& face) {
-        return contact::Surface<2>(scene.bodies[static_cast<std::size_t>(face.body)].body->space(), face.side);
-      };
-      const auto* face = std::get_if<FaceReference>(&contact.master);
-      const auto* obstacle = std::get_if<ObstacleReference>(&contact.master);
-      contact::Master<2> master =
-          face ? contact::Master<2>(surface(*face))
-               : contact::Master<2>(scene.obstacles[static_cast<std::size_t>(obstacle->obstacle)]);
-      pairs.emplace_back(surface(contact.slave), std::move(master), contact.law, contact.points,
-                         scene.kind == solid::Kind::axisymmetric, contact.where);
-    }
+  explicit Bench(Scene<2> scene)
+      : system(std::move(scene)), accepted(system.start()), present(accepted), controls(system.contacts.size()),
+        unknowns(system.unknowns), assembly(system.assembly) {}
+  std::optional<BodyInversion> assemble(const VectorX& u, const VectorX* direction = nullptr, bool tangent = true) {
+    present.displacement = u;
+    return system.assembly.assemble({present, accepted, controls}, direction, tangent, timings);
   }
   VectorX residual(const VectorX& u, const VectorX* direction = nullptr) {
-    EXPECT_FALSE(assembly.assemble(pairs, u, direction, true, timings));
-    return assembly.residual();
+    EXPECT_FALSE(assemble(u, direction));
+    return present.force;
+  }
+  void accept() {
+    system.commit(present, accepted);
+    accepted = present;
   }
   /// Of the unknowns.
   MatrixX tangent() const {
@@ -49,10 +46,10 @@ struct Bench {
   /// What finite differences must not step over.
   std::vector<int> signature() const {
     std::vector<int> result;
-    for (const auto& pair : pairs) {
-      for (const auto& point : pair.results()) result.push_back(static_cast<int>(point.state));
-      for (const auto& group : pair.groups())
-        result.insert(result.end(), {group.slave_element, group.master_element, group.slip_element});
+    for (std::size_t k = 0; k < system.contacts.size(); ++k) {
+      for (const auto& point : present.contacts[k].results) result.push_back(static_cast<int>(point.state));
+      for (const auto& block : system.contacts[k]->blocks())
+        result.insert(result.end(), {block.slave_element, block.master_element, block.slip_element});
     }
     return result;
   }

@@ -28,7 +28,7 @@ Scene<2> linear_ironing(double mu) {
   for (auto& named : scene.bodies)
     named.body = std::make_shared<const solid::Body<2>>(named.body->shared_space(),
                                                         solid::linear_elastic(named.name == "die" ? 1000 : 1, 0.3));
-  scene.contacts[0].law = contact::PenaltyLaw{100, 100, mu};
+  scene.contacts[0].method = contact::PenaltyLaw{100, 100, mu};
   return scene;
 }
 
@@ -51,12 +51,14 @@ Seen compare_solvers(const Scene<2>& scene, const std::vector<Vec<2>>& path) {
     EXPECT_EQ(b.outcome, solve::Outcome::converged) << k << ": " << b.message;
     EXPECT_NEAR(a.iterations, b.iterations, 2) << k;
     seen.other_iterations += a.iterations != b.iterations;
-    EXPECT_EQ(condensed.linear().kind(), solve::LinearKind::condensed);
-    EXPECT_EQ(plain.linear().kind(), solve::LinearKind::umfpack);
-    condensed.accept();
-    plain.accept();
-    EXPECT_NEAR((condensed.displacement() - plain.displacement()).norm(), 0, 1e-9 * plain.displacement().norm()) << k;
-    const auto x = condensed.contact_resultant(0), y = plain.contact_resultant(0);
+    EXPECT_EQ(condensed.linear.kind(), solve::LinearKind::condensed);
+    EXPECT_EQ(plain.linear.kind(), solve::LinearKind::umfpack);
+    accept(condensed);
+    accept(plain);
+    EXPECT_NEAR((condensed.present.displacement - plain.present.displacement).norm(), 0,
+                1e-9 * plain.present.displacement.norm())
+        << k;
+    const auto x = resultant(condensed.present.contacts[0]), y = resultant(plain.present.contacts[0]);
     EXPECT_NEAR((x.force - y.force).norm(), 0, 1e-9 * y.force.norm());
     EXPECT_EQ(x.active, y.active);
     EXPECT_EQ(x.slipping, y.slipping);
@@ -145,15 +147,16 @@ TEST(Condensed, BodyThatOnlyTheContactHolds) {
       for (Model<2>* model : {&condensed, &plain}) {
         StepOptions options;
         options.linear = model == &condensed ? solve::LinearKind::condensed : solve::LinearKind::umfpack;
-        model->set_target(0, 0, push);
-        const auto report = model->solve_step(options);
+        model::set_target(*model, 0, 0, push);
+        const auto report = model::solve_step(*model, options);
         ASSERT_EQ(report.outcome, solve::Outcome::converged) << mu << " " << report.message;
-        model->accept();
-        EXPECT_NEAR(model->contact_resultant(0).force(1), 0.1, 1e-9);
-        EXPECT_NEAR(model->contact_resultant(0).force(0), mu > 0 ? -push : 0, 1e-9);
-        EXPECT_NEAR(model->reaction(0)(0), mu > 0 ? 0 : -push, 1e-9);
+        model::accept(*model);
+        EXPECT_NEAR(resultant(model->present.contacts[0]).force(1), 0.1, 1e-9);
+        EXPECT_NEAR(resultant(model->present.contacts[0]).force(0), mu > 0 ? -push : 0, 1e-9);
+        EXPECT_NEAR(model::reaction(*model, 0)(0), mu > 0 ? 0 : -push, 1e-9);
       }
-      EXPECT_NEAR((condensed.displacement() - plain.displacement()).norm(), 0, 1e-9 * plain.displacement().norm());
+      EXPECT_NEAR((condensed.present.displacement - plain.present.displacement).norm(), 0,
+                  1e-9 * plain.present.displacement.norm());
     }
   }
 }
@@ -175,8 +178,8 @@ TEST(Condensed, NeedsLinearBodiesAndAContact) {
   Model<2> linear(roller(soft, {100})), other(roller(solid::neo_hookean(1, 0.3), {100}));
   step_to(linear, 0, 0, -0.01);
   step_to(other, 0, 0, -0.01);
-  EXPECT_EQ(linear.linear().kind(), solve::LinearKind::condensed);
-  EXPECT_NE(other.linear().kind(), solve::LinearKind::condensed);
+  EXPECT_EQ(linear.linear.kind(), solve::LinearKind::condensed);
+  EXPECT_NE(other.linear.kind(), solve::LinearKind::condensed);
 }
 
 } // namespace condensed_test

@@ -131,14 +131,14 @@ TEST(Damping, AFreeBodyTravelsOneStrideInOneSolve) {
   for (double gap : {0.3, 0.02})
     for (double weight : {0.01, 10.0}) {
       Model<2> model(above_plane(gap, {}));
-      model.set_target(0, 0, weight);
-      const solve::NewtonReport& report = model.iterate(damped());
+      set_target(model, 0, 0, weight);
+      const solve::NewtonReport& report = iterate(model, damped());
       ASSERT_EQ(report.outcome, solve::Outcome::iterating) << report.message;
       // The shift is a multiple of the diagonal, so that it may stand for it.
-      const VectorX diagonal = model.assembly().diagonal();
+      const VectorX diagonal = model.system.assembly.diagonal();
       double travel = 0, sum = 0;
-      for (int i = 0; i < model.unknowns().size(); ++i)
-        if (i % 2 == 1) travel += diagonal(i) * model.displacement()(i), sum += diagonal(i);
+      for (int i = 0; i < model.system.unknowns.size(); ++i)
+        if (i % 2 == 1) travel += diagonal(i) * model.present.displacement(i), sum += diagonal(i);
       EXPECT_NEAR(travel / sum, -gap, 1e-9 * gap);
     }
 }
@@ -146,12 +146,12 @@ TEST(Damping, AFreeBodyTravelsOneStrideInOneSolve) {
 TEST(Damping, StridesAreTheGapsOfWhatTouchesNothing) {
   Scene<2> scene = above_plane(0.2, {});
   Model<2> model(scene);
-  EXPECT_NEAR(strides(model.scene(), model.pairs(), 1e-3)[0], 0.2, 1e-14);
-  EXPECT_EQ(strides(model.scene(), model.pairs(), 0.5)[0], 0.5);
+  EXPECT_NEAR(strides(model.system.scene, model.system.contacts, model.present, 1e-3)[0], 0.2, 1e-14);
+  EXPECT_EQ(strides(model.system.scene, model.system.contacts, model.present, 0.5)[0], 0.5);
   Model<2> touching(above_plane(-1e-3, {}));
-  EXPECT_EQ(strides(touching.scene(), touching.pairs(), 1e-3)[0], 1e-3);
+  EXPECT_EQ(strides(touching.system.scene, touching.system.contacts, touching.present, 1e-3)[0], 1e-3);
   scene.contacts.clear();
-  EXPECT_EQ(strides(scene, {}, 1e-3)[0], 1e-3);
+  EXPECT_EQ(strides<2>(scene, {}, {}, 1e-3)[0], 1e-3);
 }
 
 /// Σ |f·m|/(stride Σ K m²), the largest of all motions, and 10⁻¹⁰ where no force works.
@@ -174,21 +174,21 @@ TEST(Damping, TheFactorIsThatOfTheMotionWithMostWork) {
 
 /// Where the control points are, each from the plane.
 template <int D> MatrixX places(const Model<D>& model) {
-  return MatrixX(model.scene().bodies[0].body->space().points()) + MatrixX(model.body_displacement(0));
+  return MatrixX(model.system.scene.bodies[0].body->space().points()) + MatrixX(body_displacement(model, 0));
 }
 
 template <int D> void expect_the_same_rest(const std::function<Scene<D>(double)>& scene, double load, double gap) {
   Model<D> touching(scene(-1e-3)), apart(scene(gap)), undamped(scene(gap));
-  touching.set_target(0, 0, load);
-  ASSERT_EQ(touching.solve_step({}).outcome, solve::Outcome::converged);
-  apart.set_target(0, 0, load);
-  const solve::NewtonReport report = apart.solve_step(damped());
+  set_target(touching, 0, 0, load);
+  ASSERT_EQ(solve_step(touching, {}).outcome, solve::Outcome::converged);
+  set_target(apart, 0, 0, load);
+  const solve::NewtonReport report = solve_step(apart, damped());
   ASSERT_EQ(report.outcome, solve::Outcome::converged) << report.message;
   EXPECT_LT((places(apart) - places(touching)).cwiseAbs().maxCoeff(), 1e-8);
-  EXPECT_GT(apart.contact_resultant(0).active, 0);
-  EXPECT_LT((apart.contact_resultant(0).force - touching.contact_resultant(0).force).norm(), 1e-8);
-  undamped.set_target(0, 0, load);
-  const solve::NewtonReport failed = undamped.solve_step({});
+  EXPECT_GT(resultant(apart.present.contacts[0]).active, 0);
+  EXPECT_LT((resultant(apart.present.contacts[0]).force - resultant(touching.present.contacts[0]).force).norm(), 1e-8);
+  set_target(undamped, 0, 0, load);
+  const solve::NewtonReport failed = solve_step(undamped, {});
   EXPECT_EQ(failed.outcome, solve::Outcome::singular_tangent) << failed.message;
 }
 
@@ -221,28 +221,28 @@ TEST(Damping, ABlockWithFrictionLandsFromAnyHeightUnderItsFullLoad) {
     for (double gap : {1e-6, 1e-3, 1e-2, 0.3})
       for (double load : {1e-3, 1e-2, 5e-2}) {
         Scene<2> scene = above_plane(gap, {});
-        scene.contacts[0].law = contact::PenaltyLaw{50, 50, mu};
+        scene.contacts[0].method = contact::PenaltyLaw{50, 50, mu};
         Model<2> model(scene);
-        model.set_target(0, 0, load);
-        const solve::NewtonReport report = model.solve_step(damped());
+        set_target(model, 0, 0, load);
+        const solve::NewtonReport report = solve_step(model, damped());
         ASSERT_EQ(report.outcome, solve::Outcome::converged) << report.message << mu << " " << gap << " " << load;
         // As the pressure follows the face, its resultant is the load but for the face's stretch; nothing pulls aside.
-        const auto floor = model.contact_resultant(0);
-        EXPECT_NEAR(floor.force(1) / model.load_resultant(0)(1), -1, 1e-8);
+        const auto floor = resultant(model.present.contacts[0]);
+        EXPECT_NEAR(floor.force(1) / load_resultant(model, 0)(1), -1, 1e-8);
         EXPECT_NEAR(floor.force(0) / floor.force(1), 0, 1e-6);
       }
 }
 
 TEST(Damping, ChangesNoBitWhereSupportsHoldAllBodies) {
   Model<2> plain(ironing("N2")), with(ironing("N2"));
-  EXPECT_TRUE(with.loose().empty());
+  EXPECT_TRUE(with.system.loose().empty());
   for (int step : {2, 4, 6, 8, 10, 12}) {
     ASSERT_EQ(ironing_step(plain, step).outcome, solve::Outcome::converged);
     const solve::NewtonReport report = ironing_step(with, step, damped());
-    EXPECT_EQ(report.residuals, plain.report()->residuals);
-    EXPECT_EQ(with.displacement(), plain.displacement());
-    plain.accept();
-    with.accept();
+    EXPECT_EQ(report.residuals, plain.step->report.residuals);
+    EXPECT_EQ(with.present.displacement, plain.present.displacement);
+    accept(plain);
+    accept(with);
   }
 }
 

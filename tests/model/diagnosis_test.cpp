@@ -103,8 +103,8 @@ TEST(Diagnosis, AnInvertedElementIsNamedWithItsPoint) {
                          {"walls", "west", {fixed, free_to_move}},
                          {"far", "east", {fixed, free_to_move}},
                          {"top", "north", {fixed, driven}}}));
-  model.set_target(0, 0, -1.2);
-  const solve::NewtonReport report = model.solve_step({});
+  set_target(model, 0, 0, -1.2);
+  const solve::NewtonReport report = solve_step(model, {});
   ASSERT_EQ(report.outcome, Outcome::inverted_element);
   const Diagnosis diagnosis = diagnose(model, report);
   EXPECT_EQ(diagnosis.outcome, Outcome::inverted_element);
@@ -128,9 +128,9 @@ Diagnosis under_traction(const std::vector<Grip>& grips, bool pinned = false) {
   if (pinned) scene.supports.push_back({"pin", {corner(scene, 0, {0, 0})}, {fixed, fixed}});
   scene.loads = {{"wind", {{0, nurbs::side_of("north", 2)}}, false, {0, 0}}};
   Model<2> model(std::move(scene));
-  model.set_target(0, 0, 0.1);
-  model.set_target(0, 1, -0.1);
-  const solve::NewtonReport report = model.solve_step({});
+  set_target(model, 0, 0, 0.1);
+  set_target(model, 0, 1, -0.1);
+  const solve::NewtonReport report = solve_step(model, {});
   EXPECT_EQ(report.outcome, Outcome::singular_tangent) << report.message;
   return diagnose(model, report);
 }
@@ -161,10 +161,10 @@ TEST(Diagnosis, AnIndefiniteTangentIsFoundBehindAStall) {
     scene.supports = {{"bed", {held(scene, 0, "south")}, {fixed, fixed}},
                       {"top", {held(scene, 0, "north")}, {free_to_move, driven}}};
     Model<2> model(std::move(scene));
-    model.set_target(0, 0, -depth);
+    set_target(model, 0, 0, -depth);
     StepOptions options;
     options.newton.iterations = iterations;
-    const solve::NewtonReport report = model.solve_step(options);
+    const solve::NewtonReport report = solve_step(model, options);
     EXPECT_EQ(report.outcome, Outcome::iteration_limit);
     return diagnose(model, report);
   };
@@ -185,15 +185,15 @@ TEST(Diagnosis, AnIndefiniteTangentIsFoundBehindAStall) {
 
 TEST(Diagnosis, UnbalancedForcesAreTheLargestOnes) {
   Model<2> model(square({{"bed", "south", {fixed, fixed}}, {"top", "north", {driven, driven}}}));
-  model.set_target(0, 0, 0.4);
+  set_target(model, 0, 0, 0.4);
   StepOptions options;
   options.newton.iterations = 2;
-  const solve::NewtonReport report = model.solve_step(options);
+  const solve::NewtonReport report = solve_step(model, options);
   ASSERT_EQ(report.outcome, Outcome::iteration_limit);
   const Diagnosis diagnosis = diagnose(model, report);
   ASSERT_EQ(diagnosis.unbalanced.size(), 3u);
   std::vector<double> forces;
-  const VectorX all = model.unknowns().spread(model.unbalanced());
+  const VectorX all = model.system.unknowns.spread(model.unbalanced);
   for (int a = 0; a < all.size() / 2; ++a) forces.push_back(all.segment<2>(2 * a).norm());
   std::sort(forces.rbegin(), forces.rend());
   for (std::size_t k = 0; k < 3; ++k) {
@@ -209,7 +209,7 @@ TEST(Diagnosis, CyclingPointsAreNamed) {
   Scene<2> scene = ironing("N4");
   const nurbs::Patch arc = nurbs::half_annulus(0.3, 0.5, Eigen::Vector2d(0.75, 1.5));
   scene.bodies[0].body = make_body(arc, {6, 2}, "N4", "south", solid::neo_hookean(1e4, 0.3));
-  scene.contacts[0].law = contact::PenaltyLaw{1000, 100, 0.1};
+  scene.contacts[0].method = contact::PenaltyLaw{1000, 100, 0.1};
   scene.contacts[0].points = 7;
   Model<2> model(std::move(scene));
   solve::NewtonReport report;
@@ -217,23 +217,23 @@ TEST(Diagnosis, CyclingPointsAreNamed) {
   for (; step <= 46; ++step) {
     report = step_to(model, drive_of_grip, 0, -0.5 * step / 46);
     if (report.outcome != Outcome::converged) break;
-    model.accept();
+    accept(model);
   }
   ASSERT_EQ(report.outcome, Outcome::cycling) << report.message;
   EXPECT_GT(step, 20); // which step and which period depends on rounding error
   EXPECT_TRUE(holds(report.message, "the states of contact points repeat every ")) << report.message;
   const Diagnosis diagnosis = diagnose(model, report);
   EXPECT_EQ(diagnosis.outcome, Outcome::cycling);
-  const auto restless = model.active_set().restless();
+  const auto restless = model.active_set.restless();
   ASSERT_EQ(diagnosis.places.size(), restless.size());
   for (std::size_t k = 0; k < restless.size(); ++k) {
     const TroubleSpot& spot = diagnosis.places[k];
     EXPECT_EQ(spot.kind, "contact point");
     EXPECT_EQ(spot.where, "interface");
     const auto i = static_cast<std::size_t>(restless[k].point);
-    EXPECT_EQ(spot.index, model.pairs()[0].place(i).first);
-    EXPECT_EQ(spot.reference, VectorX(model.pairs()[0].reference_positions()[i]));
-    EXPECT_EQ(spot.current, VectorX(model.pairs()[0].accepted_results()[i].position));
+    EXPECT_EQ(spot.index, model.system.contacts[0]->points().list[i].element);
+    EXPECT_EQ(spot.reference, VectorX(model.system.contacts[0]->points().reference[i]));
+    EXPECT_EQ(spot.current, VectorX(model.accepted.contacts[0].results[i].position));
     EXPECT_NEAR((spot.reference - Eigen::Vector2d(0.75, 1.5)).norm(), 0.5, 1e-9); // on the die
   }
   EXPECT_TRUE(holds(diagnosis.message,
@@ -243,7 +243,7 @@ TEST(Diagnosis, CyclingPointsAreNamed) {
 
   // Line search goes through.
   for (const auto kind : {solve::LineSearchKind::residual, solve::LineSearchKind::energy}) {
-    model.rollback();
+    rollback(model);
     StepOptions options;
     options.newton.line_search = kind;
     EXPECT_EQ(step_to(model, drive_of_grip, 0, -0.5 * 34 / 46, options).outcome, Outcome::converged);
@@ -271,11 +271,11 @@ TEST(Diagnosis, PointsThatLeaveTheMasterAreNamed) {
                      contact::PenaltyLaw{10},
                      3}};
   Model<2> model(std::move(scene));
-  model.set_target(0, 0, -0.0625);
-  ASSERT_EQ(model.solve_step({}).outcome, Outcome::converged);
-  model.accept();
-  model.set_target(0, 0, -0.125);
-  const solve::NewtonReport report = model.solve_step({});
+  set_target(model, 0, 0, -0.0625);
+  ASSERT_EQ(solve_step(model, {}).outcome, Outcome::converged);
+  accept(model);
+  set_target(model, 0, 0, -0.125);
+  const solve::NewtonReport report = solve_step(model, {});
   EXPECT_EQ(report.outcome, Outcome::lost_projection) << report.message;
   const Diagnosis diagnosis = diagnose(model, report);
   ASSERT_FALSE(diagnosis.places.empty());
@@ -293,15 +293,15 @@ TEST(Diagnosis, PenetrationThatRemainsIsNamedWithItsPoints) {
   scene.obstacles = {contact::make_plane<2>({0, 0}, {0, 1})};
   scene.contacts = {{"floor", {0, nurbs::side_of("south", 2)}, ObstacleReference{0}, contact::PenaltyLaw{10}, 4}};
   Model<2> model(std::move(scene));
-  model.set_target(0, 0, -0.1);
+  set_target(model, 0, 0, -0.1);
   StepOptions options;
   options.augmented = {1e-9, 1};
-  const solve::NewtonReport report = model.solve_step(options);
+  const solve::NewtonReport report = solve_step(model, options);
   ASSERT_EQ(report.outcome, Outcome::penetration);
   const Diagnosis diagnosis = diagnose(model, report);
   ASSERT_EQ(diagnosis.places.size(), 5u);
   double farthest = 0;
-  for (const auto& point : model.pairs()[0].results())
+  for (const auto& point : model.present.contacts[0].results)
     if (point.state != contact::ContactState::open) farthest = std::max(farthest, std::abs(point.gap));
   EXPECT_EQ(std::abs(diagnosis.places[0].value), farthest);
   for (const TroubleSpot& spot : diagnosis.places) EXPECT_EQ(spot.kind, "contact point");
@@ -312,18 +312,18 @@ TEST(Diagnosis, LineSearchAndNumbersThatAreNone) {
   Scene<2> scene = square({{"bed", "south", {fixed, fixed}}});
   scene.loads = {{"wind", {{0, nurbs::side_of("north", 2)}}, false, {0, 0}}};
   Model<2> model(std::move(scene));
-  model.set_target(0, 0, 1e200); // its square is no number
-  const solve::NewtonReport none = model.solve_step({});
+  set_target(model, 0, 0, 1e200); // its square is no number
+  const solve::NewtonReport none = solve_step(model, {});
   EXPECT_EQ(none.outcome, Outcome::not_finite);
   const Diagnosis diagnosis = diagnose(model, none);
   EXPECT_EQ(diagnosis.outcome, Outcome::not_finite);
   EXPECT_TRUE(holds(diagnosis.message, "not a finite number"));
-  model.rollback();
-  model.set_target(0, 0, 0.05);
-  EXPECT_EQ(model.solve_step({}).outcome, Outcome::converged);
+  rollback(model);
+  set_target(model, 0, 0, 0.05);
+  EXPECT_EQ(solve_step(model, {}).outcome, Outcome::converged);
 
   // What a report says of line search is looked into like any stall.
-  solve::NewtonReport stalled = *model.report();
+  solve::NewtonReport stalled = model.step->report;
   stalled.outcome = Outcome::line_search;
   const Diagnosis search = diagnose(model, stalled);
   EXPECT_EQ(search.outcome, Outcome::line_search);

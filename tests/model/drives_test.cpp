@@ -176,7 +176,7 @@ TEST(Assembly, TangentOfSharedUnknownsIsTheResidualsDerivative) {
   for (const auto& hold :
        {std::array{Hold::free, Hold::free}, {Hold::driven, Hold::free}, {Hold::fixed, Hold::fixed}}) {
     Bench bench(busy(hold));
-    const Drives<2> drives(bench.scene, bench.unknowns);
+    const Drives<2>& drives = bench.system.drives;
     VectorX targets = drives.start();
     for (double angle : {5.0, 25.0}) {
       targets(drives.target(0, static_cast<int>(drives.all()[0].components.size()) - 1)) = angle;
@@ -187,7 +187,7 @@ TEST(Assembly, TangentOfSharedUnknownsIsTheResidualsDerivative) {
         if (!bench.unknowns.held(i)) u(i) = uniform(random, -0.005, 0.005);
       const bool same = compare(bench, u);
       compared += same;
-      touching += same && !bench.pairs[0].groups().empty();
+      touching += same && !bench.system.contacts[0]->blocks().empty();
     }
   }
   EXPECT_GE(compared, 5);

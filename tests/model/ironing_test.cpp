@@ -1,6 +1,8 @@
 // The published ironing problem at mesh m1 with plain Newton: every label converges, quadratically, in few iterations,
 // and forces balance.
-#include "model/model.hpp"
+#include "model/arc.hpp"
+#include "model/load_step.hpp"
+#include "model/results.hpp"
 
 #include "model/quadratic.hpp"
 #include "model/scenes.hpp"
@@ -26,11 +28,11 @@ TEST_P(Ironing, ConvergesQuadraticallyAndBalances) {
     ASSERT_EQ(report.outcome, solve::Outcome::converged) << "step " << step << ": " << report.message;
     iterations += report.iterations;
 
-    const auto contact = model.contact_resultant(0);
-    const Vec<2> by_bed = model.reaction(bed), by_grip = model.reaction(grip);
+    const auto contact = resultant(model.present.contacts[0]);
+    const Vec<2> by_bed = reaction(model, bed), by_grip = reaction(model, grip);
     const double scale = by_grip.norm();
     // What the free control points lack to equilibrium is all that may be missing: |Σ r| ≤ √n |r|.
-    const double missing = std::sqrt(model.unknowns().size()) * report.residuals.back() + 1e-12 * scale;
+    const double missing = std::sqrt(model.system.unknowns.size()) * report.residuals.back() + 1e-12 * scale;
     EXPECT_LT((by_bed + by_grip).norm(), missing) << "step " << step;
     // The die is held by its grip against what the slab exerts on it.
     EXPECT_LT((contact.force + by_grip).norm(), missing) << "step " << step;
@@ -42,7 +44,7 @@ TEST_P(Ironing, ConvergesQuadraticallyAndBalances) {
     }
 
     if (step % 20 == 0) pairs += compare_starts(model);
-    model.accept();
+    accept(model);
   }
   EXPECT_LE(iterations, 4.5 * steps);
   EXPECT_GE(pairs, 10); // of 20

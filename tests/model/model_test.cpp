@@ -1,5 +1,7 @@
 // Supports, reactions, accept and roll-back, and the solve's independence of what must not matter.
-#include "model/model.hpp"
+#include "model/arc.hpp"
+#include "model/load_step.hpp"
+#include "model/results.hpp"
 
 #include "model/sample.hpp"
 #include "model/scenes.hpp"
@@ -69,18 +71,18 @@ TEST(Model, PrescribedDisplacementsAreReached) {
   for (int steps : {1, 4}) {
     Model<2> model(scene());
     for (int k = 1; k <= steps; ++k) {
-      model.set_target(0, 0, -0.3 * k / steps);
-      const auto report = model.solve_step({});
+      set_target(model, 0, 0, -0.3 * k / steps);
+      const auto report = solve_step(model, {});
       ASSERT_EQ(report.outcome, solve::Outcome::converged) << report.message;
-      model.accept();
-      EXPECT_EQ(model.accepted_target(0, 0), -0.3 * k / steps);
+      accept(model);
+      EXPECT_EQ(accepted_target(model, 0, 0), -0.3 * k / steps);
     }
     const double f = 0.7, stress = material.mu * f + (material.lambda * std::log(f) - material.mu) / f;
-    EXPECT_NEAR(model.reaction(3)(1), stress, 1e-10);
-    EXPECT_NEAR(model.reaction(0)(1), -stress, 1e-10);
-    EXPECT_NEAR((model.reaction(1) + model.reaction(2)).norm(), 0, 1e-10);
-    for (int dof : model.unknowns().of_support(3, 1)) EXPECT_NEAR(model.displacement()(dof), -0.3, 1e-15);
-    EXPECT_NEAR(model.energies().stored, solid::energy<2>(material, Eigen::Vector2d(1, f).asDiagonal().toDenseMatrix()),
+    EXPECT_NEAR(reaction(model, 3)(1), stress, 1e-10);
+    EXPECT_NEAR(reaction(model, 0)(1), -stress, 1e-10);
+    EXPECT_NEAR((reaction(model, 1) + reaction(model, 2)).norm(), 0, 1e-10);
+    for (int dof : model.system.unknowns.of_support(3, 1)) EXPECT_NEAR(model.present.displacement(dof), -0.3, 1e-15);
+    EXPECT_NEAR(energies(model).stored, solid::energy<2>(material, Eigen::Vector2d(1, f).asDiagonal().toDenseMatrix()),
                 1e-12);
     const auto point = body_point(model, 0, 0, Eigen::Vector2d(0.2, 0.3));
     EXPECT_NEAR((point.reference - Eigen::Vector2d(0.2, 0.3)).norm(), 0, 1e-15);
@@ -94,8 +96,8 @@ TEST(Model, BodyThatNothingHoldsIsSingular) {
   for (auto kind : {solve::LinearKind::klu, solve::LinearKind::umfpack}) {
     Model<2> model(
         square({{"side", "west", {Hold::driven, Hold::free}}, {"other", "east", {Hold::fixed, Hold::free}}}));
-    model.set_target(0, 0, 0.1);
-    EXPECT_EQ(model.solve_step({{}, kind}).outcome, solve::Outcome::singular_tangent);
+    set_target(model, 0, 0, 0.1);
+    EXPECT_EQ(solve_step(model, {{}, kind}).outcome, solve::Outcome::singular_tangent);
   }
 }
 
@@ -103,27 +105,27 @@ TEST(Model, InversionAndIterationLimitAreReportedAndRolledBack) {
   Model<2> model(
       square({{"bed", "south", {Hold::fixed, Hold::fixed}}, {"top", "north", {Hold::driven, Hold::driven}}}));
   ASSERT_EQ(step_to(model, 0, 0, -0.1).outcome, solve::Outcome::converged);
-  model.accept();
-  const VectorX accepted = model.displacement();
-  const Eigen::Vector2d reaction = model.reaction(1);
+  accept(model);
+  const VectorX accepted = model.present.displacement;
+  const Eigen::Vector2d force = reaction(model, 1);
   const auto inverted = step_to(model, 0, 0, -1.5);
   EXPECT_EQ(inverted.outcome, solve::Outcome::inverted_element);
   EXPECT_NE(inverted.message.find("body 'block' is inverted"), std::string::npos) << inverted.message;
-  model.rollback();
-  EXPECT_EQ(model.displacement(), accepted);
-  EXPECT_NEAR((model.reaction(1) - reaction).norm(), 0, 1e-14);
+  rollback(model);
+  EXPECT_EQ(model.present.displacement, accepted);
+  EXPECT_NEAR((reaction(model, 1) - force).norm(), 0, 1e-14);
   StepOptions short_of_breath;
   short_of_breath.newton.iterations = 1;
   EXPECT_EQ(step_to(model, 0, 0.2, -0.3, short_of_breath).outcome, solve::Outcome::iteration_limit);
-  model.rollback();
-  EXPECT_EQ(model.displacement(), accepted);
-  EXPECT_EQ(model.accepted_target(0, 1), -0.1);
+  rollback(model);
+  EXPECT_EQ(model.present.displacement, accepted);
+  EXPECT_EQ(accepted_target(model, 0, 1), -0.1);
 }
 
 void iron(Model<2>& model, int from, int to, const StepOptions& options = {}) {
   for (int step = from; step <= to; ++step) {
     ASSERT_EQ(ironing_step(model, step, options).outcome, solve::Outcome::converged) << "step " << step;
-    model.accept();
+    accept(model);
   }
 }
 
@@ -134,10 +136,11 @@ TEST(Model, SolutionDoesNotDependOnTheLinearSolver) {
   second.linear = solve::LinearKind::umfpack;
   iron(klu, 1, 60, first);
   iron(umfpack, 1, 60, second);
-  EXPECT_EQ(klu.linear().kind(), solve::LinearKind::klu);
-  EXPECT_EQ(umfpack.linear().kind(), solve::LinearKind::umfpack);
-  EXPECT_NEAR((klu.displacement() - umfpack.displacement()).norm(), 0, 1e-9 * klu.displacement().norm());
-  EXPECT_NEAR((klu.reaction(grip) - umfpack.reaction(grip)).norm(), 0, 1e-9 * klu.reaction(grip).norm());
+  EXPECT_EQ(klu.linear.kind(), solve::LinearKind::klu);
+  EXPECT_EQ(umfpack.linear.kind(), solve::LinearKind::umfpack);
+  EXPECT_NEAR((klu.present.displacement - umfpack.present.displacement).norm(), 0,
+              1e-9 * klu.present.displacement.norm());
+  EXPECT_NEAR((reaction(klu, grip) - reaction(umfpack, grip)).norm(), 0, 1e-9 * reaction(klu, grip).norm());
 }
 
 /// Equal to what Newton's tolerance promises, a residual of 1e-10 of the forces: the failed attempt may have met other
@@ -152,66 +155,68 @@ TEST(Model, FailedAttemptLeavesNoTrace) {
   StepOptions cut;
   cut.newton.iterations = 3;
   EXPECT_NE(ironing_step(tried, 150, cut).outcome, solve::Outcome::converged);
-  tried.rollback();
+  rollback(tried);
   iron(tried, 51, 52);
-  EXPECT_NEAR((straight.displacement() - tried.displacement()).norm(), 0, 1e-9 * straight.displacement().norm());
-  EXPECT_NEAR((straight.reaction(grip) - tried.reaction(grip)).norm(), 0, 1e-9 * straight.reaction(grip).norm());
+  EXPECT_NEAR((straight.present.displacement - tried.present.displacement).norm(), 0,
+              1e-9 * straight.present.displacement.norm());
+  EXPECT_NEAR((reaction(straight, grip) - reaction(tried, grip)).norm(), 0, 1e-9 * reaction(straight, grip).norm());
 }
 
 /// A kept state comes back with all that the next step depends on, the slip points too.
 TEST(Model, RestoredStateGoesOnAsBefore) {
   Model<2> model(ironing("N2"));
   iron(model, 1, 60);
-  const Snapshot<2> kept = model.snapshot();
-  const double length = model.last_length();
+  const Snapshot<2> kept = snapshot(model);
+  const double length = last_length(model);
   iron(model, 61, 64);
-  const VectorX ahead = model.displacement();
-  const Vec<2> reaction = model.reaction(grip);
-  model.restore(kept);
-  EXPECT_EQ(model.displacement(), kept.displacement);
-  EXPECT_EQ(model.last_length(), length);
-  EXPECT_NEAR(model.accepted_target(drive_of_grip, 0), 1.5 * 14 / 250, 1e-15);
+  const VectorX ahead = model.present.displacement;
+  const Vec<2> force = reaction(model, grip);
+  restore(model, kept);
+  EXPECT_EQ(model.present.displacement, kept.state.displacement);
+  EXPECT_EQ(last_length(model), length);
+  EXPECT_NEAR(accepted_target(model, drive_of_grip, 0), 1.5 * 14 / 250, 1e-15);
   iron(model, 61, 64);
-  EXPECT_NEAR((model.displacement() - ahead).norm(), 0, 1e-9 * ahead.norm());
-  EXPECT_NEAR((model.reaction(grip) - reaction).norm(), 0, 1e-9 * reaction.norm());
+  EXPECT_NEAR((model.present.displacement - ahead).norm(), 0, 1e-9 * ahead.norm());
+  EXPECT_NEAR((reaction(model, grip) - force).norm(), 0, 1e-9 * force.norm());
 }
 
 /// What begins a step, what ends it, and that nothing happens afterwards.
 TEST(Model, IterationByIterationIsOneStep) {
   Model<2> whole(ironing("N2")), pieces(ironing("N2"));
-  EXPECT_EQ(pieces.report(), nullptr);
-  const auto iterate = [&] {
+  EXPECT_FALSE(pieces.step.has_value());
+  const auto iterate_on = [&] {
     int calls = 0;
-    while (pieces.iterate({}).outcome == solve::Outcome::iterating) EXPECT_EQ(pieces.report()->iterations, ++calls);
+    while (iterate(pieces, {}).outcome == solve::Outcome::iterating) EXPECT_EQ(pieces.step->report.iterations, ++calls);
     return calls;
   };
   for (int step : {3, 6}) {
     const solve::NewtonReport report = ironing_step(whole, step);
     ASSERT_EQ(report.outcome, solve::Outcome::converged);
-    pieces.set_target(drive_of_grip, 1, -0.23 * (step / 46.0));
-    EXPECT_EQ(iterate(), report.iterations);
-    for (const auto& residuals : {pieces.report()->residuals, pieces.iterate({}).residuals}) // it is over
+    set_target(pieces, drive_of_grip, 1, -0.23 * (step / 46.0));
+    EXPECT_EQ(iterate_on(), report.iterations);
+    for (const auto& residuals : {pieces.step->report.residuals, iterate(pieces, {}).residuals}) // it is over
       EXPECT_EQ(residuals, report.residuals);
-    EXPECT_EQ(pieces.displacement(), whole.displacement());
-    whole.accept();
-    pieces.accept();
-    EXPECT_EQ(pieces.report(), nullptr);
+    EXPECT_EQ(pieces.present.displacement, whole.present.displacement);
+    accept(whole);
+    accept(pieces);
+    EXPECT_FALSE(pieces.step.has_value());
   }
   // Half a step, then other targets: another step, from where that one went. A roll-back begins anew.
-  pieces.set_target(drive_of_grip, 1, -0.04);
-  pieces.iterate({});
-  pieces.set_target(drive_of_grip, 1, -0.045);
-  EXPECT_EQ(pieces.report(), nullptr);
-  iterate();
-  EXPECT_EQ(pieces.report()->outcome, solve::Outcome::converged);
-  for (int dof : pieces.unknowns().of_support(grip, 1)) EXPECT_NEAR(pieces.displacement()(dof), -0.045, 1e-16);
-  pieces.rollback();
-  EXPECT_EQ(pieces.report(), nullptr);
-  EXPECT_EQ(pieces.displacement(), whole.displacement());
-  pieces.set_target(drive_of_grip, 1, -0.23 * (9 / 46.0));
-  iterate();
+  set_target(pieces, drive_of_grip, 1, -0.04);
+  iterate(pieces, {});
+  set_target(pieces, drive_of_grip, 1, -0.045);
+  EXPECT_FALSE(pieces.step.has_value());
+  iterate_on();
+  EXPECT_EQ(pieces.step->report.outcome, solve::Outcome::converged);
+  for (int dof : pieces.system.unknowns.of_support(grip, 1))
+    EXPECT_NEAR(pieces.present.displacement(dof), -0.045, 1e-16);
+  rollback(pieces);
+  EXPECT_FALSE(pieces.step.has_value());
+  EXPECT_EQ(pieces.present.displacement, whole.present.displacement);
+  set_target(pieces, drive_of_grip, 1, -0.23 * (9 / 46.0));
+  iterate_on();
   ironing_step(whole, 9);
-  EXPECT_LT((pieces.displacement() - whole.displacement()).cwiseAbs().maxCoeff(), 1e-11);
+  EXPECT_LT((pieces.present.displacement - whole.present.displacement).cwiseAbs().maxCoeff(), 1e-11);
 }
 
 } // namespace model_test

@@ -33,15 +33,15 @@ TEST(Obstacle, DrivenOneDoesWhatADrivenBodyDoes) {
       const double down = 0.15 * std::min(k, 6) / 6, along = 0.2 * std::max(k - 6, 0) / 6;
       ASSERT_EQ(step_to(by_disc, 0, along, -down).outcome, solve::Outcome::converged) << k;
       ASSERT_EQ(step_to(by_slab, 0, -along, down).outcome, solve::Outcome::converged) << k;
-      by_disc.accept();
-      by_slab.accept();
-      const auto contact = by_disc.contact_resultant(0);
+      accept(by_disc);
+      accept(by_slab);
+      const auto contact = resultant(by_disc.present.contacts[0]);
       const double size = contact.force.norm();
       EXPECT_GT(contact.active, 0);
-      EXPECT_NEAR((by_slab.contact_resultant(0).force - contact.force).norm(), 0, 1e-8 * size);
+      EXPECT_NEAR((resultant(by_slab.present.contacts[0]).force - contact.force).norm(), 0, 1e-8 * size);
       for (const Model<2>* model : {&by_disc, &by_slab}) {
-        EXPECT_NEAR((model->reaction(1) - model->contact_resultant(0).force).norm(), 0, 1e-8 * size);
-        EXPECT_NEAR((model->reaction(0) + model->reaction(1)).norm(), 0, 1e-8 * size);
+        EXPECT_NEAR((model::reaction(*model, 1) - resultant(model->present.contacts[0]).force).norm(), 0, 1e-8 * size);
+        EXPECT_NEAR((model::reaction(*model, 0) + model::reaction(*model, 1)).norm(), 0, 1e-8 * size);
       }
       if (k > 8) {
         EXPECT_EQ(contact.slipping > 0, mu > 0);
@@ -62,16 +62,16 @@ TEST(Obstacle, BlockBetweenWallsOnAPlaneIsUniform) {
   scene.obstacles = {contact::make_plane<2>({0, 0}, {0, 1})};
   scene.contacts = {{"floor", {0, nurbs::side_of("south", 2)}, ObstacleReference{0}, contact::PenaltyLaw{penalty}, 4}};
   Model<2> model(std::move(scene));
-  model.set_target(0, 0, -depth);
-  ASSERT_EQ(model.solve_step({}).outcome, solve::Outcome::converged);
-  const auto floor = model.contact_resultant(0);
+  set_target(model, 0, 0, -depth);
+  ASSERT_EQ(solve_step(model, {}).outcome, solve::Outcome::converged);
+  const auto floor = resultant(model.present.contacts[0]);
   // f = 1 − depth + penetration,  −P_yy = p
   const double p = floor.max_pressure, f = 1 - depth + p / penalty;
   EXPECT_NEAR(p, -(material.mu * f + (material.lambda * std::log(f) - material.mu) / f), 1e-9);
   EXPECT_NEAR(floor.force(1), p, 1e-12);
   EXPECT_NEAR(floor.area, 1, 1e-14);
   EXPECT_NEAR(floor.max_penetration, p / penalty, 1e-15);
-  EXPECT_NEAR(model.reaction(2)(1), -p, 1e-9);
+  EXPECT_NEAR(reaction(model, 2)(1), -p, 1e-9);
 }
 
 /// About an axis forces are those of the full circle.
@@ -87,14 +87,14 @@ TEST(Obstacle, CylinderOnAPlaneAboutItsAxis) {
   scene.obstacles = {contact::make_plane<2>({0, 0}, {0, 1})};
   scene.contacts = {{"floor", {0, nurbs::side_of("south", 2)}, ObstacleReference{0}, contact::PenaltyLaw{penalty}, 4}};
   Model<2> model(std::move(scene));
-  model.set_target(0, 0, -depth);
-  ASSERT_EQ(model.solve_step({}).outcome, solve::Outcome::converged);
+  set_target(model, 0, 0, -depth);
+  ASSERT_EQ(solve_step(model, {}).outcome, solve::Outcome::converged);
   // p = (λ + 2μ) ε = ε_N (depth − ε)
   const double modulus = material.lambda + 2 * material.mu, p = modulus * penalty * depth / (modulus + penalty);
-  EXPECT_NEAR(model.contact_resultant(0).max_pressure, p, 1e-10);
-  EXPECT_NEAR(model.contact_resultant(0).force(1), p * pi * radius * radius, 1e-9);
-  EXPECT_NEAR(model.contact_resultant(0).area, pi * radius * radius, 1e-12);
-  EXPECT_NEAR(model.reaction(1)(1), -p * pi * radius * radius, 1e-9);
+  EXPECT_NEAR(resultant(model.present.contacts[0]).max_pressure, p, 1e-10);
+  EXPECT_NEAR(resultant(model.present.contacts[0]).force(1), p * pi * radius * radius, 1e-9);
+  EXPECT_NEAR(resultant(model.present.contacts[0]).area, pi * radius * radius, 1e-12);
+  EXPECT_NEAR(reaction(model, 1)(1), -p * pi * radius * radius, 1e-9);
 }
 
 } // namespace obstacle_test

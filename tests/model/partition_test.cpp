@@ -125,17 +125,19 @@ TEST(Partition, AFewElementsStayTogether) {
 template <int D> std::vector<double> added_up(const Scene<D>& scene, int threads) {
   set_worker_threads(threads);
   nurbs::test::Random random(5);
-  const Unknowns<D> unknowns(scene);
-  Assembly<D> assembly(scene, unknowns);
+  System<D> system(scene);
+  const Unknowns<D>& unknowns = system.unknowns;
   const auto any = [&](double size) {
     return VectorX(VectorX::NullaryExpr(unknowns.dofs(), [&] { return nurbs::test::uniform(random, -size, size); }));
   };
-  const VectorX u = any(0.005), direction = any(1);
-  std::vector<contact::Pair<D>> none;
+  State<D> state = system.start();
+  state.displacement = any(0.005);
+  const VectorX direction = any(1);
   Timings timings;
-  EXPECT_FALSE(assembly.assemble(none, u, &direction, true, timings));
+  EXPECT_FALSE(system.assembly.assemble({state, state, {}}, &direction, true, timings));
   set_worker_threads(1);
-  std::vector<double> all(assembly.residual().begin(), assembly.residual().end());
+  const Assembly<D>& assembly = system.assembly;
+  std::vector<double> all(state.force.begin(), state.force.end());
   all.insert(all.end(), assembly.product().begin(), assembly.product().end());
   all.insert(all.end(), assembly.values().begin(), assembly.values().begin() + assembly.pattern().entries());
   return all;

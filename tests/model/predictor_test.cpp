@@ -23,10 +23,10 @@ int walk(Model<2>& model, const std::function<void(int)>& set_targets, int steps
   int iterations = 0;
   for (int step = 1; step <= steps; ++step) {
     set_targets(step);
-    const solve::NewtonReport report = model.solve_step(with(predictor));
+    const solve::NewtonReport report = solve_step(model, with(predictor));
     EXPECT_EQ(report.outcome, solve::Outcome::converged) << step << ": " << report.message;
     iterations += report.iterations;
-    model.accept();
+    accept(model);
   }
   return iterations;
 }
@@ -40,16 +40,16 @@ std::vector<int> compare(const std::function<Scene<2>()>& scene, const std::func
     Model<2> model(scene());
     iterations.push_back(walk(
         model, [&](int step) { set_targets(model, step); }, steps, predictor));
-    if (predictor == Predictor::tangent) reference = model.displacement();
-    EXPECT_LT((model.displacement() - reference).cwiseAbs().maxCoeff(), tolerance);
+    if (predictor == Predictor::tangent) reference = model.present.displacement;
+    EXPECT_LT((model.present.displacement - reference).cwiseAbs().maxCoeff(), tolerance);
   }
   return iterations;
 }
 
 void iron(Model<2>& model, int step) {
   const double press = std::min(step, 46) / 46.0, slide = std::max(step - 46, 0) / 250.0;
-  model.set_target(drive_of_grip, 0, 1.5 * slide);
-  model.set_target(drive_of_grip, 1, -0.23 * press);
+  set_target(model, drive_of_grip, 0, 1.5 * slide);
+  set_target(model, drive_of_grip, 1, -0.23 * press);
 }
 
 TEST(Predictor, IroningEndsInTheSameStateWithFewerIterationsByTheLinearOne) {
@@ -62,18 +62,18 @@ TEST(Predictor, IroningEndsInTheSameStateWithFewerIterationsByTheLinearOne) {
 TEST(Predictor, LinearIsTangentWhereThePathBends) {
   Model<2> linear(ironing("N2")), tangent(ironing("N2"));
   for (int step = 1; step <= 50; ++step) {
-    linear.restore(tangent.snapshot()); // both from the same state: the tangent one's
+    restore(linear, snapshot(tangent)); // both from the same state: the tangent one's
     iron(linear, step);
     iron(tangent, step);
-    const double first = linear.solve_step(with(Predictor::linear)).residuals.front();
-    const double reference = tangent.solve_step(with(Predictor::tangent)).residuals.front();
+    const double first = solve_step(linear, with(Predictor::linear)).residuals.front();
+    const double reference = solve_step(tangent, with(Predictor::tangent)).residuals.front();
     if (step <= 2 || step == 47 || step == 48) {
       EXPECT_NEAR(first, reference, 1e-9 * reference) << step;
     } else {
       EXPECT_LT(first, 0.1 * reference) << step;
     }
-    EXPECT_LT((linear.displacement() - tangent.displacement()).cwiseAbs().maxCoeff(), 1e-9);
-    tangent.accept();
+    EXPECT_LT((linear.present.displacement - tangent.present.displacement).cwiseAbs().maxCoeff(), 1e-9);
+    accept(tangent);
   }
 }
 
@@ -81,12 +81,12 @@ TEST(Predictor, PrescribedDisplacementsAreMetFromTheFirstGuessOn) {
   Model<2> model(ironing("N2"));
   for (int step = 1; step <= 3; ++step) {
     iron(model, step);
-    const solve::NewtonReport first = model.iterate(with(step <= 2 ? Predictor::constant : Predictor::linear));
+    const solve::NewtonReport first = iterate(model, with(step <= 2 ? Predictor::constant : Predictor::linear));
     EXPECT_EQ(first.outcome, solve::Outcome::iterating);
-    for (int dof : model.unknowns().of_support(grip, 1))
-      EXPECT_NEAR(model.displacement()(dof), -0.23 * step / 46, 1e-16) << step;
-    model.solve_step({});
-    model.accept();
+    for (int dof : model.system.unknowns.of_support(grip, 1))
+      EXPECT_NEAR(model.present.displacement(dof), -0.23 * step / 46, 1e-16) << step;
+    solve_step(model, {});
+    accept(model);
   }
 }
 
@@ -103,7 +103,7 @@ TEST(Predictor, SupportsThatTurn) {
     return strip;
   };
   const auto iterations = compare(
-      scene, [](Model<2>& model, int step) { model.set_target(0, 0, 4.0 * step); }, 15, 1e-9);
+      scene, [](Model<2>& model, int step) { set_target(model, 0, 0, 4.0 * step); }, 15, 1e-9);
   EXPECT_LT(iterations[2], iterations[0]);
 }
 
@@ -113,23 +113,23 @@ TEST(Predictor, Loads) {
     bar.loads = {{"pull", {{0, nurbs::side_of("north", 2)}}, false, {0, 0}}};
     return bar;
   };
-  const auto set = [](Model<2>& model, int step) { model.set_target(0, 1, 0.02 * step); };
+  const auto set = [](Model<2>& model, int step) { set_target(model, 0, 1, 0.02 * step); };
   const auto iterations = compare(scene, set, 10, 1e-9);
   EXPECT_LE(iterations[2], iterations[0]);
   // It leaves less to do from the third step on.
   Model<2> model(scene());
   for (int step = 1; step <= 5; ++step) {
     set(model, step);
-    const double plain = model.solve_step(with(Predictor::constant)).residuals.front();
-    model.rollback();
+    const double plain = solve_step(model, with(Predictor::constant)).residuals.front();
+    rollback(model);
     set(model, step);
-    const double linear = model.solve_step(with(Predictor::linear)).residuals.front();
+    const double linear = solve_step(model, with(Predictor::linear)).residuals.front();
     if (step <= 2) {
       EXPECT_EQ(linear, plain);
     } else {
       EXPECT_LT(linear, 0.2 * plain) << step;
     }
-    model.accept();
+    accept(model);
   }
 }
 
@@ -137,21 +137,21 @@ TEST(Predictor, ARestoredStateGoesOnAsItDid) {
   Model<2> model(ironing("N2"));
   walk(
       model, [&](int step) { iron(model, step); }, 5, Predictor::linear);
-  const Snapshot<2> kept = model.snapshot();
+  const Snapshot<2> kept = snapshot(model);
   iron(model, 6);
-  const auto residuals = model.solve_step(with(Predictor::linear)).residuals;
-  const VectorX reached = model.displacement();
-  model.accept();
+  const auto residuals = solve_step(model, with(Predictor::linear)).residuals;
+  const VectorX reached = model.present.displacement;
+  accept(model);
   iron(model, 9);
-  model.solve_step(with(Predictor::linear));
-  model.accept();
+  solve_step(model, with(Predictor::linear));
+  accept(model);
   for (int again = 0; again < 2; ++again) {
-    model.restore(kept);
+    restore(model, kept);
     iron(model, 6);
-    const auto once_more = model.solve_step(with(Predictor::linear)).residuals;
+    const auto once_more = solve_step(model, with(Predictor::linear)).residuals;
     EXPECT_EQ(once_more.size(), residuals.size());
     EXPECT_NEAR(once_more.front(), residuals.front(), 1e-9 * residuals.front());
-    EXPECT_LT((model.displacement() - reached).cwiseAbs().maxCoeff(), 1e-12);
+    EXPECT_LT((model.present.displacement - reached).cwiseAbs().maxCoeff(), 1e-12);
   }
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 // Newton's method on a model converges quadratically: measured from starts that the test makes.
 
-#include "model/model.hpp"
+#include "model/arc.hpp"
+#include "model/load_step.hpp"
+#include "model/results.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,10 +18,10 @@ namespace signorini::model::test {
 /// function of the displacement.
 template <int D> std::vector<int> smooth_piece(const Model<D>& model) {
   std::vector<int> result;
-  for (const auto& pair : model.pairs()) {
-    for (const auto& point : pair.results()) result.push_back(static_cast<int>(point.state));
-    for (const auto& group : pair.groups())
-      result.insert(result.end(), {group.slave_element, group.master_element, group.slip_element});
+  for (std::size_t k = 0; k < model.system.contacts.size(); ++k) {
+    for (const auto& point : model.present.contacts[k].results) result.push_back(static_cast<int>(point.state));
+    for (const auto& block : model.system.contacts[k]->blocks())
+      result.insert(result.end(), {block.slave_element, block.master_element, block.slip_element});
   }
   return result;
 }
@@ -30,19 +32,20 @@ template <int D> std::vector<int> smooth_piece(const Model<D>& model) {
 /// 1/32768; left out are those where contact points change their states or elements on the way. Rounding error adds
 /// some ε |K| |x|. Returns how many pairs of h were compared; the solution is restored.
 template <int D> int compare_starts(Model<D>& model) {
-  const VectorX whole = model.unknowns().gather(model.displacement()),
-                last = whole - model.unknowns().gather(model.accepted());
+  const VectorX whole = model.system.unknowns.gather(model.present.displacement),
+                last = whole - model.system.unknowns.gather(model.accepted.displacement);
   const VectorX direction = last + last.norm() / whole.norm() * whole;
   std::string why;
   const auto piece = [&] {
-    EXPECT_EQ(model.evaluate(why), solve::Outcome::converged) << why;
+    EXPECT_EQ(evaluate(model, why), solve::Outcome::converged) << why;
     return smooth_piece(model);
   };
   const std::vector<int> solution = piece();
-  double stiffness = model.assembly().diagonal_norm(),
-         position = model.displacement().template lpNorm<Eigen::Infinity>();
-  for (const auto& pair : model.pairs()) stiffness = std::max(stiffness, pair.stiffness());
-  for (const auto& body : model.scene().bodies)
+  double stiffness = model.system.assembly.diagonal_norm(),
+         position = model.present.displacement.template lpNorm<Eigen::Infinity>();
+  for (std::size_t k = 0; k < model.system.contacts.size(); ++k)
+    stiffness = std::max(stiffness, model.system.contacts[k]->stiffness(model.present.contacts[k], 1));
+  for (const auto& body : model.system.scene.bodies)
     position = std::max(position, body.body->space().points().cwiseAbs().maxCoeff());
   const double rounding = std::numeric_limits<double>::epsilon() * stiffness * position;
 
@@ -54,12 +57,12 @@ template <int D> int compare_starts(Model<D>& model) {
   double before = 0; // r(8 h), 0 where its piece is another one
   for (int k = 1; k <= sizes; ++k) {
     const double h = std::pow(factor, -k);
-    model.move(h * direction);
+    move_by(model, h * direction);
     const bool begins = piece() == solution;
-    model.iterate(exact);
+    iterate(model, exact);
     const bool same = piece() == solution && begins;
-    const double after = model.unbalanced().norm();
-    const solve::NewtonReport back = model.solve_step(exact);
+    const double after = model.unbalanced.norm();
+    const solve::NewtonReport back = solve_step(model, exact);
     EXPECT_EQ(back.outcome, solve::Outcome::converged) << back.message;
     if (same && before > 0) {
       EXPECT_LT(after, before / least + 30 * rounding) << "h = " << h;

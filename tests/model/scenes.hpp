@@ -1,7 +1,9 @@
 #pragma once
 // Scenes for tests: the published ironing problem, and small ones of one body.
 
-#include "model/model.hpp"
+#include "model/arc.hpp"
+#include "model/load_step.hpp"
+#include "model/results.hpp"
 #include "nurbs/random_patch.hpp"
 #include "nurbs/shapes.hpp"
 
@@ -66,9 +68,9 @@ inline Scene<2> square(const std::vector<Grip>& grips, const solid::Material& ma
 }
 
 inline solve::NewtonReport step_to(Model<2>& model, int drive, double x, double y, const StepOptions& options = {}) {
-  model.set_target(drive, 0, x);
-  model.set_target(drive, 1, y);
-  return model.solve_step(options);
+  set_target(model, drive, 0, x);
+  set_target(model, drive, 1, y);
+  return solve_step(model, options);
 }
 
 /// Solves step 1 … 296 of the published path: 46 of pressing to −0.23, then 250 of sliding to 1.5.

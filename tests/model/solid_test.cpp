@@ -1,6 +1,8 @@
 // Whole models of solids: Newton's convergence on frictional ironing and twisting with the exact tangent, balance of
 // forces, moments and energy, and a pole that stays one point.
-#include "model/model.hpp"
+#include "model/arc.hpp"
+#include "model/load_step.hpp"
+#include "model/results.hpp"
 
 #include "base/parallel.hpp"
 #include "model/quadratic.hpp"
@@ -51,20 +53,20 @@ Scene<3> indentation(const std::string& label, double mu, bool turns) {
 
 /// One step, solved but not accepted.
 void solve(Model<3>& model, const std::vector<double>& targets, int& iterations) {
-  for (std::size_t i = 0; i < targets.size(); ++i) model.set_target(0, static_cast<int>(i), targets[i]);
-  const solve::NewtonReport report = model.solve_step({});
+  for (std::size_t i = 0; i < targets.size(); ++i) set_target(model, 0, static_cast<int>(i), targets[i]);
+  const solve::NewtonReport report = solve_step(model, {});
   ASSERT_EQ(report.outcome, solve::Outcome::converged) << report.message;
   iterations += report.iterations;
-  const Vec<3> by_bed = model.reaction(0), by_grip = model.reaction(1);
+  const Vec<3> by_bed = reaction(model, 0), by_grip = reaction(model, 1);
   const double scale = by_grip.norm();
-  const double missing = std::sqrt(model.unknowns().size()) * report.residuals.back() + 1e-12 * scale;
+  const double missing = std::sqrt(model.system.unknowns.size()) * report.residuals.back() + 1e-12 * scale;
   EXPECT_LT((by_bed + by_grip).norm(), missing);
-  EXPECT_LT((model.contact_resultant(0).force + by_grip).norm(), missing);
+  EXPECT_LT((resultant(model.present.contacts[0]).force + by_grip).norm(), missing);
 }
 
 void step(Model<3>& model, const std::vector<double>& targets, int& iterations) {
   solve(model, targets, iterations);
-  model.accept();
+  accept(model);
 }
 
 TEST(SolidModel, IroningConvergesQuadraticallyAndItsEnergyBalances) {
@@ -76,16 +78,16 @@ TEST(SolidModel, IroningConvergesQuadraticallyAndItsEnergyBalances) {
     for (int i = 1; i <= 24; ++i) {
       solve(model, {0.025 * i, 0.01 * i, -0.16}, iterations);
       if (i % 12 == 0) pairs += test::compare_starts(model);
-      model.accept();
+      accept(model);
     }
     EXPECT_GE(pairs, 4) << label; // of 8
     EXPECT_LE(iterations, 6 * 32) << label;
-    const auto contact = model.contact_resultant(0);
+    const auto contact = resultant(model.present.contacts[0]);
     EXPECT_GT(contact.slipping, 0);
     EXPECT_LT(contact.force(0), 0);
     EXPECT_LT(contact.force(1), 0);
     // Work in = stored + contact springs + friction. The springs' own area and stretch are not part of it.
-    const Energies e = model.energies();
+    const Energies e = energies(model);
     EXPECT_GT(e.friction, 0.05 * e.work);
     EXPECT_NEAR(e.work, e.stored + e.contact + e.friction, 5e-3 * e.work)
         << label << ": " << e.work << " " << e.stored << " " << e.contact << " " << e.friction;
@@ -96,21 +98,21 @@ TEST(SolidModel, TwistingTurnsAgainstAMoment) {
   Model<3> model(indentation("N2", 0.3, true));
   int iterations = 0;
   for (int i = 1; i <= 6; ++i) step(model, {0, 0, -0.02 * i, 0}, iterations);
-  EXPECT_NEAR(model.moment(1), 0, 1e-3 * model.reaction(1).norm());
-  double before = 0, work = 0, last_moment = model.moment(1);
-  const double work_before = model.energies().work;
+  EXPECT_NEAR(moment(model, 1), 0, 1e-3 * reaction(model, 1).norm());
+  double before = 0, work = 0, last_moment = moment(model, 1);
+  const double work_before = energies(model).work;
   for (int i = 1; i <= 16; ++i) {
     step(model, {0, 0, -0.12, 1.5 * i}, iterations);
-    work += (model.moment(1) + last_moment) / 2 * 1.5 * std::acos(-1.0) / 180;
-    last_moment = model.moment(1);
+    work += (moment(model, 1) + last_moment) / 2 * 1.5 * std::acos(-1.0) / 180;
+    last_moment = moment(model, 1);
     if (i <= 2) {
-      EXPECT_GT(model.moment(1), before);
+      EXPECT_GT(moment(model, 1), before);
     }
-    before = model.moment(1);
+    before = moment(model, 1);
   }
   EXPECT_LE(iterations, 6 * 22);
   // The angle's work is M dθ.
-  EXPECT_NEAR(model.energies().work - work_before, work, 2e-3 * work);
+  EXPECT_NEAR(energies(model).work - work_before, work, 2e-3 * work);
 }
 
 TEST(SolidModel, ThreadsChangeNoBit) {
@@ -120,7 +122,7 @@ TEST(SolidModel, ThreadsChangeNoBit) {
     Model<3> model(indentation("N2-N2.1", 0.3, false));
     int iterations = 0;
     for (int i = 1; i <= 2; ++i) step(model, {0.01 * i, 0, -0.02 * i}, iterations);
-    results.push_back(model.displacement());
+    results.push_back(model.present.displacement);
   }
   set_worker_threads(1);
   EXPECT_GT(results[0].norm(), 0);
@@ -137,16 +139,16 @@ TEST(SolidModel, APoleStaysOnePoint) {
   scene.obstacles.push_back(contact::make_plane<3>({0, 0, -1}, {0, 0, 1}));
   scene.contacts.push_back({"plane", {0, front}, ObstacleReference{0}, contact::PenaltyLaw{100}, 4});
   Model<3> model(std::move(scene));
-  const auto groups = nurbs::coincident_functions(model.scene().bodies[0].body->space());
+  const auto groups = nurbs::coincident_functions(model.system.scene.bodies[0].body->space());
   ASSERT_FALSE(groups.empty());
   for (int i = 1; i <= 3; ++i) {
-    model.set_target(0, 0, -0.02 * i);
-    const solve::NewtonReport report = model.solve_step({});
+    set_target(model, 0, 0, -0.02 * i);
+    const solve::NewtonReport report = solve_step(model, {});
     ASSERT_EQ(report.outcome, solve::Outcome::converged) << report.message;
-    model.accept();
+    accept(model);
   }
-  EXPECT_GT(model.contact_resultant(0).force(2), 0);
-  const auto u = model.body_displacement(0);
+  EXPECT_GT(resultant(model.present.contacts[0]).force(2), 0);
+  const auto u = body_displacement(model, 0);
   for (const auto& group : groups)
     for (int function : group) {
       EXPECT_EQ((u.col(function) - u.col(group.front())).norm(), 0);

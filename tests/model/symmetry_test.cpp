@@ -75,10 +75,10 @@ TEST(Symmetry, ADriveThroughThePlaneIsTold) {
     const std::vector<Mirror> found = find_mirrors(model);
     ASSERT_EQ(found.size(), 1u);
     EXPECT_EQ(found[0].driven, through ? std::vector<int>{1} : std::vector<int>{});
-    model.set_target(0, 0, 0.1);
-    ASSERT_EQ(model.solve_step({}).outcome, solve::Outcome::converged);
+    set_target(model, 0, 0, 0.1);
+    ASSERT_EQ(solve_step(model, {}).outcome, solve::Outcome::converged);
     EXPECT_EQ(find_mirrors(model).size(), 1u);
-    model.accept();
+    accept(model);
     EXPECT_EQ(find_mirrors(model).size(), through ? 0u : 1u);
   }
 }
@@ -88,9 +88,9 @@ TEST(Symmetry, ATractionAlongTheNormalBreaksIt) {
   scene.loads = {{"push", {{0, nurbs::side_of("north", 2)}}, false, {0, -0.1}}};
   Model<2> model(scene);
   EXPECT_EQ(find_mirrors(model).size(), 1u);
-  model.set_target(0, 0, 0.01);
-  ASSERT_EQ(model.solve_step({}).outcome, solve::Outcome::converged);
-  model.accept();
+  set_target(model, 0, 0, 0.01);
+  ASSERT_EQ(solve_step(model, {}).outcome, solve::Outcome::converged);
+  accept(model);
   EXPECT_EQ(find_mirrors(model).size(), 0u);
 }
 

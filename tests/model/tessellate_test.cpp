@@ -49,13 +49,13 @@ Scene<3> pressed(const contact::Obstacle<3>& obstacle) {
 }
 
 void press(Model<3>& model, double depth) {
-  model.set_target(0, 0, -depth);
-  ASSERT_EQ(model.solve_step({}).outcome, solve::Outcome::converged);
-  model.accept();
+  set_target(model, 0, 0, -depth);
+  ASSERT_EQ(solve_step(model, {}).outcome, solve::Outcome::converged);
+  accept(model);
 }
 
 Sampling<3> evenly(const Model<3>& model, int divisions) {
-  return even_sampling<3>(model.scene().bodies[0].body->space(), divisions);
+  return even_sampling<3>(model.system.scene.bodies[0].body->space(), divisions);
 }
 
 /// ∫ x·n dA / 3 over the triangles.
@@ -149,7 +149,7 @@ TEST(Skin, InterpolatesBetweenContactPoints) {
   press(model, 0.1);
   // An odd number of contact points has one at the middle of every element, and so do two divisions.
   const VectorX pressure = contact_pressure(model, 0, evenly(model, 2));
-  const auto& results = model.pairs()[0].results();
+  const auto& results = model.present.contacts[0].results;
   const Eigen::Index first = pressure.size() - 8 * 9; // the back is the last side
   double largest = 0;
   for (int e = 0; e < 8; ++e) {
@@ -232,7 +232,7 @@ TEST(Sampling, FollowsArcsWithinHalfAPixelOfWhatIsMagnified) {
   const auto& stress = find_field<2>("sxx");
   const int divisions = 12;
   const Tessellation whole =
-      tessellate(model, 0, &stress, even_sampling<2>(model.scene().bodies[0].body->space(), divisions), true);
+      tessellate(model, 0, &stress, even_sampling<2>(model.system.scene.bodies[0].body->space(), divisions), true);
   for (double side : {0.1, 0.02, 0.001}) {
     // About the lowest quarter of the outer arc, for 1600 × 1000 pixels
     const Vec<2> middle(-std::sqrt(0.5), -std::sqrt(0.5)), half(0.5 * side, 0.3 * side);

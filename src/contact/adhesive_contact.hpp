@@ -1,0 +1,26 @@
+#pragma once
+// Van der Waals adhesion at the Gauss points of the slave face.
+
+#include "contact/adhesion.hpp"
+#include "contact/gauss_point_contact.hpp"
+
+namespace signorini::contact {
+
+template <int D> class AdhesiveContact final : public GaussPointContact<D> {
+public:
+  /// Throws Error on constants without sense, and when no contact point is left.
+  AdhesiveContact(ContactSetting<D> setting, const Adhesion& law);
+
+  bool has_potential() const override { return true; }
+  double stiffness(const History<D>& history, double penalty_factor) const override;
+
+private:
+  using typename GaussPointContact<D>::Part;
+  using typename GaussPointContact<D>::Feet;
+  /// The law acts at any gap, whatever the controls say.
+  void evaluate_point(std::size_t i, const Trial<D>& trial, Part& part, Feet& at) override;
+
+  Adhesion law_;
+};
+
+} // namespace signorini::contact

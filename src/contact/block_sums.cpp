@@ -1,0 +1,168 @@
+#include "contact/block_sums.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace signorini::contact {
+
+template <int D>
+BlockSums<D>::BlockSums(const Surface<D>& slave, const Master<D>& master)
+    : slave_functions_(slave.functions_per_element()), master_functions_(master.functions_per_element()),
+      columns_(static_cast<std::size_t>(D * (slave_functions_ + 2 * master_functions_) * (2 * D - 1))) {}
+
+/// Index of the block with these elements; a new one where there is none.
+template <int D> std::size_t BlockSums<D>::find(int slave_element, int master_element, int slip_element, bool tangent) {
+  // Points come element by element, so a block to add to is among the last ones.
+  for (std::size_t index = blocks_.size(); index-- > first_;)
+    if (blocks_[index].master_element == master_element && blocks_[index].slip_element == slip_element) return index;
+  if (spare_.empty()) {
+    blocks_.emplace_back();
+  } else {
+    blocks_.push_back(std::move(spare_.back()));
+    spare_.pop_back();
+  }
+  Block& result = blocks_.back();
+  const int ns = slave_functions_, nm = master_functions_;
+  result.slave_element = slave_element;
+  result.master_element = master_element;
+  result.slip_element = slip_element;
+  result.rows = D * (ns + nm);
+  result.columns = D * (ns + nm + (slip_element >= 0 ? nm : 0));
+  result.force.assign(static_cast<std::size_t>(result.rows), 0.0);
+  result.matrix.assign(tangent ? static_cast<std::size_t>(result.rows * result.columns) : 0, 0.0);
+  if constexpr (D == 3) {
+    const std::size_t own = blocks_.size() - 1 - first_;
+    if (products_.size() <= own) products_.emplace_back();
+    products_[own].start(ns + nm, nm, result.columns, result.matrix.data());
+  }
+  return blocks_.size() - 1;
+}
+
+/// ∂T/∂x_B and ∂ξ̄/∂x_B of every column node B, times the point's weight: the local derivatives times the functions that
+/// carry the variables.
+template <int D>
+void BlockSums<D>::fill_columns(const Block& block, const double* r, double w, const FacePoint<D>& master,
+                                const FacePoint<D>* slip_point, const LocalForce<D>& force) {
+  using Force = LocalForce<D>;
+  const int ns = slave_functions_, nm = master_functions_, width = block.columns;
+  const bool own_columns = block.slip_element >= 0;
+  double* __restrict dt = columns_.data();
+  double* __restrict dxi = dt + D * width;
+  for (int c = 0; c < D; ++c) {
+    for (int b = 0; b < ns; ++b) {
+      const int column = b * D + c;
+      for (int i = 0; i < D; ++i) {
+        double sum = force.tangent(i, c) * r[b];
+        for (int k = 0; k < D - 1; ++k)
+          sum += force.tangent(i, Force::slave_tangent_column + k * D + c) * r[(k + 1) * ns + b];
+        dt[i * width + column] = w * sum;
+      }
+      for (int k = 0; k < D - 1; ++k) dxi[k * width + column] = w * force.shift(k, c) * r[b];
+    }
+    for (int b = 0; b < nm; ++b) {
+      const int column = (ns + b) * D + c;
+      const std::size_t m = static_cast<std::size_t>(b);
+      for (int i = 0; i < D; ++i) {
+        double sum = force.tangent(i, Force::master_column + c) * master.value[m];
+        for (int k = 0; k < D - 1; ++k)
+          sum +=
+              force.tangent(i, Force::tangent_column + k * D + c) * master.derivative[static_cast<std::size_t>(k)][m];
+        const double slip = slip_point ? force.tangent(i, Force::slip_column + c) * slip_point->value[m] : 0.0;
+        dt[i * width + column] = w * (own_columns ? sum : sum + slip);
+        if (own_columns) dt[i * width + column + nm * D] = w * slip;
+      }
+      for (int k = 0; k < D - 1; ++k) {
+        double sum = force.shift(k, Force::master_column + c) * master.value[m];
+        for (int l = 0; l < D - 1; ++l)
+          sum += force.shift(k, Force::tangent_column + l * D + c) * master.derivative[static_cast<std::size_t>(l)][m];
+        dxi[k * width + column] = w * sum;
+        if (own_columns) dxi[k * width + column + nm * D] = 0;
+      }
+    }
+  }
+}
+
+template <int D>
+void BlockSums<D>::add(const ContactPoints<D>& points, std::size_t point, const Master<D>& on,
+                       const FacePoint<D>& master, const FacePoint<D>* slip_point, const LocalForce<D>& force,
+                       bool tangent) {
+  const bool rigid = on.rigid(); // one node, whatever the element
+  const bool own_columns = slip_point && !rigid && slip_point->element != master.element;
+  const std::size_t index =
+      find(points.list[point].element, rigid ? 0 : master.element, own_columns ? slip_point->element : -1, tangent);
+  Block& block = blocks_[index];
+  const int ns = slave_functions_, nm = master_functions_, width = block.columns;
+  const double* r = points.functions(point);
+  const double w = points.list[point].weight;
+
+  // f_A = −R_A T on the slave, +R̄_A(ξ̄) T on the master
+  double* out = block.force.data();
+  for (int a = 0; a < ns; ++a)
+    for (int i = 0; i < D; ++i) *out++ -= w * r[a] * force.force(i);
+  for (int a = 0; a < nm; ++a)
+    for (int i = 0; i < D; ++i) *out++ += w * master.value[static_cast<std::size_t>(a)] * force.force(i);
+  if (!tangent) return;
+
+  fill_columns(block, r, w, master, slip_point, force);
+  const double* __restrict dt = columns_.data();
+  const double* __restrict dxi = dt + D * width;
+  // ∂f_A = −R_A ∂T on the slave, R̄_A ∂T + T R̄_A,α ∂ξ̄^α on the master
+  if constexpr (D == 3) {
+    const Products::Room room = products_[index - first_].add();
+    for (int a = 0; a < ns; ++a) room.left[a] = -r[a];
+    std::copy_n(master.value.data(), nm, room.left + ns);
+    for (std::size_t k = 0; k < 2; ++k) {
+      std::copy_n(master.derivative[k].data(), nm, room.rates + k * static_cast<std::size_t>(nm));
+      double* turn = room.turn + k * 3 * static_cast<std::size_t>(width);
+      for (int i = 0; i < 3; ++i)
+        for (int c = 0; c < width; ++c) *turn++ = force.force(i) * dxi[static_cast<int>(k) * width + c];
+    }
+    std::copy_n(dt, 3 * width, room.traction);
+  } else {
+    double* __restrict matrix = block.matrix.data();
+    for (int a = 0; a < ns; ++a)
+      for (int i = 0; i < D; ++i, matrix += width) {
+        const double factor = r[a];
+        const double* row = dt + i * width;
+        for (int c = 0; c < width; ++c) matrix[c] -= factor * row[c];
+      }
+    for (int a = 0; a < nm; ++a) {
+      const std::size_t m = static_cast<std::size_t>(a);
+      for (int i = 0; i < D; ++i, matrix += width) {
+        const double factor = master.value[m];
+        const double* row = dt + i * width;
+        double turn[D - 1];
+        for (std::size_t k = 0; k < D - 1; ++k) turn[k] = master.derivative[k][m] * force.force(i);
+        for (int c = 0; c < width; ++c) {
+          double sum = factor * row[c];
+          for (int k = 0; k < D - 1; ++k) sum += turn[k] * dxi[k * width + c];
+          matrix[c] += sum;
+        }
+      }
+    }
+  }
+}
+
+template <int D> void BlockSums<D>::close_element(bool tangent) {
+  if constexpr (D == 3)
+    for (std::size_t g = first_; g < blocks_.size() && tangent; ++g) products_[g - first_].finish();
+  first_ = blocks_.size();
+}
+
+template <int D> std::size_t BlockSums<D>::hand_over(std::vector<Block>& to) {
+  const std::size_t count = blocks_.size();
+  for (Block& block : blocks_) to.push_back(std::move(block));
+  blocks_.clear();
+  first_ = 0;
+  return count;
+}
+
+template <int D> double BlockSums<D>::memory() const {
+  const auto bytes = [](const auto& list) { return static_cast<double>(list.capacity() * sizeof(list[0])); };
+  return bytes(spare_) + bytes(columns_) + bytes(products_);
+}
+
+template class BlockSums<2>;
+template class BlockSums<3>;
+
+} // namespace signorini::contact

@@ -1,0 +1,79 @@
+#include "contact/contact_points.hpp"
+
+#include "base/error.hpp"
+#include "contact/local.hpp"
+#include "solid/quadrature.hpp"
+
+namespace signorini::contact {
+
+template <int D>
+ContactPoints<D>::ContactPoints(const Surface<D>& slave, int per_direction, bool is_revolved, const Region<D>& where)
+    : revolved(is_revolved) {
+  FacePoint<D> face;
+  LocalGeometry<D> geometry;
+  LocalRow<D> derivative;
+  geometry.revolved = revolved;
+  for (int e = 0; e < slave.elements(); ++e) {
+    std::array<solid::QuadratureRule, D - 1> rules;
+    int count = 1;
+    for (int a = 0; a < D - 1; ++a) {
+      const auto [from, to] = slave.interval(e, a);
+      rules[static_cast<std::size_t>(a)] = solid::gauss_legendre(per_direction, from, to);
+      count *= per_direction;
+    }
+    for (int q = 0; q < count; ++q) {
+      FaceCoordinates<D> xi;
+      double weight = 1;
+      for (int a = 0, rest = q; a < D - 1; ++a, rest /= per_direction) {
+        const auto& rule = rules[static_cast<std::size_t>(a)];
+        xi(a) = rule.points[static_cast<std::size_t>(rest % per_direction)];
+        weight *= rule.weights[static_cast<std::size_t>(rest % per_direction)];
+      }
+      slave.locate(e, xi, 1, face);
+      if (where && !where(face.position)) continue;
+      slave.functions(face, 1);
+      geometry.slave = face.position;
+      geometry.slave_tangent = face.tangent;
+      list.push_back({e, q, weight, slave_measure(geometry, derivative), values.size()});
+      reference.push_back(face.position);
+      const int n = slave.functions_per_element();
+      values.insert(values.end(), face.value.begin(), face.value.begin() + n);
+      for (const auto& rates : face.derivative) values.insert(values.end(), rates.begin(), rates.begin() + n);
+    }
+  }
+  require(!list.empty(), "where holds nowhere on the slave face: it must return true for the reference positions ",
+          "that take part");
+}
+
+template <int D> Vec<D> position(const ContactPoints<D>& points, const Surface<D>& slave, std::size_t i) {
+  const int element = points.list[i].element;
+  const int* nodes = slave.nodes(element);
+  const double* values = points.functions(i);
+  Vec<D> sum = Vec<D>::Zero();
+  for (int a = 0; a < slave.functions_per_element(); ++a) sum += values[a] * slave.points().col(nodes[a]);
+  return sum;
+}
+
+template <int D>
+std::array<Vec<D>, D - 1> tangents(const ContactPoints<D>& points, const Surface<D>& slave, std::size_t i) {
+  const int element = points.list[i].element, n = slave.functions_per_element();
+  const int* nodes = slave.nodes(element);
+  const double* values = points.functions(i);
+  std::array<Vec<D>, D - 1> result;
+  for (int k = 0; k < D - 1; ++k) {
+    Vec<D>& tangent = result[static_cast<std::size_t>(k)];
+    tangent.setZero();
+    for (int a = 0; a < n; ++a) tangent += values[(k + 1) * n + a] * slave.points().col(nodes[a]);
+  }
+  return result;
+}
+
+#define SIGNORINI_INSTANTIATE(D)                                                                                       \
+  template struct ContactPoints<D>;                                                                                    \
+  template Vec<D> position(const ContactPoints<D>&, const Surface<D>&, std::size_t);                                   \
+  template std::array<Vec<D>, D - 1> tangents(const ContactPoints<D>&, const Surface<D>&, std::size_t);
+SIGNORINI_INSTANTIATE(2)
+SIGNORINI_INSTANTIATE(3)
+#undef SIGNORINI_INSTANTIATE
+
+} // namespace signorini::contact

@@ -1,0 +1,43 @@
+#pragma once
+// The Gauss points of a slave face: constant data.
+
+#include "contact/surface.hpp"
+
+#include <functional>
+#include <vector>
+
+namespace signorini::contact {
+
+/// Says for a point of the reference configuration whether the contact acts there; empty: everywhere.
+template <int D> using Region = std::function<bool(const Vec<D>&)>;
+
+struct ContactPoint {
+  int element;           ///< of the slave face
+  int number;            ///< there, ξ¹ running fastest; those that a region leaves out are counted
+  double weight;         ///< parametric
+  double reference_area; ///< per parametric area
+  std::size_t values;    ///< offset into ContactPoints::values
+};
+
+template <int D> struct ContactPoints {
+  /// `per_direction` Gauss points per slave element and direction, element by element; those outside `where` are left
+  /// out. `revolved`: the scene is axisymmetric about the second axis. Throws Error when no point is left.
+  ContactPoints(const Surface<D>& slave, int per_direction, bool revolved, const Region<D>& where);
+
+  std::size_t size() const { return list.size(); }
+  /// R_A of the slave element's functions at point i, then R_A,1 …
+  const double* functions(std::size_t i) const { return values.data() + list[i].values; }
+
+  bool revolved;
+  std::vector<ContactPoint> list;
+  std::vector<double> values;
+  std::vector<Vec<D>> reference; ///< positions in the reference configuration
+};
+
+/// Current position of point i.
+template <int D> Vec<D> position(const ContactPoints<D>& points, const Surface<D>& slave, std::size_t i);
+/// Current tangents of the slave face there.
+template <int D>
+std::array<Vec<D>, D - 1> tangents(const ContactPoints<D>& points, const Surface<D>& slave, std::size_t i);
+
+} // namespace signorini::contact

@@ -1,0 +1,99 @@
+#include "contact/formulation.hpp"
+
+#include "contact/crossing.hpp"
+
+#include <utility>
+
+namespace signorini::contact {
+
+template <int D>
+Formulation<D>::Formulation(ContactSetting<D> setting)
+    : faces_(std::move(setting.slave), std::move(setting.master)),
+      points_(faces_.slave, setting.points, setting.revolved, setting.where) {}
+
+template <int D> void Formulation<D>::move(const double* slave_displacement, const double* master_displacement) {
+  search_seconds_ += faces_.move(slave_displacement, master_displacement, times_search_);
+  take_back(blocks_);
+}
+
+template <int D> void Formulation<D>::append_slave(int element, const Offsets& offsets, std::vector<int>& dofs) const {
+  const int* nodes = slave().nodes(element);
+  for (int a = 0; a < slave().functions_per_element(); ++a)
+    for (int c = 0; c < D; ++c) dofs.push_back(offsets.slave + D * slave().body_function(nodes[a]) + c);
+}
+
+template <int D>
+void Formulation<D>::append_master(int element, const Offsets& offsets, std::vector<int>& dofs, bool and_next) const {
+  if (master().rigid()) {
+    for (int c = 0; c < D; ++c) dofs.push_back(offsets.master + c);
+    return;
+  }
+  const Surface<D>& face = *master().surface();
+  const int* nodes = face.nodes(element);
+  for (int a = 0; a < face.functions_per_element(); ++a)
+    for (int c = 0; c < D; ++c) dofs.push_back(offsets.master + D * face.body_function(nodes[a]) + c);
+  for (int alpha = 0; alpha < D - 1 && and_next; ++alpha)
+    for (bool at_end : {false, true})
+      if (const int next = face.neighbour(element, alpha, at_end); next >= 0) append_master(next, offsets, dofs);
+}
+
+template <int D>
+void Formulation<D>::append_dofs(const Block& block, const Offsets& offsets, std::vector<int>& dofs) const {
+  append_slave(block.slave_element, offsets, dofs);
+  append_master(block.master_element, offsets, dofs);
+  for (const int number : block.extra) dofs.push_back(offsets.extra + number);
+  if (block.slip_element >= 0) append_master(block.slip_element, offsets, dofs);
+}
+
+template <int D> void Formulation<D>::commit(History<D>& present, const History<D>& accepted, double penalty_factor) {
+  commit_points(present, penalty_factor);
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    if (!present.results[i].settled) unsettled_ = {unsettled_.count + 1, points_.reference[i]};
+    if (has_crossed(i, present, accepted)) crossed_ = {crossed_.count + 1, points_.reference[i]};
+  }
+  faces_.stand();
+}
+
+/// Whether a point has gone through the master since the accepted state. Hardly any is looked at: one that is farther
+/// from the master than the two have moved towards each other cannot have.
+template <int D>
+bool Formulation<D>::has_crossed(std::size_t i, const History<D>& present, const History<D>& accepted) const {
+  const PointHistory<D>& point = present.points[i];
+  const PointResult<D>& result = present.results[i];
+  const double moved = faces_.travel - faces_.accepted_travel;
+  const double least = point.cleared > 0 ? point.cleared - faces_.travel : point.projection.gap; // distance
+  if (moved <= 0 || least > moved || result.beyond) return false;
+  if (result.state == ContactState::stick || result.state == ContactState::slip) return false;
+  const Vec<D> outward = slave().outward(tangents(points_, slave(), i)).normalized();
+  return contact::has_crossed(faces_.accepted_master, master(), accepted.results[i].position, result.position, outward,
+                              point.projection);
+}
+
+template <int D> void Formulation<D>::settle(History<D>& accepted) {
+  faces_.travel = 0;
+  faces_.stand();
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    accepted.points[i].cleared = 0;
+    accepted.results[i].position = position(points_, slave(), i);
+  }
+}
+
+template <int D> std::vector<double> Formulation<D>::gaps(const History<D>& history) const {
+  std::vector<double> gaps;
+  FacePoint<D> foot;
+  for (std::size_t i = 0; i < points_.size(); ++i)
+    gaps.push_back(master().project(history.results[i].position, history.points[i].projection, foot).gap);
+  return gaps;
+}
+
+template <int D> double Formulation<D>::memory() const {
+  const auto bytes = [](const auto& list) { return static_cast<double>(list.capacity() * sizeof(list[0])); };
+  double sum = bytes(points_.list) + bytes(points_.values) + bytes(points_.reference) + bytes(blocks_);
+  for (const Block& block : blocks_) sum += bytes(block.force) + bytes(block.matrix);
+  return sum;
+}
+
+template class Formulation<2>;
+template class Formulation<3>;
+
+} // namespace signorini::contact

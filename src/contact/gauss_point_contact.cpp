@@ -1,0 +1,110 @@
+#include "contact/gauss_point_contact.hpp"
+
+#include "base/timer.hpp"
+
+#include <utility>
+
+namespace signorini::contact {
+
+template <int D>
+GaussPointContact<D>::GaussPointContact(ContactSetting<D> setting) : Formulation<D>(std::move(setting)) {
+  // Pieces of whole elements with about equally many points; in the plane a contact is small.
+  constexpr std::size_t pieces = D == 2 ? 1 : 32;
+  const auto& list = this->points_.list;
+  for (std::size_t i = 1, first = 0; i <= list.size(); ++i)
+    if (i == list.size() || (list[i].element != list[i - 1].element && (i - first) * pieces >= list.size())) {
+      parts_.push_back({first, i, BlockSums<D>(this->slave(), this->master())});
+      first = i;
+    }
+}
+
+template <int D> void GaussPointContact<D>::evaluate_part(int index, const Trial<D>& trial, bool tangent) {
+  Part& part = parts_[static_cast<std::size_t>(index)];
+  part.tangent = tangent;
+  Feet feet;
+  for (std::size_t i = part.first; i < part.last; ++i) {
+    const auto& list = this->points_.list;
+    if (i > part.first && list[i].element != list[i - 1].element) part.sums.close_element(tangent);
+    PointResult<D>& result = trial.present.results[i];
+    result = {};
+    result.position = position(this->points_, this->slave(), i);
+    evaluate_point(i, trial, part, feet);
+  }
+  part.sums.close_element(tangent);
+}
+
+template <int D>
+bool GaussPointContact<D>::find_foot(std::size_t i, const Trial<D>& trial, Part& part, Feet& at) const {
+  PointResult<D>& result = trial.present.results[i];
+  Projection<D>& projection = trial.present.points[i].projection;
+  at.foot.settled = true;
+  {
+    const ScopedTimer timer(this->times_search_ ? &part.search_seconds : nullptr);
+    projection = this->master().project(result.position, projection, at.foot);
+  }
+  result.beyond = projection.foot == Foot::none;
+  result.settled = at.foot.settled;
+  return !result.beyond;
+}
+
+template <int D> LocalGeometry<D> GaussPointContact<D>::geometry(std::size_t i, const Trial<D>& trial, Feet& at) const {
+  const Projection<D>& projection = trial.present.points[i].projection;
+  const Master<D>& master = this->master();
+  LocalGeometry<D> geometry;
+  geometry.slave = trial.present.results[i].position;
+  geometry.slave_tangent = tangents(this->points_, this->slave(), i);
+  master.functions(at.foot, 1);
+  geometry.master = &at.foot;
+  geometry.foot = projection.foot;
+  geometry.along = projection.along;
+  geometry.gap = projection.gap;
+  geometry.normal = projection.foot == Foot::regular ? master.normal(at.foot)
+                                                     : Vec<D>((geometry.slave - at.foot.position) / projection.gap);
+  geometry.slip_point = nullptr;
+  geometry.revolved = this->points_.revolved;
+  geometry.reference_measure = this->points_.list[i].reference_area;
+  geometry.fade = master.fade(projection.xi, geometry.fade_rate);
+  return geometry;
+}
+
+template <int D>
+void GaussPointContact<D>::record(std::size_t i, const Trial<D>& trial, const LocalGeometry<D>& geometry,
+                                  const LocalForce<D>& force, Part& part, const Feet& at) const {
+  PointResult<D>& result = trial.present.results[i];
+  const double weight = this->points_.list[i].weight;
+  result.state = force.state;
+  result.gap = geometry.gap;
+  result.pressure = force.pressure;
+  for (int k = 0; k < D - 1; ++k) result.tangents.col(k) = geometry.slave_tangent[static_cast<std::size_t>(k)];
+  result.friction = force.friction;
+  result.force = weight * force.force;
+  result.area = weight * force.measure;
+  result.potential = result.area * force.potential;
+  part.sums.add(this->points_, i, this->master(), at.foot, geometry.slip_point ? &at.slip_point : nullptr, force,
+                part.tangent);
+}
+
+template <int D> void GaussPointContact<D>::gather() {
+  for (Part& part : parts_) {
+    part.blocks = part.sums.hand_over(this->blocks_);
+    this->search_seconds_ += std::exchange(part.search_seconds, 0);
+  }
+}
+
+template <int D> void GaussPointContact<D>::take_back(std::vector<Block>& blocks) {
+  auto block = blocks.begin();
+  for (Part& part : parts_)
+    for (; part.blocks > 0; --part.blocks) part.sums.recycle(std::move(*block++));
+  blocks.clear();
+}
+
+template <int D> double GaussPointContact<D>::memory() const {
+  double sum = Formulation<D>::memory();
+  for (const Part& part : parts_) sum += part.sums.memory();
+  return sum;
+}
+
+template class GaussPointContact<2>;
+template class GaussPointContact<3>;
+
+} // namespace signorini::contact

@@ -1,0 +1,50 @@
+#pragma once
+// Gauss-point-to-surface contact: a traction at each Gauss point of the slave face, opposite at its closest point.
+
+#include "contact/block_sums.hpp"
+#include "contact/formulation.hpp"
+
+namespace signorini::contact {
+
+/// What the laws of such contacts share: projection, local geometry, blocks, threads.
+template <int D> class GaussPointContact : public Formulation<D> {
+public:
+  explicit GaussPointContact(ContactSetting<D> setting);
+
+  int parts() const final { return static_cast<int>(parts_.size()); }
+  void evaluate_part(int part, const Trial<D>& trial, bool tangent) final;
+  void gather() final;
+  double memory() const final;
+
+protected:
+  /// A piece of the slave face: whole elements.
+  struct Part {
+    std::size_t first, last; ///< points
+    BlockSums<D> sums;
+    bool tangent = false;
+    double search_seconds = 0; ///< since the last gather()
+    std::size_t blocks = 0;    ///< how many it gave to the last gather()
+  };
+
+  /// Working space: where the master is met.
+  struct Feet {
+    FacePoint<D> foot, slip_point;
+  };
+
+  /// Adds one contact point to results and blocks; `result` is that of an open point, with its position.
+  virtual void evaluate_point(std::size_t i, const Trial<D>& trial, Part& part, Feet& at) = 0;
+  /// Finds the closest point, into at.foot. False where that is an open end of the master.
+  bool find_foot(std::size_t i, const Trial<D>& trial, Part& part, Feet& at) const;
+  /// The geometry at at.foot, whose functions are found as well.
+  LocalGeometry<D> geometry(std::size_t i, const Trial<D>& trial, Feet& at) const;
+  /// Writes down what the law gave and adds it to the blocks.
+  void record(std::size_t i, const Trial<D>& trial, const LocalGeometry<D>& geometry, const LocalForce<D>& force,
+              Part& part, const Feet& at) const;
+
+private:
+  void take_back(std::vector<Block>& blocks) final;
+
+  std::vector<Part> parts_;
+};
+
+} // namespace signorini::contact

@@ -1,0 +1,51 @@
+#include "contact/history.hpp"
+
+#include <algorithm>
+
+namespace signorini::contact {
+
+template <int D> History<D>::History(const ContactPoints<D>& of) : points(of.size()), results(of.size()) {
+  for (std::size_t i = 0; i < of.size(); ++i) results[i].position = of.reference[i];
+}
+
+template <int D> Resultant<D> resultant(const History<D>& history) {
+  Resultant<D> sum;
+  for (const PointResult<D>& point : history.results) {
+    sum.force += point.force;
+    if (point.state == ContactState::open) continue;
+    sum.area += point.area;
+    sum.max_pressure = std::max(sum.max_pressure, point.pressure);
+    sum.max_penetration = std::max(sum.max_penetration, -point.gap);
+    ++sum.active;
+    if (point.state == ContactState::slip) ++sum.slipping;
+  }
+  return sum;
+}
+
+template <int D> double potential(const History<D>& history) {
+  double sum = 0;
+  for (const PointResult<D>& point : history.results) sum += point.potential;
+  return sum;
+}
+
+template <int D> double memory(const History<D>& history) {
+  return static_cast<double>(history.points.capacity() * sizeof(PointHistory<D>) +
+                             history.results.capacity() * sizeof(PointResult<D>));
+}
+
+template <int D> void look_again(History<D>& history) {
+  for (PointHistory<D>& point : history.points)
+    if (point.multiplier > 0) point.cleared = 0;
+}
+
+#define SIGNORINI_INSTANTIATE(D)                                                                                       \
+  template struct History<D>;                                                                                          \
+  template Resultant<D> resultant(const History<D>&);                                                                  \
+  template double potential(const History<D>&);                                                                        \
+  template double memory(const History<D>&);                                                                           \
+  template void look_again(History<D>&);
+SIGNORINI_INSTANTIATE(2)
+SIGNORINI_INSTANTIATE(3)
+#undef SIGNORINI_INSTANTIATE
+
+} // namespace signorini::contact

@@ -1,0 +1,33 @@
+#include "contact/method.hpp"
+
+#include "contact/adhesive_contact.hpp"
+#include "contact/penalty_contact.hpp"
+
+#include <utility>
+
+namespace signorini::contact {
+
+namespace {
+
+template <int D> std::unique_ptr<Formulation<D>> make(const PenaltyLaw& law, ContactSetting<D> setting) {
+  return std::make_unique<PenaltyContact<D>>(std::move(setting), law);
+}
+
+template <int D> std::unique_ptr<Formulation<D>> make(const Adhesion& law, ContactSetting<D> setting) {
+  return std::make_unique<AdhesiveContact<D>>(std::move(setting), law);
+}
+
+template <int D> std::unique_ptr<Formulation<D>> make(const Maker<D>& maker, ContactSetting<D> setting) {
+  return maker(std::move(setting));
+}
+
+} // namespace
+
+template <int D> std::unique_ptr<Formulation<D>> make_formulation(const Method<D>& method, ContactSetting<D> setting) {
+  return std::visit([&](const auto& chosen) { return make<D>(chosen, std::move(setting)); }, method);
+}
+
+template std::unique_ptr<Formulation<2>> make_formulation(const Method<2>&, ContactSetting<2>);
+template std::unique_ptr<Formulation<3>> make_formulation(const Method<3>&, ContactSetting<3>);
+
+} // namespace signorini::contact

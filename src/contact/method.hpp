@@ -1,0 +1,21 @@
+#pragma once
+// What a contact is said to be, and the formulation that follows from it.
+
+#include "contact/adhesion.hpp"
+#include "contact/formulation.hpp"
+#include "contact/penalty.hpp"
+
+#include <variant>
+
+namespace signorini::contact {
+
+/// Makes a formulation of one's own. Scenes with one can be solved, but not saved.
+template <int D> using Maker = std::function<std::unique_ptr<Formulation<D>>(ContactSetting<D>)>;
+
+/// What acts between a slave face and its master: one entry per formulation, with its constants.
+template <int D> using Method = std::variant<PenaltyLaw, Adhesion, Maker<D>>;
+
+/// Throws Error on constants without sense.
+template <int D> std::unique_ptr<Formulation<D>> make_formulation(const Method<D>& method, ContactSetting<D> setting);
+
+} // namespace signorini::contact

@@ -1,0 +1,139 @@
+#include "contact/penalty_contact.hpp"
+
+#include "base/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace signorini::contact {
+
+namespace {
+
+constexpr double slip_tolerance = 1e-6; ///< how far a slip point may be off the cone, in parts of its trial distance
+
+PenaltyLaw checked(const PenaltyLaw& law) {
+  require(law.normal > 0, "penalty must be positive (pressure per length), got ", law.normal);
+  require(law.friction >= 0, "friction: mu must not be negative, got ", law.friction);
+  require(law.friction == 0 || law.tangential > 0, "friction: penalty must be positive (pressure per length), got ",
+          law.tangential);
+  return law;
+}
+
+} // namespace
+
+template <int D>
+PenaltyContact<D>::PenaltyContact(ContactSetting<D> setting, const PenaltyLaw& law)
+    : GaussPointContact<D>(std::move(setting)), law_(checked(law)) {}
+
+template <int D> PenaltyLaw PenaltyContact<D>::scaled(double factor) const {
+  return {factor * law_.normal, factor * law_.tangential, law_.friction};
+}
+
+template <int D> void PenaltyContact<D>::evaluate_point(std::size_t i, const Trial<D>& trial, Part& part, Feet& at) {
+  PointHistory<D>& point = trial.present.points[i];
+  const Controls& controls = trial.controls;
+  const double travel = this->faces_.travel;
+  Held held = controls.held.empty() ? Held::free : controls.held[i];
+  if (held == Held::free ? travel + controls.guessed < point.cleared : held == Held::open) return;
+  if (!this->find_foot(i, trial, part, at)) return;
+
+  const PenaltyLaw law = scaled(trial.penalty_factor);
+  const Foot foot = point.projection.foot;
+  const double gap = point.projection.gap;
+  // t_N = λ_N − ε_N g > 0 below a distance of λ_N/ε_N
+  const double distance = gap - point.multiplier / law.normal;
+  point.cleared = foot == Foot::regular && at.foot.settled && distance > 0 ? travel + distance : 0;
+  if (held == Held::free && std::abs(distance) < controls.guessed) held = Held::stick;
+  if (held == Held::free && distance >= 0) return;
+  if (held == Held::free && controls.landing) held = Held::stick;
+  if (foot != Foot::regular && gap == 0) return; // no direction
+
+  LocalGeometry<D> geometry = this->geometry(i, trial, at);
+  geometry.multiplier = point.multiplier;
+  geometry.held = held;
+  geometry.tie = controls.tie();
+  if (frictional() && !point.slips) remember_touch(i, trial);
+  if (frictional() && point.slips) {
+    this->master().locate(point.slip, at.slip_point);
+    geometry.slip_point = &at.slip_point.position;
+  }
+  LocalForce<D> force;
+  penalty_force(law, geometry, force);
+  this->record(i, trial, geometry, force, part, at);
+}
+
+/// A point that touches first slips from where it would have touched in the accepted state.
+template <int D> void PenaltyContact<D>::remember_touch(std::size_t i, const Trial<D>& trial) const {
+  PointHistory<D>& point = trial.present.points[i];
+  FacePoint<D> foot;
+  const Projection<D> projection =
+      this->faces_.accepted_master.project(trial.accepted.results[i].position, point.projection, foot);
+  if (projection.foot == Foot::none) return;
+  point.slips = true;
+  point.slip = projection.xi;
+}
+
+template <int D> void PenaltyContact<D>::commit_points(History<D>& present, double penalty_factor) {
+  if (!frictional()) return;
+  const PenaltyLaw law = scaled(penalty_factor);
+  for (std::size_t i = 0; i < this->points_.size(); ++i) advance_slip_point(i, present, law);
+}
+
+/// Moves a point's slip point to where it stands at the end of an accepted step.
+template <int D>
+void PenaltyContact<D>::advance_slip_point(std::size_t i, History<D>& history, const PenaltyLaw& law) const {
+  const Master<D>& master = this->master();
+  PointHistory<D>& point = history.points[i];
+  PointResult<D>& result = history.results[i];
+  const double limit = law.friction * result.pressure * result.area, limit_before = point.limit;
+  point.limit = limit;
+  if (result.state == ContactState::open) {
+    point.slips = false;
+  } else if (!point.slips) {
+    // It came from beyond the master's end: friction counts from here.
+    point.slips = true;
+    point.slip = point.projection.xi;
+  } else if (result.state == ContactState::slip) {
+    FacePoint<D> foot;
+    foot.xi = point.projection.xi;
+    master.locate(foot.xi, foot);
+    FacePoint<D> slip_point;
+    master.locate(point.slip, slip_point);
+    // |x̄ᵐ − xᵐ(ξ_sl)| falls to μ t_N/ε_T; the difference is the slip Δγ.
+    const double length = law.friction * result.pressure / law.tangential;
+    const double before = (slip_point.position - foot.position).norm(), slipped = std::max(before - length, 0.0);
+    history.dissipated += 0.5 * (limit_before + limit) * slipped;
+    point.slip = master.advance(point.slip, foot, length);
+    master.locate(point.slip, slip_point);
+    const double after = (slip_point.position - foot.position).norm();
+    if (slipped > 0 && std::abs(after - length) > slip_tolerance * before) result.settled = false;
+  }
+}
+
+/// λ_N at each point becomes the pressure λ_N − ε_N g of the last evaluation.
+template <int D> void PenaltyContact<D>::augment(History<D>& history) const {
+  for (std::size_t i = 0; i < history.points.size(); ++i) history.points[i].multiplier = history.results[i].pressure;
+}
+
+/// A point that is drawn off presses on at a gap as long as its multiplier is not taken back.
+template <int D> double PenaltyContact<D>::violation(const History<D>& history) const {
+  double farthest = 0;
+  for (const PointResult<D>& point : history.results)
+    if (point.state != ContactState::open) farthest = std::max(farthest, std::abs(point.gap));
+  return farthest;
+}
+
+template <int D> double PenaltyContact<D>::stiffness(const History<D>& history, double penalty_factor) const {
+  const PenaltyLaw law = scaled(penalty_factor);
+  const double steepest = std::max(law.normal, frictional() ? law.tangential : 0);
+  double sum = 0;
+  for (const PointResult<D>& point : history.results)
+    if (point.state != ContactState::open) sum += point.area * steepest * point.area * steepest;
+  return std::sqrt(sum);
+}
+
+template class PenaltyContact<2>;
+template class PenaltyContact<3>;
+
+} // namespace signorini::contact

@@ -1,0 +1,32 @@
+#pragma once
+// Gauss-point penalty contact with Coulomb friction, where asked for by the augmented Lagrangian method.
+
+#include "contact/gauss_point_contact.hpp"
+#include "contact/penalty.hpp"
+
+namespace signorini::contact {
+
+template <int D> class PenaltyContact final : public GaussPointContact<D> {
+public:
+  /// Throws Error on constants without sense, and when no contact point is left.
+  PenaltyContact(ContactSetting<D> setting, const PenaltyLaw& law);
+
+  bool has_potential() const override { return false; } // tractions act on the current area
+  bool frictional() const override { return law_.friction > 0; }
+  void augment(History<D>& history) const override;
+  double violation(const History<D>& history) const override;
+  double stiffness(const History<D>& history, double penalty_factor) const override;
+
+private:
+  using typename GaussPointContact<D>::Part;
+  using typename GaussPointContact<D>::Feet;
+  PenaltyLaw scaled(double factor) const;
+  void evaluate_point(std::size_t i, const Trial<D>& trial, Part& part, Feet& at) override;
+  void commit_points(History<D>& present, double penalty_factor) override;
+  void remember_touch(std::size_t i, const Trial<D>& trial) const;
+  void advance_slip_point(std::size_t i, History<D>& history, const PenaltyLaw& law) const;
+
+  PenaltyLaw law_; ///< as it was given
+};
+
+} // namespace signorini::contact

@@ -1,0 +1,136 @@
+#include "model/equilibrium.hpp"
+
+#include "base/error.hpp"
+#include "base/index.hpp"
+#include "base/timer.hpp"
+#include "base/words.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace signorini::model {
+
+template <int D> solve::Outcome evaluate(Model<D>& model, const VectorX* direction, bool tangent, std::string& why) {
+  const auto inverted = model.system.assembly.assemble({model.present, model.accepted, model.controls}, direction,
+                                                       tangent, model.timings);
+  take_residual(model);
+  if (!inverted) return solve::Outcome::converged;
+  model.inversion = inverted;
+  const auto& [body, inversion] = *inverted;
+  why = text("element ", inversion.element + 1, " of body '", model.system.scene.bodies[at(body)].name,
+             "' is inverted (J = ", inversion.jacobian, ") at X = ", coordinates(inversion.point));
+  return solve::Outcome::inverted_element;
+}
+
+template <int D> void take_residual(Model<D>& model) {
+  model.residual = model.present.force - model.external;
+  model.unbalanced = model.system.unknowns.gather(model.residual);
+}
+
+namespace {
+
+/// Adds to the tangent what keeps loose bodies from flying off.
+template <int D> void damp(Model<D>& model) {
+  System<D>& system = model.system;
+  if (system.loose().empty()) return;
+  constexpr double small = 1e-3; // of a body's extent: how far a body in contact may go in one iteration
+  system.assembly.add_diagonal(damping(system.scene, system.unknowns, system.loose(), system.assembly.diagonal(),
+                                       model.residual,
+                                       strides(system.scene, system.contacts, model.present, small * system.extent)));
+}
+
+} // namespace
+
+template <int D> bool factor(Model<D>& model, const StepOptions& options) {
+  ScopedTimer timer(model.timings.factorisation);
+  if (options.damping) damp(model);
+  const Assembly<D>& assembly = model.system.assembly;
+  const Tangent tangent{assembly.values(),          assembly.pattern(),          assembly.pattern_version(),
+                        assembly.constant_values(), assembly.contact_unknowns(), assembly.contact_version()};
+  return model.linear.factor(tangent, {options.linear, options.damping && !model.system.loose().empty()});
+}
+
+template <int D> bool solve_for(Model<D>& model, VectorX& b) {
+  ScopedTimer timer(model.timings.solution);
+  return model.linear.solve(b);
+}
+
+template <int D>
+solve::NewtonSystem newton_system(Model<D>& model, std::function<solve::Outcome(bool, std::string&)> assemble,
+                                  std::function<bool(double&)> advance) {
+  solve::NewtonSystem system;
+  system.assemble = std::move(assemble);
+  system.advance = std::move(advance);
+  system.residual = [&] { return model.unbalanced.norm(); };
+  system.scale = [&] { return force_norm(model); };
+  system.floor = [&] { return rounding_floor(model); };
+  return system;
+}
+
+template <int D> double force_norm(const Model<D>& model) {
+  return std::max({model.way.force_scale, model.system.unknowns.held_norm(model.residual), model.external.norm()});
+}
+
+template <int D> double largest_position(const Model<D>& model) {
+  const auto displacement = model.present.displacement.head(model.system.unknowns.displacements());
+  return model.system.size + displacement.template lpNorm<Eigen::Infinity>();
+}
+
+/// ε |K| (|X| + |u|), in space four times as much, where a row adds up some ten times as many products. Rows err
+/// independently of each other: |K| is the 2-norm of the diagonal. Gaps are differences of positions, wrong by
+/// ε (|X| + |u|) each, and contact multiplies them by its own stiffness.
+template <int D> double rounding_floor(const Model<D>& model) {
+  const System<D>& system = model.system;
+  const State<D>& state = model.present;
+  double stiffness = system.assembly.diagonal_norm();
+  for (std::size_t k = 0; k < system.contacts.size(); ++k)
+    stiffness = std::max(stiffness, system.contacts[k]->stiffness(state.contacts[k], state.penalty_factor));
+  return (D == 2 ? 1 : 4) * std::numeric_limits<double>::epsilon() * stiffness * largest_position(model);
+}
+
+template <int D> bool begin_contacts(Model<D>& model, const ActiveSetOptions& options, bool damping) {
+  System<D>& system = model.system;
+  model.controls.assign(system.contacts.size(), {});
+  model.active_set.begin(system.contacts, model.present.contacts, options, model.controls);
+  bool any = false;
+  for (std::size_t k = 0; k < system.contacts.size() && damping; ++k) {
+    const Contact<D>& contact = system.scene.contacts[k];
+    const auto* face = std::get_if<FaceReference>(&contact.master);
+    const bool falls = resultant(model.present.contacts[k]).active == 0 &&
+                       std::any_of(system.loose().begin(), system.loose().end(), [&](const LooseMotion& motion) {
+                         return motion.body == contact.slave.body || (face && motion.body == face->body);
+                       });
+    model.controls[k].landing = falls;
+    any = any || falls;
+  }
+  return any;
+}
+
+template <int D> void judge_lead(Model<D>& model) {
+  std::string why;
+  const solve::Outcome outcome = evaluate(model, nullptr, true, why);
+  require(outcome == solve::Outcome::converged, "the present state has no residual: ", why, "; roll back");
+  const double enough = solve::NewtonOptions{}.tolerance * force_norm(model) + rounding_floor(model);
+  require(model.unbalanced.norm() <= enough, "the state is not in equilibrium yet: its residual is ",
+          model.unbalanced.norm(), ", asked is ", enough, ": move on, or roll back");
+  model.step->report.outcome = solve::Outcome::converged;
+}
+
+#define SIGNORINI_INSTANTIATE(D)                                                                                       \
+  template solve::Outcome evaluate(Model<D>&, const VectorX*, bool, std::string&);                                     \
+  template void take_residual(Model<D>&);                                                                              \
+  template bool factor(Model<D>&, const StepOptions&);                                                                 \
+  template bool solve_for(Model<D>&, VectorX&);                                                                        \
+  template solve::NewtonSystem newton_system(Model<D>&, std::function<solve::Outcome(bool, std::string&)>,             \
+                                             std::function<bool(double&)>);                                            \
+  template double force_norm(const Model<D>&);                                                                         \
+  template double largest_position(const Model<D>&);                                                                   \
+  template double rounding_floor(const Model<D>&);                                                                     \
+  template bool begin_contacts(Model<D>&, const ActiveSetOptions&, bool);                                              \
+  template void judge_lead(Model<D>&);
+SIGNORINI_INSTANTIATE(2)
+SIGNORINI_INSTANTIATE(3)
+#undef SIGNORINI_INSTANTIATE
+
+} // namespace signorini::model

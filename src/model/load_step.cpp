@@ -1,0 +1,233 @@
+// How a step is solved by iteration at prescribed targets.
+#include "model/load_step.hpp"
+
+#include "base/error.hpp"
+#include "base/timer.hpp"
+#include "model/equilibrium.hpp"
+#include "model/pseudo_transient.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace signorini::model {
+
+namespace {
+
+constexpr double rounding = 1e-12; ///< parts of the largest position: gaps nearer to 0 are what rounding makes of 0
+/// Most that the last two steps' rates may differ by for a prediction, see Way::bend. Ironing and Hertz: 0.1 to 0.5
+/// make no difference; with 1 steps fail where bodies have just touched first.
+constexpr double most_bent = 0.3;
+/// A fall has come to an end where |f·Δu| is below this part of its largest value.
+constexpr double landed = 1e-2;
+/// Pseudo-transient continuation makes many small moves: how many times the iterations it may take.
+constexpr int most_times = 40;
+
+template <int D> bool advance(Model<D>& model, const StepOptions& options, double& energy) {
+  ScopedTimer timer(model.timings.linear);
+  if (!factor(model, options)) return false;
+  VectorX step = -model.unbalanced;
+  if (!solve_for(model, step)) return false;
+  if (!step.allFinite()) return false;
+  const double slope = model.unbalanced.dot(step);
+  energy = std::abs(slope);
+  Step& own = *model.step;
+  VectorX& displacement = model.present.displacement;
+  const Unknowns<D>& unknowns = model.system.unknowns;
+  if (options.newton.line_search != solve::LineSearchKind::none) {
+    own.before = displacement;
+    own.move = unknowns.spread(step);
+    own.slope = slope;
+  }
+  displacement += unknowns.spread(step) + own.increment;
+  own.increment.setZero();
+  own.moved = true;
+  own.lead = false;
+  model.present.targets = model.targets;
+  return true;
+}
+
+/// Whether the state could be moved on to the targets as the last step went: where the path goes straight on, and the
+/// last two steps went alike.
+template <int D> bool predict(Model<D>& model, const VectorX& increment) {
+  const Way& way = model.way;
+  const VectorX& accepted = model.accepted.targets;
+  if (way.bend > most_bent || model.present.targets != accepted) return false;
+  const std::optional<double> ratio = straight_ratio(model, model.targets);
+  if (!ratio) return false;
+  // Free ones by as much as in the last step, prescribed ones exactly
+  const Drives<D>& drives = model.system.drives;
+  const VectorX prescribed = drives.displacement(accepted) - drives.displacement(way.previous_targets);
+  model.present.displacement += *ratio * (way.increment - prescribed) + increment;
+  return true;
+}
+
+/// Whether contact has brought the fall to an end, near the state where all points stick.
+template <int D> bool has_landed(Model<D>& model) {
+  const auto& contacts = model.present.contacts;
+  if (std::none_of(contacts.begin(), contacts.end(), [](const auto& one) { return resultant(one).active > 0; }))
+    return false;
+  const double energy = model.step->report.energies.back();
+  model.step->impact = std::max(model.step->impact, energy);
+  return energy < landed * model.step->impact;
+}
+
+template <int D> void end_landing(Model<D>& model) {
+  for (auto& control : model.controls) control.landing = false;
+  model.step->landing = false;
+  model.step->moved = true;
+}
+
+template <int D> Step begin_step(Model<D>& model, const StepOptions& options) {
+  const Drives<D>& drives = model.system.drives;
+  Step step{drives.displacement(model.targets) - drives.displacement(model.present.targets)};
+  step.landing = begin_contacts(model, options.active_set, options.damping);
+  model.external = drives.force(model.targets);
+  const bool constant = options.predictor == Predictor::constant;
+  if (constant) model.present.displacement += step.increment;
+  if (constant || (options.predictor == Predictor::linear && predict(model, step.increment))) {
+    step.increment.setZero();
+    model.present.targets = model.targets;
+  }
+  step.pending = (step.increment.array() != 0).any();
+  return step;
+}
+
+/// Lets a rule decide what only rounding error decides, where a step to other targets begins.
+template <int D> void guess(Model<D>& model, bool wanted) {
+  const bool onward = wanted && straight_ratio(model, model.targets).value_or(-1) > 0;
+  for (auto& control : model.controls) {
+    control.guessed = wanted ? rounding * largest_position(model) : 0;
+    control.onward = onward;
+  }
+}
+
+template <int D> solve::Outcome assemble_step(Model<D>& model, bool tangent, std::string& why) {
+  Step& step = *model.step;
+  const solve::NewtonReport& report = step.report;
+  ActiveSet<D>& set = model.active_set;
+  const bool first = step.pending && report.iterations == 0;
+  if (!report.energies.empty()) set.thaw(report.energies.back() / report.energies.front(), model.controls);
+  if (step.landing && !report.energies.empty() && has_landed(model)) end_landing(model);
+  guess(model, report.iterations == 0 && model.targets != model.accepted.targets);
+  const solve::Outcome outcome = evaluate(model, first ? &step.increment : nullptr, tangent, why);
+  guess(model, false);
+  if (first) model.unbalanced += model.system.unknowns.gather(model.system.assembly.product());
+  if (outcome != solve::Outcome::converged || !std::exchange(step.moved, false)) return outcome;
+  set.note(model.present.contacts, model.unbalanced.norm(), model.controls);
+  // What repeats under one damping need not under the next.
+  const bool repeats = step.pseudo_time.damping() == 0;
+  if (const int period = repeats ? set.period() : 0; period > 0) {
+    why = text("the states of contact points repeat every ", period, " iterations");
+    return set.strays().empty() ? solve::Outcome::cycling : solve::Outcome::lost_projection;
+  }
+  return outcome;
+}
+
+template <int D> solve::Trial retreat(Model<D>& model, double part) {
+  model.present.displacement = model.step->before + part * model.step->move;
+  model.step->moved = true;
+  std::string why;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (evaluate(model, nullptr, false, why) != solve::Outcome::converged) return {infinity, infinity};
+  return {model.unbalanced.norm(), model.residual.dot(model.step->move)};
+}
+
+/// What remains to be done where the residual is small: landing, points that are held, augmentation.
+template <int D> solve::Outcome conclude(Model<D>& model, const AugmentationOptions& augmented, std::string& why) {
+  if (model.step->landing) {
+    end_landing(model);
+    return solve::Outcome::iterating;
+  }
+  if (model.active_set.release(model.controls)) {
+    model.step->moved = true;
+    if (!model.active_set.exhausted()) return solve::Outcome::iterating;
+    why = "points that were held do not keep their states when they are freed";
+    return solve::Outcome::cycling;
+  }
+  if (augmented.penetration == 0) return solve::Outcome::converged;
+  const auto& contacts = model.system.contacts;
+  double farthest = 0;
+  for (std::size_t k = 0; k < contacts.size(); ++k)
+    farthest = std::max(farthest, contacts[k]->violation(model.present.contacts[k]));
+  const double enough = augmented.penetration * model.system.extent;
+  if (farthest <= enough) return solve::Outcome::converged;
+  if (model.step->augmentations == augmented.loops) {
+    why = text("points that press are up to ", farthest, " off the master after ", augmented.loops,
+               " augmentations, asked was ", enough);
+    return solve::Outcome::penetration;
+  }
+  for (std::size_t k = 0; k < contacts.size(); ++k) contacts[k]->augment(model.present.contacts[k]);
+  ++model.step->augmentations;
+  model.step->moved = true;
+  return solve::Outcome::iterating;
+}
+
+/// Tells where contact is why there was no convergence.
+template <int D> void classify(const ActiveSet<D>& set, solve::NewtonReport& report) {
+  const bool stalls =
+      report.outcome == solve::Outcome::iteration_limit || report.outcome == solve::Outcome::line_search;
+  if (!stalls || set.restless().empty()) return;
+  report.outcome = set.strays().empty() ? solve::Outcome::cycling : solve::Outcome::lost_projection;
+  report.message += "; the states of contact points keep changing";
+}
+
+} // namespace
+
+template <int D> const solve::NewtonReport& iterate(Model<D>& model, const StepOptions& options) {
+  if (!model.step) model.step = begin_step(model, options);
+  Step& step = *model.step;
+  solve::NewtonReport& report = step.report;
+  if (report.outcome != solve::Outcome::iterating) return report;
+  // The move that brings in prescribed displacements has to be whole.
+  const bool flows = options.pseudo_transient && !(step.pending && report.iterations == 0);
+  solve::NewtonSystem newton = newton_system<D>(
+      model, [&](bool tangent, std::string& why) { return assemble_step(model, tangent, why); },
+      [&](double& energy) {
+        return flows ? advance_in_pseudo_time(model, options, energy) : advance(model, options, energy);
+      });
+  newton.retreat = [&](double part) { return retreat(model, part); };
+  newton.slope = [&] { return step.slope; };
+  newton.conclude = [&](std::string& why) { return conclude(model, options.augmented, why); };
+  solve::NewtonOptions limits = options.newton;
+  if (options.pseudo_transient) limits.iterations *= most_times;
+  if (!solve::iterate(newton, limits, step.pending, report)) classify(model.active_set, report);
+  return report;
+}
+
+template <int D> solve::NewtonReport solve_step(Model<D>& model, const StepOptions& options) {
+  model.step.reset();
+  while (iterate(model, options).outcome == solve::Outcome::iterating) {
+  }
+  return model.step->report;
+}
+
+template <int D> solve::Outcome evaluate(Model<D>& model, std::string& why) {
+  if (!model.step) model.external = model.system.drives.force(model.targets);
+  return evaluate(model, nullptr, true, why);
+}
+
+template <int D> void move_by(Model<D>& model, const VectorX& change) {
+  const Unknowns<D>& unknowns = model.system.unknowns;
+  require(change.size() == unknowns.size(), "a move has one value per unknown, ", unknowns.size(), " of them, got ",
+          change.size());
+  require(change.allFinite(), "a move has finite values");
+  if (!model.step || model.step->report.outcome != solve::Outcome::iterating) model.step = begin_step(model, {});
+  Step& step = *model.step;
+  model.present.displacement += unknowns.spread(change) + step.increment;
+  step.increment.setZero();
+  step.pending = false;
+  step.moved = step.lead = true;
+  model.present.targets = model.targets;
+}
+
+#define SIGNORINI_INSTANTIATE(D)                                                                                       \
+  template solve::NewtonReport solve_step(Model<D>&, const StepOptions&);                                              \
+  template const solve::NewtonReport& iterate(Model<D>&, const StepOptions&);                                          \
+  template void move_by(Model<D>&, const VectorX&);                                                                    \
+  template solve::Outcome evaluate(Model<D>&, std::string&);
+SIGNORINI_INSTANTIATE(2)
+SIGNORINI_INSTANTIATE(3)
+#undef SIGNORINI_INSTANTIATE
+
+} // namespace signorini::model

@@ -1,0 +1,86 @@
+#include "model/results.hpp"
+
+#include "base/error.hpp"
+#include "base/index.hpp"
+#include "base/words.hpp"
+
+namespace signorini::model {
+
+template <int D>
+Eigen::Map<const Eigen::Matrix<double, D, Eigen::Dynamic>> body_displacement(const Model<D>& model, int body) {
+  return {model.present.displacement.data() + model.system.unknowns.offset(body), D,
+          model.system.scene.bodies[at(body)].body->functions()};
+}
+
+template <int D> Vec<D> reaction(const Model<D>& model, int index) {
+  // In equilibrium f_int + f_c − f_ext = 0 but for what the supports add.
+  const Support<D>& support = model.system.scene.supports[at(index)];
+  Vec<D> sum = Vec<D>::Zero();
+  for (int c = 0; c < D; ++c)
+    if (support.hold[at(c)] != Hold::free || support.rotates)
+      for (int dof : model.system.unknowns.of_support(index, c)) sum(c) += model.residual(dof);
+  return sum;
+}
+
+template <int D> double moment(const Model<D>& model, int support) {
+  return model.system.drives.moment(support, model.present.targets, model.residual);
+}
+
+template <int D> Vec<D> load_resultant(const Model<D>& model, int load) {
+  return model.system.drives.resultant(load, model.present.targets);
+}
+
+template <int D> Energies energies(const Model<D>& model) {
+  Energies sum{0, 0, 0, model.way.work};
+  const auto& bodies = model.system.scene.bodies;
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    sum.stored += solid::stored_energy(*bodies[b].body, body_displacement(model, static_cast<int>(b)).data());
+  for (const auto& history : model.present.contacts) {
+    sum.contact += contact::potential(history);
+    sum.friction += history.dissipated;
+  }
+  return sum;
+}
+
+template <int D> std::vector<std::string> warnings(const Model<D>& model) {
+  std::vector<std::string> warnings = model.scene_warnings;
+  for (std::size_t b = 0; b < model.system.scene.bodies.size(); ++b) {
+    const auto& [name, body] = model.system.scene.bodies[b];
+    if (!body->linear()) continue; // others refuse to be inverted
+    const auto worst = solid::worst_inversion(*body, body_displacement(model, static_cast<int>(b)).data());
+    if (worst)
+      warnings.push_back(text("bodies.", name, ": the linear elastic body is turned inside out in element ",
+                              worst->element + 1, " (det F = ", number(worst->jacobian),
+                              ") at X = ", coordinates(worst->point),
+                              ", far beyond small strains. Hint: take sg.neo_hookean, or "
+                              "smaller loads and displacements"));
+  }
+  return warnings;
+}
+
+template <int D> double search_seconds(const Model<D>& model) {
+  double sum = 0;
+  for (const auto& contact : model.system.contacts) sum += contact->search_seconds();
+  return sum;
+}
+
+template <int D> double memory(const Model<D>& model) {
+  double bytes = model.system.assembly.memory();
+  for (const auto& named : model.system.scene.bodies) bytes += static_cast<double>(named.body->memory());
+  return bytes;
+}
+
+#define SIGNORINI_INSTANTIATE(D)                                                                                       \
+  template Eigen::Map<const Eigen::Matrix<double, D, Eigen::Dynamic>> body_displacement(const Model<D>&, int);         \
+  template Vec<D> reaction(const Model<D>&, int);                                                                      \
+  template double moment(const Model<D>&, int);                                                                        \
+  template Vec<D> load_resultant(const Model<D>&, int);                                                                \
+  template Energies energies(const Model<D>&);                                                                         \
+  template std::vector<std::string> warnings(const Model<D>&);                                                         \
+  template double search_seconds(const Model<D>&);                                                                     \
+  template double memory(const Model<D>&);
+SIGNORINI_INSTANTIATE(2)
+SIGNORINI_INSTANTIATE(3)
+#undef SIGNORINI_INSTANTIATE
+
+} // namespace signorini::model

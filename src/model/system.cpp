@@ -1,0 +1,99 @@
+#include "model/system.hpp"
+
+#include "base/error.hpp"
+#include "base/index.hpp"
+#include "model/path_norm.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace signorini::model {
+
+namespace {
+
+template <int D> const Scene<D>& checked(const Scene<D>& scene) {
+  require(!scene.bodies.empty(), "bodies: a model needs at least one body");
+  for (const Contact<D>& contact : scene.contacts) {
+    const auto* face = std::get_if<FaceReference>(&contact.master);
+    require(
+        !face || !(contact.slave == *face), "contacts: '", contact.name,
+        "' has the same face as slave and as master; a face cannot touch itself: name the other body's face as master");
+  }
+  for (const auto& named : scene.bodies)
+    require(named.body->kind() == scene.kind, "bodies: '", named.name,
+            "' is not of the scene's kind (plane strain or axisymmetric)");
+  return scene;
+}
+
+template <int D> contact::Formulations<D> make_contacts(const Scene<D>& scene) {
+  const auto surface = [&](const FaceReference& face) {
+    return contact::Surface<D>(scene.bodies[at(face.body)].body->space(), face.side);
+  };
+  contact::Formulations<D> contacts;
+  for (const Contact<D>& contact : scene.contacts) {
+    const auto* face = std::get_if<FaceReference>(&contact.master);
+    contact::Master<D> master = face ? contact::Master<D>(surface(*face))
+                                     : contact::Master<D>(scene.obstacles[at(std::get<1>(contact.master).obstacle)]);
+    contacts.push_back(
+        contact::make_formulation<D>(contact.method, {surface(contact.slave), std::move(master), contact.points,
+                                                      scene.kind == solid::Kind::axisymmetric, contact.where}));
+  }
+  return contacts;
+}
+
+/// Regions may refer to what only lives while the model is made.
+template <int D> Scene<D> without_regions(Scene<D> scene) {
+  for (Contact<D>& contact : scene.contacts) contact.where = {};
+  return scene;
+}
+
+} // namespace
+
+template <int D>
+System<D>::System(Scene<D> given)
+    : contacts(make_contacts(checked(given))), scene(without_regions(std::move(given))), unknowns(scene, contacts),
+      drives(scene, unknowns), assembly(scene, unknowns, contacts) {
+  for (const auto& obstacle : scene.obstacles) size = std::max(size, contact::largest_coordinate<D>(obstacle));
+  for (const auto& named : scene.bodies) {
+    const MatrixX points = named.body->space().points();
+    size = std::max(size, points.cwiseAbs().maxCoeff());
+    const double radius = (points.colwise() - points.rowwise().mean()).colwise().norm().maxCoeff();
+    extent = std::max(extent, 2 * radius);
+  }
+}
+
+template <int D> State<D> System<D>::start() const {
+  State<D> state{VectorX::Zero(unknowns.dofs()), drives.start(), VectorX::Zero(unknowns.dofs()), 1, {}};
+  for (const auto& contact : contacts) state.contacts.emplace_back(contact->points());
+  return state;
+}
+
+template <int D> void System<D>::commit(State<D>& present, const State<D>& accepted) {
+  for (std::size_t k = 0; k < contacts.size(); ++k)
+    contacts[k]->commit(present.contacts[k], accepted.contacts[k], present.penalty_factor);
+}
+
+template <int D> void System<D>::stand(const State<D>& accepted) {
+  assembly.move(accepted.displacement);
+  for (const auto& contact : contacts) contact->stand();
+}
+
+template <int D> void System<D>::settle(State<D>& accepted) {
+  for (std::size_t k = 0; k < contacts.size(); ++k) contacts[k]->settle(accepted.contacts[k]);
+  assembly.forget_contacts();
+}
+
+template <int D> const std::vector<LooseMotion>& System<D>::loose() {
+  if (!loose_) loose_ = loose_motions(scene, unknowns);
+  return *loose_;
+}
+
+template <int D> const VectorX& System<D>::path_weights() {
+  if (!path_weights_) path_weights_ = model::path_weights(scene, unknowns);
+  return *path_weights_;
+}
+
+template struct System<2>;
+template struct System<3>;
+
+} // namespace signorini::model
