@@ -4,6 +4,8 @@
 #include "model/model.hpp"
 #include "nurbs/random_patch.hpp"
 #include "nurbs/shapes.hpp"
+#include "solid/linear_elastic.hpp"
+#include "solid/neo_hookean.hpp"
 
 namespace signorini::model::test {
 
