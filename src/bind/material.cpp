@@ -2,6 +2,8 @@
 #include "bind/functions.hpp"
 #include "bind/open.hpp"
 #include "bind/options.hpp"
+#include "solid/linear_elastic.hpp"
+#include "solid/neo_hookean.hpp"
 
 namespace signorini::bind {
 
@@ -16,8 +18,7 @@ template <auto make> int material(lua_State* L) {
 
 int material_text(lua_State* L) {
   const auto& material = self<solid::Material>(L);
-  const bool linear = std::holds_alternative<solid::LinearElastic>(material);
-  push(L, text(linear ? "linear elastic: " : "neo-Hooke: ", constants_in_words(material)));
+  push(L, text(material.name(), ": ", constants_in_words(material)));
   return 1;
 }
 
@@ -45,7 +46,7 @@ constexpr Function material_entries[] = {
 } // namespace
 
 std::string constants_in_words(const solid::Material& material) {
-  const solid::ElasticConstants& law = solid::constants(material);
+  const solid::ElasticConstants& law = material.constants();
   return text("E = ", law.youngs_modulus, ", nu = ", law.poissons_ratio);
 }
 

@@ -284,7 +284,9 @@ template <int D> void Assembly<D>::add_element(int e, const Request& request, Ta
   const bool scatters = request.tangent && !linear_;
   const bool multiplies = request.direction && holds_[task.body][at(e)];
   const double* displacement = request.states.present.displacement.data() + offset;
-  if (const auto inversion = internal_force(body, e, displacement, arrays, scatters || multiplies)) {
+  if (const auto inversion =
+          internal_force(body, e, displacement, arrays, scatters || multiplies,
+                         request.states.accepted.internal[task.body], request.states.present.internal[task.body])) {
     task.inverted = BodyInversion{b, *inversion};
     return;
   }

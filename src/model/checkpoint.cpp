@@ -15,15 +15,17 @@ const ArchiveKind kind{"checkpoint", 1};
 using Parts = std::vector<ScenePart>;
 
 template <int D> void write_state(ArchiveWriter& to, const Snapshot<D>& kept) {
-  const auto& [displacement, targets, force, factor, contacts] = kept.state;
+  const auto& [displacement, targets, force, factor, contacts, internal] = kept.state;
   const auto& [increment, previous, bend, force_scale, work] = kept.way;
   to.put(displacement, increment, targets, previous, force_scale, work, force, factor, bend, kept.linear);
   for (const auto& history : contacts) contact::write_history<D>(to, history);
+  for (const auto& values : internal)
+    if (!values.empty()) to.put(values);
 }
 
 /// Into a snapshot of a model of the same scene.
 template <int D> void read_state(ArchiveReader& from, Snapshot<D>& kept) {
-  auto& [displacement, targets, force, factor, contacts] = kept.state;
+  auto& [displacement, targets, force, factor, contacts, internal] = kept.state;
   auto& [increment, previous, bend, force_scale, work] = kept.way;
   const Eigen::Index dofs = displacement.size(), components = targets.size();
   from.into(displacement, increment, targets, previous, force_scale, work, force, factor, bend, kept.linear);
@@ -31,6 +33,12 @@ template <int D> void read_state(ArchiveReader& from, Snapshot<D>& kept) {
               targets.size() == components && previous.size() == components,
           "a state of ", displacement.size(), " degrees of freedom was saved, the model has ", dofs);
   for (auto& history : contacts) contact::read_history<D>(from, history);
+  for (auto& values : internal) {
+    const std::size_t count = values.size();
+    if (count > 0) from.into(values);
+    require(values.size() == count, "a body with ", values.size(), " internal variables was saved, this one has ",
+            count);
+  }
 }
 
 template <int D> void take_state(Model<D>& model, std::string_view bytes) {

@@ -213,9 +213,7 @@ template <int D> std::optional<LabelChoice> bulk_of(const Model<D>& model, int b
 template <int D> std::vector<StiffBody> find_stiff_bodies(const Model<D>& model) {
   constexpr double much = 100;
   const Scene<D>& scene = model.system.scene;
-  const auto modulus = [&](int body) {
-    return solid::constants(scene.bodies[at(body)].body->material()).youngs_modulus;
-  };
+  const auto modulus = [&](int body) { return scene.bodies[at(body)].body->material().constants().youngs_modulus; };
   std::vector<StiffBody> found;
   for (int b = 0; b < static_cast<int>(scene.bodies.size()); ++b) {
     int partner = -1;

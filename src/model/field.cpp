@@ -11,10 +11,7 @@ namespace {
 using solid::Material;
 
 template <int D> Mat<3> cauchy_stress(const Material& material, const FieldPoint<D>& point) {
-  if constexpr (D == 2)
-    return solid::cauchy_stress<3>(material, solid::in_space(point.deformation, point.hoop));
-  else
-    return solid::cauchy_stress<3>(material, point.deformation);
+  return material.cauchy_stress(solid::in_space<D>(point.deformation, point.hoop));
 }
 
 template <int D, int I> double displacement(const Material&, const FieldPoint<D>& point) {

@@ -34,7 +34,8 @@ template <int D> Energies energies(const Model<D>& model) {
   Energies sum{0, 0, 0, model.way.work};
   const auto& bodies = model.system.scene.bodies;
   for (std::size_t b = 0; b < bodies.size(); ++b)
-    sum.stored += solid::stored_energy(*bodies[b].body, body_displacement(model, static_cast<int>(b)).data());
+    sum.stored += solid::stored_energy(*bodies[b].body, body_displacement(model, static_cast<int>(b)).data(),
+                                       model.accepted.internal[b]);
   for (const auto& history : model.present.contacts) {
     sum.contact += contact::potential(history);
     sum.friction += history.dissipated;

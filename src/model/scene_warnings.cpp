@@ -19,7 +19,7 @@ template <int D> PenaltyRatio element_stiffness(const Scene<D>& scene, const Fac
   const NamedBody<D>& named = scene.bodies[at(face.body)];
   const nurbs::Discretisation& space = named.body->space();
   const double height = thickness(scene, face) / space.elements(face.side.direction);
-  return {0, solid::constants(named.body->material()).youngs_modulus / height, named.name};
+  return {0, named.body->material().constants().youngs_modulus / height, named.name};
 }
 
 /// The lowest degree of a body's functions, and a direction that has it.
@@ -36,7 +36,7 @@ template <int D> std::pair<int, int> lowest_degree(const nurbs::Discretisation& 
 template <int D> void warn_of_locking(const Scene<D>& scene, std::vector<std::string>& warnings) {
   constexpr double linear = 0.45, any = 0.499; // ν from which degree 1, beyond which any degree locks
   for (const NamedBody<D>& named : scene.bodies) {
-    const double nu = solid::constants(named.body->material()).poissons_ratio;
+    const double nu = named.body->material().constants().poissons_ratio;
     const auto [degree, direction] = lowest_degree<D>(named.body->space());
     if (nu <= any && (degree > 1 || nu < linear)) continue;
     const std::string cure = degree > 1  ? text("nu = ", any, " or less")

@@ -12,6 +12,7 @@ template <int D> struct State {
   VectorX force;        ///< f_int + f_c of all degrees of freedom in the last evaluation
   double penalty_factor = 1; ///< of all contacts' penalty parameters
   std::vector<contact::History<D>> contacts;
+  std::vector<std::vector<double>> internal; ///< the materials' internal variables, by body; empty for most
 };
 
 /// What the steps up to the accepted state leave to the next one.

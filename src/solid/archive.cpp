@@ -1,22 +1,46 @@
 #include "solid/archive.hpp"
 
 #include "nurbs/archive.hpp"
+#include "solid/linear_elastic.hpp"
+#include "solid/neo_hookean.hpp"
+
+#include <algorithm>
 
 namespace signorini::solid {
 
+namespace {
+
+/// A law in files: its number, which is its place in the table below, then its members, which are numbers.
+struct LawRow {
+  std::string_view name;
+  void (*write)(ArchiveWriter& to, const void* law);
+  Material (*read)(ArchiveReader& from);
+};
+
+template <Law T> constexpr LawRow row() {
+  using Members = std::array<double, sizeof(T) / sizeof(double)>;
+  return {T::name,
+          [](ArchiveWriter& to, const void* law) { to.put(std::bit_cast<Members>(*static_cast<const T*>(law))); },
+          [](ArchiveReader& from) -> Material { return std::bit_cast<T>(from.get<Members>()); }};
+}
+
+/// New laws go to the end: files know them by their place.
+constexpr LawRow laws[] = {row<NeoHookean>(), row<LinearElastic>()};
+
+} // namespace
+
 void write(ArchiveWriter& to, const Material& material) {
-  const auto& [youngs_modulus, poissons_ratio, lambda, mu] = constants(material);
-  to.put(static_cast<int>(material.index()), youngs_modulus, poissons_ratio, lambda, mu);
+  const auto* row =
+      std::find_if(std::begin(laws), std::end(laws), [&](const LawRow& one) { return one.name == material.name(); });
+  require(row != std::end(laws), "material '", material.name(), "' cannot be saved: files do not know this law");
+  to.put(static_cast<int>(row - laws));
+  row->write(to, material.law());
 }
 
 Material read(ArchiveReader& from, std::type_identity<Material>) {
-  const int law = from.get<int>();
-  ElasticConstants constants;
-  auto& [youngs_modulus, poissons_ratio, lambda, mu] = constants;
-  from.into(youngs_modulus, poissons_ratio, lambda, mu);
-  require(law == 0 || law == 1, "material: there is no law ", law);
-  if (law == 0) return NeoHookean{constants};
-  return LinearElastic{constants};
+  const int number = from.get<int>();
+  require(number >= 0 && number < std::ssize(laws), "material: there is no law ", number);
+  return laws[number].read(from);
 }
 
 template <int D> void write(ArchiveWriter& to, const Body<D>& body) {

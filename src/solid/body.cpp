@@ -3,8 +3,6 @@
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
 #include "base/words.hpp"
-#include "solid/axisymmetric.hpp"
-#include "solid/linear.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -80,7 +78,8 @@ void check_radii(const nurbs::Discretisation& space) {
 
 template <int D>
 Body<D>::Body(std::shared_ptr<const nurbs::Discretisation> space, Material material, Kind kind)
-    : space_(std::move(space)), material_(material), kind_(kind) {
+    : space_(std::move(space)), material_(std::move(material)), kind_(kind),
+      internal_variables_(static_cast<int>(material_.initial_values().size())) {
   require(space_->dimension() == D, "a body of dimension ", D, " was given a patch of dimension ", space_->dimension());
   require(D == 2 || kind_ == Kind::plane_strain, "a body of dimension ", D, " cannot be axisymmetric; only plane ones");
   if (kind_ == Kind::axisymmetric) check_radii(*space_);
@@ -102,55 +101,18 @@ template <int D> std::size_t Body<D>::memory() const {
 
 template <int D>
 Body<D>::Body(nurbs::Discretisation space, Material material)
-    : Body(std::make_shared<const nurbs::Discretisation>(std::move(space)), material) {}
+    : Body(std::make_shared<const nurbs::Discretisation>(std::move(space)), std::move(material)) {}
 
-template <int D> Kernel Body<D>::kernel(int functions) const {
-  if (linear()) return linear_kernel<D>;
-  return kind_ == Kind::axisymmetric ? axisymmetric_kernel : element_kernels<D>(functions).back();
-}
-
-namespace {
-
-/// Adds one Gauss point's μ ∇R_A·∇R_B, times its weight, for n functions.
-template <int D> void add_shear(double factor, int n, const double* gradients, double* constant) {
-  for (int a = 0; a < n; ++a, constant += n)
-    for (int k = 0; k < D; ++k) {
-      const double left = factor * gradients[k * n + a];
-      for (int b = 0; b < n; ++b) constant[b] += left * gradients[k * n + b];
-    }
-}
-
-} // namespace
-
-/// The part of an element's tangent that never changes; its points are in the tables already.
-template <int D> void Body<D>::add_constant(const ElementTable& table) {
-  const ElasticConstants& law = constants(material_);
-  const int n = table.functions;
-  const std::size_t size = static_cast<std::size_t>(n * n);
-  const auto gradients = [&](int q) {
-    return gradients_.data() + table.gradient + static_cast<std::size_t>(q * D * n);
-  };
-  const double* weights = weights_.data() + table.point;
-  if (kind_ == Kind::axisymmetric && linear()) {
-    constants_.resize(constants_.size() + 3 * size);
-    for (int q = 0; q < table.points; ++q)
-      add_stiffness_of_revolution(law, weights[q], n, gradients(q),
-                                  hoops_.data() + table.gradient / D + static_cast<std::size_t>(q * n),
-                                  constants_.data() + table.constant);
-    return;
-  }
-  constants_.resize(constants_.size() + size);
-  for (int q = 0; q < table.points; ++q)
-    add_shear<D>(weights[q] * law.mu, n, gradients(q), constants_.data() + table.constant);
-  if (!linear()) return;
-  // The kernel reads and writes whole vectors.
-  std::vector<double> shear(constants_.end() - static_cast<std::ptrdiff_t>(size), constants_.end());
-  shear.resize(size + vector_room);
-  gradients_.resize(gradients_.size() + vector_room);
-  constants_.resize(table.constant + D * (D + 1) / 2 * size + vector_room);
-  rest_stiffness<D>(law, n, table.points, gradients(0), weights, shear.data(), constants_.data() + table.constant);
-  gradients_.resize(gradients_.size() - vector_room);
-  constants_.resize(constants_.size() - vector_room);
+template <int D> KernelArguments Body<D>::arguments(int e) const {
+  const ElementTable& table = element(e);
+  const ElasticConstants& constants = material_.constants();
+  KernelArguments arguments{table.functions, table.points, constants.lambda, constants.mu};
+  arguments.gradients = gradients_of(e);
+  arguments.weights = weights_of(e);
+  arguments.hoop = hoops_of(e);
+  arguments.constant = constants_.data() + table.constant;
+  arguments.law = material_.law();
+  return arguments;
 }
 
 template <int D> void Body<D>::add_element(int e, const MatrixX& points) {
@@ -161,13 +123,13 @@ template <int D> void Body<D>::add_element(int e, const MatrixX& points) {
                      weights_.size(),
                      gradients_.size(),
                      constants_.size(),
-                     nullptr};
+                     {}};
   for (int q = 0; q < table.points; ++q) {
     const nurbs::ElementBasis basis = space_->basis(e, rule.points.col(q));
     if (q == 0) {
       table.functions = static_cast<int>(basis.functions.size());
       functions_.insert(functions_.end(), basis.functions.begin(), basis.functions.end());
-      table.kernel = kernel(table.functions);
+      table.kernels = material_.kernels<D>(kind_, table.functions);
     }
     // ∂X/∂ξ = Σ_A X_A ⊗ ∂R_A/∂ξ,  ∂R/∂X = ∂R/∂ξ (∂X/∂ξ)⁻¹
     const VectorX place = place_of(basis, points);
@@ -187,10 +149,19 @@ template <int D> void Body<D>::add_element(int e, const MatrixX& points) {
     }
     weights_.push_back(weight);
   }
-  add_constant(table);
   most_functions_ = std::max(most_functions_, table.functions);
   most_points_ = std::max(most_points_, table.points);
   elements_.push_back(table);
+  if (!table.kernels.constant) return;
+  const std::size_t n = static_cast<std::size_t>(table.functions);
+  constants_.resize(constants_.size() + static_cast<std::size_t>(table.kernels.constant_blocks) * n * n);
+  const std::vector<double> rest(D * n, 0.0);
+  std::vector<double> force(D * n);
+  KernelArguments at_rest = arguments(e);
+  at_rest.local = rest.data();
+  at_rest.force = force.data();
+  at_rest.blocks = constants_.data() + table.constant;
+  table.kernels.constant(at_rest);
 }
 
 template <int D> VectorX Body<D>::reference_point(int e, int q) const {

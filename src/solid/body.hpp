@@ -3,7 +3,6 @@
 
 #include "base/eigen.hpp"
 #include "nurbs/discretisation.hpp"
-#include "solid/kernel.hpp"
 #include "solid/material.hpp"
 #include "solid/quadrature.hpp"
 
@@ -27,14 +26,8 @@ struct ElementTable {
   std::size_t function; ///< offset of its function indices
   std::size_t point;    ///< offset of its point weights
   std::size_t gradient; ///< offset of its reference gradients: per point, D rows of n values ∂R_A/∂X_k
-  std::size_t constant; ///< offset of the part of its tangent that never changes (see KernelArguments)
-  Kernel kernel;        ///< for its material, its kind and its number of functions
-};
-
-/// What a plane body stands for. In 3D there is only the first.
-enum class Kind {
-  plane_strain,
-  axisymmetric, ///< x = r, y = z; the body fills the full circle around the axis x = 0
+  std::size_t constant; ///< offset of the part of its tangent that never changes (see Kernels)
+  Kernels kernels;      ///< for its material, its kind and its number of functions
 };
 
 /// A body in D dimensions, total Lagrangian: gradients with respect to the reference configuration are stored once.
@@ -51,10 +44,14 @@ public:
   const Material& material() const { return material_; }
   Kind kind() const { return kind_; }
   /// Whether force and displacement are proportional: the tangent never changes.
-  bool linear() const { return std::holds_alternative<LinearElastic>(material_); }
+  bool linear() const { return material_.linear(); }
   int functions() const { return space_->functions(); }
   int elements() const { return static_cast<int>(elements_.size()); }
   const ElementTable& element(int e) const { return elements_[static_cast<std::size_t>(e)]; }
+  /// Gauss points of the whole body, in the order of its elements.
+  std::size_t points() const { return weights_.size(); }
+  /// The material's internal variables per Gauss point; a body holds no values of them.
+  int internal_variables() const { return internal_variables_; }
   /// Most functions, and most Gauss points, on one element.
   int most_functions() const { return most_functions_; }
   int most_points() const { return most_points_; }
@@ -69,14 +66,13 @@ public:
   const double* gradients_of(int e) const { return gradients_.data() + element(e).gradient; }
   /// R_A/R per Gauss point, n values each, for the hoop stretch 1 + Σ_A u_rA R_A/R; null in plane strain and 3D.
   const double* hoops_of(int e) const { return hoops_.empty() ? nullptr : hoops_.data() + element(e).gradient / D; }
-  const double* constant_of(int e) const { return constants_.data() + element(e).constant; }
+  /// What the body knows of an element; the caller adds displacements, results and working space.
+  KernelArguments arguments(int e) const;
   /// Reference position of Gauss point q of element e.
   VectorX reference_point(int e, int q) const;
 
 private:
   void add_element(int e, const MatrixX& points);
-  void add_constant(const ElementTable& table);
-  Kernel kernel(int functions) const;
 
   std::shared_ptr<const nurbs::Discretisation> space_;
   Material material_;
@@ -84,7 +80,7 @@ private:
   std::vector<ElementTable> elements_;
   std::vector<int> functions_;
   std::vector<double> weights_, gradients_, hoops_, constants_;
-  int most_functions_ = 0, most_points_ = 0;
+  int most_functions_ = 0, most_points_ = 0, internal_variables_ = 0;
 };
 
 /// The body of revolution about x = 0 with the same meridian, space and material.

@@ -1,5 +1,7 @@
 #include "solid/internal.hpp"
 
+#include "base/error.hpp"
+
 #include <limits>
 
 namespace signorini::solid {
@@ -47,16 +49,34 @@ template <int D> std::size_t ElementArrays<D>::memory() const {
   return sizeof(double) * (force.size() + blocks.size() + local.size() + work.size() + factors.size());
 }
 
+template <int D> std::vector<double> initial_values(const Body<D>& body) {
+  const std::vector<double> point = body.material().initial_values();
+  std::vector<double> values;
+  values.reserve(body.points() * point.size());
+  for (std::size_t q = 0; q < body.points(); ++q) values.insert(values.end(), point.begin(), point.end());
+  return values;
+}
+
 template <int D>
 std::optional<Inversion> internal_force(const Body<D>& body, int e, const double* displacement,
-                                        ElementArrays<D>& arrays, bool tangent) {
-  const ElementTable& table = body.element(e);
-  const ElasticConstants& law = constants(body.material());
+                                        ElementArrays<D>& arrays, bool tangent, std::span<const double> committed,
+                                        std::span<double> trial) {
   gather(body, e, displacement, arrays.local.data());
-  const KernelResult result =
-      table.kernel({table.functions, table.points, law.lambda, law.mu, arrays.local.data(), body.gradients_of(e),
-                    body.weights_of(e), body.hoops_of(e), body.constant_of(e), arrays.force.data(), arrays.work.data(),
-                    arrays.factors.data(), tangent ? arrays.blocks.data() : nullptr});
+  KernelArguments arguments = body.arguments(e);
+  arguments.local = arrays.local.data();
+  arguments.force = arrays.force.data();
+  arguments.work = arrays.work.data();
+  arguments.factors = arrays.factors.data();
+  arguments.blocks = tangent ? arrays.blocks.data() : nullptr;
+  if (const std::size_t variables = static_cast<std::size_t>(body.internal_variables())) {
+    require(committed.size() == variables * body.points() && trial.size() == committed.size(), "material '",
+            body.material().name(), "' has ", variables * body.points(), " internal variables in this body, but got ",
+            committed.size(), " committed and ", trial.size(), " trial values");
+    arguments.internal_variables = body.internal_variables();
+    arguments.committed = committed.data() + body.element(e).point * variables;
+    arguments.trial = trial.data() + body.element(e).point * variables;
+  }
+  const KernelResult result = body.element(e).kernels.element(arguments);
   if (result.point < 0) return std::nullopt;
   return Inversion{e, body.reference_point(e, result.point), result.jacobian};
 }
@@ -71,31 +91,37 @@ template <int D> std::optional<Inversion> worst_inversion(const Body<D>& body, c
   return worst;
 }
 
-template <int D> double stored_energy(const Body<D>& body, const double* displacement) {
+template <int D>
+double stored_energy(const Body<D>& body, const double* displacement, std::span<const double> committed) {
+  const std::size_t variables = committed.empty() ? 0 : static_cast<std::size_t>(body.internal_variables());
   double sum = 0;
   each_deformation(body, displacement, [&](int e, int q, const Mat<D>& f, const auto& u) {
-    const auto density = [&]() -> double {
-      constexpr double infinity = std::numeric_limits<double>::infinity();
-      if (!body.linear() && !(f.determinant() > 0)) return infinity;
-      if (body.kind() != Kind::axisymmetric) return energy<D>(body.material(), f);
+    double across = 1;
+    if (body.kind() == Kind::axisymmetric) {
       // r/R = 1 + Σ_A u_rA R_A/R
       const Eigen::Index n = u.cols();
-      const double stretch = 1 + u.row(0).dot(Eigen::Map<const Eigen::RowVectorXd>(body.hoops_of(e) + q * n, n));
-      if (!body.linear() && !(stretch > 0)) return infinity;
-      return energy<3>(body.material(), in_space(f.template topLeftCorner<2, 2>(), stretch));
-    };
-    sum += body.weights_of(e)[q] * density();
+      across += u.row(0).dot(Eigen::Map<const Eigen::RowVectorXd>(body.hoops_of(e) + q * n, n));
+    }
+    const std::size_t point = body.element(e).point + static_cast<std::size_t>(q);
+    const bool inverted = !body.linear() && !(f.determinant() > 0 && across > 0);
+    sum += body.weights_of(e)[q] *
+           (inverted ? std::numeric_limits<double>::infinity()
+                     : body.material().energy(in_space<D>(f, across), committed.subspan(point * variables, variables)));
   });
   return sum;
 }
 
 template struct ElementArrays<2>;
 template struct ElementArrays<3>;
-template std::optional<Inversion> internal_force<2>(const Body<2>&, int, const double*, ElementArrays<2>&, bool);
-template std::optional<Inversion> internal_force<3>(const Body<3>&, int, const double*, ElementArrays<3>&, bool);
+template std::vector<double> initial_values<2>(const Body<2>&);
+template std::optional<Inversion> internal_force<2>(const Body<2>&, int, const double*, ElementArrays<2>&, bool,
+                                                    std::span<const double>, std::span<double>);
+template std::vector<double> initial_values<3>(const Body<3>&);
+template std::optional<Inversion> internal_force<3>(const Body<3>&, int, const double*, ElementArrays<3>&, bool,
+                                                    std::span<const double>, std::span<double>);
 template std::optional<Inversion> worst_inversion<2>(const Body<2>&, const double*);
 template std::optional<Inversion> worst_inversion<3>(const Body<3>&, const double*);
-template double stored_energy<2>(const Body<2>&, const double*);
-template double stored_energy<3>(const Body<3>&, const double*);
+template double stored_energy<2>(const Body<2>&, const double*, std::span<const double>);
+template double stored_energy<3>(const Body<3>&, const double*, std::span<const double>);
 
 } // namespace signorini::solid

@@ -1,7 +1,7 @@
 #pragma once
-// The element kernels over raw arrays: force and tangent blocks of one element. Those for neo-Hooke in the plane and in
-// space are compiled once for any machine and again for those with wider vectors, chosen at run time; bodies of
-// revolution and small strains have kernels of their own (axisymmetric.hpp, linear.hpp).
+// The element kernels over raw arrays: force and tangent blocks of one element. Any law has the generic one
+// (kernel_generic.hpp). Those for neo-Hooke in the plane and in space are compiled once for any machine and again for
+// those with wider vectors, chosen at run time.
 
 #include <cstddef>
 #include <vector>
@@ -16,15 +16,19 @@ constexpr std::size_t vector_room = 8;
 struct KernelArguments {
   int functions, points;
   double lambda, mu;
-  const double* local;     ///< displacements, D rows of n values
-  const double* gradients; ///< ∂R_A/∂X_k per Gauss point
-  const double* weights;   ///< per Gauss point
-  const double* hoop;      ///< R_A/R per Gauss point, n values each; null where the body is none of revolution
-  const double* constant;  ///< Σ w μ ∇R_A·∇R_B, n×n; small strains: the stiffness, laid out like `blocks`
-  double* force;           ///< f_iA, D rows of n values
-  double* work;            ///< working space, working_size() doubles
-  double* factors;         ///< working space, two per Gauss point
-  double* blocks;          ///< K^{ij}_{AB}, i ≤ j, n×n each; null: not wanted
+  const double* local = nullptr;     ///< displacements, D rows of n values
+  const double* gradients = nullptr; ///< ∂R_A/∂X_k per Gauss point
+  const double* weights = nullptr;   ///< per Gauss point
+  const double* hoop = nullptr;      ///< R_A/R per Gauss point, n values each; null unless it is a body of revolution
+  const double* constant = nullptr;  ///< the part of the tangent that never changes, see Kernels
+  double* force = nullptr;           ///< f_iA, D rows of n values
+  double* work = nullptr;            ///< working space, working_size() doubles
+  double* factors = nullptr;         ///< working space, two per Gauss point
+  double* blocks = nullptr;          ///< K^{ij}_{AB}, i ≤ j, n×n each; null: not wanted
+  const void* law = nullptr;         ///< for the generic kernel
+  int internal_variables = 0;        ///< per Gauss point
+  const double* committed = nullptr; ///< their values at the step's start
+  double* trial = nullptr;           ///< receives their present values
 };
 
 /// Working space for D components, n functions and a number of Gauss points: displacements, forces and all points'
@@ -41,6 +45,20 @@ struct KernelResult {
 
 using Kernel = KernelResult (*)(const KernelArguments&);
 
+/// What a plane body stands for. In 3D there is only the first.
+enum class Kind {
+  plane_strain,
+  axisymmetric, ///< x = r, y = z; the body fills the full circle around the axis x = 0
+};
+
+/// How elements of a material are computed.
+struct Kernels {
+  Kernel element;
+  /// Adds to zeros in `blocks`, once and without displacements, what the other reads as `constant`; null: nothing.
+  Kernel constant;
+  int constant_blocks; ///< how many n×n blocks that is
+};
+
 /// Vector instructions, from narrow to wide; sse2 stands for what every machine has.
 enum class Instructions { sse2, avx2, avx512 };
 constexpr const char* instruction_names[] = {"sse2", "avx2", "avx512"};
@@ -54,5 +72,12 @@ Instructions widest_instructions(const char* wanted);
 /// The neo-Hooke kernels up to the widest instructions, for bodies in D dimensions and elements of n functions; the
 /// fastest is the last. They differ by rounding error.
 template <int D> std::vector<Kernel> element_kernels(int functions);
+
+/// Neo-Hooke for bodies of revolution that deform without twist, x = r, y = z: `hoop` must not be null, and the weights
+/// hold the circumference 2πR. Where the element is inverted the Jacobian is as in generic_kernel().
+KernelResult axisymmetric_kernel(const KernelArguments& arguments);
+
+/// Linear laws: f = K u, and K itself, which `constant` holds. No state is inverted.
+template <int D> KernelResult linear_kernel(const KernelArguments& arguments);
 
 } // namespace signorini::solid

@@ -100,30 +100,15 @@ template <int N> KernelResult run_plane(const KernelArguments& in) {
   return {-1, 1};
 }
 
+template <int... N> Kernel plane_kernel_of(int functions) {
+  Kernel kernel = run_plane<0>;
+  ((kernel = functions == N ? run_plane<N> : kernel), ...);
+  return kernel;
+}
+
 /// Known at compile time: what bodies have that are linear through, (p+1) + (q+1) functions.
 inline Kernel plane_kernel(int functions) {
-  switch (functions) {
-  case 4:
-    return run_plane<4>;
-  case 5:
-    return run_plane<5>;
-  case 6:
-    return run_plane<6>;
-  case 7:
-    return run_plane<7>;
-  case 8:
-    return run_plane<8>;
-  case 9:
-    return run_plane<9>;
-  case 10:
-    return run_plane<10>;
-  case 12:
-    return run_plane<12>;
-  case 14:
-    return run_plane<14>;
-  default:
-    return run_plane<0>;
-  }
+  return plane_kernel_of<4, 5, 6, 7, 8, 9, 10, 12, 14>(functions);
 }
 
 } // namespace

@@ -1,53 +1,67 @@
 #pragma once
-// Constitutive laws: energy and stress as sibling free functions.
+// The material of a body: any law as one value.
 
-#include "base/eigen.hpp"
+#include "solid/kernel_generic.hpp"
 
-#include <variant>
+#include <memory>
 
 namespace signorini::solid {
 
-/// What an isotropic elastic law is given, and Lamé's constants that follow from it.
-struct ElasticConstants {
-  double youngs_modulus; ///< E > 0, force per area
-  double poissons_ratio; ///< −1 < ν < 0.5
-  double lambda;         ///< λ = 2μν/(1 − 2ν)
-  double mu;             ///< μ = E/(2(1 + ν))
+/// Shares an immutable law.
+class Material {
+public:
+  template <Law T> Material(T law);
+
+  const char* name() const { return name_; }
+  /// Whether force and displacement are proportional: the tangent never changes.
+  bool linear() const { return linear_; }
+  const ElasticConstants& constants() const { return constants_; }
+  /// Internal variables of an unstrained point; none for most laws.
+  const std::vector<double>& initial_values() const { return initial_; }
+  /// The law, for the kernels.
+  const void* law() const { return law_.get(); }
+  /// How elements of n functions are computed in bodies of D dimensions.
+  template <int D> Kernels kernels(Kind kind, int functions) const { return kernels_[D - 2](kind, functions); }
+
+  /// Stored energy per reference volume. `f` is F, with positive determinant unless the law is linear; `committed` the
+  /// internal variables of the point, empty for the initial ones.
+  double energy(const Mat<3>& f, std::span<const double> committed = {}) const;
+  /// First Piola–Kirchhoff stress; arguments as for energy().
+  Mat<3> stress(const Mat<3>& f, std::span<const double> committed = {}) const;
+  /// Cauchy stress; arguments as for energy(). In plane strain σ₃₃ is what prevents strain across.
+  Mat<3> cauchy_stress(const Mat<3>& f, std::span<const double> committed = {}) const;
+
+private:
+  const char* name_;
+  bool linear_;
+  std::shared_ptr<const void> law_;
+  ElasticConstants constants_;
+  std::vector<double> initial_;
+  double (*energy_)(const void* law, const Mat<3>& f, std::span<const double> committed);
+  Mat<3> (*stress_)(const void* law, const Mat<3>& f, std::span<const double> committed, std::span<double> trial);
+  Kernels (*kernels_[2])(Kind kind, int functions); ///< in 2 and 3 dimensions
 };
 
-/// Compressible neo-Hooke, W = λ/2 (ln J)² + μ/2 (tr C − 3) − μ ln J (thesis eq. 3.29). In 2D: plane strain, F₃₃ = 1.
-struct NeoHookean : ElasticConstants {};
+template <Law T>
+Material::Material(T law)
+    : name_(T::name), linear_(T::linear), law_(std::make_shared<const T>(law)), constants_(law),
+      energy_([](const void* law, const Mat<3>& f, std::span<const double> committed) {
+        return solid::energy(*static_cast<const T*>(law), f, committed);
+      }),
+      stress_([](const void* law, const Mat<3>& f, std::span<const double> committed, std::span<double> trial) {
+        return solid::stress(*static_cast<const T*>(law), f, committed, trial);
+      }),
+      kernels_{law_kernels<T, 2>, law_kernels<T, 3>} {
+  if constexpr (InelasticResponse<T>) initial_ = law.initial_values();
+}
 
-/// Hooke's law of small strains, W = λ/2 (tr ε)² + μ ε:ε with ε = sym(F − I); all stress measures are one. In 2D: plane
-/// strain, ε₃₃ = 0.
-struct LinearElastic : ElasticConstants {};
-
-using Material = std::variant<NeoHookean, LinearElastic>;
-
-/// Both throw Error unless E > 0 and −1 < ν < 0.5.
-NeoHookean neo_hookean(double youngs_modulus, double poissons_ratio);
-LinearElastic linear_elastic(double youngs_modulus, double poissons_ratio);
-
-const ElasticConstants& constants(const Material& material);
-
-/// Stored energy per reference volume. `deformation` is F, with positive determinant where the law is neo-Hooke's.
-template <int D> double energy(const NeoHookean& material, const Mat<D>& deformation);
-template <int D> double energy(const LinearElastic& material, const Mat<D>& deformation);
-template <int D> double energy(const Material& material, const Mat<D>& deformation);
-
-/// First Piola–Kirchhoff stress ∂W/∂F: neo-Hooke P = μ(F − F⁻ᵀ) + λ ln J F⁻ᵀ, Hooke P = λ tr ε I + 2μ ε.
-template <int D> Mat<D> first_piola_stress(const NeoHookean& material, const Mat<D>& deformation);
-template <int D> Mat<D> first_piola_stress(const LinearElastic& material, const Mat<D>& deformation);
-template <int D> Mat<D> first_piola_stress(const Material& material, const Mat<D>& deformation);
-
-/// Cauchy stress, always 3×3: neo-Hooke σ = (λ/J) ln J I + (μ/J)(F Fᵀ − I), plane strain has σ₃₃ = (λ/J) ln J;
-/// Hooke σ = λ tr ε I + 2μ ε, plane strain has σ₃₃ = λ tr ε.
-template <int D> Mat<3> cauchy_stress(const NeoHookean& material, const Mat<D>& deformation);
-template <int D> Mat<3> cauchy_stress(const LinearElastic& material, const Mat<D>& deformation);
-template <int D> Mat<3> cauchy_stress(const Material& material, const Mat<D>& deformation);
-
-/// F in space of a plane deformation and the stretch F₃₃ across: of the hoops where the body is one of revolution
-/// (directions r, z, θ), 1 in plane strain.
-Mat<3> in_space(const Mat<2>& deformation, double hoop);
+/// F in space of a deformation in D dimensions; `across` is F₃₃ of a plane one: the hoops' stretch of a body of
+/// revolution (directions r, z, θ), 1 in plane strain.
+template <int D> Mat<3> in_space(const Mat<D>& deformation, double across = 1) {
+  Mat<3> f = Mat<3>::Identity();
+  f(2, 2) = across;
+  f.topLeftCorner<D, D>() = deformation;
+  return f;
+}
 
 } // namespace signorini::solid

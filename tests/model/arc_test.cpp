@@ -179,7 +179,8 @@ TEST(Arc, FollowsAnArchThroughItsLimitLoad) {
     }
     confirmed += there_and_back;
     if (there_and_back) {
-      EXPECT_NEAR((walk.model.present.displacement - here.state.displacement).norm(), 0, 1e-9 * here.state.displacement.norm())
+      EXPECT_NEAR((walk.model.present.displacement - here.state.displacement).norm(), 0,
+                  1e-9 * here.state.displacement.norm())
           << step;
     }
     restore(walk.model, here);

@@ -25,7 +25,7 @@ double value(const Model<2>& model, const std::string& field, const Vec<2>& xi) 
 Mat<2> stress(const Model<2>& model, const Vec<2>& xi) {
   Mat<2> f;
   f << value(model, "F11", xi), value(model, "F12", xi), value(model, "F21", xi), value(model, "F22", xi);
-  return solid::first_piola_stress<2>(model.system.scene.bodies[0].body->material(), f);
+  return model.system.scene.bodies[0].body->material().stress(solid::in_space<2>(f)).topLeftCorner<2, 2>();
 }
 
 void expect_stress(const Model<2>& model, const Mat<2>& expected, double scale) {
@@ -60,7 +60,7 @@ TEST(Loads, TractionOnABarGivesItsStressAndReaction) {
         EXPECT_NEAR(reaction(model, 1).norm(), 0, 1e-10);
         EXPECT_EQ(accepted_target(model, 0, 0), t * k / steps);
       }
-      if (std::holds_alternative<solid::LinearElastic>(material)) {
+      if (material.linear()) {
         // Plane strain: ε_x = (1 − ν²) t/E, ε_y = −ν(1 + ν) t/E
         EXPECT_NEAR(value(model, "ux", {1, 0.3}), (1 - 0.09) * t / 2, 1e-12);
         EXPECT_NEAR(value(model, "uy", {0.3, 1}), -0.3 * 1.3 * t / 2, 1e-12);
@@ -85,7 +85,7 @@ TEST(Loads, PressureAllAroundIsHydrostatic) {
     EXPECT_NEAR(load_resultant(model, 0).norm(), 0, 1e-14);
     EXPECT_NEAR(reaction(model, 0).norm(), 0, 1e-10);
     EXPECT_NEAR(reaction(model, 1).norm(), 0, 1e-10);
-    if (std::holds_alternative<solid::LinearElastic>(material)) {
+    if (material.linear()) {
       EXPECT_NEAR(value(model, "ux", {1, 0.5}), -(1 + 0.3) * (1 - 0.6) * p / 2, 1e-12);
     }
   }
@@ -162,7 +162,7 @@ TEST(Loads, AboutAnAxisTheyActOnTheFullCircle) {
     for (double x : {0.0, 0.7}) {
       EXPECT_NEAR(value(model, "sxx", {x, 0.4}), 0, 1e-9);
       EXPECT_NEAR(value(model, "szz", {x, 0.4}), 0, 1e-9);
-      const double across = std::holds_alternative<solid::LinearElastic>(material) ? 1 : value(model, "F11", {x, 0.4});
+      const double across = material.linear() ? 1 : value(model, "F11", {x, 0.4});
       EXPECT_NEAR(value(model, "syy", {x, 0.4}) * across * across, 0.3, 1e-9);
     }
   }

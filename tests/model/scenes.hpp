@@ -6,6 +6,8 @@
 #include "model/results.hpp"
 #include "nurbs/random_patch.hpp"
 #include "nurbs/shapes.hpp"
+#include "solid/linear_elastic.hpp"
+#include "solid/neo_hookean.hpp"
 
 namespace signorini::model::test {
 

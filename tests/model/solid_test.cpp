@@ -8,6 +8,7 @@
 #include "model/quadratic.hpp"
 #include "nurbs/coincident.hpp"
 #include "nurbs/shapes.hpp"
+#include "solid/neo_hookean.hpp"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

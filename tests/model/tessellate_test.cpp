@@ -1,6 +1,7 @@
 #include "model/tessellate.hpp"
 
 #include "nurbs/shapes.hpp"
+#include "solid/neo_hookean.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,6 +4,8 @@
 #include "nurbs/random_patch.hpp"
 #include "nurbs/shapes.hpp"
 #include "solid/internal.hpp"
+#include "solid/linear_elastic.hpp"
+#include "solid/neo_hookean.hpp"
 
 #include <map>
 
@@ -45,11 +47,14 @@ struct Assembled {
   std::optional<Inversion> inversion;
 };
 
-template <int D> Assembled assemble(const Body<D>& body, const VectorX& u) {
+/// `committed` and `trial` as for internal_force().
+template <int D>
+Assembled assemble(const Body<D>& body, const VectorX& u, std::span<const double> committed = {},
+                   std::span<double> trial = {}) {
   Assembled sum{VectorX::Zero(u.size()), MatrixX::Zero(u.size(), u.size()), {}};
   ElementArrays<D> arrays(body);
   for (int e = 0; e < body.elements(); ++e) {
-    if ((sum.inversion = internal_force(body, e, u.data(), arrays))) return sum;
+    if ((sum.inversion = internal_force(body, e, u.data(), arrays, true, committed, trial))) return sum;
     const auto functions = body.functions_of(e);
     const int n = static_cast<int>(functions.size());
     const auto dof = [&](int a, int i) { return D * functions[static_cast<std::size_t>(a)] + i; };

@@ -3,6 +3,7 @@
 #include "nurbs/random_patch.hpp"
 #include "nurbs/shapes.hpp"
 #include "solid/body.hpp"
+#include "solid/neo_hookean.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "solid/axisymmetric.hpp"
+#include "solid/kernel.hpp"
 
 #include <algorithm>
 #include <cmath>

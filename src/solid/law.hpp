@@ -1,0 +1,80 @@
+#pragma once
+// What a material law consists of. A new one is a struct with these parts in a file of its own, a row in archive.cpp
+// for files, and a function in bind/material.cpp for scripts.
+
+#include "base/eigen.hpp"
+
+#include <concepts>
+#include <span>
+#include <vector>
+
+namespace signorini::solid {
+
+/// Young's modulus and Poisson's ratio of an isotropic law where nothing is strained, and Lamé's constants that follow.
+struct ElasticConstants {
+  double youngs_modulus; ///< E > 0, force per area
+  double poissons_ratio; ///< −1 < ν < 0.5
+  double lambda;         ///< λ = 2μν/(1 − 2ν)
+  double mu;             ///< μ = E/(2(1 + ν))
+};
+
+/// Throws Error unless E > 0 and −1 < ν < 0.5.
+ElasticConstants elastic_constants(double youngs_modulus, double poissons_ratio);
+
+/// ∂P/∂F: row 3i + k and column 3j + l hold ∂P_ik/∂F_jl. Symmetric, as stress derives from an energy.
+using Moduli = Mat<9>;
+
+/// Energy W per reference volume, first Piola–Kirchhoff stress P = ∂W/∂F and its moduli at F.
+template <class T>
+concept ElasticResponse = requires(const T& law, const Mat<3>& f) {
+  { law.energy(f) } -> std::same_as<double>;
+  { law.stress(f) } -> std::same_as<Mat<3>>;
+  { law.moduli(f) } -> std::same_as<Moduli>;
+};
+
+/// The same with internal variables: `initial_values()` are those of one unstrained point. A step starts from the
+/// committed values; `stress` writes the trial values that hold at F, which are committed when the step is accepted,
+/// and `moduli` differentiates `stress` at fixed committed values. The energy is that of the step, ∂W/∂F = P.
+template <class T>
+concept InelasticResponse = requires(const T& law, const Mat<3>& f, std::span<const double> committed,
+                                     std::span<double> trial) {
+  { law.initial_values() } -> std::same_as<std::vector<double>>;
+  { law.energy(f, committed) } -> std::same_as<double>;
+  { law.stress(f, committed, trial) } -> std::same_as<Mat<3>>;
+  { law.moduli(f, committed) } -> std::same_as<Moduli>;
+};
+
+/// A law: its parameters, which give elastic constants for estimates (derive from ElasticConstants, or convert to it);
+/// its name, for people; whether it is linear, that is whether P is proportional to F − I: then the tangent never
+/// changes, no state is inverted and all stress measures are one; and its response to F, always 3×3 with F₃₃ = 1 in
+/// plane strain, and in the directions (r, z, θ) for a body of revolution.
+/// A law that has faster kernels than the generic one names them in `template <int D> static Kernels kernels(Kind, int
+/// functions)`.
+template <class T>
+concept Law = std::copy_constructible<T> && std::convertible_to<T, ElasticConstants> && requires {
+  { T::name } -> std::convertible_to<const char*>;
+  requires std::same_as<decltype(T::linear), const bool>;
+} &&(ElasticResponse<T> || (InelasticResponse<T> && !T::linear));
+
+/// The response of any law; those without internal variables do not see them.
+template <Law T> double energy(const T& law, const Mat<3>& f, std::span<const double> committed) {
+  if constexpr (InelasticResponse<T>)
+    return law.energy(f, committed);
+  else
+    return law.energy(f);
+}
+template <Law T>
+Mat<3> stress(const T& law, const Mat<3>& f, std::span<const double> committed, std::span<double> trial) {
+  if constexpr (InelasticResponse<T>)
+    return law.stress(f, committed, trial);
+  else
+    return law.stress(f);
+}
+template <Law T> Moduli moduli(const T& law, const Mat<3>& f, std::span<const double> committed) {
+  if constexpr (InelasticResponse<T>)
+    return law.moduli(f, committed);
+  else
+    return law.moduli(f);
+}
+
+} // namespace signorini::solid

@@ -1,0 +1,22 @@
+#pragma once
+// Hooke's law of small strains.
+
+#include "solid/material.hpp"
+
+namespace signorini::solid {
+
+/// W = λ/2 (tr ε)² + μ ε:ε with ε = sym(F − I), P = λ tr ε I + 2μ ε.
+struct LinearElastic : ElasticConstants {
+  static constexpr auto name = "linear elastic";
+  static constexpr bool linear = true;
+  double energy(const Mat<3>& f) const;
+  Mat<3> stress(const Mat<3>& f) const;
+  Moduli moduli(const Mat<3>& f) const;
+};
+
+/// Throws Error unless E > 0 and −1 < ν < 0.5.
+LinearElastic linear_elastic(double youngs_modulus, double poissons_ratio);
+
+extern template Material::Material(LinearElastic);
+
+} // namespace signorini::solid
