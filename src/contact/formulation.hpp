@@ -67,7 +67,9 @@ public:
   virtual std::vector<std::string> extra_unknowns() const { return {}; }
   /// Whether what it adds to the tangent is symmetric.
   virtual bool has_potential() const = 0;
-  virtual bool frictional() const { return false; }
+  /// Coulomb's μ, and ε_N where there is one: what warnings and the diagnosis compare with what is usual.
+  virtual double friction() const { return 0; }
+  virtual double penalty() const { return 0; }
 
   /// move() once, then evaluate_part() for 0 … parts() − 1, in any order and side by side, then gather(): blocks() are
   /// then those of the trial, the same bits in any order. Without `tangent` their matrices are left empty.

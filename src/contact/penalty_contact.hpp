@@ -12,7 +12,8 @@ public:
   PenaltyContact(ContactSetting<D> setting, const PenaltyLaw& law);
 
   bool has_potential() const override { return false; } // tractions act on the current area
-  bool frictional() const override { return law_.friction > 0; }
+  double friction() const override { return law_.friction; }
+  double penalty() const override { return law_.normal; }
   void augment(History<D>& history) const override;
   double violation(const History<D>& history) const override;
   double stiffness(const History<D>& history, double penalty_factor) const override;
@@ -20,6 +21,7 @@ public:
 private:
   using typename GaussPointContact<D>::Part;
   using typename GaussPointContact<D>::Feet;
+  bool frictional() const { return law_.friction > 0; }
   PenaltyLaw scaled(double factor) const;
   void evaluate_point(std::size_t i, const Trial<D>& trial, Part& part, Feet& at) override;
   void commit_points(History<D>& present, double penalty_factor) override;

@@ -34,7 +34,7 @@ void ActiveSet<D>::begin(const contact::Formulations<D>& contacts, const Histori
   frozen_ = options.freeze > 0;
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     first_.push_back(first_.back() + static_cast<int>(histories[k].results.size()));
-    frictional_.push_back(contacts[k]->frictional());
+    frictional_.push_back(contacts[k]->friction() > 0);
     controls[k].held.clear();
     if (!frozen_) continue;
     for (const auto& result : histories[k].results)

@@ -166,13 +166,13 @@ template <int D> void add_direction(Diagnosis& diagnosis, const Model<D>& model,
 template <int D> bool slides(const Model<D>& model, std::size_t contact, std::size_t body, const Vec<D>& d) {
   const Contact<D>& named = model.system.scene.contacts[contact];
   const auto* face = std::get_if<FaceReference>(&named.master);
-  const auto* law = std::get_if<contact::PenaltyLaw>(&named.method);
   const bool is_part = at(named.slave.body) == body || (face && at(face->body) == body);
-  if (!law || law->friction > 0 || !is_part) return false;
+  if (model.system.contacts[contact]->friction() > 0 || !is_part) return false;
   constexpr double along = 0.1; // the rest across the face, as a part of d
   bool touches = false;
   for (const auto& point : model.present.contacts[contact].results) {
     if (point.state == contact::ContactState::open) continue;
+    if (point.state == contact::ContactState::adhesion) return false;
     if (residual_of(orthonormal(point.tangents), d).norm() > along * d.norm()) return false;
     touches = true;
   }
@@ -268,11 +268,12 @@ template <int D> void add_stiffness(Diagnosis& diagnosis, const Model<D>& model)
   const Scene<D>& scene = model.system.scene;
   PenaltyRatio worst{0, 0, ""};
   std::string name;
-  for (const Contact<D>& contact : scene.contacts)
-    if (PenaltyRatio penalty = penalty_ratio(scene, contact); penalty.ratio > worst.ratio) {
-      worst = std::move(penalty);
-      name = contact.name;
-    }
+  for (std::size_t k = 0; k < scene.contacts.size(); ++k) {
+    PenaltyRatio penalty = penalty_ratio(scene, scene.contacts[k], *model.system.contacts[k]);
+    if (!(penalty.ratio > worst.ratio)) continue;
+    worst = std::move(penalty);
+    name = scene.contacts[k].name;
+  }
   worst.ratio *= model.present.penalty_factor;
   if (worst.ratio < stiff_penalty) return;
   const bool is_cause = worst.ratio >= beyond_rounding;

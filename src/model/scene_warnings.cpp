@@ -49,23 +49,22 @@ template <int D> void warn_of_locking(const Scene<D>& scene, std::vector<std::st
   }
 }
 
-template <int D> void warn_of_friction(const Contact<D>& contact, std::vector<std::string>& warnings) {
+void warn_of_friction(const std::string& name, double mu, std::vector<std::string>& warnings) {
   constexpr double most = 3; // rubber on dry concrete is at 1
-  const auto* law = std::get_if<contact::PenaltyLaw>(&contact.method);
-  if (!law || law->friction <= most) return;
-  warnings.push_back(text("contacts.", contact.name, ": friction.mu = ", law->friction,
-                          " is far above what materials have; mu is the tangent of the angle of friction",
-                          law->friction < 90 ? text(". Hint: for an angle of ", law->friction, " degrees mu = ",
-                                                    number(std::tan(law->friction * std::numbers::pi / 180)))
-                                             : ""));
+  if (mu <= most) return;
+  warnings.push_back(text(
+      "contacts.", name, ": friction.mu = ", mu,
+      " is far above what materials have; mu is the tangent of the angle of friction",
+      mu < 90 ? text(". Hint: for an angle of ", mu, " degrees mu = ", number(std::tan(mu * std::numbers::pi / 180)))
+              : ""));
 }
 
 template <int D>
-void warn_of_stiffness(const Scene<D>& scene, const Contact<D>& contact, std::vector<std::string>& warnings) {
-  const PenaltyRatio penalty = penalty_ratio(scene, contact);
+void warn_of_stiffness(const Scene<D>& scene, const Contact<D>& contact, const contact::Formulation<D>& formulation,
+                       std::vector<std::string>& warnings) {
+  const PenaltyRatio penalty = penalty_ratio(scene, contact, formulation);
   if (penalty.ratio < beyond_rounding) return;
-  warnings.push_back(text("contacts.", contact.name,
-                          ": penalty = ", std::get<contact::PenaltyLaw>(contact.method).normal, " is ",
+  warnings.push_back(text("contacts.", contact.name, ": penalty = ", formulation.penalty(), " is ",
                           number(penalty.ratio), " times the stiffness E/h of an element of body '", penalty.body,
                           "': over this range of stiffness the body's share is lost in rounding error. ",
                           "Hint: 10 to 1000 times E/h = ", number(penalty.stiffness), " is usual"));
@@ -109,14 +108,15 @@ void warn_of_twins(const Scene<D>& scene, const contact::Formulations<D>& contac
 
 } // namespace
 
-template <int D> PenaltyRatio penalty_ratio(const Scene<D>& scene, const Contact<D>& contact) {
+template <int D>
+PenaltyRatio penalty_ratio(const Scene<D>& scene, const Contact<D>& contact,
+                           const contact::Formulation<D>& formulation) {
   PenaltyRatio softest = element_stiffness(scene, contact.slave);
   if (const auto* face = std::get_if<FaceReference>(&contact.master)) {
     const PenaltyRatio other = element_stiffness(scene, *face);
     if (other.stiffness < softest.stiffness) softest = other;
   }
-  if (const auto* law = std::get_if<contact::PenaltyLaw>(&contact.method))
-    softest.ratio = law->normal / softest.stiffness;
+  softest.ratio = formulation.penalty() / softest.stiffness;
   return softest;
 }
 
@@ -124,16 +124,16 @@ template <int D>
 std::vector<std::string> scene_warnings(const Scene<D>& scene, const contact::Formulations<D>& contacts) {
   std::vector<std::string> warnings;
   warn_of_locking(scene, warnings);
-  for (const Contact<D>& contact : scene.contacts) {
-    warn_of_friction(contact, warnings);
-    warn_of_stiffness(scene, contact, warnings);
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    warn_of_friction(scene.contacts[k].name, contacts[k]->friction(), warnings);
+    warn_of_stiffness(scene, scene.contacts[k], *contacts[k], warnings);
   }
   warn_of_twins(scene, contacts, warnings);
   return warnings;
 }
 
-template PenaltyRatio penalty_ratio<2>(const Scene<2>&, const Contact<2>&);
-template PenaltyRatio penalty_ratio<3>(const Scene<3>&, const Contact<3>&);
+template PenaltyRatio penalty_ratio(const Scene<2>&, const Contact<2>&, const contact::Formulation<2>&);
+template PenaltyRatio penalty_ratio(const Scene<3>&, const Contact<3>&, const contact::Formulation<3>&);
 template std::vector<std::string> scene_warnings<2>(const Scene<2>&, const contact::Formulations<2>&);
 template std::vector<std::string> scene_warnings<3>(const Scene<3>&, const contact::Formulations<3>&);
 

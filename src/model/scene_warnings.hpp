@@ -7,11 +7,13 @@ namespace signorini::model {
 
 /// A contact's penalty compared with the stiffness of an element behind its faces, E/h of the softest of its bodies.
 struct PenaltyRatio {
-  double ratio;     ///< ε_N h/E; 0 under adhesion
+  double ratio;     ///< ε_N h/E; 0 where there is no penalty
   double stiffness; ///< E/h
   std::string body;
 };
-template <int D> PenaltyRatio penalty_ratio(const Scene<D>& scene, const Contact<D>& contact);
+template <int D>
+PenaltyRatio penalty_ratio(const Scene<D>& scene, const Contact<D>& contact,
+                           const contact::Formulation<D>& formulation);
 
 /// "10 to 1000 times E/h" is usual; from here on steps need cutting, and from `beyond_rounding` on the body's own
 /// stiffness is lost in the rounding error of the contact's.
