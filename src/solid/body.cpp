@@ -91,6 +91,7 @@ Body<D>::Body(std::shared_ptr<const nurbs::Discretisation> space, Material mater
   // Kernels read whole vectors.
   gradients_.resize(gradients_.size() + vector_room);
   constants_.resize(constants_.size() + vector_room);
+  for (int e = 0; e < elements(); ++e) add_constant(element(e), arguments(e));
   for (auto* table : {&weights_, &gradients_, &hoops_, &constants_}) table->shrink_to_fit();
 }
 
@@ -149,19 +150,22 @@ template <int D> void Body<D>::add_element(int e, const MatrixX& points) {
     }
     weights_.push_back(weight);
   }
+  const std::size_t square = static_cast<std::size_t>(table.functions) * static_cast<std::size_t>(table.functions);
+  constants_.resize(constants_.size() + static_cast<std::size_t>(table.kernels.constant_blocks) * square);
   most_functions_ = std::max(most_functions_, table.functions);
   most_points_ = std::max(most_points_, table.points);
   elements_.push_back(table);
+}
+
+/// The part of an element's tangent that never changes; the tables have their room already.
+template <int D> void Body<D>::add_constant(const ElementTable& table, KernelArguments arguments) {
   if (!table.kernels.constant) return;
-  const std::size_t n = static_cast<std::size_t>(table.functions);
-  constants_.resize(constants_.size() + static_cast<std::size_t>(table.kernels.constant_blocks) * n * n);
-  const std::vector<double> rest(D * n, 0.0);
-  std::vector<double> force(D * n);
-  KernelArguments at_rest = arguments(e);
-  at_rest.local = rest.data();
-  at_rest.force = force.data();
-  at_rest.blocks = constants_.data() + table.constant;
-  table.kernels.constant(at_rest);
+  const std::vector<double> rest(static_cast<std::size_t>(D * table.functions), 0.0);
+  std::vector<double> force(rest.size());
+  arguments.local = rest.data();
+  arguments.force = force.data();
+  arguments.blocks = constants_.data() + table.constant;
+  table.kernels.constant(arguments);
 }
 
 template <int D> VectorX Body<D>::reference_point(int e, int q) const {

@@ -73,6 +73,7 @@ public:
 
 private:
   void add_element(int e, const MatrixX& points);
+  void add_constant(const ElementTable& table, KernelArguments arguments);
 
   std::shared_ptr<const nurbs::Discretisation> space_;
   Material material_;

@@ -54,8 +54,7 @@ enum class Kind {
 /// How elements of a material are computed.
 struct Kernels {
   Kernel element;
-  /// Adds to zeros in `blocks`, once and without displacements, what the other reads as `constant`; null: nothing.
-  Kernel constant;
+  Kernel constant; ///< null, or puts into zeroed `blocks`, once and for zero `local`, what `element` reads as constant
   int constant_blocks; ///< how many n×n blocks that is
 };
 
@@ -76,8 +75,5 @@ template <int D> std::vector<Kernel> element_kernels(int functions);
 /// Neo-Hooke for bodies of revolution that deform without twist, x = r, y = z: `hoop` must not be null, and the weights
 /// hold the circumference 2πR. Where the element is inverted the Jacobian is as in generic_kernel().
 KernelResult axisymmetric_kernel(const KernelArguments& arguments);
-
-/// Linear laws: f = K u, and K itself, which `constant` holds. No state is inverted.
-template <int D> KernelResult linear_kernel(const KernelArguments& arguments);
 
 } // namespace signorini::solid

@@ -66,12 +66,10 @@ template <Law T, int D> KernelResult generic_kernel(const KernelArguments& in) {
   return {-1, 1};
 }
 
-/// The kernels of a law: its own where it names them; one stiffness per element where it is linear; the generic one.
+/// The kernels of a law: its own where it names them, otherwise the generic one.
 template <Law T, int D> Kernels law_kernels(Kind kind, int functions) {
   if constexpr (requires { T::template kernels<D>(kind, functions); })
     return T::template kernels<D>(kind, functions);
-  else if constexpr (T::linear)
-    return {linear_kernel<D>, generic_kernel<T, D>, D * (D + 1) / 2};
   else
     return {generic_kernel<T, D>, nullptr, 0};
 }

@@ -24,6 +24,14 @@ ElasticConstants elastic_constants(double youngs_modulus, double poissons_ratio)
 /// ∂P/∂F: row 3i + k and column 3j + l hold ∂P_ik/∂F_jl. Symmetric, as stress derives from an energy.
 using Moduli = Mat<9>;
 
+/// The moduli whose ∂P_ik/∂F_jl is entry(i, k, j, l).
+template <class Entry> Moduli moduli_of(const Entry& entry) {
+  return Moduli::NullaryExpr([&](Eigen::Index row, Eigen::Index column) -> double {
+    const int r = static_cast<int>(row), c = static_cast<int>(column);
+    return entry(r / 3, r % 3, c / 3, c % 3);
+  });
+}
+
 /// Energy W per reference volume, first Piola–Kirchhoff stress P = ∂W/∂F and its moduli at F.
 template <class T>
 concept ElasticResponse = requires(const T& law, const Mat<3>& f) {
@@ -51,10 +59,9 @@ concept InelasticResponse = requires(const T& law, const Mat<3>& f, std::span<co
 /// A law that has faster kernels than the generic one names them in `template <int D> static Kernels kernels(Kind, int
 /// functions)`.
 template <class T>
-concept Law = std::copy_constructible<T> && std::convertible_to<T, ElasticConstants> && requires {
-  { T::name } -> std::convertible_to<const char*>;
-  requires std::same_as<decltype(T::linear), const bool>;
-} &&(ElasticResponse<T> || (InelasticResponse<T> && !T::linear));
+concept Law = std::copy_constructible<T> && std::convertible_to<T, ElasticConstants> &&
+    std::convertible_to<decltype(T::name), const char*> && std::same_as<decltype(T::linear), const bool> &&
+    (ElasticResponse<T> || (InelasticResponse<T> && !T::linear));
 
 /// The response of any law; those without internal variables do not see them.
 template <Law T> double energy(const T& law, const Mat<3>& f, std::span<const double> committed) {

@@ -1,10 +1,10 @@
 #include "solid/linear_elastic.hpp"
 
-namespace signorini::solid {
+#include "solid/neo_hookean.hpp"
 
-LinearElastic linear_elastic(double youngs_modulus, double poissons_ratio) {
-  return {elastic_constants(youngs_modulus, poissons_ratio)};
-}
+#include <algorithm>
+
+namespace signorini::solid {
 
 double LinearElastic::energy(const Mat<3>& f) const {
   return 0.5 * stress(f).cwiseProduct(f - Mat<3>::Identity()).sum();
@@ -16,16 +16,79 @@ Mat<3> LinearElastic::stress(const Mat<3>& f) const {
 }
 
 Moduli LinearElastic::moduli(const Mat<3>&) const {
-  Moduli result;
   // ∂P_ik/∂F_jl = λ δ_ik δ_jl + μ (δ_ij δ_kl + δ_il δ_kj)
-  for (int row = 0; row < 9; ++row)
-    for (int column = 0; column < 9; ++column) {
-      const int i = row / 3, k = row % 3, j = column / 3, l = column % 3;
-      result(row, column) = lambda * (i == k && j == l) + mu * ((row == column) + (i == l && k == j));
-    }
-  return result;
+  return moduli_of([&](int i, int k, int j, int l) {
+    return lambda * (i == k && j == l) + mu * ((i == j && k == l) + (i == l && k == j));
+  });
 }
 
+namespace {
+
+/// The stiffness, which is neo-Hooke's tangent where nothing is strained yet.
+template <int D> KernelResult stiffness(const KernelArguments& in) {
+  const Kernels rubber = NeoHookean::kernels<D>(Kind::plane_strain, in.functions);
+  const std::size_t n = static_cast<std::size_t>(in.functions), points = static_cast<std::size_t>(in.points);
+  std::vector<double> shear(n * n + vector_room), work(working_size(D, n, points)), factors(2 * points);
+  KernelArguments at_rest = in;
+  at_rest.blocks = shear.data();
+  rubber.constant(at_rest);
+  at_rest.constant = shear.data();
+  at_rest.blocks = in.blocks;
+  at_rest.work = work.data();
+  at_rest.factors = factors.data();
+  return rubber.element(at_rest);
+}
+
+// K^{ij}_{AB} = ∫ λ d_iA d_jB + μ ∂_jR_A ∂_iR_B + δ_ij μ ∇R_A·∇R_B + δ_ir δ_jr 2μ (R_A/R)(R_B/R) dV from
+// ∂ε:∂σ = λ (tr ∂ε)² + 2μ ∂ε:∂ε, with tr ε = Σ_A d_iA u_iA: d_iA = ∂R_A/∂X_i + δ_ir R_A/R.
+KernelResult stiffness_of_revolution(const KernelArguments& in) {
+  const int n = in.functions;
+  for (int q = 0; q < in.points; ++q) {
+    const double lambda = in.weights[q] * in.lambda, mu = in.weights[q] * in.mu;
+    const double *gradients = in.gradients + q * 2 * n, *hoop = in.hoop + q * n;
+    const auto dilation = [&](int i, int a) { return gradients[i * n + a] + (i == 0 ? hoop[a] : 0); };
+    double* blocks = in.blocks;
+    for (int i = 0; i < 2; ++i)
+      for (int j = i; j < 2; ++j)
+        for (int a = 0; a < n; ++a)
+          for (int b = 0; b < n; ++b) {
+            double sum = lambda * dilation(i, a) * dilation(j, b) + mu * gradients[j * n + a] * gradients[i * n + b];
+            if (i == j)
+              for (int k = 0; k < 2; ++k) sum += mu * gradients[k * n + a] * gradients[k * n + b];
+            if (i == 0 && j == 0) sum += 2 * mu * hoop[a] * hoop[b];
+            *blocks++ += sum;
+          }
+  }
+  return {-1, 1};
+}
+
+/// f = K u, and K itself, which `constant` holds. No state is inverted.
+template <int D> KernelResult apply_stiffness(const KernelArguments& in) {
+  const int n = in.functions;
+  std::fill_n(in.force, D * n, 0.0);
+  const double* k = in.constant;
+  for (int i = 0; i < D; ++i)
+    for (int j = i; j < D; ++j)
+      for (int a = 0; a < n; ++a, k += n) {
+        // K^{ji} = (K^{ij})ᵀ
+        double sum = 0;
+        for (int b = 0; b < n; ++b) sum += k[b] * in.local[j * n + b];
+        in.force[i * n + a] += sum;
+        if (i != j)
+          for (int b = 0; b < n; ++b) in.force[j * n + b] += k[b] * in.local[i * n + a];
+      }
+  if (in.blocks) std::copy(in.constant, k, in.blocks);
+  return {-1, 1};
+}
+
+} // namespace
+
+template <int D> Kernels LinearElastic::kernels(Kind kind, int) {
+  return {apply_stiffness<D>, kind == Kind::axisymmetric ? stiffness_of_revolution : stiffness<D>, D * (D + 1) / 2};
+}
+
+template Kernels LinearElastic::kernels<2>(Kind, int);
+template Kernels LinearElastic::kernels<3>(Kind, int);
 template Material::Material(LinearElastic);
 
 } // namespace signorini::solid

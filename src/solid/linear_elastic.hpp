@@ -12,10 +12,13 @@ struct LinearElastic : ElasticConstants {
   double energy(const Mat<3>& f) const;
   Mat<3> stress(const Mat<3>& f) const;
   Moduli moduli(const Mat<3>& f) const;
+  template <int D> static Kernels kernels(Kind kind, int functions);
 };
 
 /// Throws Error unless E > 0 and −1 < ν < 0.5.
-LinearElastic linear_elastic(double youngs_modulus, double poissons_ratio);
+inline LinearElastic linear_elastic(double youngs_modulus, double poissons_ratio) {
+  return {elastic_constants(youngs_modulus, poissons_ratio)};
+}
 
 extern template Material::Material(LinearElastic);
 

@@ -4,10 +4,6 @@
 
 namespace signorini::solid {
 
-NeoHookean neo_hookean(double youngs_modulus, double poissons_ratio) {
-  return {elastic_constants(youngs_modulus, poissons_ratio)};
-}
-
 double NeoHookean::energy(const Mat<3>& f) const {
   const double log_j = std::log(f.determinant());
   return 0.5 * lambda * log_j * log_j + 0.5 * mu * (f.squaredNorm() - 3) - mu * log_j;
@@ -21,15 +17,10 @@ Mat<3> NeoHookean::stress(const Mat<3>& f) const {
 Moduli NeoHookean::moduli(const Mat<3>& f) const {
   const Mat<3> inverse = f.inverse();
   const double bracket = mu - lambda * std::log(f.determinant());
-  Moduli result;
   // ∂P_ik/∂F_jl = μ δ_ij δ_kl + (μ − λ ln J) F⁻¹_kj F⁻¹_li + λ F⁻¹_ki F⁻¹_lj
-  for (int row = 0; row < 9; ++row)
-    for (int column = 0; column < 9; ++column) {
-      const int i = row / 3, k = row % 3, j = column / 3, l = column % 3;
-      result(row, column) =
-          (row == column ? mu : 0) + bracket * inverse(k, j) * inverse(l, i) + lambda * inverse(k, i) * inverse(l, j);
-    }
-  return result;
+  return moduli_of([&](int i, int k, int j, int l) {
+    return mu * (i == j && k == l) + bracket * inverse(k, j) * inverse(l, i) + lambda * inverse(k, i) * inverse(l, j);
+  });
 }
 
 namespace {

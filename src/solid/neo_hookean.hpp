@@ -16,7 +16,9 @@ struct NeoHookean : ElasticConstants {
 };
 
 /// Throws Error unless E > 0 and −1 < ν < 0.5.
-NeoHookean neo_hookean(double youngs_modulus, double poissons_ratio);
+inline NeoHookean neo_hookean(double youngs_modulus, double poissons_ratio) {
+  return {elastic_constants(youngs_modulus, poissons_ratio)};
+}
 
 extern template Material::Material(NeoHookean);
 

@@ -24,15 +24,10 @@ struct SaintVenantKirchhoff : ElasticConstants {
   Mat<3> stress(const Mat<3>& f) const { return f * second_piola_stress(f); }
   Moduli moduli(const Mat<3>& f) const {
     const Mat<3> s = second_piola_stress(f), left = f * f.transpose();
-    Moduli result;
     // ∂P_ik/∂F_jl = δ_ij S_kl + λ F_ik F_jl + μ ((F Fᵀ)_ij δ_kl + F_il F_jk)
-    for (int row = 0; row < 9; ++row)
-      for (int column = 0; column < 9; ++column) {
-        const int i = row / 3, k = row % 3, j = column / 3, l = column % 3;
-        result(row, column) =
-            (i == j) * s(k, l) + lambda * f(i, k) * f(j, l) + mu * ((k == l) * left(i, j) + f(i, l) * f(j, k));
-      }
-    return result;
+    return moduli_of([&](int i, int k, int j, int l) {
+      return (i == j) * s(k, l) + lambda * f(i, k) * f(j, l) + mu * ((k == l) * left(i, j) + f(i, l) * f(j, k));
+    });
   }
 };
 
