@@ -28,7 +28,6 @@ Pair<D>::Pair(Surface<D> slave, Master<D> master, Law law, int points, bool revo
     : slave_(std::move(slave)), master_(std::move(master)), accepted_master_(master_), law_(law), revolved_(revolved) {
   std::visit([](const auto& constants) { check(constants); }, law);
   if (const auto* penalty = std::get_if<PenaltyLaw>(&law)) penalty_ = *penalty;
-  const int n = slave_.functions_per_element();
   FacePoint<D> face;
   LocalGeometry<D> reference;
   LocalRow<D> derivative;
@@ -52,6 +51,7 @@ Pair<D>::Pair(Surface<D> slave, Master<D> master, Law law, int points, bool revo
       slave_.locate(e, xi, 1, face);
       if (where && !where(face.position)) continue;
       slave_.functions(face, 1);
+      const int n = slave_.functions_on(e);
       reference.slave = face.position;
       reference.slave_tangent = face.tangent;
       points_.push_back({e, q, weight, slave_measure(reference, derivative), values_.size()});
@@ -68,7 +68,7 @@ Pair<D>::Pair(Surface<D> slave, Master<D> master, Law law, int points, bool revo
   previous_slave_ = slave_.points();
   accepted_positions_ = reference_positions_;
   // Pieces of whole elements with about equally many points; in the plane a contact is small.
-  const std::size_t widest = static_cast<std::size_t>(D * (n + 2 * master_.functions_per_element()) * (2 * D - 1));
+  const std::size_t widest = at(D * (slave_.most_functions() + 2 * master_.most_functions()) * (2 * D - 1));
   const std::size_t pieces = D == 2 ? 1 : 32;
   for (std::size_t i = 1, first = 0; i <= points_.size(); ++i)
     if (i == points_.size() ||
@@ -133,13 +133,13 @@ template <int D> Vec<D> Pair<D>::position(std::size_t i) const {
   const int* nodes = slave_.nodes(point.element);
   const double* values = values_.data() + point.values;
   Vec<D> sum = Vec<D>::Zero();
-  for (int a = 0; a < slave_.functions_per_element(); ++a) sum += values[a] * slave_.points().col(nodes[a]);
+  for (int a = 0, n = slave_.functions_on(point.element); a < n; ++a) sum += values[a] * slave_.points().col(nodes[a]);
   return sum;
 }
 
 template <int D> std::array<Vec<D>, D - 1> Pair<D>::tangents(std::size_t i) const {
   const Point& point = points_[i];
-  const int n = slave_.functions_per_element();
+  const int n = slave_.functions_on(point.element);
   const int* nodes = slave_.nodes(point.element);
   const double* values = values_.data() + point.values;
   std::array<Vec<D>, D - 1> result;

@@ -22,12 +22,12 @@ std::size_t Pair<D>::group(int slave_element, int master_element, int slip_eleme
     part.spare.pop_back();
   }
   Group& result = groups.back();
-  const int ns = slave_.functions_per_element(), nm = master_.functions_per_element();
+  const int ns = slave_.functions_on(slave_element), nm = master_.functions_on(master_element);
   result.slave_element = slave_element;
   result.master_element = master_element;
   result.slip_element = slip_element;
   result.rows = D * (ns + nm);
-  result.columns = D * (ns + nm + (slip_element >= 0 ? nm : 0));
+  result.columns = D * (ns + nm + (slip_element >= 0 ? master_.functions_on(slip_element) : 0));
   result.force.assign(static_cast<std::size_t>(result.rows), 0.0);
   result.matrix.assign(tangent ? static_cast<std::size_t>(result.rows * result.columns) : 0, 0.0);
   if constexpr (D == 3) {
@@ -46,7 +46,8 @@ void Pair<D>::add(const Point& point, const FacePoint<D>& master, const FacePoin
   const std::size_t index =
       group(point.element, rigid ? 0 : master.element, own_columns ? slip_point->element : -1, tangent, part);
   Group& block = part.groups[index];
-  const int ns = slave_.functions_per_element(), nm = master_.functions_per_element(), width = block.columns;
+  const int ns = slave_.functions_on(block.slave_element), nm = master_.functions_on(block.master_element);
+  const int nl = own_columns ? master_.functions_on(block.slip_element) : 0, width = block.columns;
   const double* r = values_.data() + point.values;
   const double w = point.weight;
 
@@ -80,17 +81,21 @@ void Pair<D>::add(const Point& point, const FacePoint<D>& master, const FacePoin
         for (int k = 0; k < D - 1; ++k)
           sum +=
               force.tangent(i, Force::tangent_column + k * D + c) * master.derivative[static_cast<std::size_t>(k)][m];
-        const double slip = slip_point ? force.tangent(i, Force::slip_column + c) * slip_point->value[m] : 0.0;
-        dt[i * width + column] = w * (own_columns ? sum : sum + slip);
-        if (own_columns) dt[i * width + column + nm * D] = w * slip;
+        if (slip_point && !own_columns) sum += force.tangent(i, Force::slip_column + c) * slip_point->value[m];
+        dt[i * width + column] = w * sum;
       }
       for (int k = 0; k < D - 1; ++k) {
         double sum = force.shift(k, Force::master_column + c) * master.value[m];
         for (int l = 0; l < D - 1; ++l)
           sum += force.shift(k, Force::tangent_column + l * D + c) * master.derivative[static_cast<std::size_t>(l)][m];
         dxi[k * width + column] = w * sum;
-        if (own_columns) dxi[k * width + column + nm * D] = 0;
       }
+    }
+    for (int b = 0; b < nl; ++b) {
+      const int column = (ns + nm + b) * D + c;
+      const double value = slip_point->value[static_cast<std::size_t>(b)];
+      for (int i = 0; i < D; ++i) dt[i * width + column] = w * (force.tangent(i, Force::slip_column + c) * value);
+      for (int k = 0; k < D - 1; ++k) dxi[k * width + column] = 0;
     }
   }
 

@@ -6,7 +6,7 @@ namespace signorini::model {
 template <int D>
 void Assembly<D>::append_dofs(int body, const contact::Surface<D>& surface, int element, Nodes& dofs) const {
   const int* nodes = surface.nodes(element);
-  for (int a = 0; a < surface.functions_per_element(); ++a)
+  for (int a = 0; a < surface.functions_on(element); ++a)
     for (int c = 0; c < D; ++c) dofs.push_back(unknowns_.offset(body) + D * surface.body_function(nodes[a]) + c);
 }
 

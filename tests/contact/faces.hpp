@@ -70,7 +70,7 @@ template <int D> Dense dense(const Pair<D>& pair, int slave_dofs, int master_dof
   for (const Group& group : pair.groups()) {
     std::vector<int> dofs;
     const auto append = [&](const Surface<D>& surface, int element, int offset) {
-      for (int a = 0; a < surface.functions_per_element(); ++a)
+      for (int a = 0; a < surface.functions_on(element); ++a)
         for (int c = 0; c < D; ++c) dofs.push_back(offset + D * surface.body_function(surface.nodes(element)[a]) + c);
     };
     append(pair.slave(), group.slave_element, 0);
