@@ -152,19 +152,18 @@ template <int D> int points(lua_State* L) {
 }
 
 /// "2 x 1" of a row's degrees, that of the direction through the body in its place.
-std::string degrees_in_words(const nurbs::Discretisation& space, const nurbs::Patch& row) {
+std::string degrees_in_words(const nurbs::Discretisation& space, const nurbs::Row& row) {
   std::string words;
-  for (int d = 0, along = 0; d < space.parametric_dimension(); ++d) {
-    const int degree = d == space.through() ? space.through_knots().degree() : row.direction(along++).degree();
-    words += text(d == 0 ? "" : " x ", degree);
-  }
+  for (int d = 0; d < space.parametric_dimension(); ++d)
+    words +=
+        text(d == 0 ? "" : " x ", (d == space.through() ? space.stack() : row.direction(space.in_row(d))).degree());
   return words;
 }
 
 /// The degrees of all rows of control points, in the order of the rows.
 std::string all_degrees_in_words(const nurbs::Discretisation& space) {
   std::string words, last;
-  for (const nurbs::Patch& row : space.rows())
+  for (const nurbs::Row& row : space.rows())
     if (const std::string own = degrees_in_words(space, row); own != last) {
       words += (words.empty() ? "" : ", then ") + own;
       last = own;

@@ -10,9 +10,9 @@ namespace {
 /// higher one where its two directions differ.
 template <int D> int default_points(const model::Scene<D>& scene, const model::FaceReference& slave) {
   const auto& space = scene.bodies[static_cast<std::size_t>(slave.body)].body->space();
-  const nurbs::Patch face = space.face_patch(slave.side);
+  const nurbs::Row face = space.face(slave.side);
   int degree = 0;
-  for (const nurbs::KnotVector& knots : face.directions()) degree = std::max(degree, knots.degree());
+  for (const nurbs::Space1D& direction : face.directions()) degree = std::max(degree, direction.degree());
   return 3 * (degree + 1);
 }
 

@@ -7,8 +7,8 @@ namespace signorini::contact {
 
 template <int D>
 BlockSums<D>::BlockSums(const Surface<D>& slave, const Master<D>& master)
-    : slave_functions_(slave.functions_per_element()), master_functions_(master.functions_per_element()),
-      columns_(static_cast<std::size_t>(D * (slave_functions_ + 2 * master_functions_) * (2 * D - 1))) {}
+    : slave_(slave), master_(master),
+      columns_(static_cast<std::size_t>(D * (slave.most_functions() + 2 * master.most_functions()) * (2 * D - 1))) {}
 
 /// Index of the block with these elements; a new one where there is none.
 template <int D> std::size_t BlockSums<D>::find(int slave_element, int master_element, int slip_element, bool tangent) {
@@ -22,12 +22,12 @@ template <int D> std::size_t BlockSums<D>::find(int slave_element, int master_el
     spare_.pop_back();
   }
   Block& result = blocks_.back();
-  const int ns = slave_functions_, nm = master_functions_;
+  const int ns = slave_.functions_on(slave_element), nm = master_.functions_on(master_element);
   result.slave_element = slave_element;
   result.master_element = master_element;
   result.slip_element = slip_element;
   result.rows = D * (ns + nm);
-  result.columns = D * (ns + nm + (slip_element >= 0 ? nm : 0));
+  result.columns = D * (ns + nm + (slip_element >= 0 ? master_.functions_on(slip_element) : 0));
   result.force.assign(static_cast<std::size_t>(result.rows), 0.0);
   result.matrix.assign(tangent ? static_cast<std::size_t>(result.rows * result.columns) : 0, 0.0);
   if constexpr (D == 3) {
@@ -44,8 +44,9 @@ template <int D>
 void BlockSums<D>::fill_columns(const Block& block, const double* r, double w, const FacePoint<D>& master,
                                 const FacePoint<D>* slip_point, const LocalForce<D>& force) {
   using Force = LocalForce<D>;
-  const int ns = slave_functions_, nm = master_functions_, width = block.columns;
+  const int ns = slave_.functions_on(block.slave_element), nm = master_.functions_on(block.master_element);
   const bool own_columns = block.slip_element >= 0;
+  const int nl = own_columns ? master_.functions_on(block.slip_element) : 0, width = block.columns;
   double* __restrict dt = columns_.data();
   double* __restrict dxi = dt + D * width;
   for (int c = 0; c < D; ++c) {
@@ -67,31 +68,35 @@ void BlockSums<D>::fill_columns(const Block& block, const double* r, double w, c
         for (int k = 0; k < D - 1; ++k)
           sum +=
               force.tangent(i, Force::tangent_column + k * D + c) * master.derivative[static_cast<std::size_t>(k)][m];
-        const double slip = slip_point ? force.tangent(i, Force::slip_column + c) * slip_point->value[m] : 0.0;
-        dt[i * width + column] = w * (own_columns ? sum : sum + slip);
-        if (own_columns) dt[i * width + column + nm * D] = w * slip;
+        if (slip_point && !own_columns) sum += force.tangent(i, Force::slip_column + c) * slip_point->value[m];
+        dt[i * width + column] = w * sum;
       }
       for (int k = 0; k < D - 1; ++k) {
         double sum = force.shift(k, Force::master_column + c) * master.value[m];
         for (int l = 0; l < D - 1; ++l)
           sum += force.shift(k, Force::tangent_column + l * D + c) * master.derivative[static_cast<std::size_t>(l)][m];
         dxi[k * width + column] = w * sum;
-        if (own_columns) dxi[k * width + column + nm * D] = 0;
       }
+    }
+    for (int b = 0; b < nl; ++b) {
+      const int column = (ns + nm + b) * D + c;
+      const double value = slip_point->value[static_cast<std::size_t>(b)];
+      for (int i = 0; i < D; ++i) dt[i * width + column] = w * (force.tangent(i, Force::slip_column + c) * value);
+      for (int k = 0; k < D - 1; ++k) dxi[k * width + column] = 0;
     }
   }
 }
 
 template <int D>
-void BlockSums<D>::add(const ContactPoints<D>& points, std::size_t point, const Master<D>& on,
-                       const FacePoint<D>& master, const FacePoint<D>* slip_point, const LocalForce<D>& force,
-                       bool tangent) {
-  const bool rigid = on.rigid(); // one node, whatever the element
+void BlockSums<D>::add(const ContactPoints<D>& points, std::size_t point, const FacePoint<D>& master,
+                       const FacePoint<D>* slip_point, const LocalForce<D>& force, bool tangent) {
+  const bool rigid = master_.rigid(); // one node, whatever the element
   const bool own_columns = slip_point && !rigid && slip_point->element != master.element;
   const std::size_t index =
       find(points.list[point].element, rigid ? 0 : master.element, own_columns ? slip_point->element : -1, tangent);
   Block& block = blocks_[index];
-  const int ns = slave_functions_, nm = master_functions_, width = block.columns;
+  const int ns = slave_.functions_on(block.slave_element), nm = master_.functions_on(block.master_element);
+  const int width = block.columns;
   const double* r = points.functions(point);
   const double w = points.list[point].weight;
 

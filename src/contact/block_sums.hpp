@@ -13,12 +13,13 @@ namespace signorini::contact {
 /// element by slave element, with close_element() after each.
 template <int D> class BlockSums {
 public:
+  /// Both must stay.
   BlockSums(const Surface<D>& slave, const Master<D>& master);
 
   /// Adds point i, where the local force acts. `master` holds the closest point with its functions, `slip_point` the
   /// slip point, null where it plays no part.
-  void add(const ContactPoints<D>& points, std::size_t i, const Master<D>& on, const FacePoint<D>& master,
-           const FacePoint<D>* slip_point, const LocalForce<D>& force, bool tangent);
+  void add(const ContactPoints<D>& points, std::size_t i, const FacePoint<D>& master, const FacePoint<D>* slip_point,
+           const LocalForce<D>& force, bool tangent);
   void close_element(bool tangent);
 
   /// Moves the blocks behind others; returns how many there were.
@@ -32,7 +33,8 @@ private:
   void fill_columns(const Block& block, const double* slave, double weight, const FacePoint<D>& master,
                     const FacePoint<D>* slip_point, const LocalForce<D>& force);
 
-  int slave_functions_, master_functions_;
+  const Surface<D>& slave_;
+  const Master<D>& master_;
   std::vector<Block> blocks_, spare_;
   std::size_t first_ = 0;          ///< block of the present slave element
   std::vector<double> columns_;    ///< working space of add(): ∂force and ∂ξ̄ by column

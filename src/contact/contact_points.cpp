@@ -36,7 +36,7 @@ ContactPoints<D>::ContactPoints(const Surface<D>& slave, int per_direction, bool
       geometry.slave_tangent = face.tangent;
       list.push_back({e, q, weight, slave_measure(geometry, derivative), values.size()});
       reference.push_back(face.position);
-      const int n = slave.functions_per_element();
+      const int n = slave.functions_on(e);
       values.insert(values.end(), face.value.begin(), face.value.begin() + n);
       for (const auto& rates : face.derivative) values.insert(values.end(), rates.begin(), rates.begin() + n);
     }
@@ -50,13 +50,13 @@ template <int D> Vec<D> position(const ContactPoints<D>& points, const Surface<D
   const int* nodes = slave.nodes(element);
   const double* values = points.functions(i);
   Vec<D> sum = Vec<D>::Zero();
-  for (int a = 0; a < slave.functions_per_element(); ++a) sum += values[a] * slave.points().col(nodes[a]);
+  for (int a = 0, n = slave.functions_on(element); a < n; ++a) sum += values[a] * slave.points().col(nodes[a]);
   return sum;
 }
 
 template <int D>
 std::array<Vec<D>, D - 1> tangents(const ContactPoints<D>& points, const Surface<D>& slave, std::size_t i) {
-  const int element = points.list[i].element, n = slave.functions_per_element();
+  const int element = points.list[i].element, n = slave.functions_on(element);
   const int* nodes = slave.nodes(element);
   const double* values = points.functions(i);
   std::array<Vec<D>, D - 1> result;

@@ -18,7 +18,7 @@ template <int D> void Formulation<D>::move(const double* slave_displacement, con
 
 template <int D> void Formulation<D>::append_slave(int element, const Offsets& offsets, std::vector<int>& dofs) const {
   const int* nodes = slave().nodes(element);
-  for (int a = 0; a < slave().functions_per_element(); ++a)
+  for (int a = 0; a < slave().functions_on(element); ++a)
     for (int c = 0; c < D; ++c) dofs.push_back(offsets.slave + D * slave().body_function(nodes[a]) + c);
 }
 
@@ -30,7 +30,7 @@ void Formulation<D>::append_master(int element, const Offsets& offsets, std::vec
   }
   const Surface<D>& face = *master().surface();
   const int* nodes = face.nodes(element);
-  for (int a = 0; a < face.functions_per_element(); ++a)
+  for (int a = 0; a < face.functions_on(element); ++a)
     for (int c = 0; c < D; ++c) dofs.push_back(offsets.master + D * face.body_function(nodes[a]) + c);
   for (int alpha = 0; alpha < D - 1 && and_next; ++alpha)
     for (bool at_end : {false, true})

@@ -80,8 +80,7 @@ void GaussPointContact<D>::record(std::size_t i, const Trial<D>& trial, const Lo
   result.force = weight * force.force;
   result.area = weight * force.measure;
   result.potential = result.area * force.potential;
-  part.sums.add(this->points_, i, this->master(), at.foot, geometry.slip_point ? &at.slip_point : nullptr, force,
-                part.tangent);
+  part.sums.add(this->points_, i, at.foot, geometry.slip_point ? &at.slip_point : nullptr, force, part.tangent);
 }
 
 template <int D> void GaussPointContact<D>::gather() {

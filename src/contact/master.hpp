@@ -23,8 +23,10 @@ public:
   bool rigid() const { return rigid_; }
   /// The face in motion, or the rigid curve; null for a shape in closed form.
   const Surface<D>* surface() const { return surface_ ? &*surface_ : nullptr; }
-  /// Functions on every element; 1 when rigid.
-  int functions_per_element() const { return rigid_ ? 1 : surface_->functions_per_element(); }
+  /// Number of functions on an element; 1 when rigid.
+  int functions_on(int element) const { return rigid_ ? 1 : surface_->functions_on(element); }
+  /// On the element that has most.
+  int most_functions() const { return rigid_ ? 1 : surface_->most_functions(); }
 
   /// Takes over displacements, D values per function of the body, or the obstacle's translation. Returns a bound on how
   /// far any point moved.

@@ -93,7 +93,7 @@ template <class Search> void each_dip(const Surface<2>& surface, const Vec<2>& x
   constexpr double far = std::numeric_limits<double>::infinity();
   double before = far, here = far, xi = a;
   FacePoint<2> sample;
-  for (int k = 0, last = 3 * surface.degree(0) + 2; k <= last + 1; ++k) {
+  for (int k = 0, last = 3 * surface.degree(element, 0) + 2; k <= last + 1; ++k) {
     const double next = a + (b - a) * std::min(k, last) / last;
     double there = far;
     if (k <= last) {

@@ -172,7 +172,7 @@ double signed_gap(const Surface<3>& surface, const Vec<3>& x, Foot foot, const F
 /// distance to one polynomial piece can have several minima, and one descent starts near each.
 template <class Search> void each_dip(const Surface<3>& surface, const Vec<3>& x, int element, Search search) {
   constexpr int most = 3 * (nurbs::max_degree + 1);
-  const int n0 = 3 * surface.degree(0) + 3, n1 = 3 * surface.degree(1) + 3;
+  const int n0 = 3 * surface.degree(element, 0) + 3, n1 = 3 * surface.degree(element, 1) + 3;
   const auto [a, b] = surface.interval(element, 0);
   const auto [c, d] = surface.interval(element, 1);
   double distances[most * most];
@@ -201,8 +201,7 @@ bool smoothly_adjacent(const Surface<3>& surface, int a, int b) {
   const int n = surface.direction(0).elements();
   const auto adjacent = [&](int direction, int i, int j) {
     if (i == j) return true;
-    const nurbs::KnotVector& knots = surface.direction(direction);
-    return std::abs(i - j) == 1 && knots.multiplicity(knots.breaks()[at(std::max(i, j))]) < knots.degree();
+    return std::abs(i - j) == 1 && surface.direction(direction).smoothness()[at(std::max(i, j))] > 0;
   };
   return adjacent(0, a % n, b % n) && adjacent(1, a / n, b / n);
 }

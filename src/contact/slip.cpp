@@ -6,21 +6,21 @@
 namespace signorini::contact {
 
 double advance_slip(const Surface<2>& surface, double slip, const FacePoint<2>& foot, double length) {
-  const nurbs::KnotVector& knots = surface.direction(0);
+  const nurbs::Space1D& space = surface.direction(0);
   // h(ξ) = |x(ξ) − x̄| − L is positive at the old slip point and −L at the foot: bracketed Newton, bisection as guard.
   double outer = slip, inner = foot.xi(0);
   // On a closed curve the short way may lead over the seam, where the parameter jumps by the period.
   const auto& ends = surface.points();
-  const double period = knots.last() - knots.first();
+  const double period = space.last() - space.first();
   if (ends.col(0).isApprox(ends.col(ends.cols() - 1)) && std::abs(outer - inner) > 0.5 * period)
     outer += std::copysign(period, inner - outer);
   const auto wrapped = [&](double xi) {
-    return xi > knots.last()    ? std::max(xi - period, knots.first())
-           : xi < knots.first() ? std::min(xi + period, knots.last())
+    return xi > space.last()    ? std::max(xi - period, space.first())
+           : xi < space.first() ? std::min(xi + period, space.last())
                                 : xi;
   };
   const auto locate = [&](double xi, int order, FacePoint<2>& point) {
-    surface.locate(knots.find_element(wrapped(xi)), FaceCoordinates<2>(wrapped(xi)), order, point);
+    surface.locate(space.find_element(wrapped(xi)), FaceCoordinates<2>(wrapped(xi)), order, point);
   };
   FacePoint<2> point;
   locate(slip, 0, point);

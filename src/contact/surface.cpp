@@ -1,6 +1,5 @@
 #include "contact/surface.hpp"
 
-#include "base/index.hpp"
 #include "nurbs/bezier.hpp"
 
 #include <algorithm>
@@ -22,87 +21,85 @@ std::vector<int> numbers(int count) {
   return list;
 }
 
-/// Bézier extraction of an element that goes on from the end of a face along its tangent, by a part of the element
-/// there, whose Bézier points at that end and next to it have the columns `end` and `next`:
+/// A space that goes on along its tangent beyond its ends, by `lengths` that are a part of the elements there (0: it
+/// ends): the Bézier points of a new element are
 ///     Q_k = Q_end + k part (Q_end − Q_next).
-MatrixX tangent_extraction(const VectorX& end, const VectorX& next, double part) {
-  MatrixX extraction(end.size(), end.size());
-  for (int k = 0; k < extraction.cols(); ++k) extraction.col(k) = end + k * part * (end - next);
-  return extraction;
+nurbs::Space1D extended(const nurbs::Space1D& space, double part, std::array<double, 2> lengths) {
+  std::vector<double> breaks = space.breaks();
+  std::vector<int> smoothness = space.smoothness();
+  std::vector<nurbs::Element1D> elements;
+  for (int e = 0; e < space.elements(); ++e) elements.push_back(space.element(e));
+  for (const bool at_end : {false, true}) {
+    if (lengths[at_end] == 0) continue;
+    nurbs::Element1D beyond = at_end ? elements.back() : elements.front();
+    const MatrixX c = at_end ? beyond.extraction : beyond.extraction.rowwise().reverse();
+    const VectorX end = c.col(beyond.degree), out = end - c.col(beyond.degree - 1);
+    for (int k = 0; k <= beyond.degree; ++k)
+      beyond.extraction.col(at_end ? k : beyond.degree - k) = end + k * part * out;
+    elements.insert(at_end ? elements.end() : elements.begin(), std::move(beyond));
+    breaks.insert(at_end ? breaks.end() : breaks.begin(),
+                  at_end ? breaks.back() + lengths[1] : breaks.front() - lengths[0]);
+    // C¹ at the old end
+    smoothness.insert(at_end ? smoothness.end() - 1 : smoothness.begin() + 1, 1);
+  }
+  return {std::move(breaks), std::move(smoothness), elements};
 }
 
 } // namespace
 
 template <int D>
 Surface<D>::Surface(const nurbs::Discretisation& body, nurbs::Side side)
-    : Surface(body.face_patch(side), body.face_functions(side), nurbs::outward_sign(side)) {}
-
-template <int D> Surface<D>::Surface(const nurbs::Patch& patch) : Surface(patch, numbers(patch.functions()), 1) {}
+    : Surface(body.face(side), body.face_functions(side), nurbs::outward_sign(side)) {}
 
 template <int D>
-Surface<D>::Surface(const nurbs::Patch& patch, std::vector<int> functions, double orientation)
-    : directions_(patch.directions()), functions_(std::move(functions)), weights_(patch.weights()),
-      polynomial_((weights_.array() == weights_(0)).all()), orientation_(orientation), reference_(patch.points()),
-      points_(reference_) {
-  per_element_ = 1;
-  for (std::size_t d = 0; d < directions_.size(); ++d) {
-    per_element_ *= directions_[d].degree() + 1;
-    ends_[d] = {directions_[d].first(), directions_[d].last()};
-  }
-  rows_ = polynomial_ ? D : D + 1;
-  tabulate(directions_, 0);
+Surface<D>::Surface(const nurbs::Patch& patch) : Surface(nurbs::make_row(patch), numbers(patch.functions()), 1) {}
+
+template <int D>
+Surface<D>::Surface(const nurbs::Row& row, std::vector<int> functions, double orientation)
+    : spaces_(row.directions()), functions_(std::move(functions)), weights_(row.weights()),
+      polynomial_((weights_.array() == weights_(0)).all()), orientation_(orientation), reference_(row.points()),
+      points_(reference_), rows_(polynomial_ ? D : D + 1) {
+  for (std::size_t d = 0; d < spaces_.size(); ++d) ends_[d] = {spaces_[d].first(), spaces_[d].last()};
+  tabulate();
 }
 
-/// Nodes and Bézier extraction of all elements, with the Bézier points in the reference configuration: functions over
-/// `knots`, on the elements of directions_, which go on beyond open ends by `part`.
-template <int D> void Surface<D>::tabulate(const std::vector<nurbs::KnotVector>& knots, double part) {
-  // The element of the face itself whose functions live on e
-  const auto own = [&](std::size_t d, int e) {
-    return std::clamp(e - (beyond_[d][0] > 0 ? 1 : 0), 0, knots[d].elements() - 1);
-  };
-  const auto extraction = [&](std::size_t d, int e) {
-    const MatrixX c = nurbs::bezier_extraction(knots[d], own(d, e));
-    const double start = directions_[d].breaks()[at(e)];
-    const Eigen::Index last = c.cols() - 1;
-    if (start < ends_[d][0]) return MatrixX(tangent_extraction(c.col(0), c.col(1), part).rowwise().reverse());
-    if (start >= ends_[d][1]) return tangent_extraction(c.col(last), c.col(last - 1), part);
-    return c;
-  };
-  const nurbs::KnotVector &u = directions_.front(), &v = directions_.back();
-  const int n = per_element_, nu = u.degree() + 1, elements = D == 2 ? u.elements() : u.elements() * v.elements();
+/// Nodes and Bézier extraction of all elements, with the Bézier points in the reference configuration.
+template <int D> void Surface<D>::tabulate() {
+  const nurbs::Space1D &u = spaces_.front(), &v = spaces_.back();
+  elements_.clear();
   nodes_.clear();
-  if constexpr (D == 3)
-    for (std::size_t d = 0; d < 2; ++d) {
-      spans_[d].clear();
-      for (int e = 0; e < directions_[d].elements(); ++e) {
-        const MatrixX c = extraction(d, e);
-        for (int a = 0; a < c.rows(); ++a) spans_[d].insert(spans_[d].end(), c.row(a).begin(), c.row(a).end());
-      }
+  extraction_.clear();
+  bezier_.clear();
+  for (int e = 0, count = D == 2 ? u.elements() : u.elements() * v.elements(); e < count; ++e) {
+    Element element{{}, 1, 1, nodes_.size(), extraction_.size(), bezier_.size()};
+    nurbs::ElementFunctions functions;
+    std::array<MatrixX, 2> c{MatrixX::Ones(1, 1), MatrixX::Ones(1, 1)};
+    for (std::size_t d = 0; d < D - 1; ++d) {
+      element.index[d] = d == 0 ? e % u.elements() : e / u.elements();
+      functions.along[d] = spaces_[d].functions_on(element.index[d]);
+      functions.stride[d] = d == 0 ? 1 : u.functions();
+      c[d] = spaces_[d].extraction(element.index[d]);
+      element.functions *= static_cast<int>(c[d].rows());
+      element.points *= static_cast<int>(c[d].cols());
     }
-  bezier_.assign(at(elements * n * rows_), 0.0);
-  extraction_.resize(at(elements * n * n));
-  for (int e = 0; e < elements; ++e) {
-    const int first_u = knots.front().first_function(own(0, e % u.elements()));
-    const int first_v = D == 2 ? 0 : knots.back().first_function(own(D - 2, e / u.elements()));
-    const MatrixX cu = extraction(0, e % u.elements());
-    const MatrixX cv = D == 2 ? MatrixX::Ones(1, 1) : extraction(1, e / u.elements());
-    double* c = extraction_.data() + e * n * n;
-    for (int a = 0; a < n; ++a) {
-      nodes_.push_back(first_u + a % nu + knots.front().functions() * (first_v + a / nu));
-      for (int k = 0; k < n; ++k) c[a * n + k] = cu(a % nu, k % nu) * cv(a / nu, k / nu);
-    }
-    if (!polynomial_)
-      for (int k = 0; k < n; ++k) {
-        double& weight = bezier_[at((e * rows_ + D) * n + k)];
-        for (int a = 0; a < n; ++a) weight += c[a * n + k] * weights_(nodes_[at(e * n + a)]);
+    bezier_.resize(element.bezier + at(rows_ * element.points), 0.0);
+    double* weights = bezier_.data() + element.bezier + D * element.points;
+    functions.each([&](int node, const std::array<int, 3>& i) {
+      nodes_.push_back(node);
+      for (int k = 0; k < element.points; ++k) {
+        extraction_.push_back(c[0](i[0], k % c[0].cols()) * c[1](i[1], k / c[0].cols()));
+        if (!polynomial_) weights[k] += extraction_.back() * weights_(node);
       }
+    });
+    most_functions_ = std::max(most_functions_, element.functions);
+    elements_.push_back(element);
   }
   const int last = *std::max_element(functions_.begin(), functions_.end());
   move(std::vector<double>(at(D * (last + 1)), 0.0).data());
 }
 
 template <int D> std::array<bool, 2> Surface<D>::open_ends(int alpha) const {
-  const int nu = directions_[0].functions(), nv = D == 2 ? 1 : directions_.back().functions();
+  const int nu = spaces_[0].functions(), nv = D == 2 ? 1 : spaces_.back().functions();
   const int across = alpha == 0 ? nv : nu, step = alpha == 0 ? nu : 1, last = alpha == 0 ? nu - 1 : nu * (nv - 1);
   const double size = (reference_.rowwise().maxCoeff() - reference_.rowwise().minCoeff()).norm();
   const auto apart = [&](int i, int j) { return (reference_.col(i) - reference_.col(j)).norm() > 1e-10 * size; };
@@ -117,31 +114,22 @@ template <int D> std::array<bool, 2> Surface<D>::open_ends(int alpha) const {
 }
 
 template <int D> void Surface<D>::extend(double part) {
-  const std::vector<nurbs::KnotVector> own = directions_;
-  std::array<std::array<bool, 2>, D - 1> opens;
-  for (int d = 0; d < D - 1; ++d) opens[at(d)] = open_ends(d);
-  for (std::size_t d = 0; d < own.size(); ++d) {
-    const auto& breaks = own[d].breaks();
-    const auto& open = opens[d];
-    if (open[0]) beyond_[d][0] = part * (breaks[1] - breaks[0]);
-    if (open[1]) beyond_[d][1] = part * (breaks.back() - breaks[breaks.size() - 2]);
-    std::vector<double> knots = own[d].knots();
-    if (open[0]) {
-      knots.insert(knots.begin() + own[d].degree(), knots.front());
-      for (int i = 0; i <= own[d].degree(); ++i) knots[at(i)] -= beyond_[d][0];
-    }
-    if (open[1]) {
-      knots.push_back(knots.back());
-      for (int i = 0; i <= own[d].degree(); ++i) knots[knots.size() - 1 - at(i)] += beyond_[d][1];
-    }
-    directions_[d] = nurbs::KnotVector(own[d].degree(), std::move(knots));
+  const std::vector<nurbs::Space1D> own = spaces_;
+  for (int a = 0; a < D - 1; ++a) {
+    const auto [start, end] = open_ends(a);
+    const auto length = [&](int element) {
+      const auto [from, to] = own[at(a)].interval(element);
+      return part * (to - from);
+    };
+    beyond_[at(a)] = {start ? length(0) : 0, end ? length(own[at(a)].elements() - 1) : 0};
+    spaces_[at(a)] = extended(own[at(a)], part, beyond_[at(a)]);
   }
-  tabulate(own, part);
+  tabulate();
   // Weights that fall steeply towards an end would become negative beyond it.
-  for (int e = 0; e < elements() && !polynomial_; ++e)
-    for (int k = 0; k < per_element_; ++k)
-      if (bezier_[at((e * rows_ + D) * per_element_ + k)] <= 0) {
-        directions_ = own;
+  for (const Element& element : elements_)
+    for (int k = 0; k < element.points && !polynomial_; ++k)
+      if (bezier_[element.bezier + at(D * element.points + k)] <= 0) {
+        spaces_ = own;
         return extend(part / 2);
       }
 }
@@ -162,29 +150,14 @@ template <int D> double Surface<D>::fade(const FaceCoordinates<D>& xi, FaceCoord
   return product;
 }
 
-/// Bernstein polynomials of a curve's element: value, ,1, ,11 with per_element_ values each (N where the compiler
-/// knows).
+/// P is the degree in every direction where the compiler may know it, 0 elsewhere.
 template <int D>
-template <int N>
-void Surface<D>::bernstein(int element, const FaceCoordinates<D>& xi, int order, double* out) const {
-  const auto [a, b] = interval(element, 0);
-  nurbs::bernstein<(N > 0 ? N - 1 : 0)>(degree(0), (xi(0) - a) / (b - a), b - a, order, out);
-}
-
-/// Bernstein polynomials of both directions of a surface: value, first, second derivative, `degree`+1 values each.
-template <int D>
-void Surface<D>::bernstein_pair(int element, const FaceCoordinates<D>& xi, int order, double* u, double* v) const {
-  const auto [a, b] = interval(element, 0);
-  const auto [c, d] = interval(element, 1);
-  nurbs::bernstein(degree(0), (xi(0) - a) / (b - a), b - a, order, u);
-  nurbs::bernstein(degree(1), (xi(1) - c) / (d - c), d - c, order, v);
-}
-
-template <int D> std::array<double, 2> Surface<D>::interval(int element, int alpha) const {
-  const int count = directions_.front().elements();
-  const std::size_t i = static_cast<std::size_t>(alpha == 0 ? element % count : element / count);
-  const auto& breaks = direction(alpha).breaks();
-  return {breaks[i], breaks[i + 1]};
+template <int P>
+void Surface<D>::bernsteins(int element, const FaceCoordinates<D>& xi, int order, Bernsteins& out) const {
+  for (int d = 0; d < D - 1; ++d) {
+    const auto [a, b] = interval(element, d);
+    nurbs::bernstein<P>(P > 0 ? P : degree(element, d), (xi(d) - a) / (b - a), b - a, order, out[at(d)].data());
+  }
 }
 
 template <int D> int Surface<D>::find_element(const FaceCoordinates<D>& xi) const {
@@ -194,24 +167,22 @@ template <int D> int Surface<D>::find_element(const FaceCoordinates<D>& xi) cons
 }
 
 template <int D> int Surface<D>::neighbour(int element, int alpha, bool at_end) const {
-  const int count = directions_.front().elements();
-  const int index = alpha == 0 ? element % count : element / count;
-  const int next = index + (at_end ? 1 : -1);
+  const int next = index(element, alpha) + (at_end ? 1 : -1);
   if (next < 0 || next >= direction(alpha).elements()) return -1;
-  return element + (next - index) * (alpha == 0 ? 1 : count);
+  return element + (at_end ? 1 : -1) * (alpha == 0 ? 1 : spaces_.front().elements());
 }
 
 template <int D> void Surface<D>::move(const double* displacement) {
   for (int i = 0; i < functions(); ++i)
     for (int k = 0; k < D; ++k) points_(k, i) = reference_(k, i) + displacement[D * body_function(i) + k];
   // Q_k = Σ_a C(a, k) w_a x_a
-  const int n = per_element_;
-  for (int e = 0; e < elements(); ++e) {
-    const int* local = nodes(e);
-    const double* c = extraction_.data() + e * n * n;
-    double* q = bezier_.data() + e * n * rows_;
+  for (const Element& element : elements_) {
+    const int n = element.points;
+    const int* local = nodes_.data() + element.nodes;
+    const double* c = extraction_.data() + element.extraction;
+    double* q = bezier_.data() + element.bezier;
     std::fill_n(q, n * D, 0.0);
-    for (int a = 0; a < n; ++a, c += n)
+    for (int a = 0; a < element.functions; ++a, c += n)
       for (int i = 0; i < D; ++i) {
         const double x = polynomial_ ? points_(i, local[a]) : weights_(local[a]) * points_(i, local[a]);
         for (int k = 0; k < n; ++k) q[i * n + k] += c[k] * x;
@@ -220,8 +191,8 @@ template <int D> void Surface<D>::move(const double* displacement) {
 }
 
 template <int D> void Surface<D>::bounds(int element, Vec<D>& lower, Vec<D>& upper) const {
-  const int n = per_element_;
-  const double* q = bezier_.data() + element * n * rows_;
+  const int n = elements_[at(element)].points;
+  const double* q = bezier_.data() + elements_[at(element)].bezier;
   for (int i = 0; i < D; ++i) {
     lower(i) = upper(i) = polynomial_ ? q[i * n] : q[i * n] / q[D * n];
     for (int k = 1; k < n; ++k) {
@@ -232,50 +203,35 @@ template <int D> void Surface<D>::bounds(int element, Vec<D>& lower, Vec<D>& upp
   }
 }
 
-/// Derivatives of W x and of W at a point of a surface, in the order value; ,1 ,2; ,11 ,12 ,22: first along ξ¹ for
-/// every row of Bézier points, then across.
-template <int D> void Surface<D>::sum_tensor(int element, const FaceCoordinates<D>& xi, int order, double* sums) const {
-  double u[3 * row], v[3 * row];
-  bernstein_pair(element, xi, order, u, v);
-  const int nu = degree(0) + 1, nv = degree(1) + 1;
-  const double* q = bezier_.data() + element * per_element_ * rows_;
-  double along[3 * row]; // ∂^k/∂ξ¹^k of every row
-  for (int i = 0; i < rows_; ++i, q += per_element_) {
+template <int D>
+template <int P>
+void Surface<D>::locate_with(int element, const FaceCoordinates<D>& xi, int order, FacePoint<D>& point) const {
+  point.element = element;
+  point.xi = xi;
+  Bernsteins b;
+  bernsteins<P>(element, xi, order, b);
+  const int nu = P > 0 ? P + 1 : degree(element, 0) + 1;
+  const int nv = D == 2 ? 1 : P > 0 ? P + 1 : degree(element, D - 2) + 1;
+  const double *u = b[0].data(), *v = b[D - 2].data(), *q = bezier_.data() + elements_[at(element)].bezier;
+  // Derivatives of W x and of W, in the order value; ,1 (,2); ,11 (,12 ,22): first along ξ¹ for every row of Bézier
+  // points, then across
+  constexpr int orders[2][6][2] = {{{0, 0}, {1, 0}, {2, 0}}, {{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}}};
+  const int count = D == 2 ? order + 1 : (order + 1) * (order + 2) / 2;
+  double sums[(D + 1) * derivatives<D>] = {};
+  double along[3 * (D == 2 ? 1 : row)]; // ∂^k/∂ξ¹^k of every row
+  for (int i = 0; i < rows_; ++i, q += nu * nv) {
     for (int k = 0; k <= order; ++k)
       for (int j = 0; j < nv; ++j) {
         double sum = 0;
         for (int a = 0; a < nu; ++a) sum += q[j * nu + a] * u[k * nu + a];
         along[k * nv + j] = sum;
       }
-    constexpr int orders[6][2] = {{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}};
-    for (int d = 0, count = (order + 1) * (order + 2) / 2; d < count; ++d) {
+    for (int d = 0; d < count; ++d) {
+      const auto& [first, second] = orders[D - 2][d];
       double sum = 0;
-      for (int j = 0; j < nv; ++j) sum += along[orders[d][0] * nv + j] * v[orders[d][1] * nv + j];
+      for (int j = 0; j < nv; ++j) sum += D == 2 ? along[first] : along[first * nv + j] * v[second * nv + j];
       sums[d * (D + 1) + i] = sum;
     }
-  }
-}
-
-template <int D>
-template <int N>
-void Surface<D>::locate_with(int element, const FaceCoordinates<D>& xi, int order, FacePoint<D>& point) const {
-  point.element = element;
-  point.xi = xi;
-  // Derivatives of W x and of W, in the order value; ,1 (,2); ,11 (,12 ,22)
-  double sums[(D + 1) * derivatives<D>] = {};
-  if constexpr (D == 3) {
-    sum_tensor(element, xi, order, sums);
-  } else {
-    double b[derivatives<D> * most_face_functions<D>];
-    bernstein<N>(element, xi, order, b);
-    const int n = N > 0 ? N : per_element_;
-    const double* q = bezier_.data() + element * n * rows_;
-    for (int d = 0; d <= order; ++d)
-      for (int i = 0; i < rows_; ++i) {
-        double sum = 0;
-        for (int k = 0; k < n; ++k) sum += q[i * n + k] * b[d * n + k];
-        sums[d * (D + 1) + i] = sum;
-      }
   }
   const auto sum = [&](int d) { return Eigen::Map<const Vec<D>>(sums + d * (D + 1)); };
   if (polynomial_) {
@@ -299,7 +255,9 @@ void Surface<D>::locate_with(int element, const FaceCoordinates<D>& xi, int orde
 
 template <int D>
 void Surface<D>::locate(int element, const FaceCoordinates<D>& xi, int order, FacePoint<D>& point) const {
-  if constexpr (D == 2) switch (per_element_) {
+  if constexpr (D == 2) switch (degree(element, 0)) {
+    case 1:
+      return locate_with<1>(element, xi, order, point);
     case 2:
       return locate_with<2>(element, xi, order, point);
     case 3:
@@ -310,8 +268,6 @@ void Surface<D>::locate(int element, const FaceCoordinates<D>& xi, int order, Fa
       return locate_with<5>(element, xi, order, point);
     case 6:
       return locate_with<6>(element, xi, order, point);
-    case 7:
-      return locate_with<7>(element, xi, order, point);
     }
   locate_with<0>(element, xi, order, point);
 }
@@ -319,52 +275,38 @@ void Surface<D>::locate(int element, const FaceCoordinates<D>& xi, int order, Fa
 /// w N_a and its first derivatives: value, then one direction after the other.
 template <int D> void Surface<D>::weighted_functions(FacePoint<D>& point, int order) const {
   const int* local = nodes(point.element);
-  const auto weight = [&](int a) { return polynomial_ ? 1 : weights_(local[a]); };
-  if constexpr (D == 2) {
-    double b[2 * row];
-    bernstein<0>(point.element, point.xi, order, b);
-    const int n = per_element_;
-    const double* c = extraction_.data() + point.element * n * n;
-    for (int d = 0; d <= order; ++d)
+  Bernsteins b;
+  bernsteins<0>(point.element, point.xi, order, b);
+  double along[2][2 * row]; // N_a of one direction and their derivatives
+  int count[2] = {1, 1};
+  for (int d = 0; d < D - 1; ++d) {
+    const auto extraction = direction(d).extraction(index(point.element, d));
+    const double* c = extraction.data();
+    const int n = count[d] = static_cast<int>(extraction.rows()), points = static_cast<int>(extraction.cols());
+    // N_a = Σ_l C(a, l) B_l
+    for (int k = 0; k <= order; ++k)
       for (int a = 0; a < n; ++a) {
-        // N_a = Σ_k C(a, k) B_k
         double sum = 0;
-        for (int k = 0; k < n; ++k) sum += c[a * n + k] * b[d * n + k];
-        (d == 0 ? point.value : point.derivative[0])[at(a)] = sum * weight(a);
-      }
-  } else {
-    double bernsteins[2][3 * row], along[2][2 * row]; // N_a of one direction and their derivatives
-    bernstein_pair(point.element, point.xi, order, bernsteins[0], bernsteins[1]);
-    const int count = directions_.front().elements();
-    const int index[2] = {point.element % count, point.element / count};
-    for (int d = 0; d < 2; ++d) {
-      const int n = degree(d) + 1;
-      const double* c = spans_[at(d)].data() + index[d] * n * n;
-      for (int k = 0; k <= order; ++k)
-        for (int a = 0; a < n; ++a) {
-          double sum = 0;
-          for (int l = 0; l < n; ++l) sum += c[a * n + l] * bernsteins[d][k * n + l];
-          along[d][k * n + a] = sum;
-        }
-    }
-    const int nu = degree(0) + 1, nv = degree(1) + 1;
-    const double *u = along[0], *v = along[1];
-    for (int j = 0, a = 0; j < nv; ++j)
-      for (int i = 0; i < nu; ++i, ++a) {
-        const double w = weight(a);
-        point.value[at(a)] = w * u[i] * v[j];
-        if (order == 0) continue;
-        point.derivative[0][at(a)] = w * u[nu + i] * v[j];
-        point.derivative[1][at(a)] = w * u[i] * v[nv + j];
+        for (int l = 0; l < points; ++l) sum += c[a * points + l] * b[at(d)][at(k * points + l)];
+        along[d][k * n + a] = sum;
       }
   }
+  const int nu = count[0], nv = D == 2 ? 1 : count[1];
+  for (int j = 0, a = 0; j < nv; ++j)
+    for (int i = 0; i < nu; ++i, ++a) {
+      const double w = polynomial_ ? 1 : weights_(local[a]), v = D == 2 ? 1 : along[1][j];
+      point.value[at(a)] = w * along[0][i] * v;
+      if (order == 0) continue;
+      point.derivative[0][at(a)] = w * along[0][nu + i] * v;
+      if constexpr (D == 3) point.derivative[1][at(a)] = w * along[0][i] * along[1][nv + j];
+    }
 }
 
 template <int D> void Surface<D>::functions(FacePoint<D>& point, int order) const {
   weighted_functions(point, order);
   if (polynomial_) return;
   // R = wN/W,  R_,α = (w N_,α − R W_,α)/W
-  const int n = per_element_;
+  const int n = functions_on(point.element);
   double total = 0;
   for (int a = 0; a < n; ++a) total += point.value[at(a)];
   const double scale = 1 / total;

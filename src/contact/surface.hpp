@@ -2,6 +2,7 @@
 // A contact face in motion: the NURBS face of a body evaluated at the current control points.
 
 #include "base/eigen.hpp"
+#include "base/index.hpp"
 #include "nurbs/discretisation.hpp"
 
 #include <array>
@@ -35,25 +36,29 @@ template <int D> struct FacePoint {
 /// A face of a body; all face-local indices count the face's own control points.
 template <int D> class Surface {
 public:
-  /// `side` must be a tensor-product face of the body. Throws Error otherwise (see Discretisation::face_patch).
+  /// `side` must be a tensor-product face of the body. Throws Error otherwise (see Discretisation::face).
   Surface(const nurbs::Discretisation& body, nurbs::Side side);
   /// A patch of its own, whose outside is on the right of its direction (2D), or where τ₁×τ₂ points (3D).
   explicit Surface(const nurbs::Patch& patch);
 
-  int elements() const { return static_cast<int>(nodes_.size()) / per_element_; }
-  /// Functions on every element, Π (p_α+1).
-  int functions_per_element() const { return per_element_; }
+  int elements() const { return static_cast<int>(elements_.size()); }
+  /// Number of functions on an element.
+  int functions_on(int element) const { return elements_[at(element)].functions; }
+  /// On the element that has most.
+  int most_functions() const { return most_functions_; }
   /// Control points of the face.
   int functions() const { return static_cast<int>(functions_.size()); }
   /// Face-local indices of the functions of an element.
-  const int* nodes(int element) const { return nodes_.data() + element * per_element_; }
+  const int* nodes(int element) const { return nodes_.data() + elements_[at(element)].nodes; }
   /// The body's function behind face-local index i.
   int body_function(int i) const { return functions_[static_cast<std::size_t>(i)]; }
-  /// Degree along the face's direction α.
-  int degree(int alpha) const { return directions_[static_cast<std::size_t>(alpha)].degree(); }
-  const nurbs::KnotVector& direction(int alpha) const { return directions_[static_cast<std::size_t>(alpha)]; }
-  /// Knot interval of an element in direction α.
-  std::array<double, 2> interval(int element, int alpha) const;
+  /// Degree of an element along the face's direction α.
+  int degree(int element, int alpha) const { return direction(alpha).degree(index(element, alpha)); }
+  const nurbs::Space1D& direction(int alpha) const { return spaces_[at(alpha)]; }
+  /// Parameters between which an element lies in direction α.
+  std::array<double, 2> interval(int element, int alpha) const {
+    return direction(alpha).interval(index(element, alpha));
+  }
   /// The element that holds xi.
   int find_element(const FaceCoordinates<D>& xi) const;
   /// The element that shares the border of `element` at the start or end of direction α; −1 at the face's end.
@@ -84,29 +89,37 @@ public:
   Vec<D> outward(const std::array<Vec<D>, D - 1>& tangent) const;
 
 private:
-  Surface(const nurbs::Patch& patch, std::vector<int> functions, double orientation);
-  void tabulate(const std::vector<nurbs::KnotVector>& knots, double part);
+  /// One element: its place along every direction, how many functions and Bézier points it has, and where its parts of
+  /// the tables begin.
+  struct Element {
+    std::array<int, D - 1> index;
+    int functions, points;
+    std::size_t nodes, extraction, bezier;
+  };
+  /// Bernstein polynomials of every direction, ∂^k in row k.
+  using Bernsteins = std::array<std::array<double, 3 * (nurbs::max_degree + 1)>, D - 1>;
+
+  Surface(const nurbs::Row& row, std::vector<int> functions, double orientation);
+  int index(int element, int alpha) const { return elements_[at(element)].index[at(alpha)]; }
+  void tabulate();
   std::array<bool, 2> open_ends(int alpha) const;
-  template <int N> void locate_with(int element, const FaceCoordinates<D>& xi, int order, FacePoint<D>& point) const;
-  template <int N> void bernstein(int element, const FaceCoordinates<D>& xi, int order, double* out) const;
-  void bernstein_pair(int element, const FaceCoordinates<D>& xi, int order, double* u, double* v) const;
-  void sum_tensor(int element, const FaceCoordinates<D>& xi, int order, double* sums) const;
+  template <int P> void bernsteins(int element, const FaceCoordinates<D>& xi, int order, Bernsteins& out) const;
+  template <int P> void locate_with(int element, const FaceCoordinates<D>& xi, int order, FacePoint<D>& point) const;
   void weighted_functions(FacePoint<D>& point, int order) const;
 
-  std::vector<nurbs::KnotVector> directions_;
+  std::vector<nurbs::Space1D> spaces_;                ///< one per direction
   std::array<std::array<double, 2>, D - 1> ends_;     ///< of the face itself
   std::array<std::array<double, 2>, D - 1> beyond_{}; ///< parametric length that was added at each of them
   std::vector<int> functions_, nodes_;
   VectorX weights_;
   bool polynomial_; ///< all weights equal: no quotient to take
   double orientation_;
-  int per_element_;
   Eigen::Matrix<double, D, Eigen::Dynamic> reference_, points_;
-  /// Bézier extraction of every element, per_element_² values C(a, k) with a slowest (nurbs/bezier.hpp).
+  std::vector<Element> elements_;
+  int most_functions_ = 0;
+  /// Bézier extraction of every element, functions × points, as products of its directions' (nurbs/space1d.hpp).
   std::vector<double> extraction_;
-  /// Those of a surface's directions, span after span, (p_α+1)² values each.
-  std::array<std::vector<double>, 2> spans_;
-  /// Bézier points of every element: D rows of w x and, unless polynomial_, one row of w, per_element_ values each.
+  /// Bézier points of every element: D rows of w x and, unless polynomial_, one row of w.
   std::vector<double> bezier_;
   int rows_; ///< D or D+1
 };

@@ -56,9 +56,9 @@ template <class Visit> void for_each(const nurbs::Discretisation& space, const C
 
 ChangedSpace unchanged(const nurbs::Discretisation& space) {
   ChangedSpace same;
-  for (int j = 0; j < space.through_knots().functions(); ++j) {
+  for (int j = 0; j < static_cast<int>(space.rows().size()); ++j) {
     same.push_back({j, {}});
-    for (const nurbs::KnotVector& direction : space.rows()[at(j)].directions()) {
+    for (const nurbs::Space1D& direction : space.rows()[at(j)].directions()) {
       same.back().along.emplace_back(at(direction.functions()));
       std::iota(same.back().along.back().begin(), same.back().along.back().end(), 0);
     }

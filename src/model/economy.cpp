@@ -14,7 +14,9 @@ namespace {
 
 using nurbs::Discretisation;
 using nurbs::KnotVector;
+using nurbs::Row;
 using nurbs::Side;
+using nurbs::Space1D;
 
 int master_body(const auto& contact) {
   const auto* face = std::get_if<FaceReference>(&contact.master);
@@ -39,23 +41,20 @@ template <int D> bool moves_as_prescribed(const Scene<D>& scene, int body) {
   return movers == 1;
 }
 
-/// Np or Np.s; nothing where all knots are C⁰, which many labels may have left.
-std::optional<std::string> label_of(const KnotVector& knots) {
-  int smooth = knots.elements() == 1 ? knots.degree() - 1 : 0;
-  for (int k = 1; k < knots.elements(); ++k)
-    smooth = std::max(smooth, knots.degree() - knots.multiplicity(knots.breaks()[at(k)]));
-  if (smooth == 0 && knots.degree() > 1) return std::nullopt;
-  const int elevations = knots.degree() - smooth - 1;
+/// Np or Np.s; nothing where all breakpoints are C⁰, which many labels may have left, or no label leads to the space.
+std::optional<std::string> label_of(const Space1D& space) {
+  int smooth = space.elements() == 1 ? space.degree() - 1 : 0;
+  for (int k = 1; k < space.elements(); ++k) smooth = std::max(smooth, space.smoothness()[at(k)]);
+  if (!space.knots() || (smooth == 0 && space.degree() > 1)) return std::nullopt;
+  const int elevations = space.degree() - smooth - 1;
   return elevations == 0 ? text("N", smooth + 1) : text("N", smooth + 1, ".", elevations);
 }
 
-/// Degree 2 on the same elements, as continuous as can be and these knots are.
-KnotVector quadratic(const KnotVector& knots) {
+/// Degree 2 on the same elements, as continuous as can be and this space is.
+KnotVector quadratic(const Space1D& space) {
   std::vector<double> list;
-  for (double knot : knots.breaks()) {
-    const bool end = knot == knots.first() || knot == knots.last();
-    list.insert(list.end(), end ? 3 : knots.degree() > knots.multiplicity(knot) ? 1 : 2, knot);
-  }
+  for (std::size_t k = 0; k < space.breaks().size(); ++k)
+    list.insert(list.end(), at(2 - std::min(space.smoothness()[k], 1)), space.breaks()[k]);
   return {2, std::move(list)};
 }
 
@@ -75,9 +74,14 @@ MatrixX elevated_functions(const KnotVector& low, int times, KnotVector& elevate
   return columns;
 }
 
-/// Whether a row's map is one of the quadratic space on its elements along direction a.
-bool quadratic_holds(const nurbs::Patch& row, int a) {
-  const KnotVector &own = row.direction(a), low = quadratic(own);
+/// Whether a row is one of B-splines and its map one of the quadratic space on its elements along direction a.
+bool quadratic_holds(const Row& row, int a) {
+  std::vector<KnotVector> knots;
+  for (const Space1D& direction : row.directions()) {
+    if (!direction.knots()) return false;
+    knots.push_back(*direction.knots());
+  }
+  const KnotVector own = knots[at(a)], low = quadratic(row.direction(a));
   KnotVector common = own;
   const MatrixX functions = elevated_functions(low, own.degree() - 2, common);
   std::vector<double> missing;
@@ -85,7 +89,7 @@ bool quadratic_holds(const nurbs::Patch& row, int a) {
     const double knot = own.breaks()[at(k)];
     missing.insert(missing.end(), at(std::max(0, common.multiplicity(knot) - own.multiplicity(knot))), knot);
   }
-  const nurbs::Patch refined = nurbs::insert_knots(row, a, missing);
+  const nurbs::Patch refined = nurbs::insert_knots({std::move(knots), row.homogeneous()}, a, missing);
   const MatrixX basis = orthonormal(functions);
   const MatrixX& values = refined.homogeneous();
   const int count = common.functions(), stride = a == 0 ? 1 : refined.direction(0).functions();
@@ -137,19 +141,19 @@ template <int D> bool meets(const Scene<D>& scene, int body) {
 
 bool uniform(const Discretisation& space) {
   return std::all_of(space.rows().begin(), space.rows().end(),
-                     [&](const nurbs::Patch& row) { return row.directions() == space.rows().front().directions(); });
+                     [&](const Row& row) { return row.directions() == space.rows().front().directions(); });
 }
 
 /// Whether a row of control points lies on one of the contact faces.
 bool on_contact(const Discretisation& space, int row) {
-  const int last = space.through_knots().functions() - 1;
+  const int last = space.stack().functions() - 1;
   return std::any_of(space.contact().begin(), space.contact().end(),
                      [&](const Side& side) { return row == (side.at_end ? last : 0); });
 }
 
 /// The row farthest from the contact faces: the bulk's.
 int bulk_row(const Discretisation& space) {
-  const int last = space.through_knots().functions() - 1;
+  const int last = space.stack().functions() - 1;
   return space.contact().size() > 1 ? last / 2 : space.contact().front().at_end ? 0 : last;
 }
 
@@ -157,7 +161,7 @@ int bulk_row(const Discretisation& space) {
 void keep_thickness(const Discretisation& space, LabelChoice& choice) {
   std::vector<nurbs::Label> labels;
   for (const std::string& label : choice.labels) labels.push_back(nurbs::parse_label(label));
-  const int present = space.through_knots().degree();
+  const int present = space.stack().degree();
   if (present != nurbs::bulk_space(labels).full_degree()) choice.through = present;
 }
 
@@ -169,18 +173,18 @@ template <int D> std::optional<LabelChoice> layer_of(const Model<D>& model, int 
   ChangedSpace changed = unchanged(space);
   bool lower = false;
   for (int a = 0; a < D - 1; ++a) {
-    const KnotVector& knots = space.rows().front().direction(a);
-    const auto label = label_of(knots);
+    const Space1D& present = space.rows().front().direction(a);
+    const auto label = label_of(present);
     if (!label) return std::nullopt;
     choice.labels.push_back(*label);
-    if (knots.degree() <= 2 || label->starts_with("N1") ||
-        !std::all_of(space.rows().begin(), space.rows().end(),
-                     [&](const nurbs::Patch& row) { return quadratic_holds(row, a); }))
+    if (present.degree() <= 2 || label->starts_with("N1") ||
+        !std::all_of(space.rows().begin(), space.rows().end(), [&](const Row& row) { return quadratic_holds(row, a); }))
       continue;
     lower = true;
     choice.labels.back() = "N2-" + *label;
     for (int j = 0; j < static_cast<int>(changed.size()); ++j)
-      if (!on_contact(space, j)) changed[at(j)].along[at(a)] = images(quadratic(knots).functions(), knots.functions());
+      if (!on_contact(space, j))
+        changed[at(j)].along[at(a)] = images(quadratic(present).functions(), present.functions());
   }
   if (!lower) return std::nullopt;
   choice.unknowns = count_unknowns(model, body, changed);
@@ -193,9 +197,9 @@ template <int D> std::optional<LabelChoice> bulk_of(const Model<D>& model, int b
   const Discretisation& space = model.system.scene.bodies[at(body)].body->space();
   if (space.contact().empty() || uniform(space) || meets(model.system.scene, body)) return std::nullopt;
   LabelChoice choice{body, {}, 0};
-  const nurbs::Patch& bulk = space.rows()[at(bulk_row(space))];
-  for (const KnotVector& knots : bulk.directions()) {
-    const auto label = label_of(knots);
+  const Row& bulk = space.rows()[at(bulk_row(space))];
+  for (const Space1D& direction : bulk.directions()) {
+    const auto label = label_of(direction);
     if (!label) return std::nullopt;
     choice.labels.push_back(*label);
   }
@@ -257,8 +261,7 @@ template <int D> std::vector<DenseContact> find_dense_contacts(const Model<D>& m
   const auto& contacts = model.system.scene.contacts;
   for (int k = 0; k < static_cast<int>(contacts.size()); ++k) {
     const contact::Surface<D>& slave = model.system.contacts[at(k)]->slave();
-    int degree = slave.degree(0);
-    if (D == 3) degree = std::max(degree, slave.degree(D - 2));
+    const int degree = std::max(slave.direction(0).degree(), slave.direction(D - 2).degree());
     const int enough = 3 * (degree + 1);
     if (contacts[at(k)].points > 2 * enough && !limited(model, k))
       found.push_back({k, enough, points_everywhere(model, k, enough)});

@@ -148,7 +148,7 @@ bool held_all_around(const Model<3>& model, int body, const Revolution& revoluti
   const MatrixX points = space.points();
   const std::vector<std::vector<int>> lines = lines_along(space, d);
   // A line through a layer along the axis would be of several rows' spaces; along the circles each row has its own.
-  if (d == space.through() && std::any_of(space.rows().begin(), space.rows().end(), [&](const nurbs::Patch& row) {
+  if (d == space.through() && std::any_of(space.rows().begin(), space.rows().end(), [&](const nurbs::Row& row) {
         return row.functions() != space.rows().front().functions();
       }))
     return false;
@@ -258,7 +258,7 @@ int unknowns_of_section(const Model<3>& model, const Revolution& revolution) {
     if (d == space.through()) {
       section = {section[1]};
     } else {
-      for (ChangedRow& row : section) row.along[at(d < space.through() ? d : d - 1)] = {1};
+      for (ChangedRow& row : section) row.along[at(space.in_row(d))] = {1};
     }
     const MatrixX points = space.points();
     const auto on_axis = [&](int function) {

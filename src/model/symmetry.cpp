@@ -11,8 +11,8 @@ namespace signorini::model {
 
 namespace {
 
-using nurbs::KnotVector;
 using nurbs::Side;
+using nurbs::Space1D;
 
 /// A mirror under trial.
 struct MirrorPlane {
@@ -20,11 +20,14 @@ struct MirrorPlane {
   double place, length; ///< length: what differences of coordinates are measured against
 };
 
-bool same_both_ways(const KnotVector& knots) {
-  const std::vector<double>& list = knots.knots();
-  const double sum = knots.first() + knots.last(), limit = symmetry_tolerance * (knots.last() - knots.first());
-  for (std::size_t i = 0; i < list.size(); ++i)
-    if (std::abs(list[i] + list[list.size() - 1 - i] - sum) > limit) return false;
+bool same_both_ways(const Space1D& space) {
+  const std::vector<double>& breaks = space.breaks();
+  const double sum = space.first() + space.last(), limit = symmetry_tolerance * (space.last() - space.first());
+  const int last = space.elements() - 1;
+  for (int e = 0; e <= last; ++e)
+    if (std::abs(breaks[at(e)] + breaks[at(last + 1 - e)] - sum) > limit || space.degree(e) != space.degree(last - e) ||
+        space.smoothness()[at(e)] != space.smoothness()[at(last + 1 - e)])
+      return false;
   return true;
 }
 
@@ -41,8 +44,8 @@ bool mirrors(const MatrixX& homogeneous, const MirrorPlane& plane, const std::ve
   return true;
 }
 
-/// The partner of every function of a patch when direction d is turned round.
-std::vector<int> turned_round(const nurbs::Patch& patch, int d) {
+/// The partner of every function of a row when direction d is turned round.
+std::vector<int> turned_round(const nurbs::Row& patch, int d) {
   int stride = 1;
   for (int e = 0; e < d; ++e) stride *= patch.direction(e).functions();
   const int count = patch.direction(d).functions();
@@ -59,7 +62,7 @@ std::optional<std::vector<int>> turned_round(const nurbs::Discretisation& space,
   const int rows = static_cast<int>(space.rows().size());
   std::vector<int> partner;
   if (d == space.through()) {
-    if (!same_both_ways(space.through_knots())) return std::nullopt;
+    if (!same_both_ways(space.stack())) return std::nullopt;
     for (int j = 0; j < rows; ++j) {
       const auto &row = space.rows()[at(j)], &other = space.rows()[at(rows - 1 - j)];
       if (row.directions() != other.directions()) return std::nullopt;
@@ -67,9 +70,9 @@ std::optional<std::vector<int>> turned_round(const nurbs::Discretisation& space,
     }
     return partner;
   }
-  const int along = d < space.through() ? d : d - 1;
+  const int along = space.in_row(d);
   for (int j = 0; j < rows; ++j) {
-    const nurbs::Patch& row = space.rows()[at(j)];
+    const nurbs::Row& row = space.rows()[at(j)];
     if (!same_both_ways(row.direction(along))) return std::nullopt;
     for (int f : turned_round(row, along)) partner.push_back(space.first_function(j) + f);
   }
@@ -106,9 +109,9 @@ struct Symmetric {
            (along <= symmetry_tolerance && close(cylinder.point(plane.axis), plane.place));
   }
   bool operator()(const nurbs::Patch& patch) const {
-    for (int d = 0; d < patch.parametric_dimension(); ++d)
-      if (same_both_ways(patch.direction(d)) && mirrors(patch.homogeneous(), plane, turned_round(patch, d)))
-        return true;
+    const nurbs::Row row = nurbs::make_row(patch);
+    for (int d = 0; d < row.parametric_dimension(); ++d)
+      if (same_both_ways(row.direction(d)) && mirrors(row.homogeneous(), plane, turned_round(row, d))) return true;
     return false;
   }
 };
@@ -203,15 +206,14 @@ template <int D> bool contacts_fit(const Model<D>& model, const MirrorPlane& pla
   return true;
 }
 
-/// The numbers of a half's functions along a direction. It ends in the middle, where a clamped knot vector has as many
-/// functions as there are knots before.
-std::vector<int> half(const KnotVector& knots) {
-  const double middle = (knots.first() + knots.last()) / 2, limit = symmetry_tolerance * (knots.last() - knots.first());
-  const auto before =
-      std::count_if(knots.knots().begin(), knots.knots().end(), [&](double knot) { return knot < middle - limit; });
-  std::vector<int> images(static_cast<std::size_t>(before));
+/// The numbers of a half's functions along a direction: those that live on elements that begin before the middle.
+std::vector<int> half(const Space1D& space) {
+  const double middle = (space.first() + space.last()) / 2, limit = symmetry_tolerance * (space.last() - space.first());
+  const auto behind = std::lower_bound(space.breaks().begin(), space.breaks().end(), middle - limit);
+  const int last = static_cast<int>(behind - space.breaks().begin()) - 1;
+  std::vector<int> images(at(space.functions_on(last).back() + 1));
   for (std::size_t i = 0; i < images.size(); ++i)
-    images[i] = std::min(static_cast<int>(i), (knots.functions() - 1) / 2);
+    images[i] = std::min(static_cast<int>(i), (space.functions() - 1) / 2);
   return images;
 }
 
@@ -219,7 +221,7 @@ ChangedSpace beside(const nurbs::Discretisation& space, const std::set<int>& dir
   ChangedSpace part;
   std::vector<int> rows(space.rows().size());
   std::iota(rows.begin(), rows.end(), 0);
-  if (directions.contains(space.through())) rows = half(space.through_knots());
+  if (directions.contains(space.through())) rows = half(space.stack());
   const ChangedSpace whole = unchanged(space);
   for (int row : rows) {
     part.push_back(whole[at(row)]);
@@ -273,7 +275,7 @@ template <int D> int unknowns_beside(const Model<D>& model, const std::vector<Mi
     const auto last = [&](int d, const Place& place) {
       if (d == space.through()) return static_cast<int>(part.size()) - 1;
       const ChangedRow& row = part[at(place[at(space.through())])];
-      return static_cast<int>(row.along[at(d < space.through() ? d : d - 1)].size()) - 1;
+      return static_cast<int>(row.along[at(space.in_row(d))].size()) - 1;
     };
     const MatrixX points = space.points();
     const double limit = symmetry_tolerance * points.cwiseAbs().maxCoeff();

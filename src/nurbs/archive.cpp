@@ -2,6 +2,13 @@
 
 namespace signorini::nurbs {
 
+namespace {
+
+/// Stands where a space from knots has its degree.
+constexpr int no_knots = -1;
+
+} // namespace
+
 void write(ArchiveWriter& to, const KnotVector& knots) {
   to.put(knots.degree(), knots.knots());
 }
@@ -11,13 +18,23 @@ KnotVector read(ArchiveReader& from, std::type_identity<KnotVector>) {
   return {degree, from.get<std::vector<double>>()};
 }
 
-void write(ArchiveWriter& to, const Patch& patch) {
-  to.put(patch.directions(), patch.homogeneous());
+void write(ArchiveWriter& to, const Space1D& space) {
+  if (space.knots()) return to.put(*space.knots());
+  to.put(no_knots, static_cast<std::uint64_t>(space.elements()));
+  for (int e = 0; e < space.elements(); ++e) {
+    const auto& [degree, functions, extraction] = space.element(e);
+    to.put(degree, functions, extraction);
+  }
+  to.put(space.breaks(), space.smoothness());
 }
 
-Patch read(ArchiveReader& from, std::type_identity<Patch>) {
-  auto directions = from.get<std::vector<KnotVector>>();
-  return {std::move(directions), from.get<MatrixX>()};
+Space1D read(ArchiveReader& from, std::type_identity<Space1D>) {
+  const int degree = from.get<int>();
+  if (degree != no_knots) return spline_space({degree, from.get<std::vector<double>>()});
+  std::vector<Element1D> elements(from.count());
+  for (auto& [p, functions, extraction] : elements) from.into(p, functions, extraction);
+  auto breaks = from.get<std::vector<double>>();
+  return {std::move(breaks), from.get<std::vector<int>>(), elements};
 }
 
 void write(ArchiveWriter& to, const Side& side) {
@@ -32,14 +49,14 @@ Side read(ArchiveReader& from, std::type_identity<Side>) {
 }
 
 void write(ArchiveWriter& to, const Discretisation& space) {
-  to.put(space.through(), space.through_knots(), space.rows(), space.contact());
+  to.put(space.through(), space.stack(), space.rows(), space.contact());
 }
 
 Discretisation read(ArchiveReader& from, std::type_identity<Discretisation>) {
   const int through = from.get<int>();
-  auto knots = from.get<KnotVector>();
-  auto rows = from.get<std::vector<Patch>>();
-  return {through, std::move(knots), std::move(rows), from.get<std::vector<Side>>()};
+  auto stack = from.get<Space1D>();
+  auto rows = from.get<std::vector<Row>>();
+  return {through, std::move(stack), std::move(rows), from.get<std::vector<Side>>()};
 }
 
 } // namespace signorini::nurbs

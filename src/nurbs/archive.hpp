@@ -9,8 +9,18 @@ namespace signorini::nurbs {
 void write(ArchiveWriter& to, const KnotVector& knots);
 KnotVector read(ArchiveReader& from, std::type_identity<KnotVector>);
 
-void write(ArchiveWriter& to, const Patch& patch);
-Patch read(ArchiveReader& from, std::type_identity<Patch>);
+/// As its knots where it has them.
+void write(ArchiveWriter& to, const Space1D& space);
+Space1D read(ArchiveReader& from, std::type_identity<Space1D>);
+
+template <class Direction> void write(ArchiveWriter& to, const TensorProduct<Direction>& patch) {
+  to.put(patch.directions(), patch.homogeneous());
+}
+template <class Direction>
+TensorProduct<Direction> read(ArchiveReader& from, std::type_identity<TensorProduct<Direction>>) {
+  auto directions = from.get<std::vector<Direction>>();
+  return {std::move(directions), from.get<MatrixX>()};
+}
 
 void write(ArchiveWriter& to, const Side& side);
 Side read(ArchiveReader& from, std::type_identity<Side>);

@@ -1,6 +1,7 @@
 #include "nurbs/basis.hpp"
 
-#include "base/index.hpp"
+#include "base/error.hpp"
+#include "nurbs/bezier.hpp"
 
 #include <algorithm>
 
@@ -43,6 +44,20 @@ void basis_derivatives(const KnotVector& knots, int element, double xi, int orde
       for (int s = q - 1; s > 0; --s) row[s] = q * (row[s - 1] * inverse[q][s - 1] - row[s] * inverse[q][s]);
       row[0] *= -q * inverse[q][0];
     }
+  }
+}
+
+void basis_derivatives(const Space1D& space, int element, double xi, int order, double* out) {
+  if (space.knots()) return basis_derivatives(*space.knots(), element, xi, order, out);
+  require(order <= 2, "xi: a space without knots has derivatives up to order 2, not ", order);
+  const auto [start, end] = space.interval(element);
+  const Space1D::Extraction extraction = space.extraction(element);
+  double bernsteins[3 * (max_degree + 1)];
+  bernstein(space.degree(element), (xi - start) / (end - start), end - start, order, bernsteins);
+  for (int k = 0; k <= order; ++k) {
+    // N_a = Σ_l C(a, l) B_l
+    const Eigen::Map<const VectorX> row(bernsteins + k * extraction.cols(), extraction.cols());
+    Eigen::Map<VectorX>(out + k * extraction.rows(), extraction.rows()) = extraction.lazyProduct(row);
   }
 }
 

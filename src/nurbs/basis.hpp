@@ -1,7 +1,7 @@
 #pragma once
-// B-spline basis functions of one direction (Piegl & Tiller, The NURBS Book, 2nd ed., algorithm A2.3).
+// Basis functions of one direction; of B-splines as in Piegl & Tiller, The NURBS Book, 2nd ed., algorithm A2.3.
 
-#include "nurbs/knots.hpp"
+#include "nurbs/space1d.hpp"
 
 namespace signorini::nurbs {
 
@@ -10,5 +10,8 @@ namespace signorini::nurbs {
 /// `out` holds (order+1)·(degree+1) values, row k = k-th derivatives of functions first_function(element) …; rows above
 /// the degree are zero. xi may lie outside the element: the element's polynomial is continued. No allocation.
 void basis_derivatives(const KnotVector& knots, int element, double xi, int order, double* out);
+/// The same of any space: rows of functions_on(element).size() values. By the knots where the space has them, otherwise
+/// by Bézier extraction, for orders up to 2.
+void basis_derivatives(const Space1D& space, int element, double xi, int order, double* out);
 
 } // namespace signorini::nurbs

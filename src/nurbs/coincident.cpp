@@ -67,21 +67,20 @@ private:
 /// The functions of a side as lines of control points along direction k; none where the rows of a layer forbid it.
 std::vector<Functions> lines_along(const Discretisation& space, Side side, int k) {
   const int through = space.through();
-  const auto in_row = [&](int d) { return d < through ? d : d - 1; };
   const auto rows = static_cast<int>(space.rows().size());
   std::vector<Functions> lines;
   if (side.direction == through) {
     // All of one row: index = first + i + n0·j
     const Functions all = space.face_functions(side);
     const int n0 = space.rows()[at(side.at_end ? rows - 1 : 0)].direction(0).functions();
-    const bool fastest = in_row(k) == 0;
+    const bool fastest = space.in_row(k) == 0;
     lines.resize(fastest ? all.size() / at(n0) : at(n0));
     for (std::size_t i = 0; i < all.size(); ++i) lines[fastest ? i / at(n0) : i % at(n0)].push_back(all[i]);
   } else if (k != through) {
-    for (int j = 0; j < rows; ++j) lines.push_back(space.row_end(j, in_row(side.direction), side.at_end));
+    for (int j = 0; j < rows; ++j) lines.push_back(space.row_end(j, space.in_row(side.direction), side.at_end));
   } else {
     for (int j = 0; j < rows; ++j) {
-      const Functions cut = space.row_end(j, in_row(side.direction), side.at_end);
+      const Functions cut = space.row_end(j, space.in_row(side.direction), side.at_end);
       // Rows of a layer have other functions: no lines from row to row.
       if (!lines.empty() && cut.size() != lines.size()) return {};
       lines.resize(cut.size());
@@ -91,15 +90,27 @@ std::vector<Functions> lines_along(const Discretisation& space, Side side, int k
   return lines;
 }
 
-/// Whether two patches are one, whatever their control points: at the Greville points of the first.
-bool same_shape(const Patch& a, const Patch& b, const Places& places) {
-  const int dimensions = a.parametric_dimension();
-  for (int n = 0; n < a.functions(); ++n) {
-    VectorX xi(dimensions);
-    for (int d = 0, rest = n; d < dimensions; rest /= a.direction(d++).functions())
-      xi(d) = a.direction(d).greville()[at(rest % a.direction(d).functions())];
-    if (!places.same(evaluate(a, xi), evaluate(b, xi))) return false;
+/// Parameters that tell one of a space's functions from another: degree+1 per element, the ends shared.
+std::vector<double> sites(const Space1D& space) {
+  std::vector<double> result{space.first()};
+  for (int e = 0; e < space.elements(); ++e) {
+    const auto [from, to] = space.interval(e);
+    for (int k = 1, p = space.degree(e); k <= p; ++k) result.push_back(k < p ? from + (to - from) * k / p : to);
   }
+  return result;
+}
+
+/// Whether two rows are one shape, whatever their control points.
+bool same_shape(const Row& a, const Row& b, const Places& places) {
+  const std::vector<double> first = sites(a.direction(0)),
+                            second = a.parametric_dimension() > 1 ? sites(a.direction(1)) : std::vector<double>{0};
+  VectorX xi(a.parametric_dimension());
+  for (double v : second)
+    for (double u : first) {
+      xi(xi.size() - 1) = v;
+      xi(0) = u;
+      if (!places.same(evaluate(a, xi), evaluate(b, xi))) return false;
+    }
   return true;
 }
 
@@ -115,11 +126,11 @@ void check_contact(const Discretisation& space, const Places& places) {
 void check_layers(const Discretisation& space, Side side, const Places& places) {
   const int through = space.through();
   if (side.direction == through || space.parametric_dimension() == 2) return;
-  const int a = side.direction < through ? side.direction : side.direction - 1;
-  const Patch lead = face(space.rows().front(), {a, side.at_end});
+  const int a = space.in_row(side.direction);
+  const Row lead = face(space.rows().front(), {a, side.at_end});
   bool layered = false, one_curve = true;
-  for (const Patch& row : space.rows()) {
-    const Patch cut = face(row, {a, side.at_end});
+  for (const Row& row : space.rows()) {
+    const Row cut = face(row, {a, side.at_end});
     layered = layered || cut.directions() != lead.directions();
     one_curve = one_curve && same_shape(cut, lead, places);
   }

@@ -75,6 +75,19 @@ Space through_space(const Patch& patch, const Plan& plan, int through) {
   return {std::max(own, bulk.degree), bulk.elevations};
 }
 
+/// Throws Error unless the first function alone is 1 at the start, the last alone at the end.
+void check_ends(const Space1D& space) {
+  const int last = space.elements() - 1;
+  const VectorX start = space.extraction(0).col(0), end = space.extraction(last).rightCols(1);
+  const auto others = [](const VectorX& column, Eigen::Index own) {
+    return (column - VectorX::Unit(column.size(), own)).norm();
+  };
+  constexpr double rounding = 1e-12;
+  require(space.functions_on(0).front() == 0 && others(start, 0) <= rounding &&
+              space.functions_on(last).back() == space.functions() - 1 && others(end, end.size() - 1) <= rounding,
+          "the first function of a body's spaces must be 1 at their start, the last at their end");
+}
+
 /// All rows of classical C⁰ elements, one patch sliced along `through`.
 Patch lagrange_patch(const Patch& patch, const Plan& plan, int through,
                      const std::vector<std::vector<double>>& inserted) {
@@ -92,7 +105,7 @@ Patch lagrange_patch(const Patch& patch, const Plan& plan, int through,
 
 Discretisation::Discretisation(const Patch& patch, const Plan& plan)
     : through_(plan.contact.empty() ? patch.parametric_dimension() - 1 : plan.contact.front().direction),
-      through_knots_(KnotVector::single(1)), contact_(plan.contact) {
+      stack_(spline_space(KnotVector::single(1))), contact_(plan.contact) {
   check(patch, plan);
   const int dimensions = patch.parametric_dimension();
   std::vector<std::vector<double>> inserted;
@@ -103,12 +116,12 @@ Discretisation::Discretisation(const Patch& patch, const Plan& plan)
   }
 
   const bool lagrange = plan.labels.front().lagrange;
-  const Patch stack = lagrange ? lagrange_patch(patch, plan, through_, inserted)
+  const Patch whole = lagrange ? lagrange_patch(patch, plan, through_, inserted)
                                : refine_to(patch, through_, through_space(patch, plan, through_),
                                            inserted[at(through_)], plan.labels.back().text);
-  through_knots_ = stack.direction(through_);
+  stack_ = spline_space(whole.direction(through_));
 
-  const int count = through_knots_.functions();
+  const int count = stack_.functions();
   const Label& deep = layer_label(plan);
   require(deep.rows <= count, "order: '", deep.text, "' is ", deep.rows, " rows deep, but the body has only ", count,
           " rows of control points through it");
@@ -117,42 +130,42 @@ Discretisation::Discretisation(const Patch& patch, const Plan& plan)
                        [&](const Side& side) { return (side.at_end ? count - 1 - row : row) < deep.rows; });
   };
   for (int j = 0; j < count; ++j) {
-    Patch row = control_row(stack, through_, j);
+    Patch row = control_row(whole, through_, j);
     const std::vector<int> directions = other_directions(dimensions, through_);
     for (int a = 0; a < dimensions - 1 && !lagrange; ++a) {
       const Label& label = plan.labels[at(a)];
       const Space space = label.layer && in_layer(j) ? *label.layer : label.bulk;
       row = refine_to(row, a, space, inserted[at(directions[at(a)])], label.text);
     }
-    rows_.push_back(std::move(row));
+    rows_.push_back(make_row(row));
   }
   gather_rows();
 }
 
-Discretisation::Discretisation(int through, KnotVector through_knots, std::vector<Patch> rows,
-                               std::vector<Side> contact)
-    : through_(through), through_knots_(std::move(through_knots)), rows_(std::move(rows)),
-      contact_(std::move(contact)) {
-  require(static_cast<int>(rows_.size()) == through_knots_.functions(), "a body of ", through_knots_.functions(),
+Discretisation::Discretisation(int through, Space1D stack, std::vector<Row> rows, std::vector<Side> contact)
+    : through_(through), stack_(std::move(stack)), rows_(std::move(rows)), contact_(std::move(contact)) {
+  require(static_cast<int>(rows_.size()) == stack_.functions(), "a body of ", stack_.functions(),
           " rows of control points was given ", rows_.size());
-  const Patch& first = rows_.front();
+  const Row& first = rows_.front();
   require(first.parametric_dimension() + 1 == first.dimension() && through_ >= 0 && through_ < first.dimension(),
           "a body's rows are of one dimension less than space");
-  for (const Patch& row : rows_) {
+  check_ends(stack_);
+  for (const Row& row : rows_) {
     bool fits = row.dimension() == first.dimension() && row.parametric_dimension() == first.parametric_dimension();
-    for (int a = 0; fits && a < row.parametric_dimension(); ++a)
+    for (int a = 0; fits && a < row.parametric_dimension(); ++a) {
       fits = row.direction(a).breaks() == first.direction(a).breaks();
+      check_ends(row.direction(a));
+    }
     require(fits, "all rows of a body must have the same elements");
   }
-  for (int d = 0; d < first.dimension(); ++d)
-    elements_.push_back((d == through_ ? through_knots_ : first.direction(d < through_ ? d : d - 1)).elements());
+  for (int d = 0; d < first.dimension(); ++d) elements_.push_back(direction(d).elements());
   gather_rows();
 }
 
 /// Numbers the functions row after row.
 void Discretisation::gather_rows() {
   int count = 0;
-  for (const Patch& row : rows_) {
+  for (const Row& row : rows_) {
     first_.push_back(count);
     count += row.functions();
   }
@@ -176,72 +189,64 @@ int Discretisation::element_index(int e, int d) const {
   return e % elements_[at(d)];
 }
 
-std::array<double, 2> Discretisation::interval(int e, int d) const {
-  const int a = d < through_ ? d : d - 1;
-  const auto& breaks = (d == through_ ? through_knots_ : rows_.front().direction(a)).breaks();
-  const std::size_t i = at(element_index(e, d));
-  return {breaks[i], breaks[i + 1]};
-}
-
 int Discretisation::degree(int e, int d) const {
-  if (d == through_) return through_knots_.degree();
-  const int first = through_knots_.first_function(element_index(e, through_));
+  if (d == through_) return stack_.degree(element_index(e, d));
   int highest = 0;
-  for (int j = first; j <= first + through_knots_.degree(); ++j)
-    highest = std::max(highest, rows_[at(j)].direction(d < through_ ? d : d - 1).degree());
+  for (int j : stack_.functions_on(element_index(e, through_)))
+    highest = std::max(highest, rows_[at(j)].direction(in_row(d)).degree(element_index(e, d)));
   return highest;
 }
 
 int Discretisation::find_element(const VectorX& xi) const {
   int e = 0;
-  for (int d = parametric_dimension() - 1; d >= 0; --d) {
-    const int a = d < through_ ? d : d - 1;
-    e = e * elements_[at(d)] + (d == through_ ? through_knots_ : rows_.front().direction(a)).find_element(xi(d));
-  }
+  for (int d = parametric_dimension() - 1; d >= 0; --d) e = e * elements_[at(d)] + direction(d).find_element(xi(d));
   return e;
+}
+
+ElementFunctions Discretisation::row_functions(int e, int j) const {
+  const Row& row = rows_[at(j)];
+  ElementFunctions functions;
+  functions.first = first_[at(j)];
+  for (int d = 0, stride = 1; d < parametric_dimension(); ++d) {
+    if (d == through_) continue;
+    functions.along[at(d)] = row.direction(in_row(d)).functions_on(element_index(e, d));
+    functions.stride[at(d)] = stride;
+    stride *= row.direction(in_row(d)).functions();
+  }
+  return functions;
 }
 
 ElementBasis Discretisation::basis(int e, const VectorX& xi) const {
   const int dimensions = parametric_dimension();
-  const int p = through_knots_.degree();
   const int layer = element_index(e, through_);
+  const std::span<const int> layer_rows = stack_.functions_on(layer);
   double through[2 * (max_degree + 1)];
-  basis_derivatives(through_knots_, layer, xi(through_), 1, through);
+  basis_derivatives(stack_, layer, xi(through_), 1, through);
+  // The factors of a product: through the body first, then along the row.
+  const std::size_t t = at(through_), u = t == 0 ? 1 : 0, v = t == 2 ? 1 : 2;
 
   ElementBasis result;
   std::vector<double> values;                 // w_A N_A(ξ)
   std::vector<std::vector<double>> gradients; // ∂(w_A N_A)/∂ξ^d
   gradients.resize(at(dimensions));
-  for (int k = 0; k <= p; ++k) {
-    const int j = through_knots_.first_function(layer) + k;
-    const Patch& row = rows_[at(j)];
-    double along[2][2 * (max_degree + 1)] = {};
-    int first[2] = {0, 0}, count[2] = {1, 1}, stride = 1;
-    for (int d = 0, a = 0; d < dimensions; ++d) {
-      if (d == through_) continue;
-      const KnotVector& knots = row.direction(a);
-      const int i = element_index(e, d);
-      basis_derivatives(knots, i, xi(d), 1, along[a]);
-      first[a] = knots.first_function(i);
-      count[a] = knots.degree() + 1;
-      if (a == 0) stride = knots.functions();
-      ++a;
-    }
-    if (dimensions == 2) along[1][0] = 1;
-    for (int n = 0; n < count[1]; ++n)
-      for (int m = 0; m < count[0]; ++m) {
-        const int function = first_[at(j)] + first[0] + m + stride * (dimensions == 3 ? first[1] + n : 0);
-        const double w = homogeneous_(dimension(), function);
-        result.functions.push_back(function);
-        values.push_back(w * through[k] * along[0][m] * along[1][n]);
-        for (int d = 0, a = 0; d < dimensions; ++d) {
-          const double t = through[d == through_ ? p + 1 + k : k];
-          const double u = along[0][d != through_ && a == 0 ? count[0] + m : m];
-          const double v = along[1][d != through_ && a == 1 ? count[1] + n : n];
-          gradients[at(d)].push_back(w * t * u * v);
-          if (d != through_) ++a;
-        }
+  for (std::size_t k = 0; k < layer_rows.size(); ++k) {
+    const int j = layer_rows[k];
+    const ElementFunctions functions = row_functions(e, j);
+    double n[3][2 * (max_degree + 1)] = {{1}, {1}, {1}}; // values along each direction, then derivatives
+    for (int d = 0; d < dimensions; ++d)
+      if (d != through_) basis_derivatives(rows_[at(j)].direction(in_row(d)), element_index(e, d), xi(d), 1, n[d]);
+    n[t][0] = through[k];
+    n[t][1] = through[layer_rows.size() + k];
+    functions.each([&](int function, const std::array<int, 3>& i) {
+      const double w = homogeneous_(dimension(), function);
+      result.functions.push_back(function);
+      values.push_back(w * n[t][i[t]] * n[u][i[u]] * n[v][i[v]]);
+      for (int d = 0; d < dimensions; ++d) {
+        std::array<int, 3> rate = i;
+        rate[at(d)] += functions.count(d);
+        gradients[at(d)].push_back(w * n[t][rate[t]] * n[u][rate[u]] * n[v][rate[v]]);
       }
+    });
   }
 
   // R_A = w_A N_A / W,  ∂R_A = (∂(w_A N_A) − R_A ∂W) / W
@@ -258,7 +263,7 @@ ElementBasis Discretisation::basis(int e, const VectorX& xi) const {
 }
 
 std::vector<int> Discretisation::row_end(int j, int a, bool at_end) const {
-  const Patch& row = rows_[at(j)];
+  const Row& row = rows_[at(j)];
   const int n0 = row.direction(0).functions(), end = at_end ? row.direction(a).functions() - 1 : 0;
   std::vector<int> result;
   for (int i = 0; i < row.functions(); ++i)
@@ -269,14 +274,14 @@ std::vector<int> Discretisation::row_end(int j, int a, bool at_end) const {
 std::vector<int> Discretisation::face_functions(Side side) const {
   std::vector<int> result;
   if (side.direction == through_) {
-    const int row = side.at_end ? through_knots_.functions() - 1 : 0;
+    const int row = side.at_end ? stack_.functions() - 1 : 0;
     for (int i = 0; i < rows_[at(row)].functions(); ++i) result.push_back(first_[at(row)] + i);
     return result;
   }
   // The side cuts every row at one end of direction a of the row.
-  const int a = side.direction < through_ ? side.direction : side.direction - 1;
   std::vector<std::vector<int>> cuts;
-  for (std::size_t j = 0; j < rows_.size(); ++j) cuts.push_back(row_end(static_cast<int>(j), a, side.at_end));
+  for (std::size_t j = 0; j < rows_.size(); ++j)
+    cuts.push_back(row_end(static_cast<int>(j), in_row(side.direction), side.at_end));
   // Parametric order: the lower of the two remaining directions runs fastest.
   const bool through_first = parametric_dimension() == 3 && through_ < 3 - through_ - side.direction;
   const bool tensor = std::all_of(cuts.begin(), cuts.end(), [&](auto& cut) { return cut.size() == cuts[0].size(); });
@@ -289,27 +294,20 @@ std::vector<int> Discretisation::face_functions(Side side) const {
   return result;
 }
 
-Patch Discretisation::face_patch(Side side) const {
-  if (side.direction == through_) return rows_[at(side.at_end ? through_knots_.functions() - 1 : 0)];
+Row Discretisation::face(Side side) const {
+  if (side.direction == through_) return rows_[at(side.at_end ? stack_.functions() - 1 : 0)];
   const std::vector<int> functions = face_functions(side);
-  MatrixX points(dimension() + 1, static_cast<int>(functions.size()));
-  for (std::size_t i = 0; i < functions.size(); ++i) points.col(static_cast<int>(i)) = homogeneous_.col(functions[i]);
-  std::vector<KnotVector> directions;
+  std::vector<Space1D> directions;
   for (int d = 0; d < parametric_dimension(); ++d) {
     if (d == side.direction) continue;
-    if (d == through_) {
-      directions.push_back(through_knots_);
-      continue;
-    }
-    const int a = d < through_ ? d : d - 1;
-    for (const Patch& row : rows_)
-      if (!(row.direction(a) == rows_.front().direction(a)))
+    for (const Row& row : rows_)
+      if (d != through_ && row.direction(in_row(d)) != direction(d))
         fail("face '", name_of(side),
              "' crosses the layer of this body, so it is no NURBS of its own; contact and loads act on '",
              name_of(contact_.front()), "', or take a uniform label");
-    directions.push_back(rows_.front().direction(a));
+    directions.push_back(direction(d));
   }
-  return {std::move(directions), std::move(points)};
+  return {std::move(directions), homogeneous_(Eigen::all, functions)};
 }
 
 } // namespace signorini::nurbs

@@ -3,6 +3,7 @@
 
 #include "nurbs/label.hpp"
 #include "nurbs/refine.hpp"
+#include "nurbs/tensor.hpp"
 
 #include <array>
 #include <optional>
@@ -28,15 +29,15 @@ struct ElementBasis {
 
 /// A patch as a stack of rows of control points along the direction through the body,
 ///   x(ξ) = Σ_j N_j(ξᵗ) C_j(ξ along the face)   in homogeneous coordinates,
-/// every row C_j a NURBS of one parametric dimension less that is refined exactly on its own. The geometry and the one
-/// weight function never change, so partition of unity and the exact shape hold for any choice of rows (thesis 5.1, 5.2
-/// generalised from one row to any). All rows share the same elements.
+/// every row C_j a NURBS of one parametric dimension less with spaces of its own, refined exactly from the patch or
+/// given. The geometry and the one weight function never change, so partition of unity and the exact shape hold for any
+/// choice of rows (thesis 5.1, 5.2 generalised from one row to any). All rows share the same elements.
 class Discretisation {
 public:
   Discretisation(const Patch& patch, const Plan& plan);
-  /// From its parts, bit by bit as through(), through_knots(), rows() and contact() gave them. Throws Error when they
-  /// do not fit together.
-  Discretisation(int through, KnotVector through_knots, std::vector<Patch> rows, std::vector<Side> contact);
+  /// From its parts, bit by bit as through(), stack(), rows() and contact() gave them. Throws Error when they do not
+  /// fit together, or a space has more than its first function at its start, or than its last at its end.
+  Discretisation(int through, Space1D stack, std::vector<Row> rows, std::vector<Side> contact);
 
   int parametric_dimension() const { return static_cast<int>(elements_.size()); }
   int dimension() const { return static_cast<int>(homogeneous_.rows()) - 1; }
@@ -47,39 +48,46 @@ public:
 
   /// Parametric direction through the body (0-based).
   int through() const { return through_; }
-  const KnotVector& through_knots() const { return through_knots_; }
-  const std::vector<Patch>& rows() const { return rows_; }
+  /// The space in that direction; its functions number the rows.
+  const Space1D& stack() const { return stack_; }
+  const std::vector<Row>& rows() const { return rows_; }
+  /// The direction of a row that runs along direction d ≠ through() of the body.
+  int in_row(int d) const { return d < through_ ? d : d - 1; }
   /// Index of row j's first function.
   int first_function(int row) const { return first_[static_cast<std::size_t>(row)]; }
 
   int elements(int d) const { return elements_[static_cast<std::size_t>(d)]; }
   int elements() const;
-  /// Knot interval of element e (counted with ξ¹ fastest) in direction d.
-  std::array<double, 2> interval(int e, int d) const;
+  /// Index of element e (counted with ξ¹ fastest) in direction d.
+  int element_index(int e, int d) const;
+  /// Parameters between which element e lies in direction d.
+  std::array<double, 2> interval(int e, int d) const { return direction(d).interval(element_index(e, d)); }
   /// Highest degree in direction d of the functions that live on element e: fixes the quadrature.
   int degree(int e, int d) const;
   /// The element that holds xi. Throws Error when xi is outside.
   int find_element(const VectorX& xi) const;
   ElementBasis basis(int e, const VectorX& xi) const;
+  /// The functions of row j that live on element e; through the body there is one.
+  ElementFunctions row_functions(int e, int j) const;
 
   const std::vector<Side>& contact() const { return contact_; }
   /// Functions of row j at one end of its direction a, in parametric order: one in the plane, a line of them in a
   /// solid.
   std::vector<int> row_end(int j, int a, bool at_end) const;
-  /// Functions that do not vanish on a side, in the order of face_patch's control points.
+  /// Functions that do not vanish on a side, in the order of face's control points.
   std::vector<int> face_functions(Side side) const;
   /// The side as a NURBS of its own; the control points are those of face_functions. Throws Error for a side of a
   /// layered volume where the rows' spaces differ: that is no tensor product.
-  Patch face_patch(Side side) const;
+  Row face(Side side) const;
 
 private:
   void gather_rows();
-  /// Index of element e in direction d.
-  int element_index(int e, int d) const;
+  /// A space with the elements of direction d.
+  const Space1D& direction(int d) const { return d == through_ ? stack_ : rows_.front().direction(in_row(d)); }
 
   int through_;
-  KnotVector through_knots_;
-  std::vector<Patch> rows_;
+  Space1D stack_;
+  std::vector<Row> rows_;
   std::vector<int> first_, elements_;
   std::vector<Side> contact_;
   MatrixX homogeneous_;

@@ -4,41 +4,53 @@
 #include "base/error.hpp"
 #include "base/index.hpp"
 #include "nurbs/basis.hpp"
+#include "nurbs/tensor.hpp"
+
+#include <numeric>
 
 namespace signorini::nurbs {
 
 namespace {
 
+std::vector<int> functions_on(const KnotVector& knots, int element) {
+  std::vector<int> functions(at(knots.degree() + 1));
+  std::iota(functions.begin(), functions.end(), knots.first_function(element));
+  return functions;
+}
+
+std::vector<int> functions_on(const Space1D& space, int element) {
+  const std::span<const int> functions = space.functions_on(element);
+  return {functions.begin(), functions.end()};
+}
+
 /// The functions that do not vanish on the element of xi, direction by direction; missing directions are constant 1.
 struct LocalBasis {
-  int first[3] = {0, 0, 0}, count[3] = {1, 1, 1}, stride[3] = {0, 0, 0};
+  std::vector<int> numbers[3];
+  ElementFunctions functions;
   std::vector<double> values[3] = {{1.0}, {1.0}, {1.0}}; ///< row k: k-th derivatives
 
-  LocalBasis(const Patch& patch, const VectorX& xi, int order) {
+  template <class Direction> LocalBasis(const TensorProduct<Direction>& patch, const VectorX& xi, int order) {
     require(xi.size() == patch.parametric_dimension(), "xi: the patch has ", patch.parametric_dimension(),
             " parametric directions, got ", xi.size(), " parameters");
     int size = 1;
     for (int d = 0; d < patch.parametric_dimension(); ++d) {
-      const KnotVector& knots = patch.direction(d);
-      const int element = knots.find_element(xi(d));
-      first[d] = knots.first_function(element);
-      count[d] = knots.degree() + 1;
-      stride[d] = size;
-      size *= knots.functions();
-      values[d].resize(at((order + 1) * count[d]));
-      basis_derivatives(knots, element, xi(d), order, values[d].data());
+      const Direction& space = patch.direction(d);
+      const int element = space.find_element(xi(d));
+      numbers[d] = functions_on(space, element);
+      functions.along[at(d)] = numbers[d];
+      functions.stride[at(d)] = size;
+      size *= space.functions();
+      values[d].resize(at((order + 1) * functions.count(d)));
+      basis_derivatives(space, element, xi(d), order, values[d].data());
     }
   }
 
   /// Calls visit(function, value) for the product of the directions' derivatives of the given orders.
   template <class Visit> void each(const int (&orders)[3], Visit visit) const {
     const double* n[3];
-    for (int d = 0; d < 3; ++d) n[d] = values[d].data() + at(orders[d] * count[d]);
-    for (int c = 0; c < count[2]; ++c)
-      for (int b = 0; b < count[1]; ++b)
-        for (int a = 0; a < count[0]; ++a)
-          visit((first[0] + a) * stride[0] + (first[1] + b) * stride[1] + (first[2] + c) * stride[2],
-                n[0][a] * n[1][b] * n[2][c]);
+    for (int d = 0; d < 3; ++d) n[d] = values[d].data() + at(orders[d] * functions.count(d));
+    functions.each(
+        [&](int function, const std::array<int, 3>& i) { visit(function, n[0][i[0]] * n[1][i[1]] * n[2][i[2]]); });
   }
 
   VectorX sum(const MatrixX& homogeneous, const int (&orders)[3]) const {
@@ -56,10 +68,13 @@ double binomial(int n, int k) {
 
 } // namespace
 
-VectorX evaluate(const Patch& patch, const VectorX& xi) {
+template <class Direction> VectorX evaluate(const TensorProduct<Direction>& patch, const VectorX& xi) {
   const VectorX x = LocalBasis(patch, xi, 0).sum(patch.homogeneous(), {0, 0, 0});
   return x.head(patch.dimension()) / x(patch.dimension());
 }
+
+template VectorX evaluate(const Patch&, const VectorX&);
+template VectorX evaluate(const Row&, const VectorX&);
 
 std::vector<Derivative> derivatives(const Patch& patch, const VectorX& xi, int n) {
   require(n >= 0 && n <= max_degree + 2, "derivatives: order ", n, " is not in 0 … ", max_degree + 2);

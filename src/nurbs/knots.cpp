@@ -58,12 +58,13 @@ KnotVector KnotVector::single(int degree) {
   return {degree, std::move(knots)};
 }
 
-int KnotVector::find_element(double xi) const {
-  const double beyond = std::max(first() - xi, xi - last()), rounding = 1e-12 * (last() - first());
-  require(beyond <= rounding, "xi: ", xi, " is outside the knots, [", first(), ", ", last(), "]",
-          beyond > 0 && beyond < 1e-6 * (last() - first()) ? text(", by ", beyond) : "");
-  const auto next = std::upper_bound(breaks_.begin(), breaks_.end() - 1, xi);
-  return std::max(static_cast<int>(next - breaks_.begin()) - 1, 0);
+int find_element(const std::vector<double>& breaks, double xi) {
+  const double first = breaks.front(), last = breaks.back();
+  const double beyond = std::max(first - xi, xi - last), rounding = 1e-12 * (last - first);
+  require(beyond <= rounding, "xi: ", xi, " is outside the knots, [", first, ", ", last, "]",
+          beyond > 0 && beyond < 1e-6 * (last - first) ? text(", by ", beyond) : "");
+  const auto next = std::upper_bound(breaks.begin(), breaks.end() - 1, xi);
+  return std::max(static_cast<int>(next - breaks.begin()) - 1, 0);
 }
 
 int KnotVector::multiplicity(double knot) const {

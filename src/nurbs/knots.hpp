@@ -8,6 +8,10 @@ namespace signorini::nurbs {
 /// Highest degree that any basis here takes; small buffers on the stack rely on it.
 inline constexpr int max_degree = 15;
 
+/// The element between two of `breaks` that holds xi; the last one at the right end. Throws Error when xi is outside or
+/// NaN.
+int find_element(const std::vector<double>& breaks, double xi);
+
 /// An open knot vector of a given degree. A value: checked when made, never changed.
 ///
 /// Throws Error unless the knots are finite and sorted, both ends are repeated exactly degree+1 times, and no interior
@@ -37,7 +41,7 @@ public:
   /// First function that does not vanish on element e.
   int first_function(int element) const { return span(element) - degree_; }
   /// The element that holds xi; the last one at the right end. Throws Error when xi is outside [first, last] or NaN.
-  int find_element(double xi) const;
+  int find_element(double xi) const { return nurbs::find_element(breaks_, xi); }
 
   /// How often `knot` occurs (exact comparison).
   int multiplicity(double knot) const;

@@ -6,7 +6,8 @@
 
 namespace signorini::nurbs {
 
-Patch::Patch(std::vector<KnotVector> directions, MatrixX homogeneous)
+template <class Direction>
+TensorProduct<Direction>::TensorProduct(std::vector<Direction> directions, MatrixX homogeneous)
     : directions_(std::move(directions)), homogeneous_(std::move(homogeneous)) {
   require(parametric_dimension() >= 1 && parametric_dimension() <= 3,
           "patch: it has 1 to 3 parametric directions, got ", parametric_dimension());
@@ -16,10 +17,10 @@ Patch::Patch(std::vector<KnotVector> directions, MatrixX homogeneous)
           parametric_dimension(), " coordinates");
   long expected = 1;
   std::string product;
-  for (const KnotVector& knots : directions_) {
-    require(knots.degree() >= 1, "degree: a patch is of degree 1 or higher in every direction");
-    product += (product.empty() ? "" : "·") + std::to_string(knots.functions());
-    expected *= knots.functions();
+  for (const Direction& space : directions_) {
+    require(space.degree() >= 1, "degree: a patch is of degree 1 or higher in every direction");
+    product += (product.empty() ? "" : "·") + std::to_string(space.functions());
+    expected *= space.functions();
   }
   require(homogeneous_.cols() == expected, "points: the degrees and knots ask for ", product,
           directions_.size() > 1 ? text(" = ", expected) : "", " control points, got ", homogeneous_.cols());
@@ -31,12 +32,21 @@ Patch::Patch(std::vector<KnotVector> directions, MatrixX homogeneous)
   }
 }
 
-MatrixX Patch::points() const {
+template <class Direction> MatrixX TensorProduct<Direction>::points() const {
   return homogeneous_.topRows(dimension()).array().rowwise() / homogeneous_.row(dimension()).array();
 }
 
-VectorX Patch::weights() const {
+template <class Direction> VectorX TensorProduct<Direction>::weights() const {
   return homogeneous_.row(dimension()).transpose();
+}
+
+template class TensorProduct<KnotVector>;
+template class TensorProduct<Space1D>;
+
+Row make_row(const Patch& patch) {
+  std::vector<Space1D> directions;
+  for (const KnotVector& knots : patch.directions()) directions.push_back(spline_space(knots));
+  return {std::move(directions), patch.homogeneous()};
 }
 
 Patch make_patch(std::vector<KnotVector> directions, const MatrixX& points, const VectorX& weights) {

@@ -1,29 +1,31 @@
 #pragma once
 // A tensor-product NURBS: curve, surface or volume in 2D or 3D space. An immutable value.
+// A patch is made of knot vectors, so that it can be refined and written for other programs; a row of a discretization
+// and its faces are made of any 1D spaces.
 
 #include "base/eigen.hpp"
-#include "nurbs/knots.hpp"
+#include "nurbs/space1d.hpp"
 
 #include <string>
 #include <vector>
 
 namespace signorini::nurbs {
 
-/// A NURBS of parametric dimension 1 to 3 in space of dimension 2 or 3.
-class Patch {
+/// A NURBS of parametric dimension 1 to 3 in space of dimension 2 or 3; `Direction` is KnotVector or Space1D.
+template <class Direction> class TensorProduct {
 public:
   /// `homogeneous` is (dimension+1) × functions: weighted points (w x, w y[, w z], w), ξ¹ runs fastest.
   /// Throws Error when the number of points is not the product of the directions' functions, when a weight is not
   /// positive, a value not finite, or the dimensions do not fit.
-  Patch(std::vector<KnotVector> directions, MatrixX homogeneous);
+  TensorProduct(std::vector<Direction> directions, MatrixX homogeneous);
 
   int parametric_dimension() const { return static_cast<int>(directions_.size()); }
   int dimension() const { return static_cast<int>(homogeneous_.rows()) - 1; }
   /// Number of control points.
   int functions() const { return static_cast<int>(homogeneous_.cols()); }
 
-  const KnotVector& direction(int d) const { return directions_[static_cast<std::size_t>(d)]; }
-  const std::vector<KnotVector>& directions() const { return directions_; }
+  const Direction& direction(int d) const { return directions_[static_cast<std::size_t>(d)]; }
+  const std::vector<Direction>& directions() const { return directions_; }
   const MatrixX& homogeneous() const { return homogeneous_; }
 
   /// Control points, dimension × functions.
@@ -31,15 +33,21 @@ public:
   VectorX weights() const;
 
 private:
-  std::vector<KnotVector> directions_;
+  std::vector<Direction> directions_;
   MatrixX homogeneous_;
 };
+
+using Patch = TensorProduct<KnotVector>;
+using Row = TensorProduct<Space1D>;
+
+/// The same functions and control points, read from tables.
+Row make_row(const Patch& patch);
 
 /// Makes a patch of points (dimension × functions) and weights (all 1 when empty).
 Patch make_patch(std::vector<KnotVector> directions, const MatrixX& points, const VectorX& weights = {});
 
 /// The point at xi. Throws Error when xi has the wrong length or lies outside the knots.
-VectorX evaluate(const Patch& patch, const VectorX& xi);
+template <class Direction> VectorX evaluate(const TensorProduct<Direction>& patch, const VectorX& xi);
 
 /// One partial derivative of the map: how often each direction is differentiated, and the vector.
 struct Derivative {
@@ -75,10 +83,11 @@ std::string name_of(Side side);
 double outward_sign(Side side);
 
 /// The face as a patch of one parametric dimension less (parametric dimension ≥ 2).
-Patch face(const Patch& patch, Side side);
+template <class Direction> TensorProduct<Direction> face(const TensorProduct<Direction>& patch, Side side);
 
 /// The control row j normal to direction `through` as a patch of one parametric dimension less: control points with
 /// index j in that direction. Row 0 and the last row are faces; inner rows are not part of the geometry.
-Patch control_row(const Patch& patch, int through, int j);
+template <class Direction>
+TensorProduct<Direction> control_row(const TensorProduct<Direction>& patch, int through, int j);
 
 } // namespace signorini::nurbs

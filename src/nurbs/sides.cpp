@@ -78,13 +78,14 @@ double outward_sign(Side side) {
   return side.at_end == (side.direction == 1) ? -1 : 1;
 }
 
-Patch face(const Patch& patch, Side side) {
+template <class Direction> TensorProduct<Direction> face(const TensorProduct<Direction>& patch, Side side) {
   require(side.direction >= 0 && side.direction < patch.parametric_dimension(), "face: direction ", side.direction + 1,
           " is not one of the patch's ", patch.parametric_dimension());
   return control_row(patch, side.direction, side.at_end ? patch.direction(side.direction).functions() - 1 : 0);
 }
 
-Patch control_row(const Patch& patch, int through, int j) {
+template <class Direction>
+TensorProduct<Direction> control_row(const TensorProduct<Direction>& patch, int through, int j) {
   require(patch.parametric_dimension() >= 2, "face: a curve has end points, not faces; take a surface or a volume");
   require(through >= 0 && through < patch.parametric_dimension(), "row: direction ", through + 1,
           " is not one of the patch's ", patch.parametric_dimension());
@@ -92,7 +93,7 @@ Patch control_row(const Patch& patch, int through, int j) {
   require(j >= 0 && j < count, "row: ", j + 1, " is not in 1 … ", count);
   int stride = 1;
   for (int d = 0; d < through; ++d) stride *= patch.direction(d).functions();
-  std::vector<KnotVector> directions = patch.directions();
+  std::vector<Direction> directions = patch.directions();
   directions.erase(directions.begin() + through);
   // Index = inner + stride·(i_through + count·outer)
   MatrixX homogeneous(patch.dimension() + 1, patch.functions() / count);
@@ -100,5 +101,10 @@ Patch control_row(const Patch& patch, int through, int j) {
     homogeneous.col(n) = patch.homogeneous().col(n % stride + stride * (j + count * (n / stride)));
   return {std::move(directions), std::move(homogeneous)};
 }
+
+template Patch face(const Patch&, Side);
+template Row face(const Row&, Side);
+template Patch control_row(const Patch&, int, int);
+template Row control_row(const Row&, int, int);
 
 } // namespace signorini::nurbs

@@ -22,7 +22,7 @@ nurbs::Patch reversed(const nurbs::Patch& curve) {
 /// What lies with its top at (1.3, 0): a plane, a disc, and a wavy curve.
 std::vector<Obstacle<2>> obstacles(Random& random) {
   return {make_plane<2>({1.3, 0}, {0.1, 2}), make_ball<2>({1.3, -2}, 2), make_ball<2>({1.3, -0.4}, 0.4),
-          reversed(wavy(random, 3, 0.15, 3, 6).face_patch(nurbs::side_of("north", 2)))};
+          reversed(nurbs::test::patch_of(wavy(random, 3, 0.15, 3, 6).face(nurbs::side_of("north", 2))))};
 }
 
 TEST(ObstaclePair, TangentIsTheForcesDerivativeInEveryState) {

@@ -106,7 +106,7 @@ TEST(Obstacle, HasOneNodeThatCarriesItsTranslation) {
   for (const Obstacle<2>& shape : {random_plane(random).shape, random_ball(random).shape, Obstacle<2>(arc)}) {
     Master<2> master(shape);
     EXPECT_TRUE(master.rigid());
-    EXPECT_EQ(master.functions_per_element(), 1);
+    EXPECT_EQ(master.most_functions(), 1);
     const Vec<2> before = position(master, 0.3), by(0.3, -0.4);
     EXPECT_NEAR(master.move(by.data()), 0.5, 1e-15);
     EXPECT_NEAR((position(master, 0.3) - before - by).norm(), 0, 1e-15);

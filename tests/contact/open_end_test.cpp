@@ -16,7 +16,7 @@ using namespace test;
 template <int D> void expect_own_functions(const Surface<D>& face, FacePoint<D>& point) {
   face.functions(point, 1);
   Vec<D> sum = Vec<D>::Zero(), slope = Vec<D>::Zero();
-  for (int i = 0; i < face.functions_per_element(); ++i) {
+  for (int i = 0; i < face.functions_on(point.element); ++i) {
     sum += point.value[static_cast<std::size_t>(i)] * face.points().col(face.nodes(point.element)[i]);
     slope += point.derivative[0][static_cast<std::size_t>(i)] * face.points().col(face.nodes(point.element)[i]);
   }

@@ -84,7 +84,7 @@ TEST(SolidPair, TangentIsTheForcesDerivativeOnEdgesAndCorners) {
 std::vector<Obstacle<3>> obstacles(Random& random) {
   return {make_plane<3>({1.5, 1.5, 0}, {0.1, -0.05, 2}), make_ball<3>({1.5, 1.5, -2}, 2),
           make_cylinder({1.5, 1.5, -1}, {1, 0.3, 0}, 1),
-          wavy_plate(random, 3, 0.03, 2, 4).face_patch(nurbs::side_of("back", 3))};
+          nurbs::test::patch_of(wavy_plate(random, 3, 0.03, 2, 4).face(nurbs::side_of("back", 3)))};
 }
 
 TEST(SolidPair, TangentIsTheForcesDerivativeOnObstacles) {

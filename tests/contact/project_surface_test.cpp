@@ -92,8 +92,8 @@ TEST(ProjectionOnSurface, IsTheGlobalMinimumFromAnySeed) {
       case Foot::edge:
         ++edges;
         EXPECT_NEAR(across(found.along), 0, 1e-8);
-        EXPECT_GE(surface.direction(1 - found.along).multiplicity(found.xi(1 - found.along)),
-                  surface.degree(1 - found.along));
+        EXPECT_GE(surface.direction(1 - found.along).knots()->multiplicity(found.xi(1 - found.along)),
+                  surface.direction(1 - found.along).degree());
         break;
       case Foot::corner:
         ++corners;

@@ -74,7 +74,7 @@ TEST(Projection, IsTheGlobalMinimumFromAnySeed) {
         EXPECT_NEAR(std::abs(found.gap), distance, 1e-9);
       }
       EXPECT_EQ(point.element, found.element);
-      const auto& knots = surface.direction(0);
+      const nurbs::KnotVector& knots = *surface.direction(0).knots();
       const bool at_end = found.xi(0) == knots.first() || found.xi(0) == knots.last();
       const double slope = (x - point.position).dot(point.tangent[0]) / point.tangent[0].norm();
       switch (found.foot) {

@@ -14,7 +14,7 @@ TEST(Slip, PointFollowsUntilItIsAtTheGivenDistance) {
   for (int trial = 0; trial < 400; ++trial) {
     const Surface<2> surface(wavy(random, 3, 0.3, integer(random, 1, 4), integer(random, 0, 5)),
                              nurbs::side_of("north", 2));
-    const nurbs::KnotVector& knots = surface.direction(0);
+    const nurbs::Space1D& knots = surface.direction(0);
     const auto at = [&](double xi) {
       FacePoint<2> point;
       surface.locate(knots.find_element(xi), FaceCoordinates<2>(xi), 1, point);

@@ -15,7 +15,7 @@ template <int D> void agrees_with_its_patch(Random& random, const nurbs::Discret
   VectorX u(D * body.functions());
   for (int i = 0; i < u.size(); ++i) u(i) = uniform(random, -0.05, 0.05);
   surface.move(u.data());
-  const nurbs::Patch rest = body.face_patch(side);
+  const nurbs::Patch rest = nurbs::test::patch_of(body.face(side));
   const nurbs::Patch patch = nurbs::make_patch(rest.directions(), surface.points(), rest.weights());
   ASSERT_EQ(surface.functions(), patch.functions());
   const std::vector<int> functions = body.face_functions(side);
@@ -46,7 +46,7 @@ template <int D> void agrees_with_its_patch(Random& random, const nurbs::Discret
     // The functions carry position and tangents, and are the patch's.
     Vec<D> position = Vec<D>::Zero(), tangent = Vec<D>::Zero();
     const auto basis = nurbs::rational_basis(patch, xi);
-    ASSERT_EQ(basis.size(), static_cast<std::size_t>(surface.functions_per_element()));
+    ASSERT_EQ(basis.size(), static_cast<std::size_t>(surface.functions_on(e)));
     for (std::size_t a = 0; a < basis.size(); ++a) {
       EXPECT_EQ(surface.nodes(e)[a], basis[a].function);
       EXPECT_NEAR(point.value[a], basis[a].value, 1e-14);

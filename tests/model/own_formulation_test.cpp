@@ -61,7 +61,7 @@ private:
     for (Block& block : blocks_)
       if (block.slave_element == slave_element && block.master_element == master_element) return block;
     Block block{slave_element, master_element, -1, {slave_element}};
-    block.rows = block.columns = 2 * (slave().functions_per_element() + master().functions_per_element()) + 1;
+    block.rows = block.columns = 2 * (slave().functions_on(slave_element) + master().functions_on(master_element)) + 1;
     block.force.assign(static_cast<std::size_t>(block.rows), 0);
     block.matrix.assign(static_cast<std::size_t>(block.rows * block.columns), 0);
     blocks_.push_back(block);
@@ -82,7 +82,8 @@ private:
     const contact::GapRows<2> rows = gap_rows(geometry, shift);
 
     Block& block = block_of(points_.list[i].element, foot.element);
-    const int ns = slave().functions_per_element(), nm = master().functions_per_element(), last = block.columns - 1;
+    const int ns = slave().functions_on(block.slave_element), nm = master().functions_on(foot.element);
+    const int last = block.columns - 1;
     Eigen::Map<VectorX> force(block.force.data(), block.rows);
     Eigen::Map<Eigen::Matrix<double, -1, -1, Eigen::RowMajor>> matrix(block.matrix.data(), block.rows, block.columns);
     // By the control points: the local variables xˢ, x̄ᵐ, τ are sums with these factors.

@@ -113,12 +113,12 @@ TEST(Discretisation, ContinuityOfOwnAndInsertedKnots) {
     const Discretisation space(patch, plan);
     const int along = 1 - space.through(), own = patch.direction(along).degree();
     const Label& label = plan.labels.front();
-    const int count = space.through_knots().functions();
+    const int count = space.stack().functions();
     for (int j = 0; j < count; ++j) {
       bool in_layer = false;
       for (const Side& side : plan.contact) in_layer |= (side.at_end ? count - 1 - j : j) < label.rows;
       const Space wanted = label.layer && in_layer ? *label.layer : label.bulk;
-      const KnotVector& row = space.rows()[at(j)].direction(0);
+      const KnotVector& row = *space.rows()[at(j)].direction(0).knots();
       EXPECT_EQ(row.degree(), wanted.full_degree());
       EXPECT_EQ(row.breaks(), space.rows().front().direction(0).breaks());
       for (std::size_t k = 1; k + 1 < row.breaks().size(); ++k) {
@@ -127,7 +127,7 @@ TEST(Discretisation, ContinuityOfOwnAndInsertedKnots) {
         EXPECT_EQ(row.multiplicity(knot), before > 0 ? before + wanted.full_degree() - own : 1 + wanted.elevations);
       }
     }
-    EXPECT_EQ(space.through_knots().degree(), *plan.through);
+    EXPECT_EQ(space.stack().degree(), *plan.through);
     EXPECT_EQ(space.elements(0), plan.elements[0]);
     EXPECT_EQ(space.elements(1), plan.elements[1]);
   }
@@ -221,7 +221,7 @@ TEST(Discretisation, FacesAreTheBodysBorder) {
     for (int d = 0; d < dimensions; ++d)
       for (bool at_end : {false, true}) {
         const Side side{d, at_end};
-        const Patch border = space.face_patch(side);
+        const Patch border = test::patch_of(space.face(side));
         const std::vector<int> functions = space.face_functions(side);
         ASSERT_EQ(border.functions(), static_cast<int>(functions.size()));
         for (int n = 0; n < 3; ++n) {
@@ -252,8 +252,8 @@ TEST(Discretisation, WithoutContactFaceTheLabelsHoldPerDirection) {
   const Discretisation space(rectangle(3, 1, Eigen::Vector2d(0, 0)), plan);
   // N2 has 3+2 functions; N3.1, degree 4 with one double knot, 2·4+1−2
   EXPECT_EQ(space.functions(), 5 * 7);
-  EXPECT_EQ(space.face_patch(side_of("east", 2)).functions(), 7);
-  EXPECT_EQ(space.face_patch(side_of("north", 2)).functions(), 5);
+  EXPECT_EQ(space.face(side_of("east", 2)).functions(), 7);
+  EXPECT_EQ(space.face(side_of("north", 2)).functions(), 5);
 }
 
 /// Without a degree of its own the thickness direction has the bulk's, as without a contact face.
@@ -263,8 +263,8 @@ TEST(Discretisation, ThicknessDirectionTakesTheBulksDegree) {
     plan.elements.assign(at(patch.parametric_dimension()), 3);
     plan.contact = {side_of(contact, patch.parametric_dimension())};
     for (const std::string& label : labels) plan.labels.push_back(parse_label(label));
-    const KnotVector knots = Discretisation(patch, plan).through_knots();
-    return std::array{knots.degree(), knots.functions()};
+    const Space1D stack = Discretisation(patch, plan).stack();
+    return std::array{stack.degree(), stack.functions()};
   };
   using Pair = std::array<int, 2>; // degree, functions
   const Patch slab = rectangle(3, 1, Eigen::Vector2d(0, 0)), ring = half_annulus(0.3, 0.5, Eigen::Vector2d(0, 0));
@@ -285,7 +285,7 @@ TEST(Discretisation, SideAcrossALayerIsNoPatchInSpace) {
   plan.labels.assign(2, parse_label("N2-N4"));
   plan.through = 1;
   const Discretisation space(block({1, 1, 1}, Eigen::Vector3d(0, 0, 0)), plan);
-  EXPECT_ERROR(space.face_patch(side_of("west", 3)), "crosses the layer");
+  EXPECT_ERROR(space.face(side_of("west", 3)), "crosses the layer");
   // Supports need its functions all the same: 4 control points in each of two rows, 6 in the layer's.
   EXPECT_EQ(space.face_functions(side_of("west", 3)).size(), 4u + 4u + 6u);
 }

@@ -49,7 +49,7 @@ double geometry_error(int p, int elements) {
   plan.contact = {side_of("south", 2)};
   plan.labels = {parse_label(text("L", p))};
   plan.through = 1;
-  const Patch face = Discretisation(arc, plan).face_patch(plan.contact.front());
+  const Row face = Discretisation(arc, plan).face(plan.contact.front());
   double largest = 0;
   for (int k = 0; k <= 1000; ++k) {
     const double xi = k / 1000.0;

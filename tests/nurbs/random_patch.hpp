@@ -48,6 +48,13 @@ inline Patch random_patch(Random& random, int parametric_dimension, int dimensio
   return make_patch(std::move(directions), points, weights);
 }
 
+/// A row of B-splines as a patch.
+inline Patch patch_of(const Row& row) {
+  std::vector<KnotVector> directions;
+  for (const Space1D& direction : row.directions()) directions.push_back(*direction.knots());
+  return {std::move(directions), row.homogeneous()};
+}
+
 inline VectorX random_parameter(Random& random, const Patch& patch) {
   VectorX xi(patch.parametric_dimension());
   for (int d = 0; d < xi.size(); ++d) xi(d) = uniform(random, patch.direction(d).first(), patch.direction(d).last());

@@ -1,0 +1,32 @@
+#pragma once
+// The functions that live on one element of a tensor product.
+
+#include <array>
+#include <span>
+
+namespace signorini::nurbs {
+
+/// Their numbers along every direction, and what one more along it adds to a function's number. A direction that is
+/// missing has the one function 0.
+struct ElementFunctions {
+  static constexpr int zero = 0;
+  std::array<std::span<const int>, 3> along{std::span(&zero, 1), std::span(&zero, 1), std::span(&zero, 1)};
+  std::array<int, 3> stride{};
+  int first = 0; ///< number of the tensor product's first function
+
+  int count(int d) const { return static_cast<int>(along[static_cast<std::size_t>(d)].size()); }
+  /// Calls visit(function, {i, j, k}), the first direction's i running fastest.
+  template <class Visit> void each(Visit visit) const {
+    std::array<int, 3> i{};
+    auto& [a, b, c] = i;
+    for (c = 0; c < count(2); ++c)
+      for (b = 0; b < count(1); ++b)
+        for (a = 0; a < count(0); ++a) {
+          int function = first;
+          for (std::size_t d = 0; d < 3; ++d) function += along[d][static_cast<std::size_t>(i[d])] * stride[d];
+          visit(function, i);
+        }
+  }
+};
+
+} // namespace signorini::nurbs
