@@ -1,6 +1,7 @@
 #include "model/linear_solution.hpp"
 
 #include "base/error.hpp"
+#include "solve/condensed.hpp"
 
 namespace signorini::model {
 

@@ -28,7 +28,7 @@ class LinearSolution {
 public:
   explicit LinearSolution(const LinearFacts& facts) : facts_(facts) {}
 
-  /// Takes over a tangent that must stay until the last solve() with it. Returns false when it is singular to working
+  /// Takes over a tangent, which may go afterwards. Returns false when it is singular to working
   /// precision. Throws Error when `condensed` is asked for where the bodies' part of the tangent changes.
   bool factor(const Tangent& tangent, const LinearRequest& request);
   /// Overwrites b by K⁻¹ b; call it after factor(). Returns false when the tangent turns out to be singular.

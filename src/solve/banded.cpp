@@ -1,25 +1,31 @@
-#include "solve/banded.hpp"
+#include "solve/direct.hpp"
 
 #include "base/index.hpp"
 #include "solve/band_order.hpp"
 #include "solve/lapack.hpp"
-#include "solve/values.hpp"
+
+#include <optional>
 
 namespace signorini::solve {
 
 namespace {
 
-class Banded final : public LinearSolver {
+class Banded final : public DirectSolver {
 public:
-  explicit Banded(const Pattern& pattern)
-      : pattern_(pattern), symmetry_(pattern), order_(band_order(pattern)), place_(order_.size()),
-        band_(band_width(pattern, order_)), pivots_(order_.size()), right_(order_.size()) {
+  void analyze(const Pattern& pattern) override {
+    pattern_ = pattern;
+    symmetry_.emplace(pattern);
+    order_ = band_order(pattern);
+    place_.resize(order_.size());
     for (std::size_t k = 0; k < order_.size(); ++k) place_[at(order_[k])] = static_cast<int>(k);
+    band_ = band_width(pattern, order_);
+    exchanges_.resize(order_.size());
+    right_.resize(order_.size());
   }
 
   bool factor(const double* values) override {
     ++statistics_.factorisations;
-    definite_ = symmetry_.holds(values) && factor_definite(values);
+    definite_ = symmetry_->holds(values) && factor_definite(values);
     return definite_ || factor_with_pivots(values);
   }
 
@@ -31,11 +37,12 @@ public:
     if (definite_)
       dpbtrs_("L", &size, &band_, &one, factors_.data(), &leading, right_.data(), &size, &info);
     else
-      dgbtrs_("N", &size, &band_, &band_, &one, factors_.data(), &leading, pivots_.data(), right_.data(), &size, &info);
+      dgbtrs_("N", &size, &band_, &band_, &one, factors_.data(), &leading, exchanges_.data(), right_.data(), &size,
+              &info);
     for (std::size_t k = 0; k < order_.size(); ++k) b[order_[k]] = right_[k];
     return info == 0;
   }
-  LinearKind kind() const override { return LinearKind::banded; }
+  PivotRange pivots() const override { return pivots_; }
   int negative_pivots() const override { return definite_ ? 0 : -1; }
   SolverStatistics statistics() const override { return statistics_; }
 
@@ -67,31 +74,32 @@ private:
     const int size = pattern_.size, leading = 3 * band_ + 1;
     spread<false>(values, leading, 2 * band_);
     int info = 0;
-    dgbtrf_(&size, &size, &band_, &band_, factors_.data(), &leading, pivots_.data(), &info);
+    dgbtrf_(&size, &size, &band_, &band_, factors_.data(), &leading, exchanges_.data(), &info);
     return info == 0 && regular(leading, 2 * band_, [](double pivot) { return pivot; });
   }
 
   /// `power` makes pivots of the matrix of the diagonal of its factors.
-  template <class Power> bool regular(int leading, int diagonal, Power power) const {
-    PivotRange pivots;
-    for (std::size_t k = 0; k < order_.size(); ++k) pivots.add(power(factors_[at(leading) * k + at(diagonal)]));
-    return pivots.regular();
+  template <class Power> bool regular(int leading, int diagonal, Power power) {
+    pivots_ = {};
+    for (std::size_t k = 0; k < order_.size(); ++k) pivots_.add(power(factors_[at(leading) * k + at(diagonal)]));
+    return pivots_.regular();
   }
 
   Pattern pattern_;
-  Symmetry symmetry_;
+  std::optional<Symmetry> symmetry_;
   std::vector<int> order_, place_;
-  int band_;
+  int band_ = 0;
   bool definite_ = false;
-  std::vector<int> pivots_;
+  PivotRange pivots_;
+  std::vector<int> exchanges_; ///< of rows, by LAPACK's numbers
   std::vector<double> factors_, right_;
   SolverStatistics statistics_;
 };
 
 } // namespace
 
-std::unique_ptr<LinearSolver> make_banded(const Pattern& pattern) {
-  return std::make_unique<Banded>(pattern);
+std::unique_ptr<DirectSolver> make_banded() {
+  return std::make_unique<Banded>();
 }
 
 } // namespace signorini::solve

@@ -2,7 +2,7 @@
 // CHOLMOD's objects with owners (Chen, Davis, Hager, Rajamanickam, ACM TOMS 35, 2008), for the solvers that stand on
 // it.
 
-#include "solve/linear.hpp"
+#include "solve/direct.hpp"
 
 #include <cholmod.h>
 

@@ -1,7 +1,6 @@
 #include "solve/factor_estimate.hpp"
 
 #include "base/error.hpp"
-#include "solve/automatic.hpp"
 #include "solve/band_order.hpp"
 #include "solve/cholmod.hpp"
 
@@ -23,7 +22,7 @@ FactorEstimate estimate_factor(LinearKind kind, const Pattern& pattern) {
           ")");
   const double entries = common.lnz; // of L
   if (kind == LinearKind::automatic)
-    kind = worth_keeping(2 * common.fl, 2 * entries) ? LinearKind::kept : LinearKind::klu;
+    kind = worth_reusing(2 * common.fl, 2 * entries) ? LinearKind::kept : LinearKind::klu;
   switch (kind) {
   case LinearKind::klu:
     return {kind, 2 * (sizeof(double) + sizeof(int)) * entries};

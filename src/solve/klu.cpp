@@ -1,7 +1,6 @@
-#include "solve/klu.hpp"
+#include "solve/direct.hpp"
 
 #include "base/error.hpp"
-#include "solve/values.hpp"
 
 #include <klu.h>
 
@@ -11,33 +10,36 @@ namespace signorini::solve {
 
 namespace {
 
-/// KLU (Davis & Palamadai Natarajan, ACM TOMS 37, 2010): a refactorisation keeps the pivots of the last full one and
+/// KLU (Davis & Palamadai Natarajan, ACM TOMS 37, 2010): a refactorization keeps the pivots of the last full one and
 /// costs a fraction of it; growth of the factors tells when the pivots no longer fit.
-class Klu final : public LinearSolver {
+class Klu final : public DirectSolver {
 public:
-  explicit Klu(const Pattern& pattern) : pattern_(pattern), right_(static_cast<std::size_t>(pattern.size)) {
+  Klu() {
     klu_defaults(&common_);
     common_.btf = 0;      // the tangent is structurally symmetric and irreducible
     common_.ordering = 0; // approximate minimum degree
     common_.scale = -1;   // none: pivots are compared within a column, where the entries are of one kind
+  }
+  ~Klu() override { clear(); }
+
+  void analyze(const Pattern& pattern) override {
+    clear();
+    pattern_ = pattern;
     symbolic_ = klu_analyze(pattern_.size, pattern_.starts.data(), pattern_.rows.data(), &common_);
-    require(symbolic_ != nullptr || pattern_.size == 0, "the sparse solver could not analyse the tangent (KLU status ",
+    require(symbolic_ != nullptr || pattern_.size == 0, "the sparse solver could not analyze the tangent (KLU status ",
             common_.status, ")");
     if (!symbolic_) return;
     statistics_.operations = symbolic_->est_flops;
     statistics_.entries = symbolic_->lnz + symbolic_->unz;
   }
-  ~Klu() override {
-    klu_free_numeric(&numeric_, &common_);
-    klu_free_symbolic(&symbolic_, &common_);
-  }
 
   bool factor(const double* values) override {
-    values_ = const_cast<double*>(values); // KLU reads the values only
     ++statistics_.factorisations;
-    refactored_ = numeric_ &&
-                  klu_refactor(pattern_.starts.data(), pattern_.rows.data(), values_, symbolic_, numeric_, &common_) &&
-                  common_.status == KLU_OK && regular();
+    values_.assign(values, values + pattern_.entries());
+    refactored_ =
+        numeric_ &&
+        klu_refactor(pattern_.starts.data(), pattern_.rows.data(), values_.data(), symbolic_, numeric_, &common_) &&
+        common_.status == KLU_OK && pivots().regular();
     return refactored_ || factor_with_pivots();
   }
 
@@ -45,32 +47,42 @@ public:
     ++statistics_.solutions;
     if (refactored_) {
       // Kept pivots can be bad ones for the new values: then K x = b is missed, and new pivots are taken.
-      std::copy_n(b, pattern_.size, right_.data());
+      right_.assign(b, b + pattern_.size);
       if (!klu_solve(symbolic_, numeric_, pattern_.size, 1, b, &common_)) return false;
-      if (relative_residual(pattern_, values_, b, right_.data(), difference_) <= 1e-8) return true;
+      if (relative_residual(pattern_, values_.data(), b, right_.data(), difference_) <= refactored_residual)
+        return true;
       std::copy(right_.begin(), right_.end(), b);
       ++statistics_.factorisations;
       if (!factor_with_pivots()) return false;
     }
     return klu_solve(symbolic_, numeric_, pattern_.size, 1, b, &common_);
   }
-  LinearKind kind() const override { return LinearKind::klu; }
+
+  PivotRange pivots() const override {
+    PivotRange range;
+    const double* diagonal = static_cast<const double*>(numeric_->Udiag);
+    for (int k = 0; k < pattern_.size; ++k) range.add(diagonal[k]);
+    return range;
+  }
   SolverStatistics statistics() const override { return statistics_; }
 
 private:
+  void clear() {
+    klu_free_numeric(&numeric_, &common_);
+    klu_free_symbolic(&symbolic_, &common_);
+  }
+
   bool factor_with_pivots() {
     refactored_ = false;
     klu_free_numeric(&numeric_, &common_);
-    numeric_ = klu_factor(pattern_.starts.data(), pattern_.rows.data(), values_, symbolic_, &common_);
+    numeric_ = klu_factor(pattern_.starts.data(), pattern_.rows.data(), values_.data(), symbolic_, &common_);
     statistics_.memory = static_cast<double>(common_.memusage);
-    return numeric_ != nullptr && common_.status == KLU_OK && regular();
+    return numeric_ != nullptr && common_.status == KLU_OK && pivots().regular();
   }
 
-  bool regular() { return klu_rcond(symbolic_, numeric_, &common_) && common_.rcond > least_pivot; }
-
   Pattern pattern_;
+  std::vector<double> values_; ///< KLU's solutions are checked against them
   std::vector<double> right_, difference_;
-  double* values_ = nullptr;
   bool refactored_ = false;
   klu_common common_{};
   klu_symbolic* symbolic_ = nullptr;
@@ -80,8 +92,8 @@ private:
 
 } // namespace
 
-std::unique_ptr<LinearSolver> make_klu(const Pattern& pattern) {
-  return std::make_unique<Klu>(pattern);
+std::unique_ptr<DirectSolver> make_klu() {
+  return std::make_unique<Klu>();
 }
 
 } // namespace signorini::solve

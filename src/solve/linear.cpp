@@ -1,15 +1,12 @@
 #include "solve/linear.hpp"
 
 #include "base/error.hpp"
-#include "solve/automatic.hpp"
 #include "solve/band_order.hpp"
-#include "solve/banded.hpp"
-#include "solve/cholesky.hpp"
 #include "solve/condensed.hpp"
-#include "solve/kept.hpp"
-#include "solve/klu.hpp"
-#include "solve/umfpack.hpp"
+#include "solve/reused.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace signorini::solve {
@@ -17,9 +14,30 @@ namespace signorini::solve {
 namespace {
 
 constexpr std::pair<LinearKind, const char*> names[] = {
-    {LinearKind::automatic, "auto"},  {LinearKind::klu, "klu"},       {LinearKind::umfpack, "umfpack"},
-    {LinearKind::cholmod, "cholmod"}, {LinearKind::banded, "banded"}, {LinearKind::condensed, "condensed"},
-    {LinearKind::kept, "kept"}};
+    {LinearKind::automatic, "auto"},      {LinearKind::klu, "klu"},
+    {LinearKind::umfpack, "umfpack"},     {LinearKind::banded, "banded"},
+    {LinearKind::condensed, "condensed"}, {LinearKind::kept, "kept"}};
+
+/// Factors every matrix.
+class Direct final : public LinearSolver {
+public:
+  /// The solver has analyzed the pattern.
+  Direct(LinearKind kind, std::unique_ptr<DirectSolver> solver) : kind_(kind), solver_(std::move(solver)) {}
+
+  bool factor(const double* values) override { return solver_->factor(values); }
+  bool solve(double* b) override { return solver_->solve(b); }
+  LinearKind kind() const override { return kind_; }
+  SolverStatistics statistics() const override { return solver_->statistics(); }
+
+private:
+  LinearKind kind_;
+  std::unique_ptr<DirectSolver> solver_;
+};
+
+std::unique_ptr<DirectSolver> make_direct(LinearKind kind) {
+  if (kind == LinearKind::umfpack) return make_umfpack();
+  return kind == LinearKind::banded ? make_banded() : make_klu();
+}
 
 } // namespace
 
@@ -46,19 +64,29 @@ std::string name_of(LinearKind kind) {
 
 LinearKind symmetric_choice(const Pattern& pattern) {
   const double width = band_width(pattern, band_order(pattern));
-  return width * width <= 4.0 * pattern.size ? LinearKind::banded : LinearKind::cholmod;
+  const double widest = std::max(narrow_band, slender_width * std::sqrt(pattern.size));
+  return width <= widest ? LinearKind::banded : LinearKind::kept;
+}
+
+bool worth_reusing(double operations, double entries) {
+  return operations > reuse_above * entries;
 }
 
 std::unique_ptr<LinearSolver> make_solver(LinearKind kind, const Pattern& pattern, const Condensation* condensation) {
-  if (kind == LinearKind::automatic) return make_automatic(pattern);
-  if (kind == LinearKind::klu) return make_klu(pattern);
-  if (kind == LinearKind::umfpack) return make_umfpack(pattern);
-  if (kind == LinearKind::kept) return make_kept(pattern);
-  if (kind == LinearKind::cholmod) return make_cholesky(pattern);
-  if (kind == LinearKind::banded) return make_banded(pattern);
-  require(condensation != nullptr, "linear: the solver 'condensed' needs a matrix that is constant but for contact, as "
-                                   "bodies that are all linear elastic have; take 'auto'");
-  return make_condensed(pattern, *condensation);
+  if (kind == LinearKind::condensed) {
+    require(condensation != nullptr, "linear: the solver 'condensed' needs a matrix that is constant but for contact, "
+                                     "as bodies that are all linear elastic have; take 'auto'");
+    return make_condensed(pattern, *condensation, make_schur_cholesky(dissection_above));
+  }
+  // Solids: nested dissection at once
+  if (kind == LinearKind::kept)
+    return make_reused(pattern, make_umfpack, std::make_unique<SymmetricPart>(make_schur_cholesky(0)));
+  std::unique_ptr<DirectSolver> direct = make_direct(kind);
+  direct->analyze(pattern);
+  const SolverStatistics expected = direct->statistics();
+  if (kind == LinearKind::automatic && worth_reusing(expected.operations, expected.entries))
+    return make_solver(LinearKind::kept, pattern);
+  return std::make_unique<Direct>(kind == LinearKind::automatic ? LinearKind::klu : kind, std::move(direct));
 }
 
 } // namespace signorini::solve

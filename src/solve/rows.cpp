@@ -11,6 +11,12 @@ void RowMatrix::set(const double* values) {
   symmetry_.transpose(values, values_);
 }
 
+std::vector<double> RowMatrix::columns() const {
+  std::vector<double> values;
+  symmetry_.transpose(values_.data(), values);
+  return values;
+}
+
 void RowMatrix::multiply(int first, int last, const double* x, double* y) const {
   const int *starts = pattern_.starts.data(), *columns = pattern_.rows.data();
   for (int i = first; i < last; ++i) {

@@ -16,6 +16,8 @@ public:
   void multiply(const double* x, double* y) const;
   /// Row i's values at the places where the pattern has column i's.
   const std::vector<double>& values() const { return values_; }
+  /// The values that it has taken over, in the order of the pattern.
+  std::vector<double> columns() const;
 
 private:
   void multiply(int first, int last, const double* x, double* y) const;

@@ -1,7 +1,6 @@
-#include "solve/umfpack.hpp"
+#include "solve/direct.hpp"
 
 #include "base/error.hpp"
-#include "solve/values.hpp"
 
 #include <umfpack.h>
 
@@ -11,18 +10,21 @@ namespace signorini::solve {
 
 namespace {
 
-/// UMFPACK (Davis, ACM TOMS 30, 2004). Its analysis looks at values too, so it waits for the first real matrix.
-class Umfpack final : public LinearSolver {
+/// UMFPACK (Davis, ACM TOMS 30, 2004). Its analysis looks at values too, so it waits for the first matrix.
+class Umfpack final : public DirectSolver {
 public:
-  explicit Umfpack(const Pattern& pattern) : pattern_(pattern), scratch_(static_cast<std::size_t>(pattern.size)) {
+  Umfpack() {
     umfpack_di_defaults(control_);
     control_[UMFPACK_STRATEGY] = UMFPACK_STRATEGY_SYMMETRIC; // the pattern is symmetric
     control_[UMFPACK_ORDERING] = UMFPACK_ORDERING_METIS;
     control_[UMFPACK_IRSTEP] = 0; // no refinement, so that solutions need the factors only
   }
-  ~Umfpack() override {
-    umfpack_di_free_numeric(&numeric_);
-    umfpack_di_free_symbolic(&symbolic_);
+  ~Umfpack() override { clear(); }
+
+  void analyze(const Pattern& pattern) override {
+    clear();
+    pattern_ = pattern;
+    scratch_.resize(static_cast<std::size_t>(pattern.size));
   }
 
   bool factor(const double* values) override {
@@ -30,16 +32,15 @@ public:
     if (!symbolic_) {
       const int status =
           umfpack_di_symbolic(pattern_.size, pattern_.size, starts, rows, values, &symbolic_, control_, nullptr);
-      require(status == UMFPACK_OK, "the sparse solver could not analyse the tangent (UMFPACK status ", status, ")");
+      require(status == UMFPACK_OK, "the sparse solver could not analyze the tangent (UMFPACK status ", status, ")");
     }
     umfpack_di_free_numeric(&numeric_);
-    double info[UMFPACK_INFO];
-    const int status = umfpack_di_numeric(starts, rows, values, symbolic_, &numeric_, control_, info);
+    const int status = umfpack_di_numeric(starts, rows, values, symbolic_, &numeric_, control_, info_);
     ++statistics_.factorisations;
-    statistics_.operations = info[UMFPACK_FLOPS];
-    statistics_.entries = info[UMFPACK_LNZ] + info[UMFPACK_UNZ];
-    statistics_.memory = info[UMFPACK_NUMERIC_SIZE] * info[UMFPACK_SIZE_OF_UNIT];
-    return status == UMFPACK_OK && info[UMFPACK_RCOND] > least_pivot;
+    statistics_.operations = info_[UMFPACK_FLOPS];
+    statistics_.entries = info_[UMFPACK_LNZ] + info_[UMFPACK_UNZ];
+    statistics_.memory = info_[UMFPACK_NUMERIC_SIZE] * info_[UMFPACK_SIZE_OF_UNIT];
+    return status == UMFPACK_OK && pivots().regular();
   }
 
   bool solve(double* b) override {
@@ -49,13 +50,19 @@ public:
     std::copy(scratch_.begin(), scratch_.end(), b);
     return status == UMFPACK_OK;
   }
-  LinearKind kind() const override { return LinearKind::umfpack; }
+
+  PivotRange pivots() const override { return {info_[UMFPACK_UMIN], info_[UMFPACK_UMAX]}; }
   SolverStatistics statistics() const override { return statistics_; }
 
 private:
+  void clear() {
+    umfpack_di_free_numeric(&numeric_);
+    umfpack_di_free_symbolic(&symbolic_);
+  }
+
   Pattern pattern_;
   std::vector<double> scratch_;
-  double control_[UMFPACK_CONTROL];
+  double control_[UMFPACK_CONTROL], info_[UMFPACK_INFO] = {};
   void* symbolic_ = nullptr;
   void* numeric_ = nullptr;
   SolverStatistics statistics_;
@@ -63,8 +70,8 @@ private:
 
 } // namespace
 
-std::unique_ptr<LinearSolver> make_umfpack(const Pattern& pattern) {
-  return std::make_unique<Umfpack>(pattern);
+std::unique_ptr<DirectSolver> make_umfpack() {
+  return std::make_unique<Umfpack>();
 }
 
 } // namespace signorini::solve

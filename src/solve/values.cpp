@@ -18,8 +18,7 @@ bool Symmetry::holds(const double* values) const {
     largest = std::max(largest, std::abs(values[k]));
     difference = std::max(difference, std::abs(values[k] - values[mirror_[k]]));
   }
-  constexpr double tolerance = 1e-9;
-  return difference <= tolerance * largest;
+  return difference <= symmetry_tolerance * largest;
 }
 
 void Symmetry::transpose(const double* values, std::vector<double>& transposed) const {

@@ -1,6 +1,7 @@
 #pragma once
 // What can be said about a matrix and its factors: symmetry, regularity, how well a solution fits.
 
+#include "solve/constants.hpp"
 #include "solve/pattern.hpp"
 
 #include <algorithm>
@@ -9,10 +10,6 @@
 #include <vector>
 
 namespace signorini::solve {
-
-/// Least ratio of the smallest to the largest pivot. Below, rounding alone keeps the matrix from being singular: the
-/// pivot of a rigid motion that nothing holds.
-inline constexpr double least_pivot = 1e-14;
 
 /// The absolutely smallest and largest pivot met.
 struct PivotRange {
@@ -33,7 +30,7 @@ struct PivotRange {
 class Symmetry {
 public:
   explicit Symmetry(const Pattern& pattern);
-  /// Whether |a_ij − a_ji| ≤ 1e-9 max|a| for all entries.
+  /// Whether |a_ij − a_ji| ≤ symmetry_tolerance max|a| for all entries.
   bool holds(const double* values) const;
   /// Kᵀ in the order of the pattern.
   void transpose(const double* values, std::vector<double>& transposed) const;

@@ -1,5 +1,5 @@
-// A constant matrix with a changing contact block, against UMFPACK and dense LU of the whole.
-#include "solve/linear.hpp"
+// A constant matrix with a changing contact block, by several solvers, against UMFPACK and dense LU of the whole.
+#include "solve/condensed.hpp"
 
 #include "nurbs/random_patch.hpp"
 #include "solve/matrices.hpp"
@@ -38,26 +38,69 @@ Values with_contact(std::mt19937& random, const Pattern& pattern, const Condensa
   return values;
 }
 
+using MakeSchur = std::function<std::unique_ptr<SchurSolver>()>;
+
+/// CHOLMOD with L by columns and by dense blocks, ordered in both ways, and any direct solver of the interior.
+const MakeSchur schur_solvers[] = {[] { return make_schur_cholesky(500); }, [] { return make_schur_cholesky(0); },
+                                   [] { return make_schur(make_klu()); }, [] { return make_schur(make_banded()); }};
+
+TEST(SchurSolvers, LeaveTheComplementAndSolve) {
+  std::mt19937 random(17);
+  for (const MakeSchur& make : schur_solvers)
+    for (const Pattern& pattern : {chain(1), chain(13), chain(120), cube(5)})
+      for (int part : {0, 1, 3}) {
+        const int size = pattern.size, count = part * size / 3;
+        const Values values = random_definite(random, pattern);
+        const auto solver = make();
+        solver->analyze(pattern, random_subset(random, size, count));
+        ASSERT_TRUE(solver->factor(values.data()));
+        const std::vector<int>& border = solver->border();
+        ASSERT_EQ(static_cast<int>(border.size()), count);
+        std::vector<int> interior;
+        for (int i = 0; i < size; ++i)
+          if (std::find(border.begin(), border.end(), i) == border.end()) interior.push_back(i);
+        const Eigen::MatrixXd a = dense(pattern, values);
+        Eigen::MatrixXd complement = a(border, border);
+        if (!interior.empty())
+          complement -= a(border, interior) * a(interior, interior).llt().solve(a(interior, border));
+        EXPECT_LT((solver->complement() - complement).norm(), 1e-12 * a.norm());
+        const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(size, -1, 2);
+        Eigen::VectorXd x = b;
+        ASSERT_TRUE(solver->solve(x.data(), [&](double* right) {
+          Eigen::Map<Eigen::VectorXd> rest(right, count);
+          if (count > 0) rest = solver->complement().llt().solve(Eigen::VectorXd(rest));
+          return true;
+        }));
+        EXPECT_LT((a * x - b).norm(), 1e-12 * b.norm()) << size << " " << count;
+      }
+}
+
 TEST(Condensed, SolvesOneContactBlockAfterTheOther) {
   std::mt19937 random(11);
   for (const auto& [size, contacts] : {std::pair{1, 1}, {2, 1}, {13, 0}, {13, 5}, {13, 13}, {120, 40}, {400, 399}}) {
     const Pattern pattern = chain(size);
     const Condensation condensation{random_definite(random, pattern), random_subset(random, size, contacts)};
-    const auto solver = make_solver(LinearKind::condensed, pattern, &condensation);
+    std::vector<std::unique_ptr<LinearSolver>> solvers;
+    solvers.push_back(make_solver(LinearKind::condensed, pattern, &condensation));
+    for (const MakeSchur& make : schur_solvers) solvers.push_back(make_condensed(pattern, condensation, make()));
     const auto oracle = make_solver(LinearKind::umfpack, pattern);
-    EXPECT_EQ(solver->kind(), LinearKind::condensed);
+    EXPECT_EQ(solvers.front()->kind(), LinearKind::condensed);
     // From next to nothing to everything in contact, and a contact that is much stiffer than the bulk
     for (double part : {0.0, 0.1, 0.2, 0.1, 0.5, 1.0, 0.0})
       for (double stiffness : {1.0, 1e4}) {
         SCOPED_TRACE(text(size, " unknowns, ", contacts, " in contact, part ", part, ", stiffness ", stiffness));
         const Values values = with_contact(random, pattern, condensation, part, stiffness);
-        EXPECT_LT(backward_error(*solver, pattern, values), 1e-14);
-        Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(size, 1, 2), y = x;
-        const Eigen::VectorXd z = dense(pattern, values).partialPivLu().solve(x);
-        ASSERT_TRUE(solver->solve(x.data()));
+        const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(size, 1, 2);
+        const Eigen::VectorXd z = dense(pattern, values).partialPivLu().solve(b);
+        Eigen::VectorXd y = b;
         ASSERT_TRUE(oracle->factor(values.data()) && oracle->solve(y.data()));
-        EXPECT_LT((x - y).norm(), 1e-12 * y.norm());
-        EXPECT_LT((x - z).norm(), 1e-12 * z.norm());
+        for (const auto& solver : solvers) {
+          EXPECT_LT(backward_error(*solver, pattern, values), 1e-14);
+          Eigen::VectorXd x = b;
+          ASSERT_TRUE(solver->solve(x.data()));
+          EXPECT_LT((x - y).norm(), 1e-12 * y.norm());
+          EXPECT_LT((x - z).norm(), 1e-12 * z.norm());
+        }
       }
   }
 }

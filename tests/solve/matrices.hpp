@@ -83,7 +83,7 @@ inline Eigen::VectorXd product(const Pattern& pattern, const Values& values, con
 
 /// Largest backward error |K x − b| / (|K||x| + |b|) of two right-hand sides, which follow one factorisation; 1 when
 /// there is none.
-inline double backward_error(LinearSolver& solver, const Pattern& pattern, const Values& values) {
+template <class Solver> double backward_error(Solver& solver, const Pattern& pattern, const Values& values) {
   if (!solver.factor(values.data())) return 1;
   const double norm = Eigen::Map<const Eigen::VectorXd>(values.data(), pattern.entries()).norm();
   double worst = 0;
@@ -108,6 +108,28 @@ inline std::pair<Pattern, Values> free_springs(std::mt19937& random, int size) {
       for (int b : {i, i + 1}) values[at(pattern.find(a, b))] += a == b ? stiffness : -stiffness;
   }
   return {std::move(pattern), std::move(values)};
+}
+
+/// Tangents that drift: definite, two springs that come and go, and an unsymmetric part of the size `skew`.
+struct Drift {
+  Pattern pattern;
+  Values base, change;
+  double skew;
+
+  Drift(std::mt19937& random, Pattern wanted, double skew)
+      : pattern(std::move(wanted)), base(random_definite(random, pattern)), change(random_values(random, pattern)),
+        skew(skew) {}
+  Values at_time(int time) const {
+    Values values = base;
+    for (std::size_t k = 0; k < values.size(); ++k) values[k] += 0.02 * skew * std::sin(0.1 * time) * change[k];
+    for (int i = time % 5; i < pattern.size; i += 1100) values[at(pattern.find(i, i))] += 20;
+    return values;
+  }
+};
+
+inline double residual(const Pattern& pattern, const Values& values, const Eigen::VectorXd& x,
+                       const Eigen::VectorXd& b) {
+  return (b - product(pattern, values, x)).norm() / b.norm();
 }
 
 } // namespace signorini::solve::test

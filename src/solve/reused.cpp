@@ -1,9 +1,8 @@
-#include "solve/kept.hpp"
+#include "solve/reused.hpp"
 
+#include "solve/constants.hpp"
 #include "solve/gmres.hpp"
 #include "solve/rows.hpp"
-#include "solve/symmetric_part.hpp"
-#include "solve/umfpack.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,29 +17,31 @@ double Forcing::next(double norm) {
   began_ = begins;
   last_ = norm;
   const double expected = begins ? first_reduction_ : reduction;
-  return std::clamp(0.1 * expected * expected, tightest, loosest);
+  return std::clamp(small_part * expected * expected, tightest, loosest);
 }
 
 namespace {
 
-constexpr int most_iterations = 40;
-
-class Kept final : public LinearSolver {
+class Reused final : public LinearSolver {
 public:
-  explicit Kept(const Pattern& pattern) : pattern_(pattern), matrix_(pattern), gmres_(pattern.size, most_iterations) {}
+  Reused(const Pattern& pattern, MakeDirect direct, std::unique_ptr<SymmetricPart> symmetric_part)
+      : pattern_(pattern), matrix_(pattern), symmetric_part_(std::move(symmetric_part)),
+        make_direct_(std::move(direct)), gmres_(pattern.size, most_iterations) {}
 
   bool factor(const double* values) override;
   bool solve(double* b) override;
   LinearKind kind() const override { return LinearKind::kept; }
   bool adopt(const Pattern& pattern) override;
-  void watch(const std::vector<int>& unknowns) override { symmetric_part_.watch(unknowns); }
+  void watch(const std::vector<int>& unknowns) override {
+    if (symmetric_part_) symmetric_part_->watch(unknowns);
+  }
   SolverStatistics statistics() const override;
 
 private:
-  enum class Preconditioner { none, symmetric_part, pivoting };
+  enum class Preconditioner { none, symmetric_part, direct };
 
   bool renew();
-  bool renew_with_pivots();
+  bool renew_direct();
   void begin_cycle(Preconditioner used, const SolverStatistics& factors);
   bool apply(double* z);
   double iteration_cost() const;
@@ -49,9 +50,10 @@ private:
 
   Pattern pattern_;
   RowMatrix matrix_;
-  const double* values_ = nullptr;
-  SymmetricPart symmetric_part_;
-  std::unique_ptr<LinearSolver> pivoting_;
+  std::unique_ptr<SymmetricPart> symmetric_part_;
+  MakeDirect make_direct_;
+  std::unique_ptr<DirectSolver> direct_; ///< while it is needed
+  bool analyzed_ = false;                ///< whether direct_ is for the present pattern
   Preconditioner used_ = Preconditioner::none;
   bool present_ = false; ///< whether the preconditioner was made from the present values
   bool first_ = true;    ///< whether the next right-hand side is the first since factor()
@@ -67,74 +69,75 @@ private:
 };
 
 /// Costs are counted in entries of a matrix that are read.
-double Kept::iteration_cost() const {
-  return entries_ + 1.5 * pattern_.entries(); // an entry of K comes with its index
+double Reused::iteration_cost() const {
+  return entries_ + indexed_entry * pattern_.entries();
 }
 
-bool Kept::factor(const double* values) {
-  values_ = values;
+bool Reused::factor(const double* values) {
   matrix_.set(values);
   present_ = false;
   first_ = true;
   // A part that is singular all the same tells nothing of K.
-  if (used_ == Preconditioner::symmetric_part && !symmetric_part_.update(values)) used_ = Preconditioner::none;
+  if (used_ == Preconditioner::symmetric_part && !symmetric_part_->update(values)) used_ = Preconditioner::none;
   return used_ != Preconditioner::none || renew();
 }
 
-bool Kept::adopt(const Pattern& pattern) {
+bool Reused::adopt(const Pattern& pattern) {
   pattern_ = pattern;
   matrix_ = RowMatrix(pattern);
-  symmetric_part_.adopt(pattern);
-  if (used_ != Preconditioner::pivoting) pivoting_.reset();
+  if (symmetric_part_) symmetric_part_->adopt(pattern);
+  analyzed_ = false; // but its factors may go on serving
+  if (used_ != Preconditioner::direct) direct_.reset();
   return true;
 }
 
-void Kept::begin_cycle(Preconditioner used, const SolverStatistics& factors) {
-  // Dense kernels do about ten operations while one entry of the factors is read.
-  constexpr double operations_per_entry = 10;
+void Reused::begin_cycle(Preconditioner used, const SolverStatistics& factors) {
   used_ = used;
   present_ = true;
   entries_ = factors.entries;
-  cost_ = factor_cost_ = factors.operations / operations_per_entry;
+  factor_cost_ =
+      factors.operations > 0 ? factors.operations / operations_per_entry : most_iterations * iteration_cost();
+  cost_ = factor_cost_;
   solutions_ = 0;
 }
 
-bool Kept::renew() {
-  if (!symmetric_part_.factor(pattern_, values_, matrix_.values())) return renew_with_pivots();
-  pivoting_.reset();
-  begin_cycle(Preconditioner::symmetric_part, symmetric_part_.statistics());
+bool Reused::renew() {
+  if (!symmetric_part_ || !symmetric_part_->factor(pattern_, matrix_.columns().data(), matrix_.values()))
+    return renew_direct();
+  direct_.reset();
+  analyzed_ = false;
+  begin_cycle(Preconditioner::symmetric_part, symmetric_part_->statistics());
   return true;
 }
 
-bool Kept::renew_with_pivots() {
+bool Reused::renew_direct() {
   used_ = Preconditioner::none;
-  pivoting_ = make_umfpack(pattern_);
+  if (!direct_) direct_ = make_direct_();
+  if (!analyzed_) direct_->analyze(pattern_);
+  analyzed_ = true;
   ++statistics_.factorisations;
-  if (!pivoting_->factor(values_)) return false;
-  begin_cycle(Preconditioner::pivoting, pivoting_->statistics());
+  if (!direct_->factor(matrix_.columns().data())) return false;
+  begin_cycle(Preconditioner::direct, direct_->statistics());
   return true;
 }
 
-bool Kept::apply(double* z) {
-  return used_ == Preconditioner::pivoting ? pivoting_->solve(z) : symmetric_part_.solve(z);
+bool Reused::apply(double* z) {
+  return used_ == Preconditioner::direct ? direct_->solve(z) : symmetric_part_->solve(z);
 }
 
-/// How many iterations to spend before a new factorisation: as many as it costs, and what would follow it.
-int Kept::budget() const {
+/// How many iterations to spend before a new factorization: as many as it costs, and what would follow it.
+int Reused::budget() const {
   if (present_) return most_iterations;
-  constexpr int usual = 6;
-  return static_cast<int>(std::min<double>(most_iterations, usual + factor_cost_ / iteration_cost()));
+  return static_cast<int>(std::min<double>(most_iterations, usual_iterations + factor_cost_ / iteration_cost()));
 }
 
-void Kept::write_down(double cost) {
-  // A step asks for few digits at first and many in the end, so single solutions say little.
-  constexpr double weight = 0.25;
-  recent_cost_ = solutions_ == 0 ? cost : recent_cost_ + weight * (cost - recent_cost_);
+void Reused::write_down(double cost) {
+  recent_cost_ = solutions_ == 0 ? cost : recent_cost_ + latest_weight * (cost - recent_cost_);
   cost_ += cost;
   ++solutions_;
 }
 
-bool Kept::solve(double* b) {
+bool Reused::solve(double* b) {
   ++statistics_.solutions;
   const bool first = std::exchange(first_, false);
   right_ = rest_ = Eigen::Map<const VectorX>(b, pattern_.size);
@@ -156,8 +159,8 @@ bool Kept::solve(double* b) {
     }
     if (left <= tolerance) break;
     // Too slow: a better preconditioner, as long as there is one
-    if (present_ && used_ == Preconditioner::pivoting) return false;
-    if (!(present_ ? renew_with_pivots() : renew())) return false;
+    if (present_ && used_ == Preconditioner::direct) return false;
+    if (!(present_ ? renew_direct() : renew())) return false;
     matrix_.multiply(sum_.data(), rest_.data());
     rest_ = right_ - rest_;
     left = rest_.norm() / norm;
@@ -166,22 +169,22 @@ bool Kept::solve(double* b) {
   return true;
 }
 
-SolverStatistics Kept::statistics() const {
+SolverStatistics Reused::statistics() const {
+  const SolverStatistics part = symmetric_part_ ? symmetric_part_->statistics() : SolverStatistics();
+  const SolverStatistics direct = direct_ ? direct_->statistics() : SolverStatistics();
   SolverStatistics sum = statistics_;
-  const SolverStatistics& part = symmetric_part_.statistics();
   sum.factorisations += part.factorisations;
-  sum.memory += part.memory;
-  const SolverStatistics pivoting = pivoting_ ? pivoting_->statistics() : SolverStatistics();
-  sum.memory += pivoting.memory;
-  sum.operations = used_ == Preconditioner::pivoting ? pivoting.operations : part.operations;
+  sum.memory = part.memory + direct.memory;
+  sum.operations = used_ == Preconditioner::direct ? direct.operations : part.operations;
   sum.entries = entries_;
   return sum;
 }
 
 } // namespace
 
-std::unique_ptr<LinearSolver> make_kept(const Pattern& pattern) {
-  return std::make_unique<Kept>(pattern);
+std::unique_ptr<LinearSolver> make_reused(const Pattern& pattern, MakeDirect direct,
+                                          std::unique_ptr<SymmetricPart> symmetric_part) {
+  return std::make_unique<Reused>(pattern, std::move(direct), std::move(symmetric_part));
 }
 
 } // namespace signorini::solve
