@@ -58,10 +58,9 @@ Material::Material(T law)
 /// F in space of a deformation in D dimensions; `across` is F₃₃ of a plane one: the hoops' stretch of a body of
 /// revolution (directions r, z, θ), 1 in plane strain.
 template <int D> Mat<3> in_space(const Mat<D>& deformation, double across = 1) {
-  Mat<3> f = Mat<3>::Identity();
-  f(2, 2) = across;
-  f.topLeftCorner<D, D>() = deformation;
-  return f;
+  if constexpr (D == 3) return deformation;
+  const auto& f = deformation;
+  return Mat<3>{{f(0, 0), f(0, 1), 0}, {f(1, 0), f(1, 1), 0}, {0, 0, across}};
 }
 
 } // namespace signorini::solid

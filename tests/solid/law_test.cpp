@@ -1,5 +1,6 @@
 // Laws that the program does not have: Saint Venant–Kirchhoff on the generic kernel, and damage with an internal
 // variable. The generic kernel against the fast ones.
+#include "solid/archive.hpp"
 #include "solid/many_bodies.hpp"
 
 #include <gtest/gtest.h>
@@ -285,6 +286,24 @@ TEST(Law, InternalVariablesOfTheWrongSizeAreAnError) {
   trial.pop_back();
   EXPECT_ERROR(assemble(body, u, committed, trial), "trial values");
   EXPECT_TRUE(initial_values(plane_bodies(svk).front()).empty());
+}
+
+TEST(Law, FilesHoldTheLawsOfTheProgram) {
+  for (const Material& material : {Material(neo_hookean(3, 0.35)), Material(linear_elastic(3, 0.35))}) {
+    ArchiveWriter to;
+    write(to, material);
+    EXPECT_EQ(to.bytes().size(), sizeof(int) + 4 * sizeof(double));
+    ArchiveReader from(to.bytes());
+    const Material back = from.get<Material>();
+    EXPECT_STREQ(back.name(), material.name());
+    EXPECT_EQ(back.linear(), material.linear());
+    EXPECT_EQ(back.constants().lambda, material.constants().lambda);
+  }
+  ArchiveWriter to;
+  EXPECT_ERROR(write(to, svk), "'Saint Venant–Kirchhoff' cannot be saved");
+  to.put(7);
+  ArchiveReader from(to.bytes());
+  EXPECT_ERROR(from.get<Material>(), "there is no law 7");
 }
 
 } // namespace law_test
