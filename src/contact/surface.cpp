@@ -255,7 +255,7 @@ void Surface<D>::locate_with(int element, const FaceCoordinates<D>& xi, int orde
 
 template <int D>
 void Surface<D>::locate(int element, const FaceCoordinates<D>& xi, int order, FacePoint<D>& point) const {
-  if constexpr (D == 2) switch (degree(element, 0)) {
+  if (const int p = degree(element, 0); p == degree(element, D - 2)) switch (p) {
     case 1:
       return locate_with<1>(element, xi, order, point);
     case 2:

@@ -175,13 +175,10 @@ template <int D> BezierCells bezier_cells(const Model<D>& model, int body, bool 
     for (int p : element.degrees) places.push_back(solid::gauss_legendre(p + 1, 0, 1).points);
     MatrixX values(components, size);
     for (int g = 0; g < size; ++g) {
-      VectorX xi(D);
-      for (int d = 0, rest = g; d < D; ++d) {
-        const auto [from, to] = space.interval(e, d);
-        xi(d) = from + (to - from) * places[at(d)][at(rest % (element.degrees[at(d)] + 1))];
-        rest /= element.degrees[at(d)] + 1;
-      }
-      values.col(g) = composed<D>(solid.material(), body_point(model, body, e, xi).state);
+      VectorX fractions(D);
+      for (int d = 0, rest = g; d < D; rest /= element.degrees[at(d++)] + 1)
+        fractions(d) = places[at(d)][at(rest % (element.degrees[at(d)] + 1))];
+      values.col(g) = composed<D>(solid.material(), body_point(model, body, e, space.parameter(e, fractions)).state);
     }
     all.middleCols(first, size) = Projector(element.degrees, places)(values, weights);
     first += size;

@@ -32,12 +32,7 @@ Samples take_samples(const Discretisation& space) {
   Samples samples;
   for (int e = 0; e < space.elements(); ++e)
     for (const Vec<3>& share : inside) {
-      Vec<3> xi;
-      for (int d = 0; d < 3; ++d) {
-        const auto [from, to] = space.interval(e, d);
-        xi(d) = from + share(d) * (to - from);
-      }
-      const nurbs::ElementBasis basis = space.basis(e, xi);
+      const nurbs::ElementBasis basis = space.basis(e, space.parameter(e, share));
       Vec<3> point = Vec<3>::Zero();
       Mat<3> tangent = Mat<3>::Zero();
       for (std::size_t a = 0; a < basis.functions.size(); ++a) {

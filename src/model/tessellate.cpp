@@ -20,17 +20,13 @@ Tessellation tessellate(const Model<2>& model, int body, const Field<2>* field, 
   result.triangles.resize(3, triangles);
   if (field) result.values.resize(points);
 
-  VectorX xi(2);
   int here = 0, triangle = 0;
   for (int e = 0; e < space.elements(); ++e) {
     const auto &along = sampling[0][at(e % space.elements(0))], &across = sampling[1][at(e / space.elements(0))];
     const int side = static_cast<int>(along.size());
-    const auto [a, b] = space.interval(e, 0);
-    const auto [c, d] = space.interval(e, 1);
     for (double t : across)
       for (double s : along) {
-        xi << a + (b - a) * s, c + (d - c) * t;
-        const BodyPoint<2> point = regular_point(model, body, e, xi);
+        const BodyPoint<2> point = regular_point(model, body, e, space.parameter(e, Vec<2>(s, t)));
         result.points.col(here).head<2>() = point.reference;
         if (deformed) result.points.col(here).head<2>() += point.state.displacement;
         if (field) result.values(here) = field->value(solid.material(), point.state);
@@ -45,11 +41,20 @@ Tessellation tessellate(const Model<2>& model, int body, const Field<2>* field, 
   result.control_points.setZero(3, space.functions());
   result.control_points.topRows<2>() = space.points();
   if (deformed) result.control_points.topRows<2>() += body_displacement(model, body);
-  for (std::size_t j = 0; j < space.rows().size(); ++j) {
-    const int first = space.first_function(static_cast<int>(j));
-    for (int i = 1; i < space.rows()[j].functions(); ++i) result.net_lines.push_back({first + i - 1, first + i});
-  }
+  result.net_lines = net_lines(space);
   return result;
+}
+
+std::vector<std::array<int, 2>> net_lines(const nurbs::Discretisation& space) {
+  std::vector<std::array<int, 2>> lines;
+  for (std::size_t j = 0; j < space.rows().size(); ++j) {
+    const int first = space.first_function(static_cast<int>(j)), n = space.rows()[j].direction(0).functions();
+    for (int f = 0; f < space.rows()[j].functions(); ++f) {
+      if (f % n > 0) lines.push_back({first + f - 1, first + f});
+      if (f >= n) lines.push_back({first + f - n, first + f});
+    }
+  }
+  return lines;
 }
 
 } // namespace signorini::model

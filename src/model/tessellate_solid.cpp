@@ -41,13 +41,11 @@ struct SkinSide {
 
   /// At the fractions s and t of element e's way along the side.
   VectorX parameter(int e, double s, double t) const {
-    VectorX xi(3);
-    const auto through = space().interval(e, side.direction);
-    xi(side.direction) = side.at_end ? through[1] : through[0];
-    for (auto [direction, fraction] : {std::pair{along(0), s}, std::pair{along(1), t}}) {
-      const auto [from, to] = space().interval(e, direction);
-      xi(direction) = from + (to - from) * fraction;
-    }
+    Vec<3> fractions = Vec<3>::Zero();
+    fractions(along(0)) = s;
+    fractions(along(1)) = t;
+    VectorX xi = space().parameter(e, fractions);
+    xi(side.direction) = space().interval(e, side.direction)[side.at_end];
     return xi;
   }
 
@@ -119,14 +117,7 @@ void add_control_points(Skin& skin, const Model<3>& model, int body, bool deform
   const nurbs::Discretisation& space = model.system.scene.bodies[at(body)].body->space();
   skin.control_points = space.points();
   if (deformed) skin.control_points += body_displacement(model, body);
-  for (std::size_t r = 0; r < space.rows().size(); ++r) {
-    const int first = space.first_function(static_cast<int>(r)), n = space.rows()[r].direction(0).functions(),
-              count = space.rows()[r].functions();
-    for (int f = 0; f < count; ++f) {
-      if (f % n > 0) skin.net_lines.push_back({first + f - 1, first + f});
-      if (f >= n) skin.net_lines.push_back({first + f - n, first + f});
-    }
-  }
+  skin.net_lines = net_lines(space);
 }
 
 } // namespace
@@ -200,16 +191,8 @@ std::vector<Inside> crossed_elements(const Model<3>& model, int body, const Fiel
   const int side = divisions + 1;
   std::vector<Inside> result;
   for (int e = 0; e < space.elements(); ++e) {
-    const auto parameter = [&](const Vec<3>& fraction) {
-      VectorX xi(3);
-      for (int d = 0; d < 3; ++d) {
-        const auto [from, to] = space.interval(e, d);
-        xi(d) = from + (to - from) * fraction(d);
-      }
-      return xi;
-    };
     // An element lies in the hull of its control points.
-    const std::vector<int> functions = space.basis(e, parameter(Vec<3>::Constant(0.5))).functions;
+    const std::vector<int> functions = space.basis(e, space.parameter(e, Vec<3>::Constant(0.5))).functions;
     const bool crossed = std::any_of(planes.begin(), planes.end(), [&](const Plane& plane) {
       double low = std::numeric_limits<double>::infinity(), high = -low;
       for (int f : functions) {
@@ -223,7 +206,7 @@ std::vector<Inside> crossed_elements(const Model<3>& model, int body, const Fiel
     if (field) inside.values.resize(inside.points.cols());
     for (int p = 0; p < inside.points.cols(); ++p) {
       const Vec<3> fraction = Vec<3>(p % side, p / side % side, p / side / side) / divisions;
-      const BodyPoint<3> point = regular_point(model, body, e, parameter(fraction));
+      const BodyPoint<3> point = regular_point(model, body, e, space.parameter(e, fraction));
       inside.points.col(p) = point.reference;
       if (deformed) inside.points.col(p) += point.state.displacement;
       if (field) inside.values(p) = field->value(solid.material(), point.state);

@@ -90,16 +90,6 @@ std::vector<Functions> lines_along(const Discretisation& space, Side side, int k
   return lines;
 }
 
-/// Parameters that tell one of a space's functions from another: degree+1 per element, the ends shared.
-std::vector<double> sites(const Space1D& space) {
-  std::vector<double> result{space.first()};
-  for (int e = 0; e < space.elements(); ++e) {
-    const auto [from, to] = space.interval(e);
-    for (int k = 1, p = space.degree(e); k <= p; ++k) result.push_back(k < p ? from + (to - from) * k / p : to);
-  }
-  return result;
-}
-
 /// Whether two rows are one shape, whatever their control points.
 bool same_shape(const Row& a, const Row& b, const Places& places) {
   const std::vector<double> first = sites(a.direction(0)),

@@ -109,11 +109,9 @@ Discretisation::Discretisation(const Patch& patch, const Plan& plan)
   check(patch, plan);
   const int dimensions = patch.parametric_dimension();
   std::vector<std::vector<double>> inserted;
-  for (int d = 0; d < dimensions; ++d) {
+  for (int d = 0; d < dimensions; ++d)
     inserted.push_back(element_knots(patch.direction(d), plan.elements[at(d)],
                                      plan.grading.empty() ? std::nullopt : plan.grading[at(d)]));
-    elements_.push_back(patch.direction(d).elements() + static_cast<int>(inserted.back().size()));
-  }
 
   const bool lagrange = plan.labels.front().lagrange;
   const Patch whole = lagrange ? lagrange_patch(patch, plan, through_, inserted)
@@ -158,7 +156,6 @@ Discretisation::Discretisation(int through, Space1D stack, std::vector<Row> rows
     }
     require(fits, "all rows of a body must have the same elements");
   }
-  for (int d = 0; d < first.dimension(); ++d) elements_.push_back(direction(d).elements());
   gather_rows();
 }
 
@@ -180,13 +177,22 @@ MatrixX Discretisation::points() const {
 
 int Discretisation::elements() const {
   int product = 1;
-  for (int count : elements_) product *= count;
+  for (int d = 0; d < parametric_dimension(); ++d) product *= elements(d);
   return product;
 }
 
 int Discretisation::element_index(int e, int d) const {
-  for (int k = 0; k < d; ++k) e /= elements_[at(k)];
-  return e % elements_[at(d)];
+  for (int k = 0; k < d; ++k) e /= elements(k);
+  return e % elements(d);
+}
+
+VectorX Discretisation::parameter(int e, const VectorX& fractions) const {
+  VectorX xi(fractions.size());
+  for (int d = 0; d < xi.size(); ++d) {
+    const auto [from, to] = interval(e, d);
+    xi(d) = from + (to - from) * fractions(d);
+  }
+  return xi;
 }
 
 int Discretisation::degree(int e, int d) const {
@@ -199,7 +205,7 @@ int Discretisation::degree(int e, int d) const {
 
 int Discretisation::find_element(const VectorX& xi) const {
   int e = 0;
-  for (int d = parametric_dimension() - 1; d >= 0; --d) e = e * elements_[at(d)] + direction(d).find_element(xi(d));
+  for (int d = parametric_dimension() - 1; d >= 0; --d) e = e * elements(d) + direction(d).find_element(xi(d));
   return e;
 }
 

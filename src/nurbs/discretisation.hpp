@@ -39,7 +39,7 @@ public:
   /// fit together, or a space has more than its first function at its start, or than its last at its end.
   Discretisation(int through, Space1D stack, std::vector<Row> rows, std::vector<Side> contact);
 
-  int parametric_dimension() const { return static_cast<int>(elements_.size()); }
+  int parametric_dimension() const { return rows_.front().parametric_dimension() + 1; }
   int dimension() const { return static_cast<int>(homogeneous_.rows()) - 1; }
   int functions() const { return static_cast<int>(homogeneous_.cols()); }
   /// Weighted control points of all rows, row after row, (dimension+1) × functions.
@@ -56,12 +56,14 @@ public:
   /// Index of row j's first function.
   int first_function(int row) const { return first_[static_cast<std::size_t>(row)]; }
 
-  int elements(int d) const { return elements_[static_cast<std::size_t>(d)]; }
+  int elements(int d) const { return direction(d).elements(); }
   int elements() const;
   /// Index of element e (counted with ξ¹ fastest) in direction d.
   int element_index(int e, int d) const;
   /// Parameters between which element e lies in direction d.
   std::array<double, 2> interval(int e, int d) const { return direction(d).interval(element_index(e, d)); }
+  /// Parameters at fractions, from 0 to 1 in every direction, of element e.
+  VectorX parameter(int e, const VectorX& fractions) const;
   /// Highest degree in direction d of the functions that live on element e: fixes the quadrature.
   int degree(int e, int d) const;
   /// The element that holds xi. Throws Error when xi is outside.
@@ -88,7 +90,7 @@ private:
   int through_;
   Space1D stack_;
   std::vector<Row> rows_;
-  std::vector<int> first_, elements_;
+  std::vector<int> first_;
   std::vector<Side> contact_;
   MatrixX homogeneous_;
 };

@@ -6,22 +6,9 @@
 #include "nurbs/basis.hpp"
 #include "nurbs/tensor.hpp"
 
-#include <numeric>
-
 namespace signorini::nurbs {
 
 namespace {
-
-std::vector<int> functions_on(const KnotVector& knots, int element) {
-  std::vector<int> functions(at(knots.degree() + 1));
-  std::iota(functions.begin(), functions.end(), knots.first_function(element));
-  return functions;
-}
-
-std::vector<int> functions_on(const Space1D& space, int element) {
-  const std::span<const int> functions = space.functions_on(element);
-  return {functions.begin(), functions.end()};
-}
 
 /// The functions that do not vanish on the element of xi, direction by direction; missing directions are constant 1.
 struct LocalBasis {
@@ -36,7 +23,8 @@ struct LocalBasis {
     for (int d = 0; d < patch.parametric_dimension(); ++d) {
       const Direction& space = patch.direction(d);
       const int element = space.find_element(xi(d));
-      numbers[d] = functions_on(space, element);
+      const auto& on_element = space.functions_on(element);
+      numbers[d].assign(on_element.begin(), on_element.end());
       functions.along[at(d)] = numbers[d];
       functions.stride[at(d)] = size;
       size *= space.functions();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace signorini::nurbs {
 
@@ -65,6 +66,12 @@ int find_element(const std::vector<double>& breaks, double xi) {
           beyond > 0 && beyond < 1e-6 * (last - first) ? text(", by ", beyond) : "");
   const auto next = std::upper_bound(breaks.begin(), breaks.end() - 1, xi);
   return std::max(static_cast<int>(next - breaks.begin()) - 1, 0);
+}
+
+std::vector<int> KnotVector::functions_on(int element) const {
+  std::vector<int> functions(static_cast<std::size_t>(degree_ + 1));
+  std::iota(functions.begin(), functions.end(), first_function(element));
+  return functions;
 }
 
 int KnotVector::multiplicity(double knot) const {

@@ -40,6 +40,7 @@ public:
   int span(int element) const { return spans_[static_cast<std::size_t>(element)]; }
   /// First function that does not vanish on element e.
   int first_function(int element) const { return span(element) - degree_; }
+  std::vector<int> functions_on(int element) const;
   /// The element that holds xi; the last one at the right end. Throws Error when xi is outside [first, last] or NaN.
   int find_element(double xi) const { return nurbs::find_element(breaks_, xi); }
 

@@ -15,25 +15,12 @@ KnotVector lagrange_knots(int degree, const std::vector<double>& breaks) {
   return {degree, std::move(knots)};
 }
 
-/// Parameters where the geometry is interpolated: degree per span, and the last end.
-std::vector<double> nodes(const KnotVector& knots) {
-  std::vector<double> result;
-  const auto& breaks = knots.breaks();
-  const int p = knots.degree();
-  for (int e = 0; e < knots.elements(); ++e)
-    for (int k = 0; k < p; ++k) {
-      const std::size_t i = static_cast<std::size_t>(e);
-      result.push_back(breaks[i] + (breaks[i + 1] - breaks[i]) * k / p);
-    }
-  result.push_back(breaks.back());
-  return result;
-}
-
-/// Replaces nodal values by Bernstein coefficients along one direction: entries start, start+stride, … of the columns.
-void to_coefficients(const KnotVector& knots, int start, int stride, MatrixX& values) {
+/// Replaces values at `places` by Bernstein coefficients along one direction: entries start, start+stride, … of the
+/// columns.
+void to_coefficients(const KnotVector& knots, const std::vector<double>& places, int start, int stride,
+                     MatrixX& values) {
   const int p = knots.degree();
   MatrixX collocation(p + 1, p + 1), local(values.rows(), p + 1);
-  const std::vector<double> places = nodes(knots);
   MatrixX line(values.rows(), knots.functions());
   for (int i = 0; i < knots.functions(); ++i) line.col(i) = values.col(start + i * stride);
   for (int e = 0; e < knots.elements(); ++e) {
@@ -60,7 +47,7 @@ Patch interpolate_lagrange(const Patch& patch, const std::vector<int>& degrees,
   for (int d = 0; d < dimensions; ++d) {
     const std::size_t i = static_cast<std::size_t>(d);
     directions.push_back(lagrange_knots(degrees[i], breaks[i]));
-    parameters.push_back(nodes(directions.back()));
+    parameters.push_back(sites(spline_space(directions.back())));
     size *= directions.back().functions();
   }
 
@@ -77,10 +64,10 @@ Patch interpolate_lagrange(const Patch& patch, const std::vector<int>& degrees,
   }
 
   for (int d = 0, stride = 1; d < dimensions; ++d) {
-    const int count = directions[static_cast<std::size_t>(d)].functions();
+    const KnotVector& knots = directions[at(d)];
     for (int n = 0; n < size; ++n)
-      if ((n / stride) % count == 0) to_coefficients(directions[static_cast<std::size_t>(d)], n, stride, values);
-    stride *= count;
+      if ((n / stride) % knots.functions() == 0) to_coefficients(knots, parameters[at(d)], n, stride, values);
+    stride *= knots.functions();
   }
   return make_patch(std::move(directions), values);
 }

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace signorini::nurbs {
 
@@ -49,15 +48,22 @@ Element1D Space1D::element(int e) const {
   return {degree(e), {functions.begin(), functions.end()}, extraction(e)};
 }
 
+std::vector<double> sites(const Space1D& space) {
+  std::vector<double> result{space.first()};
+  for (int e = 0; e < space.elements(); ++e) {
+    const auto [from, to] = space.interval(e);
+    for (int k = 1, p = space.degree(e); k <= p; ++k) result.push_back(k < p ? from + (to - from) * k / p : to);
+  }
+  return result;
+}
+
 Space1D spline_space(const KnotVector& knots) {
   const int p = knots.degree();
   std::vector<int> smoothness;
   std::vector<Element1D> elements;
   for (double knot : knots.breaks()) smoothness.push_back(std::max(p - knots.multiplicity(knot), -1));
-  for (int e = 0; e < knots.elements(); ++e) {
-    elements.push_back({p, std::vector<int>(at(p + 1)), bezier_extraction(knots, e)});
-    std::iota(elements.back().functions.begin(), elements.back().functions.end(), knots.first_function(e));
-  }
+  for (int e = 0; e < knots.elements(); ++e)
+    elements.push_back({p, knots.functions_on(e), bezier_extraction(knots, e)});
   return {knots.breaks(), std::move(smoothness), elements, knots};
 }
 

@@ -79,6 +79,9 @@ private:
   int functions_ = 0, degree_ = 0;
 };
 
+/// Parameters that tell a space's continuous functions apart: degree+1 at equal distances per element, ends shared.
+std::vector<double> sites(const Space1D& space);
+
 /// The B-splines of a knot vector; Lagrange elements where interior knots are repeated degree times.
 Space1D spline_space(const KnotVector& knots);
 
