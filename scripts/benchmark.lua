@@ -14,7 +14,8 @@
 --           in space with their power 2/3; the factorisation with 1.5 in the plane and 2 in space in the end, less on
 --           small meshes; so the linear solver takes most of the time in space.
 -- Run: signorini scripts/benchmark.lua [plane=m1,m2,m3,m4,m5] [solid=sparse,coarse,middle,fine] [label=N2] [steps=3]
---      [repeats=3] [linear=umfpack] [element=8] [out=out/benchmark] [page=none]; steps: that are timed;
+--      [solvers=ironing-m1,…] [repeats=3] [linear=umfpack] [element=8] [out=out/benchmark] [page=none]; steps: that are
+--      timed; solvers: scenes on which the linear solvers are compared, or none;
 --      repeats: passes, of which the median counts; element: elements along an edge of the block for the yardstick;
 --      page: a folder with benchmark.md, whose table between two marks and charts are replaced (share/doc).
 
@@ -23,11 +24,13 @@ local sg = require "signorini"
 local measure = require "benchmark.measure"
 local growth = require "benchmark.growth"
 local report = require "benchmark.report"
+local solvers = require "benchmark.solvers"
 
 local problems = measure.problems
 local options = sg.arguments{
   plane = { { "m1", "m2", "m3", "m4", "m5" }, choices = problems.plane.meshes, none = true },
   solid = { { "sparse", "coarse", "middle", "fine" }, choices = problems.solid.meshes, none = true },
+  solvers = { solvers.names, choices = solvers.names, none = true },
   label = "N2", steps = 3, repeats = 3, linear = { "umfpack", choices = { "auto", "klu", "umfpack", "kept" } },
   element = 8, out = "out/benchmark", page = "none",
 }
@@ -55,6 +58,8 @@ for _, name in ipairs { "plane", "solid" } do
 end
 local element = measure.element(options.element, options.repeats)
 
+local solver_sheet = solvers.sheet(options.solvers, options.repeats)
+
 print "Time of an iteration by its parts, ms (search is part of contact); around: all but the linear solver, over it"
 print(report.iteration_table(cases))
 print "\nTime to write a state, ms"
@@ -63,13 +68,16 @@ print "\nGrowth: exponent of the degrees of freedom over the larger half of the 
 print(report.growth_table(exponents))
 print(("\nTangent of a solid element with 27 functions: %.4f ms (FEBio 0.38, G+Smo 2)"):format(element))
 
+print "\nSeconds of processor time in the linear solver"
+print(sg.table(solver_sheet))
+
 sg.csv.write(files "benchmark.csv", report.sheet(cases, options))
 sg.csv.write(files "growth.csv", report.growth_sheet(exponents))
 for _, chart in ipairs(report.charts) do
   files:draw(chart.file, "two meshes of " .. chart.needs, function(file) return chart.draw(file, cases) end)
 end
-if options.page ~= "none" then report.page(options.page, cases, exponents, element) end
+if options.page ~= "none" then report.page(options.page, cases, exponents, element, solver_sheet) end
 for _, name in ipairs { "state.png", "state.csv", "state.sgn" } do os.remove(options.out .. "/" .. name) end
 files:report()
 
-return { cases = cases, exponents = exponents, element = element }
+return { cases = cases, exponents = exponents, element = element, solvers = solver_sheet }

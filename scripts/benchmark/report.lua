@@ -119,20 +119,29 @@ local function markdown(columns, rows)
   return table.concat(lines, "\n")
 end
 
---- Replaces what stands between the two marks of benchmark.md in a folder, and the charts there.
-function report.page(folder, cases, exponents, element)
-  local path, first, last = folder .. "/benchmark.md", "<!-- measured -->\n", "<!-- end of measured -->"
+--- Replaces what stands between two marks of benchmark.md in a folder.
+local function replace(folder, mark, measured)
+  local path = folder .. "/benchmark.md"
+  local first, last = ("<!-- %s -->\n"):format(mark), ("<!-- end of %s -->"):format(mark)
   local text = core.read_file(path)
   local _, from = text:find(first, 1, true)
   local to = from and text:find(last, from, true)
   if not to then error(("%s must have the lines '%s' and '%s'"):format(path, first:sub(1, -2), last), 0) end
+  core.write_file(path, text:sub(1, from) .. measured .. text:sub(to))
+end
+
+--- Replaces the page's tables of what was measured, and its charts: those of the cases and of the solvers' sheet, where
+--- there are any.
+function report.page(folder, cases, exponents, element, solvers)
+  if #solvers.rows > 0 then replace(folder, "solvers", markdown(solvers.columns, solvers.rows) .. "\n") end
+  if #cases == 0 then return end
   local names = table.move(all_accounts, 1, #all_accounts, 1, {})
   names[#names + 1] = "around"
   local sheet, growth = case_sheet(cases, names, { "iterations" }), report.growth_sheet(exponents)
   local measured = table.concat({ markdown(sheet.columns, sheet.rows),
     markdown({ "exponent", "2D", "3D" }, growth.rows),
     ("Residual and tangent of a solid element with 27 functions: %.3f ms.\n"):format(element) }, "\n\n")
-  core.write_file(path, text:sub(1, from) .. measured .. text:sub(to))
+  replace(folder, "measured", measured)
   for _, chart in ipairs(report.charts) do chart.draw(folder .. "/" .. chart.file, cases) end
 end
 

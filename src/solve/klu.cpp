@@ -35,12 +35,13 @@ public:
 
   bool factor(const double* values) override {
     ++statistics_.factorisations;
+    double* const read = const_cast<double*>(values); // KLU reads the values only
+    refactored_ = numeric_ &&
+                  klu_refactor(pattern_.starts.data(), pattern_.rows.data(), read, symbolic_, numeric_, &common_) &&
+                  common_.status == KLU_OK && pivots().regular();
+    if (!refactored_) return factor_with_pivots(read);
     values_.assign(values, values + pattern_.entries());
-    refactored_ =
-        numeric_ &&
-        klu_refactor(pattern_.starts.data(), pattern_.rows.data(), values_.data(), symbolic_, numeric_, &common_) &&
-        common_.status == KLU_OK && pivots().regular();
-    return refactored_ || factor_with_pivots();
+    return true;
   }
 
   bool solve(double* b) override {
@@ -53,7 +54,7 @@ public:
         return true;
       std::copy(right_.begin(), right_.end(), b);
       ++statistics_.factorisations;
-      if (!factor_with_pivots()) return false;
+      if (!factor_with_pivots(values_.data())) return false;
     }
     return klu_solve(symbolic_, numeric_, pattern_.size, 1, b, &common_);
   }
@@ -72,16 +73,16 @@ private:
     klu_free_symbolic(&symbolic_, &common_);
   }
 
-  bool factor_with_pivots() {
+  bool factor_with_pivots(double* values) {
     refactored_ = false;
     klu_free_numeric(&numeric_, &common_);
-    numeric_ = klu_factor(pattern_.starts.data(), pattern_.rows.data(), values_.data(), symbolic_, &common_);
+    numeric_ = klu_factor(pattern_.starts.data(), pattern_.rows.data(), values, symbolic_, &common_);
     statistics_.memory = static_cast<double>(common_.memusage);
     return numeric_ != nullptr && common_.status == KLU_OK && pivots().regular();
   }
 
   Pattern pattern_;
-  std::vector<double> values_; ///< KLU's solutions are checked against them
+  std::vector<double> values_; ///< refactored ones, which solutions are checked against
   std::vector<double> right_, difference_;
   bool refactored_ = false;
   klu_common common_{};

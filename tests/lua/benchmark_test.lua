@@ -32,9 +32,12 @@ end)
 
 check.case("components in 2D and 3D", function()
   core.mkdir(folder)
-  core.write_file(folder .. "/benchmark.md", "before\n<!-- measured -->\nold\n<!-- end of measured -->\nafter\n")
-  local result = benchmark("plane=m1,m2,m4", "solid=sparse", "steps=1", "repeats=1", "element=2", "page=" .. folder)
+  core.write_file(folder .. "/benchmark.md", "before\n<!-- measured -->\nold\n<!-- end of measured -->\nafter\n"
+    .. "<!-- solvers -->\nold\n<!-- end of solvers -->\n")
+  local result = benchmark("solvers=ironing-m1,hertz-m1", "plane=m1,m2,m4", "solid=sparse", "steps=1", "repeats=1",
+    "element=2", "page=" .. folder)
   check.equal(#result.cases, 4)
+  check.equal({ #result.solvers.rows, result.solvers.rows[1][3], result.solvers.rows[2][3] }, { 2, "klu", "condensed" })
   for _, case in ipairs(result.cases) do
     -- Parts of the whole, none of them idle; search lies in contact, factorisation and solution make up linear.
     for _, part in ipairs { "bulk", "contact", "search", "factorisation", "solution", "picture", "csv",
@@ -66,7 +69,7 @@ check.case("components in 2D and 3D", function()
   check.equal(core.exists(folder .. "/state.sgn"), false)
   local page = core.read_file(folder .. "/benchmark.md")
   check.holds(page, "before\n<!-- measured -->\n| problem |", "| 2D ironing | m4 |",
-    "<!-- end of measured -->\nafter\n")
+    "<!-- end of measured -->\nafter\n<!-- solvers -->\n| scene |", "| hertz-m1 | 980 | condensed |")
   check.equal(page:find("old", 1, true), nil)
 end)
 
@@ -78,7 +81,7 @@ check.case("accounts that nobody asked for stay empty", function()
 end)
 
 check.case("wrong arguments", function()
-  check.fails(function() benchmark("plane=m2,m1", "solid=none") end, "meshes must come in rising order")
+  check.fails(function() benchmark("plane=m2,m1", "solid=none", "solvers=none") end, "meshes must come in rising order")
   check.fails(function() benchmark("plane=m9") end, "plane must be")
 end)
 

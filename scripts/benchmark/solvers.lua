@@ -1,0 +1,86 @@
+-- What linear systems take with each of the linear solvers, on scenes of the studies: a solver stays in the program as
+-- long as it is 1.3 times as fast as what would remain somewhere here.
+
+local sg = require "signorini"
+local hertz = require "hertz2d.problem"
+local measure = require "benchmark.measure"
+local peeling = require "peeling2d.problem"
+local rings = require "rings2d.problem"
+
+local solvers = { kinds = { "klu", "umfpack", "banded", "kept", "condensed", "auto" } }
+
+-- ── Scenes: begin(steps) → model, stages ─────────────────────────────────────────────────────────────────────────────
+
+local function ironing(problem, mesh)
+  return function(steps)
+    local model, _, press, slide = measure.problems[problem].begin("N2", mesh, steps)
+    return model, { press, slide }
+  end
+end
+
+local function peel(steps)
+  return peeling.scene("N2", "m2", peeling.length, peeling.bonded),
+    { { name = "rotate", steps = steps, edge = peeling.pitch * steps } }
+end
+
+local function two_rings(steps)
+  return rings.scene("N2-N2.2", "m4"), { { name = "press", steps = steps, grip = { -0.1 * steps } } }
+end
+
+local function pressed_ring(mesh)
+  return function(steps)
+    local model, stage = hertz.scene{ label = "N2", mesh = mesh, load = "displacement" }
+    stage.steps = steps
+    return model, { stage }
+  end
+end
+
+local function square(steps)
+  local body = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = { 64, 64 }, order = "N2",
+                        contact = "north", through = 2, material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+  local model = sg.model{ bodies = { body = body }, supports = {
+    bed = { on = body:face "south", fix = "xy" }, lid = { on = body:face "north", drive = "xy" } } }
+  return model, { { name = "press", steps = steps, lid = { 0, -0.02 * steps } } }
+end
+
+--- By name: begin, steps, and whether all bodies are linear elastic.
+local scenes = {
+  ["ironing-m1"] = { ironing("plane", "m1"), 40 }, ["ironing-m3"] = { ironing("plane", "m3"), 20 },
+  ["ironing-m4"] = { ironing("plane", "m4"), 8 }, ["peeling-m2"] = { peel, 20 }, ["rings-m4"] = { two_rings, 10 },
+  ["hertz-m1"] = { pressed_ring "m1", 10, true }, ["hertz-m3"] = { pressed_ring "m3", 10, true },
+  ["solid-coarse"] = { ironing("solid", "coarse"), 3 }, ["square-64"] = { square, 5 },
+}
+solvers.names = { "ironing-m1", "ironing-m3", "ironing-m4", "rings-m4", "peeling-m2", "square-64", "hertz-m1",
+                  "hertz-m3", "solid-coarse" }
+
+--- Seconds of processor time in the linear solver, by its share in the run's wall time, and what model:solver() says.
+local function solve(scene, linear)
+  collectgarbage() -- models are larger than Lua can see
+  local model, stages = scene[1](scene[2])
+  local began = os.clock()
+  local run = model:run(stages, sg.plain{ linear = linear, step = { adaptive = true } })
+  if run.failed then error(run.report, 0) end
+  return (os.clock() - began) * run.timings.linear / run.wall, model:solver()
+end
+
+--- A sheet of the scenes with these names: processor seconds in the linear solver by its kind, medians of `repeats`.
+function solvers.sheet(names, repeats)
+  local sheet = { columns = { "scene", "unknowns", "auto is" }, formats = { "%s", "%d", "%s" }, rows = {} }
+  for k, kind in ipairs(solvers.kinds) do sheet.columns[3 + k], sheet.formats[3 + k] = kind, "%.3g" end
+  for i, name in ipairs(names) do
+    local scene, times, last = scenes[name], {}, nil
+    for round = 1, repeats do -- in turns, so that a busy spell of the machine meets all alike
+      for k, kind in ipairs(solvers.kinds) do
+        if kind ~= "condensed" or scene[3] then
+          times[k] = times[k] or {}
+          times[k][round], last = solve(scene, kind)
+        end
+      end
+    end
+    sheet.rows[i] = { name, last.unknowns, last.linear }
+    for k in ipairs(solvers.kinds) do sheet.rows[i][3 + k] = times[k] and sg.median(times[k]) end
+  end
+  return sheet
+end
+
+return solvers
