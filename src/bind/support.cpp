@@ -1,3 +1,4 @@
+#include "base/words.hpp"
 #include "bind/draft.hpp"
 #include "bind/place.hpp"
 #include "solid/load.hpp"
@@ -85,6 +86,18 @@ template <int D> double face_area(const solid::Body<D>& body, nurbs::Side side) 
   return solid::traction_load(body, side, 0).sum(); // ∫ Σ_A R_A dA, Σ_A R_A = 1
 }
 
+/// Calls visit(place) for each of the faces that `on` lists; other things are errors.
+template <int D, class Visit>
+void each_face(lua_State* L, const Options& o, const Argument& on, const char* expected, const char* cure,
+               Visit visit) {
+  each_item(L, o, on, [&](int index) {
+    const Place<D>* place = test_object<Place<D>>(L, index);
+    if (!place) reject(L, index, on, expected, cure);
+    if (!place->side) reject_place(L, *place, on, expected, cure);
+    visit(*place);
+  });
+}
+
 /// The face that a support turns, in space the faces, about their common centroid and an axis through it.
 template <int D> void read_rotation(lua_State* L, const Options& o, const Argument& on, model::Support<D>& support) {
   if constexpr (D == 2) {
@@ -100,15 +113,66 @@ template <int D> void read_rotation(lua_State* L, const Options& o, const Argume
   const int value = o.push_value("on");
   if (D == 2 && lua_istable(L, value)) reject(L, value, on, expected, cure);
   double size = 0;
-  each_item(L, o, on, [&](int at) {
-    const Place<D>* place = test_object<Place<D>>(L, at);
-    if (!place) reject(L, at, on, expected, cure);
-    if (!place->side) reject_place(L, *place, on, expected, cure);
-    const double area = face_area(*place->body, *place->side);
-    support.centre += area * model::face_centroid(*place->body, *place->side);
+  each_face<D>(L, o, on, expected, cure, [&](const Place<D>& face) {
+    const double area = face_area(*face.body, *face.side);
+    support.centre += area * model::face_centroid(*face.body, *face.side);
     size += area;
   });
   support.centre /= size;
+}
+
+/// x, y or z = place.
+struct AxisPlane {
+  int axis;
+  double place;
+  std::string words() const { return text(model::component_name(axis), " = ", number(place)); }
+};
+
+/// The plane across an axis that all of a face's control points lie in, to `tolerance`; nothing for a face that is
+/// curved, inclined or collapsed.
+template <int D> std::optional<AxisPlane> plane_of(const MatrixX& points, double tolerance) {
+  const Vec<D> low = points.rowwise().minCoeff(), extent = points.rowwise().maxCoeff() - low;
+  if ((extent.array() <= tolerance).count() != 1) return std::nullopt;
+  int axis = 0;
+  extent.minCoeff(&axis);
+  return AxisPlane{axis, low(axis)};
+}
+
+/// Holds the normal component on faces in a plane of symmetry.
+template <int D>
+void read_symmetry(lua_State* L, const Options& o, const Argument& on, const model::Scene<D>& scene,
+                   model::Support<D>& support) {
+  if (!o.flag("symmetry", "hold the normal component on a plane of symmetry", false)) return;
+  constexpr double flat = 1e-9; // of a body's size: what rounding leaves of a plane
+  const auto reject_symmetry = [&](const auto&... words) {
+    throw ArgumentError(text(function_name(L), ": ", o.path(), ".symmetry ", words...));
+  };
+  if (support.rotates) reject_symmetry("holds a plane, which rotate turns: take one of the two out");
+  std::optional<AxisPlane> plane;
+  const char* cure = "what lies in a plane of symmetry are faces of bodies; give other things a support of their own";
+  each_face<D>(L, o, on, "a face, or a list of faces", cure, [&](const Place<D>& face) {
+    const std::string words = face_in_words(scene, {index_of(L, scene, face, on.name), *face.side});
+    const MatrixX points = face.body->space().points();
+    const double tolerance = flat * (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
+    const std::optional<AxisPlane> found = plane_of<D>(points(Eigen::all, face.functions), tolerance);
+    if (!found)
+      reject_symmetry("needs a flat face across ", D == 2 ? "x or y" : "x, y or z", ", but ", words,
+                      " is curved or inclined: turn an inclined plane across an axis by patch:rotate, of all bodies "
+                      "alike");
+    if (scene.kind == solid::Kind::axisymmetric && found->axis == 0 && std::abs(found->place) > tolerance)
+      reject_symmetry("needs the axis x = 0 or a face across y, but ", words, " is a cylinder of radius ",
+                      number(found->place), ": fix = \"x\" holds its radius");
+    if (plane && (plane->axis != found->axis || std::abs(plane->place - found->place) > tolerance))
+      reject_symmetry("needs faces in one plane, but ", words, " lies in ", found->words(), ", the one before in ",
+                      plane->words(), ": give each plane a support of its own");
+    plane = found;
+  });
+  const std::string normal = model::component_name(plane->axis);
+  for (const char* key : {"drive", "free"})
+    if (o.has(key) && o.string(key, "components").find(normal) != std::string::npos)
+      reject_symmetry("holds ", normal, " on the plane ", plane->words(), ", but ", key, " names ", normal,
+                      " as well: take one of the two out");
+  support.hold[static_cast<std::size_t>(plane->axis)] = Hold::fixed;
 }
 
 } // namespace
@@ -116,7 +180,7 @@ template <int D> void read_rotation(lua_State* L, const Options& o, const Argume
 template <int D>
 model::Support<D> read_support(lua_State* L, Draft<D>& draft, const std::string& name, int index,
                                const Argument& entry) {
-  const Options o(L, index, {"on", "fix", "drive", "free", "rotate"}, false, entry.name);
+  const Options o(L, index, {"on", "fix", "drive", "free", "rotate", "symmetry"}, false, entry.name);
   model::Support<D> support;
   support.name = name;
   const Argument on = o.argument("on", D == 2 ? "a face, a list of faces, a corner, or an obstacle"
@@ -142,9 +206,10 @@ model::Support<D> read_support(lua_State* L, Draft<D>& draft, const std::string&
   read_components<D>(L, o, "drive", "components that stages move", Hold::driven, support);
   read_components<D>(L, o, "free", "components that move as they will", Hold::free, support);
   read_rotation(L, o, on, support);
+  read_symmetry(L, o, on, draft.scene, support);
   if (support.hold == std::array<Hold, D>{} && !support.rotates)
-    throw ArgumentError(text(function_name(L), ": ", entry.name, " holds nothing: add fix = \"xy\", drive = \"xy\" or ",
-                             D == 2 ? "rotate = true" : "rotate = \"z\""));
+    throw ArgumentError(text(function_name(L), ": ", entry.name, " holds nothing: add fix = \"xy\", drive = \"xy\", ",
+                             D == 2 ? "rotate = true" : "rotate = \"z\"", " or symmetry = true"));
   return support;
 }
 

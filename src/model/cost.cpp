@@ -32,19 +32,6 @@ template <int D> BodyCost body_cost(const Model<D>& model, int index) {
   return cost;
 }
 
-template <int D> int points_everywhere(const Model<D>& model, int contact, int per_direction) {
-  const int elements = model.system.contacts[static_cast<std::size_t>(contact)]->slave().elements();
-  return elements * (D == 3 ? per_direction * per_direction : per_direction);
-}
-
-template <int D> double accepted_value(const Model<D>& model, int support, int load, int component) {
-  const auto& drives = model.system.drives.all();
-  const auto found = std::find_if(drives.begin(), drives.end(),
-                                  [&](const Drive& drive) { return drive.support == support && drive.load == load; });
-  if (found == drives.end() || component < 0) return 0;
-  return accepted_target(model, static_cast<int>(found - drives.begin()), component);
-}
-
 template <int D> MemoryCost memory_cost(const Model<D>& model) {
   MemoryCost cost{0, 0, model.system.assembly.memory(), model.linear.statistics().memory, true, model.linear.kind()};
   for (const auto& named : model.system.scene.bodies) cost.bodies += static_cast<double>(named.body->memory());
@@ -65,10 +52,6 @@ template <int D> MemoryCost memory_cost(const Model<D>& model) {
 
 template BodyCost body_cost(const Model<2>&, int);
 template BodyCost body_cost(const Model<3>&, int);
-template int points_everywhere(const Model<2>&, int, int);
-template int points_everywhere(const Model<3>&, int, int);
-template double accepted_value(const Model<2>&, int, int, int);
-template double accepted_value(const Model<3>&, int, int, int);
 template MemoryCost memory_cost(const Model<2>&);
 template MemoryCost memory_cost(const Model<3>&);
 

@@ -14,19 +14,6 @@ struct BodyCost {
 };
 template <int D> BodyCost body_cost(const Model<D>& model, int body);
 
-/// Contact points with so many per slave element and direction, if no region leaves any out.
-template <int D> int points_everywhere(const Model<D>& model, int contact, int per_direction);
-/// Whether a region leaves points of the slave face out.
-template <int D> bool limited(const Model<D>& model, int contact) {
-  const auto k = static_cast<std::size_t>(contact);
-  return static_cast<int>(model.system.contacts[k]->points().size()) <
-         points_everywhere(model, contact, model.system.scene.contacts[k].points);
-}
-
-/// The accepted target of a support's component among those it drives, or of a load's; the other index is −1. 0 where
-/// the component is −1.
-template <int D> double accepted_value(const Model<D>& model, int support, int load, int component);
-
 /// Bytes.
 struct MemoryCost {
   double bodies;   ///< tables of Gauss points

@@ -65,7 +65,7 @@ model = sg.model { bodies = { slab = slab }, supports = { grip = { on = slab:fac
 check.case("named arguments of tables in tables, whatever the user calls them", function()
   check.equal(all "sg.model{ contacts = { c = { friction = { m", { "mu = " })
   check.equal(all 'sg.model{ bodies = {}, supports = { interface = { on = slab:face "south", ',
-    { "fix = ", "drive = ", "rotate = " })
+    { "fix = ", "drive = ", "rotate = ", "symmetry = " })
   check.equal(all "sg.model{ loads = { a = {}, b = {\n", { "on = ", "traction = ", "pressure = " })
   check.equal(all "model:run(stages, { newton = { l", { "line_search = " })
   check.equal(all "model:run(stages, { step = { min = 1/8, m", { "max = " })

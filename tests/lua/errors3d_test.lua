@@ -94,7 +94,7 @@ local wrong = {
   { "what is fixed is driven", [[sg.model(held{ on = b:face "front", fix = "xyz", drive = "z" })]],
     "supports.s both fixes and drives z" },
   { "a support that holds nothing", [[sg.model(held{ on = b:face "front" })]],
-    [[add fix = "xy", drive = "xy" or rotate = "z"]] },
+    [[add fix = "xy", drive = "xy", rotate = "z" or symmetry = true]] },
   { "an axis for a plane face",
     [[sg.model{ bodies = { a = flat }, supports = { s = { on = flat:face "south", rotate = "z" } } }]],
     "supports.s.rotate must be true or false", "got the string 'z'", "write rotate = true" },

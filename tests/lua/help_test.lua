@@ -153,7 +153,7 @@ end)
 check.case("the parts of a scene and its path have pages", function()
   local texts = require "signorini.help.texts"
   check.holds(texts.contact, "friction: { mu, penalty }", "points:", "3 (p + 1)", "adhesion:", "where:", "Source:")
-  check.holds(texts.support, "fix:", "drive:", "free:", "rotate:")
+  check.holds(texts.support, "fix:", "drive:", "free:", "rotate:", "symmetry:")
   check.holds(texts.load, "traction:", "pressure:")
   check.holds(texts.stage, "steps:", "Values count from the reference state")
 end)

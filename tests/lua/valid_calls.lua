@@ -27,7 +27,9 @@ return function(folder)
                                         friction = { mu = 0.2, penalty = 10 }, where = function() return true end } } }
   end
   local plane = sg.rigid.plane { point = { 0, 3 }, normal = { 0, -1 } }
-  local film = { bodies = { slab = slab }, supports = { bed = { on = slab:face "south", fix = "xy" } },
+  local film = { bodies = { slab = slab },
+                 supports = { bed = { on = slab:face "south", fix = "xy" },
+                              left = { on = slab:face "west", symmetry = true } },
                  contacts = { film = { slave = slab:face "north", master = plane,
                    adhesion = { hamaker = 0.1, r0 = 0.4 } } } }
   local turned = { bodies = { cube = cube }, supports = { bed = { on = cube:face "front", fix = "xyz" },

@@ -27,13 +27,15 @@ Example: contacts = { interface = { slave = die:face "south", master = slab:face
 Source: projection and gap (3.45), (3.46), penalty (3.73), forces (3.83), friction (3.74) to (3.76), adhesion (3.85) to
 (3.89), points 7.1.1 of ]] .. thesis .. [[. More in share/doc/theory.md.]],
   support = [[
-supports = { <name> = { on, fix, drive, free, rotate } }, in sg.model{ … }
-on:     a face, a list of faces (their reactions add up), a corner, in 3D an edge, or an obstacle.
-fix:    components that stay where they are: "x", "y", "xy", in 3D "z", "xyz" and so on.
-drive:  components that stages move, by lengths.
-free:   components of neither; only to say so. What no word names is free.
-rotate: the face turns as a rigid body about its centroid by an angle in degrees that stages give behind the driven
-        components: true in the plane; in 3D the axis, "x", "y", "z" or {ax, ay, az}. By default it does not.
+supports = { <name> = { on, fix, drive, free, rotate, symmetry } }, in sg.model{ … }
+on:       a face, a list of faces (their reactions add up), a corner, in 3D an edge, or an obstacle.
+fix:      components that stay where they are: "x", "y", "xy", in 3D "z", "xyz" and so on.
+drive:    components that stages move, by lengths.
+free:     components of neither; only to say so. Unlisted components are free.
+rotate:   the face turns as a rigid body about its centroid by an angle in degrees that stages give behind the driven
+          components: true in the plane; in 3D the axis, "x", "y", "z" or {ax, ay, az}. By default it does not.
+symmetry: true holds the normal component on flat faces in a plane of symmetry x, y or z = c, in an axisymmetric
+          model on the axis or y = c: the model is half of the scene, its forces are half of the whole one's.
 A support must hold something. model:reaction(name) is the force that it exerts, with the moment last where it
 rotates; a run has them as columns <name>.fx, .fy, .fz, .moment, and what is driven as <name>.ux … .angle.
 Example: supports = { bed  = { on = slab:face "south", fix = "xy" },
