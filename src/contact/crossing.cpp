@@ -7,16 +7,15 @@ namespace signorini::contact {
 template <int D>
 bool has_crossed(const Master<D>& before, const Master<D>& now, const Vec<D>& from, const Vec<D>& to,
                  const Vec<D>& outward, const Projection<D>& seed) {
-  constexpr double away = 0.5; // cosine between the normals of two faces that stand back to back
-  constexpr int pieces = 256;  // of the way, at most
   FacePoint<D> foot, foot_before, point;
   Projection<D> found = now.project(to, seed, foot);
-  if (found.foot != Foot::regular || found.gap <= 0 || now.normal(foot).dot(outward) <= away) return false;
+  if (found.foot != Foot::regular || found.gap <= 0 || now.normal(foot).dot(outward) <= back_to_back) return false;
   before.locate(found.xi, foot_before);
   const Vec<D> way = (from - foot_before.position) - (to - foot.position);
   const double length = way.norm();
   // A gap changes by no more than the way: its length can be skipped.
-  for (double s = std::max(found.gap, length / pieces); s < length; s += std::max(found.gap, length / pieces)) {
+  for (double s = std::max(found.gap, length / crossing_pieces); s < length;
+       s += std::max(found.gap, length / crossing_pieces)) {
     found = now.project(to + (s / length) * way, found, point);
     if (found.foot == Foot::regular && found.gap < 0) return true;
   }

@@ -8,8 +8,8 @@ namespace signorini::contact {
 
 template <int D>
 GaussPointContact<D>::GaussPointContact(ContactSetting<D> setting) : Formulation<D>(std::move(setting)) {
-  // Pieces of whole elements with about equally many points; in the plane a contact is small.
-  constexpr std::size_t pieces = D == 2 ? 1 : 32;
+  // Pieces of whole elements with about equally many points
+  constexpr std::size_t pieces = contact_pieces<D>;
   const auto& list = this->points_.list;
   for (std::size_t i = 1, first = 0; i <= list.size(); ++i)
     if (i == list.size() || (list[i].element != list[i - 1].element && (i - first) * pieces >= list.size())) {

@@ -19,7 +19,7 @@ template <int D, class What> auto with_shape(const Obstacle<D>& obstacle, const 
 } // namespace
 
 template <int D> Master<D>::Master(Surface<D> face) : rigid_(false), surface_(std::move(face)) {
-  surface_->extend(extension);
+  surface_->extend(end_extension);
   boxes_.update(*surface_);
   previous_ = surface_->points();
 }
@@ -27,7 +27,7 @@ template <int D> Master<D>::Master(Surface<D> face) : rigid_(false), surface_(st
 template <int D> Master<D>::Master(Obstacle<D> obstacle) : rigid_(true) {
   if (const auto* patch = std::get_if<nurbs::Patch>(&obstacle)) {
     surface_.emplace(*patch);
-    surface_->extend(extension);
+    surface_->extend(end_extension);
     boxes_.update(*surface_);
     displacements_.resize(static_cast<std::size_t>(D * surface_->functions()));
   } else {

@@ -14,9 +14,6 @@ namespace signorini::contact {
 /// of the face, projects beyond it. So the face goes on by a part of its last element, over which the traction fades.
 template <int D> class Master {
 public:
-  /// That part; where 0.2 to 0.4 lead: share/doc/stability.md.
-  static constexpr double extension = 0.3;
-
   Master(Surface<D> face);
   Master(Obstacle<D> obstacle);
 

@@ -10,8 +10,6 @@ namespace signorini::contact {
 
 namespace {
 
-constexpr double slip_tolerance = 1e-6; ///< how far a slip point may be off the cone, in parts of its trial distance
-
 PenaltyLaw checked(const PenaltyLaw& law) {
   require(law.normal > 0, "penalty must be positive (pressure per length), got ", law.normal);
   require(law.friction >= 0, "friction: mu must not be negative, got ", law.friction);

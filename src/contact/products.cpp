@@ -1,5 +1,7 @@
 #include "contact/products.hpp"
 
+#include "contact/constants.hpp"
+
 #include <cstddef>
 
 extern "C" {
@@ -38,10 +40,7 @@ void Products::start(int nodes, int master_nodes, int columns, double* block) {
 }
 
 Products::Room Products::add() {
-  // Products of this size stay within the cache, and BLAS does not call its own threads to those of the assembly:
-  // OpenBLAS does above 2^18 multiplications.
-  constexpr int most = 200'000;
-  if (points_ > 0 && (points_ + 1) * nodes_ * columns_ > most) finish();
+  if (points_ > 0 && (points_ + 1) * nodes_ * columns_ > most_multiplications) finish();
   const Room room{extend(left_, points_, nodes_), extend(rates_, points_, 2 * master_nodes_),
                   extend(traction_, points_, 3 * columns_), extend(turn_, points_, 6 * columns_)};
   ++points_;

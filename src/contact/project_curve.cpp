@@ -36,13 +36,14 @@ Stop descend(const Surface<2>& surface, const Vec<2>& x, int element, double sta
     // long, τ·τ instead
     const double metric = point.tangent[0].squaredNorm();
     const double curvature = metric + (point.position - x).dot(point.second[0]);
-    const bool trusted = curvature > 0.1 * metric || (curvature > 0 && std::abs(gradient) < 0.01 * (b - a) * curvature);
+    const bool trusted = curvature > trusted_curvature * metric ||
+                         (curvature > 0 && std::abs(gradient) < short_step * (b - a) * curvature);
     const double slowness = trusted ? curvature : metric; // 0 where the parametrization stands still
     const double step = slowness > 0 ? -gradient / slowness : 0;
     double next = std::clamp(xi + step, a, b);
     // The step just taken squares the error: from 1e-8 of the element it goes to rounding. A step out of the element
     // is none to end with: at the end itself the slope decides.
-    const bool done = (std::abs(step) <= 1e-8 * (b - a) && next == xi + step) || iteration == 60;
+    const bool done = (std::abs(step) <= last_step * (b - a) && next == xi + step) || iteration == most_foot_iterations;
     point.settled = std::abs(step) <= foot_tolerance * (b - a);
     if (done && std::abs(next - xi) <= 1e-12 * (b - a)) {
       // A first-order shift is exact to rounding here.
@@ -75,7 +76,7 @@ Foot walk(const Surface<2>& surface, const Vec<2>& x, int element, double start,
       // Both sides climb away from the border. On a smooth curve that is rounding at a minimum on the border itself.
       const double sine = std::abs(point.tangent[0].normalized().dot(
           Vec<2>(-beyond.tangent[0].normalized()(1), beyond.tangent[0].normalized()(0))));
-      return sine < 1e-10 ? Foot::regular : Foot::corner;
+      return sine < same_place ? Foot::regular : Foot::corner;
     }
     element = next;
     point = beyond;
@@ -135,19 +136,19 @@ Projection<2> project(const Surface<2>& surface, const ElementBoxes<2>& boxes, c
     best.foot = walk(surface, x, seed.element, seed.xi(0), point);
     nearest = (x - point.position).squaredNorm();
     // A foot much nearer than the element is long is the only one on it; a curve does not fold within one element.
-    if (nearest < boxes.diagonal2(point.element) / 256) settled = point.element;
+    if (nearest < boxes.diagonal2(point.element) * near_foot) settled = point.element;
   }
 
   FacePoint<2> candidate;
   // A minimum on a border is reached from both sides; the factor lets rounding not choose between them.
   boxes.near(
-      x, [&] { return nearest * (1 - 1e-12); },
+      x, [&] { return nearest * (1 - same_distance); },
       [&](int e) {
         if (e == settled) return;
         each_dip(surface, x, e, [&](double start) {
           const Foot foot = walk(surface, x, e, start, candidate);
           const double distance2 = (x - candidate.position).squaredNorm();
-          if (distance2 >= nearest * (1 - 1e-12)) return;
+          if (distance2 >= nearest * (1 - same_distance)) return;
           nearest = distance2;
           best.foot = foot;
           point = candidate;

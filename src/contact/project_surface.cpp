@@ -35,14 +35,16 @@ Coordinates newton_step(const Vec<3>& difference, const FacePoint<3>& point, con
       if (held[at(b)] != 0) return Coordinates::Zero();
       Coordinates step = Coordinates::Zero();
       if (hessian(b, b) > 0) step(b) = -gradient(b) / hessian(b, b);
-      if (hessian(b, b) > 0.1 * metric(b, b) || (hessian(b, b) > 0 && std::abs(step(b)) < 0.01 * size(b))) return step;
+      if (hessian(b, b) > trusted_curvature * metric(b, b) ||
+          (hessian(b, b) > 0 && std::abs(step(b)) < short_step * size(b)))
+        return step;
       if (metric(b, b) > 0) step(b) = -gradient(b) / metric(b, b);
       return step;
     }
-  const Mat<2> margin = hessian - 0.1 * metric;
+  const Mat<2> margin = hessian - trusted_curvature * metric;
   if (hessian(0, 0) > 0 && hessian.determinant() > 0) {
     const Coordinates step = -hessian.inverse() * gradient;
-    if ((margin(0, 0) > 0 && margin.determinant() > 0) || (step.cwiseAbs().array() < 0.01 * size.array()).all())
+    if ((margin(0, 0) > 0 && margin.determinant() > 0) || (step.cwiseAbs().array() < short_step * size.array()).all())
       return step;
   }
   // Next to a pole the metric itself is close to singular.
@@ -85,7 +87,7 @@ EdgeStop descend(const Surface<3>& surface, const Vec<3>& x, int element, const 
       }
     const double size = step.cwiseQuotient(length).cwiseAbs().maxCoeff(); // of the step, in elements
     const double fraction = allowed(xi, step, box);
-    if (size <= 1e-8 || iteration == 60) {
+    if (size <= last_step || iteration == most_foot_iterations) {
       // The step just taken squares the error: to rounding, and so is a first-order shift of the geometry.
       point.settled = size <= foot_tolerance;
       step *= fraction;
@@ -108,7 +110,8 @@ EdgeStop descend(const Surface<3>& surface, const Vec<3>& x, int element, const 
         next(a) = next(a) < from + slack ? from : next(a) > to - slack ? to : next(a);
       }
       surface.locate(element, next, 2, point);
-      if ((point.position - x).squaredNorm() / 2 <= before + 1e-4 * scale * slope || halving == 40) {
+      if ((point.position - x).squaredNorm() / 2 <= before + sufficient_decrease * scale * slope ||
+          halving == most_halvings) {
         xi = next;
         break;
       }
@@ -126,10 +129,10 @@ bool collapsed(const Surface<3>& surface, int element, int alpha, bool at_end) {
   FacePoint<3> first, other;
   xi(1 - alpha) = along[0];
   surface.locate(element, xi, 0, first);
-  for (double t : {0.37, 1.0}) {
+  for (double t : border_probes) {
     xi(1 - alpha) = along[0] + t * (along[1] - along[0]);
     surface.locate(element, xi, 0, other);
-    if ((other.position - first.position).norm() > 1e-10 * (upper - lower).norm()) return false;
+    if ((other.position - first.position).norm() > same_place * (upper - lower).norm()) return false;
   }
   return true;
 }
@@ -215,7 +218,7 @@ bool degenerate(const Surface<3>& surface, const FacePoint<3>& point) {
     const auto [from, to] = surface.interval(point.element, a);
     area *= to - from;
   }
-  return !(area > 1e-10 * (upper - lower).squaredNorm());
+  return !(area > same_place * (upper - lower).squaredNorm());
 }
 
 } // namespace
@@ -251,7 +254,7 @@ Foot walk(const Surface<3>& surface, const Vec<3>& x, int element, const Coordin
       pole = true;
     } else {
       const Vec<3> here = normal_near(surface, point.element, point.xi), there = normal_near(surface, next, point.xi);
-      kink[a] = here.cross(there).norm() >= 1e-10;
+      kink[a] = here.cross(there).norm() >= same_place;
     }
   }
   if (pole || (kink[0] && kink[1])) return Foot::corner;
@@ -270,21 +273,21 @@ Projection<3> project(const Surface<3>& surface, const ElementBoxes<3>& boxes, c
     nearest = (x - point.position).squaredNorm();
     // A regular foot much nearer than the elements are long is the only one on them: a surface does not fold within
     // elements that meet smoothly.
-    settled = best.foot == Foot::regular && nearest < boxes.diagonal2(point.element) / 256;
+    settled = best.foot == Foot::regular && nearest < boxes.diagonal2(point.element) * near_foot;
   }
   const int home = settled ? point.element : -1;
 
   FacePoint<3> candidate;
   // A minimum on a border is reached from both sides; the factor lets rounding not choose between them.
   boxes.near(
-      x, [&] { return nearest * (1 - 1e-12); },
+      x, [&] { return nearest * (1 - same_distance); },
       [&](int e) {
-        if (settled && smoothly_adjacent(surface, home, e) && nearest < boxes.diagonal2(e) / 256) return;
+        if (settled && smoothly_adjacent(surface, home, e) && nearest < boxes.diagonal2(e) * near_foot) return;
         each_dip(surface, x, e, [&](const Coordinates& start) {
           int along = 0;
           const Foot foot = walk(surface, x, e, start, candidate, along);
           const double distance2 = (x - candidate.position).squaredNorm();
-          if (distance2 >= nearest * (1 - 1e-12)) return;
+          if (distance2 >= nearest * (1 - same_distance)) return;
           nearest = distance2;
           best.foot = foot;
           best.along = along;

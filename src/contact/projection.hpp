@@ -1,6 +1,7 @@
 #pragma once
 // Closest-point projection of a slave point onto a master curve or surface: the global minimum of the distance.
 
+#include "contact/constants.hpp"
 #include "contact/search.hpp"
 
 namespace signorini::contact {
@@ -12,9 +13,6 @@ enum class Foot {
   edge,    ///< of a surface: on a kink between two elements (C⁰ knot), free to move along it
   corner   ///< a kink of a curve, or where kinks of a surface cross: the normal is the connecting line itself
 };
-
-/// Largest last step of a search that counts as converged, in elements. Gaps are then right to its square.
-inline constexpr double foot_tolerance = 1e-6;
 
 template <int D> struct Projection {
   Foot foot = Foot::none;

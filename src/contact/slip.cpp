@@ -31,7 +31,7 @@ double advance_slip(const Surface<2>& surface, double slip, const FacePoint<2>& 
     locate(xi, 1, point);
     const Vec<2> chord = point.position - foot.position;
     const double distance = chord.norm(), h = distance - length;
-    if (std::abs(h) <= 1e-15 * distance || std::abs(outer - inner) <= 1e-15 * period) break;
+    if (std::abs(h) <= slip_rounding * distance || std::abs(outer - inner) <= slip_rounding * period) break;
     (h > 0 ? outer : inner) = xi;
     // h'(ξ) = (x(ξ) − x̄)·τ/|x(ξ) − x̄|
     const double next = xi - h * distance / chord.dot(point.tangent[0]);
@@ -60,7 +60,7 @@ FaceCoordinates<3> advance_slip(const Surface<3>& surface, const FaceCoordinates
     walk(surface, y, surface.find_element(xi), xi, point, along);
     xi = point.xi;
     const double distance = (point.position - foot.position).norm();
-    if (!(distance > 0) || std::abs(distance - length) <= 1e-15 * present) break;
+    if (!(distance > 0) || std::abs(distance - length) <= slip_rounding * present) break;
     on_chord = std::min(on_chord * length / distance, present);
   }
   return xi;

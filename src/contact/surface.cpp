@@ -102,7 +102,7 @@ template <int D> std::array<bool, 2> Surface<D>::open_ends(int alpha) const {
   const int nu = spaces_[0].functions(), nv = D == 2 ? 1 : spaces_.back().functions();
   const int across = alpha == 0 ? nv : nu, step = alpha == 0 ? nu : 1, last = alpha == 0 ? nu - 1 : nu * (nv - 1);
   const double size = (reference_.rowwise().maxCoeff() - reference_.rowwise().minCoeff()).norm();
-  const auto apart = [&](int i, int j) { return (reference_.col(i) - reference_.col(j)).norm() > 1e-10 * size; };
+  const auto apart = [&](int i, int j) { return (reference_.col(i) - reference_.col(j)).norm() > same_place * size; };
   bool seam = true;
   std::array<bool, 2> points{D == 3, D == 3}; // borders that are one point; the end of a curve always is
   for (int i = 0; i < across; ++i) {
