@@ -63,7 +63,7 @@ template <int D> void ActiveSet<D>::note(const Histories& histories, double resi
     }
   }
   entries_.push_back(std::move(entry));
-  if (entries_.size() > remembered) entries_.pop_front();
+  if (entries_.size() > remembered_evaluations) entries_.pop_front();
 }
 
 template <int D> void ActiveSet<D>::thaw(double ratio, Controls& controls) {
@@ -85,13 +85,12 @@ template <int D> bool ActiveSet<D>::release(Controls& controls) {
 }
 
 template <int D> int ActiveSet<D>::period() const {
-  constexpr double same = 1e-9;
   const std::size_t n = entries_.size();
   for (std::size_t p = 2; 3 * p <= n; ++p) {
     bool repeats = true, changes = false;
     for (std::size_t i = n - 2 * p; i < n && repeats; ++i) {
       const Entry &now = entries_[i], &before = entries_[i - p];
-      repeats = std::abs(now.residual - before.residual) <= same * now.residual && now.states == before.states;
+      repeats = std::abs(now.residual - before.residual) <= same_residual * now.residual && now.states == before.states;
       changes = changes || now.states != entries_[i - 1].states;
     }
     if (repeats && changes) return static_cast<int>(p);
@@ -102,7 +101,7 @@ template <int D> int ActiveSet<D>::period() const {
 /// How often each point's state changed in the last evaluations; `stray`: to or from beyond the master's end.
 template <int D> std::vector<int> ActiveSet<D>::changes(bool stray) const {
   std::vector<int> sums(counts_.size(), 0);
-  for (std::size_t k = entries_.size() - std::min(entries_.size(), looked_at) + 1; k < entries_.size(); ++k)
+  for (std::size_t k = entries_.size() - std::min(entries_.size(), recent_evaluations) + 1; k < entries_.size(); ++k)
     for (std::size_t i = 0; i < sums.size(); ++i) {
       const unsigned char now = entries_[k].states[i], before = entries_[k - 1].states[i];
       sums[i] += now != before && (!stray || now == beyond || before == beyond);
@@ -140,7 +139,7 @@ template <int D> std::string ActiveSet<D>::alternating(const PointIndex& index) 
   // Backward, so that each state stands where it was met last
   std::vector<unsigned char> met;
   std::string names;
-  for (std::size_t k = 0; k < std::min(entries_.size(), looked_at); ++k) {
+  for (std::size_t k = 0; k < std::min(entries_.size(), recent_evaluations); ++k) {
     const unsigned char code = entries_[entries_.size() - 1 - k].states[i];
     if (std::find(met.begin(), met.end(), code) != met.end()) continue;
     met.push_back(code);

@@ -2,6 +2,7 @@
 // States of contact points (open, stick, slip) over the iterations of a step: holds them back, finds those that cycle.
 
 #include "contact/formulation.hpp"
+#include "model/constants.hpp"
 #include "model/step_options.hpp"
 
 #include <deque>
@@ -43,9 +44,6 @@ public:
   std::vector<PointIndex> strays() const;
 
 private:
-  static constexpr int most_rounds = 5;
-  static constexpr std::size_t remembered = 24; ///< evaluations: three rounds of the longest period that is looked for
-  static constexpr std::size_t looked_at = 8;   ///< evaluations: where points that change their state are looked for
   struct Entry {
     double residual;
     std::vector<unsigned char> states; ///< of all points, contact after contact; see code()

@@ -1,6 +1,7 @@
 #include "model/damping.hpp"
 
 #include "base/index.hpp"
+#include "model/constants.hpp"
 #include "model/rigid_motions.hpp"
 
 #include <algorithm>
@@ -24,7 +25,6 @@ template <int D> std::vector<LooseMotion> loose_motions(const Scene<D>& scene, c
 template <int D>
 VectorX damping(const Scene<D>& scene, const Unknowns<D>& unknowns, const std::vector<LooseMotion>& motions,
                 const VectorX& diagonal, const VectorX& force, const std::vector<double>& stride) {
-  constexpr double least = 1e-10; // keeps motions regular that no force works on, such as sliding without friction
   std::vector<double> factor(scene.bodies.size(), 0);
   for (const auto& [body, motion] : motions) {
     const int offset = unknowns.offset(body);
@@ -34,7 +34,7 @@ VectorX damping(const Scene<D>& scene, const Unknowns<D>& unknowns, const std::v
         work += force(offset + i) * motion(i);
         stiffness += diagonal(unknown) * motion(i) * motion(i);
       }
-    factor[at(body)] = std::max({factor[at(body)], least, std::abs(work) / (stride[at(body)] * stiffness)});
+    factor[at(body)] = std::max({factor[at(body)], least_damping, std::abs(work) / (stride[at(body)] * stiffness)});
   }
   VectorX shift = VectorX::Zero(unknowns.size());
   for (int b = 0; b < static_cast<int>(factor.size()); ++b)

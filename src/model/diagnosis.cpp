@@ -4,6 +4,7 @@
 #include "base/index.hpp"
 #include "base/orthonormal.hpp"
 #include "base/words.hpp"
+#include "model/constants.hpp"
 #include "model/rigid_motions.hpp"
 #include "model/scene_warnings.hpp"
 #include "model/weak_directions.hpp"

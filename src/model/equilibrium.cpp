@@ -4,6 +4,7 @@
 #include "base/index.hpp"
 #include "base/timer.hpp"
 #include "base/words.hpp"
+#include "model/constants.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -34,10 +35,9 @@ namespace {
 template <int D> void damp(Model<D>& model) {
   System<D>& system = model.system;
   if (system.loose().empty()) return;
-  constexpr double small = 1e-3; // of a body's extent: how far a body in contact may go in one iteration
-  system.assembly.add_diagonal(damping(system.scene, system.unknowns, system.loose(), system.assembly.diagonal(),
-                                       model.residual,
-                                       strides(system.scene, system.contacts, model.present, small * system.extent)));
+  system.assembly.add_diagonal(
+      damping(system.scene, system.unknowns, system.loose(), system.assembly.diagonal(), model.residual,
+              strides(system.scene, system.contacts, model.present, small_stride * system.extent)));
 }
 
 } // namespace

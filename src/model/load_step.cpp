@@ -3,6 +3,7 @@
 
 #include "base/error.hpp"
 #include "base/timer.hpp"
+#include "model/constants.hpp"
 #include "model/equilibrium.hpp"
 #include "model/pseudo_transient.hpp"
 
@@ -13,15 +14,6 @@
 namespace signorini::model {
 
 namespace {
-
-constexpr double rounding = 1e-12; ///< parts of the largest position: gaps nearer to 0 are what rounding makes of 0
-/// Most that the last two steps' rates may differ by for a prediction, see Way::bend. Ironing and Hertz: 0.1 to 0.5
-/// make no difference; with 1 steps fail where bodies have just touched first.
-constexpr double most_bent = 0.3;
-/// A fall has come to an end where |f·Δu| is below this part of its largest value.
-constexpr double landed = 1e-2;
-/// Pseudo-transient continuation makes many small moves: how many times the iterations it may take.
-constexpr int most_times = 40;
 
 template <int D> bool advance(Model<D>& model, const StepOptions& options, double& energy) {
   ScopedTimer timer(model.timings.linear);
@@ -97,7 +89,7 @@ template <int D> Step begin_step(Model<D>& model, const StepOptions& options) {
 template <int D> void guess(Model<D>& model, bool wanted) {
   const bool onward = wanted && straight_ratio(model, model.targets).value_or(-1) > 0;
   for (auto& control : model.controls) {
-    control.guessed = wanted ? rounding * largest_position(model) : 0;
+    control.guessed = wanted ? gap_rounding * largest_position(model) : 0;
     control.onward = onward;
   }
 }
@@ -190,7 +182,7 @@ template <int D> const solve::NewtonReport& iterate(Model<D>& model, const StepO
   newton.slope = [&] { return step.slope; };
   newton.conclude = [&](std::string& why) { return conclude(model, options.augmented, why); };
   solve::NewtonOptions limits = options.newton;
-  if (options.pseudo_transient) limits.iterations *= most_times;
+  if (options.pseudo_transient) limits.iterations *= most_moves_per_iteration;
   if (!solve::iterate(newton, limits, step.pending, report)) classify(model.active_set, report);
   return report;
 }

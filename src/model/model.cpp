@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/timer.hpp"
 #include "model/clearance.hpp"
+#include "model/constants.hpp"
 #include "model/equilibrium.hpp"
 #include "model/scene_warnings.hpp"
 
@@ -47,7 +48,6 @@ template <int D> std::optional<double> straight_ratio(const Model<D>& model, con
   const VectorX step = targets - model.accepted.targets, last = model.accepted.targets - model.way.previous_targets;
   if (!(last.squaredNorm() > 0)) return std::nullopt;
   const double ratio = step.dot(last) / last.squaredNorm();
-  constexpr double straight = 1e-6; // rounding error of targets that a script has added up, and room to spare
   if ((step - ratio * last).norm() > straight * step.norm()) return std::nullopt;
   return ratio;
 }

@@ -1,18 +1,11 @@
 #include "model/pseudo_transient.hpp"
 
+#include "model/constants.hpp"
 #include "model/equilibrium.hpp"
 
 #include <limits>
 
 namespace signorini::model {
-
-namespace {
-
-constexpr double most_way = 0.5; ///< of the bodies' extent: what moves on from there is held by nothing
-/// Damped strongly enough any move is accepted; what is left are tangents that cannot be factored.
-constexpr int most_trials = 30;
-
-} // namespace
 
 template <int D> bool advance_in_pseudo_time(Model<D>& model, const StepOptions& options, double& energy) {
   Step& step = *model.step;

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/index.hpp"
 #include "base/words.hpp"
+#include "model/constants.hpp"
 #include "model/thickness.hpp"
 
 #include <algorithm>
@@ -34,15 +35,15 @@ template <int D> std::pair<int, int> lowest_degree(const nurbs::Discretisation& 
 /// deflection at ν = 0.45, 0.26 at 0.49; errors of force measured by scripts/stability/locking.lua are 14 % for L1 at
 /// ν = 0.49, 3 % for N2 at 0.499.
 template <int D> void warn_of_locking(const Scene<D>& scene, std::vector<std::string>& warnings) {
-  constexpr double linear = 0.45, any = 0.499; // ν from which degree 1, beyond which any degree locks
   for (const NamedBody<D>& named : scene.bodies) {
     const double nu = named.body->material().constants().poissons_ratio;
     const auto [degree, direction] = lowest_degree<D>(named.body->space());
-    if (nu <= any && (degree > 1 || nu < linear)) continue;
-    const std::string cure = degree > 1  ? text("nu = ", any, " or less")
-                             : nu <= any ? "degree 2 or more in all directions (order N2 or above, through = 2 or left "
-                                           "out)"
-                                         : text("nu = ", any, " or less, and degree 2 or more in all directions");
+    if (nu <= locking_any && (degree > 1 || nu < locking_linear)) continue;
+    const std::string cure = degree > 1 ? text("nu = ", locking_any, " or less")
+                             : nu <= locking_any
+                                 ? "degree 2 or more in all directions (order N2 or above, through = 2 or left "
+                                   "out)"
+                                 : text("nu = ", locking_any, " or less, and degree 2 or more in all directions");
     warnings.push_back(text("bodies.", named.name, ": at Poisson's ratio ", nu, " elements of degree ", degree,
                             " (along xi", direction + 1, ") lock: displacements come out too small, forces too large. ",
                             "Hint: take ", cure));
@@ -50,8 +51,7 @@ template <int D> void warn_of_locking(const Scene<D>& scene, std::vector<std::st
 }
 
 void warn_of_friction(const std::string& name, double mu, std::vector<std::string>& warnings) {
-  constexpr double most = 3; // rubber on dry concrete is at 1
-  if (mu <= most) return;
+  if (mu <= most_friction) return;
   warnings.push_back(text(
       "contacts.", name, ": friction.mu = ", mu,
       " is far above what materials have; mu is the tangent of the angle of friction",

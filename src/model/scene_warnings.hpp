@@ -15,10 +15,6 @@ template <int D>
 PenaltyRatio penalty_ratio(const Scene<D>& scene, const Contact<D>& contact,
                            const contact::Formulation<D>& formulation);
 
-/// "10 to 1000 times E/h" is usual; from here on steps need cutting, and from `beyond_rounding` on the body's own
-/// stiffness is lost in the rounding error of the contact's.
-inline constexpr double stiff_penalty = 1e4, beyond_rounding = 1e8;
-
 /// Sentences about Poisson's ratios that lock, coefficients of friction that look like angles, penalties that are out
 /// of range, and contacts that act twice between the same points. `contacts` are the scene's.
 template <int D>
