@@ -59,10 +59,10 @@ Sampling<D> sampling(const Model<D>& model, int body, int divisions, bool deform
       pieces.cut(result, e, {0, 1}, VectorX(2), windows);
     else {
       for (int d = 0; d < 3; ++d)
-        for (int end : {0, 1}) {
-          if (space.element_index(e, d) != (end == 0 ? 0 : space.elements(d) - 1)) continue;
+        for (const bool at_end : {false, true}) {
+          if (!space.touches(e, {d, at_end})) continue;
           VectorX xi(3);
-          xi(d) = space.interval(e, d)[at(end)];
+          xi(d) = space.interval(e, d)[at_end];
           pieces.cut(result, e, {d == 0 ? 1 : 0, d == 2 ? 1 : 2}, xi, windows);
         }
     }
