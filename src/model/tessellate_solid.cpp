@@ -104,13 +104,6 @@ template <class Visit> void each_side_element(const Model<3>& model, int body, b
     }
 }
 
-void add_control_points(Skin& skin, const Model<3>& model, int body, bool deformed) {
-  const nurbs::Discretisation& space = model.system.scene.bodies[at(body)].body->space();
-  skin.control_points = space.points();
-  if (deformed) skin.control_points += body_displacement(model, body);
-  skin.net_lines = net_lines(space);
-}
-
 } // namespace
 
 int surface_elements(const nurbs::Discretisation& space) {
@@ -151,7 +144,10 @@ Skin tessellate(const Model<3>& model, int body, const Field<3>* field, const Sa
       if (side.space().touches(e, {side.along(1 - d), true})) skin.rim.push_back(border(skin, grid, d, true));
     first += grid.size();
   });
-  add_control_points(skin, model, body, deformed);
+  const nurbs::Discretisation& space = model.system.scene.bodies[at(body)].body->space();
+  skin.control_points = space.points();
+  if (deformed) skin.control_points += body_displacement(model, body);
+  skin.net_lines = net_lines(space);
   return skin;
 }
 
