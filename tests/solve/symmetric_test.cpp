@@ -75,7 +75,7 @@ TEST_P(Symmetric, SingularMatricesAreSeenAndDoNoHarm) {
 INSTANTIATE_TEST_SUITE_P(Solvers, Symmetric, testing::Values(LinearKind::klu, LinearKind::umfpack, LinearKind::banded),
                          [](const auto& info) { return name_of(info.param); });
 
-TEST(Banded, KnowsThatADefiniteMatrixHasNoNegativeEigenvalue) {
+TEST(Banded, DefiniteAndNegativeDefiniteInTurn) {
   std::mt19937 random(24);
   const Pattern pattern = chain(120);
   const auto solver = make_banded();
