@@ -2,6 +2,7 @@
 
 #include "base/index.hpp"
 #include "base/orthonormal.hpp"
+#include "model/contact_pressure.hpp"
 #include "model/results.hpp"
 #include "model/sample.hpp"
 #include "nurbs/bezier.hpp"
@@ -14,17 +15,22 @@ namespace signorini::model {
 
 namespace {
 
+/// The Bernstein polynomials of a degree at places in [0, 1], one row per place.
+MatrixX bernstein_values(int degree, const std::vector<double>& places) {
+  MatrixX values(static_cast<Eigen::Index>(places.size()), degree + 1);
+  for (Eigen::Index i = 0; i < values.rows(); ++i) {
+    VectorX bernstein(degree + 1);
+    nurbs::bernstein(degree, places[static_cast<std::size_t>(i)], 1, 0, bernstein.data());
+    values.row(i) = bernstein;
+  }
+  return values;
+}
+
 /// Bernstein coefficients of degree `degree` of the polynomial that is nearest to values at places in [0, 1]; it passes
 /// through them where they are no more than degree+1.
 MatrixX fit(int degree, const std::vector<double>& places) {
-  const int n = static_cast<int>(places.size()), own = std::min(degree, n - 1);
-  MatrixX values(n, own + 1);
-  for (int i = 0; i < n; ++i) {
-    VectorX bernstein(own + 1);
-    nurbs::bernstein(own, places[at(i)], 1, 0, bernstein.data());
-    values.row(i) = bernstein;
-  }
-  return nurbs::bernstein_elevation(own, degree).transpose().lazyProduct(pseudo_inverse(values));
+  const int own = std::min(degree, static_cast<int>(places.size()) - 1);
+  return nurbs::bernstein_elevation(own, degree).transpose().lazyProduct(pseudo_inverse(bernstein_values(own, places)));
 }
 
 /// The tensor product of matrices, the first one's indices running fastest.
@@ -49,13 +55,7 @@ struct Projector {
     std::vector<MatrixX> fits, all;
     for (std::size_t d = 0; d < degrees.size(); ++d) {
       fits.push_back(model::fit(degrees[d], places[d]));
-      MatrixX one(static_cast<Eigen::Index>(places[d].size()), degrees[d] + 1);
-      for (std::size_t i = 0; i < places[d].size(); ++i) {
-        VectorX bernstein(degrees[d] + 1);
-        nurbs::bernstein(degrees[d], places[d][i], 1, 0, bernstein.data());
-        one.row(static_cast<Eigen::Index>(i)) = bernstein;
-      }
-      all.push_back(std::move(one));
+      all.push_back(bernstein_values(degrees[d], places[d]));
     }
     fit = tensor_product(fits);
     values = tensor_product(all);
@@ -102,21 +102,6 @@ int points_of(const std::vector<int>& degrees) {
   return std::accumulate(degrees.begin(), degrees.end(), 1, [](int product, int p) { return product * (p + 1); });
 }
 
-/// The body's element behind element f of a side; these are counted with the first of their directions fastest.
-int element_behind(const nurbs::Discretisation& space, nurbs::Side side, int f) {
-  int e = 0, stride = 1;
-  for (int d = 0; d < space.parametric_dimension(); ++d) {
-    int index = side.at_end ? space.elements(d) - 1 : 0;
-    if (d != side.direction) {
-      index = f % space.elements(d);
-      f /= space.elements(d);
-    }
-    e += index * stride;
-    stride *= space.elements(d);
-  }
-  return e;
-}
-
 /// Where a cell's points on a side stand among all its points.
 std::vector<int> points_on(nurbs::Side side, const std::vector<int>& degrees) {
   int stride = 1;
@@ -125,19 +110,6 @@ std::vector<int> points_on(nurbs::Side side, const std::vector<int>& degrees) {
   std::vector<int> result;
   for (int point = 0; point < points_of(degrees); ++point)
     if (point / stride % count == wanted) result.push_back(point);
-  return result;
-}
-
-/// The pressures at the contact points of each slave element, one column per element; 0 at those that a region leaves
-/// out.
-template <int D> MatrixX pressures_of(const Model<D>& model, int contact) {
-  const contact::Formulation<D>& formulation = *model.system.contacts[at(contact)];
-  const int points = model.system.scene.contacts[at(contact)].points;
-  MatrixX result = MatrixX::Zero(D == 3 ? points * points : points, formulation.slave().elements());
-  for (std::size_t i = 0; i < formulation.points().size(); ++i) {
-    const contact::ContactPoint& point = formulation.points().list[i];
-    result(point.number, point.element) = model.present.contacts[at(contact)].results[i].pressure;
-  }
   return result;
 }
 
@@ -202,16 +174,16 @@ template <int D> BezierCells contact_cells(const Model<D>& model, int contact, c
   for (const std::vector<int>& degrees : cells.degrees) first_point.push_back(first_point.back() + points_of(degrees));
 
   const std::vector<std::vector<double>> places(D - 1, solid::gauss_legendre(definition.points, 0, 1).points);
-  const MatrixX pressures = pressures_of(model, contact);
+  const MatrixX pressures = face_pressures(model, contact);
   BezierCells result;
-  std::vector<int> chosen;        // among the points of the body's cells
-  std::vector<double> on_contact; // pressures there
-  for (int f = 0; f < pressures.cols(); ++f) {
-    const int e = element_behind(space, side, f);
+  std::vector<int> chosen;                            // among the points of the body's cells
+  std::vector<double> on_contact;                     // pressures there
+  for (int e = 0, f = 0; e < space.elements(); ++e) { // f: of the side's elements, which are in the same order
+    if (!space.touches(e, side)) continue;
     std::vector<int> degrees = cells.degrees[at(e)], own = points_on(side, degrees);
     for (int& point : own) point += first_point[at(e)];
     degrees.erase(degrees.begin() + side.direction);
-    const MatrixX fitted = Projector(degrees, places)(pressures.col(f).transpose(), cells.weights(own));
+    const MatrixX fitted = Projector(degrees, places)(pressures.col(f++).transpose(), cells.weights(own));
     on_contact.insert(on_contact.end(), fitted.data(), fitted.data() + fitted.size());
     chosen.insert(chosen.end(), own.begin(), own.end());
     result.degrees.push_back(std::move(degrees));

@@ -74,19 +74,14 @@ template <int D> std::shared_ptr<Model<D>> load_model(const Content& content) {
 
 /// The names of parts that the two do not have alike.
 std::vector<std::string> differences(const Parts& here, const Parts& there) {
-  std::vector<std::string> names;
-  const auto compare = [&](const Parts& a, const Parts& b, bool twice) {
-    for (const ScenePart& part : a) {
-      const auto twin =
-          std::find_if(b.begin(), b.end(), [&](const ScenePart& other) { return other.name == part.name; });
-      if (twin == b.end())
-        names.push_back(part.name);
-      else if (!twice && twin->bytes != part.bytes)
-        names.push_back(part.name);
-    }
+  const auto twin = [](const Parts& parts, const ScenePart& part) {
+    return std::find_if(parts.begin(), parts.end(), [&](const ScenePart& other) { return other.name == part.name; });
   };
-  compare(there, here, false);
-  compare(here, there, true);
+  std::vector<std::string> names;
+  for (const ScenePart& part : there)
+    if (const auto own = twin(here, part); own == here.end() || own->bytes != part.bytes) names.push_back(part.name);
+  for (const ScenePart& part : here)
+    if (twin(there, part) == there.end()) names.push_back(part.name);
   return names;
 }
 

@@ -17,48 +17,17 @@ double size_of(const MatrixX& points) {
   return (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
 }
 
-/// Whether x lies inside a plane body: its boundary, as a polygon, winds around x.
-bool inside(const nurbs::Discretisation& space, const Vec<2>& x) {
-  constexpr int pieces = 8; // per element: a chord's sagitta is below 1 % of an arc of 90°
-  std::vector<Vec<2>> polygon;
-  const MatrixX points = space.points();
-  // South, east, north and west, each in the direction that goes around counter-clockwise
-  for (int side = 0; side < 4; ++side) {
-    const int d = side % 2;
-    const bool forward = side < 2;
-    for (int k = 0; k < space.elements(d); ++k) {
-      const int i = forward ? k : space.elements(d) - 1 - k, last = space.elements(1 - d) - 1;
-      const int across = (side == 1 || side == 2) ? last : 0;
-      const int e = d == 0 ? i + space.elements(0) * across : across + space.elements(0) * i;
-      const auto along = space.interval(e, d), other = space.interval(e, 1 - d);
-      for (int p = 0; p < pieces; ++p) {
-        const double t = static_cast<double>(forward ? p : pieces - p) / pieces;
-        VectorX xi(2);
-        xi(d) = along[0] + t * (along[1] - along[0]);
-        xi(1 - d) = other[side == 1 || side == 2 ? 1 : 0];
-        const nurbs::ElementBasis basis = space.basis(e, xi);
-        Vec<2> place = Vec<2>::Zero();
-        for (std::size_t a = 0; a < basis.functions.size(); ++a)
-          place += basis.values(static_cast<int>(a)) * points.col(basis.functions[a]);
-        polygon.push_back(place - x);
-      }
-    }
-  }
+/// Pieces of an element's border per direction: a chord's sagitta is below 1 % of an arc of 90°.
+template <int D> constexpr int pieces = D == 2 ? 8 : 4;
+
+/// The angle at which a line of points is seen from the origin, positive counter-clockwise.
+double angle_of(const std::vector<Vec<2>>& line) {
   double angle = 0;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec<2>&a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const Vec<2>&a = line[i], &b = line[i + 1];
     angle += std::atan2(a(0) * b(1) - a(1) * b(0), a.dot(b));
   }
-  return std::abs(angle) > 1; // 2π inside, 0 outside
-}
-
-/// The point of a body at parametric position xi of element e.
-Vec<3> place(const nurbs::Discretisation& space, const MatrixX& points, int e, const VectorX& xi) {
-  const nurbs::ElementBasis basis = space.basis(e, xi);
-  Vec<3> x = Vec<3>::Zero();
-  for (std::size_t a = 0; a < basis.functions.size(); ++a)
-    x += basis.values(static_cast<int>(a)) * points.col(basis.functions[a]);
-  return x;
+  return angle;
 }
 
 /// Solid angle of a triangle seen from the origin (A. van Oosterom and J. Strackee, IEEE Trans. Biomed. Eng. 30, 1983).
@@ -67,34 +36,38 @@ double solid_angle(const Vec<3>& a, const Vec<3>& b, const Vec<3>& c) {
   return 2 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
 }
 
-/// Whether x lies inside a solid: its boundary, as triangles, fills the full solid angle around x.
-bool inside(const nurbs::Discretisation& space, const Vec<3>& x) {
-  constexpr int pieces = 4; // per element and direction
+/// The same of a grid of points, as triangles.
+double angle_of(const std::vector<Vec<3>>& grid) {
+  constexpr std::size_t columns = pieces<3> + 1;
+  double angle = 0;
+  for (std::size_t k = 0; k + columns + 1 < grid.size(); ++k)
+    if ((k + 1) % columns != 0) {
+      const Vec<3>&a = grid[k], &b = grid[k + 1], &c = grid[k + columns + 1], &d = grid[k + columns];
+      angle += solid_angle(a, b, c) + solid_angle(a, c, d);
+    }
+  return angle;
+}
+
+/// Whether x lies inside a body: its boundary winds around x, or fills the full solid angle around it.
+template <int D> bool inside(const nurbs::Discretisation& space, const Vec<D>& x) {
   const MatrixX points = space.points();
   double angle = 0;
   for (int e = 0; e < space.elements(); ++e)
-    for (int d = 0, stride = 1; d < 3; stride *= space.elements(d), ++d)
-      for (bool at_end : {false, true}) {
-        if (e / stride % space.elements(d) != (at_end ? space.elements(d) - 1 : 0)) continue;
-        const int u = (d + 1) % 3, v = (d + 2) % 3;
-        const auto iu = space.interval(e, u), iv = space.interval(e, v);
-        std::array<Vec<3>, (pieces + 1) * (pieces + 1)> grid;
-        for (int j = 0; j <= pieces; ++j)
-          for (int i = 0; i <= pieces; ++i) {
-            VectorX xi(3);
-            xi(d) = space.interval(e, d)[at_end ? 1 : 0];
-            xi(u) = iu[0] + (iu[1] - iu[0]) * i / pieces;
-            xi(v) = iv[0] + (iv[1] - iv[0]) * j / pieces;
-            grid[at(i + (pieces + 1) * j)] = place(space, points, e, xi) - x;
+    for (int across = 0; across < D; ++across)
+      for (const bool at_end : {false, true}) {
+        if (!space.touches(e, {across, at_end})) continue;
+        std::vector<Vec<D>> seen; // from x
+        for (int j = 0; j <= (D == 2 ? 0 : pieces<D>); ++j)
+          for (int i = 0; i <= pieces<D>; ++i) {
+            Vec<D> fractions;
+            for (int d = 0, along = 0; d < D; ++d)
+              fractions(d) = d == across ? at_end : static_cast<double>(along++ == 0 ? i : j) / pieces<D>;
+            const nurbs::ElementBasis basis = space.basis(e, space.parameter(e, fractions));
+            seen.push_back(points(Eigen::all, basis.functions) * basis.values - x);
           }
-        for (int j = 0; j < pieces; ++j)
-          for (int i = 0; i < pieces; ++i) {
-            const std::size_t k = at(i + (pieces + 1) * j);
-            const Vec<3>&a = grid[k], &b = grid[k + 1], &c = grid[k + pieces + 2], &f = grid[k + pieces + 1];
-            angle += (at_end ? 1 : -1) * (solid_angle(a, b, c) + solid_angle(a, c, f));
-          }
+        angle += nurbs::outward_sign({across, at_end}) * angle_of(seen);
       }
-  return std::abs(angle) > 1; // 4π inside, 0 outside
+  return std::abs(angle) > 1; // 2π or 4π inside, 0 outside
 }
 
 /// "12.5 %".
@@ -163,7 +136,7 @@ std::vector<std::string> check_clearance(const Scene<D>& scene, const std::vecto
               "; turn the plane's normal round: it points out of the obstacle, towards the body");
     }
     if (const auto* ball = std::get_if<contact::Ball<D>>(&obstacle))
-      require(!inside(named.body->space(), ball->centre), "contacts: the obstacle of '", contact.name,
+      require(!inside<D>(named.body->space(), ball->centre), "contacts: the obstacle of '", contact.name,
               "' is inside body '", named.name, "' at the start: its centre ", coordinates(ball->centre),
               " lies in the body; move the obstacle out");
   }

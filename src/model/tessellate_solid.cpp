@@ -17,7 +17,7 @@ struct SkinPoint {
   double value;
 };
 
-/// One side of a solid, its elements counted with the first of its two directions fastest.
+/// One side of a solid.
 struct SkinSide {
   const Model<3>& model;
   int body;
@@ -28,16 +28,6 @@ struct SkinSide {
   const nurbs::Discretisation& space() const { return solid().space(); }
   /// The side's own directions 0 and 1 among the solid's.
   int along(int i) const { return i == 0 ? (side.direction == 0 ? 1 : 0) : (side.direction == 2 ? 1 : 2); }
-  int elements(int i) const { return space().elements(along(i)); }
-
-  /// The solid's element behind the side's element (i, j).
-  int element(int i, int j) const {
-    std::array<int, 3> index{};
-    index[at(side.direction)] = side.at_end ? space().elements(side.direction) - 1 : 0;
-    index[at(along(0))] = i;
-    index[at(along(1))] = j;
-    return index[0] + space().elements(0) * (index[1] + space().elements(1) * index[2]);
-  }
 
   /// At the fractions s and t of element e's way along the side.
   VectorX parameter(int e, double s, double t) const {
@@ -71,8 +61,11 @@ struct Grid {
   Eigen::Index operator()(int i, int j) const { return first + i + Eigen::Index(columns()) * j; }
 };
 
-Grid grid_of(const Sampling<3>& sampling, const SkinSide& side, int i, int j, Eigen::Index first) {
-  return {sampling[at(side.along(0))][at(i)], sampling[at(side.along(1))][at(j)], first};
+Grid grid_of(const Sampling<3>& sampling, const SkinSide& side, int e, Eigen::Index first) {
+  const auto fractions = [&](int direction) -> const auto& {
+    return sampling[at(direction)][at(side.space().element_index(e, direction))];
+  };
+  return {fractions(side.along(0)), fractions(side.along(1)), first};
 }
 
 /// The element's border along one of the side's directions, at the start or the end of the other one.
@@ -101,23 +94,14 @@ void add_triangles(Triangles& triangles, Eigen::Index& next, const Grid& grid) {
     }
 }
 
-std::array<SkinSide, 6> sides_of(const Model<3>& model, int body, bool deformed) {
-  const auto side = [&](int direction, bool at_end) { return SkinSide{model, body, {direction, at_end}, deformed}; };
-  return {side(0, false), side(0, true), side(1, false), side(1, true), side(2, false), side(2, true)};
-}
-
-/// Calls visit(side, i, j) for the elements of all sides, in the order of the skin's points.
+/// Calls visit(side, e, f) for the elements e of all sides, the f-th of their side, in the order of the skin's points.
 template <class Visit> void each_side_element(const Model<3>& model, int body, bool deformed, Visit visit) {
-  for (const SkinSide& side : sides_of(model, body, deformed))
-    for (int j = 0; j < side.elements(1); ++j)
-      for (int i = 0; i < side.elements(0); ++i) visit(side, i, j);
-}
-
-void add_control_points(Skin& skin, const Model<3>& model, int body, bool deformed) {
-  const nurbs::Discretisation& space = model.system.scene.bodies[at(body)].body->space();
-  skin.control_points = space.points();
-  if (deformed) skin.control_points += body_displacement(model, body);
-  skin.net_lines = net_lines(space);
+  for (int direction = 0; direction < 3; ++direction)
+    for (const bool at_end : {false, true}) {
+      const SkinSide side{model, body, {direction, at_end}, deformed};
+      for (int e = 0, f = 0; e < side.space().elements(); ++e)
+        if (side.space().touches(e, side.side)) visit(side, e, f++);
+    }
 }
 
 } // namespace
@@ -129,8 +113,8 @@ int surface_elements(const nurbs::Discretisation& space) {
 
 Skin tessellate(const Model<3>& model, int body, const Field<3>* field, const Sampling<3>& sampling, bool deformed) {
   Eigen::Index points = 0, triangles = 0;
-  each_side_element(model, body, deformed, [&](const SkinSide& side, int i, int j) {
-    const Grid grid = grid_of(sampling, side, i, j, 0);
+  each_side_element(model, body, deformed, [&](const SkinSide& side, int e, int) {
+    const Grid grid = grid_of(sampling, side, e, 0);
     points += grid.size();
     triangles += 2 * Eigen::Index(grid.columns() - 1) * (grid.rows() - 1);
   });
@@ -141,23 +125,29 @@ Skin tessellate(const Model<3>& model, int body, const Field<3>* field, const Sa
   if (field) skin.values.resize(points);
 
   Eigen::Index first = 0, triangle = 0;
-  each_side_element(model, body, deformed, [&](const SkinSide& side, int i, int j) {
-    const Grid grid = grid_of(sampling, side, i, j, first);
+  each_side_element(model, body, deformed, [&](const SkinSide& side, int e, int) {
+    const Grid grid = grid_of(sampling, side, e, first);
     for (int q = 0; q < grid.rows(); ++q)
       for (int p = 0; p < grid.columns(); ++p) {
-        const SkinPoint point = side.point(side.element(i, j), grid.along[at(p)], grid.across[at(q)], field);
+        const SkinPoint point = side.point(e, grid.along[at(p)], grid.across[at(q)], field);
         skin.points.col(grid(p, q)) = point.position;
         skin.normals.col(grid(p, q)) = point.normal;
         if (field) skin.values(grid(p, q)) = point.value;
       }
     add_triangles(skin.triangles, triangle, grid);
-    (j == 0 ? skin.rim : skin.mesh_lines).push_back(border(skin, grid, 0, false));
-    (i == 0 ? skin.rim : skin.mesh_lines).push_back(border(skin, grid, 1, false));
-    if (j == side.elements(1) - 1) skin.rim.push_back(border(skin, grid, 0, true));
-    if (i == side.elements(0) - 1) skin.rim.push_back(border(skin, grid, 1, true));
+    for (const int d : {0, 1}) {
+      const int across = side.along(1 - d);
+      const bool starts = side.space().touches(e, {across, false});
+      (starts ? skin.rim : skin.mesh_lines).push_back(border(skin, grid, d, false));
+    }
+    for (const int d : {0, 1})
+      if (side.space().touches(e, {side.along(1 - d), true})) skin.rim.push_back(border(skin, grid, d, true));
     first += grid.size();
   });
-  add_control_points(skin, model, body, deformed);
+  const nurbs::Discretisation& space = model.system.scene.bodies[at(body)].body->space();
+  skin.control_points = space.points();
+  if (deformed) skin.control_points += body_displacement(model, body);
+  skin.net_lines = net_lines(space);
   return skin;
 }
 
@@ -167,14 +157,13 @@ VectorX contact_pressure(const Model<3>& model, int body, const Sampling<3>& sam
     if (model.system.scene.contacts[c].slave.body == body) faces.emplace_back(model, static_cast<int>(c));
   if (faces.empty()) return {};
   std::vector<double> values;
-  each_side_element(model, body, false, [&](const SkinSide& side, int i, int j) {
-    const int e = i + side.elements(0) * j;
-    const Grid grid = grid_of(sampling, side, i, j, 0);
+  each_side_element(model, body, false, [&](const SkinSide& side, int e, int f) {
+    const Grid grid = grid_of(sampling, side, e, 0);
     for (double t : grid.across)
       for (double s : grid.along) {
         double sum = 0;
         for (const FacePressure<3>& face : faces)
-          if (face.side() == side.side) sum += face.at_place(e, {s, t});
+          if (face.side() == side.side) sum += face.at_place(f, {s, t});
         values.push_back(sum);
       }
   });

@@ -60,6 +60,10 @@ public:
   int elements() const;
   /// Index of element e (counted with ξ¹ fastest) in direction d.
   int element_index(int e, int d) const;
+  /// Whether a border of element e lies on a side.
+  bool touches(int e, Side side) const {
+    return element_index(e, side.direction) == (side.at_end ? elements(side.direction) - 1 : 0);
+  }
   /// Parameters between which element e lies in direction d.
   std::array<double, 2> interval(int e, int d) const { return direction(d).interval(element_index(e, d)); }
   /// Parameters at fractions, from 0 to 1 in every direction, of element e.

@@ -43,7 +43,6 @@ public:
     return info == 0;
   }
   PivotRange pivots() const override { return pivots_; }
-  int negative_pivots() const override { return definite_ ? 0 : -1; }
   SolverStatistics statistics() const override { return statistics_; }
 
 private:

@@ -31,13 +31,6 @@ struct CholmodFactor {
   CholmodFactor& operator=(const CholmodFactor&) = delete;
 };
 
-/// Factors without threads of CHOLMOD's own: it asks OpenMP for four, however many the user or the machine has, for
-/// loops far shorter than their start. BLAS keeps its threads.
-void factorize(cholmod_sparse& matrix, cholmod_factor* factor, cholmod_common& common);
-
-/// Adds one factorisation, and writes down what it cost.
-void count(const cholmod_factor& factor, const cholmod_common& common, SolverStatistics& statistics);
-
 /// The lower triangle of a symmetric matrix that is stored in full; nothing is copied, so pattern and values must stay.
 inline cholmod_sparse lower_triangle(const Pattern& pattern, const double* values) {
   cholmod_sparse matrix{};

@@ -33,8 +33,6 @@ public:
   virtual bool solve(double* b) = 0;
   /// Of the last factorization.
   virtual PivotRange pivots() const = 0;
-  /// How many eigenvalues of the factored symmetric matrix are negative; −1 when the solver does not know.
-  virtual int negative_pivots() const { return -1; }
   virtual SolverStatistics statistics() const = 0;
 };
 

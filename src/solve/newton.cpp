@@ -5,40 +5,18 @@
 #include "base/words.hpp"
 
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace signorini::solve {
 
 std::string name_of(Outcome outcome) {
-  switch (outcome) {
-  case Outcome::iterating:
-    return "iterating";
-  case Outcome::converged:
-    return "converged";
-  case Outcome::iteration_limit:
-    return "iterations";
-  case Outcome::diverged:
-    return "diverged";
-  case Outcome::cycling:
-    return "cycling";
-  case Outcome::lost_projection:
-    return "lost_projection";
-  case Outcome::inverted_element:
-    return "inverted";
-  case Outcome::singular_tangent:
-    return "singular";
-  case Outcome::indefinite:
-    return "indefinite";
-  case Outcome::not_finite:
-    return "nan";
-  case Outcome::line_search:
-    return "line_search";
-  case Outcome::penetration:
-    return "penetration";
-  case Outcome::interrupted:
-    return "interrupted";
-  }
-  return "";
+  // In the order of the enumeration
+  constexpr const char* names[] = {"iterating",       "converged",   "iterations", "diverged",   "cycling",
+                                   "lost_projection", "inverted",    "singular",   "indefinite", "nan",
+                                   "line_search",     "penetration", "interrupted"};
+  static_assert(std::size(names) == static_cast<std::size_t>(Outcome::interrupted) + 1);
+  return names[static_cast<std::size_t>(outcome)];
 }
 
 namespace {

@@ -1,13 +1,15 @@
 #include "solve/pattern.hpp"
 
+#include "base/index.hpp"
+
 #include <algorithm>
 #include <iterator>
 
 namespace signorini::solve {
 
 int Pattern::find(int row, int column) const {
-  const auto from = rows.begin() + starts[static_cast<std::size_t>(column)];
-  const auto to = rows.begin() + starts[static_cast<std::size_t>(column) + 1];
+  const auto from = rows.begin() + starts[at(column)];
+  const auto to = rows.begin() + starts[at(column) + 1];
   const auto it = std::lower_bound(from, to, row);
   return it != to && *it == row ? static_cast<int>(it - rows.begin()) : -1;
 }
@@ -25,11 +27,11 @@ Pattern couple(int size, const std::vector<std::vector<int>>& groups) {
 }
 
 Pattern extend(const Pattern& base, const std::vector<std::vector<int>>& groups, std::vector<int>& moved) {
-  std::vector<std::vector<int>> added(static_cast<std::size_t>(base.size));
+  std::vector<std::vector<int>> added(at(base.size));
   for (const auto& group : groups)
     for (int column : group) {
       if (column < 0) continue;
-      auto& list = added[static_cast<std::size_t>(column)];
+      auto& list = added[at(column)];
       for (int row : group)
         if (row >= 0) list.push_back(row);
     }
@@ -47,7 +49,7 @@ Pattern extend(const Pattern& base, const std::vector<std::vector<int>>& groups,
     std::set_union(from, to, list.begin(), list.end(), std::back_inserter(result.rows));
     int position = result.starts.back();
     for (auto it = from; it != to; ++it, ++position) {
-      while (result.rows[static_cast<std::size_t>(position)] != *it) ++position;
+      while (result.rows[at(position)] != *it) ++position;
       moved[static_cast<std::size_t>(it - base.rows.begin())] = position;
     }
     result.starts.push_back(static_cast<int>(result.rows.size()));

@@ -34,7 +34,4 @@ public:
 /// for each entry of L.
 std::unique_ptr<SchurSolver> make_schur_cholesky(double dissect_above);
 
-/// By any direct solver of A_ii: one solution for each unknown of the border, and two for each system.
-std::unique_ptr<SchurSolver> make_schur(std::unique_ptr<DirectSolver> interior);
-
 } // namespace signorini::solve

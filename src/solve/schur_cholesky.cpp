@@ -6,12 +6,30 @@
 #include "solve/constants.hpp"
 #include "solve/lapack.hpp"
 
+#include <dlfcn.h>
+
 #include <algorithm>
 #include <limits>
 
 namespace signorini::solve {
 
 namespace {
+
+/// A function of the OpenMP that CHOLMOD has loaded, or nullptr when it was built without.
+template <class F> F* openmp(const char* name) {
+  return reinterpret_cast<F*>(dlsym(RTLD_DEFAULT, name));
+}
+
+/// Factors without threads of CHOLMOD's own: it asks OpenMP for four, however many the user or the machine has, for
+/// loops far shorter than their start. BLAS keeps its threads.
+void factorize(cholmod_sparse& matrix, cholmod_factor* factor, cholmod_common& common) {
+  static auto* const depth = openmp<int()>("omp_get_max_active_levels");
+  static auto* const set_depth = openmp<void(int)>("omp_set_max_active_levels");
+  const int before = depth ? depth() : 0;
+  if (depth && set_depth) set_depth(0);
+  cholmod_factorize(&matrix, factor, &common);
+  if (depth && set_depth) set_depth(before);
+}
 
 /// With a shift D of the border's diagonal, so that A_cc need not be definite,
 ///     P (A + D) Pᵀ = L Lᵀ,   S = L_cc L_ccᵀ − D,
@@ -130,7 +148,12 @@ bool SchurCholesky::factor(const double* values) {
   }
   cholmod_sparse matrix = lower_triangle(pattern_, shifted.data());
   factorize(matrix, lower_.factor, common_);
-  count(*lower_.factor, common_, statistics_);
+  ++statistics_.factorisations;
+  statistics_.operations = common_.fl;
+  statistics_.entries = 2 * common_.lnz; // forward and back
+  statistics_.memory = lower_.factor->is_super
+                           ? sizeof(double) * static_cast<double>(lower_.factor->xsize)
+                           : (sizeof(double) + sizeof(int)) * static_cast<double>(lower_.factor->nzmax);
   if (common_.status != CHOLMOD_OK || lower_.factor->minor < lower_.factor->n) return false;
   read_factor();
   const int rows = static_cast<int>(border_.size());

@@ -16,11 +16,11 @@ void SymmetricPart::adopt(const Pattern& pattern) {
   locate(pattern);
 }
 
-/// Without a border where the LU of its block, 2/3 c³ operations, would cost more than it saves.
 void SymmetricPart::analyze(const Pattern& pattern) {
   solver_->analyze(pattern, watched_);
   const double saves = solver_->statistics().operations, size = border();
-  if (saves > 0 && 2.0 / 3.0 * size * size * size > saves) solver_->analyze(pattern, {});
+  const double costs = 2.0 / 3.0 * size * size * size;
+  if (kept_ == Border::where_cheap && saves > 0 && costs > saves) solver_->analyze(pattern, {});
   exchanges_.resize(at(border()));
   analyzed_ = true;
 }
@@ -39,14 +39,18 @@ void SymmetricPart::locate(const Pattern& pattern) {
 bool SymmetricPart::factor(const Pattern& pattern, const double* values, const std::vector<double>& transposed) {
   std::vector<double> mean(transposed.size());
   for (std::size_t k = 0; k < mean.size(); ++k) mean[k] = 0.5 * (values[k] + transposed[k]);
+  return condense(pattern, mean) && update(values);
+}
+
+bool SymmetricPart::condense(const Pattern& pattern, const std::vector<double>& values) {
   if (!analyzed_) {
     analyze(pattern);
     locate(pattern);
   }
-  if (!solver_->factor(mean.data())) return false;
+  if (!solver_->factor(values.data())) return false;
   constant_ = solver_->complement();
-  for (const Entry& entry : entries_) constant_(entry.row, entry.column) -= mean[at(entry.position)];
-  return update(values);
+  for (const Entry& entry : entries_) constant_(entry.row, entry.column) -= values[at(entry.position)];
+  return true;
 }
 
 bool SymmetricPart::update(const double* values) {
@@ -56,9 +60,9 @@ bool SymmetricPart::update(const double* values) {
   for (const Entry& entry : entries_) block_(entry.row, entry.column) += values[entry.position];
   int info = 0;
   dgetrf_(&size, &size, block_.data(), &size, exchanges_.data(), &info);
-  PivotRange pivots;
-  for (int k = 0; k < size; ++k) pivots.add(block_(k, k));
-  return info == 0 && pivots.regular();
+  block_pivots_ = {};
+  for (int k = 0; k < size; ++k) block_pivots_.add(block_(k, k));
+  return info == 0 && block_pivots_.regular();
 }
 
 bool SymmetricPart::solve(double* b) {
@@ -68,6 +72,12 @@ bool SymmetricPart::solve(double* b) {
     if (size > 0) dgetrs_("N", &size, &one, block_.data(), &size, exchanges_.data(), border_part, &size, &info);
     return info == 0;
   });
+}
+
+PivotRange SymmetricPart::pivots() const {
+  PivotRange all = solver_->pivots();
+  all.add(block_pivots_);
+  return all;
 }
 
 SolverStatistics SymmetricPart::statistics() const {

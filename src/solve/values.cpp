@@ -1,5 +1,7 @@
 #include "solve/values.hpp"
 
+#include "base/index.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,7 +11,7 @@ namespace signorini::solve {
 Symmetry::Symmetry(const Pattern& pattern) : mirror_(pattern.rows.size()) {
   // Column by column, the mirror images in each other column come in its own order.
   std::vector<int> next(pattern.starts.begin(), pattern.starts.end());
-  for (std::size_t k = 0; k < mirror_.size(); ++k) mirror_[k] = next[static_cast<std::size_t>(pattern.rows[k])]++;
+  for (std::size_t k = 0; k < mirror_.size(); ++k) mirror_[k] = next[at(pattern.rows[k])]++;
 }
 
 bool Symmetry::holds(const double* values) const {
@@ -30,11 +32,11 @@ double relative_residual(const Pattern& pattern, const double* values, const dou
                          std::vector<double>& difference) {
   difference.assign(b, b + pattern.size);
   for (int j = 0; j < pattern.size; ++j)
-    for (int k = pattern.starts[static_cast<std::size_t>(j)]; k < pattern.starts[static_cast<std::size_t>(j) + 1]; ++k)
-      difference[static_cast<std::size_t>(pattern.rows[static_cast<std::size_t>(k)])] -= values[k] * x[j];
+    for (int k = pattern.starts[at(j)]; k < pattern.starts[at(j) + 1]; ++k)
+      difference[at(pattern.rows[at(k)])] -= values[k] * x[j];
   double square = 0, scale = 0;
   for (int i = 0; i < pattern.size; ++i) {
-    square += difference[static_cast<std::size_t>(i)] * difference[static_cast<std::size_t>(i)];
+    square += difference[at(i)] * difference[at(i)];
     scale += b[i] * b[i];
   }
   if (!std::isfinite(square)) return std::numeric_limits<double>::infinity();

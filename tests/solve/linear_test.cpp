@@ -138,5 +138,24 @@ TEST(LinearKinds, HaveNames) {
   EXPECT_EQ(make_solver(LinearKind::automatic, chain(10))->kind(), LinearKind::klu);
 }
 
+TEST(PivotRange, KnowsSingularAndNotFinitePivots) {
+  PivotRange pivots;
+  EXPECT_TRUE(pivots.regular()); // of no unknowns
+  for (double pivot : {2.0, -1e-13, 7.0}) pivots.add(pivot);
+  EXPECT_TRUE(pivots.regular());
+  PivotRange wide = pivots;
+  wide.add(1e3);
+  EXPECT_FALSE(wide.regular());
+  PivotRange joined;
+  joined.add(wide);
+  EXPECT_FALSE(joined.regular());
+  for (double bad : {0.0, std::nan(""), HUGE_VAL}) {
+    PivotRange copy = pivots;
+    copy.add(bad);
+    copy.add(1.0);
+    EXPECT_FALSE(copy.regular()) << bad;
+  }
+}
+
 } // namespace linear_test
 } // namespace signorini::solve

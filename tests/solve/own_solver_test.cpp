@@ -3,6 +3,7 @@
 #include "solve/reused.hpp"
 
 #include "solve/matrices.hpp"
+#include "solve/schur_by_solutions.hpp"
 
 #include <Eigen/SparseLU>
 #include <gtest/gtest.h>
