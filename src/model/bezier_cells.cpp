@@ -2,6 +2,7 @@
 
 #include "base/index.hpp"
 #include "base/orthonormal.hpp"
+#include "model/contact_pressure.hpp"
 #include "model/results.hpp"
 #include "model/sample.hpp"
 #include "nurbs/bezier.hpp"
@@ -102,21 +103,6 @@ int points_of(const std::vector<int>& degrees) {
   return std::accumulate(degrees.begin(), degrees.end(), 1, [](int product, int p) { return product * (p + 1); });
 }
 
-/// The body's element behind element f of a side; these are counted with the first of their directions fastest.
-int element_behind(const nurbs::Discretisation& space, nurbs::Side side, int f) {
-  int e = 0, stride = 1;
-  for (int d = 0; d < space.parametric_dimension(); ++d) {
-    int index = side.at_end ? space.elements(d) - 1 : 0;
-    if (d != side.direction) {
-      index = f % space.elements(d);
-      f /= space.elements(d);
-    }
-    e += index * stride;
-    stride *= space.elements(d);
-  }
-  return e;
-}
-
 /// Where a cell's points on a side stand among all its points.
 std::vector<int> points_on(nurbs::Side side, const std::vector<int>& degrees) {
   int stride = 1;
@@ -125,19 +111,6 @@ std::vector<int> points_on(nurbs::Side side, const std::vector<int>& degrees) {
   std::vector<int> result;
   for (int point = 0; point < points_of(degrees); ++point)
     if (point / stride % count == wanted) result.push_back(point);
-  return result;
-}
-
-/// The pressures at the contact points of each slave element, one column per element; 0 at those that a region leaves
-/// out.
-template <int D> MatrixX pressures_of(const Model<D>& model, int contact) {
-  const contact::Formulation<D>& formulation = *model.system.contacts[at(contact)];
-  const int points = model.system.scene.contacts[at(contact)].points;
-  MatrixX result = MatrixX::Zero(D == 3 ? points * points : points, formulation.slave().elements());
-  for (std::size_t i = 0; i < formulation.points().size(); ++i) {
-    const contact::ContactPoint& point = formulation.points().list[i];
-    result(point.number, point.element) = model.present.contacts[at(contact)].results[i].pressure;
-  }
   return result;
 }
 
@@ -205,12 +178,12 @@ template <int D> BezierCells contact_cells(const Model<D>& model, int contact, c
   for (const std::vector<int>& degrees : cells.degrees) first_point.push_back(first_point.back() + points_of(degrees));
 
   const std::vector<std::vector<double>> places(D - 1, solid::gauss_legendre(definition.points, 0, 1).points);
-  const MatrixX pressures = pressures_of(model, contact);
+  const MatrixX pressures = contact_point_pressures(model, contact);
   BezierCells result;
   std::vector<int> chosen;        // among the points of the body's cells
   std::vector<double> on_contact; // pressures there
   for (int f = 0; f < pressures.cols(); ++f) {
-    const int e = element_behind(space, side, f);
+    const int e = space.element_behind(side, f);
     std::vector<int> degrees = cells.degrees[at(e)], own = points_on(side, degrees);
     for (int& point : own) point += first_point[at(e)];
     degrees.erase(degrees.begin() + side.direction);

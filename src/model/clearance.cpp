@@ -20,45 +20,24 @@ double size_of(const MatrixX& points) {
 /// Whether x lies inside a plane body: its boundary, as a polygon, winds around x.
 bool inside(const nurbs::Discretisation& space, const Vec<2>& x) {
   constexpr int pieces = 8; // per element: a chord's sagitta is below 1 % of an arc of 90°
-  std::vector<Vec<2>> polygon;
   const MatrixX points = space.points();
-  // South, east, north and west, each in the direction that goes around counter-clockwise
-  for (int side = 0; side < 4; ++side) {
-    const int d = side % 2;
-    const bool forward = side < 2;
-    for (int k = 0; k < space.elements(d); ++k) {
-      const int i = forward ? k : space.elements(d) - 1 - k, last = space.elements(1 - d) - 1;
-      const int across = (side == 1 || side == 2) ? last : 0;
-      const int e = d == 0 ? i + space.elements(0) * across : across + space.elements(0) * i;
-      const auto along = space.interval(e, d), other = space.interval(e, 1 - d);
-      for (int p = 0; p < pieces; ++p) {
-        const double t = static_cast<double>(forward ? p : pieces - p) / pieces;
+  double angle = 0;
+  for (const nurbs::Side side : {nurbs::Side{0, false}, {0, true}, {1, false}, {1, true}})
+    for (int f = 0; f < space.elements_on(side); ++f) {
+      const int e = space.element_behind(side, f), d = 1 - side.direction;
+      const auto along = space.interval(e, d);
+      const auto place = [&](int piece) -> Vec<2> {
         VectorX xi(2);
-        xi(d) = along[0] + t * (along[1] - along[0]);
-        xi(1 - d) = other[side == 1 || side == 2 ? 1 : 0];
-        const nurbs::ElementBasis basis = space.basis(e, xi);
-        Vec<2> place = Vec<2>::Zero();
-        for (std::size_t a = 0; a < basis.functions.size(); ++a)
-          place += basis.values(static_cast<int>(a)) * points.col(basis.functions[a]);
-        polygon.push_back(place - x);
+        xi(d) = along[0] + (along[1] - along[0]) * piece / pieces;
+        xi(1 - d) = space.interval(e, 1 - d)[side.at_end ? 1 : 0];
+        return space.basis(e, xi).combine(points) - x;
+      };
+      for (int piece = 0; piece < pieces; ++piece) {
+        const Vec<2> a = place(piece), b = place(piece + 1);
+        angle += nurbs::outward_sign(side) * std::atan2(a(0) * b(1) - a(1) * b(0), a.dot(b));
       }
     }
-  }
-  double angle = 0;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec<2>&a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-    angle += std::atan2(a(0) * b(1) - a(1) * b(0), a.dot(b));
-  }
   return std::abs(angle) > 1; // 2π inside, 0 outside
-}
-
-/// The point of a body at parametric position xi of element e.
-Vec<3> place(const nurbs::Discretisation& space, const MatrixX& points, int e, const VectorX& xi) {
-  const nurbs::ElementBasis basis = space.basis(e, xi);
-  Vec<3> x = Vec<3>::Zero();
-  for (std::size_t a = 0; a < basis.functions.size(); ++a)
-    x += basis.values(static_cast<int>(a)) * points.col(basis.functions[a]);
-  return x;
 }
 
 /// Solid angle of a triangle seen from the origin (A. van Oosterom and J. Strackee, IEEE Trans. Biomed. Eng. 30, 1983).
@@ -85,7 +64,7 @@ bool inside(const nurbs::Discretisation& space, const Vec<3>& x) {
             xi(d) = space.interval(e, d)[at_end ? 1 : 0];
             xi(u) = iu[0] + (iu[1] - iu[0]) * i / pieces;
             xi(v) = iv[0] + (iv[1] - iv[0]) * j / pieces;
-            grid[at(i + (pieces + 1) * j)] = place(space, points, e, xi) - x;
+            grid[at(i + (pieces + 1) * j)] = space.basis(e, xi).combine(points) - x;
           }
         for (int j = 0; j < pieces; ++j)
           for (int i = 0; i < pieces; ++i) {

@@ -9,26 +9,22 @@
 
 namespace signorini::model {
 
-namespace {
-
-int power(int base, int exponent) {
-  return exponent == 1 ? base : base * base;
+template <int D> MatrixX contact_point_pressures(const Model<D>& model, int contact) {
+  const contact::Formulation<D>& formulation = *model.system.contacts[at(contact)];
+  const int points = model.system.scene.contacts[at(contact)].points;
+  MatrixX result = MatrixX::Zero(D == 3 ? points * points : points, formulation.slave().elements());
+  for (std::size_t i = 0; i < formulation.points().size(); ++i) {
+    const contact::ContactPoint& point = formulation.points().list[i];
+    result(point.number, point.element) = model.present.contacts[at(contact)].results[i].pressure;
+  }
+  return result;
 }
-
-} // namespace
 
 template <int D>
 FacePressure<D>::FacePressure(const Model<D>& model, int contact)
     : side_(model.system.scene.contacts[at(contact)].slave.side),
-      points_(model.system.scene.contacts[at(contact)].points), places_(solid::gauss_legendre(points_, 0, 1).points) {
-  const contact::Formulation<D>& formulation = *model.system.contacts[at(contact)];
-  const int per_element = power(points_, D - 1);
-  values_.assign(at(formulation.slave().elements() * per_element), 0.0);
-  for (std::size_t i = 0; i < formulation.points().size(); ++i) {
-    const contact::ContactPoint& point = formulation.points().list[i];
-    values_[at(point.element * per_element + point.number)] = model.present.contacts[at(contact)].results[i].pressure;
-  }
-}
+      points_(model.system.scene.contacts[at(contact)].points), places_(solid::gauss_legendre(points_, 0, 1).points),
+      values_(contact_point_pressures(model, contact)) {}
 
 template <int D> double FacePressure<D>::at_place(int e, const contact::FaceCoordinates<D>& fraction) const {
   double sum = 0;
@@ -50,7 +46,7 @@ template <int D> double FacePressure<D>::at_place(int e, const contact::FaceCoor
       share *= behind ? weight[d] : 1 - weight[d];
       number += stride * std::min(first[d] + behind, points_ - 1);
     }
-    sum += share * values_[at(e * power(points_, D - 1) + number)];
+    sum += share * values_(number, e);
   }
   return sum;
 }
@@ -87,6 +83,8 @@ template <int D> double sample_contact_pressure(const Model<D>& model, int body,
   return sum;
 }
 
+template MatrixX contact_point_pressures(const Model<2>&, int);
+template MatrixX contact_point_pressures(const Model<3>&, int);
 template class FacePressure<2>;
 template class FacePressure<3>;
 template double sample_contact_pressure<2>(const Model<2>&, int, const VectorX&);

@@ -31,13 +31,7 @@ struct SkinSide {
   int elements(int i) const { return space().elements(along(i)); }
 
   /// The solid's element behind the side's element (i, j).
-  int element(int i, int j) const {
-    std::array<int, 3> index{};
-    index[at(side.direction)] = side.at_end ? space().elements(side.direction) - 1 : 0;
-    index[at(along(0))] = i;
-    index[at(along(1))] = j;
-    return index[0] + space().elements(0) * (index[1] + space().elements(1) * index[2]);
-  }
+  int element(int i, int j) const { return space().element_behind(side, i + elements(0) * j); }
 
   /// At the fractions s and t of element e's way along the side.
   VectorX parameter(int e, double s, double t) const {

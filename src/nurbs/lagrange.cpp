@@ -10,7 +10,7 @@ namespace {
 
 KnotVector lagrange_knots(int degree, const std::vector<double>& breaks) {
   std::vector<double> knots{breaks.front()};
-  for (double knot : breaks) knots.insert(knots.end(), static_cast<std::size_t>(degree), knot);
+  for (double knot : breaks) knots.insert(knots.end(), at(degree), knot);
   knots.push_back(breaks.back());
   return {degree, std::move(knots)};
 }
@@ -22,7 +22,7 @@ std::vector<double> nodes(const KnotVector& knots) {
   const int p = knots.degree();
   for (int e = 0; e < knots.elements(); ++e)
     for (int k = 0; k < p; ++k) {
-      const std::size_t i = static_cast<std::size_t>(e);
+      const std::size_t i = at(e);
       result.push_back(breaks[i] + (breaks[i + 1] - breaks[i]) * k / p);
     }
   result.push_back(breaks.back());
@@ -58,7 +58,7 @@ Patch interpolate_lagrange(const Patch& patch, const std::vector<int>& degrees,
   std::vector<std::vector<double>> parameters;
   int size = 1;
   for (int d = 0; d < dimensions; ++d) {
-    const std::size_t i = static_cast<std::size_t>(d);
+    const std::size_t i = at(d);
     directions.push_back(lagrange_knots(degrees[i], breaks[i]));
     parameters.push_back(nodes(directions.back()));
     size *= directions.back().functions();
@@ -68,18 +68,18 @@ Patch interpolate_lagrange(const Patch& patch, const std::vector<int>& degrees,
   VectorX xi(dimensions);
   for (int n = 0; n < size; ++n) {
     for (int d = 0, rest = n; d < dimensions; ++d) {
-      const auto& line = parameters[static_cast<std::size_t>(d)];
+      const auto& line = parameters[at(d)];
       const int count = static_cast<int>(line.size());
-      xi(d) = line[static_cast<std::size_t>(rest % count)];
+      xi(d) = line[at(rest % count)];
       rest /= count;
     }
     values.col(n) = evaluate(patch, xi);
   }
 
   for (int d = 0, stride = 1; d < dimensions; ++d) {
-    const int count = directions[static_cast<std::size_t>(d)].functions();
+    const int count = directions[at(d)].functions();
     for (int n = 0; n < size; ++n)
-      if ((n / stride) % count == 0) to_coefficients(directions[static_cast<std::size_t>(d)], n, stride, values);
+      if ((n / stride) % count == 0) to_coefficients(directions[at(d)], n, stride, values);
     stride *= count;
   }
   return make_patch(std::move(directions), values);
