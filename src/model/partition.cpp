@@ -18,21 +18,16 @@ struct Slabs {
   std::vector<int> reach; ///< per slab: the last one that it has a control point in common with
 };
 
-int slab_of(const nurbs::Discretisation& space, int e, int direction) {
-  for (int d = 0; d < direction; ++d) e /= space.elements(d);
-  return e % space.elements(direction);
-}
-
 template <int D> Slabs slabs_across(const solid::Body<D>& body, int direction) {
   const nurbs::Discretisation& space = body.space();
   Slabs slabs{direction, space.elements(direction), std::vector<int>(at(space.elements(direction)), 0)};
   std::vector<int> last(at(body.functions()), 0); // slab of each control point
   for (int e = 0; e < body.elements(); ++e)
     for (int function : body.functions_of(e))
-      last[at(function)] = std::max(last[at(function)], slab_of(space, e, direction));
+      last[at(function)] = std::max(last[at(function)], space.element_index(e, direction));
   for (int e = 0; e < body.elements(); ++e)
     for (int function : body.functions_of(e)) {
-      int& reach = slabs.reach[at(slab_of(space, e, direction))];
+      int& reach = slabs.reach[at(space.element_index(e, direction))];
       reach = std::max(reach, last[at(function)]);
     }
   return slabs;
@@ -115,7 +110,7 @@ template <int D> Partition partition(const Unknowns<D>& unknowns, const solid::B
       shares > 1 ? on_shared_unknowns(unknowns, body, offset) : std::vector<char>(at(body.elements()), false);
   for (int e = 0; e < body.elements(); ++e) {
     // The heads' and tails' first slabs take turns.
-    const int slab = slab_of(space, e, best.direction);
+    const int slab = space.element_index(e, best.direction);
     const int piece = static_cast<int>(std::upper_bound(starts.begin(), starts.end(), slab) - starts.begin()) - 1;
     result.share.push_back(piece / 2);
     auto& list = in_rest[at(e)] ? result.rest : (piece % 2 == 0 ? result.heads : result.tails)[at(piece / 2)];

@@ -6,16 +6,6 @@
 namespace signorini::model {
 namespace {
 
-/// An element's number along each direction.
-template <int D> std::array<int, D> numbers(const nurbs::Discretisation& space, int e) {
-  std::array<int, D> result{};
-  for (int d = 0; d < D; ++d) {
-    result[at(d)] = e % space.elements(d);
-    e /= space.elements(d);
-  }
-  return result;
-}
-
 /// What a picture shows of a body: element by element, a piece of it that runs along two directions.
 template <int D> struct Pieces {
   const Model<D>& model;
@@ -42,8 +32,7 @@ template <int D> struct Pieces {
       return place(e, xi);
     };
     const auto cuts = window_cuts(at_fractions, windows, true);
-    const auto number = numbers<D>(space, e);
-    for (int i : {0, 1}) add_cuts(sampling[at(along[at(i)])][at(number[at(along[at(i)])])], cuts[at(i)]);
+    for (std::size_t i : {0, 1}) add_cuts(sampling[at(along[i])][at(space.element_index(e, along[i]))], cuts[i]);
   }
 };
 
@@ -65,16 +54,14 @@ Sampling<D> sampling(const Model<D>& model, int body, int divisions, bool deform
   for (int e = 0; e < space.elements(); ++e) {
     if constexpr (D == 2)
       pieces.cut(result, e, {0, 1}, VectorX(2), windows);
-    else {
-      const auto number = numbers<3>(space, e);
+    else
       for (int d = 0; d < 3; ++d)
         for (int end : {0, 1}) {
-          if (number[at(d)] != (end == 0 ? 0 : space.elements(d) - 1)) continue;
+          if (space.element_index(e, d) != (end == 0 ? 0 : space.elements(d) - 1)) continue;
           VectorX xi(3);
           xi(d) = space.interval(e, d)[at(end)];
           pieces.cut(result, e, {d == 0 ? 1 : 0, d == 2 ? 1 : 2}, xi, windows);
         }
-    }
   }
   return result;
 }
