@@ -2,7 +2,8 @@
 // Values as bytes, for files that are read back: numbers bit by bit, least significant byte first, on any machine.
 //
 // A type is put by a free function write(ArchiveWriter&, const T&) and got by T read(ArchiveReader&,
-// std::type_identity<T>), both in the type's namespace. They are here for numbers, strings, lists and matrices.
+// std::type_identity<T>), both in the type's namespace. They are here for numbers, strings, lists and matrices, and for
+// structs that are put and got member by member: their namespace has a function members(T&) that ties these.
 
 #include "base/eigen.hpp"
 #include "base/error.hpp"
@@ -13,6 +14,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <type_traits>
 #include <vector>
 
@@ -119,6 +121,20 @@ auto read(ArchiveReader& from, std::type_identity<Eigen::Matrix<double, Rows, Co
   Eigen::Matrix<double, Rows, Columns> matrix(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(columns));
   for (Eigen::Index i = 0; i < matrix.size(); ++i) matrix.data()[i] = from.get<double>();
   return matrix;
+}
+
+template <class T>
+concept Record = requires(T& record) {
+  members(record);
+};
+
+template <Record T> void write(ArchiveWriter& to, const T& record) {
+  std::apply([&](const auto&... parts) { to.put(parts...); }, members(const_cast<T&>(record)));
+}
+template <Record T> T read(ArchiveReader& from, std::type_identity<T>) {
+  T record{};
+  std::apply([&](auto&... parts) { from.into(parts...); }, members(record));
+  return record;
 }
 
 /// A file of one kind: a line that names the kind, the version of its format, length, bytes, and a checksum of all.

@@ -80,7 +80,9 @@ void check_folder(const std::string& file, const fs::path& folder) {
        folder.string(), "\"");
 }
 
-void write(const std::string& file, std::string_view bytes, bool durable) {
+} // namespace
+
+void write_whole(const std::string& file, std::string_view bytes, bool durable) {
   const fs::path path(file), folder = folder_of(path);
   std::error_code ignored;
   require(path.has_filename(), "file '", file, "' names a folder; add the name of a file");
@@ -96,16 +98,6 @@ void write(const std::string& file, std::string_view bytes, bool durable) {
   const int closed = ::close(std::exchange(temporary.handle, -1));
   if (closed != 0 || ::rename(name.c_str(), file.c_str()) != 0) cannot_write(file, errno);
   temporary.kept = true;
-}
-
-} // namespace
-
-void write_whole(const std::string& file, std::string_view bytes) {
-  write(file, bytes, false);
-}
-
-void write_durably(const std::string& file, std::string_view bytes) {
-  write(file, bytes, true);
 }
 
 void remove_leftovers(const std::string& file) {

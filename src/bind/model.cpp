@@ -8,11 +8,6 @@ namespace signorini::bind {
 
 namespace {
 
-/// "1 support", "2 supports".
-std::string counted(std::size_t count, const char* noun) {
-  return text(count, " ", noun, count == 1 ? "" : "s");
-}
-
 template <class Items> int push_names(lua_State* L, const Items& items) {
   push(L, names_of(items));
   return 1;

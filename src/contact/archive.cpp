@@ -4,63 +4,59 @@
 
 namespace signorini::contact {
 
+template <int D> auto members(Plane<D>& plane) {
+  auto& [point, normal] = plane;
+  return std::tie(point, normal);
+}
+
+template <int D> auto members(Ball<D>& ball) {
+  auto& [centre, radius] = ball;
+  return std::tie(centre, radius);
+}
+
+auto members(Cylinder& cylinder) {
+  auto& [point, axis, radius] = cylinder;
+  return std::tie(point, axis, radius);
+}
+
+auto members(PenaltyLaw& law) {
+  auto& [normal, tangential, friction] = law;
+  return std::tie(normal, tangential, friction);
+}
+
+auto members(Adhesion& law) {
+  auto& [hamaker, distance] = law;
+  return std::tie(hamaker, distance);
+}
+
+/// The position follows from the displacements; a point that acts is not beyond the master.
+template <int D> auto members(PointResult<D>& result) {
+  auto& [state, position, gap, beyond, settled, pressure, tangents, friction, force, area, potential] = result;
+  return std::tie(state, gap, pressure, tangents, friction, force, area, potential);
+}
+
+/// Settling clears no point.
+template <int D> auto members(PointHistory<D>& point) {
+  auto& [projection, cleared, slips, slip, limit, multiplier] = point;
+  auto& [foot, element, along, xi, gap] = projection;
+  return std::tie(foot, element, along, xi, gap, slips, slip, limit, multiplier);
+}
+
 namespace {
-
-template <int D> void write_shape(ArchiveWriter& to, const Plane<D>& plane) {
-  const auto& [point, normal] = plane;
-  to.put(point, normal);
-}
-
-template <int D> void write_shape(ArchiveWriter& to, const Ball<D>& ball) {
-  const auto& [centre, radius] = ball;
-  to.put(centre, radius);
-}
-
-void write_shape(ArchiveWriter& to, const Cylinder& cylinder) {
-  const auto& [point, axis, radius] = cylinder;
-  to.put(point, axis, radius);
-}
-
-void write_shape(ArchiveWriter& to, const nurbs::Patch& patch) {
-  to.put(patch);
-}
 
 template <int D> void write_obstacle(ArchiveWriter& to, const Obstacle<D>& obstacle) {
   to.put(static_cast<int>(obstacle.index()));
-  std::visit([&](const auto& shape) { write_shape(to, shape); }, obstacle);
+  std::visit([&](const auto& shape) { to.put(shape); }, obstacle);
 }
 
 template <int D> Obstacle<D> read_obstacle(ArchiveReader& from) {
   const int form = from.get<int>();
-  if (form == 0) {
-    Plane<D> plane;
-    from.into(plane.point, plane.normal);
-    return plane;
-  }
-  if (form == 1) {
-    Ball<D> ball;
-    from.into(ball.centre, ball.radius);
-    return ball;
-  }
+  if (form == 0) return from.get<Plane<D>>();
+  if (form == 1) return from.get<Ball<D>>();
   if constexpr (D == 3)
-    if (form == 2) {
-      Cylinder cylinder;
-      from.into(cylinder.point, cylinder.axis, cylinder.radius);
-      return cylinder;
-    }
+    if (form == 2) return from.get<Cylinder>();
   require(form == D, "obstacle: there is no form ", form);
   return from.get<nurbs::Patch>();
-}
-
-template <int D> void write_result(ArchiveWriter& to, const PointResult<D>& result) {
-  // The position follows from the displacements; a point that acts is not beyond the master.
-  const auto& [state, position, gap, beyond, settled, pressure, tangents, friction, force, area, potential] = result;
-  to.put(state, gap, pressure, tangents, friction, force, area, potential);
-}
-
-template <int D> void read_result(ArchiveReader& from, PointResult<D>& result) {
-  auto& [state, position, gap, beyond, settled, pressure, tangents, friction, force, area, potential] = result;
-  from.into(state, gap, pressure, tangents, friction, force, area, potential);
 }
 
 } // namespace
@@ -82,34 +78,25 @@ template <int D> void write(ArchiveWriter& to, const Method<D>& method) {
   require(!std::holds_alternative<Maker<D>>(method), "a contact with a formulation of one's own cannot be saved");
   to.put(static_cast<int>(method.index()));
   if (const auto* penalty = std::get_if<PenaltyLaw>(&method))
-    to.put(penalty->normal, penalty->tangential, penalty->friction);
+    to.put(*penalty);
   else if (const auto* adhesion = std::get_if<Adhesion>(&method))
-    to.put(adhesion->hamaker, adhesion->distance);
+    to.put(*adhesion);
 }
 
 template <int D> Method<D> read_method(ArchiveReader& from) {
   const int index = from.get<int>();
   require(index == 0 || index == 1, "contact: there is no law ", index);
-  if (index == 0) {
-    PenaltyLaw law{};
-    from.into(law.normal, law.tangential, law.friction);
-    return law;
-  }
-  Adhesion law;
-  from.into(law.hamaker, law.distance);
-  return law;
+  if (index == 0) return from.get<PenaltyLaw>();
+  return from.get<Adhesion>();
 }
 
 template <int D> void write_history(ArchiveWriter& to, const History<D>& history) {
   const auto& [points, results, dissipated] = history;
   to.put(dissipated, static_cast<std::uint64_t>(points.size()));
   for (std::size_t i = 0; i < points.size(); ++i) {
-    // Settling clears no point.
-    const auto& [projection, cleared, slips, slip, limit, multiplier] = points[i];
-    const auto& [foot, element, along, xi, gap] = projection;
     const bool acts = results[i].area != 0;
-    to.put(foot, element, along, xi, gap, slips, slip, limit, multiplier, acts);
-    if (acts) write_result<D>(to, results[i]);
+    to.put(points[i], acts);
+    if (acts) to.put(results[i]);
   }
 }
 
@@ -119,11 +106,8 @@ template <int D> void read_history(ArchiveReader& from, History<D>& history) {
   const auto count = from.get<std::uint64_t>();
   require(count == points.size(), "a contact of ", count, " points was saved, this one has ", points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    auto& [projection, cleared, slips, slip, limit, multiplier] = points[i];
-    auto& [foot, element, along, xi, gap] = projection;
-    from.into(foot, element, along, xi, gap, slips, slip, limit, multiplier);
-    results[i] = {};
-    if (from.get<bool>()) read_result<D>(from, results[i]);
+    std::apply([&](auto&... parts) { from.into(parts...); }, members(points[i]));
+    results[i] = from.get<bool>() ? from.get<PointResult<D>>() : PointResult<D>{};
   }
 }
 

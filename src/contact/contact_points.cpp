@@ -2,7 +2,7 @@
 
 #include "base/error.hpp"
 #include "contact/local.hpp"
-#include "solid/quadrature.hpp"
+#include "solid/body.hpp"
 
 namespace signorini::contact {
 
@@ -14,27 +14,19 @@ ContactPoints<D>::ContactPoints(const Surface<D>& slave, int per_direction, bool
   LocalRow<D> derivative;
   geometry.revolved = revolved;
   for (int e = 0; e < slave.elements(); ++e) {
-    std::array<solid::QuadratureRule, D - 1> rules;
-    int count = 1;
+    std::vector<solid::QuadratureRule> rules;
     for (int a = 0; a < D - 1; ++a) {
       const auto [from, to] = slave.interval(e, a);
-      rules[static_cast<std::size_t>(a)] = solid::gauss_legendre(per_direction, from, to);
-      count *= per_direction;
+      rules.push_back(solid::gauss_legendre(per_direction, from, to));
     }
-    for (int q = 0; q < count; ++q) {
-      FaceCoordinates<D> xi;
-      double weight = 1;
-      for (int a = 0, rest = q; a < D - 1; ++a, rest /= per_direction) {
-        const auto& rule = rules[static_cast<std::size_t>(a)];
-        xi(a) = rule.points[static_cast<std::size_t>(rest % per_direction)];
-        weight *= rule.weights[static_cast<std::size_t>(rest % per_direction)];
-      }
-      slave.locate(e, xi, 1, face);
+    const solid::ElementQuadrature rule = solid::tensor_product(rules);
+    for (int q = 0; q < rule.weights.size(); ++q) {
+      slave.locate(e, rule.points.col(q), 1, face);
       if (where && !where(face.position)) continue;
       slave.functions(face, 1);
       geometry.slave = face.position;
       geometry.slave_tangent = face.tangent;
-      list.push_back({e, q, weight, slave_measure(geometry, derivative), values.size()});
+      list.push_back({e, q, rule.weights(q), slave_measure(geometry, derivative), values.size()});
       reference.push_back(face.position);
       const int n = slave.functions_on(e);
       values.insert(values.end(), face.value.begin(), face.value.begin() + n);
@@ -61,7 +53,7 @@ std::array<Vec<D>, D - 1> tangents(const ContactPoints<D>& points, const Surface
   const double* values = points.functions(i);
   std::array<Vec<D>, D - 1> result;
   for (int k = 0; k < D - 1; ++k) {
-    Vec<D>& tangent = result[static_cast<std::size_t>(k)];
+    Vec<D>& tangent = result[at(k)];
     tangent.setZero();
     for (int a = 0; a < n; ++a) tangent += values[(k + 1) * n + a] * slave.points().col(nodes[a]);
   }

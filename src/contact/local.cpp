@@ -8,7 +8,7 @@ namespace {
 
 /// Index of x_,αβ in FacePoint::second.
 constexpr std::size_t second_index(int alpha, int beta) {
-  return static_cast<std::size_t>(alpha + beta);
+  return at(alpha + beta);
 }
 
 } // namespace
@@ -74,7 +74,7 @@ GapRows<D> gap_rows(const LocalGeometry<D>& geometry, Eigen::Matrix<double, D - 
     if (geometry.foot == Foot::edge) {
       // The foot moves along the kink:  [τ·τ − g n̄·x_,ββ] δξ̄ = (δxˢ − δx̄ᵐ)·τ + g n̄·δτ,  and δn̄ loses τ δξ̄ with δx̄ᵐ.
       const int b = geometry.along;
-      const Vec<D>& tau = master.tangent[static_cast<std::size_t>(b)];
+      const Vec<D>& tau = master.tangent[at(b)];
       LocalRow<D> right = LocalRow<D>::Zero();
       right.template segment<D>(0) = tau.transpose();
       right.template segment<D>(Force::master_column) = -tau.transpose();
@@ -87,12 +87,12 @@ GapRows<D> gap_rows(const LocalGeometry<D>& geometry, Eigen::Matrix<double, D - 
     Mat<tangents> metric, hessian;
     for (int a = 0; a < tangents; ++a)
       for (int b = 0; b < tangents; ++b) {
-        metric(a, b) = master.tangent[static_cast<std::size_t>(a)].dot(master.tangent[static_cast<std::size_t>(b)]);
+        metric(a, b) = master.tangent[at(a)].dot(master.tangent[at(b)]);
         hessian(a, b) = metric(a, b) - g * n.dot(master.second[second_index(a, b)]);
       }
     Eigen::Matrix<double, tangents, Force::columns> right = Eigen::Matrix<double, tangents, Force::columns>::Zero();
     for (int a = 0; a < tangents; ++a) {
-      const auto tau = master.tangent[static_cast<std::size_t>(a)].transpose();
+      const auto tau = master.tangent[at(a)].transpose();
       right.row(a).template segment<D>(0) = tau;
       right.row(a).template segment<D>(Force::master_column) = -tau;
       right.row(a).template segment<D>(Force::tangent_column + D * a) = g * n.transpose();
@@ -106,8 +106,7 @@ GapRows<D> gap_rows(const LocalGeometry<D>& geometry, Eigen::Matrix<double, D - 
       for (int b = 0; b < tangents; ++b) turn += n.dot(master.second[second_index(a, b)]) * shift.row(b);
       turn.template segment<D>(Force::tangent_column + D * a) += n.transpose();
       Vec<D> contravariant = Vec<D>::Zero();
-      for (int b = 0; b < tangents; ++b)
-        contravariant += inverse_metric(a, b) * master.tangent[static_cast<std::size_t>(b)];
+      for (int b = 0; b < tangents; ++b) contravariant += inverse_metric(a, b) * master.tangent[at(b)];
       rows.normal.noalias() -= contravariant * turn;
     }
   }

@@ -29,7 +29,7 @@ template <int D> Master<D>::Master(Obstacle<D> obstacle) : rigid_(true) {
     surface_.emplace(*patch);
     surface_->extend(end_extension);
     boxes_.update(*surface_);
-    displacements_.resize(static_cast<std::size_t>(D * surface_->functions()));
+    displacements_.resize(at(D * surface_->functions()));
   } else {
     shape_ = std::move(obstacle);
   }

@@ -5,7 +5,7 @@ namespace signorini::contact {
 template <int D> void ElementBoxes<D>::update(const Surface<D>& surface) {
   if (nodes_.empty()) {
     const int u = surface.direction(0).elements();
-    leaves_.resize(static_cast<std::size_t>(surface.elements()));
+    leaves_.resize(at(surface.elements()));
     build(surface, {0, 0}, {u, surface.elements() / u});
   }
   for (std::size_t i = nodes_.size(); i-- > 0;) {
@@ -14,7 +14,7 @@ template <int D> void ElementBoxes<D>::update(const Surface<D>& surface) {
       surface.bounds(node.element, node.box.lower, node.box.upper);
       continue;
     }
-    const Box &a = nodes_[i + 1].box, &b = nodes_[static_cast<std::size_t>(node.second)].box;
+    const Box &a = nodes_[i + 1].box, &b = nodes_[at(node.second)].box;
     node.box = {a.lower.cwiseMin(b.lower), a.upper.cwiseMax(b.upper)};
   }
 }
@@ -28,7 +28,7 @@ void ElementBoxes<D>::build(const Surface<D>& surface, std::array<int, 2> first,
   if (u == 1 && v == 1) {
     const int element = first[0] + surface.direction(0).elements() * first[1];
     nodes_[index].element = element;
-    leaves_[static_cast<std::size_t>(element)] = static_cast<int>(index);
+    leaves_[at(element)] = static_cast<int>(index);
     return;
   }
   const std::size_t d = u >= v ? 0 : 1;

@@ -51,7 +51,7 @@ public:
   /// Face-local indices of the functions of an element.
   const int* nodes(int element) const { return nodes_.data() + elements_[at(element)].nodes; }
   /// The body's function behind face-local index i.
-  int body_function(int i) const { return functions_[static_cast<std::size_t>(i)]; }
+  int body_function(int i) const { return functions_[at(i)]; }
   /// Degree of an element along the face's direction α.
   int degree(int element, int alpha) const { return direction(alpha).degree(index(element, alpha)); }
   const nurbs::Space1D& direction(int alpha) const { return spaces_[at(alpha)]; }

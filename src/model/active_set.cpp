@@ -41,7 +41,7 @@ void ActiveSet<D>::begin(const contact::Formulations<D>& contacts, const Histori
       controls[k].held.push_back(result.state == contact::ContactState::open ? contact::Held::open
                                                                              : contact::Held::touching);
   }
-  counts_.assign(static_cast<std::size_t>(first_.back()), 0);
+  counts_.assign(at(first_.back()), 0);
 }
 
 template <int D> void ActiveSet<D>::note(const Histories& histories, double residual, Controls& controls) {
@@ -113,9 +113,7 @@ template <int D> std::vector<PointIndex> ActiveSet<D>::points_with(const std::ve
   std::vector<int> order;
   for (std::size_t i = 0; i < changes.size(); ++i)
     if (changes[i] >= least) order.push_back(static_cast<int>(i));
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
-    return changes[static_cast<std::size_t>(a)] > changes[static_cast<std::size_t>(b)];
-  });
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return changes[at(a)] > changes[at(b)]; });
   std::vector<PointIndex> points;
   for (int i : order) {
     const auto contact = std::upper_bound(first_.begin(), first_.end(), i) - first_.begin() - 1;
@@ -129,8 +127,8 @@ template <int D> std::vector<PointIndex> ActiveSet<D>::restless() const {
 }
 
 template <int D> std::string ActiveSet<D>::alternating(const PointIndex& index) const {
-  const auto i = static_cast<std::size_t>(first_[static_cast<std::size_t>(index.contact)] + index.point);
-  const bool frictional = frictional_[static_cast<std::size_t>(index.contact)];
+  const auto i = at(first_[at(index.contact)] + index.point);
+  const bool frictional = frictional_[at(index.contact)];
   const auto name = [&](unsigned char code) -> std::string {
     if (code == beyond) return "beyond";
     const auto state = static_cast<contact::ContactState>(code);

@@ -15,22 +15,17 @@ namespace signorini::model {
 
 namespace {
 
-/// The Bernstein polynomials of a degree at places in [0, 1], one row per place.
-MatrixX bernstein_values(int degree, const std::vector<double>& places) {
-  MatrixX values(static_cast<Eigen::Index>(places.size()), degree + 1);
-  for (Eigen::Index i = 0; i < values.rows(); ++i) {
-    VectorX bernstein(degree + 1);
-    nurbs::bernstein(degree, places[static_cast<std::size_t>(i)], 1, 0, bernstein.data());
-    values.row(i) = bernstein;
-  }
-  return values;
-}
-
 /// Bernstein coefficients of degree `degree` of the polynomial that is nearest to values at places in [0, 1]; it passes
 /// through them where they are no more than degree+1.
 MatrixX fit(int degree, const std::vector<double>& places) {
-  const int own = std::min(degree, static_cast<int>(places.size()) - 1);
-  return nurbs::bernstein_elevation(own, degree).transpose().lazyProduct(pseudo_inverse(bernstein_values(own, places)));
+  const int n = static_cast<int>(places.size()), own = std::min(degree, n - 1);
+  MatrixX values(n, own + 1);
+  for (int i = 0; i < n; ++i) {
+    VectorX bernstein(own + 1);
+    nurbs::bernstein(own, places[at(i)], 1, 0, bernstein.data());
+    values.row(i) = bernstein;
+  }
+  return nurbs::bernstein_elevation(own, degree).transpose().lazyProduct(pseudo_inverse(values));
 }
 
 /// The tensor product of matrices, the first one's indices running fastest.
@@ -55,7 +50,13 @@ struct Projector {
     std::vector<MatrixX> fits, all;
     for (std::size_t d = 0; d < degrees.size(); ++d) {
       fits.push_back(model::fit(degrees[d], places[d]));
-      all.push_back(bernstein_values(degrees[d], places[d]));
+      MatrixX one(static_cast<Eigen::Index>(places[d].size()), degrees[d] + 1);
+      for (std::size_t i = 0; i < places[d].size(); ++i) {
+        VectorX bernstein(degrees[d] + 1);
+        nurbs::bernstein(degrees[d], places[d][i], 1, 0, bernstein.data());
+        one.row(static_cast<Eigen::Index>(i)) = bernstein;
+      }
+      all.push_back(std::move(one));
     }
     fit = tensor_product(fits);
     values = tensor_product(all);
@@ -147,10 +148,13 @@ template <int D> BezierCells bezier_cells(const Model<D>& model, int body, bool 
     for (int p : element.degrees) places.push_back(solid::gauss_legendre(p + 1, 0, 1).points);
     MatrixX values(components, size);
     for (int g = 0; g < size; ++g) {
-      VectorX fractions(D);
-      for (int d = 0, rest = g; d < D; rest /= element.degrees[at(d++)] + 1)
-        fractions(d) = places[at(d)][at(rest % (element.degrees[at(d)] + 1))];
-      values.col(g) = composed<D>(solid.material(), body_point(model, body, e, space.parameter(e, fractions)).state);
+      VectorX xi(D);
+      for (int d = 0, rest = g; d < D; ++d) {
+        const auto [from, to] = space.interval(e, d);
+        xi(d) = from + (to - from) * places[at(d)][at(rest % (element.degrees[at(d)] + 1))];
+        rest /= element.degrees[at(d)] + 1;
+      }
+      values.col(g) = composed<D>(solid.material(), body_point(model, body, e, xi).state);
     }
     all.middleCols(first, size) = Projector(element.degrees, places)(values, weights);
     first += size;
@@ -174,16 +178,16 @@ template <int D> BezierCells contact_cells(const Model<D>& model, int contact, c
   for (const std::vector<int>& degrees : cells.degrees) first_point.push_back(first_point.back() + points_of(degrees));
 
   const std::vector<std::vector<double>> places(D - 1, solid::gauss_legendre(definition.points, 0, 1).points);
-  const MatrixX pressures = face_pressures(model, contact);
+  const MatrixX pressures = contact_point_pressures(model, contact);
   BezierCells result;
-  std::vector<int> chosen;                            // among the points of the body's cells
-  std::vector<double> on_contact;                     // pressures there
-  for (int e = 0, f = 0; e < space.elements(); ++e) { // f: of the side's elements, which are in the same order
-    if (!space.touches(e, side)) continue;
+  std::vector<int> chosen;        // among the points of the body's cells
+  std::vector<double> on_contact; // pressures there
+  for (int f = 0; f < pressures.cols(); ++f) {
+    const int e = space.element_behind(side, f);
     std::vector<int> degrees = cells.degrees[at(e)], own = points_on(side, degrees);
     for (int& point : own) point += first_point[at(e)];
     degrees.erase(degrees.begin() + side.direction);
-    const MatrixX fitted = Projector(degrees, places)(pressures.col(f++).transpose(), cells.weights(own));
+    const MatrixX fitted = Projector(degrees, places)(pressures.col(f).transpose(), cells.weights(own));
     on_contact.insert(on_contact.end(), fitted.data(), fitted.data() + fitted.size());
     chosen.insert(chosen.end(), own.begin(), own.end());
     result.degrees.push_back(std::move(degrees));

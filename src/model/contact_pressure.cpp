@@ -9,7 +9,7 @@
 
 namespace signorini::model {
 
-template <int D> MatrixX face_pressures(const Model<D>& model, int contact) {
+template <int D> MatrixX contact_point_pressures(const Model<D>& model, int contact) {
   const contact::Formulation<D>& formulation = *model.system.contacts[at(contact)];
   const int points = model.system.scene.contacts[at(contact)].points;
   MatrixX result = MatrixX::Zero(D == 3 ? points * points : points, formulation.slave().elements());
@@ -24,7 +24,7 @@ template <int D>
 FacePressure<D>::FacePressure(const Model<D>& model, int contact)
     : side_(model.system.scene.contacts[at(contact)].slave.side),
       points_(model.system.scene.contacts[at(contact)].points), places_(solid::gauss_legendre(points_, 0, 1).points),
-      values_(face_pressures(model, contact)) {}
+      values_(contact_point_pressures(model, contact)) {}
 
 template <int D> double FacePressure<D>::at_place(int e, const contact::FaceCoordinates<D>& fraction) const {
   double sum = 0;
@@ -83,8 +83,8 @@ template <int D> double sample_contact_pressure(const Model<D>& model, int body,
   return sum;
 }
 
-template MatrixX face_pressures<2>(const Model<2>&, int);
-template MatrixX face_pressures<3>(const Model<3>&, int);
+template MatrixX contact_point_pressures(const Model<2>&, int);
+template MatrixX contact_point_pressures(const Model<3>&, int);
 template class FacePressure<2>;
 template class FacePressure<3>;
 template double sample_contact_pressure<2>(const Model<2>&, int, const VectorX&);

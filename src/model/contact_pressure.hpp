@@ -5,10 +5,11 @@
 
 namespace signorini::model {
 
-/// The pressures at the contact points of a slave face, one column per element; 0 at those that a region leaves out.
-template <int D> MatrixX face_pressures(const Model<D>& model, int contact);
+/// The pressures at the contact points of each slave element, one column per element; 0 at those that a region leaves
+/// out.
+template <int D> MatrixX contact_point_pressures(const Model<D>& model, int contact);
 
-/// The pressure on a slave face: between an element's points linear in each direction, beyond
+/// The pressures at the contact points of a slave face: between an element's points linear in each direction, beyond
 /// the outer ones constant; 0 where the contact does not act.
 template <int D> class FacePressure {
 public:
@@ -22,7 +23,7 @@ private:
   nurbs::Side side_;
   int points_;                 ///< per element and direction
   std::vector<double> places_; ///< of these in a direction, as fractions of the element
-  MatrixX values_;             ///< contact points × elements
+  MatrixX values_;             ///< contact_point_pressures()
 };
 
 /// The sum of the contacts in which faces of the body that xi lies on are slaves. Throws Error when there is none.

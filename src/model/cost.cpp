@@ -8,7 +8,7 @@
 namespace signorini::model {
 
 template <int D> BodyCost body_cost(const Model<D>& model, int index) {
-  const solid::Body<D>& body = *model.system.scene.bodies[static_cast<std::size_t>(index)].body;
+  const solid::Body<D>& body = *model.system.scene.bodies[at(index)].body;
   const Unknowns<D>& unknowns = model.system.unknowns;
   std::set<int> all, layer;
   BodyCost cost{0, 0, 0, body.elements(), 0};

@@ -14,8 +14,8 @@ template <int D> void append(const Vec<D>& v, std::array<std::vector<double>*, 3
 } // namespace
 
 template <int D> Profile profile(const Model<D>& model, int contact) {
-  const contact::Formulation<D>& formulation = *model.system.contacts[static_cast<std::size_t>(contact)];
-  const contact::History<D>& history = model.present.contacts[static_cast<std::size_t>(contact)];
+  const contact::Formulation<D>& formulation = *model.system.contacts[at(contact)];
+  const contact::History<D>& history = model.present.contacts[at(contact)];
   Profile result;
   result.gap = formulation.gaps(history);
   for (const Vec<D>& place : formulation.points().reference)

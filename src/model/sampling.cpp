@@ -12,26 +12,27 @@ template <int D> struct Pieces {
   int body;
   bool deformed;
 
+  Vec<3> place(int e, const VectorX& xi) const {
+    const BodyPoint<D> point = body_point(model, body, e, xi);
+    Vec<3> result = Vec<3>::Zero();
+    result.template head<D>() = point.reference;
+    if (deformed) result.template head<D>() += point.state.displacement;
+    return result;
+  }
+
   /// Cuts the piece of element e along two directions, the parameters of `xi` fixed in the third one.
   void cut(Sampling<D>& sampling, int e, std::array<int, 2> along, VectorX xi,
            const std::vector<Window>& windows) const {
     const nurbs::Discretisation& space = model.system.scene.bodies[at(body)].body->space();
-    const auto place = [&](double s, double t) {
+    const auto at_fractions = [&](double s, double t) {
       for (auto [direction, fraction] : {std::pair{along[0], s}, std::pair{along[1], t}}) {
         const auto [from, to] = space.interval(e, direction);
         xi(direction) = from + (to - from) * fraction;
       }
-      const BodyPoint<D> point = body_point(model, body, e, xi);
-      Vec<3> result = Vec<3>::Zero();
-      result.template head<D>() = point.reference;
-      if (deformed) result.template head<D>() += point.state.displacement;
-      return result;
+      return place(e, xi);
     };
-    const auto cuts = window_cuts(place, windows, true);
-    for (int i : {0, 1}) {
-      const int d = along[at(i)];
-      add_cuts(sampling[at(d)][at(space.element_index(e, d))], cuts[at(i)]);
-    }
+    const auto cuts = window_cuts(at_fractions, windows, true);
+    for (std::size_t i : {0, 1}) add_cuts(sampling[at(along[i])][at(space.element_index(e, along[i]))], cuts[i]);
   }
 };
 
@@ -53,15 +54,14 @@ Sampling<D> sampling(const Model<D>& model, int body, int divisions, bool deform
   for (int e = 0; e < space.elements(); ++e) {
     if constexpr (D == 2)
       pieces.cut(result, e, {0, 1}, VectorX(2), windows);
-    else {
+    else
       for (int d = 0; d < 3; ++d)
-        for (const bool at_end : {false, true}) {
-          if (!space.touches(e, {d, at_end})) continue;
+        for (int end : {0, 1}) {
+          if (space.element_index(e, d) != (end == 0 ? 0 : space.elements(d) - 1)) continue;
           VectorX xi(3);
-          xi(d) = space.interval(e, d)[at_end];
+          xi(d) = space.interval(e, d)[at(end)];
           pieces.cut(result, e, {d == 0 ? 1 : 0, d == 2 ? 1 : 2}, xi, windows);
         }
-    }
   }
   return result;
 }

@@ -81,8 +81,7 @@ template <int D> struct Scene {
 
 /// "face 'south' of body 'slab'".
 template <int D> std::string face_in_words(const Scene<D>& scene, const FaceReference& face) {
-  return "face '" + nurbs::name_of(face.side) + "' of body '" + scene.bodies[static_cast<std::size_t>(face.body)].name +
-         "'";
+  return "face '" + nurbs::name_of(face.side) + "' of body '" + scene.bodies[at(face.body)].name + "'";
 }
 
 /// "x", "y", "z".

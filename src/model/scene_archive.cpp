@@ -9,34 +9,24 @@
 
 namespace signorini::model {
 
-void write(ArchiveWriter& to, const ScenePart& part) {
-  to.put(part.name, part.bytes);
+auto members(FaceReference& face) {
+  auto& [body, side] = face;
+  return std::tie(body, side);
 }
 
-ScenePart read(ArchiveReader& from, std::type_identity<ScenePart>) {
-  ScenePart part;
-  from.into(part.name, part.bytes);
-  return part;
+auto members(Held& held) {
+  auto& [body, functions] = held;
+  return std::tie(body, functions);
 }
 
-void write(ArchiveWriter& to, const FaceReference& face) {
-  const auto& [body, side] = face;
-  to.put(body, side);
+template <int D> auto members(Support<D>& support) {
+  auto& [name, on, hold, obstacles, rotates, centre, axis] = support;
+  return std::tie(name, on, hold, obstacles, rotates, centre, axis);
 }
 
-FaceReference read(ArchiveReader& from, std::type_identity<FaceReference>) {
-  const int body = from.get<int>();
-  return {body, from.get<nurbs::Side>()};
-}
-
-void write(ArchiveWriter& to, const Held& held) {
-  const auto& [body, functions] = held;
-  to.put(body, functions);
-}
-
-Held read(ArchiveReader& from, std::type_identity<Held>) {
-  const int body = from.get<int>();
-  return {body, from.get<std::vector<int>>()};
+auto members(Load& load) {
+  auto& [name, on, pressure, start] = load;
+  return std::tie(name, on, pressure, start);
 }
 
 template <int D> void write(ArchiveWriter& to, const NamedBody<D>& named) {
@@ -47,30 +37,6 @@ template <int D> void write(ArchiveWriter& to, const NamedBody<D>& named) {
 template <int D> NamedBody<D> read(ArchiveReader& from, std::type_identity<NamedBody<D>>) {
   auto name = from.get<std::string>();
   return {std::move(name), solid::read_body<D>(from)};
-}
-
-template <int D> void write(ArchiveWriter& to, const Support<D>& support) {
-  const auto& [name, on, hold, obstacles, rotates, centre, axis] = support;
-  to.put(name, on, hold, obstacles, rotates, centre, axis);
-}
-
-template <int D> Support<D> read(ArchiveReader& from, std::type_identity<Support<D>>) {
-  Support<D> support;
-  auto& [name, on, hold, obstacles, rotates, centre, axis] = support;
-  from.into(name, on, hold, obstacles, rotates, centre, axis);
-  return support;
-}
-
-void write(ArchiveWriter& to, const Load& load) {
-  const auto& [name, on, pressure, start] = load;
-  to.put(name, on, pressure, start);
-}
-
-Load read(ArchiveReader& from, std::type_identity<Load>) {
-  Load load;
-  auto& [name, on, pressure, start] = load;
-  from.into(name, on, pressure, start);
-  return load;
 }
 
 namespace {
@@ -130,6 +96,11 @@ struct Counts {
   int bodies, obstacles, supports, loads, contacts;
 };
 
+auto members(Counts& counts) {
+  auto& [kind, bodies, obstacles, supports, loads, contacts] = counts;
+  return std::tie(kind, bodies, obstacles, supports, loads, contacts);
+}
+
 template <class Part> ScenePart named(const char* kind, const std::string& name, const Part& part) {
   ArchiveWriter bytes;
   part(bytes);
@@ -143,7 +114,7 @@ template <int D> std::vector<ScenePart> scene_parts(const Model<D>& model) {
   const auto& [bodies, obstacles, supports, loads, contacts, kind] = scene;
   const auto size = [](const auto& list) { return static_cast<int>(list.size()); };
   ArchiveWriter counts;
-  counts.put(kind, size(bodies), size(obstacles), size(supports), size(loads), size(contacts));
+  counts.put(Counts{kind, size(bodies), size(obstacles), size(supports), size(loads), size(contacts)});
   std::vector<ScenePart> parts{{"the kind of scene or the number of its parts", counts.bytes()}};
   const auto add = [&](const char* what, const auto& list) {
     for (const auto& item : list) parts.push_back(named(what, item.name, [&](ArchiveWriter& to) { to.put(item); }));
@@ -166,14 +137,9 @@ template <int D> Scene<D> read_scene(const std::vector<ScenePart>& parts) {
     return ArchiveReader(parts[next++].bytes);
   };
   Scene<D> scene;
-  Counts counts;
-  ArchiveReader head = part();
-  head.into(counts.kind, counts.bodies, counts.obstacles, counts.supports, counts.loads, counts.contacts);
+  const auto counts = part().template get<Counts>();
   const auto fill = [&]<class T>(std::vector<T>& list, int count) {
-    for (int i = 0; i < count; ++i) {
-      ArchiveReader from = part();
-      list.push_back(from.get<T>());
-    }
+    for (int i = 0; i < count; ++i) list.push_back(part().template get<T>());
   };
   scene.kind = counts.kind;
   fill(scene.bodies, counts.bodies);

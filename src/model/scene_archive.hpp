@@ -10,13 +10,14 @@ namespace signorini::model {
 struct ScenePart {
   std::string name, bytes;
 };
+inline auto members(ScenePart& part) {
+  auto& [name, bytes] = part;
+  return std::tie(name, bytes);
+}
 
 /// All parts of a model's scene. Of a contact that a region limits, the points that are left are kept.
 template <int D> std::vector<ScenePart> scene_parts(const Model<D>& model);
 /// The scene again, to make a model of that has the same bits.
 template <int D> Scene<D> read_scene(const std::vector<ScenePart>& parts);
-
-void write(ArchiveWriter& to, const ScenePart& part);
-ScenePart read(ArchiveReader& from, std::type_identity<ScenePart>);
 
 } // namespace signorini::model

@@ -1,60 +1,273 @@
 #include "model/tessellate.hpp"
 
 #include "base/index.hpp"
+#include "model/contact_pressure.hpp"
 #include "model/results.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace signorini::model {
+
+namespace {
+
+/// A point of a side of a solid.
+struct SkinPoint {
+  Vec<3> position, normal;
+  double value;
+};
+
+/// One side of a solid, its elements counted with the first of its two directions fastest.
+struct SkinSide {
+  const Model<3>& model;
+  int body;
+  nurbs::Side side;
+  bool deformed;
+
+  const solid::Body<3>& solid() const { return *model.system.scene.bodies[at(body)].body; }
+  const nurbs::Discretisation& space() const { return solid().space(); }
+  /// The side's own directions 0 and 1 among the solid's.
+  int along(int i) const { return i == 0 ? (side.direction == 0 ? 1 : 0) : (side.direction == 2 ? 1 : 2); }
+  int elements(int i) const { return space().elements(along(i)); }
+
+  /// The solid's element behind the side's element (i, j).
+  int element(int i, int j) const { return space().element_behind(side, i + elements(0) * j); }
+
+  /// At the fractions s and t of element e's way along the side.
+  VectorX parameter(int e, double s, double t) const {
+    VectorX xi(3);
+    const auto through = space().interval(e, side.direction);
+    xi(side.direction) = side.at_end ? through[1] : through[0];
+    for (auto [direction, fraction] : {std::pair{along(0), s}, std::pair{along(1), t}}) {
+      const auto [from, to] = space().interval(e, direction);
+      xi(direction) = from + (to - from) * fraction;
+    }
+    return xi;
+  }
+
+  SkinPoint point(int e, double s, double t, const Field<3>* field) const {
+    const BodyPoint<3> state = regular_point(model, body, e, parameter(e, s, t));
+    // ∂x/∂ξ = F ∂X/∂ξ, normal ∥ ±τ₁×τ₂
+    const Mat<3> tangents = deformed ? Mat<3>(state.state.deformation * state.jacobian) : state.jacobian;
+    SkinPoint result{state.reference, {}, field ? field->value(solid().material(), state.state) : 0};
+    if (deformed) result.position += state.state.displacement;
+    result.normal = nurbs::outward_sign(side) * tangents.col(along(0)).cross(tangents.col(along(1))).stableNormalized();
+    return result;
+  }
+};
+
+/// The grid of points of an element in the plane, or of an element's side.
+struct Grid {
+  const std::vector<double>&along, &across; ///< fractions of its two directions
+  Eigen::Index first;                       ///< index of its first point in the skin
+
+  int columns() const { return static_cast<int>(along.size()); }
+  int rows() const { return static_cast<int>(across.size()); }
+  Eigen::Index size() const { return Eigen::Index(columns()) * rows(); }
+  Eigen::Index triangles() const { return 2 * Eigen::Index(columns() - 1) * (rows() - 1); }
+  Eigen::Index operator()(int i, int j) const { return first + i + Eigen::Index(columns()) * j; }
+};
+
+Grid grid_of(const Sampling<3>& sampling, const SkinSide& side, int i, int j, Eigen::Index first) {
+  return {sampling[at(side.along(0))][at(i)], sampling[at(side.along(1))][at(j)], first};
+}
+
+/// The element's border along one of the side's directions, at the start or the end of the other one.
+SkinLine border(const Skin& skin, const Grid& grid, int along, bool at_end) {
+  const int right = grid.columns() - 1, top = grid.rows() - 1, count = along == 0 ? right : top,
+            fixed = !at_end      ? 0
+                    : along == 0 ? top
+                                 : right;
+  SkinLine line{Points(3, count + 1), Points(3, count + 1), 0};
+  for (int k = 0; k <= count; ++k) {
+    const Eigen::Index point = along == 0 ? grid(k, fixed) : grid(fixed, k);
+    line.points.col(k) = skin.points.col(point);
+    line.normals.col(k) = skin.normals.col(point);
+  }
+  line.spacing = along == 0 ? (skin.points.col(grid(right / 2, top)) - skin.points.col(grid(right / 2, 0))).norm()
+                            : (skin.points.col(grid(right, top / 2)) - skin.points.col(grid(0, top / 2))).norm();
+  return line;
+}
+
+void add_triangles(Triangles& triangles, Eigen::Index& next, const Grid& grid) {
+  for (int j = 0; j + 1 < grid.rows(); ++j)
+    for (int i = 0; i + 1 < grid.columns(); ++i) {
+      const int corner = static_cast<int>(grid(i, j)), side = grid.columns();
+      triangles.col(next++) << corner, corner + 1, corner + side + 1;
+      triangles.col(next++) << corner, corner + side + 1, corner + side;
+    }
+}
+
+std::array<SkinSide, 6> sides_of(const Model<3>& model, int body, bool deformed) {
+  const auto side = [&](int direction, bool at_end) { return SkinSide{model, body, {direction, at_end}, deformed}; };
+  return {side(0, false), side(0, true), side(1, false), side(1, true), side(2, false), side(2, true)};
+}
+
+/// Calls visit(side, i, j) for the elements of all sides, in the order of the skin's points.
+template <class Visit> void each_side_element(const Model<3>& model, int body, bool deformed, Visit visit) {
+  for (const SkinSide& side : sides_of(model, body, deformed))
+    for (int j = 0; j < side.elements(1); ++j)
+      for (int i = 0; i < side.elements(0); ++i) visit(side, i, j);
+}
+
+/// Control points, in the plane with z = 0, and the lines that join them within every row.
+template <int D, class Result> void add_control_points(Result& result, const Model<D>& model, int body, bool deformed) {
+  const nurbs::Discretisation& space = model.system.scene.bodies[at(body)].body->space();
+  result.control_points.setZero(3, space.functions());
+  result.control_points.template topRows<D>() = space.points();
+  if (deformed) result.control_points.template topRows<D>() += body_displacement(model, body);
+  for (std::size_t r = 0; r < space.rows().size(); ++r) {
+    const int first = space.first_function(static_cast<int>(r)), n = space.rows()[r].direction(0).functions(),
+              count = space.rows()[r].functions();
+    for (int f = 0; f < count; ++f) {
+      if (f % n > 0) result.net_lines.push_back({first + f - 1, first + f});
+      if (f >= n) result.net_lines.push_back({first + f - n, first + f});
+    }
+  }
+}
+
+} // namespace
 
 Tessellation tessellate(const Model<2>& model, int body, const Field<2>* field, const Sampling<2>& sampling,
                         bool deformed) {
   const solid::Body<2>& solid = *model.system.scene.bodies[at(body)].body;
   const nurbs::Discretisation& space = solid.space();
+  const auto grid_at = [&](int e, Eigen::Index first) {
+    return Grid{sampling[0][at(e % space.elements(0))], sampling[1][at(e / space.elements(0))], first};
+  };
   Eigen::Index points = 0, triangles = 0;
-  for (const auto& across : sampling[1])
-    for (const auto& along : sampling[0]) {
-      points += static_cast<Eigen::Index>(along.size() * across.size());
-      triangles += static_cast<Eigen::Index>(2 * (along.size() - 1) * (across.size() - 1));
-    }
+  for (int e = 0; e < space.elements(); ++e) {
+    points += grid_at(e, 0).size();
+    triangles += grid_at(e, 0).triangles();
+  }
   Tessellation result;
   result.points.setZero(3, points);
   result.triangles.resize(3, triangles);
   if (field) result.values.resize(points);
 
-  int here = 0, triangle = 0;
+  VectorX xi(2);
+  Eigen::Index first = 0, triangle = 0;
   for (int e = 0; e < space.elements(); ++e) {
-    const auto &along = sampling[0][at(e % space.elements(0))], &across = sampling[1][at(e / space.elements(0))];
-    const int side = static_cast<int>(along.size());
-    for (double t : across)
-      for (double s : along) {
-        const BodyPoint<2> point = regular_point(model, body, e, space.parameter(e, Vec<2>(s, t)));
+    const Grid grid = grid_at(e, first);
+    const auto [a, b] = space.interval(e, 0);
+    const auto [c, d] = space.interval(e, 1);
+    for (int q = 0; q < grid.rows(); ++q)
+      for (int p = 0; p < grid.columns(); ++p) {
+        xi << a + (b - a) * grid.along[at(p)], c + (d - c) * grid.across[at(q)];
+        const BodyPoint<2> point = regular_point(model, body, e, xi);
+        const Eigen::Index here = grid(p, q);
         result.points.col(here).head<2>() = point.reference;
         if (deformed) result.points.col(here).head<2>() += point.state.displacement;
         if (field) result.values(here) = field->value(solid.material(), point.state);
-        if (s < 1 && t < 1) {
-          result.triangles.col(triangle++) << here, here + 1, here + side + 1;
-          result.triangles.col(triangle++) << here, here + side + 1, here + side;
-        }
-        ++here;
       }
+    add_triangles(result.triangles, triangle, grid);
+    first += grid.size();
   }
-
-  result.control_points.setZero(3, space.functions());
-  result.control_points.topRows<2>() = space.points();
-  if (deformed) result.control_points.topRows<2>() += body_displacement(model, body);
-  result.net_lines = net_lines(space);
+  add_control_points(result, model, body, deformed);
   return result;
 }
 
-std::vector<std::array<int, 2>> net_lines(const nurbs::Discretisation& space) {
-  std::vector<std::array<int, 2>> lines;
-  for (std::size_t j = 0; j < space.rows().size(); ++j) {
-    const int first = space.first_function(static_cast<int>(j)), n = space.rows()[j].direction(0).functions();
-    for (int f = 0; f < space.rows()[j].functions(); ++f) {
-      if (f % n > 0) lines.push_back({first + f - 1, first + f});
-      if (f >= n) lines.push_back({first + f - n, first + f});
+int surface_elements(const nurbs::Discretisation& space) {
+  return 2 * (space.elements(0) * space.elements(1) + space.elements(1) * space.elements(2) +
+              space.elements(2) * space.elements(0));
+}
+
+Skin tessellate(const Model<3>& model, int body, const Field<3>* field, const Sampling<3>& sampling, bool deformed) {
+  Eigen::Index points = 0, triangles = 0;
+  each_side_element(model, body, deformed, [&](const SkinSide& side, int i, int j) {
+    const Grid grid = grid_of(sampling, side, i, j, 0);
+    points += grid.size();
+    triangles += grid.triangles();
+  });
+  Skin skin;
+  skin.points.resize(3, points);
+  skin.normals.resize(3, points);
+  skin.triangles.resize(3, triangles);
+  if (field) skin.values.resize(points);
+
+  Eigen::Index first = 0, triangle = 0;
+  each_side_element(model, body, deformed, [&](const SkinSide& side, int i, int j) {
+    const Grid grid = grid_of(sampling, side, i, j, first);
+    for (int q = 0; q < grid.rows(); ++q)
+      for (int p = 0; p < grid.columns(); ++p) {
+        const SkinPoint point = side.point(side.element(i, j), grid.along[at(p)], grid.across[at(q)], field);
+        skin.points.col(grid(p, q)) = point.position;
+        skin.normals.col(grid(p, q)) = point.normal;
+        if (field) skin.values(grid(p, q)) = point.value;
+      }
+    add_triangles(skin.triangles, triangle, grid);
+    (j == 0 ? skin.rim : skin.mesh_lines).push_back(border(skin, grid, 0, false));
+    (i == 0 ? skin.rim : skin.mesh_lines).push_back(border(skin, grid, 1, false));
+    if (j == side.elements(1) - 1) skin.rim.push_back(border(skin, grid, 0, true));
+    if (i == side.elements(0) - 1) skin.rim.push_back(border(skin, grid, 1, true));
+    first += grid.size();
+  });
+  add_control_points(skin, model, body, deformed);
+  return skin;
+}
+
+VectorX contact_pressure(const Model<3>& model, int body, const Sampling<3>& sampling) {
+  std::vector<FacePressure<3>> faces;
+  for (std::size_t c = 0; c < model.system.scene.contacts.size(); ++c)
+    if (model.system.scene.contacts[c].slave.body == body) faces.emplace_back(model, static_cast<int>(c));
+  if (faces.empty()) return {};
+  std::vector<double> values;
+  each_side_element(model, body, false, [&](const SkinSide& side, int i, int j) {
+    const int e = i + side.elements(0) * j;
+    const Grid grid = grid_of(sampling, side, i, j, 0);
+    for (double t : grid.across)
+      for (double s : grid.along) {
+        double sum = 0;
+        for (const FacePressure<3>& face : faces)
+          if (face.side() == side.side) sum += face.at_place(e, {s, t});
+        values.push_back(sum);
+      }
+  });
+  return Eigen::Map<const VectorX>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+std::vector<Inside> crossed_elements(const Model<3>& model, int body, const Field<3>* field, int divisions,
+                                     bool deformed, const std::vector<Plane>& planes) {
+  const solid::Body<3>& solid = *model.system.scene.bodies[at(body)].body;
+  const nurbs::Discretisation& space = solid.space();
+  Points control = space.points();
+  if (deformed) control += body_displacement(model, body);
+  const double tolerance = 1e-9 * (control.rowwise().maxCoeff() - control.rowwise().minCoeff()).norm();
+  const int side = divisions + 1;
+  std::vector<Inside> result;
+  for (int e = 0; e < space.elements(); ++e) {
+    const auto parameter = [&](const Vec<3>& fraction) {
+      VectorX xi(3);
+      for (int d = 0; d < 3; ++d) {
+        const auto [from, to] = space.interval(e, d);
+        xi(d) = from + (to - from) * fraction(d);
+      }
+      return xi;
+    };
+    // An element lies in the hull of its control points.
+    const std::vector<int> functions = space.basis(e, parameter(Vec<3>::Constant(0.5))).functions;
+    const bool crossed = std::any_of(planes.begin(), planes.end(), [&](const Plane& plane) {
+      double low = std::numeric_limits<double>::infinity(), high = -low;
+      for (int f : functions) {
+        const double distance = plane.normal.normalized().dot(control.col(f) - plane.point);
+        low = std::min(low, distance), high = std::max(high, distance);
+      }
+      return low <= tolerance && high >= -tolerance;
+    });
+    if (!crossed) continue;
+    Inside inside{divisions, Points(3, side * side * side), {}};
+    if (field) inside.values.resize(inside.points.cols());
+    for (int p = 0; p < inside.points.cols(); ++p) {
+      const Vec<3> fraction = Vec<3>(p % side, p / side % side, p / side / side) / divisions;
+      const BodyPoint<3> point = regular_point(model, body, e, parameter(fraction));
+      inside.points.col(p) = point.reference;
+      if (deformed) inside.points.col(p) += point.state.displacement;
+      if (field) inside.values(p) = field->value(solid.material(), point.state);
     }
+    result.push_back(std::move(inside));
   }
-  return lines;
+  return result;
 }
 
 } // namespace signorini::model

@@ -12,7 +12,7 @@ namespace {
 
 /// What a support does to a component, in words of an error message.
 template <int D> std::string verb(const Support<D>& support, int component) {
-  const Hold hold = support.hold[static_cast<std::size_t>(component)];
+  const Hold hold = support.hold[at(component)];
   return support.rotates ? "turns" : hold == Hold::driven ? "drives" : "fixes";
 }
 
@@ -32,40 +32,39 @@ template <int D> Unknowns<D>::Unknowns(const Scene<D>& scene, const contact::For
   count += D * static_cast<int>(scene.obstacles.size());
 
   // Control points that are one point of a body move as one: the first of them leads.
-  std::vector<int> leader(static_cast<std::size_t>(count));
+  std::vector<int> leader(at(count));
   std::iota(leader.begin(), leader.end(), 0);
   std::vector<std::vector<int>> mates; // degrees of freedom of each such point's component, the leader first
   for (int b = 0; b < static_cast<int>(scene.bodies.size()); ++b)
-    for (const std::vector<int>& group :
-         nurbs::coincident_functions(scene.bodies[static_cast<std::size_t>(b)].body->space()))
+    for (const std::vector<int>& group : nurbs::coincident_functions(scene.bodies[at(b)].body->space()))
       for (int c = 0; c < D; ++c) {
         mates.emplace_back();
         for (int function : group) {
           mates.back().push_back(offset(b) + D * function + c);
-          leader[static_cast<std::size_t>(mates.back().back())] = mates.back().front();
+          leader[at(mates.back().back())] = mates.back().front();
         }
       }
 
   // Who holds each degree of freedom, and how
-  std::vector<const Support<D>*> holder(static_cast<std::size_t>(count), nullptr);
+  std::vector<const Support<D>*> holder(at(count), nullptr);
   for (const Support<D>& support : scene.supports)
     for (int c = 0; c < D; ++c) {
-      const Hold hold = support.hold[static_cast<std::size_t>(c)];
+      const Hold hold = support.hold[at(c)];
       std::vector<int> list;
       for (const Held& held : support.on)
         for (int function : held.functions) list.push_back(offset(held.body) + D * function + c);
       for (int obstacle : support.obstacles) list.push_back(obstacle_offset(obstacle) + c);
       for (const std::vector<int>& group : mates) {
-        const auto in_group = [&](int dof) { return leader[static_cast<std::size_t>(dof)] == group.front(); };
+        const auto in_group = [&](int dof) { return leader[at(dof)] == group.front(); };
         if (std::any_of(list.begin(), list.end(), in_group)) list.insert(list.end(), group.begin(), group.end());
       }
       std::sort(list.begin(), list.end());
       list.erase(std::unique(list.begin(), list.end()), list.end());
       if (hold != Hold::free || support.rotates)
         for (int dof : list) {
-          const Support<D>*& other = holder[static_cast<std::size_t>(dof)];
-          const bool both_fixed = hold == Hold::fixed && !support.rotates &&
-                                  (!other || (other->hold[static_cast<std::size_t>(c)] == hold && !other->rotates));
+          const Support<D>*& other = holder[at(dof)];
+          const bool both_fixed =
+              hold == Hold::fixed && !support.rotates && (!other || (other->hold[at(c)] == hold && !other->rotates));
           require(!other || both_fixed, "supports: '", support.name, "' ", verb(support, c), " ", component_name(c),
                   " of a control point that '", other ? other->name : "", "' already ", other ? verb(*other, c) : "",
                   "; a component is held by one support: take it out of one of the two");
@@ -77,14 +76,14 @@ template <int D> Unknowns<D>::Unknowns(const Scene<D>& scene, const contact::For
   std::vector<std::array<int, D>> shared(scene.supports.size());
   for (auto& list : shared) list.fill(-1);
   for (int dof = 0; dof < count; ++dof) {
-    const Support<D>* support = holder[static_cast<std::size_t>(dof)];
+    const Support<D>* support = holder[at(dof)];
     const int c = dof % D; // every body and obstacle has D components per control point
     held_.push_back(support != nullptr || dof >= obstacles_);
     if (!support) {
-      const int lead = leader[static_cast<std::size_t>(dof)];
+      const int lead = leader[at(dof)];
       unknown_.push_back(dof >= obstacles_ ? -1 : lead < dof ? unknown(lead) : size_++);
-    } else if (support->rotates && support->hold[static_cast<std::size_t>(c)] == Hold::free) {
-      int& unknown = shared[static_cast<std::size_t>(support - scene.supports.data())][static_cast<std::size_t>(c)];
+    } else if (support->rotates && support->hold[at(c)] == Hold::free) {
+      int& unknown = shared[static_cast<std::size_t>(support - scene.supports.data())][at(c)];
       if (unknown < 0) unknown = size_++;
       unknown_.push_back(unknown);
     } else {

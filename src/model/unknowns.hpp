@@ -23,17 +23,17 @@ public:
   int displacements() const { return displacements_; }
   int size() const { return size_; }
   /// First degree of freedom of a body, and of an obstacle.
-  int offset(int body) const { return offsets_[static_cast<std::size_t>(body)]; }
+  int offset(int body) const { return offsets_[at(body)]; }
   int obstacle_offset(int obstacle) const { return obstacles_ + D * obstacle; }
   /// First degrees of freedom that a contact acts on.
   const contact::Offsets& of_contact(std::size_t contact) const { return of_contacts_[contact]; }
   /// Unknown behind a degree of freedom; −1 when it is prescribed.
-  int unknown(int dof) const { return unknown_[static_cast<std::size_t>(dof)]; }
+  int unknown(int dof) const { return unknown_[at(dof)]; }
   /// Whether a support has a say in this degree of freedom: it is prescribed, or rotates with others.
-  bool held(int dof) const { return held_[static_cast<std::size_t>(dof)] != 0; }
+  bool held(int dof) const { return held_[at(dof)] != 0; }
   /// Degrees of freedom of a support in one component, held or not.
   const std::vector<int>& of_support(int support, int component) const {
-    return of_support_[static_cast<std::size_t>(support * D + component)];
+    return of_support_[at(support * D + component)];
   }
 
   /// Sums values of all degrees of freedom into their unknowns.

@@ -37,17 +37,6 @@ Space1D read(ArchiveReader& from, std::type_identity<Space1D>) {
   return {std::move(breaks), from.get<std::vector<int>>(), elements};
 }
 
-void write(ArchiveWriter& to, const Side& side) {
-  const auto& [direction, at_end] = side;
-  to.put(direction, at_end);
-}
-
-Side read(ArchiveReader& from, std::type_identity<Side>) {
-  Side side;
-  from.into(side.direction, side.at_end);
-  return side;
-}
-
 void write(ArchiveWriter& to, const Discretisation& space) {
   to.put(space.through(), space.stack(), space.rows(), space.contact());
 }

@@ -22,8 +22,10 @@ TensorProduct<Direction> read(ArchiveReader& from, std::type_identity<TensorProd
   return {std::move(directions), from.get<MatrixX>()};
 }
 
-void write(ArchiveWriter& to, const Side& side);
-Side read(ArchiveReader& from, std::type_identity<Side>);
+inline auto members(Side& side) {
+  auto& [direction, at_end] = side;
+  return std::tie(direction, at_end);
+}
 
 void write(ArchiveWriter& to, const Discretisation& space);
 Discretisation read(ArchiveReader& from, std::type_identity<Discretisation>);

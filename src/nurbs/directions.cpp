@@ -1,16 +1,13 @@
 #include "nurbs/directions.hpp"
 
 #include "base/error.hpp"
+#include "base/index.hpp"
 
 #include <algorithm>
 
 namespace signorini::nurbs {
 
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 void check_direction(const char* what, const Patch& patch, int d) {
   require(d >= 0 && d < patch.parametric_dimension(), what, ": direction ", d + 1, " is not one of the patch's ",

@@ -103,6 +103,13 @@ Patch lagrange_patch(const Patch& patch, const Plan& plan, int through,
 
 } // namespace
 
+VectorX ElementBasis::combine(const MatrixX& at_points) const {
+  VectorX sum = VectorX::Zero(at_points.rows());
+  for (std::size_t a = 0; a < functions.size(); ++a)
+    sum += values(static_cast<Eigen::Index>(a)) * at_points.col(functions[a]);
+  return sum;
+}
+
 Discretisation::Discretisation(const Patch& patch, const Plan& plan)
     : through_(plan.contact.empty() ? patch.parametric_dimension() - 1 : plan.contact.front().direction),
       stack_(spline_space(KnotVector::single(1))), contact_(plan.contact) {
@@ -193,6 +200,13 @@ VectorX Discretisation::parameter(int e, const VectorX& fractions) const {
     xi(d) = from + (to - from) * fractions(d);
   }
   return xi;
+}
+
+int Discretisation::element_behind(Side side, int f) const {
+  int before = 1; // elements in the directions below the side's own
+  for (int d = 0; d < side.direction; ++d) before *= elements(d);
+  const int layer = side.at_end ? elements(side.direction) - 1 : 0;
+  return f % before + before * (layer + elements(side.direction) * (f / before));
 }
 
 int Discretisation::degree(int e, int d) const {

@@ -25,6 +25,9 @@ struct ElementBasis {
   std::vector<int> functions;
   VectorX values;    ///< R_A(ξ)
   MatrixX gradients; ///< ∂R_A/∂ξ^d, parametric dimension × functions
+
+  /// Σ_A R_A(ξ) v_A of values v_A at all control points, a column for each.
+  VectorX combine(const MatrixX& at_points) const;
 };
 
 /// A patch as a stack of rows of control points along the direction through the body,
@@ -54,7 +57,7 @@ public:
   /// The direction of a row that runs along direction d ≠ through() of the body.
   int in_row(int d) const { return d < through_ ? d : d - 1; }
   /// Index of row j's first function.
-  int first_function(int row) const { return first_[static_cast<std::size_t>(row)]; }
+  int first_function(int row) const { return first_[at(row)]; }
 
   int elements(int d) const { return direction(d).elements(); }
   int elements() const;
@@ -64,6 +67,9 @@ public:
   bool touches(int e, Side side) const {
     return element_index(e, side.direction) == (side.at_end ? elements(side.direction) - 1 : 0);
   }
+  /// How many elements have a border on a side, and the f-th of them, the side's lower direction counting fastest.
+  int elements_on(Side side) const { return elements() / elements(side.direction); }
+  int element_behind(Side side, int f) const;
   /// Parameters between which element e lies in direction d.
   std::array<double, 2> interval(int e, int d) const { return direction(d).interval(element_index(e, d)); }
   /// Parameters at fractions, from 0 to 1 in every direction, of element e.

@@ -10,7 +10,7 @@ namespace {
 
 KnotVector lagrange_knots(int degree, const std::vector<double>& breaks) {
   std::vector<double> knots{breaks.front()};
-  for (double knot : breaks) knots.insert(knots.end(), static_cast<std::size_t>(degree), knot);
+  for (double knot : breaks) knots.insert(knots.end(), at(degree), knot);
   knots.push_back(breaks.back());
   return {degree, std::move(knots)};
 }
@@ -45,7 +45,7 @@ Patch interpolate_lagrange(const Patch& patch, const std::vector<int>& degrees,
   std::vector<std::vector<double>> parameters;
   int size = 1;
   for (int d = 0; d < dimensions; ++d) {
-    const std::size_t i = static_cast<std::size_t>(d);
+    const std::size_t i = at(d);
     directions.push_back(lagrange_knots(degrees[i], breaks[i]));
     parameters.push_back(sites(spline_space(directions.back())));
     size *= directions.back().functions();
@@ -55,9 +55,9 @@ Patch interpolate_lagrange(const Patch& patch, const std::vector<int>& degrees,
   VectorX xi(dimensions);
   for (int n = 0; n < size; ++n) {
     for (int d = 0, rest = n; d < dimensions; ++d) {
-      const auto& line = parameters[static_cast<std::size_t>(d)];
+      const auto& line = parameters[at(d)];
       const int count = static_cast<int>(line.size());
-      xi(d) = line[static_cast<std::size_t>(rest % count)];
+      xi(d) = line[at(rest % count)];
       rest /= count;
     }
     values.col(n) = evaluate(patch, xi);

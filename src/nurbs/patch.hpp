@@ -24,7 +24,7 @@ public:
   /// Number of control points.
   int functions() const { return static_cast<int>(homogeneous_.cols()); }
 
-  const Direction& direction(int d) const { return directions_[static_cast<std::size_t>(d)]; }
+  const Direction& direction(int d) const { return directions_[at(d)]; }
   const std::vector<Direction>& directions() const { return directions_; }
   const MatrixX& homogeneous() const { return homogeneous_; }
 

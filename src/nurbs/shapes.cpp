@@ -56,7 +56,7 @@ MatrixX collocation(const KnotVector& knots) {
   MatrixX result = MatrixX::Zero(knots.functions(), knots.functions());
   for (int j = 0; j < knots.functions(); ++j) {
     double values[max_degree + 1];
-    const double xi = nodes[static_cast<std::size_t>(j)];
+    const double xi = nodes[at(j)];
     const int element = knots.find_element(xi);
     basis_derivatives(knots, element, xi, 0, values);
     for (int s = 0; s <= knots.degree(); ++s) result(j, knots.first_function(element) + s) = values[s];
@@ -141,8 +141,8 @@ Patch spherical_indenter(double width, double depth, double height, double radiu
   for (int j = 0; j < n; ++j)
     for (int i = 0; i < n; ++i) {
       // z = r − √(r² − Δx² − Δy²)
-      const double x = (nodes[static_cast<std::size_t>(i)] - 0.5) * width;
-      const double y = (nodes[static_cast<std::size_t>(j)] - 0.5) * depth;
+      const double x = (nodes[at(i)] - 0.5) * width;
+      const double y = (nodes[at(j)] - 0.5) * depth;
       heights(i, j) = radius - std::sqrt(std::max(0.0, radius * radius - x * x - y * y));
     }
   // heights = N c Nᵀ
@@ -155,8 +155,8 @@ Patch spherical_indenter(double width, double depth, double height, double radiu
   for (int k = 0; k < 2; ++k)
     for (int j = 0; j < n; ++j)
       for (int i = 0; i < n; ++i)
-        points.col(i + n * (j + n * k)) << nodes[static_cast<std::size_t>(i)] * width,
-            nodes[static_cast<std::size_t>(j)] * depth, k == 0 ? coefficients(i, j) : height;
+        points.col(i + n * (j + n * k)) << nodes[at(i)] * width, nodes[at(j)] * depth,
+            k == 0 ? coefficients(i, j) : height;
   return make_patch({knots, knots, KnotVector::single(1)}, points.colwise() + corner);
 }
 

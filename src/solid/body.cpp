@@ -17,8 +17,8 @@ ElementQuadrature tensor_product(const std::vector<QuadratureRule>& rules) {
   ElementQuadrature result{MatrixX(dimensions, size), VectorX::Ones(size)};
   for (int q = 0; q < size; ++q)
     for (int d = 0, rest = q; d < dimensions; ++d) {
-      const QuadratureRule& rule = rules[static_cast<std::size_t>(d)];
-      const std::size_t count = rule.points.size(), i = static_cast<std::size_t>(rest) % count;
+      const QuadratureRule& rule = rules[at(d)];
+      const std::size_t count = rule.points.size(), i = at(rest) % count;
       result.points(d, q) = rule.points[i];
       result.weights(q) *= rule.weights[i];
       rest /= static_cast<int>(count);
@@ -36,14 +36,6 @@ ElementQuadrature element_quadrature(const nurbs::Discretisation& space, int e) 
 }
 
 namespace {
-
-/// x = Σ_A R_A X_A
-VectorX place_of(const nurbs::ElementBasis& basis, const MatrixX& points) {
-  VectorX place = VectorX::Zero(points.rows());
-  for (std::size_t a = 0; a < basis.functions.size(); ++a)
-    place += points.col(basis.functions[a]) * basis.values(static_cast<int>(a));
-  return place;
-}
 
 void require_radius(double least, const VectorX& point) {
   require(point(0) > least, "patch: an axisymmetric body reaches ", coordinates(point),
@@ -68,9 +60,8 @@ void check_radii(const nurbs::Discretisation& space) {
   VectorX xi(2);
   for (int e = 0; e < space.elements(); ++e)
     for (int corner = 0; corner < 4; ++corner) {
-      xi << space.interval(e, 0)[static_cast<std::size_t>(corner % 2)],
-          space.interval(e, 1)[static_cast<std::size_t>(corner / 2)];
-      require_radius(-rounding, place_of(space.basis(e, xi), points));
+      xi << space.interval(e, 0)[at(corner % 2)], space.interval(e, 1)[at(corner / 2)];
+      require_radius(-rounding, space.basis(e, xi).combine(points));
     }
 }
 
@@ -133,10 +124,10 @@ template <int D> void Body<D>::add_element(int e, const MatrixX& points) {
       table.kernels = material_.kernels<D>(kind_, table.functions);
     }
     // ∂X/∂ξ = Σ_A X_A ⊗ ∂R_A/∂ξ,  ∂R/∂X = ∂R/∂ξ (∂X/∂ξ)⁻¹
-    const VectorX place = place_of(basis, points);
+    const VectorX place = basis.combine(points);
     Mat<D> jacobian = Mat<D>::Zero();
     for (int a = 0; a < table.functions; ++a)
-      jacobian += points.col(basis.functions[static_cast<std::size_t>(a)]) * basis.gradients.col(a).transpose();
+      jacobian += points.col(basis.functions[at(a)]) * basis.gradients.col(a).transpose();
     const double determinant = jacobian.determinant();
     check_jacobian(jacobian, determinant, place);
     double weight = rule.weights(q) * determinant;
@@ -150,8 +141,8 @@ template <int D> void Body<D>::add_element(int e, const MatrixX& points) {
     }
     weights_.push_back(weight);
   }
-  const std::size_t square = static_cast<std::size_t>(table.functions) * static_cast<std::size_t>(table.functions);
-  constants_.resize(constants_.size() + static_cast<std::size_t>(table.kernels.constant_blocks) * square);
+  const std::size_t square = at(table.functions) * at(table.functions);
+  constants_.resize(constants_.size() + at(table.kernels.constant_blocks) * square);
   most_functions_ = std::max(most_functions_, table.functions);
   most_points_ = std::max(most_points_, table.points);
   elements_.push_back(table);
@@ -160,7 +151,7 @@ template <int D> void Body<D>::add_element(int e, const MatrixX& points) {
 /// The part of an element's tangent that never changes; the tables have their room already.
 template <int D> void Body<D>::add_constant(const ElementTable& table, KernelArguments arguments) {
   if (!table.kernels.constant) return;
-  const std::vector<double> rest(static_cast<std::size_t>(D * table.functions), 0.0);
+  const std::vector<double> rest(at(D * table.functions), 0.0);
   std::vector<double> force(rest.size());
   arguments.local = rest.data();
   arguments.force = force.data();
@@ -169,7 +160,7 @@ template <int D> void Body<D>::add_constant(const ElementTable& table, KernelArg
 }
 
 template <int D> VectorX Body<D>::reference_point(int e, int q) const {
-  return place_of(space_->basis(e, element_quadrature(*space_, e).points.col(q)), space_->points());
+  return space_->basis(e, element_quadrature(*space_, e).points.col(q)).combine(space_->points());
 }
 
 std::shared_ptr<const Body<2>> revolved(const Body<2>& body) {

@@ -8,12 +8,6 @@ namespace signorini::solid {
 
 namespace {
 
-/// Whether an element's border lies on a side.
-bool touches(const nurbs::Discretisation& space, int e, nurbs::Side side) {
-  for (int d = 0; d < side.direction; ++d) e /= space.elements(d);
-  return e % space.elements(side.direction) == (side.at_end ? space.elements(side.direction) - 1 : 0);
-}
-
 /// Gauss points of an element's border on a side, twice as many per direction as the element has: faces are curved and
 /// rational, so that no rule is exact, and loads are integrated once.
 ElementQuadrature border_quadrature(const nurbs::Discretisation& space, int e, nurbs::Side side) {
@@ -43,8 +37,8 @@ template <int D, class Force> VectorX integrate(const Body<D>& body, nurbs::Side
   const nurbs::Discretisation& space = body.space();
   const MatrixX points = space.points();
   VectorX load = VectorX::Zero(D * body.functions());
-  for (int e = 0; e < body.elements(); ++e) {
-    if (!touches(space, e, side)) continue;
+  for (int f = 0; f < space.elements_on(side); ++f) {
+    const int e = space.element_behind(side, f);
     const ElementQuadrature rule = border_quadrature(space, e, side);
     for (int q = 0; q < rule.weights.size(); ++q) {
       const nurbs::ElementBasis basis = space.basis(e, rule.points.col(q));
