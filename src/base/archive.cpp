@@ -43,10 +43,7 @@ void write_archive(const std::string& file, const ArchiveKind& kind, const Archi
   whole.append(line.data(), line.size());
   whole.put(kind.version, archive.bytes());
   whole.put(checksum(whole.bytes()));
-  if (durable)
-    write_durably(file, whole.bytes());
-  else
-    write_whole(file, whole.bytes());
+  write_whole(file, whole.bytes(), durable);
   remove_leftovers(file);
 }
 

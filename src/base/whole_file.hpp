@@ -6,12 +6,12 @@
 
 namespace signorini {
 
-/// Puts the bytes into a temporary file beside `file`, then renames it. Throws Error when the folder does not exist or
-/// the file cannot be written.
-void write_whole(const std::string& file, std::string_view bytes);
+/// Puts the bytes into a temporary file beside `file`, then renames it; `durable`: they are on the disk before the old
+/// file goes. Throws Error when the folder does not exist or the file cannot be written.
+void write_whole(const std::string& file, std::string_view bytes, bool durable = false);
 
-/// The same, and the bytes are on the disk before the old file goes.
-void write_durably(const std::string& file, std::string_view bytes);
+/// Writes all bytes to an open file or pipe, whatever signals come in between; false leaves the error in errno.
+bool write_all(int handle, std::string_view bytes);
 
 /// Removes temporary files of this name that processes left which were killed while they wrote.
 void remove_leftovers(const std::string& file);

@@ -19,7 +19,7 @@ int write_file(lua_State* L) {
   std::size_t size;
   const char* bytes = luaL_checklstring(L, 2, &size);
   const bool durable = lua_toboolean(L, 3) != 0;
-  (durable ? write_durably : write_whole)(read_string(L, 1, file_argument), {bytes, size});
+  write_whole(read_string(L, 1, file_argument), {bytes, size}, durable);
   return 0;
 }
 

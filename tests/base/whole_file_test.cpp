@@ -19,7 +19,7 @@ TEST(WholeFile, ReplacesAFileAndLeavesNothingElse) {
   write_whole(file, "first, longer");
   write_whole(file, "second");
   EXPECT_EQ(read_whole(file), "second");
-  write_durably(file, std::string("third\0", 6));
+  write_whole(file, std::string("third\0", 6), true);
   EXPECT_EQ(read_whole(file), std::string("third\0", 6));
   EXPECT_EQ(folder.count(), 1);
 }
@@ -41,7 +41,8 @@ TEST(WholeFile, NamesFileAndCureWhenItCannotWrite) {
   EXPECT_NE(home.find("only the shell knows '~'"), std::string::npos) << home;
 
   std::filesystem::create_directory(folder.file("folder"));
-  EXPECT_NE(message_of([&] { write_durably(folder.file("folder"), "x"); }).find("it is a folder"), std::string::npos);
+  EXPECT_NE(message_of([&] { write_whole(folder.file("folder"), "x", true); }).find("it is a folder"),
+            std::string::npos);
   EXPECT_NE(message_of([&] { write_whole("/proc/signorini.txt", "x"); }).find("choose a file"), std::string::npos);
   EXPECT_EQ(folder.count(), 1);
 }
