@@ -169,9 +169,7 @@ std::string gismo(const std::vector<Patch>& patches) {
     }
     out += text("    <coefs geoDim=\"", patch.dimension(), "\">\n");
     const MatrixX points = patch.points();
-    for (int a = 0; a < patch.functions(); ++a)
-      for (int k = 0; k < patch.dimension(); ++k)
-        out += digits(points(k, a)) + (k + 1 < patch.dimension() ? " " : "\n");
+    for (int a = 0; a < patch.functions(); ++a) out += line_of(points.col(a));
     out += "    </coefs>\n  </Geometry>\n";
   }
   // Without it G+Smo sees the patches one by one.
