@@ -1,6 +1,7 @@
 #include "nurbs/refine.hpp"
 
 #include "base/error.hpp"
+#include "base/index.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -40,26 +41,23 @@ void add_blossom(const KnotVector& knots, double before, const double* t, double
     c[k] = carried;
   }
   for (int s = 0; s <= p; ++s)
-    if (c[s] != 0) combine[static_cast<std::size_t>(j)][i - p + s] += factor * c[s];
+    if (c[s] != 0) combine[at(j)][i - p + s] += factor * c[s];
 }
 
 /// Replaces direction d by `knots`, the control points along it by these combinations.
 Patch replace_direction(const Patch& patch, int d, KnotVector knots, const Combinations& combine) {
-  const int before = patch.direction(d).functions(), after = knots.functions();
-
-  Eigen::Index stride = 1, outer = 1;
-  for (int k = 0; k < patch.parametric_dimension(); ++k)
-    if (k != d) (k < d ? stride : outer) *= patch.direction(k).functions();
+  const Eigen::Index before = patch.direction(d).functions(), after = knots.functions();
+  const Eigen::Index stride = patch.stride(d), outer = patch.functions() / (stride * before);
   // Columns of one index along d are blocks of `stride`.
   MatrixX points = MatrixX::Zero(patch.dimension() + 1, stride * after * outer);
   for (Eigen::Index o = 0; o < outer; ++o)
     for (Eigen::Index j = 0; j < after; ++j)
-      for (const auto& [i, factor] : combine[static_cast<std::size_t>(j)])
+      for (const auto& [i, factor] : combine[at(j)])
         points.middleCols(stride * (j + after * o), stride) +=
             factor * patch.homogeneous().middleCols(stride * (i + before * o), stride);
 
   std::vector<KnotVector> directions = patch.directions();
-  directions[static_cast<std::size_t>(d)] = std::move(knots);
+  directions[at(d)] = std::move(knots);
   return {std::move(directions), std::move(points)};
 }
 
@@ -67,14 +65,13 @@ Patch elevate_once(const Patch& patch, int d) {
   const KnotVector& old = patch.direction(d);
   const int p = old.degree();
   std::vector<double> knots;
-  for (double knot : old.breaks())
-    knots.insert(knots.end(), static_cast<std::size_t>(old.multiplicity(knot)) + 1, knot);
+  for (double knot : old.breaks()) knots.insert(knots.end(), at(old.multiplicity(knot) + 1), knot);
   KnotVector elevated(p + 1, knots);
 
   // The elevated blossom is the mean of the old one over all ways to leave out one argument:
   //   Q_j = 1/(p+1) Σ_k F(t_{j+1}, …, t_{j+p+1} without t_{j+k})   (Prautzsch 1984; Goldman, Pyramid Algorithms, ch. 6)
   // The knots without every (p+1)-th one (t_j kept) still refine the old ones, so each term is a knot insertion.
-  Combinations combine(static_cast<std::size_t>(elevated.functions()));
+  Combinations combine(at(elevated.functions()));
   for (int j = 0; j < elevated.functions(); ++j) {
     const double* t = knots.data() + j;
     for (int k = 1; k <= p + 1; ++k) {
@@ -105,7 +102,7 @@ Patch insert_knots(const Patch& patch, int d, std::vector<double> knots) {
   }
   KnotVector refined(old.degree(), all);
 
-  Combinations combine(static_cast<std::size_t>(refined.functions()));
+  Combinations combine(at(refined.functions()));
   for (int j = 0; j < refined.functions(); ++j) {
     const double* t = all.data() + j;
     add_blossom(old, t[0], t + 1, 1.0, j, combine);
