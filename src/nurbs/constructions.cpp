@@ -1,6 +1,7 @@
 #include "nurbs/constructions.hpp"
 
 #include "base/error.hpp"
+#include "base/index.hpp"
 #include "nurbs/curves.hpp"
 #include "nurbs/refine.hpp"
 
@@ -45,7 +46,7 @@ void unify(const std::vector<Along>& all) {
   std::vector<double> known = lead.breaks();
   for (const auto& [patch, d] : all) {
     std::vector<KnotVector> directions = patch->directions();
-    KnotVector& own = directions[static_cast<std::size_t>(d)];
+    KnotVector& own = directions[at(d)];
     own = fitted(own, lead.first(), lead.last(), known);
     const int times = degree - own.degree();
     *patch = elevate({std::move(directions), patch->homogeneous()}, d, times);
@@ -55,7 +56,7 @@ void unify(const std::vector<Along>& all) {
     for (const auto& [patch, d] : all) most = std::max(most, patch->direction(d).multiplicity(knot));
     for (const auto& [patch, d] : all) {
       const int missing = most - patch->direction(d).multiplicity(knot);
-      *patch = insert_knots(*patch, d, std::vector<double>(static_cast<std::size_t>(missing), knot));
+      *patch = insert_knots(*patch, d, std::vector<double>(at(missing), knot));
     }
   }
 }
