@@ -4,6 +4,7 @@
 #include "base/index.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace signorini::nurbs {
 
@@ -48,9 +49,9 @@ Patch swap_directions(const Patch& patch, int i, int j) {
   std::swap(directions[at(i)], directions[at(j)]);
   MatrixX homogeneous(patch.dimension() + 1, patch.functions());
   for (int n = 0; n < patch.functions(); ++n) {
-    std::vector<int> place;
+    std::array<int, 3> place{};
     for (int d = 0; d < patch.parametric_dimension(); ++d)
-      place.push_back(n / patch.stride(d) % patch.direction(d).functions());
+      place[at(d)] = n / patch.stride(d) % patch.direction(d).functions();
     std::swap(place[at(i)], place[at(j)]);
     int to = 0;
     for (int d = patch.parametric_dimension() - 1; d >= 0; --d) to = to * directions[at(d)].functions() + place[at(d)];

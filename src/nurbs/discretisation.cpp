@@ -100,6 +100,7 @@ Discretisation discretised(const Patch& patch, const Plan& plan) {
   const int dimensions = patch.parametric_dimension();
   const int through = plan.contact.empty() ? dimensions - 1 : plan.contact.front().direction;
   std::vector<std::vector<double>> inserted;
+  inserted.reserve(at(dimensions));
   for (int d = 0; d < dimensions; ++d)
     inserted.push_back(element_knots(patch.direction(d), plan.elements[at(d)],
                                      plan.grading.empty() ? std::nullopt : plan.grading[at(d)]));

@@ -40,6 +40,7 @@ const Form& form_of(const std::string& file, const std::string& text) {
 
 std::vector<std::string> exchange_forms() {
   std::vector<std::string> names;
+  names.reserve(forms.size());
   for (const Form& form : forms) names.push_back(form.name);
   return names;
 }
