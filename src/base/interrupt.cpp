@@ -47,9 +47,6 @@ Iteration::Iteration() {
 Iteration::~Iteration() {
   iterating = 0;
 }
-void request_interrupt() {
-  flag = 1;
-}
 bool interrupted() {
   return flag != 0;
 }

@@ -17,7 +17,6 @@ public:
   Iteration(const Iteration&) = delete;
   Iteration& operator=(const Iteration&) = delete;
 };
-void request_interrupt();
 bool interrupted();
 /// Whatever ends because of Ctrl-C and returns what it has says so.
 void answer_interrupt();

@@ -4,6 +4,7 @@
 #include "base/interrupt.hpp"
 #include "base/parallel.hpp"
 #include "base/timer.hpp"
+#include "base/whole_file.hpp"
 
 #include <cerrno>
 #include <csignal>
@@ -26,15 +27,6 @@ namespace {
 constexpr char returned = 'r', threw = 't';
 
 constexpr int glance = 100; // ms between two looks at the Ctrl-C flag and at the time
-
-bool write_all(int pipe, const std::string& data) {
-  for (std::size_t at = 0; at < data.size();) {
-    const ssize_t count = ::write(pipe, data.data() + at, data.size() - at);
-    if (count < 0 && errno != EINTR) return false;
-    if (count > 0) at += static_cast<std::size_t>(count);
-  }
-  return true;
-}
 
 /// The child's whole life. Nothing may leave it: it would run on as a second copy of the program.
 [[noreturn]] void live(int pipe, pid_t parent, int i, const std::function<std::string(int)>& job) {

@@ -8,9 +8,8 @@ namespace signorini {
 
 class Stopwatch {
 public:
-  /// Seconds since construction or the last restart.
+  /// Seconds since construction.
   double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
-  void restart() { start_ = Clock::now(); }
 
 private:
   using Clock = std::chrono::steady_clock;

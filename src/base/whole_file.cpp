@@ -36,15 +36,6 @@ struct Temporary {
        "; choose a file in a folder that you may write to, with space left");
 }
 
-void write_all(int handle, std::string_view bytes, const std::string& file) {
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(handle, bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) cannot_write(file, errno);
-    bytes.remove_prefix(static_cast<std::size_t>(written));
-  }
-}
-
 constexpr std::string_view ending = ".part";
 
 /// How the temporary files of `path` begin; the process's number and the ending follow.
@@ -82,6 +73,15 @@ void check_folder(const std::string& file, const fs::path& folder) {
 
 } // namespace
 
+bool write_all(int handle, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(handle, bytes.data(), bytes.size());
+    if (written < 0 && errno != EINTR) return false;
+    if (written > 0) bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
 void write_whole(const std::string& file, std::string_view bytes, bool durable) {
   const fs::path path(file), folder = folder_of(path);
   std::error_code ignored;
@@ -91,8 +91,7 @@ void write_whole(const std::string& file, std::string_view bytes, bool durable) 
 
   const std::string name = (folder / text(temporary_stem(path), ::getpid(), ending)).string();
   Temporary temporary{name, ::open(name.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)};
-  if (temporary.handle < 0) cannot_write(file, errno);
-  write_all(temporary.handle, bytes, file);
+  if (temporary.handle < 0 || !write_all(temporary.handle, bytes)) cannot_write(file, errno);
   if (durable && ::fsync(temporary.handle) != 0) cannot_write(file, errno);
   // Some file systems report a full disk only here.
   const int closed = ::close(std::exchange(temporary.handle, -1));

@@ -10,6 +10,9 @@ namespace signorini {
 /// file goes. Throws Error when the folder does not exist or the file cannot be written.
 void write_whole(const std::string& file, std::string_view bytes, bool durable = false);
 
+/// Writes all bytes to an open file or pipe, whatever signals come in between; false leaves the error in errno.
+bool write_all(int handle, std::string_view bytes);
+
 /// Removes temporary files of this name that processes left which were killed while they wrote.
 void remove_leftovers(const std::string& file);
 

@@ -7,7 +7,6 @@
 #include "bind/patch.hpp"
 #include "bind/place.hpp"
 #include "nurbs/coincident.hpp"
-#include "nurbs/side_hint.hpp"
 
 #include <cmath>
 

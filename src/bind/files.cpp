@@ -18,7 +18,8 @@ const Argument file_argument{"file", "a path"};
 int write_file(lua_State* L) {
   std::size_t size;
   const char* bytes = luaL_checklstring(L, 2, &size);
-  write_whole(read_string(L, 1, file_argument), {bytes, size}, lua_toboolean(L, 3) != 0);
+  const bool durable = lua_toboolean(L, 3) != 0;
+  write_whole(read_string(L, 1, file_argument), {bytes, size}, durable);
   return 0;
 }
 

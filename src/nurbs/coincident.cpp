@@ -76,16 +76,18 @@ std::vector<Functions> lines_along(const Discretisation& space, Side side, int k
     const bool fastest = space.in_row(k) == 0;
     lines.resize(fastest ? all.size() / at(n0) : at(n0));
     for (std::size_t i = 0; i < all.size(); ++i) lines[fastest ? i / at(n0) : i % at(n0)].push_back(all[i]);
-  } else if (k != through) {
-    for (int j = 0; j < rows; ++j) lines.push_back(space.row_end(j, space.in_row(side.direction), side.at_end));
-  } else {
-    for (int j = 0; j < rows; ++j) {
-      const Functions cut = space.row_end(j, space.in_row(side.direction), side.at_end);
-      // Rows of a layer have other functions: no lines from row to row.
-      if (!lines.empty() && cut.size() != lines.size()) return {};
-      lines.resize(cut.size());
-      for (std::size_t i = 0; i < cut.size(); ++i) lines[i].push_back(cut[i]);
+    return lines;
+  }
+  for (int j = 0; j < rows; ++j) {
+    const Functions cut = space.row_end(j, space.in_row(side.direction), side.at_end);
+    if (k != through) {
+      lines.push_back(cut);
+      continue;
     }
+    // Rows of a layer have other functions: no lines from row to row.
+    if (!lines.empty() && cut.size() != lines.size()) return {};
+    lines.resize(cut.size());
+    for (std::size_t i = 0; i < cut.size(); ++i) lines[i].push_back(cut[i]);
   }
   return lines;
 }
@@ -152,15 +154,6 @@ std::vector<Functions> edges_of(const Discretisation& space) {
   return edges;
 }
 
-/// Whether the two faces across a direction are the same, control point by control point.
-bool is_closed(const Discretisation& space, const Places& places, int d) {
-  const Functions first = space.face_functions({d, false}), last = space.face_functions({d, true});
-  bool closed = first.size() == last.size(); // not with a layer on one of the two
-  for (std::size_t i = 0; closed && i < first.size(); ++i)
-    closed = places.same(first[i], last[i]) && places.same_weight(first[i], last[i]);
-  return closed;
-}
-
 } // namespace
 
 std::vector<std::vector<int>> coincident_functions(const Discretisation& space) {
@@ -195,8 +188,13 @@ std::vector<std::vector<int>> coincident_functions(const Discretisation& space) 
 std::vector<int> closed_directions(const Discretisation& space) {
   const Places places(space);
   std::vector<int> closed;
-  for (int d = 0; d < space.parametric_dimension(); ++d)
-    if (is_closed(space, places, d)) closed.push_back(d);
+  for (int d = 0; d < space.parametric_dimension(); ++d) {
+    const Functions first = space.face_functions({d, false}), last = space.face_functions({d, true});
+    // Their sizes differ with a layer on one of the two.
+    if (std::equal(first.begin(), first.end(), last.begin(), last.end(),
+                   [&](int a, int b) { return places.same(a, b) && places.same_weight(a, b); }))
+      closed.push_back(d);
+  }
   return closed;
 }
 

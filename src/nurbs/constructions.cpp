@@ -1,6 +1,7 @@
 #include "nurbs/constructions.hpp"
 
 #include "base/error.hpp"
+#include "base/index.hpp"
 #include "nurbs/curves.hpp"
 #include "nurbs/refine.hpp"
 

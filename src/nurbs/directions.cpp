@@ -4,6 +4,7 @@
 #include "base/index.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace signorini::nurbs {
 
@@ -31,9 +32,7 @@ Patch reverse(const Patch& patch, int d) {
   check_direction("reverse", patch, d);
   std::vector<KnotVector> directions = patch.directions();
   directions[at(d)] = reversed(patch.direction(d));
-  int stride = 1;
-  for (int k = 0; k < d; ++k) stride *= patch.direction(k).functions();
-  const int count = patch.direction(d).functions();
+  const int stride = patch.stride(d), count = patch.direction(d).functions();
   // Index = inner + stride·(i_d + count·outer)
   MatrixX homogeneous(patch.dimension() + 1, patch.functions());
   for (int n = 0; n < patch.functions(); ++n) {
@@ -50,9 +49,9 @@ Patch swap_directions(const Patch& patch, int i, int j) {
   std::swap(directions[at(i)], directions[at(j)]);
   MatrixX homogeneous(patch.dimension() + 1, patch.functions());
   for (int n = 0; n < patch.functions(); ++n) {
-    std::vector<int> place;
-    for (int d = 0, rest = n; d < patch.parametric_dimension(); rest /= patch.direction(d++).functions())
-      place.push_back(rest % patch.direction(d).functions());
+    std::array<int, 3> place{};
+    for (int d = 0; d < patch.parametric_dimension(); ++d)
+      place[at(d)] = n / patch.stride(d) % patch.direction(d).functions();
     std::swap(place[at(i)], place[at(j)]);
     int to = 0;
     for (int d = patch.parametric_dimension() - 1; d >= 0; --d) to = to * directions[at(d)].functions() + place[at(d)];

@@ -11,13 +11,6 @@ namespace signorini::nurbs {
 
 namespace {
 
-std::vector<int> other_directions(int dimensions, int through) {
-  std::vector<int> result;
-  for (int d = 0; d < dimensions; ++d)
-    if (d != through) result.push_back(d);
-  return result;
-}
-
 /// The label that says how deep the layer is: the first that has one.
 const Label& layer_label(const Plan& plan) {
   const auto layered = std::find_if(plan.labels.begin(), plan.labels.end(), [](auto& label) { return label.layer; });
@@ -101,6 +94,44 @@ Patch lagrange_patch(const Patch& patch, const Plan& plan, int through,
   return interpolate_lagrange(patch, degrees, breaks);
 }
 
+/// The rows that a plan makes of a patch.
+Discretisation discretised(const Patch& patch, const Plan& plan) {
+  check(patch, plan);
+  const int dimensions = patch.parametric_dimension();
+  const int through = plan.contact.empty() ? dimensions - 1 : plan.contact.front().direction;
+  std::vector<std::vector<double>> inserted;
+  inserted.reserve(at(dimensions));
+  for (int d = 0; d < dimensions; ++d)
+    inserted.push_back(element_knots(patch.direction(d), plan.elements[at(d)],
+                                     plan.grading.empty() ? std::nullopt : plan.grading[at(d)]));
+
+  const bool lagrange = plan.labels.front().lagrange;
+  const Patch whole = lagrange ? lagrange_patch(patch, plan, through, inserted)
+                               : refine_to(patch, through, through_space(patch, plan, through), inserted[at(through)],
+                                           plan.labels.back().text);
+
+  const int count = whole.direction(through).functions();
+  const Label& deep = layer_label(plan);
+  require(deep.rows <= count, "order: '", deep.text, "' is ", deep.rows, " rows deep, but the body has only ", count,
+          " rows of control points through it");
+  const auto in_layer = [&](int row) {
+    return std::any_of(plan.contact.begin(), plan.contact.end(),
+                       [&](const Side& side) { return (side.at_end ? count - 1 - row : row) < deep.rows; });
+  };
+  std::vector<Row> rows;
+  for (int j = 0; j < count; ++j) {
+    Patch row = control_row(whole, through, j);
+    for (int a = 0; a < dimensions - 1 && !lagrange; ++a) {
+      const int d = a < through ? a : a + 1; // the patch's direction
+      const Label& label = plan.labels[at(a)];
+      const Space space = label.layer && in_layer(j) ? *label.layer : label.bulk;
+      row = refine_to(row, a, space, inserted[at(d)], label.text);
+    }
+    rows.push_back(make_row(row));
+  }
+  return {through, spline_space(whole.direction(through)), std::move(rows), plan.contact};
+}
+
 } // namespace
 
 VectorX ElementBasis::combine(const MatrixX& at_points) const {
@@ -110,42 +141,7 @@ VectorX ElementBasis::combine(const MatrixX& at_points) const {
   return sum;
 }
 
-Discretisation::Discretisation(const Patch& patch, const Plan& plan)
-    : through_(plan.contact.empty() ? patch.parametric_dimension() - 1 : plan.contact.front().direction),
-      stack_(spline_space(KnotVector::single(1))), contact_(plan.contact) {
-  check(patch, plan);
-  const int dimensions = patch.parametric_dimension();
-  std::vector<std::vector<double>> inserted;
-  for (int d = 0; d < dimensions; ++d)
-    inserted.push_back(element_knots(patch.direction(d), plan.elements[at(d)],
-                                     plan.grading.empty() ? std::nullopt : plan.grading[at(d)]));
-
-  const bool lagrange = plan.labels.front().lagrange;
-  const Patch whole = lagrange ? lagrange_patch(patch, plan, through_, inserted)
-                               : refine_to(patch, through_, through_space(patch, plan, through_),
-                                           inserted[at(through_)], plan.labels.back().text);
-  stack_ = spline_space(whole.direction(through_));
-
-  const int count = stack_.functions();
-  const Label& deep = layer_label(plan);
-  require(deep.rows <= count, "order: '", deep.text, "' is ", deep.rows, " rows deep, but the body has only ", count,
-          " rows of control points through it");
-  const auto in_layer = [&](int row) {
-    return std::any_of(contact_.begin(), contact_.end(),
-                       [&](const Side& side) { return (side.at_end ? count - 1 - row : row) < deep.rows; });
-  };
-  for (int j = 0; j < count; ++j) {
-    Patch row = control_row(whole, through_, j);
-    const std::vector<int> directions = other_directions(dimensions, through_);
-    for (int a = 0; a < dimensions - 1 && !lagrange; ++a) {
-      const Label& label = plan.labels[at(a)];
-      const Space space = label.layer && in_layer(j) ? *label.layer : label.bulk;
-      row = refine_to(row, a, space, inserted[at(directions[at(a)])], label.text);
-    }
-    rows_.push_back(make_row(row));
-  }
-  gather_rows();
-}
+Discretisation::Discretisation(const Patch& patch, const Plan& plan) : Discretisation(discretised(patch, plan)) {}
 
 Discretisation::Discretisation(int through, Space1D stack, std::vector<Row> rows, std::vector<Side> contact)
     : through_(through), stack_(std::move(stack)), rows_(std::move(rows)), contact_(std::move(contact)) {
@@ -163,12 +159,7 @@ Discretisation::Discretisation(int through, Space1D stack, std::vector<Row> rows
     }
     require(fits, "all rows of a body must have the same elements");
   }
-  gather_rows();
-}
-
-/// Numbers the functions row after row.
-void Discretisation::gather_rows() {
-  int count = 0;
+  int count = 0; // functions are numbered row after row
   for (const Row& row : rows_) {
     first_.push_back(count);
     count += row.functions();
@@ -227,11 +218,10 @@ ElementFunctions Discretisation::row_functions(int e, int j) const {
   const Row& row = rows_[at(j)];
   ElementFunctions functions;
   functions.first = first_[at(j)];
-  for (int d = 0, stride = 1; d < parametric_dimension(); ++d) {
+  for (int d = 0; d < parametric_dimension(); ++d) {
     if (d == through_) continue;
     functions.along[at(d)] = row.direction(in_row(d)).functions_on(element_index(e, d));
-    functions.stride[at(d)] = stride;
-    stride *= row.direction(in_row(d)).functions();
+    functions.stride[at(d)] = row.stride(in_row(d));
   }
   return functions;
 }
@@ -246,9 +236,8 @@ ElementBasis Discretisation::basis(int e, const VectorX& xi) const {
   const std::size_t t = at(through_), u = t == 0 ? 1 : 0, v = t == 2 ? 1 : 2;
 
   ElementBasis result;
-  std::vector<double> values;                 // w_A N_A(ξ)
-  std::vector<std::vector<double>> gradients; // ∂(w_A N_A)/∂ξ^d
-  gradients.resize(at(dimensions));
+  std::vector<double> values;                                 // w_A N_A(ξ)
+  std::vector<std::vector<double>> gradients(at(dimensions)); // ∂(w_A N_A)/∂ξ^d
   for (std::size_t k = 0; k < layer_rows.size(); ++k) {
     const int j = layer_rows[k];
     const ElementFunctions functions = row_functions(e, j);

@@ -93,7 +93,6 @@ public:
   Row face(Side side) const;
 
 private:
-  void gather_rows();
   /// A space with the elements of direction d.
   const Space1D& direction(int d) const { return d == through_ ? stack_ : rows_.front().direction(in_row(d)); }
 

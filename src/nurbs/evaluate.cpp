@@ -6,6 +6,8 @@
 #include "nurbs/basis.hpp"
 #include "nurbs/tensor.hpp"
 
+#include <map>
+
 namespace signorini::nurbs {
 
 namespace {
@@ -19,15 +21,13 @@ struct LocalBasis {
   template <class Direction> LocalBasis(const TensorProduct<Direction>& patch, const VectorX& xi, int order) {
     require(xi.size() == patch.parametric_dimension(), "xi: the patch has ", patch.parametric_dimension(),
             " parametric directions, got ", xi.size(), " parameters");
-    int size = 1;
     for (int d = 0; d < patch.parametric_dimension(); ++d) {
       const Direction& space = patch.direction(d);
       const int element = space.find_element(xi(d));
       const auto& on_element = space.functions_on(element);
       numbers[d].assign(on_element.begin(), on_element.end());
       functions.along[at(d)] = numbers[d];
-      functions.stride[at(d)] = size;
-      size *= space.functions();
+      functions.stride[at(d)] = patch.stride(d);
       values[d].resize(at((order + 1) * functions.count(d)));
       basis_derivatives(space, element, xi(d), order, values[d].data());
     }
@@ -70,11 +70,8 @@ std::vector<Derivative> derivatives(const Patch& patch, const VectorX& xi, int n
   const int dimension = patch.dimension();
   const int last[3] = {n, patch.parametric_dimension() > 1 ? n : 0, patch.parametric_dimension() > 2 ? n : 0};
 
-  // By orders (a, b, c): w^(β), and the finished derivatives S^(α).
-  const auto index = [&](int a, int b, int c) { return at((a * (n + 1) + b) * (n + 1) + c); };
-  const std::size_t size = at((n + 1) * (n + 1) * (n + 1));
-  std::vector<double> weight(size);
-  std::vector<VectorX> map(size);
+  std::map<std::array<int, 3>, double> weight; // w^(β)
+  std::map<std::array<int, 3>, VectorX> map;   // S^(α), those finished
   std::vector<Derivative> result;
   for (int total = 0; total <= n; ++total)
     for (int a = total; a >= 0; --a)
@@ -84,15 +81,15 @@ std::vector<Derivative> derivatives(const Patch& patch, const VectorX& xi, int n
         // S^(α) = (A^(α) − Σ_{0≠β≤α} (α over β) w^(β) S^(α−β)) / w   (NURBS Book, eq. 4.20, in any dimension)
         const VectorX homogeneous = basis.sum(patch.homogeneous(), {a, b, c});
         VectorX value = homogeneous.head(dimension);
-        weight[index(a, b, c)] = homogeneous(dimension);
+        weight[{a, b, c}] = homogeneous(dimension);
         for (int i = 0; i <= a; ++i)
           for (int j = 0; j <= b; ++j)
             for (int k = 0; k <= c; ++k)
               if (i + j + k > 0)
-                value -= binomial(a, i) * binomial(b, j) * binomial(c, k) * weight[index(i, j, k)] *
-                         map[index(a - i, b - j, c - k)];
-        value /= weight[0];
-        map[index(a, b, c)] = value;
+                value -=
+                    binomial(a, i) * binomial(b, j) * binomial(c, k) * weight[{i, j, k}] * map[{a - i, b - j, c - k}];
+        value /= weight[{0, 0, 0}];
+        map[{a, b, c}] = value;
         std::vector<int> orders{a, b, c};
         orders.resize(at(patch.parametric_dimension()));
         result.push_back({std::move(orders), std::move(value)});

@@ -38,13 +38,10 @@ const Form& form_of(const std::string& file, const std::string& text) {
 
 } // namespace
 
-const std::vector<std::string>& exchange_forms() {
-  static const std::vector<std::string> names = [] {
-    std::vector<std::string> all;
-    all.reserve(std::size(forms));
-    for (const Form& form : forms) all.push_back(form.name);
-    return all;
-  }();
+std::vector<std::string> exchange_forms() {
+  std::vector<std::string> names;
+  names.reserve(forms.size());
+  for (const Form& form : forms) names.push_back(form.name);
   return names;
 }
 

@@ -10,7 +10,7 @@ namespace signorini::nurbs {
 
 /// The forms of a file: "gismo" (G+Smo's XML), "geopdes" (the text file of GeoPDEs and the NURBS toolbox), "mfem" (MFEM
 /// NURBS mesh v1.0 with patches).
-const std::vector<std::string>& exchange_forms();
+std::vector<std::string> exchange_forms();
 /// The form that a file's name stands for by its ending: .xml, .txt, .mesh; empty for any other.
 std::string exchange_form_of(const std::string& file);
 

@@ -53,15 +53,6 @@ Patch read_patch(TextReader& from, const Sizes& sizes) {
   return placed(from.file(), from.line(), [&] { return Patch(std::move(directions), std::move(homogeneous)); });
 }
 
-template <class Values> std::string line_of(const Values& values) {
-  std::string result;
-  for (const auto& value : values) {
-    if (!result.empty()) result += ' ';
-    result += digits(value);
-  }
-  return result += '\n';
-}
-
 } // namespace
 
 std::vector<Patch> read_geopdes(const std::string& file, const std::string& text) {
@@ -89,10 +80,7 @@ std::string geopdes(const std::vector<Patch>& patches) {
     }
     out += line_of(degrees) + line_of(counts);
     for (const KnotVector& knots : patch.directions()) out += line_of(knots.knots());
-    for (int row = 0; row <= dimension; ++row) {
-      const VectorX values = patch.homogeneous().row(row).transpose();
-      out += line_of(values);
-    }
+    for (int row = 0; row <= dimension; ++row) out += line_of(patch.homogeneous().row(row));
   }
   return out + "SUBDOMAIN 1\n" + numbers + "\n";
 }

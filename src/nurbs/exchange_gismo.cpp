@@ -83,18 +83,15 @@ Patch read_patch(const Document& document, const pugi::xml_node& geometry) {
     weights = document.child(basis, "weights");
     basis = document.child(basis, "Basis");
   }
+  std::vector<pugi::xml_node> nodes{basis};
+  if (kind->directions > 1) nodes.assign(basis.children("Basis").begin(), basis.children("Basis").end());
+  if (static_cast<int>(nodes.size()) != kind->directions)
+    document.wrong(basis, "expected ", kind->directions, " bases, one per direction, got ", nodes.size());
+  std::stable_sort(nodes.begin(), nodes.end(), [](const auto& a, const auto& b) {
+    return a.attribute("index").as_int() < b.attribute("index").as_int();
+  });
   std::vector<KnotVector> directions;
-  if (kind->directions == 1) {
-    directions.push_back(read_direction(document, basis));
-  } else {
-    std::vector<pugi::xml_node> nodes(basis.children("Basis").begin(), basis.children("Basis").end());
-    if (static_cast<int>(nodes.size()) != kind->directions)
-      document.wrong(basis, "expected ", kind->directions, " bases, one per direction, got ", nodes.size());
-    std::stable_sort(nodes.begin(), nodes.end(), [](const auto& a, const auto& b) {
-      return a.attribute("index").as_int() < b.attribute("index").as_int();
-    });
-    for (const pugi::xml_node& node : nodes) directions.push_back(read_direction(document, node));
-  }
+  for (const pugi::xml_node& node : nodes) directions.push_back(read_direction(document, node));
 
   int size = 1;
   for (const KnotVector& knots : directions) {
@@ -169,9 +166,7 @@ std::string gismo(const std::vector<Patch>& patches) {
     }
     out += text("    <coefs geoDim=\"", patch.dimension(), "\">\n");
     const MatrixX points = patch.points();
-    for (int a = 0; a < patch.functions(); ++a)
-      for (int k = 0; k < patch.dimension(); ++k)
-        out += digits(points(k, a)) + (k + 1 < patch.dimension() ? " " : "\n");
+    for (int a = 0; a < patch.functions(); ++a) out += line_of(points.col(a));
     out += "    </coefs>\n  </Geometry>\n";
   }
   // Without it G+Smo sees the patches one by one.

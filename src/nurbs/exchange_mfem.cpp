@@ -80,18 +80,10 @@ std::string mfem(const std::vector<Patch>& patches) {
   std::string out = text(title, "\n\ndimension\n", parametric, "\n\nelements\n1\n1 ", topology.element, " ",
                          topology.corners, "\n\nboundary\n", topology.sides, "\nedges\n", topology.edges,
                          "\nvertices\n", topology.vertices, "\n\npatches\n\nknotvectors\n", parametric, "\n");
-  for (const KnotVector& knots : patch.directions()) {
-    out += text(knots.degree(), " ", knots.functions());
-    for (double knot : knots.knots()) {
-      out += ' ';
-      out += digits(knot);
-    }
-    out += '\n';
-  }
+  for (const KnotVector& knots : patch.directions())
+    out += text(knots.degree(), " ", knots.functions(), " ", line_of(knots.knots()));
   out += text("\ndimension\n", patch.dimension(), "\n\ncontrolpoints\n");
-  for (int a = 0; a < patch.functions(); ++a)
-    for (int i = 0; i <= patch.dimension(); ++i)
-      out += digits(patch.homogeneous()(i, a)) + (i < patch.dimension() ? " " : "\n");
+  for (int a = 0; a < patch.functions(); ++a) out += line_of(patch.homogeneous().col(a));
   return out;
 }
 

@@ -12,6 +12,12 @@ namespace signorini::nurbs {
 
 /// The shortest decimal number that is read as these bits.
 std::string digits(double value);
+/// Numbers with blanks between them, and the end of the line.
+template <class Values> std::string line_of(const Values& values) {
+  std::string result;
+  for (const auto& value : values) result += (result.empty() ? "" : " ") + digits(value);
+  return result + "\n";
+}
 
 /// Reads words from a text, one behind the other.
 class TextReader {

@@ -1,6 +1,7 @@
 #include "nurbs/knots.hpp"
 
 #include "base/error.hpp"
+#include "base/index.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -53,9 +54,8 @@ KnotVector::KnotVector(int degree, std::vector<double> knots) : degree_(degree),
 }
 
 KnotVector KnotVector::single(int degree) {
-  require(degree >= 0 && degree <= max_degree, "degree: ", degree, " is not in 0 … ", max_degree);
-  std::vector<double> knots(2 * (static_cast<std::size_t>(degree) + 1), 0.0);
-  std::fill(knots.begin() + degree + 1, knots.end(), 1.0);
+  std::vector<double> knots(at(degree + 1), 0.0);
+  knots.insert(knots.end(), at(degree + 1), 1.0);
   return {degree, std::move(knots)};
 }
 
@@ -69,7 +69,7 @@ int find_element(const std::vector<double>& breaks, double xi) {
 }
 
 std::vector<int> KnotVector::functions_on(int element) const {
-  std::vector<int> functions(static_cast<std::size_t>(degree_ + 1));
+  std::vector<int> functions(at(degree_ + 1));
   std::iota(functions.begin(), functions.end(), first_function(element));
   return functions;
 }

@@ -20,18 +20,14 @@ KnotVector lagrange_knots(int degree, const std::vector<double>& breaks) {
 void to_coefficients(const KnotVector& knots, const std::vector<double>& places, int start, int stride,
                      MatrixX& values) {
   const int p = knots.degree();
-  MatrixX collocation(p + 1, p + 1), local(values.rows(), p + 1);
-  MatrixX line(values.rows(), knots.functions());
+  MatrixX functions(p + 1, p + 1), line(values.rows(), knots.functions());
   for (int i = 0; i < knots.functions(); ++i) line.col(i) = values.col(start + i * stride);
   for (int e = 0; e < knots.elements(); ++e) {
     const int first = e * p;
-    for (int k = 0; k <= p; ++k) {
-      Eigen::RowVectorXd row(p + 1);
-      basis_derivatives(knots, e, places[at(first + k)], 0, row.data());
-      collocation.row(k) = row;
-    }
+    for (int k = 0; k <= p; ++k) basis_derivatives(knots, e, places[at(first + k)], 0, functions.col(k).data());
     // v_k = Σ_j B_j(ξ_k) c_j on every span
-    local = line.middleCols(first, p + 1).lazyProduct(pseudo_inverse(collocation).transpose());
+    const MatrixX inverse = pseudo_inverse(functions.transpose());
+    const MatrixX local = line.middleCols(first, p + 1).lazyProduct(inverse.transpose());
     for (int k = 0; k <= p; ++k) values.col(start + (first + k) * stride) = local.col(k);
   }
 }
@@ -45,8 +41,7 @@ Patch interpolate_lagrange(const Patch& patch, const std::vector<int>& degrees,
   std::vector<std::vector<double>> parameters;
   int size = 1;
   for (int d = 0; d < dimensions; ++d) {
-    const std::size_t i = at(d);
-    directions.push_back(lagrange_knots(degrees[i], breaks[i]));
+    directions.push_back(lagrange_knots(degrees[at(d)], breaks[at(d)]));
     parameters.push_back(sites(spline_space(directions.back())));
     size *= directions.back().functions();
   }
@@ -55,9 +50,8 @@ Patch interpolate_lagrange(const Patch& patch, const std::vector<int>& degrees,
   VectorX xi(dimensions);
   for (int n = 0; n < size; ++n) {
     for (int d = 0, rest = n; d < dimensions; ++d) {
-      const auto& line = parameters[at(d)];
-      const int count = static_cast<int>(line.size());
-      xi(d) = line[at(rest % count)];
+      const int count = directions[at(d)].functions();
+      xi(d) = parameters[at(d)][at(rest % count)];
       rest /= count;
     }
     values.col(n) = evaluate(patch, xi);

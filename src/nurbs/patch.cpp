@@ -32,6 +32,12 @@ TensorProduct<Direction>::TensorProduct(std::vector<Direction> directions, Matri
   }
 }
 
+template <class Direction> int TensorProduct<Direction>::stride(int d) const {
+  int product = 1;
+  for (int k = 0; k < d; ++k) product *= direction(k).functions();
+  return product;
+}
+
 template <class Direction> MatrixX TensorProduct<Direction>::points() const {
   return homogeneous_.topRows(dimension()).array().rowwise() / homogeneous_.row(dimension()).array();
 }

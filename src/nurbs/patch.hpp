@@ -27,6 +27,8 @@ public:
   const Direction& direction(int d) const { return directions_[at(d)]; }
   const std::vector<Direction>& directions() const { return directions_; }
   const MatrixX& homogeneous() const { return homogeneous_; }
+  /// What one more along direction d adds to a function's number.
+  int stride(int d) const;
 
   /// Control points, dimension × functions.
   MatrixX points() const;
@@ -78,6 +80,9 @@ struct Side {
 /// west/east (ξ¹), south/north (ξ²), front/back (ξ³). Throws Error that lists the names that fit.
 Side side_of(const std::string& name, int parametric_dimension);
 std::string name_of(Side side);
+/// The name of the side that is probably meant by another one: "north" for "top" in the plane, "back" in space (as on a
+/// block along the axes), the nearest for "nroth"; empty when none is near.
+std::string meant_side(const std::string& name, int parametric_dimension);
 /// +1 or −1: what turns a face's natural normal (2D: its tangent turned by −90°; 3D: τ₁×τ₂, both in parametric order)
 /// to the outside of a right-handed body.
 double outward_sign(Side side);

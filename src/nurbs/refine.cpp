@@ -1,6 +1,7 @@
 #include "nurbs/refine.hpp"
 
 #include "base/error.hpp"
+#include "base/index.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -45,11 +46,8 @@ void add_blossom(const KnotVector& knots, double before, const double* t, double
 
 /// Replaces direction d by `knots`, the control points along it by these combinations.
 Patch replace_direction(const Patch& patch, int d, KnotVector knots, const Combinations& combine) {
-  const int before = patch.direction(d).functions(), after = knots.functions();
-
-  Eigen::Index stride = 1, outer = 1;
-  for (int k = 0; k < patch.parametric_dimension(); ++k)
-    if (k != d) (k < d ? stride : outer) *= patch.direction(k).functions();
+  const Eigen::Index before = patch.direction(d).functions(), after = knots.functions();
+  const Eigen::Index stride = patch.stride(d), outer = patch.functions() / (stride * before);
   // Columns of one index along d are blocks of `stride`.
   MatrixX points = MatrixX::Zero(patch.dimension() + 1, stride * after * outer);
   for (Eigen::Index o = 0; o < outer; ++o)
@@ -67,7 +65,7 @@ Patch elevate_once(const Patch& patch, int d) {
   const KnotVector& old = patch.direction(d);
   const int p = old.degree();
   std::vector<double> knots;
-  for (double knot : old.breaks()) knots.insert(knots.end(), at(old.multiplicity(knot)) + 1, knot);
+  for (double knot : old.breaks()) knots.insert(knots.end(), at(old.multiplicity(knot) + 1), knot);
   KnotVector elevated(p + 1, knots);
 
   // The elevated blossom is the mean of the old one over all ways to leave out one argument:

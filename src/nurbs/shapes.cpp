@@ -1,8 +1,10 @@
 #include "nurbs/shapes.hpp"
 
 #include "base/error.hpp"
+#include "base/index.hpp"
 #include "base/orthonormal.hpp"
 #include "nurbs/basis.hpp"
+#include "nurbs/directions.hpp"
 #include "nurbs/refine.hpp"
 
 #include <cmath>
@@ -35,19 +37,14 @@ Patch annulus(double inner, double outer, const Point& centre, double start, dou
   return ruled(arc(centre, outer, start, stop), arc(centre, inner, start, stop));
 }
 
+/// (x, y) ↦ (x, 0, y)
+const Eigen::Matrix<double, 3, 2> upright{{1, 0}, {0, 0}, {0, 1}};
+
 /// The part of a sphere about the origin between angles (degrees): ξ¹ around the z axis from x towards y by `turn`, ξ²
 /// down the meridian from the height `top` to the lower pole.
 Patch sphere_part(double radius, double turn, double top) {
-  const Patch around = arc(Point::Zero(2), 1, 0, turn), down = arc(Point::Zero(2), radius, top, -90);
-  MatrixX homogeneous(4, around.functions() * down.functions());
-  for (int l = 0; l < down.functions(); ++l)
-    for (int k = 0; k < around.functions(); ++k) {
-      // The meridian (r, z) turned by the angle of (X, Y): (X r, Y r, W z, W w), homogeneous.
-      const Vec<3> angle = around.homogeneous().col(k), meridian = down.homogeneous().col(l);
-      homogeneous.col(k + around.functions() * l) << angle(0) * meridian(0), angle(1) * meridian(0),
-          angle(2) * meridian(1), angle(2) * meridian(2);
-    }
-  return {{around.direction(0), down.direction(0)}, std::move(homogeneous)};
+  const Patch meridian = transform(arc(Point::Zero(2), radius, top, -90), upright, Point::Zero(3));
+  return swap_directions(revolve(meridian, Point::Zero(3), Vec<3>::UnitZ(), turn), 0, 1);
 }
 
 /// Values N_i(ξ_j) of the functions at their own Greville abscissae: row j, column i.
@@ -93,7 +90,6 @@ Patch half_cylinder_shell(double inner, double outer, double width, const Point&
   check_radii(inner, outer);
   check_length("width", width);
   check_point("centre", centre, 3);
-  const MatrixX upright = (MatrixX(3, 2) << 1, 0, 0, 0, 0, 1).finished(); // (x, y) ↦ (x, 0, y)
   const auto half_cylinder = [&](double radius) {
     const Patch half_circle = arc(Point::Zero(2), radius, 180, 360);
     return extrude(transform(half_circle, upright, centre), Vec<3>(0, width, 0));
@@ -141,8 +137,7 @@ Patch spherical_indenter(double width, double depth, double height, double radiu
   for (int j = 0; j < n; ++j)
     for (int i = 0; i < n; ++i) {
       // z = r − √(r² − Δx² − Δy²)
-      const double x = (nodes[at(i)] - 0.5) * width;
-      const double y = (nodes[at(j)] - 0.5) * depth;
+      const double x = (nodes[at(i)] - 0.5) * width, y = (nodes[at(j)] - 0.5) * depth;
       heights(i, j) = radius - std::sqrt(std::max(0.0, radius * radius - x * x - y * y));
     }
   // heights = N c Nᵀ

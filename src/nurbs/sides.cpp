@@ -3,7 +3,6 @@
 
 #include "base/error.hpp"
 #include "base/index.hpp"
-#include "nurbs/side_hint.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -91,8 +90,7 @@ TensorProduct<Direction> control_row(const TensorProduct<Direction>& patch, int 
           " is not one of the patch's ", patch.parametric_dimension());
   const int count = patch.direction(through).functions();
   require(j >= 0 && j < count, "row: ", j + 1, " is not in 1 … ", count);
-  int stride = 1;
-  for (int d = 0; d < through; ++d) stride *= patch.direction(d).functions();
+  const int stride = patch.stride(through);
   std::vector<Direction> directions = patch.directions();
   directions.erase(directions.begin() + through);
   // Index = inner + stride·(i_through + count·outer)

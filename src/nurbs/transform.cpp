@@ -18,17 +18,10 @@ Eigen::Vector2d direction_of(double degrees) {
   require(std::isfinite(degrees), "angle: it is ", degrees, ", expected a finite number of degrees");
   // cos and sin of the rest within ±45°, then turned by whole quarters.
   const double quarters = std::round(degrees / 90), rest = (degrees - 90 * quarters) * std::numbers::pi / 180;
-  const double c = std::cos(rest), s = std::sin(rest);
-  switch (static_cast<int>(quarters - 4 * std::floor(quarters / 4))) {
-  case 0:
-    return {c, s};
-  case 1:
-    return {-s, c};
-  case 2:
-    return {-c, -s};
-  default:
-    return {s, -c};
-  }
+  Vec<2> direction(std::cos(rest), std::sin(rest));
+  for (double turns = quarters - 4 * std::floor(quarters / 4); turns > 0; --turns)
+    direction = Vec<2>(-direction(1), direction(0));
+  return direction;
 }
 
 Mat<3> rotation(double angle, const Point& axis) {
@@ -103,10 +96,10 @@ namespace {
 int direction_along(const Patch& patch, const Point& normal) {
   const VectorX heights = patch.points().transpose().lazyProduct(normal);
   constexpr double rounding = 1e-10;
-  int best = 0, stride = 1;
+  int best = 0;
   double most = 0;
   for (int d = 0; d < patch.parametric_dimension(); ++d) {
-    const int count = patch.direction(d).functions();
+    const int count = patch.direction(d).functions(), stride = patch.stride(d);
     double way = 0;
     for (int n = 0; n < patch.functions(); ++n)
       if (n / stride % count == 0) way += std::abs(heights(n + stride * (count - 1)) - heights(n));
@@ -115,7 +108,6 @@ int direction_along(const Patch& patch, const Point& normal) {
       best = d;
       most = way;
     }
-    stride *= count;
   }
   return best;
 }

@@ -6,10 +6,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <csignal>
 #include <limits>
 
 namespace signorini::solve {
 namespace newton_test {
+
+void press_ctrl_c() {
+  catch_interrupts();
+  std::raise(SIGINT);
+}
 
 /// f(x) = 0 in one unknown with its derivative.
 struct Scalar {
@@ -195,7 +201,7 @@ TEST(Newton, ResidualIsRelativeToTheScale) {
 }
 
 TEST(Newton, StopsWhenInterrupted) {
-  request_interrupt();
+  press_ctrl_c();
   Scalar problem = root_of_two();
   const NewtonReport report = problem.solve();
   clear_interrupt();
@@ -208,7 +214,7 @@ TEST(Newton, StopsBeforeAStepThatNeedsNoIteration) {
   Scalar problem = root_of_two();
   problem.x = std::sqrt(2.0);
   EXPECT_EQ(problem.solve().iterations, 0);
-  request_interrupt();
+  press_ctrl_c();
   const NewtonReport report = problem.solve();
   clear_interrupt();
   EXPECT_EQ(report.outcome, Outcome::interrupted);
@@ -298,7 +304,7 @@ TEST(Newton, IterationsCountFromWhereSettleAskedForMore) {
   // An end that settle never sees comes all the same.
   problem.x = 1;
   system.conclude = [&](std::string&) { return square += 1, Outcome::iterating; };
-  request_interrupt();
+  press_ctrl_c();
   EXPECT_EQ(newton(system, {1e-12, 6}, false).outcome, Outcome::interrupted);
   clear_interrupt();
 }
