@@ -33,7 +33,7 @@ template <int D> PenaltyLaw PenaltyContact<D>::scaled(double factor) const {
 template <int D> void PenaltyContact<D>::evaluate_point(std::size_t i, const Trial<D>& trial, Part& part, Feet& at) {
   PointHistory<D>& point = trial.present.points[i];
   const Controls& controls = trial.controls;
-  const double travel = this->faces_.travel;
+  const double travel = this->travel_;
   Held held = controls.held.empty() ? Held::free : controls.held[i];
   if (held == Held::free ? travel + controls.guessed < point.cleared : held == Held::open) return;
   if (!this->find_foot(i, trial, part, at)) return;
@@ -68,7 +68,7 @@ template <int D> void PenaltyContact<D>::remember_touch(std::size_t i, const Tri
   PointHistory<D>& point = trial.present.points[i];
   FacePoint<D> foot;
   const Projection<D> projection =
-      this->faces_.accepted_master.project(trial.accepted.results[i].position, point.projection, foot);
+      this->accepted_master_.project(trial.accepted.results[i].position, point.projection, foot);
   if (projection.foot == Foot::none) return;
   point.slips = true;
   point.slip = projection.xi;
