@@ -2,54 +2,46 @@
 
 #include "nurbs/archive.hpp"
 
+#include <tuple>
+
 namespace signorini::contact {
 
 namespace {
 
-template <int D> void write_shape(ArchiveWriter& to, const Plane<D>& plane) {
-  const auto& [point, normal] = plane;
-  to.put(point, normal);
+template <int D> auto members(Plane<D>& plane) {
+  auto& [point, normal] = plane;
+  return std::tie(point, normal);
+}
+template <int D> auto members(Ball<D>& ball) {
+  auto& [centre, radius] = ball;
+  return std::tie(centre, radius);
+}
+auto members(Cylinder& cylinder) {
+  auto& [point, axis, radius] = cylinder;
+  return std::tie(point, axis, radius);
+}
+auto members(PenaltyLaw& law) {
+  auto& [normal, tangential, friction] = law;
+  return std::tie(normal, tangential, friction);
+}
+auto members(Adhesion& law) {
+  auto& [hamaker, distance] = law;
+  return std::tie(hamaker, distance);
 }
 
-template <int D> void write_shape(ArchiveWriter& to, const Ball<D>& ball) {
-  const auto& [centre, radius] = ball;
-  to.put(centre, radius);
+/// Copied, as members() lends what a reader fills.
+template <class T> void write_members(ArchiveWriter& to, T value) {
+  std::apply([&](const auto&... member) { to.put(member...); }, members(value));
 }
 
-void write_shape(ArchiveWriter& to, const Cylinder& cylinder) {
-  const auto& [point, axis, radius] = cylinder;
-  to.put(point, axis, radius);
-}
-
-void write_shape(ArchiveWriter& to, const nurbs::Patch& patch) {
+void write_members(ArchiveWriter& to, const nurbs::Patch& patch) {
   to.put(patch);
 }
 
-template <int D> void write_obstacle(ArchiveWriter& to, const Obstacle<D>& obstacle) {
-  to.put(static_cast<int>(obstacle.index()));
-  std::visit([&](const auto& shape) { write_shape(to, shape); }, obstacle);
-}
-
-template <int D> Obstacle<D> read_obstacle(ArchiveReader& from) {
-  const int form = from.get<int>();
-  if (form == 0) {
-    Plane<D> plane;
-    from.into(plane.point, plane.normal);
-    return plane;
-  }
-  if (form == 1) {
-    Ball<D> ball;
-    from.into(ball.centre, ball.radius);
-    return ball;
-  }
-  if constexpr (D == 3)
-    if (form == 2) {
-      Cylinder cylinder;
-      from.into(cylinder.point, cylinder.axis, cylinder.radius);
-      return cylinder;
-    }
-  require(form == D, "obstacle: there is no form ", form);
-  return from.get<nurbs::Patch>();
+template <class T> T read_members(ArchiveReader& from) {
+  T value{};
+  std::apply([&](auto&... member) { from.into(member...); }, members(value));
+  return value;
 }
 
 template <int D> void write_result(ArchiveWriter& to, const PointResult<D>& result) {
@@ -65,39 +57,34 @@ template <int D> void read_result(ArchiveReader& from, PointResult<D>& result) {
 
 } // namespace
 
-void write(ArchiveWriter& to, const Obstacle<2>& obstacle) {
-  write_obstacle<2>(to, obstacle);
+template <AnyObstacle T> void write(ArchiveWriter& to, const T& obstacle) {
+  to.put(static_cast<int>(obstacle.index()));
+  std::visit([&](const auto& shape) { write_members(to, shape); }, obstacle);
 }
-void write(ArchiveWriter& to, const Obstacle<3>& obstacle) {
-  write_obstacle<3>(to, obstacle);
-}
-Obstacle<2> read(ArchiveReader& from, std::type_identity<Obstacle<2>>) {
-  return read_obstacle<2>(from);
-}
-Obstacle<3> read(ArchiveReader& from, std::type_identity<Obstacle<3>>) {
-  return read_obstacle<3>(from);
+
+template <AnyObstacle T> T read(ArchiveReader& from, std::type_identity<T>) {
+  constexpr int D = std::is_same_v<T, Obstacle<2>> ? 2 : 3;
+  const int form = from.get<int>();
+  if (form == 0) return read_members<Plane<D>>(from);
+  if (form == 1) return read_members<Ball<D>>(from);
+  if constexpr (D == 3)
+    if (form == 2) return read_members<Cylinder>(from);
+  require(form == D, "obstacle: there is no form ", form);
+  return from.get<nurbs::Patch>();
 }
 
 template <int D> void write(ArchiveWriter& to, const Method<D>& method) {
   require(!std::holds_alternative<Maker<D>>(method), "a contact with a formulation of one's own cannot be saved");
   to.put(static_cast<int>(method.index()));
-  if (const auto* penalty = std::get_if<PenaltyLaw>(&method))
-    to.put(penalty->normal, penalty->tangential, penalty->friction);
-  else if (const auto* adhesion = std::get_if<Adhesion>(&method))
-    to.put(adhesion->hamaker, adhesion->distance);
+  if (const auto* penalty = std::get_if<PenaltyLaw>(&method)) write_members(to, *penalty);
+  if (const auto* adhesion = std::get_if<Adhesion>(&method)) write_members(to, *adhesion);
 }
 
 template <int D> Method<D> read_method(ArchiveReader& from) {
   const int index = from.get<int>();
   require(index == 0 || index == 1, "contact: there is no law ", index);
-  if (index == 0) {
-    PenaltyLaw law{};
-    from.into(law.normal, law.tangential, law.friction);
-    return law;
-  }
-  Adhesion law;
-  from.into(law.hamaker, law.distance);
-  return law;
+  if (index == 0) return read_members<PenaltyLaw>(from);
+  return read_members<Adhesion>(from);
 }
 
 template <int D> void write_history(ArchiveWriter& to, const History<D>& history) {
@@ -128,6 +115,8 @@ template <int D> void read_history(ArchiveReader& from, History<D>& history) {
 }
 
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
+  template void write(ArchiveWriter&, const Obstacle<D>&);                                                             \
+  template Obstacle<D> read(ArchiveReader&, std::type_identity<Obstacle<D>>);                                          \
   template void write(ArchiveWriter&, const Method<D>&);                                                               \
   template Method<D> read_method<D>(ArchiveReader&);                                                                   \
   template void write_history(ArchiveWriter&, const History<D>&);                                                      \

@@ -6,10 +6,10 @@
 
 namespace signorini::contact {
 
-void write(ArchiveWriter& to, const Obstacle<2>& obstacle);
-void write(ArchiveWriter& to, const Obstacle<3>& obstacle);
-Obstacle<2> read(ArchiveReader& from, std::type_identity<Obstacle<2>>);
-Obstacle<3> read(ArchiveReader& from, std::type_identity<Obstacle<3>>);
+template <class T>
+concept AnyObstacle = std::is_same_v<T, Obstacle<2>> || std::is_same_v<T, Obstacle<3>>;
+template <AnyObstacle T> void write(ArchiveWriter& to, const T& obstacle);
+template <AnyObstacle T> T read(ArchiveReader& from, std::type_identity<T>);
 
 /// Throws Error for a formulation of one's own, of which nobody else knows.
 template <int D> void write(ArchiveWriter& to, const Method<D>& method);
