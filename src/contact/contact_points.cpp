@@ -14,27 +14,19 @@ ContactPoints<D>::ContactPoints(const Surface<D>& slave, int per_direction, bool
   LocalRow<D> derivative;
   geometry.revolved = revolved;
   for (int e = 0; e < slave.elements(); ++e) {
-    std::array<solid::QuadratureRule, D - 1> rules;
-    int count = 1;
+    std::vector<solid::QuadratureRule> rules;
     for (int a = 0; a < D - 1; ++a) {
       const auto [from, to] = slave.interval(e, a);
-      rules[static_cast<std::size_t>(a)] = solid::gauss_legendre(per_direction, from, to);
-      count *= per_direction;
+      rules.push_back(solid::gauss_legendre(per_direction, from, to));
     }
-    for (int q = 0; q < count; ++q) {
-      FaceCoordinates<D> xi;
-      double weight = 1;
-      for (int a = 0, rest = q; a < D - 1; ++a, rest /= per_direction) {
-        const auto& rule = rules[static_cast<std::size_t>(a)];
-        xi(a) = rule.points[static_cast<std::size_t>(rest % per_direction)];
-        weight *= rule.weights[static_cast<std::size_t>(rest % per_direction)];
-      }
-      slave.locate(e, xi, 1, face);
+    const solid::ElementQuadrature rule = solid::tensor_product(rules);
+    for (int q = 0; q < rule.weights.size(); ++q) {
+      slave.locate(e, rule.points.col(q), 1, face);
       if (where && !where(face.position)) continue;
       slave.functions(face, 1);
       geometry.slave = face.position;
       geometry.slave_tangent = face.tangent;
-      list.push_back({e, q, weight, slave_measure(geometry, derivative), values.size()});
+      list.push_back({e, q, rule.weights(q), slave_measure(geometry, derivative), values.size()});
       reference.push_back(face.position);
       const int n = slave.functions_on(e);
       values.insert(values.end(), face.value.begin(), face.value.begin() + n);
@@ -45,26 +37,28 @@ ContactPoints<D>::ContactPoints(const Surface<D>& slave, int per_direction, bool
           "that take part");
 }
 
-template <int D> Vec<D> position(const ContactPoints<D>& points, const Surface<D>& slave, std::size_t i) {
-  const int element = points.list[i].element;
+namespace {
+
+/// Σ_A R_A x_A at point i (k = 0), or with R_A,k in place of R_A.
+template <int D> Vec<D> sum_at(const ContactPoints<D>& points, const Surface<D>& slave, std::size_t i, int k) {
+  const int element = points.list[i].element, n = slave.functions_on(element);
   const int* nodes = slave.nodes(element);
-  const double* values = points.functions(i);
+  const double* values = points.functions(i) + k * n;
   Vec<D> sum = Vec<D>::Zero();
-  for (int a = 0, n = slave.functions_on(element); a < n; ++a) sum += values[a] * slave.points().col(nodes[a]);
+  for (int a = 0; a < n; ++a) sum += values[a] * slave.points().col(nodes[a]);
   return sum;
+}
+
+} // namespace
+
+template <int D> Vec<D> position(const ContactPoints<D>& points, const Surface<D>& slave, std::size_t i) {
+  return sum_at(points, slave, i, 0);
 }
 
 template <int D>
 std::array<Vec<D>, D - 1> tangents(const ContactPoints<D>& points, const Surface<D>& slave, std::size_t i) {
-  const int element = points.list[i].element, n = slave.functions_on(element);
-  const int* nodes = slave.nodes(element);
-  const double* values = points.functions(i);
   std::array<Vec<D>, D - 1> result;
-  for (int k = 0; k < D - 1; ++k) {
-    Vec<D>& tangent = result[static_cast<std::size_t>(k)];
-    tangent.setZero();
-    for (int a = 0; a < n; ++a) tangent += values[(k + 1) * n + a] * slave.points().col(nodes[a]);
-  }
+  for (int k = 0; k < D - 1; ++k) result[at(k)] = sum_at(points, slave, i, k + 1);
   return result;
 }
 

@@ -10,22 +10,6 @@
 
 namespace signorini::solid {
 
-ElementQuadrature tensor_product(const std::vector<QuadratureRule>& rules) {
-  int size = 1;
-  for (const QuadratureRule& rule : rules) size *= static_cast<int>(rule.points.size());
-  const int dimensions = static_cast<int>(rules.size());
-  ElementQuadrature result{MatrixX(dimensions, size), VectorX::Ones(size)};
-  for (int q = 0; q < size; ++q)
-    for (int d = 0, rest = q; d < dimensions; ++d) {
-      const QuadratureRule& rule = rules[static_cast<std::size_t>(d)];
-      const std::size_t count = rule.points.size(), i = static_cast<std::size_t>(rest) % count;
-      result.points(d, q) = rule.points[i];
-      result.weights(q) *= rule.weights[i];
-      rest /= static_cast<int>(count);
-    }
-  return result;
-}
-
 ElementQuadrature element_quadrature(const nurbs::Discretisation& space, int e) {
   std::vector<QuadratureRule> rules;
   for (int d = 0; d < space.parametric_dimension(); ++d) {
