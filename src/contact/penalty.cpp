@@ -28,7 +28,7 @@ template <int D> void penalty_force(const PenaltyLaw& law, const LocalGeometry<D
     trial_rows.template middleCols<D>(Force::master_column).diagonal().setConstant(law.tangential);
     trial_rows.template middleCols<D>(Force::slip_column).diagonal().setConstant(-law.tangential);
     for (int a = 0; a < tangents; ++a)
-      trial_rows.noalias() += (law.tangential * master.tangent[static_cast<std::size_t>(a)]) * result.shift.row(a);
+      trial_rows.noalias() += (law.tangential * master.tangent[at(a)]) * result.shift.row(a);
 
     const double magnitude = trial.norm(), limit = law.friction * result.pressure;
     // (ε_T + μ ε_N) |tie|: change of |t| − μ t_N due to an error |tie| in gap and slip. Below it |t| has no direction.
