@@ -28,6 +28,17 @@ auto members(Adhesion& law) {
   auto& [hamaker, distance] = law;
   return std::tie(hamaker, distance);
 }
+template <int D> auto members(PointResult<D>& result) {
+  // The position follows from the displacements; a point that acts is not beyond the master.
+  auto& [state, position, gap, beyond, settled, pressure, tangents, friction, force, area, potential] = result;
+  return std::tie(state, gap, pressure, tangents, friction, force, area, potential);
+}
+template <int D> auto members(PointHistory<D>& point) {
+  // Settling clears no point.
+  auto& [projection, cleared, slips, slip, limit, multiplier] = point;
+  auto& [foot, element, along, xi, gap] = projection;
+  return std::tie(foot, element, along, xi, gap, slips, slip, limit, multiplier);
+}
 
 /// Copied, as members() lends what a reader fills.
 template <class T> void write_members(ArchiveWriter& to, T value) {
@@ -42,17 +53,6 @@ template <class T> T read_members(ArchiveReader& from) {
   T value{};
   std::apply([&](auto&... member) { from.into(member...); }, members(value));
   return value;
-}
-
-template <int D> void write_result(ArchiveWriter& to, const PointResult<D>& result) {
-  // The position follows from the displacements; a point that acts is not beyond the master.
-  const auto& [state, position, gap, beyond, settled, pressure, tangents, friction, force, area, potential] = result;
-  to.put(state, gap, pressure, tangents, friction, force, area, potential);
-}
-
-template <int D> void read_result(ArchiveReader& from, PointResult<D>& result) {
-  auto& [state, position, gap, beyond, settled, pressure, tangents, friction, force, area, potential] = result;
-  from.into(state, gap, pressure, tangents, friction, force, area, potential);
 }
 
 } // namespace
@@ -91,12 +91,10 @@ template <int D> void write_history(ArchiveWriter& to, const History<D>& history
   const auto& [points, results, dissipated] = history;
   to.put(dissipated, static_cast<std::uint64_t>(points.size()));
   for (std::size_t i = 0; i < points.size(); ++i) {
-    // Settling clears no point.
-    const auto& [projection, cleared, slips, slip, limit, multiplier] = points[i];
-    const auto& [foot, element, along, xi, gap] = projection;
     const bool acts = results[i].area != 0;
-    to.put(foot, element, along, xi, gap, slips, slip, limit, multiplier, acts);
-    if (acts) write_result<D>(to, results[i]);
+    write_members(to, points[i]);
+    to.put(acts);
+    if (acts) write_members(to, results[i]);
   }
 }
 
@@ -106,11 +104,9 @@ template <int D> void read_history(ArchiveReader& from, History<D>& history) {
   const auto count = from.get<std::uint64_t>();
   require(count == points.size(), "a contact of ", count, " points was saved, this one has ", points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    auto& [projection, cleared, slips, slip, limit, multiplier] = points[i];
-    auto& [foot, element, along, xi, gap] = projection;
-    from.into(foot, element, along, xi, gap, slips, slip, limit, multiplier);
-    results[i] = {};
-    if (from.get<bool>()) read_result<D>(from, results[i]);
+    points[i] = read_members<PointHistory<D>>(from);
+    const bool acts = from.get<bool>();
+    results[i] = acts ? read_members<PointResult<D>>(from) : PointResult<D>();
   }
 }
 
