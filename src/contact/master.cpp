@@ -2,8 +2,6 @@
 
 #include "contact/slip.hpp"
 
-#include <Eigen/Geometry>
-
 namespace signorini::contact {
 
 namespace {
@@ -71,11 +69,7 @@ Projection<D> Master<D>::project(const Vec<D>& x, const Projection<D>& seed, Fac
 }
 
 template <int D> Vec<D> Master<D>::normal(const FacePoint<D>& point) const {
-  if (!shape_) return surface_->outward(point.tangent).normalized();
-  if constexpr (D == 2)
-    return Vec<2>(point.tangent[0](1), -point.tangent[0](0)).normalized();
-  else
-    return point.tangent[0].cross(point.tangent[1]).normalized();
+  return (shape_ ? normal_of<D>(point.tangent) : surface_->outward(point.tangent)).normalized();
 }
 
 template <int D> double Master<D>::fade(const FaceCoordinates<D>& xi, FaceCoordinates<D>& rate) const {

@@ -2,8 +2,6 @@
 
 #include "base/error.hpp"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -33,6 +33,14 @@ template <int D> struct FacePoint {
   std::array<std::array<double, most_face_functions<D>>, tangents> derivative;
 };
 
+/// Normal times the surface measure: the tangent turned by −90° (2D), τ₁×τ₂ (3D).
+template <int D> Vec<D> normal_of(const std::array<Vec<D>, D - 1>& tangent) {
+  if constexpr (D == 2)
+    return {tangent[0](1), -tangent[0](0)};
+  else
+    return tangent[0].cross(tangent[1]);
+}
+
 /// A face of a body; all face-local indices count the face's own control points.
 template <int D> class Surface {
 public:
@@ -51,7 +59,7 @@ public:
   /// Face-local indices of the functions of an element.
   const int* nodes(int element) const { return nodes_.data() + elements_[at(element)].nodes; }
   /// The body's function behind face-local index i.
-  int body_function(int i) const { return functions_[static_cast<std::size_t>(i)]; }
+  int body_function(int i) const { return functions_[at(i)]; }
   /// Degree of an element along the face's direction α.
   int degree(int element, int alpha) const { return direction(alpha).degree(index(element, alpha)); }
   const nurbs::Space1D& direction(int alpha) const { return spaces_[at(alpha)]; }
@@ -85,8 +93,8 @@ public:
   /// The functions at point.element, point.xi, with first derivatives when `order` is 1.
   void functions(FacePoint<D>& point, int order) const;
 
-  /// Outward normal times the surface measure: ± the tangent turned by 90° (2D), ± τ₁×τ₂ (3D).
-  Vec<D> outward(const std::array<Vec<D>, D - 1>& tangent) const;
+  /// Outward normal times the surface measure.
+  Vec<D> outward(const std::array<Vec<D>, D - 1>& tangent) const { return orientation_ * normal_of<D>(tangent); }
 
 private:
   /// One element: its place along every direction, how many functions and Bézier points it has, and where its parts of
