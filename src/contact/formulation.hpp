@@ -31,9 +31,6 @@ struct Controls {
   /// Whether points that touch stick, however far they would slip: while a falling body lands. It sinks in much too
   /// deep at first; were its points to slip there, the direction of slip would flip from one iteration to the next.
   bool landing = false;
-
-  /// See LocalGeometry::tie.
-  double tie() const { return onward ? -guessed : guessed; }
 };
 
 /// A state that is tried out. Evaluations write where searches ended and what the points did into `present`.

@@ -52,7 +52,7 @@ template <int D> void PenaltyContact<D>::evaluate_point(std::size_t i, const Tri
   LocalGeometry<D> geometry = this->geometry(i, trial, at);
   geometry.multiplier = point.multiplier;
   geometry.held = held;
-  geometry.tie = controls.tie();
+  geometry.tie = controls.onward ? -controls.guessed : controls.guessed;
   if (frictional() && !point.slips) remember_touch(i, trial);
   if (frictional() && point.slips) {
     this->master().locate(point.slip, at.slip_point);
@@ -95,10 +95,8 @@ void PenaltyContact<D>::advance_slip_point(std::size_t i, History<D>& history, c
     point.slips = true;
     point.slip = point.projection.xi;
   } else if (result.state == ContactState::slip) {
-    FacePoint<D> foot;
-    foot.xi = point.projection.xi;
-    master.locate(foot.xi, foot);
-    FacePoint<D> slip_point;
+    FacePoint<D> foot, slip_point;
+    master.locate(point.projection.xi, foot);
     master.locate(point.slip, slip_point);
     // |x̄ᵐ − xᵐ(ξ_sl)| falls to μ t_N/ε_T; the difference is the slip Δγ.
     const double length = law.friction * result.pressure / law.tangential;
