@@ -62,25 +62,23 @@ void BlockSums<D>::fill_columns(const Block& block, const double* r, double w, c
     }
     for (int b = 0; b < nm; ++b) {
       const int column = (ns + b) * D + c;
-      const std::size_t m = static_cast<std::size_t>(b);
       for (int i = 0; i < D; ++i) {
-        double sum = force.tangent(i, Force::master_column + c) * master.value[m];
+        double sum = force.tangent(i, Force::master_column + c) * master.value[at(b)];
         for (int k = 0; k < D - 1; ++k)
-          sum +=
-              force.tangent(i, Force::tangent_column + k * D + c) * master.derivative[static_cast<std::size_t>(k)][m];
-        if (slip_point && !own_columns) sum += force.tangent(i, Force::slip_column + c) * slip_point->value[m];
+          sum += force.tangent(i, Force::tangent_column + k * D + c) * master.derivative[at(k)][at(b)];
+        if (slip_point && !own_columns) sum += force.tangent(i, Force::slip_column + c) * slip_point->value[at(b)];
         dt[i * width + column] = w * sum;
       }
       for (int k = 0; k < D - 1; ++k) {
-        double sum = force.shift(k, Force::master_column + c) * master.value[m];
+        double sum = force.shift(k, Force::master_column + c) * master.value[at(b)];
         for (int l = 0; l < D - 1; ++l)
-          sum += force.shift(k, Force::tangent_column + l * D + c) * master.derivative[static_cast<std::size_t>(l)][m];
+          sum += force.shift(k, Force::tangent_column + l * D + c) * master.derivative[at(l)][at(b)];
         dxi[k * width + column] = w * sum;
       }
     }
     for (int b = 0; b < nl; ++b) {
       const int column = (ns + nm + b) * D + c;
-      const double value = slip_point->value[static_cast<std::size_t>(b)];
+      const double value = slip_point->value[at(b)];
       for (int i = 0; i < D; ++i) dt[i * width + column] = w * (force.tangent(i, Force::slip_column + c) * value);
       for (int k = 0; k < D - 1; ++k) dxi[k * width + column] = 0;
     }
@@ -105,7 +103,7 @@ void BlockSums<D>::add(const ContactPoints<D>& points, std::size_t point, const 
   for (int a = 0; a < ns; ++a)
     for (int i = 0; i < D; ++i) *out++ -= w * r[a] * force.force(i);
   for (int a = 0; a < nm; ++a)
-    for (int i = 0; i < D; ++i) *out++ += w * master.value[static_cast<std::size_t>(a)] * force.force(i);
+    for (int i = 0; i < D; ++i) *out++ += w * master.value[at(a)] * force.force(i);
   if (!tangent) return;
 
   fill_columns(block, r, w, master, slip_point, force);
@@ -117,8 +115,8 @@ void BlockSums<D>::add(const ContactPoints<D>& points, std::size_t point, const 
     for (int a = 0; a < ns; ++a) room.left[a] = -r[a];
     std::copy_n(master.value.data(), nm, room.left + ns);
     for (std::size_t k = 0; k < 2; ++k) {
-      std::copy_n(master.derivative[k].data(), nm, room.rates + k * static_cast<std::size_t>(nm));
-      double* turn = room.turn + k * 3 * static_cast<std::size_t>(width);
+      std::copy_n(master.derivative[k].data(), nm, room.rates + k * at(nm));
+      double* turn = room.turn + k * 3 * at(width);
       for (int i = 0; i < 3; ++i)
         for (int c = 0; c < width; ++c) *turn++ = force.force(i) * dxi[static_cast<int>(k) * width + c];
     }
@@ -132,7 +130,7 @@ void BlockSums<D>::add(const ContactPoints<D>& points, std::size_t point, const 
         for (int c = 0; c < width; ++c) matrix[c] -= factor * row[c];
       }
     for (int a = 0; a < nm; ++a) {
-      const std::size_t m = static_cast<std::size_t>(a);
+      const std::size_t m = at(a);
       for (int i = 0; i < D; ++i, matrix += width) {
         const double factor = master.value[m];
         const double* row = dt + i * width;

@@ -28,7 +28,7 @@ void ElementBoxes<D>::build(const Surface<D>& surface, std::array<int, 2> first,
   if (u == 1 && v == 1) {
     const int element = first[0] + surface.direction(0).elements() * first[1];
     nodes_[index].element = element;
-    leaves_[static_cast<std::size_t>(element)] = static_cast<int>(index);
+    leaves_[at(element)] = static_cast<int>(index);
     return;
   }
   const std::size_t d = u >= v ? 0 : 1;

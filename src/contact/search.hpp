@@ -15,7 +15,7 @@ public:
   void update(const Surface<D>& surface);
   /// Square of the diagonal of an element's box.
   double diagonal2(int element) const {
-    const Box& box = nodes_[static_cast<std::size_t>(leaves_[static_cast<std::size_t>(element)])].box;
+    const Box& box = nodes_[at(leaves_[at(element)])].box;
     return (box.upper - box.lower).squaredNorm();
   }
 
@@ -42,11 +42,10 @@ private:
   template <class Distance2, class Visit>
   void descend(int index, double own, const Vec<D>& x, Distance2& distance2, Visit& visit) const {
     if (own >= distance2()) return;
-    const Node& node = nodes_[static_cast<std::size_t>(index)];
+    const Node& node = nodes_[at(index)];
     if (node.element >= 0) return visit(node.element);
     int near = index + 1, far = node.second;
-    double to_near = nodes_[static_cast<std::size_t>(near)].box.distance2(x),
-           to_far = nodes_[static_cast<std::size_t>(far)].box.distance2(x);
+    double to_near = nodes_[at(near)].box.distance2(x), to_far = nodes_[at(far)].box.distance2(x);
     if (to_far < to_near) {
       std::swap(near, far);
       std::swap(to_near, to_far);

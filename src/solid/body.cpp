@@ -52,8 +52,7 @@ void check_radii(const nurbs::Discretisation& space) {
   VectorX xi(2);
   for (int e = 0; e < space.elements(); ++e)
     for (int corner = 0; corner < 4; ++corner) {
-      xi << space.interval(e, 0)[static_cast<std::size_t>(corner % 2)],
-          space.interval(e, 1)[static_cast<std::size_t>(corner / 2)];
+      xi << space.interval(e, 0)[at(corner % 2)], space.interval(e, 1)[at(corner / 2)];
       require_radius(-rounding, place_of(space.basis(e, xi), points));
     }
 }
@@ -102,13 +101,8 @@ template <int D> KernelArguments Body<D>::arguments(int e) const {
 
 template <int D> void Body<D>::add_element(int e, const MatrixX& points) {
   const ElementQuadrature rule = element_quadrature(*space_, e);
-  ElementTable table{0,
-                     static_cast<int>(rule.weights.size()),
-                     functions_.size(),
-                     weights_.size(),
-                     gradients_.size(),
-                     constants_.size(),
-                     {}};
+  const int count = static_cast<int>(rule.weights.size());
+  ElementTable table{0, count, functions_.size(), weights_.size(), gradients_.size(), constants_.size(), {}};
   for (int q = 0; q < table.points; ++q) {
     const nurbs::ElementBasis basis = space_->basis(e, rule.points.col(q));
     if (q == 0) {
@@ -120,7 +114,7 @@ template <int D> void Body<D>::add_element(int e, const MatrixX& points) {
     const VectorX place = place_of(basis, points);
     Mat<D> jacobian = Mat<D>::Zero();
     for (int a = 0; a < table.functions; ++a)
-      jacobian += points.col(basis.functions[static_cast<std::size_t>(a)]) * basis.gradients.col(a).transpose();
+      jacobian += points.col(basis.functions[at(a)]) * basis.gradients.col(a).transpose();
     const double determinant = jacobian.determinant();
     check_jacobian(jacobian, determinant, place);
     double weight = rule.weights(q) * determinant;
@@ -134,8 +128,7 @@ template <int D> void Body<D>::add_element(int e, const MatrixX& points) {
     }
     weights_.push_back(weight);
   }
-  const std::size_t square = static_cast<std::size_t>(table.functions) * static_cast<std::size_t>(table.functions);
-  constants_.resize(constants_.size() + static_cast<std::size_t>(table.kernels.constant_blocks) * square);
+  constants_.resize(constants_.size() + at(table.kernels.constant_blocks * table.functions * table.functions));
   most_functions_ = std::max(most_functions_, table.functions);
   most_points_ = std::max(most_points_, table.points);
   elements_.push_back(table);
@@ -144,7 +137,7 @@ template <int D> void Body<D>::add_element(int e, const MatrixX& points) {
 /// The part of an element's tangent that never changes; the tables have their room already.
 template <int D> void Body<D>::add_constant(const ElementTable& table, KernelArguments arguments) {
   if (!table.kernels.constant) return;
-  const std::vector<double> rest(static_cast<std::size_t>(D * table.functions), 0.0);
+  const std::vector<double> rest(at(D * table.functions), 0.0);
   std::vector<double> force(rest.size());
   arguments.local = rest.data();
   arguments.force = force.data();

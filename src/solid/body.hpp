@@ -2,6 +2,7 @@
 // A solid body: its function space, its material, and the Gauss-point tables of the reference configuration.
 
 #include "base/eigen.hpp"
+#include "base/index.hpp"
 #include "nurbs/discretisation.hpp"
 #include "solid/material.hpp"
 #include "solid/quadrature.hpp"
@@ -47,7 +48,7 @@ public:
   bool linear() const { return material_.linear(); }
   int functions() const { return space_->functions(); }
   int elements() const { return static_cast<int>(elements_.size()); }
-  const ElementTable& element(int e) const { return elements_[static_cast<std::size_t>(e)]; }
+  const ElementTable& element(int e) const { return elements_[at(e)]; }
   /// Gauss points of the whole body, in the order of its elements.
   std::size_t points() const { return weights_.size(); }
   /// The material's internal variables per Gauss point; a body holds no values of them.
@@ -59,7 +60,7 @@ public:
   std::size_t memory() const;
 
   std::span<const int> functions_of(int e) const {
-    return {functions_.data() + element(e).function, static_cast<std::size_t>(element(e).functions)};
+    return {functions_.data() + element(e).function, at(element(e).functions)};
   }
   /// Quadrature weight times reference volume per Gauss point; a body of revolution's holds the circumference 2πR.
   const double* weights_of(int e) const { return weights_.data() + element(e).point; }

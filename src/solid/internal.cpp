@@ -18,7 +18,7 @@ template <int D> void gather(const Body<D>& body, int e, const double* displacem
 /// Calls visit(e, q, F, u) at all Gauss points, u the displacements of the element's functions.
 template <int D, class Visit>
 void each_deformation(const Body<D>& body, const double* displacement, const Visit& visit) {
-  std::vector<double> local(static_cast<std::size_t>(D * body.most_functions()));
+  std::vector<double> local(at(D * body.most_functions()));
   for (int e = 0; e < body.elements(); ++e) {
     const ElementTable& table = body.element(e);
     const int n = table.functions;
@@ -36,8 +36,8 @@ void each_deformation(const Body<D>& body, const double* displacement, const Vis
 } // namespace
 
 template <int D> ElementArrays<D>::ElementArrays(const Body<D>& body) {
-  const std::size_t n = static_cast<std::size_t>(body.most_functions());
-  const std::size_t points = static_cast<std::size_t>(body.most_points());
+  const std::size_t n = at(body.most_functions());
+  const std::size_t points = at(body.most_points());
   force.resize(D * n);
   blocks.resize(D * (D + 1) / 2 * n * n + vector_room);
   local.resize(D * n);
@@ -68,7 +68,7 @@ std::optional<Inversion> internal_force(const Body<D>& body, int e, const double
   arguments.work = arrays.work.data();
   arguments.factors = arrays.factors.data();
   arguments.blocks = tangent ? arrays.blocks.data() : nullptr;
-  if (const std::size_t variables = static_cast<std::size_t>(body.internal_variables())) {
+  if (const std::size_t variables = at(body.internal_variables())) {
     require(committed.size() == variables * body.points() && trial.size() == committed.size(), "material '",
             body.material().name(), "' has ", variables * body.points(), " internal variables in this body, but got ",
             committed.size(), " committed and ", trial.size(), " trial values");
@@ -93,7 +93,7 @@ template <int D> std::optional<Inversion> worst_inversion(const Body<D>& body, c
 
 template <int D>
 double stored_energy(const Body<D>& body, const double* displacement, std::span<const double> committed) {
-  const std::size_t variables = committed.empty() ? 0 : static_cast<std::size_t>(body.internal_variables());
+  const std::size_t variables = committed.empty() ? 0 : at(body.internal_variables());
   double sum = 0;
   each_deformation(body, displacement, [&](int e, int q, const Mat<D>& f, const auto& u) {
     double across = 1;
@@ -102,7 +102,7 @@ double stored_energy(const Body<D>& body, const double* displacement, std::span<
       const Eigen::Index n = u.cols();
       across += u.row(0).dot(Eigen::Map<const Eigen::RowVectorXd>(body.hoops_of(e) + q * n, n));
     }
-    const std::size_t point = body.element(e).point + static_cast<std::size_t>(q);
+    const std::size_t point = body.element(e).point + at(q);
     const bool inverted = !body.linear() && !(f.determinant() > 0 && across > 0);
     sum += body.weights_of(e)[q] *
            (inverted ? std::numeric_limits<double>::infinity()
@@ -111,17 +111,15 @@ double stored_energy(const Body<D>& body, const double* displacement, std::span<
   return sum;
 }
 
-template struct ElementArrays<2>;
-template struct ElementArrays<3>;
-template std::vector<double> initial_values<2>(const Body<2>&);
-template std::optional<Inversion> internal_force<2>(const Body<2>&, int, const double*, ElementArrays<2>&, bool,
-                                                    std::span<const double>, std::span<double>);
-template std::vector<double> initial_values<3>(const Body<3>&);
-template std::optional<Inversion> internal_force<3>(const Body<3>&, int, const double*, ElementArrays<3>&, bool,
-                                                    std::span<const double>, std::span<double>);
-template std::optional<Inversion> worst_inversion<2>(const Body<2>&, const double*);
-template std::optional<Inversion> worst_inversion<3>(const Body<3>&, const double*);
-template double stored_energy<2>(const Body<2>&, const double*, std::span<const double>);
-template double stored_energy<3>(const Body<3>&, const double*, std::span<const double>);
+#define SIGNORINI_INSTANTIATE(D)                                                                                       \
+  template struct ElementArrays<D>;                                                                                    \
+  template std::vector<double> initial_values(const Body<D>&);                                                         \
+  template std::optional<Inversion> internal_force(const Body<D>&, int, const double*, ElementArrays<D>&, bool,        \
+                                                   std::span<const double>, std::span<double>);                        \
+  template std::optional<Inversion> worst_inversion(const Body<D>&, const double*);                                    \
+  template double stored_energy(const Body<D>&, const double*, std::span<const double>);
+SIGNORINI_INSTANTIATE(2)
+SIGNORINI_INSTANTIATE(3)
+#undef SIGNORINI_INSTANTIATE
 
 } // namespace signorini::solid

@@ -27,7 +27,7 @@ namespace {
 /// The stiffness, which is neo-Hooke's tangent where nothing is strained yet.
 template <int D> KernelResult stiffness(const KernelArguments& in) {
   const Kernels rubber = NeoHookean::kernels<D>(Kind::plane_strain, in.functions);
-  const std::size_t n = static_cast<std::size_t>(in.functions), points = static_cast<std::size_t>(in.points);
+  const std::size_t n = at(in.functions), points = at(in.points);
   std::vector<double> shear(n * n + vector_room), work(working_size(D, n, points)), factors(2 * points);
   KernelArguments at_rest = in;
   at_rest.blocks = shear.data();
