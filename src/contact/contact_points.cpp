@@ -40,7 +40,7 @@ ContactPoints<D>::ContactPoints(const Surface<D>& slave, int per_direction, bool
 namespace {
 
 /// Σ_A R_A x_A at point i (k = 0), or with R_A,k in place of R_A.
-template <int D> Vec<D> sum_at(const ContactPoints<D>& points, const Surface<D>& slave, std::size_t i, int k) {
+template <int D> inline Vec<D> sum_at(const ContactPoints<D>& points, const Surface<D>& slave, std::size_t i, int k) {
   const int element = points.list[i].element, n = slave.functions_on(element);
   const int* nodes = slave.nodes(element);
   const double* values = points.functions(i) + k * n;
