@@ -62,18 +62,17 @@ void BlockSums<D>::fill_columns(const Block& block, const double* r, double w, c
     }
     for (int b = 0; b < nm; ++b) {
       const int column = (ns + b) * D + c;
-      const std::size_t m = at(b);
       for (int i = 0; i < D; ++i) {
-        double sum = force.tangent(i, Force::master_column + c) * master.value[m];
+        double sum = force.tangent(i, Force::master_column + c) * master.value[at(b)];
         for (int k = 0; k < D - 1; ++k)
-          sum += force.tangent(i, Force::tangent_column + k * D + c) * master.derivative[at(k)][m];
-        if (slip_point && !own_columns) sum += force.tangent(i, Force::slip_column + c) * slip_point->value[m];
+          sum += force.tangent(i, Force::tangent_column + k * D + c) * master.derivative[at(k)][at(b)];
+        if (slip_point && !own_columns) sum += force.tangent(i, Force::slip_column + c) * slip_point->value[at(b)];
         dt[i * width + column] = w * sum;
       }
       for (int k = 0; k < D - 1; ++k) {
-        double sum = force.shift(k, Force::master_column + c) * master.value[m];
+        double sum = force.shift(k, Force::master_column + c) * master.value[at(b)];
         for (int l = 0; l < D - 1; ++l)
-          sum += force.shift(k, Force::tangent_column + l * D + c) * master.derivative[at(l)][m];
+          sum += force.shift(k, Force::tangent_column + l * D + c) * master.derivative[at(l)][at(b)];
         dxi[k * width + column] = w * sum;
       }
     }

@@ -37,26 +37,28 @@ ContactPoints<D>::ContactPoints(const Surface<D>& slave, int per_direction, bool
           "that take part");
 }
 
-template <int D> Vec<D> position(const ContactPoints<D>& points, const Surface<D>& slave, std::size_t i) {
-  const int element = points.list[i].element;
+namespace {
+
+/// Σ_A R_A x_A at point i (k = 0), or with R_A,k in place of R_A.
+template <int D> inline Vec<D> sum_at(const ContactPoints<D>& points, const Surface<D>& slave, std::size_t i, int k) {
+  const int element = points.list[i].element, n = slave.functions_on(element);
   const int* nodes = slave.nodes(element);
-  const double* values = points.functions(i);
+  const double* values = points.functions(i) + k * n;
   Vec<D> sum = Vec<D>::Zero();
-  for (int a = 0, n = slave.functions_on(element); a < n; ++a) sum += values[a] * slave.points().col(nodes[a]);
+  for (int a = 0; a < n; ++a) sum += values[a] * slave.points().col(nodes[a]);
   return sum;
+}
+
+} // namespace
+
+template <int D> Vec<D> position(const ContactPoints<D>& points, const Surface<D>& slave, std::size_t i) {
+  return sum_at(points, slave, i, 0);
 }
 
 template <int D>
 std::array<Vec<D>, D - 1> tangents(const ContactPoints<D>& points, const Surface<D>& slave, std::size_t i) {
-  const int element = points.list[i].element, n = slave.functions_on(element);
-  const int* nodes = slave.nodes(element);
-  const double* values = points.functions(i);
   std::array<Vec<D>, D - 1> result;
-  for (int k = 0; k < D - 1; ++k) {
-    Vec<D>& tangent = result[at(k)];
-    tangent.setZero();
-    for (int a = 0; a < n; ++a) tangent += values[(k + 1) * n + a] * slave.points().col(nodes[a]);
-  }
+  for (int k = 0; k < D - 1; ++k) result[at(k)] = sum_at(points, slave, i, k + 1);
   return result;
 }
 

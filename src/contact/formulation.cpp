@@ -1,5 +1,6 @@
 #include "contact/formulation.hpp"
 
+#include "base/timer.hpp"
 #include "contact/crossing.hpp"
 
 #include <utility>
@@ -8,12 +9,25 @@ namespace signorini::contact {
 
 template <int D>
 Formulation<D>::Formulation(ContactSetting<D> setting)
-    : faces_(std::move(setting.slave), std::move(setting.master)),
-      points_(faces_.slave, setting.points, setting.revolved, setting.where) {}
+    : slave_(std::move(setting.slave)), master_(std::move(setting.master)), accepted_master_(master_),
+      points_(slave_, setting.points, setting.revolved, setting.where), previous_slave_(slave_.points()) {}
 
 template <int D> void Formulation<D>::move(const double* slave_displacement, const double* master_displacement) {
-  search_seconds_ += faces_.move(slave_displacement, master_displacement, times_search_);
+  slave_.move(slave_displacement);
+  double master_moved;
+  {
+    const ScopedTimer timer(times_search_ ? &search_seconds_ : nullptr);
+    master_moved = master_.move(master_displacement);
+  }
+  // A surface point is a convex combination of control points: none moves farther than the farthest of those.
+  travel_ += std::sqrt((slave_.points() - previous_slave_).colwise().squaredNorm().maxCoeff()) + master_moved;
+  previous_slave_ = slave_.points();
   take_back(blocks_);
+}
+
+template <int D> void Formulation<D>::stand() {
+  accepted_master_ = master_;
+  accepted_travel_ = travel_;
 }
 
 template <int D> void Formulation<D>::append_slave(int element, const Offsets& offsets, std::vector<int>& dofs) const {
@@ -51,7 +65,7 @@ template <int D> void Formulation<D>::commit(History<D>& present, const History<
     if (!present.results[i].settled) unsettled_ = {unsettled_.count + 1, points_.reference[i]};
     if (has_crossed(i, present, accepted)) crossed_ = {crossed_.count + 1, points_.reference[i]};
   }
-  faces_.stand();
+  stand();
 }
 
 /// Whether a point has gone through the master since the accepted state. Hardly any is looked at: one that is farther
@@ -60,18 +74,18 @@ template <int D>
 bool Formulation<D>::has_crossed(std::size_t i, const History<D>& present, const History<D>& accepted) const {
   const PointHistory<D>& point = present.points[i];
   const PointResult<D>& result = present.results[i];
-  const double moved = faces_.travel - faces_.accepted_travel;
-  const double least = point.cleared > 0 ? point.cleared - faces_.travel : point.projection.gap; // distance
+  const double moved = travel_ - accepted_travel_;
+  const double least = point.cleared > 0 ? point.cleared - travel_ : point.projection.gap; // distance
   if (moved <= 0 || least > moved || result.beyond) return false;
   if (result.state == ContactState::stick || result.state == ContactState::slip) return false;
   const Vec<D> outward = slave().outward(tangents(points_, slave(), i)).normalized();
-  return contact::has_crossed(faces_.accepted_master, master(), accepted.results[i].position, result.position, outward,
+  return contact::has_crossed(accepted_master_, master_, accepted.results[i].position, result.position, outward,
                               point.projection);
 }
 
 template <int D> void Formulation<D>::settle(History<D>& accepted) {
-  faces_.travel = 0;
-  faces_.stand();
+  travel_ = 0;
+  stand();
   for (std::size_t i = 0; i < points_.size(); ++i) {
     accepted.points[i].cleared = 0;
     accepted.results[i].position = position(points_, slave(), i);

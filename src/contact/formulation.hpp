@@ -3,7 +3,7 @@
 
 #include "contact/block.hpp"
 #include "contact/history.hpp"
-#include "contact/moving_faces.hpp"
+#include "contact/master.hpp"
 
 #include <memory>
 #include <string>
@@ -31,9 +31,6 @@ struct Controls {
   /// Whether points that touch stick, however far they would slip: while a falling body lands. It sinks in much too
   /// deep at first; were its points to slip there, the direction of slip would flip from one iteration to the next.
   bool landing = false;
-
-  /// See LocalGeometry::tie.
-  double tie() const { return onward ? -guessed : guessed; }
 };
 
 /// A state that is tried out. Evaluations write where searches ended and what the points did into `present`.
@@ -60,8 +57,8 @@ public:
   Formulation(const Formulation&) = delete;
   Formulation& operator=(const Formulation&) = delete;
 
-  const Surface<D>& slave() const { return faces_.slave; }
-  const Master<D>& master() const { return faces_.master; }
+  const Surface<D>& slave() const { return slave_; }
+  const Master<D>& master() const { return master_; }
   const ContactPoints<D>& points() const { return points_; }
   /// Names of the unknowns that it adds to the displacements. Their rows of the residual are to be forces.
   virtual std::vector<std::string> extra_unknowns() const { return {}; }
@@ -88,7 +85,7 @@ public:
   /// were evaluated last. The caller then makes `present` the accepted history.
   void commit(History<D>& present, const History<D>& accepted, double penalty_factor);
   /// The faces have been moved back to the accepted state.
-  void stand() { faces_.stand(); }
+  void stand();
   /// Drops all that evaluations in the past have left behind and that rounding may depend on later, so that what comes
   /// next depends on the accepted state alone. Call it when both faces stand there.
   void settle(History<D>& accepted);
@@ -126,7 +123,11 @@ protected:
   /// The last evaluation's blocks, on their way back to where they came from.
   virtual void take_back(std::vector<Block>& blocks) { blocks.clear(); }
 
-  MovingFaces<D> faces_;
+  Surface<D> slave_;
+  Master<D> master_, accepted_master_;
+  /// Bound on how far slave and master points have moved towards each other, summed over all moves, and when the
+  /// accepted state was reached or returned to.
+  double travel_ = 0, accepted_travel_ = 0;
   ContactPoints<D> points_;
   std::vector<Block> blocks_;
   bool times_search_ = false;
@@ -135,6 +136,7 @@ protected:
 private:
   bool has_crossed(std::size_t i, const History<D>& present, const History<D>& accepted) const;
 
+  Eigen::Matrix<double, D, Eigen::Dynamic> previous_slave_; ///< control points before the last move
   Tally unsettled_, crossed_;
 };
 

@@ -25,7 +25,7 @@ template <int D> struct PointResult {
 /// What a contact point remembers from one evaluation to the next.
 template <int D> struct PointHistory {
   Projection<D> projection; ///< where the next search for the closest point starts
-  double cleared = 0;       ///< value of MovingFaces::travel up to which an open point cannot touch
+  double cleared = 0;       ///< value of Formulation::travel_ up to which an open point cannot touch
   bool slips = false;       ///< has a slip point
   FaceCoordinates<D> slip = FaceCoordinates<D>::Zero();
   double limit = 0;      ///< μ t_N times the area in the accepted state

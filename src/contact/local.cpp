@@ -4,27 +4,9 @@
 
 namespace signorini::contact {
 
-namespace {
-
-/// Index of x_,αβ in FacePoint::second.
-constexpr std::size_t second_index(int alpha, int beta) {
-  return at(alpha + beta);
-}
-
-} // namespace
-
 const char* name_of(ContactState state) {
-  switch (state) {
-  case ContactState::open:
-    return "open";
-  case ContactState::stick:
-    return "stick";
-  case ContactState::slip:
-    return "slip";
-  case ContactState::adhesion:
-    return "adhesion";
-  }
-  return "";
+  constexpr const char* names[] = {"open", "stick", "slip", "adhesion"};
+  return names[static_cast<int>(state)];
 }
 
 template <int D> double slave_measure(const LocalGeometry<D>& geometry, LocalRow<D>& derivative) {
@@ -52,8 +34,7 @@ template <int D> double slave_measure(const LocalGeometry<D>& geometry, LocalRow
   }
 }
 
-template <int D>
-GapRows<D> gap_rows(const LocalGeometry<D>& geometry, Eigen::Matrix<double, D - 1, LocalForce<D>::columns>& shift) {
+template <int D> GapRows<D> gap_rows(const LocalGeometry<D>& geometry, LocalShift<D>& shift) {
   using Force = LocalForce<D>;
   constexpr int tangents = D - 1;
   const FacePoint<D>& master = *geometry.master;
@@ -79,7 +60,7 @@ GapRows<D> gap_rows(const LocalGeometry<D>& geometry, Eigen::Matrix<double, D - 
       right.template segment<D>(0) = tau.transpose();
       right.template segment<D>(Force::master_column) = -tau.transpose();
       right.template segment<D>(Force::tangent_column + D * b) = g * n.transpose();
-      shift.row(b) = right / (tau.squaredNorm() - g * n.dot(master.second[second_index(b, b)]));
+      shift.row(b) = right / (tau.squaredNorm() - g * n.dot(master.second[at(b + b)]));
       rows.normal.noalias() -= (projector * tau) * shift.row(b);
     }
   } else {
@@ -88,9 +69,9 @@ GapRows<D> gap_rows(const LocalGeometry<D>& geometry, Eigen::Matrix<double, D - 
     for (int a = 0; a < tangents; ++a)
       for (int b = 0; b < tangents; ++b) {
         metric(a, b) = master.tangent[at(a)].dot(master.tangent[at(b)]);
-        hessian(a, b) = metric(a, b) - g * n.dot(master.second[second_index(a, b)]);
+        hessian(a, b) = metric(a, b) - g * n.dot(master.second[at(a + b)]);
       }
-    Eigen::Matrix<double, tangents, Force::columns> right = Eigen::Matrix<double, tangents, Force::columns>::Zero();
+    LocalShift<D> right = LocalShift<D>::Zero();
     for (int a = 0; a < tangents; ++a) {
       const auto tau = master.tangent[at(a)].transpose();
       right.row(a).template segment<D>(0) = tau;
@@ -103,7 +84,7 @@ GapRows<D> gap_rows(const LocalGeometry<D>& geometry, Eigen::Matrix<double, D - 
     const Mat<tangents> inverse_metric = metric.inverse();
     for (int a = 0; a < tangents; ++a) {
       LocalRow<D> turn = LocalRow<D>::Zero();
-      for (int b = 0; b < tangents; ++b) turn += n.dot(master.second[second_index(a, b)]) * shift.row(b);
+      for (int b = 0; b < tangents; ++b) turn += n.dot(master.second[at(a + b)]) * shift.row(b);
       turn.template segment<D>(Force::tangent_column + D * a) += n.transpose();
       Vec<D> contravariant = Vec<D>::Zero();
       for (int b = 0; b < tangents; ++b) contravariant += inverse_metric(a, b) * master.tangent[at(b)];
@@ -114,8 +95,7 @@ GapRows<D> gap_rows(const LocalGeometry<D>& geometry, Eigen::Matrix<double, D - 
 }
 
 template <int D>
-void fade_area(const LocalGeometry<D>& geometry, const Eigen::Matrix<double, D - 1, LocalForce<D>::columns>& shift,
-               double& measure, LocalRow<D>& derivative) {
+void fade_area(const LocalGeometry<D>& geometry, const LocalShift<D>& shift, double& measure, LocalRow<D>& derivative) {
   if (geometry.fade == 1) return;
   derivative *= geometry.fade;
   derivative.noalias() += measure * geometry.fade_rate.transpose() * shift;
@@ -124,11 +104,9 @@ void fade_area(const LocalGeometry<D>& geometry, const Eigen::Matrix<double, D -
 
 template double slave_measure<2>(const LocalGeometry<2>&, LocalRow<2>&);
 template double slave_measure<3>(const LocalGeometry<3>&, LocalRow<3>&);
-template void fade_area<2>(const LocalGeometry<2>&, const Eigen::Matrix<double, 1, LocalForce<2>::columns>&, double&,
-                           LocalRow<2>&);
-template void fade_area<3>(const LocalGeometry<3>&, const Eigen::Matrix<double, 2, LocalForce<3>::columns>&, double&,
-                           LocalRow<3>&);
-template GapRows<2> gap_rows<2>(const LocalGeometry<2>&, Eigen::Matrix<double, 1, LocalForce<2>::columns>&);
-template GapRows<3> gap_rows<3>(const LocalGeometry<3>&, Eigen::Matrix<double, 2, LocalForce<3>::columns>&);
+template void fade_area<2>(const LocalGeometry<2>&, const LocalShift<2>&, double&, LocalRow<2>&);
+template void fade_area<3>(const LocalGeometry<3>&, const LocalShift<3>&, double&, LocalRow<3>&);
+template GapRows<2> gap_rows<2>(const LocalGeometry<2>&, LocalShift<2>&);
+template GapRows<3> gap_rows<3>(const LocalGeometry<3>&, LocalShift<3>&);
 
 } // namespace signorini::contact

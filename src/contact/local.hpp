@@ -53,22 +53,21 @@ template <int D> struct LocalForce {
   Eigen::Matrix<double, tangents, columns> shift; ///< ∂ξ̄/∂q; zero at a corner, at an edge but for its direction
 };
 
-/// Derivatives by the local variables q.
+/// Derivatives by the local variables q: of a number, of a vector in space, of face coordinates.
 template <int D> using LocalRow = Eigen::Matrix<double, 1, LocalForce<D>::columns>;
 template <int D> using LocalBlock = Eigen::Matrix<double, D, LocalForce<D>::columns>;
+template <int D> using LocalShift = Eigen::Matrix<double, D - 1, LocalForce<D>::columns>;
 
 /// δg and δn̄ by the local variables, and ∂ξ̄/∂q (thesis A.17, A.18).
 template <int D> struct GapRows {
   LocalRow<D> gap;
   LocalBlock<D> normal;
 };
-template <int D>
-GapRows<D> gap_rows(const LocalGeometry<D>& geometry, Eigen::Matrix<double, D - 1, LocalForce<D>::columns>& shift);
+template <int D> GapRows<D> gap_rows(const LocalGeometry<D>& geometry, LocalShift<D>& shift);
 
 /// Multiplies an area by the part of it that counts: m ← w m, δm ← w δm + m w_,α δξ̄^α.
 template <int D>
-void fade_area(const LocalGeometry<D>& geometry, const Eigen::Matrix<double, D - 1, LocalForce<D>::columns>& shift,
-               double& measure, LocalRow<D>& derivative);
+void fade_area(const LocalGeometry<D>& geometry, const LocalShift<D>& shift, double& measure, LocalRow<D>& derivative);
 
 /// Current area per parametric area, |xˢ_,1| or |xˢ_,1 × xˢ_,2|, axisymmetric 2πr |xˢ_,1|, and its derivative.
 template <int D> double slave_measure(const LocalGeometry<D>& geometry, LocalRow<D>& derivative);

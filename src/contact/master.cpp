@@ -2,8 +2,6 @@
 
 #include "contact/slip.hpp"
 
-#include <Eigen/Geometry>
-
 namespace signorini::contact {
 
 namespace {
@@ -65,18 +63,13 @@ template <int D> void Master<D>::place(FacePoint<D>& point) const {
 template <int D>
 Projection<D> Master<D>::project(const Vec<D>& x, const Projection<D>& seed, FacePoint<D>& point) const {
   if (!shape_) return contact::project(*surface_, boxes_, x, seed, point);
-  point.xi = with_shape<D>(
-      *shape_, [&](const auto& shape) { return FaceCoordinates<D>(closest(shape, Vec<D>(x - translation_))); });
+  point.xi = with_shape<D>(*shape_, [&](const auto& shape) { return closest(shape, Vec<D>(x - translation_)); });
   place(point);
   return {Foot::regular, 0, 0, point.xi, (x - point.position).dot(normal(point))};
 }
 
 template <int D> Vec<D> Master<D>::normal(const FacePoint<D>& point) const {
-  if (!shape_) return surface_->outward(point.tangent).normalized();
-  if constexpr (D == 2)
-    return Vec<2>(point.tangent[0](1), -point.tangent[0](0)).normalized();
-  else
-    return point.tangent[0].cross(point.tangent[1]).normalized();
+  return (shape_ ? normal_of<D>(point.tangent) : surface_->outward(point.tangent)).normalized();
 }
 
 template <int D> double Master<D>::fade(const FaceCoordinates<D>& xi, FaceCoordinates<D>& rate) const {
@@ -103,19 +96,8 @@ template <int D> void Master<D>::locate(const FaceCoordinates<D>& xi, FacePoint<
 
 template <int D>
 FaceCoordinates<D> Master<D>::advance(const FaceCoordinates<D>& slip, const FacePoint<D>& foot, double length) const {
-  const auto advance_on = [&](const auto& shape, const auto& to) {
-    if constexpr (D == 2)
-      return FaceCoordinates<2>(advance_slip(shape, slip(0), to, length));
-    else
-      return advance_slip(shape, slip, to, length);
-  };
-  if (!shape_) return advance_on(*surface_, foot);
-  return with_shape<D>(*shape_, [&](const auto& shape) {
-    if constexpr (D == 2)
-      return advance_on(shape, foot.xi(0));
-    else
-      return advance_on(shape, foot.xi);
-  });
+  if (!shape_) return advance_slip(*surface_, slip, foot, length);
+  return with_shape<D>(*shape_, [&](const auto& shape) { return advance_slip(shape, slip, foot, length); });
 }
 
 template class Master<2>;

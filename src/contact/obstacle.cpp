@@ -2,8 +2,6 @@
 
 #include "base/error.hpp"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -13,9 +11,9 @@ namespace signorini::contact {
 
 namespace {
 
-/// The plane's direction whose turn by −90° is the normal.
-Vec<2> direction(const Plane<2>& plane) {
-  return {-plane.normal(1), plane.normal(0)};
+/// The direction whose turn by −90° is the normal.
+std::array<Vec<2>, 1> across(const Vec<2>& normal) {
+  return {Vec<2>(-normal(1), normal(0))};
 }
 
 /// Unit vectors a, b with a × b = axis: the first from the coordinate axis that `axis` leans to least.
@@ -52,11 +50,6 @@ Cylinder make_cylinder(const Vec<3>& point, const Vec<3>& axis, double radius) {
   return {point, axis.normalized(), radius};
 }
 
-template Plane<2> make_plane<2>(const Vec<2>&, const Vec<2>&);
-template Ball<2> make_ball<2>(const Vec<2>&, double);
-template Plane<3> make_plane<3>(const Vec<3>&, const Vec<3>&);
-template Ball<3> make_ball<3>(const Vec<3>&, double);
-
 template <int D> double largest_coordinate(const Obstacle<D>& obstacle) {
   return std::visit(
       [](const auto& shape) {
@@ -73,22 +66,33 @@ template <int D> double largest_coordinate(const Obstacle<D>& obstacle) {
       obstacle);
 }
 
-template double largest_coordinate<2>(const Obstacle<2>&);
-template double largest_coordinate<3>(const Obstacle<3>&);
-
-double closest(const Plane<2>& plane, const Vec<2>& x) {
-  return direction(plane).dot(x - plane.point);
+template <int D> FaceCoordinates<D> closest(const Plane<D>& plane, const Vec<D>& x) {
+  const auto directions = across(plane.normal);
+  FaceCoordinates<D> xi;
+  for (int a = 0; a < D - 1; ++a) xi(a) = directions[at(a)].dot(x - plane.point);
+  return xi;
 }
 
-double closest(const Ball<2>& ball, const Vec<2>& x) {
+template <int D> void locate(const Plane<D>& plane, FacePoint<D>& point) {
+  point.tangent = across(plane.normal);
+  point.position = plane.point;
+  for (int a = 0; a < D - 1; ++a) point.position += point.xi(a) * point.tangent[at(a)];
+  for (auto& second : point.second) second.setZero();
+}
+
+#define SIGNORINI_INSTANTIATE(D)                                                                                       \
+  template Plane<D> make_plane(const Vec<D>&, const Vec<D>&);                                                          \
+  template Ball<D> make_ball(const Vec<D>&, double);                                                                   \
+  template double largest_coordinate<D>(const Obstacle<D>&);                                                           \
+  template FaceCoordinates<D> closest(const Plane<D>&, const Vec<D>&);                                                 \
+  template void locate(const Plane<D>&, FacePoint<D>&);
+SIGNORINI_INSTANTIATE(2)
+SIGNORINI_INSTANTIATE(3)
+#undef SIGNORINI_INSTANTIATE
+
+FaceCoordinates<2> closest(const Ball<2>& ball, const Vec<2>& x) {
   const Vec<2> out = x - ball.centre;
-  return std::atan2(out(1), out(0));
-}
-
-void locate(const Plane<2>& plane, FacePoint<2>& point) {
-  point.tangent[0] = direction(plane);
-  point.position = plane.point + point.xi(0) * point.tangent[0];
-  point.second[0].setZero();
+  return FaceCoordinates<2>(std::atan2(out(1), out(0)));
 }
 
 void locate(const Ball<2>& ball, FacePoint<2>& point) {
@@ -98,23 +102,21 @@ void locate(const Ball<2>& ball, FacePoint<2>& point) {
   point.second[0] = -out;
 }
 
-double advance_slip(const Plane<2>&, double slip, double foot, double length) {
-  return std::abs(slip - foot) > length ? foot + std::copysign(length, slip - foot) : slip;
+FaceCoordinates<2> advance_slip(const Plane<2>&, const FaceCoordinates<2>& slip, const FacePoint<2>& foot,
+                                double length) {
+  const double way = slip(0) - foot.xi(0);
+  return std::abs(way) > length ? FaceCoordinates<2>(foot.xi(0) + std::copysign(length, way)) : slip;
 }
 
-double advance_slip(const Ball<2>& ball, double slip, double foot, double length) {
+FaceCoordinates<2> advance_slip(const Ball<2>& ball, const FaceCoordinates<2>& slip, const FacePoint<2>& foot,
+                                double length) {
   // The shorter way round; a chord of length L spans the angle 2 asin(L/2R).
-  const double angle = std::remainder(slip - foot, 2 * std::numbers::pi);
+  const double angle = std::remainder(slip(0) - foot.xi(0), 2 * std::numbers::pi);
   const double limit = 2 * std::asin(std::min(1.0, length / (2 * ball.radius)));
-  return std::abs(angle) > limit ? foot + std::copysign(limit, angle) : slip;
+  return std::abs(angle) > limit ? FaceCoordinates<2>(foot.xi(0) + std::copysign(limit, angle)) : slip;
 }
 
 // ── In space ─────────────────────────────────────────────────────────────────────────────────────────────────────────
-
-FaceCoordinates<3> closest(const Plane<3>& plane, const Vec<3>& x) {
-  const auto [a, b] = across(plane.normal);
-  return {a.dot(x - plane.point), b.dot(x - plane.point)};
-}
 
 FaceCoordinates<3> closest(const Ball<3>& ball, const Vec<3>& x) {
   const Vec<3> out = x - ball.centre;
@@ -125,12 +127,6 @@ FaceCoordinates<3> closest(const Cylinder& cylinder, const Vec<3>& x) {
   const auto [a, b] = across(cylinder.axis);
   const Vec<3> out = x - cylinder.point;
   return {std::atan2(b.dot(out), a.dot(out)), cylinder.axis.dot(out)};
-}
-
-void locate(const Plane<3>& plane, FacePoint<3>& point) {
-  point.tangent = across(plane.normal);
-  point.position = plane.point + point.xi(0) * point.tangent[0] + point.xi(1) * point.tangent[1];
-  for (auto& second : point.second) second.setZero();
 }
 
 void locate(const Ball<3>& ball, FacePoint<3>& point) {
@@ -153,16 +149,17 @@ void locate(const Cylinder& cylinder, FacePoint<3>& point) {
   point.second = {-cylinder.radius * out, Vec<3>::Zero(), Vec<3>::Zero()};
 }
 
-FaceCoordinates<3> advance_slip(const Plane<3>&, const FaceCoordinates<3>& slip, const FaceCoordinates<3>& foot,
+FaceCoordinates<3> advance_slip(const Plane<3>&, const FaceCoordinates<3>& slip, const FacePoint<3>& foot,
                                 double length) {
-  const double distance = (slip - foot).norm();
-  return distance > length ? FaceCoordinates<3>(foot + (length / distance) * (slip - foot)) : slip;
+  const FaceCoordinates<3> way = slip - foot.xi;
+  const double distance = way.norm();
+  return distance > length ? FaceCoordinates<3>(foot.xi + (length / distance) * way) : slip;
 }
 
-FaceCoordinates<3> advance_slip(const Ball<3>& ball, const FaceCoordinates<3>& slip, const FaceCoordinates<3>& foot,
+FaceCoordinates<3> advance_slip(const Ball<3>& ball, const FaceCoordinates<3>& slip, const FacePoint<3>& foot,
                                 double length) {
-  FacePoint<3> from, to;
-  from.xi = foot;
+  FacePoint<3> from, to; // without the obstacle's translation
+  from.xi = foot.xi;
   to.xi = slip;
   locate(ball, from);
   locate(ball, to);
@@ -175,11 +172,11 @@ FaceCoordinates<3> advance_slip(const Ball<3>& ball, const FaceCoordinates<3>& s
   return closest(ball, ball.centre + ball.radius * (std::cos(limit) * a + std::sin(limit) * across_a));
 }
 
-FaceCoordinates<3> advance_slip(const Cylinder& cylinder, const FaceCoordinates<3>& slip,
-                                const FaceCoordinates<3>& foot, double length) {
+FaceCoordinates<3> advance_slip(const Cylinder& cylinder, const FaceCoordinates<3>& slip, const FacePoint<3>& foot,
+                                double length) {
   // Along the helix, the shorter way round; a fraction t of it is the chord √((2R sin(tα/2))² + (tz)²), which grows
   // with t.
-  const double angle = std::remainder(slip(0) - foot(0), 2 * std::numbers::pi), height = slip(1) - foot(1);
+  const double angle = std::remainder(slip(0) - foot.xi(0), 2 * std::numbers::pi), height = slip(1) - foot.xi(1);
   const auto chord = [&](double t) { return std::hypot(2 * cylinder.radius * std::sin(t * angle / 2), t * height); };
   if (!(chord(1) > length)) return slip;
   double low = 0, high = 1;
@@ -187,7 +184,7 @@ FaceCoordinates<3> advance_slip(const Cylinder& cylinder, const FaceCoordinates<
     const double middle = (low + high) / 2;
     (chord(middle) > length ? high : low) = middle;
   }
-  return {foot(0) + low * angle, foot(1) + low * height};
+  return {foot.xi(0) + low * angle, foot.xi(1) + low * height};
 }
 
 } // namespace signorini::contact

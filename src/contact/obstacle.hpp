@@ -41,26 +41,27 @@ Cylinder make_cylinder(const Vec<3>& point, const Vec<3>& axis, double radius);
 template <int D> double largest_coordinate(const Obstacle<D>& obstacle);
 
 /// Coordinate of the point of the shape that is closest to x, both without the obstacle's translation.
-double closest(const Plane<2>& plane, const Vec<2>& x);
-double closest(const Ball<2>& ball, const Vec<2>& x);
-FaceCoordinates<3> closest(const Plane<3>& plane, const Vec<3>& x);
+template <int D> FaceCoordinates<D> closest(const Plane<D>& plane, const Vec<D>& x);
+FaceCoordinates<2> closest(const Ball<2>& ball, const Vec<2>& x);
 FaceCoordinates<3> closest(const Ball<3>& ball, const Vec<3>& x);
 FaceCoordinates<3> closest(const Cylinder& cylinder, const Vec<3>& x);
 /// Position, tangents and second derivatives at point.xi; in the plane the tangent turned by −90° points outward, in
 /// space τ₁×τ₂. Those of a ball belong to coordinates of its own there, so that poles are points like others.
-void locate(const Plane<2>& plane, FacePoint<2>& point);
+template <int D> void locate(const Plane<D>& plane, FacePoint<D>& point);
 void locate(const Ball<2>& ball, FacePoint<2>& point);
-void locate(const Plane<3>& plane, FacePoint<3>& point);
 void locate(const Ball<3>& ball, FacePoint<3>& point);
 void locate(const Cylinder& cylinder, FacePoint<3>& point);
-/// The coordinate on the shortest way between `slip` and `foot` whose point has the given distance from that of `foot`.
-double advance_slip(const Plane<2>& plane, double slip, double foot, double length);
-double advance_slip(const Ball<2>& ball, double slip, double foot, double length);
-FaceCoordinates<3> advance_slip(const Plane<3>& plane, const FaceCoordinates<3>& slip, const FaceCoordinates<3>& foot,
+/// The coordinate on the shortest way between `slip` and `foot` whose point has the given distance from that of `foot`,
+/// of which xi alone counts.
+FaceCoordinates<2> advance_slip(const Plane<2>&, const FaceCoordinates<2>& slip, const FacePoint<2>& foot,
                                 double length);
-FaceCoordinates<3> advance_slip(const Ball<3>& ball, const FaceCoordinates<3>& slip, const FaceCoordinates<3>& foot,
+FaceCoordinates<2> advance_slip(const Ball<2>&, const FaceCoordinates<2>& slip, const FacePoint<2>& foot,
                                 double length);
-FaceCoordinates<3> advance_slip(const Cylinder& cylinder, const FaceCoordinates<3>& slip,
-                                const FaceCoordinates<3>& foot, double length);
+FaceCoordinates<3> advance_slip(const Plane<3>&, const FaceCoordinates<3>& slip, const FacePoint<3>& foot,
+                                double length);
+FaceCoordinates<3> advance_slip(const Ball<3>&, const FaceCoordinates<3>& slip, const FacePoint<3>& foot,
+                                double length);
+FaceCoordinates<3> advance_slip(const Cylinder&, const FaceCoordinates<3>& slip, const FacePoint<3>& foot,
+                                double length);
 
 } // namespace signorini::contact

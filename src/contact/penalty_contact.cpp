@@ -31,7 +31,7 @@ template <int D> PenaltyLaw PenaltyContact<D>::scaled(double factor) const {
 template <int D> void PenaltyContact<D>::evaluate_point(std::size_t i, const Trial<D>& trial, Part& part, Feet& at) {
   PointHistory<D>& point = trial.present.points[i];
   const Controls& controls = trial.controls;
-  const double travel = this->faces_.travel;
+  const double travel = this->travel_;
   Held held = controls.held.empty() ? Held::free : controls.held[i];
   if (held == Held::free ? travel + controls.guessed < point.cleared : held == Held::open) return;
   if (!this->find_foot(i, trial, part, at)) return;
@@ -50,7 +50,7 @@ template <int D> void PenaltyContact<D>::evaluate_point(std::size_t i, const Tri
   LocalGeometry<D> geometry = this->geometry(i, trial, at);
   geometry.multiplier = point.multiplier;
   geometry.held = held;
-  geometry.tie = controls.tie();
+  geometry.tie = controls.onward ? -controls.guessed : controls.guessed;
   if (frictional() && !point.slips) remember_touch(i, trial);
   if (frictional() && point.slips) {
     this->master().locate(point.slip, at.slip_point);
@@ -66,7 +66,7 @@ template <int D> void PenaltyContact<D>::remember_touch(std::size_t i, const Tri
   PointHistory<D>& point = trial.present.points[i];
   FacePoint<D> foot;
   const Projection<D> projection =
-      this->faces_.accepted_master.project(trial.accepted.results[i].position, point.projection, foot);
+      this->accepted_master_.project(trial.accepted.results[i].position, point.projection, foot);
   if (projection.foot == Foot::none) return;
   point.slips = true;
   point.slip = projection.xi;
@@ -93,10 +93,8 @@ void PenaltyContact<D>::advance_slip_point(std::size_t i, History<D>& history, c
     point.slips = true;
     point.slip = point.projection.xi;
   } else if (result.state == ContactState::slip) {
-    FacePoint<D> foot;
-    foot.xi = point.projection.xi;
-    master.locate(foot.xi, foot);
-    FacePoint<D> slip_point;
+    FacePoint<D> foot, slip_point;
+    master.locate(point.projection.xi, foot);
     master.locate(point.slip, slip_point);
     // |x̄ᵐ − xᵐ(ξ_sl)| falls to μ t_N/ε_T; the difference is the slip Δγ.
     const double length = law.friction * result.pressure / law.tangential;

@@ -2,8 +2,6 @@
 
 #include "base/index.hpp"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -5,10 +5,11 @@
 
 namespace signorini::contact {
 
-double advance_slip(const Surface<2>& surface, double slip, const FacePoint<2>& foot, double length) {
+FaceCoordinates<2> advance_slip(const Surface<2>& surface, const FaceCoordinates<2>& slip, const FacePoint<2>& foot,
+                                double length) {
   const nurbs::Space1D& space = surface.direction(0);
   // h(ξ) = |x(ξ) − x̄| − L is positive at the old slip point and −L at the foot: bracketed Newton, bisection as guard.
-  double outer = slip, inner = foot.xi(0);
+  double outer = slip(0), inner = foot.xi(0);
   // On a closed curve the short way may lead over the seam, where the parameter jumps by the period.
   const auto& ends = surface.points();
   const double period = space.last() - space.first();
@@ -23,7 +24,7 @@ double advance_slip(const Surface<2>& surface, double slip, const FacePoint<2>& 
     surface.locate(space.find_element(wrapped(xi)), FaceCoordinates<2>(wrapped(xi)), order, point);
   };
   FacePoint<2> point;
-  locate(slip, 0, point);
+  locate(slip(0), 0, point);
   const double present = (point.position - foot.position).norm();
   if (!(present > length)) return slip;
   double xi = inner + (outer - inner) * length / present; // where it were on a straight line of even speed
@@ -40,7 +41,7 @@ double advance_slip(const Surface<2>& surface, double slip, const FacePoint<2>& 
     xi = inside ? next : 0.5 * (outer + inner);
     if (xi == previous) break;
   }
-  return wrapped(xi);
+  return FaceCoordinates<2>(wrapped(xi));
 }
 
 FaceCoordinates<3> advance_slip(const Surface<3>& surface, const FaceCoordinates<3>& slip, const FacePoint<3>& foot,

@@ -319,13 +319,6 @@ template <int D> void Surface<D>::functions(FacePoint<D>& point, int order) cons
   }
 }
 
-template <int D> Vec<D> Surface<D>::outward(const std::array<Vec<D>, D - 1>& tangent) const {
-  if constexpr (D == 2)
-    return orientation_ * Vec<2>(tangent[0](1), -tangent[0](0));
-  else
-    return orientation_ * tangent[0].cross(tangent[1]);
-}
-
 template class Surface<2>;
 template class Surface<3>;
 

@@ -33,6 +33,14 @@ template <int D> struct FacePoint {
   std::array<std::array<double, most_face_functions<D>>, tangents> derivative;
 };
 
+/// Normal times the surface measure: the tangent turned by −90° (2D), τ₁×τ₂ (3D).
+template <int D> Vec<D> normal_of(const std::array<Vec<D>, D - 1>& tangent) {
+  if constexpr (D == 2)
+    return {tangent[0](1), -tangent[0](0)};
+  else
+    return tangent[0].cross(tangent[1]);
+}
+
 /// A face of a body; all face-local indices count the face's own control points.
 template <int D> class Surface {
 public:
@@ -85,8 +93,8 @@ public:
   /// The functions at point.element, point.xi, with first derivatives when `order` is 1.
   void functions(FacePoint<D>& point, int order) const;
 
-  /// Outward normal times the surface measure: ± the tangent turned by 90° (2D), ± τ₁×τ₂ (3D).
-  Vec<D> outward(const std::array<Vec<D>, D - 1>& tangent) const;
+  /// Outward normal times the surface measure.
+  Vec<D> outward(const std::array<Vec<D>, D - 1>& tangent) const { return orientation_ * normal_of<D>(tangent); }
 
 private:
   /// One element: its place along every direction, how many functions and Bézier points it has, and where its parts of

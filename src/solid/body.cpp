@@ -10,22 +10,6 @@
 
 namespace signorini::solid {
 
-ElementQuadrature tensor_product(const std::vector<QuadratureRule>& rules) {
-  int size = 1;
-  for (const QuadratureRule& rule : rules) size *= static_cast<int>(rule.points.size());
-  const int dimensions = static_cast<int>(rules.size());
-  ElementQuadrature result{MatrixX(dimensions, size), VectorX::Ones(size)};
-  for (int q = 0; q < size; ++q)
-    for (int d = 0, rest = q; d < dimensions; ++d) {
-      const QuadratureRule& rule = rules[at(d)];
-      const std::size_t count = rule.points.size(), i = at(rest) % count;
-      result.points(d, q) = rule.points[i];
-      result.weights(q) *= rule.weights[i];
-      rest /= static_cast<int>(count);
-    }
-  return result;
-}
-
 ElementQuadrature element_quadrature(const nurbs::Discretisation& space, int e) {
   std::vector<QuadratureRule> rules;
   for (int d = 0; d < space.parametric_dimension(); ++d) {
@@ -109,13 +93,8 @@ template <int D> KernelArguments Body<D>::arguments(int e) const {
 
 template <int D> void Body<D>::add_element(int e, const MatrixX& points) {
   const ElementQuadrature rule = element_quadrature(*space_, e);
-  ElementTable table{0,
-                     static_cast<int>(rule.weights.size()),
-                     functions_.size(),
-                     weights_.size(),
-                     gradients_.size(),
-                     constants_.size(),
-                     {}};
+  const int count = static_cast<int>(rule.weights.size());
+  ElementTable table{0, count, functions_.size(), weights_.size(), gradients_.size(), constants_.size(), {}};
   for (int q = 0; q < table.points; ++q) {
     const nurbs::ElementBasis basis = space_->basis(e, rule.points.col(q));
     if (q == 0) {
@@ -141,8 +120,7 @@ template <int D> void Body<D>::add_element(int e, const MatrixX& points) {
     }
     weights_.push_back(weight);
   }
-  const std::size_t square = at(table.functions) * at(table.functions);
-  constants_.resize(constants_.size() + at(table.kernels.constant_blocks) * square);
+  constants_.resize(constants_.size() + at(table.kernels.constant_blocks * table.functions * table.functions));
   most_functions_ = std::max(most_functions_, table.functions);
   most_points_ = std::max(most_points_, table.points);
   elements_.push_back(table);

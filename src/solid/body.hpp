@@ -2,6 +2,7 @@
 // A solid body: its function space, its material, and the Gauss-point tables of the reference configuration.
 
 #include "base/eigen.hpp"
+#include "base/index.hpp"
 #include "nurbs/discretisation.hpp"
 #include "solid/material.hpp"
 #include "solid/quadrature.hpp"
@@ -87,13 +88,7 @@ private:
 /// The body of revolution about x = 0 with the same meridian, space and material.
 std::shared_ptr<const Body<2>> revolved(const Body<2>& body);
 
-/// Tensor-product Gauss points of an element: parametric positions (columns) and weights of the parametric box.
-struct ElementQuadrature {
-  MatrixX points;
-  VectorX weights;
-};
+/// Tensor-product Gauss points of an element.
 ElementQuadrature element_quadrature(const nurbs::Discretisation& space, int e);
-/// The rule whose points are all combinations of one rule's per parametric direction, ξ¹ fastest.
-ElementQuadrature tensor_product(const std::vector<QuadratureRule>& rules);
 
 } // namespace signorini::solid

@@ -111,17 +111,15 @@ double stored_energy(const Body<D>& body, const double* displacement, std::span<
   return sum;
 }
 
-template struct ElementArrays<2>;
-template struct ElementArrays<3>;
-template std::vector<double> initial_values<2>(const Body<2>&);
-template std::optional<Inversion> internal_force<2>(const Body<2>&, int, const double*, ElementArrays<2>&, bool,
-                                                    std::span<const double>, std::span<double>);
-template std::vector<double> initial_values<3>(const Body<3>&);
-template std::optional<Inversion> internal_force<3>(const Body<3>&, int, const double*, ElementArrays<3>&, bool,
-                                                    std::span<const double>, std::span<double>);
-template std::optional<Inversion> worst_inversion<2>(const Body<2>&, const double*);
-template std::optional<Inversion> worst_inversion<3>(const Body<3>&, const double*);
-template double stored_energy<2>(const Body<2>&, const double*, std::span<const double>);
-template double stored_energy<3>(const Body<3>&, const double*, std::span<const double>);
+#define SIGNORINI_INSTANTIATE(D)                                                                                       \
+  template struct ElementArrays<D>;                                                                                    \
+  template std::vector<double> initial_values(const Body<D>&);                                                         \
+  template std::optional<Inversion> internal_force(const Body<D>&, int, const double*, ElementArrays<D>&, bool,        \
+                                                   std::span<const double>, std::span<double>);                        \
+  template std::optional<Inversion> worst_inversion(const Body<D>&, const double*);                                    \
+  template double stored_energy(const Body<D>&, const double*, std::span<const double>);
+SIGNORINI_INSTANTIATE(2)
+SIGNORINI_INSTANTIATE(3)
+#undef SIGNORINI_INSTANTIATE
 
 } // namespace signorini::solid

@@ -11,10 +11,21 @@
 
 namespace signorini::solid {
 
+namespace {
+
+Instructions widest_of_processor() {
+#ifdef __x86_64__
+  const bool fma = __builtin_cpu_supports("fma");
+  if (fma && __builtin_cpu_supports("avx512f")) return Instructions::avx512;
+  if (fma && __builtin_cpu_supports("avx2")) return Instructions::avx2;
+#endif
+  return Instructions::sse2;
+}
+
+} // namespace
+
 Instructions widest_instructions(const char* wanted) {
-  const Instructions widest = runs_avx512() ? Instructions::avx512
-                              : runs_avx2() ? Instructions::avx2
-                                            : Instructions::sse2;
+  const Instructions widest = widest_of_processor();
   if (!wanted || !*wanted) return widest;
   for (Instructions known : {Instructions::sse2, Instructions::avx2, Instructions::avx512}) {
     const char* name = instruction_names[static_cast<int>(known)];

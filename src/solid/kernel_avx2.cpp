@@ -5,14 +5,6 @@
 
 namespace signorini::solid {
 
-bool runs_avx2() {
-#ifdef __AVX2__
-  return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-#else
-  return false;
-#endif
-}
-
 Kernel avx2_plane_kernel(int functions) {
   return plane_kernel(functions);
 }

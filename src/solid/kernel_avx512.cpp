@@ -4,14 +4,6 @@
 
 namespace signorini::solid {
 
-bool runs_avx512() {
-#ifdef __AVX512F__
-  return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("fma");
-#else
-  return false;
-#endif
-}
-
 Kernel avx512_space_kernel() {
   return run_space;
 }

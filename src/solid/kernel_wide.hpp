@@ -6,10 +6,6 @@
 
 namespace signorini::solid {
 
-/// Whether this machine has the instructions; false where the program was built for another architecture.
-bool runs_avx2();
-bool runs_avx512();
-
 Kernel avx2_plane_kernel(int functions);
 Kernel avx2_space_kernel();
 Kernel avx512_space_kernel();

@@ -1,6 +1,7 @@
 #include "solid/quadrature.hpp"
 
 #include "base/error.hpp"
+#include "base/index.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -9,8 +10,7 @@ namespace signorini::solid {
 
 QuadratureRule gauss_legendre(int n, double a, double b) {
   require(n >= 1, "a quadrature rule needs at least 1 point, got ", n);
-  QuadratureRule rule{std::vector<double>(static_cast<std::size_t>(n)),
-                      std::vector<double>(static_cast<std::size_t>(n))};
+  QuadratureRule rule{std::vector<double>(at(n)), std::vector<double>(at(n))};
   for (int i = 0; i < n; ++i) {
     // Newton on P_n from Tricomi's start; the three-term recurrence gives P_n and P_{n−1}.
     double x = -std::cos(std::numbers::pi * (i + 0.75) / (n + 0.5)), slope = 1;
@@ -26,12 +26,27 @@ QuadratureRule gauss_legendre(int n, double a, double b) {
       x -= step;
       if (std::abs(step) < 1e-15) break;
     }
-    const std::size_t k = static_cast<std::size_t>(i);
-    rule.points[k] = 0.5 * (a + b) + 0.5 * (b - a) * x;
+    rule.points[at(i)] = 0.5 * (a + b) + 0.5 * (b - a) * x;
     // w_i = 2 / ((1 − x²) P_n'²)
-    rule.weights[k] = (b - a) / ((1 - x * x) * slope * slope);
+    rule.weights[at(i)] = (b - a) / ((1 - x * x) * slope * slope);
   }
   return rule;
+}
+
+ElementQuadrature tensor_product(const std::vector<QuadratureRule>& rules) {
+  int size = 1;
+  for (const QuadratureRule& rule : rules) size *= static_cast<int>(rule.points.size());
+  const int dimensions = static_cast<int>(rules.size());
+  ElementQuadrature result{MatrixX(dimensions, size), VectorX::Ones(size)};
+  for (int q = 0; q < size; ++q)
+    for (int d = 0, rest = q; d < dimensions; ++d) {
+      const auto& [points, weights] = rules[at(d)];
+      const int count = static_cast<int>(points.size());
+      result.points(d, q) = points[at(rest % count)];
+      result.weights(q) *= weights[at(rest % count)];
+      rest /= count;
+    }
+  return result;
 }
 
 } // namespace signorini::solid

@@ -1,5 +1,7 @@
 #pragma once
-// Gauss–Legendre quadrature on an interval.
+// Gauss–Legendre quadrature on intervals and boxes.
+
+#include "base/eigen.hpp"
 
 #include <vector>
 
@@ -11,5 +13,13 @@ struct QuadratureRule {
 
 /// Gauss–Legendre rule of n points on [a, b]; exact for polynomials of degree 2n−1. Throws Error for n < 1.
 QuadratureRule gauss_legendre(int n, double a, double b);
+
+/// Points of a parametric box (columns) and their weights.
+struct ElementQuadrature {
+  MatrixX points;
+  VectorX weights;
+};
+/// The rule whose points are all combinations of one rule's per parametric direction, ξ¹ fastest.
+ElementQuadrature tensor_product(const std::vector<QuadratureRule>& rules);
 
 } // namespace signorini::solid

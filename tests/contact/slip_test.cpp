@@ -24,7 +24,7 @@ TEST(Slip, PointFollowsUntilItIsAtTheGivenDistance) {
     const FacePoint<2> foot = at(uniform(random, knots.first(), knots.last()));
     const double before = (at(slip).position - foot.position).norm();
     const double length = uniform(random, 0, 1) * before;
-    const double after = advance_slip(surface, slip, foot, length);
+    const double after = advance_slip(surface, FaceCoordinates<2>(slip), foot, length)(0);
     EXPECT_GE(after, std::min(slip, foot.xi(0)));
     EXPECT_LE(after, std::max(slip, foot.xi(0)));
     EXPECT_NEAR((at(after).position - foot.position).norm(), length, 1e-13) << "trial " << trial;
@@ -36,8 +36,8 @@ TEST(Slip, StaysWhereItIsAtFullLength) {
                         nurbs::side_of("north", 2));
   FacePoint<2> foot;
   flat.locate(4, FaceCoordinates<2>(0.55), 1, foot);
-  EXPECT_NEAR(advance_slip(flat, 0.2, foot, 3 * 0.35), 0.2, 1e-15);
-  EXPECT_NEAR(advance_slip(flat, 0.9, foot, 0.3), 0.65, 1e-14);
+  EXPECT_NEAR(advance_slip(flat, FaceCoordinates<2>(0.2), foot, 3 * 0.35)(0), 0.2, 1e-15);
+  EXPECT_NEAR(advance_slip(flat, FaceCoordinates<2>(0.9), foot, 0.3)(0), 0.65, 1e-14);
 }
 
 } // namespace slip_test
