@@ -29,6 +29,9 @@ public:
   virtual SolverStatistics statistics() const = 0;
 };
 
+/// By any direct solver of A_ii: one solution for each unknown of the border, and two for each system.
+std::unique_ptr<SchurSolver> make_schur(std::unique_ptr<DirectSolver> interior);
+
 /// By CHOLMOD, which needs a positive definite A_ii: all of L is found at once, the border's part by dense blocks.
 /// Minimum degree orders the interior, nested dissection (METIS) where that leaves more than `dissect_above` operations
 /// for each entry of L.

@@ -3,7 +3,6 @@
 
 #include "nurbs/random_patch.hpp"
 #include "solve/matrices.hpp"
-#include "solve/schur_by_solutions.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,6 @@
 #include "solve/reused.hpp"
 
 #include "solve/matrices.hpp"
-#include "solve/schur_by_solutions.hpp"
 
 #include <Eigen/SparseLU>
 #include <gtest/gtest.h>

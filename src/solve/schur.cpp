@@ -1,13 +1,12 @@
-#pragma once
-// A Schur complement by any direct solver of the interior: what a second solver of this kind needs, and an oracle.
-
 #include "solve/schur.hpp"
 
 #include "base/index.hpp"
 
 #include <utility>
 
-namespace signorini::solve::test {
+namespace signorini::solve {
+
+namespace {
 
 /// By any direct solver of A_ii: one solution for each unknown of the border, and two for each system.
 class BySolutions final : public SchurSolver {
@@ -98,8 +97,10 @@ private:
   VectorX inside_;
 };
 
-inline std::unique_ptr<SchurSolver> make_schur(std::unique_ptr<DirectSolver> interior) {
+} // namespace
+
+std::unique_ptr<SchurSolver> make_schur(std::unique_ptr<DirectSolver> interior) {
   return std::make_unique<BySolutions>(std::move(interior));
 }
 
-} // namespace signorini::solve::test
+} // namespace signorini::solve
