@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/index.hpp"
 #include "base/words.hpp"
+#include "model/constants.hpp"
 #include "model/thickness.hpp"
 
 #include <Eigen/Geometry>
@@ -75,29 +76,26 @@ std::string percent(double part) {
   return text(std::round(1000 * part) / 10, " %");
 }
 
-constexpr double meant = 0.01;   // an overlap by more than this part of the thickness is worth a warning
-constexpr double mistaken = 0.2; // and by more than this an error
-
 /// Checks two bodies whose deepest contact point penetrates; returns a warning, or nothing.
 template <int D>
 std::string check_overlap(const Scene<D>& scene, const Contact<D>& contact, const FaceReference& master,
                           const contact::PointResult<D>& deepest) {
   const double depth = -deepest.gap, behind = thickness(scene, master);
   const double part = depth / std::min(thickness(scene, contact.slave), behind);
-  if (part <= meant) return "";
+  if (part <= meant_overlap) return "";
   const std::string what =
       text("contacts.", contact.name, ": ", face_in_words(scene, contact.slave), " penetrates ",
            face_in_words(scene, master), " by ", number(depth), " before the first step, at ",
            coordinates(deepest.position), ", which is ", percent(part), " of the thickness of the thinner body");
   // Behind the whole of the master's body: its back is what the slave sees.
-  constexpr double all = 0.9;
   const std::string other = nurbs::name_of({master.side.direction, !master.side.at_end});
-  require(part <= mistaken, what, ", more than ", percent(mistaken), ". Hint: ",
-          depth > all * behind ? text("the master may be the wrong face, with its normal pointing away from the slave; "
-                                      "did you mean face '",
-                                      other, "'?")
-                               : "move the bodies apart; if they are in place, the slave or the master is the wrong "
-                                 "face, or its normal is reversed");
+  require(part <= mistaken_overlap, what, ", more than ", percent(mistaken_overlap), ". Hint: ",
+          depth > whole_depth * behind
+              ? text("the master may be the wrong face, with its normal pointing away from the slave; "
+                     "did you mean face '",
+                     other, "'?")
+              : "move the bodies apart; if they are in place, the slave or the master is the wrong "
+                "face, or its normal is reversed");
   return text(what, ". Hint: the first step removes an overlap that is meant (an interference fit); otherwise move the "
                     "bodies apart, or check that both faces are the right ones and no normal is reversed");
 }
@@ -106,7 +104,6 @@ std::string check_overlap(const Scene<D>& scene, const Contact<D>& contact, cons
 
 template <int D>
 std::vector<std::string> check_clearance(const Scene<D>& scene, const std::vector<contact::History<D>>& contacts) {
-  constexpr double tolerated = 0.01;
   std::vector<std::string> warnings;
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const Contact<D>& contact = scene.contacts[k];
@@ -122,8 +119,8 @@ std::vector<std::string> check_clearance(const Scene<D>& scene, const std::vecto
     const contact::Obstacle<D>& obstacle = scene.obstacles[at(std::get<ObstacleReference>(contact.master).obstacle)];
     // A thin body lies behind an obstacle before it is 1 % of its length deep.
     const double size = size_of(named.body->space().points());
-    require(deepest.gap > -tolerated * size &&
-                (deepest.gap >= 0 || deepest.gap > -mistaken * thickness(scene, contact.slave)),
+    require(deepest.gap > -obstacle_overlap * size &&
+                (deepest.gap >= 0 || deepest.gap > -mistaken_overlap * thickness(scene, contact.slave)),
             "contacts: the obstacle of '", contact.name, "' is inside body '", named.name,
             "' at the start: the face reaches ", -deepest.gap, " deep into it at ", coordinates(deepest.position),
             "; move the obstacle out, or turn its normal round",

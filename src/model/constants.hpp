@@ -45,6 +45,33 @@ inline constexpr std::size_t remembered_evaluations = 24, recent_evaluations = 8
 /// How often points that change too often may be held, freed, and held again.
 inline constexpr int most_rounds = 5;
 
+// ── Bodies that overlap at the start ─────────────────────────────────────────────────────────────────────────────────
+
+/// An overlap is worth a warning above the first part of the thinner body's thickness, and an error above the second:
+/// interference fits are below a hundredth.
+inline constexpr double meant_overlap = 0.01, mistaken_overlap = 0.2;
+/// Of the thickness of the master's body: a slave that is so deep in it looks at the body's back.
+inline constexpr double whole_depth = 0.9;
+/// Overlap with a rigid obstacle, as a part of the body's size, that rounding and drawing leave.
+inline constexpr double obstacle_overlap = 0.01;
+
+// ── Diagnosis ────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+/// Places that a diagnosis names at most.
+inline constexpr std::size_t most_places = 5;
+/// A direction belongs to a body that has more than the first part of it, and moves it as a whole where less than the
+/// second part deforms it.
+inline constexpr double own_part = 0.5, deformed_part = 0.01;
+/// A body slides on a face where less than this part of its motion leads across.
+inline constexpr double across_part = 0.1;
+
+// ── Threads ──────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+/// Shares of a body at most: more than cores, since contacts are shared out as well.
+inline constexpr int most_shares = 4;
+/// Elements in a share: 30 µs of work, several times what it takes to wake a thread.
+template <int D> inline constexpr int worth_sharing = D == 2 ? 64 : 8;
+
 // ── Warnings ─────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 /// Poisson's ratio from which elements of degree 1 lock, and beyond which those of any degree do:

@@ -19,8 +19,6 @@ namespace {
 
 using solve::Outcome;
 
-constexpr std::size_t most_places = 5;
-
 /// Displacement of a control point in the accepted state.
 template <int D> VectorX accepted_displacement(const Model<D>& model, int body, int function) {
   return model.accepted.displacement.template segment<D>(model.system.unknowns.offset(body) + D * function);
@@ -138,16 +136,15 @@ template <int D> std::string rigid_part(const Model<D>& model, const VectorX& di
     const auto& named = model.system.scene.bodies[b];
     const auto own = moves_of(model, b, all);
     const Vec<D> mean = own.rowwise().mean();
-    constexpr double whole = 0.01;
-    if (own.norm() < 0.5 * all.norm()) continue;
-    if ((own.colwise() - mean).norm() <= whole * own.norm())
+    if (own.norm() < own_part * all.norm()) continue;
+    if ((own.colwise() - mean).norm() <= deformed_part * own.norm())
       return text("body '", named.name, "' moves as a whole along ", coordinates(mean / mean.norm()));
     // what u = Σ_m a_m m leaves over the rigid motions m, in the sense of least squares
     const std::vector<VectorX> motions = rigid_motions<D>(named.body->space().points(), model.system.scene.kind);
     MatrixX columns(own.size(), static_cast<Eigen::Index>(motions.size()));
     for (std::size_t m = 0; m < motions.size(); ++m) columns.col(static_cast<Eigen::Index>(m)) = motions[m];
     const VectorX flat = Eigen::Map<const VectorX>(own.data(), own.size());
-    if (residual_of(orthonormal(columns), flat).norm() <= whole * flat.norm())
+    if (residual_of(orthonormal(columns), flat).norm() <= deformed_part * flat.norm())
       return text("body '", named.name, "' turns as a whole");
   }
   return "";
@@ -169,12 +166,11 @@ template <int D> bool slides(const Model<D>& model, std::size_t contact, std::si
   const auto* face = std::get_if<FaceReference>(&named.master);
   const bool is_part = at(named.slave.body) == body || (face && at(face->body) == body);
   if (model.system.contacts[contact]->friction() > 0 || !is_part) return false;
-  constexpr double along = 0.1; // the rest across the face, as a part of d
   bool touches = false;
   for (const auto& point : model.present.contacts[contact].results) {
     if (point.state == contact::ContactState::open) continue;
     if (point.state == contact::ContactState::adhesion) return false;
-    if (residual_of(orthonormal(point.tangents), d).norm() > along * d.norm()) return false;
+    if (residual_of(orthonormal(point.tangents), d).norm() > across_part * d.norm()) return false;
     touches = true;
   }
   return touches;
@@ -187,7 +183,7 @@ template <int D> std::string cure_of_sliding(const Model<D>& model, const Vector
     const auto& named = model.system.scene.bodies[b];
     const auto own = moves_of(model, b, all);
     const Vec<D> mean = own.rowwise().mean();
-    if (mean.norm() * std::sqrt(static_cast<double>(own.cols())) < 0.5 * all.norm()) continue;
+    if (mean.norm() * std::sqrt(static_cast<double>(own.cols())) < own_part * all.norm()) continue;
     for (std::size_t k = 0; k < model.system.scene.contacts.size(); ++k)
       if (slides(model, k, b, mean))
         return text("contact '", model.system.scene.contacts[k].name, "' is frictionless, so nothing holds body '",

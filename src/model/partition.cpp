@@ -1,16 +1,13 @@
 #include "model/partition.hpp"
 
 #include "base/index.hpp"
+#include "model/constants.hpp"
 
 #include <algorithm>
 
 namespace signorini::model {
 
 namespace {
-
-constexpr int most_shares = 4; // more than cores: contacts are shared out beside them
-/// Elements in a share: 30 µs of work, several times what it takes to wake a thread.
-template <int D> constexpr int worth_sharing = D == 2 ? 64 : 8;
 
 /// The slabs of a body across one parametric direction.
 struct Slabs {

@@ -1,5 +1,7 @@
 #pragma once
-// Numbers that the linear solvers were tuned with, and why. Measurements: share/doc/benchmark.md.
+// Numbers that the linear solvers and Newton's method were tuned with, and why. Measurements: share/doc/benchmark.md.
+
+#include <cstddef>
 
 namespace signorini::solve {
 
@@ -46,5 +48,42 @@ inline constexpr double dissection_above = 500;
 /// Growth of the operations at which a dissection is made again for a new pattern: it takes as long as a few
 /// factorizations, and contacts that slide on change few entries.
 inline constexpr double stale_dissection = 1.2;
+
+// ── Newton's method ──────────────────────────────────────────────────────────────────────────────────────────────────
+
+/// Where the residual is promised to fall below this part of what is asked, it is computed alone: the tangent would not
+/// be used.
+inline constexpr double surely_enough = 0.1;
+/// Residuals within this many times what rounding leaves of them, which fall by less than the factor, have stagnated:
+/// Newton's method would halve them at least.
+inline constexpr double near_floor = 10, least_fall = 0.5;
+/// Growth of the residual, relative to forces and first residual, that no Newton iteration recovers from.
+inline constexpr double hopeless = 1e12;
+
+// ── Line search ──────────────────────────────────────────────────────────────────────────────────────────────────────
+
+/// Least part of a move: seven halvings.
+inline constexpr double shortest_part = 1.0 / 128;
+/// Part of the decrease that the slope promises that a move has to bring (L. Armijo, 1966), below the largest of this
+/// many residuals (L. Grippo, F. Lampariello, S. Lucidi, SIAM J. Numer. Anal. 23, 1986).
+inline constexpr double least_decrease = 1e-4;
+inline constexpr std::size_t residual_memory = 4;
+/// A guess is kept within these parts of the last one, or this far from the ends of its bracket.
+inline constexpr double most_shortened = 0.1, least_shortened = 0.5;
+/// The slope along a move has to fall to this part, in so many trials: an exact search pays nowhere.
+inline constexpr double enough_slope = 0.5;
+inline constexpr int most_slope_trials = 10;
+
+// ── Pseudo-transient continuation ────────────────────────────────────────────────────────────────────────────────────
+
+/// Largest error of an accepted move, relative to the residual; below the first part of it damping falls by the
+/// divisor, above the second it grows by the factor.
+inline constexpr double most_pseudo_error = 0.5, small_pseudo_error = 0.2, large_pseudo_error = 0.5;
+inline constexpr double damping_fall = 5, damping_growth = 2;
+/// Growth of the damping after a move that is refused, and its least value then, relative to the diagonal.
+inline constexpr double damping_retry = 4, least_pseudo_damping = 1e-5;
+/// Damping, relative to the diagonal, from which a move is so short that it goes over a jump of the residual if there
+/// is one.
+inline constexpr double strong_damping = 10;
 
 } // namespace signorini::solve

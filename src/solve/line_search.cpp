@@ -1,6 +1,7 @@
 #include "solve/line_search.hpp"
 
 #include "base/error.hpp"
+#include "solve/constants.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,39 +10,33 @@ namespace signorini::solve {
 
 namespace {
 
-constexpr double shortest = 1.0 / 128;
-
 std::optional<double> by_residual(const std::function<Trial(double)>& evaluate, const std::vector<double>& residuals) {
-  constexpr double decrease = 1e-4;
-  constexpr std::size_t memory = 4;
-  const std::size_t first = residuals.size() - std::min(residuals.size(), memory);
+  const std::size_t first = residuals.size() - std::min(residuals.size(), residual_memory);
   const double highest = *std::max_element(residuals.begin() + static_cast<std::ptrdiff_t>(first), residuals.end());
   const double start = residuals.back();
-  for (double s = 1; s >= shortest;) {
+  for (double s = 1; s >= shortest_part;) {
     const double now = evaluate(s).residual;
-    if (now <= (1 - decrease * s) * highest) return s;
+    if (now <= (1 - least_decrease * s) * highest) return s;
     // φ(s) = |f|², φ(0) = start², φ′(0) = −2 start² for the exact tangent: the parabola through φ(s) has its minimum at
     //   s* = start² s² / (φ(s) − start² + 2 start² s)
     const double ratio = (now / start) * (now / start);
     const double next = s * s / (ratio - 1 + 2 * s);
     // Where there is no state at all, the parabola knows nothing.
-    s = std::isfinite(now) ? std::clamp(next, 0.1 * s, 0.5 * s) : 0.5 * s;
+    s = std::isfinite(now) ? std::clamp(next, most_shortened * s, least_shortened * s) : least_shortened * s;
   }
   return std::nullopt;
 }
 
 std::optional<double> by_energy(const std::function<Trial(double)>& evaluate, double slope) {
-  constexpr double small = 0.5;
-  constexpr int most = 10;
   double low = 0, low_slope = slope, high = 1, high_slope = 0;
   double s = 1;
-  for (int i = 0; i < most; ++i) {
+  for (int i = 0; i < most_slope_trials; ++i) {
     const Trial now = evaluate(s);
     if (!std::isfinite(now.residual)) { // where there is no state at all, try nearer
       high = s;
       high_slope = 0;
       s = 0.5 * (low + s);
-    } else if (std::abs(now.slope) <= small * std::abs(slope)) {
+    } else if (std::abs(now.slope) <= enough_slope * std::abs(slope)) {
       return s;
     } else if (now.slope * slope > 0) { // not yet far enough: kept where the whole move ends or states do
       if (s == 1 || high_slope == 0) return s;
@@ -53,9 +48,9 @@ std::optional<double> by_energy(const std::function<Trial(double)>& evaluate, do
       high_slope = now.slope;
       // Regula falsi, kept away from the ends
       const double root = low + (high - low) * low_slope / (low_slope - high_slope);
-      s = std::clamp(root, low + 0.1 * (high - low), high - 0.1 * (high - low));
+      s = std::clamp(root, low + most_shortened * (high - low), high - most_shortened * (high - low));
     }
-    if (s < shortest) return std::nullopt;
+    if (s < shortest_part) return std::nullopt;
   }
   return std::nullopt;
 }

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
 #include "base/words.hpp"
+#include "solve/constants.hpp"
 
 #include <cmath>
 #include <iterator>
@@ -31,10 +32,9 @@ double predicted_residual(const std::vector<double>& residuals) {
 
 /// Whether the residual is near what rounding leaves of it and falls no more: Newton's method would halve it at least.
 bool stagnates(const std::vector<double>& residuals, double floor) {
-  constexpr double near = 10, falling = 0.5;
   const std::size_t n = residuals.size();
-  return n >= 3 && residuals[n - 1] <= near * floor && residuals[n - 1] > falling * residuals[n - 2] &&
-         residuals[n - 2] <= near * floor;
+  return n >= 3 && residuals[n - 1] <= near_floor * floor && residuals[n - 1] > least_fall * residuals[n - 2] &&
+         residuals[n - 2] <= near_floor * floor;
 }
 
 bool search(const NewtonSystem& system, LineSearchKind kind, NewtonReport& report) {
@@ -61,7 +61,7 @@ bool iterate(const NewtonSystem& system, const NewtonOptions& options, bool pend
   const Iteration acknowledged;
   std::string why;
   // Where quadratic convergence promises the last iteration, the residual alone is enough to confirm it.
-  const bool tangent = predicted_residual(report.residuals) > 0.1 * report.enough;
+  const bool tangent = predicted_residual(report.residuals) > surely_enough * report.enough;
   if (const Outcome state = system.assemble(tangent, why); state != Outcome::converged) return stop(state, why);
   const double residual = system.residual();
   report.residuals.push_back(residual);
@@ -79,14 +79,13 @@ bool iterate(const NewtonSystem& system, const NewtonOptions& options, bool pend
     report.begun = report.iterations;
     return true;
   }
-  // Far beyond anything that a Newton iteration recovers from
-  constexpr double hopeless = 1e12;
   if (residual > hopeless * (system.scale() + report.residuals.front()))
     return stop(Outcome::diverged, text("the residual grew to ", residual));
   if (report.iterations - report.begun >= options.iterations)
     return stop(Outcome::iteration_limit,
                 text("no convergence in ", counted(options.iterations, "iteration"), "; the residual is ", residual,
-                     ", asked was ", report.enough, residual <= 10 * floor ? ", near what rounding leaves of it" : ""));
+                     ", asked was ", report.enough,
+                     residual <= near_floor * floor ? ", near what rounding leaves of it" : ""));
   if (!tangent)
     if (const Outcome state = system.assemble(true, why); state != Outcome::converged) return stop(state, why);
   if (interrupted()) return stop_by_user();

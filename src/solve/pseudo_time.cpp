@@ -1,22 +1,21 @@
 #include "solve/pseudo_time.hpp"
 
+#include "solve/constants.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 namespace signorini::solve {
 
 bool PseudoTime::accept(double error) {
-  constexpr double largest = 0.5, least = 1e-5;
-  // A move this short, next to that of the diagonal alone, goes over a jump of the residual if there is one.
-  constexpr double strong = 10;
-  if (!(error <= largest) && !(damping_ > strong && std::isfinite(error))) {
-    damping_ = std::max(4 * damping_, least);
+  if (!(error <= most_pseudo_error) && !(damping_ > strong_damping && std::isfinite(error))) {
+    damping_ = std::max(damping_retry * damping_, least_pseudo_damping);
     return false;
   }
-  if (error < 0.2 * largest)
-    damping_ /= 5;
-  else if (error > 0.5 * largest)
-    damping_ *= 2;
+  if (error < small_pseudo_error * most_pseudo_error)
+    damping_ /= damping_fall;
+  else if (error > large_pseudo_error * most_pseudo_error)
+    damping_ *= damping_growth;
   return true;
 }
 
