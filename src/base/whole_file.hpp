@@ -6,7 +6,7 @@
 
 namespace signorini {
 
-/// Puts the bytes into a temporary file beside `file`, then renames it; `durable`: they are on the disk before the old
+/// Puts the bytes into a temporary file next to `file`, then renames it; `durable`: they are on the disk before the old
 /// file goes. Throws Error when the folder does not exist or the file cannot be written.
 void write_whole(const std::string& file, std::string_view bytes, bool durable = false);
 

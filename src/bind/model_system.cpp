@@ -113,9 +113,8 @@ void push_spots(lua_State* L, const char* key, const std::vector<model::TroubleS
 
 template <int D> int diagnose(lua_State* L) {
   const Model<D>& model = self<Model<D>>(L);
-  require(model->step.has_value(),
-          "there is no step to diagnose: call it after a solve_step, iterate or solve_arc that "
-          "failed, before model:rollback()");
+  require(model->step.has_value(), "no step to diagnose: call diagnose after a solve_step, iterate or solve_arc that "
+                                   "failed, before model:rollback()");
   model::ControlsOn on;
   if (!lua_isnoneornil(L, 2)) {
     const Argument argument{"on", "names of controls that are on already"};

@@ -11,7 +11,7 @@ void write(ArchiveWriter& to, const Obstacle<3>& obstacle);
 Obstacle<2> read(ArchiveReader& from, std::type_identity<Obstacle<2>>);
 Obstacle<3> read(ArchiveReader& from, std::type_identity<Obstacle<3>>);
 
-/// Throws Error for a formulation of one's own, of which nobody else knows.
+/// Throws Error for a user-defined formulation: files hold only those of the program.
 template <int D> void write(ArchiveWriter& to, const Method<D>& method);
 template <int D> Method<D> read_method(ArchiveReader& from);
 

@@ -2,7 +2,7 @@
 
 #include "base/error.hpp"
 #include "contact/local.hpp"
-#include "solid/body.hpp"
+#include "solid/quadrature.hpp"
 
 namespace signorini::contact {
 

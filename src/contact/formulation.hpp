@@ -60,7 +60,7 @@ public:
   const Surface<D>& slave() const { return slave_; }
   const Master<D>& master() const { return master_; }
   const ContactPoints<D>& points() const { return points_; }
-  /// Names of the unknowns that it adds to the displacements. Their rows of the residual are to be forces.
+  /// Names of the unknowns that it adds to the displacements. Their rows of the residual must be forces.
   virtual std::vector<std::string> extra_unknowns() const { return {}; }
   /// Whether what it adds to the tangent is symmetric.
   virtual bool has_potential() const = 0;
@@ -92,7 +92,7 @@ public:
   /// Uzawa's step of the augmented Lagrangian method (J. C. Simo, T. A. Laursen, Comput. Struct. 42, 1992), where the
   /// formulation has multipliers that are no unknowns.
   virtual void augment(History<D>&) const {}
-  /// How far points that press are off the master, at most, as far as augmentation can mend it.
+  /// Largest distance from the master of a point that presses, as far as augmentation reduces it.
   virtual double violation(const History<D>&) const { return 0; }
 
   /// What an error in all gaps and slips, each on its own, is multiplied by in the residual: ‖a ∂t/∂g‖ over the points

@@ -9,7 +9,7 @@
 
 namespace signorini::contact {
 
-/// Makes a formulation of one's own. Scenes with one can be solved, but not saved.
+/// Makes a user-defined formulation. Scenes with one can be solved, but not saved.
 template <int D> using Maker = std::function<std::unique_ptr<Formulation<D>>(ContactSetting<D>)>;
 
 /// What acts between a slave face and its master: one entry per formulation, with its constants.

@@ -33,7 +33,7 @@ template <int D> double rounding_floor(const Model<D>& model);
 /// not touch yet, stick where they land; returns whether there are any.
 template <int D> bool begin_contacts(Model<D>& model, const ActiveSetOptions& options, bool damping);
 
-/// Judges a state that move_by() has led to by the default tolerance; throws Error where it is no equilibrium.
+/// Compares the residual after move_by() with the default tolerance: the step has converged, or throws Error.
 template <int D> void judge_lead(Model<D>& model);
 
 } // namespace signorini::model

@@ -87,9 +87,10 @@ template <int D> Step begin_step(Model<D>& model, const StepOptions& options) {
 
 /// Lets a rule decide what only rounding error decides, where a step to other targets begins.
 template <int D> void guess(Model<D>& model, bool wanted) {
+  const double distance = wanted ? gap_rounding * largest_position(model) : 0;
   const bool onward = wanted && straight_ratio(model, model.targets).value_or(-1) > 0;
   for (auto& control : model.controls) {
-    control.guessed = wanted ? gap_rounding * largest_position(model) : 0;
+    control.guessed = distance;
     control.onward = onward;
   }
 }

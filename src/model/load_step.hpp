@@ -1,5 +1,5 @@
 #pragma once
-// A step to the targets by Newton's method, whole or one iteration at a time, and loops of a user's own.
+// A step to the targets by Newton's method, whole or one iteration at a time, and user-defined loops.
 
 #include "model/model.hpp"
 
@@ -12,7 +12,7 @@ template <int D> solve::NewtonReport solve_step(Model<D>& model, const StepOptio
 /// step. Returns the report so far; nothing happens any more once it is not `iterating`.
 template <int D> const solve::NewtonReport& iterate(Model<D>& model, const StepOptions& options);
 
-/// Adds a change of one's own to the unknowns; the first move of a step brings the prescribed displacements to their
+/// Adds a given change to the unknowns; the first move of a step brings the prescribed displacements to their
 /// targets with it. solve_step() and iterate() go on from there, and accept() looks whether it is in equilibrium.
 /// Throws Error for another number of values than there are unknowns.
 template <int D> void move_by(Model<D>& model, const VectorX& change);

@@ -92,7 +92,7 @@ template <int D> void accept(Model<D>& model) {
 template <int D> void rollback(Model<D>& model) {
   model.step.reset();
   model.inversion.reset();
-  set_penalty_factor(model, model.accepted.penalty_factor);
+  for (auto& history : model.accepted.contacts) look_again(history); // the penalty may have been another
   model.present = model.accepted;
   model.targets = model.accepted.targets;
   model.controls.assign(model.system.contacts.size(), {});

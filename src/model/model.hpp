@@ -8,7 +8,7 @@
 
 namespace signorini::model {
 
-/// The parts are open to what takes steps: load_step.hpp (to the targets, and loops of a user's own) and arc.hpp (along
+/// The parts are open to what takes steps: load_step.hpp (to the targets, and user-defined loops) and arc.hpp (along
 /// the path). Before a step and after a roll-back the present state is the accepted one.
 template <int D> struct Model {
   explicit Model(Scene<D> scene);
@@ -32,7 +32,7 @@ template <int D> struct Model {
   std::vector<std::string> scene_warnings; ///< what may be wrong with the scene, in sentences
 };
 
-/// What a component of a drive (index into Drives::all()) shall be at the end of the next step.
+/// Sets what a component of a drive (index into Drives::all()) will be at the end of the next step.
 template <int D> void set_target(Model<D>& model, int drive, int component, double value);
 /// What it is in the accepted state.
 template <int D> double accepted_target(const Model<D>& model, int drive, int component);

@@ -20,16 +20,14 @@ template <int D> struct Pieces {
     return result;
   }
 
-  /// Cuts the piece of element e along two directions, the parameters of `xi` fixed in the third one.
-  void cut(Sampling<D>& sampling, int e, std::array<int, 2> along, VectorX xi,
+  /// Cuts the piece of element e along two directions, which in a solid has fixed `fractions` in the third one.
+  void cut(Sampling<D>& sampling, int e, std::array<int, 2> along, Vec<D> fractions,
            const std::vector<Window>& windows) const {
     const nurbs::Discretisation& space = model.system.scene.bodies[at(body)].body->space();
     const auto at_fractions = [&](double s, double t) {
-      for (auto [direction, fraction] : {std::pair{along[0], s}, std::pair{along[1], t}}) {
-        const auto [from, to] = space.interval(e, direction);
-        xi(direction) = from + (to - from) * fraction;
-      }
-      return place(e, xi);
+      fractions(along[0]) = s;
+      fractions(along[1]) = t;
+      return place(e, space.parameter(e, fractions));
     };
     const auto cuts = window_cuts(at_fractions, windows, true);
     for (std::size_t i : {0, 1}) add_cuts(sampling[at(along[i])][at(space.element_index(e, along[i]))], cuts[i]);
@@ -53,15 +51,12 @@ Sampling<D> sampling(const Model<D>& model, int body, int divisions, bool deform
   const Pieces<D> pieces{model, body, deformed};
   for (int e = 0; e < space.elements(); ++e) {
     if constexpr (D == 2)
-      pieces.cut(result, e, {0, 1}, VectorX(2), windows);
+      pieces.cut(result, e, {0, 1}, Vec<2>::Zero(), windows);
     else
       for (int d = 0; d < 3; ++d)
-        for (int end : {0, 1}) {
-          if (space.element_index(e, d) != (end == 0 ? 0 : space.elements(d) - 1)) continue;
-          VectorX xi(3);
-          xi(d) = space.interval(e, d)[at(end)];
-          pieces.cut(result, e, {d == 0 ? 1 : 0, d == 2 ? 1 : 2}, xi, windows);
-        }
+        for (bool at_end : {false, true})
+          if (space.touches(e, {d, at_end}))
+            pieces.cut(result, e, {d == 0 ? 1 : 0, d == 2 ? 1 : 2}, at_end ? Vec<3>::Ones() : Vec<3>::Zero(), windows);
   }
   return result;
 }

@@ -36,14 +36,11 @@ struct SkinSide {
 
   /// At the fractions s and t of element e's way along the side.
   VectorX parameter(int e, double s, double t) const {
-    VectorX xi(3);
-    const auto through = space().interval(e, side.direction);
-    xi(side.direction) = side.at_end ? through[1] : through[0];
-    for (auto [direction, fraction] : {std::pair{along(0), s}, std::pair{along(1), t}}) {
-      const auto [from, to] = space().interval(e, direction);
-      xi(direction) = from + (to - from) * fraction;
-    }
-    return xi;
+    Vec<3> fractions;
+    fractions(side.direction) = side.at_end;
+    fractions(along(0)) = s;
+    fractions(along(1)) = t;
+    return space().parameter(e, fractions);
   }
 
   SkinPoint point(int e, double s, double t, const Field<3>* field) const {
@@ -134,7 +131,7 @@ Tessellation tessellate(const Model<2>& model, int body, const Field<2>* field, 
   const solid::Body<2>& solid = *model.system.scene.bodies[at(body)].body;
   const nurbs::Discretisation& space = solid.space();
   const auto grid_at = [&](int e, Eigen::Index first) {
-    return Grid{sampling[0][at(e % space.elements(0))], sampling[1][at(e / space.elements(0))], first};
+    return Grid{sampling[0][at(space.element_index(e, 0))], sampling[1][at(space.element_index(e, 1))], first};
   };
   Eigen::Index points = 0, triangles = 0;
   for (int e = 0; e < space.elements(); ++e) {
@@ -146,15 +143,12 @@ Tessellation tessellate(const Model<2>& model, int body, const Field<2>* field, 
   result.triangles.resize(3, triangles);
   if (field) result.values.resize(points);
 
-  VectorX xi(2);
   Eigen::Index first = 0, triangle = 0;
   for (int e = 0; e < space.elements(); ++e) {
     const Grid grid = grid_at(e, first);
-    const auto [a, b] = space.interval(e, 0);
-    const auto [c, d] = space.interval(e, 1);
     for (int q = 0; q < grid.rows(); ++q)
       for (int p = 0; p < grid.columns(); ++p) {
-        xi << a + (b - a) * grid.along[at(p)], c + (d - c) * grid.across[at(q)];
+        const VectorX xi = space.parameter(e, Vec<2>(grid.along[at(p)], grid.across[at(q)]));
         const BodyPoint<2> point = regular_point(model, body, e, xi);
         const Eigen::Index here = grid(p, q);
         result.points.col(here).head<2>() = point.reference;
@@ -237,16 +231,8 @@ std::vector<Inside> crossed_elements(const Model<3>& model, int body, const Fiel
   const int side = divisions + 1;
   std::vector<Inside> result;
   for (int e = 0; e < space.elements(); ++e) {
-    const auto parameter = [&](const Vec<3>& fraction) {
-      VectorX xi(3);
-      for (int d = 0; d < 3; ++d) {
-        const auto [from, to] = space.interval(e, d);
-        xi(d) = from + (to - from) * fraction(d);
-      }
-      return xi;
-    };
     // An element lies in the hull of its control points.
-    const std::vector<int> functions = space.basis(e, parameter(Vec<3>::Constant(0.5))).functions;
+    const std::vector<int> functions = space.basis(e, space.parameter(e, Vec<3>::Constant(0.5))).functions;
     const bool crossed = std::any_of(planes.begin(), planes.end(), [&](const Plane& plane) {
       double low = std::numeric_limits<double>::infinity(), high = -low;
       for (int f : functions) {
@@ -260,7 +246,7 @@ std::vector<Inside> crossed_elements(const Model<3>& model, int body, const Fiel
     if (field) inside.values.resize(inside.points.cols());
     for (int p = 0; p < inside.points.cols(); ++p) {
       const Vec<3> fraction = Vec<3>(p % side, p / side % side, p / side / side) / divisions;
-      const BodyPoint<3> point = regular_point(model, body, e, parameter(fraction));
+      const BodyPoint<3> point = regular_point(model, body, e, space.parameter(e, fraction));
       inside.points.col(p) = point.reference;
       if (deformed) inside.points.col(p) += point.state.displacement;
       if (field) inside.values(p) = field->value(solid.material(), point.state);

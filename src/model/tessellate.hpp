@@ -43,9 +43,6 @@ struct Skin {
 /// Cuts the sides of the elements at the surface as the plane tessellation does.
 Skin tessellate(const Model<3>& model, int body, const Field<3>* field, const Sampling<3>& sampling, bool deformed);
 
-/// Control points that are neighbors within a row.
-std::vector<std::array<int, 2>> net_lines(const nurbs::Discretisation& space);
-
 /// Elements that have a side on the surface, once per side.
 int surface_elements(const nurbs::Discretisation& space);
 

@@ -97,7 +97,7 @@ template <int D> Unknowns<D>::Unknowns(const Scene<D>& scene, const contact::For
     const int master =
         face ? offset(face->body) : obstacle_offset(std::get<ObstacleReference>(contact.master).obstacle);
     of_contacts_.push_back({offset(contact.slave.body), master, dofs()});
-    for (std::size_t i = 0; i < contacts[k]->extra_unknowns().size(); ++i) {
+    for (std::size_t i = contacts[k]->extra_unknowns().size(); i > 0; --i) {
       held_.push_back(false);
       unknown_.push_back(size_++);
     }

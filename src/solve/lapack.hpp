@@ -7,12 +7,7 @@ extern "C" {
 void dgetrf_(const int* rows, const int* columns, double* a, const int* leading, int* pivots, int* info);
 void dgetrs_(const char* transposed, const int* size, const int* right_sides, const double* a, const int* leading,
              const int* pivots, double* b, const int* leading_b, int* info);
-/// Cholesky's factor of a dense symmetric matrix.
-void dpotrf_(const char* triangle, const int* size, double* a, const int* leading, int* info);
-/// B ← α op(A)⁻¹ B or α B op(A)⁻¹ with a triangle A, and C ← α A Aᵀ + β C on a triangle of C.
-void dtrsm_(const char* side, const char* triangle, const char* transposed, const char* unit, const int* rows,
-            const int* columns, const double* alpha, const double* a, const int* leading, double* b,
-            const int* leading_b);
+/// C ← α A Aᵀ + β C on a triangle of C.
 void dsyrk_(const char* triangle, const char* transposed, const int* size, const int* columns, const double* alpha,
             const double* a, const int* leading, const double* beta, double* c, const int* leading_c);
 /// Eigenvalues, the least one first, and in place of the matrix the eigenvectors of a dense symmetric one.

@@ -394,7 +394,7 @@ check.case("a real model's verbs refuse them as well", function()
   check.fails(function() model:set_penalty_factor(0) end, "penalty's factor must be positive, got 0")
   check.fails(function() model:set_penalty_factor(0 / 0) end, "factor must be a finite number", "got nan")
   check.fails(function() model:set_penalty_factor "x" end, "factor must be a number", "got the string 'x'")
-  check.fails(function() model:diagnose() end, "there is no step to diagnose")
+  check.fails(function() model:diagnose() end, "no step to diagnose: call diagnose after")
 end)
 
 check.done()

@@ -204,7 +204,7 @@ TEST(OwnFormulation, TangentIsTheResidualsDerivative) {
 
 TEST(OwnFormulation, CannotBeSaved) {
   Model<2> model(blocks(solid::neo_hookean(1, 0.3), 2));
-  EXPECT_ERROR(content(model, snapshot(model)), "formulation of one's own cannot be saved");
+  EXPECT_ERROR(content(model, snapshot(model)), "a user-defined formulation cannot be saved");
 }
 
 } // namespace own_formulation_test
