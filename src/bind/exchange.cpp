@@ -1,6 +1,6 @@
 // sg.nurbs.read, sg.nurbs.write and patch:write: patches in files of other programs.
 
-#include "nurbs/exchange.hpp"
+#include "exchange/exchange.hpp"
 
 #include "bind/functions.hpp"
 #include "bind/open.hpp"
@@ -13,7 +13,7 @@ using nurbs::Patch;
 namespace {
 
 int read(lua_State* L) {
-  const auto patches = nurbs::read_patches(read_string(L, 1, {"file", "a file of patches"}));
+  const auto patches = exchange::read_patches(read_string(L, 1, {"file", "a file of patches"}));
   lua_createtable(L, static_cast<int>(patches.size()), 0);
   for (std::size_t i = 0; i < patches.size(); ++i) {
     push_object(L, patches[i]);
@@ -27,12 +27,12 @@ int write_to(lua_State* L, int file_index, int form_index, const std::vector<Pat
   const Argument file_argument{"file", "where the patches go"};
   const std::string file = read_string(L, file_index, file_argument);
   const std::string form = lua_isnoneornil(L, form_index)
-                               ? nurbs::exchange_form_of(file)
-                               : read_choice(L, form_index, {"form", "of the file"}, nurbs::exchange_forms());
+                               ? exchange::form_named_by(file)
+                               : read_choice(L, form_index, {"form", "of the file"}, exchange::forms());
   if (form.empty())
     reject(L, file_index, file_argument, "a name that ends with .xml, .txt or .mesh",
-           "or say the form as well: " + one_of(nurbs::exchange_forms()));
-  nurbs::write_patches(file, patches, form);
+           "or say the form as well: " + one_of(exchange::forms()));
+  exchange::write_patches(file, patches, form);
   return 0;
 }
 

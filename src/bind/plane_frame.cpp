@@ -1,6 +1,6 @@
 #include "base/index.hpp"
 #include "bind/frame.hpp"
-#include "model/tessellate.hpp"
+#include "tessellation/tessellate.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@ namespace {
 
 /// The points of a tessellation in their order: element by element, row by row.
 struct PlaneGrid {
-  PlaneGrid(const view::Points& of, const model::Sampling<2>& at_places)
+  PlaneGrid(const view::Points& of, const tessellation::Sampling<2>& at_places)
       : points(of),
         sampling(at_places), elements{static_cast<int>(sampling[0].size()), static_cast<int>(sampling[1].size())} {
     for (int e = 0, next = 0; e < elements[0] * elements[1]; ++e) {
@@ -22,7 +22,7 @@ struct PlaneGrid {
   }
 
   const view::Points& points;
-  const model::Sampling<2>& sampling;
+  const tessellation::Sampling<2>& sampling;
   std::array<int, 2> elements;
   std::vector<int> first; ///< point of each element
 
@@ -160,8 +160,8 @@ view::Panel show(const model::Model<2>& model, const Showing& showing) {
   for (int b : showing.bodies) {
     const nurbs::Discretisation& space = model.system.scene.bodies[static_cast<std::size_t>(b)].body->space();
     const int divisions = divisions_for(space.elements());
-    const auto sampling = model::sampling(model, b, divisions, showing.deformed, showing.windows);
-    model::Tessellation sampled = model::tessellate(model, b, field, sampling, showing.deformed);
+    const auto sampling = tessellation::sampling(model, b, divisions, showing.deformed, showing.windows);
+    tessellation::Tessellation sampled = tessellation::tessellate(model, b, field, sampling, showing.deformed);
     view::Body body;
     body.points = std::move(sampled.points);
     body.triangles = std::move(sampled.triangles);
@@ -174,8 +174,8 @@ view::Panel show(const model::Model<2>& model, const Showing& showing) {
       body.net_lines = std::move(sampled.net_lines);
     }
     if (showing.undeformed) {
-      const auto at_rest = model::sampling(model, b, divisions, false, showing.windows);
-      const view::Points reference = model::tessellate(model, b, nullptr, at_rest, false).points;
+      const auto at_rest = tessellation::sampling(model, b, divisions, false, showing.windows);
+      const view::Points reference = tessellation::tessellate(model, b, nullptr, at_rest, false).points;
       body.undeformed = without_seams(rim({reference, at_rest}));
     }
     panel.bodies.push_back(std::move(body));

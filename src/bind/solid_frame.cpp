@@ -1,6 +1,6 @@
 #include "bind/frame.hpp"
 #include "bind/sampled_patch.hpp"
-#include "model/tessellate.hpp"
+#include "tessellation/tessellate.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,9 +10,9 @@ namespace signorini::bind {
 
 namespace {
 
-std::vector<view::SurfaceLine> lines_of(std::vector<model::SkinLine> lines, bool spaced) {
+std::vector<view::SurfaceLine> lines_of(std::vector<tessellation::SkinLine> lines, bool spaced) {
   std::vector<view::SurfaceLine> result;
-  for (model::SkinLine& line : lines)
+  for (tessellation::SkinLine& line : lines)
     result.push_back({std::move(line.points), std::move(line.normals), spaced ? line.spacing : 0});
   return result;
 }
@@ -20,11 +20,11 @@ std::vector<view::SurfaceLine> lines_of(std::vector<model::SkinLine> lines, bool
 /// A body's surface, without its inside.
 view::Solid skin_of(const model::Model<3>& model, int b, const Showing& showing, const model::Field<3>* field,
                     int divisions) {
-  const auto sampling = model::sampling(model, b, divisions, showing.deformed, showing.windows);
-  model::Skin skin = model::tessellate(model, b, field, sampling, showing.deformed);
+  const auto sampling = tessellation::sampling(model, b, divisions, showing.deformed, showing.windows);
+  tessellation::Skin skin = tessellation::tessellate(model, b, field, sampling, showing.deformed);
   view::Solid solid;
   solid.skin = {std::move(skin.points), std::move(skin.normals), std::move(skin.triangles), std::move(skin.values)};
-  if (showing.field == pressure_name) solid.skin.values = model::contact_pressure(model, b, sampling);
+  if (showing.field == pressure_name) solid.skin.values = tessellation::contact_pressure(model, b, sampling);
   solid.skin.values *= showing.factor;
   solid.rim = lines_of(std::move(skin.rim), false);
   solid.mesh_lines = lines_of(std::move(skin.mesh_lines), true);
@@ -34,8 +34,8 @@ view::Solid skin_of(const model::Model<3>& model, int b, const Showing& showing,
     solid.net_lines = std::move(skin.net_lines);
   }
   if (showing.undeformed) {
-    const auto at_rest = model::sampling(model, b, divisions, false, showing.windows);
-    model::Skin reference = model::tessellate(model, b, nullptr, at_rest, false);
+    const auto at_rest = tessellation::sampling(model, b, divisions, false, showing.windows);
+    tessellation::Skin reference = tessellation::tessellate(model, b, nullptr, at_rest, false);
     solid.undeformed = {std::move(reference.points), std::move(reference.normals), std::move(reference.triangles), {}};
     solid.undeformed_rim = lines_of(std::move(reference.rim), false);
   }
@@ -45,9 +45,10 @@ view::Solid skin_of(const model::Model<3>& model, int b, const Showing& showing,
 /// The lattices of the elements that one of the planes crosses. No pressure acts between contacts.
 std::vector<view::Lattice> inside_of(const model::Model<3>& model, int b, const Showing& showing,
                                      const model::Field<3>* field, int divisions, bool valued,
-                                     const std::vector<model::Plane>& planes) {
+                                     const std::vector<tessellation::Plane>& planes) {
   std::vector<view::Lattice> result;
-  for (model::Inside& inside : model::crossed_elements(model, b, field, divisions, showing.deformed, planes)) {
+  for (tessellation::Inside& inside :
+       tessellation::crossed_elements(model, b, field, divisions, showing.deformed, planes)) {
     view::Lattice lattice{inside.divisions, std::move(inside.points), showing.factor * inside.values};
     if (valued && !field) lattice.values.setZero(lattice.points.cols());
     result.push_back(std::move(lattice));
@@ -89,11 +90,11 @@ void add_mirror_image(view::SolidPanel& panel, int axis, double sign) {
 }
 
 /// A plane and what it is in the mirrors: where the model itself must be sampled.
-std::vector<model::Plane> images(const view::CutPlane& plane, const std::string& mirror) {
-  std::vector<model::Plane> all = {{plane.point, plane.normal}};
+std::vector<tessellation::Plane> images(const view::CutPlane& plane, const std::string& mirror) {
+  std::vector<tessellation::Plane> all = {{plane.point, plane.normal}};
   for (char letter : mirror)
     for (std::size_t i = 0, count = all.size(); i < count; ++i) {
-      model::Plane image = all[i];
+      tessellation::Plane image = all[i];
       image.point[letter - 'x'] *= -1;
       image.normal[letter - 'x'] *= -1;
       all.push_back(image);
@@ -132,7 +133,8 @@ view::SolidPanel show(const model::Model<3>& model, const Showing& showing, cons
           "': the model has no contact, and so no pressure; name contacts in sg.model, or draw another field");
   const model::Field<3>* field = showing.field.empty() || pressure ? nullptr : &model::find_field<3>(showing.field);
   const auto divisions = [&](int b) {
-    return divisions_for(model::surface_elements(model.system.scene.bodies[static_cast<std::size_t>(b)].body->space()));
+    return divisions_for(
+        tessellation::surface_elements(model.system.scene.bodies[static_cast<std::size_t>(b)].body->space()));
   };
   view::SolidPanel panel;
   panel.windows = showing.windows;
@@ -141,7 +143,7 @@ view::SolidPanel show(const model::Model<3>& model, const Showing& showing, cons
   for (int b : showing.bodies) panel.bodies.push_back(skin_of(model, b, skins, field, divisions(b)));
   if (cut) {
     panel.cut = plane_of(*cut, panel.bodies, showing.mirror);
-    const std::vector<model::Plane> planes = images(*panel.cut, showing.mirror);
+    const std::vector<tessellation::Plane> planes = images(*panel.cut, showing.mirror);
     for (std::size_t i = 0; i < panel.bodies.size(); ++i) {
       view::Solid& body = panel.bodies[i];
       const int b = showing.bodies[i];

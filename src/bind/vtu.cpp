@@ -6,7 +6,7 @@
 #include "bind/model.hpp"
 #include "bind/open.hpp"
 #include "bind/patch.hpp"
-#include "model/bezier_cells.hpp"
+#include "tessellation/bezier_cells.hpp"
 #include "view/output.hpp"
 
 #include <limits>
@@ -22,7 +22,7 @@ const std::vector<std::string>& component_names(const std::string& field) {
 }
 
 /// Puts cells at the end of a grid; where they lack one of its fields it is not a number.
-void append(view::BezierGrid& grid, const model::BezierCells& cells, int body, int contact) {
+void append(view::BezierGrid& grid, const tessellation::BezierCells& cells, int body, int contact) {
   const Eigen::Index before = grid.points.cols(), added = cells.points.cols(), all = before + added;
   grid.degrees.insert(grid.degrees.end(), cells.degrees.begin(), cells.degrees.end());
   grid.points.conservativeResize(3, all);
@@ -33,7 +33,7 @@ void append(view::BezierGrid& grid, const model::BezierCells& cells, int body, i
     const Eigen::Index rows = array.values.rows();
     array.values.conservativeResize(rows, all);
     array.values.rightCols(added).setConstant(std::numeric_limits<double>::quiet_NaN());
-    for (const model::CellField& field : cells.fields)
+    for (const tessellation::CellField& field : cells.fields)
       if (field.name == array.name) array.values.rightCols(added) = field.values;
   }
   const std::vector<int> values = {body, contact};
@@ -44,12 +44,12 @@ void append(view::BezierGrid& grid, const model::BezierCells& cells, int body, i
 /// All bodies, then the slave faces of all contacts.
 template <int D> view::BezierGrid grid_of(const model::Model<D>& model, bool deformed) {
   const model::Scene<D>& scene = model.system.scene;
-  std::vector<model::BezierCells> bodies;
+  std::vector<tessellation::BezierCells> bodies;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)
-    bodies.push_back(model::bezier_cells(model, static_cast<int>(b), deformed));
+    bodies.push_back(tessellation::bezier_cells(model, static_cast<int>(b), deformed));
   view::BezierGrid grid;
   grid.points.resize(3, 0);
-  for (const model::CellField& field : bodies.front().fields)
+  for (const tessellation::CellField& field : bodies.front().fields)
     grid.point_arrays.push_back({field.name, MatrixX(field.values.rows(), 0), component_names(field.name)});
   if (!scene.contacts.empty()) grid.point_arrays.push_back({"contact_pressure", MatrixX(1, 0)});
   grid.cell_arrays = {{"body", {}}, {"contact", {}}};
@@ -57,7 +57,8 @@ template <int D> view::BezierGrid grid_of(const model::Model<D>& model, bool def
   for (std::size_t b = 0; b < bodies.size(); ++b) append(grid, bodies[b], static_cast<int>(b) + 1, 0);
   for (std::size_t c = 0; c < scene.contacts.size(); ++c) {
     const int contact = static_cast<int>(c), body = scene.contacts[c].slave.body;
-    append(grid, model::contact_cells(model, contact, bodies[static_cast<std::size_t>(body)]), body + 1, contact + 1);
+    append(grid, tessellation::contact_cells(model, contact, bodies[static_cast<std::size_t>(body)]), body + 1,
+           contact + 1);
   }
   return grid;
 }

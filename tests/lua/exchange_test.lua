@@ -1,11 +1,11 @@
--- Patches in files of other programs, from Lua; the forms themselves are tested in tests/nurbs/exchange_test.cpp.
+-- Patches in files of other programs, from Lua; the forms themselves are tested in tests/exchange/exchange_test.cpp.
 
 local sg = require "signorini"
 local core = require "signorini.core"
 local check = require "check"
 
 local folder = check.folder()
-local samples = core.home .. "/tests/nurbs/samples/"
+local samples = core.home .. "/tests/exchange/samples/"
 
 local function same(a, b)
   check.equal(a:points(), b:points())

@@ -48,6 +48,18 @@ inline Scene<2> ironing(const std::string& label) {
   return scene;
 }
 
+/// The ironing problem with another slab.
+inline Scene<2> ironing_on(nurbs::Discretisation slab) {
+  Scene<2> scene = ironing("N2");
+  const solid::Material material = scene.bodies[1].body->material();
+  scene.bodies[1].body = std::make_shared<const solid::Body<2>>(std::move(slab), material);
+  scene.supports[0].on = {held(scene, 1, "south")};
+  return scene;
+}
+
+/// Of a slab's contact row, to go with nurbs::test::strip(3, …).
+inline const std::vector<int> mixed_degrees{2, 4, 2, 3, 4, 2, 2, 4};
+
 /// The one control point of a body that lies at X.
 inline Held corner(const Scene<2>& scene, int body, const Vec<2>& place) {
   const MatrixX points = scene.bodies[static_cast<std::size_t>(body)].body->space().points();

@@ -6,13 +6,15 @@
 #include <string>
 #include <vector>
 
-namespace signorini::nurbs {
+namespace signorini::exchange {
+
+using nurbs::Patch;
 
 /// The forms of a file: "gismo" (G+Smo's XML), "geopdes" (the text file of GeoPDEs and the NURBS toolbox), "mfem" (MFEM
 /// NURBS mesh v1.0 with patches).
-std::vector<std::string> exchange_forms();
+std::vector<std::string> forms();
 /// The form that a file's name stands for by its ending: .xml, .txt, .mesh; empty for any other.
-std::string exchange_form_of(const std::string& file);
+std::string form_named_by(const std::string& file);
 
 /// All patches of a file, in its order; which form it has its first characters say. Throws Error with file, line and
 /// what was expected.
@@ -22,4 +24,4 @@ std::vector<Patch> read_patches(const std::string& file);
 /// there is none, or more than the form takes.
 void write_patches(const std::string& file, const std::vector<Patch>& patches, const std::string& form);
 
-} // namespace signorini::nurbs
+} // namespace signorini::exchange

@@ -8,7 +8,10 @@
 #include <string_view>
 #include <vector>
 
-namespace signorini::nurbs {
+namespace signorini::exchange {
+
+using nurbs::KnotVector;
+using nurbs::Patch;
 
 /// The shortest decimal number that is read as these bits.
 std::string digits(double value);
@@ -79,4 +82,4 @@ std::string gismo(const std::vector<Patch>& patches);
 std::string geopdes(const std::vector<Patch>& patches);
 std::string mfem(const std::vector<Patch>& patches);
 
-} // namespace signorini::nurbs
+} // namespace signorini::exchange

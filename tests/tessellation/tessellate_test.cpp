@@ -1,4 +1,4 @@
-#include "model/tessellate.hpp"
+#include "tessellation/tessellate.hpp"
 
 #include "nurbs/shapes.hpp"
 #include "solid/neo_hookean.hpp"
@@ -9,8 +9,10 @@
 #include <numbers>
 #include <set>
 
-namespace signorini::model {
+namespace signorini::tessellation {
 namespace tessellate_test {
+
+using namespace model;
 
 const nurbs::Side west{0, false}, south{1, false}, front{2, false}, back{2, true};
 
@@ -252,4 +254,4 @@ TEST(Sampling, FollowsArcsWithinHalfAPixelOfWhatIsMagnified) {
 }
 
 } // namespace tessellate_test
-} // namespace signorini::model
+} // namespace signorini::tessellation

@@ -1,8 +1,8 @@
 // MFEM NURBS mesh v1.0 with its section "patches": a topology of vertices, edges and elements, then per patch knots and
 // control points, ξ¹ fastest.
-#include "nurbs/exchange_text.hpp"
+#include "exchange/text.hpp"
 
-namespace signorini::nurbs {
+namespace signorini::exchange {
 
 namespace {
 
@@ -14,7 +14,7 @@ Patch read_patch(TextReader& from) {
   std::vector<KnotVector> directions;
   int size = 1;
   for (int d = 0; d < parametric; ++d) {
-    const int degree = from.integer("a degree", 1, max_degree);
+    const int degree = from.integer("a degree", 1, nurbs::max_degree);
     const int functions = from.integer("a number of control points", degree + 1, most_functions / size);
     directions.push_back(read_knots(from, degree, functions));
     size *= functions;
@@ -87,4 +87,4 @@ std::string mfem(const std::vector<Patch>& patches) {
   return out;
 }
 
-} // namespace signorini::nurbs
+} // namespace signorini::exchange

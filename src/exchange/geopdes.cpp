@@ -1,8 +1,8 @@
 // The text file of GeoPDEs and the NURBS toolbox (geo_specs_v07, geo_specs_v21 and their multipatch forms): a line of
 // sizes, then per patch degrees, numbers of control points, knots, weighted coordinates row by row, weights.
-#include "nurbs/exchange_text.hpp"
+#include "exchange/text.hpp"
 
-namespace signorini::nurbs {
+namespace signorini::exchange {
 
 namespace {
 
@@ -38,7 +38,7 @@ Patch read_patch(TextReader& from, const Sizes& sizes) {
     from.rest_of_line();
   }
   std::vector<int> degrees, counts;
-  for (int d = 0; d < sizes.parametric; ++d) degrees.push_back(from.integer("a degree", 1, max_degree));
+  for (int d = 0; d < sizes.parametric; ++d) degrees.push_back(from.integer("a degree", 1, nurbs::max_degree));
   int size = 1;
   for (int d = 0; d < sizes.parametric; ++d) {
     counts.push_back(from.integer("a number of control points", 2, most_functions / size));
@@ -85,4 +85,4 @@ std::string geopdes(const std::vector<Patch>& patches) {
   return out + "SUBDOMAIN 1\n" + numbers + "\n";
 }
 
-} // namespace signorini::nurbs
+} // namespace signorini::exchange

@@ -1,9 +1,11 @@
-#include "model/sampling.hpp"
+#include "tessellation/sampling.hpp"
 
 #include "base/index.hpp"
 #include "model/sample.hpp"
 
-namespace signorini::model {
+namespace signorini::tessellation {
+
+using model::BodyPoint;
 namespace {
 
 /// What a picture shows of a body: element by element, a piece of it that runs along two directions.
@@ -66,4 +68,4 @@ template Sampling<3> even_sampling<3>(const nurbs::Discretisation&, int);
 template Sampling<2> sampling<2>(const Model<2>&, int, int, bool, const std::vector<Window>&);
 template Sampling<3> sampling<3>(const Model<3>&, int, int, bool, const std::vector<Window>&);
 
-} // namespace signorini::model
+} // namespace signorini::tessellation

@@ -1,13 +1,13 @@
-#include "nurbs/exchange.hpp"
+#include "exchange/exchange.hpp"
 
 #include "base/whole_file.hpp"
-#include "nurbs/exchange_text.hpp"
+#include "exchange/text.hpp"
 
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
 
-namespace signorini::nurbs {
+namespace signorini::exchange {
 
 namespace {
 
@@ -17,7 +17,7 @@ struct Form {
   std::string (*write)(const std::vector<Patch>& patches);
 };
 
-const std::vector<Form> forms = {{"gismo", ".xml", read_gismo, gismo},
+const std::vector<Form> known = {{"gismo", ".xml", read_gismo, gismo},
                                  {"geopdes", ".txt", read_geopdes, geopdes},
                                  {"mfem", ".mesh", read_mfem, mfem}};
 
@@ -27,28 +27,28 @@ const Form& form_of(const std::string& file, const std::string& text) {
   while (begin < text.size() && std::isspace(static_cast<unsigned char>(text[begin]))) ++begin;
   const std::string_view start = std::string_view(text).substr(begin);
   require(!start.empty(), file, ": the file is empty");
-  if (start.front() == '<') return forms[0];
-  if (start.starts_with("MFEM")) return forms[2];
+  if (start.front() == '<') return known[0];
+  if (start.starts_with("MFEM")) return known[2];
   require(
       start.front() == '#' || std::isdigit(static_cast<unsigned char>(start.front())), file,
       ":1: this is no file of patches: G+Smo's XML begins with '<', GeoPDEs' text with '#' or a number, MFEM's mesh "
       "with 'MFEM NURBS mesh v1.0'");
-  return forms[1];
+  return known[1];
 }
 
 } // namespace
 
-std::vector<std::string> exchange_forms() {
+std::vector<std::string> forms() {
   std::vector<std::string> names;
-  names.reserve(forms.size());
-  for (const Form& form : forms) names.push_back(form.name);
+  names.reserve(known.size());
+  for (const Form& form : known) names.push_back(form.name);
   return names;
 }
 
-std::string exchange_form_of(const std::string& file) {
+std::string form_named_by(const std::string& file) {
   std::string ending = std::filesystem::path(file).extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
-  for (const Form& form : forms)
+  for (const Form& form : known)
     if (form.ending == ending) return form.name;
   return "";
 }
@@ -60,9 +60,9 @@ std::vector<Patch> read_patches(const std::string& file) {
 
 void write_patches(const std::string& file, const std::vector<Patch>& patches, const std::string& form) {
   require(!patches.empty(), "patches: there is none to be written");
-  for (const Form& one : forms)
+  for (const Form& one : known)
     if (one.name == form) return write_whole(file, one.write(patches));
   fail("form: '", form, "' is none of gismo, geopdes, mfem");
 }
 
-} // namespace signorini::nurbs
+} // namespace signorini::exchange

@@ -1,11 +1,11 @@
 // G+Smo's XML: elements <Geometry> with a tensor basis of knot vectors, weights in the basis, and control points that
 // are not multiplied by their weights, ξ¹ fastest.
-#include "nurbs/exchange_text.hpp"
+#include "exchange/text.hpp"
 
 #include <algorithm>
 #include <pugixml.hpp>
 
-namespace signorini::nurbs {
+namespace signorini::exchange {
 
 namespace {
 
@@ -45,7 +45,7 @@ KnotVector read_direction(const Document& document, const pugi::xml_node& basis)
   const std::string type = basis.attribute("type").value();
   if (type != "BSplineBasis") document.wrong(basis, "expected a basis of the type BSplineBasis, got '", type, "'");
   const pugi::xml_node node = document.child(basis, "KnotVector");
-  const int degree = whole_number(document, node, "degree", 1, max_degree);
+  const int degree = whole_number(document, node, "degree", 1, nurbs::max_degree);
   TextReader from = document.inside(node);
   std::vector<double> knots;
   while (!from.at_end()) knots.push_back(from.number("a knot"));
@@ -179,4 +179,4 @@ std::string gismo(const std::vector<Patch>& patches) {
   return out + "</xml>\n";
 }
 
-} // namespace signorini::nurbs
+} // namespace signorini::exchange

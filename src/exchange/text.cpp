@@ -1,10 +1,10 @@
-#include "nurbs/exchange_text.hpp"
+#include "exchange/text.hpp"
 
 #include <array>
 #include <charconv>
 #include <cmath>
 
-namespace signorini::nurbs {
+namespace signorini::exchange {
 
 namespace {
 
@@ -90,4 +90,4 @@ KnotVector read_knots(TextReader& from, int degree, int functions) {
   return placed(from.file(), from.line(), [&] { return KnotVector(degree, std::move(knots)); });
 }
 
-} // namespace signorini::nurbs
+} // namespace signorini::exchange

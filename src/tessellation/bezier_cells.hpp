@@ -5,7 +5,9 @@
 #include "model/field.hpp"
 #include "model/model.hpp"
 
-namespace signorini::model {
+namespace signorini::tessellation {
+
+using model::Model;
 
 /// A field at the control points of cells: value(t) = Σ_k w_k B_k(t) c_k / Σ_k w_k B_k(t), as the geometry.
 struct CellField {
@@ -31,4 +33,4 @@ template <int D> BezierCells bezier_cells(const Model<D>& model, int body, bool 
 /// squares. `cells` are those of the slave's body.
 template <int D> BezierCells contact_cells(const Model<D>& model, int contact, const BezierCells& cells);
 
-} // namespace signorini::model
+} // namespace signorini::tessellation

@@ -1,6 +1,6 @@
 // Patches of other programs: files written by hand after the formats' descriptions, round trips to the last bit, and
 // what is said of broken files.
-#include "nurbs/exchange.hpp"
+#include "exchange/exchange.hpp"
 
 #include "base/whole_file.hpp"
 #include "nurbs/random_patch.hpp"
@@ -11,8 +11,10 @@
 #include <fstream>
 #include <gtest/gtest.h>
 
-namespace signorini::nurbs {
+namespace signorini::exchange {
 namespace exchange_test {
+
+using namespace nurbs;
 
 using signorini::test::message_of;
 using signorini::test::ScratchFolder;
@@ -75,12 +77,12 @@ void expect_same(const Patch& read, const Patch& written) {
 
 TEST(Exchange, RoundTripsKeepAllBits) {
   ScratchFolder folder;
-  test::Random random(3);
+  nurbs::test::Random random(3);
   for (int i = 0; i < 60; ++i) {
     const int dimension = 2 + i % 2, parametric = 1 + i % dimension;
-    const Patch patch = test::random_patch(random, parametric, dimension);
-    const Patch other = elevate(test::random_patch(random, parametric, dimension), 0, 1);
-    for (const std::string& form : exchange_forms()) {
+    const Patch patch = nurbs::test::random_patch(random, parametric, dimension);
+    const Patch other = elevate(nurbs::test::random_patch(random, parametric, dimension), 0, 1);
+    for (const std::string& form : forms()) {
       const std::vector<Patch> written = form == "mfem" ? std::vector{patch} : std::vector{patch, other};
       write_patches(folder.file("p"), written, form);
       const std::vector<Patch> read = read_patches(folder.file("p"));
@@ -96,7 +98,7 @@ TEST(Exchange, RoundTripsKeepAllBits) {
 TEST(Exchange, PolynomialPatchesNeedNoWeightsInXml) {
   ScratchFolder folder;
   const Patch square = rectangle(1, 1, Vec<2>::Zero());
-  write_patches(folder.file("p.xml"), {square}, exchange_form_of("p.xml"));
+  write_patches(folder.file("p.xml"), {square}, form_named_by("p.xml"));
   const std::string text = read_whole(folder.file("p.xml"));
   EXPECT_NE(text.find("TensorBSpline2"), std::string::npos);
   EXPECT_EQ(text.find("weights"), std::string::npos);
@@ -116,10 +118,10 @@ TEST(Exchange, PatchesOfOneKindAreAMultiPatchInXml) {
 }
 
 TEST(Exchange, EndingsSayTheForm) {
-  EXPECT_EQ(exchange_form_of("a.xml"), "gismo");
-  EXPECT_EQ(exchange_form_of("b/a.TXT"), "geopdes");
-  EXPECT_EQ(exchange_form_of("a.mesh"), "mfem");
-  EXPECT_EQ(exchange_form_of("a.csv"), "");
+  EXPECT_EQ(form_named_by("a.xml"), "gismo");
+  EXPECT_EQ(form_named_by("b/a.TXT"), "geopdes");
+  EXPECT_EQ(form_named_by("a.mesh"), "mfem");
+  EXPECT_EQ(form_named_by("a.csv"), "");
 }
 
 /// What reading a text says, without the folder.
@@ -180,22 +182,22 @@ TEST(Exchange, BrokenFilesAreRefusedWithTheLine) {
 
 TEST(Exchange, DamagedFilesAreReadOrRefusedNeverFatal) {
   ScratchFolder folder;
-  test::Random random(11);
+  nurbs::test::Random random(11);
   const std::string file = folder.file("f"), letters = "0 1.-e#<>/\"\nPx9";
   int refused = 0, taken = 0;
   for (const char* name : {"gismo.xml", "geopdes_v07.txt", "geopdes_v21.txt", "mfem.mesh"})
     for (int i = 0; i < 150; ++i) {
       std::string text = replaced(name, " ", " ");
       const auto place = [&] {
-        return static_cast<std::size_t>(test::integer(random, 0, static_cast<int>(text.size()) - 1));
+        return static_cast<std::size_t>(nurbs::test::integer(random, 0, static_cast<int>(text.size()) - 1));
       };
       if (i % 3 == 0) {
         text.resize(place());
       } else if (i % 3 == 1) {
         text[place()] =
-            letters[static_cast<std::size_t>(test::integer(random, 0, static_cast<int>(letters.size()) - 1))];
+            letters[static_cast<std::size_t>(nurbs::test::integer(random, 0, static_cast<int>(letters.size()) - 1))];
       } else {
-        text.erase(place(), static_cast<std::size_t>(test::integer(random, 1, 20)));
+        text.erase(place(), static_cast<std::size_t>(nurbs::test::integer(random, 1, 20)));
       }
       std::ofstream(file) << text;
       const std::string message = message_of([&] { taken += !read_patches(file).empty(); });
@@ -222,4 +224,4 @@ TEST(Exchange, WhatAFormCannotHoldIsRefused) {
 }
 
 } // namespace exchange_test
-} // namespace signorini::nurbs
+} // namespace signorini::exchange

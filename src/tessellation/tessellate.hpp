@@ -2,9 +2,11 @@
 // Bodies as points, triangles and lines over their true curved geometry, for pictures.
 
 #include "model/sample.hpp"
-#include "model/sampling.hpp"
+#include "tessellation/sampling.hpp"
 
-namespace signorini::model {
+namespace signorini::tessellation {
+
+using model::Field;
 
 using Points = Eigen::Matrix<double, 3, Eigen::Dynamic>;
 using Triangles = Eigen::Matrix<int, 3, Eigen::Dynamic>;
@@ -68,4 +70,4 @@ struct Plane {
 std::vector<Inside> crossed_elements(const Model<3>& model, int body, const Field<3>* field, int divisions,
                                      bool deformed, const std::vector<Plane>& planes);
 
-} // namespace signorini::model
+} // namespace signorini::tessellation

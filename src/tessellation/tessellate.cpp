@@ -1,4 +1,4 @@
-#include "model/tessellate.hpp"
+#include "tessellation/tessellate.hpp"
 
 #include "base/index.hpp"
 #include "model/contact_pressure.hpp"
@@ -8,7 +8,10 @@
 #include <cmath>
 #include <limits>
 
-namespace signorini::model {
+namespace signorini::tessellation {
+
+using model::BodyPoint;
+using model::FacePressure;
 
 namespace {
 
@@ -256,4 +259,4 @@ std::vector<Inside> crossed_elements(const Model<3>& model, int body, const Fiel
   return result;
 }
 
-} // namespace signorini::model
+} // namespace signorini::tessellation

@@ -1,4 +1,4 @@
-#include "model/bezier_cells.hpp"
+#include "tessellation/bezier_cells.hpp"
 
 #include "base/index.hpp"
 #include "base/orthonormal.hpp"
@@ -11,7 +11,12 @@
 
 #include <numeric>
 
-namespace signorini::model {
+namespace signorini::tessellation {
+
+using model::BodyPoint;
+using model::Contact;
+using model::Field;
+using model::FieldPoint;
 
 namespace {
 
@@ -49,7 +54,7 @@ struct Projector {
   Projector(const std::vector<int>& degrees, const std::vector<std::vector<double>>& places) {
     std::vector<MatrixX> fits, all;
     for (std::size_t d = 0; d < degrees.size(); ++d) {
-      fits.push_back(model::fit(degrees[d], places[d]));
+      fits.push_back(tessellation::fit(degrees[d], places[d]));
       MatrixX one(static_cast<Eigen::Index>(places[d].size()), degrees[d] + 1);
       for (std::size_t i = 0; i < places[d].size(); ++i) {
         VectorX bernstein(degrees[d] + 1);
@@ -78,8 +83,8 @@ template <int D> struct Composition {
 
 template <int D> const std::vector<Composition<D>>& compositions() {
   static const std::vector<Composition<D>> all = [] {
-    const auto both = [](const char* name) { return &find_field<D>(name); };
-    const auto third = [](const char* name) { return D == 3 ? &find_field<D>(name) : nullptr; };
+    const auto both = [](const char* name) { return &model::find_field<D>(name); };
+    const auto third = [](const char* name) { return D == 3 ? &model::find_field<D>(name) : nullptr; };
     return std::vector<Composition<D>>{
         {"stress", {both("sxx"), both("syy"), both("szz"), both("sxy"), third("syz"), third("sxz")}},
         {"von_mises", {both("von_mises")}},
@@ -205,4 +210,4 @@ template BezierCells bezier_cells<3>(const Model<3>&, int, bool);
 template BezierCells contact_cells<2>(const Model<2>&, int, const BezierCells&);
 template BezierCells contact_cells<3>(const Model<3>&, int, const BezierCells&);
 
-} // namespace signorini::model
+} // namespace signorini::tessellation

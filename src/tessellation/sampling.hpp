@@ -4,7 +4,9 @@
 #include "base/window.hpp"
 #include "model/model.hpp"
 
-namespace signorini::model {
+namespace signorini::tessellation {
+
+using model::Model;
 
 /// By direction and by the element's number along it: rising fractions of its interval, from 0 to 1. Neighbours share
 /// those of their common border, so that no gap opens between them.
@@ -17,4 +19,4 @@ template <int D> Sampling<D> even_sampling(const nurbs::Discretisation& space, i
 template <int D>
 Sampling<D> sampling(const Model<D>& model, int body, int divisions, bool deformed, const std::vector<Window>& windows);
 
-} // namespace signorini::model
+} // namespace signorini::tessellation
