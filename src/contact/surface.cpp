@@ -253,36 +253,42 @@ void Surface<D>::locate_with(int element, const FaceCoordinates<D>& xi, int orde
   }
 }
 
-template <int D>
-void Surface<D>::locate(int element, const FaceCoordinates<D>& xi, int order, FacePoint<D>& point) const {
+/// Calls run<P>(), P the degree in every direction where the compiler may know it.
+template <int D> template <class Run> void Surface<D>::with_degree(int element, const Run& run) const {
   if (const int p = degree(element, 0); p == degree(element, D - 2)) switch (p) {
     case 1:
-      return locate_with<1>(element, xi, order, point);
+      return run.template operator()<1>();
     case 2:
-      return locate_with<2>(element, xi, order, point);
+      return run.template operator()<2>();
     case 3:
-      return locate_with<3>(element, xi, order, point);
+      return run.template operator()<3>();
     case 4:
-      return locate_with<4>(element, xi, order, point);
+      return run.template operator()<4>();
     case 5:
-      return locate_with<5>(element, xi, order, point);
+      return run.template operator()<5>();
     case 6:
-      return locate_with<6>(element, xi, order, point);
+      return run.template operator()<6>();
     }
-  locate_with<0>(element, xi, order, point);
+  run.template operator()<0>();
+}
+
+template <int D>
+void Surface<D>::locate(int element, const FaceCoordinates<D>& xi, int order, FacePoint<D>& point) const {
+  with_degree(element, [&]<int P>() { locate_with<P>(element, xi, order, point); });
 }
 
 /// w N_a and its first derivatives: value, then one direction after the other.
-template <int D> void Surface<D>::weighted_functions(FacePoint<D>& point, int order) const {
+template <int D> template <int P> void Surface<D>::weighted_functions(FacePoint<D>& point, int order) const {
   const int* local = nodes(point.element);
   Bernsteins b;
-  bernsteins<0>(point.element, point.xi, order, b);
+  bernsteins<P>(point.element, point.xi, order, b);
   double along[2][2 * row]; // N_a of one direction and their derivatives
   int count[2] = {1, 1};
   for (int d = 0; d < D - 1; ++d) {
     const auto extraction = direction(d).extraction(index(point.element, d));
     const double* c = extraction.data();
-    const int n = count[d] = static_cast<int>(extraction.rows()), points = static_cast<int>(extraction.cols());
+    const int n = count[d] = static_cast<int>(extraction.rows());
+    const int points = P > 0 ? P + 1 : static_cast<int>(extraction.cols());
     // N_a = Σ_l C(a, l) B_l
     for (int k = 0; k <= order; ++k)
       for (int a = 0; a < n; ++a) {
@@ -303,7 +309,7 @@ template <int D> void Surface<D>::weighted_functions(FacePoint<D>& point, int or
 }
 
 template <int D> void Surface<D>::functions(FacePoint<D>& point, int order) const {
-  weighted_functions(point, order);
+  with_degree(point.element, [&]<int P>() { weighted_functions<P>(point, order); });
   if (polynomial_) return;
   // R = wN/W,  R_,α = (w N_,α − R W_,α)/W
   const int n = functions_on(point.element);

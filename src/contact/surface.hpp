@@ -113,7 +113,8 @@ private:
   std::array<bool, 2> open_ends(int alpha) const;
   template <int P> void bernsteins(int element, const FaceCoordinates<D>& xi, int order, Bernsteins& out) const;
   template <int P> void locate_with(int element, const FaceCoordinates<D>& xi, int order, FacePoint<D>& point) const;
-  void weighted_functions(FacePoint<D>& point, int order) const;
+  template <class Run> void with_degree(int element, const Run& run) const;
+  template <int P> void weighted_functions(FacePoint<D>& point, int order) const;
 
   std::vector<nurbs::Space1D> spaces_;                ///< one per direction
   std::array<std::array<double, 2>, D - 1> ends_;     ///< of the face itself
