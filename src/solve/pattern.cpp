@@ -7,6 +7,15 @@
 
 namespace signorini::solve {
 
+namespace {
+
+void make_distinct(std::vector<int>& numbers) {
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+}
+
+} // namespace
+
 int Pattern::find(int row, int column) const {
   const auto from = rows.begin() + starts[at(column)];
   const auto to = rows.begin() + starts[at(column) + 1];
@@ -28,13 +37,14 @@ Pattern couple(int size, const std::vector<std::vector<int>>& groups) {
 
 Pattern extend(const Pattern& base, const std::vector<std::vector<int>>& groups, std::vector<int>& moved) {
   std::vector<std::vector<int>> added(at(base.size));
-  for (const auto& group : groups)
-    for (int column : group) {
-      if (column < 0) continue;
-      auto& list = added[at(column)];
-      for (int row : group)
-        if (row >= 0) list.push_back(row);
-    }
+  std::vector<int> members;
+  for (const auto& group : groups) {
+    members = group;
+    make_distinct(members);
+    const auto first = std::lower_bound(members.begin(), members.end(), 0);
+    for (auto column = first; column != members.end(); ++column)
+      added[at(*column)].insert(added[at(*column)].end(), first, members.end());
+  }
 
   Pattern result;
   result.size = base.size;
@@ -43,8 +53,7 @@ Pattern extend(const Pattern& base, const std::vector<std::vector<int>>& groups,
   moved.resize(base.rows.size());
   for (std::size_t j = 0; j < added.size(); ++j) {
     auto& list = added[j];
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
+    make_distinct(list);
     const auto from = base.rows.begin() + base.starts[j], to = base.rows.begin() + base.starts[j + 1];
     std::set_union(from, to, list.begin(), list.end(), std::back_inserter(result.rows));
     int position = result.starts.back();
