@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/index.hpp"
+#include "nurbs/constants.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -48,11 +49,11 @@ class Places {
 public:
   explicit Places(const Discretisation& space)
       : points_(space.points()), weights_(space.homogeneous().bottomRows(1).transpose()),
-        slack_(1e-10 * (points_.rowwise().maxCoeff() - points_.rowwise().minCoeff()).maxCoeff()) {}
+        slack_(same_place * (points_.rowwise().maxCoeff() - points_.rowwise().minCoeff()).maxCoeff()) {}
 
   bool same(const VectorX& a, const VectorX& b) const { return (a - b).norm() <= slack_; }
   bool same(int a, int b) const { return same(points_.col(a), points_.col(b)); }
-  bool same_weight(int a, int b) const { return std::abs(weights_(a) - weights_(b)) <= 1e-10 * weights_(a); }
+  bool same_weight(int a, int b) const { return std::abs(weights_(a) - weights_(b)) <= same_place * weights_(a); }
 
   bool one_point(const Functions& line) const {
     return std::all_of(line.begin(), line.end(), [&](int function) { return same(line.front(), function); });

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/index.hpp"
+#include "nurbs/constants.hpp"
 #include "nurbs/curves.hpp"
 #include "nurbs/refine.hpp"
 
@@ -15,7 +16,7 @@ namespace {
 /// Direction d with its knots mapped linearly to [first, last]; knots that match one of `known` but for rounding
 /// become it, the others join `known`.
 KnotVector fitted(const KnotVector& knots, double first, double last, std::vector<double>& known) {
-  const double slack = 1e-12 * (last - first);
+  const double slack = rounding * (last - first);
   std::vector<double> fitted;
   for (double knot : knots.knots()) {
     const double t = (knot - knots.first()) / (knots.last() - knots.first());

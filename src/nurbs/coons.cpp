@@ -4,6 +4,7 @@
 #include "base/error.hpp"
 #include "base/index.hpp"
 #include "base/words.hpp"
+#include "nurbs/constants.hpp"
 
 #include <algorithm>
 #include <array>
@@ -48,10 +49,10 @@ void check_meeting(const Lattice& lattice, double size) {
         const VectorX a = lattice.value(index, known), b = lattice.value(index, d);
         const VectorX x = a.head(space) / a(space), y = b.head(space) / b(space);
         const std::string first = name_of({known, index[at(known)] > 0}), second = name_of({d, index[at(d)] > 0});
-        require((x - y).norm() <= 1e-9 * size, "coons: '", first, "' and '", second, "' do not meet: one is at ",
+        require((x - y).norm() <= computed * size, "coons: '", first, "' and '", second, "' do not meet: one is at ",
                 coordinates(x), ", the other at ", coordinates(y),
                 "; each must run along the rising parameter, west to east, south to north, front to back");
-        require(std::abs(a(space) - b(space)) <= 1e-9 * std::abs(a(space)), "coons: '", first, "' and '", second,
+        require(std::abs(a(space) - b(space)) <= computed * std::abs(a(space)), "coons: '", first, "' and '", second,
                 "' meet at ", coordinates(x), " with different weights, ", a(space), " and ", b(space));
       }
       known = d;

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/words.hpp"
+#include "nurbs/constants.hpp"
 
 #include <cmath>
 
@@ -24,9 +25,9 @@ Patch arc(const Point& centre, double radius, double start, double stop) {
   const double turn = stop - start;
   require(turn != 0, "arc: it starts and ends at ", start, " degrees; give two different angles");
   // Slack for angles that were computed: 90·(1 + ε) is still one quarter.
-  constexpr double slack = 1e-12;
-  require(std::abs(turn) <= 360 * (1 + slack), "arc: from ", start, " to ", stop, " degrees is more than a full turn");
-  const int segments = std::max(1, static_cast<int>(std::ceil(std::abs(turn) / 90 - slack)));
+  require(std::abs(turn) <= 360 * (1 + rounding), "arc: from ", start, " to ", stop,
+          " degrees is more than a full turn");
+  const int segments = std::max(1, static_cast<int>(std::ceil(std::abs(turn) / 90 - rounding)));
 
   // Between two points on the circle stands the crossing of their tangents at r/cos(θ/2), weight cos(θ/2), θ being the
   // segment's angle (NURBS Book, 7.3).

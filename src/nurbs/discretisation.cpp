@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/index.hpp"
 #include "nurbs/basis.hpp"
+#include "nurbs/constants.hpp"
 #include "nurbs/lagrange.hpp"
 
 #include <algorithm>
@@ -75,7 +76,6 @@ void check_ends(const Space1D& space) {
   const auto others = [](const VectorX& column, Eigen::Index own) {
     return (column - VectorX::Unit(column.size(), own)).norm();
   };
-  constexpr double rounding = 1e-12;
   require(space.functions_on(0).front() == 0 && others(start, 0) <= rounding &&
               space.functions_on(last).back() == space.functions() - 1 && others(end, end.size() - 1) <= rounding,
           "the first function of a body's spaces must be 1 at their start, the last at their end");

@@ -2,6 +2,7 @@
 #include "nurbs/refine.hpp"
 
 #include "base/error.hpp"
+#include "nurbs/constants.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -31,11 +32,10 @@ Kink kink_of(const std::optional<Grading>& grading) {
 /// Largest remainder: whole numbers ≥ 1 that add up to `total` and stay close to the quotas (which add up to it too).
 std::vector<int> share_out(const std::vector<double>& quotas, int total) {
   // Quotas that are equal or whole but for rounding shall count as such.
-  constexpr double slack = 1e-9;
   std::vector<int> counts;
   int sum = 0;
   for (double quota : quotas) {
-    counts.push_back(std::max(1, static_cast<int>(std::floor(quota + slack))));
+    counts.push_back(std::max(1, static_cast<int>(std::floor(quota + computed))));
     sum += counts.back();
   }
   // One more where most is missing, or one less where most is too much: the first of equals.
@@ -46,7 +46,7 @@ std::vector<int> share_out(const std::vector<double>& quotas, int total) {
     for (std::size_t i = 0; i < quotas.size(); ++i) {
       const double missing = step * (quotas[i] - counts[i]);
       if (step < 0 && counts[i] == 1) continue;
-      if (chosen == quotas.size() || missing > most + slack) {
+      if (chosen == quotas.size() || missing > most + computed) {
         chosen = i;
         most = missing;
       }

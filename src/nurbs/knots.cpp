@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/index.hpp"
+#include "nurbs/constants.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +25,7 @@ void check(int degree, const std::vector<double>& knots) {
   require(knots.front() < knots.back(), "knots: all are ", knots.front(), "; the last must be above the first");
 
   // Distinct knots closer than this leave elements that rounding cannot resolve.
-  const double least = 1e-12 * (knots.back() - knots.front());
+  const double least = rounding * (knots.back() - knots.front());
   for (std::size_t i = 0; i < knots.size();) {
     const std::size_t start = i;
     while (i < knots.size() && knots[i] == knots[start]) ++i;
@@ -61,9 +62,9 @@ KnotVector KnotVector::single(int degree) {
 
 int find_element(const std::vector<double>& breaks, double xi) {
   const double first = breaks.front(), last = breaks.back();
-  const double beyond = std::max(first - xi, xi - last), rounding = 1e-12 * (last - first);
-  require(beyond <= rounding, "xi: ", xi, " is outside the knots, [", first, ", ", last, "]",
-          beyond > 0 && beyond < 1e-6 * (last - first) ? text(", by ", beyond) : "");
+  const double beyond = std::max(first - xi, xi - last), slack = rounding * (last - first);
+  require(beyond <= slack, "xi: ", xi, " is outside the knots, [", first, ", ", last, "]",
+          beyond > 0 && beyond < just_outside * (last - first) ? text(", by ", beyond) : "");
   const auto next = std::upper_bound(breaks.begin(), breaks.end() - 1, xi);
   return std::max(static_cast<int>(next - breaks.begin()) - 1, 0);
 }

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "nurbs/bezier.hpp"
+#include "nurbs/constants.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +12,6 @@ namespace signorini::nurbs {
 Space1D::Space1D(std::vector<double> breaks, std::vector<int> smoothness, const std::vector<Element1D>& elements,
                  std::optional<KnotVector> knots)
     : breaks_(std::move(breaks)), smoothness_(std::move(smoothness)), knots_(std::move(knots)) {
-  constexpr double rounding = 1e-12;
   require(!elements.empty() && breaks_.size() == elements.size() + 1 && smoothness_.size() == breaks_.size(),
           "space: ", elements.size(), " elements lie between ", elements.size() + 1, " breakpoints, got ",
           breaks_.size(), " breakpoints and ", smoothness_.size(), " orders of smoothness");

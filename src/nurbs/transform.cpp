@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/words.hpp"
+#include "nurbs/constants.hpp"
 #include "nurbs/directions.hpp"
 
 #include <cmath>
@@ -84,7 +85,6 @@ Patch to_plane(const Patch& patch) {
   require(patch.parametric_dimension() <= 2, "to_plane: a volume does not fit into the plane; take one of its faces");
   const MatrixX points = patch.points();
   const double low = points.row(2).minCoeff(), high = points.row(2).maxCoeff();
-  constexpr double rounding = 1e-12;
   require(high - low <= rounding * points.cwiseAbs().maxCoeff(), "to_plane: z of its control points goes from ",
           number(low), " to ", number(high), ", expected one z for all; turn the patch with patch:rotate first");
   return transform(patch, MatrixX::Identity(2, 3), Vec<2>(0, 0));
@@ -95,7 +95,6 @@ namespace {
 /// The direction whose lines of control points lead farthest along the normal from end to end, all in all.
 int direction_along(const Patch& patch, const Point& normal) {
   const VectorX heights = patch.points().transpose().lazyProduct(normal);
-  constexpr double rounding = 1e-10;
   int best = 0;
   double most = 0;
   for (int d = 0; d < patch.parametric_dimension(); ++d) {
@@ -104,7 +103,7 @@ int direction_along(const Patch& patch, const Point& normal) {
     for (int n = 0; n < patch.functions(); ++n)
       if (n / stride % count == 0) way += std::abs(heights(n + stride * (count - 1)) - heights(n));
     way *= count; // the mean over the lines, but for a factor that all directions share
-    if (way > (1 + rounding) * most) {
+    if (way > (1 + same_place) * most) {
       best = d;
       most = way;
     }

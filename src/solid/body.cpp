@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
 #include "base/words.hpp"
+#include "nurbs/constants.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -29,8 +30,7 @@ void require_radius(double least, const VectorX& point) {
 
 /// Refuses a map that is folded flat, by more than rounding, or turned inside out.
 template <int D> void check_jacobian(const Mat<D>& jacobian, double determinant, const VectorX& place) {
-  constexpr double rounding = 1e-13;
-  require(std::abs(determinant) > rounding * jacobian.colwise().norm().prod(), "patch: the map has no ",
+  require(std::abs(determinant) > nurbs::folded_flat * jacobian.colwise().norm().prod(), "patch: the map has no ",
           D == 2 ? "area" : "volume", " (Jacobian ", determinant, ") near ", coordinates(place), ": it is folded ",
           D == 2 ? "into a line" : "flat", " there; move the control points apart");
   require(determinant > 0, "patch: the map is not right-handed (Jacobian ", determinant, ") near ", coordinates(place),
@@ -40,12 +40,12 @@ template <int D> void check_jacobian(const Mat<D>& jacobian, double determinant,
 /// Refuses a body with a corner of an element beyond the axis; the Gauss points are seen to as they are made.
 void check_radii(const nurbs::Discretisation& space) {
   const MatrixX points = space.points();
-  const double rounding = 1e-12 * points.cwiseAbs().maxCoeff();
+  const double slack = nurbs::rounding * points.cwiseAbs().maxCoeff();
   VectorX xi(2);
   for (int e = 0; e < space.elements(); ++e)
     for (int corner = 0; corner < 4; ++corner) {
       xi << space.interval(e, 0)[at(corner % 2)], space.interval(e, 1)[at(corner / 2)];
-      require_radius(-rounding, space.basis(e, xi).combine(points));
+      require_radius(-slack, space.basis(e, xi).combine(points));
     }
 }
 
