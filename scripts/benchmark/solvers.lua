@@ -7,7 +7,7 @@ local measure = require "benchmark.measure"
 local peeling = require "peeling2d.problem"
 local rings = require "rings2d.problem"
 
-local solvers = { kinds = { "klu", "umfpack", "banded", "kept", "condensed", "auto" } }
+local solvers = { kinds = { "klu", "umfpack", "kept", "condensed", "auto" } }
 
 -- ── Scenes: begin(steps) → model, stages ─────────────────────────────────────────────────────────────────────────────
 

@@ -205,7 +205,7 @@ constexpr Function model_path_entries[] = {
      "nothing. Returns { converged, reason,\n"
      "iterations, message, residuals, energies, parts }; reason is \"converged\", \"iterations\", \"diverged\",\n"
      "\"cycling\", \"lost_projection\", \"inverted\", \"singular\", \"nan\", \"line_search\", \"penetration\" or\n"
-     "\"interrupted\". linear: \"auto\"; \"klu\", \"umfpack\"; \"banded\" (slender bodies);\n"
+     "\"interrupted\". linear: \"auto\"; \"klu\", \"umfpack\";\n"
      "\"kept\" (a factorisation serves several systems as preconditioner, where one is dear); \"condensed\" (linear\n"
      "elastic bodies: all but the contact unknowns are eliminated once). line_search: \"residual\" (non-monotone),\n"
      "\"energy\"; predictor: \"constant\", \"linear\" (goes on as the last step did). freeze_active_set: states of\n"

@@ -42,7 +42,7 @@ template <int D> MemoryCost memory_cost(const Model<D>& model) {
     const solve::Pattern& pattern = model.system.assembly.pattern();
     constexpr bool damps = false;
     const solve::FactorEstimate estimate =
-        solve::estimate_factor(first_choice(linear_facts(model.system), pattern, damps), pattern);
+        solve::estimate_factor(first_choice(linear_facts(model.system), damps), pattern);
     cost.factors = estimate.memory;
     cost.solver = estimate.kind;
     cost.measured = false;

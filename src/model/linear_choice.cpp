@@ -15,9 +15,9 @@ bool can_condense(const LinearFacts& facts, bool damps) {
   return !damps && facts.constant_bulk;
 }
 
-solve::LinearKind first_choice(const LinearFacts& facts, const solve::Pattern& pattern, bool damps) {
+solve::LinearKind first_choice(const LinearFacts& facts, bool damps) {
   if (can_condense(facts, damps)) return solve::LinearKind::condensed;
-  return facts.potential ? solve::symmetric_choice(pattern) : solve::LinearKind::automatic;
+  return facts.potential ? solve::LinearKind::kept : solve::LinearKind::automatic;
 }
 
 template LinearFacts linear_facts(const System<2>&);

@@ -18,6 +18,6 @@ template <int D> LinearFacts linear_facts(const System<D>& system);
 bool can_condense(const LinearFacts& facts, bool damps);
 
 /// What a path begins with; `automatic` stands for solve::make_automatic.
-solve::LinearKind first_choice(const LinearFacts& facts, const solve::Pattern& pattern, bool damps);
+solve::LinearKind first_choice(const LinearFacts& facts, bool damps);
 
 } // namespace signorini::model

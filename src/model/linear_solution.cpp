@@ -38,7 +38,7 @@ solve::LinearSolver& LinearSolution::solver(const Tangent& tangent, const Linear
                                              tangent.contact_unknowns};
       solver_ = solve::make_solver(solve::LinearKind::condensed, tangent.pattern, &condensation);
     } else {
-      const solve::LinearKind kind = open ? first_choice(facts_, tangent.pattern, request.damps) : request.kind;
+      const solve::LinearKind kind = open ? first_choice(facts_, request.damps) : request.kind;
       solver_ = solve::make_solver(kind == solve::LinearKind::automatic ? beginning_ : kind, tangent.pattern);
     }
   }

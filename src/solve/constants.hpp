@@ -21,10 +21,6 @@ inline constexpr double refactored_residual = 1e-8;
 /// Operations of a factorization for each entry that a solution reads, above which it is reused: GMRES takes some ten
 /// solutions for a system, and its products cost as much again.
 inline constexpr double reuse_above = 70;
-/// A body is slender where its band is at most this times √n wide: a square of bilinear elements has √n.
-inline constexpr double slender_width = 2;
-/// A band so narrow costs less than the overhead of sparse solvers, whatever the body's shape.
-inline constexpr double narrow_band = 100;
 
 // ── Reuse of a factorization ─────────────────────────────────────────────────────────────────────────────────────────
 

@@ -43,8 +43,5 @@ using MakeDirect = std::function<std::unique_ptr<DirectSolver>()>;
 std::unique_ptr<DirectSolver> make_klu();
 /// UMFPACK, for matrices of any kind: multifrontal LU with threshold pivots, ordered by nested dissection (METIS).
 std::unique_ptr<DirectSolver> make_umfpack();
-/// LAPACK's band factorizations, for slender bodies: Cholesky while the matrix is symmetric and positive definite,
-/// row-pivoted LU otherwise, on the band that is left after reordering. Memory: 3 size × band width values.
-std::unique_ptr<DirectSolver> make_banded();
 
 } // namespace signorini::solve

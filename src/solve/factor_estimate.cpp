@@ -1,15 +1,11 @@
 #include "solve/factor_estimate.hpp"
 
 #include "base/error.hpp"
-#include "solve/band_order.hpp"
 #include "solve/cholmod.hpp"
 
 namespace signorini::solve {
 
 FactorEstimate estimate_factor(LinearKind kind, const Pattern& pattern) {
-  if (kind == LinearKind::banded)
-    return {kind, sizeof(double) * (band_width(pattern, band_order(pattern)) + 1.0) * pattern.size};
-
   CholmodCommon common;
   CholmodFactor lower(common);
   common.nmethods = 1;

@@ -11,7 +11,7 @@ struct FactorEstimate {
 };
 
 /// Counts the entries of Cholesky's factor in the order of nested dissection (METIS); LU has two of them as long as
-/// pivoting leaves that order alone; `banded` by its band. What `kept` and `condensed` add for the unknowns in contact
+/// pivoting leaves that order alone. What `kept` and `condensed` add for the unknowns in contact
 /// is not counted.
 FactorEstimate estimate_factor(LinearKind kind, const Pattern& pattern);
 

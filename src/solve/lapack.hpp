@@ -13,14 +13,5 @@ void dsyrk_(const char* triangle, const char* transposed, const int* size, const
 /// Eigenvalues, the least one first, and in place of the matrix the eigenvectors of a dense symmetric one.
 void dsyev_(const char* vectors, const char* triangle, const int* size, double* a, const int* leading, double* values,
             double* work, const int* work_size, int* info);
-/// Row-pivoted LU of a band.
-void dgbtrf_(const int* rows, const int* columns, const int* lower, const int* upper, double* a, const int* leading,
-             int* pivots, int* info);
-void dgbtrs_(const char* transposed, const int* size, const int* lower, const int* upper, const int* right_sides,
-             const double* a, const int* leading, const int* pivots, double* b, const int* leading_b, int* info);
-/// Cholesky's factor of a symmetric band, and the solution with it.
-void dpbtrf_(const char* triangle, const int* size, const int* band, double* a, const int* leading, int* info);
-void dpbtrs_(const char* triangle, const int* size, const int* band, const int* right_sides, const double* a,
-             const int* leading, double* b, const int* leading_b, int* info);
 }
 // NOLINTEND(readability-identifier-naming)

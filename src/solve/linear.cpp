@@ -1,7 +1,6 @@
 #include "solve/linear.hpp"
 
 #include "base/error.hpp"
-#include "solve/band_order.hpp"
 #include "solve/condensed.hpp"
 #include "solve/reused.hpp"
 
@@ -13,10 +12,11 @@ namespace signorini::solve {
 
 namespace {
 
-constexpr std::pair<LinearKind, const char*> names[] = {
-    {LinearKind::automatic, "auto"},      {LinearKind::klu, "klu"},
-    {LinearKind::umfpack, "umfpack"},     {LinearKind::banded, "banded"},
-    {LinearKind::condensed, "condensed"}, {LinearKind::kept, "kept"}};
+constexpr std::pair<LinearKind, const char*> names[] = {{LinearKind::automatic, "auto"},
+                                                        {LinearKind::klu, "klu"},
+                                                        {LinearKind::umfpack, "umfpack"},
+                                                        {LinearKind::condensed, "condensed"},
+                                                        {LinearKind::kept, "kept"}};
 
 /// Factors every matrix.
 class Direct final : public LinearSolver {
@@ -33,11 +33,6 @@ private:
   LinearKind kind_;
   std::unique_ptr<DirectSolver> solver_;
 };
-
-std::unique_ptr<DirectSolver> make_direct(LinearKind kind) {
-  if (kind == LinearKind::umfpack) return make_umfpack();
-  return kind == LinearKind::banded ? make_banded() : make_klu();
-}
 
 } // namespace
 
@@ -62,12 +57,6 @@ std::string name_of(LinearKind kind) {
   return "";
 }
 
-LinearKind symmetric_choice(const Pattern& pattern) {
-  const double width = band_width(pattern, band_order(pattern));
-  const double widest = std::max(narrow_band, slender_width * std::sqrt(pattern.size));
-  return width <= widest ? LinearKind::banded : LinearKind::kept;
-}
-
 bool worth_reusing(double operations, double entries) {
   return operations > reuse_above * entries;
 }
@@ -81,7 +70,7 @@ std::unique_ptr<LinearSolver> make_solver(LinearKind kind, const Pattern& patter
   // Solids: nested dissection at once
   if (kind == LinearKind::kept)
     return make_reused(pattern, make_umfpack, std::make_unique<SymmetricPart>(make_schur_cholesky(0)));
-  std::unique_ptr<DirectSolver> direct = make_direct(kind);
+  std::unique_ptr<DirectSolver> direct = kind == LinearKind::umfpack ? make_umfpack() : make_klu();
   direct->analyze(pattern);
   const SolverStatistics expected = direct->statistics();
   if (kind == LinearKind::automatic && worth_reusing(expected.operations, expected.entries))

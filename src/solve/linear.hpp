@@ -7,10 +7,10 @@
 
 namespace signorini::solve {
 
-/// The numbers stand in checkpoints; 3 was a solver that is gone.
-enum class LinearKind { automatic = 0, klu = 1, umfpack = 2, banded = 4, condensed = 5, kept = 6 };
+/// The numbers stand in checkpoints; 3 and 4 were solvers that are gone.
+enum class LinearKind { automatic = 0, klu = 1, umfpack = 2, condensed = 5, kept = 6 };
 
-/// "auto", "klu", "umfpack", "banded", "condensed", "kept". Throws Error that lists them.
+/// "auto", "klu", "umfpack", "condensed", "kept". Throws Error that lists them.
 LinearKind linear_kind(const std::string& name);
 /// All names that linear_kind() knows, "auto" first.
 std::vector<std::string> linear_names();
@@ -39,15 +39,12 @@ public:
 
 struct Condensation;
 
-/// `klu`, `umfpack` and `banded` factor every matrix by that direct solver; `kept` reuses factorizations (reused.hpp)
+/// `klu` and `umfpack` factor every matrix by that direct solver; `kept` reuses factorizations (reused.hpp)
 /// of CHOLMOD, or of UMFPACK where the symmetric part is not positive definite; `condensed` condenses the constant part
 /// (condensed.hpp) by CHOLMOD and needs the condensation, which the others pass over. `automatic` takes `klu`, but
 /// `kept` where that would be worth it. Which is fastest where: share/doc/benchmark.md.
 std::unique_ptr<LinearSolver> make_solver(LinearKind kind, const Pattern& pattern,
                                           const Condensation* condensation = nullptr);
-
-/// What suits tangents that are symmetric: `banded` for slender and small bodies, `kept` for others.
-LinearKind symmetric_choice(const Pattern& pattern);
 
 /// Whether a factorization costs so many solutions that it should be reused: its operations, and the entries that a
 /// solution reads.

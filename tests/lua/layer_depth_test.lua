@@ -8,7 +8,7 @@ package.path = core.home .. "/scripts/?.lua;" .. package.path
 
 local folder = check.folder()
 local study = assert(loadfile(core.home .. "/scripts/layer_depth.lua"))(
-  "out=" .. folder, "rows=1,2,all", "layers=N2.2,N4", "repeat=1", "linear=banded",
+  "out=" .. folder, "rows=1,2,all", "layers=N2.2,N4", "repeat=1",
   "peeling=mesh=m0;length=60;bonded=50;steps=400;window=34,40", "hertz=meshes=m1;sizes=1;reference=m3",
   "rings=meshes=m1;reference=m3")
 

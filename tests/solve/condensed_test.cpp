@@ -42,7 +42,7 @@ using MakeSchur = std::function<std::unique_ptr<SchurSolver>()>;
 
 /// CHOLMOD with L by columns and by dense blocks, ordered in both ways, and any direct solver of the interior.
 const MakeSchur schur_solvers[] = {[] { return make_schur_cholesky(500); }, [] { return make_schur_cholesky(0); },
-                                   [] { return make_schur(make_klu()); }, [] { return make_schur(make_banded()); }};
+                                   [] { return make_schur(make_klu()); }, [] { return make_schur(make_umfpack()); }};
 
 TEST(SchurSolvers, LeaveTheComplementAndSolve) {
   std::mt19937 random(17);

@@ -48,10 +48,6 @@ TEST(FactorEstimate, TellsWhatTheSolversTake) {
   }
 }
 
-TEST(FactorEstimate, CountsABandExactly) {
-  EXPECT_EQ(compare(LinearKind::banded, sheet(200, 5)).part, 1);
-}
-
 TEST(FactorEstimate, ForeseesTheAutomaticChoice) {
   EXPECT_EQ(compare(LinearKind::automatic, sheet(20, 20)).kind, LinearKind::klu);
   EXPECT_EQ(compare(LinearKind::automatic, sheet(100, 90)).kind, LinearKind::kept);

@@ -66,7 +66,7 @@ TEST_P(Linear, SingularToWorkingPrecisionIsSeen) {
 /// Pattern, values and right-hand side may go, and a pattern may follow another one.
 TEST(DirectSolvers, OwnWhatTheyKeep) {
   std::mt19937 random(7);
-  for (const MakeDirect& make : {MakeDirect(make_klu), MakeDirect(make_umfpack), MakeDirect(make_banded)}) {
+  for (const MakeDirect& make : {MakeDirect(make_klu), MakeDirect(make_umfpack)}) {
     const auto solver = make();
     for (int size : {50, 20, 80}) {
       const Pattern pattern = chain(size);
@@ -89,7 +89,7 @@ TEST(DirectSolvers, OwnWhatTheyKeep) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Solvers, Linear, testing::Values(LinearKind::klu, LinearKind::umfpack, LinearKind::banded),
+INSTANTIATE_TEST_SUITE_P(Solvers, Linear, testing::Values(LinearKind::klu, LinearKind::umfpack),
                          [](const auto& info) { return name_of(info.param); });
 
 /// Two unknowns a node on a grid of nodes, coupled over one element.
@@ -103,12 +103,6 @@ Pattern grid(int columns, int rows) {
       groups.push_back(group);
     }
   return couple(2 * columns * rows, groups);
-}
-
-TEST(LinearKinds, SymmetricTangentsOfSlenderBodiesAreSolvedOnTheirBand) {
-  EXPECT_EQ(symmetric_choice(grid(200, 10)), LinearKind::banded);
-  EXPECT_EQ(symmetric_choice(grid(10, 200)), LinearKind::banded);
-  EXPECT_EQ(symmetric_choice(grid(60, 60)), LinearKind::kept);
 }
 
 TEST(LinearKinds, KeepsWhatIsDearToFactor) {
@@ -130,11 +124,11 @@ TEST(LinearKinds, KeepsWhatIsDearToFactor) {
 }
 
 TEST(LinearKinds, HaveNames) {
-  for (LinearKind kind : {LinearKind::automatic, LinearKind::klu, LinearKind::umfpack, LinearKind::banded,
-                          LinearKind::condensed, LinearKind::kept})
+  for (LinearKind kind :
+       {LinearKind::automatic, LinearKind::klu, LinearKind::umfpack, LinearKind::condensed, LinearKind::kept})
     EXPECT_EQ(linear_kind(name_of(kind)), kind);
   EXPECT_ERROR(linear_kind("pardiso"),
-               "unknown solver 'pardiso'; known are 'auto', 'klu', 'umfpack', 'banded', 'condensed', 'kept'");
+               "unknown solver 'pardiso'; known are 'auto', 'klu', 'umfpack', 'condensed', 'kept'");
   EXPECT_EQ(make_solver(LinearKind::automatic, chain(10))->kind(), LinearKind::klu);
 }
 
