@@ -1,7 +1,7 @@
 # What an installed tree holds, and the Debian package of it: cpack --config build/CPackConfig.cmake
 
 install(TARGETS signorini RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(TARGETS signorini_view LIBRARY DESTINATION lib/signorini)
+install(TARGETS signorini_view signorini_flat LIBRARY DESTINATION lib/signorini)
 install(DIRECTORY lua DESTINATION ${CMAKE_INSTALL_DATADIR}/signorini)
 install(DIRECTORY scripts DESTINATION ${CMAKE_INSTALL_DATADIR}/signorini FILES_MATCHING PATTERN "*.lua")
 install(DIRECTORY share/ DESTINATION ${CMAKE_INSTALL_DATADIR}/signorini

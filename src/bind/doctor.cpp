@@ -3,8 +3,8 @@
 #include "base/error.hpp"
 #include "bind/library.hpp"
 #include "bind/versions.hpp"
+#include "view/flat_renderer.hpp"
 #include "view/picture.hpp"
-#include "view/renderer.hpp"
 #include "view/series.hpp"
 
 #include <filesystem>
@@ -56,6 +56,7 @@ bool doctor(std::ostream& out, int threads, const std::string& readline) {
   row("threads", std::to_string(threads));
   row("readline", readline);
   attempt("renderer", [] { return view::renderer_description(); });
+  attempt("drawing", [] { return view::flat_renderer().description(); });
   attempt("test picture", test_picture);
   attempt("films", [] { return view::film_description(); });
   row("all in all", well ? "ok" : "something is missing, see above");

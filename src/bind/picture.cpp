@@ -234,11 +234,11 @@ view::Figure figure_of(const FieldSheet<Panel, PanelOptions>& sheet, int picture
   return view::with_close_ups(picture, plan->second, whole, detail);
 }
 
-/// The bytes of a picture: the sheets of several fields side by side.
+/// A whole picture: the sheets of several fields side by side.
 template <class Panel, class PanelOptions>
-std::string png_of(const std::vector<FieldSheet<Panel, PanelOptions>>& sheets, int picture = 0) {
+view::Figure figure_of(const std::vector<FieldSheet<Panel, PanelOptions>>& sheets, int picture) {
   const PanelOptions& first = sheets[0].options;
-  if (sheets.size() == 1) return view::png(figure_of(sheets[0], picture, first), first.transparent);
+  if (sheets.size() == 1) return figure_of(sheets[0], picture, first);
   const bool single = sheets[0].pictures[0].size() == 1; // then the columns are those of the fields
   view::PictureOptions whole = first;
   if (!single) whole.columns.reset();
@@ -251,7 +251,7 @@ std::string png_of(const std::vector<FieldSheet<Panel, PanelOptions>>& sheets, i
     if (single) options.columns.reset();
     return figure_of(sheets[static_cast<std::size_t>(i)], picture, options);
   };
-  return view::png(view::side_by_side(static_cast<int>(sheets.size()), whole, part), first.transparent);
+  return view::side_by_side(static_cast<int>(sheets.size()), whole, part);
 }
 
 /// One meaning of colours in all states, and in a series one frame. `beside`: there are other sheets.
@@ -300,16 +300,28 @@ void draw(const Sheets& sheets, const PanelOptions& options, const std::optional
     for (const auto& beside : all)
       if (beside.options.range && all.size() > 1)
         sheet.options.bars_beside.push_back({*beside.options.range, beside.options.field_label});
-  if (series)
-    return view::write_series(file, static_cast<int>(sheets[0].size()), rate, [&](int i) { return png_of(all, i); });
-  write_whole(file, png_of(all));
+  const view::Format format = series ? view::series_format(file) : view::format_of(file);
+  const auto bytes = [&](int i) { return view::bytes_of(figure_of(all, i), format, options.transparent); };
+  if (series) return view::write_series(file, static_cast<int>(sheets[0].size()), rate, bytes);
+  write_whole(file, bytes(0));
+}
+
+void check_ending(const std::string& file, bool series) {
+  try {
+    if (series)
+      view::series_format(file);
+    else
+      view::format_of(file);
+  } catch (const Error& error) {
+    fail(error.what(), "; several states may also make a series, \"x-%04d.png\", or a film, .mp4 or .ogv");
+  }
 }
 
 /// Refuses what has no meaning without something else.
 void check_company(lua_State* L, const Options& o, const std::string& file) {
   const bool series = view::is_series(file), many = o.has("frames") || o.has("states");
   const auto refuse = [&](const auto&... words) { throw ArgumentError(text(function_name(L), ": ", words...)); };
-  if (!series) view::check_file(file);
+  check_ending(file, series);
   if (series && !many)
     refuse("file '", file, "' is for several states and names a series: give it states = run:states(), or frames");
   if (o.has("columns") && !many && !o.has("fields"))
@@ -325,7 +337,8 @@ void check_company(lua_State* L, const Options& o, const std::string& file) {
 
 int picture(lua_State* L) {
   const Options o(L, 1, joined(state_keys, picture_keys));
-  const std::string file = o.string("file", "a name that ends with .png, or \"x-%04d.png\", .mp4 or .ogv for a series");
+  const std::string file =
+      o.string("file", "a name that ends with .png, .svg or .pdf, or \"x-%04d.png\", .mp4 or .ogv for a series");
   check_company(L, o, file);
   view::SolidOptions options;
   read_options(L, o, options);

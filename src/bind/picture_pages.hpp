@@ -10,8 +10,9 @@ constexpr const char* picture_page =
             fps = 10, patch, names = true }
 Draws the model's present state, or states that were kept, to a file, whole or not at all. Lengths are those of
 the model, sizes are pixels.
-file:        "x.png"; for several states also a series: "x-%04d.png", numbered from 1, or a film: "x.mp4" (H.264,
-             needs the program ffmpeg) or "x.ogv" (Theora, needs no other program).
+file:        "x.png", "x.svg" or "x.pdf" (lines and texts are vectors, fields images); for several states also a
+             series: "x-%04d.png", numbered from 1, or a film: "x.mp4" (H.264, needs the program ffmpeg) or "x.ogv"
+             (Theora, needs no other program).
  What is shown
 patch:       a patch, or a list of patches of one dimension, in the place of model, before they are bodies: grey;
              takes mesh, control_points, names, marks and all on paper.

@@ -7,7 +7,7 @@
 #include "bind/open.hpp"
 #include "bind/patch.hpp"
 #include "tessellation/bezier_cells.hpp"
-#include "view/output.hpp"
+#include "view/figure.hpp"
 
 #include <limits>
 

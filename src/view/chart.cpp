@@ -3,10 +3,9 @@
 #include "base/error.hpp"
 #include "base/warning.hpp"
 #include "base/whole_file.hpp"
+#include "view/figure.hpp"
 #include "view/inset.hpp"
 #include "view/legend.hpp"
-#include "view/output.hpp"
-#include "view/renderer.hpp"
 #include "view/rules.hpp"
 
 #include <algorithm>
@@ -189,11 +188,8 @@ Drawing draw(const std::vector<Series>& series, const ChartOptions& options) {
 void draw_chart(const std::vector<Series>& series, const ChartOptions& options, const std::string& file) {
   check(series, options);
   check_names(options);
-  const std::string ending = file_ending(file);
-  require(ending == ".png" || ending == ".svg" || ending == ".pdf", "file '", file,
-          "' has no ending that charts know; expected .png, .svg or .pdf");
-  const Drawing drawing = draw(series, options);
-  write_whole(file, ending == ".png" ? png(Plate{drawing}) : ending == ".svg" ? svg(drawing) : pdf(drawing));
+  const Format format = format_of(file);
+  write_whole(file, bytes_of(figure_of({draw(series, options)}), format));
 }
 
 } // namespace signorini::view

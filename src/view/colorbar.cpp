@@ -108,8 +108,8 @@ void draw_colorbar(Drawing& drawing, const BarPlace& place, const std::array<dou
 
   const double step = (high - low) / static_cast<double>(colours.size());
   for (std::size_t i = 0; i < colours.size(); ++i) {
-    const double from = low + step * i, to = i + 1 == colours.size() ? high : from + 1.5 * step; // overlap hides seams
-    drawing.marks.push_back(Fill{{{place.left, from}, {right, from}, {right, to}, {place.left, to}}, colours[i]});
+    const double from = low + step * i; // each up to the top, so that no seam shows between two
+    drawing.marks.push_back(Fill{{{place.left, from}, {right, from}, {right, high}, {place.left, high}}, colours[i]});
   }
   std::vector<Vec2> outline = {{place.left, high}, {place.left, low}};
   if (beyond[0]) {

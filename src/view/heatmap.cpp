@@ -6,8 +6,7 @@
 #include "view/cell_axes.hpp"
 #include "view/colorbar.hpp"
 #include "view/colormap.hpp"
-#include "view/output.hpp"
-#include "view/renderer.hpp"
+#include "view/figure.hpp"
 #include "view/text.hpp"
 #include "view/ticks.hpp"
 
@@ -299,11 +298,8 @@ Drawing draw(const std::vector<Heat>& maps, const HeatmapOptions& options) {
 
 void draw_heatmap(const std::vector<Heat>& maps, const HeatmapOptions& options, const std::string& file) {
   check(maps, options);
-  const std::string ending = file_ending(file);
-  require(ending == ".png" || ending == ".svg" || ending == ".pdf", "file '", file,
-          "' has no ending that heat maps know; expected .png, .svg or .pdf");
-  const Drawing drawing = draw(maps, options);
-  write_whole(file, ending == ".png" ? png(Plate{drawing}) : ending == ".svg" ? svg(drawing) : pdf(drawing));
+  const Format format = format_of(file);
+  write_whole(file, bytes_of(figure_of({draw(maps, options)}), format));
 }
 
 } // namespace signorini::view

@@ -8,8 +8,6 @@
 #include "view/colormap.hpp"
 #include "view/extent_text.hpp"
 #include "view/obstacle.hpp"
-#include "view/output.hpp"
-#include "view/renderer.hpp"
 #include "view/sheet.hpp"
 
 #include <algorithm>
@@ -238,8 +236,8 @@ void check_part(const std::vector<Panel>& panels, const PictureOptions& options,
 }
 
 void draw_sheet(const std::vector<Panel>& panels, const PictureOptions& options, const std::string& file) {
-  check_file(file);
-  write_whole(file, png(make_plate(panels, options), options.transparent));
+  const Format format = format_of(file);
+  write_whole(file, bytes_of(figure_of(make_plate(panels, options)), format, options.transparent));
 }
 
 void draw_picture(const std::vector<Body>& bodies, const PictureOptions& options, const std::string& file) {

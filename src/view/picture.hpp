@@ -1,8 +1,8 @@
 #pragma once
-// Pictures of bodies: coloured, tessellated geometry with mesh lines, drawn off-screen to PNG. Knows arrays, no models.
+// Pictures of bodies: coloured, tessellated geometry with mesh lines, drawn off-screen. Knows arrays, no models.
 
+#include "view/figure.hpp"
 #include "view/panel.hpp"
-#include "view/renderer.hpp"
 
 #include <optional>
 
@@ -32,10 +32,10 @@ struct PictureOptions {
   bool axis_names = true;       ///< x and y beside the numbers, or the three arrows
 };
 
-/// Draws states in rows from left to right to a PNG file, whole or not at all: all on one scale, with one colour range
-/// and one colour bar. All states show the same part of x, those of one row the same part of y. The same call gives the
-/// same bytes. Throws Error on an unknown colour map, a file that cannot be written, a range that is empty or not
-/// finite, or when off-screen rendering is not to be had.
+/// Draws states in rows from left to right to a PNG, SVG or PDF file, whole or not at all: all on one scale, with one
+/// colour range and one colour bar. All states show the same part of x, those of one row the same part of y. The same
+/// call gives the same bytes. Throws Error on an unknown colour map, a file that cannot be written, a range that is
+/// empty or not finite, or when off-screen rendering is not to be had.
 void draw_sheet(const std::vector<Panel>& panels, const PictureOptions& options, const std::string& file);
 
 /// The same before it is a file.

@@ -1,81 +1,37 @@
 #pragma once
-// Rendering without a display. VTK and OpenGL live in a module of their own (src/view/vtk) that is loaded by the first
-// picture: they take longer to load than a short script takes to run.
+// Images of fields and of surfaces in space, by VTK and OpenGL without a display (src/view/vtk).
 
-#include "view/frame.hpp"
-#include "view/relief.hpp"
+#include "view/figure.hpp"
 
-#include <array>
+#include <cstdint>
 #include <functional>
-#include <string>
-#include <vector>
 
 namespace signorini::view {
 
-/// What the module draws: surfaces in space, coloured areas, then plain triangles in their order, then texts.
-struct Raster {
-  std::array<int, 2> size; ///< pixels
-  Relief relief;
-  std::vector<Field> fields;
-  std::vector<Vec2> corners; ///< three per triangle
-  std::vector<Rgb> colours;  ///< one per triangle
-  std::vector<Text> texts;
+/// Rows from the top; each pixel is 0xAARRGGBB with its colours multiplied by its opacity.
+struct Pixels {
+  std::array<int, 2> size;
+  std::vector<std::uint32_t> argb;
 };
 
-struct PlacedRaster {
-  std::array<int, 2> at; ///< its bottom left corner in the picture, pixels
-  Raster raster;
-};
+/// Makes the bytes of a series' picture of a number (from 0).
+using PictureMaker = std::function<std::string(int index)>;
 
-/// Parts of a picture; later ones cover earlier ones.
-struct Image {
-  std::array<int, 2> size; ///< pixels
-  std::vector<PlacedRaster> parts;
-  bool transparent; ///< no ground behind them; else white
-};
-
-/// Makes the bytes of a film's picture of a number (from 0).
-using PngMaker = std::function<std::string(int index)>;
-
-/// The module's table of functions, found under the name `signorini_renderer`.
+/// The functions of the module.
 struct Renderer {
-  std::string (*png)(const Image& image); ///< the bytes of a PNG file
+  Pixels (*image)(const Plate& plate, int scale, bool transparent);
   /// Writes a film, Theora in Ogg; null where VTK has been built without it.
-  void (*ogv)(const std::string& file, int count, int rate, const PngMaker& png);
+  void (*ogv)(const std::string& file, int count, int rate, const PictureMaker& png);
   std::string (*description)();
 };
 
-/// A drawing and what lies beneath its marks.
-struct Plate {
-  Drawing drawing;
-  std::vector<Field> fields = {};
-  Relief relief = {};
-  std::vector<Frame> frames = {}; ///< where states stand on it
-};
-
-struct PlacedPlate {
-  std::array<int, 2> at; ///< its bottom left corner on the whole, pixels
-  Plate plate;
-};
-
-/// Plates laid over a whole of this size; later ones cover earlier ones.
-struct Figure {
-  std::array<int, 2> size; ///< pixels
-  std::vector<PlacedPlate> plates;
-};
-
-/// One plate alone.
-Figure figure_of(Plate plate);
-
-/// The bytes of a PNG file, on white ground or on none. Throws Error when no off-screen context can be made.
-std::string png(Figure figure, bool transparent = false);
-
-/// Of one plate.
-std::string png(Plate plate, bool transparent = false);
+/// What lies beneath the marks of a plate, in `scale` pixels for one of the drawing each way; on white or on no ground.
+/// Throws Error when no off-screen context can be made.
+Pixels image_of(const Plate& plate, int scale, bool transparent);
 
 /// Writes a film of `rate` pictures per second, Theora in Ogg. Throws Error where VTK has been built without it, and on
 /// pictures of several sizes.
-void write_ogv(const std::string& file, int count, int rate, const PngMaker& png);
+void write_ogv(const std::string& file, int count, int rate, const PictureMaker& png);
 
 /// Whether VTK has been built with Theora.
 bool has_theora();

@@ -4,7 +4,7 @@
 #include "base/match.hpp"
 #include "base/process.hpp"
 #include "base/whole_file.hpp"
-#include "view/output.hpp"
+#include "view/figure.hpp"
 #include "view/renderer.hpp"
 
 #include <algorithm>
@@ -31,8 +31,8 @@ struct Pattern {
 
 Pattern pattern_of(const std::string& file) {
   const auto found = match(file, "([^%]*)%(0([1-9]))?d([^%]*)");
-  require(!found.empty() && file_ending(file) == ".png", "file '", file,
-          "' of a series must hold one number and end in .png, as in \"x-%04d.png\"");
+  require(!found.empty(), "file '", file, "' of a series must hold one number, as in \"x-%04d.png\"");
+  format_of(file);
   return {found[1], found[4], found[3].empty() ? 1 : std::stoi(found[3])};
 }
 
@@ -59,23 +59,23 @@ private:
   std::string name_;
 };
 
-void write_pictures(const Pattern& name, int count, const std::function<std::string(int)>& png) {
-  for (int i = 0; i < count; ++i) write_whole(name(i + 1), png(i));
+void write_pictures(const Pattern& name, int count, const PictureMaker& picture) {
+  for (int i = 0; i < count; ++i) write_whole(name(i + 1), picture(i));
 }
 
-void write_by_vtk(const std::string& file, int count, double rate, const std::function<std::string(int)>& png) {
+void write_by_vtk(const std::string& file, int count, double rate, const PictureMaker& picture) {
   require(rate == std::round(rate) && rate >= 1 && rate <= 5000, "fps is ", rate,
           "; a film in Ogg Theora has a whole number of pictures per second");
   const Folder folder(fs::absolute(file).string());
-  write_ogv(folder.path("film.ogv"), count, static_cast<int>(rate), png);
+  write_ogv(folder.path("film.ogv"), count, static_cast<int>(rate), picture);
   fs::rename(folder.path("film.ogv"), file);
 }
 
-void write_by_ffmpeg(const std::string& file, int count, double rate, const std::function<std::string(int)>& png) {
+void write_by_ffmpeg(const std::string& file, int count, double rate, const PictureMaker& picture) {
   require(has_program("ffmpeg"), "file '", file, "' needs the program ffmpeg, which is not in PATH: install it, or ",
           "write a film without it, file = \"x.ogv\", or a series of pictures, file = \"x-%04d.png\"");
   const Folder folder(fs::absolute(file).string());
-  write_pictures({folder.path(""), ".png", 1}, count, png);
+  write_pictures({folder.path(""), ".png", 1}, count, picture);
   // H.264 with colours at half the resolution, which all players know, wants even sizes.
   try {
     run_program({"ffmpeg", "-loglevel", "error", "-y", "-framerate", std::to_string(rate), "-i", folder.path("%d.png"),
@@ -98,18 +98,22 @@ bool is_series(const std::string& file) {
   return file.find('%') != std::string::npos || is_film(file);
 }
 
+Format series_format(const std::string& file) {
+  return is_film(file) ? Format::png : format_of(file);
+}
+
 std::string film_description() {
   const std::string vtk = has_theora() ? ".ogv by VTK" : "no .ogv, VTK was built without Theora",
                     other = has_program("ffmpeg") ? ".mp4 by ffmpeg" : "no .mp4, ffmpeg is not in PATH";
   return vtk + "; " + other;
 }
 
-void write_series(const std::string& file, int count, double rate, const std::function<std::string(int)>& png) {
-  if (!is_film(file)) return write_pictures(pattern_of(file), count, png);
+void write_series(const std::string& file, int count, double rate, const PictureMaker& picture) {
+  if (!is_film(file)) return write_pictures(pattern_of(file), count, picture);
   if (file_ending(file) == ".ogv")
-    write_by_vtk(file, count, rate, png);
+    write_by_vtk(file, count, rate, picture);
   else
-    write_by_ffmpeg(file, count, rate, png);
+    write_by_ffmpeg(file, count, rate, picture);
 }
 
 } // namespace signorini::view

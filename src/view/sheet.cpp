@@ -1,7 +1,6 @@
 #include "view/sheet.hpp"
 
 #include "base/error.hpp"
-#include "view/output.hpp"
 #include "view/text.hpp"
 
 #include <algorithm>
@@ -218,12 +217,6 @@ ModelBoxes widened(ModelBoxes boxes, const PictureOptions& options) {
   if (options.extent)
     for (Box& box : boxes) box = hull({box, *options.extent});
   return boxes;
-}
-
-void check_file(const std::string& file) {
-  require(file_ending(file) == ".png", "file '", file,
-          "' of a picture must end in .png; several states may also make a series, \"x-%04d.png\", or a film, .mp4 or "
-          ".ogv");
 }
 
 void check_columns(const PictureOptions& options) {

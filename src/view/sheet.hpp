@@ -38,9 +38,6 @@ Box hull(const ModelBoxes& boxes);
 /// The boxes with the extent that the options ask for.
 ModelBoxes widened(ModelBoxes boxes, const PictureOptions& options);
 
-/// Throws Error unless the file's name ends with .png.
-void check_file(const std::string& file);
-
 /// Throws Error unless the columns are at least one.
 void check_columns(const PictureOptions& options);
 

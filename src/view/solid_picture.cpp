@@ -4,8 +4,6 @@
 #include "base/whole_file.hpp"
 #include "view/body_colours.hpp"
 #include "view/colormap.hpp"
-#include "view/output.hpp"
-#include "view/renderer.hpp"
 #include "view/ribbon.hpp"
 #include "view/sheet.hpp"
 #include "view/solid_checks.hpp"
@@ -321,8 +319,8 @@ void align(SolidOptions& options, const std::vector<SolidPanel>& panels) {
 }
 
 void draw_solids(const std::vector<SolidPanel>& panels, const SolidOptions& options, const std::string& file) {
-  check_file(file);
-  write_whole(file, png(make_plate(panels, options), options.transparent));
+  const Format format = format_of(file);
+  write_whole(file, bytes_of(figure_of(make_plate(panels, options)), format, options.transparent));
 }
 
 } // namespace signorini::view

@@ -2,28 +2,11 @@
 
 #include "base/warning.hpp"
 
-#include <array>
 #include <optional>
 #include <utility>
 
 namespace signorini::view {
 namespace {
-
-// Advance widths of Helvetica for U+0020 … U+007E in thousandths of the size (Adobe's core font metrics).
-constexpr std::array<int, 95> helvetica = {
-    278, 278, 355, 556, 556, 889, 667, 191, 333, 333, 389, 584, 278, 333,  278, 278, 556, 556, 556,
-    556, 556, 556, 556, 556, 556, 556, 278, 278, 584, 584, 584, 556, 1015, 667, 667, 722, 722, 667,
-    611, 778, 722, 278, 500, 667, 556, 833, 722, 778, 667, 778, 722, 667,  611, 722, 667, 944, 667,
-    667, 611, 278, 278, 278, 469, 556, 333, 556, 556, 500, 556, 556, 278,  556, 556, 222, 222, 500,
-    222, 833, 556, 556, 556, 556, 333, 500, 278, 556, 500, 722, 500, 500,  500, 334, 260, 334, 584};
-
-int advance(char32_t point) {
-  if (point >= 0x20 && point <= 0x7E) return helvetica[point - 0x20];
-  if (point == U'−' || point == U'×' || point == U'±') return 584;
-  if (point == U'·') return 278;
-  if (point == U'…' || point == U'—') return 1000;
-  return point < 0x2E80 ? 576 : 1000; // Greek and accented letters; ideographs
-}
 
 struct Shifted {
   char32_t point, plain;
@@ -169,13 +152,6 @@ double run_size(int level) {
 }
 double run_rise(int level) {
   return level > 0 ? 0.36 : level < 0 ? -0.17 : 0.0;
-}
-
-double text_width(std::string_view utf8, double size) {
-  double width = 0;
-  for (const TextRun& run : text_runs(utf8))
-    for (char32_t point : code_points(run.string)) width += advance(point) * 1e-3 * run_size(run.level);
-  return width * size;
 }
 
 } // namespace signorini::view

@@ -30,7 +30,7 @@ std::string to_utf8(char32_t point);
 /// Warns of a text that is not UTF-8.
 void warn_of_broken(std::string_view utf8);
 
-/// Width in pixels of a line set in Helvetica or a font with its metrics (Arial, Liberation Sans).
+/// Width in pixels of a line as it will be drawn, proportional to its size (flat_renderer.hpp).
 double text_width(std::string_view utf8, double size);
 
 } // namespace signorini::view

@@ -106,7 +106,7 @@ check.case("markers = false takes the markers of several curves away", function(
   local function polygons(markers)
     sg.chart { file = folder .. "/markers.svg", x = { 1, 2 }, legend = false, { y = { 1, 2 }, markers = markers },
                { y = { 2, 1 }, markers = markers } }
-    return select(2, core.read_file(folder .. "/markers.svg"):gsub("<polygon", ""))
+    return select(2, core.read_file(folder .. "/markers.svg"):gsub("stroke:none;fill%-rule", ""))
   end
   check.equal({ polygons(), polygons(false), polygons(true) }, { 8, 0, 8 })
 end)
@@ -120,9 +120,8 @@ check.case("characters that no font has become boxes, with a warning for each te
     return output, select(2, output:gsub("\n", ""))
   end
   local output, lines = said "Druck p_n und \u{F0000}"
-  check.equal(lines, 2)
-  check.holds(output, "signorini: warning: no installed font shows '\u{F0000}' of the text", "boxes",
-    "a PDF's standard fonts cannot show '\u{F0000}' of the text 'Druck p_n und")
+  check.equal(lines, 1)
+  check.holds(output, "signorini: warning: no installed font shows '\u{F0000}' of the text 'Druck p_n und", "boxes")
   local drawn = core.read_file(folder .. "/signs.png")
   said "Druck p_n und "
   check.equal(core.read_file(folder .. "/signs.png") == drawn, false) -- there is a box
@@ -136,7 +135,7 @@ end)
 check.case("gray belongs to no curve", function()
   local file = folder .. "/gray.svg"
   sg.chart { file = file, x = { 1, 2 }, { y = { 1, 2 }, label = "front", color = "gray", width = 12 } }
-  check.holds(core.read_file(file), '#c4c4c4" stroke-width="12"')
+  check.holds(core.read_file(file), "stroke-width:12;stroke-linecap:butt;stroke-linejoin:round;stroke:rgb(76.8")
   check.fails(function() sg.chart { file = file, x = { 1, 2 }, { y = { 1, 2 }, color = "red" } } end,
     '[1].color must be the number of a curve, or "gray"', "'red'")
 end)

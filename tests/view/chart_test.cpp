@@ -72,9 +72,8 @@ TEST(Chart, LeavesGapsForPointsThatAreNotFinite) {
   const auto polylines = [](const std::string& file) {
     const std::string svg = file_bytes(file);
     int count = 0;
-    for (std::size_t at = svg.find("#0072b2\" stroke"); at != std::string::npos;
-         at = svg.find("#0072b2\" stroke", at + 1))
-      ++count;
+    const std::string curve = "stroke:" + in_svg("#0072b2");
+    for (std::size_t at = svg.find(curve); at != std::string::npos; at = svg.find(curve, at + 1)) ++count;
     return count;
   };
   draw_chart({line_of({1, 2, 3, 4, 5})}, {}, scratch("one.svg"));
@@ -87,12 +86,15 @@ TEST(Chart, ShowsEightSeriesWithEightColoursAndALegendBesideTheData) {
   draw_chart(oscillating_forces(8), forces(), scratch("legend.svg"));
   const std::string svg = file_bytes(scratch("legend.svg"));
   for (const char* colour : {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00"})
-    EXPECT_TRUE(holds(svg, {colour})) << colour;
+    EXPECT_TRUE(holds(svg, {in_svg(colour)})) << colour;
   ChartOptions bare = forces();
   bare.legend = false;
   draw_chart(oscillating_forces(8), bare, scratch("bare.svg"));
   EXPECT_FALSE(holds(file_bytes(scratch("bare.svg")), {">N2-N2.3<"}));
 }
+
+/// What is filled in an SVG, but for the ground.
+const std::string filled = "stroke:none;fill-rule";
 
 int count_of(const std::string& text, const std::string& part) {
   int count = 0;
@@ -161,7 +163,7 @@ TEST(Chart, LeadsFromALineBetweenOthersToItsName) {
   options.yrange = {0, 1};
   const auto fills = [&] {
     draw_chart({line_of({1, 1})}, options, scratch("three.svg"));
-    return count_of(file_bytes(scratch("three.svg")), "<polygon");
+    return count_of(file_bytes(scratch("three.svg")), filled);
   };
   EXPECT_EQ(fills(), 1); // the dot at the middle line
   const std::string svg = file_bytes(scratch("three.svg"));
@@ -179,7 +181,7 @@ TEST(Chart, LeavesMarkersOutWhereToldTo) {
   options.legend = false;
   const auto polygons = [&] {
     draw_chart({first, second}, options, scratch("told.svg"));
-    return count_of(file_bytes(scratch("told.svg")), "<polygon");
+    return count_of(file_bytes(scratch("told.svg")), filled);
   };
   EXPECT_EQ(polygons(), 2 * 2 * 3); // of several curves each has markers, with rims
   first.markers = second.markers = false;
@@ -206,7 +208,7 @@ TEST(Chart, MarksLonePoints) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
   const auto polygons = [&](const std::vector<double>& y) {
     draw_chart({line_of(y)}, {}, scratch("lone.svg"));
-    return count_of(file_bytes(scratch("lone.svg")), "<polygon");
+    return count_of(file_bytes(scratch("lone.svg")), filled);
   };
   EXPECT_EQ(polygons({1, 2, 3}), 0);
   EXPECT_EQ(polygons({1}), 2); // with its rim
@@ -247,17 +249,18 @@ TEST(Chart, ObeysWidthMarkerAndColour) {
   s.width = 7;
   s.colour = 1;
   draw_chart({s}, {}, scratch("wide.svg"));
-  EXPECT_TRUE(holds(file_bytes(scratch("wide.svg")), {"stroke=\"#d55e00\" stroke-width=\"7\""}));
+  EXPECT_TRUE(holds(file_bytes(scratch("wide.svg")),
+                    {"stroke-width:7;stroke-linecap:butt;stroke-linejoin:round;stroke:" + in_svg("#d55e00")}));
   s.markers = true;
   s.marker = 0;
   draw_chart({s}, {}, scratch("filled.svg"));
   s.marker = 8;
   draw_chart({s}, {}, scratch("open.svg"));
-  EXPECT_EQ(count_of(file_bytes(scratch("open.svg")), "<polygon"),
-            count_of(file_bytes(scratch("filled.svg")), "<polygon") * 3 / 2); // each open marker is white within
+  EXPECT_EQ(count_of(file_bytes(scratch("open.svg")), filled),
+            count_of(file_bytes(scratch("filled.svg")), filled) * 3 / 2); // each open marker is white within
   s.marker = no_marker;
   draw_chart({s}, {}, scratch("bare.svg"));
-  EXPECT_EQ(count_of(file_bytes(scratch("bare.svg")), "<polygon"), 0);
+  EXPECT_EQ(count_of(file_bytes(scratch("bare.svg")), filled), 0);
 }
 
 TEST(Chart, DrawsTheMarkersOfKindsOfPointsInTheCurvesColours) {
@@ -268,10 +271,9 @@ TEST(Chart, DrawsTheMarkersOfKindsOfPointsInTheCurvesColours) {
   first.marks = {0, 1, 2}, second.marks = {2, 1, 0};
   draw_chart({first, second}, options, scratch("marks.svg"));
   const std::string svg = file_bytes(scratch("marks.svg"));
-  EXPECT_EQ(count_of(svg, "<polygon"), 2 * (6 + 3)); // of points and of the legend, each with a white rim
-  const std::string fill = "fill=\"";
-  EXPECT_EQ(count_of(svg, fill + "#0072b2"), 3);
-  EXPECT_EQ(count_of(svg, fill + "#d55e00"), 3);
+  EXPECT_EQ(count_of(svg, filled), 2 * (6 + 3)); // of points and of the legend, each with a white rim
+  EXPECT_EQ(count_of(svg, ";fill:" + in_svg("#0072b2")), 3);
+  EXPECT_EQ(count_of(svg, ";fill:" + in_svg("#d55e00")), 3);
   EXPECT_TRUE(holds(svg, {">N2<", ">N4<", ">m1<", ">m3<"}));
   second.marks = {2, 1};
   EXPECT_TRUE(holds(refusal({first, second}, options), {"series 2 'N4'", "2 marks", "3 points"}));

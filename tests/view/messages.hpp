@@ -1,5 +1,5 @@
 #pragma once
-// What an Error says.
+// What an Error says, and what an SVG shows.
 
 #include "base/error.hpp"
 
@@ -16,6 +16,20 @@ template <class Action> std::string message_of(Action&& action) {
     return error.what();
   }
   return "no error";
+}
+
+/// How an SVG names a colour, "#0072b2" being 0%, 44.7 %, 69.8 %.
+inline std::string in_svg(const std::string& hex) {
+  std::string parts;
+  for (std::size_t i : {1, 3, 5}) {
+    char digits[16];
+    std::snprintf(digits, sizeof digits, "%f", 100 * std::stoi(hex.substr(i, 2), nullptr, 16) / 255.0);
+    std::string part = digits;
+    part.erase(part.find_last_not_of('0') + 1);
+    if (part.back() == '.') part.pop_back();
+    parts += (parts.empty() ? "" : ",") + part + "%";
+  }
+  return "rgb(" + parts + ")";
 }
 
 inline bool holds(const std::string& text, std::initializer_list<std::string> parts) {

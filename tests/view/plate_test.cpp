@@ -228,7 +228,9 @@ TEST(CloseUp, GoesToOneCornerInAllPictures) {
 TEST(Plate, HasNoGroundWhereThatIsWanted) {
   PictureOptions options;
   options.size = {300, 200};
-  const auto colour_type = [&](bool transparent) { return png(make_plate(ring(0), options), transparent)[25]; };
+  const auto colour_type = [&](bool transparent) {
+    return bytes_of(figure_of(make_plate(ring(0), options)), Format::png, transparent)[25];
+  };
   EXPECT_EQ(colour_type(false), 2); // red, green, blue
   EXPECT_EQ(colour_type(true), 6);  // and opacity
 }
@@ -244,8 +246,9 @@ TEST(Series, IsTakenFromTheNameOfItsFile) {
   write_series(folder + "a-%03d.png", 2, 10, number);
   EXPECT_EQ(file_bytes(folder + "a-001.png"), "0");
   EXPECT_EQ(file_bytes(folder + "a-002.png"), "1");
-  for (const char* wrong : {"a%s.png", "a%d%d.png", "a%d.jpg", "%.png", "a%00d.png"})
+  for (const char* wrong : {"a%s.png", "a%d%d.png", "%.png", "a%00d.png"})
     EXPECT_TRUE(holds(message_of([&] { write_series(wrong, 1, 10, number); }), {"must hold one number"})) << wrong;
+  EXPECT_TRUE(holds(message_of([&] { write_series("a%d.jpg", 1, 10, number); }), {"'a%d.jpg'", ".png, .svg or .pdf"}));
 }
 
 } // namespace plate_test

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <random>
 
 namespace signorini::view {
@@ -48,24 +47,6 @@ TEST(ClipLine, KeepsALineInsideInOnePiece) {
   EXPECT_EQ(clip_line(line, {0, 1, -1, 2})[0], line);
   EXPECT_EQ(clip_line({{0.5, 0}, {0.5, 5}, {0.6, 0}}, {0, 1, -1, 2}).size(), 2u);
   EXPECT_TRUE(clip_line({{2, 0}, {2, 1}}, {0, 1, -1, 2}).empty());
-}
-
-TEST(DashLine, DrawsTheShareOfItsPattern) {
-  std::mt19937 random(6);
-  const auto line = random_line(random, 400);
-  EXPECT_NEAR(length(dash_line(line, {0.03, 0.01})) / length({line}), 0.75, 1e-3);
-  EXPECT_EQ(dash_line(line, {}).size(), 1u);
-  EXPECT_EQ(dash_line({{0, 0}, {1, 0}}, {0.3, 0.2}).size(), 2u);
-}
-
-TEST(StrokeTriangles, CoverLengthTimesWidth) {
-  const auto corners = stroke_triangles({{{0, 0}, {3, 4}}, black, 2});
-  double area = 0;
-  for (std::size_t t = 0; t < corners.size(); t += 3) {
-    const Vec2 &a = corners[t], &b = corners[t + 1], &c = corners[t + 2];
-    area += 0.5 * std::abs((b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]));
-  }
-  EXPECT_NEAR(area, 10, 1e-12);
 }
 
 } // namespace strokes_test

@@ -65,10 +65,11 @@ TEST(CodePoints, RoundTripAndMarkBrokenBytes) {
   EXPECT_EQ(code_points("\xE2\x88"), (std::vector<char32_t>{0xFFFD}));
 }
 
+/// Liberation Sans, which the set-up installs, has the widths of Helvetica (Adobe's core font metrics).
 TEST(TextWidth, IsHelveticas) {
-  EXPECT_DOUBLE_EQ(text_width("0123456789", 100), 556);
-  EXPECT_DOUBLE_EQ(text_width("Wi", 10), 9.44 + 2.22);
-  EXPECT_DOUBLE_EQ(text_width("1²", 10), 5.56 * 1.7);
+  EXPECT_NEAR(text_width("0123456789", 100), 556, 0.5);
+  EXPECT_NEAR(text_width("Wi", 10), 9.44 + 2.22, 0.02);
+  EXPECT_NEAR(text_width("1²", 10), 5.56 * 1.7, 0.05);
 }
 
 } // namespace text_test

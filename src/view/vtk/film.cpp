@@ -33,7 +33,7 @@ void put_on_even(vtkImageData& film, vtkImageData& picture, int components) {
 
 } // namespace
 
-void draw_ogv(const std::string& file, int count, int rate, const PngMaker& png) {
+void draw_ogv(const std::string& file, int count, int rate, const PictureMaker& png) {
   vtkNew<vtkPNGReader> reader;
   vtkNew<vtkImageData> film;
   vtkNew<vtkOggTheoraWriter> writer;

@@ -1,0 +1,150 @@
+// The module's entry: figures through Cairo into the bytes of PNG, SVG and PDF files.
+#include "base/error.hpp"
+#include "view/cairo/png.hpp"
+#include "view/cairo/svg_text.hpp"
+#include "view/cairo/type.hpp"
+#include "view/flat_renderer.hpp"
+
+#include <cairo-pdf.h>
+#include <cairo-svg.h>
+#include <pango/pango.h>
+
+#include <memory>
+
+namespace signorini::view {
+namespace {
+
+constexpr double points_per_pixel = 0.45; // of a PDF: 1600 pixels become 10 inches
+constexpr int image_scale = 2;            // of images in SVG and PDF: such files are printed and enlarged
+
+struct Destroy {
+  void operator()(cairo_t* paper) const { cairo_destroy(paper); }
+  void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
+};
+using Surface = std::unique_ptr<cairo_surface_t, Destroy>;
+using Paper = std::unique_ptr<cairo_t, Destroy>;
+
+cairo_status_t append(void* bytes, const unsigned char* data, unsigned int length) {
+  static_cast<std::string*>(bytes)->append(reinterpret_cast<const char*>(data), length);
+  return CAIRO_STATUS_SUCCESS;
+}
+
+Surface make_surface(const std::array<int, 2>& size, Format format, bool transparent, std::string& bytes) {
+  const double width = size[0], height = size[1];
+  if (format == Format::pdf) {
+    Surface made(
+        cairo_pdf_surface_create_for_stream(append, &bytes, points_per_pixel * width, points_per_pixel * height));
+    // The same figure gives the same bytes.
+    cairo_pdf_surface_set_metadata(made.get(), CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
+    return made;
+  }
+  if (format == Format::svg) {
+    Surface made(cairo_svg_surface_create_for_stream(append, &bytes, width, height));
+    cairo_svg_surface_set_document_unit(made.get(), CAIRO_SVG_UNIT_PX);
+    return made;
+  }
+  return Surface(cairo_image_surface_create(transparent ? CAIRO_FORMAT_ARGB32 : CAIRO_FORMAT_RGB24, size[0], size[1]));
+}
+
+void set_colour(cairo_t* paper, const Rgb& colour) {
+  cairo_set_source_rgb(paper, colour[0] / 255.0, colour[1] / 255.0, colour[2] / 255.0);
+}
+
+/// Draws marks on paper of this height; Cairo's y points downwards.
+struct Pen {
+  cairo_t* paper;
+  double height;
+
+  void path(const std::vector<Vec2>& line) const {
+    cairo_new_path(paper);
+    for (const Vec2& p : line) cairo_line_to(paper, p[0], height - p[1]);
+  }
+
+  void operator()(const Stroke& stroke) const {
+    path(stroke.points);
+    set_colour(paper, stroke.colour);
+    cairo_set_line_width(paper, stroke.width);
+    cairo_set_dash(paper, stroke.dash.data(), static_cast<int>(stroke.dash.size()), 0);
+    cairo_stroke(paper);
+  }
+
+  void operator()(const Fill& fill) const {
+    path(fill.outline);
+    cairo_close_path(paper);
+    set_colour(paper, fill.colour);
+    cairo_fill(paper);
+  }
+
+  void operator()(const Text&) const {}
+};
+
+void draw_image(cairo_t* paper, Pixels pixels, int scale) {
+  const Surface image(cairo_image_surface_create_for_data(reinterpret_cast<unsigned char*>(pixels.argb.data()),
+                                                          CAIRO_FORMAT_ARGB32, pixels.size[0], pixels.size[1],
+                                                          4 * pixels.size[0]));
+  cairo_save(paper);
+  cairo_scale(paper, 1.0 / scale, 1.0 / scale);
+  cairo_set_source_surface(paper, image.get(), 0, 0);
+  cairo_paint(paper);
+  cairo_restore(paper);
+  cairo_surface_finish(image.get()); // files take a copy
+}
+
+/// White ground, or none. Formats of vectors cannot take away what is there.
+void clear(cairo_t* paper, bool transparent) {
+  cairo_set_operator(paper, transparent ? CAIRO_OPERATOR_CLEAR : CAIRO_OPERATOR_OVER);
+  set_colour(paper, white);
+  cairo_paint(paper);
+  cairo_set_operator(paper, CAIRO_OPERATOR_OVER);
+}
+
+/// The plate in its own pixels.
+void draw_plate(cairo_t* paper, const Plate& plate, Format format, bool transparent, const ImageMaker& image) {
+  const int height = plate.drawing.size[1];
+  const Relief& relief = plate.relief;
+  if (!plate.fields.empty() || !relief.surfaces.empty() || !relief.ink.corners.empty() ||
+      !relief.veil.corners.empty()) {
+    const int scale = format == Format::png ? 1 : image_scale;
+    draw_image(paper, image(plate, scale, transparent), scale);
+  }
+  cairo_set_line_join(paper, CAIRO_LINE_JOIN_ROUND);
+  for (const Mark& mark : plate.drawing.marks) std::visit(Pen{paper, static_cast<double>(height)}, mark);
+  for (const Mark& mark : plate.drawing.marks)
+    if (const Text* text = std::get_if<Text>(&mark)) draw_text(paper, *text, height);
+}
+
+std::string bytes(const Figure& figure, Format format, bool transparent, const ImageMaker& image) {
+  std::string bytes;
+  const Surface surface = make_surface(figure.size, format, transparent, bytes);
+  const Paper paper(cairo_create(surface.get()));
+  if (format == Format::pdf) cairo_scale(paper.get(), points_per_pixel, points_per_pixel);
+  if (!transparent) clear(paper.get(), false);
+  for (std::size_t i = 0; i < figure.plates.size(); ++i) {
+    const auto& [at, plate] = figure.plates[i];
+    const auto [width, height] = plate.drawing.size;
+    cairo_save(paper.get());
+    cairo_translate(paper.get(), at[0], figure.size[1] - at[1] - height);
+    cairo_rectangle(paper.get(), 0, 0, width, height);
+    cairo_clip(paper.get());
+    if (i > 0) clear(paper.get(), transparent && format == Format::png); // what lies under it
+    draw_plate(paper.get(), plate, format, transparent, image);
+    cairo_restore(paper.get());
+  }
+  if (format == Format::png) bytes = png_of(surface.get());
+  cairo_surface_finish(surface.get());
+  const cairo_status_t status =
+      cairo_status(paper.get()) ? cairo_status(paper.get()) : cairo_surface_status(surface.get());
+  require(status == CAIRO_STATUS_SUCCESS, "Cairo did not draw a figure of ", figure.size[0], " × ", figure.size[1],
+          " pixels: ", cairo_status_to_string(status));
+  return format == Format::svg ? searchable(bytes, figure) : bytes;
+}
+
+std::string describe() {
+  return std::string("Cairo ") + cairo_version_string() + ", Pango " + pango_version_string();
+}
+
+} // namespace
+} // namespace signorini::view
+
+extern "C" const signorini::view::FlatRenderer signorini_flat = {signorini::view::width_of, signorini::view::bytes,
+                                                                 signorini::view::describe};
