@@ -8,7 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
+#include <cstdio>
+#include <tuple>
 
 namespace signorini::view {
 namespace {
@@ -23,6 +24,16 @@ double widest_tick(const Ticks& ticks, double size) {
   double width = text_width(ticks.factor, size) - 0.5 * size; // the factor stands over the bar itself
   for (const std::string& label : ticks.labels) width = std::max(width, text_width(label, size));
   return width;
+}
+
+/// With three digits, as in −1.32×10^{−4}.
+std::string in_words(double value) {
+  char digits[32];
+  std::snprintf(digits, sizeof digits, "%.3g", std::abs(value));
+  std::string text = digits;
+  if (const std::size_t e = text.find('e'); e != text.npos)
+    text = text.substr(0, e) + "×10^{" + std::to_string(std::stoi(text.substr(e + 1))) + "}";
+  return (value < 0 ? "−" : "") + text;
 }
 
 } // namespace
@@ -60,15 +71,6 @@ std::array<double, 2> colour_range(const ColouredValues& values, const std::opti
   return range;
 }
 
-std::string bar_title(const ColouredValues& values, const std::optional<std::array<double, 2>>& given,
-                      const std::string& title) {
-  if (given || !values.clipped()) return title;
-  std::ostringstream out;
-  out.precision(3);
-  out << title << " (" << values.all[0] << " … " << values.all[1] << ")";
-  return out.str();
-}
-
 std::array<double, 2> colour_range(const std::array<double, 2>& values,
                                    const std::optional<std::array<double, 2>>& given, bool diverging) {
   if (given) {
@@ -97,12 +99,15 @@ double colorbar_room(const std::array<double, 2>& range, const std::string& titl
 }
 
 void draw_colorbar(Drawing& drawing, const BarPlace& place, const std::array<double, 2>& range,
-                   std::array<bool, 2> beyond, const std::vector<Rgb>& colours, const std::string& title,
+                   const std::array<double, 2>& values, const std::vector<Rgb>& colours, const std::string& title,
                    const Style& style, bool log) {
   const double width = bar_width(style), right = place.left + width, size = style.tick_size, point = 0.8 * width;
-  const Ticks ticks = stacked_ticks(range[0], range[1], log, place.top - place.bottom, style);
+  const std::array<bool, 2> beyond = {values[0]<range[0], values[1]> range[1]};
+  // The values' own ends stand below and above the bar, the factor of its numbers between.
+  const double line = 1.35 * size, bottom = place.bottom + line, top = place.top - line;
+  const Ticks ticks = stacked_ticks(range[0], range[1], log, top - bottom, style);
   const double room_above = ticks.factor.empty() ? 0 : 1.45 * size;
-  const double low = place.bottom + (beyond[0] ? point : 0), high = place.top - room_above - (beyond[1] ? point : 0);
+  const double low = bottom + (beyond[0] ? point : 0), high = top - room_above - (beyond[1] ? point : 0);
   const double middle = 0.5 * (place.left + right);
   const Scale scale{range[0], range[1], log, low, high};
 
@@ -130,13 +135,17 @@ void draw_colorbar(Drawing& drawing, const BarPlace& place, const std::array<dou
     drawing.marks.push_back(Text{{right + 0.45 * size, y - 0.36 * size}, ticks.labels[i], size, Align::left, ink});
   }
   if (!ticks.factor.empty())
-    drawing.marks.push_back(Text{{place.left, place.top - 0.8 * size}, ticks.factor, size, Align::left, ink});
+    drawing.marks.push_back(Text{{place.left, top - 0.8 * size}, ticks.factor, size, Align::left, ink});
+  const double room = colorbar_room(range, title, top - bottom, style, log) - 1.3 * style.margin;
+  for (const auto& [name, value, y] : {std::tuple{"max ", values[1], place.top - 0.8 * size},
+                                       std::tuple{"min ", values[0], place.bottom + 0.1 * size}})
+    draw_fitting(drawing, Text{{place.left, y}, name + in_words(value), 0.85 * size, Align::left, ink}, room, style);
   if (!title.empty()) {
     const double x = right + 0.5 * size + widest_tick(ticks, size) + 1.15 * style.label_size;
     const FittedText fitted =
-        fit_text(title, style.label_size, std::min(style.label_size, least_size(style)), place.top - place.bottom);
-    const double half = 0.5 * fitted.width(), lowest = place.bottom + half;
-    const double centre = std::clamp(0.5 * (low + high), lowest, std::max(lowest, place.top - half));
+        fit_text(title, style.label_size, std::min(style.label_size, least_size(style)), top - bottom);
+    const double half = 0.5 * fitted.width(), lowest = bottom + half;
+    const double centre = std::clamp(0.5 * (low + high), lowest, std::max(lowest, top - half));
     drawing.marks.push_back(Text{{x, centre}, fitted.lines.front(), fitted.size, Align::centre, ink, true});
   }
 }

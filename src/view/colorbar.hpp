@@ -25,10 +25,6 @@ std::optional<ColouredValues> coloured_values(const std::vector<const VectorX*>&
 /// reach.
 std::array<double, 2> colour_range(const ColouredValues& values, const std::optional<std::array<double, 2>>& given,
                                    bool diverging, const std::string& title);
-/// A bar's title; where extreme samples are left out it says what the values reach.
-std::string bar_title(const ColouredValues& values, const std::optional<std::array<double, 2>>& given,
-                      const std::string& title);
-
 /// The given range, or the values' own, lowest and highest; about zero for diverging colours where the values have both
 /// signs. A single value, or values that only rounding tells apart, get room on both sides.
 /// Throws Error on a given range that does not rise.
@@ -43,10 +39,10 @@ struct BarPlace {
 double colorbar_room(const std::array<double, 2>& range, const std::string& title, double height, const Style& style,
                      bool log = false);
 
-/// `beyond`: whether values lie below and above the range; the bar then ends in a point there. `log`: the colours
-/// follow the values' logarithm.
+/// `values`: the lowest and the highest, which are printed at the bar's ends; where they lie beyond the range, the bar
+/// ends in a point. `log`: the colours follow the values' logarithm.
 void draw_colorbar(Drawing& drawing, const BarPlace& place, const std::array<double, 2>& range,
-                   std::array<bool, 2> beyond, const std::vector<Rgb>& colours, const std::string& title,
+                   const std::array<double, 2>& values, const std::vector<Rgb>& colours, const std::string& title,
                    const Style& style, bool log = false);
 
 } // namespace signorini::view

@@ -285,9 +285,8 @@ Drawing draw(const std::vector<Heat>& maps, const HeatmapOptions& options) {
   }
   draw_labels(drawing, options, layout, style);
   if (colours)
-    draw_colorbar(drawing, layout.bar, colours->range,
-                  {colours->values[0]<colours->range[0], colours->values[1]> colours->range[1]}, colours->map,
-                  options.label, style, colours->log);
+    draw_colorbar(drawing, layout.bar, colours->range, colours->values, colours->map, options.label, style,
+                  colours->log);
   else
     draw_legend(drawing, layout.legend, {layout.whole[1] + style.margin, layout.boxes[0][3]}, style);
   draw_title(drawing, options.title, layout.whole, style);

@@ -206,9 +206,7 @@ Plate make_plate(const std::vector<Panel>& panels, const PictureOptions& options
     }
     draw_panel(drawing, panels[p], frame, options.crop.has_value(), sheet.panel_title_size, style);
   }
-  if (shown)
-    draw_colorbar(drawing, sheet.bar, *range, {values->all[0]<(*range)[0], values->all[1]>(*range)[1]}, colours,
-                  bar_title(*values, options.range, options.field_label), style);
+  if (shown) draw_colorbar(drawing, sheet.bar, *range, values->all, colours, options.field_label, style);
   draw_title(drawing, options.title, sheet.whole, style);
   return {std::move(drawing), std::move(fields), {}, sheet.frames};
 }

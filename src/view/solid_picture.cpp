@@ -302,9 +302,7 @@ Plate make_plate(const std::vector<SolidPanel>& panels, const SolidOptions& opti
     draw_panel_title(drawing, titles[p], frame, sheet.panel_title_size, style);
   }
   if (options.axis_names) draw_triad(drawing, {sheet.arrows[0] + left, sheet.arrows[1] + below}, axes, style);
-  if (shown)
-    draw_colorbar(drawing, sheet.bar, *range, {values->all[0]<(*range)[0], values->all[1]>(*range)[1]}, colours,
-                  bar_title(*values, options.range, options.field_label), style);
+  if (shown) draw_colorbar(drawing, sheet.bar, *range, values->all, colours, options.field_label, style);
   draw_title(drawing, options.title, sheet.whole, style);
   return {std::move(drawing), {}, std::move(relief), sheet.frames};
 }

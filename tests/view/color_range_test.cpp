@@ -31,13 +31,28 @@ TEST(ColorRange, LeavesOutOneExtremeSampleAndSaysSo) {
   EXPECT_EQ(range->all, (Range{0, 850}));
   EXPECT_EQ(range->typical[0], 0);
   EXPECT_NEAR(range->typical[1], 1, 0.01);
-  EXPECT_EQ(bar_title(*range, {}, "stress"), "stress (0 … 850)");
-  EXPECT_EQ(bar_title(*range, Range{0, 2}, "stress"), "stress"); // the user's own range
   testing::internal::CaptureStderr();
   EXPECT_EQ(colour_range(*range, {}, false, "stress"), range->typical);
   EXPECT_NE(testing::internal::GetCapturedStderr().find("the colors of 'stress' leave out 5 of 1000 samples, which "
                                                         "reach from 0 to 850"),
             std::string::npos);
+}
+
+TEST(ColorBar, PrintsTheLowestAndTheHighestValueAtItsEnds) {
+  const auto texts = [](const Range& range, const Range& values) {
+    Drawing drawing{{1600, 1000}, {}};
+    draw_colorbar(drawing, {1300, 100, 900}, range, values, {black, white}, "stress", style_for({1600, 1000}));
+    std::vector<std::string> found;
+    for (const Mark& mark : drawing.marks)
+      if (const Text* text = std::get_if<Text>(&mark); text && text->string.size() > 3 && text->string[0] == 'm') {
+        found.push_back(text->string);
+        EXPECT_EQ(text->at[0], 1300);
+        EXPECT_EQ(text->at[1] > 500, text->string.substr(0, 3) == "max");
+      }
+    return found;
+  };
+  EXPECT_EQ(texts({0, 1}, {-1.319e-7, 850}), (std::vector<std::string>{"max 850", "min −1.32×10^{-7}"}));
+  EXPECT_EQ(texts({0, 1}, {0, 0.25}), (std::vector<std::string>{"max 0.25", "min 0"}));
 }
 
 TEST(ColorRange, KeepsAFieldThatIsZeroAlmostEverywhere) {

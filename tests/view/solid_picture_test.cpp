@@ -109,11 +109,12 @@ TEST(SolidPicture, ShowsEverythingThatItIsGiven) {
   EXPECT_NE(changed([](auto&, SolidOptions& o) { o.camera = camera("top"); }), plain);
   EXPECT_NE(changed([](auto&, SolidOptions& o) { o.region = Bounds{{0, 0, 0}, {1, 1, 1}}; }), plain);
   EXPECT_NE(changed([](auto&, SolidOptions& o) { o.colormap = "magma"; }), plain);
-  // What lies outside the region leaves no trace.
+  // What lies outside the region leaves no trace, but for the values that the bar prints.
   const auto cropped = [](SolidPanel& p, SolidOptions& o, bool more) {
     o.region = Bounds{{0, 0, 0}, {1, 1, 1}};
     o.camera = camera("front");
     o.range = {-2, 2};
+    o.bar = false;
     if (more) p.bodies.push_back(block({1.5, 0, -2}, {4, 1, 3}));
   };
   EXPECT_EQ(changed([&](SolidPanel& p, SolidOptions& o) { cropped(p, o, true); }),
