@@ -6,7 +6,8 @@ install(DIRECTORY lua DESTINATION ${CMAKE_INSTALL_DATADIR}/signorini)
 install(DIRECTORY scripts DESTINATION ${CMAKE_INSTALL_DATADIR}/signorini FILES_MATCHING PATTERN "*.lua")
 install(DIRECTORY share/ DESTINATION ${CMAKE_INSTALL_DATADIR}/signorini
   PATTERN man EXCLUDE
-  PATTERN completion EXCLUDE)
+  PATTERN completion EXCLUDE
+  PATTERN cmake EXCLUDE)
 install(FILES README.md LICENSE CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DATADIR}/signorini)
 # The installed pages find each other, and the program, where they are in their own tree.
 install(CODE "set(tree \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}/signorini\")")
