@@ -19,7 +19,6 @@
 --      repeats: passes, of which the median counts; element: elements along an edge of the block for the yardstick;
 --      page: a folder with benchmark.md, whose table between two marks and charts are replaced (share/doc).
 
-package.path = require "signorini.core".home .. "/scripts/?.lua;" .. package.path
 local sg = require "signorini"
 local measure = require "benchmark.measure"
 local growth = require "benchmark.growth"

@@ -12,9 +12,7 @@
 --      [out=out/checkpoint_cost]; every: steps between checkpoints, 0 for none; mesh, slides: of 3D ironing; times are
 --      medians of repeats.
 
-package.path = require "signorini.core".home .. "/scripts/?.lua;" .. package.path
 local sg = require "signorini"
-local core = require "signorini.core"
 local plane = require "ironing2d.problem"
 local solid = require "ironing3d.problem"
 
@@ -39,9 +37,9 @@ local problems = {
 --- The wall time of a run with its checkpoints, and the size of the last file.
 local function seconds(problem, every)
   local model, stages = problem.begin()
-  local began = core.now()
+  local began = sg.wall_time()
   local run = model:run(stages, sg.plain{ checkpoint = every > 0 and { file = file, every = every } or nil })
-  local spent = core.now() - began
+  local spent = sg.wall_time() - began
   if run.failed then error(run.report, 0) end
   local size = nil
   if every > 0 then

@@ -25,7 +25,6 @@
 --      repeats is of how many runs a time is the median.
 
 local sg = require "signorini"
-local core = require "signorini.core"
 local problem = require "hertz2d.problem"
 local in_turns = require "timing.in_turns"
 
@@ -38,12 +37,12 @@ local figures = { error = { "L1", "N2", "N2-N2.1", "N2-N2.2" },
 
 --- Solves a scene and measures its contact, all figures beside Hertz's under the force that came out.
 local function solve(o, steps, linear)
-  local began = core.now()
+  local began = sg.wall_time()
   local model, stage, ring = problem.scene(o)
   stage.steps = steps
   local run = model:run({ stage }, sg.plain{ linear = linear })
   if run.failed then error(("%s at %s: %s"):format(o.label, o.mesh, run.report), 0) end
-  local wall = core.now() - began
+  local wall = sg.wall_time() - began
   local case = { label = o.label, mesh = o.mesh, run = run, wall = wall, dofs = ring:dofs(), model = model }
   case.profile, case.edges = model:profile "ground", sg.profile_edges{ profile = model:profile "ground" }
   case.force, case.peak = run:column "ground.fy"[steps], run:column "ground.max_pressure"[steps]

@@ -25,7 +25,6 @@
 --      always one); what stands after a problem's name goes to its script, several arguments with ';' in between.
 
 local sg = require "signorini"
-local core = require "signorini.core"
 
 --- Per problem: its script, the script's arguments unless others are given, its argument for the number of runs (none:
 --- a run is too long for more than one), and what to read off one of its cases: degrees of freedom, seconds, errors as
@@ -81,7 +80,7 @@ local function study(name, options)
   words[#words + 1] = "linear=" .. options.linear
   if problem.repeats then words[#words + 1] = ("%s=%d"):format(problem.repeats, options["repeat"]) end
   words[#words + 1] = ("out=%s/%s"):format(options.out, name)
-  local script = assert(loadfile(("%s/scripts/%s.lua"):format(core.home, problem.script)))
+  local script = assert(loadfile(assert(package.searchpath(problem.script, package.path))))
   local found = {}
   for _, case in ipairs(script(table.unpack(words)).cases) do found[case.label] = case end
   for _, case in ipairs(cases) do

@@ -9,8 +9,6 @@
 --      stage.
 
 local sg = require "signorini"
-local core = require "signorini.core"
-package.path = core.home .. "/scripts/?.lua;" .. package.path
 local problem = require "ironing2d.problem"
 
 local options = sg.arguments{ steps = 46, slides = 250 }

@@ -14,9 +14,7 @@
 --      signorini scripts/parallel_study.lua once=FOLDER jobs=2 executes the study in a folder and prints its table:
 --      this is what is killed.
 
-package.path = require("signorini.core").home .. "/scripts/?.lua;" .. package.path
 local sg = require "signorini"
-local core = require "signorini.core"
 local ironing = require "ironing2d.problem"
 
 local options = sg.arguments{
@@ -64,9 +62,9 @@ local files = sg.files(options.out)
 --- Executes the study anew; its seconds and its table.
 local function time(jobs)
   local folder = ("%s/%d_at_once"):format(options.out, jobs)
-  local study, began = new_study(folder), core.now()
+  local study, began = new_study(folder), sg.wall_time()
   study:execute{ jobs = jobs, again = true }
-  return core.now() - began, table_of(study), study
+  return sg.wall_time() - began, table_of(study), study
 end
 
 local seconds, text, study = { one = {}, several = {} }, nil, nil
@@ -81,8 +79,8 @@ for _ = 1, options.rounds do
 end
 local one, several = sg.median(seconds.one), sg.median(seconds.several)
 print(text)
-print(("\n%d cases on %s, %d processors: one at a time %.1f s, %d at a time %.1f s, %.3f times as long (medians of %d)")
-  :format(#study, core.processor, core.processors, one, options.jobs, several, several / one, options.rounds))
+print(("\n%d cases on %s: one at a time %.1f s, %d at a time %.1f s, %.3f times as long (medians of %d)")
+  :format(#study, study.records[1].made.processor, one, options.jobs, several, several / one, options.rounds))
 study:csv(files "cases.csv")
 
 -- ── Killed ───────────────────────────────────────────────────────────────────────────────────────────────────────────
@@ -108,9 +106,9 @@ local function quoted(word) return "'" .. word:gsub("'", [['\'']]) .. "'" end
 
 --- The command that executes the study in the folder of the kills.
 local function command()
-  return ("%s -q %s once=%s jobs=%d mesh=%s steps=%d labels=%s"):format(quoted(arg[-1]),
-    quoted(core.home .. "/scripts/parallel_study.lua"), quoted(folder), options.jobs, options.mesh, options.steps,
-    table.concat(options.labels, ","))
+  local script = assert(package.searchpath("parallel_study", package.path))
+  return ("%s -q %s once=%s jobs=%d mesh=%s steps=%d labels=%s"):format(quoted(arg[-1]), quoted(script),
+    quoted(folder), options.jobs, options.mesh, options.steps, table.concat(options.labels, ","))
 end
 
 os.execute("rm -rf " .. quoted(folder))

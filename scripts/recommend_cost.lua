@@ -9,9 +9,7 @@
 -- Run: signorini scripts/recommend_cost.lua [at_most=0.05,0.02,0.005] [repeats=5] [out=out/recommend_cost]; times are
 --      medians of repeats, search and run in turns.
 
-package.path = require "signorini.core".home .. "/scripts/?.lua;" .. package.path
 local sg = require "signorini"
-local core = require "signorini.core"
 local hertz = require "hertz2d.problem"
 
 local options = sg.arguments{
@@ -27,9 +25,9 @@ end
 
 --- Wall time of a function, and what it returns.
 local function timed(body)
-  local began = core.now()
+  local began = sg.wall_time()
   local result = body()
-  return core.now() - began, result
+  return sg.wall_time() - began, result
 end
 
 local costs, rows, figures = {}, {}, {}

@@ -104,7 +104,8 @@ core.docs["study"] = [[
 study
 What sg.study returns: #study rows, study.rows, a list of tables of parameters and figures by name; their names are in
 study.parameters and study.figures; study.units, study.name, study.folder as they were given. print(study) shows how
-many cases are done, and the table. Verbs that choose, group or add return a study of their own that has rows only.]]
+many cases are done, and the table. Verbs that choose, group or add return a study of their own that has rows only.
+study.records[i].made tells how case i was computed, once it is done: host, processor, versions (of libraries), time.]]
 
 core.docs["sg.study"] = [[
 sg.study{ name, cases = sg.grid{ … }, run = function(case) … return { dPx = …, wall = run.wall } end, folder, units,

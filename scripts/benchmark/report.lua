@@ -1,7 +1,6 @@
 -- Tables, charts and page of the benchmark. Cases are those of measure.case; exponents by problem and account.
 
 local sg = require "signorini"
-local core = require "signorini.core"
 local measure = require "benchmark.measure"
 
 local report = {}
@@ -119,15 +118,21 @@ local function markdown(columns, rows)
   return table.concat(lines, "\n")
 end
 
+--- Opens a file, hands it to body(stream), and returns what that returns.
+local function with_file(path, mode, body)
+  local stream <close> = assert(io.open(path, mode))
+  return assert(body(stream))
+end
+
 --- Replaces what stands between two marks of benchmark.md in a folder.
 local function replace(folder, mark, measured)
   local path = folder .. "/benchmark.md"
   local first, last = ("<!-- %s -->\n"):format(mark), ("<!-- end of %s -->"):format(mark)
-  local text = core.read_file(path)
+  local text = with_file(path, "r", function(stream) return stream:read "a" end)
   local _, from = text:find(first, 1, true)
   local to = from and text:find(last, from, true)
   if not to then error(("%s must have the lines '%s' and '%s'"):format(path, first:sub(1, -2), last), 0) end
-  core.write_file(path, text:sub(1, from) .. measured .. text:sub(to))
+  with_file(path, "w", function(stream) return stream:write(text:sub(1, from), measured, text:sub(to)) end)
 end
 
 --- Replaces the page's tables of what was measured, and its charts: those of the cases and of the solvers' sheet, where

@@ -1,6 +1,5 @@
 -- The page share/doc/speed_against_accuracy.md: what the report says of all problems, with the charts, in Markdown.
 
-local core = require "signorini.core"
 local shares = require "speed_against_accuracy.shares"
 local tables = require "speed_against_accuracy.tables"
 
@@ -135,7 +134,11 @@ function page.text(results, options, folder)
   return table.concat(parts, "\n\n") .. "\n"
 end
 
---- Writes the page, whole or not at all.
-function page.write(file, results, options, folder) core.write_file(file, page.text(results, options, folder)) end
+--- Writes the page.
+function page.write(file, results, options, folder)
+  local text = page.text(results, options, folder)
+  local stream <close> = assert(io.open(file, "w"))
+  assert(stream:write(text))
+end
 
 return page

@@ -14,7 +14,6 @@
 -- Run: signorini scripts/stability/augmented.lua [labels=N2,N2-N2.2] [mesh=m3] [penalties=1e2,5e2,2e3,1e4,1e5,1e6]
 --      [penetration=1e-6] [loops=500] [steps=4] [reference=m5] [out=out/stability/augmented]
 
-package.path = require "signorini.core".home .. "/scripts/?.lua;" .. package.path
 local sg = require "signorini"
 local hertz = require "hertz2d.problem"
 

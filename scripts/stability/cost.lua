@@ -14,7 +14,6 @@
 --      [hertz=L1,N2,N4,N2-N4,N2-N2.1,N2-N2.2] [rings=m3] [steps=10] [coarser=1] [repeats=3] [out=out/stability/cost];
 --      rings is Hertz' mesh, steps his; coarser: ironing's steps that many times as long; times are medians of repeats.
 
-package.path = require "signorini.core".home .. "/scripts/?.lua;" .. package.path
 local sg = require "signorini"
 local hertz = require "hertz2d.problem"
 local ironing = require "ironing2d.problem"

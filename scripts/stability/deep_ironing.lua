@@ -26,7 +26,6 @@
 --      up the cells that an earlier call left in the folder; with=cutting, rescue or prediction turns on one of the
 --      controls alone.
 
-package.path = require "signorini.core".home .. "/scripts/?.lua;" .. package.path
 local sg = require "signorini"
 local ironing = require "ironing2d.problem"
 local study = require "stability.study"

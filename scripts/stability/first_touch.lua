@@ -24,7 +24,6 @@
 --      cells that an earlier call left in the folder; with=cutting, rescue or prediction turns on one of the controls
 --      alone.
 
-package.path = require "signorini.core".home .. "/scripts/?.lua;" .. package.path
 local sg = require "signorini"
 local study = require "stability.study"
 

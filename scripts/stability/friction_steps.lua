@@ -24,7 +24,6 @@
 --      one map for each label; coarser: steps that many times as long; keep=yes takes up the cells that an earlier call
 --      left in the folder; with=cutting, rescue or prediction turns on one of the controls alone.
 
-package.path = require "signorini.core".home .. "/scripts/?.lua;" .. package.path
 local sg = require "signorini"
 local ironing = require "ironing2d.problem"
 local study = require "stability.study"

@@ -23,7 +23,6 @@
 --      [out=out/stability/locking]; elements and reference: along each side of the block; keep=yes takes up the cells
 --      that an earlier call left in the folder; with=cutting, rescue or prediction turns on one of the controls alone.
 
-package.path = require "signorini.core".home .. "/scripts/?.lua;" .. package.path
 local sg = require "signorini"
 local controls = require "stability.controls"
 local study = require "stability.study"

@@ -26,7 +26,6 @@
 --      [out=out/stability/peeling]; pitch: degrees a step; keep=yes takes up the cells that an earlier call left in the
 --      folder; with=cutting, rescue or prediction turns on one of the controls alone.
 
-package.path = require "signorini.core".home .. "/scripts/?.lua;" .. package.path
 local sg = require "signorini"
 local peeling = require "peeling2d.problem"
 local study = require "stability.study"

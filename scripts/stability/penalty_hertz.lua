@@ -27,7 +27,6 @@
 --      keep=yes takes up the cells that an earlier call left in the folder; with=cutting, rescue or prediction turns on
 --      one of the controls alone.
 
-package.path = require "signorini.core".home .. "/scripts/?.lua;" .. package.path
 local sg = require "signorini"
 local hertz = require "hertz2d.problem"
 local smooth = require "stability.smooth"

@@ -165,6 +165,11 @@ constexpr Function core_entries[] = {
 constexpr Function public_rows[] = {
     {"mkdir", mkdir,
      "sg.mkdir(path)\nMakes a folder and those above it; an existing folder is fine.\nExample: sg.mkdir \"out/study\""},
+    {"wall_time", now,
+     "sg.wall_time()\n"
+     "Wall-clock seconds since an arbitrary moment: the difference of two values is the time between two calls. For\n"
+     "the processor time of all threads, take os.clock().\n"
+     "Example: began = sg.wall_time(); model:run(stages); print(sg.wall_time() - began)"},
 };
 
 } // namespace

@@ -65,7 +65,9 @@ void open_library(lua_State* L, const Settings& settings) {
 
   lua_getglobal(L, "package");
   lua_getfield(L, -1, "path");
-  const std::string path = text((lua / "?.lua").string(), ";", lua_tostring(L, -1));
+  // The scripts that come along stand last: they share modules, and hide none of the user's.
+  const std::string path =
+      text((lua / "?.lua").string(), ";", lua_tostring(L, -1), ";", (home / "scripts/?.lua").string());
   lua_pop(L, 1);
   set_field(L, "path", path);
   lua_getfield(L, -1, "preload");

@@ -25,7 +25,8 @@ std::filesystem::path find_share();
 /// come along, "hertz2d.lua" or "scripts/hertz2d.lua".
 std::string find_script(const std::string& name);
 
-/// Opens Lua's own libraries, the bindings (module "signorini.core"), and package.path for `require "signorini"`.
+/// Opens Lua's own libraries, the bindings (module "signorini.core"), and package.path: the library first, the
+/// scripts that come along last.
 void open_library(lua_State* L, const Settings& settings);
 
 } // namespace signorini::bind

@@ -1,4 +1,5 @@
--- sg.arguments: what each type takes, what is refused and in which words, variants, help; sg.files and sg.median.
+-- sg.arguments: what each type takes, what is refused and in which words, variants, help; sg.files, sg.median,
+-- sg.wall_time.
 
 local sg = require "signorini"
 local check = require "check"
@@ -220,6 +221,13 @@ check.case("the median leaves the list as it is", function()
   check.equal(list, { 5, 1, 3 })
   check.fails(function() sg.median {} end, "sg.median: its argument must be a list of numbers, got an empty table")
   check.fails(function() sg.median { 1, 0 / 0 } end, "sg.median: its entry 2 must be a finite number")
+end)
+
+check.case("sg.wall_time counts seconds", function()
+  local began = sg.wall_time()
+  os.execute "sleep 0.02"
+  local passed = sg.wall_time() - began
+  check.equal(passed >= 0.02 and passed < 60, true)
 end)
 
 check.done()

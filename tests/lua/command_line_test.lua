@@ -32,6 +32,20 @@ check.case("scripts get their arguments, and find modules beside themselves", fu
   os.execute("rm -r " .. name)
 end)
 
+check.case("modules of the scripts that come along are found last, from scripts in subfolders and elsewhere", function()
+  local folder = check.folder()
+  local function write(file, text) core.write_file(folder .. "/" .. file, text) end
+  write("study.lua", "print(type(require('ironing2d.problem').scene), (require 'timing.in_turns'))")
+  core.mkdir(folder .. "/timing")
+  write("timing/in_turns.lua", "return 'my own'")
+  gives(run { folder .. "/study.lua" }, "function\tmy own\n")
+  gives(run { "-e", "print(type((require 'timing.in_turns')))" }, "function\n")
+  local output, status = check.shell(("cd %s && SIGNORINI_HOME=%s %s stability/locking.lua help"):format(folder,
+    core.home, arg[-1]))
+  check.equal(status, 0)
+  check.holds(output, "Arguments of ")
+end)
+
 check.case("- reads standard input", function()
   gives(run({ "-", "a" }, "print(1 + 1, arg[1], sg ~= nil)"), "2\ta\ttrue\n")
   local result = run({ "-" }, "print(1)\nerror 'no'")

@@ -20,7 +20,7 @@ subjects.groups = {
     "comparison:", "sg.cheapest", "sg.recommend", "sg.stability_map", "map", "map:" },
   { word = "scripts", title = "Tables, files, scripts", "sg.arguments", "sg.files", "files", "files:", "sg.mkdir",
     "sg.table", "sg.csv.", "sg.reference", "data", "data:", "sg.vtu", "sg.pvd", "series", "series:", "sg.median",
-    "help", "traceback" },
+    "sg.wall_time", "help", "traceback" },
 }
 
 local found = {} -- what place() returned, by name: each group asks for the places of all names
