@@ -4,7 +4,6 @@ local core = require "signorini.core"
 local sg = require "signorini"
 local check = require "check"
 
-package.path = core.home .. "/scripts/?.lua;" .. package.path
 local growth = require "benchmark.growth"
 
 core.quiet = true

@@ -7,7 +7,6 @@ local check = require "check"
 local way_back = require "way_back"
 
 local script = core.home .. "/scripts/block_ironing3d.lua"
-package.path = core.home .. "/scripts/?.lua;" .. package.path
 local folder = check.folder()
 local run_study = assert(loadfile(script))
 local study = run_study("out=" .. folder, "mesh=2x2x1/4x2x1", "labels=N2,N2-N2.1", "press=3", "slide=20")

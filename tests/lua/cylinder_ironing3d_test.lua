@@ -7,7 +7,6 @@ local check = require "check"
 local way_back = require "way_back"
 
 local script = core.home .. "/scripts/cylinder_ironing3d.lua"
-package.path = core.home .. "/scripts/?.lua;" .. package.path
 local folder = check.folder()
 local study = assert(loadfile(script))("out=" .. folder, "mesh=8x2x1/8x4x1", "labels=N2,N2-N2.1", "press=4", "slide=24")
 

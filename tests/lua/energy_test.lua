@@ -2,11 +2,9 @@
 -- dissipated by friction. What is missing comes from the steps (the trapezoidal rule, slip measured at a step's end)
 -- and, with friction, from the penetration: tractions work on the way of the point, slip is the way of its foot.
 
-local core = require "signorini.core"
 local check = require "check"
 local sg = require "signorini"
 
-package.path = core.home .. "/scripts/?.lua;" .. package.path
 local friction3d = require "ironing3d.friction"
 
 --- What is missing, in parts of the work; `energy` is what model:energy returns.

@@ -4,7 +4,6 @@ local sg = require "signorini"
 local core = require "signorini.core"
 local check = require "check"
 
-package.path = core.home .. "/scripts/?.lua;" .. package.path
 local script = core.home .. "/scripts/hertz2d.lua"
 local folder = check.folder()
 

@@ -3,7 +3,6 @@
 local core = require "signorini.core"
 local check = require "check"
 
-package.path = core.home .. "/scripts/?.lua;" .. package.path
 local folder = check.folder()
 local study = assert(loadfile(core.home .. "/scripts/ironing2d.lua"))("variant=deep", "labels=N4,N2-N2.2", "points=1,3",
   "coarser=1,2", "out=" .. folder)

@@ -4,7 +4,6 @@ local sg = require "signorini"
 local core = require "signorini.core"
 local check = require "check"
 
-package.path = core.home .. "/scripts/?.lua;" .. package.path
 local folder = check.folder()
 local run_study = assert(loadfile(core.home .. "/scripts/ironing2d.lua"))
 local study = run_study("out=" .. folder)

@@ -3,7 +3,6 @@
 local core = require "signorini.core"
 local check = require "check"
 
-package.path = core.home .. "/scripts/?.lua;" .. package.path
 local folder = check.folder()
 local study = assert(loadfile(core.home .. "/scripts/ironing2d.lua"))("variant=validation", "mesh=24", "out=" .. folder)
 

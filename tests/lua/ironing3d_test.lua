@@ -4,7 +4,6 @@ local core = require "signorini.core"
 local check = require "check"
 local sg = require "signorini"
 
-package.path = core.home .. "/scripts/?.lua;" .. package.path
 local depth = require "ironing3d.depth"
 local friction = require "ironing3d.friction"
 local problem = require "ironing3d.problem"

@@ -1,6 +1,5 @@
 -- Steps that jump to another branch of equilibria are told from those that follow the path.
 
-package.path = require "signorini.core".home .. "/scripts/?.lua;" .. package.path
 local sg = require "signorini"
 local check = require "check"
 local jumps = require "signorini.jumps"

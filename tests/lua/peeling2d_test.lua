@@ -4,7 +4,6 @@
 local sg = require "signorini"
 local core = require "signorini.core"
 local check = require "check"
-package.path = core.home .. "/scripts/?.lua;" .. package.path
 local measure = require "peeling2d.measure"
 local problem = require "peeling2d.problem"
 local steady = require "peeling2d.steady"

@@ -1,10 +1,8 @@
 -- sg.recommend on Hertz's line contact, where the true error is known.
 
 local sg = require "signorini"
-local core = require "signorini.core"
 local check = require "check"
 
-package.path = core.home .. "/scripts/?.lua;" .. package.path
 local problem = require "hertz2d.problem"
 
 local steps = 5

@@ -3,7 +3,6 @@
 local sg = require "signorini"
 local core = require "signorini.core"
 local check = require "check"
-package.path = core.home .. "/scripts/?.lua;" .. package.path
 
 local folder = check.folder()
 local study = assert(loadfile(core.home .. "/scripts/rings2d.lua"))("out=" .. folder, "repeats=1")

@@ -4,7 +4,6 @@
 local sg = require "signorini"
 local core = require "signorini.core"
 local check = require "check"
-package.path = core.home .. "/scripts/?.lua;" .. package.path
 
 local folder = check.folder()
 local words = { "problems=ironing,hertz", "meshes=m1,m2", "labels=N2,N4,N2-N2.2", "rounds=1",

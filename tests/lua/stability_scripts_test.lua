@@ -5,7 +5,6 @@ local core = require "signorini.core"
 local check = require "check"
 
 core.quiet = true
-package.path = core.home .. "/scripts/?.lua;" .. package.path
 local folder = check.folder()
 
 --- What a script returns. Its tables are left out.
