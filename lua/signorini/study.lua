@@ -3,21 +3,23 @@
 local core = require "signorini.core"
 local arguments = require "signorini.arguments"
 local execute = require "signorini.study.execute"
+local figure_names = require("signorini.study.values").figure_names
 local read_cases = require("signorini.study.cases").read
 local store = require "signorini.study.store"
 local verbs = require "signorini.study.verbs"
 
 local where = "sg.study"
 
-local Study = { execute = execute }
+local Study = { execute = execute.verb }
 Study.__index = Study
 Study.__name = "study"
 core.types.study = Study
 for name, verb in pairs(verbs) do Study[name] = verb end
 
--- A part of a study has no cases but the whole that it was taken from, and what it is not given has no inputs. All else
--- that is not there is misspelt.
-local may_be_missing = { cases = true, inputs = true, whole = true }
+-- A part of a study has no cases but the whole that it was taken from, what it is not given has no inputs, and one that
+-- keeps nothing has no folder. All else that is not there is misspelt.
+local may_be_missing = { cases = true, inputs = true, whole = true, folder = true, parts = true, fresh = true,
+                         on_record = true }
 setmetatable(Study, { __index = function(_, name)
   if may_be_missing[name] or type(name) ~= "string" or name:find "^__" then return nil end
   local known = { "rows", "parameters", "figures", "units", "name", "folder" }
@@ -45,21 +47,9 @@ function Study:row_of(entry, record)
   return row
 end
 
---- The names of all figures, sorted; lists are none that a table could show, yet rows hold them.
-local function figure_names(study)
-  local names, seen = {}, {}
-  for _, record in pairs(study.records) do
-    for name, value in pairs(record.figures) do
-      if type(value) ~= "table" and not seen[name] then seen[name], names[#names + 1] = true, name end
-    end
-  end
-  table.sort(names)
-  return names
-end
-
 --- Makes the rows anew from the records of the cases that are known.
 function Study:gather()
-  self.rows, self.figures = {}, figure_names(self)
+  self.rows, self.figures = {}, figure_names(self.records)
   for i, entry in ipairs(self.cases) do
     if self.records[i] then self.rows[#self.rows + 1] = self:row_of(entry, self.records[i]) end
   end
@@ -80,6 +70,17 @@ function Study:read()
 end
 
 -- ── The study ────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- A study of what is read already. Beside what sg.study takes: no folder (nothing is kept), `fresh` (what the folder
+--- holds goes first), `parts` (by name, what the results depend on, where that is not `run`), and on_record(), called
+--- when records of cases were read or written.
+local function make(study)
+  study.records, study.unsaved, study.rows, study.figures = {}, {}, {}, {}
+  study.alone, study.units = study.alone or false, study.units or {}
+  study.units.wall = study.units.wall or "s"
+  study.cases, study.parameters = read_cases(study.cases)
+  return setmetatable(study, Study)
+end
 
 local function read_units(units)
   if units == nil then return {} end
@@ -118,9 +119,9 @@ run:    returns figures by name: numbers, texts, true or false, and lists of the
 folder: where each finished case is written at once as a JSON file: out/<name> by default.
 units:  of figures and parameters by name, for heads of tables and labels of axes.
 alone:  true, or a function of a case: such cases run last and one by one, with nothing beside them, to be timed.
-inputs: plain data. A case counts as done as long as its parameters, the text of run and all that run refers to
-        (functions, numbers, tables, all that bodies and models hold; not the program itself) stay as they are; with
-        inputs only these count.
+inputs: plain data. A case counts as done as long as its parameters, the text of run, all that run refers to
+        (functions, numbers, tables, all that bodies and models hold) and the program's version stay as they are; with
+        inputs only its parameters and these count.
 Beside its figures each row has wall, the seconds that run took, unless it returned a figure of that name. A case that
 did not come out has failed = true, outcome ("failed", "error", "crashed", or "time" beyond a limit) and reason.
 study.rows: a list of tables; #study; print(study); see help "study:where", "study:table", "study:chart".
@@ -138,13 +139,8 @@ local function new(options)
   if options.run == nil then arguments.reject(where, "run", "a function that takes a case and returns figures", nil) end
   local alone = options.alone
   if type(alone) ~= "function" then alone = arguments.flag(where, "alone", alone, false) end
-  local study = {
-    name = name, run = arguments.callback(where, "run", options.run), alone = alone, inputs = options.inputs,
-    folder = folder, units = read_units(options.units), records = {}, unsaved = {}, rows = {}, figures = {},
-  }
-  study.units.wall = study.units.wall or "s"
-  study.cases, study.parameters = read_cases(options.cases)
-  return setmetatable(study, Study)
+  return make{ name = name, cases = options.cases, run = arguments.callback(where, "run", options.run), alone = alone,
+               inputs = options.inputs, folder = folder, units = read_units(options.units) }
 end
 
-return { new = new }
+return { new = new, make = make }

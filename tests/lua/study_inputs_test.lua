@@ -1,6 +1,7 @@
 -- What a study's results depend on: a case whose inputs have changed is solved again, others are taken from the folder.
 
 local check = require "check"
+local core = require "signorini.core"
 
 check.case("a changed parameter, function or number that run refers to makes a case run again, and is named", function()
   local script = [[
@@ -76,6 +77,21 @@ check.case("all that a captured object holds is seen: of a model its laws, obsta
       check.holds(object_study(folder, texts[i]), "1 because object changed")
       check.holds(object_study(folder, texts[i]), "n: 1 of 1 taken from " .. folder .. ", 0 solved\n")
     end
+  end
+end)
+
+check.case("another version of the program solves again, unless inputs say what counts", function()
+  for given, expected in pairs { [""] = "1 because the program's version changed", ["inputs = {}, "] = "0 solved" } do
+    local folder = check.folder()
+    local function output()
+      return (check.script(([[require "signorini".study{ name = "n", folder = arg[1], cases = { { a = 1 } }, %s
+        run = function() return {} end }:execute{}]]):format(given), folder))
+    end
+    output()
+    local version = core.versions.signorini:gsub("%.", "\\.")
+    check.shell(("sed -i 's/%s/0.0.1/' %s/cases/*.json"):format(version, folder))
+    check.holds(output(), expected)
+    check.holds(output(), "0 solved")
   end
 end)
 

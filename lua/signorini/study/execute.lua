@@ -31,11 +31,6 @@ local function read_again(value)
   if value ~= false then arguments.reject(where, "again", "true, \"failed\" or a function of a row", value) end
 end
 
---- "1 of 6 cases is kept"
-local function kept_words(kept, all)
-  return ("%d of %s %s kept"):format(kept, counted(all, "case"), (kept == 1 or all == 1) and "is" or "are")
-end
-
 --- What execute says before it begins: how many cases are taken from the folder, and why others are solved again.
 local function words_on(study, missing, reasons, older)
   local kept, words = #study.cases - #missing, {}
@@ -147,23 +142,23 @@ local function tell_errors(study)
     study.records[first].reason))
 end
 
---- Ends an execution that Ctrl-C has stopped.
-local function stop(study)
-  local kept = 0
-  for i in ipairs(study.cases) do kept = kept + (study.records[i] and 1 or 0) end
-  io.stderr:write(("%s: interrupted: %s; the same call goes on with the others\n"):format(study.name,
-    kept_words(kept, #study.cases)))
-  core.fail "interrupted"
+--- Tells what is left of an execution that Ctrl-C has stopped.
+local function tell_interrupted(study)
+  local done, all = #study.rows, #study.cases
+  io.stderr:write(("%s: interrupted: %d of %s %s %s\n"):format(study.name, done, counted(all, "case"),
+    (done == 1 or all == 1) and "is" or "are",
+    study.folder and "kept; the same call goes on with the others" or "done"))
 end
 
---- Runs what is missing; `keeper` holds the folder.
-local function execute(study, keeper, options)
-  local now = inputs.of(study.run, study.inputs)
+--- Runs what is missing; `keeper` holds the folder. Returns whether that was done, or Ctrl-C has ended it.
+local function run_missing(study, keeper, options)
+  local now = inputs.of(study)
   for i, record in pairs(study.unsaved) do
     store.write(keeper, study.cases[i], record)
     study.unsaved[i] = nil
   end
   local list, words = missing(study, now, options.limit, options.again)
+  if study.on_record then study.on_record() end
   if #list > 0 then store.take_reserve(keeper) end
   local display = open_display(study, #study.cases - #list, #list)
   if words then display.bar:line(words) end
@@ -174,9 +169,10 @@ local function execute(study, keeper, options)
     study.records[i], study.unsaved[i] = record, record
     store.write(keeper, study.cases[i], record)
     study.unsaved[i] = nil
+    if study.on_record then study.on_record() end
     if keeper.full then
       core.fail(("%s: no space is left for '%s': make room and execute again; all that was done is kept")
-        :format(where, study.folder))
+        :format(keeper.where, study.folder))
     end
   end
   local together, alone = split_alone(study, list)
@@ -184,7 +180,19 @@ local function execute(study, keeper, options)
   whole = whole and run_cases(study, alone, 1, options.limit, display, keep)
   display.bar:clear()
   tell_errors(study)
-  if not whole then stop(study) end
+  return whole
+end
+
+--- Executes a study for the function that errors name: { jobs, limit, again }, checked. Whether Ctrl-C let it.
+local function execute(name, study, options)
+  local keeper = store.open(name, study)
+  study.records = {}
+  local ok, result = pcall(run_missing, study, keeper, options)
+  store.close(keeper)
+  study:gather()
+  if not ok then error(result, 0) end
+  if not result then tell_interrupted(study) end
+  return result
 end
 
 core.docs["study:execute"] = [[
@@ -199,7 +207,7 @@ limit: seconds by the clock on the wall after which a case is given up; none by 
 again: true for all cases, "failed", or a function of a row: which cases run anew in any case.
 Two processes cannot execute the same study at a time. study:read() takes what there is without running anything.
 Example: study:execute{ jobs = 2, again = "failed" }]]
-return function(study, options)
+local function verb(study, options)
   arguments.table(where, "its argument", options, { "jobs", "limit", "again" })
   options = options or {}
   local read = { jobs = arguments.count(where, "jobs", options.jobs, core.at_once),
@@ -208,11 +216,8 @@ return function(study, options)
   if not study.cases then
     core.fail(where .. ": this is a part of a study, which has results only: execute the study that it was taken from")
   end
-  local keeper = store.open(where, study)
-  study.records = {}
-  local ok, message = pcall(execute, study, keeper, read)
-  store.close(keeper)
-  study:gather()
-  if not ok then error(message, 0) end
+  if not execute(where, study, read) then core.fail "interrupted" end
   return study
 end
+
+return { verb = verb, execute = execute }

@@ -1,5 +1,5 @@
--- What the results of a study depend on beside the parameters of a case: the text of its function `run`, and all that
--- this refers to. When that changes, what was computed before no longer counts.
+-- What the results of a study depend on beside the parameters of a case: the text of its function `run`, all that this
+-- refers to, and the program's version. When one of these changes, what was computed before no longer counts.
 
 local core = require "signorini.core"
 local arguments = require "signorini.arguments"
@@ -8,20 +8,15 @@ local inputs = {}
 
 -- ── What is no input ─────────────────────────────────────────────────────────────────────────────────────────────────
 
--- Lua's own globals and the library's modules are the program, whose version stands in every case's file.
+-- Lua's own globals and modules and those of the library are the program, of which the version counts.
 local globals, program = {}, {}
 for name in next, _G do globals[name] = true end
 globals.sg, globals.help, globals.arg = true, true, true
 for _, module in pairs(package.loaded) do program[module] = true end
 
---- Whether a table belongs to the program: one of its modules, also of those that were loaded later, or a study itself.
-local function is_program(value)
-  local own = getmetatable(value)
-  if program[value] or (type(own) == "table" and own.__name == "study") then return true end
-  for name, module in pairs(package.loaded) do
-    if module == value then return name:find "^signorini" ~= nil end
-  end
-  return false
+--- Adds the library's modules that were loaded later.
+local function find_program()
+  for name, module in pairs(package.loaded) do program[module] = program[module] or name:find "^signorini" ~= nil end
 end
 
 -- ── The text of a function and of what it refers to ──────────────────────────────────────────────────────────────────
@@ -29,15 +24,12 @@ end
 local files = {} -- the lines of each script that was read
 
 local function lines_of(file)
-  if files[file] == nil then
-    local lines, stream = {}, io.open(file)
-    if stream then
-      for line in stream:lines() do lines[#lines + 1] = line end
-      stream:close()
-    end
-    files[file] = lines
+  local lines = files[file] or {}
+  if not files[file] and core.exists(file) then
+    for line in io.lines(file) do lines[#lines + 1] = line end
   end
-  return files[file]
+  files[file] = lines
+  return lines
 end
 
 --- The source text of a function; of one that was typed, its bytes.
@@ -100,6 +92,24 @@ local function write_table(value, out, seen)
   end
 end
 
+--- What the results of a study depend on, by name: the text of `run` and each thing that this refers to, or what was
+--- given in place of these.
+local function parts_of(study)
+  if study.inputs ~= nil then return { inputs = study.inputs } end
+  if study.parts then return study.parts end
+  local parts = { run = source_of(study.run) }
+  references(study.run, function(name, value) parts[name] = value end)
+  return parts
+end
+
+--- What counts of a table: of a study, or of a stability map, what its results depend on, not how long they took.
+local function essence(value)
+  local own = getmetatable(value)
+  local kind = type(own) == "table" and rawget(own, "__name")
+  local study = kind == "study" and (value.whole or value) or kind == "stability map" and value.study
+  return study and { cases = study.cases, parts = parts_of(study) } or value
+end
+
 --- What an object holds; of one without content, such as an open file, its kind.
 local function write_object(value, out)
   out[#out + 1] = core.kind(value)
@@ -109,13 +119,14 @@ end
 function write(value, out, seen)
   local kind = type(value)
   if kind == "table" or kind == "function" then
-    if seen[value] or is_program(value) or core.names[value] then
+    if seen[value] or program[value] or core.names[value] then
       out[#out + 1] = core.names[value] or "seen"
       return
     end
     seen[value] = true
     out[#out + 1] = kind
-    return (kind == "table" and write_table or write_function)(value, out, seen)
+    if kind == "function" then return write_function(value, out, seen) end
+    return write_table(essence(value), out, seen)
   end
   if kind == "userdata" then return write_object(value, out) end
   out[#out + 1] = kind == "number" and ("%a"):format(value) or tostring(value)
@@ -129,17 +140,20 @@ end
 
 -- ── The inputs ───────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- Hashes by name: of the text of `run`, and of each thing that it refers to. `given`: plain data of the user's that
---- stands for all of that, or nil.
-function inputs.of(run, given)
+--- The inputs of a study by name: hashes of what its results depend on, and the program's version, unless the user said
+--- what counts.
+function inputs.of(study)
   files = {}
-  if given ~= nil then
-    local ok, text = pcall(core.write_json, given, "inputs")
-    if not ok then arguments.reject("sg.study", "inputs", "plain data: numbers, strings, tables of these", given) end
-    return { inputs = core.hash(text) }
+  find_program()
+  local result = { ["the program's version"] = core.versions.signorini }
+  if study.inputs ~= nil then
+    local plain = pcall(core.write_json, study.inputs, "inputs")
+    if not plain then
+      arguments.reject("sg.study", "inputs", "plain data: numbers, strings, tables of these", study.inputs)
+    end
+    result = {}
   end
-  local result = { run = core.hash(source_of(run)) }
-  references(run, function(name, value) result[name] = hash_of(value) end)
+  for name, part in pairs(parts_of(study)) do result[name] = hash_of(part) end
   return result
 end
 

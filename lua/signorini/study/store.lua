@@ -33,6 +33,7 @@ end
 
 --- What is known of a case: its record, or nil; and whether its file is there but cannot be understood.
 function store.read(study, entry)
+  if not study.folder then return nil end
   local record, damaged = read(case_file(study, entry))
   if record and type(record.case) == "table" and type(record.figures) == "table"
     and type(record.outcome) == "string" then
@@ -41,12 +42,22 @@ function store.read(study, entry)
   return nil, damaged or record ~= nil
 end
 
---- Makes the folder and holds it, as long as the returned keeper is not released.
+--- Removes what a folder holds of any study.
+local function clear(folder)
+  for _, name in ipairs(core.list_folder(folder .. "/cases")) do
+    if name:find "%.json$" then os.remove(("%s/cases/%s"):format(folder, name)) end
+  end
+  os.remove(folder .. "/study.json")
+end
+
+--- Makes the folder and holds it, as long as the returned keeper is not released. A study without one keeps nothing.
 function store.open(where, study)
+  if not study.folder then return { study = study, where = where } end
   call(where, "mkdir", study.folder .. "/cases")
   local lock = call(where, "lock", study.folder .. "/lock")
   local keeper = { lock = lock, study = study, where = where, reserve = study.folder .. "/" .. reserve_name }
   local ok, message = pcall(function()
+    if study.fresh then clear(study.folder) end
     local file = study.folder .. "/study.json"
     if not check_owner(where, study) then call(where, "write_file", file, core.write_json { study = study.name }) end
   end)
@@ -60,12 +71,14 @@ function store.check(where, study) check_owner(where, study) end
 
 --- Takes the room that the last results will need, before any case runs.
 function store.take_reserve(keeper)
+  if not keeper.lock then return end
   core.remove_leftovers(keeper.reserve)
   call(keeper.where, "write_file", keeper.reserve, (" "):rep(reserve_size))
 end
 
 --- Writes a case's record. When the disk is full the reserve makes room for it.
 function store.write(keeper, entry, record)
+  if not keeper.lock then return end
   local file, text = case_file(keeper.study, entry), core.write_json(record, "the case's record")
   core.remove_leftovers(file)
   if pcall(core.write_file, file, text, true) then return end
@@ -76,6 +89,7 @@ end
 
 --- Lets go of the folder.
 function store.close(keeper)
+  if not keeper.lock then return end
   os.remove(keeper.reserve)
   keeper.lock:release()
 end

@@ -39,6 +39,18 @@ function values.text(value, exactly)
   return (exactly or math.type(value) == "integer") and number_text(value) or ("%.6g"):format(value)
 end
 
+--- The names of all figures that records or cells have, sorted; lists are none that a table could show.
+function values.figure_names(holders)
+  local names, seen = {}, {}
+  for _, holder in pairs(holders) do
+    for name, value in pairs(holder.figures) do
+      if type(value) ~= "table" and not seen[name] then seen[name], names[#names + 1] = true, name end
+    end
+  end
+  table.sort(names)
+  return names
+end
+
 --- All columns of a study by name: parameters, figures, then the accounts that every case has.
 function values.columns(study)
   local names, seen = {}, {}
