@@ -1,16 +1,17 @@
--- sg.stability_map: where over two parameters the solve holds, and where and why it fails. Each cell is solved in a
--- process of its own, so that a crash or an endless loop is an outcome like others.
+-- sg.stability_map: where over two parameters the solve holds, and where and why it fails. A map is a study: each cell
+-- is a case, so that a crash or an endless loop is an outcome like others.
 
 local core = require "signorini.core"
 local arguments = require "signorini.arguments"
 local counted = require "signorini.counted"
+local execute = require("signorini.study.execute").execute
+local figure_names = require("signorini.study.values").figure_names
+local file = require "signorini.stability_map.file"
 local format_table = require "signorini.table"
-local holds = require("signorini.lists").holds
-local literal = require "signorini.literal"
+local in_name_of = require "signorini.in_name_of"
+local make_study = require("signorini.study").make
 local pictures = require "signorini.stability_map.pictures"
-local progress = require "signorini.progress"
 local solve_cell = require "signorini.stability_map.cell"
-local store = require "signorini.stability_map.store"
 
 local where = "sg.stability_map"
 
@@ -21,11 +22,17 @@ core.types.map = Map
 
 -- ── Reading the arguments ────────────────────────────────────────────────────────────────────────────────────────────
 
+-- What no parameter can be called: names that a case of the study has for itself.
+local accounts = { cell = true, wall = true, failed = true, outcome = true, reason = true }
+
 --- A parameter { name, values }: numbers or strings, each once.
 local function read_axis(key, axis)
   if type(axis) ~= "table" then arguments.reject(where, key, "a table { name = …, values = {…} }", axis) end
   arguments.table(where, key, axis, { "name", "values" })
   local name, values, seen = arguments.string(where, key .. ".name", axis.name), axis.values, {}
+  if accounts[name] then
+    core.fail(("%s: %s.name cannot be '%s', which every cell has: choose another name"):format(where, key, name))
+  end
   if type(values) ~= "table" or #values == 0 then
     arguments.reject(where, key .. ".values", "a list of numbers or strings", values)
   end
@@ -42,95 +49,55 @@ local function read_function(key, value)
   return arguments.callback(where, key, value)
 end
 
+--- The cases of the study in the order of the cells: y by y.
+local function cases_of(x, y)
+  local cases = {}
+  for _, b in ipairs(y.values) do
+    for _, a in ipairs(x.values) do cases[#cases + 1] = { [x.name] = a, [y.name] = b } end
+  end
+  return setmetatable(cases, { parameters = { x.name, y.name } })
+end
+
+--- The map, and how its study is to be executed.
 local function read_map(options)
   if type(options) ~= "table" then arguments.reject(where, "its argument", "a table of named arguments", options) end
   arguments.table(where, "its argument", options,
     { "name", "x", "y", "scene", "path", "figures", "jobs", "limit", "file" })
-  return setmetatable({
-    name = arguments.string(where, "name", options.name, "stability map"),
-    x = read_axis("x", options.x), y = read_axis("y", options.y),
-    scene = read_function("scene", options.scene), path = read_function("path", options.path),
-    figures = arguments.callback(where, "figures", options.figures),
-    jobs = arguments.count(where, "jobs", options.jobs, core.at_once),
-    limit = options.limit and arguments.positive(where, "limit", options.limit),
-    file = options.file and arguments.string(where, "file", options.file),
-    cells = {}, by_x = {}, elsewhere = {},
-  }, Map)
+  local name = arguments.string(where, "name", options.name, "stability map")
+  local x, y = read_axis("x", options.x), read_axis("y", options.y)
+  if x.name == y.name then core.fail(("%s: x.name and y.name are both '%s', not two"):format(where, x.name)) end
+  local parts = { scene = read_function("scene", options.scene), path = read_function("path", options.path),
+                  figures = arguments.callback(where, "figures", options.figures) }
+  local execution = { jobs = arguments.count(where, "jobs", options.jobs, core.at_once),
+                      limit = options.limit and arguments.positive(where, "limit", options.limit) }
+  local map = { name = name, x = x, y = y, cells = {}, by_case = {},
+                file = options.file and arguments.string(where, "file", options.file) }
+  map.study = in_name_of(where, "sg.study", make_study, {
+    name = name, cases = cases_of(x, y), parts = parts, folder = map.file and map.file:gsub("%.csv$", "") .. ".cells",
+    run = function(case) return solve_cell(parts, case[x.name], case[y.name]) end,
+  })
+  return setmetatable(map, Map), execution
 end
 
 -- ── Cells ────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-local function place(map, cell)
-  map.by_x[cell.x] = map.by_x[cell.x] or {}
-  map.by_x[cell.x][cell.y] = cell
+--- The cell of a case: what it returned, or what became of it.
+local function cell_of(entry, record, map)
+  local cell = record.figures.cell or { outcome = record.outcome, report = record.traceback or record.reason,
+                                        wall = record.wall, figures = {} }
+  cell.x, cell.y = entry.case[map.x.name], entry.case[map.y.name]
+  return cell
 end
 
---- All cells in the order of their values, y by y.
-local function sort_cells(map)
-  map.cells = {}
-  for _, y in ipairs(map.y.values) do
-    for _, x in ipairs(map.x.values) do map.cells[#map.cells + 1] = map:cell(x, y) end
+--- Makes the cells anew from the study's records, and their file.
+local function gather(map)
+  map.cells, map.by_case = {}, {}
+  for i, entry in ipairs(map.study.cases) do
+    local record = map.study.records[i]
+    map.by_case[i] = record and cell_of(entry, record, map)
+    map.cells[#map.cells + 1] = map.by_case[i]
   end
-end
-
---- Takes up the cells of an earlier call. An error is no result: such cells are solved again. Those of other values
---- stay in the file.
-local function take_up(map)
-  for _, cell in ipairs(map.file and store.read(map.file, map) or {}) do
-    local inside = holds(map.x.values, cell.x) and holds(map.y.values, cell.y)
-    if inside and cell.outcome ~= "error" then place(map, cell) end
-    if not inside then map.elsewhere[#map.elsewhere + 1] = cell end
-  end
-end
-
-local function save(map)
-  sort_cells(map)
-  if not map.file then return end
-  local cells = table.move(map.cells, 1, #map.cells, 1, {})
-  store.write("sg.stability_map", map.file, map, table.move(map.elsewhere, 1, #map.elsewhere, #cells + 1, cells))
-end
-
---- What became of a job that returned nothing.
-local function lost_cell(map, failure)
-  if failure == "time" then
-    return { outcome = "time", wall = map.limit, report = ("not done within %g s"):format(map.limit), figures = {} }
-  end
-  local message = failure:match "^failed: (.*)$"
-  return { outcome = message and "error" or "crashed", report = message or failure, figures = {} }
-end
-
-local function outcome_text(cell)
-  local parts = { cell.outcome }
-  if cell.iterations then parts[#parts + 1] = counted(cell.iterations, "iteration") end
-  if cell.outcome ~= "completed" and cell.reached then parts[#parts + 1] = ("at %.0f%%"):format(100 * cell.reached) end
-  if cell.wall then parts[#parts + 1] = ("%.1f s"):format(cell.wall) end
-  if cell.outcome == "error" then parts[#parts + 1] = cell.report:match "^[^\n]*" end
-  return table.concat(parts, ", ")
-end
-
---- Solves the cells that are missing.
-local function execute(map)
-  local missing = {}
-  for _, y in ipairs(map.y.values) do
-    for _, x in ipairs(map.x.values) do
-      if not map:cell(x, y) then missing[#missing + 1] = { x = x, y = y } end
-    end
-  end
-  local display = progress(#missing)
-  core.jobs(#missing, map.jobs, function(i)
-    return literal.write(solve_cell(map, missing[i].x, missing[i].y))
-  end, function(i, text, failure)
-    local cell = text and literal.read(text) or lost_cell(map, failure)
-    cell.x, cell.y = missing[i].x, missing[i].y
-    place(map, cell)
-    save(map)
-    display:step(map.name)
-    if not core.terminal then
-      display:line(("%s: %s = %s, %s = %s: %s")
-        :format(map.name, map.x.name, cell.x, map.y.name, cell.y, outcome_text(cell)))
-    end
-  end, map.limit)
-  display:clear()
+  if map.file then file.write(where, map.file, map) end
 end
 
 -- ── Reading (by the user) ────────────────────────────────────────────────────────────────────────────────────────────
@@ -145,13 +112,14 @@ map:cell(x, y)
 The cell at two of the parameters' values; nil when it was not solved.
 Example: map:cell("N2", 4).outcome]]
 function Map:cell(x, y)
-  for _, entry in ipairs { { "x", self.x, x }, { "y", self.y, y } } do
-    local name, axis, given = table.unpack(entry, 1, 3)
-    if not holds(axis.values, given) then
-      core.fail(("map:cell: %s must be one of the values of %s, got %s"):format(name, axis.name, core.describe(given)))
+  local function place(key, axis, value)
+    for i, known in ipairs(axis.values) do
+      if known == value then return i end
     end
+    core.fail(("map:cell: %s must be one of the values of %s, got %s"):format(key, axis.name, core.describe(value)))
   end
-  return self.by_x[x] and self.by_x[x][y]
+  local column, line = place("x", self.x, x), place("y", self.y, y)
+  return self.by_case[(line - 1) * #self.x.values + column]
 end
 
 local function is_held(cell) return cell ~= nil and cell.outcome == "completed" end
@@ -174,7 +142,7 @@ function Map:table()
   local columns = { self.x.name, self.y.name, "outcome", "reached", "increments", "iterations", "cut-backs", "rescues",
                     "wall" }
   local units, formats = { "", "", "", "%", "", "", "", "", "s" }, { [4] = "%.1f", [9] = "%.2f" }
-  local figures, rows = store.figure_names(self.cells), {}
+  local figures, rows = figure_names(self.cells), {}
   local first = #columns
   for i, name in ipairs(figures) do columns[first + i], units[first + i], formats[first + i] = name, "", "%.4g" end
   for r, cell in ipairs(self.cells) do
@@ -189,9 +157,7 @@ core.docs["map:csv"] = [[
 map:csv(file)
 Writes all cells to a CSV file, with the reports of the failures.
 Example: map:csv "map.csv"]]
-function Map:csv(file)
-  store.write("map:csv", arguments.string("map:csv", "file", file), self, self.cells)
-end
+function Map:csv(name) file.write("map:csv", arguments.string("map:csv", "file", name), self) end
 
 core.docs["map:compare"] = [[
 map:compare(other)
@@ -229,26 +195,31 @@ end
 core.docs["sg.stability_map"] = [[
 sg.stability_map{ name, x = { name = , values = {…} }, y = { name = , values = {…} }, scene = function(x, y) …,
                   path = function(model, x, y) …, figures = function(model, run, x, y) …, jobs, limit, file }
-Where over two parameters the solve holds, and where and why it fails. For each pair of values (numbers or strings) a
-process of its own calls scene, which returns a model, and path, which returns stages and options as model:run takes
-them. What the functions change is lost with the process. Returns a map.
+Where over two parameters the solve holds, and where and why it fails. It is a study with a case for each pair of values
+(numbers or strings): a process of its own calls scene, which returns a model, and path, which returns stages and
+options as model:run takes them. What the functions change is lost with the process. Returns a map.
 figures: numbers by name, of cells that reach the end of their path; those that are not finite are left out.
 jobs:    cells that are solved side by side; by default what --jobs says, else as many as there are processors.
 limit:   seconds by the clock on the wall after which a cell is given up; none by default.
-file:    a CSV file that keeps every finished cell at once; a later call with the same names takes up what it holds, but
-         solves errors again. Remove it when the problem changes.
+file:    a CSV file that shows every finished cell at once; the folder beside it, map.cells for map.csv, keeps them as
+         that of a study does. A later call with the same names takes up what is there as long as scene, path, figures
+         and all that they refer to stay as they are; it solves errors and crashes again, and what was out of time when
+         there is more. Remove the file to have all cells solved again; without one nothing is kept.
 A cell: x, y, outcome, reached (part of the path, 0 to 1), steps, increments, iterations, cutbacks, rescues, wall (s),
 report and place of a failure, figures. Outcomes: those of run.reason, "completed" is held; "error" (in one of the
-functions), "crashed", "time". Ctrl-C ends it with the cells that are done.
+functions), "crashed", "time". Ctrl-C ends it with the cells that are done. Errors and crashes are told on standard
+error and make the exit status of the program 1, as those of study:execute do.
 map.cells is a list; print(map) shows how many are held and the table; see help "map:picture", "map:compare".
 Example: map = sg.stability_map{ x = { name = "order", values = {"N2", "N4"} },
            y = { name = "steps", values = {5, 10} }, scene = function(order) return (press(order, 1)) end,
            path = function(model, order, steps) return { { steps = steps, grip = {0, -0.1} } } end }]]
 return function(options)
-  local map = read_map(options)
-  take_up(map)
-  save(map) -- a file that cannot be written shows now, not after the first cell
-  execute(map)
-  sort_cells(map)
+  local map, execution = read_map(options)
+  if map.file and not file.is_there(where, map.file, map) then
+    file.write(where, map.file, map) -- a file that cannot be written shows now, not after the first cell
+    map.study.fresh = true
+  end
+  map.study.on_record = function() gather(map) end
+  execute(where, map.study, execution)
   return map
 end

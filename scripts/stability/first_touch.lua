@@ -32,12 +32,13 @@ local options = study.arguments{
   gaps = { -1e-2, -1e-3, 0, 1e-3, 1e-2, 1e-1 }, loads = { { 1e-4, 1e-3, 1e-2, 0.05 }, above = 0 }, steps = 5,
   out = "out/stability/first_touch",
 }
+local label, steps = options.label, options.steps
 local inner, outer, penalty = 0.5, 1, 100
 
 local function scene(under, mu, gap)
   local ring = sg.body{
     patch = sg.shapes.quarter_annulus{ inner = inner, outer = outer, start = 270 }, elements = { 12, 3 },
-    order = options.label, contact = "south", through = 1, material = sg.neo_hookean{ E = 1, nu = 0.3 },
+    order = label, contact = "south", through = 1, material = sg.neo_hookean{ E = 1, nu = 0.3 },
   }
   local bodies = { ring = ring }
   local supports = { symmetry = { on = ring:face "west", fix = "x" } }
@@ -45,7 +46,7 @@ local function scene(under, mu, gap)
   if under == "slab" then
     local slab = sg.body{
       patch = sg.shapes.rectangle{ width = 2, height = 1, corner = { 0, -outer - gap - 1 } }, elements = { 10, 5 },
-      order = options.label, contact = "north", through = 1, material = sg.neo_hookean{ E = 1, nu = 0.3 },
+      order = label, contact = "north", through = 1, material = sg.neo_hookean{ E = 1, nu = 0.3 },
     }
     bodies.slab, master = slab, slab:face "north"
     supports.bed = { on = slab:face "south", fix = "xy" }
@@ -68,7 +69,7 @@ for _, under in ipairs(options.under) do
       x = { name = "gap", values = options.gaps }, y = { name = "load", values = options.loads },
       scene = function(gap) return scene(under, mu, gap) end,
       path = function(_, _, load)
-        return { { name = "press", steps = options.steps, push = { 0, -load / (outer - inner) } } }
+        return { { name = "press", steps = steps, push = { 0, -load / (outer - inner) } } }
       end,
       figures = function(_, run) return { carried = run:column "ground.fy"[run.steps] } end,
     }, options, files)

@@ -38,6 +38,7 @@ local options = study.arguments{
   mesh = { "m3", choices = { "m1", "m2", "m3", "m4", "m5", "m6" } },
   load = { "displacement", choices = { "displacement", "force" } }, steps = 10, out = "out/stability/penalty_hertz",
 }
+local mesh, load, steps = options.mesh, options.load, options.steps
 local part = 0.8 -- of the half-width: at its end one point more or less touches, which is another matter
 
 --- Oscillation of the pressure, half-width and largest penetration.
@@ -56,15 +57,15 @@ end
 
 local files = sg.files(options.out)
 local maps = study.solve({
-  name = ("Hertz at %s, load by %s"):format(options.mesh, options.load),
+  name = ("Hertz at %s, load by %s"):format(mesh, load),
   x = { name = "label", values = options.labels },
   y = { name = "penalty", values = options.penalties },
   scene = function(label, penalty)
-    return (hertz.scene{ label = label, mesh = options.mesh, load = options.load, penalty = penalty })
+    return (hertz.scene{ label = label, mesh = mesh, load = load, penalty = penalty })
   end,
   path = function(_, label, penalty)
-    local _, stage = hertz.scene{ label = label, mesh = options.mesh, load = options.load, penalty = penalty }
-    stage.steps = options.steps
+    local _, stage = hertz.scene{ label = label, mesh = mesh, load = load, penalty = penalty }
+    stage.steps = steps
     return { stage }
   end,
   figures = figures,

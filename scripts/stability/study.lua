@@ -59,7 +59,7 @@ end
 --- problems. Returns { plain, robust, comparison }; `files` is what sg.files gives.
 function study.solve(problem, options, files)
   local function file(name) return files((problem.key and problem.key .. "_" or "") .. name) end
-  local titles = { controls.titles.plain, controls.titles[options.with] }
+  local path, titles = problem.path, { controls.titles.plain, controls.titles[options.with] }
   local function solve(kind)
     local name = file(kind .. ".csv")
     if not options.keep then os.remove(name) end
@@ -67,7 +67,7 @@ function study.solve(problem, options, files)
       name = problem.name, x = problem.x, y = problem.y, scene = problem.scene, figures = problem.figures,
       jobs = options.jobs, limit = options.limit, file = name,
       path = function(model, x, y)
-        local stages, overrides = problem.path(model, x, y)
+        local stages, overrides = path(model, x, y)
         return stages, controls[kind](overrides)
       end,
     }

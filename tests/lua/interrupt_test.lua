@@ -87,6 +87,19 @@ print("kept", r.label, #r.tries)
   check.holds(output, "Stopped by Ctrl-C", "kept\tnil\t1")
 end)
 
+check.case("a stability map that is stopped says so and is kept, with the cells that are done", function()
+  local output = type_in [[
+id = io.open "/proc/self/stat":read "n"
+axes = { x = { name = "a", values = { 1, 2 } }, y = { name = "b", values = { 1 } } }
+function scene(a) if a == 2 then os.execute("kill -INT " .. id) end return pressed() end
+function path(_, a) return a == 1 and { { steps = 1, top = -0.1 } } or stages end
+map = sg.stability_map{ x = axes.x, y = axes.y, scene = scene, path = path, jobs = 1 } print "the rest"
+print("kept", #map.cells, map:cell(1, 1).outcome, map:cell(2, 1))
+]]
+  check.holds(output, "stability map: interrupted: 1 of 2 cases is done\n", "kept\t1\tcompleted\tnil")
+  check.equal(output:find("the rest", 1, true), nil)
+end)
+
 check.case("a script that is stopped goes on with nothing, and its status is 130", function()
   local output, status = check.script('local sg = require "signorini"\n' .. endless .. [[
 interrupt()

@@ -102,37 +102,90 @@ check.case("the table and the CSV file", function()
   os.remove(file)
 end)
 
+--- Removes a map's file and the folder beside it.
+local function remove(file) check.shell(("rm -rf %s %s.cells"):format(file, file)) end
+
 check.case("a file keeps finished cells; a second call solves only those that are missing", function()
-  local file, trace = os.tmpname(), os.tmpname()
+  local file, trace, broken = os.tmpname(), os.tmpname(), os.tmpname()
   os.remove(file)
-  local function noted(broken)
-    return function(order, steps)
-      local out = assert(io.open(trace, "a"))
-      out:write(order, steps, " "):close()
-      if order == broken then error "broken" end
-      return scene(order)
-    end
+  local function noted(order, steps)
+    local out = assert(io.open(trace, "a"))
+    out:write(order, steps, " "):close()
+    if order == "diverged" and core.exists(broken) then error "broken" end
+    return scene(order)
   end
   local figures = function() return { ["a b"] = 0.1, c = -1e300 } end
-  local first = make{ file = file, scene = noted "diverged", jobs = 1, y = { name = "steps", values = { 10 } },
-                      figures = figures }
-  check.equal(core.read_file(trace), "good10 diverged10 ")
-  os.remove(trace)
-  local second = make{ file = file, scene = noted(), jobs = 1 }
-  check.equal(core.read_file(trace), "good4 diverged4 diverged10 ") -- an error is solved again
+  local function solve(changes)
+    os.remove(trace)
+    local options = { file = file, scene = noted, jobs = 1, figures = figures }
+    for key, value in pairs(changes or {}) do options[key] = value end
+    local map = make(options)
+    return map, core.exists(trace) and core.read_file(trace) or ""
+  end
+  local first, solved = solve{ y = { name = "steps", values = { 10 } } }
+  check.equal(solved, "good10 diverged10 ")
+  os.remove(broken)
+  local second, more = solve()
+  check.equal(more, "good4 diverged4 diverged10 ") -- an error is solved again
   local before, after = first:cell("good", 10), second:cell("good", 10)
   for _, key in ipairs { "outcome", "reached", "steps", "increments", "iterations", "cutbacks", "rescues", "wall" } do
     check.equal(after[key], before[key])
   end
   check.equal({ after.figures["a b"], after.figures.c }, { 0.1, -1e300 })
-  os.remove(trace)
-  make{ file = file, scene = noted(), x = { name = "order", values = { "nan" } } }
-  local kept = sg.csv.read(file)
-  check.equal(#kept.rows, 6) -- cells of other values stay
-  check.fails(function() make{ file = file, name = "rings" } end, "stability_map_test.lua:", "sg.stability_map", file,
+  check.equal(#sg.csv.read(file).rows, 4)
+  -- Other values leave the cells that are there in the folder; those of the file are the map's.
+  check.equal(select(2, solve{ x = { name = "order", values = { "nan" } } }), "nan4 nan10 ")
+  check.equal(sg.csv.read(file):column "outcome", { "nan", "nan" })
+  check.equal({ select(2, solve()), #sg.csv.read(file).rows }, { "", 4 })
+  -- What the cells depend on: the functions and all that they refer to, as in a study.
+  local most = 5
+  check.equal(select(2, solve{ figures = function() return { most = most } end }), "good4 diverged4 good10 diverged10 ")
+  check.fails(function() solve{ name = "rings" } end, "stability_map_test.lua:", "sg.stability_map", file,
     "springs", "rings", "choose another file")
-  os.remove(file)
+  os.remove(file) -- all anew, also under another name
+  check.equal(select(2, solve{ name = "rings" }), "good4 diverged4 good10 diverged10 ")
+  remove(file)
   os.remove(trace)
+end)
+
+check.case("what another map that the functions refer to depends on counts, not how long it took", function()
+  local file, trace = os.tmpname(), os.tmpname()
+  os.remove(file)
+  local function solve(force)
+    local reference = make{ y = { name = "steps", values = { 2 } }, figures = function() return { force = force } end }
+    os.remove(trace)
+    local map = make{ file = file, y = { name = "steps", values = { 4 } }, figures = function(_, run)
+      core.write_file(trace, "solved")
+      return { error = run.steps - reference:cell("good", 2).figures.force }
+    end }
+    return { map:cell("good", 4).figures.error, core.exists(trace) }
+  end
+  check.equal(solve(1), { 3, true })
+  check.equal(solve(1), { 3, false })
+  check.equal(solve(2), { 2, true })
+  remove(file)
+  os.remove(trace)
+end)
+
+check.case("a file that is not this map's, has lost its folder or is in use is not touched", function()
+  local file = os.tmpname()
+  core.write_file(file, "a,b\n1,2\n")
+  check.fails(function() make{ file = file } end, "sg.stability_map: '" .. file .. "' holds something else",
+    "without a title")
+  check.equal(core.read_file(file), "a,b\n1,2\n")
+  os.remove(file)
+  make{ file = file }
+  local before = core.read_file(file)
+  check.shell(("rm -r %s.cells"):format(file))
+  check.fails(function() make{ file = file } end, "sg.stability_map: the cells in '" .. file, "bring it back")
+  check.equal(core.read_file(file), before)
+  os.remove(file)
+  core.mkdir(file .. ".cells")
+  local lock = core.lock(file .. ".cells/lock")
+  check.fails(function() make{ file = file } end, "stability_map_test.lua:", "sg.stability_map: '" .. file,
+    "is held by process")
+  lock:release()
+  remove(file)
 end)
 
 check.case("Ctrl-C and kill -9 leave the finished cells in the file", function()
@@ -155,7 +208,7 @@ check.case("Ctrl-C and kill -9 leave the finished cells in the file", function()
     ]]):format(arg[0]:match "^(.*)/[^/]*$" .. "/?.lua;", file, signal))
     check.equal(status, signal == "INT" and 130 or 137)
     check.equal(sg.csv.read(file):column "outcome", { "completed" })
-    os.remove(file)
+    remove(file)
   end
 end)
 
@@ -264,6 +317,11 @@ check.case("wrong arguments are errors at the user's line that name the cure", f
     "sg.stability_map: x.values is missing")
   check.fails(function() make{ x = { name = "order", values = { "a", "a" } } } end, "x.values has the string 'a' twice")
   check.fails(function() make{ y = { name = "steps", values = { {} } } } end, "y.values[1] must be a finite number")
+  check.fails(function() make{ x = { name = "wall", values = { 1 } } } end, "stability_map_test.lua:",
+    "sg.stability_map: x.name cannot be 'wall'")
+  check.fails(function() make{ x = { name = "steps", values = { 1 } } } end, "x.name and y.name are both 'steps'")
+  check.fails(function() make{ x = { name = "order", values = { 1, "1" } } } end, "stability_map_test.lua:",
+    "sg.stability_map: cases[1] and cases[2] are both called 'order=1 steps=4'")
   check.fails(function() make{ scene = "scene" } end, "scene must be a function")
   local solved = os.tmpname()
   check.fails(function()
@@ -290,7 +348,7 @@ check.case("piped, each cell is a line; quiet, there is none", function()
       end, path = function() return { { steps = 2, grip = { 0, -1 } } }, sg.plain{} end }
   ]]):format(arg[0]:match "^(.*)/[^/]*$" .. "/?.lua;")
   local output = check.program { "-e", code }
-  check.holds(output, "m: a = 1, b = 5: completed, 6 iterations, ", "m: a = 2, b = 5: nan, 28 iterations, at 50%, ")
+  check.holds(output, "m: 1 of 2: a=1 b=5: ", "m: 2 of 2: a=2 b=5: failed: nan: step 2 ")
   check.equal(check.program { "-q", "-e", code }, "")
 end)
 

@@ -41,19 +41,19 @@ local function read_figures(figures)
   return kept
 end
 
---- Solves the cell at x, y of the map that has these functions. Errors of theirs pass.
-return function(map, x, y)
-  local model = map.scene(x, y)
+--- Solves the cell at x, y with these functions: what a case of the study returns. Errors of theirs pass.
+return function(functions, x, y)
+  local model = functions.scene(x, y)
   if type(model) ~= "userdata" and type(model) ~= "table" then
     core.fail(("%s: scene must return a model, it returned %s"):format(where,
       model and core.describe(model) or "nothing"))
   end
-  local stages, options = map.path(model, x, y)
+  local stages, options = functions.path(model, x, y)
   local run = model:run(stages, options)
-  local place = run.places and run.places[1]
+  local place, held = run.places and run.places[1], run.reason == "completed"
   local cell = { outcome = run.reason, reached = reached(run, stages), steps = run.steps, increments = increments(run),
                  iterations = run.iterations, cutbacks = run.cutbacks, rescues = run.rescues or 0, wall = run.wall,
                  report = run.report, place = place and place.text, figures = {} }
-  if run.reason == "completed" and map.figures then cell.figures = read_figures(map.figures(model, run, x, y)) end
-  return cell
+  if held and functions.figures then cell.figures = read_figures(functions.figures(model, run, x, y)) end
+  return { cell = cell, failed = not held, reason = not held and ("%s: %s"):format(run.reason, run.report) or nil }
 end

@@ -2,10 +2,17 @@
 
 local core = require "signorini.core"
 local arguments = require "signorini.arguments"
-local outcomes = require "signorini.stability_map.outcomes"
-local store = require "signorini.stability_map.store"
+local values = require "signorini.study.values"
 
 local pictures = {}
+
+-- How a cell can end: the reasons of model:run, and what happens to the cell as a whole. Their order is that of the
+-- legend, and gives each its color in every picture.
+local outcomes = {
+  "completed", "stopped", "interrupted", "cut", "iterations", "diverged", "cycling", "lost_projection", "inverted",
+  "singular", "indefinite", "nan", "line_search", "penetration", "turning_point", "minimum_step", "strayed",
+  "error", "crashed", "time",
+}
 
 local formats = { reached = "%.0f%%", wall = "%.1f", steps = "%d", increments = "%d", iterations = "%d",
                   cutbacks = "%d", rescues = "%d" }
@@ -38,20 +45,12 @@ local function texts(map, name)
   end)
 end
 
-local function same_values(a, b)
-  if #a.values ~= #b.values then return false end
-  for i, value in ipairs(a.values) do
-    if value ~= b.values[i] then return false end
-  end
-  return true
-end
-
 --- The map and the one beside it, with the titles of the two.
 local function read_maps(where, map, options)
   if options.beside == nil then return { map } end
   local other = options.beside
   if getmetatable(other) ~= getmetatable(map) then arguments.reject(where, "beside", "a stability map", other) end
-  if not same_values(map.x, other.x) or not same_values(map.y, other.y) then
+  if not values.same({ map.x.values, map.y.values }, { other.x.values, other.y.values }) then
     core.fail(where .. ": beside is a map of other values: both need the same x and y to stand side by side")
   end
   if options.titles ~= nil and (type(options.titles) ~= "table" or #options.titles ~= 2) then
@@ -64,7 +63,7 @@ end
 local function read_name(where, argument, maps, name, default)
   local known = { "iterations", "reached", "increments", "steps", "cutbacks", "rescues", "wall" }
   for _, map in ipairs(maps) do
-    for _, figure in ipairs(store.figure_names(map.cells)) do known[#known + 1] = figure end
+    for _, figure in ipairs(values.figure_names(map.cells)) do known[#known + 1] = figure end
   end
   return arguments.choice(where, argument, name, known, default)
 end
