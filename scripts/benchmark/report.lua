@@ -124,7 +124,7 @@ local function with_file(path, mode, body)
   return assert(body(stream))
 end
 
---- Replaces what stands between two marks of benchmark.md in a folder.
+--- Replaces what stands between two marks of benchmark.md in a folder; the page is written whole or not at all.
 local function replace(folder, mark, measured)
   local path = folder .. "/benchmark.md"
   local first, last = ("<!-- %s -->\n"):format(mark), ("<!-- end of %s -->"):format(mark)
@@ -132,7 +132,8 @@ local function replace(folder, mark, measured)
   local _, from = text:find(first, 1, true)
   local to = from and text:find(last, from, true)
   if not to then error(("%s must have the lines '%s' and '%s'"):format(path, first:sub(1, -2), last), 0) end
-  with_file(path, "w", function(stream) return stream:write(text:sub(1, from), measured, text:sub(to)) end)
+  with_file(path .. ".new", "w", function(stream) return stream:write(text:sub(1, from), measured, text:sub(to)) end)
+  assert(os.rename(path .. ".new", path))
 end
 
 --- Replaces the page's tables of what was measured, and its charts: those of the cases and of the solvers' sheet, where

@@ -134,11 +134,13 @@ function page.text(results, options, folder)
   return table.concat(parts, "\n\n") .. "\n"
 end
 
---- Writes the page.
+--- Writes the page, whole or not at all.
 function page.write(file, results, options, folder)
   local text = page.text(results, options, folder)
-  local stream <close> = assert(io.open(file, "w"))
+  local stream = assert(io.open(file .. ".new", "w"))
   assert(stream:write(text))
+  assert(stream:close())
+  assert(os.rename(file .. ".new", file))
 end
 
 return page
