@@ -17,9 +17,9 @@ namespace signorini::bind {
 
 namespace {
 
-const std::vector<std::string> picture_keys = {"fields",      "states", "frames", "columns",  "file", "fps",
-                                               "title",       "label",  "range",  "colormap", "size", "scale",
-                                               "transparent", "crop",   "inset",  "camera"};
+const std::vector<std::string> picture_keys = {
+    "fields", "states", "frames",      "columns", "file",  "fps",    "title", "label", "range", "colormap",
+    "size",   "scale",  "transparent", "crop",    "inset", "camera", "unit",  "ruler", "bar"};
 
 std::vector<std::string> joined(std::vector<std::string> keys, const std::vector<std::string>& more) {
   keys.insert(keys.end(), more.begin(), more.end());
@@ -129,6 +129,8 @@ void read_options(lua_State* L, const Options& o, view::PictureOptions& options)
   read_size(L, o, options);
   read_scale(L, o, options);
   options.transparent = o.flag("transparent", "no white ground", false);
+  options.bar = o.flag("bar", "the colour bar", true);
+  options.unit = o.string("unit", "of lengths, behind the axes' names", "");
   if (o.has("range")) {
     const std::array<double, 2> range = read_range(L, o);
     options.range = {range[0], range[1]};
@@ -265,6 +267,7 @@ void align_states(FieldSheet<Panel, PanelOptions>& sheet, const std::vector<Pane
   sheet.inset->range = sheet.options.range;
   sheet.inset->bar = false;
   sheet.inset->axis_names = false;
+  sheet.inset->ruler = false;
   sheet.inset->trim = true;
   sheet.inset->title.clear();
 }
@@ -353,12 +356,14 @@ int picture(lua_State* L) {
   }
   if (first.solid()) {
     const auto& cut = std::get<view::SolidPanel>(first.panel).cut;
+    options.ruler = o.flag("ruler", "a length below the picture", true);
     options.camera = read_camera(L, o, cut ? std::optional(cut->normal) : std::nullopt);
     const auto whole = read_region(L, o, "crop", options).value_or(options);
     draw<view::SolidPanel>(sheets, whole, read_region(L, o, "inset", options), file, rate);
   } else {
-    if (o.has("camera"))
-      throw ArgumentError(text(function_name(L), ": camera is for models of solids, this one is plane"));
+    for (const char* key : {"camera", "ruler"})
+      if (o.has(key))
+        throw ArgumentError(text(function_name(L), ": ", key, " is for models of solids, this one is plane"));
     const view::PictureOptions& plane = options;
     const auto whole = read_region(L, o, "crop", plane).value_or(plane);
     draw<view::Panel>(sheets, whole, read_region(L, o, "inset", plane), file, rate);

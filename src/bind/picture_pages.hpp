@@ -7,7 +7,8 @@ constexpr const char* picture_page =
     R"(sg.picture{ model, file, field, fields, factor = 1, label, title, range, colormap = "viridis", size, scale = 1,
             crop, inset, transparent = false, bodies, deformed = true, undeformed = false, mesh = true,
             control_points = false, obstacles = true, mirror, camera = "iso", cut, marks, states, frames, columns,
-            fps = 10, patch, names = true }
+            fps = 10, patch, names = true, unit, ruler = true,
+            bar = true }
 Draws the model's present state, or states that were kept, to a file, whole or not at all. Lengths are those of
 the model, sizes are pixels.
 file:        "x.png", "x.svg" or "x.pdf" (lines and texts are vectors, fields images); for several states also a
@@ -46,7 +47,8 @@ fields:      {"sxx", "syy"}, in the place of field: side by side, each with a co
 factor:      multiplies the field (1).
 label:       title of the colour bar; by default the field's name with its factor.
 range:       {low, high} of the colours, in the unit of the field times factor; by default that of the values, but for
-             0.5 % that lie far beyond the others: the bar's title then says what the values reach.
+             0.5 % that lie far beyond the others.
+bar:         the colour bar, with the lowest and the highest value at its ends (true).
 colormap:    "viridis", "magma", "inferno", "plasma", "cividis", or "coolwarm" for values of both signs ("viridis").
  On paper
 size:        {width, height} in pixels, exactly; or a number, the greatest width in pixels, with twice as much for the
@@ -62,6 +64,9 @@ camera:      solids only: "iso" (from the front, the right and above), "front" (
              (from -x), "right", "top" (from +z, y upwards), "bottom", or
              camera = { from = {direction to the eye}, up = {upwards} }; parallel projection ("iso", with cut
              from the side on which the cut face is seen).
+unit:        of lengths, "mm": stands behind the axes' names and at the ruler; by default nothing.
+ruler:       solids only: a line of a round length below the picture, true in directions across the line of sight
+             (true).
 transparent: no white ground; not in films (false).
 fps:         pictures per second of a film, for .ogv a whole number (10).
 Surfaces of solids are shaded a little: what faces the light has the colours of the bar.

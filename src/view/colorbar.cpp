@@ -4,11 +4,11 @@
 #include "base/warning.hpp"
 #include "base/words.hpp"
 #include "view/fit_text.hpp"
+#include "view/ruler.hpp"
 #include "view/text.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <tuple>
 
 namespace signorini::view {
@@ -24,16 +24,6 @@ double widest_tick(const Ticks& ticks, double size) {
   double width = text_width(ticks.factor, size) - 0.5 * size; // the factor stands over the bar itself
   for (const std::string& label : ticks.labels) width = std::max(width, text_width(label, size));
   return width;
-}
-
-/// With three digits, as in −1.32×10^{−4}.
-std::string in_words(double value) {
-  char digits[32];
-  std::snprintf(digits, sizeof digits, "%.3g", std::abs(value));
-  std::string text = digits;
-  if (const std::size_t e = text.find('e'); e != text.npos)
-    text = text.substr(0, e) + "×10^{" + std::to_string(std::stoi(text.substr(e + 1))) + "}";
-  return (value < 0 ? "−" : "") + text;
 }
 
 } // namespace
@@ -137,9 +127,12 @@ void draw_colorbar(Drawing& drawing, const BarPlace& place, const std::array<dou
   if (!ticks.factor.empty())
     drawing.marks.push_back(Text{{place.left, top - 0.8 * size}, ticks.factor, size, Align::left, ink});
   const double room = colorbar_room(range, title, top - bottom, style, log) - 1.3 * style.margin;
+  // What rounding leaves of zero is zero.
+  const double zero = 1e-12 * std::max(std::abs(values[0]), std::abs(values[1]));
+  const auto printed = [&](double value) { return in_digits(std::abs(value) > zero ? value : 0); };
   for (const auto& [name, value, y] : {std::tuple{"max ", values[1], place.top - 0.8 * size},
                                        std::tuple{"min ", values[0], place.bottom + 0.1 * size}})
-    draw_fitting(drawing, Text{{place.left, y}, name + in_words(value), 0.85 * size, Align::left, ink}, room, style);
+    draw_fitting(drawing, Text{{place.left, y}, name + printed(value), 0.85 * size, Align::left, ink}, room, style);
   if (!title.empty()) {
     const double x = right + 0.5 * size + widest_tick(ticks, size) + 1.15 * style.label_size;
     const FittedText fitted =

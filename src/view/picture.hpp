@@ -30,6 +30,8 @@ struct PictureOptions {
   std::optional<Style> style;   ///< of texts and lines; that of the size when absent
   std::vector<Bar> bars_beside; ///< of pictures that stand beside this one: each has room for the largest bar
   bool axis_names = true;       ///< x and y beside the numbers, or the three arrows
+  std::string unit;             ///< of lengths, behind the axes' names and at the ruler
+  bool ruler = true;            ///< of solids, whose axes have no numbers
 };
 
 /// Draws states in rows from left to right to a PNG, SVG or PDF file, whole or not at all: all on one scale, with one

@@ -1,6 +1,7 @@
 #include "view/sheet.hpp"
 
 #include "base/error.hpp"
+#include "view/ruler.hpp"
 #include "view/text.hpp"
 
 #include <algorithm>
@@ -11,7 +12,8 @@ namespace {
 
 /// What stands beside the numbers of an axis, 0 or 1.
 std::string axis_name(const PictureOptions& options, int axis) {
-  return options.axis_names ? axis == 0 ? "x" : "y" : "";
+  if (!options.axis_names) return "";
+  return std::string(axis == 0 ? "x" : "y") + (options.unit.empty() ? "" : " (" + options.unit + ")");
 }
 
 using Interval = std::array<double, 2>;
@@ -76,7 +78,7 @@ Rooms rooms_of(const Grid& grid, const std::vector<std::string>& titles, const P
   const double width = options.size[0], height = options.size[1];
   Rooms rooms{};
   rooms.title = (options.title.empty() ? 0.4 : 1.7) * style.title_size;
-  rooms.below = arrows ? 0 : room_below(style, axis_name(options, 0));
+  rooms.below = !arrows ? room_below(style, axis_name(options, 0)) : options.ruler ? ruler_room(style) : 0;
   // Numbers change little with the size that the states will get.
   const double guess = (height - 2 * style.margin - rooms.title - rooms.below) / grid.rows();
   bool factor = false;

@@ -5,6 +5,7 @@
 #include "view/body_colours.hpp"
 #include "view/colormap.hpp"
 #include "view/ribbon.hpp"
+#include "view/ruler.hpp"
 #include "view/sheet.hpp"
 #include "view/solid_checks.hpp"
 #include "view/triad.hpp"
@@ -302,6 +303,9 @@ Plate make_plate(const std::vector<SolidPanel>& panels, const SolidOptions& opti
     draw_panel_title(drawing, titles[p], frame, sheet.panel_title_size, style);
   }
   if (options.axis_names) draw_triad(drawing, {sheet.arrows[0] + left, sheet.arrows[1] + below}, axes, style);
+  if (options.ruler)
+    draw_ruler(drawing, {sheet.whole[0], sheet.whole[2] - ruler_room(style)}, sheet.frames.back().x, options.unit,
+               style);
   if (shown) draw_colorbar(drawing, sheet.bar, *range, values->all, colours, options.field_label, style);
   draw_title(drawing, options.title, sheet.whole, style);
   return {std::move(drawing), {}, std::move(relief), sheet.frames};

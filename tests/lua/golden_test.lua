@@ -92,7 +92,7 @@ local draw = {
     heatmap(file, { values = { { "held", "lost", "held" }, { "held", "held", "lost" } },
                     categories = { { name = "held" }, { name = "lost" } } })
   end,
-  stress = picture(flat, { field = "syy", title = "Pressed, σ_yy" }),
+  stress = picture(flat, { field = "syy", title = "Pressed, σ_yy", unit = "mm" }),
   sheet = function(file) sg.picture{ file = file, size = small, model = flat, fields = { "ux", "uy" } } end,
   marks = picture(flat, { field = "von_mises", control_points = true,
                           marks = { { x = { 2, 0.8 }, text = "deepest point" } } }),
@@ -102,7 +102,7 @@ local draw = {
   end,
   block = picture(deep, { field = "szz", title = "A quarter" }),
   cut = picture(deep, { field = "von_mises", cut = "-y", camera = { from = { 1, -2, 1 } } }),
-  mirrored = picture(deep, { field = "uz", mirror = "xy" }),
+  mirrored = picture(deep, { field = "uz", mirror = "xy", unit = "mm" }),
 }
 
 -- ── Cases ────────────────────────────────────────────────────────────────────────────────────────────────────────────
@@ -137,7 +137,7 @@ check.case("the tolerance sees a moved legend, a lost line, another range of col
     chart = function(file) chart(file, { legend_title = "order" }) end,
     log_chart = function(file) chart(file, { log = "y", legend_title = "order" }) end,
     heatmap = function(file) heatmap(file, { range = { 0, 8 } }) end,
-    stress = picture(flat, { field = "syy", title = "Pressed, σ_yy", mesh = false }),
+    stress = picture(flat, { field = "syy", title = "Pressed, σ_yy", unit = "mm", mesh = false }),
     cut = picture(deep, { field = "von_mises", cut = "-y", camera = { from = { 1, -2, 1.2 } } }),
   }
   local files, changed = {}, {}

@@ -119,6 +119,7 @@ check.case("a quarter and its images are the whole model, cut open as well", fun
   local function picture(of, field, mirror, x, factor)
     return draw{ model = of, field = field, label = field, factor = factor, mirror = mirror, deformed = false,
                  cut = { normal = "-y", at = -0.2 }, obstacles = false, range = { -1e-6, 1e-6 }, camera = "front",
+                 bar = false,
                  crop = { x - 0.02, x + 0.02, -0.21, -0.19, 0.62, 0.66 } }.bytes
   end
   for _, field in ipairs { "ux", "uy", "uz", "sxy", "sxz", "szz", "F13", "F32" } do
@@ -155,12 +156,16 @@ check.case("poles and layers of all kinds can be drawn", function()
   }
   -- Stresses at a pole are those close by: the state is at rest and all of it has one colour.
   local function picture(more)
-    return draw{ model = scene, field = "von_mises", cut = more.cut, bodies = more.bodies, obstacles = more.obstacles }
+    return draw{ model = scene, field = "von_mises", cut = more.cut, bodies = more.bodies, obstacles = more.obstacles,
+                 ruler = more.ruler, unit = more.unit }
   end
   local all = picture{}
   check.equal(picture{ cut = "x" }.bytes == all.bytes, false)
   check.equal(picture{ bodies = { "shell" } }.bytes == all.bytes, false)
   check.equal(picture{ obstacles = false }.bytes == all.bytes, false)
+  check.equal(picture{ ruler = false }.bytes == all.bytes, false)
+  check.equal(picture{ unit = "mm" }.bytes == all.bytes, false)
+  check.equal(picture{ unit = "mm", ruler = false }.bytes == picture{ ruler = false }.bytes, true)
   check.equal(picture{ bodies = { "octant", "shell" } }.bytes == all.bytes, true)
 end)
 
@@ -200,6 +205,7 @@ check.case("wrong arguments", function()
     { { model = model, bodies = { "slab" } }, "no body 'slab'", "'block'" },
     { { model = model, bodies = {} }, "bodies must be a list of at least one name" },
     { { model = plane, camera = "iso" }, "camera is for models of solids" },
+    { { model = plane, ruler = true }, "ruler is for models of solids" },
     { { model = plane, cut = "y" }, "cut is for models of solids" },
     { { frames = { solid, flat } }, "frames[2] shows a plane model" },
     { { frames = { solid }, cut = "y" }, "cut belongs to each of the frames" },
