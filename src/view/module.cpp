@@ -22,7 +22,7 @@ std::filesystem::path file_of(const char* module) {
 const void* module_table(const char* module, const char* name) {
   const std::string file = file_of(module).string();
   // Never unloaded: VTK's factories, Mesa's threads and GLib's types do not survive that.
-  void* loaded = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
+  void* loaded = ::dlopen(file.c_str(), RTLD_LAZY | RTLD_LOCAL | RTLD_NODELETE);
   if (loaded == nullptr) fail("cannot load ", file, " for pictures: ", ::dlerror());
   const void* table = ::dlsym(loaded, name);
   require(table != nullptr, file, " is not Signorini's; install the program as a whole");
