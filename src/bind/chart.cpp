@@ -66,7 +66,8 @@ view::Series read_series(lua_State* L, int index, int number, const std::vector<
     throw ArgumentError(text(function_name(L), ": [", number,
                              "] must be a curve, got a contact profile: write { x = "
                              "profile.x, y = profile.pressure } or which of its lists it shall be"));
-  const Options o(L, index, {"y", "x", "label", "markers", "dashed", "line", "color", "width", "marker", "marks"},
+  const Options o(L, index,
+                  {"y", "x", "label", "markers", "dashed", "arrows", "line", "color", "width", "marker", "marks"},
                   false, text("[", number, "]"));
   const auto list = [&](const char* key, const char* meaning) {
     return read_numbers(L, o.push_value(key), o.argument(key, meaning), true);
@@ -85,6 +86,7 @@ view::Series read_series(lua_State* L, int index, int number, const std::vector<
   series.label = o.string("label", "name in the legend", "");
   if (o.has("markers")) series.markers = o.flag("markers", "draw markers");
   series.dashed = o.flag("dashed", "draw a dashed line", false);
+  series.arrows = o.flag("arrows", "on the line, in the order of its points", false);
   series.line = o.flag("line", "draw the line", true);
   series.width = o.positive("width", "of the line, in pixels of a chart of 1600 x 1000", series.width);
   if (o.has("color")) series.colour = read_colour(o, L);
@@ -94,6 +96,9 @@ view::Series read_series(lua_State* L, int index, int number, const std::vector<
     throw ArgumentError(text(function_name(L), ": ", o.path(),
                              ".marks must have as many names as the curve has points, ", series.y.size(), ", got ",
                              series.marks.size()));
+  if (series.arrows && !series.line)
+    throw ArgumentError(
+        text(function_name(L), ": ", o.path(), ".arrows stand on the line, which line = false takes away"));
   if (!series.line && series.marks.empty() && (!series.markers.value_or(false) || series.marker == view::no_marker))
     throw ArgumentError(text(function_name(L), ": ", o.path(), " shows neither line nor markers: set markers = true"));
   return series;
@@ -200,8 +205,8 @@ int chart(lua_State* L) {
 
 constexpr Function chart_entries[] = {
     {"chart", chart,
-     R"(sg.chart{ file, x, { y, x, label, line = true, width = 3, dashed = false, markers, marker, marks,
-          color }, …, xlabel, ylabel, log, title, legend = true, legend_title, marks, marks_title, xrange, yrange,
+     R"(sg.chart{ file, x, { y, x, label, line = true, width = 3, dashed = false, arrows = false, markers,
+          marker, marks, color }, …, xlabel, ylabel, log, title, legend = true, legend_title, marks, marks_title, xrange, yrange,
           xticks, hlines, vlines, inset, size = {1600, 1000} }
 Draws curves to a file, whole or not at all. Values, ranges and positions are in the units of the data.
 file:         a name that ends with .png, .svg or .pdf.
@@ -226,6 +231,7 @@ Each curve is a table without a name:
  line:        draws the line (true).
  width:       of the line, in pixels of a chart of 1600 x 1000 (3).
  dashed:      a dashed line (false).
+ arrows:      heads on the line, in the order of its points: which way a hysteresis runs (false).
  markers:     a marker at each point, or false for none; by default a few on each of several curves, none on one.
  marker:      circle, square, triangle, diamond, triangle down, cross, pentagon, plus, the same open ("open circle"),
               or "none"; by default that of the curve's number.

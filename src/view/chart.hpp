@@ -23,6 +23,7 @@ struct Series {
   bool line = true;                 ///< draw the line
   std::optional<bool> markers = {}; ///< at each point, or none; when absent a few on each line of several
   bool dashed = false;
+  bool arrows = false;            ///< on the line, in the order of its points: which way a hysteresis runs
   double width = 3;               ///< of the line, in pixels of a chart of 1600 × 1000
   std::optional<int> colour = {}; ///< looks like the series of this number (from 0), or gray; its own when absent
   std::optional<int> marker = {}; ///< in marker_names(), or no_marker; the look's own when absent

@@ -149,14 +149,35 @@ Range range_within(const std::vector<Series>& series, const std::array<double, 2
   return range;
 }
 
+/// Heads at every part of a line that is this long, pixels at 1600 × 1000, the first after half of it.
+void draw_arrows(Drawing& drawing, const std::vector<Vec2>& line, const Rgb& colour, const Style& style) {
+  constexpr double apart = 220;
+  const double length = 26 * style.unit, half = 9 * style.unit;
+  double left = 0.5 * apart * style.unit; // to the next head
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const Vec2 &from = line[i - 1], &to = line[i];
+    const double piece = std::hypot(to[0] - from[0], to[1] - from[1]);
+    for (; left <= piece && piece > 0; left += apart * style.unit) {
+      const Vec2 t = {(to[0] - from[0]) / piece, (to[1] - from[1]) / piece};
+      const auto at = [&](double along, double across) {
+        return Vec2{from[0] + (left + along) * t[0] - across * t[1], from[1] + (left + along) * t[1] + across * t[0]};
+      };
+      drawing.marks.push_back(Fill{{at(0.5 * length, 0), at(-0.5 * length, half), at(-0.5 * length, -half)}, colour});
+    }
+    left -= piece;
+  }
+}
+
 void draw_series(Drawing& drawing, const std::vector<Series>& series, std::size_t index, const Frame& frame,
                  const Style& style) {
   const Series& s = series[index];
   const CurveLook look = look_of(series, index, style);
   if (s.line)
     for (const auto& stretch : stretches(s, frame))
-      for (auto& part : clip_line(stretch, frame.box))
-        drawing.marks.push_back(Stroke{std::move(part), look.colour, look.width, look.dash});
+      for (const auto& part : clip_line(stretch, frame.box)) {
+        drawing.marks.push_back(Stroke{part, look.colour, look.width, look.dash});
+        if (s.arrows) draw_arrows(drawing, part, look.colour, style);
+      }
   for (const CurvePlace& place : marker_places(series, index, frame, style))
     draw_marker(drawing, place.marker, place.at, marker_radius * style.unit, look.colour);
   if (!s.line || !s.marks.empty() || s.markers.value_or(false)) return;

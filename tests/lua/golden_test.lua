@@ -1,4 +1,4 @@
--- A dozen small pictures against those in tests/golden, so that a moved legend, a lost line or a wrong colour is seen.
+-- Small pictures against those in tests/golden, so that a moved legend, a lost line or a wrong colour is seen.
 -- The tolerance lets other versions of fonts and of Mesa pass: the last case shows what it does not.
 --   signorini tests/lua/golden_test.lua write    draws them anew; look at each of them before they are committed
 
@@ -79,12 +79,19 @@ local function picture(model, more)
   end
 end
 
-local names = { "chart", "log_chart", "chart_inset", "heatmap", "outcomes", "stress", "sheet", "marks", "patch",
-                "block", "cut", "mirrored" }
+local names = { "chart", "log_chart", "chart_inset", "hysteresis", "heatmap", "outcomes", "stress", "sheet", "marks",
+                "patch", "block", "cut", "mirrored" }
 local draw = {
   chart = chart,
   log_chart = function(file)
     chart(file, { log = "y", hlines = { { 0.01, "1 %" } }, legend_title = "order" })
+  end,
+  hysteresis = function(file)
+    local a, b = {}, {}
+    for i = 1, 60 do
+      a[i], b[i] = math.cos(i / 10), math.sin(i / 10) + 0.5 * math.cos(i / 10)
+    end
+    sg.chart{ file = file, size = small, x = a, xlabel = "displacement", ylabel = "force", { y = b, arrows = true } }
   end,
   chart_inset = function(file) chart(file, { inset = { xrange = { 4, 6 } } }) end,
   heatmap = heatmap,

@@ -212,7 +212,7 @@ return function(folder)
       mesh = true, control_points = false, obstacles = true, mirror = "x" } }, needs = "model",
       called = { bodies = "body" } },
     { "sg.chart", { { file = file "c.svg", x = { 1, 2, 3 }, { y = { 1, 4, 9 }, label = "a", markers = true,
-      dashed = false, line = true,
+      arrows = true, dashed = false, line = true,
       width = 3, color = 1, marker = "circle" }, xlabel = "x", ylabel = "y", log = "y", title = "t", legend = true,
       xrange = { 1, 3 },
       yrange = { 1, 10 }, xticks = { { 1, "m1" } }, hlines = { { 2, "two" } }, vlines = { { 2, "two" } }, size = { 400,

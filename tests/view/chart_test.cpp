@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -188,6 +189,25 @@ TEST(Chart, LeavesMarkersOutWhereToldTo) {
   EXPECT_EQ(polygons(), 0);
   second.markers = true;
   EXPECT_EQ(polygons(), 2 * 3);
+}
+
+TEST(Chart, PutsArrowsOnALineInTheOrderOfItsPoints) {
+  Series s = line_of({0, 0, 0, 0});
+  ChartOptions options;
+  options.yrange = {-1, 1};
+  const auto heads = [&] {
+    draw_chart({s}, options, scratch("arrows.svg"));
+    return count_of(file_bytes(scratch("arrows.svg")), filled);
+  };
+  EXPECT_EQ(heads(), 0);
+  s.arrows = true;
+  const int rightwards = heads();
+  EXPECT_GE(rightwards, 4);
+  EXPECT_LE(rightwards, 8);
+  const std::string forth = file_bytes(scratch("arrows.svg"));
+  std::reverse(s.x.begin(), s.x.end());
+  EXPECT_EQ(heads(), rightwards);
+  EXPECT_NE(file_bytes(scratch("arrows.svg")), forth);
 }
 
 TEST(Chart, TellsFortyCurvesApart) {
