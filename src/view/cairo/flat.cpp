@@ -9,6 +9,7 @@
 #include <cairo-svg.h>
 #include <pango/pango.h>
 
+#include <algorithm>
 #include <memory>
 
 namespace signorini::view {
@@ -78,6 +79,12 @@ struct Pen {
   void operator()(const Text&) const {}
 };
 
+bool has_image(const Plate& plate) {
+  const Relief& relief = plate.relief;
+  return !plate.fields.empty() || !relief.surfaces.empty() || !relief.ink.corners.empty() ||
+         !relief.veil.corners.empty();
+}
+
 void draw_image(cairo_t* paper, Pixels pixels, int scale) {
   const Surface image(cairo_image_surface_create_for_data(reinterpret_cast<unsigned char*>(pixels.argb.data()),
                                                           CAIRO_FORMAT_ARGB32, pixels.size[0], pixels.size[1],
@@ -101,9 +108,7 @@ void clear(cairo_t* paper, bool transparent) {
 /// The plate in its own pixels.
 void draw_plate(cairo_t* paper, const Plate& plate, Format format, bool transparent, const ImageMaker& image) {
   const int height = plate.drawing.size[1];
-  const Relief& relief = plate.relief;
-  if (!plate.fields.empty() || !relief.surfaces.empty() || !relief.ink.corners.empty() ||
-      !relief.veil.corners.empty()) {
+  if (has_image(plate)) {
     const int scale = format == Format::png ? 1 : image_scale;
     draw_image(paper, image(plate, scale, transparent), scale);
   }
@@ -130,7 +135,9 @@ std::string bytes(const Figure& figure, Format format, bool transparent, const I
     draw_plate(paper.get(), plate, format, transparent, image);
     cairo_restore(paper.get());
   }
-  if (format == Format::png) bytes = png_of(surface.get());
+  if (format == Format::png)
+    bytes = png_of(surface.get(), std::any_of(figure.plates.begin(), figure.plates.end(),
+                                              [](const PlacedPlate& placed) { return has_image(placed.plate); }));
   cairo_surface_finish(surface.get());
   const cairo_status_t status =
       cairo_status(paper.get()) ? cairo_status(paper.get()) : cairo_surface_status(surface.get());

@@ -9,7 +9,8 @@
 namespace signorini::view {
 namespace {
 
-constexpr int compression = 3; // of zlib: files a quarter larger than at 6, in half the time
+// Of zlib. Lines and texts on white need no more: files a quarter larger than at 6, in half the time.
+constexpr int of_charts = 3, of_images = 6;
 
 void append(png_structp png, png_bytep data, png_size_t length) {
   static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<const char*>(data), length);
@@ -34,7 +35,7 @@ void unpack(const std::uint32_t* pixels, int width, bool opacity, png_byte* row)
 
 } // namespace
 
-std::string png_of(cairo_surface_t* image) {
+std::string png_of(cairo_surface_t* image, bool shaded) {
   cairo_surface_flush(image);
   const int width = cairo_image_surface_get_width(image), height = cairo_image_surface_get_height(image);
   const bool opacity = cairo_image_surface_get_format(image) == CAIRO_FORMAT_ARGB32;
@@ -49,8 +50,8 @@ std::string png_of(cairo_surface_t* image) {
   png_set_IHDR(png, writer.info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), 8,
                opacity ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-  png_set_compression_level(png, compression);
-  png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_NONE);
+  png_set_compression_level(png, shaded ? of_images : of_charts);
+  png_set_filter(png, PNG_FILTER_TYPE_BASE, shaded ? PNG_ALL_FILTERS : PNG_FILTER_NONE);
   png_write_info(png, writer.info);
   std::vector<png_byte> row(static_cast<std::size_t>(opacity ? 4 : 3) * static_cast<std::size_t>(width));
   const unsigned char* data = cairo_image_surface_get_data(image);
