@@ -201,7 +201,7 @@ options as model:run takes them. What the functions change is lost with the proc
 figures: numbers by name, of cells that reach the end of their path; those that are not finite are left out.
 jobs:    cells that are solved side by side; by default what --jobs says, else as many as there are processors.
 limit:   seconds by the clock on the wall after which a cell is given up; none by default.
-file:    a CSV file that shows every finished cell at once; the folder beside it, map.cells for map.csv, keeps them as
+file:    a CSV file that shows every finished cell at once; the folder next to it, map.cells for map.csv, keeps them as
          that of a study does. A later call with the same names takes up what is there as long as scene, path, figures
          and all that they refer to stay as they are; it solves errors and crashes again, and what was out of time when
          there is more. Remove the file to have all cells solved again; without one nothing is kept.

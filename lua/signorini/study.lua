@@ -71,7 +71,7 @@ end
 
 -- ── The study ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- A study of what is read already. Beside what sg.study takes: no folder (nothing is kept), `fresh` (what the folder
+--- A study of what is read already. Besides what sg.study takes: no folder (nothing is kept), `fresh` (what the folder
 --- holds goes first), `parts` (by name, what the results depend on, where that is not `run`), and on_record(), called
 --- when records of cases were read or written.
 local function make(study)

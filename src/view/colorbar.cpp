@@ -4,7 +4,6 @@
 #include "base/warning.hpp"
 #include "base/words.hpp"
 #include "view/fit_text.hpp"
-#include "view/ruler.hpp"
 #include "view/text.hpp"
 
 #include <algorithm>

@@ -8,7 +8,7 @@
 namespace signorini::view {
 namespace {
 
-/// Modules stand in lib/signorini beside the program or beside the program's folder (bin, tests).
+/// Modules stand in lib/signorini next to the program or to the program's folder (bin, tests).
 std::filesystem::path file_of(const char* module) {
   const auto here = std::filesystem::read_symlink("/proc/self/exe").parent_path();
   for (const auto& folder : {here / "lib/signorini", here.parent_path() / "lib/signorini"})

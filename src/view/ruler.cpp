@@ -1,18 +1,8 @@
 #include "view/ruler.hpp"
 
 #include <cmath>
-#include <cstdio>
 
 namespace signorini::view {
-
-std::string in_digits(double value) {
-  char digits[32];
-  std::snprintf(digits, sizeof digits, "%.3g", std::abs(value));
-  std::string text = digits;
-  if (const std::size_t e = text.find('e'); e != text.npos)
-    text = text.substr(0, e) + "×10^{" + std::to_string(std::stoi(text.substr(e + 1))) + "}";
-  return (value < 0 ? "−" : "") + text;
-}
 
 double ruler_room(const Style& style) {
   return 1.5 * style.tick_size;

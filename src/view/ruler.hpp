@@ -5,9 +5,6 @@
 
 namespace signorini::view {
 
-/// A value with three digits at most, as in −1.32×10^{−4}.
-std::string in_digits(double value);
-
 /// Pixels that a ruler takes of the height.
 double ruler_room(const Style& style);
 

@@ -72,6 +72,15 @@ Ticks with_minor(Ticks ticks, double low, double high) {
 
 } // namespace
 
+std::string in_digits(double value) {
+  char digits[32];
+  std::snprintf(digits, sizeof digits, "%.3g", std::abs(value));
+  std::string text = digits;
+  if (const std::size_t e = text.find('e'); e != text.npos)
+    text = text.substr(0, e) + "×10^{" + std::to_string(std::stoi(text.substr(e + 1))) + "}";
+  return (value < 0 ? "−" : "") + text;
+}
+
 void require_drawable(double low, double high, bool log) {
   // Beyond these, lengths and steps are no longer numbers of full precision.
   constexpr double largest = 1e300, narrowest = 1e-300;

@@ -18,6 +18,9 @@ struct Ticks {
   double depth = 0;                ///< pixels that names take below the row that numbers would stand in
 };
 
+/// A value with three digits at most, as in −1.32×10^{-4}.
+std::string in_digits(double value);
+
 /// Fails where a range [low, high] is too wide or too narrow to be divided in double precision.
 void require_drawable(double low, double high, bool log);
 

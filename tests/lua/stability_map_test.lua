@@ -102,7 +102,7 @@ check.case("the table and the CSV file", function()
   os.remove(file)
 end)
 
---- Removes a map's file and the folder beside it.
+--- Removes a map's file and the folder next to it.
 local function remove(file) check.shell(("rm -rf %s %s.cells"):format(file, file)) end
 
 check.case("a file keeps finished cells; a second call solves only those that are missing", function()

@@ -73,9 +73,10 @@ TEST(Figure, AnSvgHoldsItsTextsToBeFound) {
 
 TEST(Figure, NamesCharactersThatNoFontHas) {
   testing::internal::CaptureStderr();
-  bytes_of(figure({Text{{10, 20}, "x \U000E0123", 12}}), Format::pdf); // of no script
+  bytes_of(figure({Text{{10, 20}, "x \U000F0000", 12}}), Format::pdf); // for private use
   bytes_of(figure({Text{{10, 20}, "x \xff", 12}}), Format::png);
-  EXPECT_TRUE(holds(testing::internal::GetCapturedStderr(), {"is not UTF-8"}));
+  EXPECT_TRUE(holds(testing::internal::GetCapturedStderr(),
+                    {"no installed font shows '\U000F0000' of the text", "is not UTF-8"}));
 }
 
 TEST(Figure, LaterPlatesCoverEarlierOnes) {

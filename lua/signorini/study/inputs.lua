@@ -1,4 +1,4 @@
--- What the results of a study depend on beside the parameters of a case: the text of its function `run`, all that this
+-- What the results of a study depend on besides the parameters of a case: the text of its function `run`, all that this
 -- refers to, and the program's version. When one of these changes, what was computed before no longer counts.
 
 local core = require "signorini.core"

@@ -135,14 +135,18 @@ std::string bytes(const Figure& figure, Format format, bool transparent, const I
     draw_plate(paper.get(), plate, format, transparent, image);
     cairo_restore(paper.get());
   }
+  const auto check = [&] {
+    const cairo_status_t status =
+        cairo_status(paper.get()) ? cairo_status(paper.get()) : cairo_surface_status(surface.get());
+    require(status == CAIRO_STATUS_SUCCESS, "Cairo did not draw a figure of ", figure.size[0], " × ", figure.size[1],
+            " pixels: ", cairo_status_to_string(status));
+  };
+  check();
   if (format == Format::png)
     bytes = png_of(surface.get(), std::any_of(figure.plates.begin(), figure.plates.end(),
                                               [](const PlacedPlate& placed) { return has_image(placed.plate); }));
   cairo_surface_finish(surface.get());
-  const cairo_status_t status =
-      cairo_status(paper.get()) ? cairo_status(paper.get()) : cairo_surface_status(surface.get());
-  require(status == CAIRO_STATUS_SUCCESS, "Cairo did not draw a figure of ", figure.size[0], " × ", figure.size[1],
-          " pixels: ", cairo_status_to_string(status));
+  check();
   return format == Format::svg ? searchable(bytes, figure) : bytes;
 }
 
