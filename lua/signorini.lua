@@ -10,27 +10,37 @@ sg.table = require "signorini.table"
 sg.arguments = require "signorini.script_arguments"
 sg.files = require "signorini.files"
 sg.median = require "signorini.median"
-sg.reference = require "signorini.reference"
+sg.reference = require("signorini.reference").read
 sg.grid = require "signorini.study.grid"
 sg.study = require("signorini.study").new
 sg.recommend = require "signorini.recommend"
 sg.stability_map = require "signorini.stability_map"
 sg.work_precision = require "signorini.work_precision"
 sg.cheapest = require "signorini.cheapest"
-sg.pvd = require("signorini.pvd").new
+sg.pvd = require "signorini.pvd"
 local profile = require "signorini.profile"
 sg.profile_error, sg.profile_edges = profile.error, profile.edges
 types.model.run = require "signorini.run"
-types.model.cost = require "signorini.cost"
-local energies, named = types.model.energy, require "signorini.named"
+types.model.cost = require "signorini.cost"(types.model.cost)
+local energies, profiles, named = types.model.energy, types.model.profile, require "signorini.named"
 function types.model:energy() return named.strict("model:energy()", energies(self)) end
+function types.model:profile(contact)
+  return named.strict("a contact profile", profiles(self, contact),
+    "lists with one value per contact point, such as profile.pressure[1]")
+end
 sg.robust = require("signorini.controls").robust
 sg.plain = require("signorini.controls").plain
 
 local methods = require "signorini.methods"
-methods.guard("model", { "run", "cost", "energy" })
-for _, name in ipairs { "run", "study", "comparison", "map", "files", "data", "series" } do methods.guard(name) end
-methods.offer(sg)
+methods.guard("model", "run cost energy profile")
+methods.guard("run", "attempts column columns csv residuals states")
+methods.guard("study", "by chart column csv execute heatmap median read row table where with")
+methods.guard("comparison", "front table")
+methods.guard("map", "cell compare csv figure held picture table")
+methods.guard("files", "draw report")
+methods.guard("data", "by column")
+methods.guard("series", "add")
+methods.offer(sg, "sg")
 
 -- A misspelt name of the language is an error, not nil; print(sg) shows the names.
 local language = require "signorini.show.language"
@@ -48,6 +58,5 @@ strict(sg, "sg")
 
 print = core.offered(require "signorini.print")
 require "signorini.prompt" -- has a page, too
-require("signorini.help.names").give()
 
 return sg

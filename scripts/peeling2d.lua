@@ -73,12 +73,12 @@ local function solve(label, mesh, on_step)
 end
 
 --- Figure 7.22: collects the states of a case at the angles of the pictures.
-local frames = {}
+local pictures = {}
 local function keep_state(model, angle)
   for _, wanted in ipairs(picture_angles) do
     if math.abs(angle - wanted) < 1e-6 then
-      frames[#frames + 1] = sg.frame{ model = model, field = "I1", factor = 1 / problem.modulus, mesh = false,
-                                      title = ("θ = %d°"):format(wanted) }
+      pictures[#pictures + 1] = sg.picture{ model = model, field = "I1", factor = 1 / problem.modulus, label = "I1 / E",
+                                            mesh = false, title = ("θ = %d°"):format(wanted) }
     end
   end
 end
@@ -147,9 +147,9 @@ end
 if #options.mesh > 1 then
   draw("amplitude_over_mesh.png", output.draw_over_mesh, options.labels, options.mesh, case_of)
 end
-if #frames > 0 then
-  sg.picture{ file = files "states.png", frames = frames, columns = math.min(2, #frames), label = "I1 / E",
-              title = ("Peeling, %s at %s"):format(cases[1].label, cases[1].mesh) }
+if #pictures > 0 then
+  sg.sheet{ pictures, file = files "states.png", columns = math.min(2, #pictures),
+            title = ("Peeling, %s at %s"):format(cases[1].label, cases[1].mesh) }
 end
 files:report()
 

@@ -185,10 +185,11 @@ local options = sg.arguments{
 }
 local files, cases = sg.files(options.out), {}
 
-local frames = {}
+local pictures = {}
 local function keep_state(model, step)
   if not picture_steps[step] then return end
-  frames[#frames + 1] = sg.frame{ model = model, field = "uy", mirror = "x", title = ("load step %d"):format(step) }
+  pictures[#pictures + 1] = sg.picture{ model = model, field = "uy", mirror = "x",
+                                        title = ("load step %d"):format(step) }
 end
 
 local list = { { "N2", options.reference } }
@@ -216,8 +217,8 @@ print(("\nTime beside Table 7.6, medians of %d (linear: factorisation and solve)
 print(time_table(cases))
 
 write_errors(cases, files "errors.csv")
-sg.picture{ frames = frames, columns = 3, file = files "states.png",
-            title = ("Rings, %s at %s"):format(options.labels[1], options.meshes[1]) }
+sg.sheet{ pictures, columns = 3, file = files "states.png",
+          title = ("Rings, %s at %s"):format(options.labels[1], options.meshes[1]) }
 for _, mesh in ipairs(options.meshes) do
   draw_traction(cases, finest, mesh, "pressure", options.coordinate, files(("pressure_%s.png"):format(mesh)))
   draw_traction(cases, finest, mesh, "traction", options.coordinate, files(("traction_%s.png"):format(mesh)))

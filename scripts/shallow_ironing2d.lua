@@ -71,11 +71,11 @@ end
 --- 0 to 1 while the die is pressed, 1 to 2 while it slides.
 local function time_of(step, steps) return step <= steps and step / steps or 1 + (step - steps) / (5 * steps) end
 
---- Runs one label. Returns { label, run, model, dofs, time, V, H, frames }: lists over the steps, and the states at
+--- Runs one label. Returns { label, run, model, dofs, time, V, H, pictures }: lists over the steps, and the states at
 --- picture_times.
 local function solve(label, options)
   local model, die, block = scene(label, options)
-  local frames, next_picture = {}, 1
+  local pictures, next_picture = {}, 1
   local run = model:run({
     { name = "press", steps = options.steps, grip = { 0, -1 } },
     { name = "slide", steps = 5 * options.steps, grip = { 10, -1 } },
@@ -83,11 +83,12 @@ local function solve(label, options)
     local time = picture_times[next_picture]
     if time and time_of(info.step, options.steps) >= time - 1e-9 then
       next_picture = next_picture + 1
-      frames[#frames + 1] = sg.frame{ model = model, field = "von_mises", title = ("time %g"):format(time) }
+      pictures[#pictures + 1] = sg.picture{ model = model, field = "von_mises", range = { 0, 400 },
+                                            label = "von Mises stress (N/mm²)", title = ("time %g"):format(time) }
     end
   end })
   local case = { label = label, run = run, model = model, dofs = die:dofs().total + block:dofs().total,
-                 frames = frames, time = {}, V = run:column "grip.fy", H = run:column "grip.fx" }
+                 pictures = pictures, time = {}, V = run:column "grip.fy", H = run:column "grip.fx" }
   for step = 1, run.steps do
     case.time[step], case.V[step] = time_of(step, options.steps), -case.V[step]
   end
@@ -212,10 +213,9 @@ print "\nVertical force V, horizontal force H and their ratio at some times, bes
 print(force_table(cases, published))
 
 files:draw("forces.png", "an accepted step", function(file) return draw_forces(cases, published, file) end)
-if #cases[1].frames > 0 then
-  sg.picture{ frames = cases[1].frames, columns = 2, file = files "states.png", range = { 0, 400 },
-              label = "von Mises stress (N/mm²)",
-              title = ("Shallow ironing, %s at %s"):format(options.labels[1], options.mesh) }
+if #cases[1].pictures > 0 then
+  sg.sheet{ cases[1].pictures, columns = 2, file = files "states.png",
+            title = ("Shallow ironing, %s at %s"):format(options.labels[1], options.mesh) }
 end
 files:report()
 

@@ -221,22 +221,22 @@ local function draw(cases, key, ylabel, file)
   sg.chart(chart)
 end
 
---- Keeps the states at the end of pressing and at thirds of the angle as frames, whole and cut through the middle.
+--- Keeps the states at the end of pressing and at thirds of the angle as pictures, whole and cut through the middle.
 local function keep_states(whole, cut, options)
   local following = 0
   return function(model, row)
     if row.step < options.press or row.angle < following - 1e-9 then return end
     following = following + options.angle / 3
     local title = ("%.0f°"):format(row.angle)
-    whole[#whole + 1] = sg.frame{ model = model, field = "von_mises", title = title }
-    cut[#cut + 1] = sg.frame{ model = model, field = "szz", title = title, cut = "-y" }
+    whole[#whole + 1] = sg.picture{ model = model, field = "von_mises", title = title }
+    cut[#cut + 1] = sg.picture{ model = model, field = "szz", title = title, cut = "-y", camera = "front" }
   end
 end
 
 local function draw_states(whole, cut, name, files)
-  sg.picture{ frames = whole, columns = 2, file = files "states.png", title = "Twisting, " .. name }
-  sg.picture{ frames = cut, columns = 2, camera = "front", file = files "cut.png",
-              title = ("Twisting, %s: the half y > 0"):format(name) }
+  sg.sheet{ whole, columns = 2, file = files "states.png", title = "Twisting, " .. name }
+  sg.sheet{ cut, columns = 2, file = files "cut.png",
+            title = ("Twisting, %s: the half y > 0"):format(name) }
 end
 
 -- ── The study ────────────────────────────────────────────────────────────────────────────────────────────────────────

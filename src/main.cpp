@@ -2,6 +2,7 @@
 #include "bind/doctor.hpp"
 #include "bind/new_study.hpp"
 #include "bind/threads.hpp"
+#include "bind/wording/wording.hpp"
 #include "repl/command_line.hpp"
 #include "repl/interpreter.hpp"
 #include "repl/interrupt.hpp"
@@ -65,7 +66,7 @@ int main(int argc, char** argv) {
     std::cerr << "signorini: " << error.what() << "\n";
     return wrong_usage;
   } catch (const std::exception& error) {
-    std::cerr << "signorini: " << error.what() << "\n";
+    std::cerr << "signorini: " << bind::worded(error) << "\n";
     return failure;
   }
 }

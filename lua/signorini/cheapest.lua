@@ -1,7 +1,5 @@
 -- sg.cheapest: the cheapest case of a study that meets a tolerance.
 
-local core = require "signorini.core"
-local arguments = require "signorini.arguments"
 local outcomes = require "signorini.study.outcomes"
 local quantity = require "signorini.study.quantity"
 
@@ -42,21 +40,10 @@ local function sort(cases, first, second)
   end)
 end
 
-core.docs["sg.cheapest"] = [[
-sg.cheapest(study, { error, at_most, cost = "wall", where })
-The cheapest row of a study whose error is at most so large, and the runner-up; nil and a text about the nearest case
-when there is none. error and cost: columns, or functions of a row; errors count by their size. where: a function of a
-row: only rows for which it is true. Rows that failed, or lack error or cost, do not count.
-Example: best, next_best = sg.cheapest(study, { error = "error", at_most = 0.1 })]]
 return function(study, options)
-  quantity.study(where, study)
-  arguments.table(where, "its second argument", options, { "error", "at_most", "cost", "where" })
-  options = options or {}
   local read = { error = quantity.read(where, "error", study, options.error),
-                 cost = quantity.read(where, "cost", study, options.cost, "wall"),
-                 keep = arguments.callback(where, "where", options.where) }
-  if options.at_most == nil then arguments.reject(where, "at_most", "the largest error that is good enough") end
-  local at_most = arguments.positive(where, "at_most", options.at_most)
+                 cost = quantity.read(where, "cost", study, options.cost), keep = options.where }
+  local at_most = options.at_most
   local cases, left_out = read_cases(study, read)
 
   local good = {}

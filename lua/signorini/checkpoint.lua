@@ -5,7 +5,6 @@
 local in_name_of = require "signorini.in_name_of"
 local core = require "signorini.core"
 local counted = require "signorini.counted"
-local arguments = require "signorini.arguments"
 local literal = require "signorini.literal"
 
 local where = "model:run"
@@ -156,25 +155,9 @@ local none = {}
 function none:begin() return { stage = 1, number = 0 } end
 function none:step() end
 
---- What options.checkpoint and options.resume of a function ask for: an object with begin() and step().
-return function(caller, options)
-  local resume = arguments.flag(caller, "resume", options.resume, false)
+--- What the options `checkpoint` and `resume` ask for: an object with begin() and step().
+return function(options)
   local wanted = options.checkpoint
-  if wanted == nil then
-    if resume then
-      core.fail(caller .. ": resume = true needs the file to take up from: add checkpoint = \"run.sgn\"")
-    end
-    return none
-  end
-  if type(wanted) == "string" then wanted = { file = wanted } end
-  if type(wanted) ~= "table" then
-    arguments.reject(caller, "checkpoint", "a file name, or { file = …, every = 1 }", wanted)
-  end
-  arguments.table(caller, "options.checkpoint", wanted, { "file", "every", "durable" })
-  return setmetatable({
-    file = arguments.string(caller, "checkpoint.file", wanted.file),
-    every = arguments.count(caller, "checkpoint.every", wanted.every, 1),
-    durable = arguments.flag(caller, "checkpoint.durable", wanted.durable, false),
-    resume = resume, rows = {}, histories = {},
-  }, Keeper)
+  return wanted and setmetatable({ file = wanted.file, every = wanted.every, durable = wanted.durable,
+                                   resume = options.resume, rows = {}, histories = {} }, Keeper) or none
 end

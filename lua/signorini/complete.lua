@@ -2,10 +2,9 @@
 -- sg.body{ … also the named arguments that are not there yet.
 
 local core = require "signorini.core"
-local keys_at = require "signorini.complete.keys"
 local place = require "signorini.complete.place"
-local values = require "signorini.complete.values"
-local columns_of = require("signorini.study.values").columns
+local pages = require "signorini.pages"
+local rows = require "signorini.complete.rows"
 
 local words = { "and", "break", "do", "else", "elseif", "end", "false", "for", "function", "goto", "if", "in", "local",
   "nil", "not", "or", "repeat", "return", "then", "true", "until", "while" }
@@ -42,16 +41,17 @@ local function follow(path)
   return value, tables
 end
 
---- Whether a page holds a name as a word.
-local function says(page, name) return page:find("%f[%w_]" .. name .. "%f[^%w_]") ~= nil end
-
---- Whether users may read or call what stands in a table: methods that only the library calls have no help page, and
---- fields that only it reads, of a type that is written in Lua, are not named on the page of the type.
+--- Whether users may read or call what stands in a table: methods that only the library calls, and fields that only it
+--- reads, of a type that is written in Lua, have no page.
 local function offered(entries, name, value, sign)
   local methods = type_of(entries)
-  if methods then return sign == "." and says(core.docs[core.names[methods]], name) end
+  if methods then
+    local page = pages.find(core.names[methods])
+    return sign == "." and page.fields ~= nil and pages.row(page.fields, name) ~= nil
+  end
   local own = core.names[entries]
-  return not own or name:find "^__" == nil and type(value) == "function" and core.docs[own .. ":" .. name] ~= nil
+  return not own or name:find "^__" == nil and type(value) == "function"
+    and pages.find(("%s:%s"):format(own, name)) ~= nil
 end
 
 local function candidates(path)
@@ -75,30 +75,22 @@ local function candidates(path)
   return found
 end
 
---- The page of what a path stands for, and the value in front of its last name.
-local function page_of(path)
-  local owner = follow(path:match "^(.*)[.:]" or "")
-  return core.names[(follow(path))], owner
+--- The name of what a call's path stands for, and the object that the call is about: that of a method, else the first
+--- argument.
+local function page_of(call)
+  local owner = call.path:match "^(.*)[.:]"
+  local name = core.names[(follow(call.path))]
+  return name, name and name:find ":" and owner and (follow(owner)) or (follow(call.first))
 end
 
 local function begins(text, beginning) return text:sub(1, #beginning) == beginning end
-
---- The named arguments that a call knows at a place: in a stage also what the model moves, in a filter the columns.
-local function names_at(call)
-  local page, owner = page_of(call.path)
-  if values.is_filter(page) then return #call.keys == 0 and columns_of(owner) or {} end
-  local names = page and keys_at(page, call.argument, call.keys) or {}
-  if page == "model:run" and call.argument == 1 and #call.keys == 1 then
-    table.move(owner:driven_names(), 1, #owner:driven_names(), #names + 1, names)
-  end
-  return names
-end
 
 --- Named arguments that begin like this, where one may stand: behind the brace of a call or a comma.
 local function arguments(beginning, before)
   local call, found = place.of(before), {}
   if not call or not call.in_braces or not (call.behind:find "^%s*$" or call.behind:find "[,;]%s*$") then return {} end
-  for _, key in ipairs(names_at(call)) do
+  local name, owner = page_of(call)
+  for _, key in ipairs(name and rows.names(name, call.argument, call.keys, owner) or {}) do
     local taken = (";" .. call.behind):find("[,;%s]" .. key .. "%s*=")
     if begins(key, beginning) and not taken then found[#found + 1] = key .. " = " end
   end
@@ -109,16 +101,14 @@ end
 local function texts(beginning, before)
   local call = place.of(before)
   if not call or not call.quoted then return {} end
-  local page, owner = page_of(call.path)
-  if not page then return {} end
-  local key, list = call.behind:match "([%a_][%w_]*)%s*=%s*$" or call.keys[#call.keys], nil
-  if key then
-    list = values.of_key(page, key, page:find "^study:" and owner or (follow(call.first)))
-  else
-    list = values.of_argument(page, owner)
-  end
+  local name, owner = page_of(call)
+  if not name then return {} end
+  local key = call.behind:match "([%a_][%w_]*)%s*=%s*$"
+  local keys = table.move(call.keys, 1, #call.keys, 1, {})
+  keys[#keys + 1] = key
+  local listed, list = pcall(rows.texts, name, call.argument, keys, owner)
   local found = {}
-  for _, text in ipairs(list) do
+  for _, text in ipairs(listed and list or {}) do
     if begins(text, beginning) then found[#found + 1] = text end
   end
   return found

@@ -1,8 +1,6 @@
 -- What is tried where a step fails, and sg.robust and sg.plain, which write out the controls of a run.
 
-local core = require "signorini.core"
-local arguments = require "signorini.arguments"
-local run_options = require "signorini.run_options"
+local rows = require "signorini.pages.step_rows"
 
 local controls = {}
 
@@ -50,30 +48,16 @@ function controls.rescues(model, solver)
   return tries
 end
 
---- Options of model:run with defaults written out; `where` is the function that gives them.
-local function written_out(where, defaults, options)
-  if options ~= nil and type(options) ~= "table" then
-    arguments.reject(where, "options", "a table of options of model:run", options)
+--- Options with those of `defaults` that are not given.
+local function with(defaults, options)
+  local whole = {}
+  for _, list in ipairs { defaults, options } do
+    for key, value in pairs(list) do whole[key] = value end
   end
-  run_options.read(where, options)
-  return run_options.with(defaults, options)
+  return whole
 end
 
-core.docs["sg.robust"] = [[
-sg.robust{ … }
-Returns the default controls of model:run, written out: each step starts from the linear predictor (predictor =
-"linear"), a step that fails is tried again with other controls (rescue = true), then cut in half (step = { adaptive =
-true }). Given options replace these. Next to arc_length = true these controls act before arc length does, and may leave
-the path that it would follow.
-Example: model:run(stages, sg.robust{ arc_length = true, step = { adaptive = true, min = 1/256 } })]]
-function controls.robust(options) return written_out("sg.robust", run_options.robust, options) end
-
-core.docs["sg.plain"] = [[
-sg.plain{ … }
-Returns options of model:run for plain Newton iterations: each step is solved once, as a whole, from the last accepted
-state (predictor = "tangent", rescue = false, step = { adaptive = false }). Given options replace these. Use it to
-compare with other programs or published iteration counts, and to see where Newton's method fails.
-Example: model:run(stages, sg.plain{ newton = { iterations = 50 } })]]
-function controls.plain(options) return written_out("sg.plain", run_options.plain, options) end
+function controls.robust(options) return with(rows.robust, options) end
+function controls.plain(options) return with(rows.plain, options) end
 
 return controls

@@ -1,6 +1,5 @@
 -- model:cost: what a model is made of, in numbers.
 
-local core = require "signorini.core"
 local format_table = require "signorini.table"
 local sorted_names = require("signorini.lists").sorted_names
 
@@ -50,17 +49,7 @@ function Cost:__tostring()
   return table.concat(parts, "\n")
 end
 
-core.docs["model:cost"] = [[
-model:cost()
-What a model is made of, before a solve or after it; print(model:cost()) shows it as tables.
-cost.unknowns:   of the linear system; obstacles (cost.obstacles, how many) have none.
-cost.bodies:     by name { unknowns, contact_layer, bulk, prescribed, elements, gauss_points }: contact_layer are the
-                 unknowns on the faces that `contact` names, bulk all others, prescribed what supports fix or drive.
-cost.contacts:   by name { points, rigid }: contact points, and whether the master is an obstacle.
-cost.nonzeros:   of the tangent; it grows where contacts touch.
-cost.memory:     bytes, the sum of cost.memory_of { bodies, contacts, tangent, factors }: tables of Gauss points,
-                 contact points with their history, the tangent with its patterns, its factors by the solver
-                 cost.linear. cost.factors_are is "measured" once a solver has told, before that "counted": from the
-                 pattern in the order of nested dissection.
-Example: print(model:cost())]]
-return function(model) return setmetatable(core.types.model.cost_figures(model), Cost) end
+--- The method model:cost, of the numbers that `figures` reads off a model.
+return function(figures)
+  return function(model) return setmetatable(figures(model), Cost) end
+end

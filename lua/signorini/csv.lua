@@ -3,12 +3,14 @@
 -- A table in memory is { columns = {"step", "fx"}, rows = {{1, 0.5}, …}, comments = {"source: …"} }; a missing value is
 -- nil in a row and an empty field in the file.
 
+local check = require "signorini.check"
+local check_rows = require "signorini.table_rows"
 local core = require "signorini.core"
-local arguments = require "signorini.arguments"
 local counted = require "signorini.counted"
 local in_name_of = require "signorini.in_name_of"
 local format_table = require "signorini.table"
 local number_text = require "signorini.number_text"
+local sorted_names = require("signorini.lists").sorted_names
 
 local csv = {}
 
@@ -27,82 +29,55 @@ local function string_text(value)
   return plain and value or '"' .. value:gsub('"', '""') .. '"'
 end
 
-local function place(i, name) return ("row %d, column '%s'"):format(i, name) end
-
 --- The text of a field in row i; `texts` keeps those of strings, as few of them come many times.
 local function field_text(value, texts, i, name)
   if value == nil then return "" end
   if type(value) == "number" then
     if value ~= value or math.abs(value) == math.huge then
-      core.fail(("sg.csv.write: %s is %s, not a finite number: leave the value out (nil) where there is none")
-        :format(place(i, name), core.describe(value)))
+      core.fail(("sg.csv.write: row %d, column '%s' is %s, not a finite number: leave the value out (nil) where there "
+        .. "is none"):format(i, name, core.describe(value)))
     end
     return number_text(value)
   end
   if type(value) == "boolean" then return tostring(value) end
-  if type(value) ~= "string" then
-    core.fail(("sg.csv.write: %s must be a number, a string, true or false, got a %s")
-      :format(place(i, name), type(value)))
-  end
-  local text = texts[value]
-  if not text then
-    text = string_text(value)
-    texts[value] = text
-  end
-  return text
+  if not texts[value] then texts[value] = string_text(value) end
+  return texts[value]
 end
 
---- The column names of a table, checked; for named arrays without `columns` all names, sorted.
+--- The column names of a table; of lists under their names without `columns` all names, sorted.
 local function column_names(data)
-  local columns = data.columns
-  if columns ~= nil or data.rows ~= nil then
-    local known = { "columns", "comments", "rows" }
-    if data.rows == nil and type(columns) == "table" then table.move(columns, 1, #columns, 3, known) end
-    arguments.table("sg.csv.write", "its argument", data, known)
-  end
-  if columns == nil and data.rows == nil then
+  local columns, seen, known = rawget(data, "columns"), {}, { { "columns" }, { "comments" }, { "rows" } }
+  if not columns and not rawget(data, "rows") then
     columns = {}
-    for name in pairs(data) do
-      if name ~= "comments" then columns[#columns + 1] = name end
-    end
-    table.sort(columns)
+    for _, name in ipairs(sorted_names(data)) do columns[#columns + 1] = name ~= "comments" and name or nil end
   end
-  if type(columns) ~= "table" or #columns == 0 then
+  if not columns or #columns == 0 then
     core.fail "sg.csv.write: columns is missing: it must be a list of column names"
   end
-  local seen = {}
   for i, name in ipairs(columns) do
-    if type(name) ~= "string" then core.fail(("sg.csv.write: columns[%d] must be a string"):format(i)) end
-    if name == "" then arguments.reject("sg.csv.write", ("columns[%d]"):format(i), "a name", name) end
+    if name == "" then check.reject("sg.csv.write", ("columns[%d]"):format(i), "a name", name) end
     if seen[name] then core.fail(("sg.csv.write: the column '%s' is there twice"):format(name)) end
     seen[name] = true
+    if not rawget(data, "rows") then known[#known + 1] = { name } end
   end
+  check.keys(known, data, "sg.csv.write", "")
   return columns
 end
 
 --- A function (row, column) → value and the number of rows, for both forms of a table.
 local function cells(data, columns)
-  if data.rows then
-    if type(data.rows) ~= "table" then arguments.reject("sg.csv.write", "rows", "a list of rows", data.rows) end
-    for i, row in ipairs(data.rows) do
-      if type(row) ~= "table" then arguments.reject("sg.csv.write", ("rows[%d]"):format(i), "a list of values", row) end
-      for key in pairs(row) do
-        if math.type(key) ~= "integer" or key < 1 or key > #columns then
-          core.fail(("sg.csv.write: rows[%d] has an entry '%s', but there %s %s"):format(i, key,
-            #columns == 1 and "is" or "are", counted(#columns, "column")))
-        end
-      end
-    end
+  if rawget(data, "rows") then
+    check_rows("sg.csv.write", data.rows, columns)
     return function(i, j) return data.rows[i][j] end, #data.rows
   end
   local count
   for _, name in ipairs(columns) do
-    local array = data[name]
-    if type(array) ~= "table" then core.fail(("sg.csv.write: the column '%s' has no list of values"):format(name)) end
-    count = count or #array
-    if #array ~= count then
+    local list = data[name]
+    if not list then core.fail(("sg.csv.write: the column '%s' has no list of values"):format(name)) end
+    count = count or #list
+    if #list ~= count then
       core.fail(("sg.csv.write: the column '%s' has %s, the column '%s' has %d")
-        :format(name, counted(#array, "value"), columns[1], count))
+        :format(name, counted(#list, "value"), columns[1], count))
     end
   end
   return function(i, j) return data[columns[j]][i] end, count
@@ -112,13 +87,7 @@ local function file_text(data)
   local columns = column_names(data)
   local cell, count = cells(data, columns)
   local lines, fields, texts = {}, {}, {}
-  if data.comments ~= nil and type(data.comments) ~= "table" then
-    arguments.reject("sg.csv.write", "comments", "a list of texts", data.comments)
-  end
-  for i, comment in ipairs(data.comments or {}) do
-    arguments.string("sg.csv.write", ("comments[%d]"):format(i), comment)
-    lines[#lines + 1] = "# " .. comment:gsub("[\r\n]+", " ")
-  end
+  for i, comment in ipairs(rawget(data, "comments") or {}) do lines[i] = "# " .. comment:gsub("[\r\n]+", " ") end
   for j, name in ipairs(columns) do fields[j] = string_text(name) end
   lines[#lines + 1] = table.concat(fields, ",")
   for i = 1, count do
@@ -129,21 +98,8 @@ local function file_text(data)
   return table.concat(lines, "\n") .. "\n"
 end
 
-core.docs["sg.csv.write"] = [[
-sg.csv.write(file, { columns = {…}, rows = {{…}, …}, comments = {…} })
-Writes a table, whole or not at all. Instead of rows, equally long lists may stand under the columns' names.
-Values are numbers, texts, true or false. A missing one, nil, is an empty field; so is what a row lacks at its end.
-An empty text reads back as nil.
-Example: sg.csv.write("a.csv", { columns = {"step", "fx"}, rows = {{1, 0.2}, {2, 0.3}} })]]
 function csv.write(file, data)
-  if type(file) ~= "string" then
-    arguments.reject("sg.csv.write", "file, the first argument,", "the name of a file", file)
-  end
-  if type(data) ~= "table" then core.fail "sg.csv.write: the second argument must be a table with columns and rows" end
-  local plain = {} -- a contact profile refuses names that it does not hold
-  for name, value in next, data do plain[name] = value end
-  local text = file_text(plain)
-  in_name_of("sg.csv.write", "core.write_file", core.write_file, file, text)
+  in_name_of("sg.csv.write", "core.write_file", core.write_file, file, file_text(data))
 end
 
 -- ── Reading ──────────────────────────────────────────────────────────────────────────────────────────────────────────
@@ -158,28 +114,15 @@ local function position(data, name)
   for j, known in ipairs(data.columns) do
     if known == name then return j end
   end
-  core.fail(("a CSV table: there is no column '%s'; known: %s"):format(tostring(name),
-    table.concat(data.columns, ", ")))
+  core.fail(("a CSV table: there is no column '%s'; known: %s"):format(name, table.concat(data.columns, ", ")))
 end
 
-core.docs["data"] = [[
-data
-What sg.csv.read and sg.reference return: columns, a list of names; rows, a list of lists; comments, a list of texts.]]
-
-core.docs["data:column"] = [[
-data:column(name)
-The values of a column as a list; missing ones are nil.
-Example: sg.reference "ironing2d_oscillation_table7_3":column "discretisation"]]
 function Data:column(name)
   local j, values = position(self, name), {}
   for i, row in ipairs(self.rows) do values[i] = row[j] end
   return values
 end
 
-core.docs["data:by"] = [[
-data:by(name)
-The rows by the value that they have in one column, each as a table of named values; of equal values the last row stays.
-Example: sg.reference "hertz2d_dofs_table7_4":by "mesh"]]
 function Data:by(name)
   local key, rows = position(self, name), {}
   for _, row in ipairs(self.rows) do
@@ -197,8 +140,7 @@ function Data:__tostring()
   lines[#lines + 1] = format_table { columns = self.columns,
     rows = table.move(self.rows, 1, math.min(most, #self.rows), 1, {}) }
   if #self.rows > most then
-    local rest = #self.rows - most
-    lines[#lines + 1] = ("… %d more row%s"):format(rest, rest > 1 and "s" or "")
+    lines[#lines + 1] = ("… %d more row%s"):format(#self.rows - most, #self.rows - most > 1 and "s" or "")
   end
   return table.concat(lines, "\n")
 end
@@ -245,13 +187,7 @@ local function head(fields, count, where)
   return fields
 end
 
-core.docs["sg.csv.read"] = [[
-sg.csv.read(file)
-Reads a table: { columns = {…}, rows = {{…}, …}, comments = {…} }; lines that begin with # are comments.
-Example: run:csv "run.csv"
-         fx = sg.csv.read("run.csv"):column "grip.fx"]]
 function csv.read(file)
-  if type(file) ~= "string" then arguments.reject("sg.csv.read", "file", "the name of a file", file) end
   local stream, reason = io.open(file, "rb")
   if not stream then core.fail("sg.csv.read: cannot read " .. reason) end
   local text = stream:read "a"

@@ -1,34 +1,37 @@
--- help(): the pages that stand beside the functions, in C++ (rows of src/bind) and in Lua (core.docs["sg.study"] = …),
--- a few on whole subjects, and the headers of the scripts that come along.
+-- help(): the pages of the functions (signorini.pages), a few texts on whole subjects, and the headers of the scripts
+-- that come along.
 
 local core = require "signorini.core"
-local pages = require "signorini.help.pages"
+local cut = require "signorini.cut"
+local pages = require "signorini.pages"
 local scripts = require "signorini.help.scripts"
 local sorted = require("signorini.lists").sorted_names
-local subjects = require "signorini.help.subjects"
 local texts = require "signorini.help.texts"
 
---- Pages by the name that their first line calls by: "m:iterate" for "model:iterate".
-local function page_by_head(word)
-  for _, name in ipairs(sorted(core.docs)) do
-    if core.docs[name]:match "^[%w_.:]+" == word then return core.docs[name] end
+local width, widest_head = 118, 46 -- characters of a line, and of what stands on its left
+
+--- Lines of two columns, { left, right } each.
+local function two_columns(entries)
+  local most, lines = 0, {}
+  for _, entry in ipairs(entries) do most = math.max(most, utf8.len(entry[1])) end
+  for i, entry in ipairs(entries) do
+    local blanks = (" "):rep(most - utf8.len(entry[1]))
+    lines[i] = ("  %s%s  %s"):format(entry[1], blanks, cut(entry[2], width - most - 4))
   end
+  return table.concat(lines, "\n")
 end
 
---- "model:run" for "m:run", by the letters that pages use, and for "model.run".
-local letters = { b = "body", m = "model", p = "patch" }
-local function spelt_out(word)
-  local owner, method = word:match "^([%a_]+)[.:]([%w_]+)$"
-  return owner and (letters[owner] or owner) .. ":" .. method
+--- Pages in a line each: how to call the function, and the first sentence.
+local function list(title, found)
+  local entries = {}
+  for i, page in ipairs(found) do entries[i] = { pages.short_head(page, widest_head), pages.summary(page) } end
+  return title .. "\n" .. two_columns(entries)
 end
 
-local function list(title, names) return title .. "\n" .. pages.list(names) end
-
---- A list of scripts.
 local function script_list(title, found)
   local entries = {}
   for i, script in ipairs(found) do entries[i] = { script.name, script.title } end
-  return title .. "\n" .. pages.lines(entries)
+  return title .. "\n" .. two_columns(entries)
 end
 
 --- Every script, with how to run them.
@@ -47,74 +50,89 @@ local function table_page(value)
     end
   end
   collect(value, 1)
-  if next(names) == nil then return "This table has no help page. help() shows where to begin." end
-  return list("It holds:", sorted(names))
+  local found = {}
+  for _, name in ipairs(sorted(names)) do found[#found + 1] = pages.find(name) end
+  if #found == 0 then return "This table has no help page. help() shows where to begin." end
+  return list("It holds:", found)
 end
 
 --- Everything with a word in it: pages, the one that is called so in full, and scripts.
 local function search(word)
-  local names, own, parts = {}, {}, {}
-  for name, page in pairs(core.docs) do
-    if subjects.is_public(name) and (name .. "\n" .. page):lower():find(word:lower(), 1, true) then
-      names[#names + 1] = name
+  local found, own, parts = {}, {}, {}
+  for _, name in ipairs(pages.names()) do
+    if (name .. "\n" .. pages.text(name)):lower():find(word:lower(), 1, true) then
+      found[#found + 1] = pages.find(name)
       if name:match "[^.:]+$" == word then own[#own + 1] = name end
     end
   end
-  table.sort(names)
-  if #own == 1 then parts[#parts + 1] = core.docs[own[1]] end
-  if #names > 0 then parts[#parts + 1] = list(("Pages with '%s':"):format(word), names) end
-  local found = scripts.with(word)
-  if #found > 0 then parts[#parts + 1] = script_list(("Scripts with '%s':"):format(word), found) end
+  if #own == 1 then parts[#parts + 1] = pages.text(own[1]) end
+  if #found > 0 then parts[#parts + 1] = list(("Pages with '%s':"):format(word), found) end
+  local of_scripts = scripts.with(word)
+  if #of_scripts > 0 then parts[#parts + 1] = script_list(("Scripts with '%s':"):format(word), of_scripts) end
   return #parts > 0 and table.concat(parts, "\n\n") or nil
+end
+
+--- The words of pages, texts and groups, as a set.
+local function words()
+  local known = { gallery = true }
+  for _, name in ipairs(pages.names()) do known[name] = true end
+  for subject in pairs(texts) do known[subject] = true end
+  for _, group in ipairs(pages.groups()) do known[group.word] = true end
+  return known
 end
 
 --- What to say of a word that nothing has.
 local function no_page(word)
-  local known = {}
-  for name in pairs(core.docs) do
-    if subjects.is_public(name) then known[name], known[name:match "[^.:]+$"] = true, true end
-  end
-  for subject in pairs(texts) do known[subject] = true end
-  for _, each in ipairs(subjects.groups) do known[each.word] = true end
+  local known = words()
+  for _, name in ipairs(pages.names()) do known[name:match "[^.:]+$"] = true end
   for _, script in ipairs(scripts.all()) do known[script.name] = true end
-  known.gallery = true
   local meant = core.nearest(word, sorted(known))
   return ("There is no page on '%s'%s"):format(word, meant and ("; did you mean '%s'?"):format(meant)
     or ". help() shows where to begin.")
 end
 
+--- The group of pages of a word such as "patches".
+local function group_page(word)
+  for _, group in ipairs(pages.groups()) do
+    if group.word == word or group.also == word then
+      local found = list(group.title .. ":", group)
+      return word == "scripts" and found .. "\n\n" .. all_scripts() or found
+    end
+  end
+end
+
+local function script_page(word)
+  local script = scripts.of(word)
+  return script and ("%s\n\n%s"):format(script.path, script.header)
+end
+
+--- "model:run" of "m:run" and "model.run".
+local owners = { b = "body", m = "model", p = "patch" }
+local function spelled_out(word)
+  local owner, method = word:match "^(%a+)[.:]([%w_]+)$"
+  return owner and ("%s:%s"):format(owners[owner] or owner, method) or ""
+end
+
 local function word_page(word)
   if not word:find "%w" or word == "exit" or word == "quit" then return texts.prompt end -- also ?_
-  local exact = texts[word] or core.docs[word] or core.docs["sg." .. word] or core.docs[spelt_out(word) or ""]
-    or page_by_head(word)
-  if exact then return exact end
   if word == "gallery" then return all_scripts() end
-  local group = subjects.group(word)
-  if group then
-    local pages_of_group = list(group.title .. ":", subjects.pages(group))
-    return word == "scripts" and pages_of_group .. "\n\n" .. all_scripts() or pages_of_group
-  end
-  local script = scripts.of(word)
-  if script then return ("%s\n\n%s"):format(script.path, script.header) end
-  return search(word) or no_page(word)
+  return texts[word] or pages.text(word) or pages.text("sg." .. word) or pages.text(spelled_out(word))
+    or group_page(word) or script_page(word) or search(word) or no_page(word)
 end
 
 local function value_page(value)
   local methods = type(value) == "table" and getmetatable(value) or nil
-  local name = core.names[value] or core.names[methods] or core.kind(value)
-  if core.docs[name] then return core.docs[name] end
-  if type(value) == "table" then return table_page(value) end
-  return ("There is no help page for a %s."):format(core.kind(value))
+  local text = pages.text(core.names[value] or core.names[methods] or core.kind(value))
+  if text then return text end
+  return type(value) == "table" and table_page(value) or ("There is no help page for a %s."):format(core.kind(value))
 end
 
 local help = {}
 
-core.docs["help"] = [[
-help(), help(sg.nurbs.arc), help "patch:refine", help "labels"
-Shows what a function does, its arguments with units and defaults, and an example; a word finds all pages and scripts
-that hold it. help "scripts" lists the scripts that come along, help "hertz2d.lua" shows what one of them solves.
-At the prompt ?sg.nurbs.arc and ?refine do the same.
-Example: help(sg.nurbs.arc)]]
+--- What Tab offers behind help ".
+function help.words() return sorted(words()) end
+
+--- sg.help.
 function help.show(...)
   local value = ...
   if select("#", ...) == 0 then return print(texts.start) end
@@ -137,7 +155,7 @@ end
 function help.ask(query)
   local word = query:match "^%s*(.-)[%s()]*$"
   if word == "" then return help.show() end
-  if core.docs[word] or texts[word] then return help.show(word) end
+  if pages.find(word) or texts[word] then return help.show(word) end
   local value = word:find "^[%a_][%w_.:]*$" and look_up(word)
   local known = value and (core.names[value] or type(value) == "table" or type(value) == "userdata")
   help.show(known and type(value) ~= "string" and value or word)

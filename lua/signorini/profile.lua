@@ -4,7 +4,8 @@
 -- Profiles of different meshes have different points; between its points a profile is piecewise linear.
 
 local core = require "signorini.core"
-local arguments = require "signorini.arguments"
+local check = require "signorini.check"
+local t = require "signorini.types"
 
 local profile = {}
 
@@ -14,8 +15,7 @@ local profile = {}
 local function column(where, name, data, key, argument)
   local values = rawget(data, key)
   if type(values) == "table" and #values == #data.x then
-    for i, value in ipairs(values) do arguments.number(where, ("%s.%s[%d]"):format(name, key, i), value) end
-    return values
+    return check.value(t.numbers(), values, where, ("%s.%s"):format(name, key))
   end
   local known = {}
   for other, list in pairs(data) do
@@ -26,28 +26,16 @@ local function column(where, name, data, key, argument)
     name, argument, table.concat(known, ", ")))
 end
 
-local function check_profile(where, name, data)
-  local expected, cure = "a contact profile with at least two points", "take what model:profile returns"
-  if name == "reference" then cure = cure .. ", or a function of the coordinate that returns the value" end
-  if type(data) ~= "table" then arguments.reject(where, name, expected, data, cure) end
-  if type(data.x) ~= "table" or #data.x < 2 then
-    arguments.reject(where, name .. ".x", "a list of at least two numbers", data.x, cure)
-  end
-end
-
 --- The coordinate of every point. A function gets one point at a time, as a table of its values by name.
 local function coordinates(where, name, data, coordinate)
   if type(coordinate) == "string" then return column(where, name, data, coordinate, "coordinate") end
-  if type(coordinate) ~= "function" then
-    arguments.reject(where, "coordinate", "the name of a column such as \"x\", or a function of a point", coordinate)
-  end
   local list = {}
   for i = 1, #data.x do
     local point = {}
     for key, values in pairs(data) do
       if type(values) == "table" then point[key] = values[i] end
     end
-    list[i] = arguments.number(where, ("coordinate(%s.x[%d], …)"):format(name, i), coordinate(point))
+    list[i] = check.value(t.number, coordinate(point), where, ("coordinate(%s.x[%d], …)"):format(name, i))
   end
   return list
 end
@@ -70,7 +58,7 @@ end
 --- carry a value and, to both sides, as far as it goes on. Beyond the points that carry something the value is zero.
 --- Returns { s = {…}, v = {…}, from, to }; from … to is the zone that carries something. `edge`: see the help page.
 local function stretch(where, name, data, coordinate, value, edge)
-  check_profile(where, name, data)
+  check.value(t.list(t.number, nil, 2), rawget(data, "x"), where, name .. ".x")
   local s, v = coordinates(where, name, data, coordinate), column(where, name, data, value, "value")
   local first, last
   for i = 1, #v do
@@ -113,7 +101,7 @@ end
 local function known_everywhere(where, reference, mine)
   return {
     s = { mine.s[1], mine.s[#mine.s] }, from = mine.from, to = mine.to,
-    value = function(at) return arguments.number(where, ("reference(%g)"):format(at), reference(at)) end,
+    value = function(at) return check.value(t.number, reference(at), where, ("reference(%g)"):format(at)) end,
   }
 end
 
@@ -149,41 +137,11 @@ local function share(mine, theirs, from, to)
   return high > low and math.max(0, math.min(to, high) - math.max(from, low)) / (high - low) or 1
 end
 
-core.docs["sg.profile_error"] = [[
-sg.profile_error{ profile, reference, coordinate = "x", value = "pressure", normalise = 1, quadrature = "profile",
-                  zone = "either", edge = "point" }
-The L2 error sqrt(integral of ((p - p_ref)/N)^2 ds) of a contact profile (model:profile) against a reference: another
-profile, or a function of the coordinate. Returns the error and { from, to, points, scale, covered }: the range and the
-number of points of the integral, N, and the share of the zone where either one touches that the range covers.
-coordinate: a column such as "x" (deformed) or "X" (reference), or a function of a point { x =, y =, pressure =, … }; it
-            is s, so ds is its own length. It must grow along the contact zone; beyond, what turns back is left out.
-value:      "pressure" or "traction". normalise: N, a number, or "max", the reference's largest value.
-quadrature: whose points carry the integral: "profile" or "reference" (trapezoids between its points; the other one is
-            interpolated linearly), or "union" (the points of both, exact for two polygons).
-zone:       "either": open points count, with p = 0; "both": only where both touch, from edge point to edge point.
-            Where the contact of one ends earlier than that of the other, "both" leaves out the largest differences.
-edge:       how a profile falls to zero between its last point that touches and the next one: "point", linearly to that
-            next one; "gap", to where the gap, linear between these two, is zero, which is a point of the integral, too.
-Ranges that do not overlap are an error.
-Example: sg.profile_error{ profile = model:profile "interface", reference = finer:profile "interface",
-                           normalise = "max" }
-Source: V. Agrawal, thesis, IIT Guwahati 2020, eq. (7.2), which says nothing about the points of the integral.]]
-function profile.error(options)
-  local where = "sg.profile_error"
-  local o = arguments.table(where, "its argument", options,
-    { "profile", "reference", "coordinate", "value", "normalise", "quadrature", "zone", "edge" })
-  local coordinate = o.coordinate or "x"
-  local value = arguments.choice(where, "value", o.value, { "pressure", "traction" }, "pressure")
-  local quadrature = arguments.choice(where, "quadrature", o.quadrature, { "profile", "reference", "union" }, "profile")
-  local zone = arguments.choice(where, "zone", o.zone, { "either", "both" }, "either")
-  local edge = arguments.choice(where, "edge", o.edge, { "point", "gap" }, "point")
-  local mine = stretch(where, "profile", o.profile, coordinate, value, edge)
-  local is_function = type(o.reference) == "function"
-  if is_function and quadrature == "reference" then
-    core.fail(where .. ": quadrature must not be \"reference\" for a function, which has no points: leave it out")
-  end
-  local theirs = is_function and known_everywhere(where, o.reference, mine)
-    or stretch(where, "reference", o.reference, coordinate, value, edge)
+function profile.error(o)
+  local where, quadrature, zone = "sg.profile_error", o.quadrature, o.zone
+  local function side(name) return stretch(where, name, o[name], o.coordinate, o.value, o.edge) end
+  local mine, is_function = side "profile", type(o.reference) == "function"
+  local theirs = is_function and known_everywhere(where, o.reference, mine) or side "reference"
 
   local from, to = common_range(where, mine, theirs, zone)
   local sides = quadrature == "union" and { mine, theirs } or { quadrature == "profile" and mine or theirs }
@@ -193,10 +151,8 @@ function profile.error(options)
     difference[i], largest = evaluate(mine, s) - wanted, math.max(largest, math.abs(wanted))
   end
   for _, wanted in ipairs(theirs.v or {}) do largest = math.max(largest, math.abs(wanted)) end
-  local scale = o.normalise == "max" and largest or o.normalise or 1
-  if type(scale) ~= "number" or not (scale > 0 and scale < math.huge) then
-    arguments.reject(where, "normalise", "a positive number or \"max\"", o.normalise)
-  end
+  local scale = o.normalise == "max" and largest or o.normalise
+  if scale == 0 then core.fail(where .. ": normalise must not be \"max\" where the reference is zero everywhere") end
 
   -- Trapezoids on the squares, or on the union of the points, where the difference is linear in between, exactly:
   -- ∫ d² = h (d₁² + d₁d₂ + d₂²)/3
@@ -211,16 +167,8 @@ end
 
 -- ── The edges ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-core.docs["sg.profile_edges"] = [[
-sg.profile_edges{ profile, coordinate = "x" }
-Where the contact of a profile begins and ends: { from, to, from_spacing, to_spacing }. An edge lies where the gap,
-linear between the last point that touches and the first one that does not, is zero; the spacing is the distance of
-these two points, within which the profile knows no more. Without spacing the contact reaches the profile's end.
-Example: half_width = sg.profile_edges{ profile = model:profile "interface" }.to]]
-function profile.edges(options)
-  local where = "sg.profile_edges"
-  local o = arguments.table(where, "its argument", options, { "profile", "coordinate" })
-  local part = stretch(where, "profile", o.profile, o.coordinate or "x", "pressure", "gap")
+function profile.edges(o)
+  local part = stretch("sg.profile_edges", "profile", o.profile, o.coordinate, "pressure", "gap")
   local edges, s = { from = part.from, to = part.to }, part.s
   for i = 2, #s - 1 do
     if s[i] == part.from and part.v[i] == 0 then edges.from_spacing = s[i + 1] - s[i - 1] end

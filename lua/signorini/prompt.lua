@@ -31,9 +31,7 @@ function prompt.interrupted()
   return "interrupted; _ is the run so far"
 end
 
-core.docs.traceback = [[
-traceback()
-Shows where the last error at the prompt came about: the functions that were being called.]]
+--- Shows where the last error at the prompt came about.
 function prompt.traceback()
   print(core.traceback or "There has been no error.")
 end

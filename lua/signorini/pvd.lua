@@ -1,6 +1,6 @@
 -- sg.pvd: a time series for ParaView: one .vtu file per state, and the .pvd file that lists them.
 
-local arguments = require "signorini.arguments"
+local check = require "signorini.check"
 local in_name_of = require "signorini.in_name_of"
 local core = require "signorini.core"
 
@@ -8,9 +8,6 @@ local Series = {}
 Series.__index = Series
 Series.__name = "series"
 core.types.series = Series
-core.docs["series"] = [[
-series
-A time series for ParaView, made by sg.pvd: a list of { time, name } of its states; help "series:add".]]
 
 local header = '<?xml version="1.0"?>\n<VTKFile type="Collection" version="0.1" byte_order="LittleEndian">\n'
 
@@ -47,17 +44,8 @@ local function drop_from(series, time)
   end
 end
 
-core.docs["series:add"] = [[
-series:add{ model, time, deformed = true }
-Writes the model's present state as sg.vtu does and adds it to a series made by sg.pvd; times must grow.
-Example: sg.pvd("ironing.pvd"):add{ model = model, time = 0 }]]
 function Series:add(state)
-  if getmetatable(self) ~= Series then core.fail "series:add: write series:add{ … } with a colon" end
-  state = arguments.table("series:add", "the argument", state, { "model", "time", "deformed" })
-  local time = arguments.number("series:add", "time", state.time)
-  if core.kind(state.model) ~= "model" then
-    arguments.reject("series:add", "model", "a model made by sg.model", state.model)
-  end
+  local time = state.time
   drop_from(self, time)
   local last = self[#self]
   if last and time <= last.time then
@@ -74,24 +62,12 @@ function Series:__tostring()
   return ("series %s: %d %s"):format(self.file, #self, #self == 1 and "state" or "states")
 end
 
-core.docs["sg.pvd"] = [[
-sg.pvd(file, { resume = false })
-Begins a time series for ParaView: a .pvd file that lists the .vtu files of states, which stand beside it as
-<name>_0001.vtu and so on. series:add{ model = model, time = 3 } adds the present state. The file can be opened while
-the run goes on. A file of this name that was there begins anew; with resume = true its states stay, up to the time of
-the first one that is added, as model:run{ …, resume = true } needs it.
-Example: local series = sg.pvd "ironing.pvd"
-         model:run(stages, { on_step = function(info) series:add{ model = model, time = info.step } end })]]
 --- A series without states; its file is there at once, so that a place that cannot be written to is told at once.
-local function new(file, options)
-  options = arguments.table("sg.pvd", "options", options, { "resume" })
-  arguments.string("sg.pvd", "file", file)
+return function(file, options)
   local folder, stem = file:match "^(.-)([^/]*)%.[pP][vV][dD]$"
-  if not stem or stem == "" then arguments.reject("sg.pvd", "file", "a name that ends with .pvd", file) end
+  if not stem or stem == "" then check.reject("sg.pvd", "file", "a name that ends with .pvd", file) end
   local series = setmetatable({ file = file, folder = folder, stem = stem, taken_up = 0 }, Series)
-  if arguments.flag("sg.pvd", "resume", options.resume, false) and core.exists(file) then read_list(series) end
+  if options.resume and core.exists(file) then read_list(series) end
   write_list(series)
   return series
 end
-
-return { new = new }

@@ -2,11 +2,12 @@
 -- error of a coarse case is estimated from the next level, and the search ends as soon as the estimate of one is small
 -- enough.
 
+local check = require "signorini.check"
 local core = require "signorini.core"
-local arguments = require "signorini.arguments"
 local counted = require "signorini.counted"
 local format_table = require "signorini.table"
 local progress = require "signorini.progress"
+local types = require "signorini.types"
 local values = require "signorini.study.values"
 
 local where = "sg.recommend"
@@ -18,59 +19,20 @@ local usual_ratio, worst_ratio = 1 / 2, 0.9
 -- Work that is about the same.
 local about = 1.1
 
--- ── Arguments ────────────────────────────────────────────────────────────────────────────────────────────────────────
-
-local function read_list(key, list, default)
-  if list == nil then return default end
-  if type(list) ~= "table" or #list == 0 then arguments.reject(where, key, "a list of values", list) end
-  return list
-end
-
-local function read_tolerance(value)
-  arguments.positive(where, "at_most", value)
-  if value >= 1 then
-    arguments.reject(where, "at_most", "a relative error below 1", value,
-      ("write %g for %g %%"):format(value / 100, value))
-  end
-  return value
-end
-
-local function read(options)
-  if type(options) ~= "table" then arguments.reject(where, "its argument", "a table of named arguments", options) end
-  arguments.table(where, "its argument", options, { "scene", "error", "at_most", "labels", "meshes", "limit" })
-  if options.scene == nil then
-    arguments.reject(where, "scene", "a function of label and mesh that returns a model, its stages and options", nil)
-  end
-  local measured = options.error
-  if type(measured) ~= "string" and type(measured) ~= "function" then
-    arguments.reject(where, "error",
-      "a column of the run such as \"ground.max_pressure\", or a function of model and run", measured)
-  end
-  return { scene = arguments.callback(where, "scene", options.scene), measured = measured,
-           at_most = read_tolerance(options.at_most),
-           labels = read_list("labels", options.labels, { "N2", "N2-N2.2" }),
-           meshes = read_list("meshes", options.meshes, { 1, 2, 4, 8, 16, 32 }),
-           limit = options.limit and arguments.positive(where, "limit", options.limit) }
-end
-
 -- ── One case ─────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 --- The figure as a list of finite numbers.
 local function measure(search, model, run)
   local figure
-  if type(search.measured) == "string" then
-    arguments.choice(where, "error", search.measured, run:columns())
-    local column = run:column(search.measured)
+  if type(search.error) == "string" then
+    local column = run:column(check.value(types.choice(run:columns()), search.error, where, "error"))
     figure = column[#column]
   else
-    figure = search.measured(model, run)
+    figure = search.error(model, run)
   end
+  if figure == nil then core.fail(where .. ": error must give a number or a list of numbers, it gave nothing") end
   local list = type(figure) == "table" and figure or { figure }
-  if #list == 0 then
-    core.fail(("%s: error must give a number or a list of numbers, it gave %s"):format(where, core.describe(figure)))
-  end
-  for i, value in ipairs(list) do arguments.number(where, ("what error gives, [%d],"):format(i), value) end
-  return list
+  return check.value(types.list(types.number, nil, 1), list, where, "what error gives")
 end
 
 --- Two levels tell nothing of an error when the second one is no finer.
@@ -240,28 +202,7 @@ function Recommendation:__tostring()
     .. "\n" .. self.report
 end
 
-core.docs["sg.recommend"] = [[
-sg.recommend{ scene = function(label, mesh) … return model, stages, options end, error, at_most, labels, meshes, limit }
-The least model that is enough: solves labels and meshes from coarse to fine, estimates the error of each from the next
-level, and stops as soon as one is estimated to be within the tolerance. Prints what it tried and what that cost.
-scene:   returns the model of a label and a mesh, and what model:run takes.
-error:   what shall be accurate: a column of the run such as "ground.max_pressure" (its last value counts), or a
-         function of model and run that returns a number, or a list of numbers at places that do not change with the
-         mesh.
-at_most: the relative error, 0.02 for 2 %; below 1.
-labels:  from the plainest to the richest; { "N2", "N2-N2.2" } by default.
-meshes:  from coarse to fine, each about half as wide as the one before, in whatever way scene understands them;
-         { 1, 2, 4, 8, 16, 32 } by default.
-limit:   seconds after which no further level is begun; none by default.
-Returns label, mesh, error (the estimate), wall (s), unknowns of the case of least work that is enough (nil where none
-is), tries, spent (s), report. Work is unknowns times iterations, which is the same each time. With d the relative
-distance of the richest label's figures on two levels and r the share of the error that a level leaves (1/2; from three
-levels on as observed, if it is more) the finer one is about d r/(1 - r) off, and coarser cases by their distance from
-it more. The error is that of the discretisation: what penalty, steps or the scene itself leave, no mesh can show.
-Labels that take about the work of another one and have twice its error are not tried again.
-Example: sg.recommend{ scene = press, error = "grip.fy", at_most = 0.1, meshes = {1, 2, 4} }]]
-return function(options)
-  local search = read(options)
+return function(search)
   search.tries, search.by_level, search.spent, search.display = {}, {}, 0, progress(1)
   local best = explore(search) or {}
   local result = setmetatable({ label = best.label, mesh = best.mesh, error = best.error, wall = best.wall,

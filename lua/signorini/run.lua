@@ -3,7 +3,7 @@
 
 local core = require "signorini.core"
 local arc_length = require "signorini.arc_length"
-local arguments = require "signorini.arguments"
+local check = require "signorini.check"
 local controls = require "signorini.controls"
 local drives = require "signorini.drives"
 local jumps = require "signorini.jumps"
@@ -21,11 +21,11 @@ local longest_chord = 1.25 -- of an arc, in lengths along its tangent: the two d
 
 -- ── Reading the arguments ────────────────────────────────────────────────────────────────────────────────────────────
 
---- The controls of a run: what run_options.lua reads, `tries` (see controls.lua), and which states are kept.
+--- The controls of a run: what run_options.lua makes, `tries` (see controls.lua), and which states are kept.
 local function read_options(model, options, path, total)
-  local read, given = run_options.read(where, options)
+  local read = run_options(options)
   read.tries = read.rescue and controls.rescues(model, read.solver) or {}
-  read.states = states.read(where, given.states, path, total)
+  read.states = states.read(where, options.states, path, total)
   if read.threads then core.set_threads(read.threads) end -- not for a run that is refused
   return read
 end
@@ -86,7 +86,7 @@ function Step:solve(solver, to)
     end
     if answer and answer ~= "stop" and answer ~= "cut" then
       self.model:rollback()
-      arguments.reject("on_iteration", "what it returns", "nothing, \"stop\" or \"cut\"", answer)
+      check.reject("on_iteration", "what it returns", "nothing, \"stop\" or \"cut\"", answer)
     end
     if result.reason == "iterating" and (answer == "stop" or answer == "cut") then
       result.reason = answer == "stop" and "stopped" or "cut"
@@ -120,7 +120,7 @@ end
 --- first try where all fail. Where a predictor has failed, the next attempts do without it. Where arcs follow the path
 --- nothing is tried that may lead off it.
 function Step:attempt(to, shorter)
-  local run, tries, last = self.run, self.options.tries, not shorter and not self.options.arcs
+  local run, tries, last = self.run, self.options.tries, not shorter and not self.options.arc_length
   if self.done == 0 and to < 1 then self.start = self.start or self.model:snapshot() end
   local plain = run.wary > 0 and tries.tangent
   local first = self:try(plain and plain.solver or self.solver, to)
@@ -196,7 +196,7 @@ function Step:moves()
 end
 
 --- Whether there are controls to try on all that is left of a step.
-function Step:has_rescues() return #self.options.tries > 0 and not self.options.arcs end
+function Step:has_rescues() return #self.options.tries > 0 and not self.options.arc_length end
 
 --- An arc that is accepted unless it leads beyond the step's end.
 function Step:attempt_arc(length, iterations)
@@ -245,7 +245,7 @@ function Step:switch_control(to, reason)
 end
 
 --- A failed attempt is going to be repeated with a shorter one.
-function Step:cut_back() self.run:record_cutback() end
+function Step:cut_back() self.run:account("cutbacks", 1) end
 
 -- ── The path ─────────────────────────────────────────────────────────────────────────────────────────────────────────
 
@@ -261,7 +261,7 @@ end
 local function fail(run, step, result)
   local began = core.now()
   local turn = not steps.is_wanted(result) and arc_length.turning_point(step)
-  run:record_probe(core.now() - began)
+  run:account("wall", core.now() - began)
   run:record_failure(step, result, turn and step:place(turn))
 end
 
@@ -300,7 +300,7 @@ local function close(run, model, display, said, early)
   return run
 end
 
-core.docs["model:run"] = require "signorini.run_page"
+--- The run of a model along stages; both arguments have been checked against the table of model:run.
 return function(model, stages, options)
   local path, total = read_stages(model, stages)
   options = read_options(model, options, path, total)
@@ -309,8 +309,8 @@ return function(model, stages, options)
   for _, warning in ipairs(model:warnings()) do said[warning] = true end
   local run = Run.new(model)
   local place = keeper:begin(model, run, path, policy)
-  run.used = { predictor = options.solver.predictor, rescue = options.rescue, adaptive = options.adaptive,
-               arcs = options.arcs }
+  run.used = { predictor = options.predictor, rescue = options.rescue, adaptive = options.step.adaptive,
+               arcs = options.arc_length }
   local display = progress(total - run.steps)
   if options.states.wants(run.steps) then run:keep_state(model, path[place.stage].name) end
   for index = place.stage, #path do

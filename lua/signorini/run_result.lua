@@ -1,6 +1,6 @@
 -- What a load path leaves behind: one row per step that was reached, how much work it was, and why it ended.
 
-local arguments = require "signorini.arguments"
+local check = require "signorini.check"
 local core = require "signorini.core"
 local csv = require "signorini.csv"
 local energy_balance = require "signorini.energy_balance"
@@ -14,6 +14,7 @@ local path_controls = require "signorini.path_controls"
 local run_warnings = require "signorini.run_warnings"
 local states = require "signorini.states"
 local strict_run = require "signorini.strict_run"
+local t = require "signorini.types"
 
 local Run = {}
 Run.__index = Run
@@ -125,15 +126,9 @@ function Run:record_attempt(from, to, result, seconds, rescue, arc, again)
   if rescue and result.converged then self.rescues = self.rescues + 1 end
 end
 
---- Adds the seconds that finding out about a failure took.
-function Run:record_probe(seconds)
-  local stage = self.stages[#self.stages]
-  self.wall, stage.wall = self.wall + seconds, stage.wall + seconds
-end
-
-function Run:record_cutback()
-  local stage = self.stages[#self.stages]
-  self.cutbacks, stage.cutbacks = self.cutbacks + 1, stage.cutbacks + 1
+--- Adds to an account of the run and of the stage: "cutbacks", or the "wall" time of finding out about a failure.
+function Run:account(name, amount)
+  for _, list in ipairs { self, self.stages[#self.stages] } do list[name] = list[name] + amount end
 end
 
 local function append_row(run, position, increments, iterations, wall)
@@ -150,12 +145,12 @@ function Run:add_extra(name) self.extra[name] = add_column(self, name) end
 --- Adds to the last row what on_step returned: numbers by column name. A new name becomes a column.
 function Run:record_extra(figures)
   local function reject()
-    arguments.reject("on_step", "what it returns", "nothing, \"stop\", \"cut\" or a table of numbers by name", figures)
+    check.reject("on_step", "what it returns", "nothing, \"stop\", \"cut\" or a table of numbers by name", figures)
   end
   if type(figures) ~= "table" then reject() end
   for name, value in pairs(figures) do
     if type(name) ~= "string" then reject() end
-    arguments.number("on_step", name, value)
+    check.value(t.number, value, "on_step", name)
     if not self.extra[name] then
       if self.values[name] then
         core.fail(("on_step: the run has a column '%s' of its own: choose another name"):format(name))
@@ -253,36 +248,14 @@ end
 
 -- ── Reading (by the user) ────────────────────────────────────────────────────────────────────────────────────────────
 
-core.docs["run"] = [[
-run
-What model:run returns: run.failed, reason, cause, report, places (see help "model:run"); run.steps that were reached,
-iterations, cutbacks, rescues (steps that fallbacks have carried), fallbacks (how often each did, by name), wall (s),
-timings { bulk, contact, linear, rest } (s), stages (a list of accounts by name), controls (where arc length took over),
-warnings (a list of sentences: model:warnings(), loads that act in full from the first step, a newton.tolerance above
-1e-3, contacts that never touched, were penetrated by more than 2 % of the smallest body's size, or whose closest points
-were not found, or whose points have gone through the master in one step; fallbacks that may have changed to another
-branch of solutions, steps that probably have, as displacements and released energy show; stages in which more than a
-tenth of the work is missing from the energy balance). print(run) shows a short table, with controls that are not the
-default ones, fallbacks and cuts.]]
+local function copy(list) return table.move(list, 1, #list, 1, {}) end
 
-core.docs["run:columns"] = [[
-run:columns()
-The names of all columns, in order.
-Example: for _, name in ipairs(run:columns()) do print(name) end]]
-function Run:columns()
-  return table.move(self.names, 1, #self.names, 1, {})
-end
+function Run:columns() return copy(self.names) end
 
-core.docs["run:column"] = [[
-run:column(name)
-The values of a column, one per step that was reached: "step", the "increments" it was made of, "iterations" and "wall"
-(s) with those of failed attempts, "<support>.fx" (reaction), "<support>.ux" (where a driven component stands),
-"<contact>.area" and so on; those that on_step returns are nan where it returned none.
-Example: run:column "grip.fy"]]
 function Run:column(name)
   local values = self.values[name]
   if not values then
-    core.fail(("run:column: there is no column '%s'; known: %s"):format(tostring(name), table.concat(self.names, ", ")))
+    core.fail(("run:column: there is no column '%s'; known: %s"):format(name, table.concat(self.names, ", ")))
   end
   local list = {}
   for row = 1, self.rows do list[row] = values[row] or 0 / 0 end
@@ -290,54 +263,27 @@ function Run:column(name)
 end
 
 local function history(run, what, step)
-  local attempts = run.histories[step]
-  if not attempts then
-    core.fail(("%s: there is no step %s; the run has steps 1 to %d"):format(what, tostring(step), #run.histories))
-  end
-  return attempts
+  local count = #run.histories
+  if step > count then core.fail(("%s: there is no step %d; the run has steps 1 to %d"):format(what, step, count)) end
+  return run.histories[step]
 end
 
-core.docs["run:attempts"] = [[
-run:attempts(step)
-How a step was reached or missed: a list of { from, to, converged, reason, iterations, residuals, rescue, again }, where
-from and to are parts of the step, and again says that it began at the step's start although a part was accepted; a
-step that was not reached is the one after the last row.
-Example: run:attempts(1)[1].iterations]]
-function Run:attempts(step)
-  local attempts = history(self, "run:attempts", step)
-  return table.move(attempts, 1, #attempts, 1, {})
-end
+function Run:attempts(step) return copy(history(self, "run:attempts", step)) end
 
-core.docs["run:residuals"] = [[
-run:residuals(step)
-The residual norms of the iterations of a step's last attempt.
-Example: run:residuals(run.steps)]]
 function Run:residuals(step)
   local attempts = history(self, "run:residuals", step)
-  local residuals = attempts[#attempts].residuals
-  return table.move(residuals, 1, #residuals, 1, {})
+  return copy(attempts[#attempts].residuals)
 end
 
-core.docs["run:states"] = [[
-run:states()
-The states that a run has kept, in order, for sg.picture{ states = run:states() }: those that the option `states` of
-model:run asked for; without it the start, the end of each stage and the last one that was reached.
-Example: sg.picture{ states = run:states(), field = "uy", file = "states.png" }]]
-function Run:states()
-  return table.move(self.kept, 1, #self.kept, 1, {})
-end
+function Run:states() return copy(self.kept) end
 
-core.docs["run:csv"] = [[
-run:csv(file)
-Writes all columns to a CSV file; a figure that on_step did not return is left out.
-Example: run:csv "run.csv"]]
 function Run:csv(file)
   local rows = {}
   for row = 1, self.rows do
     rows[row] = {}
     for i, name in ipairs(self.names) do rows[row][i] = self.values[name][row] end
   end
-  in_name_of("run:csv", "sg.csv.write", csv.write, arguments.string("run:csv", "file", file),
+  in_name_of("run:csv", "sg.csv.write", csv.write, file,
     { columns = self.names, rows = rows, comments = { self.report } })
 end
 
@@ -350,14 +296,13 @@ end
 
 --- A short table: steps, iterations and wall time by stage, and where the time went; cut-backs where there were any.
 function Run:__tostring()
-  local rows, columns, units = {}, { "stage", "steps", "iterations", "per step", "wall" }, { "", "", "", "", "s" }
+  local rows, columns = {}, { "stage", "steps", "iterations", "per step", "wall" }
   local cutbacks = self.cutbacks > 0
-  if cutbacks then
-    table.insert(columns, 3, "cut-backs")
-    table.insert(units, 3, "")
-  end
+  if cutbacks then table.insert(columns, 3, "cut-backs") end
   for i, stage in ipairs(self.stages) do rows[i] = work_row(stage.name, stage, cutbacks) end
   rows[#rows + 1] = work_row("total", self, cutbacks)
+  local units = {}
+  for i, column in ipairs(columns) do units[i] = column == "wall" and "s" or "" end
   local text = format_table {
     columns = columns, units = units, rows = rows, formats = { ["per step"] = "%.2f", wall = "%.3f" },
   }

@@ -1,9 +1,11 @@
 -- sg.arguments: the arguments name=value that stand behind a script's name on the command line.
 
+local check = require "signorini.check"
 local core = require "signorini.core"
-local arguments = require "signorini.arguments"
-local argument_types = require "signorini.argument_types"
+local describe = require "signorini.describe"
+local number_text = require "signorini.number_text"
 local sorted = require("signorini.lists").sorted_names
+local types = require "signorini.types"
 
 local where = "sg.arguments"
 
@@ -32,25 +34,142 @@ local Refusal = { __name = "refused argument", without_traceback = true }
 function Refusal.__tostring(refusal) return refusal.message end
 local function refuse(message) error(setmetatable({ message = message }, Refusal), 0) end
 
+-- ── Values on the command line ───────────────────────────────────────────────────────────────────────────────────────
+
+--- The kind of a value's type (signorini.types); nil when an argument cannot have it.
+local function kind_of(value)
+  if type(value) == "string" then return "text" end
+  if type(value) == "boolean" then return "flag" end
+  return math.type(value) and (math.type(value) == "integer" and "integer" or "number")
+end
+
+--- The kind of a list's entries: numbers when there are both whole ones and others, texts when the list is empty.
+local function kind_of_entries(list)
+  local found
+  for _, entry in ipairs(list) do
+    local one = kind_of(entry)
+    if not one or one == "flag" or found and found ~= one and (found == "text" or one == "text") then return nil end
+    found = (not found or found == one) and one or "number"
+  end
+  return found or "text"
+end
+
+--- A value as it would stand on the command line.
+local function text_of(value)
+  if type(value) == "boolean" then return value and "yes" or "no" end
+  if type(value) == "number" then return number_text(value) end
+  if type(value) == "string" then return value end
+  local texts = {}
+  for i, entry in ipairs(value) do texts[i] = text_of(entry) end
+  return #texts > 0 and table.concat(texts, ",") or "none"
+end
+
+--- The value that a text stands for; nil when it stands for none. Numbers are never integers, whose products can
+--- overflow.
+local function parse(kind, text)
+  if kind == "text" then return text end
+  if kind == "flag" then
+    if text == "yes" or text == "no" then return text == "yes" end
+    return nil
+  end
+  local number = tonumber(text)
+  if kind == "integer" then return number and math.tointeger(number) end
+  return number and number + 0.0
+end
+
 -- ── What a script declares ───────────────────────────────────────────────────────────────────────────────────────────
 
---- The entries of one table and of another one, or of nothing, which come before those of the first.
-local function joined(first, second)
-  local all = {}
-  for _, entries in ipairs { first, second } do
-    for name, entry in pairs(entries) do all[name] = entry end
+--- The default of an argument, and what restricts it.
+local function split(name, given)
+  if type(given) == "table" and next(given) == nil then
+    core.fail(("%s: the default of %s is an empty table: write { {}, none = true } for a list of strings that may be "
+      .. "empty"):format(where, name))
   end
-  return all
+  local restrictions = {}
+  for key, value in pairs(type(given) == "table" and given or {}) do
+    if math.type(key) ~= "integer" then restrictions[key] = value end
+  end
+  if next(restrictions) == nil then return given, {} end
+  if #given > 1 then
+    core.fail(("%s: %s has a list as default and restrictions: write { { %s, … }, … }"):format(where, name,
+      text_of(given[1])))
+  end
+  return given[1], check.value(types.named "argument", restrictions, where, name)
+end
+
+--- The names of the variants, the default first.
+local function variant_names(name, default, variants)
+  check.value(types.text, default, where, "the default of " .. name)
+  local names = sorted(variants)
+  table.sort(names, function(a, b) return a == default or b ~= default and a < b end)
+  return names
+end
+
+--- Checks the restrictions that depend on the default.
+local function check_restrictions(argument)
+  local name, kind = argument.name, argument.kind
+  for _, limit in ipairs { "at_least", "above", "at_most", "below" } do
+    if argument[limit] and kind ~= "integer" and kind ~= "number" then
+      core.fail(("%s: %s.%s is for numbers, and %s is not one"):format(where, name, limit, name))
+    end
+  end
+  for i, choice in ipairs(argument.choices or {}) do
+    local one = kind_of(choice)
+    if one ~= kind and not (one == "integer" and kind == "number") then
+      check.reject(where, ("%s.choices[%d]"):format(name, i), "of the type of the default", choice)
+    end
+  end
+  if (argument.check == nil) ~= (argument.expected == nil) then
+    core.fail(("%s: %s needs both check, a function, and expected, what it asks for in words"):format(where, name))
+  end
+  if argument.none and not argument.list then
+    core.fail(("%s: %s.none is for lists, and the default is not one"):format(where, name))
+  end
+end
+
+--- The type of an argument's value, or of the entries of its list.
+local function type_of(argument)
+  if argument.choices then return types.choice(argument.choices) end
+  local low = argument.at_least or argument.kind == "integer" and not argument.above and 1 or nil
+  return { kind = argument.kind, low = low, above = argument.above, high = argument.at_most, below = argument.below }
+end
+
+--- What an argument must be, in words.
+local function in_words(argument)
+  local words = argument.expected or argument.list and describe.several(argument.type)
+    or argument.kind == "flag" and "yes or no" or describe.one(argument.type)
+  return argument.none and words .. ", or none" or words
+end
+
+--- The argument { name, default, kind, list (whether it is one), type, words (what it must be), … its restrictions } of
+--- a default, or of a table whose first entry is the default and whose other keys restrict it.
+local function declare_one(name, given)
+  local default, argument = split(name, given)
+  argument.name, argument.default, argument.list = name, default, type(default) == "table"
+  argument.kind = argument.list and kind_of_entries(default) or kind_of(default)
+  if not argument.kind then
+    check.reject(where, "the default of " .. name,
+      "a string, a number, true, false, or a list of strings or of numbers", default)
+  end
+  if argument.variants then argument.choices = variant_names(name, default, argument.variants) end
+  check_restrictions(argument)
+  argument.type = type_of(argument)
+  argument.none = argument.none or argument.list and #default == 0
+  argument.words = in_words(argument)
+  for _, value in ipairs(argument.list and default or { default }) do
+    check.value(argument.type, value, where, "the default of " .. name)
+  end
+  return argument
 end
 
 --- The arguments of a table of defaults by name.
 local function declare(defaults)
   local known = {}
   for name, given in pairs(defaults) do
-    if type(name) ~= "string" or not name:find "^%a[%w_]*$" or name == "help" then
+    if not name:find "^%a[%w_]*$" or name == "help" then
       core.fail(("%s: %s cannot be the name of an argument"):format(where, core.describe(name)))
     end
-    known[name] = argument_types.argument(name, given)
+    known[name] = declare_one(name, given)
   end
   return known
 end
@@ -71,9 +190,6 @@ end
 local function declare_variants(chooser)
   local further = {}
   for variant, defaults in pairs(chooser and chooser.variants or {}) do
-    if type(defaults) ~= "table" then
-      arguments.reject(where, ("%s.variants.%s"):format(chooser.name, variant), "a table of arguments", defaults)
-    end
     further[variant] = declare(defaults)
     if further[variant][chooser.name] or chooser_of(further[variant]) then
       core.fail(("%s: the variant %s chooses once more"):format(where, variant))
@@ -87,14 +203,14 @@ end
 --- "name=default" of all arguments, sorted.
 local function listed(known)
   local texts = {}
-  for i, name in ipairs(sorted(known)) do texts[i] = name .. "=" .. argument_types.text(known[name].default) end
+  for i, name in ipairs(sorted(known)) do texts[i] = name .. "=" .. text_of(known[name].default) end
   return texts
 end
 
 --- One line per argument: its default and what it must be, one below the other unless a default is very long.
-local function page(known, lines)
-  local most = 54
-  local texts, width = listed(known), 0
+local function add_page(lines, known)
+  local most, width = 54, 0
+  local texts = listed(known)
   for _, text in ipairs(texts) do width = math.max(width, math.min(utf8.len(text), most)) end
   for i, name in ipairs(sorted(known)) do
     local blanks = (" "):rep(width - utf8.len(texts[i]))
@@ -106,10 +222,10 @@ end
 local function help(common, chooser, further)
   local script = arg and arg[0] and arg[0] ~= "" and arg[0] or "the script"
   local lines = { ("Arguments of %s, with their defaults:"):format(script) }
-  page(common, lines)
+  add_page(lines, common)
   for _, variant in ipairs(chooser and chooser.choices or {}) do
     lines[#lines + 1] = ("with %s=%s also:"):format(chooser.name, variant)
-    page(further[variant], lines)
+    add_page(lines, further[variant])
   end
   lines[#lines + 1] = "Several values have commas in between: a,b,c."
   print(table.concat(lines, "\n"))
@@ -118,18 +234,8 @@ end
 
 -- ── Reading ──────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- The texts of words name=value by name, the later of two; and the first word that does not look like this.
-local function split(words)
-  local texts, odd = {}, nil
-  for _, word in ipairs(words) do
-    local name, text = word:match "^([%w_]+)=(.*)$"
-    if name then texts[name] = text else odd = odd or word end
-  end
-  return texts, odd
-end
-
 local function refuse_value(argument, text, part)
-  local meant = argument.choices and argument.type == "text" and core.nearest(part, argument.choices)
+  local meant = argument.choices and argument.kind == "text" and core.nearest(part, argument.choices)
   refuse(("%s must be %s, got %s%s"):format(argument.name, argument.words,
     text == "" and "nothing" or part == text and ("'%s'"):format(text) or ("'%s' in '%s'"):format(part, text),
     meant and ("; did you mean '%s'?"):format(meant) or ""))
@@ -137,87 +243,62 @@ end
 
 --- An argument's value: the default, or what was given for it.
 local function value_of(argument, text)
-  if text == nil then
-    local default = argument.default
-    return argument.list and table.move(default, 1, #default, 1, {}) or default
+  local list, default = {}, argument.default
+  if text == nil then return argument.list and table.move(default, 1, #default, 1, list) or default end
+  if argument.none and text == "none" then return list end
+  for part in text:gmatch(argument.list and "[^,]+" or ".+") do
+    local value = parse(argument.kind, part)
+    if value == nil or not check.fits(argument.type, value) then refuse_value(argument, text, part) end
+    list[#list + 1] = value
   end
-  local value, wrong = argument_types.read(argument, text)
-  if wrong then refuse_value(argument, text, wrong) end
-  return value
-end
-
---- Refuses a word whose name is none of the known ones. `scope`: how the known ones came to be known, `also`: which
---- variants know it.
-local function refuse_word(word, known, scope, also)
-  local name = word:match "^([%w_]+)="
-  local meant = name and #also == 0 and core.nearest(name, sorted(known))
-  refuse(("unknown argument '%s'%s%s; %sknown%s: %s"):format(word, name and "" or ": arguments look like name=value",
-    #also > 0 and (", which belongs to %s"):format(table.concat(also, ", ")) or "",
-    meant and ("did you mean '%s'? "):format(meant) or "", scope, table.concat(listed(known), ", ")))
+  if #list == 0 then refuse_value(argument, text, text) end
+  if argument.list then return list end
+  return list[1]
 end
 
 --- Refuses words that mean no known argument.
-local function check_words(texts, odd, known, chooser, further, variant)
-  local scope = chooser and (" with %s=%s"):format(chooser.name, variant) or ""
-  if odd then refuse_word(odd, known, scope, {}) end
+local function check_words(texts, odd, known, chooser, further)
+  local scope = chooser and (" with %s=%s"):format(chooser.name, chooser.chosen) or ""
+  local function refuse_word(word, hint)
+    refuse(("unknown argument '%s'%sknown%s: %s"):format(word, hint, scope, table.concat(listed(known), ", ")))
+  end
+  if odd then refuse_word(odd, ": arguments look like name=value; ") end
   for _, name in ipairs(sorted(texts)) do
-    local also = {}
+    local also, meant = {}, core.nearest(name, sorted(known))
     for _, other in ipairs(chooser and chooser.choices or {}) do
       if further[other][name] then also[#also + 1] = ("%s=%s"):format(chooser.name, other) end
     end
-    if not known[name] then refuse_word(("%s=%s"):format(name, texts[name]), known, scope, also) end
-  end
-end
-
---- Calls the script's own checks of a value, or of each entry of a list, when all values are known.
-local function run_check(argument, options, text)
-  local value = options[argument.name]
-  for _, entry in ipairs(argument.list and value or { value }) do
-    if not argument.check(entry, options) then
-      local part = argument_types.text(entry)
-      refuse_value(argument, text or argument_types.text(value), part)
+    if not known[name] then
+      refuse_word(("%s=%s"):format(name, texts[name]), #also > 0
+        and (", which belongs to %s; "):format(table.concat(also, ", "))
+        or meant and ("; did you mean '%s'? "):format(meant) or "; ")
     end
   end
 end
 
-core.docs["sg.arguments"] = [[
-sg.arguments{ <name> = default, <name> = { default, <restriction> = … }, … }
-The arguments name=value that stand behind a script's name on the command line, as a table of values by name. The
-default gives the type: a whole number (10; of at least 1 unless it is told otherwise), a number (2.5, 100.0), a text,
-true or false (yes or no on the command line), or a list of numbers or of texts (values with commas in between).
-Restrictions, of a list's entries where the default is a list: { {"m1"}, choices = {"m1", "m2"} }
-choices:  a list of what it may be
-at_least, above, at_most, below: limits of a number
-none:     true: the word none stands for the empty list
-check:    a function of the value (or entry) and of all values, which returns whether it is good; with
-expected: what check asks for, in words that follow "must be"
-variants: further arguments by variant: variant = { "plain", variants = { plain = {…}, deep = { depth = 0.5 } } }; those
-          of a variant go before those that all have
-What cannot be understood ends the script with one line that says what came and what was expected; the word help or
---help prints all arguments with their defaults and ends the program. A script that is called as a function takes the
-words of the call; sg.arguments(defaults, words) those of a list.
-Example: options = sg.arguments{ labels = {"N2", "N4"}, steps = 10, penalty = { 100.0, above = 0 },
-                                  out = "out/study" }]]
 return function(defaults, words)
-  if type(defaults) ~= "table" then arguments.reject(where, "its argument", "a table of defaults", defaults) end
-  if words == nil then words = words_of_script() end
-  if type(words) ~= "table" then arguments.reject(where, "words", "a list of words name=value", words) end
-  for i, word in ipairs(words) do arguments.string(where, ("words[%d]"):format(i), word) end
-
-  local common = declare(defaults)
+  local common, texts, odd = declare(defaults), {}, nil
   local chooser = chooser_of(common)
   local further = declare_variants(chooser)
-  for _, word in ipairs(words) do
+  for _, word in ipairs(words or words_of_script()) do
     if word == "help" or word == "--help" then help(common, chooser, further) end
+    local name, text = word:match "^([%w_]+)=(.*)$"
+    if name then texts[name] = text else odd = odd or word end -- the later of two counts
   end
-  local texts, odd = split(words)
-  local variant = chooser and value_of(chooser, texts[chooser.name])
-  local known = joined(common, chooser and further[variant])
-  check_words(texts, odd, known, chooser, further, variant)
-  local options = {}
+  local known, options = {}, {}
+  if chooser then chooser.chosen = value_of(chooser, texts[chooser.name]) end
+  for _, entries in ipairs { common, chooser and further[chooser.chosen] } do
+    for name, argument in pairs(entries) do known[name] = argument end
+  end
+  check_words(texts, odd, known, chooser, further)
   for _, name in ipairs(sorted(known)) do options[name] = value_of(known[name], texts[name]) end
   for _, name in ipairs(sorted(known)) do
-    if known[name].check then run_check(known[name], options, texts[name]) end
+    local argument, value = known[name], options[name]
+    for _, entry in ipairs(argument.check and (argument.list and value or { value }) or {}) do
+      if not argument.check(entry, options) then
+        refuse_value(argument, texts[name] or text_of(value), text_of(entry))
+      end
+    end
   end
   return options
 end

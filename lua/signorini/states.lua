@@ -1,32 +1,22 @@
 -- What a run keeps of its states, for pictures of the path: model:run(stages, { states = … }) and run:states().
 
-local arguments = require "signorini.arguments"
+local check = require "signorini.check"
 local core = require "signorini.core"
+local t = require "signorini.types"
 
 local State = {}
 State.__index = State
 State.__name = "state"
 core.types.state = State
 
-core.docs["state"] = [[
-state
-An entry of run:states(): state.step (0 is the start), state.stage, state.title, state.snapshot, to which
-model:restore(state.snapshot) returns.
-Example: local states = run:states(); print(states[#states].title)]]
 
 function State:__tostring() return ("state at %s"):format(self.title) end
 
-local expected = "a number of states from 2, a list of steps, or a function"
-
 --- The steps of a list as a set.
 local function set_of(where, list, total)
-  local set = {}
+  local set, a_step = {}, t.worded(t.integer(0, total), ("a step from 0 (the start) to %d"):format(total))
   for i, step in ipairs(list) do
-    local whole = type(step) == "number" and math.tointeger(step)
-    if not whole or whole < 0 or whole > total then
-      arguments.reject(where, ("states[%d]"):format(i), ("a step from 0 (the start) to %d"):format(total), step)
-    end
-    set[whole] = true
+    set[math.tointeger(check.value(a_step, step, where, ("options.states[%d]"):format(i)))] = true
   end
   return set
 end
@@ -61,10 +51,8 @@ function states.read(where, wanted, path, total)
     set = ends(path)
   elseif type(wanted) == "table" then
     set = set_of(where, wanted, total)
-  elseif math.tointeger(wanted) and wanted >= 2 then
-    set = spread(math.tointeger(wanted), total)
   else
-    arguments.reject(where, "states", expected, wanted)
+    set = spread(math.tointeger(wanted), total)
   end
   return { wants = function(step) return set[step] end, last = type(wanted) ~= "table" }
 end

@@ -3,9 +3,6 @@
 local core = require "signorini.core"
 local named = require "signorini.named"
 
-local fields = { "failed", "reason", "cause", "report", "places", "steps", "iterations", "cutbacks", "rescues",
-                 "fallbacks", "wall", "timings", "stages", "controls", "warnings" } -- those of the page
-
 -- What some runs have, or have while they go on. All else that is not there is misspelt.
 local may_be_missing = { cause = true, report = true, timings = true, recorders = true, before = true, step = true }
 
@@ -13,9 +10,10 @@ local may_be_missing = { cause = true, report = true, timings = true, recorders 
 return function(Run)
   setmetatable(Run, { __index = function(_, name)
     if may_be_missing[name] or type(name) == "string" and name:find "^__" then return nil end
-    local known = table.move(fields, 1, #fields, 1, {})
+    local pages = require "signorini.pages"
+    local known = pages.keys(pages.find("run").fields) -- and methods
     for method in next, Run do
-      if core.docs["run:" .. method] then known[#known + 1] = method end
+      if pages.find("run:" .. method) then known[#known + 1] = method end
     end
     named.missing("a run", name, known)
   end })

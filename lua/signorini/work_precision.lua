@@ -1,8 +1,7 @@
--- sg.work_precision: the cases of a study as error against time, one curve per discretisation, and what one takes of
+-- sg.work_precision: the cases of a study as error against time, one curve per discretization, and what one takes of
 -- the other's time at equal error. It interpolates between cases and never goes beyond them.
 
 local core = require "signorini.core"
-local arguments = require "signorini.arguments"
 local curves = require "signorini.work_precision.curves"
 local cut = require "signorini.cut"
 local draw = require "signorini.work_precision.picture"
@@ -42,36 +41,13 @@ local function read_marker(study, pick, series)
   end, table.concat(others, ", ")
 end
 
---- Errors at which times are compared.
-local function read_at(at)
-  if at == nil then return nil end
-  if type(at) ~= "table" or #at == 0 then arguments.reject(where, "at", "a list of errors such as {0.05, 0.01}", at) end
-  for i, size in ipairs(at) do arguments.positive(where, ("at[%d]"):format(i), size) end
-  return table.move(at, 1, #at, 1, {})
-end
-
---- The names of the files to draw.
-local function read_files(options)
-  if options.files == nil then return options.file and { arguments.string(where, "file", options.file) } or {} end
-  if options.file then core.fail(where .. ": file and files are given; keep one of them") end
-  if type(options.files) ~= "table" then arguments.reject(where, "files", "a list of file names", options.files) end
-  for i, file in ipairs(options.files) do arguments.string(where, ("files[%d]"):format(i), file) end
-  return options.files
-end
-
 local function read_options(study, options)
-  arguments.table(where, "its second argument", options,
-    { "time", "error", "series", "marker", "where", "at", "file", "files", "title", "xlabel", "ylabel", "size" })
-  options = options or {}
-  for _, key in ipairs { "title", "xlabel", "ylabel" } do
-    if options[key] ~= nil then arguments.string(where, key, options[key]) end
-  end
-  local series = holds(study.parameters, "order") and "order" or study.parameters[1]
-  local read = { time = quantity.read(where, "time", study, options.time, "wall"),
+  if options.file and options.files then core.fail(where .. ": file and files are given; keep one of them") end
+  local series = options.series or holds(study.parameters, "order") and "order" or study.parameters[1]
+  local read = { time = quantity.read(where, "time", study, options.time),
                  error = quantity.read(where, "error", study, options.error),
-                 series = quantity.read(where, "series", study, options.series, series),
-                 keep = arguments.callback(where, "where", options.where), at = read_at(options.at),
-                 files = read_files(options) }
+                 series = quantity.read(where, "series", study, series),
+                 keep = options.where, at = options.at, files = options.files or { options.file } }
   read.mark, read.marker = read_marker(study, options.marker, read.series)
   return read
 end
@@ -104,16 +80,6 @@ local function read_points(study, read)
   return points, left_out, marks
 end
 
---- Markers, when there are enough of them.
-local function check_marks(marks, given)
-  if #marks <= most_marks then return marks end
-  if given then
-    core.fail(("%s: marker has %d values and charts have %d markers: choose a column with fewer, or filter the cases")
-      :format(where, #marks, most_marks))
-  end
-  return {}
-end
-
 --- One curve per series, in the order of the cases.
 local function make_curves(points)
   local list, by_name = {}, {}
@@ -143,14 +109,7 @@ end
 
 -- ── Reading (by the user) ────────────────────────────────────────────────────────────────────────────────────────────
 
-core.docs["comparison"] = [[
-comparison
-What sg.work_precision returns: ratios, pareto, left_out; print(comparison) shows them all.]]
 
-core.docs["comparison:table"] = [[
-comparison:table()
-The text of a table: what part of B's time A takes at equal errors.
-Example: print(comparison:table())]]
 function Result:table()
   local columns, rows, formats = { "A", "B", "from", "to" }, {}, { [3] = "%.3g", [4] = "%.3g" }
   local heads = { "at from", "middle", "at to" }
@@ -165,10 +124,6 @@ function Result:table()
   return format_table { columns = columns, units = units, rows = rows, formats = formats }
 end
 
-core.docs["comparison:front"] = [[
-comparison:front()
-The text of a table of the cases that no other one beats: the Pareto front of time and error.
-Example: print(comparison:front())]]
 function Result:front()
   local study, columns, units, rows = self.study, {}, {}, {}
   for i, name in ipairs(study.parameters) do columns[i], units[i] = name, study.units[name] or "" end
@@ -204,38 +159,22 @@ function Result:__tostring()
   return table.concat(lines, "\n")
 end
 
-core.docs["sg.work_precision"] = [[
-sg.work_precision(study, { error, time = "wall", series = "order", marker, where, at, file or files, title, xlabel,
-                           ylabel, size })
-Error against time: one curve per series through its cases by rising time, one marker per kind of case, both axes
-logarithmic, the Pareto front as grey steps. Returns the comparison; print shows ratios, front and what was left out.
-error, time, series, marker: columns of the study, or functions of a row. Errors count by their size. series is the
-         first parameter where none is called order; marker all other parameters together, false for none.
-where:   a function of a row: only rows for which it is true.
-at:      errors at which times are compared; by default the least, the middle and the largest one that both curves
-         reach.
-file, files: .png, .svg, .pdf; none by default. size = {1600, 1000} pixels, as in sg.chart.
-Cases that failed, and those without time or error or with a zero of them, are left out and listed with the reason.
-Times at equal error are interpolated on the lines between cases; where a curve comes down to an error more than once,
-the least time counts. Nothing is extrapolated: not below a curve's least error, and not above that of its cheapest
-case.
-result.ratios: { a, b, from, to, at = {…}, ratio = {…} } for each pair: at the error at[i] a takes ratio[i] of b's time,
-nil beyond from … to; without errors that both reach, why. result.pareto: the rows of the front; result.left_out: { row,
-why }; result:table(), result:front(): texts.
-Example: print(sg.work_precision(study, { error = "error", at = {0.1}, file = "speed.png" }))]]
 return function(study, options)
-  quantity.study(where, study)
   local read = read_options(study, options)
   local points, left_out, marks = read_points(study, read)
   if #points == 0 then
     local why = outcomes.why_none(study)
-    if why then
-      core.fail(("%s: no case has both %s and %s: %s"):format(where, read.time.name, read.error.name, why))
-    end
+      or left_out[1] and ("%s: %s"):format(quantity.case(study, left_out[1].row), left_out[1].why)
     core.fail(("%s: no case has both %s and %s%s"):format(where, read.time.name, read.error.name,
-      left_out[1] and (": %s: %s"):format(quantity.case(study, left_out[1].row), left_out[1].why) or ""))
+      why and ": " .. why or ""))
   end
-  marks = check_marks(marks, options.marker)
+  if #marks > most_marks then
+    if options.marker then
+      core.fail(("%s: marker has %d values and charts have %d markers: choose a column with fewer, or filter the cases")
+        :format(where, #marks, most_marks))
+    end
+    marks = {}
+  end
   local list, front = make_curves(points), curves.front(points)
   local result = setmetatable({ name = study.name or "study", study = study, time = read.time, error = read.error,
     series = read.series, marker = read.marker, at = read.at, curves = list, ratios = make_ratios(list, read.at),

@@ -40,16 +40,16 @@ end
 --- Keeps the states of some steps for a sheet: a function for on_step, and one that draws the sheet and returns whether
 --- there was anything to draw.
 function output.record_states(steps)
-  local frames = {}
+  local pictures = {}
   local function keep(model, info)
     if steps[info.step] then
-      frames[#frames + 1] = sg.frame{ model = model, field = "uy", title = ("load step %d"):format(info.step) }
+      pictures[#pictures + 1] = sg.picture{ model = model, field = "uy", label = "displacement u_y (mm)",
+                                            title = ("load step %d"):format(info.step) }
     end
   end
   local function draw(file, title, columns)
-    if #frames > 0 then sg.picture{ file = file, frames = frames, columns = columns, title = title,
-                                   label = "displacement u_y (mm)" } end
-    return #frames > 0
+    if #pictures > 0 then sg.sheet{ pictures, file = file, columns = columns, title = title } end
+    return #pictures > 0
   end
   return keep, draw
 end

@@ -53,7 +53,7 @@ end
 
 --- The study. Returns { cases }.
 function depth.run(options, files)
-  local cases, frames = {}, {}
+  local cases, pictures = {}, {}
   for _, radius in ipairs(options.radius) do
     for _, label in ipairs(options.labels) do
       for _, from in ipairs(options.from) do
@@ -61,7 +61,7 @@ function depth.run(options, files)
                                   linear = options.linear }
         local name = ("%s, R = %g, x = %g"):format(label, radius, from)
         if #case.states > 0 then
-          frames[#frames + 1] = output.frame(case.model,
+          pictures[#pictures + 1] = output.picture(case.model,
             ("%s, depth %.2f"):format(name, case.states[#case.states].depth))
         end
         case.model = nil
@@ -76,8 +76,8 @@ function depth.run(options, files)
   print(("\nPressed to 10.4 in steps of %g, cut in half where they fail"):format(options.down))
   print(result_table(cases))
   files:draw("states.png", "an accepted step", function(file)
-    if #frames > 0 then output.draw_sheet(file, frames, "3D ironing: the deepest states") end
-    return #frames > 0
+    if #pictures > 0 then output.draw_sheet(file, pictures, "3D ironing: the deepest states") end
+    return #pictures > 0
   end)
   files:draw("pressing.png", "an accepted step", function(file) return draw(file, cases, "Pz", "pressing force Pz") end)
   files:draw("area.png", "an accepted step", function(file) return draw(file, cases, "area", "area in contact") end)

@@ -76,31 +76,32 @@ function output.amplitude_csv(file, set, published)
   sg.csv.write(file, data)
 end
 
---- Half of a state from the front, cut through the middle, with the vertical stress.
-function output.frame(model, title)
-  return sg.frame{ model = model, field = "szz", cut = "-y", title = title }
+--- Half of a state around the indenter, cut through the middle, with the vertical stress.
+function output.picture(model, title)
+  return sg.picture{ model = model, field = "szz", cut = "-y", title = title, label = "vertical stress",
+                     camera = { from = { 0.5, -2, 0.8 } }, crop = { 30, 70, 0, 30, 8, 33 } }
 end
 
 --- Keeps the states of some steps for a sheet: a function for on_step, and one that draws the sheet and returns whether
 --- there was anything to draw.
 function output.record_states(steps)
-  local frames = {}
+  local pictures = {}
   local function keep(model, info)
     if steps[info.step] then
-      frames[#frames + 1] = output.frame(model, ("depth %.2f, x + %.2f"):format(-info["grip.uz"], info["grip.ux"]))
+      pictures[#pictures + 1] = output.picture(model,
+        ("depth %.2f, x + %.2f"):format(-info["grip.uz"], info["grip.ux"]))
     end
   end
   local function draw(file, title)
-    if #frames > 0 then output.draw_sheet(file, frames, title) end
-    return #frames > 0
+    if #pictures > 0 then output.draw_sheet(file, pictures, title) end
+    return #pictures > 0
   end
   return keep, draw
 end
 
---- A sheet of states around the indenter, with a common colour bar.
-function output.draw_sheet(file, frames, title)
-  sg.picture{ file = file, frames = frames, columns = 2, title = title, label = "vertical stress",
-              camera = { from = { 0.5, -2, 0.8 } }, crop = { 30, 70, 0, 30, 8, 33 } }
+--- A sheet of such pictures, with a common color bar.
+function output.draw_sheet(file, pictures, title)
+  sg.sheet{ pictures, file = file, columns = 2, title = title }
 end
 
 --- Pressing force and drag over the path of the indenter's centre; returns whether there was anything to draw.

@@ -15,7 +15,7 @@ function labels.run(problem, options, files)
   local cases, states = {}, {}
   for i, label in ipairs(options.labels) do
     local case = { label = label, mesh = mesh, press = press, slide = slide, linear = options.linear }
-    if i == 1 then case.on_step, states = study.record_states(case, "uz") end
+    if i == 1 then case.on_step, states = study.record_states(case, "uz", "displacement u_z") end
     study.solve(problem, case)
     print(("%s at %s, %.1f s of processor time"):format(label, mesh.name, case.user))
     print(case.run)
@@ -47,8 +47,7 @@ function labels.run(problem, options, files)
   end)
   files:draw("states.png", "a completed stage", function(file)
     if #states == 0 then return false end
-    sg.picture{ file = file, frames = states, columns = 1, label = "displacement u_z",
-                title = ("%s, %s"):format(title, cases[1].label) }
+    sg.sheet{ states, file = file, columns = 1, title = ("%s, %s"):format(title, cases[1].label) }
     return true
   end)
   return { mesh = mesh, cases = cases }

@@ -75,16 +75,17 @@ function study.solve(problem, case)
 end
 
 --- Keeps the states at the ends of both stages and in the middle of the way: a function for on_step, and the list of
---- frames.
-function study.record_states(case, field)
-  local frames, titles = {}, {
+--- pictures. `label`: of their color bar.
+function study.record_states(case, field, label)
+  local pictures, titles = {}, {
     [case.press] = "pressed", [case.press + case.slide // 2] = "half of the way", [case.press + case.slide] = "the end",
   }
   return function(model, info)
     if titles[info.step] then
-      frames[#frames + 1] = sg.frame{ model = model, field = field, cut = "-y", title = titles[info.step] }
+      pictures[#pictures + 1] = sg.picture{ model = model, field = field, label = label, cut = "-y",
+                                            title = titles[info.step] }
     end
-  end, frames
+  end, pictures
 end
 
 return study

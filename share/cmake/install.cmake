@@ -35,6 +35,7 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 # The libraries are found by dpkg-shlibdeps; texts in pictures need the fonts.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS fonts-liberation)
-# The reference BLAS, which dpkg-shlibdeps is content with, makes runs in space a quarter slower.
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS libopenblas0)
+# The reference BLAS, which dpkg-shlibdeps is content with, makes runs in space a quarter slower. The fonts have
+# Chinese and Japanese characters.
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libopenblas0, fonts-droid-fallback")
 include(CPack)

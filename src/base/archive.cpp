@@ -5,7 +5,7 @@
 namespace signorini {
 
 std::string_view ArchiveReader::take(std::size_t count) {
-  require(count <= rest_.size(), count, " bytes were expected where ", rest_.size(), " are left");
+  require(count <= rest_.size(), "base.archive.bytes", {{"count", count}, {"left", rest_.size()}});
   const std::string_view taken = rest_.substr(0, count);
   rest_.remove_prefix(count);
   return taken;
@@ -13,13 +13,13 @@ std::string_view ArchiveReader::take(std::size_t count) {
 
 std::size_t ArchiveReader::count() {
   const auto count = get<std::uint64_t>();
-  require(count <= rest_.size(), "a list of ", count, " entries was expected where ", rest_.size(), " bytes are left");
+  require(count <= rest_.size(), "base.archive.list", {{"count", count}, {"left", rest_.size()}});
   return static_cast<std::size_t>(count);
 }
 
 std::string_view ArchiveReader::section(const std::string& name) {
   const auto found = get<std::string>();
-  require(found == name, "the section '", name, "' was expected, '", found, "' came");
+  require(found == name, "base.archive.section", {{"expected", name}, {"found", found}});
   return take(count());
 }
 
@@ -49,23 +49,24 @@ void write_archive(const std::string& file, const ArchiveKind& kind, const Archi
 
 std::string read_archive(const std::string& file, const ArchiveKind& kind) {
   const std::string bytes = read_whole(file), line = first_line(kind);
-  require(bytes.starts_with(line), "'", file, "' is not a ", kind.name, " of signorini: name a file that it has saved");
-  const auto damaged = [&](const auto&... what) {
-    fail("'", file, "' is damaged: ", what..., "; take an older copy, or start anew without it");
+  require(bytes.starts_with(line), "base.archive.kind", {{"file", file}, {"kind", kind.name}});
+  const auto damaged = [&](const Message& damage) {
+    fail("base.archive.damaged", {{"file", file}, {"damage", damage}});
   };
+  const Message cut_off("base.archive.cut_off", {{"length", bytes.size()}});
   ArchiveReader reader(std::string_view(bytes).substr(line.size()));
-  if (reader.remaining() < sizeof(kind.version)) damaged("it is cut off after ", bytes.size(), " bytes");
+  if (reader.remaining() < sizeof(kind.version)) damaged(cut_off);
   const auto version = reader.get<std::uint32_t>();
-  require(version == kind.version, "'", file, "' was written in format ", version, ", this program reads format ",
-          kind.version, ": use the program that wrote it");
-  if (reader.remaining() < sizeof(std::uint64_t)) damaged("it is cut off after ", bytes.size(), " bytes");
+  require(version == kind.version, "base.archive.version",
+          {{"file", file}, {"written", version}, {"known", kind.version}});
+  if (reader.remaining() < sizeof(std::uint64_t)) damaged(cut_off);
   const auto length = reader.get<std::uint64_t>();
   const std::size_t rest = reader.remaining(), tail = sizeof(std::uint64_t);
-  if (rest < tail || length > rest - tail) damaged("it is cut off after ", bytes.size(), " bytes");
-  if (length < rest - tail) damaged(rest - tail - length, " bytes follow its end");
+  if (rest < tail || length > rest - tail) damaged(cut_off);
+  if (length < rest - tail) damaged(Message("base.archive.trailing", {{"count", rest - tail - length}}));
   std::string body(reader.take(static_cast<std::size_t>(length)));
   if (reader.get<std::uint64_t>() != checksum(std::string_view(bytes).substr(0, bytes.size() - tail)))
-    damaged("its checksum is wrong");
+    damaged(Message("base.archive.checksum"));
   return body;
 }
 

@@ -114,10 +114,10 @@ auto read(ArchiveReader& from, std::type_identity<Eigen::Matrix<double, Rows, Co
   constexpr auto fits = [](int fixed, std::uint64_t size) {
     return fixed == Eigen::Dynamic || static_cast<std::uint64_t>(fixed) == size;
   };
-  require(fits(Rows, rows) && fits(Columns, columns), "a matrix of ", rows, " x ", columns, " stands where one of ",
-          Rows, " x ", Columns, " was expected");
-  require(columns == 0 || rows <= from.remaining() / sizeof(double) / columns, "a matrix of ", rows, " x ", columns,
-          " is cut off");
+  require(fits(Rows, rows) && fits(Columns, columns), "base.archive.matrix",
+          {{"rows", rows}, {"columns", columns}, {"expected_rows", Rows}, {"expected_columns", Columns}});
+  require(columns == 0 || rows <= from.remaining() / sizeof(double) / columns, "base.archive.matrix_cut_off",
+          {{"rows", rows}, {"columns", columns}});
   Eigen::Matrix<double, Rows, Columns> matrix(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(columns));
   for (Eigen::Index i = 0; i < matrix.size(); ++i) matrix.data()[i] = from.get<double>();
   return matrix;

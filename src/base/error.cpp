@@ -1,18 +1,9 @@
 #include "base/error.hpp"
 
-#include <sstream>
-
 namespace signorini {
 
-std::string joined(std::initializer_list<TextPart> parts) {
-  std::ostringstream out;
-  out.precision(10);
-  for (const TextPart& part : parts) out << part;
-  return out.str();
-}
-
-void fail_with(std::initializer_list<TextPart> parts) {
-  throw Error(joined(parts));
+void fail(const char* code, std::initializer_list<Datum> data) {
+  throw Error(Message(code, data));
 }
 
 } // namespace signorini

@@ -47,7 +47,7 @@ constexpr int glance = 100; // ms between two looks at the Ctrl-C flag and at th
   } catch (const std::exception& error) {
     message = threw + std::string(error.what());
   } catch (...) {
-    message = threw + std::string("something that is no exception was thrown");
+    message = threw + std::string("unknown exception");
   }
   std::cout.flush();
   std::fflush(nullptr); // what the job printed; the parent's own output left before the fork
@@ -59,8 +59,7 @@ class Child {
 public:
   Child(int number, const std::function<std::string(int)>& job) : number_(number) {
     int ends[2];
-    require(pipe2(ends, O_CLOEXEC) == 0, "no pipe to a further process (", std::strerror(errno),
-            "): run fewer jobs at once");
+    require(pipe2(ends, O_CLOEXEC) == 0, "base.jobs.pipe", {{"reason", std::strerror(errno)}});
     std::cout.flush();
     std::fflush(nullptr);
     const pid_t parent = getpid();
@@ -70,7 +69,7 @@ public:
     close(ends[1]);
     pipe_ = ends[0];
     if (id_ < 0) close(pipe_);
-    require(id_ > 0, "no further process (", std::strerror(reason), "): run fewer jobs at once");
+    require(id_ > 0, "base.jobs.fork", {{"reason", std::strerror(reason)}});
   }
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
@@ -92,15 +91,15 @@ public:
   /// Waits for its end, which it is near unless it is killed now, and tells what came of it.
   JobEnd result(bool late) {
     const int status = end(late);
-    JobEnd result{number_, "", ""};
+    JobEnd result{number_, "", {}};
     if (late)
-      result.failure = "time";
+      result.failure = Message("base.jobs.time");
     else if (WIFSIGNALED(status))
-      result.failure = text("died of signal ", WTERMSIG(status));
+      result.failure = Message("base.jobs.signal", {{"signal", WTERMSIG(status)}});
     else if (status != 0 || data_.empty())
-      result.failure = text("left with status ", WEXITSTATUS(status), " before it returned anything");
+      result.failure = Message("base.jobs.status", {{"status", WEXITSTATUS(status)}});
     else if (data_[0] == threw)
-      result.failure = "failed: " + data_.substr(1);
+      result.failure = Message("base.jobs.threw", {{"error", data_.substr(1)}});
     else
       result.output = data_.substr(1);
     return result;
@@ -137,8 +136,8 @@ std::vector<pollfd> look_at(const std::list<Child>& children) {
 
 bool run_jobs(int count, const JobLimits& limits, const std::function<std::string(int)>& job,
               const std::function<void(const JobEnd&)>& done, const std::function<void(int)>& look) {
-  require(limits.at_once >= 1, "at least one process must run at once, got ", limits.at_once);
-  require(limits.seconds > 0, "the limit must be a positive number of seconds, got ", limits.seconds);
+  require(limits.at_once >= 1, "base.jobs.at_once", {{"at_once", limits.at_once}});
+  require(limits.seconds > 0, "base.jobs.seconds", {{"seconds", limits.seconds}});
   std::list<Child> children;
   for (int next = 0; next < count || !children.empty();) {
     while (next < count && static_cast<int>(children.size()) < limits.at_once && !interrupted())

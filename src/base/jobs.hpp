@@ -1,6 +1,8 @@
 #pragma once
 // Jobs in processes of their own, side by side: what one of them does to memory, or its crash, touches no other.
 
+#include "base/message.hpp"
+
 #include <functional>
 #include <limits>
 #include <string>
@@ -9,9 +11,9 @@ namespace signorini {
 
 /// How a job ended: with what it returned, or with a reason.
 struct JobEnd {
-  int job = 0;         ///< its number, from 0
-  std::string output;  ///< what it returned; empty when it failed
-  std::string failure; ///< empty, or "time", "died of signal 9", "failed: …", "left with status 3 …"
+  int job = 0;        ///< its number, from 0
+  std::string output; ///< what it returned; empty when it failed
+  Message failure;    ///< why it failed: "base.jobs.time" and others of jobs.cpp; empty when it returned
 };
 
 struct JobLimits {

@@ -24,7 +24,7 @@ std::string holder(int handle) {
 } // namespace
 
 Lock::Lock(const std::string& file) : handle_(open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
-  require(handle_ >= 0, "cannot write '", file, "': ", std::strerror(errno), "; choose a folder that you may write to");
+  require(handle_ >= 0, "base.lock.write", {{"file", file}, {"reason", std::strerror(errno)}});
   // Children of a holder that was just killed take a moment to follow it.
   int reason = EWOULDBLOCK;
   for (int attempt = 0; attempt < 20 && (reason == EWOULDBLOCK || reason == EINTR); ++attempt) {
@@ -34,9 +34,8 @@ Lock::Lock(const std::string& file) : handle_(open(file.c_str(), O_RDWR | O_CREA
   if (reason != 0) {
     const std::string who = holder(handle_);
     close(handle_);
-    require(reason == EWOULDBLOCK, "cannot lock '", file, "': ", std::strerror(reason),
-            "; choose a folder of another file system");
-    fail("'", file, "' is held by ", who, ": wait until it has ended, or choose another folder");
+    require(reason == EWOULDBLOCK, "base.lock.lock", {{"file", file}, {"reason", std::strerror(reason)}});
+    fail("base.lock.held", {{"file", file}, {"holder", who}});
   }
   // Who holds it is told to others on a best effort: a full disk is no reason to stop here.
   const std::string self = text("process ", getpid(), " on ", host_name());

@@ -22,7 +22,7 @@ public:
       for (int i = 0; i < helpers; ++i) threads_.emplace_back([this] { serve(); });
     } catch (const std::system_error& e) {
       end();
-      fail("the system starts no more than ", size(), " of ", helpers + 1, " threads (", e.what(), "): take fewer");
+      fail("base.threads.start", {{"started", size()}, {"wanted", helpers + 1}, {"reason", e.what()}});
     }
   }
   ~Team() { end(); }

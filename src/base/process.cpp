@@ -52,7 +52,8 @@ void run_program(const std::vector<std::string>& words) {
   for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
   int ends[2];
-  require(::pipe2(ends, O_CLOEXEC) == 0, "cannot run ", words[0], ": ", std::strerror(errno));
+  require(::pipe2(ends, O_CLOEXEC) == 0, "base.process.start",
+          {{"program", words[0]}, {"reason", std::strerror(errno)}});
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
@@ -64,9 +65,10 @@ void run_program(const std::vector<std::string>& words) {
   ::close(ends[1]);
   const std::string said = failed ? "" : last_words(ends[0]);
   ::close(ends[0]);
-  require(failed == 0, "cannot run ", words[0], ": ", std::strerror(failed));
+  require(failed == 0, "base.process.start", {{"program", words[0]}, {"reason", std::strerror(failed)}});
   const int status = wait_for(id);
-  require(WIFEXITED(status) && WEXITSTATUS(status) == 0, words[0], " failed and said: ", said);
+  require(WIFEXITED(status) && WEXITSTATUS(status) == 0, "base.process.failed",
+          {{"program", words[0]}, {"output", said}});
 }
 
 } // namespace signorini

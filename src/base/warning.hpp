@@ -1,16 +1,18 @@
 #pragma once
 // What a user should know of a result that is there all the same.
 
+#include "base/message.hpp"
+
 #include <iostream>
-#include <set>
-#include <string>
 
 namespace signorini {
 
-/// Prints a line to the standard error, each message once. Inline, as the renderer's module does not link this room.
-inline void warn(const std::string& message) {
-  static std::set<std::string> said;
-  if (said.insert(message).second) std::cerr << "signorini: warning: " << message << std::endl;
+/// Takes warnings: bind words and prints them. A module that is loaded later has a sink of its own.
+using WarningSink = void (*)(const Message& warning);
+inline WarningSink warning_sink = [](const Message& warning) { std::cerr << bare_text(warning) << std::endl; };
+
+inline void warn(const char* code, std::initializer_list<Datum> data = {}) {
+  warning_sink(Message(code, data));
 }
 
 } // namespace signorini

@@ -32,8 +32,7 @@ struct Temporary {
 };
 
 [[noreturn]] void cannot_write(const std::string& file, int error) {
-  fail("cannot write '", file, "': ", std::strerror(error),
-       "; choose a file in a folder that you may write to, with space left");
+  fail("base.file.write", {{"file", file}, {"reason", std::strerror(error)}});
 }
 
 constexpr std::string_view ending = ".part";
@@ -63,12 +62,10 @@ void check_folder(const std::string& file, const fs::path& folder) {
   fs::path above = folder;
   while (above.has_parent_path() && above != above.parent_path() && !fs::exists(above, ignored))
     above = above.parent_path();
-  require(!fs::exists(above, ignored) || fs::is_directory(above, ignored), "cannot write '", file, "': '",
-          above.string(), "' is a file, not a folder; choose another name");
-  require(*folder.begin() != "~", "cannot write '", file,
-          "': only the shell knows '~'; write the folder's whole name, os.getenv \"HOME\" .. \"/…\"");
-  fail("cannot write '", file, "': the folder '", folder.string(), "' does not exist; create it first: sg.mkdir \"",
-       folder.string(), "\"");
+  require(!fs::exists(above, ignored) || fs::is_directory(above, ignored), "base.file.in_a_file",
+          {{"file", file}, {"above", above.string()}});
+  require(*folder.begin() != "~", "base.file.tilde", {{"file", file}});
+  fail("base.file.no_folder", {{"file", file}, {"folder", folder.string()}});
 }
 
 } // namespace
@@ -85,9 +82,9 @@ bool write_all(int handle, std::string_view bytes) {
 void write_whole(const std::string& file, std::string_view bytes, bool durable) {
   const fs::path path(file), folder = folder_of(path);
   std::error_code ignored;
-  require(path.has_filename(), "file '", file, "' names a folder; add the name of a file");
+  require(path.has_filename(), "base.file.no_name", {{"file", file}});
   check_folder(file, folder);
-  require(!fs::is_directory(path, ignored), "cannot write '", file, "': it is a folder; add the name of a file");
+  require(!fs::is_directory(path, ignored), "base.file.write_folder", {{"file", file}});
 
   const std::string name = (folder / text(temporary_stem(path), ::getpid(), ending)).string();
   Temporary temporary{name, ::open(name.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)};
@@ -111,12 +108,12 @@ void remove_leftovers(const std::string& file) {
 
 std::string read_whole(const std::string& file) {
   std::error_code ignored;
-  require(!fs::is_directory(file, ignored), "cannot read '", file, "': it is a folder; name a file");
+  require(!fs::is_directory(file, ignored), "base.file.read_folder", {{"file", file}});
   std::ifstream in(file, std::ios::binary);
-  require(in.good(), "cannot read '", file, "': ", std::strerror(errno), "; check the name and the folder");
+  require(in.good(), "base.file.read", {{"file", file}, {"reason", std::strerror(errno)}});
   std::ostringstream out;
   out << in.rdbuf();
-  require(!in.bad(), "cannot read '", file, "': ", std::strerror(errno));
+  require(!in.bad(), "base.file.read_broken", {{"file", file}, {"reason", std::strerror(errno)}});
   return std::move(out).str();
 }
 

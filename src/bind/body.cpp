@@ -1,13 +1,14 @@
 #include "base/machine.hpp"
-#include "base/warning.hpp"
 #include "base/words.hpp"
 #include "bind/functions.hpp"
 #include "bind/material.hpp"
 #include "bind/open.hpp"
 #include "bind/patch.hpp"
 #include "bind/place.hpp"
+#include "bind/wording/wording.hpp"
 #include "nurbs/coincident.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace signorini::bind {
@@ -16,63 +17,40 @@ namespace {
 
 using nurbs::Side;
 
-/// The contact faces: a name or a list of names.
-std::vector<Side> read_contact(lua_State* L, const Options& o, int dimensions) {
+/// The contact faces, where a body has any.
+std::vector<Side> contact_of(const Arguments& a, int dimensions) {
   std::vector<Side> sides;
-  if (!o.has("contact")) return sides;
-  const Argument argument = o.argument("contact", "the face that carries the layer, or a list of two opposite ones");
-  const int index = o.push_value("contact");
-  const std::vector<std::string> names = face_names(dimensions);
-  const auto add = [&](int at) {
-    const std::string name = lua_type(L, at) == LUA_TSTRING ? lua_tostring(L, at) : "";
-    const std::string meant = nurbs::meant_side(name, dimensions);
-    if (!meant.empty() && meant != name) reject(L, at, argument, one_of(names), text("did you mean '", meant, "'?"));
-    sides.push_back(nurbs::side_of(read_choice(L, at, argument, names), dimensions));
-  };
-  if (!lua_istable(L, index)) {
-    add(index);
-    return sides;
-  }
-  for (int i = 1, count = read_list(L, index, argument); i <= count; ++i) {
-    lua_rawgeti(L, index, i);
-    add(-1);
-    lua_pop(L, 1);
+  const std::vector<std::string> known = face_names(dimensions);
+  for (const std::string& name : a.get<std::vector<std::string>>("contact", {})) {
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      const std::string meant = nurbs::meant_side(name, dimensions);
+      a.fail("contact must be ", one_of(known), " (the face that carries the layer), got the string '", name, "'",
+             meant.empty() ? "" : text(": did you mean '", meant, "'?"));
+    }
+    sides.push_back(nurbs::side_of(name, dimensions));
   }
   return sides;
 }
 
-/// One label for all directions that it speaks of, or a list of one for each: along the contact face, or all.
-std::vector<nurbs::Label> read_labels(lua_State* L, const Options& o, int dimensions, bool contact) {
-  const char* meaning = "a label such as \"N2\", \"N4\", \"N2-N4\", \"N2-N2.2\" or \"L1\"";
-  const int index = o.push_value("order"), wanted = contact ? dimensions - 1 : dimensions;
-  if (!lua_istable(L, index))
-    return std::vector<nurbs::Label>(static_cast<std::size_t>(wanted), nurbs::parse_label(o.string("order", meaning)));
-  const Argument argument = o.argument("order", contact ? "one per direction along the contact face"
-                                                        : "one per parametric direction, for there is no contact face");
-  const std::string expected = text("a label, or a list of ", wanted, wanted == 1 ? " label" : " labels");
+/// A label for each direction along the contact face, or for all.
+std::vector<nurbs::Label> labels_of(const Arguments& a, std::size_t directions) {
   std::vector<nurbs::Label> labels;
-  const int count = read_list(L, index, argument, expected.c_str());
-  if (count != wanted) reject(L, index, argument, expected);
-  for (int i = 1; i <= count; ++i) {
-    lua_rawgeti(L, index, i);
-    labels.push_back(nurbs::parse_label(read_string(L, -1, {text("order[", i, "]"), meaning})));
-    lua_pop(L, 1);
-  }
+  for (const std::string& name : a.get<std::vector<std::string>>("order")) labels.push_back(nurbs::parse_label(name));
+  if (labels.size() == 1) labels.resize(directions, labels.front());
   return labels;
 }
 
-/// 2 or 3. Throws ArgumentError when the patch is no body's shape.
-int read_dimension(lua_State* L, const Options& o, const nurbs::Patch& patch) {
+/// 2 or 3. Throws ArgumentError when the patch cannot be a body's shape.
+int dimension_of(const Arguments& a, const nurbs::Patch& patch) {
   const int dimensions = patch.parametric_dimension();
   if (dimensions == patch.dimension()) return dimensions;
   const char* kinds[] = {"curve", "surface", "volume"};
-  reject(
-      L, o.push_value("patch"), o.argument("patch", "the reference geometry"),
-      "a surface in the plane, or a volume in 3D",
-      text("this one is a ", kinds[dimensions - 1], patch.dimension() == 2 ? " in the plane" : " in 3D",
-           dimensions == 2
-               ? ": make a volume of it with sg.nurbs.extrude, or bring a flat one with patch:to_plane() to the plane"
-               : ""));
+  a.refuse("patch", "a surface in the plane, or a volume in 3D",
+           text("this one is a ", kinds[dimensions - 1], patch.dimension() == 2 ? " in the plane" : " in 3D",
+                dimensions == 2
+                    ? ": make a volume of it with sg.nurbs.extrude, or bring a flat one into the plane with "
+                      "patch:to_plane()"
+                    : ""));
 }
 
 /// Refuses a body that cannot fit, and says what a large one takes: before anything of it is made.
@@ -101,32 +79,28 @@ void check_size(lua_State* L, const nurbs::Plan& plan, int dimensions) {
               number(std::round(table / 1e8) / 10), " GB: making them takes a while, and solving much longer"));
 }
 
-template <int D> void push_body(lua_State* L, const nurbs::Patch& patch, const nurbs::Plan& plan, const Options& o) {
-  const auto& material =
-      o.object<solid::Material>("material", "such as sg.neo_hookean{ E = 1, nu = 0.3 } or sg.linear_elastic{ … }");
+template <int D> void push_body(lua_State* L, const nurbs::Patch& patch, const nurbs::Plan& plan, const Arguments& a) {
   const auto& made =
-      push_object<Body<D>>(L, std::make_shared<const solid::Body<D>>(nurbs::Discretisation(patch, plan), material));
+      push_object<Body<D>>(L, std::make_shared<const solid::Body<D>>(nurbs::Discretisation(patch, plan),
+                                                                     a.object<solid::Material>("material")));
   count_memory(L, static_cast<double>(made->memory()));
 }
 
 int body(lua_State* L) {
-  const Options o(L, 1, {"patch", "elements", "order", "contact", "material", "through", "grading"});
-  const auto& patch = o.object<nurbs::Patch>("patch", "the reference geometry");
-  const int dimensions = read_dimension(L, o, patch);
+  const Arguments a(L);
+  const auto& patch = a.object<nurbs::Patch>("patch");
+  const int dimensions = dimension_of(a, patch);
   nurbs::Plan plan;
-  plan.elements = read_per_direction(L, o.push_value("elements"), o.argument("elements", "knot spans per direction"),
-                                     dimensions, 1, 1'000'000);
-  if (o.has("grading")) plan.grading = read_gradings(L, o.push_value("grading"), o.argument("grading"), dimensions);
-  plan.contact = read_contact(L, o, dimensions);
-  plan.labels = read_labels(L, o, dimensions, !plan.contact.empty());
-  if (o.has("through"))
-    plan.through = o.integer("through", "degree in the thickness direction, from the contact face to the opposite one",
-                             1, nurbs::max_degree);
+  plan.elements = a.get<std::vector<int>>("elements");
+  plan.grading = gradings_of(a, "grading");
+  plan.contact = contact_of(a, dimensions);
+  plan.labels = labels_of(a, static_cast<std::size_t>(plan.contact.empty() ? dimensions : dimensions - 1));
+  if (a.has("through")) plan.through = a.get<int>("through");
   check_size(L, plan, dimensions);
   if (dimensions == 2)
-    push_body<2>(L, patch, plan, o);
+    push_body<2>(L, patch, plan, a);
   else
-    push_body<3>(L, patch, plan, o);
+    push_body<3>(L, patch, plan, a);
   return 1;
 }
 
@@ -182,54 +156,12 @@ template <int D> int body_text(lua_State* L) {
   return 1;
 }
 
-constexpr Function body_functions[] = {
-    {"body", body,
-     "sg.body{ patch, elements, order, contact, material, through, grading }\n"
-     "A solid body. patch: its shape, a surface in the plane or a volume in 3D. elements: knot spans per parametric\n"
-     "direction. order: a discretisation label, see help \"labels\", or a list of one per direction. contact: the\n"
-     "face that carries the layer (\"south\"), or two opposite ones. through: the degree in the thickness direction, "
-     "from\n"
-     "the contact face to the opposite one, at least the geometry's own; by default that of the label's bulk, as\n"
-     "without contact. Degree 1 takes about half of the unknowns and of the time, as the published studies do, but\n"
-     "locks in bending and for nu near 0.5. print(body) shows the degrees. grading: as in patch:refine.\n"
-     "Where a patch is folded so that two opposite faces are one, as in a full ring, the body is joined at that seam;\n"
-     "print(body) says along which direction it is closed.\n"
-     "Source: k-refinement 2.3.3, varying-order layers (5.1) to (5.6) of V. Agrawal, thesis, IIT Guwahati, 2020.\n"
-     "Example: sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = {8, 3}, order = \"N2-N2.2\",\n"
-     "                  contact = \"north\", material = sg.neo_hookean{ E = 1, nu = 0.3 } }\n"
-     "Example: sg.body{ patch = sg.shapes.block{ size = {4, 4, 2} }, elements = {4, 4, 2}, order = {\"N2-N4\", "
-     "\"N2\"},\n"
-     "                  contact = \"back\", material = sg.neo_hookean{ E = 1, nu = 0.3 } }"},
-};
+constexpr Function body_functions[] = {{"body", body}};
 
 template <int D>
 constexpr Function body_entries[] = {
-    {"__tostring", body_text<D>,
-     "body\nWhat sg.body returns, an immutable value; print(body) tells its elements and degrees per direction, of its "
-     "rows\nof control points one after the other where these differ, and its size; tostring(body) the first line of "
-     "that.\nMethods: face, edge, corner, dofs, points."},
-    {"dofs", dofs<D>,
-     "b:dofs()\n"
-     "Degrees of freedom { interface, bulk, total }: of the contact faces' control points, of all others, of all.\n"
-     "Example: slab:dofs().total"},
-    {"face", face<D>,
-     "b:face(name)\n"
-     "A face for supports and contacts: \"west\", \"east\" (xi1), \"south\", \"north\" (xi2), in 3D \"front\",\n"
-     "\"back\" (xi3).\n"
-     "Example: slab:face \"north\""},
-    {"edge", edge<D>,
-     "b:edge(name)\nThe control points where two faces of a solid body meet, for supports: \"south-front\" and so on.\n"
-     "Example: cube:edge \"south-front\""},
-    {"corner", corner<D>,
-     "b:corner(name)\n"
-     "The control point of a corner for supports: \"south-west\", in 3D \"west-south-front\" and so on.\n"
-     "Example: slab:corner \"south-west\""},
-    {"points", points<D>,
-     "b:points()\n"
-     "The control points {{x, y}, …}, row after row from south to north (west to east when the contact face is west\n"
-     "or east); in 3D {{x, y, z}, …}, layer after layer from front to back, or along the direction of the contact\n"
-     "face.\n"
-     "Example: slab:points()[1]  --> {0.0, 0.0}"},
+    {"__tostring", body_text<D>}, {"dofs", dofs<D>},     {"face", face<D>}, {"edge", edge<D>},
+    {"corner", corner<D>},        {"points", points<D>},
 };
 
 } // namespace

@@ -46,6 +46,8 @@ template <int D> bool write_scene_object(lua_State* L, ArchiveWriter& to) {
   return write_any<Body<D>, Place<D>, Rigid<D>, Snapshot<D>, Model<D>>(L, to);
 }
 
+/// core.content(object): all that a patch, a material, a body, a face, an obstacle, a model or a snapshot holds, as
+/// bytes to compare; nil for other values.
 int content(lua_State* L) {
   ArchiveWriter bytes;
   if (!write_any<nurbs::Patch, solid::Material>(L, bytes) && !write_scene_object<2>(L, bytes) &&
@@ -55,13 +57,7 @@ int content(lua_State* L) {
   return 1;
 }
 
-constexpr Function content_entries[] = {
-    {"content", content,
-     "core.content(object)\n"
-     "All that a patch, a material, a body, a face, an obstacle, a model or a snapshot holds, as bytes to compare; "
-     "nil\n"
-     "for other values."},
-};
+constexpr Function content_entries[] = {{"content", content}};
 
 } // namespace
 

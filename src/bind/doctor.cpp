@@ -1,10 +1,12 @@
 #include "bind/doctor.hpp"
+#include "bind/wording/wording.hpp"
 
 #include "base/error.hpp"
+#include "base/whole_file.hpp"
 #include "bind/library.hpp"
 #include "bind/versions.hpp"
-#include "view/flat_renderer.hpp"
 #include "view/picture.hpp"
+#include "view/renderer.hpp"
 #include "view/series.hpp"
 
 #include <filesystem>
@@ -30,7 +32,9 @@ std::string test_picture() {
   options.title = "signorini";
   options.size = {400, 300};
   const fs::path file = fs::temp_directory_path() / text("signorini-doctor-", getpid(), ".png");
-  view::draw_picture({square}, options, file.string());
+  write_whole(file.string(),
+              view::bytes_of(view::figure_of(view::make_plate(std::vector<view::Panel>{{"", {square}}}, options)),
+                             view::format_of(file.string())));
   const auto bytes = fs::file_size(file);
   fs::remove(file);
   return text("ok (", bytes, " bytes)");
@@ -48,7 +52,7 @@ bool doctor(std::ostream& out, int threads, const std::string& readline) {
       row(name, check());
     } catch (const std::exception& error) {
       well = false;
-      row(name, text("FAILED: ", error.what()));
+      row(name, text("FAILED: ", worded(error)));
     }
   };
   for (const auto& [name, version] : versions()) row(name.c_str(), version);

@@ -21,10 +21,10 @@ void check_disc(lua_State* L, const RigidShape<2>& rigid, bool revolved, const s
                              "kind = \"axisymmetric\" for the model"));
   if (rigid.form == RigidForm::cylinder && revolved)
     throw ArgumentError(text(function_name(L), ": ", where, " is a cylinder across an axisymmetric model: use ",
-                             "sg.rigid.sphere with its centre on the axis x = 0"));
+                             "sg.rigid.sphere with its center on the axis x = 0"));
   if (const auto* ball = std::get_if<contact::Ball<2>>(&rigid.shape); ball && revolved && ball->centre(0) != 0)
-    throw ArgumentError(text(function_name(L), ": ", where, " has its centre at x = ", ball->centre(0),
-                             ": in an axisymmetric model a sphere's centre lies on the axis, x = 0"));
+    throw ArgumentError(text(function_name(L), ": ", where, " has its center at x = ", ball->centre(0),
+                             ": in an axisymmetric model a sphere's center lies on the axis, x = 0"));
 }
 
 } // namespace
@@ -39,17 +39,17 @@ template <int D> int index_of(lua_State* L, Draft<D>& draft, const Rigid<D>& rig
 }
 
 template <int D>
-model::FaceReference face_of(lua_State* L, const model::Scene<D>& scene, int index, const Argument& argument) {
-  const Place<D>& place = read_object<Place<D>>(L, index, argument);
-  if (!place.side) reject_place(L, place, argument, "a face", text(with_article(kind_of(place)), " has no surface"));
-  return {index_of(L, scene, place, argument.name), *place.side};
+model::FaceReference face_of(lua_State* L, const model::Scene<D>& scene, int index, const std::string& where) {
+  const Place<D>& place = read_object<Place<D>>(L, index, {where});
+  if (!place.side) reject_place(L, place, where, "a face", text(with_article(kind_of(place)), " has no surface"));
+  return {index_of(L, scene, place, where), *place.side};
 }
 
 template int index_of<2>(lua_State*, const model::Scene<2>&, const Place<2>&, const std::string&);
 template int index_of<2>(lua_State*, Draft<2>&, const Rigid<2>&, const std::string&);
-template model::FaceReference face_of<2>(lua_State*, const model::Scene<2>&, int, const Argument&);
+template model::FaceReference face_of<2>(lua_State*, const model::Scene<2>&, int, const std::string&);
 template int index_of<3>(lua_State*, const model::Scene<3>&, const Place<3>&, const std::string&);
 template int index_of<3>(lua_State*, Draft<3>&, const Rigid<3>&, const std::string&);
-template model::FaceReference face_of<3>(lua_State*, const model::Scene<3>&, int, const Argument&);
+template model::FaceReference face_of<3>(lua_State*, const model::Scene<3>&, int, const std::string&);
 
 } // namespace signorini::bind

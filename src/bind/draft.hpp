@@ -17,19 +17,15 @@ int index_of(lua_State* L, const model::Scene<D>& scene, const Place<D>& place, 
 /// Index of an obstacle; a new one is appended. Throws ArgumentError when it does not fit the kind of scene.
 template <int D> int index_of(lua_State* L, Draft<D>& draft, const Rigid<D>& rigid, const std::string& where);
 
-/// The face at a stack index. Throws ArgumentError for anything else.
+/// The face at a stack index. Throws ArgumentError for anything else; `where` names the argument.
 template <int D>
-model::FaceReference face_of(lua_State* L, const model::Scene<D>& scene, int index, const Argument& argument);
+model::FaceReference face_of(lua_State* L, const model::Scene<D>& scene, int index, const std::string& where);
 
-/// One entry of `supports`, `loads` or `contacts`. New obstacles go into the draft, what is read does not.
+/// One entry of `supports`, `loads` or `contacts`, whose name the caller gives it. New obstacles go into the draft.
+template <int D> model::Support<D> read_support(lua_State* L, Draft<D>& draft, const Arguments& a);
+template <int D> model::Load read_load(lua_State* L, const model::Scene<D>& scene, const Arguments& a);
+/// `name`: under which sg.model's argument has it.
 template <int D>
-model::Support<D> read_support(lua_State* L, Draft<D>& draft, const std::string& name, int index,
-                               const Argument& entry);
-template <int D>
-model::Load read_load(lua_State* L, const model::Scene<D>& scene, const std::string& name, int index,
-                      const Argument& entry);
-template <int D>
-model::Contact<D> read_contact(lua_State* L, Draft<D>& draft, const std::string& name, int index,
-                               const Argument& entry);
+model::Contact<D> read_contact(lua_State* L, Draft<D>& draft, const Arguments& a, const std::string& name);
 
 } // namespace signorini::bind

@@ -1,22 +1,28 @@
 #pragma once
-// States of models as pictures show them, free of their models.
+// States of models and patches as pictures show them, free of their models.
 
 #include "base/window.hpp"
+#include "bind/arguments.hpp"
 #include "bind/scene.hpp"
+#include "tessellation/tessellate.hpp"
 #include "view/picture.hpp"
 #include "view/solid_picture.hpp"
 
+#include <variant>
+
 namespace signorini::bind {
 
-/// How a state shall be shown.
+/// How a state, or patches, shall be shown.
 struct Showing {
-  std::string field; ///< empty: grey
+  std::string field = ""; ///< empty: gray
   double factor = 1;
   bool deformed = true, undeformed = false, mesh = true, control_points = false;
   bool obstacles = true;
-  std::vector<int> bodies;     ///< those to be drawn
-  std::string mirror;          ///< axes across which the model goes on, "xy"
-  std::vector<Window> windows; ///< what is shown larger than the whole, its images in the mirrors as well
+  bool names = true;                ///< of patches: faces and directions, of several their numbers as well
+  std::string vectors = "";         ///< "displacement", "traction", or none
+  std::vector<int> bodies = {};     ///< those to be drawn
+  std::string mirror = "";          ///< axes across which the model goes on, "xy"
+  std::vector<Window> windows = {}; ///< what is shown larger than the whole, its images in the mirrors as well
 };
 
 /// Where a model of solids is cut open; without a point through the middle of what is shown.
@@ -25,11 +31,15 @@ struct Cut {
   std::optional<Vec<3>> point = {};
 };
 
-/// What a colour bar calls the field. Throws Error when models of this dimension know no such field.
-template <int D> std::string field_label(const std::string& field);
-
 view::Panel show(const model::Model<2>& model, const Showing& showing);
 view::SolidPanel show(const model::Model<3>& model, const Showing& showing, const std::optional<Cut>& cut);
+
+/// Curves, surfaces and volumes before they are bodies; all in the plane, or all in space.
+std::variant<view::Panel, view::SolidPanel> show(const std::vector<nurbs::Patch>& patches, const Showing& showing);
+
+/// What pictures draw of a plane or a solid body, or of a patch.
+view::Body plane_body(tessellation::Skin skin, const Showing& showing);
+view::Solid solid_body(tessellation::Skin skin, const Showing& showing);
 
 /// The field that is drawn on slave faces alone.
 inline constexpr const char* pressure_name = "contact_pressure";
@@ -37,6 +47,9 @@ inline constexpr const char* pressure_name = "contact_pressure";
 /// A band along the slave face of a contact, inside its body, that has the colours of the pressure; `size` is the
 /// longest side of what is drawn.
 view::Body pressure_band(const model::Model<2>& model, int contact, const Showing& showing, double size);
+
+/// The tractions on the slave faces of the bodies that are drawn, at the contact points that touch.
+template <int D> std::vector<view::PointVector> tractions(const model::Model<D>& model, const std::vector<int>& bodies);
 
 /// What becomes of a field's values in the mirror of an axis (0, 1, 2): components that point along it once change
 /// sign.

@@ -1,4 +1,5 @@
 #include "bind/functions.hpp"
+#include "bind/wording/wording.hpp"
 
 #include <algorithm>
 #include <new>
@@ -7,12 +8,8 @@ namespace signorini::bind {
 
 namespace {
 
-/// Gives the value on top of the stack (left there) its help page under a qualified name.
-void document(lua_State* L, const std::string& name, const char* doc) {
-  push_table(L, "core.docs");
-  push(L, doc);
-  lua_setfield(L, -2, name.c_str());
-  lua_pop(L, 1);
+/// Gives the value on top of the stack (left there) its qualified name.
+void name_value(lua_State* L, const std::string& name) {
   push_table(L, "core.names");
   lua_pushvalue(L, -2);
   push(L, name);
@@ -20,69 +17,71 @@ void document(lua_State* L, const std::string& name, const char* doc) {
   lua_pop(L, 1);
 }
 
-/// The end of what a bracket opens.
-std::size_t closing(std::string_view text, std::size_t open) {
-  int depth = 0;
-  for (std::size_t i = open; i < text.size(); ++i) {
-    if (text[i] == '(' || text[i] == '{') ++depth;
-    if ((text[i] == ')' || text[i] == '}') && --depth == 0) return i;
-  }
-  return text.size();
+// What a function's closure knows: its qualified name, how its arguments are checked, the C++ function; and of a method
+// of two C++ types the other function, and the key of its type.
+enum Upvalue { name_of_function = 1, check_of_arguments, first_function, second_function, second_key };
+
+enum Check { unchecked, of_function, of_method };
+
+/// Pushes what checks the arguments of calls.
+void push_checker(lua_State* L) {
+  constexpr const char* key = "signorini.checker";
+  if (lua_getfield(L, LUA_REGISTRYINDEX, key) == LUA_TFUNCTION) return;
+  lua_pop(L, 1);
+  lua_getglobal(L, "require");
+  lua_pushliteral(L, "signorini.check");
+  lua_call(L, 1, 1);
+  lua_getfield(L, -1, "call");
+  lua_remove(L, -2);
+  lua_pushvalue(L, -1);
+  lua_setfield(L, LUA_REGISTRYINDEX, key);
 }
 
-/// How a page's head says that a function is called: "p:elevate(dir, times = 1)", "sg.body{ … }"; and the most
-/// arguments that Lua may hand over then, the object of a method with them. −1: it does not say, or takes any number.
-struct Call {
-  std::string head;
-  int most;
-};
-
-Call read_call(std::string_view doc, bool method) {
-  const std::size_t open = doc.find_first_not_of("abcdefghijklmnopqrstuvwxyz_0123456789.:");
-  if (open == std::string_view::npos || (doc[open] != '(' && doc[open] != '{')) return {"", -1};
-  const std::string name(doc.substr(0, open));
-  if (doc[open] == '{') return {name + "{ … }", 1 + method};
-  const std::size_t end = closing(doc, open);
-  const std::string_view list = doc.substr(open + 1, end - open - 1);
-  if (list.find("…)") != std::string_view::npos || list.ends_with("…")) return {"", -1};
-  int count = list.empty() ? 0 : 1;
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    if (list[i] == '{' || list[i] == '(') i = closing(list, i);
-    if (i < list.size() && list[i] == ',') ++count;
-  }
-  return {std::string(doc.substr(0, end + 1)), count + method};
+/// Throws ArgumentError unless a method, "patch:face", is called on an object of its type.
+void check_owner(lua_State* L) {
+  const std::string name = function_name(L), owner = name.substr(0, name.find(':'));
+  if (!has_type(L, 1, owner.c_str()))
+    throw ArgumentError(text(name, " must be called on ", with_article(owner), ", not on ", describe(L, 1),
+                             ": write object:method(…) with a colon"));
 }
 
-// What a function's closure knows: its qualified name, the most arguments, how it is called, the C++ function; and of a
-// method of two C++ types the other function, and the key of its type.
-enum Upvalue { name_of_function = 1, most_arguments, head_of_page, first_function, second_function, second_key };
+/// Replaces the arguments from `first` to the top of the stack by those that the table of a function makes of them;
+/// before them stands the object of a method.
+void check_arguments(lua_State* L, const char* name, int first) {
+  const int before = lua_gettop(L), given = before - first + 1;
+  luaL_checkstack(L, given + 8, "too many arguments");
+  push_checker(L);
+  lua_pushstring(L, name);
+  if (first == 1) lua_pushnil(L);
+  for (int i = 1; i <= before; ++i) lua_pushvalue(L, i);
+  lua_call(L, given + 2, LUA_MULTRET);
+  for (int i = before; i >= first; --i) lua_remove(L, i);
+}
 
 int invoke(lua_State* L) {
-  const int most = static_cast<int>(lua_tointeger(L, lua_upvalueindex(most_arguments)));
-  if (most >= 0 && arguments_given(L) > most)
-    refuse_excess(L, function_name(L), lua_tostring(L, lua_upvalueindex(head_of_page)), most);
+  const auto check = static_cast<Check>(lua_tointeger(L, lua_upvalueindex(check_of_arguments)));
+  if (check == of_method) check_owner(L);
+  if (check != unchecked) check_arguments(L, function_name(L), check == of_method ? 2 : 1);
   const bool two = !lua_isnone(L, lua_upvalueindex(second_key));
   const bool second = two && luaL_testudata(L, 1, lua_tostring(L, lua_upvalueindex(second_key)));
   return lua_tocfunction(L, lua_upvalueindex(second ? second_function : first_function))(L);
 }
 
-/// The function as a closure that knows its qualified name and how many arguments it takes. `method`: its object is one
-/// of them. `types`: the C++ types of a method, or none.
+/// The function as a closure that knows its qualified name. `method`: its first argument is its object. `types`: the
+/// C++ types of a method, or none.
 void push_function(lua_State* L, const std::string& name, const Function& row, bool method,
                    std::span<const Implementation> types = {}, std::size_t place = 0) {
   const bool internal = name.starts_with("core.") || (row.name[0] == '_' && std::string_view(row.name) != "__call");
-  const Call call = internal ? Call{"", -1} : read_call(row.doc, method);
   const bool two = types.size() == 2;
   push(L, name);
-  push(L, call.most);
-  push(L, call.head);
+  push(L, static_cast<int>(internal ? unchecked : method ? of_method : of_function));
   lua_pushcfunction(L, row.function);
   if (two) {
     lua_pushcfunction(L, types[1].rows[place].function);
     push(L, types[1].key);
   }
   lua_pushcclosure(L, wrap<invoke>, two ? second_key : first_function);
-  document(L, name, row.doc);
+  name_value(L, name);
 }
 
 int unknown_method(lua_State* L) {
@@ -108,6 +107,7 @@ bool is_metamethod(const Function& row) {
 /// Pushes core.types[name] with the methods of a type.
 void push_methods(lua_State* L, const char* name, std::span<const Implementation> types) {
   push_table(L, text("core.types.", name));
+  name_value(L, name);
   for (std::size_t row = 0; row < types[0].rows.size(); ++row)
     if (const Function& first = types[0].rows[row]; !is_metamethod(first)) {
       push_function(L, text(name, ":", first.name), first, true, types, row);
@@ -139,35 +139,14 @@ void make_metatable(lua_State* L, const char* name, const Implementation& type) 
 
 } // namespace
 
-int arguments_given(lua_State* L) {
-  int given = lua_gettop(L);
-  while (given > 0 && lua_isnil(L, given)) --given;
-  return given;
-}
-
-std::string head_of_call(std::string_view doc) {
-  return read_call(doc, false).head;
-}
-
-void refuse_excess(lua_State* L, const std::string& name, const std::string& head, int most) {
-  const bool named = head.ends_with("}"); // what stands there instead of the table is worth the better message
-  if (named && !lua_istable(L, most)) return;
-  const bool numbers = lua_type(L, most) == LUA_TNUMBER && lua_type(L, most + 1) == LUA_TNUMBER;
-  throw ArgumentError(text(name, ": too many arguments: it is called as ", head, ", got ", describe(L, most + 1),
-                           " beyond that",
-                           numbers ? ": put numbers that belong together into braces, as in {1, 2}" : ""));
-}
-
 int raise(lua_State* L, const std::exception& error) {
-  std::string message = user_position(L), reason = error.what();
+  std::string message = user_position(L), reason = worded(error);
   if (dynamic_cast<const std::bad_alloc*>(&error))
     reason =
         "what was asked for does not fit into the memory of this machine: ask for fewer elements, points or pixels";
   if (!dynamic_cast<const ArgumentError*>(&error) && lua_isstring(L, lua_upvalueindex(1))) {
-    // Errors of the rooms below name the C++ function ("face: …"); the name in the script takes its place.
-    const std::string name = function_name(L), last = name.substr(name.find_last_of(".:") + 1) + ": ";
-    message += name + ": ";
-    if (reason.starts_with(last)) reason.erase(0, last.size());
+    // Errors of the modules below do not name the function.
+    message += std::string(function_name(L)) + ": ";
   }
   push(L, message + reason);
   return 1;

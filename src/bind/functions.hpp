@@ -1,5 +1,5 @@
 #pragma once
-// How C++ functions get into Lua: rows {name, function, doc}, from which registration and help both come.
+// How C++ functions get into Lua: rows {name, function}.
 
 #include "bind/stack.hpp"
 
@@ -7,12 +7,11 @@
 
 namespace signorini::bind {
 
-/// One row. `doc`: the first line is how to call it, the rest what it does, with units and defaults. The function may
-/// throw std::exception: registration makes a Lua error of it.
+/// One row. The function may throw std::exception: registration makes a Lua error of it. Public functions get their
+/// arguments as their table in lua/signorini/pages says: checked, with defaults.
 struct Function {
   const char* name;
   lua_CFunction function;
-  const char* doc;
 };
 
 /// Raises a Lua error with the message of a C++ exception, at the user's own script line.
@@ -31,14 +30,6 @@ template <int (*function)(lua_State*)> int wrap(lua_State* L) {
 
 /// Registers rows below a dotted name, "sg.nurbs" or "core"; tables are made where missing.
 void register_functions(lua_State* L, const std::string& table, std::span<const Function> rows);
-
-/// How many arguments the running function was called with, without nil at the end.
-int arguments_given(lua_State* L);
-/// How a page's first line says that its function is called; empty where it takes any number of arguments.
-std::string head_of_call(std::string_view doc);
-/// Fails for the arguments beyond the `most` that the function of this name looks at, unless the named arguments that
-/// its head shows are not even a table.
-void refuse_excess(lua_State* L, const std::string& name, const std::string& head, int most);
 
 /// Pushes the table of a dotted name, made where missing.
 void push_table(lua_State* L, const std::string& name);

@@ -1,8 +1,10 @@
 #include "base/jobs.hpp"
+#include "bind/arguments.hpp"
 #include "bind/error_text.hpp"
 #include "bind/functions.hpp"
 #include "bind/open.hpp"
 #include "bind/threads.hpp"
+#include "bind/wording/wording.hpp"
 
 namespace signorini::bind {
 
@@ -12,10 +14,6 @@ int add_traceback(lua_State* L) {
   push_error_text(L, 1);
   luaL_traceback(L, L, lua_tostring(L, -1), 1);
   return 1;
-}
-
-void require_function(lua_State* L, int index, const char* name, const char* meaning) {
-  if (!lua_isfunction(L, index)) reject(L, index, {name, meaning}, "a function");
 }
 
 /// What the function at `index` returns for a job, in the child: one thread for all libraries, no progress.
@@ -30,28 +28,31 @@ std::string call_job(lua_State* L, int index, int job) {
   require(lua_type(L, -1) == LUA_TSTRING, "the function of a job must return a string, got ", describe(L, -1));
   std::size_t size;
   const char* result = lua_tolstring(L, -1, &size);
-  if (!ok) throw Error(result);
+  if (!ok) throw std::runtime_error(result);
   return {result, size};
 }
 
+/// core.jobs(count, at_once, run, done, limit, look): calls run(i) for i = 1 … count, each in a child process of its
+/// own, at most at_once of them side by side, and here done(i, text, failure) as each ends, in the order of their ends.
+/// run must return a string, which is the text; else the text is nil and failure is "time" (it took longer than limit,
+/// in seconds), "died of signal 11", "failed: <message and traceback>" or "left with status 3 …". A child has one
+/// thread, shows no progress, and what it changes is lost with it. look(running) is called about ten times a second.
+/// Returns false when Ctrl-C ended it, with what had been done until then.
 int jobs(lua_State* L) {
-  const int count = read_integer(L, 1, {"count", "how many jobs"}, 0, std::numeric_limits<int>::max());
+  const auto count = to<int>(L, 1);
   JobLimits limits;
-  limits.at_once = read_integer(L, 2, {"at_once", "processes side by side"}, 1, 1 << 16);
-  require_function(L, 3, "run", "what a job does");
-  require_function(L, 4, "done", "what takes the results");
-  if (!lua_isnoneornil(L, 5)) limits.seconds = read_positive(L, 5, {"limit", "seconds"});
+  limits.at_once = to<int>(L, 2);
+  if (!lua_isnoneornil(L, 5)) limits.seconds = to<double>(L, 5);
   const bool looks = !lua_isnoneornil(L, 6);
-  if (looks) require_function(L, 6, "look", "what shows how things stand");
   lua_settop(L, 6);
   const bool whole = run_jobs(
       count, limits, [L](int job) { return call_job(L, 3, job); },
       [L](const JobEnd& end) {
         lua_pushvalue(L, 4);
         push(L, end.job + 1);
-        const bool well = end.failure.empty();
+        const bool well = end.failure.code.empty();
         well ? push(L, end.output) : lua_pushnil(L);
-        well ? lua_pushnil(L) : push(L, end.failure);
+        well ? lua_pushnil(L) : push(L, worded(end.failure));
         lua_call(L, 3, 0);
       },
       [L, looks](int running) {
@@ -64,18 +65,7 @@ int jobs(lua_State* L) {
   return 1;
 }
 
-constexpr Function jobs_entries[] = {
-    {"jobs", jobs,
-     "core.jobs(count, at_once, run, done, limit, look)\n"
-     "Calls run(i) for i = 1 … count, each in a child process of its own, at most at_once of them side by side, and\n"
-     "here done(i, text, failure) as each ends, in the order of their ends. run must return a string, which is the "
-     "text;\n"
-     "else the text is nil and failure is \"time\" (it took longer than limit, in seconds), \"died of signal 11\",\n"
-     "\"failed: <message and traceback>\" or \"left with status 3 …\". A child has one thread, shows no progress, and\n"
-     "what it changes is lost with it. look(running) is called about ten times a second. Returns false when Ctrl-C "
-     "ended\n"
-     "it, with what had been done until then."},
-};
+constexpr Function jobs_entries[] = {{"jobs", jobs}};
 
 } // namespace
 

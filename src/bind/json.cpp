@@ -1,3 +1,4 @@
+#include "bind/arguments.hpp"
 #include "bind/functions.hpp"
 #include "bind/open.hpp"
 
@@ -109,31 +110,27 @@ void push_json(lua_State* L, const Json& json) {
   }
 }
 
+/// core.write_json(value, name): plain data as the text of JSON, names sorted; numbers read back as the same bits. An
+/// empty table is an empty list. An error for what is no plain data or not finite says where in the value it stands;
+/// name is what it calls the value.
 int write_json(lua_State* L) {
   luaL_checkany(L, 1);
-  const std::string path = lua_isnoneornil(L, 2) ? "the value" : read_string(L, 2, {"name"});
+  const std::string path = lua_isnoneornil(L, 2) ? "the value" : to<std::string>(L, 2);
   // Bytes that are no UTF-8 are replaced: what a message quotes must not keep it from being written.
   push(L, value_at(L, 1, path, 1).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   return 1;
 }
 
+/// core.read_json(text): the value of a JSON text; null is nil.
 int read_json(lua_State* L) {
-  const std::string source = read_string(L, 1, {"text", "JSON"});
+  const auto source = to<std::string>(L, 1);
   const Json json = Json::parse(source, nullptr, false);
   require(!json.is_discarded(), "the text is no JSON");
   push_json(L, json);
   return 1;
 }
 
-constexpr Function json_entries[] = {
-    {"write_json", write_json,
-     "core.write_json(value, name)\n"
-     "Plain data as the text of JSON, names sorted; numbers read back as the same bits. An empty table is an empty "
-     "list.\n"
-     "An error for what is no plain data or not finite says where in the value it stands; name is what it calls the "
-     "value."},
-    {"read_json", read_json, "core.read_json(text)\nThe value of a JSON text; null is nil."},
-};
+constexpr Function json_entries[] = {{"write_json", write_json}, {"read_json", read_json}};
 
 } // namespace
 

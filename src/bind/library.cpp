@@ -1,4 +1,5 @@
 #include "bind/library.hpp"
+#include "bind/wording/wording.hpp"
 
 #include "base/machine.hpp"
 #include "bind/functions.hpp"
@@ -75,6 +76,7 @@ void open_library(lua_State* L, const Settings& settings) {
   lua_setfield(L, -2, "signorini.core");
   lua_pop(L, 2);
 
+  word_warnings();
   open_core(L);
   open_content(L);
   open_jobs(L);
@@ -105,6 +107,7 @@ void open_library(lua_State* L, const Settings& settings) {
   set_field(L, "linear_solvers", solve::linear_names());
   set_field(L, "colormaps", view::colormaps());
   set_field(L, "cameras", view::camera_names());
+  set_field(L, "markers", view::marker_names());
   std::vector<std::string> fields;
   for (const auto& field : model::fields<3>()) fields.push_back(field.name);
   fields.push_back("contact_pressure");

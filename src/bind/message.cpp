@@ -95,12 +95,13 @@ std::string describe(lua_State* L, int index) {
   case LUA_TSTRING:
     return text("the string '", lua_tostring(L, index), "'");
   case LUA_TTABLE:
-    return describe_table(L, index);
   case LUA_TUSERDATA: {
-    const bool named = luaL_getmetafield(L, index, "__name") == LUA_TSTRING;
-    const std::string name = named ? lua_tostring(L, -1) : "userdata";
-    if (named) lua_pop(L, 1);
-    return with_article(name);
+    if (const int type = luaL_getmetafield(L, index, "__name"); type != LUA_TNIL) {
+      const std::string name = type == LUA_TSTRING ? lua_tostring(L, -1) : "userdata";
+      lua_pop(L, 1);
+      return with_article(name);
+    }
+    return lua_istable(L, index) ? describe_table(L, index) : "userdata";
   }
   default:
     return text("a ", luaL_typename(L, index));

@@ -3,18 +3,28 @@
 
 #include <lua.hpp>
 
-#include "base/error.hpp"
+#include "base/text.hpp"
 
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace signorini::bind {
 
 /// A complete message about an argument, function name included.
-class ArgumentError : public Error {
+class ArgumentError : public std::runtime_error {
 public:
-  using Error::Error;
+  using std::runtime_error::runtime_error;
 };
+
+/// Throws with the joined parts as the message, to which the function's name is added.
+template <class... Parts> [[noreturn]] void fail(const Parts&... parts) {
+  throw std::runtime_error(text(parts...));
+}
+template <class... Parts> void require(bool ok, const Parts&... parts) {
+  if (!ok) [[unlikely]]
+    fail(parts...);
+}
 
 /// An argument as messages name it: "E", "points[3]", and what it stands for ("Young's modulus"; may be empty).
 struct Argument {

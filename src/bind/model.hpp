@@ -15,6 +15,23 @@ template <int D> std::span<const Function> result_rows();
 /// What a model costs, and what could be saved.
 template <int D> std::span<const Function> cost_rows();
 
+/// A method as Lua calls it, made of a function of a model, or of a model and Lua's stack with the other arguments: it
+/// pushes what that returns, if anything; an int is the number of values that stand on the stack already.
+template <int D, auto function> int method(lua_State* L) {
+  model::Model<D>& model = *self<Model<D>>(L);
+  if constexpr (requires { function(model, L); }) {
+    if constexpr (std::is_same_v<decltype(function(model, L)), int>) return function(model, L);
+    function(model, L);
+    return 0;
+  } else if constexpr (std::is_void_v<decltype(function(model))>) {
+    function(model);
+    return 0;
+  } else {
+    push(L, function(model));
+    return 1;
+  }
+}
+
 /// Makes the type of snapshots.
 void open_snapshots(lua_State* L);
 

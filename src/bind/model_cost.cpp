@@ -1,69 +1,82 @@
-// What a model costs, as plain tables: lua/signorini/cost.lua puts it into words.
+// What a model is made of, in numbers: unknowns, elements, points, nonzeros, bytes. lua/signorini/cost.lua prints them.
 #include "bind/model.hpp"
-#include "model/cost.hpp"
+#include "model/linear_choice.hpp"
+#include "solve/factor_estimate.hpp"
+
+#include <set>
 
 namespace signorini::bind {
 
 namespace {
 
-template <int D> void push_bodies(lua_State* L, const model::Model<D>& model) {
-  const auto& bodies = model.system.scene.bodies;
-  lua_createtable(L, 0, static_cast<int>(bodies.size()));
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const model::BodyCost cost = model::body_cost(model, static_cast<int>(b));
-    lua_createtable(L, 0, 6);
-    set_field(L, "unknowns", cost.unknowns);
-    set_field(L, "contact_layer", cost.contact_layer);
-    set_field(L, "bulk", cost.unknowns - cost.contact_layer);
-    set_field(L, "prescribed", cost.prescribed);
-    set_field(L, "elements", cost.elements);
-    set_field(L, "gauss_points", static_cast<int>(cost.gauss_points));
-    lua_setfield(L, -2, bodies[b].name.c_str());
-  }
-  lua_setfield(L, -2, "bodies");
+/// Unknowns that control points share count once; the contact layer's are those on the rows of the contact faces.
+template <int D> void push_body_cost(lua_State* L, const model::Model<D>& model, int index) {
+  const auto& unknowns = model.system.unknowns;
+  const solid::Body<D>& body = *model.system.scene.bodies[static_cast<std::size_t>(index)].body;
+  std::set<int> all, layer;
+  int points = 0;
+  for (int e = 0; e < body.elements(); ++e) points += body.element(e).points;
+  const auto unknown = [&](int i) { return unknowns.unknown(unknowns.offset(index) + i); };
+  int prescribed = 0;
+  for (int i = 0; i < D * body.functions(); ++i)
+    if (unknown(i) >= 0)
+      all.insert(unknown(i));
+    else
+      ++prescribed;
+  for (nurbs::Side side : body.space().contact())
+    for (int function : body.space().face_functions(side))
+      for (int i = D * function; i < D * (function + 1); ++i)
+        if (unknown(i) >= 0) layer.insert(unknown(i));
+  const auto unknowns_in_all = static_cast<int>(all.size()), in_layer = static_cast<int>(layer.size());
+  push_fields(L, "unknowns", unknowns_in_all, "contact_layer", in_layer, "bulk", unknowns_in_all - in_layer,
+              "prescribed", prescribed, "elements", body.elements(), "gauss_points", points);
 }
 
-template <int D> void push_contacts(lua_State* L, const model::Model<D>& model) {
-  const auto& scene = model.system.scene;
-  lua_createtable(L, 0, static_cast<int>(scene.contacts.size()));
+/// Bytes of the factors as the linear solver has told; before that counted, for the solver that it would choose.
+template <int D> double push_factors(lua_State* L, const model::Model<D>& model) {
+  double memory = model.linear.statistics().memory;
+  solve::LinearKind solver = model.linear.kind();
+  const bool counted = memory == 0 && model.system.unknowns.size() > 0;
+  if (counted) {
+    constexpr bool damps = false;
+    const auto estimate = solve::estimate_factor(model::first_choice(model::linear_facts(model.system), damps),
+                                                 model.system.assembly.pattern());
+    memory = estimate.memory;
+    solver = estimate.kind;
+  }
+  set_fields(L, "factors_are", counted ? "counted" : "measured", "linear", solve::name_of(solver));
+  return memory;
+}
+
+template <int D> int cost(const model::Model<D>& model, lua_State* L) {
+  const model::Scene<D>& scene = model.system.scene;
+  push_fields(L, "unknowns", model.system.unknowns.size(), "obstacles", static_cast<int>(scene.obstacles.size()),
+              "nonzeros", model.system.assembly.pattern().entries());
+  const double factors = push_factors(L, model), tangent = model.system.assembly.memory();
+  double bodies = 0, contacts = 0;
+  lua_newtable(L);
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    bodies += static_cast<double>(scene.bodies[b].body->memory());
+    push_body_cost(L, model, static_cast<int>(b));
+    lua_setfield(L, -2, scene.bodies[b].name.c_str());
+  }
+  lua_setfield(L, -2, "bodies");
+  lua_newtable(L);
   for (std::size_t k = 0; k < scene.contacts.size(); ++k) {
-    lua_createtable(L, 0, 2);
-    set_field(L, "points", static_cast<int>(model.present.contacts[k].results.size()));
-    set_field(L, "rigid", std::holds_alternative<model::ObstacleReference>(scene.contacts[k].master));
+    contacts += model.system.contacts[k]->memory();
+    for (const auto* state : {&model.accepted, &model.present}) contacts += contact::memory(state->contacts[k]);
+    push_fields(L, "points", static_cast<int>(model.present.contacts[k].results.size()), "rigid",
+                std::holds_alternative<model::ObstacleReference>(scene.contacts[k].master));
     lua_setfield(L, -2, scene.contacts[k].name.c_str());
   }
   lua_setfield(L, -2, "contacts");
-}
-
-template <int D> void push_memory(lua_State* L, const model::Model<D>& model) {
-  const model::MemoryCost memory = model::memory_cost(model);
-  set_field(L, "memory", memory.bodies + memory.contacts + memory.tangent + memory.factors);
-  lua_createtable(L, 0, 4);
-  set_field(L, "bodies", memory.bodies);
-  set_field(L, "contacts", memory.contacts);
-  set_field(L, "tangent", memory.tangent);
-  set_field(L, "factors", memory.factors);
+  set_field(L, "memory", bodies + contacts + tangent + factors);
+  push_fields(L, "bodies", bodies, "contacts", contacts, "tangent", tangent, "factors", factors);
   lua_setfield(L, -2, "memory_of");
-  set_field(L, "factors_are", memory.measured ? "measured" : "counted");
-  set_field(L, "linear", solve::name_of(memory.solver));
-}
-
-template <int D> int cost(lua_State* L) {
-  const model::Model<D>& model = *self<Model<D>>(L);
-  lua_newtable(L);
-  set_field(L, "unknowns", model.system.unknowns.size());
-  set_field(L, "obstacles", static_cast<int>(model.system.scene.obstacles.size()));
-  set_field(L, "nonzeros", model.system.assembly.pattern().entries());
-  push_bodies(L, model);
-  push_contacts(L, model);
-  push_memory(L, model);
   return 1;
 }
 
-template <int D>
-constexpr Function model_cost_entries[] = {
-    {"cost_figures", cost<D>, "m:cost_figures()\nThe plain numbers behind m:cost."},
-};
+template <int D> constexpr Function model_cost_entries[] = {{"cost", method<D, cost<D>>}};
 
 } // namespace
 

@@ -1,5 +1,6 @@
 // What Newton's method works with, for loops of a user's own: residual, tangent, unknowns, and why a step failed.
 #include "bind/model.hpp"
+#include "bind/wording/wording.hpp"
 #include "model/diagnosis.hpp"
 #include "model/load_step.hpp"
 
@@ -10,127 +11,90 @@ namespace signorini::bind {
 namespace {
 
 /// Evaluates the present state. Throws where there is no residual.
-template <int D> void evaluate(const Model<D>& model) {
-  std::string why;
-  const solve::Outcome outcome = model::evaluate(*model, why);
-  require(outcome == solve::Outcome::converged, "the present state has no residual: ", why, "; call model:rollback()");
+template <int D> void evaluate(model::Model<D>& model) {
+  Message why;
+  const solve::Outcome outcome = model::evaluate(model, why);
+  signorini::require(outcome == solve::Outcome::converged, "model.step.no_residual", {{"why", why}});
 }
 
-template <int D> int residual(lua_State* L) {
-  const Model<D>& model = self<Model<D>>(L);
+template <int D> VectorX residual(model::Model<D>& model) {
   evaluate(model);
-  push(L, model->unbalanced);
-  return 1;
+  return model.unbalanced;
 }
 
-template <int D> int tangent(lua_State* L) {
-  const Model<D>& model = self<Model<D>>(L);
+template <int D> int tangent(model::Model<D>& model, lua_State* L) {
   evaluate(model);
-  const solve::Pattern& pattern = model->system.assembly.pattern();
-  const auto entries = static_cast<std::size_t>(pattern.entries());
+  const solve::Pattern& pattern = model.system.assembly.pattern();
   std::vector<int> rows, columns;
   for (std::size_t j = 0; j < static_cast<std::size_t>(pattern.size); ++j)
     for (int k = pattern.starts[j]; k < pattern.starts[j + 1]; ++k) {
       rows.push_back(pattern.rows[static_cast<std::size_t>(k)] + 1);
       columns.push_back(static_cast<int>(j) + 1);
     }
-  const auto& values = model->system.assembly.values();
-  lua_createtable(L, 0, 4);
-  set_field(L, "size", pattern.size);
-  set_field(L, "rows", rows);
-  set_field(L, "columns", columns);
-  set_field(L, "values", std::vector<double>(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(entries)));
+  const auto values = model.system.assembly.values().begin();
+  push_fields(L, "size", pattern.size, "rows", rows, "columns", columns, "values",
+              std::vector<double>(values, values + pattern.entries()));
   return 1;
 }
 
-template <int D> int unknowns(lua_State* L) {
-  const Model<D>& model = self<Model<D>>(L);
-  const auto& numbers = model->system.unknowns;
-  const auto& bodies = model->system.scene.bodies;
+template <int D> int unknowns(const model::Model<D>& model, lua_State* L) {
+  const auto& numbers = model.system.unknowns;
+  const auto& bodies = model.system.scene.bodies;
   lua_createtable(L, numbers.size(), 0);
   std::vector<char> seen(static_cast<std::size_t>(numbers.size()), 0);
   for (std::size_t b = 0; b < bodies.size(); ++b)
     for (int i = 0; i < D * bodies[b].body->functions(); ++i) {
       const int unknown = numbers.unknown(numbers.offset(static_cast<int>(b)) + i);
       if (unknown < 0 || std::exchange(seen[static_cast<std::size_t>(unknown)], 1)) continue;
-      lua_createtable(L, 0, 3);
-      set_field(L, "body", bodies[b].name);
-      set_field(L, "point", i / D + 1);
-      set_field(L, "component", model::component_name(i % D));
+      push_fields(L, "body", bodies[b].name, "point", i / D + 1, "component", model::component_name(i % D));
       lua_rawseti(L, -2, unknown + 1);
     }
   return 1;
 }
 
-template <int D> int move(lua_State* L) {
-  const Model<D>& model = self<Model<D>>(L);
-  const Argument argument{"du", "the change of each unknown"};
-  const std::vector<double> change = read_numbers(L, 2, argument);
-  const int count = model->system.unknowns.size();
-  if (static_cast<int>(change.size()) != count)
-    reject(L, 2, argument, text("a list of ", count, " numbers, as m:residual() is"));
-  model::move_by(*model, Eigen::Map<const VectorX>(change.data(), count));
-  return 0;
+template <int D> void move(model::Model<D>& model, lua_State* L) {
+  const auto change = to<VectorX>(L, 2);
+  const int count = model.system.unknowns.size();
+  if (change.size() != count) reject(L, 2, {"du"}, text("a list of ", count, " numbers, as model:residual() is"));
+  model::move_by(model, change);
 }
 
-template <int D> int displacements(lua_State* L) {
-  const Model<D>& model = self<Model<D>>(L);
-  const auto& numbers = model->system.unknowns;
+template <int D> VectorX displacements(const model::Model<D>& model) {
+  const auto& numbers = model.system.unknowns;
   VectorX values(numbers.size());
   for (int dof = numbers.dofs() - 1; dof >= 0; --dof)
-    if (const int unknown = numbers.unknown(dof); unknown >= 0) values(unknown) = model->present.displacement(dof);
-  push(L, values);
-  return 1;
+    if (const int unknown = numbers.unknown(dof); unknown >= 0) values(unknown) = model.present.displacement(dof);
+  return values;
 }
 
-template <int D> int loose_bodies(lua_State* L) {
-  const Model<D>& model = self<Model<D>>(L);
+template <int D> std::vector<std::string> loose_bodies(model::Model<D>& model) {
   std::vector<std::string> names;
-  for (const model::LooseMotion& loose : model->system.loose()) {
-    const std::string& name = model->system.scene.bodies[static_cast<std::size_t>(loose.body)].name;
+  for (const model::LooseMotion& loose : model.system.loose()) {
+    const std::string& name = model.system.scene.bodies[static_cast<std::size_t>(loose.body)].name;
     if (names.empty() || names.back() != name) names.push_back(name);
   }
-  push(L, names);
-  return 1;
+  return names;
 }
 
 void push_spots(lua_State* L, const char* key, const std::vector<model::TroubleSpot>& spots) {
   lua_createtable(L, static_cast<int>(spots.size()), 0);
   for (std::size_t i = 0; i < spots.size(); ++i) {
     const model::TroubleSpot& spot = spots[i];
-    lua_createtable(L, 0, 7);
-    set_field(L, "kind", spot.kind);
-    set_field(L, spot.kind == "contact point" ? "contact" : "body", spot.where);
-    set_field(L, spot.kind == "control point" ? "point" : "element", spot.index + 1);
-    set_field(L, "X", spot.reference);
-    set_field(L, "x", spot.current);
-    set_field(L, "value", spot.value);
-    set_field(L, "text", spot.text);
+    push_fields(L, "kind", spot.kind, spot.kind == "contact point" ? "contact" : "body", spot.where,
+                spot.kind == "control point" ? "point" : "element", spot.index + 1, "X", spot.reference, "x",
+                spot.current, "value", spot.value, "text", worded(spot.what));
     lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
   }
   lua_setfield(L, -2, key);
 }
 
-template <int D> int diagnose(lua_State* L) {
-  const Model<D>& model = self<Model<D>>(L);
-  require(model->step.has_value(), "no step to diagnose: call diagnose after a solve_step, iterate or solve_arc that "
-                                   "failed, before model:rollback()");
-  model::ControlsOn on;
-  if (!lua_isnoneornil(L, 2)) {
-    const Argument argument{"on", "names of controls that are on already"};
-    for (int i = 1, count = read_list(L, 2, argument); i <= count; ++i) {
-      lua_rawgeti(L, 2, i);
-      on.insert(read_choice(
-          L, -1, argument,
-          {"step", "line_search", "damping", "active_set_changes", "arc_length", "penalty", "pseudo_transient"}));
-      lua_pop(L, 1);
-    }
-  }
-  const model::Diagnosis diagnosis = model::diagnose(*model, model->step->report, on);
-  lua_createtable(L, 0, 5);
-  set_field(L, "reason", solve::name_of(diagnosis.outcome));
-  set_field(L, "message", diagnosis.message);
-  set_field(L, "cure", diagnosis.cure);
+template <int D> int diagnose(model::Model<D>& model, lua_State* L) {
+  require(model.step.has_value(), "no step to diagnose: call diagnose after a solve_step, iterate or solve_arc that "
+                                  "failed, before model:rollback()");
+  const auto on = to<std::vector<std::string>>(L, 2);
+  const model::Diagnosis diagnosis = model::diagnose(model, model.step->report, {on.begin(), on.end()});
+  push_fields(L, "reason", solve::name_of(diagnosis.outcome), "message", worded_in_one(diagnosis.messages), "cure",
+              worded_in_one(diagnosis.cures));
   push_spots(L, "places", diagnosis.places);
   push_spots(L, "unbalanced", diagnosis.unbalanced);
   return 1;
@@ -138,53 +102,10 @@ template <int D> int diagnose(lua_State* L) {
 
 template <int D>
 constexpr Function model_system_entries[] = {
-    {"residual", residual<D>,
-     "m:residual()\n"
-     "The unbalanced force f_int + f_c − f_ext at the present displacements and the present targets' loads: one "
-     "number\n"
-     "for each unknown (see m:unknowns). Prescribed displacements that no iteration has brought in yet do not count.\n"
-     "Example: #model:residual()"},
-    {"tangent", tangent<D>,
-     "m:tangent()\n"
-     "The derivative of m:residual by the unknowns as triplets, { size, rows, columns, values }: entry k of the "
-     "matrix\n"
-     "stands in rows[k], columns[k], counted from 1; column after column, rows rising.\n"
-     "Example: model:tangent().size"},
-    {"unknowns", unknowns<D>,
-     "m:unknowns()\n"
-     "What each unknown is: a list of { body, point, component }; of control points that move as one the first.\n"
-     "Example: model:unknowns()[1].body  --> \"die\""},
-    {"move", move<D>,
-     "m:move(du)\n"
-     "Adds a Δu of one's own to the unknowns, one number for each in the order of m:residual. The first move after\n"
-     "m:set_target also brings the prescribed displacements to their targets: begin a step with a move of zeros.\n"
-     "m:accept takes the state if its residual is as small as m:solve_step{} wants it; m:rollback forgets it;\n"
-     "m:iterate and m:solve_step go on from it.\n"
-     "Example: local zeros = {}\n"
-     "         for i = 1, #model:residual() do zeros[i] = 0 end\n"
-     "         model:move(zeros)\n"
-     "         model:rollback()"},
-    {"displacements", displacements<D>,
-     "m:displacements()\n"
-     "The present displacement of each unknown, in the order of m:unknowns: of control points that move as one that\n"
-     "of the first.\n"
-     "Example: #model:displacements()"},
-    {"loose_bodies", loose_bodies<D>,
-     "m:loose_bodies()\n"
-     "The names of the bodies that can move as a whole in some way that no support stops: only contact can hold them.\n"
-     "Example: model:loose_bodies()"},
-    {"diagnose", diagnose<D>,
-     "m:diagnose(on)\n"
-     "Why the last solve_step, iterate or solve_arc failed; call it before m:rollback. Returns { reason, message, "
-     "cure,\n"
-     "places, unbalanced }: places is a list of { kind, body or contact, element or point, X, x, value, text }, the "
-     "worst\n"
-     "first: the element that is inverted, contact points whose states cycle or that leave the master, control points\n"
-     "that move most in the direction of a singular or indefinite tangent; unbalanced: where the largest unbalanced\n"
-     "forces are. reason: as of m:solve_step, or \"indefinite\". on: a list of controls that the cure need not name, "
-     "of\n"
-     "\"step\", \"line_search\", \"damping\", \"active_set_changes\", \"arc_length\", \"penalty\",\n"
-     "\"pseudo_transient\"."},
+    {"residual", method<D, residual<D>>},           {"tangent", method<D, tangent<D>>},
+    {"unknowns", method<D, unknowns<D>>},           {"move", method<D, move<D>>},
+    {"displacements", method<D, displacements<D>>}, {"loose_bodies", method<D, loose_bodies<D>>},
+    {"diagnose", method<D, diagnose<D>>},
 };
 
 } // namespace

@@ -1,8 +1,8 @@
 #include "bind/new_study.hpp"
 
-#include "base/error.hpp"
 #include "base/whole_file.hpp"
 #include "bind/library.hpp"
+#include "bind/message.hpp"
 
 namespace signorini::bind {
 

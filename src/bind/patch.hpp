@@ -1,8 +1,8 @@
 #pragma once
 // Patches as Lua sees them, and the pieces of their language that other bindings share.
 
+#include "bind/arguments.hpp"
 #include "bind/functions.hpp"
-#include "bind/options.hpp"
 #include "nurbs/patch.hpp"
 #include "nurbs/refine.hpp"
 
@@ -10,26 +10,25 @@ namespace signorini::bind {
 
 template <> struct Type<nurbs::Patch> { static constexpr auto name = "patch"; };
 
-/// Parametric coordinates: a number for a curve, a list else.
-VectorX read_parameters(lua_State* L, int index, const nurbs::Patch& patch);
+/// One grading per direction of an argument, none where it is false.
+std::vector<std::optional<nurbs::Grading>> gradings_of(const Arguments& a, const char* key);
 
-/// One grading per direction from { elements = 0.8, length = 0.1, at = "start" | "end" } or false, in a list; a curve
-/// takes the table itself.
-std::vector<std::optional<nurbs::Grading>> read_gradings(lua_State* L, int index, const Argument& argument,
-                                                         int directions);
+/// A parametric direction, counted from 1 in Lua and from 0 here.
+inline int direction_at(lua_State* L, int index) {
+  return to<int>(L, index) - 1;
+}
 
-/// One whole number per direction: a list, or a single number where there is one direction.
-std::vector<int> read_per_direction(lua_State* L, int index, const Argument& argument, int directions, int low,
-                                    int high);
+/// Returns a patch, or what push() takes, to Lua.
+template <class T> int returned(lua_State* L, const T& value) {
+  if constexpr (std::is_same_v<T, nurbs::Patch>)
+    push_object(L, value);
+  else
+    push(L, value);
+  return 1;
+}
 
-/// A parametric direction, counted from 1 in Lua and from 0 here; `name` is the argument's.
-int read_direction(lua_State* L, int index, const nurbs::Patch& patch, const char* name = "dir");
-
-/// The methods that give the same shape at another place, of another size, or in other parameters.
-std::span<const Function> patch_map_rows();
-
-/// The argument `patch`: a patch or a list of patches, all of one dimension.
-std::vector<nurbs::Patch> read_patches(lua_State* L, const Options& o);
+/// An argument that is a list of patches, all of one dimension.
+std::vector<nurbs::Patch> patches_of(const Arguments& a, const char* key);
 
 /// patch:write(file, form).
 int write_patch(lua_State* L);

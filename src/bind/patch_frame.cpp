@@ -1,6 +1,4 @@
-#include "bind/patch_frame.hpp"
-
-#include "bind/sampled_patch.hpp"
+#include "bind/frame.hpp"
 
 #include <utility>
 
@@ -21,7 +19,7 @@ VectorX parameters(const Patch& patch, const VectorX& fractions) {
 }
 
 Vec<3> place_at(const Patch& patch, const VectorX& fractions) {
-  return place(patch, parameters(patch, fractions));
+  return tessellation::place(patch, parameters(patch, fractions));
 }
 
 /// Whether ξ¹, ξ², ξ³ of a volume stand as a left hand's fingers.
@@ -42,59 +40,23 @@ std::vector<nurbs::Side> sides_of(const Patch& patch) {
   return sides;
 }
 
-/// The patch, or the six sides of a volume.
-std::vector<SampledPatch> pieces_of(const Patch& patch, const std::vector<Window>& windows) {
-  if (patch.parametric_dimension() < 3) return {sampled(patch, 1, windows)};
-  std::vector<SampledPatch> pieces;
-  for (const nurbs::Side side : sides_of(patch))
-    pieces.push_back(sampled(nurbs::face(patch, side), outward(patch, side), windows));
-  return pieces;
-}
-
-/// Control points next to each other in any direction.
-std::vector<std::array<int, 2>> net_of(const Patch& patch) {
-  std::vector<std::array<int, 2>> lines;
+/// The patch, or the six sides of a volume, the first one with the control points.
+std::vector<tessellation::Skin> pieces_of(const Patch& patch, const std::vector<Window>& windows) {
+  std::vector<tessellation::Skin> pieces;
+  if (patch.parametric_dimension() < 3)
+    pieces.push_back(tessellation::tessellate(patch, 1, windows));
+  else
+    for (const nurbs::Side side : sides_of(patch))
+      pieces.push_back(tessellation::tessellate(nurbs::face(patch, side), outward(patch, side), windows));
+  pieces[0].control_points.setZero(3, patch.functions());
+  pieces[0].control_points.topRows(patch.dimension()) = patch.points();
   for (int d = 0, stride = 1; d < patch.parametric_dimension(); ++d) {
     const int count = patch.direction(d).functions();
     for (int i = 0; i < patch.functions(); ++i)
-      if (i / stride % count > 0) lines.push_back({i - stride, i});
+      if (i / stride % count > 0) pieces[0].net_lines.push_back({i - stride, i});
     stride *= count;
   }
-  return lines;
-}
-
-view::Points control_points(const Patch& patch) {
-  view::Points points = view::Points::Zero(3, patch.functions());
-  points.topRows(patch.dimension()) = patch.points();
-  return points;
-}
-
-view::Body plane_body(const Patch& patch, const PatchShowing& showing) {
-  SampledPatch piece = sampled(patch, 1, showing.windows);
-  view::Body body;
-  body.points = std::move(piece.surface.points);
-  body.triangles = std::move(piece.surface.triangles);
-  for (view::SurfaceLine& line : piece.rim) body.rim.push_back(std::move(line.points));
-  if (showing.mesh)
-    for (view::SurfaceLine& line : piece.mesh_lines) body.mesh_lines.push_back({std::move(line.points), line.spacing});
-  if (showing.control_points) body.control_points = control_points(patch), body.net_lines = net_of(patch);
-  return body;
-}
-
-/// One solid per side of a volume.
-std::vector<view::Solid> solids_of(const Patch& patch, const PatchShowing& showing) {
-  std::vector<view::Solid> solids;
-  for (SampledPatch& piece : pieces_of(patch, showing.windows)) {
-    view::Solid& solid = solids.emplace_back();
-    solid.skin = std::move(piece.surface);
-    solid.mesh_lines = std::move(piece.mesh_lines);
-    solid.rim = std::move(piece.rim);
-    solid.mesh = showing.mesh;
-    solid.open = patch.parametric_dimension() < 3;
-  }
-  if (showing.control_points)
-    solids.front().control_points = control_points(patch), solids.front().net_lines = net_of(patch);
-  return solids;
+  return pieces;
 }
 
 /// A side's name at its middle: within a surface beside its border, on a volume where it faces the eye.
@@ -117,6 +79,7 @@ view::Label side_label(const Patch& patch, nurbs::Side side) {
 /// Along the first part of all edges of a direction.
 view::Arrow direction_arrow(const Patch& patch, int direction) {
   constexpr double length = 0.25;
+  constexpr int points = 65;
   constexpr const char* names[] = {"ξ¹", "ξ²", "ξ³"};
   const int n = patch.parametric_dimension();
   view::Arrow arrow{{}, names[direction]};
@@ -124,7 +87,12 @@ view::Arrow direction_arrow(const Patch& patch, int direction) {
     VectorX fractions = VectorX::Zero(n);
     for (int d = 0, bit = 0; d < n; ++d)
       if (d != direction) fractions(d) = edge >> bit++ & 1;
-    arrow.lines.push_back(line_along(patch, parameters(patch, fractions), direction, length));
+    view::Points line(3, points);
+    for (int k = 0; k < points; ++k) {
+      fractions(direction) = length * k / (points - 1);
+      line.col(k) = place_at(patch, fractions);
+    }
+    arrow.lines.push_back(std::move(line));
     if (n == 2) break; // all of a surface is seen
   }
   return arrow;
@@ -145,17 +113,21 @@ view::Names patch_names(const std::vector<Patch>& patches) {
 
 } // namespace
 
-std::variant<view::Panel, view::SolidPanel> show(const std::vector<Patch>& patches, const PatchShowing& showing) {
+std::variant<view::Panel, view::SolidPanel> show(const std::vector<Patch>& patches, const Showing& showing) {
   const view::Names names = showing.names ? patch_names(patches) : view::Names{};
   if (patches.front().dimension() == 2) {
     view::Panel panel;
-    for (const Patch& patch : patches) panel.bodies.push_back(plane_body(patch, showing));
+    for (const Patch& patch : patches)
+      panel.bodies.push_back(plane_body(pieces_of(patch, showing.windows).front(), showing));
     panel.names = names;
     return panel;
   }
   view::SolidPanel panel;
   for (const Patch& patch : patches)
-    for (view::Solid& solid : solids_of(patch, showing)) panel.bodies.push_back(std::move(solid));
+    for (tessellation::Skin& piece : pieces_of(patch, showing.windows)) {
+      panel.bodies.push_back(solid_body(std::move(piece), showing));
+      panel.bodies.back().open = patch.parametric_dimension() < 3;
+    }
   panel.names = names;
   return panel;
 }

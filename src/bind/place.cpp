@@ -1,5 +1,7 @@
 #include "bind/place.hpp"
+#include "bind/arguments.hpp"
 #include "bind/functions.hpp"
+#include "bind/patch.hpp"
 
 #include <algorithm>
 
@@ -54,20 +56,29 @@ std::vector<Side> read_sides(const std::string& name, int dimensions, int count)
 }
 
 /// The place where the faces of a name meet, its functions those of all of them.
-template <int D>
-void push_meeting(lua_State* L, const char* meaning, int count, const std::vector<std::string>& names) {
+template <int D> void push_meeting(lua_State* L, int count, const std::vector<std::string>& names) {
   const Body<D>& body = self<Body<D>>(L);
-  const Argument argument{"name", meaning};
-  const bool is_text = lua_type(L, 2) == LUA_TSTRING;
-  const std::string name = is_text ? lua_tostring(L, 2) : "";
+  const auto name = to<std::string>(L, 2);
   const std::vector<Side> sides = read_sides(name, D, count);
-  if (sides.empty()) read_choice(L, 2, argument, names); // says which there are
+  if (sides.empty()) reject(L, 2, {"name"}, one_of(names), "did you mean '" + nearest(name, names) + "'?");
   std::vector<int> common = body->space().face_functions(sides.front());
   for (const Side& side : sides) {
     const std::vector<int> others = body->space().face_functions(side);
     std::erase_if(common, [&](int f) { return std::find(others.begin(), others.end(), f) == others.end(); });
   }
   push_object(L, Place<D>{body, name, {}, std::move(common)});
+}
+
+/// core.place_names(body or patch, count): the names of its places where so many faces meet, 0: of its corners; without
+/// an object those of solids.
+int place_names(lua_State* L) {
+  const auto* patch = test_object<nurbs::Patch>(L, 1);
+  const int dimensions = patch ? patch->parametric_dimension() : test_object<Body<2>>(L, 1) ? 2 : 3;
+  const int count = to<int>(L, 2);
+  push(L, count == 0           ? corner_names(dimensions)
+          : count < dimensions ? meeting_names(dimensions, count)
+                               : std::vector<std::string>());
+  return 1;
 }
 
 template <int D> int place_text(lua_State* L) {
@@ -77,11 +88,9 @@ template <int D> int place_text(lua_State* L) {
   return 1;
 }
 
-template <int D>
-constexpr Function place_entries[] = {
-    {"__tostring", place_text<D>,
-     "face\nA face, edge or corner of a body, for supports, loads and contacts; print(face) tells which one it is."},
-};
+constexpr Function place_core_entries[] = {{"place_names", place_names}};
+
+template <int D> constexpr Function place_entries[] = {{"__tostring", place_text<D>}};
 
 } // namespace
 
@@ -96,7 +105,7 @@ template <int D> std::string kind_of(const Place<D>& place) {
 
 template <int D> int face(lua_State* L) {
   const Body<D>& body = self<Body<D>>(L);
-  const std::string name = read_string(L, 2, {"name", "a face, such as \"south\""});
+  const auto name = to<std::string>(L, 2);
   const Side side = nurbs::side_of(name, D);
   push_object(L, Place<D>{body, name, side, body->space().face_functions(side)});
   return 1;
@@ -107,17 +116,18 @@ template <int D> int edge(lua_State* L) {
     throw ArgumentError(text(function_name(L),
                              ": a plane body has faces and corners, no edges: write b:face \"south\" ",
                              "or b:corner \"south-west\""));
-  push_meeting<D>(L, "an edge", 2, meeting_names(D, 2));
+  push_meeting<D>(L, 2, meeting_names(D, 2));
   return 1;
 }
 
 template <int D> int corner(lua_State* L) {
-  push_meeting<D>(L, "a corner", D, corner_names(D));
+  push_meeting<D>(L, D, corner_names(D));
   return 1;
 }
 
 void open_places(lua_State* L) {
   register_type<Place<2>, Place<3>>(L, place_entries<2>, place_entries<3>);
+  register_functions(L, "core", place_core_entries);
 }
 
 template std::string kind_of<2>(const Place<2>&);

@@ -18,10 +18,10 @@ template <int D> std::string kind_of(const Place<D>& place);
 
 /// As reject(), for a place that is of the wrong kind: names it.
 template <int D>
-[[noreturn]] void reject_place(lua_State* L, const Place<D>& place, const Argument& argument,
+[[noreturn]] void reject_place(lua_State* L, const Place<D>& place, const std::string& where,
                                const std::string& expected, const std::string& cure) {
-  throw ArgumentError(text(function_name(L), ": ", argument.name, " must be ", expected, ", got the ", kind_of(place),
-                           " '", place.name, "': ", cure));
+  throw ArgumentError(text(function_name(L), ": ", where, " must be ", expected, ", got the ", kind_of(place), " '",
+                           place.name, "': ", cure));
 }
 
 /// Makes the type.

@@ -10,81 +10,7 @@ namespace signorini::bind {
 
 namespace {
 
-/// The points of a tessellation in their order: element by element, row by row.
-struct PlaneGrid {
-  PlaneGrid(const view::Points& of, const tessellation::Sampling<2>& at_places)
-      : points(of),
-        sampling(at_places), elements{static_cast<int>(sampling[0].size()), static_cast<int>(sampling[1].size())} {
-    for (int e = 0, next = 0; e < elements[0] * elements[1]; ++e) {
-      first.push_back(next);
-      next += count(e, 0) * count(e, 1);
-    }
-  }
-
-  const view::Points& points;
-  const tessellation::Sampling<2>& sampling;
-  std::array<int, 2> elements;
-  std::vector<int> first; ///< point of each element
-
-  /// Points of an element in a direction.
-  int count(int element, int direction) const {
-    const int number = direction == 0 ? element % elements[0] : element / elements[0];
-    return static_cast<int>(sampling[at(direction)][at(number)].size());
-  }
-
-  int index(int element, int i, int j) const { return first[at(element)] + count(element, 0) * j + i; }
-
-  /// An element's border along a direction, at the start or the end of the other one.
-  view::Points border(int element, int along, int end) const {
-    const int fixed = end * (count(element, 1 - along) - 1);
-    view::Points line(3, count(element, along));
-    for (int k = 0; k < line.cols(); ++k)
-      line.col(k) = points.col(along == 0 ? index(element, k, fixed) : index(element, fixed, k));
-    return line;
-  }
-
-  /// An element's size across a direction, through its middle.
-  double across(int element, int along) const {
-    const int middle = count(element, along) / 2, last = count(element, 1 - along) - 1;
-    return along == 0 ? (points.col(index(element, middle, last)) - points.col(index(element, middle, 0))).norm()
-                      : (points.col(index(element, last, middle)) - points.col(index(element, 0, middle))).norm();
-  }
-
-  /// Whether an element is the first or the last of those across a direction.
-  bool is_last(int element, int along, int end) const {
-    const int place = along == 0 ? element / elements[0] : element % elements[0];
-    return place == (end == 0 ? 0 : elements[static_cast<std::size_t>(1 - along)] - 1);
-  }
-};
-
-/// Borders between elements, each once.
-std::vector<view::MeshLine> mesh_lines(const PlaneGrid& grid) {
-  std::vector<view::MeshLine> lines;
-  for (int e = 0; e < grid.elements[0] * grid.elements[1]; ++e)
-    for (int along : {0, 1})
-      if (!grid.is_last(e, along, 0)) lines.push_back({grid.border(e, along, 0), grid.across(e, along)});
-  return lines;
-}
-
-/// The sides of the body, element by element.
-std::vector<view::Points> rim(const PlaneGrid& grid) {
-  std::vector<view::Points> lines;
-  for (int along : {0, 1})
-    for (int end : {0, 1}) {
-      view::Points line(3, 0);
-      for (int e = 0; e < grid.elements[0] * grid.elements[1]; ++e)
-        if (grid.is_last(e, along, end)) {
-          const view::Points piece = grid.border(e, along, end);
-          const Eigen::Index kept = std::max<Eigen::Index>(line.cols() - 1, 0); // neighbours share a point
-          line.conservativeResize(3, kept + piece.cols());
-          line.rightCols(piece.cols()) = piece;
-        }
-      lines.push_back(std::move(line));
-    }
-  return lines;
-}
-
-/// The lines of rim() without pairs of opposite sides that are one: where a body is closed it has no border.
+/// The four sides of a body without pairs of opposite ones that are one: where a body is closed it has no border.
 std::vector<view::Points> without_seams(std::vector<view::Points> lines) {
   for (std::size_t pair = lines.size(); pair >= 2; pair -= 2)
     if (const auto first = lines.begin() + static_cast<std::ptrdiff_t>(pair) - 2; first[0].isApprox(first[1], 1e-9))
@@ -93,10 +19,13 @@ std::vector<view::Points> without_seams(std::vector<view::Points> lines) {
 }
 
 void add_mirror_image(view::Panel& panel, int axis, double sign) {
+  for (view::Body& body : panel.bodies) view::join_at_mirror(body, axis);
   for (std::size_t i = 0, count = panel.bodies.size(); i < count; ++i)
     panel.bodies.push_back(view::mirrored(panel.bodies[i], axis, sign));
   for (std::size_t i = 0, count = panel.obstacles.size(); i < count; ++i)
     panel.obstacles.push_back(view::mirrored(panel.obstacles[i], axis));
+  for (std::size_t i = 0, count = panel.vectors.size(); i < count; ++i)
+    panel.vectors.push_back(view::mirrored(panel.vectors[i], axis));
 }
 
 /// The rim of a model's rigid obstacle where it stands now, or stood at the start.
@@ -137,6 +66,22 @@ void add_pressure(view::Panel& panel, const model::Model<2>& model, const Showin
 
 } // namespace
 
+view::Body plane_body(tessellation::Skin skin, const Showing& showing) {
+  view::Body body;
+  body.points = std::move(skin.points);
+  body.triangles = std::move(skin.triangles);
+  body.values = showing.factor * skin.values;
+  for (tessellation::SkinLine& line : skin.rim) body.rim.push_back(std::move(line.points));
+  if (showing.mesh)
+    for (tessellation::SkinLine& line : skin.mesh_lines)
+      body.mesh_lines.push_back({std::move(line.points), line.spacing});
+  if (showing.control_points) {
+    body.control_points = std::move(skin.control_points);
+    body.net_lines = std::move(skin.net_lines);
+  }
+  return body;
+}
+
 double mirror_sign(const std::string& field, int axis) {
   const bool component = field.size() > 1 && (field[0] == 'u' || field[0] == 's' || field[0] == 'F');
   if (!component) return 1;
@@ -149,10 +94,6 @@ int divisions_for(int elements) {
   return std::clamp(static_cast<int>(std::sqrt(40000.0 / elements)), 4, 12);
 }
 
-template <> std::string field_label<2>(const std::string& field) {
-  return field == pressure_name ? "contact pressure" : model::find_field<2>(field).label;
-}
-
 view::Panel show(const model::Model<2>& model, const Showing& showing) {
   const bool pressure = showing.field == pressure_name;
   const model::Field<2>* field = showing.field.empty() || pressure ? nullptr : &model::find_field<2>(showing.field);
@@ -161,26 +102,20 @@ view::Panel show(const model::Model<2>& model, const Showing& showing) {
     const nurbs::Discretisation& space = model.system.scene.bodies[static_cast<std::size_t>(b)].body->space();
     const int divisions = divisions_for(space.elements());
     const auto sampling = tessellation::sampling(model, b, divisions, showing.deformed, showing.windows);
-    tessellation::Tessellation sampled = tessellation::tessellate(model, b, field, sampling, showing.deformed);
-    view::Body body;
-    body.points = std::move(sampled.points);
-    body.triangles = std::move(sampled.triangles);
-    body.values = showing.factor * sampled.values;
-    const PlaneGrid grid(body.points, sampling);
-    body.rim = rim(grid);
-    if (showing.mesh) body.mesh_lines = mesh_lines(grid);
-    if (showing.control_points) {
-      body.control_points = std::move(sampled.control_points);
-      body.net_lines = std::move(sampled.net_lines);
+    view::Body body = plane_body(tessellation::tessellate(model, b, field, sampling, showing.deformed), showing);
+    if (showing.vectors == "displacement") {
+      const view::Points other = tessellation::tessellate(model, b, nullptr, sampling, !showing.deformed).points;
+      body.vectors = showing.deformed ? body.points - other : other - body.points;
     }
     if (showing.undeformed) {
       const auto at_rest = tessellation::sampling(model, b, divisions, false, showing.windows);
-      const view::Points reference = tessellation::tessellate(model, b, nullptr, at_rest, false).points;
-      body.undeformed = without_seams(rim({reference, at_rest}));
+      const tessellation::Skin reference = tessellation::tessellate(model, b, nullptr, at_rest, false);
+      body.undeformed = without_seams(plane_body(reference, showing).rim);
     }
     panel.bodies.push_back(std::move(body));
   }
   if (pressure) add_pressure(panel, model, showing);
+  if (showing.vectors == "traction") panel.vectors = tractions(model, showing.bodies);
   for (int k = 0; showing.obstacles && k < static_cast<int>(model.system.scene.obstacles.size()); ++k)
     panel.obstacles.push_back(obstacle(model, k, showing.deformed, showing.windows));
   for (char letter : showing.mirror) {

@@ -1,3 +1,4 @@
+#include "base/error.hpp"
 #include "bind/frame.hpp"
 #include "model/contact_pressure.hpp"
 #include "model/sample.hpp"
@@ -70,5 +71,24 @@ view::Body pressure_band(const model::Model<2>& model, int contact, const Showin
   band.rim = {std::move(edge)};
   return band;
 }
+
+template <int D>
+std::vector<view::PointVector> tractions(const model::Model<D>& model, const std::vector<int>& bodies) {
+  const auto& contacts = model.system.scene.contacts;
+  require(!contacts.empty(), "vectors = \"traction\": the model has no contact; name contacts in sg.model");
+  std::vector<view::PointVector> vectors;
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    if (std::count(bodies.begin(), bodies.end(), contacts[c].slave.body) == 0) continue;
+    for (const auto& point : model.present.contacts[c].results) {
+      if (!(point.force.norm() > 0 && point.area > 0)) continue;
+      view::PointVector& one = vectors.emplace_back(view::PointVector{Vec<3>::Zero(), Vec<3>::Zero()});
+      one.at.template head<D>() = point.position;
+      one.vector.template head<D>() = point.force / point.area;
+    }
+  }
+  return vectors;
+}
+template std::vector<view::PointVector> tractions<2>(const model::Model<2>&, const std::vector<int>&);
+template std::vector<view::PointVector> tractions<3>(const model::Model<3>&, const std::vector<int>&);
 
 } // namespace signorini::bind

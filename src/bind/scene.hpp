@@ -1,7 +1,7 @@
 #pragma once
 // Bodies, their places and models as Lua sees them.
 
-#include "bind/options.hpp"
+#include "bind/arguments.hpp"
 #include "bind/rigid.hpp"
 #include "model/results.hpp"
 

@@ -1,5 +1,4 @@
 #include "bind/frame.hpp"
-#include "bind/sampled_patch.hpp"
 #include "tessellation/tessellate.hpp"
 
 #include <algorithm>
@@ -22,22 +21,17 @@ view::Solid skin_of(const model::Model<3>& model, int b, const Showing& showing,
                     int divisions) {
   const auto sampling = tessellation::sampling(model, b, divisions, showing.deformed, showing.windows);
   tessellation::Skin skin = tessellation::tessellate(model, b, field, sampling, showing.deformed);
-  view::Solid solid;
-  solid.skin = {std::move(skin.points), std::move(skin.normals), std::move(skin.triangles), std::move(skin.values)};
-  if (showing.field == pressure_name) solid.skin.values = tessellation::contact_pressure(model, b, sampling);
-  solid.skin.values *= showing.factor;
-  solid.rim = lines_of(std::move(skin.rim), false);
-  solid.mesh_lines = lines_of(std::move(skin.mesh_lines), true);
-  solid.mesh = showing.mesh;
-  if (showing.control_points) {
-    solid.control_points = std::move(skin.control_points);
-    solid.net_lines = std::move(skin.net_lines);
+  if (showing.field == pressure_name) skin.values = tessellation::contact_pressure(model, b, sampling);
+  view::Solid solid = solid_body(std::move(skin), showing);
+  if (showing.vectors == "displacement") {
+    const view::Points other = tessellation::tessellate(model, b, nullptr, sampling, !showing.deformed).points;
+    solid.skin.vectors = showing.deformed ? solid.skin.points - other : other - solid.skin.points;
   }
   if (showing.undeformed) {
     const auto at_rest = tessellation::sampling(model, b, divisions, false, showing.windows);
-    tessellation::Skin reference = tessellation::tessellate(model, b, nullptr, at_rest, false);
-    solid.undeformed = {std::move(reference.points), std::move(reference.normals), std::move(reference.triangles), {}};
-    solid.undeformed_rim = lines_of(std::move(reference.rim), false);
+    view::Solid reference = solid_body(tessellation::tessellate(model, b, nullptr, at_rest, false), {});
+    solid.undeformed = std::move(reference.skin);
+    solid.undeformed_rim = std::move(reference.rim);
   }
   return solid;
 }
@@ -61,10 +55,11 @@ view::RigidSurface shifted(const nurbs::Patch& patch, const Vec<3>& shift, std::
     window.low -= window.axes * shift;
     window.high -= window.axes * shift;
   }
-  SampledPatch piece = sampled(patch, 1, windows);
-  piece.surface.points.colwise() += shift;
-  for (view::SurfaceLine& line : piece.rim) line.points.colwise() += shift;
-  return {std::move(piece.surface), std::move(piece.rim)};
+  tessellation::Skin skin = tessellation::tessellate(patch, 1, windows);
+  skin.points.colwise() += shift;
+  for (tessellation::SkinLine& line : skin.rim) line.points.colwise() += shift;
+  view::Solid solid = solid_body(std::move(skin), {});
+  return {std::move(solid.skin), std::move(solid.rim)};
 }
 
 /// A model's rigid obstacle where it stands now, or stood at the start.
@@ -87,6 +82,8 @@ void add_mirror_image(view::SolidPanel& panel, int axis, double sign) {
     panel.bodies.push_back(view::mirrored(panel.bodies[i], axis, sign));
   for (std::size_t i = 0, count = panel.obstacles.size(); i < count; ++i)
     if (auto image = view::mirrored(panel.obstacles[i], axis)) panel.obstacles.push_back(std::move(*image));
+  for (std::size_t i = 0, count = panel.vectors.size(); i < count; ++i)
+    panel.vectors.push_back(view::mirrored(panel.vectors[i], axis));
 }
 
 /// A plane and what it is in the mirrors: where the model itself must be sampled.
@@ -117,14 +114,18 @@ view::CutPlane plane_of(const Cut& cut, const std::vector<view::Solid>& bodies, 
 
 } // namespace
 
-template <> std::string field_label<3>(const std::string& field) {
-  if (field == pressure_name) return "contact pressure";
-  const auto& all = model::fields<3>();
-  const auto found = std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.name == field; });
-  if (found != all.end()) return found->label;
-  std::string known;
-  for (const auto& one : all) known += one.name + ", ";
-  fail("unknown field '", field, "'; known: ", known, pressure_name);
+view::Solid solid_body(tessellation::Skin skin, const Showing& showing) {
+  view::Solid solid;
+  solid.skin = {std::move(skin.points), std::move(skin.normals), std::move(skin.triangles),
+                showing.factor * skin.values};
+  solid.rim = lines_of(std::move(skin.rim), false);
+  solid.mesh_lines = lines_of(std::move(skin.mesh_lines), true);
+  solid.mesh = showing.mesh;
+  if (showing.control_points) {
+    solid.control_points = std::move(skin.control_points);
+    solid.net_lines = std::move(skin.net_lines);
+  }
+  return solid;
 }
 
 view::SolidPanel show(const model::Model<3>& model, const Showing& showing, const std::optional<Cut>& cut) {
@@ -150,11 +151,12 @@ view::SolidPanel show(const model::Model<3>& model, const Showing& showing, cons
       body.inside = inside_of(model, b, showing, field, divisions(b), body.skin.values.size() > 0, planes);
     }
   }
+  if (showing.vectors == "traction") panel.vectors = tractions(model, showing.bodies);
   for (int k = 0; showing.obstacles && k < static_cast<int>(model.system.scene.obstacles.size()); ++k)
     panel.obstacles.push_back(obstacle(model, k, showing.deformed, showing.windows));
   for (char letter : showing.mirror) {
     const int axis = letter - 'x';
-    add_mirror_image(panel, axis, pressure ? 1 : mirror_sign(showing.field, axis));
+    add_mirror_image(panel, axis, mirror_sign(showing.field, axis));
   }
   return panel;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// The typed layer over Lua's stack: reading checked values, pushing results, userdata of C++ types.
+// The typed layer over Lua's stack: pushing results, userdata of C++ types.
 
 #include "base/eigen.hpp"
 #include "bind/message.hpp"
@@ -11,33 +11,6 @@
 #include <vector>
 
 namespace signorini::bind {
-
-// ── Reading: each throws an ArgumentError that says what came and what was expected ──────────────────────────────────
-
-/// A finite number; strings are not converted.
-double read_number(lua_State* L, int index, const Argument& argument, const char* expected = "a number");
-double read_positive(lua_State* L, int index, const Argument& argument);
-double read_non_negative(lua_State* L, int index, const Argument& argument);
-/// A whole number in [low, high].
-int read_integer(lua_State* L, int index, const Argument& argument, int low, int high);
-bool read_flag(lua_State* L, int index, const Argument& argument);
-std::string read_string(lua_State* L, int index, const Argument& argument);
-std::string read_choice(lua_State* L, int index, const Argument& argument, const std::vector<std::string>& choices);
-
-/// The length of a list. Throws for anything but a table whose keys are 1…n.
-int read_list(lua_State* L, int index, const Argument& argument, const char* expected = "a list");
-/// A list of numbers; where gaps are allowed, nan and infinity come back as NaN.
-std::vector<double> read_numbers(lua_State* L, int index, const Argument& argument, bool gaps_allowed = false);
-std::vector<int> read_integers(lua_State* L, int index, const Argument& argument, int low, int high);
-/// A point or vector {x, y} or {x, y, z} with low … high coordinates.
-VectorX read_point(lua_State* L, int index, const Argument& argument, int low = 2, int high = 3);
-/// A list of points of equal dimension, as dimension × number.
-MatrixX read_points(lua_State* L, int index, const Argument& argument);
-
-/// A direction or index counted from 1, returned counted from 0.
-inline int read_index(lua_State* L, int index, const Argument& argument, int count) {
-  return read_integer(L, index, argument, 1, count) - 1;
-}
 
 // ── Pushing ──────────────────────────────────────────────────────────────────────────────────────────────────────────
 
@@ -72,6 +45,18 @@ template <class T> void push(lua_State* L, const std::vector<T>& values) {
 template <class T> void set_field(lua_State* L, const char* name, const T& value) {
   push(L, value);
   lua_setfield(L, -2, name);
+}
+
+/// Sets fields of the table on top of the stack: names and values in turn.
+template <class T, class... Rest> void set_fields(lua_State* L, const char* name, const T& value, const Rest&... rest) {
+  set_field(L, name, value);
+  if constexpr (sizeof...(rest) > 0) set_fields(L, rest...);
+}
+
+/// Pushes a table of fields: names and values in turn.
+template <class... Parts> void push_fields(lua_State* L, const Parts&... parts) {
+  lua_createtable(L, 0, sizeof...(parts) / 2);
+  set_fields(L, parts...);
 }
 
 // ── Userdata ─────────────────────────────────────────────────────────────────────────────────────────────────────────

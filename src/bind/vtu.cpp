@@ -1,7 +1,8 @@
 // sg.vtu: a model's present state for ParaView, as exact rational Bézier cells.
 
-#include "view/vtu.hpp"
+#include "exchange/vtu.hpp"
 #include "base/whole_file.hpp"
+#include "bind/arguments.hpp"
 #include "bind/functions.hpp"
 #include "bind/model.hpp"
 #include "bind/open.hpp"
@@ -22,14 +23,14 @@ const std::vector<std::string>& component_names(const std::string& field) {
 }
 
 /// Puts cells at the end of a grid; where they lack one of its fields it is not a number.
-void append(view::BezierGrid& grid, const tessellation::BezierCells& cells, int body, int contact) {
+void append(exchange::BezierGrid& grid, const tessellation::BezierCells& cells, int body, int contact) {
   const Eigen::Index before = grid.points.cols(), added = cells.points.cols(), all = before + added;
   grid.degrees.insert(grid.degrees.end(), cells.degrees.begin(), cells.degrees.end());
   grid.points.conservativeResize(3, all);
   grid.points.rightCols(added) = cells.points;
   grid.weights.conservativeResize(all);
   grid.weights.tail(added) = cells.weights;
-  for (view::PointArray& array : grid.point_arrays) {
+  for (exchange::PointArray& array : grid.point_arrays) {
     const Eigen::Index rows = array.values.rows();
     array.values.conservativeResize(rows, all);
     array.values.rightCols(added).setConstant(std::numeric_limits<double>::quiet_NaN());
@@ -42,12 +43,12 @@ void append(view::BezierGrid& grid, const tessellation::BezierCells& cells, int 
 }
 
 /// All bodies, then the slave faces of all contacts.
-template <int D> view::BezierGrid grid_of(const model::Model<D>& model, bool deformed) {
+template <int D> exchange::BezierGrid grid_of(const model::Model<D>& model, bool deformed) {
   const model::Scene<D>& scene = model.system.scene;
   std::vector<tessellation::BezierCells> bodies;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)
     bodies.push_back(tessellation::bezier_cells(model, static_cast<int>(b), deformed));
-  view::BezierGrid grid;
+  exchange::BezierGrid grid;
   grid.points.resize(3, 0);
   for (const tessellation::CellField& field : bodies.front().fields)
     grid.point_arrays.push_back({field.name, MatrixX(field.values.rows(), 0), component_names(field.name)});
@@ -64,7 +65,7 @@ template <int D> view::BezierGrid grid_of(const model::Model<D>& model, bool def
 }
 
 /// A patch's elements as cells: with knots repeated up to the degree its control points are those of its elements.
-void append(view::BezierGrid& grid, nurbs::Patch patch, int number) {
+void append(exchange::BezierGrid& grid, nurbs::Patch patch, int number) {
   const int n = patch.parametric_dimension();
   for (int d = 0; d < n; ++d) {
     std::vector<double> missing;
@@ -104,58 +105,35 @@ void append(view::BezierGrid& grid, nurbs::Patch patch, int number) {
   grid.cell_arrays[0].values.insert(grid.cell_arrays[0].values.end(), static_cast<std::size_t>(elements), number);
 }
 
-view::BezierGrid grid_of(const std::vector<nurbs::Patch>& patches) {
-  view::BezierGrid grid;
+exchange::BezierGrid grid_of(const std::vector<nurbs::Patch>& patches) {
+  exchange::BezierGrid grid;
   grid.points.resize(3, 0);
   grid.cell_arrays = {{"patch", {}}};
   for (std::size_t p = 0; p < patches.size(); ++p) append(grid, patches[p], static_cast<int>(p) + 1);
   return grid;
 }
 
-view::BezierGrid read_grid(lua_State* L, const Options& o) {
-  if (o.has("patch")) {
+exchange::BezierGrid read_grid(lua_State* L, const Arguments& a) {
+  if (a.has("patch")) {
     for (const char* key : {"model", "deformed"})
-      if (o.has(key))
-        throw ArgumentError(text(function_name(L), ": ", key,
-                                 " is for models, and patch is a shape that is none yet: ", "leave one of them out"));
-    return grid_of(read_patches(L, o));
+      if (a.has(key)) a.fail(key, " is for models, and patch is not part of one: leave one of them out");
+    return grid_of(patches_of(a, "patch"));
   }
-  const bool deformed = o.flag("deformed", "the present shape, not the reference", true);
-  if (const Model<3>* solid = test_object<Model<3>>(L, o.push_value("model"))) return grid_of(**solid, deformed);
-  return grid_of(*o.object<Model<2>>("model", "made by sg.model"), deformed);
+  if (!a.has("model")) a.refuse("model", "a model");
+  const bool deformed = a.get("deformed", true);
+  if (const Model<3>* solid = test_object<Model<3>>(L, a.push("model"))) return grid_of(**solid, deformed);
+  return grid_of(*a.object<Model<2>>("model"), deformed);
 }
 
 int vtu(lua_State* L) {
-  const Options o(L, 1, {"model", "file", "deformed", "patch"});
-  const std::string file = o.string("file", "a name that ends with .vtu");
-  if (view::file_ending(file) != ".vtu")
-    reject(L, o.push_value("file"), o.argument("file", ""), "a name that ends with .vtu");
-  write_whole(file, view::vtu(read_grid(L, o)));
+  const Arguments a(L);
+  const auto file = a.get<std::string>("file");
+  if (view::file_ending(file) != ".vtu") a.refuse("file", "a name that ends with .vtu");
+  write_whole(file, exchange::vtu(read_grid(L, a)));
   return 0;
 }
 
-constexpr Function vtu_entries[] = {
-    {"vtu", vtu,
-     "sg.vtu{ model, file, deformed = true, patch }\n"
-     "Writes the model's present state to a .vtu file for ParaView: every element is a rational Bezier cell of its "
-     "own\n"
-     "degrees, so shape and displacement are exact, also where rows of different degrees meet. deformed = false gives\n"
-     "the reference shape; ParaView's Warp By Vector then leads to the present one.\n"
-     "At points: displacement; stress (Cauchy: XX YY ZZ XY YZ XZ), von_mises, pressure (-tr sigma/3) and F (11 12 … "
-     "33),\n"
-     "exact at the p + 1 Gauss points per direction of each element and not smoothed between elements.\n"
-     "Behind the bodies stand the slave faces of the contacts, cells of one dimension less, with the same fields and\n"
-     "contact_pressure (nan in bodies): least squares at the contact points of each element, so that it may swing "
-     "below\n"
-     "zero where contact ends; model:profile has the values themselves.\n"
-     "Cells have the numbers body and contact (0 for elements of bodies); body_names, contact_names say which is "
-     "which.\n"
-     "VTK 9.1, ParaView 5.10 or newer. A plane model lies in z = 0; of an axisymmetric one ZZ is the hoop direction.\n"
-     "patch in the place of model: a patch, or a list of patches, before they are bodies; cells have the number "
-     "patch.\n"
-     "Example: sg.vtu{ model = model, file = \"state.vtu\" }\n"
-     "Example: sg.vtu{ patch = sg.nurbs.circle{ radius = 1 }, file = \"circle.vtu\" }"},
-};
+constexpr Function vtu_entries[] = {{"vtu", vtu}};
 
 } // namespace
 

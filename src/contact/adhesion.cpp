@@ -23,11 +23,8 @@ double slope(const Adhesion& law, double r) {
 } // namespace
 
 void check(const Adhesion& law) {
-  require(std::isfinite(law.hamaker) && law.hamaker > 0,
-          "adhesion: hamaker must be a positive number (Hamaker's constant, force times length), got ", law.hamaker);
-  require(std::isfinite(law.distance) && law.distance > 0,
-          "adhesion: r0 must be a positive number (equilibrium distance of the potential, a length), got ",
-          law.distance);
+  require(std::isfinite(law.hamaker) && law.hamaker > 0, "contact.adhesion.hamaker", {{"value", law.hamaker}});
+  require(std::isfinite(law.distance) && law.distance > 0, "contact.adhesion.distance", {{"value", law.distance}});
 }
 
 double equilibrium_distance(const Adhesion& law) {

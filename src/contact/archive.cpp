@@ -55,7 +55,7 @@ template <int D> Obstacle<D> read_obstacle(ArchiveReader& from) {
   if (form == 1) return from.get<Ball<D>>();
   if constexpr (D == 3)
     if (form == 2) return from.get<Cylinder>();
-  require(form == D, "obstacle: there is no form ", form);
+  require(form == D, "contact.archive.obstacle", {{"number", form}});
   return from.get<nurbs::Patch>();
 }
 
@@ -75,7 +75,7 @@ Obstacle<3> read(ArchiveReader& from, std::type_identity<Obstacle<3>>) {
 }
 
 template <int D> void write(ArchiveWriter& to, const Method<D>& method) {
-  require(!std::holds_alternative<Maker<D>>(method), "a contact with a user-defined formulation cannot be saved");
+  require(!std::holds_alternative<Maker<D>>(method), "contact.archive.own_formulation");
   to.put(static_cast<int>(method.index()));
   if (const auto* penalty = std::get_if<PenaltyLaw>(&method))
     to.put(*penalty);
@@ -85,7 +85,7 @@ template <int D> void write(ArchiveWriter& to, const Method<D>& method) {
 
 template <int D> Method<D> read_method(ArchiveReader& from) {
   const int index = from.get<int>();
-  require(index == 0 || index == 1, "contact: there is no law ", index);
+  require(index == 0 || index == 1, "contact.archive.law", {{"number", index}});
   if (index == 0) return from.get<PenaltyLaw>();
   return from.get<Adhesion>();
 }
@@ -104,7 +104,7 @@ template <int D> void read_history(ArchiveReader& from, History<D>& history) {
   auto& [points, results, dissipated] = history;
   dissipated = from.get<double>();
   const auto count = from.get<std::uint64_t>();
-  require(count == points.size(), "a contact of ", count, " points was saved, this one has ", points.size());
+  require(count == points.size(), "contact.archive.points", {{"saved", count}, {"count", points.size()}});
   for (std::size_t i = 0; i < points.size(); ++i) {
     std::apply([&](auto&... parts) { from.into(parts...); }, members(points[i]));
     results[i] = from.get<bool>() ? from.get<PointResult<D>>() : PointResult<D>{};

@@ -33,8 +33,7 @@ ContactPoints<D>::ContactPoints(const Surface<D>& slave, int per_direction, bool
       for (const auto& rates : face.derivative) values.insert(values.end(), rates.begin(), rates.begin() + n);
     }
   }
-  require(!list.empty(), "where holds nowhere on the slave face: it must return true for the reference positions ",
-          "that take part");
+  require(!list.empty(), "contact.points.none");
 }
 
 namespace {

@@ -25,27 +25,27 @@ std::array<Vec<3>, 2> across(const Vec<3>& axis) {
 }
 
 void check_radius(double radius) {
-  require(std::isfinite(radius) && radius > 0, "radius must be a positive number (length), got ", radius);
+  require(std::isfinite(radius) && radius > 0, "contact.obstacle.radius", {{"radius", radius}});
 }
 
 } // namespace
 
 template <int D> Plane<D> make_plane(const Vec<D>& point, const Vec<D>& normal) {
-  require(point.allFinite() && normal.allFinite(), "plane: point and normal must be finite numbers");
+  require(point.allFinite() && normal.allFinite(), "contact.plane.finite");
   const double length = normal.norm();
-  require(length > 0, "normal must not be zero: it points out of the obstacle, towards the body");
+  require(length > 0, "contact.plane.normal");
   return {point, normal / length};
 }
 
 template <int D> Ball<D> make_ball(const Vec<D>& centre, double radius) {
-  require(centre.allFinite(), "centre must be finite numbers");
+  require(centre.allFinite(), "contact.obstacle.center");
   check_radius(radius);
   return {centre, radius};
 }
 
 Cylinder make_cylinder(const Vec<3>& point, const Vec<3>& axis, double radius) {
-  require(point.allFinite() && axis.allFinite(), "cylinder: centre and axis must be finite numbers");
-  require(axis.norm() > 0, "axis must not be zero: it is the direction of the cylinder");
+  require(point.allFinite() && axis.allFinite(), "contact.cylinder.finite");
+  require(axis.norm() > 0, "contact.cylinder.axis");
   check_radius(radius);
   return {point, axis.normalized(), radius};
 }

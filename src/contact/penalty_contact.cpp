@@ -11,10 +11,9 @@ namespace signorini::contact {
 namespace {
 
 PenaltyLaw checked(const PenaltyLaw& law) {
-  require(law.normal > 0, "penalty must be positive (pressure per length), got ", law.normal);
-  require(law.friction >= 0, "friction: mu must not be negative, got ", law.friction);
-  require(law.friction == 0 || law.tangential > 0, "friction: penalty must be positive (pressure per length), got ",
-          law.tangential);
+  require(law.normal > 0, "contact.penalty.normal", {{"value", law.normal}});
+  require(law.friction >= 0, "contact.penalty.friction", {{"value", law.friction}});
+  require(law.friction == 0 || law.tangential > 0, "contact.penalty.tangential", {{"value", law.tangential}});
   return law;
 }
 

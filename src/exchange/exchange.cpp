@@ -26,13 +26,11 @@ const Form& form_of(const std::string& file, const std::string& text) {
   std::size_t begin = text.starts_with("\xEF\xBB\xBF") ? 3 : 0; // byte-order mark
   while (begin < text.size() && std::isspace(static_cast<unsigned char>(text[begin]))) ++begin;
   const std::string_view start = std::string_view(text).substr(begin);
-  require(!start.empty(), file, ": the file is empty");
+  require(!start.empty(), "exchange.file.empty", {{"file", file}});
   if (start.front() == '<') return known[0];
   if (start.starts_with("MFEM")) return known[2];
-  require(
-      start.front() == '#' || std::isdigit(static_cast<unsigned char>(start.front())), file,
-      ":1: this is no file of patches: G+Smo's XML begins with '<', GeoPDEs' text with '#' or a number, MFEM's mesh "
-      "with 'MFEM NURBS mesh v1.0'");
+  require(start.front() == '#' || std::isdigit(static_cast<unsigned char>(start.front())), "exchange.file.form",
+          {{"file", file}});
   return known[1];
 }
 
@@ -59,10 +57,10 @@ std::vector<Patch> read_patches(const std::string& file) {
 }
 
 void write_patches(const std::string& file, const std::vector<Patch>& patches, const std::string& form) {
-  require(!patches.empty(), "patches: there is none to be written");
+  require(!patches.empty(), "exchange.write.nothing");
   for (const Form& one : known)
     if (one.name == form) return write_whole(file, one.write(patches));
-  fail("form: '", form, "' is none of gismo, geopdes, mfem");
+  fail("exchange.write.form", {{"form", form}, {"known", forms()}});
 }
 
 } // namespace signorini::exchange

@@ -13,18 +13,17 @@ struct Sizes {
 };
 
 Sizes read_sizes(TextReader& from, const std::string& file) {
-  if (from.at_end()) fail(file, ": the file holds comments only");
-  const int first = from.integer("the dimension of the parameters", 1, 3), line = from.line();
+  if (from.at_end()) fail("exchange.geopdes.comments", {{"file", file}});
+  const int first = from.integer(1, 3, "exchange.expected.parameters"), line = from.line();
   std::vector<int> sizes = {first};
   TextReader rest(file, from.rest_of_line(), line);
-  while (!rest.at_end()) sizes.push_back(rest.integer("a size", 0, most_functions));
-  if (sizes.size() > 5) rest.wrong("expected up to 5 sizes in this line, got ", sizes.size());
+  while (!rest.at_end()) sizes.push_back(rest.integer(0, most_functions, "exchange.expected.size"));
+  if (sizes.size() > 5) rest.wrong("exchange.geopdes.sizes", {{"count", sizes.size()}});
   Sizes result = {first, first, sizes.size() > 1 ? sizes[1] : 1};
   if (sizes.size() == 5) result = {first, sizes[1], sizes[2]};
   if (result.dimension < 2 || result.dimension > 3 || result.dimension < result.parametric)
-    rest.wrong("patches of ", result.parametric, " parameters in space of dimension ", result.dimension,
-               " cannot be taken over: expected dimension 2 or 3");
-  if (result.patches < 1) rest.wrong("expected at least one patch, got ", result.patches);
+    rest.wrong("exchange.geopdes.dimension", {{"parameters", result.parametric}, {"dimension", result.dimension}});
+  if (result.patches < 1) rest.wrong("exchange.geopdes.no_patch", {{"count", result.patches}});
   return result;
 }
 
@@ -32,16 +31,17 @@ Patch read_patch(TextReader& from, const Sizes& sizes) {
   const std::string_view next = from.peek();
   // The patch's name, a line of its own, may be missing.
   if (!next.empty() && std::string_view("+-.0123456789").find(next.front()) == std::string_view::npos) {
-    const std::string_view name = from.word("the name of a patch");
+    const std::string_view name = from.word("exchange.expected.patch_name");
     if (name == "INTERFACE" || name == "SUBDOMAIN" || name == "BOUNDARY")
-      from.wrong("expected ", sizes.patches, " patches as the first line says, but '", name, "' comes before the last");
+      from.wrong("exchange.geopdes.patches", {{"expected", sizes.patches}, {"word", name}});
     from.rest_of_line();
   }
   std::vector<int> degrees, counts;
-  for (int d = 0; d < sizes.parametric; ++d) degrees.push_back(from.integer("a degree", 1, nurbs::max_degree));
+  for (int d = 0; d < sizes.parametric; ++d)
+    degrees.push_back(from.integer(1, nurbs::max_degree, "exchange.expected.degree"));
   int size = 1;
   for (int d = 0; d < sizes.parametric; ++d) {
-    counts.push_back(from.integer("a number of control points", 2, most_functions / size));
+    counts.push_back(from.integer(2, most_functions / size, "exchange.expected.functions"));
     size *= counts.back();
   }
   std::vector<KnotVector> directions;
@@ -49,7 +49,8 @@ Patch read_patch(TextReader& from, const Sizes& sizes) {
   MatrixX homogeneous(sizes.dimension + 1, size);
   for (int i = 0; i <= sizes.dimension; ++i)
     for (int a = 0; a < size; ++a)
-      homogeneous(i, a) = from.number(i < sizes.dimension ? "a weighted coordinate" : "a weight");
+      homogeneous(i, a) =
+          from.number(i < sizes.dimension ? "exchange.expected.weighted_coordinate" : "exchange.expected.weight");
   return placed(from.file(), from.line(), [&] { return Patch(std::move(directions), std::move(homogeneous)); });
 }
 
@@ -69,8 +70,8 @@ std::string geopdes(const std::vector<Patch>& patches) {
   std::string numbers;
   for (std::size_t i = 0; i < patches.size(); ++i) {
     const Patch& patch = patches[i];
-    require(patch.parametric_dimension() == parametric && patch.dimension() == dimension, "patches: number ", i + 1,
-            " is of another dimension than the first; this form of file takes patches of one kind");
+    require(patch.parametric_dimension() == parametric && patch.dimension() == dimension, "exchange.geopdes.mixed",
+            {{"number", i}});
     numbers += text(i == 0 ? "" : " ", i + 1);
     out += text("PATCH ", i + 1, "\n");
     std::vector<int> degrees, counts;

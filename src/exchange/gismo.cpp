@@ -17,19 +17,19 @@ struct Document {
   int line(std::ptrdiff_t offset) const {
     return 1 + static_cast<int>(std::count(text.begin(), text.begin() + std::max<std::ptrdiff_t>(0, offset), '\n'));
   }
-  template <class... Parts> [[noreturn]] void wrong(const pugi::xml_node& node, const Parts&... parts) const {
-    fail(file, ":", line(node.offset_debug()), ": ", parts...);
+  [[noreturn]] void wrong(const pugi::xml_node& node, const char* code, std::initializer_list<Datum> data) const {
+    fail_at(file, line(node.offset_debug()), Message(code, data));
   }
   pugi::xml_node child(const pugi::xml_node& parent, const char* name) const {
     const pugi::xml_node result = parent.child(name);
-    if (!result) wrong(parent, "<", parent.name(), "> has no <", name, ">");
+    if (!result) wrong(parent, "exchange.gismo.no_child", {{"element", parent.name()}, {"child", name}});
     return result;
   }
   /// Reads what stands in an element.
   TextReader inside(const pugi::xml_node& node) const {
     const std::string_view form = node.attribute("format").as_string("ASCII");
     if (form != "ASCII" && form != "ascii")
-      wrong(node, "<", node.name(), "> is in the format '", form, "'; only ASCII can be read");
+      wrong(node, "exchange.gismo.not_ascii", {{"element", node.name()}, {"form", form}});
     const pugi::xml_node content = node.first_child();
     return {file, content.value(), line(content.offset_debug()), false};
   }
@@ -38,17 +38,18 @@ struct Document {
 int whole_number(const Document& document, const pugi::xml_node& node, const char* attribute, int low, int high) {
   const std::string text = node.attribute(attribute).value();
   return TextReader(document.file, text, document.line(node.offset_debug()))
-      .integer(signorini::text("the attribute ", attribute, " of <", node.name(), ">").c_str(), low, high);
+      .integer(low, high, "exchange.expected.attribute", {{"attribute", attribute}, {"element", node.name()}});
 }
 
 KnotVector read_direction(const Document& document, const pugi::xml_node& basis) {
   const std::string type = basis.attribute("type").value();
-  if (type != "BSplineBasis") document.wrong(basis, "expected a basis of the type BSplineBasis, got '", type, "'");
+  if (type != "BSplineBasis")
+    document.wrong(basis, "exchange.gismo.basis", {{"expected", "BSplineBasis"}, {"type", type}});
   const pugi::xml_node node = document.child(basis, "KnotVector");
   const int degree = whole_number(document, node, "degree", 1, nurbs::max_degree);
   TextReader from = document.inside(node);
   std::vector<double> knots;
-  while (!from.at_end()) knots.push_back(from.number("a knot"));
+  while (!from.at_end()) knots.push_back(from.number("exchange.expected.knot"));
   return placed(document.file, document.line(node.offset_debug()),
                 [&] { return KnotVector(degree, std::move(knots)); });
 }
@@ -70,15 +71,12 @@ Patch read_patch(const Document& document, const pugi::xml_node& geometry) {
   const std::string type = geometry.attribute("type").value();
   const auto* kind =
       std::find_if(std::begin(kinds), std::end(kinds), [&](const Kind& one) { return one.type == type; });
-  if (kind == std::end(kinds))
-    document.wrong(geometry, "a geometry of the type '", type,
-                   "' cannot be read; expected BSpline, TensorBSpline2, TensorBSpline3, Nurbs, TensorNurbs2 or "
-                   "TensorNurbs3");
+  if (kind == std::end(kinds)) document.wrong(geometry, "exchange.gismo.geometry", {{"type", type}});
   pugi::xml_node basis = document.child(geometry, "Basis");
   pugi::xml_node weights;
   if (basis.attribute("type").value() != std::string(kind->basis))
-    document.wrong(basis, "expected a basis of the type ", kind->basis, ", got '", basis.attribute("type").value(),
-                   "'");
+    document.wrong(basis, "exchange.gismo.basis",
+                   {{"expected", kind->basis}, {"type", basis.attribute("type").value()}});
   if (kind->rational) {
     weights = document.child(basis, "weights");
     basis = document.child(basis, "Basis");
@@ -86,7 +84,7 @@ Patch read_patch(const Document& document, const pugi::xml_node& geometry) {
   std::vector<pugi::xml_node> nodes{basis};
   if (kind->directions > 1) nodes.assign(basis.children("Basis").begin(), basis.children("Basis").end());
   if (static_cast<int>(nodes.size()) != kind->directions)
-    document.wrong(basis, "expected ", kind->directions, " bases, one per direction, got ", nodes.size());
+    document.wrong(basis, "exchange.gismo.bases", {{"expected", kind->directions}, {"count", nodes.size()}});
   std::stable_sort(nodes.begin(), nodes.end(), [](const auto& a, const auto& b) {
     return a.attribute("index").as_int() < b.attribute("index").as_int();
   });
@@ -96,7 +94,7 @@ Patch read_patch(const Document& document, const pugi::xml_node& geometry) {
   int size = 1;
   for (const KnotVector& knots : directions) {
     if (knots.functions() > most_functions / size)
-      document.wrong(geometry, "the knots ask for more than ", most_functions, " control points");
+      document.wrong(geometry, "exchange.gismo.size", {{"most", most_functions}});
     size *= knots.functions();
   }
   const pugi::xml_node coefficients = document.child(geometry, "coefs");
@@ -107,14 +105,15 @@ Patch read_patch(const Document& document, const pugi::xml_node& geometry) {
     for (int a = 0; a < size; ++a)
       for (int i = 0; i < rows; ++i) {
         if (from.at_end())
-          from.wrong("<", node.name(), "> ends after ", a * rows + i, " numbers, expected ", size * rows);
+          from.wrong("exchange.gismo.too_few",
+                     {{"element", node.name()}, {"count", a * rows + i}, {"expected", size * rows}});
         values(i, a) = from.number(expected);
       }
-    if (!from.at_end()) from.wrong("<", node.name(), "> holds more than the ", size * rows, " numbers expected");
+    if (!from.at_end()) from.wrong("exchange.gismo.too_many", {{"element", node.name()}, {"expected", size * rows}});
     return values;
   };
-  const MatrixX points = read(coefficients, dimension, "a coordinate");
-  const VectorX all = weights ? VectorX(read(weights, 1, "a weight").row(0).transpose()) : VectorX();
+  const MatrixX points = read(coefficients, dimension, "exchange.expected.coordinate");
+  const VectorX all = weights ? VectorX(read(weights, 1, "exchange.expected.weight").row(0).transpose()) : VectorX();
   return placed(document.file, document.line(geometry.offset_debug()),
                 [&] { return make_patch(std::move(directions), points, all); });
 }
@@ -139,11 +138,12 @@ std::vector<Patch> read_gismo(const std::string& file, const std::string& text) 
   pugi::xml_document parsed;
   const Document document{file, text};
   const pugi::xml_parse_result result = parsed.load_buffer(text.data(), text.size());
-  require(result, file, ":", document.line(result.offset), ": this is no XML: ", result.description());
+  require(result, "exchange.gismo.xml",
+          {{"file", file}, {"line", document.line(result.offset)}, {"reason", result.description()}});
   std::vector<Patch> patches;
   for (const pugi::xpath_node& geometry : parsed.select_nodes("//Geometry"))
     patches.push_back(read_patch(document, geometry.node()));
-  require(!patches.empty(), file, ": expected at least one element <Geometry>, found none");
+  require(!patches.empty(), "exchange.gismo.nothing", {{"file", file}});
   return patches;
 }
 

@@ -10,25 +10,25 @@ constexpr const char* title = "MFEM NURBS mesh v1.0";
 
 Patch read_patch(TextReader& from) {
   from.keyword("knotvectors");
-  const int parametric = from.integer("the number of knot vectors", 1, 3);
+  const int parametric = from.integer(1, 3, "exchange.expected.knot_vectors");
   std::vector<KnotVector> directions;
   int size = 1;
   for (int d = 0; d < parametric; ++d) {
-    const int degree = from.integer("a degree", 1, nurbs::max_degree);
-    const int functions = from.integer("a number of control points", degree + 1, most_functions / size);
+    const int degree = from.integer(1, nurbs::max_degree, "exchange.expected.degree");
+    const int functions = from.integer(degree + 1, most_functions / size, "exchange.expected.functions");
     directions.push_back(read_knots(from, degree, functions));
     size *= functions;
   }
   from.keyword("dimension");
-  const int dimension = from.integer("the dimension of space", 2, 3);
-  const std::string_view kind = from.word("'controlpoints' or 'controlpoints_cartesian'");
+  const int dimension = from.integer(2, 3, "exchange.expected.dimension");
+  const std::string_view kind = from.word("exchange.expected.points");
   const bool cartesian = kind == "controlpoints_cartesian";
   if (!cartesian && kind != "controlpoints" && kind != "controlpoints_homogeneous")
-    from.wrong("expected 'controlpoints' or 'controlpoints_cartesian', got '", kind, "'");
+    from.wrong("exchange.mfem.points", {{"word", kind}});
   MatrixX homogeneous(dimension + 1, size);
   for (int a = 0; a < size; ++a) {
-    for (int i = 0; i < dimension; ++i) homogeneous(i, a) = from.number("a coordinate");
-    homogeneous(dimension, a) = from.number("a weight");
+    for (int i = 0; i < dimension; ++i) homogeneous(i, a) = from.number("exchange.expected.coordinate");
+    homogeneous(dimension, a) = from.number("exchange.expected.weight");
     if (cartesian) homogeneous.col(a).head(dimension) *= homogeneous(dimension, a);
   }
   return placed(from.file(), from.line(), [&] { return Patch(std::move(directions), std::move(homogeneous)); });
@@ -51,29 +51,26 @@ constexpr Topology topologies[] = {
 
 std::vector<Patch> read_mfem(const std::string& file, const std::string& text) {
   const std::string_view first = std::string_view(text).substr(0, text.find('\n'));
-  require(first.starts_with(title), file, ":1: expected '", title, "', got '", first, "'");
+  require(first.starts_with(title), "exchange.mfem.title", {{"file", file}, {"expected", title}, {"line", first}});
   TextReader from(file, text);
   from.rest_of_line();
   int elements = 0;
   while (from.peek() != "patches") {
-    const std::string_view word = from.word("the section 'patches'");
-    if (word == "weights")
-      from.wrong("this mesh lists its control points by MFEM's numbers of unknowns; only meshes with a section "
-                 "'patches' can be read");
-    if (word == "elements") elements = from.integer("the number of elements", 1, most_functions);
+    const std::string_view word = from.word("exchange.expected.patches");
+    if (word == "weights") from.wrong("exchange.mfem.weights");
+    if (word == "elements") elements = from.integer(1, most_functions, "exchange.expected.elements");
   }
   from.keyword("patches");
   std::vector<Patch> patches;
   while (from.peek() == "knotvectors") patches.push_back(read_patch(from));
   if (patches.empty()) from.keyword("knotvectors");
   if (static_cast<int>(patches.size()) != elements)
-    from.wrong("expected a patch for each of the ", elements, " elements, got ", patches.size());
+    from.wrong("exchange.mfem.patches", {{"expected", elements}, {"count", patches.size()}});
   return patches;
 }
 
 std::string mfem(const std::vector<Patch>& patches) {
-  require(patches.size() == 1, "patches: a mesh of MFEM needs to know how patches meet, so it can hold only one; got ",
-          patches.size(), ": write one file per patch, or an .xml or .txt file");
+  require(patches.size() == 1, "exchange.mfem.one_patch", {{"count", patches.size()}});
   const Patch& patch = patches.front();
   const int parametric = patch.parametric_dimension();
   const Topology& topology = topologies[parametric - 1];

@@ -19,6 +19,10 @@ std::string digits(double value) {
   return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
 }
 
+void fail_at(const std::string& file, int line, const Message& problem) {
+  fail("exchange.file.at_line", {{"file", file}, {"line", line}, {"problem", problem}});
+}
+
 TextReader::TextReader(std::string file, std::string_view text, int line, bool comments)
     : file_(std::move(file)), text_(text), line_(line), taken_line_(line), comments_(comments) {}
 
@@ -45,37 +49,41 @@ std::string_view TextReader::peek() {
   return text_.substr(place_, end - place_);
 }
 
-std::string_view TextReader::word(const char* expected) {
+std::string_view TextReader::word(const char* code, std::initializer_list<Datum> data) {
   const std::string_view next = peek();
-  if (next.empty()) wrong("expected ", expected, ", but the file ends");
+  if (next.empty()) wrong("exchange.text.end", {{"expected", Message(code, data)}});
   taken_line_ = line_;
   place_ += next.size();
   return next;
 }
 
 void TextReader::keyword(std::string_view wanted) {
-  const std::string_view came = word(text("'", wanted, "'").c_str());
-  if (came != wanted) wrong("expected '", wanted, "', got '", came, "'");
+  const std::string_view came = word("exchange.expected.word", {{"word", wanted}});
+  if (came != wanted) wrong("exchange.text.keyword", {{"expected", wanted}, {"word", came}});
 }
 
-double TextReader::number(const char* expected) {
-  const std::string_view came = word(expected);
+double TextReader::number(const char* code) {
+  const std::string_view came = word(code);
   // Other programs put a + in front.
   const char* begin = came.data() + (came.front() == '+' ? 1 : 0);
   double value = 0;
   const auto [end, error] = std::from_chars(begin, came.data() + came.size(), value);
   if (error != std::errc() || end != came.data() + came.size() || !std::isfinite(value))
-    wrong("expected ", expected, ", got '", came, "'");
+    wrong("exchange.text.number", {{"expected", Message(code)}, {"word", came}});
   return value;
 }
 
-int TextReader::integer(const char* expected, int low, int high) {
-  const std::string_view came = word(expected);
+int TextReader::integer(int low, int high, const char* code, std::initializer_list<Datum> data) {
+  const std::string_view came = word(code, data);
   int value = 0;
   const auto [end, error] = std::from_chars(came.data(), came.data() + came.size(), value);
   if (error != std::errc() || end != came.data() + came.size() || value < low || value > high)
-    wrong("expected ", expected, " (a whole number from ", low, " to ", high, "), got '", came, "'");
+    wrong("exchange.text.integer", {{"expected", Message(code, data)}, {"low", low}, {"high", high}, {"word", came}});
   return value;
+}
+
+void TextReader::wrong(const char* code, std::initializer_list<Datum> data) const {
+  fail_at(file_, taken_line_, Message(code, data));
 }
 
 std::string_view TextReader::rest_of_line() {
@@ -86,7 +94,8 @@ std::string_view TextReader::rest_of_line() {
 
 KnotVector read_knots(TextReader& from, int degree, int functions) {
   std::vector<double> knots; // not reserved: a wrong file may claim any number
-  while (static_cast<int>(knots.size()) < functions + degree + 1) knots.push_back(from.number("a knot"));
+  while (static_cast<int>(knots.size()) < functions + degree + 1)
+    knots.push_back(from.number("exchange.expected.knot"));
   return placed(from.file(), from.line(), [&] { return KnotVector(degree, std::move(knots)); });
 }
 

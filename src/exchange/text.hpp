@@ -22,6 +22,9 @@ template <class Values> std::string line_of(const Values& values) {
   return result + "\n";
 }
 
+/// Throws Error with the place in front of what is wrong there.
+[[noreturn]] void fail_at(const std::string& file, int line, const Message& problem);
+
 /// Reads words from a text, one behind the other.
 class TextReader {
 public:
@@ -33,18 +36,16 @@ public:
   bool at_end();
   /// The next word, without taking it; empty at the end.
   std::string_view peek();
-  /// Takes the next word. `expected` says in messages what it should be.
-  std::string_view word(const char* expected);
+  /// Takes the next word. Code and data say in messages what is expected: "exchange.expected.knot".
+  std::string_view word(const char* code, std::initializer_list<Datum> data = {});
   /// Takes the next word, which must be this one.
   void keyword(std::string_view word);
-  double number(const char* expected);
-  int integer(const char* expected, int low, int high);
+  double number(const char* code);
+  int integer(int low, int high, const char* code, std::initializer_list<Datum> data = {});
   /// Takes what is left of the present line.
   std::string_view rest_of_line();
   /// Throws Error at the line of the last word taken.
-  template <class... Parts> [[noreturn]] void wrong(const Parts&... parts) const {
-    fail(file_, ":", taken_line_, ": ", parts...);
-  }
+  [[noreturn]] void wrong(const char* code, std::initializer_list<Datum> data = {}) const;
   int line() const { return taken_line_; }
   const std::string& file() const { return file_; }
 
@@ -63,7 +64,7 @@ template <class Make> auto placed(const std::string& file, int line, const Make&
   try {
     return make();
   } catch (const Error& error) {
-    fail(file, ":", line, ": ", error.what());
+    fail_at(file, line, error.message());
   }
 }
 

@@ -62,12 +62,12 @@ template <int D> bool advance(Model<D>& model, const StepOptions& options, Arc& 
 
 template <int D> solve::NewtonReport solve_arc(Model<D>& model, const StepOptions& options, double length) {
   Arc arc{model.targets - model.accepted.targets, length};
-  require((arc.direction.array() != 0).any(), "an arc needs a path: set a target other than the accepted one");
-  require(length > 0, "an arc's length must be positive, got ", length);
+  require((arc.direction.array() != 0).any(), "model.arc.no_path");
+  require(length > 0, "model.arc.length", {{"length", length}});
   begin_contacts(model, {}, false);
   model.step = Step{{}, true};
   VectorX rate;
-  const auto assemble = [&](bool wanted, std::string& why) {
+  const auto assemble = [&](bool wanted, Message& why) {
     rate = model.system.drives.rate(model.present.targets, arc.direction);
     return evaluate(model, wanted ? &rate : nullptr, wanted, why);
   };

@@ -31,13 +31,13 @@ template <int D> void read_state(ArchiveReader& from, Snapshot<D>& kept) {
   from.into(displacement, increment, targets, previous, force_scale, work, force, factor, bend, kept.linear);
   require(displacement.size() == dofs && increment.size() == dofs && force.size() == dofs &&
               targets.size() == components && previous.size() == components,
-          "a state of ", displacement.size(), " degrees of freedom was saved, the model has ", dofs);
+          "model.checkpoint.size", {{"saved", displacement.size()}, {"dofs", dofs}});
   for (auto& history : contacts) contact::read_history<D>(from, history);
   for (auto& values : internal) {
     const std::size_t count = values.size();
     if (count > 0) from.into(values);
-    require(values.size() == count, "a body with ", values.size(), " internal variables was saved, this one has ",
-            count);
+    require(values.size() == count, "model.checkpoint.internal_variables",
+            {{"saved", values.size()}, {"count", count}});
   }
 }
 
@@ -88,8 +88,7 @@ std::vector<std::string> differences(const Parts& here, const Parts& there) {
 } // namespace
 
 template <int D> void save(Model<D>& model, const std::string& file, const std::string& text, bool durable) {
-  require(settled(model), "the file would hold the accepted state alone, and there are a step, targets or penalties "
-                          "that are not accepted: call model:accept() to keep them, or model:rollback() first");
+  require(settled(model), "model.checkpoint.unsettled");
   settle(model);
   ArchiveWriter archive;
   archive.put(D);
@@ -118,13 +117,10 @@ std::string load_text(const std::string& file) {
 
 template <int D> void restore(Model<D>& model, const std::string& file) {
   const Content content = open(file);
-  require(content.dimension == D, "'", file, "' holds a model of dimension ", content.dimension, ", this one has ", D,
-          ": name the file that this model's run has written, or start anew without it");
+  require(content.dimension == D, "model.checkpoint.dimension",
+          {{"file", file}, {"dimension", content.dimension}, {"expected", D}});
   const auto differ = differences(scene_parts(model), ArchiveReader(content.scene).get<Parts>());
-  std::string list;
-  for (const std::string& name : differ) list += (list.empty() ? "" : ", ") + name;
-  require(differ.empty(), "'", file, "' was saved of another scene; what differs: ", list,
-          ": name another file, or take this one away to start anew");
+  require(differ.empty(), "model.checkpoint.scene", {{"file", file}, {"differences", differ}});
   take_state(model, content.state);
   remove_leftovers(file); // what is taken up may have ended in the middle of writing
 }

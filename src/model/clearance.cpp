@@ -2,7 +2,6 @@
 
 #include "base/error.hpp"
 #include "base/index.hpp"
-#include "base/words.hpp"
 #include "model/constants.hpp"
 #include "model/thickness.hpp"
 
@@ -71,40 +70,44 @@ template <int D> bool inside(const nurbs::Discretisation& space, const Vec<D>& x
   return std::abs(angle) > 1; // 2π or 4π inside, 0 outside
 }
 
-/// "12.5 %".
-std::string percent(double part) {
-  return text(std::round(1000 * part) / 10, " %");
+/// In percent, with one digit behind the point.
+double percent(double part) {
+  return std::round(1000 * part) / 10;
 }
 
 /// Checks two bodies whose deepest contact point penetrates; returns a warning, or nothing.
 template <int D>
-std::string check_overlap(const Scene<D>& scene, const Contact<D>& contact, const FaceReference& master,
-                          const contact::PointResult<D>& deepest) {
+Message check_overlap(const Scene<D>& scene, const Contact<D>& contact, const FaceReference& master,
+                      const contact::PointResult<D>& deepest) {
   const double depth = -deepest.gap, behind = thickness(scene, master);
   const double part = depth / std::min(thickness(scene, contact.slave), behind);
-  if (part <= meant_overlap) return "";
-  const std::string what =
-      text("contacts.", contact.name, ": ", face_in_words(scene, contact.slave), " penetrates ",
-           face_in_words(scene, master), " by ", number(depth), " before the first step, at ",
-           coordinates(deepest.position), ", which is ", percent(part), " of the thickness of the thinner body");
+  if (part <= meant_overlap) return {};
+  const Message slave_face = face_message(scene, contact.slave), master_face = face_message(scene, master);
   // Behind the whole of the master's body: its back is what the slave sees.
   const std::string other = nurbs::name_of({master.side.direction, !master.side.at_end});
-  require(part <= mistaken_overlap, what, ", more than ", percent(mistaken_overlap), ". Hint: ",
-          depth > whole_depth * behind
-              ? text("the master may be the wrong face, with its normal pointing away from the slave; "
-                     "did you mean face '",
-                     other, "'?")
-              : "move the bodies apart; if they are in place, the slave or the master is the wrong "
-                "face, or its normal is reversed");
-  return text(what, ". Hint: the first step removes an overlap that is meant (an interference fit); otherwise move the "
-                    "bodies apart, or check that both faces are the right ones and no normal is reversed");
+  require(part <= mistaken_overlap, "model.clearance.overlap",
+          {{"contact", contact.name},
+           {"slave", slave_face},
+           {"master", master_face},
+           {"depth", depth},
+           {"at", deepest.position},
+           {"percent", percent(part)},
+           {"most", percent(mistaken_overlap)},
+           {"hint", depth > whole_depth * behind ? Message("model.clearance.wrong_face", {{"face", other}})
+                                                 : Message("model.clearance.apart")}});
+  return Message("model.warning.overlap", {{"contact", contact.name},
+                                           {"slave", slave_face},
+                                           {"master", master_face},
+                                           {"depth", depth},
+                                           {"at", deepest.position},
+                                           {"percent", percent(part)}});
 }
 
 } // namespace
 
 template <int D>
-std::vector<std::string> check_clearance(const Scene<D>& scene, const std::vector<contact::History<D>>& contacts) {
-  std::vector<std::string> warnings;
+std::vector<Message> check_clearance(const Scene<D>& scene, const std::vector<contact::History<D>>& contacts) {
+  std::vector<Message> warnings;
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const Contact<D>& contact = scene.contacts[k];
     const auto& results = contacts[k].results;
@@ -112,8 +115,9 @@ std::vector<std::string> check_clearance(const Scene<D>& scene, const std::vecto
         *std::min_element(results.begin(), results.end(), [](const auto& a, const auto& b) { return a.gap < b.gap; });
     const NamedBody<D>& named = scene.bodies[at(contact.slave.body)];
     if (const auto* face = std::get_if<FaceReference>(&contact.master)) {
-      const std::string warning = deepest.gap < 0 ? check_overlap(scene, contact, *face, deepest) : "";
-      if (!warning.empty()) warnings.push_back(warning);
+      if (deepest.gap < 0)
+        if (const Message warning = check_overlap(scene, contact, *face, deepest); !warning.code.empty())
+          warnings.push_back(warning);
       continue;
     }
     const contact::Obstacle<D>& obstacle = scene.obstacles[at(std::get<ObstacleReference>(contact.master).obstacle)];
@@ -121,26 +125,22 @@ std::vector<std::string> check_clearance(const Scene<D>& scene, const std::vecto
     const double size = size_of(named.body->space().points());
     require(deepest.gap > -obstacle_overlap * size &&
                 (deepest.gap >= 0 || deepest.gap > -mistaken_overlap * thickness(scene, contact.slave)),
-            "contacts: the obstacle of '", contact.name, "' is inside body '", named.name,
-            "' at the start: the face reaches ", -deepest.gap, " deep into it at ", coordinates(deepest.position),
-            "; move the obstacle out, or turn its normal round",
-            std::holds_alternative<nurbs::Patch>(obstacle) ? " by patch:reverse(1)" : "");
+            std::holds_alternative<nurbs::Patch>(obstacle) ? "model.clearance.inside_patch" : "model.clearance.inside",
+            {{"contact", contact.name}, {"body", named.name}, {"depth", -deepest.gap}, {"at", deepest.position}});
     // The face of a body that only touches a plane turned round has no gap that tells; the body's middle does.
     if (const auto* plane = std::get_if<contact::Plane<D>>(&obstacle)) {
       const Vec<D> middle = named.body->reference_point(named.body->elements() / 2, 0);
-      require(plane->normal.dot(middle - plane->point) > 0, "contacts: the obstacle of '", contact.name,
-              "' holds the middle of body '", named.name, "' at the start, ", coordinates(middle),
-              "; turn the plane's normal round: it points out of the obstacle, towards the body");
+      require(plane->normal.dot(middle - plane->point) > 0, "model.clearance.middle",
+              {{"contact", contact.name}, {"body", named.name}, {"at", middle}});
     }
     if (const auto* ball = std::get_if<contact::Ball<D>>(&obstacle))
-      require(!inside<D>(named.body->space(), ball->centre), "contacts: the obstacle of '", contact.name,
-              "' is inside body '", named.name, "' at the start: its centre ", coordinates(ball->centre),
-              " lies in the body; move the obstacle out");
+      require(!inside<D>(named.body->space(), ball->centre), "model.clearance.center",
+              {{"contact", contact.name}, {"body", named.name}, {"center", ball->centre}});
   }
   return warnings;
 }
 
-template std::vector<std::string> check_clearance<2>(const Scene<2>&, const std::vector<contact::History<2>>&);
-template std::vector<std::string> check_clearance<3>(const Scene<3>&, const std::vector<contact::History<3>>&);
+template std::vector<Message> check_clearance<2>(const Scene<2>&, const std::vector<contact::History<2>>&);
+template std::vector<Message> check_clearance<3>(const Scene<3>&, const std::vector<contact::History<3>>&);
 
 } // namespace signorini::model

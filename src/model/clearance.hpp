@@ -13,6 +13,6 @@ namespace signorini::model {
 /// bodies that overlap by more than 1 % of the thickness: an interference fit, or a mistake. `contacts` are those of
 /// the scene, evaluated in the reference configuration.
 template <int D>
-std::vector<std::string> check_clearance(const Scene<D>& scene, const std::vector<contact::History<D>>& contacts);
+std::vector<Message> check_clearance(const Scene<D>& scene, const std::vector<contact::History<D>>& contacts);
 
 } // namespace signorini::model

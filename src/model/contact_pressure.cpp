@@ -51,19 +51,39 @@ template <int D> double FacePressure<D>::at_place(int e, const contact::FaceCoor
   return sum;
 }
 
+namespace {
+
+/// The parameter of a side.
+double end_of(const nurbs::Discretisation& space, nurbs::Side side) {
+  return side.at_end ? space.interval(space.elements() - 1, side.direction)[1] : space.interval(0, side.direction)[0];
+}
+
+/// Says on which faces of a body the pressure is known.
+template <int D> [[noreturn]] void refuse(const Model<D>& model, int body) {
+  std::vector<Message> places;
+  for (const auto& contact : model.system.scene.contacts) {
+    const auto [on, side] = contact.slave;
+    if (on != body) continue;
+    const double end = end_of(model.system.scene.bodies[at(body)].body->space(), side);
+    places.push_back(
+        Message("model.field.pressure_place", {{"direction", side.direction}, {"xi", end}, {"contact", contact.name}}));
+  }
+  if (places.empty()) fail("model.field.pressure_nowhere");
+  fail("model.field.pressure_known", {{"places", places}});
+}
+
+} // namespace
+
 template <int D> double sample_contact_pressure(const Model<D>& model, int body, const VectorX& xi) {
   const nurbs::Discretisation& space = model.system.scene.bodies[at(body)].body->space();
   space.find_element(xi); // refuses what lies outside
   double sum = 0;
   bool found = false;
-  std::string known;
   for (std::size_t c = 0; c < model.system.scene.contacts.size(); ++c) {
     const auto& contact = model.system.scene.contacts[c];
     if (contact.slave.body != body) continue;
     const int across = contact.slave.side.direction;
-    const double end =
-        contact.slave.side.at_end ? space.interval(space.elements() - 1, across)[1] : space.interval(0, across)[0];
-    known += text(known.empty() ? "" : ", ", "xi[", across + 1, "] = ", end, " (contact '", contact.name, "')");
+    const double end = end_of(space, contact.slave.side);
     if (std::abs(xi(across) - end) > 1e-12 * std::max(1.0, std::abs(end))) continue;
     found = true;
     contact::FaceCoordinates<D> on_face, fraction;
@@ -77,9 +97,7 @@ template <int D> double sample_contact_pressure(const Model<D>& model, int body,
     }
     sum += FacePressure<D>(model, static_cast<int>(c)).at_place(e, fraction);
   }
-  require(found, "contact_pressure is known on slave faces alone; ",
-          known.empty() ? std::string("no face of this body is one: take the other body, or model:profile(contact)")
-                        : "on this body give " + known + ", or take model:profile(contact)");
+  if (!found) refuse(model, body);
   return sum;
 }
 

@@ -3,7 +3,6 @@
 #include "base/error.hpp"
 #include "base/index.hpp"
 #include "base/orthonormal.hpp"
-#include "base/words.hpp"
 #include "model/constants.hpp"
 #include "model/rigid_motions.hpp"
 #include "model/scene_warnings.hpp"
@@ -34,11 +33,11 @@ template <int D> TroubleSpot control_point(const Model<D>& model, int body, int 
           reference,
           reference + accepted_displacement(model, body, function),
           0,
-          ""};
+          {}};
 }
 
 /// Control points in the order of their share of a vector of unknowns, largest first, with that share.
-template <int D> std::vector<TroubleSpot> largest(const Model<D>& model, const VectorX& values, const char* what) {
+template <int D, class What> std::vector<TroubleSpot> largest(const Model<D>& model, const VectorX& values, What what) {
   struct Share {
     int body, function;
     double size;
@@ -55,13 +54,13 @@ template <int D> std::vector<TroubleSpot> largest(const Model<D>& model, const V
   for (std::size_t k = 0; k < count; ++k) {
     TroubleSpot spot = control_point(model, shares[k].body, shares[k].function);
     spot.value = shares[k].size;
-    spot.text = text(what, ' ', number(spot.value));
+    spot.what = what(spot.value);
     spots.push_back(std::move(spot));
   }
   return spots;
 }
 
-template <int D> TroubleSpot contact_point(const Model<D>& model, const PointIndex& index, std::string text) {
+template <int D> TroubleSpot contact_point(const Model<D>& model, const PointIndex& index, Message what) {
   const contact::ContactPoints<D>& points = model.system.contacts[at(index.contact)]->points();
   const auto i = at(index.point);
   return {"contact point",
@@ -70,19 +69,19 @@ template <int D> TroubleSpot contact_point(const Model<D>& model, const PointInd
           points.reference[i],
           model.accepted.contacts[at(index.contact)].results[i].position,
           model.present.contacts[at(index.contact)].results[i].gap,
-          std::move(text)};
+          std::move(what)};
 }
 
-/// Names points of contacts, each with a few words about it.
-template <int D, class Words>
-void add_points(Diagnosis& diagnosis, const Model<D>& model, const std::vector<PointIndex>& points, Words words) {
+/// Names points of contacts, each with a message about it.
+template <int D, class What>
+void add_points(Diagnosis& diagnosis, const Model<D>& model, const std::vector<PointIndex>& points, What what) {
   for (std::size_t k = 0; k < std::min(points.size(), most_places); ++k)
-    diagnosis.places.push_back(contact_point(model, points[k], words(points[k])));
+    diagnosis.places.push_back(contact_point(model, points[k], what(points[k])));
   if (points.empty()) return;
   const TroubleSpot& first = diagnosis.places.front();
-  diagnosis.message +=
-      text("; ", counted(points.size(), "point"), " of contact '", first.where, "', the first in slave element ",
-           first.index + 1, " at X = ", coordinates(first.reference));
+  diagnosis.messages.push_back(Message(
+      "model.diagnosis.points",
+      {{"count", points.size()}, {"contact", first.where}, {"element", first.index}, {"place", first.reference}}));
 }
 
 /// The contact points that press and are not on the master, the farthest first.
@@ -118,7 +117,7 @@ template <int D> TroubleSpot inverted_element(const Model<D>& model) {
           inversion.point,
           current,
           inversion.jacobian,
-          text("J = ", number(inversion.jacobian))};
+          Message("model.spot.jacobian", {{"jacobian", inversion.jacobian}})};
 }
 
 /// How a body's control points move, a column for each, in a direction of all degrees of freedom.
@@ -129,8 +128,8 @@ Eigen::Map<const Eigen::Matrix<double, D, Eigen::Dynamic>> moves_of(const Model<
           model.system.scene.bodies[body].body->functions()};
 }
 
-/// Whether a direction moves a body as a whole, and how, in words; empty when it deforms it.
-template <int D> std::string rigid_part(const Model<D>& model, const VectorX& direction) {
+/// Whether a direction moves a body as a whole, and how; nothing when it deforms it.
+template <int D> Message rigid_part(const Model<D>& model, const VectorX& direction) {
   const VectorX all = model.system.unknowns.spread(direction);
   for (std::size_t b = 0; b < model.system.scene.bodies.size(); ++b) {
     const auto& named = model.system.scene.bodies[b];
@@ -138,26 +137,29 @@ template <int D> std::string rigid_part(const Model<D>& model, const VectorX& di
     const Vec<D> mean = own.rowwise().mean();
     if (own.norm() < own_part * all.norm()) continue;
     if ((own.colwise() - mean).norm() <= deformed_part * own.norm())
-      return text("body '", named.name, "' moves as a whole along ", coordinates(mean / mean.norm()));
+      return Message("model.diagnosis.moves", {{"body", named.name}, {"direction", Vec<D>(mean / mean.norm())}});
     // what u = Σ_m a_m m leaves over the rigid motions m, in the sense of least squares
     const std::vector<VectorX> motions = rigid_motions<D>(named.body->space().points(), model.system.scene.kind);
     MatrixX columns(own.size(), static_cast<Eigen::Index>(motions.size()));
     for (std::size_t m = 0; m < motions.size(); ++m) columns.col(static_cast<Eigen::Index>(m)) = motions[m];
     const VectorX flat = Eigen::Map<const VectorX>(own.data(), own.size());
     if (residual_of(orthonormal(columns), flat).norm() <= deformed_part * flat.norm())
-      return text("body '", named.name, "' turns as a whole");
+      return Message("model.diagnosis.turns", {{"body", named.name}});
   }
-  return "";
+  return {};
 }
 
 template <int D> void add_direction(Diagnosis& diagnosis, const Model<D>& model, const WeakDirection& weak) {
   if (weak.direction.norm() == 0) return;
-  diagnosis.places = largest(model, weak.direction, "part of the direction");
-  const std::string rigid = rigid_part(model, weak.direction);
+  diagnosis.places = largest(model, weak.direction, [](double part) {
+    return Message("model.spot.direction", {{"part", part}});
+  });
   const TroubleSpot& first = diagnosis.places.front();
-  diagnosis.message += rigid.empty() ? text("; in its direction, control point ", first.index + 1, " of body '",
-                                            first.where, "' at X = ", coordinates(first.reference), " moves most")
-                                     : text("; in its direction ", rigid);
+  Message rigid = rigid_part(model, weak.direction);
+  if (rigid.code.empty())
+    rigid = Message("model.diagnosis.moves_most",
+                    {{"point", first.index}, {"body", first.where}, {"place", first.reference}});
+  diagnosis.messages.push_back(std::move(rigid));
 }
 
 /// Whether a displacement d slides along a contact of a body that has no friction: all points that touch let it pass.
@@ -176,8 +178,8 @@ template <int D> bool slides(const Model<D>& model, std::size_t contact, std::si
   return touches;
 }
 
-/// What to do about a body that slides on contact without friction; empty where none does.
-template <int D> std::string cure_of_sliding(const Model<D>& model, const VectorX& direction) {
+/// What to do about a body that slides on contact without friction; nothing where none does.
+template <int D> std::vector<Message> cure_of_sliding(const Model<D>& model, const VectorX& direction) {
   const VectorX all = model.system.unknowns.spread(direction);
   for (std::size_t b = 0; b < model.system.scene.bodies.size(); ++b) {
     const auto& named = model.system.scene.bodies[b];
@@ -186,58 +188,43 @@ template <int D> std::string cure_of_sliding(const Model<D>& model, const Vector
     if (mean.norm() * std::sqrt(static_cast<double>(own.cols())) < own_part * all.norm()) continue;
     for (std::size_t k = 0; k < model.system.scene.contacts.size(); ++k)
       if (slides(model, k, b, mean))
-        return text("contact '", model.system.scene.contacts[k].name, "' is frictionless, so nothing holds body '",
-                    named.name,
-                    "' along it: give the contact friction = { mu = …, penalty = … }, or the body a support");
+        return {
+            Message("model.cure.friction", {{"contact", model.system.scene.contacts[k].name}, {"body", named.name}})};
   }
-  return "";
+  return {};
 }
 
-/// One thing that may help. `control`: the one that it turns on, if any; what to say in place of that where it is on.
+/// One thing that may help, by its code. `control`: the one that it turns on, if any; the code in place of that where
+/// it is on.
 struct Advice {
-  const char *control, *words, *when_on = nullptr;
+  const char *control, *code, *when_on = nullptr;
 };
 
-constexpr Advice smaller_steps{"step", "take smaller steps (step = { adaptive = true })",
-                               "allow smaller steps (step = { min = … })"};
-constexpr Advice flow{"pseudo_transient",
-                      "let the bodies come to rest as in a viscous medium (pseudo_transient = true)"};
-constexpr Advice search{"line_search", "use a line search (newton = { line_search = \"residual\" })"};
+constexpr Advice smaller_steps{"step", "model.cure.step", "model.cure.step_min"};
+constexpr Advice flow{"pseudo_transient", "model.cure.pseudo_transient"};
+constexpr Advice search{"line_search", "model.cure.line_search"};
 
 std::vector<Advice> cures(Outcome outcome) {
   switch (outcome) {
   case Outcome::iteration_limit:
-    return {{"", "allow more iterations (newton = { iterations = … })"},
-            smaller_steps,
-            {"", "where rounding error is the limit, take a looser newton.tolerance or a lower penalty"}};
+    return {{"", "model.cure.iterations"}, smaller_steps, {"", "model.cure.tolerance"}};
   case Outcome::diverged:
   case Outcome::not_finite:
     return {smaller_steps, search};
   case Outcome::cycling:
-    return {smaller_steps,
-            search,
-            {"", "take more contact points per element (points)"},
-            {"active_set_changes", "hold points that change too often (newton = { active_set_changes = 4 })"},
-            flow};
+    return {smaller_steps, search, {"", "model.cure.points"}, {"active_set_changes", "model.cure.active_set"}, flow};
   case Outcome::lost_projection:
-    return {{"", "extend the master face beyond where the slave face reaches"}, {"", "end the path before it"}};
+    return {{"", "model.cure.extend_master"}, {"", "model.cure.end_path"}};
   case Outcome::inverted_element:
-    return {smaller_steps, search, {"", "take a mesh that can follow the deformation"}};
+    return {smaller_steps, search, {"", "model.cure.mesh"}};
   case Outcome::singular_tangent:
-    return {{"", "hold the body with a support"},
-            {"damping", "damping = true carries a body that only contact will hold until it touches"}};
+    return {{"", "model.cure.support"}, {"damping", "model.cure.damping"}};
   case Outcome::indefinite:
-    return {{"arc_length",
-             "the state may be at or beyond a limit of stability: arc_length = true follows the path "
-             "around it",
-             "the state may be at or beyond a limit of stability"},
-            flow};
+    return {{"arc_length", "model.cure.arc_length", "model.cure.stability"}, flow};
   case Outcome::line_search:
-    return {smaller_steps, {"", "take no line search"}};
+    return {smaller_steps, {"", "model.cure.no_line_search"}};
   case Outcome::penetration:
-    return {{"", "raise the penalty"},
-            {"", "allow more loops (augmented = { loops = … }) or more penetration; where a curved master meets more "
-                 "contact points than the slave has control points, some penetration always remains"}};
+    return {{"", "model.cure.penalty"}, {"", "model.cure.augmented"}};
   default:
     return {};
   }
@@ -245,19 +232,17 @@ std::vector<Advice> cures(Outcome outcome) {
 
 /// Nothing has led up to a limit of stability, and an arc has no direction, before a step was accepted.
 std::vector<Advice> first_step_cures() {
-  return {{"", "the first step may lead beyond a limit of stability, or be too long for contact with friction"},
+  return {{"", "model.cure.first_step"},
           smaller_steps,
-          {"penalty", "let the penalties grow (penalty = { start = 0.01, steps = 20 })"},
-          {"", "arcs can only begin where a step was accepted"}};
+          {"penalty", "model.cure.penalty_growth"},
+          {"", "model.cure.no_arc_yet"}};
 }
 
-std::string joined(const std::vector<Advice>& list, const ControlsOn& on) {
-  std::string words;
-  for (const Advice& advice : list) {
-    const char* own = on.contains(advice.control) ? advice.when_on : advice.words;
-    if (own) words += text(words.empty() ? "" : "; ", own);
-  }
-  return words;
+std::vector<Message> offered(const std::vector<Advice>& list, const ControlsOn& on) {
+  std::vector<Message> cures;
+  for (const Advice& advice : list)
+    if (const char* code = on.contains(advice.control) ? advice.when_on : advice.code) cures.emplace_back(code);
+  return cures;
 }
 
 /// Adds what a penalty far above the bodies' stiffness has to do with a failure.
@@ -274,35 +259,35 @@ template <int D> void add_stiffness(Diagnosis& diagnosis, const Model<D>& model)
   worst.ratio *= model.present.penalty_factor;
   if (worst.ratio < stiff_penalty) return;
   const bool is_cause = worst.ratio >= beyond_rounding;
-  diagnosis.message += text("; the penalty of contact '", name, "' is ", number(worst.ratio),
-                            " times the stiffness E/h of an element of body '", worst.body, "'",
-                            is_cause ? ", and this range of stiffness is the cause: the body's share is lost in "
-                                       "rounding error"
-                                     : "");
-  const std::string lower =
-      text("lower the penalty of contact '", name, "': 10 to 1000 times E/h = ", number(worst.stiffness), " is usual");
-  diagnosis.cure = is_cause || diagnosis.cure.empty() ? lower : lower + "; " + diagnosis.cure;
+  diagnosis.messages.push_back(Message(is_cause ? "model.diagnosis.rounding" : "model.diagnosis.stiffness",
+                                       {{"contact", name}, {"ratio", worst.ratio}, {"body", worst.body}}));
+  if (is_cause) diagnosis.cures.clear();
+  diagnosis.cures.insert(diagnosis.cures.begin(),
+                         Message("model.cure.lower_penalty", {{"contact", name}, {"stiffness", worst.stiffness}}));
 }
 
 } // namespace
 
 template <int D> Diagnosis diagnose(const Model<D>& model, const solve::NewtonReport& report, const ControlsOn& on) {
-  Diagnosis diagnosis{report.outcome, report.message, "", {}, {}};
+  Diagnosis diagnosis{report.outcome, report.messages, {}, {}, {}};
   const Assembly<D>& assembly = model.system.assembly;
   const bool has_tangent = model.system.unknowns.size() > 0 && assembly.diagonal_norm() > 0;
   if (report.outcome == Outcome::inverted_element && model.inversion) diagnosis.places = {inverted_element(model)};
   const ActiveSet<D>& set = model.active_set;
-  const auto states = [&](const PointIndex& point) { return set.alternating(point); };
+  const auto states = [&](const PointIndex& point) {
+    return Message("model.spot.states", {{"states", set.alternating(point)}});
+  };
   if (report.outcome == Outcome::cycling) add_points(diagnosis, model, set.restless(), states);
   if (report.outcome == Outcome::lost_projection) add_points(diagnosis, model, set.strays(), states);
   if (report.outcome == Outcome::penetration)
     add_points(diagnosis, model, farthest(model), [&](const PointIndex& point) {
-      return text("gap ", number(model.present.contacts[at(point.contact)].results[at(point.point)].gap));
+      return Message("model.spot.gap",
+                     {{"gap", model.present.contacts[at(point.contact)].results[at(point.point)].gap}});
     });
   if (report.outcome == Outcome::singular_tangent && has_tangent) {
     const WeakDirection weak = null_direction(assembly.pattern(), assembly.values());
     add_direction(diagnosis, model, weak);
-    if (weak.direction.norm() > 0) diagnosis.cure = cure_of_sliding(model, weak.direction);
+    if (weak.direction.norm() > 0) diagnosis.cures = cure_of_sliding(model, weak.direction);
   }
   const bool stalls = report.outcome == Outcome::iteration_limit || report.outcome == Outcome::diverged ||
                       report.outcome == Outcome::line_search;
@@ -310,17 +295,19 @@ template <int D> Diagnosis diagnose(const Model<D>& model, const solve::NewtonRe
     const WeakDirection softest = softest_direction(assembly.pattern(), assembly.values());
     if (softest.stiffness < 0) {
       diagnosis.outcome = Outcome::indefinite;
-      diagnosis.message += text("; the tangent is indefinite there");
+      diagnosis.messages.emplace_back("model.diagnosis.indefinite");
       add_direction(diagnosis, model, softest);
-      diagnosis.cure = cure_of_sliding(model, softest.direction);
-      if (diagnosis.cure.empty() && model.accepted.displacement.isZero(0))
-        diagnosis.cure = joined(first_step_cures(), on);
+      diagnosis.cures = cure_of_sliding(model, softest.direction);
+      if (diagnosis.cures.empty() && model.accepted.displacement.isZero(0))
+        diagnosis.cures = offered(first_step_cures(), on);
     }
   }
   if (model.unbalanced.size() > 0 && model.unbalanced.allFinite() && !report.residuals.empty())
-    diagnosis.unbalanced = largest(model, model.unbalanced, "unbalanced force");
+    diagnosis.unbalanced = largest(model, model.unbalanced, [](double force) {
+      return Message("model.spot.force", {{"force", force}});
+    });
   if (diagnosis.places.empty()) diagnosis.places = diagnosis.unbalanced;
-  if (diagnosis.cure.empty()) diagnosis.cure = joined(cures(diagnosis.outcome), on);
+  if (diagnosis.cures.empty()) diagnosis.cures = offered(cures(diagnosis.outcome), on);
   if (report.outcome != Outcome::penetration && report.outcome != Outcome::lost_projection)
     add_stiffness(diagnosis, model);
   return diagnosis;

@@ -15,13 +15,13 @@ struct TroubleSpot {
   VectorX reference; ///< X, of a control point its own position
   VectorX current;   ///< x in the accepted state
   double value;      ///< J, gap, unbalanced force, part of the direction
-  std::string text;  ///< a few words: "J = -0.12", "stick / slip" (states between which a contact point alternates)
+  Message what;      ///< J, the gap, the states between which a contact point alternates
 };
 
 struct Diagnosis {
   solve::Outcome outcome;              ///< the report's, or `indefinite` where that is found to be behind it
-  std::string message;                 ///< what happened
-  std::string cure;                    ///< what may help; empty where nothing is known
+  std::vector<Message> messages;       ///< what happened
+  std::vector<Message> cures;          ///< what may help
   std::vector<TroubleSpot> places;     ///< the worst first
   std::vector<TroubleSpot> unbalanced; ///< control points with the largest unbalanced forces
 };

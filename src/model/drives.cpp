@@ -56,8 +56,8 @@ Drives<D>::Drives(const Scene<D>& scene, const Unknowns<D>& unknowns) : scene_(s
   };
   for (int s = 0; s < static_cast<int>(scene.supports.size()); ++s) {
     const Support<D>& support = scene.supports[at(s)];
-    require(D == 2 || !support.rotates || std::abs(support.axis.norm() - 1) < 1e-9, "supports: '", support.name,
-            "' rotates about an axis that is no unit vector");
+    require(D == 2 || !support.rotates || std::abs(support.axis.norm() - 1) < 1e-9, "model.support.axis",
+            {{"support", support.name}});
     add({support.name, s, -1, 0, moved_components(support)});
   }
   for (int l = 0; l < static_cast<int>(scene.loads.size()); ++l)
@@ -84,11 +84,11 @@ Drives<D>::Drives(const Scene<D>& scene, const Unknowns<D>& unknowns) : scene_(s
 }
 
 template <int D> int Drives<D>::target(int drive, int component) const {
-  require(drive >= 0 && drive < static_cast<int>(all_.size()), "there is no drive ", drive, "; the model has ",
-          all_.size());
+  require(drive >= 0 && drive < static_cast<int>(all_.size()), "model.drive.unknown",
+          {{"drive", drive}, {"count", all_.size()}});
   const Drive& found = all_[at(drive)];
-  require(component >= 0 && component < static_cast<int>(found.components.size()), "'", found.name,
-          "' has no component ", component, "; it has ", found.components.size());
+  require(component >= 0 && component < static_cast<int>(found.components.size()), "model.drive.component",
+          {{"drive", found.name}, {"component", component}, {"count", found.components.size()}});
   return found.first + component;
 }
 
@@ -173,8 +173,7 @@ template <int D> Vec<D> face_centroid(const solid::Body<D>& body, nurbs::Side si
     moment += unit(D * a) * points.col(a);
     area += unit(D * a);
   }
-  require(area > 0, "face '", nurbs::name_of(side), "' has no area: it is collapsed to a line or a point, and has no ",
-          "centroid to turn about");
+  require(area > 0, "model.face.no_area", {{"face", nurbs::name_of(side)}});
   return moment / area;
 }
 

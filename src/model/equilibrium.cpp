@@ -3,7 +3,6 @@
 #include "base/error.hpp"
 #include "base/index.hpp"
 #include "base/timer.hpp"
-#include "base/words.hpp"
 #include "model/constants.hpp"
 
 #include <algorithm>
@@ -12,15 +11,17 @@
 
 namespace signorini::model {
 
-template <int D> solve::Outcome evaluate(Model<D>& model, const VectorX* direction, bool tangent, std::string& why) {
+template <int D> solve::Outcome evaluate(Model<D>& model, const VectorX* direction, bool tangent, Message& why) {
   const auto inverted = model.system.assembly.assemble({model.present, model.accepted, model.controls}, direction,
                                                        tangent, model.timings);
   take_residual(model);
   if (!inverted) return solve::Outcome::converged;
   model.inversion = inverted;
   const auto& [body, inversion] = *inverted;
-  why = text("element ", inversion.element + 1, " of body '", model.system.scene.bodies[at(body)].name,
-             "' is inverted (J = ", inversion.jacobian, ") at X = ", coordinates(inversion.point));
+  why = Message("model.step.inverted", {{"element", inversion.element},
+                                        {"body", model.system.scene.bodies[at(body)].name},
+                                        {"jacobian", inversion.jacobian},
+                                        {"place", inversion.point}});
   return solve::Outcome::inverted_element;
 }
 
@@ -57,7 +58,7 @@ template <int D> bool solve_for(Model<D>& model, VectorX& b) {
 }
 
 template <int D>
-solve::NewtonSystem newton_system(Model<D>& model, std::function<solve::Outcome(bool, std::string&)> assemble,
+solve::NewtonSystem newton_system(Model<D>& model, std::function<solve::Outcome(bool, Message&)> assemble,
                                   std::function<bool(double&)> advance) {
   solve::NewtonSystem system;
   system.assemble = std::move(assemble);
@@ -108,21 +109,21 @@ template <int D> bool begin_contacts(Model<D>& model, const ActiveSetOptions& op
 }
 
 template <int D> void judge_lead(Model<D>& model) {
-  std::string why;
+  Message why;
   const solve::Outcome outcome = evaluate(model, nullptr, true, why);
-  require(outcome == solve::Outcome::converged, "the present state has no residual: ", why, "; roll back");
+  require(outcome == solve::Outcome::converged, "model.step.no_residual", {{"why", why}});
   const double enough = solve::NewtonOptions{}.tolerance * force_norm(model) + rounding_floor(model);
-  require(model.unbalanced.norm() <= enough, "the state is not in equilibrium yet: its residual is ",
-          model.unbalanced.norm(), ", asked is ", enough, ": move on, or roll back");
+  require(model.unbalanced.norm() <= enough, "model.step.unbalanced",
+          {{"residual", model.unbalanced.norm()}, {"enough", enough}});
   model.step->report.outcome = solve::Outcome::converged;
 }
 
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
-  template solve::Outcome evaluate(Model<D>&, const VectorX*, bool, std::string&);                                     \
+  template solve::Outcome evaluate(Model<D>&, const VectorX*, bool, Message&);                                         \
   template void take_residual(Model<D>&);                                                                              \
   template bool factor(Model<D>&, const StepOptions&);                                                                 \
   template bool solve_for(Model<D>&, VectorX&);                                                                        \
-  template solve::NewtonSystem newton_system(Model<D>&, std::function<solve::Outcome(bool, std::string&)>,             \
+  template solve::NewtonSystem newton_system(Model<D>&, std::function<solve::Outcome(bool, Message&)>,                 \
                                              std::function<bool(double&)>);                                            \
   template double force_norm(const Model<D>&);                                                                         \
   template double largest_position(const Model<D>&);                                                                   \

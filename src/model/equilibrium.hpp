@@ -8,7 +8,7 @@ namespace signorini::model {
 
 /// Residual, and on request tangent, at the present state; the full tangent times `direction` (all degrees of freedom,
 /// may be null) goes to Assembly::product(). Returns converged, or why there are none.
-template <int D> solve::Outcome evaluate(Model<D>& model, const VectorX* direction, bool tangent, std::string& why);
+template <int D> solve::Outcome evaluate(Model<D>& model, const VectorX* direction, bool tangent, Message& why);
 /// The residual that belongs to the present state's force.
 template <int D> void take_residual(Model<D>& model);
 
@@ -19,7 +19,7 @@ template <int D> bool solve_for(Model<D>& model, VectorX& b);
 
 /// What Newton's loop needs, around a way to assemble and one to advance.
 template <int D>
-solve::NewtonSystem newton_system(Model<D>& model, std::function<solve::Outcome(bool, std::string&)> assemble,
+solve::NewtonSystem newton_system(Model<D>& model, std::function<solve::Outcome(bool, Message&)> assemble,
                                   std::function<bool(double&)> advance);
 
 /// Size of the forces of the run so far: of supports and loads, in the accepted states and now.

@@ -84,12 +84,12 @@ template <> const std::vector<Field<3>>& fields<3>() {
 }
 
 template <int D> const Field<D>& find_field(const std::string& name) {
-  std::string known;
+  std::vector<std::string> known;
   for (const Field<D>& field : fields<D>()) {
     if (field.name == name) return field;
-    known += (known.empty() ? "" : ", ") + field.name;
+    known.push_back(field.name);
   }
-  fail("unknown field '", name, "'; known: ", known, ", contact_pressure");
+  fail("model.field.unknown", {{"field", name}, {"known", known}});
 }
 
 template const Field<2>& find_field<2>(const std::string&);

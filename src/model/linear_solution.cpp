@@ -21,9 +21,7 @@ solve::SolverStatistics sum(const solve::SolverStatistics& before, const solve::
 solve::LinearSolver& LinearSolution::solver(const Tangent& tangent, const LinearRequest& request) {
   const bool open = request.kind == solve::LinearKind::automatic;
   const bool condense = (open || request.kind == solve::LinearKind::condensed) && can_condense(facts_, request.damps);
-  require(condense || request.kind != solve::LinearKind::condensed,
-          "linear = \"condensed\" needs bodies that are all linear elastic, and a contact, without damping of loose "
-          "bodies: use \"auto\"");
+  require(condense || request.kind != solve::LinearKind::condensed, "model.linear.condensed");
   // A solver that keeps the bodies' factors knows nothing of damping.
   const bool same = solver_ && asked_ == request.kind && condense == (solver_->kind() == solve::LinearKind::condensed);
   const bool same_contacts = contact_version_ == tangent.contact_version;

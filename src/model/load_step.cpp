@@ -95,7 +95,7 @@ template <int D> void guess(Model<D>& model, bool wanted) {
   }
 }
 
-template <int D> solve::Outcome assemble_step(Model<D>& model, bool tangent, std::string& why) {
+template <int D> solve::Outcome assemble_step(Model<D>& model, bool tangent, Message& why) {
   Step& step = *model.step;
   const solve::NewtonReport& report = step.report;
   ActiveSet<D>& set = model.active_set;
@@ -111,7 +111,7 @@ template <int D> solve::Outcome assemble_step(Model<D>& model, bool tangent, std
   // What repeats under one damping need not under the next.
   const bool repeats = step.pseudo_time.damping() == 0;
   if (const int period = repeats ? set.period() : 0; period > 0) {
-    why = text("the states of contact points repeat every ", period, " iterations");
+    why = Message("model.step.cycling", {{"period", period}});
     return set.strays().empty() ? solve::Outcome::cycling : solve::Outcome::lost_projection;
   }
   return outcome;
@@ -120,14 +120,14 @@ template <int D> solve::Outcome assemble_step(Model<D>& model, bool tangent, std
 template <int D> solve::Trial retreat(Model<D>& model, double part) {
   model.present.displacement = model.step->before + part * model.step->move;
   model.step->moved = true;
-  std::string why;
+  Message why;
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (evaluate(model, nullptr, false, why) != solve::Outcome::converged) return {infinity, infinity};
   return {model.unbalanced.norm(), model.residual.dot(model.step->move)};
 }
 
 /// What remains to be done where the residual is small: landing, points that are held, augmentation.
-template <int D> solve::Outcome conclude(Model<D>& model, const AugmentationOptions& augmented, std::string& why) {
+template <int D> solve::Outcome conclude(Model<D>& model, const AugmentationOptions& augmented, Message& why) {
   if (model.step->landing) {
     end_landing(model);
     return solve::Outcome::iterating;
@@ -135,7 +135,7 @@ template <int D> solve::Outcome conclude(Model<D>& model, const AugmentationOpti
   if (model.active_set.release(model.controls)) {
     model.step->moved = true;
     if (!model.active_set.exhausted()) return solve::Outcome::iterating;
-    why = "points that were held do not keep their states when they are freed";
+    why = Message("model.step.held_points");
     return solve::Outcome::cycling;
   }
   if (augmented.penetration == 0) return solve::Outcome::converged;
@@ -146,8 +146,7 @@ template <int D> solve::Outcome conclude(Model<D>& model, const AugmentationOpti
   const double enough = augmented.penetration * model.system.extent;
   if (farthest <= enough) return solve::Outcome::converged;
   if (model.step->augmentations == augmented.loops) {
-    why = text("points that press are up to ", farthest, " off the master after ", augmented.loops,
-               " augmentations, asked was ", enough);
+    why = Message("model.step.penetration", {{"distance", farthest}, {"loops", augmented.loops}, {"enough", enough}});
     return solve::Outcome::penetration;
   }
   for (std::size_t k = 0; k < contacts.size(); ++k) contacts[k]->augment(model.present.contacts[k]);
@@ -162,7 +161,7 @@ template <int D> void classify(const ActiveSet<D>& set, solve::NewtonReport& rep
       report.outcome == solve::Outcome::iteration_limit || report.outcome == solve::Outcome::line_search;
   if (!stalls || set.restless().empty()) return;
   report.outcome = set.strays().empty() ? solve::Outcome::cycling : solve::Outcome::lost_projection;
-  report.message += "; the states of contact points keep changing";
+  report.messages.emplace_back("model.step.changing");
 }
 
 } // namespace
@@ -175,13 +174,13 @@ template <int D> const solve::NewtonReport& iterate(Model<D>& model, const StepO
   // The move that brings in prescribed displacements has to be whole.
   const bool flows = options.pseudo_transient && !(step.pending && report.iterations == 0);
   solve::NewtonSystem newton = newton_system<D>(
-      model, [&](bool tangent, std::string& why) { return assemble_step(model, tangent, why); },
+      model, [&](bool tangent, Message& why) { return assemble_step(model, tangent, why); },
       [&](double& energy) {
         return flows ? advance_in_pseudo_time(model, options, energy) : advance(model, options, energy);
       });
   newton.retreat = [&](double part) { return retreat(model, part); };
   newton.slope = [&] { return step.slope; };
-  newton.conclude = [&](std::string& why) { return conclude(model, options.augmented, why); };
+  newton.conclude = [&](Message& why) { return conclude(model, options.augmented, why); };
   solve::NewtonOptions limits = options.newton;
   if (options.pseudo_transient) limits.iterations *= most_moves_per_iteration;
   if (!solve::iterate(newton, limits, step.pending, report)) classify(model.active_set, report);
@@ -195,16 +194,16 @@ template <int D> solve::NewtonReport solve_step(Model<D>& model, const StepOptio
   return model.step->report;
 }
 
-template <int D> solve::Outcome evaluate(Model<D>& model, std::string& why) {
+template <int D> solve::Outcome evaluate(Model<D>& model, Message& why) {
   if (!model.step) model.external = model.system.drives.force(model.targets);
   return evaluate(model, nullptr, true, why);
 }
 
 template <int D> void move_by(Model<D>& model, const VectorX& change) {
   const Unknowns<D>& unknowns = model.system.unknowns;
-  require(change.size() == unknowns.size(), "a move has one value per unknown, ", unknowns.size(), " of them, got ",
-          change.size());
-  require(change.allFinite(), "a move has finite values");
+  require(change.size() == unknowns.size(), "model.move.size",
+          {{"expected", unknowns.size()}, {"count", change.size()}});
+  require(change.allFinite(), "model.move.finite");
   if (!model.step || model.step->report.outcome != solve::Outcome::iterating) model.step = begin_step(model, {});
   Step& step = *model.step;
   model.present.displacement += unknowns.spread(change) + step.increment;
@@ -218,7 +217,7 @@ template <int D> void move_by(Model<D>& model, const VectorX& change) {
   template solve::NewtonReport solve_step(Model<D>&, const StepOptions&);                                              \
   template const solve::NewtonReport& iterate(Model<D>&, const StepOptions&);                                          \
   template void move_by(Model<D>&, const VectorX&);                                                                    \
-  template solve::Outcome evaluate(Model<D>&, std::string&);
+  template solve::Outcome evaluate(Model<D>&, Message&);
 SIGNORINI_INSTANTIATE(2)
 SIGNORINI_INSTANTIATE(3)
 #undef SIGNORINI_INSTANTIATE

@@ -18,6 +18,6 @@ template <int D> const solve::NewtonReport& iterate(Model<D>& model, const StepO
 template <int D> void move_by(Model<D>& model, const VectorX& change);
 /// Evaluates residual, tangent and contacts at the present state, whose displacements are those of the last move.
 /// Returns converged, or why there are none.
-template <int D> solve::Outcome evaluate(Model<D>& model, std::string& why);
+template <int D> solve::Outcome evaluate(Model<D>& model, Message& why);
 
 } // namespace signorini::model

@@ -18,12 +18,12 @@ Model<D>::Model(Scene<D> scene)
       targets(accepted.targets), way{accepted.displacement, targets}, external(system.drives.force(targets)),
       controls(system.contacts.size()), linear(linear_facts(system)) {
   // Friction at points that touch later counts from where they would touch now.
-  std::string why;
+  Message why;
   evaluate(*this, nullptr, false, why);
   system.commit(present, accepted);
   accepted = present;
   scene_warnings = check_clearance(system.scene, accepted.contacts);
-  for (std::string& warning : model::scene_warnings(system.scene, system.contacts))
+  for (Message& warning : model::scene_warnings(system.scene, system.contacts))
     scene_warnings.push_back(std::move(warning));
 }
 
@@ -37,7 +37,7 @@ template <int D> double accepted_target(const Model<D>& model, int drive, int co
 }
 
 template <int D> void set_penalty_factor(Model<D>& model, double factor) {
-  require(std::isfinite(factor) && factor > 0, "the penalty's factor must be positive, got ", factor);
+  require(std::isfinite(factor) && factor > 0, "model.penalty.factor", {{"factor", factor}});
   for (State<D>* state : {&model.accepted, &model.present})
     for (auto& history : state->contacts) look_again(history);
   model.present.penalty_factor = factor;
@@ -60,15 +60,13 @@ template <int D> bool settled(const Model<D>& model) {
 
 template <int D> void accept(Model<D>& model) {
   if (!model.step) {
-    require(settled(model), "no step has been solved since targets or penalties were changed: solve one, or roll back");
+    require(settled(model), "model.accept.unsolved");
     return;
   }
   if (model.step->lead && model.step->report.outcome == solve::Outcome::iterating) judge_lead(model);
   const solve::Outcome outcome = model.step->report.outcome;
-  require(outcome != solve::Outcome::iterating, "the step is not in equilibrium yet: iterate on until its reason is "
-                                                "\"converged\", or roll back");
-  require(outcome == solve::Outcome::converged, "the step has failed (", solve::name_of(outcome),
-          "), its state is not in equilibrium: roll back");
+  require(outcome != solve::Outcome::iterating, "model.accept.iterating");
+  require(outcome == solve::Outcome::converged, "model.accept.failed", {{"reason", solve::name_of(outcome)}});
   ScopedTimer timer(model.timings.contact);
   State<D>&accepted = model.accepted, &present = model.present;
   Way& way = model.way;

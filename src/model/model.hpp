@@ -29,7 +29,7 @@ template <int D> struct Model {
   std::optional<BodyInversion> inversion;
   LinearSolution linear;
   Timings timings;
-  std::vector<std::string> scene_warnings; ///< what may be wrong with the scene, in sentences
+  std::vector<Message> scene_warnings; ///< what may be wrong with the scene
 };
 
 /// Sets what a component of a drive (index into Drives::all()) will be at the end of the next step.

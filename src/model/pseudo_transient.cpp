@@ -18,7 +18,7 @@ template <int D> bool advance_in_pseudo_time(Model<D>& model, const StepOptions&
   const auto way = [&] { return (displacement - step.origin).template lpNorm<Eigen::Infinity>(); };
   if (way() > most_way * model.system.extent) return false;
   const VectorX before = displacement, residual = model.unbalanced;
-  std::string why;
+  Message why;
   for (int trial = 0; trial < most_trials; ++trial) {
     if (trial > 0) {
       displacement = before;

@@ -2,7 +2,6 @@
 
 #include "base/error.hpp"
 #include "base/index.hpp"
-#include "base/words.hpp"
 
 namespace signorini::model {
 
@@ -43,18 +42,16 @@ template <int D> Energies energies(const Model<D>& model) {
   return sum;
 }
 
-template <int D> std::vector<std::string> warnings(const Model<D>& model) {
-  std::vector<std::string> warnings = model.scene_warnings;
+template <int D> std::vector<Message> warnings(const Model<D>& model) {
+  std::vector<Message> warnings = model.scene_warnings;
   for (std::size_t b = 0; b < model.system.scene.bodies.size(); ++b) {
     const auto& [name, body] = model.system.scene.bodies[b];
     if (!body->linear()) continue; // others refuse to be inverted
     const auto worst = solid::worst_inversion(*body, body_displacement(model, static_cast<int>(b)).data());
     if (worst)
-      warnings.push_back(text("bodies.", name, ": the linear elastic body is turned inside out in element ",
-                              worst->element + 1, " (det F = ", number(worst->jacobian),
-                              ") at X = ", coordinates(worst->point),
-                              ", far beyond small strains. Hint: take sg.neo_hookean, or "
-                              "smaller loads and displacements"));
+      warnings.push_back(Message(
+          "model.warning.inverted",
+          {{"body", name}, {"element", worst->element}, {"determinant", worst->jacobian}, {"place", worst->point}}));
   }
   return warnings;
 }
@@ -77,7 +74,7 @@ template <int D> double memory(const Model<D>& model) {
   template double moment(const Model<D>&, int);                                                                        \
   template Vec<D> load_resultant(const Model<D>&, int);                                                                \
   template Energies energies(const Model<D>&);                                                                         \
-  template std::vector<std::string> warnings(const Model<D>&);                                                         \
+  template std::vector<Message> warnings(const Model<D>&);                                                             \
   template double search_seconds(const Model<D>&);                                                                     \
   template double memory(const Model<D>&);
 SIGNORINI_INSTANTIATE(2)

@@ -28,8 +28,8 @@ struct Energies {
 template <int D> Energies energies(const Model<D>& model);
 
 /// What may be wrong with the scene and, of linear elastic bodies that are turned inside out, with the present state,
-/// in sentences; those about the scene come first.
-template <int D> std::vector<std::string> warnings(const Model<D>& model);
+/// those about the scene first.
+template <int D> std::vector<Message> warnings(const Model<D>& model);
 
 /// Seconds that the contacts' search has taken, summed over threads; part of Timings::contact where there is one.
 template <int D> double search_seconds(const Model<D>& model);

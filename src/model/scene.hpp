@@ -1,6 +1,7 @@
 #pragma once
 // What a model is made of: named bodies, supports, loads, obstacles and contacts, as plain values.
 
+#include "base/message.hpp"
 #include "contact/method.hpp"
 #include "solid/body.hpp"
 
@@ -79,9 +80,10 @@ template <int D> struct Scene {
   solid::Kind kind = solid::Kind::plane_strain; ///< of all bodies alike
 };
 
-/// "face 'south' of body 'slab'".
-template <int D> std::string face_in_words(const Scene<D>& scene, const FaceReference& face) {
-  return "face '" + nurbs::name_of(face.side) + "' of body '" + scene.bodies[at(face.body)].name + "'";
+/// A face and its body, for messages.
+template <int D> Message face_message(const Scene<D>& scene, const FaceReference& face) {
+  return Message("model.face.of_body",
+                 {{"face", nurbs::name_of(face.side)}, {"body", scene.bodies[at(face.body)].name}});
 }
 
 /// "x", "y", "z".

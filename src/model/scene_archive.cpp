@@ -133,7 +133,7 @@ template <int D> std::vector<ScenePart> scene_parts(const Model<D>& model) {
 template <int D> Scene<D> read_scene(const std::vector<ScenePart>& parts) {
   std::size_t next = 0;
   const auto part = [&] {
-    require(next < parts.size(), "the scene has only ", parts.size(), " parts");
+    require(next < parts.size(), "model.archive.parts", {{"count", parts.size()}});
     return ArchiveReader(parts[next++].bytes);
   };
   Scene<D> scene;

@@ -2,7 +2,6 @@
 
 #include "base/error.hpp"
 #include "base/index.hpp"
-#include "base/words.hpp"
 #include "model/constants.hpp"
 #include "model/thickness.hpp"
 
@@ -34,40 +33,38 @@ template <int D> std::pair<int, int> lowest_degree(const nurbs::Discretisation& 
 /// Nearly incompressible: of a cantilever of 20 × 2 elements, degree 1 through the thickness leaves 0.67 of the
 /// deflection at ν = 0.45, 0.26 at 0.49; errors of force measured by scripts/stability/locking.lua are 14 % for L1 at
 /// ν = 0.49, 3 % for N2 at 0.499.
-template <int D> void warn_of_locking(const Scene<D>& scene, std::vector<std::string>& warnings) {
+template <int D> void warn_of_locking(const Scene<D>& scene, std::vector<Message>& warnings) {
   for (const NamedBody<D>& named : scene.bodies) {
     const double nu = named.body->material().constants().poissons_ratio;
     const auto [degree, direction] = lowest_degree<D>(named.body->space());
     if (nu <= locking_any && (degree > 1 || nu < locking_linear)) continue;
-    const std::string cure = degree > 1 ? text("nu = ", locking_any, " or less")
-                             : nu <= locking_any
-                                 ? "degree 2 or more in all directions (order N2 or above, through = 2 or left "
-                                   "out)"
-                                 : text("nu = ", locking_any, " or less, and degree 2 or more in all directions");
-    warnings.push_back(text("bodies.", named.name, ": at Poisson's ratio ", nu, " elements of degree ", degree,
-                            " (along xi", direction + 1, ") lock: displacements come out too small, forces too large. ",
-                            "Hint: take ", cure));
+    const Message cure = degree > 1          ? Message("model.locking.nu", {{"nu", locking_any}})
+                         : nu <= locking_any ? Message("model.locking.degree")
+                                             : Message("model.locking.both", {{"nu", locking_any}});
+    warnings.push_back(
+        Message("model.warning.locking",
+                {{"body", named.name}, {"nu", nu}, {"degree", degree}, {"direction", direction}, {"cure", cure}}));
   }
 }
 
-void warn_of_friction(const std::string& name, double mu, std::vector<std::string>& warnings) {
+void warn_of_friction(const std::string& name, double mu, std::vector<Message>& warnings) {
   if (mu <= most_friction) return;
-  warnings.push_back(text(
-      "contacts.", name, ": friction.mu = ", mu,
-      " is far above what materials have; mu is the tangent of the angle of friction",
-      mu < 90 ? text(". Hint: for an angle of ", mu, " degrees mu = ", number(std::tan(mu * std::numbers::pi / 180)))
-              : ""));
+  Message hint;
+  if (mu < 90)
+    hint = Message("model.warning.friction_angle", {{"angle", mu}, {"mu", std::tan(mu * std::numbers::pi / 180)}});
+  warnings.push_back(Message("model.warning.friction", {{"contact", name}, {"mu", mu}, {"hint", hint}}));
 }
 
 template <int D>
 void warn_of_stiffness(const Scene<D>& scene, const Contact<D>& contact, const contact::Formulation<D>& formulation,
-                       std::vector<std::string>& warnings) {
+                       std::vector<Message>& warnings) {
   const PenaltyRatio penalty = penalty_ratio(scene, contact, formulation);
   if (penalty.ratio < beyond_rounding) return;
-  warnings.push_back(text("contacts.", contact.name, ": penalty = ", formulation.penalty(), " is ",
-                          number(penalty.ratio), " times the stiffness E/h of an element of body '", penalty.body,
-                          "': over this range of stiffness the body's share is lost in rounding error. ",
-                          "Hint: 10 to 1000 times E/h = ", number(penalty.stiffness), " is usual"));
+  warnings.push_back(Message("model.warning.stiffness", {{"contact", contact.name},
+                                                         {"penalty", formulation.penalty()},
+                                                         {"ratio", penalty.ratio},
+                                                         {"body", penalty.body},
+                                                         {"stiffness", penalty.stiffness}}));
 }
 
 /// Places of the points that a contact integrates over; elements alone where another contact has other points.
@@ -92,17 +89,17 @@ bool act_twice(const Contact<D>& a, const Contact<D>& b, const contact::Formulat
 }
 
 template <int D>
-void warn_of_twins(const Scene<D>& scene, const contact::Formulations<D>& contacts,
-                   std::vector<std::string>& warnings) {
+void warn_of_twins(const Scene<D>& scene, const contact::Formulations<D>& contacts, std::vector<Message>& warnings) {
   for (std::size_t i = 0; i < contacts.size(); ++i)
     for (std::size_t k = i + 1; k < contacts.size(); ++k) {
       const Contact<D>&a = scene.contacts[i], &b = scene.contacts[k];
       if (!act_twice(a, b, *contacts[i], *contacts[k])) continue;
       const auto* master = std::get_if<FaceReference>(&a.master);
-      warnings.push_back(text("contacts.", a.name, " and contacts.", b.name, " act between the same faces, ",
-                              face_in_words(scene, a.slave), " and ",
-                              master ? face_in_words(scene, *master) : "one obstacle",
-                              ", so pressures count twice. Hint: take one of the two out, or part them by where"));
+      warnings.push_back(Message("model.warning.twins",
+                                 {{"first", a.name},
+                                  {"second", b.name},
+                                  {"slave", face_message(scene, a.slave)},
+                                  {"master", master ? face_message(scene, *master) : Message("model.face.obstacle")}}));
     }
 }
 
@@ -120,9 +117,8 @@ PenaltyRatio penalty_ratio(const Scene<D>& scene, const Contact<D>& contact,
   return softest;
 }
 
-template <int D>
-std::vector<std::string> scene_warnings(const Scene<D>& scene, const contact::Formulations<D>& contacts) {
-  std::vector<std::string> warnings;
+template <int D> std::vector<Message> scene_warnings(const Scene<D>& scene, const contact::Formulations<D>& contacts) {
+  std::vector<Message> warnings;
   warn_of_locking(scene, warnings);
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     warn_of_friction(scene.contacts[k].name, contacts[k]->friction(), warnings);
@@ -134,7 +130,7 @@ std::vector<std::string> scene_warnings(const Scene<D>& scene, const contact::Fo
 
 template PenaltyRatio penalty_ratio(const Scene<2>&, const Contact<2>&, const contact::Formulation<2>&);
 template PenaltyRatio penalty_ratio(const Scene<3>&, const Contact<3>&, const contact::Formulation<3>&);
-template std::vector<std::string> scene_warnings<2>(const Scene<2>&, const contact::Formulations<2>&);
-template std::vector<std::string> scene_warnings<3>(const Scene<3>&, const contact::Formulations<3>&);
+template std::vector<Message> scene_warnings<2>(const Scene<2>&, const contact::Formulations<2>&);
+template std::vector<Message> scene_warnings<3>(const Scene<3>&, const contact::Formulations<3>&);
 
 } // namespace signorini::model

@@ -15,9 +15,8 @@ template <int D>
 PenaltyRatio penalty_ratio(const Scene<D>& scene, const Contact<D>& contact,
                            const contact::Formulation<D>& formulation);
 
-/// Sentences about Poisson's ratios that lock, coefficients of friction that look like angles, penalties that are out
+/// Warnings of Poisson's ratios that lock, coefficients of friction that look like angles, penalties that are out
 /// of range, and contacts that act twice between the same points. `contacts` are the scene's.
-template <int D>
-std::vector<std::string> scene_warnings(const Scene<D>& scene, const contact::Formulations<D>& contacts);
+template <int D> std::vector<Message> scene_warnings(const Scene<D>& scene, const contact::Formulations<D>& contacts);
 
 } // namespace signorini::model

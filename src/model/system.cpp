@@ -12,16 +12,13 @@ namespace signorini::model {
 namespace {
 
 template <int D> const Scene<D>& checked(const Scene<D>& scene) {
-  require(!scene.bodies.empty(), "bodies: a model needs at least one body");
+  require(!scene.bodies.empty(), "model.scene.no_body");
   for (const Contact<D>& contact : scene.contacts) {
     const auto* face = std::get_if<FaceReference>(&contact.master);
-    require(
-        !face || !(contact.slave == *face), "contacts: '", contact.name,
-        "' has the same face as slave and as master; a face cannot touch itself: name the other body's face as master");
+    require(!face || !(contact.slave == *face), "model.scene.own_face", {{"contact", contact.name}});
   }
   for (const auto& named : scene.bodies)
-    require(named.body->kind() == scene.kind, "bodies: '", named.name,
-            "' is not of the scene's kind (plane strain or axisymmetric)");
+    require(named.body->kind() == scene.kind, "model.scene.kind", {{"body", named.name}});
   return scene;
 }
 

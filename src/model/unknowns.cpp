@@ -10,10 +10,10 @@ namespace signorini::model {
 
 namespace {
 
-/// What a support does to a component, in words of an error message.
-template <int D> std::string verb(const Support<D>& support, int component) {
-  const Hold hold = support.hold[at(component)];
-  return support.rotates ? "turns" : hold == Hold::driven ? "drives" : "fixes";
+/// The code of what a support does to a component.
+template <int D> const char* verb(const Support<D>& support, int component) {
+  if (support.rotates) return "model.verb.turns";
+  return support.hold[at(component)] == Hold::driven ? "model.verb.drives" : "model.verb.fixes";
 }
 
 } // namespace
@@ -65,9 +65,12 @@ template <int D> Unknowns<D>::Unknowns(const Scene<D>& scene, const contact::For
           const Support<D>*& other = holder[at(dof)];
           const bool both_fixed =
               hold == Hold::fixed && !support.rotates && (!other || (other->hold[at(c)] == hold && !other->rotates));
-          require(!other || both_fixed, "supports: '", support.name, "' ", verb(support, c), " ", component_name(c),
-                  " of a control point that '", other ? other->name : "", "' already ", other ? verb(*other, c) : "",
-                  "; a component is held by one support: take it out of one of the two");
+          if (other && !both_fixed)
+            fail("model.scene.held_twice", {{"support", support.name},
+                                            {"verb", Message(verb(support, c))},
+                                            {"component", component_name(c)},
+                                            {"other", other->name},
+                                            {"other_verb", Message(verb(*other, c))}});
           other = &support;
         }
       of_support_.push_back(std::move(list));

@@ -49,7 +49,7 @@ void basis_derivatives(const KnotVector& knots, int element, double xi, int orde
 
 void basis_derivatives(const Space1D& space, int element, double xi, int order, double* out) {
   if (space.knots()) return basis_derivatives(*space.knots(), element, xi, order, out);
-  require(order <= 2, "xi: a space without knots has derivatives up to order 2, not ", order);
+  require(order <= 2, "nurbs.basis.derivative", {{"order", order}});
   const auto [start, end] = space.interval(element);
   const Space1D::Extraction extraction = space.extraction(element);
   double bernsteins[3 * (max_degree + 1)];

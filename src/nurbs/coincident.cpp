@@ -110,8 +110,7 @@ bool same_shape(const Row& a, const Row& b, const Places& places) {
 /// Throws Error when a contact face is the seam of a full turn: there is no surface.
 void check_contact(const Discretisation& space, const Places& places) {
   if (!space.contact().empty() && same_shape(space.rows().front(), space.rows().back(), places))
-    fail("contact: face '", name_of(space.contact().front()),
-         "' is the seam of a closed body, where it meets its opposite face; name a face of the outer surface");
+    fail("nurbs.body.seam", {{"face", name_of(space.contact().front())}});
 }
 
 /// Throws Error when a side of a solid that crosses a layer collapses along it: the curves in which it cuts the rows
@@ -128,9 +127,7 @@ void check_layers(const Discretisation& space, Side side, const Places& places) 
     one_curve = one_curve && same_shape(cut, lead, places);
   }
   if (layered && one_curve && !places.one_point(space.row_end(0, a, side.at_end)))
-    fail("contact: face '", name_of(side), "' of this body collapses across the layer on '",
-         name_of(space.contact().front()),
-         "', which would tear it open there; take one label for all rows, such as N2, or another contact face");
+    fail("nurbs.body.torn_layer", {{"face", name_of(side)}, {"contact", name_of(space.contact().front())}});
 }
 
 std::vector<Side> sides_of(const Discretisation& space) {

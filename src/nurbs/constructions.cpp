@@ -63,11 +63,11 @@ void unify(const std::vector<Along>& all) {
 }
 
 Patch ruled(const Patch& a, const Patch& b) {
-  require(a.dimension() == b.dimension(), "ruled: the patches lie in space of dimension ", a.dimension(), " and ",
-          b.dimension(), "; both need the same: patch:to_space{ z = 0 } or patch:to_plane() brings one to the other's");
-  require(a.parametric_dimension() == b.parametric_dimension(), "ruled: the patches have ", a.parametric_dimension(),
-          " and ", b.parametric_dimension(), " parametric directions; both need the same number");
-  require(a.parametric_dimension() <= 2, "ruled: it lies between two curves or two surfaces, got volumes");
+  require(a.dimension() == b.dimension(), "nurbs.ruled.dimension",
+          {{"first", a.dimension()}, {"second", b.dimension()}});
+  require(a.parametric_dimension() == b.parametric_dimension(), "nurbs.ruled.directions",
+          {{"first", a.parametric_dimension()}, {"second", b.parametric_dimension()}});
+  require(a.parametric_dimension() <= 2, "nurbs.ruled.volumes");
   Patch start = a, end = b;
   for (int d = 0; d < a.parametric_dimension(); ++d) unify({{&start, d}, {&end, d}});
   return joined(start, end);
@@ -75,19 +75,17 @@ Patch ruled(const Patch& a, const Patch& b) {
 
 Patch extrude(const Patch& patch, const Point& along) {
   check_point("along", along, along.size() == 3 || patch.dimension() == 3 ? 3 : 2);
-  require(along.norm() > 0, "along: it has no length; give the vector to sweep along");
-  require(patch.parametric_dimension() <= 2, "extrude: a curve or a surface can be swept, got a volume");
+  require(along.norm() > 0, "nurbs.extrude.length");
+  require(patch.parametric_dimension() <= 2, "nurbs.extrude.volume");
   const MatrixX into = MatrixX::Identity(along.size(), patch.dimension());
   return joined(transform(patch, into, VectorX::Zero(along.size())), transform(patch, into, along));
 }
 
 Patch revolve(const Patch& patch, const Point& point, const Point& axis, double angle) {
-  require(patch.dimension() == 3 && patch.parametric_dimension() <= 2,
-          "revolve: a curve or a surface in 3D can be revolved, got ", patch.parametric_dimension(),
-          " parametric directions in ", patch.dimension(), "D");
+  require(patch.dimension() == 3 && patch.parametric_dimension() <= 2, "nurbs.revolve.patch",
+          {{"directions", patch.parametric_dimension()}, {"dimension", patch.dimension()}});
   check_point("point", point, 3);
-  require(std::isfinite(angle) && angle != 0 && std::abs(angle) <= 360, "angle: it is ", angle,
-          ", expected degrees between -360 and 360, not 0");
+  require(std::isfinite(angle) && angle != 0 && std::abs(angle) <= 360, "nurbs.revolve.angle", {{"angle", angle}});
   const Patch turn = arc(Point::Zero(2), 1, 0, angle);
   const Mat<3> quarter = rotation(90, axis);
   const Vec<3> a = axis.normalized();

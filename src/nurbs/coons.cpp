@@ -3,7 +3,6 @@
 
 #include "base/error.hpp"
 #include "base/index.hpp"
-#include "base/words.hpp"
 #include "nurbs/constants.hpp"
 
 #include <algorithm>
@@ -49,11 +48,10 @@ void check_meeting(const Lattice& lattice, double size) {
         const VectorX a = lattice.value(index, known), b = lattice.value(index, d);
         const VectorX x = a.head(space) / a(space), y = b.head(space) / b(space);
         const std::string first = name_of({known, index[at(known)] > 0}), second = name_of({d, index[at(d)] > 0});
-        require((x - y).norm() <= computed * size, "coons: '", first, "' and '", second, "' do not meet: one is at ",
-                coordinates(x), ", the other at ", coordinates(y),
-                "; each must run along the rising parameter, west to east, south to north, front to back");
-        require(std::abs(a(space) - b(space)) <= computed * std::abs(a(space)), "coons: '", first, "' and '", second,
-                "' meet at ", coordinates(x), " with different weights, ", a(space), " and ", b(space));
+        require((x - y).norm() <= computed * size, "nurbs.coons.apart",
+                {{"first", first}, {"second", second}, {"at", x}, {"other", y}});
+        require(std::abs(a(space) - b(space)) <= computed * std::abs(a(space)), "nurbs.coons.weights",
+                {{"first", first}, {"second", second}, {"at", x}, {"one", a(space)}, {"other", b(space)}});
       }
       known = d;
     }
@@ -61,17 +59,17 @@ void check_meeting(const Lattice& lattice, double size) {
 }
 
 void check_boundary(const std::vector<Patch>& boundary) {
-  require(boundary.size() == 4 || boundary.size() == 6,
-          "coons: four curves (west, east, south, north) or six surfaces (also front, back) are needed, got ",
-          boundary.size());
+  require(boundary.size() == 4 || boundary.size() == 6, "nurbs.coons.count", {{"count", boundary.size()}});
   const int parametric = static_cast<int>(boundary.size()) / 2 - 1;
   for (std::size_t i = 0; i < boundary.size(); ++i) {
     const std::string name = name_of({static_cast<int>(i) / 2, i % 2 == 1});
-    require(boundary[i].parametric_dimension() == parametric, "coons: '", name, "' has ",
-            boundary[i].parametric_dimension(), " parametric directions, expected ", parametric, " as one of ",
-            boundary.size());
-    require(boundary[i].dimension() == boundary[0].dimension(), "coons: '", name, "' lies in space of dimension ",
-            boundary[i].dimension(), ", 'west' in ", boundary[0].dimension());
+    require(boundary[i].parametric_dimension() == parametric, "nurbs.coons.directions",
+            {{"face", name},
+             {"directions", boundary[i].parametric_dimension()},
+             {"expected", parametric},
+             {"count", boundary.size()}});
+    require(boundary[i].dimension() == boundary[0].dimension(), "nurbs.coons.dimension",
+            {{"face", name}, {"dimension", boundary[i].dimension()}, {"expected", boundary[0].dimension()}});
   }
 }
 
@@ -122,8 +120,7 @@ Patch coons(const std::vector<Patch>& boundary) {
         sum += factor * lattice.value(clamped, last);
         if (ends == 0) break;
       }
-    require(sum(space) > 0, "coons: the blend of the boundary's weights is ", sum(space),
-            " inside; give boundaries whose weights differ less");
+    require(sum(space) > 0, "nurbs.coons.blend", {{"weight", sum(space)}});
     homogeneous.col(column++) = sum;
   });
   return {std::move(directions), std::move(homogeneous)};

@@ -1,7 +1,6 @@
 #include "nurbs/curves.hpp"
 
 #include "base/error.hpp"
-#include "base/words.hpp"
 #include "nurbs/constants.hpp"
 
 #include <cmath>
@@ -11,7 +10,7 @@ namespace signorini::nurbs {
 Patch line(const Point& from, const Point& to) {
   check_point("from", from, from.size() == 3 ? 3 : 2);
   check_point("to", to, static_cast<int>(from.size()));
-  require(from != to, "line: it starts and ends at the same point, ", coordinates(from));
+  require(from != to, "nurbs.line.point", {{"point", from}});
   MatrixX points(from.size(), 2);
   points << from, to;
   return make_patch({KnotVector::single(1)}, points);
@@ -19,14 +18,12 @@ Patch line(const Point& from, const Point& to) {
 
 Patch arc(const Point& centre, double radius, double start, double stop) {
   check_point("centre", centre, centre.size() == 3 ? 3 : 2);
-  require(radius > 0 && std::isfinite(radius), "radius: it is ", radius, ", expected a positive length");
-  require(std::isfinite(start) && std::isfinite(stop), "arc: its angles are ", start, " and ", stop,
-          ", expected finite numbers of degrees");
+  require(radius > 0 && std::isfinite(radius), "nurbs.arc.radius", {{"radius", radius}});
+  require(std::isfinite(start) && std::isfinite(stop), "nurbs.arc.angles", {{"start", start}, {"stop", stop}});
   const double turn = stop - start;
-  require(turn != 0, "arc: it starts and ends at ", start, " degrees; give two different angles");
+  require(turn != 0, "nurbs.arc.empty", {{"angle", start}});
   // Slack for angles that were computed: 90·(1 + ε) is still one quarter.
-  require(std::abs(turn) <= 360 * (1 + rounding), "arc: from ", start, " to ", stop,
-          " degrees is more than a full turn");
+  require(std::abs(turn) <= 360 * (1 + rounding), "nurbs.arc.turn", {{"start", start}, {"stop", stop}});
   const int segments = std::max(1, static_cast<int>(std::ceil(std::abs(turn) / 90 - rounding)));
 
   // Between two points on the circle stands the crossing of their tangents at r/cos(θ/2), weight cos(θ/2), θ being the

@@ -8,12 +8,12 @@
 
 namespace signorini::nurbs {
 
-namespace {
-
-void check_direction(const char* what, const Patch& patch, int d) {
-  require(d >= 0 && d < patch.parametric_dimension(), what, ": direction ", d + 1, " is not one of the patch's ",
-          patch.parametric_dimension());
+void check_direction(const Patch& patch, int d) {
+  require(d >= 0 && d < patch.parametric_dimension(), "nurbs.patch.direction",
+          {{"direction", d}, {"count", patch.parametric_dimension()}});
 }
+
+namespace {
 
 /// The knots from the other end, both ends as they are to the last bit.
 KnotVector reversed(const KnotVector& knots) {
@@ -29,7 +29,7 @@ KnotVector reversed(const KnotVector& knots) {
 } // namespace
 
 Patch reverse(const Patch& patch, int d) {
-  check_direction("reverse", patch, d);
+  check_direction(patch, d);
   std::vector<KnotVector> directions = patch.directions();
   directions[at(d)] = reversed(patch.direction(d));
   const int stride = patch.stride(d), count = patch.direction(d).functions();
@@ -43,8 +43,8 @@ Patch reverse(const Patch& patch, int d) {
 }
 
 Patch swap_directions(const Patch& patch, int i, int j) {
-  check_direction("swap", patch, i);
-  check_direction("swap", patch, j);
+  check_direction(patch, i);
+  check_direction(patch, j);
   std::vector<KnotVector> directions = patch.directions();
   std::swap(directions[at(i)], directions[at(j)]);
   MatrixX homogeneous(patch.dimension() + 1, patch.functions());

@@ -5,6 +5,9 @@
 
 namespace signorini::nurbs {
 
+/// Throws Error when the patch has no direction d (counted from 0).
+void check_direction(const Patch& patch, int d);
+
 /// Runs direction d (counted from 0) backwards, on the same interval: its two faces change their names, and a
 /// right-handed map becomes left-handed. Throws Error when there is no such direction.
 Patch reverse(const Patch& patch, int d);

@@ -20,30 +20,28 @@ const Label& layer_label(const Plan& plan) {
 
 void check(const Patch& patch, const Plan& plan) {
   const int dimensions = patch.parametric_dimension();
-  require(dimensions == patch.dimension(), "patch: a body of dimension ", patch.dimension(), " needs a ",
-          patch.dimension() == 2 ? "surface" : "volume", "; this patch has ", dimensions, " parametric direction",
-          dimensions == 1 ? "" : "s");
-  require(static_cast<int>(plan.elements.size()) == dimensions, "elements: ", dimensions,
-          " numbers are needed, one per parametric direction; got ", plan.elements.size());
-  require(plan.grading.empty() || static_cast<int>(plan.grading.size()) == dimensions, "grading: ", dimensions,
-          " entries are needed, one per parametric direction; got ", plan.grading.size());
-  require(plan.contact.size() <= 2, "contact: one face or two opposite ones carry layers; got ", plan.contact.size());
+  require(dimensions == patch.dimension(), patch.dimension() == 2 ? "nurbs.body.surface" : "nurbs.body.volume",
+          {{"directions", dimensions}});
+  require(static_cast<int>(plan.elements.size()) == dimensions, "nurbs.body.elements",
+          {{"expected", dimensions}, {"count", plan.elements.size()}});
+  require(plan.grading.empty() || static_cast<int>(plan.grading.size()) == dimensions, "nurbs.body.grading",
+          {{"expected", dimensions}, {"count", plan.grading.size()}});
+  require(plan.contact.size() <= 2, "nurbs.body.contact_count", {{"count", plan.contact.size()}});
   for (const Side& side : plan.contact)
-    require(side.direction == plan.contact.front().direction, "contact: '", name_of(plan.contact.front()), "' and '",
-            name_of(side), "' meet; two contact faces of a body must be opposite ones");
+    require(side.direction == plan.contact.front().direction, "nurbs.body.contact_meets",
+            {{"first", name_of(plan.contact.front())}, {"second", name_of(side)}});
   if (plan.contact.size() == 2)
-    require(plan.contact[0].at_end != plan.contact[1].at_end, "contact: face '", name_of(plan.contact[0]),
-            "' is named twice");
+    require(plan.contact[0].at_end != plan.contact[1].at_end, "nurbs.body.contact_twice",
+            {{"face", name_of(plan.contact[0])}});
   const int along = plan.contact.empty() ? dimensions : dimensions - 1;
-  require(static_cast<int>(plan.labels.size()) == along, "order: ", along, " label", along == 1 ? "" : "s",
-          " needed, one per direction along the contact face; got ", plan.labels.size());
+  require(static_cast<int>(plan.labels.size()) == along, "nurbs.body.labels",
+          {{"expected", along}, {"count", plan.labels.size()}});
   for (const Label& label : plan.labels) {
-    require(label.lagrange == plan.labels.front().lagrange, "order: '", plan.labels.front().text, "' and '", label.text,
-            "' cannot be mixed: a body is of L or of N elements");
-    require(!label.layer || !plan.contact.empty(), "order: '", label.text,
-            "' has a layer, but the body names no contact face to put it on; add contact = \"south\" or the like");
-    require(!label.layer || label.rows == layer_label(plan).rows, "order: the layer is as deep in '", label.text,
-            "' as in '", layer_label(plan).text, "'; give both the same xr");
+    require(label.lagrange == plan.labels.front().lagrange, "nurbs.body.mixed_labels",
+            {{"first", plan.labels.front().text}, {"second", label.text}});
+    require(!label.layer || !plan.contact.empty(), "nurbs.body.layer_nowhere", {{"label", label.text}});
+    require(!label.layer || label.rows == layer_label(plan).rows, "nurbs.body.layer_depths",
+            {{"label", label.text}, {"other", layer_label(plan).text}});
   }
 }
 
@@ -51,8 +49,7 @@ void check(const Patch& patch, const Plan& plan) {
 Patch refine_to(const Patch& patch, int d, const Space& space, const std::vector<double>& knots,
                 const std::string& label) {
   const int own = patch.direction(d).degree();
-  require(space.degree >= own, "order: '", label, "' asks for degree ", space.degree,
-          ", but the geometry is of degree ", own, " there; N", own, " is the lowest that is exact");
+  require(space.degree >= own, "nurbs.body.degree", {{"label", label}, {"degree", space.degree}, {"lowest", own}});
   return elevate(k_refine(patch, d, space.degree, knots), d, space.elevations);
 }
 
@@ -61,7 +58,7 @@ Patch refine_to(const Patch& patch, int d, const Space& space, const std::vector
 Space through_space(const Patch& patch, const Plan& plan, int through) {
   const int own = patch.direction(through).degree();
   if (plan.through) {
-    require(*plan.through >= own, "through: degree ", *plan.through, " is below the geometry's own, ", own);
+    require(*plan.through >= own, "nurbs.body.through", {{"degree", *plan.through}, {"lowest", own}});
     return {*plan.through};
   }
   if (plan.contact.empty()) return plan.labels.back().bulk;
@@ -78,7 +75,7 @@ void check_ends(const Space1D& space) {
   };
   require(space.functions_on(0).front() == 0 && others(start, 0) <= rounding &&
               space.functions_on(last).back() == space.functions() - 1 && others(end, end.size() - 1) <= rounding,
-          "the first function of a body's spaces must be 1 at their start, the last at their end");
+          "nurbs.space.ends");
 }
 
 /// All rows of classical C⁰ elements, one patch sliced along `through`.
@@ -112,8 +109,8 @@ Discretisation discretised(const Patch& patch, const Plan& plan) {
 
   const int count = whole.direction(through).functions();
   const Label& deep = layer_label(plan);
-  require(deep.rows <= count, "order: '", deep.text, "' is ", deep.rows, " rows deep, but the body has only ", count,
-          " rows of control points through it");
+  require(deep.rows <= count, "nurbs.body.layer_too_deep",
+          {{"label", deep.text}, {"rows", deep.rows}, {"available", count}});
   const auto in_layer = [&](int row) {
     return std::any_of(plan.contact.begin(), plan.contact.end(),
                        [&](const Side& side) { return (side.at_end ? count - 1 - row : row) < deep.rows; });
@@ -145,11 +142,11 @@ Discretisation::Discretisation(const Patch& patch, const Plan& plan) : Discretis
 
 Discretisation::Discretisation(int through, Space1D stack, std::vector<Row> rows, std::vector<Side> contact)
     : through_(through), stack_(std::move(stack)), rows_(std::move(rows)), contact_(std::move(contact)) {
-  require(static_cast<int>(rows_.size()) == stack_.functions(), "a body of ", stack_.functions(),
-          " rows of control points was given ", rows_.size());
+  require(static_cast<int>(rows_.size()) == stack_.functions(), "nurbs.body.rows",
+          {{"expected", stack_.functions()}, {"count", rows_.size()}});
   const Row& first = rows_.front();
   require(first.parametric_dimension() + 1 == first.dimension() && through_ >= 0 && through_ < first.dimension(),
-          "a body's rows are of one dimension less than space");
+          "nurbs.body.row_dimension");
   check_ends(stack_);
   for (const Row& row : rows_) {
     bool fits = row.dimension() == first.dimension() && row.parametric_dimension() == first.parametric_dimension();
@@ -157,7 +154,7 @@ Discretisation::Discretisation(int through, Space1D stack, std::vector<Row> rows
       fits = row.direction(a).breaks() == first.direction(a).breaks();
       check_ends(row.direction(a));
     }
-    require(fits, "all rows of a body must have the same elements");
+    require(fits, "nurbs.body.row_elements");
   }
   int count = 0; // functions are numbered row after row
   for (const Row& row : rows_) {
@@ -311,9 +308,7 @@ Row Discretisation::face(Side side) const {
     if (d == side.direction) continue;
     for (const Row& row : rows_)
       if (d != through_ && row.direction(in_row(d)) != direction(d))
-        fail("face '", name_of(side),
-             "' crosses the layer of this body, so it is no NURBS of its own; contact and loads act on '",
-             name_of(contact_.front()), "', or take a uniform label");
+        fail("nurbs.body.face_across_layer", {{"face", name_of(side)}, {"contact", name_of(contact_.front())}});
     directions.push_back(direction(d));
   }
   return {std::move(directions), homogeneous_(Eigen::all, functions)};

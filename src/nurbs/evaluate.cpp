@@ -19,8 +19,8 @@ struct LocalBasis {
   std::vector<double> values[3] = {{1.0}, {1.0}, {1.0}}; ///< row k: k-th derivatives
 
   template <class Direction> LocalBasis(const TensorProduct<Direction>& patch, const VectorX& xi, int order) {
-    require(xi.size() == patch.parametric_dimension(), "xi: the patch has ", patch.parametric_dimension(),
-            " parametric directions, got ", xi.size(), " parameters");
+    require(xi.size() == patch.parametric_dimension(), "nurbs.patch.parameters",
+            {{"expected", patch.parametric_dimension()}, {"count", xi.size()}});
     for (int d = 0; d < patch.parametric_dimension(); ++d) {
       const Direction& space = patch.direction(d);
       const int element = space.find_element(xi(d));
@@ -65,7 +65,7 @@ template VectorX evaluate(const Patch&, const VectorX&);
 template VectorX evaluate(const Row&, const VectorX&);
 
 std::vector<Derivative> derivatives(const Patch& patch, const VectorX& xi, int n) {
-  require(n >= 0 && n <= max_degree + 2, "derivatives: order ", n, " is not in 0 … ", max_degree + 2);
+  require(n >= 0 && n <= max_degree + 2, "nurbs.patch.derivative", {{"order", n}, {"most", max_degree + 2}});
   const LocalBasis basis(patch, xi, n);
   const int dimension = patch.dimension();
   const int last[3] = {n, patch.parametric_dimension() > 1 ? n : 0, patch.parametric_dimension() > 2 ? n : 0};

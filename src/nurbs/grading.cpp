@@ -22,7 +22,7 @@ struct Kink {
 Kink kink_of(const std::optional<Grading>& grading) {
   if (!grading) return {};
   const auto check = [](const char* name, double share) {
-    require(share > 0 && share < 1, "grading: ", name, " is ", share, ", expected a share between 0 and 1");
+    require(share > 0 && share < 1, "nurbs.grading.share", {{"argument", name}, {"share", share}});
   };
   check("elements", grading->elements);
   check("length", grading->length);
@@ -60,8 +60,8 @@ std::vector<int> share_out(const std::vector<double>& quotas, int total) {
 } // namespace
 
 std::vector<double> element_knots(const KnotVector& knots, int elements, const std::optional<Grading>& grading) {
-  require(elements >= knots.elements(), "elements: ", elements, " is below the ", knots.elements(),
-          " that the patch's own knots make in this direction");
+  require(elements >= knots.elements(), "nurbs.grading.elements",
+          {{"elements", elements}, {"least", knots.elements()}});
   const Kink density = kink_of(grading), inverse = density.inverse();
   const double length = knots.last() - knots.first();
   // Own knots in the coordinate in which the elements are uniform.

@@ -13,16 +13,16 @@ namespace signorini::nurbs {
 namespace {
 
 void check(int degree, const std::vector<double>& knots) {
-  require(degree >= 0 && degree <= max_degree, "degree: ", degree, " is not in 0 … ", max_degree);
+  require(degree >= 0 && degree <= max_degree, "nurbs.knots.degree", {{"degree", degree}, {"most", max_degree}});
   const std::size_t p = static_cast<std::size_t>(degree);
-  require(knots.size() >= 2 * (p + 1), "knots: degree ", degree, " needs at least ", 2 * (p + 1), " knots (", p + 1,
-          " at each end), got ", knots.size());
+  require(knots.size() >= 2 * (p + 1), "nurbs.knots.count",
+          {{"degree", degree}, {"least", 2 * (p + 1)}, {"ends", p + 1}, {"count", knots.size()}});
   for (std::size_t i = 0; i < knots.size(); ++i)
-    require(std::isfinite(knots[i]), "knots: knot ", i + 1, " is ", knots[i], ", expected a finite number");
+    require(std::isfinite(knots[i]), "nurbs.knots.finite", {{"number", i}, {"knot", knots[i]}});
   for (std::size_t i = 1; i < knots.size(); ++i)
-    require(knots[i - 1] <= knots[i], "knots: they must not fall, but knot ", i + 1, " (", knots[i], ") is below knot ",
-            i, " (", knots[i - 1], ")");
-  require(knots.front() < knots.back(), "knots: all are ", knots.front(), "; the last must be above the first");
+    require(knots[i - 1] <= knots[i], "nurbs.knots.order",
+            {{"number", i}, {"knot", knots[i]}, {"before", i - 1}, {"knot_before", knots[i - 1]}});
+  require(knots.front() < knots.back(), "nurbs.knots.equal", {{"knot", knots.front()}});
 
   // Distinct knots closer than this leave elements that rounding cannot resolve.
   const double least = rounding * (knots.back() - knots.front());
@@ -32,13 +32,13 @@ void check(int degree, const std::vector<double>& knots) {
     const std::size_t count = i - start;
     const bool at_start = start == 0, at_end = i == knots.size();
     if (at_start || at_end)
-      require(count == p + 1, "knots: the ", at_start ? "first" : "last", " knot, ", knots[start], ", occurs ", count,
-              " times; an open knot vector of degree ", degree, " repeats it ", p + 1, " times");
+      require(count == p + 1, at_start ? "nurbs.knots.first_ends" : "nurbs.knots.last_ends",
+              {{"knot", knots[start]}, {"count", count}, {"degree", degree}, {"expected", p + 1}});
     else
-      require(count <= std::max<std::size_t>(p, 1), "knots: interior knot ", knots[start], " occurs ", count,
-              " times, more than the degree ", degree, ": the curve would fall apart there");
-    require(at_end || knots[i] - knots[start] >= least, "knots: ", knots[start], " and the next one differ by only ",
-            at_end ? 0.0 : knots[i] - knots[start], "; make them equal or move them apart");
+      require(count <= std::max<std::size_t>(p, 1), "nurbs.knots.interior",
+              {{"knot", knots[start]}, {"count", count}, {"degree", degree}});
+    require(at_end || knots[i] - knots[start] >= least, "nurbs.knots.close",
+            {{"knot", knots[start]}, {"distance", at_end ? 0.0 : knots[i] - knots[start]}});
   }
 }
 
@@ -63,8 +63,11 @@ KnotVector KnotVector::single(int degree) {
 int find_element(const std::vector<double>& breaks, double xi) {
   const double first = breaks.front(), last = breaks.back();
   const double beyond = std::max(first - xi, xi - last), slack = rounding * (last - first);
-  require(beyond <= slack, "xi: ", xi, " is outside the knots, [", first, ", ", last, "]",
-          beyond > 0 && beyond < just_outside * (last - first) ? text(", by ", beyond) : "");
+  if (!(beyond <= slack)) { // also for nan
+    if (beyond < just_outside * (last - first))
+      fail("nurbs.knots.just_outside", {{"xi", xi}, {"first", first}, {"last", last}, {"distance", beyond}});
+    fail("nurbs.knots.outside", {{"xi", xi}, {"first", first}, {"last", last}});
+  }
   const auto next = std::upper_bound(breaks.begin(), breaks.end() - 1, xi);
   return std::max(static_cast<int>(next - breaks.begin()) - 1, 0);
 }

@@ -15,8 +15,8 @@ int whole_number(const std::string& digits, int otherwise) {
 }
 
 void check_degree(const std::string& text, const Space& space) {
-  require(space.degree >= 1 && space.full_degree() <= max_degree, "order: label '", text, "': degree ",
-          space.full_degree(), " is outside 1 … ", max_degree);
+  require(space.degree >= 1 && space.full_degree() <= max_degree, "nurbs.label.degree",
+          {{"label", text}, {"degree", space.full_degree()}, {"most", max_degree}});
 }
 
 } // namespace
@@ -36,19 +36,17 @@ Label parse_label(const std::string& text) {
   } else {
     const auto part = match(text, "N(0|[1-9][0-9]?)(\\.(0|[1-9][0-9]?))?"
                                   "(-N(0|[1-9][0-9]?)(\\.(0|[1-9][0-9]?))?(x(0|[1-9][0-9]{0,3}))?)?");
-    require(!part.empty(), "order: unknown discretisation label '", text,
-            "'; labels read Np (N2), Np.s (N2.1), Lp (L2), Nb-Nc (N2-N4), Nb-Nc.s (N2-N2.2), or Nb-Nc.sxr (N2-N2.2x2)");
+    require(!part.empty(), "nurbs.label.unknown", {{"label", text}});
     label.bulk = {whole_number(part[1], 0), whole_number(part[3], 0)};
     if (!part[4].empty()) {
       label.layer = Space{whole_number(part[5], 0), whole_number(part[7], 0)};
       label.rows = whole_number(part[9], 1);
       check_degree(text, *label.layer);
-      require(label.bulk.elevations == 0, "order: label '", text, "': the bulk of a layered label is plain Np; write N",
-              label.bulk.degree, text.substr(text.find('-')));
-      require(label.layer->degree >= label.bulk.degree, "order: label '", text, "': the layer's degree ",
-              label.layer->degree, " is below the bulk's ", label.bulk.degree,
-              "; a layer is of the bulk's degree or higher");
-      require(label.rows >= 1, "order: label '", text, "': the layer is ", label.rows, " rows deep; x1 is the least");
+      require(label.bulk.elevations == 0, "nurbs.label.bulk",
+              {{"label", text}, {"degree", label.bulk.degree}, {"layer", text.substr(text.find('-'))}});
+      require(label.layer->degree >= label.bulk.degree, "nurbs.label.layer_degree",
+              {{"label", text}, {"degree", label.layer->degree}, {"bulk", label.bulk.degree}});
+      require(label.rows >= 1, "nurbs.label.layer_depth", {{"label", text}, {"rows", label.rows}});
     }
   }
   check_degree(text, label.bulk);

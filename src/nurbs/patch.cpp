@@ -9,26 +9,25 @@ namespace signorini::nurbs {
 template <class Direction>
 TensorProduct<Direction>::TensorProduct(std::vector<Direction> directions, MatrixX homogeneous)
     : directions_(std::move(directions)), homogeneous_(std::move(homogeneous)) {
-  require(parametric_dimension() >= 1 && parametric_dimension() <= 3,
-          "patch: it has 1 to 3 parametric directions, got ", parametric_dimension());
-  require(dimension() == 2 || dimension() == 3, "points: a point has 2 or 3 coordinates, got ", dimension());
-  require(parametric_dimension() <= dimension(), "patch: ", parametric_dimension(),
-          " parametric directions do not fit into space of dimension ", dimension(), "; give the points ",
-          parametric_dimension(), " coordinates");
+  require(parametric_dimension() >= 1 && parametric_dimension() <= 3, "nurbs.patch.directions",
+          {{"count", parametric_dimension()}});
+  require(dimension() == 2 || dimension() == 3, "nurbs.patch.coordinates", {{"count", dimension()}});
+  require(parametric_dimension() <= dimension(), "nurbs.patch.dimension",
+          {{"directions", parametric_dimension()}, {"dimension", dimension()}});
   long expected = 1;
-  std::string product;
   for (const Direction& space : directions_) {
-    require(space.degree() >= 1, "degree: a patch is of degree 1 or higher in every direction");
-    product += (product.empty() ? "" : "·") + std::to_string(space.functions());
+    require(space.degree() >= 1, "nurbs.patch.degree");
     expected *= space.functions();
   }
-  require(homogeneous_.cols() == expected, "points: the degrees and knots ask for ", product,
-          directions_.size() > 1 ? text(" = ", expected) : "", " control points, got ", homogeneous_.cols());
+  if (homogeneous_.cols() != expected) {
+    std::vector<std::string> factors;
+    for (const Direction& space : directions_) factors.push_back(std::to_string(space.functions()));
+    fail("nurbs.patch.points", {{"expected", expected}, {"factors", factors}, {"count", homogeneous_.cols()}});
+  }
   for (int a = 0; a < functions(); ++a) {
     const double weight = homogeneous_(dimension(), a);
-    require(weight > 0 && std::isfinite(weight), "weights: weight ", a + 1, " is ", weight,
-            ", expected a positive number");
-    require(homogeneous_.col(a).allFinite(), "points: control point ", a + 1, " has a coordinate that is not finite");
+    require(weight > 0 && std::isfinite(weight), "nurbs.patch.weight", {{"number", a}, {"weight", weight}});
+    require(homogeneous_.col(a).allFinite(), "nurbs.patch.point", {{"number", a}});
   }
 }
 
@@ -56,8 +55,8 @@ Row make_row(const Patch& patch) {
 }
 
 Patch make_patch(std::vector<KnotVector> directions, const MatrixX& points, const VectorX& weights) {
-  require(weights.size() == 0 || weights.size() == points.cols(), "weights: ", points.cols(),
-          " control points need as many weights, got ", weights.size());
+  require(weights.size() == 0 || weights.size() == points.cols(), "nurbs.patch.weights",
+          {{"points", points.cols()}, {"count", weights.size()}});
   MatrixX homogeneous(points.rows() + 1, points.cols());
   homogeneous.topRows(points.rows()) = points;
   homogeneous.bottomRows(1).setOnes();

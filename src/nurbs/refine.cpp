@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/index.hpp"
+#include "nurbs/directions.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,11 +14,6 @@ namespace {
 
 /// New control points as combinations of old ones: by row the old points' factors.
 using Combinations = std::vector<std::map<int, double>>;
-
-void check_direction(const Patch& patch, int d) {
-  require(d >= 0 && d < patch.parametric_dimension(), "direction: ", d + 1, " is not in 1 … ",
-          patch.parametric_dimension(), ", the patch's parametric directions");
-}
 
 /// Adds factor·F(t_1, …, t_p) to row j, F being the blossom of the B-spline on `knots` as a combination of its control
 /// points, t_1 … t_p consecutive knots of some refinement and t_0 the one before.
@@ -90,15 +86,15 @@ Patch insert_knots(const Patch& patch, int d, std::vector<double> knots) {
   if (knots.empty()) return patch;
   const KnotVector& old = patch.direction(d);
   for (double knot : knots)
-    require(knot > old.first() && knot < old.last(), "knots: ", knot, " cannot be inserted, it does not lie between ",
-            old.first(), " and ", old.last());
+    require(knot > old.first() && knot < old.last(), "nurbs.insert.outside",
+            {{"knot", knot}, {"first", old.first()}, {"last", old.last()}});
   std::sort(knots.begin(), knots.end());
   std::vector<double> all(old.knots().size() + knots.size());
   std::merge(old.knots().begin(), old.knots().end(), knots.begin(), knots.end(), all.begin());
   for (double knot : knots) {
     const auto [from, to] = std::equal_range(all.begin(), all.end(), knot);
-    require(to - from <= old.degree(), "knots: ", knot, " would occur ", to - from, " times, more than the degree ",
-            old.degree(), "; it is there ", old.multiplicity(knot), " times already");
+    require(to - from <= old.degree(), "nurbs.insert.multiplicity",
+            {{"knot", knot}, {"count", to - from}, {"degree", old.degree()}, {"present", old.multiplicity(knot)}});
   }
   KnotVector refined(old.degree(), all);
 
@@ -113,9 +109,9 @@ Patch insert_knots(const Patch& patch, int d, std::vector<double> knots) {
 Patch elevate(const Patch& patch, int d, int times) {
   check_direction(patch, d);
   const int degree = patch.direction(d).degree();
-  require(times >= 0, "elevate: times is ", times, ", expected 0 or more");
-  require(times <= max_degree - degree, "elevate: degree ", degree, " + ", times, " is above the highest, ",
-          max_degree);
+  require(times >= 0, "nurbs.elevate.times", {{"times", times}});
+  require(times <= max_degree - degree, "nurbs.elevate.degree",
+          {{"degree", degree}, {"times", times}, {"most", max_degree}});
   Patch result = patch;
   for (int i = 0; i < times; ++i) result = elevate_once(result, d);
   return result;
@@ -124,9 +120,8 @@ Patch elevate(const Patch& patch, int d, int times) {
 Patch k_refine(const Patch& patch, int d, int degree, const std::vector<double>& knots) {
   check_direction(patch, d);
   const int own = patch.direction(d).degree();
-  require(degree >= own, "degree: ", degree, " is below the patch's own, ", own, ", in direction ", d + 1,
-          "; degrees are raised, never lowered");
-  require(degree <= max_degree, "degree: ", degree, " is above the highest, ", max_degree);
+  require(degree >= own, "nurbs.elevate.lowered", {{"degree", degree}, {"own", own}, {"direction", d}});
+  require(degree <= max_degree, "nurbs.elevate.highest", {{"degree", degree}, {"most", max_degree}});
   return insert_knots(elevate(patch, d, degree - own), d, knots);
 }
 

@@ -14,20 +14,20 @@ namespace signorini::nurbs {
 namespace {
 
 void check_length(const char* name, double length) {
-  require(length > 0 && std::isfinite(length), name, ": it is ", length, ", expected a positive length");
+  require(length > 0 && std::isfinite(length), "nurbs.shapes.length", {{"argument", name}, {"length", length}});
 }
 
 /// Beside a coordinate that is too large a length is rounded away.
 void check_edge(const char* name, double length, const char* from, double start) {
   check_length(name, length);
-  require(start + length > start, name, ": ", length, " is lost in rounding beside ", from, " = ", start,
-          ": move the shape towards the origin");
+  require(start + length > start, "nurbs.shapes.rounding",
+          {{"argument", name}, {"length", length}, {"coordinate", from}, {"start", start}});
 }
 
 void check_radii(double inner, double outer) {
   check_length("inner", inner);
   check_length("outer", outer);
-  require(inner < outer, "inner: the inner radius, ", inner, ", must be below the outer, ", outer);
+  require(inner < outer, "nurbs.shapes.radii", {{"inner", inner}, {"outer", outer}});
 }
 
 /// The annulus' piece from angle `start` to `stop`, ξ² from the outer to the inner radius.
@@ -118,13 +118,11 @@ Patch spherical_indenter(double width, double depth, double height, double radiu
   check_length("height", height);
   check_length("radius", radius);
   check_point("corner", corner, 3);
-  require(elements >= 1, "elements: the cap has ", elements, " spans per direction, expected 1 or more");
+  require(elements >= 1, "nurbs.shapes.cap_elements", {{"elements", elements}});
   const double half_diagonal = std::hypot(width, depth) / 2;
-  require(half_diagonal <= radius, "radius: a sphere of radius ", radius,
-          " does not reach the corners, half the diagonal is ", half_diagonal, "; take a larger radius");
+  require(half_diagonal <= radius, "nurbs.shapes.cap_radius", {{"radius", radius}, {"least", half_diagonal}});
   const double cap = radius - std::sqrt(radius * radius - half_diagonal * half_diagonal);
-  require(cap < height, "height: the cap rises by ", cap, " to its corners and the whole height is only ", height,
-          "; give a larger height or radius");
+  require(cap < height, "nurbs.shapes.cap_height", {{"cap", cap}, {"height", height}});
 
   const KnotVector single = KnotVector::single(2);
   std::vector<double> spans = element_knots(single, elements);

@@ -49,19 +49,18 @@ std::string meant_side(const std::string& name, int parametric_dimension) {
 }
 
 Side side_of(const std::string& name, int parametric_dimension) {
-  require(parametric_dimension >= 1 && parametric_dimension <= 3,
-          "face: a patch has 1 to 3 parametric directions, got ", parametric_dimension);
+  require(parametric_dimension >= 1 && parametric_dimension <= 3, "nurbs.patch.directions",
+          {{"count", parametric_dimension}});
   const auto end = names + at(2 * parametric_dimension);
   const auto found = std::find(names, end, name);
   if (found == end) {
-    std::string fitting;
-    for (auto it = names; it != end; ++it) fitting += (it == names ? "" : ", ") + std::string(*it);
+    const std::vector<std::string> known(names, end), ends = {"xi1", "xi2", "xi3"};
     const std::string meant = meant_side(name, parametric_dimension);
-    fail("face: '", name, "' is unknown; expected one of ", fitting, ", the ends of xi1",
-         parametric_dimension == 1   ? ""
-         : parametric_dimension == 2 ? " and xi2"
-                                     : ", xi2 and xi3",
-         meant.empty() ? "" : text(" (did you mean '", meant, "'?)"));
+    fail("nurbs.face.unknown",
+         {{"face", name},
+          {"suggestion", meant.empty() ? Message() : Message("nurbs.face.did_you_mean", {{"face", meant}})},
+          {"known", known},
+          {"ends", std::vector<std::string>(ends.begin(), ends.begin() + parametric_dimension)}});
   }
   const int i = static_cast<int>(found - names);
   return {i / 2, i % 2 == 1};
@@ -78,18 +77,18 @@ double outward_sign(Side side) {
 }
 
 template <class Direction> TensorProduct<Direction> face(const TensorProduct<Direction>& patch, Side side) {
-  require(side.direction >= 0 && side.direction < patch.parametric_dimension(), "face: direction ", side.direction + 1,
-          " is not one of the patch's ", patch.parametric_dimension());
+  require(side.direction >= 0 && side.direction < patch.parametric_dimension(), "nurbs.face.direction",
+          {{"direction", side.direction}, {"count", patch.parametric_dimension()}});
   return control_row(patch, side.direction, side.at_end ? patch.direction(side.direction).functions() - 1 : 0);
 }
 
 template <class Direction>
 TensorProduct<Direction> control_row(const TensorProduct<Direction>& patch, int through, int j) {
-  require(patch.parametric_dimension() >= 2, "face: a curve has end points, not faces; take a surface or a volume");
-  require(through >= 0 && through < patch.parametric_dimension(), "row: direction ", through + 1,
-          " is not one of the patch's ", patch.parametric_dimension());
+  require(patch.parametric_dimension() >= 2, "nurbs.face.curve");
+  require(through >= 0 && through < patch.parametric_dimension(), "nurbs.row.direction",
+          {{"direction", through}, {"count", patch.parametric_dimension()}});
   const int count = patch.direction(through).functions();
-  require(j >= 0 && j < count, "row: ", j + 1, " is not in 1 … ", count);
+  require(j >= 0 && j < count, "nurbs.row.number", {{"row", j}, {"count", count}});
   const int stride = patch.stride(through);
   std::vector<Direction> directions = patch.directions();
   directions.erase(directions.begin() + through);

@@ -13,24 +13,27 @@ Space1D::Space1D(std::vector<double> breaks, std::vector<int> smoothness, const 
                  std::optional<KnotVector> knots)
     : breaks_(std::move(breaks)), smoothness_(std::move(smoothness)), knots_(std::move(knots)) {
   require(!elements.empty() && breaks_.size() == elements.size() + 1 && smoothness_.size() == breaks_.size(),
-          "space: ", elements.size(), " elements lie between ", elements.size() + 1, " breakpoints, got ",
-          breaks_.size(), " breakpoints and ", smoothness_.size(), " orders of smoothness");
+          "nurbs.space.breakpoints",
+          {{"elements", elements.size()}, {"breakpoints", breaks_.size()}, {"smoothness", smoothness_.size()}});
   std::vector<bool> seen;
   for (std::size_t e = 0; e < elements.size(); ++e) {
     const auto& [degree, functions, extraction] = elements[e];
     require(std::isfinite(breaks_[e]) && breaks_[e] < breaks_[e + 1] && std::isfinite(breaks_[e + 1]),
-            "space: breakpoints must be finite and rise, got ", breaks_[e], " and ", breaks_[e + 1]);
-    require(degree >= 0 && degree <= max_degree, "space: degree ", degree, " is not in 0 … ", max_degree);
+            "nurbs.space.rising", {{"first", breaks_[e]}, {"second", breaks_[e + 1]}});
+    require(degree >= 0 && degree <= max_degree, "nurbs.space.degree", {{"degree", degree}, {"most", max_degree}});
     require(extraction.rows() == static_cast<Eigen::Index>(functions.size()) && extraction.cols() == degree + 1 &&
                 functions.size() <= at(max_degree + 1),
-            "space: element ", e + 1, " of degree ", degree, " has ", functions.size(),
-            " functions with an extraction of ", extraction.rows(), " x ", extraction.cols());
-    require((extraction.colwise().sum().array() - 1).abs().maxCoeff() <= rounding, "space: the functions of element ",
-            e + 1, " do not sum to 1");
+            "nurbs.space.extraction",
+            {{"element", e},
+             {"degree", degree},
+             {"functions", functions.size()},
+             {"rows", extraction.rows()},
+             {"columns", extraction.cols()}});
+    require((extraction.colwise().sum().array() - 1).abs().maxCoeff() <= rounding, "nurbs.space.sum", {{"element", e}});
     tables_.push_back({degree, functions.size(), numbers_.size(), extraction_.size()});
     for (std::size_t a = 0; a < functions.size(); ++a) {
-      require(functions[a] >= 0 && (a == 0 || functions[a - 1] < functions[a]), "space: the functions of element ",
-              e + 1, " must be numbered from 0 and rise");
+      require(functions[a] >= 0 && (a == 0 || functions[a - 1] < functions[a]), "nurbs.space.numbers",
+              {{"element", e}});
       const auto row = extraction.row(static_cast<Eigen::Index>(a));
       extraction_.insert(extraction_.end(), row.begin(), row.end());
     }
@@ -40,7 +43,7 @@ Space1D::Space1D(std::vector<double> breaks, std::vector<int> smoothness, const 
     seen.resize(at(functions_));
     for (int function : functions) seen[at(function)] = true;
   }
-  require(std::find(seen.begin(), seen.end(), false) == seen.end(), "space: a function lives on no element");
+  require(std::find(seen.begin(), seen.end(), false) == seen.end(), "nurbs.space.unused");
 }
 
 Element1D Space1D::element(int e) const {

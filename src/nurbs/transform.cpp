@@ -1,7 +1,6 @@
 #include "nurbs/transform.hpp"
 
 #include "base/error.hpp"
-#include "base/words.hpp"
 #include "nurbs/constants.hpp"
 #include "nurbs/directions.hpp"
 
@@ -11,12 +10,13 @@
 namespace signorini::nurbs {
 
 void check_point(const char* name, const Point& point, int dimension) {
-  require(point.size() == dimension, name, ": ", dimension, " coordinates are needed, got ", point.size());
-  require(point.allFinite(), name, ": every coordinate must be a finite number, got ", coordinates(point));
+  require(point.size() == dimension, "nurbs.transform.coordinates",
+          {{"argument", name}, {"expected", dimension}, {"count", point.size()}});
+  require(point.allFinite(), "nurbs.transform.finite", {{"argument", name}, {"point", point}});
 }
 
 Eigen::Vector2d direction_of(double degrees) {
-  require(std::isfinite(degrees), "angle: it is ", degrees, ", expected a finite number of degrees");
+  require(std::isfinite(degrees), "nurbs.transform.angle", {{"angle", degrees}});
   // cos and sin of the rest within ±45°, then turned by whole quarters.
   const double quarters = std::round(degrees / 90), rest = (degrees - 90 * quarters) * std::numbers::pi / 180;
   Vec<2> direction(std::cos(rest), std::sin(rest));
@@ -27,7 +27,7 @@ Eigen::Vector2d direction_of(double degrees) {
 
 Mat<3> rotation(double angle, const Point& axis) {
   check_point("axis", axis, 3);
-  require(axis.norm() > 0, "axis: it has no length; give the direction of the axis");
+  require(axis.norm() > 0, "nurbs.transform.axis");
   const Vec<3> a = axis.normalized();
   const Eigen::Vector2d turn = direction_of(angle);
   Mat<3> cross;
@@ -57,7 +57,7 @@ Patch rotate(const Patch& patch, double angle, const Point& centre, const Point&
   if (patch.dimension() == 3) {
     linear = rotation(angle, axis);
   } else {
-    require(axis.size() == 0, "axis: a plane patch turns about its centre; leave the axis out");
+    require(axis.size() == 0, "nurbs.transform.plane_axis");
     const Eigen::Vector2d turn = direction_of(angle);
     linear = (MatrixX(2, 2) << turn(0), -turn(1), turn(1), turn(0)).finished();
   }
@@ -68,25 +68,24 @@ Patch scale(const Patch& patch, const Point& factors, const Point& centre) {
   check_point("factors", factors, patch.dimension());
   check_point("centre", centre, patch.dimension());
   for (double factor : factors)
-    require(factor > 0, "factors: ", factor, " is not positive",
-            factor < 0 ? ", and would turn the patch inside out: take patch:mirror{ normal = … } for a mirror image"
-                       : ": it would leave nothing of the patch");
+    require(factor > 0, factor < 0 ? "nurbs.transform.negative_factor" : "nurbs.transform.zero_factor",
+            {{"factor", factor}});
   return transform(patch, factors.asDiagonal(), centre - factors.cwiseProduct(centre));
 }
 
 Patch to_space(const Patch& patch, double z) {
-  require(patch.dimension() == 2, "to_space: the patch lies in 3D already; patch:translate moves it there");
-  require(std::isfinite(z), "z: it is ", z, ", expected a finite number");
+  require(patch.dimension() == 2, "nurbs.to_space.dimension");
+  require(std::isfinite(z), "nurbs.to_space.z", {{"z", z}});
   return transform(patch, MatrixX::Identity(3, 2), Vec<3>(0, 0, z));
 }
 
 Patch to_plane(const Patch& patch) {
   if (patch.dimension() == 2) return patch;
-  require(patch.parametric_dimension() <= 2, "to_plane: a volume does not fit into the plane; take one of its faces");
+  require(patch.parametric_dimension() <= 2, "nurbs.to_plane.volume");
   const MatrixX points = patch.points();
   const double low = points.row(2).minCoeff(), high = points.row(2).maxCoeff();
-  require(high - low <= rounding * points.cwiseAbs().maxCoeff(), "to_plane: z of its control points goes from ",
-          number(low), " to ", number(high), ", expected one z for all; turn the patch with patch:rotate first");
+  require(high - low <= rounding * points.cwiseAbs().maxCoeff(), "nurbs.to_plane.slanted",
+          {{"low", low}, {"high", high}});
   return transform(patch, MatrixX::Identity(2, 3), Vec<2>(0, 0));
 }
 
@@ -116,7 +115,7 @@ int direction_along(const Patch& patch, const Point& normal) {
 Patch mirror(const Patch& patch, const Point& point, const Point& normal) {
   check_point("point", point, patch.dimension());
   check_point("normal", normal, patch.dimension());
-  require(normal.norm() > 0, "normal: it has no length; give the direction across the mirror");
+  require(normal.norm() > 0, "nurbs.mirror.normal");
   const VectorX n = normal.normalized();
   // x ↦ x − 2 n n·(x − p)
   const MatrixX linear = MatrixX::Identity(patch.dimension(), patch.dimension()) - 2 * n * n.transpose();

@@ -1,17 +1,16 @@
 #pragma once
 // What stands on the command line.
 
-#include "base/error.hpp"
-
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace signorini::repl {
 
 /// A command line that cannot be understood.
-class UsageError : public Error {
+class UsageError : public std::runtime_error {
 public:
-  using Error::Error;
+  using std::runtime_error::runtime_error;
 };
 
 struct CommandLine {

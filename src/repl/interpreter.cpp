@@ -93,7 +93,7 @@ Interpreter::Interpreter(const bind::Settings& settings) : state_(luaL_newstate(
   lua_State* L = state();
   lua_pushcfunction(L, bind::wrap<open_all>);
   lua_pushlightuserdata(L, const_cast<bind::Settings*>(&settings));
-  if (lua_pcall(L, 1, 0, 0) != LUA_OK) fail(lua_tostring(L, -1));
+  if (lua_pcall(L, 1, 0, 0) != LUA_OK) bind::fail(lua_tostring(L, -1));
 }
 
 void Interpreter::set_arguments(const std::string& program, const std::string& script,

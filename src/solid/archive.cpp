@@ -32,14 +32,14 @@ constexpr LawRow laws[] = {row<NeoHookean>(), row<LinearElastic>()};
 void write(ArchiveWriter& to, const Material& material) {
   const auto* row =
       std::find_if(std::begin(laws), std::end(laws), [&](const LawRow& one) { return one.name == material.name(); });
-  require(row != std::end(laws), "material '", material.name(), "' cannot be saved: files do not know this law");
+  require(row != std::end(laws), "solid.archive.unknown_law", {{"material", material.name()}});
   to.put(static_cast<int>(row - laws));
   row->write(to, material.law());
 }
 
 Material read(ArchiveReader& from, std::type_identity<Material>) {
   const int number = from.get<int>();
-  require(number >= 0 && number < std::ssize(laws), "material: there is no law ", number);
+  require(number >= 0 && number < std::ssize(laws), "solid.archive.law", {{"number", number}});
   return laws[number].read(from);
 }
 

@@ -2,7 +2,6 @@
 
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
-#include "base/words.hpp"
 #include "nurbs/constants.hpp"
 
 #include <algorithm>
@@ -23,18 +22,14 @@ ElementQuadrature element_quadrature(const nurbs::Discretisation& space, int e) 
 namespace {
 
 void require_radius(double least, const VectorX& point) {
-  require(point(0) > least, "patch: an axisymmetric body reaches ", coordinates(point),
-          ", beyond its axis x = 0; x is ",
-          "the radius and must be positive: move the patch to x >= 0, or make the model plane");
+  require(point(0) > least, "solid.body.beyond_axis", {{"point", point}});
 }
 
 /// Refuses a map that is folded flat, by more than rounding, or turned inside out.
 template <int D> void check_jacobian(const Mat<D>& jacobian, double determinant, const VectorX& place) {
-  require(std::abs(determinant) > nurbs::folded_flat * jacobian.colwise().norm().prod(), "patch: the map has no ",
-          D == 2 ? "area" : "volume", " (Jacobian ", determinant, ") near ", coordinates(place), ": it is folded ",
-          D == 2 ? "into a line" : "flat", " there; move the control points apart");
-  require(determinant > 0, "patch: the map is not right-handed (Jacobian ", determinant, ") near ", coordinates(place),
-          "; reverse one parametric direction with patch:reverse(1), or untangle the control points");
+  require(std::abs(determinant) > nurbs::folded_flat * jacobian.colwise().norm().prod(),
+          D == 2 ? "solid.body.no_area" : "solid.body.no_volume", {{"jacobian", determinant}, {"place", place}});
+  require(determinant > 0, "solid.body.left_handed", {{"jacobian", determinant}, {"place", place}});
 }
 
 /// Refuses a body with a corner of an element beyond the axis; the Gauss points are seen to as they are made.
@@ -55,12 +50,12 @@ template <int D>
 Body<D>::Body(std::shared_ptr<const nurbs::Discretisation> space, Material material, Kind kind)
     : space_(std::move(space)), material_(std::move(material)), kind_(kind),
       internal_variables_(static_cast<int>(material_.initial_values().size())) {
-  require(space_->dimension() == D, "a body of dimension ", D, " was given a patch of dimension ", space_->dimension());
-  require(D == 2 || kind_ == Kind::plane_strain, "a body of dimension ", D, " cannot be axisymmetric; only plane ones");
+  require(space_->dimension() == D, "solid.body.dimension", {{"expected", D}, {"dimension", space_->dimension()}});
+  require(D == 2 || kind_ == Kind::plane_strain, "solid.body.axisymmetric", {{"dimension", D}});
   if (kind_ == Kind::axisymmetric) check_radii(*space_);
   const MatrixX points = space_->points();
   for (int e = 0; e < space_->elements(); ++e) {
-    require(!interrupted(), "interrupted");
+    require(!interrupted(), "solid.body.interrupted");
     add_element(e, points);
   }
   // Kernels read whole vectors.

@@ -69,9 +69,12 @@ std::optional<Inversion> internal_force(const Body<D>& body, int e, const double
   arguments.factors = arrays.factors.data();
   arguments.blocks = tangent ? arrays.blocks.data() : nullptr;
   if (const std::size_t variables = at(body.internal_variables())) {
-    require(committed.size() == variables * body.points() && trial.size() == committed.size(), "material '",
-            body.material().name(), "' has ", variables * body.points(), " internal variables in this body, but got ",
-            committed.size(), " committed and ", trial.size(), " trial values");
+    require(committed.size() == variables * body.points() && trial.size() == committed.size(),
+            "solid.body.internal_variables",
+            {{"material", body.material().name()},
+             {"expected", variables * body.points()},
+             {"committed", committed.size()},
+             {"trial", trial.size()}});
     arguments.internal_variables = body.internal_variables();
     arguments.committed = committed.data() + body.element(e).point * variables;
     arguments.trial = trial.data() + body.element(e).point * variables;

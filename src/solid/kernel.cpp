@@ -30,12 +30,11 @@ Instructions widest_instructions(const char* wanted) {
   for (Instructions known : {Instructions::sse2, Instructions::avx2, Instructions::avx512}) {
     const char* name = instruction_names[static_cast<int>(known)];
     if (std::string_view(name) != wanted) continue;
-    require(known <= widest, "SIGNORINI_KERNEL=", name, " needs instructions that this processor lacks; it runs up to ",
-            instruction_names[static_cast<int>(widest)], ". Hint: unset the environment variable");
+    require(known <= widest, "solid.kernel.lacking",
+            {{"name", name}, {"widest", instruction_names[static_cast<int>(widest)]}});
     return known;
   }
-  fail("SIGNORINI_KERNEL must be sse2, avx2 or avx512, got '", wanted,
-       "'. Hint: unset the environment variable for the fastest kernel");
+  fail("solid.kernel.unknown", {{"name", wanted}});
 }
 
 Instructions widest_instructions() {

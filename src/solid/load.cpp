@@ -56,7 +56,7 @@ template <int D, class Force> VectorX integrate(const Body<D>& body, nurbs::Side
 } // namespace
 
 template <int D> VectorX traction_load(const Body<D>& body, nurbs::Side side, int component) {
-  require(component >= 0 && component < D, "traction: component ", component, " is not one of 0 … ", D - 1);
+  require(component >= 0 && component < D, "solid.load.component", {{"component", component}, {"most", D - 1}});
   return integrate(body, side, [&](const Vec<D>& normal) -> Vec<D> { return normal.norm() * Vec<D>::Unit(component); });
 }
 

@@ -7,11 +7,9 @@
 namespace signorini::solid {
 
 ElasticConstants elastic_constants(double youngs_modulus, double poissons_ratio) {
-  require(std::isfinite(youngs_modulus) && youngs_modulus > 0,
-          "E must be a positive number (Young's modulus, force per area), got ", youngs_modulus);
-  require(poissons_ratio > -1 && poissons_ratio < 0.5,
-          "nu must lie in (-1, 0.5) (Poisson's ratio; 0.5 is incompressible, ",
-          "which a displacement formulation cannot take: try 0.49), got ", poissons_ratio);
+  require(std::isfinite(youngs_modulus) && youngs_modulus > 0, "solid.material.youngs_modulus",
+          {{"value", youngs_modulus}});
+  require(poissons_ratio > -1 && poissons_ratio < 0.5, "solid.material.poissons_ratio", {{"value", poissons_ratio}});
   const double mu = youngs_modulus / (2 * (1 + poissons_ratio));
   return {youngs_modulus, poissons_ratio, 2 * mu * poissons_ratio / (1 - 2 * poissons_ratio), mu};
 }

@@ -9,7 +9,7 @@
 namespace signorini::solid {
 
 QuadratureRule gauss_legendre(int n, double a, double b) {
-  require(n >= 1, "a quadrature rule needs at least 1 point, got ", n);
+  require(n >= 1, "solid.quadrature.points", {{"count", n}});
   QuadratureRule rule{std::vector<double>(at(n)), std::vector<double>(at(n))};
   for (int i = 0; i < n; ++i) {
     // Newton on P_n from Tricomi's start; the three-term recurrence gives P_n and P_{n−1}.

@@ -12,12 +12,12 @@ namespace {
 
 void check(const Pattern& pattern, const Condensation& condensation) {
   const auto& [constant, contact] = condensation;
-  require(constant.size() == pattern.rows.size(), "condensed solver: the constant matrix has ", constant.size(),
-          " values, expected ", pattern.rows.size(), ", one for each entry of the pattern");
+  require(constant.size() == pattern.rows.size(), "solve.condensed.size",
+          {{"count", constant.size()}, {"expected", pattern.rows.size()}});
   const bool increases = std::adjacent_find(contact.begin(), contact.end(), std::greater_equal<>()) == contact.end();
   require(increases && (contact.empty() || (contact.front() >= 0 && contact.back() < pattern.size)),
-          "condensed solver: the contact unknowns must increase and lie in 0 … ", pattern.size - 1);
-  require(Symmetry(pattern).holds(constant.data()), "condensed solver: the constant matrix is not symmetric");
+          "solve.condensed.contact", {{"most", pattern.size - 1}});
+  require(Symmetry(pattern).holds(constant.data()), "solve.condensed.symmetric");
 }
 
 /// The part of a matrix that is not zero, with the diagonal: what is zero for good, such as the couplings of two faces,

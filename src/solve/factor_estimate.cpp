@@ -14,8 +14,7 @@ FactorEstimate estimate_factor(LinearKind kind, const Pattern& pattern) {
   cholmod_sparse matrix = lower_triangle(pattern, nullptr);
   matrix.xtype = CHOLMOD_PATTERN;
   lower.factor = cholmod_analyze(&matrix, &common);
-  require(lower.factor != nullptr, "the sparse solver could not analyse the tangent (CHOLMOD status ", common.status,
-          ")");
+  require(lower.factor != nullptr, "solve.cholmod.tangent", {{"status", common.status}});
   const double entries = common.lnz; // of L
   if (kind == LinearKind::automatic)
     kind = worth_reusing(2 * common.fl, 2 * entries) ? LinearKind::kept : LinearKind::klu;

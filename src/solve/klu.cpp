@@ -26,8 +26,7 @@ public:
     clear();
     pattern_ = pattern;
     symbolic_ = klu_analyze(pattern_.size, pattern_.starts.data(), pattern_.rows.data(), &common_);
-    require(symbolic_ != nullptr || pattern_.size == 0, "the sparse solver could not analyze the tangent (KLU status ",
-            common_.status, ")");
+    require(symbolic_ != nullptr || pattern_.size == 0, "solve.klu.analyze", {{"status", common_.status}});
     if (!symbolic_) return;
     statistics_.operations = symbolic_->est_flops;
     statistics_.entries = symbolic_->lnz + symbolic_->unz;

@@ -61,7 +61,7 @@ LineSearchKind line_search_kind(const std::string& name) {
   if (name == "none") return LineSearchKind::none;
   if (name == "residual") return LineSearchKind::residual;
   if (name == "energy") return LineSearchKind::energy;
-  fail("line_search: unknown kind '", name, "'; known are 'none', 'residual', 'energy'");
+  fail("solve.line_search.unknown", {{"name", name}});
 }
 
 std::optional<double> line_search(LineSearchKind kind, const std::function<Trial(double)>& evaluate,

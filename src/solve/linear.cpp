@@ -43,12 +43,9 @@ std::vector<std::string> linear_names() {
 }
 
 LinearKind linear_kind(const std::string& name) {
-  std::string known;
-  for (const auto& [kind, kind_name] : names) {
+  for (const auto& [kind, kind_name] : names)
     if (name == kind_name) return kind;
-    known += text(known.empty() ? "'" : ", '", kind_name, "'");
-  }
-  fail("linear: unknown solver '", name, "'; known are ", known);
+  fail("solve.linear.unknown", {{"name", name}, {"known", linear_names()}});
 }
 
 std::string name_of(LinearKind kind) {
@@ -63,8 +60,7 @@ bool worth_reusing(double operations, double entries) {
 
 std::unique_ptr<LinearSolver> make_solver(LinearKind kind, const Pattern& pattern, const Condensation* condensation) {
   if (kind == LinearKind::condensed) {
-    require(condensation != nullptr, "linear: the solver 'condensed' needs a matrix that is constant but for contact, "
-                                     "as bodies that are all linear elastic have; take 'auto'");
+    require(condensation != nullptr, "solve.linear.condensed");
     return make_condensed(pattern, *condensation, make_schur_cholesky(dissection_above));
   }
   // Solids: nested dissection at once

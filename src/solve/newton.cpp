@@ -2,7 +2,6 @@
 
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
-#include "base/words.hpp"
 #include "solve/constants.hpp"
 
 #include <cmath>
@@ -47,25 +46,25 @@ bool search(const NewtonSystem& system, LineSearchKind kind, NewtonReport& repor
 } // namespace
 
 bool iterate(const NewtonSystem& system, const NewtonOptions& options, bool pending, NewtonReport& report) {
-  const auto stop = [&](Outcome outcome, std::string message) {
+  const auto stop = [&](Outcome outcome, const Message& message) {
     report.outcome = outcome;
-    report.message = std::move(message);
+    if (!message.code.empty()) report.messages = {message};
     return false;
   };
   const auto stop_by_user = [&] {
     answer_interrupt();
-    return stop(Outcome::interrupted, "stopped by Ctrl-C");
+    return stop(Outcome::interrupted, Message("solve.newton.interrupted"));
   };
   // Steps that need no iteration can be stopped, too.
   if (report.residuals.empty() && interrupted()) return stop_by_user();
   const Iteration acknowledged;
-  std::string why;
+  Message why;
   // Where quadratic convergence promises the last iteration, the residual alone is enough to confirm it.
   const bool tangent = predicted_residual(report.residuals) > surely_enough * report.enough;
   if (const Outcome state = system.assemble(tangent, why); state != Outcome::converged) return stop(state, why);
   const double residual = system.residual();
   report.residuals.push_back(residual);
-  if (!std::isfinite(residual)) return stop(Outcome::not_finite, "the residual is not a finite number");
+  if (!std::isfinite(residual)) return stop(Outcome::not_finite, Message("solve.newton.not_finite"));
 
   const double floor = system.floor();
   report.enough = options.tolerance * system.scale() + floor;
@@ -80,23 +79,21 @@ bool iterate(const NewtonSystem& system, const NewtonOptions& options, bool pend
     return true;
   }
   if (residual > hopeless * (system.scale() + report.residuals.front()))
-    return stop(Outcome::diverged, text("the residual grew to ", residual));
+    return stop(Outcome::diverged, Message("solve.newton.diverged", {{"residual", residual}}));
   if (report.iterations - report.begun >= options.iterations)
     return stop(Outcome::iteration_limit,
-                text("no convergence in ", counted(options.iterations, "iteration"), "; the residual is ", residual,
-                     ", asked was ", report.enough,
-                     residual <= near_floor * floor ? ", near what rounding leaves of it" : ""));
+                Message(residual <= near_floor * floor ? "solve.newton.near_rounding" : "solve.newton.no_convergence",
+                        {{"iterations", options.iterations}, {"residual", residual}, {"enough", report.enough}}));
   if (!tangent)
     if (const Outcome state = system.assemble(true, why); state != Outcome::converged) return stop(state, why);
   if (interrupted()) return stop_by_user();
   double energy = 0;
-  if (!system.advance(energy)) return stop(Outcome::singular_tangent, "the tangent is singular");
+  if (!system.advance(energy)) return stop(Outcome::singular_tangent, Message("solve.newton.singular"));
   ++report.iterations;
   report.energies.push_back(energy);
   // The move that brings in prescribed displacements has to be whole.
   if (options.line_search != LineSearchKind::none && !waiting && !search(system, options.line_search, report))
-    return stop(Outcome::line_search,
-                text("line search: no part of the move down to 1/128 brings the residual, ", residual, ", down"));
+    return stop(Outcome::line_search, Message("solve.newton.line_search", {{"residual", residual}}));
   return true;
 }
 

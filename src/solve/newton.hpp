@@ -2,6 +2,7 @@
 // Newton's method on callbacks, iteration by iteration: the caller assembles, factors and updates; the order of things
 // and the tests live here.
 
+#include "base/message.hpp"
 #include "solve/line_search.hpp"
 
 #include <functional>
@@ -41,7 +42,7 @@ struct NewtonOptions {
 struct NewtonSystem {
   /// Residual and, when wanted, tangent at the present state. Returns converged, or why there are none or why going on
   /// is in vain (message in `why`).
-  std::function<Outcome(bool tangent, std::string& why)> assemble;
+  std::function<Outcome(bool tangent, Message& why)> assemble;
   /// 2-norm of the residual of the free unknowns.
   std::function<double()> residual;
   /// The residual that counts as zero is tolerance·scale() + floor(): scale is the size of the forces in the run so
@@ -56,7 +57,7 @@ struct NewtonSystem {
   std::function<double()> slope = {};
   /// Called when the residual is small enough: releases what was held back, improves what is approximate. Returns
   /// converged when there was nothing to do, iterating when the residual has to be looked at again, or why it failed.
-  std::function<Outcome(std::string& why)> conclude = {};
+  std::function<Outcome(Message& why)> conclude = {};
 };
 
 struct NewtonReport {
@@ -67,7 +68,7 @@ struct NewtonReport {
   std::vector<double> parts;     ///< of each Δu that a line search left; empty without
   double enough = 0;             ///< the residual that counts as zero
   int begun = 0;                 ///< iterations before conclude() last asked for more
-  std::string message;           ///< what went wrong, in words
+  std::vector<Message> messages; ///< what went wrong
 };
 
 /// One iteration: evaluates, tests, and unless that ends it solves and moves. Returns whether it goes on; `report` is

@@ -81,8 +81,7 @@ void SchurCholesky::analyze_in_order(cholmod_sparse& matrix, const std::vector<i
   common_.postorder = postorder;
   cholmod_free_factor(&lower_.factor, &common_);
   lower_.factor = cholmod_analyze_p(&matrix, order_.data(), nullptr, 0, &common_);
-  require(lower_.factor != nullptr, "the sparse solver could not analyze the matrix (CHOLMOD status ", common_.status,
-          ")");
+  require(lower_.factor != nullptr, "solve.cholmod.matrix", {{"status", common_.status}});
   const int* found = static_cast<int*>(lower_.factor->Perm);
   order_.assign(found, found + size());
 }
@@ -105,8 +104,8 @@ void SchurCholesky::dissect(cholmod_sparse& matrix) {
   if (!dissection_.empty()) analyze_dissection();
   if (!dissection_.empty() && common_.fl <= stale_dissection * best_) return;
   dissection_.resize(at(size()));
-  require(cholmod_metis(&matrix, nullptr, 0, true, dissection_.data(), &common_),
-          "the sparse solver could not order the matrix (CHOLMOD status ", common_.status, ")");
+  require(cholmod_metis(&matrix, nullptr, 0, true, dissection_.data(), &common_), "solve.cholmod.order",
+          {{"status", common_.status}});
   analyze_dissection();
   best_ = common_.fl;
 }

@@ -32,7 +32,7 @@ public:
     if (!symbolic_) {
       const int status =
           umfpack_di_symbolic(pattern_.size, pattern_.size, starts, rows, values, &symbolic_, control_, nullptr);
-      require(status == UMFPACK_OK, "the sparse solver could not analyze the tangent (UMFPACK status ", status, ")");
+      require(status == UMFPACK_OK, "solve.umfpack.analyze", {{"status", status}});
     }
     umfpack_di_free_numeric(&numeric_);
     const int status = umfpack_di_numeric(starts, rows, values, symbolic_, &numeric_, control_, info_);

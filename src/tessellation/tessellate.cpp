@@ -1,8 +1,8 @@
 #include "tessellation/tessellate.hpp"
 
-#include "base/index.hpp"
 #include "model/contact_pressure.hpp"
 #include "model/results.hpp"
+#include "tessellation/grid.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -57,46 +57,8 @@ struct SkinSide {
   }
 };
 
-/// The grid of points of an element in the plane, or of an element's side.
-struct Grid {
-  const std::vector<double>&along, &across; ///< fractions of its two directions
-  Eigen::Index first;                       ///< index of its first point in the skin
-
-  int columns() const { return static_cast<int>(along.size()); }
-  int rows() const { return static_cast<int>(across.size()); }
-  Eigen::Index size() const { return Eigen::Index(columns()) * rows(); }
-  Eigen::Index triangles() const { return 2 * Eigen::Index(columns() - 1) * (rows() - 1); }
-  Eigen::Index operator()(int i, int j) const { return first + i + Eigen::Index(columns()) * j; }
-};
-
 Grid grid_of(const Sampling<3>& sampling, const SkinSide& side, int i, int j, Eigen::Index first) {
   return {sampling[at(side.along(0))][at(i)], sampling[at(side.along(1))][at(j)], first};
-}
-
-/// The element's border along one of the side's directions, at the start or the end of the other one.
-SkinLine border(const Skin& skin, const Grid& grid, int along, bool at_end) {
-  const int right = grid.columns() - 1, top = grid.rows() - 1, count = along == 0 ? right : top,
-            fixed = !at_end      ? 0
-                    : along == 0 ? top
-                                 : right;
-  SkinLine line{Points(3, count + 1), Points(3, count + 1), 0};
-  for (int k = 0; k <= count; ++k) {
-    const Eigen::Index point = along == 0 ? grid(k, fixed) : grid(fixed, k);
-    line.points.col(k) = skin.points.col(point);
-    line.normals.col(k) = skin.normals.col(point);
-  }
-  line.spacing = along == 0 ? (skin.points.col(grid(right / 2, top)) - skin.points.col(grid(right / 2, 0))).norm()
-                            : (skin.points.col(grid(right, top / 2)) - skin.points.col(grid(0, top / 2))).norm();
-  return line;
-}
-
-void add_triangles(Triangles& triangles, Eigen::Index& next, const Grid& grid) {
-  for (int j = 0; j + 1 < grid.rows(); ++j)
-    for (int i = 0; i + 1 < grid.columns(); ++i) {
-      const int corner = static_cast<int>(grid(i, j)), side = grid.columns();
-      triangles.col(next++) << corner, corner + 1, corner + side + 1;
-      triangles.col(next++) << corner, corner + side + 1, corner + side;
-    }
 }
 
 std::array<SkinSide, 6> sides_of(const Model<3>& model, int body, bool deformed) {
@@ -112,7 +74,7 @@ template <class Visit> void each_side_element(const Model<3>& model, int body, b
 }
 
 /// Control points, in the plane with z = 0, and the lines that join them within every row.
-template <int D, class Result> void add_control_points(Result& result, const Model<D>& model, int body, bool deformed) {
+template <int D> void add_control_points(Skin& result, const Model<D>& model, int body, bool deformed) {
   const nurbs::Discretisation& space = model.system.scene.bodies[at(body)].body->space();
   result.control_points.setZero(3, space.functions());
   result.control_points.template topRows<D>() = space.points();
@@ -129,8 +91,7 @@ template <int D, class Result> void add_control_points(Result& result, const Mod
 
 } // namespace
 
-Tessellation tessellate(const Model<2>& model, int body, const Field<2>* field, const Sampling<2>& sampling,
-                        bool deformed) {
+Skin tessellate(const Model<2>& model, int body, const Field<2>* field, const Sampling<2>& sampling, bool deformed) {
   const solid::Body<2>& solid = *model.system.scene.bodies[at(body)].body;
   const nurbs::Discretisation& space = solid.space();
   const auto grid_at = [&](int e, Eigen::Index first) {
@@ -141,7 +102,7 @@ Tessellation tessellate(const Model<2>& model, int body, const Field<2>* field, 
     points += grid_at(e, 0).size();
     triangles += grid_at(e, 0).triangles();
   }
-  Tessellation result;
+  Skin result;
   result.points.setZero(3, points);
   result.triangles.resize(3, triangles);
   if (field) result.values.resize(points);
@@ -159,6 +120,8 @@ Tessellation tessellate(const Model<2>& model, int body, const Field<2>* field, 
         if (field) result.values(here) = field->value(solid.material(), point.state);
       }
     add_triangles(result.triangles, triangle, grid);
+    add_borders(result, grid, {space.element_index(e, 0), space.element_index(e, 1)},
+                {space.elements(0), space.elements(1)});
     first += grid.size();
   }
   add_control_points(result, model, body, deformed);

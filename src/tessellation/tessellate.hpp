@@ -11,39 +11,36 @@ using model::Field;
 using Points = Eigen::Matrix<double, 3, Eigen::Dynamic>;
 using Triangles = Eigen::Matrix<int, 3, Eigen::Dynamic>;
 
-/// A plane body as triangles.
-struct Tessellation {
-  Points points; ///< z = 0
-  Triangles triangles;
-  VectorX values; ///< of the field, per point; empty without a field
-  Points control_points;
-  std::vector<std::array<int, 2>> net_lines; ///< control points joined along every row
-};
-
-/// Cuts every element into quadrilaterals of two triangles, points row by row. Points on element borders are doubled,
-/// so that fields may jump there. `field` may be null.
-Tessellation tessellate(const Model<2>& model, int body, const Field<2>* field, const Sampling<2>& sampling,
-                        bool deformed);
-
-/// A line on the surface of a solid.
+/// A line on a surface.
 struct SkinLine {
-  Points points, normals; ///< one unit normal of the side that it belongs to per point
+  Points points, normals; ///< one unit normal of the surface that it belongs to per point; none in the plane
   double spacing;         ///< distance to the next line of its kind, through the middle of an element
 };
 
-/// The six sides of a solid as triangles.
+/// A plane body, the six sides of a solid, or a patch as triangles.
 struct Skin {
-  Points points, normals; ///< outward unit normals, one per point
+  Points points, normals; ///< outward unit normals, one per point; none of plane bodies, whose points have z = 0
   Triangles triangles;
   VectorX values;                   ///< of the field, per point; empty without a field
   std::vector<SkinLine> mesh_lines; ///< borders between elements
-  std::vector<SkinLine> rim;        ///< the sides' own borders, once for each of the two sides that meet there
+  std::vector<SkinLine> rim;        ///< in the plane four sides; of a solid's sides, once for each of two that meet
   Points control_points;
   std::vector<std::array<int, 2>> net_lines; ///< control points joined within every row
 };
 
+/// Cuts every element into quadrilaterals of two triangles, points row by row. Points on element borders are doubled,
+/// so that fields may jump there. `field` may be null.
+Skin tessellate(const Model<2>& model, int body, const Field<2>* field, const Sampling<2>& sampling, bool deformed);
+
 /// Cuts the sides of the elements at the surface as the plane tessellation does.
 Skin tessellate(const Model<3>& model, int body, const Field<3>* field, const Sampling<3>& sampling, bool deformed);
+
+/// A curve or a surface in 2D or 3D, finer where windows need it; a curve has points and a rim of one line alone.
+/// `sign`: of the normals ∂x/∂ξ¹ × ∂x/∂ξ², which are zero for curves and in the plane.
+Skin tessellate(const nurbs::Patch& patch, double sign = 1, const std::vector<Window>& windows = {});
+
+/// The point in space, z = 0 for those of the plane.
+Vec<3> place(const nurbs::Patch& patch, const VectorX& xi);
 
 /// Elements that have a side on the surface, once per side.
 int surface_elements(const nurbs::Discretisation& space);

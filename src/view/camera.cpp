@@ -13,9 +13,7 @@ Camera camera(const std::string& name) {
   if (name == "right") return {x, z};
   if (name == "top") return {z, y};
   if (name == "bottom") return {-z, -y};
-  std::string known;
-  for (const std::string& one : camera_names()) known += (known.empty() ? "" : ", ") + one;
-  fail("unknown camera '", name, "'; known: ", known);
+  fail("view.camera.unknown", {{"camera", name}, {"known", camera_names()}});
 }
 
 const std::vector<std::string>& camera_names() {
@@ -32,11 +30,10 @@ Camera turned_to(Camera camera, const Vec<3>& normal) {
 }
 
 Mat<3> picture_axes(const Camera& camera) {
-  require(camera.from.allFinite() && camera.up.allFinite(), "the camera's from and up must be finite numbers");
-  require(camera.from.norm() > 0 && camera.up.norm() > 0,
-          "the camera's from and up must not be zero: from points from the scene to the eye, up to the picture's top");
+  require(camera.from.allFinite() && camera.up.allFinite(), "view.camera.finite");
+  require(camera.from.norm() > 0 && camera.up.norm() > 0, "view.camera.zero");
   const Vec<3> eye = camera.from.normalized(), right = camera.up.normalized().cross(eye);
-  require(right.norm() > 1e-6, "the camera's up points along from; choose another up, such as {0, 1, 0}");
+  require(right.norm() > 1e-6, "view.camera.parallel");
   Mat<3> axes;
   axes.row(0) = right.normalized();
   axes.row(2) = eye;

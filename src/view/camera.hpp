@@ -11,6 +11,8 @@ namespace signorini::view {
 struct Camera {
   Vec<3> from; ///< direction from the scene to the eye, of any length but zero
   Vec<3> up;   ///< points upwards in the picture; not along `from`
+
+  bool operator==(const Camera&) const = default;
 };
 
 /// front, back, left, right, top, bottom: along an axis, z upwards (front: from −y, with x to the right; top: y

@@ -6,7 +6,6 @@
 #include "view/figure.hpp"
 #include "view/inset.hpp"
 #include "view/legend.hpp"
-#include "view/rules.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,29 +13,29 @@
 namespace signorini::view {
 namespace {
 
-std::string name_of(const std::vector<Series>& series, std::size_t i) {
-  return text("series ", i + 1, series[i].label.empty() ? "" : " '" + series[i].label + "'");
+Message name_of(const std::vector<Series>& series, std::size_t i) {
+  if (series[i].label.empty()) return Message("view.chart.series", {{"number", i}});
+  return Message("view.chart.named_series", {{"number", i}, {"label", series[i].label}});
 }
 
-void check_positive(double value, char axis, const std::string& name) {
-  require(value > 0, name, " has ", axis, " = ", value,
-          " on a logarithmic axis, which shows only values above 0; leave '", axis, "' out of log or drop such points");
+void check_positive(double value, char axis, const Message& series) {
+  require(value > 0, "view.chart.log", {{"series", series}, {"axis", std::string(1, axis)}, {"value", value}});
 }
 
 void check(const std::vector<Series>& series, const ChartOptions& options) {
-  require(!series.empty(), "a chart needs at least one series, none came; give one such as { y = {1, 2, 3} }");
+  require(!series.empty(), "view.chart.empty");
   bool any = false;
   for (std::size_t n = 0; n < series.size(); ++n) {
     const Series& s = series[n];
-    require(s.x.size() == s.y.size(), name_of(series, n), " has ", s.x.size(), " x values and ", s.y.size(),
-            " y values; give as many of one as of the other");
-    require(s.marks.empty() || s.marks.size() == s.x.size(), name_of(series, n), " has ", s.marks.size(), " marks for ",
-            s.x.size(), " points; give one per point, or none");
+    require(s.x.size() == s.y.size(), "view.chart.sizes",
+            {{"series", name_of(series, n)}, {"xs", s.x.size()}, {"ys", s.y.size()}});
+    require(s.marks.empty() || s.marks.size() == s.x.size(), "view.chart.marks",
+            {{"series", name_of(series, n)}, {"marks", s.marks.size()}, {"points", s.x.size()}});
     for (int mark : s.marks)
-      require(mark >= 0 && mark < static_cast<int>(options.marks.size()), name_of(series, n), " has mark ", mark,
-              "; the chart names ", options.marks.size());
-    require(s.line || !s.marks.empty() || (s.markers.value_or(false) && s.marker != no_marker), name_of(series, n),
-            " has neither line nor markers; switch one of them on");
+      require(mark >= 0 && mark < static_cast<int>(options.marks.size()), "view.chart.mark",
+              {{"series", name_of(series, n)}, {"mark", mark}, {"count", options.marks.size()}});
+    require(s.line || !s.marks.empty() || (s.markers.value_or(false) && s.marker != no_marker), "view.chart.invisible",
+            {{"series", name_of(series, n)}});
     for (std::size_t i = 0; i < s.x.size(); ++i) {
       if (!drawn(s, i)) continue;
       any = true;
@@ -44,20 +43,17 @@ void check(const std::vector<Series>& series, const ChartOptions& options) {
       if (options.log_y) check_positive(s.y[i], 'y', name_of(series, n));
     }
   }
-  require(options.marks.size() <= marker_names().size(), "the chart has ", options.marks.size(),
-          " kinds of points, and there are ", marker_names().size(), " markers; mark fewer kinds, or none");
-  require(any, "the chart's series hold no finite point; nothing can be drawn");
+  require(options.marks.size() <= marker_names().size(), "view.chart.kinds",
+          {{"count", options.marks.size()}, {"most", marker_names().size()}});
+  require(any, "view.chart.no_point");
   const auto own = std::count_if(series.begin(), series.end(), [](const Series& s) { return s.line && !s.colour; });
-  if (own > distinct_curves())
-    warn(text("a chart of ", own, " curves: ", distinct_curves(),
-              " are told apart by colour and dashes, and the others look like the first ones; draw several charts, or "
-              "give color"));
+  if (own > distinct_curves()) warn("view.chart.many_curves", {{"count", own}, {"distinct", distinct_curves()}});
 }
 
 void check_names(const std::vector<Name>& names, const std::string& what, char axis, bool log) {
   for (const auto& [at, name] : names)
-    require(std::isfinite(at) && (!log || at > 0), what, " '", name, "' stands at ", axis, " = ", at,
-            "; expected a finite number", log ? " above 0, as the axis is logarithmic" : "");
+    require(std::isfinite(at) && (!log || at > 0), log ? "view.chart.place_log" : "view.chart.place",
+            {{"what", what}, {"name", name}, {"axis", std::string(1, axis)}, {"at", at}});
 }
 
 void check_names(const ChartOptions& options) {
@@ -65,8 +61,11 @@ void check_names(const ChartOptions& options) {
   check_names(options.vlines, "line", 'x', options.log_x);
   check_names(options.hlines, "line", 'y', options.log_y);
   for (std::size_t i = 1; i < options.xticks.size(); ++i)
-    require(options.xticks[i - 1].at < options.xticks[i].at, "xticks must rise, but '", options.xticks[i].text, "' at ",
-            options.xticks[i].at, " follows '", options.xticks[i - 1].text, "' at ", options.xticks[i - 1].at);
+    require(options.xticks[i - 1].at < options.xticks[i].at, "view.chart.ticks",
+            {{"name", options.xticks[i].text},
+             {"at", options.xticks[i].at},
+             {"before", options.xticks[i - 1].text},
+             {"at_before", options.xticks[i - 1].at}});
 }
 
 /// All of x that is drawn. Named ticks belong to it, with a little of their distance on both sides.
@@ -87,8 +86,7 @@ Range chart_xrange(const std::vector<Series>& series, const ChartOptions& option
 
 Range chart_yrange(const std::vector<Series>& series, const ChartOptions& options, const Range& xs) {
   Range ys = range_within(series, {xs.low, xs.high}, options.log_x, options.log_y);
-  require(!ys.empty() || options.yrange, "no curve runs between x = ", xs.low, " and ", xs.high,
-          "; choose an xrange that holds data");
+  require(!ys.empty() || options.yrange, "view.chart.no_curve", {{"low", xs.low}, {"high", xs.high}});
   for (const Name& rule : options.hlines) ys.take(rule.at);
   return axis_range(ys, options.yrange, options.log_y, "y", 0.05);
 }
@@ -114,7 +112,7 @@ void fit_ticks(Frame& frame, const Range& xs, const ChartOptions& options, const
   }
 }
 
-/// `depth`: what names of ticks take below the numbers' row, as far as it is known.
+/// With the legend outside, or none. `depth`: what names of ticks take below the numbers' row, as far as it is known.
 ChartLayout lay_out(const std::vector<Series>& series, const ChartOptions& options, const Range& xs, const Range& ys,
                     const Style& style, double depth = 0) {
   ChartLayout layout;
@@ -134,12 +132,31 @@ ChartLayout lay_out(const std::vector<Series>& series, const ChartOptions& optio
   const double top = bottom + height - raised;
   frame.box = {left, right, bottom, top};
   fit_ticks(frame, xs, options, style);
-  require(frame.box[1] - frame.box[0] >= 0.2 * options.size[0] && top - bottom >= 0.2 * options.size[1], "a chart of ",
-          options.size[0], " × ", options.size[1],
-          " pixels leaves too little room for the data beside labels and legend; choose a larger size");
+  require(frame.box[1] - frame.box[0] >= 0.2 * options.size[0] && top - bottom >= 0.2 * options.size[1],
+          "view.chart.room", {{"width", options.size[0]}, {"height", options.size[1]}});
   if (frame.xticks.depth > depth + 1) return lay_out(series, options, xs, ys, style, frame.xticks.depth);
   frame.y = {ys.low, ys.high, options.log_y, bottom, top};
   layout.title_at = top + raised;
+  return layout;
+}
+
+/// The layout with the legend within the chart, where the options and the curves allow that.
+std::optional<ChartLayout> lay_out_within(const std::vector<Series>& series, const ChartOptions& options,
+                                          const Range& xs, const Range& ys, const Style& style) {
+  const bool always = options.legend == LegendPlace::inside;
+  if (!always && (options.legend != LegendPlace::automatic || options.inset)) return std::nullopt;
+  ChartOptions bare = options;
+  bare.legend = LegendPlace::none;
+  ChartLayout layout = lay_out(series, bare, xs, ys, style);
+  const Box& box = layout.frame.box;
+  Lines lines = lines_of(series, layout.frame, style);
+  for (const Name& rule : options.hlines)
+    lines.push_back({{box[0], layout.frame.y(rule.at)}, {box[1], layout.frame.y(rule.at)}});
+  for (const Name& rule : options.vlines)
+    lines.push_back({{layout.frame.x(rule.at), box[2]}, {layout.frame.x(rule.at), box[3]}});
+  const auto legend = legend_within(series, options, box, lines, always, style);
+  if (!legend) return std::nullopt;
+  layout.legend = *legend;
   return layout;
 }
 
@@ -154,15 +171,16 @@ Range with_room(const Range& ys, bool log, bool below) {
 Drawing draw(const std::vector<Series>& series, const ChartOptions& options) {
   const Style style = style_for(options.size);
   const Range xs = chart_xrange(series, options), ys = chart_yrange(series, options, xs);
-  ChartLayout layout = lay_out(series, options, xs, ys, style);
+  const auto within = lay_out_within(series, options, xs, ys, style);
+  ChartLayout layout = within ? *within : lay_out(series, options, xs, ys, style);
   std::optional<PlacedInset> inset;
   if (options.inset) {
-    inset = place_inset(series, options, layout.frame, style);
+    inset = place_inset(series, options, layout.frame, style, layout.legend.within);
     if (inset->hidden > 0 && !options.yrange) {
       const auto place = options.inset->place;
       const bool below = place == Corner::south_east || place == Corner::south_west;
       layout = lay_out(series, options, xs, with_room(ys, options.log_y, below), style);
-      inset = place_inset(series, options, layout.frame, style);
+      inset = place_inset(series, options, layout.frame, style, layout.legend.within);
     }
   }
 
@@ -172,6 +190,7 @@ Drawing draw(const std::vector<Series>& series, const ChartOptions& options) {
   draw_rules(drawing, options, frame, style);
   for (std::size_t n = series.size(); n-- > 0;) draw_series(drawing, series, n, frame, style);
   std::vector<Box> taken;
+  if (layout.legend.within) taken.push_back(*layout.legend.within);
   if (inset) {
     draw_inset(drawing, series, options, *inset);
     taken.push_back(inset->outer);
@@ -185,11 +204,15 @@ Drawing draw(const std::vector<Series>& series, const ChartOptions& options) {
 
 } // namespace
 
-void draw_chart(const std::vector<Series>& series, const ChartOptions& options, const std::string& file) {
+Figure chart_figure(const std::vector<Series>& series, const ChartOptions& options) {
   check(series, options);
   check_names(options);
+  return figure_of({draw(series, options)});
+}
+
+void draw_chart(const std::vector<Series>& series, const ChartOptions& options, const std::string& file) {
   const Format format = format_of(file);
-  write_whole(file, bytes_of(figure_of({draw(series, options)}), format));
+  write_whole(file, bytes_of(chart_figure(series, options), format));
 }
 
 } // namespace signorini::view

@@ -1,7 +1,7 @@
 #pragma once
 // Line and scatter charts to PNG, SVG or PDF, drawn off-screen.
 
-#include "view/frame.hpp"
+#include "view/figure.hpp"
 
 #include <array>
 #include <optional>
@@ -39,11 +39,15 @@ struct Inset {
   std::optional<Corner> place = {};                 ///< the emptiest corner when absent
 };
 
+/// Outside is right of the chart, or below it. Automatic: within the chart where a corner is free of curves and
+/// reference lines, and no inset wants it.
+enum class LegendPlace { none, automatic, inside, outside };
+
 struct ChartOptions {
   std::string title, xlabel, ylabel;
   bool log_x = false, log_y = false;
-  bool legend = true;             ///< right of the data, never over it; left out for a single unlabelled series
-  std::string legend_title;       ///< above the curves' names
+  LegendPlace legend = LegendPlace::automatic; ///< left out for a single unlabelled series
+  std::string legend_title;                    ///< above the curves' names
   std::vector<std::string> marks; ///< what points are, each with a marker of its own: the legend's second part
   std::string marks_title;        ///< above these names
   std::optional<std::array<double, 2>> xrange, yrange;
@@ -59,5 +63,8 @@ struct ChartOptions {
 /// axis, ranges that do not rise, more marks than markers, an inset without data, an unknown ending, or a file that
 /// cannot be written.
 void draw_chart(const std::vector<Series>& series, const ChartOptions& options, const std::string& file);
+
+/// The same before it is a file.
+Figure chart_figure(const std::vector<Series>& series, const ChartOptions& options);
 
 } // namespace signorini::view

@@ -14,21 +14,12 @@ namespace {
 constexpr Rgb frame_colour = {20, 20, 20};
 constexpr int least_width = 160, least_height = 120; // pixels: that any picture has
 
-bool is_within(double x, double y, const Box& box) {
-  return x >= box[0] && x <= box[1] && y >= box[2] && y <= box[3];
-}
-
-bool overlap(const Box& a, const Box& b) {
-  return a[0] < b[1] && b[0] < a[1] && a[2] < b[3] && b[2] < a[3];
-}
-
 /// How many of the points that the bodies are made of lie in a box.
 long hidden_in(const Plate& plate, const Box& box) {
   long count = 0;
-  for (const Field& field : plate.fields)
-    for (const Vec2& p : field.points) count += is_within(p[0], p[1], box);
-  for (const Shaded& surface : plate.relief.surfaces)
-    for (const Vec3& p : surface.points) count += is_within(p[0], p[1], box);
+  for (const Relief& relief : plate.reliefs)
+    for (const Field& field : relief.fields)
+      for (const auto& p : field.points.colwise()) count += holds(box, {p[0], p[1]});
   return count;
 }
 
@@ -100,8 +91,7 @@ void add_costs(Costs& costs, int picture, const Plate& whole, const DetailMaker&
         break;
       }
       const Plate plate = detail(picture, static_cast<int>(state), *most);
-      require(overlap(frame.box, place_of(plate.frames.front(), frame)),
-              "inset lies outside of what the picture shows; choose a part of the bodies");
+      require(overlap(frame.box, place_of(plate.frames.front(), frame)), "view.inset.outside_picture");
       const double diagonal = std::hypot(frame.box[1] - frame.box[0], frame.box[3] - frame.box[2]);
       for (int corner = 0; corner < 4; ++corner) {
         const Placing placing = placed(frame, corner, plate);
@@ -148,10 +138,7 @@ void draw_joins(Drawing& drawing, const Placing& placing) {
   const double x = at[0], y = at[1], width = std::max(1.0, 1.5e-3 * drawing.size[0]);
   const Box inset = {x - width, x + plate.drawing.size[0] + width, y - width, y + plate.drawing.size[1] + width};
   for (const auto& [left, right, bottom, top] : {placing.marked, inset})
-    drawing.marks.push_back(
-        Stroke{{{left, bottom}, {right, bottom}, {right, top}, {left, top}, {left, bottom}, {right, bottom}},
-               frame_colour,
-               1.4 * width});
+    drawing.marks.push_back(Stroke{outline_of({left, right, bottom, top}), frame_colour, 1.4 * width});
   for (const auto& [from, to] : joins(placing.marked, inset))
     drawing.marks.push_back(Stroke{{from, to}, frame_colour, width, {6 * width, 4 * width}});
 }
@@ -176,10 +163,7 @@ CloseUpPlan plan_close_ups(int pictures, const WholeMaker& make, const DetailMak
       best->plan.extent = extent;
       return best->plan;
     }
-    require(!raised, "the picture is too small for an inset",
-            static_cast<int>(states) > pictures ? " in each state; choose a larger size or fewer columns"
-                                                : "; choose a larger size",
-            ", or crop = … for a picture of its own");
+    require(!raised, static_cast<int>(states) > pictures ? "view.inset.room_each" : "view.inset.room_or_crop");
     // Room above: as much again as half of what is shown.
     extent = shown;
     (*extent)[3] += 0.75 * (shown[3] - shown[2]);
@@ -193,7 +177,7 @@ Figure with_close_ups(int picture, const CloseUpPlan& plan, const WholeMaker& ma
   const std::vector<Frame> frames = whole.frames;
   for (std::size_t state = 0; state < frames.size(); ++state) {
     const auto most = room_of(frames[state], plan.share);
-    require(most.has_value(), "the picture is too small for an inset; choose a larger size");
+    require(most.has_value(), "view.inset.room");
     Placing placing = placed(frames[state], plan.corner, detail(picture, static_cast<int>(state), *most));
     draw_joins(whole.drawing, placing);
     insets.push_back(std::move(placing.inset));

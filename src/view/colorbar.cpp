@@ -2,8 +2,8 @@
 
 #include "base/error.hpp"
 #include "base/warning.hpp"
-#include "base/words.hpp"
 #include "view/fit_text.hpp"
+#include "view/surface_lines.hpp"
 #include "view/text.hpp"
 
 #include <algorithm>
@@ -54,9 +54,11 @@ std::array<double, 2> colour_range(const ColouredValues& values, const std::opti
                                    bool diverging, const std::string& title) {
   const auto range = colour_range(values.typical, given, diverging);
   if (!given && values.clipped())
-    warn(text("the colors of '", title, "' leave out ", values.extreme, " of ", values.count,
-              " samples, which reach from ", number(values.all[0]), " to ", number(values.all[1]),
-              ". Hint: range = {low, high} sets the colors"));
+    warn("view.colors.outliers", {{"title", title},
+                                  {"count", values.extreme},
+                                  {"samples", values.count},
+                                  {"low", values.all[0]},
+                                  {"high", values.all[1]}});
   return range;
 }
 
@@ -64,8 +66,8 @@ std::array<double, 2> colour_range(const std::array<double, 2>& values,
                                    const std::optional<std::array<double, 2>>& given, bool diverging) {
   if (given) {
     const auto [low, high] = *given;
-    require(std::isfinite(low) && std::isfinite(high) && low < high, "range is {", low, ", ", high,
-            "}; expected two finite numbers, the lower one first");
+    require(std::isfinite(low) && std::isfinite(high) && low < high, "view.colors.range",
+            {{"low", low}, {"high", high}});
     require_drawable(low, high, false);
     return *given;
   }
@@ -89,7 +91,7 @@ double colorbar_room(const std::array<double, 2>& range, const std::string& titl
 
 void draw_colorbar(Drawing& drawing, const BarPlace& place, const std::array<double, 2>& range,
                    const std::array<double, 2>& values, const std::vector<Rgb>& colours, const std::string& title,
-                   const Style& style, bool log) {
+                   const Style& style, bool log, const std::vector<double>& levels) {
   const double width = bar_width(style), right = place.left + width, size = style.tick_size, point = 0.8 * width;
   const std::array<bool, 2> beyond = {values[0]<range[0], values[1]> range[1]};
   // The values' own ends stand below and above the bar, the factor of its numbers between.
@@ -105,6 +107,11 @@ void draw_colorbar(Drawing& drawing, const BarPlace& place, const std::array<dou
     const double from = low + step * i; // each up to the top, so that no seam shows between two
     drawing.marks.push_back(Fill{{{place.left, from}, {right, from}, {right, high}, {place.left, high}}, colours[i]});
   }
+  for (double level : levels)
+    if (level > range[0] && level < range[1])
+      drawing.marks.push_back(Stroke{{{place.left, scale(level)}, {right, scale(level)}},
+                                     tone_on(colour_of(level, range, colours)),
+                                     1.8 * style.unit});
   std::vector<Vec2> outline = {{place.left, high}, {place.left, low}};
   if (beyond[0]) {
     drawing.marks.push_back(Fill{{{place.left, low}, {middle, low - point}, {right, low}}, colours.front()});

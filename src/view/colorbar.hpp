@@ -40,9 +40,9 @@ double colorbar_room(const std::array<double, 2>& range, const std::string& titl
                      bool log = false);
 
 /// `values`: the lowest and the highest, which are printed at the bar's ends; where they lie beyond the range, the bar
-/// ends in a point. `log`: the colours follow the values' logarithm.
+/// ends in a point. `log`: the colours follow the values' logarithm. `levels`: of contour lines.
 void draw_colorbar(Drawing& drawing, const BarPlace& place, const std::array<double, 2>& range,
                    const std::array<double, 2>& values, const std::vector<Rgb>& colours, const std::string& title,
-                   const Style& style, bool log = false);
+                   const Style& style, bool log = false, const std::vector<double>& levels = {});
 
 } // namespace signorini::view

@@ -47,9 +47,9 @@ const std::vector<Map>& maps() {
 const Map& find(const std::string& name) {
   const auto map = std::find_if(maps().begin(), maps().end(), [&](const Map& m) { return m.name == name; });
   if (map != maps().end()) return *map;
-  std::string known;
-  for (const Map& m : maps()) known += (known.empty() ? "" : ", ") + std::string(m.name);
-  fail("unknown colour map '", name, "'; known are ", known);
+  std::vector<std::string> known;
+  for (const Map& m : maps()) known.emplace_back(m.name);
+  fail("view.colormap.unknown", {{"colormap", name}, {"known", known}});
 }
 
 /// Catmull–Rom through the anchors p₋₁, p₀, p₁, p₂: bends gently where a straight line would show as a band.

@@ -1,7 +1,6 @@
 #include "view/curves.hpp"
 
 #include "base/error.hpp"
-#include "view/markers.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -91,9 +90,8 @@ Range axis_range(const Range& values, const std::optional<std::array<double, 2>>
                  const std::string& axis, double air) {
   if (given) {
     const auto [low, high] = *given;
-    require(std::isfinite(low) && std::isfinite(high) && low < high && (!log || low > 0), "range of ", axis, " is ",
-            low, " to ", high, "; expected finite numbers, the lower one first",
-            log ? ", above 0 on a logarithmic axis" : "");
+    require(std::isfinite(low) && std::isfinite(high) && low < high && (!log || low > 0),
+            log ? "view.axis.range_log" : "view.axis.range", {{"axis", axis}, {"low", low}, {"high", high}});
     return {low, high};
   }
   if (log) {

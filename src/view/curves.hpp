@@ -1,5 +1,5 @@
 #pragma once
-// The curves of a chart: how each looks, its drawing in a frame, and what it covers.
+// The curves and reference lines of a chart: how each looks, its drawing in a frame, and what it covers.
 
 #include "view/chart.hpp"
 
@@ -47,6 +47,10 @@ Range range_within(const std::vector<Series>& series, const std::array<double, 2
 void draw_series(Drawing& drawing, const std::vector<Series>& series, std::size_t index, const Frame& frame,
                  const Style& style);
 
+/// The sign of this number in marker_names(), of about the given radius, with a thin white rim; larger numbers start
+/// again.
+void draw_marker(Drawing& drawing, int marker, const Vec2& at, double radius, const Rgb& colour);
+
 /// A stretch of curve and the marker on it, as in a legend; points with marks have their own part of the legend.
 void draw_sample(Drawing& drawing, const Series& s, const CurveLook& look, const Vec2& from, const Vec2& to,
                  const Style& style);
@@ -61,5 +65,12 @@ Lines lines_of(const std::vector<Series>& series, const Frame& frame, const Styl
 
 /// Length in pixels of what lies inside the box: how much a thing put there would hide.
 double covered(const Lines& lines, const Box& box);
+
+/// The reference lines of options.hlines and .vlines that cross the frame.
+void draw_rules(Drawing& drawing, const ChartOptions& options, const Frame& frame, const Style& style);
+
+/// Their texts, each beside its line where it hides least of the curves, and away from the boxes in `taken`.
+void draw_rule_texts(Drawing& drawing, const ChartOptions& options, const Frame& frame, const Lines& curves,
+                     std::vector<Box> taken, const Style& style);
 
 } // namespace signorini::view

@@ -1,6 +1,12 @@
 #include "view/cut.hpp"
 
+#include "base/error.hpp"
+#include "base/warning.hpp"
+#include "base/words.hpp"
+
 #include <algorithm>
+#include <deque>
+#include <map>
 #include <optional>
 
 namespace signorini::view {
@@ -29,7 +35,7 @@ Mix crossing(int from, int to, const VectorX& distance) {
 
 /// Collects corners, then becomes a surface.
 struct Builder {
-  std::vector<Vec<3>> points, normals;
+  std::vector<Vec<3>> points, normals, vectors;
   std::vector<double> values;
   std::vector<std::array<int, 3>> triangles;
 
@@ -38,14 +44,11 @@ struct Builder {
   }
 
   Surface surface() const {
-    Surface result;
-    const auto count = static_cast<Eigen::Index>(points.size());
-    result.points.resize(3, count);
-    result.normals.resize(3, count);
-    for (Eigen::Index i = 0; i < count; ++i) {
-      result.points.col(i) = points[static_cast<std::size_t>(i)];
-      result.normals.col(i) = normals[static_cast<std::size_t>(i)];
-    }
+    const auto columns = [](const std::vector<Vec<3>>& list) {
+      return Points(Eigen::Map<const Points>(list.empty() ? nullptr : list.front().data(), 3,
+                                             static_cast<Eigen::Index>(list.size())));
+    };
+    Surface result{columns(points), columns(normals), {}, {}, columns(vectors)};
     result.values = Eigen::Map<const VectorX>(values.data(), static_cast<Eigen::Index>(values.size()));
     result.triangles.resize(3, static_cast<Eigen::Index>(triangles.size()));
     for (std::size_t t = 0; t < triangles.size(); ++t)
@@ -65,10 +68,11 @@ std::optional<std::array<Mix, 2>> trace(const std::array<int, 3>& triangle, cons
   return std::array{ends[0], ends[1]};
 }
 
-SurfaceLine segment(const std::array<Mix, 2>& ends, const Points& points, const Vec<3>& normal, double spacing) {
+SurfaceLine segment(const std::array<Mix, 2>& ends, const Lattice& lattice, const Vec<3>& normal, double spacing) {
   SurfaceLine line{Points(3, 2), Points(3, 2), spacing};
-  line.points << ends[0].of(points), ends[1].of(points);
+  line.points << ends[0].of(lattice.points), ends[1].of(lattice.points);
   line.normals << normal, normal;
+  if (lattice.values.size() > 0) line.values = Vec<2>(ends[0].of(lattice.values), ends[1].of(lattice.values));
   return line;
 }
 
@@ -132,12 +136,12 @@ void add_borders(std::vector<SurfaceLine>& lines, const Lattice& lattice, const 
           const int a = index(end, u, v), b = index(end, u + 1, v), c = index(end, u + 1, v + 1),
                     d = index(end, u, v + 1);
           for (const std::array<int, 3>& triangle : {std::array{a, b, c}, std::array{a, c, d}})
-            if (const auto ends = trace(triangle, distance))
-              lines.push_back(segment(*ends, lattice.points, normal, spacing));
+            if (const auto ends = trace(triangle, distance)) lines.push_back(segment(*ends, lattice, normal, spacing));
         }
   }
 }
 
+/// Arrows stand on the first one alone.
 Surface joined(const Surface& a, const Surface& b) {
   Surface both;
   const Eigen::Index n = a.points.cols();
@@ -149,6 +153,7 @@ Surface joined(const Surface& a, const Surface& b) {
   both.triangles << a.triangles, b.triangles.array() + static_cast<int>(n);
   both.values.resize(a.values.size() + b.values.size());
   both.values << a.values, b.values;
+  if (a.vectors.cols() > 0) both.vectors.setZero(3, both.points.cols()), both.vectors.leftCols(n) = a.vectors;
   return both;
 }
 
@@ -171,18 +176,45 @@ std::vector<SurfaceLine> cut(const std::vector<SurfaceLine>& lines, const CutPla
   return left;
 }
 
-/// Where a function with these values at a surface's points changes its sign, piece by piece.
-std::vector<SurfaceLine> zeros(const Surface& surface, const VectorX& values) {
-  std::vector<SurfaceLine> lines;
-  for (Eigen::Index t = 0; t < surface.triangles.cols(); ++t) {
-    const auto ends = trace({surface.triangles(0, t), surface.triangles(1, t), surface.triangles(2, t)}, values);
-    if (!ends) continue;
-    SurfaceLine line = segment(*ends, surface.points, Vec<3>::Zero(), 0);
-    line.normals << (*ends)[0].of(surface.normals).stableNormalized(),
-        (*ends)[1].of(surface.normals).stableNormalized();
-    lines.push_back(std::move(line));
+/// The edge that a point lies on.
+std::array<int, 2> edge_of(const Mix& mix) {
+  return {std::min(mix.from, mix.to), std::max(mix.from, mix.to)};
+}
+
+/// Stretches of triangles, joined at the edges that they share.
+std::vector<std::deque<Mix>> joined(const std::vector<std::array<Mix, 2>>& pieces) {
+  std::map<std::array<int, 2>, std::vector<std::size_t>> at_edge;
+  for (std::size_t n = 0; n < pieces.size(); ++n)
+    for (const Mix& end : pieces[n]) at_edge[edge_of(end)].push_back(n);
+  std::vector<bool> used(pieces.size());
+  /// The other end of a piece that goes on from this one.
+  const auto next = [&](const Mix& end) -> std::optional<Mix> {
+    for (std::size_t n : at_edge[edge_of(end)]) {
+      if (used[n]) continue;
+      used[n] = true;
+      return pieces[n][edge_of(pieces[n][0]) == edge_of(end) ? 1 : 0];
+    }
+    return std::nullopt;
+  };
+  std::vector<std::deque<Mix>> ways;
+  for (std::size_t n = 0; n < pieces.size(); ++n) {
+    if (used[n]) continue;
+    used[n] = true;
+    std::deque<Mix>& way = ways.emplace_back(pieces[n].begin(), pieces[n].end());
+    while (const auto end = next(way.back())) way.push_back(*end);
+    while (const auto end = next(way.front())) way.push_front(*end);
   }
-  return lines;
+  return ways;
+}
+
+SurfaceLine line_of(const std::deque<Mix>& way, const Points& points, const Points& normals, double spacing = 0) {
+  const auto count = static_cast<Eigen::Index>(way.size());
+  SurfaceLine line{Points(3, count), Points::Zero(3, count), spacing};
+  for (Eigen::Index i = 0; i < count; ++i) {
+    line.points.col(i) = way[static_cast<std::size_t>(i)].of(points);
+    if (normals.cols() > 0) line.normals.col(i) = way[static_cast<std::size_t>(i)].of(normals).stableNormalized();
+  }
+  return line;
 }
 
 } // namespace
@@ -195,7 +227,8 @@ Surface cut(const Surface& surface, const CutPlane& plane, double tolerance) {
     const int first = static_cast<int>(builder.points.size());
     const auto add = [&](const Mix& mix) {
       builder.points.push_back(mix.of(surface.points));
-      builder.normals.push_back(mix.of(surface.normals).stableNormalized());
+      if (surface.normals.cols() > 0) builder.normals.push_back(mix.of(surface.normals).stableNormalized());
+      if (surface.vectors.cols() > 0) builder.vectors.push_back(mix.of(surface.vectors));
       if (valued) builder.values.push_back(mix.of(surface.values));
     };
     // Sutherland and Hodgman's walk round the triangle
@@ -212,16 +245,13 @@ Surface cut(const Surface& surface, const CutPlane& plane, double tolerance) {
 std::vector<SurfaceLine> cut(const SurfaceLine& line, const CutPlane& plane, double tolerance) {
   const VectorX distance = distances(line.points, plane, tolerance);
   std::vector<SurfaceLine> parts;
-  std::vector<Mix> part;
+  std::deque<Mix> part;
   const auto finish = [&] {
     if (part.size() > 1) {
-      const auto count = static_cast<Eigen::Index>(part.size());
-      SurfaceLine left{Points(3, count), Points(3, count), line.spacing};
-      for (Eigen::Index i = 0; i < count; ++i) {
-        left.points.col(i) = part[static_cast<std::size_t>(i)].of(line.points);
-        left.normals.col(i) = part[static_cast<std::size_t>(i)].of(line.normals).stableNormalized();
-      }
-      parts.push_back(std::move(left));
+      SurfaceLine& left = parts.emplace_back(line_of(part, line.points, line.normals, line.spacing));
+      if (line.values.size() > 0) left.values.resize(left.points.cols());
+      for (Eigen::Index i = 0; i < left.values.size(); ++i)
+        left.values[i] = part[static_cast<std::size_t>(i)].of(line.values);
     }
     part.clear();
   };
@@ -236,12 +266,29 @@ std::vector<SurfaceLine> cut(const SurfaceLine& line, const CutPlane& plane, dou
   return parts;
 }
 
+std::vector<SurfaceLine> zeros(const Surface& surface, const VectorX& values) {
+  std::vector<std::array<Mix, 2>> pieces;
+  for (const auto& t : surface.triangles.colwise())
+    if (const auto ends = trace({t[0], t[1], t[2]}, values)) pieces.push_back(*ends);
+  std::vector<SurfaceLine> lines;
+  for (const std::deque<Mix>& way : joined(pieces)) lines.push_back(line_of(way, surface.points, surface.normals));
+  return lines;
+}
+
 std::vector<SurfaceLine> traces(const Surface& surface, const CutPlane& plane, double tolerance) {
   return zeros(surface, distances(surface.points, plane, tolerance));
 }
 
-std::vector<SurfaceLine> outline(const Surface& surface) {
-  return zeros(surface, surface.normals.row(2).transpose());
+std::optional<CutPlane> crossed_mirror(const Points& points, int axis) {
+  constexpr double rounding = 1e-6;
+  if (points.cols() == 0) return std::nullopt;
+  const double low = points.row(axis).minCoeff(), high = points.row(axis).maxCoeff(), least = rounding * (high - low);
+  if (low >= -least || high <= least) return std::nullopt;
+  const std::string letter(1, "xyz"[axis]);
+  constexpr double noteworthy = 0.01;
+  if (std::min(-low, high) > noteworthy * (high - low))
+    warn("view.mirror.across", {{"axis", letter}, {"low", low}, {"high", high}});
+  return CutPlane{Vec<3>::Zero(), (high + low >= -least ? -1 : 1) * Vec<3>::Unit(axis)};
 }
 
 Solid cut(const Solid& solid, const CutPlane& plane) {

@@ -3,6 +3,8 @@
 
 #include "view/solid.hpp"
 
+#include <optional>
+
 namespace signorini::view {
 
 /// What lies on the side that the normal points to is taken away.
@@ -17,11 +19,15 @@ Surface cut(const Surface& surface, const CutPlane& plane, double tolerance);
 /// What is left of a line.
 std::vector<SurfaceLine> cut(const SurfaceLine& line, const CutPlane& plane, double tolerance);
 
-/// Where a surface meets the plane, piece by piece, with the surface's normals.
+/// Where a function with these values at a surface's points changes its sign, with the surface's normals.
+std::vector<SurfaceLine> zeros(const Surface& surface, const VectorX& values);
+
+/// Where a surface meets the plane.
 std::vector<SurfaceLine> traces(const Surface& surface, const CutPlane& plane, double tolerance);
 
-/// Where a surface turns away from an eye that looks along −z, piece by piece.
-std::vector<SurfaceLine> outline(const Surface& surface);
+/// The mirror x, y or z = 0 (axis 0, 1, 2) where points lie on both of its sides, as a cut that takes the lesser side
+/// away, with a warning: there a body and its image would lie on each other. Nothing where they lie on one side.
+std::optional<CutPlane> crossed_mirror(const Points& points, int axis);
 
 /// What is left of a solid, with the cut face: coloured by the values inside, with its elements' borders and its rim.
 /// Needs the insides of all elements that the plane crosses.

@@ -12,6 +12,7 @@ namespace signorini::view {
 
 using Vec2 = std::array<double, 2>;
 using Rgb = std::array<std::uint8_t, 3>;
+using Box = std::array<double, 4>; ///< xmin, xmax, ymin, ymax
 
 /// An open polyline with round joins. `dash`: lengths of line and gap in turn; empty for a solid line.
 struct Stroke {
@@ -47,16 +48,23 @@ struct Drawing {
   std::vector<Mark> marks;
 };
 
-/// A triangulated area coloured by interpolated values, beneath all marks. Values outside the range take its end
-/// colours.
-struct Field {
-  std::vector<Vec2> points;
-  std::vector<std::array<int, 3>> triangles;
-  std::vector<double> values; ///< one per point
-  std::array<double, 2> range;
-  std::vector<Rgb> colours; ///< evenly spread over the range
-};
-
 inline constexpr Rgb black = {0, 0, 0}, white = {255, 255, 255}, ink = {38, 38, 38};
+
+/// The parts of a polyline inside the box.
+std::vector<std::vector<Vec2>> clip_line(const std::vector<Vec2>& line, const Box& box);
+
+/// The parts of a line inside the box.
+void add_line(Drawing& drawing, const std::vector<Vec2>& line, const Box& box, const Rgb& colour, double width,
+              const std::vector<double>& dash = {});
+
+/// Rims as closed lines.
+std::vector<Vec2> circle_about(const Vec2& at, double radius);
+std::vector<Vec2> outline_of(const Box& box);
+
+/// A line that ends in a head of this length; the head takes the place of what of the line is nearer to the tip.
+void draw_arrow(Drawing& drawing, std::vector<Vec2> line, double head, double width, const Rgb& colour);
+
+bool overlap(const Box& a, const Box& b);
+bool holds(const Box& box, const Vec2& point);
 
 } // namespace signorini::view

@@ -1,7 +1,7 @@
 #include "view/figure.hpp"
 
 #include "base/error.hpp"
-#include "view/flat_renderer.hpp"
+#include "view/renderer.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -26,7 +26,7 @@ Format format_of(const std::string& file) {
   if (ending == ".png") return Format::png;
   if (ending == ".svg") return Format::svg;
   if (ending == ".pdf") return Format::pdf;
-  fail("file '", file, "' of a figure must end in .png, .svg or .pdf");
+  fail("view.file.ending", {{"file", file}});
 }
 
 std::string bytes_of(const Figure& figure, Format format, bool transparent) {

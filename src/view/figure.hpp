@@ -12,8 +12,7 @@ namespace signorini::view {
 /// A drawing and what lies beneath its marks.
 struct Plate {
   Drawing drawing;
-  std::vector<Field> fields = {};
-  Relief relief = {};
+  std::vector<Relief> reliefs = {};
   std::vector<Frame> frames = {}; ///< where states stand on it
 };
 

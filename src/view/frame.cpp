@@ -20,7 +20,9 @@ void line(Drawing& drawing, const Vec2& a, const Vec2& b, const Rgb& colour, dou
 
 double widest(const Ticks& ticks, double size) {
   double width = 0;
-  for (const std::string& label : ticks.labels) width = std::max(width, text_width(label, size));
+  if (ticks.names.empty())
+    for (const std::string& label : ticks.labels) width = std::max(width, text_width(label, size));
+  for (const FittedText& name : ticks.names) width = std::max(width, name.width());
   return width;
 }
 
@@ -38,15 +40,19 @@ template <class Needed> void thin_out(Ticks& ticks, const Scale& scale, Needed n
   }
 }
 
-void draw_name(Drawing& drawing, const FittedText& name, const Vec2& at, bool upright, const Style& style) {
-  const double tick = style.tick_size;
-  for (std::size_t line = 0; line < name.lines.size(); ++line) {
-    const double down = static_cast<double>(line) * line_step * name.size;
-    const Vec2 start = upright ? Vec2{at[0] + 0.5 * digit_height * name.size, at[1] - 0.5 * tick}
-                               : Vec2{at[0], at[1] - 1.2 * tick - down};
-    if (!name.lines[line].empty())
+/// Below a point of the frame's lower side, or left of one of its left side.
+void draw_name(Drawing& drawing, const FittedText& name, const Vec2& at, bool upright, bool beside,
+               const Style& style) {
+  const double tick = style.tick_size, middle = 0.5 * (digit_height * name.size - name.depth());
+  double across = 0; // from the first line
+  for (const std::string& line : name.lines) {
+    const Vec2 start = upright  ? Vec2{at[0] + middle + across, at[1] - 0.5 * tick}
+                       : beside ? Vec2{at[0] - 0.45 * tick, at[1] - middle - across}
+                                : Vec2{at[0], at[1] - 1.2 * tick - across};
+    across += line_step * name.size;
+    if (!line.empty())
       drawing.marks.push_back(
-          Text{start, name.lines[line], name.size, upright ? Align::right : Align::centre, ink, upright});
+          Text{start, line, name.size, upright || beside ? Align::right : Align::centre, ink, upright});
   }
 }
 
@@ -68,8 +74,8 @@ Ticks make_ticks(double low, double high, bool log, int count) {
 } // namespace
 
 Style style_for(const std::array<int, 2>& size) {
-  require(size[0] >= 160 && size[1] >= 120 && size[0] <= 5000 && size[1] <= 5000, "size is ", size[0], " × ", size[1],
-          " pixels; expected from 160 × 120 to 5000 × 5000, such as {1600, 1000}");
+  require(size[0] >= 160 && size[1] >= 120 && size[0] <= 5000 && size[1] <= 5000, "view.frame.size",
+          {{"width", size[0]}, {"height", size[1]}});
   // Small figures keep their text a little larger, so that it stays legible.
   const double scale = std::min(size[0] / 1600.0, size[1] / 1000.0), unit = scale < 1 ? std::pow(scale, 0.75) : scale;
   return {unit, 27 * unit, 30 * unit, 34 * unit, 26 * unit};
@@ -154,30 +160,26 @@ void draw_frame(Drawing& drawing, const Frame& frame, const Style& style) {
   const auto y_tick = [&](double v, double length) {
     line(drawing, {left, frame.y(v)}, {left + length, frame.y(v)}, axis_colour, width);
   };
-  drawing.marks.push_back(
-      Stroke{{{left, bottom}, {right, bottom}, {right, top}, {left, top}, {left, bottom}, {right, bottom}},
-             axis_colour,
-             width});
+  drawing.marks.push_back(Stroke{outline_of({left, right, bottom, top}), axis_colour, width});
   for (double v : frame.xticks.minor) x_tick(v, 0.5 * tick);
   for (double v : frame.yticks.minor) y_tick(v, 0.5 * tick);
 
+  for (double v : frame.xticks.at) x_tick(v, tick);
+  for (double v : frame.yticks.at) y_tick(v, tick);
+  draw_labels(drawing, frame, style);
+}
+
+void draw_labels(Drawing& drawing, const Frame& frame, const Style& style) {
+  const auto& [left, right, bottom, top] = frame.box;
   const double size = style.tick_size;
-  const double below = bottom - 1.2 * size;
-  for (std::size_t i = 0; i < frame.xticks.at.size(); ++i) {
-    const double x = frame.x(frame.xticks.at[i]);
-    x_tick(frame.xticks.at[i], tick);
-    if (!frame.xticks.names.empty())
-      draw_name(drawing, frame.xticks.names[i], {x, bottom}, frame.xticks.upright, style);
-    else if (!frame.xticks.labels[i].empty())
-      drawing.marks.push_back(Text{{x, below}, frame.xticks.labels[i], size, Align::centre, ink});
-  }
-  for (std::size_t i = 0; i < frame.yticks.at.size(); ++i) {
-    const double y = frame.y(frame.yticks.at[i]);
-    y_tick(frame.yticks.at[i], tick);
-    if (frame.yticks.labels[i].empty()) continue;
-    drawing.marks.push_back(
-        Text{{left - 0.45 * size, y - 0.5 * digit_height * size}, frame.yticks.labels[i], size, Align::right, ink});
-  }
+  const auto name_of = [&](const Ticks& ticks, std::size_t i) {
+    return ticks.names.empty() ? FittedText{{ticks.labels[i]}, size} : ticks.names[i];
+  };
+  for (std::size_t i = 0; i < frame.xticks.at.size(); ++i)
+    draw_name(drawing, name_of(frame.xticks, i), {frame.x(frame.xticks.at[i]), bottom}, frame.xticks.upright, false,
+              style);
+  for (std::size_t i = 0; i < frame.yticks.at.size(); ++i)
+    draw_name(drawing, name_of(frame.yticks, i), {left, frame.y(frame.yticks.at[i])}, false, true, style);
   if (!frame.yticks.factor.empty())
     drawing.marks.push_back(Text{{left, top + 0.4 * size}, frame.yticks.factor, size, Align::left, ink});
 

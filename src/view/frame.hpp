@@ -2,7 +2,6 @@
 // The frame round a plot: scales, ticks, grid, labels.
 
 #include "view/drawing.hpp"
-#include "view/strokes.hpp"
 #include "view/ticks.hpp"
 
 #include <string>
@@ -55,9 +54,13 @@ Ticks fitting_ticks(double low, double high, bool log, double pixels, const Styl
 /// The same along y, where only the height of a number counts.
 Ticks stacked_ticks(double low, double high, bool log, double pixels, const Style& style);
 /// The names within the scale as ticks along x: side by side, smaller or on several lines; upright where that is not
-/// enough and `most` pixels below the numbers' row allow it. What does not fit is cut short; upright names that would
-/// lie on each other are left out.
-Ticks named_ticks(const std::vector<Name>& names, const Scale& scale, double most, const Style& style);
+/// enough and `most` pixels below the numbers' row allow it. What does not fit is cut short; upright names, and
+/// numbers, that would lie on each other are left out.
+/// `within_cells`: nor is the first or the last one wider than its cell.
+Ticks named_ticks(const std::vector<Name>& names, const Scale& scale, double most, const Style& style,
+                  bool within_cells = false);
+/// The same along y, level names one above the other; `most`: pixels that they may take to the left.
+Ticks stacked_names(const std::vector<Name>& names, const Scale& scale, double most, const Style& style);
 
 /// From where to where numbers or names below the box reach, pixels.
 std::array<double, 2> reach_of_ticks(const Frame& frame, const Style& style);
@@ -65,6 +68,8 @@ std::array<double, 2> reach_of_ticks(const Frame& frame, const Style& style);
 void fill_box(Drawing& drawing, const Box& box, const Rgb& colour);
 void draw_grid(Drawing& drawing, const Frame& frame, const Style& style);
 void draw_frame(Drawing& drawing, const Frame& frame, const Style& style);
+/// Its numbers, names and labels alone.
+void draw_labels(Drawing& drawing, const Frame& frame, const Style& style);
 
 /// Pixels for a title above a box, on up to three lines; and for the air above a box without one.
 double title_room(const std::string& title, double figure_width, const Style& style);

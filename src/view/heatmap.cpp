@@ -2,13 +2,11 @@
 
 #include "base/error.hpp"
 #include "base/whole_file.hpp"
-#include "view/category_legend.hpp"
-#include "view/cell_axes.hpp"
 #include "view/colorbar.hpp"
 #include "view/colormap.hpp"
 #include "view/figure.hpp"
+#include "view/legend.hpp"
 #include "view/text.hpp"
-#include "view/ticks.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,41 +20,46 @@ constexpr double legible = 5; // pixels
 
 // ── Checks ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-void check_value(double value, const HeatmapOptions& options, const std::string& where) {
-  const auto count = static_cast<double>(options.categories.size());
+/// A cell of a map, by indices of its row and column; `map` names the map where there are several.
+void check_value(double value, const HeatmapOptions& options, const Message& map, Eigen::Index row,
+                 Eigen::Index column) {
+  const auto count = options.categories.size();
   if (count > 0)
-    require(value >= 0 && value < count && value == std::floor(value), where, " is ", value,
-            "; expected the index of one of ", count, " categories");
+    require(value >= 0 && value < static_cast<double>(count) && value == std::floor(value), "view.heatmap.category",
+            {{"map", map}, {"row", row}, {"column", column}, {"count", count}, {"value", value}});
   else if (options.log)
-    require(value > 0, where, " is ", value,
-            " on a logarithmic scale, which shows only values above 0; leave log out, or blank such cells with nan");
+    require(value > 0, "view.heatmap.log", {{"map", map}, {"row", row}, {"column", column}, {"value", value}});
 }
 
 void check(const std::vector<Heat>& maps, const HeatmapOptions& options) {
   const auto columns = static_cast<Eigen::Index>(options.x.size()), rows = static_cast<Eigen::Index>(options.y.size());
-  require(!maps.empty(), "a heat map needs values, none came");
-  require(columns > 0 && rows > 0, "a heat map needs at least one x and one y, got ", columns, " and ", rows);
+  require(!maps.empty(), "view.heatmap.empty");
+  require(columns > 0 && rows > 0, "view.heatmap.cells", {{"columns", columns}, {"rows", rows}});
   bool any = false;
   for (std::size_t m = 0; m < maps.size(); ++m) {
-    const std::string map = maps.size() > 1 ? text("map ", m + 1, ", ") : "";
+    const Message map = maps.size() > 1 ? Message("view.heatmap.map", {{"number", m}}) : Message();
     const MatrixX& values = maps[m].values;
-    require(values.rows() == rows && values.cols() == columns, map, "values are ", values.rows(), " rows of ",
-            values.cols(), "; expected ", rows, " rows, one per y, of ", columns, " values, one per x");
+    require(values.rows() == rows && values.cols() == columns, "view.heatmap.values",
+            {{"map", map},
+             {"value_rows", values.rows()},
+             {"value_columns", values.cols()},
+             {"rows", rows},
+             {"columns", columns}});
     for (Eigen::Index j = 0; j < rows; ++j)
       for (Eigen::Index i = 0; i < columns; ++i) {
         if (!std::isfinite(values(j, i))) continue;
         any = true;
-        check_value(values(j, i), options, text(map, "values[", j + 1, "][", i + 1, "]"));
+        check_value(values(j, i), options, map, j, i);
       }
     const auto& texts = maps[m].texts;
     require(texts.empty() || (texts.size() == options.y.size() &&
                               std::all_of(texts.begin(), texts.end(),
                                           [&](const auto& row) { return row.size() == options.x.size(); })),
-            map, "texts do not match the cells; give ", rows, " rows of ", columns);
+            "view.heatmap.texts", {{"map", map}, {"rows", rows}, {"columns", columns}});
   }
-  require(any, "the map's cells are all blank; nothing can be drawn");
-  require(!options.columns || *options.columns >= 1, "columns is ", options.columns.value_or(1),
-          "; a figure needs at least one");
+  require(any, "view.heatmap.blank");
+  require(!options.columns || *options.columns >= 1, "view.heatmap.columns",
+          {{"columns", options.columns.value_or(1)}});
 }
 
 // ── Colours ──────────────────────────────────────────────────────────────────────────────────────────────────────────
@@ -89,8 +92,7 @@ Colours make_colours(const std::vector<Heat>& maps, const HeatmapOptions& option
     require_drawable(colours.range[0], colours.range[1], true);
   } else {
     colours.range = colour_range(colours.values, options.range, is_diverging(options.colormap));
-    require(!options.log || colours.range[0] > 0, "range begins at ", colours.range[0],
-            " on a logarithmic scale; give a number above 0");
+    require(!options.log || colours.range[0] > 0, "view.heatmap.range", {{"low", colours.range[0]}});
   }
   return colours;
 }
@@ -109,14 +111,20 @@ std::vector<Category> present(const std::vector<Heat>& maps, const std::vector<C
 // ── Layout ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 struct HeatmapLayout {
-  std::vector<Box> boxes; ///< of the maps
-  Box whole;
-  int columns;
-  CellNames below, beside;
-  double map_title; ///< size of the maps' titles
-  CategoryLegend legend;
+  std::vector<Frame> frames; ///< of the maps
+  Frame whole;               ///< of all: its labels alone are drawn
+  double map_title;          ///< size of the maps' titles
+  double title_at;           ///< pixels: below the title, above all else
+  Legend legend;
   BarPlace bar;
 };
+
+/// Names in the middle of equal cells.
+std::vector<Name> cell_names(const std::vector<std::string>& names) {
+  std::vector<Name> result;
+  for (const std::string& name : names) result.push_back({static_cast<double>(result.size()) + 0.5, name});
+  return result;
+}
 
 int columns_for(std::size_t maps, const HeatmapOptions& options) {
   return std::min(static_cast<int>(maps), options.columns.value_or(maps == 4 ? 2 : 3));
@@ -125,16 +133,14 @@ int columns_for(std::size_t maps, const HeatmapOptions& options) {
 HeatmapLayout lay_out(const std::vector<Heat>& maps, const HeatmapOptions& options,
                       const std::optional<Colours>& colours, const Style& style) {
   HeatmapLayout layout{};
-  layout.columns = columns_for(maps.size(), options);
+  const int columns = columns_for(maps.size(), options);
   layout.map_title = 0.9 * style.label_size;
-  const auto count = static_cast<int>(maps.size()), rows = (count + layout.columns - 1) / layout.columns;
+  const auto count = static_cast<int>(maps.size()), rows = (count + columns - 1) / columns;
   const auto across = static_cast<double>(options.x.size()), along = static_cast<double>(options.y.size());
   const double wide = options.size[0], high = options.size[1];
   const bool titled = std::any_of(maps.begin(), maps.end(), [](const Heat& map) { return !map.title.empty(); });
   const double head = titled ? 1.5 * layout.map_title : 0;
   const double top = high - style.margin - title_room(options.title, wide, style);
-  const double xlabel = options.xlabel.empty() ? 0.3 * style.label_size : 1.5 * style.label_size;
-  const double ylabel = options.ylabel.empty() ? 0 : 1.4 * style.label_size;
 
   double right = wide - 2 * style.margin;
   if (colours)
@@ -146,28 +152,40 @@ HeatmapLayout lay_out(const std::vector<Heat>& maps, const HeatmapOptions& optio
   // The names beside depend on the cells' height, this on the names below, these on the cells' width: the height is
   // guessed first, and smaller names then leave a little air.
   const double row_gap = 0.8 * style.tick_size + head, column_gap = 1.2 * style.tick_size;
-  const auto height_with = [&](double names) {
-    return (top - head - style.margin - xlabel - names - (rows - 1) * row_gap) / rows;
+  const auto height_with = [&](double depth) {
+    const double below = style.margin + room_below(style, options.xlabel) + depth;
+    return (top - head - below - (rows - 1) * row_gap) / rows;
   };
-  const double most_beside = 0.3 * wide, most_below = 0.35 * high;
-  layout.beside = names_beside(options.y, height_with(1.35 * style.tick_size) / along, most_beside, style);
-  const double left = style.margin + ylabel + layout.beside.room;
-  const double width = (right - left - (layout.columns - 1) * column_gap) / layout.columns;
-  require(width >= 0.1 * wide, "a map of ", options.size[0], " × ", options.size[1],
-          " pixels leaves too little room for its cells beside names and legend; choose a larger size");
-  layout.below = names_below(options.x, width / across, most_below, style);
-  const double height = height_with(layout.below.room);
-  require(height >= 0.1 * high, "a map of ", options.size[0], " × ", options.size[1],
-          " pixels leaves too little room for its cells above names and labels; choose a larger size");
-  layout.beside = names_beside(options.y, height / along, layout.beside.room, style);
+  const auto beside = [&](double height) {
+    return stacked_names(cell_names(options.y), {0, along, false, 0, height}, 0.3 * wide, style);
+  };
+  Ticks yticks = beside(height_with(0));
+  const double left = style.margin + room_left(style, yticks, options.ylabel);
+  const double width = (right - left - (columns - 1) * column_gap) / columns;
+  require(width >= 0.1 * wide, "view.heatmap.width", {{"width", options.size[0]}, {"height", options.size[1]}});
+  const Ticks xticks = named_ticks(cell_names(options.x), {0, across, false, 0, width}, 0.35 * high, style, true);
+  const double height = height_with(xticks.depth);
+  require(height >= 0.1 * high, "view.heatmap.height", {{"width", options.size[0]}, {"height", options.size[1]}});
+  yticks = beside(height);
 
   for (int m = 0; m < count; ++m) {
-    const int column = m % layout.columns, row = m / layout.columns;
+    const int column = m % columns, row = m / columns;
     const double x = left + column * (width + column_gap), y = top - head - row * (height + row_gap);
-    layout.boxes.push_back({x, x + width, y - height, y});
+    Frame& frame = layout.frames.emplace_back();
+    frame.box = {x, x + width, y - height, y};
+    frame.x = {0, across, false, x, x + width};
+    frame.y = {0, along, false, y - height, y};
+    // Names stand at the rim of the figure only.
+    if (column == 0) frame.yticks = yticks;
+    if (m + columns >= count) frame.xticks = xticks;
   }
-  layout.whole = {left, right, layout.boxes.back()[2], top};
-  layout.bar = {right + 1.3 * style.margin, layout.whole[2], top - head};
+  layout.whole.box = {left, right, layout.frames.back().box[2], top - head};
+  layout.title_at = top;
+  layout.whole.xlabel = options.xlabel;
+  layout.whole.ylabel = options.ylabel;
+  layout.whole.xticks.depth = xticks.depth;
+  layout.whole.yticks.names = yticks.names;
+  layout.bar = {right + 1.3 * style.margin, layout.whole.box[2], top - head};
   return layout;
 }
 
@@ -238,25 +256,19 @@ void draw_cells(Drawing& drawing, const Heat& map, const Cells& cells, const Hea
       const auto row = static_cast<Eigen::Index>(j), column = static_cast<Eigen::Index>(i);
       draw_text(drawing, map.texts[j][i], cells(row, column), shown(row, column), size);
     }
-  drawing.marks.push_back(
-      Stroke{{{left, bottom}, {right, bottom}, {right, top}, {left, top}, {left, bottom}, {right, bottom}},
-             cell_rim,
-             1.6 * style.unit});
+  drawing.marks.push_back(Stroke{outline_of({left, right, bottom, top}), cell_rim, 1.6 * style.unit});
 }
 
-void draw_labels(Drawing& drawing, const HeatmapOptions& options, const HeatmapLayout& layout, const Style& style) {
-  const auto& [left, right, bottom, top] = layout.whole;
-  if (!options.xlabel.empty()) {
-    const double y = bottom - layout.below.room - 1.05 * style.label_size;
-    draw_fitting(drawing, {{0.5 * (left + right), y}, options.xlabel, style.label_size, Align::centre, ink},
-                 right - left, style);
-  }
-  if (!options.ylabel.empty()) {
-    const double x = left - layout.beside.room - 0.45 * style.label_size;
-    const double high = layout.boxes.front()[3];
-    draw_fitting(drawing, {{x, 0.5 * (bottom + high)}, options.ylabel, style.label_size, Align::centre, ink, true},
-                 high - bottom, style);
-  }
+/// Ticks beside the cells that have names, where not all have.
+void draw_ticks(Drawing& drawing, const Frame& frame, const HeatmapOptions& options, const Style& style) {
+  const double length = 0.2 * style.tick_size, width = 1.6 * style.unit;
+  const auto& [left, right, bottom, top] = frame.box;
+  if (frame.xticks.at.size() < options.x.size())
+    for (double at : frame.xticks.at)
+      drawing.marks.push_back(Stroke{{{frame.x(at), bottom}, {frame.x(at), bottom - length}}, cell_rim, width});
+  if (frame.yticks.at.size() < options.y.size())
+    for (double at : frame.yticks.at)
+      drawing.marks.push_back(Stroke{{{left, frame.y(at)}, {left - length, frame.y(at)}}, cell_rim, width});
 }
 
 Drawing draw(const std::vector<Heat>& maps, const HeatmapOptions& options) {
@@ -265,11 +277,11 @@ Drawing draw(const std::vector<Heat>& maps, const HeatmapOptions& options) {
   if (options.categories.empty()) colours = make_colours(maps, options);
   const HeatmapLayout layout = lay_out(maps, options, colours, style);
   const auto columns = static_cast<Eigen::Index>(options.x.size()), rows = static_cast<Eigen::Index>(options.y.size());
-  const double size = text_size(maps, Cells{layout.boxes[0], columns, rows}(0, 0), style);
+  const double size = text_size(maps, Cells{layout.frames[0].box, columns, rows}(0, 0), style);
 
   Drawing drawing{options.size, {}};
   for (std::size_t m = 0; m < maps.size(); ++m) {
-    const Box& box = layout.boxes[m];
+    const Box& box = layout.frames[m].box;
     draw_cells(drawing, maps[m], {box, columns, rows}, options, colours, size, style);
     if (!maps[m].title.empty())
       draw_fitting(drawing,
@@ -279,26 +291,29 @@ Drawing draw(const std::vector<Heat>& maps, const HeatmapOptions& options) {
                     Align::centre,
                     ink},
                    box[1] - box[0], style);
-    // Names stand at the rim of the figure only.
-    if (m % layout.columns == 0) draw_names_beside(drawing, layout.beside, box, style);
-    if (m + layout.columns >= maps.size()) draw_names_below(drawing, layout.below, box, style);
+    draw_ticks(drawing, layout.frames[m], options, style);
+    draw_labels(drawing, layout.frames[m], style);
   }
-  draw_labels(drawing, options, layout, style);
+  draw_labels(drawing, layout.whole, style);
   if (colours)
     draw_colorbar(drawing, layout.bar, colours->range, colours->values, colours->map, options.label, style,
                   colours->log);
   else
-    draw_legend(drawing, layout.legend, {layout.whole[1] + style.margin, layout.boxes[0][3]}, style);
-  draw_title(drawing, options.title, layout.whole, style);
+    draw_legend(drawing, layout.legend, {}, {0, layout.whole.box[1], 0, layout.frames[0].box[3]}, style);
+  draw_title(drawing, options.title, {layout.whole.box[0], layout.whole.box[1], 0, layout.title_at}, style);
   return drawing;
 }
 
 } // namespace
 
-void draw_heatmap(const std::vector<Heat>& maps, const HeatmapOptions& options, const std::string& file) {
+Figure heatmap_figure(const std::vector<Heat>& maps, const HeatmapOptions& options) {
   check(maps, options);
+  return figure_of({draw(maps, options)});
+}
+
+void draw_heatmap(const std::vector<Heat>& maps, const HeatmapOptions& options, const std::string& file) {
   const Format format = format_of(file);
-  write_whole(file, bytes_of(figure_of({draw(maps, options)}), format));
+  write_whole(file, bytes_of(heatmap_figure(maps, options), format));
 }
 
 } // namespace signorini::view

@@ -3,6 +3,7 @@
 
 #include "base/eigen.hpp"
 #include "view/categories.hpp"
+#include "view/figure.hpp"
 
 #include <optional>
 
@@ -33,5 +34,8 @@ struct HeatmapOptions {
 /// category; on nothing to draw, a range that does not rise, an unknown colour map, texts that leave no room for cells,
 /// an unknown ending, or a file that cannot be written.
 void draw_heatmap(const std::vector<Heat>& maps, const HeatmapOptions& options, const std::string& file);
+
+/// The same before it is a file.
+Figure heatmap_figure(const std::vector<Heat>& maps, const HeatmapOptions& options);
 
 } // namespace signorini::view

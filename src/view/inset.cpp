@@ -2,7 +2,6 @@
 
 #include "base/error.hpp"
 #include "base/index.hpp"
-#include "view/rules.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +29,7 @@ Range inset_yrange(const std::vector<Series>& series, const ChartOptions& option
   const Inset& inset = *options.inset;
   const auto [from, to] = inset.xrange;
   const Range own = range_within(series, inset.xrange, options.log_x, options.log_y);
-  require(!own.empty(), "inset: no curve runs between x = ", from, " and ", to, "; choose an xrange that holds data");
+  require(!own.empty(), "view.inset.no_curve", {{"low", from}, {"high", to}});
   return axis_range(own, inset.yrange, options.log_y, "the inset's y", 0.08);
 }
 
@@ -44,14 +43,8 @@ Box marked_box(const Frame& region, const Frame& chart, const Style& style) {
     box[low] = std::max(box[low], chart.box[low]);
     box[high] = std::min(box[high], chart.box[high]);
   }
-  require(box[0] < box[1] && box[2] < box[3],
-          "inset: its region lies outside the chart's axes; choose one within xrange and yrange of the chart");
+  require(box[0] < box[1] && box[2] < box[3], "view.inset.outside_chart");
   return box;
-}
-
-std::vector<Vec2> outline_of(const Box& box) {
-  const auto& [left, right, bottom, top] = box;
-  return {{left, bottom}, {right, bottom}, {right, top}, {left, top}, {left, bottom}, {right, bottom}};
 }
 
 /// Puts the frame's box into the outer one, with room for its numbers.
@@ -77,7 +70,7 @@ void fit_frame(Frame& frame, const Box& outer, const std::vector<Name>& names, c
 } // namespace
 
 PlacedInset place_inset(const std::vector<Series>& series, const ChartOptions& options, const Frame& chart,
-                        const Style& style) {
+                        const Style& style, const std::optional<Box>& legend) {
   const Range xs = axis_range({}, options.inset->xrange, options.log_x, "the inset's x", 0);
   const Range ys = inset_yrange(series, options);
   PlacedInset inset;
@@ -88,8 +81,10 @@ PlacedInset place_inset(const std::vector<Series>& series, const ChartOptions& o
   inset.marked = marked_box(inset.frame, chart, style);
 
   Lines lines = lines_of(series, chart, style);
-  const auto& [left, right, bottom, top] = inset.marked;
-  lines.insert(lines.end(), {outline_of(inset.marked), {{left, bottom}, {right, top}}, {{left, top}, {right, bottom}}});
+  for (const Box& box : {inset.marked, legend.value_or(inset.marked)}) {
+    const auto& [left, right, bottom, top] = box;
+    lines.insert(lines.end(), {outline_of(box), {{left, bottom}, {right, top}}, {{left, top}, {right, bottom}}});
+  }
   std::vector<Corner> corners = {Corner::north_east, Corner::north_west, Corner::south_east, Corner::south_west};
   if (options.inset->place) corners = {*options.inset->place};
   inset.hidden = std::numeric_limits<double>::infinity();

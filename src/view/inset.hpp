@@ -14,9 +14,9 @@ struct PlacedInset {
 };
 
 /// The largest box in a corner of the chart that hides neither curves nor the magnified region, or the small one that
-/// hides least. Throws Error when the region has no data or lies outside the chart.
+/// hides least; nor the chart's legend. Throws Error when the region has no data or lies outside the chart.
 PlacedInset place_inset(const std::vector<Series>& series, const ChartOptions& options, const Frame& chart,
-                        const Style& style);
+                        const Style& style, const std::optional<Box>& legend = {});
 
 void draw_inset(Drawing& drawing, const std::vector<Series>& series, const ChartOptions& options,
                 const PlacedInset& inset);

@@ -7,9 +7,7 @@
 namespace signorini::view {
 namespace {
 
-double swatch(const Style& style) {
-  return 70 * style.unit;
-}
+constexpr Rgb rim = {70, 70, 70}, edge = {200, 200, 200};
 
 /// One row per label and look: curves that share both are one thing to the reader. Where some curves have labels, one
 /// without is meant to have no row.
@@ -42,26 +40,37 @@ std::vector<Legend::Row> all_rows(const std::vector<Series>& series, const Chart
   return rows;
 }
 
-/// Pixels before a row's name.
-double indent(const Legend::Row& row, const Style& style) {
-  return row.series || row.mark ? swatch(style) + 0.45 * style.label_size : 0;
+bool has_sign(const Legend::Row& row) {
+  return row.series || row.mark || row.look;
 }
 
-/// Fits all names at a size into `room` pixels; whether they are whole.
-bool fit_names(Legend& legend, double size, double room, const Style& style) {
+/// Pixels before a row's name.
+double indent(const Legend& legend, const Legend::Row& row) {
+  return has_sign(row) ? legend.sign + 0.45 * legend.size : 0;
+}
+
+/// Fits all names at a size into `room` pixels, each on so many lines at most; whether they are whole.
+bool fit_names(Legend& legend, double size, double room, int lines, const Style& style) {
   bool whole = true;
+  legend.size = size;
+  legend.row = 1.5 * size;
   for (Legend::Row& row : legend.rows) {
-    row.text = fit_text(row.label, size, std::min(size, least_size(style)), room - indent(row, style));
+    row.text = fit_text(row.label, size, std::min(size, least_size(style)), room - indent(legend, row), lines);
     whole = whole && !row.text.cut;
   }
-  legend.row = 1.5 * size;
   return whole;
 }
 
-double widest(const Legend& legend, const Style& style) {
+double widest(const Legend& legend) {
   double width = 0;
-  for (const Legend::Row& row : legend.rows) width = std::max(width, indent(row, style) + row.text.width());
+  for (const Legend::Row& row : legend.rows) width = std::max(width, indent(legend, row) + row.text.width());
   return width;
+}
+
+double height_of(const Legend& legend) {
+  double height = 0;
+  for (const Legend::Row& row : legend.rows) height += legend.row + row.text.depth();
+  return height;
 }
 
 int rows_in(const Legend& legend, int columns) {
@@ -71,8 +80,8 @@ int rows_in(const Legend& legend, int columns) {
 /// Right of the chart; whether all names are whole there.
 bool put_beside(Legend& legend, double room, double height, const Style& style) {
   const double size = std::min(style.label_size, height / (1.5 * legend.rows.size()));
-  if (size < least_size(style) || !fit_names(legend, size, room, style)) return false;
-  legend.width = widest(legend, style) + style.margin;
+  if (size < least_size(style) || !fit_names(legend, size, room, 1, style)) return false;
+  legend.width = widest(legend) + style.margin;
   return true;
 }
 
@@ -89,9 +98,9 @@ bool put_below(Legend& legend, const ChartOptions& options, const Style& style) 
   for (int columns = 1; columns <= count; ++columns) {
     const double size = std::min(0.9 * style.label_size, most / (1.5 * rows_in(legend, columns)));
     const double room = column_room(options, columns, style);
-    if (size < least || room < swatch(style) + 5 * least) continue;
+    if (size < least || room < legend.sign + 5 * least) continue;
     // A name that is cut counts as one too small; fewer rows are better where names are as large.
-    const bool whole = fit_names(legend, size, room, style);
+    const bool whole = fit_names(legend, size, room, 1, style);
     double score = whole ? size : 0.5 * least * room / options.size[0];
     for (const Legend::Row& row : legend.rows) score = whole && row.text.size < score ? row.text.size : score;
     if (score < 0.999 * best) continue;
@@ -100,49 +109,111 @@ bool put_below(Legend& legend, const ChartOptions& options, const Style& style) 
   }
   if (legend.columns == 0) return false;
   fit_names(legend, std::min(0.9 * style.label_size, most / (1.5 * rows_in(legend, legend.columns))),
-            column_room(options, legend.columns, style), style);
+            column_room(options, legend.columns, style), 1, style);
   legend.height = rows_in(legend, legend.columns) * legend.row + 0.5 * style.margin;
   return true;
 }
 
-void draw_row(Drawing& drawing, const Legend::Row& row, const Vec2& at, const std::vector<Series>& series,
-              const Style& style) {
-  const auto [x, y] = at;
+/// From the top left of its room.
+void draw_row(Drawing& drawing, const Legend& legend, const Legend::Row& row, const Vec2& at,
+              const std::vector<Series>& series, const Style& style) {
+  const double x = at[0], y = at[1] - 0.5 * legend.row;
   if (row.series)
-    draw_sample(drawing, series[*row.series], look_of(series, *row.series, style), at, {x + swatch(style), y}, style);
-  if (row.mark) draw_mark_sample(drawing, *row.mark, {x + 0.5 * swatch(style), y}, style);
-  if (!row.label.empty())
-    drawing.marks.push_back(Text{
-        {x + indent(row, style), y - 0.35 * row.text.size}, row.text.lines.front(), row.text.size, Align::left, ink});
+    draw_sample(drawing, series[*row.series], look_of(series, *row.series, style), {x, y}, {x + legend.sign, y}, style);
+  if (row.mark) draw_mark_sample(drawing, *row.mark, {x + 0.5 * legend.sign, y}, style);
+  if (row.look) {
+    const Box cell = {x, x + legend.sign, y - 0.58 * legend.size, y + 0.58 * legend.size};
+    fill_cell(drawing, cell, *row.look, style);
+    drawing.marks.push_back(Stroke{outline_of(cell), rim, 1.2 * style.unit});
+  }
+  double base = y - 0.35 * row.text.size;
+  for (const std::string& line : row.text.lines) {
+    if (!line.empty())
+      drawing.marks.push_back(Text{{x + indent(legend, row), base}, line, row.text.size, Align::left, ink});
+    base -= line_step * row.text.size;
+  }
+}
+
+/// One column of rows, from its top left.
+void draw_rows(Drawing& drawing, const Legend& legend, std::size_t first, std::size_t last, Vec2 at,
+               const std::vector<Series>& series, const Style& style) {
+  for (std::size_t n = first; n < std::min(last, legend.rows.size()); ++n) {
+    draw_row(drawing, legend, legend.rows[n], at, series, style);
+    at[1] -= legend.row + legend.rows[n].text.depth();
+  }
+}
+
+Legend chart_legend(const std::vector<Series>& series, const ChartOptions& options, const Style& style) {
+  Legend legend;
+  legend.sign = 70 * style.unit;
+  if (options.legend != LegendPlace::none) legend.rows = all_rows(series, options, style);
+  return legend;
 }
 
 } // namespace
 
 Legend make_legend(const std::vector<Series>& series, const ChartOptions& options, const Style& style, double height) {
-  Legend legend;
-  if (options.legend) legend.rows = all_rows(series, options, style);
+  Legend legend = chart_legend(series, options, style);
   if (legend.rows.empty() || put_beside(legend, 0.42 * options.size[0], height, style)) return legend;
-  require(put_below(legend, options, style), "the legend of ", legend.rows.size(), " rows does not fit a chart of ",
-          options.size[0], " × ", options.size[1], " pixels; choose a larger size, fewer labels, or legend = false");
+  require(put_below(legend, options, style), "view.legend.room",
+          {{"rows", legend.rows.size()}, {"width", options.size[0]}, {"height", options.size[1]}});
+  return legend;
+}
+
+std::optional<Legend> legend_within(const std::vector<Series>& series, const ChartOptions& options, const Box& frame,
+                                    const Lines& lines, bool always, const Style& style) {
+  const auto& [left, right, bottom, top] = frame;
+  const double pad = 0.4 * style.label_size, air = 0.5 * style.tick_size, gap = 12 * style.unit;
+  Legend legend = chart_legend(series, options, style);
+  if (legend.rows.empty() || !fit_names(legend, 0.9 * style.label_size, 0.5 * (right - left), 1, style))
+    return std::nullopt;
+  const double width = widest(legend) + 2 * pad, height = height_of(legend) + pad;
+  if (width > 0.5 * (right - left) || height > 0.5 * (top - bottom)) return std::nullopt;
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& [x, y] : {Vec2{right - gap - width, top - gap - height}, Vec2{left + gap, top - gap - height},
+                             Vec2{right - gap - width, bottom + gap}, Vec2{left + gap, bottom + gap}}) {
+    const double hidden = covered(lines, {x - air, x + width + air, y - air, y + height + air});
+    if (hidden >= least || (hidden > 0 && !always)) continue;
+    least = hidden;
+    legend.within = {x, x + width, y, y + height};
+  }
+  return legend.within ? std::optional(legend) : std::nullopt;
+}
+
+Legend make_legend(const std::vector<Category>& categories, double width, double height, const Style& style) {
+  Legend legend;
+  if (categories.empty()) return legend;
+  for (const auto& [name, look] : categories) legend.rows.push_back({name, {}, {}, look});
+  const double size = std::min(0.9 * style.label_size, height / (1.5 * static_cast<double>(categories.size())));
+  require(size >= std::min(least_size(style), 5.0), "view.legend.categories", {{"count", categories.size()}});
+  legend.sign = 1.5 * size;
+  const auto fits = [&](double room) {
+    return fit_names(legend, size, room, 3, style) && height_of(legend) <= height + 1e-6;
+  };
+  // Rather on several lines than half as wide as the figure.
+  if (!fits(0.6 * width) && !fits(width)) fit_names(legend, size, width, 1, style);
+  legend.width = widest(legend);
   return legend;
 }
 
 void draw_legend(Drawing& drawing, const Legend& legend, const std::vector<Series>& series, const Box& box,
                  const Style& style) {
-  if (legend.height == 0) {
-    for (std::size_t n = 0; n < legend.rows.size(); ++n)
-      draw_row(drawing, legend.rows[n], {box[1] + style.margin, box[3] - (n + 0.5) * legend.row}, series, style);
+  const std::size_t count = legend.rows.size();
+  if (legend.within) {
+    const double pad = 0.4 * style.label_size;
+    fill_box(drawing, *legend.within, white);
+    drawing.marks.push_back(Stroke{outline_of(*legend.within), edge, 1.4 * style.unit});
+    draw_rows(drawing, legend, 0, count, {(*legend.within)[0] + pad, (*legend.within)[3] - 0.5 * pad}, series, style);
     return;
   }
+  if (legend.height == 0) return draw_rows(drawing, legend, 0, count, {box[1] + style.margin, box[3]}, series, style);
   // Columns as narrow as their names, in the figure's middle.
   const auto rows = static_cast<std::size_t>(rows_in(legend, legend.columns));
-  const double column = widest(legend, style) + style.margin;
+  const double column = widest(legend) + style.margin;
   const double left = 0.5 * (drawing.size[0] - legend.columns * column + style.margin);
   const double top = 0.5 * style.margin + static_cast<double>(rows) * legend.row;
-  for (std::size_t n = 0; n < legend.rows.size(); ++n)
-    draw_row(drawing, legend.rows[n],
-             {left + static_cast<double>(n / rows) * column, top - (static_cast<double>(n % rows) + 0.5) * legend.row},
-             series, style);
+  for (std::size_t c = 0; c * rows < count; ++c)
+    draw_rows(drawing, legend, c * rows, (c + 1) * rows, {left + static_cast<double>(c) * column, top}, series, style);
 }
 
 } // namespace signorini::view

@@ -1,6 +1,6 @@
-#include "view/markers.hpp"
+// Data points as small signs.
 
-#include "view/chart.hpp"
+#include "view/curves.hpp"
 
 #include <cmath>
 #include <numbers>

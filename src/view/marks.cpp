@@ -1,12 +1,11 @@
 #include "view/marks.hpp"
 
-#include "view/text.hpp"
+#include "view/fit_text.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <sstream>
 
 namespace signorini::view {
 namespace {
@@ -34,36 +33,14 @@ double mark_distance(const Vec2& a, const Vec2& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1]);
 }
 
-bool marks_overlap(const Box& a, const Box& b) {
-  return a[0] < b[1] && b[0] < a[1] && a[2] < b[3] && b[2] < a[3];
-}
-
-bool holds(const Box& outer, const Box& inner) {
-  return inner[0] >= outer[0] && inner[1] <= outer[1] && inner[2] >= outer[2] && inner[3] <= outer[3];
-}
-
-void add_line(Drawing& drawing, const Polyline& points, const Rgb& colour, double width) {
-  drawing.marks.push_back(Stroke{points, colour, width});
-}
-
-Polyline circle_about(const Vec2& at, double r) {
-  constexpr int pieces = 48;
-  Polyline circle;
-  for (int k = 0; k <= pieces; ++k) {
-    const double angle = 2 * std::numbers::pi * k / pieces;
-    circle.push_back({at[0] + r * std::cos(angle), at[1] + r * std::sin(angle)});
-  }
-  return circle;
-}
-
 /// White beneath, so that it shows on any colour.
 void draw_ring(Drawing& drawing, const Vec2& at, const Style& style) {
   const double reach = arm(style);
   const Polyline ring = circle_about(at, radius(style)), level = {{at[0] - reach, at[1]}, {at[0] + reach, at[1]}},
                  steep = {{at[0], at[1] - reach}, {at[0], at[1] + reach}};
-  for (const Polyline& line : {ring, level, steep}) add_line(drawing, line, white, 8 * style.unit);
-  add_line(drawing, ring, ring_colour, 3.4 * style.unit);
-  for (const Polyline& line : {level, steep}) add_line(drawing, line, ring_colour, 2 * style.unit);
+  for (const Polyline& line : {ring, level, steep}) drawing.marks.push_back(Stroke{line, white, 8 * style.unit});
+  drawing.marks.push_back(Stroke{ring, ring_colour, 3.4 * style.unit});
+  for (const Polyline& line : {level, steep}) drawing.marks.push_back(Stroke{line, ring_colour, 2 * style.unit});
 }
 
 void draw_dot(Drawing& drawing, const Vec2& at, const Style& style) {
@@ -84,38 +61,11 @@ void draw_arrow(Drawing& drawing, const Vec2& at, const Vec2& beyond, const Styl
 
 // ── Texts ────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-struct MarkLabel {
-  std::vector<std::string> lines;
-  double size, width, height;
-};
-
-constexpr double leading = 1.2;
-
-/// The text in lines of about this width.
-std::vector<std::string> wrapped_label(const std::string& text, double size, double width) {
-  std::istringstream words(text);
-  std::vector<std::string> lines;
-  for (std::string word; words >> word;) {
-    const bool joins = !lines.empty() && text_width(lines.back() + " " + word, size) <= width;
-    if (joins)
-      lines.back() += " " + word;
-    else
-      lines.push_back(word);
-  }
-  return lines;
-}
-
 /// Less than half as wide as the picture, unless this is narrow; then as wide as it takes.
-MarkLabel make_label(const std::string& text, const Box& box, const Style& style) {
+FittedText make_label(const std::string& text, const Box& box, const Style& style) {
+  constexpr int many = 99; // lines
   const double full = 0.85 * style.tick_size, wide = 0.9 * (box[1] - box[0]);
-  MarkLabel label{wrapped_label(text, full, std::min(wide, std::max(0.5 * wide, 8 * full))), full, 0, 0};
-  for (const std::string& line : label.lines) label.width = std::max(label.width, text_width(line, full));
-  if (label.width > wide) { // a long word
-    label.size *= wide / label.width;
-    label.width = wide;
-  }
-  label.height = label.size * (1 + leading * (static_cast<double>(label.lines.size()) - 1));
-  return label;
+  return fit_text(text, full, 0.2 * full, std::min(wide, std::max(0.5 * wide, 8 * full)), many);
 }
 
 /// From the marker to the text's nearest side; nothing where they are close to each other.
@@ -147,12 +97,12 @@ struct Taken {
   std::vector<Box> markers, labels;
 
   bool free(const Box& place) const {
-    const auto hit = [&](const Box& other) { return marks_overlap(place, other); };
+    const auto hit = [&](const Box& other) { return overlap(place, other); };
     return std::none_of(markers.begin(), markers.end(), hit) && std::none_of(labels.begin(), labels.end(), hit);
   }
   bool free(const Polyline& line, const Style& style) const {
     const auto on_label = [&](const Box& piece) {
-      return std::any_of(labels.begin(), labels.end(), [&](const Box& label) { return marks_overlap(piece, label); });
+      return std::any_of(labels.begin(), labels.end(), [&](const Box& label) { return overlap(piece, label); });
     };
     const std::vector<Box> pieces = cover(line, style);
     return std::none_of(pieces.begin(), pieces.end(), on_label);
@@ -160,11 +110,12 @@ struct Taken {
 };
 
 /// Around the mark in eight directions, pushed into the box: the nearest place that is free.
-std::optional<Box> find_room(const MarkLabel& label, const Vec2& at, const Box& box, const Taken& taken,
+std::optional<Box> find_room(const FittedText& label, const Vec2& at, const Box& box, const Taken& taken,
                              const Style& style) {
   // right, left, then the corners, above, below
   static constexpr double directions[][2] = {{1, 0}, {-1, 0}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}, {0, 1}, {0, -1}};
-  const double air = 0.2 * label.size, across = 0.5 * label.width + air, along = 0.5 * label.height + air;
+  const double air = 0.2 * label.size, across = 0.5 * label.width() + air,
+               along = 0.5 * (label.size + label.depth()) + air;
   for (int step = 0; step <= 9; ++step) {
     const double reach = arm(style) + 1.5 * air + 0.7 * step * label.size;
     for (const auto& [dx, dy] : directions) {
@@ -172,19 +123,20 @@ std::optional<Box> find_room(const MarkLabel& label, const Vec2& at, const Box& 
                            pushed(at[1] + dy * (reach + along - air), box[2] + along, box[3] - along)};
       const Box aired = {middle[0] - across, middle[0] + across, middle[1] - along, middle[1] + along};
       const Box place = {aired[0] + air, aired[1] - air, aired[2] + air, aired[3] - air};
-      if (holds(box, place) && taken.free(aired) && taken.free(leader(at, place, label.size, style), style))
+      if (holds(box, {place[0], place[2]}) && holds(box, {place[1], place[3]}) && taken.free(aired) &&
+          taken.free(leader(at, place, label.size, style), style))
         return place;
     }
   }
   return std::nullopt;
 }
 
-void draw_label(Drawing& drawing, const MarkLabel& label, const Box& place, const Style& style) {
+void draw_label(Drawing& drawing, const FittedText& label, const Box& place, const Style& style) {
   const auto write = [&](double dx, double dy, const Rgb& colour) {
     double base = place[3] - 0.86 * label.size + dy;
     for (const std::string& line : label.lines) {
       drawing.marks.push_back(Text{{0.5 * (place[0] + place[1]) + dx, base}, line, label.size, Align::centre, colour});
-      base -= leading * label.size;
+      base -= line_step * label.size;
     }
   };
   const double halo = 2.6 * style.unit;
@@ -196,7 +148,7 @@ void draw_label(Drawing& drawing, const MarkLabel& label, const Box& place, cons
 } // namespace
 
 std::vector<PlacedMark> within(std::vector<PlacedMark> marks, const Box& box, bool all, const Style& style) {
-  const auto inside = [&](const PlacedMark& mark) { return holds(box, box_about(mark.at, 0)); };
+  const auto inside = [&](const PlacedMark& mark) { return holds(box, mark.at); };
   if (!all) std::erase_if(marks, [&](const PlacedMark& mark) { return !inside(mark); });
   const double room = 2.9 * radius(style); // of ring and arrow
   for (PlacedMark& mark : marks) {
@@ -218,15 +170,15 @@ void draw_marks(Drawing& drawing, const std::vector<PlacedMark>& marks, const Bo
     (ring ? rings : dots).push_back(mark.at);
     taken.markers.push_back(box_about(mark.at, ring ? arm(style) : 0.5 * radius(style)));
   }
-  std::vector<std::pair<MarkLabel, Box>> labels;
+  std::vector<std::pair<FittedText, Box>> labels;
   for (const PlacedMark& mark : marks) {
-    MarkLabel label = make_label(mark.text, box, style);
-    if (label.lines.empty()) continue;
+    if (mark.text.empty()) continue;
+    FittedText label = make_label(mark.text, box, style);
     const auto place = find_room(label, mark.at, box, taken, style);
     if (!place) continue;
     const Polyline line = leader(mark.at, *place, label.size, style);
     for (const auto& [colour, width] : {std::pair{white, 6.0}, std::pair{ring_colour, 2.0}})
-      if (!line.empty()) add_line(drawing, line, colour, width * style.unit);
+      if (!line.empty()) drawing.marks.push_back(Stroke{line, colour, width * style.unit});
     for (const Box& piece : cover(line, style)) taken.markers.push_back(piece);
     taken.labels.push_back(*place);
     labels.emplace_back(std::move(label), *place);

@@ -1,9 +1,10 @@
-// Names in the place of numbers along x.
+// Names in the place of numbers along an axis.
 
 #include "view/frame.hpp"
 #include "view/text.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 namespace signorini::view {
 namespace {
@@ -17,8 +18,10 @@ double room_for(const Ticks& ticks, std::size_t i, const Scale& scale) {
 }
 
 /// All on one line in one size; false where that would be too small.
-bool shrink_names(Ticks& ticks, const Scale& scale, const Style& style) {
+bool shrink_names(Ticks& ticks, const Scale& scale, bool within_cells, const Style& style) {
   double size = style.tick_size;
+  for (std::size_t i = 0; i < ticks.at.size() && within_cells; ++i)
+    size = std::min(size, room_for(ticks, i, scale) / (text_width(ticks.labels[i], 1) + 0.6));
   for (std::size_t i = 1; i < ticks.at.size(); ++i) {
     const double needed = 0.5 * (text_width(ticks.labels[i - 1], 1) + text_width(ticks.labels[i], 1)) + 0.6;
     size = std::min(size, (scale(ticks.at[i]) - scale(ticks.at[i - 1])) / needed);
@@ -39,30 +42,71 @@ bool wrap_names(Ticks& ticks, const Scale& scale, const Style& style) {
   return whole;
 }
 
-void stand_names_up(Ticks& ticks, const Scale& scale, double most, const Style& style) {
-  double closest = style.tick_size * line_step;
-  for (std::size_t i = 0; i < ticks.at.size(); ++i) closest = std::min(closest, room_for(ticks, i, scale));
-  const double size = std::max(closest / line_step, least_size(style));
+/// Between the closest two names, pixels.
+double closest(const Ticks& ticks, const Scale& scale) {
+  double room = scale.to - scale.from;
+  for (std::size_t i = 0; i < ticks.at.size(); ++i) room = std::min(room, room_for(ticks, i, scale));
+  return room;
+}
+
+/// Without those that stand closer than `apart` pixels to the one before.
+Ticks thinned(const Ticks& ticks, const Scale& scale, double apart) {
   Ticks kept;
-  kept.upright = true;
   for (std::size_t i = 0; i < ticks.at.size(); ++i) {
-    if (!kept.at.empty() && scale(ticks.at[i]) - scale(kept.at.back()) < (line_step - 1e-9) * size) continue;
+    if (!kept.at.empty() && scale(ticks.at[i]) - scale(kept.at.back()) < apart - 1e-9) continue;
     kept.at.push_back(ticks.at[i]), kept.labels.push_back(ticks.labels[i]);
-    kept.names.push_back(fit_text(ticks.labels[i], size, least_size(style), most));
-    kept.depth = std::max(kept.depth, kept.names.back().width() - style.tick_size);
   }
-  ticks = std::move(kept);
+  return kept;
+}
+
+/// Of numbers some can be left out: readers know those between.
+bool is_number(const std::string& name) {
+  return std::none_of(name.begin(), name.end(), [](unsigned char c) { return std::isalpha(c) != 0; });
+}
+
+Ticks thin_out_numbers(const Ticks& ticks, const Scale& scale, const Style& style) {
+  const double size = least_size(style);
+  double width = 0;
+  for (const std::string& label : ticks.labels) width = std::max(width, text_width(label, size));
+  Ticks kept = thinned(ticks, scale, width + 0.6 * size);
+  for (const std::string& label : kept.labels) kept.names.push_back({{label}, size});
+  return kept;
+}
+
+/// Names across the axis, on as many lines as there is room for.
+Ticks lines_across(const Ticks& ticks, const Scale& scale, double most, double step, const Style& style) {
+  const double room = closest(ticks, scale), size = std::clamp(room / step, least_size(style), style.tick_size);
+  Ticks kept = thinned(ticks, scale, step * size);
+  const int lines = std::clamp(static_cast<int>(room / (line_step * size) - 0.3), 1, 3);
+  for (const std::string& label : kept.labels)
+    kept.names.push_back(fit_text(label, size, least_size(style), most, lines));
+  return kept;
+}
+
+Ticks within(const std::vector<Name>& names, const Scale& scale) {
+  Ticks ticks;
+  for (const auto& [at, name] : names)
+    if (at >= scale.low && at <= scale.high) ticks.at.push_back(at), ticks.labels.push_back(name);
+  return ticks;
 }
 
 } // namespace
 
-Ticks named_ticks(const std::vector<Name>& names, const Scale& scale, double most, const Style& style) {
-  Ticks ticks;
-  for (const auto& [at, name] : names)
-    if (at >= scale.low && at <= scale.high) ticks.at.push_back(at), ticks.labels.push_back(name);
-  if (shrink_names(ticks, scale, style) || wrap_names(ticks, scale, style)) return ticks;
-  if (most >= 2 * style.tick_size) stand_names_up(ticks, scale, most, style);
-  return ticks;
+Ticks named_ticks(const std::vector<Name>& names, const Scale& scale, double most, const Style& style,
+                  bool within_cells) {
+  Ticks ticks = within(names, scale);
+  if (shrink_names(ticks, scale, within_cells, style)) return ticks;
+  if (std::all_of(ticks.labels.begin(), ticks.labels.end(), is_number)) return thin_out_numbers(ticks, scale, style);
+  if (wrap_names(ticks, scale, style) || most < 2 * style.tick_size) return ticks;
+  Ticks upright = lines_across(ticks, scale, most, line_step, style);
+  upright.upright = true;
+  for (const FittedText& name : upright.names) upright.depth = std::max(upright.depth, name.width() - style.tick_size);
+  return upright;
+}
+
+Ticks stacked_names(const std::vector<Name>& names, const Scale& scale, double most, const Style& style) {
+  constexpr double step = 1.15; // from one name to the next at the least, in its size
+  return lines_across(within(names, scale), scale, most, step, style);
 }
 
 } // namespace signorini::view

@@ -19,10 +19,6 @@ struct Paper {
   }
 };
 
-bool is_within(const Vec<2>& at, const Box& box) {
-  return at[0] >= box[0] && at[0] <= box[1] && at[1] >= box[2] && at[1] <= box[3];
-}
-
 /// The text about a place, moved into the frame where it would stand out.
 void add_text(Drawing& drawing, Vec<2> at, const std::string& string, const Rgb& colour, const Box& frame,
               const Style& style) {
@@ -37,7 +33,7 @@ void draw_label(Drawing& drawing, const Label& label, const Paper& paper, const 
   constexpr double least_facing = 0.1;
   if (label.normal.norm() > 0 && (paper.axes * label.normal.normalized())[2] < least_facing) return;
   Vec<2> at = paper(label.at);
-  if (!is_within(at, paper.frame.box)) return;
+  if (!holds(paper.frame.box, {at[0], at[1]})) return;
   const Vec<2> shift = (paper.axes * label.shift).head<2>();
   if (shift.norm() > 0) {
     const double size = 0.85 * style.tick_size, half = 0.5 * text_width(label.text, size) + 0.6 * size;
@@ -47,30 +43,23 @@ void draw_label(Drawing& drawing, const Label& label, const Paper& paper, const 
   add_text(drawing, at, label.text, ink, paper.frame.box, style);
 }
 
-void draw_arrow(Drawing& drawing, const Arrow& arrow, const Paper& paper, const Style& style) {
+void draw_direction(Drawing& drawing, const Arrow& arrow, const Paper& paper, const Style& style) {
   if (arrow.lines.empty()) return;
   const auto depth = [&](const auto& line) { return (paper.axes * line.col(0))[2]; };
   const auto& line = *std::max_element(arrow.lines.begin(), arrow.lines.end(),
                                        [&](const auto& a, const auto& b) { return depth(a) < depth(b) - 1e-9; });
-  std::vector<Vec<2>> points;
-  for (Eigen::Index i = 0; i < line.cols(); ++i) points.push_back(paper(line.col(i)));
-  const Vec<2> tip = points.back();
+  std::vector<Vec2> points;
+  for (Eigen::Index i = 0; i < line.cols(); ++i) {
+    const Vec<2> at = paper(line.col(i));
+    points.push_back({at[0], at[1]});
+  }
+  if (!holds(paper.frame.box, points.front()) || !holds(paper.frame.box, points.back())) return;
   const double head = 0.6 * style.tick_size;
-  // The head takes the place of what of the line is nearer to the tip.
-  while (points.size() > 1 && (points.back() - tip).norm() < head) points.pop_back();
-  const Vec<2> along = (tip - points.back()).stableNormalized(), side(-along[1], along[0]), neck = tip - head * along;
-  if (along.norm() == 0 || !is_within(points.front(), paper.frame.box) || !is_within(tip, paper.frame.box)) return;
-  const auto plain = [](const Vec<2>& v) { return Vec2{v[0], v[1]}; };
-  Stroke shaft;
-  shaft.colour = arrow_colour;
-  shaft.width = 4 * style.unit;
-  for (const Vec<2>& p : points) shaft.points.push_back(plain(p));
-  shaft.points.push_back(plain(neck));
-  drawing.marks.emplace_back(std::move(shaft));
-  Fill point;
-  point.outline = {plain(tip), plain(neck + 0.4 * head * side), plain(neck - 0.4 * head * side)};
-  point.colour = arrow_colour;
-  drawing.marks.emplace_back(std::move(point));
+  const Vec<2> tip = paper(line.col(line.cols() - 1));
+  Eigen::Index back = line.cols() - 2;
+  while (back > 0 && (tip - paper(line.col(back))).norm() < head) --back;
+  const Vec<2> along = (tip - paper(line.col(back))).stableNormalized();
+  draw_arrow(drawing, std::move(points), head, 4 * style.unit, arrow_colour);
   add_text(drawing, tip + 0.8 * style.tick_size * along, arrow.text, arrow_colour, paper.frame.box, style);
 }
 
@@ -78,7 +67,7 @@ void draw_arrow(Drawing& drawing, const Arrow& arrow, const Paper& paper, const 
 
 void draw_names(Drawing& drawing, const Names& names, const Mat<3>& axes, const Frame& frame, const Style& style) {
   const Paper paper{axes, frame};
-  for (const Arrow& arrow : names.arrows) draw_arrow(drawing, arrow, paper, style);
+  for (const Arrow& arrow : names.arrows) draw_direction(drawing, arrow, paper, style);
   for (const Label& label : names.labels) draw_label(drawing, label, paper, style);
 }
 

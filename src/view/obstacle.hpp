@@ -1,5 +1,5 @@
 #pragma once
-// Rigid obstacles on paper: a strong line, hatched on its inner side.
+// Rigid obstacles on paper: a strong line, hatched on its inner side, or shaded where it is small.
 
 #include "view/panel.hpp"
 

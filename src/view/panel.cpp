@@ -1,9 +1,11 @@
 #include "view/panel.hpp"
 
 #include "base/index.hpp"
+#include "view/cut.hpp"
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace signorini::view {
 namespace {
@@ -49,8 +51,7 @@ Outline outline(const std::function<Vec<3>(double)>& place, int pieces, const st
 
 Body mirrored(const Body& body, int axis, double sign) {
   Body image = body;
-  flip(image.points, axis);
-  flip(image.control_points, axis);
+  for (Points* points : {&image.points, &image.vectors, &image.control_points}) flip(*points, axis);
   for (MeshLine& line : image.mesh_lines) flip(line.points, axis);
   for (Points& line : image.rim) flip(line, axis);
   for (Points& line : image.undeformed) flip(line, axis);
@@ -63,6 +64,25 @@ Outline mirrored(const Outline& outline, int axis) {
   image.line = outline.line.rowwise().reverse(); // left stays left
   flip(image.line, axis);
   return image;
+}
+
+void join_at_mirror(Body& body, int axis) {
+  const auto beyond = crossed_mirror(body.points, axis);
+  if (!beyond) return;
+  static_cast<Surface&>(body) = cut(body, *beyond, 0);
+  const auto parts = [&](const Points& line) {
+    return cut(SurfaceLine{line, Points::Zero(3, line.cols())}, *beyond, 0);
+  };
+  for (auto* lines : {&body.rim, &body.undeformed})
+    for (const Points& line : std::exchange(*lines, {}))
+      for (SurfaceLine& part : parts(line)) lines->push_back(std::move(part.points));
+  for (const MeshLine& line : std::exchange(body.mesh_lines, {}))
+    for (SurfaceLine& part : parts(line.points)) body.mesh_lines.push_back({std::move(part.points), line.spacing});
+}
+
+PointVector mirrored(PointVector vector, int axis) {
+  vector.at[axis] *= -1, vector.vector[axis] *= -1;
+  return vector;
 }
 
 std::vector<Vec2> on_paper(const Points& points, const Frame& frame) {

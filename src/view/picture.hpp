@@ -3,6 +3,7 @@
 
 #include "view/figure.hpp"
 #include "view/panel.hpp"
+#include "view/surface_lines.hpp"
 
 #include <optional>
 
@@ -26,32 +27,30 @@ struct PictureOptions {
   bool bar = true;                           ///< draw the colour bar
   /// Shown of each state at least, in model units on paper: pictures of a series get one scale.
   std::optional<std::array<double, 4>> extent;
-  std::optional<int> columns;   ///< of a sheet; the number that shows the states largest when absent
-  std::optional<Style> style;   ///< of texts and lines; that of the size when absent
-  std::vector<Bar> bars_beside; ///< of pictures that stand beside this one: each has room for the largest bar
-  bool axis_names = true;       ///< x and y beside the numbers, or the three arrows
-  std::string unit;             ///< of lengths, behind the axes' names and at the ruler
-  bool ruler = true;            ///< of solids, whose axes have no numbers
+  std::optional<int> columns;         ///< of a sheet; the number that shows the states largest when absent
+  std::optional<Style> style;         ///< of texts and lines; that of the size when absent
+  std::vector<Bar> bars_beside;       ///< of pictures that stand beside this one: each has room for the largest bar
+  bool axis_names = true;             ///< beside the numbers, or the three arrows
+  std::vector<std::string> axes = {}; ///< their names; x, y and z when empty
+  std::string unit;                   ///< of lengths, behind the axes' names and at the ruler
+  bool ruler = true;                  ///< of solids, whose axes have no numbers
+  std::optional<Contours> contours = {};
+  std::string vectors;       ///< what arrows stand for, in their key; empty: no arrows
+  std::string vector_unit;   ///< behind its number
+  double longest_vector = 0; ///< of all states; that of this picture's when 0
 };
 
-/// Draws states in rows from left to right to a PNG, SVG or PDF file, whole or not at all: all on one scale, with one
-/// colour range and one colour bar. All states show the same part of x, those of one row the same part of y. The same
-/// call gives the same bytes. Throws Error on an unknown colour map, a file that cannot be written, a range that is
-/// empty or not finite, or when off-screen rendering is not to be had.
-void draw_sheet(const std::vector<Panel>& panels, const PictureOptions& options, const std::string& file);
-
-/// The same before it is a file.
+/// States in rows from left to right: all on one scale, with one colour range and one colour bar. All show the same
+/// part of x, those of one row the same part of y. Throws Error on an unknown colour map, or a range that is empty or
+/// not finite.
 Plate make_plate(const std::vector<Panel>& panels, const PictureOptions& options);
 
-/// What gives the pictures of several states one frame and one meaning of colours, each drawn alone: extent and range,
-/// unless they are given.
+/// What gives the pictures of several states one frame and one meaning of colours and arrows, each drawn alone: extent
+/// and range, unless they are given, and the longest vector.
 void align(PictureOptions& options, const std::vector<Panel>& panels);
 
 /// Throws Error unless the part that the options ask for shows something of a state; `argument` names it.
 void check_part(const std::vector<Panel>& panels, const PictureOptions& options, const std::string& argument);
-
-/// A sheet of one state.
-void draw_picture(const std::vector<Body>& bodies, const PictureOptions& options, const std::string& file);
 
 /// The style that the options ask for. Throws Error on a size that no figure may have.
 Style style_of(const PictureOptions& options);

@@ -1,6 +1,8 @@
 #pragma once
-// Images of fields and of surfaces in space, by VTK and OpenGL without a display (src/view/vtk).
+// What takes long to load, or only some runs need, lives in modules of its own in lib/signorini, which the first
+// picture loads: Cairo with Pango (src/view/cairo), OpenGL without a display with VTK (src/view/vtk).
 
+#include "base/warning.hpp"
 #include "view/figure.hpp"
 
 #include <cstdint>
@@ -16,14 +18,27 @@ struct Pixels {
 
 /// Makes the bytes of a series' picture of a number (from 0).
 using PictureMaker = std::function<std::string(int index)>;
+/// Makes the image beneath a plate's marks, as image_of().
+using ImageMaker = std::function<Pixels(const Plate& plate, int scale, bool transparent)>;
 
-/// The functions of the module.
+/// The functions of the module with VTK.
 struct Renderer {
   Pixels (*image)(const Plate& plate, int scale, bool transparent);
   /// Writes a film, Theora in Ogg; null where VTK has been built without it.
   void (*ogv)(const std::string& file, int count, int rate, const PictureMaker& png);
   std::string (*description)();
 };
+
+/// The functions of the module with Cairo.
+struct FlatRenderer {
+  double (*text_width)(const std::string& utf8, double size);
+  std::string (*bytes)(const Figure& figure, Format format, bool transparent, const ImageMaker& image);
+  std::string (*description)(); ///< "Cairo 1.16.0, Pango 1.50.12"
+  WarningSink* warning_sink;    ///< the module's own
+};
+
+/// Throws Error where the module is missing.
+const FlatRenderer& flat_renderer();
 
 /// What lies beneath the marks of a plate, in `scale` pixels for one of the drawing each way; on white or on no ground.
 /// Throws Error when no off-screen context can be made.

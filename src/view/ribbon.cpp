@@ -8,7 +8,7 @@ namespace signorini::view {
 namespace {
 
 void add_triangle(Ink& ink, const Vec<3>& a, const Vec<3>& b, const Vec<3>& c, const Rgb& colour) {
-  for (const Vec<3>& corner : {a, b, c}) ink.corners.push_back({corner[0], corner[1], corner[2]});
+  ink.corners.insert(ink.corners.end(), {a, b, c});
   ink.colours.push_back(colour);
 }
 

@@ -1,4 +1,6 @@
-#include "view/rules.hpp"
+// Reference lines across a chart.
+
+#include "view/curves.hpp"
 
 #include "view/fit_text.hpp"
 #include "view/text.hpp"
@@ -12,10 +14,6 @@ constexpr Rgb rule_colour = {110, 110, 110};
 
 bool crosses(const Scale& scale, double value) {
   return value >= scale.low && value <= scale.high;
-}
-
-bool names_overlap(const Box& a, const Box& b) {
-  return a[0] < b[1] && b[0] < a[1] && a[2] < b[3] && b[2] < a[3];
 }
 
 /// A place for a text beside a line: {from, to} along the line and {from, to} across it.
@@ -88,7 +86,7 @@ void draw_text(Drawing& drawing, const Name& rule, bool vertical, const ChartOpt
     double hidden = covered(curves, box) + (place.far ? 0.5 * worst : 0) +
                     worst * hidden_by_rules(box, place.far, vertical, rule, options, frame, gap);
     for (const Box& other : taken)
-      if (names_overlap(box, other)) hidden += 100 * worst;
+      if (overlap(box, other)) hidden += 100 * worst;
     if (box[0] < left || box[1] > right || box[2] < bottom || box[3] > top) hidden += 100 * worst;
     if (hidden < least) least = hidden, best = place;
   }

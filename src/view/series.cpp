@@ -31,7 +31,7 @@ struct Pattern {
 
 Pattern pattern_of(const std::string& file) {
   const auto found = match(file, "([^%]*)%(0([1-9]))?d([^%]*)");
-  require(!found.empty(), "file '", file, "' of a series must hold one number, as in \"x-%04d.png\"");
+  require(!found.empty(), "view.series.number", {{"file", file}});
   format_of(file);
   return {found[1], found[4], found[3].empty() ? 1 : std::stoi(found[3])};
 }
@@ -41,10 +41,8 @@ class Folder {
 public:
   explicit Folder(const std::string& file) : name_(file + ".XXXXXX") {
     const fs::path place = fs::path(file).parent_path();
-    require(fs::is_directory(place), "cannot write '", file, "': the folder '", place.string(),
-            "' does not exist; create it first");
-    require(::mkdtemp(name_.data()) != nullptr, "cannot make a folder for the pictures of '", file,
-            "' beside it; choose a folder that can be written to");
+    require(fs::is_directory(place), "view.series.no_folder", {{"file", file}, {"folder", place.string()}});
+    require(::mkdtemp(name_.data()) != nullptr, "view.series.folder", {{"file", file}});
   }
   ~Folder() {
     std::error_code ignored;
@@ -64,16 +62,14 @@ void write_pictures(const Pattern& name, int count, const PictureMaker& picture)
 }
 
 void write_by_vtk(const std::string& file, int count, double rate, const PictureMaker& picture) {
-  require(rate == std::round(rate) && rate >= 1 && rate <= 5000, "fps is ", rate,
-          "; a film in Ogg Theora has a whole number of pictures per second");
+  require(rate == std::round(rate) && rate >= 1 && rate <= 5000, "view.film.rate", {{"rate", rate}});
   const Folder folder(fs::absolute(file).string());
   write_ogv(folder.path("film.ogv"), count, static_cast<int>(rate), picture);
   fs::rename(folder.path("film.ogv"), file);
 }
 
 void write_by_ffmpeg(const std::string& file, int count, double rate, const PictureMaker& picture) {
-  require(has_program("ffmpeg"), "file '", file, "' needs the program ffmpeg, which is not in PATH: install it, or ",
-          "write a film without it, file = \"x.ogv\", or a series of pictures, file = \"x-%04d.png\"");
+  require(has_program("ffmpeg"), "view.film.ffmpeg", {{"file", file}});
   const Folder folder(fs::absolute(file).string());
   write_pictures({folder.path(""), ".png", 1}, count, picture);
   // H.264 with colours at half the resolution, which all players know, wants even sizes.
@@ -82,7 +78,7 @@ void write_by_ffmpeg(const std::string& file, int count, double rate, const Pict
                  "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white", "-c:v", "libx264", "-pix_fmt", "yuv420p",
                  folder.path("film.mp4")});
   } catch (const Error& error) {
-    fail("no film '", file, "' (file = \"x.ogv\" makes one without ffmpeg): ", error.what());
+    fail("view.film.failed", {{"file", file}, {"reason", error.message()}});
   }
   fs::rename(folder.path("film.mp4"), file);
 }

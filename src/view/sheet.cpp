@@ -1,7 +1,8 @@
 #include "view/sheet.hpp"
 
 #include "base/error.hpp"
-#include "view/ruler.hpp"
+#include "view/colormap.hpp"
+#include "view/space_axes.hpp"
 #include "view/text.hpp"
 
 #include <algorithm>
@@ -10,15 +11,9 @@
 namespace signorini::view {
 namespace {
 
-/// What stands beside the numbers of an axis, 0 or 1.
-std::string axis_name(const PictureOptions& options, int axis) {
-  if (!options.axis_names) return "";
-  return std::string(axis == 0 ? "x" : "y") + (options.unit.empty() ? "" : " (" + options.unit + ")");
-}
-
 using Interval = std::array<double, 2>;
 
-Interval hull(const Interval& a, const Interval& b) {
+Interval joined(const Interval& a, const Interval& b) {
   return {std::min(a[0], b[0]), std::max(a[1], b[1])};
 }
 double length(const Interval& interval) {
@@ -43,11 +38,11 @@ Grid make_grid(const ModelBoxes& boxes, int columns) {
   Grid grid{columns, {boxes[0][0], boxes[0][1]}, {}};
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     const Box& b = boxes[i];
-    grid.x = hull(grid.x, {b[0], b[1]});
+    grid.x = joined(grid.x, {b[0], b[1]});
     if (i % columns == 0)
       grid.y.push_back({b[2], b[3]});
     else
-      grid.y.back() = hull(grid.y.back(), {b[2], b[3]});
+      grid.y.back() = joined(grid.y.back(), {b[2], b[3]});
   }
   return grid;
 }
@@ -72,20 +67,27 @@ struct Rooms {
   double free_width, free_height; ///< left for the states
 };
 
+double key_room(const Style& style) {
+  return 1.6 * style.tick_size;
+}
+
 Rooms rooms_of(const Grid& grid, const std::vector<std::string>& titles, const PictureOptions& options,
                const std::optional<Interval>& range, const Style& style, const std::optional<ArrowRoom>& arrows) {
   const bool titled = std::any_of(titles.begin(), titles.end(), [](const std::string& t) { return !t.empty(); });
   const double width = options.size[0], height = options.size[1];
   Rooms rooms{};
   rooms.title = (options.title.empty() ? 0.4 : 1.7) * style.title_size;
-  rooms.below = !arrows ? room_below(style, axis_name(options, 0)) : options.ruler ? ruler_room(style) : 0;
+  rooms.below = !arrows         ? room_below(style, axis_name(options, 0, options.unit))
+                : options.ruler ? ruler_room(style)
+                                : 0;
+  if (!options.vectors.empty()) rooms.below += key_room(style);
   // Numbers change little with the size that the states will get.
   const double guess = (height - 2 * style.margin - rooms.title - rooms.below) / grid.rows();
   bool factor = false;
   if (arrows) rooms.left = arrows->width;
   for (const auto& [low, high] : arrows ? std::vector<Interval>() : grid.y) {
     const Ticks ticks = stacked_ticks(low, high, false, guess, style);
-    rooms.left = std::max(rooms.left, room_left(style, ticks, axis_name(options, 1)));
+    rooms.left = std::max(rooms.left, room_left(style, ticks, axis_name(options, 1, options.unit)));
     factor |= !ticks.factor.empty();
   }
   rooms.head = (factor ? 1.2 * style.tick_size : 0) + (titled ? 1.5 * style.label_size : 0);
@@ -135,11 +137,11 @@ std::vector<Frame> make_frames(const Grid& grid, const Rooms& rooms, double scal
     frame.yticks = stacked_ticks(y[0], y[1], false, top - bottom, style);
     // Numbers stand at the rim of the sheet only.
     if (i + grid.columns >= count)
-      frame.xlabel = axis_name(options, 0);
+      frame.xlabel = axis_name(options, 0, options.unit);
     else
       clear_numbers(frame.xticks);
     if (column == 0)
-      frame.ylabel = axis_name(options, 1);
+      frame.ylabel = axis_name(options, 1, options.unit);
     else
       clear_numbers(frame.yticks);
     frames.push_back(std::move(frame));
@@ -147,11 +149,39 @@ std::vector<Frame> make_frames(const Grid& grid, const Rooms& rooms, double scal
   return frames;
 }
 
+/// An arrow of a round length, and what it stands for.
+void draw_key(Canvas& canvas, const PictureOptions& options) {
+  const Style& style = canvas.style;
+  const double size = style.tick_size, y = canvas.sheet.key[1] + 0.55 * size;
+  Vec2 at = {canvas.sheet.key[0], y};
+  std::string words = options.vectors + ": all zero";
+  if (canvas.vector_scale > 0) {
+    const double length = round_below(1.15 * vector_step(style) / canvas.vector_scale);
+    words = options.vectors + " " + in_digits(length) + (options.vector_unit.empty() ? "" : " " + options.vector_unit);
+    draw_vectors(canvas.plate.drawing, {{{at[0], y, 0}, {length, 0, 0}}}, canvas.vector_scale,
+                 {0, 1.0 * canvas.sheet.size[0], 0, 1.0 * canvas.sheet.size[1]}, style.unit);
+    at[0] += canvas.vector_scale * length + 0.5 * size;
+  }
+  draw_fitting(canvas.plate.drawing, {{at[0], y - 0.36 * size}, words, size, Align::left, ink},
+               canvas.sheet.size[0] - style.margin - at[0], style);
+}
+
+std::array<double, 2> range_of(const ColouredValues& values, const PictureOptions& options) {
+  return colour_range(values, options.range, is_diverging(options.colormap), options.field_label);
+}
+
+ModelBoxes widened(ModelBoxes boxes, const PictureOptions& options) {
+  if (options.extent)
+    for (Box& box : boxes) box = hull({box, *options.extent});
+  return boxes;
+}
+
 } // namespace
 
 Sheet lay_out_sheet(const std::vector<std::string>& titles, const ModelBoxes& boxes, const PictureOptions& options,
                     const std::optional<std::array<double, 2>>& range, const Style& style,
                     const std::optional<ArrowRoom>& arrows) {
+  require(!options.columns || *options.columns >= 1, "view.sheet.columns", {{"columns", options.columns.value_or(1)}});
   const int count = static_cast<int>(titles.size());
   Grid grid;
   Rooms rooms{};
@@ -163,8 +193,7 @@ Sheet lay_out_sheet(const std::vector<std::string>& titles, const ModelBoxes& bo
     if (scale_of(next, needed) > scale * (1 + 1e-9)) grid = next, rooms = needed, scale = scale_of(next, needed);
   }
   require(scale > 0 && rooms.free_width > 0.2 * options.size[0] && rooms.free_height > 0.2 * options.size[1],
-          "a picture of ", options.size[0], " × ", options.size[1],
-          " pixels leaves too little room beside labels and colour bar; choose a larger size");
+          "view.sheet.room", {{"width", options.size[0]}, {"height", options.size[1]}});
 
   const double width = grid.columns * scale * length(grid.x) + (grid.columns - 1) * rooms.across;
   const double height = scale * grid.height() + (grid.rows() - 1) * (rooms.between + rooms.head);
@@ -196,9 +225,58 @@ Sheet lay_out_sheet(const std::vector<std::string>& titles, const ModelBoxes& bo
   for (const std::string& one : titles)
     sheet.panel_title_size = fitting_size(one, sheet.panel_title_size, scale * length(grid.x));
   sheet.arrows = {left - rooms.left, std::min(middle - 0.5 * height, middle - low)};
+  sheet.key = {left, middle - 0.5 * height - rooms.below};
   sheet.bar = {left + width + 1.3 * style.margin, middle - 0.5 * bar, middle + 0.5 * bar};
   sheet.whole = {left, left + width, middle - 0.5 * height, middle + up};
   return sheet;
+}
+
+Canvas make_canvas(const std::vector<std::string>& titles, const ModelBoxes& boxes,
+                   const std::vector<const VectorX*>& values, double longest, const PictureOptions& options,
+                   const std::optional<ArrowRoom>& arrows) {
+  Canvas canvas{style_of(options), colormap(options.colormap), coloured_values(values), {0, 1}, {}, 0, {}, {}};
+  if (canvas.values) canvas.range = range_of(*canvas.values, options);
+  if (canvas.values && options.contours)
+    canvas.levels = contour_levels(*options.contours, canvas.range, canvas.values->all);
+  const double most = std::max(options.longest_vector, longest);
+  if (most > 0) canvas.vector_scale = 1.15 * vector_step(canvas.style) / most;
+  const auto shown = canvas.values && options.bar ? std::optional(canvas.range) : std::nullopt;
+  canvas.sheet = lay_out_sheet(titles, widened(boxes, options), options, shown, canvas.style, arrows);
+  canvas.plate.drawing.size = canvas.sheet.size;
+  canvas.plate.frames = canvas.sheet.frames;
+  return canvas;
+}
+
+double vector_step(const Style& style) {
+  return 60 * style.unit;
+}
+
+Plate finished(Canvas canvas, const PictureOptions& options) {
+  Drawing& drawing = canvas.plate.drawing;
+  if (canvas.values && options.bar)
+    draw_colorbar(drawing, canvas.sheet.bar, canvas.range, canvas.values->all, canvas.colours, options.field_label,
+                  canvas.style, false, canvas.levels);
+  if (!options.vectors.empty()) draw_key(canvas, options);
+  draw_title(drawing, options.title, canvas.sheet.whole, canvas.style);
+  return std::move(canvas.plate);
+}
+
+void align(PictureOptions& options, const ModelBoxes& boxes, const std::vector<const VectorX*>& values,
+           double longest) {
+  options.longest_vector = longest;
+  options.extent = hull(boxes);
+  if (const auto all = coloured_values(values)) options.range = range_of(*all, options);
+}
+
+std::string axis_name(const PictureOptions& options, int axis, const std::string& unit) {
+  if (!options.axis_names) return "";
+  if (!options.axes.empty()) return options.axes[static_cast<std::size_t>(axis)];
+  return std::string(1, "xyz"[axis]) + (unit.empty() ? "" : " (" + unit + ")");
+}
+
+Style style_of(const PictureOptions& options) {
+  const Style own = style_for(options.size);
+  return options.style.value_or(own);
 }
 
 void draw_panel_title(Drawing& drawing, const std::string& title, const Frame& frame, double size, const Style& style) {
@@ -213,17 +291,6 @@ Box hull(const ModelBoxes& boxes) {
   for (const Box& box : boxes)
     all = {std::min(all[0], box[0]), std::max(all[1], box[1]), std::min(all[2], box[2]), std::max(all[3], box[3])};
   return all;
-}
-
-ModelBoxes widened(ModelBoxes boxes, const PictureOptions& options) {
-  if (options.extent)
-    for (Box& box : boxes) box = hull({box, *options.extent});
-  return boxes;
-}
-
-void check_columns(const PictureOptions& options) {
-  require(!options.columns || *options.columns >= 1, "columns is ", options.columns.value_or(1),
-          "; a sheet needs at least one");
 }
 
 } // namespace signorini::view

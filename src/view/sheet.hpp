@@ -19,6 +19,7 @@ struct Sheet {
   std::vector<Frame> frames; ///< one per panel
   double panel_title_size;   ///< one for all, at which the longest fits its frame
   Vec2 arrows;               ///< bottom left corner of the arrows' room
+  Vec2 key;                  ///< bottom left corner of that of the vectors' key
   BarPlace bar;
   Box whole; ///< of all frames, up to where the title may stand
 };
@@ -29,16 +30,61 @@ Sheet lay_out_sheet(const std::vector<std::string>& titles, const ModelBoxes& bo
                     const std::optional<std::array<double, 2>>& range, const Style& style,
                     const std::optional<ArrowRoom>& arrows = {});
 
+/// A sheet while its states are drawn.
+struct Canvas {
+  Style style;
+  std::vector<Rgb> colours;
+  std::optional<ColouredValues> values;
+  std::array<double, 2> range; ///< of the colours
+  std::vector<double> levels;  ///< of contour lines
+  double vector_scale;         ///< pixels per unit of vectors
+  Sheet sheet;
+  Plate plate;
+};
+
+/// A sheet laid out by lay_out_sheet(); `values`: what is coloured; `longest`: of the vectors.
+Canvas make_canvas(const std::vector<std::string>& titles, const ModelBoxes& boxes,
+                   const std::vector<const VectorX*>& values, double longest, const PictureOptions& options,
+                   const std::optional<ArrowRoom>& arrows = {});
+
+/// Between the points of the grid that vectors are drawn at, pixels.
+double vector_step(const Style& style);
+
+/// The canvas with colour bar, vectors' key and title.
+Plate finished(Canvas canvas, const PictureOptions& options);
+
+/// Sets extent, range, unless it is given, and longest vector to those of all states.
+void align(PictureOptions& options, const ModelBoxes& boxes, const std::vector<const VectorX*>& values, double longest);
+
+/// Of the panels' bodies and beside them.
+template <class Panel> double longest_vector(const std::vector<Panel>& panels) {
+  double longest = 0;
+  for (const Panel& panel : panels) {
+    for (const auto& body : panel.bodies)
+      if (const Points& vectors = skin_of(body).vectors; vectors.cols() > 0)
+        longest = std::max(longest, vectors.colwise().norm().maxCoeff());
+    for (const PointVector& one : panel.vectors) longest = std::max(longest, one.vector.norm());
+  }
+  return longest;
+}
+
+template <class Panel> std::vector<std::string> titles_of(const std::vector<Panel>& panels) {
+  std::vector<std::string> titles;
+  titles.reserve(panels.size());
+  for (const Panel& panel : panels) titles.push_back(panel.title);
+  return titles;
+}
+
+/// What the plane states show, or the part that is asked for.
+ModelBoxes model_boxes(const std::vector<Panel>& panels, const std::optional<Box>& crop);
+
+/// What an axis is called: by the options, or by its letter and the unit.
+std::string axis_name(const PictureOptions& options, int axis, const std::string& unit = "");
+
 /// The title of one state above its frame.
 void draw_panel_title(Drawing& drawing, const std::string& title, const Frame& frame, double size, const Style& style);
 
 /// What holds all boxes.
 Box hull(const ModelBoxes& boxes);
-
-/// The boxes with the extent that the options ask for.
-ModelBoxes widened(ModelBoxes boxes, const PictureOptions& options);
-
-/// Throws Error unless the columns are at least one.
-void check_columns(const PictureOptions& options);
 
 } // namespace signorini::view

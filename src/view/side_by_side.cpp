@@ -33,7 +33,7 @@ struct Trial {
 /// The columns in which the first picture is largest and the whole no tower, or the broadest one.
 Trial best_trial(int count, const PictureOptions& options, const std::array<int, 2>& paper, const FigureMaker& make) {
   std::vector<Trial> trials;
-  std::string reason = "choose a larger size";
+  Message reason("view.pictures.larger");
   const int most = std::min(options.columns.value_or(count), count);
   for (int columns = options.columns ? most : 1; columns <= most; ++columns) {
     const auto cell = cell_of(count, columns, paper);
@@ -44,11 +44,11 @@ Trial best_trial(int count, const PictureOptions& options, const std::array<int,
       const double width = size[0], height = size[1];
       trials.push_back({columns, *cell, width * height, columns * width / (rows_of(count, columns) * height)});
     } catch (const Error& error) {
-      reason = error.what();
+      reason = error.message();
     }
   }
-  require(!trials.empty(), count, " pictures find no room side by side on ", options.size[0], " × ", options.size[1],
-          " pixels: ", reason);
+  require(!trials.empty(), "view.pictures.room",
+          {{"count", count}, {"width", options.size[0]}, {"height", options.size[1]}, {"reason", reason}});
   constexpr double tower = 1; // higher than wide
   return *std::max_element(trials.begin(), trials.end(), [&](const Trial& a, const Trial& b) {
     const double first = std::min(a.shape, tower), second = std::min(b.shape, tower);
@@ -66,7 +66,7 @@ std::vector<int> begins(const std::vector<int>& widths, int start) {
 } // namespace
 
 Figure side_by_side(int count, const PictureOptions& options, const FigureMaker& make) {
-  const Style style = style_for(options.size);
+  const Style style = style_of(options);
   const int head = options.title.empty() ? 0 : static_cast<int>(std::ceil(style.margin + 1.3 * style.title_size));
   const Trial best = best_trial(count, options, {options.size[0], options.size[1] - head}, make);
   const int columns = best.columns;

@@ -1,5 +1,7 @@
 #include "view/solid.hpp"
 
+#include "view/cut.hpp"
+
 #include <algorithm>
 #include <utility>
 
@@ -40,8 +42,7 @@ Bounds bounds(const Solid& solid) {
 
 Surface mirrored(const Surface& surface, int axis, double sign) {
   Surface image = surface;
-  mirror(image.points, axis);
-  mirror(image.normals, axis);
+  for (Points* points : {&image.points, &image.normals, &image.vectors}) mirror(*points, axis);
   image.values *= sign;
   return image;
 }
@@ -59,6 +60,11 @@ Solid mirrored(const Solid& solid, int axis, double sign) {
 }
 
 void join_at_mirror(Solid& solid, int axis) {
+  if (const auto beyond = crossed_mirror(solid.skin.points, axis)) {
+    const std::vector<Lattice> inside = std::exchange(solid.inside, {}); // the image closes the cut
+    solid = cut(solid, *beyond);
+    solid.inside = inside;
+  }
   const double tolerance = 1e-9 * bounds(solid).size();
   const auto within = [&](const Points& points) { return points.row(axis).cwiseAbs().maxCoeff() <= tolerance; };
   const auto faces_mirror = [&](const SurfaceLine& line) {
@@ -66,6 +72,7 @@ void join_at_mirror(Solid& solid, int axis) {
   };
   std::erase_if(solid.mesh_lines, faces_mirror);
   std::erase_if(solid.rim, faces_mirror);
+  std::erase_if(solid.undeformed_rim, [&](const SurfaceLine& line) { return within(line.points); });
   const auto joined = std::stable_partition(solid.rim.begin(), solid.rim.end(),
                                             [&](const SurfaceLine& line) { return !within(line.points); });
   const double spacing = typical_spacing(solid.mesh_lines);

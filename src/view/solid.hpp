@@ -8,18 +8,11 @@
 
 namespace signorini::view {
 
-/// A triangulated surface in space.
-struct Surface {
-  Points points;
-  Points normals; ///< outward unit normals, one per point
-  Triangles triangles;
-  VectorX values; ///< one per point; empty: plain
-};
-
 /// A line on a surface. `spacing`: distance to the next one of its kind, as for MeshLine; 0 for those of full width.
 struct SurfaceLine {
   Points points, normals; ///< one normal of the surface per point
   double spacing = 0;
+  VectorX values = {}; ///< of the surface beneath, one per point; or none
 };
 
 /// The inside of an element at (divisions + 1)³ points evenly spread over its parameters, ξ¹ running fastest.
@@ -41,6 +34,10 @@ struct Solid {
   std::vector<SurfaceLine> undeformed_rim;
 };
 
+inline const Surface& skin_of(const Solid& solid) {
+  return solid.skin;
+}
+
 /// lowest and highest corner
 struct Bounds {
   Vec<3> low = Vec<3>::Constant(std::numeric_limits<double>::infinity()), high = -low;
@@ -49,6 +46,8 @@ struct Bounds {
   bool empty() const { return (low.array() > high.array()).any(); }
   Vec<3> centre() const { return 0.5 * (low + high); }
   double size() const { return (high - low).maxCoeff(); } ///< the longest side
+
+  bool operator==(const Bounds&) const = default;
 };
 
 /// Of all that is drawn of a body.
@@ -58,8 +57,8 @@ Bounds bounds(const Solid& solid);
 Surface mirrored(const Surface& surface, int axis, double sign);
 Solid mirrored(const Solid& solid, int axis, double sign);
 
-/// Makes a body and its image one: takes away the surface that lies in the plane of the mirror, and turns the rims
-/// there into element borders.
+/// Makes a body and its image one: takes away what lies beyond the mirror, the surface that lies in the plane of the
+/// mirror, and turns the rims there into element borders.
 void join_at_mirror(Solid& solid, int axis);
 
 } // namespace signorini::view

@@ -1,14 +1,10 @@
 #include "view/solid_picture.hpp"
 
 #include "base/error.hpp"
-#include "base/whole_file.hpp"
-#include "view/body_colours.hpp"
-#include "view/colormap.hpp"
+#include "view/picture_checks.hpp"
 #include "view/ribbon.hpp"
-#include "view/ruler.hpp"
 #include "view/sheet.hpp"
-#include "view/solid_checks.hpp"
-#include "view/triad.hpp"
+#include "view/space_axes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +13,7 @@
 namespace signorini::view {
 namespace {
 
-constexpr Rgb ghost_colour = {150, 158, 166}, ghost_rim_colour = {140, 140, 140}, rigid_colour = {140, 146, 154},
+constexpr Rgb ghost_colour = {150, 158, 166}, ghost_rim_colour = {95, 95, 95}, rigid_colour = {140, 146, 154},
               rigid_rim_colour = {120, 120, 120};
 constexpr std::uint8_t ghost_opacity = 55, rigid_opacity = 62;
 
@@ -42,6 +38,8 @@ struct Scene {
   std::vector<Line> lines;
   std::vector<Sheer> veils;
   std::vector<Vec<3>> dots;
+  std::vector<SurfaceLine> ghosts; ///< dashed, over all else, where they face the eye
+  std::vector<PointVector> vectors;
 
   template <class Change> void each_surface(Change change) {
     for (Surface& surface : bodies) change(surface);
@@ -57,18 +55,25 @@ void add_body(Scene& scene, const Solid& body, const Style& style) {
   const double u = style.unit;
   if (body.mesh) add_lines(scene, body.mesh_lines, {mesh_colour, std::max(1.6 * u, 0.8), 1.2, !body.open});
   add_lines(scene, body.rim, {mesh_colour, 2.4 * u, 1.5, !body.open});
-  const Pen ghost = {ghost_rim_colour, 1.8 * u, -2, false};
-  add_lines(scene, body.undeformed_rim, ghost);
+  for (const SurfaceLine& line : body.undeformed_rim) scene.ghosts.push_back(line);
   if (body.undeformed.points.cols() > 0)
-    scene.veils.push_back({body.undeformed, ghost_colour, ghost_opacity, true, ghost});
+    scene.veils.push_back({body.undeformed, ghost_colour, ghost_opacity, true, {ghost_rim_colour, 1.8 * u, -2, false}});
   for (const auto& [a, b] : body.net_lines) {
-    SurfaceLine line{Points(3, 2), Points(3, 2)};
+    SurfaceLine line{Points(3, 2), Points::Zero(3, 2)};
     line.points << body.control_points.col(a), body.control_points.col(b);
-    line.normals.setZero();
-    scene.lines.push_back({std::move(line), {net_colour, 1.2 * u, 2, false}});
+    // White beneath, so that it shows on any colour.
+    scene.lines.push_back({line, {white, 4.2 * u, 5, false}});
+    scene.lines.push_back({line, {net_colour, 2 * u, 6, false}});
   }
   for (Eigen::Index i = 0; i < body.control_points.cols(); ++i) scene.dots.push_back(body.control_points.col(i));
   scene.bodies.push_back(body.skin);
+}
+
+/// The body with the values beneath its mesh lines.
+Solid with_ground(Solid body) {
+  const Ground ground(body.skin);
+  for (SurfaceLine& line : body.mesh_lines) line.values = ground.along(line.points);
+  return body;
 }
 
 void add_obstacle(Scene& scene, const Rigid& rigid, const Bounds& box, const std::optional<CutPlane>& plane,
@@ -95,15 +100,24 @@ Scene scene_of(const SolidPanel& panel, const Mat<3>& axes, const Style& style) 
     const Bounds own = bounds(body);
     box.take(own.low);
     box.take(own.high);
-    add_body(scene, panel.cut ? cut(body, *panel.cut) : body, style);
+    const Solid grounded = with_ground(body);
+    add_body(scene, panel.cut ? cut(grounded, *panel.cut) : grounded, style);
   }
-  require(!box.empty(), "a picture needs at least one body with points, none came");
+  require(!box.empty(), "view.picture.empty");
   for (const Rigid& rigid : panel.obstacles) add_obstacle(scene, rigid, box, panel.cut, panel.windows, style);
-  const auto turn = [&](Points& points) { points = axes * points; };
-  scene.each_surface([&](Surface& surface) { turn(surface.points), turn(surface.normals); });
+  scene.vectors = panel.vectors;
+  if (panel.cut)
+    std::erase_if(scene.vectors, [&, tolerance = 1e-9 * box.size() * panel.cut->normal.norm()](const PointVector& one) {
+      return (one.at - panel.cut->point).dot(panel.cut->normal) > tolerance;
+    });
+  const auto turn = [&](auto& points) { points = axes * points; };
+  scene.each_surface([&](Surface& surface) { turn(surface.points), turn(surface.normals), turn(surface.vectors); });
+  for (SurfaceLine& line : scene.ghosts) turn(line.points), turn(line.normals);
+  for (auto& [at, vector] : scene.vectors) turn(at), turn(vector);
   for (Line& line : scene.lines) turn(line.line.points), turn(line.line.normals);
   for (Vec<3>& dot : scene.dots) dot = axes * dot;
-  for (const Sheer& veil : scene.veils) add_lines(scene, outline(veil.surface), veil.outline);
+  for (const Sheer& veil : scene.veils)
+    add_lines(scene, zeros(veil.surface, veil.surface.normals.row(2).transpose()), veil.outline);
   return scene;
 }
 
@@ -113,7 +127,7 @@ Box paper_box(const Scene& scene) {
   for (const Surface& surface : scene.bodies) all.take(surface.points);
   for (const Sheer& veil : scene.veils) all.take(veil.surface.points);
   for (const Vec<3>& dot : scene.dots) all.take(dot);
-  require(!all.empty(), "the cut takes all bodies away; move its plane, or turn its normal round");
+  require(!all.empty(), "view.solids.cut_away");
   const double air = 0.015 * std::max({all.high[0] - all.low[0], all.high[1] - all.low[1], 1e-12});
   return {all.low[0] - air, all.high[0] + air, all.low[1] - air, all.high[1] + air};
 }
@@ -130,6 +144,7 @@ Box paper_box(const Bounds& region, const Mat<3>& axes) {
 
 std::vector<Scene> scenes_of(const std::vector<SolidPanel>& panels, const Mat<3>& axes, const Style& style) {
   std::vector<Scene> scenes;
+  scenes.reserve(panels.size());
   for (const SolidPanel& panel : panels) scenes.push_back(scene_of(panel, axes, style));
   return scenes;
 }
@@ -154,7 +169,9 @@ void put_on_paper(Scene& scene, const Frame& frame) {
     place(line.line.points);
     line.line.spacing *= scale;
   }
+  for (SurfaceLine& line : scene.ghosts) place(line.points);
   for (Vec<3>& dot : scene.dots) dot = scale * dot + shift;
+  for (PointVector& one : scene.vectors) one.at = scale * one.at + shift;
 }
 
 std::vector<PlacedMark> on_paper(const std::vector<PointMark>& marks, const Mat<3>& axes, const Frame& frame) {
@@ -166,45 +183,26 @@ std::vector<PlacedMark> on_paper(const std::vector<PointMark>& marks, const Mat<
   return placed;
 }
 
-/// Takes away what lies outside the frame.
-void trim(Scene& scene, const Box& box) {
-  for (int axis = 0; axis < 2; ++axis)
-    for (int end = 0; end < 2; ++end) {
-      const double limit = box[static_cast<std::size_t>(2 * axis + end)];
-      const CutPlane side{limit * Vec<3>::Unit(axis), (end == 0 ? -1 : 1) * Vec<3>::Unit(axis)};
-      scene.each_surface([&](Surface& surface) { surface = cut(surface, side, 0); });
-      std::vector<Line> lines;
-      for (const Line& line : scene.lines)
-        for (SurfaceLine& part : cut(line.line, side, 0)) lines.push_back({std::move(part), line.pen});
-      scene.lines = std::move(lines);
-      std::erase_if(scene.dots, [&](const Vec<3>& dot) { return side.normal.dot(dot - side.point) > 0; });
-    }
-}
-
-std::vector<Vec3> plain_points(const Points& points) {
-  std::vector<Vec3> result;
-  for (Eigen::Index i = 0; i < points.cols(); ++i) result.push_back({points(0, i), points(1, i), points(2, i)});
-  return result;
-}
-
-/// The corners of a triangle in the order that the renderer takes for the side its normals show.
-std::array<int, 3> turned(const Surface& surface, Eigen::Index triangle) {
-  const int a = surface.triangles(0, triangle), b = surface.triangles(1, triangle), c = surface.triangles(2, triangle);
-  const Vec<3> facing =
-                   (surface.points.col(b) - surface.points.col(a)).cross(surface.points.col(c) - surface.points.col(a)),
-               normal = surface.normals.col(a) + surface.normals.col(b) + surface.normals.col(c);
-  return facing.dot(normal) < 0 ? std::array{a, c, b} : std::array{a, b, c};
-}
-
-Shaded shaded(const Surface& surface, const std::array<double, 2>& range, const std::vector<Rgb>& colours) {
-  Shaded result{plain_points(surface.points), plain_points(surface.normals), {}, {}, range, colours};
-  for (Eigen::Index t = 0; t < surface.triangles.cols(); ++t) result.triangles.push_back(turned(surface, t));
-  result.values.assign(surface.values.data(), surface.values.data() + surface.values.size());
-  if (surface.values.size() == 0) {
-    result.values.assign(result.points.size(), range[0]);
-    result.colours = {plain_colour, plain_colour};
+/// The triangles with their corners in the order that the renderer takes for the side its normals show.
+Triangles turned(const Surface& surface) {
+  Triangles triangles = surface.triangles;
+  for (auto triangle : triangles.colwise()) {
+    const int a = triangle[0], b = triangle[1], c = triangle[2];
+    const Vec<3> along = surface.points.col(b) - surface.points.col(a),
+                 across = surface.points.col(c) - surface.points.col(a);
+    if (along.cross(across).dot(surface.normals.col(a) + surface.normals.col(b) + surface.normals.col(c)) < 0)
+      std::swap(triangle[1], triangle[2]);
   }
-  return result;
+  return triangles;
+}
+
+Field field_of(const Surface& surface, const Canvas& canvas) {
+  Field field{surface.points, surface.normals, turned(surface), surface.values, canvas.range, canvas.colours};
+  if (surface.values.size() == 0) {
+    field.values.setConstant(surface.points.cols(), canvas.range[0]);
+    field.colours = {plain_colour, plain_colour};
+  }
+  return field;
 }
 
 /// Lines of a mesh that is fine on paper darken a tenth of it at most each way, and go where they would be threads.
@@ -218,111 +216,125 @@ double width_of(const Line& line) {
 /// A triangle of a translucent surface that waits for its turn.
 struct Waiting {
   const Sheer* veil;
-  Eigen::Index triangle;
+  Eigen::Vector3i corners;
   double depth; ///< of its middle
 };
 
 /// Translucent triangles, the farthest first.
 void add_veils(Veil& result, const std::vector<Sheer>& veils) {
   std::vector<Waiting> queue;
-  for (const Sheer& veil : veils)
-    for (Eigen::Index t = 0; t < veil.surface.triangles.cols(); ++t) {
-      double depth = 0, facing = 0;
-      for (int corner : veil.surface.triangles.col(t))
-        depth += veil.surface.points(2, corner) / 3, facing += veil.surface.normals(2, corner);
-      if (!veil.facing_only || facing > 0) queue.push_back({&veil, t, depth});
+  for (const Sheer& veil : veils) {
+    const Triangles triangles = turned(veil.surface);
+    for (const auto& triangle : triangles.colwise()) {
+      const double facing = veil.surface.normals.row(2)(triangle).sum();
+      if (!veil.facing_only || facing > 0)
+        queue.push_back({&veil, triangle, veil.surface.points.row(2)(triangle).mean()});
     }
+  }
   std::stable_sort(queue.begin(), queue.end(), [](const Waiting& a, const Waiting& b) { return a.depth < b.depth; });
-  for (const Waiting& next : queue) {
-    const Sheer& veil = *next.veil;
-    for (int corner : turned(veil.surface, next.triangle)) {
-      const Vec<3> p = veil.surface.points.col(corner), n = veil.surface.normals.col(corner);
-      result.corners.push_back({p[0], p[1], p[2]});
-      result.normals.push_back({n[0], n[1], n[2]});
+  for (const auto& [veil, corners, depth] : queue) {
+    for (int corner : corners) {
+      result.corners.emplace_back(veil->surface.points.col(corner));
+      result.normals.emplace_back(veil->surface.normals.col(corner));
     }
-    result.colours.push_back({veil.colour[0], veil.colour[1], veil.colour[2], veil.opacity});
+    result.colours.push_back({veil->colour[0], veil->colour[1], veil->colour[2], veil->opacity});
   }
 }
 
-void add_relief(Relief& relief, const Scene& scene, const std::array<double, 2>& range, const std::vector<Rgb>& colours,
-                const Style& style) {
-  for (const Surface& surface : scene.bodies) relief.surfaces.push_back(shaded(surface, range, colours));
+void add_contours(Ink& ink, const Surface& surface, const Canvas& canvas) {
+  if (surface.values.size() == 0) return;
+  for (double level : canvas.levels)
+    for (const SurfaceLine& line : zeros(surface, surface.values.array() - level))
+      add_ribbon(ink, line.points, line.normals,
+                 {tone_on(colour_of(level, canvas.range, canvas.colours)), 2 * canvas.style.unit, 1, true});
+}
+
+Relief relief_of(const Scene& scene, const Box& window, const Canvas& canvas) {
+  const Style& style = canvas.style;
+  Relief relief{window};
+  for (const Surface& surface : scene.bodies) {
+    relief.fields.push_back(field_of(surface, canvas));
+    add_contours(relief.ink, surface, canvas);
+  }
   for (const Line& line : scene.lines) {
     Pen pen = line.pen;
     pen.width = width_of(line);
-    if (pen.width > 0) add_ribbon(relief.ink, line.line.points, line.line.normals, pen);
+    if (pen.width == 0) continue;
+    const auto& [points, normals, spacing, values] = line.line;
+    for (const auto& [first, count, tone] : toned(points.cols(), values, pen.colour, canvas.range, canvas.colours)) {
+      pen.colour = tone;
+      add_ribbon(relief.ink, points.middleCols(first, count), normals.middleCols(first, count), pen);
+    }
   }
   for (const Vec<3>& dot : scene.dots) {
     add_dot(relief.ink, dot + 12 * style.unit * Vec<3>::UnitZ(), 6.4 * style.unit, white);
     add_dot(relief.ink, dot + 13 * style.unit * Vec<3>::UnitZ(), 4.8 * style.unit, net_colour);
   }
   add_veils(relief.veil, scene.veils);
+  return relief;
 }
 
-std::optional<ColouredValues> values_of(const std::vector<Scene>& scenes) {
+/// The parts of a line on a surface that face the eye.
+void draw_ghost(Drawing& drawing, const SurfaceLine& line, const Box& box, const Style& style) {
+  std::vector<Vec2> part;
+  for (Eigen::Index i = 0; i <= line.points.cols(); ++i) {
+    if (i < line.points.cols() && line.normals(2, i) > 0) {
+      part.push_back({line.points(0, i), line.points(1, i)});
+      continue;
+    }
+    add_line(drawing, part, box, ghost_rim_colour, 2.2 * style.unit, {9 * style.unit, 6 * style.unit});
+    part.clear();
+  }
+}
+
+std::vector<const VectorX*> values_of(const std::vector<Scene>& scenes) {
   std::vector<const VectorX*> values;
   for (const Scene& scene : scenes)
     for (const Surface& surface : scene.bodies) values.push_back(&surface.values);
-  return coloured_values(values);
+  return values;
 }
 
 } // namespace
 
 Plate make_plate(const std::vector<SolidPanel>& panels, const SolidOptions& options) {
-  check_columns(options);
   check(panels);
   const Style style = style_of(options);
-  const std::vector<Rgb> colours = colormap(options.colormap);
   const Mat<3> axes = picture_axes(options.camera);
+  const std::array<std::string, 3> names = {axis_name(options, 0), axis_name(options, 1), axis_name(options, 2)};
   std::vector<Scene> scenes = scenes_of(panels, axes, style);
-  std::vector<std::string> titles;
-  for (const SolidPanel& panel : panels) titles.push_back(panel.title);
-  const ModelBoxes boxes = widened(paper_boxes(scenes, options, axes), options);
-  const auto values = values_of(scenes);
-  std::optional<std::array<double, 2>> range;
-  if (values) range = colour_range(*values, options.range, is_diverging(options.colormap), options.field_label);
-  const auto shown = options.bar ? range : std::nullopt;
-  const auto [left, right, below, above] = triad_room(axes, style);
+  const auto [left, right, below, above] = triad_room(axes, names, style);
   ArrowRoom arrows{0, 0};
   if (options.axis_names) arrows = {left + right + 0.3 * style.margin, below + above};
-  const Sheet sheet = lay_out_sheet(titles, boxes, options, shown, style, arrows);
-
-  Drawing drawing{sheet.size, {}};
-  Relief relief;
+  Canvas canvas = make_canvas(titles_of(panels), paper_boxes(scenes, options, axes), values_of(scenes),
+                              longest_vector(panels), options, arrows);
+  Drawing& drawing = canvas.plate.drawing;
+  const Sheet& sheet = canvas.sheet;
   for (std::size_t p = 0; p < panels.size(); ++p) {
     const Frame& frame = sheet.frames[p];
     put_on_paper(scenes[p], frame);
-    if (options.region) {
-      trim(scenes[p], frame.box);
-      draw_frame(drawing, frame, style);
-    }
-    add_relief(relief, scenes[p], range.value_or(std::array<double, 2>{0, 1}), colours, style);
+    canvas.plate.reliefs.push_back(relief_of(scenes[p], frame.box, canvas));
+    for (const SurfaceLine& line : scenes[p].ghosts) draw_ghost(drawing, line, frame.box, style);
+    std::vector<PointVector> vectors = regular_sample(scenes[p].bodies, vector_step(style));
+    vectors.insert(vectors.end(), scenes[p].vectors.begin(), scenes[p].vectors.end());
+    draw_vectors(drawing, vectors, canvas.vector_scale, frame.box, style.unit);
+    if (options.region) draw_frame(drawing, frame, style);
     draw_names(drawing, panels[p].names, axes, frame, style);
     draw_marks(drawing, within(on_paper(panels[p].marks, axes, frame), frame.box, !options.region, style), frame.box,
                style);
-    draw_panel_title(drawing, titles[p], frame, sheet.panel_title_size, style);
+    draw_panel_title(drawing, panels[p].title, frame, sheet.panel_title_size, style);
   }
-  if (options.axis_names) draw_triad(drawing, {sheet.arrows[0] + left, sheet.arrows[1] + below}, axes, style);
+  if (options.axis_names) draw_triad(drawing, {sheet.arrows[0] + left, sheet.arrows[1] + below}, axes, names, style);
   if (options.ruler)
     draw_ruler(drawing, {sheet.whole[0], sheet.whole[2] - ruler_room(style)}, sheet.frames.back().x, options.unit,
                style);
-  if (shown) draw_colorbar(drawing, sheet.bar, *range, values->all, colours, options.field_label, style);
-  draw_title(drawing, options.title, sheet.whole, style);
-  return {std::move(drawing), {}, std::move(relief), sheet.frames};
+  return finished(std::move(canvas), options);
 }
 
 void align(SolidOptions& options, const std::vector<SolidPanel>& panels) {
   check(panels);
   const Mat<3> axes = picture_axes(options.camera);
   const std::vector<Scene> scenes = scenes_of(panels, axes, style_of(options));
-  options.extent = hull(paper_boxes(scenes, options, axes));
-  if (const auto values = values_of(scenes))
-    options.range = colour_range(*values, options.range, is_diverging(options.colormap), options.field_label);
-}
-
-void draw_solids(const std::vector<SolidPanel>& panels, const SolidOptions& options, const std::string& file) {
-  const Format format = format_of(file);
-  write_whole(file, bytes_of(figure_of(make_plate(panels, options)), format, options.transparent));
+  align(options, paper_boxes(scenes, options, axes), values_of(scenes), longest_vector(panels));
 }
 
 } // namespace signorini::view

@@ -16,7 +16,8 @@ struct SolidPanel {
   std::optional<CutPlane> cut = {};  ///< of bodies and obstacles
   std::vector<PointMark> marks = {}; ///< drawn on top of all that is in front of them
   Names names = {};
-  std::vector<Window> windows = {}; ///< for what is tessellated here: obstacles that are no RigidSurface
+  std::vector<PointVector> vectors = {}; ///< beside those of the bodies
+  std::vector<Window> windows = {};      ///< for what is tessellated here: obstacles that are no RigidSurface
 };
 
 /// As PictureOptions, with a camera; `region`, a box in space, takes the place of `crop`: the picture ends where the
@@ -26,7 +27,7 @@ struct SolidOptions : PictureOptions {
   std::optional<Bounds> region = {};
 };
 
-/// As those of plane panels.
+/// As those of plane panels, all states seen by one camera. Axes are shown by three arrows.
 Plate make_plate(const std::vector<SolidPanel>& panels, const SolidOptions& options);
 void align(SolidOptions& options, const std::vector<SolidPanel>& panels);
 
@@ -34,8 +35,5 @@ void check_part(const std::vector<SolidPanel>& panels, const SolidOptions& optio
 
 /// Throws Error when all states are cut and nothing is taken away from any.
 void check_cuts(const std::vector<SolidPanel>& panels);
-
-/// As draw_sheet, all states seen by one camera. Axes are shown by three arrows.
-void draw_solids(const std::vector<SolidPanel>& panels, const SolidOptions& options, const std::string& file);
 
 } // namespace signorini::view

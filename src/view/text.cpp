@@ -41,6 +41,12 @@ bool is_word(char32_t p) {
   return is_letter(p) || is_digit(p);
 }
 
+/// Signs that have an index as letters have: integrals, sums, derivatives.
+bool is_operator(char32_t p) {
+  constexpr std::u32string_view signs = U"∫∬∭∮∯∂∇∑∏⋃⋂";
+  return signs.find(p) != signs.npos;
+}
+
 using CodePoints = std::vector<char32_t>;
 
 /// CodePoints [from, to) stand on another level, and the text goes on at `next`.
@@ -65,7 +71,8 @@ std::optional<Group> group_at(const CodePoints& points, std::size_t i) {
   while (is_word(at(end))) ++end;
   if (at(i) == U'^') return Group{i + 1, end, end};
   // Names of more than one letter before it, or of several parts, are names of files and columns.
-  const bool lone = is_letter(points[i - 1]) && (i == 1 || (!is_word(points[i - 2]) && points[i - 2] != U'_'));
+  const bool lone = is_operator(points[i - 1]) ||
+                    (is_letter(points[i - 1]) && (i == 1 || (!is_word(points[i - 2]) && points[i - 2] != U'_')));
   if (!lone || at(end) == U'_') return std::nullopt;
   return Group{i + 1, end, end};
 }
@@ -119,9 +126,7 @@ std::vector<char32_t> code_points(std::string_view utf8) {
 void warn_of_broken(std::string_view utf8) {
   std::string shown;
   for (char32_t point : code_points(utf8)) shown += to_utf8(point);
-  if (shown != utf8)
-    warn("the text '" + shown +
-         "' is not UTF-8: signs stand in the place of what cannot be read; save the script as UTF-8");
+  if (shown != utf8) warn("view.text.encoding", {{"text", shown}});
 }
 
 std::vector<TextRun> text_runs(std::string_view utf8) {

@@ -15,8 +15,9 @@ struct TextRun {
 
 /// Splits a text where its level changes. Unicode's superscripts and subscripts (10⁻³, σ₁₁) come back as plain
 /// characters on their level: few fonts hold all of them. `_{…}` lowers and `^{…}` raises what the braces hold; `^`
-/// raises the letters and digits behind it, with their sign (mm^2, 10^-3), and `_` behind a single letter lowers them
-/// (u_y, p_max). So max_pressure and a_b_c are plain. A backslash before _ ^ { } or \\ stands for the sign itself.
+/// raises the letters and digits behind it, with their sign (mm^2, 10^-3), and `_` behind a single letter, or a sign
+/// such as ∫ or ∂, lowers them (u_y, p_max, ∫_Γ). So max_pressure and a_b_c are plain. A backslash before _ ^ { } or
+/// \\ stands for the sign itself.
 std::vector<TextRun> text_runs(std::string_view utf8);
 
 /// Size of a run's characters and height of its baseline, relative to the line's size.
@@ -30,7 +31,7 @@ std::string to_utf8(char32_t point);
 /// Warns of a text that is not UTF-8.
 void warn_of_broken(std::string_view utf8);
 
-/// Width in pixels of a line as it will be drawn, proportional to its size (flat_renderer.hpp).
+/// Width in pixels of a line as it will be drawn, proportional to its size (renderer.hpp).
 double text_width(std::string_view utf8, double size);
 
 } // namespace signorini::view

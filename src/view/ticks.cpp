@@ -84,9 +84,8 @@ std::string in_digits(double value) {
 void require_drawable(double low, double high, bool log) {
   // Beyond these, lengths and steps are no longer numbers of full precision.
   constexpr double largest = 1e300, narrowest = 1e-300;
-  require(std::max(std::abs(low), std::abs(high)) <= largest && high - low >= narrowest,
-          "what is drawn must lie within ±1e300 and spread over 1e-300 at least; choose other units");
-  require(!log || high / low <= largest, "what is drawn on a logarithmic scale must spread over 300 decades at most");
+  require(std::max(std::abs(low), std::abs(high)) <= largest && high - low >= narrowest, "view.ticks.bounds");
+  require(!log || high / low <= largest, "view.ticks.decades");
 }
 
 Ticks linear_ticks(double low, double high, int count) {

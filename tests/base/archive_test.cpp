@@ -83,7 +83,7 @@ TEST(Archive, ChecksSectionsAndSizes) {
   ArchiveWriter out;
   out.section("one", [](ArchiveWriter& to) { to.put(Vec<2>(1, 2)); });
   EXPECT_EQ(message_of([&] { ArchiveReader(out.bytes()).section("two"); }),
-            "the section 'two' was expected, 'one' came");
+            "base.archive.section: expected = two, found = one");
   EXPECT_THROW(ArchiveReader(ArchiveReader(out.bytes()).section("one")).get<Vec<3>>(), Error);
 }
 
@@ -107,14 +107,14 @@ TEST(ArchiveFile, SaysWhatIsWrongWithAFile) {
   };
   write_archive(file, trial, example());
   const std::string good = read_whole(file);
-  holds(message("PK\3\4 something else"), "'" + file + "' is not a trial of signorini");
-  holds(message(""), "is not a trial");
+  holds(message("PK\3\4 something else"), "base.archive.kind: file = " + file + ", kind = trial");
+  holds(message(""), "base.archive.kind");
   std::string newer = good;
   newer[std::strlen("SIGNORINI trial\n")] = 8;
-  holds(message(newer), "was written in format 8, this program reads format 7");
-  holds(message(good + "x"), "is damaged: 1 bytes follow its end");
+  holds(message(newer), "written = 8, known = 7");
+  holds(message(good + "x"), "damage = (base.archive.trailing: count = 1)");
   for (std::size_t length = std::strlen("SIGNORINI trial\n"); length < good.size(); ++length)
-    holds(message(good.substr(0, length)), "is damaged: it is cut off");
+    holds(message(good.substr(0, length)), "damage = (base.archive.cut_off: length = ");
   // Any one bit, wherever it is.
   for (std::size_t bit = 0; bit < 8 * good.size(); ++bit) {
     std::string flipped = good;

@@ -46,7 +46,7 @@ TEST(Jobs, HandOverWhatEachReturned) {
     ASSERT_EQ(ends.size(), 7U);
     for (const auto& [i, end] : ends) {
       EXPECT_EQ(end.output, "square " + std::to_string(i * i));
-      EXPECT_EQ(end.failure, "");
+      EXPECT_EQ(bare_text(end.failure), "");
     }
   }
   expect_no_children();
@@ -96,7 +96,7 @@ TEST(Jobs, NoMoreThanAllowedRunAtOnce) {
 
 TEST(Jobs, EmptyTextIsAResult) {
   const Ends ends = ends_of(1, {}, [](int) { return ""; });
-  EXPECT_EQ(ends.at(0).failure, "");
+  EXPECT_EQ(bare_text(ends.at(0).failure), "");
 }
 
 TEST(Jobs, ReturnMoreThanAPipeHolds) {
@@ -120,10 +120,10 @@ TEST(Jobs, TellWhyTheyDidNotReturn) {
     }
     return "fine";
   });
-  EXPECT_EQ(ends.at(0).failure, "died of signal 9");
-  EXPECT_EQ(ends.at(1).failure, "failed: no luck");
-  EXPECT_EQ(ends.at(2).failure, "left with status 3 before it returned anything");
-  EXPECT_EQ(ends.at(3).failure, "");
+  EXPECT_EQ(bare_text(ends.at(0).failure), "base.jobs.signal: signal = 9");
+  EXPECT_EQ(bare_text(ends.at(1).failure), "base.jobs.threw: error = no luck");
+  EXPECT_EQ(bare_text(ends.at(2).failure), "base.jobs.status: status = 3");
+  EXPECT_EQ(bare_text(ends.at(3).failure), "");
   EXPECT_EQ(ends.at(3).output, "fine");
   EXPECT_EQ(ends.at(1).output, "");
   expect_no_children();
@@ -134,8 +134,8 @@ TEST(Jobs, EndAtTheirLimit) {
     for (;;) pause();
     return "";
   });
-  EXPECT_EQ(ends.at(0).failure, "time");
-  EXPECT_EQ(ends.at(1).failure, "time");
+  EXPECT_EQ(bare_text(ends.at(0).failure), "base.jobs.time");
+  EXPECT_EQ(bare_text(ends.at(1).failure), "base.jobs.time");
   expect_no_children();
 }
 

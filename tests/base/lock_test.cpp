@@ -18,8 +18,10 @@ TEST(Lock, IsHeldByOneAtATime) {
   {
     const Lock first(file);
     const std::string message = message_of([&] { Lock second(file); });
-    EXPECT_NE(message.find("is held by process " + std::to_string(::getpid()) + " on "), std::string::npos) << message;
-    EXPECT_NE(message.find("wait until it has ended, or choose another folder"), std::string::npos) << message;
+    EXPECT_NE(
+        message.find("base.lock.held: file = " + file + ", holder = process " + std::to_string(::getpid()) + " on "),
+        std::string::npos)
+        << message;
   }
   EXPECT_EQ(message_of([&] { Lock third(file); }), "no error");
 }
@@ -37,7 +39,7 @@ TEST(Lock, EndsWithItsProcess) {
   }
   char byte;
   ASSERT_EQ(::read(ready[0], &byte, 1), 1);
-  EXPECT_NE(message_of([&] { Lock mine(file); }).find("held by process " + std::to_string(holder)), std::string::npos);
+  EXPECT_NE(message_of([&] { Lock mine(file); }).find("holder = process " + std::to_string(holder)), std::string::npos);
   ::kill(holder, SIGKILL);
   ASSERT_EQ(::waitpid(holder, nullptr, 0), holder);
   EXPECT_EQ(message_of([&] { Lock mine(file); }), "no error");
@@ -46,7 +48,7 @@ TEST(Lock, EndsWithItsProcess) {
 }
 
 TEST(Lock, SaysWhereItCannotBeMade) {
-  EXPECT_NE(message_of([] { Lock lock("/proc/signorini/lock"); }).find("cannot write '/proc/signorini/lock'"),
+  EXPECT_NE(message_of([] { Lock lock("/proc/signorini/lock"); }).find("base.lock.write: file = /proc/signorini/lock"),
             std::string::npos);
 }
 

@@ -23,8 +23,9 @@ TEST(Process, HandsWordsOverAsTheyAre) {
 }
 
 TEST(Process, TellsWhatAProgramSaidThatFailed) {
-  EXPECT_EQ(message_of({"sh", "-c", "echo no disk; exit 3"}), "sh failed and said: no disk\n");
-  EXPECT_NE(message_of({"no-such-program-anywhere"}).find("cannot run no-such-program-anywhere"), std::string::npos);
+  EXPECT_EQ(message_of({"sh", "-c", "echo no disk; exit 3"}), "base.process.failed: program = sh, output = no disk\n");
+  EXPECT_NE(message_of({"no-such-program-anywhere"}).find("base.process.start: program = no-such-program-anywhere"),
+            std::string::npos);
   EXPECT_TRUE(has_program("sh"));
   EXPECT_FALSE(has_program("no-such-program-anywhere"));
 }

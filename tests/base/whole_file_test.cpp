@@ -28,31 +28,33 @@ TEST(WholeFile, NamesFileAndCureWhenItCannotWrite) {
   const test::ScratchFolder folder;
   const std::string nowhere = folder.file("missing") + "/a.txt";
   const std::string message = message_of([&] { write_whole(nowhere, "x"); });
-  EXPECT_NE(message.find(nowhere), std::string::npos) << message;
-  EXPECT_NE(message.find("does not exist; create it first: sg.mkdir \"" + folder.file("missing") + "\""),
+  EXPECT_NE(message.find("base.file.no_folder: file = " + nowhere + ", folder = " + folder.file("missing")),
             std::string::npos)
       << message;
 
   write_whole(folder.file("file"), "x");
   const std::string below = message_of([&] { write_whole(folder.file("file") + "/a/b.txt", "x"); });
-  EXPECT_NE(below.find("'" + folder.file("file") + "' is a file, not a folder"), std::string::npos) << below;
+  EXPECT_NE(below.find("above = " + folder.file("file")), std::string::npos) << below;
   std::filesystem::remove(folder.file("file"));
   const std::string home = message_of([&] { write_whole("~/a.txt", "x"); });
-  EXPECT_NE(home.find("only the shell knows '~'"), std::string::npos) << home;
+  EXPECT_NE(home.find("base.file.tilde"), std::string::npos) << home;
 
   std::filesystem::create_directory(folder.file("folder"));
-  EXPECT_NE(message_of([&] { write_whole(folder.file("folder"), "x", true); }).find("it is a folder"),
+  EXPECT_NE(message_of([&] { write_whole(folder.file("folder"), "x", true); }).find("base.file.write_folder"),
             std::string::npos);
-  EXPECT_NE(message_of([&] { write_whole("/proc/signorini.txt", "x"); }).find("choose a file"), std::string::npos);
+  EXPECT_NE(
+      message_of([&] { write_whole("/proc/signorini.txt", "x"); }).find("base.file.write: file = /proc/signorini.txt"),
+      std::string::npos);
   EXPECT_EQ(folder.count(), 1);
 }
 
 TEST(WholeFile, NamesWhatItCannotRead) {
   const test::ScratchFolder folder;
   const std::string message = message_of([&] { read_whole(folder.file("a")); });
-  EXPECT_NE(message.find("cannot read '" + folder.file("a") + "': No such file"), std::string::npos) << message;
+  EXPECT_NE(message.find("base.file.read: file = " + folder.file("a") + ", reason = No such file"), std::string::npos)
+      << message;
   std::filesystem::create_directory(folder.file("folder"));
-  EXPECT_NE(message_of([&] { read_whole(folder.file("folder")); }).find("it is a folder"), std::string::npos);
+  EXPECT_NE(message_of([&] { read_whole(folder.file("folder")); }).find("base.file.read_folder"), std::string::npos);
 }
 
 /// A process that is gone left its file; one that still writes, and files of other names, are let alone.

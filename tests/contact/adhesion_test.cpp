@@ -129,10 +129,10 @@ TEST(Adhesion, OnAFlatRigidMasterTheTangentIsThePublishedOne) {
 }
 
 TEST(Adhesion, ErrorsNameTheArgument) {
-  EXPECT_ERROR(check(Adhesion{-0.1, 0.4}), "adhesion: hamaker must be a positive number");
-  EXPECT_ERROR(check(Adhesion{0, 0.4}), "got 0");
-  EXPECT_ERROR(check(Adhesion{0.1, 0}), "adhesion: r0 must be a positive number");
-  EXPECT_ERROR(check(Adhesion{0.1, std::nan("")}), "got nan");
+  EXPECT_ERROR(check(Adhesion{-0.1, 0.4}), "contact.adhesion.hamaker: value = -0.1");
+  EXPECT_ERROR(check(Adhesion{0, 0.4}), "contact.adhesion.hamaker: value = 0");
+  EXPECT_ERROR(check(Adhesion{0.1, 0}), "contact.adhesion.distance: value = 0");
+  EXPECT_ERROR(check(Adhesion{0.1, std::nan("")}), "contact.adhesion.distance");
 }
 
 } // namespace adhesion_test

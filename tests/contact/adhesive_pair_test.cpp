@@ -108,13 +108,13 @@ TEST(AdhesivePair, WhereLimitsTheContactToAPartOfTheFace) {
     return Pair<2>(face(), Obstacle<2>(make_plane<2>({0, 0}, {0, 1})), law, 4, false,
                    [](const Vec<2>&) { return false; });
   };
-  EXPECT_ERROR(nowhere(), "where holds nowhere on the slave face");
+  EXPECT_ERROR(nowhere(), "contact.points.none");
 }
 
 TEST(AdhesivePair, ErrorsNameTheArgument) {
   const auto build = [](const Law& any) { Couple("N2", make_plane<2>({0, 0}, {0, 1}), any, 1, 1); };
-  EXPECT_ERROR(build(Adhesion{-1, 1}), "hamaker must be a positive number");
-  EXPECT_ERROR(build(Adhesion{1, -1}), "r0 must be a positive number");
+  EXPECT_ERROR(build(Adhesion{-1, 1}), "contact.adhesion.hamaker: value = -1");
+  EXPECT_ERROR(build(Adhesion{1, -1}), "contact.adhesion.distance: value = -1");
 }
 
 } // namespace adhesive_pair_test

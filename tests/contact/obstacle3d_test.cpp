@@ -134,10 +134,10 @@ TEST(ObstacleInSpace, SlipPointOnASurfaceKeepsLengthAndDirection) {
 }
 
 TEST(ObstacleInSpace, ErrorsNameTheArgument) {
-  EXPECT_ERROR(make_cylinder({0, 0, 0}, {0, 0, 0}, 1), "axis must not be zero");
-  EXPECT_ERROR(make_cylinder({0, 0, 0}, {0, 0, 1}, -1), "radius must be a positive number");
-  EXPECT_ERROR(make_ball<3>({0, 0, 0}, 0), "radius must be a positive number");
-  EXPECT_ERROR(make_plane<3>({0, 0, 0}, {0, 0, 0}), "normal must not be zero");
+  EXPECT_ERROR(make_cylinder({0, 0, 0}, {0, 0, 0}, 1), "contact.cylinder.axis");
+  EXPECT_ERROR(make_cylinder({0, 0, 0}, {0, 0, 1}, -1), "contact.obstacle.radius: radius = -1");
+  EXPECT_ERROR(make_ball<3>({0, 0, 0}, 0), "contact.obstacle.radius: radius = 0");
+  EXPECT_ERROR(make_plane<3>({0, 0, 0}, {0, 0, 0}), "contact.plane.normal");
 }
 
 } // namespace obstacle3d_test

@@ -169,11 +169,11 @@ TEST(Obstacle, CurvesAgreeWithClosedForms) {
 
 TEST(Obstacle, ErrorsNameTheArgument) {
   const double nan = std::nan("");
-  EXPECT_ERROR(make_plane<2>({0, 0}, {0, 0}), "normal must not be zero");
-  EXPECT_ERROR(make_plane<2>({0, nan}, {0, 1}), "point and normal must be finite");
-  EXPECT_ERROR(make_ball<2>({0, 0}, 0), "radius must be a positive number (length), got 0");
-  EXPECT_ERROR(make_ball<2>({0, 0}, nan), "radius must be a positive number");
-  EXPECT_ERROR(make_ball<2>({nan, 0}, 1), "centre must be finite");
+  EXPECT_ERROR(make_plane<2>({0, 0}, {0, 0}), "contact.plane.normal");
+  EXPECT_ERROR(make_plane<2>({0, nan}, {0, 1}), "contact.plane.finite");
+  EXPECT_ERROR(make_ball<2>({0, 0}, 0), "contact.obstacle.radius: radius = 0");
+  EXPECT_ERROR(make_ball<2>({0, 0}, nan), "contact.obstacle.radius");
+  EXPECT_ERROR(make_ball<2>({nan, 0}, 1), "contact.obstacle.center");
 }
 
 } // namespace obstacle_test

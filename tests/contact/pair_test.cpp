@@ -237,10 +237,10 @@ TEST(Pair, GapsAreKnownForOpenPointsToo) {
 
 TEST(Pair, ErrorsNameTheArgument) {
   const auto build = [](PenaltyLaw law) { Couple("N2", slab("N2"), law, 1, 1); };
-  EXPECT_ERROR(build({0, 100, 0.2}), "penalty must be positive");
-  EXPECT_ERROR(build({-1, 100, 0.2}), "penalty must be positive");
-  EXPECT_ERROR(build({100, 100, -0.1}), "mu must not be negative");
-  EXPECT_ERROR(build({100, 0, 0.2}), "friction: penalty must be positive");
+  EXPECT_ERROR(build({0, 100, 0.2}), "contact.penalty.normal: value = 0");
+  EXPECT_ERROR(build({-1, 100, 0.2}), "contact.penalty.normal: value = -1");
+  EXPECT_ERROR(build({100, 100, -0.1}), "contact.penalty.friction: value = -0.1");
+  EXPECT_ERROR(build({100, 0, 0.2}), "contact.penalty.tangential: value = 0");
 }
 
 } // namespace pair_test

@@ -43,10 +43,10 @@ check.case("a list that was changed leaves the default alone", function()
 end)
 
 check.case("values of the wrong type", function()
-  refused({ steps = 10 }, "steps=x", "steps must be a whole number of at least 1, got 'x'")
-  refused({ steps = 10 }, "steps=2.5", "steps must be a whole number of at least 1, got '2.5'")
-  refused({ steps = 10 }, "steps=0", "steps must be a whole number of at least 1, got '0'")
-  refused({ sizes = { 1, 2 } }, "sizes=1,x,3", "sizes must be whole numbers of at least 1, got 'x' in '1,x,3'")
+  refused({ steps = 10 }, "steps=x", "steps must be a whole number, 1 or more, got 'x'")
+  refused({ steps = 10 }, "steps=2.5", "steps must be a whole number, 1 or more, got '2.5'")
+  refused({ steps = 10 }, "steps=0", "steps must be a whole number, 1 or more, got '0'")
+  refused({ sizes = { 1, 2 } }, "sizes=1,x,3", "sizes must be whole numbers, 1 or more, got 'x' in '1,x,3'")
   refused({ penalty = 2.5 }, "penalty=stiff", "penalty must be a number, got 'stiff'")
   refused({ penalty = 2.5 }, "penalty=nan", "penalty must be a number, got 'nan'")
   refused({ penalty = 2.5 }, "penalty=1e999", "penalty must be a number, got '1e999'")
@@ -54,29 +54,30 @@ check.case("values of the wrong type", function()
   refused({ loads = { 0, 0.5 } }, "loads=none", "loads must be numbers, got 'none'")
   refused({ keep = false }, "keep=maybe", "keep must be yes or no, got 'maybe'")
   refused({ keep = false }, "keep=true", "keep must be yes or no, got 'true'")
-  refused({ label = "N2" }, "label=", "label must be a text, got nothing")
-  refused({ labels = { "N2" } }, "labels=", "labels must be texts, got nothing")
+  refused({ label = "N2" }, "label=", "label must be a string, got nothing")
+  refused({ labels = { "N2" } }, "labels=", "labels must be strings, got nothing")
 end)
 
 check.case("choices and limits", function()
   local load = { load = { "force", choices = { "force", "displacement" } } }
   check.equal(sg.arguments(load, { "load=displacement" }).load, "displacement")
-  refused(load, "load=x", "load must be force or displacement, got 'x'")
-  refused(load, "load=forse", "load must be force or displacement, got 'forse'; did you mean 'force'?")
+  refused(load, "load=x", "load must be 'force' or 'displacement', got 'x'")
+  refused(load, "load=forse", "load must be 'force' or 'displacement', got 'forse'; did you mean 'force'?")
   local meshes = { meshes = { { "m1" }, choices = { "m1", "m2", "m3" } } }
   check.equal(sg.arguments(meshes, { "meshes=m3,m1" }).meshes, { "m3", "m1" })
-  refused(meshes, "meshes=m1,m9", "meshes must be among m1, m2 and m3, got 'm9' in 'm1,m9'; did you mean 'm1'?")
+  refused(meshes, "meshes=m1,m9",
+    "meshes must be values among 'm1', 'm2' and 'm3', got 'm9' in 'm1,m9'; did you mean 'm1'?")
   local dimensions = { dimensions = { { 2, 3 }, choices = { 2, 3 } } }
   check.equal(sg.arguments(dimensions, { "dimensions=3" }).dimensions, { 3 })
-  refused(dimensions, "dimensions=4", "dimensions must be among 2 and 3, got '4'")
+  refused(dimensions, "dimensions=4", "dimensions must be values among 2 and 3, got '4'")
   local limits = { every = { { 0, 10 }, at_least = 0 }, gap = { 5.0, at_least = 0, below = 10.4 },
                    share = { 0.5, above = 0, at_most = 1 }, fine = { { 1.5 }, above = 1e-6, none = true } }
   local options = sg.arguments(limits, { "every=0", "gap=0", "share=1" })
   check.equal({ options.every, options.gap, options.share }, { { 0 }, 0, 1 })
-  refused(limits, "every=-1", "every must be whole numbers of at least 0, got '-1'")
-  refused(limits, "gap=10.4", "gap must be a number of at least 0 and below 10.4, got '10.4'")
-  refused(limits, "share=0", "share must be a number above 0 and of at most 1, got '0'")
-  refused(limits, "share=1.1", "share must be a number above 0 and of at most 1, got '1.1'")
+  refused(limits, "every=-1", "every must be whole numbers, 0 or more, got '-1'")
+  refused(limits, "gap=10.4", "gap must be a number, 0 or more and below 10.4, got '10.4'")
+  refused(limits, "share=0", "share must be a number above 0 and at most 1, got '0'")
+  refused(limits, "share=1.1", "share must be a number above 0 and at most 1, got '1.1'")
   refused(limits, "fine=0", "fine must be numbers above 1e-06, or none, got '0'")
 end)
 
@@ -114,7 +115,7 @@ check.case("variants have arguments of their own, and defaults of their own", fu
   local deep = sg.arguments(variants, { "points=3", "variant=deep" })
   check.equal({ deep.variant, deep.points, deep.labels, deep.out }, { "deep", { 3 }, { "N2" }, "out/b" })
   check.equal(deep["repeat"], nil)
-  refused(variants, "variant=x", "variant must be plain or deep, got 'x'")
+  refused(variants, "variant=x", "variant must be 'plain' or 'deep', got 'x'")
   refused(variants, "points=3",
     "unknown argument 'points=3', which belongs to variant=deep; known with variant=plain: " ..
     "labels=N2, mesh=m1, out=out/a, repeat=1, variant=plain")
@@ -124,31 +125,31 @@ end)
 
 check.case("a script's own mistakes are errors at its line", function()
   for defaults, message in pairs {
-    [{ load = { "x", choices = { "force" } } }] = "the default of load must be force, got the string 'x'",
-    [{ offset = 0 }] = "the default of offset must be a whole number of at least 1, got the number 0",
-    [{ load = { "force", choice = { "force" } } }] = "unknown argument 'choice' in load; did you mean 'choices'?",
+    [{ load = { "x", choices = { "force" } } }] = "the default of load must be 'force', got the string 'x'",
+    [{ offset = 0 }] = "the default of offset must be a whole number, 1 or more, got the number 0",
+    [{ load = { "force", choice = { "force" } } }] = "sg.arguments: load: unknown argument 'choice'",
     [{ load = { "force", choices = { 1 } } }] = "load.choices[1] must be of the type of the default, got the number 1",
     [{ load = { choices = { "force" } } }] = "the default of load is missing",
     [{ mesh = { "m1", "m2", none = true } }] = "mesh has a list as default and restrictions: write { { m1, … }, … }",
-    [{ mesh = { "m1", 2 } }] = "the default of mesh must be a text, a number, true, false, or a list",
-    [{ scene = print }] = "the default of scene must be a text, a number",
+    [{ mesh = { "m1", 2 } }] = "the default of mesh must be a string, a number, true, false, or a list",
+    [{ scene = print }] = "the default of scene must be a string, a number",
     [{ label = { "N2", at_least = 1 } }] = "label.at_least is for numbers, and label is not one",
     [{ a = {} }] =
-      "the default of a is an empty table: write { {}, none = true } for a list of texts that may be empty",
+      "the default of a is an empty table: write { {}, none = true } for a list of strings that may be empty",
     [{ label = { "N2", none = true } }] = "label.none is for lists",
     [{ label = { "N2", check = print } }] = "label needs both check, a function, and expected",
-    [{ label = { "N2", check = 1, expected = "a" } }] = "label.check must be a function, got the number 1",
+    [{ label = { "N2", check = 1, expected = "a" } }] = "label.check must be a function",
     [{ help = "a" }] = "the string 'help' cannot be the name of an argument",
-    [{ "mesh" }] = "the number 1 cannot be the name of an argument",
-    [{ variant = { "a", variants = { b = {} } } }] = "the default of variant must be b, got the string 'a'",
+    [{ "mesh" }] = "every entry of defaults needs a name, got the string 'mesh' without one",
+    [{ variant = { "a", variants = { b = {} } } }] = "the default of variant must be 'b', got the string 'a'",
     [{ a = { "x", variants = { x = {} } }, b = { "y", variants = { y = {} } } }] = "both a and b have variants",
     [{ a = { "x", variants = { x = { a = 1 } } } }] = "the variant x chooses once more",
   } do
     local output = check.fails(function() sg.arguments(defaults, {}) end, "sg.arguments: ", message)
     check.holds(output, "arguments_test.lua:")
   end
-  check.fails(function() sg.arguments(3) end, "sg.arguments: its argument must be a table of defaults")
-  check.fails(function() sg.arguments({}, "a=1") end, "sg.arguments: words must be a list of words")
+  check.fails(function() sg.arguments(3) end, "sg.arguments: defaults must be a table of names { name = … }")
+  check.fails(function() sg.arguments({}, "a=1") end, "sg.arguments: words must be a list of strings")
   check.fails(function() sg.arguments({}, { 1 }) end, "sg.arguments: words[1] must be a string")
 end)
 
@@ -162,15 +163,15 @@ check.case("a script takes its words from the command line, and errors are one l
   check.equal({ check.script(script, "steps=3") }, { "3\n", 0 })
   check.equal({ check.script(script) }, { "10\n", 0 })
   check.equal({ check.script(script, "steps=x") },
-    { "signorini: steps must be a whole number of at least 1, got 'x'\n", 1 })
+    { "signorini: steps must be a whole number, 1 or more, got 'x'\n", 1 })
 end)
 
 check.case("the word help, or --help, prints all arguments and ends well", function()
   local page = [[
 Arguments of study.lua, with their defaults:
-  labels=N2      among N2 and N4
-  steps=10       a whole number of at least 1
-  variant=plain  plain or deep
+  labels=N2      values among 'N2' and 'N4'
+  steps=10       a whole number, 1 or more
+  variant=plain  'plain' or 'deep'
 with variant=plain also:
 with variant=deep also:
   depth=0.5  a number
@@ -188,7 +189,7 @@ check.case("a script that is called as a function, and a module that it requires
   write("outer.lua", ('print(loadfile(%q)("steps=4"))'):format(folder .. "/inner.lua"))
   check.equal({ check.program { folder .. "/outer.lua", "steps=5" } }, { "4\n", 0 })
   check.equal({ check.program { folder .. "/inner.lua", "steps=z" } },
-    { "signorini: steps must be a whole number of at least 1, got 'z'\n", 1 })
+    { "signorini: steps must be a whole number, 1 or more, got 'z'\n", 1 })
 end)
 
 check.case("files: a folder, paths that are kept, what is left out, and the list at the end", function()
@@ -211,7 +212,7 @@ check.case("files: a folder, paths that are kept, what is left out, and the list
   check.equal(files.folder, folder .. "/deep")
   assert(io.open(folder .. "/deep/x", "w")):close() -- the folder is there
   check.fails(function() files(3) end, "sg.files: the name of a file must be a string, got the number 3")
-  check.fails(function() sg.files() end, "sg.files: its argument is missing")
+  check.fails(function() sg.files() end, "sg.files: folder (name of the folder) is missing")
   check.fails(function() sg.files(folder .. "/deep/x") end, "cannot make the folder")
 end)
 
@@ -219,8 +220,9 @@ check.case("the median leaves the list as it is", function()
   local list = { 5, 1, 3 }
   check.equal({ sg.median(list), sg.median { 4, 1, 3, 2 }, sg.median { 7 } }, { 3, 2.5, 7 })
   check.equal(list, { 5, 1, 3 })
-  check.fails(function() sg.median {} end, "sg.median: its argument must be a list of numbers, got an empty table")
-  check.fails(function() sg.median { 1, 0 / 0 } end, "sg.median: its entry 2 must be a finite number")
+  check.fails(function() sg.median {} end,
+    "sg.median: numbers must be a list of at least one number, got an empty table")
+  check.fails(function() sg.median { 1, 0 / 0 } end, "sg.median: numbers[2] must be a finite number")
 end)
 
 check.case("sg.wall_time counts seconds", function()

@@ -97,13 +97,13 @@ check.case("wrong arguments", function()
   check.refused(script, {
     ["mesh=4x4/8x4x4"] = "mesh must be elements of die and slab per direction such as 4x4x4/8x4x4, got '4x4/8x4x4'",
     ["mesh=0x4x4/8x4x4"] = "mesh must be elements", ["labels=Q7"] = "Q7", ["block"] = "unknown argument 'block'",
-    ["press=0"] = "press must be a whole number of at least 1, got '0'",
+    ["press=0"] = "press must be a whole number, 1 or more, got '0'",
     ["through=2"] = "'through=2', which belongs to variant=sixty; known with variant=standard: labels=",
     ["variant=sixty slide=9"] = "'slide=9', which belongs to variant=standard; known with variant=sixty: labels=N2,",
     ["variant=sixty mesh=2x2x1/8x3x2"] = "mesh=2x2x1/8x3x2: half of the scene has half of the elements across, so that "
       .. "both numbers (2 and 3) must be even; or part=whole",
     ["variant=sixty points=x"] = "points must be whole numbers of at least 1, or auto, got 'x'",
-    ["variant=x"] = "variant must be standard or sixty, got 'x'",
+    ["variant=x"] = "variant must be 'standard' or 'sixty', got 'x'",
   }, "out=" .. folder)
 end)
 

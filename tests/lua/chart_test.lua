@@ -28,6 +28,7 @@ check.case("options change the picture", function()
   local seen = {}
   local variants = {
     {}, { log = "y" }, { log = "xy" }, { xrange = { 0, 10 } }, { yrange = { -5, 20 } }, { legend = false },
+    { legend = "outside" },
     { title = "t" },
     { [1] = { y = { 1, 4, 9 }, label = "x squared", markers = true } },
     { [1] = { y = { 1, 4, 9 }, label = "x squared", dashed = true } },
@@ -137,7 +138,7 @@ check.case("gray belongs to no curve", function()
   sg.chart { file = file, x = { 1, 2 }, { y = { 1, 2 }, label = "front", color = "gray", width = 12 } }
   check.holds(core.read_file(file), "stroke-width:12;stroke-linecap:butt;stroke-linejoin:round;stroke:rgb(76.8")
   check.fails(function() sg.chart { file = file, x = { 1, 2 }, { y = { 1, 2 }, color = "red" } } end,
-    '[1].color must be the number of a curve, or "gray"', "'red'")
+    "[1].color must be the number of a curve or 'gray'", "'red'")
 end)
 
 check.case("wrong arguments", function()
@@ -154,7 +155,7 @@ check.case("wrong arguments", function()
     { { file = folder .. "/chart.gif" }, "sg.chart", "chart.gif" },
     { { file = folder .. "/none/chart.png" }, "sg.chart", "none" },
     { { log = "y", [1] = { y = { 0, 1, 2 } } }, "sg.chart", "log" },
-    { { [1] = { y = { 1, 2, 3 }, color = 0 } }, "[1].color must be a whole number" },
+    { { [1] = { y = { 1, 2, 3 }, color = 0 } }, "[1].color must be the number of a curve", "give a value from 1" },
     { { [1] = { y = { 1, 2, 3 }, marker = "star" } }, "[1].marker must be 'circle', 'square'", "'none'" },
     { { [1] = { y = { 1, 2, 3 }, line = false, markers = true, marker = "none" } }, "neither line nor markers" },
     { { [1] = { y = { 1, 2, 3 }, width = -1 } }, "[1].width must be a positive number" },
@@ -172,7 +173,7 @@ check.case("wrong arguments", function()
   for _, case in ipairs(wrong) do check.fails(function() sg.chart(chart(case[1])) end, table.unpack(case, 2)) end
   check.fails(function() sg.chart { file = "a.png" } end, "no curve is given")
   check.fails(function() sg.chart { file = "a.png", { y = { 1 } } } end, "[1].x is missing")
-  check.fails(function() sg.chart { { y = { 1 } } } end, "file", "is missing")
+  check.fails(function() sg.chart(3) end, "sg.chart takes a table of named arguments, got the number 3")
 end)
 
 check.done()

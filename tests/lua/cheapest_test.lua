@@ -2,8 +2,9 @@
 
 local sg = require "signorini"
 local check = require "check"
+local core = require "signorini.core"
 
-local study = { name = "ironing", parameters = { "order", "mesh" }, figures = { "dPx", "dofs" },
+local study = setmetatable({ name = "ironing", parameters = { "order", "mesh" }, figures = { "dPx", "dofs" },
                 units = { wall = "s", dPx = "%" }, rows = {
   { order = "N4", mesh = { 12, 4 }, wall = 3, dPx = -0.03, dofs = 400 },
   { order = "N2", mesh = { 12, 4 }, wall = 1, dPx = 0.2, dofs = 300 },
@@ -11,7 +12,7 @@ local study = { name = "ironing", parameters = { "order", "mesh" }, figures = { 
   { order = "N2", mesh = { 24, 8 }, wall = 9, dPx = 0.05, dofs = 200 },
   { order = "N6", mesh = { 12, 4 }, wall = 0.5, failed = true, reason = "diverged" },
   { order = "N6", mesh = { 24, 8 }, wall = 0.1 },
-} }
+} }, core.types.study)
 
 check.case("the cheapest case that is good enough, and the runner-up", function()
   local best, second = sg.cheapest(study, { error = "dPx", at_most = 0.05 })
@@ -45,12 +46,14 @@ check.case("wrong arguments", function()
   local function fails(options, ...)
     check.fails(function() sg.cheapest(study, options) end, "cheapest_test.lua:", ...)
   end
-  check.fails(function() sg.cheapest({}, {}) end, "its first argument must be a study")
-  fails(nil, "error is missing")
-  fails({ error = "dPx" }, "at_most is missing: it must be the largest error that is good enough")
-  fails({ error = "dPx", at_most = "5%" }, "at_most must be a positive number, got the string '5%'")
-  fails({ error = "dPx", at_most = 0 / 0 }, "at_most must be a positive number, got nan")
-  fails({ error = "dPx", at_most = 0 }, "at_most must be a positive number, got the number 0")
+  check.fails(function() sg.cheapest({}, {}) end, "sg.cheapest: study must be a study, got an empty table")
+  fails(nil, "error (", "is missing")
+  fails({ error = "dPx" }, "at_most (largest error that is allowed) is missing: it must be a positive number")
+  fails({ error = "dPx", at_most = "5%" },
+    "at_most must be a positive number (largest error that is allowed), got the string '5%'")
+  fails({ error = "dPx", at_most = 0 / 0 }, "at_most must be a finite number (largest error that is allowed), got nan")
+  fails({ error = "dPx", at_most = 0 },
+    "at_most must be a positive number (largest error that is allowed), got the number 0")
   fails({ error = "dPx", atmost = 1 }, "unknown argument 'atmost'", "did you mean 'at_most'?")
   fails({ error = "dPx", at_most = 1, cost = "time" }, "cost must be")
   fails({ error = "dPx", at_most = 1, cost = "order" },

@@ -23,7 +23,7 @@ end)
 
 check.case("wrong arguments", function()
   local function run(word) assert(loadfile(core.home .. "/scripts/checkpoint_cost.lua"))(word, "out=" .. folder) end
-  check.fails(function() run "every=-1" end, "every must be whole numbers of at least 0, got '-1'")
+  check.fails(function() run "every=-1" end, "every must be whole numbers, 0 or more, got '-1'")
   check.fails(function() run "evry=1" end, "unknown argument 'evry=1'")
 end)
 

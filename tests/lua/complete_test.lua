@@ -51,7 +51,7 @@ check.case("named arguments where they may stand, without those that are there",
   check.equal(all "x = sg.body{ patch = sg.shapes.rectangle{ w", { "width = " })
   check.equal(all "sg.cheapest(study, { at", { "at_most = " })
   check.equal(all "patch:refine{ ele", { "elements = " })
-  check.equal(all 'sg.picture{ file = "{.png", fi', { "field = ", "fields = " })
+  check.equal(all 'sg.picture{ file = "{.png", fi', { "fields = ", "field = " })
   check.equal(all "sg.chart{ f", { "file = " })
   check.equal(all "sg.rigid.plane{ point = {0, 0}, no", { "normal = " })
 end)
@@ -65,7 +65,7 @@ model = sg.model { bodies = { slab = slab }, supports = { grip = { on = slab:fac
 check.case("named arguments of tables in tables, whatever the user calls them", function()
   check.equal(all "sg.model{ contacts = { c = { friction = { m", { "mu = " })
   check.equal(all 'sg.model{ bodies = {}, supports = { interface = { on = slab:face "south", ',
-    { "fix = ", "drive = ", "rotate = ", "symmetry = " })
+    { "fix = ", "drive = ", "free = ", "rotate = ", "symmetry = ", "traction = ", "pressure = " })
   check.equal(all "sg.model{ loads = { a = {}, b = {\n", { "on = ", "traction = ", "pressure = " })
   check.equal(all "model:run(stages, { newton = { l", { "line_search = " })
   check.equal(all "model:run(stages, { step = { min = 1/8, m", { "max = " })
@@ -103,55 +103,6 @@ check.case("texts of closed sets, and names of an object's parts", function()
   check.equal(all 'sg.cheapest(study, { error = "or', { "order" })
   for _, free in ipairs { 'sg.picture{ file = "', 'io.open("', 'x = "', 'nothing "', 'slab:edge "' } do
     check.equal(all(free), {})
-  end
-end)
-
-check.case("these sets are those that the functions name themselves", function()
-  local values = require "signorini.complete.values"
-  local function named(call)
-    local _, message = pcall(call)
-    local list = {}
-    local said = message:gsub(": did you mean.*", ""):gsub(", got .*", "")
-    for word in said:gmatch "'([%w_-]+)'" do list[#list + 1] = word end
-    return list
-  end
-  local cube = sg.body { patch = sg.shapes.block { size = { 1, 1, 1 } }, elements = { 1, 1, 1 }, order = "N1",
-    material = sg.neo_hookean { E = 1, nu = 0.3 } }
-  local function picture(more) more.file = "a.png"; return function() sg.picture(more) end end
-  local solid = sg.model { bodies = { cube = cube }, supports = { s = { on = cube:face "front", fix = "xyz" } } }
-  local rows = {
-    { "sg.model", "kind", function() sg.model { bodies = { slab = slab }, kind = "?" } end },
-    { "sg.model", "fix",
-      function() sg.model { bodies = { c = cube }, supports = { a = { on = cube:face "front", fix = "?" } } } end },
-    { "model:run", "linear", function() model:run({ { steps = 1 } }, { linear = "?" }) end },
-    { "model:run", "predictor", function() model:run({ { steps = 1 } }, { predictor = "?" }) end },
-    { "model:run", "line_search", function() model:run({ { steps = 1 } }, { newton = { line_search = "?" } }) end },
-    { "sg.picture", "colormap", picture { model = model, colormap = "?" } },
-    { "sg.picture", "camera", picture { model = solid, camera = "?" } },
-    { "sg.picture", "cut", picture { model = solid, cut = "?" } },
-    { "sg.picture", "mirror", picture { model = solid, mirror = "?" } },
-    { "sg.chart", "log", function() sg.chart { file = "a.png", x = { 1, 2 }, { y = { 1, 2 } }, log = "?" } end },
-    { "sg.shapes.hollow_hemisphere", "poles",
-      function() sg.shapes.hollow_hemisphere { inner = 1, outer = 2, poles = "?" } end },
-    { "sg.profile_error", "zone",
-      function() sg.profile_error { profile = model:profile "ground", reference = print, zone = "?" } end },
-  }
-  for _, row in ipairs(rows) do
-    local page, key, call = table.unpack(row)
-    local known, said = values.of_key(page, key), named(call)
-    table.sort(known)
-    table.sort(said)
-    if #said == 0 or table.concat(known, " ") ~= table.concat(said, " ") then
-      error(("%s of %s: %s, but the function says %s"):format(key, page, table.concat(known, " "),
-        table.concat(said, " ")))
-    end
-  end
-  check.equal(values.of_argument("body:edge", cube), named(function() cube:edge "?" end))
-  check.equal(values.of_argument("body:corner", cube), named(function() cube:corner "?" end))
-  check.equal(values.of_argument("body:corner", slab), named(function() slab:corner "?" end))
-  for _, body in ipairs { slab, cube } do
-    check.fails(function() body:face "?" end,
-      "one of " .. table.concat(values.of_argument("body:face", body), ", ") .. ", the ends of xi1")
   end
 end)
 

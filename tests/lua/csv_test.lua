@@ -51,8 +51,8 @@ check.case("columns need names, rows no more values than there are columns", fun
   check.fails(function() sg.csv.write(file, { columns = { "a" }, rows = { { 1 }, { 1, 2 } } }) end,
     "rows[2] has an entry '2', but there is 1 column")
   check.fails(function() sg.csv.read(5) end, "csv_test.lua",
-    "sg.csv.read: file must be the name of a file, got the number 5")
-  check.fails(function() sg.csv.write(nil, {}) end, "sg.csv.write: file, the first argument, is missing")
+    "sg.csv.read: file must be a string (name of the file), got the number 5")
+  check.fails(function() sg.csv.write(nil, {}) end, "sg.csv.write: file (name of the file) is missing")
   sg.csv.write(file, { columns = { "a", "b" }, rows = { { 1, "" }, { 2 } } })
   check.equal(core.read_file(file), "a,b\n1,\"\"\n2,\n")
   check.equal(sg.csv.read(file):column "b", { nil, nil })
@@ -61,7 +61,7 @@ end)
 check.case("aligned tables show what a cell can hold, and no more than there are columns", function()
   check.equal(sg.table{ columns = { "a" }, rows = { { 1 }, {}, { "x" }, { true } } }, "   a\n   1\n   –\n   x\ntrue")
   check.fails(function() sg.table{ columns = { "a" }, rows = { { {} } } } end, "csv_test.lua",
-    "sg.table: rows[1][1] must be a number, a text, true or false, got an empty table")
+    "sg.table: rows[1][1] must be a number, a string, true or false, got an empty table")
   check.fails(function() sg.table{ columns = { "a" }, rows = { { 2, 3 } } } end,
     "rows[1] has an entry '2', but there is 1 column")
 end)
@@ -104,7 +104,8 @@ check.case("wrong tables are not written, and leave the old file alone", functio
   end
   check.equal(core.read_file(file), "a\n1\n")
   check.fails(function() sg.csv.write(folder .. "/none/a.csv", { a = { 1 } }) end, "csv_test.lua:",
-    "sg.csv.write: cannot write '" .. folder .. "/none/a.csv'", 'create it first: sg.mkdir "' .. folder .. '/none"')
+    "sg.csv.write: cannot write '" .. folder .. "/none/a.csv'",
+    'Hint: create it first, sg.mkdir "' .. folder .. '/none"')
   check.fails(function() sg.csv.write(folder, { a = { 1 } }) end, "cannot write")
   check.equal(io.open(folder .. ".part"), nil)
 end)
@@ -147,7 +148,7 @@ check.case("text tables: numbers to the right, words to the left, a dash for wha
     columns = { "label", "Δ", "n" }, units = { "", "%" }, formats = { ["Δ"] = "%.1f" },
     rows = { { "N2", 100, 7 }, { "N2-N4", nil, 12 } },
   }, "label      Δ   n\n           %\nN2     100.0   7\nN2-N4      –  12")
-  check.fails(function() sg.table{ columns = { "a" } } end, "sg.table", "rows is missing")
+  check.fails(function() sg.table{ columns = { "a" } } end, "sg.table", "rows (nil where missing) is missing")
   check.fails(function() sg.table{ columns = { "a" }, rows = {}, colour = 1 } end, "unknown argument 'colour'")
 end)
 

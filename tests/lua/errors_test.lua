@@ -44,7 +44,7 @@ check.case("what is meant is said: parts of names, what has no name, tables in p
     sg.model{ bodies = { b = body }, supports = { bed = { on = body:face "south", fixed = "xy" } } }
   end, "supports.bed: unknown argument 'fixed'", "did you mean 'fix'?")
   check.fails(function() sg.model{ bodies = { b = body }, contacts = { slave = body:face "north", penalty = 1 } } end,
-    "contacts holds one contact that has no name", "contacts = { name = { slave = …")
+    "contacts holds one entry that has no name", "contacts = { name = { slave = …")
   check.fails(function() sg.body{ patch = p, elements = {2, 2}, order = "N2", material = { E = 1, nu = 0.3 } } end,
     "material must be", "sg.neo_hookean{ E = 1, nu = 0.3 }")
   check.fails(function() return sg.shapes.rect end, "did you mean 'rectangle'?")
@@ -52,7 +52,7 @@ end)
 
 check.case("wrong arguments of methods", function()
   check.fails(function() p:face "nroth" end, "patch:face", "nroth", "north")
-  check.fails(function() p:face(3) end, "name must be a string", "got the number 3")
+  check.fails(function() p:face(3) end, "name must be a face name", "got the number 3")
   check.fails(function() p:elevate(0) end, "patch:elevate: dir must be a whole number from 1 to 2", "got the number 0")
   check.fails(function() p:elevate(3) end, "got the number 3")
   check.fails(function() p:elevate(1.5) end, "without a fraction")
@@ -75,7 +75,8 @@ check.case("wrong arguments of methods", function()
     "grading[2].at must be 'start' or 'end'", "did you mean 'end'?")
   check.fails(function() p:refine { grading = { false, false } } end, "grading needs elements")
   check.fails(function() p:translate { 1 } end, "by must be a list of 2 numbers")
-  check.fails(function() p:rotate { angle = 90, axis = { 0, 0, 1 } } end, "unknown argument 'axis'")
+  check.fails(function() p:rotate { angle = 90, axis = { 0, 0, 1 } } end,
+    "axis is for patches in 3D", "leave the axis out")
   check.fails(function() p:refinne {} end, "a patch has no method 'refinne'; did you mean 'refine'?")
   check.fails(function() p.face("north") end, "patch:face must be called on a patch", "colon")
 end)
@@ -83,13 +84,14 @@ end)
 check.case("more arguments than a function takes", function()
   local c = sg.nurbs.circle { radius = 1 }
   check.fails(function() c(0.5, 0.5) end, "errors_test.lua:",
-    "patch: too many arguments: it is called as p(xi), got the number 0.5 beyond that",
+    "patch: too many arguments: it is called as patch(xi), got the number 0.5 beyond that",
     "into braces")
   check.fails(function() p:degrees(1) end,
-    "patch:degrees: too many arguments: it is called as p:degrees(), got the number 1")
-  check.fails(function() p:elevate(1, 2, 3) end, "called as p:elevate(dir, times = 1), got the number 3")
+    "patch:degrees: too many arguments: it is called as patch:degrees(), got the number 1")
+  check.fails(function() p:elevate(1, 2, 3) end, "called as patch:elevate(dir, times = 1), got the number 3")
   check.fails(function() sg.shapes.rectangle({ width = 1, height = 1 }, "x") end,
-    "sg.shapes.rectangle: too many arguments: it is called as sg.shapes.rectangle{ … }, got the string 'x'")
+    "sg.shapes.rectangle: too many arguments: it is called as sg.shapes.rectangle{ width, height, corner = {0, 0} }, "
+      .. "got the string 'x'")
   check.equal(#p:degrees(nil), 2)
 end)
 
@@ -98,16 +100,18 @@ check.case("messages name the cure that helps", function()
   check.fails(function() c("0.5") end,
     "xi must be a number (parametric coordinates), got the string '0.5': remove the quotes")
   check.near(c(1 + 1e-13), { 2, 0 }, 1e-12)
-  check.fails(function() c(1 + 1e-10) end, "xi: 1 is outside the knots, [0, 1], by 1.0000")
+  check.fails(function() c(1 + 1e-10) end, "xi = 1 is outside the knots, [0, 1], by 1.0000")
   check.fails(function() c:face "south" end, "patch:face: a curve has two end points, and no faces")
-  check.fails(function() p:face "top" end, "'top' is unknown", "the ends of xi1 and xi2 (did you mean 'north'?)")
-  local message = check.fails(function() p:face "nonsense" end, "'nonsense' is unknown")
+  check.fails(function() p:face "top" end, "face must be one of ",
+    "the ends of xi1 and xi2, got 'top'. Hint: did you mean 'north'?")
+  local message = check.fails(function() p:face "nonsense" end, "the ends of xi1 and xi2, got 'nonsense'")
   check.equal(message:find "did you mean", nil)
   check.fails(function() sg.nurbs.circle(1) end, "write sg.nurbs.circle{ radius = … }")
   message = check.fails(function() p:write "slab.vtk" end,
     "file must be a name that ends with .xml, .txt or .mesh (where the patches go)")
   check.equal(select(2, message:gsub("a name that ends", "")), 1)
-  check.fails(function() sg.nurbs.line { from = { 0, 1.5 }, to = { 0, 1.5 } } end, "the same point, (0, 1.5)")
+  check.fails(function() sg.nurbs.line { from = { 0, 1.5 }, to = { 0, 1.5 } } end,
+    "two different ends, got (0, 1.5) twice")
   check.equal(tostring(sg.rigid.plane { point = { 0, -1 }, normal = { 0, 1 } }),
     "rigid plane through (0, -1), normal (0, 1)")
 end)
@@ -119,7 +123,7 @@ check.case("wrong geometry", function()
   check.fails(function() sg.nurbs.curve { degree = 1, knots = { 0, 0, 1, 1 }, points = { { 0, 0 }, { 1, 1, 1 } } } end,
     "points[2]")
   check.fails(function() sg.nurbs.surface { degrees = { 1, 1 }, knots = { { 0, 0, 1, 1 } }, points = { { 0, 0 } } } end,
-    "knots must be a list of 2 knot vectors")
+    "knots must be a list of 2 lists of numbers (open knot vectors, one per direction)")
   check.fails(function() sg.nurbs.ruled { a = p, b = 3 } end, "b must be a patch", "got the number 3")
   check.fails(function() sg.nurbs.extrude { along = { 0, 0, 1 } } end, "patch (what is swept) is missing")
 end)
@@ -245,9 +249,9 @@ end)
 
 check.case("shapes that a far corner rounds away, lists with names", function()
   check.fails(function() sg.shapes.block { size = { 1, 1, 1 }, corner = { 1e300, 0, 0 } } end,
-    "sg.shapes.block: size x: 1 is lost in rounding beside corner x = 1e+300")
+    "sg.shapes.block: size x = 1 is lost in rounding error next to corner x = 1e+300")
   check.fails(function() sg.shapes.rectangle { width = 1, height = 1, corner = { 0, 1e20 } } end,
-    "height: 1 is lost in rounding beside corner y = 1e+20")
+    "height = 1 is lost in rounding error next to corner y = 1e+20")
   check.fails(function() p:translate { 1, 2, Fix = 1 } end, "got a list of 2 values with the key 'Fix'")
 end)
 

@@ -62,7 +62,8 @@ check.case("hollow hemispheres: exact radii, the ring on top, full volume, poles
   end
   check.near(sg.shapes.hollow_hemisphere { inner = 1, outer = 2 } { 0, 0.5, 0 }, { -2, 0, 0 })
   check.fails(function() sg.shapes.hollow_hemisphere { inner = 1, outer = 2, poles = "top" } end, "poles", "ends")
-  check.fails(function() sg.shapes.hollow_hemisphere { inner = 2, outer = 1 } end, "must be below the outer")
+  check.fails(function() sg.shapes.hollow_hemisphere { inner = 2, outer = 1 } end,
+    "inner must be below outer, 1, got 2")
 end)
 
 check.case("solids swept, turned, ruled and blended fill what they should", function()
@@ -109,13 +110,15 @@ check.case("what cannot be a volume says so", function()
   local square = sg.nurbs.extrude { patch = line, along = { 0, 1, 0 } }
   local cube = sg.nurbs.extrude { patch = square, along = { 0, 0, 1 } }
   check.fails(function() sg.nurbs.extrude { patch = cube, along = { 1, 0, 0 } } end, "got a volume")
-  check.fails(function() sg.nurbs.extrude { patch = square, along = { 0, 0, 0 } } end, "along: it has no length")
-  check.fails(function() sg.nurbs.revolve { patch = square, angle = 0 } end, "angle: it is 0")
-  check.fails(function() sg.nurbs.line { from = { 0, 0, 0 }, to = { 0, 0, 0 } } end, "ends at the same point")
+  check.fails(function() sg.nurbs.extrude { patch = square, along = { 0, 0, 0 } } end, "along must not be zero")
+  check.fails(function() sg.nurbs.revolve { patch = square, angle = 0 } end,
+    "angle must lie between -360 and 360 degrees and not be 0, got 0")
+  check.fails(function() sg.nurbs.line { from = { 0, 0, 0 }, to = { 0, 0, 0 } } end,
+    "a line must have two different ends, got (0, 0, 0) twice")
   check.fails(function() sg.shapes.block { size = { 1, 0, 1 } } end, "size")
   check.fails(function()
     sg.shapes.spherical_indenter { width = 10, depth = 10, height = 11, radius = 7, elements = 1 }
-  end, "radius: a sphere of radius 7 does not reach the corners")
+  end, "so that the sphere reaches the corners, got 7")
   check.fails(function() cube:face "top" end, "west, east, south, north, front, back")
   check.fails(function() square:face "front" end, "west, east, south, north")
 end)
@@ -135,16 +138,16 @@ check.case("left-handed and crossing volumes are no bodies", function()
   end
   assert(turned(square, 90))
   assert(turned(square:translate { -2, 0, 0 }, 360)) -- touches its axis
-  check.fails(function() turned(square, -90) end, "sg.body: patch: the map is not right-handed (Jacobian -", cure)
-  check.fails(function() turned(square:translate { -2.5, 0, 0 }, 90) end, "patch: the map is not right-handed", cure)
+  check.fails(function() turned(square, -90) end, "sg.body: the patch's map is not right-handed (Jacobian -", cure)
+  check.fails(function() turned(square:translate { -2.5, 0, 0 }, 90) end, "the patch's map is not right-handed", cure)
   local flat = sg.nurbs.ruled { a = square, b = square:translate { 1, 0, 0.5 } }
-  check.fails(function() solid(flat, { 1, 1, 1 }, "N1") end, "patch: the map has no volume (Jacobian 0) near (2.42",
+  check.fails(function() solid(flat, { 1, 1, 1 }, "N1") end, "the patch's map has no volume (Jacobian 0) near (2.42",
     "folded flat")
   local points = sg.shapes.block { size = { 1, 1, 1 } }:points()
   points[1], points[2] = points[2], points[1]
   local U = { 0, 0, 1, 1 }
   local crossed = sg.nurbs.volume { degrees = { 1, 1, 1 }, knots = { U, U, U }, points = points }
-  check.fails(function() solid(crossed, { 1, 1, 1 }, "N1") end, "patch: the map is not right-handed", cure)
+  check.fails(function() solid(crossed, { 1, 1, 1 }, "N1") end, "the patch's map is not right-handed", cure)
   check.fails(function() solid(square, { 1, 1 }, "N1") end, "a volume in 3D")
 end)
 
@@ -158,7 +161,7 @@ check.case("between plane and space", function()
   check.fails(function() raised:to_space { z = 1 } end, "patch:to_space: the patch lies in 3D already",
     "patch:translate")
   check.fails(function() raised:rotate { angle = 30, axis = { 1, 0, 0 } }:to_plane() end,
-    "patch:to_plane: z of its control points goes from 1.59", "to 2.59", "patch:rotate")
+    "patch:to_plane: the control points must have one z for all, but z goes from 1.59", "to 2.59", "patch:rotate")
   check.fails(function() sg.shapes.block { size = { 1, 1, 1 } }:to_plane() end, "patch:to_plane: a volume does not fit")
   check.fails(function() solid(raised, { 1, 1 }, "N2") end, "this one is a surface in 3D", "patch:to_plane()")
   local file = os.tmpname()
@@ -201,7 +204,7 @@ check.case("labels per direction, layers on any face, none across a pole", funct
   end
   assert(alone(solid(half, { 2, 2, 1 }, "N2-N2.2", "front")))
   check.fails(function() alone(solid(half, { 2, 2, 1 }, "N2-N2.2", "west")) end,
-    "face 'south' of this body collapses across the layer on 'west'", "or another contact face")
+    "face 'south' of this body collapses across the layer on contact face 'west'", "or another contact face")
 end)
 
 --- The force on a rigid plane that presses a hemisphere held at its ring.

@@ -187,11 +187,12 @@ check.case("wrong directions and mirrors", function()
   check.fails(function() p:reverse(3) end, "patch:reverse: dir must be a whole number from 1 to 2", "got the number 3")
   check.fails(function() sg.nurbs.circle{ radius = 1 }:swap(1, 2) end,
     "patch:swap: a curve has one parametric direction")
-  check.fails(function() p:swap(1) end, "patch:swap: j (parametric direction, counted from 1) is missing")
+  check.fails(function() p:swap(1) end,
+    "patch:swap: j (parametric direction) is missing: it must be a whole number from 1 to 2")
   check.fails(function() p:swap(2, 2) end, "patch:swap: j must be another direction than i", "got the number 2")
-  check.fails(function() p:mirror { normal = { 0, 0 } } end, "patch:mirror: normal: it has no length")
+  check.fails(function() p:mirror { normal = { 0, 0 } } end, "patch:mirror: normal must not be zero")
   check.fails(function() p:mirror { 1, 0 } end, "takes named arguments")
-  check.fails(function() p:scale { factor = { -1, 1 } } end, "-1 is not positive", "patch:mirror{ normal")
+  check.fails(function() p:scale { factor = { -1, 1 } } end, "factors must be positive, got -1", "patch:mirror{ normal")
 end)
 
 check.case("patches outlive the garbage collector as long as Lua holds them", function()

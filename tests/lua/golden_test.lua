@@ -79,10 +79,14 @@ local function picture(model, more)
   end
 end
 
-local names = { "chart", "log_chart", "chart_inset", "hysteresis", "heatmap", "outcomes", "stress", "sheet", "marks",
-                "patch", "block", "cut", "mirrored" }
+local names = { "chart", "letters", "log_chart", "chart_inset", "hysteresis", "heatmap", "outcomes", "stress", "sheet",
+                "marks", "patch", "block", "cut", "mirrored", "contours", "vectors" }
 local draw = {
   chart = chart,
+  letters = function(file) -- of three scripts, with indices
+    sg.chart{ file = file, size = small, x = x, title = "Łódź, μ = 0.2: 摩擦系数", xlabel = "ξ¹ along Γ_c",
+              ylabel = "∫_Γ t·δu dΓ", { y = fall, label = "½ ε_N g_N²" }, { y = swing, label = "接触压力" } }
+  end,
   log_chart = function(file)
     chart(file, { log = "y", hlines = { { 0.01, "1 %" } }, legend_title = "order" })
   end,
@@ -109,6 +113,8 @@ local draw = {
   end,
   block = picture(deep, { field = "szz", title = "A quarter" }),
   cut = picture(deep, { field = "von_mises", cut = "-y", camera = { from = { 1, -2, 1 } } }),
+  contours = picture(flat, { field = "syy", contours = true, mesh = false, axes = { "x / mm", "depth / mm" } }),
+  vectors = picture(deep, { vectors = "displacement", undeformed = true, mirror = "x", unit = "mm" }),
   mirrored = picture(deep, { field = "uz", mirror = "xy", unit = "mm" }),
 }
 

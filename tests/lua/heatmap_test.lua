@@ -113,20 +113,22 @@ check.case("wrong arguments", function()
     { { lable = "a" }, "unknown argument 'lable' (the string 'a'); did you mean 'label'?" },
     { { x = {} }, "x must be a list of at least one name" },
     { { x = { "a", {}, "c" } }, "x[2] must be a string or a number" },
-    { { y = 3 }, "y must be a list of names or numbers" },
-    { { values = { { 1, 2, 3 } } }, "values must be a list of 2 rows, one for each y (rows of cells)" },
+    { { y = 3 }, "y must be a list of at least one name or number" },
+    { { values = { { 1, 2, 3 } } }, "values must be a list of 2 rows, one for each y" },
     { { values = { { 1, 2, 3, 4 }, { 1 } } }, "values[1] must be a list of 3 entries, one for each x" },
     { { values = { { 1, 2, 3 }, 7 } }, "values[2] must be a list of 3 entries" },
     { { values = { { 1, "held", 3 }, { 4, 5, 6 } } }, "values[1][2] must be a number, nil or nan", "categories" },
     { { values = { {}, {} } }, "all blank" },
-    { { log = true, values = { { 1, 0, 3 }, { 4, 5, 6 } } }, "values[1][2] is 0", "logarithmic" },
+    { { log = true, values = { { 1, 0, 3 }, { 4, 5, 6 } } },
+      "values[1][2] must be above 0 on a logarithmic scale, got 0" },
     { { range = { 2, 1 } }, "range must rise" },
     { { colormap = "jet" }, "colormap must be" },
     { { size = { 640 } }, "size must be a list of 2 whole numbers" },
     { { file = folder .. "/map.gif" }, "map.gif", ".png, .svg or .pdf" },
     { { categories = held }, "values[1][1] must be the name of a category" },
     { { categories = held, values = { { "hold" }, {} } }, "values[1][1] is 'hold'", "did you mean 'held'?" },
-    { { categories = held, values = outcomes, log = true }, "log is for maps of numbers" },
+    { { categories = held, values = outcomes, log = true },
+      "log cannot be combined with categories, it is for maps of numbers" },
     { { categories = {}, values = outcomes }, "categories must be a list of at least one category" },
     { { categories = { "held", "held" }, values = outcomes }, "categories[2] has the name 'held' of an earlier one" },
     { { categories = { { name = "held", colour = "blue" } }, values = outcomes }, "categories[1].colour", "#d55e00" },
@@ -142,7 +144,7 @@ check.case("wrong arguments", function()
   map.panels = { { values = { { 1 }, { 2 } } } }
   check.fails(function() sg.heatmap(map) end, "panels[1].values must be a list of 1 row,")
   map.values = { { 1 } }
-  check.fails(function() sg.heatmap(map) end, "values belongs to each of the panels")
+  check.fails(function() sg.heatmap(map) end, "values cannot be combined with panels, each of which has its own")
   map.values, map.panels = nil, {}
   check.fails(function() sg.heatmap(map) end, "panels must be a list of at least one map")
 end)

@@ -4,16 +4,15 @@
 local check = require "check"
 local core = require "signorini.core"
 local sg = require "signorini"
-local examples_of = require "signorini.help.examples"
-local keys_of = require("signorini.help.keys").of_page
+local examples_of = require("signorini.help.page_text").examples
 local names = require "signorini.help.names"
-local pages = require "signorini.help.pages"
+local pages = require "signorini.pages"
 local scripts = require "signorini.help.scripts"
-local subjects = require "signorini.help.subjects"
 
 -- Methods of Lua's types that the library calls; users read about the others.
 local private = {
-  run = "new begin_stage begin_step record_attempt record_probe record_cutback add_extra record_extra drop_step "
+  run = "new account begin_stage begin_step record_attempt record_probe record_cutback add_extra record_extra "
+    .. "drop_step "
     .. "record_step record_arc record_control record_failure keep_state info finish",
   study = "row_of gather",
 }
@@ -29,10 +28,9 @@ local function is_private(type_name, key)
 end
 
 local function check_page(value, name)
-  local page = core.names[value] and core.docs[core.names[value]]
+  local page = core.names[value] and pages.find(core.names[value])
   if not page then error(name .. " has no help page") end
-  if not page:find "\n" then error(name .. " has a page of one line only") end
-  if not subjects.is_public(core.names[value]) then error(name .. " is in none of help's groups") end
+  if #page.text < 20 then error(name .. " has a page that says nothing") end
 end
 
 check.case("every public name has a page", function()
@@ -47,7 +45,7 @@ check.case("every public name has a page", function()
   visit(sg, "sg")
   for type_name, methods in pairs(core.types) do
     if type_name ~= "lock" then
-      if not core.docs[type_name] then error(type_name .. " has no help page") end
+      if not pages.find(type_name) then error(type_name .. " has no help page") end
       for key, value in pairs(methods) do
         if type(value) == "function" and not is_private(type_name, key) then
           check_page(value, type_name .. ":" .. key)
@@ -77,85 +75,47 @@ check.case("help finds the scripts that come along, and shows what they solve", 
 end)
 
 check.case("lists give each page a line with its first sentence", function()
-  local names = {}
-  for name in pairs(core.docs) do
-    if subjects.is_public(name) then names[#names + 1] = name end
-  end
-  check.equal(#names > 130, true)
-  for i, line in ipairs(lines_of(pages.list(names))) do
-    local summary = line:match "%S  +(%S.*)$"
-    if utf8.len(line) > 118 or not summary or #summary < 8 then error(names[i] .. " is listed as " .. line) end
-  end
-  check.equal(pages.list { "study:with" },
-    "  study:with(name, …)  The study with one figure more, made from each row; nil where it is not known")
-  check.equal({ pages.head "help", pages.head "sg.picture" },
-    { "help(…)", "sg.picture{ model, file, field, fields, … }" })
-end)
-
-check.case("internal pages are in no list", function()
-  local output = check.program({}, 'help "_"\nhelp "core"\nhelp "jobs"\n')
-  check.equal(output:find("core.", 1, true), nil)
-  check.holds(output, "At the prompt:", "no page on 'core'", "study:execute{ jobs, limit, again }")
-end)
-
-check.case("every page is about something, and is internal or in a group", function()
-  for name in pairs(core.docs) do
-    if not name:find "^core%." and not name:find "^lock" then
-      if not subjects.is_public(name) then error(name .. " is in none of help's groups") end
-      if name ~= "traceback" and not names.value(name) and not rawget(core.types, name) then
-        error(name .. " is no name of the language")
-      end
-    end
-  end
-end)
-
-check.case("the page shows the named arguments that the function takes", function()
   local checked = 0
-  local function message_of(name, call)
-    local ok, message = pcall(call)
-    if ok then error(name .. " takes an argument that does not exist") end
-    return message:match "[Kk]nown: ([%w_, ]+)"
-  end
-  local body = sg.body { patch = sg.shapes.rectangle { width = 1, height = 1 }, elements = { 1, 1 }, order = "N1",
-    material = sg.linear_elastic { E = 1, nu = 0.3 } }
-  local study = sg.study { name = "a", cases = sg.grid { a = { 1 } }, run = function() return {} end }
-  local selves = { patch = sg.shapes.block { size = { 1, 1, 1 } }, study = study,
-    map = setmetatable({}, core.types.map), series = setmetatable({}, core.types.series),
-    model = sg.model { bodies = { a = body }, supports = { s = { on = body:face "south", fix = "xy" } } } }
-  local free = { ["sg.grid"] = true, ["sg.arguments"] = true, ["study:where"] = true, ["study:row"] = true,
-    ["sg.table"] = true,
-    ["sg.csv.write"] = true, ["model:iterate"] = true, ["sg.robust"] = true, ["study:execute"] = false }
-  for name, page in pairs(core.docs) do
-    local keys = keys_of(page)
-    if #keys > 0 and not free[name] and subjects.is_public(name) then
-      local value, type_name = names.value(name), name:match "^([%w_]+):"
-      local arguments = { { no_such_argument = 1 } }
-      local first = page:match "^[%w_.:]+%((%w+)"
-      if first then table.insert(arguments, 1, ({ study = study, stages = { { steps = 1 } } })[first] or "a.pvd") end
-      if type_name then table.insert(arguments, 1, (assert(selves[type_name], name))) end
-      local known, shown = message_of(name, function() value(table.unpack(arguments)) end), {}
-      if not known then error(name .. " does not say which arguments it knows") end
-      for key in known:gmatch "[%w_]+" do
-        shown[key] = true
-        if not keys[key] then error(("the head of the page of %s lacks '%s'"):format(name, key)) end
-      end
-      for _, key in ipairs(keys) do
-        if not shown[key] then
-          error(("the head of the page of %s has '%s', which is no argument"):format(name, key))
-        end
-      end
+  for _, group in ipairs(pages.groups()) do
+    local output = check.program({}, ("help %q\n"):format(group.word))
+    check.holds(output, group.title .. ":\n")
+    for line in output:gmatch "\n(  %S[^\n]*)" do
+      local summary = line:match "%S  +(%S.*)$"
+      if utf8.len(line) > 118 or not summary or #summary < 8 then error("a page is listed as " .. line) end
       checked = checked + 1
     end
   end
-  check.equal(checked > 40, true)
+  check.equal(checked > 130, true)
+  check.equal({ pages.short_head(pages.find "sg.picture", 46), pages.short_head(pages.find "study:with", 46) },
+    { "sg.picture{ model, state, patch, states, … }", "study:with(name, make, unit)" })
 end)
 
-check.case("the parts of a scene and its path have pages", function()
-  local texts = require "signorini.help.texts"
-  check.holds(texts.contact, "friction: { mu, penalty }", "points:", "3 (p + 1)", "adhesion:", "where:", "Source:")
-  check.holds(texts.support, "fix:", "drive:", "free:", "rotate:", "symmetry:")
-  check.holds(texts.load, "traction:", "pressure:")
-  check.holds(texts.stage, "steps:", "Values count from the reference state")
+check.case("every page is about something", function()
+  for _, group in ipairs(pages.groups()) do
+    for _, page in ipairs(group) do
+      if not page.head and not names.value(page.name) then error(page.name .. " is no name of the language") end
+    end
+  end
+end)
+
+check.case("every argument of a table is read by the code, and no key stands twice", function()
+  local code = {}
+  for _, folder in ipairs { "src/bind", "lua/signorini", "lua/signorini/study", "lua/signorini/stability_map",
+                            "lua/signorini/work_precision" } do
+    for _, file in ipairs(core.list_folder(core.home .. "/" .. folder)) do
+      if file:find "%.[lch]" then code[#code + 1] = core.read_file(("%s/%s/%s"):format(core.home, folder, file)) end
+    end
+  end
+  code = table.concat(code)
+  for _, name in ipairs(pages.names()) do
+    local seen = {}
+    for _, key in ipairs(pages.keys(pages.find(name).named or {})) do
+      if seen[key] then error(("%s has two rows of the key '%s'"):format(name, key)) end
+      seen[key] = true
+      local is_read = code:find('"' .. key .. '"', 1, true) or code:find("%." .. key .. "%f[^%w_]")
+      if not is_read then error(("%s: nothing reads the argument '%s'"):format(name, key)) end
+    end
+  end
 end)
 
 check.case("every example runs on the scene of the examples, and gives what it says", function()
@@ -173,9 +133,10 @@ check.case("every example runs on the scene of the examples, and gives what it s
       if expected and got ~= expected then print(("FAILED %s: %s instead of %s"):format(name, got, expected)) end
     end]] }
   local count = 0
-  for _, group in ipairs(subjects.groups) do
-    for _, name in ipairs(subjects.pages(group)) do
-      for _, code in ipairs(select(2, examples_of(core.docs[name]))) do
+  for _, group in ipairs(pages.groups()) do
+    for _, page in ipairs(group) do
+      for _, code in ipairs(examples_of(page)) do
+        local name = page.name
         count = count + 1
         local expected = code:match "%-%->%s*(.-)%s*$"
         lines[#lines + 1] = ("example(%q, %q, %s)"):format(name, code, expected and ("%q"):format(expected) or "nil")
@@ -193,30 +154,20 @@ check.case("every example runs on the scene of the examples, and gives what it s
   check.equal(count > 60, true)
 end)
 
-check.case("every function that is not internal has an example", function()
-  local without = { ["model:cost_figures"] = true, ["model:diagnose"] = true, ["traceback"] = true }
-  for name, page in pairs(core.docs) do
-    local is_type = rawget(core.types, name)
-    if subjects.is_public(name) and not is_type and not without[name] and not page:find "\nExample: " then
+check.case("every function has an example", function()
+  local without = { ["model:diagnose"] = true, ["traceback"] = true }
+  for _, name in ipairs(pages.names()) do
+    local page = pages.find(name)
+    if (page.named or page.arguments) and names.value(name) and not without[name] and #examples_of(page) == 0 then
       error(name .. " has no example")
     end
   end
 end)
 
 check.case("a word finds pages of the language only", function()
-  local found, said = 0, nil
-  local print_as_ever = print
-  print = function(text) said = text end
-  for name, page in pairs(core.docs) do
-    local last = name:match "^core%.([%w_]+)$"
-    if last then
-      found = found + 1
-      require("signorini.help").show(last)
-      if said:find("core." .. last, 1, true) then print_as_ever(said) error("help finds core." .. last) end
-    end
-  end
-  print = print_as_ever
-  check.equal(found > 10, true)
+  local output = check.program({}, 'help "core"\nhelp "remove_leftovers"\nhelp "_"\nhelp "jobs"\n')
+  check.equal(output:find("core.", 1, true), nil)
+  check.holds(output, "At the prompt:", "no page on 'remove_leftovers'", "study:execute{ jobs, limit, again = false }")
 end)
 
 check.case("share/doc/reference.md holds what is on the pages", function()

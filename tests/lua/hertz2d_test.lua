@@ -66,8 +66,8 @@ end)
 check.case("wrong arguments", function()
   check.refused(script, { ["mesh=m1"] = "unknown argument 'mesh=m1'; did you mean 'meshes'? known: labels=",
     ["meshes=m9"] = "got 'm9'",
-                               ["load=weight"] = "load must be force or displacement, got 'weight'",
-                               ["sizes=1,0.5"] = "sizes must be numbers of at least 1, got '0.5'",
+                               ["load=weight"] = "load must be 'force' or 'displacement', got 'weight'",
+                               ["sizes=1,0.5"] = "sizes must be numbers, 1 or more, got '0.5'",
                                ["steps=x"] = "steps must be", ["labels=Q7"] = "Q7" }, "out=" .. folder, "reference=m1")
 end)
 

@@ -50,7 +50,7 @@ end)
 check.case("wrong arguments", function()
   check.refused(script, { ["mesh=m1"] = "unknown argument 'mesh=m1'; did you mean 'meshes'? known: around=",
     ["meshes=m9"] = "got 'm9'",
-                               ["around=0"] = "around must be whole numbers of at least 1, got '0'",
+                               ["around=0"] = "around must be whole numbers, 1 or more, got '0'",
                                ["steps=0"] = "steps must be", ["labels=Q7"] = "Q7" }, "out=" .. folder)
 end)
 

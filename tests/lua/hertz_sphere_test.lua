@@ -44,7 +44,7 @@ end)
 check.case("wrong arguments", function()
   check.refused(script, { ["mesh=m1"] = "unknown argument 'mesh=m1'; did you mean 'meshes'? known: labels=",
     ["meshes=m9"] = "got 'm9'",
-                               ["sizes=0"] = "sizes must be numbers of at least 1, got '0'",
+                               ["sizes=0"] = "sizes must be numbers, 1 or more, got '0'",
                                ["steps=0"] = "steps must be", ["labels=Q7"] = "Q7" }, "out=" .. folder)
 end)
 

@@ -87,11 +87,12 @@ check.case("wrong arguments", function()
   local script = core.home .. "/scripts/ironing3d.lua"
   check.refused(script, {
     ["labls=N2"] = "unknown argument 'labls=N2'; did you mean 'labels'? known with variant=standard: cap=1",
-    ["N2"] = "unknown argument 'N2'", ["radius=5"] = "radius must be numbers of at least 7.1, got '5'",
-    ["gap=11"] = "gap must be numbers of at least 0 and below 10.4, got '11'",
-    ["variant=steep"] = "variant must be standard, cost, depth or friction, got 'steep'",
-    ["slide=half"] = "slide must be window or full, got 'half'", ["cap=0"] = "cap must be a whole number of at least 1",
-    ["variant=cost mesh=m1"] = "mesh must be among sparse, coarse, middle and fine, got 'm1'",
+    ["N2"] = "unknown argument 'N2'", ["radius=5"] = "radius must be numbers, 7.1 or more, got '5'",
+    ["gap=11"] = "gap must be numbers, 0 or more and below 10.4, got '11'",
+    ["variant=steep"] = "variant must be 'standard', 'cost', 'depth' or 'friction', got 'steep'",
+    ["slide=half"] = "slide must be 'window' or 'full', got 'half'",
+    ["cap=0"] = "cap must be a whole number, 1 or more",
+    ["variant=cost mesh=m1"] = "mesh must be values among 'sparse', 'coarse', 'middle' and 'fine', got 'm1'",
   }, "out=" .. folder)
 end)
 

@@ -112,11 +112,4 @@ check.case("models are solved in jobs of a program that has used threads", funct
   check.equal(status, 0)
 end)
 
-check.case("wrong arguments", function()
-  local function none() end
-  check.fails(function() core.jobs(1, 0, none, none) end, "core.jobs: at_once")
-  check.fails(function() core.jobs(1, 1, "run", none) end, "core.jobs: run must be a function")
-  check.fails(function() core.jobs(1, 1, none, none, -1) end, "core.jobs: limit must be a positive number")
-end)
-
 check.done()

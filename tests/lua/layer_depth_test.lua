@@ -61,9 +61,10 @@ end)
 
 check.case("wrong arguments", function()
   for word, message in pairs { ["problem=rings"] = "did you mean 'problems'? known: hertz=meshes=m2;sizes=1",
-                               ["problems=rings,peel"] = "problems must be among peeling, ironing, hertz and rings",
+                               ["problems=rings,peel"] =
+                                 "problems must be values among 'peeling', 'ironing', 'hertz' and 'rings'",
                                ["rows=0"] = "rows must be whole numbers of at least 1, or all, got '0'",
-                               ["repeat=x"] = "repeat must be a whole number of at least 1, got 'x'" } do
+                               ["repeat=x"] = "repeat must be a whole number, 1 or more, got 'x'" } do
     local output, status = check.program { "-q", core.home .. "/scripts/layer_depth.lua", "out=" .. folder, word }
     check.equal(status, 1)
     check.holds(output, message)

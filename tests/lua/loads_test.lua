@@ -127,13 +127,13 @@ end
 ]]
 local wrong = {
   { "one component of a traction", "sg.model(with{ on = east, traction = {1} })",
-    "sg.model: loads.push.traction must be a list of 2 numbers {x, y} (force per reference area)",
+    "sg.model: loads.push.traction must be a list of 2 or 3 numbers (dead load {tx, ty}, in 3D {tx, ty, tz})",
     "got a list of 1 value" },
   { "a number as traction", "sg.model(with{ on = east, traction = 1 })",
-    "loads.push.traction must be a list of 2 numbers", "put it into braces" },
+    "loads.push.traction must be a list of 2 or 3 numbers", "put it into braces" },
   { "traction and pressure", "sg.model(with{ on = east, traction = {1, 0}, pressure = 2 })",
-    "loads.push must have one of traction = {tx, ty} and pressure = p" },
-  { "neither traction nor pressure", "sg.model(with{ on = east })", "loads.push must have one of traction" },
+    "loads.push: it must have one of traction = {tx, ty} ({tx, ty, tz} in 3D) and pressure = p" },
+  { "neither traction nor pressure", "sg.model(with{ on = east })", "loads.push: it must have one of traction" },
   { "a string for a pressure", [[sg.model(with{ on = east, pressure = "2" })]], "loads.push.pressure must be a number",
     "got the string '2'", "remove the quotes" },
   { "nan", "sg.model(with{ on = east, pressure = 0 / 0 })", "loads.push.pressure must be a finite number" },
@@ -145,9 +145,9 @@ local wrong = {
   { "a load with a support's name", [[sg.model{ bodies = { a = a }, supports = { w = { on = east, fix = "x" } },
       loads = { w = { on = east, pressure = 1 } } }]], "loads.w has the name of a support", "choose another name" },
   { "one target for a traction", "sg.model(with{ on = east, traction = {0, 0} }):run{ { steps = 1, push = 3 } }",
-    "model:run: stage 1.push must be a list of 2 values (tx, ty), got the number 3" },
+    "model:run: stages[1].push must be a list of 2 numbers (tx, ty), got the number 3" },
   { "two targets for a pressure", "sg.model(with{ on = east, pressure = 0 }):run{ { steps = 1, push = {1, 2} } }",
-    "model:run: stage 1.push must be a list of 1 value (pressure), got a list of 2 values" },
+    "model:run: stages[1].push must be a list of 1 number (pressure), got a list of 2 values" },
 }
 for _, case in ipairs(wrong) do
   check.case(case[1], function()

@@ -106,7 +106,7 @@ check.case("a thin body behind an obstacle is found although its length is many 
     sg.model{ bodies = { strip = strip }, supports = { wall = { on = strip:face "west", fix = "xy" } },
               contacts = { c = { slave = strip:face "south", penalty = 10,
                                  master = sg.rigid.surface(sg.nurbs.line{ from = {12, 0}, to = {-2, 0} }) } } }
-  end, "the obstacle of 'c' is inside body 'strip' at the start", "0.05 deep")
+  end, "contacts.c: the obstacle is inside body 'strip' at the start", "0.05 deep")
 end)
 
 check.done()

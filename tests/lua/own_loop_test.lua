@@ -114,7 +114,7 @@ check.case("moves are accepted in equilibrium only, and rolled back", function()
   model:move(zeros(model))
   check.fails(function() model:accept() end, "own_loop_test.lua:",
     "model:accept: the state is not in equilibrium yet: its residual is ",
-    "move on, or roll back")
+    "Hint: move on, or call model:rollback()")
   model:rollback()
   check.equal(model:displacements(), accepted)
   local change = zeros(model)
@@ -138,7 +138,7 @@ check.case("wrong moves", function()
   local model = scene()
   local count = #model:residual()
   check.fails(function() model:move { 1, 2 } end,
-    ("model:move: du must be a list of %d numbers, as m:residual() is"):format(count),
+    ("model:move: du must be a list of %d numbers, as model:residual() is"):format(count),
     "got a list of 2 values")
   local change = zeros(model)
   change[3] = 0 / 0

@@ -47,12 +47,16 @@ check.case("curves, surfaces and volumes are drawn, and every option changes the
   check.equal(draw{ patch = fine, camera = "top" } == draw{ patch = fine }, false)
 end)
 
-check.case("frames of patches make a sheet", function()
-  local frames = {}
+check.case("pictures of patches make a sheet", function()
+  local pictures = {}
   for i = 1, 2 do
-    frames[i] = sg.frame{ patch = ring:refine{ elements = { 2 * i, i } }, title = 2 * i .. " elements" }
+    pictures[i] = sg.picture{ patch = ring:refine{ elements = { 2 * i, i } }, title = 2 * i .. " elements" }
   end
-  check.equal(draw{ frames = frames } == draw{ frames = { frames[2], frames[1] } }, false)
+  local function sheet(list)
+    sg.sheet{ list, file = folder .. "/sheet.png", size = 400 }
+    return bytes_of(folder .. "/sheet.png")
+  end
+  check.equal(sheet(pictures) == sheet { pictures[2], pictures[1] }, false)
 end)
 
 check.case("cells of a .vtu file are the patch's elements with control points of their own", function()
@@ -71,9 +75,11 @@ end)
 check.case("what is refused", function()
   local file = folder .. "/no.png"
   check.fails(function() sg.picture{ patch = ring, field = "uy", file = file } end,
-    "field is for models, and patch draws a shape that is none yet")
-  check.fails(function() sg.picture{ patch = ring, states = {}, file = file } end, "states is for models")
-  check.fails(function() sg.picture{ patch = block, cut = "y", file = file } end, "cut is for models")
+    "field cannot be combined with patch, it is for models: leave one of them out")
+  check.fails(function() sg.picture{ patch = ring, deformed = true, file = file } end,
+    "deformed cannot be combined with patch, it is for models")
+  check.fails(function() sg.picture{ patch = block, cut = "y", file = file } end,
+    "cut cannot be combined with patch, it is for models")
   check.fails(function() sg.picture{ patch = { ring, block }, file = file } end, "patch[2] is in 3D and patch[1] in 2D")
   check.fails(function() sg.picture{ patch = {}, file = file } end, "list of at least one patch")
   check.fails(function() sg.picture{ patch = ring, camera = "top", file = file } end, "camera is for")

@@ -75,9 +75,10 @@ end)
 
 check.case("wrong arguments", function()
   check.refused(script, { ["label=N2"] = "unknown argument 'label=N2'; did you mean 'labels'? known: dimensions=",
-                               ["dimensions=4"] = "dimensions must be among 2 and 3, got '4'",
-                               ["materials=steel"] = "materials must be among linear and neo_hooke, got 'steel'",
-                               ["sides=open"] = "sides must be guided or free, got 'open'",
+                               ["dimensions=4"] = "dimensions must be values among 2 and 3, got '4'",
+                               ["materials=steel"] =
+                                 "materials must be values among 'linear' and 'neo_hooke', got 'steel'",
+                               ["sides=open"] = "sides must be 'guided' or 'free', got 'open'",
                                ["penalties=-1"] = "penalties must be", ["points=x"] = "points must be" },
                 "out=" .. folder)
 end)

@@ -5,7 +5,7 @@ local sg = require "signorini"
 local check = require "check"
 local ironing = require "ironing"
 local spring = require "spring"
-local run_path = require "signorini.run"
+local run_path = require "spring_run"
 
 --- A spring that is pulled by `steps` in as many steps, and pressed a little, where `works(options, length, from)` of
 --- an attempt; see spring.lua.

@@ -1,4 +1,4 @@
--- sg.picture and sg.frame of solids: what changes a picture, symmetric models, cuts, and what they refuse.
+-- sg.picture and sg.sheet of solids: what changes a picture, symmetric models, cuts, and what they refuse.
 
 local sg = require "signorini"
 local check = require "check"
@@ -131,15 +131,31 @@ check.case("a quarter and its images are the whole model, cut open as well", fun
                           { model = whole, mesh = false, obstacles = false, deformed = false }), true)
 end)
 
-check.case("frames of solids share a camera and keep their cut", function()
-  local first = sg.frame{ model = model, field = "uz", title = "whole" }
-  local second = sg.frame{ model = model, field = "uz", title = "open", cut = "-y", undeformed = true }
-  check.holds(tostring(second), "frame 'open' of 1 body", "u_z")
-  local row = draw{ frames = { first, second }, columns = 2, size = 800 }
-  local column = draw{ frames = { first, second }, columns = 1, size = 800 }
+check.case("pictures of solids share a sheet and keep their cut and camera", function()
+  local function draw_sheet(arguments)
+    arguments.file, arguments.size = file, 800
+    sg.sheet(arguments)
+    return check.png(file)
+  end
+  local first = sg.picture{ model = model, field = "uz", title = "whole" }
+  local second = sg.picture{ model = model, field = "uz", title = "open", cut = "-y", undeformed = true }
+  check.holds(tostring(second), "picture 'open' of 1 body", "u_z")
+  local row, column = draw_sheet{ first, second, columns = 2 }, draw_sheet{ first, second, columns = 1 }
   check.equal(row.width / row.height > 1.5 * column.width / column.height, true)
-  check.equal(draw{ frames = { first, second }, camera = "front" }.bytes == draw{ frames = { first, second } }.bytes,
-              false)
+  local front = sg.picture{ model = model, field = "uz", title = "open", cut = "-y", camera = "front" }
+  check.equal(draw_sheet{ first, front, columns = 2 }.bytes == row.bytes, false)
+end)
+
+check.case("a film around a model has pictures of one size", function()
+  local turns = {}
+  for i = 1, 3 do
+    turns[i] = sg.picture{ model = model, field = "uz", size = { 200, 160 },
+                           camera = { from = { math.cos(i), math.sin(i), 0.5 } } }
+  end
+  sg.film{ turns, file = folder .. "/turn-%d.png" }
+  local first, last = check.png(folder .. "/turn-1.png"), check.png(folder .. "/turn-3.png")
+  check.equal({ first.width, first.height }, { last.width, last.height })
+  check.equal(first.bytes == last.bytes, false)
 end)
 
 check.case("poles and layers of all kinds can be drawn", function()
@@ -174,7 +190,6 @@ check.case("wrong arguments", function()
                          contact = "north", material = rubber }
   local plane = sg.model{ bodies = { strip = strip }, contacts = {},
                           supports = { foot = { on = strip:face "south", fix = "xy" } } }
-  local flat, solid = sg.frame{ model = plane }, sg.frame{ model = model }
   local wrong = {
     { { model = model, field = "w" }, "unknown field 'w'", "uz", "contact_pressure" },
     { { model = plane, field = "contact_pressures" }, "unknown field" },
@@ -184,11 +199,11 @@ check.case("wrong arguments", function()
     { { model = model, camera = { eye = { 1, 0, 0 } } }, "camera: unknown argument 'eye'", "from, up" },
     { { model = model, camera = { up = { 0, 0, 1 } } }, "camera.from", "is missing" },
     { { model = model, camera = { from = { 0, 0, 0 } } }, "camera.from must be a vector that is not zero" },
-    { { model = model, camera = { from = { 0, 0, 1 }, up = { 0, 0, 2 } } }, "up points along from" },
+    { { model = model, camera = { from = { 0, 0, 1 }, up = { 0, 0, 2 } } }, "up must not point along from" },
     { { model = model, cut = "w" }, "cut must be 'x'" },
-    { { model = model, cut = true }, "cut must be an axis" },
+    { { model = model, cut = true }, "cut must be 'x'", "or a table { normal" },
     { { model = model, cut = { normal = { 0, 0, 0 } } }, "cut.normal must be a vector that is not zero" },
-    { { model = model, cut = { normal = { 0, 1, 0 }, at = 2 } }, "cut.at needs an axis" },
+    { { model = model, cut = { normal = { 0, 1, 0 }, at = 2 } }, "cut: at needs an axis" },
     { { model = model, cut = { normal = "y", at = 2, point = { 0, 0, 0 } } }, "both at and point" },
     { { model = model, cut = { at = 1 } }, "cut.normal", "is missing" },
     { { model = model, cut = { normal = "y", at = -1 } }, "takes all bodies away" },
@@ -207,14 +222,16 @@ check.case("wrong arguments", function()
     { { model = plane, camera = "iso" }, "camera is for models of solids" },
     { { model = plane, ruler = true }, "ruler is for models of solids" },
     { { model = plane, cut = "y" }, "cut is for models of solids" },
-    { { frames = { solid, flat } }, "frames[2] shows a plane model" },
-    { { frames = { solid }, cut = "y" }, "cut belongs to each of the frames" },
     { { model = 3 }, "model must be a model" },
   }
   for _, case in ipairs(wrong) do
     check.fails(function() draw(case[1]) end, "sg.picture", table.unpack(case, 2))
   end
-  check.fails(function() sg.frame{ model = model, camera = "iso" } end, "sg.frame", "unknown argument 'camera'")
+  local flat, solid = sg.picture{ model = plane }, sg.picture{ model = model }
+  sg.sheet{ solid, flat, file = file }
+  check.equal(check.png(file).width > check.png(file).height, true)
+  check.fails(function() sg.film{ solid, flat, file = folder .. "/x-%d.png" } end,
+    "sg.film: the pictures of a film must show the same in the same arrangement")
 end)
 
 check.done()

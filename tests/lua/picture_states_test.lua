@@ -47,18 +47,23 @@ check.case("a run keeps the states that are asked for", function()
   model:restore(states[2].snapshot)
   check.near(model:target "tip", { 0, 1 })
   for _, wrong in ipairs { 1, 2.5, "all", { 7 }, { -1 }, { "end" } } do
-    check.fails(function() run(wrong) end, "model:run: states")
+    check.fails(function() run(wrong) end, "model:run: options.states")
   end
 end)
 
-check.case("a sheet of states is the sheet of their frames, and leaves the model as it was", function()
+check.case("a sheet of states is the sheet of their pictures, and leaves the model as it was", function()
   model:restore(at_rest)
-  local frames = { sg.frame{ model = model, field = "uy", title = "start" } }
+  local pictures = { sg.picture{ model = model, field = "uy", title = "start" } }
   local kept = run({ 0, 4 }, function(info)
-    if info.step == 4 then frames[2] = sg.frame{ model = model, field = "uy", title = "bend, step 4" } end
+    if info.step == 4 then pictures[2] = sg.picture{ model = model, field = "uy", title = "bend, step 4" } end
   end)
   local tip = model:sample("strip", "uy", { 1, 0.5 })
-  check.equal(draw{ states = kept:states(), field = "uy", model = model } == draw{ frames = frames }, true)
+  local sheet = draw{ states = kept:states(), field = "uy", model = model }
+  sg.sheet{ pictures, file = folder .. "/sheet.png" }
+  check.equal(bytes "sheet.png" == sheet, true)
+  for i, state in ipairs(kept:states()) do pictures[i] = sg.picture{ state = state, field = "uy" } end
+  sg.sheet{ pictures, file = folder .. "/sheet.png" }
+  check.equal(bytes "sheet.png" == sheet, true)
   check.near(model:sample("strip", "uy", { 1, 0.5 }), tip, 0)
   check.near(tip, 0.5)
 end)
@@ -82,8 +87,8 @@ for last; do :; done
     local body = sg.body{ patch = sg.shapes.rectangle{ width = 4, height = 1 }, elements = { 4, 2 }, order = "N2",
       contact = "south", material = sg.neo_hookean{ E = 2, nu = 0.3 } }
     local model = sg.model{ bodies = { a = body }, supports = { foot = { on = body:face "west", fix = "xy" } } }
-    local frame = sg.frame{ model = model }
-    sg.picture{ frames = { frame, frame }, fps = 5, file = "%s/a b/;x'.mp4" }]]):format(folder)
+    local picture = sg.picture{ model = model }
+    sg.film{ picture, picture, fps = 5, file = "%s/a b/;x'.mp4" }]]):format(folder)
   core.write_file(folder .. "/film.lua", code)
   local output, status = check.program({ folder .. "/film.lua" }, nil, "PATH=" .. folder .. "/bin:$PATH")
   check.equal({ output, status }, { "", 0 })
@@ -92,10 +97,10 @@ for last; do :; done
   core.write_file(folder .. "/bin/ffmpeg", "#!/bin/sh\necho 'Unknown encoder' >&2\nexit 1\n")
   check.shell(("chmod +x %s/bin/ffmpeg"):format(folder))
   output, status = check.program({ folder .. "/film.lua" }, nil, "PATH=" .. folder .. "/bin:$PATH")
-  check.holds(output, "film.lua:6: sg.picture: no film", "x.ogv", "ffmpeg failed and said: Unknown encoder")
+  check.holds(output, "film.lua:6: sg.film: film '", "x.ogv", "ffmpeg failed with the message: Unknown encoder")
   check.equal({ status, (check.shell(("ls '%s/a b'"):format(folder))) }, { 1, ";x'.mp4\n" })
   output, status = check.program({ folder .. "/film.lua" }, nil, "PATH=/nowhere")
-  check.holds(output, "film.lua:6: sg.picture: file", "needs the program ffmpeg", "x.ogv", "x-%04d.png")
+  check.holds(output, "film.lua:6: sg.film: file", "needs the program ffmpeg", "x.ogv", "x-%04d.png")
   check.equal(status, 1)
 end)
 
@@ -119,15 +124,15 @@ end
 
 check.case("films are made by VTK alone, of even size, whole or not at all", function()
   core.mkdir(folder .. "/film")
-  local frames = {}
-  for step, state in ipairs(run(20):states()) do frames[step] = state end
-  local film = { states = frames, field = "uy", size = { 301, 203 }, fps = 5, file = folder .. "/film/x'y.ogv" }
+  local film = { states = run(20):states(), field = "uy", size = { 301, 203 }, fps = 5,
+                 file = folder .. "/film/x'y.ogv" }
   local ok, message = pcall(sg.picture, film)
   if not ok then return check.holds(message, "this one was built without") end
   check.equal(read_ogv(bytes "film/x'y.ogv"), { 302, 204, 5, 7 })
   local first = bytes "film/x'y.ogv"
   film.fps = 2.5
-  check.fails(function() sg.picture(film) end, "sg.picture: fps is 2.5", "whole number")
+  check.fails(function() sg.picture(film) end, "sg.picture: fps must be a whole number from 1 to 5000",
+    "got 2.5")
   film.fps, film.transparent = 5, true
   check.fails(function() sg.picture(film) end, "sg.picture: transparent has no meaning for a film", "x-%04d.png")
   film.transparent, film.field = nil, "w"
@@ -179,15 +184,16 @@ check.case("wrong arguments", function()
   local other = sg.model{ bodies = { strip = body }, supports = { foot = { on = body:face "west", fix = "xy" } } }
   for _, case in ipairs {
     { { states = {} }, "states must be a list of at least one state" },
-    { { states = { 3 } }, "states[1] must be a state made by run:states()", "got the number 3" },
+    { { states = { 3 } }, "states[1] must be a state", "got the number 3" },
     { { states = { {} } }, "states[1] must be a state" },
-    { { states = states, model = other }, "states[1] is a state of another model" },
-    { { model = model, field = "uy", fields = { "ux" } }, "field and fields are both given" },
+    { { states = states, model = other }, "model is another one than that of the kept state" },
+    { { model = model, field = "uy", fields = { "ux" } }, "fields cannot be combined with field" },
     { { model = model, fields = {} }, "fields must be a list of at least one name" },
-    { { model = model, fields = { "ux", 3 } }, "fields[2] must be a string" },
+    { { model = model, fields = { "ux", 3 } }, "fields[2] must be a name" },
     { { model = model, fields = { "ux", "uz" } }, "unknown field 'uz'" },
-    { { model = model, fields = { "ux", "uy" }, label = "u" }, "each of fields has its own" },
-    { { model = model, fps = 3 }, "fps is of a film" },
+    { { model = model, fields = { "ux", "uy" }, label = "u" },
+      "label cannot be combined with fields, each of which has a color bar of its own" },
+    { { model = model, fps = 3 }, "fps has no meaning without states" },
     { { model = model, scale = 0 }, "scale must be a positive number" },
     { { model = model, scale = 9 }, "makes 14400 pixels of 1600" },
     { { states = states, size = 400, field = "uy", inset = { 0, 1, 0, 1 } }, "too small for an inset in each state",

@@ -1,7 +1,8 @@
--- sg.picture and sg.frame: what changes a picture, how large it is, and what they refuse.
+-- sg.picture and sg.sheet: what changes a picture, how large it is, and what they refuse.
 
 local sg = require "signorini"
 local check = require "check"
+local core = require "signorini.core"
 
 local folder = check.folder()
 
@@ -11,6 +12,13 @@ local file = folder .. "/picture.png"
 local function draw(arguments)
   arguments.file = file
   sg.picture(arguments)
+  return check.png(file)
+end
+
+--- The same of the sheet that these arguments draw.
+local function draw_sheet(arguments)
+  arguments.file = file
+  sg.sheet(arguments)
   return check.png(file)
 end
 
@@ -28,9 +36,9 @@ local function strip(width, height)
 end
 
 local model = strip(4, 1)
-local frames = { sg.frame{ model = model, field = "uy", title = "start" } }
+local pictures = { sg.picture{ model = model, field = "uy", title = "start" } }
 model:run({ { name = "bend", steps = 2, tip = { 0, 1 } } }, { on_step = function(info)
-  frames[#frames + 1] = sg.frame{ model = model, field = "uy", title = "step " .. info.step }
+  pictures[#pictures + 1] = sg.picture{ model = model, field = "uy", title = "step " .. info.step }
 end })
 
 check.case("every option changes the picture", function()
@@ -41,7 +49,9 @@ check.case("every option changes the picture", function()
     { undeformed = true }, { mesh = false },
     { control_points = true }, { mirror = "x" }, { mirror = "y" }, { mirror = "xy" }, { title = "bent" },
     { crop = { 0, 2, 0, 1 } }, { marks = { { x = { 2, 0.5 } } } }, { marks = { { x = { 2, 0.5 }, text = "here" } } },
-    { marks = { { x = { 2, 0.5 } }, { x = { 3, 0.9 } } } },
+    { marks = { { x = { 2, 0.5 } }, { x = { 3, 0.9 } } } }, { axes = { "along", "across" } },
+    { field = "uy", contours = true }, { field = "uy", contours = 2 }, { field = "uy", contours = { 0.3, 0.6 } },
+    { vectors = "displacement" },
   }
   for i, variant in ipairs(variants) do
     variant.model, variant.size = model, { 400, 300 }
@@ -90,19 +100,26 @@ check.case("contact pressure is drawn along slave faces, and sampled there", fun
   end
 end)
 
-check.case("what is magnified is drawn anew where it is curved, and alike where it is straight", function()
+check.case("what is magnified is drawn anew where it is curved, in sheets as well", function()
   local function drawn(shape, crop)
     local body = sg.body{ patch = shape, elements = { 2, 1 }, order = "N2", contact = "south",
                           material = sg.neo_hookean{ E = 2, nu = 0.3 } }
     local of = sg.model{ bodies = { ring = body }, contacts = {},
                          supports = { hold = { on = body:face "north", fix = "xy" } } }
-    -- A frame is sampled before it is known which part will be shown
-    local kept = draw{ frames = { sg.frame{ model = of, mesh = false } }, size = { 800, 600 }, crop = crop }.bytes
-    return draw{ model = of, mesh = false, size = { 800, 600 }, crop = crop }.bytes == kept
+    local size = { 800, 600 }
+    local picture = sg.picture{ model = of, mesh = false, size = size, crop = crop }
+    check.equal(draw_sheet{ picture, size = size }.bytes == draw{ model = of, mesh = false, size = size,
+                                                                 crop = crop }.bytes, true)
+    return picture
   end
-  local ring = sg.shapes.half_annulus{ inner = 0.5, outer = 1 }
-  check.equal(drawn(ring, { -0.75, -0.65, -0.75, -0.65 }), false)
-  check.equal(drawn(sg.shapes.rectangle{ width = 1, height = 1 }, { 0.9, 1.1, 0.9, 1.1 }), true)
+  -- The arc is no polygon: its pixels are those of many short lines
+  drawn(sg.shapes.half_annulus{ inner = 0.5, outer = 1 }, { -0.75, -0.65, -0.75, -0.65 }):write(folder .. "/arc.svg")
+  local corners = 0
+  for path in core.read_file(folder .. "/arc.svg"):gmatch ' d="([^"]*)"' do
+    corners = math.max(corners, select(2, path:gsub("L", "")))
+  end
+  check.equal(corners > 20, true)
+  drawn(sg.shapes.rectangle{ width = 1, height = 1 }, { 0.9, 1.1, 0.9, 1.1 })
 end)
 
 check.case("components change their sign in the mirror as they do in a model that is the mirror image", function()
@@ -139,41 +156,104 @@ check.case("a picture is no larger than what it shows", function()
   check.equal({ fixed.width, fixed.height }, { 800, 600 })
 end)
 
-check.case("frames keep their state and share a sheet", function()
-  check.equal(#frames, 3)
-  check.holds(tostring(frames[2]), "frame 'step 1' of 1 body", "u_y")
-  local sheet, column = draw{ frames = frames, columns = 3 }, draw{ frames = frames, columns = 1 }
+check.case("pictures keep their state and share a sheet", function()
+  check.equal(#pictures, 3)
+  check.holds(tostring(pictures[2]), "picture 'step 1' of 1 body", "u_y")
+  check.equal(tostring(sg.sheet{ pictures, title = "all" }), "sheet 'all' of 3 pictures")
+  local sheet, column = draw_sheet{ pictures, columns = 3 }, draw_sheet{ pictures, columns = 1 }
   check.equal(sheet.width / sheet.height > 2 * column.width / column.height, true)
-  local alone = draw{ frames = { frames[1] }, range = { 0, 1 } }
+  local alone = draw_sheet{ pictures[1], range = { 0, 1 } }
   model:run{ { name = "back", steps = 1, tip = { 0, 0.2 } } }
-  check.equal(draw{ frames = frames, columns = 3 }.bytes == sheet.bytes, true)
-  check.equal(draw{ frames = { frames[1] }, range = { 0, 1 } }.bytes == alone.bytes, true)
+  check.equal(draw_sheet{ pictures, columns = 3 }.bytes == sheet.bytes, true)
+  check.equal(draw_sheet{ pictures[1], { pictures[2], pictures[3] }, columns = 3 }.bytes == sheet.bytes, true)
+  check.equal(draw_sheet{ pictures[1], range = { 0, 1 } }.bytes == alone.bytes, true)
+  pictures[1]:write(file)
+  check.equal(check.png(file).bytes == alone.bytes, false)
 end)
 
-check.case("marks may hold what the places of a failed run hold, and belong to their frame", function()
+check.case("a sheet has one range of colors for each field, unless each picture has its own", function()
+  local uy, ux = pictures[2], sg.picture{ model = model, field = "ux" }
+  local large = pictures[3]
+  local shared = draw_sheet{ uy, large, columns = 2 }
+  check.equal(draw_sheet{ uy, large, columns = 2, range = "own" }.bytes == shared.bytes, false)
+  check.equal(draw_sheet{ uy, large, columns = 2, range = { 0, 2 } }.bytes == shared.bytes, false)
+  -- Several fields stand side by side, each with a bar
+  local function bars(arguments)
+    arguments.file = folder .. "/bars.svg"
+    sg.sheet(arguments)
+    return select(2, core.read_file(arguments.file):gsub("displacement u", ""))
+  end
+  check.equal({ bars{ uy, large }, bars{ uy, large, range = "own" }, bars{ uy, ux } }, { 1, 2, 2 })
+  check.equal(bars{ sg.sheet{ uy, large }, ux }, 2)
+  local mixed = draw_sheet{ uy, sg.chart{ x = { 1, 2 }, { y = { 1, 2 } } }, columns = 2, size = 1200 }
+  check.equal({ mixed.width > 1.5 * mixed.height, mixed.width <= 1200 }, { true, true })
+end)
+
+check.case("marks may hold what the places of a failed run hold, and belong to their picture", function()
   local place = { x = { 2, 0.5 }, X = { 2, 0.4 }, text = "J = -0.2", kind = "inverted", body = "strip",
                   element = { 3, 1 }, contact = "touch", value = -0.2 }
   local marked = draw{ model = model, marks = { place } }
   check.equal(draw{ model = model, marks = { { x = { 2, 0.5 }, text = "J = -0.2" } } }.bytes == marked.bytes, true)
   check.equal(draw{ model = model, marks = {} }.bytes == draw{ model = model }.bytes, true)
-  check.equal(draw{ frames = { sg.frame{ model = model, marks = { place } } } }.width > 0, true)
-  local sheet = draw{ frames = { sg.frame{ model = model }, sg.frame{ model = model, marks = { place } } } }
-  check.equal(draw{ frames = { sg.frame{ model = model }, sg.frame{ model = model } } }.bytes == sheet.bytes, false)
+  local plain = sg.picture{ model = model }
+  local sheet = draw_sheet{ plain, sg.picture{ model = model, marks = { place } } }
+  check.equal(draw_sheet{ plain, plain }.bytes == sheet.bytes, false)
+end)
+
+--- All texts of a picture, one per line.
+local function texts(picture)
+  picture:write(folder .. "/texts.svg")
+  local all = {}
+  for line in io.lines(folder .. "/texts.svg") do
+    local words = line:match "^<text.->(.*)</text>$"
+    if words then all[#all + 1] = words end
+  end
+  return table.concat(all, "\n")
+end
+
+--- How often words stand in a text.
+local function count(whole, words)
+  return select(2, whole:gsub(words:gsub("%p", "%%%0"), ""))
+end
+
+check.case("states have colors of their own, fields share theirs, where that is asked for", function()
+  check.equal(count(texts(sg.sheet(pictures)), "max"), 1)
+  local own = texts(sg.sheet{ pictures, range = "own" })
+  check.equal(count(own, "max"), #pictures)
+  check.equal({ count(own, "max 0"), count(own, "step 2") }, { 2, 1 }) -- 0 and 0.5…
+  local pair = texts(sg.sheet{ pictures[2], pictures[3], range = "own", columns = 2 })
+  check.equal(count(pair, "2.0"), 4) -- the axes of both go as far
+  local function fields(label)
+    local pair = {}
+    for i, field in ipairs { "ux", "uy" } do pair[i] = sg.picture{ model = model, field = field, label = label } end
+    return texts(sg.sheet(pair))
+  end
+  check.equal(count(fields(), "max"), 2)
+  check.equal(fields "displacement" == fields():gsub("displacement u_[xy]", "displacement"), false)
+end)
+
+check.case("arrows have a key in the unit of lengths, and one scale in a sheet", function()
+  local bent = strip(4, 1)
+  local arrows = { model = bent, vectors = "displacement", unit = "mm" }
+  check.holds(texts(sg.picture(arrows)), "displacement: all zero")
+  local start = sg.picture(arrows)
+  bent:run{ { name = "bend", steps = 2, tip = { 0, 1 } } }
+  check.equal(count(texts(sg.picture(arrows)), "displacement 1 mm"), 1)
+  check.equal(count(texts(sg.sheet{ start, sg.picture(arrows) }), "displacement 1 mm"), 1)
 end)
 
 check.case("wrong arguments", function()
-  local other = sg.frame{ model = model, field = "ux" }
   local wrong = {
     { {}, "model", "is missing" },
     { { model = model, field = "uu" }, "unknown field 'uu'" },
-    { { model = model, factor = 2 }, "factor has no field to multiply" },
-    { { model = model, label = "lift" }, "label names a colour bar, but no field is drawn" },
+    { { model = model, factor = 2 }, "factor has no meaning without field or fields" },
+    { { model = model, label = "lift" }, "label has no meaning without field" },
     { { model = model, field = "uy", factor = 0 / 0 }, "factor must be a finite number" },
     { { model = model, mirror = "z" }, "mirror must be 'x', 'y' or 'xy'" },
     { { model = model, size = 20 }, "size must be a whole number from 160 to 5000" },
-    { { model = model, size = { 400 } }, "size must be a whole number or a list of 2 whole numbers" },
+    { { model = model, size = { 400 } }, "size must be a list of 2 whole numbers" },
     { { model = model, size = "large" }, "size must be" },
-    { { model = model, columns = 2 }, "columns needs frames" },
+    { { model = model, columns = 2 }, "columns has no meaning without states or fields" },
     { { model = model, crop = { 0, 1 } }, "crop must be a list of 4 numbers" },
     { { model = model, crop = { 10, 11, 0, 1 } },
       "crop = {10, 11, 0, 1} shows nothing: all that is drawn lies in x = ", "y = " },
@@ -189,18 +269,28 @@ check.case("wrong arguments", function()
     { { model = model, marks = { { x = { 1, 2 }, text = 3 } } }, "marks[1].text must be a string" },
     { { model = model, marks = { { x = { 1, 2 }, txt = "a" } } }, "marks[1]: unknown argument 'txt'", "'text'?" },
     { { model = model, marks = { { x = { 1, 2 } } }, deformed = false }, "marks stand in the present state" },
-    { { frames = frames, marks = {} }, "marks belongs to each of the frames" },
-    { { frames = {} }, "frames must be a list of at least one frame" },
-    { { frames = { model } }, "frames[1] must be a frame" },
-    { { frames = frames, model = model }, "model belongs to each of the frames", "sg.frame" },
-    { { frames = frames, field = "uy" }, "field belongs to each of the frames" },
-    { { frames = { frames[1], other } }, "frames[2] shows 'displacement u_x'", "one colour bar" },
+    { { model = model, contours = true }, "contours has no meaning without field or fields" },
+    { { model = model, field = "uy", contours = false }, "contours must be true, a whole number from 1 to 100 or" },
+    { { model = model, field = "uy", contours = 0 }, "contours must be" },
+    { { model = model, field = "uy", contours = {} }, "contours must be" },
+    { { model = model, field = "uy", contours = { 7 } }, "contours must hold a value of the field" },
+    { { model = model, vectors = "velocity" }, "vectors must be 'displacement' or 'traction'" },
+    { { model = model, vectors = "traction" }, "the model has no contact" },
+    { { model = model, vectors = "traction", deformed = false }, "tractions act in the present state" },
+    { { model = model, axes = { "x" } }, "axes must be a list of 2 names" },
+    { { model = model, axes = { "x", 2 } }, "axes[2] must be a string" },
+    { { model = model, field = "uy", range = "own" }, "range must be a list of 2 rising numbers" },
+    { { model = model, filed = "uy" }, "unknown argument 'filed'", "did you mean 'field'?" },
   }
   for _, case in ipairs(wrong) do
     check.fails(function() draw(case[1]) end, "sg.picture", table.unpack(case, 2))
   end
-  check.fails(function() sg.frame { model = model, file = file } end, "sg.frame", "unknown argument 'file'")
-  check.equal(draw{ frames = { frames[1], other }, label = "displacement" }.width > 0, true)
+  check.fails(function() sg.sheet{ model } end, "sg.sheet: [1] must be a picture", "got a model")
+  check.fails(function() sg.sheet{ { pictures[1], 3 } } end, "sg.sheet: [1][2] must be a picture", "got the number 3")
+  check.fails(function() sg.sheet{ {}, title = "none" } end, "sg.sheet: no picture is given")
+  check.fails(function() sg.sheet{ pictures, range = "all" } end, "sg.sheet: range must be 'shared' or 'own'")
+  check.fails(function() sg.sheet{ pictures, colums = 2 } end, "sg.sheet: unknown argument 'colums'", "'columns'?")
+  check.fails(function() pictures[1]:write "a.gif" end, "picture:write: file 'a.gif' of a figure must end in .png")
 end)
 
 check.done()

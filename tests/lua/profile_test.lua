@@ -136,7 +136,7 @@ check.case("wrong inputs name the argument, what came, what was expected, and th
   end
   fails({ profile = p, reference = 3 }, "reference must be a contact profile", "take what model:profile returns",
     "or a function of the coordinate")
-  fails({ reference = r }, "profile is missing")
+  fails({ reference = r }, "profile (the measured profile) is missing")
   fails({ profile = p, reference = r, coordinate = "z" }, "profile has no list 'z'",
     "which coordinate asks for; known: gap, pressure")
   fails({ profile = p, reference = r, coordinate = 3 }, "coordinate must be the name of a column", "got the number 3")
@@ -169,7 +169,7 @@ check.case("a profile has no other names than its lists, and is read, written an
   check.fails(function() return pr.z end, "a contact profile has no 'z'", known)
   check.fails(function() return pr[1] end, "a contact profile has no entry the number 1", "profile.pressure[1]")
   check.fails(function() sg.chart{ file = "a.png", pr } end, "profile_test.lua:",
-    "sg.chart: [1] must be a curve, got a contact profile: write { x = profile.x, y = profile.pressure }")
+    "sg.chart: [1] must be a curve", "got a contact profile: write { x = profile.x, y = profile.pressure }")
   check.fails(function() sg.profile_error{ profile = pr, reference = print, coordinate = "z" } end,
     "sg.profile_error: profile has no list 'z'")
 

@@ -239,7 +239,7 @@ check.case("penetration: one augmentation is not enough", function()
                            master = sg.rigid.plane{ point = {0, 0}, normal = {0, 1} } } },
   }
   local run = model:run({ { name = "press", steps = 2, top = -0.1 } }, sg.plain{ augmented = { loops = 1 } })
-  local place = expect(run, "penetration", 0, "off the master after 1 augmentations, asked was 1.41421",
+  local place = expect(run, "penetration", 0, "off the master after 1 augmentation, asked was 1.41421",
     "Worst places: contact point in slave element", "raise the penalty; allow more loops")
   check.equal({ place.kind, place.contact, place.text }, { "contact point", "floor", ("gap %.6g"):format(place.value) })
   check.equal({ place.X[2], math.abs(place.value) > 1e-6 }, { 0.0, true })

@@ -131,7 +131,7 @@ check.case("files that do not fit are errors at the user's own line", function()
     check.equal(model:reaction "grip", before)
   end
   ironing():run(path, { checkpoint = file })
-  refused(ironing{ slab_E = 2 }, path, "was saved of another scene; what differs: body 'slab'")
+  refused(ironing{ slab_E = 2 }, path, "was saved of another scene; differences: body 'slab'")
   refused(ironing(), { path[1] }, "another path: it has 1 stage, the file's has 2")
   refused(ironing(), { path[1], { name = "slide", steps = 13, grip = {0.2, -0.15} } },
     "stage 2 ('slide').steps is 13, in the file 12")
@@ -158,10 +158,10 @@ check.case("wrong options", function()
     check.fails(function() model:run(path, options) end, "resume_test.lua:", "model:run: ", ...)
   end
   refused({ resume = true }, "resume = true needs the file to take up from: add checkpoint = \"run.sgn\"")
-  refused({ checkpoint = 3 }, "checkpoint must be a file name, or { file = …, every = 1 }, got the number 3")
-  refused({ checkpoint = { every = 2 } }, "checkpoint.file is missing: it must be a string")
-  refused({ checkpoint = { file = file, every = 0 } }, "checkpoint.every must be a whole number of at least 1")
-  refused({ checkpoint = { fiel = file } }, "unknown argument 'fiel' in options.checkpoint; did you mean 'file'?")
+  refused({ checkpoint = 3 }, "checkpoint must be a string or a table of named arguments, got the number 3")
+  refused({ checkpoint = { every = 2 } }, "checkpoint.file (the checkpoint's file) is missing: it must be a string")
+  refused({ checkpoint = { file = file, every = 0 } }, "checkpoint.every must be a whole number, 1 or more")
+  refused({ checkpoint = { fiel = file } }, "options.checkpoint: unknown argument 'fiel' (", "did you mean 'file'?")
   refused({ checkpoint = file, resume = "yes" }, "resume must be true or false")
   -- before the first step, not after it
   refused({ checkpoint = "nowhere/at/all.sgn" }, "cannot write 'nowhere/at/all.sgn'", "create it first")

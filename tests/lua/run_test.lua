@@ -4,7 +4,7 @@ local sg = require "signorini"
 local core = require "signorini.core"
 local check = require "check"
 local spring = require "spring"
-local run_path = require "signorini.run"
+local run_path = require "spring_run"
 
 local function model_of(fails)
   local model = spring(fails)
@@ -120,7 +120,7 @@ check.case("columns: their names, and what is not one", function()
     "interface.fx", "interface.fy", "interface.area", "interface.max_pressure", "interface.max_penetration" })
   check.fails(function() run:column "grip.fz" end, "run_test.lua:", "'grip.fz'", "grip.fy")
   check.fails(function() run:residuals(7) end, "run:residuals: there is no step 7; the run has steps 1 to 6")
-  check.fails(function() run:attempts(0) end, "run:attempts: there is no step 0; the run has steps 1 to 6")
+  check.fails(function() run:attempts(0) end, "run:attempts: step must be a whole number, 1 or more")
   run:column("step")[1] = 99 -- a copy
   check.equal(run:column("step")[1], 1)
 end)
@@ -142,40 +142,40 @@ end)
 check.case("wrong stages and options are refused before the first step", function()
   local model = model_of()
   local wrong = {
-    { nil, "stages is missing" },
+    { nil, "stages (pieces of the load path) is missing" },
     { {}, "stages must be a list of stages", "write model:run{ {" },
     { { steps = 2, grip = { 0, 1 } }, "stages must be a list of stages" },
-    { { { grip = { 0, 1 } } }, "stage 1.steps is missing" },
-    { { { name = "press", steps = 0 } }, "press.steps must be a whole number of at least 1, got the number 0" },
+    { { { grip = { 0, 1 } } }, "stages[1].steps (number of steps) is missing" },
+    { { { name = "press", steps = 0 } }, "stages[1].steps must be a whole number, 1 or more", "got the number 0" },
     { { { steps = 1.5 } }, "got the number 1.5" },
     { { { steps = "2" } }, "got the string '2'" },
     { { { steps = 2, gripp = { 0, 1 } } }, "unknown argument 'gripp'", "did you mean 'grip'?",
       "name, steps, edge, grip, gas" },
-    { { { steps = 2, { 0, 1 } } }, "unknown argument '1'" },
+    { { { steps = 2, { 0, 1 } } }, "stages[1] takes named arguments, got a list of 2 values without a name" },
     { { { steps = 2, bed = { 0, 1 } } }, "'bed'", "not driven", 'drive = "x"' },
-    { { { steps = 2, grip = { 0 } } }, "grip must be a list of 2 values (ux, uy), got a list of 1 value" },
-    { { { steps = 2, grip = 1 } }, "grip must be a list of 2 values (ux, uy), got the number 1" },
-    { { { steps = 2, edge = { 1, 2 } } }, "edge must be a list of 1 value (angle), got a list of 2 values" },
-    { { { steps = 2, gas = "1" } }, "gas must be a list of 1 value (pressure), got the string '1'" },
+    { { { steps = 2, grip = { 0 } } }, "grip must be a list of 2 numbers (ux, uy), got a list of 1 value" },
+    { { { steps = 2, grip = 1 } }, "grip must be a list of 2 numbers (ux, uy), got the number 1" },
+    { { { steps = 2, edge = { 1, 2 } } }, "edge must be a list of 1 number (angle), got a list of 2 values" },
+    { { { steps = 2, gas = "1" } }, "gas must be a number or a list of 1 number (pressure), got the string '1'" },
     { { { steps = 2, grip = { 0, "1" } } }, "grip[2]", "got the string '1': remove the quotes" },
     { { { steps = 2, grip = { 0, 0 / 0 } } }, "grip[2]", "nan" },
-    { { { steps = 2 }, 7 }, "stage 2 must be a table" },
+    { { { steps = 2 }, 7 }, "stages[2] must be a table" },
   }
   for _, case in ipairs(wrong) do
     check.fails(function() model:run(case[1]) end, "run_test.lua:", "model:run: ", table.unpack(case, 2))
   end
   local wrong_options = {
     { { newtn = {} }, "unknown argument 'newtn'", "did you mean 'newton'?" },
-    { { newton = { tolerence = 1 } }, "unknown argument 'tolerence' in options.newton", "did you mean 'tolerance'?" },
-    { { newton = { tolerance = -1 } }, "newton.tolerance must be a positive number, got the number -1" },
+    { { newton = { tolerence = 1 } }, "options.newton: unknown argument 'tolerence'", "did you mean 'tolerance'?" },
+    { { newton = { tolerance = -1 } }, "options.newton.tolerance must be a positive number", "got the number -1" },
     { { newton = { iterations = 0 } }, "newton.iterations must be a whole number" },
-    { { step = true }, "options.step must be a table of named arguments, got true" },
-    { { step = { adaptiv = true } }, "unknown argument 'adaptiv' in options.step", "did you mean 'adaptive'?" },
-    { { step = { adaptive = 1 } }, "step.adaptive must be true or false, got the number 1" },
-    { { step = { min = 0 } }, "step.min must be a number above 0 and at most 1, got the number 0" },
-    { { step = { max = 2 } }, "step.max must be a number above 0 and at most 1, got the number 2" },
-    { { step = { max = 0.25, min = 0.5 } }, "step.min must be a number above 0 and at most 0.25, got the number 0.5" },
-    { { step = { growth = 0.5 } }, "step.growth must be a number of at least 1, got the number 0.5" },
+    { { step = true }, "options.step must be a table of named arguments", "got true" },
+    { { step = { adaptiv = true } }, "options.step: unknown argument 'adaptiv'", "did you mean 'adaptive'?" },
+    { { step = { adaptive = 1 } }, "options.step.adaptive must be true or false", "got the number 1" },
+    { { step = { min = 0 } }, "options.step.min must be a number above 0 and at most 1", "got the number 0" },
+    { { step = { max = 2 } }, "options.step.max must be a number above 0 and at most 1", "got the number 2" },
+    { { step = { max = 0.25, min = 0.5 } }, "options.step: min must be at most max, got 0.5 with max = 0.25" },
+    { { step = { growth = 0.5 } }, "options.step.growth must be a number, 1 or more", "got the number 0.5" },
     { { on_step = 3 }, "on_step must be a function" },
   }
   for _, case in ipairs(wrong_options) do
@@ -335,14 +335,14 @@ check.case("keys among the stages that would be without effect", function()
   local stage = { steps = 2, grip = { 0, -0.1 } }
   for key, message in pairs {
     newton = "options are the second argument, model:run({ … }, { newton = … })",
-    grip = "put it into a stage, { steps = 10, grip = … }", x1 = "a list, then the options",
+    grip = "put 'grip' into a stage, model:run({ { steps = 10, grip = … }, … }", x1 = "a list, then the options",
     [7] = "stages are counted from 1 without gaps", [true] = "counted from 1 without gaps",
   } do
     check.fails(function() model_of():run{ stage, [key] = { 1 } } end,
-      ("model:run: unknown key '%s' in the list of stages: "):format(tostring(key)), message)
+      "model:run: stages must be a list of stages (pieces of the load path), got ", message)
   end
   check.fails(function() model_of():run({ stage }, { step = { adaptive = false, min = 0.1 } }) end,
-    "model:run: step.min has no effect with adaptive = false")
+    "model:run: options.step: min has no effect with adaptive = false")
 end)
 
 check.case("a run and what on_step sees are strict about names", function()

@@ -70,9 +70,9 @@ end)
 check.case("functions by the head of their page or their place, tables of the language by their names", function()
   check.equal(show.text(sg.shapes.rectangle),
     "sg.shapes.rectangle{ width, height, corner = {0, 0} }\n  help(sg.shapes.rectangle) tells more")
-  check.holds(show.text(sg.chart), "sg.chart{ file, x, { y, x, label, line",
-    "size = {1600, 1000} }\n  help(sg.chart) tells more")
-  check.equal(show.text(model.save), 'm:save(path)\n  help "model:save" tells more')
+  check.holds(show.text(sg.chart), "sg.chart{ <curves>, x, xlabel, ylabel, title,",
+    "size = {1600, 1000}, file }\n  help(sg.chart) tells more")
+  check.equal(show.text(model.save), 'model:save(path)\n  help "model:save" tells more')
   local function own() end
   check.equal(show.text(own),
     ("function (%s:%d)"):format(debug.getinfo(1, "S").short_src, debug.getinfo(own, "S").linedefined))

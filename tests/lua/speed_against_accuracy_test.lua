@@ -100,13 +100,13 @@ check.case("a label that is none fails alone, and is named", function()
   local less = run("problems=hertz", "meshes=m1", "labels=N2,X2", "rounds=1", "out=" .. folder .. "/out",
     "page=" .. folder .. "/doc").results
   assert(less.hertz.measured.cases:row{ order = "X2" }.failed)
-  check.holds(read "doc/speed_against_accuracy.md", "Not in the chart: X2 at m1 (sg.body: order: unknown ")
+  check.holds(read "doc/speed_against_accuracy.md", "Not in the chart: X2 at m1 (sg.body: order must be ")
 end)
 
 check.case("wrong arguments", function()
   for word, message in pairs {
-    ["problems=ring"] = "problems must be among ironing, hertz, rings, peeling and ironing3d",
-    ["rounds=-1"] = "rounds must be a whole number of at least 0, got '-1'",
+    ["problems=ring"] = "problems must be values among 'ironing', 'hertz', 'rings', 'peeling' and 'ironing3d'",
+    ["rounds=-1"] = "rounds must be a whole number, 0 or more, got '-1'",
     ["meshes=m1,m9"] = "meshes must be all, or meshes that one of the problems has, got 'm9' in 'm1,m9'",
     ["clock=cpu"] = "unknown argument 'clock=cpu'",
   } do

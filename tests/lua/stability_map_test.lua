@@ -4,7 +4,7 @@ local sg = require "signorini"
 local core = require "signorini.core"
 local check = require "check"
 local spring = require "spring"
-local run_path = require "signorini.run"
+local run_path = require "spring_run"
 
 core.quiet = true
 
@@ -196,7 +196,7 @@ check.case("Ctrl-C and kill -9 leave the finished cells in the file", function()
       local sg = require "signorini"
       local id = io.open "/proc/self/stat":read "n"
       package.path = %q .. package.path
-      local spring, run = require "spring", require "signorini.run"
+      local spring, run = require "spring", require "spring_run"
       sg.stability_map{ x = { name = "a", values = { 1, 2 } }, y = { name = "b", values = { 1 } }, jobs = 1, file = %q,
         scene = function(a)
           if a == 2 then os.execute("kill -%s " .. id) end
@@ -284,7 +284,7 @@ check.case("two maps side by side share the axes", function()
   check.fails(function() plain:picture{ file = "x.png", beside = 7 } end, "beside must be a stability map")
   check.fails(function() plain:picture{ file = "x.png", text = "iteration" } end,
     "text must be 'iterations', 'reached',", "did you mean 'iterations'?")
-  check.fails(function() plain:figure{ file = "x.png" } end, "map:figure: name is missing")
+  check.fails(function() plain:figure{ file = "x.png" } end, "map:figure: name (such as \"iterations\") is missing")
   check.fails(function() plain:picture{ fil = "x.png" } end, "did you mean 'file'?")
 end)
 
@@ -314,9 +314,10 @@ end)
 
 check.case("wrong arguments are errors at the user's line that name the cure", function()
   check.fails(function() make{ x = { name = "order" } } end, "stability_map_test.lua:",
-    "sg.stability_map: x.values is missing")
+    "sg.stability_map: x.values (each once) is missing")
   check.fails(function() make{ x = { name = "order", values = { "a", "a" } } } end, "x.values has the string 'a' twice")
-  check.fails(function() make{ y = { name = "steps", values = { {} } } } end, "y.values[1] must be a finite number")
+  check.fails(function() make{ y = { name = "steps", values = { {} } } } end,
+    "y.values[1] must be a number or a string, got an empty table")
   check.fails(function() make{ x = { name = "wall", values = { 1 } } } end, "stability_map_test.lua:",
     "sg.stability_map: x.name cannot be 'wall'")
   check.fails(function() make{ x = { name = "steps", values = { 1 } } } end, "x.name and y.name are both 'steps'")
@@ -330,7 +331,7 @@ check.case("wrong arguments are errors at the user's line that name the cure", f
   check.equal(os.remove(solved), true) -- no cell was solved before
   local map = make{ x = { name = "order", values = { "good" } }, scene = function() return 3 end }
   check.holds(map.cells[1].report, "scene must return a model, it returned the number 3")
-  check.fails(function() make{ jobs = 0 } end, "jobs must be a whole number of at least 1")
+  check.fails(function() make{ jobs = 0 } end, "jobs must be a whole number, 1 or more")
   check.fails(function() make{ limits = 3 } end, "unknown argument 'limits'", "did you mean 'limit'?")
   check.fails(function() sg.stability_map() end, "sg.stability_map")
   check.fails(function() make():cell("good", 5) end, "map:cell: y must be one of the values of steps, got the number 5")
@@ -339,7 +340,7 @@ end)
 check.case("piped, each cell is a line; quiet, there is none", function()
   local code = ([[
     package.path = %q .. package.path
-    local sg, spring, run = require "signorini", require "spring", require "signorini.run"
+    local sg, spring, run = require "signorini", require "spring", require "spring_run"
     sg.stability_map{ name = "m", x = { name = "a", values = { 1, 2 } }, y = { name = "b", values = { 5 } }, jobs = 1,
       scene = function(a)
         local model = spring(a == 2 and function(_, y) return y < -0.6 and "nan" or nil end or nil)

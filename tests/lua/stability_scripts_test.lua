@@ -165,13 +165,14 @@ check.case("a second call takes up the cells when it is told to", function()
 end)
 
 check.case("wrong arguments", function()
-  check.fails(function() study("penalty_hertz", "penalties=0,1") end, "penalties must be numbers above 0, got '0'")
-  check.fails(function() study("penalty_hertz", "mesh=m7") end, "mesh must be m1, m2")
-  check.fails(function() study("deep_ironing", "points=p") end, "points must be among p+1")
+  check.fails(function() study("penalty_hertz", "penalties=0,1") end, "penalties must be positive numbers, got '0'")
+  check.fails(function() study("penalty_hertz", "mesh=m7") end, "mesh must be 'm1', 'm2'")
+  check.fails(function() study("deep_ironing", "points=p") end, "points must be values among 'p+1'")
   check.fails(function() study("locking", "mu=0.3") end, "unknown argument 'mu=0.3'", "reference=24")
   check.fails(function() study("first_touch", "gaps=wide") end, "gaps must be numbers")
   check.fails(function() study("deep_ironing", "points=p+1", "labels=N2", "coarser=16", "places=M2") end, "M2")
-  check.fails(function() study("locking", "with=luck") end, "with must be robust, cutting, rescue or prediction")
+  check.fails(function() study("locking", "with=luck") end,
+    "with must be 'robust', 'cutting', 'rescue' or 'prediction'")
   check.fails(function() study("peeling", "keep=maybe") end, "keep must be yes or no")
 end)
 

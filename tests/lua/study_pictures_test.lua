@@ -3,7 +3,6 @@
 local sg = require "signorini"
 local core = require "signorini.core"
 local check = require "check"
-local pictures = require "signorini.study.pictures"
 
 --- Two orders × two meshes × steps; N4 on the coarse mesh has failed.
 local function study()
@@ -14,8 +13,8 @@ local function study()
     end
   end
   rows[2] = { order = "N4", mesh = { 6, 2 }, steps = 10, wall = 1, failed = true, reason = "diverged" }
-  return { name = "ironing", parameters = { "order", "mesh", "steps" }, figures = { "dPx" },
-           units = { wall = "s", dPx = "%" }, rows = rows }
+  return setmetatable({ name = "ironing", parameters = { "order", "mesh", "steps" }, figures = { "dPx" },
+           units = { wall = "s", dPx = "%" }, rows = rows }, core.types.study)
 end
 
 --- What a function hands to sg.chart or sg.heatmap.
@@ -30,12 +29,12 @@ end
 
 local function chart(options, one)
   options.file = options.file or "a.png"
-  return handed_over("chart", function() pictures.chart(one or study(), options) end)
+  return handed_over("chart", function() (one or study()):chart(options) end)
 end
 
 local function heatmap(options, one)
   options.file = options.file or "a.png"
-  return handed_over("heatmap", function() pictures.heatmap(one or study(), options) end)
+  return handed_over("heatmap", function() (one or study()):heatmap(options) end)
 end
 
 check.case("a chart: one curve per series, by x; labels with units; failed cases have no point", function()
@@ -63,7 +62,8 @@ check.case("a parameter with few whole values along x has its ticks there, and t
     for i, value in ipairs(values) do rows[i] = { n = value, f = i, wall = i } end
     options = options or {}
     options.x, options.y = options.x or "n", "f"
-    return chart(options, { name = "s", parameters = { "n" }, figures = { "f" }, units = {}, rows = rows }).xticks
+    local one = { name = "s", parameters = { "n" }, figures = { "f" }, units = {}, rows = rows }
+    return chart(options, setmetatable(one, core.types.study)).xticks
   end
   check.equal(ticks { 3, 1, 2.0 }, { { 1, "1" }, { 2, "2" }, { 3, "3" } })
   check.equal({ ticks { 1, 1.5, 2 }, ticks { 1, 2, 100 }, ticks { 2 } }, {})
@@ -101,8 +101,8 @@ end)
 
 check.case("they draw", function()
   local folder = check.folder()
-  pictures.chart(study(), { x = "mesh", y = "dPx", series = "order", file = folder .. "/chart.svg" })
-  pictures.heatmap(study(), { x = "order", y = "mesh", value = "dPx", file = folder .. "/map.svg" })
+  study():chart({ x = "mesh", y = "dPx", series = "order", file = folder .. "/chart.svg" })
+  study():heatmap({ x = "order", y = "mesh", value = "dPx", file = folder .. "/map.svg" })
   for file, texts in pairs { chart = { ">6×2<", ">dPx / %<", ">N2<" }, map = { ">6×2<", ">failed<", ">dPx / %<" } } do
     check.holds(core.read_file(("%s/%s.svg"):format(folder, file)), table.unpack(texts))
   end
@@ -110,17 +110,17 @@ end)
 
 check.case("wrong arguments", function()
   local function fails(call, options, ...)
-    check.fails(function() pictures[call](study(), options) end, "study_pictures_test.lua:", ...)
+    check.fails(function() study()[call](study(), options) end, "study_pictures_test.lua:", ...)
   end
   fails("chart", { file = "a.png", x = "wal", y = "dPx" }, "study:chart: x must be", "did you mean 'wall'?")
-  fails("chart", { file = "a.png", x = "wall" }, "y is missing")
-  fails("chart", { x = "wall", y = "dPx" }, "file is missing")
+  fails("chart", { file = "a.png", x = "wall" }, "y (column, or function of a row) is missing")
+  fails("chart", { x = "wall", y = "dPx" }, "study:chart: file (", "is missing")
   fails("chart", { file = "a.png", x = "wall", y = "order" }, "y (of the case order = N4", "got the string 'N4'")
   fails("chart", { file = "a.png", x = "wall", y = "dPx", serie = "order" }, "did you mean 'series'?")
   fails("chart", { file = "a.png", x = "wall", y = function() end }, "no case has both wall and y")
   fails("heatmap", { file = "a.png", x = "order", y = "dPx", value = "wall" }, "y must be 'order', 'mesh' or 'steps'")
   fails("heatmap", { file = "a.png", x = "order", y = "order", value = "wall" }, "x and y are both order")
-  fails("heatmap", { file = "a.png", x = "order", y = "mesh" }, "value is missing")
+  fails("heatmap", { file = "a.png", x = "order", y = "mesh" }, "value (column, or function of a row) is missing")
   fails("heatmap", { file = "a.png", x = "order", y = "mesh", value = "dPx", texts = "no" },
     "texts must be true or false")
   fails("heatmap", { file = "a.png", x = "order", y = "mesh", value = function() end }, "no case has value")

@@ -99,10 +99,10 @@ check.case("?name is help, and errors are red where the terminal has colours and
   end
   local output = check.shell(("env -u NO_COLOR TERM=xterm script -qec \"%s -e 'error(0)'\" /dev/null"):format(arg[-1]))
   check.holds(output, "\27[31msignorini:\27[0m 0")
-  check.holds(typed "-u NO_COLOR TERM=xterm", "The median of a list", "\27[31m0\27[0m", "\27[32msg> \27[0m")
+  check.holds(typed "-u NO_COLOR TERM=xterm", "Returns the median of a list", "\27[31m0\27[0m", "\27[32msg> \27[0m")
   for _, environment in ipairs { "NO_COLOR=1 TERM=xterm", "-u NO_COLOR TERM=dumb" } do
     local output = typed(environment)
-    check.holds(output, "The median of a list", "0\n")
+    check.holds(output, "Returns the median of a list", "0\n")
     check.equal(output:find "\27%[3[12]m", nil)
   end
 end)

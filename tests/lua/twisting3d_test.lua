@@ -63,11 +63,11 @@ end)
 
 check.case("wrong arguments", function()
   check.refused(script, { ["label=N2"] = "unknown argument 'label=N2'; did you mean 'labels'? known: angle=",
-                               ["parts=turn"] = "parts must be among twist, punch and balance, got 'turn'",
-                               ["meshes=m4"] = "meshes must be among m1, m2 and m3, got 'm4'",
-                               ["slave=die"] = "slave must be hemisphere or cube, got 'die'",
-                               ["poles=top"] = "poles must be ends or bottom, got 'top'",
-                               ["angle=0"] = "angle must be a number above 0, got '0'",
+                               ["parts=turn"] = "parts must be values among 'twist', 'punch' and 'balance', got 'turn'",
+                               ["meshes=m4"] = "meshes must be values among 'm1', 'm2' and 'm3', got 'm4'",
+                               ["slave=die"] = "slave must be 'hemisphere' or 'cube', got 'die'",
+                               ["poles=top"] = "poles must be 'ends' or 'bottom', got 'top'",
+                               ["angle=0"] = "angle must be a positive number, got '0'",
                                ["twist=x"] = "twist must be" }, "out=" .. folder)
 end)
 

@@ -270,9 +270,9 @@ check.case("a series lists its states, also while it grows", function()
   check.near(first.cells[7].points[1].displacement[2] * 2, second.cells[7].points[1].displacement[2], 0.01)
   check.fails(function() series:add { model = model, time = 0.2 } end, "vtu_test.lua:", "times must grow")
   check.fails(function() series:add { model = model, tiem = 1 } end, "unknown argument 'tiem'", "did you mean 'time'")
-  check.fails(function() series:add { model = 1, time = 1 } end,
-    "series:add: model must be a model made by sg.model, got")
-  check.fails(function() series:add { model = model } end, "series:add: time is missing: it must be a finite number")
+  check.fails(function() series:add { model = 1, time = 1 } end, "series:add: model must be a model, got")
+  check.fails(function() series:add { model = model } end,
+    "series:add: time (time of the state) is missing: it must be a number")
   check.fails(function() series.add { model = model, time = 1 } end, "with a colon")
   check.fails(function() sg.pvd "a.vtu" end, "sg.pvd: file must be a name that ends with .pvd")
   check.fails(function() sg.pvd(folder .. "/none/a.pvd") end, "vtu_test.lua:", "sg.pvd: cannot write", "none",

@@ -8,8 +8,8 @@ local meshes = { "m1", "m2", "m3", "m4" }
 
 --- A study with rows { order, mesh, wall, dPx, failed, reason }.
 local function study(rows)
-  return { name = "ironing", parameters = { "order", "mesh" }, figures = { "dPx", "dofs" }, units = { wall = "s" },
-           rows = rows }
+  return setmetatable({ name = "ironing", parameters = { "order", "mesh" }, figures = { "dPx", "dofs" },
+                        units = { wall = "s" }, rows = rows }, core.types.study)
 end
 
 --- Cases of one order with these walls and errors.
@@ -165,13 +165,13 @@ check.case("wrong arguments", function()
   local function fails(options, ...)
     check.fails(function() sg.work_precision(good, options) end, "work_precision_test.lua:", ...)
   end
-  check.fails(function() sg.work_precision(7, {}) end, "its first argument must be a study, got the number 7")
-  fails(nil, "error is missing: it must be 'order', 'mesh', 'dPx'")
+  check.fails(function() sg.work_precision(7, {}) end, "sg.work_precision: study must be a study, got the number 7")
+  fails(nil, "sg.work_precision: error", "is missing: it must be a column or a function")
   fails({ error = "dPy" }, "error must be", "did you mean 'dPx'?")
   fails({ error = "dPx", tim = "wall" }, "unknown argument 'tim'", "did you mean 'time'?")
   fails({ error = "mesh" }, "error (of the case order = N2, mesh = m1) must pick finite numbers, got the string 'm1'")
   fails({ error = function() return 0 / 0 end }, "must pick finite numbers, got nan")
-  fails({ error = "dPx", at = 0.1 }, "at must be a list of errors")
+  fails({ error = "dPx", at = 0.1 }, "at must be a list of at least one positive number")
   fails({ error = "dPx", at = { -1 } }, "at[1] must be a positive number")
   fails({ error = "dPx", file = "a.png", files = { "b.png" } }, "keep one of them")
   fails({ error = "dPx", file = "a.gif" }, "a.gif", ".png, .svg or .pdf")

@@ -2,6 +2,7 @@
 #include "model/bench.hpp"
 #include "model/path_norm.hpp"
 #include "model/scenes.hpp"
+#include "told.hpp"
 
 #include <Eigen/LU>
 
@@ -97,7 +98,7 @@ struct Walk {
     const VectorX before = model.present.displacement, t = tangent();
     set_target(model, 0, component, from + sense);
     const solve::NewtonReport report = solve_arc(model, {}, length);
-    ASSERT_EQ(report.outcome, solve::Outcome::converged) << report.message;
+    ASSERT_EQ(report.outcome, solve::Outcome::converged) << told(report.messages);
     accept(model);
     last_increment = model.present.displacement - before;
     EXPECT_NEAR(t.dot(weights.cwiseProduct(last_increment)), length, 1e-9 * length);
@@ -286,9 +287,9 @@ TEST(Arc, AnArcOfTheSameLengthLeadsAsFarOnAnyMeshAndInAnyUnit) {
 
 TEST(Arc, ErrorsNameTheArgument) {
   Model<2> model(arch());
-  EXPECT_ERROR(solve_arc(model, {}, 0.1), "an arc needs a path: set a target other than the accepted one");
+  EXPECT_ERROR(solve_arc(model, {}, 0.1), "model.arc.no_path");
   set_target(model, 0, 1, -1);
-  EXPECT_ERROR(solve_arc(model, {}, 0), "an arc's length must be positive, got 0");
+  EXPECT_ERROR(solve_arc(model, {}, 0), "model.arc.length: length = 0");
 }
 
 } // namespace arc_test

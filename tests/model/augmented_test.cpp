@@ -1,5 +1,6 @@
 // The augmented Lagrangian method where the exact state is known: a block between walls, pressed flat on a plane.
 #include "model/scenes.hpp"
+#include "told.hpp"
 
 #include <gtest/gtest.h>
 
@@ -41,7 +42,7 @@ TEST(Augmented, PressureIsExactAtAModeratePenalty) {
       for (double depth : {0.1, 0.2}) {
         set_target(model, 0, 0, -depth);
         const solve::NewtonReport report = solve_step(model, augmented(tolerance));
-        ASSERT_EQ(report.outcome, solve::Outcome::converged) << report.message;
+        ASSERT_EQ(report.outcome, solve::Outcome::converged) << told(report.messages);
         EXPECT_GT(report.begun, 0);
         const auto floor = resultant(model.present.contacts[0]);
         // The block's diagonal is √2.
@@ -69,7 +70,7 @@ TEST(Augmented, ABlockThatIsDrawnOffLetsGo) {
   for (double depth : {0.2, 0.05, -0.01}) {
     set_target(model, 0, 0, -depth);
     const solve::NewtonReport report = solve_step(model, augmented(1e-8));
-    ASSERT_EQ(report.outcome, solve::Outcome::converged) << report.message;
+    ASSERT_EQ(report.outcome, solve::Outcome::converged) << told(report.messages);
     EXPECT_NEAR(resultant(model.present.contacts[0]).max_pressure, depth > 0 ? exact_pressure(depth) : 0, 1e-6);
     EXPECT_NEAR(reaction(model, 2)(1), depth > 0 ? -exact_pressure(depth) : 0, 1e-6);
     accept(model);
@@ -81,7 +82,7 @@ TEST(Augmented, TooFewLoopsFailAndSaySo) {
   set_target(model, 0, 0, -0.2);
   const solve::NewtonReport report = solve_step(model, augmented(1e-8, 3));
   EXPECT_EQ(report.outcome, solve::Outcome::penetration);
-  EXPECT_NE(report.message.find("after 3 augmentations, asked was 1.41421"), std::string::npos) << report.message;
+  EXPECT_NE(told(report.messages).find("loops = 3, enough = 1.41421"), std::string::npos) << told(report.messages);
 }
 
 TEST(Augmented, RollBackAndRestoreBringMultipliersBack) {
@@ -126,7 +127,7 @@ TEST(PenaltyFactor, GoesBackWithTheState) {
   restore(model, kept);
   EXPECT_EQ(model.present.penalty_factor, 0.5);
   EXPECT_NEAR(resultant(model.present.contacts[0]).max_pressure, pressure, 1e-13);
-  EXPECT_ERROR(set_penalty_factor(model, 0), "the penalty's factor must be positive, got 0");
+  EXPECT_ERROR(set_penalty_factor(model, 0), "model.penalty.factor: factor = 0");
 }
 
 } // namespace augmented_test

@@ -1,5 +1,6 @@
 // Strips bent by turning their ends: moments against beam theory, and as the rate of the stored energy.
 #include "model/scenes.hpp"
+#include "told.hpp"
 
 #include <gtest/gtest.h>
 
@@ -31,7 +32,7 @@ Scene<2> strip(double length, int elements, const std::string& label, const soli
 
 void solve(Model<2>& model) {
   const solve::NewtonReport report = solve_step(model, {});
-  ASSERT_EQ(report.outcome, solve::Outcome::converged) << report.message;
+  ASSERT_EQ(report.outcome, solve::Outcome::converged) << told(report.messages);
   accept(model);
 }
 

@@ -36,23 +36,23 @@ TEST(Clearance, ApartTouchingAndSlightlyOverlappingIsFine) {
 }
 
 TEST(Clearance, ObstacleThatReachesIntoTheBodyIsAnError) {
-  EXPECT_ERROR(build(plane(0.02, 1)), "the obstacle of 'floor' is inside body 'block' at the start: the face reaches "
-                                      "0.02 deep into it at (");
-  EXPECT_ERROR(build(ball(0.5, -1, 1.2)), "the obstacle of 'floor' is inside body 'block'");
-  EXPECT_ERROR(build(ball(0.5, 0.2, 3)), "move the obstacle out, or turn its normal round"); // swallows it
+  EXPECT_ERROR(build(plane(0.02, 1)), "model.clearance.inside");
+  EXPECT_ERROR(build(ball(0.5, -1, 1.2)), "model.clearance.inside");
+  EXPECT_ERROR(build(ball(0.5, 0.2, 3)), "model.clearance.inside"); // swallows it
 }
 
 TEST(Clearance, NormalTurnedRoundIsAnError) {
-  EXPECT_ERROR(build(plane(-0.3, -1)), "0.3 deep");
-  EXPECT_ERROR(build(plane(0, -1)), "holds the middle of body 'block'"); // only touches
-  EXPECT_ERROR(build(nurbs::line(Eigen::Vector2d(-1, -0.3), Eigen::Vector2d(2, -0.3))),
-               "turn its normal round by patch:reverse(1)");
+  EXPECT_ERROR(build(plane(-0.3, -1)), "model.clearance.inside");
+  EXPECT_ERROR(build(plane(0, -1)), "model.clearance.middle"); // only touches
+  EXPECT_ERROR(build(nurbs::line(Eigen::Vector2d(-1, -0.3), Eigen::Vector2d(2, -0.3))), "model.clearance.inside_patch");
 }
 
 /// A disc in the middle of the body touches no face.
 TEST(Clearance, DiscInTheBodyIsAnError) {
-  EXPECT_ERROR(build(ball(0.5, 0.5, 0.1)), "lies in the body; move the obstacle out");
-  EXPECT_ERROR(build(ball(0.02, 0.98, 0.01)), "lies in the body");
+  EXPECT_ERROR(build(ball(0.5, 0.5, 0.1)),
+               "model.clearance.center: contact = floor, body = block, center = (0.5, 0.5)");
+  EXPECT_ERROR(build(ball(0.02, 0.98, 0.01)),
+               "model.clearance.center: contact = floor, body = block, center = (0.02, 0.98)");
 }
 
 /// What counts is the curved body itself, not the hull of its control points.
@@ -69,9 +69,10 @@ TEST(Clearance, DiscInAHoleIsFine) {
   shell({0, 0}, 0.6);
   shell({0, -0.45}, 0.1);
   shell({0.9, -0.9}, 0.1); // in the corner of the control points' box
-  EXPECT_ERROR(shell({0, -0.8}, 0.1), "lies in the body");
-  EXPECT_ERROR(shell({0.56, -0.56}, 0.05), "lies in the body");
-  EXPECT_ERROR(shell({0, 0}, 0.7), "is inside body 'shell'");
+  EXPECT_ERROR(shell({0, -0.8}, 0.1), "model.clearance.center: contact = roll, body = shell, center = (0, -0.8)");
+  EXPECT_ERROR(shell({0.56, -0.56}, 0.05),
+               "model.clearance.center: contact = roll, body = shell, center = (0.56, -0.56)");
+  EXPECT_ERROR(shell({0, 0}, 0.7), "model.clearance.inside");
 }
 
 } // namespace clearance_test

@@ -1,6 +1,7 @@
 // Linear elastic scenes solved with the bulk condensed onto the contact unknowns, beside the plain way.
 #include "model/bench.hpp"
 #include "model/scenes.hpp"
+#include "told.hpp"
 
 #include <cmath>
 
@@ -47,8 +48,8 @@ Seen compare_solvers(const Scene<2>& scene, const std::vector<Vec<2>>& path) {
   for (std::size_t k = 0; k < path.size(); ++k) {
     const auto a = step_to(condensed, 0, path[k](0), path[k](1), by_condensed),
                b = step_to(plain, 0, path[k](0), path[k](1), by_plain);
-    EXPECT_EQ(a.outcome, solve::Outcome::converged) << k << ": " << a.message;
-    EXPECT_EQ(b.outcome, solve::Outcome::converged) << k << ": " << b.message;
+    EXPECT_EQ(a.outcome, solve::Outcome::converged) << k << ": " << told(a.messages);
+    EXPECT_EQ(b.outcome, solve::Outcome::converged) << k << ": " << told(b.messages);
     EXPECT_NEAR(a.iterations, b.iterations, 2) << k;
     seen.other_iterations += a.iterations != b.iterations;
     EXPECT_EQ(condensed.linear.kind(), solve::LinearKind::condensed);
@@ -149,7 +150,7 @@ TEST(Condensed, BodyThatOnlyTheContactHolds) {
         options.linear = model == &condensed ? solve::LinearKind::condensed : solve::LinearKind::umfpack;
         model::set_target(*model, 0, 0, push);
         const auto report = model::solve_step(*model, options);
-        ASSERT_EQ(report.outcome, solve::Outcome::converged) << mu << " " << report.message;
+        ASSERT_EQ(report.outcome, solve::Outcome::converged) << mu << " " << told(report.messages);
         model::accept(*model);
         EXPECT_NEAR(resultant(model->present.contacts[0]).force(1), 0.1, 1e-9);
         EXPECT_NEAR(resultant(model->present.contacts[0]).force(0), mu > 0 ? -push : 0, 1e-9);
@@ -168,7 +169,7 @@ TEST(Condensed, NeedsLinearBodiesAndAContact) {
     Model<2> model(std::move(scene));
     step_to(model, 0, 0, -0.01, options);
   };
-  const std::string message = "linear = \"condensed\" needs bodies that are all linear elastic, and a contact";
+  const std::string message = "model.linear.condensed";
   EXPECT_ERROR(step(roller(solid::neo_hookean(1, 0.3), {100})), message);
   EXPECT_ERROR(
       step(

@@ -2,6 +2,7 @@
 #include "model/damping.hpp"
 
 #include "model/scenes.hpp"
+#include "told.hpp"
 
 #include <gtest/gtest.h>
 
@@ -133,7 +134,7 @@ TEST(Damping, AFreeBodyTravelsOneStrideInOneSolve) {
       Model<2> model(above_plane(gap, {}));
       set_target(model, 0, 0, weight);
       const solve::NewtonReport& report = iterate(model, damped());
-      ASSERT_EQ(report.outcome, solve::Outcome::iterating) << report.message;
+      ASSERT_EQ(report.outcome, solve::Outcome::iterating) << told(report.messages);
       // The shift is a multiple of the diagonal, so that it may stand for it.
       const VectorX diagonal = model.system.assembly.diagonal();
       double travel = 0, sum = 0;
@@ -183,13 +184,13 @@ template <int D> void expect_the_same_rest(const std::function<Scene<D>(double)>
   ASSERT_EQ(solve_step(touching, {}).outcome, solve::Outcome::converged);
   set_target(apart, 0, 0, load);
   const solve::NewtonReport report = solve_step(apart, damped());
-  ASSERT_EQ(report.outcome, solve::Outcome::converged) << report.message;
+  ASSERT_EQ(report.outcome, solve::Outcome::converged) << told(report.messages);
   EXPECT_LT((places(apart) - places(touching)).cwiseAbs().maxCoeff(), 1e-8);
   EXPECT_GT(resultant(apart.present.contacts[0]).active, 0);
   EXPECT_LT((resultant(apart.present.contacts[0]).force - resultant(touching.present.contacts[0]).force).norm(), 1e-8);
   set_target(undamped, 0, 0, load);
   const solve::NewtonReport failed = solve_step(undamped, {});
-  EXPECT_EQ(failed.outcome, solve::Outcome::singular_tangent) << failed.message;
+  EXPECT_EQ(failed.outcome, solve::Outcome::singular_tangent) << told(failed.messages);
 }
 
 TEST(Damping, ASquareFallsOnAPlaneAndRestsWhereItRestsOtherwise) {
@@ -225,7 +226,8 @@ TEST(Damping, ABlockWithFrictionLandsFromAnyHeightUnderItsFullLoad) {
         Model<2> model(scene);
         set_target(model, 0, 0, load);
         const solve::NewtonReport report = solve_step(model, damped());
-        ASSERT_EQ(report.outcome, solve::Outcome::converged) << report.message << mu << " " << gap << " " << load;
+        ASSERT_EQ(report.outcome, solve::Outcome::converged)
+            << told(report.messages) << mu << " " << gap << " " << load;
         // As the pressure follows the face, its resultant is the load but for the face's stretch; nothing pulls aside.
         const auto floor = resultant(model.present.contacts[0]);
         EXPECT_NEAR(floor.force(1) / load_resultant(model, 0)(1), -1, 1e-8);

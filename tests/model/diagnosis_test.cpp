@@ -1,9 +1,9 @@
 // Why steps fail: the outcome, the place, the words, each provoked on purpose.
 #include "model/diagnosis.hpp"
 
-#include "base/words.hpp"
 #include "model/scenes.hpp"
 #include "model/weak_directions.hpp"
+#include "told.hpp"
 
 #include <Eigen/Eigenvalues>
 
@@ -114,12 +114,13 @@ TEST(Diagnosis, AnInvertedElementIsNamedWithItsPoint) {
   EXPECT_EQ(spot.where, "block");
   EXPECT_EQ(spot.index, 0);
   EXPECT_NEAR(spot.value, -0.2, 1e-9);
-  EXPECT_EQ(spot.text, "J = -0.2");
+  EXPECT_EQ(bare_text(spot.what), "model.spot.jacobian: jacobian = -0.2");
   EXPECT_NEAR(spot.current(0), spot.reference(0), 1e-9);
   EXPECT_NEAR(spot.current(1), spot.reference(1), 1e-9); // in the accepted state, not in the one that failed
   EXPECT_TRUE(spot.reference(0) > 0 && spot.reference(0) < 0.5 && spot.reference(1) > 0 && spot.reference(1) < 0.5);
-  EXPECT_TRUE(holds(diagnosis.message, "element 1 of body 'block' is inverted (J = -0.2")) << diagnosis.message;
-  EXPECT_TRUE(holds(diagnosis.cure, "smaller steps")) << diagnosis.cure;
+  EXPECT_TRUE(holds(told(diagnosis.messages), "model.step.inverted: element = 0, body = block, jacobian = -0.2"))
+      << told(diagnosis.messages);
+  EXPECT_TRUE(holds(told(diagnosis.cures), "model.cure.step")) << told(diagnosis.cures);
 }
 
 /// A square under a traction; the diagnosis of its first step.
@@ -131,24 +132,26 @@ Diagnosis under_traction(const std::vector<Grip>& grips, bool pinned = false) {
   set_target(model, 0, 0, 0.1);
   set_target(model, 0, 1, -0.1);
   const solve::NewtonReport report = solve_step(model, {});
-  EXPECT_EQ(report.outcome, Outcome::singular_tangent) << report.message;
+  EXPECT_EQ(report.outcome, Outcome::singular_tangent) << told(report.messages);
   return diagnose(model, report);
 }
 
 TEST(Diagnosis, ASingularTangentIsNamedWithItsMotion) {
   const Diagnosis along = under_traction({{"wall", "west", {fixed, free_to_move}}});
-  EXPECT_TRUE(holds(along.message, "body 'block' moves as a whole along (0, 1)") ||
-              holds(along.message, "body 'block' moves as a whole along (0, -1)"))
-      << along.message;
+  ASSERT_EQ(along.messages.back().code, "model.diagnosis.moves");
+  EXPECT_EQ(std::get<std::string>(along.messages.back().data[0].second), "block");
+  const auto direction = std::get<std::vector<double>>(along.messages.back().data[1].second);
+  EXPECT_NEAR(direction[0], 0, 1e-9);
+  EXPECT_NEAR(std::abs(direction[1]), 1, 1e-9);
   ASSERT_EQ(along.places.size(), 3u);
   EXPECT_EQ(along.places[0].kind, "control point");
   EXPECT_EQ(along.places[0].where, "block");
   EXPECT_NEAR(along.places[0].value, 1 / std::sqrt(12.0), 1e-6); // 12 control points move alike
-  EXPECT_TRUE(holds(along.cure, "hold the body with a support"));
+  EXPECT_TRUE(holds(told(along.cures), "model.cure.support"));
 
   // About the pinned corner the opposite one moves most.
   const Diagnosis turning = under_traction({}, true);
-  EXPECT_TRUE(holds(turning.message, "body 'block' turns as a whole")) << turning.message;
+  EXPECT_TRUE(holds(told(turning.messages), "model.diagnosis.turns: body = block")) << told(turning.messages);
   EXPECT_EQ(turning.places[0].reference, VectorX(Eigen::Vector2d(1, 1)));
 }
 
@@ -171,14 +174,14 @@ TEST(Diagnosis, AnIndefiniteTangentIsFoundBehindAStall) {
   // Clamped below and held upright only in y above: buckles at a shortening of about (π t)²/(48 L) = 0.005.
   const Diagnosis beyond = press(0.1, 1);
   EXPECT_EQ(beyond.outcome, Outcome::indefinite);
-  EXPECT_TRUE(holds(beyond.message, "the tangent is indefinite there")) << beyond.message;
-  EXPECT_TRUE(holds(beyond.cure, "limit of stability"));
+  EXPECT_TRUE(holds(told(beyond.messages), "model.diagnosis.indefinite")) << told(beyond.messages);
+  EXPECT_TRUE(holds(told(beyond.cures), "model.cure.first_step"));
   ASSERT_FALSE(beyond.places.empty());
   EXPECT_EQ(beyond.places[0].where, "column");
   EXPECT_GT(beyond.places[0].reference(1), 8);
   const Diagnosis before = press(0.002, 1);
   EXPECT_EQ(before.outcome, Outcome::iteration_limit);
-  EXPECT_TRUE(holds(before.cure, "allow more iterations"));
+  EXPECT_TRUE(holds(told(before.cures), "model.cure.iterations"));
   EXPECT_EQ(before.places.size(), before.unbalanced.size());
   EXPECT_EQ(before.places[0].index, before.unbalanced[0].index);
 }
@@ -219,9 +222,9 @@ TEST(Diagnosis, CyclingPointsAreNamed) {
     if (report.outcome != Outcome::converged) break;
     accept(model);
   }
-  ASSERT_EQ(report.outcome, Outcome::cycling) << report.message;
+  ASSERT_EQ(report.outcome, Outcome::cycling) << told(report.messages);
   EXPECT_GT(step, 20); // which step and which period depends on rounding error
-  EXPECT_TRUE(holds(report.message, "the states of contact points repeat every ")) << report.message;
+  EXPECT_TRUE(holds(told(report.messages), "model.step.cycling: period = ")) << told(report.messages);
   const Diagnosis diagnosis = diagnose(model, report);
   EXPECT_EQ(diagnosis.outcome, Outcome::cycling);
   const auto restless = model.active_set.restless();
@@ -236,10 +239,10 @@ TEST(Diagnosis, CyclingPointsAreNamed) {
     EXPECT_EQ(spot.current, VectorX(model.accepted.contacts[0].results[i].position));
     EXPECT_NEAR((spot.reference - Eigen::Vector2d(0.75, 1.5)).norm(), 0.5, 1e-9); // on the die
   }
-  EXPECT_TRUE(holds(diagnosis.message,
-                    counted(restless.size(), "point") + " of contact 'interface', the first in slave element "))
-      << diagnosis.message;
-  EXPECT_TRUE(holds(diagnosis.cure, "hold points that change too often"));
+  EXPECT_TRUE(holds(told(diagnosis.messages), "model.diagnosis.points: count = " + std::to_string(restless.size()) +
+                                                  ", contact = interface, element = "))
+      << told(diagnosis.messages);
+  EXPECT_TRUE(holds(told(diagnosis.cures), "model.cure.active_set"));
 
   // Line search goes through.
   for (const auto kind : {solve::LineSearchKind::residual, solve::LineSearchKind::energy}) {
@@ -276,16 +279,19 @@ TEST(Diagnosis, PointsThatLeaveTheMasterAreNamed) {
   accept(model);
   set_target(model, 0, 0, -0.125);
   const solve::NewtonReport report = solve_step(model, {});
-  EXPECT_EQ(report.outcome, Outcome::lost_projection) << report.message;
+  EXPECT_EQ(report.outcome, Outcome::lost_projection) << told(report.messages);
   const Diagnosis diagnosis = diagnose(model, report);
   ASSERT_FALSE(diagnosis.places.empty());
   for (const TroubleSpot& spot : diagnosis.places) {
     EXPECT_EQ(spot.kind, "contact point");
     EXPECT_EQ(spot.where, "edge");
-    EXPECT_TRUE(spot.text == "touching / beyond" || spot.text == "beyond / touching") << spot.text;
+    const std::string what = bare_text(spot.what);
+    EXPECT_TRUE(what == "model.spot.states: states = touching / beyond" ||
+                what == "model.spot.states: states = beyond / touching")
+        << what;
     EXPECT_NEAR(spot.reference(1), 0.1, 1e-12);
   }
-  EXPECT_TRUE(holds(diagnosis.cure, "extend the master face"));
+  EXPECT_TRUE(holds(told(diagnosis.cures), "model.cure.extend_master"));
 }
 
 TEST(Diagnosis, PenetrationThatRemainsIsNamedWithItsPoints) {
@@ -305,7 +311,7 @@ TEST(Diagnosis, PenetrationThatRemainsIsNamedWithItsPoints) {
     if (point.state != contact::ContactState::open) farthest = std::max(farthest, std::abs(point.gap));
   EXPECT_EQ(std::abs(diagnosis.places[0].value), farthest);
   for (const TroubleSpot& spot : diagnosis.places) EXPECT_EQ(spot.kind, "contact point");
-  EXPECT_TRUE(holds(diagnosis.cure, "raise the penalty"));
+  EXPECT_TRUE(holds(told(diagnosis.cures), "model.cure.penalty"));
 }
 
 TEST(Diagnosis, LineSearchAndNumbersThatAreNone) {
@@ -317,7 +323,7 @@ TEST(Diagnosis, LineSearchAndNumbersThatAreNone) {
   EXPECT_EQ(none.outcome, Outcome::not_finite);
   const Diagnosis diagnosis = diagnose(model, none);
   EXPECT_EQ(diagnosis.outcome, Outcome::not_finite);
-  EXPECT_TRUE(holds(diagnosis.message, "not a finite number"));
+  EXPECT_TRUE(holds(told(diagnosis.messages), "solve.newton.not_finite"));
   rollback(model);
   set_target(model, 0, 0, 0.05);
   EXPECT_EQ(solve_step(model, {}).outcome, Outcome::converged);
@@ -327,7 +333,7 @@ TEST(Diagnosis, LineSearchAndNumbersThatAreNone) {
   stalled.outcome = Outcome::line_search;
   const Diagnosis search = diagnose(model, stalled);
   EXPECT_EQ(search.outcome, Outcome::line_search);
-  EXPECT_TRUE(holds(search.cure, "no line search"));
+  EXPECT_TRUE(holds(told(search.cures), "model.cure.no_line_search"));
   EXPECT_EQ(search.places.size(), 3u);
 }
 

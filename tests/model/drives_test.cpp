@@ -165,9 +165,15 @@ TEST(Unknowns, TurningFaceTakesNoOtherSupport) {
     scene.supports.insert(first ? scene.supports.begin() : scene.supports.end(), other);
     Unknowns<2>{scene};
   };
-  EXPECT_ERROR(build({Hold::fixed, Hold::free}, false), "'bolt' fixes x of a control point that 'edge' already turns");
-  EXPECT_ERROR(build({Hold::free, Hold::driven}, true), "'edge' turns y of a control point that 'bolt' already drives");
-  EXPECT_ERROR(build({Hold::free, Hold::fixed}, false), "'bolt' fixes y of a control point that 'edge' already turns");
+  EXPECT_ERROR(build({Hold::fixed, Hold::free}, false),
+               "model.scene.held_twice: support = bolt, verb = (model.verb.fixes), component = x, other = edge, "
+               "other_verb = (model.verb.turns)");
+  EXPECT_ERROR(build({Hold::free, Hold::driven}, true),
+               "model.scene.held_twice: support = edge, verb = (model.verb.turns), component = y, other = bolt, "
+               "other_verb = (model.verb.drives)");
+  EXPECT_ERROR(build({Hold::free, Hold::fixed}, false),
+               "model.scene.held_twice: support = bolt, verb = (model.verb.fixes), component = y, other = edge, "
+               "other_verb = (model.verb.turns)");
 }
 
 TEST(Assembly, TangentOfSharedUnknownsIsTheResidualsDerivative) {

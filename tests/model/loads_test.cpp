@@ -1,6 +1,7 @@
 // Dead loads in a model: exact states under tractions and pressures, loads as targets, and what acts from the start.
 #include "model/sample.hpp"
 #include "model/scenes.hpp"
+#include "told.hpp"
 
 #include <gtest/gtest.h>
 
@@ -52,7 +53,7 @@ TEST(Loads, TractionOnABarGivesItsStressAndReaction) {
       for (int k = 1; k <= steps; ++k) {
         set_target(model, 0, 0, t * k / steps);
         const auto report = solve_step(model, {});
-        ASSERT_EQ(report.outcome, solve::Outcome::converged) << report.message;
+        ASSERT_EQ(report.outcome, solve::Outcome::converged) << told(report.messages);
         accept(model);
         expect_stress(model, Vec<2>(t * k / steps, 0).asDiagonal(), t);
         EXPECT_NEAR((load_resultant(model, 0) - Vec<2>(t * k / steps, 0)).norm(), 0, 1e-14);

@@ -5,6 +5,7 @@
 
 #include "model/sample.hpp"
 #include "model/scenes.hpp"
+#include "told.hpp"
 
 #include <gtest/gtest.h>
 
@@ -41,22 +42,25 @@ TEST(Unknowns, SupportsMustNotContradictEachOther) {
   const auto build = [](const std::vector<Grip>& grips) { Unknowns<2>{square(grips)}; };
   const Hold fixed = Hold::fixed, driven = Hold::driven, free = Hold::free;
   EXPECT_ERROR(build({{"bed", "south", {fixed, fixed}}, {"grip", "west", {driven, free}}}),
-               "'grip' drives x of a control point that 'bed' already fixes");
+               "model.scene.held_twice: support = grip, verb = (model.verb.drives), component = x, other = bed, "
+               "other_verb = (model.verb.fixes)");
   EXPECT_ERROR(build({{"grip", "west", {free, driven}}, {"bed", "south", {fixed, fixed}}}),
-               "'bed' fixes y of a control point that 'grip' already drives");
+               "model.scene.held_twice: support = bed, verb = (model.verb.fixes), component = y, other = grip, "
+               "other_verb = (model.verb.drives)");
   EXPECT_ERROR(build({{"a", "west", {driven, free}}, {"b", "north", {driven, free}}}),
-               "'b' drives x of a control point that 'a' already drives");
+               "model.scene.held_twice: support = b, verb = (model.verb.drives), component = x, other = a, other_verb "
+               "= (model.verb.drives)");
   build({{"bed", "south", {fixed, fixed}}, {"wall", "west", {fixed, free}}, {"top", "north", {free, driven}}});
 }
 
 TEST(Model, ScenesThatMakeNoSenseAreErrors) {
-  EXPECT_ERROR(Model<2>(Scene<2>{}), "a model needs at least one body");
+  EXPECT_ERROR(Model<2>(Scene<2>{}), "model.scene.no_body");
   Scene<2> self = ironing("N2");
   self.contacts[0].master = self.contacts[0].slave;
-  EXPECT_ERROR(Model<2>(std::move(self)), "'interface' has the same face as slave and as master");
+  EXPECT_ERROR(Model<2>(std::move(self)), "model.scene.own_face: contact = interface");
   Scene<2> kinds = square({{"bed", "south", {Hold::fixed, Hold::fixed}}});
   kinds.kind = solid::Kind::axisymmetric;
-  EXPECT_ERROR(Model<2>(std::move(kinds)), "'block' is not of the scene's kind (plane strain or axisymmetric)");
+  EXPECT_ERROR(Model<2>(std::move(kinds)), "model.scene.kind: body = block");
 }
 
 /// Confined compression: F = diag(1, 1 + d), P_yy = μ F + (λ ln F − μ)/F, by one step and by many.
@@ -73,7 +77,7 @@ TEST(Model, PrescribedDisplacementsAreReached) {
     for (int k = 1; k <= steps; ++k) {
       set_target(model, 0, 0, -0.3 * k / steps);
       const auto report = solve_step(model, {});
-      ASSERT_EQ(report.outcome, solve::Outcome::converged) << report.message;
+      ASSERT_EQ(report.outcome, solve::Outcome::converged) << told(report.messages);
       accept(model);
       EXPECT_EQ(accepted_target(model, 0, 0), -0.3 * k / steps);
     }
@@ -109,7 +113,7 @@ TEST(Model, InversionAndIterationLimitAreReportedAndRolledBack) {
   const Eigen::Vector2d force = reaction(model, 1);
   const auto inverted = step_to(model, 0, 0, -1.5);
   EXPECT_EQ(inverted.outcome, solve::Outcome::inverted_element);
-  EXPECT_NE(inverted.message.find("body 'block' is inverted"), std::string::npos) << inverted.message;
+  EXPECT_NE(told(inverted.messages).find("body = block"), std::string::npos) << told(inverted.messages);
   rollback(model);
   EXPECT_EQ(model.present.displacement, accepted);
   EXPECT_NEAR((reaction(model, 1) - force).norm(), 0, 1e-14);

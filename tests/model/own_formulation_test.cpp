@@ -3,6 +3,7 @@
 
 #include "model/bench.hpp"
 #include "model/checkpoint.hpp"
+#include "told.hpp"
 
 #include <cmath>
 
@@ -163,7 +164,7 @@ TEST(OwnFormulation, MultipliersPressTwoBlocksAsIfTheyWereOne) {
   for (double down : {0.1, 0.3, 0.5}) {
     set_target(model, 0, 0, -down);
     const auto report = solve_step(model, {});
-    ASSERT_EQ(report.outcome, solve::Outcome::converged) << report.message;
+    ASSERT_EQ(report.outcome, solve::Outcome::converged) << told(report.messages);
     EXPECT_LE(report.iterations, 8);
     accept(model);
     const double exact = uniaxial(material, 1 - down / 2);
@@ -204,7 +205,7 @@ TEST(OwnFormulation, TangentIsTheResidualsDerivative) {
 
 TEST(OwnFormulation, CannotBeSaved) {
   Model<2> model(blocks(solid::neo_hookean(1, 0.3), 2));
-  EXPECT_ERROR(content(model, snapshot(model)), "a user-defined formulation cannot be saved");
+  EXPECT_ERROR(content(model, snapshot(model)), "contact.archive.own_formulation");
 }
 
 } // namespace own_formulation_test

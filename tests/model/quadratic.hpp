@@ -4,6 +4,7 @@
 #include "model/arc.hpp"
 #include "model/load_step.hpp"
 #include "model/results.hpp"
+#include "told.hpp"
 
 #include <gtest/gtest.h>
 
@@ -35,9 +36,9 @@ template <int D> int compare_starts(Model<D>& model) {
   const VectorX whole = model.system.unknowns.gather(model.present.displacement),
                 last = whole - model.system.unknowns.gather(model.accepted.displacement);
   const VectorX direction = last + last.norm() / whole.norm() * whole;
-  std::string why;
+  Message why;
   const auto piece = [&] {
-    EXPECT_EQ(evaluate(model, why), solve::Outcome::converged) << why;
+    EXPECT_EQ(evaluate(model, why), solve::Outcome::converged) << bare_text(why);
     return smooth_piece(model);
   };
   const std::vector<int> solution = piece();
@@ -63,7 +64,7 @@ template <int D> int compare_starts(Model<D>& model) {
     const bool same = piece() == solution && begins;
     const double after = model.unbalanced.norm();
     const solve::NewtonReport back = solve_step(model, exact);
-    EXPECT_EQ(back.outcome, solve::Outcome::converged) << back.message;
+    EXPECT_EQ(back.outcome, solve::Outcome::converged) << told(back.messages);
     if (same && before > 0) {
       EXPECT_LT(after, before / least + 30 * rounding) << "h = " << h;
       ++pairs;

@@ -57,13 +57,13 @@ TEST(Ruled, JoinsCurvesOfDifferentSpaces) {
 
 TEST(Ruled, RefusesWhatDoesNotFit) {
   const Patch flat = line(Vec<2>(0, 0), Vec<2>(1, 0)), high = line(Vec<3>(0, 0, 1), Vec<3>(1, 0, 1));
-  EXPECT_ERROR(ruled(flat, high), "space of dimension 2 and 3");
+  EXPECT_ERROR(ruled(flat, high), "nurbs.ruled.dimension: first = 2, second = 3");
   const Patch surface = extrude(high, Vec<3>(0, 1, 0));
-  EXPECT_ERROR(ruled(high, surface), "1 and 2 parametric directions");
+  EXPECT_ERROR(ruled(high, surface), "nurbs.ruled.directions: first = 1, second = 2");
   const Patch volume = extrude(surface, Vec<3>(0, 0, 1));
-  EXPECT_ERROR(ruled(volume, volume), "got volumes");
+  EXPECT_ERROR(ruled(volume, volume), "nurbs.ruled.volumes");
   const Patch square = extrude(flat, Vec<2>(0, 1));
-  EXPECT_ERROR(ruled(square, square), "3 parametric directions do not fit into space of dimension 2");
+  EXPECT_ERROR(ruled(square, square), "nurbs.patch.dimension: directions = 3, dimension = 2");
 }
 
 TEST(Extrude, TheDimensionIsTheVectors) {
@@ -75,9 +75,10 @@ TEST(Extrude, TheDimensionIsTheVectors) {
   // A sheared disc quarter: volume = area × rise.
   const Patch disc = ruled(line(Vec<2>(0, 0), Vec<2>(1e-3, 0)), arc(Vec<2>(0, 0), 1, 90, 0));
   EXPECT_NEAR(measure(extrude(disc, Vec<3>(3, 1, -2))).content, -2 * measure(disc).content, 1e-13);
-  EXPECT_ERROR(extrude(curve, Vec<2>(0, 0)), "along: it has no length");
-  EXPECT_ERROR(extrude(cylinder, Vec<2>(0, 1)), "along: 3 coordinates are needed, got 2");
-  EXPECT_ERROR(extrude(extrude(cylinder, Vec<3>(1, 0, 0)), Vec<3>(0, 1, 0)), "got a volume");
+  EXPECT_ERROR(extrude(curve, Vec<2>(0, 0)), "nurbs.extrude.length");
+  EXPECT_ERROR(extrude(cylinder, Vec<2>(0, 1)),
+               "nurbs.transform.coordinates: argument = along, expected = 3, count = 2");
+  EXPECT_ERROR(extrude(extrude(cylinder, Vec<3>(1, 0, 0)), Vec<3>(0, 1, 0)), "nurbs.extrude.volume");
 }
 
 TEST(Revolve, SphereAndTorusInClosedForm) {
@@ -114,12 +115,14 @@ TEST(Revolve, TurnsEveryPointRightHandedAboutASkewAxis) {
 TEST(Revolve, RefusesWhatCannotBe) {
   const Patch curve = line(Vec<3>(1, 0, 0), Vec<3>(2, 0, 0));
   const Vec<3> origin(0, 0, 0), z(0, 0, 1);
-  EXPECT_ERROR(revolve(line(Vec<2>(1, 0), Vec<2>(2, 0)), origin, z, 90), "got 1 parametric directions in 2D");
-  EXPECT_ERROR(revolve(curve, origin, origin, 90), "axis: it has no length");
-  EXPECT_ERROR(revolve(curve, origin, z, 0), "angle: it is 0");
-  EXPECT_ERROR(revolve(curve, origin, z, 361), "angle: it is 361");
-  EXPECT_ERROR(revolve(curve, origin, z, std::nan("")), "angle: it is nan");
-  EXPECT_ERROR(revolve(curve, Vec<2>(0, 0), z, 90), "point: 3 coordinates");
+  EXPECT_ERROR(revolve(line(Vec<2>(1, 0), Vec<2>(2, 0)), origin, z, 90),
+               "nurbs.revolve.patch: directions = 1, dimension = 2");
+  EXPECT_ERROR(revolve(curve, origin, origin, 90), "nurbs.transform.axis");
+  EXPECT_ERROR(revolve(curve, origin, z, 0), "nurbs.revolve.angle: angle = 0");
+  EXPECT_ERROR(revolve(curve, origin, z, 361), "nurbs.revolve.angle: angle = 361");
+  EXPECT_ERROR(revolve(curve, origin, z, std::nan("")), "nurbs.revolve.angle");
+  EXPECT_ERROR(revolve(curve, Vec<2>(0, 0), z, 90),
+               "nurbs.transform.coordinates: argument = point, expected = 3, count = 2");
 }
 
 TEST(Coons, KeepsItsFourCurves) {
@@ -188,15 +191,19 @@ TEST(Coons, RefusesWhatDoesNotMeet) {
   const Patch west = line(Vec<2>(0, 0), Vec<2>(0, 1)), east = line(Vec<2>(1, 0), Vec<2>(1, 1));
   const Patch south = line(Vec<2>(0, 0), Vec<2>(1, 0)), north = line(Vec<2>(0, 1), Vec<2>(1, 1));
   EXPECT_NO_THROW(coons({west, east, south, north}));
-  EXPECT_ERROR(coons({west, east, south}), "got 3");
-  EXPECT_ERROR(coons({west, east, south, line(Vec<2>(1, 1), Vec<2>(0, 1))}), "'west' and 'north' do not meet");
-  EXPECT_ERROR(coons({west, east, south, line(Vec<2>(0, 1), Vec<2>(1, 1 + 1e-8))}), "'east' and 'north' do not meet");
+  EXPECT_ERROR(coons({west, east, south}), "nurbs.coons.count: count = 3");
+  EXPECT_ERROR(coons({west, east, south, line(Vec<2>(1, 1), Vec<2>(0, 1))}),
+               "nurbs.coons.apart: first = west, second = north, at = (0, 1), other = (1, 1)");
+  EXPECT_ERROR(coons({west, east, south, line(Vec<2>(0, 1), Vec<2>(1, 1 + 1e-8))}),
+               "nurbs.coons.apart: first = east, second = north, at = (1, 1), other = (1, 1)");
   EXPECT_ERROR(coons({west, east, south, line(Vec<3>(0, 1, 0), Vec<3>(1, 1, 0))}),
-               "'north' lies in space of dimension 3, 'west' in 2");
+               "nurbs.coons.dimension: face = north, dimension = 3, expected = 2");
   const Patch heavy = make_patch({KnotVector::single(1)}, south.points(), Vec<2>(1, 2));
-  EXPECT_ERROR(coons({west, east, heavy, north}), "'east' and 'south' meet at (1, 0) with different weights, 1 and 2");
+  EXPECT_ERROR(coons({west, east, heavy, north}),
+               "nurbs.coons.weights: first = east, second = south, at = (1, 0), one = 1, other = 2");
   const Patch surface = ruled(west, east);
-  EXPECT_ERROR(coons({west, surface, south, north}), "'east' has 2 parametric directions, expected 1");
+  EXPECT_ERROR(coons({west, surface, south, north}),
+               "nurbs.coons.directions: face = east, directions = 2, expected = 1, count = 4");
 }
 
 } // namespace constructions_test

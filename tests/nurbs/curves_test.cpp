@@ -19,10 +19,12 @@ TEST(Line, RunsStraight) {
   const Patch patch = line(Vec<3>(1, 2, 3), Vec<3>(2, 4, 5));
   EXPECT_LT((evaluate(patch, xi(0.25)) - Vec<3>(1.25, 2.5, 3.5)).norm(), 1e-15);
   EXPECT_NEAR(measure(patch).content, 3, 1e-14);
-  EXPECT_ERROR(line(Vec<2>(1, 2), Vec<3>(1, 2, 3)), "to: 2 coordinates are needed, got 3");
-  EXPECT_ERROR(line(Vec<2>(1, 2), Vec<2>(1, 2)), "starts and ends at the same point, (1, 2)");
-  EXPECT_ERROR(line(VectorX::Ones(4), VectorX::Ones(4)), "from: 2 coordinates are needed, got 4");
-  EXPECT_ERROR(line(Vec<2>(std::nan(""), 2), Vec<2>(1, 2)), "from: every coordinate must be a finite number");
+  EXPECT_ERROR(line(Vec<2>(1, 2), Vec<3>(1, 2, 3)),
+               "nurbs.transform.coordinates: argument = to, expected = 2, count = 3");
+  EXPECT_ERROR(line(Vec<2>(1, 2), Vec<2>(1, 2)), "nurbs.line.point: point = (1, 2)");
+  EXPECT_ERROR(line(VectorX::Ones(4), VectorX::Ones(4)),
+               "nurbs.transform.coordinates: argument = from, expected = 2, count = 4");
+  EXPECT_ERROR(line(Vec<2>(std::nan(""), 2), Vec<2>(1, 2)), "nurbs.transform.finite");
 }
 
 TEST(Arc, IsACircleOfTheRightLengthForAnyAngle) {
@@ -73,14 +75,15 @@ TEST(Arc, InSpaceLiesAtItsCentresHeight) {
 
 TEST(Arc, RefusesWhatCannotBe) {
   const Vec<2> origin(0, 0);
-  EXPECT_ERROR(arc(origin, 0, 0, 90), "radius: it is 0, expected a positive length");
-  EXPECT_ERROR(arc(origin, -1, 0, 90), "radius: it is -1");
-  EXPECT_ERROR(arc(origin, std::nan(""), 0, 90), "radius: it is nan");
-  EXPECT_ERROR(circle(origin, HUGE_VAL), "radius: it is inf");
-  EXPECT_ERROR(arc(origin, 1, 45, 45), "starts and ends at 45 degrees");
-  EXPECT_ERROR(arc(origin, 1, 0, 400), "more than a full turn");
-  EXPECT_ERROR(arc(origin, 1, 0, HUGE_VAL), "expected finite numbers of degrees");
-  EXPECT_ERROR(arc(VectorX::Zero(4), 1, 0, 90), "centre: 2 coordinates are needed, got 4");
+  EXPECT_ERROR(arc(origin, 0, 0, 90), "nurbs.arc.radius: radius = 0");
+  EXPECT_ERROR(arc(origin, -1, 0, 90), "nurbs.arc.radius: radius = -1");
+  EXPECT_ERROR(arc(origin, std::nan(""), 0, 90), "nurbs.arc.radius");
+  EXPECT_ERROR(circle(origin, HUGE_VAL), "nurbs.arc.radius: radius = inf");
+  EXPECT_ERROR(arc(origin, 1, 45, 45), "nurbs.arc.empty: angle = 45");
+  EXPECT_ERROR(arc(origin, 1, 0, 400), "nurbs.arc.turn: start = 0, stop = 400");
+  EXPECT_ERROR(arc(origin, 1, 0, HUGE_VAL), "nurbs.arc.angles: start = 0, stop = inf");
+  EXPECT_ERROR(arc(VectorX::Zero(4), 1, 0, 90),
+               "nurbs.transform.coordinates: argument = centre, expected = 2, count = 4");
 }
 
 } // namespace curves_test

@@ -49,8 +49,8 @@ TEST(Swap, ExchangesParameters) {
 
 TEST(Directions, AreThoseOfThePatch) {
   const Patch flat = rectangle(1, 1, Vec<2>(0, 0));
-  EXPECT_ERROR(reverse(flat, 2), "reverse: direction 3 is not one of the patch's 2");
-  EXPECT_ERROR(swap_directions(flat, 0, -1), "swap: direction 0 is not one of the patch's 2");
+  EXPECT_ERROR(reverse(flat, 2), "nurbs.patch.direction: direction = 2, count = 2");
+  EXPECT_ERROR(swap_directions(flat, 0, -1), "nurbs.patch.direction: direction = -1, count = 2");
 }
 
 TEST(Mirror, ReflectsEveryPoint) {
@@ -83,8 +83,9 @@ TEST(Mirror, KeepsTheOutsideOfCurvesAndSurfaces) {
   const VectorX tangent = derivatives(image, middle, 1)[1].value, place = evaluate(image, middle);
   EXPECT_NEAR(place(1), -1, 1e-14);
   EXPECT_LT(tangent(1) * place(0) - tangent(0) * place(1), 0); // still inside on the right, as before
-  EXPECT_ERROR(mirror(image, Vec<2>(0, 0), Vec<2>(0, 0)), "normal: it has no length");
-  EXPECT_ERROR(mirror(image, Vec<2>(0, 0), Vec<3>(0, 0, 1)), "normal: 2 coordinates are needed, got 3");
+  EXPECT_ERROR(mirror(image, Vec<2>(0, 0), Vec<2>(0, 0)), "nurbs.mirror.normal");
+  EXPECT_ERROR(mirror(image, Vec<2>(0, 0), Vec<3>(0, 0, 1)),
+               "nurbs.transform.coordinates: argument = normal, expected = 2, count = 3");
 }
 
 } // namespace directions_test

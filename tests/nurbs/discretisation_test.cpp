@@ -285,7 +285,7 @@ TEST(Discretisation, SideAcrossALayerIsNoPatchInSpace) {
   plan.labels.assign(2, parse_label("N2-N4"));
   plan.through = 1;
   const Discretisation space(block({1, 1, 1}, Eigen::Vector3d(0, 0, 0)), plan);
-  EXPECT_ERROR(space.face(side_of("west", 3)), "crosses the layer");
+  EXPECT_ERROR(space.face(side_of("west", 3)), "nurbs.body.face_across_layer: face = west, contact = back");
   // Supports need its functions all the same: 4 control points in each of two rows, 6 in the layer's.
   EXPECT_EQ(space.face_functions(side_of("west", 3)).size(), 4u + 4u + 6u);
 }
@@ -301,26 +301,28 @@ TEST(Discretisation, ErrorsNameTheArgument) {
     return result;
   };
   const auto build = [&](const Plan& wanted) { Discretisation(slab, wanted); };
-  EXPECT_ERROR(build(plan({3}, {"N2"}, {"north"})), "elements: 2 numbers are needed");
-  EXPECT_ERROR(build(plan({0, 1}, {"N2"}, {"north"})), "elements: 0 is below the 1");
-  EXPECT_ERROR(build(plan({3, 1}, {"N2"}, {"north", "west"})), "'north' and 'west' meet");
-  EXPECT_ERROR(build(plan({3, 1}, {"N2"}, {"north", "north"})), "'north' is named twice");
-  EXPECT_ERROR(build(plan({3, 1}, {"N2"}, {"north", "south", "north"})), "one face or two opposite ones");
-  EXPECT_ERROR(build(plan({3, 1}, {"N2", "N2"}, {"north"})), "order: 1 label needed");
-  EXPECT_ERROR(build(plan({3, 1}, {"N2"}, {})), "order: 2 labels needed");
-  EXPECT_ERROR(build(plan({3, 1}, {"N2", "L2"}, {})), "cannot be mixed");
-  EXPECT_ERROR(build(plan({3, 1}, {"N2-N4", "N2-N4"}, {})), "names no contact face");
-  EXPECT_ERROR(build(plan({3, 2}, {"N2-N4x4"}, {"north"})), "4 rows deep, but the body has only 3");
+  EXPECT_ERROR(build(plan({3}, {"N2"}, {"north"})), "nurbs.body.elements: expected = 2, count = 1");
+  EXPECT_ERROR(build(plan({0, 1}, {"N2"}, {"north"})), "nurbs.grading.elements: elements = 0, least = 1");
+  EXPECT_ERROR(build(plan({3, 1}, {"N2"}, {"north", "west"})),
+               "nurbs.body.contact_meets: first = north, second = west");
+  EXPECT_ERROR(build(plan({3, 1}, {"N2"}, {"north", "north"})), "nurbs.body.contact_twice: face = north");
+  EXPECT_ERROR(build(plan({3, 1}, {"N2"}, {"north", "south", "north"})), "nurbs.body.contact_count: count = 3");
+  EXPECT_ERROR(build(plan({3, 1}, {"N2", "N2"}, {"north"})), "nurbs.body.labels: expected = 1, count = 2");
+  EXPECT_ERROR(build(plan({3, 1}, {"N2"}, {})), "nurbs.body.labels: expected = 2, count = 1");
+  EXPECT_ERROR(build(plan({3, 1}, {"N2", "L2"}, {})), "nurbs.body.mixed_labels: first = N2, second = L2");
+  EXPECT_ERROR(build(plan({3, 1}, {"N2-N4", "N2-N4"}, {})), "nurbs.body.layer_nowhere: label = N2-N4");
+  EXPECT_ERROR(build(plan({3, 2}, {"N2-N4x4"}, {"north"})),
+               "nurbs.body.layer_too_deep: label = N2-N4x4, rows = 4, available = 3");
   Plan graded = plan({3, 1}, {"N2"}, {"north"});
   graded.grading.resize(1);
-  EXPECT_ERROR(build(graded), "grading: 2 entries");
+  EXPECT_ERROR(build(graded), "nurbs.body.grading: expected = 2, count = 1");
   Plan lowered = plan({3, 1}, {"N2"}, {"north"});
   lowered.through = 0;
-  EXPECT_ERROR(build(lowered), "through: degree 0 is below the geometry's own, 1");
+  EXPECT_ERROR(build(lowered), "nurbs.body.through: degree = 0, lowest = 1");
   EXPECT_ERROR(Discretisation(half_annulus(0.3, 0.5, Eigen::Vector2d(0, 0)), plan({6, 2}, {"N1"}, {"south"})),
-               "asks for degree 1, but the geometry is of degree 2");
+               "nurbs.body.degree: label = N1, degree = 1, lowest = 2");
   const Patch arc = face(half_annulus(0.3, 0.5, Eigen::Vector2d(0, 0)), side_of("south", 2));
-  EXPECT_ERROR(Discretisation(arc, plan({6}, {"N2"}, {})), "needs a surface");
+  EXPECT_ERROR(Discretisation(arc, plan({6}, {"N2"}, {})), "nurbs.body.surface: directions = 1");
   const Discretisation space(slab, plan({3, 2}, {"N2"}, {"north"}));
   EXPECT_ERROR(space.find_element(Eigen::Vector2d(0.5, 1.5)), "1.5");
 }

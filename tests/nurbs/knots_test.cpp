@@ -33,11 +33,12 @@ TEST(Knots, FindsTheElementFromTheLeftAndTheLastAtTheEnd) {
   EXPECT_EQ(knots.find_element(1), 1);
   EXPECT_EQ(knots.find_element(3), 2);
   EXPECT_EQ(knots.find_element(4), 2);
-  EXPECT_ERROR(knots.find_element(-1e-9), "outside the knots, [0, 4], by 1e-09");
-  EXPECT_ERROR(knots.find_element(4 + 1e-11), "xi: 4 is outside the knots, [0, 4], by 1");
+  EXPECT_ERROR(knots.find_element(-1e-9),
+               "nurbs.knots.just_outside: xi = -1e-09, first = 0, last = 4, distance = 1e-09");
+  EXPECT_ERROR(knots.find_element(4 + 1e-11), "nurbs.knots.just_outside");
   EXPECT_EQ(knots.find_element(-1e-13), 0); // rounding
   EXPECT_EQ(knots.find_element(4 + 1e-13), knots.elements() - 1);
-  EXPECT_ERROR(knots.find_element(4.1), "xi: 4.1");
+  EXPECT_ERROR(knots.find_element(4.1), "nurbs.knots.outside: xi = 4.1, first = 0, last = 4");
   EXPECT_ERROR(knots.find_element(std::numeric_limits<double>::quiet_NaN()), "outside");
 }
 
@@ -52,24 +53,30 @@ TEST(Knots, GrevilleAbscissaeAreKnotAverages) {
 TEST(Knots, SingleIsOneBezierElement) {
   EXPECT_EQ(KnotVector::single(2), KnotVector(2, {0, 0, 0, 1, 1, 1}));
   EXPECT_FALSE(KnotVector::single(2) == KnotVector::single(1));
-  EXPECT_ERROR(KnotVector::single(16), "degree: 16");
+  EXPECT_ERROR(KnotVector::single(16), "nurbs.knots.degree: degree = 16, most = 15");
 }
 
 TEST(Knots, WrongOnesAreRefusedWithTheReason) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_ERROR(KnotVector(-1, {0, 1}), "degree: -1 is not in 0 … 15");
-  EXPECT_ERROR(KnotVector(16, std::vector<double>(40)), "degree: 16");
-  EXPECT_ERROR(KnotVector(2, {0, 0, 1, 1}), "at least 6 knots (3 at each end), got 4");
-  EXPECT_ERROR(KnotVector(1, {}), "got 0");
-  EXPECT_ERROR(KnotVector(1, {0, 0, nan, 1, 1}), "knot 3 is nan");
-  EXPECT_ERROR(KnotVector(1, {0, 0, 1, std::numeric_limits<double>::infinity()}), "knot 4 is inf");
-  EXPECT_ERROR(KnotVector(1, {0, 0, 0.6, 0.4, 1, 1}), "knot 4 (0.4) is below knot 3 (0.6)");
-  EXPECT_ERROR(KnotVector(1, {2, 2, 2, 2}), "all are 2");
-  EXPECT_ERROR(KnotVector(2, {0, 0, 0.5, 1, 1, 1}), "the first knot, 0, occurs 2 times");
-  EXPECT_ERROR(KnotVector(2, {0, 0, 0, 0, 1, 1, 1}), "repeats it 3 times");
-  EXPECT_ERROR(KnotVector(2, {0, 0, 0, 1, 1, 1, 1}), "the last knot, 1, occurs 4 times");
-  EXPECT_ERROR(KnotVector(2, {0, 0, 0, 0.5, 0.5, 0.5, 1, 1, 1}), "interior knot 0.5 occurs 3 times");
-  EXPECT_ERROR(KnotVector(1, {0, 0, 0.5, 0.5 + 1e-15, 1, 1}), "make them equal or move them apart");
+  EXPECT_ERROR(KnotVector(-1, {0, 1}), "nurbs.knots.degree: degree = -1, most = 15");
+  EXPECT_ERROR(KnotVector(16, std::vector<double>(40)), "nurbs.knots.degree: degree = 16, most = 15");
+  EXPECT_ERROR(KnotVector(2, {0, 0, 1, 1}), "nurbs.knots.count: degree = 2, least = 6, ends = 3, count = 4");
+  EXPECT_ERROR(KnotVector(1, {}), "nurbs.knots.count: degree = 1, least = 4, ends = 2, count = 0");
+  EXPECT_ERROR(KnotVector(1, {0, 0, nan, 1, 1}), "nurbs.knots.finite");
+  EXPECT_ERROR(KnotVector(1, {0, 0, 1, std::numeric_limits<double>::infinity()}),
+               "nurbs.knots.finite: number = 3, knot = inf");
+  EXPECT_ERROR(KnotVector(1, {0, 0, 0.6, 0.4, 1, 1}),
+               "nurbs.knots.order: number = 3, knot = 0.4, before = 2, knot_before = 0.6");
+  EXPECT_ERROR(KnotVector(1, {2, 2, 2, 2}), "nurbs.knots.equal: knot = 2");
+  EXPECT_ERROR(KnotVector(2, {0, 0, 0.5, 1, 1, 1}),
+               "nurbs.knots.first_ends: knot = 0, count = 2, degree = 2, expected = 3");
+  EXPECT_ERROR(KnotVector(2, {0, 0, 0, 0, 1, 1, 1}),
+               "nurbs.knots.first_ends: knot = 0, count = 4, degree = 2, expected = 3");
+  EXPECT_ERROR(KnotVector(2, {0, 0, 0, 1, 1, 1, 1}),
+               "nurbs.knots.last_ends: knot = 1, count = 4, degree = 2, expected = 3");
+  EXPECT_ERROR(KnotVector(2, {0, 0, 0, 0.5, 0.5, 0.5, 1, 1, 1}),
+               "nurbs.knots.interior: knot = 0.5, count = 3, degree = 2");
+  EXPECT_ERROR(KnotVector(1, {0, 0, 0.5, 0.5 + 1e-15, 1, 1}), "nurbs.knots.close");
 }
 
 } // namespace knots_test

@@ -46,19 +46,19 @@ TEST(Label, UnknownFormsShowTheGrammar) {
   for (const char* text : {"",       "N",       "2",        "n2",    "M2",     "N2 ",  " N2",         "N2.",  "N-2",
                            "N2-",    "N2-4",    "N2-N",     "N2-L2", "L2-N4",  "L2.1", "L",           "N2x2", "N2.1x2",
                            "N2-N4x", "N2-N4y2", "N2-N4-N6", "N2,1",  "N2.1.1", "N100", "N2-N4x12345", "Q2"})
-    EXPECT_ERROR(parse_label(text), "'; labels read Np (N2)") << text;
+    EXPECT_ERROR(parse_label(text), "nurbs.label.unknown") << text;
 }
 
 TEST(Label, MeaninglessNumbersAreNamed) {
-  EXPECT_ERROR(parse_label("N0"), "degree 0 is outside 1 … 15");
-  EXPECT_ERROR(parse_label("L0"), "degree 0 is outside 1 … 15");
-  EXPECT_ERROR(parse_label("N16"), "degree 16 is outside 1 … 15");
-  EXPECT_ERROR(parse_label("N0.2"), "is outside 1 … 15");
-  EXPECT_ERROR(parse_label("N9.7"), "degree 16 is outside 1 … 15");
-  EXPECT_ERROR(parse_label("N2-N2.14"), "degree 16 is outside 1 … 15");
-  EXPECT_ERROR(parse_label("N4-N2"), "the layer's degree 2 is below the bulk's 4");
-  EXPECT_ERROR(parse_label("N2.1-N4"), "write N2-N4");
-  EXPECT_ERROR(parse_label("N2-N4x0"), "x1 is the least");
+  EXPECT_ERROR(parse_label("N0"), "nurbs.label.degree: label = N0, degree = 0, most = 15");
+  EXPECT_ERROR(parse_label("L0"), "nurbs.label.degree: label = L0, degree = 0, most = 15");
+  EXPECT_ERROR(parse_label("N16"), "nurbs.label.degree: label = N16, degree = 16, most = 15");
+  EXPECT_ERROR(parse_label("N0.2"), "nurbs.label.degree: label = N0.2, degree = 2, most = 15");
+  EXPECT_ERROR(parse_label("N9.7"), "nurbs.label.degree: label = N9.7, degree = 16, most = 15");
+  EXPECT_ERROR(parse_label("N2-N2.14"), "nurbs.label.degree: label = N2-N2.14, degree = 16, most = 15");
+  EXPECT_ERROR(parse_label("N4-N2"), "nurbs.label.layer_degree: label = N4-N2, degree = 2, bulk = 4");
+  EXPECT_ERROR(parse_label("N2.1-N4"), "nurbs.label.bulk: label = N2.1-N4, degree = 2, layer = -N4");
+  EXPECT_ERROR(parse_label("N2-N4x0"), "nurbs.label.layer_depth: label = N2-N4x0, rows = 0");
 }
 
 } // namespace label_test

@@ -41,20 +41,23 @@ TEST(Patch, KeepsPointsAndWeights) {
 
 TEST(Patch, WrongOnesAreRefusedWithTheReason) {
   const KnotVector line = KnotVector::single(1);
-  EXPECT_ERROR(make_patch({}, MatrixX::Zero(2, 1)), "1 to 3 parametric directions, got 0");
-  EXPECT_ERROR(make_patch({line, line, line, line}, MatrixX::Zero(3, 16)), "got 4");
-  EXPECT_ERROR(make_patch({line}, MatrixX::Zero(1, 2)), "2 or 3 coordinates, got 1");
-  EXPECT_ERROR(make_patch({line, line, line}, MatrixX::Zero(2, 8)), "3 parametric directions do not fit");
-  EXPECT_ERROR(make_patch({KnotVector::single(0)}, MatrixX::Zero(2, 1)), "degree 1 or higher");
-  EXPECT_ERROR(make_patch({line, KnotVector::single(2)}, MatrixX::Zero(2, 5)), "2·3 = 6 control points, got 5");
-  EXPECT_ERROR(make_patch({line}, MatrixX::Zero(2, 2), VectorX::Ones(3)),
-               "2 control points need as many weights, got 3");
-  EXPECT_ERROR(make_patch({line}, MatrixX::Zero(2, 2), Eigen::Vector2d(1, 0)), "weight 2 is 0");
-  EXPECT_ERROR(make_patch({line}, MatrixX::Zero(2, 2), Eigen::Vector2d(-1, 1)), "weight 1 is -1");
-  EXPECT_ERROR(make_patch({line}, MatrixX::Zero(2, 2), Eigen::Vector2d(std::nan(""), 1)), "weight 1 is nan");
+  EXPECT_ERROR(make_patch({}, MatrixX::Zero(2, 1)), "nurbs.patch.directions: count = 0");
+  EXPECT_ERROR(make_patch({line, line, line, line}, MatrixX::Zero(3, 16)), "nurbs.patch.directions: count = 4");
+  EXPECT_ERROR(make_patch({line}, MatrixX::Zero(1, 2)), "nurbs.patch.coordinates: count = 1");
+  EXPECT_ERROR(make_patch({line, line, line}, MatrixX::Zero(2, 8)),
+               "nurbs.patch.dimension: directions = 3, dimension = 2");
+  EXPECT_ERROR(make_patch({KnotVector::single(0)}, MatrixX::Zero(2, 1)), "nurbs.patch.degree");
+  EXPECT_ERROR(make_patch({line, KnotVector::single(2)}, MatrixX::Zero(2, 5)),
+               "nurbs.patch.points: expected = 6, factors = (2, 3), count = 5");
+  EXPECT_ERROR(make_patch({line}, MatrixX::Zero(2, 2), VectorX::Ones(3)), "nurbs.patch.weights: points = 2, count = 3");
+  EXPECT_ERROR(make_patch({line}, MatrixX::Zero(2, 2), Eigen::Vector2d(1, 0)),
+               "nurbs.patch.weight: number = 1, weight = 0");
+  EXPECT_ERROR(make_patch({line}, MatrixX::Zero(2, 2), Eigen::Vector2d(-1, 1)),
+               "nurbs.patch.weight: number = 0, weight = -1");
+  EXPECT_ERROR(make_patch({line}, MatrixX::Zero(2, 2), Eigen::Vector2d(std::nan(""), 1)), "nurbs.patch.weight");
   MatrixX points = MatrixX::Zero(2, 2);
   points(0, 1) = std::numeric_limits<double>::infinity();
-  EXPECT_ERROR(make_patch({line}, points), "control point 2");
+  EXPECT_ERROR(make_patch({line}, points), "nurbs.patch.point: number = 1");
 }
 
 TEST(Patch, EvaluatesTheCircleExactly) {
@@ -65,12 +68,12 @@ TEST(Patch, EvaluatesTheCircleExactly) {
 
 TEST(Patch, ParametersOutsideAreRefused) {
   const Patch square = bilinear_square();
-  EXPECT_ERROR(evaluate(square, parameters({0.5})), "the patch has 2 parametric directions, got 1");
-  EXPECT_ERROR(evaluate(square, parameters({0.5, 1.5})), "xi: 1.5 is outside the knots, [0, 1]");
-  EXPECT_ERROR(derivatives(square, parameters({-0.1, 0.5}), 1), "xi: -0.1");
-  EXPECT_ERROR(derivatives(square, parameters({0, 0}), -1), "order -1");
-  EXPECT_ERROR(derivatives(square, parameters({0, 0}), 1000), "order 1000");
-  EXPECT_ERROR(rational_basis(square, parameters({0.1, std::nan("")})), "xi: nan");
+  EXPECT_ERROR(evaluate(square, parameters({0.5})), "nurbs.patch.parameters: expected = 2, count = 1");
+  EXPECT_ERROR(evaluate(square, parameters({0.5, 1.5})), "nurbs.knots.outside: xi = 1.5, first = 0, last = 1");
+  EXPECT_ERROR(derivatives(square, parameters({-0.1, 0.5}), 1), "nurbs.knots.outside: xi = -0.1, first = 0, last = 1");
+  EXPECT_ERROR(derivatives(square, parameters({0, 0}), -1), "nurbs.patch.derivative: order = -1, most = 17");
+  EXPECT_ERROR(derivatives(square, parameters({0, 0}), 1000), "nurbs.patch.derivative: order = 1000, most = 17");
+  EXPECT_ERROR(rational_basis(square, parameters({0.1, std::nan("")})), "nurbs.knots.outside");
 }
 
 TEST(Patch, EvaluatesLikeTheRecursionOfTheBook) {
@@ -201,13 +204,13 @@ TEST(Sides, HaveNamesByDimension) {
 }
 
 TEST(Sides, UnknownNamesListTheOnesThatFit) {
-  EXPECT_ERROR(side_of("nort", 2),
-               "'nort' is unknown; expected one of west, east, south, north, the ends of xi1 and xi2 (did you mean "
-               "'north'?)");
+  EXPECT_ERROR(side_of("nort", 2), "nurbs.face.unknown: face = nort, suggestion = (nurbs.face.did_you_mean: face = "
+                                   "north), known = (west, east, south, north), ends = (xi1, xi2)");
   EXPECT_ERROR(side_of("back", 2), "west, east, south, north");
-  EXPECT_ERROR(side_of("Front", 3), "did you mean 'front'?");
-  EXPECT_ERROR(side_of("", 1), "expected one of west, east, the ends of xi1");
-  EXPECT_ERROR(side_of("west", 4), "got 4");
+  EXPECT_ERROR(side_of("Front", 3), "nurbs.face.unknown: face = Front, suggestion = (nurbs.face.did_you_mean: face = "
+                                    "front), known = (west, east, south, north, front, back), ends = (xi1, xi2, xi3)");
+  EXPECT_ERROR(side_of("", 1), "nurbs.face.unknown: face = , suggestion = (), known = (west, east), ends = (xi1)");
+  EXPECT_ERROR(side_of("west", 4), "nurbs.patch.directions: count = 4");
 }
 
 TEST(Sides, FacesAreTheMapAtTheEnds) {
@@ -230,10 +233,10 @@ TEST(Sides, FacesAreTheMapAtTheEnds) {
 
 TEST(Sides, RowsAndFacesThatDoNotExistAreRefused) {
   const Patch square = bilinear_square();
-  EXPECT_ERROR(face(quarter_circle(), {0, false}), "a curve has end points, not faces");
-  EXPECT_ERROR(face(square, {2, false}), "direction 3 is not one of the patch's 2");
-  EXPECT_ERROR(control_row(square, 1, 2), "row: 3 is not in 1 … 2");
-  EXPECT_ERROR(control_row(square, -1, 0), "direction 0");
+  EXPECT_ERROR(face(quarter_circle(), {0, false}), "nurbs.face.curve");
+  EXPECT_ERROR(face(square, {2, false}), "nurbs.face.direction: direction = 2, count = 2");
+  EXPECT_ERROR(control_row(square, 1, 2), "nurbs.row.number: row = 2, count = 2");
+  EXPECT_ERROR(control_row(square, -1, 0), "nurbs.row.direction: direction = -1, count = 2");
   EXPECT_EQ(control_row(square, 0, 1).points(), (MatrixX(2, 2) << 1, 1, 0, 1).finished());
 }
 

@@ -77,12 +77,14 @@ TEST(InsertKnots, InTheMiddleOfAParabola) {
 TEST(InsertKnots, RefusesWhatCannotBe) {
   Random random(13);
   const Patch patch = make_patch({KnotVector(2, {0, 0, 0, 0.5, 1, 1, 1})}, MatrixX::Random(2, 4));
-  EXPECT_ERROR(insert_knots(patch, 1, {0.5}), "direction: 2 is not in 1 … 1");
-  EXPECT_ERROR(insert_knots(patch, 0, {0.0}), "0 cannot be inserted, it does not lie between 0 and 1");
-  EXPECT_ERROR(insert_knots(patch, 0, {1.5}), "1.5 cannot be inserted");
-  EXPECT_ERROR(insert_knots(patch, 0, {std::nan("")}), "nan cannot be inserted");
-  EXPECT_ERROR(insert_knots(patch, 0, {0.5, 0.5}), "0.5 would occur 3 times, more than the degree 2");
-  EXPECT_ERROR(insert_knots(patch, 0, {0.25, 0.25, 0.25}), "it is there 0 times already");
+  EXPECT_ERROR(insert_knots(patch, 1, {0.5}), "nurbs.patch.direction: direction = 1, count = 1");
+  EXPECT_ERROR(insert_knots(patch, 0, {0.0}), "nurbs.insert.outside: knot = 0, first = 0, last = 1");
+  EXPECT_ERROR(insert_knots(patch, 0, {1.5}), "nurbs.insert.outside: knot = 1.5, first = 0, last = 1");
+  EXPECT_ERROR(insert_knots(patch, 0, {std::nan("")}), "nurbs.insert.outside");
+  EXPECT_ERROR(insert_knots(patch, 0, {0.5, 0.5}),
+               "nurbs.insert.multiplicity: knot = 0.5, count = 3, degree = 2, present = 1");
+  EXPECT_ERROR(insert_knots(patch, 0, {0.25, 0.25, 0.25}),
+               "nurbs.insert.multiplicity: knot = 0.25, count = 3, degree = 2, present = 0");
 }
 
 TEST(Elevate, KeepsTheMapAndTheContinuity) {
@@ -122,11 +124,11 @@ TEST(Elevate, OneParabolaToACubicByHand) {
 
 TEST(Elevate, RefusesWhatCannotBe) {
   const Patch patch = make_patch({KnotVector::single(2)}, MatrixX::Random(2, 3));
-  EXPECT_ERROR(elevate(patch, 0, -1), "times is -1");
-  EXPECT_ERROR(elevate(patch, 0, 14), "degree 2 + 14 is above the highest, 15");
-  EXPECT_ERROR(elevate(patch, 2, 1), "direction: 3");
-  EXPECT_ERROR(k_refine(patch, 0, 1, {}), "degree: 1 is below the patch's own, 2");
-  EXPECT_ERROR(k_refine(patch, 0, 16, {}), "degree: 16 is above");
+  EXPECT_ERROR(elevate(patch, 0, -1), "nurbs.elevate.times: times = -1");
+  EXPECT_ERROR(elevate(patch, 0, 14), "nurbs.elevate.degree: degree = 2, times = 14, most = 15");
+  EXPECT_ERROR(elevate(patch, 2, 1), "nurbs.patch.direction: direction = 2, count = 1");
+  EXPECT_ERROR(k_refine(patch, 0, 1, {}), "nurbs.elevate.lowered: degree = 1, own = 2, direction = 0");
+  EXPECT_ERROR(k_refine(patch, 0, 16, {}), "nurbs.elevate.highest: degree = 16, most = 15");
 }
 
 TEST(KRefine, ElevatesFirstSoThatNewKnotsAreSmooth) {
@@ -151,8 +153,8 @@ TEST(ElementKnots, EverySpanGetsOneHoweverShort) {
   const KnotVector knots(1, {0, 0, 0.01, 0.02, 1, 1});
   expect_near(element_knots(knots, 4), {0.51});
   EXPECT_EQ(element_knots(knots, 100).size(), 97u);
-  EXPECT_ERROR(element_knots(knots, 2), "elements: 2 is below the 3 that the patch's own knots make");
-  EXPECT_ERROR(element_knots(KnotVector::single(1), 0), "elements: 0");
+  EXPECT_ERROR(element_knots(knots, 2), "nurbs.grading.elements: elements = 2, least = 3");
+  EXPECT_ERROR(element_knots(KnotVector::single(1), 0), "nurbs.grading.elements: elements = 0, least = 1");
 }
 
 TEST(ElementKnots, GradingIsTheImageOfUniformKnots) {
@@ -177,9 +179,9 @@ TEST(ElementKnots, GradingSharesElementsAmongOwnSpans) {
 
 TEST(ElementKnots, GradingOutOfRangeIsRefused) {
   const KnotVector knots = KnotVector::single(1);
-  EXPECT_ERROR(element_knots(knots, 4, Grading{0, 0.5, false}), "grading: elements is 0");
-  EXPECT_ERROR(element_knots(knots, 4, Grading{0.5, 1, false}), "grading: length is 1");
-  EXPECT_ERROR(element_knots(knots, 4, Grading{std::nan(""), 0.5, false}), "elements is nan");
+  EXPECT_ERROR(element_knots(knots, 4, Grading{0, 0.5, false}), "nurbs.grading.share: argument = elements, share = 0");
+  EXPECT_ERROR(element_knots(knots, 4, Grading{0.5, 1, false}), "nurbs.grading.share: argument = length, share = 1");
+  EXPECT_ERROR(element_knots(knots, 4, Grading{std::nan(""), 0.5, false}), "nurbs.grading.share");
 }
 
 } // namespace refine_test

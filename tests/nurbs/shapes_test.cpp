@@ -25,9 +25,10 @@ TEST(Shapes, RectangleFollowsXAndY) {
   expect_point(patch, {1, 0}, Vec<2>(2, 2));
   expect_point(patch, {0.5, 1}, Vec<2>(0.5, 3));
   EXPECT_NEAR(measure(patch).content, 3, 1e-14);
-  EXPECT_ERROR(rectangle(0, 1, Vec<2>(0, 0)), "width: it is 0, expected a positive length");
-  EXPECT_ERROR(rectangle(1, -1, Vec<2>(0, 0)), "height: it is -1");
-  EXPECT_ERROR(rectangle(1, 1, Vec<3>(0, 0, 0)), "corner: 2 coordinates");
+  EXPECT_ERROR(rectangle(0, 1, Vec<2>(0, 0)), "nurbs.shapes.length: argument = width, length = 0");
+  EXPECT_ERROR(rectangle(1, -1, Vec<2>(0, 0)), "nurbs.shapes.length: argument = height, length = -1");
+  EXPECT_ERROR(rectangle(1, 1, Vec<3>(0, 0, 0)),
+               "nurbs.transform.coordinates: argument = corner, expected = 2, count = 3");
 }
 
 TEST(Shapes, HalfAnnulusRunsFromLeftOverTheBottomToRight) {
@@ -51,11 +52,11 @@ TEST(Shapes, QuarterAnnulus) {
   expect_point(patch, {1, 1}, Vec<2>(1, 0));
   EXPECT_NEAR(measure(patch).content, 3 * pi / 4, 1e-13);
   EXPECT_GT(measure(patch).least, 0);
-  EXPECT_ERROR(quarter_annulus(2, 1, Vec<2>(0, 0), 0), "the inner radius, 2, must be below the outer, 1");
-  EXPECT_ERROR(quarter_annulus(1, 1, Vec<2>(0, 0), 0), "must be below");
-  EXPECT_ERROR(quarter_annulus(0, 1, Vec<2>(0, 0), 0), "inner: it is 0");
-  EXPECT_ERROR(half_annulus(0.3, std::nan(""), Vec<2>(0, 0)), "outer: it is nan");
-  EXPECT_ERROR(quarter_annulus(1, 2, Vec<2>(0, 0), HUGE_VAL), "expected finite numbers of degrees");
+  EXPECT_ERROR(quarter_annulus(2, 1, Vec<2>(0, 0), 0), "nurbs.shapes.radii: inner = 2, outer = 1");
+  EXPECT_ERROR(quarter_annulus(1, 1, Vec<2>(0, 0), 0), "nurbs.shapes.radii: inner = 1, outer = 1");
+  EXPECT_ERROR(quarter_annulus(0, 1, Vec<2>(0, 0), 0), "nurbs.shapes.length: argument = inner, length = 0");
+  EXPECT_ERROR(half_annulus(0.3, std::nan(""), Vec<2>(0, 0)), "nurbs.shapes.length");
+  EXPECT_ERROR(quarter_annulus(1, 2, Vec<2>(0, 0), HUGE_VAL), "nurbs.arc.angles: start = inf, stop = inf");
 }
 
 TEST(Shapes, BlockFollowsXYZ) {
@@ -65,7 +66,7 @@ TEST(Shapes, BlockFollowsXYZ) {
   expect_point(patch, {0, 0, 1}, Vec<3>(1, 1, 4));
   EXPECT_NEAR(measure(patch).content, 6, 1e-13);
   EXPECT_NEAR(measure(patch).least, 6, 1e-13);
-  EXPECT_ERROR(block({1, 0, 3}, Vec<3>(0, 0, 0)), "size y: it is 0");
+  EXPECT_ERROR(block({1, 0, 3}, Vec<3>(0, 0, 0)), "nurbs.shapes.length: argument = size y, length = 0");
 }
 
 TEST(Shapes, HalfCylinderShellHasItsOuterFaceInFront) {
@@ -78,8 +79,8 @@ TEST(Shapes, HalfCylinderShellHasItsOuterFaceInFront) {
   EXPECT_NEAR(shell.content, pi / 2 * 0.09 * 0.6, 1e-12);
   EXPECT_GT(shell.least, 0);
   EXPECT_NEAR(measure(face(patch, {2, false})).content, pi * 0.5 * 0.6, 1e-12);
-  EXPECT_ERROR(half_cylinder_shell(0.4, 0.5, 0, Vec<3>(0, 0, 0)), "width: it is 0");
-  EXPECT_ERROR(half_cylinder_shell(0.5, 0.4, 1, Vec<3>(0, 0, 0)), "must be below");
+  EXPECT_ERROR(half_cylinder_shell(0.4, 0.5, 0, Vec<3>(0, 0, 0)), "nurbs.shapes.length: argument = width, length = 0");
+  EXPECT_ERROR(half_cylinder_shell(0.5, 0.4, 1, Vec<3>(0, 0, 0)), "nurbs.shapes.radii: inner = 0.5, outer = 0.4");
 }
 
 TEST(Shapes, SphereOctantIsExactAndDegenerateOnlyAtThePole) {
@@ -98,8 +99,9 @@ TEST(Shapes, SphereOctantIsExactAndDegenerateOnlyAtThePole) {
   EXPECT_GT(octant.least, 0);
   // Of a half ball shell: z = −3/8 (b⁴ − a⁴)/(b³ − a³)
   EXPECT_NEAR(octant.centroid(2), 3 - 3 * 15.0 / (8 * 7), 1e-11);
-  EXPECT_ERROR(sphere_octant(1, 1, centre), "must be below");
-  EXPECT_ERROR(sphere_octant(1, 2, Vec<2>(0, 0)), "centre: 3 coordinates");
+  EXPECT_ERROR(sphere_octant(1, 1, centre), "nurbs.shapes.radii: inner = 1, outer = 1");
+  EXPECT_ERROR(sphere_octant(1, 2, Vec<2>(0, 0)),
+               "nurbs.transform.coordinates: argument = centre, expected = 3, count = 2");
 }
 
 TEST(Shapes, HollowHemispheresAreExactAndOfFullVolume) {
@@ -131,8 +133,9 @@ TEST(Shapes, HollowHemispheresAreExactAndOfFullVolume) {
     // Of a half ball shell: z = −3/8 (b⁴ − a⁴)/(b³ − a³)
     EXPECT_NEAR(half.centroid(2), 3 - 3 * 65.0 / (8 * 19), 1e-11);
     EXPECT_NEAR(measure(face(patch, side_of("front", 3))).content, 2 * pi * 9, 1e-10);
-    EXPECT_ERROR(hollow_hemisphere(3, 3, centre, poles), "must be below");
-    EXPECT_ERROR(hollow_hemisphere(1, 3, Vec<2>(0, 0), poles), "centre: 3 coordinates");
+    EXPECT_ERROR(hollow_hemisphere(3, 3, centre, poles), "nurbs.shapes.radii: inner = 3, outer = 3");
+    EXPECT_ERROR(hollow_hemisphere(1, 3, Vec<2>(0, 0), poles),
+                 "nurbs.transform.coordinates: argument = centre, expected = 3, count = 2");
   }
 }
 
@@ -194,12 +197,12 @@ TEST(Shapes, SphericalIndenterIsABlockWithALowestPointInTheMiddle) {
 
 TEST(Shapes, SphericalIndenterRefusesWhatCannotBe) {
   const Vec<3> corner(0, 0, 0);
-  EXPECT_ERROR(spherical_indenter(10, 10, 11, 7, 5, corner), "radius: a sphere of radius 7 does not reach the corners");
-  EXPECT_ERROR(spherical_indenter(10, 10, 2, 8, 5, corner), "height: the cap rises by 4.25834");
-  EXPECT_ERROR(spherical_indenter(10, 10, 11, 8, 0, corner), "elements: the cap has 0");
-  EXPECT_ERROR(spherical_indenter(0, 10, 11, 8, 5, corner), "width: it is 0");
-  EXPECT_ERROR(spherical_indenter(10, -1, 11, 8, 5, corner), "depth: it is -1");
-  EXPECT_ERROR(spherical_indenter(10, 10, 11, std::nan(""), 5, corner), "radius: it is nan");
+  EXPECT_ERROR(spherical_indenter(10, 10, 11, 7, 5, corner), "nurbs.shapes.cap_radius: radius = 7, least = 7.07107");
+  EXPECT_ERROR(spherical_indenter(10, 10, 2, 8, 5, corner), "nurbs.shapes.cap_height: cap = 4.25834, height = 2");
+  EXPECT_ERROR(spherical_indenter(10, 10, 11, 8, 0, corner), "nurbs.shapes.cap_elements: elements = 0");
+  EXPECT_ERROR(spherical_indenter(0, 10, 11, 8, 5, corner), "nurbs.shapes.length: argument = width, length = 0");
+  EXPECT_ERROR(spherical_indenter(10, -1, 11, 8, 5, corner), "nurbs.shapes.length: argument = depth, length = -1");
+  EXPECT_ERROR(spherical_indenter(10, 10, 11, std::nan(""), 5, corner), "nurbs.shapes.length");
 }
 
 TEST(Transform, MovesTurnsAndScalesEveryPoint) {
@@ -235,14 +238,15 @@ TEST(Transform, QuarterTurnsAreExact) {
 TEST(Transform, RefusesWhatCannotBe) {
   const Patch flat = rectangle(1, 1, Vec<2>(0, 0)), solid = block({1, 1, 1}, Vec<3>(0, 0, 0));
   const Vec<2> origin(0, 0);
-  EXPECT_ERROR(translate(flat, Vec<3>(0, 0, 1)), "by: 2 coordinates are needed, got 3");
-  EXPECT_ERROR(scale(flat, Vec<2>(1, 0), origin), "factors: 0 is not positive");
-  EXPECT_ERROR(scale(flat, Vec<2>(1, -2), origin), "factors: -2 is not positive");
-  EXPECT_ERROR(scale(flat, Vec<2>(1, std::nan("")), origin), "factors: every coordinate must be a finite number");
-  EXPECT_ERROR(rotate(flat, std::nan(""), origin), "angle: it is nan");
-  EXPECT_ERROR(rotate(flat, 30, origin, Vec<3>(0, 0, 1)), "leave the axis out");
-  EXPECT_ERROR(rotate(solid, 30, Vec<3>(0, 0, 0)), "axis: 3 coordinates are needed, got 0");
-  EXPECT_ERROR(rotate(solid, 30, Vec<3>(0, 0, 0), Vec<3>(0, 0, 0)), "axis: it has no length");
+  EXPECT_ERROR(translate(flat, Vec<3>(0, 0, 1)), "nurbs.transform.coordinates: argument = by, expected = 2, count = 3");
+  EXPECT_ERROR(scale(flat, Vec<2>(1, 0), origin), "nurbs.transform.zero_factor: factor = 0");
+  EXPECT_ERROR(scale(flat, Vec<2>(1, -2), origin), "nurbs.transform.negative_factor: factor = -2");
+  EXPECT_ERROR(scale(flat, Vec<2>(1, std::nan("")), origin), "nurbs.transform.finite");
+  EXPECT_ERROR(rotate(flat, std::nan(""), origin), "nurbs.transform.angle");
+  EXPECT_ERROR(rotate(flat, 30, origin, Vec<3>(0, 0, 1)), "nurbs.transform.plane_axis");
+  EXPECT_ERROR(rotate(solid, 30, Vec<3>(0, 0, 0)),
+               "nurbs.transform.coordinates: argument = axis, expected = 3, count = 0");
+  EXPECT_ERROR(rotate(solid, 30, Vec<3>(0, 0, 0), Vec<3>(0, 0, 0)), "nurbs.transform.axis");
 }
 
 } // namespace shapes_test

@@ -169,9 +169,9 @@ TEST(SolidLayers, DepthsOfTwoDirectionsMustAgreeWhereBothAreLayered) {
   // 4 + 1 functions of N2-N2.1 against 3 + 1 of N2 in one direction, on 2 of 4 rows
   EXPECT_EQ(build("N2", "N2-N2.1x2"), 2 * 4 * 6 + 2 * 4 * 4);
   EXPECT_EQ(build("N2-N2.1x2", "N2"), 2 * 6 * 4 + 2 * 4 * 4);
-  EXPECT_ERROR(build("N2-N4", "N2-N4x2"), "the layer is as deep in 'N2-N4x2' as in 'N2-N4'; give both the same xr");
-  EXPECT_ERROR(build("N2", "N2-N4x5"), "'N2-N4x5' is 5 rows deep, but the body has only 4");
-  EXPECT_ERROR(build("N2", "L2"), "cannot be mixed");
+  EXPECT_ERROR(build("N2-N4", "N2-N4x2"), "nurbs.body.layer_depths: label = N2-N4x2, other = N2-N4");
+  EXPECT_ERROR(build("N2", "N2-N4x5"), "nurbs.body.layer_too_deep: label = N2-N4x5, rows = 5, available = 4");
+  EXPECT_ERROR(build("N2", "L2"), "nurbs.body.mixed_labels: first = N2, second = L2");
 }
 
 } // namespace solid_layers_test

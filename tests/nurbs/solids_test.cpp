@@ -122,7 +122,7 @@ TEST(SolidConstructions, WeightsThatNoBlendCanHaveAreRefused) {
   const Patch heavy = make_patch({two, two, two}, solid.points(), weights);
   std::vector<Patch> faces;
   for (int f = 0; f < 6; ++f) faces.push_back(face(heavy, {f / 2, f % 2 == 1}));
-  EXPECT_ERROR(coons(faces), "coons: the blend of the boundary's weights is -1.97 inside");
+  EXPECT_ERROR(coons(faces), "nurbs.coons.blend: weight = -1.97");
 }
 
 } // namespace solids_test

@@ -81,12 +81,14 @@ TEST(Space1D, JoinOfTwoDegrees) {
 
 TEST(Space1D, RefusesTablesThatAreNoSpace) {
   const std::vector<Element1D> line{{1, {0, 1}, MatrixX::Identity(2, 2)}};
-  EXPECT_ERROR(Space1D({0, 0.5, 1}, {-1, 0, -1}, line), "1 elements lie between 2 breakpoints, got 3");
-  EXPECT_ERROR(Space1D({0, 0}, {-1, -1}, line), "must be finite and rise, got 0 and 0");
-  EXPECT_ERROR(Space1D({0, 1}, {-1, -1}, {{1, {0}, MatrixX::Identity(2, 2)}}), "has 1 functions");
-  EXPECT_ERROR(Space1D({0, 1}, {-1, -1}, {{1, {0, 1}, 2 * MatrixX::Identity(2, 2)}}), "do not sum to 1");
-  EXPECT_ERROR(Space1D({0, 1}, {-1, -1}, {{1, {1, 0}, MatrixX::Identity(2, 2)}}), "numbered from 0 and rise");
-  EXPECT_ERROR(Space1D({0, 1}, {-1, -1}, {{1, {0, 2}, MatrixX::Identity(2, 2)}}), "a function lives on no element");
+  EXPECT_ERROR(Space1D({0, 0.5, 1}, {-1, 0, -1}, line),
+               "nurbs.space.breakpoints: elements = 1, breakpoints = 3, smoothness = 3");
+  EXPECT_ERROR(Space1D({0, 0}, {-1, -1}, line), "nurbs.space.rising: first = 0, second = 0");
+  EXPECT_ERROR(Space1D({0, 1}, {-1, -1}, {{1, {0}, MatrixX::Identity(2, 2)}}),
+               "nurbs.space.extraction: element = 0, degree = 1, functions = 1, rows = 2, columns = 2");
+  EXPECT_ERROR(Space1D({0, 1}, {-1, -1}, {{1, {0, 1}, 2 * MatrixX::Identity(2, 2)}}), "nurbs.space.sum: element = 0");
+  EXPECT_ERROR(Space1D({0, 1}, {-1, -1}, {{1, {1, 0}, MatrixX::Identity(2, 2)}}), "nurbs.space.numbers: element = 0");
+  EXPECT_ERROR(Space1D({0, 1}, {-1, -1}, {{1, {0, 2}, MatrixX::Identity(2, 2)}}), "nurbs.space.unused");
 }
 
 /// A quadratic row below, degrees 2 and 4 above.
@@ -151,7 +153,7 @@ TEST(Space1D, BodiesNeedSpacesThatInterpolateTheirEnds) {
   // Two functions at the start
   const Space1D blurred({0, 1}, {-1, -1}, {{1, {0, 1}, (MatrixX(2, 2) << 0.9, 0, 0.1, 1).finished()}});
   const Row good({line}, (MatrixX(3, 2) << 0, 1, 0, 0, 1, 1).finished()), bad({blurred}, good.homogeneous());
-  EXPECT_ERROR(Discretisation(1, line, {good, bad}, {}), "must be 1 at their start");
+  EXPECT_ERROR(Discretisation(1, line, {good, bad}, {}), "nurbs.space.ends");
 }
 
 } // namespace space1d_test

@@ -181,7 +181,7 @@ TEST(Internal, LeftHandedPatchIsAnError) {
   const nurbs::Patch mirrored =
       nurbs::transform(nurbs::rectangle(3, 1, Eigen::Vector2d(0, 0)),
                        Eigen::Vector2d(-1, 1).asDiagonal().toDenseMatrix(), Eigen::Vector2d(0, 0));
-  EXPECT_ERROR(make_body<2>(mirrored, {3, 1}, "N2", "north", rubber), "not right-handed");
+  EXPECT_ERROR(make_body<2>(mirrored, {3, 1}, "N2", "north", rubber), "solid.body.left_handed");
 }
 
 } // namespace internal_test

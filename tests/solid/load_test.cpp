@@ -171,8 +171,8 @@ TEST(Load, PressureAllAroundHoldsItself) {
 
 TEST(Load, AnUnknownComponentIsAnError) {
   const Body<2> body = make_body<2>(nurbs::rectangle(2, 1, Eigen::Vector2d(0, 0)), {2, 1}, "N2", "south", steel);
-  EXPECT_ERROR(traction_load(body, side_of("south", 2), 2), "component 2 is not one of 0 … 1");
-  EXPECT_ERROR(traction_load(body, side_of("south", 2), -1), "component -1");
+  EXPECT_ERROR(traction_load(body, side_of("south", 2), 2), "solid.load.component: component = 2, most = 1");
+  EXPECT_ERROR(traction_load(body, side_of("south", 2), -1), "solid.load.component: component = -1, most = 1");
 }
 
 } // namespace load_test

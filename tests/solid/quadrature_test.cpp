@@ -38,7 +38,7 @@ TEST(Quadrature, ExactUpToDegree2nMinus1AndNotBeyond) {
 }
 
 TEST(Quadrature, NoPointsIsAnError) {
-  EXPECT_ERROR(gauss_legendre(0, 0, 1), "at least 1 point, got 0");
+  EXPECT_ERROR(gauss_legendre(0, 0, 1), "solid.quadrature.points: count = 0");
 }
 
 TEST(Quadrature, WeightsOfABodyAddUpToItsVolume) {

@@ -3,6 +3,7 @@
 
 #include "base/eigen.hpp"
 #include "base/error.hpp"
+#include "told.hpp"
 
 #include <gtest/gtest.h>
 
@@ -24,8 +25,8 @@ struct Problem {
 
   NewtonReport solve(LineSearchKind kind, int iterations = 25) {
     NewtonSystem system;
-    system.assemble = [this](bool, std::string& why) {
-      why = "no state";
+    system.assemble = [this](bool, Message& why) {
+      why = Message("test.no_state");
       return f(x).allFinite() ? Outcome::converged : Outcome::inverted_element;
     };
     system.residual = [this] { return f(x).norm(); };
@@ -131,7 +132,7 @@ TEST(LineSearch, BreaksCyclesOfPlainNewton) {
   for (LineSearchKind kind : {LineSearchKind::residual, LineSearchKind::energy}) {
     Problem problem = two_cycle();
     const NewtonReport report = problem.solve(kind, 40);
-    EXPECT_EQ(report.outcome, Outcome::converged) << report.message;
+    EXPECT_EQ(report.outcome, Outcome::converged) << told(report.messages);
     EXPECT_LT(std::abs(problem.x(0) * (problem.x(0) * problem.x(0) - 5)), 1e-11);
   }
 }
@@ -264,7 +265,8 @@ TEST(LineSearch, ALoopThatFindsNothingSaysSo) {
   EXPECT_EQ(name_of(report.outcome), "line_search");
   EXPECT_EQ(report.iterations, 1);
   EXPECT_TRUE(report.parts.empty());
-  EXPECT_NE(report.message.find("no part of the move down to 1/128"), std::string::npos) << report.message;
+  EXPECT_NE(told(report.messages).find("solve.newton.line_search: residual = "), std::string::npos)
+      << told(report.messages);
 }
 
 TEST(LineSearch, KindsHaveNames) {
@@ -275,7 +277,7 @@ TEST(LineSearch, KindsHaveNames) {
     line_search_kind("enrgy");
     FAIL();
   } catch (const Error& error) {
-    EXPECT_STREQ(error.what(), "line_search: unknown kind 'enrgy'; known are 'none', 'residual', 'energy'");
+    EXPECT_STREQ(error.what(), "solve.line_search.unknown: name = enrgy");
   }
 }
 

@@ -2,6 +2,7 @@
 #include "solve/newton.hpp"
 
 #include "base/interrupt.hpp"
+#include "told.hpp"
 
 #include <gtest/gtest.h>
 
@@ -30,10 +31,10 @@ struct Scalar {
   }
   NewtonSystem system() {
     NewtonSystem system;
-    system.assemble = [this](bool tangent, std::string& why) {
+    system.assemble = [this](bool tangent, Message& why) {
       ++assemblies;
       if (tangent) ++tangents, tangent_at = x;
-      why = "as the test wants it";
+      why = Message("test.wanted");
       return outcome;
     };
     system.residual = [this] { return std::abs(f(x)); };
@@ -142,7 +143,7 @@ TEST(Newton, IterationLimit) {
   EXPECT_EQ(report.outcome, Outcome::iteration_limit);
   EXPECT_EQ(report.iterations, 2);
   EXPECT_EQ(report.residuals.size(), 3u);
-  EXPECT_NE(report.message.find("no convergence in 2 iterations"), std::string::npos);
+  EXPECT_NE(told(report.messages).find("solve.newton.no_convergence: iterations = 2"), std::string::npos);
   // A cycle between 0 and 1 never ends by itself: f = x³ − 2x + 2.
   Scalar cycle{[](double x) { return x * x * x - 2 * x + 2; }, [](double x) { return 3 * x * x - 2; }};
   EXPECT_EQ(cycle.solve({1e-10, 50}).outcome, Outcome::iteration_limit);
@@ -155,7 +156,7 @@ TEST(Newton, Divergence) {
   const NewtonReport report = problem.solve({1e-10, 1000});
   EXPECT_EQ(report.outcome, Outcome::diverged);
   EXPECT_LT(report.iterations, 1000);
-  EXPECT_NE(report.message.find("the residual grew to"), std::string::npos);
+  EXPECT_NE(told(report.messages).find("solve.newton.diverged"), std::string::npos);
 }
 
 TEST(Newton, NotFinite) {
@@ -173,7 +174,7 @@ TEST(Newton, SingularTangentAndWhatAssemblyReports) {
   inverted.outcome = Outcome::inverted_element;
   const NewtonReport report = inverted.solve();
   EXPECT_EQ(report.outcome, Outcome::inverted_element);
-  EXPECT_EQ(report.message, "as the test wants it");
+  EXPECT_EQ(told(report.messages), "test.wanted");
   EXPECT_EQ(inverted.solves, 0);
 }
 
@@ -181,7 +182,7 @@ TEST(Newton, SingularTangentAndWhatAssemblyReports) {
 TEST(Newton, EnergyMustFallToo) {
   int calls = 0;
   NewtonSystem system;
-  system.assemble = [](bool, std::string&) { return Outcome::converged; };
+  system.assemble = [](bool, Message&) { return Outcome::converged; };
   system.residual = [&] { return calls == 0 ? 1.0 : 1e-12; };
   system.scale = [] { return 1.0; };
   system.floor = [] { return 0.0; };
@@ -240,7 +241,7 @@ TEST(Newton, IterationByIterationIsTheSame) {
       EXPECT_EQ(report.residuals, at_once.residuals);
       EXPECT_EQ(report.energies, at_once.energies);
       EXPECT_EQ(report.enough, at_once.enough);
-      EXPECT_EQ(report.message, at_once.message);
+      EXPECT_EQ(told(report.messages), told(at_once.messages));
       EXPECT_EQ(pieces.x, whole.x);
       EXPECT_EQ(pieces.assemblies, whole.assemblies);
     }
@@ -250,7 +251,7 @@ TEST(Newton, SettleIsAskedOnlyOnceConvergedAndMayFail) {
   Scalar problem = root_of_two();
   NewtonSystem system = problem.system();
   int asked = 0;
-  system.conclude = [&](std::string&) {
+  system.conclude = [&](Message&) {
     ++asked;
     EXPECT_NEAR(problem.x, std::sqrt(2.0), 1e-7);
     return Outcome::converged;
@@ -260,18 +261,18 @@ TEST(Newton, SettleIsAskedOnlyOnceConvergedAndMayFail) {
   EXPECT_EQ(asked, 1);
   EXPECT_EQ(report.begun, 0);
 
-  system.conclude = [](std::string& why) {
-    why = "too deep";
+  system.conclude = [](Message& why) {
+    why = Message("test.too_deep");
     return Outcome::penetration;
   };
   problem.x = 1;
   const NewtonReport failed = newton(system, {1e-10, 25}, false);
   EXPECT_EQ(failed.outcome, Outcome::penetration);
-  EXPECT_EQ(failed.message, "too deep");
+  EXPECT_EQ(told(failed.messages), "test.too_deep");
   EXPECT_EQ(failed.residuals, report.residuals);
 
   problem.x = 1;
-  system.conclude = [&](std::string&) {
+  system.conclude = [&](Message&) {
     ADD_FAILURE() << "asked where nothing has converged";
     return Outcome::converged;
   };
@@ -283,7 +284,7 @@ TEST(Newton, IterationsCountFromWhereSettleAskedForMore) {
   double square = 2;
   Scalar problem{[&](double x) { return x * x - square; }, [](double x) { return 2 * x; }, 1.0};
   NewtonSystem system = problem.system();
-  const auto raise = [&](std::string&) {
+  const auto raise = [&](Message&) {
     if (square == 5) return Outcome::converged;
     square = square == 2 ? 3 : 5;
     return Outcome::iterating;
@@ -303,7 +304,7 @@ TEST(Newton, IterationsCountFromWhereSettleAskedForMore) {
 
   // An end that settle never sees comes all the same.
   problem.x = 1;
-  system.conclude = [&](std::string&) { return square += 1, Outcome::iterating; };
+  system.conclude = [&](Message&) { return square += 1, Outcome::iterating; };
   press_ctrl_c();
   EXPECT_EQ(newton(system, {1e-12, 6}, false).outcome, Outcome::interrupted);
   clear_interrupt();

@@ -26,7 +26,7 @@ TEST(Degrees, APictureHasTheFaceThatContactsSee) {
   ASSERT_GT(displacement.lpNorm<Eigen::Infinity>(), 1e-3);
   face.move(displacement.data());
   const int divisions = 4;
-  const Tessellation picture = tessellate(model, 1, nullptr, even_sampling<2>(space, divisions), true);
+  const Skin picture = tessellate(model, 1, nullptr, even_sampling<2>(space, divisions), true);
   const int side = divisions + 1;
   for (int e = 0; e < space.elements(0); ++e)
     for (int k = 0; k < side; ++k) {

@@ -216,7 +216,7 @@ Model<2> annulus() {
 }
 
 /// How far the outline within a box lies from circles of radii 0.5 and 1, by its points and the middles of its pieces.
-double departure(const Tessellation& drawn, const Vec<2>& low, const Vec<2>& high) {
+double departure(const Skin& drawn, const Vec<2>& low, const Vec<2>& high) {
   double largest = 0;
   for (Eigen::Index t = 0; t < drawn.triangles.cols(); ++t)
     for (int k = 0; k < 3; ++k) {
@@ -234,7 +234,7 @@ TEST(Sampling, FollowsArcsWithinHalfAPixelOfWhatIsMagnified) {
   const Model<2> model = annulus();
   const auto& stress = find_field<2>("sxx");
   const int divisions = 12;
-  const Tessellation whole =
+  const Skin whole =
       tessellate(model, 0, &stress, even_sampling<2>(model.system.scene.bodies[0].body->space(), divisions), true);
   for (double side : {0.1, 0.02, 0.001}) {
     // About the lowest quarter of the outer arc, for 1600 × 1000 pixels
@@ -243,7 +243,7 @@ TEST(Sampling, FollowsArcsWithinHalfAPixelOfWhatIsMagnified) {
     const Window window =
         box_window(Mat<3>::Identity().topRows<2>(), {low[0], low[1], 0}, {high[0], high[1], 0}, {1600, 1000});
     const auto places = sampling(model, 0, divisions, true, {window});
-    const Tessellation fine = tessellate(model, 0, &stress, places, true);
+    const Skin fine = tessellate(model, 0, &stress, places, true);
     const double pixel = side / 1600;
     EXPECT_LT(departure(fine, low, high), 0.5 * pixel) << side;
     EXPECT_GT(departure(whole, middle.array() - 0.2, middle.array() + 0.2), 10 * pixel) << side;

@@ -89,7 +89,7 @@ TEST(Chart, ShowsEightSeriesWithEightColoursAndALegendBesideTheData) {
   for (const char* colour : {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00"})
     EXPECT_TRUE(holds(svg, {in_svg(colour)})) << colour;
   ChartOptions bare = forces();
-  bare.legend = false;
+  bare.legend = LegendPlace::none;
   draw_chart(oscillating_forces(8), bare, scratch("bare.svg"));
   EXPECT_FALSE(holds(file_bytes(scratch("bare.svg")), {">N2-N2.3<"}));
 }
@@ -132,7 +132,7 @@ TEST(Chart, PutsTheNamesOfCloseLinesBesideTheirOwn) {
   options.vlines = {{5, "five"}, {5.1, "five point one"}, {9, "end"}};
   options.yrange = {0, 1};
   options.xrange = {0.9, 9.1};
-  options.legend = false;
+  options.legend = LegendPlace::none;
   draw_chart({Series{"", {1, 9}, {0, 1}}}, options, scratch("close.svg"));
   const std::string svg = file_bytes(scratch("close.svg"));
   // Places of lines by those of ticks: y points downwards, and a text's digits are 0.36 sizes over its baseline.
@@ -179,7 +179,7 @@ TEST(Chart, LeadsFromALineBetweenOthersToItsName) {
 TEST(Chart, LeavesMarkersOutWhereToldTo) {
   Series first = line_of({1, 2, 3}), second = line_of({3, 2, 1});
   ChartOptions options;
-  options.legend = false;
+  options.legend = LegendPlace::none;
   const auto polygons = [&] {
     draw_chart({first, second}, options, scratch("told.svg"));
     return count_of(file_bytes(scratch("told.svg")), filled);
@@ -221,7 +221,7 @@ TEST(Chart, TellsFortyCurvesApart) {
   EXPECT_EQ(distinct_curves(), 40);
   testing::internal::CaptureStderr();
   draw_chart(std::vector<Series>(41, line_of({1, 2})), {}, scratch("forty.svg"));
-  EXPECT_TRUE(holds(testing::internal::GetCapturedStderr(), {"41 curves", "40 are told apart"}));
+  EXPECT_TRUE(holds(testing::internal::GetCapturedStderr(), {"view.chart.many_curves: count = 41, distinct = 40"}));
 }
 
 TEST(Chart, MarksLonePoints) {
@@ -261,7 +261,7 @@ TEST(Chart, FitsTheAxisOfYToTheCurvesWithinXrange) {
   draw_chart({line_of({1, 2, 500})}, options, scratch("part.svg"));
   EXPECT_FALSE(holds(file_bytes(scratch("part.svg")), {">500<"}));
   options.xrange = {8, 9};
-  EXPECT_TRUE(holds(refusal({line_of({1, 2})}, options), {"no curve runs between x = 8 and 9"}));
+  EXPECT_TRUE(holds(refusal({line_of({1, 2})}, options), {"view.chart.no_curve: low = 8, high = 9"}));
 }
 
 TEST(Chart, ObeysWidthMarkerAndColour) {
@@ -296,11 +296,15 @@ TEST(Chart, DrawsTheMarkersOfKindsOfPointsInTheCurvesColours) {
   EXPECT_EQ(count_of(svg, ";fill:" + in_svg("#d55e00")), 3);
   EXPECT_TRUE(holds(svg, {">N2<", ">N4<", ">m1<", ">m3<"}));
   second.marks = {2, 1};
-  EXPECT_TRUE(holds(refusal({first, second}, options), {"series 2 'N4'", "2 marks", "3 points"}));
+  EXPECT_TRUE(
+      holds(refusal({first, second}, options),
+            {"view.chart.marks: series = (view.chart.named_series: number = 1, label = N4), marks = 2, points = 3"}));
   second.marks = {2, 1, 3};
-  EXPECT_TRUE(holds(refusal({first, second}, options), {"mark 3", "names 3"}));
+  EXPECT_TRUE(
+      holds(refusal({first, second}, options),
+            {"view.chart.mark: series = (view.chart.named_series: number = 1, label = N4), mark = 3, count = 3"}));
   options.marks.resize(17);
-  EXPECT_TRUE(holds(refusal({first}, options), {"17 kinds", "16 markers"}));
+  EXPECT_TRUE(holds(refusal({first}, options), {"view.chart.kinds: count = 17, most = 16"}));
 }
 
 TEST(Chart, TakesConstantDataAndSinglePoints) {
@@ -315,33 +319,37 @@ TEST(Chart, TakesConstantDataAndSinglePoints) {
 
 TEST(Chart, RefusesWhatItCannotDraw) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_TRUE(holds(refusal({}), {"at least one series"}));
+  EXPECT_TRUE(holds(refusal({}), {"view.chart.empty"}));
   Series uneven = line_of({1, 2});
   uneven.x.pop_back();
   uneven.label = "Px";
-  EXPECT_TRUE(holds(refusal({uneven}), {"series 1 'Px'", "1 x values", "2 y values"}));
-  EXPECT_TRUE(holds(refusal({line_of({nan, nan})}), {"no finite point"}));
-  EXPECT_TRUE(holds(refusal({line_of({1, 2})}, convergence()), {"x = 0", "logarithmic"}));
-  EXPECT_TRUE(holds(refusal({line_of({1, 2})}, {}, "no.gif"), {"no.gif", ".png, .svg or .pdf"}));
+  EXPECT_TRUE(holds(refusal({uneven}),
+                    {"view.chart.sizes: series = (view.chart.named_series: number = 0, label = Px), xs = 1, ys = 2"}));
+  EXPECT_TRUE(holds(refusal({line_of({nan, nan})}), {"view.chart.no_point"}));
+  EXPECT_TRUE(holds(refusal({line_of({1, 2})}, convergence()),
+                    {"view.chart.log: series = (view.chart.series: number = 0), axis = x, value = 0"}));
+  EXPECT_TRUE(holds(refusal({line_of({1, 2})}, {}, "no.gif"), {"view.file.ending"}));
   ChartOptions turned;
   turned.yrange = {2, 1};
-  EXPECT_TRUE(holds(refusal({line_of({1, 2})}, turned), {"range of y is 2 to 1", "lower one first"}));
+  EXPECT_TRUE(holds(refusal({line_of({1, 2})}, turned), {"view.axis.range: axis = y, low = 2, high = 1"}));
   ChartOptions falling;
   falling.xticks = {{2, "m2"}, {1, "m1"}};
-  EXPECT_TRUE(holds(refusal({line_of({1, 2})}, falling), {"xticks must rise", "'m1' at 1"}));
+  EXPECT_TRUE(
+      holds(refusal({line_of({1, 2})}, falling), {"view.chart.ticks: name = m1, at = 1, before = m2, at_before = 2"}));
   Series bare = line_of({1, 2});
   bare.line = false;
   bare.markers = true;
   bare.marker = no_marker;
-  EXPECT_TRUE(holds(refusal({bare}), {"neither line nor markers"}));
+  EXPECT_TRUE(holds(refusal({bare}), {"view.chart.invisible: series = (view.chart.series: number = 0)"}));
   ChartOptions zero;
   zero.log_y = true;
   zero.hlines = {{0, "nothing"}};
-  EXPECT_TRUE(holds(refusal({line_of({1, 2})}, zero), {"'nothing'", "y = 0", "above 0"}));
+  EXPECT_TRUE(
+      holds(refusal({line_of({1, 2})}, zero), {"view.chart.place_log: what = line, name = nothing, axis = y, at = 0"}));
   ChartOptions tiny;
   tiny.size = {40, 30};
-  EXPECT_TRUE(holds(refusal({line_of({1, 2})}, tiny), {"40 × 30", "1600, 1000"}));
-  EXPECT_TRUE(holds(refusal({line_of({1, 2})}, {}, "missing/no.png"), {"does not exist"}));
+  EXPECT_TRUE(holds(refusal({line_of({1, 2})}, tiny), {"view.frame.size: width = 40, height = 30"}));
+  EXPECT_TRUE(holds(refusal({line_of({1, 2})}, {}, "missing/no.png"), {"base.file.no_folder"}));
 }
 
 } // namespace chart_test

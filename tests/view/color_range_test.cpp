@@ -33,8 +33,8 @@ TEST(ColorRange, LeavesOutOneExtremeSampleAndSaysSo) {
   EXPECT_NEAR(range->typical[1], 1, 0.01);
   testing::internal::CaptureStderr();
   EXPECT_EQ(colour_range(*range, {}, false, "stress"), range->typical);
-  EXPECT_NE(testing::internal::GetCapturedStderr().find("the colors of 'stress' leave out 5 of 1000 samples, which "
-                                                        "reach from 0 to 850"),
+  EXPECT_NE(testing::internal::GetCapturedStderr().find(
+                "view.colors.outliers: title = stress, count = 5, samples = 1000, low = 0, high = 850"),
             std::string::npos);
 }
 
@@ -53,6 +53,21 @@ TEST(ColorBar, PrintsTheLowestAndTheHighestValueAtItsEnds) {
   };
   EXPECT_EQ(texts({0, 1}, {-1.319e-7, 850}), (std::vector<std::string>{"max 850", "min −1.32×10^{-7}"}));
   EXPECT_EQ(texts({0, 1}, {0, 0.25}), (std::vector<std::string>{"max 0.25", "min 0"}));
+}
+
+TEST(ColorBar, EndsInAPointWhereValuesLieBeyondItsRange) {
+  const auto points = [](const Range& values) {
+    Drawing drawing{{1600, 1000}, {}};
+    draw_colorbar(drawing, {1300, 100, 900}, {0, 1}, values, {black, white}, "stress", style_for({1600, 1000}));
+    std::string found;
+    for (const Mark& mark : drawing.marks)
+      if (const Fill* fill = std::get_if<Fill>(&mark); fill && fill->outline.size() == 3)
+        found += fill->outline[1][1] > 500 || fill->outline[2][1] > 500 ? "^" : "v";
+    return found;
+  };
+  EXPECT_EQ(points({0, 850}), "^");
+  EXPECT_EQ(points({-3, 0.5}), "v");
+  EXPECT_EQ(points({0.1, 1}), "");
 }
 
 TEST(ColorRange, KeepsAFieldThatIsZeroAlmostEverywhere) {

@@ -101,6 +101,27 @@ TEST(Legend, GivesCurvesOfOneLabelAndLookOneRow) {
   EXPECT_EQ(make_legend(series, {}, style, 900).rows.size(), 4u);
 }
 
+TEST(Legend, StandsInTheFirstCornerOfTheChartThatIsFree) {
+  const Box frame = {100, 1500, 100, 900};
+  const auto corner_of = [&](const Lines& lines, bool always) -> std::string {
+    const auto legend = legend_within(labelled(2), {}, frame, lines, always, style);
+    if (!legend) return "none";
+    const Box& box = *legend->within;
+    EXPECT_TRUE(box[0] > frame[0] && box[1] < frame[1] && box[2] > frame[2] && box[3] < frame[3]);
+    if (!always) {
+      EXPECT_EQ(covered(lines, box), 0);
+    }
+    return std::string(box[2] > 500 ? "north" : "south") + (box[0] > 800 ? "-east" : "-west");
+  };
+  const std::vector<Vec2> rising = {{100, 100}, {1500, 900}}, falling = {{100, 900}, {1500, 100}};
+  EXPECT_EQ(corner_of({}, false), "north-east");
+  EXPECT_EQ(corner_of({rising}, false), "north-west");
+  EXPECT_EQ(corner_of({falling}, false), "north-east");
+  EXPECT_EQ(corner_of({rising, falling}, false), "none");
+  EXPECT_NE(corner_of({rising, falling}, true), "none");
+  EXPECT_FALSE(legend_within(labelled(30), {}, frame, {}, true, style)); // larger than half of the chart
+}
+
 TEST(RangeWithin, IsThatOfTheDenselySampledCurve) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> value(0.1, 10), gap(0.01, 1);

@@ -28,7 +28,7 @@ TEST(Figure, HasTheFormatThatItsFileNames) {
   EXPECT_EQ(bytes_of(figure({}), format_of("a.PNG")).substr(1, 3), "PNG");
   EXPECT_EQ(bytes_of(figure({}), format_of("a.b.pdf")).substr(0, 5), "%PDF-");
   EXPECT_NE(bytes_of(figure({}), format_of("a.svg")).find("width=\"200px\" height=\"150px\""), std::string::npos);
-  EXPECT_EQ(message_of([] { format_of("a.jpg"); }), "file 'a.jpg' of a figure must end in .png, .svg or .pdf");
+  EXPECT_EQ(message_of([] { format_of("a.jpg"); }), "view.file.ending: file = a.jpg");
 }
 
 /// By the place of the first letter's outline in an SVG.
@@ -76,7 +76,7 @@ TEST(Figure, NamesCharactersThatNoFontHas) {
   bytes_of(figure({Text{{10, 20}, "x \U000F0000", 12}}), Format::pdf); // for private use
   bytes_of(figure({Text{{10, 20}, "x \xff", 12}}), Format::png);
   EXPECT_TRUE(holds(testing::internal::GetCapturedStderr(),
-                    {"no installed font shows '\U000F0000' of the text", "is not UTF-8"}));
+                    {"view.text.no_font: characters = (\U000F0000), text = ", "view.text.encoding: text = x "}));
 }
 
 TEST(Figure, LaterPlatesCoverEarlierOnes) {

@@ -2,7 +2,6 @@
 
 #include "messages.hpp"
 #include "scenes.hpp"
-#include "view/cell_axes.hpp"
 #include "view/text.hpp"
 
 #include <gtest/gtest.h>
@@ -140,28 +139,31 @@ TEST(Heatmap, SharesNamesAndBarAmongSeveralMaps) {
 
 TEST(Heatmap, RefusesWhatItCannotDraw) {
   HeatmapOptions options = three_by_two();
-  EXPECT_TRUE(holds(refusal({}, options), {"needs values"}));
+  EXPECT_TRUE(holds(refusal({}, options), {"view.heatmap.empty"}));
   Heat map = ramp();
   map.values.conservativeResize(1, 3);
-  EXPECT_TRUE(holds(refusal({map}, options), {"1 rows of 3", "expected 2 rows"}));
-  EXPECT_TRUE(holds(refusal({ramp(), map}, options), {"map 2, values are"}));
+  EXPECT_TRUE(holds(refusal({map}, options),
+                    {"view.heatmap.values: map = (), value_rows = 1, value_columns = 3, rows = 2, columns = 3"}));
+  EXPECT_TRUE(holds(refusal({ramp(), map}, options), {"view.heatmap.values: map = (view.heatmap.map: number = 1), "
+                                                      "value_rows = 1, value_columns = 3, rows = 2, columns = 3"}));
   map = ramp();
   map.values.setConstant(nan);
-  EXPECT_TRUE(holds(refusal({map}, options), {"all blank"}));
+  EXPECT_TRUE(holds(refusal({map}, options), {"view.heatmap.blank"}));
   map = ramp();
   map.texts = {{"a", "b", "c"}};
-  EXPECT_TRUE(holds(refusal({map}, options), {"texts do not match", "2 rows of 3"}));
-  EXPECT_TRUE(holds(refusal({ramp()}, options, "no.gif"), {"no.gif", ".png, .svg or .pdf"}));
+  EXPECT_TRUE(holds(refusal({map}, options), {"view.heatmap.texts: map = (), rows = 2, columns = 3"}));
+  EXPECT_TRUE(holds(refusal({ramp()}, options, "no.gif"), {"view.file.ending"}));
 
   options.log = true;
   map = ramp();
   map.values(0, 1) = 0;
-  EXPECT_TRUE(holds(refusal({map}, options), {"values[1][2] is 0", "logarithmic"}));
+  EXPECT_TRUE(holds(refusal({map}, options), {"view.heatmap.log: map = (), row = 0, column = 1, value = 0"}));
   options.range = {-1, 10};
-  EXPECT_TRUE(holds(refusal({ramp()}, options), {"range begins at -1"}));
+  EXPECT_TRUE(holds(refusal({ramp()}, options), {"view.heatmap.range: low = -1"}));
   options = three_by_two();
   options.categories = {{"held", good_looks()[0]}};
-  EXPECT_TRUE(holds(refusal({ramp()}, options), {"values[1][1] is 1", "1 categories"}));
+  EXPECT_TRUE(holds(refusal({ramp()}, options),
+                    {"view.heatmap.category: map = (), row = 0, column = 0, count = 1, value = 1"}));
 }
 
 TEST(Heatmap, LeavesCellsBlankWhoseValueIsNotFinite) {
@@ -194,32 +196,41 @@ TEST(Heatmap, KeepsTheSizeOfNamesBesideALongOne) {
 
 const Style usual = style_for({1600, 1000});
 
-std::vector<std::string> numbers(int count) {
-  std::vector<std::string> names;
-  for (int i = 0; i < count; ++i) names.push_back(text("0.", 100 + i));
+std::vector<Name> numbers(int count) {
+  std::vector<Name> names;
+  for (int i = 0; i < count; ++i) names.push_back({i + 0.5, text("0.", 100 + i)});
   return names;
 }
 
 TEST(CellNames, StandUprightOrAreLeftOutBeforeTheyOverlap) {
-  const std::vector<std::string> words = {"N2-N2.2 fine", "N2-N4 fine", "L1 coarse"};
-  const CellNames roomy = names_below(words, 400, 300, usual);
+  const std::vector<Name> words = {{0.5, "N2-N2.2 fine"}, {1.5, "N2-N4 fine"}, {2.5, "L1 coarse"}};
+  const auto below = [&](double width, double most) {
+    return named_ticks(words, {0, 3, false, 0, 3 * width}, most, usual);
+  };
+  const Ticks roomy = below(400, 300);
   EXPECT_FALSE(roomy.upright);
-  EXPECT_EQ(roomy.size, usual.tick_size);
-  const CellNames dense = names_below(words, 60, 300, usual);
+  EXPECT_EQ(roomy.names[0].size, usual.tick_size);
+  const Ticks dense = below(60, 300);
   EXPECT_TRUE(dense.upright);
-  EXPECT_EQ(dense.stride, 1u);
-  EXPECT_NEAR(dense.room, text_width(words[0], dense.names[0].size), 0.5 * usual.tick_size);
-  EXPECT_EQ(names_below(words, 10, 300, usual).stride, 3u); // lines of 0.7 × 27 × 1.15 pixels
-  EXPECT_LE(names_below(words, 60, 100, usual).room, 100.0 + 1e-9);
+  EXPECT_EQ(dense.names.size(), 3u);
+  EXPECT_NEAR(dense.depth, dense.names[0].width() - usual.tick_size, 1e-9);
+  EXPECT_EQ(below(10, 300).names.size(), 1u); // lines of 18 × 1.2 pixels
+  EXPECT_LE(below(60, 100).depth, 100.0 + 1e-9);
 }
 
 TEST(CellNames, NeverRunIntoEachOther) {
   for (double width : {12.0, 25.0, 40.0, 70.0, 200.0}) {
-    const CellNames names = names_below(numbers(30), width, 300, usual);
+    const Scale scale = {0, 30, false, 0, 30 * width};
+    const Ticks names = named_ticks(numbers(30), scale, 300, usual),
+                beside = stacked_names(numbers(30), scale, 300, usual);
     EXPECT_FALSE(names.upright);
-    EXPECT_GT(names.stride * width, text_width("0.100", names.size)) << width;
-    const CellNames beside = names_beside(numbers(30), width, 300, usual);
-    EXPECT_GT(beside.stride * width, beside.size) << width;
+    EXPECT_EQ(names.at[0], 0.5);
+    for (std::size_t i = 1; i < names.at.size(); ++i) {
+      EXPECT_GT(scale(names.at[i]) - scale(names.at[i - 1]), names.names[i].width()) << width;
+      EXPECT_NEAR(names.at[i] - names.at[i - 1], names.at[1] - names.at[0], 1e-12);
+    }
+    for (std::size_t i = 1; i < beside.at.size(); ++i)
+      EXPECT_GT(scale(beside.at[i]) - scale(beside.at[i - 1]), beside.names[i].size) << width;
   }
 }
 

@@ -115,9 +115,9 @@ TEST(Inset, RefusesRegionsWithoutData) {
     options.inset = inset;
     return message_of([&] { place_inset({line}, options, chart_frame(), style); });
   };
-  EXPECT_TRUE(holds(refusal({{3, 4}}), {"no curve runs between x = 3 and 4", "holds data"}));
-  EXPECT_TRUE(holds(refusal({{0.4, 0.2}}), {"the inset's x is 0.4 to 0.2"}));
-  EXPECT_TRUE(holds(refusal({{0.2, 0.4}, {{7, 8}}}), {"outside the chart's axes"}));
+  EXPECT_TRUE(holds(refusal({{3, 4}}), {"view.inset.no_curve: low = 3, high = 4"}));
+  EXPECT_TRUE(holds(refusal({{0.4, 0.2}}), {"view.axis.range: axis = the inset's x, low = 0.4, high = 0.2"}));
+  EXPECT_TRUE(holds(refusal({{0.2, 0.4}, {{7, 8}}}), {"view.inset.outside_chart"}));
 }
 
 /// Sines so dense that they leave no corner free.

@@ -135,7 +135,7 @@ std::string picture_of(const std::vector<PointMark>& marks, const std::optional<
   options.crop = crop;
   Panel panel{"", {bent_ring({0, 0}, 0.5, 1.0, 0, 6, 3)}};
   panel.marks = marks;
-  draw_sheet({panel}, options, scratch("marks.png"));
+  draw_states(std::vector<Panel>{panel}, options, scratch("marks.png"));
   return file_bytes(scratch("marks.png"));
 }
 
@@ -148,7 +148,7 @@ TEST(Marks, StandAtTheirPlaceInAPlanePicture) {
   EXPECT_FALSE(shown(0.2 - a, 0.3) || shown(0.8 + a, 0.3) || shown(0.5, 0.1 - a) || shown(0.5, 0.5 + a));
   EXPECT_NE(picture_of({{{9, 9, 0}, "far"}}), picture_of({})); // at the rim
   const std::string message = message_of([&] { picture_of({{{0, std::numeric_limits<double>::infinity(), 0}, "J"}}); });
-  EXPECT_TRUE(holds(message, {"the mark 'J'", "not finite"}));
+  EXPECT_TRUE(holds(message, {"view.sheet.mark: state = (), mark = J"}));
 }
 
 TEST(Marks, AreSeenFromTheCameraAndOnTopOfSolids) {
@@ -157,7 +157,7 @@ TEST(Marks, AreSeenFromTheCameraAndOnTopOfSolids) {
   const auto shown = [&](const Vec<3>& at) {
     SolidPanel panel{"", {mapped_solid(block_map({0, 0, 0}, {2, 1, 1}), {2, 1, 1}, 2)}};
     panel.marks = {{at, "here"}};
-    draw_solids({panel}, options, scratch("marks.png"));
+    draw_states(std::vector<SolidPanel>{panel}, options, scratch("marks.png"));
     return file_bytes(scratch("marks.png"));
   };
   const Vec<3> place(1.2, 0.5, 0.4);

@@ -3,6 +3,7 @@
 
 #include "base/error.hpp"
 
+#include <gtest/gtest.h>
 #include <initializer_list>
 #include <string>
 
@@ -32,10 +33,10 @@ inline std::string in_svg(const std::string& hex) {
   return "rgb(" + parts + ")";
 }
 
-inline bool holds(const std::string& text, std::initializer_list<std::string> parts) {
+inline testing::AssertionResult holds(const std::string& text, std::initializer_list<std::string> parts) {
   for (const std::string& part : parts)
-    if (text.find(part) == std::string::npos) return false;
-  return true;
+    if (text.find(part) == std::string::npos) return testing::AssertionFailure() << text;
+  return testing::AssertionSuccess();
 }
 
 } // namespace signorini::view

@@ -87,8 +87,23 @@ TEST(Obstacle, StaysOnItsSideInTheMirror) {
     for (const Vec2& p : draw(mirrored(plane, axis)).hatching) EXPECT_LE(normal.dot(Vec<2>(p[0], p[1]) - point), 1e-9);
     EXPECT_EQ(mirrored(mirrored(plane, axis), axis).line, plane.line);
   }
-  const Drawn drawn = draw(mirrored(circle({2, 0}, 1), 0));
-  for (const Vec2& p : drawn.hatching) EXPECT_LT(std::hypot(p[0] + 2, p[1]), 1 + 1e-9);
+  const Drawn drawn = draw(mirrored(circle({2, 0}, 1.5), 0));
+  for (const Vec2& p : drawn.hatching) EXPECT_LT(std::hypot(p[0] + 2, p[1]), 1.5 + 1e-9);
+}
+
+TEST(Obstacle, HasABandInThePlaceOfHatchingWhereItIsSmall) {
+  Drawing drawing{{1000, 900}, {}};
+  draw_obstacle(drawing, circle({0, 0}, 1), square_frame(), style);
+  int strokes = 0;
+  for (const Mark& mark : drawing.marks) {
+    strokes += std::holds_alternative<Stroke>(mark);
+    const auto* fill = std::get_if<Fill>(&mark);
+    for (const Vec2& p : fill ? fill->outline : std::vector<Vec2>()) {
+      const double radius = std::hypot(p[0] - 500, p[1] - 450);
+      EXPECT_TRUE(radius < 100 + 1e-9 && radius > 88);
+    }
+  }
+  EXPECT_EQ(strokes, 1);
 }
 
 TEST(Obstacle, WidensThePictureOnlyWhereItIsSmallOrNear) {

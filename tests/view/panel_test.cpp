@@ -1,12 +1,9 @@
-#include "view/clip.hpp"
 #include "view/panel.hpp"
+#include "view/renderer.hpp"
 
 #include "scenes.hpp"
 
 #include <gtest/gtest.h>
-
-#include <cmath>
-#include <random>
 
 namespace signorini::view {
 namespace panel_test {
@@ -27,46 +24,24 @@ TEST(Mirrored, TurnsOneCoordinateAndTheSignOfTheValues) {
   }
 }
 
-struct Integral {
-  double area = 0, value = 0;
-};
-
-/// Area and ∫ value dA over a field's triangles.
-Integral integral(const Field& field) {
-  Integral sum;
-  for (const auto& [a, b, c] : field.triangles) {
-    const Vec2 &p = field.points[a], &q = field.points[b], &r = field.points[c];
-    const double area = 0.5 * std::abs((q[0] - p[0]) * (r[1] - p[1]) - (r[0] - p[0]) * (q[1] - p[1]));
-    sum.area += area;
-    sum.value += area * (field.values[a] + field.values[b] + field.values[c]) / 3;
-  }
-  return sum;
-}
-
-TEST(ClipField, KeepsAreaAndValuesInTheBoxesThatTileThePlane) {
-  std::mt19937 random(51);
-  std::uniform_real_distribution<double> coordinate(-3, 3);
-  Field field{{}, {}, {}, {0, 1}, {}};
-  for (int i = 0; i < 90; ++i) {
-    field.points.push_back({coordinate(random), coordinate(random)});
-    field.values.push_back(coordinate(random));
-    if (i % 3 == 2) field.triangles.push_back({i - 2, i - 1, i});
-  }
-  const Integral whole = integral(field);
-  const double cuts[] = {-9, -0.7, 1.1, 9};
-  Integral sum;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) {
-      const Box box = {cuts[i], cuts[i + 1], cuts[j], cuts[j + 1]};
-      const Field part = clip_field(field, box);
-      for (const Vec2& p : part.points) {
-        EXPECT_TRUE(p[0] >= box[0] - 1e-12 && p[0] <= box[1] + 1e-12);
-        EXPECT_TRUE(p[1] >= box[2] - 1e-12 && p[1] <= box[3] + 1e-12);
+TEST(Relief, ShowsNothingOutsideOfItsWindow) {
+  Field field;
+  field.points.resize(3, 3);
+  field.points << -100, 300, -100, -100, -100, 300, 0, 0, 0;
+  field.triangles = Eigen::Vector3i(0, 1, 2);
+  field.values.setZero(3);
+  field.range = {0, 1};
+  field.colours = {{200, 0, 0}, {200, 0, 0}};
+  for (const Box& window : {Box{20, 50, 10, 40}, Box{0, 80, 30, 60}}) {
+    Plate plate{{{80, 60}, {}}};
+    plate.reliefs.push_back({window, {field}});
+    const Pixels pixels = image_of(plate, 1, false);
+    for (int y = 0; y < 60; ++y)
+      for (int x = 0; x < 80; ++x) {
+        const bool inside = x >= window[0] && x < window[1] && y >= window[2] && y < window[3];
+        EXPECT_EQ(pixels.argb[(59 - y) * 80 + x], inside ? 0xFFC80000 : 0xFFFFFFFF) << x << ", " << y;
       }
-      sum.area += integral(part).area, sum.value += integral(part).value;
-    }
-  EXPECT_NEAR(sum.area, whole.area, 1e-10);
-  EXPECT_NEAR(sum.value, whole.value, 1e-10);
+  }
 }
 
 } // namespace panel_test

@@ -126,24 +126,27 @@ TEST(Picture, TakesBodiesWithoutFieldAndFieldsWithoutWidth) {
 }
 
 TEST(Picture, RefusesWhatItCannotDraw) {
-  EXPECT_TRUE(holds(refusal({}), {"at least one body"}));
+  EXPECT_TRUE(holds(refusal({}), {"view.picture.empty"}));
   PictureOptions options;
   options.colormap = "jet";
-  EXPECT_TRUE(holds(refusal(rings(), options), {"'jet'", "viridis", "coolwarm"}));
+  EXPECT_TRUE(holds(
+      refusal(rings(), options),
+      {"view.colormap.unknown: colormap = jet, known = (viridis, magma, inferno, plasma, cividis, grey, coolwarm)"}));
   options = {};
   options.range = {1, 1};
-  EXPECT_TRUE(holds(refusal(rings(), options), {"range is {1, 1}"}));
+  EXPECT_TRUE(holds(refusal(rings(), options), {"view.colors.range: low = 1, high = 1"}));
   options = {};
   options.crop = {0, 1, 2, 1};
-  EXPECT_TRUE(holds(refusal(rings(), options), {"crop", "min below max"}));
+  EXPECT_TRUE(holds(refusal(rings(), options), {"view.picture.box: argument = crop, box = (0, 1, 2, 1)"}));
   auto bodies = rings();
   bodies[1].values[3] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_TRUE(holds(refusal(bodies), {"body 2", "not finite"}));
+  EXPECT_TRUE(holds(refusal(bodies), {"view.body.field: body = (view.sheet.body: state = (), number = 1)"}));
   bodies = rings();
   bodies[0].triangles(0, 0) = 100000;
-  EXPECT_TRUE(holds(refusal(bodies), {"body 1", "triangles"}));
-  EXPECT_TRUE(holds(refusal(rings(), {}, "no.jpg"), {"no.jpg", ".png"}));
-  EXPECT_TRUE(holds(refusal(rings(), {}, "missing/no.png"), {"does not exist", "create it first"}));
+  EXPECT_TRUE(
+      holds(refusal(bodies), {"view.body.triangles: body = (view.sheet.body: state = (), number = 0), most = 2700"}));
+  EXPECT_TRUE(holds(refusal(rings(), {}, "no.jpg"), {"view.file.ending"}));
+  EXPECT_TRUE(holds(refusal(rings(), {}, "missing/no.png"), {"base.file.no_folder"}));
 }
 
 TEST(Colormap, RunsMonotonicallyFromDarkToLightUnlessDiverging) {

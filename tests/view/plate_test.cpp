@@ -147,7 +147,8 @@ TEST(SideBySide, PutsPicturesIntoColumns) {
   EXPECT_LE(width, 1200);
   EXPECT_LE(height, 900);
   options.size = {200, 150};
-  EXPECT_TRUE(holds(message_of([&] { side_by_side(4, options, make); }), {"4 pictures find no room"}));
+  EXPECT_TRUE(holds(message_of([&] { side_by_side(4, options, make); }),
+                    {"view.pictures.room: count = 4, width = 200, height = 150, reason = (view.pictures.larger)"}));
 }
 
 TEST(SideBySide, ShowsPicturesWithDifferentBarsInOneLayout) {
@@ -247,8 +248,8 @@ TEST(Series, IsTakenFromTheNameOfItsFile) {
   EXPECT_EQ(file_bytes(folder + "a-001.png"), "0");
   EXPECT_EQ(file_bytes(folder + "a-002.png"), "1");
   for (const char* wrong : {"a%s.png", "a%d%d.png", "%.png", "a%00d.png"})
-    EXPECT_TRUE(holds(message_of([&] { write_series(wrong, 1, 10, number); }), {"must hold one number"})) << wrong;
-  EXPECT_TRUE(holds(message_of([&] { write_series("a%d.jpg", 1, 10, number); }), {"'a%d.jpg'", ".png, .svg or .pdf"}));
+    EXPECT_TRUE(holds(message_of([&] { write_series(wrong, 1, 10, number); }), {"view.series.number"})) << wrong;
+  EXPECT_TRUE(holds(message_of([&] { write_series("a%d.jpg", 1, 10, number); }), {"view.file.ending: file = a%d.jpg"}));
 }
 
 } // namespace plate_test

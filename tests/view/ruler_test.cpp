@@ -1,4 +1,4 @@
-#include "view/ruler.hpp"
+#include "view/space_axes.hpp"
 
 #include <gtest/gtest.h>
 

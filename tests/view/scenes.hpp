@@ -1,6 +1,7 @@
 #pragma once
 // Made-up bodies and curves that look like those of a study.
 
+#include "base/whole_file.hpp"
 #include "view/chart.hpp"
 #include "view/picture.hpp"
 
@@ -25,5 +26,14 @@ std::string scratch(const std::string& name);
 
 /// Width and height from a PNG file's header; zeros when it is none.
 std::array<int, 2> png_size(const std::string& bytes);
+
+/// Draws states to a file.
+template <class Panel, class PanelOptions>
+void draw_states(const std::vector<Panel>& panels, const PanelOptions& options, const std::string& file) {
+  write_whole(file, bytes_of(figure_of(make_plate(panels, options)), format_of(file), options.transparent));
+}
+inline void draw_picture(const std::vector<Body>& bodies, const PictureOptions& options, const std::string& file) {
+  draw_states(std::vector<Panel>{{"", bodies}}, options, file);
+}
 
 } // namespace signorini::view

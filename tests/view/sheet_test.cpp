@@ -130,23 +130,26 @@ TEST(Sheet, IsDrawnWithTheSameBytesAndRefusesNothingToShow) {
   PictureOptions options;
   options.trim = true;
   const std::vector<Panel> panels = {{"low", ring(0)}, {"high", ring(0.4)}, {"higher", ring(2)}};
-  draw_sheet(panels, options, scratch("sheet.png"));
+  draw_states(panels, options, scratch("sheet.png"));
   const std::string bytes = file_bytes(scratch("sheet.png"));
-  draw_sheet(panels, options, scratch("sheet.png"));
+  draw_states(panels, options, scratch("sheet.png"));
   EXPECT_EQ(file_bytes(scratch("sheet.png")), bytes);
   const auto shape = [&](int columns) {
     options.columns = columns;
-    draw_sheet(panels, options, scratch("columns.png"));
+    draw_states(panels, options, scratch("columns.png"));
     const auto [width, height] = png_size(file_bytes(scratch("columns.png")));
     return static_cast<double>(width) / height;
   };
   EXPECT_GT(shape(3), 2 * shape(1));
   options.columns = 0;
-  EXPECT_TRUE(holds(message_of([&] { draw_sheet(panels, options, scratch("no.png")); }), {"columns is 0"}));
-  EXPECT_TRUE(holds(message_of([&] { draw_sheet({}, {}, scratch("no.png")); }), {"at least one state"}));
+  EXPECT_TRUE(
+      holds(message_of([&] { draw_states(panels, options, scratch("no.png")); }), {"view.sheet.columns: columns = 0"}));
+  EXPECT_TRUE(holds(message_of([&] { draw_states(std::vector<Panel>{}, PictureOptions{}, scratch("no.png")); }),
+                    {"view.sheet.empty"}));
   auto broken = panels;
   broken[1].bodies[0].values[3] = std::nan("");
-  EXPECT_TRUE(holds(message_of([&] { draw_sheet(broken, {}, scratch("no.png")); }), {"state 2, body 1", "not finite"}));
+  EXPECT_TRUE(holds(message_of([&] { draw_states(broken, PictureOptions{}, scratch("no.png")); }),
+                    {"view.body.field: body = (view.sheet.body: state = (view.sheet.state: number = 1), number = 0)"}));
 }
 
 } // namespace sheet_test

@@ -4,7 +4,7 @@
 #include "scenes.hpp"
 #include "solid_scenes.hpp"
 #include "view/ribbon.hpp"
-#include "view/triad.hpp"
+#include "view/space_axes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -42,12 +42,13 @@ void PrintTo(const Png& png, std::ostream* out) {
 }
 
 Png drawn(const std::vector<SolidPanel>& panels, const SolidOptions& options) {
-  draw_solids(panels, options, scratch("solid.png"));
+  draw_states(panels, options, scratch("solid.png"));
   return {file_bytes(scratch("solid.png"))};
 }
 
 std::string refusal(const SolidPanel& panel, const SolidOptions& options = small()) {
-  const std::string message = message_of([&] { draw_solids({panel}, options, scratch("no.png")); });
+  const std::string message =
+      message_of([&] { draw_states(std::vector<SolidPanel>{panel}, options, scratch("no.png")); });
   EXPECT_FALSE(std::filesystem::exists(scratch("no.png")));
   return message;
 }
@@ -106,6 +107,11 @@ TEST(SolidPicture, ShowsEverythingThatItIsGiven) {
             plain);
   EXPECT_NE(changed([](SolidPanel& p, auto&) { p.obstacles = {RigidPlane{{0, 0, -0.1}, {0, 0, 1}}}; }), plain);
   EXPECT_NE(changed([](SolidPanel& p, auto&) { p.cut = CutPlane{{1, 0, 0}, {1, 0, 0}}; }), plain);
+  const auto halved = [&](std::vector<PointVector> vectors) {
+    return changed([&](SolidPanel& p, auto&) { p.cut = CutPlane{{1, 0, 0}, {1, 0, 0}}, p.vectors = vectors; });
+  };
+  EXPECT_EQ(halved({{{1.5, 0, 0.5}, {0, -1, 0}}}), halved({})); // what is cut away has no arrows
+  EXPECT_NE(halved({{{0.5, 0, 0.5}, {0, -1, 0}}}), halved({}));
   EXPECT_NE(changed([](auto&, SolidOptions& o) { o.camera = camera("top"); }), plain);
   EXPECT_NE(changed([](auto&, SolidOptions& o) { o.region = Bounds{{0, 0, 0}, {1, 1, 1}}; }), plain);
   EXPECT_NE(changed([](auto&, SolidOptions& o) { o.colormap = "magma"; }), plain);
@@ -136,24 +142,27 @@ TEST(SolidPicture, IsTrimmedToWhatItShows) {
 
 TEST(SolidPicture, RefusesWhatCannotBeDrawn) {
   const Solid good = block({0, 0, 0}, {2, 1, 1});
-  EXPECT_TRUE(holds(refusal({"", {}}), {"at least one body"}));
-  EXPECT_TRUE(holds(refusal({"", {good}, {}, CutPlane{{0, 0, 0}, {0, 0, 0}}}), {"normal that is not zero"}));
-  EXPECT_TRUE(holds(refusal({"", {good}, {}, CutPlane{{-1, 0, 0}, {1, 0, 0}}}), {"takes all bodies away"}));
+  EXPECT_TRUE(holds(refusal({"", {}}), {"view.picture.empty"}));
+  EXPECT_TRUE(holds(refusal({"", {good}, {}, CutPlane{{0, 0, 0}, {0, 0, 0}}}), {"view.sheet.cut: state = ()"}));
+  EXPECT_TRUE(holds(refusal({"", {good}, {}, CutPlane{{-1, 0, 0}, {1, 0, 0}}}), {"view.solids.cut_away"}));
   Solid bad = good;
   bad.skin.points(1, 4) = std::nan("");
-  EXPECT_TRUE(holds(refusal({"", {good, bad}}), {"body 2", "not finite"}));
+  EXPECT_TRUE(
+      holds(refusal({"", {good, bad}}), {"view.body.points: body = (view.sheet.body: state = (), number = 1)"}));
   bad = good;
   bad.skin.values[3] = INFINITY;
-  EXPECT_TRUE(holds(refusal({"", {bad}}), {"body 1 has field values that are not finite", "another field"}));
+  EXPECT_TRUE(holds(refusal({"", {bad}}), {"view.body.field: body = (view.sheet.body: state = (), number = 0)"}));
   bad = good;
   bad.skin.values.conservativeResize(5);
-  EXPECT_TRUE(holds(refusal({"", {bad}}), {"5 values for"}));
+  EXPECT_TRUE(holds(refusal({"", {bad}}),
+                    {"view.body.values: body = (view.sheet.body: state = (), number = 0), values = 5, points = 378"}));
   bad = good;
   bad.inside[0].points(0, 0) = std::nan("");
-  EXPECT_TRUE(holds(refusal({"", {bad}}), {"insides that are not finite"}));
+  EXPECT_TRUE(holds(refusal({"", {bad}}), {"view.body.inside: body = (view.sheet.body: state = (), number = 0)"}));
   SolidOptions options = small();
   options.region = Bounds{{0, 0, 0}, {1, -1, 1}};
-  EXPECT_TRUE(holds(refusal({"", {good}}, options), {"crop is {0, 1, 0, -1, 0, 1}", "min below max"}));
+  EXPECT_TRUE(
+      holds(refusal({"", {good}}, options), {"view.solids.region: argument = crop, box = (0, 1, 0, -1, 0, 1)"}));
 }
 
 TEST(Ribbon, LiesOnItsSurfaceWithItsWidth) {
@@ -165,9 +174,9 @@ TEST(Ribbon, LiesOnItsSurfaceWithItsWidth) {
   add_ribbon(ink, line, normals, {{1, 2, 3}, 4, 0.5, true});
   ASSERT_EQ(ink.corners.size(), 3 * ink.colours.size());
   double low = 100, high = -100;
-  for (const auto& [x, y, z] : ink.corners) {
-    EXPECT_NEAR(normal.dot(Vec<3>(x, y, z - 0.5) - Vec<3>(10, 5, 2)), 0, 1e-12);
-    low = std::min(low, y), high = std::max(high, y);
+  for (const Vec<3>& corner : ink.corners) {
+    EXPECT_NEAR(normal.dot(corner - Vec<3>(10, 5, 2.5)), 0, 1e-12);
+    low = std::min(low, corner[1]), high = std::max(high, corner[1]);
   }
   EXPECT_NEAR(high - low, 4, 1e-12);
 }
@@ -180,7 +189,7 @@ TEST(Ribbon, EndsWhereItsSurfaceTurnsAway) {
     Ink ink;
     add_ribbon(ink, line, normals, {{1, 2, 3}, 1e-6, 0, facing_only});
     double far = 0;
-    for (const Vec3& corner : ink.corners) far = std::max(far, corner[0]);
+    for (const Vec<3>& corner : ink.corners) far = std::max(far, corner[0]);
     return far;
   };
   EXPECT_NEAR(farthest(true), 7.5, 1e-5);
@@ -191,9 +200,9 @@ TEST(Triad, HasRoomForItsArrows) {
   const Style style = style_for({1600, 1000});
   for (const std::string& name : camera_names()) {
     const Mat<3> axes = picture_axes(camera(name));
-    const auto [left, right, below, above] = triad_room(axes, style);
+    const auto [left, right, below, above] = triad_room(axes, {"x", "y", "z"}, style);
     Drawing drawing{{1600, 1000}, {}};
-    draw_triad(drawing, {0, 0}, axes, style);
+    draw_triad(drawing, {0, 0}, axes, {"x", "y", "z"}, style);
     int letters = 0;
     for (const Mark& mark : drawing.marks) {
       letters += std::holds_alternative<Text>(mark);

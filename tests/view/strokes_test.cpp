@@ -1,4 +1,4 @@
-#include "view/strokes.hpp"
+#include "view/drawing.hpp"
 
 #include <gtest/gtest.h>
 

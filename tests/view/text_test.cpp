@@ -39,7 +39,10 @@ TEST(TextRuns, FollowOneRuleOfMarkup) {
                                                        {"p_{a\\}b}", "p_[a}b]"},
                                                        {"x_{open", "x_{open"},
                                                        {"a ^2 ^ _", "a ^2 ^ _"},
-                                                       {"1_2", "1_2"}};
+                                                       {"1_2", "1_2"},
+                                                       {"2∫_Γ t·δu dΓ", "2∫_[Γ] t·δu dΓ"},
+                                                       {"∂_x u, ∇_s, Σ_i, ∑_i^n", "∂_[x] u, ∇_[s], Σ_[i], ∑_[i]^[n]"},
+                                                       {"∫^b_a ∂u_x", "∫^[b]_[a] ∂u_[x]"}};
   for (const auto& [utf8, expected] : cases) EXPECT_EQ(levels(utf8), expected) << utf8;
 }
 

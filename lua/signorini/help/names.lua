@@ -19,12 +19,4 @@ function names.value(name)
   return value or nil
 end
 
---- Gives what is written in Lua the names of the pages that stand above it; the bindings have done so with their rows.
-function names.give()
-  for name in pairs(core.docs) do
-    local value = names.value(name)
-    if value and not core.names[value] then core.names[value] = name end
-  end
-end
-
 return names

@@ -2,6 +2,7 @@
 -- the names that it holds.
 
 local core = require "signorini.core"
+local pages = require "signorini.pages"
 local sorted_names = require("signorini.lists").sorted_names
 local wrapped = require "signorini.show.wrapped"
 
@@ -10,12 +11,12 @@ local language = {}
 --- The text of a function. `brief`: where it is one of many.
 function language.of_function(f, brief)
   local name, about = core.names[f], debug.getinfo(f, "S")
-  local page = name and core.docs[name]
+  local page = name and pages.find(name)
   if not page then
     return about.what == "C" and "function" or ("function (%s:%d)"):format(about.short_src, about.linedefined)
   end
   if brief then return name end
-  local head = page:match "^[%w_.:]+%b{}" or page:match "^[%w_.:]+%b()" or page:match "^[^\n]*"
+  local head = pages.head(page)
   return ("%s\n  help%s tells more"):format(head, name:find ":" and (" %q"):format(name) or ("(%s)"):format(name))
 end
 

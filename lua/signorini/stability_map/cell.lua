@@ -1,6 +1,8 @@
 -- One cell of a stability map: a model is built and taken along its path; what is left of it are plain values.
 
+local check = require "signorini.check"
 local core = require "signorini.core"
+local types = require "signorini.types"
 
 local where = "sg.stability_map"
 
@@ -27,15 +29,9 @@ end
 
 --- The user's figures; those that are no finite numbers are left out.
 local function read_figures(figures)
-  if type(figures) ~= "table" then
-    core.fail(("%s: figures must return a table of numbers by name, got %s"):format(where, core.describe(figures)))
-  end
   local kept = {}
-  for name, value in pairs(figures) do
-    if type(name) ~= "string" or type(value) ~= "number" then
-      core.fail(("%s: figures must return numbers by name, got %s = %s")
-        :format(where, tostring(name), core.describe(value)))
-    end
+  check.value(types.map { kind = "number", gaps = true }, figures, where, "the result of figures")
+  for name, value in next, figures do
     if value == value and math.abs(value) < math.huge then kept[name] = value end
   end
   return kept

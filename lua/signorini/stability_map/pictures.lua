@@ -1,7 +1,8 @@
 -- The pictures of a stability map: heat maps of outcomes, and of numbers.
 
+local check = require "signorini.check"
 local core = require "signorini.core"
-local arguments = require "signorini.arguments"
+local types = require "signorini.types"
 local values = require "signorini.study.values"
 
 local pictures = {}
@@ -49,23 +50,19 @@ end
 local function read_maps(where, map, options)
   if options.beside == nil then return { map } end
   local other = options.beside
-  if getmetatable(other) ~= getmetatable(map) then arguments.reject(where, "beside", "a stability map", other) end
   if not values.same({ map.x.values, map.y.values }, { other.x.values, other.y.values }) then
     core.fail(where .. ": beside is a map of other values: both need the same x and y to stand side by side")
-  end
-  if options.titles ~= nil and (type(options.titles) ~= "table" or #options.titles ~= 2) then
-    arguments.reject(where, "titles", "a list of two strings", options.titles)
   end
   return { map, other }, options.titles or { map.name, other.name }
 end
 
---- The name of something that a picture can show, checked.
-local function read_name(where, argument, maps, name, default)
+--- Checks the name of something that a picture can show.
+local function check_name(where, argument, maps, name)
   local known = { "iterations", "reached", "increments", "steps", "cutbacks", "rescues", "wall" }
   for _, map in ipairs(maps) do
     for _, figure in ipairs(values.figure_names(map.cells)) do known[#known + 1] = figure end
   end
-  return arguments.choice(where, argument, name, known, default)
+  check.value(types.choice(known), name, where, argument)
 end
 
 --- Draws one heat map, or two side by side. `panel(map)` gives what differs: values, texts.
@@ -97,40 +94,25 @@ local function categories(maps)
   return list
 end
 
-core.docs["map:picture"] = [[
-map:picture{ file, title, text = "iterations", beside, titles, size }
-Draws the outcomes as a heat map. text: the number in the cells, an account of the cell such as "reached", or a figure.
-beside: another map, drawn at its side, with titles = {…, …} for the two. size in pixels as in sg.heatmap.
-Example: map:picture{ file = "map.png", text = "reached" }]]
 function pictures.outcomes(map, options)
   local where = "map:picture"
-  arguments.table(where, "its argument", options, { "file", "title", "text", "beside", "titles", "size" })
   local maps, titles = read_maps(where, map, options)
-  local shown = read_name(where, "text", maps, options.text, "iterations")
-  draw({ file = arguments.string(where, "file", options.file), size = options.size, categories = categories(maps),
-         title = arguments.string(where, "title", options.title, map.name) }, maps, titles, function(one)
-    return { values = grid(one, function(cell) return cell.outcome end), texts = texts(one, shown) }
-  end)
+  check_name(where, "text", maps, options.text)
+  draw({ file = options.file, size = options.size, categories = categories(maps), title = options.title or map.name },
+    maps, titles, function(one)
+      return { values = grid(one, function(cell) return cell.outcome end), texts = texts(one, options.text) }
+    end)
 end
 
-core.docs["map:figure"] = [[
-map:figure{ name, file, log = false, label, title, range, colormap, beside, titles, size }
-Draws one number of the cells, an account or a figure, as a heat map; label is the colour bar's title (the name), all
-else as in map:picture and sg.heatmap.
-Example: map:figure{ name = "iterations", file = "iterations.png" }]]
 function pictures.figure(map, options)
-  local where = "map:figure"
-  arguments.table(where, "its argument", options,
-    { "name", "file", "log", "label", "title", "range", "colormap", "beside", "titles", "size" })
+  local where, name = "map:figure", options.name
   local maps, titles = read_maps(where, map, options)
-  local name = read_name(where, "name", maps, options.name)
-  local label = arguments.string(where, "label", options.label, name)
-  draw({ file = arguments.string(where, "file", options.file), size = options.size, range = options.range,
-         colormap = options.colormap, label = label, log = arguments.flag(where, "log", options.log, false),
-         title = arguments.string(where, "title", options.title, map.name .. ": " .. label) }, maps, titles,
-    function(one)
-      return { values = grid(one, function(cell) return number(cell, name) end), texts = texts(one, name) }
-    end)
+  check_name(where, "name", maps, name)
+  local label = options.label or name
+  draw({ file = options.file, size = options.size, range = options.range, colormap = options.colormap, label = label,
+         log = options.log, title = options.title or map.name .. ": " .. label }, maps, titles, function(one)
+    return { values = grid(one, function(cell) return number(cell, name) end), texts = texts(one, name) }
+  end)
 end
 
 return pictures

@@ -1,7 +1,7 @@
 -- The cases of a study: plain data by the names of parameters, each with a name of its own for messages and files.
 
+local check = require "signorini.check"
 local core = require "signorini.core"
-local arguments = require "signorini.arguments"
 local values = require "signorini.study.values"
 
 local cases = {}
@@ -13,7 +13,7 @@ local function flatten(list, into, names)
   for _, name in ipairs((getmetatable(list) or {}).parameters or {}) do names[#names + 1] = name end
   for i, entry in ipairs(list) do
     if type(entry) ~= "table" then
-      arguments.reject(where, ("cases[%d]"):format(i), "a table of parameters, or a list of such tables", entry)
+      check.reject(where, ("cases[%d]"):format(i), "a table of parameters, or a list of such tables", entry)
     end
     if #entry > 0 then flatten(entry, into, names) else into[#into + 1] = entry end
   end
@@ -45,9 +45,6 @@ end
 --- Reads the argument `cases`: a list of { case, text, id }, and the names of the parameters. `text` is how messages
 --- call a case, `id` its file without ending. Cases that read alike are errors.
 function cases.read(list)
-  if type(list) ~= "table" or #list == 0 then
-    arguments.reject(where, "cases", "a list of cases, such as sg.grid{ order = {\"N2\", \"N4\"} }", list)
-  end
   local flat, ordered = flatten(list, {}, {})
   local names, result, seen = parameter_names(flat, ordered), {}, {}
   for i, case in ipairs(flat) do

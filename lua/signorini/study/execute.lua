@@ -1,7 +1,6 @@
 -- study:execute: solves the cases that are missing, in processes of their own, and keeps each as soon as it is done.
 
 local core = require "signorini.core"
-local arguments = require "signorini.arguments"
 local counted = require "signorini.counted"
 local inputs = require "signorini.study.inputs"
 local outcomes = require "signorini.study.outcomes"
@@ -23,12 +22,10 @@ local function outdated(entry, record, now, limit)
   if record.outcome == "time" and (not limit or limit > record.wall) then return "it has more time now" end
 end
 
---- Reads `again`: true for all, "failed", or a function of a row.
-local function read_again(value)
-  if value == nil or type(value) == "function" then return value end
-  if value == true then return function() return true end end
-  if value == "failed" then return function(row) return row.failed end end
-  if value ~= false then arguments.reject(where, "again", "true, \"failed\" or a function of a row", value) end
+--- Whether `again` asks for a row to run once more.
+local function is_wanted(again, row)
+  if type(again) == "function" then return again(row) end
+  return again == true or again == "failed" and row.failed
 end
 
 --- What execute says before it begins: how many cases are taken from the folder, and why others are solved again.
@@ -49,7 +46,7 @@ local function missing(study, now, limit, again)
   for i, entry in ipairs(study.cases) do
     local record, damaged = store.read(study, entry)
     local why = damaged and "the file cannot be read" or record and outdated(entry, record, now, limit)
-    if record and not why and again and again(study:row_of(entry, record)) then why = "you ask for it" end
+    if record and not why and is_wanted(again, study:row_of(entry, record)) then why = "you ask for it" end
     if why then reasons[why] = (reasons[why] or 0) + 1 end
     if record and not why then
       study.records[i] = record
@@ -176,7 +173,7 @@ local function run_missing(study, keeper, options)
     end
   end
   local together, alone = split_alone(study, list)
-  local whole = run_cases(study, together, options.jobs, options.limit, display, keep)
+  local whole = run_cases(study, together, options.jobs or core.at_once, options.limit, display, keep)
   whole = whole and run_cases(study, alone, 1, options.limit, display, keep)
   display.bar:clear()
   tell_errors(study)
@@ -195,28 +192,11 @@ local function execute(name, study, options)
   return result
 end
 
-core.docs["study:execute"] = [[
-study:execute{ jobs, limit, again }
-Runs the cases that are missing in the study's folder, or whose inputs have changed, says how many are taken from there
-and how many are to solve, and returns the study. Each finished case is on the disk at once; when the program is stopped
-by Ctrl-C or killed, the same call goes on with what is missing. A case that fails is a result and stays. One that ended
-by an error or whose process died is told on standard error at the end, runs again at the next call, and makes the exit
-status of the program 1, unless the script ends with os.exit.
-jobs:  cases side by side; by default what --jobs says, else as many as there are processors. Each has one thread.
-limit: seconds by the clock on the wall after which a case is given up; none by default.
-again: true for all cases, "failed", or a function of a row: which cases run anew in any case.
-Two processes cannot execute the same study at a time. study:read() takes what there is without running anything.
-Example: study:execute{ jobs = 2, again = "failed" }]]
 local function verb(study, options)
-  arguments.table(where, "its argument", options, { "jobs", "limit", "again" })
-  options = options or {}
-  local read = { jobs = arguments.count(where, "jobs", options.jobs, core.at_once),
-                 limit = options.limit and arguments.positive(where, "limit", options.limit),
-                 again = read_again(options.again) }
   if not study.cases then
     core.fail(where .. ": this is a part of a study, which has results only: execute the study that it was taken from")
   end
-  if not execute(where, study, read) then core.fail "interrupted" end
+  if not execute(where, study, options) then core.fail "interrupted" end
   return study
 end
 

@@ -1,7 +1,7 @@
 -- Which rows of a study are meant: study:where and study:row.
 
+local check = require "signorini.check"
 local core = require "signorini.core"
-local arguments = require "signorini.arguments"
 local values = require "signorini.study.values"
 
 local filter = {}
@@ -48,7 +48,7 @@ local function check_value(where, study, name, wanted)
   for _, one in ipairs(type(wanted) == "table" and #wanted > 0 and wanted or { wanted }) do
     if not exists(one) then
       local meant = type(one) == "string" and core.nearest(one, texts)
-      arguments.reject(where, name, ("a value that a case has, %s"):format(table.concat(texts, ", ")), one,
+      check.reject(where, name, ("a value that a case has, %s"):format(table.concat(texts, ", ")), one,
         meant and ("did you mean '%s'?"):format(meant))
     end
   end
@@ -66,11 +66,10 @@ end
 --- A filter as a function of a row.
 local function read(where, study, wanted)
   if type(wanted) == "function" then return wanted end
-  if type(wanted) ~= "table" then
-    arguments.reject(where, "its argument", "a table such as { order = \"N2\" }, or a function of a row", wanted)
-  end
+  local known = {}
+  for i, name in ipairs(values.columns(study)) do known[i] = { name } end
   for name in pairs(wanted) do values.check_known(where, name, study) end
-  arguments.table(where, "its argument", wanted, values.columns(study))
+  check.keys(known, wanted, where, "")
   for _, name in ipairs(study.parameters) do
     if wanted[name] ~= nil then check_value(where, study, name, wanted[name]) end
   end

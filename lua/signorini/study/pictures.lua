@@ -1,19 +1,22 @@
 -- The pictures of a study: its rows as curves, and over two of its parameters as a heat map.
 
+local check = require "signorini.check"
 local core = require "signorini.core"
-local arguments = require "signorini.arguments"
+local holds = require("signorini.lists").holds
 local outcomes = require "signorini.study.outcomes"
 local quantity = require "signorini.study.quantity"
+local types = require "signorini.types"
 local values = require "signorini.study.values"
 
 local pictures = {}
 
---- The arguments of sg.chart or sg.heatmap among the options; a label that is missing is the quantity's own.
-local function passed_on(options, known, labels)
-  local chart = {}
-  for _, key in ipairs(known) do chart[key] = options[key] end
-  for key, q in pairs(labels) do
-    if chart[key] == nil and q.label ~= "" then chart[key] = q.label end
+--- The arguments that sg.chart or sg.heatmap take over: all but the `own` ones. A label that is missing is the
+--- quantity's own, a title the study's name.
+local function passed_on(study, options, own, labels)
+  local chart = { title = study.name }
+  for key, q in pairs(labels) do chart[key] = q.label ~= "" and q.label or nil end
+  for key, value in pairs(options) do
+    if not holds(own, key) then chart[key] = value end
   end
   return chart
 end
@@ -39,10 +42,9 @@ end
 
 -- ── Charts ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-local chart_options = { "file", "xlabel", "ylabel", "log", "title", "legend", "legend_title", "xrange", "yrange",
-                        "xticks", "hlines", "vlines", "inset", "size" }
 local most_ticks = 12 -- that are set to whole numbers
 local curve_options = { "markers", "dashed", "line", "width" }
+local own_options = { "x", "y", "series", table.unpack(curve_options) }
 
 --- Where the rows stand on the x axis: their numbers, or, where a column holds anything else, their place in the order
 --- in which the values first appear, with the names of these places.
@@ -126,62 +128,34 @@ local function finished(study)
   return rows
 end
 
-local function is_parameter(study, name)
-  for _, known in ipairs(study.parameters) do
-    if known == name then return true end
-  end
-  return false
-end
-
-core.docs["study:chart"] = [[
-study:chart{ x, y, series, file, markers = true, dashed = false, line = true, width = 3, xlabel, ylabel, log, title,
-             legend = true, legend_title, xrange, yrange, xticks, hlines, vlines, inset, size = {1600, 1000} }
-Draws the rows as curves to .png, .svg or .pdf: one per value of series, by rising x. x, y and series are columns, or
-functions of a row; rows that failed or lack one of them have no point. Texts and tables along x stand in the order in
-which they first appear; a parameter with few whole values has its ticks there. Where a parameter along x has several
-rows of one curve at a place, that is an error unless line = false: choose with study:where, or give series.
-markers = true, dashed, line, width: of all curves; all else as in sg.chart: xlabel, ylabel (the column and its unit),
-title (the study's name), log, legend, legend_title, xrange, yrange, xticks, hlines, vlines, inset, size in pixels.
-Example: study:chart{ x = "mesh", y = "error", series = "order", file = "error.png" }]]
 function pictures.chart(study, options)
   local where = "study:chart"
-  quantity.study(where, study)
-  local known = table.move(chart_options, 1, #chart_options, 4, { "x", "y", "series" })
-  arguments.table(where, "its argument", options, table.move(curve_options, 1, #curve_options, #known + 1, known))
-  options = options or {}
-  local file = arguments.string(where, "file", options.file)
   local x, y = quantity.read(where, "x", study, options.x), quantity.read(where, "y", study, options.y)
-  local series = options.series ~= nil and quantity.read(where, "series", study, options.series) or nil
-  local rows = finished(study)
+  local series = options.series and quantity.read(where, "series", study, options.series)
+  local rows, is_parameter = finished(study), holds(study.parameters, x.pick)
   local x_of, names = read_places(where, x, rows)
-  local lone = is_parameter(study, x.pick) and options.line ~= false and x.pick or nil
-  local curves = read_curves(where, study, rows, x_of, y, series, lone)
-  if #curves == 0 then nothing_to_draw(where, study, ("both %s and %s"):format(x.name, y.name), file) end
+  local curves = read_curves(where, study, rows, x_of, y, series, is_parameter and options.line and x.pick or nil)
+  if #curves == 0 then nothing_to_draw(where, study, ("both %s and %s"):format(x.name, y.name), options.file) end
 
-  local chart = passed_on(options, chart_options, { xlabel = x, ylabel = y })
+  local chart = passed_on(study, options, own_options, { xlabel = x, ylabel = y })
   chart.xticks = chart.xticks or names
-  if not (chart.xticks or chart.xrange or chart.vlines) and is_parameter(study, x.pick) then
+  if is_parameter and not (chart.xticks or chart.xrange or chart.vlines) then
     chart.xticks = whole_ticks(curves, (chart.log or ""):find "x")
   end
-  chart.title = chart.title or study.name
-  if series and not chart.legend_title then chart.legend_title = quantity.title(series) end
+  chart.legend_title = chart.legend_title or series and quantity.title(series)
   for i, curve in ipairs(curves) do
-    chart[i] = { x = {}, y = {}, label = curve.name, markers = true }
-    for _, key in ipairs(curve_options) do
-      if options[key] ~= nil then chart[i][key] = options[key] end
-    end
+    chart[i] = { x = {}, y = {}, label = curve.name }
+    for _, key in ipairs(curve_options) do chart[i][key] = options[key] end
     for j, point in ipairs(curve) do chart[i].x[j], chart[i].y[j] = point.x, point.y end
   end
-  core.sg.chart(chart)
+  return core.sg.chart(chart)
 end
 
 -- ── Heat maps ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-local heatmap_options = { "file", "xlabel", "ylabel", "title", "size", "range", "log", "label", "colormap" }
-
 --- A parameter's values in their order, as texts.
 local function read_axis(where, key, study, name)
-  local axis, seen = { name = arguments.choice(where, key, name, study.parameters), texts = {} }, {}
+  local axis, seen = { name = check.value(types.choice(study.parameters), name, where, key), texts = {} }, {}
   for _, row in ipairs(study.rows) do
     local text = values.text(row[axis.name], true)
     if not seen[text] then seen[text], axis.texts[#axis.texts + 1] = true, text end
@@ -210,29 +184,16 @@ local function cell_text(row, number)
   return number and tonumber(("%.3g"):format(number)) or ""
 end
 
-core.docs["study:heatmap"] = [[
-study:heatmap{ x, y, value, file, texts = true, xlabel, ylabel, title, label, range, log = false, colormap, size }
-Draws a number over two parameters x and y, in the order of their values in the cases; value is a column, or a
-function of a row. texts: the numbers in the cells, "failed" or "error" where a case did not come out. More than one
-case in a cell is an error that says what study:where has to choose. All else as in sg.heatmap: xlabel, ylabel, title,
-label (the column and its unit), range, log, colormap, size in pixels.
-Example: study:heatmap{ x = "order", y = "mesh", value = "wall", log = true, file = "wall.png" }]]
 function pictures.heatmap(study, options)
   local where = "study:heatmap"
-  quantity.study(where, study)
-  arguments.table(where, "its argument", options,
-    table.move(heatmap_options, 1, #heatmap_options, 5, { "x", "y", "value", "texts" }))
-  options = options or {}
-  local file = arguments.string(where, "file", options.file)
   local x, y = read_axis(where, "x", study, options.x), read_axis(where, "y", study, options.y)
   if x.name == y.name then core.fail(("%s: x and y are both %s: choose two parameters"):format(where, x.name)) end
-  local value = quantity.read(where, "value", study, options.value)
-  local texts = arguments.flag(where, "texts", options.texts, true)
+  local value, texts = quantity.read(where, "value", study, options.value), options.texts
   local cells = read_cells(where, study, x, y)
 
-  local chart = passed_on(options, heatmap_options, { label = value, xlabel = quantity.read(where, "x", study, x.name),
-                                                      ylabel = quantity.read(where, "y", study, y.name) })
-  chart.title = chart.title or study.name
+  local chart = passed_on(study, options, { "x", "y", "value", "texts" },
+    { label = value, xlabel = quantity.read(where, "x", study, x.name),
+      ylabel = quantity.read(where, "y", study, y.name) })
   chart.x, chart.y, chart.values, chart.texts = x.texts, y.texts, {}, texts and {} or nil
   local any = false
   for j, line in ipairs(y.texts) do
@@ -246,8 +207,8 @@ function pictures.heatmap(study, options)
       if texts then chart.texts[j][i] = row and cell_text(row, number) end
     end
   end
-  if not any then nothing_to_draw(where, study, value.name, file) end
-  core.sg.heatmap(chart)
+  if not any then nothing_to_draw(where, study, value.name, options.file) end
+  return core.sg.heatmap(chart)
 end
 
 return pictures

@@ -1,23 +1,12 @@
 -- What the readers of a study pick from its rows: a column or a function, with its name, unit and axis label.
 
-local arguments = require "signorini.arguments"
 local values = require "signorini.study.values"
 
 local quantity = {}
 
---- A study, checked as far as its readers need it.
-function quantity.study(where, study)
-  for _, key in ipairs { "rows", "parameters", "figures", "units" } do
-    if type(study) ~= "table" or type(study[key]) ~= "table" then
-      arguments.reject(where, "its first argument", "a study", study, "make one with sg.study")
-    end
-  end
-  return study
-end
-
 --- { where, key, study, pick, name, unit, label } of the argument `key`: a column's name or a function of a row.
-function quantity.read(where, key, study, pick, default)
-  pick = values.pick(where, key, study, pick, default)
+function quantity.read(where, key, study, pick)
+  values.column(where, key, pick, study)
   local column = type(pick) == "string" and pick or nil
   local unit = column and (study.units[column] or column == "wall" and "s") or ""
   return { where = where, key = key, study = study, pick = pick, name = column or key, unit = unit,

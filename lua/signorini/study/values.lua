@@ -4,11 +4,12 @@
 -- values of parameters and figures by name, wall (s), and of a case that failed: failed = true and reason. Parameters
 -- and figures are plain data; tables among them show by their field `name`.
 
+local check = require "signorini.check"
 local core = require "signorini.core"
-local arguments = require "signorini.arguments"
 local holds = require("signorini.lists").holds
 local number_text = require "signorini.number_text"
 local outcomes = require "signorini.study.outcomes"
+local types = require "signorini.types"
 
 local values = {}
 
@@ -71,17 +72,11 @@ function values.check_known(where, name, study)
   if why then core.fail(("%s: no case has '%s': %s"):format(where, name, why)) end
 end
 
---- A column's name, checked.
+--- Checks that a study has a column, which may be a function of a row instead.
 function values.column(where, key, name, study)
+  if type(name) == "function" then return end
   values.check_known(where, name, study)
-  return arguments.choice(where, key, name, values.columns(study))
-end
-
---- A column's name, checked, or a function of a row: what `values.of` takes. nil without a default is an error.
-function values.pick(where, key, study, pick, default)
-  if pick == nil then pick = default end
-  if type(pick) == "function" then return pick end
-  return values.column(where, key, pick, study)
+  check.value(types.choice(values.columns(study)), name, where, key)
 end
 
 --- The number that a column or a function picks from a row; nil where there is none. Texts and what is not finite are

@@ -33,5 +33,5 @@ return function(result, points, front, marks, options, file)
     end
   end
   chart[#chart + 1] = steps(front, points)
-  core.sg.chart(chart)
+  return core.sg.chart(chart)
 end

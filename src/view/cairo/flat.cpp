@@ -1,9 +1,7 @@
 // The module's entry: figures through Cairo into the bytes of PNG, SVG and PDF files.
 #include "base/error.hpp"
-#include "view/cairo/png.hpp"
-#include "view/cairo/svg_text.hpp"
-#include "view/cairo/type.hpp"
-#include "view/flat_renderer.hpp"
+#include "view/cairo/parts.hpp"
+#include "view/renderer.hpp"
 
 #include <cairo-pdf.h>
 #include <cairo-svg.h>
@@ -80,9 +78,7 @@ struct Pen {
 };
 
 bool has_image(const Plate& plate) {
-  const Relief& relief = plate.relief;
-  return !plate.fields.empty() || !relief.surfaces.empty() || !relief.ink.corners.empty() ||
-         !relief.veil.corners.empty();
+  return !plate.reliefs.empty();
 }
 
 void draw_image(cairo_t* paper, Pixels pixels, int scale) {
@@ -138,8 +134,8 @@ std::string bytes(const Figure& figure, Format format, bool transparent, const I
   const auto check = [&] {
     const cairo_status_t status =
         cairo_status(paper.get()) ? cairo_status(paper.get()) : cairo_surface_status(surface.get());
-    require(status == CAIRO_STATUS_SUCCESS, "Cairo did not draw a figure of ", figure.size[0], " × ", figure.size[1],
-            " pixels: ", cairo_status_to_string(status));
+    require(status == CAIRO_STATUS_SUCCESS, "view.flat.failed",
+            {{"width", figure.size[0]}, {"height", figure.size[1]}, {"reason", cairo_status_to_string(status)}});
   };
   check();
   if (format == Format::png)
@@ -158,4 +154,4 @@ std::string describe() {
 } // namespace signorini::view
 
 extern "C" const signorini::view::FlatRenderer signorini_flat = {signorini::view::width_of, signorini::view::bytes,
-                                                                 signorini::view::describe};
+                                                                 signorini::view::describe, &signorini::warning_sink};

@@ -1,4 +1,4 @@
-#include "view/cairo/png.hpp"
+#include "view/cairo/parts.hpp"
 
 #include "base/error.hpp"
 
@@ -17,7 +17,7 @@ void append(png_structp png, png_bytep data, png_size_t length) {
 }
 
 [[noreturn]] void refuse(png_structp, png_const_charp message) {
-  fail("no PNG file could be made: ", message);
+  fail("view.png.failed", {{"reason", message}});
 }
 
 /// 0xAARRGGBB with colours multiplied by the opacity → red, green, blue and, where asked for, opacity.

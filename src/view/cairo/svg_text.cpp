@@ -1,4 +1,4 @@
-#include "view/cairo/svg_text.hpp"
+#include "view/cairo/parts.hpp"
 
 #include "view/text.hpp"
 

@@ -1,4 +1,4 @@
-#include "view/cairo/type.hpp"
+#include "view/cairo/parts.hpp"
 
 #include "base/error.hpp"
 #include "base/warning.hpp"
@@ -87,18 +87,17 @@ const char* package_for(char32_t p) {
 
 /// Names the characters of a text that no font has.
 void warn_of_missing(const std::string& utf8) {
-  std::string names, packages;
+  std::vector<std::string> characters, packages;
   for (char32_t point : code_points(utf8)) {
     const std::string sign = to_utf8(point);
-    if (point <= 0x7E || point == 0xFFFD || names.find("'" + sign + "'") != names.npos) continue;
+    if (point <= 0x7E || point == 0xFFFD || std::count(characters.begin(), characters.end(), sign) > 0) continue;
     if (pango_layout_get_unknown_glyphs_count(lay_out(sign, 100).get()) == 0) continue;
-    names += (names.empty() ? "'" : ", '") + sign + "'";
+    characters.push_back(sign);
     const std::string package = package_for(point);
-    if (packages.find(package) == packages.npos) packages += (packages.empty() ? "" : " ") + package;
+    if (std::count(packages.begin(), packages.end(), package) == 0) packages.push_back(package);
   }
-  if (!names.empty())
-    warn(text("no installed font shows ", names, " of the text '", utf8, "': boxes stand in the place; apt install ",
-              packages, ", or use other words"));
+  if (!characters.empty())
+    warn("view.text.no_font", {{"characters", characters}, {"text", utf8}, {"packages", packages}});
 }
 
 } // namespace

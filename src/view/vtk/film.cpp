@@ -1,4 +1,4 @@
-#include "view/vtk/film.hpp"
+#include "view/vtk/parts.hpp"
 
 #include "base/error.hpp"
 
@@ -51,15 +51,15 @@ void draw_ogv(const std::string& file, int count, int rate, const PictureMaker& 
     reader->Update();
     vtkImageData& picture = *reader->GetOutput();
     const int components = picture.GetNumberOfScalarComponents();
-    require(components == 3, "a film has a ground: leave transparent out");
+    require(components == 3, "view.film.transparent");
     const std::array<int, 2> next = {picture.GetDimensions()[0], picture.GetDimensions()[1]};
-    require(i == 0 || next == size, "the pictures of a film differ in size: ", size[0], " × ", size[1], " and ",
-            next[0], " × ", next[1]);
+    require(i == 0 || next == size, "view.film.sizes",
+            {{"width", size[0]}, {"height", size[1]}, {"next_width", next[0]}, {"next_height", next[1]}});
     put_on_even(*film, picture, components);
     film->Modified();
     if (i == 0) size = next, writer->Start();
     writer->Write();
-    require(writer->GetError() == 0, "VTK could not write a film to '", file, "'");
+    require(writer->GetError() == 0, "view.film.write", {{"file", file}});
   }
   writer->End();
 }

@@ -1,5 +1,6 @@
-#include "view/vtk/relief_actors.hpp"
+#include "view/vtk/parts.hpp"
 
+#include <vtkActor.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkFloatArray.h>
@@ -8,141 +9,128 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 namespace signorini::view {
 namespace {
+
+Eigen::Map<const Points> columns(const std::vector<Vec<3>>& points) {
+  return {points.empty() ? nullptr : points.front().data(), 3, static_cast<Eigen::Index>(points.size())};
+}
 
 /// From pixels towards the eye to what the camera sees beneath the plane of the drawing.
 struct Depth {
   double low = std::numeric_limits<double>::infinity(), high = -low;
 
-  void take(const std::vector<Vec3>& points) {
-    for (const Vec3& p : points) low = std::min(low, p[2]), high = std::max(high, p[2]);
+  void take(const Points& points) {
+    if (points.cols() == 0) return;
+    low = std::min(low, points.row(2).minCoeff());
+    high = std::max(high, points.row(2).maxCoeff());
   }
-  double operator()(double z) const { return -0.9 + 0.8 * (z - low) / std::max(high - low, 1e-12); }
+  Points operator()(Points points) const {
+    points.row(2).array() = -0.9 + 0.8 / std::max(high - low, 1e-12) * (points.row(2).array() - low);
+    return points;
+  }
 };
 
-vtkSmartPointer<vtkPoints> points_of(const std::vector<Vec3>& points, const Depth& depth) {
-  auto result = vtkSmartPointer<vtkPoints>::New();
-  for (const Vec3& p : points) result->InsertNextPoint(p[0], p[1], depth(p[2]));
-  return result;
-}
-
-vtkSmartPointer<vtkFloatArray> normals_of(const std::vector<Vec3>& normals) {
+vtkSmartPointer<vtkFloatArray> floats(const MatrixX& columns) {
   auto result = vtkSmartPointer<vtkFloatArray>::New();
-  result->SetNumberOfComponents(3);
-  for (const Vec3& n : normals) result->InsertNextTuple(n.data());
+  result->SetNumberOfComponents(static_cast<int>(columns.rows()));
+  result->SetNumberOfTuples(columns.cols());
+  Eigen::Map<Eigen::MatrixXf>(result->GetPointer(0), columns.rows(), columns.cols()) = columns.cast<float>();
   return result;
 }
 
-/// Three points each, in their order.
-vtkSmartPointer<vtkCellArray> loose_triangles(std::size_t count) {
-  auto cells = vtkSmartPointer<vtkCellArray>::New();
-  for (vtkIdType t = 0; t < static_cast<vtkIdType>(count); ++t) cells->InsertNextCell({3 * t, 3 * t + 1, 3 * t + 2});
-  return cells;
-}
-
-template <std::size_t N>
-vtkSmartPointer<vtkUnsignedCharArray> colours_of(const std::vector<std::array<std::uint8_t, N>>& colours) {
-  auto result = vtkSmartPointer<vtkUnsignedCharArray>::New();
-  result->SetNumberOfComponents(N);
-  for (const auto& colour : colours) result->InsertNextTypedTuple(colour.data());
-  return result;
-}
-
-/// Little shade, so that colours keep their meaning: what faces the light shows them as the colour bar does.
-void light_up(vtkActor& actor) {
-  actor.GetProperty()->SetAmbient(0.72);
-  actor.GetProperty()->SetDiffuse(0.32);
-  actor.GetProperty()->SetSpecular(0);
-}
-
-vtkSmartPointer<vtkActor> surface_actor(const Shaded& surface, const Depth& depth) {
-  vtkNew<vtkPolyData> data;
-  data->SetPoints(points_of(surface.points, depth));
-  data->GetPointData()->SetNormals(normals_of(surface.normals));
+/// Triangles between points; without normals they are not lit.
+vtkSmartPointer<vtkPolyData> mesh(const Points& points, const Points& normals, const Triangles& triangles) {
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> places;
+  places->SetData(floats(points));
+  data->SetPoints(places);
   vtkNew<vtkCellArray> cells;
-  for (const auto& t : surface.triangles) cells->InsertNextCell({t[0], t[1], t[2]});
+  for (const auto& t : triangles.colwise()) cells->InsertNextCell({t[0], t[1], t[2]});
   data->SetPolys(cells);
-  vtkNew<vtkFloatArray> values;
-  for (double value : surface.values) values->InsertNextValue(static_cast<float>(value));
-  data->GetPointData()->SetScalars(values);
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(data);
-  colour_by_value(*mapper, surface.range, surface.colours);
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
-  light_up(*actor);
-  return actor;
+  if (normals.cols() > 0) data->GetPointData()->SetNormals(floats(normals));
+  return data;
 }
 
-vtkSmartPointer<vtkActor> ink_actor(const Ink& ink, const Depth& depth) {
-  vtkNew<vtkPolyData> data;
-  data->SetPoints(points_of(ink.corners, depth));
-  data->SetPolys(loose_triangles(ink.colours.size()));
-  data->GetCellData()->SetScalars(colours_of(ink.colours));
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(data);
-  return flat_actor(*mapper);
+/// Three points each in their order, every triangle in a colour of its own.
+template <std::size_t N>
+vtkSmartPointer<vtkPolyData> loose_mesh(const Points& points, const Points& normals,
+                                        const std::vector<std::array<std::uint8_t, N>>& colours) {
+  Triangles triangles(3, points.cols() / 3);
+  std::iota(triangles.reshaped().begin(), triangles.reshaped().end(), 0);
+  auto data = mesh(points, normals, triangles);
+  vtkNew<vtkUnsignedCharArray> scalars;
+  scalars->SetNumberOfComponents(N);
+  for (const auto& colour : colours) scalars->InsertNextTypedTuple(colour.data());
+  data->GetCellData()->SetScalars(scalars);
+  return data;
+}
+
+vtkSmartPointer<vtkPolyDataMapper> add_actor(vtkRenderer& renderer, vtkPolyData& data, bool forced_opaque) {
+  auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
+  mapper->SetInputData(&data);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  if (forced_opaque) actor->ForceOpaqueOn();
+  vtkProperty& look = *actor->GetProperty();
+  if (data.GetPointData()->GetNormals() == nullptr)
+    look.LightingOff();
+  else {
+    // Little shade, so that colours keep their meaning: what faces the light shows them as the colour bar does.
+    look.SetAmbient(0.72);
+    look.SetDiffuse(0.32);
+    look.SetSpecular(0);
+  }
+  renderer.AddActor(actor);
+  return mapper;
+}
+
+/// Values are interpolated, then coloured.
+void add_field(vtkRenderer& renderer, const Field& field, const Depth& depth) {
+  const auto data = mesh(depth(field.points), field.normals, field.triangles);
+  data->GetPointData()->SetScalars(floats(field.values.transpose()));
+  vtkNew<vtkLookupTable> table;
+  table->SetNumberOfTableValues(static_cast<vtkIdType>(field.colours.size()));
+  for (std::size_t i = 0; i < field.colours.size(); ++i) {
+    const Rgb& c = field.colours[i];
+    table->SetTableValue(static_cast<vtkIdType>(i), c[0] / 255.0, c[1] / 255.0, c[2] / 255.0);
+  }
+  table->SetTableRange(field.range[0], field.range[1]);
+  const auto mapper = add_actor(renderer, *data, false);
+  mapper->SetLookupTable(table);
+  mapper->UseLookupTableScalarRangeOn();
+  mapper->InterpolateScalarsBeforeMappingOn();
 }
 
 /// Blended in the order given over the ground, behind the depths of all else. In the pass of opaque surfaces, because
-/// OpenGL blends there too; VTK's pass for translucent ones keeps buffers that cost more time than all the drawing.
-vtkSmartPointer<vtkActor> veil_actor(const Veil& veil) {
+/// OpenGL blends there too; VTK's passes for translucent ones keep buffers that cost more time than all the drawing.
+void add_veil(vtkRenderer& renderer, const Veil& veil) {
   constexpr double farthest = -0.98, nearest = -0.92;
-  vtkNew<vtkPoints> points;
-  const double step = (nearest - farthest) / static_cast<double>(veil.corners.size());
-  for (std::size_t i = 0; i < veil.corners.size(); ++i)
-    points->InsertNextPoint(veil.corners[i][0], veil.corners[i][1], farthest + step * static_cast<double>(i - i % 3));
-  vtkNew<vtkPolyData> data;
-  data->SetPoints(points);
-  data->GetPointData()->SetNormals(normals_of(veil.normals));
-  data->SetPolys(loose_triangles(veil.colours.size()));
-  data->GetCellData()->SetScalars(colours_of(veil.colours));
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(data);
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
-  actor->ForceOpaqueOn();
-  light_up(*actor);
-  return actor;
+  Points points = columns(veil.corners);
+  for (Eigen::Index i = 0; i < points.cols(); ++i)
+    points(2, i) =
+        farthest + (nearest - farthest) * static_cast<double>(i - i % 3) / static_cast<double>(points.cols());
+  add_actor(renderer, *loose_mesh(points, columns(veil.normals), veil.colours), true);
 }
 
 } // namespace
 
-vtkSmartPointer<vtkActor> flat_actor(vtkPolyDataMapper& mapper) {
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(&mapper);
-  actor->GetProperty()->LightingOff();
-  return actor;
-}
-
-void colour_by_value(vtkPolyDataMapper& mapper, const std::array<double, 2>& range, const std::vector<Rgb>& colours) {
-  vtkNew<vtkLookupTable> table;
-  table->SetNumberOfTableValues(static_cast<vtkIdType>(colours.size()));
-  for (std::size_t i = 0; i < colours.size(); ++i) {
-    const Rgb& c = colours[i];
-    table->SetTableValue(static_cast<vtkIdType>(i), c[0] / 255.0, c[1] / 255.0, c[2] / 255.0);
-  }
-  table->SetTableRange(range[0], range[1]);
-  mapper.SetLookupTable(table);
-  mapper.UseLookupTableScalarRangeOn();
-  mapper.InterpolateScalarsBeforeMappingOn();
-}
-
 void add_relief(vtkRenderer& renderer, const Relief& relief) {
   Depth depth;
-  for (const Shaded& surface : relief.surfaces) depth.take(surface.points);
-  depth.take(relief.ink.corners);
-  if (depth.low > depth.high && relief.veil.colours.empty()) return;
-  if (!relief.veil.colours.empty()) renderer.AddActor(veil_actor(relief.veil)); // first: it is drawn beneath
-  for (const Shaded& surface : relief.surfaces) renderer.AddActor(surface_actor(surface, depth));
-  if (!relief.ink.colours.empty()) renderer.AddActor(ink_actor(relief.ink, depth));
+  for (const Field& field : relief.fields) depth.take(field.points);
+  depth.take(columns(relief.ink.corners));
+  if (!relief.veil.colours.empty()) add_veil(renderer, relief.veil); // first: it is drawn beneath
+  for (const Field& field : relief.fields) add_field(renderer, field, depth);
+  if (!relief.ink.colours.empty())
+    add_actor(renderer, *loose_mesh(depth(columns(relief.ink.corners)), {}, relief.ink.colours), false);
   vtkNew<vtkLight> light;
   light->SetLightTypeToSceneLight();
   light->PositionalOff();

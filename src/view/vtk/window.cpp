@@ -1,4 +1,4 @@
-#include "view/vtk/window.hpp"
+#include "view/vtk/parts.hpp"
 
 #include "base/error.hpp"
 
@@ -41,7 +41,7 @@ void make_current() {
   static const OSMesaContext context = OSMesaCreateContextAttribs(wanted, nullptr);
   static unsigned char buffer[4 * 16 * 16];
   require(context != nullptr && OSMesaMakeCurrent(context, buffer, GL_UNSIGNED_BYTE, 16, 16) == GL_TRUE,
-          "no off-screen OpenGL context to be had; is Mesa's libOSMesa 17 or newer installed?");
+          "view.opengl.context");
 }
 
 vtkSmartPointer<vtkRenderWindow> make_window() {
@@ -64,6 +64,7 @@ vtkRenderWindow& offscreen_window(std::array<int, 2> size) {
   static vtkRenderWindow* const window = [] {
     auto made = make_window();
     made->SetOffScreenRendering(1);
+    made->SetAlphaBitPlanes(1);
     made->Register(nullptr);
     return made.Get();
   }();

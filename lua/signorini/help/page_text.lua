@@ -1,0 +1,120 @@
+-- A page as help shows it: how to call the function, what it does, its arguments in a list, and examples.
+
+local describe = require "signorini.describe"
+local pages = require "signorini.pages"
+
+local width = 118 -- characters of a line
+local widest_key = 14
+local long = 100 -- characters of a row's text
+
+--- Adds words to lines that are at most so wide, further ones indented; `first` stands before the first one.
+local function add_wrapped(lines, first, words, indent)
+  local line, is_empty = first, true
+  for word in words:gmatch "%S+" do
+    if not is_empty and utf8.len(line) + 1 + utf8.len(word) > width then
+      lines[#lines + 1], line, is_empty = line, indent, true
+    end
+    line = is_empty and line .. word or line .. " " .. word
+    is_empty = false
+  end
+  lines[#lines + 1] = line:match "^(.-)%s*$"
+end
+
+--- Paragraphs: lines that begin with a blank stand as they are, others are filled; a source begins a line.
+local function add_text(lines, text)
+  local paragraph = {}
+  local function flush()
+    if #paragraph > 0 then add_wrapped(lines, "", table.concat(paragraph, " "), "") end
+    paragraph = {}
+  end
+  for line in (text .. "\n"):gmatch "([^\n]*)\n" do
+    if line:find "^Source" then flush() end
+    if line:find "^%s" or line == "" then
+      flush()
+      lines[#lines + 1] = line
+    else
+      paragraph[#paragraph + 1] = line
+    end
+  end
+  flush()
+end
+
+--- The rows of the table that a type holds, behind lists, maps and alternatives; nil where it holds none.
+local function rows_inside(type)
+  if type.kind == "named" then return type.rows end
+  if type.kind == "list" or type.kind == "map" or type.kind == "switch" then return rows_inside(type.of) end
+  for _, one in ipairs(type.kind == "either" and type or {}) do
+    local rows = rows_inside(one)
+    if rows then return rows end
+  end
+end
+
+--- What a row asks for: type, unit, default.
+local function terms(row)
+  local parts = { describe.one(row[2]), row.unit }
+  if row.default ~= nil then
+    parts[#parts + 1] = "default " .. describe.literal(row.default)
+  elseif row.optional then
+    parts[#parts + 1] = row.otherwise and "by default " .. row.otherwise or "optional"
+  end
+  return table.concat(parts, "; ")
+end
+
+local function capitalized(word) return word:sub(1, 1):upper() .. word:sub(2) end
+
+--- The text of a row with its terms: behind a short text, in front of a long one.
+local function row_text(row)
+  local text = row[3] or ""
+  if text == "" then return terms(row) end
+  if #text > long then return ("%s. %s"):format(terms(row), text:gsub("^%l+%f[%s,]", capitalized)) end
+  return ("%s (%s)"):format(text, terms(row))
+end
+
+local function add_rows(lines, rows, indent)
+  local most = 0
+  for _, row in ipairs(rows) do
+    if type(row) == "table" then most = math.max(most, math.min(#row[1] + 2, widest_key)) end
+  end
+  for _, row in ipairs(rows) do
+    if type(row) == "string" then
+      lines[#lines + 1] = indent .. row
+    elseif not row.hidden then
+      local label = indent .. row[1] .. ":"
+      label = label .. (" "):rep(math.max(1, #indent + most - #label))
+      add_wrapped(lines, label, row_text(row), indent .. (" "):rep(most))
+      local inside = rows_inside(row[2])
+      if type(inside) == "table" then
+        add_rows(lines, inside, indent .. "  ")
+      elseif inside then
+        lines[#lines + 1] = ('%s  see help "%s"'):format(indent, inside)
+      end
+    end
+  end
+end
+
+local page_text = {}
+
+--- The code of a page's examples, a list.
+function page_text.examples(page)
+  return type(page.example) == "table" and page.example or { page.example }
+end
+
+--- The text of a page, without its examples where these stand elsewhere.
+function page_text.whole(page, without_examples)
+  local lines = {}
+  local head = pages.head(page)
+  add_wrapped(lines, "", head, (" "):rep(math.min(#head:match "^[^{(]*" + 2, 30)))
+  add_text(lines, page.text)
+  if type(page.named) == "string" then
+    lines[#lines + 1] = ('Its arguments are those of help "%s".'):format(page.named)
+  else
+    add_rows(lines, pages.shown(page), "")
+  end
+  if page.more then add_text(lines, page.more) end
+  for _, code in ipairs(without_examples and {} or page_text.examples(page)) do
+    lines[#lines + 1] = "Example: " .. code:gsub("\n", "\n         ")
+  end
+  return table.concat(lines, "\n")
+end
+
+return page_text

@@ -1,0 +1,152 @@
+-- The tables of the functions: one page each, from which calls are checked (check.lua), and help, Tab, the reference
+-- and the tests of wrong calls come. A page is
+--
+--     { name = "sg.f", text = "What it does.", named = rows or arguments = rows, more = …, example = … }
+--
+-- named: the rows of one table of named arguments, sg.f{ … }; arguments: those of arguments by place, sg.f(a, b);
+-- neither: it takes none. may_be_empty: the table may be left out. repeats: the last row holds for any number of
+-- further arguments. unchecked: the function checks its arguments itself. head: the first line, where it cannot be made
+-- from the rows. more: text behind the rows. example: code or a list of it. The page of a type, such as "run", has
+-- fields: rows of what its objects have. as_given: the function gets the table as it was given, checked, without
+-- defaults. rows: those that others take over by the page's name. entries = { noun, type, text }: what stands in the
+-- table of named arguments without a name.
+-- A row is { key, type, text, default = …, optional = true, otherwise = "the default in words", unit = …,
+-- derived = function(values) }: without a default and not optional the argument is needed; `derived` returns the
+-- default that depends on the values of the rows before. needs, excludes: keys of which one must, or none may, be given
+-- with it, { "patch", why = "it is for models" }. hidden: help and Tab do not show the row. A row that is a text is a
+-- heading. A list of rows may have conflict = function(values, given), which returns what is wrong with values
+-- together, a sentence, or nil.
+
+local core = require "signorini.core"
+local describe = require "signorini.describe"
+local sorted_names = require("signorini.lists").sorted_names
+
+local pages = {}
+
+--- The subjects in the order of the reference, each a file below pages/ that returns { title = …, word = … (for
+--- help), also = … (another word), page, … }; one with the title of that before continues it.
+pages.subjects = { "patches", "curves", "patch", "bodies", "scene", "solving", "results", "methods",
+                   "pictures", "charts", "studies", "scripts" }
+
+local all, groups -- pages by name; lists { title, word, page, … } in order
+
+local function load_all()
+  all, groups = {}, {}
+  for _, subject in ipairs(pages.subjects) do
+    local list = require("signorini.pages." .. subject)
+    local group = groups[#groups]
+    if not group or group.title ~= list.title then
+      group = { title = list.title, word = list.word, also = list.also }
+      groups[#groups + 1] = group
+    end
+    for _, page in ipairs(list) do
+      all[page.name], group[#group + 1] = page, page
+    end
+  end
+end
+
+--- Lists of pages by subject in order: { title = …, word = … (for help), page, … }.
+function pages.groups()
+  if not all then load_all() end
+  return groups
+end
+
+--- The page of a name, or nil.
+function pages.find(name)
+  if not all then load_all() end
+  return all[name]
+end
+
+--- Rows themselves, or those of the page that is called so.
+function pages.rows(rows)
+  if type(rows) ~= "string" then return rows end
+  local page = pages.find(rows)
+  return page.rows or pages.rows(page.named or page.arguments)
+end
+
+--- "patch" of a patch, "run" of a run, else the type in Lua.
+function pages.kind(value)
+  local own = type(value) == "table" and getmetatable(value)
+  return type(own) == "table" and rawget(own, "__name") or core.kind(value)
+end
+
+--- What help shows of the page of a name, or nil.
+function pages.text(name)
+  local page = pages.find(name)
+  return page and require("signorini.help.page_text").whole(page)
+end
+
+--- The names of all pages, sorted.
+function pages.names()
+  pages.groups()
+  return sorted_names(all)
+end
+
+--- The row of a key, or nil.
+function pages.row(rows, key)
+  for _, row in ipairs(pages.rows(rows)) do
+    if type(row) == "table" and row[1] == key then return row end
+  end
+end
+
+--- The keys of rows in their order, but for hidden ones.
+function pages.keys(rows)
+  local keys = {}
+  for _, row in ipairs(pages.rows(rows)) do
+    if type(row) == "table" and not row.hidden then keys[#keys + 1] = row[1] end
+  end
+  return keys
+end
+
+--- Rows in a line, "a, b = 1".
+local function listed(rows)
+  local parts = {}
+  for _, row in ipairs(rows) do
+    if type(row) == "table" then
+      local default = row.default ~= nil and describe.literal(row.default)
+      parts[#parts + 1] = default and ("%s = %s"):format(row[1], default)
+        or row[2].last and ("{ %s }"):format(listed(pages.rows(row[2].rows))) or row[1]
+    end
+  end
+  return table.concat(parts, ", ")
+end
+
+local function call(page, inside)
+  if page.named then return ("%s{ %s }"):format(page.name, inside) end
+  return ("%s(%s)"):format(page.name, inside)
+end
+
+--- The rows of a page as help shows them: those without a name come first, as <curves>.
+function pages.shown(page)
+  local rows = pages.rows(page.named or page.arguments or page.fields or {})
+  if not page.entries then return rows end
+  local noun, of, text = table.unpack(page.entries)
+  return table.move(rows, 1, #rows, 2, { { ("<%s>"):format(noun), of, text } })
+end
+
+--- How a function is called, "sg.f{ a, b = 1 }".
+function pages.head(page)
+  if page.head then return page.head end
+  if type(page.named) == "string" then return page.name .. "{ … }" end
+  return call(page, listed(pages.shown(page)))
+end
+
+--- The same in at most so many characters, the last arguments left out.
+function pages.short_head(page, most)
+  local head = pages.head(page):match "^[^\n]*"
+  if utf8.len(head) <= most then return head end
+  local keys = pages.keys(page.named or page.arguments or {})
+  for count = #keys, 1, -1 do
+    local short = call(page, table.concat(keys, ", ", 1, count) .. (count < #keys and ", …" or ""))
+    if utf8.len(short) <= most then return short end
+  end
+  return call(page, "…")
+end
+
+--- The first sentence of a page.
+function pages.summary(page)
+  local text = page.text:gsub("\n", " ")
+  return text:match "^(.-)%.%f[%s\0]" or text
+end
+
+return pages

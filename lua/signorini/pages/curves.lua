@@ -1,0 +1,115 @@
+-- Pages: NURBS curves, surfaces and volumes, made or read from files.
+
+local core = require "signorini.core"
+local patch_types = require "signorini.patch_types"
+local t = require "signorini.types"
+
+local points = { "points", t.points, "control points, fastest in xi1", unit = "length" }
+local weights = { "weights", t.numbers(), "one per control point", optional = true, otherwise = "1 each" }
+local radius = { "radius", t.positive, "", unit = "length" }
+local centre = { "centre", t.point, "center of the circle", default = { 0, 0 }, unit = "length" }
+local file = { "file", t.text, "file of patches" }
+
+--- The rows of a tensor product of so many directions.
+local function tensor(directions)
+  return { { "degrees", t.list(patch_types.degree, directions), "polynomial degrees, one per direction" },
+           { "knots", t.list(t.numbers(), directions), "open knot vectors, one per direction" }, points, weights }
+end
+
+local patch = t.object "patch"
+
+return {
+  title = "Shapes and patches", word = "patches",
+  { name = "sg.nurbs.curve",
+    text = "Returns a NURBS curve in 2D or 3D.",
+    named = { { "degree", patch_types.degree, "polynomial degree" },
+              { "knots", t.numbers(), "open knot vector" }, points, weights },
+    more = "The ends of an open knot vector are repeated degree + 1 times; it has points + degree + 1 knots in all.",
+    example = "sg.nurbs.curve{ degree = 2, knots = {0, 0, 0, 1, 1, 1}, points = {{0, 0}, {1, 2}, {2, 0}} }" },
+  { name = "sg.nurbs.surface",
+    text = "Returns a tensor-product NURBS surface in 2D or 3D.",
+    named = tensor(2),
+    example = [[
+sg.nurbs.surface{ degrees = {1, 1}, knots = {{0, 0, 1, 1}, {0, 0, 1, 1}},
+                  points = {{0, 0}, {1, 0}, {0, 1}, {1, 1}} }]] },
+  { name = "sg.nurbs.volume",
+    text = "Returns a tensor-product NURBS volume; points run fastest in xi1, then in xi2.",
+    named = tensor(3),
+    example = [[
+sg.nurbs.volume{ degrees = {1, 1, 1}, knots = {{0, 0, 1, 1}, {0, 0, 1, 1}, {0, 0, 1, 1}},
+                 points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0},
+                           {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 2}} }]] },
+  { name = "sg.nurbs.line",
+    text = "Returns a straight line of degree 1.",
+    named = { { "from", t.point, "first end", unit = "length" },
+              { "to", t.point_like "from", "other end", unit = "length" } },
+    example = "sg.nurbs.line{ from = {0, 0}, to = {3, 0} }" },
+  { name = "sg.nurbs.arc",
+    text = [[Returns an exact circular arc of degree 2, one segment per started quarter turn; counterclockwise where the
+angle rises. A center in 3D gives an arc parallel to the x-y plane.]],
+    named = { radius, { "from", t.number, "first angle", unit = "degrees" },
+              { "to", t.number, "last angle", unit = "degrees" }, centre },
+    example = "sg.nurbs.arc{ radius = 0.5, from = 180, to = 360 }" },
+  { name = "sg.nurbs.circle",
+    text = "Returns a full circle of four exact quarter arcs of degree 2.",
+    named = { radius, centre },
+    example = "sg.nurbs.circle{ radius = 1 }" },
+  { name = "sg.nurbs.ruled",
+    text = [[Returns the surface or volume of straight lines between two curves or two surfaces, which are first brought
+to common degrees and knots; the new direction is the last one.]],
+    named = { { "a", patch, "where it starts" }, { "b", patch, "where it ends" } },
+    example = "sg.nurbs.ruled{ a = sg.nurbs.circle{ radius = 2 }, b = sg.nurbs.circle{ radius = 1 } }" },
+  { name = "sg.nurbs.extrude",
+    text = "Sweeps a curve or a surface along a vector; the new direction is the last one, of degree 1.",
+    named = { { "patch", patch, "what is swept" },
+              { "along", t.point, "vector of the sweep; where it has 3 numbers, a plane patch lies in z = 0",
+                unit = "length" } },
+    example = { "sg.nurbs.extrude{ patch = sg.nurbs.line{ from = {0, 0}, to = {1, 0} }, along = {0, 2} }",
+                "sg.nurbs.extrude{ patch = sg.shapes.quarter_annulus{ inner = 1, outer = 2 }, along = {0, 0, 1} }" } },
+  { name = "sg.nurbs.revolve",
+    text = "Revolves a curve or a surface about an axis, exactly; the new direction is the last one.",
+    named = { { "patch", patch, "what is revolved; a plane patch lies in z = 0" },
+              { "point", patch_types.vector_or_space, "a point of the axis", optional = true,
+                otherwise = "the origin", unit = "length" },
+              { "axis", patch_types.vector_or_space, "direction of the axis", optional = true,
+                otherwise = "{0, 0, 1}, of a plane patch {0, -1, 0}" },
+              { "angle", t.number, "", default = 360, unit = "degrees" } },
+    more = [[With the default axis of a plane patch, x is the radius as in axisymmetric models, and what is right-handed
+at x > 0 gives a right-handed volume.]],
+    example = {
+      "sg.nurbs.revolve{ patch = sg.nurbs.line{ from = {1, 0, 0}, to = {1, 0, 2} }, angle = 180 }",
+      "sg.nurbs.revolve{ patch = sg.shapes.rectangle{ width = 1, height = 2, corner = {3, 0} }, angle = 90 }" } },
+  { name = "sg.nurbs.coons",
+    text = [[Returns a Coons patch: the surface between four boundary curves, or the volume between six boundary
+surfaces, whose corners meet. west and east run along xi2, south and north along xi1.]],
+    named = { { "west", patch, "where xi1 starts" }, { "east", patch, "where xi1 ends" },
+              { "south", patch, "where xi2 starts" }, { "north", patch, "where xi2 ends" },
+              { "front", patch, "where xi3 starts, of a volume", optional = true },
+              { "back", patch, "where xi3 ends, of a volume", optional = true } },
+    example = [[
+line = sg.nurbs.line
+sg.nurbs.coons{ west = line{ from = {0, 0}, to = {0, 1} }, east = line{ from = {1, 0}, to = {1, 2} },
+                south = line{ from = {0, 0}, to = {1, 0} }, north = line{ from = {0, 1}, to = {1, 2} } }]],
+  },
+  { name = "sg.nurbs.read",
+    text = "Returns all patches of a file as a list, in the file's order. The beginning of the file tells its format:",
+    arguments = { file },
+    more = [[
+  G+Smo's XML: geometries BSpline, Nurbs, TensorBSpline2 and 3, TensorNurbs2 and 3
+  the text file of GeoPDEs and the NURBS toolbox, versions 0.7, 1.0 and 2.1, one or several patches
+  MFEM NURBS mesh v1.0 with a section `patches`
+Interfaces between patches and boundaries are not read. Errors in a file are reported with file and line.]],
+    example = [=[
+sg.shapes.half_annulus{ inner = 1, outer = 2 }:write "bracket.xml"
+bracket = sg.nurbs.read("bracket.xml")[1]]=] },
+  { name = "sg.nurbs.write",
+    text = [[Writes a patch or a list of patches to a file, whole or not at all; knots, weights and control points come
+back to the last bit.]],
+    arguments = { file, { "patches", t.one_or_more(patch), "what is written" }, patch_types.form },
+    more = [[
+  "gismo":   .xml, G+Smo's XML
+  "geopdes": .txt, text file of GeoPDEs, version 2.1, without interfaces
+  "mfem":    .mesh, MFEM NURBS mesh v1.0 of one patch; the attributes of its sides are west 1, east 2, south 3, north 4,
+             front 5, back 6]],
+    example = 'sg.nurbs.write("annulus.txt", sg.shapes.half_annulus{ inner = 1, outer = 2 })' },
+}

@@ -1,0 +1,134 @@
+-- Pages: a scene and its parts.
+
+local t = require "signorini.types"
+
+local thesis = "V. Agrawal, thesis, IIT Guwahati, 2020"
+local axes = t.choice { "x", "y", "z", "xy", "xz", "yz", "xyz" }
+local face, obstacle = t.object "face", t.object "obstacle"
+local faces = t.worded(t.one_or_more(face), "a face or a list of faces")
+
+local slave = t.object "face"
+slave.cure = function(value)
+  return require("signorini.pages").kind(value) == "obstacle" and "an obstacle can only be the master: swap the two"
+    or nil
+end
+
+local region = { kind = "function", cure = "write a function of a reference position of the slave face, as in "
+  .. "function(X) return X[1] <= 150 end" }
+
+local contact = {
+  { "slave", slave, [[face that is integrated over; pressures are known at its contact points. Take the finer mesh, of
+equal meshes the softer body; the published ironing studies take the stiff die]] },
+  { "master", t.either(face, obstacle), [[face of the other body that these points are projected onto, or an obstacle.
+Beyond an open end of the master the traction fades over a fifth of its last element]] },
+  { "penalty", t.positive, [[normal penalty: p = -penalty g where the gap g is negative. Needed without adhesion. 100 E
+divided by a length of the scene is a usual choice; model:contact_resultant(name).max_penetration tells what it leaves,
+and augmented = true of model:run removes that]], unit = "pressure per length", optional = true },
+  { "friction", t.named {
+    { "mu", t.non_negative, "Coulomb's coefficient of friction, tan of the angle of friction, not the angle" },
+    { "penalty", t.positive, "tangential penalty, of elastic slip", unit = "pressure per length" },
+  }, "Coulomb friction", optional = true, otherwise = "none" },
+  { "points", t.integer(1, 100), "Gauss points per slave element and direction", optional = true,
+    otherwise = "3 (p + 1), p the higher degree along the face" },
+  { "adhesion", t.named {
+    { "hamaker", t.positive, "Hamaker's constant", unit = "force times length" },
+    { "r0", t.positive, "equilibrium distance of the potential", unit = "length" },
+  }, "van der Waals forces in place of penalty and friction; they vanish at the distance 15^(-1/6) r0",
+    optional = true },
+  { "where", region, [[function(X) that returns true where the contact acts; X = {x, y}, in 3D {x, y, z}, is a reference
+position of the slave face. Called while the model is made]], optional = true, otherwise = "everywhere" },
+}
+contact.conflict = function(values)
+  for _, other in ipairs { "penalty", "friction" } do
+    if values.adhesion and values[other] then
+      return ("it has both adhesion and %s: the van der Waals law repels by itself; take one of the two out")
+        :format(other)
+    end
+  end
+  if not (values.adhesion or values.penalty) then
+    return "penalty (normal penalty, pressure per length) is missing: it must be a positive number, or give "
+      .. "adhesion = { hamaker = …, r0 = … }"
+  end
+end
+
+local load = {
+  { "on", faces, "where" },
+  { "traction", t.point, "dead load {tx, ty}, in 3D {tx, ty, tz}", unit = "force per reference area", optional = true },
+  { "pressure", t.number, "dead load against the outward normal of the reference shape",
+    unit = "force per reference area", optional = true },
+}
+load.conflict = function(values)
+  if (values.traction == nil) == (values.pressure == nil) then
+    return "it must have one of traction = {tx, ty} ({tx, ty, tz} in 3D) and pressure = p"
+  end
+end
+
+return {
+  title = "Models and load paths",
+  word = "solving",
+  { name = "sg.model",
+    text = [[Returns a model: a scene of plane bodies or of solids with its state. All parts are tables by name. Plane
+strain is of unit depth; in an axisymmetric model x is the radius, y the axis, forces are those over the full circle.]],
+    named = {
+      { "bodies", t.map(t.object "body", 1), "the bodies" },
+      { "supports", t.map(t.either(t.named "support", t.named "load")), "supports, and loads, of the bodies",
+        optional = true },
+      { "loads", t.map(t.named "load"), "forces from outside", optional = true },
+      { "contacts", t.map(t.named "contact"), "pairs of faces that may touch", optional = true },
+      { "kind", t.choice { "plane_strain", "axisymmetric" }, "plane strain, or a section of bodies of revolution",
+        optional = true, otherwise = '"plane_strain", of bodies in the plane' },
+    },
+    more = 'On the load path: help "stage".',
+    example = { [[
+sg.model{
+  bodies   = { die = die, slab = slab },
+  supports = { bed  = { on = slab:face "south", fix = "xy" },
+               grip = { on = {die:face "west", die:face "east"}, drive = "xy" } },
+  contacts = { interface = { slave = die:face "south", master = slab:face "north", penalty = 100,
+                             friction = { mu = 0.2, penalty = 100 } } } }]], [[
+sg.model{ bodies = { slab = slab }, supports = { bed = { on = slab:face "south", fix = "x", drive = "y" } },
+          contacts = { roof = { slave = slab:face "north", penalty = 100,
+                                master = sg.rigid.plane{ point = {0, 1}, normal = {0, -1} } } } }]], [[
+sg.model{ bodies = { cube = cube }, loads = { push = { on = cube:face "east", traction = {0, 0, -1} } },
+          supports = { bed = { on = cube:face "front", fix = "xyz" },
+                       grip = { on = cube:face "back", drive = "z", fix = "xy", rotate = "z" } } }]] } },
+  { name = "support",
+    head = "supports = { <name> = { on, fix, drive, free, rotate, symmetry } }, in sg.model{ … }",
+    text = [[Holds or moves faces, edges, corners or obstacles. A support must hold something.]],
+    named = {
+      { "on", t.worded(t.one_or_more(t.either(face, obstacle)),
+        "a face or a list of faces, an edge, a corner or an obstacle"), "where; the reactions of a list add up" },
+      { "fix", axes, "components that stay where they are", optional = true },
+      { "drive", axes, "components that stages move", unit = "length", optional = true },
+      { "free", axes, "components of neither, only to say so: unlisted components are free", optional = true },
+      { "rotate", t.worded(t.either(t.flag, t.choice { "x", "y", "z" }, t.space_point),
+        "true in the plane; in 3D 'x', 'y', 'z' or a vector {ax, ay, az}"), [[the face turns as a rigid body about its
+centroid, in 3D about the axis through it, by an angle in degrees that stages give behind the driven components; in 3D a
+list of faces turns as one]], optional = true, otherwise = "it does not" },
+      { "symmetry", t.flag, [[holds the normal component on flat faces in a plane of symmetry x, y or z = c, in an
+axisymmetric model on the axis or y = c: the model is half of the scene, its forces are half of the whole one's]],
+        default = false },
+    },
+    more = [[model:reaction(name) is the force that it exerts, with the moment last where it rotates; a run has them as
+columns <name>.fx, .fy, .fz, .moment, and what is driven as <name>.ux … .angle.]],
+    example = [[
+supports = { bed  = { on = slab:face "south", fix = "xy" },
+             grip = { on = { die:face "west", die:face "east" }, drive = "xy" } }]] },
+  { name = "load",
+    head = "loads = { <name> = { on, traction or pressure } }, in sg.model{ … }",
+    text = [[Loads faces. Loads are dead: neither direction nor size follows the deformation.]],
+    named = load,
+    more = [[The value given here acts from the first step on; stages give new ones. model:reaction(name) is the force;
+a run has columns <name>.fx …, and .tx … or .pressure.]],
+    example = [[loads = { push = { on = die:face "east", traction = {0, -1} } }]] },
+  { name = "contact",
+    head = "contacts = { <name> = { slave, master, penalty, friction, points, adhesion, where } }, in sg.model{ … }",
+    text = "Lets the face of a body touch another body or an obstacle.",
+    named = contact,
+    more = [[Results: model:profile(name), model:contact_resultant(name), the columns <name>.fx … of a run.
+Source: projection and gap (3.45), (3.46), penalty (3.73), forces (3.83), friction (3.74) to (3.76), adhesion (3.85) to
+(3.89), points 7.1.1 of ]] .. thesis .. [[. More in share/doc/theory.md.]],
+    example = [[
+contacts = { interface = { slave = die:face "south", master = slab:face "north", penalty = 100,
+                           friction = { mu = 0.2, penalty = 100 } } }]] },
+}

@@ -1,0 +1,91 @@
+-- Types of arguments that follow from a patch: from the one that a method is called on, or from the argument `patch` of
+-- the same call.
+
+local core = require "signorini.core"
+local t = require "signorini.types"
+
+local patch_types = {}
+
+--- How many parametric directions and coordinates the patch of a call has; nothing where there is none.
+local function sizes(owner, given)
+  local patch = owner or given and given.patch
+  if patch then return core.patch_sizes(patch) end
+end
+
+--- A face of the object that a method is called on; the core refuses others with the one that was meant.
+patch_types.face = t.name(function(owner) return core.place_names(owner, 1) end, "face name")
+patch_types.edge = t.name(function(body) return core.place_names(body, 2) end, "edge name")
+patch_types.corner = t.name(function(body) return core.place_names(body, 0) end, "corner name")
+
+--- A face of any object.
+patch_types.any_face = t.name(core.place_names(nil, 1), "face name")
+
+local directions = { t.only(1), t.integer(1, 2), t.integer(1, 3) }
+
+--- A parametric direction.
+patch_types.direction = t.by(t.integer(1, 3), function(patch) return directions[sizes(patch)] end)
+
+--- One of two directions.
+patch_types.one_of_two = t.by(t.integer(1, 3), function(patch)
+  return sizes(patch) > 1 and directions[sizes(patch)] or nil
+end)
+
+local coordinate_names = { "", " {xi1, xi2}", " {xi1, xi2, xi3}" }
+
+--- Lists of as many entries as there are directions; a curve takes the entry itself as well.
+local function per_direction(of, endings)
+  local list = {}
+  for count = 1, 3 do
+    list[count] = { kind = "list", of = of, size = count, single = count == 1, ending = endings[count] }
+  end
+  local general = { kind = "list", of = of, ending = endings[2] }
+  return t.by(general, function(owner, given)
+    local count, dimension = sizes(owner, given)
+    if not owner and count ~= dimension then return nil end -- no body's shape, which is the better message
+    return list[count]
+  end)
+end
+
+--- One entry per direction.
+function patch_types.per_direction(of)
+  local ending = ", one per direction"
+  return per_direction(of, { "", ending, ending })
+end
+
+--- Coordinates of a point in the parameters.
+patch_types.parameters = per_direction(t.number, coordinate_names)
+
+--- A point or vector in the plane of the patch, or in its space.
+patch_types.vector = t.by(t.point, function(owner, given)
+  local _, dimension = sizes(owner, given)
+  return dimension == 2 and t.plane_point or t.space_point
+end)
+
+--- One positive factor for all coordinates, or a list of one for each.
+patch_types.factor = t.by(t.either(t.positive, t.point), function(patch)
+  return t.either(t.positive, patch_types.vector.special(patch))
+end)
+
+--- A vector where a plane patch counts as one in z = 0.
+patch_types.vector_or_space = t.by(t.point, function(owner, given)
+  local _, dimension = sizes(owner, given)
+  return dimension == 3 and t.space_point or nil
+end)
+
+patch_types.elements = patch_types.per_direction(t.integer(1, 1000000))
+patch_types.degree = t.integer(1, core.max_degree)
+
+local below_one = { kind = "number", above = 0, below = 1 }
+
+--- Where elements crowd.
+patch_types.grading = patch_types.per_direction(t.either(t.named {
+  { "elements", below_one, "share of the elements" },
+  { "length", below_one, "share of the knot length that they fill" },
+  { "at", t.choice { "start", "end" }, "the end where they crowd" },
+}, t.only(false)))
+
+--- The last argument of what writes files.
+patch_types.form = { "form", t.choice(core.patch_forms), "format of the file", optional = true,
+                     otherwise = "by the file's ending" }
+
+return patch_types

@@ -1,0 +1,122 @@
+#include "bind/arguments.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace signorini::bind {
+
+namespace {
+
+template <class T> std::vector<T> to_list(lua_State* L, int index) {
+  index = lua_absindex(L, index);
+  const auto count = lua_rawlen(L, index);
+  std::vector<T> values;
+  values.reserve(count);
+  for (lua_Unsigned i = 1; i <= count; ++i) {
+    lua_rawgeti(L, index, static_cast<lua_Integer>(i));
+    values.push_back(to<T>(L, -1));
+    lua_pop(L, 1);
+  }
+  return values;
+}
+
+} // namespace
+
+template <> double to(lua_State* L, int index) {
+  const double value = lua_tonumber(L, index);
+  return std::isfinite(value) ? value : std::numeric_limits<double>::quiet_NaN();
+}
+
+template <> int to(lua_State* L, int index) {
+  constexpr lua_Integer most = std::numeric_limits<int>::max();
+  return static_cast<int>(std::clamp(lua_tointeger(L, index), -most, most));
+}
+
+template <> bool to(lua_State* L, int index) {
+  return lua_toboolean(L, index);
+}
+
+template <> std::string to(lua_State* L, int index) {
+  std::size_t length = 0;
+  const char* value = lua_tolstring(L, index, &length);
+  return value ? std::string(value, length) : std::string();
+}
+
+template <> std::vector<double> to(lua_State* L, int index) {
+  return to_list<double>(L, index);
+}
+
+template <> std::vector<int> to(lua_State* L, int index) {
+  return to_list<int>(L, index);
+}
+
+template <> std::vector<std::string> to(lua_State* L, int index) {
+  return to_list<std::string>(L, index);
+}
+
+template <> VectorX to(lua_State* L, int index) {
+  const auto values = to_list<double>(L, index);
+  return Eigen::Map<const VectorX>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+template <> MatrixX to(lua_State* L, int index) {
+  const auto columns = to_list<VectorX>(L, index);
+  MatrixX points(columns.empty() ? 0 : columns.front().size(), static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t i = 0; i < columns.size(); ++i) points.col(static_cast<Eigen::Index>(i)) = columns[i];
+  return points;
+}
+
+Arguments::Arguments(lua_State* L, int index, std::string path)
+    : L_(L), index_(lua_absindex(L, index)), path_(std::move(path)) {}
+
+int Arguments::push(const char* key) const {
+  luaL_checkstack(L_, 16, "too many arguments");
+  lua_getfield(L_, index_, key);
+  return lua_gettop(L_);
+}
+
+std::string Arguments::name(const char* key) const {
+  return path_.empty() ? key : text(path_, ".", key);
+}
+
+bool Arguments::has(const char* key) const {
+  const bool found = !lua_isnil(L_, push(key));
+  lua_pop(L_, 1);
+  return found;
+}
+
+Arguments Arguments::table(const char* key) const {
+  return Arguments(L_, push(key), name(key));
+}
+
+void Arguments::each(const char* key,
+                     const std::function<void(const std::string&, int, const std::string&)>& visit) const {
+  const int table = push(key);
+  std::vector<std::string> names;
+  for (lua_pushnil(L_); lua_next(L_, table); lua_pop(L_, 1)) names.emplace_back(lua_tostring(L_, -2));
+  std::sort(names.begin(), names.end());
+  for (const auto& entry : names) {
+    lua_getfield(L_, table, entry.c_str());
+    visit(entry, table + 1, text(name(key), ".", entry));
+    lua_settop(L_, table);
+  }
+  lua_settop(L_, table - 1);
+}
+
+void Arguments::list(const char* key, const std::function<void(int, int, const std::string&)>& visit) const {
+  const int table = push(key);
+  const auto count = static_cast<int>(lua_rawlen(L_, table));
+  for (int i = 0; i < count; ++i) {
+    lua_rawgeti(L_, table, i + 1);
+    visit(i, table + 1, text(name(key), "[", i + 1, "]"));
+    lua_settop(L_, table);
+  }
+  lua_settop(L_, table - 1);
+}
+
+void Arguments::refuse(const char* key, const std::string& expected, const std::string& cure) const {
+  reject(L_, push(key), {name(key)}, expected, cure);
+}
+
+} // namespace signorini::bind

@@ -1,0 +1,91 @@
+#pragma once
+// The arguments of a call behind its check (lua/signorini/check.lua): of the types that the function's table names,
+// with defaults in the place of those left out. Reading converts, and checks nothing again.
+
+#include "bind/stack.hpp"
+
+#include <functional>
+#include <type_traits>
+
+namespace signorini::bind {
+
+/// A value that has been checked: double, int, bool, std::string, VectorX (a point), MatrixX (points in columns), or a
+/// vector of numbers, whole numbers or strings; nan stands for gaps in numbers.
+template <class T> T to(lua_State* L, int index);
+
+/// A table of named arguments.
+///
+///     const Arguments a(L);
+///     const double radius = a.get<double>("radius");
+class Arguments {
+public:
+  /// The table at `index`: 1, of methods 2. `path` names a nested table in messages ("friction").
+  explicit Arguments(lua_State* L, int index = 1, std::string path = "");
+
+  /// Whether there is a value, given or by default.
+  bool has(const char* key) const;
+  template <class T> T get(const char* key) const {
+    T value = to<T>(L_, push(key));
+    lua_pop(L_, 1);
+    return value;
+  }
+  template <class T> T get(const char* key, T otherwise) const { return has(key) ? get<T>(key) : otherwise; }
+  /// The object of a registered type, by reference into its userdata.
+  template <class T> T& object(const char* key) const {
+    T& found = read_object<T>(L_, push(key), {name(key)});
+    lua_pop(L_, 1);
+    return found;
+  }
+  /// A nested table of named arguments; it stays on the stack.
+  Arguments table(const char* key) const;
+  /// Calls `visit` for each entry of a table whose keys are names, sorted by name; `index` is the value's place on the
+  /// stack, `path` how messages name it.
+  void each(const char* key,
+            const std::function<void(const std::string& name, int index, const std::string& path)>& visit) const;
+  /// Calls `visit` for each entry of a list, counted from 0.
+  void list(const char* key, const std::function<void(int i, int index, const std::string& path)>& visit) const;
+
+  /// Pushes the raw value and returns its place on the stack (a nil when it is missing).
+  int push(const char* key) const;
+  /// How messages name an argument: "friction.mu".
+  std::string name(const char* key) const;
+  const std::string& path() const { return path_; }
+  lua_State* state() const { return L_; }
+
+  /// Throws ArgumentError for what no table can say of a value: "sg.f: E must be <expected>, got <value>: <cure>".
+  [[noreturn]] void refuse(const char* key, const std::string& expected, const std::string& cure = "") const;
+  /// Throws ArgumentError: the function's name, and this.
+  template <class... Parts> [[noreturn]] void fail(const Parts&... parts) const {
+    throw ArgumentError(text(function_name(L_), ": ", path_.empty() ? "" : path_ + ": ", parts...));
+  }
+
+private:
+  lua_State* L_;
+  int index_;
+  std::string path_;
+};
+
+template <class> using NameOf = const char*;
+
+/// Returns to Lua the object that a C++ function makes of the arguments of these names.
+///
+///     {"line", [](lua_State* L) { return made(L, nurbs::line, "from", "to"); }},
+template <class Result, class... Parts> int made(lua_State* L, Result (*make)(Parts...), NameOf<Parts>... names) {
+  const Arguments a(L);
+  const auto read = [&]<class T>(std::type_identity<T>, const char* name) -> decltype(auto) {
+    if constexpr (requires { Type<T>::name; })
+      return a.object<T>(name);
+    else
+      return a.get<T>(name);
+  };
+  push_object<Result>(L, make(read(std::type_identity<std::remove_cvref_t<Parts>>(), names)...));
+  return 1;
+}
+
+/// The same of a function that reads the arguments itself.
+template <class Result> int made(lua_State* L, Result (*make)(const Arguments&)) {
+  push_object<Result>(L, make(Arguments(L)));
+  return 1;
+}
+
+} // namespace signorini::bind

@@ -1,0 +1,333 @@
+#include "bind/picture.hpp"
+#include "view/close_up.hpp"
+#include "view/sheet.hpp"
+#include "view/side_by_side.hpp"
+
+#include <algorithm>
+
+namespace signorini::bind {
+
+namespace {
+
+using Range = std::array<double, 2>;
+
+/// What the pictures of a film show at one place of their layout; of a picture alone, one entry.
+template <class Content> using Film = std::vector<const Content*>;
+
+/// Where a picture goes.
+struct Paper {
+  std::array<int, 2> size;
+  bool trim = true;
+  std::optional<view::Style> style = {};
+  std::vector<view::Bar> bars = {}; ///< of all parts: one layout for all, the largest decides
+};
+
+/// A part of a figure, drawn once its paper is known.
+struct Part {
+  std::function<view::Figure(int picture, const Paper& paper)> draw;
+  std::vector<view::Bar> bars = {};
+};
+
+/// The ranges of colours that a sheet gives its parts.
+struct Ranges {
+  std::optional<Range> given;
+  std::map<std::string, Range> by_label;
+  bool beside = false;                  ///< ranges must be known before parts are drawn
+  std::optional<view::Box> extent = {}; ///< that all parts show
+
+  std::optional<Range> of(const view::PictureOptions& options) const {
+    if (options.field_label.empty()) return std::nullopt;
+    if (given || options.range) return given ? given : options.range;
+    const auto found = by_label.find(options.field_label);
+    return found == by_label.end() ? std::nullopt : std::optional(found->second);
+  }
+};
+
+// ── States on one plate ──────────────────────────────────────────────────────────────────────────────────────────────
+
+template <class Panel> struct Plates {
+  struct One {
+    std::vector<Panel> panels;
+    view::SolidOptions options;
+    std::optional<view::SolidOptions> inset;
+  };
+  std::vector<One> film;
+  std::map<std::array<int, 2>, view::CloseUpPlan> plans = {}; ///< where insets go, made once for a film
+
+  view::SolidOptions options(int picture, const Paper& paper) const {
+    view::SolidOptions all = film[static_cast<std::size_t>(picture)].options;
+    all.size = paper.size;
+    all.trim = paper.trim;
+    all.style = paper.style;
+    all.bars_beside = paper.bars;
+    return all;
+  }
+};
+
+template <class Panel> view::Figure draw_plate(Plates<Panel>& plates, int picture, const Paper& paper) {
+  const auto one = [&](int of) -> const auto& {
+    return plates.film[static_cast<std::size_t>(of)];
+  };
+  if (!one(picture).inset)
+    return view::figure_of(view::make_plate(one(picture).panels, plates.options(picture, paper)));
+  const auto whole = [&](int of, const std::optional<view::Box>& extent) {
+    view::SolidOptions larger = plates.options(of, paper);
+    if (extent) larger.extent = extent;
+    return view::make_plate(one(of).panels, larger);
+  };
+  const auto detail = [&](int of, int state, const std::array<int, 2>& most) {
+    view::SolidOptions own = *one(of).inset;
+    own.size = most;
+    own.style = view::close_up_style(view::style_of(plates.options(of, paper)));
+    std::vector<Panel> alone = {one(of).panels[static_cast<std::size_t>(state)]};
+    alone[0].title.clear();
+    return view::make_plate(alone, own);
+  };
+  auto plan = plates.plans.find(paper.size);
+  if (plan == plates.plans.end()) {
+    const int count = static_cast<int>(plates.film.size());
+    plan = plates.plans.emplace(paper.size, view::plan_close_ups(count, whole, detail)).first;
+  }
+  return view::with_close_ups(picture, plan->second, whole, detail);
+}
+
+bool has_part(const view::SolidOptions& options) {
+  return options.crop || options.region;
+}
+
+/// One meaning of colours and arrows in all states, and in a film one frame.
+template <class Panel> void align_plates(Plates<Panel>& plates, const Ranges& ranges) {
+  auto& film = plates.film;
+  double longest = 0;
+  for (auto& one : film) {
+    one.options.range = ranges.of(one.options);
+    longest = std::max(longest, view::longest_vector(one.panels));
+  }
+  const view::SolidOptions& first = film[0].options;
+  const bool moves = film.size() > 1, ranged = first.range || first.field_label.empty();
+  if (moves || (!ranged && (film[0].inset || ranges.beside))) {
+    std::vector<Panel> all;
+    for (const auto& one : film) all.insert(all.end(), one.panels.begin(), one.panels.end());
+    view::SolidOptions whole = first;
+    view::align(whole, all);
+    std::optional<view::Box> extent = whole.extent;
+    for (auto& one : film) {
+      if (!one.options.range) one.options.range = whole.range;
+      if (one.options.camera == first.camera) continue;
+      view::SolidOptions turned = one.options;
+      view::align(turned, one.panels);
+      extent = view::hull({*extent, *turned.extent});
+    }
+    for (auto& one : film)
+      if (moves && !has_part(one.options)) one.options.extent = extent;
+  }
+  for (auto& one : film) {
+    if (ranges.extent && !has_part(one.options)) one.options.extent = ranges.extent;
+    one.options.longest_vector = longest;
+    if (one.inset) one.inset->range = one.options.range, one.inset->longest_vector = longest;
+  }
+}
+
+/// Refuses parts and cuts that show or take nothing.
+template <class Panel> void check_shown(const typename Plates<Panel>::One& one) {
+  check_part(one.panels, one.options, "crop");
+  if (one.inset) check_part(one.panels, *one.inset, "inset");
+  if constexpr (std::is_same_v<Panel, view::SolidPanel>) check_cuts(one.panels);
+}
+
+/// `sheets`: of a film whose states stand on sheets; else each stands alone.
+template <class Panel>
+Part plates_part(const std::vector<Film<StatePicture>>& states, const Film<SheetPicture>& sheets,
+                 const Ranges& ranges) {
+  const auto plates = std::make_shared<Plates<Panel>>();
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    auto& one = plates->film.emplace_back(typename Plates<Panel>::One{{}, states[k][0]->options, states[k][0]->inset});
+    for (const StatePicture* state : states[k]) {
+      one.panels.push_back(std::get<Panel>(state->panel));
+      if (!sheets.empty()) one.panels.back().title = state->options.title;
+    }
+    if (!sheets.empty()) one.options.title = sheets[k]->title, one.options.columns = sheets[k]->columns;
+    check_shown<Panel>(one);
+  }
+  align_plates(*plates, ranges);
+  Part part{[plates](int picture, const Paper& paper) { return draw_plate(*plates, picture, paper); }};
+  const view::SolidOptions& first = plates->film[0].options;
+  if (first.range && !first.field_label.empty()) part.bars.push_back({*first.range, first.field_label});
+  return part;
+}
+
+Part plates_part(const std::vector<Film<StatePicture>>& states, const Film<SheetPicture>& sheets,
+                 const Ranges& ranges) {
+  return states[0][0]->panel.index() == 0 ? plates_part<view::Panel>(states, sheets, ranges)
+                                          : plates_part<view::SolidPanel>(states, sheets, ranges);
+}
+
+// ── Pictures side by side ────────────────────────────────────────────────────────────────────────────────────────────
+
+Part part_of(const Film<Picture>& film, const Ranges& ranges);
+
+bool alike(const view::SolidOptions& a, const view::SolidOptions& b) {
+  return a.field_label == b.field_label && a.range == b.range && a.colormap == b.colormap && a.crop == b.crop &&
+         a.region == b.region && a.camera == b.camera && a.unit == b.unit && a.bar == b.bar && a.ruler == b.ruler &&
+         a.contours == b.contours && a.vectors == b.vectors && a.axes == b.axes;
+}
+
+/// The states of a sheet that has nothing else and draws them all in one way.
+std::optional<Film<StatePicture>> states_of(const SheetPicture& sheet) {
+  Film<StatePicture> states;
+  for (const Picture& part : sheet.parts) {
+    const auto* state = std::get_if<StatePicture>(part.content.get());
+    if (!state) return std::nullopt;
+    states.push_back(state);
+    const StatePicture& first = *states.front();
+    const bool insets = state->inset && first.inset ? alike(*state->inset, *first.inset)
+                                                    : state->inset.has_value() == first.inset.has_value();
+    if (state->panel.index() != first.panel.index() || !insets || !alike(state->options, first.options))
+      return std::nullopt;
+  }
+  return states;
+}
+
+using StatesByLabel = std::map<std::string, Film<StatePicture>>;
+
+/// Collects the states below a picture that have no range of their own.
+void gather_states(const Picture& picture, StatesByLabel& found) {
+  if (const auto* state = std::get_if<StatePicture>(picture.content.get())) {
+    const view::SolidOptions& options = state->options;
+    if (!options.range && !options.field_label.empty()) found[options.field_label].push_back(state);
+  } else if (const auto* sheet = std::get_if<SheetPicture>(picture.content.get())) {
+    if (!sheet->own_ranges && !sheet->range)
+      for (const Picture& part : sheet->parts) gather_states(part, found);
+  }
+}
+
+/// Range and extent of the states that have such panels; neither where there is none.
+template <class Panel> view::SolidOptions aligned(const Film<StatePicture>& states) {
+  std::vector<Panel> panels;
+  for (const StatePicture* state : states)
+    if (const auto* panel = std::get_if<Panel>(&state->panel)) panels.push_back(*panel);
+  view::SolidOptions options = states.front()->options;
+  if (!panels.empty()) view::align(options, panels);
+  return options;
+}
+
+/// Widens a range by those of the states that have such panels.
+template <class Panel> void widen(std::optional<Range>& range, const Film<StatePicture>& states) {
+  const auto own = aligned<Panel>(states).range;
+  if (range && own)
+    range = {std::min((*range)[0], (*own)[0]), std::max((*range)[1], (*own)[1])};
+  else if (own)
+    range = own;
+}
+
+Ranges ranges_of(const Film<SheetPicture>& film, const Ranges& outer) {
+  Ranges ranges = film[0]->own_ranges ? Ranges{} : outer;
+  ranges.beside = film[0]->parts.size() > 1;
+  if (film[0]->range) ranges.given = film[0]->range;
+  if (film[0]->own_ranges || ranges.given || !ranges.by_label.empty()) return ranges;
+  StatesByLabel found;
+  for (const SheetPicture* sheet : film)
+    for (const Picture& part : sheet->parts) gather_states(part, found);
+  for (const auto& [label, states] : found) {
+    std::optional<Range> range;
+    widen<view::Panel>(range, states);
+    widen<view::SolidPanel>(range, states);
+    if (range) ranges.by_label[label] = *range;
+  }
+  return ranges;
+}
+
+Part sheet_part(const Film<SheetPicture>& film, const Ranges& outer) {
+  const SheetPicture& first = *film[0];
+  std::vector<Film<StatePicture>> states;
+  for (const SheetPicture* sheet : film)
+    if (auto found = states_of(*sheet)) states.push_back(std::move(*found));
+  const bool one_way = states.size() == film.size();
+  if (one_way && (!first.own_ranges || first.parts.size() == 1)) {
+    Ranges ranges = outer;
+    if (first.range) ranges.given = first.range;
+    return plates_part(states, film, ranges);
+  }
+  Ranges ranges = ranges_of(film, outer);
+  if (one_way && film.size() == 1)
+    ranges.extent = states[0][0]->panel.index() == 0 ? aligned<view::Panel>(states[0]).extent
+                                                     : aligned<view::SolidPanel>(states[0]).extent;
+  std::vector<Part> parts;
+  Part whole;
+  for (std::size_t i = 0; i < first.parts.size(); ++i) {
+    Film<Picture> at_place;
+    for (const SheetPicture* sheet : film) at_place.push_back(&sheet->parts[i]);
+    parts.push_back(part_of(at_place, ranges));
+    whole.bars.insert(whole.bars.end(), parts.back().bars.begin(), parts.back().bars.end());
+  }
+  std::vector<std::string> titles;
+  for (const SheetPicture* sheet : film) titles.push_back(sheet->title);
+  whole.draw = [parts, titles, bars = whole.bars, columns = first.columns](int picture, const Paper& paper) {
+    view::PictureOptions options;
+    options.title = titles[static_cast<std::size_t>(picture)];
+    options.size = paper.size;
+    options.trim = paper.trim;
+    options.style = paper.style;
+    options.columns = columns;
+    const auto part = [&](int i, const std::array<int, 2>& most) {
+      const Paper own{most, true, view::part_style(most, view::style_of(options)),
+                      parts.size() > 1 ? bars : std::vector<view::Bar>()};
+      return parts[static_cast<std::size_t>(i)].draw(picture, own);
+    };
+    return view::side_by_side(static_cast<int>(parts.size()), options, part);
+  };
+  return whole;
+}
+
+/// The content of a film's pictures at one place, which must be of one kind.
+template <class Content> Film<Content> contents(const Film<Picture>& film) {
+  Film<Content> all;
+  for (const Picture* one : film) all.push_back(std::get_if<Content>(one->content.get()));
+  return all;
+}
+
+void check_kinds(const Film<Picture>& film) {
+  const auto parts = [](const Picture& of) {
+    const auto* sheet = std::get_if<SheetPicture>(of.content.get());
+    return sheet ? sheet->parts.size() : 0;
+  };
+  const auto dimension = [](const Picture& of) {
+    const auto* state = std::get_if<StatePicture>(of.content.get());
+    return state ? state->panel.index() : 0;
+  };
+  for (const Picture* one : film)
+    require(one->content->index() == film[0]->content->index() && parts(*one) == parts(*film[0]) &&
+                dimension(*one) == dimension(*film[0]),
+            "the pictures of a film must show the same in the same arrangement, but a ", one->description,
+            " stands where the first one has a ", film[0]->description);
+}
+
+Part part_of(const Film<Picture>& film, const Ranges& ranges) {
+  check_kinds(film);
+  if (std::holds_alternative<SheetPicture>(*film[0]->content)) return sheet_part(contents<SheetPicture>(film), ranges);
+  if (std::holds_alternative<StatePicture>(*film[0]->content)) {
+    std::vector<Film<StatePicture>> states;
+    for (const StatePicture* one : contents<StatePicture>(film)) states.push_back({one});
+    return plates_part(states, {}, ranges);
+  }
+  std::vector<Picture> flat;
+  for (const Picture* one : film) flat.push_back(*one);
+  return {[flat](int picture, const Paper& paper) {
+    const Picture& one = flat[static_cast<std::size_t>(picture)];
+    const auto& [width, height] = one.size;
+    const double factor = std::min(1.0 * paper.size[0] / width, 1.0 * paper.size[1] / height);
+    const std::array<int, 2> size = {static_cast<int>(factor * width + 0.5), static_cast<int>(factor * height + 0.5)};
+    return std::get<FlatPicture>(*one.content).make(size);
+  }};
+}
+
+} // namespace
+
+std::function<view::Figure(int picture)> figures_of(const std::vector<Picture>& film) {
+  Film<Picture> all;
+  for (const Picture& one : film) all.push_back(&one);
+  const Paper paper{film[0].size, film[0].trim};
+  return [film, part = part_of(all, {}), paper](int picture) { return part.draw(picture, paper); };
+}
+
+} // namespace signorini::bind

@@ -1,0 +1,130 @@
+#include "bind/wording/wording.hpp"
+
+#include "base/warning.hpp"
+#include "base/words.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/args.h>
+#include <fmt/format.h>
+#include <iostream>
+#include <set>
+#include <sstream>
+
+namespace signorini::bind {
+
+namespace {
+
+/// "a, b, c" of what `shown` makes of the values.
+template <class T, class Shown>
+std::string joined_by(const std::string& between, const std::vector<T>& values, Shown shown) {
+  std::string all;
+  for (const T& value : values) all += (all.empty() ? "" : between) + shown(value);
+  return all;
+}
+
+/// "0.25 … 2", four digits each; rounding errors about zero are no extent.
+std::string extent(double low, double high) {
+  std::ostringstream out;
+  out.precision(4);
+  const double least = 1e-9 * (high - low);
+  out << (std::abs(low) < least ? 0 : low) << " … " << (std::abs(high) < least ? 0 : high);
+  return out.str();
+}
+
+/// A value and how its placeholder wants it, as text.
+struct Shown {
+  const std::string& how;
+
+  std::string operator()(long long value) const {
+    if (how == "+1") return std::to_string(value + 1);
+    return how.empty() ? std::to_string(value) : counted(static_cast<std::size_t>(value), how);
+  }
+  std::string operator()(double value) const { return how == "6" ? number(value) : text(value); }
+  std::string operator()(const std::string& value) const { return value; }
+  std::string operator()(const std::vector<double>& values) const {
+    if (how == "list") return "{" + joined_by(", ", values, [](double value) { return text(value); }) + "}";
+    if (how == "range") return extent(values[0], values[1]);
+    return coordinates(Eigen::Map<const VectorX>(values.data(), std::ssize(values)));
+  }
+  std::string operator()(const std::vector<std::string>& values) const {
+    const bool quoted = how == "quoted", enumerated = how == "and";
+    std::string all;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const std::string before = enumerated && i + 1 == values.size()  ? " and "
+                                 : how.empty() || quoted || enumerated ? ", "
+                                                                       : how;
+      all += (i == 0 ? "" : before) + (quoted ? "'" + values[i] + "'" : values[i]);
+    }
+    return all;
+  }
+  std::string operator()(const std::vector<Message>& messages) const { return worded_in_one(messages); }
+};
+
+} // namespace
+
+} // namespace signorini::bind
+
+/// Takes what follows the colon of a placeholder as it is.
+template <> struct fmt::formatter<signorini::Value> {
+  std::string how;
+
+  constexpr auto parse(format_parse_context& context) {
+    const auto* end = std::find(context.begin(), context.end(), '}');
+    how.assign(context.begin(), end);
+    return end;
+  }
+  auto format(const signorini::Value& value, format_context& context) const {
+    const std::string text = std::visit(signorini::bind::Shown{how}, value);
+    return std::copy(text.begin(), text.end(), context.out());
+  }
+};
+
+namespace signorini::bind {
+
+namespace {
+
+const char* sentence_of(const std::string& code) {
+  for (const auto rows : {base_wordings(), nurbs_wordings(), exchange_wordings(), mechanics_wordings(),
+                          model_wordings(), failure_wordings(), view_wordings()})
+    for (const Wording& row : rows)
+      if (row.code == code) return row.sentence;
+  return nullptr;
+}
+
+} // namespace
+
+std::string worded(const Message& message) {
+  const char* sentence = sentence_of(message.code);
+  if (!sentence) return bare_text(message);
+  fmt::dynamic_format_arg_store<fmt::format_context> values;
+  for (const auto& [name, value] : message.data) values.push_back(fmt::arg(name.c_str(), std::cref(value)));
+  return fmt::vformat(sentence, values);
+}
+
+std::vector<std::string> worded(const std::vector<Message>& messages) {
+  std::vector<std::string> sentences;
+  sentences.reserve(messages.size());
+  for (const Message& message : messages) sentences.push_back(worded(message));
+  return sentences;
+}
+
+std::string worded(const std::exception& error) {
+  const auto* known = dynamic_cast<const Error*>(&error);
+  return known ? worded(known->message()) : error.what();
+}
+
+std::string worded_in_one(const std::vector<Message>& messages) {
+  return joined_by("; ", messages, [](const Message& message) { return worded(message); });
+}
+
+void warn(const std::string& sentence) {
+  static std::set<std::string> said;
+  if (said.insert(sentence).second) std::cerr << "signorini: warning: " << sentence << std::endl;
+}
+
+void word_warnings() {
+  warning_sink = [](const Message& warning) { warn(worded(warning)); };
+}
+
+} // namespace signorini::bind

@@ -1,0 +1,154 @@
+#include "exchange/vtu.hpp"
+
+#include "base/error.hpp"
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <numeric>
+
+namespace signorini::exchange {
+
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "the header says LittleEndian");
+
+std::string base64(std::string_view bytes) {
+  constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string result;
+  result.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::array<std::uint32_t, 3> byte{};
+    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+    for (std::size_t k = 0; k < count; ++k) byte[k] = static_cast<unsigned char>(bytes[i + k]);
+    const std::uint32_t all = byte[0] << 16 | byte[1] << 8 | byte[2];
+    for (std::size_t k = 0; k < 4; ++k) result += k <= count ? digits[all >> (18 - 6 * k) & 63] : '=';
+  }
+  return result;
+}
+
+template <class T> constexpr const char* type_name() {
+  return sizeof(T) == 1 ? "UInt8" : sizeof(T) == 4 ? "Int32" : std::is_integral_v<T> ? "Int64" : "Float64";
+}
+
+std::string xml_text(const std::string& text) {
+  std::string result;
+  for (char c : text) result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '"' ? "&quot;" : std::string(1, c);
+  return result;
+}
+
+/// An array in the file: the number of bytes, then the bytes.
+template <class T>
+std::string data_array(const std::string& name, const std::vector<T>& values, Eigen::Index components = 0,
+                       const std::vector<std::string>& component_names = {}) {
+  std::string attributes;
+  if (components > 0) attributes = text(" NumberOfComponents=\"", components, "\"");
+  for (std::size_t i = 0; i < component_names.size(); ++i)
+    attributes += text(" ComponentName", i, "=\"", xml_text(component_names[i]), "\"");
+  const std::uint64_t size = values.size() * sizeof(T);
+  std::string bytes(sizeof size + size, '\0');
+  std::memcpy(bytes.data(), &size, sizeof size);
+  if (size > 0) std::memcpy(bytes.data() + sizeof size, values.data(), size);
+  return text("        <DataArray type=\"", type_name<T>(), "\" Name=\"", xml_text(name), "\"", attributes,
+              " format=\"binary\">\n          ", base64(bytes), "\n        </DataArray>\n");
+}
+
+/// Texts as VTK keeps them: the codes of their bytes, each text closed by a 0.
+std::string string_array(const NameList& list) {
+  std::string codes;
+  for (const std::string& entry : list.entries) {
+    for (char c : entry) codes += text(static_cast<int>(static_cast<unsigned char>(c)), " ");
+    codes += "0 ";
+  }
+  return text("      <Array type=\"String\" Name=\"", xml_text(list.name), "\" NumberOfTuples=\"", list.entries.size(),
+              "\" format=\"ascii\">\n        ", codes, "\n      </Array>\n");
+}
+
+std::vector<double> columns(const MatrixX& values, const std::vector<Eigen::Index>& order) {
+  std::vector<double> result;
+  result.reserve(static_cast<std::size_t>(values.size()));
+  for (Eigen::Index point : order)
+    for (Eigen::Index i = 0; i < values.rows(); ++i) result.push_back(values(i, point));
+  return result;
+}
+
+} // namespace
+
+std::vector<int> vtk_order(const std::vector<int>& degrees) {
+  const std::size_t dimension = degrees.size();
+  require(dimension >= 1 && dimension <= 3, "exchange.vtu.directions", {{"count", dimension}});
+  const int p = degrees[0], q = dimension > 1 ? degrees[1] : 0, r = dimension > 2 ? degrees[2] : 0;
+  std::vector<int> order;
+  const auto add = [&](int i, int j, int k) { order.push_back(i + (p + 1) * (j + (q + 1) * k)); };
+  // The corners of the quadrilateral at k, then the insides of its edges, each by a rising index
+  const auto corners = [&](int k) { add(0, 0, k), add(p, 0, k), add(p, q, k), add(0, q, k); };
+  const auto edges = [&](int k) {
+    for (int i = 1; i < p; ++i) add(i, 0, k);
+    for (int j = 1; j < q; ++j) add(p, j, k);
+    for (int i = 1; i < p; ++i) add(i, q, k);
+    for (int j = 1; j < q; ++j) add(0, j, k);
+  };
+  const auto inside = [&](int k) {
+    for (int j = 1; j < q; ++j)
+      for (int i = 1; i < p; ++i) add(i, j, k);
+  };
+  if (dimension == 1) {
+    add(0, 0, 0), add(p, 0, 0);
+    for (int i = 1; i < p; ++i) add(i, 0, 0);
+    return order;
+  }
+  if (dimension == 2) {
+    corners(0), edges(0), inside(0);
+    return order;
+  }
+  corners(0), corners(r), edges(0), edges(r);
+  for (const auto [i, j] : {std::array{0, 0}, std::array{p, 0}, std::array{p, q}, std::array{0, q}})
+    for (int k = 1; k < r; ++k) add(i, j, k);
+  for (int i : {0, p})
+    for (int k = 1; k < r; ++k)
+      for (int j = 1; j < q; ++j) add(i, j, k);
+  for (int j : {0, q})
+    for (int k = 1; k < r; ++k)
+      for (int i = 1; i < p; ++i) add(i, j, k);
+  inside(0), inside(r);
+  for (int k = 1; k < r; ++k) inside(k);
+  return order;
+}
+
+std::string vtu(const BezierGrid& grid) {
+  constexpr std::array<std::uint8_t, 3> cell_types = {75, 77, 79}; // VTK_BEZIER_CURVE, _QUADRILATERAL, _HEXAHEDRON
+  std::vector<Eigen::Index> order;
+  std::vector<std::int64_t> offsets;
+  std::vector<std::uint8_t> types;
+  std::vector<double> degrees; // VTK takes these as numbers with three components
+  for (const std::vector<int>& cell : grid.degrees) {
+    const auto first = static_cast<Eigen::Index>(order.size());
+    for (int point : vtk_order(cell)) order.push_back(first + point);
+    offsets.push_back(static_cast<std::int64_t>(order.size()));
+    types.push_back(cell_types[cell.size() - 1]);
+    for (std::size_t d = 0; d < 3; ++d) degrees.push_back(d < cell.size() ? cell[d] : 0);
+  }
+  require(static_cast<Eigen::Index>(order.size()) == grid.points.cols(), "exchange.vtu.points",
+          {{"cell_points", order.size()}, {"grid_points", grid.points.cols()}});
+  std::vector<std::int64_t> connectivity(order.size());
+  std::iota(connectivity.begin(), connectivity.end(), 0);
+
+  std::string out = "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"2.2\" "
+                    "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n  <UnstructuredGrid>\n    <FieldData>\n";
+  for (const NameList& list : grid.names) out += string_array(list);
+  out += text("    </FieldData>\n    <Piece NumberOfPoints=\"", order.size(), "\" NumberOfCells=\"", types.size(),
+              "\">\n      <PointData RationalWeights=\"RationalWeights\">\n");
+  out += data_array("RationalWeights", columns(grid.weights.transpose(), order), 1);
+  for (const PointArray& array : grid.point_arrays)
+    out += data_array(array.name, columns(array.values, order), array.values.rows(), array.components);
+  out += "      </PointData>\n      <CellData HigherOrderDegrees=\"HigherOrderDegrees\">\n";
+  out += data_array("HigherOrderDegrees", degrees, 3);
+  for (const CellArray& array : grid.cell_arrays) out += data_array(array.name, array.values, 1);
+  out += "      </CellData>\n      <Points>\n" + data_array("Points", columns(grid.points, order), 3);
+  out += "      </Points>\n      <Cells>\n" + data_array("connectivity", connectivity) +
+         data_array("offsets", offsets) + data_array("types", types);
+  return out + "      </Cells>\n    </Piece>\n  </UnstructuredGrid>\n</VTKFile>\n";
+}
+
+} // namespace signorini::exchange

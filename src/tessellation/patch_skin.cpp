@@ -1,0 +1,105 @@
+#include "base/index.hpp"
+#include "tessellation/grid.hpp"
+
+#include <algorithm>
+
+namespace signorini::tessellation {
+
+namespace {
+
+/// At a fraction of an element's interval.
+double parameter(const nurbs::KnotVector& knots, std::size_t e, double fraction) {
+  const double from = knots.breaks()[e], to = knots.breaks()[e + 1];
+  return from + (to - from) * fraction;
+}
+
+/// The parameters of an element (i, j) of a surface, or i of a curve.
+VectorX parameters(const nurbs::Patch& patch, std::size_t i, std::size_t j, double s, double t) {
+  VectorX xi(patch.parametric_dimension());
+  xi(0) = parameter(patch.direction(0), i, s);
+  if (xi.size() == 2) xi(1) = parameter(patch.direction(1), j, t);
+  return xi;
+}
+
+std::vector<std::vector<double>> even(const nurbs::KnotVector& knots) {
+  const int pieces = std::clamp(128 / knots.elements(), knots.degree() == 1 ? 1 : 2, 32);
+  return {at(knots.elements()), even_cuts(pieces)};
+}
+
+/// Of both directions of a surface; a curve is a surface of one row.
+Sampling<2> sampling_of(const nurbs::Patch& patch, const std::vector<Window>& windows) {
+  const bool surface = patch.parametric_dimension() == 2;
+  Sampling<2> all = {even(patch.direction(0)), surface ? even(patch.direction(1)) : Sampling<2>::value_type{{0.0}}};
+  for (std::size_t j = 0; j < all[1].size() && !windows.empty(); ++j)
+    for (std::size_t i = 0; i < all[0].size(); ++i) {
+      const auto at_fractions = [&](double s, double t) { return place(patch, parameters(patch, i, j, s, t)); };
+      const auto cuts = window_cuts(at_fractions, windows, false);
+      add_cuts(all[0][i], cuts[0]);
+      if (surface) add_cuts(all[1][j], cuts[1]);
+    }
+  return all;
+}
+
+/// Zero in the plane and of curves. At a pole, where the derivatives do not span a plane, the normal of a point beside
+/// it.
+Vec<3> normal_at(const nurbs::Patch& patch, const VectorX& xi) {
+  if (patch.dimension() == 2 || xi.size() == 1) return Vec<3>::Zero();
+  const auto cross = [&](const VectorX& place) {
+    const auto all = nurbs::derivatives(patch, place, 1);
+    const Vec<3> first = all[1].value, second = all[2].value;
+    const Vec<3> normal = first.cross(second);
+    return normal.norm() > 1e-9 * (first.squaredNorm() + second.squaredNorm()) ? Vec<3>(normal.stableNormalized())
+                                                                               : Vec<3>(Vec<3>::Zero());
+  };
+  const Vec<3> normal = cross(xi);
+  if (normal.norm() > 0) return normal;
+  VectorX beside = xi;
+  for (int d = 0; d < 2; ++d) {
+    const double middle = 0.5 * (patch.direction(d).first() + patch.direction(d).last());
+    beside[d] += 1e-3 * (middle - xi[d]);
+  }
+  return cross(beside);
+}
+
+} // namespace
+
+Vec<3> place(const nurbs::Patch& patch, const VectorX& xi) {
+  Vec<3> result = Vec<3>::Zero();
+  result.head(patch.dimension()) = nurbs::evaluate(patch, xi);
+  return result;
+}
+
+Skin tessellate(const nurbs::Patch& patch, double sign, const std::vector<Window>& windows) {
+  const Sampling<2> sampling = sampling_of(patch, windows);
+  const std::array<int, 2> counts = {static_cast<int>(sampling[0].size()), static_cast<int>(sampling[1].size())};
+  Eigen::Index points = 0, triangles = 0;
+  const auto each_element = [&](auto visit) {
+    Eigen::Index first = 0;
+    for (int j = 0; j < counts[1]; ++j)
+      for (int i = 0; i < counts[0]; ++i) {
+        const Grid grid{sampling[0][at(i)], sampling[1][at(j)], first};
+        visit(grid, i, j);
+        first += grid.size();
+      }
+  };
+  each_element([&](const Grid& grid, int, int) { points += grid.size(), triangles += grid.triangles(); });
+  Skin skin;
+  skin.points.resize(3, points);
+  skin.normals.resize(3, points);
+  skin.triangles.resize(3, triangles);
+  Eigen::Index triangle = 0;
+  each_element([&](const Grid& grid, int i, int j) {
+    for (int q = 0; q < grid.rows(); ++q)
+      for (int p = 0; p < grid.columns(); ++p) {
+        const VectorX xi = parameters(patch, at(i), at(j), grid.along[at(p)], grid.across[at(q)]);
+        skin.points.col(grid(p, q)) = place(patch, xi);
+        skin.normals.col(grid(p, q)) = sign * normal_at(patch, xi);
+      }
+    add_triangles(skin.triangles, triangle, grid);
+    add_borders(skin, grid, {i, j}, counts);
+  });
+  if (patch.parametric_dimension() == 1) skin.rim.resize(1), skin.mesh_lines.clear();
+  return skin;
+}
+
+} // namespace signorini::tessellation

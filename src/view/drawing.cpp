@@ -1,0 +1,89 @@
+#include "view/drawing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace signorini::view {
+namespace {
+
+Vec2 mix(const Vec2& a, const Vec2& b, double t) {
+  return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])};
+}
+
+/// The stretch [t0, t1] of a segment inside the box, by Liang and Barsky; false when there is none.
+bool inside(const Vec2& a, const Vec2& b, const Box& box, double& t0, double& t1) {
+  t0 = 0, t1 = 1;
+  for (int axis = 0; axis < 2; ++axis)
+    for (int end = 0; end < 2; ++end) {
+      const double sign = end == 0 ? -1 : 1;
+      const double slope = sign * (b[axis] - a[axis]), room = sign * (box[2 * axis + end] - a[axis]);
+      if (slope == 0 && room < 0) return false;
+      if (slope < 0) t0 = std::max(t0, room / slope);
+      if (slope > 0) t1 = std::min(t1, room / slope);
+    }
+  return t0 <= t1;
+}
+
+} // namespace
+
+std::vector<std::vector<Vec2>> clip_line(const std::vector<Vec2>& line, const Box& box) {
+  std::vector<std::vector<Vec2>> parts;
+  bool joined = false; // does the next segment go on from the last part's end?
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    double t0, t1;
+    if (!inside(line[i - 1], line[i], box, t0, t1)) {
+      joined = false;
+      continue;
+    }
+    if (!joined || t0 > 0) parts.push_back({mix(line[i - 1], line[i], t0)});
+    parts.back().push_back(t1 < 1 ? mix(line[i - 1], line[i], t1) : line[i]);
+    joined = t1 == 1;
+  }
+  return parts;
+}
+
+void add_line(Drawing& drawing, const std::vector<Vec2>& line, const Box& box, const Rgb& colour, double width,
+              const std::vector<double>& dash) {
+  for (auto& part : clip_line(line, box)) drawing.marks.push_back(Stroke{std::move(part), colour, width, dash});
+}
+
+std::vector<Vec2> circle_about(const Vec2& at, double radius) {
+  constexpr int pieces = 48;
+  std::vector<Vec2> circle;
+  for (int k = 0; k <= pieces; ++k) {
+    const double angle = 2 * std::numbers::pi * k / pieces;
+    circle.push_back({at[0] + radius * std::cos(angle), at[1] + radius * std::sin(angle)});
+  }
+  return circle;
+}
+
+std::vector<Vec2> outline_of(const Box& box) {
+  const auto& [left, right, bottom, top] = box;
+  return {{left, bottom}, {right, bottom}, {right, top}, {left, top}, {left, bottom}, {right, bottom}};
+}
+
+void draw_arrow(Drawing& drawing, std::vector<Vec2> line, double head, double width, const Rgb& colour) {
+  const Vec2 tip = line.back();
+  const auto apart = [&](const Vec2& p) { return std::hypot(tip[0] - p[0], tip[1] - p[1]); };
+  while (line.size() > 1 && apart(line.back()) < head) line.pop_back();
+  const double length = apart(line.back());
+  if (length == 0) return;
+  const Vec2 along = {head * (tip[0] - line.back()[0]) / length, head * (tip[1] - line.back()[1]) / length};
+  const Vec2 neck = {tip[0] - along[0], tip[1] - along[1]};
+  line.push_back(neck);
+  drawing.marks.push_back(Stroke{std::move(line), colour, width});
+  drawing.marks.push_back(Fill{
+      {tip, {neck[0] - 0.4 * along[1], neck[1] + 0.4 * along[0]}, {neck[0] + 0.4 * along[1], neck[1] - 0.4 * along[0]}},
+      colour});
+}
+
+bool overlap(const Box& a, const Box& b) {
+  return a[0] < b[1] && b[0] < a[1] && a[2] < b[3] && b[2] < a[3];
+}
+
+bool holds(const Box& box, const Vec2& point) {
+  return point[0] >= box[0] && point[0] <= box[1] && point[1] >= box[2] && point[1] <= box[3];
+}
+
+} // namespace signorini::view

@@ -1,0 +1,122 @@
+#include "view/surface_lines.hpp"
+
+#include "base/error.hpp"
+#include "view/categories.hpp"
+#include "view/ticks.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <map>
+
+namespace signorini::view {
+namespace {
+
+constexpr Rgb light_line = {205, 205, 205};
+constexpr double darkest = 40; // CIE L* of colours that dark lines show on
+
+std::array<double, 3> key_of(const Vec<3>& point) {
+  return {point[0] + 0.0, point[1] + 0.0, point[2] + 0.0}; // −0 is 0
+}
+
+} // namespace
+
+Rgb colour_of(double value, const std::array<double, 2>& range, const std::vector<Rgb>& colours) {
+  const double last = static_cast<double>(colours.size() - 1), t = (value - range[0]) / (range[1] - range[0]);
+  return colours[static_cast<std::size_t>(std::lround(std::clamp(t * last, 0.0, last)))];
+}
+
+Rgb tone_on(const Rgb& ground) {
+  return lightness(ground) < darkest ? light_line : mesh_colour;
+}
+
+std::size_t Ground::Hash::operator()(const std::array<double, 3>& point) const {
+  std::uint64_t hash = 0;
+  for (double x : point) hash = (hash ^ std::bit_cast<std::uint64_t>(x)) * 0x9E3779B97F4A7C15U, hash ^= hash >> 29;
+  return hash;
+}
+
+Ground::Ground(const Surface& surface) {
+  values_.reserve(static_cast<std::size_t>(surface.values.size()));
+  for (Eigen::Index i = 0; i < surface.values.size(); ++i)
+    values_.emplace(key_of(surface.points.col(i)), surface.values[i]);
+}
+
+VectorX Ground::along(const Points& line) const {
+  if (values_.empty()) return {};
+  VectorX values(line.cols());
+  for (Eigen::Index i = 0; i < line.cols(); ++i) {
+    const auto found = values_.find(key_of(line.col(i)));
+    if (found == values_.end()) return {};
+    values[i] = found->second;
+  }
+  return values;
+}
+
+std::vector<Stretch> toned(Eigen::Index points, const VectorX& values, const Rgb& otherwise,
+                           const std::array<double, 2>& range, const std::vector<Rgb>& colours) {
+  if (values.size() != points || points < 2) return {{0, points, otherwise}};
+  std::vector<Stretch> stretches;
+  for (Eigen::Index i = 1; i < points; ++i) {
+    const Rgb tone = tone_on(colour_of(0.5 * (values[i - 1] + values[i]), range, colours));
+    if (stretches.empty() || stretches.back().colour != tone) stretches.push_back({i - 1, 1, tone});
+    ++stretches.back().count;
+  }
+  return stretches;
+}
+
+std::vector<double> contour_levels(const Contours& contours, const std::array<double, 2>& range,
+                                   const std::array<double, 2>& values) {
+  constexpr int numbers = 9; // at most
+  std::vector<double> levels = contours.levels;
+  if (levels.empty() && contours.count == 0) levels = linear_ticks(range[0], range[1], numbers).at;
+  for (int k = 1; k <= contours.count; ++k)
+    levels.push_back(range[0] + k * (range[1] - range[0]) / (contours.count + 1));
+  require(contours.levels.empty() || std::any_of(levels.begin(), levels.end(),
+                                                 [&](double level) { return level > values[0] && level < values[1]; }),
+          "view.contours.none", {{"low", values[0]}, {"high", values[1]}});
+  return levels;
+}
+
+std::vector<PointVector> regular_sample(const std::vector<Surface>& surfaces, double step) {
+  std::map<std::array<int, 2>, PointVector> seen;
+  for (const Surface& surface : surfaces)
+    for (const auto& corners : surface.triangles.colwise()) {
+      const Mat<3> at = surface.points(Eigen::all, corners);
+      if (surface.normals.cols() > 0 && surface.normals.row(2)(corners).sum() <= 0) continue;
+      const Vec<2> low = at.topRows<2>().rowwise().minCoeff() / step,
+                   high = at.topRows<2>().rowwise().maxCoeff() / step;
+      Mat<3> system = at;
+      system.row(2).setOnes();
+      if (std::abs(system.determinant()) < 1e-9) continue;
+      const Mat<3> inverse = system.inverse();
+      for (int i = static_cast<int>(std::ceil(low[0])); i <= high[0]; ++i)
+        for (int j = static_cast<int>(std::ceil(low[1])); j <= high[1]; ++j) {
+          const Vec<3> weights = inverse * Vec<3>(i * step, j * step, 1);
+          if (weights.minCoeff() < -1e-9) continue;
+          PointVector one{at * weights, Vec<3>::Zero()};
+          if (surface.vectors.cols() > 0) one.vector = Mat<3>(surface.vectors(Eigen::all, corners)) * weights;
+          const auto [there, fresh] = seen.try_emplace({i, j}, one);
+          if (!fresh && there->second.at[2] < one.at[2]) there->second = one;
+        }
+    }
+  std::vector<PointVector> sample;
+  sample.reserve(seen.size());
+  for (const auto& [place, one] : seen) sample.push_back(one);
+  return sample;
+}
+
+void draw_vectors(Drawing& drawing, const std::vector<PointVector>& vectors, double scale, const Box& box,
+                  double unit) {
+  for (const auto& [at, vector] : vectors) {
+    const Vec2 from = {at[0], at[1]}, to = {at[0] + scale * vector[0], at[1] + scale * vector[1]};
+    const double length = std::hypot(to[0] - from[0], to[1] - from[1]);
+    if (length < 4 * unit || !holds(box, from)) continue;
+    // White beneath, so that it shows on any colour.
+    const double head = std::min(15 * unit, 0.6 * length);
+    draw_arrow(drawing, {from, to}, head + 3 * unit, 6 * unit, white);
+    draw_arrow(drawing, {from, to}, head, 2.6 * unit, ink);
+  }
+}
+
+} // namespace signorini::view

@@ -1,0 +1,58 @@
+#pragma once
+// Lines and arrows that pictures draw on coloured surfaces.
+
+#include "view/solid.hpp"
+
+#include <optional>
+#include <unordered_map>
+
+namespace signorini::view {
+
+/// The colour of a value in a range of colours; beyond it that of the nearest end.
+Rgb colour_of(double value, const std::array<double, 2>& range, const std::vector<Rgb>& colours);
+
+/// Dark lines vanish on dark colours, light ones on light colours: the one that shows.
+Rgb tone_on(const Rgb& ground);
+
+/// What lies beneath lines that run through a surface's own points.
+class Ground {
+public:
+  explicit Ground(const Surface& surface);
+  /// One value per point of the line; none where the surface has none.
+  VectorX along(const Points& line) const;
+
+private:
+  struct Hash {
+    std::size_t operator()(const std::array<double, 3>& point) const;
+  };
+  std::unordered_map<std::array<double, 3>, double, Hash> values_;
+};
+
+/// A part of a line in one colour.
+struct Stretch {
+  Eigen::Index first, count; ///< of the line's points
+  Rgb colour;
+};
+/// A line in the tones that show on the values beneath it; whole in one colour where there are no values.
+std::vector<Stretch> toned(Eigen::Index points, const VectorX& values, const Rgb& otherwise,
+                           const std::array<double, 2>& range, const std::vector<Rgb>& colours);
+
+/// Which values contour lines stand for.
+struct Contours {
+  int count = 0;                   ///< evenly spread within the range of colours; 0: at the colour bar's numbers
+  std::vector<double> levels = {}; ///< in their place
+
+  bool operator==(const Contours&) const = default;
+};
+/// Rising; throws Error where none of the levels is a value that is drawn, from the lowest to the highest.
+std::vector<double> contour_levels(const Contours& contours, const std::array<double, 2>& range,
+                                   const std::array<double, 2>& values);
+
+/// The vectors of surfaces in pixels, z towards the eye, at the points of a square grid that the eye sees, `step`
+/// apart.
+std::vector<PointVector> regular_sample(const std::vector<Surface>& surfaces, double step);
+
+/// Arrows along vectors, `scale` pixels per unit, that begin within the box.
+void draw_vectors(Drawing& drawing, const std::vector<PointVector>& vectors, double scale, const Box& box, double unit);
+
+} // namespace signorini::view

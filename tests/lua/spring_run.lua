@@ -1,0 +1,9 @@
+-- model:run for the model of a spring: the language's, behind the check of its arguments. As part of the library, so
+-- that errors stand at the test's line.
+
+local core = require "signorini.core"
+
+return load([[
+local check_call, run_path = require("signorini.check").call, require "signorini.run"
+return function(model, ...) return run_path(model, check_call("model:run", model, ...)) end
+]], ("@%s/lua/spring_run.lua"):format(core.home))()

@@ -1,0 +1,14 @@
+#pragma once
+// Messages of reports and diagnoses as tests show and search them: code and data.
+
+#include "base/message.hpp"
+
+namespace signorini {
+
+inline std::string told(const std::vector<Message>& messages) {
+  std::string all;
+  for (const Message& message : messages) all += (all.empty() ? "" : "; ") + bare_text(message);
+  return all;
+}
+
+} // namespace signorini
