@@ -215,7 +215,7 @@ check.type_in_call = type_in_call
 local function left_out(row, of, values, where, name)
   local value = row.default
   if row.derived then value = row.derived(values) end
-  if value == nil and not row.optional then reject(where, name, describe.one(of), nil, nil, row) end
+  if value == nil and pages.is_needed(row) then reject(where, name, describe.one(of), nil, nil, row) end
   if value ~= nil and (row.derived or of.kind == "named" or of.kind == "switch") then
     return read(of, value, where, name, row)
   end

@@ -1,4 +1,4 @@
--- Small questions to lists and sets.
+-- Lists, sets and tables by key: what is asked of them, and made of them, again and again.
 
 local lists = {}
 
@@ -13,9 +13,51 @@ end
 --- The names of a table's entries, sorted.
 function lists.sorted_names(entries)
   local names = {}
-  for name in pairs(entries) do names[#names + 1] = name end
+  for name in next, entries do names[#names + 1] = name end
   table.sort(names)
   return names
+end
+
+--- f(entry, place) of each entry; where that is nil, the list has a gap.
+function lists.map(list, f)
+  local made = {}
+  for i = 1, #list do made[i] = f(list[i], i) end
+  return made
+end
+
+--- The entries of which `keeps` is true.
+function lists.filter(list, keeps)
+  local kept = {}
+  for i = 1, #list do
+    if keeps(list[i], i) then kept[#kept + 1] = list[i] end
+  end
+  return kept
+end
+
+--- The entries of several lists, one list behind the other; of one list, a copy.
+function lists.joined(...)
+  local all = {}
+  for _, list in ipairs { ... } do table.move(list, 1, #list, #all + 1, all) end
+  return all
+end
+
+--- Each of the values once, where it first appears.
+function lists.unique(list)
+  local seen = {}
+  return lists.filter(list, function(value)
+    local is_new = not seen[value]
+    seen[value] = true
+    return is_new
+  end)
+end
+
+--- The entries of several tables by key; of those with one key the last.
+function lists.merged(...)
+  local all = {}
+  for _, entries in ipairs { ... } do
+    for key, value in next, entries do all[key] = value end
+  end
+  return all
 end
 
 return lists

@@ -1,21 +1,21 @@
 -- The tables of the functions: one page each, from which calls are checked (check.lua), and help, Tab, the reference
 -- and the tests of wrong calls come. A page is
 --
---     { name = "sg.f", text = "What it does.", named = rows or arguments = rows, more = …, example = … }
+--     { "sg.f", "What it does.", named = rows or arguments = rows, more = …, example = … }
 --
 -- named: the rows of one table of named arguments, sg.f{ … }; arguments: those of arguments by place, sg.f(a, b);
--- neither: it takes none. may_be_empty: the table may be left out. repeats: the last row holds for any number of
--- further arguments. unchecked: the function checks its arguments itself. head: the first line, where it cannot be made
--- from the rows. more: text behind the rows. example: code or a list of it. The page of a type, such as "run", has
--- fields: rows of what its objects have. as_given: the function gets the table as it was given, checked, without
--- defaults. rows: those that others take over by the page's name. entries = { noun, type, text }: what stands in the
--- table of named arguments without a name.
--- A row is { key, type, text, default = …, optional = true, otherwise = "the default in words", unit = …,
--- derived = function(values) }: without a default and not optional the argument is needed; `derived` returns the
--- default that depends on the values of the rows before. needs, excludes: keys of which one must, or none may, be given
--- with it, { "patch", why = "it is for models" }. hidden: help and Tab do not show the row. A row that is a text is a
--- heading. A list of rows may have conflict = function(values, given), which returns what is wrong with values
--- together, a sentence, or nil.
+-- neither: it takes none. Once loaded it has its fields `name` and `text`, too. may_be_empty: the table may be left
+-- out. repeats: the last row holds for any number of further arguments. unchecked: the function checks its arguments
+-- itself. head: the first line, where it cannot be made from the rows. more: text behind the rows. example: code or a
+-- list of it. The page of a type, such as "run", has fields: rows of what its objects have. as_given: the function gets
+-- the table as it was given, checked, without defaults. rows: those that others take over by the page's name. entries =
+-- { noun, type, text }: what stands in the table of named arguments without a name.
+-- A row is { key, type, text, default = …, otherwise = "the default in words", optional = true, unit = …, derived =
+-- function(values) }: without one of the first three the argument is needed; `derived` returns the default that depends
+-- on the values of the rows before. needs, excludes: keys of which one must, or none may, be given with it, { "patch",
+-- why = "it is for models" }. hidden: help and Tab do not show the row. A row that is a text is a heading. A list of
+-- rows may have conflict = function(values, given), which returns what is wrong with values together, a sentence, or
+-- nil.
 
 local core = require "signorini.core"
 local describe = require "signorini.describe"
@@ -40,6 +40,8 @@ local function load_all()
       groups[#groups + 1] = group
     end
     for _, page in ipairs(list) do
+      page.name, page.text = page[1], page[2]
+      if not page.head and not page.name:find "[.:]" then page.head = page.name end
       all[page.name], group[#group + 1] = page, page
     end
   end
@@ -123,6 +125,9 @@ function pages.shown(page)
   local noun, of, text = table.unpack(page.entries)
   return table.move(rows, 1, #rows, 2, { { ("<%s>"):format(noun), of, text } })
 end
+
+--- Whether the argument of a row must be given.
+function pages.is_needed(row) return row.default == nil and not (row.otherwise or row.optional) end
 
 --- How a function is called, "sg.f{ a, b = 1 }".
 function pages.head(page)

@@ -85,7 +85,6 @@ patch_types.grading = patch_types.per_direction(t.either(t.named {
 }, t.only(false)))
 
 --- The last argument of what writes files.
-patch_types.form = { "form", t.choice(core.patch_forms), "format of the file", optional = true,
-                     otherwise = "by the file's ending" }
+patch_types.form = { "form", t.choice(core.patch_forms), "format of the file", otherwise = "by the file's ending" }
 
 return patch_types

@@ -86,7 +86,7 @@ end
 local function right_named(rows, owner)
   local value = {}
   for _, row in ipairs(pages.rows(rows)) do
-    if type(row) == "table" and row.default == nil and not row.optional then
+    if type(row) == "table" and pages.is_needed(row) then
       value[row[1]] = right_value(type_in_call(row, owner, value, value))
     end
   end
@@ -238,7 +238,7 @@ local function add_rows(calls, page, rows, rest, name, set)
         calls[#calls + 1] = { page = page, place = place, what = "a misspelt key", holds = { key .. "q", "unknown" },
           arguments = with(function(value) value[key .. "q"] = 1 end) }
       end
-      if row.default == nil and not row.optional and not row[2].last then
+      if pages.is_needed(row) and not row[2].last then
         calls[#calls + 1] = { page = page, place = place, what = "nothing", holds = { place, "is missing" },
           arguments = with(function(value) value[key] = nil end) }
       end
@@ -272,7 +272,7 @@ local function add_calls(calls, page)
       values[i] = value
       return values
     end)
-    if row.default == nil and not row.optional and not row[2].last then
+    if pages.is_needed(row) and not row[2].last then
       calls[#calls + 1] = { page = page, place = row[1], what = "nothing", holds = { row[1], "is missing" },
         arguments = table.move(whole(), 1, i - 1, 1, {}) }
     end

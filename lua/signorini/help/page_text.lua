@@ -54,7 +54,7 @@ local function terms(row)
   local parts = { describe.one(row[2]), row.unit }
   if row.default ~= nil then
     parts[#parts + 1] = "default " .. describe.literal(row.default)
-  elseif row.optional then
+  elseif not pages.is_needed(row) then
     parts[#parts + 1] = row.otherwise and "by default " .. row.otherwise or "optional"
   end
   return table.concat(parts, "; ")

@@ -17,9 +17,9 @@ color.words = 'a color such as "#d55e00", or the number of one from 1 to 21'
 
 local category = t.either(t.text, t.named {
   { "name", t.text, "as it stands in values" },
-  { "good", t.flag, "an outcome that is wanted: light green or blue", optional = true,
+  { "good", t.flag, "an outcome that is wanted: light green or blue",
     otherwise = "true of the first one where none says so" },
-  { "colour", color, '"#rrggbb", or the number of a look', optional = true, otherwise = "the next look" },
+  { "colour", color, '"#rrggbb", or the number of a look', otherwise = "the next look" },
 })
 category.words, category.several = "a category { name = … }", "categories { name = … }"
 
@@ -37,7 +37,7 @@ local heatmap = {
   beside_panels(rows.values),
   beside_panels(rows.texts),
   { "panels", t.list(map, nil, 1), "several maps side by side, in the place of values and texts", optional = true },
-  { "columns", t.integer(1, 100), "maps in a row", optional = true, otherwise = "three at most, of four two" },
+  { "columns", t.integer(1, 100), "maps in a row", otherwise = "three at most, of four two" },
   { "categories", t.list(category, nil, 1), [[values are these names. The legend shows those that
 occur: good ones light green and blue, others warm and dark in the order of the list, from the eighth on hatched; all
 are told apart without color, too]], optional = true },
@@ -46,15 +46,13 @@ table.move(rows.heatmap, 1, #rows.heatmap, #heatmap + 1, heatmap)
 
 return {
   title = "Pictures and charts", word = "pictures",
-  { name = "sg.chart", entries = { "curves", curve, "curves, tables without a name" },
-    text = [[Returns a chart of curves as a picture, and writes it where a file is named. Values, ranges and positions
-are in the units of the data. In all texts u_y, x_{max}, mm^2 and 10^-3 are lowered and raised; \_ and \^ are the signs
-themselves.]],
+  { "sg.chart", [[Returns a chart of curves as a picture, and writes it where a file is named. Values, ranges and
+positions are in the units of the data. In all texts u_y, x_{max}, mm^2 and 10^-3 are lowered and raised; \_ and \^ are
+the signs themselves.]], entries = { "curves", curve, "curves, tables without a name" },
     named = rows.chart,
     example = [[sg.chart{ file = "square.png", x = {1, 2, 3}, { y = {1, 4, 9}, label = "x squared" } }]] },
-  { name = "sg.heatmap",
-    text = [[Returns a map of equal colored cells as a picture, and writes it where a file is named: numbers with a
-color bar, or names with a legend. Texts are as in sg.chart.]],
+  { "sg.heatmap", [[Returns a map of equal colored cells as a picture, and writes it where a file is named: numbers with
+a color bar, or names with a legend. Texts are as in sg.chart.]],
     named = heatmap,
     example = {
       [[sg.heatmap{ file = "map.png", x = {"N2", "N4"}, y = {10, 20}, values = { {0.3, 0.1}, {0.2, 0.05} } }]],

@@ -5,7 +5,7 @@ local patch_types = require "signorini.patch_types"
 local t = require "signorini.types"
 
 local points = { "points", t.points, "control points, fastest in xi1", unit = "length" }
-local weights = { "weights", t.numbers(), "one per control point", optional = true, otherwise = "1 each" }
+local weights = { "weights", t.numbers(), "one per control point", otherwise = "1 each" }
 local radius = { "radius", t.positive, "", unit = "length" }
 local centre = { "centre", t.point, "center of the circle", default = { 0, 0 }, unit = "length" }
 local file = { "file", t.text, "file of patches" }
@@ -20,58 +20,49 @@ local patch = t.object "patch"
 
 return {
   title = "Shapes and patches", word = "patches",
-  { name = "sg.nurbs.curve",
-    text = "Returns a NURBS curve in 2D or 3D.",
+  { "sg.nurbs.curve", "Returns a NURBS curve in 2D or 3D.",
     named = { { "degree", patch_types.degree, "polynomial degree" },
               { "knots", t.numbers(), "open knot vector" }, points, weights },
     more = "The ends of an open knot vector are repeated degree + 1 times; it has points + degree + 1 knots in all.",
     example = "sg.nurbs.curve{ degree = 2, knots = {0, 0, 0, 1, 1, 1}, points = {{0, 0}, {1, 2}, {2, 0}} }" },
-  { name = "sg.nurbs.surface",
-    text = "Returns a tensor-product NURBS surface in 2D or 3D.",
+  { "sg.nurbs.surface", "Returns a tensor-product NURBS surface in 2D or 3D.",
     named = tensor(2),
     example = [[
 sg.nurbs.surface{ degrees = {1, 1}, knots = {{0, 0, 1, 1}, {0, 0, 1, 1}},
                   points = {{0, 0}, {1, 0}, {0, 1}, {1, 1}} }]] },
-  { name = "sg.nurbs.volume",
-    text = "Returns a tensor-product NURBS volume; points run fastest in xi1, then in xi2.",
+  { "sg.nurbs.volume", "Returns a tensor-product NURBS volume; points run fastest in xi1, then in xi2.",
     named = tensor(3),
     example = [[
 sg.nurbs.volume{ degrees = {1, 1, 1}, knots = {{0, 0, 1, 1}, {0, 0, 1, 1}, {0, 0, 1, 1}},
                  points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0},
                            {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 2}} }]] },
-  { name = "sg.nurbs.line",
-    text = "Returns a straight line of degree 1.",
+  { "sg.nurbs.line", "Returns a straight line of degree 1.",
     named = { { "from", t.point, "first end", unit = "length" },
               { "to", t.point_like "from", "other end", unit = "length" } },
     example = "sg.nurbs.line{ from = {0, 0}, to = {3, 0} }" },
-  { name = "sg.nurbs.arc",
-    text = [[Returns an exact circular arc of degree 2, one segment per started quarter turn; counterclockwise where the
-angle rises. A center in 3D gives an arc parallel to the x-y plane.]],
+  { "sg.nurbs.arc", [[Returns an exact circular arc of degree 2, one segment per started quarter turn; counterclockwise
+where the angle rises. A center in 3D gives an arc parallel to the x-y plane.]],
     named = { radius, { "from", t.number, "first angle", unit = "degrees" },
               { "to", t.number, "last angle", unit = "degrees" }, centre },
     example = "sg.nurbs.arc{ radius = 0.5, from = 180, to = 360 }" },
-  { name = "sg.nurbs.circle",
-    text = "Returns a full circle of four exact quarter arcs of degree 2.",
+  { "sg.nurbs.circle", "Returns a full circle of four exact quarter arcs of degree 2.",
     named = { radius, centre },
     example = "sg.nurbs.circle{ radius = 1 }" },
-  { name = "sg.nurbs.ruled",
-    text = [[Returns the surface or volume of straight lines between two curves or two surfaces, which are first brought
-to common degrees and knots; the new direction is the last one.]],
+  { "sg.nurbs.ruled", [[Returns the surface or volume of straight lines between two curves or two surfaces, which are
+first brought to common degrees and knots; the new direction is the last one.]],
     named = { { "a", patch, "where it starts" }, { "b", patch, "where it ends" } },
     example = "sg.nurbs.ruled{ a = sg.nurbs.circle{ radius = 2 }, b = sg.nurbs.circle{ radius = 1 } }" },
-  { name = "sg.nurbs.extrude",
-    text = "Sweeps a curve or a surface along a vector; the new direction is the last one, of degree 1.",
+  { "sg.nurbs.extrude", "Sweeps a curve or a surface along a vector; the new direction is the last one, of degree 1.",
     named = { { "patch", patch, "what is swept" },
               { "along", t.point, "vector of the sweep; where it has 3 numbers, a plane patch lies in z = 0",
                 unit = "length" } },
     example = { "sg.nurbs.extrude{ patch = sg.nurbs.line{ from = {0, 0}, to = {1, 0} }, along = {0, 2} }",
                 "sg.nurbs.extrude{ patch = sg.shapes.quarter_annulus{ inner = 1, outer = 2 }, along = {0, 0, 1} }" } },
-  { name = "sg.nurbs.revolve",
-    text = "Revolves a curve or a surface about an axis, exactly; the new direction is the last one.",
+  { "sg.nurbs.revolve", "Revolves a curve or a surface about an axis, exactly; the new direction is the last one.",
     named = { { "patch", patch, "what is revolved; a plane patch lies in z = 0" },
-              { "point", patch_types.vector_or_space, "a point of the axis", optional = true,
+              { "point", patch_types.vector_or_space, "a point of the axis",
                 otherwise = "the origin", unit = "length" },
-              { "axis", patch_types.vector_or_space, "direction of the axis", optional = true,
+              { "axis", patch_types.vector_or_space, "direction of the axis",
                 otherwise = "{0, 0, 1}, of a plane patch {0, -1, 0}" },
               { "angle", t.number, "", default = 360, unit = "degrees" } },
     more = [[With the default axis of a plane patch, x is the radius as in axisymmetric models, and what is right-handed
@@ -79,9 +70,8 @@ at x > 0 gives a right-handed volume.]],
     example = {
       "sg.nurbs.revolve{ patch = sg.nurbs.line{ from = {1, 0, 0}, to = {1, 0, 2} }, angle = 180 }",
       "sg.nurbs.revolve{ patch = sg.shapes.rectangle{ width = 1, height = 2, corner = {3, 0} }, angle = 90 }" } },
-  { name = "sg.nurbs.coons",
-    text = [[Returns a Coons patch: the surface between four boundary curves, or the volume between six boundary
-surfaces, whose corners meet. west and east run along xi2, south and north along xi1.]],
+  { "sg.nurbs.coons", [[Returns a Coons patch: the surface between four boundary curves, or the volume between six
+boundary surfaces, whose corners meet. west and east run along xi2, south and north along xi1.]],
     named = { { "west", patch, "where xi1 starts" }, { "east", patch, "where xi1 ends" },
               { "south", patch, "where xi2 starts" }, { "north", patch, "where xi2 ends" },
               { "front", patch, "where xi3 starts, of a volume", optional = true },
@@ -91,8 +81,8 @@ line = sg.nurbs.line
 sg.nurbs.coons{ west = line{ from = {0, 0}, to = {0, 1} }, east = line{ from = {1, 0}, to = {1, 2} },
                 south = line{ from = {0, 0}, to = {1, 0} }, north = line{ from = {0, 1}, to = {1, 2} } }]],
   },
-  { name = "sg.nurbs.read",
-    text = "Returns all patches of a file as a list, in the file's order. The beginning of the file tells its format:",
+  { "sg.nurbs.read", [[Returns all patches of a file as a list, in the file's order. The beginning of the file tells its
+format:]],
     arguments = { file },
     more = [[
   G+Smo's XML: geometries BSpline, Nurbs, TensorBSpline2 and 3, TensorNurbs2 and 3
@@ -102,9 +92,8 @@ Interfaces between patches and boundaries are not read. Errors in a file are rep
     example = [=[
 sg.shapes.half_annulus{ inner = 1, outer = 2 }:write "bracket.xml"
 bracket = sg.nurbs.read("bracket.xml")[1]]=] },
-  { name = "sg.nurbs.write",
-    text = [[Writes a patch or a list of patches to a file, whole or not at all; knots, weights and control points come
-back to the last bit.]],
+  { "sg.nurbs.write", [[Writes a patch or a list of patches to a file, whole or not at all; knots, weights and control
+points come back to the last bit.]],
     arguments = { file, { "patches", t.one_or_more(patch), "what is written" }, patch_types.form },
     more = [[
   "gismo":   .xml, G+Smo's XML

@@ -10,118 +10,98 @@ local axis = { "axis", t.space_point, "direction of the axis: needed in 3D, none
 
 --- A point that is the origin by default.
 local function point(key, text)
-  return { key, patch_types.vector, text, optional = true, otherwise = "the origin", unit = "length" }
+  return { key, patch_types.vector, text, otherwise = "the origin", unit = "length" }
 end
 
 return {
   title = "Shapes and patches", word = "patches",
-  { name = "patch", head = "patch(xi)",
-    text = [[A NURBS curve, surface or volume, an immutable value: methods that change something return a new patch.
+  { "patch", [[A NURBS curve, surface or volume, an immutable value: methods that change something return a new patch.
 Make one with sg.shapes.* or sg.nurbs.*. Called as a function it returns the point at xi, {x, y} or {x, y, z}.]],
+    head = "patch(xi)",
     arguments = { xi },
     more = [[Methods: evaluate, derivatives, basis, insert, elevate, refine, face, degrees, elements, knots, points,
 weights, translate, rotate, scale, mirror, reverse, swap, to_plane, to_space, write; help "patch:refine" tells more.]],
     example = "sg.shapes.rectangle{ width = 3, height = 1 }{0.5, 0.5}  --> {1.5, 0.5}" },
-  { name = "patch:evaluate",
-    text = "Returns the point at xi, {x, y} or {x, y, z}, as patch(xi) does.",
+  { "patch:evaluate", "Returns the point at xi, {x, y} or {x, y, z}, as patch(xi) does.",
     arguments = { xi },
     example = "patch:evaluate{0.5, 0.5}  --> {1.5, 0.5}" },
-  { name = "patch:derivatives",
-    text = [[Returns all partial derivatives of the map at xi up to total order n: a list of { orders = {1, 0},
-value = {x, y} }, by total order, then falling in xi1.]],
+  { "patch:derivatives", [[Returns all partial derivatives of the map at xi up to total order n: a list of { orders =
+{1, 0}, value = {x, y} }, by total order, then falling in xi1.]],
     arguments = { xi, { "n", t.integer(0, core.max_degree), "highest total order" } },
     more = "Source: Piegl & Tiller, The NURBS Book, eq. (4.20).",
     example = "patch:derivatives({0.5, 0.5}, 1)[2].value  --> {3.0, 0.0}" },
-  { name = "patch:basis",
-    text = [[Returns the rational functions that do not vanish at xi as a list of { index, value }; index counts the
-control points from 1, fastest in xi1. The values add up to 1.]],
+  { "patch:basis", [[Returns the rational functions that do not vanish at xi as a list of { index, value }; index counts
+the control points from 1, fastest in xi1. The values add up to 1.]],
     arguments = { xi },
     example = "patch:basis({0.5, 0.5})[1].value  --> 0.25" },
-  { name = "patch:insert",
-    text = "Inserts knots in one direction: the same shape.",
+  { "patch:insert", "Inserts knots in one direction: the same shape.",
     arguments = { dir, { "knots", t.numbers(), "knots to insert, repeated ones as often as they stand here" } },
     example = "patch:insert(1, {0.25, 0.5}):elements()  --> {3, 1}" },
-  { name = "patch:elevate",
-    text = "Raises the degree in one direction and keeps the continuity: the same shape.",
+  { "patch:elevate", "Raises the degree in one direction and keeps the continuity: the same shape.",
     arguments = { dir, { "times", patch_types.degree, "by how much", default = 1 } },
     example = "patch:elevate(1, 2):degrees()  --> {3, 1}" },
-  { name = "patch:refine",
-    text = [[k-refines: raises the degrees first, then inserts knots until each direction has its number of elements
-(non-empty knot spans); the patch's own knots stay, and so does the shape. A curve takes plain values, no lists.]],
-    named = { { "elements", patch_types.elements, "knot spans", optional = true, otherwise = "the patch's own" },
-              { "degree", patch_types.per_direction(patch_types.degree), "polynomial degrees", optional = true,
+  { "patch:refine", [[k-refines: raises the degrees first, then inserts knots until each direction has its number of
+elements (non-empty knot spans); the patch's own knots stay, and so does the shape. A curve takes plain values, no
+lists.]],
+    named = { { "elements", patch_types.elements, "knot spans", otherwise = "the patch's own" },
+              { "degree", patch_types.per_direction(patch_types.degree), "polynomial degrees",
                 otherwise = "the patch's own" },
-              { "grading", patch_types.grading, "where elements crowd; false: nowhere", optional = true,
+              { "grading", patch_types.grading, "where elements crowd; false: nowhere",
                 otherwise = "uniform elements" } },
     more = [[grading = { { elements = 0.8, length = 0.1, at = "start" }, false } puts 80 % of the elements of the first
 direction into a tenth of its length at its start and leaves the second one uniform.]],
     example = "patch:refine{ elements = {8, 3}, degree = {2, 2} }" },
-  { name = "patch:face",
-    text = "Returns a side as a patch of one direction less.",
+  { "patch:face", "Returns a side as a patch of one direction less.",
     arguments = { { "name", patch_types.face, "west, east (ends of xi1), south, north (xi2), front, back (xi3)" } },
     example = 'patch:face "south"' },
-  { name = "patch:degrees",
-    text = "Returns the list of the polynomial degrees, one per direction.",
+  { "patch:degrees", "Returns the list of the polynomial degrees, one per direction.",
     example = "patch:degrees()  --> {1, 1}" },
-  { name = "patch:elements",
-    text = "Returns the list of the numbers of elements (non-empty knot spans), one per direction.",
+  { "patch:elements", "Returns the list of the numbers of elements (non-empty knot spans), one per direction.",
     example = "patch:elements()  --> {1, 1}" },
-  { name = "patch:knots",
-    text = "Returns the knot vector of a direction.",
+  { "patch:knots", "Returns the knot vector of a direction.",
     arguments = { dir },
     example = "patch:knots(1)  --> {0.0, 0.0, 1.0, 1.0}" },
-  { name = "patch:points",
-    text = "Returns the control points {{x, y}, …}, fastest in xi1.",
+  { "patch:points", "Returns the control points {{x, y}, …}, fastest in xi1.",
     example = "patch:points()[4]  --> {3.0, 1.0}" },
-  { name = "patch:weights",
-    text = "Returns the weights of the control points, in the order of patch:points().",
+  { "patch:weights", "Returns the weights of the control points, in the order of patch:points().",
     example = "patch:weights()[1]  --> 1.0" },
-  { name = "patch:translate",
-    text = "Moves the patch by a vector.",
+  { "patch:translate", "Moves the patch by a vector.",
     arguments = { { "by", patch_types.vector, "displacement", unit = "length" } },
     example = "patch:translate{1, 0}{0, 0}  --> {1.0, 0.0}" },
-  { name = "patch:rotate",
-    text = "Rotates the patch about a center, in 3D about an axis through it.",
+  { "patch:rotate", "Rotates the patch about a center, in 3D about an axis through it.",
     named = { { "angle", t.number, "counterclockwise", unit = "degrees" }, axis,
               point("centre", "the point that stays") },
     example = "patch:rotate{ angle = 30, centre = {1.5, 0.5} }" },
-  { name = "patch:scale",
-    text = "Scales the patch about a center.",
+  { "patch:scale", "Scales the patch about a center.",
     named = { { "factor", patch_types.factor, "for all coordinates, or one for each in a list" },
               point("centre", "the point that stays") },
     example = "patch:scale{ factor = {2, 1} }{1, 1}  --> {6.0, 1.0}" },
-  { name = "patch:mirror",
-    text = [[Returns the mirror image across a line, in 3D across a plane. The direction that runs most along the normal
-is reversed, so that the image of a body is right-handed again and the outside of an obstacle stays outside; curves in
-3D keep their direction.]],
+  { "patch:mirror", [[Returns the mirror image across a line, in 3D across a plane. The direction that runs most along
+the normal is reversed, so that the image of a body is right-handed again and the outside of an obstacle stays outside;
+curves in 3D keep their direction.]],
     named = { { "normal", patch_types.vector, "direction across the mirror" },
               point("point", "a point of the mirror") },
     example = "patch:mirror{ normal = {1, 0} }{0, 0}  --> {-3.0, 0.0}" },
-  { name = "patch:reverse",
-    text = [[Reverses a direction: the same shape, whose two faces there exchange their names. A left-handed patch
-becomes right-handed, as sg.body needs it, and sg.rigid.surface has its outside on the other side.]],
+  { "patch:reverse", [[Reverses a direction: the same shape, whose two faces there exchange their names. A left-handed
+patch becomes right-handed, as sg.body needs it, and sg.rigid.surface has its outside on the other side.]],
     arguments = { dir },
     more = "Source: as nrbreverse of the NURBS toolbox.",
     example = "patch:reverse(1){0, 0}  --> {3.0, 0.0}" },
-  { name = "patch:swap",
-    text = [[Exchanges two directions: the same shape. A right-handed patch becomes left-handed and the other way round;
-patch:reverse changes that again.]],
+  { "patch:swap", [[Exchanges two directions: the same shape. A right-handed patch becomes left-handed and the other way
+round; patch:reverse changes that again.]],
     arguments = { { "i", patch_types.one_of_two, "parametric direction" },
                   { "j", patch_types.one_of_two, "parametric direction" } },
     more = "Source: as nrbpermute and nrbtransp of the NURBS toolbox for two directions.",
     example = "patch:swap(1, 2){1, 0}  --> {0.0, 1.0}" },
-  { name = "patch:to_plane",
-    text = [[Returns a flat curve or surface in 3D, z the same everywhere, as one in the plane, for plane bodies:
-programs such as G+Smo write flat patches with three coordinates. It is an error where z changes; a plane patch stays
-as it is.]],
+  { "patch:to_plane", [[Returns a flat curve or surface in 3D, z the same everywhere, as one in the plane, for plane
+bodies: programs such as G+Smo write flat patches with three coordinates. It is an error where z changes; a plane patch
+stays as it is.]],
     example = "sg.nurbs.line{ from = {0, 0, 4}, to = {3, 1, 4} }:to_plane()(1)  --> {3.0, 1.0}" },
-  { name = "patch:to_space",
-    text = "Returns a curve or surface in the plane as one in 3D.",
+  { "patch:to_space", "Returns a curve or surface in the plane as one in 3D.",
     named = { { "z", t.number, "z of all points", default = 0, unit = "length" } },
     may_be_empty = true,
     example = "patch:to_space{ z = 2 }{1, 1}  --> {3.0, 1.0, 2.0}" },
-  { name = "patch:write",
-    text = "Writes the patch to a file for other programs, as sg.nurbs.write does.",
+  { "patch:write", "Writes the patch to a file for other programs, as sg.nurbs.write does.",
     arguments = { { "file", t.text, "where the patch goes" }, patch_types.form },
     example = 'patch:write "slab.xml"' },
 }

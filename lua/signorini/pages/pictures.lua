@@ -23,16 +23,14 @@ end
 
 local cut = t.either(axes, with_form(t.named {
   { "normal", t.either(axes, t.space_point), "points to the half that is taken away" },
-  { "at", t.number, "where the plane meets the normal's axis; with an axis as normal", optional = true,
+  { "at", t.number, "where the plane meets the normal's axis; with an axis as normal",
     otherwise = "the middle of the bodies", unit = "length" },
-  { "point", t.space_point, "a point of the plane", optional = true, otherwise = "the middle of the bodies",
-    unit = "length" },
+  { "point", t.space_point, "a point of the plane", otherwise = "the middle of the bodies", unit = "length" },
 }, "a table { normal = …, at or point = … }"))
 
 local camera = t.either(t.choice(core.cameras), with_form(t.named {
   { "from", t.space_point, "direction from the model to the eye" },
-  { "up", t.space_point, "direction that points upwards in the picture", optional = true,
-    otherwise = "z, seen along it y" },
+  { "up", t.space_point, "direction that points upwards in the picture", otherwise = "z, seen along it y" },
 }, "a table { from = …, up = … }"))
 
 local mark = t.named {
@@ -50,23 +48,21 @@ local contours = t.either(t.only(true), t.integer(1, 100), levels)
 
 local function paper(most)
   return { "size", size, [[{width, height}, exactly; or the greatest width, with at most twice that height, as much as
-what is shown needs]], optional = true, otherwise = "at most " .. most, unit = "pixels" },
+what is shown needs]], otherwise = "at most " .. most, unit = "pixels" },
     { "scale", t.positive, "multiplies the size, of text and lines as well", default = 1 },
     { "transparent", t.flag, "no white background; not in films", default = false }
 end
 local size_alone, scale, transparent = paper "1600 x 1000, of several states or fields 1600 x 2000"
 
-local columns = { "columns", t.integer(1, 100), "pictures in a row", optional = true,
-                  otherwise = "as many as show them largest" }
+local columns = { "columns", t.integer(1, 100), "pictures in a row", otherwise = "as many as show them largest" }
 local fps = { "fps", t.positive, "pictures per second of a film, for .ogv a whole number", default = 10 }
 local entries = { "pictures", t.either(t.object "picture", t.list(t.object "picture")),
                   "pictures, or lists of them, in order" }
 
 return {
   title = "Pictures and charts", word = "pictures",
-  { name = "sg.picture",
-    text = [[Returns a picture of a model's present state, of a state that a run has kept, or of patches, and writes it
-where a file is named. It holds the state as it is now: what the model does later changes nothing.]],
+  { "sg.picture", [[Returns a picture of a model's present state, of a state that a run has kept, or of patches, and
+writes it where a file is named. It holds the state as it is now: what the model does later changes nothing.]],
     named = {
       "What is shown, one of these:",
       { "model", t.object "model", "shows its present state", optional = true },
@@ -78,26 +74,24 @@ where a file is named. It holds the state as it is now: what the model does late
 by the file's name, as sg.film does: "x-%04d.png", "x.ogv"]], optional = true },
       { "fields", t.list(field_name, nil, 1), "side by side, each with a color bar of its own, as in sg.sheet",
         optional = true, excludes = { "field", "patch", why = "it is in its place" } },
-      { columns[1], columns[2], columns[3], optional = true, otherwise = columns.otherwise,
-        needs = { "states", "fields" } },
+      { columns[1], columns[2], columns[3], otherwise = columns.otherwise, needs = { "states", "fields" } },
       { fps[1], fps[2], fps[3], default = fps.default, needs = { "states" } },
       "Colors:",
       of_models { "field", field, [[displacements ux uy u (length), Cauchy stresses sxx syy szz sxy, von_mises,
 pressure, I1 (tr sigma; force per area), F11 F12 F21 F22 F33 (none); of solids also uz sxz syz F13 … F32;
 contact_pressure (force per current area) on slave faces, in the plane as a band along them. Stresses are evaluated
-where they are drawn, neither extrapolated nor averaged, so that jumps between elements show]],
-        optional = true, otherwise = "gray" },
+where they are drawn, neither extrapolated nor averaged, so that jumps between elements show]], otherwise = "gray" },
       { "factor", t.number, "multiplies the field", default = 1, needs = { "field", "fields" } },
-      { "label", t.text, "title of the color bar", optional = true, otherwise = "the field's name with its factor",
+      { "label", t.text, "title of the color bar", otherwise = "the field's name with its factor",
         needs = { "field" }, excludes = { "fields", why = "each of which has a color bar of its own" } },
       { "range", t.interval, "lowest and highest value of the colors, in the unit of the field times factor",
-        optional = true, otherwise = "that of the values, but for 0.5 % that lie far beyond the others" },
+        otherwise = "that of the values, but for 0.5 % that lie far beyond the others" },
       { "contours", contours, [[lines of equal values: true at the bar's numbers, a number for as many between the ends
-of the range, or these values]], optional = true, otherwise = "none", needs = { "field", "fields" } },
+of the range, or these values]], otherwise = "none", needs = { "field", "fields" } },
       { "bar", t.flag, "the color bar, with the lowest and the highest value at its ends", default = true },
       { "colormap", t.choice(core.colormaps), "'coolwarm' suits values of both signs", default = "viridis" },
       "What of it is drawn:",
-      of_models { "bodies", t.list(body_name, nil, 1), "those with these names", optional = true, otherwise = "all" },
+      of_models { "bodies", t.list(body_name, nil, 1), "those with these names", otherwise = "all" },
       of_models { "deformed", t.flag, "the present shape; false: the reference shape", default = true },
       of_models { "undeformed", t.flag, "the reference shape as well, dashed, in space also translucent",
         default = false },
@@ -105,35 +99,30 @@ of the range, or these values]], optional = true, otherwise = "none", needs = { 
       { "control_points", t.flag, "control points with the net between them", default = false },
       of_models { "vectors", t.choice { "displacement", "traction" }, [[arrows: displacements at points of a grid, or
 tractions (force per current area) at the contact points of slave faces, with a key below the picture]],
-        optional = true, otherwise = "none" },
+        otherwise = "none" },
       of_models { "obstacles", t.flag, "rigid obstacles", default = true },
       of_models { "mirror", t.choice { "x", "y", "z", "xy", "xz", "yz", "xyz" },
         [[adds mirror images at 0 of these axes, of bodies that cross the mirror those of their larger
-part; z: solids]],
-        optional = true, otherwise = "none" },
+part; z: solids]], otherwise = "none" },
       of_models { "cut", cut, [[Solids: the half that is taken away. "y": that of greater y, "-y": that of smaller y,
-through the middle of the bodies. The cut face has the colors of the field inside]], optional = true,
-        otherwise = "nothing is cut" },
+through the middle of the bodies. The cut face has the colors of the field inside]], otherwise = "nothing is cut" },
       { "marks", t.list(mark), "rings at places, first ones first where there is little room; run.places will do",
         optional = true },
       { "names", t.flag, "of a patch: its faces' names, ξ¹ ξ² ξ³ along its directions, and numbers of several patches",
         default = true, needs = { "patch" } },
       "On paper:",
-      { "title", t.text, "line above the picture", optional = true, otherwise = "none, of a kept state its title" },
+      { "title", t.text, "line above the picture", otherwise = "none, of a kept state its title" },
       { "crop", t.numbers(), [[{xmin, xmax, ymin, ymax}: shows this part only; in space with zmin, zmax: the rectangle
-in which this box is seen, with all that stands before and behind it]], optional = true, otherwise = "all",
-        unit = "length" },
-      { "inset", t.numbers(), "the same: this part is magnified in a box within the picture", optional = true,
+in which this box is seen, with all that stands before and behind it]], otherwise = "all", unit = "length" },
+      { "inset", t.numbers(), "the same: this part is magnified in a box within the picture",
         otherwise = "none", unit = "length" },
       { "camera", camera, [[Solids: the direction from which they are seen in parallel projection. "iso": from the
 front, the right and above; "front": from -y, z upwards; "left": from -x; "top": from +z, y upwards]],
-        optional = true, otherwise = '"iso", with a cut from the side on which the cut face is seen' },
-      { "unit", t.text, 'of lengths, such as "mm": behind the names of axes and at the ruler', optional = true,
-        otherwise = "none" },
-      { "axes", t.list(t.text), [[names of the axes, one per direction: {"r in mm", "z in mm"}]], optional = true,
+        otherwise = '"iso", with a cut from the side on which the cut face is seen' },
+      { "unit", t.text, 'of lengths, such as "mm": behind the names of axes and at the ruler', otherwise = "none" },
+      { "axes", t.list(t.text), [[names of the axes, one per direction: {"r in mm", "z in mm"}]],
         otherwise = "x, y and z, with unit" },
-      { "ruler", t.flag, "solids: a line of a round length below the picture", optional = true,
-        otherwise = "true" },
+      { "ruler", t.flag, "solids: a line of a round length below the picture", otherwise = "true" },
       size_alone, scale, transparent, file,
     },
     more = [[Lines and texts are vectors in .svg and .pdf, fields and surfaces images. Surfaces of solids are shaded a
@@ -147,11 +136,10 @@ little: what faces the light has the colors of the bar.]],
       [[sg.picture{ states = run:states(), fields = {"ux", "uy"}, file = "press-%04d.png" }]],
       [[sg.picture{ model = solid, field = "szz", cut = "-y", camera = { from = {1, -2, 1} }, file = "cut.png" }]],
     } },
-  { name = "sg.sheet", entries = entries,
-    text = [[Returns several pictures as one, and writes it where a file is named. States of one field that are drawn in
-one way (camera, crop, inset, unit, contours, vectors) share axes, scale and color bar; all others stand side by side,
-each with its own.
-Charts and sheets may be among them. Titles of pictures stand above them; their sizes do not count.]],
+  { "sg.sheet", [[Returns several pictures as one, and writes it where a file is named. States of one field that are
+drawn in one way (camera, crop, inset, unit, contours, vectors) share axes, scale and color bar; all others stand side
+by side, each with its own. Charts and sheets may be among them. Titles of pictures stand above them; their sizes do not
+count.]], entries = entries,
     named = {
       columns,
       { "title", t.text, "line above the sheet", optional = true },
@@ -169,26 +157,23 @@ sg.sheet{ pictures, columns = 2, file = "states.png" }]],
 local cut = sg.picture{ model = solid, field = "szz", cut = "-y" }
 sg.sheet{ whole, cut, title = "Vertical stress", file = "pair.png" }]],
     } },
-  { name = "sg.film", entries = entries,
-    text = [[Writes pictures one after the other, as a film or to numbered files. All have one scale, one layout and one
-range of colors, unless they were given others: nothing jumps. They must show the same in the same arrangement.]],
+  { "sg.film", [[Writes pictures one after the other, as a film or to numbered files. All have one scale, one layout and
+one range of colors, unless they were given others: nothing jumps. They must show the same in the same arrangement.]],
+    entries = entries,
     named = {
       { "file", t.text, [["x.mp4" (H.264, needs the program ffmpeg), "x.ogv" (Theora, needs no other program), or
 "x-%04d.png", .svg, .pdf: files numbered from 1]] },
       fps,
-      { "size", size, "as in sg.picture", optional = true, otherwise = "that of the first picture",
-        unit = "pixels" },
+      { "size", size, "as in sg.picture", otherwise = "that of the first picture", unit = "pixels" },
       scale, transparent,
     },
     example = [[local pictures = {}
 for i, state in ipairs(run:states()) do pictures[i] = sg.picture{ state = state, field = "uy", size = 800 } end
 sg.film{ pictures, fps = 5, file = "press.ogv" }]] },
-  { name = "picture", head = "picture",
-    text = [[What sg.picture, sg.sheet, sg.chart and sg.heatmap return: a figure that is complete, free of the model. It
-is written by picture:write, and shown with others by sg.sheet and sg.film.]],
+  { "picture", [[What sg.picture, sg.sheet, sg.chart and sg.heatmap return: a figure that is complete, free of the
+model. It is written by picture:write, and shown with others by sg.sheet and sg.film.]],
     example = [[print(sg.picture{ model = model, field = "uy" })]] },
-  { name = "picture:write",
-    text = "Writes the picture to a file, whole or not at all.",
+  { "picture:write", "Writes the picture to a file, whole or not at all.",
     arguments = { { "file", t.text, "a name that ends with .png, .svg or .pdf" } },
     example = [[sg.picture{ model = model, field = "uy" }:write "die.pdf"]] },
 }

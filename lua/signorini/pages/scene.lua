@@ -27,8 +27,8 @@ and augmented = true of model:run removes that]], unit = "pressure per length", 
   { "friction", t.named {
     { "mu", t.non_negative, "Coulomb's coefficient of friction, tan of the angle of friction, not the angle" },
     { "penalty", t.positive, "tangential penalty, of elastic slip", unit = "pressure per length" },
-  }, "Coulomb friction", optional = true, otherwise = "none" },
-  { "points", t.integer(1, 100), "Gauss points per slave element and direction", optional = true,
+  }, "Coulomb friction", otherwise = "none" },
+  { "points", t.integer(1, 100), "Gauss points per slave element and direction",
     otherwise = "3 (p + 1), p the higher degree along the face" },
   { "adhesion", t.named {
     { "hamaker", t.positive, "Hamaker's constant", unit = "force times length" },
@@ -36,7 +36,7 @@ and augmented = true of model:run removes that]], unit = "pressure per length", 
   }, "van der Waals forces in place of penalty and friction; they vanish at the distance 15^(-1/6) r0",
     optional = true },
   { "where", region, [[function(X) that returns true where the contact acts; X = {x, y}, in 3D {x, y, z}, is a reference
-position of the slave face. Called while the model is made]], optional = true, otherwise = "everywhere" },
+position of the slave face. Called while the model is made]], otherwise = "everywhere" },
 }
 contact.conflict = function(values)
   for _, other in ipairs { "penalty", "friction" } do
@@ -66,9 +66,9 @@ end
 return {
   title = "Models and load paths",
   word = "solving",
-  { name = "sg.model",
-    text = [[Returns a model: a scene of plane bodies or of solids with its state. All parts are tables by name. Plane
-strain is of unit depth; in an axisymmetric model x is the radius, y the axis, forces are those over the full circle.]],
+  { "sg.model", [[Returns a model: a scene of plane bodies or of solids with its state. All parts are tables by name.
+Plane strain is of unit depth; in an axisymmetric model x is the radius, y the axis, forces are those over the full
+circle.]],
     named = {
       { "bodies", t.map(t.object "body", 1), "the bodies" },
       { "supports", t.map(t.either(t.named "support", t.named "load")), "supports, and loads, of the bodies",
@@ -76,7 +76,7 @@ strain is of unit depth; in an axisymmetric model x is the radius, y the axis, f
       { "loads", t.map(t.named "load"), "forces from outside", optional = true },
       { "contacts", t.map(t.named "contact"), "pairs of faces that may touch", optional = true },
       { "kind", t.choice { "plane_strain", "axisymmetric" }, "plane strain, or a section of bodies of revolution",
-        optional = true, otherwise = '"plane_strain", of bodies in the plane' },
+        otherwise = '"plane_strain", of bodies in the plane' },
     },
     more = 'On the load path: help "stage".',
     example = { [[
@@ -92,9 +92,8 @@ sg.model{ bodies = { slab = slab }, supports = { bed = { on = slab:face "south",
 sg.model{ bodies = { cube = cube }, loads = { push = { on = cube:face "east", traction = {0, 0, -1} } },
           supports = { bed = { on = cube:face "front", fix = "xyz" },
                        grip = { on = cube:face "back", drive = "z", fix = "xy", rotate = "z" } } }]] } },
-  { name = "support",
+  { "support", "Holds or moves faces, edges, corners or obstacles. A support must hold something.",
     head = "supports = { <name> = { on, fix, drive, free, rotate, symmetry } }, in sg.model{ … }",
-    text = [[Holds or moves faces, edges, corners or obstacles. A support must hold something.]],
     named = {
       { "on", t.worded(t.one_or_more(t.either(face, obstacle)),
         "a face or a list of faces, an edge, a corner or an obstacle"), "where; the reactions of a list add up" },
@@ -104,7 +103,7 @@ sg.model{ bodies = { cube = cube }, loads = { push = { on = cube:face "east", tr
       { "rotate", t.worded(t.either(t.flag, t.choice { "x", "y", "z" }, t.space_point),
         "true in the plane; in 3D 'x', 'y', 'z' or a vector {ax, ay, az}"), [[the face turns as a rigid body about its
 centroid, in 3D about the axis through it, by an angle in degrees that stages give behind the driven components; in 3D a
-list of faces turns as one]], optional = true, otherwise = "it does not" },
+list of faces turns as one]], otherwise = "it does not" },
       { "symmetry", t.flag, [[holds the normal component on flat faces in a plane of symmetry x, y or z = c, in an
 axisymmetric model on the axis or y = c: the model is half of the scene, its forces are half of the whole one's]],
         default = false },
@@ -114,16 +113,14 @@ columns <name>.fx, .fy, .fz, .moment, and what is driven as <name>.ux … .angle
     example = [[
 supports = { bed  = { on = slab:face "south", fix = "xy" },
              grip = { on = { die:face "west", die:face "east" }, drive = "xy" } }]] },
-  { name = "load",
+  { "load", "Loads faces. Loads are dead: neither direction nor size follows the deformation.",
     head = "loads = { <name> = { on, traction or pressure } }, in sg.model{ … }",
-    text = [[Loads faces. Loads are dead: neither direction nor size follows the deformation.]],
     named = load,
     more = [[The value given here acts from the first step on; stages give new ones. model:reaction(name) is the force;
 a run has columns <name>.fx …, and .tx … or .pressure.]],
     example = [[loads = { push = { on = die:face "east", traction = {0, -1} } }]] },
-  { name = "contact",
+  { "contact", "Lets the face of a body touch another body or an obstacle.",
     head = "contacts = { <name> = { slave, master, penalty, friction, points, adhesion, where } }, in sg.model{ … }",
-    text = "Lets the face of a body touch another body or an obstacle.",
     named = contact,
     more = [[Results: model:profile(name), model:contact_resultant(name), the columns <name>.fx … of a run.
 Source: projection and gap (3.45), (3.46), penalty (3.73), forces (3.83), friction (3.74) to (3.76), adhesion (3.85) to

@@ -28,18 +28,15 @@ local a_step = { "step", t.count, "number of the step; a step that was not reach
 return {
   title = "Models and load paths",
   word = "solving",
-  { name = "model", head = "model",
-    text = [[A scene with its accepted state and the present one, made by sg.model; print(model) shows its size and its
-parts, their positions and the contacts that touch; tostring(model) its size. model:run takes it along a load path; help
-"results" and help "methods" list the other methods.]] },
-  { name = "model:warnings",
-    text = [[Returns a list of sentences on what is probably unintended. About the scene, which sg.model prints as well:
-bodies that overlap before the first step by more than 1 % of the thickness of the thinner one, Poisson's ratios that
-lock, mu above 3, penalties above 1e8 times the stiffness of an element, contacts that act twice. About the present
-state: linear elastic bodies that are turned inside out. run.warnings begins with them.]],
+  { "model", [[A scene with its accepted state and the present one, made by sg.model; print(model) shows its size and
+its parts, their positions and the contacts that touch; tostring(model) its size. model:run takes it along a load path;
+help "results" and help "methods" list the other methods.]] },
+  { "model:warnings", [[Returns a list of sentences on what is probably unintended. About the scene, which sg.model
+prints as well: bodies that overlap before the first step by more than 1 % of the thickness of the thinner one,
+Poisson's ratios that lock, mu above 3, penalties above 1e8 times the stiffness of an element, contacts that act twice.
+About the present state: linear elastic bodies that are turned inside out. run.warnings begins with them.]],
     example = "model:warnings()  --> {}" },
-  { name = "model:run",
-    text = "Takes a model along its load path and returns a run.",
+  { "model:run", "Takes a model along its load path and returns a run.",
     arguments = { { "stages", stages, "pieces of the load path" },
                   { "options", t.named(rows.run), "controls, records and files of the run", default = {} } },
     rows = rows.run,
@@ -55,10 +52,10 @@ Source: Newton's steps (4.33) to (4.35), freeze_active_set 4.5.2 of V. Agrawal, 
 J. C. Simo, T. A. Laursen, Comput. Struct. 42 (1992); arc_length: E. Riks, J. Appl. Mech. 39 (1972), H. B. Keller,
 1977.]],
     example = "model:run{ { name = \"press\", steps = 46, grip = {0, -0.23} } }" },
-  { name = "stage", head = "model:run{ { name, steps, <support or load> = {…} }, … }: stages, a list",
-    text = "A piece of the load path: leads in equal steps to the values at its end.",
+  { "stage", "A piece of the load path: leads in equal steps to the values at its end.",
+    head = "model:run{ { name, steps, <support or load> = {…} }, … }: stages, a list",
     named = {
-      { "name", t.text, "name in reports and on_step", optional = true, otherwise = '"stage 1" and so on' },
+      { "name", t.text, "name in reports and on_step", otherwise = '"stage 1" and so on' },
       { "steps", t.count, "number of steps" },
     },
     more = [[
@@ -69,19 +66,17 @@ components. Options are the second argument, model:run({ … }, { step = { min =
     example = [[
 model:run{ { name = "press", steps = 46,  grip = {0, -0.23} },
            { name = "slide", steps = 250, grip = {1.5, -0.23} } }]] },
-  { name = "sg.robust", named = "model:run", may_be_empty = true, as_given = true,
-    text = [[Returns the default controls of model:run, written out: each step starts from the linear predictor
+  { "sg.robust", [[Returns the default controls of model:run, written out: each step starts from the linear predictor
 (predictor = "linear"), a step that fails is tried again with other controls (rescue = true), then cut in half (step = {
 adaptive = true }). Given options replace these. Next to arc_length = true these controls act before arc length does,
-and may leave the path that it would follow.]],
+and may leave the path that it would follow.]], named = "model:run", may_be_empty = true, as_given = true,
     example = "model:run(stages, sg.robust{ arc_length = true, step = { adaptive = true, min = 1/256 } })" },
-  { name = "sg.plain", named = "model:run", may_be_empty = true, as_given = true,
-    text = [[Returns options of model:run for plain Newton iterations: each step is solved once, as a whole, from the
-last accepted state (predictor = "tangent", rescue = false, step = { adaptive = false }). Given options replace these.
-Use it to compare with other programs or published iteration counts, and to see where Newton's method fails.]],
+  { "sg.plain", [[Returns options of model:run for plain Newton iterations: each step is solved once, as a whole, from
+the last accepted state (predictor = "tangent", rescue = false, step = { adaptive = false }). Given options replace
+these. Use it to compare with other programs or published iteration counts, and to see where Newton's method fails.]],
+    named = "model:run", may_be_empty = true, as_given = true,
     example = "model:run(stages, sg.plain{ newton = { iterations = 50 } })" },
-  { name = "run", head = "run",
-    text = "The result of model:run; print(run) shows a short table, with unusual controls, fallbacks and cuts.",
+  { "run", "The result of model:run; print(run) shows a short table, with unusual controls, fallbacks and cuts.",
     fields = {
       { "failed", t.flag, "whether a step was not reached" },
       { "reason", t.text, "why the run ended, see help \"model:run\"" },
@@ -103,40 +98,36 @@ points were not found, or whose points have gone through the master in one step;
 another branch of solutions, steps that probably have, as displacements and released energy show; stages in which more
 than a tenth of the work is missing from the energy balance]] },
     } },
-  { name = "run:columns", text = "Returns the names of all columns, in order.",
+  { "run:columns", "Returns the names of all columns, in order.",
     example = "for _, name in ipairs(run:columns()) do print(name) end" },
-  { name = "run:column",
-    text = [[Returns the values of a column, one per step that was reached: "step", the "increments" it was made of,
-"iterations" and "wall" (s) with those of failed attempts, "<support>.fx" (reaction), "<support>.ux" (where a driven
+  { "run:column", [[Returns the values of a column, one per step that was reached: "step", the "increments" it was made
+of, "iterations" and "wall" (s) with those of failed attempts, "<support>.fx" (reaction), "<support>.ux" (where a driven
 component stands), "<contact>.area" and so on; those that on_step returns are nan where it returned none.]],
     arguments = { { "name", t.name(function(run) return run:columns() end), "a column" } },
     example = "run:column \"grip.fy\"" },
-  { name = "run:attempts",
-    text = [[Returns the attempts at a step that was reached or missed: a list of { from, to, converged, reason,
-iterations, residuals, rescue, again }, where from and to are parts of the step, and again says that it began at the
-step's start although a part was accepted.]],
+  { "run:attempts", [[Returns the attempts at a step that was reached or missed: a list of { from, to, converged,
+reason, iterations, residuals, rescue, again }, where from and to are parts of the step, and again says that it began at
+the step's start although a part was accepted.]],
     arguments = { a_step },
     example = "run:attempts(1)[1].iterations" },
-  { name = "run:residuals", text = "Returns the residual norms of the iterations of a step's last attempt.",
+  { "run:residuals", "Returns the residual norms of the iterations of a step's last attempt.",
     arguments = { a_step },
     example = "run:residuals(run.steps)" },
-  { name = "run:states",
-    text = [[Returns the states that a run has kept, in order, for sg.picture{ states = run:states() }: those that the
-option `states` of model:run asked for; without it the start, the end of each stage and the last one that was
+  { "run:states", [[Returns the states that a run has kept, in order, for sg.picture{ states = run:states() }: those
+that the option `states` of model:run asked for; without it the start, the end of each stage and the last one that was
 reached.]],
     example = "sg.picture{ states = run:states(), field = \"uy\", file = \"states.png\" }" },
-  { name = "run:csv", text = "Writes all columns to a CSV file; a figure that on_step did not return is left out.",
+  { "run:csv", "Writes all columns to a CSV file; a figure that on_step did not return is left out.",
     arguments = { { "file", t.text, "name of the file" } },
     example = "run:csv \"run.csv\"" },
-  { name = "state", head = "state",
-    text = "An entry of run:states().",
+  { "state", "An entry of run:states().",
     fields = { { "step", t.integer(0), "number of the step; 0 is the start" },
                { "stage", t.text, "name of the stage" },
                { "title", t.text, "of a picture" },
                { "snapshot", t.object "snapshot", "the state, to which model:restore(state.snapshot) returns" } },
     example = "local states = run:states(); print(states[#states].title)" },
-  { name = "model:cost",
-    text = "Returns the size of a model in numbers, before a solve or after it; print(model:cost()) shows tables.",
+  { "model:cost", [[Returns the size of a model in numbers, before a solve or after it; print(model:cost()) shows
+tables.]],
     fields = {
       { "unknowns", t.integer(0), "size of the linear system" },
       { "obstacles", t.integer(0), "rigid obstacles, which have no unknowns" },
@@ -161,14 +152,12 @@ reached.]],
 from the pattern in the order of nested dissection]] },
     },
     example = "print(model:cost())" },
-  { name = "model:save",
-    text = [[Writes the model with its accepted state to a file for sg.load, whole or not at all. From here on the model
-and one that is loaded give the same bits; for that the model drops factorizations and patterns, so that the next step
-takes a little longer. An error while a step, targets or penalties are not accepted.]],
+  { "model:save", [[Writes the model with its accepted state to a file for sg.load, whole or not at all. From here on
+the model and one that is loaded give the same bits; for that the model drops factorizations and patterns, so that the
+next step takes a little longer. An error while a step, targets or penalties are not accepted.]],
     arguments = { { "path", t.text, "the checkpoint's file" } },
     example = "model:save \"pressed.sgn\"" },
-  { name = "sg.load",
-    text = [[Returns the model that model:save(path), or a run with checkpoints, has saved: bodies, supports, loads,
+  { "sg.load", [[Returns the model that model:save(path), or a run with checkpoints, has saved: bodies, supports, loads,
 contacts, and the accepted state with its contact history. It needs nothing of the script that made it, and goes on with
 the same bits as the model that was saved.]],
     arguments = { { "path", t.text, "the checkpoint's file" } },

@@ -3,6 +3,7 @@
 
 local core = require "signorini.core"
 local describe = require "signorini.describe"
+local joined = require("signorini.lists").joined
 local t = require "signorini.types"
 
 local rows = {}
@@ -39,12 +40,6 @@ behind it; without line_search]], default = false }
 local predictors = t.choice { "tangent", "constant", "linear" }
 local first_guess = [[first guess of a step; "linear" goes on as the last step went]]
 
-local function concatenated(...)
-  local all = {}
-  for _, part in ipairs { ... } do table.move(part, 1, #part, #all + 1, all) end
-  return all
-end
-
 local function conflict_of_moves(newton, values)
   if values.pseudo_transient and newton.line_search ~= "none" then
     return "pseudo_transient finds the length of its moves by itself: take line_search out"
@@ -52,7 +47,7 @@ local function conflict_of_moves(newton, values)
 end
 
 --- Of model:solve_step.
-rows.step = concatenated(loop, { { "predictor", predictors, first_guess, default = "tangent" }, linear, augmented,
+rows.step = joined(loop, { { "predictor", predictors, first_guess, default = "tangent" }, linear, augmented,
                                  damping, pseudo_transient })
 rows.step.conflict = function(values) return conflict_of_moves(values, values) end
 
@@ -76,8 +71,7 @@ local function control(key, type, text)
   local function written(value)
     return type.kind == "named" and ("{ adaptive = %s }"):format(value.adaptive) or describe.literal(value)
   end
-  return { key, type, text, optional = true,
-           otherwise = ("%s, next to arc_length = true %s"):format(written(robust), written(plain)),
+  return { key, type, text, otherwise = ("%s, next to arc_length = true %s"):format(written(robust), written(plain)),
            derived = function(values) return (values.arc_length and rows.plain or rows.robust)[key] end }
 end
 
@@ -85,7 +79,7 @@ local shortest = 1 / 64 -- increment
 local cutting = {
   { "adaptive", t.flag, "false takes each step as a whole", default = true },
   { "max", t.share, "largest increment, a part of the step", default = 1 },
-  { "min", t.share, "smallest increment, a part of the step", optional = true, otherwise = "1/64, at most max",
+  { "min", t.share, "smallest increment, a part of the step", otherwise = "1/64, at most max",
     derived = function(values) return math.min(values.max, shortest) end },
   { "growth", t.range(1), "factor after an easy increment, which took half of the iterations allowed", default = 2 },
 }
@@ -121,7 +115,7 @@ run.warnings names steps carried by fallbacks that may lead to another branch of
     { "steps", t.count, "steps until it is 1" },
   }, "penalties that grow along the path", optional = true },
   { "threads", t.integer(1, core.most_threads), "threads of this run and later ones; bits are the same for any number",
-    optional = true, otherwise = "what --threads says" },
+    otherwise = "what --threads says" },
   { "checkpoint", t.short({
     file,
     { "every", t.count, "steps between two saves; the end is always saved", default = 1 },
@@ -134,8 +128,7 @@ finished run gives that run at once. Scene and stages must be the same]], defaul
   { "states", t.worded(t.either(t.integer(2), t.list(t.integer(0)), t.callback),
     "a number of states from 2, a list of steps, or a function"), [[which states run:states() keeps: so many from the
 start to the end, those of these steps (0 is the start), or those for which function(info) returns true; a run that is
-resumed has those since then]],
-    optional = true, otherwise = "the start and the end of each stage" },
+resumed has those since then]], otherwise = "the start and the end of each stage" },
   { "on_step", t.callback, [[function(info), called after each step with info.step, info.stage, info["grip.fx"] …;
 returns nothing, "stop" to end cleanly, "cut" to have the step done again in halves, or a table of numbers: columns of
 the run, elsewhere nan]], optional = true },
