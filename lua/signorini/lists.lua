@@ -3,12 +3,7 @@
 local lists = {}
 
 --- Whether a list has a value.
-function lists.holds(list, value)
-  for _, known in ipairs(list) do
-    if known == value then return true end
-  end
-  return false
-end
+function lists.holds(list, value) return lists.any(list, function(known) return known == value end) end
 
 --- The names of a table's entries, sorted.
 function lists.sorted_names(entries)
@@ -34,6 +29,14 @@ function lists.filter(list, keeps)
   return kept
 end
 
+--- Whether `is` is true of an entry.
+function lists.any(list, is)
+  for i = 1, #list do
+    if is(list[i], i) then return true end
+  end
+  return false
+end
+
 --- The entries of several lists, one list behind the other; of one list, a copy.
 function lists.joined(...)
   local all = {}
@@ -49,6 +52,20 @@ function lists.unique(list)
     seen[value] = true
     return is_new
   end)
+end
+
+--- Lists of the entries that share key(entry), each with its `key`, in the order in which the keys first appear.
+function lists.grouped(list, key)
+  local groups, by_key = {}, {}
+  for i = 1, #list do
+    local name = key(list[i])
+    if not by_key[name] then
+      by_key[name] = { key = name }
+      groups[#groups + 1] = by_key[name]
+    end
+    table.insert(by_key[name], list[i])
+  end
+  return groups
 end
 
 --- The entries of several tables by key; of those with one key the last.

@@ -6,7 +6,7 @@ local curves = require "signorini.work_precision.curves"
 local cut = require "signorini.cut"
 local draw = require "signorini.work_precision.picture"
 local format_table = require "signorini.table"
-local holds = require("signorini.lists").holds
+local lists = require "signorini.lists"
 local outcomes = require "signorini.study.outcomes"
 local quantity = require "signorini.study.quantity"
 local values = require "signorini.study.values"
@@ -29,21 +29,16 @@ local function read_marker(study, pick, series)
     local q = quantity.read(where, "marker", study, pick)
     return function(row) return quantity.text(q, row) or "–" end, quantity.title(q)
   end
-  local others = {}
-  for _, name in ipairs(study.parameters) do
-    if name ~= series.pick then others[#others + 1] = name end
-  end
+  local others = lists.filter(study.parameters, function(name) return name ~= series.pick end)
   if #others == 0 then return nil end
   return function(row)
-    local texts = {}
-    for i, name in ipairs(others) do texts[i] = values.text(row[name], true) end
-    return table.concat(texts, ", ")
+    return table.concat(lists.map(others, function(name) return values.text(row[name], true) end), ", ")
   end, table.concat(others, ", ")
 end
 
 local function read_options(study, options)
   if options.file and options.files then core.fail(where .. ": file and files are given; keep one of them") end
-  local series = options.series or holds(study.parameters, "order") and "order" or study.parameters[1]
+  local series = options.series or lists.holds(study.parameters, "order") and "order" or study.parameters[1]
   local read = { time = quantity.read(where, "time", study, options.time),
                  error = quantity.read(where, "error", study, options.error),
                  series = quantity.read(where, "series", study, series),
@@ -54,45 +49,24 @@ end
 
 -- ── Cases as points ──────────────────────────────────────────────────────────────────────────────────────────────────
 
---- A case as a point, or why it is none.
-local function read_point(row, read)
-  if row.failed then return nil, outcomes.line(row) end
-  local series = quantity.text(read.series, row)
-  local time, size = quantity.number(read.time, row), quantity.number(read.error, row)
-  if not series then return nil, "no " .. read.series.name end
-  if not time then return nil, "no " .. read.time.name end
-  if not size then return nil, "no " .. read.error.name end
-  if time <= 0 then return nil, ("%s is %g: no place on a logarithmic axis"):format(read.time.name, time) end
-  if size == 0 then return nil, read.error.name .. " is 0: no place on a logarithmic axis" end
-  return { row = row, series = series, time = time, error = math.abs(size), mark = read.mark and read.mark(row) }
-end
-
 --- The points, those left out as { row, why }, and the names of markers in the order of the cases.
 local function read_points(study, read)
-  local points, left_out, marks = {}, {}, {}
-  for _, row in ipairs(study.rows) do
-    if not read.keep or read.keep(row) then
-      local point, why = read_point(row, read)
-      if point then points[#points + 1] = point else left_out[#left_out + 1] = { row = row, why = why } end
-      if point and point.mark and not holds(marks, point.mark) then marks[#marks + 1] = point.mark end
+  local points, left_out = quantity.points(study, { read.time, read.error }, read.keep, function(point)
+    point.series, point.mark = quantity.text(read.series, point.row), read.mark and read.mark(point.row)
+    if not point.series then return "no " .. read.series.name end
+    if point.time <= 0 then
+      return ("%s is %g: no place on a logarithmic axis"):format(read.time.name, point.time)
     end
-  end
-  return points, left_out, marks
+    if point.error == 0 then return read.error.name .. " is 0: no place on a logarithmic axis" end
+    point.error = math.abs(point.error)
+  end)
+  return points, left_out, lists.unique(lists.map(read.mark and points or {}, function(point) return point.mark end))
 end
 
 --- One curve per series, in the order of the cases.
 local function make_curves(points)
-  local list, by_name = {}, {}
-  for _, point in ipairs(points) do
-    local curve = by_name[point.series]
-    if not curve then
-      curve = { name = point.series, points = {} }
-      list[#list + 1], by_name[point.series] = curve, curve
-    end
-    curve.points[#curve.points + 1] = point
-  end
-  for _, curve in ipairs(list) do curve.points = curves.sorted(curve.points) end
-  return list
+  local groups = lists.grouped(points, function(point) return point.series end)
+  return lists.map(groups, function(group) return { name = group.key, points = curves.sorted(group) } end)
 end
 
 local function make_ratios(list, at)
@@ -109,7 +83,6 @@ end
 
 -- ── Reading (by the user) ────────────────────────────────────────────────────────────────────────────────────────────
 
-
 function Result:table()
   local columns, rows, formats = { "A", "B", "from", "to" }, {}, { [3] = "%.3g", [4] = "%.3g" }
   local heads = { "at from", "middle", "at to" }
@@ -117,25 +90,22 @@ function Result:table()
     columns[4 + i], formats[4 + i] = self.at and ("at %.3g"):format(size) or size, "%.3g"
   end
   for r, ratio in ipairs(self.ratios) do
-    rows[r] = { ratio.a, ratio.b, ratio.from, ratio.to }
-    for i = 1, #columns - 4 do rows[r][4 + i] = ratio.ratio[i] end
+    rows[r] = { ratio.a, ratio.b, ratio.from, ratio.to, table.unpack(ratio.ratio, 1, #columns - 4) }
   end
   local units = self.error.unit ~= "" and { "", "", self.error.unit, self.error.unit } or nil
   return format_table { columns = columns, units = units, rows = rows, formats = formats }
 end
 
 function Result:front()
-  local study, columns, units, rows = self.study, {}, {}, {}
-  for i, name in ipairs(study.parameters) do columns[i], units[i] = name, study.units[name] or "" end
-  local last = #columns
-  for i, q in ipairs { self.time, self.error } do columns[last + i], units[last + i] = q.name, q.unit end
-  for r, row in ipairs(self.pareto) do
-    rows[r] = {}
-    for i, name in ipairs(study.parameters) do rows[r][i] = values.text(row[name]) end
-    rows[r][last + 1], rows[r][last + 2] = quantity.number(self.time, row), math.abs(quantity.number(self.error, row))
-  end
-  local formats = { [last + 1] = "%.4g", [last + 2] = "%.4g" }
-  return format_table { columns = columns, units = units, rows = rows, formats = formats }
+  local study, last = self.study, #self.study.parameters
+  local rows = lists.map(self.pareto, function(row)
+    return lists.joined(lists.map(study.parameters, function(name) return values.text(row[name]) end),
+      { quantity.number(self.time, row), math.abs(quantity.number(self.error, row)) })
+  end)
+  local units = lists.map(study.parameters, function(name) return study.units[name] or "" end)
+  return format_table { columns = lists.joined(study.parameters, { self.time.name, self.error.name }),
+    units = lists.joined(units, { self.time.unit, self.error.unit }), rows = rows,
+    formats = { [last + 1] = "%.4g", [last + 2] = "%.4g" } }
 end
 
 --- Ratios, front, and what was left out.
@@ -178,8 +148,7 @@ return function(study, options)
   local list, front = make_curves(points), curves.front(points)
   local result = setmetatable({ name = study.name or "study", study = study, time = read.time, error = read.error,
     series = read.series, marker = read.marker, at = read.at, curves = list, ratios = make_ratios(list, read.at),
-    pareto = {}, left_out = left_out }, Result)
-  for i, point in ipairs(front) do result.pareto[i] = point.row end
+    pareto = lists.map(front, function(point) return point.row end), left_out = left_out }, Result)
   for _, file in ipairs(read.files) do draw(result, points, front, marks, options, file) end
   return result
 end

@@ -2,6 +2,7 @@
 
 local check = require "signorini.check"
 local core = require "signorini.core"
+local lists = require "signorini.lists"
 local values = require "signorini.study.values"
 
 local cases = {}
@@ -22,24 +23,20 @@ end
 
 --- The names of all parameters: first those that grids put in order, then the others, sorted.
 local function parameter_names(list, ordered)
-  local names, seen, others = {}, {}, {}
-  for _, name in ipairs(ordered) do
-    if not seen[name] then seen[name], names[#names + 1] = true, name end
-  end
+  local others = {}
   for i, case in ipairs(list) do
     for name in pairs(case) do
       if type(name) ~= "string" then
         core.fail(("%s: cases[%d] has a value without a name: write parameter = value"):format(where, i))
       end
-      if name == "wall" or name == "failed" or name == "outcome" or name == "reason" then
+      if lists.holds(values.accounts, name) then
         core.fail(("%s: cases[%d]: a parameter cannot be called '%s', an account that every case has")
           :format(where, i, name))
       end
-      if not seen[name] then seen[name], others[#others + 1] = true, name end
+      others[name] = true
     end
   end
-  table.sort(others)
-  return table.move(others, 1, #others, #names + 1, names)
+  return lists.unique(lists.joined(ordered, lists.sorted_names(others)))
 end
 
 --- Reads the argument `cases`: a list of { case, text, id }, and the names of the parameters. `text` is how messages
@@ -49,11 +46,10 @@ function cases.read(list)
   local names, result, seen = parameter_names(flat, ordered), {}, {}
   for i, case in ipairs(flat) do
     core.write_json(case, ("%s: cases[%d]"):format(where, i)) -- an error for what is no plain data
-    local parts = {}
-    for _, name in ipairs(names) do
-      if case[name] ~= nil then parts[#parts + 1] = ("%s=%s"):format(name, values.text(case[name], true)) end
-    end
-    local text = table.concat(parts, " ")
+    local own = lists.filter(names, function(name) return case[name] ~= nil end)
+    local text = table.concat(lists.map(own, function(name)
+      return ("%s=%s"):format(name, values.text(case[name], true))
+    end), " ")
     if seen[text] then
       core.fail(("%s: cases[%d] and cases[%d] are both called '%s': leave one out, or give their values different "
         .. "names"):format(where, seen[text], i, text))

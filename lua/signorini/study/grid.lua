@@ -4,21 +4,19 @@ local core = require "signorini.core"
 local counted = require "signorini.counted"
 local cut = require "signorini.cut"
 local format_table = require "signorini.table"
-local sorted_names = require("signorini.lists").sorted_names
+local lists = require "signorini.lists"
 local values = require "signorini.study.values"
 
 local most, widest = 20, 40 -- cases and characters of a value that print shows
 
 --- How many cases, and the first ones as rows of a table.
 local function shown(cases)
-  local names, rows = getmetatable(cases).parameters, {}
-  for i = 1, math.min(most, #cases) do
-    rows[i] = {}
-    for j, name in ipairs(names) do
-      local value = cases[i][name]
-      rows[i][j] = type(value) == "number" and value or cut(values.text(value), widest)
-    end
-  end
+  local names = getmetatable(cases).parameters
+  local rows = lists.map({ table.unpack(cases, 1, math.min(most, #cases)) }, function(case)
+    return lists.map(names, function(name)
+      return type(case[name]) == "number" and case[name] or cut(values.text(case[name]), widest)
+    end)
+  end)
   local more = #cases > most and ("\n… %d more"):format(#cases - most) or ""
   return ("%s\n%s%s"):format(counted(#cases, "case"), format_table{ columns = names, rows = rows }, more)
 end
@@ -27,15 +25,13 @@ return function(...)
   -- The order in which the parameters were given is for tables; it is no parameter itself.
   local cases, names, seen = { {} }, {}, {}
   for _, parameters in ipairs { ... } do
-    for _, name in ipairs(sorted_names(parameters)) do
+    for _, name in ipairs(lists.sorted_names(parameters)) do
       if seen[name] then core.fail(("sg.grid: the parameter '%s' is there twice"):format(name)) end
       seen[name], names[#names + 1] = true, name
       local longer = {}
       for _, case in ipairs(cases) do
         for _, value in ipairs(parameters[name]) do
-          local copy = { [name] = value }
-          for key, known in pairs(case) do copy[key] = known end
-          longer[#longer + 1] = copy
+          longer[#longer + 1] = lists.merged(case, { [name] = value })
         end
       end
       cases = longer

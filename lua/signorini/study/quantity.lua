@@ -1,5 +1,7 @@
 -- What the readers of a study pick from its rows: a column or a function, with its name, unit and axis label.
 
+local map = require("signorini.lists").map
+local outcomes = require "signorini.study.outcomes"
 local values = require "signorini.study.values"
 
 local quantity = {}
@@ -15,9 +17,9 @@ end
 
 --- "order = N2, mesh = m1"
 function quantity.case(study, row)
-  local parts = {}
-  for i, name in ipairs(study.parameters) do parts[i] = ("%s = %s"):format(name, values.text(row[name])) end
-  return table.concat(parts, ", ")
+  return table.concat(map(study.parameters, function(name)
+    return ("%s = %s"):format(name, values.text(row[name]))
+  end), ", ")
 end
 
 --- The number that it has in a row, or nil; a text or a number that is not finite is an error that names the case.
@@ -38,6 +40,24 @@ function quantity.title(q) return type(q.pick) == "string" and q.name or "" end
 --- A number with its name and unit: "wall = 1.25 s".
 function quantity.stated(q, number)
   return ("%s = %.4g%s"):format(q.name, number, q.unit ~= "" and " " .. q.unit or "")
+end
+
+--- The cases that count as points { row, place in the study, a number for the key of each quantity }, and those that
+--- fail or lack a quantity as { row, why }. keep(row): which count; judge(point): why a point is none, or nil.
+function quantity.points(study, quantities, keep, judge)
+  local points, left_out = {}, {}
+  for i, row in ipairs(study.rows) do
+    if not keep or keep(row) then
+      local point, why = { row = row, place = i }, row.failed and outcomes.line(row) or nil
+      for _, q in ipairs(why and {} or quantities) do
+        point[q.key] = quantity.number(q, row)
+        why = why or not point[q.key] and "no " .. q.name or nil
+      end
+      why = why or judge and judge(point)
+      if why then left_out[#left_out + 1] = { row = row, why = why } else points[#points + 1] = point end
+    end
+  end
+  return points, left_out
 end
 
 return quantity

@@ -6,12 +6,15 @@
 
 local check = require "signorini.check"
 local core = require "signorini.core"
-local holds = require("signorini.lists").holds
+local lists = require "signorini.lists"
 local number_text = require "signorini.number_text"
 local outcomes = require "signorini.study.outcomes"
 local types = require "signorini.types"
 
 local values = {}
+
+--- What every case has besides its parameters and figures.
+values.accounts = { "wall", "failed", "outcome", "reason" }
 
 --- Whether two values of plain data are equal, tables entry by entry.
 function values.same(a, b)
@@ -29,8 +32,7 @@ end
 function values.text(value, exactly)
   if type(value) == "table" then
     if value.name then return values.text(value.name, exactly) end
-    local texts = {}
-    for i, entry in ipairs(value) do texts[i] = values.text(entry, exactly) end
+    local texts = lists.map(value, function(entry) return values.text(entry, exactly) end)
     if #texts > 0 then return table.concat(texts, "×") end
     for key, entry in pairs(value) do texts[#texts + 1] = ("%s=%s"):format(key, values.text(entry, exactly)) end
     table.sort(texts)
@@ -42,32 +44,23 @@ end
 
 --- The names of all figures that records or cells have, sorted; lists are none that a table could show.
 function values.figure_names(holders)
-  local names, seen = {}, {}
+  local names = {}
   for _, holder in pairs(holders) do
-    for name, value in pairs(holder.figures) do
-      if type(value) ~= "table" and not seen[name] then seen[name], names[#names + 1] = true, name end
-    end
+    for name, value in pairs(holder.figures) do names[name] = type(value) ~= "table" or names[name] end
   end
-  table.sort(names)
-  return names
+  return lists.sorted_names(names)
 end
 
 --- All columns of a study by name: parameters, figures, then the accounts that every case has.
 function values.columns(study)
-  local names, seen = {}, {}
-  for _, list in ipairs { study.parameters, study.figures, { "wall", "failed", "outcome", "reason" } } do
-    for _, name in ipairs(list) do
-      if not seen[name] then seen[name], names[#names + 1] = true, name end
-    end
-  end
-  return names
+  return lists.unique(lists.joined(study.parameters, study.figures, values.accounts))
 end
 
 --- Raises an error about a figure that no case has because none came out: its name may be right, and the reason is the
 --- cure.
 function values.check_known(where, name, study)
   local columns = values.columns(study)
-  if type(name) ~= "string" or holds(columns, name) or core.nearest(name, columns) then return end
+  if type(name) ~= "string" or lists.holds(columns, name) or core.nearest(name, columns) then return end
   local why = outcomes.why_none(study)
   if why then core.fail(("%s: no case has '%s': %s"):format(where, name, why)) end
 end

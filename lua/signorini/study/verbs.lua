@@ -9,23 +9,22 @@ local cut = require "signorini.cut"
 local filter = require "signorini.study.filter"
 local in_name_of = require "signorini.in_name_of"
 local format_table = require "signorini.table"
-local holds = require("signorini.lists").holds
+local lists = require "signorini.lists"
 local median = require "signorini.median"
 local outcomes = require "signorini.study.outcomes"
 local pictures = require "signorini.study.pictures"
 local types = require "signorini.types"
 local values = require "signorini.study.values"
 
+local map = lists.map
 local widest = 60 -- characters of a cell that is printed
 
 local verbs = { chart = pictures.chart, heatmap = pictures.heatmap }
 
 --- A study of these rows; `more` replaces what else is not as in the old one.
 local function part_of(study, rows, more)
-  local part = { name = study.name, parameters = study.parameters, figures = study.figures, units = study.units,
-                 rows = rows, whole = study.whole or study }
-  for key, value in pairs(more or {}) do part[key] = value end
-  return setmetatable(part, getmetatable(study))
+  return setmetatable(lists.merged({ name = study.name, parameters = study.parameters, figures = study.figures,
+    units = study.units, rows = rows, whole = study.whole or study }, more), getmetatable(study))
 end
 
 -- ── Choosing ─────────────────────────────────────────────────────────────────────────────────────────────────────────
@@ -43,18 +42,9 @@ end
 
 --- The rows in lists that share the values of some columns, in the order in which these first appear.
 local function grouped(rows, names)
-  local groups, by_key = {}, {}
-  for _, row in ipairs(rows) do
-    local words = {}
-    for i, name in ipairs(names) do words[i] = type(row[name]) .. values.text(row[name], true) end
-    local key = table.concat(words, "\0")
-    if not by_key[key] then
-      by_key[key] = {}
-      groups[#groups + 1] = by_key[key]
-    end
-    table.insert(by_key[key], row)
-  end
-  return groups
+  return lists.grouped(rows, function(row)
+    return table.concat(map(names, function(name) return type(row[name]) .. values.text(row[name], true) end), "\0")
+  end)
 end
 
 function verbs:by(name)
@@ -70,35 +60,28 @@ end
 
 function verbs:column(name)
   values.column("study:column", "name", name, self)
-  local list = {}
-  for i, row in ipairs(self.rows) do
-    list[i] = row[name]
-    if list[i] == nil then list[i] = 0 / 0 end
-  end
-  return list
+  return map(self.rows, function(row)
+    if row[name] == nil then return 0 / 0 end
+    return row[name]
+  end)
 end
 
 function verbs:with(name, make, unit)
-  if holds(self.parameters, name) then
+  if lists.holds(self.parameters, name) then
     core.fail(("study:with: '%s' is a parameter: choose another name"):format(name))
   end
-  local rows, figures, units = {}, { name }, { [name] = unit }
+  local rows, units = {}, lists.merged(self.units)
   for i, row in ipairs(self.rows) do
-    local copy = {}
-    for key, value in pairs(row) do copy[key] = value end
-    copy[name] = make(row)
-    if type(copy[name]) == "number" and copy[name] ~= copy[name] then
+    rows[i] = lists.merged(row)
+    local value = make(row)
+    if value ~= value then
       core.fail(("study:with: %s is nan in row %d: return nil for what is not known"):format(name, i))
     end
-    rows[i] = copy
+    rows[i][name] = value
   end
-  for _, known in ipairs(self.figures) do
-    if known ~= name then table.insert(figures, #figures, known) end
-  end
-  for key, value in pairs(self.units) do
-    if key ~= name then units[key] = value end
-  end
-  return part_of(self, rows, { figures = figures, units = units })
+  units[name] = unit
+  local others = lists.filter(self.figures, function(known) return known ~= name end)
+  return part_of(self, rows, { figures = lists.joined(others, { name }), units = units })
 end
 
 --- One row of several that differ in one parameter only: numbers by their median, all else as in the first row that
@@ -124,15 +107,13 @@ end
 
 function verbs:median(name)
   check.value(types.choice(self.parameters), name, "study:median", "name")
-  local kept, rows = {}, {}
-  for _, parameter in ipairs(self.parameters) do
-    if parameter ~= name then kept[#kept + 1] = parameter end
-  end
-  for i, group in ipairs(grouped(self.rows, kept)) do
-    rows[i] = merge(group, name)
+  local kept = lists.filter(self.parameters, function(parameter) return parameter ~= name end)
+  local rows = map(grouped(self.rows, kept), function(group)
+    local row = merge(group, name)
     -- A parameter is no measurement: what all rows of the group share stays the bits that it was.
-    for _, parameter in ipairs(kept) do rows[i][parameter] = group[1][parameter] end
-  end
+    for _, parameter in ipairs(kept) do row[parameter] = group[1][parameter] end
+    return row
+  end)
   return part_of(self, rows, { parameters = kept })
 end
 
@@ -140,13 +121,10 @@ end
 
 --- Columns that tell something: outcome and reason only where there is one.
 local function telling_columns(study)
-  local names = {}
-  for _, name in ipairs(values.columns(study)) do
-    local told = name ~= "failed" and name ~= "outcome" and name ~= "reason"
-    for _, row in ipairs(study.rows) do told = told or (name ~= "failed" and row[name] ~= nil) end
-    if told then names[#names + 1] = name end
-  end
-  return names
+  return lists.filter(values.columns(study), function(name)
+    local is_account = name == "outcome" or name == "reason"
+    return name ~= "failed" and (not is_account or lists.any(study.rows, function(row) return row[name] ~= nil end))
+  end)
 end
 
 --- Whether one value stands before another: numbers before texts, what is missing last.
@@ -158,7 +136,7 @@ local function before(a, b)
 end
 
 local function sorted_rows(where, study, sort)
-  local rows = table.move(study.rows, 1, #study.rows, 1, {})
+  local rows = lists.joined(study.rows)
   if sort == nil then return rows end
   local names, place = type(sort) == "table" and sort or { sort }, {}
   for _, name in ipairs(names) do values.column(where, "sort", name, study) end
@@ -174,20 +152,18 @@ end
 
 --- The columns, units and rows of a table, values as texts where a cell could not hold them.
 local function read_table(where, study, options)
-  local columns, units, rows = options.columns or telling_columns(study), {}, {}
-  for j, name in ipairs(columns) do
+  local columns = options.columns or telling_columns(study)
+  local units = map(columns, function(name, j)
     values.column(where, ("columns[%d]"):format(j), name, study)
-    units[j] = study.units[name] or ""
-  end
-  for i, row in ipairs(sorted_rows(where, study, options.sort)) do
-    rows[i] = {}
-    for j, name in ipairs(columns) do
+    return study.units[name] or ""
+  end)
+  local rows = map(sorted_rows(where, study, options.sort), function(row)
+    return map(columns, function(name)
       local value = row[name]
-      if type(value) == "table" or type(value) == "boolean" then value = values.text(value) end
-      if name == "reason" and value then value = value:match "^[^\n]*" end
-      rows[i][j] = value
-    end
-  end
+      if name == "reason" and value then return value:match "^[^\n]*" end
+      return (type(value) == "table" or type(value) == "boolean") and values.text(value) or value
+    end)
+  end)
   return columns, units, rows
 end
 

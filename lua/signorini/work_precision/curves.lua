@@ -1,5 +1,7 @@
 -- Points of error and time as curves, their Pareto front, and times at equal error.
 
+local joined = require("signorini.lists").joined
+
 local curves = {}
 
 local function before(a, b)
@@ -9,7 +11,7 @@ end
 
 --- The points, by time; where times are equal, the better one first.
 function curves.sorted(points)
-  local list = table.move(points, 1, #points, 1, {})
+  local list = joined(points)
   table.sort(list, before)
   return list
 end
