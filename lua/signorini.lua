@@ -44,13 +44,11 @@ methods.offer(sg, "sg")
 
 -- A misspelt name of the language is an error, not nil; print(sg) shows the names.
 local language = require "signorini.show.language"
+local sorted_names = require("signorini.lists").sorted_names
 local function strict(entries, path)
   setmetatable(entries, { __index = function(_, key)
-    local known = {}
-    for name in next, entries do known[#known + 1] = name end
-    local meant = core.nearest(tostring(key), known)
     core.fail(("there is no %s.%s%s"):format(path, tostring(key),
-      meant and ("; did you mean '%s'?"):format(meant) or ""))
+      require "signorini.meant"(tostring(key), sorted_names(entries))))
   end, __tostring = function() return language.of_table(entries, path) end })
 end
 for _, name in ipairs { "shapes", "nurbs", "rigid", "csv" } do strict(sg[name], "sg." .. name) end

@@ -5,7 +5,8 @@ local core = require "signorini.core"
 local cut = require "signorini.cut"
 local pages = require "signorini.pages"
 local scripts = require "signorini.help.scripts"
-local sorted = require("signorini.lists").sorted_names
+local lists = require "signorini.lists"
+local meant = require "signorini.meant"
 local texts = require "signorini.help.texts"
 
 local width, widest_head = 118, 46 -- characters of a line, and of what stands on its left
@@ -23,15 +24,13 @@ end
 
 --- Pages in a line each: how to call the function, and the first sentence.
 local function list(title, found)
-  local entries = {}
-  for i, page in ipairs(found) do entries[i] = { pages.short_head(page, widest_head), pages.summary(page) } end
-  return title .. "\n" .. two_columns(entries)
+  return title .. "\n" .. two_columns(lists.map(found, function(page)
+    return { pages.short_head(page, widest_head), pages.summary(page) }
+  end))
 end
 
 local function script_list(title, found)
-  local entries = {}
-  for i, script in ipairs(found) do entries[i] = { script.name, script.title } end
-  return title .. "\n" .. two_columns(entries)
+  return title .. "\n" .. two_columns(lists.map(found, function(script) return { script.name, script.title } end))
 end
 
 --- Every script, with how to run them.
@@ -50,8 +49,7 @@ local function table_page(value)
     end
   end
   collect(value, 1)
-  local found = {}
-  for _, name in ipairs(sorted(names)) do found[#found + 1] = pages.find(name) end
+  local found = lists.map(lists.filter(lists.sorted_names(names), pages.find), pages.find)
   if #found == 0 then return "This table has no help page. help() shows where to begin." end
   return list("It holds:", found)
 end
@@ -86,9 +84,8 @@ local function no_page(word)
   local known = words()
   for _, name in ipairs(pages.names()) do known[name:match "[^.:]+$"] = true end
   for _, script in ipairs(scripts.all()) do known[script.name] = true end
-  local meant = core.nearest(word, sorted(known))
-  return ("There is no page on '%s'%s"):format(word, meant and ("; did you mean '%s'?"):format(meant)
-    or ". help() shows where to begin.")
+  local hint = meant(word, lists.sorted_names(known))
+  return ("There is no page on '%s'%s"):format(word, hint ~= "" and hint or ". help() shows where to begin.")
 end
 
 --- The group of pages of a word such as "patches".
@@ -130,7 +127,7 @@ end
 local help = {}
 
 --- What Tab offers behind help ".
-function help.words() return sorted(words()) end
+function help.words() return lists.sorted_names(words()) end
 
 --- sg.help.
 function help.show(...)

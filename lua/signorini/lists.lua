@@ -37,6 +37,16 @@ function lists.any(list, is)
   return false
 end
 
+--- The entry of which value(entry) is least, the first of several; those without such a value do not count.
+function lists.least(list, value)
+  local best, least
+  for _, entry in ipairs(list) do
+    local now = value(entry)
+    if now and not (best and now >= least) then best, least = entry, now end
+  end
+  return best
+end
+
 --- The entries of several lists, one list behind the other; of one list, a copy.
 function lists.joined(...)
   local all = {}

@@ -1,6 +1,7 @@
--- Tables of figures by name that refuse names they do not have.
+-- Tables of figures by name, and objects, that refuse names they do not have.
 
 local core = require "signorini.core"
+local meant = require "signorini.meant"
 
 local named = {}
 
@@ -12,9 +13,9 @@ function named.missing(what, name, known, entries)
     core.fail(("%s has no entry %s: it has %s; they are %s"):format(what, core.describe(name), entries,
       table.concat(known, ", ")))
   end
-  local meant = type(name) == "string" and core.nearest(name, known)
-  core.fail(("%s has no '%s'%s %s"):format(what, tostring(name),
-    meant and ("; did you mean '%s'? It has"):format(meant) or ": it has", table.concat(known, ", ")))
+  local hint = meant(name, known)
+  core.fail(("%s has no '%s'%s %s"):format(what, tostring(name), hint == "" and ": it has" or hint .. " It has",
+    table.concat(known, ", ")))
 end
 
 --- The table itself; from now on what it does not have is an error, not nil. `by_number`: see named.missing.
@@ -24,6 +25,25 @@ function named.strict(what, entries, by_number)
     for key in next, entries do known[#known + 1] = key end
     named.missing(what, name, known, by_number)
   end })
+end
+
+--- Makes the type of objects strict, such as runs and studies: another name than those of the fields on its page and of
+--- the methods that have one is an error, but for private ones, words of a text, which may be missing. Returns these as
+--- a set.
+function named.strict_type(methods, noun, private)
+  local may_be_missing = {}
+  for name in private:gmatch "%S+" do may_be_missing[name] = true end
+  setmetatable(methods, { __index = function(_, name)
+    if may_be_missing[name] or type(name) == "string" and name:find "^__" then return nil end
+    if type(name) == "number" and rawget(methods, "__len") then return nil end -- as of any list
+    local pages = require "signorini.pages"
+    local known = pages.keys(pages.find(noun).fields)
+    for method in next, methods do
+      if pages.find(("%s:%s"):format(noun, method)) then known[#known + 1] = method end
+    end
+    named.missing("a " .. noun, name, known)
+  end })
+  return may_be_missing
 end
 
 return named

@@ -5,6 +5,7 @@
 
 local core = require "signorini.core"
 local check = require "signorini.check"
+local lists = require "signorini.lists"
 local t = require "signorini.types"
 
 local profile = {}
@@ -17,11 +18,9 @@ local function column(where, name, data, key, argument)
   if type(values) == "table" and #values == #data.x then
     return check.value(t.numbers(), values, where, ("%s.%s"):format(name, key))
   end
-  local known = {}
-  for other, list in pairs(data) do
-    if type(list) == "table" and type(list[1]) == "number" then known[#known + 1] = other end
-  end
-  table.sort(known)
+  local known = lists.filter(lists.sorted_names(data), function(other)
+    return type(data[other]) == "table" and type(data[other][1]) == "number"
+  end)
   core.fail(("%s: %s has no list '%s' as long as %s.x, which %s asks for; known: %s"):format(where, name, tostring(key),
     name, argument, table.concat(known, ", ")))
 end
@@ -29,15 +28,11 @@ end
 --- The coordinate of every point. A function gets one point at a time, as a table of its values by name.
 local function coordinates(where, name, data, coordinate)
   if type(coordinate) == "string" then return column(where, name, data, coordinate, "coordinate") end
-  local list = {}
-  for i = 1, #data.x do
+  return lists.map(data.x, function(_, i)
     local point = {}
-    for key, values in pairs(data) do
-      if type(values) == "table" then point[key] = values[i] end
-    end
-    list[i] = check.value(t.number, coordinate(point), where, ("coordinate(%s.x[%d], …)"):format(name, i))
-  end
-  return list
+    for key, values in pairs(data) do point[key] = type(values) == "table" and values[i] or nil end
+    return check.value(t.number, coordinate(point), where, ("coordinate(%s.x[%d], …)"):format(name, i))
+  end)
 end
 
 --- Adds the points where the gap, linear in between, is zero, between one that carries a value and one that does not:
@@ -121,12 +116,8 @@ end
 
 --- The points of the quadrature, in order: those of one or both sides within the range, and the range's ends.
 local function nodes(sides, from, to)
-  local list = { from, to }
-  for _, side in ipairs(sides) do
-    for _, at in ipairs(side.s) do
-      if at > from and at < to then list[#list + 1] = at end
-    end
-  end
+  local own = lists.joined(sides[1].s, sides[2] and sides[2].s or {})
+  local list = lists.joined({ from, to }, lists.filter(own, function(at) return at > from and at < to end))
   table.sort(list)
   return list
 end

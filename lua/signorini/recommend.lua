@@ -6,6 +6,7 @@ local check = require "signorini.check"
 local core = require "signorini.core"
 local counted = require "signorini.counted"
 local format_table = require "signorini.table"
+local lists = require "signorini.lists"
 local progress = require "signorini.progress"
 local types = require "signorini.types"
 local values = require "signorini.study.values"
@@ -37,7 +38,7 @@ end
 
 --- Two levels tell nothing of an error when the second one is no finer.
 local function check_finer(search, label, level, unknowns)
-  local coarser = (search.by_level[level - 1] or {})[label]
+  local coarser = search.by_level[level - 1][label]
   if coarser and unknowns <= coarser.unknowns then
     core.fail(("%s: %s has %d unknowns on mesh %s and %d on mesh %s: meshes must run from coarse to fine, and scene "
       .. "use them"):format(where, label, coarser.unknowns, values.text(coarser.mesh), unknowns,
@@ -61,7 +62,6 @@ local function try(search, label, level)
   if run.failed then case.failed = run.reason else case.figure = measure(search, model, run) end
   search.interrupted = run.reason == "interrupted"
   search.tries[#search.tries + 1] = case
-  search.by_level[level] = search.by_level[level] or {}
   search.by_level[level][label] = case
   search.spent = search.spent + case.wall
   search.display:line(("recommend: %s, mesh %s: %s, %.2f s%s"):format(label, values.text(mesh),
@@ -83,14 +83,13 @@ local function distance(a, b)
     core.fail(("%s: error gave lists of %d and of %d numbers: give the values at the same places each time")
       :format(where, #a, #b))
   end
-  local difference, scale = {}, norm(b)
-  for i, value in ipairs(a) do difference[i] = value - b[i] end
+  local difference, scale = lists.map(a, function(value, i) return value - b[i] end), norm(b)
   if scale == 0 then core.fail(where .. ": the figure is zero, which has no relative error: measure something else") end
   return norm(difference) / scale
 end
 
 local function solved(search, level, label)
-  local case = search.by_level[level] and search.by_level[level][label]
+  local case = (search.by_level[level] or {})[label]
   return case and case.figure and case
 end
 
@@ -119,19 +118,16 @@ end
 
 --- The case of least work whose error is estimated to be within the tolerance.
 local function cheapest(search)
-  local best
-  for _, case in ipairs(search.tries) do
-    local enough = case.error and case.error <= search.at_most
-    if enough and (not best or case.work < best.work) then best = case end
-  end
-  return best
+  return lists.least(search.tries, function(case)
+    return case.error and case.error <= search.at_most and case.work
+  end)
 end
 
 --- Whether another label is twice as accurate on a level for about the same work: then this one need not be tried
 --- again.
 local function dominated(search, label, level)
   local case = solved(search, level, label)
-  for _, other in pairs(search.by_level[level] or {}) do
+  for _, other in pairs(search.by_level[level]) do
     if case and case.error and other.error and other.error < case.error / 2 and other.work < about * case.work then
       return true
     end
@@ -158,8 +154,7 @@ local function explore(search)
     local best = cheapest(search)
     if best or search.interrupted or (search.limit and search.spent > search.limit) then return best end
     for _, label in ipairs(search.labels) do
-      local known = search.by_level[level] and search.by_level[level][label]
-      if not known and level < #search.meshes and not dominated(search, label, level - 1) then
+      if not search.by_level[level][label] and level < #search.meshes and not dominated(search, label, level - 1) then
         try(search, label, level)
         if search.interrupted then return end
       end
@@ -180,10 +175,7 @@ local function verdict(search, best)
     return ("%s on mesh %s is enough: its error is about %.3g, estimated from the next level; allowed %.3g. %s.")
       :format(best.label, values.text(best.mesh), best.error, search.at_most, total)
   end
-  local nearest
-  for _, case in ipairs(search.tries) do
-    if case.error and (not nearest or case.error < nearest.error) then nearest = case end
-  end
+  local nearest = lists.least(search.tries, function(case) return case.error end)
   return ("None of these is known to be within %.3g%s. %s. Finer meshes may do.")
     :format(search.at_most, nearest and ("; %s on mesh %s comes nearest with %.3g"):format(nearest.label,
       values.text(nearest.mesh), nearest.error) or "", total)
@@ -191,19 +183,18 @@ end
 
 --- What was tried, and the verdict.
 function Recommendation:__tostring()
-  local rows = {}
-  for i, case in ipairs(self.tries) do
+  local rows = lists.map(self.tries, function(case)
     local figure = case.figure and (#case.figure == 1 and case.figure[1] or ("%d numbers"):format(#case.figure))
-    rows[i] = { case.label, values.text(case.mesh), case.unknowns, case.wall, case.failed or figure, case.error,
-                case.label == self.label and case.mesh == self.mesh and "enough" or "" }
-  end
+    return { case.label, values.text(case.mesh), case.unknowns, case.wall, case.failed or figure, case.error,
+             case.label == self.label and case.mesh == self.mesh and "enough" or "" }
+  end)
   return format_table{ columns = { "label", "mesh", "unknowns", "wall", "figure", "estimated error", "" },
-    units = { "", "", "", "s", "", "", "" }, rows = rows, formats = { [4] = "%.3f", [6] = "%.2e" } }
-    .. "\n" .. self.report
+    units = { [4] = "s" }, rows = rows, formats = { [4] = "%.3f", [6] = "%.2e" } } .. "\n" .. self.report
 end
 
 return function(search)
-  search.tries, search.by_level, search.spent, search.display = {}, {}, 0, progress(1)
+  search.tries, search.by_level, search.spent, search.display = {}, { [0] = {} }, 0, progress(1)
+  for level = 1, #search.meshes do search.by_level[level] = {} end
   local best = explore(search) or {}
   local result = setmetatable({ label = best.label, mesh = best.mesh, error = best.error, wall = best.wall,
     unknowns = best.unknowns, tries = search.tries, spent = search.spent,

@@ -2,6 +2,7 @@
 
 local core = require "signorini.core"
 local csv = require "signorini.csv"
+local meant = require "signorini.meant"
 local holds = require("signorini.lists").holds
 
 local reference = {}
@@ -18,9 +19,8 @@ end
 function reference.read(name)
   local names = reference.names()
   if not holds(names, name) then
-    local meant = core.nearest(name, names)
-    core.fail(("sg.reference: there is no table '%s'%s; there are %s"):format(name,
-      meant and ("; did you mean '%s'?"):format(meant) or "", table.concat(names, ", ")))
+    core.fail(("sg.reference: there is no table '%s'%s; there are %s"):format(name, meant(name, names),
+      table.concat(names, ", ")))
   end
   return csv.read(("%s/reference/%s.csv"):format(core.share, name))
 end

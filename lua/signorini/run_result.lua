@@ -13,7 +13,6 @@ local named = require "signorini.named"
 local path_controls = require "signorini.path_controls"
 local run_warnings = require "signorini.run_warnings"
 local states = require "signorini.states"
-local strict_run = require "signorini.strict_run"
 local t = require "signorini.types"
 
 local Run = {}
@@ -21,7 +20,16 @@ Run.__index = Run
 Run.__name = "run"
 core.types.run = Run
 
-strict_run(Run)
+-- What some runs have, or have while they go on. All else that is not there is misspelt.
+local private = named.strict_type(Run, "run", "cause report timings recorders before step")
+
+function Run:__newindex(name, value)
+  if not (rawget(self, "recorders") or private[name]) then -- it has ended
+    core.fail(("a run is a record, it takes no '%s': keep your own values in a variable, or return them from "
+      .. "on_step as columns"):format(tostring(name)))
+  end
+  rawset(self, name, value)
+end
 
 local axes = { "x", "y", "z" }
 local contact_columns = { "fx", "fy", "fz", "area", "max_pressure", "max_penetration" }

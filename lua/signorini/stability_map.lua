@@ -4,14 +4,15 @@
 local core = require "signorini.core"
 local counted = require "signorini.counted"
 local execute = require("signorini.study.execute").execute
-local figure_names = require("signorini.study.values").figure_names
 local file = require "signorini.stability_map.file"
 local format_table = require "signorini.table"
 local grid = require "signorini.study.grid"
+local lists = require "signorini.lists"
 local in_name_of = require "signorini.in_name_of"
 local make_study = require("signorini.study").make
 local pictures = require "signorini.stability_map.pictures"
 local solve_cell = require "signorini.stability_map.cell"
+local values = require "signorini.study.values"
 
 local where = "sg.stability_map"
 
@@ -22,13 +23,10 @@ core.types.map = Map
 
 -- ── Reading the arguments ────────────────────────────────────────────────────────────────────────────────────────────
 
--- What no parameter can be called: names that a case of the study has for itself.
-local accounts = { cell = true, wall = true, failed = true, outcome = true, reason = true }
-
 --- Raises an error unless a parameter can have its name, and each of its values is there once.
 local function check_axis(key, axis)
   local seen = {}
-  if accounts[axis.name] then
+  if axis.name == "cell" or lists.holds(values.accounts, axis.name) then -- a case of the study has them for itself
     core.fail(("%s: %s.name cannot be '%s', which every cell has: choose another name"):format(where, key, axis.name))
   end
   for _, value in ipairs(axis.values) do
@@ -79,7 +77,6 @@ end
 
 -- ── Reading (by the user) ────────────────────────────────────────────────────────────────────────────────────────────
 
-
 function Map:cell(x, y)
   local function place(key, axis, value)
     for i, known in ipairs(axis.values) do
@@ -93,25 +90,21 @@ end
 
 local function is_held(cell) return cell ~= nil and cell.outcome == "completed" end
 
-function Map:held()
-  local count = 0
-  for _, cell in ipairs(self.cells) do count = count + (is_held(cell) and 1 or 0) end
-  return count, #self.x.values * #self.y.values
-end
+function Map:held() return #lists.filter(self.cells, is_held), #self.x.values * #self.y.values end
 
 function Map:table()
   local columns = { self.x.name, self.y.name, "outcome", "reached", "increments", "iterations", "cut-backs", "rescues",
                     "wall" }
-  local units, formats = { "", "", "", "%", "", "", "", "", "s" }, { [4] = "%.1f", [9] = "%.2f" }
-  local figures, rows = figure_names(self.cells), {}
-  local first = #columns
-  for i, name in ipairs(figures) do columns[first + i], units[first + i], formats[first + i] = name, "", "%.4g" end
-  for r, cell in ipairs(self.cells) do
-    rows[r] = { cell.x, cell.y, cell.outcome, cell.reached and 100 * cell.reached, cell.increments, cell.iterations,
-                cell.cutbacks, cell.rescues, cell.wall }
-    for i, name in ipairs(figures) do rows[r][first + i] = cell.figures[name] end
-  end
-  return format_table { columns = columns, units = units, rows = rows, formats = formats }
+  local figures, first, formats = values.figure_names(self.cells), #columns, { [4] = "%.1f", [9] = "%.2f" }
+  for i = 1, #figures do formats[first + i] = "%.4g" end
+  local rows = lists.map(self.cells, function(cell)
+    local row = { cell.x, cell.y, cell.outcome, cell.reached and 100 * cell.reached, cell.increments, cell.iterations,
+                  cell.cutbacks, cell.rescues, cell.wall }
+    for i, name in ipairs(figures) do row[first + i] = cell.figures[name] end
+    return row
+  end)
+  return format_table { columns = lists.joined(columns, figures), units = { [4] = "%", [9] = "s" }, rows = rows,
+                        formats = formats }
 end
 
 function Map:csv(name) file.write("map:csv", name, self) end
@@ -121,9 +114,8 @@ function Map:compare(other)
   for _, y in ipairs(self.y.values) do
     for _, x in ipairs(self.x.values) do
       local here, there = is_held(self:cell(x, y)), is_held(other:cell(x, y))
-      local changed = here ~= there and (there and result.gained or result.lost)
-      if changed then
-        changed[#changed + 1] = { x, y }
+      if here ~= there then
+        table.insert(there and result.gained or result.lost, { x, y })
       else
         local key = here and "both" or "neither"
         result[key] = result[key] + 1
@@ -137,10 +129,8 @@ end
 function Map:__tostring()
   local held, total = self:held()
   local text = ("%s: %d of %s held\n%s"):format(self.name, held, counted(total, "cell"), self:table())
-  for _, cell in ipairs(self.cells) do
-    if cell.outcome == "error" then return ("%s\nerror at %s, %s: %s"):format(text, cell.x, cell.y, cell.report) end
-  end
-  return text
+  local lost = lists.filter(self.cells, function(cell) return cell.outcome == "error" end)[1]
+  return lost and ("%s\nerror at %s, %s: %s"):format(text, lost.x, lost.y, lost.report) or text
 end
 
 return function(options)

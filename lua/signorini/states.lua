@@ -9,7 +9,6 @@ State.__index = State
 State.__name = "state"
 core.types.state = State
 
-
 function State:__tostring() return ("state at %s"):format(self.title) end
 
 --- The steps of a list as a set.
@@ -46,14 +45,8 @@ function states.read(where, wanted, path, total)
   if type(wanted) == "function" then
     return { wants = function(step, info) return step > 0 and wanted(info()) end, last = false }
   end
-  local set
-  if wanted == nil then
-    set = ends(path)
-  elseif type(wanted) == "table" then
-    set = set_of(where, wanted, total)
-  else
-    set = spread(math.tointeger(wanted), total)
-  end
+  local set = wanted == nil and ends(path) or type(wanted) == "table" and set_of(where, wanted, total)
+    or spread(math.tointeger(wanted), total)
   return { wants = function(step) return set[step] end, last = type(wanted) ~= "table" }
 end
 

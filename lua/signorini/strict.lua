@@ -30,8 +30,7 @@ local function cure(name, level)
   if core.line_locals and core.line_locals[name] then
     return "; it was local to its line: leave out `local` at the prompt"
   end
-  local meant = core.nearest(name, names_in_sight(level + 1))
-  return meant and ("; did you mean '%s'?"):format(meant) or ""
+  return require "signorini.meant"(name, names_in_sight(level + 1))
 end
 
 setmetatable(_G, {

@@ -4,6 +4,7 @@ local check = require "signorini.check"
 local core = require "signorini.core"
 local execute = require "signorini.study.execute"
 local figure_names = require("signorini.study.values").figure_names
+local lists = require "signorini.lists"
 local named = require "signorini.named"
 local read_cases = require("signorini.study.cases").read
 local store = require "signorini.study.store"
@@ -11,34 +12,20 @@ local verbs = require "signorini.study.verbs"
 
 local where = "sg.study"
 
-local Study = { execute = execute.verb }
+local Study = lists.merged({ execute = execute.verb, __name = "study" }, verbs)
 Study.__index = Study
-Study.__name = "study"
 core.types.study = Study
-for name, verb in pairs(verbs) do Study[name] = verb end
 
 -- A part of a study has no cases but the whole that it was taken from, what it is not given has no inputs, and one that
 -- keeps nothing has no folder. All else that is not there is misspelt.
-local may_be_missing = { cases = true, inputs = true, whole = true, folder = true, parts = true, fresh = true,
-                         on_record = true }
-setmetatable(Study, { __index = function(_, name)
-  if may_be_missing[name] or type(name) ~= "string" or name:find "^__" then return nil end
-  local known = { "rows", "parameters", "figures", "units", "name", "folder" }
-  for method in next, Study do
-    if not method:find "^__" and core.names[Study[method]] then known[#known + 1] = method end -- those with a page
-  end
-  named.missing("a study", name, known)
-end })
+named.strict_type(Study, "study", "cases inputs whole folder parts fresh on_record")
 
 -- ── From records to rows ─────────────────────────────────────────────────────────────────────────────────────────────
 
 --- The row of a case: its parameters and figures by name, wall (s; the figure of that name where run returned one), and
 --- failed, outcome, reason of a case that did not come out.
 function Study:row_of(entry, record)
-  local row = { wall = record.wall }
-  for _, source in ipairs { entry.case, record.figures } do
-    for name, value in pairs(source) do row[name] = value end
-  end
+  local row = lists.merged({ wall = record.wall }, entry.case, record.figures)
   if record.outcome ~= "done" then
     row.failed, row.outcome, row.reason = true, record.outcome, record.reason or record.outcome
   end
@@ -56,8 +43,7 @@ end
 function Study:read()
   if not self.cases then core.fail "study:read: this is a part of a study: read the study that it was taken from" end
   store.check("study:read", self)
-  self.records = {}
-  for i, entry in ipairs(self.cases) do self.records[i] = (store.read(self, entry)) end
+  self.records = lists.map(self.cases, function(entry) return (store.read(self, entry)) end)
   self:gather()
   return self
 end

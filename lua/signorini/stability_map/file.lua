@@ -3,6 +3,7 @@
 local in_name_of = require "signorini.in_name_of"
 local core = require "signorini.core"
 local csv = require "signorini.csv"
+local lists = require "signorini.lists"
 local figure_names = require("signorini.study.values").figure_names
 
 local file = {}
@@ -16,16 +17,14 @@ end
 
 --- Writes a map's cells, one a row, for the function `where`.
 function file.write(where, name, map)
-  local data = { columns = table.move(columns, 1, #columns, 1, {}), rows = {}, comments = { title(map) } }
   local figures = figure_names(map.cells)
-  for i, figure in ipairs(figures) do data.columns[#columns + i] = "figure " .. figure end
-  for r, cell in ipairs(map.cells) do
-    local row = {}
-    for j, column in ipairs(columns) do row[j] = cell[column] end
+  local rows = lists.map(map.cells, function(cell)
+    local row = lists.map(columns, function(column) return cell[column] end)
     for i, figure in ipairs(figures) do row[#columns + i] = cell.figures[figure] end
-    data.rows[r] = row
-  end
-  in_name_of(where, "sg.csv.write", csv.write, name, data)
+    return row
+  end)
+  local heads = lists.joined(columns, lists.map(figures, function(figure) return "figure " .. figure end))
+  in_name_of(where, "sg.csv.write", csv.write, name, { columns = heads, rows = rows, comments = { title(map) } })
 end
 
 --- Whether there is a file of this map. One of anything else, or with cells that no folder keeps, is an error: it is

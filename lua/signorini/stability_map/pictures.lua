@@ -2,6 +2,7 @@
 
 local check = require "signorini.check"
 local core = require "signorini.core"
+local lists = require "signorini.lists"
 local types = require "signorini.types"
 local values = require "signorini.study.values"
 
@@ -26,15 +27,12 @@ end
 
 --- value(cell) for all cells as rows from y's first value on; nil where there is no cell or no value.
 local function grid(map, value)
-  local rows = {}
-  for j, y in ipairs(map.y.values) do
-    rows[j] = {}
-    for i, x in ipairs(map.x.values) do
+  return lists.map(map.y.values, function(y)
+    return lists.map(map.x.values, function(x)
       local cell = map:cell(x, y)
-      rows[j][i] = cell and value(cell)
-    end
-  end
-  return rows
+      return cell and value(cell)
+    end)
+  end)
 end
 
 --- The numbers of that name, short: accounts as texts, figures as numbers, which heat maps write with powers of ten.
@@ -48,7 +46,7 @@ end
 
 --- The map and the one beside it, with the titles of the two.
 local function read_maps(where, map, options)
-  if options.beside == nil then return { map } end
+  if options.beside == nil then return { map }, {} end
   local other = options.beside
   if not values.same({ map.x.values, map.y.values }, { other.x.values, other.y.values }) then
     core.fail(where .. ": beside is a map of other values: both need the same x and y to stand side by side")
@@ -56,42 +54,28 @@ local function read_maps(where, map, options)
   return { map, other }, options.titles or { map.name, other.name }
 end
 
+local function cells_of(maps)
+  return lists.joined(table.unpack(lists.map(maps, function(map) return map.cells end)))
+end
+
 --- Checks the name of something that a picture can show.
 local function check_name(where, argument, maps, name)
   local known = { "iterations", "reached", "increments", "steps", "cutbacks", "rescues", "wall" }
-  for _, map in ipairs(maps) do
-    for _, figure in ipairs(values.figure_names(map.cells)) do known[#known + 1] = figure end
-  end
-  check.value(types.choice(known), name, where, argument)
+  check.value(types.choice(lists.joined(known, values.figure_names(cells_of(maps)))), name, where, argument)
 end
 
 --- Draws one heat map, or two side by side. `panel(map)` gives what differs: values, texts.
 local function draw(chart, maps, titles, panel)
   local map = maps[1]
   chart.x, chart.y, chart.xlabel, chart.ylabel = map.x.values, map.y.values, map.x.name, map.y.name
-  if #maps == 1 then
-    for key, value in pairs(panel(map)) do chart[key] = value end
-  else
-    chart.panels = {}
-    for i, one in ipairs(maps) do
-      chart.panels[i] = panel(one)
-      chart.panels[i].title = titles[i]
-    end
-  end
-  core.sg.heatmap(chart)
+  local panels = lists.map(maps, function(one, i) return lists.merged(panel(one), { title = titles[i] }) end)
+  core.sg.heatmap(lists.merged(chart, #maps == 1 and panels[1] or { panels = panels }))
 end
 
 --- The fixed outcomes as categories, and behind them those that only these maps have.
 local function categories(maps)
-  local list, known = {}, {}
-  local function add(name)
-    if not known[name] then known[name], list[#list + 1] = true, { name = name } end
-  end
-  for _, name in ipairs(outcomes) do add(name) end
-  for _, map in ipairs(maps) do
-    for _, cell in ipairs(map.cells) do add(cell.outcome) end
-  end
-  return list
+  local met = lists.map(cells_of(maps), function(cell) return cell.outcome end)
+  return lists.map(lists.unique(lists.joined(outcomes, met)), function(name) return { name = name } end)
 end
 
 function pictures.outcomes(map, options)

@@ -64,8 +64,7 @@ local function split_alone(study, list)
   for _, i in ipairs(list) do
     local asks = study.alone
     if type(asks) == "function" then asks = asks(study.cases[i].case) end
-    local part = asks and alone or together
-    part[#part + 1] = i
+    table.insert(asks and alone or together, i)
   end
   return together, alone
 end

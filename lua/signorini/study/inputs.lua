@@ -111,9 +111,7 @@ end
 function inputs.difference(before, now)
   local names = {}
   for _, each in ipairs { before, now } do
-    for name in pairs(each) do
-      if before[name] ~= now[name] then names[name] = true end
-    end
+    for name in pairs(each) do names[name] = before[name] ~= now[name] or nil end
   end
   return sorted_names(names)
 end

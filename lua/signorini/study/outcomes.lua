@@ -1,6 +1,8 @@
 -- What became of the cases that did not come out, in words. row.outcome is "failed" where run said so, "time" where the
 -- limit ended it; an "error" or a process that "crashed" is no result, but something to mend.
 
+local lists = require "signorini.lists"
+
 local outcomes = {}
 
 local words = { error = "ended by an error", crashed = "crashed", time = "took too long" }
@@ -16,12 +18,10 @@ end
 
 --- "1 failed, 2 ended by an error" of rows, as a list; empty where all came out.
 function outcomes.counts(rows)
-  local counts, parts = {}, {}
-  for _, row in ipairs(rows) do
-    if row.failed then counts[row.outcome or "failed"] = (counts[row.outcome or "failed"] or 0) + 1 end
-  end
+  local parts = {}
   for _, outcome in ipairs { "failed", "time", "error", "crashed" } do
-    if counts[outcome] then parts[#parts + 1] = ("%d %s"):format(counts[outcome], words[outcome] or "failed") end
+    local count = #lists.filter(rows, function(row) return row.failed and (row.outcome or "failed") == outcome end)
+    if count > 0 then parts[#parts + 1] = ("%d %s"):format(count, words[outcome] or "failed") end
   end
   return parts
 end
@@ -29,9 +29,7 @@ end
 --- Why nothing came out of a study: how many of its rows failed and how the first one did. Nothing where one came out.
 function outcomes.why_none(study)
   if #study.rows == 0 then return study.cases and "none of its cases is done yet: execute the study" or nil end
-  for _, row in ipairs(study.rows) do
-    if not row.failed then return nil end
-  end
+  if lists.any(study.rows, function(row) return not row.failed end) then return nil end
   local counts, first = outcomes.counts(study.rows), outcomes.line(study.rows[1])
   if #counts == 1 then return ("%d of %d %s"):format(#study.rows, #study.rows, first) end
   return ("%s; the first one %s"):format(table.concat(counts, ", "), first)

@@ -2,7 +2,7 @@
 
 local check = require "signorini.check"
 local core = require "signorini.core"
-local holds = require("signorini.lists").holds
+local lists = require "signorini.lists"
 local outcomes = require "signorini.study.outcomes"
 local quantity = require "signorini.study.quantity"
 local types = require "signorini.types"
@@ -13,11 +13,9 @@ local pictures = {}
 --- The arguments that sg.chart or sg.heatmap take over: all but the `own` ones. A label that is missing is the
 --- quantity's own, a title the study's name.
 local function passed_on(study, options, own, labels)
-  local chart = { title = study.name }
-  for key, q in pairs(labels) do chart[key] = q.label ~= "" and q.label or nil end
-  for key, value in pairs(options) do
-    if not holds(own, key) then chart[key] = value end
-  end
+  local chart = lists.merged({ title = study.name }, options)
+  for _, key in ipairs(own) do chart[key] = nil end
+  for key, q in pairs(labels) do chart[key] = options[key] or q.label ~= "" and q.label or nil end
   return chart
 end
 
@@ -29,15 +27,13 @@ end
 
 --- Two rows where one was expected: says what tells them apart, and so what is missing.
 local function ambiguous(where, study, a, b, place, also)
-  local differing = {}
-  for _, name in ipairs(study.parameters) do
-    if not values.same(a[name], b[name]) then
-      differing[#differing + 1] = ("%s (%s, %s)"):format(name, values.text(a[name]), values.text(b[name]))
-    end
-  end
+  local differing = lists.filter(study.parameters, function(name) return not values.same(a[name], b[name]) end)
   if #differing == 0 then core.fail(("%s: the case %s is there twice"):format(where, place)) end
+  local texts = lists.map(differing, function(name)
+    return ("%s (%s, %s)"):format(name, values.text(a[name]), values.text(b[name]))
+  end)
   core.fail(("%s: more than one case at %s: they differ in %s: keep one value with study:where%s")
-    :format(where, place, table.concat(differing, ", "), also or ""))
+    :format(where, place, table.concat(texts, ", "), also or ""))
 end
 
 -- ── Charts ───────────────────────────────────────────────────────────────────────────────────────────────────────────
@@ -46,50 +42,43 @@ local most_ticks = 12 -- that are set to whole numbers
 local curve_options = { "markers", "dashed", "line", "width" }
 local own_options = { "x", "y", "series", table.unpack(curve_options) }
 
+--- The values of a column in their order, as texts.
+local function axis_texts(rows, column)
+  return lists.unique(lists.map(rows, function(row) return values.text(row[column], true) end))
+end
+
 --- Where the rows stand on the x axis: their numbers, or, where a column holds anything else, their place in the order
 --- in which the values first appear, with the names of these places.
 local function read_places(where, x, rows)
-  local plain = true
-  for _, row in ipairs(rows) do
-    local value = row[x.pick]
-    plain = plain and (type(x.pick) == "function" or value == nil or type(value) == "number")
-  end
-  if plain then return function(row) return quantity.number(x, row) end end
-  local names, places = {}, {}
-  local function place(row)
-    local name = quantity.text(x, row)
-    if name and not places[name] then
-      names[#names + 1] = { #names + 1, name }
-      places[name] = #names
-    end
-    return name and places[name]
-  end
-  for _, row in ipairs(rows) do place(row) end
-  return place, names
+  local is_odd = type(x.pick) ~= "function" and lists.any(rows, function(row)
+    return row[x.pick] ~= nil and type(row[x.pick]) ~= "number"
+  end)
+  if not is_odd then return function(row) return quantity.number(x, row) end end
+  local having = lists.filter(rows, function(row) return row[x.pick] ~= nil end)
+  local names, places = axis_texts(having, x.pick), {}
+  for i, name in ipairs(names) do places[name] = i end
+  return function(row) return places[quantity.text(x, row)] end,
+    lists.map(names, function(name, i) return { i, name } end)
 end
 
 --- One curve per series, each with the points { x, y, row } by x.
 local function read_curves(where, study, rows, x_of, y, series, alone)
-  local curves, by_name = {}, {}
-  for _, row in ipairs(rows) do
-    local name = series and quantity.text(series, row) or not series and "" or nil
+  local points = {}
+  for place, row in ipairs(rows) do
+    local name = not series and "" or quantity.text(series, row)
     local at, height = x_of(row), quantity.number(y, row)
     if name and at and height then
-      local curve = by_name[name]
-      if not curve then
-        curve = { name = name }
-        curves[#curves + 1], by_name[name] = curve, curve
-      end
-      curve[#curve + 1] = { x = at, y = height, row = row, place = #curve }
+      points[#points + 1] = { x = at, y = height, row = row, place = place, name = name }
     end
   end
+  local curves = lists.grouped(points, function(point) return point.name end)
   for _, curve in ipairs(curves) do
     table.sort(curve, function(a, b) return a.x < b.x or a.x == b.x and a.place < b.place end)
     for i = 2, alone and #curve or 1 do
       local a, b = curve[i - 1], curve[i]
       if a.x == b.x then
         local place = ("%s = %s"):format(alone, values.text(a.row[alone]))
-        local of = curve.name ~= "" and (" of the curve %s"):format(curve.name) or ""
+        local of = curve.key ~= "" and (" of the curve %s"):format(curve.key) or ""
         ambiguous(where, study, a.row, b.row, place .. of, ", or give each a curve of its own by series")
       end
     end
@@ -100,14 +89,10 @@ end
 --- Ticks at the values along x where these are few whole numbers with room between them, so that none stands at 1.5;
 --- else the axis chooses.
 local function whole_ticks(curves, log)
-  local seen, list = {}, {}
-  for _, curve in ipairs(curves) do
-    for _, point in ipairs(curve) do
-      local whole = math.tointeger(point.x)
-      if not whole then return nil end
-      if not seen[whole] then seen[whole], list[#list + 1] = true, whole end
-    end
-  end
+  local list = lists.unique(lists.map(lists.joined(table.unpack(curves)), function(point)
+    return math.tointeger(point.x) or point.x
+  end))
+  if lists.any(list, function(x) return math.type(x) == "float" end) then return nil end
   table.sort(list)
   if #list < 2 or #list > most_ticks then return nil end
   local function place(value) return log and math.log(value) or value end
@@ -120,19 +105,12 @@ local function whole_ticks(curves, log)
   return ticks
 end
 
-local function finished(study)
-  local rows = {}
-  for _, row in ipairs(study.rows) do
-    if not row.failed then rows[#rows + 1] = row end
-  end
-  return rows
-end
-
 function pictures.chart(study, options)
   local where = "study:chart"
   local x, y = quantity.read(where, "x", study, options.x), quantity.read(where, "y", study, options.y)
   local series = options.series and quantity.read(where, "series", study, options.series)
-  local rows, is_parameter = finished(study), holds(study.parameters, x.pick)
+  local rows = lists.filter(study.rows, function(row) return not row.failed end)
+  local is_parameter = lists.holds(study.parameters, x.pick)
   local x_of, names = read_places(where, x, rows)
   local curves = read_curves(where, study, rows, x_of, y, series, is_parameter and options.line and x.pick or nil)
   if #curves == 0 then nothing_to_draw(where, study, ("both %s and %s"):format(x.name, y.name), options.file) end
@@ -144,9 +122,9 @@ function pictures.chart(study, options)
   end
   chart.legend_title = chart.legend_title or series and quantity.title(series)
   for i, curve in ipairs(curves) do
-    chart[i] = { x = {}, y = {}, label = curve.name }
+    chart[i] = { x = lists.map(curve, function(point) return point.x end),
+                 y = lists.map(curve, function(point) return point.y end), label = curve.key }
     for _, key in ipairs(curve_options) do chart[i][key] = options[key] end
-    for j, point in ipairs(curve) do chart[i].x[j], chart[i].y[j] = point.x, point.y end
   end
   return core.sg.chart(chart)
 end
@@ -155,12 +133,8 @@ end
 
 --- A parameter's values in their order, as texts.
 local function read_axis(where, key, study, name)
-  local axis, seen = { name = check.value(types.choice(study.parameters), name, where, key), texts = {} }, {}
-  for _, row in ipairs(study.rows) do
-    local text = values.text(row[axis.name], true)
-    if not seen[text] then seen[text], axis.texts[#axis.texts + 1] = true, text end
-  end
-  return axis
+  check.value(types.choice(study.parameters), name, where, key)
+  return { name = name, texts = axis_texts(study.rows, name) }
 end
 
 --- The row of each cell: rows[y][x] by the axes' texts.
