@@ -5,6 +5,8 @@ local check_company = require "signorini.company"
 local core = require "signorini.core"
 local describe = require "signorini.describe"
 local fits = require "signorini.fits"
+local lists = require "signorini.lists"
+local meant = require "signorini.meant"
 local pages = require "signorini.pages"
 local types = require "signorini.types"
 
@@ -29,18 +31,18 @@ local function reject(where, name, expected, value, cure, row)
 end
 check.reject = reject
 
+--- Raises an error about a value that is not of a type.
+local function mismatch(of, value, where, name, row, cure) reject(where, name, describe.one(of), value, cure, row) end
+
 local function joined(words) return #words > 0 and table.concat(words, ", ") or "none" end
 
 --- Raises an error about keys that are none of the rows'.
 local function reject_unknown(where, name, value, unknown, rows)
   table.sort(unknown)
-  local known, parts = pages.keys(rows), {}
-  for i = 1, math.min(#unknown, most_unknown) do
-    local meant = core.nearest(unknown[i], known)
-    parts[i] = ("unknown argument '%s' (%s)%s"):format(unknown[i], core.describe(value[unknown[i]]),
-      meant and ("; did you mean '%s'?"):format(meant) or "")
-  end
-  local all = table.concat(parts, "; ")
+  local known = pages.keys(rows)
+  local all = table.concat(lists.map({ table.unpack(unknown, 1, most_unknown) }, function(key)
+    return ("unknown argument '%s' (%s)%s"):format(key, core.describe(value[key]), meant(key, known))
+  end), "; ")
   core.fail(("%s%s: %s%s known: %s"):format(where, name == "" and "" or ": " .. name, all, all:find "%?$" and "" or ";",
     joined(known)))
 end
@@ -76,9 +78,7 @@ end
 --- Whether a value is of the shape of a type, so that messages about it should be those of the type.
 local function resembles(of, value)
   if of.single and resembles(of.of, value) then return true end
-  for _, one in ipairs(of.kind == "either" and of or {}) do
-    if resembles(one, value) then return true end
-  end
+  if of.kind == "either" and lists.any(of, function(one) return resembles(one, value) end) then return true end
   if fits[of.kind] then return (fits[of.kind](of, value)) end
   if type(value) ~= "table" or pages.kind(value) ~= "table" then return false end
   local list = #value > 0
@@ -95,23 +95,29 @@ local function read_entry(of, list, i, where, name)
   return read(of, list[i], where, ("%s[%d]"):format(name, i))
 end
 
+--- A value that is no table of others; `whole`: the type of which messages about it speak.
+local function read_alone(of, value, whole, where, name, row)
+  local ok, cure, expected = (fits[of.kind] or fits.table)(of, value)
+  if not ok then
+    reject(where, name, expected or describe.one(whole), value, cure or of ~= whole and list_cure(whole, value), row)
+  end
+  return value
+end
+
 --- The list of a single entry that stands without braces.
 local function read_single(of, value, where, name, row)
-  local single = fits[of.of.kind]
-  if not single and (type(value) == "table" and of.of.kind ~= "either" or resembles(of.of, value)) then
+  if fits[of.of.kind] then return { read_alone(of.of, value, of, where, name, row) } end
+  if type(value) == "table" and of.of.kind ~= "either" or resembles(of.of, value) then
     return { read(of.of, value, where, name, row) }
   end
-  if not single then reject(where, name, describe.one(of), value, list_cure(of, value), row) end
-  local ok, cure, expected = single(of.of, value)
-  if not ok then reject(where, name, expected or describe.one(of), value, cure or list_cure(of, value), row) end
-  return { value }
+  mismatch(of, value, where, name, row, list_cure(of, value))
 end
 
 function reads.list(of, value, where, name, row)
   local count = length(value)
   if of.single and not count then return read_single(of, value, where, name, row) end
   local wrong = not count or of.size and count ~= of.size or of.least and count < of.least
-  if wrong then reject(where, name, describe.one(of), value, list_cure(of, value), row) end
+  if wrong then mismatch(of, value, where, name, row, list_cure(of, value)) end
   local copy
   for i = 1, count do
     local entry = read_entry(of.of, value, i, where, name)
@@ -133,14 +139,14 @@ local function wrong_cell(cells)
 end
 
 function reads.cells(of, value, where, name, row)
-  if type(value) ~= "table" then reject(where, name, describe.one(of), value, nil, row) end
+  if type(value) ~= "table" then mismatch(of, value, where, name, row) end
   local key, cell = wrong_cell(value)
   if key then reject(where, ("%s[%s]"):format(name, key), "a number, a string, true or false", cell) end
   return value
 end
 
 function reads.rows(of, value, where, name, row)
-  if type(value) ~= "table" then reject(where, name, describe.one(of), value, nil, row) end
+  if type(value) ~= "table" then mismatch(of, value, where, name, row) end
   for i, cells in ipairs(value) do
     if type(cells) ~= "table" or wrong_cell(cells) then
       reads.cells(types.cells, cells, where, ("%s[%d]"):format(name, i))
@@ -160,16 +166,15 @@ end
 
 function reads.point(of, value, where, name, row)
   local count = length(value)
-  if not count or count < of.low or count > of.high then
-    reject(where, name, describe.one(of), value, list_cure(of, value), row)
-  end
+  local wrong = not count or count < of.low or count > of.high
+  if wrong then mismatch(of, value, where, name, row, list_cure(of, value)) end
   for i = 1, count do read_entry(types.number, value, i, where, name) end
   return value
 end
 
 function reads.tuple(of, value, where, name, row)
   local count = length(value) or -1
-  if count < of.least or count > #of.of then reject(where, name, describe.one(of), value, list_cure(of, value), row) end
+  if count < of.least or count > #of.of then mismatch(of, value, where, name, row, list_cure(of, value)) end
   for i = 1, count do read_entry(of.of[i], value, i, where, name) end
   if of.rising and value[1] >= value[2] then
     core.fail(("%s: %s must rise, got %s: put the lower value first"):format(where, name, describe.literal(value)))
@@ -179,7 +184,7 @@ end
 
 function reads.points(of, value, where, name, row)
   local count = length(value)
-  if not count then reject(where, name, describe.one(of), value, list_cure(of, value), row) end
+  if not count then mismatch(of, value, where, name, row, list_cure(of, value)) end
   if count == 0 then reject(where, name, "a list of at least one point {{x, y}, …}", value, nil, row) end
   local point = type(value[1]) == "table" and #value[1] == 3 and types.space_point or types.plane_point
   for i = 1, count do
@@ -251,14 +256,14 @@ end
 
 function reads.named(of, value, where, name, row)
   if of.short and type(value) ~= "table" then
-    if not resembles(of.short[2], value) then reject(where, name, describe.one(of), value, nil, row) end
+    if not resembles(of.short[2], value) then mismatch(of, value, where, name, row) end
     value = { [of.short[1]] = value }
   end
   local rows = pages.rows(of.rows)
   local cure = of.cures and of.cures[pages.kind(value)]
   if type(value) ~= "table" or getmetatable(value) == false or cure then
     local first = rows[1] and type(rows[1]) == "table" and rows[1][1] .. " = …" or ""
-    reject(where, name, describe.one(of), value, cure or ("write %s = { %s }"):format(name, first), row)
+    mismatch(of, value, where, name, row, cure or ("write %s = { %s }"):format(name, first))
   end
   return read_named(rows, value, where, of.last and "" or name, of.rest)
 end
@@ -267,10 +272,9 @@ end
 function reads.switch(of, value, where, name, row)
   if value == false then return nil end
   if value == true then value = of.on end
-  local single = fits[of.of.kind]
-  if not single and type(value) == "table" then return read(of.of, value, where, name, row) end
-  local ok, cure = (single or fits.table)(of.of, value)
-  if not ok then reject(where, name, describe.one(of), value, cure, row) end
+  if not fits[of.of.kind] and type(value) == "table" then return read(of.of, value, where, name, row) end
+  local ok, cure = (fits[of.of.kind] or fits.table)(of.of, value)
+  if not ok then mismatch(of, value, where, name, row, cure) end
   return value
 end
 
@@ -287,9 +291,8 @@ local function reject_nameless(of, value, where, name)
 end
 
 function reads.map(of, value, where, name, row)
-  if type(value) ~= "table" or of.least and next(value) == nil then
-    reject(where, name, describe.one(of), value, "write { name = … }", row)
-  end
+  local wrong = type(value) ~= "table" or of.least and next(value) == nil
+  if wrong then mismatch(of, value, where, name, row, "write { name = … }") end
   reject_nameless(of.of, value, where, name)
   local whole = {}
   for key, entry in next, value do
@@ -304,11 +307,9 @@ end
 
 --- How many of a table's keys a type knows.
 local function known_keys(of, value)
-  local count = 0
-  for _, row in ipairs(of.kind == "named" and pages.rows(of.rows) or {}) do
-    if rawget(value, row[1]) ~= nil then count = count + 1 end
-  end
-  return count
+  return #lists.filter(of.kind == "named" and pages.rows(of.rows) or {}, function(row)
+    return rawget(value, row[1]) ~= nil
+  end)
 end
 
 --- The first type that fits; of several tables of named arguments the one that knows most of the keys.
@@ -334,11 +335,8 @@ function reads.either(of, value, where, name, row)
 end
 
 function read(of, value, where, name, row)
-  local single = fits[of.kind]
-  if not single then return reads[of.kind](of, value, where, name, row) end
-  local ok, cure, expected = single(of, value)
-  if not ok then reject(where, name, expected or describe.one(of), value, cure, row) end
-  return value
+  if reads[of.kind] then return reads[of.kind](of, value, where, name, row) end
+  return read_alone(of, value, of, where, name, row)
 end
 
 --- Checks a value against a type that depends on what no table knows, such as the components that a support drives;

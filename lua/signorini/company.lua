@@ -2,6 +2,7 @@
 
 local core = require "signorini.core"
 local describe = require "signorini.describe"
+local lists = require "signorini.lists"
 
 --- Raises an error about an argument that lacks what it belongs to, or has what it cannot be combined with.
 return function(row, value, where, prefix)
@@ -13,10 +14,7 @@ return function(row, value, where, prefix)
         why))
     end
   end
-  for _, other in ipairs(row.needs or {}) do
-    if rawget(value, other) ~= nil then return end
-  end
-  if row.needs then
+  if row.needs and not lists.any(row.needs, function(other) return rawget(value, other) ~= nil end) then
     core.fail(("%s: %s%s has no meaning without %s: add it, or leave %s out"):format(where, prefix, row[1],
       describe.alternatives(row.needs), row[1]))
   end

@@ -8,9 +8,8 @@ local check_rows = require "signorini.table_rows"
 local core = require "signorini.core"
 local counted = require "signorini.counted"
 local in_name_of = require "signorini.in_name_of"
+local lists = require "signorini.lists"
 local format_table = require "signorini.table"
-local number_text = require "signorini.number_text"
-local sorted_names = require("signorini.lists").sorted_names
 
 local csv = {}
 
@@ -37,7 +36,7 @@ local function field_text(value, texts, i, name)
       core.fail(("sg.csv.write: row %d, column '%s' is %s, not a finite number: leave the value out (nil) where there "
         .. "is none"):format(i, name, core.describe(value)))
     end
-    return number_text(value)
+    return core.number_text(value)
   end
   if type(value) == "boolean" then return tostring(value) end
   if not texts[value] then texts[value] = string_text(value) end
@@ -48,8 +47,7 @@ end
 local function column_names(data)
   local columns, seen, known = rawget(data, "columns"), {}, { { "columns" }, { "comments" }, { "rows" } }
   if not columns and not rawget(data, "rows") then
-    columns = {}
-    for _, name in ipairs(sorted_names(data)) do columns[#columns + 1] = name ~= "comments" and name or nil end
+    columns = lists.filter(lists.sorted_names(data), function(name) return name ~= "comments" end)
   end
   if not columns or #columns == 0 then
     core.fail "sg.csv.write: columns is missing: it must be a list of column names"
@@ -86,9 +84,10 @@ end
 local function file_text(data)
   local columns = column_names(data)
   local cell, count = cells(data, columns)
-  local lines, fields, texts = {}, {}, {}
-  for i, comment in ipairs(rawget(data, "comments") or {}) do lines[i] = "# " .. comment:gsub("[\r\n]+", " ") end
-  for j, name in ipairs(columns) do fields[j] = string_text(name) end
+  local fields, texts = lists.map(columns, string_text), {}
+  local lines = lists.map(rawget(data, "comments") or {}, function(comment)
+    return "# " .. comment:gsub("[\r\n]+", " ")
+  end)
   lines[#lines + 1] = table.concat(fields, ",")
   for i = 1, count do
     for j, name in ipairs(columns) do fields[j] = field_text(cell(i, j), texts, i, name) end
@@ -118,9 +117,8 @@ local function position(data, name)
 end
 
 function Data:column(name)
-  local j, values = position(self, name), {}
-  for i, row in ipairs(self.rows) do values[i] = row[j] end
-  return values
+  local j = position(self, name)
+  return lists.map(self.rows, function(row) return row[j] end)
 end
 
 function Data:by(name)
@@ -135,13 +133,9 @@ end
 
 --- The comments and the first rows as an aligned table.
 function Data:__tostring()
-  local most, lines = 20, {}
-  for i, comment in ipairs(self.comments) do lines[i] = "# " .. comment end
-  lines[#lines + 1] = format_table { columns = self.columns,
-    rows = table.move(self.rows, 1, math.min(most, #self.rows), 1, {}) }
-  if #self.rows > most then
-    lines[#lines + 1] = ("… %d more row%s"):format(#self.rows - most, #self.rows - most > 1 and "s" or "")
-  end
+  local most, lines = 20, lists.map(self.comments, function(comment) return "# " .. comment end)
+  lines[#lines + 1] = format_table { columns = self.columns, rows = { table.unpack(self.rows, 1, most) } }
+  if #self.rows > most then lines[#lines + 1] = ("… %s"):format(counted(#self.rows - most, "more row")) end
   return table.concat(lines, "\n")
 end
 

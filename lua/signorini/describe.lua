@@ -1,6 +1,7 @@
 -- Types of arguments in words: "a positive number", "a list of 2 numbers {x, y}", for messages and help pages.
 
-local number_text = require "signorini.number_text"
+local lists = require "signorini.lists"
+local number_text = require("signorini.core").number_text
 
 local describe = {}
 
@@ -59,9 +60,9 @@ function words.point(type)
 end
 
 function words.choice(type)
-  local quoted = {}
-  for i, word in ipairs(type.of) do quoted[i] = (math.type(word) and "%s" or "'%s'"):format(word) end
-  return describe.alternatives(quoted)
+  return describe.alternatives(lists.map(type.of, function(word)
+    return (math.type(word) and "%s" or "'%s'"):format(word)
+  end))
 end
 
 --- A list in words, without what may stand in its place. `ending`: what its type adds.
@@ -89,12 +90,7 @@ words["table"] = function() return "a table" end
 function words.map() return "a table of names { name = … }" end
 
 function words.either(type)
-  local each = {}
-  for _, one in ipairs(type) do
-    local text = describe.one(one)
-    if text ~= each[#each] then each[#each + 1] = text end
-  end
-  return describe.alternatives(each)
+  return describe.alternatives(lists.unique(lists.map(type, describe.one)))
 end
 
 function plurals.number(type) return limited("numbers", type) end
@@ -115,8 +111,7 @@ function describe.literal(value)
   if type(value) == "string" then return ('"%s"'):format(value) end
   if type(value) == "number" then return number_text(value) end
   if type(value) ~= "table" then return tostring(value) end
-  local parts = {}
-  for i, entry in ipairs(value) do parts[i] = describe.literal(entry) end
+  local parts = lists.map(value, describe.literal)
   for key, entry in next, value do
     if type(key) == "string" then parts[#parts + 1] = ("%s = %s"):format(key, describe.literal(entry)) end
   end

@@ -4,6 +4,8 @@
 
 local core = require "signorini.core"
 local describe = require "signorini.describe"
+local lists = require "signorini.lists"
+local meant = require "signorini.meant"
 local pages = require "signorini.pages"
 
 local fits = {}
@@ -55,12 +57,9 @@ function fits.integer(of, value)
 end
 
 function fits.choice(of, value)
-  for _, word in ipairs(of.of) do
-    if word == value then return true end
-  end
+  if lists.holds(of.of, value) then return true end
   if type(value) ~= "string" then return false, "write it in quotes" end
-  local meant = core.nearest(value, of.of)
-  return false, meant and ("did you mean '%s'?"):format(meant) or "take one of these"
+  return false, meant(value, of.of):match "did .*" or "take one of these"
 end
 
 function fits.object(of, value)

@@ -19,7 +19,8 @@
 
 local core = require "signorini.core"
 local describe = require "signorini.describe"
-local sorted_names = require("signorini.lists").sorted_names
+local lists = require "signorini.lists"
+local filter, map = lists.filter, lists.map
 
 local pages = {}
 
@@ -81,36 +82,27 @@ end
 --- The names of all pages, sorted.
 function pages.names()
   pages.groups()
-  return sorted_names(all)
+  return lists.sorted_names(all)
 end
 
 --- The row of a key, or nil.
 function pages.row(rows, key)
-  for _, row in ipairs(pages.rows(rows)) do
-    if type(row) == "table" and row[1] == key then return row end
-  end
+  return filter(pages.rows(rows), function(row) return type(row) == "table" and row[1] == key end)[1]
 end
 
 --- The keys of rows in their order, but for hidden ones.
 function pages.keys(rows)
-  local keys = {}
-  for _, row in ipairs(pages.rows(rows)) do
-    if type(row) == "table" and not row.hidden then keys[#keys + 1] = row[1] end
-  end
-  return keys
+  local shown = filter(pages.rows(rows), function(row) return type(row) == "table" and not row.hidden end)
+  return map(shown, function(row) return row[1] end)
 end
 
 --- Rows in a line, "a, b = 1".
 local function listed(rows)
-  local parts = {}
-  for _, row in ipairs(rows) do
-    if type(row) == "table" then
-      local default = row.default ~= nil and describe.literal(row.default)
-      parts[#parts + 1] = default and ("%s = %s"):format(row[1], default)
-        or row[2].last and ("{ %s }"):format(listed(pages.rows(row[2].rows))) or row[1]
-    end
-  end
-  return table.concat(parts, ", ")
+  local shown = filter(rows, function(row) return type(row) == "table" end)
+  return table.concat(map(shown, function(row)
+    return row.default ~= nil and ("%s = %s"):format(row[1], describe.literal(row.default))
+      or row[2].last and ("{ %s }"):format(listed(pages.rows(row[2].rows))) or row[1]
+  end), ", ")
 end
 
 local function call(page, inside)
@@ -123,7 +115,7 @@ function pages.shown(page)
   local rows = pages.rows(page.named or page.arguments or page.fields or {})
   if not page.entries then return rows end
   local noun, of, text = table.unpack(page.entries)
-  return table.move(rows, 1, #rows, 2, { { ("<%s>"):format(noun), of, text } })
+  return lists.joined({ { ("<%s>"):format(noun), of, text } }, rows)
 end
 
 --- Whether the argument of a row must be given.

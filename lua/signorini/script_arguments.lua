@@ -3,10 +3,11 @@
 local check = require "signorini.check"
 local core = require "signorini.core"
 local describe = require "signorini.describe"
-local number_text = require "signorini.number_text"
-local sorted = require("signorini.lists").sorted_names
+local lists = require "signorini.lists"
+local meant = require "signorini.meant"
 local types = require "signorini.types"
 
+local map, sorted = lists.map, lists.sorted_names
 local where = "sg.arguments"
 
 -- ── Words ────────────────────────────────────────────────────────────────────────────────────────────────────────────
@@ -45,23 +46,18 @@ end
 
 --- The kind of a list's entries: numbers when there are both whole ones and others, texts when the list is empty.
 local function kind_of_entries(list)
-  local found
-  for _, entry in ipairs(list) do
-    local one = kind_of(entry)
-    if not one or one == "flag" or found and found ~= one and (found == "text" or one == "text") then return nil end
-    found = (not found or found == one) and one or "number"
+  local function all(a, b)
+    return not lists.any(list, function(entry) return kind_of(entry) ~= a and kind_of(entry) ~= (b or a) end)
   end
-  return found or "text"
+  return all "text" and "text" or all "integer" and "integer" or all("integer", "number") and "number" or nil
 end
 
 --- A value as it would stand on the command line.
 local function text_of(value)
   if type(value) == "boolean" then return value and "yes" or "no" end
-  if type(value) == "number" then return number_text(value) end
+  if type(value) == "number" then return core.number_text(value) end
   if type(value) == "string" then return value end
-  local texts = {}
-  for i, entry in ipairs(value) do texts[i] = text_of(entry) end
-  return #texts > 0 and table.concat(texts, ",") or "none"
+  return #value > 0 and table.concat(map(value, text_of), ",") or "none"
 end
 
 --- The value that a text stands for; nil when it stands for none. Numbers are never integers, whose products can
@@ -176,14 +172,9 @@ end
 
 --- The argument that chooses a variant; nil when there is none.
 local function chooser_of(known)
-  local found
-  for _, name in ipairs(sorted(known)) do
-    if known[name].variants then
-      if found then core.fail(("%s: both %s and %s have variants"):format(where, found.name, name)) end
-      found = known[name]
-    end
-  end
-  return found
+  local found = lists.filter(sorted(known), function(name) return known[name].variants end)
+  if #found > 1 then core.fail(("%s: both %s and %s have variants"):format(where, found[1], found[2])) end
+  return known[found[1]]
 end
 
 --- The further arguments by variant; empty when there is no such choice.
@@ -202,49 +193,41 @@ end
 
 --- "name=default" of all arguments, sorted.
 local function listed(known)
-  local texts = {}
-  for i, name in ipairs(sorted(known)) do texts[i] = name .. "=" .. text_of(known[name].default) end
-  return texts
+  return map(sorted(known), function(name) return name .. "=" .. text_of(known[name].default) end)
 end
 
 --- One line per argument: its default and what it must be, one below the other unless a default is very long.
-local function add_page(lines, known)
-  local most, width = 54, 0
-  local texts = listed(known)
-  for _, text in ipairs(texts) do width = math.max(width, math.min(utf8.len(text), most)) end
-  for i, name in ipairs(sorted(known)) do
-    local blanks = (" "):rep(width - utf8.len(texts[i]))
-    lines[#lines + 1] = ("  %s%s  %s"):format(texts[i], blanks, known[name].words)
-  end
+local function page_of(known)
+  local most, texts = 54, listed(known)
+  local width = math.max(0, table.unpack(map(texts, function(text) return math.min(utf8.len(text), most) end)))
+  return map(sorted(known), function(name, i)
+    return ("  %s%s  %s"):format(texts[i], (" "):rep(width - utf8.len(texts[i])), known[name].words)
+  end)
 end
 
 --- Prints all arguments and ends the program.
 local function help(common, chooser, further)
   local script = arg and arg[0] and arg[0] ~= "" and arg[0] or "the script"
-  local lines = { ("Arguments of %s, with their defaults:"):format(script) }
-  add_page(lines, common)
+  local lines = lists.joined({ ("Arguments of %s, with their defaults:"):format(script) }, page_of(common))
   for _, variant in ipairs(chooser and chooser.choices or {}) do
-    lines[#lines + 1] = ("with %s=%s also:"):format(chooser.name, variant)
-    add_page(lines, further[variant])
+    lines = lists.joined(lines, { ("with %s=%s also:"):format(chooser.name, variant) }, page_of(further[variant]))
   end
-  lines[#lines + 1] = "Several values have commas in between: a,b,c."
-  print(table.concat(lines, "\n"))
+  print(table.concat(lines, "\n") .. "\nSeveral values have commas in between: a,b,c.")
   os.exit(true, true)
 end
 
 -- ── Reading ──────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 local function refuse_value(argument, text, part)
-  local meant = argument.choices and argument.kind == "text" and core.nearest(part, argument.choices)
   refuse(("%s must be %s, got %s%s"):format(argument.name, argument.words,
     text == "" and "nothing" or part == text and ("'%s'"):format(text) or ("'%s' in '%s'"):format(part, text),
-    meant and ("; did you mean '%s'?"):format(meant) or ""))
+    argument.kind == "text" and meant(part, argument.choices or {}) or ""))
 end
 
 --- An argument's value: the default, or what was given for it.
 local function value_of(argument, text)
   local list, default = {}, argument.default
-  if text == nil then return argument.list and table.move(default, 1, #default, 1, list) or default end
+  if text == nil then return argument.list and lists.joined(default) or default end
   if argument.none and text == "none" then return list end
   for part in text:gmatch(argument.list and "[^,]+" or ".+") do
     local value = parse(argument.kind, part)
@@ -264,14 +247,12 @@ local function check_words(texts, odd, known, chooser, further)
   end
   if odd then refuse_word(odd, ": arguments look like name=value; ") end
   for _, name in ipairs(sorted(texts)) do
-    local also, meant = {}, core.nearest(name, sorted(known))
-    for _, other in ipairs(chooser and chooser.choices or {}) do
-      if further[other][name] then also[#also + 1] = ("%s=%s"):format(chooser.name, other) end
-    end
     if not known[name] then
+      local others = lists.filter(chooser and chooser.choices or {}, function(other) return further[other][name] end)
+      local also = map(others, function(other) return ("%s=%s"):format(chooser.name, other) end)
+      local hint = meant(name, sorted(known))
       refuse_word(("%s=%s"):format(name, texts[name]), #also > 0
-        and (", which belongs to %s; "):format(table.concat(also, ", "))
-        or meant and ("; did you mean '%s'? "):format(meant) or "; ")
+        and (", which belongs to %s; "):format(table.concat(also, ", ")) or hint ~= "" and hint .. " " or "; ")
     end
   end
 end
@@ -285,11 +266,9 @@ return function(defaults, words)
     local name, text = word:match "^([%w_]+)=(.*)$"
     if name then texts[name] = text else odd = odd or word end -- the later of two counts
   end
-  local known, options = {}, {}
+  local options = {}
   if chooser then chooser.chosen = value_of(chooser, texts[chooser.name]) end
-  for _, entries in ipairs { common, chooser and further[chooser.chosen] } do
-    for name, argument in pairs(entries) do known[name] = argument end
-  end
+  local known = lists.merged(common, chooser and further[chooser.chosen])
   check_words(texts, odd, known, chooser, further)
   for _, name in ipairs(sorted(known)) do options[name] = value_of(known[name], texts[name]) end
   for _, name in ipairs(sorted(known)) do

@@ -7,7 +7,6 @@
 local check = require "signorini.check"
 local core = require "signorini.core"
 local lists = require "signorini.lists"
-local number_text = require "signorini.number_text"
 local outcomes = require "signorini.study.outcomes"
 local types = require "signorini.types"
 
@@ -39,7 +38,7 @@ function values.text(value, exactly)
     return table.concat(texts, " ")
   end
   if type(value) ~= "number" then return tostring(value) end
-  return (exactly or math.type(value) == "integer") and number_text(value) or ("%.6g"):format(value)
+  return (exactly or math.type(value) == "integer") and core.number_text(value) or ("%.6g"):format(value)
 end
 
 --- The names of all figures that records or cells have, sorted; lists are none that a table could show.
