@@ -2,12 +2,15 @@
 -- sg.body{ … also the named arguments that are not there yet.
 
 local core = require "signorini.core"
+local lists = require "signorini.lists"
 local place = require "signorini.complete.place"
 local pages = require "signorini.pages"
 local rows = require "signorini.complete.rows"
 
 local words = { "and", "break", "do", "else", "elseif", "end", "false", "for", "function", "goto", "if", "in", "local",
   "nil", "not", "or", "repeat", "return", "then", "true", "until", "while" }
+
+local function begins(text, beginning) return text:sub(1, #beginning) == beginning end
 
 --- The methods of a value whose type is written in Lua, such as a run; nothing of others.
 local function type_of(value)
@@ -60,16 +63,14 @@ local function candidates(path)
   local found = {}
   for _, entries in ipairs(tables) do
     for name, value in next, entries do
-      if type(name) == "string" and name:sub(1, #beginning) == beginning and
-         (sign ~= ":" or type(value) == "function") and offered(entries, name, value, sign) then
+      if type(name) == "string" and begins(name, beginning) and (sign ~= ":" or type(value) == "function")
+        and offered(entries, name, value, sign) then
         found[#found + 1] = owner .. sign .. name
       end
     end
   end
   if owner == "" and sign == "" then
-    for _, word in ipairs(words) do
-      if word:sub(1, #beginning) == beginning then found[#found + 1] = word end
-    end
+    found = lists.joined(found, lists.filter(words, function(word) return begins(word, beginning) end))
   end
   table.sort(found)
   return found
@@ -83,18 +84,15 @@ local function page_of(call)
   return name, name and name:find ":" and owner and (follow(owner)) or (follow(call.first))
 end
 
-local function begins(text, beginning) return text:sub(1, #beginning) == beginning end
-
 --- Named arguments that begin like this, where one may stand: behind the brace of a call or a comma.
 local function arguments(beginning, before)
-  local call, found = place.of(before), {}
+  local call = place.of(before)
   if not call or not call.in_braces or not (call.behind:find "^%s*$" or call.behind:find "[,;]%s*$") then return {} end
   local name, owner = page_of(call)
-  for _, key in ipairs(name and rows.names(name, call.argument, call.keys, owner) or {}) do
-    local taken = (";" .. call.behind):find("[,;%s]" .. key .. "%s*=")
-    if begins(key, beginning) and not taken then found[#found + 1] = key .. " = " end
-  end
-  return found
+  local free = lists.filter(name and rows.names(name, call.argument, call.keys, owner) or {}, function(key)
+    return begins(key, beginning) and not (";" .. call.behind):find("[,;%s]" .. key .. "%s*=")
+  end)
+  return lists.map(free, function(key) return key .. " = " end)
 end
 
 --- Texts that begin like this, behind a quotation mark.
@@ -104,14 +102,8 @@ local function texts(beginning, before)
   local name, owner = page_of(call)
   if not name then return {} end
   local key = call.behind:match "([%a_][%w_]*)%s*=%s*$"
-  local keys = table.move(call.keys, 1, #call.keys, 1, {})
-  keys[#keys + 1] = key
-  local listed, list = pcall(rows.texts, name, call.argument, keys, owner)
-  local found = {}
-  for _, text in ipairs(listed and list or {}) do
-    if begins(text, beginning) then found[#found + 1] = text end
-  end
-  return found
+  local listed, list = pcall(rows.texts, name, call.argument, lists.joined(call.keys, { key }), owner)
+  return lists.filter(listed and list or {}, function(text) return begins(text, beginning) end)
 end
 
 --- The completions of a word that stands behind a text, a list: of a path of names or, inside quotes, of a text. Where
@@ -122,6 +114,5 @@ return function(word, before)
   path = path or word
   local found = word:find "[.:/]" and {} or arguments(path, before)
   if #found == 0 then found = candidates(path) end
-  for i, name in ipairs(found) do found[i] = (divided or "") .. name end
-  return found
+  return lists.map(found, function(name) return (divided or "") .. name end)
 end

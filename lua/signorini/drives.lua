@@ -1,19 +1,26 @@
 -- What stages move: driven supports and loads, and how their components are called in messages and columns.
 
-local holds = require("signorini.lists").holds
+local lists = require "signorini.lists"
 
 local drives = {}
 
 --- Whether a name is that of a support, driven or not.
-function drives.is_support(model, name) return holds(model:support_names(), name) end
+function drives.is_support(model, name) return lists.holds(model:support_names(), name) end
 
 --- The components of a target in order: "ux", "uy" and "angle" of a support, "tx", "ty" or "pressure" of a load.
 function drives.components(model, name)
-  local letter, components = drives.is_support(model, name) and "u" or "t", {}
-  for i, component in ipairs(model:driven(name)) do
-    components[i] = #component == 1 and letter .. component or component
-  end
-  return components
+  local letter = drives.is_support(model, name) and "u" or "t"
+  return lists.map(model:driven(name), function(component)
+    return #component == 1 and letter .. component or component
+  end)
+end
+
+--- The names of the loads that act although none of the stages changes them.
+function drives.constant_loads(model, stages)
+  return lists.filter(model:load_names(), function(load)
+    return lists.any(model:target(load), function(value) return value ~= 0 end)
+      and not lists.any(stages, function(stage) return stage.targets[load] end)
+  end)
 end
 
 return drives

@@ -2,6 +2,8 @@
 -- work is summed by the trapezoidal rule, and slip is measured at the end of a step. What is missing falls linearly
 -- with the length of the steps, or faster.
 
+local drives = require "signorini.drives"
+local lists = require "signorini.lists"
 local path_controls = require "signorini.path_controls"
 
 local energy_balance = {}
@@ -18,37 +20,18 @@ end
 
 --- Whether a load acts at the start of a path that its first stage does not drive.
 function energy_balance.is_sudden(model, stage)
-  for _, name in ipairs(model:load_names()) do
-    if not stage.targets[name] then
-      for _, value in ipairs(model:target(name)) do
-        if value ~= 0 then return true end
-      end
-    end
-  end
-  return false
+  return #drives.constant_loads(model, { stage }) > 0
 end
 
 --- Whether a state was reached otherwise than along the path: by a fall that damping has caught, or on another branch.
-local function jumps(histories, first, last)
-  local some = table.move(histories, first, last, 1, {})
-  return #path_controls.departures(some) > 0 or path_controls.counts(some).damping ~= nil
-end
-
-local function increments(histories, first, last)
-  local count = 0
-  for step = first, last do
-    for _, attempt in ipairs(histories[step]) do count = count + (attempt.converged and 1 or 0) end
-  end
-  return count
+local function jumps(histories)
+  return #path_controls.departures(histories) > 0 or path_controls.counts(histories).damping ~= nil
 end
 
 --- Whether contact has acted: without it work and stored energy may both be rounding errors, as of a motion without
 --- stress.
 local function acts(list)
-  for _, state in ipairs(list) do
-    if state.contact ~= 0 or state.friction ~= 0 then return true end
-  end
-  return false
+  return lists.any(list, function(state) return state.contact ~= 0 or state.friction ~= 0 end)
 end
 
 --- A sentence on the stage in which most energy is missing; nothing where that is little. `list`: what was noted at the
@@ -63,10 +46,11 @@ function energy_balance.warning(run, list)
     local missing = math.abs(done - stored - friction - (b.contact - a.contact))
                     - math.max(math.abs(a.contact), math.abs(b.contact))
     local last = first + stage.steps - 1
+    local histories = table.move(run.histories, first, last, 1, {})
     work = work + math.max(math.abs(done), math.abs(stored), friction)
     if not a.sudden and last >= first and missing > (worst and worst.missing or 0)
-      and not jumps(run.histories, first, last) then
-      worst = { missing = missing, stage = stage, increments = increments(run.histories, first, last) }
+      and not jumps(histories) then
+      worst = { missing = missing, stage = stage, increments = #path_controls.accepted(histories) }
     end
     first = last + 1
   end

@@ -47,12 +47,15 @@ function lists.least(list, value)
   return best
 end
 
---- The entries of several lists, one list behind the other; of one list, a copy.
-function lists.joined(...)
-  local all = {}
-  for _, list in ipairs { ... } do table.move(list, 1, #list, #all + 1, all) end
-  return all
+--- The entries of the lists in a list, one list behind the other.
+function lists.flat(all)
+  local flat = {}
+  for _, list in ipairs(all) do table.move(list, 1, #list, #flat + 1, flat) end
+  return flat
 end
+
+--- The entries of several lists, one list behind the other; of one list, a copy.
+function lists.joined(...) return lists.flat { ... } end
 
 --- Each of the values once, where it first appears.
 function lists.unique(list)
@@ -85,6 +88,15 @@ function lists.merged(...)
     for key, value in next, entries do all[key] = value end
   end
   return all
+end
+
+--- The least and the largest value { low, high } of each coordinate of points.
+function lists.ranges(points)
+  return lists.map(points[1], function(_, d)
+    local low, high = math.huge, -math.huge
+    for _, point in ipairs(points) do low, high = math.min(low, point[d]), math.max(high, point[d]) end
+    return { low, high }
+  end)
 end
 
 return lists

@@ -3,17 +3,21 @@
 
 local counted = require "signorini.counted"
 local controls = require "signorini.controls"
+local lists = require "signorini.lists"
 
 local path_controls = {}
+
+--- The attempts at the steps of lists that have converged.
+function path_controls.accepted(histories)
+  return lists.filter(lists.flat(histories), function(attempt) return attempt.converged end)
+end
 
 --- How often each fallback has converged: a table by name.
 function path_controls.counts(histories)
   local counts = {}
-  for _, attempts in ipairs(histories) do
-    for _, attempt in ipairs(attempts) do
-      local name = attempt.converged and attempt.rescue
-      if name then counts[name] = (counts[name] or 0) + 1 end
-    end
+  for _, attempt in ipairs(path_controls.accepted(histories)) do
+    local name = attempt.rescue
+    if name then counts[name] = (counts[name] or 0) + 1 end
   end
   return counts
 end
@@ -22,13 +26,10 @@ end
 --- last resort.
 local function is_leap(attempts, index)
   local attempt = attempts[index]
-  for i = 1, index - 1 do
-    local before = attempts[i]
-    if not before.converged and not before.arc and before.from == attempt.from and before.to < attempt.to then
-      return true
-    end
-  end
-  return false
+  return lists.any(attempts, function(before, i)
+    return i < index and not before.converged and not before.arc and before.from == attempt.from
+      and before.to < attempt.to
+  end)
 end
 
 --- How an attempt that converged may have left the branch, in words; nothing where it cannot be blamed.
@@ -53,15 +54,19 @@ function path_controls.departures(histories)
   return found
 end
 
+--- Texts in a row; of long lists the first ones, and where to `see` the others.
+local function in_short(texts, most, comma, see)
+  local more = #texts > most and { ("and %d more, see %s"):format(#texts - most, see) } or {}
+  return table.concat(lists.joined({ table.unpack(texts, 1, most) }, more), comma)
+end
+
 --- A sentence on them; nothing when there are none.
 function path_controls.warning(run)
   local found = path_controls.departures(run.histories)
   if #found == 0 then return nil end
-  local texts, most = {}, 4
-  for i = 1, math.min(most, #found) do texts[i] = ("%s in step %d"):format(found[i].how, found[i].step) end
-  if #found > most then texts[#texts + 1] = ("and %d more, see run:attempts(step)"):format(#found - most) end
+  local texts = lists.map(found, function(one) return ("%s in step %d"):format(one.how, one.step) end)
   return ("fallbacks that may change to another branch of solutions were needed (%s): compare with more steps, or "
-    .. "follow the path with arc_length = true"):format(table.concat(texts, ", "))
+    .. "follow the path with arc_length = true"):format(in_short(texts, 4, ", ", "run:attempts(step)"))
 end
 
 --- Controls that are not the default ones, fallbacks and cuts, in one line; nothing where there are none.
@@ -80,13 +85,9 @@ end
 --- Where control changed, in words; long lists are cut short.
 local function changes_text(changes)
   if #changes == 0 then return nil end
-  local texts, most = {}, 6
-  for i = 1, math.min(most, #changes) do
-    local change = changes[i]
-    texts[i] = ("%s from %s in step %d (%s)"):format(change.to, change.place, change.step, change.reason)
-  end
-  if #changes > most then texts[#texts + 1] = ("and %d more, see run.controls"):format(#changes - most) end
-  return "control: " .. table.concat(texts, "; ")
+  return "control: " .. in_short(lists.map(changes, function(change)
+    return ("%s from %s in step %d (%s)"):format(change.to, change.place, change.step, change.reason)
+  end), 6, "; ", "run.controls")
 end
 
 --- The lines on controls in the table of a run.

@@ -4,12 +4,13 @@
 local core = require "signorini.core"
 local arc_length = require "signorini.arc_length"
 local check = require "signorini.check"
+local checkpoint = require "signorini.checkpoint"
 local controls = require "signorini.controls"
 local drives = require "signorini.drives"
 local jumps = require "signorini.jumps"
+local lists = require "signorini.lists"
 local progress = require "signorini.progress"
 local read_stages = require "signorini.run_stages"
-local run_options = require "signorini.run_options"
 local run_warnings = require "signorini.run_warnings"
 local states = require "signorini.states"
 local steps = require "signorini.steps"
@@ -21,13 +22,32 @@ local longest_chord = 1.25 -- of an arc, in lengths along its tangent: the two d
 
 -- ── Reading the arguments ────────────────────────────────────────────────────────────────────────────────────────────
 
---- The controls of a run: what run_options.lua makes, `tries` (see controls.lua), and which states are kept.
+--- What is on already, in the words of model:diagnose. Rescues try damping, a line search and pseudo-transient
+--- continuation by themselves.
+local function controls_on(options)
+  local newton = options.newton
+  local is_on = {
+    step = options.step.adaptive, line_search = newton.line_search ~= "none" or options.rescue,
+    damping = options.damping or options.rescue, pseudo_transient = options.pseudo_transient or options.rescue,
+    active_set_changes = newton.active_set_changes > 0, arc_length = options.arc_length, penalty = options.penalty,
+  }
+  return lists.filter(lists.sorted_names(is_on), function(name) return is_on[name] end)
+end
+
+--- The options themselves, with { solver (what model:solve_step takes), tries (see controls.lua), policy (see
+--- steps.lua), on (controls that are), keeper (of checkpoints), states (that are kept) }.
 local function read_options(model, options, path, total)
-  local read = run_options(options)
-  read.tries = read.rescue and controls.rescues(model, read.solver) or {}
-  read.states = states.read(where, options.states, path, total)
-  if read.threads then core.set_threads(read.threads) end -- not for a run that is refused
-  return read
+  options.solver = lists.merged(options.newton)
+  for _, key in ipairs { "predictor", "linear", "augmented", "damping", "pseudo_transient" } do
+    options.solver[key] = options[key]
+  end
+  options.on, options.keeper = controls_on(options), checkpoint(options)
+  options.policy = options.step.adaptive and steps.halving(options.step) or steps.plain()
+  if options.arc_length then options.policy = arc_length.policy(options.policy) end
+  options.tries = options.rescue and controls.rescues(model, options.solver) or {}
+  options.states = states.read(where, options.states, path, total)
+  if options.threads then core.set_threads(options.threads) end -- not for a run that is refused
+  return options
 end
 
 -- ── One step ─────────────────────────────────────────────────────────────────────────────────────────────────────────

@@ -3,11 +3,11 @@
 local check = require "signorini.check"
 local core = require "signorini.core"
 local csv = require "signorini.csv"
+local drives = require "signorini.drives"
 local energy_balance = require "signorini.energy_balance"
-local failure_texts = require "signorini.failure_texts"
 local in_name_of = require "signorini.in_name_of"
 local jumps = require "signorini.jumps"
-local drives = require "signorini.drives"
+local lists = require "signorini.lists"
 local format_table = require "signorini.table"
 local named = require "signorini.named"
 local path_controls = require "signorini.path_controls"
@@ -44,9 +44,7 @@ local function add_column(run, name)
 end
 
 local function add_columns(run, name, keys)
-  local columns = {}
-  for i, key in ipairs(keys) do columns[i] = add_column(run, name .. "." .. key) end
-  return columns
+  return lists.map(keys, function(key) return add_column(run, name .. "." .. key) end)
 end
 
 --- Columns of a list that `read` returns after each step.
@@ -194,6 +192,38 @@ function Run:record_control(to, place, reason)
   self.controls[#self.controls + 1] = { step = self.steps + 1, to = to, place = place, reason = reason }
 end
 
+--- Numbers in a row.
+local function joined(values, format)
+  local texts = lists.map(values, function(value) return format:format(value) end)
+  return #texts > 0 and table.concat(texts, ", ") or "none"
+end
+
+--- The attempts since the last accepted one, in words; nothing when there was only one.
+local function tried_text(attempts, done)
+  local tried = lists.filter(attempts, function(attempt) return not attempt.converged and attempt.from == done end)
+  if #tried < 2 then return "" end
+  local texts = lists.map(tried, function(attempt)
+    local how = attempt.rescue and (" with %s"):format(attempt.rescue) or ""
+    return ("%g%s (%s)"):format(attempt.to - done, how, attempt.reason)
+  end)
+  local again = attempts[#attempts].again and " The whole step was tried from its start as well." or ""
+  return (" Tried from there, in parts of a step: %s.%s"):format(table.concat(texts, ", "), again)
+end
+
+--- Where in the model, in words: "contact point (contact 'interface', element 3) at X = (1, 2): changes its state".
+local function place_text(place)
+  return ("%s %sof %s '%s' at X = (%s): %s"):format(place.kind,
+    place.kind == "contact point" and ("in slave element %d "):format(place.element) or
+    ("%d "):format(place.element or place.point),
+    place.contact and "contact" or "body", place.contact or place.body, joined(place.X, "%.6g"), place.text)
+end
+
+--- The worst places, as a sentence.
+local function places_text(places)
+  local texts = lists.map({ table.unpack(places, 1, 3) }, place_text)
+  return #texts > 0 and " Worst places: " .. table.concat(texts, "; ") .. "." or ""
+end
+
 --- Notes why a step was not reached. `turn`: where the path turns back, in words, if it does.
 function Run:record_failure(step, result, turn)
   local diagnosis = result.diagnosis or { reason = result.reason, message = result.message, cure = "", places = {} }
@@ -209,8 +239,8 @@ function Run:record_failure(step, result, turn)
     .. "accepted %s."):format(self.steps + 1, step.stage.name, step.number, step.stage.steps,
       diagnosis.message ~= "" and diagnosis.message or diagnosis.reason,
       result.shortest and (" The shortest step, %g of the user's, is still too long."):format(result.shortest) or "",
-      failure_texts.tried(attempts, done), failure_texts.places(diagnosis.places),
-      failure_texts.joined(result.residuals, "%.3g"), place)
+      tried_text(attempts, done), places_text(diagnosis.places),
+      joined(result.residuals, "%.3g"), place)
   if turn then
     self.report = ("%s The path has a turning point at %s: it turns back there, and only a jump to another branch "
       .. "leads beyond it by prescribing targets; model:run(stages, { arc_length = true }) "
@@ -256,7 +286,7 @@ end
 
 -- ── Reading (by the user) ────────────────────────────────────────────────────────────────────────────────────────────
 
-local function copy(list) return table.move(list, 1, #list, 1, {}) end
+local copy = lists.joined
 
 function Run:columns() return copy(self.names) end
 
@@ -287,10 +317,7 @@ function Run:states() return copy(self.kept) end
 
 function Run:csv(file)
   local rows = {}
-  for row = 1, self.rows do
-    rows[row] = {}
-    for i, name in ipairs(self.names) do rows[row][i] = self.values[name][row] end
-  end
+  for row = 1, self.rows do rows[row] = lists.map(self.names, function(name) return self.values[name][row] end) end
   in_name_of("run:csv", "sg.csv.write", csv.write, file,
     { columns = self.names, rows = rows, comments = { self.report } })
 end
@@ -304,22 +331,16 @@ end
 
 --- A short table: steps, iterations and wall time by stage, and where the time went; cut-backs where there were any.
 function Run:__tostring()
-  local rows, columns = {}, { "stage", "steps", "iterations", "per step", "wall" }
-  local cutbacks = self.cutbacks > 0
+  local columns, cutbacks = { "stage", "steps", "iterations", "per step", "wall" }, self.cutbacks > 0
   if cutbacks then table.insert(columns, 3, "cut-backs") end
-  for i, stage in ipairs(self.stages) do rows[i] = work_row(stage.name, stage, cutbacks) end
+  local rows = lists.map(self.stages, function(stage) return work_row(stage.name, stage, cutbacks) end)
   rows[#rows + 1] = work_row("total", self, cutbacks)
-  local units = {}
-  for i, column in ipairs(columns) do units[i] = column == "wall" and "s" or "" end
-  local text = format_table {
-    columns = columns, units = units, rows = rows, formats = { ["per step"] = "%.2f", wall = "%.3f" },
-  }
+  local text = format_table { columns = columns, units = { [#columns] = "s" }, rows = rows,
+                              formats = { ["per step"] = "%.2f", wall = "%.3f" } }
   local spent = self.timings
   text = ("%s\ntime: bulk %.3f s, contact %.3f s, factorisation and solve %.3f s, rest %.3f s")
     :format(text, spent.bulk, spent.contact, spent.linear, spent.rest)
-  for _, lines in ipairs { path_controls.lines(self), self.warnings } do
-    for _, line in ipairs(lines) do text = text .. "\n" .. line end
-  end
+  for _, line in ipairs(lists.joined(path_controls.lines(self), self.warnings)) do text = text .. "\n" .. line end
   if self.reason == "completed" then return text end
   return ("%s\n%s: %s"):format(text, self.reason, self.report or "on_step ended the run")
 end

@@ -5,30 +5,21 @@
 
 local counted = require "signorini.counted"
 local energy_balance = require "signorini.energy_balance"
+local drives = require "signorini.drives"
 local jumps = require "signorini.jumps"
+local lists = require "signorini.lists"
 local path_controls = require "signorini.path_controls"
 
 local run_warnings = {}
 
---- Whether something was transmitted at a row of the run: under adhesion a force, wherever the bodies are.
-local function acts(run, contact, row)
-  for _, key in ipairs { "area", "fx", "fy", "fz" } do
-    local values = run.values[contact .. "." .. key]
-    if values and values[row] ~= 0 then return true end
-  end
-  return false
-end
-
---- Whether it did so at some row, or does so now, between two rows, where a step has failed.
+--- Whether something was transmitted at some row of the run, or is now, between two rows, where a step has failed:
+--- under adhesion a force, wherever the bodies are.
 local function ever_acts(run, model, contact)
   local now = model:contact_resultant(contact)
-  for _, key in ipairs { "area", "fx", "fy", "fz" } do
-    if now[key] and now[key] ~= 0 then return true end
-  end
-  for row = 1, run.rows do
-    if acts(run, contact, row) then return true end
-  end
-  return false
+  return lists.any({ "area", "fx", "fy", "fz" }, function(key)
+    local values = run.values[contact .. "." .. key] or {}
+    return (now[key] or 0) ~= 0 or lists.any(values, function(value) return value ~= 0 end)
+  end)
 end
 
 --- A sentence for each contact of the model that never touched in the rows of a run, with the least gap at its end.
@@ -44,18 +35,13 @@ end
 
 --- The largest extent, along an axis, of the smallest body.
 local function smallest_size(model)
-  local smallest, name = math.huge, nil
-  for _, body in ipairs(model:body_names()) do
-    local low, high, size = {}, {}, 0
-    for _, point in ipairs(model:body(body):points()) do
-      for axis, x in ipairs(point) do
-        low[axis], high[axis] = math.min(low[axis] or x, x), math.max(high[axis] or x, x)
-        size = math.max(size, high[axis] - low[axis])
-      end
-    end
-    if size < smallest then smallest, name = size, body end
+  local function size(name)
+    return math.max(table.unpack(lists.map(lists.ranges(model:body(name):points()), function(range)
+      return range[2] - range[1]
+    end)))
   end
-  return smallest, name
+  local name = lists.least(model:body_names(), size)
+  return name and size(name) or math.huge, name
 end
 
 -- Where points sink in by more than this part of the smallest body the penalty is no longer a detail of the method.
@@ -81,13 +67,7 @@ local told = setmetatable({}, { __mode = "k" }) -- models whose loads were spoke
 local function constant_loads(model, path)
   if told[model] then return nil end
   told[model] = true
-  local names = {}
-  for _, load in ipairs(model:load_names()) do
-    local changed, acts = false, false
-    for _, stage in ipairs(path) do changed = changed or stage.targets[load] ~= nil end
-    for _, value in ipairs(model:target(load)) do acts = acts or value ~= 0 end
-    if acts and not changed then names[#names + 1] = ("'%s'"):format(load) end
-  end
+  local names = lists.map(drives.constant_loads(model, path), function(load) return ("'%s'"):format(load) end)
   if #names == 0 then return nil end
   return ("no stage changes the load%s %s, which act%s in full from the first step on. Hint: to apply a load in steps, "
     .. "give its value to a stage and 0 to sg.model"):format(#names == 1 and "" or "s", table.concat(names, ", "),
@@ -106,9 +86,7 @@ end
 
 --- "1, 2"
 local function position(point)
-  local texts = {}
-  for i, x in ipairs(point) do texts[i] = ("%.4g"):format(x) end
-  return table.concat(texts, ", ")
+  return table.concat(lists.map(point, function(x) return ("%.4g"):format(x) end), ", ")
 end
 
 --- A sentence for a contact some of whose points were taken where a search had to give up.
@@ -133,8 +111,7 @@ end
 
 --- What a run warns of, in sentences; those of model:warnings() and about the path come first.
 function run_warnings.of_run(run, model, early)
-  local texts = model:warnings()
-  table.move(early, 1, #early, #texts + 1, texts)
+  local texts = lists.joined(model:warnings(), early)
   for _, contact in ipairs(run.rows > 0 and model:contact_names() or {}) do
     texts[#texts + 1] = crossed(run, contact) or untouched(run, model, contact) or penetrated(run, model, contact)
     texts[#texts + 1] = unsettled(run, contact)

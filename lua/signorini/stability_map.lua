@@ -2,16 +2,18 @@
 -- is a case, so that a crash or an endless loop is an outcome like others.
 
 local core = require "signorini.core"
+local accepted = require("signorini.path_controls").accepted
+local check = require "signorini.check"
 local counted = require "signorini.counted"
+local csv = require "signorini.csv"
 local execute = require("signorini.study.execute").execute
-local file = require "signorini.stability_map.file"
 local format_table = require "signorini.table"
 local grid = require "signorini.study.grid"
-local lists = require "signorini.lists"
 local in_name_of = require "signorini.in_name_of"
+local lists = require "signorini.lists"
 local make_study = require("signorini.study").make
 local pictures = require "signorini.stability_map.pictures"
-local solve_cell = require "signorini.stability_map.cell"
+local types = require "signorini.types"
 local values = require "signorini.study.values"
 
 local where = "sg.stability_map"
@@ -20,6 +22,86 @@ local Map = { picture = pictures.outcomes, figure = pictures.figure }
 Map.__index = Map
 Map.__name = "stability map"
 core.types.map = Map
+
+-- ── One cell: a model is built and taken along its path ──────────────────────────────────────────────────────────────
+
+--- How far a run came, 0 to 1: whole steps, and of the one that failed the part that was accepted.
+local function reached(run, stages)
+  local total, done = 0, run.steps
+  for _, stage in ipairs(stages) do total = total + stage.steps end
+  if run.failed then
+    local from = 0
+    for _, attempt in ipairs(run:attempts(run.steps + 1)) do from = attempt.again and from or attempt.from end
+    done = done + math.max(0, math.min(1, from))
+  end
+  return done / total
+end
+
+--- The user's figures; those that are no finite numbers are left out.
+local function read_figures(figures)
+  local kept = {}
+  check.value(types.map { kind = "number", gaps = true }, figures, where, "the result of figures")
+  for name, value in next, figures do
+    if value == value and math.abs(value) < math.huge then kept[name] = value end
+  end
+  return kept
+end
+
+--- Solves the cell at x, y with these functions: what a case of the study returns. Errors of theirs pass.
+local function solve_cell(functions, x, y)
+  local model = functions.scene(x, y)
+  if type(model) ~= "userdata" and type(model) ~= "table" then
+    core.fail(("%s: scene must return a model, it returned %s"):format(where,
+      model and core.describe(model) or "nothing"))
+  end
+  local stages, options = functions.path(model, x, y)
+  local run = model:run(stages, options)
+  local place, held = run.places and run.places[1], run.reason == "completed"
+  local cell = { outcome = run.reason, reached = reached(run, stages), steps = run.steps,
+                 increments = #accepted(run.histories), iterations = run.iterations, cutbacks = run.cutbacks,
+                 rescues = run.rescues or 0, wall = run.wall, report = run.report, place = place and place.text,
+                 figures = {} }
+  if held and functions.figures then cell.figures = read_figures(functions.figures(model, run, x, y)) end
+  return { cell = cell, failed = not held, reason = not held and ("%s: %s"):format(run.reason, run.report) or nil }
+end
+
+-- ── The file ─────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+-- Of a map's file: its cells, and a title that says which map's they are.
+local columns = { "x", "y", "outcome", "reached", "steps", "increments", "iterations", "cutbacks", "rescues", "wall",
+                  "place", "report" }
+
+local function title(map)
+  return (("stability map: %s; x: %s; y: %s"):format(map.name, map.x.name, map.y.name):gsub("[\r\n]+", " "))
+end
+
+--- Writes a map's cells, one a row, for the function `where`.
+local function write_file(where, name, map)
+  local figures = values.figure_names(map.cells)
+  local rows = lists.map(map.cells, function(cell)
+    local row = lists.map(columns, function(column) return cell[column] end)
+    for i, figure in ipairs(figures) do row[#columns + i] = cell.figures[figure] end
+    return row
+  end)
+  local heads = lists.joined(columns, lists.map(figures, function(figure) return "figure " .. figure end))
+  in_name_of(where, "sg.csv.write", csv.write, name, { columns = heads, rows = rows, comments = { title(map) } })
+end
+
+--- Whether there is a file of this map. One of anything else, or with cells that no folder keeps, is an error: it is
+--- not overwritten.
+local function is_there(where, name, map)
+  if not core.exists(name) then return false end
+  local data, folder = in_name_of(where, "sg.csv.read", csv.read, name), map.study.folder
+  if data.comments[1] ~= title(map) then
+    core.fail(("%s: '%s' holds something else (%s) than this map (%s): remove it, or choose another file")
+      :format(where, name, data.comments[1] or "without a title", title(map)))
+  end
+  if #data.rows > 0 and not core.exists(folder) then
+    core.fail(("%s: the cells in '%s' cannot be taken up, because the folder '%s' is not there: bring it back, or "
+      .. "remove the file"):format(where, name, folder))
+  end
+  return true
+end
 
 -- ── Reading the arguments ────────────────────────────────────────────────────────────────────────────────────────────
 
@@ -72,7 +154,7 @@ local function gather(map)
     map.by_case[i] = record and cell_of(entry, record, map)
     map.cells[#map.cells + 1] = map.by_case[i]
   end
-  if map.file then file.write(where, map.file, map) end
+  if map.file then write_file(where, map.file, map) end
 end
 
 -- ── Reading (by the user) ────────────────────────────────────────────────────────────────────────────────────────────
@@ -107,7 +189,7 @@ function Map:table()
                         formats = formats }
 end
 
-function Map:csv(name) file.write("map:csv", name, self) end
+function Map:csv(name) write_file("map:csv", name, self) end
 
 function Map:compare(other)
   local result = { gained = {}, lost = {}, both = 0, neither = 0 }
@@ -135,8 +217,8 @@ end
 
 return function(options)
   local map = new_map(options)
-  if map.file and not file.is_there(where, map.file, map) then
-    file.write(where, map.file, map) -- a file that cannot be written shows now, not after the first cell
+  if map.file and not is_there(where, map.file, map) then
+    write_file(where, map.file, map) -- a file that cannot be written shows now, not after the first cell
     map.study.fresh = true
   end
   map.study.on_record = function() gather(map) end

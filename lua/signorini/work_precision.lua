@@ -2,9 +2,7 @@
 -- the other's time at equal error. It interpolates between cases and never goes beyond them.
 
 local core = require "signorini.core"
-local curves = require "signorini.work_precision.curves"
 local cut = require "signorini.cut"
-local draw = require "signorini.work_precision.picture"
 local format_table = require "signorini.table"
 local lists = require "signorini.lists"
 local outcomes = require "signorini.study.outcomes"
@@ -19,6 +17,104 @@ local Result = {}
 Result.__index = Result
 Result.__name = "work-precision comparison"
 core.types.comparison = Result
+
+-- ── Points of error and time, their front, and times at equal error ──────────────────────────────────────────────────
+
+local function before(a, b)
+  if a.time ~= b.time then return a.time < b.time end
+  return a.error < b.error
+end
+
+--- The points, by time; where times are equal, the better one first.
+local function sorted(points)
+  local list = lists.joined(points)
+  table.sort(list, before)
+  return list
+end
+
+--- The points that no other one beats in time or error without being worse in the other; by time.
+local function front_of(points)
+  local front = {}
+  for _, point in ipairs(sorted(points)) do
+    local last = front[#front]
+    if not last or point.error < last.error then front[#front + 1] = point end
+  end
+  return front
+end
+
+--- The errors that a curve reaches at times that are known: from its least one to that of its cheapest point, which
+--- might have been cheaper still at any larger error.
+local function reach(curve)
+  return lists.least(curve, function(point) return point.error end).error, curve[1].error
+end
+
+--- The least time on the curve, straight between points in both logarithms, at which its error is at most this one; nil
+--- beyond its reach.
+local function time_at(curve, size)
+  local last
+  for i, point in ipairs(curve) do
+    if point.error == size then return point.time end
+    if point.error < size then
+      if i == 1 then return nil end
+      return last.time * (point.time / last.time) ^ (math.log(last.error / size) / math.log(last.error / point.error))
+    end
+    last = point
+  end
+end
+
+--- At equal error, a takes so much of b's time: { from, to, at, ratio }. Without `at`, at the least, the
+--- (geometrically) middle and the largest error that both reach; where one of them does not, the ratio is nil. Without
+--- errors that both reach there are no from, to and ratios, but why.
+local function compare(a, b, at)
+  local least_a, largest_a = reach(a)
+  local least_b, largest_b = reach(b)
+  local from, to = math.max(least_a, least_b), math.min(largest_a, largest_b)
+  if from > to then
+    return { at = at or {}, ratio = {},
+             why = ("one reaches %.3g to %.3g, the other %.3g to %.3g"):format(least_a, largest_a, least_b, largest_b) }
+  end
+  local result = { from = from, to = to, at = at or { from, math.sqrt(from) * math.sqrt(to), to }, ratio = {} }
+  for i, size in ipairs(result.at) do
+    -- Rounding shall not put the middle of a narrow range beside it.
+    local within = at and size or math.max(from, math.min(to, size))
+    local time_a, time_b = time_at(a, within), time_at(b, within)
+    result.ratio[i] = time_a and time_b and time_a / time_b
+  end
+  return result
+end
+
+-- ── The chart ────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- The front as steps: whatever lies above or right of them is beaten. They go on to the ends of the data.
+local function steps(front, points)
+  local x, y, top, right = {}, {}, 0, 0
+  for _, point in ipairs(points) do top, right = math.max(top, point.error), math.max(right, point.time) end
+  local height = top
+  for _, point in ipairs(front) do
+    table.move({ point.time, point.time }, 1, 2, #x + 1, x)
+    table.move({ height, point.error }, 1, 2, #y + 1, y)
+    height = point.error
+  end
+  x[#x + 1], y[#y + 1] = right, height
+  return { x = x, y = y, label = "Pareto front", color = "gray", width = 12 }
+end
+
+--- Draws a file; `marks` are the names of all kinds of points, in order, or empty.
+local function draw(result, points, front, marks, options, file)
+  local chart = {
+    file = file, log = "xy", size = options.size, title = options.title or result.name,
+    xlabel = options.xlabel or result.time.label, ylabel = options.ylabel or result.error.label,
+    legend_title = quantity.title(result.series), marks_title = #marks > 0 and result.marker or nil,
+    marks = #marks > 0 and marks or nil,
+  }
+  for i, curve in ipairs(result.curves) do
+    local function all(key) return lists.map(curve.points, function(point) return point[key] end) end
+    chart[i] = { x = all "time", y = all "error", label = curve.name, markers = true,
+                 marks = #marks > 0 and all "mark" or nil }
+  end
+  chart[#chart + 1] = steps(front, points)
+  return core.sg.chart(chart)
+end
 
 -- ── Reading the arguments ────────────────────────────────────────────────────────────────────────────────────────────
 
@@ -66,14 +162,14 @@ end
 --- One curve per series, in the order of the cases.
 local function make_curves(points)
   local groups = lists.grouped(points, function(point) return point.series end)
-  return lists.map(groups, function(group) return { name = group.key, points = curves.sorted(group) } end)
+  return lists.map(groups, function(group) return { name = group.key, points = sorted(group) } end)
 end
 
 local function make_ratios(list, at)
   local ratios = {}
   for i, a in ipairs(list) do
     for j = i + 1, #list do
-      local ratio = curves.compare(a.points, list[j].points, at)
+      local ratio = compare(a.points, list[j].points, at)
       ratio.a, ratio.b = a.name, list[j].name
       ratios[#ratios + 1] = ratio
     end
@@ -145,7 +241,7 @@ return function(study, options)
     end
     marks = {}
   end
-  local list, front = make_curves(points), curves.front(points)
+  local list, front = make_curves(points), front_of(points)
   local result = setmetatable({ name = study.name or "study", study = study, time = read.time, error = read.error,
     series = read.series, marker = read.marker, at = read.at, curves = list, ratios = make_ratios(list, read.at),
     pareto = lists.map(front, function(point) return point.row end), left_out = left_out }, Result)

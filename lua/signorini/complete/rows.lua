@@ -2,28 +2,33 @@
 -- texts of closed sets.
 
 local core = require "signorini.core"
+local lists = require "signorini.lists"
 local pages = require "signorini.pages"
 
 local rows = {}
 
---- The types behind a key of one of some types; false: of the entries of a list.
-local function step(types, key)
-  local found = {}
-  local function add(type)
-    if type.kind == "either" then
-      for _, one in ipairs(type) do add(one) end
-    elseif type.kind == "switch" then
-      add(type.of)
-    elseif type.kind == "named" and key then
-      local row = pages.row(type.rows, key)
-      if row then found[#found + 1] = row[2] elseif type.rest then found[#found + 1] = type.rest end
-    elseif type.kind == "named" and type.entries then
-      found[#found + 1] = type.entries[2]
-    elseif type.kind == "map" and key or type.kind == "list" and not key then
-      found[#found + 1] = type.of
-    end
+--- A type as the list of those that it lets choose from.
+local function choices(type)
+  if type.kind == "switch" then return choices(type.of) end
+  return type.kind == "either" and lists.flat(lists.map(type, choices)) or { type }
+end
+
+--- The types behind a key of a type, a list; false: of the entries of a list.
+local function step(type, key)
+  if type.kind == "named" and key then
+    local row = pages.row(type.rows, key)
+    return { row and row[2] or type.rest }
   end
-  for _, type in ipairs(types) do add(type) end
+  if type.kind == "named" then return { type.entries and type.entries[2] } end
+  return { (type.kind == "map" and key or type.kind == "list" and not key) and type.of or nil }
+end
+
+--- The list that f makes of each of some types and of those that they let choose from, joined.
+local function all(types, f)
+  local found = {}
+  for _, type in ipairs(types) do
+    for _, one in ipairs(choices(type)) do found = lists.joined(found, f(one)) end
+  end
   return found
 end
 
@@ -34,39 +39,28 @@ local function types_at(name, argument, keys)
   local row = page.arguments and page.arguments[argument]
   local types = page.named and argument == 1 and { { kind = "named", rows = page.named, rest = page.rest,
     entries = page.entries, names = page.names } } or { row and row[2] }
-  for _, key in ipairs(keys) do types = step(types, key) end
+  for _, key in ipairs(keys) do types = all(types, function(type) return step(type, key) end) end
   return types
 end
 
 --- The names of arguments that the table at a place takes. `owner`: the object that the call is about.
 function rows.names(name, argument, keys, owner)
-  local found = {}
-  local function add(type)
-    if type.kind == "named" then
-      for _, key in ipairs(pages.keys(type.rows)) do found[#found + 1] = key end
-    end
-    for _, key in ipairs(type.names and owner and type.names(owner) or {}) do found[#found + 1] = key end
-    for _, one in ipairs(type.kind == "either" and type or type.kind == "switch" and { type.of } or {}) do add(one) end
-  end
-  for _, type in ipairs(types_at(name, argument, keys)) do add(type) end
-  return found
+  return all(types_at(name, argument, keys), function(type)
+    local own = type.kind == "named" and pages.keys(type.rows) or {}
+    return lists.joined(own, type.names and owner and type.names(owner) or {})
+  end)
+end
+
+--- The texts of a type.
+local function texts_of(type, owner, key)
+  if type.kind == "list" then return all({ type.of }, function(one) return texts_of(one, owner, key) end) end
+  if type.kind ~= "choice" and type.kind ~= "text" and type.kind ~= "any" then return {} end
+  return core.kind(type.of) == "function" and type.of(owner, key) or core.kind(type.of) == "table" and type.of or {}
 end
 
 --- The texts that may stand at a place.
 function rows.texts(name, argument, keys, owner)
-  local found = {}
-  local function add(type)
-    local of = type.of
-    if type.kind == "choice" or type.kind == "text" or type.kind == "any" then
-      if core.kind(of) == "function" then of = of(owner, keys[#keys]) end
-      for _, text in ipairs(of or {}) do found[#found + 1] = text end
-    elseif type.kind == "list" then
-      add(of)
-    end
-    for _, one in ipairs(type.kind == "either" and type or {}) do add(one) end
-  end
-  for _, type in ipairs(types_at(name, argument, keys)) do add(type) end
-  return found
+  return all(types_at(name, argument, keys), function(type) return texts_of(type, owner, keys[#keys]) end)
 end
 
 return rows

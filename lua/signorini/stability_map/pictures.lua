@@ -55,7 +55,7 @@ local function read_maps(where, map, options)
 end
 
 local function cells_of(maps)
-  return lists.joined(table.unpack(lists.map(maps, function(map) return map.cells end)))
+  return lists.flat(lists.map(maps, function(map) return map.cells end))
 end
 
 --- Checks the name of something that a picture can show.

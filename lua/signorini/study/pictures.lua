@@ -89,7 +89,7 @@ end
 --- Ticks at the values along x where these are few whole numbers with room between them, so that none stands at 1.5;
 --- else the axis chooses.
 local function whole_ticks(curves, log)
-  local list = lists.unique(lists.map(lists.joined(table.unpack(curves)), function(point)
+  local list = lists.unique(lists.map(lists.flat(curves), function(point)
     return math.tointeger(point.x) or point.x
   end))
   if lists.any(list, function(x) return math.type(x) == "float" end) then return nil end
