@@ -5,17 +5,14 @@
 local in_name_of = require "signorini.in_name_of"
 local core = require "signorini.core"
 local counted = require "signorini.counted"
+local lists = require "signorini.lists"
 local literal = require "signorini.literal"
 
 local where = "model:run"
 
 --- What a run holds that is made anew or written in another form; all else is saved as it stands.
-local apart = {}
-for _, key in ipairs { "failed", "reason", "cause", "report", "recorders", "before", "step", "names", "values",
-                       "histories", "extra", "kept", "step_column", "increment_column", "iteration_column",
-                       "wall_column" } do
-  apart[key] = true
-end
+local apart = { "failed", "reason", "cause", "report", "recorders", "before", "step", "names", "values", "histories",
+                "extra", "kept", "step_column", "increment_column", "iteration_column", "wall_column" }
 
 --- A function of the core for files; its errors become those of model:run.
 local function call(name, ...) return in_name_of(where, "core." .. name, core[name], ...) end
@@ -24,9 +21,9 @@ local function call(name, ...) return in_name_of(where, "core." .. name, core[na
 
 --- What a path consists of, without what a run notes in it.
 local function outline(path)
-  local stages = {}
-  for i, stage in ipairs(path) do stages[i] = { name = stage.name, steps = stage.steps, targets = stage.targets } end
-  return stages
+  return lists.map(path, function(stage)
+    return { name = stage.name, steps = stage.steps, targets = stage.targets }
+  end)
 end
 
 --- In which way two paths differ, in words; nothing when they are alike.
@@ -57,9 +54,7 @@ local function grow(texts, count, entry)
 end
 
 local function row_of(run, i)
-  local row = {}
-  for j, name in ipairs(run.names) do row[j] = run.values[name][i] or false end -- false: on_step gave none
-  return row
+  return lists.map(run.names, function(name) return run.values[name][i] or false end) -- false: on_step gave none
 end
 
 local function seconds_spent(model, before)
@@ -72,7 +67,7 @@ end
 function Keeper:text(model, run, path, place, policy)
   local record = {}
   for key, value in pairs(run) do
-    if not apart[key] then record[key] = value end
+    if not lists.holds(apart, key) then record[key] = value end
   end
   local stage = path[place.stage]
   local rest = literal.write { path = outline(path), place = place, starts = stage.starts or {},

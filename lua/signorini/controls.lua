@@ -1,5 +1,6 @@
 -- What is tried where a step fails, and sg.robust and sg.plain, which write out the controls of a run.
 
+local lists = require "signorini.lists"
 local rows = require "signorini.pages.step_rows"
 
 local controls = {}
@@ -19,20 +20,14 @@ local rescues = {
 
 --- Whether what a control converges to is the equilibrium that the path leads to, as far as that can be told.
 function controls.keeps_branch(name)
-  for _, rescue in ipairs(rescues) do
-    if rescue.name == name then return rescue.early ~= nil end
-  end
+  return lists.any(rescues, function(rescue) return rescue.name == name and rescue.early ~= nil end)
 end
 
 --- A solver's arguments with some of them changed, and whether that makes a difference.
 function controls.changed(solver, change)
-  local changed, differs = {}, false
-  for key, value in pairs(solver) do changed[key] = value end
-  for key, value in pairs(change) do
-    differs = differs or changed[key] ~= value
-    changed[key] = value
-  end
-  return changed, differs
+  local differs = false
+  for key, value in pairs(change) do differs = differs or solver[key] ~= value end
+  return lists.merged(solver, change), differs
 end
 
 --- What is tried where the solver fails, a list of { name, solver, early } that is also a table by name.
@@ -48,16 +43,7 @@ function controls.rescues(model, solver)
   return tries
 end
 
---- Options with those of `defaults` that are not given.
-local function with(defaults, options)
-  local whole = {}
-  for _, list in ipairs { defaults, options } do
-    for key, value in pairs(list) do whole[key] = value end
-  end
-  return whole
-end
-
-function controls.robust(options) return with(rows.robust, options) end
-function controls.plain(options) return with(rows.plain, options) end
+function controls.robust(options) return lists.merged(rows.robust, options) end
+function controls.plain(options) return lists.merged(rows.plain, options) end
 
 return controls

@@ -1,7 +1,7 @@
 -- model:cost: what a model is made of, in numbers.
 
 local format_table = require "signorini.table"
-local sorted_names = require("signorini.lists").sorted_names
+local lists = require "signorini.lists"
 
 local Cost = {}
 Cost.__index = Cost
@@ -17,25 +17,24 @@ local function bytes_text(bytes)
 end
 
 local function bodies_text(cost)
-  local rows, total = {}, { "all", 0, 0, 0, 0, 0, 0 }
-  for i, name in ipairs(sorted_names(cost.bodies)) do
+  local total = { "all", 0, 0, 0, 0, 0, 0 }
+  local rows = lists.map(lists.sorted_names(cost.bodies), function(name)
     local body = cost.bodies[name]
-    rows[i] = { name, body.unknowns, body.bulk, body.contact_layer, body.prescribed, body.elements, body.gauss_points }
-    for k = 2, #total do total[k] = total[k] + rows[i][k] end
-  end
-  rows[#rows + 1] = total
-  return format_table {
-    columns = { "body", "unknowns", "bulk", "contact faces", "prescribed", "elements", "Gauss points" }, rows = rows,
-  }
+    local row = { name, body.unknowns, body.bulk, body.contact_layer, body.prescribed, body.elements,
+                  body.gauss_points }
+    for k = 2, #total do total[k] = total[k] + row[k] end
+    return row
+  end)
+  return format_table { rows = lists.joined(rows, { total }),
+    columns = { "body", "unknowns", "bulk", "contact faces", "prescribed", "elements", "Gauss points" } }
 end
 
 local function contacts_text(cost)
-  local rows = {}
-  for i, name in ipairs(sorted_names(cost.contacts)) do
-    local contact = cost.contacts[name]
-    rows[i] = { name, contact.points, contact.rigid and "rigid obstacle, no unknowns" or "body" }
-  end
-  return format_table { columns = { "contact", "points", "master" }, rows = rows }
+  return format_table { columns = { "contact", "points", "master" },
+    rows = lists.map(lists.sorted_names(cost.contacts), function(name)
+      local contact = cost.contacts[name]
+      return { name, contact.points, contact.rigid and "rigid obstacle, no unknowns" or "body" }
+    end) }
 end
 
 --- The tables, then a line on the linear system and the memory.

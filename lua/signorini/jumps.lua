@@ -3,6 +3,8 @@
 -- account holds. On a smooth path what is missing falls with the third power of the step. Found from the energies and
 -- the length of each step alone: no factorization, no further step.
 
+local lists = require "signorini.lists"
+
 local jumps = {}
 
 local longer = 2.5   -- times the displacement of the steps next to it
@@ -60,14 +62,12 @@ end
 function jumps.warning(record, arcs)
   local found = record.found
   if #found == 0 then return nil end
-  local most, others = found[1], {}
-  for _, entry in ipairs(found) do
-    if entry.part > most.part then most = entry end
-  end
-  for _, entry in ipairs(found) do
-    if entry ~= most and #others < 4 then others[#others + 1] = tostring(entry.step) end
-  end
-  local more = #found - 1 - #others
+  local most = lists.least(found, function(entry) return -entry.part end)
+  local others = lists.map(lists.filter(found, function(entry) return entry ~= most end), function(entry)
+    return tostring(entry.step)
+  end)
+  local more = #others - 4
+  others = { table.unpack(others, 1, 4) }
   local rest = #others == 0 and "" or ("; likewise %s %s%s"):format(#others == 1 and "step" or "steps",
     table.concat(others, ", "), more > 0 and (" and %d more"):format(more) or "")
   return ("step %d has probably jumped to another branch of solutions: displacements went %.2g times as far as in the "

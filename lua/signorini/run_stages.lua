@@ -3,6 +3,7 @@
 local core = require "signorini.core"
 local check = require "signorini.check"
 local drives = require "signorini.drives"
+local lists = require "signorini.lists"
 local pages = require "signorini.pages"
 local t = require "signorini.types"
 
@@ -10,7 +11,7 @@ local where = "model:run"
 
 --- The rows of a stage of this model: the targets, lists by driven component, behind those of every stage.
 local function rows_of(model)
-  local rows = table.move(pages.rows "stage", 1, #pages.rows "stage", 1, {})
+  local rows = lists.joined(pages.rows "stage")
   for _, name in ipairs(model:driven_names()) do
     local components = drives.components(model, name)
     local list = t.numbers(#components)
@@ -32,7 +33,7 @@ local function read_stage(model, rows, index, stage)
   local values, targets = check.value(t.named(rows), stage, where, label), {}
   for _, name in ipairs(model:driven_names()) do
     local goal = values[name]
-    targets[name] = type(goal) == "number" and { goal } or goal and table.move(goal, 1, #goal, 1, {})
+    targets[name] = type(goal) == "number" and { goal } or goal and lists.joined(goal)
   end
   return { name = values.name or ("stage %d"):format(index), steps = values.steps, targets = targets }
 end

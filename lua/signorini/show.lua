@@ -3,7 +3,6 @@
 
 local language = require "signorini.show.language"
 local object_text = require "signorini.show.objects"
-local wrapped = require "signorini.show.wrapped"
 
 local show = {}
 
@@ -55,7 +54,7 @@ local function table_text(value, level, indent)
   if #entries == 0 then return "{}" end
   local line = table.concat(entries, ", ")
   if #indent + #line + 2 <= width and not line:find "\n" then return "{" .. line .. "}" end
-  if #keys == 0 and not line:find "\n" then return "{\n" .. wrapped(entries, inner) .. "\n" .. indent .. "}" end
+  if #keys == 0 and not line:find "\n" then return "{\n" .. language.row(entries, inner) .. "\n" .. indent .. "}" end
   return "{\n" .. inner .. table.concat(entries, ",\n" .. inner) .. "\n" .. indent .. "}"
 end
 

@@ -2,6 +2,7 @@
 
 local check_rows = require "signorini.table_rows"
 local check = require "signorini.check"
+local lists = require "signorini.lists"
 
 --- A cell as text: by the column's format, whole numbers as such, others with six digits, nothing as a dash.
 local function cell_text(value, format)
@@ -32,18 +33,14 @@ return function(options)
   check_formats(formats)
   check_rows("sg.table", options.rows, columns)
   local heads = options.units and { columns, options.units } or { columns }
-  local lines = {}
-  for i = 1, #heads + #options.rows do lines[i] = {} end
+  local lines = lists.map(lists.joined(heads, options.rows), function() return {} end)
   for j, name in ipairs(columns) do
-    local texts, width, right = {}, 0, false
-    for i, head in ipairs(heads) do texts[i] = head[j] or "" end
-    for i, row in ipairs(options.rows) do
-      texts[#heads + i] = cell_text(row[j], formats[name] or formats[j])
-      right = right or type(row[j]) == "number"
-    end
+    local texts = lists.joined(lists.map(heads, function(head) return head[j] or "" end),
+      lists.map(options.rows, function(row) return cell_text(row[j], formats[name] or formats[j]) end))
+    local right = lists.any(options.rows, function(row) return type(row[j]) == "number" end)
+    local width = 0
     for _, text in ipairs(texts) do width = math.max(width, utf8.len(text) or #text) end
     for i, text in ipairs(texts) do lines[i][j] = pad(text, width, right) end
   end
-  for i, line in ipairs(lines) do lines[i] = table.concat(line, "  "):gsub("%s+$", "") end
-  return table.concat(lines, "\n")
+  return table.concat(lists.map(lines, function(line) return (table.concat(line, "  "):gsub("%s+$", "")) end), "\n")
 end

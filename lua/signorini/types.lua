@@ -2,6 +2,8 @@
 -- check.lua reads values and which describe.lua puts into words. words, several: such words, where a type has better
 -- ones than its kind. cures of named arguments: what to do, by the kind of object that stands in their place.
 
+local merged = require("signorini.lists").merged
+
 local types = {
   any = { kind = "any" },
   flag = { kind = "flag" },
@@ -82,12 +84,8 @@ function types.switch(of, on) return { kind = "switch", of = of, on = on } end
 --- Any table; `words`: what it stands for.
 function types.table(words, cure) return { kind = "table", words = words, cure = cure } end
 
---- A type as messages and help shall call it.
-function types.worded(of, words)
-  local copy = { words = words }
-  for key, value in pairs(of) do copy[key] = copy[key] or value end
-  return copy
-end
+--- A type as messages and help shall call it; `several`: what they call several of it.
+function types.worded(of, words, several) return merged(of, { words = words, several = several }) end
 
 --- A value of one of several types; the first that fits is taken.
 function types.either(...) return { kind = "either", ... } end
@@ -95,11 +93,7 @@ function types.either(...) return { kind = "either", ... } end
 --- A type that follows from the call: help, Tab and the tests see `general`, the call is checked against the type that
 --- special(owner, given, raw) returns, or against `general` where that is nil. owner: the object that a method is
 --- called on; given: the named arguments of the rows before; raw: all of them, unchecked.
-function types.by(general, special)
-  local copy = { special = special }
-  for key, entry in next, general do copy[key] = entry end
-  return copy
-end
+function types.by(general, special) return merged(general, { special = special }) end
 
 --- A point or vector with as many coordinates as the argument `key` of a row before.
 function types.point_like(key)

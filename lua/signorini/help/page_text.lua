@@ -2,22 +2,17 @@
 
 local describe = require "signorini.describe"
 local pages = require "signorini.pages"
+local wrapped = require "signorini.show.wrapped"
 
 local width = 118 -- characters of a line
 local widest_key = 14
 local long = 100 -- characters of a row's text
 
---- Adds words to lines that are at most so wide, further ones indented; `first` stands before the first one.
-local function add_wrapped(lines, first, words, indent)
-  local line, is_empty = first, true
-  for word in words:gmatch "%S+" do
-    if not is_empty and utf8.len(line) + 1 + utf8.len(word) > width then
-      lines[#lines + 1], line, is_empty = line, indent, true
-    end
-    line = is_empty and line .. word or line .. " " .. word
-    is_empty = false
-  end
-  lines[#lines + 1] = line:match "^(.-)%s*$"
+--- Adds the words of a text to lines, further ones indented; `first` stands before the first one.
+local function add_wrapped(lines, first, text, indent)
+  local words = {}
+  for word in text:gmatch "%S+" do words[#words + 1] = word end
+  for _, line in ipairs(wrapped(words, width, first, indent)) do lines[#lines + 1] = line end
 end
 
 --- Paragraphs: lines that begin with a blank stand as they are, others are filled; a source begins a line.

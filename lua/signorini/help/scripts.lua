@@ -2,6 +2,8 @@
 
 local core = require "signorini.core"
 
+local filter = require("signorini.lists").filter
+
 local scripts = {}
 
 --- The comment at the beginning of a script, without its dashes.
@@ -32,21 +34,17 @@ end
 
 --- The script of a name, with or without its folder and ending; or nothing.
 function scripts.of(name)
-  for _, script in ipairs(scripts.all()) do
+  return filter(scripts.all(), function(script)
     local short = script.name:match "([^/]*)%.lua$"
-    if name == script.name or name == "scripts/" .. script.name or name == short or name == short .. ".lua" then
-      return script
-    end
-  end
+    return name == script.name or name == "scripts/" .. script.name or name == short or name == short .. ".lua"
+  end)[1]
 end
 
 --- Those whose headers have a word.
 function scripts.with(word)
-  local found = {}
-  for _, script in ipairs(scripts.all()) do
-    if (script.name .. "\n" .. script.header):lower():find(word:lower(), 1, true) then found[#found + 1] = script end
-  end
-  return found
+  return filter(scripts.all(), function(script)
+    return (script.name .. "\n" .. script.header):lower():find(word:lower(), 1, true)
+  end)
 end
 
 return scripts

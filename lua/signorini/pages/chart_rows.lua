@@ -10,17 +10,14 @@ rows.file = { "file", t.text, "a name that ends with .png, .svg or .pdf", otherw
 
 local markers = lists.joined(core.markers, { "none" })
 
-local color = t.either(t.count, t.choice { "gray" })
-color.words = "the number of a curve or 'gray'"
+local color = t.worded(t.either(t.count, t.choice { "gray" }), "the number of a curve or 'gray'")
 
 local function pair(least)
-  local type = t.tuple({ t.number, t.text }, least)
-  type.words, type.several = "a pair {position, text}", "pairs {position, text}"
-  return type
+  return t.worded(t.tuple({ t.number, t.text }, least), "a pair {position, text}", "pairs {position, text}")
 end
 
-local line = t.either(t.number, pair(1))
-line.words, line.several = "a number or a pair {position, text}", "numbers and pairs {position, text}"
+local line = t.worded(t.either(t.number, pair(1)), "a number or a pair {position, text}",
+  "numbers and pairs {position, text}")
 
 local chart_size = t.list(t.integer(120, 5000), 2)
 

@@ -1,37 +1,35 @@
 -- Pages: charts and heat maps.
 
+local lists = require "signorini.lists"
 local t = require "signorini.types"
 local rows = require "signorini.pages.chart_rows"
 
-local curve = t.named(rows.curve)
-curve.words, curve.several = "a curve { y = {…} }", "curves { y = {…} }"
+local curve = t.worded(t.named(rows.curve), "a curve { y = {…} }", "curves { y = {…} }")
 curve.cures = { ["contact profile"] =
   "write { x = profile.x, y = profile.pressure }, or with another of its lists" }
 
 local name = t.either(t.text, t.number)
-local names = t.list(name, nil, 1)
-names.words = "a list of at least one name or number"
+local names = t.worded(t.list(name, nil, 1), "a list of at least one name or number")
 
-local color = t.either(t.integer(1, 21), t.text)
-color.words = 'a color such as "#d55e00", or the number of one from 1 to 21'
+local color = t.worded(t.either(t.integer(1, 21), t.text),
+  'a color such as "#d55e00", or the number of one from 1 to 21')
 
-local category = t.either(t.text, t.named {
+local category = t.worded(t.either(t.text, t.named {
   { "name", t.text, "as it stands in values" },
   { "good", t.flag, "an outcome that is wanted: light green or blue",
     otherwise = "true of the first one where none says so" },
   { "colour", color, '"#rrggbb", or the number of a look', otherwise = "the next look" },
-})
-category.words, category.several = "a category { name = … }", "categories { name = … }"
+}), "a category { name = … }", "categories { name = … }")
 
-local map = t.named {
+local map = t.worded(t.named {
   { "title", t.text, "line above the map", optional = true }, rows.values, rows.texts,
-}
-map.words = "a map { title = …, values = … }"
+}, "a map { title = …, values = … }")
 
 local function beside_panels(row)
-  return table.move(row, 1, 3, 1, { optional = true, excludes = { "panels", why = "each of which has its own" } })end
+  return lists.merged(row, { optional = true, excludes = { "panels", why = "each of which has its own" } })
+end
 
-local heatmap = {
+local heatmap = lists.joined({
   { "x", names, "of the columns, in order" },
   { "y", names, "of the rows, the first one at the bottom" },
   beside_panels(rows.values),
@@ -41,8 +39,7 @@ local heatmap = {
   { "categories", t.list(category, nil, 1), [[values are these names. The legend shows those that
 occur: good ones light green and blue, others warm and dark in the order of the list, from the eighth on hatched; all
 are told apart without color, too]], optional = true },
-}
-table.move(rows.heatmap, 1, #rows.heatmap, #heatmap + 1, heatmap)
+}, rows.heatmap)
 
 return {
   title = "Pictures and charts", word = "pictures",

@@ -1,6 +1,7 @@
 -- Pages: pictures of states and patches, sheets, films.
 
 local core = require "signorini.core"
+local merged = require("signorini.lists").merged
 local t = require "signorini.types"
 local chart_rows = require "signorini.pages.chart_rows"
 
@@ -11,24 +12,16 @@ local largest = 5000 -- pixels, OpenGL's limit
 local size = t.either(t.integer(160, largest), t.list(t.integer(120, largest), 2))
 local file = chart_rows.file
 
-local function with_form(type, words)
-  type.words = words
-  return type
-end
+local function of_models(row) return merged(row, { excludes = { "patch", why = "it is for models" } }) end
 
-local function of_models(row)
-  row.excludes = { "patch", why = "it is for models" }
-  return row
-end
-
-local cut = t.either(axes, with_form(t.named {
+local cut = t.either(axes, t.worded(t.named {
   { "normal", t.either(axes, t.space_point), "points to the half that is taken away" },
   { "at", t.number, "where the plane meets the normal's axis; with an axis as normal",
     otherwise = "the middle of the bodies", unit = "length" },
   { "point", t.space_point, "a point of the plane", otherwise = "the middle of the bodies", unit = "length" },
 }, "a table { normal = …, at or point = … }"))
 
-local camera = t.either(t.choice(core.cameras), with_form(t.named {
+local camera = t.either(t.choice(core.cameras), t.worded(t.named {
   { "from", t.space_point, "direction from the model to the eye" },
   { "up", t.space_point, "direction that points upwards in the picture", otherwise = "z, seen along it y" },
 }, "a table { from = …, up = … }"))
@@ -40,10 +33,9 @@ local mark = t.named {
 for _, key in ipairs { "kind", "body", "element", "point", "contact", "X", "value" } do -- the rest of run.places
   table.insert(mark.rows, { key, t.any, optional = true, hidden = true })
 end
-mark.words, mark.several = "a mark { x = {…}, text = … }", "marks { x = {…}, text = … }"
+mark = t.worded(mark, "a mark { x = {…}, text = … }", "marks { x = {…}, text = … }")
 
-local levels = t.list(t.number, nil, 1)
-levels.words = "a list of at least one value"
+local levels = t.worded(t.list(t.number, nil, 1), "a list of at least one value")
 local contours = t.either(t.only(true), t.integer(1, 100), levels)
 
 local function paper(most)
@@ -74,8 +66,7 @@ writes it where a file is named. It holds the state as it is now: what the model
 by the file's name, as sg.film does: "x-%04d.png", "x.ogv"]], optional = true },
       { "fields", t.list(field_name, nil, 1), "side by side, each with a color bar of its own, as in sg.sheet",
         optional = true, excludes = { "field", "patch", why = "it is in its place" } },
-      { columns[1], columns[2], columns[3], otherwise = columns.otherwise, needs = { "states", "fields" } },
-      { fps[1], fps[2], fps[3], default = fps.default, needs = { "states" } },
+      merged(columns, { needs = { "states", "fields" } }), merged(fps, { needs = { "states" } }),
       "Colors:",
       of_models { "field", field, [[displacements ux uy u (length), Cauchy stresses sxx syy szz sxy, von_mises,
 pressure, I1 (tr sigma; force per area), F11 F12 F21 F22 F33 (none); of solids also uz sxz syz F13 … F32;

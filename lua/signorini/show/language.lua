@@ -3,10 +3,18 @@
 
 local core = require "signorini.core"
 local pages = require "signorini.pages"
-local sorted_names = require("signorini.lists").sorted_names
+local lists = require "signorini.lists"
 local wrapped = require "signorini.show.wrapped"
 
+local width = 100 -- characters of a line
+
 local language = {}
+
+--- Texts with commas between them, in lines that begin with an indentation.
+function language.row(texts, indent)
+  local words = lists.map(texts, function(text, i) return i < #texts and text .. "," or text end)
+  return #texts > 0 and table.concat(wrapped(words, width, indent, indent), "\n") or ""
+end
 
 --- The text of a function. `brief`: where it is one of many.
 function language.of_function(f, brief)
@@ -23,14 +31,14 @@ end
 --- The text of a table of the language.
 function language.of_table(entries, name)
   local functions, lines = {}, {}
-  for _, key in ipairs(sorted_names(entries)) do
+  for _, key in ipairs(lists.sorted_names(entries)) do
     if type(entries[key]) == "function" then functions[#functions + 1] = key end
     if type(entries[key]) == "table" then
-      lines[#lines + 1] = ("  %s:\n%s"):format(key, wrapped(sorted_names(entries[key]), "    "))
+      lines[#lines + 1] = ("  %s:\n%s"):format(key, language.row(lists.sorted_names(entries[key]), "    "))
     end
   end
   table.insert(lines, 1, ("%s: help(%s) tells more"):format(name, name))
-  table.insert(lines, 2, wrapped(functions, "  "))
+  table.insert(lines, 2, language.row(functions, "  "))
   return table.concat(lines, "\n")
 end
 

@@ -1,20 +1,14 @@
--- Many short texts in lines.
-
-local width = 100 -- characters of a line
-
---- Texts with commas between them, in lines of at most so many characters that begin with an indentation.
-return function(texts, indent)
-  local lines, line, length = {}, nil, nil
-  for i, text in ipairs(texts) do
-    local piece = text .. (i < #texts and "," or "")
-    local size = utf8.len(piece) or #piece
-    if line and length + 1 + size <= width then
-      line, length = line .. " " .. piece, length + 1 + size
-    else
-      lines[#lines + 1] = line
-      line, length = indent .. piece, #indent + size
+--- Words in lines of at most `width` characters: `first` stands before the first word, `indent` before those of further
+--- lines.
+return function(words, width, first, indent)
+  local lines, line, is_empty = {}, first, true
+  for _, word in ipairs(words) do
+    local size = utf8.len(word) or #word
+    if not is_empty and (utf8.len(line) or #line) + 1 + size > width then
+      lines[#lines + 1], line, is_empty = line, indent, true
     end
+    line, is_empty = line .. (is_empty and "" or " ") .. word, false
   end
-  lines[#lines + 1] = line
-  return table.concat(lines, "\n")
+  lines[#lines + 1] = line:match "^(.-)%s*$"
+  return lines
 end
