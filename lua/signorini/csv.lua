@@ -145,18 +145,12 @@ local function read_record(text, at, where)
   while true do
     count = count + 1
     if text:sub(at, at) == '"' then
-      local parts, begin = {}, at + 1
-      while true do
-        local quote = text:find('"', begin, true)
-        if not quote then core.fail(where() .. "a quoted field does not end") end
-        parts[#parts + 1] = text:sub(begin, quote - 1)
-        at = quote + 1
-        if text:sub(at, at) ~= '"' then break end
-        parts[#parts + 1] = '"'
-        begin = at + 1
-      end
-      fields[count] = table.concat(parts)
-      if fields[count] == "" then fields[count] = nil end
+      local begin = at
+      repeat -- a doubled quote ends a quoted text and begins another
+        at = text:match('^%b""()', at) or core.fail(where() .. "a quoted field does not end")
+      until text:sub(at, at) ~= '"'
+      local inside = text:sub(begin + 1, at - 2):gsub('""', '"')
+      fields[count] = inside ~= "" and inside or nil
     else
       local finish = text:find("[,\n]", at) or #text + 1
       fields[count] = field_value(text:sub(at, finish - 1):match "^%s*(.-)%s*$")
@@ -182,11 +176,7 @@ local function head(fields, count, where)
 end
 
 function csv.read(file)
-  local stream, reason = io.open(file, "rb")
-  if not stream then core.fail("sg.csv.read: cannot read " .. reason) end
-  local text = stream:read "a"
-  stream:close()
-  if not text then core.fail(("sg.csv.read: '%s' is not a file that can be read"):format(file)) end
+  local text = in_name_of("sg.csv.read", "core.read_file", core.read_file, file)
   text = text:gsub("^\xEF\xBB\xBF", ""):gsub("\r\n?", "\n")
 
   local data = setmetatable({ rows = {}, comments = {} }, Data)

@@ -13,9 +13,7 @@ local much = 0.1 -- of the work: missing energy that is worth a warning
 --- Adds what a model holds and has been given so far to a list, as plain numbers. `sudden`: a load acts in full from
 --- the next step on, so that no path exists along which its work could be summed.
 function energy_balance.note(list, model, sudden)
-  local now = model:energy()
-  list[#list + 1] = { work = now.work, stored = now.stored, contact = now.contact, friction = now.friction,
-                      sudden = sudden }
+  list[#list + 1] = lists.merged(model:energy(), { sudden = sudden })
 end
 
 --- Whether a load acts at the start of a path that its first stage does not drive.

@@ -1,6 +1,7 @@
 -- sg.files: what a script writes into its folder, as a list that is printed at the end.
 
 local check = require "signorini.check"
+local counted = require "signorini.counted"
 local core = require "signorini.core"
 local holds = require("signorini.lists").holds
 local in_name_of = require "signorini.in_name_of"
@@ -19,7 +20,7 @@ function Files:__call(name)
 end
 
 function Files:__tostring()
-  return ("%d file%s in %s%s"):format(#self, #self == 1 and "" or "s", self.folder,
+  return ("%s in %s%s"):format(counted(#self, "file"), self.folder,
     #self > 0 and ":\n  " .. table.concat(self, "\n  ") or "")
 end
 

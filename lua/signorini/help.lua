@@ -56,13 +56,12 @@ end
 
 --- Everything with a word in it: pages, the one that is called so in full, and scripts.
 local function search(word)
-  local found, own, parts = {}, {}, {}
-  for _, name in ipairs(pages.names()) do
-    if (name .. "\n" .. pages.text(name)):lower():find(word:lower(), 1, true) then
-      found[#found + 1] = pages.find(name)
-      if name:match "[^.:]+$" == word then own[#own + 1] = name end
-    end
-  end
+  local parts = {}
+  local names = lists.filter(pages.names(), function(name)
+    return (name .. "\n" .. pages.text(name)):lower():find(word:lower(), 1, true)
+  end)
+  local own = lists.filter(names, function(name) return name:match "[^.:]+$" == word end)
+  local found = lists.map(names, pages.find)
   if #own == 1 then parts[#parts + 1] = pages.text(own[1]) end
   if #found > 0 then parts[#parts + 1] = list(("Pages with '%s':"):format(word), found) end
   local of_scripts = scripts.with(word)
@@ -70,21 +69,18 @@ local function search(word)
   return #parts > 0 and table.concat(parts, "\n\n") or nil
 end
 
---- The words of pages, texts and groups, as a set.
+--- The words of pages, texts and groups.
 local function words()
-  local known = { gallery = true }
-  for _, name in ipairs(pages.names()) do known[name] = true end
-  for subject in pairs(texts) do known[subject] = true end
-  for _, group in ipairs(pages.groups()) do known[group.word] = true end
-  return known
+  local groups = lists.map(pages.groups(), function(group) return group.word end)
+  return lists.unique(lists.joined({ "gallery" }, pages.names(), lists.sorted_names(texts), groups))
 end
 
 --- What to say of a word that nothing has.
 local function no_page(word)
-  local known = words()
-  for _, name in ipairs(pages.names()) do known[name:match "[^.:]+$"] = true end
-  for _, script in ipairs(scripts.all()) do known[script.name] = true end
-  local hint = meant(word, lists.sorted_names(known))
+  local known = lists.joined(words(), lists.map(pages.names(), function(name) return name:match "[^.:]+$" end),
+    lists.map(scripts.all(), function(script) return script.name end))
+  table.sort(known)
+  local hint = meant(word, known)
   return ("There is no page on '%s'%s"):format(word, hint ~= "" and hint or ". help() shows where to begin.")
 end
 
@@ -127,7 +123,11 @@ end
 local help = {}
 
 --- What Tab offers behind help ".
-function help.words() return lists.sorted_names(words()) end
+function help.words()
+  local known = words()
+  table.sort(known)
+  return known
+end
 
 --- sg.help.
 function help.show(...)

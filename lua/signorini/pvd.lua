@@ -1,8 +1,10 @@
 -- sg.pvd: a time series for ParaView: one .vtu file per state, and the .pvd file that lists them.
 
 local check = require "signorini.check"
+local counted = require "signorini.counted"
 local in_name_of = require "signorini.in_name_of"
 local core = require "signorini.core"
+local lists = require "signorini.lists"
 
 local Series = {}
 Series.__index = Series
@@ -16,12 +18,11 @@ local function escaped(text) return (text:gsub("&", "&amp;"):gsub("<", "&lt;"):g
 
 --- The list as it stands, so that what is there can be opened while a run goes on, or after it was killed.
 local function write_list(series)
-  local lines = { "  <Collection>" }
-  for _, state in ipairs(series) do
-    lines[#lines + 1] = ('    <DataSet timestep="%.17g" part="0" file="%s"/>'):format(state.time, escaped(state.name))
-  end
+  local lines = lists.map(series, function(state)
+    return ('    <DataSet timestep="%.17g" part="0" file="%s"/>\n'):format(state.time, escaped(state.name))
+  end)
   in_name_of("sg.pvd", "core.write_file", core.write_file, series.file,
-    header .. table.concat(lines, "\n") .. "\n  </Collection>\n</VTKFile>\n")
+    header .. "  <Collection>\n" .. table.concat(lines) .. "  </Collection>\n</VTKFile>\n")
 end
 
 --- Takes up the list of a file that an earlier process has written.
@@ -58,9 +59,7 @@ function Series:add(state)
   write_list(self)
 end
 
-function Series:__tostring()
-  return ("series %s: %d %s"):format(self.file, #self, #self == 1 and "state" or "states")
-end
+function Series:__tostring() return ("series %s: %s"):format(self.file, counted(#self, "state")) end
 
 --- A series without states; its file is there at once, so that a place that cannot be written to is told at once.
 return function(file, options)

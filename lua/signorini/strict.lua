@@ -5,17 +5,15 @@ local core = require "signorini.core"
 --- The names that can be read where a function stands: its local variables, its upvalues, and the globals.
 local function names_in_sight(level)
   local names = {}
-  for i = 1, math.huge do
-    local name = debug.getlocal(level + 1, i)
-    if not name then break end
-    names[#names + 1] = name
+  local function add(get, of)
+    for i = 1, math.huge do
+      local name = get(of, i)
+      if not name then return end
+      names[#names + 1] = name
+    end
   end
-  local frame = debug.getinfo(level + 1, "f")
-  for i = 1, math.huge do
-    local name = debug.getupvalue(frame.func, i)
-    if not name then break end
-    names[#names + 1] = name
-  end
+  add(debug.getlocal, level + 2)
+  add(debug.getupvalue, debug.getinfo(level + 1, "f").func)
   for name in next, _G do names[#names + 1] = tostring(name) end
   return names
 end

@@ -2,6 +2,7 @@
 
 local examples_of = require("signorini.help.page_text").examples
 local page_text = require("signorini.help.page_text").whole
+local lists = require "signorini.lists"
 local pages = require "signorini.pages"
 local texts = require "signorini.help.texts"
 
@@ -25,10 +26,8 @@ end
 
 --- The text of the page.
 return function()
-  local lines, titles = { head }, {}
-  for _, group in ipairs(pages.groups()) do titles[#titles + 1] = group.title end
-  add(titles, "The scene of the examples", "The prompt")
-  for _, title in ipairs(titles) do
+  local lines, titles = { head }, lists.map(pages.groups(), function(group) return group.title end)
+  for _, title in ipairs(lists.joined(titles, { "The scene of the examples", "The prompt" })) do
     add(lines, ("- [%s](#%s)"):format(title, title:lower():gsub("[,:']", ""):gsub(" ", "-")))
   end
   for _, group in ipairs(pages.groups()) do

@@ -1,6 +1,7 @@
 -- A page as help shows it: how to call the function, what it does, its arguments in a list, and examples.
 
 local describe = require "signorini.describe"
+local lists = require "signorini.lists"
 local pages = require "signorini.pages"
 local wrapped = require "signorini.show.wrapped"
 
@@ -38,10 +39,7 @@ end
 local function rows_inside(type)
   if type.kind == "named" then return type.rows end
   if type.kind == "list" or type.kind == "map" or type.kind == "switch" then return rows_inside(type.of) end
-  for _, one in ipairs(type.kind == "either" and type or {}) do
-    local rows = rows_inside(one)
-    if rows then return rows end
-  end
+  return type.kind == "either" and lists.map(lists.filter(type, rows_inside), rows_inside)[1] or nil
 end
 
 --- What a row asks for: type, unit, default.

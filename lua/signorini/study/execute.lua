@@ -88,39 +88,30 @@ local function outcome_text(record)
   return ("%s: %s"):format(record.outcome, (record.reason or "no reason given"):match "^[^\n]*")
 end
 
---- How the execution stands, on the terminal or line by line.
-local Display = {}
-Display.__index = Display
-
-local function open_display(study, kept, todo)
-  local bar = progress(todo)
-  return setmetatable({ bar = bar, name = study.name, kept = kept, todo = todo, ended = 0, failed = 0 }, Display)
-end
-
-function Display:look(running)
-  self.bar:draw(self.name, (self.kept + self.ended) / (self.kept + self.todo),
-    ("%d of %d done, %d failed, %d running, %s"):format(self.kept + self.ended, self.kept + self.todo, self.failed,
-      running, self.bar:to_go(self.ended / self.todo)))
-end
-
-function Display:case(entry, record)
-  self.ended = self.ended + 1
-  if record.outcome ~= "done" then self.failed = self.failed + 1 end
-  if record.outcome ~= "done" or not core.terminal then
-    self.bar:line(("%s: %d of %d: %s: %s"):format(self.name, self.kept + self.ended, self.kept + self.todo, entry.text,
-      outcome_text(record)))
+--- How the execution stands, on the terminal or line by line: two functions, look(running) and case(entry, record).
+local function display(bar, study, todo)
+  local all, ended, failed = #study.cases, 0, 0
+  local function done() return all - todo + ended end
+  return function(running)
+    bar:draw(study.name, done() / all, ("%d of %d done, %d failed, %d running, %s"):format(done(), all, failed, running,
+      bar:to_go(ended / todo)))
+  end, function(entry, record)
+    ended = ended + 1
+    if record.outcome ~= "done" then failed = failed + 1 end
+    if record.outcome ~= "done" or not core.terminal then
+      bar:line(("%s: %d of %d: %s: %s"):format(study.name, done(), all, entry.text, outcome_text(record)))
+    end
   end
 end
 
---- Runs the cases of a list, at_once side by side. Returns whether all were done.
-local function run_cases(study, list, at_once, limit, display, keep)
+--- Runs the cases of a list, at_once side by side; keep(case's number, record, at_once), look(cases running). Returns
+--- whether all were done.
+local function run_cases(study, list, at_once, limit, look, keep)
   return core.jobs(#list, at_once, function(k)
     return core.write_json(solve_case(study.run, study.cases[list[k]]))
   end, function(k, text, failure)
-    local record = finished(text, failure, limit)
-    keep(list[k], record, at_once)
-    display:case(study.cases[list[k]], record)
-  end, limit, function(running) display:look(running) end)
+    keep(list[k], finished(text, failure, limit), at_once)
+  end, limit, look)
 end
 
 --- Tells how many cases ended by errors, even where the program is quiet, and has the program end with status 1: a
@@ -156,8 +147,9 @@ local function run_missing(study, keeper, options)
   local list, words = missing(study, now, options.limit, options.again)
   if study.on_record then study.on_record() end
   if #list > 0 then store.take_reserve(keeper) end
-  local display = open_display(study, #study.cases - #list, #list)
-  if words then display.bar:line(words) end
+  local bar = progress(#list)
+  local look, tell = display(bar, study, #list)
+  if words then bar:line(words) end
   local function keep(i, record, at_once)
     record.study, record.case, record.inputs = study.name, study.cases[i].case, now
     record.made = { versions = core.versions, host = core.host, processor = core.processor,
@@ -170,11 +162,12 @@ local function run_missing(study, keeper, options)
       core.fail(("%s: no space is left for '%s': make room and execute again; all that was done is kept")
         :format(keeper.where, study.folder))
     end
+    tell(study.cases[i], record)
   end
   local together, alone = split_alone(study, list)
-  local whole = run_cases(study, together, options.jobs or core.at_once, options.limit, display, keep)
-  whole = whole and run_cases(study, alone, 1, options.limit, display, keep)
-  display.bar:clear()
+  local whole = run_cases(study, together, options.jobs or core.at_once, options.limit, look, keep)
+  whole = whole and run_cases(study, alone, 1, options.limit, look, keep)
+  bar:clear()
   tell_errors(study)
   return whole
 end
