@@ -1,6 +1,7 @@
 -- Tables of figures by name, and objects, that refuse names they do not have.
 
 local core = require "signorini.core"
+local lists = require "signorini.lists"
 local meant = require "signorini.meant"
 
 local named = {}
@@ -21,9 +22,7 @@ end
 --- The table itself; from now on what it does not have is an error, not nil. `by_number`: see named.missing.
 function named.strict(what, entries, by_number)
   return setmetatable(entries, { __name = what:match "^an? (.*)", __index = function(_, name)
-    local known = {}
-    for key in next, entries do known[#known + 1] = key end
-    named.missing(what, name, known, by_number)
+    named.missing(what, name, lists.sorted_names(entries), by_number)
   end })
 end
 
@@ -37,11 +36,10 @@ function named.strict_type(methods, noun, private)
     if may_be_missing[name] or type(name) == "string" and name:find "^__" then return nil end
     if type(name) == "number" and rawget(methods, "__len") then return nil end -- as of any list
     local pages = require "signorini.pages"
-    local known = pages.keys(pages.find(noun).fields)
-    for method in next, methods do
-      if pages.find(("%s:%s"):format(noun, method)) then known[#known + 1] = method end
-    end
-    named.missing("a " .. noun, name, known)
+    local public = lists.filter(lists.sorted_names(methods), function(method)
+      return pages.find(("%s:%s"):format(noun, method))
+    end)
+    named.missing("a " .. noun, name, lists.joined(pages.keys(pages.find(noun).fields), public))
   end })
   return may_be_missing
 end

@@ -44,14 +44,10 @@ end
 
 --- The steps that a fallback has carried which may leave the branch: a list of { step, how }.
 function path_controls.departures(histories)
-  local found = {}
-  for step, attempts in ipairs(histories) do
-    for index = 1, #attempts do
-      local how = departure(attempts, index)
-      if how then found[#found + 1] = { step = step, how = how } end
-    end
-  end
-  return found
+  return lists.flat(lists.map(histories, function(attempts, step)
+    local all = lists.map(attempts, function(_, index) return { step = step, how = departure(attempts, index) } end)
+    return lists.filter(all, function(one) return one.how end)
+  end))
 end
 
 --- Texts in a row; of long lists the first ones, and where to `see` the others.

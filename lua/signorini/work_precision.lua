@@ -91,12 +91,11 @@ local function steps(front, points)
   for _, point in ipairs(points) do top, right = math.max(top, point.error), math.max(right, point.time) end
   local height = top
   for _, point in ipairs(front) do
-    table.move({ point.time, point.time }, 1, 2, #x + 1, x)
-    table.move({ height, point.error }, 1, 2, #y + 1, y)
+    x, y = lists.joined(x, { point.time, point.time }), lists.joined(y, { height, point.error })
     height = point.error
   end
-  x[#x + 1], y[#y + 1] = right, height
-  return { x = x, y = y, label = "Pareto front", color = "gray", width = 12 }
+  return { x = lists.joined(x, { right }), y = lists.joined(y, { height }), label = "Pareto front", color = "gray",
+           width = 12 }
 end
 
 --- Draws a file; `marks` are the names of all kinds of points, in order, or empty.
@@ -166,15 +165,11 @@ local function make_curves(points)
 end
 
 local function make_ratios(list, at)
-  local ratios = {}
-  for i, a in ipairs(list) do
-    for j = i + 1, #list do
-      local ratio = compare(a.points, list[j].points, at)
-      ratio.a, ratio.b = a.name, list[j].name
-      ratios[#ratios + 1] = ratio
-    end
-  end
-  return ratios
+  return lists.flat(lists.map(list, function(a, i)
+    return lists.map({ table.unpack(list, i + 1) }, function(b)
+      return lists.merged(compare(a.points, b.points, at), { a = a.name, b = b.name })
+    end)
+  end))
 end
 
 -- ── Reading (by the user) ────────────────────────────────────────────────────────────────────────────────────────────
