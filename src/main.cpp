@@ -1,6 +1,6 @@
 #include "base/interrupt.hpp"
 #include "bind/doctor.hpp"
-#include "bind/new_study.hpp"
+#include "bind/library.hpp"
 #include "bind/threads.hpp"
 #include "bind/wording/wording.hpp"
 #include "repl/command_line.hpp"

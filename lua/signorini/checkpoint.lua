@@ -5,8 +5,8 @@
 local in_name_of = require "signorini.in_name_of"
 local core = require "signorini.core"
 local counted = require "signorini.counted"
+local describe = require "signorini.describe"
 local lists = require "signorini.lists"
-local literal = require "signorini.literal"
 
 local where = "model:run"
 
@@ -28,15 +28,15 @@ end
 
 --- In which way two paths differ, in words; nothing when they are alike.
 local function difference(path, saved)
-  if literal.write(path) == literal.write(saved) then return nil end
+  if core.pack(path) == core.pack(saved) then return nil end
   if #path ~= #saved then return ("it has %s, the file's has %d"):format(counted(#path, "stage"), #saved) end
   for i, stage in ipairs(path) do
     local label = ("stage %d ('%s')"):format(i, stage.name)
     for _, key in ipairs { "name", "steps", "targets" } do
-      local here, there = literal.write(stage[key]), literal.write(saved[i][key])
-      if here ~= there then
+      local here, there = stage[key], saved[i][key]
+      if core.pack(here) ~= core.pack(there) then
         if key == "targets" then return label .. " has other targets" end
-        return ("%s.%s is %s, in the file %s"):format(label, key, here, there)
+        return ("%s.%s is %s, in the file %s"):format(label, key, describe.literal(here), describe.literal(there))
       end
     end
   end
@@ -47,10 +47,13 @@ end
 local Keeper = {}
 Keeper.__index = Keeper
 
---- The texts of a list's entries; those made before are taken as they are.
-local function grow(texts, count, entry)
-  for i = #texts + 1, count do texts[i] = literal.write(entry(i)) end
-  return literal.list(texts)
+--- A list as core.pack makes it, from the bytes of its entries: MessagePack's "array 32".
+local function list(parts) return (">BI4"):pack(0xdd, #parts) .. table.concat(parts) end
+
+--- A list whose entries that were packed before are taken as they are.
+local function grow(parts, count, entry)
+  for i = #parts + 1, count do parts[i] = core.pack(entry(i)) end
+  return list(parts)
 end
 
 local function row_of(run, i)
@@ -63,18 +66,18 @@ local function seconds_spent(model, before)
   return spent
 end
 
---- How the run stands, as text.
+--- How the run stands, as bytes.
 function Keeper:text(model, run, path, place, policy)
   local record = {}
   for key, value in pairs(run) do
     if not lists.holds(apart, key) then record[key] = value end
   end
   local stage = path[place.stage]
-  local rest = literal.write { path = outline(path), place = place, starts = stage.starts or {},
-                               memory = policy.memory or {}, names = run.names, record = record,
-                               spent = seconds_spent(model, run.before) }
-  return literal.list { rest, grow(self.rows, run.rows, function(i) return row_of(run, i) end),
-                        grow(self.histories, #run.histories, function(i) return run.histories[i] end) }
+  local rest = core.pack { path = outline(path), place = place, starts = stage.starts or {},
+                           memory = policy.memory or {}, names = run.names, record = record,
+                           spent = seconds_spent(model, run.before) }
+  return list { rest, grow(self.rows, run.rows, function(i) return row_of(run, i) end),
+                grow(self.histories, #run.histories, function(i) return run.histories[i] end) }
 end
 
 --- Every file outlives the process; to outlive the machine's power it has to be on the disk, for which a save waits
@@ -101,8 +104,11 @@ function Keeper:read(path, run)
     core.fail(("%s: '%s' was saved by model:save, not by a run: load it with sg.load, and run without resume")
       :format(where, self.file))
   end
-  local ok, saved = pcall(literal.read, text)
-  if not ok then core.fail(("%s: '%s': %s"):format(where, self.file, saved)) end
+  local ok, saved = pcall(core.unpack, text)
+  if not ok then
+    core.fail(("%s: '%s' holds how a run stands in an unknown form: it is damaged, or another version of " ..
+      "the program saved it. Name another file, or remove this one to start again"):format(where, self.file))
+  end
   local state, rows, histories = table.unpack(saved)
   local differs = difference(outline(path), state.path)
   if differs then
@@ -110,7 +116,7 @@ function Keeper:read(path, run)
       :format(where, self.file, differs))
   end
   for i = #run.names + 1, #state.names do run:add_extra(state.names[i]) end
-  if literal.write(state.names) ~= literal.write(run.names) then
+  if core.pack(state.names) ~= core.pack(run.names) then
     core.fail(("%s: '%s' holds a run with other columns: it was saved by another version of the program")
       :format(where, self.file))
   end

@@ -52,11 +52,11 @@ public:
   const std::string& path() const { return path_; }
   lua_State* state() const { return L_; }
 
-  /// Throws ArgumentError for what no table can say of a value: "sg.f: E must be <expected>, got <value>: <cure>".
+  /// Throws for what no table can say of a value: "sg.f: E must be <expected>, got <value>: <cure>".
   [[noreturn]] void refuse(const char* key, const std::string& expected, const std::string& cure = "") const;
-  /// Throws ArgumentError: the function's name, and this.
+  /// Throws with the joined parts as the message, behind the path.
   template <class... Parts> [[noreturn]] void fail(const Parts&... parts) const {
-    throw ArgumentError(text(function_name(L_), ": ", path_.empty() ? "" : path_ + ": ", parts...));
+    bind::fail(path_.empty() ? "" : path_ + ": ", parts...);
   }
 
 private:
@@ -64,6 +64,49 @@ private:
   int index_;
   std::string path_;
 };
+
+// ── C++ functions as Lua calls them ──────────────────────────────────────────────────────────────────────────────────
+
+/// What a C++ function takes from a place on the stack: an object by reference, also where a shared pointer holds it,
+/// a table of named arguments, the stack itself, or a value.
+template <class T> decltype(auto) argument(lua_State* L, int index) {
+  using Plain = std::remove_cvref_t<T>;
+  if constexpr (std::is_same_v<Plain, lua_State*>)
+    return Plain(L);
+  else if constexpr (std::is_same_v<Plain, Arguments>)
+    return Arguments(L, index);
+  else if constexpr (Registered<Plain>)
+    return read_object<Plain>(L, index);
+  else if constexpr (Registered<std::shared_ptr<Plain>>)
+    return *read_object<std::shared_ptr<Plain>>(L, index);
+  else if constexpr (Registered<std::shared_ptr<const Plain>>)
+    return *read_object<std::shared_ptr<const Plain>>(L, index);
+  else
+    return to<Plain>(L, index);
+}
+
+template <class Result, class... Parts> int call_plain(lua_State* L, Result (*function)(Parts...)) {
+  const auto called = [&]<std::size_t... I>(std::index_sequence<I...>)->Result {
+    return function(argument<Parts>(L, static_cast<int>(I) + 1)...);
+  };
+  if constexpr (std::is_void_v<Result>) {
+    called(std::index_sequence_for<Parts...>());
+    return 0;
+  } else if constexpr ((std::is_same_v<Parts, lua_State*> || ...)) {
+    return called(std::index_sequence_for<Parts...>());
+  } else {
+    push(L, called(std::index_sequence_for<Parts...>()));
+    return 1;
+  }
+}
+
+/// A function of C++ as Lua calls it: its parameters are the arguments in their order, or the object of a method first;
+/// what it returns is pushed. Where its last parameter is the stack, it pushes itself and returns the number of values.
+///
+///     {"translate", call<nurbs::translate>},
+template <auto function> int call(lua_State* L) {
+  return call_plain(L, +function);
+}
 
 template <class> using NameOf = const char*;
 
@@ -73,18 +116,18 @@ template <class> using NameOf = const char*;
 template <class Result, class... Parts> int made(lua_State* L, Result (*make)(Parts...), NameOf<Parts>... names) {
   const Arguments a(L);
   const auto read = [&]<class T>(std::type_identity<T>, const char* name) -> decltype(auto) {
-    if constexpr (requires { Type<T>::name; })
+    if constexpr (Registered<T>)
       return a.object<T>(name);
     else
       return a.get<T>(name);
   };
-  push_object<Result>(L, make(read(std::type_identity<std::remove_cvref_t<Parts>>(), names)...));
+  push(L, make(read(std::type_identity<std::remove_cvref_t<Parts>>(), names)...));
   return 1;
 }
 
 /// The same of a function that reads the arguments itself.
 template <class Result> int made(lua_State* L, Result (*make)(const Arguments&)) {
-  push_object<Result>(L, make(Arguments(L)));
+  push(L, make(Arguments(L)));
   return 1;
 }
 

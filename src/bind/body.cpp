@@ -1,12 +1,13 @@
 #include "base/machine.hpp"
 #include "base/words.hpp"
 #include "bind/functions.hpp"
-#include "bind/material.hpp"
 #include "bind/open.hpp"
 #include "bind/patch.hpp"
-#include "bind/place.hpp"
+#include "bind/scene.hpp"
 #include "bind/wording/wording.hpp"
 #include "nurbs/coincident.hpp"
+#include "solid/linear_elastic.hpp"
+#include "solid/neo_hookean.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,10 +18,119 @@ namespace {
 
 using nurbs::Side;
 
+// ── Materials ────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+template <auto make> solid::Material material(const Arguments& a) {
+  return make(a.get<double>("E"), a.get<double>("nu"));
+}
+
+/// "E = 1, nu = 0.3"
+std::string constants_in_words(const solid::Material& material) {
+  const solid::ElasticConstants& law = material.constants();
+  return text("E = ", law.youngs_modulus, ", nu = ", law.poissons_ratio);
+}
+
+std::string material_text(const solid::Material& material) {
+  return text(material.name(), ": ", constants_in_words(material));
+}
+
+// ── Places ───────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+/// The names of a name's parts: "south", "front" of "south-front".
+std::vector<std::string> parts_of(const std::string& name) {
+  std::vector<std::string> parts;
+  for (std::size_t begin = 0; begin <= name.size();) {
+    const std::size_t end = std::min(name.find('-', begin), name.size());
+    parts.push_back(name.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return parts;
+}
+
+/// All names of places where `count` faces meet, their directions in order: "west-south", "west-front", "south-front".
+std::vector<std::string> meeting_names(int dimensions, int count) {
+  std::vector<std::string> names;
+  const auto extend = [&](auto& self, const std::string& begun, int direction, int missing) -> void {
+    if (missing == 0) return names.push_back(begun);
+    for (int d = direction; d <= dimensions - missing; ++d)
+      for (bool at_end : {false, true})
+        self(self, text(begun, begun.empty() ? "" : "-", nurbs::name_of({d, at_end})), d + 1, missing - 1);
+  };
+  extend(extend, "", 0, count);
+  return names;
+}
+
+/// The directions' order of a corner's name does not matter; in the plane its names begin with south or north.
+std::vector<std::string> corner_names(int dimensions) {
+  if (dimensions == 2) return {"south-west", "south-east", "north-west", "north-east"};
+  return meeting_names(dimensions, dimensions);
+}
+
+/// The sides that a name consists of; empty unless they are `count` known ones of different directions.
+std::vector<Side> read_sides(const std::string& name, int dimensions, int count) {
+  const std::vector<std::string> known = meeting_names(dimensions, 1), parts = parts_of(name);
+  std::vector<Side> sides;
+  for (const std::string& part : parts) {
+    if (std::find(known.begin(), known.end(), part) == known.end()) return {};
+    const Side side = nurbs::side_of(part, dimensions);
+    for (const Side& other : sides)
+      if (other.direction == side.direction) return {};
+    sides.push_back(side);
+  }
+  return static_cast<int>(sides.size()) == count ? sides : std::vector<Side>{};
+}
+
+/// core.place_names(body or patch, count): the names of its places where so many faces meet, 0: of its corners; without
+/// an object those of solids.
+int place_names(lua_State* L) {
+  const auto* patch = test_object<nurbs::Patch>(L, 1);
+  const int dimensions = patch ? patch->parametric_dimension() : test_object<Body<2>>(L, 1) ? 2 : 3;
+  const int count = to<int>(L, 2);
+  push(L, count == 0           ? corner_names(dimensions)
+          : count < dimensions ? meeting_names(dimensions, count)
+                               : std::vector<std::string>());
+  return 1;
+}
+
+template <int D> Place<D> face(const Body<D>& body, const std::string& name) {
+  const Side side = nurbs::side_of(name, D);
+  return {body, "face", name, side, body->space().face_functions(side)};
+}
+
+/// The place where the faces of a name meet, its functions those of all of them.
+template <int D> int push_meeting(lua_State* L, const char* kind, int count, const std::vector<std::string>& names) {
+  const Body<D>& body = self<Body<D>>(L);
+  const auto name = to<std::string>(L, 2);
+  const std::vector<Side> sides = read_sides(name, D, count);
+  if (sides.empty()) reject(L, 2, {"name"}, one_of(names), "did you mean '" + nearest(name, names) + "'?");
+  std::vector<int> common = body->space().face_functions(sides.front());
+  for (const Side& side : sides) {
+    const std::vector<int> others = body->space().face_functions(side);
+    std::erase_if(common, [&](int f) { return std::find(others.begin(), others.end(), f) == others.end(); });
+  }
+  push_object(L, Place<D>{body, kind, name, {}, std::move(common)});
+  return 1;
+}
+
+template <int D> int edge(lua_State* L) {
+  require(D == 3, "a plane body has faces and corners, no edges: write b:face \"south\" or b:corner \"south-west\"");
+  return push_meeting<D>(L, "edge", 2, meeting_names(D, 2));
+}
+
+template <int D> int corner(lua_State* L) {
+  return push_meeting<D>(L, "corner", D, corner_names(D));
+}
+
+template <int D> std::string place_text(const Place<D>& place) {
+  return text(place.kind, " '", place.name, "' of a body, ", counted(place.functions.size(), "control point"));
+}
+
+// ── Bodies ───────────────────────────────────────────────────────────────────────────────────────────────────────────
+
 /// The contact faces, where a body has any.
 std::vector<Side> contact_of(const Arguments& a, int dimensions) {
   std::vector<Side> sides;
-  const std::vector<std::string> known = face_names(dimensions);
+  const std::vector<std::string> known = meeting_names(dimensions, 1);
   for (const std::string& name : a.get<std::vector<std::string>>("contact", {})) {
     if (std::find(known.begin(), known.end(), name) == known.end()) {
       const std::string meant = nurbs::meant_side(name, dimensions);
@@ -54,7 +164,7 @@ int dimension_of(const Arguments& a, const nurbs::Patch& patch) {
 }
 
 /// Refuses a body that cannot fit, and says what a large one takes: before anything of it is made.
-void check_size(lua_State* L, const nurbs::Plan& plan, int dimensions) {
+void check_size(const nurbs::Plan& plan, int dimensions) {
   constexpr double most_unknowns = 20e6;
   double elements = 1, points = 1; // all, and unknowns of one component
   for (int count : plan.elements) elements *= count, points *= count + 1.0;
@@ -65,7 +175,7 @@ void check_size(lua_State* L, const nurbs::Plan& plan, int dimensions) {
   std::string list;
   for (int count : plan.elements) list += text(list.empty() ? "" : ", ", count);
   const auto refuse = [&](const auto&... why) {
-    throw ArgumentError(text(function_name(L), ": elements = {", list, "} make ", why..., ": take fewer elements"));
+    fail("elements = {", list, "} make ", why..., ": take fewer elements");
   };
   const auto count = [](double value) { return text(static_cast<long long>(value)); };
   if (unknowns > most_unknowns)
@@ -79,15 +189,15 @@ void check_size(lua_State* L, const nurbs::Plan& plan, int dimensions) {
               number(std::round(table / 1e8) / 10), " GB: making them takes a while, and solving much longer"));
 }
 
-template <int D> void push_body(lua_State* L, const nurbs::Patch& patch, const nurbs::Plan& plan, const Arguments& a) {
+template <int D> int push_body(lua_State* L, const nurbs::Patch& patch, const nurbs::Plan& plan, const Arguments& a) {
   const auto& made =
       push_object<Body<D>>(L, std::make_shared<const solid::Body<D>>(nurbs::Discretisation(patch, plan),
                                                                      a.object<solid::Material>("material")));
   count_memory(L, static_cast<double>(made->memory()));
+  return 1;
 }
 
-int body(lua_State* L) {
-  const Arguments a(L);
+int body(const Arguments& a, lua_State* L) {
   const auto& patch = a.object<nurbs::Patch>("patch");
   const int dimensions = dimension_of(a, patch);
   nurbs::Plan plan;
@@ -96,31 +206,19 @@ int body(lua_State* L) {
   plan.contact = contact_of(a, dimensions);
   plan.labels = labels_of(a, static_cast<std::size_t>(plan.contact.empty() ? dimensions : dimensions - 1));
   if (a.has("through")) plan.through = a.get<int>("through");
-  check_size(L, plan, dimensions);
-  if (dimensions == 2)
-    push_body<2>(L, patch, plan, a);
-  else
-    push_body<3>(L, patch, plan, a);
-  return 1;
+  check_size(plan, dimensions);
+  return dimensions == 2 ? push_body<2>(L, patch, plan, a) : push_body<3>(L, patch, plan, a);
 }
 
-template <int D> int dofs(lua_State* L) {
-  const nurbs::Discretisation& space = self<Body<D>>(L)->space();
+template <int D> int dofs(const solid::Body<D>& body, lua_State* L) {
+  const nurbs::Discretisation& space = body.space();
   std::vector<int> interface;
   for (Side side : space.contact()) {
     const auto face = space.face_functions(side);
     interface.insert(interface.end(), face.begin(), face.end());
   }
   const int on_faces = D * static_cast<int>(interface.size()), total = D * space.functions();
-  lua_createtable(L, 0, 3);
-  set_field(L, "interface", on_faces);
-  set_field(L, "bulk", total - on_faces);
-  set_field(L, "total", total);
-  return 1;
-}
-
-template <int D> int points(lua_State* L) {
-  push(L, self<Body<D>>(L)->space().points());
+  push_fields(L, "interface", on_faces, "bulk", total - on_faces, "total", total);
   return 1;
 }
 
@@ -144,32 +242,43 @@ std::string all_degrees_in_words(const nurbs::Discretisation& space) {
   return words;
 }
 
-template <int D> int body_text(lua_State* L) {
-  const solid::Body<D>& body = *self<Body<D>>(L);
+template <int D> std::string body_text(const solid::Body<D>& body) {
   const nurbs::Discretisation& space = body.space();
   std::string elements, closed;
   for (int d : nurbs::closed_directions(space)) closed += text(closed.empty() ? "closed along xi" : " and xi", d + 1);
   for (int d = 0; d < D; ++d) elements += text(d == 0 ? "" : " x ", space.elements(d));
-  push(L, text(D == 2 ? "plane" : "solid", " body: ", elements, " elements, degree ", all_degrees_in_words(space), ", ",
-               D * space.functions(), " degrees of freedom, ", closed, closed.empty() ? "" : ", ",
-               body.linear() ? "linear elastic, " : "", constants_in_words(body.material())));
-  return 1;
+  return text(D == 2 ? "plane" : "solid", " body: ", elements, " elements, degree ", all_degrees_in_words(space), ", ",
+              D * space.functions(), " degrees of freedom, ", closed, closed.empty() ? "" : ", ",
+              body.linear() ? "linear elastic, " : "", constants_in_words(body.material()));
 }
 
-constexpr Function body_functions[] = {{"body", body}};
+constexpr Function body_functions[] = {
+    {"neo_hookean", call<material<solid::neo_hookean>>},
+    {"linear_elastic", call<material<solid::linear_elastic>>},
+    {"body", call<body>},
+};
+constexpr Function body_core_entries[] = {{"place_names", place_names}};
 
+constexpr Function material_entries[] = {{"__tostring", call<material_text>}};
+template <int D> constexpr Function place_entries[] = {{"__tostring", call<place_text<D>>}};
 template <int D>
 constexpr Function body_entries[] = {
-    {"__tostring", body_text<D>}, {"dofs", dofs<D>},     {"face", face<D>}, {"edge", edge<D>},
-    {"corner", corner<D>},        {"points", points<D>},
+    {"__tostring", call<body_text<D>>},
+    {"dofs", call<dofs<D>>},
+    {"face", call<face<D>>},
+    {"edge", edge<D>},
+    {"corner", corner<D>},
+    {"points", call<[](const solid::Body<D>& body) { return body.space().points(); }>},
 };
 
 } // namespace
 
 void open_body(lua_State* L) {
   register_functions(L, "sg", body_functions);
+  register_functions(L, "core", body_core_entries);
+  register_type<solid::Material>(L, material_entries);
   register_type<Body<2>, Body<3>>(L, body_entries<2>, body_entries<3>);
-  open_places(L);
+  register_type<Place<2>, Place<3>>(L, place_entries<2>, place_entries<3>);
 }
 
 } // namespace signorini::bind

@@ -1,7 +1,14 @@
+// What objects hold, as bytes: checkpoints of models, and contents to compare.
+
 #include "model/checkpoint.hpp"
+#include "base/archive.hpp"
 #include "bind/functions.hpp"
 #include "bind/open.hpp"
+#include "bind/patch.hpp"
 #include "bind/scene.hpp"
+#include "contact/archive.hpp"
+#include "nurbs/archive.hpp"
+#include "solid/archive.hpp"
 
 namespace signorini::bind {
 
@@ -12,7 +19,7 @@ template <class Visit> int with_model(lua_State* L, Visit visit) {
   if (auto* model = test_object<Model<3>>(L, 1))
     visit(**model);
   else
-    visit(*read_object<Model<2>>(L, 1, {"model"}));
+    visit(*read_object<Model<2>>(L, 1));
   return 0;
 }
 
@@ -28,12 +35,6 @@ int core_restore(lua_State* L) {
   return with_model(L, [&](auto& model) { model::restore(model, to<std::string>(L, 2)); });
 }
 
-/// core.checkpoint_text(path): the text that core.save was given.
-int core_text(lua_State* L) {
-  push(L, model::load_text(to<std::string>(L, 1)));
-  return 1;
-}
-
 int load(lua_State* L) {
   std::visit(
       [&](const auto& model) {
@@ -44,7 +45,43 @@ int load(lua_State* L) {
   return 1;
 }
 
-constexpr Function core_rows[] = {{"save", core_save}, {"restore", core_restore}, {"checkpoint_text", core_text}};
+/// Writes the object at index 1 where it is of this type, or what `part` returns of it; whether it is.
+template <class T, class Part> bool write_if(lua_State* L, ArchiveWriter& to, Part part) {
+  const T* object = test_object<T>(L, 1);
+  if (object) std::apply([&](const auto&... parts) { to.put(parts...); }, part(*object));
+  return object != nullptr;
+}
+
+template <int D> bool write_scene_object(lua_State* L, ArchiveWriter& to) {
+  return write_if<Body<D>>(L, to, [](const auto& body) { return std::tie(*body); }) ||
+         write_if<Place<D>>(L, to, [](const auto& at) { return std::tie(*at.body, at.name, at.functions); }) ||
+         write_if<Rigid<D>>(L, to, [](const auto& rigid) { return std::tie(rigid->form, rigid->shape); }) ||
+         write_if<Snapshot<D>>(L, to,
+                               [](const auto& kept) { return std::tuple(model::content(*kept.model, kept.state)); }) ||
+         write_if<Model<D>>(L, to, [](const auto& model) {
+           return std::tuple(model::content(*model, model::snapshot(*model)), model->present.displacement,
+                             model->present.penalty_factor);
+         });
+}
+
+/// core.content(object): all that a patch, a material, a body, a face, an obstacle, a model or a snapshot holds, as
+/// bytes to compare; nil for other values.
+int content(lua_State* L) {
+  ArchiveWriter bytes;
+  const auto whole = [](const auto& object) { return std::tie(object); };
+  if (!write_if<nurbs::Patch>(L, bytes, whole) && !write_if<solid::Material>(L, bytes, whole) &&
+      !write_scene_object<2>(L, bytes) && !write_scene_object<3>(L, bytes))
+    return 0;
+  push(L, bytes.bytes());
+  return 1;
+}
+
+constexpr Function core_rows[] = {
+    {"save", core_save},
+    {"restore", core_restore},
+    {"checkpoint_text", call<model::load_text>}, // the text that core.save was given
+    {"content", content},
+};
 constexpr Function checkpoint_functions[] = {{"load", load}};
 
 } // namespace

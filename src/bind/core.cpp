@@ -1,14 +1,21 @@
+#include "base/archive.hpp"
 #include "base/interrupt.hpp"
+#include "base/lock.hpp"
 #include "base/timer.hpp"
+#include "base/whole_file.hpp"
 #include "bind/arguments.hpp"
 #include "bind/functions.hpp"
 #include "bind/open.hpp"
 #include "bind/threads.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <filesystem>
+#include <fmt/format.h>
 
 namespace signorini::bind {
+
+template <> struct Type<Lock> { static constexpr auto name = "lock"; };
 
 namespace {
 
@@ -20,21 +27,18 @@ int core_fail(lua_State* L) {
 }
 
 /// core.now(), sg.wall_time(): wall-clock seconds since some moment in the past.
-int now(lua_State* L) {
+double now() {
   static const Stopwatch since_start;
-  push(L, since_start.seconds());
-  return 1;
+  return since_start.seconds();
 }
 
 /// core.mkdir(path), sg.mkdir(path): makes a folder and those above it; an existing folder is fine.
-int mkdir(lua_State* L) {
-  const auto path = to<std::string>(L, 1);
+void mkdir(const std::string& path) {
   std::error_code error;
   std::filesystem::create_directories(path, error);
   if (error || !std::filesystem::is_directory(path))
     fail("cannot make the folder '", path, "' (", error ? error.message() : "it is a file",
          "): choose a place that can be written to");
-  return 0;
 }
 
 /// core.describe(value): a value in the words of error messages.
@@ -44,25 +48,39 @@ int core_describe(lua_State* L) {
 }
 
 /// core.nearest(word, words): the word of a list that is nearest, or nil.
-int core_nearest(lua_State* L) {
-  const auto word = to<std::string>(L, 1);
-  const auto words = to<std::vector<std::string>>(L, 2);
+std::optional<std::string> core_nearest(const std::string& word, const std::vector<std::string>& words) {
   const std::string best = nearest(word, words);
-  if (best.empty()) return 0;
-  push(L, best);
-  return 1;
+  return best.empty() ? std::nullopt : std::optional(best);
 }
 
 /// core.exists(path): whether there is a file or a folder of that name.
-int core_exists(lua_State* L) {
-  push(L, std::filesystem::exists(to<std::string>(L, 1)));
-  return 1;
+bool exists(const std::string& path) {
+  return std::filesystem::exists(path);
 }
 
-/// core.set_threads(threads): how many threads work on a solve from now on; core.threads is what --threads said.
-int core_set_threads(lua_State* L) {
-  set_threads(to<int>(L, 1));
-  return 0;
+/// core.write_file(file, bytes, durable = false): writes a file, whole or not at all; durable: on the disk on return,
+/// so that it outlives the machine's power.
+void write_file(const std::string& file, const std::string& bytes, bool durable) {
+  write_whole(file, bytes, durable);
+}
+
+/// core.list_folder(folder): the names of what a folder holds, sorted.
+std::vector<std::string> list_folder(const std::string& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) names.push_back(entry.path().filename());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+/// core.hash(bytes): sixteen hexadecimal digits that stand for a text.
+std::string hash(const std::string& bytes) {
+  return fmt::format("{:016x}", checksum(bytes));
+}
+
+/// core.lock(file): holds a file, made where there is none, until :release(). An error when somebody holds it.
+int lock(lua_State* L) {
+  push_object(L, Lock(to<std::string>(L, 1)));
+  return 1;
 }
 
 /// core.number_text(value): the shortest decimal text of a finite number that reads back as the same number.
@@ -96,10 +114,9 @@ int kind(lua_State* L) {
 
 /// core.answer_interrupt(): whether Ctrl-C was pressed; if so, what is going on ends because of it and returns what it
 /// has.
-int core_answer_interrupt(lua_State* L) {
+bool core_answer_interrupt() {
   if (interrupted()) answer_interrupt();
-  push(L, interrupted());
-  return 1;
+  return interrupted();
 }
 
 int results(lua_State* L, int, lua_KContext) {
@@ -126,25 +143,30 @@ int core_offered(lua_State* L) {
 constexpr Function core_entries[] = {
     {"fail", core_fail},
     {"offered", core_offered},
-    {"answer_interrupt", core_answer_interrupt},
-    {"now", now},
-    {"mkdir", mkdir},
-    {"exists", core_exists},
-    {"set_threads", core_set_threads},
+    {"answer_interrupt", call<core_answer_interrupt>},
+    {"now", call<now>},
+    {"mkdir", call<mkdir>},
+    {"exists", call<exists>},
+    {"write_file", call<write_file>},
+    {"read_file", call<read_whole>},
+    {"list_folder", call<list_folder>},
+    {"remove_leftovers", call<remove_leftovers>}, // temporary files of a file's name that killed processes left
+    {"hash", call<hash>},
+    {"lock", lock},
+    {"set_threads", call<set_threads>}, // that work on a solve from now on; core.threads is what --threads said
     {"describe", core_describe},
-    {"nearest", core_nearest},
+    {"nearest", call<core_nearest>},
     {"number_text", core_number_text},
     {"kind", kind},
 };
 
-constexpr Function public_rows[] = {
-    {"mkdir", mkdir},
-    {"wall_time", now},
-};
+constexpr Function public_rows[] = {{"mkdir", call<mkdir>}, {"wall_time", call<now>}};
+constexpr Function lock_methods[] = {{"release", collect<Lock>}}; // lets go of the file
 
 } // namespace
 
 void open_core(lua_State* L) {
+  register_type<Lock>(L, lock_methods);
   register_functions(L, "core", core_entries);
   register_functions(L, "sg", public_rows);
 }

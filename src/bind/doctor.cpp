@@ -1,16 +1,20 @@
 #include "bind/doctor.hpp"
 #include "bind/wording/wording.hpp"
 
+#include "base/eigen.hpp"
 #include "base/error.hpp"
 #include "base/whole_file.hpp"
 #include "bind/library.hpp"
-#include "bind/versions.hpp"
+#include "bind/threads.hpp"
+#include "solid/kernel.hpp"
 #include "view/picture.hpp"
 #include "view/renderer.hpp"
 #include "view/series.hpp"
 
+#include <dlfcn.h>
 #include <filesystem>
 #include <iomanip>
+#include <lua.hpp>
 #include <ostream>
 #include <unistd.h>
 
@@ -19,6 +23,24 @@ namespace signorini::bind {
 namespace fs = std::filesystem;
 
 namespace {
+
+std::string suitesparse_version() {
+  int v[3] = {0, 0, 0};
+  auto* version = loaded<int(int*)>("SuiteSparse_version");
+  if (!version) return "not loaded";
+  version(v);
+  return text(v[0], ".", v[1], ".", v[2]);
+}
+
+/// "OpenBLAS 0.3.21 …, libopenblas.so" of the BLAS that is loaded.
+std::string blas_description() {
+  void* dgemm = dlsym(RTLD_DEFAULT, "dgemm_");
+  Dl_info info;
+  if (!dgemm || !dladdr(dgemm, &info)) return "none loaded";
+  const std::string file = std::filesystem::weakly_canonical(info.dli_fname).string();
+  auto* config = loaded<char*()>("openblas_get_config");
+  return (config ? std::string(config()) + ", " : "") + file;
+}
 
 /// A coloured square, drawn and thrown away.
 std::string test_picture() {
@@ -41,6 +63,15 @@ std::string test_picture() {
 }
 
 } // namespace
+
+std::vector<std::pair<std::string, std::string>> versions() {
+  return {{"signorini", SIGNORINI_VERSION},
+          {"Lua", LUA_RELEASE},
+          {"Eigen", text(EIGEN_WORLD_VERSION, ".", EIGEN_MAJOR_VERSION, ".", EIGEN_MINOR_VERSION)},
+          {"SuiteSparse", suitesparse_version()},
+          {"BLAS", blas_description()},
+          {"kernel", solid::instruction_names[static_cast<int>(solid::widest_instructions())]}};
+}
 
 bool doctor(std::ostream& out, int threads, const std::string& readline) {
   const auto row = [&](const char* name, const std::string& value) {

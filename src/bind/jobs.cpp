@@ -1,6 +1,5 @@
 #include "base/jobs.hpp"
 #include "bind/arguments.hpp"
-#include "bind/error_text.hpp"
 #include "bind/functions.hpp"
 #include "bind/open.hpp"
 #include "bind/threads.hpp"
@@ -39,14 +38,11 @@ std::string call_job(lua_State* L, int index, int job) {
 /// thread, shows no progress, and what it changes is lost with it. look(running) is called about ten times a second.
 /// Returns false when Ctrl-C ended it, with what had been done until then.
 int jobs(lua_State* L) {
-  const auto count = to<int>(L, 1);
-  JobLimits limits;
-  limits.at_once = to<int>(L, 2);
-  if (!lua_isnoneornil(L, 5)) limits.seconds = to<double>(L, 5);
-  const bool looks = !lua_isnoneornil(L, 6);
   lua_settop(L, 6);
+  JobLimits limits{.at_once = to<int>(L, 2)};
+  if (!lua_isnil(L, 5)) limits.seconds = to<double>(L, 5);
   const bool whole = run_jobs(
-      count, limits, [L](int job) { return call_job(L, 3, job); },
+      to<int>(L, 1), limits, [L](int job) { return call_job(L, 3, job); },
       [L](const JobEnd& end) {
         lua_pushvalue(L, 4);
         push(L, end.job + 1);
@@ -55,8 +51,8 @@ int jobs(lua_State* L) {
         well ? lua_pushnil(L) : push(L, worded(end.failure));
         lua_call(L, 3, 0);
       },
-      [L, looks](int running) {
-        if (!looks) return;
+      [L](int running) {
+        if (lua_isnil(L, 6)) return;
         lua_pushvalue(L, 6);
         push(L, running);
         lua_call(L, 1, 0);

@@ -14,69 +14,66 @@ using Json = nlohmann::json; // its keys are sorted
 
 constexpr int deepest = 100; // levels of tables: what is deeper is likely to hold itself
 
-Json value_at(lua_State* L, int index, const std::string& path, int level);
-
 /// The names of a table's fields, sorted; those that are part of its list 1…length are left out.
 std::set<std::string> keys_of(lua_State* L, int index, lua_Integer length, const std::string& path) {
   std::set<std::string> names;
   lua_pushnil(L);
   while (lua_next(L, index)) {
     lua_pop(L, 1);
-    if (lua_type(L, -1) == LUA_TSTRING) {
-      std::size_t size;
-      const char* name = lua_tolstring(L, -1, &size);
-      names.emplace(name, size);
-    } else if (!lua_isinteger(L, -1) || lua_tointeger(L, -1) < 1 || lua_tointeger(L, -1) > length)
+    if (lua_type(L, -1) == LUA_TSTRING)
+      names.insert(to<std::string>(L, -1));
+    else if (!lua_isinteger(L, -1) || lua_tointeger(L, -1) < 1 || lua_tointeger(L, -1) > length)
       throw ArgumentError(text(path, " has the key ", describe(L, -1), ", which is neither a name nor part of a list"));
   }
   return names;
 }
 
-Json table_at(lua_State* L, int index, const std::string& path, int level) {
-  if (level > deepest) throw ArgumentError(text(path, " is nested deeper than ", deepest, " tables"));
-  luaL_checkstack(L, 4, "nested tables");
-  const auto length = static_cast<lua_Integer>(lua_rawlen(L, index));
-  const std::set<std::string> names = keys_of(L, index, length, path);
-  if (!names.empty() && length > 0)
-    throw ArgumentError(text(path, " has names and a list in one table: put the list under a name"));
-  Json json = names.empty() ? Json::array() : Json::object();
-  for (lua_Integer i = 1; i <= length; ++i) {
-    lua_rawgeti(L, index, i);
-    json.push_back(value_at(L, lua_gettop(L), text(path, "[", i, "]"), level + 1));
-    lua_pop(L, 1);
-  }
-  for (const std::string& name : names) {
-    lua_pushlstring(L, name.data(), name.size());
-    lua_rawget(L, index);
-    json[name] = value_at(L, lua_gettop(L), text(path, ".", name), level + 1);
-    lua_pop(L, 1);
-  }
-  return json;
-}
+/// Plain data of Lua. Paths are what messages call a value.
+struct Reader {
+  lua_State* L;
+  bool finite; ///< nan and infinity are errors
 
-/// `path`: what messages call the value.
-Json value_at(lua_State* L, int index, const std::string& path, int level) {
-  switch (lua_type(L, index)) {
-  case LUA_TBOOLEAN:
-    return lua_toboolean(L, index) != 0;
-  case LUA_TNUMBER:
-    if (lua_isinteger(L, index)) return lua_tointeger(L, index);
-    if (!std::isfinite(lua_tonumber(L, index)))
-      throw ArgumentError(text(path, " is ", describe(L, index), ": only finite numbers can be written"));
-    return lua_tonumber(L, index);
-  case LUA_TSTRING: {
-    std::size_t size;
-    const char* bytes = lua_tolstring(L, index, &size);
-    return std::string(bytes, size);
+  Json table(int index, const std::string& path, int level) const {
+    if (level > deepest) throw ArgumentError(text(path, " is nested deeper than ", deepest, " tables"));
+    luaL_checkstack(L, 4, "nested tables");
+    const auto length = static_cast<lua_Integer>(lua_rawlen(L, index));
+    const std::set<std::string> names = keys_of(L, index, length, path);
+    if (!names.empty() && length > 0)
+      throw ArgumentError(text(path, " has names and a list in one table: put the list under a name"));
+    Json json = names.empty() ? Json::array() : Json::object();
+    for (lua_Integer i = 1; i <= length; ++i) {
+      lua_rawgeti(L, index, i);
+      json.push_back(value(lua_gettop(L), text(path, "[", i, "]"), level + 1));
+      lua_pop(L, 1);
+    }
+    for (const std::string& name : names) {
+      push(L, name);
+      lua_rawget(L, index);
+      json[name] = value(lua_gettop(L), text(path, ".", name), level + 1);
+      lua_pop(L, 1);
+    }
+    return json;
   }
-  case LUA_TTABLE:
-    return table_at(L, index, path, level);
-  default:
-    throw ArgumentError(text(path, " is ", describe(L, index),
-                             ": only numbers, strings, true, false and tables of these "
-                             "can be written"));
+
+  Json value(int index, const std::string& path, int level = 1) const {
+    switch (lua_type(L, index)) {
+    case LUA_TBOOLEAN:
+      return lua_toboolean(L, index) != 0;
+    case LUA_TNUMBER:
+      if (lua_isinteger(L, index)) return lua_tointeger(L, index);
+      if (finite && !std::isfinite(lua_tonumber(L, index)))
+        throw ArgumentError(text(path, " is ", describe(L, index), ": only finite numbers can be written"));
+      return lua_tonumber(L, index);
+    case LUA_TSTRING:
+      return to<std::string>(L, index);
+    case LUA_TTABLE:
+      return table(index, path, level);
+    default:
+      throw ArgumentError(text(path, " is ", describe(L, index),
+                               ": only numbers, strings, true, false and tables of these can be written"));
+    }
   }
-}
+};
 
 void push_json(lua_State* L, const Json& json) {
   luaL_checkstack(L, 4, "nested values");
@@ -117,20 +114,38 @@ int write_json(lua_State* L) {
   luaL_checkany(L, 1);
   const std::string path = lua_isnoneornil(L, 2) ? "the value" : to<std::string>(L, 2);
   // Bytes that are no UTF-8 are replaced: what a message quotes must not keep it from being written.
-  push(L, value_at(L, 1, path, 1).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  push(L, Reader{L, true}.value(1, path).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   return 1;
 }
 
 /// core.read_json(text): the value of a JSON text; null is nil.
 int read_json(lua_State* L) {
-  const auto source = to<std::string>(L, 1);
-  const Json json = Json::parse(source, nullptr, false);
+  const Json json = Json::parse(to<std::string>(L, 1), nullptr, false);
   require(!json.is_discarded(), "the text is no JSON");
   push_json(L, json);
   return 1;
 }
 
-constexpr Function json_entries[] = {{"write_json", write_json}, {"read_json", read_json}};
+/// core.pack(value): plain data as bytes (MessagePack), names sorted; numbers may be nan and infinite, and strings hold
+/// any bytes.
+int pack(lua_State* L) {
+  luaL_checkany(L, 1);
+  std::string bytes;
+  Json::to_msgpack(Reader{L, false}.value(1, "the value"), bytes);
+  push(L, bytes);
+  return 1;
+}
+
+/// core.unpack(bytes): the value of such bytes.
+int unpack(lua_State* L) {
+  const Json json = Json::from_msgpack(to<std::string>(L, 1), true, false);
+  require(!json.is_discarded(), "the bytes are damaged");
+  push_json(L, json);
+  return 1;
+}
+
+constexpr Function json_entries[] = {
+    {"write_json", write_json}, {"read_json", read_json}, {"pack", pack}, {"unpack", unpack}};
 
 } // namespace
 

@@ -2,10 +2,11 @@
 #include "bind/wording/wording.hpp"
 
 #include "base/machine.hpp"
+#include "base/whole_file.hpp"
+#include "bind/doctor.hpp"
 #include "bind/functions.hpp"
 #include "bind/open.hpp"
 #include "bind/threads.hpp"
-#include "bind/versions.hpp"
 #include "model/field.hpp"
 #include "solve/linear.hpp"
 #include "view/camera.hpp"
@@ -59,6 +60,13 @@ std::string find_script(const std::string& name) {
   return place.extension() == ".lua" && fs::exists(place) ? place.string() : name;
 }
 
+void write_new_study(const std::string& file) {
+  require(file.ends_with(".lua"), "--new takes the name of a Lua file, got '", file, "': write ", file, ".lua");
+  require(!std::filesystem::exists(file), "--new: there is a file '", file,
+          "' already, which stays as it is: choose another name");
+  write_whole(file, read_whole((find_share() / "starter.lua").string()));
+}
+
 void open_library(lua_State* L, const Settings& settings) {
   const fs::path home = find_home(), lua = home / "lua";
   luaL_openlibs(L);
@@ -77,51 +85,26 @@ void open_library(lua_State* L, const Settings& settings) {
   lua_pop(L, 2);
 
   word_warnings();
-  open_core(L);
-  open_content(L);
-  open_jobs(L);
-  open_files(L);
-  open_json(L);
-  open_patch(L);
-  open_curves(L);
-  open_exchange(L);
-  open_shapes(L);
-  open_material(L);
-  open_body(L);
-  open_rigid(L);
-  open_scene(L);
-  open_model(L);
-  open_checkpoint(L);
-  open_chart(L);
-  open_heatmap(L);
-  open_picture(L);
-  open_vtu(L);
+  for (auto* open : {open_core, open_jobs, open_json, open_patch, open_curves, open_shapes, open_body, open_rigid,
+                     open_scene, open_model, open_checkpoint, open_chart, open_heatmap, open_picture, open_vtu})
+    open(L);
 
   push_table(L, "core");
   push_table(L, "sg");
   lua_setfield(L, -2, "sg");
-  set_field(L, "terminal", isatty(STDERR_FILENO) == 1); // where progress is shown
-  set_field(L, "quiet", settings.quiet);
-  set_field(L, "threads", settings.threads);
-  set_field(L, "most_threads", most_threads);
-  set_field(L, "linear_solvers", solve::linear_names());
-  set_field(L, "colormaps", view::colormaps());
-  set_field(L, "cameras", view::camera_names());
-  set_field(L, "markers", view::marker_names());
   std::vector<std::string> fields;
   for (const auto& field : model::fields<3>()) fields.push_back(field.name);
   fields.push_back("contact_pressure");
-  set_field(L, "fields", fields);
   const int processors = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  set_field(L, "processors", processors);
-  set_field(L, "at_once", settings.jobs > 0 ? settings.jobs : processors);
-  set_field(L, "host", host_name());
-  set_field(L, "processor", processor_name());
+  set_fields(L, "terminal", isatty(STDERR_FILENO) == 1, // where progress is shown
+             "quiet", settings.quiet, "threads", settings.threads, "most_threads", most_threads, "processors",
+             processors, "at_once", settings.jobs > 0 ? settings.jobs : processors, "host", host_name(), "processor",
+             processor_name(), "linear_solvers", solve::linear_names(), "fields", fields, "colormaps",
+             view::colormaps(), "cameras", view::camera_names(), "markers", view::marker_names(), "share",
+             find_share().string(), "home", home.string());
   lua_newtable(L);
   for (const auto& [name, version] : versions()) set_field(L, name.c_str(), version);
   lua_setfield(L, -2, "versions");
-  set_field(L, "share", find_share().string());
-  set_field(L, "home", home.string());
   lua_pop(L, 1);
 }
 

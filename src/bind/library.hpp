@@ -25,6 +25,10 @@ std::filesystem::path find_share();
 /// come along, "hertz2d.lua" or "scripts/hertz2d.lua".
 std::string find_script(const std::string& name);
 
+/// Writes share/starter.lua, the study that a new user begins with, to a file that does not exist yet, whole or not at
+/// all. Throws Error when it exists, its name does not end with .lua, or it cannot be written.
+void write_new_study(const std::string& file);
+
 /// Opens Lua's own libraries, the bindings (module "signorini.core"), and package.path: the library first, the
 /// scripts that come along last.
 void open_library(lua_State* L, const Settings& settings);

@@ -11,13 +11,13 @@
 
 namespace signorini::bind {
 
-/// A complete message about an argument, function name included.
+/// A complete message: the name of the function that is running is not put before it.
 class ArgumentError : public std::runtime_error {
 public:
   using std::runtime_error::runtime_error;
 };
 
-/// Throws with the joined parts as the message, to which the function's name is added.
+/// Throws with the joined parts as the message, before which the name of the running function is put.
 template <class... Parts> [[noreturn]] void fail(const Parts&... parts) {
   throw std::runtime_error(text(parts...));
 }
@@ -57,9 +57,13 @@ std::string listed(const std::vector<std::string>& words);
 /// "; did you mean 'order'?" or nothing.
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& words);
 
-/// Throws ArgumentError: "sg.f: E must be <expected> (<meaning>), got <value>: <cure>", or that the argument is
+/// Throws: "sg.f: E must be <expected> (<meaning>), got <value>: <cure>", or that the argument is
 /// missing.
 [[noreturn]] void reject(lua_State* L, int index, const Argument& argument, const std::string& expected,
                          const std::string& cure = "");
+
+/// Pushes an error value as text: a table that has no text of its own as what it holds, nil as an error without
+/// message.
+void push_error_text(lua_State* L, int index);
 
 } // namespace signorini::bind

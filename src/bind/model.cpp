@@ -1,4 +1,5 @@
 #include "bind/model.hpp"
+#include "base/index.hpp"
 #include "base/words.hpp"
 #include "bind/open.hpp"
 #include "bind/wording/wording.hpp"
@@ -9,17 +10,17 @@ namespace signorini::bind {
 
 namespace {
 
-/// The method that returns the names of what part(model) lists.
-template <int D, auto part> int names(lua_State* L) {
-  push(L, names_of(part(*self<Model<D>>(L))));
-  return 1;
+/// The names of one of a scene's lists.
+template <int D, auto list> std::vector<std::string> scene_names(const model::Model<D>& model) {
+  return names_of(model.system.scene.*list);
 }
 
-template <int D> int body_of(lua_State* L) {
-  const Model<D>& model = self<Model<D>>(L);
-  const int index = find_body(L, model, to<std::string>(L, 2));
-  push_object<Body<D>>(L, model->system.scene.bodies[static_cast<std::size_t>(index)].body);
-  return 1;
+template <int D> std::vector<std::string> driven_names(const model::Model<D>& model) {
+  return names_of(model.system.drives.all());
+}
+
+template <int D> Body<D> body_of(const model::Model<D>& model, const std::string& name) {
+  return model.system.scene.bodies[at(find_body(model, name))].body;
 }
 
 template <int D> int timings(const model::Model<D>& model, lua_State* L) {
@@ -29,13 +30,12 @@ template <int D> int timings(const model::Model<D>& model, lua_State* L) {
   return 1;
 }
 
-template <int D> int warnings(const model::Model<D>& model, lua_State* L) {
-  push(L, worded(model::warnings(model)));
-  return 1;
+template <int D> std::vector<std::string> warnings(const model::Model<D>& model) {
+  return worded(model::warnings(model));
 }
 
-template <int D> void time_search(const model::Model<D>& model, lua_State* L) {
-  for (const auto& contact : model.system.contacts) contact->time_search(to<bool>(L, 2));
+template <int D> void time_search(const model::Model<D>& model, bool wanted) {
+  for (const auto& contact : model.system.contacts) contact->time_search(wanted);
 }
 
 template <int D> int solver(const model::Model<D>& model, lua_State* L) {
@@ -47,60 +47,48 @@ template <int D> int solver(const model::Model<D>& model, lua_State* L) {
   return 1;
 }
 
-template <int D> int model_text(lua_State* L) {
-  const Model<D>& model = self<Model<D>>(L);
-  const auto& scene = model->system.scene;
-  std::string names;
-  for (const auto& body : scene.bodies) names += (names.empty() ? "" : ", ") + body.name;
+template <int D> std::string model_text(const model::Model<D>& model) {
+  const auto& scene = model.system.scene;
   const char* kind = D == 3 ? "solid" : scene.kind == solid::Kind::axisymmetric ? "axisymmetric" : "plane-strain";
-  push(L, text(kind, " model of ", names, ": ", model->system.unknowns.dofs(), " degrees of freedom, ",
-               model->system.unknowns.size(), " of them free, ", counted(scene.supports.size(), "support"), ", ",
-               counted(scene.contacts.size(), "contact")));
-  return 1;
+  return text(kind, " model of ", listed(names_of(scene.bodies)), ": ", model.system.unknowns.dofs(),
+              " degrees of freedom, ", model.system.unknowns.size(), " of them free, ",
+              counted(scene.supports.size(), "support"), ", ", counted(scene.contacts.size(), "contact"));
 }
 
 template <int D>
 constexpr Function model_entries[] = {
-    {"__tostring", model_text<D>},
-    {"body_names", names < D, [](const auto& model) -> auto& {return model.system.scene.bodies;
-} // namespace
->
-} // namespace signorini::bind
-, {"support_names", names < D, [](const auto& model) -> auto& {return model.system.scene.supports;
-}
->
-}
-, {"load_names", names < D, [](const auto& model) -> auto& {return model.system.scene.loads;
-}
->
-}
-, {"contact_names", names < D, [](const auto& model) -> auto& {return model.system.scene.contacts;
-}
->
-}
-, {"driven_names", names < D, [](const auto& model) -> auto& {return model.system.drives.all();
-}
->
-}
-, {"body", body_of<D>}, {"warnings", method<D, warnings<D>>}, {"timings", method<D, timings<D>>},
-    {"time_search", method<D, time_search<D>>}, {"solver", method<D, solver<D>>},
-}
-;
+    {"__tostring", call<model_text<D>>},
+    {"body_names", call<scene_names<D, &model::Scene<D>::bodies>>},
+    {"support_names", call<scene_names<D, &model::Scene<D>::supports>>},
+    {"load_names", call<scene_names<D, &model::Scene<D>::loads>>},
+    {"contact_names", call<scene_names<D, &model::Scene<D>::contacts>>},
+    {"driven_names", call<driven_names<D>>},
+    {"body", call<body_of<D>>},
+    {"warnings", call<warnings<D>>},
+    {"timings", call<timings<D>>},
+    {"time_search", call<time_search<D>>},
+    {"solver", call<solver<D>>},
+};
 
 /// All methods, subject by subject.
 template <int D> std::vector<Function> all_rows() {
-  std::vector<Function> all;
-  for (const std::span<const Function> part : {std::span<const Function>(model_entries<D>), path_rows<D>(),
-                                               system_rows<D>(), result_rows<D>(), cost_rows<D>()})
+  std::vector<Function> all(std::begin(model_entries<D>), std::end(model_entries<D>));
+  for (const std::span<const Function> part : {path_rows<D>(), result_rows<D>()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }
+
+template <int D> std::string snapshot_text(const Snapshot<D>& snapshot) {
+  return text("snapshot of a model with ", snapshot.model->system.unknowns.dofs(), " degrees of freedom");
+}
+
+template <int D> constexpr Function snapshot_entries[] = {{"__tostring", call<snapshot_text<D>>}};
 
 } // namespace
 
 void open_model(lua_State* L) {
   register_type<Model<2>, Model<3>>(L, all_rows<2>(), all_rows<3>());
-  open_snapshots(L);
+  register_type<Snapshot<2>, Snapshot<3>>(L, snapshot_entries<2>, snapshot_entries<3>);
 }
 
 } // namespace signorini::bind

@@ -1,57 +1,48 @@
+#include "base/index.hpp"
 #include "base/words.hpp"
 #include "bind/model.hpp"
 #include "bind/wording/wording.hpp"
 #include "model/arc.hpp"
 #include "model/checkpoint.hpp"
+#include "model/diagnosis.hpp"
 #include "model/load_step.hpp"
+
+#include <numeric>
 
 namespace signorini::bind {
 
 namespace {
 
-/// Index into Drives::all() of the support or load that the first argument names; -1 of one that nothing drives.
-template <int D> int drive_of_argument(lua_State* L, const Model<D>& model) {
-  const auto name = to<std::string>(L, 2);
-  const std::vector<std::string> driven = names_of(model->system.drives.all());
-  const auto found = std::find(driven.begin(), driven.end(), name);
-  if (found != driven.end()) return static_cast<int>(found - driven.begin());
-  find_support(L, model, name); // or it says which there are
+/// Index into Drives::all() of the support or load of this name; -1 of a support that nothing drives.
+template <int D> int find_drive(const model::Model<D>& model, const std::string& name) {
+  const auto& drives = model.system.drives.all();
+  for (std::size_t i = 0; i < drives.size(); ++i)
+    if (drives[i].name == name) return static_cast<int>(i);
+  find_support(model, name); // or it says which there are
   return -1;
 }
 
-template <int D> std::vector<std::string> components(const Model<D>& model, int drive) {
-  if (drive < 0) return {};
-  return model->system.drives.all()[static_cast<std::size_t>(drive)].components;
+template <int D> std::vector<std::string> driven(const model::Model<D>& model, const std::string& name) {
+  const int drive = find_drive(model, name);
+  return drive < 0 ? std::vector<std::string>() : model.system.drives.all()[at(drive)].components;
 }
 
-template <int D> int driven(lua_State* L) {
-  const Model<D>& model = self<Model<D>>(L);
-  push(L, components(model, drive_of_argument(L, model)));
-  return 1;
-}
-
-template <int D> int set_target(lua_State* L) {
-  const Model<D>& model = self<Model<D>>(L);
-  const int drive = drive_of_argument(L, model);
-  if (drive < 0)
-    throw ArgumentError(text(function_name(L), ": name '", to<std::string>(L, 2),
-                             "': this support drives nothing: give it drive = \"x\", \"xy\" or the like in sg.model"));
+template <int D> void set_target(model::Model<D>& model, const std::string& name, lua_State* L) {
+  const int drive = find_drive(model, name);
+  require(drive >= 0, "name '", name,
+          "': this support drives nothing: give it drive = \"x\", \"xy\" or the like in sg.model");
   const auto values = to<std::vector<double>>(L, 3);
-  const std::size_t count = components(model, drive).size();
+  const std::size_t count = driven(model, name).size();
   if (values.size() != count)
     reject(L, 3, {"target", "one number per driven component"}, text("a list of ", counted(count, "number")));
-  for (std::size_t i = 0; i < count; ++i) model::set_target(*model, drive, static_cast<int>(i), values[i]);
-  return 0;
+  for (std::size_t i = 0; i < count; ++i) model::set_target(model, drive, static_cast<int>(i), values[i]);
 }
 
-template <int D> int target(lua_State* L) {
-  const Model<D>& model = self<Model<D>>(L);
-  const int drive = drive_of_argument(L, model);
-  std::vector<double> values(components(model, drive).size());
-  for (std::size_t i = 0; i < values.size(); ++i)
-    values[i] = model::accepted_target(*model, drive, static_cast<int>(i));
-  push(L, values);
-  return 1;
+template <int D> std::vector<double> target(const model::Model<D>& model, const std::string& name) {
+  const int drive = find_drive(model, name);
+  std::vector<double> values(driven(model, name).size());
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = model::accepted_target(model, drive, static_cast<int>(i));
+  return values;
 }
 
 /// What model:solve_arc takes, too.
@@ -70,8 +61,7 @@ model::Predictor read_predictor(const Arguments& a) {
                               : model::Predictor::linear;
 }
 
-model::StepOptions read_step_options(lua_State* L) {
-  const Arguments a(L, 2);
+model::StepOptions read_step_options(const Arguments& a) {
   model::StepOptions options = read_newton(a);
   options.newton.line_search = solve::line_search_kind(a.get<std::string>("line_search"));
   options.predictor = read_predictor(a);
@@ -92,76 +82,152 @@ int push_report(lua_State* L, const solve::NewtonReport& report) {
   return 1;
 }
 
-template <int D> int solve_step(model::Model<D>& model, lua_State* L) {
-  return push_report(L, model::solve_step(model, read_step_options(L)));
+template <int D> int solve_step(model::Model<D>& model, const Arguments& a, lua_State* L) {
+  return push_report(L, model::solve_step(model, read_step_options(a)));
 }
 
-template <int D> int iterate(model::Model<D>& model, lua_State* L) {
-  return push_report(L, model::iterate(model, read_step_options(L)));
+template <int D> int iterate(model::Model<D>& model, const Arguments& a, lua_State* L) {
+  return push_report(L, model::iterate(model, read_step_options(a)));
 }
 
-template <int D> int solve_arc(model::Model<D>& model, lua_State* L) {
-  const Arguments a(L, 2);
+template <int D> int solve_arc(model::Model<D>& model, const Arguments& a, lua_State* L) {
   push_report(L, model::solve_arc(model, read_newton(a), a.get<double>("length")));
   set_field(L, "fraction", model.step->fraction);
   return 1;
 }
 
-template <int D> void set_penalty_factor(model::Model<D>& model, lua_State* L) {
-  model::set_penalty_factor(model, to<double>(L, 2));
+template <int D> Snapshot<D> snapshot(const Model<D>& model) {
+  return {model, model::snapshot(*model)};
 }
 
-template <int D> int snapshot(lua_State* L) {
-  const Model<D>& model = self<Model<D>>(L);
-  push_object(L, Snapshot<D>{model, model::snapshot(*model)});
-  return 1;
-}
-
-template <int D> int restore(lua_State* L) {
-  const Model<D>& model = self<Model<D>>(L);
-  const Snapshot<D>& snapshot = read_object<Snapshot<D>>(L, 2, {"snapshot"});
+template <int D> void restore(const Model<D>& model, const Snapshot<D>& snapshot, lua_State* L) {
   if (snapshot.model != model) reject(L, 2, {"snapshot"}, "a snapshot of this model", "it was taken of another model");
   model::restore(*model, snapshot.state);
-  return 0;
 }
 
-template <int D> int snapshot_tostring(lua_State* L) {
-  push(L, text("snapshot of a model with ", self<Snapshot<D>>(L).model->system.unknowns.dofs(), " degrees of freedom"));
+template <int D> void save(model::Model<D>& model, const std::string& file) {
+  model::save(model, file);
+}
+
+// ── What Newton's method works with, for loops of a user's own, and why a step failed ────────────────────────────────
+
+/// Evaluates the present state. Throws where there is no residual.
+template <int D> void evaluate(model::Model<D>& model) {
+  Message why;
+  const solve::Outcome outcome = model::evaluate(model, why);
+  signorini::require(outcome == solve::Outcome::converged, "model.step.no_residual", {{"why", why}});
+}
+
+template <int D> VectorX residual(model::Model<D>& model) {
+  evaluate(model);
+  return model.unbalanced;
+}
+
+template <int D> int tangent(model::Model<D>& model, lua_State* L) {
+  evaluate(model);
+  const solve::Pattern& pattern = model.system.assembly.pattern();
+  std::vector<int> rows, columns;
+  for (std::size_t j = 0; j < static_cast<std::size_t>(pattern.size); ++j)
+    for (int k = pattern.starts[j]; k < pattern.starts[j + 1]; ++k) {
+      rows.push_back(pattern.rows[static_cast<std::size_t>(k)] + 1);
+      columns.push_back(static_cast<int>(j) + 1);
+    }
+  const auto values = model.system.assembly.values().begin();
+  push_fields(L, "size", pattern.size, "rows", rows, "columns", columns, "values",
+              std::vector<double>(values, values + pattern.entries()));
   return 1;
 }
 
-template <int D> void save(model::Model<D>& model, lua_State* L) {
-  model::save(model, to<std::string>(L, 2));
+template <int D> int unknowns(const model::Model<D>& model, lua_State* L) {
+  const auto& numbers = model.system.unknowns;
+  const auto& bodies = model.system.scene.bodies;
+  lua_createtable(L, numbers.size(), 0);
+  std::vector<char> seen(static_cast<std::size_t>(numbers.size()), 0);
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    for (int i = 0; i < D * bodies[b].body->functions(); ++i) {
+      const int unknown = numbers.unknown(numbers.offset(static_cast<int>(b)) + i);
+      if (unknown < 0 || std::exchange(seen[at(unknown)], 1)) continue;
+      push_fields(L, "body", bodies[b].name, "point", i / D + 1, "component", model::component_name(i % D));
+      lua_rawseti(L, -2, unknown + 1);
+    }
+  return 1;
+}
+
+template <int D> void move(model::Model<D>& model, const VectorX& change, lua_State* L) {
+  const int count = model.system.unknowns.size();
+  if (change.size() != count) reject(L, 2, {"du"}, text("a list of ", count, " numbers, as model:residual() is"));
+  model::move_by(model, change);
+}
+
+template <int D> VectorX displacements(const model::Model<D>& model) {
+  const auto& numbers = model.system.unknowns;
+  VectorX values(numbers.size());
+  for (int dof = numbers.dofs() - 1; dof >= 0; --dof)
+    if (const int unknown = numbers.unknown(dof); unknown >= 0) values(unknown) = model.present.displacement(dof);
+  return values;
+}
+
+template <int D> std::vector<std::string> loose_bodies(model::Model<D>& model) {
+  std::vector<std::string> names;
+  for (const model::LooseMotion& loose : model.system.loose()) {
+    const std::string& name = model.system.scene.bodies[at(loose.body)].name;
+    if (names.empty() || names.back() != name) names.push_back(name);
+  }
+  return names;
+}
+
+void push_spots(lua_State* L, const char* key, const std::vector<model::TroubleSpot>& spots) {
+  lua_createtable(L, static_cast<int>(spots.size()), 0);
+  for (std::size_t i = 0; i < spots.size(); ++i) {
+    const model::TroubleSpot& spot = spots[i];
+    push_fields(L, "kind", spot.kind, spot.kind == "contact point" ? "contact" : "body", spot.where,
+                spot.kind == "control point" ? "point" : "element", spot.index + 1, "X", spot.reference, "x",
+                spot.current, "value", spot.value, "text", worded(spot.what));
+    lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
+  }
+  lua_setfield(L, -2, key);
+}
+
+template <int D> int diagnose(model::Model<D>& model, const std::vector<std::string>& on, lua_State* L) {
+  require(model.step.has_value(), "no step to diagnose: call diagnose after a solve_step, iterate or solve_arc that "
+                                  "failed, before model:rollback()");
+  const model::Diagnosis diagnosis = model::diagnose(model, model.step->report, {on.begin(), on.end()});
+  push_fields(L, "reason", solve::name_of(diagnosis.outcome), "message", worded_in_one(diagnosis.messages), "cure",
+              worded_in_one(diagnosis.cures));
+  push_spots(L, "places", diagnosis.places);
+  push_spots(L, "unbalanced", diagnosis.unbalanced);
+  return 1;
 }
 
 template <int D>
 constexpr Function model_path_entries[] = {
-    {"driven", driven<D>},
-    {"set_target", set_target<D>},
-    {"target", target<D>},
-    {"solve_step", method<D, solve_step<D>>},
-    {"iterate", method<D, iterate<D>>},
-    {"solve_arc", method<D, solve_arc<D>>},
-    {"set_penalty_factor", method<D, set_penalty_factor<D>>},
-    {"penalty_factor", method<D, [](const auto& model) { return model.present.penalty_factor; }>},
-    {"last_length", method<D, model::last_length<D>>},
-    {"accept", method<D, model::accept<D>>},
-    {"rollback", method<D, model::rollback<D>>},
-    {"snapshot", snapshot<D>},
-    {"restore", restore<D>},
-    {"save", method<D, save<D>>},
+    {"driven", call<driven<D>>},
+    {"set_target", call<set_target<D>>},
+    {"target", call<target<D>>},
+    {"solve_step", call<solve_step<D>>},
+    {"iterate", call<iterate<D>>},
+    {"solve_arc", call<solve_arc<D>>},
+    {"set_penalty_factor", call<model::set_penalty_factor<D>>},
+    {"penalty_factor", call<[](const model::Model<D>& model) { return model.present.penalty_factor; }>},
+    {"last_length", call<model::last_length<D>>},
+    {"accept", call<model::accept<D>>},
+    {"rollback", call<model::rollback<D>>},
+    {"snapshot", call<snapshot<D>>},
+    {"restore", call<restore<D>>},
+    {"save", call<save<D>>},
+    {"residual", call<residual<D>>},
+    {"tangent", call<tangent<D>>},
+    {"unknowns", call<unknowns<D>>},
+    {"move", call<move<D>>},
+    {"displacements", call<displacements<D>>},
+    {"loose_bodies", call<loose_bodies<D>>},
+    {"diagnose", call<diagnose<D>>},
 };
-
-template <int D> constexpr Function snapshot_rows[] = {{"__tostring", snapshot_tostring<D>}};
 
 } // namespace
 
 template <int D> std::span<const Function> path_rows() {
   return model_path_entries<D>;
-}
-
-void open_snapshots(lua_State* L) {
-  register_type<Snapshot<2>, Snapshot<3>>(L, snapshot_rows<2>, snapshot_rows<3>);
 }
 
 template std::span<const Function> path_rows<2>();

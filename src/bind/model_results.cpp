@@ -1,7 +1,12 @@
+#include "base/index.hpp"
 #include "bind/model.hpp"
 #include "model/contact_pressure.hpp"
+#include "model/linear_choice.hpp"
 #include "model/profile.hpp"
 #include "model/sample.hpp"
+#include "solve/factor_estimate.hpp"
+
+#include <set>
 
 namespace signorini::bind {
 
@@ -13,18 +18,17 @@ template <int D> void set_force(lua_State* L, const Vec<D>& force) {
 }
 
 /// Of a support or a load.
-template <int D> int reaction(lua_State* L) {
-  const Model<D>& model = self<Model<D>>(L);
-  const auto name = to<std::string>(L, 2);
-  const std::vector<std::string> loads = names_of(model->system.scene.loads);
-  const auto load = static_cast<int>(std::find(loads.begin(), loads.end(), name) - loads.begin());
-  const bool loaded = load < static_cast<int>(loads.size());
-  const int support = loaded ? -1 : find_support(L, model, name);
-  const Vec<D> force = loaded ? model::load_resultant(*model, load) : model::reaction(*model, support);
+template <int D> int reaction(const model::Model<D>& model, const std::string& name, lua_State* L) {
+  const auto& scene = model.system.scene;
+  const auto load = std::ranges::find(scene.loads, name, &model::Load::name);
+  const bool loaded = load != scene.loads.end();
+  const int support = loaded ? -1 : find_support(model, name);
+  const Vec<D> force = loaded ? model::load_resultant(model, static_cast<int>(load - scene.loads.begin()))
+                              : model::reaction(model, support);
   push(L, VectorX(force));
   set_force<D>(L, force);
-  if (!loaded && model->system.scene.supports[static_cast<std::size_t>(support)].rotates) {
-    const double moment = model::moment(*model, support);
+  if (!loaded && scene.supports[at(support)].rotates) {
+    const double moment = model::moment(model, support);
     push(L, moment);
     lua_rawseti(L, -2, D + 1);
     set_field(L, "moment", moment);
@@ -32,10 +36,9 @@ template <int D> int reaction(lua_State* L) {
   return 1;
 }
 
-template <int D> int contact_resultant(lua_State* L) {
-  const Model<D>& model = self<Model<D>>(L);
-  const auto contact = static_cast<std::size_t>(find_contact(L, model, to<std::string>(L, 2)));
-  const auto sum = contact::resultant(model->present.contacts[contact]);
+template <int D> int contact_resultant(const model::Model<D>& model, const std::string& name, lua_State* L) {
+  const std::size_t contact = at(find_contact(model, name));
+  const auto sum = contact::resultant(model.present.contacts[contact]);
   push_fields(L, "area", sum.area, "max_pressure", sum.max_pressure, "max_penetration", sum.max_penetration, "active",
               sum.active, "slipping", sum.slipping);
   set_force<D>(L, sum.force);
@@ -43,14 +46,13 @@ template <int D> int contact_resultant(lua_State* L) {
     set_field(L, name, static_cast<int>(tally.count));
     if (tally.count > 0) set_field(L, place, VectorX(tally.latest));
   };
-  set_tally("unsettled", "unsettled_at", model->system.contacts[contact]->unsettled());
-  set_tally("crossed", "crossed_at", model->system.contacts[contact]->crossed());
+  set_tally("unsettled", "unsettled_at", model.system.contacts[contact]->unsettled());
+  set_tally("crossed", "crossed_at", model.system.contacts[contact]->crossed());
   return 1;
 }
 
-template <int D> int profile(lua_State* L) {
-  const Model<D>& model = self<Model<D>>(L);
-  const model::Profile all = model::profile<D>(*model, find_contact(L, model, to<std::string>(L, 2)));
+template <int D> int profile(const model::Model<D>& model, const std::string& name, lua_State* L) {
+  const model::Profile all = model::profile<D>(model, find_contact(model, name));
   push_fields(L, "x", all.x, "y", all.y, "X", all.reference_x, "Y", all.reference_y, "area", all.area, "pressure",
               all.pressure, "traction", all.traction, "gap", all.gap, "state", all.state);
   if (D == 3)
@@ -60,27 +62,24 @@ template <int D> int profile(lua_State* L) {
 
 /// Index of the body at stack index 2, which is a name or a body; in an axisymmetric model the body that it was made
 /// of.
-template <int D> int body_of_argument(lua_State* L, const Model<D>& model) {
-  if (lua_isstring(L, 2)) return find_body(L, model, to<std::string>(L, 2));
+template <int D> int body_of_argument(lua_State* L, const model::Model<D>& model) {
+  if (lua_isstring(L, 2)) return find_body(model, to<std::string>(L, 2));
   const Body<D>& wanted = read_object<Body<D>>(L, 2, {"body", "a body or its name"});
-  const auto& bodies = model->system.scene.bodies;
+  const auto& bodies = model.system.scene.bodies;
   for (std::size_t b = 0; b < bodies.size(); ++b)
     if (&bodies[b].body->space() == &wanted->space()) return static_cast<int>(b);
-  throw ArgumentError(text(function_name(L), ": this body is not part of the model"));
+  fail("this body is not part of the model");
 }
 
-template <int D> int sample(lua_State* L) {
-  const Model<D>& model = self<Model<D>>(L);
+template <int D> int sample(const model::Model<D>& model, lua_State* L) {
   const int body = body_of_argument<D>(L, model);
   const auto name = to<std::string>(L, 3);
   const auto point = to<VectorX>(L, 4);
   if (point.size() != D)
     reject(L, 4, {"xi", "parametric coordinates"},
            D == 2 ? "a list of 2 numbers {xi1, xi2}" : "a list of 3 numbers {xi1, xi2, xi3}");
-  if (name == "contact_pressure")
-    push(L, model::sample_contact_pressure(*model, body, point));
-  else
-    push(L, model::sample(*model, body, model::find_field<D>(name), point));
+  push(L, name == "contact_pressure" ? model::sample_contact_pressure(model, body, point)
+                                     : model::sample(model, body, model::find_field<D>(name), point));
   return 1;
 }
 
@@ -90,11 +89,80 @@ template <int D> int energy(const model::Model<D>& model, lua_State* L) {
   return 1;
 }
 
+// ── What a model is made of, in numbers that lua/signorini/cost.lua prints ───────────────────────────────────────────
+
+/// Unknowns that control points share count once; the contact layer's are those on the rows of the contact faces.
+template <int D> void push_body_cost(lua_State* L, const model::Model<D>& model, int index) {
+  const auto& unknowns = model.system.unknowns;
+  const solid::Body<D>& body = *model.system.scene.bodies[at(index)].body;
+  std::set<int> all, layer;
+  int points = 0;
+  for (int e = 0; e < body.elements(); ++e) points += body.element(e).points;
+  const auto unknown = [&](int i) { return unknowns.unknown(unknowns.offset(index) + i); };
+  int prescribed = 0;
+  for (int i = 0; i < D * body.functions(); ++i)
+    if (unknown(i) >= 0)
+      all.insert(unknown(i));
+    else
+      ++prescribed;
+  for (nurbs::Side side : body.space().contact())
+    for (int function : body.space().face_functions(side))
+      for (int i = D * function; i < D * (function + 1); ++i)
+        if (unknown(i) >= 0) layer.insert(unknown(i));
+  const auto unknowns_in_all = static_cast<int>(all.size()), in_layer = static_cast<int>(layer.size());
+  push_fields(L, "unknowns", unknowns_in_all, "contact_layer", in_layer, "bulk", unknowns_in_all - in_layer,
+              "prescribed", prescribed, "elements", body.elements(), "gauss_points", points);
+}
+
+/// Bytes of the factors as the linear solver has told; before that counted, for the solver that it would choose.
+template <int D> double push_factors(lua_State* L, const model::Model<D>& model) {
+  double memory = model.linear.statistics().memory;
+  solve::LinearKind solver = model.linear.kind();
+  const bool counted = memory == 0 && model.system.unknowns.size() > 0;
+  if (counted) {
+    constexpr bool damps = false;
+    const auto estimate = solve::estimate_factor(model::first_choice(model::linear_facts(model.system), damps),
+                                                 model.system.assembly.pattern());
+    memory = estimate.memory;
+    solver = estimate.kind;
+  }
+  set_fields(L, "factors_are", counted ? "counted" : "measured", "linear", solve::name_of(solver));
+  return memory;
+}
+
+template <int D> int cost(const model::Model<D>& model, lua_State* L) {
+  const model::Scene<D>& scene = model.system.scene;
+  push_fields(L, "unknowns", model.system.unknowns.size(), "obstacles", static_cast<int>(scene.obstacles.size()),
+              "nonzeros", model.system.assembly.pattern().entries());
+  const double factors = push_factors(L, model), tangent = model.system.assembly.memory();
+  double bodies = 0, contacts = 0;
+  lua_newtable(L);
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    bodies += static_cast<double>(scene.bodies[b].body->memory());
+    push_body_cost(L, model, static_cast<int>(b));
+    lua_setfield(L, -2, scene.bodies[b].name.c_str());
+  }
+  lua_setfield(L, -2, "bodies");
+  lua_newtable(L);
+  for (std::size_t k = 0; k < scene.contacts.size(); ++k) {
+    contacts += model.system.contacts[k]->memory();
+    for (const auto* state : {&model.accepted, &model.present}) contacts += contact::memory(state->contacts[k]);
+    push_fields(L, "points", static_cast<int>(model.present.contacts[k].results.size()), "rigid",
+                std::holds_alternative<model::ObstacleReference>(scene.contacts[k].master));
+    lua_setfield(L, -2, scene.contacts[k].name.c_str());
+  }
+  lua_setfield(L, -2, "contacts");
+  set_field(L, "memory", bodies + contacts + tangent + factors);
+  push_fields(L, "bodies", bodies, "contacts", contacts, "tangent", tangent, "factors", factors);
+  lua_setfield(L, -2, "memory_of");
+  return 1;
+}
+
 template <int D>
 constexpr Function model_results_entries[] = {
-    {"reaction", reaction<D>},        {"contact_resultant", contact_resultant<D>},
-    {"profile", profile<D>},          {"sample", sample<D>},
-    {"energy", method<D, energy<D>>},
+    {"reaction", call<reaction<D>>}, {"contact_resultant", call<contact_resultant<D>>},
+    {"profile", call<profile<D>>},   {"sample", call<sample<D>>},
+    {"energy", call<energy<D>>},     {"cost", call<cost<D>>},
 };
 
 } // namespace

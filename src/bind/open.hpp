@@ -5,24 +5,20 @@
 
 namespace signorini::bind {
 
-void open_core(lua_State* L);       ///< core.*: what the library in lua/ needs from C++
+void open_core(lua_State* L);       ///< core.*: what the library in lua/ needs from C++, sg.mkdir, sg.wall_time
 void open_curves(lua_State* L);     ///< sg.nurbs.*
-void open_exchange(lua_State* L);   ///< sg.nurbs.read, sg.nurbs.write
 void open_shapes(lua_State* L);     ///< sg.shapes.*
-void open_patch(lua_State* L);      ///< the patch type and its methods
-void open_material(lua_State* L);   ///< sg.neo_hookean, sg.linear_elastic
-void open_body(lua_State* L);       ///< bodies, their faces, edges and corners
+void open_patch(lua_State* L);      ///< the patch type and its methods, sg.nurbs.read, sg.nurbs.write
+void open_body(lua_State* L);       ///< sg.body, materials, bodies, their faces, edges and corners
 void open_rigid(lua_State* L);      ///< sg.rigid.*
 void open_scene(lua_State* L);      ///< sg.model
 void open_model(lua_State* L);      ///< the methods of a model
-void open_checkpoint(lua_State* L); ///< sg.load, core.save and others
+void open_checkpoint(lua_State* L); ///< sg.load, core.save, core.content and others
 void open_chart(lua_State* L);      ///< sg.chart
 void open_picture(lua_State* L);    ///< sg.picture
 void open_heatmap(lua_State* L);    ///< sg.heatmap
 void open_vtu(lua_State* L);        ///< sg.vtu
-void open_content(lua_State* L);    ///< core.content: what an object holds
 void open_jobs(lua_State* L);       ///< core.jobs: parallel processes
-void open_files(lua_State* L);      ///< core.write_file, core.lock and others
-void open_json(lua_State* L);       ///< core.write_json, core.read_json
+void open_json(lua_State* L);       ///< core.write_json, core.pack and others
 
 } // namespace signorini::bind

@@ -1,6 +1,7 @@
 #include "bind/patch.hpp"
 
 #include "bind/open.hpp"
+#include "exchange/exchange.hpp"
 #include "nurbs/directions.hpp"
 #include "nurbs/transform.hpp"
 
@@ -10,38 +11,36 @@ using nurbs::Patch;
 
 namespace {
 
-int evaluate_at(lua_State* L) {
-  return returned(L, nurbs::evaluate(self<Patch>(L), to<VectorX>(L, 2)));
+/// A parametric direction, counted from 1 in Lua and from 0 here.
+int direction_at(lua_State* L, int index) {
+  return to<int>(L, index) - 1;
 }
 
-/// Pushes a list with a table for each of some values, which `fill` sets the fields of.
+VectorX evaluate_at(const Patch& patch, const VectorX& xi) {
+  return nurbs::evaluate(patch, xi);
+}
+
+/// Pushes a list of tables, one for each of some values, which fill(value) pushes.
 template <class T, class Fill> int push_tables(lua_State* L, const std::vector<T>& values, Fill fill) {
   lua_createtable(L, static_cast<int>(values.size()), 0);
   for (std::size_t i = 0; i < values.size(); ++i) {
-    lua_createtable(L, 0, 2);
     fill(values[i]);
     lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
   }
   return 1;
 }
 
-int derivatives(lua_State* L) {
-  return push_tables(L, nurbs::derivatives(self<Patch>(L), to<VectorX>(L, 2), to<int>(L, 3)), [&](const auto& one) {
-    set_field(L, "orders", one.orders);
-    set_field(L, "value", one.value);
-  });
+int derivatives(const Patch& patch, const VectorX& xi, int order, lua_State* L) {
+  return push_tables(L, nurbs::derivatives(patch, xi, order),
+                     [&](const auto& one) { push_fields(L, "orders", one.orders, "value", one.value); });
 }
 
-int basis(lua_State* L) {
-  return push_tables(L, nurbs::rational_basis(self<Patch>(L), to<VectorX>(L, 2)), [&](const auto& one) {
-    set_field(L, "index", one.function + 1);
-    set_field(L, "value", one.value);
-  });
+int basis(const Patch& patch, const VectorX& xi, lua_State* L) {
+  return push_tables(L, nurbs::rational_basis(patch, xi),
+                     [&](const auto& one) { push_fields(L, "index", one.function + 1, "value", one.value); });
 }
 
-int refine(lua_State* L) {
-  const Patch& patch = self<Patch>(L);
-  const Arguments a(L, 2);
+Patch refine(const Patch& patch, const Arguments& a) {
   const auto elements = a.get<std::vector<int>>("elements", {}), degree = a.get<std::vector<int>>("degree", {});
   if (a.has("grading") && elements.empty()) a.fail("grading needs elements, the number of those that it distributes");
   auto gradings = gradings_of(a, "grading");
@@ -52,34 +51,31 @@ int refine(lua_State* L) {
     const auto knots = elements.empty() ? std::vector<double>{} : nurbs::element_knots(own, elements[d], gradings[d]);
     refined = nurbs::k_refine(refined, static_cast<int>(d), degree.empty() ? own.degree() : degree[d], knots);
   }
-  return returned(L, refined);
+  return refined;
 }
 
-int face(lua_State* L) {
-  const Patch& patch = self<Patch>(L);
-  if (patch.parametric_dimension() == 1)
-    throw ArgumentError(text(function_name(L), ": a curve has two end points, and no faces: evaluate it at its first "
-                                               "and last knot, as in curve(0)"));
-  return returned(L, nurbs::face(patch, nurbs::side_of(to<std::string>(L, 2), patch.parametric_dimension())));
+Patch face_of_patch(const Patch& patch, const std::string& name) {
+  require(patch.parametric_dimension() > 1,
+          "a curve has two end points, and no faces: evaluate it at its first and last knot, as in curve(0)");
+  return nurbs::face(patch, nurbs::side_of(name, patch.parametric_dimension()));
 }
 
 /// A whole number of each direction.
-template <int (nurbs::KnotVector::*number)() const> int per_direction(lua_State* L) {
+template <int (nurbs::KnotVector::*number)() const> std::vector<int> per_direction(const Patch& patch) {
   std::vector<int> values;
-  for (const auto& direction : self<Patch>(L).directions()) values.push_back((direction.*number)());
-  return returned(L, values);
+  for (const auto& direction : patch.directions()) values.push_back((direction.*number)());
+  return values;
 }
 
-int patch_text(lua_State* L) {
-  const Patch& patch = self<Patch>(L);
+std::string patch_text(const Patch& patch) {
   const char* kinds[] = {"curve", "surface", "volume"};
   std::string degrees, elements;
   for (const auto& direction : patch.directions()) {
     degrees += text(degrees.empty() ? "" : " x ", direction.degree());
     elements += text(elements.empty() ? "" : " x ", direction.elements());
   }
-  return returned(L, text("NURBS ", kinds[patch.parametric_dimension() - 1], " in ", patch.dimension(), "D: degree ",
-                          degrees, ", elements ", elements, ", ", patch.functions(), " control points"));
+  return text("NURBS ", kinds[patch.parametric_dimension() - 1], " in ", patch.dimension(), "D: degree ", degrees,
+              ", elements ", elements, ", ", patch.functions(), " control points");
 }
 
 /// An argument that is the origin of the patch's space by default.
@@ -87,95 +83,99 @@ VectorX point_of(const Arguments& a, const char* key, const Patch& patch) {
   return a.get<VectorX>(key, VectorX::Zero(patch.dimension()));
 }
 
-int rotate(lua_State* L) {
-  const Patch& patch = self<Patch>(L);
-  const Arguments a(L, 2);
+Patch rotate(const Patch& patch, const Arguments& a) {
   if (patch.dimension() == 3 && !a.has("axis")) a.refuse("axis", "a list of 3 numbers {x, y, z}, its direction");
-  return returned(
-      L, nurbs::rotate(patch, a.get<double>("angle"), point_of(a, "centre", patch), a.get<VectorX>("axis", {})));
+  return nurbs::rotate(patch, a.get<double>("angle"), point_of(a, "centre", patch), a.get<VectorX>("axis", {}));
 }
 
-int scale(lua_State* L) {
-  const Patch& patch = self<Patch>(L);
-  const Arguments a(L, 2);
-  const bool each = lua_istable(L, a.push("factor"));
-  return returned(
-      L, nurbs::scale(patch,
-                      each ? a.get<VectorX>("factor") : VectorX::Constant(patch.dimension(), a.get<double>("factor")),
-                      point_of(a, "centre", patch)));
+Patch scale(const Patch& patch, const Arguments& a) {
+  const bool each = lua_istable(a.state(), a.push("factor"));
+  const VectorX factors =
+      each ? a.get<VectorX>("factor") : VectorX::Constant(patch.dimension(), a.get<double>("factor"));
+  return nurbs::scale(patch, factors, point_of(a, "centre", patch));
 }
 
-int mirror(lua_State* L) {
-  const Patch& patch = self<Patch>(L);
-  const Arguments a(L, 2);
-  return returned(L, nurbs::mirror(patch, point_of(a, "point", patch), a.get<VectorX>("normal")));
+Patch mirror(const Patch& patch, const Arguments& a) {
+  return nurbs::mirror(patch, point_of(a, "point", patch), a.get<VectorX>("normal"));
 }
 
-int swap(lua_State* L) {
-  const Patch& patch = self<Patch>(L);
-  if (patch.parametric_dimension() == 1)
-    throw ArgumentError(
-        text(function_name(L), ": a curve has one parametric direction, and nothing to exchange it with"));
+int swap(const Patch& patch, lua_State* L) {
+  require(patch.parametric_dimension() > 1, "a curve has one parametric direction, and nothing to exchange it with");
   const int i = direction_at(L, 2), j = direction_at(L, 3);
   if (i == j) reject(L, 3, {"j"}, "another direction than i");
-  return returned(L, nurbs::swap_directions(patch, i, j));
+  push(L, nurbs::swap_directions(patch, i, j));
+  return 1;
 }
 
-/// How many parametric directions and coordinates a patch has.
-int patch_sizes(lua_State* L) {
-  const Patch& patch = read_object<Patch>(L, 1, {"patch"});
+// ── Files of other programs ──────────────────────────────────────────────────────────────────────────────────────────
+
+/// Writes to the file at one index of the stack, in the form that is given as the third argument, else by the file's
+/// ending.
+int write_to(lua_State* L, int file_index, const std::vector<Patch>& patches) {
+  const auto file = to<std::string>(L, file_index);
+  const auto form = lua_isnoneornil(L, 3) ? exchange::form_named_by(file) : to<std::string>(L, 3);
+  if (form.empty())
+    reject(L, file_index, {"file", "where the patches go"}, "a name that ends with .xml, .txt or .mesh",
+           "or give the format as well: " + one_of(exchange::forms()));
+  exchange::write_patches(file, patches, form);
+  return 0;
+}
+
+int write_patches(lua_State* L) {
+  std::vector<Patch> patches;
+  for (lua_Integer i = 1; lua_rawgeti(L, 2, i) != LUA_TNIL; lua_pop(L, 1), ++i)
+    patches.push_back(read_object<Patch>(L, -1));
+  lua_pop(L, 1);
+  return write_to(L, 1, patches);
+}
+
+/// core.patch_sizes(patch): how many parametric directions and coordinates it has.
+int patch_sizes(const Patch& patch, lua_State* L) {
   push(L, patch.parametric_dimension());
   push(L, patch.dimension());
   return 2;
 }
 
+constexpr Function patch_functions[] = {{"read", call<exchange::read_patches>}, {"write", write_patches}};
+constexpr Function patch_core_entries[] = {{"patch_sizes", call<patch_sizes>}};
+
 constexpr Function patch_entries[] = {
-    {"__call", evaluate_at},
-    {"__tostring", patch_text},
-    {"evaluate", evaluate_at},
-    {"derivatives", derivatives},
-    {"basis", basis},
-    {"insert",
-     [](lua_State* L) {
-       return returned(L, nurbs::insert_knots(self<Patch>(L), direction_at(L, 2), to<std::vector<double>>(L, 3)));
-     }},
-    {"elevate",
-     [](lua_State* L) { return returned(L, nurbs::elevate(self<Patch>(L), direction_at(L, 2), to<int>(L, 3))); }},
-    {"refine", refine},
-    {"face", face},
-    {"degrees", per_direction<&nurbs::KnotVector::degree>},
-    {"elements", per_direction<&nurbs::KnotVector::elements>},
-    {"knots", [](lua_State* L) { return returned(L, self<Patch>(L).direction(direction_at(L, 2)).knots()); }},
-    {"points", [](lua_State* L) { return returned(L, MatrixX(self<Patch>(L).points())); }},
-    {"weights", [](lua_State* L) { return returned(L, VectorX(self<Patch>(L).weights())); }},
-    {"translate", [](lua_State* L) { return returned(L, nurbs::translate(self<Patch>(L), to<VectorX>(L, 2))); }},
-    {"rotate", rotate},
-    {"scale", scale},
-    {"mirror", mirror},
-    {"reverse", [](lua_State* L) { return returned(L, nurbs::reverse(self<Patch>(L), direction_at(L, 2))); }},
-    {"swap", swap},
-    {"to_plane", [](lua_State* L) { return returned(L, nurbs::to_plane(self<Patch>(L))); }},
+    {"__call", call<evaluate_at>},
+    {"__tostring", call<patch_text>},
+    {"evaluate", call<evaluate_at>},
+    {"derivatives", call<derivatives>},
+    {"basis", call<basis>},
+    {"insert", call<[](const Patch& patch, int d, const std::vector<double>& knots) {
+       return nurbs::insert_knots(patch, d - 1, knots);
+     }>},
+    {"elevate", call<[](const Patch& patch, int d, int times) { return nurbs::elevate(patch, d - 1, times); }>},
+    {"refine", call<refine>},
+    {"face", call<face_of_patch>},
+    {"degrees", call<per_direction<&nurbs::KnotVector::degree>>},
+    {"elements", call<per_direction<&nurbs::KnotVector::elements>>},
+    {"knots", call<[](const Patch& patch, int d) { return patch.direction(d - 1).knots(); }>},
+    {"points", call<[](const Patch& patch) { return patch.points(); }>},
+    {"weights", call<[](const Patch& patch) { return patch.weights(); }>},
+    {"translate", call<nurbs::translate>},
+    {"rotate", call<rotate>},
+    {"scale", call<scale>},
+    {"mirror", call<mirror>},
+    {"reverse", call<[](const Patch& patch, int d) { return nurbs::reverse(patch, d - 1); }>},
+    {"swap", call<swap>},
+    {"to_plane", call<nurbs::to_plane>},
     {"to_space",
-     [](lua_State* L) { return returned(L, nurbs::to_space(self<Patch>(L), Arguments(L, 2).get<double>("z"))); }},
-    {"write", write_patch},
+     call<[](const Patch& patch, const Arguments& a) { return nurbs::to_space(patch, a.get<double>("z")); }>},
+    {"write", call<[](const Patch& patch, lua_State* L) { return write_to(L, 2, {patch}); }>},
 };
-
-constexpr Function patch_core_entries[] = {{"patch_sizes", patch_sizes}};
-
-/// Throws ArgumentError unless a patch has the dimension of the first one.
-void check_same_dimension(lua_State* L, const Patch& first, const Patch& other, const std::string& path) {
-  if (other.dimension() != first.dimension())
-    throw ArgumentError(text(function_name(L), ": ", path, " is in ", other.dimension(), "D and patch[1] in ",
-                             first.dimension(), "D; keep them in files of their own"));
-}
 
 } // namespace
 
 std::vector<Patch> patches_of(const Arguments& a, const char* key) {
   std::vector<Patch> patches;
   a.list(key, [&](int, int index, const std::string& path) {
-    patches.push_back(*test_object<Patch>(a.state(), index));
-    check_same_dimension(a.state(), patches.front(), patches.back(), path);
+    patches.push_back(read_object<Patch>(a.state(), index));
+    const int first = patches.front().dimension(), own = patches.back().dimension();
+    require(own == first, path, " is in ", own, "D and patch[1] in ", first, "D; keep them in files of their own");
   });
   return patches;
 }
@@ -194,9 +194,10 @@ std::vector<std::optional<nurbs::Grading>> gradings_of(const Arguments& a, const
 
 void open_patch(lua_State* L) {
   register_type<Patch>(L, patch_entries);
+  register_functions(L, "sg.nurbs", patch_functions);
   register_functions(L, "core", patch_core_entries);
   push_table(L, "core");
-  set_field(L, "max_degree", nurbs::max_degree);
+  set_fields(L, "max_degree", nurbs::max_degree, "patch_forms", exchange::forms());
   lua_pop(L, 1);
 }
 

@@ -1,3 +1,4 @@
+#include "base/index.hpp"
 #include "bind/draft.hpp"
 #include "bind/functions.hpp"
 #include "bind/open.hpp"
@@ -9,10 +10,82 @@ namespace signorini::bind {
 
 namespace {
 
-template <int D> std::vector<model::NamedBody<D>> read_bodies(lua_State* L, const Arguments& a) {
+/// In the plane a disc is a cylinder or, about the axis of a body of revolution, a sphere.
+void check_disc(const RigidShape<2>& rigid, bool revolved, const std::string& where) {
+  require(rigid.form != RigidForm::sphere || revolved, where,
+          " is a sphere in plane strain: use sg.rigid.cylinder, or kind = \"axisymmetric\" for the model");
+  require(rigid.form != RigidForm::cylinder || !revolved, where,
+          " is a cylinder across an axisymmetric model: use sg.rigid.sphere with its center on the axis x = 0");
+  if (const auto* ball = std::get_if<contact::Ball<2>>(&rigid.shape); ball && revolved && ball->centre(0) != 0)
+    fail(where, " has its center at x = ", ball->centre(0),
+         ": in an axisymmetric model a sphere's center lies on the axis, x = 0");
+}
+
+/// Gauss points per slave element and direction: 3(p+1), p the full degree along the slave face (thesis 7.1.1), the
+/// higher one where its two directions differ.
+template <int D> int default_points(const model::Scene<D>& scene, const model::FaceReference& slave) {
+  const auto& space = scene.bodies[at(slave.body)].body->space();
+  const nurbs::Row face = space.face(slave.side);
+  int degree = 0;
+  for (const nurbs::Space1D& direction : face.directions()) degree = std::max(degree, direction.degree());
+  return 3 * (degree + 1);
+}
+
+template <int D> contact::Method<D> read_method(const Arguments& a) {
+  if (a.has("adhesion")) {
+    const Arguments adhesion = a.table("adhesion");
+    return contact::Adhesion{adhesion.get<double>("hamaker"), adhesion.get<double>("r0")};
+  }
+  contact::PenaltyLaw law{a.get<double>("penalty")};
+  if (a.has("friction")) {
+    const Arguments friction = a.table("friction");
+    law.friction = friction.get<double>("mu");
+    law.tangential = friction.get<double>("penalty");
+  }
+  return law;
+}
+
+/// The user's function of the reference position. It is called while the model is made, not later: sg.model's argument,
+/// at the bottom of the stack, holds it.
+template <int D> contact::Region<D> read_region(const Arguments& a, const std::string& contact) {
+  if (!a.has("where")) return {};
+  return [L = a.state(), contact, name = a.name("where")](const Vec<D>& place) {
+    const int top = lua_gettop(L);
+    lua_getfield(L, 1, "contacts");
+    lua_getfield(L, -1, contact.c_str());
+    lua_getfield(L, -1, "where");
+    push(L, VectorX(place));
+    lua_call(L, 1, 1);
+    if (!lua_isboolean(L, -1))
+      fail(name, " must return true or false, it returned ", describe(L, -1),
+           ": write a comparison behind return, as in return X[1] <= 150");
+    const bool acts = lua_toboolean(L, -1) != 0;
+    lua_settop(L, top);
+    return acts;
+  };
+}
+
+/// An entry of `contacts`, under this name in sg.model's argument.
+template <int D> model::Contact<D> read_contact(Draft<D>& draft, const Arguments& a, const std::string& name) {
+  lua_State* L = a.state();
+  model::Contact<D> contact{{}, draft.face(L, a.push("slave"), a.name("slave")), {}, {}, 0, {}};
+  if (const int master = a.push("master"); has_type(L, master, Type<Rigid<D>>::name))
+    contact.master = model::ObstacleReference{draft.index_of(a.object<Rigid<D>>("master"), a.name("master"))};
+  else
+    contact.master = draft.face(L, master, a.name("master"));
+  const auto* face = std::get_if<model::FaceReference>(&contact.master);
+  require(!face || contact.slave != *face, a.name("master"), " is the same face as ", a.name("slave"),
+          "; a face cannot touch itself: name a face of the other body");
+  contact.method = read_method<D>(a);
+  contact.points = a.has("points") ? a.get<int>("points") : default_points(draft.scene, contact.slave);
+  contact.where = read_region<D>(a, name);
+  return contact;
+}
+
+template <int D> std::vector<model::NamedBody<D>> read_bodies(const Arguments& a) {
   std::vector<model::NamedBody<D>> bodies;
   a.each("bodies", [&](const std::string& name, int index, const std::string& path) {
-    const Body<D>& body = read_object<Body<D>>(L, index, {path});
+    const Body<D>& body = read_object<Body<D>>(a.state(), index, {path});
     for (const auto& other : bodies)
       if (other.body == body)
         a.fail(path, " is the same body as bodies.", other.name, ": make one with sg.body for each");
@@ -36,30 +109,30 @@ void check_name(const Arguments& a, const model::Scene<D>& scene, const std::str
 }
 
 /// 2 or 3: the first body's.
-int dimension_of(lua_State* L, const Arguments& a) {
+int dimension_of(const Arguments& a) {
   int dimension = 0;
   a.each("bodies", [&](const std::string&, int index, const std::string&) {
-    if (dimension == 0) dimension = test_object<Body<3>>(L, index) ? 3 : 2;
+    if (dimension == 0) dimension = test_object<Body<3>>(a.state(), index) ? 3 : 2;
   });
   return dimension;
 }
 
 /// The bodies as bodies of revolution.
-void revolve(lua_State* L, model::Scene<2>& scene) {
+void revolve(model::Scene<2>& scene) {
   for (auto& named : scene.bodies) try {
       named.body = solid::revolved(*named.body);
     } catch (const Error& error) {
-      throw ArgumentError(text(function_name(L), ": bodies.", named.name, ": ", worded(error)));
+      fail("bodies.", named.name, ": ", worded(error));
     }
 }
 
-template <int D> int push_model(lua_State* L, const Arguments& a) {
+template <int D> int push_model(const Arguments& a, lua_State* L) {
   Draft<D> draft;
   model::Scene<D>& scene = draft.scene;
   if (D == 3 && a.has("kind"))
     a.fail("kind says what the plane stands for, but the bodies are solids in 3D: leave it out");
   if (a.get<std::string>("kind") == "axisymmetric") scene.kind = solid::Kind::axisymmetric;
-  scene.bodies = read_bodies<D>(L, a);
+  scene.bodies = read_bodies<D>(a);
   const auto each = [&](const char* key, const auto& add) {
     if (!a.has(key)) return;
     a.each(key, [&](const std::string& name, int index, const std::string& path) {
@@ -69,30 +142,54 @@ template <int D> int push_model(lua_State* L, const Arguments& a) {
   };
   // A load may stand among the supports: both are what holds and moves a body from outside.
   const auto add_held = [&](const Arguments& part, const std::string&) -> std::string& {
-    if (part.has("traction") || part.has("pressure")) return scene.loads.emplace_back(read_load(L, scene, part)).name;
-    return scene.supports.emplace_back(read_support(L, draft, part)).name;
+    if (part.has("traction") || part.has("pressure")) return scene.loads.emplace_back(read_load(draft, part)).name;
+    return scene.supports.emplace_back(read_support(draft, part)).name;
   };
   each("supports", add_held);
   each("loads", add_held);
   each("contacts", [&](const Arguments& part, const std::string& name) -> std::string& {
-    return scene.contacts.emplace_back(read_contact(L, draft, part, name)).name;
+    return scene.contacts.emplace_back(read_contact(draft, part, name)).name;
   });
   if constexpr (D == 2)
-    if (scene.kind == solid::Kind::axisymmetric) revolve(L, scene);
+    if (scene.kind == solid::Kind::axisymmetric) revolve(scene);
   const auto& made = push_object<Model<D>>(L, std::make_shared<model::Model<D>>(std::move(scene)));
   count_memory(L, model::memory(*made));
   for (const Message& warning : model::warnings(*made)) warn(worded(warning));
   return 1;
 }
 
-int make_model(lua_State* L) {
-  const Arguments a(L);
-  return dimension_of(L, a) == 3 ? push_model<3>(L, a) : push_model<2>(L, a);
+int make_model(const Arguments& a, lua_State* L) {
+  return dimension_of(a) == 3 ? push_model<3>(a, L) : push_model<2>(a, L);
 }
 
-constexpr Function scene_functions[] = {{"model", make_model}};
+constexpr Function scene_functions[] = {{"model", call<make_model>}};
 
 } // namespace
+
+template <int D> int Draft<D>::index_of(const Place<D>& place, const std::string& where) const {
+  const auto found = std::ranges::find(scene.bodies, place.body, &model::NamedBody<D>::body);
+  require(found != scene.bodies.end(), where, " is on a body that is not in bodies: add it there");
+  return static_cast<int>(found - scene.bodies.begin());
+}
+
+template <int D> int Draft<D>::index_of(const Rigid<D>& rigid, const std::string& where) {
+  const auto found = std::find(obstacles.begin(), obstacles.end(), rigid);
+  const auto index = static_cast<int>(found - obstacles.begin());
+  if (found != obstacles.end()) return index;
+  if constexpr (D == 2) check_disc(*rigid, scene.kind == solid::Kind::axisymmetric, where);
+  obstacles.push_back(rigid);
+  scene.obstacles.push_back(rigid->shape);
+  return index;
+}
+
+template <int D> model::FaceReference Draft<D>::face(lua_State* L, int index, const std::string& where) const {
+  const Place<D>& place = read_object<Place<D>>(L, index, {where});
+  if (!place.side) reject_place(place, where, "a face", text(with_article(place.kind), " has no surface"));
+  return {index_of(place, where), *place.side};
+}
+
+template struct Draft<2>;
+template struct Draft<3>;
 
 void open_scene(lua_State* L) {
   register_functions(L, "sg", scene_functions);

@@ -1,17 +1,26 @@
 #pragma once
-// Bodies, their places and models as Lua sees them.
+// Materials, bodies, their places, rigid obstacles and models as Lua sees them.
 
 #include "bind/arguments.hpp"
-#include "bind/rigid.hpp"
 #include "model/results.hpp"
 
 namespace signorini::bind {
+
+/// What the user called it: a disc is a cylinder in plane strain and a sphere in an axisymmetric model.
+enum class RigidForm { plane, cylinder, sphere, surface };
+
+template <int D> struct RigidShape {
+  RigidForm form;
+  contact::Obstacle<D> shape;
+};
+template <int D> using Rigid = std::shared_ptr<const RigidShape<D>>;
 
 template <int D> using Body = std::shared_ptr<const solid::Body<D>>;
 
 /// Control points of a body that can be held, driven or brought into contact: a face, an edge, or a corner.
 template <int D> struct Place {
   Body<D> body;
+  const char* kind;                ///< "face", "edge" or "corner"
   std::string name;                ///< "south", "south-front", "south-west"
   std::optional<nurbs::Side> side; ///< of a face
   std::vector<int> functions;
@@ -25,21 +34,14 @@ template <int D> struct Snapshot {
   model::Snapshot<D> state;
 };
 
-template <int D> struct Type<Body<D>> {
-  static constexpr auto name = "body", key = D == 3 ? "body in 3D" : name;
-  static constexpr int dimension = D;
-};
-template <int D> struct Type<Place<D>> {
-  static constexpr auto name = "face", key = D == 3 ? "face in 3D" : name;
-  static constexpr int dimension = D;
-};
-template <int D> struct Type<Snapshot<D>> {
-  static constexpr auto name = "snapshot", key = D == 3 ? "snapshot in 3D" : name;
-  static constexpr int dimension = D;
-};
-template <int D> struct Type<Model<D>> {
-  static constexpr auto name = "model", key = D == 3 ? "model in 3D" : name;
-  static constexpr int dimension = D;
-};
+template <> struct Type<solid::Material> { static constexpr auto name = "material"; };
+
+/// Of what comes for the plane and for space.
+template <int D> struct TypeIn { static constexpr int dimension = D; };
+template <int D> struct Type<Body<D>> : TypeIn<D> { static constexpr auto name = "body"; };
+template <int D> struct Type<Place<D>> : TypeIn<D> { static constexpr auto name = "face"; };
+template <int D> struct Type<Rigid<D>> : TypeIn<D> { static constexpr auto name = "obstacle"; };
+template <int D> struct Type<Snapshot<D>> : TypeIn<D> { static constexpr auto name = "snapshot"; };
+template <int D> struct Type<Model<D>> : TypeIn<D> { static constexpr auto name = "model"; };
 
 } // namespace signorini::bind

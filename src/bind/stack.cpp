@@ -11,11 +11,10 @@ bool has_type(lua_State* L, int index, const char* name) {
   return same;
 }
 
-void reject_dimension(lua_State* L, const Argument& argument, const char* name, int expected) {
+void reject_dimension(const Argument& argument, const char* name, int expected) {
   const char *plane = "in the plane", *space = "in 3D";
-  throw ArgumentError(text(function_name(L), ": ", argument.name, " must be ", with_article(name), " ",
-                           expected == 2 ? plane : space, ", got one ", expected == 2 ? space : plane,
-                           ": the parts of a model are all in the plane, or all in 3D"));
+  fail(argument.name, " must be ", with_article(name), " ", expected == 2 ? plane : space, ", got one ",
+       expected == 2 ? space : plane, ": the parts of a model are all in the plane, or all in 3D");
 }
 
 void push(lua_State* L, const VectorX& values) {

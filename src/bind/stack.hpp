@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <new>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,6 +33,25 @@ inline void push(lua_State* L, const std::string& value) {
 void push(lua_State* L, const VectorX& values);
 /// A list of the columns, each a list: points.
 void push(lua_State* L, const MatrixX& points);
+
+/// The name of a type in messages and help: template <> struct Type<Patch> { static constexpr auto name = "patch"; };
+/// A type that comes for the plane and for space has one name for both and the `dimension` 2 or 3.
+template <class T> struct Type;
+
+template <class T>
+concept Registered = requires {
+  Type<T>::name;
+};
+
+template <Registered T> T& push_object(lua_State* L, T value);
+template <Registered T> void push(lua_State* L, const T& object) {
+  push_object(L, object);
+}
+
+/// Nothing is nil.
+template <class T> void push(lua_State* L, const std::optional<T>& value) {
+  value ? push(L, *value) : lua_pushnil(L);
+}
 
 template <class T> void push(lua_State* L, const std::vector<T>& values) {
   lua_createtable(L, static_cast<int>(values.size()), 0);
@@ -63,15 +83,12 @@ template <class... Parts> void push_fields(lua_State* L, const Parts&... parts) 
 // A T lives inside its userdata: an immutable value (Patch) or a shared pointer (std::shared_ptr<Body>), whose other
 // owners keep the object alive when Lua lets go of it.
 
-/// The name of a type in messages and help: template <> struct Type<Patch> { static constexpr auto name = "patch"; };
-/// A type that comes for the plane and for space has one name for both, the `dimension` 2 or 3, and a `key` of its own.
-template <class T> struct Type;
-
 /// The name of a type's metatable in the registry.
-template <class T> constexpr const char* key_of() {
-  if constexpr (requires { Type<T>::key; })
-    return Type<T>::key;
-  else
+template <Registered T> const char* key_of() {
+  if constexpr (requires { Type<T>::dimension; }) {
+    static const std::string key = text(Type<T>::name, " in ", Type<T>::dimension, "D");
+    return key.c_str();
+  } else
     return Type<T>::name;
 }
 
@@ -83,27 +100,23 @@ template <class T> T* test_object(lua_State* L, int index) {
 /// Whether the value has a type of this name, whatever its dimension.
 bool has_type(lua_State* L, int index, const char* name);
 
-/// Throws ArgumentError: the value has the right name, but belongs to a scene of the other dimension.
-[[noreturn]] void reject_dimension(lua_State* L, const Argument& argument, const char* name, int expected);
+/// Throws: the value has the right name, but belongs to a scene of the other dimension.
+[[noreturn]] void reject_dimension(const Argument& argument, const char* name, int expected);
 
-template <class T> T& read_object(lua_State* L, int index, const Argument& argument) {
+template <class T> T& read_object(lua_State* L, int index, const Argument& argument = {Type<T>::name}) {
   T* object = test_object<T>(L, index);
   if constexpr (requires { Type<T>::dimension; })
-    if (!object && has_type(L, index, Type<T>::name)) reject_dimension(L, argument, Type<T>::name, Type<T>::dimension);
+    if (!object && has_type(L, index, Type<T>::name)) reject_dimension(argument, Type<T>::name, Type<T>::dimension);
   if (!object) reject(L, index, argument, with_article(Type<T>::name));
   return *object;
 }
 
 /// The object a method was called on: its first argument.
 template <class T> T& self(lua_State* L) {
-  T* object = test_object<T>(L, 1);
-  if (!object)
-    throw ArgumentError(text(function_name(L), " must be called on a ", Type<T>::name, ", not on ", describe(L, 1),
-                             ": write object:method(…) with a colon"));
-  return *object;
+  return read_object<T>(L, 1);
 }
 
-template <class T> T& push_object(lua_State* L, T value) {
+template <Registered T> T& push_object(lua_State* L, T value) {
   void* memory = lua_newuserdatauv(L, sizeof(T), 0);
   T* object = new (memory) T(std::move(value));
   luaL_setmetatable(L, key_of<T>());

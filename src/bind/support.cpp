@@ -1,6 +1,6 @@
+#include "base/index.hpp"
 #include "base/words.hpp"
 #include "bind/draft.hpp"
-#include "bind/place.hpp"
 #include "bind/wording/wording.hpp"
 #include "solid/load.hpp"
 
@@ -13,9 +13,8 @@ using model::Hold;
 
 namespace {
 
-[[noreturn]] void reject_twice(lua_State* L, const std::string& on, const std::string& what) {
-  throw ArgumentError(
-      text(function_name(L), ": ", on, " lists ", what, " twice, expected once: take one of the two out"));
+[[noreturn]] void reject_twice(const Arguments& a, const std::string& what) {
+  fail(a.name("on"), " lists ", what, " twice, expected once: take one of the two out");
 }
 
 /// The components that "x", "xy" and so on name.
@@ -25,7 +24,7 @@ template <int D> void read_components(const Arguments& a, const char* key, Hold 
   if (D == 2 && letters.find('z') != std::string::npos)
     a.refuse(key, "'x', 'y' or 'xy'", "the bodies are plane, so nothing moves along z");
   for (char letter : letters) {
-    Hold& component = support.hold[static_cast<std::size_t>(letter - 'x')];
+    Hold& component = support.hold[at(letter - 'x')];
     if (component != Hold::free && hold == Hold::free)
       a.fail("it frees ", letter, ", which it also ", component == Hold::fixed ? "fixes" : "drives",
              ": free lists components that neither fix nor drive names, take it out of one of the two");
@@ -37,7 +36,8 @@ template <int D> void read_components(const Arguments& a, const char* key, Hold 
 }
 
 /// The unit vector of rotate = "z" or {ax, ay, az}.
-Vec<3> read_axis(lua_State* L, const Arguments& a, int index) {
+Vec<3> read_axis(const Arguments& a, int index) {
+  lua_State* L = a.state();
   const char* expected = "'x', 'y', 'z', or a vector {x, y, z}";
   if (lua_isboolean(L, index)) a.refuse("rotate", expected, "in 3D a face turns about an axis, as in rotate = \"z\"");
   if (lua_isstring(L, index)) return Vec<3>::Unit(*lua_tostring(L, index) - 'x');
@@ -51,23 +51,23 @@ template <int D> double face_area(const solid::Body<D>& body, nurbs::Side side) 
 }
 
 /// Calls visit(place) for each of the faces that `on` lists; other things are errors.
-template <int D, class Visit>
-void each_face(lua_State* L, const Arguments& a, const char* expected, const char* cure, Visit visit) {
+template <int D, class Visit> void each_face(const Arguments& a, const char* expected, const char* cure, Visit visit) {
   a.list("on", [&](int, int index, const std::string&) {
-    const Place<D>* place = test_object<Place<D>>(L, index);
-    if (!place) reject(L, index, {a.name("on")}, expected, cure);
-    if (!place->side) reject_place(L, *place, a.name("on"), expected, cure);
+    const Place<D>* place = test_object<Place<D>>(a.state(), index);
+    if (!place) reject(a.state(), index, {a.name("on")}, expected, cure);
+    if (!place->side) reject_place(*place, a.name("on"), expected, cure);
     visit(*place);
   });
 }
 
 /// The face that a support turns, in space the faces, about their common centroid and an axis through it.
-template <int D> void read_rotation(lua_State* L, const Arguments& a, model::Support<D>& support) {
+template <int D> void read_rotation(const Arguments& a, model::Support<D>& support) {
+  lua_State* L = a.state();
   const int given = a.push("rotate");
   support.rotates = lua_toboolean(L, given);
   if (!support.rotates) return;
   if constexpr (D == 3)
-    support.axis = read_axis(L, a, given);
+    support.axis = read_axis(a, given);
   else if (!lua_isboolean(L, given))
     a.refuse("rotate", "true or false",
              "the bodies are plane, so a face can only turn in the plane: write rotate = true");
@@ -76,7 +76,7 @@ template <int D> void read_rotation(lua_State* L, const Arguments& a, model::Sup
                             : "what rotates are faces of bodies; give other things a support of their own";
   if (D == 2 && lua_rawlen(L, a.push("on")) > 1) a.refuse("on", expected, cure);
   double size = 0;
-  each_face<D>(L, a, expected, cure, [&](const Place<D>& face) {
+  each_face<D>(a, expected, cure, [&](const Place<D>& face) {
     const double area = face_area(*face.body, *face.side);
     support.centre += area * model::face_centroid(*face.body, *face.side);
     size += area;
@@ -102,18 +102,16 @@ template <int D> std::optional<AxisPlane> plane_of(const MatrixX& points, double
 }
 
 /// Holds the normal component on faces in a plane of symmetry.
-template <int D>
-void read_symmetry(lua_State* L, const Arguments& a, const model::Scene<D>& scene, model::Support<D>& support) {
+template <int D> void read_symmetry(const Arguments& a, const Draft<D>& draft, model::Support<D>& support) {
   if (!a.get<bool>("symmetry")) return;
   constexpr double flat = 1e-9; // of a body's size: what rounding leaves of a plane
-  const auto reject_symmetry = [&](const auto&... words) {
-    throw ArgumentError(text(function_name(L), ": ", a.path(), ".symmetry ", words...));
-  };
+  const auto reject_symmetry = [&](const auto&... words) { fail(a.name("symmetry"), " ", words...); };
   if (support.rotates) reject_symmetry("holds a plane, which rotate turns: take one of the two out");
   std::optional<AxisPlane> plane;
   const char* cure = "what lies in a plane of symmetry are faces of bodies; give other things a support of their own";
-  each_face<D>(L, a, "a face, or a list of faces", cure, [&](const Place<D>& face) {
-    const std::string words = worded(model::face_message(scene, {index_of(L, scene, face, a.name("on")), *face.side}));
+  each_face<D>(a, "a face, or a list of faces", cure, [&](const Place<D>& face) {
+    const std::string words =
+        worded(model::face_message(draft.scene, {draft.index_of(face, a.name("on")), *face.side}));
     const MatrixX points = face.body->space().points();
     const double tolerance = flat * (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
     const std::optional<AxisPlane> found = plane_of<D>(points(Eigen::all, face.functions), tolerance);
@@ -121,7 +119,7 @@ void read_symmetry(lua_State* L, const Arguments& a, const model::Scene<D>& scen
       reject_symmetry("needs a flat face across ", D == 2 ? "x or y" : "x, y or z", ", but ", words,
                       " is curved or inclined: turn an inclined plane across an axis by patch:rotate, of all bodies "
                       "alike");
-    if (scene.kind == solid::Kind::axisymmetric && found->axis == 0 && std::abs(found->place) > tolerance)
+    if (draft.scene.kind == solid::Kind::axisymmetric && found->axis == 0 && std::abs(found->place) > tolerance)
       reject_symmetry("needs the axis x = 0 or a face across y, but ", words, " is a cylinder of radius ",
                       number(found->place), ": fix = \"x\" holds its radius");
     if (plane && (plane->axis != found->axis || std::abs(plane->place - found->place) > tolerance))
@@ -134,47 +132,45 @@ void read_symmetry(lua_State* L, const Arguments& a, const model::Scene<D>& scen
     if (a.has(key) && a.get<std::string>(key).find(normal) != std::string::npos)
       reject_symmetry("holds ", normal, " on the plane ", plane->words(), ", but ", key, " names ", normal,
                       " as well: take one of the two out");
-  support.hold[static_cast<std::size_t>(plane->axis)] = Hold::fixed;
+  support.hold[at(plane->axis)] = Hold::fixed;
 }
 
 } // namespace
 
-template <int D> model::Support<D> read_support(lua_State* L, Draft<D>& draft, const Arguments& a) {
+template <int D> model::Support<D> read_support(Draft<D>& draft, const Arguments& a) {
   model::Support<D> support;
   const std::string on = a.name("on");
   std::set<std::string> listed;
-  a.list("on", [&](int, int at, const std::string&) {
-    if (has_type(L, at, Type<Rigid<D>>::name)) {
-      const int obstacle = index_of(L, draft, read_object<Rigid<D>>(L, at, {on}), on);
-      if (std::find(support.obstacles.begin(), support.obstacles.end(), obstacle) != support.obstacles.end())
-        reject_twice(L, on, "an obstacle");
+  a.list("on", [&](int, int index, const std::string&) {
+    if (has_type(a.state(), index, Type<Rigid<D>>::name)) {
+      const int obstacle = draft.index_of(read_object<Rigid<D>>(a.state(), index, {on}), on);
+      if (std::ranges::find(support.obstacles, obstacle) != support.obstacles.end()) reject_twice(a, "an obstacle");
       support.obstacles.push_back(obstacle);
       return;
     }
-    const Place<D>& place = read_object<Place<D>>(L, at, {on});
-    const int body = index_of(L, draft.scene, place, on);
-    const std::string words = text(kind_of(place), " '", place.name, "' of body '",
-                                   draft.scene.bodies[static_cast<std::size_t>(body)].name, "'");
-    if (!listed.insert(words).second) reject_twice(L, on, words);
+    const Place<D>& place = read_object<Place<D>>(a.state(), index, {on});
+    const int body = draft.index_of(place, on);
+    const std::string words = text(place.kind, " '", place.name, "' of body '", draft.scene.bodies[at(body)].name, "'");
+    if (!listed.insert(words).second) reject_twice(a, words);
     support.on.push_back({body, place.functions});
   });
   read_components(a, "fix", Hold::fixed, support);
   read_components(a, "drive", Hold::driven, support);
   read_components(a, "free", Hold::free, support);
-  read_rotation(L, a, support);
-  read_symmetry(L, a, draft.scene, support);
+  read_rotation(a, support);
+  read_symmetry(a, draft, support);
   if (support.hold == std::array<Hold, D>{} && !support.rotates)
     a.fail("it holds nothing: add fix = \"xy\", drive = \"xy\", ", D == 2 ? "rotate = true" : "rotate = \"z\"",
            " or symmetry = true");
   return support;
 }
 
-template <int D> model::Load read_load(lua_State* L, const model::Scene<D>& scene, const Arguments& a) {
+template <int D> model::Load read_load(const Draft<D>& draft, const Arguments& a) {
   model::Load load;
-  a.list("on", [&](int, int at, const std::string&) {
-    const model::FaceReference face = face_of(L, scene, at, a.name("on"));
-    if (std::find(load.on.begin(), load.on.end(), face) != load.on.end())
-      reject_twice(L, a.name("on"), worded(model::face_message(scene, face)));
+  a.list("on", [&](int, int index, const std::string&) {
+    const model::FaceReference face = draft.face(a.state(), index, a.name("on"));
+    if (std::ranges::find(load.on, face) != load.on.end())
+      reject_twice(a, worded(model::face_message(draft.scene, face)));
     load.on.push_back(face);
   });
   load.pressure = a.has("pressure");
@@ -184,9 +180,9 @@ template <int D> model::Load read_load(lua_State* L, const model::Scene<D>& scen
   return load;
 }
 
-template model::Support<2> read_support<2>(lua_State*, Draft<2>&, const Arguments&);
-template model::Load read_load<2>(lua_State*, const model::Scene<2>&, const Arguments&);
-template model::Support<3> read_support<3>(lua_State*, Draft<3>&, const Arguments&);
-template model::Load read_load<3>(lua_State*, const model::Scene<3>&, const Arguments&);
+template model::Support<2> read_support(Draft<2>&, const Arguments&);
+template model::Support<3> read_support(Draft<3>&, const Arguments&);
+template model::Load read_load(const Draft<2>&, const Arguments&);
+template model::Load read_load(const Draft<3>&, const Arguments&);
 
 } // namespace signorini::bind

@@ -1,7 +1,7 @@
 #pragma once
-// How many threads and which kernels the program uses, and which BLAS that is.
+// How many threads the program uses, and functions of libraries that need not be there.
 
-#include <string>
+#include <dlfcn.h>
 
 namespace signorini::bind {
 
@@ -12,11 +12,10 @@ inline constexpr int most_threads = 1024;
 /// more time from triangular solves than two threads save. The pool that OpenBLAS starts when it is loaded ends here.
 void set_threads(int threads);
 
-/// The widest vector instructions of the element kernels, such as "avx2"; an error where SIGNORINI_KERNEL names others
-/// than this machine has.
-std::string kernel_description();
-
-/// "OpenBLAS 0.3.21 …, libopenblas.so" of the BLAS that is loaded.
-std::string blas_description();
+/// A function of whichever library is loaded, or nullptr: BLAS is a choice of the machine's owner, so nothing of one
+/// particular BLAS is linked.
+template <class F> F* loaded(const char* name) {
+  return reinterpret_cast<F*>(dlsym(RTLD_DEFAULT, name));
+}
 
 } // namespace signorini::bind

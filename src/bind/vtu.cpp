@@ -1,6 +1,7 @@
 // sg.vtu: a model's present state for ParaView, as exact rational Bézier cells.
 
 #include "exchange/vtu.hpp"
+#include "base/index.hpp"
 #include "base/whole_file.hpp"
 #include "bind/arguments.hpp"
 #include "bind/functions.hpp"
@@ -22,8 +23,9 @@ const std::vector<std::string>& component_names(const std::string& field) {
   return field == "stress" ? stress : field == "F" ? gradient : none;
 }
 
-/// Puts cells at the end of a grid; where they lack one of its fields it is not a number.
-void append(exchange::BezierGrid& grid, const tessellation::BezierCells& cells, int body, int contact) {
+/// Puts cells at the end of a grid, with a number for each of its cell arrays; where they lack one of its fields it is
+/// not a number.
+void append(exchange::BezierGrid& grid, const tessellation::BezierCells& cells, const std::vector<int>& numbers) {
   const Eigen::Index before = grid.points.cols(), added = cells.points.cols(), all = before + added;
   grid.degrees.insert(grid.degrees.end(), cells.degrees.begin(), cells.degrees.end());
   grid.points.conservativeResize(3, all);
@@ -37,9 +39,8 @@ void append(exchange::BezierGrid& grid, const tessellation::BezierCells& cells, 
     for (const tessellation::CellField& field : cells.fields)
       if (field.name == array.name) array.values.rightCols(added) = field.values;
   }
-  const std::vector<int> values = {body, contact};
-  for (std::size_t i = 0; i < values.size(); ++i)
-    grid.cell_arrays[i].values.insert(grid.cell_arrays[i].values.end(), cells.degrees.size(), values[i]);
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    grid.cell_arrays[i].values.insert(grid.cell_arrays[i].values.end(), cells.degrees.size(), numbers[i]);
 }
 
 /// All bodies, then the slave faces of all contacts.
@@ -55,30 +56,26 @@ template <int D> exchange::BezierGrid grid_of(const model::Model<D>& model, bool
   if (!scene.contacts.empty()) grid.point_arrays.push_back({"contact_pressure", MatrixX(1, 0)});
   grid.cell_arrays = {{"body", {}}, {"contact", {}}};
   grid.names = {{"body_names", names_of(scene.bodies)}, {"contact_names", names_of(scene.contacts)}};
-  for (std::size_t b = 0; b < bodies.size(); ++b) append(grid, bodies[b], static_cast<int>(b) + 1, 0);
+  for (std::size_t b = 0; b < bodies.size(); ++b) append(grid, bodies[b], {static_cast<int>(b) + 1, 0});
   for (std::size_t c = 0; c < scene.contacts.size(); ++c) {
     const int contact = static_cast<int>(c), body = scene.contacts[c].slave.body;
-    append(grid, tessellation::contact_cells(model, contact, bodies[static_cast<std::size_t>(body)]), body + 1,
-           contact + 1);
+    append(grid, tessellation::contact_cells(model, contact, bodies[at(body)]), {body + 1, contact + 1});
   }
   return grid;
 }
 
 /// A patch's elements as cells: with knots repeated up to the degree its control points are those of its elements.
-void append(exchange::BezierGrid& grid, nurbs::Patch patch, int number) {
-  const int n = patch.parametric_dimension();
-  for (int d = 0; d < n; ++d) {
+tessellation::BezierCells cells_of(nurbs::Patch patch) {
+  std::vector<int> degrees, chosen;
+  int elements = 1, size = 1;
+  for (int d = 0; d < patch.parametric_dimension(); ++d) {
     std::vector<double> missing;
     const nurbs::KnotVector knots = patch.direction(d);
     for (int e = 1; e < knots.elements(); ++e) {
-      const double knot = knots.breaks()[static_cast<std::size_t>(e)];
-      missing.insert(missing.end(), static_cast<std::size_t>(knots.degree() - knots.multiplicity(knot)), knot);
+      const double knot = knots.breaks()[at(e)];
+      missing.insert(missing.end(), at(knots.degree() - knots.multiplicity(knot)), knot);
     }
     patch = nurbs::insert_knots(patch, d, missing);
-  }
-  std::vector<int> degrees, chosen;
-  int elements = 1, size = 1;
-  for (const nurbs::KnotVector& knots : patch.directions()) {
     degrees.push_back(knots.degree());
     elements *= knots.elements();
     size *= knots.degree() + 1;
@@ -93,27 +90,21 @@ void append(exchange::BezierGrid& grid, nurbs::Patch patch, int number) {
       }
       chosen.push_back(point);
     }
-  const MatrixX points = patch.points();
-  const VectorX weights = patch.weights();
-  const auto added = static_cast<Eigen::Index>(chosen.size()), all = grid.points.cols() + added;
-  grid.points.conservativeResize(3, all);
-  grid.points.rightCols(added).setZero();
-  grid.points.block(0, all - added, patch.dimension(), added) = points(Eigen::all, chosen);
-  grid.weights.conservativeResize(all);
-  grid.weights.tail(added) = weights(chosen);
-  grid.degrees.insert(grid.degrees.end(), static_cast<std::size_t>(elements), degrees);
-  grid.cell_arrays[0].values.insert(grid.cell_arrays[0].values.end(), static_cast<std::size_t>(elements), number);
+  tessellation::BezierCells cells{std::vector(at(elements), degrees), MatrixX::Zero(3, std::ssize(chosen)), {}, {}};
+  cells.points.topRows(patch.dimension()) = patch.points()(Eigen::all, chosen);
+  cells.weights = patch.weights()(chosen);
+  return cells;
 }
 
 exchange::BezierGrid grid_of(const std::vector<nurbs::Patch>& patches) {
   exchange::BezierGrid grid;
   grid.points.resize(3, 0);
   grid.cell_arrays = {{"patch", {}}};
-  for (std::size_t p = 0; p < patches.size(); ++p) append(grid, patches[p], static_cast<int>(p) + 1);
+  for (std::size_t p = 0; p < patches.size(); ++p) append(grid, cells_of(patches[p]), {static_cast<int>(p) + 1});
   return grid;
 }
 
-exchange::BezierGrid read_grid(lua_State* L, const Arguments& a) {
+exchange::BezierGrid read_grid(const Arguments& a) {
   if (a.has("patch")) {
     for (const char* key : {"model", "deformed"})
       if (a.has(key)) a.fail(key, " is for models, and patch is not part of one: leave one of them out");
@@ -121,19 +112,17 @@ exchange::BezierGrid read_grid(lua_State* L, const Arguments& a) {
   }
   if (!a.has("model")) a.refuse("model", "a model");
   const bool deformed = a.get("deformed", true);
-  if (const Model<3>* solid = test_object<Model<3>>(L, a.push("model"))) return grid_of(**solid, deformed);
+  if (const Model<3>* solid = test_object<Model<3>>(a.state(), a.push("model"))) return grid_of(**solid, deformed);
   return grid_of(*a.object<Model<2>>("model"), deformed);
 }
 
-int vtu(lua_State* L) {
-  const Arguments a(L);
+void vtu(const Arguments& a) {
   const auto file = a.get<std::string>("file");
   if (view::file_ending(file) != ".vtu") a.refuse("file", "a name that ends with .vtu");
-  write_whole(file, exchange::vtu(read_grid(L, a)));
-  return 0;
+  write_whole(file, exchange::vtu(read_grid(a)));
 }
 
-constexpr Function vtu_entries[] = {{"vtu", vtu}};
+constexpr Function vtu_entries[] = {{"vtu", call<vtu>}};
 
 } // namespace
 

@@ -2,8 +2,8 @@
 
 #include "base/interrupt.hpp"
 #include "base/match.hpp"
-#include "bind/error_text.hpp"
 #include "bind/functions.hpp"
+#include "bind/message.hpp"
 #include "repl/colour.hpp"
 
 #include <algorithm>

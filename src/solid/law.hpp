@@ -1,6 +1,6 @@
 #pragma once
 // What a material law consists of. A new one is a struct with these parts in a file of its own, a row in archive.cpp
-// for files, and a function in bind/material.cpp for scripts.
+// for files, and a function in bind/body.cpp for scripts.
 
 #include "base/eigen.hpp"
 

@@ -79,8 +79,8 @@ local function check(folder)
       end
     end
   end
-  for file in output(("find %s/bind/wording -name '*.cpp'"):format(folder)):gmatch "[^\n]+" do
-    if not file:find "wording/wording.cpp" then read_rows(read(file), rows) end
+  for file in output(("find %s/bind/wording -name '*.def'"):format(folder)):gmatch "[^\n]+" do
+    read_rows(read(file), rows)
   end
   for code, places in pairs(uses) do
     for _, use in ipairs(places) do
@@ -104,7 +104,7 @@ local trial = os.tmpname()
 os.remove(trial)
 os.execute(("mkdir -p %s/base %s/bind/wording"):format(trial, trial))
 local function complaints(use, row)
-  for name, text in pairs { ["base/a.cpp"] = use, ["bind/wording/base.cpp"] = row } do
+  for name, text in pairs { ["base/a.cpp"] = use, ["bind/wording/base.def"] = row } do
     local file = assert(io.open(trial .. "/" .. name, "w"))
     file:write(text)
     file:close()

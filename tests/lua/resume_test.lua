@@ -2,7 +2,6 @@
 
 local sg = require "signorini"
 local core = require "signorini.core"
-local literal = require "signorini.literal"
 local check = require "check"
 local ironing = require "ironing"
 local bonded = require "strip"
@@ -21,10 +20,10 @@ local function alike(run, other, model, other_model)
     end
     return copy
   end
-  check.equal(literal.write(strip(run)), literal.write(strip(other)))
+  check.equal(core.pack(strip(run)), core.pack(strip(other)))
   for _, name in ipairs(model:support_names()) do check.equal(model:reaction(name), other_model:reaction(name)) end
   for _, name in ipairs(model:contact_names()) do
-    check.equal(literal.write(model:profile(name)), literal.write(other_model:profile(name)))
+    check.equal(core.pack(model:profile(name)), core.pack(other_model:profile(name)))
   end
 end
 
@@ -142,7 +141,7 @@ check.case("files that do not fit are errors at the user's own line", function()
   model:save(file)
   refused(ironing(), path, "was saved by model:save, not by a run")
   core.save(model, file, "{{},{},")
-  refused(ironing(), path, "the text is damaged at character 8")
+  refused(ironing(), path, "holds how a run stands in an unknown form")
   assert(io.open(file, "wb")):write("SIGNORINI checkpoint\n"):close()
   refused(ironing(), path, "is damaged: it is cut off after 21 bytes")
   assert(io.open(file, "wb")):write("something else"):close()
@@ -168,26 +167,24 @@ check.case("wrong options", function()
   check.equal(model:solver().factorisations, 0)
 end)
 
-check.case("plain data as text and back, bit by bit", function()
+check.case("plain data as bytes and back, bit by bit", function()
   local value = { 1, -2, 0.1, 1 / 3, -0.0, 5e-324, 1e308, math.huge, -math.huge, math.mininteger, true, false, "",
-                  "a\"b\\c\nd\0e ü", {}, { { 3 } }, name = "x", ["grip.fx"] = { 1.5 } }
-  local text = literal.write(value)
-  local back = literal.read(text)
-  check.equal(literal.write(back), text)
+                  "a\"b\\c\nd\0e ü \xff", {}, { { 3 } }, { name = "x", ["grip.fx"] = { 1.5 } } }
+  local text = core.pack(value)
+  local back = core.unpack(text)
+  check.equal(core.pack(back), text)
   for i, entry in ipairs(value) do
     if type(entry) ~= "table" then check.equal(back[i], entry) end
     check.equal(math.type(back[i]), math.type(entry))
   end
   check.equal(1 / back[5], -math.huge)
-  local nan = literal.read(literal.write(0 / 0))
+  local nan = core.unpack(core.pack(0 / 0))
   assert(nan ~= nan)
-  -- Nothing is run, nothing is guessed.
-  for _, wrong in ipairs { "", "{", "{1", "{1,", "{1 2}", "{1}}", "{1} ", "os.exit()", "0x1p", "\"a", "\"a\nb\"",
-                           "{[1]=2}", "{a=1}", "{[\"a\"]}", "1;2", "nil" } do
-    check.equal((pcall(literal.read, wrong)), false)
+  for _, wrong in ipairs { "", text:sub(1, -2), text .. "\0", "{1}", "\xc1" } do
+    check.equal((pcall(core.unpack, wrong)), false)
   end
   for _, wrong in ipairs { print, { [1.5] = 1 }, { [3] = 1 }, io.stdout } do
-    check.equal((pcall(literal.write, wrong)), false)
+    check.equal((pcall(core.pack, wrong)), false)
   end
 end)
 

@@ -84,22 +84,28 @@ namespace signorini::bind {
 
 namespace {
 
-const char* sentence_of(const std::string& code) {
-  for (const auto rows : {base_wordings(), nurbs_wordings(), exchange_wordings(), mechanics_wordings(),
-                          model_wordings(), failure_wordings(), view_wordings()})
-    for (const Wording& row : rows)
-      if (row.code == code) return row.sentence;
-  return nullptr;
-}
+struct Wording {
+  const char *code, *sentence;
+};
+
+constexpr Wording wordings[] = {
+#include "bind/wording/base.def"
+#include "bind/wording/exchange.def"
+#include "bind/wording/failure.def"
+#include "bind/wording/mechanics.def"
+#include "bind/wording/model.def"
+#include "bind/wording/nurbs.def"
+#include "bind/wording/view.def"
+};
 
 } // namespace
 
 std::string worded(const Message& message) {
-  const char* sentence = sentence_of(message.code);
-  if (!sentence) return bare_text(message);
+  const auto* row = std::ranges::find(wordings, message.code, &Wording::code);
+  if (row == std::end(wordings)) return bare_text(message);
   fmt::dynamic_format_arg_store<fmt::format_context> values;
   for (const auto& [name, value] : message.data) values.push_back(fmt::arg(name.c_str(), std::cref(value)));
-  return fmt::vformat(sentence, values);
+  return fmt::vformat(row->sentence, values);
 }
 
 std::vector<std::string> worded(const std::vector<Message>& messages) {

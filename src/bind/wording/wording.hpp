@@ -1,31 +1,18 @@
 #pragma once
 // Sentences for what the modules left of bind have to tell in codes and data.
+//
+// The files *.def have a row for each code: a sentence with the data in braces by name. What may follow a colon there:
+// {n:element} counts ("1 element", "2 elements"), {i:+1} counts from 1, {x:6} shows six digits instead of ten,
+// {names:and} ends with "b and c", {names:quoted} quotes each text of a list, {factors:·} puts a sign other than the
+// comma between them, {range:list} has braces instead of a point's parentheses. Messages among the data are worded,
+// too, and joined by semicolons.
 
 #include "base/error.hpp"
 
-#include <span>
 #include <string>
 #include <vector>
 
 namespace signorini::bind {
-
-/// A row: the code of a message, and its sentence with the data in braces by name. What may follow a colon there:
-/// {n:element} counts ("1 element", "2 elements"), {i:+1} counts from 1, {x:6} shows six digits instead of ten,
-/// {names:and} ends with "b and c", {names:quoted} quotes each text of a list, {factors:·} puts a sign other than the
-/// comma between them, {range:list} has braces instead of a point's parentheses. Messages among the data are worded,
-/// too, and joined by semicolons.
-struct Wording {
-  const char* code;
-  const char* sentence;
-};
-
-std::span<const Wording> base_wordings();
-std::span<const Wording> nurbs_wordings();
-std::span<const Wording> exchange_wordings();
-std::span<const Wording> mechanics_wordings(); ///< solid, contact, solve
-std::span<const Wording> model_wordings();
-std::span<const Wording> failure_wordings(); ///< why a step failed, and what may help
-std::span<const Wording> view_wordings();
 
 /// A message as a sentence; without a wording of its own as code and data.
 std::string worded(const Message& message);
