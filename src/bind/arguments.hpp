@@ -4,6 +4,7 @@
 
 #include "bind/stack.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <type_traits>
 
@@ -108,26 +109,30 @@ template <auto function> int call(lua_State* L) {
   return call_plain(L, +function);
 }
 
-template <class> using NameOf = const char*;
+/// The name of an argument, as a parameter of templates.
+template <std::size_t N> struct Name {
+  char letters[N];
 
-/// Returns to Lua the object that a C++ function makes of the arguments of these names.
-///
-///     {"line", [](lua_State* L) { return made(L, nurbs::line, "from", "to"); }},
-template <class Result, class... Parts> int made(lua_State* L, Result (*make)(Parts...), NameOf<Parts>... names) {
-  const Arguments a(L);
-  const auto read = [&]<class T>(std::type_identity<T>, const char* name) -> decltype(auto) {
-    if constexpr (Registered<T>)
-      return a.object<T>(name);
-    else
-      return a.get<T>(name);
-  };
-  push(L, make(read(std::type_identity<std::remove_cvref_t<Parts>>(), names)...));
-  return 1;
+  constexpr Name(const char (&name)[N]) { std::copy_n(name, N, letters); }
+};
+
+/// Of a table of named arguments: an object by reference, or a value.
+template <class T> decltype(auto) named(const Arguments& a, const char* name) {
+  if constexpr (Registered<T>)
+    return a.object<T>(name);
+  else
+    return a.get<T>(name);
 }
 
-/// The same of a function that reads the arguments itself.
-template <class Result> int made(lua_State* L, Result (*make)(const Arguments&)) {
-  push(L, make(Arguments(L)));
+/// Pushes what a C++ function makes of the arguments of these names.
+///
+///     {"line", made<nurbs::line, "from", "to">},
+template <auto function, Name... names> int made(lua_State* L) {
+  const Arguments a(L);
+  const auto make = [&]<class Result, class... Parts>(Result (*plain)(Parts...)) {
+    return plain(named<std::remove_cvref_t<Parts>>(a, names.letters)...);
+  };
+  push(L, make(function));
   return 1;
 }
 

@@ -172,8 +172,7 @@ void check_size(const nurbs::Plan& plan, int dimensions) {
   double functions = plan.contact.empty() ? 1 : through + 1; // of an element, and its Gauss points
   for (const nurbs::Label& label : plan.labels) functions *= label.bulk.full_degree() + 1;
   const double unknowns = dimensions * points, table = 8 * elements * functions * functions * dimensions; // bytes
-  std::string list;
-  for (int count : plan.elements) list += text(list.empty() ? "" : ", ", count);
+  const std::string list = listed(plan.elements);
   const auto refuse = [&](const auto&... why) {
     fail("elements = {", list, "} make ", why..., ": take fewer elements");
   };

@@ -9,7 +9,6 @@
 #include "bind/threads.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <fmt/format.h>
 
@@ -78,30 +77,13 @@ std::string hash(const std::string& bytes) {
 }
 
 /// core.lock(file): holds a file, made where there is none, until :release(). An error when somebody holds it.
-int lock(lua_State* L) {
-  push_object(L, Lock(to<std::string>(L, 1)));
-  return 1;
+Lock lock(const std::string& file) {
+  return Lock(file);
 }
 
 /// core.number_text(value): the shortest decimal text of a finite number that reads back as the same number.
 int core_number_text(lua_State* L) {
-  char digits[32];
-  const auto text_of = [&](auto value, auto... format) {
-    return std::string_view(digits, std::to_chars(digits, digits + sizeof digits, value, format...).ptr);
-  };
-  if (lua_isinteger(L, 1)) {
-    push(L, std::string(text_of(lua_tointeger(L, 1))));
-    return 1;
-  }
-  const double value = luaL_checknumber(L, 1);
-  std::string_view shortest;
-  double again = 0;
-  for (int precision = 15; precision <= 17; ++precision) {
-    shortest = text_of(value, std::chars_format::general, precision);
-    std::from_chars(shortest.begin(), shortest.end(), again);
-    if (again == value) break;
-  }
-  lua_pushlstring(L, shortest.data(), shortest.size());
+  push(L, lua_isinteger(L, 1) ? fmt::to_string(lua_tointeger(L, 1)) : fmt::to_string(luaL_checknumber(L, 1)));
   return 1;
 }
 
@@ -152,7 +134,7 @@ constexpr Function core_entries[] = {
     {"list_folder", call<list_folder>},
     {"remove_leftovers", call<remove_leftovers>}, // temporary files of a file's name that killed processes left
     {"hash", call<hash>},
-    {"lock", lock},
+    {"lock", call<lock>},
     {"set_threads", call<set_threads>}, // that work on a solve from now on; core.threads is what --threads said
     {"describe", core_describe},
     {"nearest", call<core_nearest>},

@@ -67,16 +67,16 @@ Patch coons(const Arguments& a) {
 }
 
 constexpr Function curves_entries[] = {
-    {"curve", [](lua_State* L) { return made(L, curve); }},
-    {"surface", [](lua_State* L) { return made(L, tensor_product); }},
-    {"volume", [](lua_State* L) { return made(L, tensor_product); }},
-    {"line", [](lua_State* L) { return made(L, nurbs::line, "from", "to"); }},
-    {"arc", [](lua_State* L) { return made(L, nurbs::arc, "centre", "radius", "from", "to"); }},
-    {"circle", [](lua_State* L) { return made(L, nurbs::circle, "centre", "radius"); }},
-    {"ruled", [](lua_State* L) { return made(L, nurbs::ruled, "a", "b"); }},
-    {"extrude", [](lua_State* L) { return made(L, extrude); }},
-    {"revolve", [](lua_State* L) { return made(L, revolve); }},
-    {"coons", [](lua_State* L) { return made(L, coons); }},
+    {"curve", call<curve>},
+    {"surface", call<tensor_product>},
+    {"volume", call<tensor_product>},
+    {"line", made<nurbs::line, "from", "to">},
+    {"arc", made<nurbs::arc, "centre", "radius", "from", "to">},
+    {"circle", made<nurbs::circle, "centre", "radius">},
+    {"ruled", made<nurbs::ruled, "a", "b">},
+    {"extrude", call<extrude>},
+    {"revolve", call<revolve>},
+    {"coons", call<coons>},
 };
 
 } // namespace

@@ -88,12 +88,7 @@ void push_json(lua_State* L, const Json& json) {
   case Json::value_t::string:
     return push(L, json.get<std::string>());
   case Json::value_t::array:
-    lua_createtable(L, static_cast<int>(json.size()), 0);
-    for (std::size_t i = 0; i < json.size(); ++i) {
-      push_json(L, json[i]);
-      lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
-    }
-    return;
+    return push_list(L, json, [&](const Json& entry) { push_json(L, entry); });
   case Json::value_t::object:
     lua_createtable(L, 0, static_cast<int>(json.size()));
     for (const auto& [name, value] : json.items()) {

@@ -39,12 +39,10 @@ fs::path find_home() {
     const fs::path folder = fs::read_symlink("/proc/self/exe").parent_path();
     places = {folder / "../share/signorini", folder / ".."};
   }
-  std::string tried;
-  for (const fs::path& place : places) {
+  for (const fs::path& place : places)
     if (fs::exists(place / "lua/signorini.lua")) return fs::canonical(place);
-    tried += (tried.empty() ? "" : ", ") + place.lexically_normal().string();
-  }
-  fail("the library lua/signorini.lua is not in ", tried,
+  const auto normal = [](const fs::path& place) { return place.lexically_normal().string(); };
+  fail("the library lua/signorini.lua is not in ", joined_by(", ", places, normal),
        ": install the program with cmake --install, or set SIGNORINI_HOME to the folder that holds lua/");
 }
 

@@ -1,4 +1,5 @@
 #include "bind/message.hpp"
+#include "base/words.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -28,23 +29,14 @@ std::size_t distance(const std::string& a, const std::string& b) {
 
 std::string describe_table(lua_State* L, int index) {
   const auto length = lua_rawlen(L, index);
-  if (length > 0) {
-    const std::string list = text("a list of ", length, length == 1 ? " value" : " values");
-    for (lua_pushnil(L); lua_next(L, index); lua_pop(L, 1))
-      if (lua_type(L, -2) == LUA_TSTRING) {
-        const std::string key = lua_tostring(L, -2);
-        lua_pop(L, 2);
-        return text(list, " with the key '", key, "'");
-      }
-    return list;
+  bool empty = true;
+  std::string key;
+  for (lua_pushnil(L); lua_next(L, index); lua_pop(L, 1)) {
+    empty = false;
+    if (key.empty() && lua_type(L, -2) == LUA_TSTRING) key = text("the key '", lua_tostring(L, -2), "'");
   }
-  lua_pushnil(L);
-  if (!lua_next(L, index)) return "an empty table";
-  lua_pop(L, 1);
-  const std::string key =
-      lua_type(L, -1) == LUA_TSTRING ? text("the key '", lua_tostring(L, -1), "'") : std::string("keys");
-  lua_pop(L, 1);
-  return text("a table with ", key);
+  if (length > 0) return text("a list of ", counted(length, "value"), key.empty() ? "" : " with ", key);
+  return empty ? "an empty table" : text("a table with ", key.empty() ? "keys" : key);
 }
 
 std::string describe_number(lua_State* L, int index) {
@@ -149,12 +141,6 @@ std::string one_of(const std::vector<std::string>& words) {
   std::string list;
   for (std::size_t i = 0; i < words.size(); ++i)
     list += (i == 0 ? "'" : i + 1 == words.size() ? " or '" : ", '") + words[i] + "'";
-  return list;
-}
-
-std::string listed(const std::vector<std::string>& words) {
-  std::string list;
-  for (const auto& word : words) list += (list.empty() ? "" : ", ") + word;
   return list;
 }
 

@@ -5,6 +5,7 @@
 
 #include "base/text.hpp"
 
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -52,8 +53,17 @@ std::string with_article(const std::string& noun);
 std::string nearest(const std::string& word, const std::vector<std::string>& words);
 /// "'a', 'b' or 'c'".
 std::string one_of(const std::vector<std::string>& words);
+/// "a, b, c" of what `shown` makes of the values.
+template <class Values, class Shown>
+std::string joined_by(const std::string& between, const Values& values, Shown shown) {
+  std::string all;
+  for (const auto& value : values) all += (all.empty() ? "" : between) + text(std::invoke(shown, value));
+  return all;
+}
 /// "a, b, c".
-std::string listed(const std::vector<std::string>& words);
+template <class Values> std::string listed(const Values& values) {
+  return joined_by(", ", values, std::identity());
+}
 /// "; did you mean 'order'?" or nothing.
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& words);
 

@@ -29,15 +29,9 @@ template <class Items> int find(const Items& items, const std::string& name, con
        names.empty() ? "" : (hint.empty() ? "; it has " : " It has ") + one_of(names));
 }
 
-/// Index of a model's body, support or contact by name.
+/// Index of a body of a model by name.
 template <int D> int find_body(const model::Model<D>& model, const std::string& name) {
   return find(model.system.scene.bodies, name, "body");
-}
-template <int D> int find_support(const model::Model<D>& model, const std::string& name) {
-  return find(model.system.scene.supports, name, "support");
-}
-template <int D> int find_contact(const model::Model<D>& model, const std::string& name) {
-  return find(model.system.scene.contacts, name, "contact");
 }
 
 } // namespace signorini::bind

@@ -18,7 +18,7 @@ template <int D> int find_drive(const model::Model<D>& model, const std::string&
   const auto& drives = model.system.drives.all();
   for (std::size_t i = 0; i < drives.size(); ++i)
     if (drives[i].name == name) return static_cast<int>(i);
-  find_support(model, name); // or it says which there are
+  find(model.system.scene.supports, name, "support"); // or it says which there are
   return -1;
 }
 
@@ -127,9 +127,9 @@ template <int D> int tangent(model::Model<D>& model, lua_State* L) {
   evaluate(model);
   const solve::Pattern& pattern = model.system.assembly.pattern();
   std::vector<int> rows, columns;
-  for (std::size_t j = 0; j < static_cast<std::size_t>(pattern.size); ++j)
+  for (std::size_t j = 0; j < at(pattern.size); ++j)
     for (int k = pattern.starts[j]; k < pattern.starts[j + 1]; ++k) {
-      rows.push_back(pattern.rows[static_cast<std::size_t>(k)] + 1);
+      rows.push_back(pattern.rows[at(k)] + 1);
       columns.push_back(static_cast<int>(j) + 1);
     }
   const auto values = model.system.assembly.values().begin();
@@ -142,7 +142,7 @@ template <int D> int unknowns(const model::Model<D>& model, lua_State* L) {
   const auto& numbers = model.system.unknowns;
   const auto& bodies = model.system.scene.bodies;
   lua_createtable(L, numbers.size(), 0);
-  std::vector<char> seen(static_cast<std::size_t>(numbers.size()), 0);
+  std::vector<char> seen(at(numbers.size()), 0);
   for (std::size_t b = 0; b < bodies.size(); ++b)
     for (int i = 0; i < D * bodies[b].body->functions(); ++i) {
       const int unknown = numbers.unknown(numbers.offset(static_cast<int>(b)) + i);
@@ -177,14 +177,11 @@ template <int D> std::vector<std::string> loose_bodies(model::Model<D>& model) {
 }
 
 void push_spots(lua_State* L, const char* key, const std::vector<model::TroubleSpot>& spots) {
-  lua_createtable(L, static_cast<int>(spots.size()), 0);
-  for (std::size_t i = 0; i < spots.size(); ++i) {
-    const model::TroubleSpot& spot = spots[i];
+  push_list(L, spots, [&](const model::TroubleSpot& spot) {
     push_fields(L, "kind", spot.kind, spot.kind == "contact point" ? "contact" : "body", spot.where,
                 spot.kind == "control point" ? "point" : "element", spot.index + 1, "X", spot.reference, "x",
                 spot.current, "value", spot.value, "text", worded(spot.what));
-    lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
-  }
+  });
   lua_setfield(L, -2, key);
 }
 

@@ -22,7 +22,7 @@ template <int D> int reaction(const model::Model<D>& model, const std::string& n
   const auto& scene = model.system.scene;
   const auto load = std::ranges::find(scene.loads, name, &model::Load::name);
   const bool loaded = load != scene.loads.end();
-  const int support = loaded ? -1 : find_support(model, name);
+  const int support = loaded ? -1 : find(scene.supports, name, "support");
   const Vec<D> force = loaded ? model::load_resultant(model, static_cast<int>(load - scene.loads.begin()))
                               : model::reaction(model, support);
   push(L, VectorX(force));
@@ -37,7 +37,7 @@ template <int D> int reaction(const model::Model<D>& model, const std::string& n
 }
 
 template <int D> int contact_resultant(const model::Model<D>& model, const std::string& name, lua_State* L) {
-  const std::size_t contact = at(find_contact(model, name));
+  const std::size_t contact = at(find(model.system.scene.contacts, name, "contact"));
   const auto sum = contact::resultant(model.present.contacts[contact]);
   push_fields(L, "area", sum.area, "max_pressure", sum.max_pressure, "max_penetration", sum.max_penetration, "active",
               sum.active, "slipping", sum.slipping);
@@ -52,7 +52,7 @@ template <int D> int contact_resultant(const model::Model<D>& model, const std::
 }
 
 template <int D> int profile(const model::Model<D>& model, const std::string& name, lua_State* L) {
-  const model::Profile all = model::profile<D>(model, find_contact(model, name));
+  const model::Profile all = model::profile<D>(model, find(model.system.scene.contacts, name, "contact"));
   push_fields(L, "x", all.x, "y", all.y, "X", all.reference_x, "Y", all.reference_y, "area", all.area, "pressure",
               all.pressure, "traction", all.traction, "gap", all.gap, "state", all.state);
   if (D == 3)

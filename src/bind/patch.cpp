@@ -20,24 +20,16 @@ VectorX evaluate_at(const Patch& patch, const VectorX& xi) {
   return nurbs::evaluate(patch, xi);
 }
 
-/// Pushes a list of tables, one for each of some values, which fill(value) pushes.
-template <class T, class Fill> int push_tables(lua_State* L, const std::vector<T>& values, Fill fill) {
-  lua_createtable(L, static_cast<int>(values.size()), 0);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    fill(values[i]);
-    lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
-  }
+int derivatives(const Patch& patch, const VectorX& xi, int order, lua_State* L) {
+  push_list(L, nurbs::derivatives(patch, xi, order),
+            [&](const auto& one) { push_fields(L, "orders", one.orders, "value", one.value); });
   return 1;
 }
 
-int derivatives(const Patch& patch, const VectorX& xi, int order, lua_State* L) {
-  return push_tables(L, nurbs::derivatives(patch, xi, order),
-                     [&](const auto& one) { push_fields(L, "orders", one.orders, "value", one.value); });
-}
-
 int basis(const Patch& patch, const VectorX& xi, lua_State* L) {
-  return push_tables(L, nurbs::rational_basis(patch, xi),
-                     [&](const auto& one) { push_fields(L, "index", one.function + 1, "value", one.value); });
+  push_list(L, nurbs::rational_basis(patch, xi),
+            [&](const auto& one) { push_fields(L, "index", one.function + 1, "value", one.value); });
+  return 1;
 }
 
 Patch refine(const Patch& patch, const Arguments& a) {
@@ -69,13 +61,10 @@ template <int (nurbs::KnotVector::*number)() const> std::vector<int> per_directi
 
 std::string patch_text(const Patch& patch) {
   const char* kinds[] = {"curve", "surface", "volume"};
-  std::string degrees, elements;
-  for (const auto& direction : patch.directions()) {
-    degrees += text(degrees.empty() ? "" : " x ", direction.degree());
-    elements += text(elements.empty() ? "" : " x ", direction.elements());
-  }
-  return text("NURBS ", kinds[patch.parametric_dimension() - 1], " in ", patch.dimension(), "D: degree ", degrees,
-              ", elements ", elements, ", ", patch.functions(), " control points");
+  const auto each = [&](auto number) { return joined_by(" x ", patch.directions(), number); };
+  return text("NURBS ", kinds[patch.parametric_dimension() - 1], " in ", patch.dimension(), "D: degree ",
+              each(&nurbs::KnotVector::degree), ", elements ", each(&nurbs::KnotVector::elements), ", ",
+              patch.functions(), " control points");
 }
 
 /// An argument that is the origin of the patch's space by default.

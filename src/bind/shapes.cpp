@@ -20,19 +20,14 @@ nurbs::Patch hollow_hemisphere(const Arguments& a) {
 }
 
 constexpr Function shapes_rows[] = {
-    {"rectangle", [](lua_State* L) { return made(L, nurbs::rectangle, "width", "height", "corner"); }},
-    {"half_annulus", [](lua_State* L) { return made(L, nurbs::half_annulus, "inner", "outer", "centre"); }},
-    {"quarter_annulus",
-     [](lua_State* L) { return made(L, nurbs::quarter_annulus, "inner", "outer", "centre", "start"); }},
-    {"block", [](lua_State* L) { return made(L, block); }},
-    {"half_cylinder_shell",
-     [](lua_State* L) { return made(L, nurbs::half_cylinder_shell, "inner", "outer", "width", "centre"); }},
-    {"sphere_octant", [](lua_State* L) { return made(L, nurbs::sphere_octant, "inner", "outer", "centre"); }},
-    {"hollow_hemisphere", [](lua_State* L) { return made(L, hollow_hemisphere); }},
-    {"spherical_indenter",
-     [](lua_State* L) {
-       return made(L, nurbs::spherical_indenter, "width", "depth", "height", "radius", "elements", "corner");
-     }},
+    {"rectangle", made<nurbs::rectangle, "width", "height", "corner">},
+    {"half_annulus", made<nurbs::half_annulus, "inner", "outer", "centre">},
+    {"quarter_annulus", made<nurbs::quarter_annulus, "inner", "outer", "centre", "start">},
+    {"block", call<block>},
+    {"half_cylinder_shell", made<nurbs::half_cylinder_shell, "inner", "outer", "width", "centre">},
+    {"sphere_octant", made<nurbs::sphere_octant, "inner", "outer", "centre">},
+    {"hollow_hemisphere", call<hollow_hemisphere>},
+    {"spherical_indenter", made<nurbs::spherical_indenter, "width", "depth", "height", "radius", "elements", "corner">},
 };
 
 } // namespace

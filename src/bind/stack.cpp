@@ -17,22 +17,6 @@ void reject_dimension(const Argument& argument, const char* name, int expected) 
        expected == 2 ? space : plane, ": the parts of a model are all in the plane, or all in 3D");
 }
 
-void push(lua_State* L, const VectorX& values) {
-  lua_createtable(L, static_cast<int>(values.size()), 0);
-  for (Eigen::Index i = 0; i < values.size(); ++i) {
-    lua_pushnumber(L, values[i]);
-    lua_rawseti(L, -2, i + 1);
-  }
-}
-
-void push(lua_State* L, const MatrixX& points) {
-  lua_createtable(L, static_cast<int>(points.cols()), 0);
-  for (Eigen::Index i = 0; i < points.cols(); ++i) {
-    push(L, VectorX(points.col(i)));
-    lua_rawseti(L, -2, i + 1);
-  }
-}
-
 void count_memory(lua_State* L, double bytes) {
   lua_gc(L, LUA_GCSTEP, static_cast<int>(std::min(bytes / 1024, 1e6)));
 }

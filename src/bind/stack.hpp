@@ -30,10 +30,6 @@ inline void push(lua_State* L, const char* value) {
 inline void push(lua_State* L, const std::string& value) {
   lua_pushlstring(L, value.data(), value.size());
 }
-void push(lua_State* L, const VectorX& values);
-/// A list of the columns, each a list: points.
-void push(lua_State* L, const MatrixX& points);
-
 /// The name of a type in messages and help: template <> struct Type<Patch> { static constexpr auto name = "patch"; };
 /// A type that comes for the plane and for space has one name for both and the `dimension` 2 or 3.
 template <class T> struct Type;
@@ -44,8 +40,8 @@ concept Registered = requires {
 };
 
 template <Registered T> T& push_object(lua_State* L, T value);
-template <Registered T> void push(lua_State* L, const T& object) {
-  push_object(L, object);
+template <Registered T> void push(lua_State* L, T object) {
+  push_object(L, std::move(object));
 }
 
 /// Nothing is nil.
@@ -53,12 +49,24 @@ template <class T> void push(lua_State* L, const std::optional<T>& value) {
   value ? push(L, *value) : lua_pushnil(L);
 }
 
-template <class T> void push(lua_State* L, const std::vector<T>& values) {
-  lua_createtable(L, static_cast<int>(values.size()), 0);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    push(L, values[i]);
-    lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
+/// Pushes a list: push_one(value) pushes an entry.
+template <class Values, class PushOne> void push_list(lua_State* L, const Values& values, PushOne push_one) {
+  lua_newtable(L);
+  lua_Integer i = 0;
+  for (const auto& value : values) {
+    push_one(value);
+    lua_rawseti(L, -2, ++i);
   }
+}
+template <class T> void push(lua_State* L, const std::vector<T>& values) {
+  push_list(L, values, [&](const T& value) { push(L, value); });
+}
+inline void push(lua_State* L, const VectorX& values) {
+  push_list(L, values, [&](double value) { push(L, value); });
+}
+/// A list of the columns, each a list: points.
+inline void push(lua_State* L, const MatrixX& points) {
+  push_list(L, points.colwise(), [&](const auto& point) { push(L, VectorX(point)); });
 }
 
 /// Sets a field of the table on top of the stack.

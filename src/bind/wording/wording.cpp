@@ -2,6 +2,7 @@
 
 #include "base/warning.hpp"
 #include "base/words.hpp"
+#include "bind/message.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,19 +10,12 @@
 #include <fmt/format.h>
 #include <iostream>
 #include <set>
+#include <span>
 #include <sstream>
 
 namespace signorini::bind {
 
 namespace {
-
-/// "a, b, c" of what `shown` makes of the values.
-template <class T, class Shown>
-std::string joined_by(const std::string& between, const std::vector<T>& values, Shown shown) {
-  std::string all;
-  for (const T& value : values) all += (all.empty() ? "" : between) + shown(value);
-  return all;
-}
 
 /// "0.25 … 2", four digits each; rounding errors about zero are no extent.
 std::string extent(double low, double high) {
@@ -43,20 +37,15 @@ struct Shown {
   std::string operator()(double value) const { return how == "6" ? number(value) : text(value); }
   std::string operator()(const std::string& value) const { return value; }
   std::string operator()(const std::vector<double>& values) const {
-    if (how == "list") return "{" + joined_by(", ", values, [](double value) { return text(value); }) + "}";
+    if (how == "list") return "{" + listed(values) + "}";
     if (how == "range") return extent(values[0], values[1]);
     return coordinates(Eigen::Map<const VectorX>(values.data(), std::ssize(values)));
   }
   std::string operator()(const std::vector<std::string>& values) const {
-    const bool quoted = how == "quoted", enumerated = how == "and";
-    std::string all;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      const std::string before = enumerated && i + 1 == values.size()  ? " and "
-                                 : how.empty() || quoted || enumerated ? ", "
-                                                                       : how;
-      all += (i == 0 ? "" : before) + (quoted ? "'" + values[i] + "'" : values[i]);
-    }
-    return all;
+    if (how == "quoted") return joined_by(", ", values, [](const std::string& value) { return "'" + value + "'"; });
+    if (how == "and" && values.size() > 1)
+      return listed(std::span(values).first(values.size() - 1)) + " and " + values.back();
+    return joined_by(how.empty() || how == "and" ? ", " : how, values, std::identity());
   }
   std::string operator()(const std::vector<Message>& messages) const { return worded_in_one(messages); }
 };
