@@ -1,3 +1,4 @@
+#include "base/index.hpp"
 #include "bind/picture.hpp"
 #include "view/close_up.hpp"
 #include "view/sheet.hpp"
@@ -45,17 +46,17 @@ struct Ranges {
 
 // ── States on one plate ──────────────────────────────────────────────────────────────────────────────────────────────
 
-template <class Panel> struct Plates {
+struct Plates {
   struct One {
-    std::vector<Panel> panels;
-    view::SolidOptions options;
-    std::optional<view::SolidOptions> inset;
+    std::vector<view::Panel> panels;
+    view::PictureOptions options;
+    std::optional<view::PictureOptions> inset;
   };
   std::vector<One> film;
   std::map<std::array<int, 2>, view::CloseUpPlan> plans = {}; ///< where insets go, made once for a film
 
-  view::SolidOptions options(int picture, const Paper& paper) const {
-    view::SolidOptions all = film[static_cast<std::size_t>(picture)].options;
+  view::PictureOptions options(int picture, const Paper& paper) const {
+    view::PictureOptions all = film[at(picture)].options;
     all.size = paper.size;
     all.trim = paper.trim;
     all.style = paper.style;
@@ -64,112 +65,94 @@ template <class Panel> struct Plates {
   }
 };
 
-template <class Panel> view::Figure draw_plate(Plates<Panel>& plates, int picture, const Paper& paper) {
-  const auto one = [&](int of) -> const auto& {
-    return plates.film[static_cast<std::size_t>(of)];
-  };
-  if (!one(picture).inset)
-    return view::figure_of(view::make_plate(one(picture).panels, plates.options(picture, paper)));
+view::Figure draw_plate(Plates& plates, int picture, const Paper& paper) {
+  const auto& film = plates.film;
   const auto whole = [&](int of, const std::optional<view::Box>& extent) {
-    view::SolidOptions larger = plates.options(of, paper);
+    view::PictureOptions larger = plates.options(of, paper);
     if (extent) larger.extent = extent;
-    return view::make_plate(one(of).panels, larger);
+    return view::make_plate(film[at(of)].panels, larger);
   };
+  if (!film[at(picture)].inset) return view::figure_of(whole(picture, {}));
   const auto detail = [&](int of, int state, const std::array<int, 2>& most) {
-    view::SolidOptions own = *one(of).inset;
+    view::PictureOptions own = *film[at(of)].inset;
     own.size = most;
     own.style = view::close_up_style(view::style_of(plates.options(of, paper)));
-    std::vector<Panel> alone = {one(of).panels[static_cast<std::size_t>(state)]};
+    std::vector<view::Panel> alone = {film[at(of)].panels[at(state)]};
     alone[0].title.clear();
     return view::make_plate(alone, own);
   };
   auto plan = plates.plans.find(paper.size);
   if (plan == plates.plans.end()) {
-    const int count = static_cast<int>(plates.film.size());
+    const int count = static_cast<int>(film.size());
     plan = plates.plans.emplace(paper.size, view::plan_close_ups(count, whole, detail)).first;
   }
   return view::with_close_ups(picture, plan->second, whole, detail);
 }
 
-bool has_part(const view::SolidOptions& options) {
-  return options.crop || options.region;
-}
-
 /// One meaning of colours and arrows in all states, and in a film one frame.
-template <class Panel> void align_plates(Plates<Panel>& plates, const Ranges& ranges) {
+void align_plates(Plates& plates, const Ranges& ranges) {
   auto& film = plates.film;
   double longest = 0;
   for (auto& one : film) {
     one.options.range = ranges.of(one.options);
     longest = std::max(longest, view::longest_vector(one.panels));
   }
-  const view::SolidOptions& first = film[0].options;
+  const view::PictureOptions& first = film[0].options;
   const bool moves = film.size() > 1, ranged = first.range || first.field_label.empty();
   if (moves || (!ranged && (film[0].inset || ranges.beside))) {
-    std::vector<Panel> all;
+    std::vector<view::Panel> all;
     for (const auto& one : film) all.insert(all.end(), one.panels.begin(), one.panels.end());
-    view::SolidOptions whole = first;
+    view::PictureOptions whole = first;
     view::align(whole, all);
     std::optional<view::Box> extent = whole.extent;
     for (auto& one : film) {
       if (!one.options.range) one.options.range = whole.range;
       if (one.options.camera == first.camera) continue;
-      view::SolidOptions turned = one.options;
+      view::PictureOptions turned = one.options;
       view::align(turned, one.panels);
       extent = view::hull({*extent, *turned.extent});
     }
     for (auto& one : film)
-      if (moves && !has_part(one.options)) one.options.extent = extent;
+      if (moves && !one.options.crop) one.options.extent = extent;
   }
   for (auto& one : film) {
-    if (ranges.extent && !has_part(one.options)) one.options.extent = ranges.extent;
+    if (ranges.extent && !one.options.crop) one.options.extent = ranges.extent;
     one.options.longest_vector = longest;
     if (one.inset) one.inset->range = one.options.range, one.inset->longest_vector = longest;
   }
 }
 
-/// Refuses parts and cuts that show or take nothing.
-template <class Panel> void check_shown(const typename Plates<Panel>::One& one) {
-  check_part(one.panels, one.options, "crop");
-  if (one.inset) check_part(one.panels, *one.inset, "inset");
-  if constexpr (std::is_same_v<Panel, view::SolidPanel>) check_cuts(one.panels);
-}
-
 /// `sheets`: of a film whose states stand on sheets; else each stands alone.
-template <class Panel>
 Part plates_part(const std::vector<Film<StatePicture>>& states, const Film<SheetPicture>& sheets,
                  const Ranges& ranges) {
-  const auto plates = std::make_shared<Plates<Panel>>();
+  const auto plates = std::make_shared<Plates>();
   for (std::size_t k = 0; k < states.size(); ++k) {
-    auto& one = plates->film.emplace_back(typename Plates<Panel>::One{{}, states[k][0]->options, states[k][0]->inset});
+    Plates::One& one = plates->film.emplace_back(Plates::One{{}, states[k][0]->options, states[k][0]->inset});
     for (const StatePicture* state : states[k]) {
-      one.panels.push_back(std::get<Panel>(state->panel));
+      one.panels.push_back(state->panel);
       if (!sheets.empty()) one.panels.back().title = state->options.title;
     }
     if (!sheets.empty()) one.options.title = sheets[k]->title, one.options.columns = sheets[k]->columns;
-    check_shown<Panel>(one);
+    // Parts and cuts that show or take nothing are refused.
+    check_part(one.panels, one.options, "crop");
+    if (one.inset) check_part(one.panels, *one.inset, "inset");
+    check_cuts(one.panels);
   }
   align_plates(*plates, ranges);
   Part part{[plates](int picture, const Paper& paper) { return draw_plate(*plates, picture, paper); }};
-  const view::SolidOptions& first = plates->film[0].options;
+  const view::PictureOptions& first = plates->film[0].options;
   if (first.range && !first.field_label.empty()) part.bars.push_back({*first.range, first.field_label});
   return part;
-}
-
-Part plates_part(const std::vector<Film<StatePicture>>& states, const Film<SheetPicture>& sheets,
-                 const Ranges& ranges) {
-  return states[0][0]->panel.index() == 0 ? plates_part<view::Panel>(states, sheets, ranges)
-                                          : plates_part<view::SolidPanel>(states, sheets, ranges);
 }
 
 // ── Pictures side by side ────────────────────────────────────────────────────────────────────────────────────────────
 
 Part part_of(const Film<Picture>& film, const Ranges& ranges);
 
-bool alike(const view::SolidOptions& a, const view::SolidOptions& b) {
+bool alike(const view::PictureOptions& a, const view::PictureOptions& b) {
   return a.field_label == b.field_label && a.range == b.range && a.colormap == b.colormap && a.crop == b.crop &&
-         a.region == b.region && a.camera == b.camera && a.unit == b.unit && a.bar == b.bar && a.ruler == b.ruler &&
-         a.contours == b.contours && a.vectors == b.vectors && a.axes == b.axes;
+         a.camera == b.camera && a.unit == b.unit && a.bar == b.bar && a.ruler == b.ruler && a.contours == b.contours &&
+         a.vectors == b.vectors && a.axes == b.axes;
 }
 
 /// The states of a sheet that has nothing else and draws them all in one way.
@@ -182,42 +165,33 @@ std::optional<Film<StatePicture>> states_of(const SheetPicture& sheet) {
     const StatePicture& first = *states.front();
     const bool insets = state->inset && first.inset ? alike(*state->inset, *first.inset)
                                                     : state->inset.has_value() == first.inset.has_value();
-    if (state->panel.index() != first.panel.index() || !insets || !alike(state->options, first.options))
-      return std::nullopt;
+    if (!insets || !alike(state->options, first.options)) return std::nullopt;
   }
   return states;
 }
 
-using StatesByLabel = std::map<std::string, Film<StatePicture>>;
+/// By label, and whether they are in space.
+using StatesByLabel = std::map<std::pair<std::string, bool>, Film<StatePicture>>;
 
 /// Collects the states below a picture that have no range of their own.
 void gather_states(const Picture& picture, StatesByLabel& found) {
   if (const auto* state = std::get_if<StatePicture>(picture.content.get())) {
-    const view::SolidOptions& options = state->options;
-    if (!options.range && !options.field_label.empty()) found[options.field_label].push_back(state);
+    const view::PictureOptions& options = state->options;
+    if (!options.range && !options.field_label.empty())
+      found[{options.field_label, options.camera.has_value()}].push_back(state);
   } else if (const auto* sheet = std::get_if<SheetPicture>(picture.content.get())) {
     if (!sheet->own_ranges && !sheet->range)
       for (const Picture& part : sheet->parts) gather_states(part, found);
   }
 }
 
-/// Range and extent of the states that have such panels; neither where there is none.
-template <class Panel> view::SolidOptions aligned(const Film<StatePicture>& states) {
-  std::vector<Panel> panels;
-  for (const StatePicture* state : states)
-    if (const auto* panel = std::get_if<Panel>(&state->panel)) panels.push_back(*panel);
-  view::SolidOptions options = states.front()->options;
-  if (!panels.empty()) view::align(options, panels);
+/// Range and extent of states, which are all plane or all in space.
+view::PictureOptions aligned(const Film<StatePicture>& states) {
+  std::vector<view::Panel> panels;
+  for (const StatePicture* state : states) panels.push_back(state->panel);
+  view::PictureOptions options = states.front()->options;
+  view::align(options, panels);
   return options;
-}
-
-/// Widens a range by those of the states that have such panels.
-template <class Panel> void widen(std::optional<Range>& range, const Film<StatePicture>& states) {
-  const auto own = aligned<Panel>(states).range;
-  if (range && own)
-    range = {std::min((*range)[0], (*own)[0]), std::max((*range)[1], (*own)[1])};
-  else if (own)
-    range = own;
 }
 
 Ranges ranges_of(const Film<SheetPicture>& film, const Ranges& outer) {
@@ -228,12 +202,11 @@ Ranges ranges_of(const Film<SheetPicture>& film, const Ranges& outer) {
   StatesByLabel found;
   for (const SheetPicture* sheet : film)
     for (const Picture& part : sheet->parts) gather_states(part, found);
-  for (const auto& [label, states] : found) {
-    std::optional<Range> range;
-    widen<view::Panel>(range, states);
-    widen<view::SolidPanel>(range, states);
-    if (range) ranges.by_label[label] = *range;
-  }
+  for (const auto& [key, states] : found)
+    if (const auto own = aligned(states).range) {
+      Range& range = ranges.by_label.try_emplace(key.first, *own).first->second;
+      range = {std::min(range[0], (*own)[0]), std::max(range[1], (*own)[1])};
+    }
   return ranges;
 }
 
@@ -249,9 +222,7 @@ Part sheet_part(const Film<SheetPicture>& film, const Ranges& outer) {
     return plates_part(states, film, ranges);
   }
   Ranges ranges = ranges_of(film, outer);
-  if (one_way && film.size() == 1)
-    ranges.extent = states[0][0]->panel.index() == 0 ? aligned<view::Panel>(states[0]).extent
-                                                     : aligned<view::SolidPanel>(states[0]).extent;
+  if (one_way && film.size() == 1) ranges.extent = aligned(states[0]).extent;
   std::vector<Part> parts;
   Part whole;
   for (std::size_t i = 0; i < first.parts.size(); ++i) {
@@ -264,7 +235,7 @@ Part sheet_part(const Film<SheetPicture>& film, const Ranges& outer) {
   for (const SheetPicture* sheet : film) titles.push_back(sheet->title);
   whole.draw = [parts, titles, bars = whole.bars, columns = first.columns](int picture, const Paper& paper) {
     view::PictureOptions options;
-    options.title = titles[static_cast<std::size_t>(picture)];
+    options.title = titles[at(picture)];
     options.size = paper.size;
     options.trim = paper.trim;
     options.style = paper.style;
@@ -272,7 +243,7 @@ Part sheet_part(const Film<SheetPicture>& film, const Ranges& outer) {
     const auto part = [&](int i, const std::array<int, 2>& most) {
       const Paper own{most, true, view::part_style(most, view::style_of(options)),
                       parts.size() > 1 ? bars : std::vector<view::Bar>()};
-      return parts[static_cast<std::size_t>(i)].draw(picture, own);
+      return parts[at(i)].draw(picture, own);
     };
     return view::side_by_side(static_cast<int>(parts.size()), options, part);
   };
@@ -291,13 +262,13 @@ void check_kinds(const Film<Picture>& film) {
     const auto* sheet = std::get_if<SheetPicture>(of.content.get());
     return sheet ? sheet->parts.size() : 0;
   };
-  const auto dimension = [](const Picture& of) {
+  const auto solid = [](const Picture& of) {
     const auto* state = std::get_if<StatePicture>(of.content.get());
-    return state ? state->panel.index() : 0;
+    return state && state->options.camera;
   };
   for (const Picture* one : film)
     require(one->content->index() == film[0]->content->index() && parts(*one) == parts(*film[0]) &&
-                dimension(*one) == dimension(*film[0]),
+                solid(*one) == solid(*film[0]),
             "the pictures of a film must show the same in the same arrangement, but a ", one->description,
             " stands where the first one has a ", film[0]->description);
 }
@@ -313,7 +284,7 @@ Part part_of(const Film<Picture>& film, const Ranges& ranges) {
   std::vector<Picture> flat;
   for (const Picture* one : film) flat.push_back(*one);
   return {[flat](int picture, const Paper& paper) {
-    const Picture& one = flat[static_cast<std::size_t>(picture)];
+    const Picture& one = flat[at(picture)];
     const auto& [width, height] = one.size;
     const double factor = std::min(1.0 * paper.size[0] / width, 1.0 * paper.size[1] / height);
     const std::array<int, 2> size = {static_cast<int>(factor * width + 0.5), static_cast<int>(factor * height + 0.5)};

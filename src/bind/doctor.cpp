@@ -45,11 +45,11 @@ std::string blas_description() {
 /// A coloured square, drawn and thrown away.
 std::string test_picture() {
   view::Body square;
-  square.points.resize(3, 4);
-  square.points << 0, 1, 1, 0, 0, 0, 1, 1, 0, 0, 0, 0;
-  square.triangles.resize(3, 2);
-  square.triangles << 0, 0, 1, 2, 2, 3;
-  square.values = VectorX::LinSpaced(4, 0, 1);
+  square.skin.points.resize(3, 4);
+  square.skin.points << 0, 1, 1, 0, 0, 0, 1, 1, 0, 0, 0, 0;
+  square.skin.triangles.resize(3, 2);
+  square.skin.triangles << 0, 0, 1, 2, 2, 3;
+  square.skin.values = VectorX::LinSpaced(4, 0, 1);
   view::PictureOptions options;
   options.title = "signorini";
   options.size = {400, 300};

@@ -5,10 +5,7 @@
 #include "bind/arguments.hpp"
 #include "bind/scene.hpp"
 #include "tessellation/tessellate.hpp"
-#include "view/picture.hpp"
-#include "view/solid_picture.hpp"
-
-#include <variant>
+#include "view/panel.hpp"
 
 namespace signorini::bind {
 
@@ -31,15 +28,14 @@ struct Cut {
   std::optional<Vec<3>> point = {};
 };
 
-view::Panel show(const model::Model<2>& model, const Showing& showing);
-view::SolidPanel show(const model::Model<3>& model, const Showing& showing, const std::optional<Cut>& cut);
+/// `cut`: of solids.
+template <int D> view::Panel show(const model::Model<D>& model, const Showing& showing, const std::optional<Cut>& cut);
 
 /// Curves, surfaces and volumes before they are bodies; all in the plane, or all in space.
-std::variant<view::Panel, view::SolidPanel> show(const std::vector<nurbs::Patch>& patches, const Showing& showing);
+view::Panel show(const std::vector<nurbs::Patch>& patches, const Showing& showing);
 
-/// What pictures draw of a plane or a solid body, or of a patch.
-view::Body plane_body(tessellation::Skin skin, const Showing& showing);
-view::Solid solid_body(tessellation::Skin skin, const Showing& showing);
+/// What pictures draw of a body or of a patch.
+view::Body picture_body(tessellation::Skin skin, const Showing& showing);
 
 /// The field that is drawn on slave faces alone.
 inline constexpr const char* pressure_name = "contact_pressure";
@@ -50,13 +46,5 @@ view::Body pressure_band(const model::Model<2>& model, int contact, const Showin
 
 /// The tractions on the slave faces of the bodies that are drawn, at the contact points that touch.
 template <int D> std::vector<view::PointVector> tractions(const model::Model<D>& model, const std::vector<int>& bodies);
-
-/// What becomes of a field's values in the mirror of an axis (0, 1, 2): components that point along it once change
-/// sign.
-double mirror_sign(const std::string& field, int axis);
-
-/// Pieces per element and direction: enough that a quadratic arc over an eighth of a circle looks round at any size;
-/// fewer where elements are so many that each is small.
-int divisions_for(int elements);
 
 } // namespace signorini::bind

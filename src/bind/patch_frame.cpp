@@ -113,22 +113,15 @@ view::Names patch_names(const std::vector<Patch>& patches) {
 
 } // namespace
 
-std::variant<view::Panel, view::SolidPanel> show(const std::vector<Patch>& patches, const Showing& showing) {
-  const view::Names names = showing.names ? patch_names(patches) : view::Names{};
-  if (patches.front().dimension() == 2) {
-    view::Panel panel;
-    for (const Patch& patch : patches)
-      panel.bodies.push_back(plane_body(pieces_of(patch, showing.windows).front(), showing));
-    panel.names = names;
-    return panel;
-  }
-  view::SolidPanel panel;
+view::Panel show(const std::vector<Patch>& patches, const Showing& showing) {
+  view::Panel panel;
   for (const Patch& patch : patches)
     for (tessellation::Skin& piece : pieces_of(patch, showing.windows)) {
-      panel.bodies.push_back(solid_body(std::move(piece), showing));
+      if (patch.dimension() == 2) piece.normals.resize(3, 0);
+      panel.bodies.push_back(picture_body(std::move(piece), showing));
       panel.bodies.back().open = patch.parametric_dimension() < 3;
     }
-  panel.names = names;
+  if (showing.names) panel.names = patch_names(patches);
   return panel;
 }
 

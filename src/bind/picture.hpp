@@ -3,8 +3,8 @@
 // film.
 
 #include "bind/functions.hpp"
+#include "view/picture.hpp"
 #include "view/series.hpp"
-#include "view/solid_picture.hpp"
 
 #include <functional>
 #include <map>
@@ -15,13 +15,9 @@ namespace signorini::bind {
 
 /// A state of a model, or patches.
 struct StatePicture {
-  std::variant<view::Panel, view::SolidPanel> panel;
-  view::SolidOptions options;              ///< `title` above the state; plane ones need no camera and no region
-  std::optional<view::SolidOptions> inset; ///< of the part that is magnified
-
-  std::size_t bodies() const {
-    return std::visit([](const auto& one) { return one.bodies.size(); }, panel);
-  }
+  view::Panel panel;
+  view::PictureOptions options;              ///< `title` above the state
+  std::optional<view::PictureOptions> inset; ///< of the part that is magnified
 };
 
 struct Picture;

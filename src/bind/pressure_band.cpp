@@ -37,21 +37,21 @@ view::Body pressure_band(const model::Model<2>& model, int contact, const Showin
   const int divisions = std::clamp(400 / slave.elements(), 8, 40), count = slave.elements() * (divisions + 1);
   std::vector<BandPoint> places;
   view::Body band;
-  band.values.resize(2 * count);
+  band.skin.values.resize(2 * count);
   for (int e = 0; e < slave.elements(); ++e)
     for (int k = 0; k <= divisions; ++k) {
       const auto [from, to] = slave.interval(e, 0);
       const double fraction = double(k) / divisions;
       const auto i = static_cast<Eigen::Index>(places.size());
       places.push_back(band_point(model, reference, from + (to - from) * fraction, showing.deformed));
-      band.values(i) = band.values(count + i) =
+      band.skin.values(i) = band.skin.values(count + i) =
           showing.factor * pressure.at_place(e, contact::FaceCoordinates<2>(fraction));
     }
   // Half of the elements at the face where that can be seen.
   double depth = 0;
   for (const BandPoint& place : places) depth += (place.inside - place.face).norm() / count;
   const double width = std::clamp(depth, 0.014 * size, 0.03 * size);
-  band.points.setZero(3, 2 * count);
+  band.skin.points.setZero(3, 2 * count);
   view::Points edge = view::Points::Zero(3, count);
   for (int i = 0; i < count; ++i) {
     const auto at = [&](int j) { return places[static_cast<std::size_t>(j)]; };
@@ -59,16 +59,16 @@ view::Body pressure_band(const model::Model<2>& model, int contact, const Showin
     const Vec<2> along = (at(std::min(i + 2, count - 1)).face - at(std::max(i - 2, 0)).face).stableNormalized();
     Vec<2> inwards(-along(1), along(0));
     if (inwards.dot(at(i).inside - at(i).face) < 0) inwards = -inwards;
-    band.points.col(i).head<2>() = at(i).face;
-    band.points.col(count + i).head<2>() = at(i).face + width * inwards;
-    edge.col(i) = band.points.col(count + i);
+    band.skin.points.col(i).head<2>() = at(i).face;
+    band.skin.points.col(count + i).head<2>() = at(i).face + width * inwards;
+    edge.col(i) = band.skin.points.col(count + i);
   }
-  band.triangles.resize(3, 2 * (count - 1));
+  band.skin.triangles.resize(3, 2 * (count - 1));
   for (int i = 0; i + 1 < count; ++i) {
-    band.triangles.col(2 * i) << i, i + 1, count + i + 1;
-    band.triangles.col(2 * i + 1) << i, count + i + 1, count + i;
+    band.skin.triangles.col(2 * i) << i, i + 1, count + i + 1;
+    band.skin.triangles.col(2 * i + 1) << i, count + i + 1, count + i;
   }
-  band.rim = {std::move(edge)};
+  band.rim = {{std::move(edge)}};
   return band;
 }
 

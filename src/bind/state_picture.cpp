@@ -68,28 +68,21 @@ std::optional<view::Bounds> read_box(const Arguments& a, const char* key, bool s
   return bounds;
 }
 
-void set_part(view::SolidOptions& options, const view::Bounds& box, bool solid) {
-  if (solid)
-    options.region = box;
-  else
-    options.crop = {box.low[0], box.high[0], box.low[1], box.high[1]};
-}
-
 /// The parts that are shown alone or magnified; `showing` gets the windows through which they are seen.
-void read_parts(const Arguments& a, StatePicture& picture, Showing& showing, bool solid,
-                const std::array<int, 2>& size) {
-  const Mat<3> axes = solid ? view::picture_axes(picture.options.camera) : Mat<3>(Mat<3>::Identity());
-  const auto crop = read_box(a, "crop", solid), inset = read_box(a, "inset", solid);
+void read_parts(const Arguments& a, StatePicture& picture, Showing& showing, const std::array<int, 2>& size) {
+  const auto& camera = picture.options.camera;
+  const Mat<3> axes = camera ? view::picture_axes(*camera) : Mat<3>(Mat<3>::Identity());
+  const auto crop = read_box(a, "crop", camera.has_value()), inset = read_box(a, "inset", camera.has_value());
   for (const auto& box : {crop, inset})
     if (box) showing.windows.push_back(box_window(axes.topRows<2>(), box->low, box->high, size));
   if (inset) {
     picture.inset = picture.options;
-    set_part(*picture.inset, *inset, solid);
+    picture.inset->crop = inset;
     picture.inset->bar = picture.inset->axis_names = picture.inset->ruler = false;
     picture.inset->trim = true;
     picture.inset->vectors.clear(); // one key serves both, whose arrows have one scale
   }
-  if (crop) set_part(picture.options, *crop, solid);
+  picture.options.crop = crop;
 }
 
 // ── What is shown ────────────────────────────────────────────────────────────────────────────────────────────────────
@@ -154,7 +147,7 @@ StatePicture read_view(const Arguments& a, Showing& showing, bool solid, const s
   if (!showing.deformed && showing.vectors == "traction")
     a.fail("tractions act in the present state, which deformed = false hides: leave one of them out");
   StatePicture picture;
-  view::SolidOptions& options = picture.options;
+  view::PictureOptions& options = picture.options;
   options.colormap = a.get<std::string>("colormap");
   options.bar = a.get<bool>("bar");
   options.unit = a.get<std::string>("unit");
@@ -165,7 +158,7 @@ StatePicture read_view(const Arguments& a, Showing& showing, bool solid, const s
   }
   read_lines(a, options, showing, solid);
   if (solid) options.camera = read_camera(a, cut);
-  read_parts(a, picture, showing, solid, size);
+  read_parts(a, picture, showing, size);
   for (char letter : showing.mirror)
     for (std::size_t i = 0, count = showing.windows.size(); i < count; ++i)
       showing.windows.push_back(mirrored(showing.windows[i], letter - 'x'));
@@ -174,8 +167,7 @@ StatePicture read_view(const Arguments& a, Showing& showing, bool solid, const s
 
 Picture finished(const Arguments& a, StatePicture picture, const std::string& title, std::size_t count, const char* one,
                  const char* several) {
-  const bool solid = std::holds_alternative<view::SolidPanel>(picture.panel);
-  std::visit([&](auto& one) { one.marks = read_marks(a, solid ? 3 : 2); }, picture.panel);
+  picture.panel.marks = read_marks(a, picture.options.camera ? 3 : 2);
   picture.options.title = title;
   const std::string& label = picture.options.field_label;
   const std::string description = text("picture", title.empty() ? "" : " '" + title + "'", " of ", count, " ",
@@ -208,10 +200,7 @@ Picture read_model(const Arguments& a, const Model<D>& model, const std::string&
   StatePicture picture = read_view(a, showing, D == 3, cut, size);
   picture.options.field_label = read_label<D>(a, showing);
   if (picture.inset) picture.inset->field_label = picture.options.field_label;
-  if constexpr (D == 3)
-    picture.panel = show(*model, showing, cut);
-  else
-    picture.panel = show(*model, showing);
+  picture.panel = show(*model, showing, cut);
   return finished(a, std::move(picture), title, showing.bodies.size(), "body", "bodies");
 }
 

@@ -158,22 +158,15 @@ Surface joined(const Surface& a, const Surface& b) {
 }
 
 /// Those on the side that stays, and the lines between two of them.
-void keep_control_points(Solid& left, const Solid& solid, const VectorX& distance) {
+void keep_control_points(Body& left, const Body& body, const VectorX& distance) {
   std::vector<int> kept, place(static_cast<std::size_t>(distance.size()), -1);
   for (int i = 0; i < distance.size(); ++i)
     if (distance[i] <= 0) place[static_cast<std::size_t>(i)] = static_cast<int>(kept.size()), kept.push_back(i);
-  left.control_points = solid.control_points(Eigen::all, kept);
-  for (const auto& [a, b] : solid.net_lines) {
+  left.control_points = body.control_points(Eigen::all, kept);
+  for (const auto& [a, b] : body.net_lines) {
     const int from = place[static_cast<std::size_t>(a)], to = place[static_cast<std::size_t>(b)];
     if (from >= 0 && to >= 0) left.net_lines.push_back({from, to});
   }
-}
-
-std::vector<SurfaceLine> cut(const std::vector<SurfaceLine>& lines, const CutPlane& plane, double tolerance) {
-  std::vector<SurfaceLine> left;
-  for (const SurfaceLine& line : lines)
-    for (SurfaceLine& part : cut(line, plane, tolerance)) left.push_back(std::move(part));
-  return left;
 }
 
 /// The edge that a point lies on.
@@ -242,28 +235,36 @@ Surface cut(const Surface& surface, const CutPlane& plane, double tolerance) {
   return builder.surface();
 }
 
-std::vector<SurfaceLine> cut(const SurfaceLine& line, const CutPlane& plane, double tolerance) {
-  const VectorX distance = distances(line.points, plane, tolerance);
+std::vector<SurfaceLine> cut(const std::vector<SurfaceLine>& lines, const CutPlane& plane, double tolerance) {
   std::vector<SurfaceLine> parts;
-  std::deque<Mix> part;
-  const auto finish = [&] {
-    if (part.size() > 1) {
-      SurfaceLine& left = parts.emplace_back(line_of(part, line.points, line.normals, line.spacing));
-      if (line.values.size() > 0) left.values.resize(left.points.cols());
-      for (Eigen::Index i = 0; i < left.values.size(); ++i)
-        left.values[i] = part[static_cast<std::size_t>(i)].of(line.values);
+  for (const SurfaceLine& line : lines) {
+    const VectorX distance = distances(line.points, plane, tolerance);
+    std::deque<Mix> part;
+    const auto finish = [&] {
+      if (part.size() > 1) {
+        SurfaceLine& left = parts.emplace_back(line_of(part, line.points, line.normals, line.spacing));
+        if (line.values.size() > 0) left.values.resize(left.points.cols());
+        for (Eigen::Index i = 0; i < left.values.size(); ++i)
+          left.values[i] = part[static_cast<std::size_t>(i)].of(line.values);
+      }
+      part.clear();
+    };
+    for (int i = 0; i < line.points.cols(); ++i) {
+      if (i > 0 && distance[i - 1] * distance[i] < 0) part.push_back(crossing(i - 1, i, distance));
+      if (distance[i] <= 0)
+        part.push_back({i, i, 0});
+      else
+        finish();
     }
-    part.clear();
-  };
-  for (int i = 0; i < line.points.cols(); ++i) {
-    if (i > 0 && distance[i - 1] * distance[i] < 0) part.push_back(crossing(i - 1, i, distance));
-    if (distance[i] <= 0)
-      part.push_back({i, i, 0});
-    else
-      finish();
+    finish();
   }
-  finish();
   return parts;
+}
+
+RigidSurface cut(const RigidSurface& rigid, const CutPlane& plane, double tolerance) {
+  RigidSurface left{cut(rigid.surface, plane, tolerance), traces(rigid.surface, plane, tolerance)};
+  for (SurfaceLine& part : cut(rigid.rim, plane, tolerance)) left.rim.push_back(std::move(part));
+  return left;
 }
 
 std::vector<SurfaceLine> zeros(const Surface& surface, const VectorX& values) {
@@ -291,30 +292,31 @@ std::optional<CutPlane> crossed_mirror(const Points& points, int axis) {
   return CutPlane{Vec<3>::Zero(), (high + low >= -least ? -1 : 1) * Vec<3>::Unit(axis)};
 }
 
-Solid cut(const Solid& solid, const CutPlane& plane) {
-  const double tolerance = 1e-9 * bounds(solid).size();
+Body cut(const Body& body, const CutPlane& plane) {
+  const double tolerance = 1e-9 * bounds(body).size();
   const Vec<3> normal = plane.normal.normalized();
-  Solid left;
-  left.mesh = solid.mesh;
-  left.open = solid.open;
-  const VectorX distance = distances(solid.skin.points, plane, tolerance);
+  Body left;
+  left.mesh = body.mesh;
+  left.open = body.open;
+  const VectorX distance = distances(body.skin.points, plane, tolerance);
   if (distance.size() > 0 && distance.minCoeff() < 0) {
     Builder face;
-    for (const Lattice& lattice : solid.inside) {
+    for (const Lattice& lattice : body.inside) {
       const VectorX inside = distances(lattice.points, plane, tolerance);
       if (inside.minCoeff() >= 0 || inside.maxCoeff() < 0) continue;
       add_section(face, lattice, inside, normal);
       add_borders(left.mesh_lines, lattice, inside, normal);
     }
-    left.skin = joined(cut(solid.skin, plane, tolerance), face.surface());
-    left.rim = traces(solid.skin, plane, tolerance);
+    left.skin = cut(body.skin, plane, tolerance);
+    if (!face.points.empty()) left.skin = joined(left.skin, face.surface());
+    left.rim = traces(body.skin, plane, tolerance);
     for (SurfaceLine& line : left.rim) line.normals.colwise() = normal;
-    for (SurfaceLine& line : cut(solid.mesh_lines, plane, tolerance)) left.mesh_lines.push_back(std::move(line));
-    for (SurfaceLine& line : cut(solid.rim, plane, tolerance)) left.rim.push_back(std::move(line));
+    for (SurfaceLine& line : cut(body.mesh_lines, plane, tolerance)) left.mesh_lines.push_back(std::move(line));
+    for (SurfaceLine& line : cut(body.rim, plane, tolerance)) left.rim.push_back(std::move(line));
   }
-  left.undeformed = cut(solid.undeformed, plane, tolerance);
-  left.undeformed_rim = cut(solid.undeformed_rim, plane, tolerance);
-  keep_control_points(left, solid, distances(solid.control_points, plane, tolerance));
+  left.undeformed = cut(body.undeformed, plane, tolerance);
+  left.undeformed_rim = cut(body.undeformed_rim, plane, tolerance);
+  keep_control_points(left, body, distances(body.control_points, plane, tolerance));
   return left;
 }
 

@@ -1,23 +1,19 @@
 #pragma once
-// Solids cut open by a plane.
+// Bodies and obstacles cut open by a plane.
 
-#include "view/solid.hpp"
-
-#include <optional>
+#include "view/panel.hpp"
 
 namespace signorini::view {
-
-/// What lies on the side that the normal points to is taken away.
-struct CutPlane {
-  Vec<3> point, normal; ///< of any length but zero
-};
 
 /// What is left of a surface; values and normals at the cut are interpolated. Distances below `tolerance` count as
 /// none.
 Surface cut(const Surface& surface, const CutPlane& plane, double tolerance);
 
-/// What is left of a line.
-std::vector<SurfaceLine> cut(const SurfaceLine& line, const CutPlane& plane, double tolerance);
+/// What is left of lines.
+std::vector<SurfaceLine> cut(const std::vector<SurfaceLine>& lines, const CutPlane& plane, double tolerance);
+
+/// What is left of an obstacle, with a rim where it is cut.
+RigidSurface cut(const RigidSurface& rigid, const CutPlane& plane, double tolerance);
 
 /// Where a function with these values at a surface's points changes its sign, with the surface's normals.
 std::vector<SurfaceLine> zeros(const Surface& surface, const VectorX& values);
@@ -29,8 +25,8 @@ std::vector<SurfaceLine> traces(const Surface& surface, const CutPlane& plane, d
 /// away, with a warning: there a body and its image would lie on each other. Nothing where they lie on one side.
 std::optional<CutPlane> crossed_mirror(const Points& points, int axis);
 
-/// What is left of a solid, with the cut face: coloured by the values inside, with its elements' borders and its rim.
-/// Needs the insides of all elements that the plane crosses.
-Solid cut(const Solid& solid, const CutPlane& plane);
+/// What is left of a body; of a solid with the cut face: coloured by the values inside, with its elements' borders and
+/// its rim. Needs the insides of all elements that the plane crosses.
+Body cut(const Body& body, const CutPlane& plane);
 
 } // namespace signorini::view

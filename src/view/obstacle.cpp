@@ -1,7 +1,13 @@
+// Obstacles in the plane.
+
 #include "view/obstacle.hpp"
+
+#include "base/index.hpp"
+#include "view/surface_lines.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace signorini::view {
 namespace {
@@ -68,27 +74,67 @@ double extent_of(const std::vector<Vec2>& line) {
 
 } // namespace
 
-void draw_obstacle(Drawing& drawing, const Outline& outline, const Frame& frame, const Style& style) {
-  std::vector<Vec2> line = on_paper(outline.line, frame);
+Outline half_plane(const Vec<2>& point, const Vec<2>& normal) {
+  Outline outline;
+  outline.endless = true;
+  // −n is on the left of t = (−n_y, n_x)
+  const Vec<2> along = Vec<2>(-normal[1], normal[0]);
+  outline.line.setZero(3, 2);
+  outline.line.col(0).head<2>() = point;
+  outline.line.col(1).head<2>() = point + along;
+  return outline;
+}
+
+Outline circle(const Vec<2>& centre, double radius, const std::vector<Window>& windows) {
+  const auto place = [&](double fraction) {
+    const double angle = 2 * std::numbers::pi * fraction;
+    return Vec<3>(centre[0] + radius * std::cos(angle), centre[1] + radius * std::sin(angle), 0);
+  };
+  return outline(place, 180, windows);
+}
+
+Outline outline(const std::function<Vec<3>(double)>& place, int pieces, const std::vector<Window>& windows) {
+  std::vector<double> fractions = even_cuts(pieces);
+  for (int k = 0; k < pieces && !windows.empty(); ++k) {
+    const auto piece = [&](double s, double) { return place((k + s) / pieces); };
+    const auto cuts = window_cuts(piece, windows, false);
+    for (double cut : cuts[0]) fractions.push_back((k + cut) / pieces);
+  }
+  add_cuts(fractions, {});
+  Outline outline{Points(3, static_cast<Eigen::Index>(fractions.size()))};
+  for (Eigen::Index i = 0; i < outline.line.cols(); ++i)
+    outline.line.col(i) = place(fractions[at(static_cast<int>(i))]);
+  return outline;
+}
+
+Outline mirrored(const Outline& outline, int axis) {
+  Outline image = outline;
+  image.line = outline.line.rowwise().reverse(); // left stays left
+  image.line.row(axis) *= -1;
+  return image;
+}
+
+void draw_obstacle(Drawing& drawing, const Outline& outline, const Box& box, const Style& style) {
+  std::vector<Vec2> line = flat(outline.line);
   if (line.size() < 2) return;
   if (outline.endless) {
     const Vec2 first = line.front();
-    extend(line.front(), line[1], frame.box);
-    extend(line.back(), line.size() == 2 ? first : line[line.size() - 2], frame.box);
+    extend(line.front(), line[1], box);
+    extend(line.back(), line.size() == 2 ? first : line[line.size() - 2], box);
   }
   const double extent = extent_of(line);
   const bool small = !outline.endless && extent < small_extent * style.unit;
-  for (auto& part : clip_line(line, frame.box)) {
+  for (auto& part : clip_line(line, box)) {
     if (small)
       shade(drawing, part, std::min(9 * style.unit, 0.15 * extent));
     else
-      hatch(drawing, part, frame.box, style);
+      hatch(drawing, part, box, style);
     drawing.marks.push_back(Stroke{std::move(part), rim_colour, 3.6 * style.unit});
   }
 }
 
-Points worth_showing(const Outline& outline, const Box& box) {
-  const Vec<2> size(box[1] - box[0], box[3] - box[2]), centre(0.5 * (box[0] + box[1]), 0.5 * (box[2] + box[3]));
+Points worth_showing(const Outline& outline, const Bounds& box) {
+  const Vec<2> size = (box.high - box.low).head<2>(), centre = box.centre().head<2>();
   const auto& line = outline.line;
   if (line.cols() < 2) return {};
   if (!outline.endless) {

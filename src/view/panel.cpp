@@ -1,83 +1,68 @@
 #include "view/panel.hpp"
 
-#include "base/index.hpp"
 #include "view/cut.hpp"
 
-#include <cmath>
-#include <numbers>
+#include <algorithm>
 #include <utility>
 
 namespace signorini::view {
 namespace {
 
-void flip(Points& points, int axis) {
+void mirror(Points& points, int axis) {
   points.row(axis) *= -1;
+}
+
+void mirror(std::vector<SurfaceLine>& lines, int axis) {
+  for (SurfaceLine& line : lines) mirror(line.points, axis), mirror(line.normals, axis);
+}
+
+/// Half of the lines are closer together; without any, all lines get their full width.
+double typical_spacing(const std::vector<SurfaceLine>& lines) {
+  std::vector<double> all;
+  all.reserve(lines.size());
+  for (const SurfaceLine& line : lines) all.push_back(line.spacing);
+  if (all.empty()) return 0;
+  std::nth_element(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2), all.end());
+  return all[all.size() / 2];
 }
 
 } // namespace
 
-Outline half_plane(const Vec<2>& point, const Vec<2>& normal) {
-  Outline outline;
-  outline.endless = true;
-  // −n is on the left of t = (−n_y, n_x)
-  const Vec<2> along = Vec<2>(-normal[1], normal[0]);
-  outline.line.setZero(3, 2);
-  outline.line.col(0).head<2>() = point;
-  outline.line.col(1).head<2>() = point + along;
-  return outline;
+void Bounds::take(const Points& points) {
+  if (points.cols() == 0) return;
+  low = low.cwiseMin(points.rowwise().minCoeff());
+  high = high.cwiseMax(points.rowwise().maxCoeff());
 }
 
-Outline circle(const Vec<2>& centre, double radius, const std::vector<Window>& windows) {
-  const auto place = [&](double fraction) {
-    const double angle = 2 * std::numbers::pi * fraction;
-    return Vec<3>(centre[0] + radius * std::cos(angle), centre[1] + radius * std::sin(angle), 0);
-  };
-  return outline(place, 180, windows);
+Bounds bounds(const Body& body) {
+  Bounds box;
+  for (const Points* points : {&body.skin.points, &body.control_points, &body.undeformed.points}) box.take(*points);
+  for (const auto* lines : {&body.mesh_lines, &body.rim, &body.undeformed_rim})
+    for (const SurfaceLine& line : *lines) box.take(line.points);
+  return box;
 }
 
-Outline outline(const std::function<Vec<3>(double)>& place, int pieces, const std::vector<Window>& windows) {
-  std::vector<double> fractions = even_cuts(pieces);
-  for (int k = 0; k < pieces && !windows.empty(); ++k) {
-    const auto piece = [&](double s, double) { return place((k + s) / pieces); };
-    const auto cuts = window_cuts(piece, windows, false);
-    for (double cut : cuts[0]) fractions.push_back((k + cut) / pieces);
-  }
-  add_cuts(fractions, {});
-  Outline outline{Points(3, static_cast<Eigen::Index>(fractions.size()))};
-  for (Eigen::Index i = 0; i < outline.line.cols(); ++i)
-    outline.line.col(i) = place(fractions[at(static_cast<int>(i))]);
-  return outline;
+Bounds bounds(const std::vector<Body>& bodies) {
+  Bounds box;
+  for (const Body& body : bodies) box.take(bounds(body));
+  return box;
 }
 
-Body mirrored(const Body& body, int axis, double sign) {
-  Body image = body;
-  for (Points* points : {&image.points, &image.vectors, &image.control_points}) flip(*points, axis);
-  for (MeshLine& line : image.mesh_lines) flip(line.points, axis);
-  for (Points& line : image.rim) flip(line, axis);
-  for (Points& line : image.undeformed) flip(line, axis);
+Surface mirrored(const Surface& surface, int axis, double sign) {
+  Surface image = surface;
+  for (Points* points : {&image.points, &image.normals, &image.vectors}) mirror(*points, axis);
   image.values *= sign;
   return image;
 }
 
-Outline mirrored(const Outline& outline, int axis) {
-  Outline image = outline;
-  image.line = outline.line.rowwise().reverse(); // left stays left
-  flip(image.line, axis);
+Body mirrored(const Body& body, int axis, double sign) {
+  Body image = body;
+  image.skin = mirrored(body.skin, axis, sign);
+  image.undeformed = mirrored(body.undeformed, axis, 1);
+  for (auto* lines : {&image.mesh_lines, &image.rim, &image.undeformed_rim}) mirror(*lines, axis);
+  mirror(image.control_points, axis);
+  for (Lattice& lattice : image.inside) mirror(lattice.points, axis), lattice.values *= sign;
   return image;
-}
-
-void join_at_mirror(Body& body, int axis) {
-  const auto beyond = crossed_mirror(body.points, axis);
-  if (!beyond) return;
-  static_cast<Surface&>(body) = cut(body, *beyond, 0);
-  const auto parts = [&](const Points& line) {
-    return cut(SurfaceLine{line, Points::Zero(3, line.cols())}, *beyond, 0);
-  };
-  for (auto* lines : {&body.rim, &body.undeformed})
-    for (const Points& line : std::exchange(*lines, {}))
-      for (SurfaceLine& part : parts(line)) lines->push_back(std::move(part.points));
-  for (const MeshLine& line : std::exchange(body.mesh_lines, {}))
-    for (SurfaceLine& part : parts(line.points)) body.mesh_lines.push_back({std::move(part.points), line.spacing});
 }
 
 PointVector mirrored(PointVector vector, int axis) {
@@ -85,10 +70,42 @@ PointVector mirrored(PointVector vector, int axis) {
   return vector;
 }
 
-std::vector<Vec2> on_paper(const Points& points, const Frame& frame) {
-  std::vector<Vec2> result;
-  for (Eigen::Index i = 0; i < points.cols(); ++i) result.push_back({frame.x(points(0, i)), frame.y(points(1, i))});
-  return result;
+void join_at_mirror(Body& body, int axis) {
+  const bool solid = body.skin.normals.cols() > 0;
+  if (const auto beyond = crossed_mirror(body.skin.points, axis)) {
+    const std::vector<Lattice> inside = std::exchange(body.inside, {}); // the image closes the cut
+    Body left = cut(body, *beyond);
+    left.inside = inside;
+    if (!solid) { // the image goes on where it is cut
+      left.rim = cut(body.rim, *beyond, 0);
+      left.control_points = body.control_points;
+      left.net_lines = body.net_lines;
+    }
+    body = std::move(left);
+  }
+  if (!solid) return;
+  const double tolerance = 1e-9 * bounds(body).size();
+  const auto within = [&](const Points& points) { return points.row(axis).cwiseAbs().maxCoeff() <= tolerance; };
+  const auto faces_mirror = [&](const SurfaceLine& line) {
+    return within(line.points) && line.normals.row(axis).cwiseAbs().minCoeff() > 1 - 1e-6;
+  };
+  std::erase_if(body.mesh_lines, faces_mirror);
+  std::erase_if(body.rim, faces_mirror);
+  std::erase_if(body.undeformed_rim, [&](const SurfaceLine& line) { return within(line.points); });
+  const auto joined = std::stable_partition(body.rim.begin(), body.rim.end(),
+                                            [&](const SurfaceLine& line) { return !within(line.points); });
+  const double spacing = typical_spacing(body.mesh_lines);
+  for (auto line = joined; line != body.rim.end(); ++line) {
+    line->spacing = spacing;
+    body.mesh_lines.push_back(std::move(*line));
+  }
+  body.rim.erase(joined, body.rim.end());
+
+  Triangles& triangles = body.skin.triangles;
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index t = 0; t < triangles.cols(); ++t)
+    if (!within(body.skin.points(Eigen::all, triangles.col(t)))) kept.push_back(t);
+  triangles = Triangles(triangles(Eigen::all, kept));
 }
 
 } // namespace signorini::view

@@ -4,54 +4,203 @@
 #include "base/index.hpp"
 #include "view/cut.hpp"
 #include "view/obstacle.hpp"
-#include "view/picture_checks.hpp"
+#include "view/ribbon.hpp"
 #include "view/sheet.hpp"
+#include "view/space_axes.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace signorini::view {
 namespace {
 
-constexpr Rgb undeformed_colour = {120, 120, 120};
+constexpr Rgb ghost_colour = {150, 158, 166}, ghost_rim_colour = {95, 95, 95}, rigid_colour = {140, 146, 154},
+              rigid_rim_colour = {120, 120, 120}, undeformed_colour = {120, 120, 120};
+constexpr std::uint8_t ghost_opacity = 55, rigid_opacity = 62;
 
-void take(Box& box, const Points& points) {
-  if (points.cols() == 0) return;
-  for (int axis = 0; axis < 2; ++axis) {
-    double &low = box[at(2 * axis)], &high = box[at(2 * axis + 1)];
-    low = std::min(low, points.row(axis).minCoeff());
-    high = std::max(high, points.row(axis).maxCoeff());
+// ── A state in the picture's axes ────────────────────────────────────────────────────────────────────────────────────
+
+struct Line {
+  SurfaceLine line;
+  Pen pen; ///< its width is the greatest; fine meshes get thinner lines
+};
+
+/// A translucent surface behind the bodies, with an outline that lies in front of what is behind it.
+struct Sheer {
+  Surface surface;
+  Rgb colour;
+  std::uint8_t opacity;
+  bool facing_only; ///< without the triangles that face away
+  Pen outline;
+};
+
+/// What a state shows, in model units at first, then in pixels with z towards the eye.
+struct Scene {
+  bool plane; ///< what lies in the plane faces the eye, and is not lit
+  std::vector<Surface> bodies;
+  std::vector<Line> lines;
+  std::vector<Sheer> veils;
+  std::vector<Vec<3>> dots;
+  std::vector<SurfaceLine> ghosts; ///< dashed, over all else, where they face the eye
+  std::vector<Outline> outlines;
+  std::vector<PointVector> vectors;
+};
+
+/// Calls change(points, normals) for all that a scene is made of but outlines and vectors.
+template <class AnyScene, class Change> void each_part(AnyScene& scene, Change change) {
+  for (auto& surface : scene.bodies) change(surface.points, surface.normals);
+  for (auto& veil : scene.veils) change(veil.surface.points, veil.surface.normals);
+  for (auto& line : scene.lines) change(line.line.points, line.line.normals);
+  for (auto& line : scene.ghosts) change(line.points, line.normals);
+  for (auto& dot : scene.dots) {
+    Points none;
+    change(dot, none);
   }
 }
 
-/// What holds all bodies and what is drawn with them, with a little air.
-Box model_box(const Panel& panel) {
-  constexpr double far = std::numeric_limits<double>::infinity();
-  Box box = {far, -far, far, -far};
+void add_lines(Scene& scene, const std::vector<SurfaceLine>& lines, const Pen& pen) {
+  for (const SurfaceLine& line : lines) scene.lines.push_back({line, pen});
+}
+
+void add_body(Scene& scene, const Body& body, const Style& style) {
+  const double u = style.unit;
+  const double mesh = std::max((scene.plane ? 1.7 : 1.6) * u, 0.8), rim = scene.plane ? mesh : 2.4 * u;
+  if (body.mesh) add_lines(scene, body.mesh_lines, {mesh_colour, mesh, 1.2, !body.open});
+  add_lines(scene, body.rim, {mesh_colour, rim, 1.5, !body.open});
+  for (const SurfaceLine& line : body.undeformed_rim) scene.ghosts.push_back(line);
+  if (body.undeformed.points.cols() > 0)
+    scene.veils.push_back({body.undeformed, ghost_colour, ghost_opacity, true, {ghost_rim_colour, 1.8 * u, -2, false}});
+  for (const auto& [a, b] : body.net_lines) {
+    SurfaceLine line{Points(3, 2), Points::Zero(3, 2)};
+    line.points << body.control_points.col(a), body.control_points.col(b);
+    // White beneath, so that it shows on any colour.
+    if (!scene.plane) scene.lines.push_back({line, {white, 4.2 * u, 5, false}});
+    scene.lines.push_back({line, {net_colour, (scene.plane ? 1.2 : 2) * u, 6, false}});
+  }
+  for (Eigen::Index i = 0; i < body.control_points.cols(); ++i) scene.dots.push_back(body.control_points.col(i));
+  scene.bodies.push_back(body.skin);
+}
+
+/// The body with the values beneath its mesh lines.
+Body with_ground(Body body) {
+  const Ground ground(body.skin);
+  for (SurfaceLine& line : body.mesh_lines) line.values = ground.along(line.points);
+  return body;
+}
+
+void add_obstacle(Scene& scene, const Rigid& rigid, const Bounds& box, const Panel& panel, const Style& style) {
+  RigidSurface surface = shown(rigid, box, panel.windows);
+  if (panel.cut) surface = cut(surface, *panel.cut, 1e-9 * box.size());
+  const Pen pen = {rigid_rim_colour, 2 * style.unit, 1, false};
+  add_lines(scene, surface.rim, pen);
+  scene.veils.push_back({std::move(surface.surface), rigid_colour, rigid_opacity, false, pen});
+}
+
+/// What a panel shows, turned into the picture's axes.
+Scene scene_of(const Panel& panel, bool plane, const Mat<3>& axes, const Style& style) {
+  Scene scene;
+  scene.plane = plane;
   for (const Body& body : panel.bodies) {
-    take(box, body.points);
-    take(box, body.control_points);
-    for (const MeshLine& line : body.mesh_lines) take(box, line.points);
-    for (const auto* lines : {&body.rim, &body.undeformed})
-      for (const Points& line : *lines) take(box, line);
+    const Body grounded = with_ground(body);
+    add_body(scene, panel.cut ? cut(grounded, *panel.cut) : grounded, style);
   }
-  require(box[0] <= box[1], "view.picture.empty");
-  const Box bodies = box;
-  for (const Outline& outline : panel.obstacles) take(box, worth_showing(outline, bodies));
-  const double air = 0.03 * std::max({box[1] - box[0], box[3] - box[2], 1e-12});
-  return {box[0] - air, box[1] + air, box[2] - air, box[3] + air};
+  const Bounds box = bounds(panel.bodies);
+  require(!box.empty(), "view.picture.empty");
+  for (const Rigid& rigid : panel.obstacles) add_obstacle(scene, rigid, box, panel, style);
+  scene.outlines = panel.outlines;
+  scene.vectors = panel.vectors;
+  if (panel.cut)
+    std::erase_if(scene.vectors, [&, tolerance = 1e-9 * box.size() * panel.cut->normal.norm()](const PointVector& one) {
+      return (one.at - panel.cut->point).dot(panel.cut->normal) > tolerance;
+    });
+  if (plane) {
+    each_part(scene,
+              [](const auto& points, Points& normals) { normals = Vec<3>::UnitZ().replicate(1, points.cols()); });
+    return scene;
+  }
+  each_part(scene, [&](auto& points, Points& normals) { points = axes * points, normals = axes * normals; });
+  for (Surface& surface : scene.bodies) surface.vectors = axes * surface.vectors;
+  for (auto& [at, vector] : scene.vectors) at = axes * at, vector = axes * vector;
+  for (const Sheer& veil : scene.veils)
+    add_lines(scene, zeros(veil.surface, veil.surface.normals.row(2).transpose()), veil.outline);
+  return scene;
 }
 
-std::vector<const VectorX*> values_of(const std::vector<Panel>& panels) {
-  std::vector<const VectorX*> values;
-  for (const Panel& panel : panels)
-    for (const Body& body : panel.bodies) values.push_back(&body.values);
-  return values;
+/// What a scene needs of the paper, with a little air.
+Box paper_box(const Scene& scene) {
+  Bounds all;
+  each_part(scene, [&](const auto& points, const Points&) { all.take(points); });
+  require(!all.empty(), "view.solids.cut_away");
+  const Bounds bodies = all;
+  for (const Outline& outline : scene.outlines) all.take(worth_showing(outline, bodies));
+  const double air = (scene.plane ? 0.03 : 0.015) * std::max((all.high - all.low).head<2>().maxCoeff(), 1e-12);
+  return {all.low[0] - air, all.high[0] + air, all.low[1] - air, all.high[1] + air};
 }
 
-Field field_of(const Surface& surface, const Canvas& canvas) {
-  Field field{surface.points, {}, surface.triangles, surface.values, canvas.range, canvas.colours};
+/// What shows the whole of a box in space.
+Box paper_box(const Bounds& region, const Mat<3>& axes) {
+  Bounds seen;
+  for (int corner = 0; corner < 8; ++corner)
+    seen.take(axes * Vec<3>(corner & 1 ? region.high[0] : region.low[0], corner & 2 ? region.high[1] : region.low[1],
+                            corner & 4 ? region.high[2] : region.low[2]));
+  return {seen.low[0], seen.high[0], seen.low[1], seen.high[1]};
+}
+
+/// All states as one picture shows them.
+struct Scenes {
+  Mat<3> axes = Mat<3>::Identity(); ///< the picture's own, as rows
+  std::vector<Scene> list;
+  ModelBoxes boxes;
+
+  Scenes(const std::vector<Panel>& panels, const PictureOptions& options) {
+    check(panels);
+    if (options.camera) axes = picture_axes(*options.camera);
+    for (const Panel& panel : panels) {
+      list.push_back(scene_of(panel, !options.camera, axes, style_of(options)));
+      boxes.push_back(options.crop ? paper_box(*options.crop, axes) : paper_box(list.back()));
+    }
+  }
+
+  std::vector<const VectorX*> values() const {
+    std::vector<const VectorX*> values;
+    for (const Scene& scene : list)
+      for (const Surface& surface : scene.bodies) values.push_back(&surface.values);
+    return values;
+  }
+};
+
+// ── On paper ─────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+/// Moves a scene to its place in the picture: pixels, z towards the eye.
+void put_on_paper(Scene& scene, const Frame& frame) {
+  const double scale = (frame.x.to - frame.x.from) / (frame.x.high - frame.x.low);
+  const Vec<3> shift(frame.x.from - scale * frame.x.low, frame.y.from - scale * frame.y.low, 0);
+  each_part(scene, [&](auto& points, const Points&) { points = (scale * points).colwise() + shift; });
+  for (Outline& outline : scene.outlines) outline.line = (scale * outline.line).colwise() + shift;
+  for (Line& line : scene.lines) line.line.spacing *= scale;
+  for (PointVector& one : scene.vectors) one.at = scale * one.at + shift;
+}
+
+/// The triangles with their corners in the order that the renderer takes for the side its normals show.
+Triangles turned(const Surface& surface) {
+  Triangles triangles = surface.triangles;
+  for (auto triangle : triangles.colwise()) {
+    const int a = triangle[0], b = triangle[1], c = triangle[2];
+    const Vec<3> along = surface.points.col(b) - surface.points.col(a),
+                 across = surface.points.col(c) - surface.points.col(a);
+    if (along.cross(across).dot(surface.normals.col(a) + surface.normals.col(b) + surface.normals.col(c)) < 0)
+      std::swap(triangle[1], triangle[2]);
+  }
+  return triangles;
+}
+
+Field field_of(const Surface& surface, bool lit, const Canvas& canvas) {
+  Field field{surface.points,
+              lit ? surface.normals : Points(),
+              lit ? turned(surface) : surface.triangles,
+              surface.values,
+              canvas.range,
+              canvas.colours};
   if (surface.values.size() == 0) {
     field.values.setConstant(surface.points.cols(), canvas.range[0]);
     field.colours = {plain_colour, plain_colour};
@@ -60,98 +209,174 @@ Field field_of(const Surface& surface, const Canvas& canvas) {
 }
 
 /// Lines of a mesh that is fine on paper darken a tenth of it at most each way, and go where they would be threads.
-void draw_mesh(Drawing& drawing, const Body& body, const Frame& frame, const Canvas& canvas) {
-  const double full = std::max(1.7 * canvas.style.unit, 0.8), thread = 0.2;
-  const double scale = (frame.x.to - frame.x.from) / (frame.x.high - frame.x.low);
-  const Ground ground(body);
-  for (const auto& [line, spacing] : body.mesh_lines) {
-    const double width = std::min(full, 0.1 * scale * spacing);
-    if (width < thread) continue;
-    for (const auto& [first, count, tone] :
-         toned(line.cols(), ground.along(line), mesh_colour, canvas.range, canvas.colours))
-      add_line(drawing, on_paper(line.middleCols(first, count), frame), frame.box, tone, width);
+double width_of(const Line& line) {
+  if (line.line.spacing == 0) return line.pen.width;
+  const double facing = line.pen.facing_only ? std::max(0.0, line.line.normals.row(2).mean()) : 1;
+  const double thread = 0.2, width = std::min(line.pen.width, 0.1 * line.line.spacing * std::sqrt(facing));
+  return width >= thread ? width : 0;
+}
+
+/// A triangle of a translucent surface that waits for its turn.
+struct Waiting {
+  const Sheer* veil;
+  Eigen::Vector3i corners;
+  double depth; ///< of its middle
+};
+
+/// Translucent triangles, the farthest first.
+void add_veils(Veil& result, const std::vector<Sheer>& veils) {
+  std::vector<Waiting> queue;
+  for (const Sheer& veil : veils) {
+    const Triangles triangles = turned(veil.surface);
+    for (const auto& triangle : triangles.colwise()) {
+      const double facing = veil.surface.normals.row(2)(triangle).sum();
+      if (!veil.facing_only || facing > 0)
+        queue.push_back({&veil, triangle, veil.surface.points.row(2)(triangle).mean()});
+    }
   }
-  for (const Points& line : body.rim) add_line(drawing, on_paper(line, frame), frame.box, mesh_colour, full);
-}
-
-void draw_contours(Drawing& drawing, const Surface& surface, const Frame& frame, const Canvas& canvas) {
-  if (surface.values.size() == 0) return;
-  for (double level : canvas.levels)
-    for (const SurfaceLine& line : zeros(surface, surface.values.array() - level))
-      add_line(drawing, on_paper(line.points, frame), frame.box,
-               tone_on(colour_of(level, canvas.range, canvas.colours)), 1.8 * canvas.style.unit);
-}
-
-void draw_control_points(Drawing& drawing, const Body& body, const Frame& frame, const Style& style) {
-  const std::vector<Vec2> points = on_paper(body.control_points, frame);
-  for (const auto& [a, b] : body.net_lines)
-    add_line(drawing, {points[a], points[b]}, frame.box, net_colour, 1.2 * style.unit);
-  for (const Vec2& p : points) {
-    if (!holds(frame.box, p)) continue;
-    drawing.marks.push_back(Fill{circle_about(p, 6.4 * style.unit), white});
-    drawing.marks.push_back(Fill{circle_about(p, 4.8 * style.unit), net_colour});
+  std::stable_sort(queue.begin(), queue.end(), [](const Waiting& a, const Waiting& b) { return a.depth < b.depth; });
+  for (const auto& [veil, corners, depth] : queue) {
+    for (int corner : corners) {
+      result.corners.emplace_back(veil->surface.points.col(corner));
+      result.normals.emplace_back(veil->surface.normals.col(corner));
+    }
+    result.colours.push_back({veil->colour[0], veil->colour[1], veil->colour[2], veil->opacity});
   }
 }
 
-std::vector<PlacedMark> on_paper(const std::vector<PointMark>& marks, const Frame& frame) {
+/// Calls draw(points, normals, pen) for contours and lines, each in the tones that show on what lies beneath it.
+template <class Draw> void draw_lines(const Scene& scene, const Canvas& canvas, Draw draw) {
+  for (const Surface& surface : scene.bodies)
+    for (double level : surface.values.size() > 0 ? canvas.levels : std::vector<double>())
+      for (const SurfaceLine& line : zeros(surface, surface.values.array() - level))
+        draw(line.points, line.normals,
+             Pen{tone_on(colour_of(level, canvas.range, canvas.colours)), (scene.plane ? 1.8 : 2) * canvas.style.unit,
+                 1, true});
+  for (const Line& line : scene.lines) {
+    Pen pen = line.pen;
+    pen.width = width_of(line);
+    if (pen.width == 0) continue;
+    const auto& [points, normals, spacing, values] = line.line;
+    for (const auto& [first, count, tone] : toned(points.cols(), values, pen.colour, canvas.range, canvas.colours)) {
+      pen.colour = tone;
+      draw(points.middleCols(first, count), normals.middleCols(first, count), pen);
+    }
+  }
+}
+
+Relief relief_of(const Scene& scene, const Box& window, const Canvas& canvas) {
+  Relief relief{window};
+  for (const Surface& surface : scene.bodies) relief.fields.push_back(field_of(surface, !scene.plane, canvas));
+  if (scene.plane) return relief;
+  draw_lines(scene, canvas, [&](const Points& points, const Points& normals, const Pen& pen) {
+    add_ribbon(relief.ink, points, normals, pen);
+  });
+  const double u = canvas.style.unit;
+  for (const Vec<3>& dot : scene.dots) {
+    add_dot(relief.ink, dot + 12 * u * Vec<3>::UnitZ(), 6.4 * u, white);
+    add_dot(relief.ink, dot + 13 * u * Vec<3>::UnitZ(), 4.8 * u, net_colour);
+  }
+  add_veils(relief.veil, scene.veils);
+  return relief;
+}
+
+/// The parts of a line on a surface that face the eye.
+void draw_ghost(Drawing& drawing, const SurfaceLine& line, const Box& box, const Pen& pen, double unit) {
+  std::vector<Vec2> part;
+  for (Eigen::Index i = 0; i <= line.points.cols(); ++i) {
+    if (i < line.points.cols() && line.normals(2, i) > 0) {
+      part.push_back({line.points(0, i), line.points(1, i)});
+      continue;
+    }
+    add_line(drawing, part, box, pen.colour, pen.width, {9 * unit, 6 * unit});
+    part.clear();
+  }
+}
+
+/// What lies over the relief: of plane states all lines.
+void draw_scene(Drawing& drawing, const Scene& scene, const Frame& frame, const Canvas& canvas) {
+  const double u = canvas.style.unit;
+  const Pen ghost = scene.plane ? Pen{undeformed_colour, 2 * u, 0} : Pen{ghost_rim_colour, 2.2 * u, 0};
+  for (const SurfaceLine& line : scene.ghosts) draw_ghost(drawing, line, frame.box, ghost, u);
+  if (!scene.plane) return;
+  for (const Outline& outline : scene.outlines) draw_obstacle(drawing, outline, frame.box, canvas.style);
+  draw_lines(scene, canvas, [&](const Points& points, const Points&, const Pen& pen) {
+    add_line(drawing, flat(points), frame.box, pen.colour, pen.width);
+  });
+  for (const Vec<3>& dot : scene.dots) {
+    const Vec2 at = {dot[0], dot[1]};
+    if (!holds(frame.box, at)) continue;
+    drawing.marks.push_back(Fill{circle_about(at, 6.4 * u), white});
+    drawing.marks.push_back(Fill{circle_about(at, 4.8 * u), net_colour});
+  }
+}
+
+std::vector<PlacedMark> on_paper(const std::vector<PointMark>& marks, const Mat<3>& axes, const Frame& frame) {
   std::vector<PlacedMark> placed;
-  placed.reserve(marks.size());
-  for (const PointMark& mark : marks) placed.push_back({{frame.x(mark.at[0]), frame.y(mark.at[1])}, mark.text});
+  for (const PointMark& mark : marks) {
+    const Vec<3> seen = axes * mark.at;
+    placed.push_back({{frame.x(seen[0]), frame.y(seen[1])}, mark.text});
+  }
   return placed;
 }
 
-void draw_panel(Canvas& canvas, const Panel& panel, const Frame& frame, bool cropped) {
+void draw_panel(Canvas& canvas, const Panel& panel, Scene& scene, const Frame& frame, const Mat<3>& axes,
+                bool cropped) {
   Drawing& drawing = canvas.plate.drawing;
   const Style& style = canvas.style;
-  Relief& relief = canvas.plate.reliefs.emplace_back(Relief{frame.box});
-  std::vector<Surface> surfaces(panel.bodies.begin(), panel.bodies.end());
-  for (Surface& surface : surfaces) {
-    for (auto point : surface.points.colwise()) point << frame.x(point[0]), frame.y(point[1]), 0;
-    relief.fields.push_back(field_of(surface, canvas));
-  }
-  for (const Body& body : panel.bodies)
-    for (const Points& line : body.undeformed)
-      add_line(drawing, on_paper(line, frame), frame.box, undeformed_colour, 2 * style.unit,
-               {9 * style.unit, 6 * style.unit});
-  for (const Outline& outline : panel.obstacles) draw_obstacle(drawing, outline, frame, style);
-  for (const Body& body : panel.bodies) {
-    draw_contours(drawing, body, frame, canvas);
-    draw_mesh(drawing, body, frame, canvas);
-    draw_control_points(drawing, body, frame, style);
-  }
-  std::vector<PointVector> vectors = regular_sample(surfaces, vector_step(style));
-  for (const auto& [at, vector] : panel.vectors) vectors.push_back({{frame.x(at[0]), frame.y(at[1]), 0}, vector});
+  put_on_paper(scene, frame);
+  canvas.plate.reliefs.push_back(relief_of(scene, frame.box, canvas));
+  draw_scene(drawing, scene, frame, canvas);
+  std::vector<PointVector> vectors = regular_sample(scene.bodies, vector_step(style));
+  vectors.insert(vectors.end(), scene.vectors.begin(), scene.vectors.end());
   draw_vectors(drawing, vectors, canvas.vector_scale, frame.box, style.unit);
-  draw_frame(drawing, frame, style);
-  draw_names(drawing, panel.names, Mat<3>::Identity(), frame, style);
-  draw_marks(drawing, within(on_paper(panel.marks, frame), frame.box, !cropped, style), frame.box, style);
+  if (scene.plane || cropped) draw_frame(drawing, frame, style);
+  draw_names(drawing, panel.names, axes, frame, style);
+  draw_marks(drawing, within(on_paper(panel.marks, axes, frame), frame.box, !cropped, style), frame.box, style);
   draw_panel_title(drawing, panel.title, frame, canvas.sheet.panel_title_size, style);
 }
 
 } // namespace
 
-ModelBoxes model_boxes(const std::vector<Panel>& panels, const std::optional<Box>& crop) {
-  if (crop) {
-    check_region(*crop, "crop");
-    return ModelBoxes(panels.size(), *crop);
-  }
-  ModelBoxes boxes;
-  for (const Panel& panel : panels) boxes.push_back(model_box(panel));
-  return boxes;
-}
-
 Plate make_plate(const std::vector<Panel>& panels, const PictureOptions& options) {
-  check(panels);
-  Canvas canvas = make_canvas(titles_of(panels), model_boxes(panels, options.crop), values_of(panels),
-                              longest_vector(panels), options);
+  Scenes scenes(panels, options);
+  const Style style = style_of(options);
+  std::array<std::string, 3> names;
+  for (int axis = 0; axis < 3 && options.camera; ++axis) names[at(axis)] = axis_name(options, axis);
+  const auto [left, right, below, above] = triad_room(scenes.axes, names, style);
+  const bool triad = options.camera && options.axis_names;
+  std::optional<ArrowRoom> arrows;
+  if (options.camera) arrows = triad ? ArrowRoom{left + right + 0.3 * style.margin, below + above} : ArrowRoom{0, 0};
+  std::vector<std::string> titles;
+  for (const Panel& panel : panels) titles.push_back(panel.title);
+  Canvas canvas = make_canvas(titles, scenes.boxes, scenes.values(), longest_vector(panels), options, arrows);
   for (std::size_t p = 0; p < panels.size(); ++p)
-    draw_panel(canvas, panels[p], canvas.sheet.frames[p], options.crop.has_value());
+    draw_panel(canvas, panels[p], scenes.list[p], canvas.sheet.frames[p], scenes.axes, options.crop.has_value());
+  Drawing& drawing = canvas.plate.drawing;
+  const Sheet& sheet = canvas.sheet;
+  if (triad) draw_triad(drawing, {sheet.arrows[0] + left, sheet.arrows[1] + below}, scenes.axes, names, style);
+  if (options.camera && options.ruler)
+    draw_ruler(drawing, {sheet.whole[0], sheet.whole[2] - ruler_room(style)}, sheet.frames.back().x, options.unit,
+               style);
   return finished(std::move(canvas), options);
 }
 
 void align(PictureOptions& options, const std::vector<Panel>& panels) {
-  check(panels);
-  align(options, model_boxes(panels, options.crop), values_of(panels), longest_vector(panels));
+  const Scenes scenes(panels, options);
+  options.longest_vector = longest_vector(panels);
+  options.extent = hull(scenes.boxes);
+  if (const auto all = coloured_values(scenes.values())) options.range = colour_range(*all, options);
+}
+
+double longest_vector(const std::vector<Panel>& panels) {
+  double longest = 0;
+  for (const Panel& panel : panels) {
+    for (const Body& body : panel.bodies)
+      if (const Points& vectors = body.skin.vectors; vectors.cols() > 0)
+        longest = std::max(longest, vectors.colwise().norm().maxCoeff());
+    for (const PointVector& one : panel.vectors) longest = std::max(longest, one.vector.norm());
+  }
+  return longest;
 }
 
 } // namespace signorini::view

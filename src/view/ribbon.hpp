@@ -2,7 +2,6 @@
 // Lines on surfaces in space, as flat ribbons that lie on the surface.
 
 #include "view/relief.hpp"
-#include "view/solid.hpp"
 
 namespace signorini::view {
 

@@ -1,4 +1,6 @@
-#include "view/rigid.hpp"
+// Obstacles in space, cut to the box of what they touch.
+
+#include "view/obstacle.hpp"
 
 #include "base/index.hpp"
 #include "view/cut.hpp"
@@ -125,13 +127,8 @@ RigidSurface whole(const RigidSurface& surface, const Bounds&, const std::vector
 RigidSurface within(RigidSurface rigid, const Bounds& box) {
   const double tolerance = 1e-9 * box.size();
   for (int axis = 0; axis < 3; ++axis)
-    for (double sign : {-1.0, 1.0}) {
-      const CutPlane side{sign < 0 ? box.low : box.high, sign * Vec<3>::Unit(axis)};
-      std::vector<SurfaceLine> rim = traces(rigid.surface, side, tolerance);
-      for (const SurfaceLine& line : rigid.rim)
-        for (SurfaceLine& part : cut(line, side, tolerance)) rim.push_back(std::move(part));
-      rigid = {cut(rigid.surface, side, tolerance), std::move(rim)};
-    }
+    for (double sign : {-1.0, 1.0})
+      rigid = cut(rigid, {sign < 0 ? box.low : box.high, sign * Vec<3>::Unit(axis)}, tolerance);
   return rigid;
 }
 

@@ -166,10 +166,6 @@ void draw_key(Canvas& canvas, const PictureOptions& options) {
                canvas.sheet.size[0] - style.margin - at[0], style);
 }
 
-std::array<double, 2> range_of(const ColouredValues& values, const PictureOptions& options) {
-  return colour_range(values, options.range, is_diverging(options.colormap), options.field_label);
-}
-
 ModelBoxes widened(ModelBoxes boxes, const PictureOptions& options) {
   if (options.extent)
     for (Box& box : boxes) box = hull({box, *options.extent});
@@ -235,7 +231,7 @@ Canvas make_canvas(const std::vector<std::string>& titles, const ModelBoxes& box
                    const std::vector<const VectorX*>& values, double longest, const PictureOptions& options,
                    const std::optional<ArrowRoom>& arrows) {
   Canvas canvas{style_of(options), colormap(options.colormap), coloured_values(values), {0, 1}, {}, 0, {}, {}};
-  if (canvas.values) canvas.range = range_of(*canvas.values, options);
+  if (canvas.values) canvas.range = colour_range(*canvas.values, options);
   if (canvas.values && options.contours)
     canvas.levels = contour_levels(*options.contours, canvas.range, canvas.values->all);
   const double most = std::max(options.longest_vector, longest);
@@ -261,11 +257,8 @@ Plate finished(Canvas canvas, const PictureOptions& options) {
   return std::move(canvas.plate);
 }
 
-void align(PictureOptions& options, const ModelBoxes& boxes, const std::vector<const VectorX*>& values,
-           double longest) {
-  options.longest_vector = longest;
-  options.extent = hull(boxes);
-  if (const auto all = coloured_values(values)) options.range = range_of(*all, options);
+std::array<double, 2> colour_range(const ColouredValues& values, const PictureOptions& options) {
+  return colour_range(values, options.range, is_diverging(options.colormap), options.field_label);
 }
 
 std::string axis_name(const PictureOptions& options, int axis, const std::string& unit) {

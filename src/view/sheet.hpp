@@ -53,30 +53,8 @@ double vector_step(const Style& style);
 /// The canvas with colour bar, vectors' key and title.
 Plate finished(Canvas canvas, const PictureOptions& options);
 
-/// Sets extent, range, unless it is given, and longest vector to those of all states.
-void align(PictureOptions& options, const ModelBoxes& boxes, const std::vector<const VectorX*>& values, double longest);
-
-/// Of the panels' bodies and beside them.
-template <class Panel> double longest_vector(const std::vector<Panel>& panels) {
-  double longest = 0;
-  for (const Panel& panel : panels) {
-    for (const auto& body : panel.bodies)
-      if (const Points& vectors = skin_of(body).vectors; vectors.cols() > 0)
-        longest = std::max(longest, vectors.colwise().norm().maxCoeff());
-    for (const PointVector& one : panel.vectors) longest = std::max(longest, one.vector.norm());
-  }
-  return longest;
-}
-
-template <class Panel> std::vector<std::string> titles_of(const std::vector<Panel>& panels) {
-  std::vector<std::string> titles;
-  titles.reserve(panels.size());
-  for (const Panel& panel : panels) titles.push_back(panel.title);
-  return titles;
-}
-
-/// What the plane states show, or the part that is asked for.
-ModelBoxes model_boxes(const std::vector<Panel>& panels, const std::optional<Box>& crop);
+/// The options' own range, or that of the values; with a warning where it leaves out outliers.
+std::array<double, 2> colour_range(const ColouredValues& values, const PictureOptions& options);
 
 /// What an axis is called: by the options, or by its letter and the unit.
 std::string axis_name(const PictureOptions& options, int axis, const std::string& unit = "");

@@ -21,6 +21,12 @@ std::array<double, 3> key_of(const Vec<3>& point) {
 
 } // namespace
 
+std::vector<Vec2> flat(const Points& points) {
+  std::vector<Vec2> line;
+  for (const auto& point : points.colwise()) line.push_back({point[0], point[1]});
+  return line;
+}
+
 Rgb colour_of(double value, const std::array<double, 2>& range, const std::vector<Rgb>& colours) {
   const double last = static_cast<double>(colours.size() - 1), t = (value - range[0]) / (range[1] - range[0]);
   return colours[static_cast<std::size_t>(std::lround(std::clamp(t * last, 0.0, last)))];

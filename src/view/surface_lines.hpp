@@ -1,12 +1,14 @@
 #pragma once
 // Lines and arrows that pictures draw on coloured surfaces.
 
-#include "view/solid.hpp"
+#include "view/panel.hpp"
 
-#include <optional>
 #include <unordered_map>
 
 namespace signorini::view {
+
+/// Points without their z.
+std::vector<Vec2> flat(const Points& points);
 
 /// The colour of a value in a range of colours; beyond it that of the nearest end.
 Rgb colour_of(double value, const std::array<double, 2>& range, const std::vector<Rgb>& colours);

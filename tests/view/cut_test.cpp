@@ -37,8 +37,8 @@ std::vector<SurfaceLine> within(const std::vector<SurfaceLine>& lines, const Cut
 
 TEST(Cut, LeavesTheRestOfTheVolumeClosed) {
   std::mt19937 random(5);
-  const Solid block = mapped_solid(block_map({-2, -1, -0.5}, {2, 1, 0.5}), {4, 2, 3}, 3);
-  const Solid shell = mapped_solid(shell_map(0.5, 1), {3, 3, 2}, 4);
+  const Body block = mapped_solid(block_map({-2, -1, -0.5}, {2, 1, 0.5}), {4, 2, 3}, 3);
+  const Body shell = mapped_solid(shell_map(0.5, 1), {3, 3, 2}, 4);
   ASSERT_NEAR(volume(block.skin), 8, 1e-12);
   for (int trial = 0; trial < 40; ++trial) {
     const Vec<3> normal = random_vector(random);
@@ -54,9 +54,9 @@ TEST(Cut, LeavesTheRestOfTheVolumeClosed) {
 
 TEST(Cut, ColoursTheFaceByTheInside) {
   std::mt19937 random(6);
-  const Solid block = mapped_solid(block_map({0, 0, 0}, {2, 1, 1}), {2, 2, 2}, 3, linear);
+  const Body block = mapped_solid(block_map({0, 0, 0}, {2, 1, 1}), {2, 2, 2}, 3, linear);
   for (int trial = 0; trial < 20; ++trial) {
-    const Solid left = cut(block, {{1, 0.5, 0.5}, random_vector(random)});
+    const Body left = cut(block, {{1, 0.5, 0.5}, random_vector(random)});
     ASSERT_EQ(left.skin.values.size(), left.skin.points.cols());
     for (Eigen::Index i = 0; i < left.skin.points.cols(); ++i)
       EXPECT_NEAR(left.skin.values[i], linear(left.skin.points.col(i)), 1e-12);
@@ -64,9 +64,9 @@ TEST(Cut, ColoursTheFaceByTheInside) {
 }
 
 TEST(Cut, ShowsTheBordersOfElementsOnTheFace) {
-  const Solid block = mapped_solid(block_map({0, 0, 0}, {4, 2, 1}), {8, 4, 2}, 3);
+  const Body block = mapped_solid(block_map({0, 0, 0}, {4, 2, 1}), {8, 4, 2}, 3);
   const CutPlane plane{{0, 0.9, 0}, {0, -2, 0}};
-  const Solid left = cut(block, plane);
+  const Body left = cut(block, plane);
   EXPECT_NEAR(area(left.skin) - area(cut(block.skin, plane, 0)), 4, 1e-12);
   EXPECT_NEAR(length(within(left.rim, plane)), 10, 1e-12);
   // Seven upright ones and a level one, each of both its elements, and those at the rim
@@ -83,18 +83,18 @@ TEST(Cut, MakesOneFaceBetweenElements) {
   const SolidMap rounded = [&](const Vec<3>& cube) {
     return Vec<3>(exact(cube) * (1 + 1e-13 * std::sin(1e4 * cube[1])));
   };
-  const Solid block = mapped_solid(rounded, {3, 2, 2}, 3);
+  const Body block = mapped_solid(rounded, {3, 2, 2}, 3);
   for (double side : {-1.0, 1.0}) {
     const CutPlane plane{{1, 0, 0}, {side, 0, 0}};
-    const Solid left = cut(block, plane);
+    const Body left = cut(block, plane);
     EXPECT_NEAR(volume(left.skin), side < 0 ? 2 : 1, 1e-9);
     EXPECT_NEAR(area(left.skin), side < 0 ? 10 : 6, 1e-9);
   }
 }
 
 TEST(Cut, TakesAllOrNothing) {
-  const Solid block = mapped_solid(block_map({0, 0, 0}, {1, 1, 1}), {2, 2, 2}, 2, linear);
-  const Solid all = cut(block, {{2, 0, 0}, {1, 0, 0}}), none = cut(block, {{2, 0, 0}, {-1, 0, 0}});
+  const Body block = mapped_solid(block_map({0, 0, 0}, {1, 1, 1}), {2, 2, 2}, 2, linear);
+  const Body all = cut(block, {{2, 0, 0}, {1, 0, 0}}), none = cut(block, {{2, 0, 0}, {-1, 0, 0}});
   EXPECT_EQ(all.skin.triangles.cols(), block.skin.triangles.cols());
   EXPECT_NEAR(length(all.rim), length(block.rim), 1e-12);
   EXPECT_EQ(none.skin.triangles.cols(), 0);
@@ -105,28 +105,28 @@ TEST(Cut, TakesAllOrNothing) {
 }
 
 TEST(Cut, KeepsControlPointsOnTheSideThatStays) {
-  Solid solid = mapped_solid(block_map({0, 0, 0}, {1, 1, 1}), {1, 1, 1}, 1);
+  Body solid = mapped_solid(block_map({0, 0, 0}, {1, 1, 1}), {1, 1, 1}, 1);
   solid.control_points.resize(3, 4);
   solid.control_points << 0, 0.3, 0.6, 0.9, 0, 0, 0, 0, 0, 0, 0, 0;
   solid.net_lines = {{0, 1}, {1, 2}, {2, 3}};
-  const Solid left = cut(solid, {{0.5, 0, 0}, {-1, 0, 0}});
+  const Body left = cut(solid, {{0.5, 0, 0}, {-1, 0, 0}});
   ASSERT_EQ(left.control_points.cols(), 2);
   EXPECT_EQ(left.control_points(0, 0), 0.6);
   EXPECT_EQ(left.net_lines, (std::vector<std::array<int, 2>>{{0, 1}}));
 }
 
 TEST(Solid, BecomesOneWithItsImage) {
-  Solid block = mapped_solid(block_map({0, 0, 0}, {2, 1, 1}), {2, 2, 2}, 2, linear);
+  Body block = mapped_solid(block_map({0, 0, 0}, {2, 1, 1}), {2, 2, 2}, 2, linear);
   const double whole = area(block.skin), rim = length(block.rim), mesh = length(block.mesh_lines);
   join_at_mirror(block, 0);
   EXPECT_NEAR(area(block.skin), whole - 1, 1e-12);
   EXPECT_NEAR(length(block.rim), rim - 2 * 4, 1e-12);         // the side's own rim and its neighbours'
   EXPECT_NEAR(length(block.mesh_lines), mesh - 2 + 4, 1e-12); // its borders go, its neighbours' rims come
-  const Solid image = mirrored(block, 0, -1);
+  const Body image = mirrored(block, 0, -1);
   EXPECT_NEAR(volume(image.skin), 2, 1e-12);
   EXPECT_EQ(image.skin.points.row(0).minCoeff(), -2);
   EXPECT_EQ(image.skin.values, -block.skin.values);
-  const Solid back = mirrored(image, 0, -1);
+  const Body back = mirrored(image, 0, -1);
   EXPECT_EQ(back.skin.points, block.skin.points);
   EXPECT_EQ(back.rim.back().normals, block.rim.back().normals);
   EXPECT_EQ(back.inside.back().points, block.inside.back().points);

@@ -129,7 +129,7 @@ TEST(Marks, BeyondThePictureComeToItsRimWithAnArrow) {
   EXPECT_EQ(drawn({kept[1]}).size(), drawn({{kept[1].at, "out"}}).size() + 2); // arrow and its rim
 }
 
-std::string picture_of(const std::vector<PointMark>& marks, const std::optional<Box>& crop = {}) {
+std::string picture_of(const std::vector<PointMark>& marks, const std::optional<Bounds>& crop = {}) {
   PictureOptions options;
   options.size = {400, 300};
   options.crop = crop;
@@ -140,7 +140,7 @@ std::string picture_of(const std::vector<PointMark>& marks, const std::optional<
 }
 
 TEST(Marks, StandAtTheirPlaceInAPlanePicture) {
-  const Box crop = {0.2, 0.8, 0.1, 0.5};
+  const Bounds crop = {{0.2, 0.1, 0}, {0.8, 0.5, 0}};
   const std::string bare = picture_of({}, crop);
   const auto shown = [&](double x, double y) { return picture_of({{{x, y, 0}, ""}}, crop) != bare; };
   constexpr double a = 1e-3;
@@ -152,21 +152,22 @@ TEST(Marks, StandAtTheirPlaceInAPlanePicture) {
 }
 
 TEST(Marks, AreSeenFromTheCameraAndOnTopOfSolids) {
-  SolidOptions options;
+  PictureOptions options;
   options.size = {300, 240};
+  options.camera = camera("iso");
   const auto shown = [&](const Vec<3>& at) {
-    SolidPanel panel{"", {mapped_solid(block_map({0, 0, 0}, {2, 1, 1}), {2, 1, 1}, 2)}};
+    Panel panel{"", {mapped_solid(block_map({0, 0, 0}, {2, 1, 1}), {2, 1, 1}, 2)}};
     panel.marks = {{at, "here"}};
-    draw_states(std::vector<SolidPanel>{panel}, options, scratch("marks.png"));
+    draw_states(std::vector<Panel>{panel}, options, scratch("marks.png"));
     return file_bytes(scratch("marks.png"));
   };
   const Vec<3> place(1.2, 0.5, 0.4);
-  EXPECT_TRUE(shown(place) == shown(place + 0.25 * options.camera.from)); // behind or before, the same place on paper
+  EXPECT_TRUE(shown(place) == shown(place + 0.25 * options.camera->from)); // behind or before, the same place on paper
   EXPECT_FALSE(shown(place) == shown(place + Vec<3>(0.1, 0, 0)));
   EXPECT_FALSE(shown(place) == shown(place + Vec<3>(0, 0, 0.1)));
   options.camera = camera("front");
   EXPECT_TRUE(shown(place) == shown(place + Vec<3>(0, 0.3, 0)));
-  options.region = Bounds{{0, 0, 0}, {1, 1, 1}};
+  options.crop = Bounds{{0, 0, 0}, {1, 1, 1}};
   EXPECT_TRUE(shown(place) == shown(place + Vec<3>(0.3, 0, 0))); // neither is within
 }
 

@@ -10,13 +10,10 @@ namespace obstacle_test {
 
 const Style style = style_for({1600, 1000});
 
-/// 100 pixels to the unit, x and y from −4 to 4.
-Frame square_frame() {
-  Frame frame;
-  frame.box = {100, 900, 50, 850};
-  frame.x = {-4, 4, false, 100, 900};
-  frame.y = {-4, 4, false, 50, 850};
-  return frame;
+/// In a picture with 100 pixels to the unit, x and y from −4 to 4.
+void draw_in_square(Drawing& drawing, Outline outline) {
+  outline.line = (100 * outline.line).colwise() + Vec<3>(500, 450, 0);
+  draw_obstacle(drawing, outline, {100, 900, 50, 850}, style);
 }
 
 struct Drawn {
@@ -26,7 +23,7 @@ struct Drawn {
 /// The ends of all strokes; the rim's are the thickest.
 Drawn draw(const Outline& outline) {
   Drawing drawing{{1000, 900}, {}};
-  draw_obstacle(drawing, outline, square_frame(), style);
+  draw_in_square(drawing, outline);
   double thickest = 0;
   for (const Mark& mark : drawing.marks) thickest = std::max(thickest, std::get<Stroke>(mark).width);
   Drawn drawn;
@@ -93,7 +90,7 @@ TEST(Obstacle, StaysOnItsSideInTheMirror) {
 
 TEST(Obstacle, HasABandInThePlaceOfHatchingWhereItIsSmall) {
   Drawing drawing{{1000, 900}, {}};
-  draw_obstacle(drawing, circle({0, 0}, 1), square_frame(), style);
+  draw_in_square(drawing, circle({0, 0}, 1));
   int strokes = 0;
   for (const Mark& mark : drawing.marks) {
     strokes += std::holds_alternative<Stroke>(mark);
@@ -107,7 +104,7 @@ TEST(Obstacle, HasABandInThePlaceOfHatchingWhereItIsSmall) {
 }
 
 TEST(Obstacle, WidensThePictureOnlyWhereItIsSmallOrNear) {
-  const Box box = {0, 200, 0, 10};
+  const Bounds box = {{0, 0, 0}, {200, 10, 0}};
   EXPECT_EQ(worth_showing(circle({100, 60}, 40), box).cols(), circle({100, 60}, 40).line.cols());
   EXPECT_EQ(worth_showing(circle({100, 600}, 500), box).cols(), 0);
   const Points foot = worth_showing(half_plane({-7, -0.4}, {0, 1}), box);

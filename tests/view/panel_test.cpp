@@ -10,17 +10,17 @@ namespace panel_test {
 
 TEST(Mirrored, TurnsOneCoordinateAndTheSignOfTheValues) {
   Body body = bent_ring({1.5, 0.2}, 0.5, 1, 0, 4, 2);
-  body.rim = body.undeformed = {body.mesh_lines[0].points};
+  body.rim = body.undeformed_rim = {body.mesh_lines[0]};
   for (int axis : {0, 1}) {
     const Body image = mirrored(body, axis, -1);
-    EXPECT_EQ(image.points.row(axis), -body.points.row(axis));
-    EXPECT_EQ(image.points.row(1 - axis), body.points.row(1 - axis));
+    EXPECT_EQ(image.skin.points.row(axis), -body.skin.points.row(axis));
+    EXPECT_EQ(image.skin.points.row(1 - axis), body.skin.points.row(1 - axis));
     EXPECT_EQ(image.control_points.row(axis), -body.control_points.row(axis));
     EXPECT_EQ(image.mesh_lines[3].points.row(axis), -body.mesh_lines[3].points.row(axis));
-    EXPECT_EQ(image.rim[0].row(axis), -body.rim[0].row(axis));
-    EXPECT_EQ(image.undeformed[0].row(axis), -body.undeformed[0].row(axis));
-    EXPECT_EQ(image.values, -body.values);
-    EXPECT_EQ(mirrored(image, axis, -1).points, body.points);
+    EXPECT_EQ(image.rim[0].points.row(axis), -body.rim[0].points.row(axis));
+    EXPECT_EQ(image.undeformed_rim[0].points.row(axis), -body.undeformed_rim[0].points.row(axis));
+    EXPECT_EQ(image.skin.values, -body.skin.values);
+    EXPECT_EQ(mirrored(image, axis, -1).skin.points, body.skin.points);
   }
 }
 

@@ -87,7 +87,7 @@ TEST(Picture, ChangesWithFieldLinesAndColours) {
   };
   const std::string all = bytes(rings(), displacement());
   auto bodies = rings();
-  bodies[0].values[5] += 0.5;
+  bodies[0].skin.values[5] += 0.5;
   EXPECT_NE(bytes(bodies, displacement()), all);
   bodies = rings();
   bodies[1].mesh_lines.clear();
@@ -117,10 +117,10 @@ TEST(Picture, OpensNoConnectionToADisplay) {
 
 TEST(Picture, TakesBodiesWithoutFieldAndFieldsWithoutWidth) {
   auto bodies = rings();
-  bodies[0].values.resize(0);
-  bodies[1].values.setConstant(0);
+  bodies[0].skin.values.resize(0);
+  bodies[1].skin.values.setConstant(0);
   draw_picture(bodies, displacement(), scratch("constant.png"));
-  bodies[1].values.resize(0);
+  bodies[1].skin.values.resize(0);
   draw_picture(bodies, {}, scratch("grey.png"));
   EXPECT_TRUE(std::filesystem::exists(scratch("grey.png")));
 }
@@ -135,14 +135,11 @@ TEST(Picture, RefusesWhatItCannotDraw) {
   options = {};
   options.range = {1, 1};
   EXPECT_TRUE(holds(refusal(rings(), options), {"view.colors.range: low = 1, high = 1"}));
-  options = {};
-  options.crop = {0, 1, 2, 1};
-  EXPECT_TRUE(holds(refusal(rings(), options), {"view.picture.box: argument = crop, box = (0, 1, 2, 1)"}));
   auto bodies = rings();
-  bodies[1].values[3] = std::numeric_limits<double>::quiet_NaN();
+  bodies[1].skin.values[3] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_TRUE(holds(refusal(bodies), {"view.body.field: body = (view.sheet.body: state = (), number = 1)"}));
   bodies = rings();
-  bodies[0].triangles(0, 0) = 100000;
+  bodies[0].skin.triangles(0, 0) = 100000;
   EXPECT_TRUE(
       holds(refusal(bodies), {"view.body.triangles: body = (view.sheet.body: state = (), number = 0), most = 2700"}));
   EXPECT_TRUE(holds(refusal(rings(), {}, "no.jpg"), {"view.file.ending"}));

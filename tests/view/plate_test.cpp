@@ -15,7 +15,7 @@ namespace plate_test {
 
 std::vector<Panel> ring(double lift, double scale = 1, const std::string& title = "") {
   Body body = bent_ring({0, lift}, 0.5, 1, 0, 6, 3);
-  body.values *= scale;
+  body.skin.values *= scale;
   return {{title, {body}}};
 }
 
@@ -102,10 +102,9 @@ TEST(Plate, OfSolidsCutsNoTextOff) {
   for (const char* seen : {"iso", "front"}) {
     const Sizes sizes = {{1600, 1000}, {560, 1120}, {560, 160}, {300, 200}};
     const int texts = each_plate(sizes, [&](const PictureOptions& options, double scale) {
-      const Solid block =
+      const Body block =
           mapped_solid(block_map({0, 0, 0}, {2, 1, 0.6}), {2, 1, 1}, 2, [&](const Vec<3>& x) { return scale * x[2]; });
-      SolidOptions solid;
-      static_cast<PictureOptions&>(solid) = options;
+      PictureOptions solid = options;
       solid.camera = camera(seen);
       return make_plate({{"start", {block}}, {words, {block}}, {"end", {block}}}, solid);
     });
@@ -122,8 +121,9 @@ TEST(Plate, OfASeriesHasTheSameFrameAndColours) {
   EXPECT_EQ(low.box, high.box);
   EXPECT_EQ(low.y.low, high.y.low);
   EXPECT_GT(high.y.high, 3);
-  EXPECT_EQ((*options.range)[1], both[1].bodies[0].values.maxCoeff());
-  EXPECT_EQ((*options.range)[0], std::min(both[0].bodies[0].values.minCoeff(), both[1].bodies[0].values.minCoeff()));
+  EXPECT_EQ((*options.range)[1], both[1].bodies[0].skin.values.maxCoeff());
+  EXPECT_EQ((*options.range)[0],
+            std::min(both[0].bodies[0].skin.values.minCoeff(), both[1].bodies[0].skin.values.minCoeff()));
 }
 
 TEST(SideBySide, PutsPicturesIntoColumns) {
@@ -173,10 +173,10 @@ TEST(SideBySide, ShowsPicturesWithDifferentBarsInOneLayout) {
 TEST(CloseUp, MakesRoomWhereNoCornerIsFree) {
   // A plain rectangle fills its frame.
   Body block;
-  block.points.resize(3, 4);
-  block.points << 0, 2, 2, 0, 0, 0, 1, 1, 0, 0, 0, 0;
-  block.triangles.resize(3, 2);
-  block.triangles << 0, 0, 1, 2, 2, 3;
+  block.skin.points.resize(3, 4);
+  block.skin.points << 0, 2, 2, 0, 0, 0, 1, 1, 0, 0, 0, 0;
+  block.skin.triangles.resize(3, 2);
+  block.skin.triangles << 0, 0, 1, 2, 2, 3;
   int drawn = 0;
   std::optional<Box> given;
   const auto whole = [&](int, const std::optional<Box>& extent) {
@@ -191,7 +191,7 @@ TEST(CloseUp, MakesRoomWhereNoCornerIsFree) {
     PictureOptions options;
     options.size = most;
     options.trim = true;
-    options.crop = {0.4, 1.6, 0.2, 0.8};
+    options.crop = Bounds{{0.4, 0.2, 0}, {1.6, 0.8, 0}};
     return make_plate({{"", {block}}}, options);
   };
   const CloseUpPlan plan = plan_close_ups(1, whole, detail);
@@ -214,7 +214,7 @@ TEST(CloseUp, GoesToOneCornerInAllPictures) {
     PictureOptions options;
     options.size = most;
     options.trim = true;
-    options.crop = {-0.1, 0.1, -0.1, 0.1};
+    options.crop = Bounds{{-0.1, -0.1, 0}, {0.1, 0.1, 0}};
     return make_plate(ring(0), options);
   };
   const CloseUpPlan both = plan_close_ups(2, whole, detail), one = plan_close_ups(1, whole, detail);

@@ -1,4 +1,4 @@
-#include "view/rigid.hpp"
+#include "view/obstacle.hpp"
 
 #include "messages.hpp"
 #include "view/camera.hpp"

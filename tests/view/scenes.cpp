@@ -50,27 +50,28 @@ Body bent_ring(Vec<2> centre, double inner, double outer, double start_degrees, 
   const Ring ring{centre, inner, outer, start_degrees};
   const int nu = 12 * around, nv = 12 * across;
   Body body;
-  body.points.resize(3, (nu + 1) * (nv + 1));
-  body.values.resize(body.points.cols());
-  body.triangles.resize(3, 2 * nu * nv);
+  body.skin.points.resize(3, (nu + 1) * (nv + 1));
+  body.skin.values.resize(body.skin.points.cols());
+  body.skin.triangles.resize(3, 2 * nu * nv);
   for (int j = 0; j <= nv; ++j)
     for (int i = 0; i <= nu; ++i) {
       const int k = j * (nu + 1) + i;
       const double u = double(i) / nu, v = double(j) / nv;
-      body.points.col(k) = ring(u, v);
-      body.values[k] = 0.4 * std::sin(3 * u) * std::cos(2 * v) - 0.1 * centre[1];
+      body.skin.points.col(k) = ring(u, v);
+      body.skin.values[k] = 0.4 * std::sin(3 * u) * std::cos(2 * v) - 0.1 * centre[1];
     }
   int t = 0;
   for (int j = 0; j < nv; ++j)
     for (int i = 0; i < nu; ++i) {
       const int k = j * (nu + 1) + i;
-      body.triangles.col(t++) << k, k + 1, k + nu + 2;
-      body.triangles.col(t++) << k, k + nu + 2, k + nu + 1;
+      body.skin.triangles.col(t++) << k, k + 1, k + nu + 2;
+      body.skin.triangles.col(t++) << k, k + nu + 2, k + nu + 1;
     }
   for (int i = 0; i <= around; ++i)
-    body.mesh_lines.push_back({ring.line({double(i) / around, 0}, {double(i) / around, 1}), 1.5 * outer / around});
+    body.mesh_lines.push_back({ring.line({double(i) / around, 0}, {double(i) / around, 1}), {}, 1.5 * outer / around});
   for (int j = 0; j <= across; ++j)
-    body.mesh_lines.push_back({ring.line({0, double(j) / across}, {1, double(j) / across}), (outer - inner) / across});
+    body.mesh_lines.push_back(
+        {ring.line({0, double(j) / across}, {1, double(j) / across}), {}, (outer - inner) / across});
 
   const int columns = around + 2, rows = across + 1;
   body.control_points.resize(3, columns * rows);

@@ -28,8 +28,7 @@ std::string scratch(const std::string& name);
 std::array<int, 2> png_size(const std::string& bytes);
 
 /// Draws states to a file.
-template <class Panel, class PanelOptions>
-void draw_states(const std::vector<Panel>& panels, const PanelOptions& options, const std::string& file) {
+inline void draw_states(const std::vector<Panel>& panels, const PictureOptions& options, const std::string& file) {
   write_whole(file, bytes_of(figure_of(make_plate(panels, options)), format_of(file), options.transparent));
 }
 inline void draw_picture(const std::vector<Body>& bodies, const PictureOptions& options, const std::string& file) {

@@ -147,7 +147,7 @@ TEST(Sheet, IsDrawnWithTheSameBytesAndRefusesNothingToShow) {
   EXPECT_TRUE(holds(message_of([&] { draw_states(std::vector<Panel>{}, PictureOptions{}, scratch("no.png")); }),
                     {"view.sheet.empty"}));
   auto broken = panels;
-  broken[1].bodies[0].values[3] = std::nan("");
+  broken[1].bodies[0].skin.values[3] = std::nan("");
   EXPECT_TRUE(holds(message_of([&] { draw_states(broken, PictureOptions{}, scratch("no.png")); }),
                     {"view.body.field: body = (view.sheet.body: state = (view.sheet.state: number = 1), number = 0)"}));
 }

@@ -1,4 +1,4 @@
-#include "view/solid_picture.hpp"
+#include "view/picture.hpp"
 
 #include "messages.hpp"
 #include "scenes.hpp"
@@ -18,12 +18,13 @@ double wave(const Vec<3>& x) {
   return std::sin(2 * x[0]) * std::cos(x[1]) + 0.3 * x[2];
 }
 
-Solid block(const Vec<3>& low, const Vec<3>& high) {
+Body block(const Vec<3>& low, const Vec<3>& high) {
   return mapped_solid(block_map(low, high), {3, 2, 2}, 3, wave);
 }
 
-SolidOptions small() {
-  SolidOptions options;
+PictureOptions small() {
+  PictureOptions options;
+  options.camera = camera("iso");
   options.size = {400, 300};
   options.range = {-1, 1};
   options.field_label = "displacement u_z";
@@ -41,24 +42,23 @@ void PrintTo(const Png& png, std::ostream* out) {
   *out << png.bytes.size() << " bytes";
 }
 
-Png drawn(const std::vector<SolidPanel>& panels, const SolidOptions& options) {
+Png drawn(const std::vector<Panel>& panels, const PictureOptions& options) {
   draw_states(panels, options, scratch("solid.png"));
   return {file_bytes(scratch("solid.png"))};
 }
 
-std::string refusal(const SolidPanel& panel, const SolidOptions& options = small()) {
-  const std::string message =
-      message_of([&] { draw_states(std::vector<SolidPanel>{panel}, options, scratch("no.png")); });
+std::string refusal(const Panel& panel, const PictureOptions& options = small()) {
+  const std::string message = message_of([&] { draw_states(std::vector<Panel>{panel}, options, scratch("no.png")); });
   EXPECT_FALSE(std::filesystem::exists(scratch("no.png")));
   return message;
 }
 
 TEST(SolidPicture, GivesTheSameBytesForTheSameCall) {
-  const Solid shell = mapped_solid(shell_map(0.5, 1), {3, 3, 2}, 4, wave);
-  SolidPanel panel{"state", {shell}, {RigidBall{{1, 1, 1}, 0.4}, RigidPlane{{0, 0, 0}, {0, 0, 1}}}};
+  const Body shell = mapped_solid(shell_map(0.5, 1), {3, 3, 2}, 4, wave);
+  Panel panel{"state", {shell}, {RigidBall{{1, 1, 1}, 0.4}, RigidPlane{{0, 0, 0}, {0, 0, 1}}}};
   panel.cut = CutPlane{{0.2, 0.3, 0.4}, {1, 1, 0.5}};
   const Png first = drawn({panel}, small());
-  SolidOptions other = small();
+  PictureOptions other = small();
   other.size = {300, 420};
   const Png between = drawn({panel, {"whole", {shell}}}, other);
   EXPECT_EQ(drawn({panel}, small()), first);
@@ -67,8 +67,8 @@ TEST(SolidPicture, GivesTheSameBytesForTheSameCall) {
 }
 
 TEST(SolidPicture, HidesWhatLiesBehind) {
-  const Solid front = block({0, 0, 0}, {2, 1, 1});
-  SolidOptions options = small();
+  const Body front = block({0, 0, 0}, {2, 1, 1});
+  PictureOptions options = small();
   options.camera = camera("front");
   const Png alone = drawn({{"", {front}}}, options);
   // A smaller block behind, its lines, and lines on the sides that face away
@@ -77,7 +77,7 @@ TEST(SolidPicture, HidesWhatLiesBehind) {
     SurfaceLine line{Points(3, 2), Points(3, 2)};
     line.points << 0.2, 1.3, y, y, 0.1, 0.7;
     line.normals << 0, 0, 2 * y - 1, 2 * y - 1, 0, 0;
-    Solid solid = front;
+    Body solid = front;
     solid.rim.push_back(line);
     return drawn({{"", {solid}}}, options);
   };
@@ -88,47 +88,47 @@ TEST(SolidPicture, HidesWhatLiesBehind) {
 }
 
 TEST(SolidPicture, ShowsEverythingThatItIsGiven) {
-  Solid solid = block({0, 0, 0}, {2, 1, 1});
+  Body solid = block({0, 0, 0}, {2, 1, 1});
   const auto changed = [&](auto change) {
-    SolidPanel panel{"", {solid}};
-    SolidOptions options = small();
+    Panel panel{"", {solid}};
+    PictureOptions options = small();
     change(panel, options);
     return drawn({panel}, options);
   };
   const Png plain = changed([](auto&, auto&) {});
-  EXPECT_NE(changed([](SolidPanel& p, auto&) { p.title = "state"; }), plain);
-  EXPECT_NE(changed([](SolidPanel& p, auto&) { p.bodies[0].mesh_lines.clear(); }), plain);
-  EXPECT_NE(changed([](SolidPanel& p, auto&) { p.bodies[0].rim.clear(); }), plain);
-  EXPECT_NE(changed([](SolidPanel& p, auto&) { p.bodies[0].control_points = Vec<3>(1, -0.1, 0.5); }), plain);
-  EXPECT_NE(changed([](SolidPanel& p, auto&) {
-              const Solid larger = block({0, 0, 0}, {2, 1, 1.2});
+  EXPECT_NE(changed([](Panel& p, auto&) { p.title = "state"; }), plain);
+  EXPECT_NE(changed([](Panel& p, auto&) { p.bodies[0].mesh_lines.clear(); }), plain);
+  EXPECT_NE(changed([](Panel& p, auto&) { p.bodies[0].rim.clear(); }), plain);
+  EXPECT_NE(changed([](Panel& p, auto&) { p.bodies[0].control_points = Vec<3>(1, -0.1, 0.5); }), plain);
+  EXPECT_NE(changed([](Panel& p, auto&) {
+              const Body larger = block({0, 0, 0}, {2, 1, 1.2});
               p.bodies[0].undeformed = larger.skin;
             }),
             plain);
-  EXPECT_NE(changed([](SolidPanel& p, auto&) { p.obstacles = {RigidPlane{{0, 0, -0.1}, {0, 0, 1}}}; }), plain);
-  EXPECT_NE(changed([](SolidPanel& p, auto&) { p.cut = CutPlane{{1, 0, 0}, {1, 0, 0}}; }), plain);
+  EXPECT_NE(changed([](Panel& p, auto&) { p.obstacles = {RigidPlane{{0, 0, -0.1}, {0, 0, 1}}}; }), plain);
+  EXPECT_NE(changed([](Panel& p, auto&) { p.cut = CutPlane{{1, 0, 0}, {1, 0, 0}}; }), plain);
   const auto halved = [&](std::vector<PointVector> vectors) {
-    return changed([&](SolidPanel& p, auto&) { p.cut = CutPlane{{1, 0, 0}, {1, 0, 0}}, p.vectors = vectors; });
+    return changed([&](Panel& p, auto&) { p.cut = CutPlane{{1, 0, 0}, {1, 0, 0}}, p.vectors = vectors; });
   };
   EXPECT_EQ(halved({{{1.5, 0, 0.5}, {0, -1, 0}}}), halved({})); // what is cut away has no arrows
   EXPECT_NE(halved({{{0.5, 0, 0.5}, {0, -1, 0}}}), halved({}));
-  EXPECT_NE(changed([](auto&, SolidOptions& o) { o.camera = camera("top"); }), plain);
-  EXPECT_NE(changed([](auto&, SolidOptions& o) { o.region = Bounds{{0, 0, 0}, {1, 1, 1}}; }), plain);
-  EXPECT_NE(changed([](auto&, SolidOptions& o) { o.colormap = "magma"; }), plain);
+  EXPECT_NE(changed([](auto&, PictureOptions& o) { o.camera = camera("top"); }), plain);
+  EXPECT_NE(changed([](auto&, PictureOptions& o) { o.crop = Bounds{{0, 0, 0}, {1, 1, 1}}; }), plain);
+  EXPECT_NE(changed([](auto&, PictureOptions& o) { o.colormap = "magma"; }), plain);
   // What lies outside the region leaves no trace, but for the values that the bar prints.
-  const auto cropped = [](SolidPanel& p, SolidOptions& o, bool more) {
-    o.region = Bounds{{0, 0, 0}, {1, 1, 1}};
+  const auto cropped = [](Panel& p, PictureOptions& o, bool more) {
+    o.crop = Bounds{{0, 0, 0}, {1, 1, 1}};
     o.camera = camera("front");
     o.range = {-2, 2};
     o.bar = false;
     if (more) p.bodies.push_back(block({1.5, 0, -2}, {4, 1, 3}));
   };
-  EXPECT_EQ(changed([&](SolidPanel& p, SolidOptions& o) { cropped(p, o, true); }),
-            changed([&](SolidPanel& p, SolidOptions& o) { cropped(p, o, false); }));
+  EXPECT_EQ(changed([&](Panel& p, PictureOptions& o) { cropped(p, o, true); }),
+            changed([&](Panel& p, PictureOptions& o) { cropped(p, o, false); }));
 }
 
 TEST(SolidPicture, IsTrimmedToWhatItShows) {
-  SolidOptions options = small();
+  PictureOptions options = small();
   options.size = {1600, 1000};
   options.trim = true;
   options.camera = camera("front");
@@ -141,11 +141,11 @@ TEST(SolidPicture, IsTrimmedToWhatItShows) {
 }
 
 TEST(SolidPicture, RefusesWhatCannotBeDrawn) {
-  const Solid good = block({0, 0, 0}, {2, 1, 1});
+  const Body good = block({0, 0, 0}, {2, 1, 1});
   EXPECT_TRUE(holds(refusal({"", {}}), {"view.picture.empty"}));
   EXPECT_TRUE(holds(refusal({"", {good}, {}, CutPlane{{0, 0, 0}, {0, 0, 0}}}), {"view.sheet.cut: state = ()"}));
   EXPECT_TRUE(holds(refusal({"", {good}, {}, CutPlane{{-1, 0, 0}, {1, 0, 0}}}), {"view.solids.cut_away"}));
-  Solid bad = good;
+  Body bad = good;
   bad.skin.points(1, 4) = std::nan("");
   EXPECT_TRUE(
       holds(refusal({"", {good, bad}}), {"view.body.points: body = (view.sheet.body: state = (), number = 1)"}));
@@ -159,10 +159,6 @@ TEST(SolidPicture, RefusesWhatCannotBeDrawn) {
   bad = good;
   bad.inside[0].points(0, 0) = std::nan("");
   EXPECT_TRUE(holds(refusal({"", {bad}}), {"view.body.inside: body = (view.sheet.body: state = (), number = 0)"}));
-  SolidOptions options = small();
-  options.region = Bounds{{0, 0, 0}, {1, -1, 1}};
-  EXPECT_TRUE(
-      holds(refusal({"", {good}}, options), {"view.solids.region: argument = crop, box = (0, 1, 0, -1, 0, 1)"}));
 }
 
 TEST(Ribbon, LiesOnItsSurfaceWithItsWidth) {

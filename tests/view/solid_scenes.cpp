@@ -39,7 +39,7 @@ struct Side {
   }
 };
 
-void add_side(Solid& solid, const Side& side, const std::array<int, 3>& elements, int divisions) {
+void add_side(Body& solid, const Side& side, const std::array<int, 3>& elements, int divisions) {
   const int columns = elements[static_cast<std::size_t>((side.across + 1) % 3)],
             rows = elements[static_cast<std::size_t>((side.across + 2) % 3)], nu = columns * divisions,
             nv = rows * divisions;
@@ -70,8 +70,8 @@ void add_side(Solid& solid, const Side& side, const std::array<int, 3>& elements
 
 } // namespace
 
-Solid mapped_solid(const SolidMap& map, const std::array<int, 3>& elements, int divisions, const SpaceField& field) {
-  Solid solid;
+Body mapped_solid(const SolidMap& map, const std::array<int, 3>& elements, int divisions, const SpaceField& field) {
+  Body solid;
   solid.skin.points.resize(3, 0), solid.skin.normals.resize(3, 0), solid.skin.triangles.resize(3, 0);
   for (int across = 0; across < 3; ++across)
     for (int end : {0, 1}) add_side(solid, {map, across, end}, elements, divisions);

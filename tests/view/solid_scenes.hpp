@@ -1,7 +1,7 @@
 #pragma once
 // Made-up solids: smooth maps of the unit cube.
 
-#include "view/solid_picture.hpp"
+#include "view/picture.hpp"
 
 #include <functional>
 
@@ -14,8 +14,8 @@ using SpaceField = std::function<double(const Vec<3>&)>;
 
 /// The image of the unit cube as elements × elements × elements with pieces per element and direction, all insides
 /// sampled.
-Solid mapped_solid(const SolidMap& map, const std::array<int, 3>& elements, int divisions,
-                   const SpaceField& field = nullptr);
+Body mapped_solid(const SolidMap& map, const std::array<int, 3>& elements, int divisions,
+                  const SpaceField& field = nullptr);
 
 SolidMap block_map(const Vec<3>& low, const Vec<3>& high);
 

@@ -6,8 +6,8 @@
 #include "view/categories.hpp"
 #include "view/colormap.hpp"
 #include "view/cut.hpp"
+#include "view/picture.hpp"
 #include "view/sheet.hpp"
-#include "view/solid_picture.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,19 +19,19 @@ namespace surface_lines_test {
 /// A square [0, 1]² of n × n cells, coloured by a function of its points, with one mesh line along y = 0.5.
 Body square(const std::function<double(const Vec<3>&)>& value, int n = 10) {
   Body body;
-  body.points.resize(3, (n + 1) * (n + 1));
-  body.triangles.resize(3, 2 * n * n);
+  body.skin.points.resize(3, (n + 1) * (n + 1));
+  body.skin.triangles.resize(3, 2 * n * n);
   for (int j = 0, t = 0; j <= n; ++j)
     for (int i = 0; i <= n; ++i) {
       const int here = i + (n + 1) * j;
-      body.points.col(here) << double(i) / n, double(j) / n, 0;
+      body.skin.points.col(here) << double(i) / n, double(j) / n, 0;
       if (i == n || j == n) continue;
-      body.triangles.col(t++) << here, here + 1, here + n + 2;
-      body.triangles.col(t++) << here, here + n + 2, here + n + 1;
+      body.skin.triangles.col(t++) << here, here + 1, here + n + 2;
+      body.skin.triangles.col(t++) << here, here + n + 2, here + n + 1;
     }
-  body.values.resize(body.points.cols());
-  for (Eigen::Index i = 0; i < body.points.cols(); ++i) body.values[i] = value(body.points.col(i));
-  body.mesh_lines.push_back({body.points.middleCols((n + 1) * (n / 2), n + 1), 0.5});
+  body.skin.values.resize(body.skin.points.cols());
+  for (Eigen::Index i = 0; i < body.skin.points.cols(); ++i) body.skin.values[i] = value(body.skin.points.col(i));
+  body.mesh_lines.push_back({body.skin.points.middleCols((n + 1) * (n / 2), n + 1), {}, 0.5});
   return body;
 }
 
@@ -85,13 +85,13 @@ TEST(MeshLine, ChangesItsToneWhereTheFieldIsDark) {
 }
 
 TEST(MeshLine, KnowsWhatLiesBeneathItAfterACut) {
-  const Solid block = mapped_solid(block_map({0, 0, 0}, {2, 1, 1}), {2, 1, 1}, 4, along_x);
+  const Body block = mapped_solid(block_map({0, 0, 0}, {2, 1, 1}), {2, 1, 1}, 4, along_x);
   const Ground ground(block.skin);
   for (const SurfaceLine& line : block.mesh_lines) {
     SurfaceLine valued = line;
     valued.values = ground.along(line.points);
     ASSERT_EQ(valued.values.size(), line.points.cols());
-    for (const SurfaceLine& part : cut(valued, {{0.7, 0.3, 0.4}, {1, 1, 1}}, 0))
+    for (const SurfaceLine& part : cut(std::vector{valued}, {{0.7, 0.3, 0.4}, {1, 1, 1}}, 0))
       EXPECT_LT((part.values.transpose() - part.points.row(0)).cwiseAbs().maxCoeff(), 1e-12);
   }
   EXPECT_EQ(ground.along(Points::Constant(3, 2, 0.123)).size(), 0);
@@ -99,12 +99,12 @@ TEST(MeshLine, KnowsWhatLiesBeneathItAfterACut) {
 
 TEST(Contours, AreOneLineWhereTheFieldHasTheirValue) {
   const Body body = square(along_x, 7);
-  const auto lines = zeros(body, body.values.array() - 0.3);
+  const auto lines = zeros(body.skin, body.skin.values.array() - 0.3);
   ASSERT_EQ(lines.size(), 1U);
   EXPECT_LT((lines[0].points.row(0).array() - 0.3).abs().maxCoeff(), 1e-12);
   EXPECT_NEAR(length_of(lines[0]), 1, 1e-12);
   const Body bowl = square([](const Vec<3>& p) { return (p - Vec<3>(0.5, 0.5, 0)).norm(); }, 60);
-  const auto rings = zeros(bowl, bowl.values.array() - 0.4);
+  const auto rings = zeros(bowl.skin, bowl.skin.values.array() - 0.4);
   ASSERT_EQ(rings.size(), 1U);
   EXPECT_NEAR(length_of(rings[0]), 0.8 * 3.14159265, 0.01);
 }
@@ -125,8 +125,9 @@ TEST(Contours, AreDrawnAtTheirLevelsOnBodiesAndOnTheBar) {
       EXPECT_EQ(lines.size(), with ? 1U : 0U);
     }
   }
-  const Solid block = mapped_solid(block_map({0, 0, 0}, {1, 1, 1}), {1, 1, 1}, 4, along_x);
-  SolidOptions solid;
+  const Body block = mapped_solid(block_map({0, 0, 0}, {1, 1, 1}), {1, 1, 1}, 4, along_x);
+  PictureOptions solid;
+  solid.camera = camera("iso");
   const auto ink_of = [&] { return make_plate({{"", {block}}}, solid).reliefs.front().ink.colours.size(); };
   const std::size_t plain = ink_of();
   solid.contours = Contours{3};
@@ -143,7 +144,7 @@ TEST(Contours, StandAtTheBarsNumbersOrSpreadEvenly) {
 }
 
 TEST(Vectors, AreSampledOnAGridWhereTheEyeSeesThem) {
-  Surface near = square(along_x);
+  Surface near = square(along_x).skin;
   near.points *= 100;
   near.vectors = 2 * near.points; // linear, so that interpolation is exact
   Surface far = near, back = near;
@@ -163,8 +164,8 @@ TEST(Vectors, AreSampledOnAGridWhereTheEyeSeesThem) {
 
 TEST(Vectors, HaveOneScaleAndAKey) {
   Body body = square(along_x);
-  body.vectors = Points::Zero(3, body.points.cols());
-  body.vectors.row(0).setConstant(0.25);
+  body.skin.vectors = Points::Zero(3, body.skin.points.cols());
+  body.skin.vectors.row(0).setConstant(0.25);
   PictureOptions options;
   options.vectors = "displacement";
   options.vector_unit = "mm";
@@ -180,14 +181,14 @@ TEST(Vectors, HaveOneScaleAndAKey) {
 
 TEST(Mirror, TakesAwayWhatLiesBeyondIt) {
   Body body = square(along_x);
-  body.points.row(0).array() -= 0.3;
+  body.skin.points.row(0).array() -= 0.3;
   body.mesh_lines[0].points.row(0).array() -= 0.3;
   join_at_mirror(body, 0);
-  EXPECT_EQ(body.points.row(0).minCoeff(), 0);
-  EXPECT_NEAR(body.points.row(0).maxCoeff(), 0.7, 1e-12);
-  EXPECT_LT((body.values.transpose() - body.points.row(0)).array().abs().maxCoeff() - 0.3, 1e-12);
+  EXPECT_EQ(body.skin.points.row(0).minCoeff(), 0);
+  EXPECT_NEAR(body.skin.points.row(0).maxCoeff(), 0.7, 1e-12);
+  EXPECT_LT((body.skin.values.transpose() - body.skin.points.row(0)).array().abs().maxCoeff() - 0.3, 1e-12);
   EXPECT_EQ(body.mesh_lines[0].points.row(0).minCoeff(), 0);
-  Solid block = mapped_solid(block_map({-1, -3, 0}, {2, 1, 1}), {2, 2, 1}, 4, along_x);
+  Body block = mapped_solid(block_map({-1, -3, 0}, {2, 1, 1}), {2, 2, 1}, 4, along_x);
   join_at_mirror(block, 1);
   EXPECT_NEAR(block.skin.points.row(1).maxCoeff(), 0, 1e-9);
   EXPECT_NEAR(block.skin.points.row(1).minCoeff(), -3, 1e-9);
@@ -196,9 +197,11 @@ TEST(Mirror, TakesAwayWhatLiesBeyondIt) {
 }
 
 TEST(ReferenceShape, IsDashedOverSolids) {
-  Solid block = mapped_solid(block_map({0, 0, 0}, {1, 1, 1}), {1, 1, 1}, 2, along_x);
+  Body block = mapped_solid(block_map({0, 0, 0}, {1, 1, 1}), {1, 1, 1}, 2, along_x);
+  PictureOptions options;
+  options.camera = camera("iso");
   const auto dashed = [&] {
-    return strokes_of(make_plate(std::vector<SolidPanel>{{"", {block}}}, SolidOptions{}),
+    return strokes_of(make_plate(std::vector<Panel>{{"", {block}}}, options),
                       [](const Stroke& one) { return !one.dash.empty(); })
         .size();
   };
@@ -214,10 +217,11 @@ TEST(Axes, HaveTheNamesThatAreAskedFor) {
   options.axes = {"r / mm", "depth / mm"};
   const Plate plate = make_plate(std::vector<Panel>{{"", {square(along_x)}}}, options);
   EXPECT_TRUE(has_text(plate, "r / mm") && has_text(plate, "depth / mm") && !has_text(plate, "x (m)"));
-  SolidOptions solid;
+  PictureOptions solid;
+  solid.camera = camera("iso");
   solid.axes = {"radius", "hoop", "height"};
-  const Solid block = mapped_solid(block_map({0, 0, 0}, {1, 1, 1}), {1, 1, 1}, 2);
-  const Plate deep = make_plate(std::vector<SolidPanel>{{"", {block}}}, solid);
+  const Body block = mapped_solid(block_map({0, 0, 0}, {1, 1, 1}), {1, 1, 1}, 2);
+  const Plate deep = make_plate(std::vector<Panel>{{"", {block}}}, solid);
   EXPECT_TRUE(has_text(deep, "radius") && has_text(deep, "hoop") && has_text(deep, "height") && !has_text(deep, "x"));
 }
 
