@@ -1,8 +1,7 @@
 #include "base/index.hpp"
 #include "bind/picture.hpp"
-#include "view/close_up.hpp"
+#include "view/compose.hpp"
 #include "view/sheet.hpp"
-#include "view/side_by_side.hpp"
 
 #include <algorithm>
 

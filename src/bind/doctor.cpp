@@ -7,8 +7,8 @@
 #include "bind/library.hpp"
 #include "bind/threads.hpp"
 #include "solid/kernel.hpp"
+#include "view/figure.hpp"
 #include "view/picture.hpp"
-#include "view/renderer.hpp"
 #include "view/series.hpp"
 
 #include <dlfcn.h>
@@ -90,7 +90,7 @@ bool doctor(std::ostream& out, int threads, const std::string& readline) {
   attempt("library", [] { return find_home().string(); });
   row("threads", std::to_string(threads));
   row("readline", readline);
-  attempt("renderer", [] { return view::renderer_description(); });
+  attempt("renderer", [] { return view::renderer().description(); });
   attempt("drawing", [] { return view::flat_renderer().description(); });
   attempt("test picture", test_picture);
   attempt("films", [] { return view::film_description(); });

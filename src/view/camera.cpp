@@ -1,8 +1,34 @@
 #include "view/camera.hpp"
 
 #include "base/error.hpp"
+#include "view/text.hpp"
+
+#include <algorithm>
+#include <cmath>
 
 namespace signorini::view {
+namespace {
+
+constexpr Rgb axis_colours[] = {{178, 52, 44}, {36, 126, 62}, {40, 84, 164}};
+
+double arm_length(const Style& style) {
+  return 2.7 * style.tick_size;
+}
+
+/// Arms that point nearly along the line of sight are dots without a name.
+bool is_seen(const Vec<2>& direction) {
+  return direction.norm() > 0.15;
+}
+
+/// The middle of an axis's name, from where the axes meet; `half`: of the name's width.
+Vec<2> name_at(const Vec<2>& direction, double half, const Style& style) {
+  const Vec<2> along = direction.normalized();
+  const double letter = 0.28 * style.tick_size;
+  return arm_length(style) * direction + 0.55 * style.tick_size * along +
+         Vec<2>(std::max(0.0, half - letter) * along[0], 0);
+}
+
+} // namespace
 
 Camera camera(const std::string& name) {
   const Vec<3> x = Vec<3>::UnitX(), y = Vec<3>::UnitY(), z = Vec<3>::UnitZ();
@@ -30,7 +56,6 @@ Camera turned_to(Camera camera, const Vec<3>& normal) {
 }
 
 Mat<3> picture_axes(const Camera& camera) {
-  require(camera.from.allFinite() && camera.up.allFinite(), "view.camera.finite");
   require(camera.from.norm() > 0 && camera.up.norm() > 0, "view.camera.zero");
   const Vec<3> eye = camera.from.normalized(), right = camera.up.normalized().cross(eye);
   require(right.norm() > 1e-6, "view.camera.parallel");
@@ -39,6 +64,65 @@ Mat<3> picture_axes(const Camera& camera) {
   axes.row(2) = eye;
   axes.row(1) = eye.cross(right.normalized());
   return axes;
+}
+
+std::array<double, 4> triad_room(const Mat<3>& axes, const std::array<std::string, 3>& names, const Style& style) {
+  const double dot = 0.2 * style.tick_size, high = 0.45 * style.tick_size;
+  std::array<double, 4> room = {dot, dot, dot, dot};
+  for (int axis = 0; axis < 3; ++axis) {
+    const Vec<2> direction = axes.col(axis).head<2>();
+    if (!is_seen(direction)) continue;
+    const double half = 0.5 * text_width(names[axis], style.tick_size);
+    const Vec<2> at = name_at(direction, half, style);
+    room = {std::max(room[0], std::max(half, high) - at[0]), std::max(room[1], std::max(half, high) + at[0]),
+            std::max(room[2], high - at[1]), std::max(room[3], high + at[1])};
+  }
+  return room;
+}
+
+void draw_triad(Drawing& drawing, const Vec2& at, const Mat<3>& axes, const std::array<std::string, 3>& names,
+                const Style& style) {
+  const Vec<2> origin(at[0], at[1]);
+  std::array<int, 3> order = {0, 1, 2}; // those that point away first
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return axes(2, a) < axes(2, b); });
+  for (int axis : order) {
+    const Vec<2> direction = axes.col(axis).head<2>();
+    if (!is_seen(direction)) continue;
+    const double length = arm_length(style) * direction.norm();
+    const Vec<2> tip = origin + arm_length(style) * direction;
+    draw_arrow(drawing, {at, {tip[0], tip[1]}}, std::min(0.5 * style.tick_size, 0.7 * length), 3.2 * style.unit,
+               axis_colours[axis]);
+    const Vec<2> middle = origin + name_at(direction, 0.5 * text_width(names[axis], style.tick_size), style);
+    // A letter's height above the baseline is half of its size.
+    drawing.marks.push_back(
+        Text{{middle[0], middle[1] - 0.27 * style.tick_size}, names[axis], style.tick_size, Align::centre, ink});
+  }
+  drawing.marks.push_back(Fill{circle_about(at, 4.5 * style.unit), ink});
+}
+
+double ruler_room(const Style& style) {
+  return 1.5 * style.tick_size;
+}
+
+void draw_ruler(Drawing& drawing, const Vec2& at, const Scale& scale, const std::string& unit, const Style& style) {
+  const double length = round_below(0.2 * (scale.high - scale.low));
+  const double size = style.tick_size, end = at[0] + length * (scale.to - scale.from) / (scale.high - scale.low);
+  const double y = at[1] + 0.5 * size, half = 0.25 * size;
+  for (const auto& [from, to] : {std::pair{Vec2{at[0], y}, Vec2{end, y}},
+                                 {{at[0], y - half}, {at[0], y + half}},
+                                 {{end, y - half}, {end, y + half}}})
+    drawing.marks.push_back(Stroke{{from, to}, ink, 2.2 * style.unit});
+  drawing.marks.push_back(Text{{end + 0.5 * size, y - 0.36 * size},
+                               in_digits(length) + (unit.empty() ? "" : " " + unit),
+                               size,
+                               Align::left,
+                               ink});
+}
+
+double round_below(double value) {
+  value *= 1 + 1e-9; // what rounding has taken away
+  const double decade = std::pow(10, std::floor(std::log10(value)));
+  return decade * (value >= 5 * decade ? 5 : value >= 2 * decade ? 2 : 1);
 }
 
 } // namespace signorini::view

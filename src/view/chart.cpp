@@ -2,9 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/warning.hpp"
-#include "base/whole_file.hpp"
-#include "view/figure.hpp"
-#include "view/inset.hpp"
+#include "view/curves.hpp"
 #include "view/legend.hpp"
 
 #include <algorithm>
@@ -23,19 +21,9 @@ void check_positive(double value, char axis, const Message& series) {
 }
 
 void check(const std::vector<Series>& series, const ChartOptions& options) {
-  require(!series.empty(), "view.chart.empty");
   bool any = false;
   for (std::size_t n = 0; n < series.size(); ++n) {
     const Series& s = series[n];
-    require(s.x.size() == s.y.size(), "view.chart.sizes",
-            {{"series", name_of(series, n)}, {"xs", s.x.size()}, {"ys", s.y.size()}});
-    require(s.marks.empty() || s.marks.size() == s.x.size(), "view.chart.marks",
-            {{"series", name_of(series, n)}, {"marks", s.marks.size()}, {"points", s.x.size()}});
-    for (int mark : s.marks)
-      require(mark >= 0 && mark < static_cast<int>(options.marks.size()), "view.chart.mark",
-              {{"series", name_of(series, n)}, {"mark", mark}, {"count", options.marks.size()}});
-    require(s.line || !s.marks.empty() || (s.markers.value_or(false) && s.marker != no_marker), "view.chart.invisible",
-            {{"series", name_of(series, n)}});
     for (std::size_t i = 0; i < s.x.size(); ++i) {
       if (!drawn(s, i)) continue;
       any = true;
@@ -52,7 +40,7 @@ void check(const std::vector<Series>& series, const ChartOptions& options) {
 
 void check_names(const std::vector<Name>& names, const std::string& what, char axis, bool log) {
   for (const auto& [at, name] : names)
-    require(std::isfinite(at) && (!log || at > 0), log ? "view.chart.place_log" : "view.chart.place",
+    require(!log || at > 0, "view.chart.place_log",
             {{"what", what}, {"name", name}, {"axis", std::string(1, axis)}, {"at", at}});
 }
 
@@ -208,11 +196,6 @@ Figure chart_figure(const std::vector<Series>& series, const ChartOptions& optio
   check(series, options);
   check_names(options);
   return figure_of({draw(series, options)});
-}
-
-void draw_chart(const std::vector<Series>& series, const ChartOptions& options, const std::string& file) {
-  const Format format = format_of(file);
-  write_whole(file, bytes_of(chart_figure(series, options), format));
 }
 
 } // namespace signorini::view

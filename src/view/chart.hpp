@@ -57,14 +57,10 @@ struct ChartOptions {
   std::array<int, 2> size = {1600, 1000};
 };
 
-/// Draws to .png, .svg or .pdf (by the ending), whole or not at all. The same call gives the same bytes. Curves of one
-/// label and look share a row of the legend. Where an inset finds no free corner, the y axis goes on until there is
-/// one, unless yrange is given. Throws Error on no series, unequal lengths, nothing finite to draw, values ≤ 0 on a log
-/// axis, ranges that do not rise, more marks than markers, an inset without data, an unknown ending, or a file that
-/// cannot be written.
-void draw_chart(const std::vector<Series>& series, const ChartOptions& options, const std::string& file);
-
-/// The same before it is a file.
+/// Curves of one label and look share a row of the legend. Where an inset finds no free corner, the y axis goes on
+/// until there is one, unless yrange is given. Needs a series, as many y as x, and ranges that rise. Throws Error on
+/// nothing finite to draw, values ≤ 0 on a log axis, ticks that do not rise, more marks than markers, or an inset
+/// without data.
 Figure chart_figure(const std::vector<Series>& series, const ChartOptions& options);
 
 } // namespace signorini::view

@@ -2,7 +2,6 @@
 
 #include "base/error.hpp"
 #include "base/warning.hpp"
-#include "view/fit_text.hpp"
 #include "view/surface_lines.hpp"
 #include "view/text.hpp"
 
@@ -65,10 +64,7 @@ std::array<double, 2> colour_range(const ColouredValues& values, const std::opti
 std::array<double, 2> colour_range(const std::array<double, 2>& values,
                                    const std::optional<std::array<double, 2>>& given, bool diverging) {
   if (given) {
-    const auto [low, high] = *given;
-    require(std::isfinite(low) && std::isfinite(high) && low < high, "view.colors.range",
-            {{"low", low}, {"high", high}});
-    require_drawable(low, high, false);
+    require_drawable((*given)[0], (*given)[1], false);
     return *given;
   }
   auto [low, high] = values;

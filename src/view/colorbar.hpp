@@ -1,7 +1,8 @@
 #pragma once
-// The upright bar beside a picture that says which colour stands for which value.
+// Colour maps by name, the range that they are spread over, and the bar that shows both.
 
 #include "base/eigen.hpp"
+#include "view/drawing.hpp"
 #include "view/frame.hpp"
 
 #include <optional>
@@ -9,6 +10,14 @@
 #include <vector>
 
 namespace signorini::view {
+
+/// 256 colours evenly spread over the map, interpolated from its anchors. Throws Error on an unknown name.
+std::vector<Rgb> colormap(const std::string& name);
+
+std::vector<std::string> colormaps(); ///< their names
+
+/// True for maps whose middle stands for zero.
+bool is_diverging(const std::string& name);
 
 /// The values that colours stand for.
 struct ColouredValues {

@@ -1,7 +1,6 @@
-#include "view/colormap.hpp"
+#include "view/colorbar.hpp"
 
 #include "base/error.hpp"
-#include "view/picture.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -47,9 +46,7 @@ const std::vector<Map>& maps() {
 const Map& find(const std::string& name) {
   const auto map = std::find_if(maps().begin(), maps().end(), [&](const Map& m) { return m.name == name; });
   if (map != maps().end()) return *map;
-  std::vector<std::string> known;
-  for (const Map& m : maps()) known.emplace_back(m.name);
-  fail("view.colormap.unknown", {{"colormap", name}, {"known", known}});
+  fail("view.colormap.unknown", {{"colormap", name}, {"known", colormaps()}});
 }
 
 /// Catmull–Rom through the anchors p₋₁, p₀, p₁, p₂: bends gently where a straight line would show as a band.

@@ -1,5 +1,5 @@
 #pragma once
-// The curves and reference lines of a chart: how each looks, its drawing in a frame, and what it covers.
+// The curves, reference lines and inset of a chart: how each looks, its drawing in a frame, and what it covers.
 
 #include "view/chart.hpp"
 
@@ -15,7 +15,8 @@ struct Range {
 };
 
 /// The given range, or the values' own with a little air, a part of their width; a single value, or values that only
-/// rounding tells apart, get room on both sides. `axis` names it in the Error on a given range that does not rise.
+/// rounding tells apart, get room on both sides. `axis` names it in the Error on a given range below zero on a log
+/// axis.
 Range axis_range(const Range& values, const std::optional<std::array<double, 2>>& given, bool log,
                  const std::string& axis, double air);
 
@@ -72,5 +73,21 @@ void draw_rules(Drawing& drawing, const ChartOptions& options, const Frame& fram
 /// Their texts, each beside its line where it hides least of the curves, and away from the boxes in `taken`.
 void draw_rule_texts(Drawing& drawing, const ChartOptions& options, const Frame& frame, const Lines& curves,
                      std::vector<Box> taken, const Style& style);
+
+struct PlacedInset {
+  Frame frame;
+  Style style;   ///< smaller than the chart's
+  Box outer;     ///< all that the inset covers, in pixels
+  Box marked;    ///< the magnified region in the chart
+  double hidden; ///< pixels of curve beneath it
+};
+
+/// The largest box in a corner of the chart that hides neither curves nor the magnified region, or the small one that
+/// hides least; nor the chart's legend. Throws Error when the region has no data or lies outside the chart.
+PlacedInset place_inset(const std::vector<Series>& series, const ChartOptions& options, const Frame& chart,
+                        const Style& style, const std::optional<Box>& legend = {});
+
+void draw_inset(Drawing& drawing, const std::vector<Series>& series, const ChartOptions& options,
+                const PlacedInset& inset);
 
 } // namespace signorini::view

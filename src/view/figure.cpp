@@ -1,13 +1,39 @@
 #include "view/figure.hpp"
 
 #include "base/error.hpp"
-#include "view/renderer.hpp"
+#include "view/text.hpp"
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
+#include <dlfcn.h>
 #include <filesystem>
 
 namespace signorini::view {
+namespace {
+
+/// Modules stand in lib/signorini next to the program or to the program's folder (bin, tests).
+std::filesystem::path file_of(const char* module) {
+  const auto here = std::filesystem::read_symlink("/proc/self/exe").parent_path();
+  for (const auto& folder : {here / "lib/signorini", here.parent_path() / "lib/signorini"})
+    if (std::filesystem::exists(folder / module)) return folder / module;
+  fail("view.module.missing", {{"module", module},
+                               {"first", (here / "lib/signorini").string()},
+                               {"second", (here.parent_path() / "lib/signorini").string()}});
+}
+
+/// The table of functions that a module has under a name.
+template <class Table> const Table& table_of(const char* module, const char* name) {
+  const std::string file = file_of(module).string();
+  // Never unloaded: VTK's factories, Mesa's threads and GLib's types do not survive that.
+  void* loaded = ::dlopen(file.c_str(), RTLD_LAZY | RTLD_LOCAL | RTLD_NODELETE);
+  if (loaded == nullptr) fail("view.module.load", {{"file", file}, {"reason", ::dlerror()}});
+  const void* table = ::dlsym(loaded, name);
+  require(table != nullptr, "view.module.foreign", {{"file", file}});
+  return *static_cast<const Table*>(table);
+}
+
+} // namespace
 
 Figure figure_of(Plate plate) {
   Figure figure{plate.drawing.size, {}};
@@ -31,6 +57,33 @@ Format format_of(const std::string& file) {
 
 std::string bytes_of(const Figure& figure, Format format, bool transparent) {
   return flat_renderer().bytes(figure, format, transparent, image_of);
+}
+
+const Renderer& renderer() {
+  static const Renderer& loaded = []() -> const Renderer& {
+    // Mesa's rasteriser without threads of its own: a study's cases are forked from this process, and there they would
+    // wait for threads that only their parent has. Pictures take as long.
+    ::setenv("LP_NUM_THREADS", "0", 0);
+    return table_of<Renderer>("signorini_view.so", "signorini_renderer");
+  }();
+  return loaded;
+}
+
+const FlatRenderer& flat_renderer() {
+  static const FlatRenderer& loaded = []() -> const FlatRenderer& {
+    const auto& table = table_of<FlatRenderer>("signorini_flat.so", "signorini_flat");
+    *table.warning_sink = warning_sink;
+    return table;
+  }();
+  return loaded;
+}
+
+double text_width(std::string_view utf8, double size) {
+  return flat_renderer().text_width(std::string(utf8), size);
+}
+
+Pixels image_of(const Plate& plate, int scale, bool transparent) {
+  return renderer().image(plate, scale, transparent);
 }
 
 } // namespace signorini::view

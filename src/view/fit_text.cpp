@@ -1,5 +1,3 @@
-#include "view/fit_text.hpp"
-
 #include "view/text.hpp"
 
 #include <algorithm>

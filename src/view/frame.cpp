@@ -1,7 +1,6 @@
 #include "view/frame.hpp"
 
 #include "base/error.hpp"
-#include "view/fit_text.hpp"
 #include "view/text.hpp"
 
 #include <algorithm>

@@ -1,10 +1,7 @@
 #include "view/heatmap.hpp"
 
 #include "base/error.hpp"
-#include "base/whole_file.hpp"
 #include "view/colorbar.hpp"
-#include "view/colormap.hpp"
-#include "view/figure.hpp"
 #include "view/legend.hpp"
 #include "view/text.hpp"
 
@@ -20,46 +17,21 @@ constexpr double legible = 5; // pixels
 
 // ── Checks ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-/// A cell of a map, by indices of its row and column; `map` names the map where there are several.
-void check_value(double value, const HeatmapOptions& options, const Message& map, Eigen::Index row,
-                 Eigen::Index column) {
-  const auto count = options.categories.size();
-  if (count > 0)
-    require(value >= 0 && value < static_cast<double>(count) && value == std::floor(value), "view.heatmap.category",
-            {{"map", map}, {"row", row}, {"column", column}, {"count", count}, {"value", value}});
-  else if (options.log)
-    require(value > 0, "view.heatmap.log", {{"map", map}, {"row", row}, {"column", column}, {"value", value}});
-}
-
 void check(const std::vector<Heat>& maps, const HeatmapOptions& options) {
-  const auto columns = static_cast<Eigen::Index>(options.x.size()), rows = static_cast<Eigen::Index>(options.y.size());
-  require(!maps.empty(), "view.heatmap.empty");
-  require(columns > 0 && rows > 0, "view.heatmap.cells", {{"columns", columns}, {"rows", rows}});
   bool any = false;
   for (std::size_t m = 0; m < maps.size(); ++m) {
     const Message map = maps.size() > 1 ? Message("view.heatmap.map", {{"number", m}}) : Message();
     const MatrixX& values = maps[m].values;
-    require(values.rows() == rows && values.cols() == columns, "view.heatmap.values",
-            {{"map", map},
-             {"value_rows", values.rows()},
-             {"value_columns", values.cols()},
-             {"rows", rows},
-             {"columns", columns}});
-    for (Eigen::Index j = 0; j < rows; ++j)
-      for (Eigen::Index i = 0; i < columns; ++i) {
-        if (!std::isfinite(values(j, i))) continue;
+    for (Eigen::Index row = 0; row < values.rows(); ++row)
+      for (Eigen::Index column = 0; column < values.cols(); ++column) {
+        const double value = values(row, column);
+        if (!std::isfinite(value)) continue;
         any = true;
-        check_value(values(j, i), options, map, j, i);
+        require(!options.log || value > 0, "view.heatmap.log",
+                {{"map", map}, {"row", row}, {"column", column}, {"value", value}});
       }
-    const auto& texts = maps[m].texts;
-    require(texts.empty() || (texts.size() == options.y.size() &&
-                              std::all_of(texts.begin(), texts.end(),
-                                          [&](const auto& row) { return row.size() == options.x.size(); })),
-            "view.heatmap.texts", {{"map", map}, {"rows", rows}, {"columns", columns}});
   }
   require(any, "view.heatmap.blank");
-  require(!options.columns || *options.columns >= 1, "view.heatmap.columns",
-          {{"columns", options.columns.value_or(1)}});
 }
 
 // ── Colours ──────────────────────────────────────────────────────────────────────────────────────────────────────────
@@ -309,11 +281,6 @@ Drawing draw(const std::vector<Heat>& maps, const HeatmapOptions& options) {
 Figure heatmap_figure(const std::vector<Heat>& maps, const HeatmapOptions& options) {
   check(maps, options);
   return figure_of({draw(maps, options)});
-}
-
-void draw_heatmap(const std::vector<Heat>& maps, const HeatmapOptions& options, const std::string& file) {
-  const Format format = format_of(file);
-  write_whole(file, bytes_of(heatmap_figure(maps, options), format));
 }
 
 } // namespace signorini::view

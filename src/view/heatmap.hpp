@@ -28,14 +28,9 @@ struct HeatmapOptions {
   std::array<int, 2> size = {1600, 1000};
 };
 
-/// Draws to .png, .svg or .pdf (by the ending), whole or not at all; several maps share names, colours, and bar or
-/// legend, which lists the categories that occur. The same call gives the same bytes. A cell's text is left out where
-/// it does not fit. Throws Error on values that do not match the names, are ≤ 0 on a logarithmic scale or no
-/// category; on nothing to draw, a range that does not rise, an unknown colour map, texts that leave no room for cells,
-/// an unknown ending, or a file that cannot be written.
-void draw_heatmap(const std::vector<Heat>& maps, const HeatmapOptions& options, const std::string& file);
-
-/// The same before it is a file.
+/// Several maps share names, colours, and bar or legend, which lists the categories that occur. A cell's text is left
+/// out where it does not fit. Needs values and texts that match the names, and a range that rises. Throws Error on
+/// values ≤ 0 on a logarithmic scale, nothing to draw, or texts that leave no room for cells.
 Figure heatmap_figure(const std::vector<Heat>& maps, const HeatmapOptions& options);
 
 } // namespace signorini::view

@@ -1,4 +1,4 @@
-#include "view/inset.hpp"
+#include "view/curves.hpp"
 
 #include "base/error.hpp"
 #include "base/index.hpp"

@@ -3,7 +3,7 @@
 
 #include "view/categories.hpp"
 #include "view/curves.hpp"
-#include "view/fit_text.hpp"
+#include "view/text.hpp"
 
 namespace signorini::view {
 

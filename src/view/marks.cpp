@@ -1,6 +1,6 @@
 #include "view/marks.hpp"
 
-#include "view/fit_text.hpp"
+#include "view/text.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "view/names.hpp"
+#include "view/marks.hpp"
 
 #include "view/text.hpp"
 

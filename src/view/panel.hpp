@@ -3,7 +3,6 @@
 
 #include "base/window.hpp"
 #include "view/marks.hpp"
-#include "view/names.hpp"
 #include "view/relief.hpp"
 
 #include <array>

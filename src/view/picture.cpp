@@ -2,11 +2,11 @@
 
 #include "base/error.hpp"
 #include "base/index.hpp"
+#include "view/camera.hpp"
 #include "view/cut.hpp"
 #include "view/obstacle.hpp"
-#include "view/ribbon.hpp"
+#include "view/relief.hpp"
 #include "view/sheet.hpp"
-#include "view/space_axes.hpp"
 
 #include <algorithm>
 #include <cmath>

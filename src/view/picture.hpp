@@ -44,7 +44,7 @@ struct PictureOptions {
 
 /// States in rows from left to right: all on one scale, with one colour range and one colour bar. All show the same
 /// part of x, those of one row the same part of y. The axes of solids are shown by three arrows. Throws Error on an
-/// unknown colour map, or a range that is empty or not finite.
+/// unknown colour map.
 Plate make_plate(const std::vector<Panel>& panels, const PictureOptions& options);
 
 /// What gives the pictures of several states one frame and one meaning of colours and arrows, each drawn alone: extent
@@ -65,8 +65,5 @@ void check_cuts(const std::vector<Panel>& panels);
 
 /// The style that the options ask for. Throws Error on a size that no figure may have.
 Style style_of(const PictureOptions& options);
-
-/// Names of the colour maps that pictures know.
-std::vector<std::string> colormaps();
 
 } // namespace signorini::view

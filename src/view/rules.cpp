@@ -2,7 +2,6 @@
 
 #include "view/curves.hpp"
 
-#include "view/fit_text.hpp"
 #include "view/text.hpp"
 
 #include <algorithm>

@@ -5,7 +5,6 @@
 #include "base/process.hpp"
 #include "base/whole_file.hpp"
 #include "view/figure.hpp"
-#include "view/renderer.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -62,9 +61,10 @@ void write_pictures(const Pattern& name, int count, const PictureMaker& picture)
 }
 
 void write_by_vtk(const std::string& file, int count, double rate, const PictureMaker& picture) {
+  require(renderer().ogv != nullptr, "view.film.theora", {{"file", file}});
   require(rate == std::round(rate) && rate >= 1 && rate <= 5000, "view.film.rate", {{"rate", rate}});
   const Folder folder(fs::absolute(file).string());
-  write_ogv(folder.path("film.ogv"), count, static_cast<int>(rate), picture);
+  renderer().ogv(folder.path("film.ogv"), count, static_cast<int>(rate), picture);
   fs::rename(folder.path("film.ogv"), file);
 }
 
@@ -99,7 +99,7 @@ Format series_format(const std::string& file) {
 }
 
 std::string film_description() {
-  const std::string vtk = has_theora() ? ".ogv by VTK" : "no .ogv, VTK was built without Theora",
+  const std::string vtk = renderer().ogv ? ".ogv by VTK" : "no .ogv, VTK was built without Theora",
                     other = has_program("ffmpeg") ? ".mp4 by ffmpeg" : "no .mp4, ffmpeg is not in PATH";
   return vtk + "; " + other;
 }

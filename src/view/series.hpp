@@ -1,7 +1,7 @@
 #pragma once
 // Pictures that follow each other: numbered files, or a film.
 
-#include "view/renderer.hpp"
+#include "view/figure.hpp"
 
 namespace signorini::view {
 

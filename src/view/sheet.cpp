@@ -1,8 +1,8 @@
 #include "view/sheet.hpp"
 
 #include "base/error.hpp"
-#include "view/colormap.hpp"
-#include "view/space_axes.hpp"
+#include "view/camera.hpp"
+#include "view/colorbar.hpp"
 #include "view/text.hpp"
 
 #include <algorithm>
@@ -177,7 +177,6 @@ ModelBoxes widened(ModelBoxes boxes, const PictureOptions& options) {
 Sheet lay_out_sheet(const std::vector<std::string>& titles, const ModelBoxes& boxes, const PictureOptions& options,
                     const std::optional<std::array<double, 2>>& range, const Style& style,
                     const std::optional<ArrowRoom>& arrows) {
-  require(!options.columns || *options.columns >= 1, "view.sheet.columns", {{"columns", options.columns.value_or(1)}});
   const int count = static_cast<int>(titles.size());
   Grid grid;
   Rooms rooms{};

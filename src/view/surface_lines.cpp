@@ -2,7 +2,7 @@
 
 #include "base/error.hpp"
 #include "view/categories.hpp"
-#include "view/ticks.hpp"
+#include "view/frame.hpp"
 
 #include <algorithm>
 #include <bit>

@@ -13,6 +13,10 @@
 namespace signorini::view {
 namespace heatmap_test {
 
+void draw_heatmap(const std::vector<Heat>& maps, const HeatmapOptions& options, const std::string& file) {
+  write_whole(file, bytes_of(heatmap_figure(maps, options), format_of(file)));
+}
+
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 int count_of(const std::string& text, const std::string& part) {
@@ -139,31 +143,19 @@ TEST(Heatmap, SharesNamesAndBarAmongSeveralMaps) {
 
 TEST(Heatmap, RefusesWhatItCannotDraw) {
   HeatmapOptions options = three_by_two();
-  EXPECT_TRUE(holds(refusal({}, options), {"view.heatmap.empty"}));
   Heat map = ramp();
-  map.values.conservativeResize(1, 3);
-  EXPECT_TRUE(holds(refusal({map}, options),
-                    {"view.heatmap.values: map = (), value_rows = 1, value_columns = 3, rows = 2, columns = 3"}));
-  EXPECT_TRUE(holds(refusal({ramp(), map}, options), {"view.heatmap.values: map = (view.heatmap.map: number = 1), "
-                                                      "value_rows = 1, value_columns = 3, rows = 2, columns = 3"}));
-  map = ramp();
   map.values.setConstant(nan);
   EXPECT_TRUE(holds(refusal({map}, options), {"view.heatmap.blank"}));
-  map = ramp();
-  map.texts = {{"a", "b", "c"}};
-  EXPECT_TRUE(holds(refusal({map}, options), {"view.heatmap.texts: map = (), rows = 2, columns = 3"}));
   EXPECT_TRUE(holds(refusal({ramp()}, options, "no.gif"), {"view.file.ending"}));
 
   options.log = true;
   map = ramp();
   map.values(0, 1) = 0;
   EXPECT_TRUE(holds(refusal({map}, options), {"view.heatmap.log: map = (), row = 0, column = 1, value = 0"}));
+  EXPECT_TRUE(
+      holds(refusal({ramp(), map}, options), {"view.heatmap.log: map = (view.heatmap.map: number = 1), row = 0"}));
   options.range = {-1, 10};
   EXPECT_TRUE(holds(refusal({ramp()}, options), {"view.heatmap.range: low = -1"}));
-  options = three_by_two();
-  options.categories = {{"held", good_looks()[0]}};
-  EXPECT_TRUE(holds(refusal({ramp()}, options),
-                    {"view.heatmap.category: map = (), row = 0, column = 0, count = 1, value = 1"}));
 }
 
 TEST(Heatmap, LeavesCellsBlankWhoseValueIsNotFinite) {

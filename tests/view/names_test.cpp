@@ -1,6 +1,6 @@
 // Names on shapes: which are drawn, and where.
 
-#include "view/names.hpp"
+#include "view/marks.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
+#include "view/figure.hpp"
 #include "view/panel.hpp"
-#include "view/renderer.hpp"
 
 #include "scenes.hpp"
 

@@ -2,8 +2,8 @@
 
 #include "messages.hpp"
 #include "scenes.hpp"
-#include "view/colormap.hpp"
-#include "view/renderer.hpp"
+#include "view/colorbar.hpp"
+#include "view/figure.hpp"
 
 #include <gtest/gtest.h>
 
@@ -132,9 +132,6 @@ TEST(Picture, RefusesWhatItCannotDraw) {
   EXPECT_TRUE(holds(
       refusal(rings(), options),
       {"view.colormap.unknown: colormap = jet, known = (viridis, magma, inferno, plasma, cividis, grey, coolwarm)"}));
-  options = {};
-  options.range = {1, 1};
-  EXPECT_TRUE(holds(refusal(rings(), options), {"view.colors.range: low = 1, high = 1"}));
   auto bodies = rings();
   bodies[1].skin.values[3] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_TRUE(holds(refusal(bodies), {"view.body.field: body = (view.sheet.body: state = (), number = 1)"}));
@@ -164,7 +161,7 @@ TEST(Colormap, RunsMonotonicallyFromDarkToLightUnlessDiverging) {
 }
 
 TEST(Renderer, SaysWhatItIs) {
-  EXPECT_TRUE(holds(renderer_description(), {"VTK 9", "OpenGL"}));
+  EXPECT_TRUE(holds(renderer().description(), {"VTK 9", "OpenGL"}));
 }
 
 } // namespace picture_test

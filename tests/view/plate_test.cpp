@@ -3,9 +3,8 @@
 #include "messages.hpp"
 #include "scenes.hpp"
 #include "solid_scenes.hpp"
-#include "view/close_up.hpp"
+#include "view/compose.hpp"
 #include "view/series.hpp"
-#include "view/side_by_side.hpp"
 #include "view/text.hpp"
 
 #include <gtest/gtest.h>

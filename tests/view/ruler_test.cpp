@@ -1,4 +1,4 @@
-#include "view/space_axes.hpp"
+#include "view/camera.hpp"
 
 #include <gtest/gtest.h>
 

@@ -141,9 +141,6 @@ TEST(Sheet, IsDrawnWithTheSameBytesAndRefusesNothingToShow) {
     return static_cast<double>(width) / height;
   };
   EXPECT_GT(shape(3), 2 * shape(1));
-  options.columns = 0;
-  EXPECT_TRUE(
-      holds(message_of([&] { draw_states(panels, options, scratch("no.png")); }), {"view.sheet.columns: columns = 0"}));
   EXPECT_TRUE(holds(message_of([&] { draw_states(std::vector<Panel>{}, PictureOptions{}, scratch("no.png")); }),
                     {"view.sheet.empty"}));
   auto broken = panels;

@@ -3,8 +3,8 @@
 #include "messages.hpp"
 #include "scenes.hpp"
 #include "solid_scenes.hpp"
-#include "view/ribbon.hpp"
-#include "view/space_axes.hpp"
+#include "view/camera.hpp"
+#include "view/relief.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include "scenes.hpp"
 #include "solid_scenes.hpp"
 #include "view/categories.hpp"
-#include "view/colormap.hpp"
+#include "view/colorbar.hpp"
 #include "view/cut.hpp"
 #include "view/picture.hpp"
 #include "view/sheet.hpp"

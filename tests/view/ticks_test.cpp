@@ -1,6 +1,5 @@
 #include "view/frame.hpp"
 #include "view/text.hpp"
-#include "view/ticks.hpp"
 
 #include <gtest/gtest.h>
 

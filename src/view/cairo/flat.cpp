@@ -1,7 +1,7 @@
 // The module's entry: figures through Cairo into the bytes of PNG, SVG and PDF files.
 #include "base/error.hpp"
 #include "view/cairo/parts.hpp"
-#include "view/renderer.hpp"
+#include "view/figure.hpp"
 
 #include <cairo-pdf.h>
 #include <cairo-svg.h>

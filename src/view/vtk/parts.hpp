@@ -1,7 +1,7 @@
 #pragma once
 // The parts of the module with VTK.
 
-#include "view/renderer.hpp"
+#include "view/figure.hpp"
 
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>

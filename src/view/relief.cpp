@@ -1,4 +1,4 @@
-#include "view/ribbon.hpp"
+#include "view/relief.hpp"
 
 #include <algorithm>
 #include <cmath>

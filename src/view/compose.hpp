@@ -1,11 +1,23 @@
 #pragma once
-// A picture with a part of it magnified in a box.
+// Several pictures in one figure: side by side, or a magnified part in a box on the whole.
 
 #include "view/picture.hpp"
 
 #include <functional>
 
 namespace signorini::view {
+
+/// Makes the picture of a number (from 0), no larger than a size in pixels.
+using FigureMaker = std::function<Figure(int index, const std::array<int, 2>& most)>;
+
+/// `count` pictures in rows from left to right, with the options' title and size, in so many columns as the options say
+/// or, where they say nothing, as show the first picture largest without the whole being a tower.
+/// Throws Error when they find no room.
+Figure side_by_side(int count, const PictureOptions& options, const FigureMaker& make);
+
+/// The style of a picture of this size that is a part of a whole: its text is between that of a picture of its own and
+/// the whole's.
+Style part_style(const std::array<int, 2>& size, const Style& whole);
 
 /// Makes a picture (from 0) of states; where an extent is given, each so large at least.
 using WholeMaker = std::function<Plate(int picture, const std::optional<Box>& extent)>;
