@@ -55,6 +55,16 @@ template <> std::vector<std::string> to(lua_State* L, int index) {
   return to_list<std::string>(L, index);
 }
 
+template <> std::array<double, 2> to(lua_State* L, int index) {
+  const auto values = to_list<double>(L, index);
+  return {values[0], values[1]};
+}
+
+template <> std::array<int, 2> to(lua_State* L, int index) {
+  const auto values = to_list<int>(L, index);
+  return {values[0], values[1]};
+}
+
 template <> VectorX to(lua_State* L, int index) {
   const auto values = to_list<double>(L, index);
   return Eigen::Map<const VectorX>(values.data(), static_cast<Eigen::Index>(values.size()));

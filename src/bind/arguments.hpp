@@ -5,13 +5,15 @@
 #include "bind/stack.hpp"
 
 #include <algorithm>
+#include <array>
 #include <functional>
+#include <optional>
 #include <type_traits>
 
 namespace signorini::bind {
 
-/// A value that has been checked: double, int, bool, std::string, VectorX (a point), MatrixX (points in columns), or a
-/// vector of numbers, whole numbers or strings; nan stands for gaps in numbers.
+/// A value that has been checked: double, int, bool, std::string, VectorX (a point), MatrixX (points in columns), two
+/// numbers (an interval), or a vector of numbers, whole numbers or strings; nan stands for gaps in numbers.
 template <class T> T to(lua_State* L, int index);
 
 /// A table of named arguments.
@@ -29,6 +31,13 @@ public:
     T value = to<T>(L_, push(key));
     lua_pop(L_, 1);
     return value;
+  }
+  /// Reads what there is into its places: names and places in turn.
+  ///
+  ///     a.read("title", options.title, "range", options.range);
+  template <class T, class... Rest> void read(const char* key, T& place, Rest&&... rest) const {
+    if (has(key)) place = get<typename Plain<T>::type>(key);
+    if constexpr (sizeof...(rest) > 0) read(std::forward<Rest>(rest)...);
   }
   template <class T> T get(const char* key, T otherwise) const { return has(key) ? get<T>(key) : otherwise; }
   /// The object of a registered type, by reference into its userdata.
@@ -61,6 +70,9 @@ public:
   }
 
 private:
+  template <class T> struct Plain { using type = T; };
+  template <class T> struct Plain<std::optional<T>> { using type = T; };
+
   lua_State* L_;
   int index_;
   std::string path_;

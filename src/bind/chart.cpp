@@ -10,12 +10,6 @@ namespace signorini::bind {
 
 namespace {
 
-std::optional<std::array<double, 2>> read_interval(const Arguments& a, const char* key) {
-  if (!a.has(key)) return std::nullopt;
-  const auto range = a.get<std::vector<double>>(key);
-  return std::array<double, 2>{range[0], range[1]};
-}
-
 /// The place of a name among some, or their count.
 int place_of(const std::string& name, const std::vector<std::string>& names) {
   return static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin());
@@ -48,12 +42,8 @@ view::Series read_series(lua_State* L, const Arguments& chart, int number, const
   if (series.x.empty() && !series.y.empty()) fail("x", " is missing: give x for the chart or for the curve");
   if (series.x.size() != series.y.size())
     fail("y", " must have as many values as x, ", series.x.size(), ", got ", series.y.size());
-  series.label = curve.get<std::string>("label");
-  if (curve.has("markers")) series.markers = curve.get<bool>("markers");
-  series.dashed = curve.get<bool>("dashed");
-  series.arrows = curve.get<bool>("arrows");
-  series.line = curve.get<bool>("line");
-  series.width = curve.get<double>("width");
+  curve.read("label", series.label, "markers", series.markers, "dashed", series.dashed, "arrows", series.arrows, "line",
+             series.line, "width", series.width);
   if (curve.has("color")) series.colour = is_string(curve, "color") ? view::gray : curve.get<int>("color") - 1;
   if (curve.has("marker")) {
     const auto name = curve.get<std::string>("marker");
@@ -91,7 +81,8 @@ std::vector<view::Name> read_places(const Arguments& a, const char* key) {
 
 view::Inset read_inset(const Arguments& a) {
   constexpr const char* corners[] = {"north-east", "north-west", "south-east", "south-west"};
-  view::Inset inset{*read_interval(a, "xrange"), read_interval(a, "yrange")};
+  view::Inset inset;
+  a.read("xrange", inset.xrange, "yrange", inset.yrange);
   if (a.has("place"))
     inset.place =
         static_cast<view::Corner>(place_of(a.get<std::string>("place"), {std::begin(corners), std::end(corners)}));
@@ -108,27 +99,20 @@ view::LegendPlace read_legend(const Arguments& a) {
 int chart(lua_State* L) {
   const Arguments a(L);
   view::ChartOptions options;
-  options.title = a.get<std::string>("title");
-  options.xlabel = a.get<std::string>("xlabel");
-  options.ylabel = a.get<std::string>("ylabel");
+  a.read("title", options.title, "xlabel", options.xlabel, "ylabel", options.ylabel, "xrange", options.xrange, "yrange",
+         options.yrange, "legend_title", options.legend_title, "marks_title", options.marks_title, "marks",
+         options.marks);
   options.legend = read_legend(a);
-  options.legend_title = a.get<std::string>("legend_title");
-  options.marks_title = a.get<std::string>("marks_title");
-  options.marks = a.get<std::vector<std::string>>("marks");
   for (std::size_t i = 0; i < options.marks.size(); ++i)
     if (place_of(options.marks[i], options.marks) < static_cast<int>(i))
       a.fail("marks[", i + 1, "] is '", options.marks[i], "' once more: name each kind of points once");
   const auto log = a.get<std::string>("log");
   options.log_x = log == "x" || log == "xy";
   options.log_y = log == "y" || log == "xy";
-  options.xrange = read_interval(a, "xrange");
-  options.yrange = read_interval(a, "yrange");
   options.xticks = read_places(a, "xticks");
   options.hlines = read_places(a, "hlines");
   options.vlines = read_places(a, "vlines");
   if (a.has("inset")) options.inset = read_inset(a.table("inset"));
-  const auto size = a.get<std::vector<int>>("size");
-
   const auto x = a.get<std::vector<double>>("x");
   std::vector<view::Series> series;
   for (lua_Unsigned i = 1; i <= lua_rawlen(L, 1); ++i) {
@@ -138,12 +122,8 @@ int chart(lua_State* L) {
   }
   if (series.empty()) a.fail("no curve is given: add { y = {…}, label = … } to its arguments");
   const std::string curves = text(series.size(), series.size() == 1 ? " curve" : " curves");
-  const auto make = [series, options](const std::array<int, 2>& pixels) {
-    view::ChartOptions sized = options;
-    sized.size = pixels;
-    return view::chart_figure(series, sized);
-  };
-  return push_flat(L, {make}, {size[0], size[1]}, text("chart of ", curves), a.get<std::string>("file"));
+  return push_flat(L, a, options, text("chart of ", curves),
+                   [series](const view::ChartOptions& sized) { return view::chart_figure(series, sized); });
 }
 
 constexpr Function chart_functions[] = {{"chart", chart}};

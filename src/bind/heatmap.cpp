@@ -58,8 +58,8 @@ view::Rgb read_hex(const Arguments& category) {
 Wish read_category(lua_State* L, int index, const std::string& path) {
   if (lua_type(L, index) == LUA_TSTRING) return {to<std::string>(L, index)};
   const Arguments category(L, index, path);
-  Wish wish{category.get<std::string>("name")};
-  if (category.has("good")) wish.good = category.get<bool>("good");
+  Wish wish;
+  category.read("name", wish.name, "good", wish.good);
   if (is_string(category, "colour"))
     wish.colour = read_hex(category);
   else if (category.has("colour"))
@@ -192,30 +192,16 @@ std::vector<view::Heat> read_maps(const Arguments& a, const view::HeatmapOptions
 int heatmap(lua_State* L) {
   const Arguments a(L);
   view::HeatmapOptions options;
-  options.title = a.get<std::string>("title");
-  options.xlabel = a.get<std::string>("xlabel");
-  options.ylabel = a.get<std::string>("ylabel");
-  options.label = a.get<std::string>("label");
-  options.log = a.get<bool>("log");
-  options.colormap = a.get<std::string>("colormap");
-  if (a.has("range")) {
-    const auto range = a.get<std::vector<double>>("range");
-    options.range = {range[0], range[1]};
-  }
+  a.read("title", options.title, "xlabel", options.xlabel, "ylabel", options.ylabel, "label", options.label, "log",
+         options.log, "colormap", options.colormap, "range", options.range, "columns", options.columns);
   options.x = read_names(a, "x");
   options.y = read_names(a, "y");
   options.categories = read_categories(a);
   const std::vector<view::Heat> maps = read_maps(a, options);
-  if (a.has("columns")) options.columns = a.get<int>("columns");
   // Several maps in as many rows as they need
-  const auto size = a.get("size", std::vector<int>{1600, maps.size() == 1 ? 1000 : maps.size() <= 3 ? 850 : 1400});
-  const auto make = [maps, options](const std::array<int, 2>& pixels) {
-    view::HeatmapOptions sized = options;
-    sized.size = pixels;
-    return view::heatmap_figure(maps, sized);
-  };
-  const std::string cells = text("heat map of ", options.x.size(), " x ", options.y.size(), " cells");
-  return push_flat(L, {make}, {size[0], size[1]}, cells, a.get<std::string>("file"));
+  options.size = {1600, maps.size() == 1 ? 1000 : maps.size() <= 3 ? 850 : 1400};
+  return push_flat(L, a, options, text("heat map of ", options.x.size(), " x ", options.y.size(), " cells"),
+                   [maps](const view::HeatmapOptions& sized) { return view::heatmap_figure(maps, sized); });
 }
 
 constexpr Function heatmap_functions[] = {{"heatmap", heatmap}};

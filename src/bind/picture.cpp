@@ -23,8 +23,7 @@ void read_paper(const Arguments& a, Picture& picture, const std::array<int, 2>& 
       const int width = a.get<int>("size");
       picture.size = {width, std::min(2 * width, largest_size)};
     } else {
-      const auto size = a.get<std::vector<int>>("size");
-      picture.size = {size[0], size[1]};
+      picture.size = a.get<std::array<int, 2>>("size");
     }
   }
   const double scale = a.get<double>("scale");
@@ -82,10 +81,6 @@ Picture make_sheet(SheetPicture sheet) {
   return make_picture(std::move(sheet), text("sheet", title, " of ", count, count == 1 ? " picture" : " pictures"));
 }
 
-std::optional<int> read_columns(const Arguments& a) {
-  return a.has("columns") ? std::optional(a.get<int>("columns")) : std::nullopt;
-}
-
 // ── sg.picture ───────────────────────────────────────────────────────────────────────────────────────────────────────
 
 /// That of an entry of run:states().
@@ -114,7 +109,8 @@ int picture_of_many(lua_State* L, const Arguments& a, const std::string& file) {
     add_state(0, "");
 
   const auto title = a.get<std::string>("title");
-  const auto columns = read_columns(a);
+  std::optional<int> columns;
+  a.read("columns", columns);
   const auto on_paper = [&](Picture sheet) {
     sheet.size = paper.size, sheet.trim = paper.trim, sheet.transparent = paper.transparent;
     return sheet;
@@ -175,13 +171,12 @@ int sheet(lua_State* L) {
   const Arguments a(L);
   const auto file = a.get<std::string>("file");
   check_ending(file, false);
-  SheetPicture content{read_pictures(L), a.get<std::string>("title"), read_columns(a)};
-  if (is_string(a, "range")) {
+  SheetPicture content{read_pictures(L), a.get<std::string>("title")};
+  a.read("columns", content.columns);
+  if (is_string(a, "range"))
     content.own_ranges = a.get<std::string>("range") == "own";
-  } else {
-    const auto range = a.get<std::vector<double>>("range");
-    content.range = {range[0], range[1]};
-  }
+  else
+    a.read("range", content.range);
   Picture whole = make_sheet(std::move(content));
   read_paper(a, whole, {1600, 2000});
   return push_picture(L, std::move(whole), file);
@@ -224,13 +219,6 @@ int push_picture(lua_State* L, Picture picture, const std::string& file) {
   const Picture& pushed = push_object(L, std::move(picture));
   if (!file.empty()) write_picture(pushed, file);
   return 1;
-}
-
-int push_flat(lua_State* L, FlatPicture flat, const std::array<int, 2>& size, const std::string& description,
-              const std::string& file) {
-  Picture picture = make_picture(std::move(flat), description);
-  picture.size = size;
-  return push_picture(L, std::move(picture), file);
 }
 
 void open_picture(lua_State* L) {

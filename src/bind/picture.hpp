@@ -63,8 +63,18 @@ std::function<view::Figure(int picture)> figures_of(const std::vector<Picture>& 
 /// every function that makes one.
 int push_picture(lua_State* L, Picture picture, const std::string& file);
 
-/// The same of a chart or a heat map of this size in pixels.
-int push_flat(lua_State* L, FlatPicture flat, const std::array<int, 2>& size, const std::string& description,
-              const std::string& file);
+/// The same of a chart or a heat map, which draw(options) makes for a size in pixels; `size` and `file` are read.
+template <class Options, class Draw>
+int push_flat(lua_State* L, const Arguments& a, Options options, const std::string& description, Draw draw) {
+  a.read("size", options.size);
+  const auto make = [options, draw](const std::array<int, 2>& pixels) {
+    Options sized = options;
+    sized.size = pixels;
+    return draw(sized);
+  };
+  Picture picture = make_picture(FlatPicture{make}, description);
+  picture.size = options.size;
+  return push_picture(L, std::move(picture), a.get<std::string>("file"));
+}
 
 } // namespace signorini::bind

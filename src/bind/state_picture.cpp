@@ -105,15 +105,9 @@ std::vector<view::PointMark> read_marks(const Arguments& a, int dimension) {
 Showing read_showing(const Arguments& a, const std::string& field) {
   Showing showing;
   showing.field = field;
-  showing.factor = a.get<double>("factor");
-  showing.deformed = a.get<bool>("deformed");
-  showing.undeformed = a.get<bool>("undeformed");
-  showing.mesh = a.get<bool>("mesh");
-  showing.control_points = a.get<bool>("control_points");
-  showing.obstacles = a.get<bool>("obstacles");
-  showing.names = a.get<bool>("names");
-  showing.mirror = a.get<std::string>("mirror");
-  showing.vectors = a.get<std::string>("vectors");
+  a.read("factor", showing.factor, "deformed", showing.deformed, "undeformed", showing.undeformed, "mesh", showing.mesh,
+         "control_points", showing.control_points, "obstacles", showing.obstacles, "names", showing.names, "mirror",
+         showing.mirror, "vectors", showing.vectors);
   return showing;
 }
 
@@ -148,14 +142,8 @@ StatePicture read_view(const Arguments& a, Showing& showing, bool solid, const s
     a.fail("tractions act in the present state, which deformed = false hides: leave one of them out");
   StatePicture picture;
   view::PictureOptions& options = picture.options;
-  options.colormap = a.get<std::string>("colormap");
-  options.bar = a.get<bool>("bar");
-  options.unit = a.get<std::string>("unit");
-  options.ruler = a.get<bool>("ruler", true);
-  if (a.has("range")) {
-    const auto range = a.get<std::vector<double>>("range");
-    options.range = {range[0], range[1]};
-  }
+  a.read("colormap", options.colormap, "bar", options.bar, "unit", options.unit, "ruler", options.ruler, "range",
+         options.range);
   read_lines(a, options, showing, solid);
   if (solid) options.camera = read_camera(a, cut);
   read_parts(a, picture, showing, size);

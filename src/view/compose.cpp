@@ -132,8 +132,8 @@ struct Cost {
 /// By share and corner; fewer shares where frames are too small.
 using Costs = std::vector<std::array<Cost, 4>>;
 
-double distance(const Box& a, const Box& b) {
-  return 0.5 * std::hypot(a[0] + a[1] - b[0] - b[1], a[2] + a[3] - b[2] - b[3]);
+Vec2 middle(const Box& box) {
+  return {0.5 * (box[0] + box[1]), 0.5 * (box[2] + box[3])};
 }
 
 void add_costs(Costs& costs, int picture, const Plate& whole, const DetailMaker& detail) {
@@ -147,13 +147,13 @@ void add_costs(Costs& costs, int picture, const Plate& whole, const DetailMaker&
       }
       const Plate plate = detail(picture, static_cast<int>(state), *most);
       require(overlap(frame.box, place_of(plate.frames.front(), frame)), "view.inset.outside_picture");
-      const double diagonal = std::hypot(frame.box[1] - frame.box[0], frame.box[3] - frame.box[2]);
+      const double diagonal = distance({frame.box[0], frame.box[2]}, {frame.box[1], frame.box[3]});
       for (int corner = 0; corner < 4; ++corner) {
         const Placing placing = placed(frame, corner, plate);
         const Box box = box_of(placing.inset);
         Cost& cost = costs[s][static_cast<std::size_t>(corner)];
         cost.hidden += hidden_in(whole, box) + (overlap(box, placing.marked) ? 1000000 : 0);
-        cost.distance += distance(box, placing.marked) / diagonal;
+        cost.distance += distance(middle(box), middle(placing.marked)) / diagonal;
       }
     }
 }

@@ -29,7 +29,7 @@ Lines stretches(const Series& s, const Frame& frame) {
     if (!open) parts.emplace_back();
     open = true;
     auto& part = parts.back();
-    if (part.empty() || std::hypot(point[0] - part.back()[0], point[1] - part.back()[1]) > 0.2) part.push_back(point);
+    if (part.empty() || distance(point, part.back()) > 0.2) part.push_back(point);
   }
   return parts;
 }
@@ -113,7 +113,7 @@ std::vector<Vec2> ring(const Shape& shape, const Vec2& at, double radius, int co
   std::vector<Vec2> points;
   for (int k = 0; k < corners; ++k) {
     const double angle = (shape.turn + 360.0 * k / corners) * std::numbers::pi / 180;
-    points.push_back({at[0] + radius * std::cos(angle), at[1] + radius * std::sin(angle)});
+    points.push_back(at + radius * Vec2{std::cos(angle), std::sin(angle)});
   }
   return points;
 }
@@ -197,12 +197,10 @@ void draw_arrows(Drawing& drawing, const std::vector<Vec2>& line, const Rgb& col
   double left = 0.5 * apart * style.unit; // to the next head
   for (std::size_t i = 1; i < line.size(); ++i) {
     const Vec2 &from = line[i - 1], &to = line[i];
-    const double piece = std::hypot(to[0] - from[0], to[1] - from[1]);
+    const double piece = distance(from, to);
     for (; left <= piece && piece > 0; left += apart * style.unit) {
-      const Vec2 t = {(to[0] - from[0]) / piece, (to[1] - from[1]) / piece};
-      const auto at = [&](double along, double across) {
-        return Vec2{from[0] + (left + along) * t[0] - across * t[1], from[1] + (left + along) * t[1] + across * t[0]};
-      };
+      const Vec2 t = 1 / piece * (to - from);
+      const auto at = [&](double along, double across) { return from + (left + along) * t + across * left_of(t); };
       drawing.marks.push_back(Fill{{at(0.5 * length, 0), at(-0.5 * length, half), at(-0.5 * length, -half)}, colour});
     }
     left -= piece;
@@ -232,8 +230,7 @@ void draw_sample(Drawing& drawing, const Series& s, const CurveLook& look, const
   if (s.line || !s.marks.empty())
     drawing.marks.push_back(Stroke{{from, to}, look.colour, 1.13 * look.width, look.dash});
   if (look.marker == no_marker) return;
-  const Vec2 middle = {0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1])};
-  draw_marker(drawing, look.marker, middle, 1.06 * marker_radius * style.unit, look.colour);
+  draw_marker(drawing, look.marker, 0.5 * (from + to), 1.06 * marker_radius * style.unit, look.colour);
 }
 
 void draw_mark_sample(Drawing& drawing, int mark, const Vec2& at, const Style& style) {
@@ -258,8 +255,7 @@ double covered(const Lines& lines, const Box& box) {
   double length = 0;
   for (const auto& line : lines)
     for (const auto& part : clip_line(line, box))
-      for (std::size_t i = 1; i < part.size(); ++i)
-        length += std::hypot(part[i][0] - part[i - 1][0], part[i][1] - part[i - 1][1]);
+      for (std::size_t i = 1; i < part.size(); ++i) length += distance(part[i - 1], part[i]);
   return length;
 }
 

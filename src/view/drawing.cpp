@@ -7,10 +7,6 @@
 namespace signorini::view {
 namespace {
 
-Vec2 mix(const Vec2& a, const Vec2& b, double t) {
-  return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])};
-}
-
 /// The stretch [t0, t1] of a segment inside the box, by Liang and Barsky; false when there is none.
 bool inside(const Vec2& a, const Vec2& b, const Box& box, double& t0, double& t1) {
   t0 = 0, t1 = 1;
@@ -31,13 +27,14 @@ std::vector<std::vector<Vec2>> clip_line(const std::vector<Vec2>& line, const Bo
   std::vector<std::vector<Vec2>> parts;
   bool joined = false; // does the next segment go on from the last part's end?
   for (std::size_t i = 1; i < line.size(); ++i) {
+    const auto along = [&](double t) { return line[i - 1] + t * (line[i] - line[i - 1]); };
     double t0, t1;
     if (!inside(line[i - 1], line[i], box, t0, t1)) {
       joined = false;
       continue;
     }
-    if (!joined || t0 > 0) parts.push_back({mix(line[i - 1], line[i], t0)});
-    parts.back().push_back(t1 < 1 ? mix(line[i - 1], line[i], t1) : line[i]);
+    if (!joined || t0 > 0) parts.push_back({along(t0)});
+    parts.back().push_back(t1 < 1 ? along(t1) : line[i]);
     joined = t1 == 1;
   }
   return parts;
@@ -53,7 +50,7 @@ std::vector<Vec2> circle_about(const Vec2& at, double radius) {
   std::vector<Vec2> circle;
   for (int k = 0; k <= pieces; ++k) {
     const double angle = 2 * std::numbers::pi * k / pieces;
-    circle.push_back({at[0] + radius * std::cos(angle), at[1] + radius * std::sin(angle)});
+    circle.push_back(at + radius * Vec2{std::cos(angle), std::sin(angle)});
   }
   return circle;
 }
@@ -65,17 +62,13 @@ std::vector<Vec2> outline_of(const Box& box) {
 
 void draw_arrow(Drawing& drawing, std::vector<Vec2> line, double head, double width, const Rgb& colour) {
   const Vec2 tip = line.back();
-  const auto apart = [&](const Vec2& p) { return std::hypot(tip[0] - p[0], tip[1] - p[1]); };
-  while (line.size() > 1 && apart(line.back()) < head) line.pop_back();
-  const double length = apart(line.back());
+  while (line.size() > 1 && distance(tip, line.back()) < head) line.pop_back();
+  const double length = distance(tip, line.back());
   if (length == 0) return;
-  const Vec2 along = {head * (tip[0] - line.back()[0]) / length, head * (tip[1] - line.back()[1]) / length};
-  const Vec2 neck = {tip[0] - along[0], tip[1] - along[1]};
+  const Vec2 along = head / length * (tip - line.back()), neck = tip - along, side = 0.4 * left_of(along);
   line.push_back(neck);
   drawing.marks.push_back(Stroke{std::move(line), colour, width});
-  drawing.marks.push_back(Fill{
-      {tip, {neck[0] - 0.4 * along[1], neck[1] + 0.4 * along[0]}, {neck[0] + 0.4 * along[1], neck[1] - 0.4 * along[0]}},
-      colour});
+  drawing.marks.push_back(Fill{{tip, neck + side, neck - side}, colour});
 }
 
 bool overlap(const Box& a, const Box& b) {

@@ -3,6 +3,7 @@
 // Drawing; the writers of PNG, SVG and PDF turn it into bytes.
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <variant>
@@ -11,6 +12,23 @@
 namespace signorini::view {
 
 using Vec2 = std::array<double, 2>;
+inline Vec2 operator+(const Vec2& a, const Vec2& b) {
+  return {a[0] + b[0], a[1] + b[1]};
+}
+inline Vec2 operator-(const Vec2& a, const Vec2& b) {
+  return {a[0] - b[0], a[1] - b[1]};
+}
+inline Vec2 operator*(double factor, const Vec2& v) {
+  return {factor * v[0], factor * v[1]};
+}
+/// A quarter turn to the left.
+inline Vec2 left_of(const Vec2& v) {
+  return {-v[1], v[0]};
+}
+inline double distance(const Vec2& a, const Vec2& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1]);
+}
+
 using Rgb = std::array<std::uint8_t, 3>;
 using Box = std::array<double, 4>; ///< xmin, xmax, ymin, ymax
 

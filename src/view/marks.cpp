@@ -29,10 +29,6 @@ Box box_about(const Vec2& at, double reach) {
   return {at[0] - reach, at[0] + reach, at[1] - reach, at[1] + reach};
 }
 
-double mark_distance(const Vec2& a, const Vec2& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1]);
-}
-
 /// White beneath, so that it shows on any colour.
 void draw_ring(Drawing& drawing, const Vec2& at, const Style& style) {
   const double reach = arm(style);
@@ -50,11 +46,8 @@ void draw_dot(Drawing& drawing, const Vec2& at, const Style& style) {
 
 /// Beside the ring, towards what is out of sight.
 void draw_arrow(Drawing& drawing, const Vec2& at, const Vec2& beyond, const Style& style) {
-  const double length = std::hypot(beyond[0], beyond[1]), r = radius(style);
-  const Vec2 along = {beyond[0] / length, beyond[1] / length}, side = {-along[1], along[0]};
-  const auto point = [&](double far, double wide) {
-    return Vec2{at[0] + r * (far * along[0] + wide * side[0]), at[1] + r * (far * along[1] + wide * side[1])};
-  };
+  const Vec2 along = radius(style) / distance(beyond, {0, 0}) * beyond;
+  const auto point = [&](double far, double wide) { return at + far * along + wide * left_of(along); };
   drawing.marks.push_back(Fill{{point(2.7, 0), point(1.1, 1.15), point(1.1, -1.15)}, white});
   drawing.marks.push_back(Fill{{point(2.4, 0), point(1.3, 0.8), point(1.3, -0.8)}, ring_colour});
 }
@@ -71,11 +64,9 @@ FittedText make_label(const std::string& text, const Box& box, const Style& styl
 /// From the marker to the text's nearest side; nothing where they are close to each other.
 Polyline leader(const Vec2& at, const Box& place, double size, const Style& style) {
   const Vec2 end = {std::clamp(at[0], place[0], place[1]), std::clamp(at[1], place[2], place[3])};
-  const double length = mark_distance(at, end), r = radius(style);
+  const double length = distance(at, end), r = radius(style);
   if (length < arm(style) + 0.6 * size) return {};
-  const double from = r / length, to = 1 - 0.15 * size / length;
-  return {{at[0] + from * (end[0] - at[0]), at[1] + from * (end[1] - at[1])},
-          {at[0] + to * (end[0] - at[0]), at[1] + to * (end[1] - at[1])}};
+  return {at + r / length * (end - at), at + (1 - 0.15 * size / length) * (end - at)};
 }
 
 /// What a line covers, in small boxes.
@@ -83,11 +74,10 @@ std::vector<Box> cover(const Polyline& line, const Style& style) {
   std::vector<Box> boxes;
   if (line.empty()) return boxes;
   const double width = 4 * style.unit;
-  const int pieces = static_cast<int>(mark_distance(line[0], line[1]) / width) + 1;
+  const int pieces = static_cast<int>(distance(line[0], line[1]) / width) + 1;
   for (int k = 0; k <= pieces; ++k) {
     const double t = static_cast<double>(k) / pieces;
-    boxes.push_back(
-        box_about({(1 - t) * line[0][0] + t * line[1][0], (1 - t) * line[0][1] + t * line[1][1]}, 0.5 * width));
+    boxes.push_back(box_about(line[0] + t * (line[1] - line[0]), 0.5 * width));
   }
   return boxes;
 }
@@ -155,7 +145,7 @@ std::vector<PlacedMark> within(std::vector<PlacedMark> marks, const Box& box, bo
     if (inside(mark)) continue;
     const Vec2 at = {pushed(mark.at[0], box[0] + room, box[1] - room),
                      pushed(mark.at[1], box[2] + room, box[3] - room)};
-    mark.beyond = {mark.at[0] - at[0], mark.at[1] - at[1]};
+    mark.beyond = mark.at - at;
     mark.at = at;
   }
   return marks;
@@ -165,7 +155,7 @@ void draw_marks(Drawing& drawing, const std::vector<PlacedMark>& marks, const Bo
   std::vector<Vec2> rings, dots;
   Taken taken;
   for (const PlacedMark& mark : marks) {
-    const auto near = [&](const Vec2& other) { return mark_distance(mark.at, other) < 1.5 * radius(style); };
+    const auto near = [&](const Vec2& other) { return distance(mark.at, other) < 1.5 * radius(style); };
     const bool ring = std::none_of(rings.begin(), rings.end(), near);
     (ring ? rings : dots).push_back(mark.at);
     taken.markers.push_back(box_about(mark.at, ring ? arm(style) : 0.5 * radius(style)));

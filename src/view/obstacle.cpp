@@ -15,17 +15,13 @@ namespace {
 constexpr Rgb rim_colour = {95, 95, 95}, band_colour = {200, 200, 200};
 constexpr double small_extent = 280; // pixels of a picture of 1600 × 1000
 
-double corner_distance(const Vec2& a, const Vec2& b) {
-  return std::hypot(b[0] - a[0], b[1] - a[1]);
-}
-
 /// Moves the end away from its neighbour until it lies outside the box, from wherever it is.
 void extend(Vec2& end, const Vec2& neighbour, const Box& box) {
-  const double length = corner_distance(neighbour, end);
+  const double length = distance(neighbour, end);
   if (length == 0) return;
   const Vec2 corner = {box[0], box[2]}, opposite = {box[1], box[3]};
-  const double factor = (corner_distance(end, corner) + 2 * corner_distance(corner, opposite)) / length;
-  for (int axis = 0; axis < 2; ++axis) end[axis] += factor * (end[axis] - neighbour[axis]);
+  const double factor = (distance(end, corner) + 2 * distance(corner, opposite)) / length;
+  end = end + factor * (end - neighbour);
 }
 
 /// Strokes at 45° to the line, on its left, one after each `spacing` pixels.
@@ -33,14 +29,11 @@ void hatch(Drawing& drawing, const std::vector<Vec2>& line, const Box& box, cons
   const double spacing = 14 * style.unit, length = 18 * style.unit;
   double next = 0.5 * spacing; // to the next stroke
   for (std::size_t i = 1; i < line.size(); ++i) {
-    const double size = corner_distance(line[i - 1], line[i]);
+    const double size = distance(line[i - 1], line[i]);
     if (size == 0) continue;
-    const Vec2 t = {(line[i][0] - line[i - 1][0]) / size, (line[i][1] - line[i - 1][1]) / size};
+    const Vec2 t = 1 / size * (line[i] - line[i - 1]);
     while (next < size) {
-      const Vec2 from = {line[i - 1][0] + next * t[0], line[i - 1][1] + next * t[1]};
-      // (t + n)/√2 with the left normal n = (−t_y, t_x)
-      const Vec2 to = {from[0] + std::sqrt(0.5) * length * (t[0] - t[1]),
-                       from[1] + std::sqrt(0.5) * length * (t[1] + t[0])};
+      const Vec2 from = line[i - 1] + next * t, to = from + std::sqrt(0.5) * length * (t + left_of(t));
       for (auto& part : clip_line({from, to}, box))
         drawing.marks.push_back(Stroke{std::move(part), rim_colour, 1.8 * style.unit});
       next += spacing;
@@ -53,11 +46,10 @@ void hatch(Drawing& drawing, const std::vector<Vec2>& line, const Box& box, cons
 void shade(Drawing& drawing, const std::vector<Vec2>& line, double width) {
   for (std::size_t i = 1; i < line.size(); ++i) {
     const Vec2 &a = line[i - 1], &b = line[i];
-    const double size = corner_distance(a, b);
+    const double size = distance(a, b);
     if (size == 0) continue;
-    const Vec2 inwards = {-width * (b[1] - a[1]) / size, width * (b[0] - a[0]) / size};
-    drawing.marks.push_back(
-        Fill{{a, b, {b[0] + inwards[0], b[1] + inwards[1]}, {a[0] + inwards[0], a[1] + inwards[1]}}, band_colour});
+    const Vec2 inwards = width / size * left_of(b - a);
+    drawing.marks.push_back(Fill{{a, b, b + inwards, a + inwards}, band_colour});
   }
 }
 

@@ -115,8 +115,8 @@ std::vector<PointVector> regular_sample(const std::vector<Surface>& surfaces, do
 void draw_vectors(Drawing& drawing, const std::vector<PointVector>& vectors, double scale, const Box& box,
                   double unit) {
   for (const auto& [at, vector] : vectors) {
-    const Vec2 from = {at[0], at[1]}, to = {at[0] + scale * vector[0], at[1] + scale * vector[1]};
-    const double length = std::hypot(to[0] - from[0], to[1] - from[1]);
+    const Vec2 from = {at[0], at[1]}, to = from + scale * Vec2{vector[0], vector[1]};
+    const double length = distance(from, to);
     if (length < 4 * unit || !holds(box, from)) continue;
     // White beneath, so that it shows on any colour.
     const double head = std::min(15 * unit, 0.6 * length);
