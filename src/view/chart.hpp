@@ -31,6 +31,7 @@ struct Series {
 };
 
 enum class Corner { north_east, north_west, south_east, south_west };
+inline constexpr Corner corners[] = {Corner::north_east, Corner::north_west, Corner::south_east, Corner::south_west};
 
 /// A part of the chart, drawn once more and larger in a box within the chart.
 struct Inset {

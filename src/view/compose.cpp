@@ -87,11 +87,6 @@ Box extent_of(const Frame& frame) {
   return {frame.x.low, frame.x.high, frame.y.low, frame.y.high};
 }
 
-Box clipped(const Box& box, const Box& frame) {
-  return {std::max(box[0], frame[0]), std::min(box[1], frame[1]), std::max(box[2], frame[2]),
-          std::min(box[3], frame[3])};
-}
-
 struct Placing {
   PlacedPlate inset;
   Box marked;
@@ -158,22 +153,17 @@ void add_costs(Costs& costs, int picture, const Plate& whole, const DetailMaker&
     }
 }
 
-struct Choice {
-  CloseUpPlan plan;
-  long hidden;
-};
-
 /// What hides least; of several that hide as little, large ones near the marked region. Nothing where frames are too
 /// small.
-std::optional<Choice> best_choice(const Costs& costs, std::size_t states) {
-  std::optional<Choice> best;
+std::optional<CloseUpPlan> best_plan(const Costs& costs, std::size_t states) {
+  std::optional<CloseUpPlan> best;
   double merit = 0;
   for (std::size_t s = 0; s < costs.size(); ++s)
     for (std::size_t corner = 0; corner < 4; ++corner) {
-      const Cost& cost = costs[s][corner];
-      const double own = shares[s] - 0.35 * cost.distance / static_cast<double>(states);
-      if (best && (cost.hidden > best->hidden || (cost.hidden == best->hidden && own <= merit + 1e-9))) continue;
-      best = {{shares[s], static_cast<int>(corner), std::nullopt}, cost.hidden};
+      const auto& [hidden, distance] = costs[s][corner];
+      const double own = shares[s] - 0.35 * distance / static_cast<double>(states);
+      if (best && (hidden > best->hidden || (hidden == best->hidden && own <= merit + 1e-9))) continue;
+      best = {shares[s], static_cast<int>(corner), hidden};
       merit = own;
     }
   return best;
@@ -189,11 +179,10 @@ std::array<std::array<Vec2, 2>, 2> joins(const Box& from, const Box& to) {
 }
 
 void draw_joins(Drawing& drawing, const Placing& placing) {
-  const auto& [at, plate] = placing.inset;
-  const double x = at[0], y = at[1], width = std::max(1.0, 1.5e-3 * drawing.size[0]);
-  const Box inset = {x - width, x + plate.drawing.size[0] + width, y - width, y + plate.drawing.size[1] + width};
-  for (const auto& [left, right, bottom, top] : {placing.marked, inset})
-    drawing.marks.push_back(Stroke{outline_of({left, right, bottom, top}), frame_colour, 1.4 * width});
+  const double width = std::max(1.0, 1.5e-3 * drawing.size[0]);
+  const Box inset = aired(box_of(placing.inset), width);
+  for (const Box& box : {placing.marked, inset})
+    drawing.marks.push_back(Stroke{outline_of(box), frame_colour, 1.4 * width});
   for (const auto& [from, to] : joins(placing.marked, inset))
     drawing.marks.push_back(Stroke{{from, to}, frame_colour, width, {6 * width, 4 * width}});
 }
@@ -259,10 +248,10 @@ CloseUpPlan plan_close_ups(int pictures, const WholeMaker& make, const DetailMak
       for (const Frame& frame : whole.frames) shown = hull({shown, extent_of(frame)});
       states += whole.frames.size();
     }
-    auto best = best_choice(costs, states);
+    auto best = best_plan(costs, states);
     if (best && (best->hidden == 0 || raised)) {
-      best->plan.extent = extent;
-      return best->plan;
+      best->extent = extent;
+      return *best;
     }
     require(!raised, static_cast<int>(states) > pictures ? "view.inset.room_each" : "view.inset.room_or_crop");
     // Room above: as much again as half of what is shown.

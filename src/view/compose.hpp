@@ -28,6 +28,7 @@ using DetailMaker = std::function<Plate(int picture, int state, const std::array
 struct CloseUpPlan {
   double share = 0;               ///< of the frame's height
   int corner = 0;                 ///< of the frame
+  long hidden = 0;                ///< points of bodies that the parts hide
   std::optional<Box> extent = {}; ///< of each state at least
 };
 

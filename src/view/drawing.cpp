@@ -71,6 +71,15 @@ void draw_arrow(Drawing& drawing, std::vector<Vec2> line, double head, double wi
   drawing.marks.push_back(Fill{{tip, neck + side, neck - side}, colour});
 }
 
+Box clipped(const Box& box, const Box& frame) {
+  return {std::max(box[0], frame[0]), std::min(box[1], frame[1]), std::max(box[2], frame[2]),
+          std::min(box[3], frame[3])};
+}
+
+Box aired(const Box& box, double air) {
+  return {box[0] - air, box[1] + air, box[2] - air, box[3] + air};
+}
+
 bool overlap(const Box& a, const Box& b) {
   return a[0] < b[1] && b[0] < a[1] && a[2] < b[3] && b[2] < a[3];
 }

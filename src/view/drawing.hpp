@@ -82,6 +82,10 @@ std::vector<Vec2> outline_of(const Box& box);
 /// A line that ends in a head of this length; the head takes the place of what of the line is nearer to the tip.
 void draw_arrow(Drawing& drawing, std::vector<Vec2> line, double head, double width, const Rgb& colour);
 
+/// What of a box lies within another one, and a box with air on all sides.
+Box clipped(const Box& box, const Box& frame);
+Box aired(const Box& box, double air);
+
 bool overlap(const Box& a, const Box& b);
 bool holds(const Box& box, const Vec2& point);
 

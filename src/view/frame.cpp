@@ -13,8 +13,14 @@ namespace {
 constexpr Rgb grid_colour = {226, 226, 226}, minor_grid_colour = {242, 242, 242}, axis_colour = {70, 70, 70};
 constexpr double digit_height = 0.72; // of digits and capitals, in the font's size
 
-void line(Drawing& drawing, const Vec2& a, const Vec2& b, const Rgb& colour, double width) {
-  drawing.marks.push_back(Stroke{{a, b}, colour, width});
+/// Lines inwards from the lower side and from the left one: this far at ticks on x and on y, pixels.
+void draw_ticks(Drawing& drawing, const Frame& frame, bool minor, const Vec2& lengths, const Rgb& colour,
+                double width) {
+  const double left = frame.box[0], bottom = frame.box[2];
+  for (double v : minor ? frame.xticks.minor : frame.xticks.at)
+    drawing.marks.push_back(Stroke{{{frame.x(v), bottom}, {frame.x(v), bottom + lengths[0]}}, colour, width});
+  for (double v : minor ? frame.yticks.minor : frame.yticks.at)
+    drawing.marks.push_back(Stroke{{{left, frame.y(v)}, {left + lengths[1], frame.y(v)}}, colour, width});
 }
 
 double widest(const Ticks& ticks, double size) {
@@ -43,16 +49,10 @@ template <class Needed> void thin_out(Ticks& ticks, const Scale& scale, Needed n
 void draw_name(Drawing& drawing, const FittedText& name, const Vec2& at, bool upright, bool beside,
                const Style& style) {
   const double tick = style.tick_size, middle = 0.5 * (digit_height * name.size - name.depth());
-  double across = 0; // from the first line
-  for (const std::string& line : name.lines) {
-    const Vec2 start = upright  ? Vec2{at[0] + middle + across, at[1] - 0.5 * tick}
-                       : beside ? Vec2{at[0] - 0.45 * tick, at[1] - middle - across}
-                                : Vec2{at[0], at[1] - 1.2 * tick - across};
-    across += line_step * name.size;
-    if (!line.empty())
-      drawing.marks.push_back(
-          Text{start, line, name.size, upright || beside ? Align::right : Align::centre, ink, upright});
-  }
+  const Vec2 start = upright  ? Vec2{at[0] + middle, at[1] - 0.5 * tick}
+                     : beside ? Vec2{at[0] - 0.45 * tick, at[1] - middle}
+                              : Vec2{at[0], at[1] - 1.2 * tick};
+  draw_lines(drawing, name, start, upright || beside ? Align::right : Align::centre, ink, upright);
 }
 
 /// The lines of a title that leaves `above` pixels at most over the box.
@@ -135,36 +135,20 @@ std::array<double, 2> reach_of_ticks(const Frame& frame, const Style& style) {
 
 void fill_box(Drawing& drawing, const Box& box, const Rgb& colour) {
   const auto& [left, right, bottom, top] = box;
-  Fill fill;
-  fill.outline = {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
-  fill.colour = colour;
-  drawing.marks.emplace_back(std::move(fill));
+  drawing.marks.push_back(Fill{{{left, bottom}, {right, bottom}, {right, top}, {left, top}}, colour});
 }
 
 void draw_grid(Drawing& drawing, const Frame& frame, const Style& style) {
-  const auto& [left, right, bottom, top] = frame.box;
-  const double width = 1.4 * style.unit;
-  for (double v : frame.xticks.minor) line(drawing, {frame.x(v), bottom}, {frame.x(v), top}, minor_grid_colour, width);
-  for (double v : frame.yticks.minor) line(drawing, {left, frame.y(v)}, {right, frame.y(v)}, minor_grid_colour, width);
-  for (double v : frame.xticks.at) line(drawing, {frame.x(v), bottom}, {frame.x(v), top}, grid_colour, width);
-  for (double v : frame.yticks.at) line(drawing, {left, frame.y(v)}, {right, frame.y(v)}, grid_colour, width);
+  const Vec2 across = {frame.box[3] - frame.box[2], frame.box[1] - frame.box[0]};
+  draw_ticks(drawing, frame, true, across, minor_grid_colour, 1.4 * style.unit);
+  draw_ticks(drawing, frame, false, across, grid_colour, 1.4 * style.unit);
 }
 
 void draw_frame(Drawing& drawing, const Frame& frame, const Style& style) {
-  const double left = frame.box[0], right = frame.box[1], bottom = frame.box[2], top = frame.box[3];
   const double width = 1.6 * style.unit, tick = 9 * style.unit;
-  const auto x_tick = [&](double v, double length) {
-    line(drawing, {frame.x(v), bottom}, {frame.x(v), bottom + length}, axis_colour, width);
-  };
-  const auto y_tick = [&](double v, double length) {
-    line(drawing, {left, frame.y(v)}, {left + length, frame.y(v)}, axis_colour, width);
-  };
-  drawing.marks.push_back(Stroke{outline_of({left, right, bottom, top}), axis_colour, width});
-  for (double v : frame.xticks.minor) x_tick(v, 0.5 * tick);
-  for (double v : frame.yticks.minor) y_tick(v, 0.5 * tick);
-
-  for (double v : frame.xticks.at) x_tick(v, tick);
-  for (double v : frame.yticks.at) y_tick(v, tick);
+  drawing.marks.push_back(Stroke{outline_of(frame.box), axis_colour, width});
+  draw_ticks(drawing, frame, true, {0.5 * tick, 0.5 * tick}, axis_colour, width);
+  draw_ticks(drawing, frame, false, {tick, tick}, axis_colour, width);
   draw_labels(drawing, frame, style);
 }
 
@@ -213,10 +197,13 @@ void draw_title(Drawing& drawing, const std::string& title, const Box& box, cons
   const FittedText fitted = fit_title(title, room, drawing.size[1] - box[3], style);
   const double half = 0.5 * fitted.width();
   const double centre = std::clamp(0.5 * (box[0] + box[1]), style.margin + half, drawing.size[0] - style.margin - half);
-  double base = box[3] + 0.7 * style.title_size + fitted.depth();
-  for (const std::string& line : fitted.lines) {
-    drawing.marks.push_back(Text{{centre, base}, line, fitted.size, Align::centre, black});
-    base -= line_step * fitted.size;
+  draw_lines(drawing, fitted, {centre, box[3] + 0.7 * style.title_size + fitted.depth()}, Align::centre, black);
+}
+
+void draw_lines(Drawing& drawing, const FittedText& text, Vec2 at, Align align, const Rgb& colour, bool upright) {
+  for (const std::string& line : text.lines) {
+    if (!line.empty()) drawing.marks.push_back(Text{at, line, text.size, align, colour, upright});
+    at = at + (upright ? Vec2{line_step * text.size, 0} : Vec2{0, -line_step * text.size});
   }
 }
 

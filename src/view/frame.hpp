@@ -101,6 +101,10 @@ double title_room(const std::string& title, double figure_width, const Style& st
 /// The title above the box, on as many lines as there is room for, smaller or cut short where it is too long for these.
 void draw_title(Drawing& drawing, const std::string& title, const Box& box, const Style& style);
 
+/// Lines of text from the first one's baseline on; upright ones go to the right.
+void draw_lines(Drawing& drawing, const FittedText& text, Vec2 at, Align align, const Rgb& colour,
+                bool upright = false);
+
 /// One line of text, smaller than `wanted` or cut short where it is longer than `room`.
 void draw_fitting(Drawing& drawing, Text text, double room, const Style& style);
 

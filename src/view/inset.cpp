@@ -1,7 +1,6 @@
 #include "view/curves.hpp"
 
 #include "base/error.hpp"
-#include "base/index.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,15 +14,6 @@ constexpr Rgb marked_colour = {70, 70, 70}, edge_colour = {200, 200, 200};
 constexpr Vec2 sizes[] = {{0.5, 0.5}, {0.45, 0.5}, {0.5, 0.4},  {0.45, 0.45}, {0.4, 0.5},  {0.45, 0.4}, {0.4, 0.4},
                           {0.5, 0.3}, {0.35, 0.4}, {0.45, 0.3}, {0.4, 0.3},   {0.3, 0.35}, {0.35, 0.3}, {0.3, 0.3}};
 
-Box corner_box(Corner corner, const Vec2& part, const Box& chart, double gap) {
-  const double width = part[0] * (chart[1] - chart[0]), height = part[1] * (chart[3] - chart[2]);
-  const bool east = corner == Corner::north_east || corner == Corner::south_east;
-  const bool north = corner == Corner::north_east || corner == Corner::north_west;
-  const double left = east ? chart[1] - gap - width : chart[0] + gap;
-  const double bottom = north ? chart[3] - gap - height : chart[2] + gap;
-  return {left, left + width, bottom, bottom + height};
-}
-
 /// The magnified part of y: as asked for, or the curves' own with a little air.
 Range inset_yrange(const std::vector<Series>& series, const ChartOptions& options) {
   const Inset& inset = *options.inset;
@@ -35,14 +25,10 @@ Range inset_yrange(const std::vector<Series>& series, const ChartOptions& option
 
 /// The region's rectangle in the chart, a little larger, so that it does not run along the curves that it holds.
 Box marked_box(const Frame& region, const Frame& chart, const Style& style) {
-  const double air = 6 * style.unit;
-  Box box = {chart.x(region.x.low) - air, chart.x(region.x.high) + air, chart.y(region.y.low) - air,
-             chart.y(region.y.high) + air};
-  for (int axis = 0; axis < 2; ++axis) {
-    const std::size_t low = at(2 * axis), high = low + 1;
-    box[low] = std::max(box[low], chart.box[low]);
-    box[high] = std::min(box[high], chart.box[high]);
-  }
+  const Box box =
+      clipped(aired({chart.x(region.x.low), chart.x(region.x.high), chart.y(region.y.low), chart.y(region.y.high)},
+                    6 * style.unit),
+              chart.box);
   require(box[0] < box[1] && box[2] < box[3], "view.inset.outside_chart");
   return box;
 }
@@ -69,6 +55,14 @@ void fit_frame(Frame& frame, const Box& outer, const std::vector<Name>& names, c
 
 } // namespace
 
+Box corner_box(Corner corner, const Vec2& size, const Box& box, double gap) {
+  const bool east = corner == Corner::north_east || corner == Corner::south_east;
+  const bool north = corner == Corner::north_east || corner == Corner::north_west;
+  const double left = east ? box[1] - gap - size[0] : box[0] + gap;
+  const double bottom = north ? box[3] - gap - size[1] : box[2] + gap;
+  return {left, left + size[0], bottom, bottom + size[1]};
+}
+
 PlacedInset place_inset(const std::vector<Series>& series, const ChartOptions& options, const Frame& chart,
                         const Style& style, const std::optional<Box>& legend) {
   const Range xs = axis_range({}, options.inset->xrange, options.log_x, "the inset's x", 0);
@@ -85,15 +79,15 @@ PlacedInset place_inset(const std::vector<Series>& series, const ChartOptions& o
     const auto& [left, right, bottom, top] = box;
     lines.insert(lines.end(), {outline_of(box), {{left, bottom}, {right, top}}, {{left, top}, {right, bottom}}});
   }
-  std::vector<Corner> corners = {Corner::north_east, Corner::north_west, Corner::south_east, Corner::south_west};
-  if (options.inset->place) corners = {*options.inset->place};
   inset.hidden = std::numeric_limits<double>::infinity();
-  const double gap = 0.8 * style.tick_size, air = 5 * style.unit;
+  const double gap = 0.8 * style.tick_size, air = 5 * style.unit, width = chart.box[1] - chart.box[0],
+               height = chart.box[3] - chart.box[2];
   for (const Vec2& part : sizes) {
     const bool last = &part == &sizes[std::size(sizes) - 1];
     for (Corner corner : corners) {
-      const Box box = corner_box(corner, part, chart.box, gap);
-      const double hidden = covered(lines, {box[0] - air, box[1] + air, box[2] - air, box[3] + air});
+      if (corner != options.inset->place.value_or(corner)) continue;
+      const Box box = corner_box(corner, {part[0] * width, part[1] * height}, chart.box, gap);
+      const double hidden = covered(lines, aired(box, air));
       if (hidden < inset.hidden && (hidden == 0 || last)) inset.hidden = hidden, inset.outer = box;
     }
     if (inset.hidden == 0) break;

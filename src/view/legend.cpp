@@ -126,12 +126,7 @@ void draw_row(Drawing& drawing, const Legend& legend, const Legend::Row& row, co
     fill_cell(drawing, cell, *row.look, style);
     drawing.marks.push_back(Stroke{outline_of(cell), rim, 1.2 * style.unit});
   }
-  double base = y - 0.35 * row.text.size;
-  for (const std::string& line : row.text.lines) {
-    if (!line.empty())
-      drawing.marks.push_back(Text{{x + indent(legend, row), base}, line, row.text.size, Align::left, ink});
-    base -= line_step * row.text.size;
-  }
+  draw_lines(drawing, row.text, {x + indent(legend, row), y - 0.35 * row.text.size}, Align::left, ink);
 }
 
 /// One column of rows, from its top left.
@@ -170,12 +165,12 @@ std::optional<Legend> legend_within(const std::vector<Series>& series, const Cha
   const double width = widest(legend) + 2 * pad, height = height_of(legend) + pad;
   if (width > 0.5 * (right - left) || height > 0.5 * (top - bottom)) return std::nullopt;
   double least = std::numeric_limits<double>::infinity();
-  for (const auto& [x, y] : {Vec2{right - gap - width, top - gap - height}, Vec2{left + gap, top - gap - height},
-                             Vec2{right - gap - width, bottom + gap}, Vec2{left + gap, bottom + gap}}) {
-    const double hidden = covered(lines, {x - air, x + width + air, y - air, y + height + air});
+  for (Corner corner : corners) {
+    const Box box = corner_box(corner, {width, height}, frame, gap);
+    const double hidden = covered(lines, aired(box, air));
     if (hidden >= least || (hidden > 0 && !always)) continue;
     least = hidden;
-    legend.within = {x, x + width, y, y + height};
+    legend.within = box;
   }
   return legend.within ? std::optional(legend) : std::nullopt;
 }

@@ -122,12 +122,9 @@ std::optional<Box> find_room(const FittedText& label, const Vec2& at, const Box&
 }
 
 void draw_label(Drawing& drawing, const FittedText& label, const Box& place, const Style& style) {
+  const Vec2 first = {0.5 * (place[0] + place[1]), place[3] - 0.86 * label.size};
   const auto write = [&](double dx, double dy, const Rgb& colour) {
-    double base = place[3] - 0.86 * label.size + dy;
-    for (const std::string& line : label.lines) {
-      drawing.marks.push_back(Text{{0.5 * (place[0] + place[1]) + dx, base}, line, label.size, Align::centre, colour});
-      base -= line_step * label.size;
-    }
+    draw_lines(drawing, label, first + Vec2{dx, dy}, Align::centre, colour);
   };
   const double halo = 2.6 * style.unit;
   for (int k = 0; k < 12; ++k)

@@ -333,7 +333,11 @@ void draw_panel(Canvas& canvas, const Panel& panel, Scene& scene, const Frame& f
   if (scene.plane || cropped) draw_frame(drawing, frame, style);
   draw_names(drawing, panel.names, axes, frame, style);
   draw_marks(drawing, within(on_paper(panel.marks, axes, frame), frame.box, !cropped, style), frame.box, style);
-  draw_panel_title(drawing, panel.title, frame, canvas.sheet.panel_title_size, style);
+  if (panel.title.empty()) return;
+  const auto& [left, right, bottom, top] = frame.box;
+  const double raised = frame.yticks.factor.empty() ? 0 : 1.2 * style.tick_size, size = canvas.sheet.panel_title_size;
+  drawing.marks.push_back(
+      Text{{0.5 * (left + right), top + raised + 0.5 * size}, panel.title, size, Align::centre, ink});
 }
 
 } // namespace

@@ -271,13 +271,6 @@ Style style_of(const PictureOptions& options) {
   return options.style.value_or(own);
 }
 
-void draw_panel_title(Drawing& drawing, const std::string& title, const Frame& frame, double size, const Style& style) {
-  if (title.empty()) return;
-  const auto& [left, right, bottom, top] = frame.box;
-  const double raised = frame.yticks.factor.empty() ? 0 : 1.2 * style.tick_size;
-  drawing.marks.push_back(Text{{0.5 * (left + right), top + raised + 0.5 * size}, title, size, Align::centre, ink});
-}
-
 Box hull(const ModelBoxes& boxes) {
   Box all = boxes.front();
   for (const Box& box : boxes)

@@ -59,9 +59,6 @@ std::array<double, 2> colour_range(const ColouredValues& values, const PictureOp
 /// What an axis is called: by the options, or by its letter and the unit.
 std::string axis_name(const PictureOptions& options, int axis, const std::string& unit = "");
 
-/// The title of one state above its frame.
-void draw_panel_title(Drawing& drawing, const std::string& title, const Frame& frame, double size, const Style& style);
-
 /// What holds all boxes.
 Box hull(const ModelBoxes& boxes);
 
