@@ -8,7 +8,7 @@ install(DIRECTORY share/ DESTINATION ${CMAKE_INSTALL_DATADIR}/signorini
   PATTERN man EXCLUDE
   PATTERN completion EXCLUDE
   PATTERN cmake EXCLUDE)
-install(FILES README.md LICENSE CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DATADIR}/signorini)
+install(FILES README.md CONTRIBUTING.md LICENSE CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DATADIR}/signorini)
 # The installed pages find each other, and the program, where they are in their own tree.
 install(CODE "set(tree \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}/signorini\")")
 install(CODE [[
@@ -16,7 +16,7 @@ install(CODE [[
   foreach(page ${pages})
     file(READ ${page} text)
     string(REPLACE "build/signorini" "signorini" text "${text}")
-    if(page STREQUAL "${tree}/README.md")
+    if(page STREQUAL "${tree}/README.md" OR page STREQUAL "${tree}/CONTRIBUTING.md")
       string(REPLACE "share/" "" text "${text}")
     endif()
     file(WRITE ${page} "${text}")
