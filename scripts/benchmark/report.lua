@@ -1,4 +1,4 @@
--- Tables, charts and page of the benchmark. Cases are those of measure.case; exponents by problem and account.
+-- Tables, charts and page of the benchmark. Cases come from measure.case; exponents by problem and account.
 
 local sg = require "signorini"
 local measure = require "benchmark.measure"
@@ -8,7 +8,7 @@ local report = {}
 local all_accounts = table.move(measure.outputs, 1, #measure.outputs, #measure.accounts + 1,
   table.move(measure.accounts, 1, #measure.accounts, 1, {}))
 
---- A table of cases: mesh and sizes, then these figures by name.
+--- A table of cases: mesh and sizes, then the results with these names.
 local function case_sheet(cases, names, more)
   local columns, rows = { "problem", "mesh", "DOFs", table.unpack(more) }, {}
   local fixed = #columns
@@ -35,7 +35,7 @@ end
 
 function report.output_table(cases) return case_table(cases, measure.outputs, {}) end
 
---- Everything that was measured, for a CSV file.
+--- All results, for a CSV file.
 function report.sheet(cases, options)
   local names = table.move(all_accounts, 1, #all_accounts, 1, {})
   names[#names + 1] = "around"
@@ -60,7 +60,7 @@ end
 
 -- ── Charts ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- Adds a line of one figure over the degrees of freedom of a problem.
+--- Adds a line of one result over the degrees of freedom of a problem.
 local function add_line(chart, cases, problem, name, label)
   local line = { x = {}, y = {}, label = label, markers = true }
   for _, case in ipairs(cases) do
@@ -88,7 +88,7 @@ local function draw_iteration(problem)
   end
 end
 
---- What is drawn: file, which meshes it needs in words, draw(file, cases) that returns whether there was anything.
+--- Charts: file, the meshes that it needs (text), draw(file, cases), which returns whether anything was drawn.
 report.charts = {
   { file = "benchmark_2d.png", needs = "2D ironing", draw = draw_iteration "plane" },
   { file = "benchmark_3d.png", needs = "3D ironing", draw = draw_iteration "solid" },
@@ -118,13 +118,13 @@ local function markdown(columns, rows)
   return table.concat(lines, "\n")
 end
 
---- Opens a file, hands it to body(stream), and returns what that returns.
+--- Opens a file, calls body(stream) and returns its result.
 local function with_file(path, mode, body)
   local stream <close> = assert(io.open(path, mode))
   return assert(body(stream))
 end
 
---- Replaces what stands between two marks of benchmark.md in a folder; the page is written whole or not at all.
+--- Replaces the text between two marks of benchmark.md in a folder; the page is written atomically.
 local function replace(folder, mark, measured)
   local path = folder .. "/benchmark.md"
   local first, last = ("<!-- %s -->\n"):format(mark), ("<!-- end of %s -->"):format(mark)
@@ -136,8 +136,7 @@ local function replace(folder, mark, measured)
   assert(os.rename(path .. ".new", path))
 end
 
---- Replaces the page's tables of what was measured, and its charts: those of the cases and of the solvers' sheet, where
---- there are any.
+--- Replaces the tables and charts of the page with those of the cases and of the solvers' sheet, if there are any.
 function report.page(folder, cases, exponents, element, solvers)
   if #solvers.rows > 0 then replace(folder, "solvers", markdown(solvers.columns, solvers.rows) .. "\n") end
   if #cases == 0 then return end
@@ -146,7 +145,7 @@ function report.page(folder, cases, exponents, element, solvers)
   local sheet, growth = case_sheet(cases, names, { "iterations" }), report.growth_sheet(exponents)
   local measured = table.concat({ markdown(sheet.columns, sheet.rows),
     markdown({ "exponent", "2D", "3D" }, growth.rows),
-    ("Residual and tangent of a solid element with 27 functions: %.3f ms.\n"):format(element) }, "\n\n")
+    ("Time for residual and tangent of a 3D element with 27 functions: %.3f ms.\n"):format(element) }, "\n\n")
   replace(folder, "measured", measured)
   for _, chart in ipairs(report.charts) do chart.draw(folder .. "/" .. chart.file, cases) end
 end

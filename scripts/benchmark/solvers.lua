@@ -1,5 +1,5 @@
--- What linear systems take with each of the linear solvers, on scenes of the studies: a solver stays in the program as
--- long as it is 1.3 times as fast as what would remain somewhere here.
+-- Times of the linear solvers on models of the studies. A solver stays in the program only if it is at least 1.3 times
+-- as fast as the remaining ones on some model.
 
 local sg = require "signorini"
 local hertz = require "hertz2d.problem"
@@ -65,7 +65,7 @@ end
 
 --- A sheet of the scenes with these names: processor seconds in the linear solver by its kind, medians of `repeats`.
 function solvers.sheet(names, repeats)
-  local sheet = { columns = { "scene", "unknowns", "auto is" }, formats = { "%s", "%d", "%s" }, rows = {} }
+  local sheet = { columns = { "model", "unknowns", "auto selects" }, formats = { "%s", "%d", "%s" }, rows = {} }
   for k, kind in ipairs(solvers.kinds) do sheet.columns[3 + k], sheet.formats[3 + k] = kind, "%.3g" end
   for i, name in ipairs(names) do
     local scene, times, last = scenes[name], {}, nil

@@ -68,7 +68,7 @@ check.case("components in 2D and 3D", function()
   check.equal(core.exists(folder .. "/state.sgn"), false)
   local page = core.read_file(folder .. "/benchmark.md")
   check.holds(page, "before\n<!-- measured -->\n| problem |", "| 2D ironing | m4 |",
-    "<!-- end of measured -->\nafter\n<!-- solvers -->\n| scene |", "| hertz-m1 | 980 | condensed |")
+    "<!-- end of measured -->\nafter\n<!-- solvers -->\n| model |", "| hertz-m1 | 980 | condensed |")
   check.equal(page:find("old", 1, true), nil)
 end)
 
