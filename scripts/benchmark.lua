@@ -1,23 +1,23 @@
--- What does each part of a solve cost, and how does that grow with the mesh?
+-- Cost of each part of a solution, and its growth with the mesh.
 --
--- Problem: ironing in the plane and in space, a few steps of sliding after a press, on meshes from coarse to fine. The
---          clock tells apart what an iteration of Newton's method consists of (bulk: bodies; contact, of which search:
---          closest points and the tree of boxes; factorisation and solution of the linear system; rest: all else) and
---          what it takes to write the state (picture, contact profile as CSV, checkpoint). Iterations are linear
---          solves; the evaluation that ends a step is shared out to them. The growth of a cost is the exponent a of
---          cost ~ DOFs^a, by least squares of the logarithms over the larger half of the meshes.
--- Source: scenes of ironing2d.lua (thesis, section 7.1) and ironing3d.lua (section 7.5). Yardsticks: 0.38 ms (FEBio)
---         and 2 ms (G+Smo) for the tangent of a solid element with 27 functions. Solved with plain Newton; steps that
---         fail are cut.
--- Units: ms per iteration, ms per file; DOFs are degrees of freedom of both bodies.
--- Expected: bulk grows in proportion to the DOFs (exponent 1), contact in the plane with the square root of the DOFs,
---           in space with their power 2/3; the factorisation with 1.5 in the plane and 2 in space in the end, less on
---           small meshes; so the linear solver takes most of the time in space.
+-- Problem: ironing in 2D and in 3D: a few sliding steps after pressing, on meshes from coarse to fine. The time of a
+--          Newton iteration is divided into bulk (bodies), contact (of which search: closest-point projection and
+--          bounding-box tree), factorisation and solution of the linear system, and rest. The times to write a state
+--          are also measured (picture, contact profile as CSV, checkpoint). An iteration is one linear solve; the
+--          residual evaluation that ends a step is divided among its iterations. The growth of a cost is the exponent a
+--          of cost ~ DOFs^a, a least-squares fit of the logarithms over the larger half of the meshes.
+-- Source: models of ironing2d.lua (thesis, section 7.1) and ironing3d.lua (section 7.5). Reference values: 0.38 ms
+--         (FEBio) and 2 ms (G+Smo) for the tangent of a solid element with 27 functions. Plain Newton; failed steps are
+--         cut.
+-- Units: ms per iteration, ms per file; degrees of freedom (DOFs) of both bodies.
+-- Expected: bulk grows in proportion to the DOFs (exponent 1); contact with the square root of the DOFs in 2D and with
+--           their power 2/3 in 3D; factorisation asymptotically with the exponent 1.5 in 2D and 2 in 3D, less on small
+--           meshes. The linear solver therefore takes most of the time in 3D.
 -- Run: signorini scripts/benchmark.lua [plane=m1,m2,m3,m4,m5] [solid=sparse,coarse,middle,fine] [label=N2] [steps=3]
---      [solvers=ironing-m1,…] [repeats=3] [linear=umfpack] [element=8] [out=out/benchmark] [page=none]; steps: that are
---      timed; solvers: scenes on which the linear solvers are compared, or none;
---      repeats: passes, of which the median counts; element: elements along an edge of the block for the yardstick;
---      page: a folder with benchmark.md, whose table between two marks and charts are replaced (share/doc).
+--      [solvers=ironing-m1,…] [repeats=3] [linear=umfpack] [element=8] [out=out/benchmark] [page=none]; steps: timed
+--      steps; solvers: models on which the linear solvers are compared, or none; repeats: passes, of which the median
+--      counts; element: elements along an edge of the block for the reference value; page: folder with benchmark.md,
+--      whose generated tables and charts are replaced (share/doc).
 
 local sg = require "signorini"
 local measure = require "benchmark.measure"

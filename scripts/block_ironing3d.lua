@@ -1,11 +1,11 @@
 -- Block ironing in 3D: a block is pressed into a slab and dragged along it, without friction.
 --
--- Problem: the block's whole lower face is in contact, sharp edges included; they plough through the slab, and the
---          forces oscillate with the pitch of the slab's elements.
+-- Problem: the whole lower face of the block is in contact, including its sharp edges, which plough through the slab;
+--          the forces oscillate with the element pitch of the slab.
 --
 --                  ________
---                 |        |  block: 4 × 4 × 4, E = 10, its top driven, its centre from x = 3.75, in the slab's middle
---          z      |        |  across; pressed by 1 in 10 steps, then dragged by 12.5 in 125 steps
+--                 |        |  block: 4 × 4 × 4, E = 10, top driven, center starts at x = 3.75, in the middle of
+--          z      |        |  the slab; pressed by 1 in 10 steps, then dragged by 12.5 in 125 steps
 --          |   ___|________|___________________________
 --          |  |                                        |
 --          |  |  slab: 20 × 10 × 10, E = 1, bottom     |
@@ -13,30 +13,31 @@
 --          |  |________________________________________|
 --          +------------------------------------------------ x
 --
---          Neo-Hooke, nu = 0.3 both; normal penalty 100; slave: the block. Meshes: 4 × 4 × 4 and 8 × 4 × 4 elements.
---          The thesis prints neither where the block starts nor the steps: x = 3.75 (so that the path is symmetric), 10
---          and 125 steps are our choice. Steps that fail are cut in half; the table says where equal steps would have
---          ended.
---          variant=sixty: the path in 10 + 50 steps, on half of the scene and with line search by energy, what it costs
---          and which force comes out, beside two programs.
+--          Neo-Hooke, nu = 0.3 both; normal penalty 100; slave: block. Meshes: 4 × 4 × 4 and 8 × 4 × 4 elements.
+--          The thesis gives neither the starting position of the block nor the number of steps: x = 3.75 (for a
+--          symmetric path), 10 and 125 steps are chosen here. Failed steps are halved; the table gives the step at
+--          which equal steps would have ended.
+--          variant=sixty: the path in 10 + 50 steps, half model, line search by energy; compares cost and force with
+--          two other programs.
 -- Source: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of
 --         Contact Problems, PhD thesis, IIT Guwahati, 2020, section 6.4.1, Figures 6.8 and 6.9, after L. De Lorenzis,
 --         P. Wriggers, G. Zavarise, Comput. Mech. 49 (2012) 1-20. User times of FEBio and GetFEM: measured for this
---         project. Solved with plain Newton, as published; steps that fail are cut.
--- Units: any consistent ones; the thesis names none.
--- Expected: all seven labels run through in equal steps. Pz = 5.726 pressed and 6.288 on average over the drag for N2;
---           averages 6.231 (N3), 6.262 (N4), 6.237 (N2-N3), 6.273 (N2-N4), 5.893 (N2-N2.1), 5.804 (N2-N2.2). Curves are
---           symmetric about the middle of the way, since without friction a state does not depend on the way to it.
---           Neither degree nor layers calm the ripple, since the block's edges stay sharp (see
---           share/doc/problems/block_ironing3d.md). variant=sixty: N2-N2.1 with degree 2 through and 4 points gives
---           5.846 on average on 2x2x1/8x4x2 (part=whole), and 5.826 with part=half.
+--         project. Plain Newton, as published; failed steps are cut.
+-- Units: any consistent units; the thesis gives none.
+-- Expected: all seven discretizations complete in equal steps. Pz = 5.726 after pressing and 6.288 on average over the
+--           drag for N2; averages 6.231 (N3), 6.262 (N4), 6.237 (N2-N3), 6.273 (N2-N4), 5.893 (N2-N2.1), 5.804
+--           (N2-N2.2). Curves are symmetric about the middle of the path, since without friction a state does not
+--           depend on the path. Neither higher degree nor layers reduce the oscillation, since the edges of the block
+--           stay sharp (see share/doc/problems/block_ironing3d.md). variant=sixty: N2-N2.1 with degree 2 in the
+--           thickness direction and 4 points gives 5.846 on average on 2x2x1/8x4x2 (part=whole), and 5.826 with
+--           part=half.
 -- Run: signorini scripts/block_ironing3d.lua [labels=N2,N3,N4,N2-N3,N2-N4,N2-N2.1,N2-N2.2] [mesh=4x4x4/8x4x4]
 --      [press=10] [slide=125] [linear=auto] [out=out/block_ironing3d]; mesh: elements of block/slab; press, slide:
---      steps.
+--      number of steps.
 --      signorini scripts/block_ironing3d.lua variant=sixty [labels=N2,N2-N2.1,N2-N2.2] [mesh=4x4x4/8x4x4] [through=1]
---      [points=auto] [part=half] [line_search=energy] [linear=auto] [out=out/block_ironing3d_sixty]; all but the
---      last three may be lists; through: degree from top to bottom; points: Gauss points per direction of a contact
---      element, auto is 3(p + 1); part: half of the scene, up to its plane of symmetry, or whole.
+--      [points=auto] [part=half] [line_search=energy] [linear=auto] [out=out/block_ironing3d_sixty]; all but the last
+--      three can be lists; through: degree in the thickness direction (top to bottom); points: Gauss points per
+--      direction of a contact element, auto is 3(p + 1); part: half model up to the plane of symmetry, or whole.
 
 local sg = require "signorini"
 local labels = require "solid_ironing.labels"

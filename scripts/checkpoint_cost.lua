@@ -1,13 +1,13 @@
--- What checkpoints cost: runs without, and with one after every so many steps.
+-- Cost of checkpoints: runs without checkpoints and with one every given number of steps.
 --
--- Problem: 2D frictional ironing as published, N2 at mesh m1 (scripts/ironing2d.lua): short steps, so that a file after
---          each of them shows; and 3D ironing without friction, N2 on a mesh of its own (scripts/ironing3d.lua): there
---          a checkpoint drops a factorisation that would have been kept.
+-- Problem: 2D frictional ironing as published, N2 at mesh m1 (scripts/ironing2d.lua), whose short steps make the cost
+--          of one file per step visible; and 3D ironing without friction, N2 on a separate mesh
+--          (scripts/ironing3d.lua), where a checkpoint discards a factorization that would have been reused.
 -- Source: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of
 --         Contact Problems, PhD thesis, IIT Guwahati, 2020, sections 7.1 and 7.5, for the problems.
--- Units: seconds by the clock; kB.
--- Expected: on the plane path of short steps a file after every step makes the run six times as long, one after every
---           tenth step less than twice; in 3D one after every step makes it less than twice as long.
+-- Units: seconds of wall time; kB.
+-- Expected: on the 2D path with short steps, a file after every step makes the run six times as long, one after every
+--           tenth step less than twice; in 3D, one after every step makes it less than twice as long.
 -- Run: signorini scripts/checkpoint_cost.lua [every=0,10,1] [mesh=coarse] [slides=6] [repeats=3]
 --      [out=out/checkpoint_cost]; every: steps between checkpoints, 0 for none; mesh, slides: of 3D ironing; times are
 --      medians of repeats.

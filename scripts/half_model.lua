@@ -1,14 +1,15 @@
--- What half a model saves: a ring pressed into a slab, and a punch into a block, next to their halves and a quarter.
+-- Time saved by half and quarter models: a ring pressed into a slab, a punch pressed into a block.
 --
--- Problem: a stiff half ring is pressed into a soft slab in the plane, and a stiff punch with a square face into a soft
---          block in space. In planes of symmetry supports with symmetry = true hold the normal component.
--- Source: none; the ring is the one of share/doc/tutorial.md.
--- Units: seconds by the clock; forces in N/mm in the plane, N in space, those of a part times the number of parts.
--- Expected: halves take a little less than half of the time, the quarter about a fifth. Forces differ by the error of
---           the discretization: a part may have a kink in the plane of symmetry, which the smooth functions of the
---           whole do not have.
--- Run: signorini scripts/half_model.lua [mesh=4] [solid=3] [repeats=5]; mesh: elements through the thickness of the
---      ring; solid: elements along half an edge of the punch; times are medians of repeats, all parts in turns.
+-- Problem: a stiff half ring is pressed into a soft slab in 2D, and a stiff punch with a square face into a soft block
+--          in 3D. In planes of symmetry, supports with symmetry = true constrain the normal displacement.
+-- Source: none; the ring is that of share/doc/tutorial.md.
+-- Units: seconds of wall time; forces in N/mm in 2D, N in 3D, multiplied by the number of parts for partial models.
+-- Expected: half models take a little less than half of the time, the quarter model about a fifth. Forces differ by the
+--           discretization error: a partial model can have a kink in the plane of symmetry, which the smooth functions
+--           of the full model cannot.
+-- Run: signorini scripts/half_model.lua [mesh=4] [solid=3] [repeats=5]; mesh: elements in the thickness direction of
+--      the ring; solid: elements along half an edge of the punch; times are medians of repeats, with all models run in
+--      turn.
 
 local sg = require "signorini"
 

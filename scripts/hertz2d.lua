@@ -1,28 +1,30 @@
--- Hertz's line contact: what varying-order layers do to the pressure of a cylinder on a rigid plane.
+-- Hertz line contact: effect of varying-order layers on the pressure of a cylinder on a rigid plane.
 --
 -- Problem: a quarter of a hollow elastic cylinder stands on a rigid plane and is pressed onto it.
 --
 --         x = 0   ______   load=displacement: u_y = −0.00463 of the cut y = 0
---        u_x = 0 |  cut |  load=force: the half load P0 Ro, spread evenly over the cut
+--        u_x = 0 |  cut |  load=force: the half load P0 Ro, uniformly distributed over the cut
 --                |      |
 --                 \    /   quarter ring, radii 0.1 and 1, linear elastic, E = 1, nu = 0.3, plane strain
 --          _______|\__/____   rigid plane, no friction; normal penalty 2000 (displacement) or 1000 (force)
 --
---          Meshes: 9n × 48 elements, along the arc and through the wall, n = 1, 2, 4, 8, 16, 32 (m1 to m6); 80 % of the
---          elements of each direction lie in the 10 % of the knot length next to the apex. Reference: N2 at m6.
+--          Meshes: 9n × 48 elements, along the arc and in the thickness direction, n = 1, 2, 4, 8, 16, 32 (m1 to m6);
+--          80 % of the elements in each direction lie in the 10 % of the knot length next to the apex. Reference: N2 at
+--          m6.
 -- Source: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of
 --         Contact Problems, PhD thesis, IIT Guwahati, 2020, sections 6.1 and 7.2, Tables 6.1 and 7.4, Figures 6.2 and
---         7.12 to 7.17; K. L. Johnson, Contact Mechanics, Cambridge, 1985, section 4.2(c), for the closed form. Solved
---         with plain Newton, as published.
--- Units: any consistent ones; lengths in outer radii, pressures in Young's moduli, forces per depth.
+--         7.12 to 7.17; K. L. Johnson, Contact Mechanics, Cambridge, 1985, section 4.2(c), for the closed form.
+--         Plain Newton, as published.
+-- Units: any consistent units; lengths relative to the outer radius, pressures to Young's modulus, forces per depth.
 -- Expected: half-width a = √(4 p R (1 − nu²)/(pi E)) = 0.04814 and peak pressure 2 p/(pi a) = 0.02645 under the load
---           p = 2 P0 Ro, P0 = 0.001, both within 1.5 % on m3 and finer; degrees of freedom as in Table 7.4; errors of
---           N2-N2.1 and N2-N2.2 at m3 at most a third of N2's; N2-N2.2 at m3, m4 as accurate as N2 at m4, m5, published
---           with 42.5 % and 43.7 % less time. The difference from Hertz falls with R/a: half of it at twice R/a.
+--           p = 2 P0 Ro, P0 = 0.001, both to 1.5 % on m3 and finer; degrees of freedom as in Table 7.4; errors of
+--           N2-N2.1 and N2-N2.2 at m3 at most a third of N2's; N2-N2.2 at m3, m4 as accurate as N2 at m4, m5, with
+--           42.5 % and 43.7 % less time in print. The difference from the Hertz solution decreases with increasing R/a:
+--           half of it at twice R/a.
 -- Run: signorini scripts/hertz2d.lua [load=displacement] [meshes=m1,m2,m3,m4,m5]
 --      [labels=L1,N2,N4,N2-N4,N2-N2.1,N2-N2.2,N2-N3.2] [reference=m6] [sizes=1,2,4] [steps=10] [repeats=3]
---      [linear=auto] [out=out/hertz2d]; sizes are multiples of R/a for the study of the finite size (sizes=1: none),
---      repeats is of how many runs a time is the median.
+--      [linear=auto] [out=out/hertz2d]; sizes: multiples of R/a for the study of the finite size (sizes=1: none);
+--      repeats: number of runs, of which the time is the median.
 
 local sg = require "signorini"
 local problem = require "hertz2d.problem"

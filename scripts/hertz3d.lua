@@ -1,28 +1,28 @@
--- Hertz's point contact in 3D: an eighth of a hollow sphere on a rigid plane, beside the same mesh revolved.
+-- Hertz point contact in 3D: an eighth of a hollow sphere on a rigid plane, compared with an axisymmetric model.
 --
 -- Problem: an eighth of a hollow elastic sphere stands on a rigid plane and is pressed onto it at its equator.
 --
 --                z
 --                |  .-'   x, y >= 0, z <= 0: u_x = 0 on the plane x = 0, u_y = 0 on y = 0
---            ____|'____   a quarter of the load pi Ro² P0 is spread evenly over the cut through the equator
+--            ____|'____   a quarter of the load pi Ro² P0 is uniformly distributed over the cut at the equator
 --           | cut|     |  radii 0.2 and 1, linear elastic, E = 1, nu = 0.3
 --            \   |    /   xi1 around z, xi2 from the equator to the pole, xi3 from the outer to the inner radius
 --       ______\__|__/____   rigid plane, no friction; normal penalty 1000
 --
---          Meshes: n/4 × n × n elements around z, along the meridian and through the wall, n = 8, 16, 32 (m1 to m3);
---          75 % of the elements along the meridian and through the wall lie in the 10 % of the knot length next to the
---          pole. Each is solved once more as an axisymmetric scene of the same meridian mesh.
+--          Meshes: n/4 × n × n elements around z, along the meridian and in the thickness direction, n = 8, 16, 32 (m1
+--          to m3); 75 % of the elements along the meridian and in the thickness direction lie in the 10 % of the knot
+--          length next to the pole. Each is also solved as an axisymmetric model with the same meridian mesh.
 -- Source: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of
 --         Contact Problems, PhD thesis, IIT Guwahati, 2020, section 6.3, Table 6.2, Figures 6.6 and 6.7; K. L. Johnson,
---         Contact Mechanics, Cambridge, 1985, section 4.2(a), for the closed form. Solved with plain Newton, as
---         published.
--- Units: any consistent ones; lengths in outer radii, pressures in Young's moduli, forces over the full circle.
+--         Contact Mechanics, Cambridge, 1985, section 4.2(a), for the closed form. Plain Newton, as published.
+-- Units: any consistent units; lengths relative to the outer radius, pressures to Young's modulus, forces over the full
+--        circle.
 -- Expected: radius of contact a = (3 p R (1 − nu²)/(4 E))^(1/3) = 0.05985 and peak pressure 3 p/(2 pi a²) = 0.04187
---           under the load p = pi Ro² P0, P0 = 1e-4, both within 3 % on m3. The weights around z are those of a circle,
---           so the space holds every axisymmetric state of the meridian mesh and 3D adds nothing but quadrature: any
---           number of elements around z gives the pressure of the axisymmetric scene.
+--           under the load p = pi Ro² P0, P0 = 1e-4, both to 3 % on m3. The weights around z are those of a circle, so
+--           the 3D function space contains every axisymmetric state of the meridian mesh, and 3D adds only quadrature
+--           error: any number of elements around z gives the pressure of the axisymmetric model.
 -- Run: signorini scripts/hertz3d.lua [meshes=m1,m2,m3] [labels=N2,N2-N2.2] [around=1,2,4] [steps=10] [linear=auto]
---      [out=out/hertz3d]; around: elements around z for the study of what they change, at the first mesh.
+--      [out=out/hertz3d]; around: numbers of elements around z to compare, at the first mesh.
 
 local sg = require "signorini"
 

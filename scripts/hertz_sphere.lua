@@ -1,26 +1,26 @@
--- Hertz's point contact: a hollow sphere on a rigid plane as an axisymmetric scene.
+-- Hertz point contact: a hollow sphere on a rigid plane as an axisymmetric model.
 --
 -- Problem: the lower half of a hollow elastic sphere stands on a rigid plane and is pressed onto it at its equator.
 --
---          r = 0   ______   the load pi Ro² P0 is spread evenly over the cut through the equator
+--          r = 0   ______   the load pi Ro² P0 is uniformly distributed over the cut at the equator
 --        u_r = 0 |  cut |
 --                |      |
 --                 \    /   meridian: quarter ring, radii 0.2 and 1, linear elastic, E = 1, nu = 0.3, axisymmetric
 --          _______|\__/____   rigid plane, no friction; normal penalty 1000
 --
---          The thesis computes an eighth of the sphere in 3D; here it is a scene in the (r, z) plane.
---          Meshes: n × n elements along the meridian and through the wall, n = 8, 16, 32, 64 (m1 to m4); 75 % of the
---          elements of each direction lie in the 10 % of the knot length next to the pole.
+--          The thesis computes an eighth of the sphere in 3D; this is a model in the (r, z) plane.
+--          Meshes: n × n elements along the meridian and in the thickness direction, n = 8, 16, 32, 64 (m1 to m4); 75 %
+--          of the elements in each direction lie in the 10 % of the knot length next to the pole.
 -- Source: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of
 --         Contact Problems, PhD thesis, IIT Guwahati, 2020, section 6.3, Table 6.2, Figures 6.6 and 6.7; K. L. Johnson,
---         Contact Mechanics, Cambridge, 1985, section 4.2(a), for the closed form. Solved with plain Newton, as
---         published.
--- Units: any consistent ones; lengths in outer radii, pressures in Young's moduli, forces over the full circle.
+--         Contact Mechanics, Cambridge, 1985, section 4.2(a), for the closed form. Plain Newton, as published.
+-- Units: any consistent units; lengths relative to the outer radius, pressures to Young's modulus, forces over the full
+--        circle.
 -- Expected: radius of contact a = (3 p R (1 − nu²)/(4 E))^(1/3) = 0.05985 and peak pressure 3 p/(2 pi a²) = 0.04187
---           under the load p = pi Ro² P0, P0 = 1e-4, both within 1.5 % on m3 and m4. The difference in the peak that
---           stays is finite size: half of it at twice R/a.
+--           under the load p = pi Ro² P0, P0 = 1e-4, both to 1.5 % on m3 and m4. The remaining difference in the peak
+--           is due to the finite size: half of it at twice R/a.
 -- Run: signorini scripts/hertz_sphere.lua [meshes=m1,m2,m3,m4] [labels=N2,N2-N2.2] [sizes=1,2,4] [steps=10]
---      [linear=auto] [out=out/hertz_sphere]; sizes are multiples of R/a for the study of the finite size (1: none).
+--      [linear=auto] [out=out/hertz_sphere]; sizes: multiples of R/a for the study of the finite size (1: none).
 
 local sg = require "signorini"
 

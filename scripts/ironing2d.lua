@@ -1,36 +1,36 @@
--- 2D frictional ironing: what varying-order layers do to the oscillation of the contact forces.
+-- 2D frictional ironing: effect of varying-order layers on the oscillation of the contact forces.
 --
 -- Problem: a half ring (the die) is pressed into the top of a rectangle (the slab) and dragged along it, with friction.
---          The coarser and the less smooth the two faces, the more the reactions oscillate with the element pitch.
+--          The reactions oscillate with the element pitch, the more so the coarser and less smooth the two faces are.
 --
---                      die: half annulus, radii 0.3 and 0.5, its two flat ends driven,
---              (   )        apex just touching the slab at x = 0.75; pressed by 0.23 in 46 steps,
+--                      die: half annulus, radii 0.3 and 0.5, both flat ends driven,
+--              (   )        apex touches the slab at x = 0.75; pressed by 0.23 in 46 steps,
 --        _______\_/____________________   then dragged by 1.5 in 250 steps
 --       |                              |
 --       |  slab: 3 × 1, bottom clamped |
 --       |______________________________|
 --
 --          Plane strain, neo-Hooke, E = 1000 (die) and 1 (slab), nu = 0.3, mu = 0.2, both penalties 100, slave: die.
---          Meshes: die 6 × 2 and slab 8 × 3 elements (m1); each next mesh halves every span.
---          variant=deep: E = 10000 (die), mu = 0.1, pressed by 0.5: which labels converge, with p + 1, 2(p + 1) and
---          3(p + 1) contact points, with and without cutting failed steps in half.
+--          Meshes: die 6 × 2 and slab 8 × 3 elements (m1); each further mesh halves the elements.
+--          variant=deep: E = 10000 (die), mu = 0.1, pressed by 0.5: which discretizations converge with p + 1, 2(p + 1)
+--          and 3(p + 1) contact points, with and without halving of failed steps.
 --          variant=validation: mu = 0.3, die from x = 0.5, pressed by 0.075 in 10 steps, dragged by 2 in 200 steps,
 --          meshes 48 × 8 and 48 × 24: forces of N2 and N4.
 -- Source: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of
 --         Contact Problems, PhD thesis, IIT Guwahati, 2020, sections 6.2 and 7.1, Tables 7.2 and 7.3, Figures 6.5, 7.3
---         to 7.11. Solved with plain Newton, as published.
+--         to 7.11. Plain Newton, as published.
 -- Units: mm, N, N/mm²; forces per mm of depth.
--- Expected: the amplitudes of Table 7.3 at m1 (in % of N2, dPy and dPx): N4 49.88 and 23.31, N6 24.57 and 11.81,
---           N2-N6 23.83 and 12.09, N2-N2.1 5.98 and 30.84, N2-N2.2 4.31 and 7.51; N2-N4 and N2-N2.3 a few points higher
---           than printed. An amplitude is max − min over steps 110 to 165, about one element pitch in the slab's
---           middle. Deep: all labels converge with 3(p + 1) contact points, N4 not with p + 1; with halving all
---           converge (the thesis: N2 fails at m1). Validation: Py = 0.054, Px = 0.29 Py in the middle of the sliding,
---           N2 and N4 alike.
+-- Expected: the oscillations of Table 7.3 at m1 (in % of N2, dPy and dPx): N4 49.88 and 23.31, N6 24.57 and 11.81,
+--           N2-N6 23.83 and 12.09, N2-N2.1 5.98 and 30.84, N2-N2.2 4.31 and 7.51; N2-N4 and N2-N2.3 a few percentage
+--           points higher than printed. The oscillation is max − min over steps 110 to 165, about one element pitch in
+--           the middle of the slab. Deep: all discretizations converge with 3(p + 1) contact points, N4 does not with
+--           p + 1; with halved steps all converge (thesis: N2 fails at m1). Validation: Py = 0.054, Px = 0.29 Py in the
+--           middle of the sliding, for both N2 and N4.
 -- Run: signorini scripts/ironing2d.lua [mesh=m1] [labels=N2,N4,N6,N2-N4,N2-N6,N2-N2.1,N2-N2.2,N2-N2.3] [repeat=1]
---      [linear=auto] [out=out/ironing2d]; with several meshes (mesh=m1,m2,m3,m4) also charts over the mesh and times at
---      equal accuracy; times are medians of `repeat` runs; linear is the sparse solver, as for model:run.
---      signorini scripts/ironing2d.lua variant=deep [mesh=m1] [labels=…] [points=1,2,3] [coarser=1,2]; points in
---      multiples of p + 1; coarser: steps that many times as long.
+--      [linear=auto] [out=out/ironing2d]; several meshes (mesh=m1,m2,m3,m4) add charts over the mesh and times at equal
+--      accuracy; times are medians of `repeat` runs; linear: sparse solver, as for model:run.
+--      signorini scripts/ironing2d.lua variant=deep [mesh=m1] [labels=…] [points=1,2,3] [coarser=1,2]; points:
+--      multiples of p + 1; coarser: factors on the step size.
 --      signorini scripts/ironing2d.lua variant=validation [mesh=48] [labels=N2,N4]; mesh: spans along both faces.
 
 local sg = require "signorini"

@@ -1,41 +1,42 @@
--- 3D ironing with a spherical indenter: what varying-order layers do to the oscillation of the contact forces, how deep
--- the indenter can go, what friction adds, what an iteration costs.
+-- 3D ironing with a spherical indenter: oscillation of the contact forces, maximum depth, friction, cost per iteration.
 --
--- Problem: a block whose bottom is a spherical cap (the indenter) is pressed into a slab and dragged along it. The
---          coarser and the less smooth the two faces, the more its forces oscillate with the slab's element pitch.
+-- Problem: a block with a spherical cap at the bottom (the indenter) is pressed into a slab and dragged along it. Its
+--          forces oscillate with the element pitch of the slab, the more so the coarser and less smooth the two faces
+--          are.
 --
 --                  ______
---                 |      |  indenter: 10 × 10 × 11 with a cap of radius R below, its top driven:
+--                 |      |  indenter: 10 × 10 × 11 with a cap of radius R below, top driven:
 --                  \____/   down by 10.4 minus the gap in steps of 0.2, along by 75 in steps of 0.3,
---        _____________________________________________   its centre from x = 12.5 to 87.5
+--        _____________________________________________   center from x = 12.5 to 87.5
 --       |  slab: 100 × 30 × 22, bottom clamped        |
 --       |_____________________________________________|
 --
 --          Neo-Hooke, E = 1, nu = 0.3 both; penalty 100; slave: indenter; 3(p + 1) contact points per direction.
---          Meshes: 5 × 5 × 3 and 18 × 6 × 4 elements (coarse), doubled (fine). The thesis prints neither R nor the gap
---          before touching: R = 25.5 and gap = 5 (depth 5.4) are our choice. Without friction a state does not depend
---          on the way to it, so slide=window presses where the amplitudes' window begins and slides through it only.
---          variant=friction: mu = 0.3, tangential penalty 100: the drag over the pressing force, the energy balance.
---          variant=depth: how deep the indenter goes before the path turns back, by R and label.
---          variant=cost: time of a Newton iteration on four meshes and of N2-N2.2.
+--          Meshes: 5 × 5 × 3 and 18 × 6 × 4 elements (coarse), doubled (fine). The thesis gives neither R nor the
+--          initial gap: R = 25.5 and gap = 5 (depth 5.4) are chosen here. Without friction a state does not depend on
+--          the path, so slide=window presses at the start of the window in which oscillations are measured, and slides
+--          through this window only.
+--          variant=friction: mu = 0.3, tangential penalty 100: ratio of drag to pressing force, energy balance.
+--          variant=depth: maximum depth of the indenter before the path turns (limit point), by R and discretization.
+--          variant=cost: time per Newton iteration on four meshes, and of N2-N2.2.
 -- Source: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of
 --         Contact Problems, PhD thesis, IIT Guwahati, 2020, section 7.5, Tables 7.10 and 7.11, Figures 7.28 to 7.32;
---         the geometry after I. Temizer, P. Wriggers, T. J. R. Hughes, CMAME 200 (2011) 1100-1112. Solved with plain
---         Newton, as published; steps that fail are cut.
--- Units: any consistent ones; the thesis names none.
--- Expected: the degrees of freedom of Table 7.11 exactly. Table 7.10 is not reproduced: at R = 25.5 N3 and N2-N3 leave
---           29.4/34.9 and 27.4/34.5 % of N2's dPz/dPx (27.5/33.1 and 26.8/33.1 printed), N2-N2.1 32.9/51.7 (6.6/14.4);
---           at R = 7.5 N2-N3 57.9/53.6, N2-N2.1 10.8/32.1. Friction: Px/Pz = 0.306 on average for mu = 0.3. Depth: N2
---           at
---           R = 25.5 meets a turning point at 8.43 (see share/doc/problems/ironing3d.md).
+--         the geometry after I. Temizer, P. Wriggers, T. J. R. Hughes, CMAME 200 (2011) 1100-1112. Plain Newton, as
+--         published; failed steps are cut.
+-- Units: any consistent units; the thesis gives none.
+-- Expected: the degrees of freedom of Table 7.11 exactly. Table 7.10 is not reproduced: at R = 25.5, N3 and N2-N3 have
+--           29.4/34.9 and 27.4/34.5 % of N2's dPz/dPx (printed: 27.5/33.1 and 26.8/33.1), N2-N2.1 32.9/51.7 (6.6/14.4);
+--           at R = 7.5, N2-N3 57.9/53.6, N2-N2.1 10.8/32.1. Friction: Px/Pz = 0.306 on average for mu = 0.3. Depth: N2
+--           at R = 25.5 has a turning point at 8.43 (see share/doc/problems/ironing3d.md).
 -- Run: signorini scripts/ironing3d.lua [labels=N2,N3,N4,N2-N3,N2-N4,N2-N2.1,N2-N2.2] [fine=N2] [radius=25.5] [gap=5]
---      [slide=window] [down=0.2] [cap=1] [linear=auto] [out=out/ironing3d]; radius and gap may be lists; fine: labels
---      at the doubled mesh, or none; slide=full takes the whole path; down: length of the steps while it is pressed;
---      cap: biquadratic spans per direction that the sphere is drawn with.
---      signorini scripts/ironing3d.lua variant=friction [labels=N2] [radius=7.5] [gap=5] [mu=0,0.3] [way=30]
---      [finer=1] [penalty=100]; way: dragged through the slab's middle; finer divides the steps; penalty: both of them.
+--      [slide=window] [down=0.2] [cap=1] [linear=auto] [out=out/ironing3d]; radius and gap can be lists; fine:
+--      discretizations on the doubled mesh, or none; slide=full: the whole path; down: step length of pressing; cap:
+--      biquadratic spans per direction that represent the sphere.
+--      signorini scripts/ironing3d.lua variant=friction [labels=N2] [radius=7.5] [gap=5] [mu=0,0.3] [way=30] [finer=1]
+--      [penalty=100]; way: sliding distance through the middle of the slab; finer: divides the steps; penalty: normal
+--      and tangential.
 --      signorini scripts/ironing3d.lua variant=depth [labels=N2] [radius=7.5,12,25.5] [from=50,47.3]; from: x of the
---      indenter's centre.
+--      center of the indenter.
 --      signorini scripts/ironing3d.lua variant=cost [labels=N2] [mesh=sparse,coarse,middle,fine] [layered=N2-N2.2]
 --      Threads: signorini --threads 2 scripts/ironing3d.lua …
 

@@ -1,28 +1,29 @@
--- How deep should a layer be? The error and the time of one, two, three and all rows of enriched control points.
+-- Layer depth: error and time of one, two, three and all rows of enriched control points.
 --
--- Problem: the thesis enriches one row of control points, that of the contact face: N2-N2.1 is N2 but for that row. A
---          patch is a stack of rows, each of which may be refined by itself, so a layer may be deeper: N2-N2.1x2,
---          N2-N2.1x3, up to all rows, N2.1. Here each depth of the layers N2.1, N2.2 and N4 runs on four problems.
+-- Problem: the thesis enriches one row of control points, that of the contact face: N2-N2.1 is N2 except for this row.
+--          A patch is a stack of rows, each of which can be refined separately, so a layer can be deeper: N2-N2.1x2,
+--          N2-N2.1x3, up to all rows, N2.1. Four problems run with each depth of the layers N2.1, N2.2 and N4.
 --
 --              N2 ______________   rows of control points: all N2   (0 rows)
 --                 --------------                           ...
 --                 ______________   N2.1                            (2 rows: N2-N2.1x2)
 --          contact ______________  N2.1                            (1 row:  N2-N2.1)
 --
---          peeling (m1): amplitude dM of the moment; ironing (m1): amplitudes dPy and dPx of the forces; Hertz (m2): L2
---          error of p/p_ref; rings (m1): L2 error of p_N. Set-ups and measures are those of the four scripts; reference
---          of the rings: m4.
--- Source: nothing is published on layers of more than one row; the problems are those of V. Agrawal, An Accurate and
+--          peeling (m1): oscillation dM of the moment; ironing (m1): oscillations dPy and dPx of the forces; Hertz
+--          (m2): L2 error of p/p_ref; rings (m1): L2 error of p_N. Models and error measures are those of the four
+--          scripts; reference of the rings: m4.
+-- Source: no publication on layers of more than one row; the problems are those of V. Agrawal, An Accurate and
 --         Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of Contact Problems, PhD
---         thesis, IIT Guwahati, 2020, sections 7.1 to 7.4. Solved with plain Newton, as published.
+--         thesis, IIT Guwahati, 2020, sections 7.1 to 7.4. Plain Newton, as published.
 -- Units: dM in 1e-3 E0 L0³; dPy, dPx in 1e-3 N/mm; errors of pressures as in hertz2d and rings2d; times in s.
--- Expected: peeling: two rows of N2.2 at most a fifth of one row's dM (an independent program: 0.64 with one row, 0.052
---           with two; N2.1: 0.86 with one, 0.28 with two, 0.29 with all). N4, which adds no functions inside elements,
---           gains nothing from depth.
+-- Expected: peeling: with two rows of N2.2, dM is at most a fifth of that with one row (an independent program: 0.64
+--           with one row, 0.052 with two; N2.1: 0.86 with one, 0.28 with two, 0.29 with all). N4, which adds no
+--           functions inside elements, does not benefit from depth.
 -- Run: signorini scripts/layer_depth.lua [problems=peeling,ironing,hertz,rings] [layers=N2.1,N2.2,N4] [rows=1,2,3,all]
 --      [repeat=3] [linear=auto] [peeling=mesh=m1] [ironing=mesh=m1] [hertz=meshes=m2;sizes=1]
---      [rings=meshes=m1;reference=m4] [out=out/layer_depth]; repeat: of how many runs a time is the median (peeling:
---      always one); what stands after a problem's name goes to its script, several arguments with ';' in between.
+--      [rings=meshes=m1;reference=m4] [out=out/layer_depth]; repeat: number of runs, of which the time is the median
+--      (peeling: always one); the value of a problem's name is passed to its script, several arguments separated by
+--      ';'.
 
 local sg = require "signorini"
 

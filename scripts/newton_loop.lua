@@ -1,12 +1,11 @@
--- A user-defined Newton loop: what model:run does with sg.plain{}, written with low-level methods.
+-- A user-defined Newton loop: low-level methods that do what model:run does with sg.plain{}.
 --
 -- Problem: 2D frictional ironing, section 7.1 of the thesis (scripts/ironing2d.lua has the sketch), N2-N2.2 at mesh m1.
 -- Source: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of
 --         Contact Problems, PhD thesis, IIT Guwahati, 2020, Algorithm 1.
--- Units: any consistent ones, such as mm and N/mm².
--- Expected: the same numbers as model:run gives with plain Newton, to the last bit.
--- Run: signorini scripts/newton_loop.lua [steps=46] [slides=250]; how many of the published steps are taken of each
---      stage.
+-- Units: any consistent units, such as mm and N/mm².
+-- Expected: the same numbers as model:run with plain Newton, to the last bit.
+-- Run: signorini scripts/newton_loop.lua [steps=46] [slides=250]; number of the published steps to run in each stage.
 
 local sg = require "signorini"
 local problem = require "ironing2d.problem"

@@ -1,18 +1,20 @@
--- What it takes to run a study side by side, and what is lost when it is killed: nothing that was finished.
+-- Parallel execution of a study, and its restart after being killed: no finished case is lost.
 --
--- Problem: 24 cases of 2D frictional ironing at m2 (scripts/ironing2d.lua): eight labels, each with p + 1, 2(p + 1) and
---          3(p + 1) contact points; the die is pressed and dragged for the first third of its way, steps that fail are
---          cut in half. The study is executed with one process at a time and with several; then once more, and killed
---          three times at random moments of it.
+-- Problem: 24 cases of 2D frictional ironing at m2 (scripts/ironing2d.lua): eight discretizations, each with p + 1,
+--          2(p + 1) and 3(p + 1) contact points; the die is pressed and dragged along the first third of its path,
+--          failed steps are halved. The study runs with one process at a time and with several; then again, killed
+--          three times at random moments.
 -- Source: the problem is that of V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for
---         Isogeometric Analysis of Contact Problems, PhD thesis, IIT Guwahati, 2020, section 7.1; the study is ours.
--- Units: seconds by the clock on the wall.
--- Expected: with two jobs on two processors at most 0.6 of the time of one, where nothing else uses them; after the
---           kills the same table, and no finished case repeated.
+--         Isogeometric Analysis of Contact Problems, PhD thesis, IIT Guwahati, 2020, section 7.1; the study is defined
+--         here.
+-- Units: seconds of wall time.
+-- Expected: with two jobs on two processors at most 0.6 of the time of one, if nothing else uses them; after the kills
+--           the same table, and no finished case repeated.
 -- Run: signorini scripts/parallel_study.lua [jobs=2] [rounds=3] [labels=N2,N4,N6,N2-N4,N2-N6,N2-N2.1,N2-N2.2,N2-N2.3]
---      [mesh=m2] [steps=130] [out=out/parallel_study]; times are medians of `rounds`; steps of the path that are taken.
---      signorini scripts/parallel_study.lua once=FOLDER jobs=2 executes the study in a folder and prints its table:
---      this is what is killed.
+--      [mesh=m2] [steps=130] [out=out/parallel_study]; times are medians of `rounds`; steps: number of steps of the
+--      path.
+--      signorini scripts/parallel_study.lua once=FOLDER jobs=2 executes the study in a folder and prints its table;
+--      this is the process that is killed.
 
 local sg = require "signorini"
 local ironing = require "ironing2d.problem"

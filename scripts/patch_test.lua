@@ -1,29 +1,31 @@
--- The patch test of contact: a uniform pressure through a flat contact of meshes that do and do not match.
+-- Contact patch test: uniform pressure on flat contact of matching and non-matching meshes.
 --
--- Problem: one block lies on the other; the upper one is held by the contact alone and pressed down uniformly.
+-- Problem: one block lies on another; the upper one is supported by the contact alone and loaded by a uniform pressure.
 --
 --           p0 = 0.1, per reference area
 --         ↓ ↓ ↓ ↓ ↓ ↓ ↓ ↓
 --        ┌───┬───┬───┬───┐    upper block 2 × 1 (2 × 2 × 1), E = 2
 --        │               │    sides = guided: nu = 0.3, no displacement across the lateral faces
---        ├────┬─────┬────┤    sides = free:   nu = 0, two neighbouring lateral faces are free
+--        ├────┬─────┬────┤    sides = free:   nu = 0, two neighboring lateral faces are free
 --        │               │    lower block 2 × 1 (2 × 2 × 1), E = 1
 --        └────┴─────┴────┘    u_y = 0 (u_z = 0); no friction, normal penalty 100
 --
---          Either way the exact solution is a uniform stress: its displacement is linear, and any discretisation holds
---          it. What is left is the contact: the slave's points integrate the slave's functions, polynomials inside its
---          elements, times a constant exactly, but the master's functions have kinks inside them.
---          Elements along the face: 3 and 5 (non-matching), 4 and 4 (matching), 2 and 6 (nested); 2 through each block.
+--          In both cases the exact solution is a uniform stress with a linear displacement, which any discretization
+--          represents exactly. The error is due to quadrature: the points of the slave integrate the slave's functions
+--          (polynomials in its elements) exactly, but the functions of the master have kinks inside slave elements.
+--          Elements along the face: 3 and 5 (non-matching), 4 and 4 (matching), 2 and 6 (nested); 2 in the thickness
+--          direction.
 -- Source: the patch test for contact of R. L. Taylor and P. Papadopoulos, On a patch test for contact problems in two
---         dimensions, in: Nonlinear Computational Mechanics, Springer, 1991; closed forms. Solved with plain Newton.
--- Units: any consistent ones; pressures in the lower block's E, errors relative to p0.
--- Expected: contact pressure and stress uniform to rounding (below 1e-11) where no border of the master's elements lies
---           inside an element of the slave: matching meshes, and nested ones with the finer one as slave. Elsewhere the
---           error falls with the number n of points like n^-(k+1), k the first derivative of the master's functions
---           that jumps (1 for N1 and L2, 2 for N2 and N2-N2.2, 3 for N3): Gauss' rule misses (x − c)^k for x > c.
+--         dimensions, in: Nonlinear Computational Mechanics, Springer, 1991; closed forms. Plain Newton.
+-- Units: any consistent units; pressures relative to E of the lower block, errors relative to p0.
+-- Expected: contact pressure and stress uniform to rounding error (below 1e-11) if no boundary of a master element lies
+--           inside a slave element: matching meshes, and nested meshes whose finer side is the slave. Otherwise the
+--           error decreases with the number n of points as n^-(k+1), where the k-th derivative of the master's
+--           functions is the first that jumps (1 for N1 and L2, 2 for N2 and N2-N2.2, 3 for N3), since Gauss quadrature
+--           is not exact for (x − c)^k on x > c.
 -- Run: signorini -q scripts/patch_test.lua [dimensions=2,3] [materials=linear,neo_hooke] [labels=N1,L2,N2,N3,N2-N2.2]
---      [points=20] [sides=guided] [penalties=10,100,1000,10000] [out=out/patch_test]; points: from p + 1 up to this
---      number per direction, p the layer's degree.
+--      [points=20] [sides=guided] [penalties=10,100,1000,10000] [out=out/patch_test]; points: largest number of points
+--      per direction, from p + 1 on, p the degree on the face.
 
 local sg = require "signorini"
 

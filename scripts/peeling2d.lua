@@ -1,36 +1,34 @@
--- Peeling of an adhesive strip by rotating its end: what varying-order layers do to the oscillation of the peeling
--- moment.
+-- Peeling of an adhesive strip by rotating its end: effect of varying-order layers on the moment's oscillation.
 --
--- Problem: a strip sticks to a rigid substrate by van der Waals forces; its free end is turned by an angle θ, whereupon
---          it bends and then peels, at a moment that should be constant and oscillates with the pitch of the elements.
+-- Problem: a strip adheres to a rigid substrate by van der Waals forces; its free end is rotated by an angle θ, so it
+--          bends and then peels. The moment should be constant, but oscillates with the element pitch.
 --
 --                                                     θ
---           ____________________________________________↶   right edge: turned as a rigid line by 0.1° a step,
---          |        strip 200 × 10 nm                   |    both translations free, hence peeled by a moment alone
+--           ____________________________________________↶   right edge: rotated as a rigid line by 0.1° per step,
+--          |        strip 200 × 10 nm                   |    both translations free, so only a moment acts
 --          |____________________________________________|
---           0  : adhesion :  :  :  :  : 150          200     one u_x of the left bottom corner pinned
+--           0  : adhesion :  :  :  :  : 150          200     u_x of the left bottom corner fixed
 --          =============================================
---             rigid substrate, at r_eq = 15^(−1/6) r0, where the film carries nothing
+--             rigid substrate, at r_eq = 15^(−1/6) r0, where the adhesive traction is zero
 --
 --          Plane strain, neo-Hooke, E = E0 = 2 nN/nm², nu = 0.2; Hamaker's constant 0.1 nN nm, r0 = 0.4 nm.
---          Meshes: 160 × 8 (m1), 200 × 10 (m2), 240 × 12 elements (m3); not published: 80 × 4 (m0), for a quick look.
+--          Meshes: 160 × 8 (m1), 200 × 10 (m2), 240 × 12 elements (m3); not published: 80 × 4 (m0), for quick tests.
 -- Source: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of
 --         Contact Problems, PhD thesis, IIT Guwahati, 2020, section 7.4 and appendix B, Tables 7.7, 7.8 and B.2,
---         Figures 7.22 to 7.27, after R. A. Sauer, Int. J. Numer. Meth. Engng 87 (2011). Solved with plain Newton, as
---         published.
+--         Figures 7.22 to 7.27, after R. A. Sauer, Int. J. Numer. Meth. Engng 87 (2011). Plain Newton, as published.
 -- Units: nm, nN; moments in E0 L0³ = 2 nN nm per nm of depth (L0 = 1 nm), slopes in E0 L0³ per degree.
--- Expected: degrees of freedom as in Tables 7.8 and B.2. Plateau: energy balance of steady peeling, M k = U(k) + W
---           (work of the moment on the curvature k = energy of bending + work of adhesion W = 15^(1/3) A/(16 pi r0²),
---           the integral of |T| from r_eq to infinity): M = √(2 E I W/(1 − nu²)) = 1.6315 for a thin strip at small
---           strains, 1.6289 with neo-Hooke's U(k); both leave out the ends and the mesh (peeling2d/steady.lua derives
---           them). Amplitudes and slopes in 120° to 140° at m2 near Table 7.8's: dM N2 4.28, N4 2.88, N2-N4 2.85,
---           N2-N2.1 0.336, N2-N2.2 0.250 (1e-3). Under rotation control N2 at m1 stops where its path turns back, as do
---           other coarse ones late; arcs lead on.
+-- Expected: degrees of freedom as in Tables 7.8 and B.2. Mean moment from the energy balance of steady peeling, M k =
+--           U(k) + W (work of the moment on the curvature k = bending energy + work of adhesion W = 15^(1/3) A/(16 pi
+--           r0²), the integral of |T| from r_eq to infinity): M = √(2 E I W/(1 − nu²)) = 1.6315 for a thin strip at
+--           small strains, 1.6289 with the neo-Hookean U(k); both neglect end effects and discretization error (derived
+--           in peeling2d/steady.lua). Oscillations and slopes in 120° to 140° at m2 near Table 7.8: dM N2 4.28, N4
+--           2.88, N2-N4 2.85, N2-N2.1 0.336, N2-N2.2 0.250 (1e-3). Under rotation control, N2 at m1 stops at a turning
+--           point of its path, as do other coarse discretizations at larger angles; arc-length continuation passes it.
 -- Run: signorini scripts/peeling2d.lua [mesh=m2] [labels=N2,N4,N2-N4,N2-N2.1,N2-N2.2] [steps=1500] [control=arc]
 --      [repeat=1] [window=120,140] [length=200] [bonded=150] [iterations=30] [linear=auto] [out=out/peeling2d];
---      mesh may be several (m1,m2,m3: then also a chart over the mesh); control=rotation ends a run where a step fails,
---      control=arc goes on from there by arc length; window in degrees; length and bonded, of the strip and of the part
---      that sticks, in nm, elements as long as before; times are medians of `repeat` runs.
+--      mesh can be several (m1,m2,m3: adds a chart over the mesh); control=rotation ends a run at the first failed
+--      step, control=arc continues from there by arc length; window: degrees; length, bonded: lengths of the strip and
+--      of the bonded part in nm, element length unchanged; times are medians of `repeat` runs.
 
 local sg = require "signorini"
 local measure = require "peeling2d.measure"

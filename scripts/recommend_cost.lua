@@ -1,13 +1,14 @@
--- What sg.recommend costs compared with a uniform run one mesh finer than all that it has tried.
+-- Cost of sg.recommend compared with a uniform run one mesh finer than all those it has tried.
 --
--- Problem: a hollow cylinder pressed onto a rigid plane (scripts/hertz2d.lua) by a load in 5 steps: the least label and
---          mesh whose peak pressure is within a tolerance. The alternative to a search is one run that is fine enough
---          for certain: the plainest label on the mesh behind the finest that the search has needed.
+-- Problem: a hollow cylinder is pressed onto a rigid plane (scripts/hertz2d.lua) by a load in 5 steps; sg.recommend
+--          searches for the smallest discretization and mesh whose peak pressure is within a tolerance. The alternative
+--          to this search is one run that is certainly fine enough: the simplest discretization on the mesh after the
+--          finest one of the search.
 -- Source: H. Hertz, J. reine angew. Math. 92, 1882, for the problem.
--- Units: seconds by the clock.
--- Expected: the search takes about 0.75 times as long as that run, for all three tolerances.
+-- Units: seconds of wall time.
+-- Expected: the search takes about 0.75 times as long as the uniform run, for all three tolerances.
 -- Run: signorini scripts/recommend_cost.lua [at_most=0.05,0.02,0.005] [repeats=5] [out=out/recommend_cost]; times are
---      medians of repeats, search and run in turns.
+--      medians of repeats, with search and uniform run in turn.
 
 local sg = require "signorini"
 local hertz = require "hertz2d.problem"

@@ -1,26 +1,27 @@
--- Two elastic rings pressed against each other with friction: what varying-order layers do to the contact pressure.
+-- Two elastic rings in frictional contact: effect of varying-order layers on the contact pressure.
 --
--- Problem: two half rings touch at their apexes; the upper one's flat ends are pushed down by 4. One half is modelled.
+-- Problem: two half rings touch at their apexes; the flat ends of the upper ring are pushed down by 4. Half model.
 --
---              | |     | |    upper: radii 10 and 8, E = 100, its flat ends pushed down by 4 in 40 steps, u_x = 0
+--              | |     | |    upper: radii 10 and 8, E = 100, flat ends pushed down by 4 in 40 steps, u_x = 0
 --              \ \_____/ /
 --               \___.___/     both apexes on the line of symmetry x = 0, where u_x = 0
 --              /  _____  \
---             /  /     \  \   lower: radii 12 and 10, E = 300, its flat ends fixed
+--             /  /     \  \   lower: radii 12 and 10, E = 300, flat ends fixed
 --
 --          Plane strain, neo-Hooke, nu = 0.3, mu = 0.1, penalties 100 (normal) and 10 (tangential), slave: upper ring.
---          Meshes: 12 × 3 (upper) and 20 × 3 elements (lower) over a quarter at m1; each next mesh halves every angle,
---          3 elements through the wall at every mesh. Reference: N2 at m3.
+--          Meshes: 12 × 3 (upper) and 20 × 3 elements (lower) over a quarter at m1; each further mesh halves every
+--          angle, 3 elements in the thickness direction on every mesh. Reference: N2 at m3.
 -- Source: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of
 --         Contact Problems, PhD thesis, IIT Guwahati, 2020, section 7.3, Tables 7.5 and 7.6, Figures 7.18 to 7.20.
---         Solved with plain Newton, as published.
--- Units: m, N, N/m²; the L2 errors √∫ (p − p_ref)² dx in N/m²·√m.
--- Expected: the errors of Table 7.5 at m1 (p_N: N2 0.2438, N4 0.1745, N2-N4 0.1718, N2-N2.1 0.0710) within 10 %, at m2
---           N2 0.0343 within 5 %, N4 and N2-N4 within 15 %; N2-N2.1 at m2 is 1.0 to 3.1 times the printed 0.0034, by
---           the rule of the integral. All but one to three points at the apex slip: p_T = mu p_N, its errors a tenth.
+--         Plain Newton, as published.
+-- Units: m, N, N/m²; L2 errors √∫ (p − p_ref)² dx in N/m²·√m.
+-- Expected: the errors of Table 7.5 at m1 (p_N: N2 0.2438, N4 0.1745, N2-N4 0.1718, N2-N2.1 0.0710) to 10 %, at m2 N2
+--           0.0343 to 5 %, N4 and N2-N4 to 15 %; N2-N2.1 at m2 is 1.0 to 3.1 times the printed 0.0034, depending on the
+--           integration rule. All points slip except one to three at the apex: p_T = mu p_N, with a tenth of its
+--           errors.
 -- Run: signorini scripts/rings2d.lua [meshes=m1,m2] [labels=N2,N4,N2-N4,N2-N2.1] [reference=m3] [coordinate=x]
---      [repeats=3] [linear=auto] [out=out/rings2d]; reference is the mesh of the N2 that all are compared with,
---      coordinate is x (deformed) or X (undeformed), repeats is of how many runs a time is the median.
+--      [repeats=3] [linear=auto] [out=out/rings2d]; reference: mesh of the N2 reference solution; coordinate: x
+--      (deformed) or X (undeformed); repeats: number of runs, of which the time is the median.
 
 local sg = require "signorini"
 local problem = require "rings2d.problem"

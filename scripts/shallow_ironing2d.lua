@@ -1,30 +1,31 @@
 -- Shallow ironing: a round-nosed die is pressed into a block and dragged along it, with friction and large strains.
 --
--- Problem: the test that Fischer and Wriggers introduced and that many contact methods have been tried on since. There
---          is no exact solution, and the published forces differ by a quarter and more.
+-- Problem: a test introduced by Fischer and Wriggers, which many contact methods have been compared on since. There is
+--          no exact solution, and the published forces differ by more than a quarter.
 --
 --             ____
---            |    |     die: 1.2 wide, 0.9 high, below it an arc of height 0.3 (radius 0.75), its top driven;
---            |    |     0.2 from the block's left end and 0.2 above it; pressed by 1, then dragged by 10
+--            |    |     die: 1.2 wide, 0.9 high, arc of height 0.3 (radius 0.75) below, top driven;
+--            |    |     starts 0.2 from the left end of the block, 0.2 above it; pressed by 1, then dragged by 10
 --          ___\__/______________________________
 --         |                                     |
 --         |  block: 12 × 4, bottom clamped      |
 --         |_____________________________________|
 --
 --          Plane strain, neo-Hooke, E = 68.96e8 Pa (die) and 68.96e7 Pa (block), nu = 0.32, mu = 0.3; slave: the arc.
---          Chosen here: both penalties 1e5 N/mm³ (an overlap of 0.4 % of the arc's radius), 50 steps down and 250
---          along. The die's sides are no contact faces: its leading one would carry less than 2.5 N/mm, near its lower
---          corner.
+--          Chosen here: both penalties 1e5 N/mm³ (penetration of 0.4 % of the arc's radius), 50 steps of pressing and
+--          250 of sliding. The sides of the die are not contact faces: the leading one would carry less than 2.5 N/mm,
+--          near its lower corner.
 -- Source: K. A. Fischer and P. Wriggers, Mortar based frictional contact formulation for higher order interpolations
---         using the moving friction cone, CMAME 195 (2006) 5020; curves of five programs in share/reference. Solved
---         with plain Newton; steps that fail are cut.
--- Units: mm, N, N/mm²; forces per mm of depth. Time is 0 to 1 while it is pressed and 1 to 2 while it slides.
--- Expected: V = 316 and H = 67 at time 1, V = 402 and H = 134 at time 1.5 (N2 at m2; at m3 314, 66, 400 and 131). V
---           lies among the published curves, closest to Hartmann et al.; H/V = 0.33 is closest to Code_Aster's 0.34
---           (0.30 to 0.52 in all).
+--         using the moving friction cone, CMAME 195 (2006) 5020; curves of five programs in share/reference. Plain
+--         Newton; failed steps are cut.
+-- Units: mm, N, N/mm²; forces per mm of depth. Time is 0 to 1 during pressing and 1 to 2 during sliding.
+-- Expected: V = 316 and H = 67 at time 1, V = 402 and H = 134 at time 1.5 (N2 at m2; at m3 314, 66, 400 and 131). V is
+--           within the range of the published curves, closest to Hartmann et al.; H/V = 0.33 is closest to 0.34 of
+--           Code_Aster (0.30 to 0.52 in all).
 -- Run: signorini scripts/shallow_ironing2d.lua [mesh=m2] [labels=N2,N2-N2.2] [through=1] [penalty=1e5] [steps=50]
---      [linear=auto] [out=out/shallow_ironing2d]; meshes: die 3 × 2 and block 30 × 8 (m1), each next one halves every
---      span; through: degree from top to bottom; steps: of the pressing, the sliding takes five times as many.
+--      [linear=auto] [out=out/shallow_ironing2d]; meshes: die 3 × 2 and block 30 × 8 (m1), each further mesh halves the
+--      elements; through: degree in the thickness direction; steps: number of pressing steps; sliding takes five times
+--      as many.
 
 local sg = require "signorini"
 

@@ -1,32 +1,32 @@
--- Speed against accuracy: which discretisation gives a result soonest, on five problems in one run; charts and a page.
+-- Work-precision diagrams: error over time of discretizations on five problems; charts and a page.
 --
--- Problem: ironing (ripple of both forces), Hertz (L2 error of the pressure), two rings (the same), peeling (amplitude
---          of the moment), ironing in 3D (ripple of both forces): uniform and varying-order discretisations on several
---          meshes, error over time.
+-- Problem: ironing (oscillation of both forces), Hertz (L2 error of the pressure), two rings (the same), peeling
+--          (oscillation of the moment), ironing in 3D (oscillation of both forces): uniform and varying-order
+--          discretizations on several meshes, error over time.
 --
 --          error |  o
---                |   \ o          one curve per label, one marker per mesh; further down and left is better;
---                |    o \         at equal error one label takes a share of the other one's time
+--                |   \ o          one curve per discretization, one marker per mesh; lower left is better;
+--                |    o \         compared: times of two discretizations at equal error
 --                |     \ o
 --                |______\_________ time
 --
---          The problems are those of ironing2d.lua, hertz2d.lua, rings2d.lua, peeling2d.lua and ironing3d.lua; what is
---          measured, and what is chosen differently, is in the files of speed_against_accuracy/.
+--          The problems are those of ironing2d.lua, hertz2d.lua, rings2d.lua, peeling2d.lua and ironing3d.lua; error
+--          measures and differences from these scripts are documented in the files of speed_against_accuracy/.
 -- Source: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of
 --         Contact Problems, PhD thesis, IIT Guwahati, 2020, sections 7.1 to 7.5; printed savings from section 7.1.3,
 --         section 7.2 and Table 7.6.
 -- Units: times in s; errors in N/mm (ironing), 1 (Hertz), N/m²·√m (rings), E0 L0³ (peeling); 3D: any consistent ones.
--- Expected: at equal error, in the middle of what both reach, N2-N2.2 takes about a twentieth of N2's time in ironing,
---           a fifth in peeling, half in Hertz, three quarters in the rings; of N4's about a tenth, an eighth, a quarter
---           and a third; in 3D its sparse mesh is better than the middle mesh of N2. The thesis prints 56.62 and 72.78
---           % less time for ironing (N2-N2.2 at m1, m2 beside N2 at m3, m4), here over 90; 42.48 and 43.74 % for Hertz
---           (at m3, m4 beside N2 at m4, m5), here about 50. About 20 minutes on one processor.
+-- Expected: at equal error, in the middle of the common range, N2-N2.2 takes about a twentieth of the time of N2 in
+--           ironing, a fifth in peeling, half in Hertz, three quarters in the rings; of the time of N4 about a tenth,
+--           an eighth, a quarter and a third; in 3D it is better on the sparse mesh than N2 on the middle mesh. The
+--           thesis prints 56.62 and 72.78 % less time for ironing (N2-N2.2 at m1, m2 compared with N2 at m3, m4), here
+--           over 90; 42.48 and 43.74 % for Hertz (at m3, m4 compared with N2 at m4, m5), here about 50. About 20
+--           minutes on one processor.
 -- Run: signorini scripts/speed_against_accuracy.lua [problems=ironing,hertz,rings,peeling,ironing3d] [labels=all]
---      [meshes=all] [rounds=0] [time=wall] [out=out/speed_against_accuracy] [page=none]; labels and meshes: all that a
---      problem has, or a list (of any labels; of meshes, those that a problem has); rounds: how often each case is run,
---      for medians, 0 as each problem has it (3, dear ones 1); time: wall, or cpu, for a machine that does other
---      things, too; page: folder of the page, such as share/doc. Cases that are done are kept in `out` and not run
---      again.
+--      [meshes=all] [rounds=0] [time=wall] [out=out/speed_against_accuracy] [page=none]; labels, meshes: all of a
+--      problem, or a list (any discretizations; meshes of the problem); rounds: runs per case, for medians, 0 is the
+--      default of each problem (3, expensive ones 1); time: wall, or cpu on a machine under other load; page: folder of
+--      the page, such as share/doc. Finished cases are kept in `out` and not run again.
 
 local sg = require "signorini"
 local page = require "speed_against_accuracy.page"

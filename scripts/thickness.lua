@@ -1,26 +1,28 @@
--- Linear in the thickness direction, or of the bulk's degree? Error over time of both.
+-- Degree in the thickness direction: linear or that of the bulk? Error over time of both.
 --
--- Problem: a body's label holds along its contact face. Through the body, from that face to the opposite one, the
---          functions are of the bulk's degree (the default) or of another one (`through`); the thesis takes 1.
+-- Problem: the order label of a body applies along its contact face. In the thickness direction, from the contact face
+--          to the opposite one, the functions have the degree of the bulk (default) or another one (`through`); the
+--          thesis uses 1.
 --
---          ironing of ironing2d.lua: ripple of the drag; Hertz's line contact of hertz2d.lua: L2 error of the pressure
---          against N2-N2.2 at m6, quadratic through the wall; a cantilever 10 × 1, clamped at one end, a shear traction
---          at the other, bottom face named as contact face: error of the deflection against N4 on 160 × 16 elements.
+--          ironing of ironing2d.lua: oscillation of the drag; Hertz line contact of hertz2d.lua: L2 error of the
+--          pressure against N2-N2.2 at m6 with degree 2 in the thickness direction; a cantilever 10 × 1, clamped at one
+--          end, with a shear traction at the other, bottom face named as contact face: error of the deflection against
+--          N4 on 160 × 16 elements.
 --
---          |=============== |     ny elements through it (m1: 1, m2: 2, m3: 4, m4: 8) and 10 ny along it;
+--          |=============== |     ny elements in thickness direction (m1: 1, m2: 2, m3: 4, m4: 8) and 10 ny along it;
 --          |_______________ v     nu = 0.3, and 0.49, where linear functions lock
 -- Source: ironing and Hertz: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for
 --         Isogeometric Analysis of Contact Problems, PhD thesis, IIT Guwahati, 2020, sections 7.1 and 7.2. Locking:
 --         T. J. R. Hughes, The Finite Element Method, Dover, 2000, chapter 4.
--- Units: ripple in N/mm; errors of pressure and deflection in 1; times in s.
--- Expected: ironing and Hertz: degree 1 takes 0.4 to 0.7 of the time at equal error (ironing: 2.8 at the largest error
---           that both reach with N2, where the ripple is not yet monotonic); Hertz on m4 and finer: its linear
---           elements through the wall leave 4e-3. Cantilever: degree 1 takes about six times as many elements through
---           the beam for the same deflection at nu = 0.3; at nu = 0.49 it has lost 91 % of it with one element and 16 %
---           with eight.
+-- Units: oscillation in N/mm; errors of pressure and deflection in 1; times in s.
+-- Expected: ironing and Hertz: degree 1 takes 0.4 to 0.7 of the time at equal error (ironing: 2.8 at the largest common
+--           error of N2, where the oscillation does not yet decrease monotonically); Hertz on m4 and finer: the linear
+--           elements in the thickness direction leave an error of 4e-3. Cantilever: degree 1 needs about six times as
+--           many elements in the thickness direction for the same deflection at nu = 0.3; at nu = 0.49 it loses 91 % of
+--           the deflection with one element and 16 % with eight.
 -- Run: signorini scripts/thickness.lua [problems=ironing,hertz,cantilever,cantilever49] [labels=N2,N2-N2.2]
---      [through=1,2] [meshes=m1,m2,m3] [rounds=1] [time=cpu] [out=out/thickness]; rounds: how often each case is run,
---      for medians; time: cpu, or wall, for a machine that does nothing else. Cases that are done are kept in `out`.
+--      [through=1,2] [meshes=m1,m2,m3] [rounds=1] [time=cpu] [out=out/thickness]; rounds: runs per case, for medians;
+--      time: cpu, or wall on a machine without other load. Finished cases are kept in `out`.
 
 local sg = require "signorini"
 local amplitude = require "ironing2d.amplitude"

@@ -1,28 +1,28 @@
--- Twisting with friction: a hollow hemisphere pressed into a cube and turned about its axis, torque and force.
+-- Twisting with friction: torque and force of a hollow hemisphere pressed into a cube and rotated.
 --
--- Problem: a hollow hemisphere stands on a cube, is pressed into it at its ring, then the ring is turned.
+-- Problem: a hollow hemisphere stands on a cube; its ring is pressed down, then rotated about its axis.
 --
---               ↻  ring: u_z = −1 in 10 steps, then turned by 180° about z in 90 steps
+--               ↻  ring: u_z = −1 in 10 steps, then rotated by 180° about z in 90 steps
 --          ┌┐       ┌┐   hollow hemisphere, radii 2/3 and 1, neo-Hooke, E = 5
 --           \ \   / /    friction mu = 0.5, normal and tangential penalty 100
 --        ┌────`───'────┐
---        │             │ cube, side 2, neo-Hooke, E = 1, its bottom clamped; nu = 0.3 both
+--        │             │ cube, side 2, neo-Hooke, E = 1, bottom clamped; nu = 0.3 both
 --        └─────────────┘
 --
---          Meshes of the hemisphere (along its arcs, through the wall) and of the cube: m1 4 × 4 × 1 and 4 × 4 × 2,
---          m2 6 × 6 × 2 and 6 × 6 × 3, m3 8 × 8 × 2 and 8 × 8 × 4; quadratic through the wall and through the cube.
---          Punches with a flat face on a rigid plane, the hemisphere's analogue with a closed form: a block with a
---          square face of side 2 and a tube of radii 1/2 and 1, E = 10, nu = 0, pressed by 0.01 of their height 1,
---          turned by 20° in 10 steps.
+--          Meshes of the hemisphere (along its arcs, in the thickness direction) and of the cube: m1 4 × 4 × 1 and
+--          4 × 4 × 2, m2 6 × 6 × 2 and 6 × 6 × 3, m3 8 × 8 × 2 and 8 × 8 × 4; degree 2 in the thickness direction.
+--          Flat punches on a rigid plane, for which closed forms exist: a block with a square face of side 2 and a tube
+--          of radii 1/2 and 1, E = 10, nu = 0, pressed by 0.01 of their height 1, rotated by 20° in 10 steps.
 -- Source: after the twisting contact of R. A. Sauer, L. De Lorenzis, An unbiased computational contact formulation
---         for 3D friction, Int. J. Numer. Meth. Engng 101, 2015, 251 to 280; penalties and meshes are ours, published
---         figures were not at hand. Uniform pressure in a disc clutch: R. G. Budynas, J. K. Nisbett, Shigley's
---         Mechanical Engineering Design, McGraw-Hill, section 16-5. Solved with plain Newton; steps that fail are cut.
--- Units: any consistent ones; stresses in the cube's E, lengths in the hemisphere's outer radius, angles in degrees.
--- Expected: the torque rises while the slip eats into the contact from its border, then levels when all slips, at
---           mu ∫ p r dA of the printed profile. Punches: M = mu ∫ p r dA within 1 %, and within 1 % that of a uniform
---           pressure: mu N (√2 + ln(1 + √2))/3 for the square, mu N 2/3 (Ro³ − Ri³)/(Ro² − Ri²) for the tube. The
---           difference in energy, work − stored − contact − friction, falls as the steps become small.
+--         for 3D friction, Int. J. Numer. Meth. Engng 101, 2015, 251 to 280; penalties and meshes are chosen here,
+--         published values were not available. Uniform pressure in a disc clutch: R. G. Budynas, J. K. Nisbett,
+--         Shigley's Mechanical Engineering Design, McGraw-Hill, section 16-5. Plain Newton; failed steps are cut.
+-- Units: any consistent units; stresses relative to E of the cube, lengths to the outer radius of the hemisphere,
+--        angles in degrees.
+-- Expected: the torque rises while slip spreads inwards from the edge of contact, then is constant at mu ∫ p r dA of
+--           the contact profile once all points slip. Punches: M = mu ∫ p r dA to 1 %, and to 1 % the torque of a
+--           uniform pressure: mu N (√2 + ln(1 + √2))/3 for the square, mu N 2/3 (Ro³ − Ri³)/(Ro² − Ri²) for the tube.
+--           The difference in energy, work − stored − contact − friction, decreases with the step size.
 -- Run: signorini scripts/twisting3d.lua [parts=twist,punch,balance] [labels=N2,N4,N2-N4,N2-N2.2] [meshes=m1]
 --      [press=10] [twist=90] [angle=180] [slave=hemisphere] [poles=ends] [linear=auto] [out=out/twisting3d]; slave:
 --      hemisphere or cube; poles: ends or bottom, see help(sg.shapes.hollow_hemisphere).
