@@ -1,16 +1,18 @@
--- Penalty beside augmented Lagrangian: what is left of the penetration, and what that does to the pressure.
+-- Penalty and augmented Lagrangian methods compared: remaining penetration and error of the pressure.
 --
--- Problem: Hertz' line contact (scripts/hertz2d.lua): a quarter of a hollow cylinder, radii 0.1 and 1, E = 1, nu = 0.3,
---          is pressed onto a rigid plane, with penalties from far too soft to far too stiff; each time with the penalty
---          alone, and with pressures augmented (Uzawa) until no contact point is deeper than 1e-6 of the body's size.
+-- Problem: Hertz line contact (scripts/hertz2d.lua): a quarter of a hollow cylinder, radii 0.1 and 1, E = 1, nu = 0.3,
+--          is pressed onto a rigid plane, with penalties from far too soft to far too stiff; for each, once with the
+--          penalty method alone and once with the augmented Lagrangian (Uzawa), until no contact point penetrates by
+--          more than 1e-6 of the body's size.
 -- Source: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of
 --         Contact Problems, PhD thesis, IIT Guwahati, 2020, section 7.2, for the problem; J. C. Simo, T. A. Laursen, An
 --         augmented Lagrangian treatment of contact problems involving friction, Comput. Struct. 42, 1992.
--- Units: lengths in outer radii, pressures in Young's moduli.
--- Expected: augmentation brings the penetration below 1e-6 of the size from the softest penalty on, and the force
---           within 0.1 %. With N2 the pressure suffers as under a high penalty: every contact point becomes a
---           constraint, and these are too many. With N2-N2.2 they are not: under the softest penalty the error falls
---           from 0.099 to 0.010 of Hertz's peak; the best of all penalties alone, 2000, gives 0.008.
+-- Units: lengths relative to the outer radius, pressures to Young's modulus.
+-- Expected: augmentation reduces the penetration below 1e-6 of the size even for the softest penalty, and the force is
+--           correct to 0.1 %. With N2 the pressure deteriorates as with a high penalty: every contact point becomes a
+--           constraint, which over-constrains the problem. With N2-N2.2 it is not over-constrained: with the softest
+--           penalty the error decreases from 0.099 to 0.010 of Hertz's peak pressure; the best penalty without
+--           augmentation, 2000, has 0.008.
 -- Run: signorini scripts/stability/augmented.lua [labels=N2,N2-N2.2] [mesh=m3] [penalties=1e2,5e2,2e3,1e4,1e5,1e6]
 --      [penetration=1e-6] [loops=500] [steps=4] [reference=m5] [out=out/stability/augmented]
 

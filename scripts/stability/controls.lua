@@ -1,4 +1,4 @@
--- The ways in which the cells of a stability map are solved.
+-- Solver controls used for the cells of a convergence map.
 
 local sg = require "signorini"
 

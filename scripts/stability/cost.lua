@@ -1,18 +1,19 @@
--- What robustness costs where nothing fails, and what the first guess of a step saves.
+-- Cost of robust solver controls where nothing fails, and iterations saved by predictors.
 --
--- Problem: the easy runs: 2D frictional ironing as published (scripts/ironing2d.lua) and Hertz' line contact under its
---          load and under its displacement (scripts/hertz2d.lua), each with plain Newton (sg.plain) and with all
---          controls on (sg.robust, the default of model:run); then ironing with the three predictors: tangent,
---          constant, linear.
+-- Problem: runs that converge without controls: 2D frictional ironing as published (scripts/ironing2d.lua) and Hertz
+--          line contact under a prescribed load and displacement (scripts/hertz2d.lua), each with plain Newton
+--          (sg.plain) and with all controls (sg.robust, the default of model:run); then ironing with the three
+--          predictors: tangent, constant, linear.
 -- Source: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of
 --         Contact Problems, PhD thesis, IIT Guwahati, 2020, sections 7.1, 6.1 and 7.2, for the problems.
--- Units: iterations of Newton's method; seconds.
--- Expected: with the controls on no run takes more iterations than without (asked: at most 1.05 times as many); ironing
---           takes 0.69 to 0.86 times as many, Hertz 0.89 to 0.96. The linear predictor takes 11 to 31 % off the sliding
---           stage.
+-- Units: Newton iterations; seconds.
+-- Expected: with all controls no run takes more iterations than without (limit: 1.05 times as many); ironing takes 0.69
+--           to 0.86 times as many, Hertz 0.89 to 0.96. The linear predictor saves 11 to 31 % of the iterations of the
+--           sliding stage.
 -- Run: signorini scripts/stability/cost.lua [labels=N2,N4,N6,N2-N4,N2-N6,N2-N2.1,N2-N2.2,N2-N2.3] [mesh=m1]
 --      [hertz=L1,N2,N4,N2-N4,N2-N2.1,N2-N2.2] [rings=m3] [steps=10] [coarser=1] [repeats=3] [out=out/stability/cost];
---      rings is Hertz' mesh, steps his; coarser: ironing's steps that many times as long; times are medians of repeats.
+--      rings, steps: mesh and number of steps of Hertz; coarser: factor on the step size of ironing; times are medians
+--      of repeats.
 
 local sg = require "signorini"
 local hertz = require "hertz2d.problem"

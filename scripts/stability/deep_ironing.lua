@@ -1,8 +1,8 @@
--- Where deep ironing holds: discretisation label against step size, with few and with many contact points.
+-- Convergence map of deep ironing: discretization against step size, for several numbers of contact points.
 --
--- Problem: a stiff half ring is pressed half of the slab's height into it and dragged along, with friction.
+-- Problem: a stiff half ring is pressed into a slab by half of its height and dragged along it, with friction.
 --
---              (   )        die: half annulus, radii 0.3 and 0.5, E = 10000, its two flat ends driven,
+--              (   )        die: half annulus, radii 0.3 and 0.5, E = 10000, both flat ends driven,
 --               \_/         pressed by 0.5 in 46 steps, then dragged by 1.5 in 250 steps, or in fewer
 --        ______/   \___________________
 --       |                              |
@@ -10,21 +10,21 @@
 --       |______________________________|
 --
 --          Plane strain, neo-Hooke, nu = 0.3, mu = 0.1, both penalties 100, slave: die; mesh m1: die 6 × 2 and slab
---          8 × 3 elements. Each map: labels against how many times longer than published the steps are.
+--          8 × 3 elements. Each map: discretizations against the step size as a multiple of the published one.
 -- Source: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of
 --         Contact Problems, PhD thesis, IIT Guwahati, 2020, section 7.1.4, where N2 at m1 does not converge.
 -- Units: mm, N, N/mm².
--- Expected: plain Newton holds 15, 17 and 21 of 40 cells with p + 1, 2(p + 1) and 3(p + 1) contact points, the controls
---           all 120. With the published steps all labels hold, except N2 with 2(p + 1). With steps 16 times as long all
---           fail at once. In cells that both hold the controls take 0.81 times as many iterations and find the same
---           forces to 3e-9.
+-- Expected: plain Newton converges in 15, 17 and 21 of 40 cells with p + 1, 2(p + 1) and 3(p + 1) contact points, all
+--           controls in all 120. With the published steps plain Newton converges with all discretizations, except N2
+--           with 2(p + 1); with steps 16 times as large it always fails immediately. Where both converge, all controls
+--           take 0.81 times as many iterations and give the same forces to 3e-9.
 -- Run: signorini scripts/stability/deep_ironing.lua [points=p+1,2(p+1),3(p+1)]
 --      [labels=N2,N4,N6,N2-N4,N2-N6,N2-N2.1,N2-N2.2,N2-N2.3] [coarser=1,2,4,8,16] [mesh=m1] [places=N6] [jobs=2]
---      [limit=600] [keep=no] [with=robust] [out=out/stability/deep_ironing]; one map for each of points, the contact
---      points per element, p the degree on the contact face; coarser: steps that many times as long; places: a label,
---      or none: a picture shows where plain Newton fails with it, at the first of points and of coarser; keep=yes takes
---      up the cells that an earlier call left in the folder; with=cutting, rescue or prediction turns on one of the
---      controls alone.
+--      [limit=600] [keep=no] [with=robust] [out=out/stability/deep_ironing]; points: contact points per element, p the
+--      degree on the contact face, one map for each; coarser: factors on the step size; places: a discretization whose
+--      failures of plain Newton are shown in a picture, at the first of points and of coarser, or none; keep=yes reuses
+--      the cells that an earlier call left in the folder; with=cutting, rescue or prediction turns on only one of the
+--      controls.
 
 local sg = require "signorini"
 local ironing = require "ironing2d.problem"

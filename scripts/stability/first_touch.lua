@@ -1,28 +1,27 @@
--- First touch: a body that only contact can hold, and that does not touch yet.
+-- Convergence of first contact: an unconstrained body that does not touch yet.
 --
--- Problem: a quarter of a hollow cylinder hangs above a plane or a slab and is loaded downwards. Nothing holds it
---          vertically before it touches: the tangent is singular, and where a step begins there is nothing to start
---          from.
+-- Problem: a quarter of a hollow cylinder is placed above a plane or a slab and loaded downwards. Before contact it is
+--          unconstrained vertically (rigid-body mode), so the tangent is singular.
 --
---         x = 0   ______   load P spread evenly over the cut y = 0
+--         x = 0   ______   load P uniformly distributed over the cut y = 0
 --        u_x = 0 |  cut |
 --                 \    /   quarter ring, radii 0.5 and 1, neo-Hooke, E = 1, nu = 0.3, plane strain, 12 × 3 elements
 --                  \__/
 --          gap  _________________
 --                 under=plane: rigid; under=slab: 2 × 1, E = 1, 10 × 5 elements, bottom clamped, u_x = 0 at x = 0
 --
---          Gaps below 0 are overlaps, a usual way out: the first iteration finds points in contact.
---          Normal penalty 100; with mu = 0.3 also a tangential one of 100. The load is applied in 5 steps.
+--          Gaps below 0 are initial overlaps, a common workaround: the first iteration finds points in contact.
+--          Normal penalty 100; with mu = 0.3 also a tangential penalty of 100. The load is applied in 5 steps.
 -- Source: chosen here.
--- Units: any consistent ones; lengths in outer radii, loads in Young's modulus times outer radius.
--- Expected: plain Newton holds no cell without overlap: the tangent is singular. With overlap it holds all on the
---           plane without friction, elsewhere all but those of the highest load: 8 and 6 of 24 cells.
---           The controls hold all 96: damping carries the body to its first contact. The contact carries the load.
+-- Units: any consistent units; lengths relative to the outer radius, loads to Young's modulus times outer radius.
+-- Expected: plain Newton converges in no cell without overlap: the tangent is singular. With overlap it converges in
+--           all cells on the plane without friction, otherwise in all but those of the highest load: 8 and 6 of 24
+--           cells. All controls converge in all 96: damping moves the body to its first contact. The contact force
+--           equals the load.
 -- Run: signorini scripts/stability/first_touch.lua [under=plane,slab] [friction=0,0.3] [label=N2]
 --      [gaps=-1e-2,-1e-3,0,1e-3,1e-2,1e-1] [loads=1e-4,1e-3,1e-2,0.05] [steps=5] [jobs=2] [limit=600] [keep=no]
---      [with=robust] [out=out/stability/first_touch]; one map for each of under and friction; keep=yes takes up the
---      cells that an earlier call left in the folder; with=cutting, rescue or prediction turns on one of the controls
---      alone.
+--      [with=robust] [out=out/stability/first_touch]; one map for each of under and friction; keep=yes reuses the cells
+--      that an earlier call left in the folder; with=cutting, rescue or prediction turns on only one of the controls.
 
 local sg = require "signorini"
 local study = require "stability.study"

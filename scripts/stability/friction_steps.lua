@@ -1,10 +1,10 @@
--- Where ironing back and forth holds: step size against friction.
+-- Convergence map of ironing back and forth: step size against coefficient of friction.
 --
--- Problem: a half ring is pressed into a slab, dragged along it and back again. Where it turns, every contact point
---          goes from slip over stick to slip the other way; the longer the step and the stronger the friction, the more
---          of them change at once.
+-- Problem: a half ring is pressed into a slab, dragged along it and back. At the reversal every contact point changes
+--          from slip over stick to slip in the opposite direction; the larger the step and the friction, the more
+--          points change at once.
 --
---              (   )        die: half annulus, radii 0.3 and 0.5, E = 1000, its two flat ends driven: pressed by 0.23
+--              (   )        die: half annulus, radii 0.3 and 0.5, E = 1000, both flat ends driven: pressed by 0.23
 --        _______\_/_______   in 46 steps, dragged by 1.5 in 250 steps and back in 250 steps, or in fewer
 --       |  <--------->   |
 --       |  slab: 3 × 1, E = 1, bottom clamped
@@ -12,17 +12,17 @@
 --          Plane strain, neo-Hooke, nu = 0.3, both penalties 100, slave: die; mesh m1: die 6 × 2 and slab 8 × 3
 --          elements.
 -- Source: the problem of V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for
---         Isogeometric Analysis of Contact Problems, PhD thesis, IIT Guwahati, 2020, section 7.1; the way back, other
---         coefficients and longer steps are chosen here.
+--         Isogeometric Analysis of Contact Problems, PhD thesis, IIT Guwahati, 2020, section 7.1; the reversal, other
+--         coefficients and larger steps are chosen here.
 -- Units: mm, N, N/mm².
--- Expected: plain Newton holds 24 (N2), 24 (N4) and 21 (N2-N2.2) of 30 cells, the controls all 90, with 0.81 to 0.83
---           times as many iterations where both hold, and the same drag to 2e-8. Steps up to 4 times as long hold with
---           every friction, up to 8 times with N2 and N4; where they are 16 times as long all fail while the die is
---           pressed. Drag over pressing force is 0.43 at mu = 0.4, back and forth alike.
+-- Expected: plain Newton converges in 24 (N2), 24 (N4) and 21 (N2-N2.2) of 30 cells, all controls in all 90, with 0.81
+--           to 0.83 times as many iterations where both converge, and the same drag to 2e-8. Plain Newton converges
+--           with steps up to 4 times as large for every friction, up to 8 times with N2 and N4; with steps 16 times as
+--           large all fail during pressing. Drag over pressing force is 0.43 at mu = 0.4, in both directions.
 -- Run: signorini scripts/stability/friction_steps.lua [labels=N2,N4,N2-N2.2] [friction=0,0.1,0.2,0.4,0.6,0.8]
 --      [coarser=1,2,4,8,16] [mesh=m1] [jobs=2] [limit=600] [keep=no] [with=robust] [out=out/stability/friction_steps];
---      one map for each label; coarser: steps that many times as long; keep=yes takes up the cells that an earlier call
---      left in the folder; with=cutting, rescue or prediction turns on one of the controls alone.
+--      one map for each discretization; coarser: factors on the step size; keep=yes reuses the cells that an earlier
+--      call left in the folder; with=cutting, rescue or prediction turns on only one of the controls.
 
 local sg = require "signorini"
 local ironing = require "ironing2d.problem"

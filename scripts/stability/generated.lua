@@ -1,26 +1,26 @@
--- How runs of generated scenes end: bodies pressed into a slab and dragged along it, as they are and mirrored.
+-- Randomly generated models: bodies pressed into a slab and dragged along it, original and mirrored.
 --
--- Problem: a block, a half ring or a rigid cylinder (in space also an indenter with a spherical bottom) is pressed into
---          a slab by 0.01 to 0.2 and dragged along it by up to 0.6 (0.3 in space). Shape, slave, orders, meshes, E (0.1
---          to 1000, slab: 1), mu (0 to 0.8), penalty and steps come from a seed, so that scene number 17 is always the
---          same. A block that is the master digs its edges, where the master's face ends, into the slab.
+-- Problem: a block, a half ring or a rigid cylinder (in 3D also an indenter with a spherical bottom) is pressed into a
+--          slab by 0.01 to 0.2 and dragged along it by up to 0.6 (0.3 in 3D). Shape, slave, orders, meshes, E (0.1 to
+--          1000, slab: 1), mu (0 to 0.8), penalty and steps are determined by a seed, so model number 17 is always the
+--          same. If the block is the master, its edges, where the master face ends, cut into the slab.
 --
 --                 ______
 --                | body |         body: block 0.8 × 0.5, half ring of radii 0.3 and 0.5, cylinder of radius 0.4,
---          ______|______|______         its top driven
+--          ______|______|______         top driven
 --         |      <---->        |
---         |  slab: 4 × 1       |  in space the slab is 2 × 1.2 × 0.6, the bodies are 0.5 wide
+--         |  slab: 4 × 1       |  in 3D the slab is 2 × 1.2 × 0.6, the bodies are 0.5 wide
 --         |____________________|
 --
---          Neo-Hooke, nu = 0.3, plane strain or solids, with the controls of sg.robust. In the mirror x becomes -x:
---          each force must be the same but for its sign.
+--          Neo-Hooke, nu = 0.3, plane strain or solids, with the controls of sg.robust. Mirrored models replace x by
+--          -x: all forces must be equal except for their sign.
 -- Source: chosen here.
--- Units: those of E; forces per depth in plane strain.
--- Expected: every scene whose master has no sharp edges completes but one in some hundreds; of those in which the block
---           is the master about 1 % end early (35 % if the traction ended with the master's face).
+-- Units: the units of E; forces per depth in plane strain.
+-- Expected: if the master has no sharp edges, all models complete except one in several hundred; if the block is the
+--           master, about 1 % end early (35 % if the traction ended at the boundary of the master face).
 -- Run: signorini scripts/stability/generated.lua [kind=plane] [first=1] [count=2209] [mirror=no] [jobs=2] [limit=600]
---      [out=out/stability/generated]; kind: plane or space; first, count: the seeds; limit: seconds for a scene. A
---      second call takes up what the folder holds.
+--      [out=out/stability/generated]; kind: plane (2D) or space (3D); first, count: seeds; limit: seconds per model. A
+--      second call continues from the results in the folder.
 
 local sg = require "signorini"
 local scenes = require "generated.scenes"

@@ -1,27 +1,30 @@
--- Nearly incompressible bodies: Poisson's ratio against discretisation label, what fails and what locks.
+-- Nearly incompressible bodies, Poisson's ratio against discretization: convergence and volumetric locking.
 --
--- Problem: a rigid cylinder is pressed into a block that slides on its bed: the material must flow aside.
+-- Problem: a rigid cylinder is pressed into a block that slides on its base: the material must flow sideways.
 --
 --                 (     )      cylinder: radius 0.5, pressed by 0.15 in 5 steps, without friction
 --          x = 0 |_\___/_____
---       u_x = 0  |           |   block: half of it, 1 × 1, E = 1, neo-Hooke, plane strain, 8 × 8 elements
+--       u_x = 0  |           |   block: half model, 1 × 1, E = 1, neo-Hooke, plane strain, 8 × 8 elements
 --                |           |   right side free
 --                |___________|
 --                  u_y = 0
 --
---          Error: the cylinder's force over that of N4 on 24 × 24 elements at the same nu, less 1, without sign. A mesh
---          that locks is too stiff: the force is too high. The normal penalty is 1000.
+--          Error: relative difference (absolute value) between the force on the cylinder and that of N4 on 24 × 24
+--          elements with the same nu. A mesh that locks is too stiff, so its force is too large. The normal penalty is
+--          1000.
 -- Source: chosen here. On locking of splines: T. Elguedj, Y. Bazilevs, V. M. Calo, T. J. R. Hughes, CMAME 197 (2008)
 --         2732.
--- Units: any consistent ones.
--- Expected: plain Newton holds 33 of 42 cells; what fails inverts elements in its first step (N3 at nu up to 0.49, L1
---           and N2-N4 at 0.4, N4 and L2 at 0.499), or goes round (L1 at 0.3). The controls hold all; where both hold
---           they take as many iterations. Errors at nu = 0.3, 0.49, 0.499: L1 3 %, 14 %, 79 %; N2 0.7 %, 0.6 %, 3.2 %;
---           N4 0.1 %, 0.1 %, 0.1 %. A layer takes a third off N2's error at 0.499, no more: it is the bulk that locks.
+-- Units: any consistent units.
+-- Expected: plain Newton converges in 33 of 42 cells; the other cells invert elements in the first step (N3 at nu up to
+--           0.49, L1 and N2-N4 at 0.4, N4 and L2 at 0.499) or cycle (L1 at 0.3). All controls converge in all cells,
+--           with as many iterations where both converge. Errors at nu = 0.3, 0.49, 0.499: L1 3 %, 14 %, 79 %; N2 0.7 %,
+--           0.6 %, 3.2 %; N4 0.1 %, 0.1 %, 0.1 %. A layer reduces the error of N2 at 0.499 only by a third, since it is
+--           the bulk that locks.
 -- Run: signorini scripts/stability/locking.lua [labels=L1,L2,N2,N3,N4,N2-N2.1,N2-N4] [nu=0.3,0.4,0.45,0.49,0.495,0.499]
 --      [elements=8] [reference=24] [steps=5] [depth=0.15] [jobs=2] [limit=600] [keep=no] [with=robust]
---      [out=out/stability/locking]; elements and reference: along each side of the block; keep=yes takes up the cells
---      that an earlier call left in the folder; with=cutting, rescue or prediction turns on one of the controls alone.
+--      [out=out/stability/locking]; elements, reference: elements along each side of the block; keep=yes reuses the
+--      cells that an earlier call left in the folder; with=cutting, rescue or prediction turns on only one of the
+--      controls.
 
 local sg = require "signorini"
 local controls = require "stability.controls"

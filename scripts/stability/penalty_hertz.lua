@@ -1,31 +1,34 @@
--- Hertz's line contact over the penalty: where the solve holds, and what high penalties do to the pressure.
+-- Hertz line contact, penalty against discretization: convergence, and oscillation of the pressure.
 --
 -- Problem: a quarter of a hollow elastic cylinder is pressed onto a rigid plane in 10 steps, without friction.
 --
---         x = 0   ______   u_y = −0.00463 of the cut y = 0, or the half load P0 Ro spread evenly over it
+--         x = 0   ______   u_y = −0.00463 of the cut y = 0, or the half load P0 Ro uniformly distributed over it
 --        u_x = 0 |  cut |
 --                 \    /   quarter ring, radii 0.1 and 1, linear elastic, E = 1, nu = 0.3, plane strain
 --          _______|\__/____   rigid plane, normal penalty 1 to 10⁶
 --
---          The penalty holds the gap at every contact point (Gauss points to surface), 3(p + 1) of them per element:
---          more conditions than the face has functions. A high penalty makes the pressure follow the gap that is left.
---          Oscillation: the root of the mean square of p(x) − f(x) over the contact points within 0.8 of the half-width
---          a, over Hertz's peak pressure under the force that came out. f is the best sum of an ellipse √(1 − (x/a)²),
---          Hertz's pressure, and a parabola 1 − (x/a)², that of a face which gives way like a mattress; a is the larger
---          one of Hertz's half-width and the one that came out.
+--          The penalty constrains the gap at every contact point (Gauss-point-to-surface), 3(p + 1) of them per
+--          element: more constraints than the face has functions (over-constraint). With a high penalty the pressure
+--          follows the remaining gap.
+--          Oscillation: root mean square of p(x) − f(x) over the contact points within 0.8 of the half-width a, over
+--          Hertz's peak pressure for the computed force. f is the best fit by the sum of an ellipse √(1 − (x/a)²),
+--          Hertz's pressure, and a parabola 1 − (x/a)², the pressure on an elastic (Winkler) foundation; a is the
+--          larger of Hertz's and the computed half-width.
 -- Source: the problem of V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for
 --         Isogeometric Analysis of Contact Problems, PhD thesis, IIT Guwahati, 2020, section 7.2, where the penalty is
 --         2000; on over-constraint: L. De Lorenzis, P. Wriggers, T. J. R. Hughes, GAMM-Mitteilungen 37 (2014) 85.
--- Units: any consistent ones; lengths in outer radii, pressures in Young's moduli; penalties in pressure per length.
--- Expected: plain Newton holds 28 of 35 cells: all labels up to 10⁴, at 10⁵ N2 and N2-N2.2, at 10⁶ N2 alone; elsewhere
---           points open and shut in turns. The controls hold all. Oscillation at 10³, 10⁴, 10⁵, 10⁶: N2 0.003, 0.016,
---           0.037, 0.055; N4 0.005, 0.032, 0.11, 0.35; N2-N2.2 0.001, 0.001, 0.002, 0.003. Up to 10² it is the shape
---           of f that does not fit, 0.003. The penetration falls with the penalty.
+-- Units: any consistent units; lengths relative to the outer radius, pressures to Young's modulus; penalties in
+--        pressure per length.
+-- Expected: plain Newton converges in 28 of 35 cells: all discretizations up to 10⁴, N2 and N2-N2.2 at 10⁵, N2 alone at
+--           10⁶; elsewhere contact points open and close in turn (cycling active set). All controls converge in all
+--           cells. Oscillation at 10³, 10⁴, 10⁵, 10⁶: N2 0.003, 0.016, 0.037, 0.055; N4 0.005, 0.032, 0.11, 0.35;
+--           N2-N2.2 0.001, 0.001, 0.002, 0.003. Up to 10² the value of 0.003 is the misfit of f itself. The penetration
+--           decreases with the penalty.
 -- Run: signorini scripts/stability/penalty_hertz.lua [labels=N2,N4,N2-N4,N2-N2.1,N2-N2.2]
 --      [penalties=1,10,1e2,1e3,1e4,1e5,1e6] [mesh=m3] [load=displacement] [steps=10] [jobs=2] [limit=600] [keep=no]
 --      [with=robust] [out=out/stability/penalty_hertz]; mesh: m1 to m6 as in hertz2d.lua; load: displacement or force;
---      keep=yes takes up the cells that an earlier call left in the folder; with=cutting, rescue or prediction turns on
---      one of the controls alone.
+--      keep=yes reuses the cells that an earlier call left in the folder; with=cutting, rescue or prediction turns on
+--      only one of the controls.
 
 local sg = require "signorini"
 local hertz = require "hertz2d.problem"

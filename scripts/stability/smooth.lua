@@ -1,4 +1,4 @@
--- What is left of a curve when its smooth part is taken off.
+-- Difference of a curve from its smooth part.
 
 local smooth = {}
 

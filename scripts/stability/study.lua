@@ -1,5 +1,5 @@
--- What the studies in this folder share: arguments, both maps of a problem (plain Newton, and all controls on), what
--- one holds beside the other, and the files.
+-- Common parts of the studies in this folder: arguments, both convergence maps of a problem (plain Newton and all
+-- controls), their comparison, and files.
 
 local sg = require "signorini"
 local controls = require "stability.controls"
