@@ -68,6 +68,23 @@ void check_folder(const std::string& file, const fs::path& folder) {
   fail("base.file.no_folder", {{"file", file}, {"folder", folder.string()}});
 }
 
+/// The file that a link leads to, which may not exist yet; 40 links at most, as the system follows them.
+fs::path target_of(fs::path path) {
+  std::error_code ignored;
+  for (int i = 0; i < 40 && fs::is_symlink(path, ignored); ++i)
+    path = path.parent_path() / fs::read_symlink(path, ignored);
+  return path;
+}
+
+/// Writes to a device or a pipe, which a rename would replace by a file: /dev/null, /dev/stdout.
+void write_into(const std::string& file, std::string_view bytes) {
+  const int handle = ::open(file.c_str(), O_WRONLY | O_CLOEXEC);
+  const bool written = handle >= 0 && write_all(handle, bytes);
+  const int error = errno;
+  if (handle >= 0) ::close(handle);
+  if (!written) cannot_write(file, error);
+}
+
 } // namespace
 
 bool write_all(int handle, std::string_view bytes) {
@@ -80,9 +97,10 @@ bool write_all(int handle, std::string_view bytes) {
 }
 
 void write_whole(const std::string& file, std::string_view bytes, bool durable) {
-  const fs::path path(file), folder = folder_of(path);
+  require(fs::path(file).has_filename(), "base.file.no_name", {{"file", file}});
   std::error_code ignored;
-  require(path.has_filename(), "base.file.no_name", {{"file", file}});
+  if (fs::is_other(file, ignored)) return write_into(file, bytes);
+  const fs::path path = target_of(file), folder = folder_of(path);
   check_folder(file, folder);
   require(!fs::is_directory(path, ignored), "base.file.write_folder", {{"file", file}});
 
@@ -92,7 +110,7 @@ void write_whole(const std::string& file, std::string_view bytes, bool durable) 
   if (durable && ::fsync(temporary.handle) != 0) cannot_write(file, errno);
   // Some file systems report a full disk only here.
   const int closed = ::close(std::exchange(temporary.handle, -1));
-  if (closed != 0 || ::rename(name.c_str(), file.c_str()) != 0) cannot_write(file, errno);
+  if (closed != 0 || ::rename(name.c_str(), path.c_str()) != 0) cannot_write(file, errno);
   temporary.kept = true;
 }
 

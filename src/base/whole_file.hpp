@@ -7,7 +7,8 @@
 namespace signorini {
 
 /// Puts the bytes into a temporary file next to `file`, then renames it; `durable`: they are on the disk before the old
-/// file goes. Throws Error when the folder does not exist or the file cannot be written.
+/// file goes. Of a link the target is replaced; into a device or a pipe the bytes are written. Throws Error when the
+/// folder does not exist or the file cannot be written.
 void write_whole(const std::string& file, std::string_view bytes, bool durable = false);
 
 /// Writes all bytes to an open file or pipe, whatever signals come in between; false leaves the error in errno.

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <fcntl.h>
 #include <fstream>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -21,6 +23,34 @@ TEST(WholeFile, ReplacesAFileAndLeavesNothingElse) {
   EXPECT_EQ(read_whole(file), "second");
   write_whole(file, std::string("third\0", 6), true);
   EXPECT_EQ(read_whole(file), std::string("third\0", 6));
+  EXPECT_EQ(folder.count(), 1);
+}
+
+TEST(WholeFile, ReplacesTheTargetOfALinkAndKeepsTheLink) {
+  const test::ScratchFolder folder;
+  std::filesystem::create_directory(folder.file("data"));
+  write_whole(folder.file("data/a.txt"), "old");
+  std::filesystem::create_symlink("data/a.txt", folder.file("a.txt"));
+  std::filesystem::create_symlink("data/b.txt", folder.file("b.txt"));
+  for (const char* name : {"a.txt", "b.txt"}) { // b.txt: a link whose target does not exist yet
+    write_whole(folder.file(name), "new");
+    EXPECT_TRUE(std::filesystem::is_symlink(folder.file(name)));
+    EXPECT_EQ(read_whole(folder.file("data") + "/" + name), "new");
+  }
+}
+
+/// A rename would put a file in the place of the pipe, or of /dev/null.
+TEST(WholeFile, WritesIntoAPipe) {
+  const test::ScratchFolder folder;
+  const std::string pipe = folder.file("pipe");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const int reader = open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
+  write_whole(pipe, "through");
+  char bytes[16] = {};
+  EXPECT_EQ(::read(reader, bytes, sizeof bytes), 7);
+  EXPECT_STREQ(bytes, "through");
+  close(reader);
+  EXPECT_TRUE(std::filesystem::is_fifo(pipe));
   EXPECT_EQ(folder.count(), 1);
 }
 
