@@ -2,7 +2,7 @@
 --
 -- Problem: ironing in 2D and in 3D: a few sliding steps after pressing, on meshes from coarse to fine. The time of a
 --          Newton iteration is divided into bulk (bodies), contact (of which search: closest-point projection and
---          bounding-box tree), factorisation and solution of the linear system, and rest. The times to write a state
+--          bounding-box tree), factorization and solution of the linear system, and rest. The times to write a state
 --          are also measured (picture, contact profile as CSV, checkpoint). An iteration is one linear solve; the
 --          residual evaluation that ends a step is divided among its iterations. The growth of a cost is the exponent a
 --          of cost ~ DOFs^a, a least-squares fit of the logarithms over the larger half of the meshes.
@@ -11,7 +11,7 @@
 --         cut.
 -- Units: ms per iteration, ms per file; degrees of freedom (DOFs) of both bodies.
 -- Expected: bulk grows in proportion to the DOFs (exponent 1); contact with the square root of the DOFs in 2D and with
---           their power 2/3 in 3D; factorisation asymptotically with the exponent 1.5 in 2D and 2 in 3D, less on small
+--           their power 2/3 in 3D; factorization asymptotically with the exponent 1.5 in 2D and 2 in 3D, less on small
 --           meshes. The linear solver therefore takes most of the time in 3D.
 -- Run: signorini scripts/benchmark.lua [plane=m1,m2,m3,m4,m5] [solid=sparse,coarse,middle,fine] [label=N2] [steps=3]
 --      [solvers=ironing-m1,…] [repeats=3] [linear=umfpack] [element=8] [out=out/benchmark] [page=none]; steps: timed
@@ -36,7 +36,7 @@ local options = sg.arguments{
 local files = sg.files(options.out)
 
 local cases, exponents = {}, {}
--- The first picture loads the renderer, the first large factorisation starts BLAS: not on the clock.
+-- The first picture loads the renderer, the first large factorization starts BLAS: not on the clock.
 measure.case({ problem = "plane", label = "N2", mesh = "m1" },
   { steps = 1, repeats = 1, linear = "umfpack", out = options.out })
 for _, name in ipairs { "plane", "solid" } do

@@ -1,6 +1,6 @@
 -- Block ironing in 3D: a block is pressed into a slab and dragged along it, without friction.
 --
--- Problem: the whole lower face of the block is in contact, including its sharp edges, which plough through the slab;
+-- Problem: the whole lower face of the block is in contact, including its sharp edges, which plow through the slab;
 --          the forces oscillate with the element pitch of the slab.
 --
 --                  ________

@@ -42,7 +42,7 @@ function problem.scene(case)
   }
   local die = sg.body{
     patch    = sg.shapes.half_cylinder_shell{ inner = 0.4, outer = 0.5, width = 0.6,
-                                              centre = {problem.start, 0.2, 0.6 + 0.5} },
+                                              center = {problem.start, 0.2, 0.6 + 0.5} },
     elements = case.mesh.die, order = case.label, contact = "front", through = 1,
     material = sg.neo_hookean{ E = 100, nu = 0.3 },
   }

@@ -20,7 +20,7 @@ local soft, stiff = sg.neo_hookean{ E = 1, nu = 0.3 }, sg.neo_hookean{ E = 1000,
 local function ring(half)
   local n = options.mesh
   local shape = half and sg.shapes.quarter_annulus or sg.shapes.half_annulus
-  local die = sg.body{ patch = shape{ inner = 0.3, outer = 0.5, centre = { 0, 1.5 } },
+  local die = sg.body{ patch = shape{ inner = 0.3, outer = 0.5, center = { 0, 1.5 } },
                        elements = { (half and 3 or 6) * n, n }, order = "N2", contact = "south", material = stiff }
   local slab = sg.body{ patch = sg.shapes.rectangle{ width = half and 1.5 or 3, height = 1,
                                                      corner = { half and 0 or -1.5, 0 } },

@@ -191,7 +191,7 @@ local finest = solved[1]
 write_profile(finest)
 for i = 2, #solved do
   local case = solved[i]
-  case.error = sg.profile_error{ profile = case.profile, reference = finest.profile, normalise = "max",
+  case.error = sg.profile_error{ profile = case.profile, reference = finest.profile, normalize = "max",
                                  coordinate = function(point) return point.x / finest.edges.to end }
   write_profile(case)
   cases[i - 1], cases[case.label .. " " .. case.mesh] = case, case
@@ -199,7 +199,7 @@ end
 
 print(("\nLoad by %s: peak pressure and half-width beside Hertz's, L2 error of p/p_ref over x/a_ref against N2 at %s,")
   :format(options.load, finest.mesh))
-print(("times as medians of %d (wall with set-up; linear: factorisation and solve), DOFs beside Table 7.4")
+print(("times as medians of %d (wall with set-up; linear: factorization and solve), DOFs beside Table 7.4")
   :format(options.repeats))
 print(case_table(cases, finest))
 print "\nN2-N2.2 beside N2 on the next mesh"

@@ -130,7 +130,7 @@ local function solve(o, scene, options)
   case.peak_percent, case.width_percent = 100 * (case.peak / case.p0 - 1), 100 * (case.edges.to / case.a - 1)
   case.spacing_percent, case.spread_percent = 100 * case.edges.to_spacing / case.a, 100 * case.spread / case.p0
   case.error = sg.profile_error{
-    profile = case.profile, coordinate = function(point) return point.x / case.a end, normalise = case.p0,
+    profile = case.profile, coordinate = function(point) return point.x / case.a end, normalize = case.p0,
     reference = function(s) return s < 1 and case.p0 * math.sqrt(1 - s ^ 2) or 0 end,
   }
   return case

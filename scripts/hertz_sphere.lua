@@ -78,7 +78,7 @@ local function solve(o, steps, linear)
   case.peak_percent = 100 * (run:column "ground.max_pressure"[steps] / case.p0 - 1)
   case.width_percent, case.spacing_percent = 100 * (case.edges.to / case.a - 1), 100 * case.edges.to_spacing / case.a
   case.error = sg.profile_error{
-    profile = case.profile, coordinate = function(point) return point.x / case.a end, normalise = case.p0,
+    profile = case.profile, coordinate = function(point) return point.x / case.a end, normalize = case.p0,
     reference = function(s) return s < 1 and case.p0 * math.sqrt(1 - s ^ 2) or 0 end,
   }
   return case

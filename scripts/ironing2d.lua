@@ -90,8 +90,8 @@ end
 
 local function report_mesh(options, study, suffix, files)
   local mesh, cases = study.mesh, study.cases
-  local published = mesh == "m1" and sg.reference "ironing2d_oscillation_table7_3":by "discretisation" or nil
-  print(("\nDegrees of freedom and work at %s, %d steps (linear: factorisation and solve)%s")
+  local published = mesh == "m1" and sg.reference "ironing2d_oscillation_table7_3":by "discretization" or nil
+  print(("\nDegrees of freedom and work at %s, %d steps (linear: factorization and solve)%s")
     :format(mesh, problem.variants.standard.press_steps + problem.variants.standard.slide_steps,
       options["repeat"] > 1 and (", medians of %d runs"):format(options["repeat"]) or ""))
   print(output.work_table(cases))

@@ -118,7 +118,7 @@ print(("\nHow far rotation control leads (at most %d iterations a step), and wha
   :format(options.iterations))
 print(output.path_table(cases))
 local times, medians = output.time_table(cases, options["repeat"])
-print(("\nTime (linear: factorisation and solve)%s"):format(medians))
+print(("\nTime (linear: factorization and solve)%s"):format(medians))
 print(times)
 
 -- ── Charts and pictures ──────────────────────────────────────────────────────────────────────────────────────────────

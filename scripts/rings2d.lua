@@ -69,7 +69,7 @@ end
 --- The row of a published table for a label and a mesh.
 local function printed(rows, case)
   for _, row in ipairs(rows) do
-    if row.discretisation == case.label and row.mesh == case.mesh then return row end
+    if row.discretization == case.label and row.mesh == case.mesh then return row end
   end
   return {}
 end
@@ -167,7 +167,7 @@ local function write_profile(case, file)
 end
 
 local function write_errors(cases, file)
-  local columns, rows = { "discretisation", "mesh", "points", "zone", "edge", "pN_L2_error" }, {}
+  local columns, rows = { "discretization", "mesh", "points", "zone", "edge", "pN_L2_error" }, {}
   for _, case in ipairs(cases) do
     for i, rule in ipairs(rules) do
       rows[#rows + 1] = { case.label, case.mesh, rule.quadrature, rule.zone, rule.edge, case.errors[i] }
@@ -214,7 +214,7 @@ print(("\nL2 errors of the contact tractions against %s at %s over %s, beside Ta
 print(error_table(cases))
 print "\nError of p_N by the rule of its integral, as the arguments of sg.profile_error"
 print(rule_table(cases))
-print(("\nTime beside Table 7.6, medians of %d (linear: factorisation and solve)"):format(options.repeats))
+print(("\nTime beside Table 7.6, medians of %d (linear: factorization and solve)"):format(options.repeats))
 print(time_table(cases))
 
 write_errors(cases, files "errors.csv")

@@ -41,7 +41,7 @@ local ripple_times = { 1.4, 1.6 } -- where the forces themselves hardly change
 
 --- The die: straight lines from its arc up to its top. With radius R = 0.75 and half the width 0.6 the arc spans 2θ,
 --- sin θ = 0.8 and cos θ = 0.6: one rational quadratic segment whose middle weight is cos θ and whose middle point,
---- where the end tangents meet, lies R/cos θ = 1.25 below the centre.
+--- where the end tangents meet, lies R/cos θ = 1.25 below the center.
 local function die_patch(left, apex)
   local middle, ends, top = left + 0.6, apex + 0.3, apex + 1.2
   local arc = sg.nurbs.curve{

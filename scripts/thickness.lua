@@ -80,7 +80,7 @@ local problems = {
     end,
     of = function(row, reference)
       local width = sg.profile_edges{ profile = reference.profile }.to
-      return (sg.profile_error{ profile = row.profile, reference = reference.profile, normalise = "max",
+      return (sg.profile_error{ profile = row.profile, reference = reference.profile, normalize = "max",
                                 coordinate = function(point) return point.x / width end })
     end,
   },

@@ -41,7 +41,7 @@ local function scene(o, options)
     order    = o.label, contact = "back", through = 2, material = sg.neo_hookean{ E = 1, nu = 0.3 },
   }
   local hemisphere = sg.body{
-    patch    = sg.shapes.hollow_hemisphere{ inner = 2 / 3, outer = 1, centre = { 0, 0, 1 }, poles = options.poles },
+    patch    = sg.shapes.hollow_hemisphere{ inner = 2 / 3, outer = 1, center = { 0, 0, 1 }, poles = options.poles },
     elements = meshes[o.mesh][1], order = o.label, contact = "front", through = 2,
     material = sg.neo_hookean{ E = 5, nu = 0.3 },
   }

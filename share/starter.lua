@@ -8,7 +8,7 @@ local sg = require "signorini"
 
 -- What can be given behind the file's name, such as orders=N2,N2-N2.2 steps=20; the defaults give the types.
 local options = sg.arguments{
-  orders  = { "N2", "N2-N2.2" },     -- discretisations: degree 2 throughout; degree 4 on the faces that touch
+  orders  = { "N2", "N2-N2.2" },     -- discretizations: degree 2 throughout; degree 4 on the faces that touch
   meshes  = { 1, 2 },                -- 1 is coarse; twice as many elements in each direction with 2
   steps   = 10,                      -- load steps of each stage
   out     = "out/starter",
@@ -17,7 +17,7 @@ local options = sg.arguments{
 -- The scene: bodies, what holds or moves them, and where they touch.
 local function scene(order, mesh)
   local die = sg.body{
-    patch    = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, centre = {0.75, 1.5} },
+    patch    = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = {0.75, 1.5} },
     elements = {6 * mesh, mesh},     -- along the arc, through the wall
     order    = order,
     contact  = "south",              -- the face that carries the layer: the outer arc

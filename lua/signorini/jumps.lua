@@ -10,7 +10,7 @@ local jumps = {}
 local longer = 2.5   -- times the displacement of the steps next to it
 local far_above = 20 -- times the energy that is missing there
 local least = 0.01   -- of the step's work
-local neighbours = 2 -- steps on either side that are looked at
+local neighbors = 2 -- steps on either side that are looked at
 
 --- What a run carries along, as plain data: `steps`, the last ones of the present stage; `found`.
 function jumps.record() return { steps = {}, found = {} } end
@@ -18,22 +18,22 @@ function jumps.record() return { steps = {}, found = {} } end
 --- Judges the entry with this index among the last steps.
 local function judge(record, index)
   local entry, length, missing, count = record.steps[index], 0, 0, 0
-  for i = math.max(1, index - neighbours), math.min(#record.steps, index + neighbours) do
+  for i = math.max(1, index - neighbors), math.min(#record.steps, index + neighbors) do
     local other = record.steps[i]
     if i ~= index then
       length, missing, count = math.max(length, other.length), math.max(missing, math.abs(other.missing)), count + 1
     end
   end
-  if index > 1 and count >= neighbours and entry.length > longer * length and entry.missing > far_above * missing
+  if index > 1 and count >= neighbors and entry.length > longer * length and entry.missing > far_above * missing
     and entry.missing > least * entry.work then
     record.found[#record.found + 1] = { step = entry.step, times = entry.length / length,
                                         part = entry.missing / entry.work }
   end
 end
 
---- The steps so far have no neighbours among those to come: a stage ends, or arcs have taken over.
+--- The steps so far have no neighbors among those to come: a stage ends, or arcs have taken over.
 function jumps.close(record)
-  for index = math.max(1, #record.steps - neighbours + 1), #record.steps do judge(record, index) end
+  for index = math.max(1, #record.steps - neighbors + 1), #record.steps do judge(record, index) end
   record.steps, record.energy = {}, nil
 end
 
@@ -53,9 +53,9 @@ function jumps.note(record, model, step, length)
     step = step, length = length, work = math.abs(work),
     missing = work - (now.stored - before.stored) - (now.contact - before.contact) - (now.friction - before.friction),
   }
-  if #steps <= neighbours then return end
-  judge(record, #steps - neighbours)
-  if #steps > 2 * neighbours then table.remove(steps, 1) end
+  if #steps <= neighbors then return end
+  judge(record, #steps - neighbors)
+  if #steps > 2 * neighbors then table.remove(steps, 1) end
 end
 
 --- A sentence on the steps that were found. `arcs`: arc length is on, which takes over where a step fails.

@@ -142,8 +142,8 @@ function profile.error(o)
     difference[i], largest = evaluate(mine, s) - wanted, math.max(largest, math.abs(wanted))
   end
   for _, wanted in ipairs(theirs.v or {}) do largest = math.max(largest, math.abs(wanted)) end
-  local scale = o.normalise == "max" and largest or o.normalise
-  if scale == 0 then core.fail(where .. ": normalise must not be \"max\" where the reference is zero everywhere") end
+  local scale = o.normalize == "max" and largest or o.normalize
+  if scale == 0 then core.fail(where .. ": normalize must not be \"max\" where the reference is zero everywhere") end
 
   -- Trapezoids on the squares, or on the union of the points, where the difference is linear in between, exactly:
   -- ∫ d² = h (d₁² + d₁d₂ + d₂²)/3

@@ -265,7 +265,7 @@ function Run:info(stage, result)
   return named.strict("what on_step sees", info)
 end
 
---- Closes the accounts: seconds in the bodies, in contact, in factorisation and solve, and in all the rest. `early`:
+--- Closes the accounts: seconds in the bodies, in contact, in factorization and solve, and in all the rest. `early`:
 --- warnings about the path.
 function Run:finish(model, early)
   local now, spent = model:timings(), {}
@@ -338,7 +338,7 @@ function Run:__tostring()
   local text = format_table { columns = columns, units = { [#columns] = "s" }, rows = rows,
                               formats = { ["per step"] = "%.2f", wall = "%.3f" } }
   local spent = self.timings
-  text = ("%s\ntime: bulk %.3f s, contact %.3f s, factorisation and solve %.3f s, rest %.3f s")
+  text = ("%s\ntime: bulk %.3f s, contact %.3f s, factorization and solve %.3f s, rest %.3f s")
     :format(text, spent.bulk, spent.contact, spent.linear, spent.rest)
   for _, line in ipairs(lists.joined(path_controls.lines(self), self.warnings)) do text = text .. "\n" .. line end
   if self.reason == "completed" then return text end

@@ -28,8 +28,8 @@ measure.problems = {
   },
 }
 
---- What an iteration's time is shared out to; search is part of contact, factorisation and solution make up linear.
-measure.accounts = { "bulk", "contact", "search", "linear", "factorisation", "solution", "rest", "iteration" }
+--- What an iteration's time is shared out to; search is part of contact, factorization and solution make up linear.
+measure.accounts = { "bulk", "contact", "search", "linear", "factorization", "solution", "rest", "iteration" }
 --- What writes a state.
 measure.outputs = { "picture", "csv", "checkpoint" }
 

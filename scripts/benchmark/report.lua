@@ -81,7 +81,7 @@ local function draw_iteration(problem)
   return function(file, cases)
     local chart = { file = file, ylabel = "time of an iteration (ms)",
                     title = measure.problems[problem].name .. ": parts of a Newton iteration" }
-    for _, name in ipairs { "bulk", "contact", "search", "factorisation", "solution" } do
+    for _, name in ipairs { "bulk", "contact", "search", "factorization", "solution" } do
       add_line(chart, cases, problem, name, name)
     end
     return finish(chart)

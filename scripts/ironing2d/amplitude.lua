@@ -1,4 +1,4 @@
--- How strongly a force oscillates while the die slides: max − min over steps 110 to 165, in which the die's centre goes
+-- How strongly a force oscillates while the die slides: max − min over steps 110 to 165, in which the die's center goes
 -- from x = 1.13 to 1.46, about one element pitch of m1 in the middle of the slab. Over the whole slide the trend from
 -- the slab's ends would swamp the ripple; on m2 and finer it matters even within the window, so the ripple is measured
 -- without the best parabola as well.

@@ -6,7 +6,7 @@ local output = require "ironing2d.output"
 
 local convergence = {}
 
---- Pairs that the thesis calls equally accurate: a label and mesh, what it is compared with, and by how many per cent
+--- Pairs that the thesis calls equally accurate: a label and mesh, what it is compared with, and by how many percent
 --- its analysis is said to be cheaper.
 local pairs_of_equals = {
   { "N2-N2.2", "m1", "N2", "m3", 56.62 }, { "N2-N2.2", "m2", "N2", "m4", 72.78 },
@@ -154,7 +154,7 @@ function convergence.report(studies, labels, files)
   if #found > 0 then
     print "\nEqual accuracy as the thesis sees it (7.1.3): a case and what it is compared with, our saving and theirs"
     print(saving_table(found))
-    print "\nWhere the time of these cases goes (linear: factorisation and solve)"
+    print "\nWhere the time of these cases goes (linear: factorization and solve)"
     print(split_table(found))
   else
     print "\nNo pair of cases that the thesis calls equally accurate was run: try mesh=m1,m2,m3,m4"

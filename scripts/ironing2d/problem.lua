@@ -4,7 +4,7 @@ local sg = require "signorini"
 
 local problem = {}
 
---- What a variant changes: Young's modulus of the die, friction, where the die starts (x of its centre), how deep it is
+--- What a variant changes: Young's modulus of the die, friction, where the die starts (x of its center), how deep it is
 --- pressed in how many steps, how far it is dragged in how many steps.
 problem.variants = {
   standard = {
@@ -57,7 +57,7 @@ end
 --- the degree in the thickness direction, 1 as published when absent.
 function problem.scene(set_up, label, elements, points, through)
   local die = sg.body{
-    patch    = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, centre = { set_up.start, 1.5 } },
+    patch    = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = { set_up.start, 1.5 } },
     elements = elements.die, order = label, contact = "south", through = through or 1,
     material = sg.neo_hookean{ E = set_up.die_modulus, nu = 0.3 },
   }

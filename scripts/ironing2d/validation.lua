@@ -10,7 +10,7 @@ local validation = {}
 --- Steps whose states are drawn: end of the pressing, middle and end of the sliding.
 local picture_steps = { [10] = true, [60] = true, [110] = true, [210] = true }
 
---- Steps of the sliding's middle, the die's centre between x = 1.1 and x = 1.7: far from both ends of the slab.
+--- Steps of the sliding's middle, the die's center between x = 1.1 and x = 1.7: far from both ends of the slab.
 local function middle(set_up)
   return set_up.press_steps + set_up.slide_steps * 3 // 10, set_up.press_steps + set_up.slide_steps * 6 // 10
 end

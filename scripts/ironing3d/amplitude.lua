@@ -1,5 +1,5 @@
 -- How strongly the forces oscillate: max − min over about one element pitch of the slab (100/18 = 5.56 mm) in its
--- middle, 19 steps of 0.3 mm of the published path, in which the indenter's centre goes from x = 47.3 to 52.7. The
+-- middle, 19 steps of 0.3 mm of the published path, in which the indenter's center goes from x = 47.3 to 52.7. The
 -- thesis does not print its window; over the whole path the trend from the slab's ends would swamp the ripple.
 
 local plane = require "ironing2d.amplitude"

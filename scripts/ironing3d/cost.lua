@@ -1,4 +1,4 @@
--- What a Newton iteration costs: assembly of bodies and contacts, factorisation and solve, over the degrees of freedom.
+-- What a Newton iteration costs: assembly of bodies and contacts, factorization and solve, over the degrees of freedom.
 -- The indenter is pressed by 1 in five steps; times are means over all iterations, so that a noisy machine shows.
 
 local sg = require "signorini"
@@ -68,7 +68,7 @@ function cost.run(options, files)
   end
   for _, label in ipairs(options.layered) do add(layered, label, "coarse") end
   for _, mesh in ipairs(options.mesh) do add(cases, options.labels[1], mesh) end
-  print "Time of a Newton iteration (linear: factorisation and solve), largest memory of the process so far"
+  print "Time of a Newton iteration (linear: factorization and solve), largest memory of the process so far"
   print(result_table(all))
   files:draw("cost.png", "a mesh", function(file) return draw(file, cases) end)
   return { cases = cases, layered = layered }

@@ -58,7 +58,7 @@ local function draw_energies(file, case)
 end
 
 local function draw_ratio(file, cases)
-  local chart = { file = file, xlabel = "x of the indenter's centre (mm)", ylabel = "Px/Pz",
+  local chart = { file = file, xlabel = "x of the indenter's center (mm)", ylabel = "Px/Pz",
                   title = "3D ironing: drag over pressing force" }
   for _, case in ipairs(cases) do
     local ratio = {}

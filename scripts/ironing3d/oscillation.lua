@@ -24,7 +24,7 @@ end
 function oscillation.degrees_of_freedom()
   local rows, differences = {}, 0
   for i, printed in ipairs(records "ironing3d_dofs_table7_11") do
-    local label, mesh = printed.discretisation, printed.mesh
+    local label, mesh = printed.discretization, printed.mesh
     local indenter, slab = problem.bodies({ label = label, mesh = mesh, radius = 25.5 }, 50)
     local row = { label = label, mesh = mesh, indenter = indenter:dofs(), slab = slab:dofs(), printed = printed }
     for _, part in ipairs { "interface", "bulk", "total" } do
@@ -82,7 +82,7 @@ end
 local function published()
   local found = {}
   for _, row in ipairs(records "ironing3d_oscillation_table7_10") do
-    found[row.discretisation .. " " .. row.mesh] = row
+    found[row.discretization .. " " .. row.mesh] = row
   end
   return found
 end
@@ -100,7 +100,7 @@ function oscillation.run(options, files)
       local name = ("_R%g_gap%g"):format(radius, gap)
       print(("\nR = %g, gap %g (depth %g): work"):format(radius, gap, set.depth))
       print(output.work_table(set.cases))
-      print(("\nR = %g, gap %g (depth %g): max − min for the centre from x = %g to %g, beside Table 7.10")
+      print(("\nR = %g, gap %g (depth %g): max − min for the center from x = %g to %g, beside Table 7.10")
         :format(radius, gap, set.depth, amplitude.from, amplitude.to))
       print(output.amplitude_table(set.cases, printed))
       output.amplitude_csv(files("amplitudes" .. name .. ".csv"), set, printed)

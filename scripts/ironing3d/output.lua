@@ -104,9 +104,9 @@ function output.draw_sheet(file, pictures, title)
   sg.sheet{ pictures, file = file, columns = 2, title = title }
 end
 
---- Pressing force and drag over the path of the indenter's centre; returns whether there was anything to draw.
+--- Pressing force and drag over the path of the indenter's center; returns whether there was anything to draw.
 function output.draw_forces(file, cases, title)
-  local chart = { file = file, xlabel = "x of the indenter's centre (mm)", ylabel = "force of the indenter on the slab",
+  local chart = { file = file, xlabel = "x of the indenter's center (mm)", ylabel = "force of the indenter on the slab",
                   title = title .. ": Pz (full) and Px (dashed)" }
   for _, curve in ipairs { { "Pz", false }, { "Px", true } } do
     for i, case in ipairs(cases) do

@@ -6,7 +6,7 @@ local problem = {}
 
 problem.published_depth = 10.4 -- that the indenter is lowered by, before it touches and after
 problem.down, problem.along = 0.2, 0.3 -- steps of the published path: 52 down, 250 along
-local start, finish = 12.5, 87.5 -- x of the indenter's centre on the published path
+local start, finish = 12.5, 87.5 -- x of the indenter's center on the published path
 
 --- Elements of indenter and slab by mesh; fine halves every span of coarse.
 problem.meshes = {
@@ -17,15 +17,15 @@ problem.meshes = {
 }
 problem.mesh_names = { "sparse", "coarse", "middle", "fine" }
 
---- Indenter and slab of a case { label, mesh, radius }, the indenter's lowest point touching the slab at x = `centre`,
+--- Indenter and slab of a case { label, mesh, radius }, the indenter's lowest point touching the slab at x = `center`,
 --- y = 15. `cap` is the number of biquadratic spans per direction that the sphere is drawn with: one, as published, has
 --- no knots of its own, so that labels count as on a block; with more, their knots stay C¹ whatever the label.
-function problem.bodies(case, centre)
+function problem.bodies(case, center)
   local elements = problem.meshes[case.mesh]
   local material = sg.neo_hookean{ E = 1, nu = 0.3 }
   local indenter = sg.body{
     patch    = sg.shapes.spherical_indenter{ width = 10, depth = 10, height = 11, radius = case.radius,
-                                             elements = case.cap or 1, corner = { centre - 5, 10, 22 } },
+                                             elements = case.cap or 1, corner = { center - 5, 10, 22 } },
     elements = elements.indenter, order = case.label, contact = "front", through = 1, material = material,
   }
   local slab = sg.body{
@@ -37,8 +37,8 @@ end
 
 --- Model of a case { label, mesh, radius }, also with `mu`, `penalty` (both penalties, 100) and `points` (per direction
 --- of a contact element, 3(p + 1)), and its two bodies.
-function problem.scene(case, centre)
-  local indenter, slab = problem.bodies(case, centre)
+function problem.scene(case, center)
+  local indenter, slab = problem.bodies(case, center)
   local penalty = case.penalty or 100
   local friction = case.mu and case.mu > 0 and { mu = case.mu, penalty = penalty } or nil
   local model = sg.model{
@@ -64,8 +64,8 @@ function problem.stages(case)
 end
 
 --- Runs a case { label, mesh, radius, depth, from, way }, also with what problem.scene takes, `down`, `along`, and
---- `step`, `linear` and `on_step(model, info)` as model:run takes them. `from` is the x of the indenter's centre while
---- it is pressed. Adds to the case: model, run, dofs of indenter and slab, x (the centre's x after every step of
+--- `step`, `linear` and `on_step(model, info)` as model:run takes them. `from` is the x of the indenter's center while
+--- it is pressed. Adds to the case: model, run, dofs of indenter and slab, x (the center's x after every step of
 --- the sliding), Px and Pz there (forces of the indenter on the slab), pressed (Pz at full depth).
 function problem.solve(case)
   local model, indenter, slab = problem.scene(case, case.from)

@@ -1,7 +1,7 @@
 -- What Table 7.8 tells of a moment curve: oscillation amplitude, steepest rise and fall within a window of angles.
 --
 -- They are measured on whole steps of 0.1° alone, as the thesis does: amplitude max M − min M, slopes the quotients of
--- differences (M_k+1 − M_k)/0.1° of neighbouring steps. Where the path turns back between two steps, the state at the
+-- differences (M_k+1 − M_k)/0.1° of neighboring steps. Where the path turns back between two steps, the state at the
 -- later one is the first that the path meets there: the quotient spans the drop, as does an iteration at prescribed
 -- angles that jumps over it. States between steps, to which arcs led, do not count; the amplitude of all states is
 -- given beside it.

@@ -14,7 +14,7 @@ do
   for _, row in ipairs(data.rows) do
     local named = {}
     for j, column in ipairs(data.columns) do named[column] = row[j] end
-    printed[named.discretisation .. " " .. named.mesh] = named
+    printed[named.discretization .. " " .. named.mesh] = named
   end
 end
 

@@ -9,7 +9,7 @@
 -- This leaves out that strains are finite: the faces of this strip are stretched by h k/2 = 9 %. The exact U(k) is
 -- found from the section: it stays plane, at the radius r(Y), with stretches λ_θ = k r and λ_r = r′.
 -- Both leave out the ends (the rigid edge, the pin), what the film still pulls at the peeled strip, and the mesh: a
--- strip that is discretised is stiffer, and its film tears in jerks, about this mean.
+-- strip that is discretized is stiffer, and its film tears in jerks, about this mean.
 
 local problem = require "peeling2d.problem"
 

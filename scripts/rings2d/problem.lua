@@ -8,7 +8,7 @@ local problem = { mu = 0.1, steps = 40, push = -4 }
 function problem.scene(label, mesh)
   local refined = 1 << (math.tointeger(mesh:sub(2)) - 1)
   local upper = sg.body{
-    patch    = sg.shapes.quarter_annulus{ inner = 8, outer = 10, centre = {0, 22}, start = 270 },
+    patch    = sg.shapes.quarter_annulus{ inner = 8, outer = 10, center = {0, 22}, start = 270 },
     elements = { 12 * refined, 3 }, order = label, contact = "south", through = 1,
     material = sg.neo_hookean{ E = 100, nu = 0.3 },
   }

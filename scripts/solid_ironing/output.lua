@@ -59,7 +59,7 @@ end
 
 --- Pressing force or drag over the die's place while it slides, all labels; returns whether there was anything to draw.
 function output.draw_force(file, cases, key, chart)
-  chart.file, chart.xlabel = file, "x of the die's centre"
+  chart.file, chart.xlabel = file, "x of the die's center"
   for _, case in ipairs(cases) do
     local line = { x = {}, y = {}, label = case.label }
     for i = case.press, #case.x do line.x[#line.x + 1], line.y[#line.y + 1] = case.x[i], case[key][i] end

@@ -1,6 +1,6 @@
 -- Ironing of a slab without friction: runs labels along the path of a problem, measures their forces.
 --
--- A problem is { title, die (its name), length (the slab's), start (x of the die's centre), depth, way, scene(case) };
+-- A problem is { title, die (its name), length (the slab's), start (x of the die's center), depth, way, scene(case) };
 -- scene returns the model with the supports `grip` (drives x and z) and `bed` and the contact `interface`, the die and
 -- the slab. A case is { label, mesh, press, slide (steps), through, points, half (the scene is cut at its plane of
 -- symmetry, y = const.), line_search, linear }; see study.solve.
@@ -55,7 +55,7 @@ end
 -- ── Runs ─────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 --- Runs a case, also with on_step(model, info); steps that fail are cut in half. Adds to it: run, dofs (both bodies),
---- user (seconds of processor time that the run took, all threads), x (of the die's centre), Px, Pz (forces on the
+--- user (seconds of processor time that the run took, all threads), x (of the die's center), Px, Pz (forces on the
 --- slab, of the whole scene) after every step, pressed (Pz at the full depth), drag (mean, low and high of Pz while it
 --- slides), dPx, dPz ({ raw, detrended } over the steps first to last; empty when the run ended before), first_failure
 --- ({ step, reason } of the first attempt that failed).

@@ -18,7 +18,7 @@ x/a_ref at the last of them, against N2 at m6.]],
     name = "error", title = "L₂ error of the pressure",
     of = function(row, reference)
       local width = sg.profile_edges{ profile = reference.profile }.to
-      return (sg.profile_error{ profile = row.profile, reference = reference.profile, normalise = "max",
+      return (sg.profile_error{ profile = row.profile, reference = reference.profile, normalize = "max",
                                 coordinate = function(point) return point.x / width end })
     end,
   } },

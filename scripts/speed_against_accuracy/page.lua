@@ -82,7 +82,7 @@ local head = [[
 # Speed against accuracy
 
 What does an accurate result cost, and which is the least model that is enough? Every chart on this page has the time
-of a run to the right and its error upwards, one curve per discretisation, one marker per mesh: what lies further down
+of a run to the right and its error upwards, one curve per discretization, one marker per mesh: what lies further down
 and left is better. The gray steps are the Pareto front: whatever lies above them is beaten by a case that is both
 faster and better. Made by `scripts/speed_against_accuracy.lua` with %s.
 

@@ -50,7 +50,7 @@ local _, p0 = hertz.hertz(2 * reference.force)
 --- contact, and inside, up to 0.8 of it.
 local function errors(case)
   local function error_of(profile)
-    return (sg.profile_error{ profile = profile, reference = reference.profile, normalise = p0,
+    return (sg.profile_error{ profile = profile, reference = reference.profile, normalize = p0,
                               coordinate = function(point) return point.x / reference.edge end })
   end
   local inside = {}

@@ -44,7 +44,7 @@ local function scene(label, nu, count)
     patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = { count, count }, order = label,
     through = degree, contact = "north", material = sg.neo_hookean{ E = 1, nu = nu },
   }
-  local punch = sg.rigid.cylinder{ centre = { 0, 1.5 }, radius = 0.5 }
+  local punch = sg.rigid.cylinder{ center = { 0, 1.5 }, radius = 0.5 }
   return sg.model{
     bodies   = { block = block },
     supports = { symmetry = { on = block:face "west", fix = "x" }, bed = { on = block:face "south", fix = "y" },

@@ -9,14 +9,14 @@ namespace signorini {
 namespace {
 
 constexpr double deviation = 0.25; ///< pixels
-constexpr int facets = 16;         ///< across a window at least, where colours vary
+constexpr int facets = 16;         ///< across a window at least, where colors vary
 constexpr int deepest = 14;        ///< halvings
 
 /// Halves a rectangle of fractions as long as a window shows it too coarse.
 class Halving {
 public:
-  Halving(const PlaceAt& place, const std::vector<Window>& windows, bool coloured)
-      : place_(place), windows_(windows), coloured_(coloured) {}
+  Halving(const PlaceAt& place, const std::vector<Window>& windows, bool colored)
+      : place_(place), windows_(windows), colored_(colored) {}
 
   void visit(const Vec<2>& low, const Vec<2>& high, int depth) {
     Eigen::Matrix<double, 3, 9> points; // corners, middles of borders, middle; the first direction fastest
@@ -57,22 +57,22 @@ private:
       const int first = across * line;
       const Vec<3> from = points.col(first), middle = points.col(first + step), to = points.col(first + 2 * step);
       if ((middle - 0.5 * (from + to)).norm() > deviation * window.pixel) return true;
-      if (coloured_ && (to - from).norm() > most) return true;
+      if (colored_ && (to - from).norm() > most) return true;
     }
     return false;
   }
 
   const PlaceAt& place_;
   const std::vector<Window>& windows_;
-  bool coloured_;
+  bool colored_;
 };
 
 } // namespace
 
 Window box_window(const Eigen::Matrix<double, 2, 3>& axes, const Vec<3>& low, const Vec<3>& high,
                   const std::array<int, 2>& size) {
-  const Vec<2> centre = 0.5 * axes * (low + high), half = 0.5 * axes.cwiseAbs() * (high - low);
-  return {axes, centre - half, centre + half, std::max(2 * half[0] / size[0], 2 * half[1] / size[1])};
+  const Vec<2> center = 0.5 * axes * (low + high), half = 0.5 * axes.cwiseAbs() * (high - low);
+  return {axes, center - half, center + half, std::max(2 * half[0] / size[0], 2 * half[1] / size[1])};
 }
 
 Window mirrored(Window window, int axis) {
@@ -80,9 +80,8 @@ Window mirrored(Window window, int axis) {
   return window;
 }
 
-std::array<std::vector<double>, 2> window_cuts(const PlaceAt& place, const std::vector<Window>& windows,
-                                               bool coloured) {
-  Halving halving(place, windows, coloured);
+std::array<std::vector<double>, 2> window_cuts(const PlaceAt& place, const std::vector<Window>& windows, bool colored) {
+  Halving halving(place, windows, colored);
   if (!windows.empty()) halving.visit(Vec<2>::Zero(), Vec<2>::Ones(), 0);
   for (std::vector<double>& cuts : halving.cuts) {
     std::sort(cuts.begin(), cuts.end());

@@ -28,9 +28,9 @@ Window mirrored(Window window, int axis);
 using PlaceAt = std::function<Vec<3>(double, double)>;
 
 /// Where a surface must be cut besides at its ends, as rising fractions of each direction: what windows show of it then
-/// departs from the true surface by a quarter of a pixel at most. Where colours vary over it no piece spans more than
+/// departs from the true surface by a quarter of a pixel at most. Where colors vary over it no piece spans more than
 /// 1/16 of a window. What no window shows is cut only where that follows: cuts go through from end to end.
-std::array<std::vector<double>, 2> window_cuts(const PlaceAt& place, const std::vector<Window>& windows, bool coloured);
+std::array<std::vector<double>, 2> window_cuts(const PlaceAt& place, const std::vector<Window>& windows, bool colored);
 
 /// Adds cuts to rising fractions, each once.
 void add_cuts(std::vector<double>& fractions, const std::vector<double>& cuts);

@@ -190,7 +190,7 @@ void check_size(const nurbs::Plan& plan, int dimensions) {
 
 template <int D> int push_body(lua_State* L, const nurbs::Patch& patch, const nurbs::Plan& plan, const Arguments& a) {
   const auto& made =
-      push_object<Body<D>>(L, std::make_shared<const solid::Body<D>>(nurbs::Discretisation(patch, plan),
+      push_object<Body<D>>(L, std::make_shared<const solid::Body<D>>(nurbs::Discretization(patch, plan),
                                                                      a.object<solid::Material>("material")));
   count_memory(L, static_cast<double>(made->memory()));
   return 1;
@@ -210,7 +210,7 @@ int body(const Arguments& a, lua_State* L) {
 }
 
 template <int D> int dofs(const solid::Body<D>& body, lua_State* L) {
-  const nurbs::Discretisation& space = body.space();
+  const nurbs::Discretization& space = body.space();
   std::vector<int> interface;
   for (Side side : space.contact()) {
     const auto face = space.face_functions(side);
@@ -222,7 +222,7 @@ template <int D> int dofs(const solid::Body<D>& body, lua_State* L) {
 }
 
 /// "2 x 1" of a row's degrees, that of the direction through the body in its place.
-std::string degrees_in_words(const nurbs::Discretisation& space, const nurbs::Row& row) {
+std::string degrees_in_words(const nurbs::Discretization& space, const nurbs::Row& row) {
   std::string words;
   for (int d = 0; d < space.parametric_dimension(); ++d)
     words +=
@@ -231,7 +231,7 @@ std::string degrees_in_words(const nurbs::Discretisation& space, const nurbs::Ro
 }
 
 /// The degrees of all rows of control points, in the order of the rows.
-std::string all_degrees_in_words(const nurbs::Discretisation& space) {
+std::string all_degrees_in_words(const nurbs::Discretization& space) {
   std::string words, last;
   for (const nurbs::Row& row : space.rows())
     if (const std::string own = degrees_in_words(space, row); own != last) {
@@ -242,7 +242,7 @@ std::string all_degrees_in_words(const nurbs::Discretisation& space) {
 }
 
 template <int D> std::string body_text(const solid::Body<D>& body) {
-  const nurbs::Discretisation& space = body.space();
+  const nurbs::Discretization& space = body.space();
   std::string elements, closed;
   for (int d : nurbs::closed_directions(space)) closed += text(closed.empty() ? "closed along xi" : " and xi", d + 1);
   for (int d = 0; d < D; ++d) elements += text(d == 0 ? "" : " x ", space.elements(d));

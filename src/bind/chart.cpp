@@ -44,7 +44,7 @@ view::Series read_series(lua_State* L, const Arguments& chart, int number, const
     fail("y", " must have as many values as x, ", series.x.size(), ", got ", series.y.size());
   curve.read("label", series.label, "markers", series.markers, "dashed", series.dashed, "arrows", series.arrows, "line",
              series.line, "width", series.width);
-  if (curve.has("color")) series.colour = is_string(curve, "color") ? view::gray : curve.get<int>("color") - 1;
+  if (curve.has("color")) series.color = is_string(curve, "color") ? view::gray : curve.get<int>("color") - 1;
   if (curve.has("marker")) {
     const auto name = curve.get<std::string>("marker");
     series.marker = name == "none" ? view::no_marker : place_of(name, view::marker_names());

@@ -28,7 +28,7 @@ struct Part {
   std::vector<view::Bar> bars = {};
 };
 
-/// The ranges of colours that a sheet gives its parts.
+/// The ranges of colors that a sheet gives its parts.
 struct Ranges {
   std::optional<Range> given;
   std::map<std::string, Range> by_label;
@@ -88,7 +88,7 @@ view::Figure draw_plate(Plates& plates, int picture, const Paper& paper) {
   return view::with_close_ups(picture, plan->second, whole, detail);
 }
 
-/// One meaning of colours and arrows in all states, and in a film one frame.
+/// One meaning of colors and arrows in all states, and in a film one frame.
 void align_plates(Plates& plates, const Ranges& ranges) {
   auto& film = plates.film;
   double longest = 0;

@@ -42,7 +42,7 @@ std::string blas_description() {
   return (config ? std::string(config()) + ", " : "") + file;
 }
 
-/// A coloured square, drawn and thrown away.
+/// A colored square, drawn and thrown away.
 std::string test_picture() {
   view::Body square;
   square.skin.points.resize(3, 4);

@@ -40,7 +40,7 @@ view::Body picture_body(tessellation::Skin skin, const Showing& showing);
 /// The field that is drawn on slave faces alone.
 inline constexpr const char* pressure_name = "contact_pressure";
 
-/// A band along the slave face of a contact, inside its body, that has the colours of the pressure; `size` is the
+/// A band along the slave face of a contact, inside its body, that has the colors of the pressure; `size` is the
 /// longest side of what is drawn.
 view::Body pressure_band(const model::Model<2>& model, int contact, const Showing& showing, double size);
 

@@ -34,25 +34,25 @@ std::vector<std::string> read_names(const Arguments& a, const char* key) {
 
 // ── Categories ───────────────────────────────────────────────────────────────────────────────────────────────────────
 
-/// A category before it has got a look: its own colour, or one of the good or the bad ones.
+/// A category before it has got a look: its own color, or one of the good or the bad ones.
 struct Wish {
   std::string name;
   std::optional<bool> good = {};
-  std::optional<view::Rgb> colour = {};
+  std::optional<view::Rgb> color = {};
   std::optional<std::size_t> look = {}; ///< in the list of the good or the bad ones
 };
 
 /// "#rrggbb".
 view::Rgb read_hex(const Arguments& category) {
-  const auto hex = category.get<std::string>("colour");
+  const auto hex = category.get<std::string>("color");
   const bool digits =
       std::all_of(hex.begin() + !hex.empty(), hex.end(), [](unsigned char c) { return std::isxdigit(c) != 0; });
   if (hex.size() != 7 || hex[0] != '#' || !digits)
-    category.refuse("colour", "a color such as \"#d55e00\", or the number of one");
-  view::Rgb colour;
+    category.refuse("color", "a color such as \"#d55e00\", or the number of one");
+  view::Rgb color;
   for (std::size_t c = 0; c < 3; ++c)
-    colour[c] = static_cast<std::uint8_t>(std::stoi(hex.substr(1 + 2 * c, 2), nullptr, 16));
-  return colour;
+    color[c] = static_cast<std::uint8_t>(std::stoi(hex.substr(1 + 2 * c, 2), nullptr, 16));
+  return color;
 }
 
 Wish read_category(lua_State* L, int index, const std::string& path) {
@@ -60,10 +60,10 @@ Wish read_category(lua_State* L, int index, const std::string& path) {
   const Arguments category(L, index, path);
   Wish wish;
   category.read("name", wish.name, "good", wish.good);
-  if (is_string(category, "colour"))
-    wish.colour = read_hex(category);
-  else if (category.has("colour"))
-    wish.look = static_cast<std::size_t>(category.get<int>("colour") - 1);
+  if (is_string(category, "color"))
+    wish.color = read_hex(category);
+  else if (category.has("color"))
+    wish.look = static_cast<std::size_t>(category.get<int>("color") - 1);
   return wish;
 }
 
@@ -79,7 +79,7 @@ std::vector<view::Category> with_looks(std::vector<Wish> wishes) {
     const auto& looks = wanted ? good : bad;
     const std::size_t next = wanted ? goods++ : bads++;
     categories.push_back(
-        {wish.name, wish.colour ? view::Look{*wish.colour} : looks[wish.look.value_or(next) % looks.size()]});
+        {wish.name, wish.color ? view::Look{*wish.color} : looks[wish.look.value_or(next) % looks.size()]});
   }
   return categories;
 }

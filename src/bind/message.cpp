@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* folder_key = "signorini.folder";
 
-/// Levenshtein's distance, row by row; a swap of neighbours counts as one edit less than two.
+/// Levenshtein's distance, row by row; a swap of neighbors counts as one edit less than two.
 std::size_t distance(const std::string& a, const std::string& b) {
   std::vector<std::size_t> before, previous(b.size() + 1), row(b.size() + 1);
   std::iota(previous.begin(), previous.end(), std::size_t{0});

@@ -43,7 +43,7 @@ bool in_library(lua_State* L, const lua_Debug& frame);
 /// The qualified name ("sg.nurbs.arc", "patch:insert") under which the running C function was registered.
 const char* function_name(lua_State* L);
 
-/// A value as a user would recognise it: "the string '1000'", "nan", "a list of 3 values", "a patch", "nothing".
+/// A value as a user would recognize it: "the string '1000'", "nan", "a list of 3 values", "a patch", "nothing".
 std::string describe(lua_State* L, int index);
 
 /// "a body", "an obstacle".

@@ -25,8 +25,8 @@ template <int D> Body<D> body_of(const model::Model<D>& model, const std::string
 
 template <int D> int timings(const model::Model<D>& model, lua_State* L) {
   const model::Timings& spent = model.timings;
-  push_fields(L, "bulk", spent.bulk, "contact", spent.contact, "linear", spent.linear, "factorisation",
-              spent.factorisation, "solution", spent.solution, "search", model::search_seconds(model));
+  push_fields(L, "bulk", spent.bulk, "contact", spent.contact, "linear", spent.linear, "factorization",
+              spent.factorization, "solution", spent.solution, "search", model::search_seconds(model));
   return 1;
 }
 
@@ -41,7 +41,7 @@ template <int D> void time_search(const model::Model<D>& model, bool wanted) {
 template <int D> int solver(const model::Model<D>& model, lua_State* L) {
   const solve::SolverStatistics done = model.linear.statistics();
   push_fields(L, "linear", solve::name_of(model.linear.kind()), "unknowns", model.system.unknowns.size(), "patterns",
-              model.system.assembly.pattern_version(), "factorisations", done.factorisations, "solutions",
+              model.system.assembly.pattern_version(), "factorizations", done.factorizations, "solutions",
               done.solutions, "iterations", done.iterations, "factor_memory", done.memory, "memory",
               model::memory(model));
   return 1;

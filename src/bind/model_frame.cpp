@@ -29,7 +29,7 @@ std::vector<view::SurfaceLine> without_seams(std::vector<view::SurfaceLine> line
 /// Pieces per element and direction: enough that a quadratic arc over an eighth of a circle looks round at any size;
 /// fewer where elements are so many that each is small.
 template <int D> int divisions_for(const model::Model<D>& model, int b) {
-  const nurbs::Discretisation& space = model.system.scene.bodies[at(b)].body->space();
+  const nurbs::Discretization& space = model.system.scene.bodies[at(b)].body->space();
   const int elements = D == 2 ? space.elements() : tessellation::surface_elements(space);
   return std::clamp(static_cast<int>(std::sqrt(40000.0 / elements)), 4, 12);
 }
@@ -76,7 +76,7 @@ void add_obstacle(view::Panel& panel, const contact::Obstacle<2>& shape, const V
   if (const auto* plane = std::get_if<contact::Plane<2>>(&shape))
     return add(view::half_plane(plane->point + shift, plane->normal));
   if (const auto* ball = std::get_if<contact::Ball<2>>(&shape))
-    return add(view::circle(ball->centre + shift, ball->radius, panel.windows));
+    return add(view::circle(ball->center + shift, ball->radius, panel.windows));
   const auto& curve = std::get<nurbs::Patch>(shape);
   const nurbs::KnotVector& knots = curve.directions().front();
   const auto place = [&](double fraction) {
@@ -105,7 +105,7 @@ void add_obstacle(view::Panel& panel, const contact::Obstacle<3>& shape, const V
   if (const auto* plane = std::get_if<contact::Plane<3>>(&shape))
     return add(view::RigidPlane{plane->point + shift, plane->normal});
   if (const auto* ball = std::get_if<contact::Ball<3>>(&shape))
-    return add(view::RigidBall{ball->centre + shift, ball->radius});
+    return add(view::RigidBall{ball->center + shift, ball->radius});
   if (const auto* cylinder = std::get_if<contact::Cylinder>(&shape))
     return add(view::RigidCylinder{cylinder->point + shift, cylinder->axis, cylinder->radius});
   add(shifted(std::get<nurbs::Patch>(shape), shift, panel.windows));
@@ -173,7 +173,7 @@ view::CutPlane plane_of(const Cut& cut, const std::vector<view::Body>& bodies, c
     box.low[axis] = -far;
     box.high[axis] = far;
   }
-  return {cut.point.value_or(box.centre()), cut.normal};
+  return {cut.point.value_or(box.center()), cut.normal};
 }
 
 /// Cuts the bodies; the model itself is sampled in the plane and in what it is in the mirrors.

@@ -74,14 +74,14 @@ VectorX point_of(const Arguments& a, const char* key, const Patch& patch) {
 
 Patch rotate(const Patch& patch, const Arguments& a) {
   if (patch.dimension() == 3 && !a.has("axis")) a.refuse("axis", "a list of 3 numbers {x, y, z}, its direction");
-  return nurbs::rotate(patch, a.get<double>("angle"), point_of(a, "centre", patch), a.get<VectorX>("axis", {}));
+  return nurbs::rotate(patch, a.get<double>("angle"), point_of(a, "center", patch), a.get<VectorX>("axis", {}));
 }
 
 Patch scale(const Patch& patch, const Arguments& a) {
   const bool each = lua_istable(a.state(), a.push("factor"));
   const VectorX factors =
       each ? a.get<VectorX>("factor") : VectorX::Constant(patch.dimension(), a.get<double>("factor"));
-  return nurbs::scale(patch, factors, point_of(a, "centre", patch));
+  return nurbs::scale(patch, factors, point_of(a, "center", patch));
 }
 
 Patch mirror(const Patch& patch, const Arguments& a) {

@@ -27,7 +27,7 @@ struct SheetPicture {
   std::vector<Picture> parts;
   std::string title;
   std::optional<int> columns = {};
-  bool own_ranges = false;                         ///< else parts of one label have one range of colours
+  bool own_ranges = false;                         ///< else parts of one label have one range of colors
   std::optional<std::array<double, 2>> range = {}; ///< of all parts
 };
 
@@ -55,7 +55,7 @@ template <class Content> Picture make_picture(Content content, std::string descr
 }
 
 /// Makes the figures of pictures by number (from 0). Those of a film have the size of the first one, one range of
-/// colours for each field, and so that nothing jumps one scale and one layout. Throws Error where they are not made
+/// colors for each field, and so that nothing jumps one scale and one layout. Throws Error where they are not made
 /// alike.
 std::function<view::Figure(int picture)> figures_of(const std::vector<Picture>& film);
 

@@ -15,7 +15,7 @@ struct BandPoint {
 };
 
 BandPoint band_point(const model::Model<2>& model, const model::FaceReference& slave, double along, bool deformed) {
-  const nurbs::Discretisation& space = model.system.scene.bodies[static_cast<std::size_t>(slave.body)].body->space();
+  const nurbs::Discretization& space = model.system.scene.bodies[static_cast<std::size_t>(slave.body)].body->space();
   const int across = slave.side.direction;
   const auto [from, to] = space.interval(slave.side.at_end ? space.elements() - 1 : 0, across);
   const auto position = [&](double depth) {
@@ -55,7 +55,7 @@ view::Body pressure_band(const model::Model<2>& model, int contact, const Showin
   view::Points edge = view::Points::Zero(3, count);
   for (int i = 0; i < count; ++i) {
     const auto at = [&](int j) { return places[static_cast<std::size_t>(j)]; };
-    // Neighbours beyond the point's own twin at the border of two elements
+    // Neighbors beyond the point's own twin at the border of two elements
     const Vec<2> along = (at(std::min(i + 2, count - 1)).face - at(std::max(i - 2, 0)).face).stableNormalized();
     Vec<2> inwards(-along(1), along(0));
     if (inwards.dot(at(i).inside - at(i).face) < 0) inwards = -inwards;

@@ -21,21 +21,21 @@ int plane(const Arguments& a, lua_State* L) {
 
 /// A disc or a ball.
 template <RigidForm form> int round(const Arguments& a, lua_State* L) {
-  const auto centre = a.get<VectorX>("centre");
+  const auto center = a.get<VectorX>("center");
   const auto radius = a.get<double>("radius");
-  return centre.size() == 2 ? push_obstacle<2>(L, form, contact::make_ball<2>(centre, radius))
-                            : push_obstacle<3>(L, form, contact::make_ball<3>(centre, radius));
+  return center.size() == 2 ? push_obstacle<2>(L, form, contact::make_ball<2>(center, radius))
+                            : push_obstacle<3>(L, form, contact::make_ball<3>(center, radius));
 }
 
 int cylinder(const Arguments& a, lua_State* L) {
-  const auto centre = a.get<VectorX>("centre"), axis = a.get<VectorX>("axis", {});
-  const bool plane = centre.size() == 2;
+  const auto center = a.get<VectorX>("center"), axis = a.get<VectorX>("axis", {});
+  const bool plane = center.size() == 2;
   if (plane && axis.size() > 0)
-    a.fail("axis is for cylinders in 3D, whose centre is {x, y, z}: in the plane the axis is normal to it, leave axis ",
+    a.fail("axis is for cylinders in 3D, whose center is {x, y, z}: in the plane the axis is normal to it, leave axis ",
            "out");
   if (plane) return round<RigidForm::cylinder>(a, L);
   if (axis.size() == 0) a.refuse("axis", "a list of 3 numbers {x, y, z}, its direction");
-  return push_obstacle<3>(L, RigidForm::cylinder, contact::make_cylinder(centre, axis, a.get<double>("radius")));
+  return push_obstacle<3>(L, RigidForm::cylinder, contact::make_cylinder(center, axis, a.get<double>("radius")));
 }
 
 int rigid_surface(const nurbs::Patch& patch, lua_State* L) {
@@ -52,7 +52,7 @@ struct InWords {
     return text("rigid plane through ", coordinates(plane.point), ", normal ", coordinates(plane.normal));
   }
   template <int D> std::string operator()(const contact::Ball<D>& ball) const {
-    return text("rigid ", form == RigidForm::sphere ? "sphere" : "cylinder", " about ", coordinates(ball.centre),
+    return text("rigid ", form == RigidForm::sphere ? "sphere" : "cylinder", " about ", coordinates(ball.center),
                 ", radius ", ball.radius);
   }
   std::string operator()(const contact::Cylinder& cylinder) const {

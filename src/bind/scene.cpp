@@ -16,8 +16,8 @@ void check_disc(const RigidShape<2>& rigid, bool revolved, const std::string& wh
           " is a sphere in plane strain: use sg.rigid.cylinder, or kind = \"axisymmetric\" for the model");
   require(rigid.form != RigidForm::cylinder || !revolved, where,
           " is a cylinder across an axisymmetric model: use sg.rigid.sphere with its center on the axis x = 0");
-  if (const auto* ball = std::get_if<contact::Ball<2>>(&rigid.shape); ball && revolved && ball->centre(0) != 0)
-    fail(where, " has its center at x = ", ball->centre(0),
+  if (const auto* ball = std::get_if<contact::Ball<2>>(&rigid.shape); ball && revolved && ball->center(0) != 0)
+    fail(where, " has its center at x = ", ball->center(0),
          ": in an axisymmetric model a sphere's center lies on the axis, x = 0");
 }
 

@@ -120,7 +120,7 @@ view::Contours read_contours(const Arguments& a) {
   return {0, a.get<std::vector<double>>("contours")};
 }
 
-/// The lines, arrows and names that are drawn beside the colours.
+/// The lines, arrows and names that are drawn beside the colors.
 void read_lines(const Arguments& a, view::PictureOptions& options, const Showing& showing, bool solid) {
   if (a.has("contours")) options.contours = read_contours(a);
   options.vectors = showing.vectors;

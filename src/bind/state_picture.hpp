@@ -6,7 +6,7 @@
 
 namespace signorini::bind {
 
-/// What the arguments show, coloured by a field or, where it is empty, gray: patches, a model's present state or a kept
+/// What the arguments show, colored by a field or, where it is empty, gray: patches, a model's present state or a kept
 /// one. `state`: where on the stack an entry of run:states() is, or 0. `size`: for how many pixels it is sampled.
 Picture read_state_picture(const Arguments& a, const std::string& field, int state, const std::string& title,
                            const std::array<int, 2>& size);

@@ -78,10 +78,10 @@ template <int D> void read_rotation(const Arguments& a, model::Support<D>& suppo
   double size = 0;
   each_face<D>(a, expected, cure, [&](const Place<D>& face) {
     const double area = face_area(*face.body, *face.side);
-    support.centre += area * model::face_centroid(*face.body, *face.side);
+    support.center += area * model::face_centroid(*face.body, *face.side);
     size += area;
   });
-  support.centre /= size;
+  support.center /= size;
 }
 
 /// x, y or z = place.

@@ -1,5 +1,5 @@
 #pragma once
-// Van der Waals adhesion at one contact point, with its exact linearisation.
+// Van der Waals adhesion at one contact point, with its exact linearization.
 
 #include "contact/local.hpp"
 

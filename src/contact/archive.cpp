@@ -10,8 +10,8 @@ template <int D> auto members(Plane<D>& plane) {
 }
 
 template <int D> auto members(Ball<D>& ball) {
-  auto& [centre, radius] = ball;
-  return std::tie(centre, radius);
+  auto& [center, radius] = ball;
+  return std::tie(center, radius);
 }
 
 auto members(Cylinder& cylinder) {

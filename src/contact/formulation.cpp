@@ -48,7 +48,7 @@ void Formulation<D>::append_master(int element, const Offsets& offsets, std::vec
     for (int c = 0; c < D; ++c) dofs.push_back(offsets.master + D * face.body_function(nodes[a]) + c);
   for (int alpha = 0; alpha < D - 1 && and_next; ++alpha)
     for (bool at_end : {false, true})
-      if (const int next = face.neighbour(element, alpha, at_end); next >= 0) append_master(next, offsets, dofs);
+      if (const int next = face.neighbor(element, alpha, at_end); next >= 0) append_master(next, offsets, dofs);
 }
 
 template <int D>

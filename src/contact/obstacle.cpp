@@ -37,10 +37,10 @@ template <int D> Plane<D> make_plane(const Vec<D>& point, const Vec<D>& normal) 
   return {point, normal / length};
 }
 
-template <int D> Ball<D> make_ball(const Vec<D>& centre, double radius) {
-  require(centre.allFinite(), "contact.obstacle.center");
+template <int D> Ball<D> make_ball(const Vec<D>& center, double radius) {
+  require(center.allFinite(), "contact.obstacle.center");
   check_radius(radius);
-  return {centre, radius};
+  return {center, radius};
 }
 
 Cylinder make_cylinder(const Vec<3>& point, const Vec<3>& axis, double radius) {
@@ -55,7 +55,7 @@ template <int D> double largest_coordinate(const Obstacle<D>& obstacle) {
       [](const auto& shape) {
         using Shape = std::decay_t<decltype(shape)>;
         if constexpr (std::is_same_v<Shape, Ball<D>>)
-          return shape.centre.cwiseAbs().maxCoeff() + shape.radius;
+          return shape.center.cwiseAbs().maxCoeff() + shape.radius;
         else if constexpr (std::is_same_v<Shape, Cylinder>)
           return shape.point.cwiseAbs().maxCoeff() + shape.radius;
         else if constexpr (std::is_same_v<Shape, Plane<D>>)
@@ -91,13 +91,13 @@ SIGNORINI_INSTANTIATE(3)
 #undef SIGNORINI_INSTANTIATE
 
 FaceCoordinates<2> closest(const Ball<2>& ball, const Vec<2>& x) {
-  const Vec<2> out = x - ball.centre;
+  const Vec<2> out = x - ball.center;
   return FaceCoordinates<2>(std::atan2(out(1), out(0)));
 }
 
 void locate(const Ball<2>& ball, FacePoint<2>& point) {
   const Vec<2> out = ball.radius * Vec<2>(std::cos(point.xi(0)), std::sin(point.xi(0)));
-  point.position = ball.centre + out;
+  point.position = ball.center + out;
   point.tangent[0] = {-out(1), out(0)};
   point.second[0] = -out;
 }
@@ -119,7 +119,7 @@ FaceCoordinates<2> advance_slip(const Ball<2>& ball, const FaceCoordinates<2>& s
 // ── In space ─────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 FaceCoordinates<3> closest(const Ball<3>& ball, const Vec<3>& x) {
-  const Vec<3> out = x - ball.centre;
+  const Vec<3> out = x - ball.center;
   return {std::atan2(out(1), out(0)), std::atan2(std::hypot(out(0), out(1)), out(2))};
 }
 
@@ -134,7 +134,7 @@ void locate(const Ball<3>& ball, FacePoint<3>& point) {
   const Vec<3> around(-std::sin(azimuth), std::cos(azimuth), 0);
   const Vec<3> down(std::cos(polar) * std::cos(azimuth), std::cos(polar) * std::sin(azimuth), -std::sin(polar));
   const Vec<3> out = down.cross(around);
-  point.position = ball.centre + ball.radius * out;
+  point.position = ball.center + ball.radius * out;
   // Arc lengths over R along `down` and `around`: x,11 = x,22 = −R n, x,12 = 0 at the point
   point.tangent = {ball.radius * down, ball.radius * around};
   point.second = {-ball.radius * out, Vec<3>::Zero(), -ball.radius * out};
@@ -164,12 +164,12 @@ FaceCoordinates<3> advance_slip(const Ball<3>& ball, const FaceCoordinates<3>& s
   locate(ball, from);
   locate(ball, to);
   // On the great circle; a chord of length L spans the angle 2 asin(L/2R).
-  const Vec<3> a = (from.position - ball.centre) / ball.radius, b = (to.position - ball.centre) / ball.radius;
+  const Vec<3> a = (from.position - ball.center) / ball.radius, b = (to.position - ball.center) / ball.radius;
   const double angle = std::atan2(a.cross(b).norm(), a.dot(b));
   const double limit = 2 * std::asin(std::min(1.0, length / (2 * ball.radius)));
   if (!(angle > limit)) return slip;
   const Vec<3> across_a = (b - a.dot(b) * a).normalized();
-  return closest(ball, ball.centre + ball.radius * (std::cos(limit) * a + std::sin(limit) * across_a));
+  return closest(ball, ball.center + ball.radius * (std::cos(limit) * a + std::sin(limit) * across_a));
 }
 
 FaceCoordinates<3> advance_slip(const Cylinder& cylinder, const FaceCoordinates<3>& slip, const FacePoint<3>& foot,

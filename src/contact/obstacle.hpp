@@ -14,7 +14,7 @@ template <int D> struct Plane { Vec<D> point, normal; };
 /// A ball; in the plane a disc: the section of a cylinder, or of a sphere about the axis. In the plane ξ is the angle,
 /// in space azimuth and polar angle.
 template <int D> struct Ball {
-  Vec<D> centre;
+  Vec<D> center;
   double radius;
 };
 
@@ -33,11 +33,11 @@ using Obstacle = std::conditional_t<D == 2, std::variant<Plane<D>, Ball<D>, nurb
 /// With the normal made a unit vector. Throws Error when it is zero or anything is not finite.
 template <int D> Plane<D> make_plane(const Vec<D>& point, const Vec<D>& normal);
 /// Throws Error unless the radius is a positive number.
-template <int D> Ball<D> make_ball(const Vec<D>& centre, double radius);
+template <int D> Ball<D> make_ball(const Vec<D>& center, double radius);
 /// With the axis made a unit vector. Throws Error when it is zero, or unless the radius is a positive number.
 Cylinder make_cylinder(const Vec<3>& point, const Vec<3>& axis, double radius);
 
-/// Largest coordinate that enters a closest point: of its points or centre, with the radius.
+/// Largest coordinate that enters a closest point: of its points or center, with the radius.
 template <int D> double largest_coordinate(const Obstacle<D>& obstacle);
 
 /// Coordinate of the point of the shape that is closest to x, both without the obstacle's translation.

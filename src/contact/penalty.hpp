@@ -1,5 +1,5 @@
 #pragma once
-// The penalty law at one contact point: traction of normal contact and Coulomb friction with its exact linearisation.
+// The penalty law at one contact point: traction of normal contact and Coulomb friction with its exact linearization.
 
 #include "contact/local.hpp"
 

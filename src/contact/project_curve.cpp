@@ -18,7 +18,7 @@ double slope(const Vec<2>& x, const FacePoint<2>& point) {
   return (point.position - x).dot(point.tangent[0]);
 }
 
-/// Minimises the distance within one element by Newton's method, safeguarded by Gauss–Newton, the element's ends and,
+/// Minimizes the distance within one element by Newton's method, safeguarded by Gauss–Newton, the element's ends and,
 /// once the slope has been seen with both signs, bisection. Leaves the face at the minimum in `point` (order 2).
 Stop descend(const Surface<2>& surface, const Vec<2>& x, int element, double start, FacePoint<2>& point) {
   const auto [a, b] = surface.interval(element, 0);
@@ -67,7 +67,7 @@ Foot walk(const Surface<2>& surface, const Vec<2>& x, int element, double start,
   Stop stop = descend(surface, x, element, start, point);
   for (int moves = 0; stop != Stop::inside && moves < surface.elements(); ++moves) {
     const bool forward = stop == Stop::end;
-    const int next = surface.neighbour(element, 0, forward);
+    const int next = surface.neighbor(element, 0, forward);
     if (next < 0) return Foot::none;
     const double border = point.xi(0);
     FacePoint<2> beyond;
@@ -87,7 +87,7 @@ Foot walk(const Surface<2>& surface, const Vec<2>& x, int element, double start,
   return Foot::none;
 }
 
-/// Calls search(ξ) at those of 3(degree+1) equidistant points of an element that are nearer to x than their neighbours:
+/// Calls search(ξ) at those of 3(degree+1) equidistant points of an element that are nearer to x than their neighbors:
 /// the squared distance to one polynomial piece can have several minima, and one descent starts near each.
 template <class Search> void each_dip(const Surface<2>& surface, const Vec<2>& x, int element, Search search) {
   const auto [a, b] = surface.interval(element, 0);
@@ -115,7 +115,7 @@ double signed_gap(const Surface<2>& surface, const Vec<2>& x, Foot foot, const F
   if (foot == Foot::regular) return difference.dot(normal);
   if (foot == Foot::corner) {
     const bool at_end = point.xi(0) >= surface.interval(point.element, 0)[1];
-    const int other = surface.neighbour(point.element, 0, at_end);
+    const int other = surface.neighbor(point.element, 0, at_end);
     if (other >= 0) {
       FacePoint<2> beyond;
       surface.locate(other, point.xi, 1, beyond);

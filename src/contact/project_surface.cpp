@@ -60,7 +60,7 @@ double allowed(const Coordinates& xi, const Coordinates& step, const std::array<
   return fraction;
 }
 
-/// Minimises the distance within one element by Newton's method with held borders and step halving. Leaves the face at
+/// Minimizes the distance within one element by Newton's method with held borders and step halving. Leaves the face at
 /// the minimum in `point` (order 2).
 EdgeStop descend(const Surface<3>& surface, const Vec<3>& x, int element, const Coordinates& start,
                  FacePoint<3>& point) {
@@ -162,14 +162,14 @@ double signed_gap(const Surface<3>& surface, const Vec<3>& x, Foot foot, const F
     const auto [from, to] = surface.interval(point.element, a);
     for (bool at_end : {false, true}) {
       if (point.xi(a) != (at_end ? to : from)) continue;
-      const int other = surface.neighbour(point.element, a, at_end);
+      const int other = surface.neighbor(point.element, a, at_end);
       if (other >= 0) normal += normal_near(surface, other, point.xi);
     }
   }
   return std::copysign(difference.norm(), difference.dot(normal));
 }
 
-/// Calls search(ξ) at those points of a grid on an element that are nearer to x than their neighbours: the squared
+/// Calls search(ξ) at those points of a grid on an element that are nearer to x than their neighbors: the squared
 /// distance to one polynomial piece can have several minima, and one descent starts near each.
 template <class Search> void each_dip(const Surface<3>& surface, const Vec<3>& x, int element, Search search) {
   constexpr int most = 3 * (nurbs::max_degree + 1);
@@ -230,7 +230,7 @@ Foot walk(const Surface<3>& surface, const Vec<3>& x, int element, const Coordin
     moved = false;
     for (int a = 0; a < 2 && !moved; ++a) {
       if (held[at(a)] == 0) continue;
-      const int next = surface.neighbour(point.element, a, held[at(a)] > 0);
+      const int next = surface.neighbor(point.element, a, held[at(a)] > 0);
       if (next < 0) continue;
       const EdgeStop other = descend(surface, x, next, point.xi, beyond);
       // Two elements that send each other back differ by rounding only.
@@ -246,7 +246,7 @@ Foot walk(const Surface<3>& surface, const Vec<3>& x, int element, const Coordin
   for (int a = 0; a < 2; ++a) {
     if (held[at(a)] == 0) continue;
     const bool at_end = held[at(a)] > 0;
-    const int next = surface.neighbour(point.element, a, at_end);
+    const int next = surface.neighbor(point.element, a, at_end);
     if (next < 0) {
       if (!collapsed(surface, point.element, a, at_end)) return Foot::none;
       pole = true;

@@ -48,7 +48,7 @@ nurbs::Space1D extended(const nurbs::Space1D& space, double part, std::array<dou
 } // namespace
 
 template <int D>
-Surface<D>::Surface(const nurbs::Discretisation& body, nurbs::Side side)
+Surface<D>::Surface(const nurbs::Discretization& body, nurbs::Side side)
     : Surface(body.face(side), body.face_functions(side), nurbs::outward_sign(side)) {}
 
 template <int D>
@@ -166,7 +166,7 @@ template <int D> int Surface<D>::find_element(const FaceCoordinates<D>& xi) cons
   return element;
 }
 
-template <int D> int Surface<D>::neighbour(int element, int alpha, bool at_end) const {
+template <int D> int Surface<D>::neighbor(int element, int alpha, bool at_end) const {
   const int next = index(element, alpha) + (at_end ? 1 : -1);
   if (next < 0 || next >= direction(alpha).elements()) return -1;
   return element + (at_end ? 1 : -1) * (alpha == 0 ? 1 : spaces_.front().elements());

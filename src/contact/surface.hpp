@@ -3,7 +3,7 @@
 
 #include "base/eigen.hpp"
 #include "base/index.hpp"
-#include "nurbs/discretisation.hpp"
+#include "nurbs/discretization.hpp"
 
 #include <array>
 #include <vector>
@@ -44,8 +44,8 @@ template <int D> Vec<D> normal_of(const std::array<Vec<D>, D - 1>& tangent) {
 /// A face of a body; all face-local indices count the face's own control points.
 template <int D> class Surface {
 public:
-  /// `side` must be a tensor-product face of the body. Throws Error otherwise (see Discretisation::face).
-  Surface(const nurbs::Discretisation& body, nurbs::Side side);
+  /// `side` must be a tensor-product face of the body. Throws Error otherwise (see Discretization::face).
+  Surface(const nurbs::Discretization& body, nurbs::Side side);
   /// A patch of its own, whose outside is on the right of its direction (2D), or where τ₁×τ₂ points (3D).
   explicit Surface(const nurbs::Patch& patch);
 
@@ -70,7 +70,7 @@ public:
   /// The element that holds xi.
   int find_element(const FaceCoordinates<D>& xi) const;
   /// The element that shares the border of `element` at the start or end of direction α; −1 at the face's end.
-  int neighbour(int element, int alpha, bool at_end) const;
+  int neighbor(int element, int alpha, bool at_end) const;
 
   /// Lets the face go on along its tangents beyond its open ends, by a part of its last elements; to be called once,
   /// before move(). A seam and a border that is one point, such as a pole, are no ends.

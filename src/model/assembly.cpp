@@ -137,7 +137,7 @@ template <int D> void Assembly<D>::watch_contacts() {
       for (int alpha = 0; alpha < D - 1; ++alpha)
         for (bool at_end : {false, true})
           for (int i = 0, e = block.slave_element; i < margin; ++i) {
-            e = contact.slave().neighbour(e, alpha, at_end);
+            e = contact.slave().neighbor(e, alpha, at_end);
             if (e < 0) break;
             contact.append_slave(e, unknowns_.of_contact(k), dofs);
           }

@@ -20,7 +20,7 @@ struct BodyInversion {
 /// Seconds spent, summed over a model's life.
 struct Timings {
   double bulk = 0, contact = 0, linear = 0;
-  double factorisation = 0, solution = 0; ///< what linear consists of, but for a few vectors
+  double factorization = 0, solution = 0; ///< what linear consists of, but for a few vectors
 };
 
 /// A state that is tried out, next to the accepted one that it started from.

@@ -49,7 +49,7 @@ double angle_of(const std::vector<Vec<3>>& grid) {
 }
 
 /// Whether x lies inside a body: its boundary winds around x, or fills the full solid angle around it.
-template <int D> bool inside(const nurbs::Discretisation& space, const Vec<D>& x) {
+template <int D> bool inside(const nurbs::Discretization& space, const Vec<D>& x) {
   const MatrixX points = space.points();
   double angle = 0;
   for (int e = 0; e < space.elements(); ++e)
@@ -134,8 +134,8 @@ std::vector<Message> check_clearance(const Scene<D>& scene, const std::vector<co
               {{"contact", contact.name}, {"body", named.name}, {"at", middle}});
     }
     if (const auto* ball = std::get_if<contact::Ball<D>>(&obstacle))
-      require(!inside<D>(named.body->space(), ball->centre), "model.clearance.center",
-              {{"contact", contact.name}, {"body", named.name}, {"center", ball->centre}});
+      require(!inside<D>(named.body->space(), ball->center), "model.clearance.center",
+              {{"contact", contact.name}, {"body", named.name}, {"center", ball->center}});
   }
   return warnings;
 }

@@ -54,7 +54,7 @@ template <int D> double FacePressure<D>::at_place(int e, const contact::FaceCoor
 namespace {
 
 /// The parameter of a side.
-double end_of(const nurbs::Discretisation& space, nurbs::Side side) {
+double end_of(const nurbs::Discretization& space, nurbs::Side side) {
   return side.at_end ? space.interval(space.elements() - 1, side.direction)[1] : space.interval(0, side.direction)[0];
 }
 
@@ -75,7 +75,7 @@ template <int D> [[noreturn]] void refuse(const Model<D>& model, int body) {
 } // namespace
 
 template <int D> double sample_contact_pressure(const Model<D>& model, int body, const VectorX& xi) {
-  const nurbs::Discretisation& space = model.system.scene.bodies[at(body)].body->space();
+  const nurbs::Discretization& space = model.system.scene.bodies[at(body)].body->space();
   space.find_element(xi); // refuses what lies outside
   double sum = 0;
   bool found = false;

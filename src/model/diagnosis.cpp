@@ -102,7 +102,7 @@ template <int D> std::vector<PointIndex> farthest(const Model<D>& model) {
 template <int D> TroubleSpot inverted_element(const Model<D>& model) {
   const auto& [body, inversion] = *model.inversion;
   const auto& named = model.system.scene.bodies[at(body)];
-  const nurbs::Discretisation& space = named.body->space();
+  const nurbs::Discretization& space = named.body->space();
   const solid::ElementQuadrature rule = solid::element_quadrature(space, inversion.element);
   VectorX current = inversion.point;
   for (Eigen::Index q = 0; q < rule.points.cols(); ++q)

@@ -30,7 +30,7 @@ struct Diagnosis {
 /// "arc_length", "penalty", "pseudo_transient".
 using ControlsOn = std::set<std::string>;
 
-/// Looks at the state in which a step failed: call it before the roll-back. Costs a few factorisations where the
+/// Looks at the state in which a step failed: call it before the roll-back. Costs a few factorizations where the
 /// tangent is looked into (its null vector, its directions of negative stiffness), else next to nothing. The cure does
 /// not name what is on.
 template <int D>

@@ -107,9 +107,9 @@ template <int D> void Drives<D>::follow(int s, const Drive& drive) {
       }
       std::size_t body = scene_.bodies.size() - 1;
       while (dof < unknowns_.offset(static_cast<int>(body))) --body;
-      const nurbs::Discretisation& space = scene_.bodies[body].body->space();
+      const nurbs::Discretization& space = scene_.bodies[body].body->space();
       const auto point = space.homogeneous().col((dof - unknowns_.offset(static_cast<int>(body))) / D);
-      followers_.push_back({dof, c, target, angle, point.template head<D>() / point(D) - support.centre, support.axis});
+      followers_.push_back({dof, c, target, angle, point.template head<D>() / point(D) - support.center, support.axis});
     }
   }
 }

@@ -34,7 +34,7 @@ public:
   /// External force on all degrees of freedom; linear in the targets.
   VectorX force(const VectorX& targets) const;
 
-  /// Moment about the centre (in space: the axis) of a support that rotates, conjugate to its angle in radians: Σ (R(θ)
+  /// Moment about the center (in space: the axis) of a support that rotates, conjugate to its angle in radians: Σ (R(θ)
   /// r_A) × f_A.
   double moment(int support, const VectorX& targets, const VectorX& force) const;
   /// Resultant of a load at given targets, D components.

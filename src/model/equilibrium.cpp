@@ -44,7 +44,7 @@ template <int D> void damp(Model<D>& model) {
 } // namespace
 
 template <int D> bool factor(Model<D>& model, const StepOptions& options) {
-  ScopedTimer timer(model.timings.factorisation);
+  ScopedTimer timer(model.timings.factorization);
   if (options.damping) damp(model);
   const Assembly<D>& assembly = model.system.assembly;
   const Tangent tangent{assembly.values(),          assembly.pattern(),          assembly.pattern_version(),

@@ -15,7 +15,7 @@ template <int D> struct FieldPoint {
   double hoop = 1;    ///< F₃₃ of a plane body: the hoop stretch when it is axisymmetric, 1 in plane strain
 };
 
-/// A scalar field: what users call it, how a colour bar calls it, how it is computed.
+/// A scalar field: what users call it, how a color bar calls it, how it is computed.
 template <int D> struct Field {
   std::string name, label;
   double (*value)(const solid::Material& material, const FieldPoint<D>& point);

@@ -10,7 +10,7 @@ namespace {
 /// What two solvers have done in turn; size and cost are those of the later one.
 solve::SolverStatistics sum(const solve::SolverStatistics& before, const solve::SolverStatistics& now) {
   solve::SolverStatistics result = now;
-  result.factorisations += before.factorisations;
+  result.factorizations += before.factorizations;
   result.solutions += before.solutions;
   result.iterations += before.iterations;
   return result;

@@ -41,7 +41,7 @@ public:
   /// Of all solvers so far; memory and costs are those of the present one.
   solve::SolverStatistics statistics() const;
 
-  /// What an automatic choice begins with: a kept factorisation where it had come to one before.
+  /// What an automatic choice begins with: a kept factorization where it had come to one before.
   solve::LinearKind beginning() const { return beginning_; }
   void begin_with(solve::LinearKind kind) { beginning_ = kind; }
 

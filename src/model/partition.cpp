@@ -16,7 +16,7 @@ struct Slabs {
 };
 
 template <int D> Slabs slabs_across(const solid::Body<D>& body, int direction) {
-  const nurbs::Discretisation& space = body.space();
+  const nurbs::Discretization& space = body.space();
   Slabs slabs{direction, space.elements(direction), std::vector<int>(at(space.elements(direction)), 0)};
   std::vector<int> last(at(body.functions()), 0); // slab of each control point
   for (int e = 0; e < body.elements(); ++e)
@@ -83,7 +83,7 @@ std::vector<char> on_shared_unknowns(const Unknowns<D>& unknowns, const solid::B
 } // namespace
 
 template <int D> Partition partition(const Unknowns<D>& unknowns, const solid::Body<D>& body, int offset) {
-  const nurbs::Discretisation& space = body.space();
+  const nurbs::Discretization& space = body.space();
   Slabs best{0, space.elements(0), {}};
   std::vector<int> starts{0, best.count};
   double least = 1;

@@ -10,7 +10,7 @@ template <int D>
 Eigen::Map<const Eigen::Matrix<double, D, Eigen::Dynamic>> body_displacement(const Model<D>& model, int body);
 /// Force that a support exerts on its bodies and obstacles.
 template <int D> Vec<D> reaction(const Model<D>& model, int support);
-/// Moment that a support that rotates exerts, about its centre and conjugate to its angle in radians.
+/// Moment that a support that rotates exerts, about its center and conjugate to its angle in radians.
 template <int D> double moment(const Model<D>& model, int support);
 /// Force of a load.
 template <int D> Vec<D> load_resultant(const Model<D>& model, int load);

@@ -11,7 +11,7 @@
 namespace signorini::model {
 
 template <int D> BodyPoint<D> body_point(const Model<D>& model, int body, int e, const VectorX& xi) {
-  const nurbs::Discretisation& space = model.system.scene.bodies[at(body)].body->space();
+  const nurbs::Discretization& space = model.system.scene.bodies[at(body)].body->space();
   const nurbs::ElementBasis basis = space.basis(e, xi);
   const auto displacement = body_displacement(model, body);
   BodyPoint<D> point{Vec<D>::Zero(), Mat<D>::Zero(), {Vec<D>::Zero(), Mat<D>::Zero()}};
@@ -49,7 +49,7 @@ template <int D> struct GaussBox {
   VectorX inside;
   std::optional<VectorX> border;
 };
-template <int D> GaussBox<D> gauss_box(const nurbs::Discretisation& space, int e, const VectorX& xi) {
+template <int D> GaussBox<D> gauss_box(const nurbs::Discretization& space, int e, const VectorX& xi) {
   VectorX inside = xi, border = xi;
   int outside = 0;
   for (int d = 0; d < D; ++d) {
@@ -74,7 +74,7 @@ template <int D> bool is_flat_corner(const Mat<D>& jacobian) {
 template <int D> BodyPoint<D> regular_point(const Model<D>& model, int body, int e, const VectorX& xi) {
   BodyPoint<D> point = body_point(model, body, e, xi);
   const solid::Body<D>& solid = *model.system.scene.bodies[at(body)].body;
-  const nurbs::Discretisation& space = solid.space();
+  const nurbs::Discretization& space = solid.space();
   // Towards a flat corner F grows without bound, and between the Gauss points nothing keeps det F positive.
   const GaussBox<D> box = gauss_box<D>(space, e, xi);
   const bool flat = box.border && is_flat_corner<D>(body_point(model, body, e, *box.border).jacobian);

@@ -50,7 +50,7 @@ template <int D> struct Support {
   std::array<Hold, D> hold{};
   std::vector<int> obstacles = {};
   bool rotates = false;
-  Vec<D> centre = Vec<D>::Zero(); ///< X_c, of a support that rotates
+  Vec<D> center = Vec<D>::Zero(); ///< X_c, of a support that rotates
   Vec<D> axis = Vec<D>::Zero();   ///< in space: unit vector; in the plane unused
 };
 

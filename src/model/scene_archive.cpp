@@ -20,8 +20,8 @@ auto members(Held& held) {
 }
 
 template <int D> auto members(Support<D>& support) {
-  auto& [name, on, hold, obstacles, rotates, centre, axis] = support;
-  return std::tie(name, on, hold, obstacles, rotates, centre, axis);
+  auto& [name, on, hold, obstacles, rotates, center, axis] = support;
+  return std::tie(name, on, hold, obstacles, rotates, center, axis);
 }
 
 auto members(Load& load) {

@@ -17,13 +17,13 @@ namespace {
 /// E/h behind a face.
 template <int D> PenaltyRatio element_stiffness(const Scene<D>& scene, const FaceReference& face) {
   const NamedBody<D>& named = scene.bodies[at(face.body)];
-  const nurbs::Discretisation& space = named.body->space();
+  const nurbs::Discretization& space = named.body->space();
   const double height = thickness(scene, face) / space.elements(face.side.direction);
   return {0, named.body->material().constants().youngs_modulus / height, named.name};
 }
 
 /// The lowest degree of a body's functions, and a direction that has it.
-template <int D> std::pair<int, int> lowest_degree(const nurbs::Discretisation& space) {
+template <int D> std::pair<int, int> lowest_degree(const nurbs::Discretization& space) {
   std::pair<int, int> lowest{nurbs::max_degree, 0};
   for (int e = 0; e < space.elements(); ++e)
     for (int d = 0; d < D; ++d) lowest = std::min(lowest, {space.degree(e, d), d});

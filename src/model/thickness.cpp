@@ -2,7 +2,7 @@
 
 namespace signorini::model {
 
-double thickness(const nurbs::Discretisation& space, nurbs::Side side) {
+double thickness(const nurbs::Discretization& space, nurbs::Side side) {
   const MatrixX points = space.points();
   /// The middle of the border of element f of a face.
   const auto position = [&](nurbs::Side face, int f) {

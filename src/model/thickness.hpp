@@ -7,7 +7,7 @@
 namespace signorini::model {
 
 /// Mean distance between a face of a body and the opposite one, along the parametric direction across it.
-double thickness(const nurbs::Discretisation& space, nurbs::Side side);
+double thickness(const nurbs::Discretization& space, nurbs::Side side);
 template <int D> double thickness(const Scene<D>& scene, const FaceReference& face) {
   return thickness(scene.bodies[at(face.body)].body->space(), face.side);
 }

@@ -37,11 +37,11 @@ Space1D read(ArchiveReader& from, std::type_identity<Space1D>) {
   return {std::move(breaks), from.get<std::vector<int>>(), elements};
 }
 
-void write(ArchiveWriter& to, const Discretisation& space) {
+void write(ArchiveWriter& to, const Discretization& space) {
   to.put(space.through(), space.stack(), space.rows(), space.contact());
 }
 
-Discretisation read(ArchiveReader& from, std::type_identity<Discretisation>) {
+Discretization read(ArchiveReader& from, std::type_identity<Discretization>) {
   const int through = from.get<int>();
   auto stack = from.get<Space1D>();
   auto rows = from.get<std::vector<Row>>();

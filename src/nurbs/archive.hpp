@@ -1,8 +1,8 @@
 #pragma once
-// Patches and discretisations in files, bit by bit.
+// Patches and discretizations in files, bit by bit.
 
 #include "base/archive.hpp"
-#include "nurbs/discretisation.hpp"
+#include "nurbs/discretization.hpp"
 
 namespace signorini::nurbs {
 
@@ -27,7 +27,7 @@ inline auto members(Side& side) {
   return std::tie(direction, at_end);
 }
 
-void write(ArchiveWriter& to, const Discretisation& space);
-Discretisation read(ArchiveReader& from, std::type_identity<Discretisation>);
+void write(ArchiveWriter& to, const Discretization& space);
+Discretization read(ArchiveReader& from, std::type_identity<Discretization>);
 
 } // namespace signorini::nurbs

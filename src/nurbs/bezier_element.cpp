@@ -18,7 +18,7 @@ MatrixX bernstein_elevation(int from, int to) {
   return result;
 }
 
-BezierElement bezier_element(const Discretisation& space, int e) {
+BezierElement bezier_element(const Discretization& space, int e) {
   const int dimensions = space.parametric_dimension(), through = space.through();
   BezierElement result;
   std::array<int, 3> index{}, count{1, 1, 1};

@@ -1,8 +1,8 @@
 #pragma once
-// One element of a discretisation as a tensor product of Bernstein polynomials, exact also where rows of different
+// One element of a discretization as a tensor product of Bernstein polynomials, exact also where rows of different
 // degrees meet.
 
-#include "nurbs/discretisation.hpp"
+#include "nurbs/discretization.hpp"
 
 namespace signorini::nurbs {
 
@@ -13,7 +13,7 @@ struct BezierElement {
   std::vector<int> functions; ///< A
   MatrixX extraction;         ///< functions × Bézier points
 };
-BezierElement bezier_element(const Discretisation& space, int e);
+BezierElement bezier_element(const Discretization& space, int e);
 
 /// E with B^from_k = Σ_j E(k, j) B^to_j, (from+1) × (to+1).
 MatrixX bernstein_elevation(int from, int to);

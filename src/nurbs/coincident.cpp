@@ -47,7 +47,7 @@ private:
 /// Where the control points are, and what counts as one place.
 class Places {
 public:
-  explicit Places(const Discretisation& space)
+  explicit Places(const Discretization& space)
       : points_(space.points()), weights_(space.homogeneous().bottomRows(1).transpose()),
         slack_(same_place * (points_.rowwise().maxCoeff() - points_.rowwise().minCoeff()).maxCoeff()) {}
 
@@ -66,7 +66,7 @@ private:
 };
 
 /// The functions of a side as lines of control points along direction k; none where the rows of a layer forbid it.
-std::vector<Functions> lines_along(const Discretisation& space, Side side, int k) {
+std::vector<Functions> lines_along(const Discretization& space, Side side, int k) {
   const int through = space.through();
   const auto rows = static_cast<int>(space.rows().size());
   std::vector<Functions> lines;
@@ -108,14 +108,14 @@ bool same_shape(const Row& a, const Row& b, const Places& places) {
 }
 
 /// Throws Error when a contact face is the seam of a full turn: there is no surface.
-void check_contact(const Discretisation& space, const Places& places) {
+void check_contact(const Discretization& space, const Places& places) {
   if (!space.contact().empty() && same_shape(space.rows().front(), space.rows().back(), places))
     fail("nurbs.body.seam", {{"face", name_of(space.contact().front())}});
 }
 
 /// Throws Error when a side of a solid that crosses a layer collapses along it: the curves in which it cuts the rows
 /// are one curve, but the rows' functions on it are not the same.
-void check_layers(const Discretisation& space, Side side, const Places& places) {
+void check_layers(const Discretization& space, Side side, const Places& places) {
   const int through = space.through();
   if (side.direction == through || space.parametric_dimension() == 2) return;
   const int a = space.in_row(side.direction);
@@ -130,7 +130,7 @@ void check_layers(const Discretisation& space, Side side, const Places& places) 
     fail("nurbs.body.torn_layer", {{"face", name_of(side)}, {"contact", name_of(space.contact().front())}});
 }
 
-std::vector<Side> sides_of(const Discretisation& space) {
+std::vector<Side> sides_of(const Discretization& space) {
   std::vector<Side> sides;
   for (int d = 0; d < space.parametric_dimension(); ++d)
     for (bool at_end : {false, true}) sides.push_back({d, at_end});
@@ -138,7 +138,7 @@ std::vector<Side> sides_of(const Discretisation& space) {
 }
 
 /// The edges of a solid: functions that two sides share.
-std::vector<Functions> edges_of(const Discretisation& space) {
+std::vector<Functions> edges_of(const Discretization& space) {
   std::vector<Functions> edges;
   for (const Side& one : sides_of(space))
     for (const Side& other : sides_of(space)) {
@@ -154,7 +154,7 @@ std::vector<Functions> edges_of(const Discretisation& space) {
 
 } // namespace
 
-std::vector<std::vector<int>> coincident_functions(const Discretisation& space) {
+std::vector<std::vector<int>> coincident_functions(const Discretization& space) {
   const Places places(space);
   Groups groups(space.functions());
   const auto unite = [&](const Functions& line) {
@@ -183,7 +183,7 @@ std::vector<std::vector<int>> coincident_functions(const Discretisation& space) 
   return groups.all();
 }
 
-std::vector<int> closed_directions(const Discretisation& space) {
+std::vector<int> closed_directions(const Discretization& space) {
   const Places places(space);
   std::vector<int> closed;
   for (int d = 0; d < space.parametric_dimension(); ++d) {

@@ -1,7 +1,7 @@
 #pragma once
 // Control points that are one point of the body by the way its patch is folded: collapsed edges and closed seams.
 
-#include "nurbs/discretisation.hpp"
+#include "nurbs/discretization.hpp"
 
 #include <vector>
 
@@ -17,9 +17,9 @@ namespace signorini::nurbs {
 /// alone. Points count as the same to 1e-10 of the body's size. Throws Error when a side of a solid collapses across a
 /// layer, for rows of different spaces meet there in one curve and have no points to pair, and when a contact face is a
 /// closed seam.
-std::vector<std::vector<int>> coincident_functions(const Discretisation& space);
+std::vector<std::vector<int>> coincident_functions(const Discretization& space);
 
 /// The directions (counted from 0) whose two faces are one seam, where coincident_functions() joins them.
-std::vector<int> closed_directions(const Discretisation& space);
+std::vector<int> closed_directions(const Discretization& space);
 
 } // namespace signorini::nurbs

@@ -16,8 +16,8 @@ Patch line(const Point& from, const Point& to) {
   return make_patch({KnotVector::single(1)}, points);
 }
 
-Patch arc(const Point& centre, double radius, double start, double stop) {
-  check_point("centre", centre, centre.size() == 3 ? 3 : 2);
+Patch arc(const Point& center, double radius, double start, double stop) {
+  check_point("center", center, center.size() == 3 ? 3 : 2);
   require(radius > 0 && std::isfinite(radius), "nurbs.arc.radius", {{"radius", radius}});
   require(std::isfinite(start) && std::isfinite(stop), "nurbs.arc.angles", {{"start", start}, {"stop", stop}});
   const double turn = stop - start;
@@ -30,22 +30,22 @@ Patch arc(const Point& centre, double radius, double start, double stop) {
   // segment's angle (NURBS Book, 7.3).
   const double weight = direction_of(turn / segments / 2)(0);
   std::vector<double> knots(3, 0.0);
-  MatrixX homogeneous = MatrixX::Ones(centre.size() + 1, 2 * segments + 1);
+  MatrixX homogeneous = MatrixX::Ones(center.size() + 1, 2 * segments + 1);
   for (int i = 0; i <= 2 * segments; ++i) {
     const bool corner = i % 2 == 1;
     const double angle = start + turn * i / (2 * segments);
     const double w = corner ? weight : 1;
-    homogeneous.col(i).head(centre.size()) = w * centre;
+    homogeneous.col(i).head(center.size()) = w * center;
     homogeneous.col(i).head(2) += radius * direction_of(angle);
-    homogeneous(centre.size(), i) = w;
+    homogeneous(center.size(), i) = w;
     if (!corner && i > 0) knots.insert(knots.end(), 2, i / (2.0 * segments));
   }
   knots.push_back(1);
   return {{KnotVector(2, std::move(knots))}, std::move(homogeneous)};
 }
 
-Patch circle(const Point& centre, double radius) {
-  return arc(centre, radius, 0, 360);
+Patch circle(const Point& center, double radius) {
+  return arc(center, radius, 0, 360);
 }
 
 } // namespace signorini::nurbs

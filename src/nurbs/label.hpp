@@ -1,5 +1,5 @@
 #pragma once
-// Discretisation labels: the short names N2, N2.1, L2, N2-N4, N2-N2.2x2 that researchers give function spaces.
+// Discretization labels: the short names N2, N2.1, L2, N2-N4, N2-N2.2x2 that researchers give function spaces.
 
 #include <optional>
 #include <string>

@@ -58,7 +58,7 @@ struct Derivative {
 };
 
 /// All partial derivatives of the rational map up to total order n at xi, by total order, then lexicographically
-/// falling in ξ¹ ((0,0); (1,0), (0,1); (2,0), (1,1), (0,2); …). Piegl & Tiller eq. (4.20) generalised to any dimension.
+/// falling in ξ¹ ((0,0); (1,0), (0,1); (2,0), (1,1), (0,2); …). Piegl & Tiller eq. (4.20) generalized to any dimension.
 std::vector<Derivative> derivatives(const Patch& patch, const VectorX& xi, int n);
 
 /// One rational function that does not vanish at xi.

@@ -31,10 +31,10 @@ void check_radii(double inner, double outer) {
 }
 
 /// The annulus' piece from angle `start` to `stop`, ξ² from the outer to the inner radius.
-Patch annulus(double inner, double outer, const Point& centre, double start, double stop) {
-  check_point("centre", centre, 2);
+Patch annulus(double inner, double outer, const Point& center, double start, double stop) {
+  check_point("center", center, 2);
   check_radii(inner, outer);
-  return ruled(arc(centre, outer, start, stop), arc(centre, inner, start, stop));
+  return ruled(arc(center, outer, start, stop), arc(center, inner, start, stop));
 }
 
 /// (x, y) ↦ (x, 0, y)
@@ -70,12 +70,12 @@ Patch rectangle(double width, double height, const Point& corner) {
   return extrude(line(corner, corner + Vec<2>(width, 0)), Vec<2>(0, height));
 }
 
-Patch half_annulus(double inner, double outer, const Point& centre) {
-  return annulus(inner, outer, centre, 180, 360);
+Patch half_annulus(double inner, double outer, const Point& center) {
+  return annulus(inner, outer, center, 180, 360);
 }
 
-Patch quarter_annulus(double inner, double outer, const Point& centre, double start) {
-  return annulus(inner, outer, centre, start, start + 90);
+Patch quarter_annulus(double inner, double outer, const Point& center, double start) {
+  return annulus(inner, outer, center, start, start + 90);
 }
 
 Patch block(const std::array<double, 3>& size, const Point& corner) {
@@ -86,30 +86,30 @@ Patch block(const std::array<double, 3>& size, const Point& corner) {
   return extrude(extrude(edge, Vec<3>(0, size[1], 0)), Vec<3>(0, 0, size[2]));
 }
 
-Patch half_cylinder_shell(double inner, double outer, double width, const Point& centre) {
+Patch half_cylinder_shell(double inner, double outer, double width, const Point& center) {
   check_radii(inner, outer);
   check_length("width", width);
-  check_point("centre", centre, 3);
+  check_point("center", center, 3);
   const auto half_cylinder = [&](double radius) {
     const Patch half_circle = arc(Point::Zero(2), radius, 180, 360);
-    return extrude(transform(half_circle, upright, centre), Vec<3>(0, width, 0));
+    return extrude(transform(half_circle, upright, center), Vec<3>(0, width, 0));
   };
   return ruled(half_cylinder(outer), half_cylinder(inner));
 }
 
-Patch sphere_octant(double inner, double outer, const Point& centre) {
+Patch sphere_octant(double inner, double outer, const Point& center) {
   check_radii(inner, outer);
-  check_point("centre", centre, 3);
-  return translate(ruled(sphere_part(outer, 90, 0), sphere_part(inner, 90, 0)), centre);
+  check_point("center", center, 3);
+  return translate(ruled(sphere_part(outer, 90, 0), sphere_part(inner, 90, 0)), center);
 }
 
-Patch hollow_hemisphere(double inner, double outer, const Point& centre, Poles poles) {
+Patch hollow_hemisphere(double inner, double outer, const Point& center, Poles poles) {
   check_radii(inner, outer);
-  check_point("centre", centre, 3);
-  if (poles == Poles::bottom) return translate(ruled(sphere_part(outer, 360, 0), sphere_part(inner, 360, 0)), centre);
+  check_point("center", center, 3);
+  if (poles == Poles::bottom) return translate(ruled(sphere_part(outer, 360, 0), sphere_part(inner, 360, 0)), center);
   // Half a turn from x over y to −x, laid on its side: x ↦ −x, y ↦ −z, z ↦ −y.
   const Mat<3> aside = (Mat<3>() << -1, 0, 0, 0, 0, -1, 0, -1, 0).finished();
-  return transform(ruled(sphere_part(outer, 180, 90), sphere_part(inner, 180, 90)), aside, centre);
+  return transform(ruled(sphere_part(outer, 180, 90), sphere_part(inner, 180, 90)), aside, center);
 }
 
 Patch spherical_indenter(double width, double depth, double height, double radius, int elements, const Point& corner) {

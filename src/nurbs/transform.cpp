@@ -51,8 +51,8 @@ Patch translate(const Patch& patch, const Point& by) {
   return transform(patch, MatrixX::Identity(patch.dimension(), patch.dimension()), by);
 }
 
-Patch rotate(const Patch& patch, double angle, const Point& centre, const Point& axis) {
-  check_point("centre", centre, patch.dimension());
+Patch rotate(const Patch& patch, double angle, const Point& center, const Point& axis) {
+  check_point("center", center, patch.dimension());
   MatrixX linear;
   if (patch.dimension() == 3) {
     linear = rotation(angle, axis);
@@ -61,16 +61,16 @@ Patch rotate(const Patch& patch, double angle, const Point& centre, const Point&
     const Eigen::Vector2d turn = direction_of(angle);
     linear = (MatrixX(2, 2) << turn(0), -turn(1), turn(1), turn(0)).finished();
   }
-  return transform(patch, linear, centre - linear.lazyProduct(centre));
+  return transform(patch, linear, center - linear.lazyProduct(center));
 }
 
-Patch scale(const Patch& patch, const Point& factors, const Point& centre) {
+Patch scale(const Patch& patch, const Point& factors, const Point& center) {
   check_point("factors", factors, patch.dimension());
-  check_point("centre", centre, patch.dimension());
+  check_point("center", center, patch.dimension());
   for (double factor : factors)
     require(factor > 0, factor < 0 ? "nurbs.transform.negative_factor" : "nurbs.transform.zero_factor",
             {{"factor", factor}});
-  return transform(patch, factors.asDiagonal(), centre - factors.cwiseProduct(centre));
+  return transform(patch, factors.asDiagonal(), center - factors.cwiseProduct(center));
 }
 
 Patch to_space(const Patch& patch, double z) {

@@ -12,11 +12,11 @@ Patch transform(const Patch& patch, const MatrixX& linear, const VectorX& shift)
 
 /// Moves every point by the vector `by`.
 Patch translate(const Patch& patch, const Point& by);
-/// Rotation by `angle` degrees, counter-clockwise: about `centre` in 2D (`axis` stays empty), about the axis through
-/// `centre` along `axis` (any length) in 3D.
-Patch rotate(const Patch& patch, double angle, const Point& centre, const Point& axis = {});
-/// Scales by one factor per coordinate about `centre`. Throws Error for a factor that is not positive.
-Patch scale(const Patch& patch, const Point& factors, const Point& centre);
+/// Rotation by `angle` degrees, counter-clockwise: about `center` in 2D (`axis` stays empty), about the axis through
+/// `center` along `axis` (any length) in 3D.
+Patch rotate(const Patch& patch, double angle, const Point& center, const Point& axis = {});
+/// Scales by one factor per coordinate about `center`. Throws Error for a factor that is not positive.
+Patch scale(const Patch& patch, const Point& factors, const Point& center);
 /// Reflects every point in the plane (in 2D: the line) through `point` across `normal` (any length but 0). Surfaces in
 /// the plane, volumes, and what may bound an obstacle (a curve in the plane, a surface in space) have their direction
 /// that runs most along the normal reversed, the first of several: so right-handed stays right-handed, outside stays

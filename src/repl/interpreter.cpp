@@ -4,7 +4,7 @@
 #include "base/match.hpp"
 #include "bind/functions.hpp"
 #include "bind/message.hpp"
-#include "repl/colour.hpp"
+#include "repl/color.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -135,7 +135,7 @@ bool Interpreter::call(int arguments, bool keep_traceback) {
 bool Interpreter::report(bool ok) {
   std::fflush(stdout);
   if (!ok)
-    std::cerr << painted("signorini:", Colour::red, STDERR_FILENO) << " " << lua_tostring(state(), -1) << std::endl;
+    std::cerr << painted("signorini:", Color::red, STDERR_FILENO) << " " << lua_tostring(state(), -1) << std::endl;
   lua_settop(state(), 0);
   return ok;
 }

@@ -3,7 +3,7 @@
 #include "base/interrupt.hpp"
 #include "bind/stack.hpp"
 #include "repl/chunk.hpp"
-#include "repl/colour.hpp"
+#include "repl/color.hpp"
 #include "repl/interrupt.hpp"
 #include "repl/line_editor.hpp"
 
@@ -42,7 +42,7 @@ bool run(Interpreter& interpreter, Chunk chunk) {
     push_library_function(L, "signorini.prompt", "interrupted");
     interpreter.call(0, true);
   }
-  if (!ok) std::cerr << painted(lua_tostring(L, -1), Colour::red, STDERR_FILENO) << std::endl;
+  if (!ok) std::cerr << painted(lua_tostring(L, -1), Color::red, STDERR_FILENO) << std::endl;
   lua_settop(L, 0);
   return ok;
 }
@@ -64,8 +64,8 @@ bool prompt(Interpreter& interpreter, bool quiet) {
     return std::getline(std::cin, line) ? Input::line : Input::end;
   };
 
-  const std::string first = painted("sg> ", Colour::green, STDOUT_FILENO, true),
-                    next = painted("..> ", Colour::green, STDOUT_FILENO, true);
+  const std::string first = painted("sg> ", Color::green, STDOUT_FILENO, true),
+                    next = painted("..> ", Color::green, STDOUT_FILENO, true);
   bool all_well = true;
   std::string line;
   for (;;) {

@@ -48,7 +48,7 @@ template <int D> void write(ArchiveWriter& to, const Body<D>& body) {
 }
 
 template <int D> std::shared_ptr<const Body<D>> read_body(ArchiveReader& from) {
-  auto space = std::make_shared<const nurbs::Discretisation>(from.get<nurbs::Discretisation>());
+  auto space = std::make_shared<const nurbs::Discretization>(from.get<nurbs::Discretization>());
   const Material material = read(from, std::type_identity<Material>());
   return std::make_shared<const Body<D>>(std::move(space), material, from.get<Kind>());
 }

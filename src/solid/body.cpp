@@ -10,7 +10,7 @@
 
 namespace signorini::solid {
 
-ElementQuadrature element_quadrature(const nurbs::Discretisation& space, int e) {
+ElementQuadrature element_quadrature(const nurbs::Discretization& space, int e) {
   std::vector<QuadratureRule> rules;
   for (int d = 0; d < space.parametric_dimension(); ++d) {
     const auto [a, b] = space.interval(e, d);
@@ -33,7 +33,7 @@ template <int D> void check_jacobian(const Mat<D>& jacobian, double determinant,
 }
 
 /// Refuses a body with a corner of an element beyond the axis; the Gauss points are seen to as they are made.
-void check_radii(const nurbs::Discretisation& space) {
+void check_radii(const nurbs::Discretization& space) {
   const MatrixX points = space.points();
   const double slack = nurbs::rounding * points.cwiseAbs().maxCoeff();
   VectorX xi(2);
@@ -47,7 +47,7 @@ void check_radii(const nurbs::Discretisation& space) {
 } // namespace
 
 template <int D>
-Body<D>::Body(std::shared_ptr<const nurbs::Discretisation> space, Material material, Kind kind)
+Body<D>::Body(std::shared_ptr<const nurbs::Discretization> space, Material material, Kind kind)
     : space_(std::move(space)), material_(std::move(material)), kind_(kind),
       internal_variables_(static_cast<int>(material_.initial_values().size())) {
   require(space_->dimension() == D, "solid.body.dimension", {{"expected", D}, {"dimension", space_->dimension()}});
@@ -71,8 +71,8 @@ template <int D> std::size_t Body<D>::memory() const {
 }
 
 template <int D>
-Body<D>::Body(nurbs::Discretisation space, Material material)
-    : Body(std::make_shared<const nurbs::Discretisation>(std::move(space)), std::move(material)) {}
+Body<D>::Body(nurbs::Discretization space, Material material)
+    : Body(std::make_shared<const nurbs::Discretization>(std::move(space)), std::move(material)) {}
 
 template <int D> KernelArguments Body<D>::arguments(int e) const {
   const ElementTable& table = element(e);

@@ -3,7 +3,7 @@
 
 #include "base/eigen.hpp"
 #include "base/index.hpp"
-#include "nurbs/discretisation.hpp"
+#include "nurbs/discretization.hpp"
 #include "solid/material.hpp"
 #include "solid/quadrature.hpp"
 
@@ -37,11 +37,11 @@ public:
   /// Builds the tables with (degree+1) Gauss points per direction and element, the degree being the highest that lives
   /// there. Throws Error when the map is not right-handed somewhere (Jacobian ≤ 0), or when an axisymmetric body
   /// reaches beyond its axis (R < 0).
-  Body(std::shared_ptr<const nurbs::Discretisation> space, Material material, Kind kind = Kind::plane_strain);
-  Body(nurbs::Discretisation space, Material material);
+  Body(std::shared_ptr<const nurbs::Discretization> space, Material material, Kind kind = Kind::plane_strain);
+  Body(nurbs::Discretization space, Material material);
 
-  const nurbs::Discretisation& space() const { return *space_; }
-  const std::shared_ptr<const nurbs::Discretisation>& shared_space() const { return space_; }
+  const nurbs::Discretization& space() const { return *space_; }
+  const std::shared_ptr<const nurbs::Discretization>& shared_space() const { return space_; }
   const Material& material() const { return material_; }
   Kind kind() const { return kind_; }
   /// Whether force and displacement are proportional: the tangent never changes.
@@ -76,7 +76,7 @@ private:
   void add_element(int e, const MatrixX& points);
   void add_constant(const ElementTable& table, KernelArguments arguments);
 
-  std::shared_ptr<const nurbs::Discretisation> space_;
+  std::shared_ptr<const nurbs::Discretization> space_;
   Material material_;
   Kind kind_;
   std::vector<ElementTable> elements_;
@@ -89,6 +89,6 @@ private:
 std::shared_ptr<const Body<2>> revolved(const Body<2>& body);
 
 /// Tensor-product Gauss points of an element.
-ElementQuadrature element_quadrature(const nurbs::Discretisation& space, int e);
+ElementQuadrature element_quadrature(const nurbs::Discretization& space, int e);
 
 } // namespace signorini::solid

@@ -10,7 +10,7 @@ namespace {
 
 /// Gauss points of an element's border on a side, twice as many per direction as the element has: faces are curved and
 /// rational, so that no rule is exact, and loads are integrated once.
-ElementQuadrature border_quadrature(const nurbs::Discretisation& space, int e, nurbs::Side side) {
+ElementQuadrature border_quadrature(const nurbs::Discretization& space, int e, nurbs::Side side) {
   std::vector<QuadratureRule> rules;
   for (int d = 0; d < space.parametric_dimension(); ++d) {
     const auto [a, b] = space.interval(e, d);
@@ -34,7 +34,7 @@ template <int D> Vec<D> outward(const Mat<D>& jacobian, nurbs::Side side) {
 /// ∫ R_A t dξ over a side, element by element, so that a side may cross a layer and be no tensor product; `force` gives
 /// the load t from the normal times the surface measure.
 template <int D, class Force> VectorX integrate(const Body<D>& body, nurbs::Side side, const Force& force) {
-  const nurbs::Discretisation& space = body.space();
+  const nurbs::Discretization& space = body.space();
   const MatrixX points = space.points();
   VectorX load = VectorX::Zero(D * body.functions());
   for (int f = 0; f < space.elements_on(side); ++f) {

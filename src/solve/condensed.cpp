@@ -53,7 +53,7 @@ public:
   }
 
   bool factor(const double* values) override {
-    ++statistics_.factorisations;
+    ++statistics_.factorizations;
     return regular_ && part_.update(values) && part_.pivots().regular();
   }
   bool solve(double* b) override {

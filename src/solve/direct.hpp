@@ -10,7 +10,7 @@ namespace signorini::solve {
 
 /// What a solver has done since it was made.
 struct SolverStatistics {
-  int factorisations = 0; ///< numerical ones
+  int factorizations = 0; ///< numerical ones
   int solutions = 0;      ///< right-hand sides
   int iterations = 0;     ///< of GMRES, summed
   double operations = 0;  ///< floating-point, of one factorization; 0: not known

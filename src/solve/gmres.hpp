@@ -12,7 +12,7 @@ struct KrylovReport {
   double reduction = 1; ///< ‖b − K x‖ / ‖b‖; infinite when something came out that is no number
 };
 
-/// Minimises ‖b − K x‖ over x = M⁻¹ span{b, K M⁻¹ b, …} (Saad & Schultz, SIAM J. Sci. Stat. Comput. 7, 1986), without
+/// Minimizes ‖b − K x‖ over x = M⁻¹ span{b, K M⁻¹ b, …} (Saad & Schultz, SIAM J. Sci. Stat. Comput. 7, 1986), without
 /// restarts. What M⁻¹ gave is kept, so that x costs no further application (Saad, SIAM J. Sci. Comput. 14, 1993).
 class Gmres {
 public:

@@ -33,7 +33,7 @@ public:
   }
 
   bool factor(const double* values) override {
-    ++statistics_.factorisations;
+    ++statistics_.factorizations;
     double* const read = const_cast<double*>(values); // KLU reads the values only
     refactored_ = numeric_ &&
                   klu_refactor(pattern_.starts.data(), pattern_.rows.data(), read, symbolic_, numeric_, &common_) &&
@@ -52,7 +52,7 @@ public:
       if (relative_residual(pattern_, values_.data(), b, right_.data(), difference_) <= refactored_residual)
         return true;
       std::copy(right_.begin(), right_.end(), b);
-      ++statistics_.factorisations;
+      ++statistics_.factorizations;
       if (!factor_with_pivots(values_.data())) return false;
     }
     return klu_solve(symbolic_, numeric_, pattern_.size, 1, b, &common_);

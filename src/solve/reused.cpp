@@ -115,7 +115,7 @@ bool Reused::renew_direct() {
   if (!direct_) direct_ = make_direct_();
   if (!analyzed_) direct_->analyze(pattern_);
   analyzed_ = true;
-  ++statistics_.factorisations;
+  ++statistics_.factorizations;
   if (!direct_->factor(matrix_.columns().data())) return false;
   begin_cycle(Preconditioner::direct, direct_->statistics());
   return true;
@@ -173,7 +173,7 @@ SolverStatistics Reused::statistics() const {
   const SolverStatistics part = symmetric_part_ ? symmetric_part_->statistics() : SolverStatistics();
   const SolverStatistics direct = direct_ ? direct_->statistics() : SolverStatistics();
   SolverStatistics sum = statistics_;
-  sum.factorisations += part.factorisations;
+  sum.factorizations += part.factorizations;
   sum.memory = part.memory + direct.memory;
   sum.operations = used_ == Preconditioner::direct ? direct.operations : part.operations;
   sum.entries = entries_;

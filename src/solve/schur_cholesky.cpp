@@ -147,7 +147,7 @@ bool SchurCholesky::factor(const double* values) {
   }
   cholmod_sparse matrix = lower_triangle(pattern_, shifted.data());
   factorize(matrix, lower_.factor, common_);
-  ++statistics_.factorisations;
+  ++statistics_.factorizations;
   statistics_.operations = common_.fl;
   statistics_.entries = 2 * common_.lnz; // forward and back
   statistics_.memory = lower_.factor->is_super

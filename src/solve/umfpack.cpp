@@ -36,7 +36,7 @@ public:
     }
     umfpack_di_free_numeric(&numeric_);
     const int status = umfpack_di_numeric(starts, rows, values, symbolic_, &numeric_, control_, info_);
-    ++statistics_.factorisations;
+    ++statistics_.factorizations;
     statistics_.operations = info_[UMFPACK_FLOPS];
     statistics_.entries = info_[UMFPACK_LNZ] + info_[UMFPACK_UNZ];
     statistics_.memory = info_[UMFPACK_NUMERIC_SIZE] * info_[UMFPACK_SIZE_OF_UNIT];

@@ -123,7 +123,7 @@ std::vector<int> points_on(nurbs::Side side, const std::vector<int>& degrees) {
 
 template <int D> BezierCells bezier_cells(const Model<D>& model, int body, bool deformed) {
   const solid::Body<D>& solid = *model.system.scene.bodies[at(body)].body;
-  const nurbs::Discretisation& space = solid.space();
+  const nurbs::Discretization& space = solid.space();
   const MatrixX weighted = body_displacement(model, body) * space.homogeneous().row(D).asDiagonal();
   BezierCells cells;
   std::vector<nurbs::BezierElement> elements;
@@ -178,7 +178,7 @@ template <int D> BezierCells bezier_cells(const Model<D>& model, int body, bool 
 template <int D> BezierCells contact_cells(const Model<D>& model, int contact, const BezierCells& cells) {
   const Contact<D>& definition = model.system.scene.contacts[at(contact)];
   const nurbs::Side side = definition.slave.side;
-  const nurbs::Discretisation& space = model.system.scene.bodies[at(definition.slave.body)].body->space();
+  const nurbs::Discretization& space = model.system.scene.bodies[at(definition.slave.body)].body->space();
   std::vector<int> first_point = {0};
   for (const std::vector<int>& degrees : cells.degrees) first_point.push_back(first_point.back() + points_of(degrees));
 

@@ -25,7 +25,7 @@ template <int D> struct Pieces {
   /// Cuts the piece of element e along two directions, which in a solid has fixed `fractions` in the third one.
   void cut(Sampling<D>& sampling, int e, std::array<int, 2> along, Vec<D> fractions,
            const std::vector<Window>& windows) const {
-    const nurbs::Discretisation& space = model.system.scene.bodies[at(body)].body->space();
+    const nurbs::Discretization& space = model.system.scene.bodies[at(body)].body->space();
     const auto at_fractions = [&](double s, double t) {
       fractions(along[0]) = s;
       fractions(along[1]) = t;
@@ -38,7 +38,7 @@ template <int D> struct Pieces {
 
 } // namespace
 
-template <int D> Sampling<D> even_sampling(const nurbs::Discretisation& space, int divisions) {
+template <int D> Sampling<D> even_sampling(const nurbs::Discretization& space, int divisions) {
   Sampling<D> sampling;
   for (int d = 0; d < D; ++d) sampling[at(d)].assign(at(space.elements(d)), even_cuts(divisions));
   return sampling;
@@ -47,7 +47,7 @@ template <int D> Sampling<D> even_sampling(const nurbs::Discretisation& space, i
 template <int D>
 Sampling<D> sampling(const Model<D>& model, int body, int divisions, bool deformed,
                      const std::vector<Window>& windows) {
-  const nurbs::Discretisation& space = model.system.scene.bodies[at(body)].body->space();
+  const nurbs::Discretization& space = model.system.scene.bodies[at(body)].body->space();
   Sampling<D> result = even_sampling<D>(space, divisions);
   if (windows.empty()) return result;
   const Pieces<D> pieces{model, body, deformed};
@@ -63,8 +63,8 @@ Sampling<D> sampling(const Model<D>& model, int body, int divisions, bool deform
   return result;
 }
 
-template Sampling<2> even_sampling<2>(const nurbs::Discretisation&, int);
-template Sampling<3> even_sampling<3>(const nurbs::Discretisation&, int);
+template Sampling<2> even_sampling<2>(const nurbs::Discretization&, int);
+template Sampling<3> even_sampling<3>(const nurbs::Discretization&, int);
 template Sampling<2> sampling<2>(const Model<2>&, int, int, bool, const std::vector<Window>&);
 template Sampling<3> sampling<3>(const Model<3>&, int, int, bool, const std::vector<Window>&);
 

@@ -29,7 +29,7 @@ struct SkinSide {
   bool deformed;
 
   const solid::Body<3>& solid() const { return *model.system.scene.bodies[at(body)].body; }
-  const nurbs::Discretisation& space() const { return solid().space(); }
+  const nurbs::Discretization& space() const { return solid().space(); }
   /// The side's own directions 0 and 1 among the solid's.
   int along(int i) const { return i == 0 ? (side.direction == 0 ? 1 : 0) : (side.direction == 2 ? 1 : 2); }
   int elements(int i) const { return space().elements(along(i)); }
@@ -75,7 +75,7 @@ template <class Visit> void each_side_element(const Model<3>& model, int body, b
 
 /// Control points, in the plane with z = 0, and the lines that join them within every row.
 template <int D> void add_control_points(Skin& result, const Model<D>& model, int body, bool deformed) {
-  const nurbs::Discretisation& space = model.system.scene.bodies[at(body)].body->space();
+  const nurbs::Discretization& space = model.system.scene.bodies[at(body)].body->space();
   result.control_points.setZero(3, space.functions());
   result.control_points.template topRows<D>() = space.points();
   if (deformed) result.control_points.template topRows<D>() += body_displacement(model, body);
@@ -93,7 +93,7 @@ template <int D> void add_control_points(Skin& result, const Model<D>& model, in
 
 Skin tessellate(const Model<2>& model, int body, const Field<2>* field, const Sampling<2>& sampling, bool deformed) {
   const solid::Body<2>& solid = *model.system.scene.bodies[at(body)].body;
-  const nurbs::Discretisation& space = solid.space();
+  const nurbs::Discretization& space = solid.space();
   const auto grid_at = [&](int e, Eigen::Index first) {
     return Grid{sampling[0][at(space.element_index(e, 0))], sampling[1][at(space.element_index(e, 1))], first};
   };
@@ -128,7 +128,7 @@ Skin tessellate(const Model<2>& model, int body, const Field<2>* field, const Sa
   return result;
 }
 
-int surface_elements(const nurbs::Discretisation& space) {
+int surface_elements(const nurbs::Discretization& space) {
   return 2 * (space.elements(0) * space.elements(1) + space.elements(1) * space.elements(2) +
               space.elements(2) * space.elements(0));
 }
@@ -190,7 +190,7 @@ VectorX contact_pressure(const Model<3>& model, int body, const Sampling<3>& sam
 std::vector<Inside> crossed_elements(const Model<3>& model, int body, const Field<3>* field, int divisions,
                                      bool deformed, const std::vector<Plane>& planes) {
   const solid::Body<3>& solid = *model.system.scene.bodies[at(body)].body;
-  const nurbs::Discretisation& space = solid.space();
+  const nurbs::Discretization& space = solid.space();
   Points control = space.points();
   if (deformed) control += body_displacement(model, body);
   const double tolerance = 1e-9 * (control.rowwise().maxCoeff() - control.rowwise().minCoeff()).norm();

@@ -43,7 +43,7 @@ Skin tessellate(const nurbs::Patch& patch, double sign = 1, const std::vector<Wi
 Vec<3> place(const nurbs::Patch& patch, const VectorX& xi);
 
 /// Elements that have a side on the surface, once per side.
-int surface_elements(const nurbs::Discretisation& space);
+int surface_elements(const nurbs::Discretization& space);
 
 /// The pressure of the contacts in which faces of the body are slaves, at the points of its skin: between a face
 /// element's contact points linear, beyond the outer ones constant; 0 elsewhere. Empty when no face of the body is

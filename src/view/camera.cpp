@@ -9,7 +9,7 @@
 namespace signorini::view {
 namespace {
 
-constexpr Rgb axis_colours[] = {{178, 52, 44}, {36, 126, 62}, {40, 84, 164}};
+constexpr Rgb axis_colors[] = {{178, 52, 44}, {36, 126, 62}, {40, 84, 164}};
 
 double arm_length(const Style& style) {
   return 2.7 * style.tick_size;
@@ -91,11 +91,11 @@ void draw_triad(Drawing& drawing, const Vec2& at, const Mat<3>& axes, const std:
     const double length = arm_length(style) * direction.norm();
     const Vec<2> tip = origin + arm_length(style) * direction;
     draw_arrow(drawing, {at, {tip[0], tip[1]}}, std::min(0.5 * style.tick_size, 0.7 * length), 3.2 * style.unit,
-               axis_colours[axis]);
+               axis_colors[axis]);
     const Vec<2> middle = origin + name_at(direction, 0.5 * text_width(names[axis], style.tick_size), style);
     // A letter's height above the baseline is half of its size.
     drawing.marks.push_back(
-        Text{{middle[0], middle[1] - 0.27 * style.tick_size}, names[axis], style.tick_size, Align::centre, ink});
+        Text{{middle[0], middle[1] - 0.27 * style.tick_size}, names[axis], style.tick_size, Align::center, ink});
   }
   drawing.marks.push_back(Fill{circle_about(at, 4.5 * style.unit), ink});
 }

@@ -7,28 +7,28 @@ namespace signorini::view {
 namespace {
 
 constexpr Rgb light_green = {205, 235, 228}, light_blue = {143, 208, 214};
-// In an order in which neighbours differ much: lightness 62, 21, 50, 72, 8, 42, 29.
+// In an order in which neighbors differ much: lightness 62, 21, 50, 72, 8, 42, 29.
 constexpr Rgb orange = {224, 123, 39}, purple = {67, 36, 100}, red = {204, 75, 60}, gold = {226, 167, 43},
               soot = {29, 22, 22}, magenta = {169, 53, 119}, wine = {126, 33, 53};
 
-std::vector<Look> each_hatched(const std::vector<Rgb>& colours) {
+std::vector<Look> each_hatched(const std::vector<Rgb>& colors) {
   std::vector<Look> looks;
   for (Hatch hatch : {Hatch::none, Hatch::rising, Hatch::crossed})
-    for (const Rgb& colour : colours) looks.push_back({colour, hatch});
+    for (const Rgb& color : colors) looks.push_back({color, hatch});
   return looks;
 }
 
 /// CIE Y of sRGB (IEC 61966-2-1), from 0 to 1.
-double luminance(const Rgb& colour) {
+double luminance(const Rgb& color) {
   const auto linear = [](std::uint8_t channel) {
     const double c = channel / 255.0;
     return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
   };
-  return 0.2126 * linear(colour[0]) + 0.7152 * linear(colour[1]) + 0.0722 * linear(colour[2]);
+  return 0.2126 * linear(color[0]) + 0.7152 * linear(color[1]) + 0.0722 * linear(color[2]);
 }
 
-/// Lines of a hatched area: lighter on dark colours, darker on light ones.
-Rgb line_colour(const Rgb& ground) {
+/// Lines of a hatched area: lighter on dark colors, darker on light ones.
+Rgb line_color(const Rgb& ground) {
   const bool light = lightness(ground) > 55;
   Rgb result;
   for (std::size_t c = 0; c < 3; ++c)
@@ -48,25 +48,25 @@ const std::vector<Look>& bad_looks() {
   return looks;
 }
 
-double lightness(const Rgb& colour) {
-  const double y = luminance(colour);
+double lightness(const Rgb& color) {
+  const double y = luminance(color);
   return y > 0.008856 ? 116 * std::cbrt(y) - 16 : 903.3 * y;
 }
 
-Rgb text_colour(const Rgb& ground) {
+Rgb text_color(const Rgb& ground) {
   // The contrast (Y₁ + 0.05) / (Y₂ + 0.05) with white equals that with black at Y = 0.179 (WCAG 2.1, 1.4.3).
   return luminance(ground) > 0.179 ? black : white;
 }
 
 void fill_cell(Drawing& drawing, const Box& box, const Look& look, const Style& style) {
-  fill_box(drawing, box, look.colour);
+  fill_box(drawing, box, look.color);
   if (look.hatch == Hatch::none) return;
   const auto& [left, right, bottom, top] = box;
   const double width = right - left, height = top - bottom;
   const double step = std::clamp(std::min(width, height) / 2, 3 * style.unit, 16 * style.unit);
-  const Rgb colour = line_colour(look.colour);
+  const Rgb color = line_color(look.color);
   const auto draw = [&](const std::vector<Vec2>& line) {
-    for (auto& part : clip_line(line, box)) drawing.marks.push_back(Stroke{std::move(part), colour, 0.16 * step});
+    for (auto& part : clip_line(line, box)) drawing.marks.push_back(Stroke{std::move(part), color, 0.16 * step});
   };
   for (int k = 0; (k + 0.5) * step < width + height; ++k) {
     const double at = (k + 0.5) * step;

@@ -34,7 +34,7 @@ void check(const std::vector<Series>& series, const ChartOptions& options) {
   require(options.marks.size() <= marker_names().size(), "view.chart.kinds",
           {{"count", options.marks.size()}, {"most", marker_names().size()}});
   require(any, "view.chart.no_point");
-  const auto own = std::count_if(series.begin(), series.end(), [](const Series& s) { return s.line && !s.colour; });
+  const auto own = std::count_if(series.begin(), series.end(), [](const Series& s) { return s.line && !s.color; });
   if (own > distinct_curves()) warn("view.chart.many_curves", {{"count", own}, {"distinct", distinct_curves()}});
 }
 

@@ -11,7 +11,7 @@
 namespace signorini::view {
 
 inline constexpr int no_marker = -1;
-inline constexpr int gray = -1; ///< a colour of no curve, for what others are compared with
+inline constexpr int gray = -1; ///< a color of no curve, for what others are compared with
 
 /// Names of the markers: eight filled ones, then eight open ones.
 const std::vector<std::string>& marker_names();
@@ -25,7 +25,7 @@ struct Series {
   bool dashed = false;
   bool arrows = false;            ///< on the line, in the order of its points: which way a hysteresis runs
   double width = 3;               ///< of the line, in pixels of a chart of 1600 × 1000
-  std::optional<int> colour = {}; ///< looks like the series of this number (from 0), or gray; its own when absent
+  std::optional<int> color = {};  ///< looks like the series of this number (from 0), or gray; its own when absent
   std::optional<int> marker = {}; ///< in marker_names(), or no_marker; the look's own when absent
   std::vector<int> marks = {};    ///< one per point, in ChartOptions::marks: their markers take the place of its own
 };
@@ -47,7 +47,7 @@ enum class LegendPlace { none, automatic, inside, outside };
 struct ChartOptions {
   std::string title, xlabel, ylabel;
   bool log_x = false, log_y = false;
-  LegendPlace legend = LegendPlace::automatic; ///< left out for a single unlabelled series
+  LegendPlace legend = LegendPlace::automatic; ///< left out for a single unlabeled series
   std::string legend_title;                    ///< above the curves' names
   std::vector<std::string> marks; ///< what points are, each with a marker of its own: the legend's second part
   std::string marks_title;        ///< above these names

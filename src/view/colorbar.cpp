@@ -26,14 +26,14 @@ double widest_tick(const Ticks& ticks, double size) {
 
 } // namespace
 
-std::optional<ColouredValues> coloured_values(const std::vector<const VectorX*>& values) {
+std::optional<ColoredValues> colored_values(const std::vector<const VectorX*>& values) {
   std::vector<double> sorted;
   for (const VectorX* some : values) sorted.insert(sorted.end(), some->begin(), some->end());
   if (sorted.empty()) return std::nullopt;
   constexpr double share = 0.005, far = 3;
   const auto left_out = static_cast<std::ptrdiff_t>(std::ceil(share * static_cast<double>(sorted.size())));
   const auto [least, most] = std::minmax_element(sorted.begin(), sorted.end());
-  ColouredValues result{{*least, *most}, {*least, *most}, sorted.size()};
+  ColoredValues result{{*least, *most}, {*least, *most}, sorted.size()};
   if (2 * left_out >= static_cast<std::ptrdiff_t>(sorted.size())) return result;
   const auto first = sorted.begin() + left_out, last = sorted.end() - 1 - left_out;
   std::nth_element(sorted.begin(), first, sorted.end());
@@ -49,9 +49,9 @@ std::optional<ColouredValues> coloured_values(const std::vector<const VectorX*>&
   return result;
 }
 
-std::array<double, 2> colour_range(const ColouredValues& values, const std::optional<std::array<double, 2>>& given,
-                                   bool diverging, const std::string& title) {
-  const auto range = colour_range(values.typical, given, diverging);
+std::array<double, 2> color_range(const ColoredValues& values, const std::optional<std::array<double, 2>>& given,
+                                  bool diverging, const std::string& title) {
+  const auto range = color_range(values.typical, given, diverging);
   if (!given && values.clipped())
     warn("view.colors.outliers", {{"title", title},
                                   {"count", values.extreme},
@@ -61,8 +61,8 @@ std::array<double, 2> colour_range(const ColouredValues& values, const std::opti
   return range;
 }
 
-std::array<double, 2> colour_range(const std::array<double, 2>& values,
-                                   const std::optional<std::array<double, 2>>& given, bool diverging) {
+std::array<double, 2> color_range(const std::array<double, 2>& values,
+                                  const std::optional<std::array<double, 2>>& given, bool diverging) {
   if (given) {
     require_drawable((*given)[0], (*given)[1], false);
     return *given;
@@ -86,7 +86,7 @@ double colorbar_room(const std::array<double, 2>& range, const std::string& titl
 }
 
 void draw_colorbar(Drawing& drawing, const BarPlace& place, const std::array<double, 2>& range,
-                   const std::array<double, 2>& values, const std::vector<Rgb>& colours, const std::string& title,
+                   const std::array<double, 2>& values, const std::vector<Rgb>& colors, const std::string& title,
                    const Style& style, bool log, const std::vector<double>& levels) {
   const double width = bar_width(style), right = place.left + width, size = style.tick_size, point = 0.8 * width;
   const std::array<bool, 2> beyond = {values[0]<range[0], values[1]> range[1]};
@@ -98,24 +98,24 @@ void draw_colorbar(Drawing& drawing, const BarPlace& place, const std::array<dou
   const double middle = 0.5 * (place.left + right);
   const Scale scale{range[0], range[1], log, low, high};
 
-  const double step = (high - low) / static_cast<double>(colours.size());
-  for (std::size_t i = 0; i < colours.size(); ++i) {
+  const double step = (high - low) / static_cast<double>(colors.size());
+  for (std::size_t i = 0; i < colors.size(); ++i) {
     const double from = low + step * i; // each up to the top, so that no seam shows between two
-    drawing.marks.push_back(Fill{{{place.left, from}, {right, from}, {right, high}, {place.left, high}}, colours[i]});
+    drawing.marks.push_back(Fill{{{place.left, from}, {right, from}, {right, high}, {place.left, high}}, colors[i]});
   }
   for (double level : levels)
     if (level > range[0] && level < range[1])
       drawing.marks.push_back(Stroke{{{place.left, scale(level)}, {right, scale(level)}},
-                                     tone_on(colour_of(level, range, colours)),
+                                     tone_on(color_of(level, range, colors)),
                                      1.8 * style.unit});
   std::vector<Vec2> outline = {{place.left, high}, {place.left, low}};
   if (beyond[0]) {
-    drawing.marks.push_back(Fill{{{place.left, low}, {middle, low - point}, {right, low}}, colours.front()});
+    drawing.marks.push_back(Fill{{{place.left, low}, {middle, low - point}, {right, low}}, colors.front()});
     outline.push_back({middle, low - point});
   }
   outline.insert(outline.end(), {{right, low}, {right, high}});
   if (beyond[1]) {
-    drawing.marks.push_back(Fill{{{place.left, high}, {right, high}, {middle, high + point}}, colours.back()});
+    drawing.marks.push_back(Fill{{{place.left, high}, {right, high}, {middle, high + point}}, colors.back()});
     outline.push_back({middle, high + point});
   }
   outline.insert(outline.end(), {{place.left, high}, {place.left, low}});
@@ -140,8 +140,8 @@ void draw_colorbar(Drawing& drawing, const BarPlace& place, const std::array<dou
     const FittedText fitted =
         fit_text(title, style.label_size, std::min(style.label_size, least_size(style)), top - bottom);
     const double half = 0.5 * fitted.width(), lowest = bottom + half;
-    const double centre = std::clamp(0.5 * (low + high), lowest, std::max(lowest, top - half));
-    drawing.marks.push_back(Text{{x, centre}, fitted.lines.front(), fitted.size, Align::centre, ink, true});
+    const double center = std::clamp(0.5 * (low + high), lowest, std::max(lowest, top - half));
+    drawing.marks.push_back(Text{{x, center}, fitted.lines.front(), fitted.size, Align::center, ink, true});
   }
 }
 

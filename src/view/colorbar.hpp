@@ -1,5 +1,5 @@
 #pragma once
-// Colour maps by name, the range that they are spread over, and the bar that shows both.
+// Color maps by name, the range that they are spread over, and the bar that shows both.
 
 #include "base/eigen.hpp"
 #include "view/drawing.hpp"
@@ -11,7 +11,7 @@
 
 namespace signorini::view {
 
-/// 256 colours evenly spread over the map, interpolated from its anchors. Throws Error on an unknown name.
+/// 256 colors evenly spread over the map, interpolated from its anchors. Throws Error on an unknown name.
 std::vector<Rgb> colormap(const std::string& name);
 
 std::vector<std::string> colormaps(); ///< their names
@@ -19,26 +19,26 @@ std::vector<std::string> colormaps(); ///< their names
 /// True for maps whose middle stands for zero.
 bool is_diverging(const std::string& name);
 
-/// The values that colours stand for.
-struct ColouredValues {
+/// The values that colors stand for.
+struct ColoredValues {
   std::array<double, 2> all;     ///< lowest and highest
-  std::array<double, 2> typical; ///< the same without the extreme samples, see coloured_values()
+  std::array<double, 2> typical; ///< the same without the extreme samples, see colored_values()
   std::size_t count = 0, extreme = 0;
   bool clipped() const { return extreme > 0; }
 };
 /// Of all states; nothing without values. Extreme are the highest 0.5 % (and the lowest) where they lie farther beyond
-/// the rest than three times its range: one sample in a singular point would leave a single colour for all others.
-std::optional<ColouredValues> coloured_values(const std::vector<const VectorX*>& values);
+/// the rest than three times its range: one sample in a singular point would leave a single color for all others.
+std::optional<ColoredValues> colored_values(const std::vector<const VectorX*>& values);
 
-/// The range of the colours where none is given leaves extreme samples out: a warning says how many, and how far they
+/// The range of the colors where none is given leaves extreme samples out: a warning says how many, and how far they
 /// reach.
-std::array<double, 2> colour_range(const ColouredValues& values, const std::optional<std::array<double, 2>>& given,
-                                   bool diverging, const std::string& title);
-/// The given range, or the values' own, lowest and highest; about zero for diverging colours where the values have both
+std::array<double, 2> color_range(const ColoredValues& values, const std::optional<std::array<double, 2>>& given,
+                                  bool diverging, const std::string& title);
+/// The given range, or the values' own, lowest and highest; about zero for diverging colors where the values have both
 /// signs. A single value, or values that only rounding tells apart, get room on both sides.
 /// Throws Error on a given range that does not rise.
-std::array<double, 2> colour_range(const std::array<double, 2>& values,
-                                   const std::optional<std::array<double, 2>>& given, bool diverging);
+std::array<double, 2> color_range(const std::array<double, 2>& values,
+                                  const std::optional<std::array<double, 2>>& given, bool diverging);
 
 struct BarPlace {
   double left, bottom, top; ///< pixels
@@ -49,9 +49,9 @@ double colorbar_room(const std::array<double, 2>& range, const std::string& titl
                      bool log = false);
 
 /// `values`: the lowest and the highest, which are printed at the bar's ends; where they lie beyond the range, the bar
-/// ends in a point. `log`: the colours follow the values' logarithm. `levels`: of contour lines.
+/// ends in a point. `log`: the colors follow the values' logarithm. `levels`: of contour lines.
 void draw_colorbar(Drawing& drawing, const BarPlace& place, const std::array<double, 2>& range,
-                   const std::array<double, 2>& values, const std::vector<Rgb>& colours, const std::string& title,
+                   const std::array<double, 2>& values, const std::vector<Rgb>& colors, const std::string& title,
                    const Style& style, bool log = false, const std::vector<double>& levels = {});
 
 } // namespace signorini::view

@@ -14,7 +14,7 @@ struct Map {
   std::vector<std::uint32_t> anchors; // 0xRRGGBB, evenly spread
 };
 
-// Colours of the published maps at even distances: viridis, magma, inferno, plasma (S. van der Walt, N. Smith, 2015,
+// Colors of the published maps at even distances: viridis, magma, inferno, plasma (S. van der Walt, N. Smith, 2015,
 // CC0), cividis (Nuñez, Anderton, Renslow, PLoS ONE 13, 2018), coolwarm (K. Moreland, "Diverging color maps for
 // scientific visualization", 2009).
 const std::vector<Map>& maps() {
@@ -34,7 +34,7 @@ const std::vector<Map>& maps() {
       {"cividis",
        false,
        {0x00224E, 0x123570, 0x3B496C, 0x575D6D, 0x707173, 0x8A8678, 0xA59C74, 0xC3B369, 0xE1CC55, 0xFEE838}},
-      {"grey", false, {0x202020, 0xF0F0F0}},
+      {"gray", false, {0x202020, 0xF0F0F0}},
       {"coolwarm",
        true,
        {0x3B4CC0, 0x4D68D7, 0x6282EA, 0x779AF7, 0x8DB0FE, 0xA3C2FF, 0xB8D0F9, 0xCCD9EE, 0xDDDDDD, 0xECD3C5, 0xF5C4AD,
@@ -65,17 +65,17 @@ std::vector<Rgb> colormap(const std::string& name) {
     const auto value = [&](int i) { return static_cast<double>((anchors[i] >> shift) & 0xFF); };
     return k < 0 ? 2 * value(0) - value(1) : k > last ? 2 * value(last) - value(last - 1) : value(k);
   };
-  std::vector<Rgb> colours(256);
+  std::vector<Rgb> colors(256);
   for (int i = 0; i < 256; ++i) {
     const double position = last * i / 255.0;
     const int k = std::min(static_cast<int>(position), last - 1);
     for (int c = 0; c < 3; ++c) {
       const int s = 16 - 8 * c;
       const double value = cubic(channel(k - 1, s), channel(k, s), channel(k + 1, s), channel(k + 2, s), position - k);
-      colours[i][c] = static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));
+      colors[i][c] = static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));
     }
   }
-  return colours;
+  return colors;
 }
 
 bool is_diverging(const std::string& name) {

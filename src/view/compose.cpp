@@ -66,7 +66,7 @@ std::vector<int> begins(const std::vector<int>& widths, int start) {
   return at;
 }
 
-constexpr Rgb frame_colour = {20, 20, 20};
+constexpr Rgb frame_color = {20, 20, 20};
 constexpr int least_width = 160, least_height = 120; // pixels: that any picture has
 
 /// How many of the points that the bodies are made of lie in a box.
@@ -182,9 +182,9 @@ void draw_joins(Drawing& drawing, const Placing& placing) {
   const double width = std::max(1.0, 1.5e-3 * drawing.size[0]);
   const Box inset = aired(box_of(placing.inset), width);
   for (const Box& box : {placing.marked, inset})
-    drawing.marks.push_back(Stroke{outline_of(box), frame_colour, 1.4 * width});
+    drawing.marks.push_back(Stroke{outline_of(box), frame_color, 1.4 * width});
   for (const auto& [from, to] : joins(placing.marked, inset))
-    drawing.marks.push_back(Stroke{{from, to}, frame_colour, width, {6 * width, 4 * width}});
+    drawing.marks.push_back(Stroke{{from, to}, frame_color, width, {6 * width, 4 * width}});
 }
 
 } // namespace

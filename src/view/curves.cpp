@@ -9,7 +9,7 @@
 namespace signorini::view {
 namespace {
 
-// Okabe and Ito's colours, which colour-blind readers tell apart; their yellow is too pale on white and gives way to
+// Okabe and Ito's colors, which color-blind readers tell apart; their yellow is too pale on white and gives way to
 // brown.
 const std::vector<Rgb> palette = {{0, 114, 178},  {213, 94, 0},  {0, 158, 115}, {204, 121, 167},
                                   {86, 180, 233}, {230, 159, 0}, {60, 60, 60},  {135, 75, 30}};
@@ -118,10 +118,10 @@ std::vector<Vec2> ring(const Shape& shape, const Vec2& at, double radius, int co
   return points;
 }
 
-void draw_cross(Drawing& drawing, const Shape& shape, const Vec2& at, double radius, double width, const Rgb& colour) {
+void draw_cross(Drawing& drawing, const Shape& shape, const Vec2& at, double radius, double width, const Rgb& color) {
   const auto ends = ring(shape, at, radius, 4);
-  drawing.marks.push_back(Stroke{{ends[0], ends[2]}, colour, width});
-  drawing.marks.push_back(Stroke{{ends[1], ends[3]}, colour, width});
+  drawing.marks.push_back(Stroke{{ends[0], ends[2]}, color, width});
+  drawing.marks.push_back(Stroke{{ends[1], ends[3]}, color, width});
 }
 
 } // namespace
@@ -152,7 +152,7 @@ int distinct_curves() {
   return palette_size * static_cast<int>(line_dashes.size());
 }
 
-const std::vector<Rgb>& curve_colours() {
+const std::vector<Rgb>& curve_colors() {
   return palette;
 }
 
@@ -162,10 +162,10 @@ bool drawn(const Series& s, std::size_t point) {
 
 CurveLook look_of(const std::vector<Series>& series, std::size_t index, const Style& style) {
   const Series& s = series[index];
-  const int number = s.colour.value_or(static_cast<int>(index));
+  const int number = s.color.value_or(static_cast<int>(index));
   const bool neutral = number == gray;
   const bool marked = s.marks.empty() && s.markers.value_or(s.line && series.size() > 1 && !neutral);
-  return {neutral ? gray_colour : palette[number % palette_size],
+  return {neutral ? gray_color : palette[number % palette_size],
           marked ? s.marker.value_or(std::max(number, 0)) : no_marker, s.width * style.unit,
           dash_of(s, number, style.unit)};
 }
@@ -191,7 +191,7 @@ Range range_within(const std::vector<Series>& series, const std::array<double, 2
 }
 
 /// Heads at every part of a line that is this long, pixels at 1600 × 1000, the first after half of it.
-void draw_arrows(Drawing& drawing, const std::vector<Vec2>& line, const Rgb& colour, const Style& style) {
+void draw_arrows(Drawing& drawing, const std::vector<Vec2>& line, const Rgb& color, const Style& style) {
   constexpr double apart = 220;
   const double length = 26 * style.unit, half = 9 * style.unit;
   double left = 0.5 * apart * style.unit; // to the next head
@@ -201,7 +201,7 @@ void draw_arrows(Drawing& drawing, const std::vector<Vec2>& line, const Rgb& col
     for (; left <= piece && piece > 0; left += apart * style.unit) {
       const Vec2 t = 1 / piece * (to - from);
       const auto at = [&](double along, double across) { return from + (left + along) * t + across * left_of(t); };
-      drawing.marks.push_back(Fill{{at(0.5 * length, 0), at(-0.5 * length, half), at(-0.5 * length, -half)}, colour});
+      drawing.marks.push_back(Fill{{at(0.5 * length, 0), at(-0.5 * length, half), at(-0.5 * length, -half)}, color});
     }
     left -= piece;
   }
@@ -214,23 +214,22 @@ void draw_series(Drawing& drawing, const std::vector<Series>& series, std::size_
   if (s.line)
     for (const auto& stretch : stretches(s, frame))
       for (const auto& part : clip_line(stretch, frame.box)) {
-        drawing.marks.push_back(Stroke{part, look.colour, look.width, look.dash});
-        if (s.arrows) draw_arrows(drawing, part, look.colour, style);
+        drawing.marks.push_back(Stroke{part, look.color, look.width, look.dash});
+        if (s.arrows) draw_arrows(drawing, part, look.color, style);
       }
   for (const CurvePlace& place : marker_places(series, index, frame, style))
-    draw_marker(drawing, place.marker, place.at, marker_radius * style.unit, look.colour);
+    draw_marker(drawing, place.marker, place.at, marker_radius * style.unit, look.color);
   if (!s.line || !s.marks.empty() || s.markers.value_or(false)) return;
   const int marker = look.marker == no_marker ? 0 : look.marker;
   for (const Vec2& point : lone_points(s, frame))
-    draw_marker(drawing, marker, point, marker_radius * style.unit, look.colour);
+    draw_marker(drawing, marker, point, marker_radius * style.unit, look.color);
 }
 
 void draw_sample(Drawing& drawing, const Series& s, const CurveLook& look, const Vec2& from, const Vec2& to,
                  const Style& style) {
-  if (s.line || !s.marks.empty())
-    drawing.marks.push_back(Stroke{{from, to}, look.colour, 1.13 * look.width, look.dash});
+  if (s.line || !s.marks.empty()) drawing.marks.push_back(Stroke{{from, to}, look.color, 1.13 * look.width, look.dash});
   if (look.marker == no_marker) return;
-  draw_marker(drawing, look.marker, 0.5 * (from + to), 1.06 * marker_radius * style.unit, look.colour);
+  draw_marker(drawing, look.marker, 0.5 * (from + to), 1.06 * marker_radius * style.unit, look.color);
 }
 
 void draw_mark_sample(Drawing& drawing, int mark, const Vec2& at, const Style& style) {
@@ -268,12 +267,12 @@ const std::vector<std::string>& marker_names() {
   return names;
 }
 
-void draw_marker(Drawing& drawing, int marker, const Vec2& at, double radius, const Rgb& colour) {
+void draw_marker(Drawing& drawing, int marker, const Vec2& at, double radius, const Rgb& color) {
   const Shape& s = shapes[marker % count];
   const double size = s.scale * radius, rim = 0.22 * radius;
   if (s.corners == 0) {
     draw_cross(drawing, s, at, size + rim, 0.55 * radius + 2 * rim, white);
-    draw_cross(drawing, s, at, size, 0.55 * radius, colour);
+    draw_cross(drawing, s, at, size, 0.55 * radius, color);
     return;
   }
   // A polygon grows by rim on each side when its corners move out by rim / cos(π/n).
@@ -282,7 +281,7 @@ void draw_marker(Drawing& drawing, int marker, const Vec2& at, double radius, co
     drawing.marks.push_back(Fill{ring(s, at, size + grown * out, s.corners), c});
   };
   fill(rim, white);
-  fill(0, colour);
+  fill(0, color);
   if (s.open) fill(-0.36 * radius, white);
 }
 

@@ -23,16 +23,16 @@ Range axis_range(const Range& values, const std::optional<std::array<double, 2>>
 /// Whether a point of the series is drawn: both coordinates are finite.
 bool drawn(const Series& s, std::size_t point);
 
-/// The colours of curves, in their order, and the neutral one.
-const std::vector<Rgb>& curve_colours();
-/// How many curves are told apart by colour and dashes.
+/// The colors of curves, in their order, and the neutral one.
+const std::vector<Rgb>& curve_colors();
+/// How many curves are told apart by color and dashes.
 int distinct_curves();
-inline constexpr Rgb gray_colour = {196, 196, 196};
+inline constexpr Rgb gray_color = {196, 196, 196};
 
-/// How a series looks. Grey prints tell lines apart by their markers, and from the ninth on by
+/// How a series looks. Gray prints tell lines apart by their markers, and from the ninth on by
 /// dashes and open markers.
 struct CurveLook {
-  Rgb colour;
+  Rgb color;
   int marker; ///< or no_marker, also where its points have marks of their own
   double width;
   std::vector<double> dash;
@@ -50,13 +50,13 @@ void draw_series(Drawing& drawing, const std::vector<Series>& series, std::size_
 
 /// The sign of this number in marker_names(), of about the given radius, with a thin white rim; larger numbers start
 /// again.
-void draw_marker(Drawing& drawing, int marker, const Vec2& at, double radius, const Rgb& colour);
+void draw_marker(Drawing& drawing, int marker, const Vec2& at, double radius, const Rgb& color);
 
 /// A stretch of curve and the marker on it, as in a legend; points with marks have their own part of the legend.
 void draw_sample(Drawing& drawing, const Series& s, const CurveLook& look, const Vec2& from, const Vec2& to,
                  const Style& style);
 
-/// The marker of a kind of points, without the colour of any curve.
+/// The marker of a kind of points, without the color of any curve.
 void draw_mark_sample(Drawing& drawing, int mark, const Vec2& at, const Style& style);
 
 using Lines = std::vector<std::vector<Vec2>>;

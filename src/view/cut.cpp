@@ -83,7 +83,7 @@ struct LatticeIndex {
 };
 
 /// The six tetrahedra of a cube, each along one way from corner 0 to corner 7 over its edges (H. W. Kuhn, IBM J. Res.
-/// Dev. 4, 1960). Bits of a corner count its steps along ξ¹ ξ² ξ³. Neighbours share the diagonals of their faces.
+/// Dev. 4, 1960). Bits of a corner count its steps along ξ¹ ξ² ξ³. Neighbors share the diagonals of their faces.
 constexpr int tetrahedra[6][4] = {{0, 1, 3, 7}, {0, 1, 5, 7}, {0, 2, 3, 7}, {0, 2, 6, 7}, {0, 4, 5, 7}, {0, 4, 6, 7}};
 
 /// The part of the plane within a tetrahedron: nothing, a triangle, or a quadrilateral.

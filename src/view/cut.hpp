@@ -25,7 +25,7 @@ std::vector<SurfaceLine> traces(const Surface& surface, const CutPlane& plane, d
 /// away, with a warning: there a body and its image would lie on each other. Nothing where they lie on one side.
 std::optional<CutPlane> crossed_mirror(const Points& points, int axis);
 
-/// What is left of a body; of a solid with the cut face: coloured by the values inside, with its elements' borders and
+/// What is left of a body; of a solid with the cut face: colored by the values inside, with its elements' borders and
 /// its rim. Needs the insides of all elements that the plane crosses.
 Body cut(const Body& body, const CutPlane& plane);
 

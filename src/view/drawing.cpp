@@ -40,9 +40,9 @@ std::vector<std::vector<Vec2>> clip_line(const std::vector<Vec2>& line, const Bo
   return parts;
 }
 
-void add_line(Drawing& drawing, const std::vector<Vec2>& line, const Box& box, const Rgb& colour, double width,
+void add_line(Drawing& drawing, const std::vector<Vec2>& line, const Box& box, const Rgb& color, double width,
               const std::vector<double>& dash) {
-  for (auto& part : clip_line(line, box)) drawing.marks.push_back(Stroke{std::move(part), colour, width, dash});
+  for (auto& part : clip_line(line, box)) drawing.marks.push_back(Stroke{std::move(part), color, width, dash});
 }
 
 std::vector<Vec2> circle_about(const Vec2& at, double radius) {
@@ -60,15 +60,15 @@ std::vector<Vec2> outline_of(const Box& box) {
   return {{left, bottom}, {right, bottom}, {right, top}, {left, top}, {left, bottom}, {right, bottom}};
 }
 
-void draw_arrow(Drawing& drawing, std::vector<Vec2> line, double head, double width, const Rgb& colour) {
+void draw_arrow(Drawing& drawing, std::vector<Vec2> line, double head, double width, const Rgb& color) {
   const Vec2 tip = line.back();
   while (line.size() > 1 && distance(tip, line.back()) < head) line.pop_back();
   const double length = distance(tip, line.back());
   if (length == 0) return;
   const Vec2 along = head / length * (tip - line.back()), neck = tip - along, side = 0.4 * left_of(along);
   line.push_back(neck);
-  drawing.marks.push_back(Stroke{std::move(line), colour, width});
-  drawing.marks.push_back(Fill{{tip, neck + side, neck - side}, colour});
+  drawing.marks.push_back(Stroke{std::move(line), color, width});
+  drawing.marks.push_back(Fill{{tip, neck + side, neck - side}, color});
 }
 
 Box clipped(const Box& box, const Box& frame) {

@@ -35,7 +35,7 @@ using Box = std::array<double, 4>; ///< xmin, xmax, ymin, ymax
 /// An open polyline with round joins. `dash`: lengths of line and gap in turn; empty for a solid line.
 struct Stroke {
   std::vector<Vec2> points;
-  Rgb colour;
+  Rgb color;
   double width;
   std::vector<double> dash = {};
 };
@@ -43,10 +43,10 @@ struct Stroke {
 /// A convex polygon.
 struct Fill {
   std::vector<Vec2> outline;
-  Rgb colour;
+  Rgb color;
 };
 
-enum class Align { left, centre, right };
+enum class Align { left, center, right };
 
 /// One line of UTF-8 text; `at` is the point of the baseline that `align` names.
 struct Text {
@@ -54,7 +54,7 @@ struct Text {
   std::string string;
   double size;
   Align align = Align::left;
-  Rgb colour = {0, 0, 0};
+  Rgb color = {0, 0, 0};
   bool upright = false; ///< reads from bottom to top
 };
 
@@ -72,7 +72,7 @@ inline constexpr Rgb black = {0, 0, 0}, white = {255, 255, 255}, ink = {38, 38, 
 std::vector<std::vector<Vec2>> clip_line(const std::vector<Vec2>& line, const Box& box);
 
 /// The parts of a line inside the box.
-void add_line(Drawing& drawing, const std::vector<Vec2>& line, const Box& box, const Rgb& colour, double width,
+void add_line(Drawing& drawing, const std::vector<Vec2>& line, const Box& box, const Rgb& color, double width,
               const std::vector<double>& dash = {});
 
 /// Rims as closed lines.
@@ -80,7 +80,7 @@ std::vector<Vec2> circle_about(const Vec2& at, double radius);
 std::vector<Vec2> outline_of(const Box& box);
 
 /// A line that ends in a head of this length; the head takes the place of what of the line is nearer to the tip.
-void draw_arrow(Drawing& drawing, std::vector<Vec2> line, double head, double width, const Rgb& colour);
+void draw_arrow(Drawing& drawing, std::vector<Vec2> line, double head, double width, const Rgb& color);
 
 /// What of a box lies within another one, and a box with air on all sides.
 Box clipped(const Box& box, const Box& frame);

@@ -46,7 +46,7 @@ Format format_of(const std::string& file);
 /// off-screen OpenGL context and none can be made.
 std::string bytes_of(const Figure& figure, Format format, bool transparent = false);
 
-/// Rows from the top; each pixel is 0xAARRGGBB with its colours multiplied by its opacity.
+/// Rows from the top; each pixel is 0xAARRGGBB with its colors multiplied by its opacity.
 struct Pixels {
   std::array<int, 2> size;
   std::vector<std::uint32_t> argb;

@@ -10,17 +10,16 @@
 namespace signorini::view {
 namespace {
 
-constexpr Rgb grid_colour = {226, 226, 226}, minor_grid_colour = {242, 242, 242}, axis_colour = {70, 70, 70};
+constexpr Rgb grid_color = {226, 226, 226}, minor_grid_color = {242, 242, 242}, axis_color = {70, 70, 70};
 constexpr double digit_height = 0.72; // of digits and capitals, in the font's size
 
 /// Lines inwards from the lower side and from the left one: this far at ticks on x and on y, pixels.
-void draw_ticks(Drawing& drawing, const Frame& frame, bool minor, const Vec2& lengths, const Rgb& colour,
-                double width) {
+void draw_ticks(Drawing& drawing, const Frame& frame, bool minor, const Vec2& lengths, const Rgb& color, double width) {
   const double left = frame.box[0], bottom = frame.box[2];
   for (double v : minor ? frame.xticks.minor : frame.xticks.at)
-    drawing.marks.push_back(Stroke{{{frame.x(v), bottom}, {frame.x(v), bottom + lengths[0]}}, colour, width});
+    drawing.marks.push_back(Stroke{{{frame.x(v), bottom}, {frame.x(v), bottom + lengths[0]}}, color, width});
   for (double v : minor ? frame.yticks.minor : frame.yticks.at)
-    drawing.marks.push_back(Stroke{{{left, frame.y(v)}, {left + lengths[1], frame.y(v)}}, colour, width});
+    drawing.marks.push_back(Stroke{{{left, frame.y(v)}, {left + lengths[1], frame.y(v)}}, color, width});
 }
 
 double widest(const Ticks& ticks, double size) {
@@ -52,7 +51,7 @@ void draw_name(Drawing& drawing, const FittedText& name, const Vec2& at, bool up
   const Vec2 start = upright  ? Vec2{at[0] + middle, at[1] - 0.5 * tick}
                      : beside ? Vec2{at[0] - 0.45 * tick, at[1] - middle}
                               : Vec2{at[0], at[1] - 1.2 * tick};
-  draw_lines(drawing, name, start, upright || beside ? Align::right : Align::centre, ink, upright);
+  draw_lines(drawing, name, start, upright || beside ? Align::right : Align::center, ink, upright);
 }
 
 /// The lines of a title that leaves `above` pixels at most over the box.
@@ -133,22 +132,22 @@ std::array<double, 2> reach_of_ticks(const Frame& frame, const Style& style) {
   return reach;
 }
 
-void fill_box(Drawing& drawing, const Box& box, const Rgb& colour) {
+void fill_box(Drawing& drawing, const Box& box, const Rgb& color) {
   const auto& [left, right, bottom, top] = box;
-  drawing.marks.push_back(Fill{{{left, bottom}, {right, bottom}, {right, top}, {left, top}}, colour});
+  drawing.marks.push_back(Fill{{{left, bottom}, {right, bottom}, {right, top}, {left, top}}, color});
 }
 
 void draw_grid(Drawing& drawing, const Frame& frame, const Style& style) {
   const Vec2 across = {frame.box[3] - frame.box[2], frame.box[1] - frame.box[0]};
-  draw_ticks(drawing, frame, true, across, minor_grid_colour, 1.4 * style.unit);
-  draw_ticks(drawing, frame, false, across, grid_colour, 1.4 * style.unit);
+  draw_ticks(drawing, frame, true, across, minor_grid_color, 1.4 * style.unit);
+  draw_ticks(drawing, frame, false, across, grid_color, 1.4 * style.unit);
 }
 
 void draw_frame(Drawing& drawing, const Frame& frame, const Style& style) {
   const double width = 1.6 * style.unit, tick = 9 * style.unit;
-  drawing.marks.push_back(Stroke{outline_of(frame.box), axis_colour, width});
-  draw_ticks(drawing, frame, true, {0.5 * tick, 0.5 * tick}, axis_colour, width);
-  draw_ticks(drawing, frame, false, {tick, tick}, axis_colour, width);
+  drawing.marks.push_back(Stroke{outline_of(frame.box), axis_color, width});
+  draw_ticks(drawing, frame, true, {0.5 * tick, 0.5 * tick}, axis_color, width);
+  draw_ticks(drawing, frame, false, {tick, tick}, axis_color, width);
   draw_labels(drawing, frame, style);
 }
 
@@ -169,7 +168,7 @@ void draw_labels(Drawing& drawing, const Frame& frame, const Style& style) {
   const double label_base = bottom - 1.45 * size - 1.05 * style.label_size - frame.xticks.depth;
   const double factor = frame.xticks.factor.empty() ? 0 : text_width(frame.xticks.factor, size) + 0.5 * size;
   if (!frame.xlabel.empty())
-    draw_fitting(drawing, {{0.5 * (left + right), label_base}, frame.xlabel, style.label_size, Align::centre, ink},
+    draw_fitting(drawing, {{0.5 * (left + right), label_base}, frame.xlabel, style.label_size, Align::center, ink},
                  right - left - 2 * factor, style);
   // The common factor stands at the axis' end in the label's row, or in the numbers' row where there is no label.
   if (!frame.xticks.factor.empty())
@@ -180,7 +179,7 @@ void draw_labels(Drawing& drawing, const Frame& frame, const Style& style) {
                                  ink});
   if (!frame.ylabel.empty()) {
     const double at = left - 0.55 * size - widest(frame.yticks, size) - 0.45 * style.label_size;
-    draw_fitting(drawing, {{at, 0.5 * (bottom + top)}, frame.ylabel, style.label_size, Align::centre, ink, true},
+    draw_fitting(drawing, {{at, 0.5 * (bottom + top)}, frame.ylabel, style.label_size, Align::center, ink, true},
                  top - bottom, style);
   }
 }
@@ -196,13 +195,13 @@ void draw_title(Drawing& drawing, const std::string& title, const Box& box, cons
   const double room = drawing.size[0] - 2 * style.margin;
   const FittedText fitted = fit_title(title, room, drawing.size[1] - box[3], style);
   const double half = 0.5 * fitted.width();
-  const double centre = std::clamp(0.5 * (box[0] + box[1]), style.margin + half, drawing.size[0] - style.margin - half);
-  draw_lines(drawing, fitted, {centre, box[3] + 0.7 * style.title_size + fitted.depth()}, Align::centre, black);
+  const double center = std::clamp(0.5 * (box[0] + box[1]), style.margin + half, drawing.size[0] - style.margin - half);
+  draw_lines(drawing, fitted, {center, box[3] + 0.7 * style.title_size + fitted.depth()}, Align::center, black);
 }
 
-void draw_lines(Drawing& drawing, const FittedText& text, Vec2 at, Align align, const Rgb& colour, bool upright) {
+void draw_lines(Drawing& drawing, const FittedText& text, Vec2 at, Align align, const Rgb& color, bool upright) {
   for (const std::string& line : text.lines) {
-    if (!line.empty()) drawing.marks.push_back(Text{at, line, text.size, align, colour, upright});
+    if (!line.empty()) drawing.marks.push_back(Text{at, line, text.size, align, color, upright});
     at = at + (upright ? Vec2{line_step * text.size, 0} : Vec2{0, -line_step * text.size});
   }
 }

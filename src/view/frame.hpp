@@ -12,7 +12,7 @@ namespace signorini::view {
 struct Ticks {
   std::vector<double> at;
   std::vector<std::string> labels; ///< one per tick
-  std::vector<double> minor;       ///< unlabelled marks between them
+  std::vector<double> minor;       ///< unlabeled marks between them
   std::string factor;              ///< common power of ten of all labels, "×10⁻³", or empty
   std::vector<FittedText> names;   ///< empty, or one per tick, as its label is drawn
   bool upright = false;            ///< names read from bottom to top
@@ -89,7 +89,7 @@ Ticks stacked_names(const std::vector<Name>& names, const Scale& scale, double m
 /// From where to where numbers or names below the box reach, pixels.
 std::array<double, 2> reach_of_ticks(const Frame& frame, const Style& style);
 
-void fill_box(Drawing& drawing, const Box& box, const Rgb& colour);
+void fill_box(Drawing& drawing, const Box& box, const Rgb& color);
 void draw_grid(Drawing& drawing, const Frame& frame, const Style& style);
 void draw_frame(Drawing& drawing, const Frame& frame, const Style& style);
 /// Its numbers, names and labels alone.
@@ -102,8 +102,7 @@ double title_room(const std::string& title, double figure_width, const Style& st
 void draw_title(Drawing& drawing, const std::string& title, const Box& box, const Style& style);
 
 /// Lines of text from the first one's baseline on; upright ones go to the right.
-void draw_lines(Drawing& drawing, const FittedText& text, Vec2 at, Align align, const Rgb& colour,
-                bool upright = false);
+void draw_lines(Drawing& drawing, const FittedText& text, Vec2 at, Align align, const Rgb& color, bool upright = false);
 
 /// One line of text, smaller than `wanted` or cut short where it is longer than `room`.
 void draw_fitting(Drawing& drawing, Text text, double room, const Style& style);

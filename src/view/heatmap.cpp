@@ -34,9 +34,9 @@ void check(const std::vector<Heat>& maps, const HeatmapOptions& options) {
   require(any, "view.heatmap.blank");
 }
 
-// ── Colours ──────────────────────────────────────────────────────────────────────────────────────────────────────────
+// ── Colors ──────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-struct Colours {
+struct Colors {
   std::array<double, 2> range{}, values{}; ///< of the bar, and of what it shows
   bool log = false;
   std::vector<Rgb> map;
@@ -55,18 +55,18 @@ std::array<double, 2> lowest_and_highest(const std::vector<Heat>& maps) {
   return {low, high};
 }
 
-Colours make_colours(const std::vector<Heat>& maps, const HeatmapOptions& options) {
-  Colours colours{{}, lowest_and_highest(maps), options.log, colormap(options.colormap)};
-  const auto [low, high] = colours.values;
+Colors make_colors(const std::vector<Heat>& maps, const HeatmapOptions& options) {
+  Colors colors{{}, lowest_and_highest(maps), options.log, colormap(options.colormap)};
+  const auto [low, high] = colors.values;
   if (options.log && !options.range) {
-    const auto [from, to] = colour_range({std::log10(low), std::log10(high)}, {}, false);
-    colours.range = {std::min(low, std::pow(10, from)), std::max(high, std::pow(10, to))}; // whatever rounding does
-    require_drawable(colours.range[0], colours.range[1], true);
+    const auto [from, to] = color_range({std::log10(low), std::log10(high)}, {}, false);
+    colors.range = {std::min(low, std::pow(10, from)), std::max(high, std::pow(10, to))}; // whatever rounding does
+    require_drawable(colors.range[0], colors.range[1], true);
   } else {
-    colours.range = colour_range(colours.values, options.range, is_diverging(options.colormap));
-    require(!options.log || colours.range[0] > 0, "view.heatmap.range", {{"low", colours.range[0]}});
+    colors.range = color_range(colors.values, options.range, is_diverging(options.colormap));
+    require(!options.log || colors.range[0] > 0, "view.heatmap.range", {{"low", colors.range[0]}});
   }
-  return colours;
+  return colors;
 }
 
 std::vector<Category> present(const std::vector<Heat>& maps, const std::vector<Category>& categories) {
@@ -102,8 +102,8 @@ int columns_for(std::size_t maps, const HeatmapOptions& options) {
   return std::min(static_cast<int>(maps), options.columns.value_or(maps == 4 ? 2 : 3));
 }
 
-HeatmapLayout lay_out(const std::vector<Heat>& maps, const HeatmapOptions& options,
-                      const std::optional<Colours>& colours, const Style& style) {
+HeatmapLayout lay_out(const std::vector<Heat>& maps, const HeatmapOptions& options, const std::optional<Colors>& colors,
+                      const Style& style) {
   HeatmapLayout layout{};
   const int columns = columns_for(maps.size(), options);
   layout.map_title = 0.9 * style.label_size;
@@ -115,8 +115,8 @@ HeatmapLayout lay_out(const std::vector<Heat>& maps, const HeatmapOptions& optio
   const double top = high - style.margin - title_room(options.title, wide, style);
 
   double right = wide - 2 * style.margin;
-  if (colours)
-    right -= colorbar_room(colours->range, options.label, 0.8 * high, style, colours->log);
+  if (colors)
+    right -= colorbar_room(colors->range, options.label, 0.8 * high, style, colors->log);
   else {
     layout.legend = make_legend(present(maps, options.categories), 0.42 * wide, 0.9 * (top - head), style);
     right -= layout.legend.width + 0.3 * style.margin;
@@ -194,17 +194,17 @@ void draw_text(Drawing& drawing, const std::string& string, const Box& cell, con
     fill_box(drawing,
              {std::max(cell[0], middle - 0.5 * width - air), std::min(cell[1], middle + 0.5 * width + air),
               std::max(cell[2], base - 0.6 * size), std::min(cell[3], base + 0.6 * size)},
-             look.colour);
+             look.color);
   }
-  drawing.marks.push_back(Text{{middle, base - 0.36 * size}, string, size, Align::centre, text_colour(look.colour)});
+  drawing.marks.push_back(Text{{middle, base - 0.36 * size}, string, size, Align::center, text_color(look.color)});
 }
 
 void draw_cells(Drawing& drawing, const Heat& map, const Cells& cells, const HeatmapOptions& options,
-                const std::optional<Colours>& colours, double size, const Style& style) {
+                const std::optional<Colors>& colors, double size, const Style& style) {
   const auto shown = [&](Eigen::Index j, Eigen::Index i) {
     const double value = map.values(j, i);
     if (!std::isfinite(value)) return Look{blank};
-    return colours ? colours->look(value) : options.categories[static_cast<std::size_t>(value)].look;
+    return colors ? colors->look(value) : options.categories[static_cast<std::size_t>(value)].look;
   };
   constexpr double overlap = 0.6; // pixels under the next cell, so that no seam shows between them
   for (Eigen::Index j = 0; j < cells.rows; ++j)
@@ -245,31 +245,30 @@ void draw_ticks(Drawing& drawing, const Frame& frame, const HeatmapOptions& opti
 
 Drawing draw(const std::vector<Heat>& maps, const HeatmapOptions& options) {
   const Style style = style_for(options.size);
-  std::optional<Colours> colours;
-  if (options.categories.empty()) colours = make_colours(maps, options);
-  const HeatmapLayout layout = lay_out(maps, options, colours, style);
+  std::optional<Colors> colors;
+  if (options.categories.empty()) colors = make_colors(maps, options);
+  const HeatmapLayout layout = lay_out(maps, options, colors, style);
   const auto columns = static_cast<Eigen::Index>(options.x.size()), rows = static_cast<Eigen::Index>(options.y.size());
   const double size = text_size(maps, Cells{layout.frames[0].box, columns, rows}(0, 0), style);
 
   Drawing drawing{options.size, {}};
   for (std::size_t m = 0; m < maps.size(); ++m) {
     const Box& box = layout.frames[m].box;
-    draw_cells(drawing, maps[m], {box, columns, rows}, options, colours, size, style);
+    draw_cells(drawing, maps[m], {box, columns, rows}, options, colors, size, style);
     if (!maps[m].title.empty())
       draw_fitting(drawing,
                    {{0.5 * (box[0] + box[1]), box[3] + 0.5 * layout.map_title},
                     maps[m].title,
                     layout.map_title,
-                    Align::centre,
+                    Align::center,
                     ink},
                    box[1] - box[0], style);
     draw_ticks(drawing, layout.frames[m], options, style);
     draw_labels(drawing, layout.frames[m], style);
   }
   draw_labels(drawing, layout.whole, style);
-  if (colours)
-    draw_colorbar(drawing, layout.bar, colours->range, colours->values, colours->map, options.label, style,
-                  colours->log);
+  if (colors)
+    draw_colorbar(drawing, layout.bar, colors->range, colors->values, colors->map, options.label, style, colors->log);
   else
     draw_legend(drawing, layout.legend, {}, {0, layout.whole.box[1], 0, layout.frames[0].box[3]}, style);
   draw_title(drawing, options.title, {layout.whole.box[0], layout.whole.box[1], 0, layout.title_at}, style);

@@ -8,7 +8,7 @@
 namespace signorini::view {
 namespace {
 
-constexpr Rgb marked_colour = {70, 70, 70}, edge_colour = {200, 200, 200};
+constexpr Rgb marked_color = {70, 70, 70}, edge_color = {200, 200, 200};
 
 /// Width and height in parts of the chart's, the largest first.
 constexpr Vec2 sizes[] = {{0.5, 0.5}, {0.45, 0.5}, {0.5, 0.4},  {0.45, 0.45}, {0.4, 0.5},  {0.45, 0.4}, {0.4, 0.4},
@@ -98,9 +98,9 @@ PlacedInset place_inset(const std::vector<Series>& series, const ChartOptions& o
 
 void draw_inset(Drawing& drawing, const std::vector<Series>& series, const ChartOptions& options,
                 const PlacedInset& inset) {
-  drawing.marks.push_back(Stroke{outline_of(inset.marked), marked_colour, 1.8 * inset.style.unit});
+  drawing.marks.push_back(Stroke{outline_of(inset.marked), marked_color, 1.8 * inset.style.unit});
   fill_box(drawing, inset.outer, white);
-  drawing.marks.push_back(Stroke{outline_of(inset.outer), edge_colour, 1.4 * inset.style.unit});
+  drawing.marks.push_back(Stroke{outline_of(inset.outer), edge_color, 1.4 * inset.style.unit});
   draw_grid(drawing, inset.frame, inset.style);
   draw_rules(drawing, options, inset.frame, inset.style);
   for (std::size_t n = series.size(); n-- > 0;) draw_series(drawing, series, n, inset.frame, inset.style);

@@ -13,13 +13,13 @@ constexpr Rgb rim = {70, 70, 70}, edge = {200, 200, 200};
 /// without is meant to have no row.
 std::vector<Legend::Row> rows_of(const std::vector<Series>& series, const Style& style) {
   std::vector<Legend::Row> rows;
-  const bool labelled = std::any_of(series.begin(), series.end(), [](const Series& one) { return !one.label.empty(); });
+  const bool labeled = std::any_of(series.begin(), series.end(), [](const Series& one) { return !one.label.empty(); });
   for (std::size_t n = 0; n < series.size(); ++n) {
     const auto known = [&](const Legend::Row& row) {
       return row.label == series[n].label && series[*row.series].line == series[n].line &&
              look_of(series, *row.series, style) == look_of(series, n, style);
     };
-    if (!labelled)
+    if (!labeled)
       rows.push_back({text("series ", n + 1), n});
     else if (!series[n].label.empty() && std::none_of(rows.begin(), rows.end(), known))
       rows.push_back({series[n].label, n});

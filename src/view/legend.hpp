@@ -12,7 +12,7 @@ struct Legend {
     std::string label;
     std::optional<std::size_t> series = {}; ///< whose curve stands before it
     std::optional<int> mark = {};           ///< whose marker does
-    std::optional<Look> look = {};          ///< whose colour does; a row with none of the three is a title, or a gap
+    std::optional<Look> look = {};          ///< whose color does; a row with none of the three is a title, or a gap
     FittedText text = {};                   ///< the label as it is drawn
   };
   std::vector<Row> rows;

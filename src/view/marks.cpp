@@ -12,7 +12,7 @@ namespace {
 
 using Polyline = std::vector<Vec2>;
 
-constexpr Rgb ring_colour = {200, 0, 60};
+constexpr Rgb ring_color = {200, 0, 60};
 
 double radius(const Style& style) {
   return 11 * style.unit;
@@ -29,19 +29,19 @@ Box box_about(const Vec2& at, double reach) {
   return {at[0] - reach, at[0] + reach, at[1] - reach, at[1] + reach};
 }
 
-/// White beneath, so that it shows on any colour.
+/// White beneath, so that it shows on any color.
 void draw_ring(Drawing& drawing, const Vec2& at, const Style& style) {
   const double reach = arm(style);
   const Polyline ring = circle_about(at, radius(style)), level = {{at[0] - reach, at[1]}, {at[0] + reach, at[1]}},
                  steep = {{at[0], at[1] - reach}, {at[0], at[1] + reach}};
   for (const Polyline& line : {ring, level, steep}) drawing.marks.push_back(Stroke{line, white, 8 * style.unit});
-  drawing.marks.push_back(Stroke{ring, ring_colour, 3.4 * style.unit});
-  for (const Polyline& line : {level, steep}) drawing.marks.push_back(Stroke{line, ring_colour, 2 * style.unit});
+  drawing.marks.push_back(Stroke{ring, ring_color, 3.4 * style.unit});
+  for (const Polyline& line : {level, steep}) drawing.marks.push_back(Stroke{line, ring_color, 2 * style.unit});
 }
 
 void draw_dot(Drawing& drawing, const Vec2& at, const Style& style) {
   drawing.marks.push_back(Fill{circle_about(at, 6.5 * style.unit), white});
-  drawing.marks.push_back(Fill{circle_about(at, 4.5 * style.unit), ring_colour});
+  drawing.marks.push_back(Fill{circle_about(at, 4.5 * style.unit), ring_color});
 }
 
 /// Beside the ring, towards what is out of sight.
@@ -49,7 +49,7 @@ void draw_arrow(Drawing& drawing, const Vec2& at, const Vec2& beyond, const Styl
   const Vec2 along = radius(style) / distance(beyond, {0, 0}) * beyond;
   const auto point = [&](double far, double wide) { return at + far * along + wide * left_of(along); };
   drawing.marks.push_back(Fill{{point(2.7, 0), point(1.1, 1.15), point(1.1, -1.15)}, white});
-  drawing.marks.push_back(Fill{{point(2.4, 0), point(1.3, 0.8), point(1.3, -0.8)}, ring_colour});
+  drawing.marks.push_back(Fill{{point(2.4, 0), point(1.3, 0.8), point(1.3, -0.8)}, ring_color});
 }
 
 // ── Texts ────────────────────────────────────────────────────────────────────────────────────────────────────────────
@@ -123,8 +123,8 @@ std::optional<Box> find_room(const FittedText& label, const Vec2& at, const Box&
 
 void draw_label(Drawing& drawing, const FittedText& label, const Box& place, const Style& style) {
   const Vec2 first = {0.5 * (place[0] + place[1]), place[3] - 0.86 * label.size};
-  const auto write = [&](double dx, double dy, const Rgb& colour) {
-    draw_lines(drawing, label, first + Vec2{dx, dy}, Align::centre, colour);
+  const auto write = [&](double dx, double dy, const Rgb& color) {
+    draw_lines(drawing, label, first + Vec2{dx, dy}, Align::center, color);
   };
   const double halo = 2.6 * style.unit;
   for (int k = 0; k < 12; ++k)
@@ -164,8 +164,8 @@ void draw_marks(Drawing& drawing, const std::vector<PlacedMark>& marks, const Bo
     const auto place = find_room(label, mark.at, box, taken, style);
     if (!place) continue;
     const Polyline line = leader(mark.at, *place, label.size, style);
-    for (const auto& [colour, width] : {std::pair{white, 6.0}, std::pair{ring_colour, 2.0}})
-      if (!line.empty()) drawing.marks.push_back(Stroke{line, colour, width * style.unit});
+    for (const auto& [color, width] : {std::pair{white, 6.0}, std::pair{ring_color, 2.0}})
+      if (!line.empty()) drawing.marks.push_back(Stroke{line, color, width * style.unit});
     for (const Box& piece : cover(line, style)) taken.markers.push_back(piece);
     taken.labels.push_back(*place);
     labels.emplace_back(std::move(label), *place);

@@ -7,7 +7,7 @@
 namespace signorini::view {
 namespace {
 
-constexpr Rgb ground = {255, 255, 240}, arrow_colour = {40, 84, 164};
+constexpr Rgb ground = {255, 255, 240}, arrow_color = {40, 84, 164};
 
 struct Paper {
   const Mat<3>& axes;
@@ -20,13 +20,13 @@ struct Paper {
 };
 
 /// The text about a place, moved into the frame where it would stand out.
-void add_text(Drawing& drawing, Vec<2> at, const std::string& string, const Rgb& colour, const Box& frame,
+void add_text(Drawing& drawing, Vec<2> at, const std::string& string, const Rgb& color, const Box& frame,
               const Style& style) {
   const double size = 0.85 * style.tick_size, half = 0.5 * text_width(string, size) + 0.25 * size, high = 0.62 * size;
   at[0] = std::clamp(at[0], frame[0] + half, std::max(frame[0] + half, frame[1] - half));
   at[1] = std::clamp(at[1], frame[2] + high, std::max(frame[2] + high, frame[3] - high));
   fill_box(drawing, {at[0] - half, at[0] + half, at[1] - high, at[1] + high}, ground);
-  drawing.marks.push_back(Text{{at[0], at[1] - 0.34 * size}, string, size, Align::centre, colour});
+  drawing.marks.push_back(Text{{at[0], at[1] - 0.34 * size}, string, size, Align::center, color});
 }
 
 void draw_label(Drawing& drawing, const Label& label, const Paper& paper, const Style& style) {
@@ -59,8 +59,8 @@ void draw_direction(Drawing& drawing, const Arrow& arrow, const Paper& paper, co
   Eigen::Index back = line.cols() - 2;
   while (back > 0 && (tip - paper(line.col(back))).norm() < head) --back;
   const Vec<2> along = (tip - paper(line.col(back))).stableNormalized();
-  draw_arrow(drawing, std::move(points), head, 4 * style.unit, arrow_colour);
-  add_text(drawing, tip + 0.8 * style.tick_size * along, arrow.text, arrow_colour, paper.frame.box, style);
+  draw_arrow(drawing, std::move(points), head, 4 * style.unit, arrow_color);
+  add_text(drawing, tip + 0.8 * style.tick_size * along, arrow.text, arrow_color, paper.frame.box, style);
 }
 
 } // namespace

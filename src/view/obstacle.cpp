@@ -12,16 +12,16 @@
 namespace signorini::view {
 namespace {
 
-constexpr Rgb rim_colour = {95, 95, 95}, band_colour = {200, 200, 200};
+constexpr Rgb rim_color = {95, 95, 95}, band_color = {200, 200, 200};
 constexpr double small_extent = 280; // pixels of a picture of 1600 × 1000
 
-/// Moves the end away from its neighbour until it lies outside the box, from wherever it is.
-void extend(Vec2& end, const Vec2& neighbour, const Box& box) {
-  const double length = distance(neighbour, end);
+/// Moves the end away from its neighbor until it lies outside the box, from wherever it is.
+void extend(Vec2& end, const Vec2& neighbor, const Box& box) {
+  const double length = distance(neighbor, end);
   if (length == 0) return;
   const Vec2 corner = {box[0], box[2]}, opposite = {box[1], box[3]};
   const double factor = (distance(end, corner) + 2 * distance(corner, opposite)) / length;
-  end = end + factor * (end - neighbour);
+  end = end + factor * (end - neighbor);
 }
 
 /// Strokes at 45° to the line, on its left, one after each `spacing` pixels.
@@ -35,21 +35,21 @@ void hatch(Drawing& drawing, const std::vector<Vec2>& line, const Box& box, cons
     while (next < size) {
       const Vec2 from = line[i - 1] + next * t, to = from + std::sqrt(0.5) * length * (t + left_of(t));
       for (auto& part : clip_line({from, to}, box))
-        drawing.marks.push_back(Stroke{std::move(part), rim_colour, 1.8 * style.unit});
+        drawing.marks.push_back(Stroke{std::move(part), rim_color, 1.8 * style.unit});
       next += spacing;
     }
     next -= size;
   }
 }
 
-/// A grey band on the left of the line: on small obstacles hatching looks like marks.
+/// A gray band on the left of the line: on small obstacles hatching looks like marks.
 void shade(Drawing& drawing, const std::vector<Vec2>& line, double width) {
   for (std::size_t i = 1; i < line.size(); ++i) {
     const Vec2 &a = line[i - 1], &b = line[i];
     const double size = distance(a, b);
     if (size == 0) continue;
     const Vec2 inwards = width / size * left_of(b - a);
-    drawing.marks.push_back(Fill{{a, b, b + inwards, a + inwards}, band_colour});
+    drawing.marks.push_back(Fill{{a, b, b + inwards, a + inwards}, band_color});
   }
 }
 
@@ -125,7 +125,7 @@ using Place = std::pair<Vec<3>, Vec<3>>;
 /// corners.
 RigidSurface whole(const RigidPlane& plane, const Bounds& box, const std::vector<Window>&) {
   const Vec<3> normal = plane.normal.normalized(),
-               foot = box.centre() - normal.dot(box.centre() - plane.point) * normal;
+               foot = box.center() - normal.dot(box.center() - plane.point) * normal;
   const auto [a, b] = across(normal);
   const double half = 3 * (box.high - box.low).norm();
   const Surface square = tessellated({2, 2}, {}, [&, a = a, b = b](double u, double v) {
@@ -138,7 +138,7 @@ RigidSurface whole(const RigidBall& ball, const Bounds&, const std::vector<Windo
   const Surface sphere = tessellated({96, 48}, windows, [&](double u, double v) {
     const double length = 2 * std::numbers::pi * u, height = std::numbers::pi * (v - 0.5);
     const Vec<3> out{std::cos(height) * std::cos(length), std::cos(height) * std::sin(length), std::sin(height)};
-    return Place{ball.centre + ball.radius * out, out};
+    return Place{ball.center + ball.radius * out, out};
   });
   return {sphere, {}};
 }
@@ -146,7 +146,7 @@ RigidSurface whole(const RigidBall& ball, const Bounds&, const std::vector<Windo
 /// As long as the box is along its axis, with a little air.
 RigidSurface whole(const RigidCylinder& cylinder, const Bounds& box, const std::vector<Window>& windows) {
   const Vec<3> axis = cylinder.axis.normalized(),
-               middle = cylinder.point + axis.dot(box.centre() - cylinder.point) * axis;
+               middle = cylinder.point + axis.dot(box.center() - cylinder.point) * axis;
   const double half = 0.5 * axis.cwiseAbs().dot(box.high - box.low) + 0.05 * box.size();
   const auto [a, b] = across(axis);
   RigidSurface result;
@@ -197,10 +197,10 @@ Outline half_plane(const Vec<2>& point, const Vec<2>& normal) {
   return outline;
 }
 
-Outline circle(const Vec<2>& centre, double radius, const std::vector<Window>& windows) {
+Outline circle(const Vec<2>& center, double radius, const std::vector<Window>& windows) {
   const auto place = [&](double fraction) {
     const double angle = 2 * std::numbers::pi * fraction;
-    return Vec<3>(centre[0] + radius * std::cos(angle), centre[1] + radius * std::sin(angle), 0);
+    return Vec<3>(center[0] + radius * std::cos(angle), center[1] + radius * std::sin(angle), 0);
   };
   return outline(place, 180, windows);
 }
@@ -241,23 +241,23 @@ void draw_obstacle(Drawing& drawing, const Outline& outline, const Box& box, con
       shade(drawing, part, std::min(9 * style.unit, 0.15 * extent));
     else
       hatch(drawing, part, box, style);
-    drawing.marks.push_back(Stroke{std::move(part), rim_colour, 3.6 * style.unit});
+    drawing.marks.push_back(Stroke{std::move(part), rim_color, 3.6 * style.unit});
   }
 }
 
 Points worth_showing(const Outline& outline, const Bounds& box) {
-  const Vec<2> size = (box.high - box.low).head<2>(), centre = box.centre().head<2>();
+  const Vec<2> size = (box.high - box.low).head<2>(), center = box.center().head<2>();
   const auto& line = outline.line;
   if (line.cols() < 2) return {};
   if (!outline.endless) {
     const Vec<3> extent = line.rowwise().maxCoeff() - line.rowwise().minCoeff();
     return extent.maxCoeff() <= size.maxCoeff() ? line : Points();
   }
-  // The foot of the box's centre on the straight line through the ends
+  // The foot of the box's center on the straight line through the ends
   const Vec<2> start = line.col(0).head<2>(), along = (line.col(line.cols() - 1).head<2>() - start).normalized();
   Points foot = Points::Zero(3, 1);
-  foot.col(0).head<2>() = start + along.dot(centre - start) * along;
-  const Vec<2> away = (foot.col(0).head<2>() - centre).cwiseAbs() - 0.5 * size;
+  foot.col(0).head<2>() = start + along.dot(center - start) * along;
+  const Vec<2> away = (foot.col(0).head<2>() - center).cwiseAbs() - 0.5 * size;
   return away.maxCoeff() <= 0.5 * size.maxCoeff() ? foot : Points();
 }
 
@@ -270,8 +270,8 @@ std::optional<Rigid> mirrored(const Rigid& rigid, int axis) {
     return parallel && one ? std::nullopt : std::optional<Rigid>(image);
   }
   if (const auto* ball = std::get_if<RigidBall>(&rigid)) {
-    const RigidBall image{flipped(ball->centre, axis), ball->radius};
-    return same(image.centre, ball->centre, ball->radius) ? std::nullopt : std::optional<Rigid>(image);
+    const RigidBall image{flipped(ball->center, axis), ball->radius};
+    return same(image.center, ball->center, ball->radius) ? std::nullopt : std::optional<Rigid>(image);
   }
   if (const auto* cylinder = std::get_if<RigidCylinder>(&rigid)) {
     const RigidCylinder image{flipped(cylinder->point, axis), flipped(cylinder->axis, axis), cylinder->radius};
@@ -295,7 +295,7 @@ RigidSurface shown(const Rigid& rigid, const Bounds& box, const std::vector<Wind
   const Points& points = surface.surface.points;
   if (points.cols() == 0) return {};
   Eigen::Index nearest = 0;
-  (points.colwise() - box.centre()).colwise().squaredNorm().minCoeff(&nearest);
+  (points.colwise() - box.center()).colwise().squaredNorm().minCoeff(&nearest);
   const Vec<3> point = points.col(nearest), apart = (box.low - point).cwiseMax(point - box.high);
   if (apart.maxCoeff() > 0.5 * box.size()) return {};
   Bounds own, room = box;

@@ -10,7 +10,7 @@ namespace signorini::view {
 
 /// The rim of a half space; the normal points out of it.
 Outline half_plane(const Vec<2>& point, const Vec<2>& normal);
-Outline circle(const Vec<2>& centre, double radius, const std::vector<Window>& windows = {});
+Outline circle(const Vec<2>& center, double radius, const std::vector<Window>& windows = {});
 
 /// A curve by fractions 0 … 1 of its way: as many even pieces, and more where windows need them.
 Outline outline(const std::function<Vec<3>(double)>& place, int pieces, const std::vector<Window>& windows);

@@ -14,9 +14,9 @@
 
 namespace signorini::view {
 
-inline constexpr Rgb plain_colour = {203, 209, 214}; ///< a body without a field
-inline constexpr Rgb mesh_colour = {45, 45, 45};     ///< borders of elements, rims
-inline constexpr Rgb net_colour = {200, 60, 20};     ///< control points and the lines between them
+inline constexpr Rgb plain_color = {203, 209, 214}; ///< a body without a field
+inline constexpr Rgb mesh_color = {45, 45, 45};     ///< borders of elements, rims
+inline constexpr Rgb net_color = {200, 60, 20};     ///< control points and the lines between them
 
 // ── Bodies ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
@@ -30,7 +30,7 @@ struct Surface {
 };
 
 /// A line on a surface, on the true curved geometry. `spacing`: distance to the next one of its kind; where that is
-/// small on paper the line is thin, so that fine meshes do not hide the colours; 0 for those of full width.
+/// small on paper the line is thin, so that fine meshes do not hide the colors; 0 for those of full width.
 struct SurfaceLine {
   Points points;
   Points normals = {}; ///< one of the surface per point; none in the plane
@@ -70,7 +70,7 @@ struct Bounds {
   void take(const Points& points);
   void take(const Bounds& other) { low = low.cwiseMin(other.low), high = high.cwiseMax(other.high); }
   bool empty() const { return (low.array() > high.array()).any(); }
-  Vec<3> centre() const { return 0.5 * (low + high); }
+  Vec<3> center() const { return 0.5 * (low + high); }
   double size() const { return (high - low).maxCoeff(); } ///< the longest side
 
   bool operator==(const Bounds&) const = default;
@@ -101,7 +101,7 @@ struct RigidPlane {
   Vec<3> point, normal;
 };
 struct RigidBall {
-  Vec<3> centre;
+  Vec<3> center;
   double radius;
 };
 /// Without ends.

@@ -14,8 +14,8 @@
 namespace signorini::view {
 namespace {
 
-constexpr Rgb ghost_colour = {150, 158, 166}, ghost_rim_colour = {95, 95, 95}, rigid_colour = {140, 146, 154},
-              rigid_rim_colour = {120, 120, 120}, undeformed_colour = {120, 120, 120};
+constexpr Rgb ghost_color = {150, 158, 166}, ghost_rim_color = {95, 95, 95}, rigid_color = {140, 146, 154},
+              rigid_rim_color = {120, 120, 120}, undeformed_color = {120, 120, 120};
 constexpr std::uint8_t ghost_opacity = 55, rigid_opacity = 62;
 
 // ── A state in the picture's axes ────────────────────────────────────────────────────────────────────────────────────
@@ -28,7 +28,7 @@ struct Line {
 /// A translucent surface behind the bodies, with an outline that lies in front of what is behind it.
 struct Sheer {
   Surface surface;
-  Rgb colour;
+  Rgb color;
   std::uint8_t opacity;
   bool facing_only; ///< without the triangles that face away
   Pen outline;
@@ -65,17 +65,17 @@ void add_lines(Scene& scene, const std::vector<SurfaceLine>& lines, const Pen& p
 void add_body(Scene& scene, const Body& body, const Style& style) {
   const double u = style.unit;
   const double mesh = std::max((scene.plane ? 1.7 : 1.6) * u, 0.8), rim = scene.plane ? mesh : 2.4 * u;
-  if (body.mesh) add_lines(scene, body.mesh_lines, {mesh_colour, mesh, 1.2, !body.open});
-  add_lines(scene, body.rim, {mesh_colour, rim, 1.5, !body.open});
+  if (body.mesh) add_lines(scene, body.mesh_lines, {mesh_color, mesh, 1.2, !body.open});
+  add_lines(scene, body.rim, {mesh_color, rim, 1.5, !body.open});
   for (const SurfaceLine& line : body.undeformed_rim) scene.ghosts.push_back(line);
   if (body.undeformed.points.cols() > 0)
-    scene.veils.push_back({body.undeformed, ghost_colour, ghost_opacity, true, {ghost_rim_colour, 1.8 * u, -2, false}});
+    scene.veils.push_back({body.undeformed, ghost_color, ghost_opacity, true, {ghost_rim_color, 1.8 * u, -2, false}});
   for (const auto& [a, b] : body.net_lines) {
     SurfaceLine line{Points(3, 2), Points::Zero(3, 2)};
     line.points << body.control_points.col(a), body.control_points.col(b);
-    // White beneath, so that it shows on any colour.
+    // White beneath, so that it shows on any color.
     if (!scene.plane) scene.lines.push_back({line, {white, 4.2 * u, 5, false}});
-    scene.lines.push_back({line, {net_colour, (scene.plane ? 1.2 : 2) * u, 6, false}});
+    scene.lines.push_back({line, {net_color, (scene.plane ? 1.2 : 2) * u, 6, false}});
   }
   for (Eigen::Index i = 0; i < body.control_points.cols(); ++i) scene.dots.push_back(body.control_points.col(i));
   scene.bodies.push_back(body.skin);
@@ -91,9 +91,9 @@ Body with_ground(Body body) {
 void add_obstacle(Scene& scene, const Rigid& rigid, const Bounds& box, const Panel& panel, const Style& style) {
   RigidSurface surface = shown(rigid, box, panel.windows);
   if (panel.cut) surface = cut(surface, *panel.cut, 1e-9 * box.size());
-  const Pen pen = {rigid_rim_colour, 2 * style.unit, 1, false};
+  const Pen pen = {rigid_rim_color, 2 * style.unit, 1, false};
   add_lines(scene, surface.rim, pen);
-  scene.veils.push_back({std::move(surface.surface), rigid_colour, rigid_opacity, false, pen});
+  scene.veils.push_back({std::move(surface.surface), rigid_color, rigid_opacity, false, pen});
 }
 
 /// What a panel shows, turned into the picture's axes.
@@ -200,10 +200,10 @@ Field field_of(const Surface& surface, bool lit, const Canvas& canvas) {
               lit ? turned(surface) : surface.triangles,
               surface.values,
               canvas.range,
-              canvas.colours};
+              canvas.colors};
   if (surface.values.size() == 0) {
     field.values.setConstant(surface.points.cols(), canvas.range[0]);
-    field.colours = {plain_colour, plain_colour};
+    field.colors = {plain_color, plain_color};
   }
   return field;
 }
@@ -240,7 +240,7 @@ void add_veils(Veil& result, const std::vector<Sheer>& veils) {
       result.corners.emplace_back(veil->surface.points.col(corner));
       result.normals.emplace_back(veil->surface.normals.col(corner));
     }
-    result.colours.push_back({veil->colour[0], veil->colour[1], veil->colour[2], veil->opacity});
+    result.colors.push_back({veil->color[0], veil->color[1], veil->color[2], veil->opacity});
   }
 }
 
@@ -250,15 +250,15 @@ template <class Draw> void draw_lines(const Scene& scene, const Canvas& canvas, 
     for (double level : surface.values.size() > 0 ? canvas.levels : std::vector<double>())
       for (const SurfaceLine& line : zeros(surface, surface.values.array() - level))
         draw(line.points, line.normals,
-             Pen{tone_on(colour_of(level, canvas.range, canvas.colours)), (scene.plane ? 1.8 : 2) * canvas.style.unit,
-                 1, true});
+             Pen{tone_on(color_of(level, canvas.range, canvas.colors)), (scene.plane ? 1.8 : 2) * canvas.style.unit, 1,
+                 true});
   for (const Line& line : scene.lines) {
     Pen pen = line.pen;
     pen.width = width_of(line);
     if (pen.width == 0) continue;
     const auto& [points, normals, spacing, values] = line.line;
-    for (const auto& [first, count, tone] : toned(points.cols(), values, pen.colour, canvas.range, canvas.colours)) {
-      pen.colour = tone;
+    for (const auto& [first, count, tone] : toned(points.cols(), values, pen.color, canvas.range, canvas.colors)) {
+      pen.color = tone;
       draw(points.middleCols(first, count), normals.middleCols(first, count), pen);
     }
   }
@@ -274,7 +274,7 @@ Relief relief_of(const Scene& scene, const Box& window, const Canvas& canvas) {
   const double u = canvas.style.unit;
   for (const Vec<3>& dot : scene.dots) {
     add_dot(relief.ink, dot + 12 * u * Vec<3>::UnitZ(), 6.4 * u, white);
-    add_dot(relief.ink, dot + 13 * u * Vec<3>::UnitZ(), 4.8 * u, net_colour);
+    add_dot(relief.ink, dot + 13 * u * Vec<3>::UnitZ(), 4.8 * u, net_color);
   }
   add_veils(relief.veil, scene.veils);
   return relief;
@@ -288,7 +288,7 @@ void draw_ghost(Drawing& drawing, const SurfaceLine& line, const Box& box, const
       part.push_back({line.points(0, i), line.points(1, i)});
       continue;
     }
-    add_line(drawing, part, box, pen.colour, pen.width, {9 * unit, 6 * unit});
+    add_line(drawing, part, box, pen.color, pen.width, {9 * unit, 6 * unit});
     part.clear();
   }
 }
@@ -296,18 +296,18 @@ void draw_ghost(Drawing& drawing, const SurfaceLine& line, const Box& box, const
 /// What lies over the relief: of plane states all lines.
 void draw_scene(Drawing& drawing, const Scene& scene, const Frame& frame, const Canvas& canvas) {
   const double u = canvas.style.unit;
-  const Pen ghost = scene.plane ? Pen{undeformed_colour, 2 * u, 0} : Pen{ghost_rim_colour, 2.2 * u, 0};
+  const Pen ghost = scene.plane ? Pen{undeformed_color, 2 * u, 0} : Pen{ghost_rim_color, 2.2 * u, 0};
   for (const SurfaceLine& line : scene.ghosts) draw_ghost(drawing, line, frame.box, ghost, u);
   if (!scene.plane) return;
   for (const Outline& outline : scene.outlines) draw_obstacle(drawing, outline, frame.box, canvas.style);
   draw_lines(scene, canvas, [&](const Points& points, const Points&, const Pen& pen) {
-    add_line(drawing, flat(points), frame.box, pen.colour, pen.width);
+    add_line(drawing, flat(points), frame.box, pen.color, pen.width);
   });
   for (const Vec<3>& dot : scene.dots) {
     const Vec2 at = {dot[0], dot[1]};
     if (!holds(frame.box, at)) continue;
     drawing.marks.push_back(Fill{circle_about(at, 6.4 * u), white});
-    drawing.marks.push_back(Fill{circle_about(at, 4.8 * u), net_colour});
+    drawing.marks.push_back(Fill{circle_about(at, 4.8 * u), net_color});
   }
 }
 
@@ -337,7 +337,7 @@ void draw_panel(Canvas& canvas, const Panel& panel, Scene& scene, const Frame& f
   const auto& [left, right, bottom, top] = frame.box;
   const double raised = frame.yticks.factor.empty() ? 0 : 1.2 * style.tick_size, size = canvas.sheet.panel_title_size;
   drawing.marks.push_back(
-      Text{{0.5 * (left + right), top + raised + 0.5 * size}, panel.title, size, Align::centre, ink});
+      Text{{0.5 * (left + right), top + raised + 0.5 * size}, panel.title, size, Align::center, ink});
 }
 
 } // namespace
@@ -369,7 +369,7 @@ void align(PictureOptions& options, const std::vector<Panel>& panels) {
   const Scenes scenes(panels, options);
   options.longest_vector = longest_vector(panels);
   options.extent = hull(scenes.boxes);
-  if (const auto all = coloured_values(scenes.values())) options.range = colour_range(*all, options);
+  if (const auto all = colored_values(scenes.values())) options.range = color_range(*all, options);
 }
 
 double longest_vector(const std::vector<Panel>& panels) {

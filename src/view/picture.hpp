@@ -1,5 +1,5 @@
 #pragma once
-// Pictures of bodies: coloured, tessellated geometry with mesh lines, drawn off-screen. Knows arrays, no models. Solids
+// Pictures of bodies: colored, tessellated geometry with mesh lines, drawn off-screen. Knows arrays, no models. Solids
 // are lit, cut open where asked, and seen in parallel projection.
 
 #include "view/camera.hpp"
@@ -8,7 +8,7 @@
 
 namespace signorini::view {
 
-/// What a colour bar shows.
+/// What a color bar shows.
 struct Bar {
   std::array<double, 2> range;
   std::string title;
@@ -16,8 +16,8 @@ struct Bar {
 
 struct PictureOptions {
   std::string title;
-  std::string field_label;                    ///< title of the colour bar, with unit when known
-  std::optional<std::array<double, 2>> range; ///< colour range; the values' own when absent
+  std::string field_label;                    ///< title of the color bar, with unit when known
+  std::optional<std::array<double, 2>> range; ///< color range; the values' own when absent
   std::string colormap = "viridis";
   std::array<int, 2> size = {1600, 1000}; ///< pixels
   bool trim = false;                      ///< `size` is the most; the picture is cut down to what is drawn
@@ -26,7 +26,7 @@ struct PictureOptions {
   /// The part that is shown; z = 0 in the plane. In space the picture ends where the box seen from the camera ends.
   std::optional<Bounds> crop;
   bool transparent = false; ///< no ground; else white
-  bool bar = true;          ///< draw the colour bar
+  bool bar = true;          ///< draw the color bar
   /// Shown of each state at least, in model units on paper: pictures of a series get one scale.
   std::optional<Box> extent;
   std::optional<int> columns;         ///< of a sheet; the number that shows the states largest when absent
@@ -42,12 +42,12 @@ struct PictureOptions {
   double longest_vector = 0; ///< of all states; that of this picture's when 0
 };
 
-/// States in rows from left to right: all on one scale, with one colour range and one colour bar. All show the same
+/// States in rows from left to right: all on one scale, with one color range and one color bar. All show the same
 /// part of x, those of one row the same part of y. The axes of solids are shown by three arrows. Throws Error on an
-/// unknown colour map.
+/// unknown color map.
 Plate make_plate(const std::vector<Panel>& panels, const PictureOptions& options);
 
-/// What gives the pictures of several states one frame and one meaning of colours and arrows, each drawn alone: extent
+/// What gives the pictures of several states one frame and one meaning of colors and arrows, each drawn alone: extent
 /// and range, unless they are given, and the longest vector.
 void align(PictureOptions& options, const std::vector<Panel>& panels);
 

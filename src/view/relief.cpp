@@ -7,9 +7,9 @@
 namespace signorini::view {
 namespace {
 
-void add_triangle(Ink& ink, const Vec<3>& a, const Vec<3>& b, const Vec<3>& c, const Rgb& colour) {
+void add_triangle(Ink& ink, const Vec<3>& a, const Vec<3>& b, const Vec<3>& c, const Rgb& color) {
   ink.corners.insert(ink.corners.end(), {a, b, c});
-  ink.colours.push_back(colour);
+  ink.colors.push_back(color);
 }
 
 /// The surface's point beside `point` by (x, y) pixels: z = −(n_x x + n_y y)/n_z, where the surface is not too steep.
@@ -19,13 +19,13 @@ Vec<3> beside(const Vec<3>& point, const Vec<3>& normal, double x, double y) {
 }
 
 /// A round end, or the joint between two pieces.
-void add_joint(Ink& ink, const Vec<3>& point, const Vec<3>& normal, double radius, const Rgb& colour) {
+void add_joint(Ink& ink, const Vec<3>& point, const Vec<3>& normal, double radius, const Rgb& color) {
   const int corners = std::clamp(static_cast<int>(4 * std::sqrt(radius)) + 4, 6, 24);
   const auto corner = [&](int k) {
     const double angle = 2 * std::numbers::pi * k / corners;
     return beside(point, normal, radius * std::cos(angle), radius * std::sin(angle));
   };
-  for (int k = 0; k < corners; ++k) add_triangle(ink, point, corner(k), corner(k + 1), colour);
+  for (int k = 0; k < corners; ++k) add_triangle(ink, point, corner(k), corner(k + 1), color);
 }
 
 } // namespace
@@ -46,20 +46,20 @@ void add_ribbon(Ink& ink, const Points& points, const Points& normals, const Pen
     for (auto [point, normal] : {std::pair{&a, &na}, std::pair{&b, &nb}}) {
       (*point)[2] += pen.lift;
       if (!pen.facing_only && (*normal)[2] < 0) *normal *= -1;
-      add_joint(ink, *point, *normal, half, pen.colour);
+      add_joint(ink, *point, *normal, half, pen.color);
     }
     const Vec<2> along = (b - a).head<2>();
     if (along.norm() == 0) continue;
     const double x = -half * along[1] / along.norm(), y = half * along[0] / along.norm();
     const Vec<3> a1 = beside(a, na, x, y), a2 = beside(a, na, -x, -y), b1 = beside(b, nb, x, y),
                  b2 = beside(b, nb, -x, -y);
-    add_triangle(ink, a1, a2, b2, pen.colour);
-    add_triangle(ink, a1, b2, b1, pen.colour);
+    add_triangle(ink, a1, a2, b2, pen.color);
+    add_triangle(ink, a1, b2, b1, pen.color);
   }
 }
 
-void add_dot(Ink& ink, const Vec<3>& centre, double radius, const Rgb& colour) {
-  add_joint(ink, centre, Vec<3>::UnitZ(), radius, colour);
+void add_dot(Ink& ink, const Vec<3>& center, double radius, const Rgb& color) {
+  add_joint(ink, center, Vec<3>::UnitZ(), radius, color);
 }
 
 } // namespace signorini::view

@@ -1,5 +1,5 @@
 #pragma once
-// What lies beneath a drawing's marks: surfaces coloured by values, and lines on them, in pixels, z towards the eye.
+// What lies beneath a drawing's marks: surfaces colored by values, and lines on them, in pixels, z towards the eye.
 // Drawn by OpenGL: what is nearer to the eye hides what is behind it.
 
 #include "base/eigen.hpp"
@@ -10,27 +10,27 @@ namespace signorini::view {
 using Triangles = Eigen::Matrix<int, 3, Eigen::Dynamic>;
 using Points = Eigen::Matrix<double, 3, Eigen::Dynamic>;
 
-/// A surface coloured by interpolated values; those outside the range take its end colours.
+/// A surface colored by interpolated values; those outside the range take its end colors.
 struct Field {
   Points points;
   Points normals; ///< one per point: it is lit; or none
   Triangles triangles;
   VectorX values; ///< one per point
   std::array<double, 2> range;
-  std::vector<Rgb> colours; ///< evenly spread over the range
+  std::vector<Rgb> colors; ///< evenly spread over the range
 };
 
-/// Triangles of plain colour without light.
+/// Triangles of plain color without light.
 struct Ink {
   std::vector<Vec<3>> corners; ///< three per triangle
-  std::vector<Rgb> colours;    ///< one per triangle
+  std::vector<Rgb> colors;     ///< one per triangle
 };
 
-/// Lit translucent triangles behind all else, so that they tint no colour that has a meaning; each is laid over those
+/// Lit translucent triangles behind all else, so that they tint no color that has a meaning; each is laid over those
 /// before it.
 struct Veil {
-  std::vector<Vec<3>> corners, normals;             ///< three per triangle
-  std::vector<std::array<std::uint8_t, 4>> colours; ///< with opacity, one per triangle
+  std::vector<Vec<3>> corners, normals;            ///< three per triangle
+  std::vector<std::array<std::uint8_t, 4>> colors; ///< with opacity, one per triangle
 };
 
 struct Relief {
@@ -41,7 +41,7 @@ struct Relief {
 };
 
 struct Pen {
-  Rgb colour;
+  Rgb color;
   double width;             ///< pixels
   double lift;              ///< pixels towards the eye, so that the surface does not hide its own line
   bool facing_only = false; ///< draw only where the surface faces the eye
@@ -52,6 +52,6 @@ struct Pen {
 void add_ribbon(Ink& ink, const Points& points, const Points& normals, const Pen& pen);
 
 /// Adds a round dot in the picture's plane.
-void add_dot(Ink& ink, const Vec<3>& centre, double radius, const Rgb& colour);
+void add_dot(Ink& ink, const Vec<3>& center, double radius, const Rgb& color);
 
 } // namespace signorini::view

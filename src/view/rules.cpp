@@ -9,7 +9,7 @@
 namespace signorini::view {
 namespace {
 
-constexpr Rgb rule_colour = {110, 110, 110};
+constexpr Rgb rule_color = {110, 110, 110};
 
 bool crosses(const Scale& scale, double value) {
   return value >= scale.low && value <= scale.high;
@@ -57,9 +57,9 @@ void draw_leader(Drawing& drawing, const RulePlace& place, double at, double gap
   const auto& [from, to, low, high] = place.box;
   const double start = from - 0.4 * gap, end = low > at ? low + gap : high - gap, dot = 4 * style.unit;
   const auto point = [&](double along, double across) { return vertical ? Vec2{across, along} : Vec2{along, across}; };
-  drawing.marks.push_back(Stroke{{point(start, at), point(start, end)}, rule_colour, 1.6 * style.unit});
+  drawing.marks.push_back(Stroke{{point(start, at), point(start, end)}, rule_color, 1.6 * style.unit});
   drawing.marks.push_back(Fill{
-      {point(start - dot, at), point(start, at - dot), point(start + dot, at), point(start, at + dot)}, rule_colour});
+      {point(start - dot, at), point(start, at - dot), point(start + dot, at), point(start, at + dot)}, rule_color});
 }
 
 void draw_text(Drawing& drawing, const Name& rule, bool vertical, const ChartOptions& options, const Frame& frame,
@@ -102,7 +102,7 @@ void draw_text(Drawing& drawing, const Name& rule, bool vertical, const ChartOpt
 void draw_rules(Drawing& drawing, const ChartOptions& options, const Frame& frame, const Style& style) {
   const auto& [left, right, bottom, top] = frame.box;
   const auto rule = [&](const Vec2& from, const Vec2& to) {
-    drawing.marks.push_back(Stroke{{from, to}, rule_colour, 2 * style.unit, {5 * style.unit, 6 * style.unit}});
+    drawing.marks.push_back(Stroke{{from, to}, rule_color, 2 * style.unit, {5 * style.unit, 6 * style.unit}});
   };
   for (const auto& [at, name] : options.hlines)
     if (crosses(frame.y, at)) rule({left, frame.y(at)}, {right, frame.y(at)});

@@ -72,7 +72,7 @@ void write_by_ffmpeg(const std::string& file, int count, double rate, const Pict
   require(has_program("ffmpeg"), "view.film.ffmpeg", {{"file", file}});
   const Folder folder(fs::absolute(file).string());
   write_pictures({folder.path(""), ".png", 1}, count, picture);
-  // H.264 with colours at half the resolution, which all players know, wants even sizes.
+  // H.264 with colors at half the resolution, which all players know, wants even sizes.
   try {
     run_program({"ffmpeg", "-loglevel", "error", "-y", "-framerate", std::to_string(rate), "-i", folder.path("%d.png"),
                  "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white", "-c:v", "libx264", "-pix_fmt", "yuv420p",

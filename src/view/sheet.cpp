@@ -61,7 +61,7 @@ struct Rooms {
   double head;                    ///< above each row
   double below;                   ///< numbers and label of x
   double left;                    ///< numbers and label of y
-  double right;                   ///< colour bar, or air
+  double right;                   ///< color bar, or air
   double across;                  ///< between columns
   double between;                 ///< between rows, without their heads
   double free_width, free_height; ///< left for the states
@@ -229,8 +229,8 @@ Sheet lay_out_sheet(const std::vector<std::string>& titles, const ModelBoxes& bo
 Canvas make_canvas(const std::vector<std::string>& titles, const ModelBoxes& boxes,
                    const std::vector<const VectorX*>& values, double longest, const PictureOptions& options,
                    const std::optional<ArrowRoom>& arrows) {
-  Canvas canvas{style_of(options), colormap(options.colormap), coloured_values(values), {0, 1}, {}, 0, {}, {}};
-  if (canvas.values) canvas.range = colour_range(*canvas.values, options);
+  Canvas canvas{style_of(options), colormap(options.colormap), colored_values(values), {0, 1}, {}, 0, {}, {}};
+  if (canvas.values) canvas.range = color_range(*canvas.values, options);
   if (canvas.values && options.contours)
     canvas.levels = contour_levels(*options.contours, canvas.range, canvas.values->all);
   const double most = std::max(options.longest_vector, longest);
@@ -249,15 +249,15 @@ double vector_step(const Style& style) {
 Plate finished(Canvas canvas, const PictureOptions& options) {
   Drawing& drawing = canvas.plate.drawing;
   if (canvas.values && options.bar)
-    draw_colorbar(drawing, canvas.sheet.bar, canvas.range, canvas.values->all, canvas.colours, options.field_label,
+    draw_colorbar(drawing, canvas.sheet.bar, canvas.range, canvas.values->all, canvas.colors, options.field_label,
                   canvas.style, false, canvas.levels);
   if (!options.vectors.empty()) draw_key(canvas, options);
   draw_title(drawing, options.title, canvas.sheet.whole, canvas.style);
   return std::move(canvas.plate);
 }
 
-std::array<double, 2> colour_range(const ColouredValues& values, const PictureOptions& options) {
-  return colour_range(values, options.range, is_diverging(options.colormap), options.field_label);
+std::array<double, 2> color_range(const ColoredValues& values, const PictureOptions& options) {
+  return color_range(values, options.range, is_diverging(options.colormap), options.field_label);
 }
 
 std::string axis_name(const PictureOptions& options, int axis, const std::string& unit) {

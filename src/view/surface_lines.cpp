@@ -13,7 +13,7 @@ namespace signorini::view {
 namespace {
 
 constexpr Rgb light_line = {205, 205, 205};
-constexpr double darkest = 40; // CIE L* of colours that dark lines show on
+constexpr double darkest = 40; // CIE L* of colors that dark lines show on
 
 std::array<double, 3> key_of(const Vec<3>& point) {
   return {point[0] + 0.0, point[1] + 0.0, point[2] + 0.0}; // −0 is 0
@@ -27,13 +27,13 @@ std::vector<Vec2> flat(const Points& points) {
   return line;
 }
 
-Rgb colour_of(double value, const std::array<double, 2>& range, const std::vector<Rgb>& colours) {
-  const double last = static_cast<double>(colours.size() - 1), t = (value - range[0]) / (range[1] - range[0]);
-  return colours[static_cast<std::size_t>(std::lround(std::clamp(t * last, 0.0, last)))];
+Rgb color_of(double value, const std::array<double, 2>& range, const std::vector<Rgb>& colors) {
+  const double last = static_cast<double>(colors.size() - 1), t = (value - range[0]) / (range[1] - range[0]);
+  return colors[static_cast<std::size_t>(std::lround(std::clamp(t * last, 0.0, last)))];
 }
 
 Rgb tone_on(const Rgb& ground) {
-  return lightness(ground) < darkest ? light_line : mesh_colour;
+  return lightness(ground) < darkest ? light_line : mesh_color;
 }
 
 std::size_t Ground::Hash::operator()(const std::array<double, 3>& point) const {
@@ -60,12 +60,12 @@ VectorX Ground::along(const Points& line) const {
 }
 
 std::vector<Stretch> toned(Eigen::Index points, const VectorX& values, const Rgb& otherwise,
-                           const std::array<double, 2>& range, const std::vector<Rgb>& colours) {
+                           const std::array<double, 2>& range, const std::vector<Rgb>& colors) {
   if (values.size() != points || points < 2) return {{0, points, otherwise}};
   std::vector<Stretch> stretches;
   for (Eigen::Index i = 1; i < points; ++i) {
-    const Rgb tone = tone_on(colour_of(0.5 * (values[i - 1] + values[i]), range, colours));
-    if (stretches.empty() || stretches.back().colour != tone) stretches.push_back({i - 1, 1, tone});
+    const Rgb tone = tone_on(color_of(0.5 * (values[i - 1] + values[i]), range, colors));
+    if (stretches.empty() || stretches.back().color != tone) stretches.push_back({i - 1, 1, tone});
     ++stretches.back().count;
   }
   return stretches;
@@ -118,7 +118,7 @@ void draw_vectors(Drawing& drawing, const std::vector<PointVector>& vectors, dou
     const Vec2 from = {at[0], at[1]}, to = from + scale * Vec2{vector[0], vector[1]};
     const double length = distance(from, to);
     if (length < 4 * unit || !holds(box, from)) continue;
-    // White beneath, so that it shows on any colour.
+    // White beneath, so that it shows on any color.
     const double head = std::min(15 * unit, 0.6 * length);
     draw_arrow(drawing, {from, to}, head + 3 * unit, 6 * unit, white);
     draw_arrow(drawing, {from, to}, head, 2.6 * unit, ink);

@@ -1,5 +1,5 @@
 #pragma once
-// Lines and arrows that pictures draw on coloured surfaces.
+// Lines and arrows that pictures draw on colored surfaces.
 
 #include "view/panel.hpp"
 
@@ -10,10 +10,10 @@ namespace signorini::view {
 /// Points without their z.
 std::vector<Vec2> flat(const Points& points);
 
-/// The colour of a value in a range of colours; beyond it that of the nearest end.
-Rgb colour_of(double value, const std::array<double, 2>& range, const std::vector<Rgb>& colours);
+/// The color of a value in a range of colors; beyond it that of the nearest end.
+Rgb color_of(double value, const std::array<double, 2>& range, const std::vector<Rgb>& colors);
 
-/// Dark lines vanish on dark colours, light ones on light colours: the one that shows.
+/// Dark lines vanish on dark colors, light ones on light colors: the one that shows.
 Rgb tone_on(const Rgb& ground);
 
 /// What lies beneath lines that run through a surface's own points.
@@ -30,18 +30,18 @@ private:
   std::unordered_map<std::array<double, 3>, double, Hash> values_;
 };
 
-/// A part of a line in one colour.
+/// A part of a line in one color.
 struct Stretch {
   Eigen::Index first, count; ///< of the line's points
-  Rgb colour;
+  Rgb color;
 };
-/// A line in the tones that show on the values beneath it; whole in one colour where there are no values.
+/// A line in the tones that show on the values beneath it; whole in one color where there are no values.
 std::vector<Stretch> toned(Eigen::Index points, const VectorX& values, const Rgb& otherwise,
-                           const std::array<double, 2>& range, const std::vector<Rgb>& colours);
+                           const std::array<double, 2>& range, const std::vector<Rgb>& colors);
 
 /// Which values contour lines stand for.
 struct Contours {
-  int count = 0;                   ///< evenly spread within the range of colours; 0: at the colour bar's numbers
+  int count = 0;                   ///< evenly spread within the range of colors; 0: at the color bar's numbers
   std::vector<double> levels = {}; ///< in their place
 
   bool operator==(const Contours&) const = default;

@@ -73,7 +73,7 @@ Ticks with_minor(Ticks ticks, double low, double high) {
   return ticks;
 }
 
-/// Pixels that a name at tick i may take: its neighbours' take as much.
+/// Pixels that a name at tick i may take: its neighbors' take as much.
 double room_for(const Ticks& ticks, std::size_t i, const Scale& scale) {
   double room = scale.to - scale.from;
   if (i > 0) room = std::min(room, scale(ticks.at[i]) - scale(ticks.at[i - 1]));

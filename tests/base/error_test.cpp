@@ -7,7 +7,7 @@
 namespace signorini {
 namespace error_test {
 
-TEST(Text, PartsAreJoinedAndNumbersStayRecognisable) {
+TEST(Text, PartsAreJoinedAndNumbersStayRecognizable) {
   EXPECT_EQ(text("E = ", 0.1, ", n = ", 3), "E = 0.1, n = 3");
   EXPECT_EQ(text(1234567.25), "1234567.25");
 }

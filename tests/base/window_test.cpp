@@ -46,14 +46,13 @@ TEST(Window, CutsNothingThatItDoesNotShowOrThatIsStraight) {
   EXPECT_TRUE(window_cuts(arc, {square({-1, -1}, 0.1)}, true)[0].empty());
   const auto straight = [](double s, double t) { return Vec<3>(s, t, 0); };
   EXPECT_TRUE(window_cuts(straight, {square({0.4, 0.4}, 0.1)}, false)[0].empty());
-  // Where colours vary: pieces of 1/16 of the window, 0.1/16 ≥ 2⁻⁸
-  const auto coloured = window_cuts(straight, {square({0.4, 0.4}, 0.1)}, true);
+  // Where colors vary: pieces of 1/16 of the window, 0.1/16 ≥ 2⁻⁸
+  const auto colored = window_cuts(straight, {square({0.4, 0.4}, 0.1)}, true);
   double largest = 0;
-  for (std::size_t i = 1; i < coloured[0].size(); ++i)
-    if (coloured[0][i] > 0.4 && coloured[0][i - 1] < 0.5)
-      largest = std::max(largest, coloured[0][i] - coloured[0][i - 1]);
+  for (std::size_t i = 1; i < colored[0].size(); ++i)
+    if (colored[0][i] > 0.4 && colored[0][i - 1] < 0.5) largest = std::max(largest, colored[0][i] - colored[0][i - 1]);
   EXPECT_DOUBLE_EQ(largest, std::exp2(-8));
-  EXPECT_EQ(coloured[0], coloured[1]);
+  EXPECT_EQ(colored[0], colored[1]);
 }
 
 TEST(Window, SeesABoxInSpaceAlongItsAxesAndThroughMirrors) {

@@ -11,8 +11,8 @@ using namespace test;
 const Adhesion law{0.02, 0.05};
 
 /// The lower side of a strip from x = 0 to 3.
-nurbs::Discretisation strip(const std::string& label) {
-  return discretise(nurbs::rectangle(3, 0.5, Eigen::Vector2d(0, 0)), {6, 1}, label, "south");
+nurbs::Discretization strip(const std::string& label) {
+  return discretize(nurbs::rectangle(3, 0.5, Eigen::Vector2d(0, 0)), {6, 1}, label, "south");
 }
 
 TEST(AdhesivePair, TangentIsTheForcesDerivative) {

@@ -71,7 +71,7 @@ TEST(Augment, RollBackForgetsAcceptKeepsAndHistoryCarries) {
 
 /// The lower side of a strip from x = 0 to 3, flat on a plane: every point has the same gap.
 struct Flat {
-  Couple couple{discretise(nurbs::rectangle(3, 0.5, Eigen::Vector2d(0, 0)), {6, 1}, "N2", "south"), "south",
+  Couple couple{discretize(nurbs::rectangle(3, 0.5, Eigen::Vector2d(0, 0)), {6, 1}, "N2", "south"), "south",
                 make_plane<2>({0, 0}, {0, 1}), PenaltyLaw{100}, 3};
 
   /// The pressure at a gap, the same at all points.

@@ -11,25 +11,25 @@ namespace signorini::contact::test {
 
 /// The slave body's displacements come first, then the master body's or the obstacle's.
 struct Couple {
-  nurbs::Discretisation die;
-  std::optional<nurbs::Discretisation> base; ///< none: an obstacle
+  nurbs::Discretization die;
+  std::optional<nurbs::Discretization> base; ///< none: an obstacle
   Pair<2> pair;
   VectorX u;
 
-  Couple(nurbs::Discretisation slave, const std::string& side, nurbs::Discretisation master, const Law& law, int points,
+  Couple(nurbs::Discretization slave, const std::string& side, nurbs::Discretization master, const Law& law, int points,
          bool revolved = false)
       : die(std::move(slave)), base(std::move(master)),
         pair(Surface<2>(die, nurbs::side_of(side, 2)), Surface<2>(*base, nurbs::side_of("north", 2)), law, points,
              revolved),
         u(VectorX::Zero(die_dofs() + base_dofs())) {}
-  Couple(nurbs::Discretisation slave, const std::string& side, const Obstacle<2>& master, const Law& law, int points,
+  Couple(nurbs::Discretization slave, const std::string& side, const Obstacle<2>& master, const Law& law, int points,
          bool revolved = false)
       : die(std::move(slave)), pair(Surface<2>(die, nurbs::side_of(side, 2)), master, law, points, revolved),
         u(VectorX::Zero(die_dofs() + base_dofs())) {}
   /// A half annulus of radius 0.5 whose lowest point is (x, y).
   template <class AnyMaster, class AnyLaw = PenaltyLaw>
   Couple(const std::string& label, AnyMaster master, const AnyLaw& law, double x, double y, bool revolved = false)
-      : Couple(discretise(nurbs::half_annulus(0.3, 0.5, Eigen::Vector2d(x, y + 0.5)), {6, 2}, label, "south"), "south",
+      : Couple(discretize(nurbs::half_annulus(0.3, 0.5, Eigen::Vector2d(x, y + 0.5)), {6, 2}, label, "south"), "south",
                std::move(master), law, 9, revolved) {}
 
   /// Degrees of freedom of the two contact faces, or of the face and the obstacle.
@@ -69,8 +69,8 @@ struct Couple {
   }
 };
 
-inline nurbs::Discretisation slab(const std::string& label) {
-  return discretise(nurbs::rectangle(3, 1, Eigen::Vector2d(0, 0)), {8, 3}, label, "north");
+inline nurbs::Discretization slab(const std::string& label) {
+  return discretize(nurbs::rectangle(3, 1, Eigen::Vector2d(0, 0)), {8, 3}, label, "north");
 }
 
 /// What finite differences must not step over.

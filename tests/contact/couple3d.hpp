@@ -16,12 +16,12 @@ namespace signorini::contact::test {
 /// An indenter with a bulging bottom whose lowest point is (x, y, z), above a master; all displacements in one vector,
 /// the master body's or the obstacle's last.
 struct Couple3 {
-  nurbs::Discretisation die;
-  std::optional<nurbs::Discretisation> base;
+  nurbs::Discretization die;
+  std::optional<nurbs::Discretization> base;
   Pair<3> pair;
   VectorX u;
 
-  static nurbs::Discretisation indenter(const std::string& label, const Vec<3>& at) {
+  static nurbs::Discretization indenter(const std::string& label, const Vec<3>& at) {
     nurbs::Plan plan;
     plan.elements = {2, 2, 1};
     plan.contact = {nurbs::side_of("front", 3)};
@@ -29,7 +29,7 @@ struct Couple3 {
     plan.through = 1;
     return {nurbs::spherical_indenter(1, 1, 0.8, 1.2, 2, at - Vec<3>(0.5, 0.5, 0)), plan};
   }
-  Couple3(const std::string& label, const nurbs::Discretisation& master, const Law& law, const Vec<3>& at,
+  Couple3(const std::string& label, const nurbs::Discretization& master, const Law& law, const Vec<3>& at,
           int points = 4)
       : die(indenter(label, at)), base(master),
         pair(Surface<3>(die, nurbs::side_of("front", 3)), top_of(*base), law, points),

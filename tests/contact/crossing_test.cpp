@@ -23,11 +23,11 @@ template <int D> void compare_with_balls() {
   int crossed = 0, passed = 0;
   for (int trial = 0; trial < 2000; ++trial) {
     const double radius = uniform(random, 0.2, 1);
-    const Vec<D> centre = any<D>(random, 1), shift = any<D>(random, 2);
-    Master<D> before(contact::make_ball<D>(centre, radius)), now = before;
+    const Vec<D> center = any<D>(random, 1), shift = any<D>(random, 2);
+    Master<D> before(contact::make_ball<D>(center, radius)), now = before;
     now.move(shift.data());
     const Vec<D> from = any<D>(random, 2), to = any<D>(random, 4), outward = any<D>(random, 1).normalized();
-    const Vec<D> a = from - centre, b = to - shift - centre;
+    const Vec<D> a = from - center, b = to - shift - center;
     const double t = std::clamp(-a.dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0), nearest = (a + t * (b - a)).norm();
     const double facing = b.normalized().dot(outward);
     if (a.norm() < radius || b.norm() < radius || std::abs(nearest - radius) < 0.02 * radius ||
@@ -47,10 +47,10 @@ TEST(Crossing, IsWhereAStraightWayCutsABallAndEndsBehindTheFace) {
 }
 
 /// A rigid roller above a flat strip that does not deform; returns how many points have crossed after steps to these
-/// places of its centre.
+/// places of its center.
 std::size_t crossed(const std::vector<Vec<2>>& places, const Law& law) {
-  const nurbs::Discretisation strip =
-      discretise(nurbs::rectangle(4, 1, Eigen::Vector2d(0, -1)), {16, 1}, "N2", "north");
+  const nurbs::Discretization strip =
+      discretize(nurbs::rectangle(4, 1, Eigen::Vector2d(0, -1)), {16, 1}, "N2", "north");
   Pair<2> pair(Surface<2>(strip, nurbs::side_of("north", 2)), Obstacle<2>(make_ball<2>(places.front(), 0.5)), law, 3);
   const VectorX rest = VectorX::Zero(2 * strip.functions());
   for (const Vec<2>& place : places) {

@@ -13,7 +13,7 @@ const std::vector<int> mixed{2, 4, 1, 3, 4, 2, 2, 4};
 
 TEST(Degrees, AFaceOfSeveralDegrees) {
   Random random(1);
-  const nurbs::Discretisation body = nurbs::test::strip(3, mixed);
+  const nurbs::Discretization body = nurbs::test::strip(3, mixed);
   Surface<2> surface(body, {1, true});
   surface.extend(0.3);
   VectorX u(2 * body.functions());
@@ -48,7 +48,7 @@ TEST(Degrees, AFaceOfSeveralDegrees) {
 
 TEST(Degrees, ProjectionFindsTheNearestPoint) {
   Random random(2);
-  const nurbs::Discretisation body = nurbs::test::strip(3, mixed);
+  const nurbs::Discretization body = nurbs::test::strip(3, mixed);
   for (int trial = 0; trial < 20; ++trial) {
     Master<2> master(Surface<2>(body, {1, true}));
     VectorX u(2 * body.functions());
@@ -72,7 +72,7 @@ TEST(Degrees, ProjectionFindsTheNearestPoint) {
 }
 
 TEST(Degrees, TangentIsTheForcesDerivative) {
-  const nurbs::Discretisation base = nurbs::test::strip(3, mixed);
+  const nurbs::Discretization base = nurbs::test::strip(3, mixed);
   Census sum;
   Random random(3);
   unsigned seed = 0;

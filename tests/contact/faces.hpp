@@ -11,7 +11,7 @@ using nurbs::test::integer;
 using nurbs::test::Random;
 using nurbs::test::uniform;
 
-inline nurbs::Discretisation discretise(const nurbs::Patch& patch, std::vector<int> elements, const std::string& label,
+inline nurbs::Discretization discretize(const nurbs::Patch& patch, std::vector<int> elements, const std::string& label,
                                         const std::string& contact) {
   nurbs::Plan plan;
   plan.elements = std::move(elements);
@@ -23,18 +23,18 @@ inline nurbs::Discretisation discretise(const nurbs::Patch& patch, std::vector<i
 
 /// A strip of unit thickness below a curve, without any refinement: the curve is its north face, outward is up for a
 /// curve that runs to the right.
-inline nurbs::Discretisation below(const nurbs::KnotVector& knots, const MatrixX& points, const VectorX& weights) {
+inline nurbs::Discretization below(const nurbs::KnotVector& knots, const MatrixX& points, const VectorX& weights) {
   const int n = knots.functions();
   MatrixX both(2, 2 * n);
   both << points.colwise() - Eigen::Vector2d(0, 1), points;
   VectorX twice(2 * n);
   twice << weights, weights;
-  return discretise(nurbs::make_patch({knots, nurbs::KnotVector::single(1)}, both, twice), {knots.elements(), 1},
+  return discretize(nurbs::make_patch({knots, nurbs::KnotVector::single(1)}, both, twice), {knots.elements(), 1},
                     text("N", knots.degree()), "north");
 }
 
 /// A random wavy rational curve from x = 0 to `length`, with kinks where a knot is repeated degree times.
-inline nurbs::Discretisation wavy(Random& random, double length, double amplitude, int degree, int breaks) {
+inline nurbs::Discretization wavy(Random& random, double length, double amplitude, int degree, int breaks) {
   const nurbs::KnotVector knots = nurbs::test::random_knots(random, degree, breaks);
   const int n = knots.functions();
   MatrixX points(2, n);
@@ -48,7 +48,7 @@ inline nurbs::Discretisation wavy(Random& random, double length, double amplitud
 }
 
 /// A polyline as a degree-1 face.
-inline nurbs::Discretisation polyline(const std::vector<Eigen::Vector2d>& points) {
+inline nurbs::Discretization polyline(const std::vector<Eigen::Vector2d>& points) {
   std::vector<double> knots{0};
   for (std::size_t i = 0; i < points.size(); ++i) knots.push_back(static_cast<double>(i));
   knots.push_back(knots.back());

@@ -7,7 +7,7 @@ namespace signorini::contact::test {
 
 /// A plate of unit thickness below a surface, without any refinement: the surface is its back face, outward is up where
 /// ξ¹, ξ² run like x, y.
-inline nurbs::Discretisation below(const std::vector<nurbs::KnotVector>& knots, const MatrixX& points,
+inline nurbs::Discretization below(const std::vector<nurbs::KnotVector>& knots, const MatrixX& points,
                                    const VectorX& weights) {
   const int n = static_cast<int>(points.cols());
   MatrixX both(3, 2 * n);
@@ -24,7 +24,7 @@ inline nurbs::Discretisation below(const std::vector<nurbs::KnotVector>& knots, 
 }
 
 /// A random wavy rational surface over [0, length]², with kinks where a knot is repeated degree times.
-inline nurbs::Discretisation wavy_plate(Random& random, double length, double amplitude, int degree, int breaks) {
+inline nurbs::Discretization wavy_plate(Random& random, double length, double amplitude, int degree, int breaks) {
   const std::vector<nurbs::KnotVector> knots = {nurbs::test::random_knots(random, degree, breaks),
                                                 nurbs::test::random_knots(random, degree, breaks)};
   const int nu = knots[0].functions(), nv = knots[1].functions();
@@ -40,7 +40,7 @@ inline nurbs::Discretisation wavy_plate(Random& random, double length, double am
   return below(knots, points, weights);
 }
 
-inline Surface<3> top_of(const nurbs::Discretisation& plate) {
+inline Surface<3> top_of(const nurbs::Discretization& plate) {
   return {plate, nurbs::side_of("back", 3)};
 }
 

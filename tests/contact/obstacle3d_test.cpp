@@ -33,7 +33,7 @@ std::vector<Shape> shapes(Random& random) {
   const auto cylinder = make_cylinder(anywhere(random, 1), anywhere(random, 2), uniform(random, 0.3, 2));
   return {
       {plane, [=](const Vec<3>& x) { return plane.normal.dot(x - plane.point); }},
-      {ball, [=](const Vec<3>& x) { return (x - ball.centre).norm() - ball.radius; }},
+      {ball, [=](const Vec<3>& x) { return (x - ball.center).norm() - ball.radius; }},
       {cylinder, [=](const Vec<3>& x) { return (x - cylinder.point).cross(cylinder.axis).norm() - cylinder.radius; }}};
 }
 

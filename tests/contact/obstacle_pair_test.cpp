@@ -73,11 +73,11 @@ TEST(ObstaclePair, ForceOnTheObstacleIsMinusThatOnTheBody) {
           EXPECT_NEAR((at.tangent * together).norm(), 0, 1e-13 * at.tangent.norm());
         }
         if (const auto* ball = std::get_if<Ball<2>>(&obstacle); ball && mu == 0) {
-          // Without friction all forces go through the centre.
+          // Without friction all forces go through the center.
           const MatrixX points = now.die.points();
           double moment = 0;
           for (int a = 0; a < now.die.functions(); ++a) {
-            const Vec<2> arm = Vec<2>(points.col(a)) + now.u.segment<2>(2 * a) - ball->centre;
+            const Vec<2> arm = Vec<2>(points.col(a)) + now.u.segment<2>(2 * a) - ball->center;
             moment += arm(0) * at.force(2 * a + 1) - arm(1) * at.force(2 * a);
           }
           EXPECT_NEAR(moment, 0, 1e-13 * size);
@@ -109,10 +109,10 @@ TEST(ObstaclePair, OnlyTheRelativeMotionCounts) {
 
 /// The same disc, and the same plane, in closed form and as exact NURBS curves, along a path with stick and slip.
 TEST(ObstaclePair, CurvesAgreeWithClosedForms) {
-  const Eigen::Vector2d centre(1.3, -2);
+  const Eigen::Vector2d center(1.3, -2);
   const std::vector<std::pair<Obstacle<2>, Obstacle<2>>> twins = {
-      {make_ball<2>(centre, 2), nurbs::arc(centre, 2, 20, 160)}, // its C⁰ knot lies at the top
-      {make_ball<2>(centre, 2), nurbs::arc(centre, 2, 50, 150)},
+      {make_ball<2>(center, 2), nurbs::arc(center, 2, 20, 160)}, // its C⁰ knot lies at the top
+      {make_ball<2>(center, 2), nurbs::arc(center, 2, 50, 150)},
       {make_plane<2>({1.3, 0}, {0, 1}), nurbs::line(Eigen::Vector2d(3, 0), Eigen::Vector2d(0, 0))}};
   for (double mu : {0.0, 0.3})
     for (const auto& [form, curve] : twins) {
@@ -145,13 +145,13 @@ std::vector<Resultant<2>> around(const Obstacle<2>& disc, double start, double t
   const auto direction = [](double degrees) { return Vec<2>(nurbs::direction_of(degrees)); };
   const nurbs::Patch facing =
       nurbs::translate(nurbs::rotate(arc, start - 90, Eigen::Vector2d(0, 0)), (radius + 0.5) * direction(start));
-  Couple couple(discretise(facing, {6, 2}, "N2", "south"), "south", disc, PenaltyLaw{100, 100, 0.2}, 9);
+  Couple couple(discretize(facing, {6, 2}, "N2", "south"), "south", disc, PenaltyLaw{100, 100, 0.2}, 9);
   couple.evaluate();
   couple.pair.accept();
   const MatrixX points = couple.die.points();
   std::vector<Resultant<2>> results;
   for (int step = 0; step <= steps; ++step) {
-    // The die as a whole turns about the disc's centre and is pressed towards it.
+    // The die as a whole turns about the disc's center and is pressed towards it.
     const Mat<2> rotation = nurbs::rotation(step * turn, Eigen::Vector3d(0, 0, 1)).topLeftCorner<2, 2>();
     const Vec<2> press = -depth * direction(start + step * turn);
     for (int a = 0; a < points.cols(); ++a)

@@ -78,8 +78,8 @@ TEST(Obstacle, ClosestPointIsTheGlobalMinimum) {
       const auto& [through, out] = std::get<Plane<2>>(obstacle.shape);
       EXPECT_NEAR(found.gap, (x - obstacle.translation - through).dot(out), 1e-14);
     } else {
-      const auto& [centre, radius] = std::get<Ball<2>>(obstacle.shape);
-      EXPECT_NEAR(found.gap, (x - obstacle.translation - centre).norm() - radius, 1e-14);
+      const auto& [center, radius] = std::get<Ball<2>>(obstacle.shape);
+      EXPECT_NEAR(found.gap, (x - obstacle.translation - center).norm() - radius, 1e-14);
     }
   }
 }
@@ -147,15 +147,15 @@ TEST(Obstacle, SlipPointFollowsUntilItIsAtTheGivenDistance) {
 
 TEST(Obstacle, CurvesAgreeWithClosedForms) {
   Random random(5);
-  const Eigen::Vector2d centre(0.4, -0.3);
+  const Eigen::Vector2d center(0.4, -0.3);
   // Both curves run from right to left: their outside, on the right, is above.
-  const Master<2> arc(nurbs::arc(centre, 1.3, 10, 170)),
+  const Master<2> arc(nurbs::arc(center, 1.3, 10, 170)),
       line(nurbs::line(Eigen::Vector2d(4, 1), Eigen::Vector2d(-4, -1)));
-  const Master<2> ball(make_ball<2>(centre, 1.3)), plane(make_plane<2>({0, 0}, {-1, 4}));
+  const Master<2> ball(make_ball<2>(center, 1.3)), plane(make_plane<2>({0, 0}, {-1, 4}));
   for (int trial = 0; trial < 100; ++trial) {
     const bool round = trial % 2 == 0;
     const double angle = uniform(random, 0.1 * pi, 0.9 * pi), radius = uniform(random, 0.9, 2);
-    const Vec<2> x = round ? Vec<2>(centre + radius * Vec<2>(std::cos(angle), std::sin(angle)))
+    const Vec<2> x = round ? Vec<2>(center + radius * Vec<2>(std::cos(angle), std::sin(angle)))
                            : Vec<2>(uniform(random, -3, 3), uniform(random, -0.5, 0.5));
     FacePoint<2> curve, closed;
     const auto by_curve = (round ? arc : line).project(x, {}, curve),

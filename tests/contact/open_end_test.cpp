@@ -100,7 +100,7 @@ TEST(OpenEnd, SeamsAndPolesAreNone) {
   plan.elements = {2, 2, 1};
   plan.contact = {nurbs::side_of("front", 3)};
   plan.labels.assign(2, nurbs::parse_label("N2"));
-  const nurbs::Discretisation octant(nurbs::sphere_octant(0.5, 1, Vec<3>(0, 0, 0)), plan);
+  const nurbs::Discretization octant(nurbs::sphere_octant(0.5, 1, Vec<3>(0, 0, 0)), plan);
   Surface<3> ball(octant, nurbs::side_of("front", 3));
   const double equator = ball.direction(1).first(), pole = ball.direction(1).last(), west = ball.direction(0).first();
   ball.extend(0.2);

@@ -75,9 +75,9 @@ TEST(Penalty, FrictionOpposesTheMotion) {
   for (double reach : {0.01, 0.3}) {
     const Variables<3> q = random_variables<3>(random, Foot::regular, -0.05, reach);
     const auto at = evaluate<3>(law, q, flat);
-    const Vec<3> travelled = q.segment<3>(LocalForce<3>::master_column) - q.segment<3>(LocalForce<3>::slip_column);
-    EXPECT_NEAR(at.force.friction.normalized().dot(travelled.normalized()), 1, 1e-14);
-    EXPECT_LT(at.force.force.dot(travelled), 0);
+    const Vec<3> traveled = q.segment<3>(LocalForce<3>::master_column) - q.segment<3>(LocalForce<3>::slip_column);
+    EXPECT_NEAR(at.force.friction.normalized().dot(traveled.normalized()), 1, 1e-14);
+    EXPECT_LT(at.force.force.dot(traveled), 0);
     EXPECT_NEAR(at.force.pressure, 100 * 0.05, 1e-13);
     EXPECT_NEAR(at.force.friction.norm(), std::min(80 * reach, 0.3 * at.force.pressure), 1e-13);
   }

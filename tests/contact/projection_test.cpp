@@ -103,7 +103,7 @@ TEST(Projection, IsTheGlobalMinimumFromAnySeed) {
 }
 
 TEST(Projection, OpenEndsAreNoContact) {
-  const Surface<2> flat(discretise(nurbs::rectangle(3, 1, Eigen::Vector2d(0, 0)), {8, 3}, "N2", "north"),
+  const Surface<2> flat(discretize(nurbs::rectangle(3, 1, Eigen::Vector2d(0, 0)), {8, 3}, "N2", "north"),
                         nurbs::side_of("north", 2));
   for (const Vec<2>& x : {Vec<2>(-0.1, 0.9), Vec<2>(3.2, 0.5), Vec<2>(3.01, 1.5)})
     EXPECT_EQ(project_from(flat, x).foot, Foot::none) << x.transpose();
@@ -152,7 +152,7 @@ TEST(Projection, CrossesBordersSmoothly) {
   EXPECT_EQ(on_border.foot, Foot::regular);
   EXPECT_NEAR(on_border.gap, -0.1, 1e-15);
 
-  const Surface<2> arc(discretise(nurbs::half_annulus(0.3, 0.5, Eigen::Vector2d(0, 0)), {6, 1}, "N2", "south"),
+  const Surface<2> arc(discretize(nurbs::half_annulus(0.3, 0.5, Eigen::Vector2d(0, 0)), {6, 1}, "N2", "south"),
                        nurbs::side_of("south", 2));
   Projection<2> seed;
   for (int k = 1; k < 400; ++k) {

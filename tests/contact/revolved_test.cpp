@@ -31,7 +31,7 @@ TEST(Revolved, TangentIsTheForcesDerivativeInEveryState) {
 /// A ring r₁ < r < r₂ with a flat bottom, a plane below: F = p π (r₂² − r₁²), 2D integrand of degree 1 in r.
 TEST(Revolved, UniformPressureOnAFlatRing) {
   const double inner = 0.4, outer = 1.9, depth = 0.01, penalty = 50;
-  const auto ring = discretise(nurbs::rectangle(outer - inner, 0.5, Eigen::Vector2d(inner, 0)), {4, 2}, "N2", "south");
+  const auto ring = discretize(nurbs::rectangle(outer - inner, 0.5, Eigen::Vector2d(inner, 0)), {4, 2}, "N2", "south");
   for (int points : {2, 5}) {
     Couple couple(ring, "south", make_plane<2>({0, 0}, {0, 1}), PenaltyLaw{penalty}, points, true);
     couple.move_die(0, -depth);
@@ -53,7 +53,7 @@ TEST(Revolved, UniformPressureOnAFlatRing) {
 /// Adhesion acts on the reference area, whatever the ring's present radius.
 TEST(Revolved, AdhesionActsOnTheReferenceArea) {
   const Adhesion law{0.1, 0.4};
-  const auto ring = discretise(nurbs::rectangle(2, 0.5, Eigen::Vector2d(1, 0)), {4, 2}, "N2", "south");
+  const auto ring = discretize(nurbs::rectangle(2, 0.5, Eigen::Vector2d(1, 0)), {4, 2}, "N2", "south");
   Couple couple(ring, "south", make_plane<2>({0, -0.3}, {0, 1}), law, 3, true);
   couple.move_die(0.5, 0.05);
   couple.evaluate();
@@ -71,7 +71,7 @@ TEST(Revolved, SphericalCapConvergesToItsExactForce) {
   for (int elements : {8, 32, 128, 512}) {
     constexpr int points = 9;
     const auto cap =
-        discretise(nurbs::quarter_annulus(0.3, radius, Eigen::Vector2d(0, radius), 270), {elements, 1}, "N2", "south");
+        discretize(nurbs::quarter_annulus(0.3, radius, Eigen::Vector2d(0, radius), 270), {elements, 1}, "N2", "south");
     Couple couple(cap, "south", make_plane<2>({0, 0}, {0, 1}), PenaltyLaw{penalty}, points, true);
     couple.move_die(0, -depth);
     couple.evaluate();

@@ -32,7 +32,7 @@ TEST(Slip, PointFollowsUntilItIsAtTheGivenDistance) {
 }
 
 TEST(Slip, StaysWhereItIsAtFullLength) {
-  const Surface<2> flat(discretise(nurbs::rectangle(3, 1, Eigen::Vector2d(0, 0)), {8, 3}, "N2", "north"),
+  const Surface<2> flat(discretize(nurbs::rectangle(3, 1, Eigen::Vector2d(0, 0)), {8, 3}, "N2", "north"),
                         nurbs::side_of("north", 2));
   FacePoint<2> foot;
   flat.locate(4, FaceCoordinates<2>(0.55), 1, foot);

@@ -10,7 +10,7 @@ namespace surface_test {
 
 using namespace test;
 
-template <int D> void agrees_with_its_patch(Random& random, const nurbs::Discretisation& body, nurbs::Side side) {
+template <int D> void agrees_with_its_patch(Random& random, const nurbs::Discretization& body, nurbs::Side side) {
   Surface<D> surface(body, side);
   VectorX u(D * body.functions());
   for (int i = 0; i < u.size(); ++i) u(i) = uniform(random, -0.05, 0.05);
@@ -71,7 +71,7 @@ TEST(Surface, AgreesWithItsPatchInThePlane) {
                              nurbs::side_of("north", 2));
   const nurbs::Patch die = nurbs::half_annulus(0.3, 0.5, Eigen::Vector2d(0, 0));
   for (const char* label : {"N2", "N6", "N2-N2.3", "N2-N4", "L2"})
-    agrees_with_its_patch<2>(random, discretise(die, {6, 2}, label, "south"), nurbs::side_of("south", 2));
+    agrees_with_its_patch<2>(random, discretize(die, {6, 2}, label, "south"), nurbs::side_of("south", 2));
   // Equal weights that are not 1
   const nurbs::KnotVector line = nurbs::KnotVector::single(2);
   agrees_with_its_patch<2>(random, below(line, MatrixX::Random(2, 3), VectorX::Constant(3, 0.7)),
@@ -82,7 +82,7 @@ TEST(Surface, AgreesWithItsPatchInSpace) {
   Random random(2);
   const nurbs::Patch shell = nurbs::half_cylinder_shell(0.4, 0.6, 1, Eigen::Vector3d(0, 0, 0));
   for (const char* label : {"N2", "N2-N2.1", "N3"}) {
-    const nurbs::Discretisation body = discretise(shell, {4, 2, 1}, label, "front");
+    const nurbs::Discretization body = discretize(shell, {4, 2, 1}, label, "front");
     agrees_with_its_patch<3>(random, body, nurbs::side_of("front", 3));
     agrees_with_its_patch<3>(random, body, nurbs::side_of("back", 3));
   }
@@ -90,7 +90,7 @@ TEST(Surface, AgreesWithItsPatchInSpace) {
 
 template <int D> void normals_point_out(const nurbs::Patch& patch) {
   const int through = D - 1;
-  const nurbs::Discretisation body = discretise(patch, std::vector<int>(D, 2), "N2", nurbs::name_of({through, false}));
+  const nurbs::Discretization body = discretize(patch, std::vector<int>(D, 2), "N2", nurbs::name_of({through, false}));
   for (int d = 0; d < D; ++d)
     for (bool at_end : {false, true}) {
       const nurbs::Side side{d, at_end};
@@ -126,19 +126,19 @@ TEST(Surface, NormalsPointOutOfAllFaces) {
   normals_point_out<3>(nurbs::half_cylinder_shell(0.4, 0.6, 1, Eigen::Vector3d(0, 0, 0)));
 }
 
-TEST(Surface, NeighboursShareTheirBorder) {
-  const nurbs::Discretisation body =
-      discretise(nurbs::block({3, 2, 1}, Eigen::Vector3d(0, 0, 0)), {3, 2, 1}, "N2", "back");
+TEST(Surface, NeighborsShareTheirBorder) {
+  const nurbs::Discretization body =
+      discretize(nurbs::block({3, 2, 1}, Eigen::Vector3d(0, 0, 0)), {3, 2, 1}, "N2", "back");
   const Surface<3> surface(body, nurbs::side_of("back", 3));
   ASSERT_EQ(surface.elements(), 6);
   for (int e = 0; e < 6; ++e)
     for (int alpha = 0; alpha < 2; ++alpha)
       for (bool at_end : {false, true}) {
-        const int next = surface.neighbour(e, alpha, at_end);
+        const int next = surface.neighbor(e, alpha, at_end);
         const int index = alpha == 0 ? e % 3 : e / 3, count = alpha == 0 ? 3 : 2;
         EXPECT_EQ(next < 0, index == (at_end ? count - 1 : 0));
         if (next < 0) continue;
-        EXPECT_EQ(surface.neighbour(next, alpha, !at_end), e);
+        EXPECT_EQ(surface.neighbor(next, alpha, !at_end), e);
         EXPECT_EQ(surface.interval(e, alpha)[at_end ? 1 : 0], surface.interval(next, alpha)[at_end ? 0 : 1]);
         EXPECT_EQ(surface.interval(e, 1 - alpha), surface.interval(next, 1 - alpha));
       }

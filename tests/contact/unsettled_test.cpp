@@ -32,8 +32,8 @@ TEST(Unsettled, ProjectionSaysThatItRanOutOfIterations) {
 }
 
 TEST(Unsettled, PairCountsAcceptedStatesOnly) {
-  const nurbs::Discretisation block =
-      discretise(nurbs::rectangle(2, 1, Eigen::Vector2d(-1, 0.1)), {1, 1}, "N1", "south");
+  const nurbs::Discretization block =
+      discretize(nurbs::rectangle(2, 1, Eigen::Vector2d(-1, 0.1)), {1, 1}, "N1", "south");
   Pair<2> pair(Surface<2>(block, nurbs::side_of("south", 2)), Obstacle<2>(singular_line()), PenaltyLaw{1}, 1);
   const Vec<2> rest = Vec<2>::Zero();
   const auto evaluate = [&](double x) { // of the only contact point
@@ -68,8 +68,8 @@ std::size_t unsettled_across(double length) {
     return Vec<3>(x, 0, -std::abs(x)) - depth / std::sqrt(2.0) * Vec<3>(x < 0 ? -1 : 1, 0, 1);
   };
   const Vec<3> start = place(-0.4);
-  const nurbs::Discretisation block =
-      discretise(nurbs::block({0.2, 0.2, 0.2}, start - Vec<3>(0.1, 0.1, 0)), {1, 1, 1}, "N1", "front");
+  const nurbs::Discretization block =
+      discretize(nurbs::block({0.2, 0.2, 0.2}, start - Vec<3>(0.1, 0.1, 0)), {1, 1, 1}, "N1", "front");
   Pair<3> pair(Surface<3>(block, nurbs::side_of("front", 3)), Obstacle<3>(roof()),
                PenaltyLaw{1, tangential, tangential * length / depth}, 1);
   const Vec<3> rest = Vec<3>::Zero();

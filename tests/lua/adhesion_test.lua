@@ -145,7 +145,7 @@ local wrong = {
     "sg.model(with{ adhesion = film, master = sg.rigid.plane{ point = {0, 2}, normal = {0, 1} } })",
     "contacts.f: the obstacle is inside body 's' at the start", "2 deep", "move the obstacle out" },
   { "a cylinder inside the body",
-    "sg.model(with{ adhesion = film, master = sg.rigid.cylinder{ centre = {10, 2}, radius = 1 } })",
+    "sg.model(with{ adhesion = film, master = sg.rigid.cylinder{ center = {10, 2}, radius = 1 } })",
     "contacts.f: the obstacle is inside body 's' at the start", "its center (10, 2) lies in the body",
     "move the obstacle out" },
   { "two faces that rotate as one", [[sg.model(turned{ on = { edge, s:face "west" }, rotate = true })]],

@@ -124,7 +124,7 @@ local arch = { modulus = 1000, radius = 40, half_angle = math.rad(10), thickness
 local function arch_model()
   local degrees = math.deg(arch.half_angle)
   local function line(offset)
-    return sg.nurbs.arc{ centre = {0, -arch.radius}, radius = arch.radius + offset,
+    return sg.nurbs.arc{ center = {0, -arch.radius}, radius = arch.radius + offset,
                          from = 90 + degrees, to = 90 - degrees }
   end
   local body = sg.body{ patch = sg.nurbs.ruled{ a = line(-arch.thickness / 2), b = line(arch.thickness / 2) },

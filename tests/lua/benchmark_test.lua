@@ -38,22 +38,22 @@ check.case("components in 2D and 3D", function()
   check.equal(#result.cases, 4)
   check.equal({ #result.solvers.rows, result.solvers.rows[1][3], result.solvers.rows[2][3] }, { 2, "klu", "condensed" })
   for _, case in ipairs(result.cases) do
-    -- Parts of the whole, none of them idle; search lies in contact, factorisation and solution make up linear.
-    for _, part in ipairs { "bulk", "contact", "search", "factorisation", "solution", "picture", "csv",
+    -- Parts of the whole, none of them idle; search lies in contact, factorization and solution make up linear.
+    for _, part in ipairs { "bulk", "contact", "search", "factorization", "solution", "picture", "csv",
                             "checkpoint" } do
       check.equal({ part, case[part] > 0 }, { part, true })
     end
     check.equal(case.bulk + case.contact + case.linear <= case.iteration, true)
     check.near(case.bulk + case.contact + case.linear + case.rest, case.iteration, 1e-9 * case.iteration)
     check.equal(case.search < case.contact, true)
-    local both = case.factorisation + case.solution
+    local both = case.factorization + case.solution
     check.equal(both <= case.linear and both > 0.5 * case.linear, true)
     check.near(case.around, case.iteration / case.linear - 1, 1e-9 * case.iteration / case.linear)
   end
   check.equal({ result.cases[1].dofs, result.cases[4].problem }, { 134, "solid" })
   -- Wide limits: a clock on a busy machine says little of small meshes.
   local plane = result.exponents.plane
-  for _, account in ipairs { "bulk", "factorisation" } do
+  for _, account in ipairs { "bulk", "factorization" } do
     check.equal({ account, plane[account] > -0.5 and plane[account] < 3 }, { account, true })
   end
   check.equal(result.exponents.solid.bulk, nil) -- one mesh

@@ -54,7 +54,7 @@ check.case("options change the picture", function()
   end
 end)
 
-check.case("curves of one label and colour share a row of the legend", function()
+check.case("curves of one label and color share a row of the legend", function()
   local function rows(color)
     local file = folder .. "/legend.svg"
     sg.chart { file = file, x = { 1, 2 }, { y = { 1, 2 }, label = "N2" }, { y = { 2, 3 }, label = "N2", color = color },

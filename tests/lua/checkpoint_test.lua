@@ -69,7 +69,7 @@ check.case("frictional ironing in the plane, KLU", function()
   check.equal(model:solver().linear, "klu")
 end)
 
-check.case("a larger one: UMFPACK, and a kept factorisation", function()
+check.case("a larger one: UMFPACK, and a kept factorization", function()
   for linear, kind in pairs { umfpack = "umfpack", auto = "kept" } do
     local model = ironing{ elements = { die = {24, 4}, slab = {72, 18} } }
     continues(model, { { steps = 4, grip = {0, -0.08} } }, "{ { steps = 3, grip = {0.06, -0.08} } }",
@@ -95,7 +95,7 @@ check.case("peeling with adhesion on a part of the face, under a support that tu
 end)
 
 check.case("linear elastic bodies, condensed onto the contact", function()
-  local rigid = sg.rigid.cylinder{ centre = {0, 1.4}, radius = 0.4 }
+  local rigid = sg.rigid.cylinder{ center = {0, 1.4}, radius = 0.4 }
   local slab = sg.body{ patch = sg.shapes.rectangle{ width = 4, height = 1, corner = {-2, 0} }, elements = {32, 8},
                         order = "N2-N2.1", contact = "north", through = 1,
                         material = sg.linear_elastic{ E = 10, nu = 0.3 } }
@@ -110,7 +110,7 @@ check.case("linear elastic bodies, condensed onto the contact", function()
 end)
 
 check.case("a rigid NURBS obstacle that is driven, loads, a deep layer", function()
-  local rigid = sg.rigid.surface(sg.nurbs.arc{ centre = {0, 1.5}, radius = 0.5, from = -180, to = 0 })
+  local rigid = sg.rigid.surface(sg.nurbs.arc{ center = {0, 1.5}, radius = 0.5, from = -180, to = 0 })
   local slab = sg.body{ patch = sg.shapes.rectangle{ width = 4, height = 1, corner = {-2, 0} }, elements = {20, 4},
                         order = "N2-N2.2x2", contact = "north", material = sg.neo_hookean{ E = 10, nu = 0.3 } }
   local model = sg.model{
@@ -125,7 +125,7 @@ check.case("a rigid NURBS obstacle that is driven, loads, a deep layer", functio
 end)
 
 check.case("a body of revolution", function()
-  local ball = sg.rigid.sphere{ centre = {0, 2}, radius = 1 }
+  local ball = sg.rigid.sphere{ center = {0, 2}, radius = 1 }
   local disc = sg.body{ patch = sg.shapes.rectangle{ width = 2, height = 1 }, elements = {16, 4}, order = "N2-N2.1",
                         contact = "north", material = soft }
   local model = sg.model{
@@ -159,13 +159,13 @@ local function solids(slab_elements, rotate)
   }
 end
 
-check.case("solids, where the solver has gone over to a kept factorisation", function()
+check.case("solids, where the solver has gone over to a kept factorization", function()
   local model = solids({15, 10, 4})
   continues(model, { { steps = 2, grip = {0, 0, -0.08} } }, "{ { steps = 2, grip = {0.1, 0, -0.08} } }")
   check.equal(model:solver().linear, "kept")
 end)
 
-check.case("small solids that turn: KLU and a kept factorisation", function()
+check.case("small solids that turn: KLU and a kept factorization", function()
   for _, linear in ipairs { "auto", "kept" } do
     continues(solids({6, 4, 2}, "z"), { { steps = 3, grip = {0, 0, -0.1, 0} } },
       "{ { steps = 4, grip = {0, 0, -0.1, 20} } }", { linear = linear })

@@ -234,7 +234,7 @@ check.case("errors in a call that is all of a line, of -e or the end of a script
     "signorini: study.lua:3: sg.study: unknown")
 end)
 
-check.case("nothing is coloured that does not go to a terminal", function()
+check.case("nothing is colored that does not go to a terminal", function()
   local output = check.program({}, "error 'no'\n", "env -u NO_COLOR TERM=xterm-256color")
   check.equal(output, "prompt:1: no\n")
 end)

@@ -7,7 +7,7 @@ local soft, stiff = sg.neo_hookean{ E = 1, nu = 0.3 }, sg.neo_hookean{ E = 1000,
 
 --- A die on a slab; contact where `where` says.
 local function ironing(label, where)
-  local die = sg.body{ patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, centre = { 1.5, 1.5 } },
+  local die = sg.body{ patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = { 1.5, 1.5 } },
                        elements = { 6, 2 }, order = label, contact = "south", through = 1, material = stiff }
   local slab = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = { 8, 3 }, order = label,
                         contact = "north", through = 1, material = soft }

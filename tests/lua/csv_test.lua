@@ -137,7 +137,7 @@ check.case("published tables say where they were printed", function()
     check.equal(#published.rows, rows)
     check.holds(published.comments[1], "source: V. Agrawal", "Table")
   end
-  local dofs = sg.reference "ironing2d_dofs_table7_2":by "discretisation"
+  local dofs = sg.reference "ironing2d_dofs_table7_2":by "discretization"
   check.equal(dofs["N2-N6"].die_interface, 34)
   for _, row in pairs(dofs) do check.equal(row.die_total + row.slab_total, row.total) end
   check.fails(function() sg.reference "table9" end, "table9")
@@ -149,7 +149,7 @@ check.case("text tables: numbers to the right, words to the left, a dash for wha
     rows = { { "N2", 100, 7 }, { "N2-N4", nil, 12 } },
   }, "label      Δ   n\n           %\nN2     100.0   7\nN2-N4      –  12")
   check.fails(function() sg.table{ columns = { "a" } } end, "sg.table", "rows (nil where missing) is missing")
-  check.fails(function() sg.table{ columns = { "a" }, rows = {}, colour = 1 } end, "unknown argument 'colour'")
+  check.fails(function() sg.table{ columns = { "a" }, rows = {}, color = 1 } end, "unknown argument 'color'")
 end)
 
 check.done()

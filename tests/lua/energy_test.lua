@@ -21,7 +21,7 @@ end
 --- Leak of the whole path and energies at its end; `finer` divides the steps, both penalties are alike.
 local function iron(label, finer, mu, penalty)
   local die = sg.body{
-    patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, centre = { 0.75, 1.5 } }, elements = { 6, 2 },
+    patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = { 0.75, 1.5 } }, elements = { 6, 2 },
     order = label, contact = "south", through = 1, material = sg.neo_hookean{ E = 1000, nu = 0.3 },
   }
   local slab = sg.body{

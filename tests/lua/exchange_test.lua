@@ -26,7 +26,7 @@ check.case("files of all forms become patches that bodies can be made of", funct
 end)
 
 check.case("what is written comes back to the last bit", function()
-  local disc = sg.shapes.half_annulus { inner = 0.3, outer = 0.5, centre = { 0.75, 1.5 } }
+  local disc = sg.shapes.half_annulus { inner = 0.3, outer = 0.5, center = { 0.75, 1.5 } }
     :refine { elements = { 6, 3 }, degree = { 3, 2 } }
   local cuboid = sg.shapes.block { size = { 1, 2, 3 } }:rotate { angle = 20, axis = { 1, 1, 0 } }
   local arc = sg.nurbs.arc { radius = 1, from = 10, to = 200 }

@@ -11,7 +11,7 @@ end
 
 --- A die that has slid by 0.5 in so many steps, all of it slipping: over a soft slab, or over a rigid plane.
 local function slid(steps, rigid)
-  local die = body(sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, centre = { 0.75, 1.5 } }, { 6, 2 }, "south", 1000)
+  local die = body(sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = { 0.75, 1.5 } }, { 6, 2 }, "south", 1000)
   local slab = body(sg.shapes.rectangle{ width = 3, height = 1 }, { 8, 3 }, "north", 1)
   local plane = sg.rigid.plane{ point = { 0, 1 }, normal = { 0, 1 } }
   local model = sg.model{

@@ -85,7 +85,7 @@ end)
 --- An eighth of a hollow sphere pressed onto a quarter of a block: at both planes of symmetry the block's face ends.
 check.case("planes of symmetry in space hold the points that project beyond the master's end", function()
   local ball = sg.body{
-    patch = sg.shapes.sphere_octant{ inner = 0.5, outer = 1, centre = { 0, 0, 1 } }, elements = { 6, 6, 1 },
+    patch = sg.shapes.sphere_octant{ inner = 0.5, outer = 1, center = { 0, 0, 1 } }, elements = { 6, 6, 1 },
     order = "N2", contact = "front", material = sg.neo_hookean{ E = 10, nu = 0.3 },
   }
   local block = sg.body{

@@ -41,21 +41,21 @@ end
 
 check.case("hollow hemispheres: exact radii, the ring on top, full volume, poles where they were asked for", function()
   for _, poles in ipairs { "ends", "bottom" } do
-    local p = sg.shapes.hollow_hemisphere { inner = 1, outer = 1.5, centre = { 1, 2, 3 }, poles = poles }
-    local function from_centre(xi)
+    local p = sg.shapes.hollow_hemisphere { inner = 1, outer = 1.5, center = { 1, 2, 3 }, poles = poles }
+    local function from_center(xi)
       local x = p(xi)
       return { x[1] - 1, x[2] - 2, x[3] - 3 }
     end
     for _, at in ipairs { { 0.1, 0.7 }, { 0.55, 0.25 }, { 0.9, 0.4 } } do
-      check.near(length(from_centre { at[1], at[2], 0 }), 1.5)
-      check.near(length(from_centre { at[1], at[2], 1 }), 1)
+      check.near(length(from_center { at[1], at[2], 0 }), 1.5)
+      check.near(length(from_center { at[1], at[2], 1 }), 1)
     end
     local content, least = volume(p)
     check.near(content, 2 * math.pi / 3 * (1.5 ^ 3 - 1), 1e-6)
     assert(least > 0)
     check.near(volume(p:refine { elements = poles == "ends" and { 4, 4, 2 } or { 8, 4, 2 } }),
       2 * math.pi / 3 * (1.5 ^ 3 - 1), 1e-9)
-    check.near(from_centre(poles == "ends" and { 0.5, 0.5, 0 } or { 0.3, 1, 0 }), { 0, 0, -1.5 })
+    check.near(from_center(poles == "ends" and { 0.5, 0.5, 0 } or { 0.3, 1, 0 }), { 0, 0, -1.5 })
     for _, face in ipairs(poles == "ends" and { "west", "east" } or { "south" }) do
       check.near(p:face(face) { 0.3, 0.4 }[3], 3)
     end
@@ -77,7 +77,7 @@ check.case("solids swept, turned, ruled and blended fill what they should", func
   assert(least > 0)
   local low = sg.nurbs.surface { degrees = { 1, 1 }, knots = { { 0, 0, 1, 1 }, { 0, 0, 1, 1 } },
                                  points = { { 0, 0, 0 }, { 2, 0, 0 }, { 0, 2, 0 }, { 2, 2, 0 } } }
-  local high = low:scale { factor = 0.5, centre = { 1, 1, 0 } }:translate { 0, 0, 3 }
+  local high = low:scale { factor = 0.5, center = { 1, 1, 0 } }:translate { 0, 0, 3 }
   check.near(volume(sg.nurbs.ruled { a = low, b = high }), 7, 1e-12) -- frustum: 3/3 (4 + 1 + 2)
   local octant = sg.shapes.sphere_octant { inner = 1, outer = 2 }
   local faces = {}

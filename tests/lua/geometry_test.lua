@@ -36,10 +36,10 @@ end)
 
 check.case("lines, arcs and circles", function()
   check.near(sg.nurbs.line { from = { 0, 1, 2 }, to = { 2, 1, 0 } }(0.5), { 1, 1, 1 })
-  local arc = sg.nurbs.arc { centre = { 1, 1 }, radius = 2, from = 180, to = 360 }
+  local arc = sg.nurbs.arc { center = { 1, 1 }, radius = 2, from = 180, to = 360 }
   check.near(arc(0), { -1, 1 })
   check.near(arc(arc:knots(1)[#arc:knots(1)]), { 3, 1 })
-  local circle = sg.nurbs.circle { radius = 0.5, centre = { 0, 0, 4 } }
+  local circle = sg.nurbs.circle { radius = 0.5, center = { 0, 0, 4 } }
   check.near(circle(0), { 0.5, 0, 4 })
   check.equal(circle:elements(), { 4 })
 end)
@@ -70,7 +70,7 @@ check.case("the ready-made shapes stand where their pages say", function()
   end
   local a, b = corners(sg.shapes.rectangle { width = 3, height = 1, corner = { 1, 2 } })
   check.near({ a, b }, { { 1, 2 }, { 4, 3 } })
-  a, b = corners(sg.shapes.half_annulus { inner = 0.3, outer = 0.5, centre = { 0.75, 1.5 } })
+  a, b = corners(sg.shapes.half_annulus { inner = 0.3, outer = 0.5, center = { 0.75, 1.5 } })
   check.near({ a, b }, { { 0.25, 1.5 }, { 1.05, 1.5 } })
   a, b = corners(sg.shapes.quarter_annulus { inner = 1, outer = 2 })
   check.near({ a, b }, { { 0, -2 }, { 1, 0 } })
@@ -143,9 +143,9 @@ check.case("faces, motions and scaling return new patches", function()
   check.near(p:face "west" (0.5), { 0, 0.5 })
   check.near(p:translate { 1, -1 } { 0, 0 }, { 1, -1 })
   check.near(p:rotate { angle = 90 } { 1, 0 }, { 0, 3 })
-  check.near(p:rotate { angle = 180, centre = { 1, 0 } } { 0, 0 }, { 2, 0 })
+  check.near(p:rotate { angle = 180, center = { 1, 0 } } { 0, 0 }, { 2, 0 })
   check.near(p:scale { factor = 2 } { 1, 1 }, { 6, 2 })
-  check.near(p:scale { factor = { 1, 3 }, centre = { 0, 1 } } { 0, 0 }, { 0, -2 })
+  check.near(p:scale { factor = { 1, 3 }, center = { 0, 1 } } { 0, 0 }, { 0, -2 })
   check.near(p { 1, 1 }, { 3, 1 })
   local block = sg.shapes.block { size = { 1, 2, 3 } }
   check.near(block:rotate { angle = 90, axis = { 1, 0, 0 } } { 0, 1, 0 }, { 0, 0, 2 })

@@ -1,4 +1,4 @@
--- Small pictures against those in tests/golden, so that a moved legend, a lost line or a wrong colour is seen.
+-- Small pictures against those in tests/golden, so that a moved legend, a lost line or a wrong color is seen.
 -- The tolerance lets other versions of fonts and of Mesa pass: the last case shows what it does not.
 --   signorini tests/lua/golden_test.lua write    draws them anew; look at each of them before they are committed
 
@@ -18,7 +18,7 @@ local most = 24 -- of 255, mean over 8 × 8 pixels
 local function plane()
   local slab = sg.body{ patch = sg.shapes.rectangle{ width = 4, height = 1 }, elements = { 8, 2 }, order = "N2-N2.1",
                         contact = "north", through = 2, material = sg.neo_hookean{ E = 1, nu = 0.3 } }
-  local roll = sg.rigid.cylinder{ centre = { 2, 1.8 }, radius = 0.8 }
+  local roll = sg.rigid.cylinder{ center = { 2, 1.8 }, radius = 0.8 }
   local model = sg.model{
     bodies = { slab = slab },
     supports = { bed = { on = slab:face "south", fix = "xy" }, roll = { on = roll, drive = "y" } },
@@ -32,7 +32,7 @@ end
 local function solid()
   local block = sg.body{ patch = sg.shapes.block{ size = { 2, 2, 1 } }, elements = { 3, 3, 2 }, order = "N2",
                          contact = "back", through = 2, material = sg.neo_hookean{ E = 1, nu = 0.3 } }
-  local ball = sg.rigid.sphere{ centre = { 0, 0, 2.5 }, radius = 1.5 }
+  local ball = sg.rigid.sphere{ center = { 0, 0, 2.5 }, radius = 1.5 }
   local model = sg.model{
     bodies = { block = block },
     supports = { bed = { on = block:face "front", fix = "xyz" },
@@ -108,7 +108,7 @@ local draw = {
   marks = picture(flat, { field = "von_mises", control_points = true,
                           marks = { { x = { 2, 0.8 }, text = "deepest point" } } }),
   patch = function(file)
-    sg.picture{ file = file, size = small, patch = sg.shapes.half_annulus{ inner = 0.5, outer = 1, centre = { 0, 0 } },
+    sg.picture{ file = file, size = small, patch = sg.shapes.half_annulus{ inner = 0.5, outer = 1, center = { 0, 0 } },
                 control_points = true }
   end,
   block = picture(deep, { field = "szz", title = "A quarter" }),
@@ -145,7 +145,7 @@ check.case("every picture looks as its golden one", function()
   end
 end)
 
-check.case("the tolerance sees a moved legend, a lost line, another range of colours", function()
+check.case("the tolerance sees a moved legend, a lost line, another range of colors", function()
   local changes = {
     chart = function(file) chart(file, { legend_title = "order" }) end,
     log_chart = function(file) chart(file, { log = "y", legend_title = "order" }) end,

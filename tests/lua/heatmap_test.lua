@@ -46,8 +46,8 @@ check.case("every option changes the map", function()
     { values = outcomes, categories = held },
     { values = outcomes, categories = { { name = "held", good = false }, { name = "cycling" },
       { name = "inverted" } } },
-    { values = outcomes, categories = { { name = "held", colour = "#0000ff" }, "cycling", "inverted" } },
-    { values = outcomes, categories = { "held", { name = "cycling", colour = 9 }, "inverted" } },
+    { values = outcomes, categories = { { name = "held", color = "#0000ff" }, "cycling", "inverted" } },
+    { values = outcomes, categories = { "held", { name = "cycling", color = 9 }, "inverted" } },
   }
   for i, variant in ipairs(variants) do
     local bytes = draw(variant)
@@ -63,9 +63,9 @@ check.case("names, numbers, texts and the legend's rows", function()
   check.holds(svg, ">held<", ">cycling<")
   check.equal(count(svg, ">inverted<"), 0)
   check.equal(draw { values = outcomes, categories = { "held", "cycling", "inverted" } } == svg, true)
-  svg = draw { values = outcomes, categories = { { name = "held", colour = "#12aBcd" }, "cycling" } }
+  svg = draw { values = outcomes, categories = { { name = "held", color = "#12aBcd" }, "cycling" } }
   check.equal(count(svg, "fill:rgb(7.058824%,67.058824%,80.392157%)"), 4 + 1) -- cells and legend
-  check.equal(draw { values = outcomes, categories = { "held", { name = "cycling", colour = 2 }, "inverted" } } ==
+  check.equal(draw { values = outcomes, categories = { "held", { name = "cycling", color = 2 }, "inverted" } } ==
               draw { values = outcomes, categories = { "held", "inverted", "cycling" } }, true)
 end)
 
@@ -82,7 +82,7 @@ check.case("powers of ten do not mix with long numbers in one axis", function()
   check.holds(draw { x = { 1, 1e4, 1e5 }, y = { 1e3, "a" } }, ">1<", ">10000<", ">100000<")
 end)
 
-check.case("the least and the largest value have colours of their own on a logarithmic bar, too", function()
+check.case("the least and the largest value have colors of their own on a logarithmic bar, too", function()
   local seen = 0
   for digits = 101, 199 do
     local low, high = digits * 1e-10, digits * 1e-3
@@ -131,8 +131,8 @@ check.case("wrong arguments", function()
       "log cannot be combined with categories, it is for maps of numbers" },
     { { categories = {}, values = outcomes }, "categories must be a list of at least one category" },
     { { categories = { "held", "held" }, values = outcomes }, "categories[2] has the name 'held' of an earlier one" },
-    { { categories = { { name = "held", colour = "blue" } }, values = outcomes }, "categories[1].colour", "#d55e00" },
-    { { categories = { { name = "held", colour = 22 } }, values = outcomes }, "categories[1].colour", "from 1 to 21" },
+    { { categories = { { name = "held", color = "blue" } }, values = outcomes }, "categories[1].color", "#d55e00" },
+    { { categories = { { name = "held", color = 22 } }, values = outcomes }, "categories[1].color", "from 1 to 21" },
     { { categories = { { title = "held" } }, values = outcomes }, "categories[1]: unknown argument 'title'" },
     { { texts = { { {} }, {} } }, "texts[1][1] must be a string or a number" },
   }

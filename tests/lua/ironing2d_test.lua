@@ -11,7 +11,7 @@ local study = run_study("out=" .. folder)
 check.case("Table 7.2: degrees of freedom", function()
   local printed = sg.reference "ironing2d_dofs_table7_2"
   check.equal(#study.cases, #printed.rows)
-  for label, row in pairs(printed:by "discretisation") do
+  for label, row in pairs(printed:by "discretization") do
     for _, part in ipairs { "interface", "bulk", "total" } do
       check.equal(study.cases[label].die_dofs[part], row["die_" .. part])
       check.equal(study.cases[label].slab_dofs[part], row["slab_" .. part])
@@ -20,7 +20,7 @@ check.case("Table 7.2: degrees of freedom", function()
 end)
 
 check.case("Table 7.3: amplitudes within 1.5 percentage points", function()
-  local printed = sg.reference "ironing2d_oscillation_table7_3":by "discretisation"
+  local printed = sg.reference "ironing2d_oscillation_table7_3":by "discretization"
   for _, label in ipairs { "N4", "N6", "N2-N6", "N2-N2.1", "N2-N2.2" } do
     local case, row = study.cases[label], printed[label]
     check.within(label .. " dPy", case.dPy.raw_percent, row.dPy_percent_of_N2, 1.5)

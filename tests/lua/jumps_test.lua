@@ -27,7 +27,7 @@ end
 
 local smooth, jump = { 1, 1e-5 }, { 8, 0.2 }
 
-check.case("one step far longer than its neighbours that releases energy", function()
+check.case("one step far longer than its neighbors that releases energy", function()
   check.equal(found { smooth, smooth, smooth, jump, smooth, smooth, smooth }, { 4 })
   check.equal(found { smooth, smooth, smooth, jump, smooth, smooth, smooth, smooth, jump, smooth }, { 4, 9 })
   check.equal(found { smooth, jump, smooth }, { 2 })

@@ -7,7 +7,7 @@ local study = [[
 local sg = require "signorini"
 require "signorini.core".quiet = true
 local file, resume = arg[1], arg[2] == "resume"
-local die = sg.body{ patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, centre = {0.75, 1.5} },
+local die = sg.body{ patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = {0.75, 1.5} },
                      elements = {6, 2}, order = "N2", contact = "south",
                      material = sg.neo_hookean{ E = 1000, nu = 0.3 } }
 local slab = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = {8, 3}, order = "N2",

@@ -30,26 +30,26 @@ local function drag(obstacle, flat, law)
 end
 
 check.case("in plane strain a cylinder and a surface act as the disc and the curve that they are made of", function()
-  local disc = drag(sg.rigid.cylinder{ centre = {1.3, 2}, radius = 1 }, true)
+  local disc = drag(sg.rigid.cylinder{ center = {1.3, 2}, radius = 1 }, true)
   assert(disc[5] > 0.05 and disc[10] < -0.5)
-  check.near(drag(sg.rigid.cylinder{ centre = {1.3, 2, 7}, axis = {0, 0, -2}, radius = 1 }), disc, 1e-8)
+  check.near(drag(sg.rigid.cylinder{ center = {1.3, 2, 7}, axis = {0, 0, -2}, radius = 1 }), disc, 1e-8)
   -- The arc's outside is on its right; extruded along z its tangents' product points there, too.
-  local arc = sg.nurbs.arc{ centre = {1.3, 2}, radius = 1, from = 180, to = 360 }
+  local arc = sg.nurbs.arc{ center = {1.3, 2}, radius = 1, from = 180, to = 360 }
   check.near(drag(sg.rigid.surface(arc), true), disc, 1e-7)
   check.near(drag(sg.rigid.surface(sg.nurbs.extrude{ patch = arc, along = {0, 0, 0.5} })), disc, 1e-7)
 end)
 
 check.case("in plane strain adhesion acts on a solid as on the plane body", function()
   local law = { hamaker = 0.05, r0 = 0.1 }
-  local flat = drag(sg.rigid.cylinder{ centre = {1.3, 2.15}, radius = 1 }, true, law)
+  local flat = drag(sg.rigid.cylinder{ center = {1.3, 2.15}, radius = 1 }, true, law)
   assert(flat[7] > 0.1) -- the bed attracts the cylinder, its support pulls
-  check.near(drag(sg.rigid.cylinder{ centre = {1.3, 2.15, 0}, axis = {0, 0, 1}, radius = 1 }, false, law), flat, 1e-8)
+  check.near(drag(sg.rigid.cylinder{ center = {1.3, 2.15, 0}, axis = {0, 0, 1}, radius = 1 }, false, law), flat, 1e-8)
 end)
 
 check.case("a sphere pressed into a block: the force points along its axis of symmetry", function()
   local b = sg.body{ patch = sg.shapes.block{ size = {2, 2, 1}, corner = {-1, -1, 0} }, elements = {4, 4, 2},
                      order = "N2-N2.1", contact = "back", material = soft }
-  local sphere = sg.rigid.sphere{ centre = {0, 0, 2}, radius = 1 }
+  local sphere = sg.rigid.sphere{ center = {0, 0, 2}, radius = 1 }
   local model = sg.model{ bodies = { b = b },
     supports = { bed = { on = b:face "front", fix = "xyz" }, ball = { on = sphere, drive = "xyz" } },
     contacts = { joint = { slave = b:face "back", master = sphere, penalty = 100, points = 5 } } }

@@ -99,7 +99,7 @@ end)
 
 --- A ring that is pressed into a slab in `finer` steps, and dragged along it in twice as many; the slab is the slave.
 local function drag(finer)
-  local ring = sg.body{ patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, centre = { 1.6, 1.5 } },
+  local ring = sg.body{ patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = { 1.6, 1.5 } },
                         elements = { 6, 2 }, order = "N2", through = 1, contact = "south",
                         material = sg.neo_hookean{ E = 10, nu = 0.3 } }
   local slab = sg.body{ patch = sg.shapes.rectangle{ width = 4, height = 1 }, elements = { 16, 4 }, order = "N2-N2.2",

@@ -36,7 +36,7 @@ local function pressed(size, corner, supports, obstacle, depth)
 end
 
 local function ball(x, y)
-  return sg.rigid.sphere{ centre = { x, y, 1.8 }, radius = 0.8 }
+  return sg.rigid.sphere{ center = { x, y, 1.8 }, radius = 0.8 }
 end
 
 local model = pressed({ 2, 1, 1 }, { 0, 0, 0 }, {}, ball(1.2, 0.4), 0.15)
@@ -114,7 +114,7 @@ check.case("a quarter and its images are the whole model, cut open as well", fun
     }
     check.equal(whole:run({ { name = "press", steps = 2, tool = { -0.1 } } }).failed, false)
   end
-  -- A bit of the cut face where no field vanishes; the narrow range leaves two colours, one for each sign. Drawn on the
+  -- A bit of the cut face where no field vanishes; the narrow range leaves two colors, one for each sign. Drawn on the
   -- reference shape, which is the same to the last digit.
   local function picture(of, field, mirror, x, factor)
     return draw{ model = of, field = field, label = field, factor = factor, mirror = mirror, deformed = false,
@@ -161,7 +161,7 @@ end)
 check.case("poles and layers of all kinds can be drawn", function()
   local octant = sg.body{ patch = sg.shapes.sphere_octant{ inner = 0.3, outer = 1 }, elements = { 3, 3, 2 },
                           order = "N2-N2.1", contact = "front", material = rubber }
-  local trough = sg.shapes.half_cylinder_shell{ inner = 0.6, outer = 0.9, width = 1, centre = { 3, 0, 0 } }
+  local trough = sg.shapes.half_cylinder_shell{ inner = 0.6, outer = 0.9, width = 1, center = { 3, 0, 0 } }
   local shell = sg.body{ patch = trough, elements = { 4, 2, 1 }, order = { "N2-N4", "N2" }, contact = "front",
                          material = rubber }
   local bowl = sg.rigid.surface(sg.shapes.sphere_octant{ inner = 1.05, outer = 2 }:face "back")
@@ -170,7 +170,7 @@ check.case("poles and layers of all kinds can be drawn", function()
     supports = { hold = { on = { octant:face "back", shell:face "back" }, fix = "xyz" } },
     contacts = { bowl = { slave = octant:face "front", master = bowl, penalty = 10 } },
   }
-  -- Stresses at a pole are those close by: the state is at rest and all of it has one colour.
+  -- Stresses at a pole are those close by: the state is at rest and all of it has one color.
   local function picture(more)
     return draw{ model = scene, field = "von_mises", cut = more.cut, bodies = more.bodies, obstacles = more.obstacles,
                  ruler = more.ruler, unit = more.unit }

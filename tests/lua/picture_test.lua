@@ -125,7 +125,7 @@ end)
 check.case("components change their sign in the mirror as they do in a model that is the mirror image", function()
   local image = beam(sg.shapes.rectangle{ width = 4, height = 1 }:translate{ -4, 0 }, "east", "west")
   image:run{ { name = "bend", steps = 2, tip = { 0, 1 } } }
-  -- Around a point where no field vanishes; the narrow range leaves two colours, one for each sign.
+  -- Around a point where no field vanishes; the narrow range leaves two colors, one for each sign.
   local xi = { 0.3, 0.8 }
   local x, y = 1.2 + model:sample("strip", "ux", xi), 0.8 + model:sample("strip", "uy", xi)
   local function picture(of, field, side, factor)

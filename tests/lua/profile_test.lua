@@ -45,12 +45,12 @@ check.case("trapezoids converge with the square of the spacing", function()
   for i = 2, 3 do check.near(math.log(errors[i - 1] / errors[i], 2), 2, 0.05) end
 end)
 
-check.case("normalisation, and the record of the integral", function()
+check.case("normalization, and the record of the integral", function()
   local p, r = sampled(101, 2, hertz(1, 3)), sampled(201, 2, hertz(1, 4))
   local plain = sg.profile_error{ profile = p, reference = r }
-  local scaled, how = sg.profile_error{ profile = p, reference = r, normalise = "max" }
+  local scaled, how = sg.profile_error{ profile = p, reference = r, normalize = "max" }
   check.near(scaled, plain / 4, 1e-15)
-  check.near(sg.profile_error{ profile = p, reference = r, normalise = 8 }, plain / 8, 1e-15)
+  check.near(sg.profile_error{ profile = p, reference = r, normalize = 8 }, plain / 8, 1e-15)
   check.equal({ how.from, how.to, how.points, how.scale, how.covered }, { 0, 2, 101, 4, 1 })
   -- ∫₀¹ (1 − s²) ds = 2/3
   check.near(plain, math.sqrt(2 / 3), 1e-2)
@@ -126,7 +126,7 @@ check.case("profiles of a model, against each other and on themselves", function
   local coarse, fine = pressed { 2, 1 }, pressed { 5, 1 }
   check.equal(sg.profile_error{ profile = fine, reference = fine, quadrature = "union" }, 0)
   -- ν = 0: the pressure is the same everywhere, on any mesh
-  check.near(sg.profile_error{ profile = coarse, reference = fine, normalise = "max" }, 0, 1e-8)
+  check.near(sg.profile_error{ profile = coarse, reference = fine, normalize = "max" }, 0, 1e-8)
 end)
 
 check.case("wrong inputs name the argument, what came, what was expected, and the cure", function()
@@ -143,8 +143,8 @@ check.case("wrong inputs name the argument, what came, what was expected, and th
   fails({ profile = p, reference = r, value = "gap" }, "value must be 'pressure' or 'traction'")
   fails({ profile = p, reference = r, quadrature = "gauss" }, "quadrature must be 'profile', 'reference' or 'union'")
   fails({ profile = p, reference = r, edge = "round" }, "edge must be 'point' or 'gap'")
-  fails({ profile = p, reference = r, normalise = -1 }, "normalise must be a positive number")
-  fails({ profile = p, reference = r, normalize = 1 }, "unknown argument 'normalize'", "did you mean 'normalise'")
+  fails({ profile = p, reference = r, normalize = -1 }, "normalize must be a positive number")
+  fails({ profile = p, reference = r, normalize = 1 }, "unknown argument 'normalize'", "did you mean 'normalize'")
   fails({ profile = p, reference = math.sqrt, quadrature = "reference" }, "for a function, which has no points")
   fails({ profile = p, reference = function() return 0 / 0 end }, "reference(0) must be a finite number")
   fails({ profile = sampled(11, 1, function() return 0 end), reference = r }, "profile carries no pressure")

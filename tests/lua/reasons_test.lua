@@ -38,7 +38,7 @@ local function bar_on_ramp()
   local bar = block{ width = 0.1, height = 2, corner = {-0.105, 0.1}, elements = {2, 8},
                      material = sg.linear_elastic{ E = 1, nu = 0.3 } }
   local ramp = sg.body{
-    patch = sg.shapes.rectangle{ width = 2, height = 0.5, corner = {-2, -0.5} }:rotate{ angle = -25, centre = {0, 0} },
+    patch = sg.shapes.rectangle{ width = 2, height = 0.5, corner = {-2, -0.5} }:rotate{ angle = -25, center = {0, 0} },
     elements = {100, 2}, order = "N2", contact = "north", through = 1,
     material = sg.linear_elastic{ E = 100, nu = 0.3 },
   }
@@ -53,7 +53,7 @@ end
 --- Deep 2D ironing with hard contact, whose pressing comes to a state between whose two sides one point goes to and
 --- fro.
 local function deep_ironing()
-  local die = sg.body{ patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, centre = {0.75, 1.5} },
+  local die = sg.body{ patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = {0.75, 1.5} },
                        elements = {6, 2}, order = "N4", contact = "south", through = 1,
                        material = sg.neo_hookean{ E = 1e4, nu = 0.3 } }
   local slab = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = {8, 3}, order = "N4",
@@ -249,7 +249,7 @@ end)
 
 check.case("turning_point: an arch under a load that it cannot carry", function()
   local function line(offset)
-    return sg.nurbs.arc{ centre = {0, -40}, radius = 40 + offset, from = 100, to = 80 }
+    return sg.nurbs.arc{ center = {0, -40}, radius = 40 + offset, from = 100, to = 80 }
   end
   local arch = sg.body{ patch = sg.nurbs.ruled{ a = line(-0.15), b = line(0.15) }, elements = {16, 1}, order = "N3",
                         through = 2, contact = "north", material = sg.neo_hookean{ E = 1000, nu = 0 } }

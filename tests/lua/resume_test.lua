@@ -98,11 +98,11 @@ check.case("the file of a finished run gives the run at once; without a file it 
   check.equal(run.steps, 20)
   local again = other:run(path, { checkpoint = file, resume = true })
   alike(run, again, model, other)
-  check.equal(other:solver().factorisations, 0)
+  check.equal(other:solver().factorizations, 0)
   check.holds(tostring(again), "press", "slide", "total")
   local fresh = ironing()
   fresh:run(path, { checkpoint = file })
-  assert(fresh:solver().factorisations > 0)
+  assert(fresh:solver().factorizations > 0)
   -- The model of the file alone, too
   local loaded = sg.load(file)
   check.equal(loaded:reaction "grip", model:reaction "grip")
@@ -164,7 +164,7 @@ check.case("wrong options", function()
   refused({ checkpoint = file, resume = "yes" }, "resume must be true or false")
   -- before the first step, not after it
   refused({ checkpoint = "nowhere/at/all.sgn" }, "cannot write 'nowhere/at/all.sgn'", "create it first")
-  check.equal(model:solver().factorisations, 0)
+  check.equal(model:solver().factorizations, 0)
 end)
 
 check.case("plain data as bytes and back, bit by bit", function()

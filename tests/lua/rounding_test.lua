@@ -52,7 +52,7 @@ function scenes.augmented_disc(offset, angle)
   local slab = sg.body{ patch = placed(rectangle(2, 1, {-1, -1}), angle, offset), elements = {8, 4}, order = "N2",
                         through = 2, contact = "north", material = soft }
   local above = turned(angle, 0, 0.5)
-  local disc = sg.rigid.cylinder{ centre = {offset + above[1], offset + above[2]}, radius = 0.5 }
+  local disc = sg.rigid.cylinder{ center = {offset + above[1], offset + above[2]}, radius = 0.5 }
   return sg.model{
     bodies = { slab = slab },
     supports = { bed = { on = slab:face "south", fix = "xy" }, grip = { on = disc, drive = "xy" } },
@@ -105,7 +105,7 @@ function scenes.sphere_in_space(offset)
   local patch = sg.shapes.block{ size = {2, 2, 1}, corner = {-1, -1, -1} }:translate{offset, offset, offset}
   local slab = sg.body{ patch = patch, elements = {4, 4, 2}, order = "N2", through = 2, contact = "back",
                         material = soft }
-  local ball = sg.rigid.sphere{ centre = {offset, offset, offset + 0.5}, radius = 0.5 }
+  local ball = sg.rigid.sphere{ center = {offset, offset, offset + 0.5}, radius = 0.5 }
   return sg.model{
     bodies = { slab = slab },
     supports = { bed = { on = slab:face "front", fix = "xyz" }, grip = { on = ball, drive = "xz" } },

@@ -128,7 +128,7 @@ end)
 check.case("the table and the file tell the same", function()
   local run = model_of():run(two_stages)
   check.holds(tostring(run), "press      4          12      3.00", "total      6          18      3.00",
-    "factorisation and solve")
+    "factorization and solve")
   local name = os.tmpname()
   run:csv(name)
   check.fails(function() run:csv "nowhere/at.csv" end, "run_test.lua:", "run:csv: cannot write 'nowhere/at.csv'",

@@ -76,7 +76,7 @@ check.case("Table 7.11 comes out exactly", function()
   for i, name in ipairs(printed.columns) do at[name] = i end
   check.equal(#printed.rows, 8)
   for _, row in ipairs(printed.rows) do
-    local label, n = row[at.discretisation], row[at.mesh] == "fine" and 2 or 1
+    local label, n = row[at.discretization], row[at.mesh] == "fine" and 2 or 1
     local indenter = sg.body{ patch = sg.shapes.spherical_indenter{ width = 10, depth = 10, height = 11, radius = 25.5,
                                 elements = 1, corner = {0, 0, 22} },
                               elements = { 5 * n, 5 * n, 3 * n }, order = label, contact = "front", through = 1,
@@ -271,12 +271,12 @@ check.case("a free body follows a face that rotates about any axis, without forc
   model:run{ { steps = 1 }, { steps = 1, pull = {0, 0, 0} } }
   local run = model:run{ { steps = 12, grip = {0.5, 120} } }
   check.equal(run.failed, false)
-  local n, centre = { 1 / 3, 2 / 3, 2 / 3 }, { 0.5, 0.5, 2 }
+  local n, center = { 1 / 3, 2 / 3, 2 / 3 }, { 0.5, 0.5, 2 }
   for _, xi in ipairs{ {0, 0, 0}, {1, 0.3, 0.1}, {0.2, 1, 0.8} } do
     local X = { xi[1], xi[2], 2 * xi[3] }
-    local arm = turned({ X[1] - centre[1], X[2] - centre[2], X[3] - centre[3] }, n, 120)
+    local arm = turned({ X[1] - center[1], X[2] - center[2], X[3] - center[3] }, n, 120)
     local u = { model:sample(b, "ux", xi), model:sample(b, "uy", xi), model:sample(b, "uz", xi) }
-    for i = 1, 3 do check.near(X[i] + u[i], centre[i] + arm[i] + (i == 3 and 0.5 or 0), 1e-8) end
+    for i = 1, 3 do check.near(X[i] + u[i], center[i] + arm[i] + (i == 3 and 0.5 or 0), 1e-8) end
   end
   for _, name in ipairs{ "fx", "fy", "fz", "moment" } do check.near(largest(run:column("grip." .. name)), 0, 1e-8) end
   check.near({ run:column "grip.uz"[12], run:column "grip.angle"[12] }, { 0.5, 120 })
@@ -335,8 +335,8 @@ end)
 check.case("obstacles and models tell what they are", function()
   check.equal(tostring(sg.rigid.plane{ point = {0, 0, 1}, normal = {0, 0, 2} }),
               "rigid plane through (0, 0, 1), normal (0, 0, 1)")
-  check.equal(tostring(sg.rigid.sphere{ centre = {1, 2, 3}, radius = 4 }), "rigid sphere about (1, 2, 3), radius 4")
-  check.equal(tostring(sg.rigid.cylinder{ centre = {1, 2, 3}, axis = {0, 5, 0}, radius = 4 }),
+  check.equal(tostring(sg.rigid.sphere{ center = {1, 2, 3}, radius = 4 }), "rigid sphere about (1, 2, 3), radius 4")
+  check.equal(tostring(sg.rigid.cylinder{ center = {1, 2, 3}, axis = {0, 5, 0}, radius = 4 }),
               "rigid cylinder about (1, 2, 3), axis (0, 1, 0), radius 4")
   check.equal(tostring(sg.rigid.surface(sg.shapes.block{ size = {1, 1, 1} }:face "back")),
               "rigid surface of degrees 1 and 1")

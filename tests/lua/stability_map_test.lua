@@ -257,7 +257,7 @@ check.case("the picture of outcomes: rows from the first y on, numbers in the ce
   check.equal({ c.texts[1][1], c.texts[1][2] }, { 1.3, nil }) -- a number: the heat map writes powers of ten
 end)
 
-check.case("a figure: numbers with a colour bar, blank where there is none", function()
+check.case("a figure: numbers with a color bar, blank where there is none", function()
   local map = make{ figures = function(_, run) return { load = run.steps / 3 } end }
   local chart = charts_of(function() map:figure{ name = "load", file = "f.png", log = true, label = "load (N)" } end)[1]
   check.near({ chart.values[1][1], chart.values[2][1] }, { 4 / 3, 10 / 3 }, 1e-15)

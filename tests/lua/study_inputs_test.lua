@@ -48,7 +48,7 @@ local function object_study(folder, text)
                       contact = "north", material = sg.neo_hookean{ E = E or 1, nu = 0.3 } }
     end
     local function pressed(penalty, radius, stages, side)
-      local slab, disc = slab(), sg.rigid.cylinder{ centre = {1, 1.5}, radius = radius or 0.5 }
+      local slab, disc = slab(), sg.rigid.cylinder{ center = {1, 1.5}, radius = radius or 0.5 }
       local model = sg.model{
         bodies   = { slab = slab },
         supports = { bed = { on = slab:face(side or "south"), fix = "xy" }, push = { on = disc, drive = "y" } },
@@ -69,7 +69,7 @@ check.case("all that a captured object holds is seen: of a model its laws, obsta
       "pressed(10):snapshot()" },
     { "slab()", "slab(1 + 1e-14)", "slab(1, 1 + 1e-14)", "slab():face 'south'", "slab():face 'north'",
       "slab(2):face 'north'" },
-    { "sg.rigid.cylinder{ centre = {0, 0}, radius = 1 }", "sg.rigid.cylinder{ centre = {0, 0}, radius = 2 }" },
+    { "sg.rigid.cylinder{ center = {0, 0}, radius = 1 }", "sg.rigid.cylinder{ center = {0, 0}, radius = 2 }" },
   } do
     local folder = check.folder()
     check.holds(object_study(folder, texts[1]), "n: 1 of 1: a=1")

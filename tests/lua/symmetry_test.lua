@@ -20,7 +20,7 @@ end
 local function ironing(part, label)
   local whole = part == "whole"
   local shape = whole and sg.shapes.half_annulus or sg.shapes.quarter_annulus
-  local die = sg.body{ patch = shape{ inner = 0.3, outer = 0.5, centre = { 1.5, 1.5 } },
+  local die = sg.body{ patch = shape{ inner = 0.3, outer = 0.5, center = { 1.5, 1.5 } },
                        elements = { whole and 6 or 3, 2 }, order = label, contact = "south", material = stiff }
   local function line(y)
     return sg.nurbs.curve{ degree = 1, knots = whole and { 0, 0, 0.5, 1, 1 } or { 0, 0, 1, 1 },
@@ -91,8 +91,8 @@ local sg = require "signorini"
 local soft = sg.neo_hookean{ E = 1, nu = 0.3 }
 local function body(patch) return sg.body{ patch = patch, elements = {2, 2}, order = "N2", material = soft } end
 local square = sg.shapes.rectangle{ width = 1, height = 1, corner = {1, 0} }
-local a, skew = body(square), body(square:rotate{ angle = 30, centre = {1, 0} })
-local arc = body(sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, centre = {3, 3} })
+local a, skew = body(square), body(square:rotate{ angle = 30, center = {1, 0} })
+local arc = body(sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = {3, 3} })
 local function held(s, kind) return { bodies = { a = a, b = skew, arc = arc }, kind = kind, supports = { s = s } } end
 ]]
 for _, case in ipairs {

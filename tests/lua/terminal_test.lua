@@ -93,7 +93,7 @@ check.case("what is pasted runs as one, shows its last expression, and keeps its
   check.holds(output, "22\n")
 end)
 
-check.case("?name is help, and errors are red where the terminal has colours and NO_COLOR does not say no", function()
+check.case("?name is help, and errors are red where the terminal has colors and NO_COLOR does not say no", function()
   local function typed(environment)
     return (typed_to("exec " .. arg[-1], { "?sg.median\n", "error(0)\n", "\4" }, "env " .. environment))
   end

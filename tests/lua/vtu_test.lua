@@ -189,7 +189,7 @@ check.case("solids with layers: hexahedra of different degrees, faces with press
   local lower = sg.body { patch = sg.shapes.block { size = { 2, 2, 1 } }, elements = { 2, 2, 2 },
                           order = { "N2-N2.2", "N3-N4" }, through = 2, contact = "back",
                           material = sg.neo_hookean { E = 1, nu = 0.3 } }
-  local ball = sg.rigid.sphere { centre = { 1, 1, 3 }, radius = 2 }
+  local ball = sg.rigid.sphere { center = { 1, 1, 3 }, radius = 2 }
   local model = sg.model {
     bodies = { lower = lower }, supports = { bed = { on = lower:face "front", fix = "xy", drive = "z" } },
     contacts = { touch = { slave = lower:face "back", master = ball, penalty = 50, points = 5 } },

@@ -11,7 +11,7 @@ end
 --- A slab under a rigid cylinder. `given`: replaces parts of the contact.
 local function pressed(given, nu)
   local slab = slab_on("N2", nu)
-  local disc = sg.rigid.cylinder{ centre = {1, 1.5}, radius = 0.5 }
+  local disc = sg.rigid.cylinder{ center = {1, 1.5}, radius = 0.5 }
   local contact = { slave = slab:face "north", master = disc, penalty = 100 }
   for key, value in pairs(given or {}) do contact[key] = value end
   return sg.model{ bodies = { slab = slab },
@@ -83,14 +83,14 @@ local function lowered(tool, depth, steps)
     material = sg.neo_hookean{ E = 1, nu = 0.3 } }
   local bodies, master, grip = { slab = slab }, nil, nil
   if tool == "ring" then
-    local ring = sg.body{ patch = sg.nurbs.ruled{ a = sg.nurbs.circle{ radius = 0.5, centre = {0, 2} },
-                                                  b = sg.nurbs.circle{ radius = 0.3, centre = {0, 2} } },
+    local ring = sg.body{ patch = sg.nurbs.ruled{ a = sg.nurbs.circle{ radius = 0.5, center = {0, 2} },
+                                                  b = sg.nurbs.circle{ radius = 0.3, center = {0, 2} } },
       elements = {8, 1}, order = "N2", contact = "south", material = sg.neo_hookean{ E = 10, nu = 0.3 } }
     bodies.ring, master, grip = ring, ring:face "south", ring:face "north"
   elseif tool == "cylinder" then
-    master = sg.rigid.cylinder{ centre = {0, 2}, radius = 0.5 }
+    master = sg.rigid.cylinder{ center = {0, 2}, radius = 0.5 }
   else
-    master = sg.rigid.sphere{ centre = {0, 0, 2}, radius = 0.5 }
+    master = sg.rigid.sphere{ center = {0, 0, 2}, radius = 0.5 }
   end
   return sg.model{ bodies = bodies, supports = { bed = { on = slab:face(space and "front" or "south"),
       fix = space and "xyz" or "xy" }, grip = { on = grip or master, drive = space and "xyz" or "xy" } },
@@ -168,7 +168,7 @@ end)
 check.case("a contact that touches between the last step and the failure has touched", function()
   local beam = sg.body{ patch = sg.shapes.rectangle{ width = 10, height = 0.8 }, elements = {10, 1}, order = "N2",
                         contact = "south", through = 2, material = sg.neo_hookean{ E = 2000, nu = 0.35 } }
-  local nose = sg.rigid.cylinder{ centre = {11.2, -0.2}, radius = 0.6 }
+  local nose = sg.rigid.cylinder{ center = {11.2, -0.2}, radius = 0.6 }
   local model = sg.model{ bodies = { beam = beam },
     supports = { wall = { on = beam:face "west", drive = "x", fix = "y" } },
     contacts = { nose = { slave = beam:face "south", master = nose, penalty = 5e4,

@@ -128,7 +128,7 @@ check.case("columns and functions for time, series and markers", function()
   check.equal({ #result.curves, result.curves[3].points[1].error }, { 3, 0.25 })
 end)
 
-check.case("the chart: a colour per order, a marker per mesh, both in the legend, the front behind them", function()
+check.case("the chart: a color per order, a marker per mesh, both in the legend, the front behind them", function()
   local charts, chart = {}, core.sg.chart
   core.sg.chart = function(options) charts[#charts + 1] = options end
   local both = joined(power("N2", { 1, 2, 4 }, 1, 1), power("N4", { 2, 4, 8 }, 3, 2))

@@ -10,14 +10,14 @@ namespace signorini::model {
 namespace active_set_test {
 
 using contact::ContactState;
-using contact::test::discretise;
+using contact::test::discretize;
 
 constexpr int points_per_element = 3;
 
 /// The lower side of a strip from x = 0 to 3 in 6 elements, above a plane or another strip's upper side.
 struct Strip {
-  nurbs::Discretisation strip = discretise(nurbs::rectangle(3, 0.5, Eigen::Vector2d(0, 0)), {6, 1}, "N2", "south");
-  std::optional<nurbs::Discretisation> base;
+  nurbs::Discretization strip = discretize(nurbs::rectangle(3, 0.5, Eigen::Vector2d(0, 0)), {6, 1}, "N2", "south");
+  std::optional<nurbs::Discretization> base;
   contact::Formulations<2> contacts;
   std::vector<contact::History<2>> accepted, present;
   std::vector<contact::Controls> controls{1};
@@ -30,7 +30,7 @@ struct Strip {
   }
   /// Above a strip from 0 to `length`
   Strip(const contact::Method<2>& law, double length)
-      : base(discretise(nurbs::rectangle(length, 1, Eigen::Vector2d(0, -1)), {2, 1}, "N2", "north")) {
+      : base(discretize(nurbs::rectangle(length, 1, Eigen::Vector2d(0, -1)), {2, 1}, "N2", "north")) {
     u = VectorX::Zero(2 * strip.functions());
     base_u = VectorX::Zero(2 * base->functions());
     add(contact::Master<2>(contact::Surface<2>(*base, nurbs::side_of("north", 2))), law);

@@ -40,10 +40,10 @@ double distance(const Model<2>& model) {
 Scene<2> arch(double unit = 1, int elements = 8) {
   constexpr double half_angle = 28;
   const double radius = 12.5 * unit;
-  const Eigen::Vector2d centre(0, 0);
+  const Eigen::Vector2d center(0, 0);
   Scene<2> scene;
-  const nurbs::Patch patch = nurbs::ruled(nurbs::arc(centre, radius, 90 + half_angle, 90),
-                                          nurbs::arc(centre, radius + 0.3 * unit, 90 + half_angle, 90));
+  const nurbs::Patch patch = nurbs::ruled(nurbs::arc(center, radius, 90 + half_angle, 90),
+                                          nurbs::arc(center, radius + 0.3 * unit, 90 + half_angle, 90));
   scene.bodies.push_back({"arch", make_body(patch, {elements, 1}, "N3", "north", solid::neo_hookean(1000, 0.3), 2)});
   scene.supports = {{"wall", {held(scene, 0, "west")}, {Hold::fixed, Hold::fixed}},
                     {"middle", {held(scene, 0, "east")}, {Hold::fixed, Hold::free}}};
@@ -58,7 +58,7 @@ Scene<2> strip() {
                                              solid::neo_hookean(2, 0.3), 2)});
   Support<2> east{"east", {held(scene, 0, "east")}, {Hold::free, Hold::free}};
   east.rotates = true;
-  east.centre = face_centroid(*scene.bodies[0].body, nurbs::side_of("east", 2));
+  east.center = face_centroid(*scene.bodies[0].body, nurbs::side_of("east", 2));
   scene.supports = {{"west", {held(scene, 0, "west")}, {Hold::fixed, Hold::fixed}}, east};
   return scene;
 }

@@ -22,10 +22,10 @@ Scene<2> strip(double length, int elements, const std::string& label, const soli
                                              "south", material, 2)});
   Support<2> west{"west", {held(scene, 0, "west")}, {Hold::fixed, Hold::fixed}};
   west.rotates = both;
-  west.centre = face_centroid(*scene.bodies[0].body, nurbs::side_of("west", 2));
+  west.center = face_centroid(*scene.bodies[0].body, nurbs::side_of("west", 2));
   Support<2> east{"east", {held(scene, 0, "east")}, {Hold::free, Hold::free}};
   east.rotates = true;
-  east.centre = face_centroid(*scene.bodies[0].body, nurbs::side_of("east", 2));
+  east.center = face_centroid(*scene.bodies[0].body, nurbs::side_of("east", 2));
   scene.supports = {west, east};
   return scene;
 }

@@ -90,7 +90,7 @@ Scene<3> block_above_plane(double gap) {
   const nurbs::Patch patch = nurbs::block({1, 1, 0.6}, Eigen::Vector3d(0, 0, gap));
   Scene<3> scene;
   scene.bodies.push_back(
-      {"block", std::make_shared<const solid::Body<3>>(std::make_shared<const nurbs::Discretisation>(patch, plan),
+      {"block", std::make_shared<const solid::Body<3>>(std::make_shared<const nurbs::Discretization>(patch, plan),
                                                        solid::neo_hookean(1, 0.3))});
   const auto face = [&](nurbs::Side side) { return Held{0, scene.bodies[0].body->space().face_functions(side)}; };
   scene.supports = {{"x", {face(west)}, {fixed, free_to_move, free_to_move}},

@@ -37,7 +37,7 @@ TEST(Degrees, AFaceOfSeveralDegreesInARun) {
 /// The same functions as a table and as knots lead to the same run, but for rounding.
 TEST(Degrees, ATableOfASplineRunsAsItsKnots) {
   Model<2> by_knots(ironing("N2"));
-  const nurbs::Discretisation& space = by_knots.system.scene.bodies[1].body->space();
+  const nurbs::Discretization& space = by_knots.system.scene.bodies[1].body->space();
   std::vector<nurbs::Row> rows;
   for (const nurbs::Row& row : space.rows()) {
     const nurbs::Space1D& own = row.direction(0);

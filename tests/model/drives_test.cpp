@@ -23,7 +23,7 @@ Scene<2> busy(std::array<Hold, 2> hold = {Hold::driven, Hold::free}) {
   scene.obstacles = {contact::make_ball<2>({0.5, 2.0}, 0.5)};
   Support<2> edge{"edge", {held(scene, 0, "south")}, hold};
   edge.rotates = true;
-  edge.centre = face_centroid(*scene.bodies[0].body, nurbs::side_of("south", 2));
+  edge.center = face_centroid(*scene.bodies[0].body, nurbs::side_of("south", 2));
   Support<2> roll{"roll", {}, {Hold::driven, Hold::driven}, {0}};
   scene.supports = {{"idle", {held(scene, 0, "north")}, {Hold::free, Hold::free}}, edge, roll};
   scene.loads = {{"push", {{0, nurbs::side_of("west", 2)}}, false, {0.25, -0.5}},
@@ -50,10 +50,10 @@ TEST(Drives, ListWhatAPathMoves) {
   EXPECT_EQ(drives.start(), (VectorX(7) << 0, 0, 0, 0, 0.25, -0.5, 3).finished());
 }
 
-TEST(Drives, CentreIsTheCentroidOfTheFace) {
+TEST(Drives, CenterIsTheCentroidOfTheFace) {
   const Scene<2> scene = busy();
   const solid::Body<2>& shell = *scene.bodies[0].body;
-  // Of a half circle's arc: 2R/π below its centre
+  // Of a half circle's arc: 2R/π below its center
   EXPECT_NEAR((face_centroid(shell, nurbs::side_of("south", 2)) - Vec<2>(0.5, 2 - 2 / pi)).norm(), 0, 1e-6);
   EXPECT_NEAR((face_centroid(shell, nurbs::side_of("west", 2)) - Vec<2>(-0.3, 2)).norm(), 0, 1e-14);
 }
@@ -83,12 +83,12 @@ TEST(Drives, RateIsTheDisplacementsDerivative) {
 }
 
 /// Turned by θ counter-clockwise about the centroid, moved along x by the target; distances stay.
-TEST(Drives, RotationIsRigidAboutTheCentre) {
+TEST(Drives, RotationIsRigidAboutTheCenter) {
   const Scene<2> scene = busy();
   const Unknowns<2> unknowns(scene);
   const Drives<2> drives(scene, unknowns);
   const MatrixX points = scene.bodies[0].body->space().points();
-  const Vec<2> centre = scene.supports[1].centre;
+  const Vec<2> center = scene.supports[1].center;
   for (double angle : {-400.0, -90.0, 10.0, 72.8, 180.0}) {
     VectorX targets = drives.start();
     targets(0) = 0.3;
@@ -98,7 +98,7 @@ TEST(Drives, RotationIsRigidAboutTheCentre) {
     for (int a : scene.supports[1].on[0].functions) {
       before.push_back(points.col(a));
       after.push_back(Vec<2>(points.col(a)) + u.segment<2>(2 * a));
-      const Vec<2> from = before.back() - centre, to = after.back() - centre - Vec<2>(0.3, 0);
+      const Vec<2> from = before.back() - center, to = after.back() - center - Vec<2>(0.3, 0);
       EXPECT_NEAR(to.norm(), from.norm(), 1e-14);
       EXPECT_NEAR(
           std::remainder(std::atan2(from(0) * to(1) - from(1) * to(0), from.dot(to)) - angle * pi / 180, 2 * pi), 0,
@@ -122,7 +122,7 @@ TEST(Drives, MomentIsThatOfTheForcesAboutTheTurnedArms) {
     const Mat<2> rotation = nurbs::rotation(targets(1), Eigen::Vector3d(0, 0, 1)).topLeftCorner<2, 2>();
     double moment = 0;
     for (int a : scene.supports[1].on[0].functions) {
-      const Vec<2> arm = rotation * (points.col(a) - scene.supports[1].centre), f = force.segment<2>(2 * a);
+      const Vec<2> arm = rotation * (points.col(a) - scene.supports[1].center), f = force.segment<2>(2 * a);
       moment += arm(0) * f(1) - arm(1) * f(0);
     }
     EXPECT_NEAR(drives.moment(1, targets, force), moment, 1e-13);

@@ -19,7 +19,7 @@ Scene<2> disc(const solid::Material& material, solid::Kind kind, const std::vect
   plan.labels = {nurbs::parse_label("N2")};
   plan.through = 2;
   const auto space =
-      std::make_shared<const nurbs::Discretisation>(nurbs::rectangle(1.5, 0.5, Eigen::Vector2d(0, 0)), plan);
+      std::make_shared<const nurbs::Discretization>(nurbs::rectangle(1.5, 0.5, Eigen::Vector2d(0, 0)), plan);
   Scene<2> scene;
   scene.kind = kind;
   scene.bodies.push_back({"disc", std::make_shared<const solid::Body<2>>(space, material, kind)});

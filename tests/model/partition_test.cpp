@@ -30,12 +30,12 @@ Scene<3> block(std::vector<int> elements, const std::string& label, const std::s
   plan.labels.assign(2, nurbs::parse_label(label));
   plan.through = 1;
   const auto space =
-      std::make_shared<const nurbs::Discretisation>(nurbs::block({3, 2, 1}, Eigen::Vector3d(0, 0, 0)), plan);
+      std::make_shared<const nurbs::Discretization>(nurbs::block({3, 2, 1}, Eigen::Vector3d(0, 0, 0)), plan);
   scene.bodies.push_back({"block", std::make_shared<const solid::Body<3>>(space, solid::neo_hookean(1, 0.3))});
   Support<3> grip{
       "grip", {{0, space->face_functions(nurbs::side_of("back", 3))}}, {Hold::free, Hold::free, Hold::free}};
   grip.rotates = true;
-  grip.centre = {1.5, 1, 1};
+  grip.center = {1.5, 1, 1};
   grip.axis = {0, 0, 1};
   scene.supports.push_back(grip);
   return scene;
@@ -77,7 +77,7 @@ template <int D> void expect_apart_and_whole(const Scene<D>& scene, std::size_t 
   for (int n : times) ASSERT_EQ(n, 1) << what;
 }
 
-TEST(Partition, SharesMeetNoneOfTheirNeighboursAndHoldEveryElementOnce) {
+TEST(Partition, SharesMeetNoneOfTheirNeighborsAndHoldEveryElementOnce) {
   expect_apart_and_whole(strip({40, 8}, "N2", "south"), 4, "40x8");
   expect_apart_and_whole(strip({80, 4}, "N2-N2.2", "south"), 4, "80x4");
   expect_apart_and_whole(strip({300, 1}, "N4", "north"), 4, "300x1");

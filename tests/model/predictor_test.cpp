@@ -99,7 +99,7 @@ TEST(Predictor, SupportsThatTurn) {
                                                solid::neo_hookean(2, 0.3), 2)});
     Support<2> east{"east", {held(strip, 0, "east")}, {Hold::free, Hold::free}};
     east.rotates = true;
-    east.centre = face_centroid(*strip.bodies[0].body, nurbs::side_of("east", 2));
+    east.center = face_centroid(*strip.bodies[0].body, nurbs::side_of("east", 2));
     strip.supports = {{"west", {held(strip, 0, "west")}, {Hold::fixed, Hold::fixed}}, east};
     return strip;
   };

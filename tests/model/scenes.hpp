@@ -20,7 +20,7 @@ inline std::shared_ptr<const solid::Body<2>> make_body(const nurbs::Patch& patch
   plan.contact = {nurbs::side_of(contact, 2)};
   plan.labels = {nurbs::parse_label(label)};
   plan.through = through;
-  return std::make_shared<const solid::Body<2>>(std::make_shared<const nurbs::Discretisation>(patch, plan), material,
+  return std::make_shared<const solid::Body<2>>(std::make_shared<const nurbs::Discretization>(patch, plan), material,
                                                 kind);
 }
 
@@ -49,7 +49,7 @@ inline Scene<2> ironing(const std::string& label) {
 }
 
 /// The ironing problem with another slab.
-inline Scene<2> ironing_on(nurbs::Discretisation slab) {
+inline Scene<2> ironing_on(nurbs::Discretization slab) {
   Scene<2> scene = ironing("N2");
   const solid::Material material = scene.bodies[1].body->material();
   scene.bodies[1].body = std::make_shared<const solid::Body<2>>(std::move(slab), material);

@@ -29,7 +29,7 @@ std::shared_ptr<const solid::Body<3>> make_solid(const nurbs::Patch& patch, std:
   plan.contact = {contact};
   plan.labels.assign(2, nurbs::parse_label(label));
   plan.through = 1;
-  return std::make_shared<const solid::Body<3>>(std::make_shared<const nurbs::Discretisation>(patch, plan), material);
+  return std::make_shared<const solid::Body<3>>(std::make_shared<const nurbs::Discretization>(patch, plan), material);
 }
 
 Held held(const Scene<3>& scene, int body, nurbs::Side side) {
@@ -46,7 +46,7 @@ Scene<3> indentation(const std::string& label, double mu, bool turns) {
   scene.supports.push_back({"bed", {held(scene, 1, front)}, {Hold::fixed, Hold::fixed, Hold::fixed}});
   Support<3> grip{"grip", {held(scene, 0, back)}, {Hold::driven, Hold::driven, Hold::driven}};
   grip.rotates = turns;
-  grip.centre = {1.1, 1, 1.8};
+  grip.center = {1.1, 1, 1.8};
   grip.axis = {0, 0, 1};
   scene.supports.push_back(grip);
   scene.contacts.push_back({"interface", {0, front}, FaceReference{1, back}, contact::PenaltyLaw{50, 50, mu}, 6});

@@ -23,7 +23,7 @@ VectorX bernstein_at(const std::vector<int>& degrees, const VectorX& t) {
 }
 
 /// The rational functions of every element by its Bézier form are those of the space.
-void expect_same_functions(const Discretisation& space) {
+void expect_same_functions(const Discretization& space) {
   const int dimensions = space.parametric_dimension();
   for (int e = 0; e < space.elements(); ++e) {
     const BezierElement element = bezier_element(space, e);
@@ -48,7 +48,7 @@ void expect_same_functions(const Discretisation& space) {
   }
 }
 
-Discretisation space(const Patch& patch, std::vector<int> elements, std::vector<std::string> labels, Side contact) {
+Discretization space(const Patch& patch, std::vector<int> elements, std::vector<std::string> labels, Side contact) {
   Plan plan{std::move(elements), {}, {}, {contact}, 1};
   for (const std::string& label : labels) plan.labels.push_back(parse_label(label));
   return {patch, plan};

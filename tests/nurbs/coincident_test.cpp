@@ -13,7 +13,7 @@ namespace coincident_test {
 
 using Groups = std::vector<std::vector<int>>;
 
-Discretisation discretise(const Patch& patch, const std::string& label, const std::vector<std::string>& contact,
+Discretization discretize(const Patch& patch, const std::string& label, const std::vector<std::string>& contact,
                           int finer = 1) {
   const int dimensions = patch.parametric_dimension();
   Plan plan;
@@ -25,7 +25,7 @@ Discretisation discretise(const Patch& patch, const std::string& label, const st
 }
 
 /// A random displacement of the control points, the same for all of a group.
-MatrixX random_displacement(test::Random& random, const Discretisation& space, const Groups& groups) {
+MatrixX random_displacement(test::Random& random, const Discretization& space, const Groups& groups) {
   MatrixX u = MatrixX::NullaryExpr(space.dimension(), space.functions(), [&] { return test::uniform(random, -1, 1); });
   for (const auto& group : groups)
     for (int function : group) u.col(function) = u.col(group.front());
@@ -37,7 +37,7 @@ struct Sample {
 };
 
 /// Lattice points of all sides: where they are and how they move.
-std::vector<Sample> sample_sides(const Patch& patch, const Discretisation& space, const MatrixX& u) {
+std::vector<Sample> sample_sides(const Patch& patch, const Discretization& space, const MatrixX& u) {
   constexpr int steps = 7;
   const int dimensions = patch.parametric_dimension();
   std::vector<Sample> samples;
@@ -62,7 +62,7 @@ std::vector<Sample> sample_sides(const Patch& patch, const Discretisation& space
 }
 
 /// The widest gap that opens between two parameters of one place.
-double tear(const Patch& patch, const Discretisation& space, const MatrixX& u) {
+double tear(const Patch& patch, const Discretization& space, const MatrixX& u) {
   double widest = 0;
   const auto samples = sample_sides(patch, space, u);
   for (const Sample& a : samples)
@@ -110,7 +110,7 @@ TEST(Coincident, GroupsHoldWhatIsOnePointAndNothingTears) {
     const int dimensions = patch.parametric_dimension();
     for (const char* label : {"N2", "N3.1", "L2"}) {
       SCOPED_TRACE(name + " " + label);
-      const Discretisation space = discretise(patch, label, {});
+      const Discretization space = discretize(patch, label, {});
       const Groups groups = coincident_functions(space);
       ASSERT_FALSE(groups.empty());
       const MatrixX points = space.points();
@@ -132,7 +132,7 @@ TEST(Coincident, GroupsHoldWhatIsOnePointAndNothingTears) {
       for (bool at_end : {false, true}) {
         const std::string face = name_of({d, at_end});
         SCOPED_TRACE(name + " layer on " + face);
-        const Discretisation space = discretise(patch, "N2-N2.1", {face, name_of({d, !at_end})}, 2);
+        const Discretization space = discretize(patch, "N2-N2.1", {face, name_of({d, !at_end})}, 2);
         const auto is = [&, d = d](std::initializer_list<const char*> names, int direction) {
           return d == direction && std::find(names.begin(), names.end(), name) != names.end();
         };
@@ -150,38 +150,38 @@ TEST(Coincident, GroupsHoldWhatIsOnePointAndNothingTears) {
 TEST(Coincident, AContactFaceOnASeamIsRefusedWhateverTheRowsSpaces) {
   const Patch ring = ruled(circle(Vec<2>(0, 0), 2), circle(Vec<2>(0, 0), 1));
   for (const char* label : {"N2", "N2-N2.2"})
-    EXPECT_ERROR(coincident_functions(discretise(ring, label, {"east"}, 2)), "nurbs.body.seam: face = east");
+    EXPECT_ERROR(coincident_functions(discretize(ring, label, {"east"}, 2)), "nurbs.body.seam: face = east");
 }
 
 TEST(Coincident, CountsOfKnownFolds) {
   // Around the octant's pole: 4 + 1 + 2·3 functions in the layer (N2.2 on 3 elements, knots of multiplicity 3), and
   // 2 + 1 + 2 in each of the 3 other rows
-  const Discretisation octant = discretise(sphere_octant(1, 2, Vec<3>(0, 0, 0)), "N2-N2.2", {"front"}, 2);
+  const Discretization octant = discretize(sphere_octant(1, 2, Vec<3>(0, 0, 0)), "N2-N2.2", {"front"}, 2);
   const Groups poles = coincident_functions(octant);
   ASSERT_EQ(poles.size(), 4u);
   EXPECT_EQ(poles[0].size(), 11u);
   for (int j = 1; j < 4; ++j) EXPECT_EQ(poles[static_cast<std::size_t>(j)].size(), 5u);
   // The ring's seam: one pair per row
   const Patch ring = ruled(circle(Vec<2>(0, 0), 2), circle(Vec<2>(0, 0), 1));
-  const Groups seam = coincident_functions(discretise(ring, "N2-N4", {"south"}, 3));
+  const Groups seam = coincident_functions(discretize(ring, "N2-N4", {"south"}, 3));
   ASSERT_EQ(seam.size(), 5u);
   for (const auto& pair : seam) EXPECT_EQ(pair.size(), 2u);
   // One edge along z: all its functions are one
-  const Groups edge = coincident_functions(discretise(bent_block({{4, Vec<3>(0, 0, 0)}}), "N2", {}, 2));
+  const Groups edge = coincident_functions(discretize(bent_block({{4, Vec<3>(0, 0, 0)}}), "N2", {}, 2));
   ASSERT_EQ(edge.size(), 1u);
   EXPECT_EQ(edge[0].size(), 5u);
 }
 
 TEST(Coincident, WhatOnlyTouchesStaysFree) {
   test::Random random(52);
-  const auto none = [](const Patch& patch) { return coincident_functions(discretise(patch, "N2", {})).empty(); };
+  const auto none = [](const Patch& patch) { return coincident_functions(discretize(patch, "N2", {})).empty(); };
   EXPECT_TRUE(none(rectangle(3, 1, Vec<2>(0, 0))));
   EXPECT_TRUE(none(block({1, 2, 3}, Vec<3>(0, 0, 0))));
   EXPECT_TRUE(none(half_cylinder_shell(1, 2, 3, Vec<3>(0, 0, 0))));
   for (int run = 0; run < 20; ++run) {
     const int dimensions = 2 + run % 2;
     const Patch patch = test::random_patch(random, dimensions, dimensions, 2);
-    EXPECT_TRUE(coincident_functions(discretise(patch, "N2", {})).empty());
+    EXPECT_TRUE(coincident_functions(discretize(patch, "N2", {})).empty());
   }
 
   // A ring that closes at its outer radius alone
@@ -192,10 +192,10 @@ TEST(Coincident, WhatOnlyTouchesStaysFree) {
   MatrixX homogeneous = closed.homogeneous();
   homogeneous.col(0) *= 2;
   EXPECT_TRUE(none(Patch(closed.directions(), homogeneous)));
-  // Neighbouring control points of an edge that are one point do not collapse it
+  // Neighboring control points of an edge that are one point do not collapse it
   const Patch finer = make_patch({KnotVector(1, {0, 0, 0.5, 1, 1}), KnotVector::single(1)},
                                  (MatrixX(2, 6) << 0, 0, 2, 0, 1, 2, 0, 0, 0, 1, 1, 1).finished());
-  EXPECT_TRUE(coincident_functions(discretise(finer, "N1", {}, 0)).empty());
+  EXPECT_TRUE(coincident_functions(discretize(finer, "N1", {}, 0)).empty());
   // Opposite corners of a block that touch
   EXPECT_TRUE(none(bent_block({{7, Vec<3>(0, 0, 0)}})));
 }

@@ -33,14 +33,14 @@ TEST(Arc, IsACircleOfTheRightLengthForAnyAngle) {
     const double radius = uniform(random, 0.1, 10), start = uniform(random, -400, 400);
     double turn = uniform(random, -360, 360);
     if (run % 5 == 0) turn = 90 * (1 + run / 5 % 4);
-    const Vec<2> centre(uniform(random, -1, 1), uniform(random, -1, 1));
-    const Patch patch = arc(centre, radius, start, start + turn);
+    const Vec<2> center(uniform(random, -1, 1), uniform(random, -1, 1));
+    const Patch patch = arc(center, radius, start, start + turn);
     EXPECT_EQ(patch.direction(0).elements(), static_cast<int>(std::ceil(std::abs(turn) / 90 - 1e-9)));
     for (double t : {0.0, 0.1, 0.37, 0.5, 0.77, 1.0})
-      EXPECT_NEAR((evaluate(patch, xi(t)) - centre).norm(), radius, 2e-15 * (radius + 2));
+      EXPECT_NEAR((evaluate(patch, xi(t)) - center).norm(), radius, 2e-15 * (radius + 2));
     EXPECT_NEAR(measure(patch).content, radius * std::abs(turn) * pi / 180, 1e-12 * radius);
     const double stop = (start + turn) * pi / 180;
-    EXPECT_LT((evaluate(patch, xi(1)) - centre - radius * Vec<2>(std::cos(stop), std::sin(stop))).norm(),
+    EXPECT_LT((evaluate(patch, xi(1)) - center - radius * Vec<2>(std::cos(stop), std::sin(stop))).norm(),
               1e-14 * radius);
     // The derivative at the start points counter-clockwise for rising angles.
     const double angle = start * pi / 180;
@@ -65,7 +65,7 @@ TEST(Arc, QuarterPointsAreExactAndKnotsEquallySpaced) {
   EXPECT_EQ(arc(Vec<2>(0, 0), 1, 0, 90.001).direction(0).elements(), 2);
 }
 
-TEST(Arc, InSpaceLiesAtItsCentresHeight) {
+TEST(Arc, InSpaceLiesAtItsCentersHeight) {
   const Patch patch = arc(Vec<3>(1, 2, 3), 0.5, 30, 200);
   for (double t : {0.0, 0.3, 1.0}) {
     EXPECT_NEAR(evaluate(patch, xi(t))(2), 3, 1e-14);
@@ -83,7 +83,7 @@ TEST(Arc, RefusesWhatCannotBe) {
   EXPECT_ERROR(arc(origin, 1, 0, 400), "nurbs.arc.turn: start = 0, stop = 400");
   EXPECT_ERROR(arc(origin, 1, 0, HUGE_VAL), "nurbs.arc.angles: start = 0, stop = inf");
   EXPECT_ERROR(arc(VectorX::Zero(4), 1, 0, 90),
-               "nurbs.transform.coordinates: argument = centre, expected = 2, count = 4");
+               "nurbs.transform.coordinates: argument = center, expected = 2, count = 4");
 }
 
 } // namespace curves_test

@@ -1,5 +1,5 @@
 // Published counts of degrees of freedom, every row from share/reference. The set-ups are the published problems'.
-#include "nurbs/discretisation.hpp"
+#include "nurbs/discretization.hpp"
 #include "nurbs/shapes.hpp"
 
 #include <gtest/gtest.h>
@@ -48,7 +48,7 @@ Count count(const Patch& patch, std::vector<int> elements, const std::string& la
   plan.contact = {side_of(contact, dimension)};
   plan.labels.assign(static_cast<std::size_t>(dimension) - 1, parse_label(label));
   plan.through = 1;
-  const Discretisation space(patch, plan);
+  const Discretization space(patch, plan);
   return {dimension * static_cast<int>(space.face_functions(plan.contact.front()).size()),
           dimension * space.functions()};
 }
@@ -61,7 +61,7 @@ TEST(DofTables, Ironing2dTable72) {
   const Rows rows = read("ironing2d_dofs_table7_2.csv");
   ASSERT_EQ(rows.size(), 8u);
   for (const auto& row : rows) {
-    const std::string label = row.at("discretisation");
+    const std::string label = row.at("discretization");
     const Count die = count(half_annulus(0.3, 0.5, Eigen::Vector2d(0.75, 1.5)), {6, 2}, label, "south");
     const Count slab = count(rectangle(3, 1, Eigen::Vector2d(0, 0)), {8, 3}, label, "north");
     EXPECT_EQ(die.interface, value(row, "die_interface")) << label;
@@ -81,10 +81,10 @@ TEST(DofTables, Hertz2dTable74) {
     // m1 … m6 have 9, 18, 36, … elements along the arc.
     const int n = 1 << (std::stoi(row.at("mesh").substr(1)) - 1);
     const Count ring =
-        count(quarter_annulus(0.1, 1, Eigen::Vector2d(0, 1), -90), {9 * n, 48}, row.at("discretisation"), "south");
-    EXPECT_EQ(ring.interface, value(row, "interface")) << row.at("mesh") << " " << row.at("discretisation");
-    EXPECT_EQ(ring.bulk(), value(row, "bulk")) << row.at("mesh") << " " << row.at("discretisation");
-    EXPECT_EQ(ring.total, value(row, "total")) << row.at("mesh") << " " << row.at("discretisation");
+        count(quarter_annulus(0.1, 1, Eigen::Vector2d(0, 1), -90), {9 * n, 48}, row.at("discretization"), "south");
+    EXPECT_EQ(ring.interface, value(row, "interface")) << row.at("mesh") << " " << row.at("discretization");
+    EXPECT_EQ(ring.bulk(), value(row, "bulk")) << row.at("mesh") << " " << row.at("discretization");
+    EXPECT_EQ(ring.total, value(row, "total")) << row.at("mesh") << " " << row.at("discretization");
   }
 }
 
@@ -94,8 +94,8 @@ TEST(DofTables, PeelingTables78AndB2) {
   const std::map<std::string, std::vector<int>> meshes{{"m1", {160, 8}}, {"m2", {200, 10}}, {"m3", {240, 12}}};
   for (const auto& row : rows) {
     const Count strip =
-        count(rectangle(200, 10, Eigen::Vector2d(0, 0)), meshes.at(row.at("mesh")), row.at("discretisation"), "south");
-    EXPECT_EQ(strip.total, value(row, "dofs")) << row.at("mesh") << " " << row.at("discretisation");
+        count(rectangle(200, 10, Eigen::Vector2d(0, 0)), meshes.at(row.at("mesh")), row.at("discretization"), "south");
+    EXPECT_EQ(strip.total, value(row, "dofs")) << row.at("mesh") << " " << row.at("discretization");
   }
 }
 
@@ -103,7 +103,7 @@ TEST(DofTables, Ironing3dTable711) {
   const Rows rows = read("ironing3d_dofs_table7_11.csv");
   ASSERT_EQ(rows.size(), 8u);
   for (const auto& row : rows) {
-    const std::string label = row.at("discretisation");
+    const std::string label = row.at("discretization");
     const int n = row.at("mesh") == "fine" ? 2 : 1;
     const Count slab = count(block({100, 30, 22}, Eigen::Vector3d(0, 0, 0)), {18 * n, 6 * n, 4 * n}, label, "back");
     // The cap is one biquadratic span: knots of its own would keep their continuity and cost the higher degrees more.

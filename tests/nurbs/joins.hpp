@@ -1,7 +1,7 @@
 #pragma once
 // Spaces of several degrees, joined C⁰, and a strip with such a row: what no knot vector describes.
 
-#include "nurbs/discretisation.hpp"
+#include "nurbs/discretization.hpp"
 
 namespace signorini::nurbs::test {
 
@@ -35,7 +35,7 @@ inline std::vector<double> linear_points(const Space1D& space) {
 
 /// The rectangle of `width` and height 1 above y = 0; its `side`, "north" or "south", is a join of `degrees`, the row
 /// on the other side quadratic C⁰.
-inline Discretisation strip(double width, const std::vector<int>& degrees, const std::string& side = "north") {
+inline Discretization strip(double width, const std::vector<int>& degrees, const std::string& side = "north") {
   const auto row = [&](const Space1D& space, double y) {
     MatrixX homogeneous = MatrixX::Ones(3, space.functions());
     const std::vector<double> points = linear_points(space);

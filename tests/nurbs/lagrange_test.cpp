@@ -1,7 +1,7 @@
 // Lp elements interpolate: exact at their nodes, and the geometry's error falls with order p+1.
 #include "nurbs/lagrange.hpp"
 
-#include "nurbs/discretisation.hpp"
+#include "nurbs/discretization.hpp"
 #include "nurbs/random_patch.hpp"
 #include "nurbs/shapes.hpp"
 
@@ -49,7 +49,7 @@ double geometry_error(int p, int elements) {
   plan.contact = {side_of("south", 2)};
   plan.labels = {parse_label(text("L", p))};
   plan.through = 1;
-  const Row face = Discretisation(arc, plan).face(plan.contact.front());
+  const Row face = Discretization(arc, plan).face(plan.contact.front());
   double largest = 0;
   for (int k = 0; k <= 1000; ++k) {
     const double xi = k / 1000.0;
@@ -70,7 +70,7 @@ TEST(Lagrange, LabelWithoutContactFaceHoldsInBothDirections) {
   Plan plan;
   plan.elements = {3, 2};
   plan.labels = {parse_label("L2"), parse_label("L2")};
-  const Discretisation space(rectangle(3, 1, Eigen::Vector2d(0, 0)), plan);
+  const Discretization space(rectangle(3, 1, Eigen::Vector2d(0, 0)), plan);
   EXPECT_EQ(space.functions(), 7 * 5);
 }
 

@@ -13,7 +13,7 @@ namespace signorini::nurbs::test {
 struct Measure {
   double content = 0;                                     ///< length, area or volume
   double least = std::numeric_limits<double>::infinity(); ///< least Jacobian at the quadrature points
-  VectorX centroid;                                       ///< centre of mass
+  VectorX centroid;                                       ///< center of mass
 };
 
 /// Gauss–Legendre nodes and weights on [0, 1] by Newton's method on the Legendre polynomial.

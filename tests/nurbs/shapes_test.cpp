@@ -84,37 +84,37 @@ TEST(Shapes, HalfCylinderShellHasItsOuterFaceInFront) {
 }
 
 TEST(Shapes, SphereOctantIsExactAndDegenerateOnlyAtThePole) {
-  const Vec<3> centre(1, 2, 3);
-  const Patch patch = sphere_octant(1, 2, centre);
-  expect_point(patch, {0, 0, 0}, centre + Vec<3>(2, 0, 0));
-  expect_point(patch, {1, 0, 0}, centre + Vec<3>(0, 2, 0));
-  for (double t : {0.0, 0.4, 1.0}) expect_point(patch, {t, 1, 1}, centre + Vec<3>(0, 0, -1));
+  const Vec<3> center(1, 2, 3);
+  const Patch patch = sphere_octant(1, 2, center);
+  expect_point(patch, {0, 0, 0}, center + Vec<3>(2, 0, 0));
+  expect_point(patch, {1, 0, 0}, center + Vec<3>(0, 2, 0));
+  for (double t : {0.0, 0.4, 1.0}) expect_point(patch, {t, 1, 1}, center + Vec<3>(0, 0, -1));
   for (double a : {0.1, 0.6})
     for (double b : {0.2, 0.9}) {
-      EXPECT_NEAR((evaluate(patch, parameters({a, b, 0})) - centre).norm(), 2, 1e-14);
-      EXPECT_NEAR((evaluate(patch, parameters({a, b, 1})) - centre).norm(), 1, 1e-14);
+      EXPECT_NEAR((evaluate(patch, parameters({a, b, 0})) - center).norm(), 2, 1e-14);
+      EXPECT_NEAR((evaluate(patch, parameters({a, b, 1})) - center).norm(), 1, 1e-14);
     }
   const Measure octant = measure(patch, 10);
   EXPECT_NEAR(octant.content, pi / 6 * 7, 1e-11);
   EXPECT_GT(octant.least, 0);
   // Of a half ball shell: z = −3/8 (b⁴ − a⁴)/(b³ − a³)
   EXPECT_NEAR(octant.centroid(2), 3 - 3 * 15.0 / (8 * 7), 1e-11);
-  EXPECT_ERROR(sphere_octant(1, 1, centre), "nurbs.shapes.radii: inner = 1, outer = 1");
+  EXPECT_ERROR(sphere_octant(1, 1, center), "nurbs.shapes.radii: inner = 1, outer = 1");
   EXPECT_ERROR(sphere_octant(1, 2, Vec<2>(0, 0)),
-               "nurbs.transform.coordinates: argument = centre, expected = 3, count = 2");
+               "nurbs.transform.coordinates: argument = center, expected = 3, count = 2");
 }
 
 TEST(Shapes, HollowHemispheresAreExactAndOfFullVolume) {
-  const Vec<3> centre(1, 2, 3);
+  const Vec<3> center(1, 2, 3);
   Random random(43);
   for (Poles poles : {Poles::ends, Poles::bottom}) {
-    const Patch patch = hollow_hemisphere(2, 3, centre, poles);
+    const Patch patch = hollow_hemisphere(2, 3, center, poles);
     for (int n = 0; n < 200; ++n) {
       VectorX xi = random_parameter(random, patch);
-      EXPECT_LE(evaluate(patch, xi)(2), centre(2) + 1e-14);
+      EXPECT_LE(evaluate(patch, xi)(2), center(2) + 1e-14);
       for (double end : {0.0, 1.0}) {
         xi(2) = end;
-        EXPECT_NEAR((evaluate(patch, xi) - centre).norm(), 3 - end, 1e-14);
+        EXPECT_NEAR((evaluate(patch, xi) - center).norm(), 3 - end, 1e-14);
       }
     }
     // The volume converges to 2π/3 (R_o³ − R_i³), spectrally with the Gauss points: each more gains two digits or so.
@@ -129,13 +129,13 @@ TEST(Shapes, HollowHemispheresAreExactAndOfFullVolume) {
     }
     const Measure half = measure(patch, 12);
     EXPECT_NEAR(half.content, volume, 1e-10);
-    EXPECT_LT((half.centroid.head(2) - centre.head(2)).norm(), 1e-12);
+    EXPECT_LT((half.centroid.head(2) - center.head(2)).norm(), 1e-12);
     // Of a half ball shell: z = −3/8 (b⁴ − a⁴)/(b³ − a³)
     EXPECT_NEAR(half.centroid(2), 3 - 3 * 65.0 / (8 * 19), 1e-11);
     EXPECT_NEAR(measure(face(patch, side_of("front", 3))).content, 2 * pi * 9, 1e-10);
-    EXPECT_ERROR(hollow_hemisphere(3, 3, centre, poles), "nurbs.shapes.radii: inner = 3, outer = 3");
+    EXPECT_ERROR(hollow_hemisphere(3, 3, center, poles), "nurbs.shapes.radii: inner = 3, outer = 3");
     EXPECT_ERROR(hollow_hemisphere(1, 3, Vec<2>(0, 0), poles),
-                 "nurbs.transform.coordinates: argument = centre, expected = 3, count = 2");
+                 "nurbs.transform.coordinates: argument = center, expected = 3, count = 2");
   }
 }
 
@@ -167,11 +167,11 @@ TEST(Shapes, HollowHemispheresHaveTheirRingAndPolesWhereTheySay) {
 /// Worst distance of the indenter's cap from its sphere.
 double cap_error(int elements) {
   const Patch patch = spherical_indenter(10, 8, 11, 12, elements, Vec<3>(1, 2, 3));
-  const Vec<3> centre(6, 6, 3 + 12);
+  const Vec<3> center(6, 6, 3 + 12);
   double worst = 0;
   for (int i = 0; i <= 40; ++i)
     for (int j = 0; j <= 40; ++j)
-      worst = std::max(worst, std::abs((evaluate(patch, parameters({i / 40.0, j / 40.0, 0})) - centre).norm() - 12));
+      worst = std::max(worst, std::abs((evaluate(patch, parameters({i / 40.0, j / 40.0, 0})) - center).norm() - 12));
   return worst;
 }
 
@@ -210,19 +210,19 @@ TEST(Transform, MovesTurnsAndScalesEveryPoint) {
   for (int run = 0; run < 20; ++run) {
     const int dimension = 2 + run % 2;
     const Patch patch = random_patch(random, 1 + run % dimension, dimension);
-    const VectorX xi = random_parameter(random, patch), x = evaluate(patch, xi), centre = VectorX::Random(dimension);
+    const VectorX xi = random_parameter(random, patch), x = evaluate(patch, xi), center = VectorX::Random(dimension);
     const VectorX by = VectorX::Random(dimension), factors = VectorX::Random(dimension).cwiseAbs();
     const double angle = uniform(random, -720, 720);
     EXPECT_LT((evaluate(translate(patch, by), xi) - (x + by)).norm(), 1e-14);
-    EXPECT_LT((evaluate(scale(patch, factors, centre), xi) - (centre + factors.cwiseProduct(x - centre))).norm(),
+    EXPECT_LT((evaluate(scale(patch, factors, center), xi) - (center + factors.cwiseProduct(x - center))).norm(),
               1e-14);
     if (dimension == 2) {
-      const VectorX turned = Eigen::Rotation2Dd(angle * pi / 180) * Vec<2>(x - centre);
-      EXPECT_LT((evaluate(rotate(patch, angle, centre), xi) - (centre + turned)).norm(), 1e-13);
+      const VectorX turned = Eigen::Rotation2Dd(angle * pi / 180) * Vec<2>(x - center);
+      EXPECT_LT((evaluate(rotate(patch, angle, center), xi) - (center + turned)).norm(), 1e-13);
     } else {
       const Vec<3> axis = Vec<3>::Random();
-      const VectorX turned = Eigen::AngleAxisd(angle * pi / 180, axis.normalized()) * Vec<3>(x - centre);
-      EXPECT_LT((evaluate(rotate(patch, angle, centre, axis), xi) - (centre + turned)).norm(), 1e-13);
+      const VectorX turned = Eigen::AngleAxisd(angle * pi / 180, axis.normalized()) * Vec<3>(x - center);
+      EXPECT_LT((evaluate(rotate(patch, angle, center, axis), xi) - (center + turned)).norm(), 1e-13);
     }
   }
 }

@@ -1,5 +1,5 @@
 // Layers on solids: every face, two opposite ones, one label per direction along them, several rows deep.
-#include "nurbs/discretisation.hpp"
+#include "nurbs/discretization.hpp"
 
 #include "nurbs/random_patch.hpp"
 #include "nurbs/shapes.hpp"
@@ -64,7 +64,7 @@ TEST(SolidLayers, CountsGeometryAndSignOnEveryFace) {
     std::vector<Side> contact{side};
     if (trial % 4 == 3) contact.push_back({side.direction, !side.at_end});
     const auto [patch, plan, depth] = random_case(random, contact);
-    const Discretisation space(patch, plan);
+    const Discretization space(patch, plan);
     SCOPED_TRACE(
         text("trial ", trial, ", layer on ", name_of(side), ", ", plan.labels[0].text, ", ", plan.labels[1].text));
 
@@ -111,7 +111,7 @@ TEST(SolidLayers, AgreeWithTheBookOnAShell) {
   plan.contact = {side_of("front", 3)};
   plan.labels = {parse_label("N2-N2.2"), parse_label("N2-N4")};
   plan.through = 1;
-  const Discretisation space(shell, plan);
+  const Discretization space(shell, plan);
 
   const std::vector<double> around{0.25, 0.75}, along{1 / 3.0, 2 / 3.0};
   const Patch bulk = k_refine(k_refine(k_refine(shell, 0, 2, around), 1, 2, along), 2, 1, {0.5});
@@ -149,7 +149,7 @@ TEST(SolidLayers, DegreesRiseOnlyInTheirDirectionAndWhereTheLayerReaches) {
   plan.contact = {side_of("back", 3)};
   plan.labels = {parse_label("N2-N2.2"), parse_label("N3")};
   plan.through = 1;
-  const Discretisation space(block({1, 1, 1}, Vec<3>(0, 0, 0)), plan);
+  const Discretization space(block({1, 1, 1}, Vec<3>(0, 0, 0)), plan);
   for (int e = 0; e < space.elements(); ++e) {
     EXPECT_EQ(space.degree(e, 0), e / 6 == 3 ? 4 : 2) << "element " << e;
     EXPECT_EQ(space.degree(e, 1), 3);
@@ -164,7 +164,7 @@ TEST(SolidLayers, DepthsOfTwoDirectionsMustAgreeWhereBothAreLayered) {
     plan.contact = {side_of("front", 3)};
     plan.labels = {parse_label(first), parse_label(second)};
     plan.through = 1;
-    return Discretisation(block({1, 1, 1}, Vec<3>(0, 0, 0)), plan).functions();
+    return Discretization(block({1, 1, 1}, Vec<3>(0, 0, 0)), plan).functions();
   };
   // 4 + 1 functions of N2-N2.1 against 3 + 1 of N2 in one direction, on 2 of 4 rows
   EXPECT_EQ(build("N2", "N2-N2.1x2"), 2 * 4 * 6 + 2 * 4 * 4);

@@ -93,7 +93,7 @@ TEST(Space1D, RefusesTablesThatAreNoSpace) {
 
 /// A quadratic row below, degrees 2 and 4 above.
 TEST(Space1D, BodyWithARowOfTwoDegrees) {
-  const Discretisation space = test::strip(3, {2, 4, 2, 4});
+  const Discretization space = test::strip(3, {2, 4, 2, 4});
   EXPECT_EQ(space.functions(), 9 + 13);
   EXPECT_EQ(space.degree(0, 0), 2);
   EXPECT_EQ(space.degree(1, 0), 4);
@@ -131,14 +131,14 @@ TEST(Space1D, BodyWithARowOfTwoDegrees) {
 }
 
 TEST(Space1D, FilesKeepEveryBit) {
-  for (const Discretisation& space :
+  for (const Discretization& space :
        {test::strip(3, {2, 4}),
-        Discretisation(1, spline_space(KnotVector::single(1)),
+        Discretization(1, spline_space(KnotVector::single(1)),
                        {test::strip(3, {2, 2}).rows()[0], test::strip(3, {2, 2}).rows()[1]}, {})}) {
     ArchiveWriter to;
     to.put(space);
     ArchiveReader from(to.bytes());
-    const auto read = from.get<Discretisation>();
+    const auto read = from.get<Discretization>();
     EXPECT_EQ(from.remaining(), 0u);
     EXPECT_EQ(read.stack(), space.stack());
     EXPECT_TRUE(read.stack().knots());
@@ -153,7 +153,7 @@ TEST(Space1D, BodiesNeedSpacesThatInterpolateTheirEnds) {
   // Two functions at the start
   const Space1D blurred({0, 1}, {-1, -1}, {{1, {0, 1}, (MatrixX(2, 2) << 0.9, 0, 0.1, 1).finished()}});
   const Row good({line}, (MatrixX(3, 2) << 0, 1, 0, 0, 1, 1).finished()), bad({blurred}, good.homogeneous());
-  EXPECT_ERROR(Discretisation(1, line, {good, bad}, {}), "nurbs.space.ends");
+  EXPECT_ERROR(Discretization(1, line, {good, bad}, {}), "nurbs.space.ends");
 }
 
 } // namespace space1d_test

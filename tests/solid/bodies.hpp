@@ -23,7 +23,7 @@ Body<D> make_body(const nurbs::Patch& patch, std::vector<int> elements, const st
   plan.contact = {nurbs::side_of(contact, D)};
   plan.labels.assign(D - 1, nurbs::parse_label(label));
   plan.through = through;
-  return {nurbs::Discretisation(patch, plan), material};
+  return {nurbs::Discretization(patch, plan), material};
 }
 
 template <int D> VectorX random_displacement(Random& random, const Body<D>& body, double size) {

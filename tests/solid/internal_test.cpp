@@ -1,5 +1,5 @@
 // Internal force against the stored energy's derivative, tangent against the force's, and what must not depend on the
-// discretisation: homogeneous states, rigid motions, inversion.
+// discretization: homogeneous states, rigid motions, inversion.
 #include "solid/internal.hpp"
 
 #include "solid/many_bodies.hpp"
@@ -88,7 +88,7 @@ TEST(Internal, ForcesTurnWithTheBody) {
 }
 
 /// Functions that vanish on all faces.
-template <int D> std::vector<int> inner_functions(const nurbs::Discretisation& space) {
+template <int D> std::vector<int> inner_functions(const nurbs::Discretization& space) {
   std::vector<bool> outer(static_cast<std::size_t>(space.functions()), false);
   for (int d = 0; d < D; ++d)
     for (bool at_end : {false, true})

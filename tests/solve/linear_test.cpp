@@ -24,7 +24,7 @@ TEST_P(Linear, SolvesOneSystemAfterTheOtherOnOnePattern) {
   }
 }
 
-/// Pivots that were the largest ones vanish: a factorisation that kept them would lose all digits.
+/// Pivots that were the largest ones vanish: a factorization that kept them would lose all digits.
 TEST_P(Linear, ValuesThatNeedOtherPivots) {
   std::mt19937 random(4);
   const Pattern pattern = chain(100);

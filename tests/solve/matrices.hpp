@@ -81,7 +81,7 @@ inline Eigen::VectorXd product(const Pattern& pattern, const Values& values, con
   return y;
 }
 
-/// Largest backward error |K x − b| / (|K||x| + |b|) of two right-hand sides, which follow one factorisation; 1 when
+/// Largest backward error |K x − b| / (|K||x| + |b|) of two right-hand sides, which follow one factorization; 1 when
 /// there is none.
 template <class Solver> double backward_error(Solver& solver, const Pattern& pattern, const Values& values) {
   if (!solver.factor(values.data())) return 1;

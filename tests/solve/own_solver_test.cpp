@@ -27,7 +27,7 @@ public:
   bool factor(const double* values) override {
     std::copy_n(values, matrix_.nonZeros(), matrix_.valuePtr());
     solver_.factorize(matrix_);
-    ++statistics_.factorisations;
+    ++statistics_.factorizations;
     return solver_.info() == Eigen::Success;
   }
   bool solve(double* b) override {
@@ -61,7 +61,7 @@ TEST(OwnSolver, IsReused) {
     }
   }
   EXPECT_EQ(solver->statistics().solutions, 2 * rounds);
-  EXPECT_LE(solver->statistics().factorisations, rounds / 3);
+  EXPECT_LE(solver->statistics().factorizations, rounds / 3);
   EXPECT_GT(solver->statistics().iterations, rounds);
 }
 

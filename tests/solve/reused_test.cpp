@@ -15,7 +15,7 @@ namespace reused_test {
 using namespace test;
 using Eigen::VectorXd;
 
-TEST(Reused, SolvesDriftingTangentsWithFewFactorisations) {
+TEST(Reused, SolvesDriftingTangentsWithFewFactorizations) {
   std::mt19937 random(41);
   for (double skew : {0.0, 1.0, 10.0}) {
     const Drift drift(random, cube(9), skew);
@@ -34,8 +34,8 @@ TEST(Reused, SolvesDriftingTangentsWithFewFactorisations) {
     }
     const SolverStatistics statistics = solver->statistics();
     EXPECT_EQ(statistics.solutions, 2 * rounds);
-    EXPECT_GE(statistics.factorisations, 1);
-    EXPECT_LE(statistics.factorisations, rounds / 3) << skew;
+    EXPECT_GE(statistics.factorizations, 1);
+    EXPECT_LE(statistics.factorizations, rounds / 3) << skew;
     EXPECT_GT(statistics.memory, sizeof(double) * drift.pattern.entries() / 2.0);
   }
 }
@@ -70,8 +70,8 @@ TEST(Reused, FactorsAnewWhenTheMatrixJumps) {
       ASSERT_TRUE(solver->solve(x.data()));
       EXPECT_LE(residual(pattern, values, x, b), 1.0001 * promised) << diagonal;
     }
-    EXPECT_GT(solver->statistics().factorisations, before) << diagonal;
-    before = solver->statistics().factorisations;
+    EXPECT_GT(solver->statistics().factorizations, before) << diagonal;
+    before = solver->statistics().factorizations;
   }
 }
 
@@ -163,7 +163,7 @@ TEST(Reused, OutlivesItsPattern) {
     drift.pattern = next;
     ASSERT_TRUE(solver->adopt(next));
   }
-  EXPECT_LE(solver->statistics().factorisations, 4);
+  EXPECT_LE(solver->statistics().factorizations, 4);
 }
 
 TEST(SymmetricPart, IsFactoredOnOnePatternAfterTheOther) {
@@ -192,7 +192,7 @@ TEST(SymmetricPart, IsFactoredOnOnePatternAfterTheOther) {
     pattern = extend(pattern, {{round, pattern.size - 1 - round}}, moved);
     part.adopt(pattern);
   }
-  EXPECT_EQ(part.statistics().factorisations, 6);
+  EXPECT_EQ(part.statistics().factorizations, 6);
 }
 
 /// M of symmetric_part.hpp from dense blocks: the symmetric part of `old` with the present block of `watched`.
@@ -249,11 +249,11 @@ TEST(SymmetricPart, KeepsTheBlockOfWatchedUnknownsUpToDate) {
     const Values present = changed(grown);
     ASSERT_TRUE(part.update(present.data()));
     check(start, present);
-    EXPECT_EQ(part.statistics().factorisations, 1);
+    EXPECT_EQ(part.statistics().factorizations, 1);
   }
 }
 
-/// Springs between watched unknowns come and go: no factorisation but the first, and few iterations.
+/// Springs between watched unknowns come and go: no factorization but the first, and few iterations.
 TEST(Reused, WatchedUnknownsMayChangeAtWill) {
   std::mt19937 random(51);
   const Pattern pattern = cube(7);
@@ -277,9 +277,9 @@ TEST(Reused, WatchedUnknownsMayChangeAtWill) {
     return solver->statistics();
   };
   const SolverStatistics with = run(true), without = run(false);
-  EXPECT_EQ(with.factorisations, 1);
+  EXPECT_EQ(with.factorizations, 1);
   EXPECT_EQ(with.iterations, with.solutions);
-  EXPECT_GT(without.iterations + without.factorisations, 2 * with.iterations);
+  EXPECT_GT(without.iterations + without.factorizations, 2 * with.iterations);
 }
 
 TEST(Forcing, AsksForATenthOfWhatQuadraticConvergenceLeaves) {

@@ -20,7 +20,7 @@ TEST(Degrees, APictureHasTheFaceThatContactsSee) {
     ASSERT_EQ(ironing_step(model, step).outcome, solve::Outcome::converged) << step;
     accept(model);
   }
-  const nurbs::Discretisation& space = model.system.scene.bodies[1].body->space();
+  const nurbs::Discretization& space = model.system.scene.bodies[1].body->space();
   contact::Surface<2> face(space, north);
   const MatrixX displacement = body_displacement(model, 1);
   ASSERT_GT(displacement.lpNorm<Eigen::Infinity>(), 1e-3);

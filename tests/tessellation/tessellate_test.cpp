@@ -22,7 +22,7 @@ Scene<3> one_body(const nurbs::Patch& patch, std::vector<int> elements, nurbs::S
   plan.contact = {contact};
   plan.labels.assign(2, nurbs::parse_label("N2-N2.1"));
   plan.through = 1;
-  const auto space = std::make_shared<const nurbs::Discretisation>(patch, plan);
+  const auto space = std::make_shared<const nurbs::Discretization>(patch, plan);
   Scene<3> scene;
   scene.bodies.push_back({"body", std::make_shared<const solid::Body<3>>(space, solid::neo_hookean(1, 0.3))});
   return scene;
@@ -93,7 +93,7 @@ TEST(Skin, EnclosesTheBodyWithExactNormals) {
       EXPECT_NEAR(skin.normals.col(i).norm(), 1, 1e-12);
       const Vec<3> x = skin.points.col(i), n = skin.normals.col(i);
       const double along = n.dot(x) / x.norm();
-      // Outer sphere, inner sphere, or a plane through the centre
+      // Outer sphere, inner sphere, or a plane through the center
       const bool spherical = std::abs(std::abs(along) - 1) < 1e-3;
       // On the axis the map is collapsed: the normal is that of a point a little inwards.
       const double tolerance = x.head<2>().norm() < 1e-9 ? 1e-4 : 1e-9;
@@ -186,7 +186,7 @@ TEST(Inside, SamplesTheElementsThatAPlaneMeets) {
   EXPECT_EQ(count({{{0, 0, 0.5}, {0, 0, 1}}}), 16u); // both sides of a border
   EXPECT_EQ(count({{{0, 0, 1}, {0, 0, 1}}}), 8u);
   EXPECT_EQ(count({{{0, 0, 1.1}, {0, 0, 1}}}), 0u);
-  // Along the face control points reach beyond their element: its neighbours may be taken as well.
+  // Along the face control points reach beyond their element: its neighbors may be taken as well.
   EXPECT_GE(count({{{0.25, 0, 0}, {1, 0, 0}}, {{1.75, 0, 0}, {1, 0, 0}}}), 8u);
   EXPECT_LE(count({{{0.25, 0, 0}, {1, 0, 0}}, {{1.75, 0, 0}, {1, 0, 0}}}), 16u);
 
@@ -209,7 +209,7 @@ Model<2> annulus() {
   plan.labels.assign(1, nurbs::parse_label("N2"));
   plan.through = 1;
   const auto space =
-      std::make_shared<const nurbs::Discretisation>(nurbs::half_annulus(0.5, 1, Eigen::Vector2d(0, 0)), plan);
+      std::make_shared<const nurbs::Discretization>(nurbs::half_annulus(0.5, 1, Eigen::Vector2d(0, 0)), plan);
   Scene<2> scene;
   scene.bodies.push_back({"ring", std::make_shared<const solid::Body<2>>(space, solid::neo_hookean(1, 0.3))});
   return Model<2>(scene);

@@ -83,11 +83,11 @@ TEST(Chart, LeavesGapsForPointsThatAreNotFinite) {
   EXPECT_EQ(polylines(scratch("two.svg")), 2);
 }
 
-TEST(Chart, ShowsEightSeriesWithEightColoursAndALegendBesideTheData) {
+TEST(Chart, ShowsEightSeriesWithEightColorsAndALegendBesideTheData) {
   draw_chart(oscillating_forces(8), forces(), scratch("legend.svg"));
   const std::string svg = file_bytes(scratch("legend.svg"));
-  for (const char* colour : {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00"})
-    EXPECT_TRUE(holds(svg, {in_svg(colour)})) << colour;
+  for (const char* color : {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00"})
+    EXPECT_TRUE(holds(svg, {in_svg(color)})) << color;
   ChartOptions bare = forces();
   bare.legend = LegendPlace::none;
   draw_chart(oscillating_forces(8), bare, scratch("bare.svg"));
@@ -216,7 +216,7 @@ TEST(Chart, TellsFortyCurvesApart) {
   for (std::size_t a = 0; a < all.size(); ++a)
     for (std::size_t b = 0; b < a; ++b) {
       const CurveLook one = look_of(all, a, style), other = look_of(all, b, style);
-      EXPECT_TRUE(one.colour != other.colour || one.dash != other.dash) << a << " and " << b;
+      EXPECT_TRUE(one.color != other.color || one.dash != other.dash) << a << " and " << b;
     }
   EXPECT_EQ(distinct_curves(), 40);
   testing::internal::CaptureStderr();
@@ -264,10 +264,10 @@ TEST(Chart, FitsTheAxisOfYToTheCurvesWithinXrange) {
   EXPECT_TRUE(holds(refusal({line_of({1, 2})}, options), {"view.chart.no_curve: low = 8, high = 9"}));
 }
 
-TEST(Chart, ObeysWidthMarkerAndColour) {
+TEST(Chart, ObeysWidthMarkerAndColor) {
   Series s = line_of({1, 2, 3});
   s.width = 7;
-  s.colour = 1;
+  s.color = 1;
   draw_chart({s}, {}, scratch("wide.svg"));
   EXPECT_TRUE(holds(file_bytes(scratch("wide.svg")),
                     {"stroke-width:7;stroke-linecap:butt;stroke-linejoin:round;stroke:" + in_svg("#d55e00")}));
@@ -283,7 +283,7 @@ TEST(Chart, ObeysWidthMarkerAndColour) {
   EXPECT_EQ(count_of(file_bytes(scratch("bare.svg")), filled), 0);
 }
 
-TEST(Chart, DrawsTheMarkersOfKindsOfPointsInTheCurvesColours) {
+TEST(Chart, DrawsTheMarkersOfKindsOfPointsInTheCurvesColors) {
   ChartOptions options;
   options.marks = {"m1", "m2", "m3"};
   Series first = line_of({1, 2, 3}), second = line_of({3, 2, 1});

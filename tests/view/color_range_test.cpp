@@ -1,4 +1,4 @@
-// What range colours span, and when extreme samples are left out.
+// What range colors span, and when extreme samples are left out.
 #include "view/colorbar.hpp"
 
 #include <gtest/gtest.h>
@@ -16,23 +16,23 @@ VectorX smooth() {
 TEST(ColorRange, SpansAllValuesOfAnOrdinaryField) {
   VectorX values = smooth();
   values(7) = 3.9; // a peak of stress
-  const auto range = coloured_values({&values});
+  const auto range = colored_values({&values});
   EXPECT_FALSE(range->clipped());
   EXPECT_EQ(range->typical, (Range{0, 3.9}));
-  EXPECT_FALSE(coloured_values({}).has_value());
+  EXPECT_FALSE(colored_values({}).has_value());
 }
 
 TEST(ColorRange, LeavesOutOneExtremeSampleAndSaysSo) {
   VectorX values = smooth();
   values(7) = 850;
-  const auto range = coloured_values({&values});
+  const auto range = colored_values({&values});
   EXPECT_EQ(range->extreme, 5u);
   EXPECT_EQ(range->count, 1000u);
   EXPECT_EQ(range->all, (Range{0, 850}));
   EXPECT_EQ(range->typical[0], 0);
   EXPECT_NEAR(range->typical[1], 1, 0.01);
   testing::internal::CaptureStderr();
-  EXPECT_EQ(colour_range(*range, {}, false, "stress"), range->typical);
+  EXPECT_EQ(color_range(*range, {}, false, "stress"), range->typical);
   EXPECT_NE(testing::internal::GetCapturedStderr().find(
                 "view.colors.outliers: title = stress, count = 5, samples = 1000, low = 0, high = 850"),
             std::string::npos);
@@ -73,7 +73,7 @@ TEST(ColorBar, EndsInAPointWhereValuesLieBeyondItsRange) {
 TEST(ColorRange, KeepsAFieldThatIsZeroAlmostEverywhere) {
   VectorX values = VectorX::Zero(1000);
   values(7) = 1;
-  EXPECT_EQ(coloured_values({&values})->typical, (Range{0, 1}));
+  EXPECT_EQ(colored_values({&values})->typical, (Range{0, 1}));
 }
 
 } // namespace color_range_test

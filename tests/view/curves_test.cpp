@@ -20,38 +20,38 @@ Series points_of(std::vector<double> x, std::vector<double> y) {
   return s;
 }
 
-std::vector<Series> labelled(int count) {
+std::vector<Series> labeled(int count) {
   std::vector<Series> series(count, points_of({0, 1}, {0, 1}));
   for (int n = 0; n < count; ++n) series[n].label = text("N", n);
   return series;
 }
 
 TEST(Look, TellsSixteenSeriesApartByLinesAloneAndByMarkersAlone) {
-  const auto series = labelled(16);
+  const auto series = labeled(16);
   for (std::size_t a = 0; a < series.size(); ++a)
     for (std::size_t b = 0; b < a; ++b) {
       const CurveLook one = look_of(series, a, style), other = look_of(series, b, style);
-      EXPECT_FALSE(one.colour == other.colour && one.dash == other.dash) << a << " " << b;
+      EXPECT_FALSE(one.color == other.color && one.dash == other.dash) << a << " " << b;
       EXPECT_NE(one.marker, other.marker) << a << " " << b;
     }
 }
 
-TEST(Look, FollowsColourMarkerAndDashes) {
-  auto series = labelled(3);
-  series[2].colour = 0;
+TEST(Look, FollowsColorMarkerAndDashes) {
+  auto series = labeled(3);
+  series[2].color = 0;
   EXPECT_EQ(look_of(series, 2, style), look_of(series, 0, style));
   series[2].dashed = true;
   EXPECT_FALSE(look_of(series, 2, style) == look_of(series, 0, style));
-  EXPECT_EQ(look_of(series, 2, style).colour, look_of(series, 0, style).colour);
+  EXPECT_EQ(look_of(series, 2, style).color, look_of(series, 0, style).color);
   series[1].marker = no_marker;
   EXPECT_EQ(look_of(series, 1, style).marker, no_marker);
-  EXPECT_EQ(look_of(labelled(1), 0, style).marker, no_marker); // a single line needs none
+  EXPECT_EQ(look_of(labeled(1), 0, style).marker, no_marker); // a single line needs none
 }
 
 TEST(Look, OfGrayIsTheNeutralOneWithoutMarkers) {
-  auto series = labelled(3);
-  series[0].colour = gray;
-  EXPECT_EQ(look_of(series, 0, style).colour, gray_colour);
+  auto series = labeled(3);
+  series[0].color = gray;
+  EXPECT_EQ(look_of(series, 0, style).color, gray_color);
   EXPECT_EQ(look_of(series, 0, style).marker, no_marker);
   EXPECT_TRUE(look_of(series, 0, style).dash.empty());
   series[0].markers = true;
@@ -59,7 +59,7 @@ TEST(Look, OfGrayIsTheNeutralOneWithoutMarkers) {
 }
 
 TEST(Legend, ListsCurvesThenKindsOfPointsWithTheirTitles) {
-  auto series = labelled(2);
+  auto series = labeled(2);
   for (Series& s : series) s.marks = {0, 1};
   ChartOptions options;
   options.marks = {"m1", "m2"};
@@ -82,7 +82,7 @@ TEST(Legend, OfSixteenCurvesAndEightKindsOfPointsIsLegible) {
   ChartOptions options;
   options.legend_title = options.marks_title = "title";
   for (int k = 0; k < 8; ++k) options.marks.push_back(text("mesh ", k));
-  const Legend legend = make_legend(labelled(17), options, style, 860);
+  const Legend legend = make_legend(labeled(17), options, style, 860);
   EXPECT_EQ(legend.height, 0);                                                          // beside the chart
   for (const Legend::Row& row : legend.rows) EXPECT_GE(row.text.size, 18) << row.label; // numbers have 27
   const double swatches = 2 * 1.06 * 8 * 1.3;
@@ -90,10 +90,10 @@ TEST(Legend, OfSixteenCurvesAndEightKindsOfPointsIsLegible) {
 }
 
 TEST(Legend, GivesCurvesOfOneLabelAndLookOneRow) {
-  auto series = labelled(4);
+  auto series = labeled(4);
   series[2].label = series[0].label;
-  EXPECT_EQ(make_legend(series, {}, style, 900).rows.size(), 4u); // another colour is another thing
-  series[2].colour = 0;
+  EXPECT_EQ(make_legend(series, {}, style, 900).rows.size(), 4u); // another color is another thing
+  series[2].color = 0;
   const Legend legend = make_legend(series, {}, style, 900);
   ASSERT_EQ(legend.rows.size(), 3u);
   EXPECT_EQ(legend.rows[2].label, "N3");
@@ -104,7 +104,7 @@ TEST(Legend, GivesCurvesOfOneLabelAndLookOneRow) {
 TEST(Legend, StandsInTheFirstCornerOfTheChartThatIsFree) {
   const Box frame = {100, 1500, 100, 900};
   const auto corner_of = [&](const Lines& lines, bool always) -> std::string {
-    const auto legend = legend_within(labelled(2), {}, frame, lines, always, style);
+    const auto legend = legend_within(labeled(2), {}, frame, lines, always, style);
     if (!legend) return "none";
     const Box& box = *legend->within;
     EXPECT_TRUE(box[0] > frame[0] && box[1] < frame[1] && box[2] > frame[2] && box[3] < frame[3]);
@@ -119,7 +119,7 @@ TEST(Legend, StandsInTheFirstCornerOfTheChartThatIsFree) {
   EXPECT_EQ(corner_of({falling}, false), "north-east");
   EXPECT_EQ(corner_of({rising, falling}, false), "none");
   EXPECT_NE(corner_of({rising, falling}, true), "none");
-  EXPECT_FALSE(legend_within(labelled(30), {}, frame, {}, true, style)); // larger than half of the chart
+  EXPECT_FALSE(legend_within(labeled(30), {}, frame, {}, true, style)); // larger than half of the chart
 }
 
 TEST(RangeWithin, IsThatOfTheDenselySampledCurve) {

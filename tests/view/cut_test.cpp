@@ -52,7 +52,7 @@ TEST(Cut, LeavesTheRestOfTheVolumeClosed) {
   }
 }
 
-TEST(Cut, ColoursTheFaceByTheInside) {
+TEST(Cut, ColorsTheFaceByTheInside) {
   std::mt19937 random(6);
   const Body block = mapped_solid(block_map({0, 0, 0}, {2, 1, 1}), {2, 2, 2}, 3, linear);
   for (int trial = 0; trial < 20; ++trial) {
@@ -120,8 +120,8 @@ TEST(Solid, BecomesOneWithItsImage) {
   const double whole = area(block.skin), rim = length(block.rim), mesh = length(block.mesh_lines);
   join_at_mirror(block, 0);
   EXPECT_NEAR(area(block.skin), whole - 1, 1e-12);
-  EXPECT_NEAR(length(block.rim), rim - 2 * 4, 1e-12);         // the side's own rim and its neighbours'
-  EXPECT_NEAR(length(block.mesh_lines), mesh - 2 + 4, 1e-12); // its borders go, its neighbours' rims come
+  EXPECT_NEAR(length(block.rim), rim - 2 * 4, 1e-12);         // the side's own rim and its neighbors'
+  EXPECT_NEAR(length(block.mesh_lines), mesh - 2 + 4, 1e-12); // its borders go, its neighbors' rims come
   const Body image = mirrored(block, 0, -1);
   EXPECT_NEAR(volume(image.skin), 2, 1e-12);
   EXPECT_EQ(image.skin.points.row(0).minCoeff(), -2);

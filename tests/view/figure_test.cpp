@@ -44,7 +44,7 @@ TEST(Figure, PutsTextsWhereLayoutsExpectThem) {
     return Vec2{std::stod(out.substr(at + key.size())), std::stod(out.substr(y))};
   };
   EXPECT_NEAR(place(Align::left)[0], 100, 0.01);
-  EXPECT_NEAR(place(Align::centre)[0], 100 - width / 2, 0.01);
+  EXPECT_NEAR(place(Align::center)[0], 100 - width / 2, 0.01);
   EXPECT_NEAR(place(Align::right)[0], 100 - width, 0.01);
   EXPECT_NEAR(place(Align::left)[1], 120, 0.01); // y downwards
 }

@@ -68,9 +68,9 @@ TEST(Heatmap, GivesTheSameBytesForTheSameCallInEachFormat) {
   EXPECT_EQ(png_size(file_bytes(scratch("first.png"))), (std::array<int, 2>{1600, 1000}));
 }
 
-TEST(Heatmap, ColoursCellsByValueOrByItsLogarithm) {
+TEST(Heatmap, ColorsCellsByValueOrByItsLogarithm) {
   HeatmapOptions options = three_by_two();
-  options.colormap = "grey"; // 0x20 … 0xf0
+  options.colormap = "gray"; // 0x20 … 0xf0
   const std::string filled = "stroke:none;fill-rule";
   const std::string linear = svg_of({ramp()}, options);
   EXPECT_TRUE(
@@ -98,15 +98,15 @@ TEST(Heatmap, WritesTextsInBlackOrWhiteWhereTheyFit) {
   Heat map = ramp();
   map.texts = {{"one", "a text that is far too long" + std::string(80, 'w'), ""}, {"high", "", "x"}};
   HeatmapOptions options = three_by_two();
-  options.colormap = "grey";
+  options.colormap = "gray";
   const std::string svg = svg_of({map}, options);
   EXPECT_TRUE(holds(svg, {">one<", ">high<"}));
   EXPECT_FALSE(holds(svg, {"far too long"}));
-  const auto colour = [&](const std::string& text) {
+  const auto color = [&](const std::string& text) {
     return svg.substr(svg.rfind("fill=\"", svg.find(">" + text + "<")) + 6, 7);
   };
-  EXPECT_EQ(colour("one"), "#ffffff");
-  EXPECT_EQ(colour("high"), "#000000");
+  EXPECT_EQ(color("one"), "#ffffff");
+  EXPECT_EQ(color("high"), "#000000");
   Heat flat; // its cells are lower than legible letters
   flat.values.setConstant(80, 3, 1.0);
   flat.texts.assign(80, {"one", "", ""});
@@ -228,22 +228,22 @@ TEST(CellNames, NeverRunIntoEachOther) {
 
 // ── Looks ────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-TEST(Looks, StayApartWithoutColour) {
+TEST(Looks, StayApartWithoutColor) {
   ASSERT_GE(bad_looks().size(), 14u);
   std::vector<Look> all = good_looks();
   all.insert(all.end(), bad_looks().begin(), bad_looks().end());
   for (std::size_t a = 0; a < all.size(); ++a)
     for (std::size_t b = 0; b < a; ++b) {
-      const double apart = std::abs(lightness(all[a].colour) - lightness(all[b].colour));
+      const double apart = std::abs(lightness(all[a].color) - lightness(all[b].color));
       EXPECT_TRUE(all[a].hatch != all[b].hatch || apart > 7) << a << " and " << b << ": " << apart;
     }
   for (const Look& good : good_looks())
-    for (const Look& bad : bad_looks()) EXPECT_GT(lightness(good.colour), lightness(bad.colour) + 7);
+    for (const Look& bad : bad_looks()) EXPECT_GT(lightness(good.color), lightness(bad.color) + 7);
 }
 
-TEST(Looks, CarryTextInTheColourOfGreaterContrast) {
-  EXPECT_EQ(text_colour({255, 255, 0}), black);
-  EXPECT_EQ(text_colour({0, 0, 255}), white);
+TEST(Looks, CarryTextInTheColorOfGreaterContrast) {
+  EXPECT_EQ(text_color({255, 255, 0}), black);
+  EXPECT_EQ(text_color({0, 0, 255}), white);
   EXPECT_NEAR(lightness(white), 100, 1e-6);
   EXPECT_NEAR(lightness({119, 119, 119}), 50.0, 0.1);
 }

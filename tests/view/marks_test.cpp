@@ -27,7 +27,7 @@ std::vector<Mark> drawn(const std::vector<PlacedMark>& marks, const Box& within 
 std::vector<Text> texts_of(const std::vector<Mark>& marks) {
   std::vector<Text> texts;
   for (const Mark& mark : marks)
-    if (const auto* text = std::get_if<Text>(&mark); text && text->colour == black) texts.push_back(*text);
+    if (const auto* text = std::get_if<Text>(&mark); text && text->color == black) texts.push_back(*text);
   return texts;
 }
 
@@ -49,7 +49,7 @@ std::size_t strokes_of(const std::vector<Mark>& marks) {
 TEST(Marks, AreRingsWithCrossesOnWhiteAndATextBeside) {
   const auto marks = drawn({{{800, 500}, "J = −0.2"}});
   EXPECT_EQ(strokes_of(marks), 6u); // ring and cross, and all of it in white
-  EXPECT_EQ(std::get<Stroke>(marks[0]).colour, white);
+  EXPECT_EQ(std::get<Stroke>(marks[0]).color, white);
   double left = 1e9, right = 0;
   for (const Vec2& p : std::get<Stroke>(marks[0]).points) left = std::min(left, p[0]), right = std::max(right, p[0]);
   EXPECT_NEAR(0.5 * (left + right), 800, 1e-9);

@@ -19,7 +19,7 @@ template <class Action> std::string message_of(Action&& action) {
   return "no error";
 }
 
-/// How an SVG names a colour, "#0072b2" being 0%, 44.7 %, 69.8 %.
+/// How an SVG names a color, "#0072b2" being 0%, 44.7 %, 69.8 %.
 inline std::string in_svg(const std::string& hex) {
   std::string parts;
   for (std::size_t i : {1, 3, 5}) {

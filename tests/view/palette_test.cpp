@@ -13,10 +13,10 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 /// Linear intensities of sRGB (IEC 61966-2-1).
-Vector3d linear(const Rgb& colour) {
+Vector3d linear(const Rgb& color) {
   Vector3d result;
   for (int c = 0; c < 3; ++c) {
-    const double v = colour[c] / 255.0;
+    const double v = color[c] / 255.0;
     result[c] = v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
   }
   return result;
@@ -54,17 +54,17 @@ double distance(const Eye& eye, const Rgb& a, const Rgb& b) {
 }
 
 TEST(Palette, HasTheLightnessOfTheMaps) {
-  for (const Rgb& colour : curve_colours()) EXPECT_NEAR(lab(linear(colour))[0], lightness(colour), 0.1);
+  for (const Rgb& color : curve_colors()) EXPECT_NEAR(lab(linear(color))[0], lightness(color), 0.1);
 }
 
-// Okabe and Ito's own eight colours come to 17.0 here; 2.3 is what can just be seen.
-TEST(Palette, TellsAllColoursApartForColourBlindReadersToo) {
-  std::vector<Rgb> colours = curve_colours();
-  ASSERT_EQ(colours.size(), 8u);
-  colours.push_back(gray_colour);
+// Okabe and Ito's own eight colors come to 17.0 here; 2.3 is what can just be seen.
+TEST(Palette, TellsAllColorsApartForColorBlindReadersToo) {
+  std::vector<Rgb> colors = curve_colors();
+  ASSERT_EQ(colors.size(), 8u);
+  colors.push_back(gray_color);
   for (const Eye& eye : eyes())
-    for (std::size_t a = 0; a < colours.size(); ++a)
-      for (std::size_t b = 0; b < a; ++b) EXPECT_GE(distance(eye, colours[a], colours[b]), 17) << eye.name << a << b;
+    for (std::size_t a = 0; a < colors.size(); ++a)
+      for (std::size_t b = 0; b < a; ++b) EXPECT_GE(distance(eye, colors[a], colors[b]), 17) << eye.name << a << b;
 }
 
 } // namespace palette_test

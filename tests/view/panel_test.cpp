@@ -31,7 +31,7 @@ TEST(Relief, ShowsNothingOutsideOfItsWindow) {
   field.triangles = Eigen::Vector3i(0, 1, 2);
   field.values.setZero(3);
   field.range = {0, 1};
-  field.colours = {{200, 0, 0}, {200, 0, 0}};
+  field.colors = {{200, 0, 0}, {200, 0, 0}};
   for (const Box& window : {Box{20, 50, 10, 40}, Box{0, 80, 30, 60}}) {
     Plate plate{{{80, 60}, {}}};
     plate.reliefs.push_back({window, {field}});

@@ -80,7 +80,7 @@ TEST(Picture, GivesTheSameBytesInAnotherProcess) {
   EXPECT_EQ(file_bytes(scratch("process.png")), file_bytes(scratch("here.png")));
 }
 
-TEST(Picture, ChangesWithFieldLinesAndColours) {
+TEST(Picture, ChangesWithFieldLinesAndColors) {
   const auto bytes = [](const std::vector<Body>& bodies, const PictureOptions& options) {
     draw_picture(bodies, options, scratch("change.png"));
     return file_bytes(scratch("change.png"));
@@ -121,8 +121,8 @@ TEST(Picture, TakesBodiesWithoutFieldAndFieldsWithoutWidth) {
   bodies[1].skin.values.setConstant(0);
   draw_picture(bodies, displacement(), scratch("constant.png"));
   bodies[1].skin.values.resize(0);
-  draw_picture(bodies, {}, scratch("grey.png"));
-  EXPECT_TRUE(std::filesystem::exists(scratch("grey.png")));
+  draw_picture(bodies, {}, scratch("gray.png"));
+  EXPECT_TRUE(std::filesystem::exists(scratch("gray.png")));
 }
 
 TEST(Picture, RefusesWhatItCannotDraw) {
@@ -131,7 +131,7 @@ TEST(Picture, RefusesWhatItCannotDraw) {
   options.colormap = "jet";
   EXPECT_TRUE(holds(
       refusal(rings(), options),
-      {"view.colormap.unknown: colormap = jet, known = (viridis, magma, inferno, plasma, cividis, grey, coolwarm)"}));
+      {"view.colormap.unknown: colormap = jet, known = (viridis, magma, inferno, plasma, cividis, gray, coolwarm)"}));
   auto bodies = rings();
   bodies[1].skin.values[3] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_TRUE(holds(refusal(bodies), {"view.body.field: body = (view.sheet.body: state = (), number = 1)"}));
@@ -145,11 +145,9 @@ TEST(Picture, RefusesWhatItCannotDraw) {
 
 TEST(Colormap, RunsMonotonicallyFromDarkToLightUnlessDiverging) {
   for (const std::string& name : colormaps()) {
-    const auto colours = colormap(name);
-    ASSERT_EQ(colours.size(), 256u);
-    const auto lightness = [&](int i) {
-      return 0.2126 * colours[i][0] + 0.7152 * colours[i][1] + 0.0722 * colours[i][2];
-    };
+    const auto colors = colormap(name);
+    ASSERT_EQ(colors.size(), 256u);
+    const auto lightness = [&](int i) { return 0.2126 * colors[i][0] + 0.7152 * colors[i][1] + 0.0722 * colors[i][2]; };
     const int top = is_diverging(name) ? 128 : 255;
     for (int i = 4; i <= top; i += 4) EXPECT_GT(lightness(i), lightness(i - 4) - 0.6) << name << " " << i;
     if (is_diverging(name)) {

@@ -111,7 +111,7 @@ TEST(Plate, OfSolidsCutsNoTextOff) {
   }
 }
 
-TEST(Plate, OfASeriesHasTheSameFrameAndColours) {
+TEST(Plate, OfASeriesHasTheSameFrameAndColors) {
   std::vector<Panel> both = ring(0);
   both.push_back(ring(2, 3)[0]);
   PictureOptions options;
@@ -151,7 +151,7 @@ TEST(SideBySide, PutsPicturesIntoColumns) {
 }
 
 TEST(SideBySide, ShowsPicturesWithDifferentBarsInOneLayout) {
-  const Bar narrow{{0, 1}, "u"}, wide{{-16000, 3000}, "a long title of a colour bar"};
+  const Bar narrow{{0, 1}, "u"}, wide{{-16000, 3000}, "a long title of a color bar"};
   const auto frame_with = [](const Bar& own, const std::vector<Bar>& beside, bool flat) {
     PictureOptions options;
     options.trim = true;
@@ -228,11 +228,11 @@ TEST(CloseUp, GoesToOneCornerInAllPictures) {
 TEST(Plate, HasNoGroundWhereThatIsWanted) {
   PictureOptions options;
   options.size = {300, 200};
-  const auto colour_type = [&](bool transparent) {
+  const auto color_type = [&](bool transparent) {
     return bytes_of(figure_of(make_plate(ring(0), options)), Format::png, transparent)[25];
   };
-  EXPECT_EQ(colour_type(false), 2); // red, green, blue
-  EXPECT_EQ(colour_type(true), 6);  // and opacity
+  EXPECT_EQ(color_type(false), 2); // red, green, blue
+  EXPECT_EQ(color_type(true), 6);  // and opacity
 }
 
 TEST(Series, IsTakenFromTheNameOfItsFile) {

@@ -80,7 +80,7 @@ TEST(Rigid, HasAnImageUnlessItIsItsOwn) {
   EXPECT_FALSE(mirrored(RigidBall{{0, 1, 2}, 1}, 0));
   const auto ball = mirrored(RigidBall{{0, 1, 2}, 1}, 1);
   ASSERT_TRUE(ball);
-  EXPECT_EQ(std::get<RigidBall>(*ball).centre, Vec<3>(0, -1, 2));
+  EXPECT_EQ(std::get<RigidBall>(*ball).center, Vec<3>(0, -1, 2));
   EXPECT_FALSE(mirrored(RigidCylinder{{0, 1, 2}, {0, 1, 0}, 1}, 0));
   EXPECT_FALSE(mirrored(RigidCylinder{{0, 1, 2}, {0, 1, 0}, 1}, 1));
   EXPECT_TRUE(mirrored(RigidCylinder{{0, 1, 2}, {0, 1, 1}, 1}, 1));

@@ -25,13 +25,13 @@ struct ScratchFolder {
 
 /// The ring's point at u along the arc and v through the wall, both 0 … 1.
 struct Ring {
-  Vec<2> centre;
+  Vec<2> center;
   double inner, outer, start;
 
   Vec<3> operator()(double u, double v) const {
     const double angle = (start + 90 * u) * std::numbers::pi / 180;
     const double radius = outer + v * (inner - outer) + 0.02 * std::sin(6 * angle);
-    return {centre[0] + radius * std::cos(angle), centre[1] + radius * std::sin(angle), 0};
+    return {center[0] + radius * std::cos(angle), center[1] + radius * std::sin(angle), 0};
   }
 
   Points line(Vec<2> from, Vec<2> to) const {
@@ -46,8 +46,8 @@ struct Ring {
 
 } // namespace
 
-Body bent_ring(Vec<2> centre, double inner, double outer, double start_degrees, int around, int across) {
-  const Ring ring{centre, inner, outer, start_degrees};
+Body bent_ring(Vec<2> center, double inner, double outer, double start_degrees, int around, int across) {
+  const Ring ring{center, inner, outer, start_degrees};
   const int nu = 12 * around, nv = 12 * across;
   Body body;
   body.skin.points.resize(3, (nu + 1) * (nv + 1));
@@ -58,7 +58,7 @@ Body bent_ring(Vec<2> centre, double inner, double outer, double start_degrees, 
       const int k = j * (nu + 1) + i;
       const double u = double(i) / nu, v = double(j) / nv;
       body.skin.points.col(k) = ring(u, v);
-      body.skin.values[k] = 0.4 * std::sin(3 * u) * std::cos(2 * v) - 0.1 * centre[1];
+      body.skin.values[k] = 0.4 * std::sin(3 * u) * std::cos(2 * v) - 0.1 * center[1];
     }
   int t = 0;
   for (int j = 0; j < nv; ++j)
@@ -78,7 +78,7 @@ Body bent_ring(Vec<2> centre, double inner, double outer, double start_degrees, 
   for (int j = 0; j < rows; ++j)
     for (int i = 0; i < columns; ++i) {
       const double u = double(i) / (columns - 1);
-      const Vec<3> middle{centre[0], centre[1], 0};
+      const Vec<3> middle{center[0], center[1], 0};
       const double outside = i == 0 || i == columns - 1 ? 1 : 1.02; // a curve's control points lie outside its arc
       body.control_points.col(j * columns + i) = middle + outside * (ring(u, double(j) / (rows - 1)) - middle);
       if (i > 0) body.net_lines.push_back({j * columns + i - 1, j * columns + i});

@@ -11,7 +11,7 @@ namespace signorini::view {
 
 /// A quarter ring pressed a little out of shape, finely tessellated, with a value per point, `across` × `around`
 /// elements and a control net.
-Body bent_ring(Vec<2> centre, double inner, double outer, double start_degrees, int around, int across);
+Body bent_ring(Vec<2> center, double inner, double outer, double start_degrees, int around, int across);
 
 /// Noisy periodic forces over load steps, one series per label.
 std::vector<Series> oscillating_forces(int count);

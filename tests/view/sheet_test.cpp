@@ -113,16 +113,16 @@ TEST(Sheet, IsTrimmedToWhatItShows) {
   EXPECT_GT(lay_out_sheet({""}, {tower}, options, range, style).size[0], 600);
 }
 
-TEST(ColourRange, GivesASingleValueRoomOnBothSides) {
+TEST(ColorRange, GivesASingleValueRoomOnBothSides) {
   using Two = std::array<double, 2>;
-  EXPECT_EQ(colour_range({0, 0}, {}, false), (Two{-1, 1}));
-  EXPECT_EQ(colour_range({5, 5}, {}, false), (Two{4.5, 5.5}));
-  const Two rounding = colour_range({-2, -2 + 1e-13}, {}, false);
+  EXPECT_EQ(color_range({0, 0}, {}, false), (Two{-1, 1}));
+  EXPECT_EQ(color_range({5, 5}, {}, false), (Two{4.5, 5.5}));
+  const Two rounding = color_range({-2, -2 + 1e-13}, {}, false);
   EXPECT_NEAR(rounding[0], -2.2, 1e-9);
   EXPECT_NEAR(rounding[1], -1.8, 1e-9);
-  EXPECT_EQ(colour_range({1, 3}, {}, true), (Two{1, 3}));
-  EXPECT_EQ(colour_range({-1, 3}, {}, true), (Two{-3, 3}));
-  EXPECT_EQ(colour_range({-1, 3}, Two{0, 1}, true), (Two{0, 1}));
+  EXPECT_EQ(color_range({1, 3}, {}, true), (Two{1, 3}));
+  EXPECT_EQ(color_range({-1, 3}, {}, true), (Two{-3, 3}));
+  EXPECT_EQ(color_range({-1, 3}, Two{0, 1}, true), (Two{0, 1}));
 }
 
 TEST(Sheet, IsDrawnWithTheSameBytesAndRefusesNothingToShow) {

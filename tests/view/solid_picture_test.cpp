@@ -168,7 +168,7 @@ TEST(Ribbon, LiesOnItsSurfaceWithItsWidth) {
   normals << normal, normal;
   Ink ink;
   add_ribbon(ink, line, normals, {{1, 2, 3}, 4, 0.5, true});
-  ASSERT_EQ(ink.corners.size(), 3 * ink.colours.size());
+  ASSERT_EQ(ink.corners.size(), 3 * ink.colors.size());
   double low = 100, high = -100;
   for (const Vec<3>& corner : ink.corners) {
     EXPECT_NEAR(normal.dot(corner - Vec<3>(10, 5, 2.5)), 0, 1e-12);

@@ -1,4 +1,4 @@
-// Mesh lines, contour lines and arrows on coloured surfaces.
+// Mesh lines, contour lines and arrows on colored surfaces.
 
 #include "messages.hpp"
 #include "scenes.hpp"
@@ -16,7 +16,7 @@
 namespace signorini::view {
 namespace surface_lines_test {
 
-/// A square [0, 1]² of n × n cells, coloured by a function of its points, with one mesh line along y = 0.5.
+/// A square [0, 1]² of n × n cells, colored by a function of its points, with one mesh line along y = 0.5.
 Body square(const std::function<double(const Vec<3>&)>& value, int n = 10) {
   Body body;
   body.skin.points.resize(3, (n + 1) * (n + 1));
@@ -58,7 +58,7 @@ double length_of(const SurfaceLine& line) {
   return (line.points.rightCols(pieces) - line.points.leftCols(pieces)).colwise().norm().sum();
 }
 
-TEST(MeshLine, ShowsOnEveryColourOfAMap) {
+TEST(MeshLine, ShowsOnEveryColorOfAMap) {
   for (const char* name : {"viridis", "magma", "inferno", "cividis", "coolwarm"})
     for (const Rgb& ground : colormap(name))
       EXPECT_GT(std::abs(lightness(tone_on(ground)) - lightness(ground)), 20) << name;
@@ -79,8 +79,8 @@ TEST(MeshLine, ChangesItsToneWhereTheFieldIsDark) {
   for (const Stroke& one : lines)
     if (one.points.size() > 2) inside.push_back(one);
   ASSERT_EQ(inside.size(), 2U);
-  EXPECT_GT(lightness(inside[0].colour), 70);
-  EXPECT_LT(lightness(inside[1].colour), 30);
+  EXPECT_GT(lightness(inside[0].color), 70);
+  EXPECT_LT(lightness(inside[1].color), 30);
   EXPECT_EQ(inside[0].points.back(), inside[1].points.front());
 }
 
@@ -128,7 +128,7 @@ TEST(Contours, AreDrawnAtTheirLevelsOnBodiesAndOnTheBar) {
   const Body block = mapped_solid(block_map({0, 0, 0}, {1, 1, 1}), {1, 1, 1}, 4, along_x);
   PictureOptions solid;
   solid.camera = camera("iso");
-  const auto ink_of = [&] { return make_plate({{"", {block}}}, solid).reliefs.front().ink.colours.size(); };
+  const auto ink_of = [&] { return make_plate({{"", {block}}}, solid).reliefs.front().ink.colors.size(); };
   const std::size_t plain = ink_of();
   solid.contours = Contours{3};
   EXPECT_GT(ink_of(), plain + 20);
@@ -175,7 +175,7 @@ TEST(Vectors, HaveOneScaleAndAKey) {
   EXPECT_TRUE(has_text(plate, "displacement 0.5 mm"));
   options.longest_vector = 5; // of another state
   EXPECT_TRUE(has_text(make_plate(panels, options), "displacement 5 mm"));
-  const auto shafts = strokes_of(plate, [](const Stroke& one) { return one.colour == ink && one.points.size() == 2; });
+  const auto shafts = strokes_of(plate, [](const Stroke& one) { return one.color == ink && one.points.size() == 2; });
   EXPECT_GT(shafts.size(), 50U);
 }
 

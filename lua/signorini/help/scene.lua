@@ -1,7 +1,7 @@
 -- A half ring is pressed into a slab.
 function press(order, mesh)
   local die = sg.body{
-    patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, centre = {0.75, 1.5} },
+    patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = {0.75, 1.5} },
     elements = {6 * mesh, mesh}, order = order, contact = "south", through = 1,
     material = sg.neo_hookean{ E = 1000, nu = 0.3 },
   }
@@ -37,7 +37,7 @@ solid = sg.model{
 }
 solid:run{ { name = "press", steps = 1, top = {-0.2} } }
 
--- The ring with two discretisations on two meshes; the force is 0.0768 on a fine one.
+-- The ring with two discretizations on two meshes; the force is 0.0768 on a fine one.
 function force_of(case)
   local model, stages = press(case.order, case.mesh)
   local force = -model:run(stages):column "grip.fy"[4]

@@ -29,7 +29,7 @@ At the prompt:
   Ctrl-D, exit, quit      leaves; on a further line of a statement Ctrl-D forgets that
   traceback()             how the last error came about
 A statement may go over several lines. A local variable lives for one of them only: leave out `local`. Lines are kept in
-~/.local/state/signorini/history. NO_COLOR in the environment turns colours off.]],
+~/.local/state/signorini/history. NO_COLOR in the environment turns colors off.]],
   examples = [[
 The examples speak of this scene, which can be typed or copied to the prompt:
 

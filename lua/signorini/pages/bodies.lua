@@ -89,26 +89,26 @@ or along the direction of the contact face.]],
                 "sg.rigid.plane{ point = {0, 0, -1}, normal = {0, 0, 1} }" } },
   { "sg.rigid.cylinder", [[Returns a rigid cylinder without ends as an obstacle. In the plane its axis is normal to it,
 and it is a disc. ]] .. driven,
-    named = { { "centre", t.point, "a point of the axis", unit = "length" },
+    named = { { "center", t.point, "a point of the axis", unit = "length" },
               { "axis", t.space_point, "direction of the axis: needed in 3D, none in 2D", optional = true },
               { "radius", t.positive, "", unit = "length" } },
-    example = { "sg.rigid.cylinder{ centre = {0, 2}, radius = 1 }",
-                "sg.rigid.cylinder{ centre = {0, 0, 2}, axis = {0, 1, 0}, radius = 1 }" } },
+    example = { "sg.rigid.cylinder{ center = {0, 2}, radius = 1 }",
+                "sg.rigid.cylinder{ center = {0, 0, 2}, axis = {0, 1, 0}, radius = 1 }" } },
   { "sg.rigid.sphere",
     "Returns a rigid sphere in 3D, or on the axis of an axisymmetric model, as an obstacle. " .. driven,
-    named = { { "centre", t.point, "", unit = "length" }, { "radius", t.positive, "", unit = "length" } },
-    example = "sg.rigid.sphere{ centre = {0, 0, 2}, radius = 1 }" },
+    named = { { "center", t.point, "", unit = "length" }, { "radius", t.positive, "", unit = "length" } },
+    example = "sg.rigid.sphere{ center = {0, 0, 2}, radius = 1 }" },
   { "sg.rigid.surface", [[Returns an obstacle that any NURBS bounds: a curve in the plane, its outside on the right of
 its direction, or a surface in 3D, its outside where the product of its tangents along xi1 and xi2 points.
 patch:reverse(1) turns it to the other side. ]] .. driven,
     arguments = { { "patch", t.object "patch", "curve in the plane, or surface in 3D" } },
-    example = { "sg.rigid.surface(sg.nurbs.arc{ centre = {0, 0}, radius = 1, from = 0, to = 180 })",
+    example = { "sg.rigid.surface(sg.nurbs.arc{ center = {0, 0}, radius = 1, from = 0, to = 180 })",
                 'sg.rigid.surface(sg.shapes.block{ size = {9, 9, 1}, corner = {0, 0, -1} }:face "back")' } },
   { "obstacle", [[What sg.rigid.* return: a rigid master without unknowns; print(obstacle) shows its shape. It stands
 still unless a support drives it: supports = { push = { on = obstacle, drive = "y" } }; stages then give its
 displacement, push = {-0.1}, and run:column "push.fy" returns the force on it.]],
     example = [[
-disc = sg.rigid.cylinder{ centre = {1.5, 2}, radius = 1 }
+disc = sg.rigid.cylinder{ center = {1.5, 2}, radius = 1 }
 sg.model{ bodies = { slab = slab },
   supports = { bed = { on = slab:face "south", fix = "xy" }, push = { on = disc, drive = "y" } },
   contacts = { touch = { slave = slab:face "north", master = disc, penalty = 100 } } }]] },

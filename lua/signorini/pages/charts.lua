@@ -18,7 +18,7 @@ local category = t.worded(t.either(t.text, t.named {
   { "name", t.text, "as it stands in values" },
   { "good", t.flag, "an outcome that is wanted: light green or blue",
     otherwise = "true of the first one where none says so" },
-  { "colour", color, '"#rrggbb", or the number of a look', otherwise = "the next look" },
+  { "color", color, '"#rrggbb", or the number of a look', otherwise = "the next look" },
 }), "a category { name = … }", "categories { name = … }")
 
 local map = t.worded(t.named {

@@ -7,7 +7,7 @@ local t = require "signorini.types"
 local points = { "points", t.points, "control points, fastest in xi1", unit = "length" }
 local weights = { "weights", t.numbers(), "one per control point", otherwise = "1 each" }
 local radius = { "radius", t.positive, "", unit = "length" }
-local centre = { "centre", t.point, "center of the circle", default = { 0, 0 }, unit = "length" }
+local center = { "center", t.point, "center of the circle", default = { 0, 0 }, unit = "length" }
 local file = { "file", t.text, "file of patches" }
 
 --- The rows of a tensor product of so many directions.
@@ -43,10 +43,10 @@ sg.nurbs.volume{ degrees = {1, 1, 1}, knots = {{0, 0, 1, 1}, {0, 0, 1, 1}, {0, 0
   { "sg.nurbs.arc", [[Returns an exact circular arc of degree 2, one segment per started quarter turn; counterclockwise
 where the angle rises. A center in 3D gives an arc parallel to the x-y plane.]],
     named = { radius, { "from", t.number, "first angle", unit = "degrees" },
-              { "to", t.number, "last angle", unit = "degrees" }, centre },
+              { "to", t.number, "last angle", unit = "degrees" }, center },
     example = "sg.nurbs.arc{ radius = 0.5, from = 180, to = 360 }" },
   { "sg.nurbs.circle", "Returns a full circle of four exact quarter arcs of degree 2.",
-    named = { radius, centre },
+    named = { radius, center },
     example = "sg.nurbs.circle{ radius = 1 }" },
   { "sg.nurbs.ruled", [[Returns the surface or volume of straight lines between two curves or two surfaces, which are
 first brought to common degrees and knots; the new direction is the last one.]],

@@ -119,8 +119,8 @@ or indefinite tangent; unbalanced: where the largest unbalanced forces are.]],
     arguments = { { "on", t.list(t.choice { "step", "line_search", "damping", "active_set_changes", "arc_length",
       "penalty", "pseudo_transient" }), "controls that are on already, which the cure need not name", default = {} } },
   },
-  { "model:timings", [[Returns seconds so far: { bulk, contact, linear, factorisation, solution, search }. linear
-consists of factorisation and solution, except for a few vectors (with linear = "kept" a solution renews the
+  { "model:timings", [[Returns seconds so far: { bulk, contact, linear, factorization, solution, search }. linear
+consists of factorization and solution, except for a few vectors (with linear = "kept" a solution renews the
 factorization when it pays). search is part of contact, summed over threads: closest points and the tree of boxes, while
 model:time_search(true).]],
     example = "model:timings().linear" },
@@ -128,7 +128,7 @@ model:time_search(true).]],
 twice for each contact point that is projected, about 50 ns.]],
     arguments = { { "wanted", t.flag, "whether to take the time; at first it is not taken" } },
     example = "model:time_search(true)" },
-  { "model:solver", [[Returns { linear, unknowns, patterns, factorisations, solutions, iterations, factor_memory, memory
+  { "model:solver", [[Returns { linear, unknowns, patterns, factorizations, solutions, iterations, factor_memory, memory
 }: the linear solver in use, the size of its systems, how many sparse patterns were analyzed; then what was done since
 the model was made: numerical factorizations, right-hand sides, iterations of GMRES with a lagged factorization; bytes
 of the present factors, and of the bodies' tables with the tangent and its patterns.]],

@@ -70,11 +70,11 @@ direction into a tenth of its length at its start and leaves the second one unif
     example = "patch:translate{1, 0}{0, 0}  --> {1.0, 0.0}" },
   { "patch:rotate", "Rotates the patch about a center, in 3D about an axis through it.",
     named = { { "angle", t.number, "counterclockwise", unit = "degrees" }, axis,
-              point("centre", "the point that stays") },
-    example = "patch:rotate{ angle = 30, centre = {1.5, 0.5} }" },
+              point("center", "the point that stays") },
+    example = "patch:rotate{ angle = 30, center = {1.5, 0.5} }" },
   { "patch:scale", "Scales the patch about a center.",
     named = { { "factor", patch_types.factor, "for all coordinates, or one for each in a list" },
-              point("centre", "the point that stays") },
+              point("center", "the point that stays") },
     example = "patch:scale{ factor = {2, 1} }{1, 1}  --> {6.0, 1.0}" },
   { "patch:mirror", [[Returns the mirror image across a line, in 3D across a plane. The direction that runs most along
 the normal is reversed, so that the image of a body is right-handed again and the outside of an obstacle stays outside;

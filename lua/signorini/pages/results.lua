@@ -16,7 +16,7 @@ local error_rows = {
 coordinate that returns the value]] },
   coordinate,
   { "value", t.choice { "pressure", "traction" }, "compared quantity", default = "pressure" },
-  { "normalise", t.worded(t.either(t.positive, t.choice { "max" }), "a positive number or \"max\""), [[N; "max": the
+  { "normalize", t.worded(t.either(t.positive, t.choice { "max" }), "a positive number or \"max\""), [[N; "max": the
 largest value of the reference]], default = 1 },
   { "quadrature", t.choice { "profile", "reference", "union" }, [[whose points carry the integral: trapezoids between
 them, the other one is interpolated linearly; "union", the points of both, is exact for two polygons]],
@@ -80,7 +80,7 @@ share of the zone where either one touches that the range covers. Ranges that do
     named = error_rows,
     more = "Source: V. Agrawal, thesis, IIT Guwahati 2020, eq. (7.2), which leaves the points of the integral open.",
     example = [[
-sg.profile_error{ profile = model:profile "interface", reference = finer:profile "interface", normalise = "max" }]] },
+sg.profile_error{ profile = model:profile "interface", reference = finer:profile "interface", normalize = "max" }]] },
   { "sg.profile_edges", [[Returns where the contact of a profile begins and ends: { from, to, from_spacing, to_spacing
 }. An edge lies where the gap, linear between the last point that touches and the first one that does not, is zero; the
 spacing is the distance of these two points, the accuracy of the edge. Without spacing the contact reaches the profile's

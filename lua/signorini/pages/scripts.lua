@@ -93,7 +93,7 @@ values the last row stays.]],
     example = [[sg.reference "hertz2d_dofs_table7_4":by "mesh"]] },
   { "data:column", "Returns the values of a column as a list, nil where one is missing.",
     arguments = { { "name", t.name(function(data) return data.columns end), "name of the column" } },
-    example = [[sg.reference "ironing2d_oscillation_table7_3":column "discretisation"]] },
+    example = [[sg.reference "ironing2d_oscillation_table7_3":column "discretization"]] },
   { "sg.vtu", [[Writes a model's present state to a .vtu file for ParaView: every element is a rational Bezier cell of
 its own degrees, so shape and displacement are exact, also where rows of different degrees meet.]],
     named = {

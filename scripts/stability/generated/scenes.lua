@@ -83,7 +83,7 @@ local shapes = {
       return sg.shapes.rectangle{ width = 0.8, height = 0.5, corner = { x - 0.4, 0 } }, "south", { "north" }
     end,
     ["half ring"] = function(x)
-      return sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, centre = { x, 0.5 } }, "south", { "west", "east" }
+      return sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = { x, 0.5 } }, "south", { "west", "east" }
     end,
   },
   space = {
@@ -91,7 +91,7 @@ local shapes = {
       return sg.shapes.block{ size = { 0.6, 0.5, 0.3 }, corner = { x - 0.3, -0.25, 0 } }, "front", { "back" }
     end,
     ["half ring"] = function(x)
-      return sg.shapes.half_cylinder_shell{ inner = 0.25, outer = 0.4, width = 0.5, centre = { x, -0.25, 0.4 } },
+      return sg.shapes.half_cylinder_shell{ inner = 0.25, outer = 0.4, width = 0.5, center = { x, -0.25, 0.4 } },
         "front", { "west", "east" }
     end,
     indenter = function(x)
@@ -102,8 +102,8 @@ local shapes = {
 }
 
 local function cylinder(kind, x)
-  if kind == "plane" then return sg.rigid.cylinder{ centre = { x, 0.4 }, radius = 0.4 } end
-  return sg.rigid.cylinder{ centre = { x, 0, 0.4 }, axis = { 0, 1, 0 }, radius = 0.4 }
+  if kind == "plane" then return sg.rigid.cylinder{ center = { x, 0.4 }, radius = 0.4 } end
+  return sg.rigid.cylinder{ center = { x, 0, 0.4 }, axis = { 0, 1, 0 }, radius = 0.4 }
 end
 
 --- The patch and face of the slab, with what lies opposite.

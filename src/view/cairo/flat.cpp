@@ -45,8 +45,8 @@ Surface make_surface(const std::array<int, 2>& size, Format format, bool transpa
   return Surface(cairo_image_surface_create(transparent ? CAIRO_FORMAT_ARGB32 : CAIRO_FORMAT_RGB24, size[0], size[1]));
 }
 
-void set_colour(cairo_t* paper, const Rgb& colour) {
-  cairo_set_source_rgb(paper, colour[0] / 255.0, colour[1] / 255.0, colour[2] / 255.0);
+void set_color(cairo_t* paper, const Rgb& color) {
+  cairo_set_source_rgb(paper, color[0] / 255.0, color[1] / 255.0, color[2] / 255.0);
 }
 
 /// Draws marks on paper of this height; Cairo's y points downwards.
@@ -61,7 +61,7 @@ struct Pen {
 
   void operator()(const Stroke& stroke) const {
     path(stroke.points);
-    set_colour(paper, stroke.colour);
+    set_color(paper, stroke.color);
     cairo_set_line_width(paper, stroke.width);
     cairo_set_dash(paper, stroke.dash.data(), static_cast<int>(stroke.dash.size()), 0);
     cairo_stroke(paper);
@@ -70,7 +70,7 @@ struct Pen {
   void operator()(const Fill& fill) const {
     path(fill.outline);
     cairo_close_path(paper);
-    set_colour(paper, fill.colour);
+    set_color(paper, fill.color);
     cairo_fill(paper);
   }
 
@@ -96,7 +96,7 @@ void draw_image(cairo_t* paper, Pixels pixels, int scale) {
 /// White ground, or none. Formats of vectors cannot take away what is there.
 void clear(cairo_t* paper, bool transparent) {
   cairo_set_operator(paper, transparent ? CAIRO_OPERATOR_CLEAR : CAIRO_OPERATOR_OVER);
-  set_colour(paper, white);
+  set_color(paper, white);
   cairo_paint(paper);
   cairo_set_operator(paper, CAIRO_OPERATOR_OVER);
 }

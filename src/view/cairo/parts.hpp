@@ -14,7 +14,7 @@ double width_of(const std::string& utf8, double size);
 /// font has become boxes, with a warning.
 void draw_text(cairo_t* paper, const Text& text, double height);
 
-/// The bytes of a PNG file of an image surface, with opacity where its format has it. `shaded`: colours run into each
+/// The bytes of a PNG file of an image surface, with opacity where its format has it. `shaded`: colors run into each
 /// other, so that the filters of rows pay; for charts, which Cairo's own writer would filter too, that takes three
 /// times as long as drawing them.
 std::string png_of(cairo_surface_t* image, bool shaded);

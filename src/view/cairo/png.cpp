@@ -20,13 +20,13 @@ void append(png_structp png, png_bytep data, png_size_t length) {
   fail("view.png.failed", {{"reason", message}});
 }
 
-/// 0xAARRGGBB with colours multiplied by the opacity → red, green, blue and, where asked for, opacity.
+/// 0xAARRGGBB with colors multiplied by the opacity → red, green, blue and, where asked for, opacity.
 void unpack(const std::uint32_t* pixels, int width, bool opacity, png_byte* row) {
   for (int x = 0; x < width; ++x, row += opacity ? 4 : 3) {
     const std::uint32_t pixel = pixels[x], a = opacity ? pixel >> 24 : 255;
     const auto part = [&](int shift) {
-      const std::uint32_t colour = pixel >> shift & 255;
-      return static_cast<png_byte>(a == 255 ? colour : a == 0 ? 0 : (255 * colour + a / 2) / a);
+      const std::uint32_t color = pixel >> shift & 255;
+      return static_cast<png_byte>(a == 255 ? color : a == 0 ? 0 : (255 * color + a / 2) / a);
     };
     row[0] = part(16), row[1] = part(8), row[2] = part(0);
     if (opacity) row[3] = static_cast<png_byte>(a);

@@ -18,9 +18,9 @@ std::string decimal(double value) {
   return {digits, digits + length};
 }
 
-std::string hex(const Rgb& colour) {
+std::string hex(const Rgb& color) {
   char digits[8];
-  std::snprintf(digits, sizeof digits, "#%02x%02x%02x", colour[0], colour[1], colour[2]);
+  std::snprintf(digits, sizeof digits, "#%02x%02x%02x", color[0], color[1], color[2]);
   return digits;
 }
 
@@ -42,10 +42,10 @@ std::string escaped(const std::string& text) {
 /// With its anchor at x, y; SVG's y points downwards.
 std::string element(const Text& text, double along, double down) {
   const std::string x = decimal(along), y = decimal(down);
-  std::string out = "<text x=\"" + x + "\" y=\"" + y + "\" font-size=\"" + decimal(text.size) + "\" fill=\"" +
-                    hex(text.colour) + "\"";
+  std::string out =
+      "<text x=\"" + x + "\" y=\"" + y + "\" font-size=\"" + decimal(text.size) + "\" fill=\"" + hex(text.color) + "\"";
   if (text.align != Align::left)
-    out += text.align == Align::centre ? " text-anchor=\"middle\"" : " text-anchor=\"end\"";
+    out += text.align == Align::center ? " text-anchor=\"middle\"" : " text-anchor=\"end\"";
   if (text.upright) out += " transform=\"rotate(-90 " + x + " " + y + ")\"";
   out += ">";
   double rise = 0;

@@ -117,12 +117,12 @@ void draw_text(cairo_t* paper, const Text& text, double height) {
   const Layout layout = lay_out(text.string, text.size);
   if (pango_layout_get_unknown_glyphs_count(layout.get()) > 0) warn_of_missing(text.string);
   const double width = width_of(text.string, text.size);
-  const double shift = text.align == Align::left ? 0 : text.align == Align::centre ? 0.5 * width : width;
+  const double shift = text.align == Align::left ? 0 : text.align == Align::center ? 0.5 * width : width;
   cairo_save(paper);
   cairo_translate(paper, text.at[0], height - text.at[1]);
   if (text.upright) cairo_rotate(paper, -G_PI_2);
   cairo_move_to(paper, -shift, 0);
-  cairo_set_source_rgb(paper, text.colour[0] / 255.0, text.colour[1] / 255.0, text.colour[2] / 255.0);
+  cairo_set_source_rgb(paper, text.color[0] / 255.0, text.color[1] / 255.0, text.color[2] / 255.0);
   pango_cairo_show_layout_line(paper, pango_layout_get_line_readonly(layout.get(), 0));
   cairo_restore(paper);
 }

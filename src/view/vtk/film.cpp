@@ -15,7 +15,7 @@ namespace {
 
 constexpr int best_quality = 2;
 
-/// The picture on white of even size: VTK's writer fills half pixels of colours with green.
+/// The picture on white of even size: VTK's writer fills half pixels of colors with green.
 void put_on_even(vtkImageData& film, vtkImageData& picture, int components) {
   const int width = picture.GetDimensions()[0], height = picture.GetDimensions()[1];
   film.SetDimensions(width + width % 2, height + height % 2, 1);
@@ -41,7 +41,7 @@ void draw_ogv(const std::string& file, int count, int rate, const PictureMaker& 
   writer->SetFileName(file.c_str());
   writer->SetRate(rate);
   writer->SetQuality(best_quality);
-  writer->SubsamplingOn(); // colours at half the resolution, which all players know
+  writer->SubsamplingOn(); // colors at half the resolution, which all players know
   std::array<int, 2> size{};
   for (int i = 0; i < count; ++i) {
     const std::string bytes = png(i);

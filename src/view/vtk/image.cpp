@@ -24,7 +24,7 @@ vtkSmartPointer<vtkRenderer> renderer_of(const Box& part, const std::array<int, 
                                          bool transparent) {
   const auto& [left, right, bottom, top] = part;
   auto renderer = vtkSmartPointer<vtkRenderer>::New();
-  const double ground = transparent ? 0 : 1; // black, so that colours come multiplied by their opacity
+  const double ground = transparent ? 0 : 1; // black, so that colors come multiplied by their opacity
   renderer->SetBackground(ground, ground, ground);
   renderer->SetBackgroundAlpha(ground);
   renderer->SetViewport(left / window[0], bottom / window[1], right / window[0], top / window[1]);

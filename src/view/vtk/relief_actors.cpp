@@ -60,16 +60,16 @@ vtkSmartPointer<vtkPolyData> mesh(const Points& points, const Points& normals, c
   return data;
 }
 
-/// Three points each in their order, every triangle in a colour of its own.
+/// Three points each in their order, every triangle in a color of its own.
 template <std::size_t N>
 vtkSmartPointer<vtkPolyData> loose_mesh(const Points& points, const Points& normals,
-                                        const std::vector<std::array<std::uint8_t, N>>& colours) {
+                                        const std::vector<std::array<std::uint8_t, N>>& colors) {
   Triangles triangles(3, points.cols() / 3);
   std::iota(triangles.reshaped().begin(), triangles.reshaped().end(), 0);
   auto data = mesh(points, normals, triangles);
   vtkNew<vtkUnsignedCharArray> scalars;
   scalars->SetNumberOfComponents(N);
-  for (const auto& colour : colours) scalars->InsertNextTypedTuple(colour.data());
+  for (const auto& color : colors) scalars->InsertNextTypedTuple(color.data());
   data->GetCellData()->SetScalars(scalars);
   return data;
 }
@@ -84,7 +84,7 @@ vtkSmartPointer<vtkPolyDataMapper> add_actor(vtkRenderer& renderer, vtkPolyData&
   if (data.GetPointData()->GetNormals() == nullptr)
     look.LightingOff();
   else {
-    // Little shade, so that colours keep their meaning: what faces the light shows them as the colour bar does.
+    // Little shade, so that colors keep their meaning: what faces the light shows them as the color bar does.
     look.SetAmbient(0.72);
     look.SetDiffuse(0.32);
     look.SetSpecular(0);
@@ -93,14 +93,14 @@ vtkSmartPointer<vtkPolyDataMapper> add_actor(vtkRenderer& renderer, vtkPolyData&
   return mapper;
 }
 
-/// Values are interpolated, then coloured.
+/// Values are interpolated, then colored.
 void add_field(vtkRenderer& renderer, const Field& field, const Depth& depth) {
   const auto data = mesh(depth(field.points), field.normals, field.triangles);
   data->GetPointData()->SetScalars(floats(field.values.transpose()));
   vtkNew<vtkLookupTable> table;
-  table->SetNumberOfTableValues(static_cast<vtkIdType>(field.colours.size()));
-  for (std::size_t i = 0; i < field.colours.size(); ++i) {
-    const Rgb& c = field.colours[i];
+  table->SetNumberOfTableValues(static_cast<vtkIdType>(field.colors.size()));
+  for (std::size_t i = 0; i < field.colors.size(); ++i) {
+    const Rgb& c = field.colors[i];
     table->SetTableValue(static_cast<vtkIdType>(i), c[0] / 255.0, c[1] / 255.0, c[2] / 255.0);
   }
   table->SetTableRange(field.range[0], field.range[1]);
@@ -118,7 +118,7 @@ void add_veil(vtkRenderer& renderer, const Veil& veil) {
   for (Eigen::Index i = 0; i < points.cols(); ++i)
     points(2, i) =
         farthest + (nearest - farthest) * static_cast<double>(i - i % 3) / static_cast<double>(points.cols());
-  add_actor(renderer, *loose_mesh(points, columns(veil.normals), veil.colours), true);
+  add_actor(renderer, *loose_mesh(points, columns(veil.normals), veil.colors), true);
 }
 
 } // namespace
@@ -127,10 +127,10 @@ void add_relief(vtkRenderer& renderer, const Relief& relief) {
   Depth depth;
   for (const Field& field : relief.fields) depth.take(field.points);
   depth.take(columns(relief.ink.corners));
-  if (!relief.veil.colours.empty()) add_veil(renderer, relief.veil); // first: it is drawn beneath
+  if (!relief.veil.colors.empty()) add_veil(renderer, relief.veil); // first: it is drawn beneath
   for (const Field& field : relief.fields) add_field(renderer, field, depth);
-  if (!relief.ink.colours.empty())
-    add_actor(renderer, *loose_mesh(depth(columns(relief.ink.corners)), {}, relief.ink.colours), false);
+  if (!relief.ink.colors.empty())
+    add_actor(renderer, *loose_mesh(depth(columns(relief.ink.corners)), {}, relief.ink.colors), false);
   vtkNew<vtkLight> light;
   light->SetLightTypeToSceneLight();
   light->PositionalOff();

@@ -1,5 +1,5 @@
 // Rows with spaces of their own: exact geometry, partition of unity, gradients, continuity, faces, errors.
-#include "nurbs/discretisation.hpp"
+#include "nurbs/discretization.hpp"
 
 #include "nurbs/random_patch.hpp"
 #include "nurbs/shapes.hpp"
@@ -9,7 +9,7 @@
 #include <set>
 
 namespace signorini::nurbs {
-namespace discretisation_test {
+namespace discretization_test {
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
@@ -43,7 +43,7 @@ Plan random_plan(test::Random& random, const Patch& patch) {
   return plan;
 }
 
-VectorX position(const Discretisation& space, const ElementBasis& basis) {
+VectorX position(const Discretization& space, const ElementBasis& basis) {
   const MatrixX points = space.points();
   VectorX x = VectorX::Zero(space.dimension());
   for (std::size_t a = 0; a < basis.functions.size(); ++a)
@@ -51,12 +51,12 @@ VectorX position(const Discretisation& space, const ElementBasis& basis) {
   return x;
 }
 
-TEST(Discretisation, RandomLayersKeepGeometryPartitionAndSign) {
+TEST(Discretization, RandomLayersKeepGeometryPartitionAndSign) {
   test::Random random(5);
   for (int trial = 0; trial < 120; ++trial) {
     const int dimensions = trial % 4 == 3 ? 3 : 2;
     const Patch patch = test::random_patch(random, dimensions, dimensions, dimensions == 3 ? 2 : 3);
-    const Discretisation space(patch, random_plan(random, patch));
+    const Discretization space(patch, random_plan(random, patch));
     for (int n = 0; n < 12; ++n) {
       const VectorX xi = test::random_parameter(random, patch);
       const ElementBasis basis = space.basis(space.find_element(xi), xi);
@@ -70,12 +70,12 @@ TEST(Discretisation, RandomLayersKeepGeometryPartitionAndSign) {
   }
 }
 
-TEST(Discretisation, GradientsMatchFiniteDifferences) {
+TEST(Discretization, GradientsMatchFiniteDifferences) {
   test::Random random(6);
   for (int trial = 0; trial < 40; ++trial) {
     const int dimensions = trial % 4 == 3 ? 3 : 2;
     const Patch patch = test::random_patch(random, dimensions, dimensions, dimensions == 3 ? 2 : 3);
-    const Discretisation space(patch, random_plan(random, patch));
+    const Discretization space(patch, random_plan(random, patch));
     for (int n = 0; n < 4; ++n) {
       const int e = test::integer(random, 0, space.elements() - 1);
       VectorX xi(dimensions);
@@ -105,12 +105,12 @@ TEST(Discretisation, GradientsMatchFiniteDifferences) {
 
 /// Knots of lower continuity keep it: k-refinement and elevation raise multiplicities with the degree, inserted knots
 /// occur 1+s times.
-TEST(Discretisation, ContinuityOfOwnAndInsertedKnots) {
+TEST(Discretization, ContinuityOfOwnAndInsertedKnots) {
   test::Random random(7);
   for (int trial = 0; trial < 60; ++trial) {
     const Patch patch = test::random_patch(random, 2, 2, 3);
     const Plan plan = random_plan(random, patch);
-    const Discretisation space(patch, plan);
+    const Discretization space(patch, plan);
     const int along = 1 - space.through(), own = patch.direction(along).degree();
     const Label& label = plan.labels.front();
     const int count = space.stack().functions();
@@ -135,7 +135,7 @@ TEST(Discretisation, ContinuityOfOwnAndInsertedKnots) {
 
 /// Thesis (5.1), (5.2) by the book: the k-refined bulk patch with its first row's functions replaced by the ones of the
 /// face's curve on the layer's knots, B-splines by the Cox–de Boor recursion, one common weight function.
-TEST(Discretisation, AgreesWithTheBookOnADie) {
+TEST(Discretization, AgreesWithTheBookOnADie) {
   test::Random random(8);
   const Patch die = half_annulus(0.3, 0.5, Eigen::Vector2d(0.75, 1.5));
   Plan plan;
@@ -143,7 +143,7 @@ TEST(Discretisation, AgreesWithTheBookOnADie) {
   plan.contact = {side_of("south", 2)};
   plan.labels = {parse_label("N2-N2.2")};
   plan.through = 1;
-  const Discretisation space(die, plan);
+  const Discretization space(die, plan);
 
   const std::vector<double> inserted{1.0 / 6, 1.0 / 3, 2.0 / 3, 5.0 / 6};
   const Patch bulk = k_refine(k_refine(die, 0, 2, inserted), 1, 1, {0.5});
@@ -172,7 +172,7 @@ TEST(Discretisation, AgreesWithTheBookOnADie) {
   EXPECT_NEAR((space.points().leftCols(n) - layer.points()).norm(), 0, 1e-13);
 }
 
-TEST(Discretisation, LayerOfAllRowsIsTheUniformElevatedSpace) {
+TEST(Discretization, LayerOfAllRowsIsTheUniformElevatedSpace) {
   test::Random random(9);
   const Patch patch = quarter_annulus(0.5, 1, Eigen::Vector2d(0, 0), 20);
   const auto make = [&](const char* label) {
@@ -181,9 +181,9 @@ TEST(Discretisation, LayerOfAllRowsIsTheUniformElevatedSpace) {
     plan.contact = {side_of("south", 2)};
     plan.labels = {parse_label(label)};
     plan.through = 1;
-    return Discretisation(patch, plan);
+    return Discretization(patch, plan);
   };
-  const Discretisation layered = make("N2-N2.1x4"), uniform = make("N2.1");
+  const Discretization layered = make("N2-N2.1x4"), uniform = make("N2.1");
   ASSERT_EQ(layered.functions(), uniform.functions());
   EXPECT_NEAR((layered.homogeneous() - uniform.homogeneous()).norm(), 0, 1e-14);
   for (int n = 0; n < 50; ++n) {
@@ -195,13 +195,13 @@ TEST(Discretisation, LayerOfAllRowsIsTheUniformElevatedSpace) {
   }
 }
 
-TEST(Discretisation, DegreeOfElementsRisesOnlyWhereTheLayerReaches) {
+TEST(Discretization, DegreeOfElementsRisesOnlyWhereTheLayerReaches) {
   Plan plan;
   plan.elements = {4, 5};
   plan.contact = {side_of("north", 2)};
   plan.labels = {parse_label("N2-N4.1x2")};
   plan.through = 1;
-  const Discretisation space(rectangle(2, 1, Eigen::Vector2d(0, 0)), plan);
+  const Discretization space(rectangle(2, 1, Eigen::Vector2d(0, 0)), plan);
   // Two rows of linear functions live on the last two element rows.
   for (int e = 0; e < space.elements(); ++e) {
     EXPECT_EQ(space.degree(e, 0), e / 4 >= 3 ? 5 : 2) << "element " << e;
@@ -210,14 +210,14 @@ TEST(Discretisation, DegreeOfElementsRisesOnlyWhereTheLayerReaches) {
 }
 
 /// Where the functions of a side do not vanish is the side, and its patch is the body's map there.
-TEST(Discretisation, FacesAreTheBodysBorder) {
+TEST(Discretization, FacesAreTheBodysBorder) {
   test::Random random(10);
   for (int trial = 0; trial < 40; ++trial) {
     const int dimensions = trial % 2 == 0 ? 2 : 3;
     const Patch patch = test::random_patch(random, dimensions, dimensions, 2);
     Plan plan = random_plan(random, patch);
     for (Label& label : plan.labels) label.layer.reset();
-    const Discretisation space(patch, plan);
+    const Discretization space(patch, plan);
     for (int d = 0; d < dimensions; ++d)
       for (bool at_end : {false, true}) {
         const Side side{d, at_end};
@@ -245,11 +245,11 @@ TEST(Discretisation, FacesAreTheBodysBorder) {
   }
 }
 
-TEST(Discretisation, WithoutContactFaceTheLabelsHoldPerDirection) {
+TEST(Discretization, WithoutContactFaceTheLabelsHoldPerDirection) {
   Plan plan;
   plan.elements = {3, 2};
   plan.labels = {parse_label("N2"), parse_label("N3.1")};
-  const Discretisation space(rectangle(3, 1, Eigen::Vector2d(0, 0)), plan);
+  const Discretization space(rectangle(3, 1, Eigen::Vector2d(0, 0)), plan);
   // N2 has 3+2 functions; N3.1, degree 4 with one double knot, 2·4+1−2
   EXPECT_EQ(space.functions(), 5 * 7);
   EXPECT_EQ(space.face(side_of("east", 2)).functions(), 7);
@@ -257,13 +257,13 @@ TEST(Discretisation, WithoutContactFaceTheLabelsHoldPerDirection) {
 }
 
 /// Without a degree of its own the thickness direction has the bulk's, as without a contact face.
-TEST(Discretisation, ThicknessDirectionTakesTheBulksDegree) {
+TEST(Discretization, ThicknessDirectionTakesTheBulksDegree) {
   const auto through = [](const Patch& patch, const std::vector<std::string>& labels, const char* contact) {
     Plan plan;
     plan.elements.assign(at(patch.parametric_dimension()), 3);
     plan.contact = {side_of(contact, patch.parametric_dimension())};
     for (const std::string& label : labels) plan.labels.push_back(parse_label(label));
-    const Space1D stack = Discretisation(patch, plan).stack();
+    const Space1D stack = Discretization(patch, plan).stack();
     return std::array{stack.degree(), stack.functions()};
   };
   using Pair = std::array<int, 2>; // degree, functions
@@ -278,19 +278,19 @@ TEST(Discretisation, ThicknessDirectionTakesTheBulksDegree) {
   EXPECT_EQ(through(ring, {"N1"}, "west")[0], 2); // the geometry's own
 }
 
-TEST(Discretisation, SideAcrossALayerIsNoPatchInSpace) {
+TEST(Discretization, SideAcrossALayerIsNoPatchInSpace) {
   Plan plan;
   plan.elements = {2, 2, 2};
   plan.contact = {side_of("back", 3)};
   plan.labels.assign(2, parse_label("N2-N4"));
   plan.through = 1;
-  const Discretisation space(block({1, 1, 1}, Eigen::Vector3d(0, 0, 0)), plan);
+  const Discretization space(block({1, 1, 1}, Eigen::Vector3d(0, 0, 0)), plan);
   EXPECT_ERROR(space.face(side_of("west", 3)), "nurbs.body.face_across_layer: face = west, contact = back");
   // Supports need its functions all the same: 4 control points in each of two rows, 6 in the layer's.
   EXPECT_EQ(space.face_functions(side_of("west", 3)).size(), 4u + 4u + 6u);
 }
 
-TEST(Discretisation, ErrorsNameTheArgument) {
+TEST(Discretization, ErrorsNameTheArgument) {
   const Patch slab = rectangle(3, 1, Eigen::Vector2d(0, 0));
   const auto plan = [](std::vector<int> elements, std::vector<std::string> labels, std::vector<std::string> contact) {
     Plan result;
@@ -300,7 +300,7 @@ TEST(Discretisation, ErrorsNameTheArgument) {
     result.through = 1;
     return result;
   };
-  const auto build = [&](const Plan& wanted) { Discretisation(slab, wanted); };
+  const auto build = [&](const Plan& wanted) { Discretization(slab, wanted); };
   EXPECT_ERROR(build(plan({3}, {"N2"}, {"north"})), "nurbs.body.elements: expected = 2, count = 1");
   EXPECT_ERROR(build(plan({0, 1}, {"N2"}, {"north"})), "nurbs.grading.elements: elements = 0, least = 1");
   EXPECT_ERROR(build(plan({3, 1}, {"N2"}, {"north", "west"})),
@@ -319,13 +319,13 @@ TEST(Discretisation, ErrorsNameTheArgument) {
   Plan lowered = plan({3, 1}, {"N2"}, {"north"});
   lowered.through = 0;
   EXPECT_ERROR(build(lowered), "nurbs.body.through: degree = 0, lowest = 1");
-  EXPECT_ERROR(Discretisation(half_annulus(0.3, 0.5, Eigen::Vector2d(0, 0)), plan({6, 2}, {"N1"}, {"south"})),
+  EXPECT_ERROR(Discretization(half_annulus(0.3, 0.5, Eigen::Vector2d(0, 0)), plan({6, 2}, {"N1"}, {"south"})),
                "nurbs.body.degree: label = N1, degree = 1, lowest = 2");
   const Patch arc = face(half_annulus(0.3, 0.5, Eigen::Vector2d(0, 0)), side_of("south", 2));
-  EXPECT_ERROR(Discretisation(arc, plan({6}, {"N2"}, {})), "nurbs.body.surface: directions = 1");
-  const Discretisation space(slab, plan({3, 2}, {"N2"}, {"north"}));
+  EXPECT_ERROR(Discretization(arc, plan({6}, {"N2"}, {})), "nurbs.body.surface: directions = 1");
+  const Discretization space(slab, plan({3, 2}, {"N2"}, {"north"}));
   EXPECT_ERROR(space.find_element(Eigen::Vector2d(0.5, 1.5)), "1.5");
 }
 
-} // namespace discretisation_test
+} // namespace discretization_test
 } // namespace signorini::nurbs

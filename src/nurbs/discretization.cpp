@@ -1,4 +1,4 @@
-#include "nurbs/discretisation.hpp"
+#include "nurbs/discretization.hpp"
 
 #include "base/error.hpp"
 #include "base/index.hpp"
@@ -84,15 +84,15 @@ Patch lagrange_patch(const Patch& patch, const Plan& plan, int through,
   std::vector<int> degrees;
   std::vector<std::vector<double>> breaks;
   for (int d = 0, along = 0; d < patch.parametric_dimension(); ++d) {
-    const bool labelled = plan.contact.empty() || d != through;
-    degrees.push_back(labelled ? plan.labels[at(along++)].bulk.degree : through_space(patch, plan, through).degree);
+    const bool labeled = plan.contact.empty() || d != through;
+    degrees.push_back(labeled ? plan.labels[at(along++)].bulk.degree : through_space(patch, plan, through).degree);
     breaks.push_back(insert_knots(patch, d, inserted[at(d)]).direction(d).breaks());
   }
   return interpolate_lagrange(patch, degrees, breaks);
 }
 
 /// The rows that a plan makes of a patch.
-Discretisation discretised(const Patch& patch, const Plan& plan) {
+Discretization discretized(const Patch& patch, const Plan& plan) {
   check(patch, plan);
   const int dimensions = patch.parametric_dimension();
   const int through = plan.contact.empty() ? dimensions - 1 : plan.contact.front().direction;
@@ -138,9 +138,9 @@ VectorX ElementBasis::combine(const MatrixX& at_points) const {
   return sum;
 }
 
-Discretisation::Discretisation(const Patch& patch, const Plan& plan) : Discretisation(discretised(patch, plan)) {}
+Discretization::Discretization(const Patch& patch, const Plan& plan) : Discretization(discretized(patch, plan)) {}
 
-Discretisation::Discretisation(int through, Space1D stack, std::vector<Row> rows, std::vector<Side> contact)
+Discretization::Discretization(int through, Space1D stack, std::vector<Row> rows, std::vector<Side> contact)
     : through_(through), stack_(std::move(stack)), rows_(std::move(rows)), contact_(std::move(contact)) {
   require(static_cast<int>(rows_.size()) == stack_.functions(), "nurbs.body.rows",
           {{"expected", stack_.functions()}, {"count", rows_.size()}});
@@ -166,22 +166,22 @@ Discretisation::Discretisation(int through, Space1D stack, std::vector<Row> rows
     homogeneous_.middleCols(first_[j], rows_[j].functions()) = rows_[j].homogeneous();
 }
 
-MatrixX Discretisation::points() const {
+MatrixX Discretization::points() const {
   return homogeneous_.topRows(dimension()).array().rowwise() / homogeneous_.bottomRows(1).row(0).array();
 }
 
-int Discretisation::elements() const {
+int Discretization::elements() const {
   int product = 1;
   for (int d = 0; d < parametric_dimension(); ++d) product *= elements(d);
   return product;
 }
 
-int Discretisation::element_index(int e, int d) const {
+int Discretization::element_index(int e, int d) const {
   for (int k = 0; k < d; ++k) e /= elements(k);
   return e % elements(d);
 }
 
-VectorX Discretisation::parameter(int e, const VectorX& fractions) const {
+VectorX Discretization::parameter(int e, const VectorX& fractions) const {
   VectorX xi(fractions.size());
   for (int d = 0; d < xi.size(); ++d) {
     const auto [from, to] = interval(e, d);
@@ -190,14 +190,14 @@ VectorX Discretisation::parameter(int e, const VectorX& fractions) const {
   return xi;
 }
 
-int Discretisation::element_behind(Side side, int f) const {
+int Discretization::element_behind(Side side, int f) const {
   int before = 1; // elements in the directions below the side's own
   for (int d = 0; d < side.direction; ++d) before *= elements(d);
   const int layer = side.at_end ? elements(side.direction) - 1 : 0;
   return f % before + before * (layer + elements(side.direction) * (f / before));
 }
 
-int Discretisation::degree(int e, int d) const {
+int Discretization::degree(int e, int d) const {
   if (d == through_) return stack_.degree(element_index(e, d));
   int highest = 0;
   for (int j : stack_.functions_on(element_index(e, through_)))
@@ -205,13 +205,13 @@ int Discretisation::degree(int e, int d) const {
   return highest;
 }
 
-int Discretisation::find_element(const VectorX& xi) const {
+int Discretization::find_element(const VectorX& xi) const {
   int e = 0;
   for (int d = parametric_dimension() - 1; d >= 0; --d) e = e * elements(d) + direction(d).find_element(xi(d));
   return e;
 }
 
-ElementFunctions Discretisation::row_functions(int e, int j) const {
+ElementFunctions Discretization::row_functions(int e, int j) const {
   const Row& row = rows_[at(j)];
   ElementFunctions functions;
   functions.first = first_[at(j)];
@@ -223,7 +223,7 @@ ElementFunctions Discretisation::row_functions(int e, int j) const {
   return functions;
 }
 
-ElementBasis Discretisation::basis(int e, const VectorX& xi) const {
+ElementBasis Discretization::basis(int e, const VectorX& xi) const {
   const int dimensions = parametric_dimension();
   const int layer = element_index(e, through_);
   const std::span<const int> layer_rows = stack_.functions_on(layer);
@@ -268,7 +268,7 @@ ElementBasis Discretisation::basis(int e, const VectorX& xi) const {
   return result;
 }
 
-std::vector<int> Discretisation::row_end(int j, int a, bool at_end) const {
+std::vector<int> Discretization::row_end(int j, int a, bool at_end) const {
   const Row& row = rows_[at(j)];
   const int n0 = row.direction(0).functions(), end = at_end ? row.direction(a).functions() - 1 : 0;
   std::vector<int> result;
@@ -277,7 +277,7 @@ std::vector<int> Discretisation::row_end(int j, int a, bool at_end) const {
   return result;
 }
 
-std::vector<int> Discretisation::face_functions(Side side) const {
+std::vector<int> Discretization::face_functions(Side side) const {
   std::vector<int> result;
   if (side.direction == through_) {
     const int row = side.at_end ? stack_.functions() - 1 : 0;
@@ -300,7 +300,7 @@ std::vector<int> Discretisation::face_functions(Side side) const {
   return result;
 }
 
-Row Discretisation::face(Side side) const {
+Row Discretization::face(Side side) const {
   if (side.direction == through_) return rows_[at(side.at_end ? stack_.functions() - 1 : 0)];
   const std::vector<int> functions = face_functions(side);
   std::vector<Space1D> directions;

@@ -11,7 +11,7 @@
 
 namespace signorini::nurbs {
 
-/// How a patch is discretised. All lists have one entry per parametric direction unless said otherwise.
+/// How a patch is discretized. All lists have one entry per parametric direction unless said otherwise.
 struct Plan {
   std::vector<int> elements;
   std::vector<std::optional<Grading>> grading; ///< may be empty: uniform in every direction
@@ -34,13 +34,13 @@ struct ElementBasis {
 ///   x(ξ) = Σ_j N_j(ξᵗ) C_j(ξ along the face)   in homogeneous coordinates,
 /// every row C_j a NURBS of one parametric dimension less with spaces of its own, refined exactly from the patch or
 /// given. The geometry and the one weight function never change, so partition of unity and the exact shape hold for any
-/// choice of rows (thesis 5.1, 5.2 generalised from one row to any). All rows share the same elements.
-class Discretisation {
+/// choice of rows (thesis 5.1, 5.2 generalized from one row to any). All rows share the same elements.
+class Discretization {
 public:
-  Discretisation(const Patch& patch, const Plan& plan);
+  Discretization(const Patch& patch, const Plan& plan);
   /// From its parts, bit by bit as through(), stack(), rows() and contact() gave them. Throws Error when they do not
   /// fit together, or a space has more than its first function at its start, or than its last at its end.
-  Discretisation(int through, Space1D stack, std::vector<Row> rows, std::vector<Side> contact);
+  Discretization(int through, Space1D stack, std::vector<Row> rows, std::vector<Side> contact);
 
   int parametric_dimension() const { return rows_.front().parametric_dimension() + 1; }
   int dimension() const { return static_cast<int>(homogeneous_.rows()) - 1; }
