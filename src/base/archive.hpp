@@ -1,9 +1,10 @@
 #pragma once
-// Values as bytes, for files that are read back: numbers bit by bit, least significant byte first, on any machine.
+// Binary serialization of values: numbers bit by bit, least significant byte first, on any machine.
 //
-// A type is put by a free function write(ArchiveWriter&, const T&) and got by T read(ArchiveReader&,
-// std::type_identity<T>), both in the type's namespace. They are here for numbers, strings, lists and matrices, and for
-// structs that are put and got member by member: their namespace has a function members(T&) that ties these.
+// A type is written by a free function write(ArchiveWriter&, const T&) and read by T read(ArchiveReader&,
+// std::type_identity<T>), both in the type's namespace. This header has them for numbers, strings, lists and matrices,
+// and for structs that are written member by member: a function members(T&) in the struct's namespace returns a tie of
+// these.
 
 #include "base/eigen.hpp"
 #include "base/error.hpp"
@@ -20,11 +21,11 @@
 
 namespace signorini {
 
-/// Gathers bytes.
+/// Collects bytes.
 class ArchiveWriter {
 public:
   template <class... T> void put(const T&... values) { (write(*this, values), ...); }
-  /// What `fill(ArchiveWriter&)` puts, under a name and with its length in front.
+  /// Writes what `fill(ArchiveWriter&)` writes, preceded by its name and length.
   template <class Fill> void section(const std::string& name, const Fill& fill) {
     ArchiveWriter inside;
     fill(inside);
@@ -37,17 +38,17 @@ private:
   std::string bytes_;
 };
 
-/// Takes bytes apart again; never reads beyond them: that throws Error. Does not own them.
+/// Reads values from bytes that it does not own. Throws Error instead of reading beyond their end.
 class ArchiveReader {
 public:
   explicit ArchiveReader(std::string_view bytes) : rest_(bytes) {}
 
   template <class T> T get() { return read(*this, std::type_identity<T>()); }
   template <class... T> void into(T&... values) { ((values = get<T>()), ...); }
-  /// The bytes of a section. Throws Error when the next one has another name.
+  /// The bytes of a section. Throws Error if the next section has another name.
   std::string_view section(const std::string& name);
   std::string_view take(std::size_t count);
-  /// How many elements follow, of at least one byte each.
+  /// Number of elements that follow, each of at least one byte.
   std::size_t count();
   std::size_t remaining() const { return rest_.size(); }
 
@@ -103,7 +104,7 @@ template <class T, std::size_t N> std::array<T, N> read(ArchiveReader& from, std
   return values;
 }
 
-/// Numbers of rows and columns in front.
+/// The numbers of rows and columns come first.
 template <int Rows, int Columns> void write(ArchiveWriter& to, const Eigen::Matrix<double, Rows, Columns>& matrix) {
   to.put(static_cast<std::uint64_t>(matrix.rows()), static_cast<std::uint64_t>(matrix.cols()));
   for (Eigen::Index i = 0; i < matrix.size(); ++i) to.put(matrix.data()[i]);
@@ -137,20 +138,20 @@ template <Record T> T read(ArchiveReader& from, std::type_identity<T>) {
   return record;
 }
 
-/// A file of one kind: a line that names the kind, the version of its format, length, bytes, and a checksum of all.
+/// A type of file: a line that names the type, the version of its format, length, bytes, and a checksum of all.
 struct ArchiveKind {
   std::string name; ///< "checkpoint"
   std::uint32_t version;
 };
 
-/// Writes the file whole or not at all, and removes what writes of it have left that were killed; `durable`: it is on
-/// the disk on return. Throws Error when it cannot be written.
+/// Writes the file atomically and removes temporary files left by killed processes. `durable`: the file is on the disk
+/// on return. Throws Error if it cannot be written.
 void write_archive(const std::string& file, const ArchiveKind& kind, const ArchiveWriter& archive, bool durable = true);
 
-/// The bytes of a file for an ArchiveReader. Throws Error when it is of another kind or version, or damaged.
+/// The bytes of a file for an ArchiveReader. Throws Error if the file is of another type or version, or damaged.
 std::string read_archive(const std::string& file, const ArchiveKind& kind);
 
-/// FNV-1a, 64 bits: each byte that changes changes it.
+/// FNV-1a, 64 bits: changing any one byte changes it.
 std::uint64_t checksum(std::string_view bytes);
 
 } // namespace signorini

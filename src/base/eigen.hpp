@@ -1,5 +1,5 @@
 #pragma once
-// The linear-algebra names used throughout: small fixed sizes by dimension, and the two dynamic ones.
+// Names of Eigen's types used throughout: small fixed sizes by dimension, and the two dynamic ones.
 
 #include <Eigen/Dense>
 

@@ -1,5 +1,5 @@
 #pragma once
-// Errors that a user can act on. Every check of input left of bind goes through require().
+// Errors that a user can act on. All input is checked by require() in the modules left of bind.
 
 #include "base/message.hpp"
 #include "base/text.hpp"
@@ -8,8 +8,8 @@
 
 namespace signorini {
 
-/// A wrong input or a state the user must know of. The message says in code and data what came and what was expected;
-/// bind makes a sentence of it, what() has no words.
+/// Invalid input or a failure that the user must know of. The message holds a code and data, no sentences; bind words
+/// it, what() returns the code and the data.
 class Error : public std::runtime_error {
 public:
   explicit Error(Message message) : runtime_error(bare_text(message)), message_(std::move(message)) {}
@@ -22,7 +22,7 @@ private:
 
 [[noreturn]] void fail(const char* code, std::initializer_list<Datum> data = {});
 
-/// Throws Error with this message unless `ok`; the message is only built on failure.
+/// Throws Error with this message unless `ok`; the message is built only on failure.
 inline void require(bool ok, const char* code, std::initializer_list<Datum> data = {}) {
   if (!ok) [[unlikely]]
     fail(code, data);

@@ -1,5 +1,5 @@
 #pragma once
-// Indices are int here, as Eigen and the solvers take them; the standard library's containers want their own type.
+// Indices are int, as in Eigen and the solvers; at() converts them for the containers of the standard library.
 
 #include <cstddef>
 

@@ -12,7 +12,7 @@ namespace {
 volatile std::sig_atomic_t flag = 0, iterating = 0, survives = 0, descriptor = -1;
 bool answered = false;
 
-/// Only calls that a signal handler may make. A progress bar may stand on the line.
+/// Calls only async-signal-safe functions. A progress bar may occupy the line.
 void acknowledge() {
   const char* words = survives ? "\r\33[Kinterrupting after this iteration\n"
                                : "\r\33[Kinterrupting after this iteration; a second Ctrl-C ends the program\n";

@@ -1,15 +1,15 @@
 #pragma once
-// Ctrl-C as a flag: the signal handler raises it, long loops look at it between two states that are both usable.
+// Ctrl-C as a flag: the signal handler sets it, long loops test it where their state is consistent.
 
 namespace signorini {
 
-/// Installs the SIGINT handler that raises the flag. A second Ctrl-C before the first was seen ends the program, unless
-/// survive_interrupts() was called.
+/// Installs the SIGINT handler that sets the flag. A second Ctrl-C before the first one is seen ends the program,
+/// unless survive_interrupts() was called.
 void catch_interrupts();
 void survive_interrupts();
-/// Where Ctrl-C is acknowledged at once when it comes during an iteration: a file descriptor, none at first.
+/// File descriptor to which Ctrl-C is acknowledged immediately during an iteration; none by default.
 void acknowledge_interrupts(int descriptor);
-/// An iteration of a solve, at whose end the flag is looked at.
+/// Scope of one iteration of a solve, at whose end the flag is tested.
 class Iteration {
 public:
   Iteration();
@@ -18,9 +18,9 @@ public:
   Iteration& operator=(const Iteration&) = delete;
 };
 bool interrupted();
-/// Whatever ends because of Ctrl-C and returns what it has says so.
+/// Called by operations that end early because of Ctrl-C and return a partial result.
 void answer_interrupt();
-/// Whether something has ended because of the Ctrl-C that was seen last.
+/// Whether an operation has ended early because of the last Ctrl-C.
 bool interrupt_answered();
 void clear_interrupt();
 

@@ -23,18 +23,18 @@ namespace signorini {
 
 namespace {
 
-// What a child writes first: whether the rest is what it returned, or why it could not.
+// First byte that a child writes: whether its output or an error message follows.
 constexpr char returned = 'r', threw = 't';
 
-constexpr int glance = 100; // ms between two looks at the Ctrl-C flag and at the time
+constexpr int poll_interval = 100; // ms between two tests of the Ctrl-C flag and of the time
 
-/// The child's whole life. Nothing may leave it: it would run on as a second copy of the program.
-[[noreturn]] void live(int pipe, pid_t parent, int i, const std::function<std::string(int)>& job) {
+/// Runs a job in the child. No exception may leave: the child would continue as a second copy of the program.
+[[noreturn]] void run_child(int pipe, pid_t parent, int i, const std::function<std::string(int)>& job) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != parent) _exit(1); // died before it could be said that a child follows it
-  std::signal(SIGINT, SIG_IGN);      // a terminal sends Ctrl-C to all; the parent decides
+  if (getppid() != parent) _exit(1); // the parent ended before prctl()
+  std::signal(SIGINT, SIG_IGN);      // a terminal sends Ctrl-C to all processes; the parent decides
   abandon_worker_threads();
-  // Handlers that the parent registered for its own exit wait for threads that a child does not have.
+  // Exit handlers that the parent registered wait for threads that a child does not have.
   on_exit(
       [](int status, void*) {
         std::fflush(nullptr);
@@ -50,11 +50,11 @@ constexpr int glance = 100; // ms between two looks at the Ctrl-C flag and at th
     message = threw + std::string("unknown exception");
   }
   std::cout.flush();
-  std::fflush(nullptr); // what the job printed; the parent's own output left before the fork
+  std::fflush(nullptr); // what the job printed; the parent's output was flushed before the fork
   _exit(write_all(pipe, message) ? 0 : 1);
 }
 
-/// One child and the pipe from it. Whoever lets go of it kills it.
+/// One child and the pipe from it. The destructor kills the child.
 class Child {
 public:
   Child(int number, const std::function<std::string(int)>& job) : number_(number) {
@@ -64,7 +64,7 @@ public:
     std::fflush(nullptr);
     const pid_t parent = getpid();
     id_ = fork();
-    if (id_ == 0) live(ends[1], parent, number, job);
+    if (id_ == 0) run_child(ends[1], parent, number, job);
     const int reason = errno;
     close(ends[1]);
     pipe_ = ends[0];
@@ -80,7 +80,7 @@ public:
   int pipe() const { return pipe_; }
   double seconds() const { return watch_.seconds(); }
 
-  /// Takes what has come; false when nothing more will.
+  /// Reads available output; false at its end.
   bool read_some() {
     char buffer[1 << 16];
     const ssize_t count = ::read(pipe_, buffer, sizeof buffer);
@@ -88,7 +88,7 @@ public:
     return count > 0 || (count < 0 && errno == EINTR);
   }
 
-  /// Waits for its end, which it is near unless it is killed now, and tells what came of it.
+  /// Waits for the child, which is about to end or is killed now, and returns its result.
   JobEnd result(bool late) {
     const int status = end(late);
     JobEnd result{number_, "", {}};
@@ -123,11 +123,11 @@ private:
   std::string data_;
 };
 
-/// Which children have something to read or have ended; waits for one, though not for long.
-std::vector<pollfd> look_at(const std::list<Child>& children) {
+/// Children that have output or have ended; waits for one, at most for a short time.
+std::vector<pollfd> poll_children(const std::list<Child>& children) {
   std::vector<pollfd> pipes;
   for (const Child& child : children) pipes.push_back({child.pipe(), POLLIN, 0});
-  if (poll(pipes.data(), pipes.size(), glance) <= 0)
+  if (poll(pipes.data(), pipes.size(), poll_interval) <= 0)
     for (pollfd& pipe : pipes) pipe.revents = 0;
   return pipes;
 }
@@ -142,7 +142,7 @@ bool run_jobs(int count, const JobLimits& limits, const std::function<std::strin
   for (int next = 0; next < count || !children.empty();) {
     while (next < count && static_cast<int>(children.size()) < limits.at_once && !interrupted())
       children.emplace_back(next++, job);
-    const std::vector<pollfd> pipes = look_at(children);
+    const std::vector<pollfd> pipes = poll_children(children);
     if (interrupted()) {
       answer_interrupt();
       return false;

@@ -14,7 +14,7 @@ namespace signorini {
 
 namespace {
 
-/// What the holder has written: who it is.
+/// Text that the holder has written to identify itself.
 std::string holder(int handle) {
   char name[512];
   const ssize_t count = pread(handle, name, sizeof name, 0);
@@ -25,7 +25,7 @@ std::string holder(int handle) {
 
 Lock::Lock(const std::string& file) : handle_(open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
   require(handle_ >= 0, "base.lock.write", {{"file", file}, {"reason", std::strerror(errno)}});
-  // Children of a holder that was just killed take a moment to follow it.
+  // Children of a holder that was just killed take a moment to end.
   int reason = EWOULDBLOCK;
   for (int attempt = 0; attempt < 20 && (reason == EWOULDBLOCK || reason == EINTR); ++attempt) {
     if (attempt > 0) usleep(50'000);
@@ -37,7 +37,7 @@ Lock::Lock(const std::string& file) : handle_(open(file.c_str(), O_RDWR | O_CREA
     require(reason == EWOULDBLOCK, "base.lock.lock", {{"file", file}, {"reason", std::strerror(reason)}});
     fail("base.lock.held", {{"file", file}, {"holder", who}});
   }
-  // Who holds it is told to others on a best effort: a full disk is no reason to stop here.
+  // Writing the holder's name may fail: a full disk is not a reason to stop.
   const std::string self = text("process ", getpid(), " on ", host_name());
   if (ftruncate(handle_, 0) != 0 || pwrite(handle_, self.data(), self.size(), 0) < 0) errno = 0;
 }

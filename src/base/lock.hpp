@@ -1,16 +1,16 @@
 #pragma once
-// A file that one process at a time may hold, so that two do not write into the same folder.
+// A lock file that one process at a time can hold, so that two do not write into the same folder.
 
 #include <string>
 
 namespace signorini {
 
-/// Holds a file from its making to its end. The system lets go of it when the process ends, however that happens. A
-/// child process holds it, too, as long as it lives.
+/// Holds a lock file during its lifetime. The system releases it when the process ends for any reason. Child processes
+/// hold it too, as long as they live.
 class Lock {
 public:
-  /// Makes the file where there is none. Throws Error when it cannot be made, or when somebody holds it: then the
-  /// message says who.
+  /// Creates the file if there is none. Throws Error if it cannot be created or is locked; the message then names the
+  /// holder.
   explicit Lock(const std::string& file);
   Lock(Lock&& other) noexcept;
   Lock(const Lock&) = delete;

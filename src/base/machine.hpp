@@ -1,5 +1,5 @@
 #pragma once
-// What the machine is called, for figures of time mean little without it, and what fits into it.
+// Name and memory of the machine: the context of reported times.
 
 #include <string>
 
@@ -7,10 +7,10 @@ namespace signorini {
 
 std::string host_name();
 
-/// Such as "AMD EPYC 7763 64-Core Processor"; empty where the system does not tell.
+/// For example "AMD EPYC 7763 64-Core Processor"; empty if unknown.
 std::string processor_name();
 
-/// Bytes of main memory; infinity where the system does not tell.
+/// Bytes of main memory; infinity if unknown.
 double main_memory();
 
 } // namespace signorini

@@ -1,5 +1,5 @@
 #pragma once
-// What the program has to tell, without the words: a code, and named values. Sentences are made in bind.
+// Messages without words: a code and named values. bind turns them into sentences.
 
 #include <concepts>
 #include <initializer_list>
@@ -13,12 +13,11 @@ namespace signorini {
 
 struct Message;
 
-/// A whole number, a number, a text, several numbers (a point, a range) or texts, or messages within the message.
+/// An integer, a number, a text, several numbers (a point, a range) or texts, or nested messages.
 using Value =
     std::variant<long long, double, std::string, std::vector<double>, std::vector<std::string>, std::vector<Message>>;
 
-/// A named value where a message is made. It refers to the value, so that nothing is copied unless a message comes of
-/// it.
+/// A named value where a message is made. It refers to the value, so that nothing is copied unless a message results.
 class Datum {
 public:
   template <class T>
@@ -37,12 +36,12 @@ private:
   Value (*take_)(const void* value);
 };
 
-/// `code`: module, subject and what is the matter, "nurbs.arc.turn". Without a code there is nothing to tell; a message
-/// of that kind in the data is left out of the sentence.
+/// `code`: module, subject and problem, "nurbs.arc.turn". A message without a code is empty; as data of another message
+/// it is left out of the sentence.
 struct Message {
   Message();
   explicit Message(const char* code, std::initializer_list<Datum> values = {});
-  // In one place: a copy of the data is long code, and messages are passed around in many.
+  // Defined in message.cpp: copying the data is long code, and messages are copied in many places.
   Message(const Message& other);
   Message(Message&& other) noexcept;
   Message& operator=(const Message& other);
@@ -53,7 +52,7 @@ struct Message {
   std::vector<std::pair<std::string, Value>> data;
 };
 
-/// Code and data, for those who have no words: "nurbs.arc.turn: start = 0, stop = 400".
+/// Code and data, for callers without access to the wording: "nurbs.arc.turn: start = 0, stop = 400".
 std::string bare_text(const Message& message);
 
 template <class T> Value Datum::copied(const T& value) {

@@ -4,7 +4,7 @@ namespace signorini {
 
 namespace {
 
-/// Takes the parts along the first `count` columns of Q out of v.
+/// Subtracts from v its components along the first `count` columns of Q.
 void subtract(const MatrixX& q, Eigen::Index count, VectorX& v) {
   for (Eigen::Index k = 0; k < count; ++k) v -= q.col(k).dot(v) * q.col(k);
 }
@@ -14,7 +14,7 @@ void subtract(const MatrixX& q, Eigen::Index count, VectorX& v) {
 MatrixX orthonormal(MatrixX x) {
   for (Eigen::Index j = 0; j < x.cols(); ++j) {
     VectorX v = x.col(j);
-    // Rounding errors of a pass matter where it cancels most of v; "twice is enough" unless v depends on the others.
+    // Rounding errors matter where a pass cancels most of v; "twice is enough" unless v depends on the other columns.
     for (int pass = 0; pass < 4; ++pass) {
       const double before = v.norm();
       if (before == 0) break;

@@ -31,7 +31,7 @@ public:
 
   int size() const { return static_cast<int>(threads_.size()) + 1; }
 
-  /// A thread that wakes late finds the call over and sleeps on: nobody waits for it.
+  /// A thread that wakes late finds the call finished and sleeps again: nothing waits for it.
   void run(int count, const std::function<void(int)>& task) {
     task_ = &task;
     errors_.assign(static_cast<std::size_t>(count), nullptr);
@@ -56,15 +56,15 @@ private:
   void begin(int count) {
     const std::uint32_t call = call_ + 1;
     const std::uint64_t first = static_cast<std::uint64_t>(call) << bits;
-    next_ = first | closed; // who is late for the last call takes none of its tasks while the count changes
+    next_ = first | closed; // closed: threads late for the last call take none of its tasks while count_ changes
     count_ = static_cast<std::uint32_t>(count);
     next_ = first;
     call_ = call;
     call_.notify_all();
   }
 
-  /// Takes tasks of one call until none is left, or the next call has begun. A task that is taken keeps its call from
-  /// ending, so that task_ and errors_ belong to it.
+  /// Takes tasks of one call until none is left or the next call has begun. A call does not end before the tasks taken
+  /// from it have, so task_ and errors_ are valid during a task.
   void work(std::uint32_t call) {
     for (std::uint64_t place = next_; place >> bits == call; place = next_) {
       const auto i = static_cast<std::uint32_t>(place & closed);
@@ -89,8 +89,8 @@ private:
   }
 
   std::vector<std::thread> threads_;
-  std::atomic<std::uint32_t> call_ = 0; ///< number of the present call
-  std::atomic<std::uint64_t> next_ = 0; ///< the call's number, and below it the next task's
+  std::atomic<std::uint32_t> call_ = 0; ///< number of the current call
+  std::atomic<std::uint64_t> next_ = 0; ///< the call's number in the high bits, the next task's in the low ones
   std::atomic<std::uint32_t> count_ = 0, done_ = 0;
   std::atomic<bool> over_ = false;
   const std::function<void(int)>* task_ = nullptr;
@@ -112,7 +112,7 @@ int worker_threads() {
 }
 
 void abandon_worker_threads() {
-  static_cast<void>(team.release()); // nobody is there to be joined
+  static_cast<void>(team.release()); // the threads do not exist in this process and cannot be joined
 }
 
 void parallel(int count, const std::function<void(int)>& task) {

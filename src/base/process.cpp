@@ -15,18 +15,18 @@
 namespace signorini {
 namespace {
 
-constexpr std::size_t kept = 600; // bytes of what a program says
+constexpr std::size_t kept_bytes = 600; // bytes of a program's output
 
-/// All that comes out of a pipe, its end at least.
-std::string last_words(int pipe) {
-  std::string words;
+/// The output of a pipe up to its end, or the last bytes of it.
+std::string last_output(int pipe) {
+  std::string output;
   std::array<char, 4096> buffer;
   for (;;) {
     const ssize_t got = ::read(pipe, buffer.data(), buffer.size());
     if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) return words;
-    words.append(buffer.data(), static_cast<std::size_t>(got));
-    if (words.size() > kept) words.erase(0, words.size() - kept);
+    if (got <= 0) return output;
+    output.append(buffer.data(), static_cast<std::size_t>(got));
+    if (output.size() > kept_bytes) output.erase(0, output.size() - kept_bytes);
   }
 }
 
@@ -63,12 +63,12 @@ void run_program(const std::vector<std::string>& words) {
   const int failed = ::posix_spawnp(&id, words[0].c_str(), &actions, nullptr, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   ::close(ends[1]);
-  const std::string said = failed ? "" : last_words(ends[0]);
+  const std::string output = failed ? "" : last_output(ends[0]);
   ::close(ends[0]);
   require(failed == 0, "base.process.start", {{"program", words[0]}, {"reason", std::strerror(failed)}});
   const int status = wait_for(id);
   require(WIFEXITED(status) && WEXITSTATUS(status) == 0, "base.process.failed",
-          {{"program", words[0]}, {"output", said}});
+          {{"program", words[0]}, {"output", output}});
 }
 
 } // namespace signorini

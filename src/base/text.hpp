@@ -1,5 +1,5 @@
 #pragma once
-// Texts put together from parts: what files hold, names, the words of bind.
+// Concatenation of texts: contents of files, names, wording.
 
 #include <initializer_list>
 #include <ostream>
@@ -7,8 +7,8 @@
 
 namespace signorini {
 
-/// A reference to a part of a text, which is anything that can be streamed. Texts are put together behind it in one
-/// place: there are hundreds, and streams in each were a tenth of the program's text.
+/// A reference to a part of a text: anything that can be streamed. The parts are joined in one function: with streams
+/// in each of hundreds of callers, this was a tenth of the program's code.
 class TextPart {
 public:
   template <class T>
@@ -29,7 +29,7 @@ private:
 
 std::string joined(std::initializer_list<TextPart> parts);
 
-/// The parts one behind the other; numbers with enough digits to recognize them.
+/// Concatenates the parts; numbers with at most ten significant digits.
 template <class... Parts> std::string text(const Parts&... parts) {
   return joined({TextPart(parts)...});
 }

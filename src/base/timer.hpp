@@ -1,5 +1,5 @@
 #pragma once
-// Wall-clock accounting: a Stopwatch measures, a ScopedTimer adds what its scope took to an account.
+// Wall-clock times: a Stopwatch measures, a ScopedTimer adds the time of its scope to an account.
 
 #include <chrono>
 #include <optional>
@@ -19,7 +19,7 @@ private:
 class ScopedTimer {
 public:
   explicit ScopedTimer(double& account) : ScopedTimer(&account) {}
-  /// Null: no clock is read.
+  /// Null: the clock is not read.
   explicit ScopedTimer(double* account) : account_(account) {
     if (account_) watch_.emplace();
   }

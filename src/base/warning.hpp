@@ -1,5 +1,5 @@
 #pragma once
-// What a user should know of a result that is there all the same.
+// Messages about a result that is valid but may not be what the user wants.
 
 #include "base/message.hpp"
 
@@ -7,7 +7,7 @@
 
 namespace signorini {
 
-/// Takes warnings: bind words and prints them. A module that is loaded later has a sink of its own.
+/// Receives warnings: bind words and prints them. A module that is loaded later has a sink of its own.
 using WarningSink = void (*)(const Message& warning);
 inline WarningSink warning_sink = [](const Message& warning) { std::cerr << bare_text(warning) << std::endl; };
 

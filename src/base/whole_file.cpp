@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Removes the temporary file unless it has become the real one.
+/// Removes the temporary file unless it was renamed.
 struct Temporary {
   std::string path;
   int handle;
@@ -37,7 +37,7 @@ struct Temporary {
 
 constexpr std::string_view ending = ".part";
 
-/// How the temporary files of `path` begin; the process's number and the ending follow.
+/// First part of the names of temporary files of `path`; process number and extension follow.
 std::string temporary_stem(const fs::path& path) {
   return text(".", path.filename().string(), ".");
 }
@@ -46,7 +46,7 @@ fs::path folder_of(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : ".";
 }
 
-/// The process that a temporary file of this stem belongs to; 0 for any other file.
+/// The process that wrote a temporary file with this stem; 0 for other files.
 int owner(std::string_view name, std::string_view stem) {
   if (!name.starts_with(stem) || !name.ends_with(ending) || name.size() <= stem.size() + ending.size()) return 0;
   const std::string_view digits = name.substr(stem.size(), name.size() - stem.size() - ending.size());
@@ -55,7 +55,7 @@ int owner(std::string_view name, std::string_view stem) {
   return error == std::errc() && end == digits.end() ? process : 0;
 }
 
-/// Throws Error unless the file's folder is there, and says what is in its place or how it comes to be.
+/// Throws Error unless the file's folder exists; the message says what is in its place or how to create it.
 void check_folder(const std::string& file, const fs::path& folder) {
   std::error_code ignored;
   if (fs::is_directory(folder, ignored)) return;
@@ -68,7 +68,7 @@ void check_folder(const std::string& file, const fs::path& folder) {
   fail("base.file.no_folder", {{"file", file}, {"folder", folder.string()}});
 }
 
-/// The file that a link leads to, which may not exist yet; 40 links at most, as the system follows them.
+/// The target of a link, which may not exist yet; follows at most 40 links, as the system does.
 fs::path target_of(fs::path path) {
   std::error_code ignored;
   for (int i = 0; i < 40 && fs::is_symlink(path, ignored); ++i)
@@ -76,7 +76,7 @@ fs::path target_of(fs::path path) {
   return path;
 }
 
-/// Writes to a device or a pipe, which a rename would replace by a file: /dev/null, /dev/stdout.
+/// Writes to a device or a pipe, such as /dev/null or /dev/stdout, which a rename would replace by a file.
 void write_into(const std::string& file, std::string_view bytes) {
   const int handle = ::open(file.c_str(), O_WRONLY | O_CLOEXEC);
   const bool written = handle >= 0 && write_all(handle, bytes);
@@ -108,7 +108,7 @@ void write_whole(const std::string& file, std::string_view bytes, bool durable) 
   Temporary temporary{name, ::open(name.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)};
   if (temporary.handle < 0 || !write_all(temporary.handle, bytes)) cannot_write(file, errno);
   if (durable && ::fsync(temporary.handle) != 0) cannot_write(file, errno);
-  // Some file systems report a full disk only here.
+  // Some file systems report a full disk only on closing.
   const int closed = ::close(std::exchange(temporary.handle, -1));
   if (closed != 0 || ::rename(name.c_str(), path.c_str()) != 0) cannot_write(file, errno);
   temporary.kept = true;

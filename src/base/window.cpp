@@ -9,32 +9,32 @@ namespace signorini {
 namespace {
 
 constexpr double deviation = 0.25; ///< pixels
-constexpr int facets = 16;         ///< across a window at least, where colors vary
-constexpr int deepest = 14;        ///< halvings
+constexpr int facets = 16;         ///< least number across a window where colors vary
+constexpr int most_bisections = 14;
 
-/// Halves a rectangle of fractions as long as a window shows it too coarse.
-class Halving {
+/// Bisects a rectangle of fractions as long as it is too coarse in a window.
+class Bisection {
 public:
-  Halving(const PlaceAt& place, const std::vector<Window>& windows, bool colored)
+  Bisection(const PlaceAt& place, const std::vector<Window>& windows, bool colored)
       : place_(place), windows_(windows), colored_(colored) {}
 
   void visit(const Vec<2>& low, const Vec<2>& high, int depth) {
-    Eigen::Matrix<double, 3, 9> points; // corners, middles of borders, middle; the first direction fastest
+    Eigen::Matrix<double, 3, 9> points; // corners, edge midpoints, center; the first direction fastest
     const Vec<2> half = 0.5 * (low + high);
     const std::array<double, 3> s = {low[0], half[0], high[0]}, t = {low[1], half[1], high[1]};
     for (int k = 0; k < 9; ++k) points.col(k) = place_(s[at(k % 3)], t[at(k / 3)]);
-    std::array<bool, 2> halved = {false, false};
+    std::array<bool, 2> split = {false, false};
     for (const Window& window : windows_)
       if (meets(window, points))
-        for (int direction : {0, 1}) halved[at(direction)] |= is_coarse(window, points, direction);
-    if (depth == deepest || (!halved[0] && !halved[1])) return;
+        for (int direction : {0, 1}) split[at(direction)] |= is_coarse(window, points, direction);
+    if (depth == most_bisections || (!split[0] && !split[1])) return;
     for (int direction : {0, 1})
-      if (halved[at(direction)]) cuts[at(direction)].push_back(half[direction]);
-    for (int j = 0; j <= halved[1]; ++j)
-      for (int i = 0; i <= halved[0]; ++i) {
+      if (split[at(direction)]) cuts[at(direction)].push_back(half[direction]);
+    for (int j = 0; j <= split[1]; ++j)
+      for (int i = 0; i <= split[0]; ++i) {
         Vec<2> from = low, to = high;
-        if (halved[0]) (i == 0 ? to : from)[0] = half[0];
-        if (halved[1]) (j == 0 ? to : from)[1] = half[1];
+        if (split[0]) (i == 0 ? to : from)[0] = half[0];
+        if (split[1]) (j == 0 ? to : from)[1] = half[1];
         visit(from, to, depth + 1);
       }
   }
@@ -42,12 +42,12 @@ public:
   std::array<std::vector<double>, 2> cuts;
 
 private:
-  /// With air for what bulges between the points.
+  /// With a margin for surfaces that bulge between the points.
   static bool meets(const Window& window, const Eigen::Matrix<double, 3, 9>& points) {
     const Eigen::Matrix<double, 2, 9> seen = window.axes * points;
     Vec<2> low = seen.rowwise().minCoeff(), high = seen.rowwise().maxCoeff();
-    const double air = 0.3 * (high - low).maxCoeff() + 0.05 * (window.high - window.low).maxCoeff();
-    return (low.array() - air <= window.high.array()).all() && (high.array() + air >= window.low.array()).all();
+    const double margin = 0.3 * (high - low).maxCoeff() + 0.05 * (window.high - window.low).maxCoeff();
+    return (low.array() - margin <= window.high.array()).all() && (high.array() + margin >= window.low.array()).all();
   }
 
   bool is_coarse(const Window& window, const Eigen::Matrix<double, 3, 9>& points, int direction) const {
@@ -81,13 +81,13 @@ Window mirrored(Window window, int axis) {
 }
 
 std::array<std::vector<double>, 2> window_cuts(const PlaceAt& place, const std::vector<Window>& windows, bool colored) {
-  Halving halving(place, windows, colored);
-  if (!windows.empty()) halving.visit(Vec<2>::Zero(), Vec<2>::Ones(), 0);
-  for (std::vector<double>& cuts : halving.cuts) {
+  Bisection bisection(place, windows, colored);
+  if (!windows.empty()) bisection.visit(Vec<2>::Zero(), Vec<2>::Ones(), 0);
+  for (std::vector<double>& cuts : bisection.cuts) {
     std::sort(cuts.begin(), cuts.end());
     cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
   }
-  return halving.cuts;
+  return bisection.cuts;
 }
 
 void add_cuts(std::vector<double>& fractions, const std::vector<double>& cuts) {

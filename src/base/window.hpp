@@ -1,6 +1,5 @@
 #pragma once
-// The part of a scene that a picture shows at a larger scale, and how finely what lies in it must be cut to look
-// curved.
+// The part of a scene that a picture magnifies, and how finely its surfaces must be divided to look smooth.
 
 #include "base/eigen.hpp"
 
@@ -10,29 +9,29 @@
 
 namespace signorini {
 
-/// What lies between `low` and `high` on paper, a picture's plane in model units.
+/// A rectangle from `low` to `high` in the plane of a picture, in model units.
 struct Window {
-  Eigen::Matrix<double, 2, 3> axes; ///< of the paper, to the right and upwards
+  Eigen::Matrix<double, 2, 3> axes; ///< of the picture, to the right and upwards
   Vec<2> low, high;
-  double pixel; ///< size of one in model units
+  double pixel; ///< size of a pixel in model units
 };
 
-/// What shows the whole of a box in space, for a picture of at most width × height pixels.
+/// The window that shows a whole box in space, for a picture of at most width × height pixels.
 Window box_window(const Eigen::Matrix<double, 2, 3>& axes, const Vec<3>& low, const Vec<3>& high,
                   const std::array<int, 2>& size);
 
-/// Where the mirror of axis = 0 must be looked through to see the same.
+/// The window that shows the same after reflection in axis = 0.
 Window mirrored(Window window, int axis);
 
-/// A point at fractions 0 … 1 of a surface's two directions; of a curve the second one means nothing.
+/// A point at fractions 0 … 1 of a surface's two directions; the second is ignored for curves.
 using PlaceAt = std::function<Vec<3>(double, double)>;
 
-/// Where a surface must be cut besides at its ends, as rising fractions of each direction: what windows show of it then
-/// departs from the true surface by a quarter of a pixel at most. Where colors vary over it no piece spans more than
-/// 1/16 of a window. What no window shows is cut only where that follows: cuts go through from end to end.
+/// Inner division points of a surface, as increasing fractions of each direction, such that what the windows show of it
+/// deviates from the exact surface by at most a quarter of a pixel. If colors vary over it, no piece spans more than
+/// 1/16 of a window. Divisions run through the whole surface, so parts outside the windows are divided only by those.
 std::array<std::vector<double>, 2> window_cuts(const PlaceAt& place, const std::vector<Window>& windows, bool colored);
 
-/// Adds cuts to rising fractions, each once.
+/// Adds division points to increasing fractions, without duplicates.
 void add_cuts(std::vector<double>& fractions, const std::vector<double>& cuts);
 
 /// 0, 1/pieces … 1.
