@@ -15,7 +15,7 @@ using test::message_of;
 
 const ArchiveKind trial{"trial", 7};
 
-/// Something of each type.
+/// A value of each type.
 ArchiveWriter example() {
   ArchiveWriter out;
   MatrixX matrix(2, 3);
@@ -41,7 +41,7 @@ void read_example(std::string_view bytes) {
   EXPECT_EQ(in.remaining(), 0u);
 }
 
-TEST(Archive, GivesBackWhatWasPut) {
+TEST(Archive, ReturnsWrittenValues) {
   read_example(example().bytes());
   ArchiveWriter empty;
   empty.put(VectorX(), MatrixX(3, 0));
@@ -50,7 +50,7 @@ TEST(Archive, GivesBackWhatWasPut) {
   EXPECT_EQ(in.get<MatrixX>().rows(), 3);
 }
 
-TEST(Archive, KeepsEveryBitOfANumber) {
+TEST(Archive, KeepsAllBitsOfNumbers) {
   using Limits = std::numeric_limits<double>;
   for (const double value :
        {0.0, -0.0, Limits::denorm_min(), Limits::max(), Limits::infinity(), -Limits::quiet_NaN(), 0.1, 1.0 / 3}) {
@@ -61,8 +61,8 @@ TEST(Archive, KeepsEveryBitOfANumber) {
   }
 }
 
-/// The form of the file does not depend on the machine.
-TEST(Archive, PutsTheLeastSignificantByteFirst) {
+/// The file format does not depend on the machine.
+TEST(Archive, WritesLeastSignificantByteFirst) {
   ArchiveWriter out;
   out.put(0x01020304, 1.5);
   EXPECT_EQ(out.bytes(), std::string("\4\3\2\1\0\0\0\0\0\0\xf8\x3f", 12));
@@ -87,7 +87,7 @@ TEST(Archive, ChecksSectionsAndSizes) {
   EXPECT_THROW(ArchiveReader(ArchiveReader(out.bytes()).section("one")).get<Vec<3>>(), Error);
 }
 
-TEST(ArchiveFile, GivesBackItsBytes) {
+TEST(ArchiveFile, ReturnsItsBytes) {
   const test::ScratchFolder folder;
   write_archive(folder.file("a"), trial, example());
   read_example(read_archive(folder.file("a"), trial));
@@ -95,7 +95,7 @@ TEST(ArchiveFile, GivesBackItsBytes) {
   EXPECT_EQ(folder.count(), 1);
 }
 
-TEST(ArchiveFile, SaysWhatIsWrongWithAFile) {
+TEST(ArchiveFile, ReportsDamagedAndWrongFiles) {
   const test::ScratchFolder folder;
   const std::string file = folder.file("a");
   const auto message = [&](const std::string& bytes) {
@@ -115,7 +115,7 @@ TEST(ArchiveFile, SaysWhatIsWrongWithAFile) {
   holds(message(good + "x"), "damage = (base.archive.trailing: count = 1)");
   for (std::size_t length = std::strlen("SIGNORINI trial\n"); length < good.size(); ++length)
     holds(message(good.substr(0, length)), "damage = (base.archive.cut_off: length = ");
-  // Any one bit, wherever it is.
+  // Every single bit is flipped in turn.
   for (std::size_t bit = 0; bit < 8 * good.size(); ++bit) {
     std::string flipped = good;
     flipped[bit / 8] = static_cast<char>(flipped[bit / 8] ^ (1 << bit % 8));

@@ -7,12 +7,12 @@
 namespace signorini {
 namespace error_test {
 
-TEST(Text, PartsAreJoinedAndNumbersStayRecognizable) {
+TEST(Text, JoinsPartsAndKeepsTenDigitsOfNumbers) {
   EXPECT_EQ(text("E = ", 0.1, ", n = ", 3), "E = 0.1, n = 3");
   EXPECT_EQ(text(1234567.25), "1234567.25");
 }
 
-TEST(Error, RequireThrowsTheMessageOnlyWhenItDoesNotHold) {
+TEST(Error, RequireThrowsOnlyOnFailure) {
   EXPECT_NO_THROW(require(true, "test.error.never_shown"));
   try {
     require(false, "test.error.bound", {{"nu", 0.7}, {"count", 3}});
@@ -23,7 +23,7 @@ TEST(Error, RequireThrowsTheMessageOnlyWhenItDoesNotHold) {
   }
 }
 
-TEST(Message, HoldsItsDataByNameWhateverTheyAre) {
+TEST(Message, HoldsDataOfAllTypesByName) {
   const std::vector<std::string> names{"a", "b"};
   const Message part("test.message.part", {{"x", 1e-9}}), nothing;
   const Message message("test.message.all", {{"count", std::size_t{3}},

@@ -9,7 +9,7 @@
 namespace signorini {
 namespace interrupt_test {
 
-TEST(Interrupt, CtrlCRaisesAFlagThatStaysUntilItIsCleared) {
+TEST(Interrupt, CtrlCSetsAFlagUntilItIsCleared) {
   catch_interrupts();
   EXPECT_FALSE(interrupted());
   std::raise(SIGINT);
@@ -19,7 +19,7 @@ TEST(Interrupt, CtrlCRaisesAFlagThatStaysUntilItIsCleared) {
   EXPECT_FALSE(interrupted());
 }
 
-TEST(Interrupt, ASecondCtrlCBeforeTheFirstWasSeenEndsTheProgram) {
+TEST(Interrupt, SecondUnseenCtrlCEndsTheProgram) {
   EXPECT_EXIT(
       {
         catch_interrupts();
@@ -29,7 +29,7 @@ TEST(Interrupt, ASecondCtrlCBeforeTheFirstWasSeenEndsTheProgram) {
       testing::KilledBySignal(SIGINT), "");
 }
 
-TEST(Interrupt, AProgramThatSurvivesIsNotEndedByAnyNumber) {
+TEST(Interrupt, SurvivesAnyNumberOfCtrlC) {
   EXPECT_EXIT(
       {
         catch_interrupts();
@@ -40,7 +40,7 @@ TEST(Interrupt, AProgramThatSurvivesIsNotEndedByAnyNumber) {
       testing::ExitedWithCode(0), "");
 }
 
-TEST(Interrupt, IsAcknowledgedAtOnceDuringAnIteration) {
+TEST(Interrupt, IsAcknowledgedImmediatelyDuringAnIteration) {
   EXPECT_EXIT(
       {
         catch_interrupts();
@@ -51,7 +51,7 @@ TEST(Interrupt, IsAcknowledgedAtOnceDuringAnIteration) {
           std::raise(SIGINT);
           std::cerr << "the rest of the iteration\n";
         }
-        std::raise(SIGINT); // nothing goes on that would have to end first
+        std::raise(SIGINT); // no iteration is running that would have to end first
         std::exit(0);
       },
       testing::ExitedWithCode(0), "^\r.\\[Kinterrupting after this iteration\nthe rest of the iteration\n$");

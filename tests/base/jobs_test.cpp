@@ -22,7 +22,7 @@ namespace jobs_test {
 
 using Ends = std::map<int, JobEnd>;
 
-/// How all jobs ended, by their number; fails when one ends twice.
+/// How all jobs ended, by job number; fails if one ends twice.
 Ends ends_of(int count, const JobLimits& limits, const std::function<std::string(int)>& job) {
   Ends ends;
   EXPECT_TRUE(run_jobs(count, limits, job, [&](const JobEnd& end) { EXPECT_TRUE(ends.emplace(end.job, end).second); }));
@@ -39,7 +39,7 @@ void sleep_for(double seconds) {
   std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
 }
 
-TEST(Jobs, HandOverWhatEachReturned) {
+TEST(Jobs, ReturnTheirOutputs) {
   for (int at_once : {1, 2, 5}) {
     const Ends ends =
         ends_of(7, {.at_once = at_once}, [](int i) { return std::string("square ") + std::to_string(i * i); });
@@ -52,7 +52,7 @@ TEST(Jobs, HandOverWhatEachReturned) {
   expect_no_children();
 }
 
-TEST(Jobs, RunInProcessesOfTheirOwnSideBySideAndEndInAnyOrder) {
+TEST(Jobs, RunInParallelProcessesAndEndInAnyOrder) {
   int here = 0;
   std::vector<int> order;
   const test::ScratchFolder folder;
@@ -61,7 +61,7 @@ TEST(Jobs, RunInProcessesOfTheirOwnSideBySideAndEndInAnyOrder) {
       3, {.at_once = 3, .seconds = 60},
       [&](int i) {
         here = i;
-        // each waits until the next one has ended, which only helps where all run at once
+        // each waits until the next one has ended, which requires that all run in parallel
         while (i < 2 && !std::filesystem::exists(ended(i + 1))) sleep_for(0.01);
         return std::to_string(getpid());
       },
@@ -74,7 +74,7 @@ TEST(Jobs, RunInProcessesOfTheirOwnSideBySideAndEndInAnyOrder) {
   EXPECT_EQ(here, 0);
 }
 
-TEST(Jobs, NoMoreThanAllowedRunAtOnce) {
+TEST(Jobs, RunNoMoreInParallelThanAllowed) {
   const test::ScratchFolder folder;
   const std::string file = folder.file("log");
   for (int at_once : {1, 2}) {
@@ -94,18 +94,18 @@ TEST(Jobs, NoMoreThanAllowedRunAtOnce) {
   }
 }
 
-TEST(Jobs, EmptyTextIsAResult) {
+TEST(Jobs, MayReturnAnEmptyText) {
   const Ends ends = ends_of(1, {}, [](int) { return ""; });
   EXPECT_EQ(bare_text(ends.at(0).failure), "");
 }
 
-TEST(Jobs, ReturnMoreThanAPipeHolds) {
+TEST(Jobs, MayReturnMoreThanAPipeHolds) {
   const Ends ends = ends_of(2, {.at_once = 2}, [](int i) { return std::string(3000000, static_cast<char>('a' + i)); });
   EXPECT_TRUE(ends.at(0).output == std::string(3000000, 'a'));
   EXPECT_TRUE(ends.at(1).output == std::string(3000000, 'b'));
 }
 
-TEST(Jobs, TellWhyTheyDidNotReturn) {
+TEST(Jobs, ReportWhyTheyFailed) {
   const Ends ends = ends_of(4, {.at_once = 2}, [](int i) -> std::string {
     switch (i) {
     case 0:
@@ -129,7 +129,7 @@ TEST(Jobs, TellWhyTheyDidNotReturn) {
   expect_no_children();
 }
 
-TEST(Jobs, EndAtTheirLimit) {
+TEST(Jobs, AreKilledAtTheTimeLimit) {
   const Ends ends = ends_of(2, {.at_once = 2, .seconds = 0.01}, [](int) {
     for (;;) pause();
     return "";
@@ -139,7 +139,7 @@ TEST(Jobs, EndAtTheirLimit) {
   expect_no_children();
 }
 
-TEST(Jobs, PrintOnceWhatWasPrintedBeforeAndInThem) {
+TEST(Jobs, PrintBufferedOutputOnce) {
   const std::string file = testing::TempDir() + "jobs_output";
   const auto print = [&] {
     std::freopen(file.c_str(), "w", stdout);
@@ -159,7 +159,7 @@ TEST(Jobs, PrintOnceWhatWasPrintedBeforeAndInThem) {
   EXPECT_EQ(line, "before within behind");
 }
 
-TEST(Jobs, WorkAloneWhereTheParentHasThreads) {
+TEST(Jobs, UseOneThreadIfTheParentHasSeveral) {
   set_worker_threads(3);
   std::vector<int> runs(100);
   const auto count_up = [&](int i) { ++runs[static_cast<std::size_t>(i)]; };
@@ -178,13 +178,13 @@ TEST(Jobs, WorkAloneWhereTheParentHasThreads) {
   set_worker_threads(1);
 }
 
-TEST(Jobs, CtrlCEndsThemAndKeepsWhatHadEnded) {
+TEST(Jobs, CtrlCKillsThemAndKeepsFinishedResults) {
   catch_interrupts();
   std::vector<int> ended;
   const bool whole = run_jobs(
       4, {.at_once = 2},
       [](int i) {
-        std::raise(SIGINT); // what the terminal sends to all is the parent's to answer
+        std::raise(SIGINT); // a terminal's Ctrl-C reaches all processes; only the parent reacts
         if (i > 0) sleep_for(60);
         return "";
       },
@@ -198,7 +198,7 @@ TEST(Jobs, CtrlCEndsThemAndKeepsWhatHadEnded) {
   clear_interrupt();
 }
 
-TEST(Jobs, AnErrorInTheCallbackPassesAndLeavesNoChild) {
+TEST(Jobs, ErrorInTheCallbackIsPassedOnAndLeavesNoChild) {
   const auto run = [] {
     run_jobs(
         2, {.at_once = 2},
@@ -212,7 +212,7 @@ TEST(Jobs, AnErrorInTheCallbackPassesAndLeavesNoChild) {
   expect_no_children();
 }
 
-TEST(Jobs, DieWithTheirParent) {
+TEST(Jobs, EndWithTheirParent) {
   int ends[2];
   ASSERT_EQ(pipe(ends), 0);
   const pid_t parent = fork();
@@ -234,11 +234,11 @@ TEST(Jobs, DieWithTheirParent) {
   kill(parent, SIGKILL);
   waitpid(parent, nullptr, 0);
   char nothing;
-  EXPECT_EQ(::read(ends[0], &nothing, 1), 0); // the last one who could write is gone
+  EXPECT_EQ(::read(ends[0], &nothing, 1), 0); // the last process with the write end has ended
   close(ends[0]);
 }
 
-TEST(Jobs, RejectLimitsThatMakeNoSense) {
+TEST(Jobs, InvalidLimitsAreRejected) {
   const auto run = [](const JobLimits& limits) {
     run_jobs(
         1, limits, [](int) { return ""; }, [](const JobEnd&) {});

@@ -12,7 +12,7 @@ namespace lock_test {
 
 using test::message_of;
 
-TEST(Lock, IsHeldByOneAtATime) {
+TEST(Lock, IsHeldByOneProcessAtATime) {
   const test::ScratchFolder folder;
   const std::string file = folder.file("lock");
   {
@@ -26,7 +26,7 @@ TEST(Lock, IsHeldByOneAtATime) {
   EXPECT_EQ(message_of([&] { Lock third(file); }), "no error");
 }
 
-TEST(Lock, EndsWithItsProcess) {
+TEST(Lock, IsReleasedWhenItsProcessEnds) {
   const test::ScratchFolder folder;
   const std::string file = folder.file("lock");
   int ready[2];
@@ -47,7 +47,7 @@ TEST(Lock, EndsWithItsProcess) {
   ::close(ready[1]);
 }
 
-TEST(Lock, SaysWhereItCannotBeMade) {
+TEST(Lock, ReportsWhereItCannotBeCreated) {
   EXPECT_NE(message_of([] { Lock lock("/proc/signorini/lock"); }).find("base.lock.write: file = /proc/signorini/lock"),
             std::string::npos);
 }

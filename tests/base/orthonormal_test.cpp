@@ -14,7 +14,7 @@ MatrixX some(int rows, int columns) {
   return x;
 }
 
-TEST(Orthonormal, ColumnsSpanTheGivenOnes) {
+TEST(Orthonormal, ColumnsSpanTheInput) {
   MatrixX x = some(20, 5);
   x.col(3) = x.col(1) + 1e-9 * x.col(3); // nearly dependent
   const MatrixX q = orthonormal(x);
@@ -26,7 +26,7 @@ TEST(Orthonormal, PseudoInverseInvertsAndFits) {
   const MatrixX square = some(5, 5), tall = some(20, 5), inverse = pseudo_inverse(tall);
   EXPECT_LT((pseudo_inverse(square) * square - MatrixX::Identity(5, 5)).norm(), 1e-10);
   EXPECT_LT((inverse * tall - MatrixX::Identity(5, 5)).norm(), 1e-10);
-  EXPECT_LT((tall * inverse - (tall * inverse).transpose()).norm(), 1e-10); // a projection at right angles
+  EXPECT_LT((tall * inverse - (tall * inverse).transpose()).norm(), 1e-10); // an orthogonal projection
 }
 
 TEST(Orthonormal, DependentColumnsStayOrthogonalAndZeroStaysZero) {
@@ -38,7 +38,7 @@ TEST(Orthonormal, DependentColumnsStayOrthogonalAndZeroStaysZero) {
   EXPECT_EQ(q.col(3).norm(), 0);
 }
 
-TEST(Orthonormal, ResidualIsTheOneOfLeastSquares) {
+TEST(Orthonormal, ResidualIsThatOfLeastSquares) {
   const MatrixX x = some(12, 3), b = some(12, 5).rightCols(2);
   const MatrixX expected = b - x * (x.transpose() * x).inverse() * x.transpose() * b;
   EXPECT_LT((residual_of(orthonormal(x), b) - expected).norm(), 1e-10 * b.norm());

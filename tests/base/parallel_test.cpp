@@ -8,13 +8,13 @@
 namespace signorini {
 namespace parallel_test {
 
-/// One thread again when a test ends.
+/// Restores one thread at the end of a test.
 struct Workers {
   explicit Workers(int threads) { set_worker_threads(threads); }
   ~Workers() { set_worker_threads(1); }
 };
 
-TEST(Parallel, RunsEveryTaskOnceWhateverTheNumberOfThreads) {
+TEST(Parallel, RunsEveryTaskOnceForAnyNumberOfThreads) {
   for (int threads : {1, 2, 3, 8}) {
     const Workers workers(threads);
     EXPECT_EQ(worker_threads(), threads);
@@ -29,7 +29,7 @@ TEST(Parallel, RunsEveryTaskOnceWhateverTheNumberOfThreads) {
 
 TEST(Parallel, UsesTheOtherThreads) {
   const Workers workers(2);
-  // Each of the two tasks waits for the other: they only end side by side.
+  // Each of the two tasks waits for the other: they end only if they run in parallel.
   std::atomic<int> present = 0;
   parallel(2, [&](int) {
     ++present;

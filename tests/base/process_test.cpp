@@ -15,14 +15,14 @@ std::string message_of(const std::vector<std::string>& words) {
   return "";
 }
 
-TEST(Process, HandsWordsOverAsTheyAre) {
+TEST(Process, PassesArgumentsUnchanged) {
   const std::string word = "a b; exit 7 'c' \"$HOME\"";
   EXPECT_EQ(message_of({"sh", "-c", "test ${#1} = " + std::to_string(word.size()), "x", word}), "");
   EXPECT_NE(message_of({"sh", "-c", "test ${#1} = 1", "x", word}), "");
   EXPECT_EQ(message_of({"test", word, "=", word}), "");
 }
 
-TEST(Process, TellsWhatAProgramSaidThatFailed) {
+TEST(Process, ReportsTheOutputOfAFailedProgram) {
   EXPECT_EQ(message_of({"sh", "-c", "echo no disk; exit 3"}), "base.process.failed: program = sh, output = no disk\n");
   EXPECT_NE(message_of({"no-such-program-anywhere"}).find("base.process.start: program = no-such-program-anywhere"),
             std::string::npos);

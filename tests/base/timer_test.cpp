@@ -7,7 +7,7 @@
 namespace signorini {
 namespace timer_test {
 
-TEST(Timer, AnAccountGrowsByWhatItsScopesTook) {
+TEST(Timer, AddsTheTimesOfItsScopes) {
   double account = 1;
   {
     ScopedTimer timer(account);
@@ -18,7 +18,7 @@ TEST(Timer, AnAccountGrowsByWhatItsScopesTook) {
   { ScopedTimer timer(account); }
   EXPECT_GE(account, once);
   const double twice = account;
-  { ScopedTimer timer(nullptr); } // nobody's
+  { ScopedTimer timer(nullptr); } // no account
   EXPECT_EQ(account, twice);
 }
 

@@ -15,7 +15,7 @@ namespace whole_file_test {
 
 using test::message_of;
 
-TEST(WholeFile, ReplacesAFileAndLeavesNothingElse) {
+TEST(WholeFile, ReplacesAFileAndLeavesNoOther) {
   const test::ScratchFolder folder;
   const std::string file = folder.file("a.txt");
   write_whole(file, "first, longer");
@@ -39,7 +39,7 @@ TEST(WholeFile, ReplacesTheTargetOfALinkAndKeepsTheLink) {
   }
 }
 
-/// A rename would put a file in the place of the pipe, or of /dev/null.
+/// A rename would replace the pipe, or /dev/null, by a file.
 TEST(WholeFile, WritesIntoAPipe) {
   const test::ScratchFolder folder;
   const std::string pipe = folder.file("pipe");
@@ -54,7 +54,7 @@ TEST(WholeFile, WritesIntoAPipe) {
   EXPECT_EQ(folder.count(), 1);
 }
 
-TEST(WholeFile, NamesFileAndCureWhenItCannotWrite) {
+TEST(WholeFile, ErrorsNameFileAndRemedyIfItCannotWrite) {
   const test::ScratchFolder folder;
   const std::string nowhere = folder.file("missing") + "/a.txt";
   const std::string message = message_of([&] { write_whole(nowhere, "x"); });
@@ -78,7 +78,7 @@ TEST(WholeFile, NamesFileAndCureWhenItCannotWrite) {
   EXPECT_EQ(folder.count(), 1);
 }
 
-TEST(WholeFile, NamesWhatItCannotRead) {
+TEST(WholeFile, ErrorsNameAFileThatItCannotRead) {
   const test::ScratchFolder folder;
   const std::string message = message_of([&] { read_whole(folder.file("a")); });
   EXPECT_NE(message.find("base.file.read: file = " + folder.file("a") + ", reason = No such file"), std::string::npos)
@@ -87,8 +87,8 @@ TEST(WholeFile, NamesWhatItCannotRead) {
   EXPECT_NE(message_of([&] { read_whole(folder.file("folder")); }).find("base.file.read_folder"), std::string::npos);
 }
 
-/// A process that is gone left its file; one that still writes, and files of other names, are let alone.
-TEST(WholeFile, RemovesWhatKilledProcessesLeft) {
+/// Files of processes that have ended are removed; those of running processes and files of other names stay.
+TEST(WholeFile, RemovesFilesOfKilledProcesses) {
   const test::ScratchFolder folder;
   const pid_t gone = ::fork();
   if (gone == 0) ::_exit(0);

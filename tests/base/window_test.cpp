@@ -10,18 +10,18 @@ namespace window_test {
 
 constexpr double pi = std::numbers::pi;
 
-/// Of the plane, for a picture of 1000 × 1000 pixels.
+/// A square window for a picture of 1000 × 1000 pixels.
 Window square(const Vec<2>& low, double side) {
   const auto axes = Mat<3>::Identity().topRows<2>();
   return box_window(axes, {low[0], low[1], 0}, {low[0] + side, low[1] + side, 0}, {1000, 1000});
 }
 
-/// An eighth of the unit circle, from the x-axis on.
+/// An eighth of the unit circle, starting at the x-axis.
 Vec<3> arc(double s, double) {
   return {std::cos(pi / 4 * s), std::sin(pi / 4 * s), 0};
 }
 
-TEST(Window, CutsAnArcUntilItsChordsAreWithinHalfAPixel) {
+TEST(Window, DividesAnArcUntilItsChordsAreWithinHalfAPixel) {
   for (double zoom : {1.0, 20.0, 1000.0}) {
     const double side = 1 / zoom, angle = 0.3;
     const Vec<2> middle(std::cos(angle), std::sin(angle));
@@ -34,19 +34,19 @@ TEST(Window, CutsAnArcUntilItsChordsAreWithinHalfAPixel) {
       const double half = 0.5 * pi / 4 * (cuts[i] - cuts[i - 1]), at = pi / 4 * cuts[i];
       if (std::abs(at - angle) > 0.5 * side) continue;
       ++within;
-      EXPECT_LT(1 - std::cos(half), 0.5 * window.pixel) << "zoom " << zoom; // the chord's height
+      EXPECT_LT(1 - std::cos(half), 0.5 * window.pixel) << "zoom " << zoom; // sagitta of the chord
     }
     EXPECT_GE(within, zoom > 500 ? 1 : 3) << "zoom " << zoom;
     EXPECT_LT(cuts.size(), 100U) << "zoom " << zoom;
   }
 }
 
-TEST(Window, CutsNothingThatItDoesNotShowOrThatIsStraight) {
+TEST(Window, DoesNotDivideStraightOrInvisibleParts) {
   EXPECT_TRUE(window_cuts(arc, {}, false)[0].empty());
   EXPECT_TRUE(window_cuts(arc, {square({-1, -1}, 0.1)}, true)[0].empty());
   const auto straight = [](double s, double t) { return Vec<3>(s, t, 0); };
   EXPECT_TRUE(window_cuts(straight, {square({0.4, 0.4}, 0.1)}, false)[0].empty());
-  // Where colors vary: pieces of 1/16 of the window, 0.1/16 ≥ 2⁻⁸
+  // With varying colors: pieces of 1/16 of the window, 0.1/16 ≥ 2⁻⁸
   const auto colored = window_cuts(straight, {square({0.4, 0.4}, 0.1)}, true);
   double largest = 0;
   for (std::size_t i = 1; i < colored[0].size(); ++i)
@@ -55,7 +55,7 @@ TEST(Window, CutsNothingThatItDoesNotShowOrThatIsStraight) {
   EXPECT_EQ(colored[0], colored[1]);
 }
 
-TEST(Window, SeesABoxInSpaceAlongItsAxesAndThroughMirrors) {
+TEST(Window, ShowsABoxInSpaceAlongItsAxesAndReflected) {
   Eigen::Matrix<double, 2, 3> axes;
   axes << 0, 1, 0, 0, 0, 1; // from +x
   const Window window = box_window(axes, {5, 1, 2}, {6, 3, 8}, {100, 200});
@@ -66,7 +66,7 @@ TEST(Window, SeesABoxInSpaceAlongItsAxesAndThroughMirrors) {
   EXPECT_EQ(image.axes * Vec<3>(7, -2, 4), window.axes * Vec<3>(7, 2, 4));
 }
 
-TEST(Window, JoinsCutsOnce) {
+TEST(Window, MergesDivisionPointsWithoutDuplicates) {
   std::vector<double> fractions = even_cuts(4);
   add_cuts(fractions, {0.125, 0.5, 0.75 + 1e-12});
   EXPECT_EQ(fractions, (std::vector<double>{0, 0.125, 0.25, 0.5, 0.75, 1}));

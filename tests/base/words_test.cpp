@@ -13,22 +13,22 @@ TEST(Words, NumbersHaveSixDigits) {
   EXPECT_EQ(number(1.2345678e-9), "1.23457e-09");
 }
 
-TEST(Words, CoordinatesStandInBrackets) {
+TEST(Words, CoordinatesAreInParentheses) {
   EXPECT_EQ(coordinates(Eigen::Vector2d(1.5, -2)), "(1.5, -2)");
   EXPECT_EQ(coordinates(Eigen::Vector3d(0, 1.0 / 3, 100)), "(0, 0.333333, 100)");
   EXPECT_EQ(coordinates(VectorX::Constant(1, 7)), "(7)");
 }
 
-TEST(Words, WhatIsNothingButRoundingIsZero) {
+TEST(Words, RoundingErrorIsPrintedAsZero) {
   EXPECT_EQ(coordinates(Eigen::Vector2d(1, -1e-16)), "(1, 0)");
   EXPECT_EQ(coordinates(Eigen::Vector2d(1, -0.0)), "(1, 0)");
   EXPECT_EQ(coordinates(Eigen::Vector2d(1, 1e-11)), "(1, 1e-11)");
-  // Small beside nothing is not small.
+  // Small coordinates are kept if no larger one exists.
   EXPECT_EQ(coordinates(Eigen::Vector2d(1e-16, -3e-16)), "(1e-16, -3e-16)");
   EXPECT_EQ(coordinates(Eigen::Vector2d::Zero()), "(0, 0)");
 }
 
-TEST(Words, OneOfAThingIsSingular) {
+TEST(Words, CountOfOneIsSingular) {
   EXPECT_EQ(counted(0, "support"), "0 supports");
   EXPECT_EQ(counted(1, "support"), "1 support");
   EXPECT_EQ(counted(2, "support"), "2 supports");
