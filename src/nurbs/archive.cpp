@@ -4,7 +4,7 @@ namespace signorini::nurbs {
 
 namespace {
 
-/// Stands where a space from knots has its degree.
+/// Written in place of the degree for a space without knots.
 constexpr int no_knots = -1;
 
 } // namespace

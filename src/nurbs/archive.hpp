@@ -1,5 +1,5 @@
 #pragma once
-// Patches and discretizations in files, bit by bit.
+// Serialization of patches and discretizations, bit by bit.
 
 #include "base/archive.hpp"
 #include "nurbs/discretization.hpp"
@@ -9,7 +9,7 @@ namespace signorini::nurbs {
 void write(ArchiveWriter& to, const KnotVector& knots);
 KnotVector read(ArchiveReader& from, std::type_identity<KnotVector>);
 
-/// As its knots where it has them.
+/// Writes the knots if the space has them, otherwise its tables.
 void write(ArchiveWriter& to, const Space1D& space);
 Space1D read(ArchiveReader& from, std::type_identity<Space1D>);
 

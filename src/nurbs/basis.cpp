@@ -13,7 +13,7 @@ void basis_derivatives(const KnotVector& knots, int element, double xi, int orde
   const double* u = knots.knots().data() + i;
 
   // values[q][s] = N_{i−q+s, q}(ξ), and inverse[q][s] = 1/(ξ_{i+1+s} − ξ_{i+1−q+s}), the reciprocal length of the
-  // support of N_{i−q+1+s, q−1}. Lower triangles; one above the diagonal is never read.
+  // support of N_{i−q+1+s, q−1}. Lower triangles; entries above the diagonal are not read.
   double values[max_degree + 1][max_degree + 1], inverse[max_degree + 1][max_degree + 1];
   values[0][0] = 1;
   for (int q = 1; q <= p; ++q) {
@@ -36,8 +36,8 @@ void basis_derivatives(const KnotVector& knots, int element, double xi, int orde
       std::fill_n(row, p + 1, 0.0);
       continue;
     }
-    // N'_{i,q} = q (N_{i,q−1}/(ξ_{i+q}−ξ_i) − N_{i+1,q−1}/(ξ_{i+q+1}−ξ_{i+1}))   (NURBS Book, eq. 2.7), k times upwards
-    // from degree p−k; from the right end, so that the row can hold both degrees.
+    // N'_{i,q} = q (N_{i,q−1}/(ξ_{i+q}−ξ_i) − N_{i+1,q−1}/(ξ_{i+q+1}−ξ_{i+1})) (NURBS Book, eq. 2.7), applied k times
+    // from degree p−k upwards; from the right end, so that one row can hold both degrees.
     std::copy_n(values[p - k], p - k + 1, row);
     for (int q = p - k + 1; q <= p; ++q) {
       row[q] = q * row[q - 1] * inverse[q][q - 1];

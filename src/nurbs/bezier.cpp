@@ -10,8 +10,8 @@ MatrixX bezier_extraction(const KnotVector& knots, int element) {
   const int p = knots.degree(), span = knots.span(element);
   const double start = knots.breaks()[at(element)], end = knots.breaks()[at(element + 1)];
   const auto& u = knots.knots();
-  // Q_k is the blossom of the curve at (start, p−k times; end, k times): de Boor's recursion with one argument a level,
-  // on unit control points.
+  // Q_k is the blossom of the curve at (start, p−k times; end, k times): de Boor's recursion with one argument per
+  // level, applied to unit control points.
   MatrixX extraction(p + 1, p + 1);
   for (int k = 0; k <= p; ++k) {
     MatrixX level = MatrixX::Identity(p + 1, p + 1);

@@ -1,5 +1,5 @@
 #pragma once
-// The Bézier form of one element: Bernstein polynomials and the extraction that turns B-spline functions into them.
+// Bernstein polynomials, and the extraction that expresses the B-splines of one element by them.
 
 #include "base/eigen.hpp"
 #include "nurbs/knots.hpp"
@@ -12,8 +12,8 @@ namespace signorini::nurbs {
 /// (degree+1)², entries ≥ 0, columns sum to 1; Bézier points are Q_k = Σ_a C(a, k) P_a (Borden et al., IJNME 87, 2011).
 MatrixX bezier_extraction(const KnotVector& knots, int element);
 
-/// The degree+1 Bernstein polynomials at t ∈ [0, 1] and their derivatives up to `order` (0, 1 or 2) with respect to
-/// ξ = start + length·t. `out` holds order+1 rows of degree+1 values. P is the degree where the compiler may know it.
+/// The degree+1 Bernstein polynomials at t ∈ [0, 1] and their derivatives up to `order` (0, 1 or 2) with respect to ξ =
+/// start + length·t. `out` holds order+1 rows of degree+1 values. P: the degree if known at compile time, otherwise 0.
 template <int P = 0> void bernstein(int degree, double t, double length, int order, double* out) {
   const int p = P > 0 ? P : degree;
   const double s = 1 - t;

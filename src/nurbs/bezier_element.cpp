@@ -30,10 +30,10 @@ BezierElement bezier_element(const Discretization& space, int e) {
 
   const int layer = index[at(through)];
   const std::span<const int> rows = space.stack().functions_on(layer);
-  std::vector<VectorX> columns; // of the transposed extraction, function by function
+  std::vector<VectorX> columns; // of the transposed extraction, one per function
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const int j = rows[k];
-    // Per direction of the body the functions' Bézier coefficients; through it there is one function in a row.
+    // Bézier coefficients of the functions per direction; a row has one function in the thickness direction.
     std::array<MatrixX, 3> coefficients;
     for (MatrixX& one : coefficients) one.setConstant(1, 1, 1.0);
     for (int d = 0; d < dimensions; ++d) {

@@ -9,7 +9,7 @@ namespace signorini::nurbs {
 /// The functions of an element, w_A N_A(ξ) = w_A Σ_k extraction(A, k) B_k(t): weighted control points of its Bézier
 /// form are the columns of homogeneous(functions) · extraction, k running fastest in ξ¹.
 struct BezierElement {
-  std::vector<int> degrees;   ///< one per parametric direction: the highest of the functions that live there
+  std::vector<int> degrees;   ///< per parametric direction, the highest of the functions on the element
   std::vector<int> functions; ///< A
   MatrixX extraction;         ///< functions × Bézier points
 };

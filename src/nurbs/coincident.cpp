@@ -15,7 +15,7 @@ namespace {
 
 using Functions = std::vector<int>;
 
-/// Which functions are one; the least of a group stands for it.
+/// Union-find of functions; a group is represented by its lowest function.
 class Groups {
 public:
   explicit Groups(int functions) : leader_(at(functions)) { std::iota(leader_.begin(), leader_.end(), 0); }
@@ -44,14 +44,14 @@ private:
   std::vector<int> leader_;
 };
 
-/// Where the control points are, and what counts as one place.
-class Places {
+/// Positions of the control points and the tolerance for coincidence.
+class Positions {
 public:
-  explicit Places(const Discretization& space)
+  explicit Positions(const Discretization& space)
       : points_(space.points()), weights_(space.homogeneous().bottomRows(1).transpose()),
-        slack_(same_place * (points_.rowwise().maxCoeff() - points_.rowwise().minCoeff()).maxCoeff()) {}
+        tolerance_(same_place * (points_.rowwise().maxCoeff() - points_.rowwise().minCoeff()).maxCoeff()) {}
 
-  bool same(const VectorX& a, const VectorX& b) const { return (a - b).norm() <= slack_; }
+  bool same(const VectorX& a, const VectorX& b) const { return (a - b).norm() <= tolerance_; }
   bool same(int a, int b) const { return same(points_.col(a), points_.col(b)); }
   bool same_weight(int a, int b) const { return std::abs(weights_(a) - weights_(b)) <= same_place * weights_(a); }
 
@@ -62,16 +62,16 @@ public:
 private:
   MatrixX points_;
   VectorX weights_;
-  double slack_;
+  double tolerance_;
 };
 
-/// The functions of a side as lines of control points along direction k; none where the rows of a layer forbid it.
+/// Functions of a side as lines of control points along direction k; empty if the rows of a layer have no such lines.
 std::vector<Functions> lines_along(const Discretization& space, Side side, int k) {
   const int through = space.through();
   const auto rows = static_cast<int>(space.rows().size());
   std::vector<Functions> lines;
   if (side.direction == through) {
-    // All of one row: index = first + i + n0·j
+    // All in one row: index = first + i + n0·j
     const Functions all = space.face_functions(side);
     const int n0 = space.rows()[at(side.at_end ? rows - 1 : 0)].direction(0).functions();
     const bool fastest = space.in_row(k) == 0;
@@ -85,7 +85,7 @@ std::vector<Functions> lines_along(const Discretization& space, Side side, int k
       lines.push_back(cut);
       continue;
     }
-    // Rows of a layer have other functions: no lines from row to row.
+    // Layer rows have different functions: there are no lines from row to row.
     if (!lines.empty() && cut.size() != lines.size()) return {};
     lines.resize(cut.size());
     for (std::size_t i = 0; i < cut.size(); ++i) lines[i].push_back(cut[i]);
@@ -93,8 +93,8 @@ std::vector<Functions> lines_along(const Discretization& space, Side side, int k
   return lines;
 }
 
-/// Whether two rows are one shape, whatever their control points.
-bool same_shape(const Row& a, const Row& b, const Places& places) {
+/// Whether two rows have the same shape, possibly with different control points.
+bool same_shape(const Row& a, const Row& b, const Positions& positions) {
   const std::vector<double> first = sites(a.direction(0)),
                             second = a.parametric_dimension() > 1 ? sites(a.direction(1)) : std::vector<double>{0};
   VectorX xi(a.parametric_dimension());
@@ -102,20 +102,20 @@ bool same_shape(const Row& a, const Row& b, const Places& places) {
     for (double u : first) {
       xi(xi.size() - 1) = v;
       xi(0) = u;
-      if (!places.same(evaluate(a, xi), evaluate(b, xi))) return false;
+      if (!positions.same(evaluate(a, xi), evaluate(b, xi))) return false;
     }
   return true;
 }
 
-/// Throws Error when a contact face is the seam of a full turn: there is no surface.
-void check_contact(const Discretization& space, const Places& places) {
-  if (!space.contact().empty() && same_shape(space.rows().front(), space.rows().back(), places))
+/// Throws Error if a contact face is the seam of a full revolution, which is not a surface of the body.
+void check_contact(const Discretization& space, const Positions& positions) {
+  if (!space.contact().empty() && same_shape(space.rows().front(), space.rows().back(), positions))
     fail("nurbs.body.seam", {{"face", name_of(space.contact().front())}});
 }
 
-/// Throws Error when a side of a solid that crosses a layer collapses along it: the curves in which it cuts the rows
-/// are one curve, but the rows' functions on it are not the same.
-void check_layers(const Discretization& space, Side side, const Places& places) {
+/// Throws Error if a side of a solid that crosses a layer collapses along it: its intersections with the rows are the
+/// same curve, but the rows have different functions on it.
+void check_layers(const Discretization& space, Side side, const Positions& positions) {
   const int through = space.through();
   if (side.direction == through || space.parametric_dimension() == 2) return;
   const int a = space.in_row(side.direction);
@@ -124,9 +124,9 @@ void check_layers(const Discretization& space, Side side, const Places& places) 
   for (const Row& row : space.rows()) {
     const Row cut = face(row, {a, side.at_end});
     layered = layered || cut.directions() != lead.directions();
-    one_curve = one_curve && same_shape(cut, lead, places);
+    one_curve = one_curve && same_shape(cut, lead, positions);
   }
-  if (layered && one_curve && !places.one_point(space.row_end(0, a, side.at_end)))
+  if (layered && one_curve && !positions.one_point(space.row_end(0, a, side.at_end)))
     fail("nurbs.body.torn_layer", {{"face", name_of(side)}, {"contact", name_of(space.contact().front())}});
 }
 
@@ -155,26 +155,26 @@ std::vector<Functions> edges_of(const Discretization& space) {
 } // namespace
 
 std::vector<std::vector<int>> coincident_functions(const Discretization& space) {
-  const Places places(space);
+  const Positions positions(space);
   Groups groups(space.functions());
   const auto unite = [&](const Functions& line) {
     for (int function : line) groups.unite(line.front(), function);
   };
   const int dimensions = space.parametric_dimension();
 
-  check_contact(space, places);
+  check_contact(space, positions);
   for (const Side& side : sides_of(space)) {
-    check_layers(space, side, places);
+    check_layers(space, side, positions);
     for (int k = 0; k < dimensions; ++k) {
       if (k == side.direction) continue;
       const std::vector<Functions> lines = lines_along(space, side, k);
-      if (std::all_of(lines.begin(), lines.end(), [&](const Functions& line) { return places.one_point(line); }))
+      if (std::all_of(lines.begin(), lines.end(), [&](const Functions& line) { return positions.one_point(line); }))
         for (const Functions& line : lines) unite(line);
     }
   }
   if (dimensions == 3)
     for (const Functions& edge : edges_of(space))
-      if (places.one_point(edge)) unite(edge);
+      if (positions.one_point(edge)) unite(edge);
 
   for (int d : closed_directions(space)) {
     const Functions first = space.face_functions({d, false}), last = space.face_functions({d, true});
@@ -184,13 +184,13 @@ std::vector<std::vector<int>> coincident_functions(const Discretization& space) 
 }
 
 std::vector<int> closed_directions(const Discretization& space) {
-  const Places places(space);
+  const Positions positions(space);
   std::vector<int> closed;
   for (int d = 0; d < space.parametric_dimension(); ++d) {
     const Functions first = space.face_functions({d, false}), last = space.face_functions({d, true});
-    // Their sizes differ with a layer on one of the two.
+    // The sizes differ if one of the two carries a layer.
     if (std::equal(first.begin(), first.end(), last.begin(), last.end(),
-                   [&](int a, int b) { return places.same(a, b) && places.same_weight(a, b); }))
+                   [&](int a, int b) { return positions.same(a, b) && positions.same_weight(a, b); }))
       closed.push_back(d);
   }
   return closed;

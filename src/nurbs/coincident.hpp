@@ -1,5 +1,5 @@
 #pragma once
-// Control points that are one point of the body by the way its patch is folded: collapsed edges and closed seams.
+// Control points that coincide because of the patch's topology: collapsed edges (poles) and closed seams.
 
 #include "nurbs/discretization.hpp"
 
@@ -7,19 +7,18 @@
 
 namespace signorini::nurbs {
 
-/// Groups of functions (two or more each, both lists rising) whose control points are one point of the body, so that
-/// they must move as one, or the body tears there:
-///   - an edge of the patch that is one point, such as a sphere's pole on one radius, and every line of control points
-///     of a face that collapses to a line or to a point;
-///   - two opposite faces that are the same everywhere, point by point with equal weights, such as the seam of a full
-///     turn.
-/// Points that are the same by accident (two edges that touch, a slit that does not reach from face to face) are left
-/// alone. Points count as the same to 1e-10 of the body's size. Throws Error when a side of a solid collapses across a
-/// layer, for rows of different spaces meet there in one curve and have no points to pair, and when a contact face is a
-/// closed seam.
+/// Groups of functions (two or more each, both lists increasing) whose control points are the same point of the body
+/// and must share displacements, since otherwise the body would tear there:
+///   - an edge of the patch that is one point, such as the pole of a sphere at one radius, and every line of control
+///     points of a face that collapses to a line or a point;
+///   - two opposite faces that coincide point by point with equal weights, such as the seam of a full revolution.
+/// Points that coincide otherwise (two edges that touch, a slit that does not extend from face to face) stay
+/// independent. Points coincide within 1e-10 of the body's size. Throws Error if a side of a solid collapses across a
+/// layer, where the rows' different functions meet in one curve and their points do not correspond, and if a contact
+/// face is a closed seam.
 std::vector<std::vector<int>> coincident_functions(const Discretization& space);
 
-/// The directions (counted from 0) whose two faces are one seam, where coincident_functions() joins them.
+/// Directions (from 0) whose two faces form a seam that coincident_functions() joins.
 std::vector<int> closed_directions(const Discretization& space);
 
 } // namespace signorini::nurbs

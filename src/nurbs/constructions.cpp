@@ -13,8 +13,8 @@ namespace signorini::nurbs {
 
 namespace {
 
-/// Direction d with its knots mapped linearly to [first, last]; knots that match one of `known` but for rounding
-/// become it, the others join `known`.
+/// Direction d with its knots mapped linearly to [first, last]; knots that equal one of `known` within rounding error
+/// take its value, the others are added to `known`.
 KnotVector fitted(const KnotVector& knots, double first, double last, std::vector<double>& known) {
   const double slack = rounding * (last - first);
   std::vector<double> fitted;
@@ -28,7 +28,7 @@ KnotVector fitted(const KnotVector& knots, double first, double last, std::vecto
   return {knots.degree(), std::move(fitted)};
 }
 
-/// A new last direction of degree 1 from the control points `start` to `end`.
+/// Patch with a new last direction of degree 1 from the control points `start` to `end`.
 Patch joined(const Patch& start, const Patch& end) {
   std::vector<KnotVector> directions = start.directions();
   directions.push_back(KnotVector::single(1));

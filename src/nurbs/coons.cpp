@@ -1,4 +1,4 @@
-// Transfinite interpolation of a closed boundary by curves or surfaces.
+// Transfinite interpolation of a closed boundary of curves or surfaces.
 #include "nurbs/constructions.hpp"
 
 #include "base/error.hpp"
@@ -19,7 +19,7 @@ struct Lattice {
 
   int dimensions() const { return static_cast<int>(faces.size()) / 2; }
 
-  /// Lattice point `index` (at an end in direction d), homogeneous, as the face normal to d has it.
+  /// Homogeneous coordinates of lattice point `index`, which is at an end in direction d, on the face normal to d.
   VectorX value(const std::array<int, 3>& index, int d) const {
     const Patch& face = faces[at(2 * d + (index[at(d)] > 0 ? 1 : 0))];
     int function = 0;
@@ -37,7 +37,7 @@ template <class Visit> void each_point(const Lattice& lattice, Visit visit) {
       for (index[0] = 0; index[0] < lattice.count[0]; ++index[0]) visit(index);
 }
 
-/// Points on two or three faces must be the same on each.
+/// Throws Error unless points shared by two or three faces coincide.
 void check_meeting(const Lattice& lattice, double size) {
   const int space = lattice.faces.front().dimension();
   each_point(lattice, [&](const std::array<int, 3>& index) {
@@ -80,7 +80,7 @@ Patch coons(const std::vector<Patch>& boundary) {
   Lattice lattice{boundary, {1, 1, 1}};
   const int dimensions = lattice.dimensions(), space = boundary.front().dimension();
   std::vector<KnotVector> directions;
-  std::vector<std::vector<double>> blends; // per direction and function: the share of the end
+  std::vector<std::vector<double>> blends; // per direction and function: weight of the end
   for (int d = 0; d < dimensions; ++d) {
     std::vector<Along> along;
     for (int f = 0; f < 2 * dimensions; ++f)
@@ -97,9 +97,10 @@ Patch coons(const std::vector<Patch>& boundary) {
     size = std::max(size, (face.points().colwise() - boundary.front().points().col(0)).cwiseAbs().maxCoeff());
   check_meeting(lattice, size);
 
-  // The boolean sum of the linear blends (Gordon & Hall 1973): over all sets D of directions
+  // Boolean sum of the linear blends (Gordon & Hall 1973), over all sets D of directions:
   //   Q = Σ_{D≠∅} (−1)^{|D|+1} Σ_{ends of D} Π_{d∈D} blend_d(end) · Q(at those ends)
-  // A linear function's control values are the Greville abscissae, so the blend holds control point by control point.
+  // The control values of a linear function are the Greville abscissae, so the sum is taken control point by control
+  // point.
   MatrixX homogeneous(space + 1, lattice.count[0] * lattice.count[1] * lattice.count[2]);
   int column = 0;
   each_point(lattice, [&](const std::array<int, 3>& index) {

@@ -22,12 +22,12 @@ Patch arc(const Point& center, double radius, double start, double stop) {
   require(std::isfinite(start) && std::isfinite(stop), "nurbs.arc.angles", {{"start", start}, {"stop", stop}});
   const double turn = stop - start;
   require(turn != 0, "nurbs.arc.empty", {{"angle", start}});
-  // Slack for angles that were computed: 90·(1 + ε) is still one quarter.
+  // Tolerance for computed angles: 90·(1 + ε) is one quarter.
   require(std::abs(turn) <= 360 * (1 + rounding), "nurbs.arc.turn", {{"start", start}, {"stop", stop}});
   const int segments = std::max(1, static_cast<int>(std::ceil(std::abs(turn) / 90 - rounding)));
 
-  // Between two points on the circle stands the crossing of their tangents at r/cos(θ/2), weight cos(θ/2), θ being the
-  // segment's angle (NURBS Book, 7.3).
+  // The middle control point of a segment is the intersection of the end tangents at r/cos(θ/2), with weight cos(θ/2),
+  // θ being the segment's angle (NURBS Book, 7.3).
   const double weight = direction_of(turn / segments / 2)(0);
   std::vector<double> knots(3, 0.0);
   MatrixX homogeneous = MatrixX::Ones(center.size() + 1, 2 * segments + 1);

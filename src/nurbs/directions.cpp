@@ -15,7 +15,7 @@ void check_direction(const Patch& patch, int d) {
 
 namespace {
 
-/// The knots from the other end, both ends as they are to the last bit.
+/// The reversed knots; both end knots keep all bits.
 KnotVector reversed(const KnotVector& knots) {
   std::vector<double> mirrored = knots.knots();
   std::reverse(mirrored.begin(), mirrored.end());

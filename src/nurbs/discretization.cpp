@@ -12,7 +12,7 @@ namespace signorini::nurbs {
 
 namespace {
 
-/// The label that says how deep the layer is: the first that has one.
+/// The label that defines the layer's depth: the first that has a layer.
 const Label& layer_label(const Plan& plan) {
   const auto layered = std::find_if(plan.labels.begin(), plan.labels.end(), [](auto& label) { return label.layer; });
   return layered == plan.labels.end() ? plan.labels.front() : *layered;
@@ -45,7 +45,7 @@ void check(const Patch& patch, const Plan& plan) {
   }
 }
 
-/// k-refines direction d to the space Np.s. `label` only words the error.
+/// k-refines direction d to the space Np.s. `label` is needed for errors only.
 Patch refine_to(const Patch& patch, int d, const Space& space, const std::vector<double>& knots,
                 const std::string& label) {
   const int own = patch.direction(d).degree();
@@ -53,8 +53,7 @@ Patch refine_to(const Patch& patch, int d, const Space& space, const std::vector
   return elevate(k_refine(patch, d, space.degree, knots), d, space.elevations);
 }
 
-/// The space in the thickness direction: of the degree that the plan names, or the bulk's, but never below the
-/// geometry's own degree.
+/// The space in the thickness direction: of the plan's degree, or of the bulk's, but at least of the geometry's degree.
 Space through_space(const Patch& patch, const Plan& plan, int through) {
   const int own = patch.direction(through).degree();
   if (plan.through) {
@@ -66,7 +65,8 @@ Space through_space(const Patch& patch, const Plan& plan, int through) {
   return {std::max(own, bulk.degree), bulk.elevations};
 }
 
-/// Throws Error unless the first function alone is 1 at the start, the last alone at the end.
+/// Throws Error unless the space is interpolatory: only the first function is nonzero at the start, only the last at
+/// the end.
 void check_ends(const Space1D& space) {
   const int last = space.elements() - 1;
   const VectorX start = space.extraction(0).col(0), end = space.extraction(last).rightCols(1);
@@ -78,7 +78,7 @@ void check_ends(const Space1D& space) {
           "nurbs.space.ends");
 }
 
-/// All rows of classical C⁰ elements, one patch sliced along `through`.
+/// All rows of C⁰ Lagrange elements: one patch, sliced along `through`.
 Patch lagrange_patch(const Patch& patch, const Plan& plan, int through,
                      const std::vector<std::vector<double>>& inserted) {
   std::vector<int> degrees;
@@ -91,7 +91,7 @@ Patch lagrange_patch(const Patch& patch, const Plan& plan, int through,
   return interpolate_lagrange(patch, degrees, breaks);
 }
 
-/// The rows that a plan makes of a patch.
+/// The rows of a patch by a plan.
 Discretization discretized(const Patch& patch, const Plan& plan) {
   check(patch, plan);
   const int dimensions = patch.parametric_dimension();
@@ -119,7 +119,7 @@ Discretization discretized(const Patch& patch, const Plan& plan) {
   for (int j = 0; j < count; ++j) {
     Patch row = control_row(whole, through, j);
     for (int a = 0; a < dimensions - 1 && !lagrange; ++a) {
-      const int d = a < through ? a : a + 1; // the patch's direction
+      const int d = a < through ? a : a + 1; // direction of the patch
       const Label& label = plan.labels[at(a)];
       const Space space = label.layer && in_layer(j) ? *label.layer : label.bulk;
       row = refine_to(row, a, space, inserted[at(d)], label.text);
@@ -156,7 +156,7 @@ Discretization::Discretization(int through, Space1D stack, std::vector<Row> rows
     }
     require(fits, "nurbs.body.row_elements");
   }
-  int count = 0; // functions are numbered row after row
+  int count = 0; // functions are numbered row by row
   for (const Row& row : rows_) {
     first_.push_back(count);
     count += row.functions();
@@ -191,7 +191,7 @@ VectorX Discretization::parameter(int e, const VectorX& fractions) const {
 }
 
 int Discretization::element_behind(Side side, int f) const {
-  int before = 1; // elements in the directions below the side's own
+  int before = 1; // elements in the directions below the side's
   for (int d = 0; d < side.direction; ++d) before *= elements(d);
   const int layer = side.at_end ? elements(side.direction) - 1 : 0;
   return f % before + before * (layer + elements(side.direction) * (f / before));
@@ -229,7 +229,7 @@ ElementBasis Discretization::basis(int e, const VectorX& xi) const {
   const std::span<const int> layer_rows = stack_.functions_on(layer);
   double through[2 * (max_degree + 1)];
   basis_derivatives(stack_, layer, xi(through_), 1, through);
-  // The factors of a product: through the body first, then along the row.
+  // Factors of a product: first in the thickness direction, then along the row.
   const std::size_t t = at(through_), u = t == 0 ? 1 : 0, v = t == 2 ? 1 : 2;
 
   ElementBasis result;
@@ -284,7 +284,7 @@ std::vector<int> Discretization::face_functions(Side side) const {
     for (int i = 0; i < rows_[at(row)].functions(); ++i) result.push_back(first_[at(row)] + i);
     return result;
   }
-  // The side cuts every row at one end of direction a of the row.
+  // A side along the thickness direction intersects every row at one end of the row's direction a.
   std::vector<std::vector<int>> cuts;
   for (std::size_t j = 0; j < rows_.size(); ++j)
     cuts.push_back(row_end(static_cast<int>(j), in_row(side.direction), side.at_end));

@@ -1,4 +1,4 @@
-// The map of a patch: its point, its derivatives, and its rational functions at a parameter.
+// The map of a patch: points, derivatives, and rational functions at a parameter.
 #include "nurbs/patch.hpp"
 
 #include "base/error.hpp"
@@ -12,7 +12,7 @@ namespace signorini::nurbs {
 
 namespace {
 
-/// The functions that do not vanish on the element of xi, direction by direction; missing directions are constant 1.
+/// The functions that do not vanish on the element of xi, per direction; missing directions are constant 1.
 struct LocalBasis {
   std::vector<int> numbers[3];
   ElementFunctions functions;
@@ -33,7 +33,7 @@ struct LocalBasis {
     }
   }
 
-  /// Calls visit(function, value) for the product of the directions' derivatives of the given orders.
+  /// Calls visit(function, value) for the tensor product of the directions' derivatives of the given orders.
   template <class Visit> void each(const int (&orders)[3], Visit visit) const {
     const double* n[3];
     for (int d = 0; d < 3; ++d) n[d] = values[d].data() + at(orders[d] * functions.count(d));
@@ -71,7 +71,7 @@ std::vector<Derivative> derivatives(const Patch& patch, const VectorX& xi, int n
   const int last[3] = {n, patch.parametric_dimension() > 1 ? n : 0, patch.parametric_dimension() > 2 ? n : 0};
 
   std::map<std::array<int, 3>, double> weight; // w^(β)
-  std::map<std::array<int, 3>, VectorX> map;   // S^(α), those finished
+  std::map<std::array<int, 3>, VectorX> map;   // S^(α) computed so far
   std::vector<Derivative> result;
   for (int total = 0; total <= n; ++total)
     for (int a = total; a >= 0; --a)

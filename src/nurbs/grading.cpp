@@ -1,4 +1,4 @@
-// How many elements each span of a direction gets, and where they lie.
+// Number and positions of the elements in each knot span of a direction.
 #include "nurbs/refine.hpp"
 
 #include "base/error.hpp"
@@ -13,7 +13,7 @@ namespace {
 
 /// The piecewise linear map of [0, 1] onto itself with one kink, and its inverse.
 struct Kink {
-  double from = 0.5, to = 0.5; ///< the kink goes from `from` to `to`
+  double from = 0.5, to = 0.5; ///< the kink maps `from` to `to`
 
   double operator()(double s) const { return s <= from ? s * (to / from) : 1 - (1 - s) * ((1 - to) / (1 - from)); }
   Kink inverse() const { return {to, from}; }
@@ -29,16 +29,16 @@ Kink kink_of(const std::optional<Grading>& grading) {
   return grading->at_end ? Kink{1 - grading->elements, 1 - grading->length} : Kink{grading->elements, grading->length};
 }
 
-/// Largest remainder: whole numbers ≥ 1 that add up to `total` and stay close to the quotas (which add up to it too).
-std::vector<int> share_out(const std::vector<double>& quotas, int total) {
-  // Quotas that are equal or whole but for rounding shall count as such.
+/// Largest-remainder method: integers ≥ 1 with the sum `total`, close to the quotas, which have the same sum.
+std::vector<int> distribute(const std::vector<double>& quotas, int total) {
+  // Quotas that are equal or integer within rounding error count as such.
   std::vector<int> counts;
   int sum = 0;
   for (double quota : quotas) {
     counts.push_back(std::max(1, static_cast<int>(std::floor(quota + computed))));
     sum += counts.back();
   }
-  // One more where most is missing, or one less where most is too much: the first of equals.
+  // Increments where most is missing, or decrements where the excess is largest: the first of equals.
   while (sum != total) {
     const int step = sum < total ? 1 : -1;
     std::size_t chosen = quotas.size();
@@ -64,11 +64,11 @@ std::vector<double> element_knots(const KnotVector& knots, int elements, const s
           {{"elements", elements}, {"least", knots.elements()}});
   const Kink density = kink_of(grading), inverse = density.inverse();
   const double length = knots.last() - knots.first();
-  // Own knots in the coordinate in which the elements are uniform.
+  // The patch's knots in the coordinate in which the elements are uniform.
   std::vector<double> even, quotas;
   for (double knot : knots.breaks()) even.push_back(inverse((knot - knots.first()) / length));
   for (std::size_t i = 1; i < even.size(); ++i) quotas.push_back((even[i] - even[i - 1]) * elements);
-  const std::vector<int> counts = share_out(quotas, elements);
+  const std::vector<int> counts = distribute(quotas, elements);
 
   std::vector<double> inserted;
   for (std::size_t i = 0; i < counts.size(); ++i)

@@ -24,7 +24,7 @@ void check(int degree, const std::vector<double>& knots) {
             {{"number", i}, {"knot", knots[i]}, {"before", i - 1}, {"knot_before", knots[i - 1]}});
   require(knots.front() < knots.back(), "nurbs.knots.equal", {{"knot", knots.front()}});
 
-  // Distinct knots closer than this leave elements that rounding cannot resolve.
+  // Distinct knots that are closer would form elements that rounding error cannot resolve.
   const double least = rounding * (knots.back() - knots.front());
   for (std::size_t i = 0; i < knots.size();) {
     const std::size_t start = i;
@@ -93,7 +93,7 @@ std::vector<double> KnotVector::greville() const {
     }
     double sum = 0;
     for (int k = 1; k <= degree_; ++k) sum += knot[k];
-    // Rounding must not carry an end's abscissa out of the interval.
+    // Rounding error must not move the abscissa of an end out of the interval.
     result.push_back(std::clamp(sum / degree_, knot[1], knot[degree_]));
   }
   return result;

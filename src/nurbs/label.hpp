@@ -1,5 +1,5 @@
 #pragma once
-// Discretization labels: the short names N2, N2.1, L2, N2-N4, N2-N2.2x2 that researchers give function spaces.
+// Order labels: the short names N2, N2.1, L2, N2-N4, N2-N2.2x2 of discretizations.
 
 #include <optional>
 #include <string>
@@ -12,25 +12,25 @@ namespace signorini::nurbs {
 struct Space {
   int degree;
   int elevations = 0;
-  /// Polynomial degree in the end, p+s.
+  /// Polynomial degree after elevation, p+s.
   int full_degree() const { return degree + elevations; }
   bool operator==(const Space&) const = default;
 };
 
-/// What a label says about one parametric direction along the contact face.
+/// What a label defines for one parametric direction along the contact face.
 struct Label {
   std::string text;
   bool lagrange = false;      ///< Lp: C⁰ elements that interpolate the geometry
   Space bulk{};               ///< all rows, or all but the layer's
-  std::optional<Space> layer; ///< the rows next to each contact face, when they differ
-  int rows = 1;               ///< depth of the layer in rows of control points
+  std::optional<Space> layer; ///< the layer rows next to each contact face, if they differ
+  int rows = 1;               ///< layer depth in rows of control points
 };
 
-/// The bulk of several directions: the space of the highest degree.
+/// The bulk space of several directions: that of the highest degree.
 Space bulk_space(const std::vector<Label>& labels);
 
-/// Reads a label (grammar: `Np`, `Np.s`, `Lp`, `Nb-Nc`, `Nb-Nc.s`, each layer with an optional `xr`).
-/// Throws Error that shows the grammar.
+/// Parses a label (grammar: `Np`, `Np.s`, `Lp`, `Nb-Nc`, `Nb-Nc.s`, each layer with an optional `xr`). Throws Error
+/// that shows the grammar.
 Label parse_label(const std::string& text);
 
 } // namespace signorini::nurbs

@@ -1,6 +1,5 @@
 #pragma once
-// Classical C⁰ elements of a patch, for comparison: the geometry is interpolated and thus approximate where it is
-// curved.
+// C⁰ Lagrange elements of a patch, for comparison: the geometry is interpolated, hence approximate where it is curved.
 
 #include "nurbs/patch.hpp"
 

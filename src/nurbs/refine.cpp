@@ -12,14 +12,14 @@ namespace signorini::nurbs {
 
 namespace {
 
-/// New control points as combinations of old ones: by row the old points' factors.
+/// New control points as combinations of old ones: per row the factors of the old points.
 using Combinations = std::vector<std::map<int, double>>;
 
 /// Adds factor·F(t_1, …, t_p) to row j, F being the blossom of the B-spline on `knots` as a combination of its control
-/// points, t_1 … t_p consecutive knots of some refinement and t_0 the one before.
+/// points, t_1 … t_p consecutive knots of a refinement and t_0 the one before.
 ///
-/// Oslo algorithm (Cohen, Lyche, Riesenfeld 1980): the basis recursion of the span that holds t_0 with the argument t_k
-/// in its k-th step. All coefficients are ≥ 0, so rounding does not grow.
+/// Oslo algorithm (Cohen, Lyche, Riesenfeld 1980): the basis recursion of the span that contains t_0 with the argument
+/// t_k in its k-th step. All coefficients are ≥ 0, so rounding errors do not grow.
 void add_blossom(const KnotVector& knots, double before, const double* t, double factor, int j, Combinations& combine) {
   const int p = knots.degree();
   const int i = knots.span(knots.find_element(before));
@@ -28,7 +28,7 @@ void add_blossom(const KnotVector& knots, double before, const double* t, double
   for (int k = 1; k <= p; ++k) {
     double carried = 0;
     for (int s = 0; s < k; ++s) {
-      // A function whose support does not hold t_k has coefficient 0 already.
+      // A function whose support does not contain t_k already has coefficient 0.
       const double left = u[1 + s - k], right = u[1 + s];
       const double share = c[s] / (right - left);
       c[s] = carried + (right - t[k - 1]) * share;
@@ -40,11 +40,11 @@ void add_blossom(const KnotVector& knots, double before, const double* t, double
     if (c[s] != 0) combine[at(j)][i - p + s] += factor * c[s];
 }
 
-/// Replaces direction d by `knots`, the control points along it by these combinations.
+/// Replaces direction d by `knots` and the control points along it by these combinations.
 Patch replace_direction(const Patch& patch, int d, KnotVector knots, const Combinations& combine) {
   const Eigen::Index before = patch.direction(d).functions(), after = knots.functions();
   const Eigen::Index stride = patch.stride(d), outer = patch.functions() / (stride * before);
-  // Columns of one index along d are blocks of `stride`.
+  // Columns with the same index along d are blocks of `stride`.
   MatrixX points = MatrixX::Zero(patch.dimension() + 1, stride * after * outer);
   for (Eigen::Index o = 0; o < outer; ++o)
     for (Eigen::Index j = 0; j < after; ++j)
@@ -64,8 +64,8 @@ Patch elevate_once(const Patch& patch, int d) {
   for (double knot : old.breaks()) knots.insert(knots.end(), at(old.multiplicity(knot) + 1), knot);
   KnotVector elevated(p + 1, knots);
 
-  // The elevated blossom is the mean of the old one over all ways to leave out one argument:
-  //   Q_j = 1/(p+1) Σ_k F(t_{j+1}, …, t_{j+p+1} without t_{j+k})   (Prautzsch 1984; Goldman, Pyramid Algorithms, ch. 6)
+  // The elevated blossom is the mean of the old one over all choices of an argument to omit:
+  //   Q_j = 1/(p+1) Σ_k F(t_{j+1}, …, t_{j+p+1} without t_{j+k}) (Prautzsch 1984; Goldman, Pyramid Algorithms, ch. 6)
   // The knots without every (p+1)-th one (t_j kept) still refine the old ones, so each term is a knot insertion.
   Combinations combine(at(elevated.functions()));
   for (int j = 0; j < elevated.functions(); ++j) {

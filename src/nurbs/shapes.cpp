@@ -17,7 +17,7 @@ void check_length(const char* name, double length) {
   require(length > 0 && std::isfinite(length), "nurbs.shapes.length", {{"argument", name}, {"length", length}});
 }
 
-/// Beside a coordinate that is too large a length is rounded away.
+/// Throws Error if a length vanishes by rounding when added to a large coordinate.
 void check_edge(const char* name, double length, const char* from, double start) {
   check_length(name, length);
   require(start + length > start, "nurbs.shapes.rounding",
@@ -30,7 +30,7 @@ void check_radii(double inner, double outer) {
   require(inner < outer, "nurbs.shapes.radii", {{"inner", inner}, {"outer", outer}});
 }
 
-/// The annulus' piece from angle `start` to `stop`, ξ² from the outer to the inner radius.
+/// The part of an annulus from angle `start` to `stop`, ξ² from the outer to the inner radius.
 Patch annulus(double inner, double outer, const Point& center, double start, double stop) {
   check_point("center", center, 2);
   check_radii(inner, outer);
@@ -40,8 +40,8 @@ Patch annulus(double inner, double outer, const Point& center, double start, dou
 /// (x, y) ↦ (x, 0, y)
 const Eigen::Matrix<double, 3, 2> upright{{1, 0}, {0, 0}, {0, 1}};
 
-/// The part of a sphere about the origin between angles (degrees): ξ¹ around the z axis from x towards y by `turn`, ξ²
-/// down the meridian from the height `top` to the lower pole.
+/// The part of a sphere about the origin: ξ¹ around the z axis from x towards y by `turn` degrees, ξ² down the meridian
+/// from latitude `top` (degrees) to the lower pole.
 Patch sphere_part(double radius, double turn, double top) {
   const Patch meridian = transform(arc(Point::Zero(2), radius, top, -90), upright, Point::Zero(3));
   return swap_directions(revolve(meridian, Point::Zero(3), Vec<3>::UnitZ(), turn), 0, 1);
@@ -107,7 +107,7 @@ Patch hollow_hemisphere(double inner, double outer, const Point& center, Poles p
   check_radii(inner, outer);
   check_point("center", center, 3);
   if (poles == Poles::bottom) return translate(ruled(sphere_part(outer, 360, 0), sphere_part(inner, 360, 0)), center);
-  // Half a turn from x over y to −x, laid on its side: x ↦ −x, y ↦ −z, z ↦ −y.
+  // Half a revolution from x over y to −x, rotated onto its side: x ↦ −x, y ↦ −z, z ↦ −y.
   const Mat<3> aside = (Mat<3>() << -1, 0, 0, 0, 0, -1, 0, -1, 0).finished();
   return transform(ruled(sphere_part(outer, 180, 90), sphere_part(inner, 180, 90)), aside, center);
 }

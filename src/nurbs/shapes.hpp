@@ -1,6 +1,6 @@
 #pragma once
-// Ready-made patches: the bodies of the published problems, and all that patches are made of.
-// Everything is exact at the lowest degree that can be, except where a docstring says otherwise.
+// Predefined patches: the bodies of the published problems. All are exact and of the lowest possible degree unless
+// stated otherwise.
 
 #include "nurbs/constructions.hpp"
 #include "nurbs/curves.hpp"
@@ -19,28 +19,28 @@ Patch half_annulus(double inner, double outer, const Point& center);
 Patch quarter_annulus(double inner, double outer, const Point& center, double start);
 /// Block [corner, corner + size], trilinear; ξ¹ξ²ξ³ along x, y, z.
 Patch block(const std::array<double, 3>& size, const Point& corner);
-/// Half-cylinder shell, its axis along y from `center` to `center` + (0, width, 0): the half annulus in the x-z plane,
-/// below its axis, extruded; ξ¹ along the arc, ξ² along y, ξ³ from the outer (front) to the inner radius (back).
+/// Half-cylinder shell with its axis along y from `center` to `center` + (0, width, 0): the half annulus in the x-z
+/// plane, below its axis, extruded; ξ¹ along the arc, ξ² along y, ξ³ from the outer (front) to the inner radius (back).
 Patch half_cylinder_shell(double inner, double outer, double width, const Point& center);
 /// Octant x, y ≥ 0, z ≤ 0 of a hollow sphere about `center`: ξ¹ around the z axis from x to y, ξ² from the equator to
 /// the lower pole (degenerate edge), ξ³ from the outer (front) to the inner radius (back).
 Patch sphere_octant(double inner, double outer, const Point& center);
-/// Where the poles of a hemisphere lie, its degenerate edges.
+/// Position of a hemisphere's poles, which are degenerate edges.
 enum class Poles {
-  ends,  ///< two, at both ends of the ring's diameter along y: none where the hemisphere touches a plane below
-  bottom ///< one, at the lowest point; the ring is one face, the mesh the same at every angle about z
+  ends,  ///< two, at both ends of the ring's diameter along y: none at the contact with a plane below
+  bottom ///< one, at the lowest point; the ring is one face, the mesh has rotational symmetry about z
 };
 /// Lower half of a hollow sphere about `center`, ξ³ from the outer (front) to the inner radius (back).
-/// Poles::ends: ξ¹ from −x over the bottom to x, ξ² from the pole at −y to the one at y (south and north are a line
-/// each), two quarter arcs either way; the flat ring on top is west (x ≤ 0) and east (x ≥ 0).
-/// Poles::bottom: ξ¹ once around the z axis from x over y (four quarter arcs; west and east are the two sides of one
-/// seam), ξ² from the flat ring (south) down to the pole (north is a line).
-/// coincident_functions() names the control points that must move as one.
+/// Poles::ends: ξ¹ from −x over the bottom to x, ξ² from the pole at −y to that at y (south and north are collapsed to
+/// a line each), two quarter arcs in both directions; the flat ring on top is west (x ≤ 0) and east (x ≥ 0).
+/// Poles::bottom: ξ¹ once around the z axis from x over y (four quarter arcs; west and east are the two sides of a
+/// seam), ξ² from the flat ring (south) down to the pole (north is collapsed to a line).
+/// coincident_functions() returns the control points that coincide.
 Patch hollow_hemisphere(double inner, double outer, const Point& center, Poles poles);
-/// Block-like indenter of width × depth with flat top; its bottom (front, ξ³ = 0) is a spherical cap of radius `radius`
-/// that bulges downwards, lowest at the middle: a biquadratic patch that interpolates the sphere's heights at the
-/// Greville points of `elements` × `elements` spans, so it is approximate between them. `corner`: x, y of the corner,
-/// z of the cap's lowest point; `height` from there to the top.
+/// Block-like indenter of width × depth with a flat top; its bottom (front, ξ³ = 0) is a spherical cap of radius
+/// `radius` that bulges downwards, lowest in the middle: a biquadratic patch that interpolates the sphere's heights at
+/// the Greville points of `elements` × `elements` spans and is approximate between them. `corner`: x, y of the corner,
+/// z of the cap's lowest point; `height`: from that point to the top.
 Patch spherical_indenter(double width, double depth, double height, double radius, int elements, const Point& corner);
 
 } // namespace signorini::nurbs

@@ -1,4 +1,4 @@
-// Names of a patch's sides, and the patches that lie on them.
+// Names of a patch's sides, and the patches on them.
 #include "nurbs/patch.hpp"
 
 #include "base/error.hpp"
@@ -14,7 +14,7 @@ namespace {
 
 const char* const names[] = {"west", "east", "south", "north", "front", "back"};
 
-/// Levenshtein's distance: the least number of letters inserted, removed or replaced.
+/// Levenshtein distance: the least number of letters inserted, removed or replaced.
 int edits(const std::string& a, const std::string& b) {
   std::vector<int> row(b.size() + 1);
   std::iota(row.begin(), row.end(), 0);
@@ -29,7 +29,7 @@ int edits(const std::string& a, const std::string& b) {
   return row.back();
 }
 
-/// Everyday names, as they fit a rectangle and a block along the axes.
+/// Everyday names that fit a rectangle or a block along the axes.
 struct Nickname {
   const char *name, *plane, *space;
 };
@@ -71,8 +71,8 @@ std::string name_of(Side side) {
 }
 
 double outward_sign(Side side) {
-  // 2D: south (ξ² = 0, tangent +ξ¹) has its outside at −90°, west (ξ¹ = 0, tangent +ξ²) at +90°.
-  // 3D: ξ²×ξ³ is +ξ¹, ξ¹×ξ³ is −ξ², ξ¹×ξ² is +ξ³.
+  // Natural normals. 2D: that of south (ξ² = 0, tangent +ξ¹) rotated by −90° points outwards, that of west (ξ¹ = 0,
+  // tangent +ξ²) inwards. 3D: ξ²×ξ³ is +ξ¹, ξ¹×ξ³ is −ξ², ξ¹×ξ² is +ξ³.
   return side.at_end == (side.direction == 1) ? -1 : 1;
 }
 

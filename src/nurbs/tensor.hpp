@@ -1,21 +1,21 @@
 #pragma once
-// The functions that live on one element of a tensor product.
+// The functions on one element of a tensor product.
 
 #include <array>
 #include <span>
 
 namespace signorini::nurbs {
 
-/// Their numbers along every direction, and what one more along it adds to a function's number. A direction that is
-/// missing has the one function 0.
+/// Their indices along every direction, and the stride of each direction. A missing direction has the single function
+/// 0.
 struct ElementFunctions {
   static constexpr int zero = 0;
   std::array<std::span<const int>, 3> along{std::span(&zero, 1), std::span(&zero, 1), std::span(&zero, 1)};
   std::array<int, 3> stride{};
-  int first = 0; ///< number of the tensor product's first function
+  int first = 0; ///< index of the tensor product's first function
 
   int count(int d) const { return static_cast<int>(along[static_cast<std::size_t>(d)].size()); }
-  /// Calls visit(function, {i, j, k}), the first direction's i running fastest.
+  /// Calls visit(function, {i, j, k}), the first direction's i fastest.
   template <class Visit> void each(Visit visit) const {
     std::array<int, 3> i{};
     auto& [a, b, c] = i;

@@ -17,7 +17,7 @@ void check_point(const char* name, const Point& point, int dimension) {
 
 Eigen::Vector2d direction_of(double degrees) {
   require(std::isfinite(degrees), "nurbs.transform.angle", {{"angle", degrees}});
-  // cos and sin of the rest within ±45°, then turned by whole quarters.
+  // Reduces the angle to ±45° and adds quarter turns, which are exact.
   const double quarters = std::round(degrees / 90), rest = (degrees - 90 * quarters) * std::numbers::pi / 180;
   Vec<2> direction(std::cos(rest), std::sin(rest));
   for (double turns = quarters - 4 * std::floor(quarters / 4); turns > 0; --turns)
@@ -91,20 +91,20 @@ Patch to_plane(const Patch& patch) {
 
 namespace {
 
-/// The direction whose lines of control points lead farthest along the normal from end to end, all in all.
+/// The direction whose lines of control points extend farthest along the normal from end to end, summed over the lines.
 int direction_along(const Patch& patch, const Point& normal) {
   const VectorX heights = patch.points().transpose().lazyProduct(normal);
   int best = 0;
   double most = 0;
   for (int d = 0; d < patch.parametric_dimension(); ++d) {
     const int count = patch.direction(d).functions(), stride = patch.stride(d);
-    double way = 0;
+    double extent = 0;
     for (int n = 0; n < patch.functions(); ++n)
-      if (n / stride % count == 0) way += std::abs(heights(n + stride * (count - 1)) - heights(n));
-    way *= count; // the mean over the lines, but for a factor that all directions share
-    if (way > (1 + same_place) * most) {
+      if (n / stride % count == 0) extent += std::abs(heights(n + stride * (count - 1)) - heights(n));
+    extent *= count; // the mean over the lines, up to a factor common to all directions
+    if (extent > (1 + same_place) * most) {
       best = d;
-      most = way;
+      most = extent;
     }
   }
   return best;
