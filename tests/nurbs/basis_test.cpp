@@ -15,7 +15,7 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-TEST(Basis, IsTheRecursionsAndItsDerivatives) {
+TEST(Basis, AgreesWithTheRecursionAndItsDerivatives) {
   Random random(1);
   for (int run = 0; run < 60; ++run) {
     const KnotVector knots = random_knots(random, run % 7, integer(random, 0, 4));
@@ -61,8 +61,8 @@ TEST(Basis, IsAPartitionOfUnityUpToTheHighestDegree) {
   }
 }
 
-TEST(Basis, ContinuesTheElementsPolynomialOutside) {
-  // Four values of a cubic fix it: extrapolating them by Lagrange's formula is the polynomial outside.
+TEST(Basis, ContinuesTheElementPolynomialOutside) {
+  // A cubic is determined by four values: Lagrange extrapolation gives the polynomial outside.
   const KnotVector knots(3, {0, 0, 0, 0, 1, 2.5, 2.5, 4, 4, 4, 4});
   double out[4];
   const double nodes[] = {1.1, 1.5, 2.0, 2.4}, outside[] = {0.7, 2.5, 3.0};

@@ -1,4 +1,4 @@
-// The Bézier form of elements against the functions themselves, for uniform and for layered spaces.
+// The Bézier form of elements compared with the functions, for uniform and layered spaces.
 #include "nurbs/bezier_element.hpp"
 
 #include "nurbs/bezier.hpp"
@@ -22,7 +22,7 @@ VectorX bernstein_at(const std::vector<int>& degrees, const VectorX& t) {
   return result;
 }
 
-/// The rational functions of every element by its Bézier form are those of the space.
+/// Compares the rational functions of every element, evaluated from its Bézier form, with those of the space.
 void expect_same_functions(const Discretization& space) {
   const int dimensions = space.parametric_dimension();
   for (int e = 0; e < space.elements(); ++e) {
@@ -69,7 +69,7 @@ TEST(BezierElement, Solids) {
   expect_same_functions(space(cuboid, {2, 3, 2}, {"N2-N4", "N2"}, {1, true}));
 }
 
-TEST(BezierElement, ElevationKeepsPolynomials) {
+TEST(BezierElement, ElevationPreservesPolynomials) {
   for (double t : {0.0, 0.3, 0.9}) {
     const VectorX low = bernstein_at({2}, VectorX::Constant(1, t)), high = bernstein_at({5}, VectorX::Constant(1, t));
     EXPECT_LT((bernstein_elevation(2, 5) * high - low).norm(), 1e-15);

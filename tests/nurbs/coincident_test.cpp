@@ -1,4 +1,4 @@
-// Collapsed edges and closed seams: what must move as one does, nothing else is tied.
+// Collapsed edges and closed seams: coincident functions are grouped, others are not.
 #include "nurbs/coincident.hpp"
 
 #include "nurbs/random_patch.hpp"
@@ -24,7 +24,7 @@ Discretization discretize(const Patch& patch, const std::string& label, const st
   return {patch, plan};
 }
 
-/// A random displacement of the control points, the same for all of a group.
+/// A random displacement of the control points, equal within each group.
 MatrixX random_displacement(test::Random& random, const Discretization& space, const Groups& groups) {
   MatrixX u = MatrixX::NullaryExpr(space.dimension(), space.functions(), [&] { return test::uniform(random, -1, 1); });
   for (const auto& group : groups)
@@ -36,7 +36,7 @@ struct Sample {
   VectorX place, displacement;
 };
 
-/// Lattice points of all sides: where they are and how they move.
+/// Lattice points on all sides: positions and displacements.
 std::vector<Sample> sample_sides(const Patch& patch, const Discretization& space, const MatrixX& u) {
   constexpr int steps = 7;
   const int dimensions = patch.parametric_dimension();
@@ -61,7 +61,7 @@ std::vector<Sample> sample_sides(const Patch& patch, const Discretization& space
   return samples;
 }
 
-/// The widest gap that opens between two parameters of one place.
+/// The largest gap that opens between two parameters of the same point.
 double tear(const Patch& patch, const Discretization& space, const MatrixX& u) {
   double widest = 0;
   const auto samples = sample_sides(patch, space, u);
@@ -75,7 +75,7 @@ Patch upright(const Patch& plane) {
   return transform(plane, (MatrixX(3, 2) << 1, 0, 0, 0, 0, 1).finished(), Vec<3>::Zero());
 }
 
-/// A unit block whose corners are moved: `moves` lists corner (bits x y z) and place.
+/// A unit block with moved corners: `moves` lists corner (bits x y z) and position.
 Patch bent_block(const std::vector<std::pair<int, Vec<3>>>& moves) {
   MatrixX corners = block({1, 1, 1}, Vec<3>(0, 0, 0)).points();
   for (const auto& [corner, place] : moves) corners.col(corner) = place;
@@ -104,7 +104,7 @@ std::vector<Folded> folded_patches() {
       {"one edge", bent_block({{4, Vec<3>(0, 0, 0)}})}};
 }
 
-TEST(Coincident, GroupsHoldWhatIsOnePointAndNothingTears) {
+TEST(Coincident, GroupsContainCoincidentFunctionsAndNothingTears) {
   test::Random random(51);
   for (const auto& [name, patch] : folded_patches()) {
     const int dimensions = patch.parametric_dimension();
@@ -127,7 +127,7 @@ TEST(Coincident, GroupsHoldWhatIsOnePointAndNothingTears) {
       EXPECT_LT(tear(patch, space, random_displacement(random, space, groups)), 1e-12);
       EXPECT_GT(tear(patch, space, random_displacement(random, space, {})), 1e-2);
     }
-    // Layers on any face that does not cross the fold
+    // Layers on any face that does not cross the collapsed side or seam
     for (int d = 0; d < dimensions; ++d)
       for (bool at_end : {false, true}) {
         const std::string face = name_of({d, at_end});
@@ -147,15 +147,15 @@ TEST(Coincident, GroupsHoldWhatIsOnePointAndNothingTears) {
   }
 }
 
-TEST(Coincident, AContactFaceOnASeamIsRefusedWhateverTheRowsSpaces) {
+TEST(Coincident, ContactFaceOnASeamIsRejectedForAllRowSpaces) {
   const Patch ring = ruled(circle(Vec<2>(0, 0), 2), circle(Vec<2>(0, 0), 1));
   for (const char* label : {"N2", "N2-N2.2"})
     EXPECT_ERROR(coincident_functions(discretize(ring, label, {"east"}, 2)), "nurbs.body.seam: face = east");
 }
 
-TEST(Coincident, CountsOfKnownFolds) {
-  // Around the octant's pole: 4 + 1 + 2·3 functions in the layer (N2.2 on 3 elements, knots of multiplicity 3), and
-  // 2 + 1 + 2 in each of the 3 other rows
+TEST(Coincident, CountsOfKnownGroups) {
+  // Around the octant's pole: 4 + 1 + 2·3 functions in the layer (N2.2 on 3 elements, knots of multiplicity 3), and 2 +
+  // 1 + 2 in each of the 3 other rows
   const Discretization octant = discretize(sphere_octant(1, 2, Vec<3>(0, 0, 0)), "N2-N2.2", {"front"}, 2);
   const Groups poles = coincident_functions(octant);
   ASSERT_EQ(poles.size(), 4u);
@@ -166,13 +166,13 @@ TEST(Coincident, CountsOfKnownFolds) {
   const Groups seam = coincident_functions(discretize(ring, "N2-N4", {"south"}, 3));
   ASSERT_EQ(seam.size(), 5u);
   for (const auto& pair : seam) EXPECT_EQ(pair.size(), 2u);
-  // One edge along z: all its functions are one
+  // A collapsed edge along z: all its functions are one group
   const Groups edge = coincident_functions(discretize(bent_block({{4, Vec<3>(0, 0, 0)}}), "N2", {}, 2));
   ASSERT_EQ(edge.size(), 1u);
   EXPECT_EQ(edge[0].size(), 5u);
 }
 
-TEST(Coincident, WhatOnlyTouchesStaysFree) {
+TEST(Coincident, TouchingPointsStayIndependent) {
   test::Random random(52);
   const auto none = [](const Patch& patch) { return coincident_functions(discretize(patch, "N2", {})).empty(); };
   EXPECT_TRUE(none(rectangle(3, 1, Vec<2>(0, 0))));
@@ -184,15 +184,15 @@ TEST(Coincident, WhatOnlyTouchesStaysFree) {
     EXPECT_TRUE(coincident_functions(discretize(patch, "N2", {})).empty());
   }
 
-  // A ring that closes at its outer radius alone
+  // A ring that closes only at its outer radius
   const Patch inner = arc(Vec<2>(0, 0), 1, 0, 350), outer = arc(Vec<2>(0, 0), 2, 0, 360);
   EXPECT_TRUE(none(ruled(outer, inner)));
-  // A ring whose seam has other weights on either side
+  // A ring with different weights on the two sides of the seam
   Patch closed = ruled(outer, arc(Vec<2>(0, 0), 1, 0, 360));
   MatrixX homogeneous = closed.homogeneous();
   homogeneous.col(0) *= 2;
   EXPECT_TRUE(none(Patch(closed.directions(), homogeneous)));
-  // Neighboring control points of an edge that are one point do not collapse it
+  // Coincident neighboring control points do not collapse an edge
   const Patch finer = make_patch({KnotVector(1, {0, 0, 0.5, 1, 1}), KnotVector::single(1)},
                                  (MatrixX(2, 6) << 0, 0, 2, 0, 1, 2, 0, 0, 0, 1, 1, 1).finished());
   EXPECT_TRUE(coincident_functions(discretize(finer, "N1", {}, 0)).empty());

@@ -17,7 +17,7 @@ VectorX parameters(std::initializer_list<double> values) {
   return Eigen::Map<const VectorX>(values.begin(), static_cast<int>(values.size()));
 }
 
-TEST(Unify, KeepsTheMapsAndMatchesKnots) {
+TEST(Unify, PreservesMapsAndMatchesKnots) {
   Random random(31);
   for (int run = 0; run < 20; ++run) {
     const Patch first = random_patch(random, 1, 2), second = random_patch(random, 2, 3);
@@ -33,8 +33,8 @@ TEST(Unify, KeepsTheMapsAndMatchesKnots) {
   }
 }
 
-TEST(Unify, MapsOtherIntervalsOntoTheFirst) {
-  // Knots at a third of either interval are one knot in spite of rounding.
+TEST(Unify, MapsOtherIntervalsToTheFirst) {
+  // Knots at a third of either interval become one knot despite rounding errors.
   Patch a = make_patch({KnotVector(1, {0, 0, 1 / 3.0, 1, 1})}, MatrixX::Random(2, 3));
   const Patch other = make_patch({KnotVector(1, {-1, -1, 0.1, 2.3, 2.3})}, MatrixX::Random(2, 3));
   Patch b = other;
@@ -55,7 +55,7 @@ TEST(Ruled, JoinsCurvesOfDifferentSpaces) {
   EXPECT_LT((evaluate(face(disc, {1, true}), parameters({0.3})) - evaluate(high, parameters({0.3}))).norm(), 1e-14);
 }
 
-TEST(Ruled, RefusesWhatDoesNotFit) {
+TEST(Ruled, RejectsMismatchedPatches) {
   const Patch flat = line(Vec<2>(0, 0), Vec<2>(1, 0)), high = line(Vec<3>(0, 0, 1), Vec<3>(1, 0, 1));
   EXPECT_ERROR(ruled(flat, high), "nurbs.ruled.dimension: first = 2, second = 3");
   const Patch surface = extrude(high, Vec<3>(0, 1, 0));
@@ -66,13 +66,13 @@ TEST(Ruled, RefusesWhatDoesNotFit) {
   EXPECT_ERROR(ruled(square, square), "nurbs.patch.dimension: directions = 3, dimension = 2");
 }
 
-TEST(Extrude, TheDimensionIsTheVectors) {
+TEST(Extrude, HasTheDimensionOfTheVector) {
   const Patch curve = arc(Vec<2>(0, 0), 1, 0, 90);
   EXPECT_EQ(extrude(curve, Vec<2>(1, 1)).dimension(), 2);
   const Patch cylinder = extrude(curve, Vec<3>(0, 0, 2));
   EXPECT_NEAR(measure(cylinder).content, pi, 1e-13);
   EXPECT_LT((evaluate(cylinder, parameters({0, 0.5})) - Vec<3>(1, 0, 1)).norm(), 1e-15);
-  // A sheared disc quarter: volume = area × rise.
+  // A sheared quarter disc: volume = area × rise.
   const Patch disc = ruled(line(Vec<2>(0, 0), Vec<2>(1e-3, 0)), arc(Vec<2>(0, 0), 1, 90, 0));
   EXPECT_NEAR(measure(extrude(disc, Vec<3>(3, 1, -2))).content, -2 * measure(disc).content, 1e-13);
   EXPECT_ERROR(extrude(curve, Vec<2>(0, 0)), "nurbs.extrude.length");
@@ -82,7 +82,7 @@ TEST(Extrude, TheDimensionIsTheVectors) {
 }
 
 TEST(Revolve, SphereAndTorusInClosedForm) {
-  // Meridian in the x-z plane from the lower to the upper pole, revolved once about z.
+  // Meridian in the x-z plane from the lower to the upper pole, revolved about z.
   const MatrixX upright = (MatrixX(3, 2) << 1, 0, 0, 0, 0, 1).finished();
   const Patch meridian = transform(arc(Vec<2>(0, 0), 2, -90, 90), upright, Vec<3>::Zero());
   const Patch sphere = revolve(meridian, Vec<3>(0, 0, 5), Vec<3>(0, 0, 3), 360);
@@ -92,7 +92,7 @@ TEST(Revolve, SphereAndTorusInClosedForm) {
   EXPECT_NEAR(measure(torus).content, 4 * pi * pi * 3 / 3, 1e-11); // Pappus: 2πr·2πR
 }
 
-TEST(Revolve, TurnsEveryPointRightHandedAboutASkewAxis) {
+TEST(Revolve, RotatesEveryPointRightHandedAboutASkewAxis) {
   Random random(32);
   for (int run = 0; run < 20; ++run) {
     const Patch patch = random_patch(random, 1 + run % 2, 3);
@@ -112,7 +112,7 @@ TEST(Revolve, TurnsEveryPointRightHandedAboutASkewAxis) {
   }
 }
 
-TEST(Revolve, RefusesWhatCannotBe) {
+TEST(Revolve, RejectsInvalidArguments) {
   const Patch curve = line(Vec<3>(1, 0, 0), Vec<3>(2, 0, 0));
   const Vec<3> origin(0, 0, 0), z(0, 0, 1);
   EXPECT_ERROR(revolve(line(Vec<2>(1, 0), Vec<2>(2, 0)), origin, z, 90),
@@ -125,8 +125,8 @@ TEST(Revolve, RefusesWhatCannotBe) {
                "nurbs.transform.coordinates: argument = point, expected = 3, count = 2");
 }
 
-TEST(Coons, KeepsItsFourCurves) {
-  // A quarter annulus bent of lines and arcs of different degrees and knots.
+TEST(Coons, PreservesItsFourCurves) {
+  // A quarter annulus bounded by lines and arcs of different degrees and knots.
   const Patch inner = arc(Vec<2>(0, 0), 1, 90, 0), outer = arc(Vec<2>(0, 0), 2, 90, 0);
   const Patch west = elevate(line(Vec<2>(0, 1), Vec<2>(0, 2)), 0, 2);
   const Patch east = insert_knots(line(Vec<2>(1, 0), Vec<2>(2, 0)), 0, {0.3});
@@ -137,13 +137,13 @@ TEST(Coons, KeepsItsFourCurves) {
       EXPECT_LT(
           (evaluate(face(surface, {f / 2, f % 2 == 1}), parameters({t})) - evaluate(faces[f], parameters({t}))).norm(),
           1e-14);
-  // Between concentric arcs the blend is the annulus itself.
+  // Between concentric arcs the blend is the exact annulus.
   EXPECT_NEAR(measure(surface).content, 3 * pi / 4, 1e-12);
   EXPECT_GT(measure(surface).least, 0);
 }
 
-TEST(Coons, GivesTrilinearVolumesBack) {
-  // Faces of one trilinear brick with random corners: the blend is the brick.
+TEST(Coons, ReproducesTrilinearVolumes) {
+  // Faces of a trilinear brick with random corners: the blend is the brick.
   Random random(33);
   MatrixX corners(3, 8);
   for (int n = 0; n < 8; ++n)
@@ -165,9 +165,9 @@ TEST(Coons, GivesTrilinearVolumesBack) {
   }
 }
 
-TEST(Coons, KeepsItsSixCurvedSurfaces) {
+TEST(Coons, PreservesItsSixCurvedSurfaces) {
   Random random(34);
-  // The faces of a rational volume meet; the blend must give the same faces back.
+  // The faces of a rational volume meet; the blend must reproduce them.
   const KnotVector two(2, {0, 0, 0, 0.4, 1, 1, 1}), one = KnotVector::single(1), three = KnotVector::single(3);
   MatrixX points(3, 4 * 2 * 4);
   VectorX weights(points.cols());
@@ -187,7 +187,7 @@ TEST(Coons, KeepsItsSixCurvedSurfaces) {
     }
 }
 
-TEST(Coons, RefusesWhatDoesNotMeet) {
+TEST(Coons, RejectsBoundariesThatDoNotMeet) {
   const Patch west = line(Vec<2>(0, 0), Vec<2>(0, 1)), east = line(Vec<2>(1, 0), Vec<2>(1, 1));
   const Patch south = line(Vec<2>(0, 0), Vec<2>(1, 0)), north = line(Vec<2>(0, 1), Vec<2>(1, 1));
   EXPECT_NO_THROW(coons({west, east, south, north}));

@@ -15,7 +15,7 @@ VectorX xi(double value) {
   return VectorX::Constant(1, value);
 }
 
-TEST(Line, RunsStraight) {
+TEST(Line, IsStraightAndUniform) {
   const Patch patch = line(Vec<3>(1, 2, 3), Vec<3>(2, 4, 5));
   EXPECT_LT((evaluate(patch, xi(0.25)) - Vec<3>(1.25, 2.5, 3.5)).norm(), 1e-15);
   EXPECT_NEAR(measure(patch).content, 3, 1e-14);
@@ -27,7 +27,7 @@ TEST(Line, RunsStraight) {
   EXPECT_ERROR(line(Vec<2>(std::nan(""), 2), Vec<2>(1, 2)), "nurbs.transform.finite");
 }
 
-TEST(Arc, IsACircleOfTheRightLengthForAnyAngle) {
+TEST(Arc, IsACircleOfExactLengthForAnyAngle) {
   Random random(21);
   for (int run = 0; run < 40; ++run) {
     const double radius = uniform(random, 0.1, 10), start = uniform(random, -400, 400);
@@ -42,7 +42,7 @@ TEST(Arc, IsACircleOfTheRightLengthForAnyAngle) {
     const double stop = (start + turn) * pi / 180;
     EXPECT_LT((evaluate(patch, xi(1)) - center - radius * Vec<2>(std::cos(stop), std::sin(stop))).norm(),
               1e-14 * radius);
-    // The derivative at the start points counter-clockwise for rising angles.
+    // The derivative at the start points counter-clockwise for increasing angles.
     const double angle = start * pi / 180;
     const VectorX tangent = derivatives(patch, xi(0), 1)[1].value;
     EXPECT_GT(tangent.dot(Vec<2>(-std::sin(angle), std::cos(angle))) * turn, 0);
@@ -65,7 +65,7 @@ TEST(Arc, QuarterPointsAreExactAndKnotsEquallySpaced) {
   EXPECT_EQ(arc(Vec<2>(0, 0), 1, 0, 90.001).direction(0).elements(), 2);
 }
 
-TEST(Arc, InSpaceLiesAtItsCentersHeight) {
+TEST(Arc, InSpaceHasTheZOfItsCenter) {
   const Patch patch = arc(Vec<3>(1, 2, 3), 0.5, 30, 200);
   for (double t : {0.0, 0.3, 1.0}) {
     EXPECT_NEAR(evaluate(patch, xi(t))(2), 3, 1e-14);
@@ -73,7 +73,7 @@ TEST(Arc, InSpaceLiesAtItsCentersHeight) {
   }
 }
 
-TEST(Arc, RefusesWhatCannotBe) {
+TEST(Arc, RejectsInvalidArguments) {
   const Vec<2> origin(0, 0);
   EXPECT_ERROR(arc(origin, 0, 0, 90), "nurbs.arc.radius: radius = 0");
   EXPECT_ERROR(arc(origin, -1, 0, 90), "nurbs.arc.radius: radius = -1");

@@ -14,7 +14,7 @@ namespace directions_test {
 
 using namespace test;
 
-TEST(Reverse, RunsTheSamePointsBackwards) {
+TEST(Reverse, TraversesTheSamePointsBackwards) {
   Random random(71);
   for (int run = 0; run < 20; ++run) {
     const int directions = 1 + run % 3, d = integer(random, 0, directions - 1);
@@ -22,14 +22,14 @@ TEST(Reverse, RunsTheSamePointsBackwards) {
     for (int i = 0; i < 5; ++i) {
       const VectorX xi = random_parameter(random, patch);
       VectorX mirrored = xi;
-      mirrored(d) = -1 + (3 - xi(d)); // knots run from −1 to 3
+      mirrored(d) = -1 + (3 - xi(d)); // knots from −1 to 3
       EXPECT_LT((evaluate(back, mirrored) - evaluate(patch, xi)).norm(), 1e-12);
     }
     EXPECT_EQ(reverse(back, d).homogeneous(), patch.homogeneous());
   }
 }
 
-TEST(Reverse, KeepsTheEndsOfKnotsToTheLastBit) {
+TEST(Reverse, PreservesEndKnotsBitwise) {
   const KnotVector knots(1, {0.1, 0.1, 0.2, 0.7, 0.7});
   const Patch back = reverse(make_patch({knots}, MatrixX::Random(2, 3)), 0);
   EXPECT_EQ(back.direction(0).first(), 0.1);
@@ -47,7 +47,7 @@ TEST(Swap, ExchangesParameters) {
   }
 }
 
-TEST(Directions, AreThoseOfThePatch) {
+TEST(Directions, InvalidOnesAreRejected) {
   const Patch flat = rectangle(1, 1, Vec<2>(0, 0));
   EXPECT_ERROR(reverse(flat, 2), "nurbs.patch.direction: direction = 2, count = 2");
   EXPECT_ERROR(swap_directions(flat, 0, -1), "nurbs.patch.direction: direction = -1, count = 2");
@@ -65,7 +65,7 @@ TEST(Mirror, ReflectsEveryPoint) {
   }
 }
 
-TEST(Mirror, KeepsBodiesRightHandedAndNamesOfFaces) {
+TEST(Mirror, KeepsBodiesRightHandedAndFaceNames) {
   const Patch slab = mirror(rectangle(3, 1, Vec<2>(1, 0)), Vec<2>(0, 0), Vec<2>(2, 0));
   EXPECT_EQ(evaluate(slab, Vec<2>(0, 0)), Vec<2>(-4, 0)); // west is still on the left
   EXPECT_NEAR(measure(slab, 2).content, 3, 1e-14);        // signed: positive when right-handed
@@ -77,12 +77,12 @@ TEST(Mirror, KeepsBodiesRightHandedAndNamesOfFaces) {
 }
 
 TEST(Mirror, KeepsTheOutsideOfCurvesAndSurfaces) {
-  // The outside of a curve in the plane is on its right: an upper half circle that is run from left to right.
+  // The outside of a plane curve is on its right: an upper half circle traversed from left to right.
   const Patch image = mirror(arc(Vec<2>(0, 0), 1, 180, 0), Vec<2>(0, 0), Vec<2>(0, 1));
   const VectorX middle = VectorX::Constant(1, 0.5 * (image.direction(0).first() + image.direction(0).last()));
   const VectorX tangent = derivatives(image, middle, 1)[1].value, place = evaluate(image, middle);
   EXPECT_NEAR(place(1), -1, 1e-14);
-  EXPECT_LT(tangent(1) * place(0) - tangent(0) * place(1), 0); // still inside on the right, as before
+  EXPECT_LT(tangent(1) * place(0) - tangent(0) * place(1), 0); // the inside is still on the right
   EXPECT_ERROR(mirror(image, Vec<2>(0, 0), Vec<2>(0, 0)), "nurbs.mirror.normal");
   EXPECT_ERROR(mirror(image, Vec<2>(0, 0), Vec<3>(0, 0, 1)),
                "nurbs.transform.coordinates: argument = normal, expected = 2, count = 3");

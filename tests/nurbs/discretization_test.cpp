@@ -1,4 +1,4 @@
-// Rows with spaces of their own: exact geometry, partition of unity, gradients, continuity, faces, errors.
+// Rows with different spaces: exact geometry, partition of unity, gradients, continuity, faces, errors.
 #include "nurbs/discretization.hpp"
 
 #include "nurbs/random_patch.hpp"
@@ -15,7 +15,7 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-/// A random label for a direction of the geometry's degree, layered or not.
+/// A random label for a direction of the geometry's degree, with or without a layer.
 Label random_label(test::Random& random, int degree, bool layered, int rows) {
   const int bulk = degree + test::integer(random, 0, 1);
   if (!layered) return parse_label(text("N", bulk, ".", test::integer(random, 0, 2)));
@@ -23,7 +23,7 @@ Label random_label(test::Random& random, int degree, bool layered, int rows) {
   return parse_label(text("N", bulk, "-N", layer, ".", test::integer(random, 0, 2), "x", rows));
 }
 
-/// Layers on any face or on two opposite ones, 1 to 3 rows deep where there are as many.
+/// Layers on any face or on two opposite ones, 1 to 3 rows deep if there are enough rows.
 Plan random_plan(test::Random& random, const Patch& patch) {
   const int dimensions = patch.parametric_dimension();
   Plan plan;
@@ -51,7 +51,7 @@ VectorX position(const Discretization& space, const ElementBasis& basis) {
   return x;
 }
 
-TEST(Discretization, RandomLayersKeepGeometryPartitionAndSign) {
+TEST(Discretization, RandomLayersPreserveGeometryPartitionAndSign) {
   test::Random random(5);
   for (int trial = 0; trial < 120; ++trial) {
     const int dimensions = trial % 4 == 3 ? 3 : 2;
@@ -93,7 +93,7 @@ TEST(Discretization, GradientsMatchFiniteDifferences) {
           moved(d) += step;
           return space.basis(e, moved).values;
         };
-        // Central differences, the h² and h⁴ terms extrapolated away
+        // Central differences, with the h² and h⁴ terms eliminated by extrapolation
         const auto central = [&](double step) { return VectorX((value(step) - value(-step)) / (2 * step)); };
         const VectorX once = (4 * central(h / 2) - central(h)) / 3, twice = (4 * central(h) - central(2 * h)) / 3;
         const VectorX slope = (16 * once - twice) / 15;
@@ -103,9 +103,9 @@ TEST(Discretization, GradientsMatchFiniteDifferences) {
   }
 }
 
-/// Knots of lower continuity keep it: k-refinement and elevation raise multiplicities with the degree, inserted knots
-/// occur 1+s times.
-TEST(Discretization, ContinuityOfOwnAndInsertedKnots) {
+/// Existing knots keep their continuity: k-refinement and elevation raise multiplicities with the degree; inserted
+/// knots have multiplicity 1+s.
+TEST(Discretization, ContinuityAtExistingAndInsertedKnots) {
   test::Random random(7);
   for (int trial = 0; trial < 60; ++trial) {
     const Patch patch = test::random_patch(random, 2, 2, 3);
@@ -133,9 +133,9 @@ TEST(Discretization, ContinuityOfOwnAndInsertedKnots) {
   }
 }
 
-/// Thesis (5.1), (5.2) by the book: the k-refined bulk patch with its first row's functions replaced by the ones of the
-/// face's curve on the layer's knots, B-splines by the Cox–de Boor recursion, one common weight function.
-TEST(Discretization, AgreesWithTheBookOnADie) {
+/// Direct evaluation of thesis (5.1), (5.2): the k-refined bulk patch with the functions of its first row replaced by
+/// those of the face's curve on the layer's knots, B-splines by the Cox–de Boor recursion, one common weight function.
+TEST(Discretization, AgreesWithTheThesisOnADie) {
   test::Random random(8);
   const Patch die = half_annulus(0.3, 0.5, Eigen::Vector2d(0.75, 1.5));
   Plan plan;
@@ -172,7 +172,7 @@ TEST(Discretization, AgreesWithTheBookOnADie) {
   EXPECT_NEAR((space.points().leftCols(n) - layer.points()).norm(), 0, 1e-13);
 }
 
-TEST(Discretization, LayerOfAllRowsIsTheUniformElevatedSpace) {
+TEST(Discretization, LayerOfAllRowsIsTheUniformlyElevatedSpace) {
   test::Random random(9);
   const Patch patch = quarter_annulus(0.5, 1, Eigen::Vector2d(0, 0), 20);
   const auto make = [&](const char* label) {
@@ -195,22 +195,22 @@ TEST(Discretization, LayerOfAllRowsIsTheUniformElevatedSpace) {
   }
 }
 
-TEST(Discretization, DegreeOfElementsRisesOnlyWhereTheLayerReaches) {
+TEST(Discretization, ElementDegreesRiseOnlyInTheLayer) {
   Plan plan;
   plan.elements = {4, 5};
   plan.contact = {side_of("north", 2)};
   plan.labels = {parse_label("N2-N4.1x2")};
   plan.through = 1;
   const Discretization space(rectangle(2, 1, Eigen::Vector2d(0, 0)), plan);
-  // Two rows of linear functions live on the last two element rows.
+  // Two layer rows of linear functions in the thickness direction: their support is the last two element rows.
   for (int e = 0; e < space.elements(); ++e) {
     EXPECT_EQ(space.degree(e, 0), e / 4 >= 3 ? 5 : 2) << "element " << e;
     EXPECT_EQ(space.degree(e, 1), 1);
   }
 }
 
-/// Where the functions of a side do not vanish is the side, and its patch is the body's map there.
-TEST(Discretization, FacesAreTheBodysBorder) {
+/// The functions of a side are those that do not vanish on it, and its patch is the body's map there.
+TEST(Discretization, FacesAreTheBoundaryOfTheBody) {
   test::Random random(10);
   for (int trial = 0; trial < 40; ++trial) {
     const int dimensions = trial % 2 == 0 ? 2 : 3;
@@ -231,7 +231,7 @@ TEST(Discretization, FacesAreTheBodysBorder) {
           for (int k = 0, i = 0; k < dimensions; ++k)
             if (k != d) on_face(i++) = xi(k);
           EXPECT_NEAR((evaluate(border, on_face) - evaluate(patch, xi)).norm(), 0, 1e-13);
-          // The body's functions on the side are the face's, one by one.
+          // The body's functions on the side equal the face's, one by one.
           VectorX expected = VectorX::Zero(space.functions());
           for (const BasisValue& basis : rational_basis(border, on_face))
             expected(functions[at(basis.function)]) = basis.value;
@@ -245,19 +245,19 @@ TEST(Discretization, FacesAreTheBodysBorder) {
   }
 }
 
-TEST(Discretization, WithoutContactFaceTheLabelsHoldPerDirection) {
+TEST(Discretization, WithoutContactFaceLabelsApplyPerDirection) {
   Plan plan;
   plan.elements = {3, 2};
   plan.labels = {parse_label("N2"), parse_label("N3.1")};
   const Discretization space(rectangle(3, 1, Eigen::Vector2d(0, 0)), plan);
-  // N2 has 3+2 functions; N3.1, degree 4 with one double knot, 2·4+1−2
+  // N2 has 3+2 functions; N3.1 has degree 4 and one double knot: 2·4+1−2
   EXPECT_EQ(space.functions(), 5 * 7);
   EXPECT_EQ(space.face(side_of("east", 2)).functions(), 7);
   EXPECT_EQ(space.face(side_of("north", 2)).functions(), 5);
 }
 
-/// Without a degree of its own the thickness direction has the bulk's, as without a contact face.
-TEST(Discretization, ThicknessDirectionTakesTheBulksDegree) {
+/// Unless set, the degree in the thickness direction is that of the bulk, as without a contact face.
+TEST(Discretization, ThicknessDirectionHasTheBulkDegree) {
   const auto through = [](const Patch& patch, const std::vector<std::string>& labels, const char* contact) {
     Plan plan;
     plan.elements.assign(at(patch.parametric_dimension()), 3);
@@ -275,10 +275,10 @@ TEST(Discretization, ThicknessDirectionTakesTheBulksDegree) {
   EXPECT_EQ(through(slab, {"N2.1"}, "north"), (Pair{3, 8})); // two double knots
   EXPECT_EQ(through(slab, {"L2"}, "north"), (Pair{2, 7}));
   EXPECT_EQ(through(block({1, 1, 1}, Eigen::Vector3d(0, 0, 0)), {"N2", "N3-N4"}, "back"), (Pair{3, 6}));
-  EXPECT_EQ(through(ring, {"N1"}, "west")[0], 2); // the geometry's own
+  EXPECT_EQ(through(ring, {"N1"}, "west")[0], 2); // of the geometry
 }
 
-TEST(Discretization, SideAcrossALayerIsNoPatchInSpace) {
+TEST(Discretization, SideAcrossALayerIsNotAPatchInSpace) {
   Plan plan;
   plan.elements = {2, 2, 2};
   plan.contact = {side_of("back", 3)};
@@ -286,7 +286,7 @@ TEST(Discretization, SideAcrossALayerIsNoPatchInSpace) {
   plan.through = 1;
   const Discretization space(block({1, 1, 1}, Eigen::Vector3d(0, 0, 0)), plan);
   EXPECT_ERROR(space.face(side_of("west", 3)), "nurbs.body.face_across_layer: face = west, contact = back");
-  // Supports need its functions all the same: 4 control points in each of two rows, 6 in the layer's.
+  // Supports need its functions nevertheless: 4 control points in each of two rows, 6 in the layer's.
   EXPECT_EQ(space.face_functions(side_of("west", 3)).size(), 4u + 4u + 6u);
 }
 

@@ -1,4 +1,4 @@
-// Published counts of degrees of freedom, every row from share/reference. The set-ups are the published problems'.
+// Published numbers of degrees of freedom, every row from share/reference, for the setups of the published problems.
 #include "nurbs/discretization.hpp"
 #include "nurbs/shapes.hpp"
 
@@ -20,7 +20,7 @@ std::vector<std::string> split(const std::string& line) {
   return cells;
 }
 
-/// The table by its header; the first line is a comment.
+/// Reads a table by its header; the first line is a comment.
 Rows read(const std::string& name) {
   std::ifstream file(REFERENCE_DIR "/" + name);
   std::string line;
@@ -106,7 +106,7 @@ TEST(DofTables, Ironing3dTable711) {
     const std::string label = row.at("discretization");
     const int n = row.at("mesh") == "fine" ? 2 : 1;
     const Count slab = count(block({100, 30, 22}, Eigen::Vector3d(0, 0, 0)), {18 * n, 6 * n, 4 * n}, label, "back");
-    // The cap is one biquadratic span: knots of its own would keep their continuity and cost the higher degrees more.
+    // The cap is one biquadratic span: existing knots would keep their continuity and add unknowns at higher degrees.
     const Patch cap = spherical_indenter(10, 10, 11, 25.5, 1, Eigen::Vector3d(0, 0, 22));
     const Count indenter = count(cap, {5 * n, 5 * n, 3 * n}, label, "front");
     EXPECT_EQ(slab.interface, value(row, "slab_interface")) << label;

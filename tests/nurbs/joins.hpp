@@ -1,11 +1,11 @@
 #pragma once
-// Spaces of several degrees, joined C⁰, and a strip with such a row: what no knot vector describes.
+// Spaces with elements of several degrees, joined C⁰, and a strip with such a row: spaces without a knot vector.
 
 #include "nurbs/discretization.hpp"
 
 namespace signorini::nurbs::test {
 
-/// Bernstein polynomials of `degrees`, one per element of equal length on [0, 1], neighbors sharing one function.
+/// Bernstein polynomials of `degrees`, one degree per element of equal length on [0, 1]; neighbors share one function.
 inline Space1D joined(const std::vector<int>& degrees) {
   std::vector<double> breaks{0};
   std::vector<int> smoothness{-1};
@@ -21,7 +21,7 @@ inline Space1D joined(const std::vector<int>& degrees) {
   return {std::move(breaks), std::move(smoothness), elements};
 }
 
-/// The control points of x = ξ in a join: every element's at equal distances.
+/// The control points of x = ξ in such a space: equidistant in every element.
 inline std::vector<double> linear_points(const Space1D& space) {
   std::vector<double> points(at(space.functions()));
   for (int e = 0; e < space.elements(); ++e) {
@@ -33,8 +33,8 @@ inline std::vector<double> linear_points(const Space1D& space) {
   return points;
 }
 
-/// The rectangle of `width` and height 1 above y = 0; its `side`, "north" or "south", is a join of `degrees`, the row
-/// on the other side quadratic C⁰.
+/// The rectangle of `width` and height 1 above y = 0; the row on `side`, "north" or "south", joins `degrees`, the
+/// opposite row is quadratic and C⁰.
 inline Discretization strip(double width, const std::vector<int>& degrees, const std::string& side = "north") {
   const auto row = [&](const Space1D& space, double y) {
     MatrixX homogeneous = MatrixX::Ones(3, space.functions());

@@ -56,7 +56,7 @@ TEST(Knots, SingleIsOneBezierElement) {
   EXPECT_ERROR(KnotVector::single(16), "nurbs.knots.degree: degree = 16, most = 15");
 }
 
-TEST(Knots, WrongOnesAreRefusedWithTheReason) {
+TEST(Knots, InvalidOnesAreRejectedWithTheReason) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_ERROR(KnotVector(-1, {0, 1}), "nurbs.knots.degree: degree = -1, most = 15");
   EXPECT_ERROR(KnotVector(16, std::vector<double>(40)), "nurbs.knots.degree: degree = 16, most = 15");

@@ -42,14 +42,14 @@ TEST(Label, EveryForm) {
   EXPECT_EQ((Space{2, 3}).full_degree(), 5);
 }
 
-TEST(Label, UnknownFormsShowTheGrammar) {
+TEST(Label, ErrorsForUnknownFormsShowTheGrammar) {
   for (const char* text : {"",       "N",       "2",        "n2",    "M2",     "N2 ",  " N2",         "N2.",  "N-2",
                            "N2-",    "N2-4",    "N2-N",     "N2-L2", "L2-N4",  "L2.1", "L",           "N2x2", "N2.1x2",
                            "N2-N4x", "N2-N4y2", "N2-N4-N6", "N2,1",  "N2.1.1", "N100", "N2-N4x12345", "Q2"})
     EXPECT_ERROR(parse_label(text), "nurbs.label.unknown") << text;
 }
 
-TEST(Label, MeaninglessNumbersAreNamed) {
+TEST(Label, ErrorsNameInvalidNumbers) {
   EXPECT_ERROR(parse_label("N0"), "nurbs.label.degree: label = N0, degree = 0, most = 15");
   EXPECT_ERROR(parse_label("L0"), "nurbs.label.degree: label = L0, degree = 0, most = 15");
   EXPECT_ERROR(parse_label("N16"), "nurbs.label.degree: label = N16, degree = 16, most = 15");

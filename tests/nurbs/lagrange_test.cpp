@@ -1,4 +1,4 @@
-// Lp elements interpolate: exact at their nodes, and the geometry's error falls with order p+1.
+// Lp elements interpolate: exact at their nodes, and the geometry's error converges with order p+1.
 #include "nurbs/lagrange.hpp"
 
 #include "nurbs/discretization.hpp"
@@ -10,7 +10,7 @@
 namespace signorini::nurbs {
 namespace lagrange_test {
 
-TEST(Lagrange, TakesThePatchsValuesAtItsNodes) {
+TEST(Lagrange, InterpolatesThePatchAtItsNodes) {
   test::Random random(11);
   for (int dimensions : {1, 2, 3})
     for (int trial = 0; trial < 6; ++trial) {
@@ -66,7 +66,7 @@ TEST(Lagrange, GeometryErrorConvergesWithOrderPPlusOne) {
   }
 }
 
-TEST(Lagrange, LabelWithoutContactFaceHoldsInBothDirections) {
+TEST(Lagrange, LabelWithoutContactFaceAppliesInBothDirections) {
   Plan plan;
   plan.elements = {3, 2};
   plan.labels = {parse_label("L2"), parse_label("L2")};

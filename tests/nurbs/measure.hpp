@@ -36,7 +36,7 @@ inline std::vector<std::array<double, 2>> gauss(int n) {
   return rule;
 }
 
-/// `points` Gauss points per element and direction. The Jacobian has its sign where the patch fills the space.
+/// `points` Gauss points per element and direction. The Jacobian is signed if the patch fills the space.
 inline Measure measure(const Patch& patch, int points = 12) {
   const auto rule = gauss(points);
   const int dimensions = patch.parametric_dimension();

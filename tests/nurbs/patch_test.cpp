@@ -29,7 +29,7 @@ VectorX parameters(std::initializer_list<double> values) {
   return Eigen::Map<const VectorX>(values.begin(), static_cast<int>(values.size()));
 }
 
-TEST(Patch, KeepsPointsAndWeights) {
+TEST(Patch, ReturnsPointsAndWeights) {
   const Patch arc = quarter_circle();
   EXPECT_EQ(arc.parametric_dimension(), 1);
   EXPECT_EQ(arc.dimension(), 2);
@@ -39,7 +39,7 @@ TEST(Patch, KeepsPointsAndWeights) {
   EXPECT_DOUBLE_EQ(arc.weights()(1), std::sqrt(0.5));
 }
 
-TEST(Patch, WrongOnesAreRefusedWithTheReason) {
+TEST(Patch, InvalidOnesAreRejectedWithTheReason) {
   const KnotVector line = KnotVector::single(1);
   EXPECT_ERROR(make_patch({}, MatrixX::Zero(2, 1)), "nurbs.patch.directions: count = 0");
   EXPECT_ERROR(make_patch({line, line, line, line}, MatrixX::Zero(3, 16)), "nurbs.patch.directions: count = 4");
@@ -66,7 +66,7 @@ TEST(Patch, EvaluatesTheCircleExactly) {
   EXPECT_NEAR(evaluate(arc, parameters({0.5}))(0), std::sqrt(0.5), 1e-15);
 }
 
-TEST(Patch, ParametersOutsideAreRefused) {
+TEST(Patch, ParametersOutsideAreRejected) {
   const Patch square = bilinear_square();
   EXPECT_ERROR(evaluate(square, parameters({0.5})), "nurbs.patch.parameters: expected = 2, count = 1");
   EXPECT_ERROR(evaluate(square, parameters({0.5, 1.5})), "nurbs.knots.outside: xi = 1.5, first = 0, last = 1");
@@ -76,7 +76,7 @@ TEST(Patch, ParametersOutsideAreRefused) {
   EXPECT_ERROR(rational_basis(square, parameters({0.1, std::nan("")})), "nurbs.knots.outside");
 }
 
-TEST(Patch, EvaluatesLikeTheRecursionOfTheBook) {
+TEST(Patch, AgreesWithTheRecursionOfTheNurbsBook) {
   Random random(3);
   for (int run = 0; run < 30; ++run) {
     const int parametric = 1 + run % 3;
@@ -118,7 +118,7 @@ TEST(Patch, RationalBasisSumsUpToOneAndGivesThePoint) {
   }
 }
 
-TEST(Derivatives, ComeByTotalOrderThenFallingInTheFirstDirection) {
+TEST(Derivatives, AreSortedByTotalOrderThenDecreasingInTheFirstDirection) {
   const auto orders = [](const Patch& patch, int n) {
     std::vector<std::vector<int>> result;
     for (const auto& derivative : derivatives(patch, VectorX::Constant(patch.parametric_dimension(), 0.5), n))
@@ -167,7 +167,7 @@ TEST(Derivatives, AgreeWithFiniteDifferencesOfTheOrderBelow) {
   for (int run = 0; run < 30; ++run) {
     const Patch patch = random_patch(random, 1 + run % 3, 3, 3);
     VectorX xi = random_parameter(random, patch);
-    // Away from knots, so that both sides lie on one element.
+    // Away from knots, so that both points are in one element.
     for (int d = 0; d < xi.size(); ++d) {
       const auto& breaks = patch.direction(d).breaks();
       const std::size_t e = static_cast<std::size_t>(patch.direction(d).find_element(xi(d)));
@@ -203,7 +203,7 @@ TEST(Sides, HaveNamesByDimension) {
     EXPECT_EQ(name_of(side_of(name, 3)), name);
 }
 
-TEST(Sides, UnknownNamesListTheOnesThatFit) {
+TEST(Sides, ErrorsForUnknownNamesListTheValidOnes) {
   EXPECT_ERROR(side_of("nort", 2), "nurbs.face.unknown: face = nort, suggestion = (nurbs.face.did_you_mean: face = "
                                    "north), known = (west, east, south, north), ends = (xi1, xi2)");
   EXPECT_ERROR(side_of("back", 2), "west, east, south, north");
@@ -231,7 +231,7 @@ TEST(Sides, FacesAreTheMapAtTheEnds) {
   }
 }
 
-TEST(Sides, RowsAndFacesThatDoNotExistAreRefused) {
+TEST(Sides, NonexistentRowsAndFacesAreRejected) {
   const Patch square = bilinear_square();
   EXPECT_ERROR(face(quarter_circle(), {0, false}), "nurbs.face.curve");
   EXPECT_ERROR(face(square, {2, false}), "nurbs.face.direction: direction = 2, count = 2");

@@ -1,5 +1,5 @@
 #pragma once
-// Generated inputs with fixed seeds, and the slow by-the-book twin of the basis.
+// Random inputs with fixed seeds, and a slow direct evaluation of the basis for comparison.
 
 #include "base/error.hpp"
 #include "nurbs/patch.hpp"
@@ -31,7 +31,7 @@ inline KnotVector random_knots(Random& random, int degree, int breaks) {
   return {degree, knots};
 }
 
-/// A patch of random degrees 1 … highest, knots with repetitions, weights in [0.5, 2] and points in [−1, 1].
+/// A patch with random degrees 1 … highest, knots with repetitions, weights in [0.5, 2] and points in [−1, 1].
 inline Patch random_patch(Random& random, int parametric_dimension, int dimension, int highest = 4) {
   std::vector<KnotVector> directions;
   int size = 1;
@@ -83,7 +83,7 @@ inline double cox_de_boor(const KnotVector& knots, int i, int p, double xi, int 
   return value;
 }
 
-/// The message of the signorini::Error that `action` throws; empty when it throws none.
+/// The message of the signorini::Error that `action` throws; empty if it throws none.
 template <class Action> std::string error_of(Action action) {
   try {
     action();
@@ -95,7 +95,7 @@ template <class Action> std::string error_of(Action action) {
 
 } // namespace signorini::nurbs::test
 
-/// `action` throws signorini::Error and its message holds `part`.
+/// Checks that `action` throws a signorini::Error whose message contains `part`.
 #define EXPECT_ERROR(action, part)                                                                                     \
   EXPECT_PRED2(                                                                                                        \
       [](const std::string& message, const std::string& text) { return message.find(text) != std::string::npos; },     \

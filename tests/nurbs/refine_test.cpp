@@ -11,7 +11,7 @@ namespace refine_test {
 
 using namespace test;
 
-/// The largest distance of two patches' maps at random parameters, the knots among them.
+/// The largest distance of two patches' maps at random parameters, including the knots.
 double distance(const Patch& a, const Patch& b, Random& random) {
   double worst = 0;
   for (int i = 0; i < 20; ++i) {
@@ -34,13 +34,13 @@ void expect_near(const std::vector<double>& got, const std::vector<double>& expe
   for (std::size_t i = 0; i < got.size(); ++i) EXPECT_NEAR(got[i], expected[i], 1e-14) << "knot " << i;
 }
 
-TEST(InsertKnots, KeepsTheMap) {
+TEST(InsertKnots, PreservesTheMap) {
   Random random(11);
   for (int run = 0; run < 60; ++run) {
     const int parametric = 1 + run % 3, d = integer(random, 0, parametric - 1);
     const Patch patch = random_patch(random, parametric, 3);
     const KnotVector& old = patch.direction(d);
-    // New knots with repetitions, and old ones up to their full multiplicity.
+    // New knots with repetitions, and existing ones up to their full multiplicity.
     std::vector<double> knots;
     for (int i = integer(random, 0, 5); i > 0; --i)
       knots.insert(knots.end(), static_cast<std::size_t>(integer(random, 1, old.degree())), uniform(random, -1, 3));
@@ -61,12 +61,12 @@ TEST(InsertKnots, ManyGradedKnotsOfHighDegreeStayAccurate) {
   for (int i = 1; i < 60; ++i) knots.push_back(-1 + 4 * std::pow(i / 60.0, 4));
   const Patch refined = insert_knots(patch, 0, knots);
   EXPECT_LT(distance(patch, refined, random), 1e-13);
-  // Control points of an inserted knot are convex combinations.
+  // Control points after knot insertion are convex combinations.
   EXPECT_LE(refined.points().cwiseAbs().maxCoeff(), patch.points().cwiseAbs().maxCoeff() + 1e-14);
 }
 
 TEST(InsertKnots, InTheMiddleOfAParabola) {
-  // Blossom of the control points 0, 1, 0 at (½, 0), (½, ½), (½, 1), by hand.
+  // Blossom of the control points 0, 1, 0 at (½, 0), (½, ½), (½, 1), computed by hand.
   MatrixX points(2, 3);
   points << 0, 1, 2, 0, 1, 0;
   const Patch patch = insert_knots(make_patch({KnotVector::single(2)}, points), 0, {0.5});
@@ -74,7 +74,7 @@ TEST(InsertKnots, InTheMiddleOfAParabola) {
   EXPECT_EQ(patch.direction(0).knots(), numbers({0, 0, 0, 0.5, 1, 1, 1}));
 }
 
-TEST(InsertKnots, RefusesWhatCannotBe) {
+TEST(InsertKnots, RejectsInvalidKnots) {
   Random random(13);
   const Patch patch = make_patch({KnotVector(2, {0, 0, 0, 0.5, 1, 1, 1})}, MatrixX::Random(2, 4));
   EXPECT_ERROR(insert_knots(patch, 1, {0.5}), "nurbs.patch.direction: direction = 1, count = 1");
@@ -87,7 +87,7 @@ TEST(InsertKnots, RefusesWhatCannotBe) {
                "nurbs.insert.multiplicity: knot = 0.25, count = 3, degree = 2, present = 0");
 }
 
-TEST(Elevate, KeepsTheMapAndTheContinuity) {
+TEST(Elevate, PreservesMapAndContinuity) {
   Random random(14);
   for (int run = 0; run < 60; ++run) {
     const int parametric = 1 + run % 3, d = integer(random, 0, parametric - 1), times = integer(random, 0, 4);
@@ -122,7 +122,7 @@ TEST(Elevate, OneParabolaToACubicByHand) {
   EXPECT_LT((cubic.points() - (MatrixX(2, 4) << 0, 2, 4, 6, 0, 2, 2, 0).finished()).norm(), 1e-15);
 }
 
-TEST(Elevate, RefusesWhatCannotBe) {
+TEST(Elevate, RejectsInvalidDegrees) {
   const Patch patch = make_patch({KnotVector::single(2)}, MatrixX::Random(2, 3));
   EXPECT_ERROR(elevate(patch, 0, -1), "nurbs.elevate.times: times = -1");
   EXPECT_ERROR(elevate(patch, 0, 14), "nurbs.elevate.degree: degree = 2, times = 14, most = 15");
@@ -141,15 +141,15 @@ TEST(KRefine, ElevatesFirstSoThatNewKnotsAreSmooth) {
   EXPECT_LT(distance(patch, refined, random), 1e-13);
 }
 
-TEST(ElementKnots, AreUniformWithinTheOwnSpans) {
+TEST(ElementKnots, AreUniformWithinExistingSpans) {
   expect_near(element_knots(KnotVector::single(2), 4), {0.25, 0.5, 0.75});
   expect_near(element_knots(KnotVector(1, {0, 0, 0.5, 1, 1}), 6), {1 / 6.0, 2 / 6.0, 4 / 6.0, 5 / 6.0});
-  // Lengths 3 and 1 of 4, 6 elements: quotas 4.5 and 1.5, the first of equals gets the odd one.
+  // Lengths 3 and 1 of 4, 6 elements: quotas 4.5 and 1.5; the first of equals gets the remaining element.
   expect_near(element_knots(KnotVector(1, {0, 0, 3, 4, 4}), 6), {0.6, 1.2, 1.8, 2.4});
   EXPECT_TRUE(element_knots(KnotVector(1, {0, 0, 3, 4, 4}), 2).empty());
 }
 
-TEST(ElementKnots, EverySpanGetsOneHoweverShort) {
+TEST(ElementKnots, EverySpanGetsAtLeastOne) {
   const KnotVector knots(1, {0, 0, 0.01, 0.02, 1, 1});
   expect_near(element_knots(knots, 4), {0.51});
   EXPECT_EQ(element_knots(knots, 100).size(), 97u);
@@ -165,9 +165,9 @@ TEST(ElementKnots, GradingIsTheImageOfUniformKnots) {
   for (std::size_t i = 0; i < end.size(); ++i) EXPECT_NEAR(end[i], 1 - start[start.size() - 1 - i], 1e-14);
 }
 
-TEST(ElementKnots, GradingSharesElementsAmongOwnSpans) {
-  // On [2, 4] with a knot at 3: half the elements in the first quarter; the own knot lies at 0.5 + 0.25/0.75·0.5 = 2/3
-  // of the uniform coordinate, so 9 elements split 6 to 3.
+TEST(ElementKnots, GradingDistributesElementsToExistingSpans) {
+  // On [2, 4] with a knot at 3: half the elements in the first quarter; the existing knot is at 0.5 + 0.25/0.75·0.5 =
+  // 2/3 of the uniform coordinate, so 9 elements split 6 to 3.
   const std::vector<double> knots = element_knots(KnotVector(1, {2, 2, 3, 4, 4}), 9, Grading{0.5, 0.25, false});
   ASSERT_EQ(knots.size(), 7u);
   EXPECT_LT(knots[4], 3);
@@ -177,7 +177,7 @@ TEST(ElementKnots, GradingSharesElementsAmongOwnSpans) {
   EXPECT_NEAR(knots[5], image(7 / 9.0), 1e-14);
 }
 
-TEST(ElementKnots, GradingOutOfRangeIsRefused) {
+TEST(ElementKnots, InvalidGradingIsRejected) {
   const KnotVector knots = KnotVector::single(1);
   EXPECT_ERROR(element_knots(knots, 4, Grading{0, 0.5, false}), "nurbs.grading.share: argument = elements, share = 0");
   EXPECT_ERROR(element_knots(knots, 4, Grading{0.5, 1, false}), "nurbs.grading.share: argument = length, share = 1");

@@ -45,7 +45,7 @@ TEST(Shapes, HalfAnnulusRunsFromLeftOverTheBottomToRight) {
   EXPECT_GT(half.least, 0);
 }
 
-TEST(Shapes, QuarterAnnulus) {
+TEST(Shapes, QuarterAnnulusIsExact) {
   const Patch patch = quarter_annulus(1, 2, Vec<2>(1, 1), 180);
   EXPECT_EQ(patch.functions(), 6);
   expect_point(patch, {0, 0}, Vec<2>(-1, 1));
@@ -97,14 +97,14 @@ TEST(Shapes, SphereOctantIsExactAndDegenerateOnlyAtThePole) {
   const Measure octant = measure(patch, 10);
   EXPECT_NEAR(octant.content, pi / 6 * 7, 1e-11);
   EXPECT_GT(octant.least, 0);
-  // Of a half ball shell: z = −3/8 (b⁴ − a⁴)/(b³ − a³)
+  // Centroid of half a spherical shell: z = −3/8 (b⁴ − a⁴)/(b³ − a³)
   EXPECT_NEAR(octant.centroid(2), 3 - 3 * 15.0 / (8 * 7), 1e-11);
   EXPECT_ERROR(sphere_octant(1, 1, center), "nurbs.shapes.radii: inner = 1, outer = 1");
   EXPECT_ERROR(sphere_octant(1, 2, Vec<2>(0, 0)),
                "nurbs.transform.coordinates: argument = center, expected = 3, count = 2");
 }
 
-TEST(Shapes, HollowHemispheresAreExactAndOfFullVolume) {
+TEST(Shapes, HollowHemispheresAreExactAndHaveTheFullVolume) {
   const Vec<3> center(1, 2, 3);
   Random random(43);
   for (Poles poles : {Poles::ends, Poles::bottom}) {
@@ -117,7 +117,7 @@ TEST(Shapes, HollowHemispheresAreExactAndOfFullVolume) {
         EXPECT_NEAR((evaluate(patch, xi) - center).norm(), 3 - end, 1e-14);
       }
     }
-    // The volume converges to 2π/3 (R_o³ − R_i³), spectrally with the Gauss points: each more gains two digits or so.
+    // The volume converges spectrally to 2π/3 (R_o³ − R_i³): each Gauss point adds about two digits.
     const double volume = 2 * pi / 3 * (27 - 8);
     double before = 1;
     for (int points : {3, 5, 7}) {
@@ -130,7 +130,7 @@ TEST(Shapes, HollowHemispheresAreExactAndOfFullVolume) {
     const Measure half = measure(patch, 12);
     EXPECT_NEAR(half.content, volume, 1e-10);
     EXPECT_LT((half.centroid.head(2) - center.head(2)).norm(), 1e-12);
-    // Of a half ball shell: z = −3/8 (b⁴ − a⁴)/(b³ − a³)
+    // Centroid of half a spherical shell: z = −3/8 (b⁴ − a⁴)/(b³ − a³)
     EXPECT_NEAR(half.centroid(2), 3 - 3 * 65.0 / (8 * 19), 1e-11);
     EXPECT_NEAR(measure(face(patch, side_of("front", 3))).content, 2 * pi * 9, 1e-10);
     EXPECT_ERROR(hollow_hemisphere(3, 3, center, poles), "nurbs.shapes.radii: inner = 3, outer = 3");
@@ -139,7 +139,7 @@ TEST(Shapes, HollowHemispheresAreExactAndOfFullVolume) {
   }
 }
 
-TEST(Shapes, HollowHemispheresHaveTheirRingAndPolesWhereTheySay) {
+TEST(Shapes, HollowHemispheresHaveRingAndPolesAsDocumented) {
   const Vec<3> origin(0, 0, 0);
   const Patch ends = hollow_hemisphere(1, 2, origin, Poles::ends);
   expect_point(ends, {0, 0.5, 0}, Vec<3>(-2, 0, 0));
@@ -164,7 +164,7 @@ TEST(Shapes, HollowHemispheresHaveTheirRingAndPolesWhereTheySay) {
   EXPECT_NEAR(measure(face(bottom, side_of("south", 3))).content, pi * 3, 1e-12);
 }
 
-/// Worst distance of the indenter's cap from its sphere.
+/// Largest distance of the indenter's cap from its sphere.
 double cap_error(int elements) {
   const Patch patch = spherical_indenter(10, 8, 11, 12, elements, Vec<3>(1, 2, 3));
   const Vec<3> center(6, 6, 3 + 12);
@@ -175,14 +175,14 @@ double cap_error(int elements) {
   return worst;
 }
 
-TEST(Shapes, SphericalIndenterConvergesToItsSphereAtThirdOrder) {
+TEST(Shapes, SphericalIndenterConvergesToItsSphereWithThirdOrder) {
   const double coarse = cap_error(5), fine = cap_error(10), finest = cap_error(20);
   EXPECT_LT(coarse, 5e-3);
   EXPECT_GT(std::log2(coarse / fine), 2.6);
   EXPECT_GT(std::log2(fine / finest), 2.6);
 }
 
-TEST(Shapes, SphericalIndenterIsABlockWithALowestPointInTheMiddle) {
+TEST(Shapes, SphericalIndenterIsABlockLowestInTheMiddle) {
   const Patch patch = spherical_indenter(10, 10, 11, 8, 5, Vec<3>(12.5, 10, 22));
   EXPECT_EQ(patch.direction(0).functions(), 7);
   EXPECT_EQ(patch.direction(1).functions(), 7);
@@ -195,7 +195,7 @@ TEST(Shapes, SphericalIndenterIsABlockWithALowestPointInTheMiddle) {
   EXPECT_GT(measure(patch, 4).least, 0);
 }
 
-TEST(Shapes, SphericalIndenterRefusesWhatCannotBe) {
+TEST(Shapes, SphericalIndenterRejectsInvalidArguments) {
   const Vec<3> corner(0, 0, 0);
   EXPECT_ERROR(spherical_indenter(10, 10, 11, 7, 5, corner), "nurbs.shapes.cap_radius: radius = 7, least = 7.07107");
   EXPECT_ERROR(spherical_indenter(10, 10, 2, 8, 5, corner), "nurbs.shapes.cap_height: cap = 4.25834, height = 2");
@@ -205,7 +205,7 @@ TEST(Shapes, SphericalIndenterRefusesWhatCannotBe) {
   EXPECT_ERROR(spherical_indenter(10, 10, 11, std::nan(""), 5, corner), "nurbs.shapes.length");
 }
 
-TEST(Transform, MovesTurnsAndScalesEveryPoint) {
+TEST(Transform, MovesRotatesAndScalesEveryPoint) {
   Random random(41);
   for (int run = 0; run < 20; ++run) {
     const int dimension = 2 + run % 2;
@@ -235,7 +235,7 @@ TEST(Transform, QuarterTurnsAreExact) {
   EXPECT_NEAR(direction_of(30)(1), 0.5, 1e-16);
 }
 
-TEST(Transform, RefusesWhatCannotBe) {
+TEST(Transform, RejectsInvalidArguments) {
   const Patch flat = rectangle(1, 1, Vec<2>(0, 0)), solid = block({1, 1, 1}, Vec<3>(0, 0, 0));
   const Vec<2> origin(0, 0);
   EXPECT_ERROR(translate(flat, Vec<3>(0, 0, 1)), "nurbs.transform.coordinates: argument = by, expected = 2, count = 3");

@@ -13,7 +13,7 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-/// Functions of Np.s on `elements` equal spans of a direction that had one: p+s+1, and 1+s more at each inner knot.
+/// Functions of Np.s on `elements` equal spans, refined from a single span: p+s+1, and 1+s more at each inner knot.
 int functions(const Space& space, int elements) {
   return space.full_degree() + 1 + (elements - 1) * (1 + space.elevations);
 }
@@ -39,7 +39,7 @@ Label label_of(const std::string& name, int rows) {
   return parse_label(name.find('-') == std::string::npos ? name : text(name, "x", rows));
 }
 
-/// What a body is made of, chosen at random but for the faces.
+/// Definition of a body: everything but the faces is random.
 struct Case {
   Patch patch;
   Plan plan;
@@ -101,9 +101,9 @@ TEST(SolidLayers, CountsGeometryAndSignOnEveryFace) {
   }
 }
 
-/// Thesis (5.5) by the book: the bulk volume with the functions of its row on the face replaced by those of the face's
-/// surface on the layer's knots, B-splines by the Cox–de Boor recursion, one common weight function.
-TEST(SolidLayers, AgreeWithTheBookOnAShell) {
+/// Direct evaluation of thesis (5.5): the bulk volume with the functions of its row on the face replaced by those of
+/// the face's surface on the layer's knots, B-splines by the Cox–de Boor recursion, one common weight function.
+TEST(SolidLayers, AgreesWithTheThesisOnAShell) {
   test::Random random(62);
   const Patch shell = half_cylinder_shell(0.4, 0.5, 0.6, Vec<3>(0, 0, 0));
   Plan plan;
@@ -143,7 +143,7 @@ TEST(SolidLayers, AgreeWithTheBookOnAShell) {
   EXPECT_LT((space.points().leftCols(layer.functions()) - layer.points()).norm(), 1e-13);
 }
 
-TEST(SolidLayers, DegreesRiseOnlyInTheirDirectionAndWhereTheLayerReaches) {
+TEST(SolidLayers, ElementDegreesRiseOnlyAlongTheLayerAndInsideIt) {
   Plan plan;
   plan.elements = {3, 2, 4};
   plan.contact = {side_of("back", 3)};
@@ -157,7 +157,7 @@ TEST(SolidLayers, DegreesRiseOnlyInTheirDirectionAndWhereTheLayerReaches) {
   }
 }
 
-TEST(SolidLayers, DepthsOfTwoDirectionsMustAgreeWhereBothAreLayered) {
+TEST(SolidLayers, LayerDepthsOfTwoDirectionsMustAgree) {
   const auto build = [](const char* first, const char* second) {
     Plan plan;
     plan.elements = {2, 2, 3};

@@ -1,4 +1,4 @@
-// Curves, surfaces and solids in space made by sweeping, turning, ruling and blending: generated cases.
+// Curves, surfaces and solids in space made by extrusion, revolution, ruling and blending, in random cases.
 #include "nurbs/constructions.hpp"
 
 #include "measure.hpp"
@@ -20,7 +20,7 @@ VectorX with(const VectorX& xi, double last) {
   return result;
 }
 
-TEST(SolidConstructions, ExtrudedPointsLieAlongTheVector) {
+TEST(SolidConstructions, ExtrudedPointsAreAlongTheVector) {
   Random random(71);
   for (int run = 0; run < 40; ++run) {
     const int dimension = 2 + run % 2;
@@ -35,10 +35,10 @@ TEST(SolidConstructions, ExtrudedPointsLieAlongTheVector) {
   }
 }
 
-TEST(SolidConstructions, RuledPointsLieBetweenBothEnds) {
+TEST(SolidConstructions, RuledPointsAreBetweenBothEnds) {
   Random random(72);
   for (int run = 0; run < 40; ++run) {
-    // Both of other degrees, knots and weights, on one interval
+    // Both with different degrees, knots and weights, on one interval
     const int parametric = 1 + run % 2;
     const Patch a = random_patch(random, parametric, 3, 3), b = random_patch(random, parametric, 3, 3);
     const Patch between = ruled(a, b);
@@ -46,7 +46,7 @@ TEST(SolidConstructions, RuledPointsLieBetweenBothEnds) {
     const Vec<3> from = evaluate(a, xi), to = evaluate(b, xi);
     EXPECT_LT((evaluate(between, with(xi, 0)) - from).norm(), 1e-13);
     EXPECT_LT((evaluate(between, with(xi, 1)) - to).norm(), 1e-13);
-    // On the segment, and the further along the larger the parameter
+    // On the segment, and monotonic in the parameter
     double before = 0;
     for (double t : {0.2, 0.5, 0.9}) {
       const Vec<3> arm = Vec<3>(evaluate(between, with(xi, t))) - from, whole = to - from;
@@ -59,7 +59,7 @@ TEST(SolidConstructions, RuledPointsLieBetweenBothEnds) {
   }
 }
 
-/// A rectangle of random size in the half plane x > 0 of x and z, its corners moved a little.
+/// A rectangle of random size in the half plane x > 0 of x and z, with slightly moved corners.
 Patch random_profile(Random& random) {
   const double x = uniform(random, 0.5, 2), z = uniform(random, -1, 1);
   const double a = uniform(random, 0.5, 1.5), b = uniform(random, 0.5, 1.5);
@@ -72,17 +72,17 @@ Patch random_profile(Random& random) {
   return make_patch({KnotVector::single(1), KnotVector::single(1)}, points);
 }
 
-TEST(SolidConstructions, RevolvedSolidsFillWhatPappusSays) {
+TEST(SolidConstructions, RevolvedSolidsHaveTheVolumeOfPappus) {
   Random random(73);
   for (int run = 0; run < 20; ++run) {
     const Patch profile = random_profile(random);
     const double angle = (run % 2 == 0 ? 1 : -1) * uniform(random, 20, 360);
     const Patch solid = revolve(profile, Vec<3>(0, 0, 0), Vec<3>(0, 0, 1), angle);
     const Measure flat = measure(profile, 8), full = measure(solid, 8);
-    // ξ¹ outwards, ξ² up, ξ³ round: right-handed when it turns from x towards −y
+    // ξ¹ outwards, ξ² up, ξ³ around: right-handed for a rotation from x towards −y
     EXPECT_NEAR(full.content, -angle * pi / 180 * flat.centroid(0) * flat.content, 1e-10);
     EXPECT_EQ(full.least > 0, angle < 0);
-    // Carried to a skew axis, the solid is the same one.
+    // Revolution about a skew axis gives the same solid, moved.
     const Vec<3> point = Vec<3>::Random(), axis = Vec<3>(1, 2, 3).normalized();
     const Mat<3> tilt = Eigen::Quaterniond::FromTwoVectors(Vec<3>(0, 0, 1), axis).toRotationMatrix();
     const Patch tilted = revolve(transform(profile, tilt, point), point, axis, angle);
@@ -90,16 +90,16 @@ TEST(SolidConstructions, RevolvedSolidsFillWhatPappusSays) {
   }
 }
 
-TEST(SolidConstructions, AProfileAcrossItsAxisTurnsInsideOut) {
+TEST(SolidConstructions, ProfileAcrossItsAxisIsInverted) {
   const MatrixX upright = (MatrixX(3, 2) << 1, 0, 0, 0, 0, 1).finished();
   const Patch across = transform(extrude(line(Vec<2>(-1, 0), Vec<2>(2, 0)), Vec<2>(0, 1)), upright, Vec<3>::Zero());
   EXPECT_LT(measure(revolve(across, Vec<3>(0, 0, 0), Vec<3>(0, 0, 1), -90), 4).least, 0);
 }
 
-TEST(SolidConstructions, CoonsVolumesKeepTheFacesOfAnySolid) {
+TEST(SolidConstructions, CoonsVolumesReproduceTheFacesOfAnySolid) {
   Random random(74);
   for (int run = 0; run < 20; ++run) {
-    // Faces of one solid always meet. Their weights are close enough to each other for a blend.
+    // Faces of one solid always meet. Their weights are similar enough for a blend.
     const Patch wild = random_patch(random, 3, 3, 2);
     const Patch solid = make_patch(wild.directions(), wild.points(), wild.weights().array().pow(0.25));
     std::vector<Patch> faces;
@@ -113,8 +113,9 @@ TEST(SolidConstructions, CoonsVolumesKeepTheFacesOfAnySolid) {
   }
 }
 
-TEST(SolidConstructions, WeightsThatNoBlendCanHaveAreRefused) {
-  // Middle control points of weight 0.01 on all faces: the boolean sum of the edges' weights, 1, is larger than theirs.
+TEST(SolidConstructions, WeightsWithoutAPositiveBlendAreRejected) {
+  // Middle control points of weight 0.01 on all faces: the boolean sum subtracts the edges' weights, 1, which are
+  // larger.
   const KnotVector two = KnotVector::single(2);
   const Patch solid = elevate(elevate(elevate(block({1, 1, 1}, Vec<3>(0, 0, 0)), 0, 1), 1, 1), 2, 1);
   VectorX weights = VectorX::Ones(27);

@@ -1,4 +1,4 @@
-// Spaces as tables: splines against their knots, joins of several degrees, and bodies with rows of such spaces.
+// Tabulated spaces: splines compared with their knots, joins of several degrees, and bodies with rows of such spaces.
 #include "nurbs/space1d.hpp"
 
 #include "nurbs/archive.hpp"
@@ -66,7 +66,7 @@ TEST(Space1D, JoinOfTwoDegrees) {
     for (double t : {0.0, 0.3, 1.0}) {
       const MatrixX own = derivatives_of(space, e, from + t * (to - from));
       EXPECT_NEAR((own.colwise().sum() - Eigen::RowVector3d(1, 0, 0)).norm(), 0, 1e-12);
-      // x = ξ in its control points
+      // x = ξ from its control points
       double x = 0, slope = 0;
       for (std::size_t a = 0; a < space.functions_on(e).size(); ++a) {
         const double point = test::linear_points(space)[at(space.functions_on(e)[a])];
@@ -79,7 +79,7 @@ TEST(Space1D, JoinOfTwoDegrees) {
   }
 }
 
-TEST(Space1D, RefusesTablesThatAreNoSpace) {
+TEST(Space1D, RejectsInconsistentTables) {
   const std::vector<Element1D> line{{1, {0, 1}, MatrixX::Identity(2, 2)}};
   EXPECT_ERROR(Space1D({0, 0.5, 1}, {-1, 0, -1}, line),
                "nurbs.space.breakpoints: elements = 1, breakpoints = 3, smoothness = 3");
@@ -91,7 +91,7 @@ TEST(Space1D, RefusesTablesThatAreNoSpace) {
   EXPECT_ERROR(Space1D({0, 1}, {-1, -1}, {{1, {0, 2}, MatrixX::Identity(2, 2)}}), "nurbs.space.unused");
 }
 
-/// A quadratic row below, degrees 2 and 4 above.
+/// A quadratic lower row, degrees 2 and 4 in the upper one.
 TEST(Space1D, BodyWithARowOfTwoDegrees) {
   const Discretization space = test::strip(3, {2, 4, 2, 4});
   EXPECT_EQ(space.functions(), 9 + 13);
@@ -117,7 +117,7 @@ TEST(Space1D, BodyWithARowOfTwoDegrees) {
     EXPECT_NEAR((place - Eigen::Vector2d(3 * xi(0), xi(1))).norm(), 0, 1e-14);
     EXPECT_NEAR((jacobian - Mat<2>(Eigen::Vector2d(3, 1).asDiagonal())).norm(), 0, 1e-13);
 
-    // The Bézier form is the same functions.
+    // The Bézier form represents the same functions.
     const BezierElement element = bezier_element(space, e);
     EXPECT_EQ(element.functions, basis.functions);
     EXPECT_EQ(element.degrees, (std::vector{e % 2 == 0 ? 2 : 4, 1}));
@@ -130,7 +130,7 @@ TEST(Space1D, BodyWithARowOfTwoDegrees) {
   }
 }
 
-TEST(Space1D, FilesKeepEveryBit) {
+TEST(Space1D, FilesPreserveAllBits) {
   for (const Discretization& space :
        {test::strip(3, {2, 4}),
         Discretization(1, spline_space(KnotVector::single(1)),
@@ -148,9 +148,9 @@ TEST(Space1D, FilesKeepEveryBit) {
   }
 }
 
-TEST(Space1D, BodiesNeedSpacesThatInterpolateTheirEnds) {
+TEST(Space1D, BodiesNeedSpacesThatInterpolateAtTheirEnds) {
   const Space1D line = spline_space(KnotVector::single(1));
-  // Two functions at the start
+  // Two functions are nonzero at the start
   const Space1D blurred({0, 1}, {-1, -1}, {{1, {0, 1}, (MatrixX(2, 2) << 0.9, 0, 0.1, 1).finished()}});
   const Row good({line}, (MatrixX(3, 2) << 0, 1, 0, 0, 1, 1).finished()), bad({blurred}, good.homogeneous());
   EXPECT_ERROR(Discretization(1, line, {good, bad}, {}), "nurbs.space.ends");
