@@ -21,7 +21,7 @@ const std::vector<Form> known = {{"gismo", ".xml", read_gismo, gismo},
                                  {"geopdes", ".txt", read_geopdes, geopdes},
                                  {"mfem", ".mesh", read_mfem, mfem}};
 
-/// The form of a text by how it begins.
+/// The format of a text, recognized from its beginning.
 const Form& form_of(const std::string& file, const std::string& text) {
   std::size_t begin = text.starts_with("\xEF\xBB\xBF") ? 3 : 0; // byte-order mark
   while (begin < text.size() && std::isspace(static_cast<unsigned char>(text[begin]))) ++begin;

@@ -1,5 +1,5 @@
 #pragma once
-// Patches in files that other isogeometric programs read and write.
+// Reading and writing of patches in files of other isogeometric programs.
 
 #include "nurbs/patch.hpp"
 
@@ -10,18 +10,18 @@ namespace signorini::exchange {
 
 using nurbs::Patch;
 
-/// The forms of a file: "gismo" (G+Smo's XML), "geopdes" (the text file of GeoPDEs and the NURBS toolbox), "mfem" (MFEM
-/// NURBS mesh v1.0 with patches).
+/// Supported formats: "gismo" (G+Smo's XML), "geopdes" (text file of GeoPDEs and the NURBS toolbox), "mfem" (MFEM NURBS
+/// mesh v1.0 with patches).
 std::vector<std::string> forms();
-/// The form that a file's name stands for by its ending: .xml, .txt, .mesh; empty for any other.
+/// The format of a file name by its extension: .xml, .txt, .mesh; empty for any other.
 std::string form_named_by(const std::string& file);
 
-/// All patches of a file, in its order; which form it has its first characters say. Throws Error with file, line and
-/// what was expected.
+/// All patches of a file, in its order; the format is recognized from its first characters. Throws Error with file,
+/// line and what was expected.
 std::vector<Patch> read_patches(const std::string& file);
 
-/// Writes patches to a file, whole or not at all. Their control points come back to the last bit. Throws Error when
-/// there is none, or more than the form takes.
+/// Writes patches to a file atomically, control points without loss of bits. Throws Error if there are none, or more
+/// than the format supports.
 void write_patches(const std::string& file, const std::vector<Patch>& patches, const std::string& form);
 
 } // namespace signorini::exchange

@@ -1,13 +1,13 @@
 // The text file of GeoPDEs and the NURBS toolbox (geo_specs_v07, geo_specs_v21 and their multipatch forms): a line of
-// sizes, then per patch degrees, numbers of control points, knots, weighted coordinates row by row, weights.
+// sizes, then for each patch degrees, numbers of control points, knots, weighted coordinates row by row, weights.
 #include "exchange/text.hpp"
 
 namespace signorini::exchange {
 
 namespace {
 
-/// What the first line says. Version 0.7: dimension, patches, interfaces, subdomains, the later ones optional; 1.0 and
-/// 2.1: parametric dimension, dimension of space, patches, interfaces, subdomains.
+/// Contents of the first line. Version 0.7: dimension, patches, interfaces, subdomains, the later ones optional; 1.0
+/// and 2.1: parametric dimension, space dimension, patches, interfaces, subdomains.
 struct Sizes {
   int parametric, dimension, patches;
 };
@@ -29,7 +29,7 @@ Sizes read_sizes(TextReader& from, const std::string& file) {
 
 Patch read_patch(TextReader& from, const Sizes& sizes) {
   const std::string_view next = from.peek();
-  // The patch's name, a line of its own, may be missing.
+  // The line with the patch's name is optional.
   if (!next.empty() && std::string_view("+-.0123456789").find(next.front()) == std::string_view::npos) {
     const std::string_view name = from.word("exchange.expected.patch_name");
     if (name == "INTERFACE" || name == "SUBDOMAIN" || name == "BOUNDARY")

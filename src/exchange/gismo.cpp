@@ -9,7 +9,7 @@ namespace signorini::exchange {
 
 namespace {
 
-/// A file's text and where things stand in it.
+/// Text of a file and the lines of its positions.
 struct Document {
   const std::string& file;
   const std::string& text;
@@ -25,7 +25,7 @@ struct Document {
     if (!result) wrong(parent, "exchange.gismo.no_child", {{"element", parent.name()}, {"child", name}});
     return result;
   }
-  /// Reads what stands in an element.
+  /// A reader of the content of an element.
   TextReader inside(const pugi::xml_node& node) const {
     const std::string_view form = node.attribute("format").as_string("ASCII");
     if (form != "ASCII" && form != "ascii")
@@ -54,7 +54,7 @@ KnotVector read_direction(const Document& document, const pugi::xml_node& basis)
                 [&] { return KnotVector(degree, std::move(knots)); });
 }
 
-/// Which patches there are, by the types of their element and of its basis.
+/// Supported patches, by the types of their element and its basis.
 struct Kind {
   const char *type, *basis;
   int directions;
@@ -169,7 +169,7 @@ std::string gismo(const std::vector<Patch>& patches) {
     for (int a = 0; a < patch.functions(); ++a) out += line_of(points.col(a));
     out += "    </coefs>\n  </Geometry>\n";
   }
-  // Without it G+Smo sees the patches one by one.
+  // Without this element G+Smo reads the patches separately.
   const int parametric = patches.front().parametric_dimension();
   const bool alike = std::all_of(patches.begin(), patches.end(),
                                  [&](const Patch& patch) { return patch.parametric_dimension() == parametric; });

@@ -1,4 +1,4 @@
-// MFEM NURBS mesh v1.0 with its section "patches": a topology of vertices, edges and elements, then per patch knots and
+// MFEM NURBS mesh v1.0 with the section "patches": a topology of vertices, edges and elements, then per patch knots and
 // control points, ξ¹ fastest.
 #include "exchange/text.hpp"
 
@@ -34,8 +34,8 @@ Patch read_patch(TextReader& from) {
   return placed(from.file(), from.line(), [&] { return Patch(std::move(directions), std::move(homogeneous)); });
 }
 
-/// Vertices of the square and the cube as MFEM numbers them. An edge: the direction it runs along, its ends; a side:
-/// its attribute (west 1, east 2, south 3, north 4, front 5, back 6) and vertices.
+/// Vertices of the square and the cube in MFEM's numbering. An edge: its direction and its end points; a side: its
+/// attribute (west 1, east 2, south 3, north 4, front 5, back 6) and vertices.
 struct Topology {
   int vertices, element;
   const char *corners, *sides, *edges;

@@ -64,7 +64,7 @@ void TextReader::keyword(std::string_view wanted) {
 
 double TextReader::number(const char* code) {
   const std::string_view came = word(code);
-  // Other programs put a + in front.
+  // Some programs write a leading +.
   const char* begin = came.data() + (came.front() == '+' ? 1 : 0);
   double value = 0;
   const auto [end, error] = std::from_chars(begin, came.data() + came.size(), value);
@@ -93,7 +93,7 @@ std::string_view TextReader::rest_of_line() {
 }
 
 KnotVector read_knots(TextReader& from, int degree, int functions) {
-  std::vector<double> knots; // not reserved: a wrong file may claim any number
+  std::vector<double> knots; // not reserved: a damaged file may contain any number
   while (static_cast<int>(knots.size()) < functions + degree + 1)
     knots.push_back(from.number("exchange.expected.knot"));
   return placed(from.file(), from.line(), [&] { return KnotVector(degree, std::move(knots)); });

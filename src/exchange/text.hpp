@@ -1,5 +1,5 @@
 #pragma once
-// Numbers and words of text files, with the lines that messages name; and the forms of exchange files one by one.
+// Tokens of text files with the line numbers for messages, and readers and writers of the individual formats.
 
 #include "base/error.hpp"
 #include "nurbs/patch.hpp"
@@ -13,38 +13,38 @@ namespace signorini::exchange {
 using nurbs::KnotVector;
 using nurbs::Patch;
 
-/// The shortest decimal number that is read as these bits.
+/// The shortest decimal number that reads back with the same bits.
 std::string digits(double value);
-/// Numbers with blanks between them, and the end of the line.
+/// Numbers separated by spaces, and a line break.
 template <class Values> std::string line_of(const Values& values) {
   std::string result;
   for (const auto& value : values) result += (result.empty() ? "" : " ") + digits(value);
   return result + "\n";
 }
 
-/// Throws Error with the place in front of what is wrong there.
+/// Throws Error with file, line and problem.
 [[noreturn]] void fail_at(const std::string& file, int line, const Message& problem);
 
-/// Reads words from a text, one behind the other.
+/// Reads a text token by token.
 class TextReader {
 public:
-  /// `file` is the name in messages, `line` that of the text's first line. Where `comments` is true the rest of a line
-  /// behind # is skipped.
+  /// `file` is the name in messages, `line` the number of the text's first line. If `comments`, the rest of a line
+  /// after # is skipped.
   TextReader(std::string file, std::string_view text, int line = 1, bool comments = true);
 
-  /// Whether there is no further word.
+  /// Whether all words were read.
   bool at_end();
-  /// The next word, without taking it; empty at the end.
+  /// The next word, without consuming it; empty at the end.
   std::string_view peek();
-  /// Takes the next word. Code and data say in messages what is expected: "exchange.expected.knot".
+  /// Reads the next word. Code and data name what is expected: "exchange.expected.knot".
   std::string_view word(const char* code, std::initializer_list<Datum> data = {});
-  /// Takes the next word, which must be this one.
+  /// Reads the next word, which must be `word`.
   void keyword(std::string_view word);
   double number(const char* code);
   int integer(int low, int high, const char* code, std::initializer_list<Datum> data = {});
-  /// Takes what is left of the present line.
+  /// Reads the rest of the current line.
   std::string_view rest_of_line();
-  /// Throws Error at the line of the last word taken.
+  /// Throws Error at the line of the last word read.
   [[noreturn]] void wrong(const char* code, std::initializer_list<Datum> data = {}) const;
   int line() const { return taken_line_; }
   const std::string& file() const { return file_; }
@@ -59,7 +59,7 @@ private:
   bool comments_;
 };
 
-/// What `make` returns; an Error in it gets file and line in front.
+/// The result of `make`; an Error in it gets file and line.
 template <class Make> auto placed(const std::string& file, int line, const Make& make) {
   try {
     return make();
@@ -68,17 +68,17 @@ template <class Make> auto placed(const std::string& file, int line, const Make&
   }
 }
 
-/// How many control points there may be in a direction: more than memory holds is a broken file.
+/// Most control points in a direction: a larger number means a damaged file.
 inline constexpr int most_functions = 10'000'000;
 
-/// degree+1 more knots than functions, as an open knot vector.
+/// Reads functions + degree + 1 knots of an open knot vector.
 KnotVector read_knots(TextReader& from, int degree, int functions);
 
 std::vector<Patch> read_gismo(const std::string& file, const std::string& text);
 std::vector<Patch> read_geopdes(const std::string& file, const std::string& text);
 std::vector<Patch> read_mfem(const std::string& file, const std::string& text);
 
-/// The bytes of files.
+/// Contents of files in each format.
 std::string gismo(const std::vector<Patch>& patches);
 std::string geopdes(const std::vector<Patch>& patches);
 std::string mfem(const std::vector<Patch>& patches);

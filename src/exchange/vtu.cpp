@@ -38,7 +38,7 @@ std::string xml_text(const std::string& text) {
   return result;
 }
 
-/// An array in the file: the number of bytes, then the bytes.
+/// An array in the file: its size in bytes, then the bytes.
 template <class T>
 std::string data_array(const std::string& name, const std::vector<T>& values, Eigen::Index components = 0,
                        const std::vector<std::string>& component_names = {}) {
@@ -54,7 +54,7 @@ std::string data_array(const std::string& name, const std::vector<T>& values, Ei
               " format=\"binary\">\n          ", base64(bytes), "\n        </DataArray>\n");
 }
 
-/// Texts as VTK keeps them: the codes of their bytes, each text closed by a 0.
+/// Texts in VTK's representation: the codes of their bytes, each text terminated by 0.
 std::string string_array(const NameList& list) {
   std::string codes;
   for (const std::string& entry : list.entries) {
@@ -81,7 +81,7 @@ std::vector<int> vtk_order(const std::vector<int>& degrees) {
   const int p = degrees[0], q = dimension > 1 ? degrees[1] : 0, r = dimension > 2 ? degrees[2] : 0;
   std::vector<int> order;
   const auto add = [&](int i, int j, int k) { order.push_back(i + (p + 1) * (j + (q + 1) * k)); };
-  // The corners of the quadrilateral at k, then the insides of its edges, each by a rising index
+  // Corners of the quadrilateral at k, then interior points of its edges, each by increasing index
   const auto corners = [&](int k) { add(0, 0, k), add(p, 0, k), add(p, q, k), add(0, q, k); };
   const auto edges = [&](int k) {
     for (int i = 1; i < p; ++i) add(i, 0, k);
@@ -121,7 +121,7 @@ std::string vtu(const BezierGrid& grid) {
   std::vector<Eigen::Index> order;
   std::vector<std::int64_t> offsets;
   std::vector<std::uint8_t> types;
-  std::vector<double> degrees; // VTK takes these as numbers with three components
+  std::vector<double> degrees; // VTK expects degrees as arrays with three components
   for (const std::vector<int>& cell : grid.degrees) {
     const auto first = static_cast<Eigen::Index>(order.size());
     for (int point : vtk_order(cell)) order.push_back(first + point);

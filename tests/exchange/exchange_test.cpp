@@ -1,5 +1,5 @@
-// Patches of other programs: files written by hand after the formats' descriptions, round trips to the last bit, and
-// what is said of broken files.
+// Patches of other programs: files written by hand from the descriptions of the formats, bitwise round trips, and
+// messages about damaged files.
 #include "exchange/exchange.hpp"
 
 #include "base/whole_file.hpp"
@@ -27,7 +27,7 @@ VectorX at(const Patch& patch, std::initializer_list<double> xi) {
   return evaluate(patch, Eigen::Map<const VectorX>(xi.begin(), static_cast<Eigen::Index>(xi.size())));
 }
 
-TEST(Exchange, GismoFilesHoldCurvesSurfacesAndVolumes) {
+TEST(Exchange, ReadsGismoCurvesSurfacesAndVolumes) {
   const auto patches = sample("gismo.xml");
   ASSERT_EQ(patches.size(), 3U);
   EXPECT_EQ(patches[0].direction(0).degree(), 1);
@@ -42,7 +42,7 @@ TEST(Exchange, GismoFilesHoldCurvesSurfacesAndVolumes) {
   EXPECT_EQ(patches[1].direction(2).elements(), 2);
 }
 
-TEST(Exchange, GeopdesFilesAreOfOldAndNewVersions) {
+TEST(Exchange, ReadsOldAndNewGeopdesFiles) {
   const auto ring = sample("geopdes_v07.txt");
   ASSERT_EQ(ring.size(), 1U);
   for (double t : {0.0, 0.3, 1.0}) {
@@ -57,7 +57,7 @@ TEST(Exchange, GeopdesFilesAreOfOldAndNewVersions) {
   EXPECT_EQ(squares[1].direction(0).elements(), 2);
 }
 
-TEST(Exchange, MfemMeshesListPatches) {
+TEST(Exchange, ReadsMfemMeshes) {
   const auto disc = sample("mfem.mesh");
   ASSERT_EQ(disc.size(), 1U);
   for (double t : {0.0, 0.3, 1.0}) {
@@ -67,7 +67,7 @@ TEST(Exchange, MfemMeshesListPatches) {
   EXPECT_LT(at(disc[0], {0.5, 0.5}).norm(), 1e-15);
 }
 
-/// Knots, weights and control points are the same bits.
+/// Compares knots, weights and control points bitwise.
 void expect_same(const Patch& read, const Patch& written) {
   ASSERT_EQ(read.parametric_dimension(), written.parametric_dimension());
   EXPECT_EQ(read.directions(), written.directions());
@@ -75,7 +75,7 @@ void expect_same(const Patch& read, const Patch& written) {
   EXPECT_EQ(read.weights(), written.weights());
 }
 
-TEST(Exchange, RoundTripsKeepAllBits) {
+TEST(Exchange, RoundTripsPreserveAllBits) {
   ScratchFolder folder;
   nurbs::test::Random random(3);
   for (int i = 0; i < 60; ++i) {
@@ -95,7 +95,7 @@ TEST(Exchange, RoundTripsKeepAllBits) {
   }
 }
 
-TEST(Exchange, PolynomialPatchesNeedNoWeightsInXml) {
+TEST(Exchange, WritesPolynomialPatchesToXmlWithoutWeights) {
   ScratchFolder folder;
   const Patch square = rectangle(1, 1, Vec<2>::Zero());
   write_patches(folder.file("p.xml"), {square}, form_named_by("p.xml"));
@@ -105,7 +105,7 @@ TEST(Exchange, PolynomialPatchesNeedNoWeightsInXml) {
   expect_same(read_patches(folder.file("p.xml"))[0], square);
 }
 
-TEST(Exchange, PatchesOfOneKindAreAMultiPatchInXml) {
+TEST(Exchange, WritesAMultiPatchToXmlForPatchesOfOneKind) {
   ScratchFolder folder;
   const auto text_of = [&](const std::vector<Patch>& patches) {
     write_patches(folder.file("p.xml"), patches, "gismo");
@@ -117,14 +117,14 @@ TEST(Exchange, PatchesOfOneKindAreAMultiPatchInXml) {
   EXPECT_EQ(text_of({square, face(square, {0, false})}).find("MultiPatch"), std::string::npos);
 }
 
-TEST(Exchange, EndingsSayTheForm) {
+TEST(Exchange, RecognizesFormatsByExtension) {
   EXPECT_EQ(form_named_by("a.xml"), "gismo");
   EXPECT_EQ(form_named_by("b/a.TXT"), "geopdes");
   EXPECT_EQ(form_named_by("a.mesh"), "mfem");
   EXPECT_EQ(form_named_by("a.csv"), "");
 }
 
-/// What reading a text says, the line in front: ":4: exchange.text.number: …".
+/// The message for an invalid text, starting with the line: ":4: exchange.text.number: …".
 std::string refusal(const std::string& text) {
   ScratchFolder folder;
   const std::string file = folder.file("f");
@@ -147,7 +147,7 @@ std::string replaced(const std::string& name, const std::string& from, const std
   return text.replace(place, from.size(), to);
 }
 
-TEST(Exchange, BrokenFilesAreRefusedWithTheLine) {
+TEST(Exchange, RejectsInvalidFilesWithTheLine) {
   EXPECT_EQ(refusal(""), "exchange.file.empty");
   EXPECT_EQ(refusal("solid bracket"), "exchange.file.form");
   EXPECT_EQ(refusal("# nothing\n"), "exchange.geopdes.comments");
@@ -194,7 +194,7 @@ TEST(Exchange, BrokenFilesAreRefusedWithTheLine) {
           .starts_with(":24: exchange.text.integer: expected = (exchange.expected.attribute: attribute = geoDim"));
 }
 
-TEST(Exchange, DamagedFilesAreReadOrRefusedNeverFatal) {
+TEST(Exchange, DamagedFilesAreReadOrRejectedWithoutCrash) {
   ScratchFolder folder;
   nurbs::test::Random random(11);
   const std::string file = folder.file("f"), letters = "0 1.-e#<>/\"\nPx9";
@@ -223,7 +223,7 @@ TEST(Exchange, DamagedFilesAreReadOrRefusedNeverFatal) {
   EXPECT_GT(taken, 50);
 }
 
-TEST(Exchange, WhatAFormCannotHoldIsRefused) {
+TEST(Exchange, RejectsWhatAFormatCannotRepresent) {
   ScratchFolder folder;
   const Patch square = rectangle(1, 1, Vec<2>::Zero());
   const auto refused = [&](const std::vector<Patch>& patches, const std::string& form) {
