@@ -10,7 +10,7 @@ namespace signorini::solid {
 
 namespace {
 
-/// A law in files: its number, which is its place in the table below, then its members, which are numbers.
+/// A law in files: its number, which is its index in the table below, and its members, which are numbers.
 struct LawRow {
   std::string_view name;
   void (*write)(ArchiveWriter& to, const void* law);
@@ -24,7 +24,7 @@ template <Law T> constexpr LawRow row() {
           [](ArchiveReader& from) -> Material { return std::bit_cast<T>(from.get<Members>()); }};
 }
 
-/// New laws go to the end: files know them by their place.
+/// New laws are appended: files identify laws by their index.
 constexpr LawRow laws[] = {row<NeoHookean>(), row<LinearElastic>()};
 
 } // namespace

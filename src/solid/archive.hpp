@@ -1,5 +1,5 @@
 #pragma once
-// Bodies in files: their tables are made anew from the same space, material and kind, so they have the same bits.
+// Serialization of bodies: their tables are rebuilt from space, material and kind, with identical bits.
 
 #include "base/archive.hpp"
 #include "solid/body.hpp"

@@ -25,22 +25,22 @@ void require_radius(double least, const VectorX& point) {
   require(point(0) > least, "solid.body.beyond_axis", {{"point", point}});
 }
 
-/// Refuses a map that is folded flat, by more than rounding, or turned inside out.
+/// Throws Error if the map is degenerate within rounding error (folded flat) or left-handed.
 template <int D> void check_jacobian(const Mat<D>& jacobian, double determinant, const VectorX& place) {
   require(std::abs(determinant) > nurbs::folded_flat * jacobian.colwise().norm().prod(),
           D == 2 ? "solid.body.no_area" : "solid.body.no_volume", {{"jacobian", determinant}, {"place", place}});
   require(determinant > 0, "solid.body.left_handed", {{"jacobian", determinant}, {"place", place}});
 }
 
-/// Refuses a body with a corner of an element beyond the axis; the Gauss points are seen to as they are made.
+/// Throws Error if a corner of an element is beyond the axis; Gauss points are checked as they are created.
 void check_radii(const nurbs::Discretization& space) {
   const MatrixX points = space.points();
-  const double slack = nurbs::rounding * points.cwiseAbs().maxCoeff();
+  const double tolerance = nurbs::rounding * points.cwiseAbs().maxCoeff();
   VectorX xi(2);
   for (int e = 0; e < space.elements(); ++e)
     for (int corner = 0; corner < 4; ++corner) {
       xi << space.interval(e, 0)[at(corner % 2)], space.interval(e, 1)[at(corner / 2)];
-      require_radius(-slack, space.basis(e, xi).combine(points));
+      require_radius(-tolerance, space.basis(e, xi).combine(points));
     }
 }
 
@@ -59,8 +59,8 @@ Body<D>::Body(std::shared_ptr<const nurbs::Discretization> space, Material mater
     add_element(e, points);
   }
   // Kernels read whole vectors.
-  gradients_.resize(gradients_.size() + vector_room);
-  constants_.resize(constants_.size() + vector_room);
+  gradients_.resize(gradients_.size() + vector_padding);
+  constants_.resize(constants_.size() + vector_padding);
   for (int e = 0; e < elements(); ++e) add_constant(element(e), arguments(e));
   for (auto* table : {&weights_, &gradients_, &hoops_, &constants_}) table->shrink_to_fit();
 }
@@ -121,7 +121,7 @@ template <int D> void Body<D>::add_element(int e, const MatrixX& points) {
   elements_.push_back(table);
 }
 
-/// The part of an element's tangent that never changes; the tables have their room already.
+/// Computes the constant part of an element's tangent; its table is already allocated.
 template <int D> void Body<D>::add_constant(const ElementTable& table, KernelArguments arguments) {
   if (!table.kernels.constant) return;
   const std::vector<double> rest(at(D * table.functions), 0.0);

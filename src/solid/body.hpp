@@ -13,7 +13,7 @@
 
 namespace signorini::solid {
 
-/// Where an element turned inside out.
+/// Place of an inverted element.
 struct Inversion {
   int element;
   VectorX point; ///< in the reference configuration
@@ -22,21 +22,21 @@ struct Inversion {
 
 /// The Gauss points of one element in the body's tables.
 struct ElementTable {
-  int functions;        ///< n, how many functions live on it
+  int functions;        ///< n, number of functions on the element
   int points;           ///< Gauss points
   std::size_t function; ///< offset of its function indices
-  std::size_t point;    ///< offset of its point weights
+  std::size_t point;    ///< offset of its quadrature weights
   std::size_t gradient; ///< offset of its reference gradients: per point, D rows of n values ∂R_A/∂X_k
-  std::size_t constant; ///< offset of the part of its tangent that never changes (see Kernels)
+  std::size_t constant; ///< offset of the constant part of its tangent (see Kernels)
   Kernels kernels;      ///< for its material, its kind and its number of functions
 };
 
 /// A body in D dimensions, total Lagrangian: gradients with respect to the reference configuration are stored once.
 template <int D> class Body {
 public:
-  /// Builds the tables with (degree+1) Gauss points per direction and element, the degree being the highest that lives
-  /// there. Throws Error when the map is not right-handed somewhere (Jacobian ≤ 0), or when an axisymmetric body
-  /// reaches beyond its axis (R < 0).
+  /// Builds the tables with (degree+1) Gauss points per direction and element, with the highest degree on the element.
+  /// Throws Error if the map is not right-handed somewhere (Jacobian ≤ 0), or if an axisymmetric body extends beyond
+  /// its axis (R < 0).
   Body(std::shared_ptr<const nurbs::Discretization> space, Material material, Kind kind = Kind::plane_strain);
   Body(nurbs::Discretization space, Material material);
 
@@ -44,30 +44,30 @@ public:
   const std::shared_ptr<const nurbs::Discretization>& shared_space() const { return space_; }
   const Material& material() const { return material_; }
   Kind kind() const { return kind_; }
-  /// Whether force and displacement are proportional: the tangent never changes.
+  /// Whether forces are linear in displacements: the tangent is constant.
   bool linear() const { return material_.linear(); }
   int functions() const { return space_->functions(); }
   int elements() const { return static_cast<int>(elements_.size()); }
   const ElementTable& element(int e) const { return elements_[at(e)]; }
   /// Gauss points of the whole body, in the order of its elements.
   std::size_t points() const { return weights_.size(); }
-  /// The material's internal variables per Gauss point; a body holds no values of them.
+  /// Number of internal variables of the material per Gauss point; their values are stored by the caller.
   int internal_variables() const { return internal_variables_; }
-  /// Most functions, and most Gauss points, on one element.
+  /// Largest numbers of functions and of Gauss points on one element.
   int most_functions() const { return most_functions_; }
   int most_points() const { return most_points_; }
-  /// Bytes that the tables take.
+  /// Bytes of the tables.
   std::size_t memory() const;
 
   std::span<const int> functions_of(int e) const {
     return {functions_.data() + element(e).function, at(element(e).functions)};
   }
-  /// Quadrature weight times reference volume per Gauss point; a body of revolution's holds the circumference 2πR.
+  /// Quadrature weight times reference volume per Gauss point; includes the circumference 2πR in a body of revolution.
   const double* weights_of(int e) const { return weights_.data() + element(e).point; }
   const double* gradients_of(int e) const { return gradients_.data() + element(e).gradient; }
   /// R_A/R per Gauss point, n values each, for the hoop stretch 1 + Σ_A u_rA R_A/R; null in plane strain and 3D.
   const double* hoops_of(int e) const { return hoops_.empty() ? nullptr : hoops_.data() + element(e).gradient / D; }
-  /// What the body knows of an element; the caller adds displacements, results and working space.
+  /// Kernel arguments of an element; the caller adds displacements, results and work arrays.
   KernelArguments arguments(int e) const;
   /// Reference position of Gauss point q of element e.
   VectorX reference_point(int e, int q) const;

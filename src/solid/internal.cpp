@@ -15,7 +15,7 @@ template <int D> void gather(const Body<D>& body, int e, const double* displacem
     for (std::size_t i = 0; i < D; ++i) local[i * n + a] = displacement[D * functions[a] + static_cast<int>(i)];
 }
 
-/// Calls visit(e, q, F, u) at all Gauss points, u the displacements of the element's functions.
+/// Calls visit(e, q, F, u) at all Gauss points, with the displacements u of the element's functions.
 template <int D, class Visit>
 void each_deformation(const Body<D>& body, const double* displacement, const Visit& visit) {
   std::vector<double> local(at(D * body.most_functions()));
@@ -39,7 +39,7 @@ template <int D> ElementArrays<D>::ElementArrays(const Body<D>& body) {
   const std::size_t n = at(body.most_functions());
   const std::size_t points = at(body.most_points());
   force.resize(D * n);
-  blocks.resize(D * (D + 1) / 2 * n * n + vector_room);
+  blocks.resize(D * (D + 1) / 2 * n * n + vector_padding);
   local.resize(D * n);
   work.resize(working_size(D, n, points));
   factors.resize(2 * points);

@@ -27,14 +27,14 @@ void add_tangent(int n, double bracket, double lambda, double mu, double stretch
 
 } // namespace
 
-// In the directions (r, z, θ) F = [F₂ 0; 0 s] with F₂ = I + Σ_A u_A ⊗ ∇R_A in the meridian plane and the hoop stretch
-// s = r/R = 1 + Σ_A u_rA R_A/R, so that J = s det F₂. The law in space then says
-//   P₂ = μ F₂ − b F₂⁻ᵀ,  P_θθ = μ s − b/s,  b = μ − λ ln J,
+// In the directions (r, z, θ), F = [F₂ 0; 0 s] with F₂ = I + Σ_A u_A ⊗ ∇R_A in the meridian plane and the hoop stretch
+// s = r/R = 1 + Σ_A u_rA R_A/R, so that J = s det F₂. The law in space gives
+//   P₂ = μ F₂ − b F₂⁻ᵀ, P_θθ = μ s − b/s, b = μ − λ ln J,
 // the virtual work ∫ P₂:δF₂ + P_θθ δs dV gives the forces
 //   f_iA = ∫ P_ik ∂R_A/∂X_k + δ_ir P_θθ R_A/R dV,
-// and from ∂b = −λ ∂(ln J), ∂(F₂⁻ᵀ) = −F₂⁻ᵀ ∂F₂ᵀ F₂⁻ᵀ follows the tangent
-//   ∂P₂ = μ ∂F₂ + b F₂⁻ᵀ ∂F₂ᵀ F₂⁻ᵀ + λ ∂(ln J) F₂⁻ᵀ,  ∂P_θθ = (μ + b/s²) ∂s + λ ∂(ln J)/s,
-// whose first term never changes.
+// and ∂b = −λ ∂(ln J), ∂(F₂⁻ᵀ) = −F₂⁻ᵀ ∂F₂ᵀ F₂⁻ᵀ give the tangent
+//   ∂P₂ = μ ∂F₂ + b F₂⁻ᵀ ∂F₂ᵀ F₂⁻ᵀ + λ ∂(ln J) F₂⁻ᵀ, ∂P_θθ = (μ + b/s²) ∂s + λ ∂(ln J)/s,
+// whose first term is constant.
 KernelResult axisymmetric_kernel(const KernelArguments& in) {
   const int n = in.functions;
   const double *gradients = in.gradients, *hoop = in.hoop;

@@ -1,5 +1,5 @@
 #pragma once
-// The element kernel for any law: plane strain, bodies of revolution and solids are one, as F is always 3×3.
+// The element kernel for any law: plane strain, bodies of revolution and solids use the same code, as F is always 3×3.
 
 #include "solid/kernel.hpp"
 #include "solid/law.hpp"
@@ -8,11 +8,11 @@
 
 namespace signorini::solid {
 
-/// How the functions of an element strain one Gauss point: δF_entry = Σ_A δu_iA row_A for the rows r of component i.
+/// Strains of one Gauss point by the element's functions: δF_entry = Σ_A δu_iA row_A for the rows r of component i.
 template <int D> struct StrainRows {
   int functions;
-  const double *gradients, *hoop; ///< null hoop: none
-  /// ∂R_A/∂X_k strains F_ik; the R_A/R of the radial displacement strain the hoops.
+  const double *gradients, *hoop; ///< hoop is null in plane strain and 3D
+  /// ∂R_A/∂X_k for F_ik, and R_A/R of the radial displacement for the hoop stretch.
   int count(int i) const { return D + (hoop && i == 0 ? 1 : 0); }
   const double* row(int r) const { return r < D ? gradients + r * functions : hoop; }
   /// 3i + k for F_ik.
@@ -34,8 +34,8 @@ template <int D> void add_tangent(const Moduli& a, const StrainRows<D>& rows, do
         }
 }
 
-/// in.law is a T. Where the element is inverted the Jacobian is det F of a solid, and in the plane that of the plane
-/// part or, when a point of a body of revolution crossed the axis, the hoops' stretch r/R: whichever is not positive.
+/// in.law is a T. If the element is inverted, the Jacobian is det F of a solid, and in the plane that of the plane part
+/// or, if a point of a body of revolution crossed the axis, the hoop stretch r/R: whichever is not positive.
 template <Law T, int D> KernelResult generic_kernel(const KernelArguments& in) {
   const T& law = *static_cast<const T*>(in.law);
   const int n = in.functions;
@@ -66,7 +66,7 @@ template <Law T, int D> KernelResult generic_kernel(const KernelArguments& in) {
   return {-1, 1};
 }
 
-/// The kernels of a law: its own where it names them, otherwise the generic one.
+/// The kernels of a law: its own if it defines them, otherwise the generic one.
 template <Law T, int D> Kernels law_kernels(Kind kind, int functions) {
   if constexpr (requires { T::template kernels<D>(kind, functions); })
     return T::template kernels<D>(kind, functions);

@@ -1,6 +1,6 @@
-// The element kernel in the plane, for a number of functions that the compiler knows (N) or not (N = 0). Included by
-// the files that compile it; everything is local to them and calls no inline function of others, so that code for newer
-// machines cannot end up where older ones run it.
+// The element kernel in the plane, for a number of functions known at compile time (N) or not (N = 0). Included by the
+// files that compile it for different instruction sets; everything is local to them and no inline functions of other
+// files are called, so that the linker cannot select a copy that an older machine is unable to run.
 
 #include "solid/kernel.hpp"
 
@@ -10,7 +10,7 @@ namespace signorini::solid {
 
 namespace {
 
-/// Determinant of F and its inverse, row by row.
+/// Returns the determinant of F and computes its inverse, row by row.
 inline double invert_plane(const double* f, double* inverse) {
   const double j = f[0] * f[3] - f[1] * f[2], scale = 1 / j;
   inverse[0] = f[3] * scale;
@@ -20,7 +20,8 @@ inline double invert_plane(const double* f, double* inverse) {
   return j;
 }
 
-/// F_ik = δ_ik + Σ_A u_iA ∂R_A/∂X_k; from displacements, so that rounding is relative to the strain, not the position.
+/// F_ik = δ_ik + Σ_A u_iA ∂R_A/∂X_k; from displacements, so that rounding errors are relative to the strain, not the
+/// position.
 template <int N> void deformation(const double* local, const double* gradients, int count, double* f) {
   const int n = N > 0 ? N : count;
   for (int i = 0; i < 2; ++i)
@@ -31,8 +32,8 @@ template <int N> void deformation(const double* local, const double* gradients, 
     }
 }
 
-/// f_iA += P_ik ∂R_A/∂X_k (P times the point's weight; the first point starts the sum) and g_iA = (F⁻¹)_ki ∂R_A/∂X_k,
-/// the current gradients.
+/// f_iA += P_ik ∂R_A/∂X_k (P times the point's weight; the first point initializes the sum) and the current gradients
+/// g_iA = (F⁻¹)_ki ∂R_A/∂X_k.
 template <int N>
 void push_forward(const double* stress, const double* inverse, const double* __restrict gradients, int count,
                   bool first, double* __restrict force, double* __restrict current) {
@@ -55,7 +56,7 @@ template <int N>
 void tangent(const double* __restrict current, const double* __restrict factors, const double* constant, int points,
              int count, double* __restrict blocks) {
   const int n = N > 0 ? N : count;
-  constexpr int most = N > 0 ? N : 16 * 16 * 4; // far above what any element of the highest degree in the plane holds
+  constexpr int most = N > 0 ? N : 16 * 16 * 4; // more than any element of the highest degree in the plane has
   for (int i = 0; i < 2; ++i)
     for (int j = i; j < 2; ++j)
       for (int a = 0; a < n; ++a, blocks += n) {
@@ -95,7 +96,7 @@ template <int N> KernelResult run_plane(const KernelArguments& in) {
     in.factors[2 * q + 1] = weight * in.lambda;
   }
   // K^{ij}_{AB} = ∫ μ ∇R_A·∇R_B δ_ij + (μ − λ ln J) g_jA g_iB + λ g_iA g_jB dV,
-  // from ∂P = μ ∂F + (μ − λ ln J) F⁻ᵀ ∂Fᵀ F⁻ᵀ + λ (F⁻ᵀ:∂F) F⁻ᵀ; the first term never changes.
+  // from ∂P = μ ∂F + (μ − λ ln J) F⁻ᵀ ∂Fᵀ F⁻ᵀ + λ (F⁻ᵀ:∂F) F⁻ᵀ; the first term is constant.
   if (in.blocks) tangent<N>(in.work, in.factors, in.constant, in.points, n, in.blocks);
   return {-1, 1};
 }
@@ -106,7 +107,7 @@ template <int... N> Kernel plane_kernel_of(int functions) {
   return kernel;
 }
 
-/// Known at compile time: what bodies have that are linear through, (p+1) + (q+1) functions.
+/// Compiled for the usual elements that are linear in the thickness direction: (p+1) + (q+1) functions.
 inline Kernel plane_kernel(int functions) {
   return plane_kernel_of<4, 5, 6, 7, 8, 9, 10, 12, 14>(functions);
 }

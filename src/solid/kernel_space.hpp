@@ -1,10 +1,10 @@
-// The element kernel in space for any number of functions, in vectors as wide as the including file is compiled for.
-// Included by the files that compile it; everything is local to them and calls no inline function of others, so that
-// code for newer machines cannot end up where older ones run it.
+// The element kernel in space for any number of functions, with the vector width for which the including file is
+// compiled. Everything is local to these files and no inline functions of other files are called, so that the linker
+// cannot select a copy that an older machine is unable to run.
 //
-// Rows of n values are read and written in whole vectors, beyond their end: tables and arrays have room for that
-// (`vector_room` of kernel.hpp), what is read there meets zeros or is never used, and what is written there is written
-// again by whom it belongs to.
+// Rows of n values are read and written in whole vectors, beyond their end: tables and arrays are padded
+// (`vector_padding` of kernel.hpp); values read there are multiplied by zero or not used, values written there are
+// overwritten later.
 
 #include "solid/kernel.hpp"
 
@@ -23,9 +23,9 @@ constexpr int lanes = 4, most_columns = 3; // 16 registers
 constexpr int lanes = 2, most_columns = 3;
 #endif
 constexpr int tile_rows = 4;
-static_assert(lanes <= vector_room);
+static_assert(lanes <= vector_padding);
 
-/// A vector that may stand anywhere in an array of doubles.
+/// A vector at any address aligned to a double.
 typedef double Lanes __attribute__((vector_size(8 * lanes), aligned(8), may_alias));
 
 typedef double Row __attribute__((vector_size(8 * tile_rows), aligned(8), may_alias));
@@ -58,7 +58,7 @@ inline double sum_of(const Lanes& v) {
   return pair[0] + pair[1];
 }
 
-/// Determinant of F and its inverse, row by row.
+/// Returns the determinant of F and computes its inverse, row by row.
 inline double invert_space(const double* f, double* inverse) {
   const double c0 = f[4] * f[8] - f[5] * f[7], c1 = f[5] * f[6] - f[3] * f[8], c2 = f[3] * f[7] - f[4] * f[6];
   const double j = f[0] * c0 + f[1] * c1 + f[2] * c2, scale = 1 / j;
@@ -74,8 +74,8 @@ inline double invert_space(const double* f, double* inverse) {
   return j;
 }
 
-/// F_ik = δ_ik + Σ_A u_iA ∂R_A/∂X_k; from displacements, so that rounding is relative to the strain, not the position.
-/// `local`: rows of `padded` values, zero from the n-th on.
+/// F_ik = δ_ik + Σ_A u_iA ∂R_A/∂X_k; from displacements, so that rounding errors are relative to the strain, not the
+/// position. `local`: rows of `padded` values, zero from the n-th on.
 inline void deformation_in_space(const double* local, const double* gradients, int n, int padded, double* f) {
   Lanes sums[9] = {};
   for (int a = 0; a < padded; a += lanes) {
@@ -101,7 +101,7 @@ inline void add_force(const double* stress, const double* gradients, int n, int 
   }
 }
 
-/// g_iA = (F⁻¹)_ki ∂R_A/∂X_k, the current gradients, in rows of `padded` values.
+/// Current gradients g_iA = (F⁻¹)_ki ∂R_A/∂X_k, in rows of `padded` values.
 inline void push_forward_in_space(const double* inverse, const double* gradients, int n, int padded, double* current) {
   for (int a = 0; a < padded; a += lanes) {
     const Lanes g0 = lanes_at(gradients + a), g1 = lanes_at(gradients + n + a), g2 = lanes_at(gradients + 2 * n + a);
@@ -111,10 +111,10 @@ inline void push_forward_in_space(const double* inverse, const double* gradients
   }
 }
 
-/// What all tiles of a tangent share.
+/// Data common to all tiles of a tangent.
 struct Tiles {
   const double *current, *factors;
-  double* panel; ///< the factors of a tile's rows, point after point
+  double* panel; ///< the factors of a tile's rows, by Gauss point
   int n, padded, points;
 };
 
@@ -130,8 +130,8 @@ inline void add_products(const double* panel, const double* g, int points, int s
     }
 }
 
-/// A tile of K^{ij}, from row a and column `first` on: with c the geometric and v the volumetric factor,
-///   K^{ij}_{AB} = Σ_q (c_q g_jA) g_iB + (v_q g_iA) g_jB,  K^{ii}_{AB} = constant_AB + Σ_q ((c_q + v_q) g_iA) g_iB.
+/// A tile of K^{ij}, from row a and column `first` on: with the geometric factor c and the volumetric factor v,
+///   K^{ij}_{AB} = Σ_q (c_q g_jA) g_iB + (v_q g_iA) g_jB, K^{ii}_{AB} = constant_AB + Σ_q ((c_q + v_q) g_iA) g_iB.
 /// The sums stay in registers.
 template <int Columns>
 inline void add_tile(const Tiles& in, int i, int j, int a, int first, const double* constant, double* block) {
@@ -156,13 +156,14 @@ inline void add_tile(const Tiles& in, int i, int j, int a, int first, const doub
     for (int c = 0; c < Columns; ++c) lanes_at(block + place + r * in.n + c * lanes) = sum[r][c];
 }
 
-/// The last tile overlaps the one before where their rows do not go into n.
+/// The last tile overlaps the previous one if n is not a multiple of their rows.
 template <int Columns> void strip(const Tiles& in, int i, int j, int first, const double* constant, double* block) {
   for (int a = 0; a < in.n; a += tile_rows)
     add_tile<Columns>(in, i, j, a + tile_rows < in.n ? a : in.n - tile_rows, first, constant, block);
 }
 
-/// All blocks i ≤ j. The last columns come first: what their vectors write beyond a row is the beginning of the next.
+/// All blocks i ≤ j. The last columns are computed first: what their vectors write beyond a row is the start of the
+/// next.
 inline void tangent_in_space(const Tiles& in, const double* constant, double* blocks) {
   const int vectors = in.padded / lanes, strips = (vectors + most_columns - 1) / most_columns;
   for (int i = 0; i < 3; ++i)
@@ -177,10 +178,10 @@ inline void tangent_in_space(const Tiles& in, const double* constant, double* bl
 }
 
 // K^{ij}_{AB} = ∫ μ ∇R_A·∇R_B δ_ij + (μ − λ ln J) g_jA g_iB + λ g_iA g_jB dV,
-// from ∂P = μ ∂F + (μ − λ ln J) F⁻ᵀ ∂Fᵀ F⁻ᵀ + λ (F⁻ᵀ:∂F) F⁻ᵀ; the first term never changes.
+// from ∂P = μ ∂F + (μ − λ ln J) F⁻ᵀ ∂Fᵀ F⁻ᵀ + λ (F⁻ᵀ:∂F) F⁻ᵀ; the first term is constant.
 inline KernelResult run_space(const KernelArguments& in) {
   const int n = in.functions, padded = (n + lanes - 1) / lanes * lanes;
-  // Vectors that start at multiples of their size lie in one line of the cache.
+  // Vectors at multiples of their size do not cross cache lines.
   double* local = in.work + (-reinterpret_cast<std::uintptr_t>(in.work) / sizeof(double)) % lanes;
   double *force = local + 3 * padded, *current = force + 3 * padded;
   for (int i = 0; i < 3; ++i)
@@ -206,7 +207,7 @@ inline KernelResult run_space(const KernelArguments& in) {
   for (int i = 0; i < 3; ++i)
     for (int a = 0; a < n; ++a) in.force[i * n + a] = force[i * padded + a];
   if (in.blocks) {
-    double* panel = current + 3 * in.points * padded + vector_room;
+    double* panel = current + 3 * in.points * padded + vector_padding;
     tangent_in_space({current, in.factors, panel, n, padded, in.points}, in.constant, in.blocks);
   }
   return {-1, 1};

@@ -1,6 +1,6 @@
 #pragma once
-// The element kernels compiled for machines with wider vectors and fused multiply-add: AVX2, and AVX-512 in space,
-// where elements have enough functions for it.
+// The element kernels compiled for wider vectors and fused multiply-add: AVX2, and AVX-512 in space, where elements
+// have enough functions to benefit.
 
 #include "solid/kernel.hpp"
 

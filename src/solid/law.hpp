@@ -1,6 +1,6 @@
 #pragma once
-// What a material law consists of. A new one is a struct with these parts in a file of its own, a row in archive.cpp
-// for files, and a function in bind/body.cpp for scripts.
+// Definition of a material law. A new law is a struct with these members in a separate file, a row in archive.cpp for
+// files, and a function in bind/body.cpp for scripts.
 
 #include "base/eigen.hpp"
 
@@ -10,7 +10,7 @@
 
 namespace signorini::solid {
 
-/// Young's modulus and Poisson's ratio of an isotropic law where nothing is strained, and Lamé's constants that follow.
+/// Young's modulus and Poisson's ratio of an isotropic law at zero strain, and Lamé's constants that follow from them.
 struct ElasticConstants {
   double youngs_modulus; ///< E > 0, force per area
   double poissons_ratio; ///< −1 < ν < 0.5
@@ -21,10 +21,10 @@ struct ElasticConstants {
 /// Throws Error unless E > 0 and −1 < ν < 0.5.
 ElasticConstants elastic_constants(double youngs_modulus, double poissons_ratio);
 
-/// ∂P/∂F: row 3i + k and column 3j + l hold ∂P_ik/∂F_jl. Symmetric, as stress derives from an energy.
+/// ∂P/∂F: row 3i + k and column 3j + l hold ∂P_ik/∂F_jl. Symmetric because stress derives from an energy.
 using Moduli = Mat<9>;
 
-/// The moduli whose ∂P_ik/∂F_jl is entry(i, k, j, l).
+/// The moduli with ∂P_ik/∂F_jl = entry(i, k, j, l).
 template <class Entry> Moduli moduli_of(const Entry& entry) {
   return Moduli::NullaryExpr([&](Eigen::Index row, Eigen::Index column) -> double {
     const int r = static_cast<int>(row), c = static_cast<int>(column);
@@ -41,8 +41,8 @@ concept ElasticResponse = requires(const T& law, const Mat<3>& f) {
 };
 
 /// The same with internal variables: `initial_values()` are those of one unstrained point. A step starts from the
-/// committed values; `stress` writes the trial values that hold at F, which are committed when the step is accepted,
-/// and `moduli` differentiates `stress` at fixed committed values. The energy is that of the step, ∂W/∂F = P.
+/// committed values; `stress` writes the trial values at F, which are committed if the step is accepted, and `moduli`
+/// differentiates `stress` at fixed committed values. The energy is that of the step, ∂W/∂F = P.
 template <class T>
 concept InelasticResponse = requires(const T& law, const Mat<3>& f, std::span<const double> committed,
                                      std::span<double> trial) {
@@ -52,18 +52,17 @@ concept InelasticResponse = requires(const T& law, const Mat<3>& f, std::span<co
   { law.moduli(f, committed) } -> std::same_as<Moduli>;
 };
 
-/// A law: its parameters, which give elastic constants for estimates (derive from ElasticConstants, or convert to it);
-/// its name, for people; whether it is linear, that is whether P is proportional to F − I: then the tangent never
-/// changes, no state is inverted and all stress measures are one; and its response to F, always 3×3 with F₃₃ = 1 in
-/// plane strain, and in the directions (r, z, θ) for a body of revolution.
-/// A law that has faster kernels than the generic one names them in `template <int D> static Kernels kernels(Kind, int
-/// functions)`.
+/// A law has: its parameters, which define elastic constants for estimates (derive from ElasticConstants, or convert to
+/// it); a display name; whether it is linear, that is, P is proportional to F − I, so that the tangent is constant,
+/// states cannot be inverted and all stress measures are equal; and its response to F, which is always 3×3, with F₃₃ =
+/// 1 in plane strain and in the directions (r, z, θ) for a body of revolution. A law with faster kernels than the
+/// generic one returns them from `template <int D> static Kernels kernels(Kind, int functions)`.
 template <class T>
 concept Law = std::copy_constructible<T> && std::convertible_to<T, ElasticConstants> &&
     std::convertible_to<decltype(T::name), const char*> && std::same_as<decltype(T::linear), const bool> &&
     (ElasticResponse<T> || (InelasticResponse<T> && !T::linear));
 
-/// The response of any law; those without internal variables do not see them.
+/// The response of any law; laws without internal variables do not receive them.
 template <Law T> double energy(const T& law, const Mat<3>& f, std::span<const double> committed) {
   if constexpr (InelasticResponse<T>)
     return law.energy(f, committed);

@@ -24,11 +24,11 @@ Moduli LinearElastic::moduli(const Mat<3>&) const {
 
 namespace {
 
-/// The stiffness, which is neo-Hooke's tangent where nothing is strained yet.
+/// The stiffness, which equals neo-Hooke's tangent at zero strain.
 template <int D> KernelResult stiffness(const KernelArguments& in) {
   const Kernels rubber = NeoHookean::kernels<D>(Kind::plane_strain, in.functions);
   const std::size_t n = at(in.functions), points = at(in.points);
-  std::vector<double> shear(n * n + vector_room), work(working_size(D, n, points)), factors(2 * points);
+  std::vector<double> shear(n * n + vector_padding), work(working_size(D, n, points)), factors(2 * points);
   KernelArguments at_rest = in;
   at_rest.blocks = shear.data();
   rubber.constant(at_rest);
@@ -62,7 +62,7 @@ KernelResult stiffness_of_revolution(const KernelArguments& in) {
   return {-1, 1};
 }
 
-/// f = K u, and K itself, which `constant` holds. No state is inverted.
+/// f = K u, and K, which is `constant`. States cannot be inverted.
 template <int D> KernelResult apply_stiffness(const KernelArguments& in) {
   const int n = in.functions;
   std::fill_n(in.force, D * n, 0.0);

@@ -1,5 +1,5 @@
 #pragma once
-// Hooke's law of small strains.
+// Hooke's law for small strains.
 
 #include "solid/material.hpp"
 

@@ -8,8 +8,8 @@ namespace signorini::solid {
 
 namespace {
 
-/// Gauss points of an element's border on a side, twice as many per direction as the element has: faces are curved and
-/// rational, so that no rule is exact, and loads are integrated once.
+/// Gauss points of an element's face on a side, twice as many per direction as in the element: faces are curved and
+/// rational, so that no rule is exact, and loads are integrated only once.
 ElementQuadrature border_quadrature(const nurbs::Discretization& space, int e, nurbs::Side side) {
   std::vector<QuadratureRule> rules;
   for (int d = 0; d < space.parametric_dimension(); ++d) {
@@ -20,7 +20,7 @@ ElementQuadrature border_quadrature(const nurbs::Discretization& space, int e, n
   return tensor_product(rules);
 }
 
-/// A side's outward normal times the surface measure, from ∂X/∂ξ.
+/// Outward normal of a side times the surface measure, from ∂X/∂ξ.
 template <int D> Vec<D> outward(const Mat<D>& jacobian, nurbs::Side side) {
   const int first = side.direction == 0 ? 1 : 0;
   Vec<D> normal;
@@ -31,8 +31,8 @@ template <int D> Vec<D> outward(const Mat<D>& jacobian, nurbs::Side side) {
   return nurbs::outward_sign(side) * normal;
 }
 
-/// ∫ R_A t dξ over a side, element by element, so that a side may cross a layer and be no tensor product; `force` gives
-/// the load t from the normal times the surface measure.
+/// ∫ R_A t dξ over a side, element by element, so that the side may cross a layer, where it is not a tensor product;
+/// `force` returns the load t for the normal times the surface measure.
 template <int D, class Force> VectorX integrate(const Body<D>& body, nurbs::Side side, const Force& force) {
   const nurbs::Discretization& space = body.space();
   const MatrixX points = space.points();

@@ -1,5 +1,5 @@
 #pragma once
-// The material of a body: any law as one value.
+// The material of a body: any law as one type.
 
 #include "solid/kernel_generic.hpp"
 
@@ -7,28 +7,28 @@
 
 namespace signorini::solid {
 
-/// Shares an immutable law.
+/// Shared ownership of an immutable law.
 class Material {
 public:
   template <Law T> Material(T law);
 
   const char* name() const { return name_; }
-  /// Whether force and displacement are proportional: the tangent never changes.
+  /// Whether stress is linear in displacements: the tangent is constant.
   bool linear() const { return linear_; }
   const ElasticConstants& constants() const { return constants_; }
-  /// Internal variables of an unstrained point; none for most laws.
+  /// Internal variables of an unstrained point; empty for most laws.
   const std::vector<double>& initial_values() const { return initial_; }
   /// The law, for the kernels.
   const void* law() const { return law_.get(); }
-  /// How elements of n functions are computed in bodies of D dimensions.
+  /// Kernels for elements of n functions in bodies of D dimensions.
   template <int D> Kernels kernels(Kind kind, int functions) const { return kernels_[D - 2](kind, functions); }
 
-  /// Stored energy per reference volume. `f` is F, with positive determinant unless the law is linear; `committed` the
+  /// Stored energy per reference volume. `f` is F, with positive determinant unless the law is linear; `committed`:
   /// internal variables of the point, empty for the initial ones.
   double energy(const Mat<3>& f, std::span<const double> committed = {}) const;
   /// First Piola–Kirchhoff stress; arguments as for energy().
   Mat<3> stress(const Mat<3>& f, std::span<const double> committed = {}) const;
-  /// Cauchy stress; arguments as for energy(). In plane strain σ₃₃ is what prevents strain across.
+  /// Cauchy stress; arguments as for energy(). In plane strain σ₃₃ is the out-of-plane stress.
   Mat<3> cauchy_stress(const Mat<3>& f, std::span<const double> committed = {}) const;
 
 private:
@@ -55,7 +55,7 @@ Material::Material(T law)
   if constexpr (InelasticResponse<T>) initial_ = law.initial_values();
 }
 
-/// F in space of a deformation in D dimensions; `across` is F₃₃ of a plane one: the hoops' stretch of a body of
+/// F in space for a deformation in D dimensions; `across` is F₃₃ of a plane one: the hoop stretch in a body of
 /// revolution (directions r, z, θ), 1 in plane strain.
 template <int D> Mat<3> in_space(const Mat<D>& deformation, double across = 1) {
   if constexpr (D == 3) return deformation;

@@ -25,7 +25,7 @@ Moduli NeoHookean::moduli(const Mat<3>& f) const {
 
 namespace {
 
-/// Σ_q w μ ∇R_A·∇R_B, the first term of the tangent, which never changes: one n×n block.
+/// Σ_q w μ ∇R_A·∇R_B, the first term of the tangent, which is constant: one n×n block.
 template <int D> KernelResult shear_kernel(const KernelArguments& in) {
   const int n = in.functions;
   for (int q = 0; q < in.points; ++q) {

@@ -1,5 +1,5 @@
 #pragma once
-// Compressible neo-Hooke.
+// Compressible neo-Hookean law.
 
 #include "solid/material.hpp"
 

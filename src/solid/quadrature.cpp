@@ -12,7 +12,7 @@ QuadratureRule gauss_legendre(int n, double a, double b) {
   require(n >= 1, "solid.quadrature.points", {{"count", n}});
   QuadratureRule rule{std::vector<double>(at(n)), std::vector<double>(at(n))};
   for (int i = 0; i < n; ++i) {
-    // Newton on P_n from Tricomi's start; the three-term recurrence gives P_n and P_{n−1}.
+    // Newton's method on P_n from Tricomi's estimate; the three-term recurrence gives P_n and P_{n−1}.
     double x = -std::cos(std::numbers::pi * (i + 0.75) / (n + 0.5)), slope = 1;
     for (int iteration = 0; iteration < 100; ++iteration) {
       double previous = 1, value = x;

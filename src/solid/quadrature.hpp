@@ -19,7 +19,7 @@ struct ElementQuadrature {
   MatrixX points;
   VectorX weights;
 };
-/// The rule whose points are all combinations of one rule's per parametric direction, ξ¹ fastest.
+/// The tensor product of one rule per parametric direction, ξ¹ fastest.
 ElementQuadrature tensor_product(const std::vector<QuadratureRule>& rules);
 
 } // namespace signorini::solid

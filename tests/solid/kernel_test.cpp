@@ -31,8 +31,8 @@ template <int D> struct Element {
     fill(weights, points, 0.5, 1.5);
     fill(constant, n * n, -1, 1);
     // What is read beyond the end has no say.
-    gradients.resize(gradients.size() + vector_room, 1e300);
-    constant.resize(constant.size() + vector_room, 1e300);
+    gradients.resize(gradients.size() + vector_padding, 1e300);
+    constant.resize(constant.size() + vector_padding, 1e300);
   }
 
   /// Force and blocks, one after the other.
@@ -80,7 +80,7 @@ template <int D> void kernels_follow_the_book(const std::vector<int>& functions)
       const Eigen::Map<const VectorX> all(expected.data(), static_cast<int>(expected.size()));
       for (Kernel kernel : element_kernels<D>(n)) {
         constexpr double untouched = 123;
-        const std::size_t size = D * (D + 1) / 2 * n * n + vector_room;
+        const std::size_t size = D * (D + 1) / 2 * n * n + vector_padding;
         std::vector<double> force(D * n + 1, untouched), blocks(size + 1, untouched),
             factors(2 * points + 1, untouched), work(working_size(D, n, points) + 1, untouched);
         for (int with_tangent : {0, 1}) {
@@ -93,7 +93,7 @@ template <int D> void kernels_follow_the_book(const std::vector<int>& functions)
           // The book adds up F in another order, and stress is a difference ten times smaller than its terms.
           EXPECT_LT((found - all.head(D * n)).norm(), 1e-13 * all.head(D * n).norm()) << n;
         }
-        const Eigen::Map<const VectorX> found(blocks.data(), static_cast<int>(size - vector_room));
+        const Eigen::Map<const VectorX> found(blocks.data(), static_cast<int>(size - vector_padding));
         EXPECT_LT((found - all.tail(found.size())).norm(), 1e-13 * found.norm()) << n << " " << points;
         for (const auto* array : {&force, &blocks, &factors, &work}) EXPECT_EQ(array->back(), untouched) << n;
       }
