@@ -1,4 +1,4 @@
-// Bodies of revolution: exact homogeneous states, volumes, and the limits and errors at the axis.
+// Bodies of revolution: exact homogeneous states, volumes, limits and errors at the axis.
 #include "solid/bodies.hpp"
 #include "solid/internal.hpp"
 
@@ -39,7 +39,7 @@ TEST(Axisymmetric, VolumesAreThoseOfTheFullCircle) {
   EXPECT_NEAR(volume(bowl(steel)), 2 * pi / 3 * (std::pow(0.6, 3) - std::pow(0.3, 3)), 1e-9);
 }
 
-TEST(Axisymmetric, TheTwinSharesSpaceAndMaterial) {
+TEST(Axisymmetric, RevolvedBodySharesSpaceAndMaterial) {
   const Body<2> plane = make_body<2>(nurbs::rectangle(1, 1, Eigen::Vector2d(0, 0)), {2, 2}, "N2", "south", steel);
   const auto twin = revolved(plane);
   EXPECT_EQ(twin->shared_space(), plane.shared_space());
@@ -49,8 +49,8 @@ TEST(Axisymmetric, TheTwinSharesSpaceAndMaterial) {
   EXPECT_EQ(twin->material().constants().youngs_modulus, 2);
 }
 
-/// u = ((a−1) r, (b−1) z) strains every point alike, F = diag(a, b, a): the energy is W(F) V, and the nodal forces do
-/// the work of the exact stress, Σ_A f_rA R_A = (P_rr + P_θθ) V, Σ_A f_zA Z_A = P_zz V.
+/// u = ((a−1) r, (b−1) z) gives uniform strain, F = diag(a, b, a): the energy is W(F) V, and the nodal forces do the
+/// work of the exact stress, Σ_A f_rA R_A = (P_rr + P_θθ) V, Σ_A f_zA Z_A = P_zz V.
 void homogeneous_state(const Body<2>& body, double a, double b) {
   Mat<2> plane;
   plane << a, 0, 0, b;
@@ -83,9 +83,9 @@ TEST(Axisymmetric, UniformStretchHasTheExactStress) {
     }
 }
 
-/// Under a uniform stretch the inner control points are in balance: a homogeneous stress needs no body force, as
+/// Under a uniform stretch the inner control points are in equilibrium: a homogeneous stress needs no body force, as
 /// P_rr = P_θθ. The rectangle's quadrature is exact.
-TEST(Axisymmetric, UniformStretchLeavesTheInsideInBalance) {
+TEST(Axisymmetric, UniformStretchLeavesInnerPointsInEquilibrium) {
   Mat<2> plane;
   plane << 1.3, 0, 0, 0.8;
   for (const Material& material : {Material(rubber), Material(steel)}) {
@@ -104,7 +104,7 @@ TEST(Axisymmetric, UniformStretchLeavesTheInsideInBalance) {
   }
 }
 
-TEST(Axisymmetric, ShiftsAlongTheAxisCostNothing) {
+TEST(Axisymmetric, TranslationAlongTheAxisNeedsNoForce) {
   Random random(10);
   for (const Body<2>& body : {bowl(rubber), bowl(steel), disc(rubber), disc(steel)}) {
     const VectorX u = random_displacement(random, body, 0.01);
@@ -115,8 +115,8 @@ TEST(Axisymmetric, ShiftsAlongTheAxisCostNothing) {
   }
 }
 
-/// A ring of radius R far from the axis is a plane body of length 2πR: the difference falls like 1/R.
-TEST(Axisymmetric, FarFromTheAxisItIsPlaneStrain) {
+/// A ring of radius R far from the axis is a plane body of length 2πR: the difference decreases as 1/R.
+TEST(Axisymmetric, FarFromTheAxisAgreesWithPlaneStrain) {
   Random random(11);
   for (const Material& material : {Material(rubber), Material(steel)}) {
     double last = 1;
@@ -134,7 +134,7 @@ TEST(Axisymmetric, FarFromTheAxisItIsPlaneStrain) {
   }
 }
 
-TEST(Axisymmetric, InversionIsReportedInThePlaneAndAcrossTheAxis) {
+TEST(Axisymmetric, InversionIsReportedInThePlaneAndAtTheAxis) {
   const Body<2> tube =
       *revolved(make_body<2>(nurbs::rectangle(1, 1, Eigen::Vector2d(0.5, 0)), {3, 1}, "N1", "south", rubber));
   VectorX u = VectorX::Zero(2 * tube.functions());
@@ -143,7 +143,7 @@ TEST(Axisymmetric, InversionIsReportedInThePlaneAndAcrossTheAxis) {
   ASSERT_TRUE(crossed.inversion);
   EXPECT_EQ(crossed.inversion->element, 0);
   EXPECT_LT(crossed.inversion->point(0), 1);
-  // r/R of a point that moved from R to R − 1
+  // r/R of a point displaced from R to R − 1
   EXPECT_NEAR(crossed.inversion->jacobian, 1 - 1 / crossed.inversion->point(0), 1e-14);
   EXPECT_EQ(stored_energy(tube, u.data()), std::numeric_limits<double>::infinity());
 
@@ -157,8 +157,8 @@ TEST(Axisymmetric, InversionIsReportedInThePlaneAndAcrossTheAxis) {
   ASSERT_TRUE(assemble(tube, u).inversion);
 }
 
-TEST(Axisymmetric, ABodyBeyondTheAxisIsAnError) {
-  // The outermost Gauss points still have positive radius in the second one.
+TEST(Axisymmetric, BodyBeyondTheAxisIsAnError) {
+  // In the second case all Gauss points still have a positive radius.
   for (double left : {-2.0, -0.01}) {
     const Body<2> plane = make_body<2>(nurbs::rectangle(1, 1, Eigen::Vector2d(left, 0)), {1, 1}, "N2", "south", steel);
     EXPECT_ERROR(revolved(plane), "solid.body.beyond_axis");

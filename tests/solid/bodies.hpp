@@ -1,5 +1,5 @@
 #pragma once
-// Bodies for tests, and the slow dense way to assemble and solve them.
+// Bodies for tests, and a slow dense assembly and solution.
 
 #include "nurbs/random_patch.hpp"
 #include "nurbs/shapes.hpp"
@@ -14,7 +14,7 @@ namespace signorini::solid::test {
 using nurbs::test::Random;
 using nurbs::test::uniform;
 
-/// A body with one contact face; the label holds along it.
+/// A body with one contact face; the label applies along it.
 template <int D>
 Body<D> make_body(const nurbs::Patch& patch, std::vector<int> elements, const std::string& label,
                   const std::string& contact, const Material& material, std::optional<int> through = 1) {
@@ -72,7 +72,7 @@ Assembled assemble(const Body<D>& body, const VectorX& u, std::span<const double
   return sum;
 }
 
-/// Adds "component c of all control points of a face is `value`(X)" to the prescribed degrees of freedom.
+/// Prescribes component c of all control points of a face as `value`(X).
 template <int D, class Value>
 void prescribe(const Body<D>& body, const std::string& face, int component, Value value, std::map<int, double>& dofs) {
   const MatrixX points = body.space().points();
@@ -80,8 +80,8 @@ void prescribe(const Body<D>& body, const std::string& face, int component, Valu
     dofs[D * function + component] = value(Vec<D>(points.col(function)));
 }
 
-/// Newton's method from zero displacement with dense algebra under dead nodal forces (empty: none); the force at the
-/// end less the load is the reactions.
+/// Newton's method from zero displacement with dense algebra under dead nodal forces (empty: none); reactions are the
+/// force at the end minus the load.
 template <int D>
 Assembled equilibrate(const Body<D>& body, const std::map<int, double>& prescribed, int iterations, VectorX& u,
                       const VectorX& load = {}) {

@@ -1,4 +1,4 @@
-// Whole bodies against closed forms: uniaxial tension and confined compression at finite strain, a thick ring at small
+// Bodies compared with closed forms: uniaxial tension and confined compression at finite strain, a thick ring at small
 // strain.
 #include "solid/bodies.hpp"
 #include "solid/internal.hpp"
@@ -13,8 +13,8 @@ namespace closed_form_test {
 
 using namespace test;
 
-/// Lateral stretch b of a neo-Hooke bar at axial stretch a with free sides: λ ln J + μ(b² − 1) = 0, where J = a b in
-/// plane strain and a b² in space. By bisection.
+/// Lateral stretch b of a neo-Hookean bar at axial stretch a with free sides: λ ln J + μ(b² − 1) = 0, with J = a b in
+/// plane strain and a b² in space. Solved by bisection.
 double lateral_stretch(const NeoHookean& material, double a, int dimension) {
   double low = 0.1, high = 3;
   for (int i = 0; i < 200; ++i) {
@@ -66,15 +66,15 @@ TEST(ClosedForm, UniaxialTensionInSpace) {
               2, 0.5 * 0.4, 1.5);
 }
 
-/// P₁₁ at axial stretch a where nothing moves sideways: neo-Hooke μ a + (λ ln a − μ)/a, Hooke (λ + 2μ)(a − 1).
+/// P₁₁ at axial stretch a without lateral displacement: neo-Hooke μ a + (λ ln a − μ)/a, Hooke (λ + 2μ)(a − 1).
 double confined_stress(const Material& material, double a) {
   const ElasticConstants& law = material.constants();
   return material.linear() ? (law.lambda + 2 * law.mu) * (a - 1) : law.mu * a + (law.lambda * std::log(a) - law.mu) / a;
 }
 
-/// A confined block is pressed, or pulled, by a dead load on a side that crosses the layer: strain and energy are the
-/// same everywhere, and what holds the other end is the load.
-TEST(ClosedForm, ConfinedCompressionInSpaceByALoadOnALayeredSide) {
+/// A confined block is compressed or stretched by a dead load on a side that crosses the layer: strain and energy
+/// density are uniform, and the reaction at the other end balances the load.
+TEST(ClosedForm, ConfinedCompressionInSpaceByALoadAcrossALayer) {
   const nurbs::Patch block = nurbs::block({2, 0.5, 0.4}, Eigen::Vector3d(0, 0, 0));
   const double section = 0.5 * 0.4, volume = 2 * section;
   for (const Material& material : {Material(neo_hookean(3, 0.35)), Material(linear_elastic(3, 0.35))})
@@ -105,13 +105,14 @@ TEST(ClosedForm, ConfinedCompressionInSpaceByALoadOnALayeredSide) {
       }
 }
 
-/// Lamé's ring in plane strain, u_r = A r + B/r, so small that the law is Hooke's: relative error of the stress in L₂.
+/// Lamé's ring in plane strain, u_r = A r + B/r, at strains so small that neo-Hooke equals Hooke: relative error of the
+/// stress in L₂.
 double ring_stress_error(int elements) {
   const double inner = 1, outer = 2, a = 2e-7, b = -3e-7;
   const NeoHookean material = neo_hookean(1, 0.3);
   const Body<2> ring = make_body<2>(nurbs::quarter_annulus(inner, outer, Eigen::Vector2d(0, 0), 0),
                                     {elements, elements}, "N2", "south", material, 2);
-  // A circle's control points move with it: u = (A + B/r²) X there.
+  // The displacement of the control points of a circle follows from that of the circle: u = (A + B/r²) X.
   std::map<int, double> held;
   for (int c = 0; c < 2; ++c) {
     prescribe(

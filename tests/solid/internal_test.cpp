@@ -1,5 +1,5 @@
-// Internal force against the stored energy's derivative, tangent against the force's, and what must not depend on the
-// discretization: homogeneous states, rigid motions, inversion.
+// Internal force compared with the derivative of the stored energy, tangent with that of the force, and results that do
+// not depend on the discretization: homogeneous states, rigid motions, inversion.
 #include "solid/internal.hpp"
 
 #include "solid/many_bodies.hpp"
@@ -34,8 +34,8 @@ TEST(Internal, ForceAndTangentAreDerivativesAtSmallStrains) {
   force_and_tangent_are_derivatives(bodies_of_revolution(steel));
 }
 
-/// Both laws are Hooke's where nothing is strained yet.
-template <int D> void rubbers_first_tangent_is_steels(const std::vector<Body<D>>& rubbers) {
+/// Both laws have Hooke's tangent at zero strain.
+template <int D> void neo_hookean_tangent_at_rest(const std::vector<Body<D>>& rubbers) {
   for (const Body<D>& body : rubbers) {
     const Body<D> linear(body.shared_space(), linear_elastic(2, 0.3), body.kind());
     const VectorX zero = VectorX::Zero(D * body.functions());
@@ -45,13 +45,13 @@ template <int D> void rubbers_first_tangent_is_steels(const std::vector<Body<D>>
   }
 }
 
-TEST(Internal, TangentOfRubberAtRestIsThatOfLinearElasticity) {
-  rubbers_first_tangent_is_steels(plane_bodies(rubber));
-  rubbers_first_tangent_is_steels(space_bodies(rubber));
-  rubbers_first_tangent_is_steels(bodies_of_revolution(rubber));
+TEST(Internal, NeoHookeanTangentAtRestIsThatOfLinearElasticity) {
+  neo_hookean_tangent_at_rest(plane_bodies(rubber));
+  neo_hookean_tangent_at_rest(space_bodies(rubber));
+  neo_hookean_tangent_at_rest(bodies_of_revolution(rubber));
 }
 
-TEST(Internal, SmallStrainsKnowNoInversion) {
+TEST(Internal, SmallStrainsHaveNoInversion) {
   std::vector<Body<2>> bodies = plane_bodies(steel);
   for (const Body<2>& body : bodies_of_revolution(steel)) bodies.push_back(body);
   for (const Body<2>& body : bodies) {
@@ -63,8 +63,8 @@ TEST(Internal, SmallStrainsKnowNoInversion) {
   }
 }
 
-/// f(R(X + u) + c − X) = R f(u): no force from rigid motion, and forces turn with the body.
-template <int D> void forces_turn_with_the_body(const std::vector<Body<D>>& bodies, const Mat<D>& rotation) {
+/// f(R(X + u) + c − X) = R f(u): rigid motion causes no force, and forces rotate with the body.
+template <int D> void forces_rotate_with_the_body(const std::vector<Body<D>>& bodies, const Mat<D>& rotation) {
   Random random(5);
   for (const Body<D>& body : bodies) {
     const Vec<D> shift = Vec<D>::Constant(0.7);
@@ -81,10 +81,10 @@ template <int D> void forces_turn_with_the_body(const std::vector<Body<D>>& bodi
   }
 }
 
-TEST(Internal, ForcesTurnWithTheBody) {
-  forces_turn_with_the_body<2>(plane_bodies(rubber),
-                               nurbs::rotation(140, Eigen::Vector3d(0, 0, 1)).topLeftCorner<2, 2>());
-  forces_turn_with_the_body<3>(space_bodies(rubber), nurbs::rotation(140, Eigen::Vector3d(1, -2, 0.5)));
+TEST(Internal, ForcesRotateWithTheBody) {
+  forces_rotate_with_the_body<2>(plane_bodies(rubber),
+                                 nurbs::rotation(140, Eigen::Vector3d(0, 0, 1)).topLeftCorner<2, 2>());
+  forces_rotate_with_the_body<3>(space_bodies(rubber), nurbs::rotation(140, Eigen::Vector3d(1, -2, 0.5)));
 }
 
 /// Functions that vanish on all faces.
@@ -99,8 +99,8 @@ template <int D> std::vector<int> inner_functions(const nurbs::Discretization& s
   return inner;
 }
 
-/// Patch test: linear displacements strain and stress every point alike, inner forces vanish, forces and moments
-/// balance, energy is W(F) times the volume.
+/// Patch test: linear displacements give uniform strain and stress, inner forces vanish, forces and moments balance,
+/// the energy is W(F) times the volume.
 template <int D> void homogeneous_state(const Body<D>& body, const Mat<D>& f, double volume) {
   const VectorX u = affine<D>(body, f);
   const Assembled at = assemble(body, u);
@@ -128,7 +128,7 @@ TEST(Internal, PatchTestInThePlane) {
   Mat<2> f;
   f << 1.2, 0.3, -0.1, 0.8;
   for (const char* label : {"N2", "N3.1", "N2-N4", "N2-N2.2", "N2-N2.1x2"}) {
-    const nurbs::Patch patch = crooked(random, false);
+    const nurbs::Patch patch = distorted(random, false);
     double area = 0;
     const Body<2> body = make_body<2>(patch, {4, 3}, label, "north", rubber);
     for (int e = 0; e < body.elements(); ++e)
@@ -154,7 +154,7 @@ TEST(Internal, MemoryIsThatOfTheTables) {
   const auto bytes = [](double blocks) { return 6 * 5 * 4 * 8 * (18 + 3 * 18 * 18 + blocks * 18 * 18); };
   for (const auto& [body, expected] : {std::pair(&of_rubber, bytes(1)), std::pair(&of_steel, bytes(6))}) {
     EXPECT_GT(static_cast<double>(body->memory()), expected);
-    EXPECT_LT(static_cast<double>(body->memory()), 1.03 * expected); // function numbers and offsets
+    EXPECT_LT(static_cast<double>(body->memory()), 1.03 * expected); // function indices and offsets
   }
   EXPECT_GT(ElementArrays<3>(of_rubber).memory(), 8u * 6 * 18 * 18);
   EXPECT_LT(ElementArrays<3>(of_rubber).memory(), 3u * 8 * 6 * 18 * 18);
@@ -163,7 +163,7 @@ TEST(Internal, MemoryIsThatOfTheTables) {
 TEST(Internal, InvertedElementIsReported) {
   const Body<2> strip = make_body<2>(nurbs::rectangle(3, 1, Eigen::Vector2d(0, 0)), {3, 1}, "N1", "north", rubber);
   VectorX u = VectorX::Zero(2 * strip.functions());
-  // The right end moves past the column of nodes before it: only the last element turns inside out.
+  // The right end moves past the adjacent column of nodes: only the last element is inverted.
   for (int a : strip.space().face_functions(nurbs::side_of("east", 2))) u(2 * a) = -1.5;
   const Assembled at = assemble(strip, u);
   ASSERT_TRUE(at.inversion);

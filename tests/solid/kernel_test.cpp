@@ -1,5 +1,5 @@
-// All kernels that this machine runs against the formulas, term by term: for any number of functions, and without a
-// trace beyond what they may write.
+// All kernels that this machine supports compared with the formulas, term by term: for any number of functions, and
+// without writing beyond the padding.
 #include "solid/kernel.hpp"
 
 #include "base/error.hpp"
@@ -15,7 +15,7 @@ namespace kernel_test {
 
 using namespace test;
 
-/// Gauss points of an element that need not belong to any mesh.
+/// Gauss points of an element that does not belong to a mesh.
 template <int D> struct Element {
   int n, points;
   double lambda = 1.3, mu = 0.7;
@@ -30,13 +30,13 @@ template <int D> struct Element {
     fill(gradients, points * D * n, -steep, steep);
     fill(weights, points, 0.5, 1.5);
     fill(constant, n * n, -1, 1);
-    // What is read beyond the end has no say.
+    // Values in the padding must not affect results.
     gradients.resize(gradients.size() + vector_padding, 1e300);
     constant.resize(constant.size() + vector_padding, 1e300);
   }
 
-  /// Force and blocks, one after the other.
-  std::vector<double> by_the_book() const {
+  /// Force and blocks, evaluated directly from the formulas.
+  std::vector<double> reference() const {
     std::vector<double> force(D * n, 0.0), blocks;
     std::vector<Mat<D>> inverses, stresses;
     std::vector<double> brackets;
@@ -76,7 +76,7 @@ template <int D> void kernels_follow_the_book(const std::vector<int>& functions)
   for (int n : functions)
     for (int points : {1, 4, 27}) {
       const Element<D> element(random, n, points);
-      const std::vector<double> expected = element.by_the_book();
+      const std::vector<double> expected = element.reference();
       const Eigen::Map<const VectorX> all(expected.data(), static_cast<int>(expected.size()));
       for (Kernel kernel : element_kernels<D>(n)) {
         constexpr double untouched = 123;
@@ -90,7 +90,7 @@ template <int D> void kernels_follow_the_book(const std::vector<int>& functions)
                       factors.data(), with_tangent ? blocks.data() : nullptr});
           EXPECT_EQ(result.point, -1);
           const Eigen::Map<const VectorX> found(force.data(), D * n);
-          // The book adds up F in another order, and stress is a difference ten times smaller than its terms.
+          // The formulas sum F in another order, and stress is a difference ten times smaller than its terms.
           EXPECT_LT((found - all.head(D * n)).norm(), 1e-13 * all.head(D * n).norm()) << n;
         }
         const Eigen::Map<const VectorX> found(blocks.data(), static_cast<int>(size - vector_padding));
@@ -100,18 +100,18 @@ template <int D> void kernels_follow_the_book(const std::vector<int>& functions)
     }
 }
 
-TEST(Kernel, InThePlaneFollowsTheBook) {
+TEST(Kernel, InThePlaneAgreesWithTheFormulas) {
   kernels_follow_the_book<2>({4, 5, 6, 9, 11, 14, 25});
 }
-TEST(Kernel, InSpaceFollowsTheBook) {
+TEST(Kernel, InSpaceAgreesWithTheFormulas) {
   kernels_follow_the_book<3>({8, 9, 18, 25, 27, 31, 32, 33, 34, 50, 67});
 }
 
-TEST(Kernel, InversionIsFoundAtItsPoint) {
+TEST(Kernel, InversionIsReportedAtItsPoint) {
   Random random(3);
   for (double slope : {-1.5, std::numeric_limits<double>::quiet_NaN()}) {
     Element<3> element(random, 18, 5);
-    // At the last point but one F becomes I + slope e₁⊗e₁.
+    // At the second-to-last point F becomes I + slope e₁⊗e₁.
     for (int k = 0; k < 3; ++k)
       for (int a = 0; a < 18; ++a) element.gradients[(3 * 3 + k) * 18 + a] = k == 0 && a == 17 ? 1 : 0;
     for (int i = 0; i < 3; ++i) element.local[i * 18 + 17] = 0;
@@ -129,7 +129,7 @@ TEST(Kernel, InversionIsFoundAtItsPoint) {
   }
 }
 
-TEST(Kernel, EnvironmentVariableChoosesTheWidestInstructions) {
+TEST(Kernel, EnvironmentVariableLimitsTheInstructions) {
   const auto message = [](const char* wanted) -> std::string {
     try {
       widest_instructions(wanted);

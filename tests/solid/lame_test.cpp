@@ -1,4 +1,4 @@
-// Thick walls under inner pressure, the closed forms of Lamé: the cylinder in plane strain, the sphere as a body of
+// Thick walls under internal pressure, closed forms of Lamé: the cylinder in plane strain, the sphere as a body of
 // revolution and in space. Displacements converge with order p+1.
 #include "nurbs/coincident.hpp"
 #include "solid/bodies.hpp"
@@ -29,7 +29,7 @@ double sphere(double r) {
          ((1 - 2 * ratio) * r + (1 + ratio) * cube / (2 * r * r));
 }
 
-/// Relative error in L₂ of a displacement that should be exact(r) outwards.
+/// Relative error in L₂ of a radial displacement with the exact value exact(r).
 template <int D> double relative_error(const Body<D>& wall, const VectorX& u, double (*exact)(double)) {
   double error = 0, size = 0;
   for (int e = 0; e < wall.elements(); ++e) {
@@ -47,7 +47,7 @@ template <int D> double relative_error(const Body<D>& wall, const VectorX& u, do
   return std::sqrt(error / size);
 }
 
-/// Relative error of the displacement in L₂ of a quarter annulus of elements × elements, symmetric at both ends.
+/// Relative error in L₂ of the displacement of a quarter annulus of elements × elements with symmetry at both ends.
 double displacement_error(Kind kind, double (*exact)(double), int degree, int elements) {
   const nurbs::Patch quarter = nurbs::quarter_annulus(inner, outer, Eigen::Vector2d(0, 0), 270);
   const Body<2> plane =
@@ -82,8 +82,8 @@ TEST(Lame, SphereConvergesWithOrderPPlus1) {
   converges_with_order_p_plus_1(Kind::axisymmetric, sphere, 2e-6, 5e-8);
 }
 
-/// Relative error in L₂ of the octant of a sphere in space, of elements per direction. The control points of its pole
-/// are one point, so that they move as one.
+/// Relative error in L₂ for a spherical octant in space, with `elements` per direction. The coincident control points
+/// at the pole share their displacements.
 double octant_error(int degree, int elements) {
   const Body<3> wall =
       make_body<3>(nurbs::sphere_octant(inner, outer, Eigen::Vector3d(0, 0, 0)), {elements, elements, elements},
@@ -111,7 +111,7 @@ double octant_error(int degree, int elements) {
     for (int j = 0; j < load.size(); ++j)
       if (at(j) >= 0) tangent(at(i), at(j)) += rest.tangent(i, j);
   }
-  // The unknowns that a pole's points gave up have empty rows.
+  // Eliminated unknowns of the pole's points have empty rows.
   for (int i = 0; i < count; ++i)
     if (tangent(i, i) == 0) tangent(i, i) = 1;
   const VectorX found = tangent.llt().solve(force);

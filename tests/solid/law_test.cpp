@@ -1,5 +1,5 @@
-// Laws that the program does not have: Saint Venant–Kirchhoff on the generic kernel, and damage with an internal
-// variable. The generic kernel against the fast ones.
+// Laws that the program does not include: Saint Venant–Kirchhoff on the generic kernel, and damage with an internal
+// variable. The generic kernel compared with the fast ones.
 #include "solid/archive.hpp"
 #include "solid/many_bodies.hpp"
 
@@ -32,12 +32,12 @@ struct SaintVenantKirchhoff : ElasticConstants {
   }
 };
 
-/// Saint Venant–Kirchhoff that softens: P = e^{−κ} ∂W/∂F, where κ is the largest W so far.
+/// Saint Venant–Kirchhoff with softening: P = e^{−κ} ∂W/∂F, where κ is the largest W so far.
 struct Damage : SaintVenantKirchhoff {
   static constexpr auto name = "damage";
 
   std::vector<double> initial_values() const { return {0}; }
-  /// The energy of a step from κ: e^{−κ} W, beyond κ it grows by ∫ e^{−s} ds.
+  /// Energy of a step from κ: e^{−κ} W; beyond κ it grows by ∫ e^{−s} ds.
   double energy(const Mat<3>& f, std::span<const double> committed) const {
     const double kappa = committed[0], w = SaintVenantKirchhoff::energy(f), left = std::exp(-kappa);
     return w <= kappa ? left * w : left * kappa + left - std::exp(-w);
@@ -68,7 +68,7 @@ template <Law T> struct Generic : ElasticConstants {
   T law;
 };
 
-// A law that lacks a part does not compile.
+// A law with a missing function does not compile.
 struct WithoutModuli : ElasticConstants {
   static constexpr auto name = "incomplete";
   static constexpr bool linear = false;
@@ -154,7 +154,7 @@ TEST(Law, ForceAndTangentOfANewLawAreDerivatives) {
   force_and_tangent_are_derivatives(space_bodies(svk));
 }
 
-/// Σ_A f_A ⊗ X_A/V, which is P where it is the same everywhere.
+/// Σ_A f_A ⊗ X_A/V, which is P if P is uniform.
 template <int D> Mat<D> mean_stress(const Body<D>& body, const VectorX& force) {
   const MatrixX points = body.space().points();
   Mat<D> sum = Mat<D>::Zero();
@@ -200,7 +200,7 @@ TEST(Law, UniaxialTensionOfANewLawHasItsClosedForm) {
   }
 }
 
-/// A tube that is widened alike everywhere, F = diag(a, b, a).
+/// A tube with uniform radial stretch, F = diag(a, b, a).
 TEST(Law, UniformStretchOfABodyOfRevolutionHasItsClosedForm) {
   const Body<2> disc =
       *revolved(make_body<2>(nurbs::rectangle(1.5, 0.5, Eigen::Vector2d(0, -1)), {3, 3}, "N2-N2.1", "south", svk, 2));
@@ -212,7 +212,7 @@ TEST(Law, UniformStretchOfABodyOfRevolutionHasItsClosedForm) {
   EXPECT_NEAR(p(1, 1), b * (svk.lambda * trace + 2 * svk.mu * axial), 1e-13);
 }
 
-/// The force is the derivative of the step's energy, the tangent that of the force, from any committed values.
+/// The force is the derivative of the step's energy, the tangent that of the force, for any committed values.
 template <int D> void damage_is_consistent(const Body<D>& body) {
   Random random(23);
   std::vector<double> committed = initial_values(body), trial = committed;
@@ -220,7 +220,7 @@ template <int D> void damage_is_consistent(const Body<D>& body) {
   const VectorX before = random_displacement(random, body, 0.01);
   assemble(body, before, committed, trial);
   committed = trial;
-  // Some points unload, others load further.
+  // Some points are unloaded, others loaded further.
   const VectorX u = 0.5 * before + random_displacement(random, body, 0.01);
   const Assembled at = assemble(body, u, committed, trial);
   int loading = 0;
@@ -235,7 +235,7 @@ template <int D> void damage_is_consistent(const Body<D>& body) {
     };
     const auto energy = [&](double h) { return stored_energy(body, moved(h).data(), committed); };
     const auto force = [&](double h) { return assemble(body, moved(h), committed, trial).force; };
-    // The tangent jumps where loading ends: small steps stay on one side.
+    // The tangent is discontinuous where loading turns into unloading: small steps stay on one side.
     EXPECT_NEAR(signorini::test::derivative<double>(energy, 1e-6), at.force(i), 1e-7 * at.force.norm());
     EXPECT_LT((signorini::test::derivative<VectorX>(force, 1e-6) - at.tangent.col(i)).norm(), 1e-7 * at.tangent.norm());
   }
@@ -247,7 +247,7 @@ TEST(Law, DamageIsConsistentInAllKinds) {
   damage_is_consistent(space_bodies(brittle).front());
 }
 
-/// A step that is accepted leaves its damage, one that is rolled back leaves nothing.
+/// An accepted step commits its damage, a rolled-back step leaves none.
 TEST(Law, InternalVariablesCommitAndRollBack) {
   const Body<2> body =
       make_body<2>(nurbs::rectangle(2, 0.5, Eigen::Vector2d(0, 0)), {3, 2}, "N2-N2.1", "north", brittle);
@@ -263,7 +263,7 @@ TEST(Law, InternalVariablesCommitAndRollBack) {
 
   EXPECT_NEAR(pull(1.3), std::exp(-energy(1.3)) * elastic(1.3), 1e-13);
   for (const double kappa : trial) EXPECT_NEAR(kappa, energy(1.3), 1e-13);
-  // Rolled back: the trial values are forgotten.
+  // Rolled back: the trial values are discarded.
   const double virgin = pull(1.1);
   EXPECT_NEAR(virgin, std::exp(-energy(1.1)) * elastic(1.1), 1e-13);
 
@@ -278,7 +278,7 @@ TEST(Law, InternalVariablesCommitAndRollBack) {
   EXPECT_LT(damaged, 0.95 * virgin);
 }
 
-TEST(Law, InternalVariablesOfTheWrongSizeAreAnError) {
+TEST(Law, InternalVariablesOfWrongSizeAreAnError) {
   const Body<2> body = plane_bodies(brittle).front();
   const VectorX u = VectorX::Zero(2 * body.functions());
   EXPECT_ERROR(assemble(body, u),
@@ -290,7 +290,7 @@ TEST(Law, InternalVariablesOfTheWrongSizeAreAnError) {
   EXPECT_TRUE(initial_values(plane_bodies(svk).front()).empty());
 }
 
-TEST(Law, FilesHoldTheLawsOfTheProgram) {
+TEST(Law, FilesStoreTheLawsOfTheProgram) {
   for (const Material& material : {Material(neo_hookean(3, 0.35)), Material(linear_elastic(3, 0.35))}) {
     ArchiveWriter to;
     write(to, material);

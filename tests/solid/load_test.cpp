@@ -1,4 +1,4 @@
-// Dead loads: totals are areas, a pressure all around holds itself and does the work of the volume.
+// Dead loads: totals are areas, a uniform pressure is self-equilibrated and does the work of the volume.
 #include "solid/load.hpp"
 
 #include "solid/bodies.hpp"
@@ -31,7 +31,7 @@ template <int D> double volume(const Body<D>& body) {
   return sum;
 }
 
-/// The total of a unit traction is the area, in every direction and nowhere but on the face.
+/// The total of a unit traction is the area, in its direction only and on the face only.
 template <int D> void expect_area(const Body<D>& body, const std::string& face, double area) {
   for (int component = 0; component < D; ++component) {
     VectorX load = traction_load(body, side_of(face, D), component);
@@ -71,7 +71,7 @@ void expect_moments(const Body<3>& body, const std::string& face, double area, c
   EXPECT_LT((found - moments).norm(), 1e-12 * (moments.norm() + 1)) << face;
 }
 
-TEST(Load, SidesThatCrossALayerAreIntegratedOnBothOfItsSpaces) {
+TEST(Load, SidesThatCrossALayerAreIntegratedOverBothSpaces) {
   const Vec<3> corner(1, 2, 3), size(2, 0.5, 0.4);
   for (const char* contact : {"back", "south", "east"})
     for (const char* label : {"N2-N2.1", "N2-N2.2x2", "N2-N4"}) {
@@ -97,7 +97,7 @@ TEST(Load, SidesThatCrossALayerAreIntegratedOnBothOfItsSpaces) {
   expect_moments(octant, "east", flat, cubes * Vec<3>(0, 1, -1));
 }
 
-TEST(Load, ACollapsedSideCarriesNothing) {
+TEST(Load, CollapsedSideCarriesNoLoad) {
   for (const char* label : {"N2", "N2-N2.2"}) {
     const Body<3> octant =
         make_body<3>(nurbs::sphere_octant(0.4, 0.7, Eigen::Vector3d(0, 0, 0)), {2, 2, 1}, label, "front", steel);
@@ -118,8 +118,8 @@ TEST(Load, TotalTractionOfABodyOfRevolutionIsTheAreaOfTheFullCircle) {
   expect_area<2>(*tube, "north", pi * (1.5 * 1.5 - 1));
 }
 
-/// A pressure on all faces: no force where there is no hoop, no moment, and by Gauss's theorem
-/// −Σ_A f_A·X_A = ∫ X·N dA = 3V in space and for a body of revolution, 2V in the plane.
+/// A pressure on all faces: no resultant except the hoop tension of bodies of revolution, no moment, and by Gauss's
+/// theorem −Σ_A f_A·X_A = ∫ X·N dA = 3V in space and for a body of revolution, 2V in the plane.
 template <int D> void expect_balance(const Body<D>& body) {
   VectorX load = VectorX::Zero(D * body.functions());
   for (int d = 0; d < D; ++d)
@@ -137,12 +137,12 @@ template <int D> void expect_balance(const Body<D>& body) {
   if (!around) {
     EXPECT_LT((moment - moment.transpose()).norm(), 1e-13 * scale * points.cwiseAbs().maxCoeff());
   }
-  // As far as the bulk's quadrature knows the volume: a rational map's Jacobian is no polynomial.
+  // Accurate to the bulk's quadrature of the volume: the Jacobian of a rational map is not a polynomial.
   EXPECT_NEAR(work, -(around ? 3 : D) * volume(body), 1e-8 * volume(body));
 }
 
-/// A patch whose points are shifted and whose weights differ.
-nurbs::Patch crooked(Random& random, nurbs::Patch patch) {
+/// A patch with displaced points and random weights.
+nurbs::Patch distorted(Random& random, nurbs::Patch patch) {
   for (int d = 0; d < patch.parametric_dimension(); ++d) patch = nurbs::elevate(patch, d, 1);
   MatrixX points = patch.points();
   VectorX weights = patch.weights();
@@ -153,14 +153,14 @@ nurbs::Patch crooked(Random& random, nurbs::Patch patch) {
   return nurbs::make_patch(patch.directions(), points, weights);
 }
 
-TEST(Load, PressureAllAroundHoldsItself) {
+TEST(Load, PressureOnAllFacesIsSelfEquilibrated) {
   Random random(8);
   for (int trial = 0; trial < 5; ++trial) {
-    const Body<2> plane = make_body<2>(crooked(random, nurbs::rectangle(2, 1, Eigen::Vector2d(0.1, 0.3))), {5, 4},
+    const Body<2> plane = make_body<2>(distorted(random, nurbs::rectangle(2, 1, Eigen::Vector2d(0.1, 0.3))), {5, 4},
                                        trial % 2 ? "N2-N2.2" : "N3", "south", steel, 3);
     expect_balance<2>(plane);
     expect_balance<2>(*revolved(plane));
-    expect_balance<3>(make_body<3>(crooked(random, nurbs::block({1, 1, 0.5}, Eigen::Vector3d(1, 2, 3))), {3, 3, 2},
+    expect_balance<3>(make_body<3>(distorted(random, nurbs::block({1, 1, 0.5}, Eigen::Vector3d(1, 2, 3))), {3, 3, 2},
                                    trial % 2 ? "N3-N4" : "N3", "front", steel, 3));
   }
   for (const char* label : {"N3", "N3-N3.1"})
@@ -169,7 +169,7 @@ TEST(Load, PressureAllAroundHoldsItself) {
   expect_balance<2>(make_body<2>(nurbs::half_annulus(0.3, 0.7, Eigen::Vector2d(1, 2)), {8, 2}, "N3", "south", steel));
 }
 
-TEST(Load, AnUnknownComponentIsAnError) {
+TEST(Load, UnknownComponentIsAnError) {
   const Body<2> body = make_body<2>(nurbs::rectangle(2, 1, Eigen::Vector2d(0, 0)), {2, 1}, "N2", "south", steel);
   EXPECT_ERROR(traction_load(body, side_of("south", 2), 2), "solid.load.component: component = 2, most = 1");
   EXPECT_ERROR(traction_load(body, side_of("south", 2), -1), "solid.load.component: component = -1, most = 1");

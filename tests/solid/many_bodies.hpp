@@ -9,8 +9,8 @@
 
 namespace signorini::solid::test {
 
-/// A plane patch whose inner and border points are shifted and whose weights differ.
-inline nurbs::Patch crooked(Random& random, bool rational) {
+/// A plane patch with displaced points and random weights.
+inline nurbs::Patch distorted(Random& random, bool rational) {
   const nurbs::Patch flat = nurbs::elevate(nurbs::rectangle(2, 1, Eigen::Vector2d(0, 0)), 0, 1);
   MatrixX points = flat.points();
   VectorX weights = flat.weights();
@@ -21,10 +21,10 @@ inline nurbs::Patch crooked(Random& random, bool rational) {
   return nurbs::make_patch(flat.directions(), points, weights);
 }
 
-/// Meridians away from the axis and up to it.
+/// Meridians away from the axis and touching it.
 inline std::vector<Body<2>> bodies_of_revolution(const Material& material) {
   Random random(7);
-  const nurbs::Patch away = nurbs::translate(crooked(random, true), Eigen::Vector2d(0.4, 0));
+  const nurbs::Patch away = nurbs::translate(distorted(random, true), Eigen::Vector2d(0.4, 0));
   const nurbs::Patch ball = nurbs::quarter_annulus(0.3, 0.6, Eigen::Vector2d(0, 0), 270);
   std::vector<Body<2>> bodies;
   for (const auto& body :
@@ -41,7 +41,7 @@ inline std::vector<Body<2>> plane_bodies(const Material& material) {
   const nurbs::Patch ring = nurbs::half_annulus(0.3, 0.6, Eigen::Vector2d(0, 0));
   for (const char* label : {"N2", "N2-N4", "N2-N2.2x2", "L2"})
     bodies.push_back(make_body<2>(ring, {4, 2}, label, "south", material));
-  bodies.push_back(make_body<2>(crooked(random, true), {3, 2}, "N3.1", "north", material, 2));
+  bodies.push_back(make_body<2>(distorted(random, true), {3, 2}, "N3.1", "north", material, 2));
   bodies.push_back(make_body<2>(nurbs::rectangle(1, 2, Eigen::Vector2d(0, 0)), {2, 3}, "N2-N2.1", "west", material));
   return bodies;
 }

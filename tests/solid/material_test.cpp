@@ -46,7 +46,7 @@ template <class Make> void stress_and_moduli_are_derivatives(Make make) {
       EXPECT_LT((slope.reshaped() - moduli.col(entry)).norm(), 1e-7 * moduli.norm());
     }
     EXPECT_LT((moduli - moduli.transpose()).norm(), 1e-14 * moduli.norm());
-    // σ = P Fᵀ/J; at small strains they are one
+    // σ = P Fᵀ/J; σ = P at small strains
     const Mat<3> pushed = material.linear() ? p : Mat<3>(p * f.transpose() / f.determinant());
     EXPECT_LT((material.cauchy_stress(f) - pushed).norm(), 1e-13 * (1 + pushed.norm()));
   }
@@ -58,7 +58,7 @@ TEST(Material, StressAndModuliAreDerivatives) {
 }
 
 /// σ = (λ/J) ln J I + (μ/J)(F Fᵀ − I); plane strain has σ₃₃ = (λ/J) ln J.
-TEST(Material, CauchyStressOfRubberHasItsClosedForm) {
+TEST(Material, CauchyStressOfNeoHookeHasItsClosedForm) {
   Random random(2);
   const NeoHookean rubber = neo_hookean(2, 0.3);
   for (int trial = 0; trial < 20; ++trial) {
@@ -73,13 +73,13 @@ TEST(Material, CauchyStressOfRubberHasItsClosedForm) {
   }
 }
 
-TEST(Material, PlaneStrainOfSteelPressesAcross) {
+TEST(Material, PlaneStrainOfLinearElasticityHasOutOfPlaneStress) {
   const LinearElastic steel = linear_elastic(2, 0.3);
   const Mat<2> plane = Vec<2>(1.2, 0.7).asDiagonal();
   EXPECT_NEAR(Material(steel).cauchy_stress(in_space<2>(plane))(2, 2), steel.lambda * (plane.trace() - 2), 1e-15);
 }
 
-TEST(Material, SmallStrainsAreHookes) {
+TEST(Material, SmallStrainsFollowHooke) {
   const NeoHookean material = neo_hookean(3, 0.25);
   EXPECT_DOUBLE_EQ(material.mu, 1.2);
   EXPECT_DOUBLE_EQ(material.lambda, 1.2);

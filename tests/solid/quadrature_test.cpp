@@ -37,7 +37,7 @@ TEST(Quadrature, ExactUpToDegree2nMinus1AndNotBeyond) {
   }
 }
 
-TEST(Quadrature, NoPointsIsAnError) {
+TEST(Quadrature, RuleWithoutPointsIsAnError) {
   EXPECT_ERROR(gauss_legendre(0, 0, 1), "solid.quadrature.points: count = 0");
 }
 
