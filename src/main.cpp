@@ -22,18 +22,18 @@ bool run(const repl::CommandLine& line, const std::string& program) {
   repl::Interpreter interpreter({line.quiet, line.threads, line.jobs});
   repl::catch_interrupts(interpreter.state());
   if (isatty(STDERR_FILENO)) acknowledge_interrupts(STDERR_FILENO);
-  if (line.interactive || line.prompt_only()) survive_interrupts(); // with the variables that the prompt shows
+  if (line.interactive || line.prompt_only()) survive_interrupts(); // the prompt stays usable with its variables
   const std::string script = bind::find_script(line.script);
   if (script != line.script && !line.quiet) std::cerr << "signorini: running " << script << std::endl;
   interpreter.set_arguments(program, script, line.arguments);
-  // A script in a file says what it needs; whatever is typed finds the language already there.
+  // A script in a file loads the library itself; typed code has it loaded already.
   const bool typed = line.interactive || line.script.empty() || line.script == "-" || !line.code.empty();
   if (typed && !interpreter.open_globals()) return false;
   bool ok = true;
   for (const auto& code : line.code) ok = ok && interpreter.run_code(code, "=(command line)");
   ok = ok && (line.script.empty() || interpreter.run_file(script, line.arguments));
   if (!line.interactive && !line.prompt_only()) return ok && !interpreter.lost_cases();
-  repl::forget_interrupt(interpreter.state()); // what is there may still be looked at
+  repl::forget_interrupt(interpreter.state()); // the variables may still be inspected
   repl::finish_statements();
   return repl::prompt(interpreter, line.quiet) && ok;
 }

@@ -1,6 +1,5 @@
 #pragma once
-// CHOLMOD's objects with owners (Chen, Davis, Hager, Rajamanickam, ACM TOMS 35, 2008), for the solvers that stand on
-// it.
+// Owners of CHOLMOD's objects (Chen, Davis, Hager, Rajamanickam, ACM TOMS 35, 2008), for the solvers based on it.
 
 #include "solve/direct.hpp"
 
@@ -10,7 +9,7 @@
 
 namespace signorini::solve {
 
-/// Settings, statistics and workspace. Silent: what goes wrong is read from `status`.
+/// Settings, statistics and workspace. Prints nothing: errors are read from `status`.
 struct CholmodCommon : cholmod_common {
   CholmodCommon() : cholmod_common{} {
     cholmod_start(this);
@@ -21,7 +20,7 @@ struct CholmodCommon : cholmod_common {
   CholmodCommon& operator=(const CholmodCommon&) = delete;
 };
 
-/// A factor, freed with the common that it was made with.
+/// A factor, freed with the common that it was created with.
 struct CholmodFactor {
   cholmod_factor* factor = nullptr;
   cholmod_common* common;
@@ -31,12 +30,13 @@ struct CholmodFactor {
   CholmodFactor& operator=(const CholmodFactor&) = delete;
 };
 
-/// The lower triangle of a symmetric matrix that is stored in full; nothing is copied, so pattern and values must stay.
+/// The lower triangle of a symmetric matrix that is stored in full; nothing is copied, so pattern and values must
+/// persist.
 inline cholmod_sparse lower_triangle(const Pattern& pattern, const double* values) {
   cholmod_sparse matrix{};
   matrix.nrow = matrix.ncol = static_cast<std::size_t>(pattern.size);
   matrix.nzmax = pattern.rows.size();
-  matrix.p = const_cast<int*>(pattern.starts.data()); // CHOLMOD reads only
+  matrix.p = const_cast<int*>(pattern.starts.data()); // CHOLMOD only reads them
   matrix.i = const_cast<int*>(pattern.rows.data());
   matrix.x = const_cast<double*>(values);
   matrix.stype = -1;
@@ -47,7 +47,7 @@ inline cholmod_sparse lower_triangle(const Pattern& pattern, const double* value
   return matrix;
 }
 
-/// The right-hand sides and work of triangular solves, allocated by the first and kept for the next.
+/// The right-hand sides and workspace of triangular solves, allocated by the first solve and reused.
 class CholmodSolve {
 public:
   explicit CholmodSolve(cholmod_common& common) : common_(common) {}
@@ -57,8 +57,8 @@ public:
   CholmodSolve(const CholmodSolve&) = delete;
   CholmodSolve& operator=(const CholmodSolve&) = delete;
 
-  /// The solution of the `system` (CHOLMOD_A, CHOLMOD_L, …) for the right-hand side b; nullptr when it failed. It is
-  /// valid until the next call.
+  /// The solution of the `system` (CHOLMOD_A, CHOLMOD_L, …) for the right-hand side b; nullptr if it failed. Valid
+  /// until the next call.
   double* operator()(int system, cholmod_factor* factor, double* b) {
     cholmod_dense right{};
     right.nrow = right.nzmax = right.d = factor->n;

@@ -20,8 +20,8 @@ void check(const Pattern& pattern, const Condensation& condensation) {
   require(Symmetry(pattern).holds(constant.data()), "solve.condensed.symmetric");
 }
 
-/// The part of a matrix that is not zero, with the diagonal: what is zero for good, such as the couplings of two faces,
-/// costs no fill.
+/// The nonzero part of a matrix, with the diagonal: structural entries that are always zero, such as couplings of two
+/// faces, would cause fill.
 Pattern nonzero(const Pattern& pattern, const std::vector<double>& values, std::vector<double>& kept) {
   Pattern result{pattern.size, {0}, {}};
   for (int j = 0; j < pattern.size; ++j) {
@@ -35,8 +35,8 @@ Pattern nonzero(const Pattern& pattern, const std::vector<double>& values, std::
   return result;
 }
 
-/// With the contact unknowns c behind the interior i and the Schur complement S of K₀, what is left of the matrix after
-/// the interior is S + C.
+/// With the contact unknowns c ordered after the interior i and the Schur complement S of K₀, elimination of the
+/// interior leaves S + C.
 class Condensed final : public LinearSolver {
 public:
   Condensed(const Pattern& pattern, const Condensation& condensation, std::unique_ptr<SchurSolver> solver)
@@ -49,7 +49,7 @@ public:
     part_.adopt(pattern);
     statistics_ = part_.statistics();
     const double contacts = static_cast<double>(condensation.contact.size());
-    statistics_.memory += sizeof(double) * contacts * contacts; // of S, which the solver keeps
+    statistics_.memory += sizeof(double) * contacts * contacts; // of S, which the solver stores
   }
 
   bool factor(const double* values) override {
@@ -64,8 +64,8 @@ public:
   SolverStatistics statistics() const override { return statistics_; }
 
 private:
-  SymmetricPart part_; ///< K₀, with K₀ + C among the contact unknowns
-  bool regular_;       ///< whether the interior of K₀ is
+  SymmetricPart part_; ///< K₀, with K₀ + C in the block of contact unknowns
+  bool regular_;       ///< whether the interior of K₀ is regular
   SolverStatistics statistics_;
 };
 

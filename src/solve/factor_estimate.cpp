@@ -23,7 +23,7 @@ FactorEstimate estimate_factor(LinearKind kind, const Pattern& pattern) {
     return {kind, 2 * (sizeof(double) + sizeof(int)) * entries};
   case LinearKind::umfpack:
     return {kind, 2 * sizeof(double) * entries};
-  default: // whole blocks of L
+  default: // supernodes of L
     return {kind, sizeof(double) * static_cast<double>(lower.factor->xsize)};
   }
 }

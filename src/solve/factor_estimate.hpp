@@ -1,18 +1,18 @@
 #pragma once
-// What a factorization will need, from the pattern alone.
+// Estimated memory of a factorization, from the pattern alone.
 
 #include "solve/linear.hpp"
 
 namespace signorini::solve {
 
 struct FactorEstimate {
-  LinearKind kind; ///< `automatic` has become what it comes to
+  LinearKind kind; ///< the kind that `automatic` selects, otherwise the given one
   double memory;   ///< bytes of the factors
 };
 
-/// Counts the entries of Cholesky's factor in the order of nested dissection (METIS); LU has two of them as long as
-/// pivoting leaves that order alone. What `kept` and `condensed` add for the unknowns in contact
-/// is not counted.
+/// Counts the entries of the Cholesky factor in nested dissection order (METIS); LU has two such factors as long as
+/// pivoting does not change the order. The additional memory of `kept` and `condensed` for the contact unknowns is not
+/// counted.
 FactorEstimate estimate_factor(LinearKind kind, const Pattern& pattern);
 
 } // namespace signorini::solve

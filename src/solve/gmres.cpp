@@ -24,7 +24,7 @@ KrylovReport Gmres::operator()(const Apply& apply, const Precondition& precondit
     if (!precondition(directions_.col(k).data())) return {k, broken};
     auto next = basis_.col(k + 1);
     apply(directions_.col(k).data(), next.data());
-    // Classical Gram–Schmidt, twice: orthogonal to rounding
+    // Classical Gram–Schmidt, twice: orthogonal to rounding error
     const auto before = basis_.leftCols(k + 1);
     column_.noalias() = before.transpose() * next;
     next.noalias() -= before * column_;

@@ -10,15 +10,15 @@ namespace signorini::solve {
 
 namespace {
 
-/// KLU (Davis & Palamadai Natarajan, ACM TOMS 37, 2010): a refactorization keeps the pivots of the last full one and
-/// costs a fraction of it; growth of the factors tells when the pivots no longer fit.
+/// KLU (Davis & Palamadai Natarajan, ACM TOMS 37, 2010): a refactorization reuses the pivots of the last full one at a
+/// fraction of its cost; growth of the factors shows when the pivots are no longer suitable.
 class Klu final : public DirectSolver {
 public:
   Klu() {
     klu_defaults(&common_);
     common_.btf = 0;      // the tangent is structurally symmetric and irreducible
     common_.ordering = 0; // approximate minimum degree
-    common_.scale = -1;   // none: pivots are compared within a column, where the entries are of one kind
+    common_.scale = -1;   // none: pivots are compared within a column, whose entries have the same units
   }
   ~Klu() override { clear(); }
 
@@ -34,7 +34,7 @@ public:
 
   bool factor(const double* values) override {
     ++statistics_.factorizations;
-    double* const read = const_cast<double*>(values); // KLU reads the values only
+    double* const read = const_cast<double*>(values); // KLU only reads the values
     refactored_ = numeric_ &&
                   klu_refactor(pattern_.starts.data(), pattern_.rows.data(), read, symbolic_, numeric_, &common_) &&
                   common_.status == KLU_OK && pivots().regular();
@@ -46,7 +46,8 @@ public:
   bool solve(double* b) override {
     ++statistics_.solutions;
     if (refactored_) {
-      // Kept pivots can be bad ones for the new values: then K x = b is missed, and new pivots are taken.
+      // Reused pivots can be unsuitable for the new values: then the residual is large, and the matrix is factored with
+      // new pivots.
       right_.assign(b, b + pattern_.size);
       if (!klu_solve(symbolic_, numeric_, pattern_.size, 1, b, &common_)) return false;
       if (relative_residual(pattern_, values_.data(), b, right_.data(), difference_) <= refactored_residual)
@@ -81,7 +82,7 @@ private:
   }
 
   Pattern pattern_;
-  std::vector<double> values_; ///< refactored ones, which solutions are checked against
+  std::vector<double> values_; ///< the refactored values, with which solutions are checked
   std::vector<double> right_, difference_;
   bool refactored_ = false;
   klu_common common_{};

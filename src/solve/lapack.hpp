@@ -1,16 +1,16 @@
 #pragma once
-// The routines of LAPACK and BLAS that the solvers call: Fortran by its C address, from whichever the machine has.
+// The routines of LAPACK and BLAS that the solvers call, by their Fortran symbols, from the library of the machine.
 
 // NOLINTBEGIN(readability-identifier-naming)
 extern "C" {
-/// Row-pivoted LU of a dense matrix, and the solution with it.
+/// LU of a dense matrix with row pivoting, and the solution with it.
 void dgetrf_(const int* rows, const int* columns, double* a, const int* leading, int* pivots, int* info);
 void dgetrs_(const char* transposed, const int* size, const int* right_sides, const double* a, const int* leading,
              const int* pivots, double* b, const int* leading_b, int* info);
 /// C ← α A Aᵀ + β C on a triangle of C.
 void dsyrk_(const char* triangle, const char* transposed, const int* size, const int* columns, const double* alpha,
             const double* a, const int* leading, const double* beta, double* c, const int* leading_c);
-/// Eigenvalues, the least one first, and in place of the matrix the eigenvectors of a dense symmetric one.
+/// Eigenvalues, increasing, and in place of the matrix the eigenvectors of a dense symmetric one.
 void dsyev_(const char* vectors, const char* triangle, const int* size, double* a, const int* leading, double* values,
             double* work, const int* work_size, int* info);
 }

@@ -1,5 +1,5 @@
 #pragma once
-// The least eigenvalue of a small dense symmetric matrix.
+// The lowest eigenvalue of a small dense symmetric matrix.
 
 #include "base/eigen.hpp"
 
@@ -10,7 +10,7 @@ struct Eigenpair {
   VectorX vector;
 };
 
-/// The vector has length 1; it is 0 with the value where LAPACK does not converge.
+/// The eigenvector has length 1; value and vector are 0 if LAPACK does not converge.
 Eigenpair least_eigenpair(MatrixX symmetric);
 
 } // namespace signorini::solve

@@ -17,11 +17,12 @@ std::optional<double> by_residual(const std::function<Trial(double)>& evaluate, 
   for (double s = 1; s >= shortest_part;) {
     const double now = evaluate(s).residual;
     if (now <= (1 - least_decrease * s) * highest) return s;
-    // φ(s) = |f|², φ(0) = start², φ′(0) = −2 start² for the exact tangent: the parabola through φ(s) has its minimum at
+    // φ(s) = |f|², φ(0) = start², φ′(0) = −2 start² for the consistent tangent: the parabola through φ(s) has its
+    // minimum at
     //   s* = start² s² / (φ(s) − start² + 2 start² s)
     const double ratio = (now / start) * (now / start);
     const double next = s * s / (ratio - 1 + 2 * s);
-    // Where there is no state at all, the parabola knows nothing.
+    // The parabola is undefined if the state is invalid.
     s = std::isfinite(now) ? std::clamp(next, most_shortened * s, least_shortened * s) : least_shortened * s;
   }
   return std::nullopt;
@@ -32,13 +33,13 @@ std::optional<double> by_energy(const std::function<Trial(double)>& evaluate, do
   double s = 1;
   for (int i = 0; i < most_slope_trials; ++i) {
     const Trial now = evaluate(s);
-    if (!std::isfinite(now.residual)) { // where there is no state at all, try nearer
+    if (!std::isfinite(now.residual)) { // invalid state: shorten
       high = s;
       high_slope = 0;
       s = 0.5 * (low + s);
     } else if (std::abs(now.slope) <= enough_slope * std::abs(slope)) {
       return s;
-    } else if (now.slope * slope > 0) { // not yet far enough: kept where the whole move ends or states do
+    } else if (now.slope * slope > 0) { // too short; accepted at the end of the move or of the valid states
       if (s == 1 || high_slope == 0) return s;
       low = s;
       low_slope = now.slope;
@@ -46,7 +47,7 @@ std::optional<double> by_energy(const std::function<Trial(double)>& evaluate, do
     } else {
       high = s;
       high_slope = now.slope;
-      // Regula falsi, kept away from the ends
+      // Regula falsi, with a distance from the ends
       const double root = low + (high - low) * low_slope / (low_slope - high_slope);
       s = std::clamp(root, low + most_shortened * (high - low), high - most_shortened * (high - low));
     }

@@ -21,7 +21,7 @@ constexpr std::pair<LinearKind, const char*> names[] = {{LinearKind::automatic, 
 /// Factors every matrix.
 class Direct final : public LinearSolver {
 public:
-  /// The solver has analyzed the pattern.
+  /// `solver` has analyzed the pattern.
   Direct(LinearKind kind, std::unique_ptr<DirectSolver> solver) : kind_(kind), solver_(std::move(solver)) {}
 
   bool factor(const double* values) override { return solver_->factor(values); }
@@ -63,7 +63,7 @@ std::unique_ptr<LinearSolver> make_solver(LinearKind kind, const Pattern& patter
     require(condensation != nullptr, "solve.linear.condensed");
     return make_condensed(pattern, *condensation, make_schur_cholesky(dissection_above));
   }
-  // Solids: nested dissection at once
+  // Nested dissection from the start, as is best for solids
   if (kind == LinearKind::kept)
     return make_reused(pattern, make_umfpack, std::make_unique<SymmetricPart>(make_schur_cholesky(0)));
   std::unique_ptr<DirectSolver> direct = kind == LinearKind::umfpack ? make_umfpack() : make_klu();

@@ -21,7 +21,7 @@ std::string name_of(Outcome outcome) {
 
 namespace {
 
-/// What comes next if r_{k+1} = C r_k² with the C of the last two residuals; infinite when there are fewer.
+/// Predicts r_{k+1} = C r_k² with C from the last two residuals; infinite if there are fewer.
 double predicted_residual(const std::vector<double>& residuals) {
   const std::size_t n = residuals.size();
   if (n < 2) return std::numeric_limits<double>::infinity();
@@ -29,7 +29,7 @@ double predicted_residual(const std::vector<double>& residuals) {
   return last * (last / before) * (last / before);
 }
 
-/// Whether the residual is near what rounding leaves of it and falls no more: Newton's method would halve it at least.
+/// Whether the residual is near its rounding level and no longer decreases: Newton's method would at least halve it.
 bool stagnates(const std::vector<double>& residuals, double floor) {
   const std::size_t n = residuals.size();
   return n >= 3 && residuals[n - 1] <= near_floor * floor && residuals[n - 1] > least_fall * residuals[n - 2] &&
@@ -55,12 +55,12 @@ bool iterate(const NewtonSystem& system, const NewtonOptions& options, bool pend
     answer_interrupt();
     return stop(Outcome::interrupted, Message("solve.newton.interrupted"));
   };
-  // Steps that need no iteration can be stopped, too.
+  // Steps that need no iteration can be interrupted too.
   if (report.residuals.empty() && interrupted()) return stop_by_user();
   const Iteration acknowledged;
   Message why;
-  // Where quadratic convergence promises the last iteration, the residual alone is enough to confirm it.
-  const bool tangent = predicted_residual(report.residuals) > surely_enough * report.enough;
+  // If quadratic convergence predicts the last iteration, the residual without the tangent is enough to confirm it.
+  const bool tangent = predicted_residual(report.residuals) > surely_below * report.enough;
   if (const Outcome state = system.assemble(tangent, why); state != Outcome::converged) return stop(state, why);
   const double residual = system.residual();
   report.residuals.push_back(residual);
@@ -78,7 +78,7 @@ bool iterate(const NewtonSystem& system, const NewtonOptions& options, bool pend
     report.begun = report.iterations;
     return true;
   }
-  if (residual > hopeless * (system.scale() + report.residuals.front()))
+  if (residual > divergence_growth * (system.scale() + report.residuals.front()))
     return stop(Outcome::diverged, Message("solve.newton.diverged", {{"residual", residual}}));
   if (report.iterations - report.begun >= options.iterations)
     return stop(Outcome::iteration_limit,
@@ -91,7 +91,7 @@ bool iterate(const NewtonSystem& system, const NewtonOptions& options, bool pend
   if (!system.advance(energy)) return stop(Outcome::singular_tangent, Message("solve.newton.singular"));
   ++report.iterations;
   report.energies.push_back(energy);
-  // The move that brings in prescribed displacements has to be whole.
+  // The move that applies prescribed displacements must not be shortened.
   if (options.line_search != LineSearchKind::none && !waiting && !search(system, options.line_search, report))
     return stop(Outcome::line_search, Message("solve.newton.line_search", {{"residual", residual}}));
   return true;

@@ -1,6 +1,6 @@
 #pragma once
-// Newton's method on callbacks, iteration by iteration: the caller assembles, factors and updates; the order of things
-// and the tests live here.
+// Newton's method on callbacks, iteration by iteration: the caller assembles, factors and updates; this module defines
+// the order of operations and the convergence tests.
 
 #include "base/message.hpp"
 #include "solve/line_search.hpp"
@@ -11,20 +11,20 @@
 
 namespace signorini::solve {
 
-/// How a Newton iteration stands or ended. What a reason is called is in name_of().
+/// State of a Newton iteration, or how it ended. name_of() returns the names.
 enum class Outcome {
   iterating,
   converged,
   iteration_limit,
-  diverged,        ///< the residual grew beyond all bounds
-  cycling,         ///< states of contact points repeat
-  lost_projection, ///< touching points come and go beyond an open end of the master
+  diverged,        ///< the residual grew beyond the limit
+  cycling,         ///< contact states repeat
+  lost_projection, ///< contact points alternately find and lose their projection at an open end of the master
   inverted_element,
   singular_tangent,
-  indefinite, ///< no convergence where the tangent has directions of negative stiffness
+  indefinite, ///< no convergence where the tangent has negative eigenvalues
   not_finite,
-  line_search, ///< no length of the move lowers the residual
-  penetration, ///< augmentation does not bring it below its tolerance
+  line_search, ///< no length of the move reduces the residual
+  penetration, ///< augmentation does not reduce it below its tolerance
   interrupted
 };
 
@@ -38,25 +38,25 @@ struct NewtonOptions {
   LineSearchKind line_search = LineSearchKind::none;
 };
 
-/// What the loop needs from a system of equations.
+/// Callbacks of a system of equations.
 struct NewtonSystem {
-  /// Residual and, when wanted, tangent at the present state. Returns converged, or why there are none or why going on
-  /// is in vain (message in `why`).
+  /// Residual and, if `tangent`, tangent at the current state. Returns converged, or the reason why they do not exist
+  /// or continuing is useless (message in `why`).
   std::function<Outcome(bool tangent, Message& why)> assemble;
   /// 2-norm of the residual of the free unknowns.
   std::function<double()> residual;
-  /// The residual that counts as zero is tolerance·scale() + floor(): scale is the size of the forces in the run so
-  /// far, floor what rounding leaves of the residual.
+  /// The residual tolerance is tolerance·scale() + floor(): scale is the magnitude of the forces in the run so far,
+  /// floor the rounding level of the residual.
   std::function<double()> scale, floor;
-  /// Factors, solves and moves the state by Δu. Returns false when the tangent is singular; sets |f·Δu|.
+  /// Factors, solves and moves the state by Δu. Returns false if the tangent is singular; sets |f·Δu|.
   std::function<bool(double& energy)> advance;
-  /// For line search: moves the state to the part s of the last Δu, evaluates the residual there, and returns its norm
-  /// and f·Δu; infinite where there is no residual.
+  /// For line search: moves the state to the fraction s of the last Δu, evaluates the residual there, and returns its
+  /// norm and f·Δu; infinite if the state is invalid.
   std::function<Trial(double part)> retreat = {};
-  /// f·Δu in the state before the last Δu, signed; for line search by energy.
+  /// Signed f·Δu in the state before the last Δu; for line search by energy.
   std::function<double()> slope = {};
-  /// Called when the residual is small enough: releases what was held back, improves what is approximate. Returns
-  /// converged when there was nothing to do, iterating when the residual has to be looked at again, or why it failed.
+  /// Called when the residual is small enough: ends aids such as frozen contact states, updates multipliers. Returns
+  /// converged if nothing was left to do, iterating if the residual has to be tested again, or a reason of failure.
   std::function<Outcome(Message& why)> conclude = {};
 };
 
@@ -65,18 +65,17 @@ struct NewtonReport {
   int iterations = 0;            ///< linear solves
   std::vector<double> residuals; ///< before each solve, and at the end
   std::vector<double> energies;  ///< |f·Δu| of each solve
-  std::vector<double> parts;     ///< of each Δu that a line search left; empty without
-  double enough = 0;             ///< the residual that counts as zero
-  int begun = 0;                 ///< iterations before conclude() last asked for more
-  std::vector<Message> messages; ///< what went wrong
+  std::vector<double> parts;     ///< accepted fractions of Δu by line search; empty without
+  double enough = 0;             ///< tolerance of the residual
+  int begun = 0;                 ///< iterations before conclude() last requested more
+  std::vector<Message> messages; ///< reasons of failure
 };
 
-/// One iteration: evaluates, tests, and unless that ends it solves and moves. Returns whether it goes on; `report` is
-/// its whole memory. It has converged when the residual is below tolerance·scale + floor and |f·Δu| has fallen below
+/// One iteration: evaluates and tests, and unless that ends it, solves and moves. Returns whether to continue; all
+/// state is in `report`. It has converged if the residual is below tolerance·scale + floor and |f·Δu| has fallen below
 /// tolerance times its first value in this step (thesis Algorithm 1, with the absolute value that its sign needs), or
-/// when it stagnates within ten times the floor.
-/// `pending` says that prescribed displacements wait to be applied by the first solve, so that a small residual before
-/// it means nothing.
+/// if it stagnates within ten times the floor. `pending`: prescribed displacements are applied by the first solve, so
+/// that a small residual before it is not convergence.
 bool iterate(const NewtonSystem& system, const NewtonOptions& options, bool pending, NewtonReport& report);
 
 /// Iterates to the end.

@@ -1,5 +1,5 @@
 #pragma once
-// The fixed sparse pattern of a tangent, built from the groups of unknowns that are coupled.
+// The fixed sparse pattern of a tangent, built from groups of coupled unknowns.
 
 #include <vector>
 
@@ -11,15 +11,15 @@ struct Pattern {
   std::vector<int> starts, rows;
 
   int entries() const { return static_cast<int>(rows.size()); }
-  /// Position of entry (row, column) in the value array; −1 when it is not part of the pattern.
+  /// Position of entry (row, column) in the value array; −1 if it is not in the pattern.
   int find(int row, int column) const;
 };
 
-/// A structurally symmetric pattern with a full diagonal: within every group all unknowns are coupled with each other.
-/// Negative entries (prescribed unknowns) are passed over.
+/// A structurally symmetric pattern with a full diagonal: all unknowns of a group are coupled with each other. Negative
+/// entries (prescribed unknowns) are ignored.
 Pattern couple(int size, const std::vector<std::vector<int>>& groups);
 
-/// `base` with further groups coupled. `moved[k]` becomes the position of base entry k in the result.
+/// `base` with additional groups. `moved[k]` becomes the position of base entry k in the result.
 Pattern extend(const Pattern& base, const std::vector<std::vector<int>>& groups, std::vector<int>& moved);
 
 } // namespace signorini::solve

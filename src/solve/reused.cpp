@@ -46,29 +46,29 @@ private:
   bool apply(double* z);
   double iteration_cost() const;
   int budget() const;
-  void write_down(double cost);
+  void record_cost(double cost);
 
   Pattern pattern_;
   RowMatrix matrix_;
   std::unique_ptr<SymmetricPart> symmetric_part_;
   MakeDirect make_direct_;
-  std::unique_ptr<DirectSolver> direct_; ///< while it is needed
-  bool analyzed_ = false;                ///< whether direct_ is for the present pattern
+  std::unique_ptr<DirectSolver> direct_; ///< only while it is needed
+  bool analyzed_ = false;                ///< whether direct_ has analyzed the current pattern
   Preconditioner used_ = Preconditioner::none;
-  bool present_ = false; ///< whether the preconditioner was made from the present values
+  bool present_ = false; ///< whether the preconditioner was made from the current values
   bool first_ = true;    ///< whether the next right-hand side is the first since factor()
   Forcing forcing_;
   Gmres gmres_;
   VectorX right_, rest_, part_, sum_;
-  double entries_ = 0; ///< of the preconditioner that is used
+  double entries_ = 0; ///< of the current preconditioner
   double factor_cost_ = 0;
-  double cost_ = 0;        ///< since the preconditioner was made, which is included
+  double cost_ = 0;        ///< since the preconditioner was made, including its factorization
   int solutions_ = 0;      ///< since then
-  double recent_cost_ = 0; ///< of a solution, on average over the last few
+  double recent_cost_ = 0; ///< running mean of the cost of a solution
   SolverStatistics statistics_;
 };
 
-/// Costs are counted in entries of a matrix that are read.
+/// Costs are counted in matrix entries read.
 double Reused::iteration_cost() const {
   return entries_ + indexed_entry * pattern_.entries();
 }
@@ -77,7 +77,7 @@ bool Reused::factor(const double* values) {
   matrix_.set(values);
   present_ = false;
   first_ = true;
-  // A part that is singular all the same tells nothing of K.
+  // A singular symmetric part does not imply a singular K: renew() decides.
   if (used_ == Preconditioner::symmetric_part && !symmetric_part_->update(values)) used_ = Preconditioner::none;
   return used_ != Preconditioner::none || renew();
 }
@@ -86,7 +86,7 @@ bool Reused::adopt(const Pattern& pattern) {
   pattern_ = pattern;
   matrix_ = RowMatrix(pattern);
   if (symmetric_part_) symmetric_part_->adopt(pattern);
-  analyzed_ = false; // but its factors may go on serving
+  analyzed_ = false; // its factors may still be used
   if (used_ != Preconditioner::direct) direct_.reset();
   return true;
 }
@@ -125,13 +125,13 @@ bool Reused::apply(double* z) {
   return used_ == Preconditioner::direct ? direct_->solve(z) : symmetric_part_->solve(z);
 }
 
-/// How many iterations to spend before a new factorization: as many as it costs, and what would follow it.
+/// Iterations allowed before a new factorization: as many as it and the iterations after it cost.
 int Reused::budget() const {
   if (present_) return most_iterations;
   return static_cast<int>(std::min<double>(most_iterations, usual_iterations + factor_cost_ / iteration_cost()));
 }
 
-void Reused::write_down(double cost) {
+void Reused::record_cost(double cost) {
   recent_cost_ = solutions_ == 0 ? cost : recent_cost_ + latest_weight * (cost - recent_cost_);
   cost_ += cost;
   ++solutions_;
@@ -152,13 +152,13 @@ bool Reused::solve(double* b) {
   for (double left = 1;;) {
     const KrylovReport report = gmres_(multiply, precondition, rest_, tolerance / left, budget(), part_);
     statistics_.iterations += report.iterations;
-    write_down(report.iterations * iteration_cost());
+    record_cost(report.iterations * iteration_cost());
     if (std::isfinite(report.reduction)) {
       sum_ += part_;
       left *= report.reduction;
     }
     if (left <= tolerance) break;
-    // Too slow: a better preconditioner, as long as there is one
+    // Too slow: try a better preconditioner, if there is one
     if (present_ && used_ == Preconditioner::direct) return false;
     if (!(present_ ? renew_direct() : renew())) return false;
     matrix_.multiply(sum_.data(), rest_.data());

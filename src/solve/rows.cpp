@@ -20,7 +20,7 @@ std::vector<double> RowMatrix::columns() const {
 void RowMatrix::multiply(int first, int last, const double* x, double* y) const {
   const int *starts = pattern_.starts.data(), *columns = pattern_.rows.data();
   for (int i = first; i < last; ++i) {
-    // Four sums, so that one addition need not wait for the last
+    // Four partial sums, so that additions do not wait for each other
     double sums[4] = {};
     int k = starts[i];
     for (const int end = starts[i + 1] - 3; k < end; k += 4)

@@ -8,7 +8,7 @@ namespace signorini::solve {
 
 namespace {
 
-/// By any direct solver of A_ii: one solution for each unknown of the border, and two for each system.
+/// Using any direct solver of A_ii: one solution per unknown of the border, and two per system.
 class BySolutions final : public SchurSolver {
 public:
   explicit BySolutions(std::unique_ptr<DirectSolver> interior) : solver_(std::move(interior)) {}
@@ -18,7 +18,7 @@ public:
     interior_.clear();
     entries_.clear();
     inner_.clear();
-    // Places in the interior, and −1 − those in the border
+    // Index in the interior, or −1 − index in the border
     std::vector<int> place(at(pattern.size), 0);
     for (std::size_t k = 0; k < border.size(); ++k) place[at(border[k])] = -1 - static_cast<int>(k);
     for (int i = 0; i < pattern.size; ++i)
@@ -42,7 +42,7 @@ public:
     if (!interior_.empty()) solver_->analyze(inner);
   }
 
-  /// A is symmetric: its columns of the border tell A_ci, too.
+  /// A is symmetric: the border's columns also contain A_ci.
   bool factor(const double* values) override {
     const int inside = static_cast<int>(interior_.size()), size = static_cast<int>(border_.size());
     std::vector<double> inner(inner_.size());
@@ -84,8 +84,8 @@ public:
 private:
   struct Entry {
     int position; ///< in the pattern
-    int row;      ///< place in the interior, or −1 − that in the border
-    int column;   ///< place in the border
+    int row;      ///< index in the interior, or −1 − index in the border
+    int column;   ///< index in the border
   };
   bool solve_interior() { return interior_.empty() || solver_->solve(inside_.data()); }
 

@@ -1,40 +1,41 @@
 #pragma once
-// Factorizations of symmetric matrices that stop before some of the unknowns.
+// Partial factorization of symmetric matrices: the Schur complement of some unknowns.
 
 #include "base/eigen.hpp"
 #include "solve/direct.hpp"
 
 namespace signorini::solve {
 
-/// With the border c behind the interior i of all other unknowns, eliminates the interior of a symmetric A and leaves
+/// Eliminates the interior unknowns i of a symmetric A and leaves the Schur complement of the border c, which is
+/// ordered last:
 ///     S = A_cc − A_ci A_ii⁻¹ A_ic.
-/// It owns what it keeps.
+/// It copies what it needs.
 class SchurSolver {
 public:
   virtual ~SchurSolver() = default;
-  /// Takes the pattern of the matrices to come, and the unknowns of the border. statistics().operations may tell what
-  /// a factorization will take.
+  /// Sets the pattern of the matrices that follow, and the unknowns of the border. Afterwards statistics().operations
+  /// may contain an estimate for the factorization.
   virtual void analyze(const Pattern& pattern, const std::vector<int>& border) = 0;
-  /// Factors the matrix with these values, in the order of the pattern. Returns false when A_ii is singular to working
-  /// precision, or has negative eigenvalues that the solver cannot cope with.
+  /// Factors the matrix with these values, in the order of the pattern. Returns false if A_ii is singular to working
+  /// precision, or has negative eigenvalues that the solver does not support.
   virtual bool factor(const double* values) = 0;
   /// The border in the order of the rows of S.
   virtual const std::vector<int>& border() const = 0;
   /// S of the last factorization.
   virtual const MatrixX& complement() const = 0;
-  /// x_i = A_ii⁻¹ (b_i − A_ic x_c) in place of b, with the x_c that `middle` puts in place of b_c − A_ci A_ii⁻¹ b_i.
+  /// Replaces b by the solution: `middle` replaces b_c − A_ci A_ii⁻¹ b_i by x_c, then x_i = A_ii⁻¹ (b_i − A_ic x_c).
   virtual bool solve(double* b, const std::function<bool(double*)>& middle) = 0;
-  /// Of A_ii.
+  /// Pivots of A_ii.
   virtual PivotRange pivots() const = 0;
   virtual SolverStatistics statistics() const = 0;
 };
 
-/// By any direct solver of A_ii: one solution for each unknown of the border, and two for each system.
+/// Using any direct solver of A_ii: one solution per unknown of the border, and two per system.
 std::unique_ptr<SchurSolver> make_schur(std::unique_ptr<DirectSolver> interior);
 
-/// By CHOLMOD, which needs a positive definite A_ii: all of L is found at once, the border's part by dense blocks.
-/// Minimum degree orders the interior, nested dissection (METIS) where that leaves more than `dissect_above` operations
-/// for each entry of L.
+/// Using CHOLMOD, which needs a positive definite A_ii: all of L is computed at once, the border's part in dense
+/// blocks. The interior is ordered by minimum degree, or by nested dissection (METIS) if that leaves more than
+/// `dissect_above` operations per entry of L.
 std::unique_ptr<SchurSolver> make_schur_cholesky(double dissect_above);
 
 } // namespace signorini::solve

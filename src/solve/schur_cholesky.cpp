@@ -15,13 +15,13 @@ namespace signorini::solve {
 
 namespace {
 
-/// A function of the OpenMP that CHOLMOD has loaded, or nullptr when it was built without.
+/// A function of the OpenMP library that CHOLMOD has loaded, or nullptr if it was built without.
 template <class F> F* openmp(const char* name) {
   return reinterpret_cast<F*>(dlsym(RTLD_DEFAULT, name));
 }
 
-/// Factors without threads of CHOLMOD's own: it asks OpenMP for four, however many the user or the machine has, for
-/// loops far shorter than their start. BLAS keeps its threads.
+/// Factors without CHOLMOD's own threads: it requests four from OpenMP, whatever the user or the machine has, for loops
+/// far shorter than the start of a thread. BLAS keeps its threads.
 void factorize(cholmod_sparse& matrix, cholmod_factor* factor, cholmod_common& common) {
   static auto* const depth = openmp<int()>("omp_get_max_active_levels");
   static auto* const set_depth = openmp<void(int)>("omp_set_max_active_levels");
@@ -31,9 +31,9 @@ void factorize(cholmod_sparse& matrix, cholmod_factor* factor, cholmod_common& c
   if (depth && set_depth) set_depth(before);
 }
 
-/// With a shift D of the border's diagonal, so that A_cc need not be definite,
-///     P (A + D) Pᵀ = L Lᵀ,   S = L_cc L_ccᵀ − D,
-/// so that A x = b is L z = P b, S x_c = L_cc z_c, Lᵀ x = (z_i, L_ccᵀ x_c).
+/// With a shift D of the border's diagonal, so that A_cc need not be positive definite,
+///     P (A + D) Pᵀ = L Lᵀ, S = L_cc L_ccᵀ − D,
+/// so that A x = b is solved by L z = P b, S x_c = L_cc z_c, Lᵀ x = (z_i, L_ccᵀ x_c).
 class SchurCholesky final : public SchurSolver {
 public:
   explicit SchurCholesky(double dissect_above) : dissect_above_(dissect_above) {
@@ -65,16 +65,16 @@ private:
   Pattern pattern_;
   std::vector<char> last_;      ///< marks the border
   std::vector<int> dissection_; ///< METIS' ordering of all unknowns
-  double best_ = 0;             ///< operations with it, on the pattern that it was made for
-  std::vector<int> order_;      ///< unknown at each place of L
-  std::vector<int> border_;     ///< the end of it
+  double best_ = 0;             ///< operations with it, for the pattern it was made for
+  std::vector<int> order_;      ///< unknown at each row of L
+  std::vector<int> border_;     ///< its last part
   MatrixX corner_, complement_; ///< L_cc, S
   PivotRange pivots_;
   VectorX right_, part_;
   SolverStatistics statistics_;
 };
 
-/// Analyzes in an order, with the border moved to its end.
+/// Analyzes with an ordering in which the border is moved to the end.
 void SchurCholesky::analyze_in_order(cholmod_sparse& matrix, const std::vector<int>& order, bool postorder) {
   order_ = order;
   std::stable_partition(order_.begin(), order_.end(), [&](int unknown) { return !last_[at(unknown)]; });
@@ -88,7 +88,7 @@ void SchurCholesky::analyze_in_order(cholmod_sparse& matrix, const std::vector<i
 
 bool SchurCholesky::order_by_degree(cholmod_sparse& matrix) {
   std::vector<int> order(at(size())), sets(at(size()), 0);
-  // CSYMAMD numbers its sets from 0 without gaps.
+  // CSYMAMD expects set numbers from 0 without gaps.
   if (interior() > 0) sets.assign(last_.begin(), last_.end());
   if (!cholmod_csymamd(&matrix, sets.data(), order.data(), &common_)) return false;
   analyze_in_order(matrix, order, false); // a postorder would move the border forward
@@ -96,7 +96,7 @@ bool SchurCholesky::order_by_degree(cholmod_sparse& matrix) {
 }
 
 void SchurCholesky::dissect(cholmod_sparse& matrix) {
-  // Postordering gathers supernodes but moves the border forward: it has to be undone for this.
+  // Postordering forms supernodes but moves the border forward, so the order is corrected and analyzed again.
   const auto analyze_dissection = [&] {
     analyze_in_order(matrix, dissection_, true);
     analyze_in_order(matrix, order_, false);
@@ -149,7 +149,7 @@ bool SchurCholesky::factor(const double* values) {
   factorize(matrix, lower_.factor, common_);
   ++statistics_.factorizations;
   statistics_.operations = common_.fl;
-  statistics_.entries = 2 * common_.lnz; // forward and back
+  statistics_.entries = 2 * common_.lnz; // forward and back substitution
   statistics_.memory = lower_.factor->is_super
                            ? sizeof(double) * static_cast<double>(lower_.factor->xsize)
                            : (sizeof(double) + sizeof(int)) * static_cast<double>(lower_.factor->nzmax);
@@ -164,14 +164,14 @@ bool SchurCholesky::factor(const double* values) {
   return pivots_.regular();
 }
 
-/// Takes L_cc and the pivots of A_ii from L.
+/// Reads L_cc and the pivots of A_ii from L.
 void SchurCholesky::read_factor() {
   const cholmod_factor& lower = *lower_.factor;
   const double* values = static_cast<double*>(lower.x);
   const int *rows = static_cast<int*>(lower.is_super ? lower.s : lower.i), first_row = interior();
   corner_.setZero(size() - first_row, size() - first_row);
   pivots_ = {};
-  // A column of L from its diagonal on: so many values, and the rows that they are in.
+  // A column of L from its diagonal on: the values and their rows.
   const auto read = [&](int column, int entries, const double* value, const int* row) {
     if (column < first_row) return pivots_.add(*value * *value);
     for (int k = 0; k < entries; ++k) corner_(row[k] - first_row, column - first_row) = value[k];

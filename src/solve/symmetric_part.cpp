@@ -25,7 +25,7 @@ void SymmetricPart::analyze(const Pattern& pattern) {
   analyzed_ = true;
 }
 
-/// The entries between the watched unknowns.
+/// Finds the entries between the watched unknowns.
 void SymmetricPart::locate(const Pattern& pattern) {
   entries_.clear();
   const std::vector<int>& watched = solver_->border();
@@ -83,7 +83,7 @@ PivotRange SymmetricPart::pivots() const {
 SolverStatistics SymmetricPart::statistics() const {
   SolverStatistics sum = solver_->statistics();
   const double square = static_cast<double>(border()) * border();
-  sum.entries += 3 * square; // its factors, and L_cc twice
+  sum.entries += 3 * square; // factors of the block, and L_cc twice
   sum.memory += 3 * sizeof(double) * square;
   return sum;
 }

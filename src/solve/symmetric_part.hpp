@@ -1,39 +1,40 @@
 #pragma once
-// The symmetric part of a tangent, factored and kept up to date in the unknowns that contacts act on.
+// The symmetric part of a tangent, factored, with an up-to-date block of the unknowns on which contacts act.
 
 #include "solve/schur.hpp"
 
 namespace signorini::solve {
 
-/// A stand-in for the tangent K: with the watched unknowns c behind the others i, the blocks
+/// An approximation of the tangent K as preconditioner: with the watched unknowns c ordered after the others i, the
+/// blocks
 ///     M = [ K⁰_ii  K⁰_ic ]    K⁰ the symmetric part of an earlier tangent,
-///         [ K⁰_ci  K_cc  ]    K_cc of the present one, unsymmetric as it is.
-/// Contacts that open, close or slip change K_cc only, by much; what deformation changes in K⁰ is little. What is left
-/// of M after the interior is S − K⁰_cc + K_cc with the Schur complement S of K⁰.
+///         [ K⁰_ci  K_cc  ]    K_cc of the current one, possibly unsymmetric.
+/// Opening, closing and slipping contacts change only K_cc, by much; deformation changes K⁰ by little. Elimination of
+/// the interior from M leaves S − K⁰_cc + K_cc with the Schur complement S of K⁰.
 class SymmetricPart {
 public:
-  /// Whether the watched unknowns are kept behind the interior always, or only where the LU of their block takes fewer
-  /// operations than the factorization that it saves; c is empty otherwise.
+  /// Whether the watched unknowns always form the border, or only if the LU of their block needs fewer operations than
+  /// the factorization that it saves; otherwise c is empty.
   enum class Border { always, where_cheap };
 
   explicit SymmetricPart(std::unique_ptr<SchurSolver> solver, Border kept = Border::where_cheap)
       : solver_(std::move(solver)), kept_(kept) {}
 
-  /// Takes other unknowns for c, increasing, from the next factor() on; without any, M is K⁰.
+  /// Sets the unknowns c, increasing, from the next factor() on; without any, M is K⁰.
   void watch(const std::vector<int>& unknowns);
-  /// What follows is on another pattern of the same unknowns; the factors stay.
+  /// The following matrices have another pattern of the same unknowns; the factors are kept.
   void adopt(const Pattern& pattern);
-  /// Makes K⁰ of present values; `transposed` is Kᵀ, both in the order of the pattern. Returns false when the solver
+  /// Sets K⁰ from the current values; `transposed` is Kᵀ, both in the order of the pattern. Returns false if the solver
   /// cannot factor K⁰_ii, or M is singular.
   bool factor(const Pattern& pattern, const double* values, const std::vector<double>& transposed);
-  /// Makes K⁰ of symmetric values in the order of the pattern; update() comes next. Returns false when the solver
-  /// cannot factor K⁰_ii.
+  /// Sets K⁰ to symmetric values in the order of the pattern; call update() next. Returns false if the solver cannot
+  /// factor K⁰_ii.
   bool condense(const Pattern& pattern, const std::vector<double>& values);
-  /// Makes K_cc of present values. Returns false when M is singular.
+  /// Sets K_cc from the current values. Returns false if M is singular.
   bool update(const double* values);
   /// Overwrites b by M⁻¹ b. Call after a successful factor() or update().
   bool solve(double* b);
-  /// Of K⁰_ii, and of the block of c at the last update().
+  /// Pivots of K⁰_ii, and of the block of c at the last update().
   PivotRange pivots() const;
   /// An update() is not counted as a factorization.
   SolverStatistics statistics() const;
@@ -41,7 +42,7 @@ public:
 private:
   struct Entry {
     int position;    ///< in the pattern
-    int row, column; ///< places among c
+    int row, column; ///< indices in c
   };
 
   void analyze(const Pattern& pattern);
@@ -52,10 +53,10 @@ private:
   Border kept_;
   std::vector<int> watched_;
   bool analyzed_ = false;
-  std::vector<Entry> entries_; ///< those between unknowns of c
+  std::vector<Entry> entries_; ///< the entries between unknowns of c
   MatrixX constant_;           ///< S − K⁰_cc
   MatrixX block_;              ///< the factors of S − K⁰_cc + K_cc
-  std::vector<int> exchanges_; ///< of rows, by LAPACK's numbers
+  std::vector<int> exchanges_; ///< row exchanges in LAPACK's numbering
   PivotRange block_pivots_;
 };
 

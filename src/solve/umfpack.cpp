@@ -10,14 +10,14 @@ namespace signorini::solve {
 
 namespace {
 
-/// UMFPACK (Davis, ACM TOMS 30, 2004). Its analysis looks at values too, so it waits for the first matrix.
+/// UMFPACK (Davis, ACM TOMS 30, 2004). Its analysis uses values too, so it is deferred to the first matrix.
 class Umfpack final : public DirectSolver {
 public:
   Umfpack() {
     umfpack_di_defaults(control_);
     control_[UMFPACK_STRATEGY] = UMFPACK_STRATEGY_SYMMETRIC; // the pattern is symmetric
     control_[UMFPACK_ORDERING] = UMFPACK_ORDERING_METIS;
-    control_[UMFPACK_IRSTEP] = 0; // no refinement, so that solutions need the factors only
+    control_[UMFPACK_IRSTEP] = 0; // no iterative refinement, so that solutions need only the factors
   }
   ~Umfpack() override { clear(); }
 

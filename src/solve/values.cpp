@@ -9,7 +9,7 @@
 namespace signorini::solve {
 
 Symmetry::Symmetry(const Pattern& pattern) : mirror_(pattern.rows.size()) {
-  // Column by column, the mirror images in each other column come in its own order.
+  // Traversing columns in order visits the transposed entries of each other column in its order.
   std::vector<int> next(pattern.starts.begin(), pattern.starts.end());
   for (std::size_t k = 0; k < mirror_.size(); ++k) mirror_[k] = next[at(pattern.rows[k])]++;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// What can be said about a matrix and its factors: symmetry, regularity, how well a solution fits.
+// Properties of a matrix and its factors: symmetry, regularity, accuracy of a solution.
 
 #include "solve/constants.hpp"
 #include "solve/pattern.hpp"
@@ -11,7 +11,7 @@
 
 namespace signorini::solve {
 
-/// The absolutely smallest and largest pivot met.
+/// Smallest and largest absolute pivot.
 struct PivotRange {
   double least = std::numeric_limits<double>::infinity(), largest = 0;
 
@@ -26,7 +26,7 @@ struct PivotRange {
   bool regular() const { return least > least_pivot * largest; }
 };
 
-/// Compares every entry with its mirror image on a structurally symmetric pattern.
+/// Compares every entry with its transposed one on a structurally symmetric pattern.
 class Symmetry {
 public:
   explicit Symmetry(const Pattern& pattern);
@@ -39,7 +39,7 @@ private:
   std::vector<int> mirror_; ///< position of (j, i) for each (i, j)
 };
 
-/// ‖b − K x‖ / ‖b‖, zero when b is; infinite when x is not finite. `difference` is scratch.
+/// ‖b − K x‖ / ‖b‖, zero if b is zero; infinite if x is not finite. `difference` is a work array.
 double relative_residual(const Pattern& pattern, const double* values, const double* x, const double* b,
                          std::vector<double>& difference);
 
