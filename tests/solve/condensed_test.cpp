@@ -1,4 +1,4 @@
-// A constant matrix with a changing contact block, by several solvers, against UMFPACK and dense LU of the whole.
+// A constant matrix with a changing contact block, by several solvers, compared with UMFPACK and dense LU of the whole.
 #include "solve/condensed.hpp"
 
 #include "nurbs/random_patch.hpp"
@@ -22,7 +22,7 @@ std::vector<int> random_subset(std::mt19937& random, int size, int count) {
   return all;
 }
 
-/// K₀ with a random unsymmetric C on a part of the entries between contact unknowns.
+/// K₀ with a random unsymmetric C in a fraction of the entries between contact unknowns.
 Values with_contact(std::mt19937& random, const Pattern& pattern, const Condensation& condensation, double part,
                     double size) {
   std::vector<char> touched(at(pattern.size), 0);
@@ -40,11 +40,11 @@ Values with_contact(std::mt19937& random, const Pattern& pattern, const Condensa
 
 using MakeSchur = std::function<std::unique_ptr<SchurSolver>()>;
 
-/// CHOLMOD with L by columns and by dense blocks, ordered in both ways, and any direct solver of the interior.
+/// CHOLMOD with L by columns and by supernodes, with both orderings, and any direct solver of the interior.
 const MakeSchur schur_solvers[] = {[] { return make_schur_cholesky(500); }, [] { return make_schur_cholesky(0); },
                                    [] { return make_schur(make_klu()); }, [] { return make_schur(make_umfpack()); }};
 
-TEST(SchurSolvers, LeaveTheComplementAndSolve) {
+TEST(SchurSolvers, ReturnTheComplementAndSolve) {
   std::mt19937 random(17);
   for (const MakeSchur& make : schur_solvers)
     for (const Pattern& pattern : {chain(1), chain(13), chain(120), cube(5)})
@@ -75,7 +75,7 @@ TEST(SchurSolvers, LeaveTheComplementAndSolve) {
       }
 }
 
-TEST(Condensed, SolvesOneContactBlockAfterTheOther) {
+TEST(Condensed, SolvesChangingContactBlocks) {
   std::mt19937 random(11);
   for (const auto& [size, contacts] : {std::pair{1, 1}, {2, 1}, {13, 0}, {13, 5}, {13, 13}, {120, 40}, {400, 399}}) {
     const Pattern pattern = chain(size);
@@ -85,7 +85,7 @@ TEST(Condensed, SolvesOneContactBlockAfterTheOther) {
     for (const MakeSchur& make : schur_solvers) solvers.push_back(make_condensed(pattern, condensation, make()));
     const auto oracle = make_solver(LinearKind::umfpack, pattern);
     EXPECT_EQ(solvers.front()->kind(), LinearKind::condensed);
-    // From next to nothing to everything in contact, and a contact that is much stiffer than the bulk
+    // From no contact to full contact, and a contact that is much stiffer than the bulk
     for (double part : {0.0, 0.1, 0.2, 0.1, 0.5, 1.0, 0.0})
       for (double stiffness : {1.0, 1e4}) {
         SCOPED_TRACE(text(size, " unknowns, ", contacts, " in contact, part ", part, ", stiffness ", stiffness));
@@ -105,8 +105,8 @@ TEST(Condensed, SolvesOneContactBlockAfterTheOther) {
   }
 }
 
-/// Springs that only contact holds: K₀ is singular, K₀ + C is not.
-TEST(Condensed, ContactAloneMayHoldTheBodies) {
+/// Springs that only contact supports: K₀ is singular, K₀ + C is not.
+TEST(Condensed, ContactMayBeTheOnlySupport) {
   std::mt19937 random(12);
   const auto [pattern, constant] = free_springs(random, 60);
   const Condensation condensation{constant, {20, 21, 22, 23, 59}};
@@ -116,21 +116,21 @@ TEST(Condensed, ContactAloneMayHoldTheBodies) {
   for (int unknown : {21, 59, 20}) {
     held[at(pattern.find(unknown, unknown))] += 0.7;
     EXPECT_LT(backward_error(*solver, pattern, held), 1e-14);
-    EXPECT_FALSE(solver->factor(constant.data())); // contact lost, and found again
+    EXPECT_FALSE(solver->factor(constant.data())); // contact lost, and established again
     EXPECT_LT(backward_error(*solver, pattern, held), 1e-14);
   }
-  // Held with hardly anything, the springs' position keeps the digits that the matrix has.
+  // With very weak support the position of the springs keeps the digits that the matrix has.
   Values weak = constant;
   weak[at(pattern.find(22, 22))] += 1e-6;
   EXPECT_LT(backward_error(*solver, pattern, weak), 1e-14);
 }
 
-TEST(Condensed, ABodyWithoutContactThatNothingHoldsIsSingular) {
+TEST(Condensed, UnconstrainedBodyWithoutContactIsSingular) {
   std::mt19937 random(13);
   const auto [pattern, constant] = free_springs(random, 30);
   Condensation condensation{constant, {}};
   EXPECT_FALSE(make_solver(LinearKind::condensed, pattern, &condensation)->factor(constant.data()));
-  // Two chains, the first of which contact does not reach
+  // Two chains; only the second has contact unknowns
   Condensation halves{constant, {25, 26}};
   for (const auto& [i, j] : {std::pair{14, 15}, {15, 14}}) {
     const double coupling = halves.constant[at(pattern.find(i, j))];
@@ -142,12 +142,12 @@ TEST(Condensed, ABodyWithoutContactThatNothingHoldsIsSingular) {
   EXPECT_FALSE(make_solver(LinearKind::condensed, pattern, &halves)->factor(values.data()));
 }
 
-TEST(Condensed, AContactBlockThatMakesTheMatrixSingularIsSeenAndDoesNoHarm) {
+TEST(Condensed, SingularMatricesByTheContactBlockAreReportedAndLeaveNoTrace) {
   std::mt19937 random(14);
   const Pattern pattern = chain(40);
   const Condensation condensation{random_definite(random, pattern), {3, 5, 17, 30}};
   const auto solver = make_solver(LinearKind::condensed, pattern, &condensation);
-  // The Schur complement onto unknown 17 is 1 / (K⁻¹)₁₇,₁₇; taking it away leaves nothing.
+  // The Schur complement onto unknown 17 is 1 / (K⁻¹)₁₇,₁₇; subtracting it makes the matrix singular.
   Values values = condensation.constant;
   values[at(pattern.find(17, 17))] -= 1 / dense(pattern, values).inverse()(17, 17);
   EXPECT_FALSE(solver->factor(values.data()));
@@ -156,7 +156,7 @@ TEST(Condensed, AContactBlockThatMakesTheMatrixSingularIsSeenAndDoesNoHarm) {
   EXPECT_LT(backward_error(*solver, pattern, condensation.constant), 1e-14);
 }
 
-TEST(Condensed, WrongInputIsAnError) {
+TEST(Condensed, InvalidInputIsAnError) {
   const Pattern pattern = chain(13);
   std::mt19937 random(15);
   const Values constant = random_definite(random, pattern);
@@ -172,8 +172,8 @@ TEST(Condensed, WrongInputIsAnError) {
   EXPECT_ERROR(make({unsymmetric, {}}), "solve.condensed.symmetric");
 }
 
-/// Finite differences of a membrane on 100 × 40 points of which the lowest two rows touch.
-TEST(Condensed, AGridWithAContactFace) {
+/// Finite differences of a membrane on 100 × 40 points whose lowest two rows are in contact.
+TEST(Condensed, SolvesAGridWithAContactFace) {
   constexpr int wide = 100, high = 40;
   std::vector<std::vector<int>> groups;
   for (int y = 0; y + 1 < high; ++y)

@@ -1,4 +1,4 @@
-// Bytes of factors counted from the pattern, beside those that the solvers tell.
+// Memory of factors estimated from the pattern, compared with that reported by the solvers.
 #include "solve/factor_estimate.hpp"
 #include "solve/matrices.hpp"
 
@@ -25,10 +25,10 @@ Pattern sheet(int width, int height) {
 
 struct Counted {
   LinearKind kind;
-  double part; ///< counted bytes, in parts of those that the solver tells
+  double part; ///< estimated bytes as a fraction of those reported by the solver
 };
 
-/// Factors a definite matrix as `asked`, twice: `automatic` has then come to its choice.
+/// Factors a definite matrix by solver `asked`, twice, so that `automatic` has selected its solver.
 Counted compare(LinearKind asked, const Pattern& pattern) {
   std::mt19937 random(7);
   const Values values = random_definite(random, pattern);
@@ -39,7 +39,7 @@ Counted compare(LinearKind asked, const Pattern& pattern) {
   return {estimate.kind, estimate.memory / solver->statistics().memory};
 }
 
-TEST(FactorEstimate, TellsWhatTheSolversTake) {
+TEST(FactorEstimate, AgreesWithTheSolvers) {
   const Pattern plane = sheet(40, 30);
   for (LinearKind kind : {LinearKind::klu, LinearKind::umfpack, LinearKind::kept}) {
     const Counted counted = compare(kind, plane);
@@ -48,7 +48,7 @@ TEST(FactorEstimate, TellsWhatTheSolversTake) {
   }
 }
 
-TEST(FactorEstimate, ForeseesTheAutomaticChoice) {
+TEST(FactorEstimate, PredictsTheAutomaticChoice) {
   EXPECT_EQ(compare(LinearKind::automatic, sheet(20, 20)).kind, LinearKind::klu);
   EXPECT_EQ(compare(LinearKind::automatic, sheet(100, 90)).kind, LinearKind::kept);
   const Counted solid = compare(LinearKind::automatic, cube(11));

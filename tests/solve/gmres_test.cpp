@@ -1,4 +1,4 @@
-// GMRES against the dense least-squares problem that it solves, and the products that it is made of.
+// GMRES compared with the dense least-squares problem that it solves, and its matrix products.
 #include "solve/gmres.hpp"
 #include "solve/rows.hpp"
 
@@ -19,7 +19,7 @@ MatrixXd random_matrix(std::mt19937& random, int size) {
   return MatrixXd::NullaryExpr(size, size, [&] { return number(random); });
 }
 
-/// ‖b − K x‖ / ‖b‖ at its least over x = M⁻¹ span{b, K M⁻¹ b, …}, `dimensions` of them.
+/// Minimum of ‖b − K x‖ / ‖b‖ over x = M⁻¹ span{b, K M⁻¹ b, …} of `dimensions` vectors.
 double least_residual(const MatrixXd& k, const MatrixXd& inverse, const VectorXd& b, int dimensions) {
   MatrixXd basis(b.size(), dimensions);
   VectorXd next = b;
@@ -32,7 +32,7 @@ double least_residual(const MatrixXd& k, const MatrixXd& inverse, const VectorXd
   return (b - images * images.colPivHouseholderQr().solve(b)).norm() / b.norm();
 }
 
-TEST(Gmres, LeavesTheLeastResidualAtEveryIteration) {
+TEST(Gmres, ReachesTheLeastResidualAtEveryIteration) {
   std::mt19937 random(31);
   for (int size : {1, 2, 7, 20})
     for (double preconditioned : {0.0, 0.3}) {
@@ -84,7 +84,7 @@ TEST(Gmres, StopsAsSoonAsTheToleranceIsMet) {
   }
 }
 
-TEST(Gmres, SaysWhereNoSolutionIsToBeHad) {
+TEST(Gmres, ReportsSystemsWithoutSolution) {
   const int size = 5;
   const VectorXd b = VectorXd::Ones(size);
   const auto copy = [&](const double* from, double* to) { std::copy_n(from, size, to); };
@@ -100,7 +100,7 @@ TEST(Gmres, SaysWhereNoSolutionIsToBeHad) {
   EXPECT_TRUE(std::isinf(gmres(copy, bad, b, 1e-10, size, x).reduction));
 }
 
-TEST(RowMatrix, MultipliesToTheSameBitsOnAnyNumberOfThreads) {
+TEST(RowMatrix, ProductsAreBitwiseIdenticalForAnyNumberOfThreads) {
   std::mt19937 random(33);
   for (int size : {1, 2, 13, 120}) {
     const Pattern pattern = chain(size);

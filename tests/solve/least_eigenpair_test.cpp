@@ -7,7 +7,7 @@
 namespace signorini::solve {
 namespace least_eigenpair_test {
 
-TEST(LeastEigenpair, OfASmallMatrix) {
+TEST(LeastEigenpair, IsThatOfASmallMatrix) {
   // Second differences of n points: λ = 2 − 2 cos(π/(n+1)), v_i ~ sin(π i/(n+1)).
   const int n = 6;
   MatrixX matrix = 2 * MatrixX::Identity(n, n);

@@ -1,4 +1,4 @@
-// Line search on functions whose Newton steps are known, and inside the loop where plain Newton fails.
+// Line search on functions with known Newton moves, and inside the loop where plain Newton fails.
 #include "solve/newton.hpp"
 
 #include "base/eigen.hpp"
@@ -15,13 +15,13 @@ namespace line_search_test {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// f(x) = 0 in several unknowns; where f is not finite there is no state.
+/// f(x) = 0 in several unknowns; states in which f is not finite are invalid.
 struct Problem {
   std::function<VectorX(const VectorX&)> f;
   std::function<MatrixX(const VectorX&)> slope;
   VectorX x;
   VectorX before = {}, move = {};
-  std::vector<double> asked = {}; ///< parts that a search has looked at
+  std::vector<double> asked = {}; ///< fractions that a search has evaluated
 
   NewtonReport solve(LineSearchKind kind, int iterations = 25) {
     NewtonSystem system;
@@ -59,25 +59,25 @@ Problem arctan_from(double start) {
   return scalar([](double x) { return std::atan(x); }, [](double x) { return 1 / (1 + x * x); }, start);
 }
 
-/// Odd, convex on either side: from ±a Newton's method goes to ∓a and back for ever.
-/// f = x³ − 5x, f′ = 3x² − 5: x − f/f′ = 2x³/(3x² − 5) = −x for 5x² = 5.
+/// Odd, convex on either side: from ±a Newton's method alternates between ∓a and ±a forever. f = x³ − 5x, f′ = 3x² − 5:
+/// x − f/f′ = 2x³/(3x² − 5) = −x for 5x² = 5.
 Problem two_cycle() {
   return scalar([](double x) { return x * x * x - 5 * x; }, [](double x) { return 3 * x * x - 5; }, 1);
 }
 
-TEST(LineSearch, TheWholeMoveIsKeptWhereItIsGood) {
+TEST(LineSearch, AcceptsTheWholeMoveIfItIsGood) {
   for (LineSearchKind kind : {LineSearchKind::residual, LineSearchKind::energy}) {
     Problem plain = arctan_from(0.5), searched = arctan_from(0.5);
     const NewtonReport without = plain.solve(LineSearchKind::none), with = searched.solve(kind);
     EXPECT_EQ(with.outcome, Outcome::converged);
-    EXPECT_EQ(with.residuals, without.residuals); // to the last bit
+    EXPECT_EQ(with.residuals, without.residuals); // bitwise
     EXPECT_EQ(with.parts, std::vector<double>(static_cast<std::size_t>(with.iterations), 1));
     EXPECT_EQ(searched.asked.size(), with.parts.size());
     EXPECT_TRUE(without.parts.empty());
   }
 }
 
-TEST(LineSearch, GoesBackWhereNewtonOvershoots) {
+TEST(LineSearch, ShortensMovesThatOvershoot) {
   EXPECT_NE(arctan_from(3).solve(LineSearchKind::none).outcome, Outcome::converged);
   for (LineSearchKind kind : {LineSearchKind::residual, LineSearchKind::energy}) {
     Problem problem = arctan_from(3);
@@ -86,13 +86,13 @@ TEST(LineSearch, GoesBackWhereNewtonOvershoots) {
     EXPECT_LT(report.iterations, 10);
     EXPECT_NEAR(problem.x(0), 0, 1e-12);
     EXPECT_LT(report.parts.front(), 1);
-    EXPECT_EQ(report.parts.back(), 1); // Newton's own convergence at the end
+    EXPECT_EQ(report.parts.back(), 1); // plain Newton at the end
     for (std::size_t k = 1; k < report.residuals.size(); ++k) EXPECT_LT(report.residuals[k], report.residuals[k - 1]);
   }
 }
 
-TEST(LineSearch, GoesBackInSeveralUnknowns) {
-  // A rotated pair of arctan, weights 1 and 4
+TEST(LineSearch, ShortensMovesInSeveralUnknowns) {
+  // A rotated pair of arctan functions, weights 1 and 4
   const Eigen::Matrix2d turn = Eigen::Rotation2Dd(0.7).toRotationMatrix();
   const auto f = [turn](const VectorX& x) {
     const Eigen::Vector2d y = turn * x;
@@ -111,7 +111,7 @@ TEST(LineSearch, GoesBackInSeveralUnknowns) {
   }
 }
 
-TEST(LineSearch, AvoidsStatesThatDoNotExist) {
+TEST(LineSearch, AvoidsInvalidStates) {
   // ln x from x = 4: Newton's first move leads to 4 − 4 ln 4 < 0.
   const auto f = [](double x) { return x > 0 ? std::log(x) : std::numeric_limits<double>::quiet_NaN(); };
   const auto slope = [](double x) { return 1 / x; };
@@ -137,9 +137,9 @@ TEST(LineSearch, BreaksCyclesOfPlainNewton) {
   }
 }
 
-// ── The search itself ────────────────────────────────────────────────────────────────────────────────────────────────
+// ── The search alone ─────────────────────────────────────────────────────────────────────────────────────────────────
 
-/// What a search looks at, and what it takes.
+/// Fractions that a search evaluates, and the one that it accepts.
 struct Looks {
   std::vector<double> at;
   std::optional<double> part;
@@ -158,14 +158,14 @@ Looks look(LineSearchKind kind, const std::function<Trial(double)>& trial, const
   return looks;
 }
 
-TEST(LineSearch, ByResidualFollowsTheParabola) {
+TEST(LineSearch, ByResidualUsesTheParabola) {
   // φ(0) = 1, φ′(0) = −2, φ(1) = 2²: the parabola's minimum is at 1/(4 − 1 + 2) = 0.2.
   const auto trial = [](double s) { return Trial{s == 1 ? 2.0 : 0.5, 0}; };
   const Looks looks = look(LineSearchKind::residual, trial, {1});
   ASSERT_EQ(looks.at.size(), 2u);
   EXPECT_NEAR(looks.at[1], 0.2, 1e-15);
   EXPECT_EQ(looks.part, looks.at[1]);
-  // Kept between a tenth and a half of the last part
+  // Limited to between a tenth and a half of the last fraction
   const auto huge = [](double s) { return Trial{s == 1 ? 1e6 : 0.5, 0}; };
   EXPECT_EQ(look(LineSearchKind::residual, huge, {1}).part, 0.1);
   const auto scarce = [](double s) { return Trial{s == 1 ? 1 + 1e-9 : 0.5, 0}; };
@@ -173,24 +173,24 @@ TEST(LineSearch, ByResidualFollowsTheParabola) {
   EXPECT_NEAR(*look(LineSearchKind::residual, scarce, {1}).part, 0.5, 1e-8);
 }
 
-TEST(LineSearch, ByResidualLetsItRiseForAWhile) {
+TEST(LineSearch, ByResidualAllowsATemporaryIncrease) {
   const auto risen = [](double) { return Trial{3, 0}; };
   EXPECT_EQ(look(LineSearchKind::residual, risen, {4, 1, 2, 1}).part, 1);
   EXPECT_EQ(look(LineSearchKind::residual, risen, {1, 1, 2, 1}).part, std::nullopt);
-  // The fourth but last counts, the fifth does not.
+  // Four residuals are compared, the fifth is ignored.
   EXPECT_EQ(look(LineSearchKind::residual, risen, {4, 1, 1, 1, 1}).part, std::nullopt);
   EXPECT_EQ(look(LineSearchKind::residual, risen, {1, 4, 1, 1, 1}).part, 1);
-  // As high as the highest is not lower.
+  // Equal to the highest is not a decrease.
   EXPECT_EQ(look(LineSearchKind::residual, risen, {3}).part, std::nullopt);
 }
 
-TEST(LineSearch, ByEnergyFindsWhereTheSlopeIsSmall) {
-  // f·Δu = −1 + 5s is zero at 0.2; regula falsi finds it at once.
+TEST(LineSearch, ByEnergyFindsASmallSlope) {
+  // f·Δu = −1 + 5s is zero at 0.2; regula falsi finds it in one trial.
   const auto steep = [](double s) { return Trial{1, -1 + 5 * s}; };
   const Looks looks = look(LineSearchKind::energy, steep, {1}, -1);
   ASSERT_EQ(looks.at.size(), 2u);
   EXPECT_NEAR(*looks.part, 0.2, 1e-15);
-  // Of the same sign still, or small enough: the whole move, however the residual stands
+  // Same sign, or small enough: the whole move, whatever the residual
   EXPECT_EQ(look(
                 LineSearchKind::energy,
                 [](double s) {
@@ -215,7 +215,7 @@ TEST(LineSearch, ByEnergyFindsWhereTheSlopeIsSmall) {
                  {1}, -1)
                  .part,
             1);
-  // A positive slope, as an indefinite tangent leaves it, is searched alike.
+  // A positive slope, which an indefinite tangent causes, is searched in the same way.
   EXPECT_NEAR(*look(
                    LineSearchKind::energy,
                    [](double s) {
@@ -226,15 +226,15 @@ TEST(LineSearch, ByEnergyFindsWhereTheSlopeIsSmall) {
               0.2, 1e-15);
 }
 
-/// Short of zero, with no state beyond: there is nothing better to look for.
-TEST(LineSearch, ByEnergyGoesAsFarAsThereAreStates) {
+/// The slope keeps its sign up to the invalid states: no better fraction exists.
+TEST(LineSearch, ByEnergyAdvancesToTheLastValidState) {
   const auto edge = [](double s) { return s > 0.6 ? Trial{infinity, infinity} : Trial{1, -1 + 0.2 * s}; };
   const Looks looks = look(LineSearchKind::energy, edge, {1}, -1);
   EXPECT_EQ(looks.part, 0.5);
   EXPECT_EQ(looks.at, (std::vector<double>{1, 0.5}));
 }
 
-TEST(LineSearch, GivesUpAtOnePartIn128) {
+TEST(LineSearch, FailsBelowOneIn128) {
   const Looks by_residual = look(LineSearchKind::residual, [](double) { return Trial{infinity, infinity}; }, {1});
   EXPECT_EQ(by_residual.part, std::nullopt);
   EXPECT_EQ(by_residual.at, (std::vector<double>{1, 0.5, 0.25, 1. / 8, 1. / 16, 1. / 32, 1. / 64, 1. / 128}));
@@ -246,7 +246,7 @@ TEST(LineSearch, GivesUpAtOnePartIn128) {
       {1}, -1);
   EXPECT_EQ(by_energy.part, std::nullopt);
   EXPECT_EQ(by_energy.at, by_residual.at);
-  // A leap of the slope that no part comes near
+  // A jump of the slope that no fraction approaches
   const Looks leap = look(
       LineSearchKind::energy,
       [](double s) {
@@ -257,8 +257,8 @@ TEST(LineSearch, GivesUpAtOnePartIn128) {
   EXPECT_LE(leap.at.size(), 10u);
 }
 
-TEST(LineSearch, ALoopThatFindsNothingSaysSo) {
-  // The slope has the wrong sign: Newton's moves lead uphill.
+TEST(LineSearch, LoopReportsAFailedSearch) {
+  // The slope has the wrong sign: Newton's moves increase the residual.
   Problem problem = scalar([](double x) { return 1 + x * x; }, [](double) { return -1.0; }, 1);
   const NewtonReport report = problem.solve(LineSearchKind::residual);
   EXPECT_EQ(report.outcome, Outcome::line_search);

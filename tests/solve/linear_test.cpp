@@ -1,4 +1,4 @@
-// The direct solvers on random unsymmetric systems of one pattern.
+// The direct solvers on random unsymmetric systems with the same pattern.
 #include "solve/linear.hpp"
 
 #include "nurbs/random_patch.hpp"
@@ -13,7 +13,7 @@ using namespace test;
 
 class Linear : public testing::TestWithParam<LinearKind> {};
 
-TEST_P(Linear, SolvesOneSystemAfterTheOtherOnOnePattern) {
+TEST_P(Linear, SolvesSeveralSystemsWithOnePattern) {
   std::mt19937 random(3);
   for (int size : {1, 2, 13, 120, 400}) {
     const Pattern pattern = chain(size);
@@ -24,8 +24,8 @@ TEST_P(Linear, SolvesOneSystemAfterTheOtherOnOnePattern) {
   }
 }
 
-/// Pivots that were the largest ones vanish: a factorization that kept them would lose all digits.
-TEST_P(Linear, ValuesThatNeedOtherPivots) {
+/// Formerly large pivots vanish: a factorization that reused them would lose all digits.
+TEST_P(Linear, SolvesValuesThatNeedOtherPivots) {
   std::mt19937 random(4);
   const Pattern pattern = chain(100);
   const auto solver = make_solver(GetParam(), pattern);
@@ -38,7 +38,7 @@ TEST_P(Linear, ValuesThatNeedOtherPivots) {
   }
 }
 
-TEST_P(Linear, SingularMatricesAreSeenAndDoNoHarm) {
+TEST_P(Linear, SingularMatricesAreReportedAndLeaveNoTrace) {
   std::mt19937 random(5);
   const Pattern pattern = chain(40);
   const auto solver = make_solver(GetParam(), pattern);
@@ -53,8 +53,8 @@ TEST_P(Linear, SingularMatricesAreSeenAndDoNoHarm) {
   }
 }
 
-/// A chain of springs that nothing holds: rounding alone keeps the last pivot from zero.
-TEST_P(Linear, SingularToWorkingPrecisionIsSeen) {
+/// An unconstrained chain of springs: the last pivot is zero up to rounding error.
+TEST_P(Linear, SingularityToWorkingPrecisionIsReported) {
   std::mt19937 random(6);
   auto [pattern, values] = free_springs(random, 30);
   const auto solver = make_solver(GetParam(), pattern);
@@ -63,15 +63,15 @@ TEST_P(Linear, SingularToWorkingPrecisionIsSeen) {
   EXPECT_TRUE(solver->factor(values.data()));
 }
 
-/// Pattern, values and right-hand side may go, and a pattern may follow another one.
-TEST(DirectSolvers, OwnWhatTheyKeep) {
+/// Pattern, values and right-hand side may be destroyed, and a pattern may follow another one.
+TEST(DirectSolvers, CopyWhatTheyNeed) {
   std::mt19937 random(7);
   for (const MakeDirect& make : {MakeDirect(make_klu), MakeDirect(make_umfpack)}) {
     const auto solver = make();
     for (int size : {50, 20, 80}) {
       const Pattern pattern = chain(size);
       solver->analyze(Pattern(pattern));
-      for (int round = 0; round < 3; ++round) { // KLU keeps its pivots in the second and checks the solution
+      for (int round = 0; round < 3; ++round) { // KLU reuses its pivots in the second and checks the solution
         const Values values = random_definite(random, pattern);
         Values passing = values;
         ASSERT_TRUE(solver->factor(passing.data()));
@@ -80,7 +80,7 @@ TEST(DirectSolvers, OwnWhatTheyKeep) {
         Eigen::VectorXd x = b;
         ASSERT_TRUE(solver->solve(x.data()));
         EXPECT_LT((product(pattern, values, x) - b).norm(), 1e-12 * b.norm());
-        // No pivot of a matrix whose diagonal outweighs its rows leaves the range of its Gershgorin circles.
+        // Pivots of a diagonally dominant matrix lie in its Gershgorin circles.
         const PivotRange pivots = solver->pivots();
         EXPECT_GE(pivots.least, 0.1 * (1 - 1e-12));
         EXPECT_LE(pivots.largest, 2 * dense(pattern, values).diagonal().maxCoeff());
@@ -92,7 +92,7 @@ TEST(DirectSolvers, OwnWhatTheyKeep) {
 INSTANTIATE_TEST_SUITE_P(Solvers, Linear, testing::Values(LinearKind::klu, LinearKind::umfpack),
                          [](const auto& info) { return name_of(info.param); });
 
-/// Two unknowns a node on a grid of nodes, coupled over one element.
+/// Two unknowns per node on a grid of nodes, coupled over one element.
 Pattern grid(int columns, int rows) {
   std::vector<std::vector<int>> groups;
   for (int j = 0; j + 1 < rows; ++j)
@@ -105,7 +105,7 @@ Pattern grid(int columns, int rows) {
   return couple(2 * columns * rows, groups);
 }
 
-TEST(LinearKinds, KeepsWhatIsDearToFactor) {
+TEST(LinearKinds, ReuseExpensiveFactorizations) {
   std::mt19937 random(49);
   const auto choice = [&](const Pattern& pattern) {
     const auto solver = make_solver(LinearKind::automatic, pattern);
@@ -117,7 +117,7 @@ TEST(LinearKinds, KeepsWhatIsDearToFactor) {
     return solver->kind();
   };
   EXPECT_EQ(choice(chain(400)), LinearKind::klu);
-  EXPECT_EQ(choice(grid(200, 8)), LinearKind::klu); // slender
+  EXPECT_EQ(choice(grid(200, 8)), LinearKind::klu); // long and narrow
   EXPECT_EQ(choice(grid(120, 120)), LinearKind::kept);
   EXPECT_EQ(choice(cube(9)), LinearKind::kept);
   EXPECT_EQ(choice(cube(11)), LinearKind::kept);
@@ -132,9 +132,9 @@ TEST(LinearKinds, HaveNames) {
   EXPECT_EQ(make_solver(LinearKind::automatic, chain(10))->kind(), LinearKind::klu);
 }
 
-TEST(PivotRange, KnowsSingularAndNotFinitePivots) {
+TEST(PivotRange, RecognizesSingularAndNonfinitePivots) {
   PivotRange pivots;
-  EXPECT_TRUE(pivots.regular()); // of no unknowns
+  EXPECT_TRUE(pivots.regular()); // without unknowns
   for (double pivot : {2.0, -1e-13, 7.0}) pivots.add(pivot);
   EXPECT_TRUE(pivots.regular());
   PivotRange wide = pivots;

@@ -1,5 +1,5 @@
 #pragma once
-// Patterns and values for the solvers' tests, with dense oracles.
+// Patterns and values for the solvers' tests, with dense reference solutions.
 
 #include "solve/linear.hpp"
 
@@ -19,7 +19,7 @@ inline std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-/// The pattern of a chain of overlapping groups with some far couplings.
+/// The pattern of a chain of overlapping groups with some distant couplings.
 inline Pattern chain(int size) {
   std::vector<std::vector<int>> groups;
   for (int i = 0; i + 2 < size; i += 2) groups.push_back({i, i + 1, i + 2, (7 * i + 3) % size});
@@ -54,8 +54,7 @@ inline Values random_values(std::mt19937& random, const Pattern& pattern) {
   return values;
 }
 
-/// Symmetric values with a diagonal that the rest of its row does not outweigh; `diagonal` −1 makes them negative
-/// definite.
+/// Positive definite symmetric values that are not diagonally dominant; with `diagonal` −1 they are negative definite.
 inline Values random_definite(std::mt19937& random, const Pattern& pattern, double diagonal = 1) {
   Values values = random_values(random, pattern), sums(at(pattern.size), 0.1);
   for_entries(pattern, [&](int i, int j, int k) {
@@ -74,15 +73,14 @@ inline Eigen::MatrixXd dense(const Pattern& pattern, const Values& values) {
   return full;
 }
 
-/// K x without a dense K.
+/// K x from the sparse K.
 inline Eigen::VectorXd product(const Pattern& pattern, const Values& values, const Eigen::VectorXd& x) {
   Eigen::VectorXd y = Eigen::VectorXd::Zero(pattern.size);
   for_entries(pattern, [&](int i, int j, int k) { y(i) += values[at(k)] * x(j); });
   return y;
 }
 
-/// Largest backward error |K x − b| / (|K||x| + |b|) of two right-hand sides, which follow one factorization; 1 when
-/// there is none.
+/// Largest backward error |K x − b| / (|K||x| + |b|) of two right-hand sides after one factorization; 1 if it failed.
 template <class Solver> double backward_error(Solver& solver, const Pattern& pattern, const Values& values) {
   if (!solver.factor(values.data())) return 1;
   const double norm = Eigen::Map<const Eigen::VectorXd>(values.data(), pattern.entries()).norm();
@@ -96,7 +94,7 @@ template <class Solver> double backward_error(Solver& solver, const Pattern& pat
   return worst;
 }
 
-/// Springs of random stiffness from each of `size` unknowns to the next; nothing holds them.
+/// Springs of random stiffness that connect each of `size` unknowns to the next, without supports.
 inline std::pair<Pattern, Values> free_springs(std::mt19937& random, int size) {
   std::vector<std::vector<int>> pairs;
   for (int i = 0; i + 1 < size; ++i) pairs.push_back({i, i + 1});
@@ -110,7 +108,7 @@ inline std::pair<Pattern, Values> free_springs(std::mt19937& random, int size) {
   return {std::move(pattern), std::move(values)};
 }
 
-/// Tangents that drift: definite, two springs that come and go, and an unsymmetric part of the size `skew`.
+/// Slowly changing tangents: definite, two springs that appear and disappear, and an unsymmetric part of size `skew`.
 struct Drift {
   Pattern pattern;
   Values base, change;

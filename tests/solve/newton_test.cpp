@@ -1,4 +1,4 @@
-// The loop on systems small enough to know what must come out.
+// The loop on systems small enough to predict its results.
 #include "solve/newton.hpp"
 
 #include "base/interrupt.hpp"
@@ -18,7 +18,7 @@ void press_ctrl_c() {
   std::raise(SIGINT);
 }
 
-/// f(x) = 0 in one unknown with its derivative.
+/// f(x) = 0 in one unknown, with its derivative.
 struct Scalar {
   std::function<double(double)> f, slope;
   double x = 0, scale = 1, floor = 0;
@@ -42,7 +42,7 @@ struct Scalar {
     system.floor = [this] { return floor; };
     system.advance = [this](double& energy) {
       ++solves;
-      EXPECT_EQ(tangent_at, x); // a step never uses an old tangent
+      EXPECT_EQ(tangent_at, x); // a solve never uses an old tangent
       if (slope(x) == 0) return false;
       const double step = -f(x) / slope(x);
       energy = std::abs(f(x) * step);
@@ -65,21 +65,21 @@ TEST(Newton, ConvergesQuadratically) {
   ASSERT_EQ(report.residuals.size(), static_cast<std::size_t>(report.iterations) + 1);
   EXPECT_EQ(report.energies.size(), static_cast<std::size_t>(report.iterations));
   EXPECT_EQ(problem.solves, report.iterations);
-  // f(x + δ) = δ² with δ = f/2x: each residual is the square of the last over 4x².
+  // f(x + δ) = δ² with δ = f/2x: each residual is the square of the last one over 4x².
   for (std::size_t k = 1; k < report.residuals.size(); ++k)
     EXPECT_LE(report.residuals[k], std::pow(report.residuals[k - 1], 2) / 4 + 1e-15);
   for (std::size_t k = 1; k < report.energies.size(); ++k) EXPECT_LT(report.energies[k], report.energies[k - 1]);
 }
 
-TEST(Newton, TheResidualAloneConfirmsConvergenceThatIsForeseen) {
+TEST(Newton, PredictedConvergenceIsConfirmedByTheResidualAlone) {
   Scalar problem = root_of_two();
   const NewtonReport report = problem.solve({1e-10, 25});
   EXPECT_EQ(problem.assemblies, report.iterations + 1);
   EXPECT_EQ(problem.tangents, report.iterations);
 }
 
-TEST(Newton, AForeseenConvergenceThatDoesNotComeCostsOneMoreAssembly) {
-  // Residuals 1, 1e-4, for which the square law foresees 1e-12; a slope twice too steep leaves 5e-6.
+TEST(Newton, WrongPredictionCostsOneMoreAssembly) {
+  // Residuals 1, 1e-4, from which quadratic convergence predicts 1e-12; a slope twice too steep leaves 5e-6.
   Scalar problem{[](double x) { return x < 0.9e-4 ? 0.1 * x : x; },
                  [](double x) { return x < 0.9e-4 ? 0.1
                                        : x < 1    ? 2.0
@@ -96,7 +96,7 @@ TEST(Newton, LinearSystemsNeedOneSolve) {
   EXPECT_EQ(problem.x, 2);
 }
 
-TEST(Newton, NothingToDoTakesNoSolveUnlessDisplacementsWait) {
+TEST(Newton, SmallResidualNeedsNoSolveUnlessDisplacementsArePending) {
   Scalar solved{[](double x) { return x; }, [](double) { return 1.0; }};
   EXPECT_EQ(solved.solve().iterations, 0);
   EXPECT_EQ(solved.solve().outcome, Outcome::converged);
@@ -105,7 +105,7 @@ TEST(Newton, NothingToDoTakesNoSolveUnlessDisplacementsWait) {
   EXPECT_EQ(pending.outcome, Outcome::converged);
 }
 
-/// f = x with an error of ±size that no iteration gets rid of.
+/// f = x with an error of ±size that no iteration removes.
 Scalar noisy(double size) {
   Scalar problem;
   problem.x = 1;
@@ -115,7 +115,7 @@ Scalar noisy(double size) {
   return problem;
 }
 
-TEST(Newton, AResidualThatStagnatesNearTheRoundingFloorHasConverged) {
+TEST(Newton, ResidualThatStagnatesNearTheRoundingLevelHasConverged) {
   for (const double times : {1.5, 9.0}) {
     Scalar problem = noisy(times * 1e-12);
     problem.floor = 1e-12;
@@ -128,8 +128,8 @@ TEST(Newton, AResidualThatStagnatesNearTheRoundingFloorHasConverged) {
   EXPECT_EQ(far.solve({1e-10, 60}).outcome, Outcome::iteration_limit);
 }
 
-TEST(Newton, AResidualThatStillFallsNearTheRoundingFloorIsFollowed) {
-  // Each iteration leaves a third: all of 27, 9, 3, 1 floors are visited.
+TEST(Newton, ResidualThatStillDecreasesNearTheRoundingLevelIsNotStagnating) {
+  // Each iteration leaves a third: 27, 9, 3 and 1 times the floor are visited.
   Scalar problem{[](double x) { return x; }, [](double) { return 1.5; }, 27e-12};
   problem.floor = 1e-12;
   problem.scale = 0;
@@ -137,20 +137,20 @@ TEST(Newton, AResidualThatStillFallsNearTheRoundingFloorIsFollowed) {
   EXPECT_LE(problem.x, 1.001 * problem.floor);
 }
 
-TEST(Newton, IterationLimit) {
+TEST(Newton, IterationLimitIsReported) {
   Scalar problem = root_of_two();
   const NewtonReport report = problem.solve({1e-14, 2});
   EXPECT_EQ(report.outcome, Outcome::iteration_limit);
   EXPECT_EQ(report.iterations, 2);
   EXPECT_EQ(report.residuals.size(), 3u);
   EXPECT_NE(told(report.messages).find("solve.newton.no_convergence: iterations = 2"), std::string::npos);
-  // A cycle between 0 and 1 never ends by itself: f = x³ − 2x + 2.
+  // A cycle between 0 and 1: f = x³ − 2x + 2.
   Scalar cycle{[](double x) { return x * x * x - 2 * x + 2; }, [](double x) { return 3 * x * x - 2; }};
   EXPECT_EQ(cycle.solve({1e-10, 50}).outcome, Outcome::iteration_limit);
 }
 
-TEST(Newton, Divergence) {
-  // Newton on x^(1/3) doubles x with changed sign each time; a cubed copy grows fast enough.
+TEST(Newton, DivergenceIsReported) {
+  // Newton's method on sign(x) |x|^(1/5) multiplies x by −4 each time.
   Scalar problem{[](double x) { return std::copysign(std::pow(std::abs(x), 0.2), x) * 1e3; },
                  [](double x) { return 0.2e3 * std::pow(std::abs(x), -0.8); }, 1.0};
   const NewtonReport report = problem.solve({1e-10, 1000});
@@ -159,7 +159,7 @@ TEST(Newton, Divergence) {
   EXPECT_NE(told(report.messages).find("solve.newton.diverged"), std::string::npos);
 }
 
-TEST(Newton, NotFinite) {
+TEST(Newton, NonfiniteResidualIsReported) {
   Scalar problem{[](double x) { return x < 1 ? 1.0 : std::numeric_limits<double>::quiet_NaN(); },
                  [](double) { return -1.0; }};
   const NewtonReport report = problem.solve();
@@ -167,7 +167,7 @@ TEST(Newton, NotFinite) {
   EXPECT_EQ(report.iterations, 1);
 }
 
-TEST(Newton, SingularTangentAndWhatAssemblyReports) {
+TEST(Newton, SingularTangentAndErrorsOfAssemblyAreReported) {
   Scalar flat{[](double) { return 1.0; }, [](double) { return 0.0; }};
   EXPECT_EQ(flat.solve().outcome, Outcome::singular_tangent);
   Scalar inverted = root_of_two();
@@ -178,8 +178,8 @@ TEST(Newton, SingularTangentAndWhatAssemblyReports) {
   EXPECT_EQ(inverted.solves, 0);
 }
 
-/// A residual that happens to be small does not end the iteration while the last step still did work.
-TEST(Newton, EnergyMustFallToo) {
+/// A residual that happens to be small does not end the iteration while the last move still did work.
+TEST(Newton, EnergyMustDecreaseToo) {
   int calls = 0;
   NewtonSystem system;
   system.assemble = [](bool, Message&) { return Outcome::converged; };
@@ -222,7 +222,7 @@ TEST(Newton, StopsBeforeAStepThatNeedsNoIteration) {
   EXPECT_EQ(report.residuals.size(), 0U);
 }
 
-TEST(Newton, IterationByIterationIsTheSame) {
+TEST(Newton, IterationByIterationGivesTheSameResults) {
   for (const bool pending : {false, true})
     for (const int limit : {2, 25}) {
       const NewtonOptions options{1e-14, limit};
@@ -247,7 +247,7 @@ TEST(Newton, IterationByIterationIsTheSame) {
     }
 }
 
-TEST(Newton, SettleIsAskedOnlyOnceConvergedAndMayFail) {
+TEST(Newton, ConcludeIsCalledOnlyOnConvergenceAndMayFail) {
   Scalar problem = root_of_two();
   NewtonSystem system = problem.system();
   int asked = 0;
@@ -280,7 +280,7 @@ TEST(Newton, SettleIsAskedOnlyOnceConvergedAndMayFail) {
 }
 
 /// √2, then √3, then √5 with one limit for each.
-TEST(Newton, IterationsCountFromWhereSettleAskedForMore) {
+TEST(Newton, IterationLimitRestartsWhenConcludeRequestsMore) {
   double square = 2;
   Scalar problem{[&](double x) { return x * x - square; }, [](double x) { return 2 * x; }, 1.0};
   NewtonSystem system = problem.system();
@@ -302,7 +302,7 @@ TEST(Newton, IterationsCountFromWhereSettleAskedForMore) {
   EXPECT_EQ(limited.outcome, Outcome::iteration_limit);
   EXPECT_EQ(limited.iterations - limited.begun, 4);
 
-  // An end that settle never sees comes all the same.
+  // An interrupt ends the iteration even if conclude always requests more.
   problem.x = 1;
   system.conclude = [&](Message&) { return square += 1, Outcome::iterating; };
   press_ctrl_c();

@@ -1,4 +1,4 @@
-// A direct solver that the project does not have goes wherever its own ones go.
+// A direct solver outside the project works wherever the project's solvers do.
 #include "solve/condensed.hpp"
 #include "solve/reused.hpp"
 
@@ -13,7 +13,7 @@ namespace own_solver_test {
 using namespace test;
 using Eigen::VectorXd;
 
-/// Eigen's SparseLU. It does not tell what it costs.
+/// Eigen's SparseLU, without statistics of its cost.
 class OwnSolver final : public DirectSolver {
 public:
   void analyze(const Pattern& pattern) override {
@@ -65,7 +65,7 @@ TEST(OwnSolver, IsReused) {
   EXPECT_GT(solver->statistics().iterations, rounds);
 }
 
-/// A band of unknowns in contact, everything else constant.
+/// A band of unknowns in contact, constant otherwise.
 TEST(OwnSolver, CondensesABody) {
   std::mt19937 random(55);
   const Pattern pattern = cube(5);

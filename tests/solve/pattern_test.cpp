@@ -1,4 +1,4 @@
-// Patterns against dense oracles.
+// Patterns compared with dense matrices.
 #include "solve/pattern.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ Groups random_groups(std::mt19937& random, int size, int count) {
   for (int g = 0; g < count; ++g) {
     groups.emplace_back();
     const int members = std::uniform_int_distribution<int>(0, 6)(random);
-    // −1 stands for prescribed unknowns; repetitions are allowed.
+    // −1: prescribed unknowns; repetitions are allowed.
     for (int k = 0; k < members; ++k) groups.back().push_back(std::uniform_int_distribution<int>(-1, size - 1)(random));
   }
   return groups;
@@ -62,14 +62,14 @@ TEST(Pattern, CouplesAllMembersOfAGroup) {
   EXPECT_EQ(couple(0, {}).entries(), 0);
 }
 
-TEST(Pattern, ExtensionKeepsTrackOfWhereEntriesMove) {
+TEST(Pattern, ExtensionReportsNewPositionsOfEntries) {
   std::mt19937 random(2);
   for (int trial = 0; trial < 20; ++trial) {
     const int size = 25;
     Groups groups = random_groups(random, size, 8);
     const Groups more = random_groups(random, size, 5);
     const Pattern base = couple(size, groups);
-    std::vector<int> moved{7, 7, 7}; // what was there before does not matter
+    std::vector<int> moved{7, 7, 7}; // earlier contents must not matter
     const Pattern wider = extend(base, more, moved);
     groups.insert(groups.end(), more.begin(), more.end());
     expect_same(wider, oracle(size, groups));

@@ -1,4 +1,4 @@
-// Pseudo-transient continuation past a fold, on a force law with one unknown whose roots and whose motion are known.
+// Pseudo-transient continuation past a limit point of a force law with one unknown, known roots and known motion.
 #include "solve/pseudo_time.hpp"
 
 #include <gtest/gtest.h>
@@ -16,12 +16,12 @@ double uniform(Random& random, double low, double high) {
   return std::uniform_real_distribution<double>(low, high)(random);
 }
 
-/// r(u) = u³ − 3u − λ: folds at u = ∓1, λ = ±2.
+/// r(u) = u³ − 3u − λ: limit points at u = ∓1, λ = ±2.
 double force(double u, double load) {
   return u * u * u - 3 * u - load;
 }
 
-/// Where (K + α) Δu = −r leads from u, or NaN where it does not come to rest. Below `wall` there is no state.
+/// The equilibrium to which (K + α) Δu = −r leads from u; NaN if there is none. States below `wall` are invalid.
 double rest(double u, double load, double wall = -std::numeric_limits<double>::infinity()) {
   PseudoTime time;
   for (int move = 0; move < 400; ++move) {
@@ -36,17 +36,17 @@ double rest(double u, double load, double wall = -std::numeric_limits<double>::i
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-TEST(PseudoTime, CarriesPastAFoldToTheOnlyRoot) {
+TEST(PseudoTime, PassesALimitPointToTheOnlyRoot) {
   Random random(1);
   for (int trial = 0; trial < 200; ++trial) {
-    // The load has just passed the fold at u = −1; the root is beyond u = 2.
+    // The load is just above the limit point at u = −1; the root is beyond u = 2.
     const double load = 2 + uniform(random, 1e-6, 1), u = -1 + uniform(random, -0.1, 0.1), root = rest(u, load);
     EXPECT_GT(root, 2) << "from " << u << " under " << load;
     EXPECT_LT(std::abs(force(root, load)), 1e-12);
   }
 }
 
-TEST(PseudoTime, IsNewtonsMethodWhereThatConverges) {
+TEST(PseudoTime, IsNewtonsMethodIfThatConverges) {
   PseudoTime time;
   for (const double error : {0.2, 0.05, 1e-3, 1e-6}) {
     EXPECT_TRUE(time.accept(error));
@@ -54,7 +54,7 @@ TEST(PseudoTime, IsNewtonsMethodWhereThatConverges) {
   }
 }
 
-TEST(PseudoTime, StaysWhereThereAreStates) {
+TEST(PseudoTime, StaysInValidStates) {
   Random random(2);
   for (int trial = 0; trial < 100; ++trial) {
     const double u = uniform(random, -1.5, -1.05), load = 2 + uniform(random, 0.01, 1);
@@ -62,8 +62,8 @@ TEST(PseudoTime, StaysWhereThereAreStates) {
   }
 }
 
-TEST(PseudoTime, GoesOverAJump) {
-  // A residual that no move makes smaller: moves become ten times shorter than those of the diagonal, then count.
+TEST(PseudoTime, PassesAJump) {
+  // A residual that no move reduces: moves become ten times shorter than those of the diagonal, then they are accepted.
   PseudoTime time;
   int trials = 1;
   while (!time.accept(60) && trials < 100) ++trials;

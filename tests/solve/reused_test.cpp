@@ -1,4 +1,4 @@
-// A reused factorization on sequences of tangents: as exact as promised, renewed when it pays, the same on every run.
+// Reused factorizations on sequences of tangents: accuracy as specified, renewal if worthwhile, reproducibility.
 #include "solve/reused.hpp"
 #include "solve/values.hpp"
 
@@ -40,8 +40,9 @@ TEST(Reused, SolvesDriftingTangentsWithFewFactorizations) {
   }
 }
 
-/// As the first predictor of an arc: nothing to balance, then the rate of the prescribed displacements.
-TEST(Reused, ARightHandSideAfterZeroIsSolvedTightly) {
+/// As in the first predictor of arc-length continuation: a zero residual, then the rate of the prescribed
+/// displacements.
+TEST(Reused, RightHandSideAfterZeroIsSolvedTightly) {
   std::mt19937 random(53);
   const Drift drift(random, cube(4), 10);
   const Values values = drift.at_time(1);
@@ -54,7 +55,7 @@ TEST(Reused, ARightHandSideAfterZeroIsSolvedTightly) {
   EXPECT_LE(residual(drift.pattern, values, x, b), 1.0001 * Forcing::tightest);
 }
 
-TEST(Reused, FactorsAnewWhenTheMatrixJumps) {
+TEST(Reused, FactorsAgainAfterAJumpOfTheMatrix) {
   std::mt19937 random(42);
   const Pattern pattern = cube(5);
   const auto solver = make_solver(LinearKind::kept, pattern);
@@ -75,8 +76,8 @@ TEST(Reused, FactorsAnewWhenTheMatrixJumps) {
   }
 }
 
-/// Matrices that have nothing to do with each other, indefinite and unsymmetric: pivots are needed every time.
-TEST(Reused, TakesPivotsWhereTheSymmetricPartIsIndefinite) {
+/// Unrelated indefinite unsymmetric matrices: pivoting is needed every time.
+TEST(Reused, PivotsIfTheSymmetricPartIsIndefinite) {
   std::mt19937 random(43);
   const Pattern pattern = chain(300);
   const auto solver = make_solver(LinearKind::kept, pattern);
@@ -116,7 +117,7 @@ TEST(Reused, ReportsSingularMatricesAndRecovers) {
   }
 }
 
-TEST(Reused, TheSameBitsOnEveryRunAndOnTwoThreads) {
+TEST(Reused, ResultsAreBitwiseReproducibleAndIndependentOfThreads) {
   std::mt19937 random(45);
   const Drift drift(random, cube(5), 10);
   const auto run = [&] {
@@ -137,7 +138,7 @@ TEST(Reused, TheSameBitsOnEveryRunAndOnTwoThreads) {
   set_worker_threads(1);
 }
 
-TEST(Reused, OutlivesItsPattern) {
+TEST(Reused, SurvivesAChangeOfPattern) {
   std::mt19937 random(46);
   Drift drift(random, cube(6), 1);
   const auto solver = make_solver(LinearKind::kept, drift.pattern);
@@ -148,7 +149,7 @@ TEST(Reused, OutlivesItsPattern) {
     VectorXd x = b;
     ASSERT_TRUE(solver->solve(x.data()));
     EXPECT_LE(residual(drift.pattern, values, x, b), 1.0001 * Forcing::loosest);
-    // Nodes of two opposite faces begin to touch.
+    // Nodes of two opposite faces come into contact.
     std::vector<int> moved;
     const int node = 3 * round, other = drift.pattern.size - 3 - node;
     const Pattern next = extend(drift.pattern, {{node, node + 1, other, other + 1}}, moved);
@@ -166,7 +167,7 @@ TEST(Reused, OutlivesItsPattern) {
   EXPECT_LE(solver->statistics().factorizations, 4);
 }
 
-TEST(SymmetricPart, IsFactoredOnOnePatternAfterTheOther) {
+TEST(SymmetricPart, IsFactoredOnSeveralPatterns) {
   std::mt19937 random(47);
   SymmetricPart part(make_schur_cholesky(0));
   Pattern pattern = cube(4);
@@ -195,7 +196,7 @@ TEST(SymmetricPart, IsFactoredOnOnePatternAfterTheOther) {
   EXPECT_EQ(part.statistics().factorizations, 6);
 }
 
-/// M of symmetric_part.hpp from dense blocks: the symmetric part of `old` with the present block of `watched`.
+/// M of symmetric_part.hpp from dense blocks: the symmetric part of `old` with the current block of `watched`.
 Eigen::MatrixXd with_block(const Pattern& pattern, const Values& old, const Values& present,
                            const std::vector<int>& watched) {
   const Eigen::MatrixXd k = dense(pattern, old), now = dense(pattern, present);
@@ -204,7 +205,7 @@ Eigen::MatrixXd with_block(const Pattern& pattern, const Values& old, const Valu
   return m;
 }
 
-TEST(SymmetricPart, KeepsTheBlockOfWatchedUnknownsUpToDate) {
+TEST(SymmetricPart, UpdatesTheBlockOfWatchedUnknowns) {
   std::mt19937 random(50);
   for (const auto& [nodes, cholesky] : {std::pair{3, true}, {6, true}, {3, false}}) {
     Pattern pattern = cube(nodes);
@@ -239,7 +240,7 @@ TEST(SymmetricPart, KeepsTheBlockOfWatchedUnknownsUpToDate) {
       ASSERT_TRUE(part.update(present.data()));
       check(start, present);
     }
-    // Two watched unknowns begin to touch.
+    // Two watched unknowns come into contact.
     const Pattern next = extend(pattern, {{watched.front(), watched.back()}}, moved);
     Values grown(at(next.entries()), 0.0);
     for (std::size_t k = 0; k < moved.size(); ++k) grown[at(moved[k])] = start[k];
@@ -253,8 +254,8 @@ TEST(SymmetricPart, KeepsTheBlockOfWatchedUnknownsUpToDate) {
   }
 }
 
-/// Springs between watched unknowns come and go: no factorization but the first, and few iterations.
-TEST(Reused, WatchedUnknownsMayChangeAtWill) {
+/// Springs between watched unknowns appear and disappear: only one factorization, and few iterations.
+TEST(Reused, WatchedUnknownsMayChangeArbitrarily) {
   std::mt19937 random(51);
   const Pattern pattern = cube(7);
   const Values base = random_definite(random, pattern);
@@ -282,9 +283,9 @@ TEST(Reused, WatchedUnknownsMayChangeAtWill) {
   EXPECT_GT(without.iterations + without.factorizations, 2 * with.iterations);
 }
 
-TEST(Forcing, AsksForATenthOfWhatQuadraticConvergenceLeaves) {
+TEST(Forcing, IsATenthOfTheResidualLeftByQuadraticConvergence) {
   Forcing forcing;
-  EXPECT_DOUBLE_EQ(forcing.next(1), Forcing::loosest);     // nothing known
+  EXPECT_DOUBLE_EQ(forcing.next(1), Forcing::loosest);     // no history
   EXPECT_DOUBLE_EQ(forcing.next(2e-2), 0.1 * 2e-2 * 2e-2); // r₂ ≈ r₁ (r₁/r₀)²
   EXPECT_DOUBLE_EQ(forcing.next(1e-5), 0.1 * 5e-4 * 5e-4);
   EXPECT_DOUBLE_EQ(forcing.next(1e-14), Forcing::tightest);
@@ -293,7 +294,7 @@ TEST(Forcing, AsksForATenthOfWhatQuadraticConvergenceLeaves) {
   EXPECT_DOUBLE_EQ(forcing.next(3), Forcing::loosest);
 }
 
-/// Newton's method for (K + 0.3 N(x)) x = b with springs that stiffen, x ↦ x³, and an unsymmetric coupling.
+/// Newton's method for (K + 0.3 N(x)) x = b with stiffening springs, x ↦ x³, and an unsymmetric coupling.
 TEST(Reused, NewtonConvergesAsWithExactSolutions) {
   std::mt19937 random(48);
   const Drift drift(random, cube(5), 10);

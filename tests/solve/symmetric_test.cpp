@@ -1,4 +1,4 @@
-// The solvers on symmetric systems, definite or not, and what is said about symmetry.
+// The solvers on symmetric systems, definite or not, and the test of symmetry.
 #include "solve/linear.hpp"
 #include "solve/values.hpp"
 
@@ -31,7 +31,7 @@ Values random_symmetric(std::mt19937& random, const Pattern& pattern) {
 
 class Symmetric : public testing::TestWithParam<LinearKind> {};
 
-TEST_P(Symmetric, DefiniteAndIndefiniteSystemsInTurn) {
+TEST_P(Symmetric, SolvesDefiniteAndIndefiniteSystemsAlternately) {
   std::mt19937 random(21);
   for (const Pattern& pattern : {chain(1), chain(2), chain(13), chain(120), full(420)}) {
     const auto solver = make_solver(GetParam(), pattern);
@@ -47,8 +47,8 @@ TEST_P(Symmetric, DefiniteAndIndefiniteSystemsInTurn) {
   }
 }
 
-/// A regular matrix without a usable diagonal pivot.
-TEST_P(Symmetric, ZeroDiagonal) {
+/// A regular matrix with a negligible diagonal.
+TEST_P(Symmetric, SolvesMatricesWithNegligibleDiagonal) {
   const Pattern pattern = chain(61);
   std::mt19937 random(22);
   const auto solver = make_solver(GetParam(), pattern);
@@ -59,7 +59,7 @@ TEST_P(Symmetric, ZeroDiagonal) {
   }
 }
 
-TEST_P(Symmetric, SingularMatricesAreSeenAndDoNoHarm) {
+TEST_P(Symmetric, SingularMatricesAreReportedAndLeaveNoTrace) {
   std::mt19937 random(23);
   auto [pattern, values] = free_springs(random, 50);
   const auto solver = make_solver(GetParam(), pattern);
@@ -75,7 +75,7 @@ TEST_P(Symmetric, SingularMatricesAreSeenAndDoNoHarm) {
 INSTANTIATE_TEST_SUITE_P(Solvers, Symmetric, testing::Values(LinearKind::klu, LinearKind::umfpack),
                          [](const auto& info) { return name_of(info.param); });
 
-TEST(Symmetry, ComparesMirrorImagesWithTheLargestEntry) {
+TEST(Symmetry, ComparesTransposedEntriesRelativeToTheLargest) {
   std::mt19937 random(26);
   for (int size : {1, 2, 13, 60}) {
     const Pattern pattern = chain(size);
@@ -94,7 +94,7 @@ TEST(Symmetry, ComparesMirrorImagesWithTheLargestEntry) {
   }
 }
 
-TEST(RelativeResidual, IsThatOfTheDenseProduct) {
+TEST(RelativeResidual, AgreesWithTheDenseProduct) {
   std::mt19937 random(27);
   const Pattern pattern = chain(30);
   const Values values = random_values(random, pattern);
