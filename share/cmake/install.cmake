@@ -1,4 +1,4 @@
-# What an installed tree holds, and the Debian package of it: cpack --config build/CPackConfig.cmake
+# Contents of an installed tree, and its Debian package: cpack --config build/CPackConfig.cmake
 
 install(TARGETS signorini RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS signorini_view signorini_flat LIBRARY DESTINATION lib/signorini)
@@ -9,7 +9,7 @@ install(DIRECTORY share/ DESTINATION ${CMAKE_INSTALL_DATADIR}/signorini
   PATTERN completion EXCLUDE
   PATTERN cmake EXCLUDE)
 install(FILES README.md CONTRIBUTING.md LICENSE CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DATADIR}/signorini)
-# The installed pages find each other, and the program, where they are in their own tree.
+# Adapts links between pages, and the path of the program, to the installed tree.
 install(CODE "set(tree \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}/signorini\")")
 install(CODE [[
   file(GLOB_RECURSE pages ${tree}/*.md)
@@ -32,10 +32,10 @@ set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
-# The libraries are found by dpkg-shlibdeps; texts in pictures need the fonts.
+# dpkg-shlibdeps finds the libraries; texts in pictures need the fonts.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS fonts-liberation)
-# The reference BLAS, which dpkg-shlibdeps is content with, makes runs in space a quarter slower. The fonts have
-# Chinese and Japanese characters.
+# dpkg-shlibdeps accepts the reference BLAS, which makes runs in space a quarter slower: recommend OpenBLAS. The
+# recommended fonts have Chinese and Japanese characters.
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libopenblas0, fonts-droid-fallback")
 include(CPack)
