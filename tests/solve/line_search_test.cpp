@@ -21,7 +21,7 @@ struct Problem {
   std::function<MatrixX(const VectorX&)> slope;
   VectorX x;
   VectorX before = {}, move = {};
-  std::vector<double> asked = {}; ///< fractions that a search has evaluated
+  std::vector<double> evaluated = {}; ///< fractions that a search has evaluated
 
   NewtonReport solve(LineSearchKind kind, int iterations = 25) {
     NewtonSystem system;
@@ -41,7 +41,7 @@ struct Problem {
     };
     system.slope = [this] { return f(before).dot(move); };
     system.retreat = [this](double part) {
-      asked.push_back(part);
+      evaluated.push_back(part);
       x = before + part * move;
       const VectorX residual = f(x);
       return residual.allFinite() ? Trial{residual.norm(), residual.dot(move)} : Trial{infinity, infinity};
@@ -72,7 +72,7 @@ TEST(LineSearch, AcceptsTheWholeMoveIfItIsGood) {
     EXPECT_EQ(with.outcome, Outcome::converged);
     EXPECT_EQ(with.residuals, without.residuals); // bitwise
     EXPECT_EQ(with.parts, std::vector<double>(static_cast<std::size_t>(with.iterations), 1));
-    EXPECT_EQ(searched.asked.size(), with.parts.size());
+    EXPECT_EQ(searched.evaluated.size(), with.parts.size());
     EXPECT_TRUE(without.parts.empty());
   }
 }
@@ -120,7 +120,7 @@ TEST(LineSearch, AvoidsInvalidStates) {
     Problem problem = scalar(f, slope, 4);
     EXPECT_EQ(problem.solve(kind).outcome, Outcome::converged);
     EXPECT_NEAR(problem.x(0), 1, 1e-12);
-    EXPECT_EQ(problem.asked.front(), 1);
+    EXPECT_EQ(problem.evaluated.front(), 1);
   }
 }
 
@@ -140,58 +140,59 @@ TEST(LineSearch, BreaksCyclesOfPlainNewton) {
 // ── The search alone ─────────────────────────────────────────────────────────────────────────────────────────────────
 
 /// Fractions that a search evaluates, and the one that it accepts.
-struct Looks {
+struct SearchRecord {
   std::vector<double> at;
   std::optional<double> part;
 };
 
-Looks look(LineSearchKind kind, const std::function<Trial(double)>& trial, const std::vector<double>& residuals,
-           double slope = 0) {
-  Looks looks;
-  looks.part = line_search(
+SearchRecord search_along(LineSearchKind kind, const std::function<Trial(double)>& trial,
+                          const std::vector<double>& residuals, double slope = 0) {
+  SearchRecord record;
+  record.part = line_search(
       kind,
       [&](double s) {
-        looks.at.push_back(s);
+        record.at.push_back(s);
         return trial(s);
       },
       residuals, slope);
-  return looks;
+  return record;
 }
 
 TEST(LineSearch, ByResidualUsesTheParabola) {
   // φ(0) = 1, φ′(0) = −2, φ(1) = 2²: the parabola's minimum is at 1/(4 − 1 + 2) = 0.2.
   const auto trial = [](double s) { return Trial{s == 1 ? 2.0 : 0.5, 0}; };
-  const Looks looks = look(LineSearchKind::residual, trial, {1});
-  ASSERT_EQ(looks.at.size(), 2u);
-  EXPECT_NEAR(looks.at[1], 0.2, 1e-15);
-  EXPECT_EQ(looks.part, looks.at[1]);
+  const SearchRecord record = search_along(LineSearchKind::residual, trial, {1});
+  ASSERT_EQ(record.at.size(), 2u);
+  EXPECT_NEAR(record.at[1], 0.2, 1e-15);
+  EXPECT_EQ(record.part, record.at[1]);
   // Limited to between a tenth and a half of the last fraction
   const auto huge = [](double s) { return Trial{s == 1 ? 1e6 : 0.5, 0}; };
-  EXPECT_EQ(look(LineSearchKind::residual, huge, {1}).part, 0.1);
+  EXPECT_EQ(search_along(LineSearchKind::residual, huge, {1}).part, 0.1);
   const auto scarce = [](double s) { return Trial{s == 1 ? 1 + 1e-9 : 0.5, 0}; };
-  EXPECT_EQ(look(LineSearchKind::residual, scarce, {1}).part, look(LineSearchKind::residual, scarce, {1}).at[1]);
-  EXPECT_NEAR(*look(LineSearchKind::residual, scarce, {1}).part, 0.5, 1e-8);
+  EXPECT_EQ(search_along(LineSearchKind::residual, scarce, {1}).part,
+            search_along(LineSearchKind::residual, scarce, {1}).at[1]);
+  EXPECT_NEAR(*search_along(LineSearchKind::residual, scarce, {1}).part, 0.5, 1e-8);
 }
 
 TEST(LineSearch, ByResidualAllowsATemporaryIncrease) {
   const auto risen = [](double) { return Trial{3, 0}; };
-  EXPECT_EQ(look(LineSearchKind::residual, risen, {4, 1, 2, 1}).part, 1);
-  EXPECT_EQ(look(LineSearchKind::residual, risen, {1, 1, 2, 1}).part, std::nullopt);
+  EXPECT_EQ(search_along(LineSearchKind::residual, risen, {4, 1, 2, 1}).part, 1);
+  EXPECT_EQ(search_along(LineSearchKind::residual, risen, {1, 1, 2, 1}).part, std::nullopt);
   // Four residuals are compared, the fifth is ignored.
-  EXPECT_EQ(look(LineSearchKind::residual, risen, {4, 1, 1, 1, 1}).part, std::nullopt);
-  EXPECT_EQ(look(LineSearchKind::residual, risen, {1, 4, 1, 1, 1}).part, 1);
+  EXPECT_EQ(search_along(LineSearchKind::residual, risen, {4, 1, 1, 1, 1}).part, std::nullopt);
+  EXPECT_EQ(search_along(LineSearchKind::residual, risen, {1, 4, 1, 1, 1}).part, 1);
   // Equal to the highest is not a decrease.
-  EXPECT_EQ(look(LineSearchKind::residual, risen, {3}).part, std::nullopt);
+  EXPECT_EQ(search_along(LineSearchKind::residual, risen, {3}).part, std::nullopt);
 }
 
 TEST(LineSearch, ByEnergyFindsASmallSlope) {
   // f·Δu = −1 + 5s is zero at 0.2; regula falsi finds it in one trial.
   const auto steep = [](double s) { return Trial{1, -1 + 5 * s}; };
-  const Looks looks = look(LineSearchKind::energy, steep, {1}, -1);
-  ASSERT_EQ(looks.at.size(), 2u);
-  EXPECT_NEAR(*looks.part, 0.2, 1e-15);
+  const SearchRecord record = search_along(LineSearchKind::energy, steep, {1}, -1);
+  ASSERT_EQ(record.at.size(), 2u);
+  EXPECT_NEAR(*record.part, 0.2, 1e-15);
   // Same sign, or small enough: the whole move, whatever the residual
-  EXPECT_EQ(look(
+  EXPECT_EQ(search_along(
                 LineSearchKind::energy,
                 [](double s) {
                   return Trial{9, -1 - s};
@@ -199,7 +200,7 @@ TEST(LineSearch, ByEnergyFindsASmallSlope) {
                 {1}, -1)
                 .part,
             1);
-  EXPECT_EQ(look(
+  EXPECT_EQ(search_along(
                 LineSearchKind::energy,
                 [](double s) {
                   return Trial{9, -1 + 1.5 * s};
@@ -207,7 +208,7 @@ TEST(LineSearch, ByEnergyFindsASmallSlope) {
                 {1}, -1)
                 .part,
             1);
-  EXPECT_LT(*look(
+  EXPECT_LT(*search_along(
                  LineSearchKind::energy,
                  [](double s) {
                    return Trial{9, -1 + 1.6 * s};
@@ -216,7 +217,7 @@ TEST(LineSearch, ByEnergyFindsASmallSlope) {
                  .part,
             1);
   // A positive slope, which an indefinite tangent causes, is searched in the same way.
-  EXPECT_NEAR(*look(
+  EXPECT_NEAR(*search_along(
                    LineSearchKind::energy,
                    [](double s) {
                      return Trial{1, 1 - 5 * s};
@@ -229,16 +230,20 @@ TEST(LineSearch, ByEnergyFindsASmallSlope) {
 /// The slope keeps its sign up to the invalid states: no better fraction exists.
 TEST(LineSearch, ByEnergyAdvancesToTheLastValidState) {
   const auto edge = [](double s) { return s > 0.6 ? Trial{infinity, infinity} : Trial{1, -1 + 0.2 * s}; };
-  const Looks looks = look(LineSearchKind::energy, edge, {1}, -1);
-  EXPECT_EQ(looks.part, 0.5);
-  EXPECT_EQ(looks.at, (std::vector<double>{1, 0.5}));
+  const SearchRecord record = search_along(LineSearchKind::energy, edge, {1}, -1);
+  EXPECT_EQ(record.part, 0.5);
+  EXPECT_EQ(record.at, (std::vector<double>{1, 0.5}));
 }
 
 TEST(LineSearch, FailsBelowOneIn128) {
-  const Looks by_residual = look(LineSearchKind::residual, [](double) { return Trial{infinity, infinity}; }, {1});
+  const SearchRecord by_residual = search_along(LineSearchKind::residual,
+                                                [](double) {
+                                                  return Trial{infinity, infinity};
+                                                },
+                                                {1});
   EXPECT_EQ(by_residual.part, std::nullopt);
   EXPECT_EQ(by_residual.at, (std::vector<double>{1, 0.5, 0.25, 1. / 8, 1. / 16, 1. / 32, 1. / 64, 1. / 128}));
-  const Looks by_energy = look(
+  const SearchRecord by_energy = search_along(
       LineSearchKind::energy,
       [](double) {
         return Trial{infinity, infinity};
@@ -247,7 +252,7 @@ TEST(LineSearch, FailsBelowOneIn128) {
   EXPECT_EQ(by_energy.part, std::nullopt);
   EXPECT_EQ(by_energy.at, by_residual.at);
   // A jump of the slope that no fraction approaches
-  const Looks leap = look(
+  const SearchRecord leap = search_along(
       LineSearchKind::energy,
       [](double s) {
         return Trial{1, s < 0.3 ? -1.0 : 1.0};

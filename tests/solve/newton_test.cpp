@@ -273,7 +273,7 @@ TEST(Newton, ConcludeIsCalledOnlyOnConvergenceAndMayFail) {
 
   problem.x = 1;
   system.conclude = [&](Message&) {
-    ADD_FAILURE() << "asked where nothing has converged";
+    ADD_FAILURE() << "called before convergence";
     return Outcome::converged;
   };
   EXPECT_EQ(newton(system, {1e-10, 2}, false).outcome, Outcome::iteration_limit);
