@@ -1,5 +1,5 @@
 #pragma once
-// How the cells of a map look: colors that are told apart by color-blind readers and in gray, and hatching.
+// Fills of the cells of a map: hatching and colors that color-blind readers and gray prints distinguish.
 
 #include "view/frame.hpp"
 
@@ -19,15 +19,15 @@ struct Category {
   Look look;
 };
 
-/// Light green and blue, for outcomes that are wanted.
+/// Light green and blue, for favorable outcomes.
 const std::vector<Look>& good_looks();
-/// 21 warm and dark ones, for those that are not. The plain ones come first; they differ in lightness by steps of about
-/// ten hundredths of the way from black to white, so that they stay apart without color.
+/// 21 warm and dark fills, for unfavorable outcomes. Those without hatching come first; their lightness differs by
+/// steps of about 10 % of the range from black to white, so that they differ without color.
 const std::vector<Look>& bad_looks();
 
-/// CIE L*: 0 for black, 100 for white; even steps look even.
+/// CIE L*: 0 for black, 100 for white; perceptually uniform.
 double lightness(const Rgb& color);
-/// Black or white, whichever reads better on the color.
+/// Black or white, whichever has the greater contrast with the color.
 Rgb text_color(const Rgb& ground);
 
 void fill_cell(Drawing& drawing, const Box& box, const Look& look, const Style& style);

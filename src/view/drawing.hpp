@@ -1,6 +1,6 @@
 #pragma once
 // A figure as plain values in pixels, origin at the bottom left, y upwards. Charts and pictures are laid out as a
-// Drawing; the writers of PNG, SVG and PDF turn it into bytes.
+// Drawing; the writers of PNG, SVG and PDF convert it into bytes.
 
 #include <array>
 #include <cmath>
@@ -21,7 +21,7 @@ inline Vec2 operator-(const Vec2& a, const Vec2& b) {
 inline Vec2 operator*(double factor, const Vec2& v) {
   return {factor * v[0], factor * v[1]};
 }
-/// A quarter turn to the left.
+/// Rotates by 90° counterclockwise.
 inline Vec2 left_of(const Vec2& v) {
   return {-v[1], v[0]};
 }
@@ -32,7 +32,7 @@ inline double distance(const Vec2& a, const Vec2& b) {
 using Rgb = std::array<std::uint8_t, 3>;
 using Box = std::array<double, 4>; ///< xmin, xmax, ymin, ymax
 
-/// An open polyline with round joins. `dash`: lengths of line and gap in turn; empty for a solid line.
+/// An open polyline with round joins. `dash`: alternating lengths of dash and gap; empty: solid.
 struct Stroke {
   std::vector<Vec2> points;
   Rgb color;
@@ -48,7 +48,7 @@ struct Fill {
 
 enum class Align { left, center, right };
 
-/// One line of UTF-8 text; `at` is the point of the baseline that `align` names.
+/// One line of UTF-8 text; `at` is the point of the baseline given by `align`.
 struct Text {
   Vec2 at;
   std::string string;
@@ -60,7 +60,7 @@ struct Text {
 
 using Mark = std::variant<Stroke, Fill, Text>;
 
-/// Later marks cover earlier ones; text lies on top of everything.
+/// Later marks cover earlier ones; text is drawn last.
 struct Drawing {
   std::array<int, 2> size;
   std::vector<Mark> marks;
@@ -79,10 +79,10 @@ void add_line(Drawing& drawing, const std::vector<Vec2>& line, const Box& box, c
 std::vector<Vec2> circle_about(const Vec2& at, double radius);
 std::vector<Vec2> outline_of(const Box& box);
 
-/// A line that ends in a head of this length; the head takes the place of what of the line is nearer to the tip.
+/// A line with an arrow head of this length; the shaft ends at the head.
 void draw_arrow(Drawing& drawing, std::vector<Vec2> line, double head, double width, const Rgb& color);
 
-/// What of a box lies within another one, and a box with air on all sides.
+/// The intersection of two boxes, and a box enlarged on all sides.
 Box clipped(const Box& box, const Box& frame);
 Box aired(const Box& box, double air);
 

@@ -1,5 +1,5 @@
 #pragma once
-// The frame round a plot: scales, ticks, grid, labels.
+// The frame of a plot: scales, ticks, grid, labels.
 
 #include "view/drawing.hpp"
 #include "view/text.hpp"
@@ -14,46 +14,46 @@ struct Ticks {
   std::vector<std::string> labels; ///< one per tick
   std::vector<double> minor;       ///< unlabeled marks between them
   std::string factor;              ///< common power of ten of all labels, "×10⁻³", or empty
-  std::vector<FittedText> names;   ///< empty, or one per tick, as its label is drawn
-  bool upright = false;            ///< names read from bottom to top
-  double depth = 0;                ///< pixels that names take below the row that numbers would stand in
+  std::vector<FittedText> names;   ///< empty, or one per tick, as drawn
+  bool upright = false;            ///< names that read from bottom to top
+  double depth = 0;                ///< pixels that names need below the row of numbers
 };
 
-/// A value with three digits at most, as in −1.32×10^{-4}.
+/// A value with at most three digits, as in −1.32×10^{-4}.
 std::string in_digits(double value);
 
-/// Fails where a range [low, high] is too wide or too narrow to be divided in double precision.
+/// Fails when a range [low, high] is too wide or too narrow for double precision.
 void require_drawable(double low, double high, bool log);
 
-/// At most `count` (≥ 2) round numbers 1, 2, 5 × 10ᵏ apart within [low, high]. Needs low < high.
+/// At most `count` (≥ 2) round numbers, 1, 2 or 5 × 10ᵏ apart, within [low, high]. Requires low < high.
 Ticks linear_ticks(double low, double high, int count);
 
-/// Powers of ten within [low, high]; below a decade and a half 2 and 5 times them, too; below a factor of 5, where
-/// these are few, round numbers as on a linear axis. With minor ticks between. Needs 0 < low < high.
+/// Powers of ten within [low, high]; over less than 1.5 decades also their multiples by 2 and 5; below a factor of 5,
+/// if these are few, round numbers as on a linear axis. With minor ticks. Requires 0 < low < high.
 Ticks log_ticks(double low, double high, int count);
 
-/// Sizes in pixels that follow the figure's own size.
+/// Sizes in pixels, proportional to the size of the figure.
 struct Style {
   double unit;       ///< 1 in a figure of 1600 × 1000
-  double tick_size;  ///< of the numbers
+  double tick_size;  ///< of numbers
   double label_size; ///< of axis labels and legends
   double title_size;
-  double margin; ///< at the figure's rim
+  double margin; ///< at the edge of the figure
 };
 
-/// The size in pixels that texts shrink to at most before they are cut short: 18 in a figure of 1600 × 1000.
+/// The minimum font size in pixels, below which texts are truncated: 18 in a figure of 1600 × 1000.
 double least_size(const Style& style);
 
-/// Throws Error on a size below 160 × 120 or above 5000 pixels a side (OpenGL's limit after supersampling).
+/// Throws Error on a size below 160 × 120 or above 5000 pixels per side (OpenGL's limit after supersampling).
 Style style_for(const std::array<int, 2>& size);
 
-/// A place on an axis with a text of its own.
+/// A position on an axis with a text.
 struct Name {
   double at;
   std::string text;
 };
 
-/// One axis: values from low to high on pixels from `from` to `to`.
+/// One axis: maps values from low to high to pixels from `from` to `to`.
 struct Scale {
   double low, high;
   bool log;
@@ -69,45 +69,45 @@ struct Frame {
   std::string xlabel, ylabel;
 };
 
-/// Room in pixels that numbers and label need below the box, or left of it.
+/// Space in pixels that numbers and label need below the box, or left of it.
 double room_below(const Style& style, const std::string& label);
 double room_left(const Style& style, const Ticks& ticks, const std::string& label);
 
-/// As many ticks along x as have room for their numbers.
+/// As many ticks along x as their numbers fit.
 Ticks fitting_ticks(double low, double high, bool log, double pixels, const Style& style);
-/// The same along y, where only the height of a number counts.
+/// The same along y, where only the height of numbers counts.
 Ticks stacked_ticks(double low, double high, bool log, double pixels, const Style& style);
-/// The names within the scale as ticks along x: side by side, smaller or on several lines; upright where that is not
-/// enough and `most` pixels below the numbers' row allow it. What does not fit is cut short; upright names, and
-/// numbers, that would lie on each other are left out.
-/// `within_cells`: nor is the first or the last one wider than its cell.
+/// The names within the scale as ticks along x: side by side, smaller or on several lines; upright if they still do not
+/// fit and `most` pixels below the row of numbers suffice. Names that are too long are truncated; upright names and
+/// numbers that would overlap are omitted. `within_cells`: the first and the last name are not wider than their cells
+/// either.
 Ticks named_ticks(const std::vector<Name>& names, const Scale& scale, double most, const Style& style,
                   bool within_cells = false);
-/// The same along y, level names one above the other; `most`: pixels that they may take to the left.
+/// The same along y, names one above the other; `most`: pixels that they may take to the left.
 Ticks stacked_names(const std::vector<Name>& names, const Scale& scale, double most, const Style& style);
 
-/// From where to where numbers or names below the box reach, pixels.
+/// Leftmost and rightmost pixel of numbers or names below the box.
 std::array<double, 2> reach_of_ticks(const Frame& frame, const Style& style);
 
 void fill_box(Drawing& drawing, const Box& box, const Rgb& color);
 void draw_grid(Drawing& drawing, const Frame& frame, const Style& style);
 void draw_frame(Drawing& drawing, const Frame& frame, const Style& style);
-/// Its numbers, names and labels alone.
+/// Only numbers, names and labels.
 void draw_labels(Drawing& drawing, const Frame& frame, const Style& style);
 
-/// Pixels for a title above a box, on up to three lines; and for the air above a box without one.
+/// Pixels for a title of up to three lines above a box; and for the margin above a box without one.
 double title_room(const std::string& title, double figure_width, const Style& style);
 
-/// The title above the box, on as many lines as there is room for, smaller or cut short where it is too long for these.
+/// Draws the title above the box, on as many lines as fit, smaller or truncated where it is too long.
 void draw_title(Drawing& drawing, const std::string& title, const Box& box, const Style& style);
 
-/// Lines of text from the first one's baseline on; upright ones go to the right.
+/// Draws lines of text from the first baseline on; upright ones go to the right.
 void draw_lines(Drawing& drawing, const FittedText& text, Vec2 at, Align align, const Rgb& color, bool upright = false);
 
-/// One line of text, smaller than `wanted` or cut short where it is longer than `room`.
+/// Draws one line of text, smaller than `wanted` or truncated where it is longer than `room`.
 void draw_fitting(Drawing& drawing, Text text, double room, const Style& style);
 
-/// The greatest size up to `wanted` at which the text is no wider than `room`.
+/// The largest size up to `wanted` at which the text is not wider than `room`.
 double fitting_size(const std::string& text, double wanted, double room);
 
 } // namespace signorini::view

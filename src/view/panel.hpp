@@ -1,5 +1,5 @@
 #pragma once
-// What a picture shows, as plain arrays in model units: bodies, obstacles, marks and names of a state.
+// The content of a picture as plain arrays in model units: bodies, obstacles, marks and names of a state.
 
 #include "base/window.hpp"
 #include "view/marks.hpp"
@@ -14,7 +14,7 @@
 
 namespace signorini::view {
 
-inline constexpr Rgb plain_color = {203, 209, 214}; ///< a body without a field
+inline constexpr Rgb plain_color = {203, 209, 214}; ///< of bodies without a field
 inline constexpr Rgb mesh_color = {45, 45, 45};     ///< borders of elements, rims
 inline constexpr Rgb net_color = {200, 60, 20};     ///< control points and the lines between them
 
@@ -23,47 +23,47 @@ inline constexpr Rgb net_color = {200, 60, 20};     ///< control points and the 
 /// A triangulated surface.
 struct Surface {
   Points points;
-  Points normals; ///< outward unit normals, one per point; none in the plane
+  Points normals; ///< outward unit normals, one per point; empty in the plane
   Triangles triangles;
-  VectorX values;      ///< one per point; empty: plain
-  Points vectors = {}; ///< one per point, for arrows; or none
+  VectorX values;      ///< one per point; empty: no field
+  Points vectors = {}; ///< one per point, for arrows; or empty
 };
 
-/// A line on a surface, on the true curved geometry. `spacing`: distance to the next one of its kind; where that is
-/// small on paper the line is thin, so that fine meshes do not hide the colors; 0 for those of full width.
+/// A line on a surface, on the exact curved geometry. `spacing`: distance to the next line of its kind, for thinner
+/// lines where it is small on paper, so that fine meshes do not cover the colors; 0: full width.
 struct SurfaceLine {
   Points points;
-  Points normals = {}; ///< one of the surface per point; none in the plane
+  Points normals = {}; ///< of the surface, one per point; empty in the plane
   double spacing = 0;
-  VectorX values = {}; ///< of the surface beneath, one per point; or none
+  VectorX values = {}; ///< of the surface beneath, one per point; or empty
 };
 
-/// The inside of an element at (divisions + 1)³ points evenly spread over its parameters, ξ¹ running fastest.
+/// Samples of an element at (divisions + 1)³ points, evenly spaced in its parameters, ξ¹ running fastest.
 struct Lattice {
   int divisions;
   Points points;
-  VectorX values; ///< one per point; empty: plain
+  VectorX values; ///< one per point; empty: no field
 };
 
-/// One body ready to be drawn, in space or in the plane z = 0.
+/// One body, tessellated, in space or in the plane z = 0.
 struct Body {
   Surface skin;
   std::vector<SurfaceLine> mesh_lines, rim;
-  bool mesh = true;            ///< draw mesh lines, those of cut faces as well
-  bool open = false;           ///< a surface without an inside, or a curve: its lines show from both sides
-  std::vector<Lattice> inside; ///< of the elements that a cut plane crosses at least
+  bool mesh = true;            ///< draw mesh lines, also on cut faces
+  bool open = false;           ///< a surface without interior, or a curve: its lines are visible from both sides
+  std::vector<Lattice> inside; ///< at least of the elements that a cut plane intersects
   Points control_points;       ///< drawn as dots when not empty
   std::vector<std::array<int, 2>> net_lines; ///< control net between control points
   Surface undeformed;                        ///< drawn translucent when not empty
   std::vector<SurfaceLine> undeformed_rim;   ///< drawn dashed
 };
 
-/// A vector at a place.
+/// A vector at a point.
 struct PointVector {
   Vec<3> at, vector;
 };
 
-/// lowest and highest corner
+/// Lower and upper corner.
 struct Bounds {
   Vec<3> low = Vec<3>::Constant(std::numeric_limits<double>::infinity()), high = -low;
 
@@ -76,25 +76,25 @@ struct Bounds {
   bool operator==(const Bounds&) const = default;
 };
 
-/// Of all that is drawn of bodies.
+/// Of all bodies as drawn.
 Bounds bounds(const Body& body);
 Bounds bounds(const std::vector<Body>& bodies);
 
-/// Images in the mirror of the plane x = 0, y = 0 or z = 0 (axis 0, 1, 2); `sign` is what happens to the values.
+/// Images in the mirror of the plane x = 0, y = 0 or z = 0 (axis 0, 1, 2); values are multiplied by `sign`.
 Surface mirrored(const Surface& surface, int axis, double sign);
 Body mirrored(const Body& body, int axis, double sign);
 PointVector mirrored(PointVector vector, int axis);
 
-/// Takes away what of a body lies beyond the mirror. Makes a solid and its image one: takes away the surface that lies
-/// in the plane of the mirror, too, and turns the rims there into element borders.
+/// Removes the part of a body beyond the mirror. Joins a solid and its image: removes also the surface in the mirror
+/// plane, and turns the rims there into element borders.
 void join_at_mirror(Body& body, int axis);
 
 // ── Rigid obstacles ──────────────────────────────────────────────────────────────────────────────────────────────────
 
-/// The rim of an obstacle of the plane as a polyline, the obstacle on its left; drawn with hatching on that side.
+/// The outline of an obstacle of the plane as a polyline, the obstacle on its left, where it is hatched.
 struct Outline {
   Points line;
-  bool endless = false; ///< its first and last segment go on for ever
+  bool endless = false; ///< first and last segment are infinite
 };
 
 struct RigidPlane {
@@ -104,12 +104,12 @@ struct RigidBall {
   Vec<3> center;
   double radius;
 };
-/// Without ends.
+/// Infinite in both directions.
 struct RigidCylinder {
   Vec<3> point, axis;
   double radius;
 };
-/// A surface of any form, tessellated, and its border.
+/// A tessellated surface of any form and its border.
 struct RigidSurface {
   Surface surface;
   std::vector<SurfaceLine> rim;
@@ -118,9 +118,9 @@ using Rigid = std::variant<RigidPlane, RigidBall, RigidCylinder, RigidSurface>;
 
 // ── States ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-/// What lies on the side that the normal points to is taken away.
+/// Removes the side that the normal points to.
 struct CutPlane {
-  Vec<3> point, normal; ///< of any length but zero
+  Vec<3> point, normal; ///< nonzero, of any length
 };
 
 /// One state of a model.
@@ -130,10 +130,10 @@ struct Panel {
   std::vector<Rigid> obstacles = {};  ///< in space
   std::optional<CutPlane> cut = {};   ///< of bodies and obstacles in space
   std::vector<Outline> outlines = {}; ///< obstacles in the plane
-  std::vector<PointMark> marks = {};  ///< drawn on top of all that is in front of them
+  std::vector<PointMark> marks = {};  ///< drawn on top of everything in front of them
   Names names = {};
-  std::vector<PointVector> vectors = {}; ///< beside those of the bodies
-  std::vector<Window> windows = {};      ///< for what is tessellated here: obstacles that are no RigidSurface
+  std::vector<PointVector> vectors = {}; ///< in addition to those of the bodies
+  std::vector<Window> windows = {};      ///< for obstacles that are tessellated here, all except RigidSurface
 };
 
 } // namespace signorini::view

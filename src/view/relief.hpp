@@ -1,6 +1,6 @@
 #pragma once
-// What lies beneath a drawing's marks: surfaces colored by values, and lines on them, in pixels, z towards the eye.
-// Drawn by OpenGL: what is nearer to the eye hides what is behind it.
+// Surfaces colored by values and lines on them, beneath the marks of a drawing: in pixels, z towards the eye, drawn by
+// OpenGL with hidden surfaces removed.
 
 #include "base/eigen.hpp"
 #include "view/drawing.hpp"
@@ -10,23 +10,23 @@ namespace signorini::view {
 using Triangles = Eigen::Matrix<int, 3, Eigen::Dynamic>;
 using Points = Eigen::Matrix<double, 3, Eigen::Dynamic>;
 
-/// A surface colored by interpolated values; those outside the range take its end colors.
+/// A surface colored by interpolated values; values outside the range take the end colors.
 struct Field {
   Points points;
-  Points normals; ///< one per point: it is lit; or none
+  Points normals; ///< one per point: lit; empty: unlit
   Triangles triangles;
   VectorX values; ///< one per point
   std::array<double, 2> range;
-  std::vector<Rgb> colors; ///< evenly spread over the range
+  std::vector<Rgb> colors; ///< evenly spaced over the range
 };
 
-/// Triangles of plain color without light.
+/// Unlit triangles, each of one color.
 struct Ink {
   std::vector<Vec<3>> corners; ///< three per triangle
   std::vector<Rgb> colors;     ///< one per triangle
 };
 
-/// Lit translucent triangles behind all else, so that they tint no color that has a meaning; each is laid over those
+/// Lit translucent triangles behind everything else, so that they do not tint field colors; each is blended over those
 /// before it.
 struct Veil {
   std::vector<Vec<3>> corners, normals;            ///< three per triangle
@@ -34,7 +34,7 @@ struct Veil {
 };
 
 struct Relief {
-  Box window; ///< nothing shows outside
+  Box window; ///< clip region
   std::vector<Field> fields = {};
   Ink ink = {};
   Veil veil = {};
@@ -43,12 +43,12 @@ struct Relief {
 struct Pen {
   Rgb color;
   double width;             ///< pixels
-  double lift;              ///< pixels towards the eye, so that the surface does not hide its own line
+  double lift;              ///< pixels towards the eye, so that the surface does not hide its lines
   bool facing_only = false; ///< draw only where the surface faces the eye
 };
 
-/// Adds a line whose points are in pixels, z towards the eye, with normals in the same axes. Across the line the ribbon
-/// follows the surface's tangent plane, so that it stays visible on surfaces that slope.
+/// Adds a line with points in pixels, z towards the eye, and normals in the same axes. The ribbon lies in the tangent
+/// plane of the surface, so that it stays visible on inclined surfaces.
 void add_ribbon(Ink& ink, const Points& points, const Points& normals, const Pen& pen);
 
 /// Adds a round dot in the picture's plane.

@@ -1,5 +1,5 @@
 #pragma once
-// Where the states of a sheet, its color bar and its title go.
+// Layout of a sheet: states, color bar and title.
 
 #include "view/colorbar.hpp"
 #include "view/picture.hpp"
@@ -9,28 +9,28 @@ namespace signorini::view {
 /// The part of the model that each state shows: xmin, xmax, ymin, ymax.
 using ModelBoxes = std::vector<Box>;
 
-/// Pixels at the bottom left that stand in for numbers along the axes: three arrows for solids.
+/// Pixels at the bottom left in the place of numbers along axes: three arrows for solids.
 struct ArrowRoom {
   double width, height;
 };
 
 struct Sheet {
-  std::array<int, 2> size;   ///< pixels, trimmed when asked for
+  std::array<int, 2> size;   ///< pixels, trimmed if requested
   std::vector<Frame> frames; ///< one per panel
-  double panel_title_size;   ///< one for all, at which the longest fits its frame
-  Vec2 arrows;               ///< bottom left corner of the arrows' room
-  Vec2 key;                  ///< bottom left corner of that of the vectors' key
+  double panel_title_size;   ///< the same for all, at which the longest fits its frame
+  Vec2 arrows;               ///< bottom left corner of the axis arrows
+  Vec2 key;                  ///< bottom left corner of the key of the vectors
   BarPlace bar;
-  Box whole; ///< of all frames, up to where the title may stand
+  Box whole; ///< of all frames, up to the title
 };
 
-/// `titles`: of each state. `boxes`: what each state needs to show. `range`: of the color bar; none without colors.
-/// Throws Error when the states would be too small to see.
+/// `titles`: of each state. `boxes`: the region that each state shows. `range`: of the color bar; empty without colors.
+/// Throws Error when the states would be too small.
 Sheet lay_out_sheet(const std::vector<std::string>& titles, const ModelBoxes& boxes, const PictureOptions& options,
                     const std::optional<std::array<double, 2>>& range, const Style& style,
                     const std::optional<ArrowRoom>& arrows = {});
 
-/// A sheet while its states are drawn.
+/// A sheet during drawing.
 struct Canvas {
   Style style;
   std::vector<Rgb> colors;
@@ -42,24 +42,24 @@ struct Canvas {
   Plate plate;
 };
 
-/// A sheet laid out by lay_out_sheet(); `values`: what is colored; `longest`: of the vectors.
+/// A sheet laid out by lay_out_sheet(); `values`: the colored ones; `longest`: longest vector.
 Canvas make_canvas(const std::vector<std::string>& titles, const ModelBoxes& boxes,
                    const std::vector<const VectorX*>& values, double longest, const PictureOptions& options,
                    const std::optional<ArrowRoom>& arrows = {});
 
-/// Between the points of the grid that vectors are drawn at, pixels.
+/// Grid spacing of vectors, pixels.
 double vector_step(const Style& style);
 
-/// The canvas with color bar, vectors' key and title.
+/// The canvas with color bar, key of the vectors and title.
 Plate finished(Canvas canvas, const PictureOptions& options);
 
-/// The options' own range, or that of the values; with a warning where it leaves out outliers.
+/// The given range, or that of the values; warns of outliers that it excludes.
 std::array<double, 2> color_range(const ColoredValues& values, const PictureOptions& options);
 
-/// What an axis is called: by the options, or by its letter and the unit.
+/// The name of an axis: that of the options, or its letter and the unit.
 std::string axis_name(const PictureOptions& options, int axis, const std::string& unit = "");
 
-/// What holds all boxes.
+/// The bounding box of all boxes.
 Box hull(const ModelBoxes& boxes);
 
 } // namespace signorini::view

@@ -1,5 +1,5 @@
 #pragma once
-// Lines and arrows that pictures draw on colored surfaces.
+// Lines and arrows on colored surfaces.
 
 #include "view/panel.hpp"
 
@@ -10,17 +10,17 @@ namespace signorini::view {
 /// Points without their z.
 std::vector<Vec2> flat(const Points& points);
 
-/// The color of a value in a range of colors; beyond it that of the nearest end.
+/// The color of a value; the nearest end color outside the range.
 Rgb color_of(double value, const std::array<double, 2>& range, const std::vector<Rgb>& colors);
 
-/// Dark lines vanish on dark colors, light ones on light colors: the one that shows.
+/// Dark or light line color, whichever has more contrast with the surface color.
 Rgb tone_on(const Rgb& ground);
 
-/// What lies beneath lines that run through a surface's own points.
+/// The surface beneath a line that runs through its points.
 class Ground {
 public:
   explicit Ground(const Surface& surface);
-  /// One value per point of the line; none where the surface has none.
+  /// One value per point of the line; empty if the surface has none.
   VectorX along(const Points& line) const;
 
 private:
@@ -30,31 +30,30 @@ private:
   std::unordered_map<std::array<double, 3>, double, Hash> values_;
 };
 
-/// A part of a line in one color.
+/// A section of a line in one color.
 struct Stretch {
   Eigen::Index first, count; ///< of the line's points
   Rgb color;
 };
-/// A line in the tones that show on the values beneath it; whole in one color where there are no values.
+/// Splits a line into sections whose colors contrast with the values beneath; one section without values.
 std::vector<Stretch> toned(Eigen::Index points, const VectorX& values, const Rgb& otherwise,
                            const std::array<double, 2>& range, const std::vector<Rgb>& colors);
 
-/// Which values contour lines stand for.
+/// The values of contour lines.
 struct Contours {
-  int count = 0;                   ///< evenly spread within the range of colors; 0: at the color bar's numbers
-  std::vector<double> levels = {}; ///< in their place
+  int count = 0;                   ///< number, evenly spaced within the color range; 0: at the numbers of the color bar
+  std::vector<double> levels = {}; ///< explicit values instead
 
   bool operator==(const Contours&) const = default;
 };
-/// Rising; throws Error where none of the levels is a value that is drawn, from the lowest to the highest.
+/// Ascending; throws Error when no level lies between the minimum and maximum of the drawn values.
 std::vector<double> contour_levels(const Contours& contours, const std::array<double, 2>& range,
                                    const std::array<double, 2>& values);
 
-/// The vectors of surfaces in pixels, z towards the eye, at the points of a square grid that the eye sees, `step`
-/// apart.
+/// The visible vectors of surfaces in pixels, z towards the eye, on a square grid of spacing `step`.
 std::vector<PointVector> regular_sample(const std::vector<Surface>& surfaces, double step);
 
-/// Arrows along vectors, `scale` pixels per unit, that begin within the box.
+/// Arrows along vectors, `scale` pixels per unit, that start within the box.
 void draw_vectors(Drawing& drawing, const std::vector<PointVector>& vectors, double scale, const Box& box, double unit);
 
 } // namespace signorini::view

@@ -1,6 +1,5 @@
 #pragma once
-// Lines of text: raised and lowered digits, how wide a line will be, and how it is fitted into little room: on several
-// lines, smaller, and where that is not enough cut short.
+// Lines of text: superscripts and subscripts, text widths, and fitting by wrapping, shrinking and truncation.
 
 #include <string>
 #include <string_view>
@@ -8,37 +7,37 @@
 
 namespace signorini::view {
 
-/// A stretch of text on one level: 0 on the baseline, +1 raised, −1 lowered.
+/// A part of a text on one level: 0 on the baseline, +1 superscript, −1 subscript.
 struct TextRun {
   std::string string;
   int level;
 };
 
-/// Splits a text where its level changes. Unicode's superscripts and subscripts (10⁻³, σ₁₁) come back as plain
-/// characters on their level: few fonts hold all of them. `_{…}` lowers and `^{…}` raises what the braces hold; `^`
-/// raises the letters and digits behind it, with their sign (mm^2, 10^-3), and `_` behind a single letter, or a sign
-/// such as ∫ or ∂, lowers them (u_y, p_max, ∫_Γ). So max_pressure and a_b_c are plain. A backslash before _ ^ { } or
-/// \\ stands for the sign itself.
+/// Splits a text at changes of level. Superscripts and subscripts of Unicode (10⁻³, σ₁₁) become plain characters with a
+/// level, because few fonts contain all of them. `_{…}` lowers and `^{…}` raises the content of the braces; `^` raises
+/// the following letters and digits with their sign (mm^2, 10^-3); `_` lowers them if it follows a single letter or a
+/// sign such as ∫ or ∂ (u_y, p_max, ∫_Γ), so that max_pressure and a_b_c are unchanged. A backslash before _ ^ { } or
+/// \\ escapes the character.
 std::vector<TextRun> text_runs(std::string_view utf8);
 
-/// Size of a run's characters and height of its baseline, relative to the line's size.
+/// Font size of a run and height of its baseline, relative to the size of the line.
 double run_size(int level);
 double run_rise(int level);
 
-/// The code points of UTF-8 text; a byte that is no UTF-8 comes back as U+FFFD.
+/// The code points of UTF-8 text; an invalid byte becomes U+FFFD.
 std::vector<char32_t> code_points(std::string_view utf8);
 std::string to_utf8(char32_t point);
 
 /// Warns of a text that is not UTF-8.
 void warn_of_broken(std::string_view utf8);
 
-/// Width in pixels of a line as it will be drawn, proportional to its size (renderer.hpp).
+/// Width in pixels of a line as drawn, proportional to its size.
 double text_width(std::string_view utf8, double size);
 
 struct FittedText {
   std::vector<std::string> lines;
   double size = 0;  ///< of all lines, pixels
-  bool cut = false; ///< ends with "…" in the place of the rest
+  bool cut = false; ///< truncated: ends with "…"
 
   /// Of the longest line, pixels.
   double width() const;
@@ -46,11 +45,11 @@ struct FittedText {
   double depth() const;
 };
 
-/// The baselines of lines stand this far apart, in their size.
+/// Distance between baselines of lines, relative to the font size.
 inline constexpr double line_step = 1.2;
 
-/// Fits a text into `room` pixels: at the wanted size, on up to `most` lines, smaller down to `least`; what is left
-/// then gives way to "…".
+/// Fits a text into `room` pixels: at the wanted size, on up to `most` lines, smaller down to `least`; the rest is
+/// replaced by "…".
 FittedText fit_text(const std::string& text, double wanted, double least, double room, int most = 1);
 
 } // namespace signorini::view
