@@ -15,12 +15,12 @@ double arm_length(const Style& style) {
   return 2.7 * style.tick_size;
 }
 
-/// Arms that point nearly along the line of sight are dots without a name.
+/// Arms nearly along the line of sight are drawn as dots without a name.
 bool is_seen(const Vec<2>& direction) {
   return direction.norm() > 0.15;
 }
 
-/// The middle of an axis's name, from where the axes meet; `half`: of the name's width.
+/// Center of an axis name, relative to the origin of the arrows; `half`: half the width of the name.
 Vec<2> name_at(const Vec<2>& direction, double half, const Style& style) {
   const Vec<2> along = direction.normalized();
   const double letter = 0.28 * style.tick_size;
@@ -49,7 +49,7 @@ const std::vector<std::string>& camera_names() {
 
 Camera turned_to(Camera camera, const Vec<3>& normal) {
   if (camera.from.dot(normal) > 0.1 * camera.from.norm() * normal.norm()) return camera;
-  // from·n = Σ fᵢnᵢ: the addends that are against it change their sign
+  // from·n = Σ fᵢnᵢ: negative terms change sign
   for (int axis = 0; axis < 3; ++axis)
     if (camera.from[axis] * normal[axis] < 0) camera.from[axis] *= -1;
   return camera;
@@ -83,7 +83,7 @@ std::array<double, 4> triad_room(const Mat<3>& axes, const std::array<std::strin
 void draw_triad(Drawing& drawing, const Vec2& at, const Mat<3>& axes, const std::array<std::string, 3>& names,
                 const Style& style) {
   const Vec<2> origin(at[0], at[1]);
-  std::array<int, 3> order = {0, 1, 2}; // those that point away first
+  std::array<int, 3> order = {0, 1, 2}; // those that point away from the eye first
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return axes(2, a) < axes(2, b); });
   for (int axis : order) {
     const Vec<2> direction = axes.col(axis).head<2>();
@@ -93,7 +93,7 @@ void draw_triad(Drawing& drawing, const Vec2& at, const Mat<3>& axes, const std:
     draw_arrow(drawing, {at, {tip[0], tip[1]}}, std::min(0.5 * style.tick_size, 0.7 * length), 3.2 * style.unit,
                axis_colors[axis]);
     const Vec<2> middle = origin + name_at(direction, 0.5 * text_width(names[axis], style.tick_size), style);
-    // A letter's height above the baseline is half of its size.
+    // Vertical centering: half the letter height above the baseline.
     drawing.marks.push_back(
         Text{{middle[0], middle[1] - 0.27 * style.tick_size}, names[axis], style.tick_size, Align::center, ink});
   }
@@ -120,7 +120,7 @@ void draw_ruler(Drawing& drawing, const Vec2& at, const Scale& scale, const std:
 }
 
 double round_below(double value) {
-  value *= 1 + 1e-9; // what rounding has taken away
+  value *= 1 + 1e-9; // compensates rounding error
   const double decade = std::pow(10, std::floor(std::log10(value)));
   return decade * (value >= 5 * decade ? 5 : value >= 2 * decade ? 2 : 1);
 }

@@ -7,7 +7,7 @@ namespace signorini::view {
 namespace {
 
 constexpr Rgb light_green = {205, 235, 228}, light_blue = {143, 208, 214};
-// In an order in which neighbors differ much: lightness 62, 21, 50, 72, 8, 42, 29.
+// Ordered so that neighbors differ strongly: lightness 62, 21, 50, 72, 8, 42, 29.
 constexpr Rgb orange = {224, 123, 39}, purple = {67, 36, 100}, red = {204, 75, 60}, gold = {226, 167, 43},
               soot = {29, 22, 22}, magenta = {169, 53, 119}, wine = {126, 33, 53};
 
@@ -27,7 +27,7 @@ double luminance(const Rgb& color) {
   return 0.2126 * linear(color[0]) + 0.7152 * linear(color[1]) + 0.0722 * linear(color[2]);
 }
 
-/// Lines of a hatched area: lighter on dark colors, darker on light ones.
+/// Color of hatch lines: lighter on dark colors, darker on light ones.
 Rgb line_color(const Rgb& ground) {
   const bool light = lightness(ground) > 55;
   Rgb result;
@@ -54,7 +54,7 @@ double lightness(const Rgb& color) {
 }
 
 Rgb text_color(const Rgb& ground) {
-  // The contrast (Y₁ + 0.05) / (Y₂ + 0.05) with white equals that with black at Y = 0.179 (WCAG 2.1, 1.4.3).
+  // The contrast ratios (Y₁ + 0.05) / (Y₂ + 0.05) with white and with black are equal at Y = 0.179 (WCAG 2.1, 1.4.3).
   return luminance(ground) > 0.179 ? black : white;
 }
 

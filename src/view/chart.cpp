@@ -56,7 +56,7 @@ void check_names(const ChartOptions& options) {
              {"at_before", options.xticks[i - 1].at}});
 }
 
-/// All of x that is drawn. Named ticks belong to it, with a little of their distance on both sides.
+/// The range of all drawn x, including named ticks with a margin in proportion to their distance.
 Range chart_xrange(const std::vector<Series>& series, const ChartOptions& options) {
   Range xs;
   for (const Series& s : series)
@@ -82,10 +82,10 @@ Range chart_yrange(const std::vector<Series>& series, const ChartOptions& option
 struct ChartLayout {
   Frame frame;
   Legend legend;
-  double title_at; ///< pixels: below the title, above all else
+  double title_at; ///< pixels: below the title, above everything else
 };
 
-/// Moves the box' sides in until what stands below them ends before the figure's rim.
+/// Narrows the box until the labels below it end within the figure.
 void fit_ticks(Frame& frame, const Range& xs, const ChartOptions& options, const Style& style) {
   const double rim = 0.5 * style.margin, most = 0.35 * options.size[1];
   for (int round = 0; round < 3; ++round) {
@@ -100,7 +100,8 @@ void fit_ticks(Frame& frame, const Range& xs, const ChartOptions& options, const
   }
 }
 
-/// With the legend outside, or none. `depth`: what names of ticks take below the numbers' row, as far as it is known.
+/// Layout with the legend outside, or without. `depth`: pixels that names of ticks need below the row of numbers, as
+/// far as known.
 ChartLayout lay_out(const std::vector<Series>& series, const ChartOptions& options, const Range& xs, const Range& ys,
                     const Style& style, double depth = 0) {
   ChartLayout layout;
@@ -128,7 +129,7 @@ ChartLayout lay_out(const std::vector<Series>& series, const ChartOptions& optio
   return layout;
 }
 
-/// The layout with the legend within the chart, where the options and the curves allow that.
+/// Layout with the legend within the chart, if the options and the curves allow that.
 std::optional<ChartLayout> lay_out_within(const std::vector<Series>& series, const ChartOptions& options,
                                           const Range& xs, const Range& ys, const Style& style) {
   const bool always = options.legend == LegendPlace::inside;
@@ -148,9 +149,9 @@ std::optional<ChartLayout> lay_out_within(const std::vector<Series>& series, con
   return layout;
 }
 
-/// The range with room for an inset beyond one end.
+/// The range, extended at one end to make space for an inset.
 Range with_room(const Range& ys, bool log, bool below) {
-  constexpr double room = 0.6; // of the height so far: the smallest inset takes 0.3 of the height afterwards
+  constexpr double room = 0.6; // of the present height: the smallest inset takes 0.3 of the extended height
   const double grown = log ? std::pow(ys.high / ys.low, room) : room * (ys.high - ys.low);
   if (below) return {log ? ys.low / grown : ys.low - grown, ys.high};
   return {ys.low, log ? ys.high * grown : ys.high + grown};

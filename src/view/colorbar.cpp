@@ -19,7 +19,7 @@ double bar_width(const Style& style) {
 }
 
 double widest_tick(const Ticks& ticks, double size) {
-  double width = text_width(ticks.factor, size) - 0.5 * size; // the factor stands over the bar itself
+  double width = text_width(ticks.factor, size) - 0.5 * size; // the factor is above the bar itself
   for (const std::string& label : ticks.labels) width = std::max(width, text_width(label, size));
   return width;
 }
@@ -90,7 +90,7 @@ void draw_colorbar(Drawing& drawing, const BarPlace& place, const std::array<dou
                    const Style& style, bool log, const std::vector<double>& levels) {
   const double width = bar_width(style), right = place.left + width, size = style.tick_size, point = 0.8 * width;
   const std::array<bool, 2> beyond = {values[0]<range[0], values[1]> range[1]};
-  // The values' own ends stand below and above the bar, the factor of its numbers between.
+  // Minimum and maximum of the values are printed below and above the bar, the common factor between them.
   const double line = 1.35 * size, bottom = place.bottom + line, top = place.top - line;
   const Ticks ticks = stacked_ticks(range[0], range[1], log, top - bottom, style);
   const double room_above = ticks.factor.empty() ? 0 : 1.45 * size;
@@ -100,7 +100,7 @@ void draw_colorbar(Drawing& drawing, const BarPlace& place, const std::array<dou
 
   const double step = (high - low) / static_cast<double>(colors.size());
   for (std::size_t i = 0; i < colors.size(); ++i) {
-    const double from = low + step * i; // each up to the top, so that no seam shows between two
+    const double from = low + step * i; // each up to the top, to avoid seams
     drawing.marks.push_back(Fill{{{place.left, from}, {right, from}, {right, high}, {place.left, high}}, colors[i]});
   }
   for (double level : levels)
@@ -129,7 +129,7 @@ void draw_colorbar(Drawing& drawing, const BarPlace& place, const std::array<dou
   if (!ticks.factor.empty())
     drawing.marks.push_back(Text{{place.left, top - 0.8 * size}, ticks.factor, size, Align::left, ink});
   const double room = colorbar_room(range, title, top - bottom, style, log) - 1.3 * style.margin;
-  // What rounding leaves of zero is zero.
+  // Zero up to rounding error is printed as zero.
   const double zero = 1e-12 * std::max(std::abs(values[0]), std::abs(values[1]));
   const auto printed = [&](double value) { return in_digits(std::abs(value) > zero ? value : 0); };
   for (const auto& [name, value, y] : {std::tuple{"max ", values[1], place.top - 0.8 * size},

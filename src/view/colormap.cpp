@@ -11,12 +11,12 @@ namespace {
 struct Map {
   const char* name;
   bool diverging;
-  std::vector<std::uint32_t> anchors; // 0xRRGGBB, evenly spread
+  std::vector<std::uint32_t> anchors; // 0xRRGGBB, evenly spaced
 };
 
-// Colors of the published maps at even distances: viridis, magma, inferno, plasma (S. van der Walt, N. Smith, 2015,
-// CC0), cividis (Nuñez, Anderton, Renslow, PLoS ONE 13, 2018), coolwarm (K. Moreland, "Diverging color maps for
-// scientific visualization", 2009).
+// Colors of the published maps, evenly spaced: viridis, magma, inferno, plasma (S. van der Walt, N. Smith, 2015, CC0),
+// cividis (Nuñez, Anderton, Renslow, PLoS ONE 13, 2018), coolwarm (K. Moreland, "Diverging color maps for scientific
+// visualization", 2009).
 const std::vector<Map>& maps() {
   static const std::vector<Map> all = {
       {"viridis",
@@ -49,7 +49,7 @@ const Map& find(const std::string& name) {
   fail("view.colormap.unknown", {{"colormap", name}, {"known", colormaps()}});
 }
 
-/// Catmull–Rom through the anchors p₋₁, p₀, p₁, p₂: bends gently where a straight line would show as a band.
+/// Catmull–Rom interpolation of p₋₁, p₀, p₁, p₂: smooth, because kinks of linear interpolation are visible as bands.
 double cubic(double before, double a, double b, double after, double t) {
   const double da = 0.5 * (b - before), db = 0.5 * (after - a);
   return a + t * (da + t * (3 * (b - a) - 2 * da - db + t * (2 * (a - b) + da + db)));
@@ -61,7 +61,7 @@ std::vector<Rgb> colormap(const std::string& name) {
   const auto& anchors = find(name).anchors;
   const int last = static_cast<int>(anchors.size()) - 1;
   const auto channel = [&](int k, int shift) {
-    // Beyond the ends the map goes on straight.
+    // Linear extrapolation beyond the ends.
     const auto value = [&](int i) { return static_cast<double>((anchors[i] >> shift) & 0xFF); };
     return k < 0 ? 2 * value(0) - value(1) : k > last ? 2 * value(last) - value(last - 1) : value(k);
   };

@@ -18,22 +18,22 @@ int rows_of(int count, int columns) {
   return (count + columns - 1) / columns;
 }
 
-/// What each picture may take of the paper; nothing where that is too little for any.
+/// Maximum size of each picture; empty if that is too small.
 std::optional<std::array<int, 2>> cell_of(int count, int columns, const std::array<int, 2>& paper) {
   const std::array<int, 2> cell = {paper[0] / columns, paper[1] / rows_of(count, columns)};
   if (cell[0] < 160 || cell[1] < 120) return std::nullopt;
   return cell;
 }
 
-/// The first picture in a number of columns.
+/// A layout by number of columns, with the size of the first picture.
 struct Trial {
   int columns = 0;
   std::array<int, 2> cell{};
   double area = 0;  ///< of the picture, pixels
-  double shape = 0; ///< of the whole, width by height
+  double shape = 0; ///< width/height of the figure
 };
 
-/// The columns in which the first picture is largest and the whole no tower, or the broadest one.
+/// The columns for which the first picture is largest and the figure not higher than wide; otherwise the widest one.
 Trial best_trial(int count, const PictureOptions& options, const std::array<int, 2>& paper, const FigureMaker& make) {
   std::vector<Trial> trials;
   Message reason("view.pictures.larger");
@@ -52,14 +52,14 @@ Trial best_trial(int count, const PictureOptions& options, const std::array<int,
   }
   require(!trials.empty(), "view.pictures.room",
           {{"count", count}, {"width", options.size[0]}, {"height", options.size[1]}, {"reason", reason}});
-  constexpr double tower = 1; // higher than wide
+  constexpr double tower = 1; // width/height below which a figure counts as too high
   return *std::max_element(trials.begin(), trials.end(), [&](const Trial& a, const Trial& b) {
     const double first = std::min(a.shape, tower), second = std::min(b.shape, tower);
     return first != second ? first < second : a.area < b.area;
   });
 }
 
-/// Where rows or columns of these widths begin.
+/// Start positions of rows or columns of these widths.
 std::vector<int> begins(const std::vector<int>& widths, int start) {
   std::vector<int> at(widths.size());
   std::exclusive_scan(widths.begin(), widths.end(), at.begin(), start);
@@ -67,9 +67,9 @@ std::vector<int> begins(const std::vector<int>& widths, int start) {
 }
 
 constexpr Rgb frame_color = {20, 20, 20};
-constexpr int least_width = 160, least_height = 120; // pixels: that any picture has
+constexpr int least_width = 160, least_height = 120; // minimum size of a picture, pixels
 
-/// How many of the points that the bodies are made of lie in a box.
+/// Number of sample points of bodies in a box.
 long hidden_in(const Plate& plate, const Box& box) {
   long count = 0;
   for (const Relief& relief : plate.reliefs)
@@ -78,7 +78,7 @@ long hidden_in(const Plate& plate, const Box& box) {
   return count;
 }
 
-/// Where a frame shows what another one shows of the model.
+/// The region of a frame that another frame shows magnified.
 Box place_of(const Frame& detail, const Frame& whole) {
   return {whole.x(detail.x.low), whole.x(detail.x.high), whole.y(detail.y.low), whole.y(detail.y.high)};
 }
@@ -94,7 +94,7 @@ struct Placing {
 
 constexpr double shares[] = {0.5, 0.42, 0.35, 0.28};
 
-/// The room of a magnified part with this share of a frame; nothing where that is too little for any.
+/// Maximum size of a magnified part with this share of a frame; empty if that is too small.
 std::optional<std::array<int, 2>> room_of(const Frame& frame, double share) {
   const auto& [left, right, bottom, top] = frame.box;
   const std::array<int, 2> most = {static_cast<int>(0.9 * std::sqrt(share) * (right - left)),
@@ -103,7 +103,7 @@ std::optional<std::array<int, 2>> room_of(const Frame& frame, double share) {
   return most;
 }
 
-/// In corner 0 to 3 of a frame: north-east, south-east, north-west, south-west.
+/// Places a detail in corner 0 to 3 of a frame: north-east, south-east, north-west, south-west.
 Placing placed(const Frame& frame, int corner, Plate detail) {
   const auto& [left, right, bottom, top] = frame.box;
   const double width = detail.drawing.size[0], height = detail.drawing.size[1], air = 0.012 * (right - left);
@@ -118,13 +118,13 @@ Box box_of(const PlacedPlate& plate) {
   return {x, x + plate.plate.drawing.size[0], y, y + plate.plate.drawing.size[1]};
 }
 
-/// What speaks against magnified parts of one share in one corner, summed over states.
+/// Costs of magnified parts of one share in one corner, summed over states.
 struct Cost {
-  long hidden = 0;     ///< points of bodies, and far more for the marked region itself
-  double distance = 0; ///< from the marked region, in diagonals of the frame: lines that join them cross bodies
+  long hidden = 0;     ///< covered points of bodies, and a large penalty for covering the marked region
+  double distance = 0; ///< from the marked region, in diagonals of the frame: long joining lines cross bodies
 };
 
-/// By share and corner; fewer shares where frames are too small.
+/// By share and corner; fewer shares if frames are too small.
 using Costs = std::vector<std::array<Cost, 4>>;
 
 Vec2 middle(const Box& box) {
@@ -153,8 +153,7 @@ void add_costs(Costs& costs, int picture, const Plate& whole, const DetailMaker&
     }
 }
 
-/// What hides least; of several that hide as little, large ones near the marked region. Nothing where frames are too
-/// small.
+/// The plan that covers least; at equal coverage, large parts near the marked region. Empty if frames are too small.
 std::optional<CloseUpPlan> best_plan(const Costs& costs, std::size_t states) {
   std::optional<CloseUpPlan> best;
   double merit = 0;
@@ -169,7 +168,7 @@ std::optional<CloseUpPlan> best_plan(const Costs& costs, std::size_t states) {
   return best;
 }
 
-/// The two pairs of corners that lines join, from the marked region to the inset.
+/// The two pairs of corners joined by lines, from the marked region to the inset.
 std::array<std::array<Vec2, 2>, 2> joins(const Box& from, const Box& to) {
   const auto corner = [](const Box& box, int x, int y) { return Vec2{box[at(x)], box[at(2 + y)]}; };
   if (to[2] >= from[3]) return {{{corner(from, 0, 1), corner(to, 0, 0)}, {corner(from, 1, 1), corner(to, 1, 0)}}};
@@ -220,7 +219,7 @@ Figure side_by_side(int count, const PictureOptions& options, const FigureMaker&
       figure.plates.push_back({{x + at[0], y + at[1]}, std::move(plate)});
   }
   if (!options.title.empty()) {
-    // A plate as high as the title, so that it covers no other one.
+    // A plate only as high as the title, so that it covers no other plate.
     Drawing top{{whole[0], head}, {}};
     draw_title(top, options.title, {0.0, static_cast<double>(whole[0]), 0.0, 0.0}, style);
     figure.plates.push_back({{0, whole[1] - head}, {std::move(top)}});
@@ -254,7 +253,7 @@ CloseUpPlan plan_close_ups(int pictures, const WholeMaker& make, const DetailMak
       return *best;
     }
     require(!raised, static_cast<int>(states) > pictures ? "view.inset.room_each" : "view.inset.room_or_crop");
-    // Room above: as much again as half of what is shown.
+    // Additional space above: 0.75 of the present height.
     extent = shown;
     (*extent)[3] += 0.75 * (shown[3] - shown[2]);
   }

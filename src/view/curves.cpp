@@ -9,14 +9,14 @@
 namespace signorini::view {
 namespace {
 
-// Okabe and Ito's colors, which color-blind readers tell apart; their yellow is too pale on white and gives way to
-// brown.
+// The colors of Okabe and Ito, which color-blind readers can distinguish; their yellow is too pale on white and is
+// replaced by brown.
 const std::vector<Rgb> palette = {{0, 114, 178},  {213, 94, 0},  {0, 158, 115}, {204, 121, 167},
                                   {86, 180, 233}, {230, 159, 0}, {60, 60, 60},  {135, 75, 30}};
 const int palette_size = static_cast<int>(palette.size());
 constexpr double marker_radius = 8; // in a chart of 1600 × 1000
 
-/// The series' unbroken stretches in pixels; points closer than a fifth of a pixel to the last one are passed over.
+/// The unbroken sections of a series in pixels; points closer than 0.2 pixels to the last one are skipped.
 Lines stretches(const Series& s, const Frame& frame) {
   Lines parts;
   bool open = false;
@@ -43,7 +43,7 @@ struct CurvePlace {
   int marker;
 };
 
-/// All points, or about ten spread along the line, shifted from series to series so that they do not hide each other.
+/// All points, or about ten spread along the line, shifted from series to series to avoid overlaps.
 std::vector<CurvePlace> marker_places(const std::vector<Series>& series, std::size_t index, const Frame& frame,
                                       const Style& style) {
   const Series& s = series[index];
@@ -62,7 +62,7 @@ std::vector<CurvePlace> marker_places(const std::vector<Series>& series, std::si
   return chosen;
 }
 
-/// Of curves 1 to 8, 9 to 16 and so on, in parts of a unit; and the same where all are to be dashed.
+/// Dash patterns of curves 1 to 8, 9 to 16 and so on, in units of the style; for solid and for dashed series.
 const std::vector<std::vector<double>> line_dashes = {{}, {18, 7, 4, 7}, {4, 6}, {30, 10}, {18, 6, 4, 6, 4, 6}};
 const std::vector<std::vector<double>> dashed_dashes = {{14, 9}, {24, 8, 6, 8}, {7, 7}, {36, 12}, {24, 7, 6, 7, 6, 7}};
 
@@ -73,7 +73,7 @@ std::vector<double> dash_of(const Series& s, int number, double unit) {
   return dash;
 }
 
-/// The ends of stretches so short that no line shows.
+/// Sections of one point, which show no line.
 std::vector<Vec2> lone_points(const Series& s, const Frame& frame) {
   std::vector<Vec2> points;
   for (const auto& stretch : stretches(s, frame))
@@ -81,7 +81,7 @@ std::vector<Vec2> lone_points(const Series& s, const Frame& frame) {
   return points;
 }
 
-/// Regular polygons of about equal area, or crosses where there are no corners.
+/// Regular polygons of about equal area, or crosses (0 corners).
 struct Shape {
   const char* name;
   int corners;
@@ -90,7 +90,7 @@ struct Shape {
   double scale; ///< of the radius
 };
 
-// An open cross would look like a full one; other polygons stand for them.
+// An open cross would look like a full one; other polygons replace the crosses.
 constexpr Shape shapes[] = {{"circle", 20, false, 0, 1.0},
                             {"square", 4, false, 45, 1.25},
                             {"triangle", 3, false, 90, 1.4},
@@ -171,7 +171,7 @@ CurveLook look_of(const std::vector<Series>& series, std::size_t index, const St
 }
 
 Range range_within(const std::vector<Series>& series, const std::array<double, 2>& within, bool log_x, bool log_y) {
-  // Lines are straight on the paper, so that they are cut in the axes' own scales.
+  // Lines are straight on paper, so they are clipped in the scales of the axes.
   const auto on_paper = [](double value, bool log) { return log ? std::log(value) : value; };
   constexpr double far = std::numeric_limits<double>::infinity();
   const Box strip = {on_paper(within[0], log_x), on_paper(within[1], log_x), -far, far};
@@ -190,7 +190,7 @@ Range range_within(const std::vector<Series>& series, const std::array<double, 2
   return range;
 }
 
-/// Heads at every part of a line that is this long, pixels at 1600 × 1000, the first after half of it.
+/// Draws heads at intervals of this length along a line, pixels at 1600 × 1000, the first after half of it.
 void draw_arrows(Drawing& drawing, const std::vector<Vec2>& line, const Rgb& color, const Style& style) {
   constexpr double apart = 220;
   const double length = 26 * style.unit, half = 9 * style.unit;
@@ -275,7 +275,7 @@ void draw_marker(Drawing& drawing, int marker, const Vec2& at, double radius, co
     draw_cross(drawing, s, at, size, 0.55 * radius, color);
     return;
   }
-  // A polygon grows by rim on each side when its corners move out by rim / cos(π/n).
+  // Moving the corners of a polygon out by rim / cos(π/n) moves its sides out by rim.
   const double out = 1 / std::cos(std::numbers::pi / s.corners);
   const auto fill = [&](double grown, const Rgb& c) {
     drawing.marks.push_back(Fill{ring(s, at, size + grown * out, s.corners), c});

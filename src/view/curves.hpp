@@ -74,7 +74,7 @@ void draw_rules(Drawing& drawing, const ChartOptions& options, const Frame& fram
 void draw_rule_texts(Drawing& drawing, const ChartOptions& options, const Frame& frame, const Lines& curves,
                      std::vector<Box> taken, const Style& style);
 
-/// A box of this width and height in a corner of `outer`, `gap` pixels away from its sides.
+/// A box of this width and height in a corner of `box`, `gap` pixels away from its sides.
 Box corner_box(Corner corner, const Vec2& size, const Box& box, double gap);
 
 struct PlacedInset {

@@ -12,14 +12,14 @@
 namespace signorini::view {
 namespace {
 
-/// Signed distances of points to a plane, positive on the side that is taken away; none within the tolerance.
+/// Signed distances of points to a plane, positive on the removed side; zero within the tolerance.
 VectorX distances(const Points& points, const CutPlane& plane, double tolerance) {
   const Vec<3> normal = plane.normal.normalized();
   VectorX result = (normal.transpose() * (points.colwise() - plane.point)).transpose();
   return (result.array().abs() <= tolerance).select(0, result);
 }
 
-/// A point between two others, by index, at the fraction `t` of the way.
+/// A point between two others, given by index, at the fraction `t`.
 struct Mix {
   int from, to;
   double t;
@@ -28,12 +28,12 @@ struct Mix {
   double of(const VectorX& values) const { return values[from] + t * (values[to] - values[from]); }
 };
 
-/// Where the edge between two points on different sides meets the plane.
+/// The intersection of the plane and an edge between points on different sides.
 Mix crossing(int from, int to, const VectorX& distance) {
   return {from, to, distance[from] / (distance[from] - distance[to])};
 }
 
-/// Collects corners, then becomes a surface.
+/// Collects vertices and triangles of a surface.
 struct Builder {
   std::vector<Vec<3>> points, normals, vectors;
   std::vector<double> values;
@@ -57,7 +57,7 @@ struct Builder {
   }
 };
 
-/// The stretch of the plane within a triangle of a list of points; none where it only touches.
+/// The segment of the plane within a triangle of a list of points; empty if they only touch.
 std::optional<std::array<Mix, 2>> trace(const std::array<int, 3>& triangle, const VectorX& distance) {
   std::vector<Mix> ends;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -76,17 +76,18 @@ SurfaceLine segment(const std::array<Mix, 2>& ends, const Lattice& lattice, cons
   return line;
 }
 
-/// Points of a lattice by their three counts.
+/// Index of a lattice point from its three counts.
 struct LatticeIndex {
   int side;
   int operator()(int i, int j, int k) const { return i + side * (j + side * k); }
 };
 
-/// The six tetrahedra of a cube, each along one way from corner 0 to corner 7 over its edges (H. W. Kuhn, IBM J. Res.
-/// Dev. 4, 1960). Bits of a corner count its steps along ξ¹ ξ² ξ³. Neighbors share the diagonals of their faces.
+/// Kuhn's subdivision of a cube into six tetrahedra, each along one path of edges from corner 0 to corner 7 (H. W.
+/// Kuhn, IBM J. Res. Dev. 4, 1960). Bits of a corner count its steps along ξ¹ ξ² ξ³. Neighbors share the diagonals of
+/// their faces.
 constexpr int tetrahedra[6][4] = {{0, 1, 3, 7}, {0, 1, 5, 7}, {0, 2, 3, 7}, {0, 2, 6, 7}, {0, 4, 5, 7}, {0, 4, 6, 7}};
 
-/// The part of the plane within a tetrahedron: nothing, a triangle, or a quadrilateral.
+/// The intersection of the plane and a tetrahedron: empty, a triangle, or a quadrilateral.
 std::vector<Mix> section(const std::array<int, 4>& corners, const VectorX& distance) {
   std::vector<int> kept, gone;
   for (int corner : corners) (distance[corner] < 0 ? kept : gone).push_back(corner);
@@ -120,7 +121,7 @@ void add_section(Builder& builder, const Lattice& lattice, const VectorX& distan
         }
 }
 
-/// Where the plane meets an element's six sides.
+/// The intersection of the plane and the six sides of an element.
 void add_borders(std::vector<SurfaceLine>& lines, const Lattice& lattice, const VectorX& distance,
                  const Vec<3>& normal) {
   const int n = lattice.divisions, half = n / 2;
@@ -141,7 +142,7 @@ void add_borders(std::vector<SurfaceLine>& lines, const Lattice& lattice, const 
   }
 }
 
-/// Arrows stand on the first one alone.
+/// Keeps the vectors of the first surface only.
 Surface joined(const Surface& a, const Surface& b) {
   Surface both;
   const Eigen::Index n = a.points.cols();
@@ -157,7 +158,7 @@ Surface joined(const Surface& a, const Surface& b) {
   return both;
 }
 
-/// Those on the side that stays, and the lines between two of them.
+/// Keeps the control points on the remaining side and the net lines between them.
 void keep_control_points(Body& left, const Body& body, const VectorX& distance) {
   std::vector<int> kept, place(static_cast<std::size_t>(distance.size()), -1);
   for (int i = 0; i < distance.size(); ++i)
@@ -169,18 +170,18 @@ void keep_control_points(Body& left, const Body& body, const VectorX& distance) 
   }
 }
 
-/// The edge that a point lies on.
+/// The edge that contains a point.
 std::array<int, 2> edge_of(const Mix& mix) {
   return {std::min(mix.from, mix.to), std::max(mix.from, mix.to)};
 }
 
-/// Stretches of triangles, joined at the edges that they share.
+/// Joins segments of triangles at shared edges.
 std::vector<std::deque<Mix>> joined(const std::vector<std::array<Mix, 2>>& pieces) {
   std::map<std::array<int, 2>, std::vector<std::size_t>> at_edge;
   for (std::size_t n = 0; n < pieces.size(); ++n)
     for (const Mix& end : pieces[n]) at_edge[edge_of(end)].push_back(n);
   std::vector<bool> used(pieces.size());
-  /// The other end of a piece that goes on from this one.
+  /// The other end of an unused segment that starts at this one.
   const auto next = [&](const Mix& end) -> std::optional<Mix> {
     for (std::size_t n : at_edge[edge_of(end)]) {
       if (used[n]) continue;
@@ -224,7 +225,7 @@ Surface cut(const Surface& surface, const CutPlane& plane, double tolerance) {
       if (surface.vectors.cols() > 0) builder.vectors.push_back(mix.of(surface.vectors));
       if (valued) builder.values.push_back(mix.of(surface.values));
     };
-    // Sutherland and Hodgman's walk round the triangle
+    // Sutherland–Hodgman clipping of the triangle
     for (int k = 0; k < 3; ++k) {
       const int a = surface.triangles(k, t), b = surface.triangles((k + 1) % 3, t);
       if (distance[a] <= 0) add({a, a, 0});

@@ -7,7 +7,7 @@
 namespace signorini::view {
 namespace {
 
-/// The stretch [t0, t1] of a segment inside the box, by Liang and Barsky; false when there is none.
+/// The part [t0, t1] of a segment inside the box, by Liang and Barsky; false if empty.
 bool inside(const Vec2& a, const Vec2& b, const Box& box, double& t0, double& t1) {
   t0 = 0, t1 = 1;
   for (int axis = 0; axis < 2; ++axis)
@@ -25,7 +25,7 @@ bool inside(const Vec2& a, const Vec2& b, const Box& box, double& t0, double& t1
 
 std::vector<std::vector<Vec2>> clip_line(const std::vector<Vec2>& line, const Box& box) {
   std::vector<std::vector<Vec2>> parts;
-  bool joined = false; // does the next segment go on from the last part's end?
+  bool joined = false; // whether the next segment continues the last part
   for (std::size_t i = 1; i < line.size(); ++i) {
     const auto along = [&](double t) { return line[i - 1] + t * (line[i] - line[i - 1]); };
     double t0, t1;

@@ -12,7 +12,7 @@
 namespace signorini::view {
 namespace {
 
-/// Modules stand in lib/signorini next to the program or to the program's folder (bin, tests).
+/// Modules are in lib/signorini next to the program or to its folder (bin, tests).
 std::filesystem::path file_of(const char* module) {
   const auto here = std::filesystem::read_symlink("/proc/self/exe").parent_path();
   for (const auto& folder : {here / "lib/signorini", here.parent_path() / "lib/signorini"})
@@ -22,10 +22,10 @@ std::filesystem::path file_of(const char* module) {
                                {"second", (here.parent_path() / "lib/signorini").string()}});
 }
 
-/// The table of functions that a module has under a name.
+/// The function table that a module exports under a name.
 template <class Table> const Table& table_of(const char* module, const char* name) {
   const std::string file = file_of(module).string();
-  // Never unloaded: VTK's factories, Mesa's threads and GLib's types do not survive that.
+  // Never unloaded: VTK's factories, Mesa's threads and GLib's types do not survive unloading.
   void* loaded = ::dlopen(file.c_str(), RTLD_LAZY | RTLD_LOCAL | RTLD_NODELETE);
   if (loaded == nullptr) fail("view.module.load", {{"file", file}, {"reason", ::dlerror()}});
   const void* table = ::dlsym(loaded, name);
@@ -61,8 +61,8 @@ std::string bytes_of(const Figure& figure, Format format, bool transparent) {
 
 const Renderer& renderer() {
   static const Renderer& loaded = []() -> const Renderer& {
-    // Mesa's rasteriser without threads of its own: a study's cases are forked from this process, and there they would
-    // wait for threads that only their parent has. Pictures take as long.
+    // Mesa's rasterizer without threads: a study's cases are forked from this process and would wait there for threads
+    // that exist only in their parent. Drawing takes the same time.
     ::setenv("LP_NUM_THREADS", "0", 0);
     return table_of<Renderer>("signorini_view.so", "signorini_renderer");
   }();

@@ -6,7 +6,7 @@
 namespace signorini::view {
 namespace {
 
-/// Lines of whole words; a word longer than the room has a line of its own.
+/// Lines of whole words; a word that is too long has its own line.
 std::vector<std::string> wrapped(const std::string& text, double size, double room) {
   std::vector<std::string> lines;
   std::istringstream words(text);
@@ -26,7 +26,7 @@ double widest(const std::vector<std::string>& lines, double size) {
   return width;
 }
 
-/// The lines of a text in no more than `most`, about equally long; none where it does not fit.
+/// Wraps a text into at most `most` lines of similar length; empty if it does not fit.
 std::vector<std::string> lines_within(const std::string& text, double size, double room, int most) {
   if (most == 1) return text_width(text, size) <= room ? std::vector{text} : std::vector<std::string>{};
   const auto fits = [&](const std::vector<std::string>& lines) {
@@ -42,13 +42,13 @@ std::vector<std::string> lines_within(const std::string& text, double size, doub
   return lines;
 }
 
-/// Ends braces that a cut has left open.
+/// Closes braces that truncation has left open.
 std::string closed(const std::string& text) {
-  const std::size_t open = std::max(text.rfind("_{") + 1, text.rfind("^{") + 1); // 0 where there is none
+  const std::size_t open = std::max(text.rfind("_{") + 1, text.rfind("^{") + 1); // 0 if there is none
   return open > 0 && text.find('}', open) == std::string::npos ? text + "}" : text;
 }
 
-/// As many characters as fit before "…".
+/// Truncates to as many characters as fit before "…".
 std::string cut_short(const std::string& text, double size, double room) {
   if (text_width(text, size) <= room) return text;
   std::vector<char32_t> points = code_points(text);
@@ -62,7 +62,7 @@ std::string cut_short(const std::string& text, double size, double room) {
   return "…";
 }
 
-/// Full lines at the least size, the last one cut short.
+/// Full lines at the minimum size, the last one truncated.
 FittedText shortened(const std::string& text, double size, double room, int most) {
   std::vector<std::string> lines = wrapped(text, size, room);
   for (auto at = static_cast<std::size_t>(most); at < lines.size(); ++at) lines[most - 1] += " " + lines[at];
@@ -82,7 +82,7 @@ double FittedText::depth() const {
 }
 
 FittedText fit_text(const std::string& text, double wanted, double least, double room, int most) {
-  constexpr double near = 0.85; // of the wanted size: rather a little smaller than one line more
+  constexpr double near = 0.85; // of the wanted size: shrink slightly before adding a line
   FittedText best;
   for (int count = 1; count <= most && best.size < near * wanted; ++count)
     for (double size = wanted; size >= least && size > best.size * (1 + 1e-9); size *= 0.97) {

@@ -11,9 +11,9 @@ namespace signorini::view {
 namespace {
 
 constexpr Rgb grid_color = {226, 226, 226}, minor_grid_color = {242, 242, 242}, axis_color = {70, 70, 70};
-constexpr double digit_height = 0.72; // of digits and capitals, in the font's size
+constexpr double digit_height = 0.72; // height of digits and capitals, relative to the font size
 
-/// Lines inwards from the lower side and from the left one: this far at ticks on x and on y, pixels.
+/// Tick marks inwards from the lower and the left side; lengths on x and on y in pixels.
 void draw_ticks(Drawing& drawing, const Frame& frame, bool minor, const Vec2& lengths, const Rgb& color, double width) {
   const double left = frame.box[0], bottom = frame.box[2];
   for (double v : minor ? frame.xticks.minor : frame.xticks.at)
@@ -30,8 +30,8 @@ double widest(const Ticks& ticks, double size) {
   return width;
 }
 
-/// Leaves out ticks until the others' numbers stand apart, on a log axis as minor ones; `needed(i)` is the room from
-/// tick i − 1 to tick i.
+/// Removes ticks until numbers do not overlap; on a log axis removed ones become minor ticks. `needed(i)`: minimum
+/// distance of ticks i − 1 and i.
 template <class Needed> void thin_out(Ticks& ticks, const Scale& scale, Needed needed) {
   for (std::size_t i = 1; i < ticks.at.size();) {
     if (scale(ticks.at[i]) - scale(ticks.at[i - 1]) >= needed(i)) {
@@ -44,7 +44,7 @@ template <class Needed> void thin_out(Ticks& ticks, const Scale& scale, Needed n
   }
 }
 
-/// Below a point of the frame's lower side, or left of one of its left side.
+/// Draws a name below a point of the frame's lower side, or left of a point of its left side.
 void draw_name(Drawing& drawing, const FittedText& name, const Vec2& at, bool upright, bool beside,
                const Style& style) {
   const double tick = style.tick_size, middle = 0.5 * (digit_height * name.size - name.depth());
@@ -54,7 +54,7 @@ void draw_name(Drawing& drawing, const FittedText& name, const Vec2& at, bool up
   draw_lines(drawing, name, start, upright || beside ? Align::right : Align::center, ink, upright);
 }
 
-/// The lines of a title that leaves `above` pixels at most over the box.
+/// Fits a title into `above` pixels over the box.
 FittedText fit_title(const std::string& title, double room, double above, const Style& style) {
   const double full = style.title_size;
   FittedText fitted;
@@ -74,7 +74,7 @@ Ticks make_ticks(double low, double high, bool log, int count) {
 Style style_for(const std::array<int, 2>& size) {
   require(size[0] >= 160 && size[1] >= 120 && size[0] <= 5000 && size[1] <= 5000, "view.frame.size",
           {{"width", size[0]}, {"height", size[1]}});
-  // Small figures keep their text a little larger, so that it stays legible.
+  // Small figures have relatively larger text, for legibility.
   const double scale = std::min(size[0] / 1600.0, size[1] / 1000.0), unit = scale < 1 ? std::pow(scale, 0.75) : scale;
   return {unit, 27 * unit, 30 * unit, 34 * unit, 26 * unit};
 }
@@ -170,7 +170,8 @@ void draw_labels(Drawing& drawing, const Frame& frame, const Style& style) {
   if (!frame.xlabel.empty())
     draw_fitting(drawing, {{0.5 * (left + right), label_base}, frame.xlabel, style.label_size, Align::center, ink},
                  right - left - 2 * factor, style);
-  // The common factor stands at the axis' end in the label's row, or in the numbers' row where there is no label.
+  // The common factor is at the end of the axis, in the row of the label, or in the row of numbers if there is no
+  // label.
   if (!frame.xticks.factor.empty())
     drawing.marks.push_back(Text{{right, frame.xlabel.empty() ? bottom - 2.4 * size : label_base},
                                  frame.xticks.factor,

@@ -13,7 +13,7 @@ namespace signorini::view {
 namespace {
 
 constexpr Rgb cell_rim = {70, 70, 70}, blank = {246, 246, 246};
-constexpr double legible = 5; // pixels
+constexpr double legible = 5; // minimum font size, pixels
 
 // ── Checks ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
@@ -37,7 +37,7 @@ void check(const std::vector<Heat>& maps, const HeatmapOptions& options) {
 // ── Colors ──────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 struct Colors {
-  std::array<double, 2> range{}, values{}; ///< of the bar, and of what it shows
+  std::array<double, 2> range{}, values{}; ///< of the bar, and of the drawn values
   bool log = false;
   std::vector<Rgb> map;
 
@@ -60,7 +60,8 @@ Colors make_colors(const std::vector<Heat>& maps, const HeatmapOptions& options)
   const auto [low, high] = colors.values;
   if (options.log && !options.range) {
     const auto [from, to] = color_range({std::log10(low), std::log10(high)}, {}, false);
-    colors.range = {std::min(low, std::pow(10, from)), std::max(high, std::pow(10, to))}; // whatever rounding does
+    colors.range = {std::min(low, std::pow(10, from)),
+                    std::max(high, std::pow(10, to))}; // contains the values despite rounding error
     require_drawable(colors.range[0], colors.range[1], true);
   } else {
     colors.range = color_range(colors.values, options.range, is_diverging(options.colormap));
@@ -84,14 +85,14 @@ std::vector<Category> present(const std::vector<Heat>& maps, const std::vector<C
 
 struct HeatmapLayout {
   std::vector<Frame> frames; ///< of the maps
-  Frame whole;               ///< of all: its labels alone are drawn
+  Frame whole;               ///< frame around all maps, for labels
   double map_title;          ///< size of the maps' titles
-  double title_at;           ///< pixels: below the title, above all else
+  double title_at;           ///< pixels: below the title, above everything else
   Legend legend;
   BarPlace bar;
 };
 
-/// Names in the middle of equal cells.
+/// Names at the centers of equal cells.
 std::vector<Name> cell_names(const std::vector<std::string>& names) {
   std::vector<Name> result;
   for (const std::string& name : names) result.push_back({static_cast<double>(result.size()) + 0.5, name});
@@ -121,8 +122,8 @@ HeatmapLayout lay_out(const std::vector<Heat>& maps, const HeatmapOptions& optio
     layout.legend = make_legend(present(maps, options.categories), 0.42 * wide, 0.9 * (top - head), style);
     right -= layout.legend.width + 0.3 * style.margin;
   }
-  // The names beside depend on the cells' height, this on the names below, these on the cells' width: the height is
-  // guessed first, and smaller names then leave a little air.
+  // Circular dependency: names on the left depend on the height of cells, this on the names below, these on the width
+  // of cells. The height is estimated first; smaller names then leave some space.
   const double row_gap = 0.8 * style.tick_size + head, column_gap = 1.2 * style.tick_size;
   const auto height_with = [&](double depth) {
     const double below = style.margin + room_below(style, options.xlabel) + depth;
@@ -147,7 +148,7 @@ HeatmapLayout lay_out(const std::vector<Heat>& maps, const HeatmapOptions& optio
     frame.box = {x, x + width, y - height, y};
     frame.x = {0, across, false, x, x + width};
     frame.y = {0, along, false, y - height, y};
-    // Names stand at the rim of the figure only.
+    // Names only at the outer maps.
     if (column == 0) frame.yticks = yticks;
     if (m + columns >= count) frame.xticks = xticks;
   }
@@ -173,8 +174,8 @@ struct Cells {
   }
 };
 
-/// One size for all texts: that at which the longest one fits, but no smaller than half of the numbers' size, at which
-/// those that are too long are left out. None where the cells are too flat.
+/// One font size for all texts, at which the longest one fits, but at least half of the size of numbers; texts that are
+/// then too long are omitted. Zero if the cells are too low.
 double text_size(const std::vector<Heat>& maps, const Box& cell, const Style& style) {
   double longest = 0;
   for (const Heat& map : maps)
@@ -189,7 +190,7 @@ double text_size(const std::vector<Heat>& maps, const Box& cell, const Style& st
 void draw_text(Drawing& drawing, const std::string& string, const Box& cell, const Look& look, double size) {
   const double width = text_width(string, size), middle = 0.5 * (cell[0] + cell[1]), base = 0.5 * (cell[2] + cell[3]);
   if (string.empty() || size == 0 || width > 0.96 * (cell[1] - cell[0])) return;
-  if (look.hatch != Hatch::none) { // lines behind letters make them hard to read
+  if (look.hatch != Hatch::none) { // hatch lines behind letters impair legibility
     const double air = 0.2 * size;
     fill_box(drawing,
              {std::max(cell[0], middle - 0.5 * width - air), std::min(cell[1], middle + 0.5 * width + air),
@@ -206,7 +207,7 @@ void draw_cells(Drawing& drawing, const Heat& map, const Cells& cells, const Hea
     if (!std::isfinite(value)) return Look{blank};
     return colors ? colors->look(value) : options.categories[static_cast<std::size_t>(value)].look;
   };
-  constexpr double overlap = 0.6; // pixels under the next cell, so that no seam shows between them
+  constexpr double overlap = 0.6; // pixels beneath the next cell, to avoid seams
   for (Eigen::Index j = 0; j < cells.rows; ++j)
     for (Eigen::Index i = 0; i < cells.columns; ++i) {
       Box cell = cells(j, i);
@@ -217,7 +218,7 @@ void draw_cells(Drawing& drawing, const Heat& map, const Cells& cells, const Hea
   const auto& [left, right, bottom, top] = cells.box;
   const Box first = cells(0, 0);
   const double line = std::min(2 * style.unit, 0.05 * std::min(first[1] - first[0], first[3] - first[2]));
-  if (line >= 0.5 * style.unit) { // between cells that are not too small
+  if (line >= 0.5 * style.unit) { // only between cells that are large enough
     for (Eigen::Index i = 1; i < cells.columns; ++i)
       drawing.marks.push_back(Stroke{{{cells(0, i)[0], bottom}, {cells(0, i)[0], top}}, white, line});
     for (Eigen::Index j = 1; j < cells.rows; ++j)
@@ -231,7 +232,7 @@ void draw_cells(Drawing& drawing, const Heat& map, const Cells& cells, const Hea
   drawing.marks.push_back(Stroke{outline_of({left, right, bottom, top}), cell_rim, 1.6 * style.unit});
 }
 
-/// Ticks beside the cells that have names, where not all have.
+/// Ticks next to the cells that have names, if some have none.
 void draw_ticks(Drawing& drawing, const Frame& frame, const HeatmapOptions& options, const Style& style) {
   const double length = 0.2 * style.tick_size, width = 1.6 * style.unit;
   const auto& [left, right, bottom, top] = frame.box;

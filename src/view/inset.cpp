@@ -10,11 +10,11 @@ namespace {
 
 constexpr Rgb marked_color = {70, 70, 70}, edge_color = {200, 200, 200};
 
-/// Width and height in parts of the chart's, the largest first.
+/// Width and height relative to the chart's, the largest first.
 constexpr Vec2 sizes[] = {{0.5, 0.5}, {0.45, 0.5}, {0.5, 0.4},  {0.45, 0.45}, {0.4, 0.5},  {0.45, 0.4}, {0.4, 0.4},
                           {0.5, 0.3}, {0.35, 0.4}, {0.45, 0.3}, {0.4, 0.3},   {0.3, 0.35}, {0.35, 0.3}, {0.3, 0.3}};
 
-/// The magnified part of y: as asked for, or the curves' own with a little air.
+/// The magnified range of y: as given, or that of the curves with a margin.
 Range inset_yrange(const std::vector<Series>& series, const ChartOptions& options) {
   const Inset& inset = *options.inset;
   const auto [from, to] = inset.xrange;
@@ -23,7 +23,7 @@ Range inset_yrange(const std::vector<Series>& series, const ChartOptions& option
   return axis_range(own, inset.yrange, options.log_y, "the inset's y", 0.08);
 }
 
-/// The region's rectangle in the chart, a little larger, so that it does not run along the curves that it holds.
+/// Outline of the region in the chart, slightly enlarged, so that it does not coincide with the enclosed curves.
 Box marked_box(const Frame& region, const Frame& chart, const Style& style) {
   const Box box =
       clipped(aired({chart.x(region.x.low), chart.x(region.x.high), chart.y(region.y.low), chart.y(region.y.high)},
@@ -33,13 +33,13 @@ Box marked_box(const Frame& region, const Frame& chart, const Style& style) {
   return box;
 }
 
-/// Puts the frame's box into the outer one, with room for its numbers.
+/// Places the frame's box in the outer one, with space for its numbers.
 void fit_frame(Frame& frame, const Box& outer, const std::vector<Name>& names, const Style& style) {
   const double size = style.tick_size, pad = 0.4 * size;
   frame.yticks = stacked_ticks(frame.y.low, frame.y.high, frame.y.log, outer[3] - outer[2] - 3 * size, style);
   frame.box[0] = outer[0] + pad + room_left(style, frame.yticks, "");
   frame.box[3] = outer[3] - pad - (frame.yticks.factor.empty() ? 0.4 : 1.3) * size;
-  // Half of the last number stands out over the axis' end.
+  // Half of the last number extends beyond the end of the axis.
   double overhang = size;
   for (int round = 0; round < 2; ++round) {
     frame.box[1] = outer[1] - pad - overhang;

@@ -9,8 +9,7 @@ namespace {
 
 constexpr Rgb rim = {70, 70, 70}, edge = {200, 200, 200};
 
-/// One row per label and look: curves that share both are one thing to the reader. Where some curves have labels, one
-/// without is meant to have no row.
+/// One row per label and look. If some curves have labels, those without get no row.
 std::vector<Legend::Row> rows_of(const std::vector<Series>& series, const Style& style) {
   std::vector<Legend::Row> rows;
   const bool labeled = std::any_of(series.begin(), series.end(), [](const Series& one) { return !one.label.empty(); });
@@ -27,7 +26,7 @@ std::vector<Legend::Row> rows_of(const std::vector<Series>& series, const Style&
   return rows;
 }
 
-/// The curves with their title, then the kinds of points with theirs.
+/// The curves and their title, then the kinds of points and theirs.
 std::vector<Legend::Row> all_rows(const std::vector<Series>& series, const ChartOptions& options, const Style& style) {
   std::vector<Legend::Row> rows;
   const bool single = series.size() == 1 && series[0].label.empty();
@@ -44,12 +43,12 @@ bool has_sign(const Legend::Row& row) {
   return row.series || row.mark || row.look;
 }
 
-/// Pixels before a row's name.
+/// Indentation of a row's name, pixels.
 double indent(const Legend& legend, const Legend::Row& row) {
   return has_sign(row) ? legend.sign + 0.45 * legend.size : 0;
 }
 
-/// Fits all names at a size into `room` pixels, each on so many lines at most; whether they are whole.
+/// Fits all names at a size into `room` pixels, each on at most `lines` lines; returns whether none is truncated.
 bool fit_names(Legend& legend, double size, double room, int lines, const Style& style) {
   bool whole = true;
   legend.size = size;
@@ -77,7 +76,7 @@ int rows_in(const Legend& legend, int columns) {
   return (static_cast<int>(legend.rows.size()) + columns - 1) / columns;
 }
 
-/// Right of the chart; whether all names are whole there.
+/// Right of the chart; returns whether no name is truncated.
 bool put_beside(Legend& legend, double room, double height, const Style& style) {
   const double size = std::min(style.label_size, height / (1.5 * legend.rows.size()));
   if (size < least_size(style) || !fit_names(legend, size, room, 1, style)) return false;
@@ -89,7 +88,7 @@ double column_room(const ChartOptions& options, int columns, const Style& style)
   return (options.size[0] - 2 * style.margin) / columns - style.margin;
 }
 
-/// Below the chart, in the columns that leave the names largest; whether there is room for the rows.
+/// Below the chart, with the number of columns for which names are largest; returns whether the rows fit.
 bool put_below(Legend& legend, const ChartOptions& options, const Style& style) {
   const double most = 0.4 * options.size[1], least = least_size(style);
   const int count = static_cast<int>(legend.rows.size());
@@ -99,7 +98,7 @@ bool put_below(Legend& legend, const ChartOptions& options, const Style& style) 
     const double size = std::min(0.9 * style.label_size, most / (1.5 * rows_in(legend, columns)));
     const double room = column_room(options, columns, style);
     if (size < least || room < legend.sign + 5 * least) continue;
-    // A name that is cut counts as one too small; fewer rows are better where names are as large.
+    // Truncated names count as too small; at equal size fewer rows are preferred.
     const bool whole = fit_names(legend, size, room, 1, style);
     double score = whole ? size : 0.5 * least * room / options.size[0];
     for (const Legend::Row& row : legend.rows) score = whole && row.text.size < score ? row.text.size : score;
@@ -114,7 +113,7 @@ bool put_below(Legend& legend, const ChartOptions& options, const Style& style) 
   return true;
 }
 
-/// From the top left of its room.
+/// Draws a row; `at`: its top left corner.
 void draw_row(Drawing& drawing, const Legend& legend, const Legend::Row& row, const Vec2& at,
               const std::vector<Series>& series, const Style& style) {
   const double x = at[0], y = at[1] - 0.5 * legend.row;
@@ -129,7 +128,7 @@ void draw_row(Drawing& drawing, const Legend& legend, const Legend::Row& row, co
   draw_lines(drawing, row.text, {x + indent(legend, row), y - 0.35 * row.text.size}, Align::left, ink);
 }
 
-/// One column of rows, from its top left.
+/// Draws one column of rows; `at`: its top left corner.
 void draw_rows(Drawing& drawing, const Legend& legend, std::size_t first, std::size_t last, Vec2 at,
                const std::vector<Series>& series, const Style& style) {
   for (std::size_t n = first; n < std::min(last, legend.rows.size()); ++n) {
@@ -185,7 +184,7 @@ Legend make_legend(const std::vector<Category>& categories, double width, double
   const auto fits = [&](double room) {
     return fit_names(legend, size, room, 3, style) && height_of(legend) <= height + 1e-6;
   };
-  // Rather on several lines than half as wide as the figure.
+  // Several lines are preferred to a legend half as wide as the figure.
   if (!fits(0.6 * width) && !fits(width)) fit_names(legend, size, width, 1, style);
   legend.width = widest(legend);
   return legend;
@@ -202,7 +201,7 @@ void draw_legend(Drawing& drawing, const Legend& legend, const std::vector<Serie
     return;
   }
   if (legend.height == 0) return draw_rows(drawing, legend, 0, count, {box[1] + style.margin, box[3]}, series, style);
-  // Columns as narrow as their names, in the figure's middle.
+  // Columns as narrow as their names, centered in the figure.
   const auto rows = static_cast<std::size_t>(rows_in(legend, legend.columns));
   const double column = widest(legend) + style.margin;
   const double left = 0.5 * (drawing.size[0] - legend.columns * column + style.margin);

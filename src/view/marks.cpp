@@ -17,11 +17,11 @@ constexpr Rgb ring_color = {200, 0, 60};
 double radius(const Style& style) {
   return 11 * style.unit;
 }
-/// Of the cross, from the middle to its ends.
+/// Half length of the lines of the cross.
 double arm(const Style& style) {
   return 1.7 * radius(style);
 }
-/// Into the interval; to its upper end where it is empty.
+/// Clamps a value to the interval; to its upper end if it is empty.
 double pushed(double value, double low, double high) {
   return std::min(std::max(value, low), high);
 }
@@ -29,7 +29,7 @@ Box box_about(const Vec2& at, double reach) {
   return {at[0] - reach, at[0] + reach, at[1] - reach, at[1] + reach};
 }
 
-/// White beneath, so that it shows on any color.
+/// White outline, visible on any color.
 void draw_ring(Drawing& drawing, const Vec2& at, const Style& style) {
   const double reach = arm(style);
   const Polyline ring = circle_about(at, radius(style)), level = {{at[0] - reach, at[1]}, {at[0] + reach, at[1]}},
@@ -44,7 +44,7 @@ void draw_dot(Drawing& drawing, const Vec2& at, const Style& style) {
   drawing.marks.push_back(Fill{circle_about(at, 4.5 * style.unit), ring_color});
 }
 
-/// Beside the ring, towards what is out of sight.
+/// Next to the ring, in the direction of the true position.
 void draw_arrow(Drawing& drawing, const Vec2& at, const Vec2& beyond, const Style& style) {
   const Vec2 along = radius(style) / distance(beyond, {0, 0}) * beyond;
   const auto point = [&](double far, double wide) { return at + far * along + wide * left_of(along); };
@@ -54,14 +54,14 @@ void draw_arrow(Drawing& drawing, const Vec2& at, const Vec2& beyond, const Styl
 
 // ── Texts ────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-/// Less than half as wide as the picture, unless this is narrow; then as wide as it takes.
+/// Width below half of that of the picture, except in narrow pictures.
 FittedText make_label(const std::string& text, const Box& box, const Style& style) {
   constexpr int many = 99; // lines
   const double full = 0.85 * style.tick_size, wide = 0.9 * (box[1] - box[0]);
   return fit_text(text, full, 0.2 * full, std::min(wide, std::max(0.5 * wide, 8 * full)), many);
 }
 
-/// From the marker to the text's nearest side; nothing where they are close to each other.
+/// From the marker to the nearest side of the text; empty if they are close to each other.
 Polyline leader(const Vec2& at, const Box& place, double size, const Style& style) {
   const Vec2 end = {std::clamp(at[0], place[0], place[1]), std::clamp(at[1], place[2], place[3])};
   const double length = distance(at, end), r = radius(style);
@@ -69,7 +69,7 @@ Polyline leader(const Vec2& at, const Box& place, double size, const Style& styl
   return {at + r / length * (end - at), at + (1 - 0.15 * size / length) * (end - at)};
 }
 
-/// What a line covers, in small boxes.
+/// Covers a line with small boxes.
 std::vector<Box> cover(const Polyline& line, const Style& style) {
   std::vector<Box> boxes;
   if (line.empty()) return boxes;
@@ -82,7 +82,7 @@ std::vector<Box> cover(const Polyline& line, const Style& style) {
   return boxes;
 }
 
-/// What may not be drawn over.
+/// Areas that later texts must avoid.
 struct Taken {
   std::vector<Box> markers, labels;
 
@@ -99,7 +99,7 @@ struct Taken {
   }
 };
 
-/// Around the mark in eight directions, pushed into the box: the nearest place that is free.
+/// The nearest free position out of eight directions around the mark, moved into the box.
 std::optional<Box> find_room(const FittedText& label, const Vec2& at, const Box& box, const Taken& taken,
                              const Style& style) {
   // right, left, then the corners, above, below

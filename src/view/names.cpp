@@ -19,7 +19,7 @@ struct Paper {
   }
 };
 
-/// The text about a place, moved into the frame where it would stand out.
+/// Draws the text centered at a position, moved into the frame.
 void add_text(Drawing& drawing, Vec<2> at, const std::string& string, const Rgb& color, const Box& frame,
               const Style& style) {
   const double size = 0.85 * style.tick_size, half = 0.5 * text_width(string, size) + 0.25 * size, high = 0.62 * size;

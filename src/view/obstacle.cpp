@@ -15,7 +15,7 @@ namespace {
 constexpr Rgb rim_color = {95, 95, 95}, band_color = {200, 200, 200};
 constexpr double small_extent = 280; // pixels of a picture of 1600 × 1000
 
-/// Moves the end away from its neighbor until it lies outside the box, from wherever it is.
+/// Moves the end away from its neighbor until it lies outside the box.
 void extend(Vec2& end, const Vec2& neighbor, const Box& box) {
   const double length = distance(neighbor, end);
   if (length == 0) return;
@@ -24,10 +24,10 @@ void extend(Vec2& end, const Vec2& neighbor, const Box& box) {
   end = end + factor * (end - neighbor);
 }
 
-/// Strokes at 45° to the line, on its left, one after each `spacing` pixels.
+/// Strokes at 45° to the line, on its left, `spacing` pixels apart.
 void hatch(Drawing& drawing, const std::vector<Vec2>& line, const Box& box, const Style& style) {
   const double spacing = 14 * style.unit, length = 18 * style.unit;
-  double next = 0.5 * spacing; // to the next stroke
+  double next = 0.5 * spacing; // distance to the next stroke
   for (std::size_t i = 1; i < line.size(); ++i) {
     const double size = distance(line[i - 1], line[i]);
     if (size == 0) continue;
@@ -42,7 +42,7 @@ void hatch(Drawing& drawing, const std::vector<Vec2>& line, const Box& box, cons
   }
 }
 
-/// A gray band on the left of the line: on small obstacles hatching looks like marks.
+/// A gray band left of the line, for small obstacles, on which hatching is hard to read.
 void shade(Drawing& drawing, const std::vector<Vec2>& line, double width) {
   for (std::size_t i = 1; i < line.size(); ++i) {
     const Vec2 &a = line[i - 1], &b = line[i];
@@ -53,7 +53,7 @@ void shade(Drawing& drawing, const std::vector<Vec2>& line, double width) {
   }
 }
 
-/// The longer side of what a line covers.
+/// The longer side of the bounding box of a line.
 double extent_of(const std::vector<Vec2>& line) {
   double extent = 0;
   for (std::size_t axis : {0, 1}) {
@@ -73,7 +73,7 @@ bool same(const Vec<3>& a, const Vec<3>& b, double size) {
   return (a - b).norm() <= 1e-9 * size;
 }
 
-/// Even pieces in two directions, and more where windows need them.
+/// Even pieces in two directions, refined in windows.
 template <class Place>
 std::array<std::vector<double>, 2> fractions(std::array<int, 2> pieces, const std::vector<Window>& windows,
                                              const Place& place) {
@@ -89,8 +89,8 @@ std::array<std::vector<double>, 2> fractions(std::array<int, 2> pieces, const st
   return result;
 }
 
-/// A surface over columns × rows pieces of a rectangle of parameters, and more where windows need them; `place` gives
-/// point and normal at (u, v), both 0 … 1.
+/// A surface of columns × rows pieces of a parameter rectangle, refined in windows; `place` gives point and normal at
+/// (u, v), both 0 … 1.
 template <class Place>
 Surface tessellated(std::array<int, 2> pieces, const std::vector<Window>& windows, const Place& place) {
   Surface surface;
@@ -113,7 +113,7 @@ Surface tessellated(std::array<int, 2> pieces, const std::vector<Window>& window
   return surface;
 }
 
-/// Two unit vectors across a unit vector.
+/// Two unit vectors normal to a unit vector.
 std::array<Vec<3>, 2> across(const Vec<3>& direction) {
   const Vec<3> first = direction.unitOrthogonal();
   return {first, direction.cross(first)};
@@ -121,8 +121,7 @@ std::array<Vec<3>, 2> across(const Vec<3>& direction) {
 
 using Place = std::pair<Vec<3>, Vec<3>>;
 
-/// A square of the plane that is larger than the box, about the point nearest to the box's middle, which is one of its
-/// corners.
+/// A square of the plane, larger than the box; a vertex is the point nearest to the center of the box.
 RigidSurface whole(const RigidPlane& plane, const Bounds& box, const std::vector<Window>&) {
   const Vec<3> normal = plane.normal.normalized(),
                foot = box.center() - normal.dot(box.center() - plane.point) * normal;
@@ -143,7 +142,7 @@ RigidSurface whole(const RigidBall& ball, const Bounds&, const std::vector<Windo
   return {sphere, {}};
 }
 
-/// As long as the box is along its axis, with a little air.
+/// A cylinder of the length of the box along its axis, with a margin.
 RigidSurface whole(const RigidCylinder& cylinder, const Bounds& box, const std::vector<Window>& windows) {
   const Vec<3> axis = cylinder.axis.normalized(),
                middle = cylinder.point + axis.dot(box.center() - cylinder.point) * axis;
@@ -175,7 +174,7 @@ RigidSurface whole(const RigidSurface& surface, const Bounds&, const std::vector
   return surface;
 }
 
-/// What lies within the box; where it is cut it gets a rim.
+/// The part within the box, with a rim along cuts.
 RigidSurface within(RigidSurface rigid, const Bounds& box) {
   const double tolerance = 1e-9 * box.size();
   for (int axis = 0; axis < 3; ++axis)
@@ -189,7 +188,7 @@ RigidSurface within(RigidSurface rigid, const Bounds& box) {
 Outline half_plane(const Vec<2>& point, const Vec<2>& normal) {
   Outline outline;
   outline.endless = true;
-  // −n is on the left of t = (−n_y, n_x)
+  // −n is left of t = (−n_y, n_x)
   const Vec<2> along = Vec<2>(-normal[1], normal[0]);
   outline.line.setZero(3, 2);
   outline.line.col(0).head<2>() = point;
@@ -221,7 +220,7 @@ Outline outline(const std::function<Vec<3>(double)>& place, int pieces, const st
 
 Outline mirrored(const Outline& outline, int axis) {
   Outline image = outline;
-  image.line = outline.line.rowwise().reverse(); // left stays left
+  image.line = outline.line.rowwise().reverse(); // keeps the left side
   image.line.row(axis) *= -1;
   return image;
 }
@@ -253,7 +252,7 @@ Points worth_showing(const Outline& outline, const Bounds& box) {
     const Vec<3> extent = line.rowwise().maxCoeff() - line.rowwise().minCoeff();
     return extent.maxCoeff() <= size.maxCoeff() ? line : Points();
   }
-  // The foot of the box's center on the straight line through the ends
+  // Closest-point projection of the center of the box onto the straight line through the ends
   const Vec<2> start = line.col(0).head<2>(), along = (line.col(line.cols() - 1).head<2>() - start).normalized();
   Points foot = Points::Zero(3, 1);
   foot.col(0).head<2>() = start + along.dot(center - start) * along;
@@ -284,7 +283,8 @@ std::optional<Rigid> mirrored(const Rigid& rigid, int axis) {
   const auto& surface = std::get<RigidSurface>(rigid);
   Bounds box;
   box.take(surface.surface.points);
-  if (std::abs(box.low[axis] + box.high[axis]) <= 1e-6 * box.size()) return std::nullopt; // spans the mirror alike
+  if (std::abs(box.low[axis] + box.high[axis]) <= 1e-6 * box.size())
+    return std::nullopt; // symmetric about the mirror plane
   RigidSurface image{mirrored(surface.surface, axis, 1), surface.rim};
   for (SurfaceLine& line : image.rim) line.points.row(axis) *= -1, line.normals.row(axis) *= -1;
   return image;

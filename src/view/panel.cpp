@@ -16,7 +16,7 @@ void mirror(std::vector<SurfaceLine>& lines, int axis) {
   for (SurfaceLine& line : lines) mirror(line.points, axis), mirror(line.normals, axis);
 }
 
-/// Half of the lines are closer together; without any, all lines get their full width.
+/// Median spacing of lines; without lines 0, for full width.
 double typical_spacing(const std::vector<SurfaceLine>& lines) {
   std::vector<double> all;
   all.reserve(lines.size());
@@ -76,7 +76,7 @@ void join_at_mirror(Body& body, int axis) {
     const std::vector<Lattice> inside = std::exchange(body.inside, {}); // the image closes the cut
     Body left = cut(body, *beyond);
     left.inside = inside;
-    if (!solid) { // the image goes on where it is cut
+    if (!solid) { // the image continues it at the cut
       left.rim = cut(body.rim, *beyond, 0);
       left.control_points = body.control_points;
       left.net_lines = body.net_lines;

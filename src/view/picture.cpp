@@ -22,31 +22,31 @@ constexpr std::uint8_t ghost_opacity = 55, rigid_opacity = 62;
 
 struct Line {
   SurfaceLine line;
-  Pen pen; ///< its width is the greatest; fine meshes get thinner lines
+  Pen pen; ///< maximum width; fine meshes have thinner lines
 };
 
-/// A translucent surface behind the bodies, with an outline that lies in front of what is behind it.
+/// A translucent surface behind the bodies, with its outline.
 struct Sheer {
   Surface surface;
   Rgb color;
   std::uint8_t opacity;
-  bool facing_only; ///< without the triangles that face away
+  bool facing_only; ///< omit triangles that face away
   Pen outline;
 };
 
-/// What a state shows, in model units at first, then in pixels with z towards the eye.
+/// The content of a state, first in model units, then in pixels with z towards the eye.
 struct Scene {
-  bool plane; ///< what lies in the plane faces the eye, and is not lit
+  bool plane; ///< plane bodies face the eye and are unlit
   std::vector<Surface> bodies;
   std::vector<Line> lines;
   std::vector<Sheer> veils;
   std::vector<Vec<3>> dots;
-  std::vector<SurfaceLine> ghosts; ///< dashed, over all else, where they face the eye
+  std::vector<SurfaceLine> ghosts; ///< dashed, drawn last, where they face the eye
   std::vector<Outline> outlines;
   std::vector<PointVector> vectors;
 };
 
-/// Calls change(points, normals) for all that a scene is made of but outlines and vectors.
+/// Calls change(points, normals) for all parts of a scene except outlines and vectors.
 template <class AnyScene, class Change> void each_part(AnyScene& scene, Change change) {
   for (auto& surface : scene.bodies) change(surface.points, surface.normals);
   for (auto& veil : scene.veils) change(veil.surface.points, veil.surface.normals);
@@ -73,7 +73,7 @@ void add_body(Scene& scene, const Body& body, const Style& style) {
   for (const auto& [a, b] : body.net_lines) {
     SurfaceLine line{Points(3, 2), Points::Zero(3, 2)};
     line.points << body.control_points.col(a), body.control_points.col(b);
-    // White beneath, so that it shows on any color.
+    // White outline, visible on any color.
     if (!scene.plane) scene.lines.push_back({line, {white, 4.2 * u, 5, false}});
     scene.lines.push_back({line, {net_color, (scene.plane ? 1.2 : 2) * u, 6, false}});
   }
@@ -96,7 +96,7 @@ void add_obstacle(Scene& scene, const Rigid& rigid, const Bounds& box, const Pan
   scene.veils.push_back({std::move(surface.surface), rigid_color, rigid_opacity, false, pen});
 }
 
-/// What a panel shows, turned into the picture's axes.
+/// The content of a panel, rotated to the axes of the picture.
 Scene scene_of(const Panel& panel, bool plane, const Mat<3>& axes, const Style& style) {
   Scene scene;
   scene.plane = plane;
@@ -126,7 +126,7 @@ Scene scene_of(const Panel& panel, bool plane, const Mat<3>& axes, const Style& 
   return scene;
 }
 
-/// What a scene needs of the paper, with a little air.
+/// The extent of a scene on paper, with a margin.
 Box paper_box(const Scene& scene) {
   Bounds all;
   each_part(scene, [&](const auto& points, const Points&) { all.take(points); });
@@ -137,7 +137,7 @@ Box paper_box(const Scene& scene) {
   return {all.low[0] - air, all.high[0] + air, all.low[1] - air, all.high[1] + air};
 }
 
-/// What shows the whole of a box in space.
+/// The projection of a box in space.
 Box paper_box(const Bounds& region, const Mat<3>& axes) {
   Bounds seen;
   for (int corner = 0; corner < 8; ++corner)
@@ -146,9 +146,9 @@ Box paper_box(const Bounds& region, const Mat<3>& axes) {
   return {seen.low[0], seen.high[0], seen.low[1], seen.high[1]};
 }
 
-/// All states as one picture shows them.
+/// All states of one picture.
 struct Scenes {
-  Mat<3> axes = Mat<3>::Identity(); ///< the picture's own, as rows
+  Mat<3> axes = Mat<3>::Identity(); ///< those of the picture, as rows
   std::vector<Scene> list;
   ModelBoxes boxes;
 
@@ -171,7 +171,7 @@ struct Scenes {
 
 // ── On paper ─────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-/// Moves a scene to its place in the picture: pixels, z towards the eye.
+/// Maps a scene to its position in the picture: pixels, z towards the eye.
 void put_on_paper(Scene& scene, const Frame& frame) {
   const double scale = (frame.x.to - frame.x.from) / (frame.x.high - frame.x.low);
   const Vec<3> shift(frame.x.from - scale * frame.x.low, frame.y.from - scale * frame.y.low, 0);
@@ -181,7 +181,7 @@ void put_on_paper(Scene& scene, const Frame& frame) {
   for (PointVector& one : scene.vectors) one.at = scale * one.at + shift;
 }
 
-/// The triangles with their corners in the order that the renderer takes for the side its normals show.
+/// The triangles with vertices ordered so that the renderer lights the side of the normals.
 Triangles turned(const Surface& surface) {
   Triangles triangles = surface.triangles;
   for (auto triangle : triangles.colwise()) {
@@ -208,7 +208,8 @@ Field field_of(const Surface& surface, bool lit, const Canvas& canvas) {
   return field;
 }
 
-/// Lines of a mesh that is fine on paper darken a tenth of it at most each way, and go where they would be threads.
+/// Limits mesh lines to a tenth of their spacing each way, so that fine meshes do not darken the colors; thinner ones
+/// than 0.2 pixels are omitted.
 double width_of(const Line& line) {
   if (line.line.spacing == 0) return line.pen.width;
   const double facing = line.pen.facing_only ? std::max(0.0, line.line.normals.row(2).mean()) : 1;
@@ -216,14 +217,14 @@ double width_of(const Line& line) {
   return width >= thread ? width : 0;
 }
 
-/// A triangle of a translucent surface that waits for its turn.
+/// A triangle of a translucent surface, to be sorted by depth.
 struct Waiting {
   const Sheer* veil;
   Eigen::Vector3i corners;
-  double depth; ///< of its middle
+  double depth; ///< of its center
 };
 
-/// Translucent triangles, the farthest first.
+/// Adds translucent triangles, the farthest first.
 void add_veils(Veil& result, const std::vector<Sheer>& veils) {
   std::vector<Waiting> queue;
   for (const Sheer& veil : veils) {
@@ -244,7 +245,7 @@ void add_veils(Veil& result, const std::vector<Sheer>& veils) {
   }
 }
 
-/// Calls draw(points, normals, pen) for contours and lines, each in the tones that show on what lies beneath it.
+/// Calls draw(points, normals, pen) for contours and lines, in tones that contrast with the colors beneath.
 template <class Draw> void draw_lines(const Scene& scene, const Canvas& canvas, Draw draw) {
   for (const Surface& surface : scene.bodies)
     for (double level : surface.values.size() > 0 ? canvas.levels : std::vector<double>())
@@ -280,7 +281,7 @@ Relief relief_of(const Scene& scene, const Box& window, const Canvas& canvas) {
   return relief;
 }
 
-/// The parts of a line on a surface that face the eye.
+/// Draws the parts of a line on a surface that face the eye.
 void draw_ghost(Drawing& drawing, const SurfaceLine& line, const Box& box, const Pen& pen, double unit) {
   std::vector<Vec2> part;
   for (Eigen::Index i = 0; i <= line.points.cols(); ++i) {
@@ -293,7 +294,7 @@ void draw_ghost(Drawing& drawing, const SurfaceLine& line, const Box& box, const
   }
 }
 
-/// What lies over the relief: of plane states all lines.
+/// Draws everything on top of the relief: of plane states all lines.
 void draw_scene(Drawing& drawing, const Scene& scene, const Frame& frame, const Canvas& canvas) {
   const double u = canvas.style.unit;
   const Pen ghost = scene.plane ? Pen{undeformed_color, 2 * u, 0} : Pen{ghost_rim_color, 2.2 * u, 0};

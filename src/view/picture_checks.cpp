@@ -1,4 +1,4 @@
-// What pictures refuse.
+// Checks of the arguments of pictures.
 
 #include "view/picture.hpp"
 
@@ -10,7 +10,7 @@
 namespace signorini::view {
 namespace {
 
-/// "state 2," of several.
+/// "state 2," if there are several.
 Message where(const std::vector<Panel>& panels, std::size_t number) {
   return panels.size() > 1 ? Message("view.sheet.state", {{"number", number}}) : Message();
 }
@@ -42,7 +42,7 @@ void check(const Body& body, const Message& name) {
   require(finite, "view.body.inside", {{"body", name}});
 }
 
-/// The first numbers of {xmin, xmax, ymin, ymax, zmin, zmax}.
+/// {xmin, xmax, ymin, ymax, zmin, zmax} or, for two axes, the first four of them.
 std::vector<double> sides(const Bounds& box, int axes) {
   std::vector<double> all;
   for (int axis = 0; axis < axes; ++axis) all.insert(all.end(), {box.low[axis], box.high[axis]});
@@ -60,7 +60,7 @@ Bounds bounds_of(const std::vector<Panel>& panels) {
   return all;
 }
 
-/// Of all that plane states show.
+/// Of everything that plane states show.
 Bounds plane_bounds(const std::vector<Panel>& panels, PictureOptions options) {
   options.crop.reset();
   options.range = {0, 1};

@@ -12,13 +12,14 @@ void add_triangle(Ink& ink, const Vec<3>& a, const Vec<3>& b, const Vec<3>& c, c
   ink.colors.push_back(color);
 }
 
-/// The surface's point beside `point` by (x, y) pixels: z = −(n_x x + n_y y)/n_z, where the surface is not too steep.
+/// The point of the surface at the offset (x, y) pixels from `point`: z = −(n_x x + n_y y)/n_z, if the surface is not
+/// too steep.
 Vec<3> beside(const Vec<3>& point, const Vec<3>& normal, double x, double y) {
   constexpr double steepest = 0.15;
   return point + Vec<3>(x, y, -(normal[0] * x + normal[1] * y) / std::max(std::abs(normal[2]), steepest));
 }
 
-/// A round end, or the joint between two pieces.
+/// A round end, or the joint of two pieces.
 void add_joint(Ink& ink, const Vec<3>& point, const Vec<3>& normal, double radius, const Rgb& color) {
   const int corners = std::clamp(static_cast<int>(4 * std::sqrt(radius)) + 4, 6, 24);
   const auto corner = [&](int k) {
@@ -36,7 +37,7 @@ void add_ribbon(Ink& ink, const Points& points, const Points& normals, const Pen
     Vec<3> a = points.col(i - 1), b = points.col(i), na = normals.col(i - 1), nb = normals.col(i);
     if (pen.facing_only) {
       if (na[2] <= 0 && nb[2] <= 0) continue;
-      // Up to where the surface turns away
+      // Up to where the surface faces away
       const double t = na[2] / (na[2] - nb[2]);
       if (na[2] < 0) a += t * (b - a), na += t * (nb - na);
       if (nb[2] < 0)

@@ -15,14 +15,14 @@ bool crosses(const Scale& scale, double value) {
   return value >= scale.low && value <= scale.high;
 }
 
-/// A place for a text beside a line: {from, to} along the line and {from, to} across it.
+/// A position of a text next to a line: {from, to} along the line and {from, to} across it.
 struct RulePlace {
   Box box;
-  bool far; ///< a leader says which line the text belongs to
+  bool far; ///< needs a leader to its line
 };
 
-/// Places for a text of the given extents along and across a line at pixel `at`: at its far end, its near end and
-/// between, on either side; then those further away.
+/// Candidate positions of a text with the given extents along and across a line at pixel `at`: at its far end, its near
+/// end and between, on either side; then those further away.
 std::vector<RulePlace> places(double at, double from, double to, double along, double across, double gap) {
   std::vector<RulePlace> result;
   const double first = from + gap, last = to - gap - along;
@@ -36,7 +36,7 @@ std::vector<RulePlace> places(double at, double from, double to, double along, d
   return result;
 }
 
-/// The other reference lines that the text would lie on, and those as near to it as its own.
+/// The number of other reference lines that the text would cover or to which it would be as near as to its own.
 int hidden_by_rules(const Box& box, bool far, bool vertical, const Name& own, const ChartOptions& options,
                     const Frame& frame, double gap) {
   int hidden = 0;
@@ -52,7 +52,7 @@ int hidden_by_rules(const Box& box, bool far, bool vertical, const Name& own, co
   return hidden;
 }
 
-/// From the line to a text that stands away from it, ending in a dot on the line.
+/// From the line to a text at a distance, ending in a dot on the line.
 void draw_leader(Drawing& drawing, const RulePlace& place, double at, double gap, bool vertical, const Style& style) {
   const auto& [from, to, low, high] = place.box;
   const double start = from - 0.4 * gap, end = low > at ? low + gap : high - gap, dot = 4 * style.unit;
@@ -69,7 +69,7 @@ void draw_text(Drawing& drawing, const Name& rule, bool vertical, const ChartOpt
   const auto& [left, right, bottom, top] = frame.box;
   const double full = 0.85 * style.tick_size, gap = 0.5 * full;
   const double at = scale(rule.at);
-  const bool upright = vertical && text_width(rule.text, full) > 3 * full; // a sign or two reads better level
+  const bool upright = vertical && text_width(rule.text, full) > 3 * full; // short texts are drawn horizontally
   const FittedText fitted =
       fit_text(rule.text, full, std::min(full, least_size(style)), (upright ? top - bottom : right - left) - 2 * gap);
   const double size = fitted.size, length = fitted.width();
@@ -81,7 +81,7 @@ void draw_text(Drawing& drawing, const Name& rule, bool vertical, const ChartOpt
   RulePlace best{};
   for (const RulePlace& place : candidates) {
     const Box box = on_paper(place.box);
-    const double worst = 1e3 * size; // more than curves can hide
+    const double worst = 1e3 * size; // more than curves can be covered
     double hidden = covered(curves, box) + (place.far ? 0.5 * worst : 0) +
                     worst * hidden_by_rules(box, place.far, vertical, rule, options, frame, gap);
     for (const Box& other : taken)
@@ -92,7 +92,7 @@ void draw_text(Drawing& drawing, const Name& rule, bool vertical, const ChartOpt
   const Box box = on_paper(best.box);
   taken.push_back(box);
   if (best.far) draw_leader(drawing, best, at, gap, vertical, style);
-  // A fifth of the height lies below the baseline.
+  // A fifth of the height is below the baseline.
   const Vec2 start = upright ? Vec2{box[1] - 0.2 * size, box[2]} : Vec2{box[0], box[2] + 0.2 * size};
   drawing.marks.push_back(Text{start, fitted.lines.front(), size, Align::left, ink, upright});
 }

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The name's parts before and after the number, and the number's least count of digits.
+/// The parts of the name before and after the number, and the minimum number of digits.
 struct Pattern {
   std::string before, after;
   int digits;
@@ -35,7 +35,7 @@ Pattern pattern_of(const std::string& file) {
   return {found[1], found[4], found[3].empty() ? 1 : std::stoi(found[3])};
 }
 
-/// A folder beside a file, which goes with all that it holds.
+/// A folder next to a file, which is removed with its contents.
 class Folder {
 public:
   explicit Folder(const std::string& file) : name_(file + ".XXXXXX") {
@@ -72,7 +72,7 @@ void write_by_ffmpeg(const std::string& file, int count, double rate, const Pict
   require(has_program("ffmpeg"), "view.film.ffmpeg", {{"file", file}});
   const Folder folder(fs::absolute(file).string());
   write_pictures({folder.path(""), ".png", 1}, count, picture);
-  // H.264 with colors at half the resolution, which all players know, wants even sizes.
+  // H.264 with chroma subsampling, which all players support, requires even sizes.
   try {
     run_program({"ffmpeg", "-loglevel", "error", "-y", "-framerate", std::to_string(rate), "-i", folder.path("%d.png"),
                  "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white", "-c:v", "libx264", "-pix_fmt", "yuv420p",

@@ -20,7 +20,7 @@ double length(const Interval& interval) {
   return interval[1] - interval[0];
 }
 
-/// The states in rows: what they show of x, and row by row of y.
+/// The arrangement of states in rows: ranges of x, and of y by row.
 struct Grid {
   int columns = 0;
   Interval x{};
@@ -47,7 +47,7 @@ Grid make_grid(const ModelBoxes& boxes, int columns) {
   return grid;
 }
 
-/// The bar of the range, if there is one, and those beside it.
+/// The bar of the range, if there is one, and those of adjacent pictures.
 std::vector<Bar> bars_of(const PictureOptions& options, const std::optional<Interval>& range) {
   if (!range) return {};
   std::vector<Bar> bars = options.bars_beside;
@@ -55,15 +55,15 @@ std::vector<Bar> bars_of(const PictureOptions& options, const std::optional<Inte
   return bars;
 }
 
-/// Pixels that are not the states' own.
+/// Space around and between the states, pixels.
 struct Rooms {
   double title;                   ///< above all
   double head;                    ///< above each row
   double below;                   ///< numbers and label of x
   double left;                    ///< numbers and label of y
-  double right;                   ///< color bar, or air
+  double right;                   ///< color bar, or margin
   double across;                  ///< between columns
-  double between;                 ///< between rows, without their heads
+  double between;                 ///< between rows, without `head`
   double free_width, free_height; ///< left for the states
 };
 
@@ -81,7 +81,7 @@ Rooms rooms_of(const Grid& grid, const std::vector<std::string>& titles, const P
                 : options.ruler ? ruler_room(style)
                                 : 0;
   if (!options.vectors.empty()) rooms.below += key_room(style);
-  // Numbers change little with the size that the states will get.
+  // Numbers depend little on the final size of the states.
   const double guess = (height - 2 * style.margin - rooms.title - rooms.below) / grid.rows();
   bool factor = false;
   if (arrows) rooms.left = arrows->width;
@@ -135,7 +135,7 @@ std::vector<Frame> make_frames(const Grid& grid, const Rooms& rooms, double scal
     }
     frame.xticks = fitting_ticks(grid.x[0], grid.x[1], false, width, style);
     frame.yticks = stacked_ticks(y[0], y[1], false, top - bottom, style);
-    // Numbers stand at the rim of the sheet only.
+    // Numbers only at the outer states.
     if (i + grid.columns >= count)
       frame.xlabel = axis_name(options, 0, options.unit);
     else
@@ -149,7 +149,7 @@ std::vector<Frame> make_frames(const Grid& grid, const Rooms& rooms, double scal
   return frames;
 }
 
-/// An arrow of a round length, and what it stands for.
+/// An arrow of a round length with its label.
 void draw_key(Canvas& canvas, const PictureOptions& options) {
   const Style& style = canvas.style;
   const double size = style.tick_size, y = canvas.sheet.key[1] + 0.55 * size;
@@ -192,7 +192,7 @@ Sheet lay_out_sheet(const std::vector<std::string>& titles, const ModelBoxes& bo
 
   const double width = grid.columns * scale * length(grid.x) + (grid.columns - 1) * rooms.across;
   const double height = scale * grid.height() + (grid.rows() - 1) * (rooms.between + rooms.head);
-  // Beside flat states the bar stands out above and below.
+  // For states of small height the bar extends above and below them.
   double bar = height;
   for (const Bar& one : bars_of(options, range)) {
     const double least = std::max(9 * style.tick_size, 0.8 * text_width(one.title, style.label_size));

@@ -13,10 +13,10 @@ namespace signorini::view {
 namespace {
 
 constexpr Rgb light_line = {205, 205, 205};
-constexpr double darkest = 40; // CIE L* of colors that dark lines show on
+constexpr double darkest = 40; // CIE L* of the darkest colors on which dark lines are visible
 
 std::array<double, 3> key_of(const Vec<3>& point) {
-  return {point[0] + 0.0, point[1] + 0.0, point[2] + 0.0}; // −0 is 0
+  return {point[0] + 0.0, point[1] + 0.0, point[2] + 0.0}; // −0 becomes 0
 }
 
 } // namespace
@@ -118,7 +118,7 @@ void draw_vectors(Drawing& drawing, const std::vector<PointVector>& vectors, dou
     const Vec2 from = {at[0], at[1]}, to = from + scale * Vec2{vector[0], vector[1]};
     const double length = distance(from, to);
     if (length < 4 * unit || !holds(box, from)) continue;
-    // White beneath, so that it shows on any color.
+    // White outline, visible on any color.
     const double head = std::min(15 * unit, 0.6 * length);
     draw_arrow(drawing, {from, to}, head + 3 * unit, 6 * unit, white);
     draw_arrow(drawing, {from, to}, head, 2.6 * unit, ink);

@@ -31,7 +31,7 @@ bool is_digit(char32_t p) {
   return p >= U'0' && p <= U'9';
 }
 
-/// Letters of any script that names in pictures are written in.
+/// Letters of any script.
 bool is_letter(char32_t p) {
   return (p >= U'A' && p <= U'Z') || (p >= U'a' && p <= U'z') || (p >= 0xC0 && p < 0x2000 && p != U'×' && p != U'÷') ||
          p >= 0x2E80;
@@ -41,7 +41,7 @@ bool is_word(char32_t p) {
   return is_letter(p) || is_digit(p);
 }
 
-/// Signs that have an index as letters have: integrals, sums, derivatives.
+/// Signs that can have an index like letters: integrals, sums, derivatives.
 bool is_operator(char32_t p) {
   constexpr std::u32string_view signs = U"∫∬∭∮∯∂∇∑∏⋃⋂";
   return signs.find(p) != signs.npos;
@@ -49,12 +49,12 @@ bool is_operator(char32_t p) {
 
 using CodePoints = std::vector<char32_t>;
 
-/// CodePoints [from, to) stand on another level, and the text goes on at `next`.
+/// CodePoints [from, to) are on another level; the text continues at `next`.
 struct Group {
   std::size_t from, to, next;
 };
 
-/// What the sign at i raises or lowers: what braces hold; else a word that stands directly behind it.
+/// The argument of the sign at i: the content of braces, otherwise the word that follows directly.
 std::optional<Group> group_at(const CodePoints& points, std::size_t i) {
   const std::size_t count = points.size();
   const auto at = [&](std::size_t k) { return k < count ? points[k] : U' '; };
@@ -70,7 +70,7 @@ std::optional<Group> group_at(const CodePoints& points, std::size_t i) {
   if (!is_word(at(end))) return std::nullopt;
   while (is_word(at(end))) ++end;
   if (at(i) == U'^') return Group{i + 1, end, end};
-  // Names of more than one letter before it, or of several parts, are names of files and columns.
+  // Words of several letters or parts before it are names of files and columns.
   const bool lone = is_operator(points[i - 1]) ||
                     (is_letter(points[i - 1]) && (i == 1 || (!is_word(points[i - 2]) && points[i - 2] != U'_')));
   if (!lone || at(end) == U'_') return std::nullopt;

@@ -1,4 +1,4 @@
-// Where an axis is marked, with numbers or with names.
+// Positions of ticks on an axis, with numbers or names.
 
 #include "view/frame.hpp"
 
@@ -13,7 +13,7 @@
 namespace signorini::view {
 namespace {
 
-constexpr double slack = 1e-9; // of one step: a tick on the range's very end belongs to it
+constexpr double slack = 1e-9; // relative to one step: includes ticks at the ends of the range
 
 std::string number(double value, int decimals) {
   char digits[64];
@@ -31,13 +31,13 @@ std::string power_of_ten(int exponent) {
   return result;
 }
 
-/// "0.02", or "2×10⁻⁶" where the plain number would be long.
+/// "0.02", or "2×10⁻⁶" if the decimal number would be long.
 std::string multiple(int digit, int exponent) {
   if (exponent < -4 || exponent > 4) return (digit == 1 ? "" : std::to_string(digit) + "×") + power_of_ten(exponent);
   return number(digit * std::pow(10.0, exponent), std::max(0, -exponent));
 }
 
-/// The least of 1, 2, 5 × 10ᵏ whose multiples within [low, high] are no more than `count`.
+/// The smallest 1, 2 or 5 × 10ᵏ with at most `count` multiples within [low, high].
 double round_step(double low, double high, int count) {
   double power = std::pow(10.0, std::floor(std::log10((high - low) / count)));
   for (;; power *= 10)
@@ -62,7 +62,7 @@ Ticks decades(int first, int last, int count) {
   return ticks;
 }
 
-/// Linear ticks with marks that part each step in fifths or, where it is 2 × 10ᵏ, in quarters.
+/// Linear ticks with minor ticks that divide each step into five or, if it is 2 × 10ᵏ, four parts.
 Ticks with_minor(Ticks ticks, double low, double high) {
   if (ticks.at.size() < 2) return ticks;
   const double step = ticks.at[1] - ticks.at[0], digit = step / std::pow(10.0, std::floor(std::log10(step) + slack));
@@ -73,7 +73,7 @@ Ticks with_minor(Ticks ticks, double low, double high) {
   return ticks;
 }
 
-/// Pixels that a name at tick i may take: its neighbors' take as much.
+/// Width available to a name at tick i, if its neighbors take as much, pixels.
 double room_for(const Ticks& ticks, std::size_t i, const Scale& scale) {
   double room = scale.to - scale.from;
   if (i > 0) room = std::min(room, scale(ticks.at[i]) - scale(ticks.at[i - 1]));
@@ -81,7 +81,7 @@ double room_for(const Ticks& ticks, std::size_t i, const Scale& scale) {
   return room;
 }
 
-/// All on one line in one size; false where that would be too small.
+/// All on one line in one size; false if that would be too small.
 bool shrink_names(Ticks& ticks, const Scale& scale, bool within_cells, const Style& style) {
   double size = style.tick_size;
   for (std::size_t i = 0; i < ticks.at.size() && within_cells; ++i)
@@ -94,7 +94,7 @@ bool shrink_names(Ticks& ticks, const Scale& scale, bool within_cells, const Sty
   return size >= least_size(style);
 }
 
-/// Each on up to three lines, in a size of its own; false where one is cut short.
+/// Each on up to three lines, in its own size; false if one is truncated.
 bool wrap_names(Ticks& ticks, const Scale& scale, const Style& style) {
   bool whole = true;
   for (std::size_t i = 0; i < ticks.at.size(); ++i) {
@@ -106,14 +106,14 @@ bool wrap_names(Ticks& ticks, const Scale& scale, const Style& style) {
   return whole;
 }
 
-/// Between the closest two names, pixels.
+/// Minimum distance of two names, pixels.
 double closest(const Ticks& ticks, const Scale& scale) {
   double room = scale.to - scale.from;
   for (std::size_t i = 0; i < ticks.at.size(); ++i) room = std::min(room, room_for(ticks, i, scale));
   return room;
 }
 
-/// Without those that stand closer than `apart` pixels to the one before.
+/// Omits names closer than `apart` pixels to the one before.
 Ticks thinned(const Ticks& ticks, const Scale& scale, double apart) {
   Ticks kept;
   for (std::size_t i = 0; i < ticks.at.size(); ++i) {
@@ -123,7 +123,7 @@ Ticks thinned(const Ticks& ticks, const Scale& scale, double apart) {
   return kept;
 }
 
-/// Of numbers some can be left out: readers know those between.
+/// Some numbers can be omitted, because readers can interpolate.
 bool is_number(const std::string& name) {
   return std::none_of(name.begin(), name.end(), [](unsigned char c) { return std::isalpha(c) != 0; });
 }
@@ -137,7 +137,7 @@ Ticks thin_out_numbers(const Ticks& ticks, const Scale& scale, const Style& styl
   return kept;
 }
 
-/// Names across the axis, on as many lines as there is room for.
+/// Names across the axis, on as many lines as fit.
 Ticks lines_across(const Ticks& ticks, const Scale& scale, double most, double step, const Style& style) {
   const double room = closest(ticks, scale), size = std::clamp(room / step, least_size(style), style.tick_size);
   Ticks kept = thinned(ticks, scale, step * size);
@@ -166,7 +166,7 @@ std::string in_digits(double value) {
 }
 
 void require_drawable(double low, double high, bool log) {
-  // Beyond these, lengths and steps are no longer numbers of full precision.
+  // Beyond these limits, lengths and steps lose precision.
   constexpr double largest = 1e300, narrowest = 1e-300;
   require(std::max(std::abs(low), std::abs(high)) <= largest && high - low >= narrowest, "view.ticks.bounds");
   require(!log || high / low <= largest, "view.ticks.decades");
@@ -180,7 +180,7 @@ Ticks linear_ticks(double low, double high, int count) {
   const int exponent = size >= 5 || size <= -4 ? size : 0;
   const double scale = std::pow(10.0, -exponent);
   const int decimals = std::clamp(-static_cast<int>(std::floor(std::log10(step * scale) + slack)), 0, 15);
-  // Counted, as adding 1 changes nothing where a range is as narrow as rounding.
+  // An integer counter, because adding 1 has no effect in a range as narrow as rounding error.
   const double first = std::ceil(low / step - slack);
   for (int i = 0; i <= count && first + i <= high / step + slack; ++i) {
     ticks.at.push_back((first + i) * step);
@@ -196,7 +196,7 @@ Ticks log_ticks(double low, double high, int count) {
   const int first = static_cast<int>(std::ceil(from - slack)), last = static_cast<int>(std::floor(to + slack));
   if (high / low < 5) return with_minor(linear_ticks(low, high, count), low, high);
   Ticks ticks;
-  // One or two powers alone would say little.
+  // One or two powers alone do not show the scale.
   const bool few = to - from < 1.5 && count >= 5;
   if (last > first && !few) {
     ticks = decades(first, last, count);
@@ -230,7 +230,7 @@ Ticks named_ticks(const std::vector<Name>& names, const Scale& scale, double mos
 }
 
 Ticks stacked_names(const std::vector<Name>& names, const Scale& scale, double most, const Style& style) {
-  constexpr double step = 1.15; // from one name to the next at the least, in its size
+  constexpr double step = 1.15; // minimum distance of names, relative to their size
   return lines_across(within(names, scale), scale, most, step, style);
 }
 

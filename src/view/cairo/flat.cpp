@@ -1,4 +1,4 @@
-// The module's entry: figures through Cairo into the bytes of PNG, SVG and PDF files.
+// Entry of the module: writes figures by Cairo as PNG, SVG and PDF.
 #include "base/error.hpp"
 #include "view/cairo/parts.hpp"
 #include "view/figure.hpp"
@@ -13,8 +13,8 @@
 namespace signorini::view {
 namespace {
 
-constexpr double points_per_pixel = 0.45; // of a PDF: 1600 pixels become 10 inches
-constexpr int image_scale = 2;            // of images in SVG and PDF: such files are printed and enlarged
+constexpr double points_per_pixel = 0.45; // of a PDF: 1600 pixels are 10 inches
+constexpr int image_scale = 2;            // of images in SVG and PDF, which may be printed or enlarged
 
 struct Destroy {
   void operator()(cairo_t* paper) const { cairo_destroy(paper); }
@@ -33,7 +33,7 @@ Surface make_surface(const std::array<int, 2>& size, Format format, bool transpa
   if (format == Format::pdf) {
     Surface made(
         cairo_pdf_surface_create_for_stream(append, &bytes, points_per_pixel * width, points_per_pixel * height));
-    // The same figure gives the same bytes.
+    // A fixed time stamp: equal figures give equal bytes.
     cairo_pdf_surface_set_metadata(made.get(), CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
     return made;
   }
@@ -49,7 +49,7 @@ void set_color(cairo_t* paper, const Rgb& color) {
   cairo_set_source_rgb(paper, color[0] / 255.0, color[1] / 255.0, color[2] / 255.0);
 }
 
-/// Draws marks on paper of this height; Cairo's y points downwards.
+/// Draws marks on paper of this height; y points downwards in Cairo.
 struct Pen {
   cairo_t* paper;
   double height;
@@ -90,10 +90,10 @@ void draw_image(cairo_t* paper, Pixels pixels, int scale) {
   cairo_set_source_surface(paper, image.get(), 0, 0);
   cairo_paint(paper);
   cairo_restore(paper);
-  cairo_surface_finish(image.get()); // files take a copy
+  cairo_surface_finish(image.get()); // file writers take a copy
 }
 
-/// White ground, or none. Formats of vectors cannot take away what is there.
+/// White or transparent ground. Vector formats cannot clear existing content.
 void clear(cairo_t* paper, bool transparent) {
   cairo_set_operator(paper, transparent ? CAIRO_OPERATOR_CLEAR : CAIRO_OPERATOR_OVER);
   set_color(paper, white);
@@ -101,7 +101,7 @@ void clear(cairo_t* paper, bool transparent) {
   cairo_set_operator(paper, CAIRO_OPERATOR_OVER);
 }
 
-/// The plate in its own pixels.
+/// Renders the plate in its own pixels.
 void draw_plate(cairo_t* paper, const Plate& plate, Format format, bool transparent, const ImageMaker& image) {
   const int height = plate.drawing.size[1];
   if (has_image(plate)) {
@@ -127,7 +127,7 @@ std::string bytes(const Figure& figure, Format format, bool transparent, const I
     cairo_translate(paper.get(), at[0], figure.size[1] - at[1] - height);
     cairo_rectangle(paper.get(), 0, 0, width, height);
     cairo_clip(paper.get());
-    if (i > 0) clear(paper.get(), transparent && format == Format::png); // what lies under it
+    if (i > 0) clear(paper.get(), transparent && format == Format::png); // clear the plates beneath
     draw_plate(paper.get(), plate, format, transparent, image);
     cairo_restore(paper.get());
   }

@@ -9,7 +9,8 @@
 namespace signorini::view {
 namespace {
 
-// Of zlib. Lines and texts on white need no more: files a quarter larger than at 6, in half the time.
+// Compression level of zlib. Sufficient for lines and texts on white: files a quarter larger than at level 6, in half
+// the time.
 constexpr int of_charts = 3, of_images = 6;
 
 void append(png_structp png, png_bytep data, png_size_t length) {
@@ -20,7 +21,7 @@ void append(png_structp png, png_bytep data, png_size_t length) {
   fail("view.png.failed", {{"reason", message}});
 }
 
-/// 0xAARRGGBB with colors multiplied by the opacity → red, green, blue and, where asked for, opacity.
+/// 0xAARRGGBB with premultiplied alpha → red, green, blue and, if requested, alpha.
 void unpack(const std::uint32_t* pixels, int width, bool opacity, png_byte* row) {
   for (int x = 0; x < width; ++x, row += opacity ? 4 : 3) {
     const std::uint32_t pixel = pixels[x], a = opacity ? pixel >> 24 : 255;

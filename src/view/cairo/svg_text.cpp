@@ -9,7 +9,7 @@
 namespace signorini::view {
 namespace {
 
-/// Two decimals of a pixel, in the shortest form.
+/// Two decimals of a pixel, without trailing zeros.
 std::string decimal(double value) {
   char digits[32];
   int length = std::snprintf(digits, sizeof digits, "%.2f", value);
@@ -39,7 +39,7 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-/// With its anchor at x, y; SVG's y points downwards.
+/// An element anchored at x, y; y points downwards in SVG.
 std::string element(const Text& text, double along, double down) {
   const std::string x = decimal(along), y = decimal(down);
   std::string out =
@@ -62,7 +62,7 @@ std::string element(const Text& text, double along, double down) {
   return out + "</text>\n";
 }
 
-/// Cairo's names such as surface39, each with its number in this file.
+/// The ids of Cairo, such as surface39, with new numbers in this file.
 std::string numbered_anew(const std::string& svg) {
   std::string result;
   std::map<std::string, std::size_t> numbers;

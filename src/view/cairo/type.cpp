@@ -12,7 +12,7 @@
 namespace signorini::view {
 namespace {
 
-/// Fontconfig takes the first that is there, and for what it lacks any other font of the machine.
+/// Fontconfig takes the first installed one, and any other font for missing characters.
 constexpr const char* families = "Liberation Sans, Arial, Helvetica, DejaVu Sans, sans-serif";
 
 struct Unreference {
@@ -20,12 +20,12 @@ struct Unreference {
 };
 using Layout = std::unique_ptr<PangoLayout, Unreference>;
 
-/// One for all texts. Neither letters' widths nor their places follow the pixels, so that a line has the same width in
+/// One for all texts. Widths and positions of letters are not rounded to pixels, so that a line has the same width in
 /// all formats, in proportion to its size.
 PangoContext* context() {
   static PangoContext* const made = [] {
     PangoFontMap* fonts = pango_cairo_font_map_new();
-    pango_cairo_font_map_set_resolution(PANGO_CAIRO_FONT_MAP(fonts), 72); // a point is a pixel
+    pango_cairo_font_map_set_resolution(PANGO_CAIRO_FONT_MAP(fonts), 72); // 1 pt = 1 pixel
     PangoContext* result = pango_font_map_create_context(fonts);
     pango_context_set_round_glyph_positions(result, FALSE);
     cairo_font_options_t* options = cairo_font_options_create();
@@ -52,7 +52,7 @@ int in_pango(double pixels) {
   return pango_units_from_double(pixels);
 }
 
-/// The line with its raised and lowered parts.
+/// The line with superscripts and subscripts.
 Layout lay_out(const std::string& utf8, double size) {
   Layout layout(pango_layout_new(context()));
   std::string whole;
@@ -77,7 +77,7 @@ double width_of(PangoLayout* layout) {
   return pango_units_to_double(box.width);
 }
 
-/// The package of Debian with a font that is likely to have a character.
+/// The Debian package with a font that probably has a character.
 const char* package_for(char32_t p) {
   const bool eastern = (p >= 0x2E80 && p <= 0x9FFF) || (p >= 0xAC00 && p <= 0xD7AF) || (p >= 0xF900 && p <= 0xFAFF) ||
                        (p >= 0xFF00 && p <= 0xFFEF) || (p >= 0x20000 && p <= 0x3FFFF);
@@ -85,7 +85,7 @@ const char* package_for(char32_t p) {
   return p < 0x2000 ? "fonts-dejavu-core" : "fonts-noto-core";
 }
 
-/// Names the characters of a text that no font has.
+/// Warns of characters without a font.
 void warn_of_missing(const std::string& utf8) {
   std::vector<std::string> characters, packages;
   for (char32_t point : code_points(utf8)) {
@@ -104,7 +104,7 @@ void warn_of_missing(const std::string& utf8) {
 
 double width_of(const std::string& utf8, double size) {
   constexpr double measured = 100;
-  constexpr std::size_t most = 10'000; // a film's titles should not fill the memory
+  constexpr std::size_t most = 10'000; // bounds the memory of the cache, e.g. for titles of a film
   static std::unordered_map<std::string, double> known;
   if (known.size() > most) known.clear();
   const auto [found, fresh] = known.try_emplace(utf8, 0);

@@ -1,5 +1,5 @@
-// Debian's VTK asks GLEW for OpenGL's functions, and GLEW asks GLX, that is an X server. These three functions stand
-// before theirs and let both find OSMesa's OpenGL, which draws into plain memory.
+// Debian's VTK loads OpenGL functions by GLEW, and GLEW by GLX, i.e. from an X server. These three functions override
+// theirs and load OSMesa's OpenGL, which draws into main memory.
 
 #define _GNU_SOURCE
 #include <GL/osmesa.h>
@@ -9,7 +9,7 @@
 typedef void (*Function)(void);
 typedef Function (*Lookup)(const unsigned char*);
 
-// ISO C knows no conversion from object to function pointers; POSIX promises that the bytes are the same.
+// ISO C has no conversion from object to function pointers; POSIX guarantees equal representation.
 static void next_function(const char* name, void* function) {
   void* found = dlsym(RTLD_NEXT, name);
   memcpy(function, &found, sizeof found);
@@ -29,7 +29,7 @@ Function glXGetProcAddress(const unsigned char* name) {
   return look_up(name, "glXGetProcAddress");
 }
 
-// GLEW has all of OpenGL by the time it misses a GLX display (error 4), which nobody here needs.
+// GLEW has loaded OpenGL when it reports a missing GLX display (error 4), which is not needed.
 unsigned int glewInit(void) {
   enum { no_error = 0, unknown_error = 1, no_glx_display = 4 };
   unsigned int (*next)(void) = 0;

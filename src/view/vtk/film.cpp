@@ -15,7 +15,7 @@ namespace {
 
 constexpr int best_quality = 2;
 
-/// The picture on white of even size: VTK's writer fills half pixels of colors with green.
+/// The picture on white with even sizes: VTK's writer fills incomplete chroma pixels with green.
 void put_on_even(vtkImageData& film, vtkImageData& picture, int components) {
   const int width = picture.GetDimensions()[0], height = picture.GetDimensions()[1];
   film.SetDimensions(width + width % 2, height + height % 2, 1);
@@ -23,7 +23,7 @@ void put_on_even(vtkImageData& film, vtkImageData& picture, int components) {
   const auto row = [&](vtkImageData& image, int y) {
     return static_cast<std::uint8_t*>(image.GetScalarPointer(0, y, 0));
   };
-  // The odd row is the lowest one, as rows go upwards.
+  // The added row is the lowest one, because rows go upwards.
   std::fill_n(row(film, 0), components * film.GetDimensions()[0], 255);
   for (int y = 0; y < height; ++y) {
     std::uint8_t* const to = row(film, y + height % 2);
@@ -41,7 +41,7 @@ void draw_ogv(const std::string& file, int count, int rate, const PictureMaker& 
   writer->SetFileName(file.c_str());
   writer->SetRate(rate);
   writer->SetQuality(best_quality);
-  writer->SubsamplingOn(); // colors at half the resolution, which all players know
+  writer->SubsamplingOn(); // chroma subsampling, which all players support
   std::array<int, 2> size{};
   for (int i = 0; i < count; ++i) {
     const std::string bytes = png(i);

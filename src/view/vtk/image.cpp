@@ -1,4 +1,4 @@
-// The module's entry: fields and surfaces through VTK and OpenGL into pixels.
+// Entry of the module: draws fields and surfaces by VTK and OpenGL into pixels.
 
 #include "base/error.hpp"
 #include "view/vtk/parts.hpp"
@@ -14,17 +14,18 @@
 namespace signorini::view {
 namespace {
 
-/// Rendered this many times larger each way, then averaged: smooth edges.
+/// Supersampling factor in each direction, for smooth edges.
 int supersampling(int scale) {
   return scale == 1 ? 3 : 2;
 }
 
-/// A renderer of the part of a window [left, right, bottom, top], in its pixels, `larger` to one of the drawing.
+/// A renderer of the part [left, right, bottom, top] of a window in its pixels, with `larger` pixels per pixel of the
+/// drawing.
 vtkSmartPointer<vtkRenderer> renderer_of(const Box& part, const std::array<int, 2>& window, int larger,
                                          bool transparent) {
   const auto& [left, right, bottom, top] = part;
   auto renderer = vtkSmartPointer<vtkRenderer>::New();
-  const double ground = transparent ? 0 : 1; // black, so that colors come multiplied by their opacity
+  const double ground = transparent ? 0 : 1; // black, so that colors are premultiplied by alpha
   renderer->SetBackground(ground, ground, ground);
   renderer->SetBackgroundAlpha(ground);
   renderer->SetViewport(left / window[0], bottom / window[1], right / window[0], top / window[1]);
@@ -38,8 +39,8 @@ vtkSmartPointer<vtkRenderer> renderer_of(const Box& part, const std::array<int, 
   return renderer;
 }
 
-/// Draws what lies beneath a plate's marks, `larger` times its size, on white or on nothing; returns red, green, blue,
-/// opacity per pixel, rows from the bottom up.
+/// Draws the relief of a plate, `larger` times its size, on white or transparent ground; returns red, green, blue,
+/// alpha per pixel, rows from the bottom up.
 vtkUnsignedCharArray& render(const Plate& plate, int larger, bool transparent) {
   const std::array<int, 2> size = {larger * plate.drawing.size[0], larger * plate.drawing.size[1]};
   vtkRenderWindow& window = offscreen_window(size);
@@ -56,7 +57,7 @@ vtkUnsignedCharArray& render(const Plate& plate, int larger, bool transparent) {
   }
   for (const auto& renderer : renderers) window.AddRenderer(renderer);
   window.Render();
-  // Kept from picture to picture: fresh pages for so many pixels cost as much as drawing them.
+  // Reused, because allocating so many pixels takes as long as drawing them.
   static vtkNew<vtkUnsignedCharArray> pixels;
   const int failed = window.GetRGBACharPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels);
   for (const auto& renderer : renderers) window.RemoveRenderer(renderer);
@@ -65,7 +66,7 @@ vtkUnsignedCharArray& render(const Plate& plate, int larger, bool transparent) {
   return *pixels.Get();
 }
 
-/// The mean over squares of n × n pixels, rows from the top.
+/// The average over squares of n × n pixels, rows from the top.
 Pixels shrink(vtkUnsignedCharArray& large, const std::array<int, 2>& size, int n) {
   const int width = size[0], height = size[1];
   Pixels small{size, {}};

@@ -1,5 +1,5 @@
 #pragma once
-// The parts of the module with VTK.
+// Interface between the parts of the module with VTK.
 
 #include "view/figure.hpp"
 
@@ -8,14 +8,14 @@
 
 namespace signorini::view {
 
-/// The program's render window, which needs no display, set to a size in pixels: the one place that knows how VTK
-/// renders without one. Throws Error when no off-screen context can be made.
+/// The render window of the program, which needs no display, set to a size in pixels: the only place that depends on
+/// how VTK renders off-screen. Throws Error when no off-screen context can be created.
 vtkRenderWindow& offscreen_window(std::array<int, 2> size);
 
-/// Adds a relief beneath z = 0 and a light for what is lit.
+/// Adds a relief beneath z = 0 and a light.
 void add_relief(vtkRenderer& renderer, const Relief& relief);
 
-/// Writes pictures to a film of `rate` per second, Theora in Ogg. Throws Error on pictures of several sizes.
+/// Writes pictures to a film of `rate` per second, Theora in Ogg. Throws Error on pictures of different sizes.
 void draw_ogv(const std::string& file, int count, int rate, const PictureMaker& png);
 
 } // namespace signorini::view

@@ -24,7 +24,7 @@ Eigen::Map<const Points> columns(const std::vector<Vec<3>>& points) {
   return {points.empty() ? nullptr : points.front().data(), 3, static_cast<Eigen::Index>(points.size())};
 }
 
-/// From pixels towards the eye to what the camera sees beneath the plane of the drawing.
+/// Maps z towards the eye to the depth range of the camera beneath the drawing plane.
 struct Depth {
   double low = std::numeric_limits<double>::infinity(), high = -low;
 
@@ -47,7 +47,7 @@ vtkSmartPointer<vtkFloatArray> floats(const MatrixX& columns) {
   return result;
 }
 
-/// Triangles between points; without normals they are not lit.
+/// Triangles; unlit without normals.
 vtkSmartPointer<vtkPolyData> mesh(const Points& points, const Points& normals, const Triangles& triangles) {
   auto data = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> places;
@@ -60,7 +60,7 @@ vtkSmartPointer<vtkPolyData> mesh(const Points& points, const Points& normals, c
   return data;
 }
 
-/// Three points each in their order, every triangle in a color of its own.
+/// Separate triangles of three successive points, each in its own color.
 template <std::size_t N>
 vtkSmartPointer<vtkPolyData> loose_mesh(const Points& points, const Points& normals,
                                         const std::vector<std::array<std::uint8_t, N>>& colors) {
@@ -84,7 +84,7 @@ vtkSmartPointer<vtkPolyDataMapper> add_actor(vtkRenderer& renderer, vtkPolyData&
   if (data.GetPointData()->GetNormals() == nullptr)
     look.LightingOff();
   else {
-    // Little shade, so that colors keep their meaning: what faces the light shows them as the color bar does.
+    // Weak shading, so that colors keep their meaning: faces towards the light have the colors of the color bar.
     look.SetAmbient(0.72);
     look.SetDiffuse(0.32);
     look.SetSpecular(0);
@@ -93,7 +93,7 @@ vtkSmartPointer<vtkPolyDataMapper> add_actor(vtkRenderer& renderer, vtkPolyData&
   return mapper;
 }
 
-/// Values are interpolated, then colored.
+/// Values are interpolated before coloring.
 void add_field(vtkRenderer& renderer, const Field& field, const Depth& depth) {
   const auto data = mesh(depth(field.points), field.normals, field.triangles);
   data->GetPointData()->SetScalars(floats(field.values.transpose()));
@@ -110,8 +110,8 @@ void add_field(vtkRenderer& renderer, const Field& field, const Depth& depth) {
   mapper->InterpolateScalarsBeforeMappingOn();
 }
 
-/// Blended in the order given over the ground, behind the depths of all else. In the pass of opaque surfaces, because
-/// OpenGL blends there too; VTK's passes for translucent ones keep buffers that cost more time than all the drawing.
+/// Blended in the given order over the ground, behind everything else. Drawn in the pass of opaque surfaces, where
+/// OpenGL blends as well; VTK's passes for translucent surfaces need buffers that take longer than all the drawing.
 void add_veil(vtkRenderer& renderer, const Veil& veil) {
   constexpr double farthest = -0.98, nearest = -0.92;
   Points points = columns(veil.corners);
@@ -127,14 +127,14 @@ void add_relief(vtkRenderer& renderer, const Relief& relief) {
   Depth depth;
   for (const Field& field : relief.fields) depth.take(field.points);
   depth.take(columns(relief.ink.corners));
-  if (!relief.veil.colors.empty()) add_veil(renderer, relief.veil); // first: it is drawn beneath
+  if (!relief.veil.colors.empty()) add_veil(renderer, relief.veil); // first, because it is beneath everything else
   for (const Field& field : relief.fields) add_field(renderer, field, depth);
   if (!relief.ink.colors.empty())
     add_actor(renderer, *loose_mesh(depth(columns(relief.ink.corners)), {}, relief.ink.colors), false);
   vtkNew<vtkLight> light;
   light->SetLightTypeToSceneLight();
   light->PositionalOff();
-  light->SetPosition(-0.3, 0.45, 1); // from over the reader's left shoulder
+  light->SetPosition(-0.3, 0.45, 1); // above left of the viewer
   light->SetFocalPoint(0, 0, 0);
   renderer.AddLight(light);
 }

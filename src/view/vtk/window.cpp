@@ -22,8 +22,8 @@ vtkSmartPointer<vtkRenderWindow> make_window() {
 
 #else
 
-/// One OSMesa context serves all windows; it and its buffer live as long as the program. The buffer can stay small,
-/// because VTK draws into framebuffers of its own.
+/// One OSMesa context serves all windows; it and its buffer exist until the program ends. The buffer can be small,
+/// because VTK draws into its own framebuffers.
 void make_current() {
   static const int wanted[] = {OSMESA_FORMAT,
                                OSMESA_RGBA,
@@ -60,7 +60,7 @@ vtkSmartPointer<vtkRenderWindow> make_window() {
 } // namespace
 
 vtkRenderWindow& offscreen_window(std::array<int, 2> size) {
-  // Left alive at the program's end: the order in which Mesa and VTK take themselves down is not ours to choose.
+  // Never destroyed: the order of destruction of Mesa and VTK at program end is undefined.
   static vtkRenderWindow* const window = [] {
     auto made = make_window();
     made->SetOffScreenRendering(1);
