@@ -1,6 +1,6 @@
 #pragma once
-// The arguments of a call behind its check (lua/signorini/check.lua): of the types that the function's table names,
-// with defaults in the place of those left out. Reading converts, and checks nothing again.
+// Arguments of a call after their check (lua/signorini/check.lua), with the types of the function's table and with
+// defaults for missing ones. Reading converts without further checks.
 
 #include "bind/stack.hpp"
 
@@ -12,8 +12,8 @@
 
 namespace signorini::bind {
 
-/// A value that has been checked: double, int, bool, std::string, VectorX (a point), MatrixX (points in columns), two
-/// numbers (an interval), or a vector of numbers, whole numbers or strings; nan stands for gaps in numbers.
+/// Converts a checked value: double, int, bool, std::string, VectorX (a point), MatrixX (points in columns), two
+/// numbers (an interval), or a vector of numbers, integers or strings; gaps in numbers are nan.
 template <class T> T to(lua_State* L, int index);
 
 /// A table of named arguments.
@@ -22,17 +22,17 @@ template <class T> T to(lua_State* L, int index);
 ///     const double radius = a.get<double>("radius");
 class Arguments {
 public:
-  /// The table at `index`: 1, of methods 2. `path` names a nested table in messages ("friction").
+  /// The table at `index`: 1, of methods 2. `path`: name of a nested table in messages ("friction").
   explicit Arguments(lua_State* L, int index = 1, std::string path = "");
 
-  /// Whether there is a value, given or by default.
+  /// Whether there is a value, given or default.
   bool has(const char* key) const;
   template <class T> T get(const char* key) const {
     T value = to<T>(L_, push(key));
     lua_pop(L_, 1);
     return value;
   }
-  /// Reads what there is into its places: names and places in turn.
+  /// Reads the values that are present into variables: alternating names and variables.
   ///
   ///     a.read("title", options.title, "range", options.range);
   template <class T, class... Rest> void read(const char* key, T& place, Rest&&... rest) const {
@@ -40,31 +40,31 @@ public:
     if constexpr (sizeof...(rest) > 0) read(std::forward<Rest>(rest)...);
   }
   template <class T> T get(const char* key, T otherwise) const { return has(key) ? get<T>(key) : otherwise; }
-  /// The object of a registered type, by reference into its userdata.
+  /// The object of a registered type, as a reference into its userdata.
   template <class T> T& object(const char* key) const {
     T& found = read_object<T>(L_, push(key), {name(key)});
     lua_pop(L_, 1);
     return found;
   }
-  /// A nested table of named arguments; it stays on the stack.
+  /// A nested table of named arguments, which stays on the stack.
   Arguments table(const char* key) const;
-  /// Calls `visit` for each entry of a table whose keys are names, sorted by name; `index` is the value's place on the
-  /// stack, `path` how messages name it.
+  /// Calls `visit` for each entry of a table with names as keys, sorted by name; `index`: stack index of the value,
+  /// `path`: its name in messages.
   void each(const char* key,
             const std::function<void(const std::string& name, int index, const std::string& path)>& visit) const;
   /// Calls `visit` for each entry of a list, counted from 0.
   void list(const char* key, const std::function<void(int i, int index, const std::string& path)>& visit) const;
 
-  /// Pushes the raw value and returns its place on the stack (a nil when it is missing).
+  /// Pushes the raw value (nil if it is missing) and returns its stack index.
   int push(const char* key) const;
-  /// How messages name an argument: "friction.mu".
+  /// The name of an argument in messages: "friction.mu".
   std::string name(const char* key) const;
   const std::string& path() const { return path_; }
   lua_State* state() const { return L_; }
 
-  /// Throws for what no table can say of a value: "sg.f: E must be <expected>, got <value>: <cure>".
+  /// Throws for errors that the function's table cannot express: "sg.f: E must be <expected>, got <value>: <cure>".
   [[noreturn]] void refuse(const char* key, const std::string& expected, const std::string& cure = "") const;
-  /// Throws with the joined parts as the message, behind the path.
+  /// Throws with the joined parts as message, after the path.
   template <class... Parts> [[noreturn]] void fail(const Parts&... parts) const {
     bind::fail(path_.empty() ? "" : path_ + ": ", parts...);
   }
@@ -80,8 +80,8 @@ private:
 
 // ── C++ functions as Lua calls them ──────────────────────────────────────────────────────────────────────────────────
 
-/// What a C++ function takes from a place on the stack: an object by reference, also where a shared pointer holds it,
-/// a table of named arguments, the stack itself, or a value.
+/// An argument of a C++ function at a stack index: an object by reference, also if a shared pointer holds it, a table
+/// of named arguments, the stack itself, or a value.
 template <class T> decltype(auto) argument(lua_State* L, int index) {
   using Plain = std::remove_cvref_t<T>;
   if constexpr (std::is_same_v<Plain, lua_State*>)
@@ -113,22 +113,22 @@ template <class Result, class... Parts> int call_plain(lua_State* L, Result (*fu
   }
 }
 
-/// A function of C++ as Lua calls it: its parameters are the arguments in their order, or the object of a method first;
-/// what it returns is pushed. Where its last parameter is the stack, it pushes itself and returns the number of values.
+/// Wraps a C++ function for Lua: its parameters are the arguments in order, for methods preceded by the object; its
+/// result is pushed. If its last parameter is the stack, it pushes results itself and returns their number.
 ///
 ///     {"translate", call<nurbs::translate>},
 template <auto function> int call(lua_State* L) {
   return call_plain(L, +function);
 }
 
-/// The name of an argument, as a parameter of templates.
+/// The name of an argument as a template parameter.
 template <std::size_t N> struct Name {
   char letters[N];
 
   constexpr Name(const char (&name)[N]) { std::copy_n(name, N, letters); }
 };
 
-/// Of a table of named arguments: an object by reference, or a value.
+/// A named argument: an object by reference, or a value.
 template <class T> decltype(auto) named(const Arguments& a, const char* name) {
   if constexpr (Registered<T>)
     return a.object<T>(name);
@@ -136,7 +136,7 @@ template <class T> decltype(auto) named(const Arguments& a, const char* name) {
     return a.get<T>(name);
 }
 
-/// Pushes what a C++ function makes of the arguments of these names.
+/// Pushes the result of a C++ function for the arguments of these names.
 ///
 ///     {"line", made<nurbs::line, "from", "to">},
 template <auto function, Name... names> int made(lua_State* L) {

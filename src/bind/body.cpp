@@ -36,7 +36,7 @@ std::string material_text(const solid::Material& material) {
 
 // ── Places ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-/// The names of a name's parts: "south", "front" of "south-front".
+/// The parts of a name: "south", "front" for "south-front".
 std::vector<std::string> parts_of(const std::string& name) {
   std::vector<std::string> parts;
   for (std::size_t begin = 0; begin <= name.size();) {
@@ -47,7 +47,7 @@ std::vector<std::string> parts_of(const std::string& name) {
   return parts;
 }
 
-/// All names of places where `count` faces meet, their directions in order: "west-south", "west-front", "south-front".
+/// All names of places where `count` faces meet, by ascending direction: "west-south", "west-front", "south-front".
 std::vector<std::string> meeting_names(int dimensions, int count) {
   std::vector<std::string> names;
   const auto extend = [&](auto& self, const std::string& begun, int direction, int missing) -> void {
@@ -60,13 +60,13 @@ std::vector<std::string> meeting_names(int dimensions, int count) {
   return names;
 }
 
-/// The directions' order of a corner's name does not matter; in the plane its names begin with south or north.
+/// Corner names are accepted in any order of directions; in the plane they are printed with south or north first.
 std::vector<std::string> corner_names(int dimensions) {
   if (dimensions == 2) return {"south-west", "south-east", "north-west", "north-east"};
   return meeting_names(dimensions, dimensions);
 }
 
-/// The sides that a name consists of; empty unless they are `count` known ones of different directions.
+/// The sides in a name; empty unless they are `count` known ones of different directions.
 std::vector<Side> read_sides(const std::string& name, int dimensions, int count) {
   const std::vector<std::string> known = meeting_names(dimensions, 1), parts = parts_of(name);
   std::vector<Side> sides;
@@ -80,7 +80,7 @@ std::vector<Side> read_sides(const std::string& name, int dimensions, int count)
   return static_cast<int>(sides.size()) == count ? sides : std::vector<Side>{};
 }
 
-/// core.place_names(body or patch, count): the names of its places where so many faces meet, 0: of its corners; without
+/// core.place_names(body or patch, count): the names of its places where `count` faces meet, 0: of its corners; without
 /// an object those of solids.
 int place_names(lua_State* L) {
   const auto* patch = test_object<nurbs::Patch>(L, 1);
@@ -97,7 +97,7 @@ template <int D> Place<D> face(const Body<D>& body, const std::string& name) {
   return {body, "face", name, side, body->space().face_functions(side)};
 }
 
-/// The place where the faces of a name meet, its functions those of all of them.
+/// The place where the faces in a name meet, with the functions that all of them share.
 template <int D> int push_meeting(lua_State* L, const char* kind, int count, const std::vector<std::string>& names) {
   const Body<D>& body = self<Body<D>>(L);
   const auto name = to<std::string>(L, 2);
@@ -127,7 +127,7 @@ template <int D> std::string place_text(const Place<D>& place) {
 
 // ── Bodies ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-/// The contact faces, where a body has any.
+/// The contact faces, if the body has any.
 std::vector<Side> contact_of(const Arguments& a, int dimensions) {
   std::vector<Side> sides;
   const std::vector<std::string> known = meeting_names(dimensions, 1);
@@ -142,7 +142,7 @@ std::vector<Side> contact_of(const Arguments& a, int dimensions) {
   return sides;
 }
 
-/// A label for each direction along the contact face, or for all.
+/// One order label for each direction along the contact face, or one for all.
 std::vector<nurbs::Label> labels_of(const Arguments& a, std::size_t directions) {
   std::vector<nurbs::Label> labels;
   for (const std::string& name : a.get<std::vector<std::string>>("order")) labels.push_back(nurbs::parse_label(name));
@@ -150,7 +150,7 @@ std::vector<nurbs::Label> labels_of(const Arguments& a, std::size_t directions) 
   return labels;
 }
 
-/// 2 or 3. Throws ArgumentError when the patch cannot be a body's shape.
+/// 2 or 3. Throws ArgumentError when the patch cannot be the shape of a body.
 int dimension_of(const Arguments& a, const nurbs::Patch& patch) {
   const int dimensions = patch.parametric_dimension();
   if (dimensions == patch.dimension()) return dimensions;
@@ -163,13 +163,13 @@ int dimension_of(const Arguments& a, const nurbs::Patch& patch) {
                     : ""));
 }
 
-/// Refuses a body that cannot fit, and says what a large one takes: before anything of it is made.
+/// Checks the size of a body before it is created: refuses bodies that do not fit, warns of large ones.
 void check_size(const nurbs::Plan& plan, int dimensions) {
   constexpr double most_unknowns = 20e6;
-  double elements = 1, points = 1; // all, and unknowns of one component
+  double elements = 1, points = 1; // totals; `points`: unknowns per displacement component
   for (int count : plan.elements) elements *= count, points *= count + 1.0;
   const int through = plan.through.value_or(nurbs::bulk_space(plan.labels).full_degree());
-  double functions = plan.contact.empty() ? 1 : through + 1; // of an element, and its Gauss points
+  double functions = plan.contact.empty() ? 1 : through + 1; // of an element, then times its Gauss points
   for (const nurbs::Label& label : plan.labels) functions *= label.bulk.full_degree() + 1;
   const double unknowns = dimensions * points, table = 8 * elements * functions * functions * dimensions; // bytes
   const std::string list = listed(plan.elements);
@@ -221,7 +221,7 @@ template <int D> int dofs(const solid::Body<D>& body, lua_State* L) {
   return 1;
 }
 
-/// "2 x 1" of a row's degrees, that of the direction through the body in its place.
+/// "2 x 1": the degrees of a row, with that of the thickness direction in its place.
 std::string degrees_in_words(const nurbs::Discretization& space, const nurbs::Row& row) {
   std::string words;
   for (int d = 0; d < space.parametric_dimension(); ++d)
@@ -230,7 +230,7 @@ std::string degrees_in_words(const nurbs::Discretization& space, const nurbs::Ro
   return words;
 }
 
-/// The degrees of all rows of control points, in the order of the rows.
+/// The degrees of all rows of control points, in order.
 std::string all_degrees_in_words(const nurbs::Discretization& space) {
   std::string words, last;
   for (const nurbs::Row& row : space.rows())

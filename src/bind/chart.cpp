@@ -10,12 +10,12 @@ namespace signorini::bind {
 
 namespace {
 
-/// The place of a name among some, or their count.
+/// The index of a name in a list, or the size of the list.
 int place_of(const std::string& name, const std::vector<std::string>& names) {
   return static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
-/// One name per point, as numbers in the chart's list, which grows by new names unless the user has given it.
+/// One name per point, as indices into the chart's list, to which new names are added unless the user has given it.
 std::vector<int> read_kinds(const Arguments& chart, const Arguments& curve, std::vector<std::string>& known) {
   std::vector<int> kinds;
   for (const auto& name : curve.get<std::vector<std::string>>("marks")) {
@@ -31,7 +31,7 @@ std::vector<int> read_kinds(const Arguments& chart, const Arguments& curve, std:
   return kinds;
 }
 
-/// The curve on top of the stack; `chart`: the arguments that it belongs to.
+/// The curve on top of the stack; `chart`: the arguments of its chart.
 view::Series read_series(lua_State* L, const Arguments& chart, int number, const std::vector<double>& common_x,
                          std::vector<std::string>& kinds) {
   const Arguments curve(L, -1, text("[", number, "]"));
@@ -89,7 +89,7 @@ view::Inset read_inset(const Arguments& a) {
   return inset;
 }
 
-/// true, false, or a place.
+/// true, false, or a position.
 view::LegendPlace read_legend(const Arguments& a) {
   if (is_string(a, "legend"))
     return a.get<std::string>("legend") == "inside" ? view::LegendPlace::inside : view::LegendPlace::outside;

@@ -1,4 +1,4 @@
-// What objects hold, as bytes: checkpoints of models, and contents to compare.
+// Objects as bytes: checkpoints of models, and contents for comparison.
 
 #include "model/checkpoint.hpp"
 #include "base/archive.hpp"
@@ -23,14 +23,14 @@ template <class Visit> int with_model(lua_State* L, Visit visit) {
   return 0;
 }
 
-/// core.save(model, path, text, durable): as model:save, with a text beside the model: how a run stands. durable: on
-/// the disk on return.
+/// core.save(model, path, text, durable): as model:save, with a text stored next to the model, such as the state of a
+/// run. durable: flushed to disk on return.
 int core_save(lua_State* L) {
   return with_model(
       L, [&](auto& model) { model::save(model, to<std::string>(L, 2), to<std::string>(L, 3), to<bool>(L, 4)); });
 }
 
-/// core.restore(model, path): brings a model to the state of a file that was saved of the same scene.
+/// core.restore(model, path): restores the state from a file saved from the same scene.
 int core_restore(lua_State* L) {
   return with_model(L, [&](auto& model) { model::restore(model, to<std::string>(L, 2)); });
 }
@@ -45,7 +45,7 @@ int load(lua_State* L) {
   return 1;
 }
 
-/// Writes the object at index 1 where it is of this type, or what `part` returns of it; whether it is.
+/// Writes the object at index 1, or the result of `part` for it, if it is of this type; returns whether it is.
 template <class T, class Part> bool write_if(lua_State* L, ArchiveWriter& to, Part part) {
   const T* object = test_object<T>(L, 1);
   if (object) std::apply([&](const auto&... parts) { to.put(parts...); }, part(*object));
@@ -64,8 +64,8 @@ template <int D> bool write_scene_object(lua_State* L, ArchiveWriter& to) {
          });
 }
 
-/// core.content(object): all that a patch, a material, a body, a face, an obstacle, a model or a snapshot holds, as
-/// bytes to compare; nil for other values.
+/// core.content(object): the contents of a patch, material, body, face, obstacle, model or snapshot as bytes for
+/// comparison; nil for other values.
 int content(lua_State* L) {
   ArchiveWriter bytes;
   const auto whole = [](const auto& object) { return std::tie(object); };
@@ -79,7 +79,7 @@ int content(lua_State* L) {
 constexpr Function core_rows[] = {
     {"save", core_save},
     {"restore", core_restore},
-    {"checkpoint_text", call<model::load_text>}, // the text that core.save was given
+    {"checkpoint_text", call<model::load_text>}, // the text given to core.save
     {"content", content},
 };
 constexpr Function checkpoint_functions[] = {{"load", load}};

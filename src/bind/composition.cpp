@@ -11,29 +11,29 @@ namespace {
 
 using Range = std::array<double, 2>;
 
-/// What the pictures of a film show at one place of their layout; of a picture alone, one entry.
+/// The contents at one position of the layout for all pictures of a film; a single entry for a picture alone.
 template <class Content> using Film = std::vector<const Content*>;
 
-/// Where a picture goes.
+/// Size and style given to a picture.
 struct Paper {
   std::array<int, 2> size;
   bool trim = true;
   std::optional<view::Style> style = {};
-  std::vector<view::Bar> bars = {}; ///< of all parts: one layout for all, the largest decides
+  std::vector<view::Bar> bars = {}; ///< of all parts: the largest determines the common layout
 };
 
-/// A part of a figure, drawn once its paper is known.
+/// A part of a figure, drawn when its paper is known.
 struct Part {
   std::function<view::Figure(int picture, const Paper& paper)> draw;
   std::vector<view::Bar> bars = {};
 };
 
-/// The ranges of colors that a sheet gives its parts.
+/// The color ranges that a sheet passes to its parts.
 struct Ranges {
   std::optional<Range> given;
   std::map<std::string, Range> by_label;
-  bool beside = false;                  ///< ranges must be known before parts are drawn
-  std::optional<view::Box> extent = {}; ///< that all parts show
+  bool beside = false;                  ///< several parts: ranges must be known before drawing
+  std::optional<view::Box> extent = {}; ///< shown by all parts
 
   std::optional<Range> of(const view::PictureOptions& options) const {
     if (options.field_label.empty()) return std::nullopt;
@@ -52,7 +52,7 @@ struct Plates {
     std::optional<view::PictureOptions> inset;
   };
   std::vector<One> film;
-  std::map<std::array<int, 2>, view::CloseUpPlan> plans = {}; ///< where insets go, made once for a film
+  std::map<std::array<int, 2>, view::CloseUpPlan> plans = {}; ///< positions of insets, computed once per film
 
   view::PictureOptions options(int picture, const Paper& paper) const {
     view::PictureOptions all = film[at(picture)].options;
@@ -88,7 +88,7 @@ view::Figure draw_plate(Plates& plates, int picture, const Paper& paper) {
   return view::with_close_ups(picture, plan->second, whole, detail);
 }
 
-/// One meaning of colors and arrows in all states, and in a film one frame.
+/// One color range and arrow scale for all states, and in a film one frame.
 void align_plates(Plates& plates, const Ranges& ranges) {
   auto& film = plates.film;
   double longest = 0;
@@ -121,7 +121,7 @@ void align_plates(Plates& plates, const Ranges& ranges) {
   }
 }
 
-/// `sheets`: of a film whose states stand on sheets; else each stands alone.
+/// `sheets`: of a film of sheets; empty: each state is drawn alone.
 Part plates_part(const std::vector<Film<StatePicture>>& states, const Film<SheetPicture>& sheets,
                  const Ranges& ranges) {
   const auto plates = std::make_shared<Plates>();
@@ -132,7 +132,7 @@ Part plates_part(const std::vector<Film<StatePicture>>& states, const Film<Sheet
       if (!sheets.empty()) one.panels.back().title = state->options.title;
     }
     if (!sheets.empty()) one.options.title = sheets[k]->title, one.options.columns = sheets[k]->columns;
-    // Parts and cuts that show or take nothing are refused.
+    // Empty parts and cuts without effect are errors.
     check_part(one.panels, one.options, "crop");
     if (one.inset) check_part(one.panels, *one.inset, "inset");
     check_cuts(one.panels);
@@ -154,7 +154,7 @@ bool alike(const view::PictureOptions& a, const view::PictureOptions& b) {
          a.vectors == b.vectors && a.axes == b.axes;
 }
 
-/// The states of a sheet that has nothing else and draws them all in one way.
+/// The states of a sheet that contains nothing else and draws all with the same options.
 std::optional<Film<StatePicture>> states_of(const SheetPicture& sheet) {
   Film<StatePicture> states;
   for (const Picture& part : sheet.parts) {
@@ -169,10 +169,10 @@ std::optional<Film<StatePicture>> states_of(const SheetPicture& sheet) {
   return states;
 }
 
-/// By label, and whether they are in space.
+/// Key: label, and whether the states are in space.
 using StatesByLabel = std::map<std::pair<std::string, bool>, Film<StatePicture>>;
 
-/// Collects the states below a picture that have no range of their own.
+/// Collects the states in a picture that have no range of their own.
 void gather_states(const Picture& picture, StatesByLabel& found) {
   if (const auto* state = std::get_if<StatePicture>(picture.content.get())) {
     const view::PictureOptions& options = state->options;
@@ -184,7 +184,7 @@ void gather_states(const Picture& picture, StatesByLabel& found) {
   }
 }
 
-/// Range and extent of states, which are all plane or all in space.
+/// Range and extent of states that are all plane or all in space.
 view::PictureOptions aligned(const Film<StatePicture>& states) {
   std::vector<view::Panel> panels;
   for (const StatePicture* state : states) panels.push_back(state->panel);
@@ -249,7 +249,7 @@ Part sheet_part(const Film<SheetPicture>& film, const Ranges& outer) {
   return whole;
 }
 
-/// The content of a film's pictures at one place, which must be of one kind.
+/// The contents of the pictures of a film at one position, which must be of one kind.
 template <class Content> Film<Content> contents(const Film<Picture>& film) {
   Film<Content> all;
   for (const Picture* one : film) all.push_back(std::get_if<Content>(one->content.get()));

@@ -18,20 +18,20 @@ template <> struct Type<Lock> { static constexpr auto name = "lock"; };
 
 namespace {
 
-/// core.fail(message): ends with an error at the line of the user's own script.
+/// core.fail(message): raises an error at the line of the user's script.
 int core_fail(lua_State* L) {
   luaL_tolstring(L, 1, nullptr);
   push(L, user_position(L) + lua_tostring(L, -1));
   return lua_error(L);
 }
 
-/// core.now(), sg.wall_time(): wall-clock seconds since some moment in the past.
+/// core.now(), sg.wall_time(): wall-clock seconds since an unspecified origin.
 double now() {
   static const Stopwatch since_start;
   return since_start.seconds();
 }
 
-/// core.mkdir(path), sg.mkdir(path): makes a folder and those above it; an existing folder is fine.
+/// core.mkdir(path), sg.mkdir(path): creates a folder and its parents; existing folders are accepted.
 void mkdir(const std::string& path) {
   std::error_code error;
   std::filesystem::create_directories(path, error);
@@ -40,30 +40,30 @@ void mkdir(const std::string& path) {
          "): choose a place that can be written to");
 }
 
-/// core.describe(value): a value in the words of error messages.
+/// core.describe(value): a value as error messages print it.
 int core_describe(lua_State* L) {
   push(L, describe(L, 1));
   return 1;
 }
 
-/// core.nearest(word, words): the word of a list that is nearest, or nil.
+/// core.nearest(word, words): the word of a list nearest by edit distance, or nil.
 std::optional<std::string> core_nearest(const std::string& word, const std::vector<std::string>& words) {
   const std::string best = nearest(word, words);
   return best.empty() ? std::nullopt : std::optional(best);
 }
 
-/// core.exists(path): whether there is a file or a folder of that name.
+/// core.exists(path): whether a file or folder exists.
 bool exists(const std::string& path) {
   return std::filesystem::exists(path);
 }
 
-/// core.write_file(file, bytes, durable = false): writes a file, whole or not at all; durable: on the disk on return,
-/// so that it outlives the machine's power.
+/// core.write_file(file, bytes, durable = false): writes a file atomically; durable: flushed to disk on return, so that
+/// it survives a power failure.
 void write_file(const std::string& file, const std::string& bytes, bool durable) {
   write_whole(file, bytes, durable);
 }
 
-/// core.list_folder(folder): the names of what a folder holds, sorted.
+/// core.list_folder(folder): the sorted names of its entries.
 std::vector<std::string> list_folder(const std::string& folder) {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) names.push_back(entry.path().filename());
@@ -71,31 +71,31 @@ std::vector<std::string> list_folder(const std::string& folder) {
   return names;
 }
 
-/// core.hash(bytes): sixteen hexadecimal digits that stand for a text.
+/// core.hash(bytes): checksum of sixteen hexadecimal digits.
 std::string hash(const std::string& bytes) {
   return fmt::format("{:016x}", checksum(bytes));
 }
 
-/// core.lock(file): holds a file, made where there is none, until :release(). An error when somebody holds it.
+/// core.lock(file): locks a file, created if missing, until :release(). Error when another process holds the lock.
 Lock lock(const std::string& file) {
   return Lock(file);
 }
 
-/// core.number_text(value): the shortest decimal text of a finite number that reads back as the same number.
+/// core.number_text(value): the shortest decimal text that reads back as the same finite number.
 int core_number_text(lua_State* L) {
   push(L, lua_isinteger(L, 1) ? fmt::to_string(lua_tointeger(L, 1)) : fmt::to_string(luaL_checknumber(L, 1)));
   return 1;
 }
 
-/// core.kind(value): the type, with the names of the program's own types such as "patch".
+/// core.kind(value): the type, for objects of the program its name such as "patch".
 int kind(lua_State* L) {
   if (lua_isuserdata(L, 1) && luaL_getmetafield(L, 1, "__name") == LUA_TSTRING) return 1;
   push(L, luaL_typename(L, 1));
   return 1;
 }
 
-/// core.answer_interrupt(): whether Ctrl-C was pressed; if so, what is going on ends because of it and returns what it
-/// has.
+/// core.answer_interrupt(): whether Ctrl-C was pressed; if so, marks it as handled, because the current operation ends
+/// and returns its partial results.
 bool core_answer_interrupt() {
   if (interrupted()) answer_interrupt();
   return interrupted();
@@ -105,7 +105,7 @@ int results(lua_State* L, int, lua_KContext) {
   return lua_gettop(L);
 }
 
-/// Calls the first upvalue; coroutines may yield across it.
+/// Calls the first upvalue, with support for coroutines that yield across it.
 int call_offered(lua_State* L) {
   lua_pushvalue(L, lua_upvalueindex(1));
   lua_insert(L, 1);
@@ -113,8 +113,8 @@ int call_offered(lua_State* L) {
   return results(L, LUA_OK, 0);
 }
 
-/// core.offered(f): the function as users get it. Errors find their line also behind `return f()`: a tail call of a
-/// function in Lua drops the caller, one of a function in C does not.
+/// core.offered(f): the function for users. Errors find their line also after `return f()`: a tail call of a Lua
+/// function drops the caller from the stack, one of a C function does not.
 int core_offered(lua_State* L) {
   luaL_checktype(L, 1, LUA_TFUNCTION);
   lua_settop(L, 1);
@@ -132,10 +132,10 @@ constexpr Function core_entries[] = {
     {"write_file", call<write_file>},
     {"read_file", call<read_whole>},
     {"list_folder", call<list_folder>},
-    {"remove_leftovers", call<remove_leftovers>}, // temporary files of a file's name that killed processes left
+    {"remove_leftovers", call<remove_leftovers>}, // temporary files for a file that killed processes left
     {"hash", call<hash>},
     {"lock", call<lock>},
-    {"set_threads", call<set_threads>}, // that work on a solve from now on; core.threads is what --threads said
+    {"set_threads", call<set_threads>}, // of the following solves; core.threads is the value of --threads
     {"describe", core_describe},
     {"nearest", call<core_nearest>},
     {"number_text", core_number_text},
@@ -143,7 +143,7 @@ constexpr Function core_entries[] = {
 };
 
 constexpr Function public_rows[] = {{"mkdir", call<mkdir>}, {"wall_time", call<now>}};
-constexpr Function lock_methods[] = {{"release", collect<Lock>}}; // lets go of the file
+constexpr Function lock_methods[] = {{"release", collect<Lock>}}; // unlocks the file
 
 } // namespace
 

@@ -11,7 +11,7 @@ using nurbs::Patch;
 
 namespace {
 
-/// The patch of some directions with the points and weights of a call.
+/// The patch with these directions and the points and weights of a call.
 Patch with_points(const Arguments& a, std::vector<KnotVector> directions) {
   const auto weights = a.get<std::vector<double>>("weights", {});
   return nurbs::make_patch(std::move(directions), a.get<MatrixX>("points"),
@@ -49,7 +49,7 @@ Patch revolve(const Arguments& a) {
     value.conservativeResizeLike(VectorX::Zero(3));
     return value;
   };
-  // A right-handed section at x > 0 makes a right-handed volume about −y.
+  // A right-handed section at x > 0 gives a right-handed volume about −y.
   const VectorX axis = vector("axis", plane ? Vec<3>(0, -1, 0) : Vec<3>(0, 0, 1));
   if (plane && patch.parametric_dimension() == 2 && axis(0) == 0 && axis(1) == 0)
     a.fail("axis is normal to the plane of the patch, z = 0, in which the patch would only turn: give an axis in the ",

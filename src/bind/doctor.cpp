@@ -32,7 +32,7 @@ std::string suitesparse_version() {
   return text(v[0], ".", v[1], ".", v[2]);
 }
 
-/// "OpenBLAS 0.3.21 …, libopenblas.so" of the BLAS that is loaded.
+/// "OpenBLAS 0.3.21 …, libopenblas.so": version and file of the loaded BLAS.
 std::string blas_description() {
   void* dgemm = dlsym(RTLD_DEFAULT, "dgemm_");
   Dl_info info;
@@ -42,7 +42,7 @@ std::string blas_description() {
   return (config ? std::string(config()) + ", " : "") + file;
 }
 
-/// A colored square, drawn and thrown away.
+/// Draws a colored square to test the modules.
 std::string test_picture() {
   view::Body square;
   square.skin.points.resize(3, 4);

@@ -1,5 +1,5 @@
 #pragma once
-// What the program is made of on this machine.
+// Versions and capabilities of the program on this machine.
 
 #include <iosfwd>
 #include <string>
@@ -8,12 +8,12 @@
 
 namespace signorini::bind {
 
-/// Names and versions of what results depend on: signorini, Lua, Eigen, SuiteSparse, BLAS, and the widest instructions
-/// of the element kernels. An error where SIGNORINI_KERNEL names others than this machine has.
+/// Names and versions of libraries that affect results: signorini, Lua, Eigen, SuiteSparse, BLAS, and the instruction
+/// set of the element kernels. Throws Error when SIGNORINI_KERNEL names an instruction set that this machine lacks.
 std::vector<std::pair<std::string, std::string>> versions();
 
-/// `signorini --doctor`: writes these, and whether the program can draw; `readline` is that library's version. Returns
-/// whether all is well.
+/// `signorini --doctor`: prints these, and whether the program can draw; `readline`: version of that library. Returns
+/// whether everything works.
 bool doctor(std::ostream& out, int threads, const std::string& readline);
 
 } // namespace signorini::bind

@@ -5,27 +5,27 @@
 
 namespace signorini::bind {
 
-/// What has been read so far. `where` names the argument that something stands in.
+/// The parts read so far. `where`: name of the argument in messages.
 template <int D> struct Draft {
   model::Scene<D> scene;
-  std::vector<Rigid<D>> obstacles = {}; ///< those that the scene has met
+  std::vector<Rigid<D>> obstacles = {}; ///< those of the scene
 
-  /// Index of a place's body. Throws when the scene does not have it.
+  /// Index of the place's body. Throws when the body is not in the scene.
   int index_of(const Place<D>& place, const std::string& where) const;
-  /// Index of an obstacle; a new one is appended. Throws when it does not fit the kind of scene.
+  /// Index of an obstacle; new ones are appended. Throws when it does not fit the kind of scene.
   int index_of(const Rigid<D>& rigid, const std::string& where);
-  /// The face at a stack index. Throws for anything else.
+  /// The face at a stack index. Throws for other values.
   model::FaceReference face(lua_State* L, int index, const std::string& where) const;
 };
 
-/// Throws as reject() does, for a place that is of the wrong kind.
+/// Throws like reject(), for a place of the wrong kind.
 template <int D>
 [[noreturn]] void reject_place(const Place<D>& place, const std::string& where, const std::string& expected,
                                const std::string& cure) {
   fail(where, " must be ", expected, ", got the ", place.kind, " '", place.name, "': ", cure);
 }
 
-/// One entry of `supports` or `loads`, whose name the caller gives it. New obstacles go into the draft.
+/// An entry of `supports` or `loads`; the caller sets its name. New obstacles are added to the draft.
 template <int D> model::Support<D> read_support(Draft<D>& draft, const Arguments& a);
 template <int D> model::Load read_load(const Draft<D>& draft, const Arguments& a);
 

@@ -1,5 +1,5 @@
 #pragma once
-// States of models and patches as pictures show them, free of their models.
+// Contents of pictures of models and patches, independent of these after sampling.
 
 #include "base/window.hpp"
 #include "bind/arguments.hpp"
@@ -9,42 +9,42 @@
 
 namespace signorini::bind {
 
-/// How a state, or patches, shall be shown.
+/// Options for the display of a state or of patches.
 struct Showing {
   std::string field = ""; ///< empty: gray
   double factor = 1;
   bool deformed = true, undeformed = false, mesh = true, control_points = false;
   bool obstacles = true;
-  bool names = true;                ///< of patches: faces and directions, of several their numbers as well
+  bool names = true;                ///< of patches: faces and directions, and numbers if there are several
   std::string vectors = "";         ///< "displacement", "traction", or none
   std::vector<int> bodies = {};     ///< those to be drawn
-  std::string mirror = "";          ///< axes across which the model goes on, "xy"
-  std::vector<Window> windows = {}; ///< what is shown larger than the whole, its images in the mirrors as well
+  std::string mirror = "";          ///< mirror axes, such as "xy"
+  std::vector<Window> windows = {}; ///< regions shown magnified, with their mirror images
 };
 
-/// Where a model of solids is cut open; without a point through the middle of what is shown.
+/// A cut of a model of solids; default point: center of the bodies.
 struct Cut {
   Vec<3> normal;
   std::optional<Vec<3>> point = {};
 };
 
-/// `cut`: of solids.
+/// `cut`: for solids only.
 template <int D> view::Panel show(const model::Model<D>& model, const Showing& showing, const std::optional<Cut>& cut);
 
-/// Curves, surfaces and volumes before they are bodies; all in the plane, or all in space.
+/// Curves, surfaces and volumes without body; all in the plane, or all in space.
 view::Panel show(const std::vector<nurbs::Patch>& patches, const Showing& showing);
 
-/// What pictures draw of a body or of a patch.
+/// The drawing of a body or patch.
 view::Body picture_body(tessellation::Skin skin, const Showing& showing);
 
-/// The field that is drawn on slave faces alone.
+/// The field that is defined on slave faces only.
 inline constexpr const char* pressure_name = "contact_pressure";
 
-/// A band along the slave face of a contact, inside its body, that has the colors of the pressure; `size` is the
-/// longest side of what is drawn.
+/// A band along the slave face of a contact, inside its body, colored by the pressure; `size`: longest side of the
+/// drawn bodies.
 view::Body pressure_band(const model::Model<2>& model, int contact, const Showing& showing, double size);
 
-/// The tractions on the slave faces of the bodies that are drawn, at the contact points that touch.
+/// The tractions at the closed contact points on the slave faces of the drawn bodies.
 template <int D> std::vector<view::PointVector> tractions(const model::Model<D>& model, const std::vector<int>& bodies);
 
 } // namespace signorini::bind

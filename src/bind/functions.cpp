@@ -8,7 +8,7 @@ namespace signorini::bind {
 
 namespace {
 
-/// Gives the value on top of the stack (left there) its qualified name.
+/// Assigns a qualified name to the value on top of the stack, which stays there.
 void name_value(lua_State* L, const std::string& name) {
   push_table(L, "core.names");
   lua_pushvalue(L, -2);
@@ -17,13 +17,13 @@ void name_value(lua_State* L, const std::string& name) {
   lua_pop(L, 1);
 }
 
-// What a function's closure knows: its qualified name, how its arguments are checked, the C++ function; and of a method
-// of two C++ types the other function, and the key of its type.
+// Upvalues of a function's closure: its qualified name, the kind of argument check, the C++ function; for a method of
+// two C++ types also the other function and the key of its type.
 enum Upvalue { name_of_function = 1, check_of_arguments, first_function, second_function, second_key };
 
 enum Check { unchecked, of_function, of_method };
 
-/// Pushes what checks the arguments of calls.
+/// Pushes the function that checks the arguments of calls.
 void push_checker(lua_State* L) {
   constexpr const char* key = "signorini.checker";
   if (lua_getfield(L, LUA_REGISTRYINDEX, key) == LUA_TFUNCTION) return;
@@ -45,8 +45,8 @@ void check_owner(lua_State* L) {
                              ": write object:method(…) with a colon"));
 }
 
-/// Replaces the arguments from `first` to the top of the stack by those that the table of a function makes of them;
-/// before them stands the object of a method.
+/// Replaces the arguments from `first` to the top of the stack by checked ones, according to the function's table; the
+/// object of a method precedes them.
 void check_arguments(lua_State* L, const char* name, int first) {
   const int before = lua_gettop(L), given = before - first + 1;
   luaL_checkstack(L, given + 8, "too many arguments");
@@ -67,8 +67,8 @@ int invoke(lua_State* L) {
   return lua_tocfunction(L, lua_upvalueindex(second ? second_function : first_function))(L);
 }
 
-/// The function as a closure that knows its qualified name. `method`: its first argument is its object. `types`: the
-/// C++ types of a method, or none.
+/// Pushes a function as a closure with its qualified name. `method`: its first argument is the object. `types`: the C++
+/// types of a method, or empty.
 void push_function(lua_State* L, const std::string& name, const Function& row, bool method,
                    std::span<const Implementation> types = {}, std::size_t place = 0) {
   const bool internal = name.starts_with("core.") || (row.name[0] == '_' && std::string_view(row.name) != "__call");
@@ -120,7 +120,7 @@ void push_methods(lua_State* L, const char* name, std::span<const Implementation
   lua_setmetatable(L, -2);
 }
 
-/// The metatable of one of a type's implementations; the methods' table is on top of the stack and stays there.
+/// Creates the metatable of one implementation of a type; the table of methods on top of the stack stays there.
 void make_metatable(lua_State* L, const char* name, const Implementation& type) {
   luaL_newmetatable(L, type.key);
   set_field(L, "__name", name);
@@ -133,7 +133,7 @@ void make_metatable(lua_State* L, const char* name, const Implementation& type) 
   lua_setfield(L, -2, "__index");
   lua_pushcfunction(L, type.collect);
   lua_setfield(L, -2, "__gc");
-  set_field(L, "__metatable", false); // getmetatable() shows nothing, so __gc cannot be called by hand
+  set_field(L, "__metatable", false); // hides the metatable, so that scripts cannot call __gc
   lua_pop(L, 1);
 }
 
@@ -145,7 +145,7 @@ int raise(lua_State* L, const std::exception& error) {
     reason =
         "what was asked for does not fit into the memory of this machine: ask for fewer elements, points or pixels";
   if (!dynamic_cast<const ArgumentError*>(&error) && lua_isstring(L, lua_upvalueindex(1))) {
-    // Errors of the modules below do not name the function.
+    // Errors of lower modules lack the name of the function.
     message += std::string(function_name(L)) + ": ";
   }
   push(L, message + reason);

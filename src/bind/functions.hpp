@@ -1,5 +1,5 @@
 #pragma once
-// How C++ functions get into Lua: rows {name, function}.
+// Registration of C++ functions in Lua by rows {name, function}.
 
 #include "bind/stack.hpp"
 
@@ -7,18 +7,18 @@
 
 namespace signorini::bind {
 
-/// One row. The function may throw std::exception: registration makes a Lua error of it. Public functions get their
-/// arguments as their table in lua/signorini/pages says: checked, with defaults.
+/// One row. The function may throw std::exception, which becomes a Lua error. Arguments of public functions are checked
+/// and completed by defaults according to their table in lua/signorini/pages.
 struct Function {
   const char* name;
   lua_CFunction function;
 };
 
-/// Raises a Lua error with the message of a C++ exception, at the user's own script line.
+/// Raises a Lua error with the message of a C++ exception and the position in the user's script.
 int raise(lua_State* L, const std::exception& error);
 
-/// A C++ function as Lua calls it, where none of the registrations below does. Only std::exception is caught: Lua's own
-/// throw must pass.
+/// A C++ function for Lua, if none of the registrations below is used. Catches only std::exception: Lua's own
+/// exceptions must pass.
 template <int (*function)(lua_State*)> int wrap(lua_State* L) {
   try {
     return function(L);
@@ -28,13 +28,13 @@ template <int (*function)(lua_State*)> int wrap(lua_State* L) {
   return lua_error(L);
 }
 
-/// Registers rows below a dotted name, "sg.nurbs" or "core"; tables are made where missing.
+/// Registers rows under a dotted name, "sg.nurbs" or "core"; missing tables are created.
 void register_functions(lua_State* L, const std::string& table, std::span<const Function> rows);
 
-/// Pushes the table of a dotted name, made where missing.
+/// Pushes the table of a dotted name, created if missing.
 void push_table(lua_State* L, const std::string& name);
 
-/// __gc: ends the C++ object's life once, and makes the userdata useless for whoever still holds it.
+/// __gc: destroys the C++ object once and invalidates the userdata for remaining references.
 template <class T> int collect(lua_State* L) {
   if (T* object = test_object<T>(L, 1)) {
     object->~T();
@@ -44,17 +44,17 @@ template <class T> int collect(lua_State* L) {
   return 0;
 }
 
-/// One of the C++ types behind a Lua type: the registry's name of its metatable, its __gc, and its rows. Rows whose
-/// name begins with two underscores are metamethods, all others methods.
+/// One of the C++ types of a Lua type: the key of its metatable in the registry, its __gc, and its rows. Rows whose
+/// name starts with two underscores are metamethods, all others methods.
 struct Implementation {
   const char* key;
   lua_CFunction collect;
   std::span<const Function> rows;
 };
 
-/// Makes a Lua type of one C++ type, or of two with rows of the same names: the first and the second are then the same
-/// to users, and a method is that of the object it is called on. The methods' table is core.types[name], so that Lua
-/// code can add to it. An unknown method is an error that lists the known ones.
+/// Creates a Lua type for one C++ type, or for two with rows of the same names, which are one type for users: a method
+/// is that of the object's C++ type. The table of methods is core.types[name], so that Lua code can extend it. An
+/// unknown method is an error that lists the known ones.
 void register_type(lua_State* L, const char* name, std::span<const Implementation> implementations);
 
 template <class T> void register_type(lua_State* L, std::span<const Function> rows) {

@@ -14,12 +14,12 @@ namespace signorini::bind {
 
 namespace {
 
-/// The string, or the number as text, on top of the stack.
+/// The string on top of the stack, or the number there as text.
 std::string name_on_top(lua_State* L, bool powers = false) {
   return lua_type(L, -1) == LUA_TNUMBER ? number_text(lua_tonumber(L, -1), powers) : to<std::string>(L, -1);
 }
 
-/// Names of columns or rows. Where %g writes a number as a power of ten, no 100000 shall stand beside it.
+/// Names of columns or rows. If one number needs a power of ten, large numbers are all written that way.
 std::vector<std::string> read_names(const Arguments& a, const char* key) {
   lua_State* L = a.state();
   bool powers = false;
@@ -34,12 +34,12 @@ std::vector<std::string> read_names(const Arguments& a, const char* key) {
 
 // ── Categories ───────────────────────────────────────────────────────────────────────────────────────────────────────
 
-/// A category before it has got a look: its own color, or one of the good or the bad ones.
-struct Wish {
+/// A category without look yet: its own color, or one of the favorable or unfavorable looks.
+struct CategoryEntry {
   std::string name;
   std::optional<bool> good = {};
   std::optional<view::Rgb> color = {};
-  std::optional<std::size_t> look = {}; ///< in the list of the good or the bad ones
+  std::optional<std::size_t> look = {}; ///< index among the favorable or unfavorable looks
 };
 
 /// "#rrggbb".
@@ -55,31 +55,31 @@ view::Rgb read_hex(const Arguments& category) {
   return color;
 }
 
-Wish read_category(lua_State* L, int index, const std::string& path) {
+CategoryEntry read_category(lua_State* L, int index, const std::string& path) {
   if (lua_type(L, index) == LUA_TSTRING) return {to<std::string>(L, index)};
   const Arguments category(L, index, path);
-  Wish wish;
-  category.read("name", wish.name, "good", wish.good);
+  CategoryEntry entry;
+  category.read("name", entry.name, "good", entry.good);
   if (is_string(category, "color"))
-    wish.color = read_hex(category);
+    entry.color = read_hex(category);
   else if (category.has("color"))
-    wish.look = static_cast<std::size_t>(category.get<int>("color") - 1);
-  return wish;
+    entry.look = static_cast<std::size_t>(category.get<int>("color") - 1);
+  return entry;
 }
 
-/// Where none says whether it is good, the first one is.
-std::vector<view::Category> with_looks(std::vector<Wish> wishes) {
-  if (std::none_of(wishes.begin(), wishes.end(), [](const Wish& one) { return one.good.has_value(); }))
-    wishes.front().good = true;
+/// If no category has `good`, the first one is favorable.
+std::vector<view::Category> with_looks(std::vector<CategoryEntry> entries) {
+  if (std::none_of(entries.begin(), entries.end(), [](const CategoryEntry& one) { return one.good.has_value(); }))
+    entries.front().good = true;
   const auto &good = view::good_looks(), &bad = view::bad_looks();
   std::size_t goods = 0, bads = 0;
   std::vector<view::Category> categories;
-  for (const Wish& wish : wishes) {
-    const bool wanted = wish.good.value_or(false);
+  for (const CategoryEntry& entry : entries) {
+    const bool wanted = entry.good.value_or(false);
     const auto& looks = wanted ? good : bad;
     const std::size_t next = wanted ? goods++ : bads++;
     categories.push_back(
-        {wish.name, wish.color ? view::Look{*wish.color} : looks[wish.look.value_or(next) % looks.size()]});
+        {entry.name, entry.color ? view::Look{*entry.color} : looks[entry.look.value_or(next) % looks.size()]});
   }
   return categories;
 }
@@ -87,20 +87,20 @@ std::vector<view::Category> with_looks(std::vector<Wish> wishes) {
 std::vector<view::Category> read_categories(const Arguments& a) {
   lua_State* L = a.state();
   if (!a.has("categories")) return {};
-  std::vector<Wish> wishes;
+  std::vector<CategoryEntry> entries;
   a.list("categories", [&](int, int index, const std::string& path) {
-    wishes.push_back(read_category(L, index, path));
-    const auto same = [&](const Wish& one) { return one.name == wishes.back().name; };
-    if (std::find_if(wishes.begin(), wishes.end(), same) + 1 != wishes.end())
-      a.fail(path, " has the name '", wishes.back().name, "' of an earlier one: name each category once");
+    entries.push_back(read_category(L, index, path));
+    const auto same = [&](const CategoryEntry& one) { return one.name == entries.back().name; };
+    if (std::find_if(entries.begin(), entries.end(), same) + 1 != entries.end())
+      a.fail(path, " has the name '", entries.back().name, "' of an earlier one: name each category once");
   });
-  return with_looks(std::move(wishes));
+  return with_looks(std::move(entries));
 }
 
 // ── Cells ────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-/// Calls read(row, column, path) for each entry of a list of rows, with the entry on top of the stack; rows may have
-/// holes, and no table can say how long they are.
+/// Calls read(row, column, path) for each entry of a list of rows, with the entry on top of the stack. Checks the
+/// lengths here, because rows may have gaps, which the function's table cannot describe.
 template <class Read>
 void each_cell(const Arguments& a, const char* key, std::size_t rows, std::size_t columns, Read read) {
   lua_State* L = a.state();
@@ -126,12 +126,12 @@ void each_cell(const Arguments& a, const char* key, std::size_t rows, std::size_
 
 constexpr double blank = std::numeric_limits<double>::quiet_NaN();
 
-/// Whether nan or infinity is on top of the stack: no value, as in charts.
+/// Whether nan or infinity is on top of the stack: a gap, as in charts.
 bool is_gap(lua_State* L) {
   return lua_type(L, -1) == LUA_TNUMBER && !std::isfinite(lua_tonumber(L, -1));
 }
 
-/// The number of the category that is named on top of the stack.
+/// The index of the category whose name is on top of the stack.
 double read_member(lua_State* L, const std::string& path, const std::vector<view::Category>& categories) {
   if (is_gap(L)) return blank;
   std::vector<std::string> names;
@@ -198,7 +198,7 @@ int heatmap(lua_State* L) {
   options.y = read_names(a, "y");
   options.categories = read_categories(a);
   const std::vector<view::Heat> maps = read_maps(a, options);
-  // Several maps in as many rows as they need
+  // Several maps in as many rows as needed
   options.size = {1600, maps.size() == 1 ? 1000 : maps.size() <= 3 ? 850 : 1400};
   return push_flat(L, a, options, text("heat map of ", options.x.size(), " x ", options.y.size(), " cells"),
                    [maps](const view::HeatmapOptions& sized) { return view::heatmap_figure(maps, sized); });

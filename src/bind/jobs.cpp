@@ -15,7 +15,8 @@ int add_traceback(lua_State* L) {
   return 1;
 }
 
-/// What the function at `index` returns for a job, in the child: one thread for all libraries, no progress.
+/// The result of the function at `index` for a job, in the child process: one thread for all libraries, no progress
+/// display.
 std::string call_job(lua_State* L, int index, int job) {
   set_threads(1);
   push_table(L, "core");
@@ -31,12 +32,12 @@ std::string call_job(lua_State* L, int index, int job) {
   return {result, size};
 }
 
-/// core.jobs(count, at_once, run, done, limit, look): calls run(i) for i = 1 … count, each in a child process of its
-/// own, at most at_once of them side by side, and here done(i, text, failure) as each ends, in the order of their ends.
-/// run must return a string, which is the text; else the text is nil and failure is "time" (it took longer than limit,
-/// in seconds), "died of signal 11", "failed: <message and traceback>" or "left with status 3 …". A child has one
-/// thread, shows no progress, and what it changes is lost with it. look(running) is called about ten times a second.
-/// Returns false when Ctrl-C ended it, with what had been done until then.
+/// core.jobs(count, at_once, run, done, limit, look): calls run(i) for i = 1 … count, each in its own child process, at
+/// most at_once in parallel, and in this process done(i, text, failure) as each ends, in order of completion. run must
+/// return a string, which is passed as text; otherwise text is nil and failure is "time" (longer than limit seconds),
+/// "died of signal 11", "failed: <message and traceback>" or "left with status 3 …". A child has one thread and no
+/// progress display, and its changes are lost. look(running) is called about ten times per second. Returns false after
+/// Ctrl-C; completed jobs are kept.
 int jobs(lua_State* L) {
   lua_settop(L, 6);
   JobLimits limits{.at_once = to<int>(L, 2)};

@@ -10,11 +10,11 @@ namespace signorini::bind {
 
 namespace {
 
-using Json = nlohmann::json; // its keys are sorted
+using Json = nlohmann::json; // keys are sorted
 
-constexpr int deepest = 100; // levels of tables: what is deeper is likely to hold itself
+constexpr int deepest = 100; // levels of tables: deeper ones are probably cyclic
 
-/// The names of a table's fields, sorted; those that are part of its list 1…length are left out.
+/// The sorted names of a table's fields, without the indices 1…length of its list.
 std::set<std::string> keys_of(lua_State* L, int index, lua_Integer length, const std::string& path) {
   std::set<std::string> names;
   lua_pushnil(L);
@@ -28,10 +28,10 @@ std::set<std::string> keys_of(lua_State* L, int index, lua_Integer length, const
   return names;
 }
 
-/// Plain data of Lua. Paths are what messages call a value.
+/// Converts plain Lua data. Paths are the names of values in messages.
 struct Reader {
   lua_State* L;
-  bool finite; ///< nan and infinity are errors
+  bool finite; ///< report nan and infinity as errors
 
   Json table(int index, const std::string& path, int level) const {
     if (level > deepest) throw ArgumentError(text(path, " is nested deeper than ", deepest, " tables"));
@@ -102,18 +102,17 @@ void push_json(lua_State* L, const Json& json) {
   }
 }
 
-/// core.write_json(value, name): plain data as the text of JSON, names sorted; numbers read back as the same bits. An
-/// empty table is an empty list. An error for what is no plain data or not finite says where in the value it stands;
-/// name is what it calls the value.
+/// core.write_json(value, name): plain data as JSON text, names sorted; numbers read back bit-identical. An empty table
+/// is an empty list. Errors for other values and non-finite numbers give the position; name: of the value in messages.
 int write_json(lua_State* L) {
   luaL_checkany(L, 1);
   const std::string path = lua_isnoneornil(L, 2) ? "the value" : to<std::string>(L, 2);
-  // Bytes that are no UTF-8 are replaced: what a message quotes must not keep it from being written.
+  // Invalid UTF-8 is replaced: text quoted by a message must not prevent writing.
   push(L, Reader{L, true}.value(1, path).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   return 1;
 }
 
-/// core.read_json(text): the value of a JSON text; null is nil.
+/// core.read_json(text): the value of a JSON text; null becomes nil.
 int read_json(lua_State* L) {
   const Json json = Json::parse(to<std::string>(L, 1), nullptr, false);
   require(!json.is_discarded(), "the text is no JSON");
@@ -121,8 +120,8 @@ int read_json(lua_State* L) {
   return 1;
 }
 
-/// core.pack(value): plain data as bytes (MessagePack), names sorted; numbers may be nan and infinite, and strings hold
-/// any bytes.
+/// core.pack(value): plain data as bytes (MessagePack), names sorted; numbers may be nan or infinite, strings may
+/// contain any bytes.
 int pack(lua_State* L) {
   luaL_checkany(L, 1);
   std::string bytes;
@@ -131,7 +130,7 @@ int pack(lua_State* L) {
   return 1;
 }
 
-/// core.unpack(bytes): the value of such bytes.
+/// core.unpack(bytes): the value of packed bytes.
 int unpack(lua_State* L) {
   const Json json = Json::from_msgpack(to<std::string>(L, 1), true, false);
   require(!json.is_discarded(), "the bytes are damaged");

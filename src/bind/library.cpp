@@ -72,7 +72,7 @@ void open_library(lua_State* L, const Settings& settings) {
 
   lua_getglobal(L, "package");
   lua_getfield(L, -1, "path");
-  // The scripts that come along stand last: they share modules, and hide none of the user's.
+  // Supplied scripts come last: they share modules and hide none of the user's.
   const std::string path =
       text((lua / "?.lua").string(), ";", lua_tostring(L, -1), ";", (home / "scripts/?.lua").string());
   lua_pop(L, 1);
@@ -94,7 +94,7 @@ void open_library(lua_State* L, const Settings& settings) {
   for (const auto& field : model::fields<3>()) fields.push_back(field.name);
   fields.push_back("contact_pressure");
   const int processors = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  set_fields(L, "terminal", isatty(STDERR_FILENO) == 1, // where progress is shown
+  set_fields(L, "terminal", isatty(STDERR_FILENO) == 1, // where progress is displayed
              "quiet", settings.quiet, "threads", settings.threads, "most_threads", most_threads, "processors",
              processors, "at_once", settings.jobs > 0 ? settings.jobs : processors, "host", host_name(), "processor",
              processor_name(), "linear_solvers", solve::linear_names(), "fields", fields, "colormaps",

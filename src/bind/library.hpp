@@ -1,5 +1,5 @@
 #pragma once
-// The whole language in a Lua state: bindings, the library of the lua/ folder, and where that folder is.
+// The complete language in a Lua state: bindings, the library in lua/, and its location.
 
 #include <lua.hpp>
 
@@ -10,27 +10,27 @@ namespace signorini::bind {
 
 struct Settings {
   bool quiet = false; ///< no progress, no banner
-  int threads = 1;    ///< for BLAS and loops
-  int jobs = 0;       ///< processes side by side where a study does not say; 0: as many as there are processors
+  int threads = 1;    ///< of BLAS and loops
+  int jobs = 0;       ///< parallel processes if a study does not set them; 0: number of processors
 };
 
-/// The folder that holds lua/: $SIGNORINI_HOME, else ../share/signorini or .. seen from the executable.
-/// Throws Error that lists where it looked.
+/// The folder that contains lua/: $SIGNORINI_HOME, else ../share/signorini or .. relative to the executable. Throws
+/// Error that lists the folders searched.
 std::filesystem::path find_home();
 
-/// The folder of data that come with the program: share/ of the source tree, in an installed tree beside lua/.
+/// The folder of supplied data: share/ of the source tree; next to lua/ when installed.
 std::filesystem::path find_share();
 
-/// The file of a script: as it is named, or where there is no such file the one of that name among the scripts that
-/// come along, "hertz2d.lua" or "scripts/hertz2d.lua".
+/// The file of a script: the path as given, or if that does not exist the supplied script of that name, "hertz2d.lua"
+/// or "scripts/hertz2d.lua".
 std::string find_script(const std::string& name);
 
-/// Writes share/starter.lua, the study that a new user begins with, to a file that does not exist yet, whole or not at
-/// all. Throws Error when it exists, its name does not end with .lua, or it cannot be written.
+/// Writes share/starter.lua, the study for new users, atomically to a new file. Throws Error when the file exists, its
+/// name does not end with .lua, or it cannot be written.
 void write_new_study(const std::string& file);
 
-/// Opens Lua's own libraries, the bindings (module "signorini.core"), and package.path: the library first, the
-/// scripts that come along last.
+/// Opens Lua's own libraries, the bindings (module "signorini.core"), and package.path: the library first, the supplied
+/// scripts last.
 void open_library(lua_State* L, const Settings& settings);
 
 } // namespace signorini::bind

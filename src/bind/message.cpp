@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* folder_key = "signorini.folder";
 
-/// Levenshtein's distance, row by row; a swap of neighbors counts as one edit less than two.
+/// Levenshtein distance, row by row; a swap of neighboring letters counts as one edit.
 std::size_t distance(const std::string& a, const std::string& b) {
   std::vector<std::size_t> before, previous(b.size() + 1), row(b.size() + 1);
   std::iota(previous.begin(), previous.end(), std::size_t{0});
@@ -47,7 +47,7 @@ std::string describe_number(lua_State* L, int index) {
   return text("the number ", value);
 }
 
-/// Pushes what the prompt shows of a table; nothing when that fails. Returns whether it did.
+/// Pushes the prompt's text for a table; nothing when that fails. Returns whether it succeeded.
 bool push_shown(lua_State* L, int index) {
   lua_getglobal(L, "require");
   lua_pushliteral(L, "signorini.show");
@@ -127,7 +127,7 @@ std::string nearest(const std::string& word, const std::vector<std::string>& wor
       best = candidate;
     }
   if (!best.empty()) return best;
-  // Too far by letters, but one begins like the other: h or tol for height or tolerance, fixed for fix.
+  // Too many edits, but one is a prefix of the other: h or tol for height or tolerance, fixed for fix.
   const auto begins = [&](const std::string& candidate) { return candidate.starts_with(word); };
   if (!word.empty() && std::count_if(words.begin(), words.end(), begins) == 1)
     return *std::find_if(words.begin(), words.end(), begins);

@@ -10,7 +10,7 @@ namespace signorini::bind {
 
 namespace {
 
-/// The names of one of a scene's lists.
+/// The names of the items in a list of the scene.
 template <int D, auto list> std::vector<std::string> scene_names(const model::Model<D>& model) {
   return names_of(model.system.scene.*list);
 }
@@ -70,7 +70,7 @@ constexpr Function model_entries[] = {
     {"solver", call<solver<D>>},
 };
 
-/// All methods, subject by subject.
+/// All methods, grouped by subject.
 template <int D> std::vector<Function> all_rows() {
   std::vector<Function> all(std::begin(model_entries<D>), std::end(model_entries<D>));
   for (const std::span<const Function> part : {path_rows<D>(), result_rows<D>()})

@@ -1,15 +1,15 @@
 #pragma once
-// The methods of a model by subject, and how they find its parts by name.
+// The methods of a model, grouped by subject, and the lookup of its parts by name.
 
 #include "bind/functions.hpp"
 #include "bind/scene.hpp"
 
 namespace signorini::bind {
 
-/// What takes a model along its path: targets, steps, accepting and rolling back, snapshots; and what Newton's method
-/// works with: residual, tangent, unknowns, diagnosis.
+/// Methods for the load path: targets, steps, accepting and rolling back, snapshots; and for Newton's method: residual,
+/// tangent, unknowns, diagnosis.
 template <int D> std::span<const Function> path_rows();
-/// What a model's present state looks like: forces, profiles, samples, energies; and what the model costs.
+/// Methods for the present state: forces, profiles, samples, energies; and for the cost of the model.
 template <int D> std::span<const Function> result_rows();
 
 /// The names of bodies, supports or contacts, in order.
@@ -19,7 +19,7 @@ template <class Items> std::vector<std::string> names_of(const Items& items) {
   return names;
 }
 
-/// Index into a list of named items. Throws an error that lists the names; `kind` says what they are.
+/// Index in a list of named items. Throws an error that lists the names; `kind`: of the items.
 template <class Items> int find(const Items& items, const std::string& name, const char* kind) {
   const std::vector<std::string> names = names_of(items);
   if (const auto found = std::ranges::find(names, name); found != names.end())

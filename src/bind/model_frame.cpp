@@ -17,7 +17,7 @@ std::vector<view::SurfaceLine> lines_of(std::vector<tessellation::SkinLine> line
   return result;
 }
 
-/// The four sides of a body without pairs of opposite ones that are one: where a body is closed it has no border.
+/// Removes pairs of opposite sides that coincide: a closed body has no border there.
 std::vector<view::SurfaceLine> without_seams(std::vector<view::SurfaceLine> lines) {
   for (std::size_t pair = lines.size(); pair >= 2; pair -= 2)
     if (const auto first = lines.begin() + static_cast<std::ptrdiff_t>(pair) - 2;
@@ -26,15 +26,15 @@ std::vector<view::SurfaceLine> without_seams(std::vector<view::SurfaceLine> line
   return lines;
 }
 
-/// Pieces per element and direction: enough that a quadratic arc over an eighth of a circle looks round at any size;
-/// fewer where elements are so many that each is small.
+/// Pieces per element and direction: enough for a quadratic arc over an eighth of a circle to look round at any size;
+/// fewer for many small elements.
 template <int D> int divisions_for(const model::Model<D>& model, int b) {
   const nurbs::Discretization& space = model.system.scene.bodies[at(b)].body->space();
   const int elements = D == 2 ? space.elements() : tessellation::surface_elements(space);
   return std::clamp(static_cast<int>(std::sqrt(40000.0 / elements)), 4, 12);
 }
 
-/// A plane body, or the surface of a solid without its inside.
+/// A plane body, or the surface of a solid.
 template <int D>
 view::Body skin_of(const model::Model<D>& model, int b, const Showing& showing, const model::Field<D>* field) {
   const int divisions = divisions_for(model, b);
@@ -56,8 +56,8 @@ view::Body skin_of(const model::Model<D>& model, int b, const Showing& showing, 
   return body;
 }
 
-/// Bands of pressure on the slave faces of the bodies that are drawn, in front of these: what is drawn first covers
-/// what comes behind it.
+/// Inserts pressure bands on the slave faces of the drawn bodies before these, because bodies drawn first cover later
+/// ones.
 void add_pressure(view::Panel& panel, const model::Model<2>& model, const Showing& showing) {
   view::Bounds box;
   for (const view::Body& body : panel.bodies) box.take(body.skin.points);
@@ -69,7 +69,7 @@ void add_pressure(view::Panel& panel, const model::Model<2>& model, const Showin
   panel.bodies.insert(panel.bodies.begin(), bands.begin(), bands.end());
 }
 
-// ── Obstacles, where they stand now or stood at the start ────────────────────────────────────────────────────────────
+// ── Obstacles, in the present or initial position ────────────────────────────────────────────────────────────────────
 
 void add_obstacle(view::Panel& panel, const contact::Obstacle<2>& shape, const Vec<2>& shift) {
   const auto add = [&](view::Outline outline) { panel.outlines.push_back(std::move(outline)); };
@@ -122,8 +122,8 @@ template <int D> void add_obstacles(view::Panel& panel, const model::Model<D>& m
 
 // ── Mirrors ──────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-/// What becomes of a field's values in the mirror of an axis (0, 1, 2): components that point along it once change
-/// sign.
+/// The sign of a field's values in the mirror of an axis (0, 1, 2): components with an odd number of indices along it
+/// change sign.
 double mirror_sign(const std::string& field, int axis) {
   const bool component = field.size() > 1 && (field[0] == 'u' || field[0] == 's' || field[0] == 'F');
   if (!component) return 1;
@@ -132,7 +132,7 @@ double mirror_sign(const std::string& field, int axis) {
   return along % 2 == 0 ? 1 : -1;
 }
 
-/// Adds to a list the images of what it holds; image(one) may be nothing.
+/// Appends the images of a list's items; image(item) may be empty.
 template <class T, class Image> void add_images(std::vector<T>& list, Image image) {
   for (std::size_t i = 0, count = list.size(); i < count; ++i)
     if (std::optional<T> one = image(list[i])) list.push_back(std::move(*one));
@@ -149,7 +149,7 @@ void add_mirror_image(view::Panel& panel, int axis, double sign) {
 
 // ── Cuts ─────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-/// The lattices of the elements that one of the planes crosses. No pressure acts between contacts.
+/// The lattices of the elements that one of the planes intersects. Inside bodies the contact pressure is drawn as zero.
 std::vector<view::Lattice> inside_of(const model::Model<3>& model, int b, const Showing& showing,
                                      const model::Field<3>* field, bool valued,
                                      const std::vector<tessellation::Plane>& planes) {
@@ -163,7 +163,7 @@ std::vector<view::Lattice> inside_of(const model::Model<3>& model, int b, const 
   return result;
 }
 
-/// The plane of a cut; one without a point halves the box of all bodies and their images.
+/// The plane of a cut; by default through the center of the bounding box of all bodies and their images.
 view::CutPlane plane_of(const Cut& cut, const std::vector<view::Body>& bodies, const std::string& mirror) {
   view::Bounds box;
   for (const view::Body& body : bodies) box.take(body.skin.points);
@@ -176,7 +176,7 @@ view::CutPlane plane_of(const Cut& cut, const std::vector<view::Body>& bodies, c
   return {cut.point.value_or(box.center()), cut.normal};
 }
 
-/// Cuts the bodies; the model itself is sampled in the plane and in what it is in the mirrors.
+/// Sets the cut; the model itself is sampled in the plane and in its mirror images.
 void cut_open(view::Panel& panel, const model::Model<3>& model, const Cut& cut, const Showing& showing,
               const model::Field<3>* field) {
   panel.cut = plane_of(cut, panel.bodies, showing.mirror);
@@ -217,7 +217,7 @@ template <int D> view::Panel show(const model::Model<D>& model, const Showing& s
   view::Panel panel;
   panel.windows = showing.windows;
   Showing skins = showing;
-  if (cut) skins.windows.clear(); // cut faces have even pieces, and skins end where they do
+  if (cut) skins.windows.clear(); // cut faces have even pieces, and the skin must end where they do
   for (int b : showing.bodies) panel.bodies.push_back(skin_of(model, b, skins, field));
   if constexpr (D == 3) {
     if (cut) cut_open(panel, model, *cut, showing, field);

@@ -13,12 +13,12 @@ namespace signorini::bind {
 
 namespace {
 
-/// Index into Drives::all() of the support or load of this name; -1 of a support that nothing drives.
+/// Index into Drives::all() of the support or load of this name; -1 for a support without drive.
 template <int D> int find_drive(const model::Model<D>& model, const std::string& name) {
   const auto& drives = model.system.drives.all();
   for (std::size_t i = 0; i < drives.size(); ++i)
     if (drives[i].name == name) return static_cast<int>(i);
-  find(model.system.scene.supports, name, "support"); // or it says which there are
+  find(model.system.scene.supports, name, "support"); // throws an error that lists the supports
   return -1;
 }
 
@@ -45,7 +45,7 @@ template <int D> std::vector<double> target(const model::Model<D>& model, const 
   return values;
 }
 
-/// What model:solve_arc takes, too.
+/// Options that model:solve_arc has as well.
 model::StepOptions read_newton(const Arguments& a) {
   model::StepOptions options;
   options.newton.tolerance = a.get<double>("tolerance");
@@ -109,9 +109,9 @@ template <int D> void save(model::Model<D>& model, const std::string& file) {
   model::save(model, file);
 }
 
-// ── What Newton's method works with, for loops of a user's own, and why a step failed ────────────────────────────────
+// ── Parts of Newton's method for user-defined loops, and diagnosis ───────────────────────────────────────────────────
 
-/// Evaluates the present state. Throws where there is no residual.
+/// Evaluates the present state. Throws when the residual cannot be evaluated.
 template <int D> void evaluate(model::Model<D>& model) {
   Message why;
   const solve::Outcome outcome = model::evaluate(model, why);

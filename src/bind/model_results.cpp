@@ -17,7 +17,7 @@ template <int D> void set_force(lua_State* L, const Vec<D>& force) {
   for (int k = 0; k < D; ++k) set_field(L, text("f", model::component_name(k)).c_str(), force(k));
 }
 
-/// Of a support or a load.
+/// The force of a support or a load.
 template <int D> int reaction(const model::Model<D>& model, const std::string& name, lua_State* L) {
   const auto& scene = model.system.scene;
   const auto load = std::ranges::find(scene.loads, name, &model::Load::name);
@@ -60,8 +60,8 @@ template <int D> int profile(const model::Model<D>& model, const std::string& na
   return 1;
 }
 
-/// Index of the body at stack index 2, which is a name or a body; in an axisymmetric model the body that it was made
-/// of.
+/// Index of the body at stack index 2, a name or a body; axisymmetric models also accept the plane body from which
+/// theirs was made.
 template <int D> int body_of_argument(lua_State* L, const model::Model<D>& model) {
   if (lua_isstring(L, 2)) return find_body(model, to<std::string>(L, 2));
   const Body<D>& wanted = read_object<Body<D>>(L, 2, {"body", "a body or its name"});
@@ -89,9 +89,9 @@ template <int D> int energy(const model::Model<D>& model, lua_State* L) {
   return 1;
 }
 
-// ── What a model is made of, in numbers that lua/signorini/cost.lua prints ───────────────────────────────────────────
+// ── Sizes of a model, which lua/signorini/cost.lua prints ────────────────────────────────────────────────────────────
 
-/// Unknowns that control points share count once; the contact layer's are those on the rows of the contact faces.
+/// Unknowns shared by control points count once; those of the contact layer belong to the rows of the contact faces.
 template <int D> void push_body_cost(lua_State* L, const model::Model<D>& model, int index) {
   const auto& unknowns = model.system.unknowns;
   const solid::Body<D>& body = *model.system.scene.bodies[at(index)].body;
@@ -114,7 +114,8 @@ template <int D> void push_body_cost(lua_State* L, const model::Model<D>& model,
               "prescribed", prescribed, "elements", body.elements(), "gauss_points", points);
 }
 
-/// Bytes of the factors as the linear solver has told; before that counted, for the solver that it would choose.
+/// Bytes of the factors as measured by the linear solver; before the first solve an estimate for the solver that would
+/// be chosen.
 template <int D> double push_factors(lua_State* L, const model::Model<D>& model) {
   double memory = model.linear.statistics().memory;
   solve::LinearKind solver = model.linear.kind();

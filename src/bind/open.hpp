@@ -1,11 +1,11 @@
 #pragma once
-// What each binding file adds to the language; library.cpp calls them all.
+// The contributions of the binding files, all called by library.cpp.
 
 #include <lua.hpp>
 
 namespace signorini::bind {
 
-void open_core(lua_State* L);       ///< core.*: what the library in lua/ needs from C++, sg.mkdir, sg.wall_time
+void open_core(lua_State* L);       ///< core.*: C++ functions for the library in lua/; sg.mkdir, sg.wall_time
 void open_curves(lua_State* L);     ///< sg.nurbs.*
 void open_shapes(lua_State* L);     ///< sg.shapes.*
 void open_patch(lua_State* L);      ///< the patch type and its methods, sg.nurbs.read, sg.nurbs.write

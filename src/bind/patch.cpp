@@ -11,7 +11,7 @@ using nurbs::Patch;
 
 namespace {
 
-/// A parametric direction, counted from 1 in Lua and from 0 here.
+/// A parametric direction, from 1 in Lua, from 0 here.
 int direction_at(lua_State* L, int index) {
   return to<int>(L, index) - 1;
 }
@@ -52,7 +52,7 @@ Patch face_of_patch(const Patch& patch, const std::string& name) {
   return nurbs::face(patch, nurbs::side_of(name, patch.parametric_dimension()));
 }
 
-/// A whole number of each direction.
+/// An integer per direction.
 template <int (nurbs::KnotVector::*number)() const> std::vector<int> per_direction(const Patch& patch) {
   std::vector<int> values;
   for (const auto& direction : patch.directions()) values.push_back((direction.*number)());
@@ -67,7 +67,7 @@ std::string patch_text(const Patch& patch) {
               patch.functions(), " control points");
 }
 
-/// An argument that is the origin of the patch's space by default.
+/// An argument that defaults to the origin of the patch's space.
 VectorX point_of(const Arguments& a, const char* key, const Patch& patch) {
   return a.get<VectorX>(key, VectorX::Zero(patch.dimension()));
 }
@@ -98,8 +98,7 @@ int swap(const Patch& patch, lua_State* L) {
 
 // ── Files of other programs ──────────────────────────────────────────────────────────────────────────────────────────
 
-/// Writes to the file at one index of the stack, in the form that is given as the third argument, else by the file's
-/// ending.
+/// Writes to the file at a stack index, in the format given as third argument, by default that of the extension.
 int write_to(lua_State* L, int file_index, const std::vector<Patch>& patches) {
   const auto file = to<std::string>(L, file_index);
   const auto form = lua_isnoneornil(L, 3) ? exchange::form_named_by(file) : to<std::string>(L, 3);
@@ -118,7 +117,7 @@ int write_patches(lua_State* L) {
   return write_to(L, 1, patches);
 }
 
-/// core.patch_sizes(patch): how many parametric directions and coordinates it has.
+/// core.patch_sizes(patch): its number of parametric directions and of coordinates.
 int patch_sizes(const Patch& patch, lua_State* L) {
   push(L, patch.parametric_dimension());
   push(L, patch.dimension());

@@ -8,7 +8,7 @@ namespace {
 
 using nurbs::Patch;
 
-/// Parameters at fractions of the directions' lengths.
+/// Parameters at fractions of the parametric intervals.
 VectorX parameters(const Patch& patch, const VectorX& fractions) {
   VectorX xi(patch.parametric_dimension());
   for (int d = 0; d < xi.size(); ++d) {
@@ -22,7 +22,7 @@ Vec<3> place_at(const Patch& patch, const VectorX& fractions) {
   return tessellation::place(patch, parameters(patch, fractions));
 }
 
-/// Whether ξ¹, ξ², ξ³ of a volume stand as a left hand's fingers.
+/// Whether ξ¹, ξ², ξ³ of a volume are a left-handed system.
 bool left_handed(const Patch& volume) {
   const auto all = nurbs::derivatives(volume, parameters(volume, Vec<3>::Constant(0.5)), 1);
   const Vec<3> first = all[1].value, second = all[2].value, third = all[3].value;
@@ -59,7 +59,7 @@ std::vector<tessellation::Skin> pieces_of(const Patch& patch, const std::vector<
   return pieces;
 }
 
-/// A side's name at its middle: within a surface beside its border, on a volume where it faces the eye.
+/// The name of a side at its center: next to the border of a surface; on a volume only where the side faces the eye.
 view::Label side_label(const Patch& patch, nurbs::Side side) {
   const int n = patch.parametric_dimension();
   VectorX middle = VectorX::Constant(n, 0.5), inwards = middle;
@@ -76,7 +76,7 @@ view::Label side_label(const Patch& patch, nurbs::Side side) {
   return label;
 }
 
-/// Along the first part of all edges of a direction.
+/// Along the first quarter of all edges of a direction.
 view::Arrow direction_arrow(const Patch& patch, int direction) {
   constexpr double length = 0.25;
   constexpr int points = 65;
@@ -93,7 +93,7 @@ view::Arrow direction_arrow(const Patch& patch, int direction) {
       line.col(k) = place_at(patch, fractions);
     }
     arrow.lines.push_back(std::move(line));
-    if (n == 2) break; // all of a surface is seen
+    if (n == 2) break; // all edges of a surface are visible
   }
   return arrow;
 }

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int largest_size = 5000; // OpenGL's limit after supersampling
 
-/// How large a picture is alone, `most` by default, and on what ground.
+/// Reads size and ground of a separate picture; default size: `most`.
 void read_paper(const Arguments& a, Picture& picture, const std::array<int, 2>& most) {
   picture.size = most;
   if (a.has("size")) {
@@ -42,7 +42,7 @@ void write_picture(const Picture& picture, const std::string& file) {
   write_whole(file, view::bytes_of(figures_of({picture})(0), format, picture.transparent));
 }
 
-/// A series of files, or a film.
+/// Writes a series of files, or a film.
 void write_film(const std::vector<Picture>& pictures, const std::string& file, double rate) {
   require(!view::is_film(file) || !pictures[0].transparent,
           "transparent has no meaning for a film: draw a series of pictures, file = \"x-%04d.png\"");
@@ -59,7 +59,7 @@ void write_film(const std::vector<Picture>& pictures, const std::string& file, d
   });
 }
 
-/// Refuses a file's name before anything is drawn.
+/// Checks a file name before drawing.
 void check_ending(const std::string& file, bool may_be_series) {
   try {
     if (view::is_series(file))
@@ -83,7 +83,7 @@ Picture make_sheet(SheetPicture sheet) {
 
 // ── sg.picture ───────────────────────────────────────────────────────────────────────────────────────────────────────
 
-/// That of an entry of run:states().
+/// The title of an entry of run:states().
 std::string title_of(lua_State* L, int state) {
   lua_getfield(L, state, "title");
   auto title = to<std::string>(L, -1);
@@ -91,8 +91,7 @@ std::string title_of(lua_State* L, int state) {
   return title;
 }
 
-/// A picture of each field in each state: a sheet of each field, side by side, or a series with all fields in each
-/// picture.
+/// A picture of each field in each state: one sheet per field, or a series with all fields in each picture.
 int picture_of_many(lua_State* L, const Arguments& a, const std::string& file) {
   const auto fields = a.has("fields") ? a.get<std::vector<std::string>>("fields")
                                       : std::vector<std::string>{a.get<std::string>("field")};
@@ -148,7 +147,7 @@ int picture(lua_State* L) {
 
 // ── Several pictures ─────────────────────────────────────────────────────────────────────────────────────────────────
 
-/// The entries without a name: pictures, or lists of them.
+/// The unnamed entries: pictures, or lists of them.
 std::vector<Picture> read_pictures(lua_State* L) {
   std::vector<Picture> pictures;
   const std::function<void(int)> add = [&](int index) {

@@ -1,6 +1,5 @@
 #pragma once
-// Pictures as values: what each of them shows and how it is drawn, free of models, so that several make one figure or a
-// film.
+// Pictures as values, independent of models: contents and options, which can be combined in a figure or a film.
 
 #include "bind/functions.hpp"
 #include "view/picture.hpp"
@@ -16,8 +15,8 @@ namespace signorini::bind {
 /// A state of a model, or patches.
 struct StatePicture {
   view::Panel panel;
-  view::PictureOptions options;              ///< `title` above the state
-  std::optional<view::PictureOptions> inset; ///< of the part that is magnified
+  view::PictureOptions options;              ///< `title`: above the state
+  std::optional<view::PictureOptions> inset; ///< of the magnified part
 };
 
 struct Picture;
@@ -27,20 +26,20 @@ struct SheetPicture {
   std::vector<Picture> parts;
   std::string title;
   std::optional<int> columns = {};
-  bool own_ranges = false;                         ///< else parts of one label have one range of colors
+  bool own_ranges = false;                         ///< otherwise parts with the same label share a color range
   std::optional<std::array<double, 2>> range = {}; ///< of all parts
 };
 
-/// A chart or a heat map, which fits itself to a size in pixels.
+/// A chart or a heat map, which is laid out for any size in pixels.
 struct FlatPicture {
   std::function<view::Figure(const std::array<int, 2>& size)> make;
 };
 
-/// What Lua holds: a picture of any kind, and how large it is alone.
+/// The value in Lua: a picture of any kind, and its size when drawn alone.
 struct Picture {
   std::shared_ptr<const std::variant<StatePicture, SheetPicture, FlatPicture>> content;
   std::array<int, 2> size = {1600, 1000};
-  bool trim = true; ///< `size` is the most
+  bool trim = true; ///< `size` is the maximum
   bool transparent = false;
   std::string description; ///< "picture of 1 body", for print
 };
@@ -54,16 +53,14 @@ template <class Content> Picture make_picture(Content content, std::string descr
   return picture;
 }
 
-/// Makes the figures of pictures by number (from 0). Those of a film have the size of the first one, one range of
-/// colors for each field, and so that nothing jumps one scale and one layout. Throws Error where they are not made
-/// alike.
+/// Returns the figures of pictures by number (from 0). The pictures of a film have the size of the first one and one
+/// color range per field, scale and layout. Throws Error when they differ in structure.
 std::function<view::Figure(int picture)> figures_of(const std::vector<Picture>& film);
 
-/// Pushes a picture for the caller, and writes it where the arguments of its function name a file: the last lines of
-/// every function that makes one.
+/// Pushes a picture, and writes it if the arguments name a file: called at the end of every function that makes one.
 int push_picture(lua_State* L, Picture picture, const std::string& file);
 
-/// The same of a chart or a heat map, which draw(options) makes for a size in pixels; `size` and `file` are read.
+/// The same for a chart or a heat map, drawn by draw(options) for a size in pixels; reads `size` and `file`.
 template <class Options, class Draw>
 int push_flat(lua_State* L, const Arguments& a, Options options, const std::string& description, Draw draw) {
   a.read("size", options.size);

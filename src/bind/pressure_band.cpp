@@ -9,7 +9,7 @@ namespace signorini::bind {
 
 namespace {
 
-/// The end of the band's width that lies on the face, and where the middle of the element behind it lies.
+/// A point of the face and the center of the element behind it in thickness direction.
 struct BandPoint {
   Vec<2> face, inside;
 };
@@ -47,7 +47,7 @@ view::Body pressure_band(const model::Model<2>& model, int contact, const Showin
       band.skin.values(i) = band.skin.values(count + i) =
           showing.factor * pressure.at_place(e, contact::FaceCoordinates<2>(fraction));
     }
-  // Half of the elements at the face where that can be seen.
+  // Half of the thickness of the elements at the face, within visible limits.
   double depth = 0;
   for (const BandPoint& place : places) depth += (place.inside - place.face).norm() / count;
   const double width = std::clamp(depth, 0.014 * size, 0.03 * size);
@@ -55,7 +55,7 @@ view::Body pressure_band(const model::Model<2>& model, int contact, const Showin
   view::Points edge = view::Points::Zero(3, count);
   for (int i = 0; i < count; ++i) {
     const auto at = [&](int j) { return places[static_cast<std::size_t>(j)]; };
-    // Neighbors beyond the point's own twin at the border of two elements
+    // Two points further, because points at element borders are doubled
     const Vec<2> along = (at(std::min(i + 2, count - 1)).face - at(std::max(i - 2, 0)).face).stableNormalized();
     Vec<2> inwards(-along(1), along(0));
     if (inwards.dot(at(i).inside - at(i).face) < 0) inwards = -inwards;

@@ -10,7 +10,7 @@ namespace signorini::bind {
 
 namespace {
 
-/// In the plane a disc is a cylinder or, about the axis of a body of revolution, a sphere.
+/// In the plane a disc is a cylinder or, on the axis of an axisymmetric model, a sphere.
 void check_disc(const RigidShape<2>& rigid, bool revolved, const std::string& where) {
   require(rigid.form != RigidForm::sphere || revolved, where,
           " is a sphere in plane strain: use sg.rigid.cylinder, or kind = \"axisymmetric\" for the model");
@@ -22,7 +22,7 @@ void check_disc(const RigidShape<2>& rigid, bool revolved, const std::string& wh
 }
 
 /// Gauss points per slave element and direction: 3(p+1), p the full degree along the slave face (thesis 7.1.1), the
-/// higher one where its two directions differ.
+/// higher of its two directions.
 template <int D> int default_points(const model::Scene<D>& scene, const model::FaceReference& slave) {
   const auto& space = scene.bodies[at(slave.body)].body->space();
   const nurbs::Row face = space.face(slave.side);
@@ -45,8 +45,8 @@ template <int D> contact::Method<D> read_method(const Arguments& a) {
   return law;
 }
 
-/// The user's function of the reference position. It is called while the model is made, not later: sg.model's argument,
-/// at the bottom of the stack, holds it.
+/// The user's function of the reference position. It is called only while the model is created, when sg.model's
+/// argument at the bottom of the stack holds it.
 template <int D> contact::Region<D> read_region(const Arguments& a, const std::string& contact) {
   if (!a.has("where")) return {};
   return [L = a.state(), contact, name = a.name("where")](const Vec<D>& place) {
@@ -65,7 +65,7 @@ template <int D> contact::Region<D> read_region(const Arguments& a, const std::s
   };
 }
 
-/// An entry of `contacts`, under this name in sg.model's argument.
+/// An entry of `contacts` with this name in sg.model's argument.
 template <int D> model::Contact<D> read_contact(Draft<D>& draft, const Arguments& a, const std::string& name) {
   lua_State* L = a.state();
   model::Contact<D> contact{{}, draft.face(L, a.push("slave"), a.name("slave")), {}, {}, 0, {}};
@@ -94,7 +94,7 @@ template <int D> std::vector<model::NamedBody<D>> read_bodies(const Arguments& a
   return bodies;
 }
 
-/// Names become columns ("grip.fx") and stage keys, so no two things share one and none is a key of a stage.
+/// Names become columns ("grip.fx") and stage keys, so they must be unique and different from the keys of a stage.
 template <int D>
 void check_name(const Arguments& a, const model::Scene<D>& scene, const std::string& name, const std::string& path) {
   const auto clash = [&](const auto& items, const char* kind) {
@@ -108,7 +108,7 @@ void check_name(const Arguments& a, const model::Scene<D>& scene, const std::str
     a.fail(path, " cannot be called '", name, "', which is a key of stages: choose another name");
 }
 
-/// 2 or 3: the first body's.
+/// 2 or 3: that of the first body.
 int dimension_of(const Arguments& a) {
   int dimension = 0;
   a.each("bodies", [&](const std::string&, int index, const std::string&) {
@@ -140,7 +140,7 @@ template <int D> int push_model(const Arguments& a, lua_State* L) {
       add(Arguments(L, index, path), name) = name;
     });
   };
-  // A load may stand among the supports: both are what holds and moves a body from outside.
+  // Loads are accepted among the supports: both are external actions on a body.
   const auto add_held = [&](const Arguments& part, const std::string&) -> std::string& {
     if (part.has("traction") || part.has("pressure")) return scene.loads.emplace_back(read_load(draft, part)).name;
     return scene.supports.emplace_back(read_support(draft, part)).name;

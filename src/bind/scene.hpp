@@ -1,12 +1,12 @@
 #pragma once
-// Materials, bodies, their places, rigid obstacles and models as Lua sees them.
+// C++ types of materials, bodies, their places, rigid obstacles and models in Lua.
 
 #include "bind/arguments.hpp"
 #include "model/results.hpp"
 
 namespace signorini::bind {
 
-/// What the user called it: a disc is a cylinder in plane strain and a sphere in an axisymmetric model.
+/// The user's name of the shape: a disc is a cylinder in plane strain and a sphere in an axisymmetric model.
 enum class RigidForm { plane, cylinder, sphere, surface };
 
 template <int D> struct RigidShape {
@@ -17,7 +17,7 @@ template <int D> using Rigid = std::shared_ptr<const RigidShape<D>>;
 
 template <int D> using Body = std::shared_ptr<const solid::Body<D>>;
 
-/// Control points of a body that can be held, driven or brought into contact: a face, an edge, or a corner.
+/// Control points of a body for supports, drives or contact: a face, an edge, or a corner.
 template <int D> struct Place {
   Body<D> body;
   const char* kind;                ///< "face", "edge" or "corner"
@@ -28,7 +28,7 @@ template <int D> struct Place {
 
 template <int D> using Model = std::shared_ptr<model::Model<D>>;
 
-/// A kept state and the model that it belongs to.
+/// A saved state and its model.
 template <int D> struct Snapshot {
   Model<D> model;
   model::Snapshot<D> state;
@@ -36,7 +36,7 @@ template <int D> struct Snapshot {
 
 template <> struct Type<solid::Material> { static constexpr auto name = "material"; };
 
-/// Of what comes for the plane and for space.
+/// For types that exist in the plane and in space.
 template <int D> struct TypeIn { static constexpr int dimension = D; };
 template <int D> struct Type<Body<D>> : TypeIn<D> { static constexpr auto name = "body"; };
 template <int D> struct Type<Place<D>> : TypeIn<D> { static constexpr auto name = "face"; };

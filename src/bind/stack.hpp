@@ -1,5 +1,5 @@
 #pragma once
-// The typed layer over Lua's stack: pushing results, userdata of C++ types.
+// Typed interface to Lua's stack: pushes results, userdata of C++ types.
 
 #include "base/eigen.hpp"
 #include "bind/message.hpp"
@@ -30,8 +30,8 @@ inline void push(lua_State* L, const char* value) {
 inline void push(lua_State* L, const std::string& value) {
   lua_pushlstring(L, value.data(), value.size());
 }
-/// The name of a type in messages and help: template <> struct Type<Patch> { static constexpr auto name = "patch"; };
-/// A type that comes for the plane and for space has one name for both and the `dimension` 2 or 3.
+/// The name of a type in messages and help: template <> struct Type<Patch> { static constexpr auto name = "patch"; }; A
+/// type for the plane and for space has one name for both and the `dimension` 2 or 3.
 template <class T> struct Type;
 
 template <class T>
@@ -44,12 +44,12 @@ template <Registered T> void push(lua_State* L, T object) {
   push_object(L, std::move(object));
 }
 
-/// Nothing is nil.
+/// An empty optional becomes nil.
 template <class T> void push(lua_State* L, const std::optional<T>& value) {
   value ? push(L, *value) : lua_pushnil(L);
 }
 
-/// Pushes a list: push_one(value) pushes an entry.
+/// Pushes a list; push_one(value) pushes one entry.
 template <class Values, class PushOne> void push_list(lua_State* L, const Values& values, PushOne push_one) {
   lua_newtable(L);
   lua_Integer i = 0;
@@ -64,7 +64,7 @@ template <class T> void push(lua_State* L, const std::vector<T>& values) {
 inline void push(lua_State* L, const VectorX& values) {
   push_list(L, values, [&](double value) { push(L, value); });
 }
-/// A list of the columns, each a list: points.
+/// A list of columns, each a list: points.
 inline void push(lua_State* L, const MatrixX& points) {
   push_list(L, points.colwise(), [&](const auto& point) { push(L, VectorX(point)); });
 }
@@ -75,21 +75,21 @@ template <class T> void set_field(lua_State* L, const char* name, const T& value
   lua_setfield(L, -2, name);
 }
 
-/// Sets fields of the table on top of the stack: names and values in turn.
+/// Sets fields of the table on top of the stack: alternating names and values.
 template <class T, class... Rest> void set_fields(lua_State* L, const char* name, const T& value, const Rest&... rest) {
   set_field(L, name, value);
   if constexpr (sizeof...(rest) > 0) set_fields(L, rest...);
 }
 
-/// Pushes a table of fields: names and values in turn.
+/// Pushes a table of fields: alternating names and values.
 template <class... Parts> void push_fields(lua_State* L, const Parts&... parts) {
   lua_createtable(L, 0, sizeof...(parts) / 2);
   set_fields(L, parts...);
 }
 
 // ── Userdata ─────────────────────────────────────────────────────────────────────────────────────────────────────────
-// A T lives inside its userdata: an immutable value (Patch) or a shared pointer (std::shared_ptr<Body>), whose other
-// owners keep the object alive when Lua lets go of it.
+// A T is stored in its userdata: an immutable value (Patch) or a shared pointer (std::shared_ptr<Body>), whose other
+// owners keep the object alive after Lua has collected it.
 
 /// The name of a type's metatable in the registry.
 template <Registered T> const char* key_of() {
@@ -100,15 +100,15 @@ template <Registered T> const char* key_of() {
     return Type<T>::name;
 }
 
-/// The object at an index, or nullptr when it is something else.
+/// The object at an index, or nullptr for other values.
 template <class T> T* test_object(lua_State* L, int index) {
   return static_cast<T*>(luaL_testudata(L, index, key_of<T>()));
 }
 
-/// Whether the value has a type of this name, whatever its dimension.
+/// Whether the value has a type of this name, in any dimension.
 bool has_type(lua_State* L, int index, const char* name);
 
-/// Throws: the value has the right name, but belongs to a scene of the other dimension.
+/// Throws: the value has the right type name, but the dimension of other scenes.
 [[noreturn]] void reject_dimension(const Argument& argument, const char* name, int expected);
 
 template <class T> T& read_object(lua_State* L, int index, const Argument& argument = {Type<T>::name}) {
@@ -119,7 +119,7 @@ template <class T> T& read_object(lua_State* L, int index, const Argument& argum
   return *object;
 }
 
-/// The object a method was called on: its first argument.
+/// The object of a method call: its first argument.
 template <class T> T& self(lua_State* L) {
   return read_object<T>(L, 1);
 }
@@ -131,8 +131,8 @@ template <Registered T> T& push_object(lua_State* L, T value) {
   return *object;
 }
 
-/// Tells Lua's collector that the object just pushed holds this much memory that Lua does not see, so that it works
-/// as hard as if it had allocated that itself.
+/// Reports to Lua's collector that the object just pushed holds this much external memory, so that collection runs as
+/// often as for memory allocated by Lua.
 void count_memory(lua_State* L, double bytes);
 
 } // namespace signorini::bind

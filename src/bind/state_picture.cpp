@@ -11,7 +11,7 @@ namespace signorini::bind {
 
 namespace {
 
-// ── From where, and what part ────────────────────────────────────────────────────────────────────────────────────────
+// ── Camera and part ──────────────────────────────────────────────────────────────────────────────────────────────────
 
 Vec<3> read_direction(const Arguments& a, const char* key) {
   const Vec<3> direction = a.get<VectorX>(key);
@@ -39,7 +39,7 @@ std::optional<Cut> read_cut(const Arguments& a) {
   return cut;
 }
 
-/// By default the face of a cut is seen.
+/// By default the camera faces the cut.
 view::Camera read_camera(const Arguments& a, const std::optional<Cut>& cut) {
   const view::Camera standard = view::camera("iso");
   if (!a.has("camera")) return cut ? view::turned_to(standard, cut->normal) : standard;
@@ -50,7 +50,7 @@ view::Camera read_camera(const Arguments& a, const std::optional<Cut>& cut) {
   return {from, c.has("up") ? Vec<3>(c.get<VectorX>("up")) : steep ? Vec<3>::UnitY() : Vec<3>::UnitZ()};
 }
 
-/// The box that `key` names, with z = 0 in the plane.
+/// The box in argument `key`; z = 0 in the plane.
 std::optional<view::Bounds> read_box(const Arguments& a, const char* key, bool solid) {
   if (!a.has(key)) return std::nullopt;
   const auto box = a.get<std::vector<double>>(key);
@@ -68,7 +68,7 @@ std::optional<view::Bounds> read_box(const Arguments& a, const char* key, bool s
   return bounds;
 }
 
-/// The parts that are shown alone or magnified; `showing` gets the windows through which they are seen.
+/// The parts shown alone or magnified; adds their windows to `showing`.
 void read_parts(const Arguments& a, StatePicture& picture, Showing& showing, const std::array<int, 2>& size) {
   const auto& camera = picture.options.camera;
   const Mat<3> axes = camera ? view::picture_axes(*camera) : Mat<3>(Mat<3>::Identity());
@@ -80,14 +80,14 @@ void read_parts(const Arguments& a, StatePicture& picture, Showing& showing, con
     picture.inset->crop = inset;
     picture.inset->bar = picture.inset->axis_names = picture.inset->ruler = false;
     picture.inset->trim = true;
-    picture.inset->vectors.clear(); // one key serves both, whose arrows have one scale
+    picture.inset->vectors.clear(); // one key for both, because their arrows have the same scale
   }
   picture.options.crop = crop;
 }
 
-// ── What is shown ────────────────────────────────────────────────────────────────────────────────────────────────────
+// ── Contents ─────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-/// Entries may hold all that the places of a failed run hold.
+/// Entries may have all fields of the places of a failed run.
 std::vector<view::PointMark> read_marks(const Arguments& a, int dimension) {
   std::vector<view::PointMark> marks;
   if (!a.has("marks")) return marks;
@@ -120,7 +120,7 @@ view::Contours read_contours(const Arguments& a) {
   return {0, a.get<std::vector<double>>("contours")};
 }
 
-/// The lines, arrows and names that are drawn beside the colors.
+/// The lines, arrows and names drawn in addition to the colors.
 void read_lines(const Arguments& a, view::PictureOptions& options, const Showing& showing, bool solid) {
   if (a.has("contours")) options.contours = read_contours(a);
   options.vectors = showing.vectors;
@@ -130,7 +130,7 @@ void read_lines(const Arguments& a, view::PictureOptions& options, const Showing
     a.refuse("axes", text("a list of ", count, " names"));
 }
 
-/// What is read the same way for models and patches; `showing` is made complete.
+/// Options common to models and patches; completes `showing`.
 StatePicture read_view(const Arguments& a, Showing& showing, bool solid, const std::optional<Cut>& cut,
                        const std::array<int, 2>& size) {
   for (const char* key : {"cut", "camera", "ruler"})
@@ -200,7 +200,7 @@ Picture read_patch(const Arguments& a, const std::string& title, const std::arra
   return finished(a, std::move(picture), title, patches.size(), "patch", "patches");
 }
 
-/// Puts a model back into the state in which it was.
+/// Restores the state of a model when destroyed.
 template <int D> class Return {
 public:
   explicit Return(Model<D> model) : model_(std::move(model)), state_(model::snapshot(*model_)) {}

@@ -6,8 +6,8 @@
 
 namespace signorini::bind {
 
-/// What the arguments show, colored by a field or, where it is empty, gray: patches, a model's present state or a kept
-/// one. `state`: where on the stack an entry of run:states() is, or 0. `size`: for how many pixels it is sampled.
+/// The picture of the arguments, colored by a field or, if it is empty, gray: patches, the present or a saved state of
+/// a model. `state`: stack index of an entry of run:states(), or 0. `size`: pixels for which it is sampled.
 Picture read_state_picture(const Arguments& a, const std::string& field, int state, const std::string& title,
                            const std::array<int, 2>& size);
 

@@ -17,7 +17,7 @@ namespace {
   fail(a.name("on"), " lists ", what, " twice, expected once: take one of the two out");
 }
 
-/// The components that "x", "xy" and so on name.
+/// Reads components named by letters, such as "x" or "xy".
 template <int D> void read_components(const Arguments& a, const char* key, Hold hold, model::Support<D>& support) {
   if (!a.has(key)) return;
   const auto letters = a.get<std::string>(key);
@@ -50,7 +50,7 @@ template <int D> double face_area(const solid::Body<D>& body, nurbs::Side side) 
   return solid::traction_load(body, side, 0).sum(); // ∫ Σ_A R_A dA, Σ_A R_A = 1
 }
 
-/// Calls visit(place) for each of the faces that `on` lists; other things are errors.
+/// Calls visit(place) for each face in `on`; other values are errors.
 template <int D, class Visit> void each_face(const Arguments& a, const char* expected, const char* cure, Visit visit) {
   a.list("on", [&](int, int index, const std::string&) {
     const Place<D>* place = test_object<Place<D>>(a.state(), index);
@@ -60,7 +60,7 @@ template <int D, class Visit> void each_face(const Arguments& a, const char* exp
   });
 }
 
-/// The face that a support turns, in space the faces, about their common centroid and an axis through it.
+/// The face, in space the faces, that a support rotates about their common centroid (in space: an axis through it).
 template <int D> void read_rotation(const Arguments& a, model::Support<D>& support) {
   lua_State* L = a.state();
   const int given = a.push("rotate");
@@ -91,8 +91,8 @@ struct AxisPlane {
   std::string words() const { return text(model::component_name(axis), " = ", number(place)); }
 };
 
-/// The plane across an axis that all of a face's control points lie in, to `tolerance`; nothing for a face that is
-/// curved, inclined or collapsed.
+/// The coordinate plane that contains all control points of a face, to `tolerance`; empty if the face is curved,
+/// inclined or collapsed.
 template <int D> std::optional<AxisPlane> plane_of(const MatrixX& points, double tolerance) {
   const Vec<D> low = points.rowwise().minCoeff(), extent = points.rowwise().maxCoeff() - low;
   if ((extent.array() <= tolerance).count() != 1) return std::nullopt;
@@ -101,10 +101,10 @@ template <int D> std::optional<AxisPlane> plane_of(const MatrixX& points, double
   return AxisPlane{axis, low(axis)};
 }
 
-/// Holds the normal component on faces in a plane of symmetry.
+/// Fixes the normal component on faces in a plane of symmetry.
 template <int D> void read_symmetry(const Arguments& a, const Draft<D>& draft, model::Support<D>& support) {
   if (!a.get<bool>("symmetry")) return;
-  constexpr double flat = 1e-9; // of a body's size: what rounding leaves of a plane
+  constexpr double flat = 1e-9; // relative to the body's size: rounding error of a plane
   const auto reject_symmetry = [&](const auto&... words) { fail(a.name("symmetry"), " ", words...); };
   if (support.rotates) reject_symmetry("holds a plane, which rotate turns: take one of the two out");
   std::optional<AxisPlane> plane;

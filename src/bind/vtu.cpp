@@ -1,4 +1,4 @@
-// sg.vtu: a model's present state for ParaView, as exact rational Bézier cells.
+// sg.vtu: the present state of a model for ParaView, as exact rational Bézier cells.
 
 #include "exchange/vtu.hpp"
 #include "base/index.hpp"
@@ -23,8 +23,7 @@ const std::vector<std::string>& component_names(const std::string& field) {
   return field == "stress" ? stress : field == "F" ? gradient : none;
 }
 
-/// Puts cells at the end of a grid, with a number for each of its cell arrays; where they lack one of its fields it is
-/// not a number.
+/// Appends cells to a grid, with a number for each of its cell arrays; fields missing in the cells become NaN.
 void append(exchange::BezierGrid& grid, const tessellation::BezierCells& cells, const std::vector<int>& numbers) {
   const Eigen::Index before = grid.points.cols(), added = cells.points.cols(), all = before + added;
   grid.degrees.insert(grid.degrees.end(), cells.degrees.begin(), cells.degrees.end());
@@ -64,7 +63,8 @@ template <int D> exchange::BezierGrid grid_of(const model::Model<D>& model, bool
   return grid;
 }
 
-/// A patch's elements as cells: with knots repeated up to the degree its control points are those of its elements.
+/// The elements of a patch as cells: after repeating all knots up to the degree (Bézier extraction), its control points
+/// are those of its elements.
 tessellation::BezierCells cells_of(nurbs::Patch patch) {
   std::vector<int> degrees, chosen;
   int elements = 1, size = 1;

@@ -17,7 +17,7 @@ namespace signorini::bind {
 
 namespace {
 
-/// "0.25 … 2", four digits each; rounding errors about zero are no extent.
+/// "0.25 … 2", four digits each; bounds that are zero up to rounding error are printed as 0.
 std::string extent(double low, double high) {
   std::ostringstream out;
   out.precision(4);
@@ -26,7 +26,7 @@ std::string extent(double low, double high) {
   return out.str();
 }
 
-/// A value and how its placeholder wants it, as text.
+/// A value as text, in the format of its placeholder.
 struct Shown {
   const std::string& how;
 
@@ -54,7 +54,7 @@ struct Shown {
 
 } // namespace signorini::bind
 
-/// Takes what follows the colon of a placeholder as it is.
+/// Parses the part of a placeholder after the colon unchanged.
 template <> struct fmt::formatter<signorini::Value> {
   std::string how;
 
