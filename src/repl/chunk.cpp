@@ -12,12 +12,12 @@ namespace signorini::repl {
 
 namespace {
 
-/// Whether a syntax error only says that the chunk goes on in the next line.
+/// Whether a syntax error only means that the chunk continues on the next line.
 bool unfinished(const std::string& message) {
   return message.ends_with("<eof>");
 }
 
-/// Whether statements fail at their first word: then they were meant as an expression.
+/// Whether compilation of statements fails at their first word: then an expression was meant.
 bool is_no_statement(const std::string& code, std::string message) {
   const std::string begin = "unexpected symbol near '";
   const auto at = message.find(begin);
@@ -27,19 +27,19 @@ bool is_no_statement(const std::string& code, std::string message) {
   return code.substr(code.find_first_not_of(" \t\n")).starts_with(message);
 }
 
-/// Pushes the code as a function, or an error message.
+/// Pushes the compiled code, or an error message.
 bool compiles(lua_State* L, const std::string& code) {
-  const std::string line = code + "\n"; // a quotation mark that is left open is an error of its own line
+  const std::string line = code + "\n"; // an unclosed quotation mark is an error of its own line
   return luaL_loadbufferx(L, line.data(), line.size(), "=prompt", "t") == LUA_OK;
 }
 
-/// Code whose last line stands behind a return: lines that were pasted together may end with an expression.
+/// Inserts a return before the last line: several pasted lines may end with an expression.
 std::string with_result(const std::string& code) {
   const auto end = code.find_last_not_of(" \t\n"), line = code.rfind('\n', end) + 1;
   return text(code.substr(0, line), "return nil, ", code.substr(line));
 }
 
-/// What a line asks help for: "?sg.body", or "help sg.body", which is no Lua; nothing in other lines.
+/// The query of a line "?sg.body" or "help sg.body" (not valid Lua); empty for other lines.
 std::optional<std::string> query(const std::string& code) {
   const auto begin = code.find_first_not_of(" \t");
   if (code[begin] == '?') return code.substr(begin + 1);

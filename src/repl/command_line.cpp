@@ -11,7 +11,7 @@ namespace {
 
 constexpr int most_jobs = 1 << 16;
 
-/// The number behind an option such as --threads.
+/// The number after an option such as --threads.
 int parse_count(const char* option, const std::string& word, int most) {
   int count = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), count);
@@ -32,7 +32,7 @@ CommandLine parse(const std::vector<std::string>& words) {
       if (i + 1 == words.size()) throw UsageError(text(word, " needs ", what, " behind it"));
       return words[++i];
     };
-    // What stands behind the script is the script's own, but for this one: every study can be told so.
+    // Words after the script are its arguments, except this option, which applies to every study.
     if (word == "--jobs")
       line.jobs = parse_count("--jobs", value("a number"), most_jobs);
     else if (word.starts_with("--jobs="))

@@ -1,5 +1,5 @@
 #pragma once
-// What stands on the command line.
+// The command line.
 
 #include <stdexcept>
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace signorini::repl {
 
-/// A command line that cannot be understood.
+/// An invalid command line.
 class UsageError : public std::runtime_error {
 public:
   using std::runtime_error::runtime_error;
@@ -23,9 +23,9 @@ struct CommandLine {
   bool interactive = false;           ///< -i
   bool quiet = false;                 ///< -q
   int threads = 1;
-  int jobs = 0; ///< of studies, side by side; 0 when --jobs is not there
+  int jobs = 0; ///< parallel processes of studies; 0 without --jobs
 
-  /// Whether there is nothing to run but the prompt.
+  /// Whether only the prompt is to run.
   bool prompt_only() const { return code.empty() && script.empty(); }
 };
 

@@ -19,14 +19,15 @@ namespace signorini::repl {
 
 namespace {
 
-/// Whether an error is meant for who typed the command, such as a wrong argument (lua/signorini/script_arguments.lua).
+/// Whether an error is meant for the user of the command, such as a wrong argument
+/// (lua/signorini/script_arguments.lua).
 bool is_refusal(lua_State* L) {
   const bool found = luaL_getmetafield(L, 1, "without_traceback") != LUA_TNIL;
   if (found) lua_pop(L, 1);
   return found;
 }
 
-/// How tracebacks name the frames that belong to the library or to C.
+/// The names of library and C frames in tracebacks.
 std::set<std::string> library_places(lua_State* L) {
   bind::push_table(L, "core");
   lua_getfield(L, -1, "home");
@@ -42,8 +43,8 @@ std::set<std::string> library_places(lua_State* L) {
   return places;
 }
 
-/// A traceback without the frames of the library and of C, which say nothing to whoever wrote the script. All of them
-/// stay where the message itself speaks of a place in the library, which is then at fault.
+/// A traceback without the frames of the library and of C, which do not concern authors of scripts. All frames are kept
+/// if the message itself refers to a position in the library, where the error then is.
 std::string users_frames(lua_State* L, const std::string& traceback) {
   std::set<std::string> places = library_places(L);
   const auto stands_in = [&](std::string_view line) {
@@ -55,15 +56,15 @@ std::string users_frames(lua_State* L, const std::string& traceback) {
   std::string kept;
   bool in_frames = false;
   for (std::string line; std::getline(lines, line);) {
-    const bool is_frame = in_frames && line.starts_with('\t'); // a message may hold a traceback, too
+    const bool is_frame = in_frames && line.starts_with('\t'); // a message may contain a traceback, too
     if (!is_frame || !stands_in(std::string_view(line).substr(1))) kept += (kept.empty() ? "" : "\n") + line;
     in_frames = in_frames || line == "stack traceback:";
   }
   return kept;
 }
 
-/// Message handler: any error value as text, with the script's own traceback below it unless it is not wanted; where it
-/// is kept for later, all of it.
+/// Message handler: converts any error value to text, followed by the script's traceback except for interrupts and
+/// errors without traceback; the complete traceback if it is stored for later.
 int add_traceback(lua_State* L) {
   const bool later = lua_toboolean(L, lua_upvalueindex(1)), refusal = is_refusal(L);
   bind::push_error_text(L, 1);
@@ -109,7 +110,7 @@ void Interpreter::set_arguments(const std::string& program, const std::string& s
   const std::filesystem::path folder = std::filesystem::path(script).parent_path();
   lua_getglobal(L, "package");
   lua_getfield(L, -1, "path");
-  // Behind the library, so that a script named like one of its modules does not hide it.
+  // After the library, so that a script with the name of a library module does not hide it.
   const std::string path = lua_tostring(L, -1), own = (folder.empty() ? "." : folder.string()) + "/?.lua";
   const auto end = path.find(';');
   bind::push(L, path.substr(0, end) + ";" + own + path.substr(end));
@@ -141,7 +142,7 @@ bool Interpreter::report(bool ok) {
 }
 
 void add_syntax_hint(lua_State* L) {
-  // Lua's words for the first byte of a character that is not ASCII, and where a table's entries have no comma between.
+  // Lua's messages for the first byte of a non-ASCII character, and for a missing comma between table entries.
   constexpr const char *beyond_ascii = ".*near '<\\\\(12[89]|1[3-9][0-9]|2[0-9][0-9])>'",
                        *comma = ".*'\\}' expected (\\(to close .*\\) )?near '.*'";
   const std::string message = lua_tostring(L, -1);
@@ -170,7 +171,7 @@ bool Interpreter::run_file(const std::string& file, const std::vector<std::strin
   luaL_checkstack(L, static_cast<int>(arguments.size()), "too many arguments");
   for (const auto& argument : arguments) bind::push(L, argument);
   const bool ok = call(static_cast<int>(arguments.size()));
-  if (ok && lua_gettop(L) > 0) { // what the prompt calls the last result
+  if (ok && lua_gettop(L) > 0) { // the prompt's name of the last result
     lua_pushglobaltable(L);
     bind::push(L, "_");
     lua_pushvalue(L, 1);

@@ -14,8 +14,8 @@ lua_State* running = nullptr;
 void (*raise_flag)(int) = nullptr;
 bool finishes_statements = false, ends_library = false;
 
-/// Whether what happens in the user's own code only finishes a statement: what a solve or study has returned because of
-/// Ctrl-C is on its way to where it shall be kept, past returns and the metamethods of tables.
+/// Whether an event in the user's code only completes a statement: results that a solve or study returned after Ctrl-C
+/// are being assigned, through returns and metamethods of tables.
 bool finishes_statement(lua_State* L, lua_Debug* frame) {
   if (!finishes_statements || !interrupt_answered() || frame->event == LUA_HOOKLINE) return false;
   if (frame->event != LUA_HOOKCALL && frame->event != LUA_HOOKTAILCALL) return true;
@@ -23,7 +23,7 @@ bool finishes_statement(lua_State* L, lua_Debug* frame) {
   return std::string_view(frame->namewhat) == "metamethod";
 }
 
-/// Whether the user's own code calls a function, such as print, of C or of the library.
+/// Whether the user's code calls a function of C or of the library, such as print.
 bool user_calls(lua_State* L, const lua_Debug& frame) {
   lua_Debug caller;
   if (frame.event != LUA_HOOKCALL || !lua_getstack(L, 1, &caller)) return false;
@@ -46,7 +46,7 @@ void stop(lua_State* L, lua_Debug* frame) {
   lua_error(L);
 }
 
-/// lua_sethook is the one function of Lua that may be called from a signal handler.
+/// lua_sethook is the only Lua function that signal handlers may call.
 void on_interrupt(int signal) {
   raise_flag(signal);
   lua_sethook(running, stop, LUA_MASKCALL | LUA_MASKRET | LUA_MASKLINE | LUA_MASKCOUNT, 1);

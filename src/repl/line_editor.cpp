@@ -23,7 +23,7 @@ namespace {
 lua_State* state = nullptr;
 std::string above; ///< the lines of the unfinished statement
 
-/// $XDG_STATE_HOME/signorini/history, ~/.local/state/signorini/history, or nothing when there is no home.
+/// $XDG_STATE_HOME/signorini/history, ~/.local/state/signorini/history, or empty without a home folder.
 std::string find_history() {
   const char *state_home = std::getenv("XDG_STATE_HOME"), *home = std::getenv("HOME");
   fs::path folder;
@@ -38,7 +38,7 @@ std::string find_history() {
   return error ? "" : (folder / "signorini/history").string();
 }
 
-/// All completions of `word` behind `before` according to signorini.complete; none when Ctrl-C ends the search.
+/// All completions of `word` after `before` by signorini.complete; none if Ctrl-C interrupts the search.
 std::vector<std::string> completions(const char* word, const std::string& before) {
   const InterruptsLibrary scope;
   const int top = lua_gettop(state);
@@ -58,9 +58,9 @@ std::vector<std::string> completions(const char* word, const std::string& before
   return list;
 }
 
-std::string before_word; ///< all that stands before the word that is completed
+std::string before_word; ///< the text before the completed word
 
-/// Readline asks for one after the other, `first` being 0 with the first.
+/// Readline calls this repeatedly, with first = 0 for the first one.
 char* completion_entry(const char* word, int first) {
   static std::vector<std::string> list;
   static std::size_t next = 0;
@@ -75,21 +75,21 @@ char** complete(const char* word, int start, int) {
   rl_completion_append_character = '\0';
   before_word = above + "\n" + std::string(rl_line_buffer, static_cast<std::size_t>(start));
   char** matches = rl_completion_matches(word, completion_entry);
-  // Inside quotes, where no known text may stand, readline's own completion of file names takes over.
+  // Inside quotes without known texts, readline's completion of file names is used.
   rl_attempted_completion_over = matches || !rl_completion_quote_character;
   return matches;
 }
 
-/// Tab completes; at the beginning of a line it is itself, as in lines that are pasted.
+/// Tab completes; at the beginning of a line it inserts a tab, as in pasted lines.
 int tab(int count, int key) {
   const std::string_view left(rl_line_buffer, static_cast<std::size_t>(rl_point));
   if (left.find_first_not_of(" \t") == std::string_view::npos) return rl_insert(count, key);
-  if (rl_last_func == tab) rl_last_func = rl_complete; // a second one lists
+  if (rl_last_func == tab) rl_last_func = rl_complete; // a second Tab lists the completions
   return rl_complete(count, key);
 }
 
 bool finished = false;
-char* typed = nullptr; ///< the finished line; nullptr at the end of the input
+char* typed = nullptr; ///< the finished line; nullptr at the end of input
 
 void on_line(char* line) {
   rl_callback_handler_remove();
@@ -103,8 +103,8 @@ void note_signal(int signal) {
   (signal == SIGCONT ? continued : resized) = 1;
 }
 
-/// Waits for a key or a signal, and tells which. Ctrl-C is only let through while waiting, so that none is missed
-/// between the check and the wait.
+/// Waits for a key or a signal; returns which. Ctrl-C is unblocked only while waiting, so that none is missed between
+/// the check and the wait.
 bool wait_for_key() {
   sigset_t interrupt, others;
   sigemptyset(&interrupt);
@@ -116,7 +116,7 @@ bool wait_for_key() {
   return key;
 }
 
-/// What readline does about signals; after a pause (Ctrl-Z, fg) the terminal is in the shell's mode.
+/// Handles signals for readline; after a pause (Ctrl-Z, fg) restores the terminal mode.
 void handle_signals() {
   rl_check_signals();
   if (resized) rl_resize_terminal();
@@ -137,12 +137,12 @@ std::string readline_version() {
 LineEditor::LineEditor(lua_State* L) : history_file_(find_history()) {
   state = L;
   rl_readline_name = "signorini";
-  // Without the slash, with which names of files begin; signorini.complete knows that it divides as well.
+  // Without the slash, because file names contain it; signorini.complete treats it as division.
   rl_basic_word_break_characters = " \t\n\"'`@$><=;|&{}()[],+-*^%#~";
   rl_completer_quote_characters = "\"'";
   rl_attempted_completion_function = complete;
   rl_bind_key('\t', tab);
-  rl_catch_sigwinch = 0; // readline would look at it only with the next key
+  rl_catch_sigwinch = 0; // readline would handle it only with the next key
   std::signal(SIGWINCH, note_signal);
   std::signal(SIGCONT, note_signal);
   using_history();
@@ -150,7 +150,7 @@ LineEditor::LineEditor(lua_State* L) : history_file_(find_history()) {
   if (!history_file_.empty()) read_history(history_file_.c_str());
 }
 
-// readline() would swallow the keys that follow a Ctrl-C, so the loop over the keys is our own.
+// readline() would discard keys that follow a Ctrl-C, hence this loop over keys.
 Input LineEditor::read(const char* prompt, const std::string& before, std::string& line) {
   finished = false;
   above = before;
@@ -183,7 +183,7 @@ void LineEditor::remember(const std::string& line) {
   if (last && line == last->line) return;
   add_history(line.c_str());
   if (history_file_.empty()) return;
-  // append_history needs a file that exists
+  // append_history requires an existing file
   if (!fs::exists(history_file_))
     write_history(history_file_.c_str());
   else

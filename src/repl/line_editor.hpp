@@ -1,5 +1,5 @@
 #pragma once
-// One line of input from readline, with history on disk, completion by Lua, and Ctrl-C as "forget this line".
+// Line input by readline, with history on disk, completion by Lua, and Ctrl-C to discard the line.
 
 #include <lua.hpp>
 
@@ -9,11 +9,11 @@ namespace signorini::repl {
 
 enum class Input { line, interrupted, end };
 
-/// Line editing for a terminal; there is one terminal, so there is one editor at a time.
+/// Line editing on the terminal; only one instance at a time.
 class LineEditor {
 public:
   explicit LineEditor(lua_State* L);
-  /// `before`: the lines of the unfinished statement above this one, for completion.
+  /// `before`: previous lines of the unfinished statement, for completion.
   Input read(const char* prompt, const std::string& before, std::string& line);
   /// Adds a line to the history, in memory and on disk.
   void remember(const std::string& line);

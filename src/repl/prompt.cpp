@@ -16,14 +16,14 @@ namespace signorini::repl {
 
 namespace {
 
-/// Lets errors about undefined variables know which ones were local to a line.
+/// Records local variables of a line for error messages about undefined variables.
 void note_locals(lua_State* L, const std::string& code) {
   push_library_function(L, "signorini.prompt", "note_locals");
   bind::push(L, code);
   lua_call(L, 1, 0);
 }
 
-/// Runs what load() left, and prints its results.
+/// Runs the result of load() and prints its results.
 bool run(Interpreter& interpreter, Chunk chunk) {
   lua_State* L = interpreter.state();
   if (!lua_isfunction(L, 1)) add_syntax_hint(L);
@@ -70,7 +70,8 @@ bool prompt(Interpreter& interpreter, bool quiet) {
   std::string line;
   for (;;) {
     const Input input = read(code.empty() ? first : next, line);
-    const bool leave = input == Input::end && (!editor || code.empty()); // else Ctrl-D leaves the unfinished statement
+    const bool leave =
+        input == Input::end && (!editor || code.empty()); // otherwise Ctrl-D discards the unfinished statement
     if (leave) break;
     if (input != Input::line) {
       code.clear();
