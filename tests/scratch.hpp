@@ -1,5 +1,5 @@
 #pragma once
-// A folder for a test's files, and what errors say.
+// A temporary folder for a test's files, and messages of errors.
 
 #include "base/error.hpp"
 
@@ -9,7 +9,7 @@
 
 namespace signorini::test {
 
-/// A folder that goes with its contents.
+/// A temporary folder, removed with its contents.
 class ScratchFolder {
 public:
   ScratchFolder() {
@@ -24,7 +24,7 @@ public:
   ScratchFolder& operator=(const ScratchFolder&) = delete;
 
   std::string file(const std::string& name) const { return (path_ / name).string(); }
-  /// How many files it holds.
+  /// The number of its files.
   long count() const { return std::distance(std::filesystem::directory_iterator(path_), {}); }
 
 private:

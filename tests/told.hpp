@@ -1,5 +1,5 @@
 #pragma once
-// Messages of reports and diagnoses as tests show and search them: code and data.
+// Messages of reports and diagnoses as text for tests: code and data.
 
 #include "base/message.hpp"
 

@@ -1,4 +1,4 @@
-// Where pictures are seen from.
+// Cameras of pictures.
 
 #include "view/camera.hpp"
 
@@ -7,7 +7,7 @@
 namespace signorini::view {
 namespace camera_test {
 
-TEST(Camera, TurnsToTheSideThatANormalPointsTo) {
+TEST(Camera, FacesTheNormal) {
   const Camera iso = camera("iso");
   for (const double x : {-1.0, 0.0, 1.0})
     for (const double y : {-1.0, 0.0, 1.0})

@@ -46,7 +46,7 @@ std::string refusal(const std::vector<Series>& series, const ChartOptions& optio
   return message;
 }
 
-TEST(Chart, GivesTheSameBytesForTheSameCall) {
+TEST(Chart, GivesEqualBytesForEqualCalls) {
   for (const std::string ending : {".png", ".svg", ".pdf"})
     for (int kind = 0; kind < 2; ++kind) {
       const auto series = kind == 0 ? oscillating_forces(8) : convergence_lines();
@@ -68,7 +68,7 @@ TEST(Chart, KeepsTextAsTextInSvg) {
   EXPECT_TRUE(holds(file_bytes(scratch("log.svg")), {">10<tspan", ">−3</tspan>"}));
 }
 
-TEST(Chart, LeavesGapsForPointsThatAreNotFinite) {
+TEST(Chart, LeavesGapsForNonFinitePoints) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto polylines = [](const std::string& file) {
     const std::string svg = file_bytes(file);
@@ -83,7 +83,7 @@ TEST(Chart, LeavesGapsForPointsThatAreNotFinite) {
   EXPECT_EQ(polylines(scratch("two.svg")), 2);
 }
 
-TEST(Chart, ShowsEightSeriesWithEightColorsAndALegendBesideTheData) {
+TEST(Chart, HasEightColorsAndALegendOutsideForEightSeries) {
   draw_chart(oscillating_forces(8), forces(), scratch("legend.svg"));
   const std::string svg = file_bytes(scratch("legend.svg"));
   for (const char* color : {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00"})
@@ -94,7 +94,7 @@ TEST(Chart, ShowsEightSeriesWithEightColorsAndALegendBesideTheData) {
   EXPECT_FALSE(holds(file_bytes(scratch("bare.svg")), {">N2-N2.3<"}));
 }
 
-/// What is filled in an SVG, but for the ground.
+/// The filled shapes of an SVG, except its background.
 const std::string filled = "stroke:none;fill-rule";
 
 int count_of(const std::string& text, const std::string& part) {
@@ -103,7 +103,7 @@ int count_of(const std::string& text, const std::string& part) {
   return count;
 }
 
-TEST(Chart, NamesPlacesOnTheAxisAndDrawsReferenceLines) {
+TEST(Chart, HasNamedTicksAndReferenceLines) {
   ChartOptions options;
   options.xticks = {{0, "m1"}, {1, "m2"}, {2, "m3"}, {4, "m5"}};
   draw_chart({line_of({3, 2, 1})}, options, scratch("names.svg"));
@@ -114,7 +114,7 @@ TEST(Chart, NamesPlacesOnTheAxisAndDrawsReferenceLines) {
   options.xrange = {-1, 3};
   draw_chart({line_of({3, 2, 1})}, options, scratch("lines.svg"));
   const std::string ruled = file_bytes(scratch("lines.svg"));
-  EXPECT_TRUE(holds(ruled, {">analytic<", ">a<", ">7<"})); // y goes on up to the line
+  EXPECT_TRUE(holds(ruled, {">analytic<", ">a<", ">7<"})); // y is extended up to the line
   EXPECT_FALSE(holds(ruled, {">beyond<"}));
   EXPECT_EQ(count_of(ruled, "stroke-dasharray"), 3);
 }
@@ -126,7 +126,7 @@ double number_at(const std::string& svg, const std::string& text, const std::str
   return std::stod(svg.substr(start + key.size() + 3));
 }
 
-TEST(Chart, PutsTheNamesOfCloseLinesBesideTheirOwn) {
+TEST(Chart, PutsNamesOfCloseReferenceLinesNextToTheirLines) {
   ChartOptions options;
   options.hlines = {{0.5, "limit"}, {0.52, "limit 2"}};
   options.vlines = {{5, "five"}, {5.1, "five point one"}, {9, "end"}};
@@ -135,7 +135,7 @@ TEST(Chart, PutsTheNamesOfCloseLinesBesideTheirOwn) {
   options.legend = LegendPlace::none;
   draw_chart({Series{"", {1, 9}, {0, 1}}}, options, scratch("close.svg"));
   const std::string svg = file_bytes(scratch("close.svg"));
-  // Places of lines by those of ticks: y points downwards, and a text's digits are 0.36 sizes over its baseline.
+  // Line positions from tick labels: y points downwards, and text centers are 0.36 font sizes above the baseline.
   const double size = style_for(options.size).tick_size;
   const auto across = [&](double y) {
     const double low = number_at(svg, "0.4", "y"), high = number_at(svg, "0.6", "y");
@@ -146,11 +146,11 @@ TEST(Chart, PutsTheNamesOfCloseLinesBesideTheirOwn) {
     return left + (x - 5) * (right - left);
   };
   EXPECT_GT(number_at(svg, "limit", "y"), across(0.5) + 0.5 * size); // below its line
-  EXPECT_LT(number_at(svg, "limit 2", "y"), across(0.52));           // above its own
+  EXPECT_LT(number_at(svg, "limit 2", "y"), across(0.52));           // above its line
   EXPECT_LT(number_at(svg, "limit 2", "y"), number_at(svg, "limit", "y"));
   EXPECT_LT(number_at(svg, "five", "x"), along(5));
   EXPECT_GT(number_at(svg, "five point one", "x"), along(5.1));
-  // No vertical line runs through the names of the horizontal ones.
+  // No vertical line crosses the names of the horizontal ones.
   for (const char* name : {"limit", "limit 2"})
     for (const double x : {5.0, 5.1, 9.0}) {
       const double from = number_at(svg, name, "x"), to = from + text_width(name, number_at(svg, name, "font-size"));
@@ -158,7 +158,7 @@ TEST(Chart, PutsTheNamesOfCloseLinesBesideTheirOwn) {
     }
 }
 
-TEST(Chart, LeadsFromALineBetweenOthersToItsName) {
+TEST(Chart, DrawsALeaderToAReferenceLineBetweenOthers) {
   ChartOptions options;
   options.hlines = {{0.49, "low"}, {0.5, "middle"}, {0.51, "high"}};
   options.yrange = {0, 1};
@@ -176,7 +176,7 @@ TEST(Chart, LeadsFromALineBetweenOthersToItsName) {
   EXPECT_EQ(fills(), 0);
 }
 
-TEST(Chart, LeavesMarkersOutWhereToldTo) {
+TEST(Chart, OmitsMarkersOnRequest) {
   Series first = line_of({1, 2, 3}), second = line_of({3, 2, 1});
   ChartOptions options;
   options.legend = LegendPlace::none;
@@ -184,14 +184,14 @@ TEST(Chart, LeavesMarkersOutWhereToldTo) {
     draw_chart({first, second}, options, scratch("told.svg"));
     return count_of(file_bytes(scratch("told.svg")), filled);
   };
-  EXPECT_EQ(polygons(), 2 * 2 * 3); // of several curves each has markers, with rims
+  EXPECT_EQ(polygons(), 2 * 2 * 3); // several curves have markers, with rims
   first.markers = second.markers = false;
   EXPECT_EQ(polygons(), 0);
   second.markers = true;
   EXPECT_EQ(polygons(), 2 * 3);
 }
 
-TEST(Chart, PutsArrowsOnALineInTheOrderOfItsPoints) {
+TEST(Chart, DrawsArrowsInTheOrderOfPoints) {
   Series s = line_of({0, 0, 0, 0});
   ChartOptions options;
   options.yrange = {-1, 1};
@@ -210,7 +210,7 @@ TEST(Chart, PutsArrowsOnALineInTheOrderOfItsPoints) {
   EXPECT_NE(file_bytes(scratch("arrows.svg")), forth);
 }
 
-TEST(Chart, TellsFortyCurvesApart) {
+TEST(Chart, DistinguishesFortyCurves) {
   const std::vector<Series> all(40, line_of({1, 2}));
   const Style style = style_for({1600, 1000});
   for (std::size_t a = 0; a < all.size(); ++a)
@@ -224,19 +224,19 @@ TEST(Chart, TellsFortyCurvesApart) {
   EXPECT_TRUE(holds(testing::internal::GetCapturedStderr(), {"view.chart.many_curves: count = 41, distinct = 40"}));
 }
 
-TEST(Chart, MarksLonePoints) {
+TEST(Chart, MarksIsolatedPoints) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
   const auto polygons = [&](const std::vector<double>& y) {
     draw_chart({line_of(y)}, {}, scratch("lone.svg"));
     return count_of(file_bytes(scratch("lone.svg")), filled);
   };
   EXPECT_EQ(polygons({1, 2, 3}), 0);
-  EXPECT_EQ(polygons({1}), 2); // with its rim
+  EXPECT_EQ(polygons({1}), 2); // including its rim
   EXPECT_EQ(polygons({1, 2, nan, 3, inf, 4, 5}), 2);
   EXPECT_EQ(polygons({nan, 1, nan, 3, -inf}), 4);
 }
 
-TEST(Chart, PutsALegendOfLongNamesBelow) {
+TEST(Chart, PutsALegendWithLongNamesBelow) {
   std::vector<Series> series(3, line_of({1, 2, 3}));
   const auto legend = [&](const std::string& name, std::array<int, 2> size) {
     for (std::size_t n = 0; n < series.size(); ++n) series[n].label = name + " " + std::to_string(n);
@@ -255,7 +255,7 @@ TEST(Chart, PutsALegendOfLongNamesBelow) {
   EXPECT_TRUE(holds(legend(words + words, {900, 600}), {"…"}));
 }
 
-TEST(Chart, FitsTheAxisOfYToTheCurvesWithinXrange) {
+TEST(Chart, FitsTheYAxisToTheCurvesWithinXrange) {
   ChartOptions options;
   options.xrange = {0, 1};
   draw_chart({line_of({1, 2, 500})}, options, scratch("part.svg"));
@@ -264,7 +264,7 @@ TEST(Chart, FitsTheAxisOfYToTheCurvesWithinXrange) {
   EXPECT_TRUE(holds(refusal({line_of({1, 2})}, options), {"view.chart.no_curve: low = 8, high = 9"}));
 }
 
-TEST(Chart, ObeysWidthMarkerAndColor) {
+TEST(Chart, AppliesWidthMarkerAndColor) {
   Series s = line_of({1, 2, 3});
   s.width = 7;
   s.color = 1;
@@ -277,13 +277,13 @@ TEST(Chart, ObeysWidthMarkerAndColor) {
   s.marker = 8;
   draw_chart({s}, {}, scratch("open.svg"));
   EXPECT_EQ(count_of(file_bytes(scratch("open.svg")), filled),
-            count_of(file_bytes(scratch("filled.svg")), filled) * 3 / 2); // each open marker is white within
+            count_of(file_bytes(scratch("filled.svg")), filled) * 3 / 2); // each open marker is filled white
   s.marker = no_marker;
   draw_chart({s}, {}, scratch("bare.svg"));
   EXPECT_EQ(count_of(file_bytes(scratch("bare.svg")), filled), 0);
 }
 
-TEST(Chart, DrawsTheMarkersOfKindsOfPointsInTheCurvesColors) {
+TEST(Chart, DrawsMarkersOfPointKindsInCurveColors) {
   ChartOptions options;
   options.marks = {"m1", "m2", "m3"};
   Series first = line_of({1, 2, 3}), second = line_of({3, 2, 1});
@@ -299,7 +299,7 @@ TEST(Chart, DrawsTheMarkersOfKindsOfPointsInTheCurvesColors) {
   EXPECT_TRUE(holds(refusal({first}, options), {"view.chart.kinds: count = 17, most = 16"}));
 }
 
-TEST(Chart, TakesConstantDataAndSinglePoints) {
+TEST(Chart, AcceptsConstantDataAndSinglePoints) {
   draw_chart({line_of({2, 2, 2})}, {}, scratch("flat.svg"));
   Series point = line_of({0});
   point.markers = true;
@@ -309,7 +309,7 @@ TEST(Chart, TakesConstantDataAndSinglePoints) {
   EXPECT_TRUE(std::filesystem::exists(scratch("log_point.svg")));
 }
 
-TEST(Chart, RefusesWhatItCannotDraw) {
+TEST(Chart, RejectsInvalidInput) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_TRUE(holds(refusal({line_of({nan, nan})}), {"view.chart.no_point"}));
   EXPECT_TRUE(holds(refusal({line_of({1, 2})}, convergence()),

@@ -1,4 +1,4 @@
-// What range colors span, and when extreme samples are left out.
+// Color ranges and their outliers.
 #include "view/colorbar.hpp"
 
 #include <gtest/gtest.h>
@@ -13,16 +13,16 @@ VectorX smooth() {
   return VectorX::LinSpaced(1000, 0, 1);
 }
 
-TEST(ColorRange, SpansAllValuesOfAnOrdinaryField) {
+TEST(ColorRange, SpansAllValuesWithoutOutliers) {
   VectorX values = smooth();
-  values(7) = 3.9; // a peak of stress
+  values(7) = 3.9; // a stress concentration
   const auto range = colored_values({&values});
   EXPECT_FALSE(range->clipped());
   EXPECT_EQ(range->typical, (Range{0, 3.9}));
   EXPECT_FALSE(colored_values({}).has_value());
 }
 
-TEST(ColorRange, LeavesOutOneExtremeSampleAndSaysSo) {
+TEST(ColorRange, ExcludesASingleOutlierWithAWarning) {
   VectorX values = smooth();
   values(7) = 850;
   const auto range = colored_values({&values});
@@ -38,7 +38,7 @@ TEST(ColorRange, LeavesOutOneExtremeSampleAndSaysSo) {
             std::string::npos);
 }
 
-TEST(ColorBar, PrintsTheLowestAndTheHighestValueAtItsEnds) {
+TEST(ColorBar, PrintsMinimumAndMaximumAtItsEnds) {
   const auto texts = [](const Range& range, const Range& values) {
     Drawing drawing{{1600, 1000}, {}};
     draw_colorbar(drawing, {1300, 100, 900}, range, values, {black, white}, "stress", style_for({1600, 1000}));
@@ -55,7 +55,7 @@ TEST(ColorBar, PrintsTheLowestAndTheHighestValueAtItsEnds) {
   EXPECT_EQ(texts({0, 1}, {0, 0.25}), (std::vector<std::string>{"max 0.25", "min 0"}));
 }
 
-TEST(ColorBar, EndsInAPointWhereValuesLieBeyondItsRange) {
+TEST(ColorBar, HasPointedEndsForValuesOutsideItsRange) {
   const auto points = [](const Range& values) {
     Drawing drawing{{1600, 1000}, {}};
     draw_colorbar(drawing, {1300, 100, 900}, {0, 1}, values, {black, white}, "stress", style_for({1600, 1000}));
@@ -70,7 +70,7 @@ TEST(ColorBar, EndsInAPointWhereValuesLieBeyondItsRange) {
   EXPECT_EQ(points({0.1, 1}), "");
 }
 
-TEST(ColorRange, KeepsAFieldThatIsZeroAlmostEverywhere) {
+TEST(ColorRange, SpansAFieldThatIsZeroAlmostEverywhere) {
   VectorX values = VectorX::Zero(1000);
   values(7) = 1;
   EXPECT_EQ(colored_values({&values})->typical, (Range{0, 1}));

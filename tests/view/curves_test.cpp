@@ -26,7 +26,7 @@ std::vector<Series> labeled(int count) {
   return series;
 }
 
-TEST(Look, TellsSixteenSeriesApartByLinesAloneAndByMarkersAlone) {
+TEST(Look, DistinguishesSixteenSeriesByLinesAndByMarkers) {
   const auto series = labeled(16);
   for (std::size_t a = 0; a < series.size(); ++a)
     for (std::size_t b = 0; b < a; ++b) {
@@ -45,10 +45,10 @@ TEST(Look, FollowsColorMarkerAndDashes) {
   EXPECT_EQ(look_of(series, 2, style).color, look_of(series, 0, style).color);
   series[1].marker = no_marker;
   EXPECT_EQ(look_of(series, 1, style).marker, no_marker);
-  EXPECT_EQ(look_of(labeled(1), 0, style).marker, no_marker); // a single line needs none
+  EXPECT_EQ(look_of(labeled(1), 0, style).marker, no_marker); // not needed for a single line
 }
 
-TEST(Look, OfGrayIsTheNeutralOneWithoutMarkers) {
+TEST(Look, OfGrayIsNeutralWithoutMarkers) {
   auto series = labeled(3);
   series[0].color = gray;
   EXPECT_EQ(look_of(series, 0, style).color, gray_color);
@@ -58,7 +58,7 @@ TEST(Look, OfGrayIsTheNeutralOneWithoutMarkers) {
   EXPECT_EQ(look_of(series, 0, style).marker, 0);
 }
 
-TEST(Legend, ListsCurvesThenKindsOfPointsWithTheirTitles) {
+TEST(Legend, ListsCurvesThenPointKindsWithTitles) {
   auto series = labeled(2);
   for (Series& s : series) s.marks = {0, 1};
   ChartOptions options;
@@ -72,27 +72,27 @@ TEST(Legend, ListsCurvesThenKindsOfPointsWithTheirTitles) {
   EXPECT_EQ(legend.rows[2].series, 1u);
   EXPECT_EQ(legend.rows[6].mark, 1);
   EXPECT_FALSE(legend.rows[4].series || legend.rows[4].mark);
-  EXPECT_EQ(look_of(series, 1, style).marker, no_marker); // the legend's curve has none of its own
+  EXPECT_EQ(look_of(series, 1, style).marker, no_marker); // the curve in the legend has no marker of its own
   series.resize(1);
   series[0].label.clear();
-  EXPECT_EQ(make_legend(series, options, style, 900).rows.size(), 3u); // one curve needs no name, its points do
+  EXPECT_EQ(make_legend(series, options, style, 900).rows.size(), 3u); // a single curve needs no name, its points do
 }
 
-TEST(Legend, OfSixteenCurvesAndEightKindsOfPointsIsLegible) {
+TEST(Legend, IsLegibleForSixteenCurvesAndEightPointKinds) {
   ChartOptions options;
   options.legend_title = options.marks_title = "title";
   for (int k = 0; k < 8; ++k) options.marks.push_back(text("mesh ", k));
   const Legend legend = make_legend(labeled(17), options, style, 860);
-  EXPECT_EQ(legend.height, 0);                                                          // beside the chart
+  EXPECT_EQ(legend.height, 0);                                                          // next to the chart
   for (const Legend::Row& row : legend.rows) EXPECT_GE(row.text.size, 18) << row.label; // numbers have 27
   const double swatches = 2 * 1.06 * 8 * 1.3;
-  EXPECT_GE(legend.row, swatches); // no marker lies on the next one
+  EXPECT_GE(legend.row, swatches); // markers do not overlap
 }
 
-TEST(Legend, GivesCurvesOfOneLabelAndLookOneRow) {
+TEST(Legend, HasOneRowPerLabelAndLook) {
   auto series = labeled(4);
   series[2].label = series[0].label;
-  EXPECT_EQ(make_legend(series, {}, style, 900).rows.size(), 4u); // another color is another thing
+  EXPECT_EQ(make_legend(series, {}, style, 900).rows.size(), 4u); // a different color gets a row
   series[2].color = 0;
   const Legend legend = make_legend(series, {}, style, 900);
   ASSERT_EQ(legend.rows.size(), 3u);
@@ -101,7 +101,7 @@ TEST(Legend, GivesCurvesOfOneLabelAndLookOneRow) {
   EXPECT_EQ(make_legend(series, {}, style, 900).rows.size(), 4u);
 }
 
-TEST(Legend, StandsInTheFirstCornerOfTheChartThatIsFree) {
+TEST(Legend, IsInTheFirstFreeCornerOfTheChart) {
   const Box frame = {100, 1500, 100, 900};
   const auto corner_of = [&](const Lines& lines, bool always) -> std::string {
     const auto legend = legend_within(labeled(2), {}, frame, lines, always, style);
@@ -122,7 +122,7 @@ TEST(Legend, StandsInTheFirstCornerOfTheChartThatIsFree) {
   EXPECT_FALSE(legend_within(labeled(30), {}, frame, {}, true, style)); // larger than half of the chart
 }
 
-TEST(RangeWithin, IsThatOfTheDenselySampledCurve) {
+TEST(RangeWithin, MatchesADenselySampledCurve) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> value(0.1, 10), gap(0.01, 1);
   for (int trial = 0; trial < 200; ++trial) {
@@ -149,7 +149,7 @@ TEST(RangeWithin, IsThatOfTheDenselySampledCurve) {
   }
 }
 
-TEST(RangeWithin, IsEmptyBesideTheCurveAndTakesMarkersWithoutLineAsPoints) {
+TEST(RangeWithin, IsEmptyOutsideTheCurveAndBetweenIsolatedMarkers) {
   Series s = points_of({0, 1}, {0, 10});
   EXPECT_TRUE(range_within({s}, {2, 3}, false, false).empty());
   EXPECT_DOUBLE_EQ(range_within({s}, {0.2, 0.4}, false, false).high, 4);
@@ -162,17 +162,17 @@ TEST(Covered, IsTheLengthInside) {
   EXPECT_DOUBLE_EQ(covered({{{0, 0}, {10, 0}}, {{5, -3}, {5, 40}}}, {2, 6, -1, 1}), 6);
 }
 
-TEST(NamedTicks, AreSmallEnoughToStandSideBySide) {
+TEST(NamedTicks, ShrinkToFitSideBySide) {
   const std::vector<Name> labels = {
       {1, "N2"}, {2, "N2-N2.1"}, {3, "N2-N2.2x3"}, {4, "a long name of a mesh"}, {9, "far"}};
   const Scale scale{0.5, 4.5, false, 100, 740};
   const Ticks ticks = named_ticks(labels, scale, 300, style);
-  ASSERT_EQ(ticks.labels.size(), 4u); // the last one lies beyond the axis
+  ASSERT_EQ(ticks.labels.size(), 4u); // the last one is outside the axis
   EXPECT_LT(ticks.names[0].size, style.tick_size);
   EXPECT_EQ(named_ticks({{1, "m1"}, {2, "m2"}}, scale, 0, style).names[0].size, style.tick_size);
 }
 
-TEST(NamedTicks, WrapThenStandUprightThenLeaveSomeOut) {
+TEST(NamedTicks, WrapThenTurnUprightThenAreThinnedOut) {
   const std::vector<Name> labels = {{1, "m1"}, {2, "the second mesh"}, {3, "m3"}, {4, "m4"}};
   const auto ticks = [&](double wide, double most) {
     return named_ticks(labels, {0.5, 4.5, false, 0, wide}, most, style);
@@ -186,8 +186,8 @@ TEST(NamedTicks, WrapThenStandUprightThenLeaveSomeOut) {
   EXPECT_TRUE(upright.upright);
   EXPECT_EQ(upright.names.size(), 4u);
   EXPECT_NEAR(upright.depth, upright.names[1].width() - style.tick_size, 1e-12);
-  EXPECT_EQ(ticks(60, 300).names.size(), 2u); // 15 pixels apart, of 18 pixels at the least
-  const Ticks level = ticks(160, 0);          // no room below: on one level and cut short
+  EXPECT_EQ(ticks(60, 300).names.size(), 2u); // 15 pixels apart, with at least 18 pixels each
+  const Ticks level = ticks(160, 0);          // no space below: horizontal and truncated
   EXPECT_FALSE(level.upright);
   EXPECT_TRUE(level.names[1].cut);
   EXPECT_LE(level.names[1].width(), 40);

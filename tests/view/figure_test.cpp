@@ -1,4 +1,4 @@
-// Figures as PNG, SVG and PDF: one back end, so that all three show the same in the same places.
+// Figures as PNG, SVG and PDF: one back end with identical positions.
 #include "view/figure.hpp"
 
 #include "messages.hpp"
@@ -13,7 +13,7 @@ Figure figure(std::vector<Mark> marks) {
   return figure_of({Drawing{{200, 150}, std::move(marks)}});
 }
 
-TEST(Figure, GivesTheSameBytesEachTime) {
+TEST(Figure, GivesEqualBytesEachTime) {
   const Figure one = figure({Text{{10, 20}, "σ_{11} (x)", 12}, Stroke{{{0, 0}, {9, 9}}, black, 1, {2, 3}},
                              Fill{{{50, 50}, {90, 50}, {70, 80}}, Rgb{200, 30, 30}}});
   for (Format format : {Format::png, Format::svg, Format::pdf}) {
@@ -24,15 +24,15 @@ TEST(Figure, GivesTheSameBytesEachTime) {
   }
 }
 
-TEST(Figure, HasTheFormatThatItsFileNames) {
+TEST(Figure, HasTheFormatOfItsFileExtension) {
   EXPECT_EQ(bytes_of(figure({}), format_of("a.PNG")).substr(1, 3), "PNG");
   EXPECT_EQ(bytes_of(figure({}), format_of("a.b.pdf")).substr(0, 5), "%PDF-");
   EXPECT_NE(bytes_of(figure({}), format_of("a.svg")).find("width=\"200px\" height=\"150px\""), std::string::npos);
   EXPECT_EQ(message_of([] { format_of("a.jpg"); }), "view.file.ending: file = a.jpg");
 }
 
-/// By the place of the first letter's outline in an SVG.
-TEST(Figure, PutsTextsWhereLayoutsExpectThem) {
+/// By the position of the first letter's outline in an SVG.
+TEST(Figure, PlacesTextsAsLayoutsExpect) {
   const std::string text = "N2-N2.2";
   const double width = text_width(text, 20);
   const auto place = [&](Align align) {
@@ -46,23 +46,23 @@ TEST(Figure, PutsTextsWhereLayoutsExpectThem) {
   EXPECT_NEAR(place(Align::left)[0], 100, 0.01);
   EXPECT_NEAR(place(Align::center)[0], 100 - width / 2, 0.01);
   EXPECT_NEAR(place(Align::right)[0], 100 - width, 0.01);
-  EXPECT_NEAR(place(Align::left)[1], 120, 0.01); // y downwards
+  EXPECT_NEAR(place(Align::left)[1], 120, 0.01); // y points downwards
 }
 
-TEST(Figure, TextsAreAsWideAsTheirSizeAndNoMore) {
+TEST(Figure, HasTextWidthsInProportionToFontSize) {
   EXPECT_NEAR(text_width("Contact pressure", 30), 3 * text_width("Contact pressure", 10), 1e-9);
   EXPECT_EQ(text_width("", 30), 0);
-  // Raised and lowered parts are smaller.
+  // Superscripts and subscripts are smaller.
   EXPECT_NEAR(text_width("10^{25}", 10) - text_width("10", 10), 0.7 * text_width("25", 10), 0.1);
   EXPECT_LT(text_width("iii", 10), text_width("mmm", 10));
 }
 
-TEST(Figure, APdfEmbedsItsFonts) {
+TEST(Figure, EmbedsFontsInPdf) {
   const std::string out = bytes_of(figure({Text{{10, 20}, "force, αβγ", 12}}), Format::pdf);
   EXPECT_TRUE(holds(out, {"/FontFile2"}));
 }
 
-TEST(Figure, AnSvgHoldsItsTextsToBeFound) {
+TEST(Figure, ContainsSearchableTextsInSvg) {
   const Drawing drawing{{200, 150}, {Text{{10, 20}, "a < b & σ₁₁ [N/mm²]", 12}}};
   const std::string out = bytes_of(figure_of({drawing}), Format::svg);
   EXPECT_TRUE(holds(out, {"a &lt; b &amp; σ<tspan", ">11</tspan>", "<text x=\"10\" y=\"130\"", "fill-opacity=\"0\""}))
@@ -71,15 +71,15 @@ TEST(Figure, AnSvgHoldsItsTextsToBeFound) {
   EXPECT_TRUE(holds(bytes_of(shifted, Format::svg), {"<text x=\"110\" y=\"230\""}));
 }
 
-TEST(Figure, NamesCharactersThatNoFontHas) {
+TEST(Figure, WarnsOfCharactersWithoutFont) {
   testing::internal::CaptureStderr();
-  bytes_of(figure({Text{{10, 20}, "x \U000F0000", 12}}), Format::pdf); // for private use
+  bytes_of(figure({Text{{10, 20}, "x \U000F0000", 12}}), Format::pdf); // private use area
   bytes_of(figure({Text{{10, 20}, "x \xff", 12}}), Format::png);
   EXPECT_TRUE(holds(testing::internal::GetCapturedStderr(),
                     {"view.text.no_font: characters = (\U000F0000), text = ", "view.text.encoding: text = x "}));
 }
 
-TEST(Figure, LaterPlatesCoverEarlierOnes) {
+TEST(Figure, DrawsLaterPlatesOverEarlierOnes) {
   const Plate below{Drawing{{60, 40}, {Fill{{{0, 0}, {60, 0}, {60, 40}, {0, 40}}, black}}}};
   const Plate above{Drawing{{60, 40}, {}}};
   const Figure covered{{60, 40}, {{{0, 0}, below}, {{0, 0}, above}}}, blank{{60, 40}, {{{0, 0}, above}}};

@@ -7,7 +7,7 @@ namespace fit_text_test {
 
 using Lines = std::vector<std::string>;
 
-TEST(FitText, ShrinksALittleBeforeItTakesAnotherLine) {
+TEST(FitText, ShrinksSlightlyBeforeWrapping) {
   const std::string words = "four words of text";
   const double width = text_width(words, 20);
   EXPECT_EQ(fit_text(words, 20, 10, width + 1, 3).lines, Lines{words});
@@ -22,7 +22,7 @@ TEST(FitText, ShrinksALittleBeforeItTakesAnotherLine) {
   EXPECT_FALSE(wrapped.cut);
 }
 
-TEST(FitText, KeepsWithinItsRoomAndCutsWhatIsLeft) {
+TEST(FitText, StaysWithinItsWidthAndTruncatesTheRest) {
   const std::string words = "a title that goes on and on with F_{normal contact} and 10^{-12} and many more words";
   for (const double room : {40.0, 90.0, 200.0, 400.0, 900.0})
     for (const int most : {1, 2, 3}) {

@@ -59,7 +59,7 @@ double number_at(const std::string& svg, const std::string& element, const std::
   return std::stod(svg.substr(start + key.size() + 3));
 }
 
-TEST(Heatmap, GivesTheSameBytesForTheSameCallInEachFormat) {
+TEST(Heatmap, GivesEqualBytesForEqualCallsInEachFormat) {
   for (const char* ending : {".png", ".svg", ".pdf"}) {
     draw_heatmap({ramp()}, three_by_two(), scratch(std::string("first") + ending));
     draw_heatmap({ramp()}, three_by_two(), scratch(std::string("second") + ending));
@@ -74,18 +74,18 @@ TEST(Heatmap, ColorsCellsByValueOrByItsLogarithm) {
   const std::string filled = "stroke:none;fill-rule";
   const std::string linear = svg_of({ramp()}, options);
   EXPECT_TRUE(
-      holds(linear, {in_svg("#202020"), in_svg("#f0f0f0"), in_svg("#222222")})); // 10 of 1 … 1000 is level 2 of 255
+      holds(linear, {in_svg("#202020"), in_svg("#f0f0f0"), in_svg("#222222")})); // 10 in 1 … 1000 is level 2 of 255
   options.log = true;
   options.range = {1, 1000};
   const std::string log = svg_of({ramp()}, options);
-  EXPECT_TRUE(holds(log, {in_svg("#656565"), in_svg("#ababab")})); // a third and two thirds of the way
+  EXPECT_TRUE(holds(log, {in_svg("#656565"), in_svg("#ababab")})); // at one third and two thirds
   EXPECT_TRUE(holds(log, {">10<", "10<tspan"}));
   options.range = {10, 100};
   const std::string cut = svg_of({ramp()}, options);
-  EXPECT_EQ(count_of(cut, filled), count_of(log, filled) + 2); // the bar ends in points
+  EXPECT_EQ(count_of(cut, filled), count_of(log, filled) + 2); // both ends of the bar are pointed
 }
 
-TEST(Heatmap, PutsTheFirstRowAtTheBottomAndNamesAtTheMiddlesOfCells) {
+TEST(Heatmap, PutsTheFirstRowAtTheBottomAndNamesAtCellCenters) {
   const std::string svg = svg_of({ramp()}, three_by_two());
   EXPECT_GT(number_at(svg, ">10</text>", "y"), number_at(svg, ">20</text>", "y") + 200);
   const double n2 = number_at(svg, ">N2</text>", "x"), n3 = number_at(svg, ">N3</text>", "x"),
@@ -94,7 +94,7 @@ TEST(Heatmap, PutsTheFirstRowAtTheBottomAndNamesAtTheMiddlesOfCells) {
   EXPECT_GT(n3 - n2, 300);
 }
 
-TEST(Heatmap, WritesTextsInBlackOrWhiteWhereTheyFit) {
+TEST(Heatmap, WritesFittingTextsInBlackOrWhite) {
   Heat map = ramp();
   map.texts = {{"one", "a text that is far too long" + std::string(80, 'w'), ""}, {"high", "", "x"}};
   HeatmapOptions options = three_by_two();
@@ -107,14 +107,14 @@ TEST(Heatmap, WritesTextsInBlackOrWhiteWhereTheyFit) {
   };
   EXPECT_EQ(color("one"), "#ffffff");
   EXPECT_EQ(color("high"), "#000000");
-  Heat flat; // its cells are lower than legible letters
+  Heat flat; // its cells are too low for legible letters
   flat.values.setConstant(80, 3, 1.0);
   flat.texts.assign(80, {"one", "", ""});
   options.y.assign(80, "");
   EXPECT_FALSE(holds(svg_of({flat}, options), {">one<"}));
 }
 
-TEST(Heatmap, ListsTheCategoriesThatOccurInTheirOrder) {
+TEST(Heatmap, ListsOccurringCategoriesInOrder) {
   HeatmapOptions options = three_by_two();
   options.categories = {{"held", good_looks()[0]}, {"never", bad_looks()[0]}, {"lost", bad_looks()[8]}};
   Heat map = ramp();
@@ -123,10 +123,10 @@ TEST(Heatmap, ListsTheCategoriesThatOccurInTheirOrder) {
   EXPECT_TRUE(holds(svg, {">held<", ">lost<"}));
   EXPECT_FALSE(holds(svg, {">never<"}));
   EXPECT_LT(number_at(svg, ">held<", "y"), number_at(svg, ">lost<", "y"));
-  EXPECT_EQ(count_of(svg, ";fill:" + in_svg("#cdebe4")), 3 + 1); // cells, and the legend's swatch
+  EXPECT_EQ(count_of(svg, ";fill:" + in_svg("#cdebe4")), 3 + 1); // cells, and the swatch of the legend
 }
 
-TEST(Heatmap, SharesNamesAndBarAmongSeveralMaps) {
+TEST(Heatmap, SharesNamesAndBarAmongMaps) {
   Heat left = ramp(), right = ramp();
   left.title = "before", right.title = "after";
   HeatmapOptions options = three_by_two();
@@ -141,7 +141,7 @@ TEST(Heatmap, SharesNamesAndBarAmongSeveralMaps) {
   EXPECT_LT(number_at(stacked, ">before<", "y") + 300, number_at(stacked, ">after<", "y"));
 }
 
-TEST(Heatmap, RefusesWhatItCannotDraw) {
+TEST(Heatmap, RejectsInvalidInput) {
   HeatmapOptions options = three_by_two();
   Heat map = ramp();
   map.values.setConstant(nan);
@@ -158,7 +158,7 @@ TEST(Heatmap, RefusesWhatItCannotDraw) {
   EXPECT_TRUE(holds(refusal({ramp()}, options), {"view.heatmap.range: low = -1"}));
 }
 
-TEST(Heatmap, LeavesCellsBlankWhoseValueIsNotFinite) {
+TEST(Heatmap, LeavesCellsWithNonFiniteValuesBlank) {
   Heat map = ramp();
   map.values << 1, 10, 100, 1000, nan, nan;
   const std::string expected = svg_of({map}, three_by_two());
@@ -167,7 +167,7 @@ TEST(Heatmap, LeavesCellsBlankWhoseValueIsNotFinite) {
   EXPECT_EQ(svg_of({map}, three_by_two()), expected);
 }
 
-TEST(Heatmap, KeepsTheSizeOfNamesBesideALongOne) {
+TEST(Heatmap, KeepsTheSizeOfNamesNextToALongOne) {
   HeatmapOptions options = three_by_two();
   const std::string words = "a name of very many words that do not find room in a third of the map's whole width";
   options.y[1] = words + ", and then some more of them, until three lines are full as well and something is " + words;
@@ -194,7 +194,7 @@ std::vector<Name> numbers(int count) {
   return names;
 }
 
-TEST(CellNames, StandUprightOrAreLeftOutBeforeTheyOverlap) {
+TEST(CellNames, TurnUprightOrAreThinnedOutInsteadOfOverlapping) {
   const std::vector<Name> words = {{0.5, "N2-N2.2 fine"}, {1.5, "N2-N4 fine"}, {2.5, "L1 coarse"}};
   const auto below = [&](double width, double most) {
     return named_ticks(words, {0, 3, false, 0, 3 * width}, most, usual);
@@ -210,7 +210,7 @@ TEST(CellNames, StandUprightOrAreLeftOutBeforeTheyOverlap) {
   EXPECT_LE(below(60, 100).depth, 100.0 + 1e-9);
 }
 
-TEST(CellNames, NeverRunIntoEachOther) {
+TEST(CellNames, NeverOverlap) {
   for (double width : {12.0, 25.0, 40.0, 70.0, 200.0}) {
     const Scale scale = {0, 30, false, 0, 30 * width};
     const Ticks names = named_ticks(numbers(30), scale, 300, usual),
@@ -228,7 +228,7 @@ TEST(CellNames, NeverRunIntoEachOther) {
 
 // ── Looks ────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-TEST(Looks, StayApartWithoutColor) {
+TEST(Looks, DifferInLightnessOrHatching) {
   ASSERT_GE(bad_looks().size(), 14u);
   std::vector<Look> all = good_looks();
   all.insert(all.end(), bad_looks().begin(), bad_looks().end());
@@ -241,7 +241,7 @@ TEST(Looks, StayApartWithoutColor) {
     for (const Look& bad : bad_looks()) EXPECT_GT(lightness(good.color), lightness(bad.color) + 7);
 }
 
-TEST(Looks, CarryTextInTheColorOfGreaterContrast) {
+TEST(Looks, HaveTextInTheColorOfGreaterContrast) {
   EXPECT_EQ(text_color({255, 255, 0}), black);
   EXPECT_EQ(text_color({0, 0, 255}), white);
   EXPECT_NEAR(lightness(white), 100, 1e-6);

@@ -22,7 +22,7 @@ Frame chart_frame() {
   return frame;
 }
 
-/// A zigzag over x = 0 … 1 that keeps out of one corner: on its side no further than 0.4, else anywhere.
+/// A zigzag over x = 0 … 1 that avoids one corner: up to 0.4 on its side, anywhere else.
 Series zigzag(Corner free, std::mt19937& random) {
   std::uniform_real_distribution<double> part(0, 1);
   const bool east = free == Corner::north_east || free == Corner::south_east;
@@ -44,7 +44,7 @@ bool holds_box(const Box& outer, const Box& inner) {
   return inner[0] >= outer[0] && inner[1] <= outer[1] && inner[2] >= outer[2] && inner[3] <= outer[3];
 }
 
-/// What numbers and frame of an inset take up.
+/// The area of an inset's frame and numbers.
 Box taken_by(const Frame& frame, const Style& small) {
   Box box = frame.box;
   box[0] -= room_left(small, frame.yticks, "");
@@ -55,7 +55,7 @@ Box taken_by(const Frame& frame, const Style& small) {
   return box;
 }
 
-TEST(Inset, HidesNoCurveWhereACornerIsFreeAndIsNeverCutOff) {
+TEST(Inset, CoversNoCurveInAFreeCornerAndIsNeverClipped) {
   std::mt19937 random(21);
   std::uniform_real_distribution<double> start(0.05, 0.85), exponent(-7, 7);
   const Frame chart = chart_frame();
@@ -76,7 +76,7 @@ TEST(Inset, HidesNoCurveWhereACornerIsFreeAndIsNeverCutOff) {
   }
 }
 
-TEST(Inset, HidesLeastWhereNoCornerIsFreeAndObeysItsPlace) {
+TEST(Inset, CoversLeastWithoutFreeCornerAndFollowsItsPlace) {
   std::mt19937 random(22);
   Series everywhere = zigzag(Corner::north_east, random);
   Series other = zigzag(Corner::south_west, random);
@@ -96,7 +96,7 @@ TEST(Inset, HidesLeastWhereNoCornerIsFreeAndObeysItsPlace) {
   }
 }
 
-TEST(Inset, ShowsTheCurvesOwnRangeOfYOrTheGivenOne) {
+TEST(Inset, ShowsTheYRangeOfTheCurvesOrTheGivenOne) {
   Series line{"", {0, 1}, {0, 1}};
   ChartOptions options;
   options.inset = Inset{{0.2, 0.4}};
@@ -108,7 +108,7 @@ TEST(Inset, ShowsTheCurvesOwnRangeOfYOrTheGivenOne) {
   EXPECT_EQ(place_inset({line}, options, chart_frame(), style).frame.y.high, 0.5);
 }
 
-TEST(Inset, RefusesRegionsWithoutData) {
+TEST(Inset, RejectsRegionsWithoutData) {
   Series line{"", {0, 1}, {0, 1}};
   ChartOptions options;
   const auto refusal = [&](const Inset& inset) {
@@ -119,7 +119,7 @@ TEST(Inset, RefusesRegionsWithoutData) {
   EXPECT_TRUE(holds(refusal({{0.2, 0.4}, {{7, 8}}}), {"view.inset.outside_chart"}));
 }
 
-/// Sines so dense that they leave no corner free.
+/// Sines so dense that no corner is free.
 std::vector<Series> full_chart() {
   std::vector<Series> series(3);
   for (int n = 0; n < 3; ++n)
@@ -130,7 +130,7 @@ std::vector<Series> full_chart() {
   return series;
 }
 
-TEST(Inset, MakesTheChartGoOnWhereNoCornerIsFree) {
+TEST(Inset, ExtendsTheChartWithoutFreeCorner) {
   const auto drawn_with = [](const ChartOptions& options) {
     draw_chart(full_chart(), options, scratch("full.svg"));
     return file_bytes(scratch("full.svg"));
@@ -138,7 +138,7 @@ TEST(Inset, MakesTheChartGoOnWhereNoCornerIsFree) {
   ChartOptions options;
   EXPECT_FALSE(holds(drawn_with(options), {">4.0<"}));
   options.inset = Inset{{100, 120}};
-  EXPECT_TRUE(holds(drawn_with(options), {">4.0<", ">105<"})); // the axis goes up to 4, and the inset has numbers
+  EXPECT_TRUE(holds(drawn_with(options), {">4.0<", ">105<"})); // the axis is extended to 4, and the inset has numbers
   options.inset->place = Corner::south_west;
   EXPECT_TRUE(holds(drawn_with(options), {">0.0<"}));
   options.yrange = {1, 3};
@@ -148,7 +148,7 @@ TEST(Inset, MakesTheChartGoOnWhereNoCornerIsFree) {
   EXPECT_TRUE(holds(drawn_with(options), {">105<"}));
 }
 
-TEST(Inset, IsDrawnInEveryForm) {
+TEST(Inset, IsDrawnInEveryFormat) {
   for (const std::string ending : {".png", ".svg", ".pdf"}) {
     ChartOptions options;
     draw_chart(oscillating_forces(3), options, scratch("plain" + ending));

@@ -23,7 +23,7 @@ std::vector<Mark> drawn(const std::vector<PlacedMark>& marks, const Box& within 
   return drawing.marks;
 }
 
-/// The black texts, which stand on white ones.
+/// The black texts, drawn over white ones.
 std::vector<Text> texts_of(const std::vector<Mark>& marks) {
   std::vector<Text> texts;
   for (const Mark& mark : marks)
@@ -31,7 +31,7 @@ std::vector<Text> texts_of(const std::vector<Mark>& marks) {
   return texts;
 }
 
-/// What a line of text covers, a little less than its own box.
+/// The area of a line of text, slightly smaller than its box.
 Box extent(const Text& text) {
   const double half = 0.5 * text_width(text.string, text.size);
   return {text.at[0] - half, text.at[0] + half, text.at[1], text.at[1] + 0.7 * text.size};
@@ -46,9 +46,9 @@ std::size_t strokes_of(const std::vector<Mark>& marks) {
       std::count_if(marks.begin(), marks.end(), [](const Mark& m) { return std::holds_alternative<Stroke>(m); }));
 }
 
-TEST(Marks, AreRingsWithCrossesOnWhiteAndATextBeside) {
+TEST(Marks, AreRingsWithCrossesOnWhiteWithAText) {
   const auto marks = drawn({{{800, 500}, "J = −0.2"}});
-  EXPECT_EQ(strokes_of(marks), 6u); // ring and cross, and all of it in white
+  EXPECT_EQ(strokes_of(marks), 6u); // ring and cross, each with a white outline
   EXPECT_EQ(std::get<Stroke>(marks[0]).color, white);
   double left = 1e9, right = 0;
   for (const Vec2& p : std::get<Stroke>(marks[0]).points) left = std::min(left, p[0]), right = std::max(right, p[0]);
@@ -61,7 +61,7 @@ TEST(Marks, AreRingsWithCrossesOnWhiteAndATextBeside) {
   EXPECT_EQ(drawn({{{800, 500}, ""}}).size(), 6u);
 }
 
-TEST(Marks, KeepTextsInsideAndApart) {
+TEST(Marks, KeepTextsInsideWithoutOverlap) {
   std::vector<PlacedMark> marks;
   for (int k = 0; k < 8; ++k)
     for (const Vec2& corner : {Vec2{200, 100}, Vec2{1400, 100}, Vec2{1400, 900}, Vec2{800, 500}})
@@ -75,7 +75,7 @@ TEST(Marks, KeepTextsInsideAndApart) {
   }
 }
 
-TEST(Marks, LeadALineToATextThatHadToGiveWay) {
+TEST(Marks, HaveLeadersToDisplacedTexts) {
   const std::vector<PlacedMark> crowd(8, {{800, 500}, "one of many"});
   EXPECT_EQ(strokes_of(drawn({{{800, 500}, "one of many"}})), 6u);
   const auto marks = drawn(crowd);
@@ -83,18 +83,18 @@ TEST(Marks, LeadALineToATextThatHadToGiveWay) {
   EXPECT_GT(strokes_of(marks), 6u);
 }
 
-TEST(Marks, ShowOnlyTextsThatHaveRoom) {
+TEST(Marks, OmitTextsWithoutSpace) {
   std::vector<PlacedMark> marks;
   for (int k = 0; k < 200; ++k) marks.push_back({{200.0 + 6 * k, 100}, text("point ", k, " goes on and off")});
   const auto all = drawn(marks);
   const auto texts = texts_of(all);
-  EXPECT_EQ(texts[0].string, "point 0 goes on and off"); // the first ones first
+  EXPECT_EQ(texts[0].string, "point 0 goes on and off"); // earlier ones have priority
   EXPECT_GE(texts.size(), 5u);
   EXPECT_LT(texts.size(), 50u);
   EXPECT_TRUE(texts_of(drawn({{{210, 110}, "text"}}, {200, 220, 100, 120})).empty());
 }
 
-TEST(Marks, FitTextsIntoNarrowPictures) {
+TEST(Marks, FitTextsInNarrowPictures) {
   const Box narrow = {100, 200, 100, 900};
   const auto texts =
       texts_of(drawn({{{195, 500}, "an inverted element, J = −0.2"}, {{150, 200}, "incomprehensibility"}}, narrow));
@@ -115,7 +115,7 @@ TEST(Marks, WrapLongTexts) {
   EXPECT_GT(texts[0].at[1], texts[1].at[1] + texts[1].size);
 }
 
-TEST(Marks, BeyondThePictureComeToItsRimWithAnArrow) {
+TEST(Marks, OutsideThePictureMoveToItsEdgeWithAnArrow) {
   const std::vector<PlacedMark> marks = {{{300, 500}, "in"}, {{5000, 500}, "out"}};
   EXPECT_EQ(within(marks, box, false, style).size(), 1u);
   const auto kept = within(marks, box, true, style);
@@ -139,19 +139,19 @@ std::string picture_of(const std::vector<PointMark>& marks, const std::optional<
   return file_bytes(scratch("marks.png"));
 }
 
-TEST(Marks, StandAtTheirPlaceInAPlanePicture) {
+TEST(Marks, AreAtTheirPositionInPlanePictures) {
   const Bounds crop = {{0.2, 0.1, 0}, {0.8, 0.5, 0}};
   const std::string bare = picture_of({}, crop);
   const auto shown = [&](double x, double y) { return picture_of({{{x, y, 0}, ""}}, crop) != bare; };
   constexpr double a = 1e-3;
   EXPECT_TRUE(shown(0.2 + a, 0.3) && shown(0.8 - a, 0.3) && shown(0.5, 0.1 + a) && shown(0.5, 0.5 - a));
   EXPECT_FALSE(shown(0.2 - a, 0.3) || shown(0.8 + a, 0.3) || shown(0.5, 0.1 - a) || shown(0.5, 0.5 + a));
-  EXPECT_NE(picture_of({{{9, 9, 0}, "far"}}), picture_of({})); // at the rim
+  EXPECT_NE(picture_of({{{9, 9, 0}, "far"}}), picture_of({})); // at the edge
   const std::string message = message_of([&] { picture_of({{{0, std::numeric_limits<double>::infinity(), 0}, "J"}}); });
   EXPECT_TRUE(holds(message, {"view.sheet.mark: state = (), mark = J"}));
 }
 
-TEST(Marks, AreSeenFromTheCameraAndOnTopOfSolids) {
+TEST(Marks, AreProjectedAndDrawnOnTopOfSolids) {
   PictureOptions options;
   options.size = {300, 240};
   options.camera = camera("iso");
@@ -162,13 +162,14 @@ TEST(Marks, AreSeenFromTheCameraAndOnTopOfSolids) {
     return file_bytes(scratch("marks.png"));
   };
   const Vec<3> place(1.2, 0.5, 0.4);
-  EXPECT_TRUE(shown(place) == shown(place + 0.25 * options.camera->from)); // behind or before, the same place on paper
+  EXPECT_TRUE(shown(place) ==
+              shown(place + 0.25 * options.camera->from)); // behind or in front, the same position on paper
   EXPECT_FALSE(shown(place) == shown(place + Vec<3>(0.1, 0, 0)));
   EXPECT_FALSE(shown(place) == shown(place + Vec<3>(0, 0, 0.1)));
   options.camera = camera("front");
   EXPECT_TRUE(shown(place) == shown(place + Vec<3>(0, 0.3, 0)));
   options.crop = Bounds{{0, 0, 0}, {1, 1, 1}};
-  EXPECT_TRUE(shown(place) == shown(place + Vec<3>(0.3, 0, 0))); // neither is within
+  EXPECT_TRUE(shown(place) == shown(place + Vec<3>(0.3, 0, 0))); // both are outside
 }
 
 } // namespace marks_test

@@ -1,5 +1,5 @@
 #pragma once
-// What an Error says, and what an SVG shows.
+// Messages of errors, and contents of SVG files.
 
 #include "base/error.hpp"
 
@@ -19,7 +19,7 @@ template <class Action> std::string message_of(Action&& action) {
   return "no error";
 }
 
-/// How an SVG names a color, "#0072b2" being 0%, 44.7 %, 69.8 %.
+/// A color in the notation of an SVG: "#0072b2" is 0%, 44.7 %, 69.8 %.
 inline std::string in_svg(const std::string& hex) {
   std::string parts;
   for (std::size_t i : {1, 3, 5}) {

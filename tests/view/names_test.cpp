@@ -1,4 +1,4 @@
-// Names on shapes: which are drawn, and where.
+// Names on shapes: selection and position.
 
 #include "view/marks.hpp"
 
@@ -30,7 +30,7 @@ void add(Names& names, const std::string& text, double x, double y) {
   label.text = text;
 }
 
-TEST(Names, OfSidesThatTurnAwayAndOfPlacesBeyondAreLeftOut) {
+TEST(Names, AreOmittedOnHiddenSidesAndOutsideTheFrame) {
   Names names;
   add(names, "front", 0.5, 0.5);
   add(names, "back", 0.5, 0.5);
@@ -43,7 +43,7 @@ TEST(Names, OfSidesThatTurnAwayAndOfPlacesBeyondAreLeftOut) {
   EXPECT_DOUBLE_EQ(drawn[0].at[0], 500);
 }
 
-TEST(Names, StandOffTheirPlaceAndStayInTheFrame) {
+TEST(Names, AreShiftedFromTheirPositionAndStayInTheFrame) {
   Names names;
   add(names, "east", 0.5, 0.5);
   add(names, "corner", 0, 0);
@@ -56,7 +56,7 @@ TEST(Names, StandOffTheirPlaceAndStayInTheFrame) {
   EXPECT_GT(drawn[1].at[1], 0);
 }
 
-TEST(Names, ArrowsRunAlongTheLineThatBeginsNearestToTheEye) {
+TEST(Names, HaveArrowsAlongTheLineNearestToTheEye) {
   Eigen::Matrix<double, 3, Eigen::Dynamic> low(3, 2), high(3, 2);
   low << 0.2, 0.4, 0.2, 0.2, 0, 0;
   high << 0.2, 0.4, 0.7, 0.7, 1, 1;

@@ -10,7 +10,7 @@ namespace obstacle_test {
 
 const Style style = style_for({1600, 1000});
 
-/// In a picture with 100 pixels to the unit, x and y from −4 to 4.
+/// Draws with 100 pixels per unit, x and y from −4 to 4.
 void draw_in_square(Drawing& drawing, Outline outline) {
   outline.line = (100 * outline.line).colwise() + Vec<3>(500, 450, 0);
   draw_obstacle(drawing, outline, {100, 900, 50, 850}, style);
@@ -20,7 +20,7 @@ struct Drawn {
   std::vector<Vec2> rim, hatching; ///< points in model units
 };
 
-/// The ends of all strokes; the rim's are the thickest.
+/// The ends of all strokes; those of the rim are the thickest.
 Drawn draw(const Outline& outline) {
   Drawing drawing{{1000, 900}, {}};
   draw_in_square(drawing, outline);
@@ -42,7 +42,7 @@ double length(const std::vector<Vec2>& line) {
   return sum;
 }
 
-TEST(Obstacle, PlaneIsHatchedBehindItsNormalAcrossTheWholePicture) {
+TEST(Obstacle, PlaneIsHatchedBehindItsNormalAcrossThePicture) {
   std::mt19937 random(41);
   std::uniform_real_distribution<double> angle(0, 6.3), offset(-3, 3), far(-500, 500);
   for (int trial = 0; trial < 200; ++trial) {
@@ -76,7 +76,7 @@ TEST(Obstacle, CircleIsHatchedInside) {
   EXPECT_TRUE(draw(circle({20, 0}, 2)).rim.empty());
 }
 
-TEST(Obstacle, StaysOnItsSideInTheMirror) {
+TEST(Obstacle, KeepsItsSideInTheMirror) {
   const Outline plane = half_plane({1, 0.5}, {0.6, 0.8});
   for (int axis : {0, 1}) {
     Vec<2> point(1, 0.5), normal(0.6, 0.8);
@@ -88,7 +88,7 @@ TEST(Obstacle, StaysOnItsSideInTheMirror) {
   for (const Vec2& p : drawn.hatching) EXPECT_LT(std::hypot(p[0] + 2, p[1]), 1.5 + 1e-9);
 }
 
-TEST(Obstacle, HasABandInThePlaceOfHatchingWhereItIsSmall) {
+TEST(Obstacle, HasABandInsteadOfHatchingIfSmall) {
   Drawing drawing{{1000, 900}, {}};
   draw_in_square(drawing, circle({0, 0}, 1));
   int strokes = 0;
@@ -103,7 +103,7 @@ TEST(Obstacle, HasABandInThePlaceOfHatchingWhereItIsSmall) {
   EXPECT_EQ(strokes, 1);
 }
 
-TEST(Obstacle, WidensThePictureOnlyWhereItIsSmallOrNear) {
+TEST(Obstacle, ExtendsThePictureOnlyIfSmallOrNear) {
   const Bounds box = {{0, 0, 0}, {200, 10, 0}};
   EXPECT_EQ(worth_showing(circle({100, 60}, 40), box).cols(), circle({100, 60}, 40).line.cols());
   EXPECT_EQ(worth_showing(circle({100, 600}, 500), box).cols(), 0);
@@ -114,7 +114,7 @@ TEST(Obstacle, WidensThePictureOnlyWhereItIsSmallOrNear) {
   EXPECT_EQ(worth_showing(half_plane({0, -300}, {0, 1}), box).cols(), 0);
 }
 
-TEST(Obstacle, IsRoundWhereItIsMagnified) {
+TEST(Obstacle, IsRoundInMagnifiedRegions) {
   const double side = 0.01;
   const Window window =
       box_window(Mat<3>::Identity().topRows<2>(), {2, -side / 2, 0}, {2 + side, side / 2, 0}, {1000, 1000});

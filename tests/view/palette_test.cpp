@@ -34,8 +34,8 @@ Vector3d lab(const Vector3d& rgb) {
   return {116 * f[1] - 16, 500 * (f[0] - f[1]), 200 * (f[1] - f[2])};
 }
 
-/// What dichromats see of linear intensities: Machado, Oliveira and Fernandes, IEEE Trans. Vis. Comput. Graph. 15
-/// (2009) 1291, severity 1.
+/// Color perception of dichromats, in linear intensities: Machado, Oliveira and Fernandes, IEEE Trans. Vis. Comput.
+/// Graph. 15 (2009) 1291, severity 1.
 struct Eye {
   const char* name;
   Matrix3d sees;
@@ -53,12 +53,12 @@ double distance(const Eye& eye, const Rgb& a, const Rgb& b) {
   return (lab(eye.sees * linear(a)) - lab(eye.sees * linear(b))).norm();
 }
 
-TEST(Palette, HasTheLightnessOfTheMaps) {
+TEST(Palette, AgreesWithTheLightnessFunction) {
   for (const Rgb& color : curve_colors()) EXPECT_NEAR(lab(linear(color))[0], lightness(color), 0.1);
 }
 
-// Okabe and Ito's own eight colors come to 17.0 here; 2.3 is what can just be seen.
-TEST(Palette, TellsAllColorsApartForColorBlindReadersToo) {
+// Okabe and Ito's own eight colors have a minimum difference of 17.0 here; 2.3 is just noticeable.
+TEST(Palette, DistinguishesAllColorsAlsoForColorBlindReaders) {
   std::vector<Rgb> colors = curve_colors();
   ASSERT_EQ(colors.size(), 8u);
   colors.push_back(gray_color);

@@ -8,7 +8,7 @@
 namespace signorini::view {
 namespace panel_test {
 
-TEST(Mirrored, TurnsOneCoordinateAndTheSignOfTheValues) {
+TEST(Mirrored, ReversesOneCoordinateAndTheSignOfValues) {
   Body body = bent_ring({1.5, 0.2}, 0.5, 1, 0, 4, 2);
   body.rim = body.undeformed_rim = {body.mesh_lines[0]};
   for (int axis : {0, 1}) {
@@ -24,7 +24,7 @@ TEST(Mirrored, TurnsOneCoordinateAndTheSignOfTheValues) {
   }
 }
 
-TEST(Relief, ShowsNothingOutsideOfItsWindow) {
+TEST(Relief, ShowsNothingOutsideItsWindow) {
   Field field;
   field.points.resize(3, 3);
   field.points << -100, 300, -100, -100, -100, 300, 0, 0, 0;

@@ -35,7 +35,7 @@ std::string refusal(const std::vector<Body>& bodies, const PictureOptions& optio
   return message;
 }
 
-/// Memory in use, in megabytes.
+/// Memory use, in megabytes.
 double resident() {
   std::ifstream in("/proc/self/statm");
   double total = 0, pages = 0;
@@ -51,25 +51,25 @@ bool holds_x_socket() {
   return false;
 }
 
-TEST(Picture, GivesTheSameBytesForTheSameCall) {
+TEST(Picture, GivesEqualBytesForEqualCalls) {
   draw_picture(rings(), displacement(), scratch("first.png"));
   PictureOptions other = displacement();
   other.size = {700, 900};
-  draw_picture(rings(), other, scratch("other.png")); // a change of size between must leave no trace
+  draw_picture(rings(), other, scratch("other.png")); // a different size in between must not affect the next picture
   draw_picture(rings(), displacement(), scratch("second.png"));
   EXPECT_EQ(file_bytes(scratch("first.png")), file_bytes(scratch("second.png")));
   EXPECT_EQ(png_size(file_bytes(scratch("first.png"))), (std::array<int, 2>{1600, 1000}));
   EXPECT_EQ(png_size(file_bytes(scratch("other.png"))), (std::array<int, 2>{700, 900}));
 }
 
-// Run by the next test in a process of its own.
+// Run by the next test in another process.
 TEST(Picture, DISABLED_DrawsForAnotherProcess) {
   const char* folder = std::getenv("SIGNORINI_DRAW_TO");
   ASSERT_NE(folder, nullptr);
   draw_picture(rings(), displacement(), std::string(folder) + "/process.png");
 }
 
-TEST(Picture, GivesTheSameBytesInAnotherProcess) {
+TEST(Picture, GivesEqualBytesInAnotherProcess) {
   draw_picture(rings(), displacement(), scratch("here.png"));
   const std::string folder = std::filesystem::path(scratch("process.png")).parent_path().string();
   const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
@@ -97,7 +97,7 @@ TEST(Picture, ChangesWithFieldLinesAndColors) {
   EXPECT_NE(bytes(rings(), cividis), all);
 }
 
-TEST(Picture, ManyInOneProcessDoNotLeak) {
+TEST(Picture, DoesNotLeakMemory) {
   PictureOptions options = displacement();
   options.size = {640, 400};
   const auto bodies = rings();
@@ -115,7 +115,7 @@ TEST(Picture, OpensNoConnectionToADisplay) {
   EXPECT_FALSE(holds_x_socket());
 }
 
-TEST(Picture, TakesBodiesWithoutFieldAndFieldsWithoutWidth) {
+TEST(Picture, AcceptsBodiesWithoutFieldAndConstantFields) {
   auto bodies = rings();
   bodies[0].skin.values.resize(0);
   bodies[1].skin.values.setConstant(0);
@@ -125,7 +125,7 @@ TEST(Picture, TakesBodiesWithoutFieldAndFieldsWithoutWidth) {
   EXPECT_TRUE(std::filesystem::exists(scratch("gray.png")));
 }
 
-TEST(Picture, RefusesWhatItCannotDraw) {
+TEST(Picture, RejectsInvalidInput) {
   EXPECT_TRUE(holds(refusal({}), {"view.picture.empty"}));
   PictureOptions options;
   options.colormap = "jet";
@@ -143,7 +143,7 @@ TEST(Picture, RefusesWhatItCannotDraw) {
   EXPECT_TRUE(holds(refusal(rings(), {}, "missing/no.png"), {"base.file.no_folder"}));
 }
 
-TEST(Colormap, RunsMonotonicallyFromDarkToLightUnlessDiverging) {
+TEST(Colormap, IsMonotonicFromDarkToLightUnlessDiverging) {
   for (const std::string& name : colormaps()) {
     const auto colors = colormap(name);
     ASSERT_EQ(colors.size(), 256u);
@@ -158,7 +158,7 @@ TEST(Colormap, RunsMonotonicallyFromDarkToLightUnlessDiverging) {
   EXPECT_EQ(colormap("viridis").back(), (Rgb{0xFD, 0xE7, 0x25}));
 }
 
-TEST(Renderer, SaysWhatItIs) {
+TEST(Renderer, ReportsItsDescription) {
   EXPECT_TRUE(holds(renderer().description(), {"VTK 9", "OpenGL"}));
 }
 

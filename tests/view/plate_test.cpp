@@ -1,4 +1,4 @@
-// Pictures before they are files: no text is cut off, those of a series are alike, several go into one.
+// Pictures before rendering: no truncated texts, equal layout in series, several in one figure.
 
 #include "messages.hpp"
 #include "scenes.hpp"
@@ -18,7 +18,7 @@ std::vector<Panel> ring(double lift, double scale = 1, const std::string& title 
   return {{title, {body}}};
 }
 
-/// What a text covers from `below` its baseline to `above` it, both in its size.
+/// The area of a text from `below` its baseline to `above` it, both relative to its size.
 Box covered_by(const Text& text, double below, double above) {
   const double length = text_width(text.string, text.size);
   const double before = text.align == Align::left ? 0 : text.align == Align::right ? length : 0.5 * length;
@@ -28,7 +28,7 @@ Box covered_by(const Text& text, double below, double above) {
   return text.upright ? Box{low, high, from, from + length} : Box{from, from + length, low, high};
 }
 
-/// The texts of a drawing that reach beyond its rim.
+/// The texts that extend beyond the edge of a drawing.
 std::vector<std::string> cut_off(const Drawing& drawing) {
   std::vector<std::string> found;
   for (const Mark& mark : drawing.marks) {
@@ -40,7 +40,7 @@ std::vector<std::string> cut_off(const Drawing& drawing) {
   return found;
 }
 
-/// The pairs of a drawing's texts that lie on each other, from the baselines to the tops of their capitals.
+/// The pairs of overlapping texts of a drawing, from the baselines to the tops of their capitals.
 std::vector<std::string> overlaps(const Drawing& drawing) {
   std::vector<std::string> found;
   std::vector<const Text*> texts;
@@ -59,8 +59,8 @@ using Sizes = std::vector<std::array<int, 2>>;
 
 const std::string words = "A title that goes on and on with ΔP_x, E = 1.5·10⁹ and much else that nobody needs";
 
-/// Calls check(plate, what it is) for plates of all sizes, with tiny and huge numbers, that `make` makes of options and
-/// the values' scale; returns how many texts stood on them.
+/// Calls check(plate, description) for plates of all sizes, with tiny and huge numbers, that `make` returns for options
+/// and a scale of the values; returns the number of their texts.
 int each_plate(const Sizes& sizes, const std::function<Plate(const PictureOptions&, double)>& make) {
   int texts = 0;
   for (const std::array<int, 2>& size : sizes)
@@ -79,7 +79,7 @@ int each_plate(const Sizes& sizes, const std::function<Plate(const PictureOption
   return texts;
 }
 
-TEST(Plate, CutsNoTextOffAndLaysNoneOnAnother) {
+TEST(Plate, ContainsAllTextsWithoutOverlap) {
   const Sizes sizes = {{1600, 1000}, {400, 300}, {300, 700}, {1200, 250}};
   const int texts = each_plate(sizes, [](const PictureOptions& options, double scale) {
     return make_plate(ring(scale > 1e3 ? 1e7 : 0, scale, words), options);
@@ -87,7 +87,7 @@ TEST(Plate, CutsNoTextOffAndLaysNoneOnAnother) {
   EXPECT_GT(texts, 200);
 }
 
-TEST(Plate, OfASheetCutsNoTextOff) {
+TEST(Plate, OfASheetContainsAllTexts) {
   const Sizes sizes = {{1600, 2000}, {560, 1120}, {900, 400}};
   const int texts = each_plate(sizes, [](const PictureOptions& options, double scale) {
     std::vector<Panel> panels = ring(0, scale, words);
@@ -97,7 +97,7 @@ TEST(Plate, OfASheetCutsNoTextOff) {
   EXPECT_GT(texts, 300);
 }
 
-TEST(Plate, OfSolidsCutsNoTextOff) {
+TEST(Plate, OfSolidsContainsAllTexts) {
   for (const char* seen : {"iso", "front"}) {
     const Sizes sizes = {{1600, 1000}, {560, 1120}, {560, 160}, {300, 200}};
     const int texts = each_plate(sizes, [&](const PictureOptions& options, double scale) {
@@ -125,7 +125,7 @@ TEST(Plate, OfASeriesHasTheSameFrameAndColors) {
             std::min(both[0].bodies[0].skin.values.minCoeff(), both[1].bodies[0].skin.values.minCoeff()));
 }
 
-TEST(SideBySide, PutsPicturesIntoColumns) {
+TEST(SideBySide, ArrangesPicturesInColumns) {
   PictureOptions options;
   options.trim = true;
   options.size = {1200, 900};
@@ -150,7 +150,7 @@ TEST(SideBySide, PutsPicturesIntoColumns) {
                     {"view.pictures.room: count = 4, width = 200, height = 150, reason = (view.pictures.larger)"}));
 }
 
-TEST(SideBySide, ShowsPicturesWithDifferentBarsInOneLayout) {
+TEST(SideBySide, HasOneLayoutForDifferentBars) {
   const Bar narrow{{0, 1}, "u"}, wide{{-16000, 3000}, "a long title of a color bar"};
   const auto frame_with = [](const Bar& own, const std::vector<Bar>& beside, bool flat) {
     PictureOptions options;
@@ -169,8 +169,8 @@ TEST(SideBySide, ShowsPicturesWithDifferentBarsInOneLayout) {
   }
 }
 
-TEST(CloseUp, MakesRoomWhereNoCornerIsFree) {
-  // A plain rectangle fills its frame.
+TEST(CloseUp, ExtendsTheFrameWithoutFreeCorner) {
+  // A rectangle that fills its frame.
   Body block;
   block.skin.points.resize(3, 4);
   block.skin.points << 0, 2, 2, 0, 0, 0, 1, 1, 0, 0, 0, 0;
@@ -200,8 +200,8 @@ TEST(CloseUp, MakesRoomWhereNoCornerIsFree) {
   EXPECT_GT((*given)[3], 1.5);
 }
 
-TEST(CloseUp, GoesToOneCornerInAllPictures) {
-  // The first ring lies to the right of its frame's middle, the second one above it.
+TEST(CloseUp, UsesTheSameCornerInAllPictures) {
+  // The first ring lies to the right of the center of its frame, the second one above it.
   const auto whole = [](int picture, const std::optional<Box>& extent) {
     PictureOptions options;
     options.extent = extent.value_or(Box{-4, 4, -4, 4});
@@ -225,17 +225,17 @@ TEST(CloseUp, GoesToOneCornerInAllPictures) {
   EXPECT_EQ(place(0), place(1));
 }
 
-TEST(Plate, HasNoGroundWhereThatIsWanted) {
+TEST(Plate, IsTransparentOnRequest) {
   PictureOptions options;
   options.size = {300, 200};
   const auto color_type = [&](bool transparent) {
     return bytes_of(figure_of(make_plate(ring(0), options)), Format::png, transparent)[25];
   };
-  EXPECT_EQ(color_type(false), 2); // red, green, blue
-  EXPECT_EQ(color_type(true), 6);  // and opacity
+  EXPECT_EQ(color_type(false), 2); // RGB
+  EXPECT_EQ(color_type(true), 6);  // RGBA
 }
 
-TEST(Series, IsTakenFromTheNameOfItsFile) {
+TEST(Series, IsRecognizedByItsFileName) {
   EXPECT_TRUE(is_series("a-%04d.png"));
   EXPECT_TRUE(is_series("a.mp4"));
   EXPECT_TRUE(is_film("a.ogv"));

@@ -19,7 +19,7 @@ Bounds extent(const RigidSurface& rigid) {
   return all;
 }
 
-TEST(Rigid, IsShownWholeWhereItIsSmall) {
+TEST(Rigid, IsShownCompletelyIfSmall) {
   const RigidSurface ball = shown(RigidBall{{2, 1, 2}, 1}, box);
   EXPECT_NEAR(extent(ball).high[2], 3, 1e-9);
   EXPECT_TRUE(ball.rim.empty());
@@ -44,8 +44,8 @@ TEST(Rigid, IsCutToTheBoxOfTheBodies) {
   EXPECT_LT((extent(cylinder).high - Vec<3>(2.5, 2 + air, 2)).norm(), 1e-9);
 }
 
-TEST(Rigid, IsRoundWhereItIsMagnified) {
-  // From +x, at the ball's highest point and at 1000 pixels for a hundredth of its radius
+TEST(Rigid, IsRoundInMagnifiedRegions) {
+  // From +x, at the highest point of the ball, with 1000 pixels for a hundredth of its radius
   Eigen::Matrix<double, 2, 3> axes;
   axes << 0, 1, 0, 0, 0, 1;
   const double side = 0.01;
@@ -63,17 +63,17 @@ TEST(Rigid, IsRoundWhereItIsMagnified) {
     return largest;
   };
   const RigidSurface fine = shown(RigidBall{{2, 1, 1}, 1}, box, {window});
-  EXPECT_GT(departure(fine), 0); // some lie in the window
+  EXPECT_GT(departure(fine), 0); // some edges are in the window
   EXPECT_LT(departure(fine), 0.5 * window.pixel);
-  EXPECT_LT(fine.surface.triangles.cols(), 80000); // the pole, where all columns meet
+  EXPECT_LT(fine.surface.triangles.cols(), 80000); // limits the refinement at the pole, where all columns meet
 }
 
-TEST(Rigid, IsLeftOutWhereItIsFar) {
+TEST(Rigid, IsOmittedIfFar) {
   EXPECT_EQ(shown(RigidPlane{{0, 0, -3}, {0, 0, 1}}, box).surface.points.cols(), 0);
   EXPECT_EQ(shown(RigidBall{{2, 1, 9}, 1}, box).surface.points.cols(), 0);
 }
 
-TEST(Rigid, HasAnImageUnlessItIsItsOwn) {
+TEST(Rigid, HasAnImageUnlessSymmetric) {
   EXPECT_FALSE(mirrored(RigidPlane{{3, 1, 2}, {0, 0, 1}}, 0));
   EXPECT_TRUE(mirrored(RigidPlane{{3, 1, 2}, {0, 0, 1}}, 2));
   EXPECT_TRUE(mirrored(RigidPlane{{0, 0, 0}, {1, 0, 1}}, 0));
@@ -102,7 +102,7 @@ TEST(Camera, LooksAlongTheAxes) {
   EXPECT_TRUE(iso(0, 0) > 0 && iso(1, 2) > 0 && iso(2, 1) < 0 && iso(2, 2) > 0);
 }
 
-TEST(Camera, RefusesDirectionsWithoutSense) {
+TEST(Camera, RejectsInvalidDirections) {
   EXPECT_TRUE(holds(message_of([] { camera("above"); }),
                     {"view.camera.unknown: camera = above, known = (iso, front, back, left, right, top, bottom)"}));
   EXPECT_TRUE(holds(message_of([] { picture_axes({{0, 0, 0}, {0, 0, 1}}); }), {"view.camera.zero"}));

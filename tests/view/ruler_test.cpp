@@ -7,7 +7,7 @@
 namespace signorini::view {
 namespace ruler_test {
 
-TEST(Digits, AreThreeAtMost) {
+TEST(Digits, AreAtMostThree) {
   EXPECT_EQ(in_digits(850), "850");
   EXPECT_EQ(in_digits(-0.25), "−0.25");
   EXPECT_EQ(in_digits(-1.319e-7), "−1.32×10^{-7}");
@@ -15,8 +15,8 @@ TEST(Digits, AreThreeAtMost) {
   EXPECT_EQ(in_digits(0), "0");
 }
 
-/// A round length, drawn as long as it says, at most a fifth of the frame's width.
-TEST(Ruler, IsAsLongAsItSays) {
+/// A round length, drawn to scale, at most a fifth of the frame's width.
+TEST(Ruler, HasTheLengthOfItsLabel) {
   const Style style = style_for({1600, 1000});
   for (double width = 1e-4; width < 1e5; width *= 1.7) {
     Drawing drawing{{1600, 1000}, {}};

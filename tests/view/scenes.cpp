@@ -23,7 +23,7 @@ struct ScratchFolder {
   }
 };
 
-/// The ring's point at u along the arc and v through the wall, both 0 … 1.
+/// The point of the ring at u along the arc and v across the wall, both 0 … 1.
 struct Ring {
   Vec<2> center;
   double inner, outer, start;
@@ -79,7 +79,7 @@ Body bent_ring(Vec<2> center, double inner, double outer, double start_degrees, 
     for (int i = 0; i < columns; ++i) {
       const double u = double(i) / (columns - 1);
       const Vec<3> middle{center[0], center[1], 0};
-      const double outside = i == 0 || i == columns - 1 ? 1 : 1.02; // a curve's control points lie outside its arc
+      const double outside = i == 0 || i == columns - 1 ? 1 : 1.02; // control points of a curve lie outside its arc
       body.control_points.col(j * columns + i) = middle + outside * (ring(u, double(j) / (rows - 1)) - middle);
       if (i > 0) body.net_lines.push_back({j * columns + i - 1, j * columns + i});
       if (j > 0) body.net_lines.push_back({(j - 1) * columns + i, j * columns + i});

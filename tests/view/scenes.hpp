@@ -1,5 +1,5 @@
 #pragma once
-// Made-up bodies and curves that look like those of a study.
+// Synthetic bodies and curves that resemble those of a study.
 
 #include "base/whole_file.hpp"
 #include "view/chart.hpp"
@@ -9,22 +9,22 @@
 
 namespace signorini::view {
 
-/// A quarter ring pressed a little out of shape, finely tessellated, with a value per point, `across` × `around`
-/// elements and a control net.
+/// A slightly deformed quarter ring, finely tessellated, with a value per point, `across` × `around` elements and a
+/// control net.
 Body bent_ring(Vec<2> center, double inner, double outer, double start_degrees, int around, int across);
 
 /// Noisy periodic forces over load steps, one series per label.
 std::vector<Series> oscillating_forces(int count);
 
-/// Errors that fall with the number of unknowns, in double-logarithmic scales.
+/// Errors that decrease with the number of unknowns, in double-logarithmic scales.
 std::vector<Series> convergence_lines();
 
 std::string file_bytes(const std::string& file);
 
-/// A file in a folder of this process that goes away at the end.
+/// A file in a folder of this process, which is removed at its end.
 std::string scratch(const std::string& name);
 
-/// Width and height from a PNG file's header; zeros when it is none.
+/// Width and height from the header of a PNG file; zeros for other files.
 std::array<int, 2> png_size(const std::string& bytes);
 
 /// Draws states to a file.

@@ -31,7 +31,7 @@ ModelBoxes random_boxes(int count, std::mt19937& random) {
   return boxes;
 }
 
-TEST(Sheet, ShowsAllStatesOnOneScaleSideBySideWithoutOverlap) {
+TEST(Sheet, ShowsAllStatesOnOneScaleWithoutOverlap) {
   std::mt19937 random(31);
   for (int trial = 0; trial < 100; ++trial) {
     const int count = 1 + trial % 9;
@@ -65,7 +65,7 @@ TEST(Sheet, ShowsAllStatesOnOneScaleSideBySideWithoutOverlap) {
   }
 }
 
-TEST(Sheet, HasNumbersAtItsRimOnly) {
+TEST(Sheet, HasNumbersAtItsEdgesOnly) {
   std::mt19937 random(32);
   PictureOptions options;
   options.columns = 2;
@@ -77,7 +77,7 @@ TEST(Sheet, HasNumbersAtItsRimOnly) {
   }
 }
 
-TEST(Sheet, TakesTheNumberOfColumnsThatShowsMost) {
+TEST(Sheet, UsesTheNumberOfColumnsForTheLargestStates) {
   std::mt19937 random(33);
   for (int trial = 0; trial < 20; ++trial) {
     const ModelBoxes boxes = random_boxes(7, random);
@@ -88,13 +88,13 @@ TEST(Sheet, TakesTheNumberOfColumnsThatShowsMost) {
       options.columns = columns;
       try {
         EXPECT_GE(own, scale_of(lay_out_sheet(titles, boxes, options, {}, style).frames[0].x) * (1 - 1e-9));
-      } catch (const Error&) { // no room for so many side by side
+      } catch (const Error&) { // too many columns
       }
     }
   }
 }
 
-TEST(Sheet, IsTrimmedToWhatItShows) {
+TEST(Sheet, IsTrimmedToItsContent) {
   PictureOptions options;
   options.field_label = "displacement u_y";
   const std::array<double, 2> range = {0, 1};
@@ -113,7 +113,7 @@ TEST(Sheet, IsTrimmedToWhatItShows) {
   EXPECT_GT(lay_out_sheet({""}, {tower}, options, range, style).size[0], 600);
 }
 
-TEST(ColorRange, GivesASingleValueRoomOnBothSides) {
+TEST(ColorRange, WidensASingleValueOnBothSides) {
   using Two = std::array<double, 2>;
   EXPECT_EQ(color_range({0, 0}, {}, false), (Two{-1, 1}));
   EXPECT_EQ(color_range({5, 5}, {}, false), (Two{4.5, 5.5}));
@@ -125,7 +125,7 @@ TEST(ColorRange, GivesASingleValueRoomOnBothSides) {
   EXPECT_EQ(color_range({-1, 3}, Two{0, 1}, true), (Two{0, 1}));
 }
 
-TEST(Sheet, IsDrawnWithTheSameBytesAndRefusesNothingToShow) {
+TEST(Sheet, GivesEqualBytesAndRejectsEmptyInput) {
   const auto ring = [](double lift) { return std::vector<Body>{bent_ring({0, lift}, 0.5, 1, 0, 6, 3)}; };
   PictureOptions options;
   options.trim = true;

@@ -31,7 +31,7 @@ PictureOptions small() {
   return options;
 }
 
-/// What a picture is made of, compared as a whole.
+/// The bytes of a picture, compared as a whole.
 struct Png {
   std::string bytes;
 
@@ -53,7 +53,7 @@ std::string refusal(const Panel& panel, const PictureOptions& options = small())
   return message;
 }
 
-TEST(SolidPicture, GivesTheSameBytesForTheSameCall) {
+TEST(SolidPicture, GivesEqualBytesForEqualCalls) {
   const Body shell = mapped_solid(shell_map(0.5, 1), {3, 3, 2}, 4, wave);
   Panel panel{"state", {shell}, {RigidBall{{1, 1, 1}, 0.4}, RigidPlane{{0, 0, 0}, {0, 0, 1}}}};
   panel.cut = CutPlane{{0.2, 0.3, 0.4}, {1, 1, 0.5}};
@@ -66,12 +66,12 @@ TEST(SolidPicture, GivesTheSameBytesForTheSameCall) {
   EXPECT_EQ(png_size(between.bytes), (std::array<int, 2>{300, 420}));
 }
 
-TEST(SolidPicture, HidesWhatLiesBehind) {
+TEST(SolidPicture, HidesWhatIsBehind) {
   const Body front = block({0, 0, 0}, {2, 1, 1});
   PictureOptions options = small();
   options.camera = camera("front");
   const Png alone = drawn({{"", {front}}}, options);
-  // A smaller block behind, its lines, and lines on the sides that face away
+  // A smaller block behind, its lines, and lines on sides that face away
   EXPECT_EQ(drawn({{"", {front, block({0.1, 1.1, 0.1}, {1.9, 2, 0.9})}}}, options), alone);
   const auto marked = [&](double y) {
     SurfaceLine line{Points(3, 2), Points(3, 2)};
@@ -82,12 +82,12 @@ TEST(SolidPicture, HidesWhatLiesBehind) {
     return drawn({{"", {solid}}}, options);
   };
   EXPECT_EQ(marked(1), alone);
-  // The same in front of it shows.
+  // In front they are visible.
   EXPECT_NE(drawn({{"", {front, block({0.1, -1, 0.1}, {1.9, -0.1, 0.9})}}}, options), alone);
   EXPECT_NE(marked(0), alone);
 }
 
-TEST(SolidPicture, ShowsEverythingThatItIsGiven) {
+TEST(SolidPicture, ShowsAllOfItsInput) {
   Body solid = block({0, 0, 0}, {2, 1, 1});
   const auto changed = [&](auto change) {
     Panel panel{"", {solid}};
@@ -110,12 +110,12 @@ TEST(SolidPicture, ShowsEverythingThatItIsGiven) {
   const auto halved = [&](std::vector<PointVector> vectors) {
     return changed([&](Panel& p, auto&) { p.cut = CutPlane{{1, 0, 0}, {1, 0, 0}}, p.vectors = vectors; });
   };
-  EXPECT_EQ(halved({{{1.5, 0, 0.5}, {0, -1, 0}}}), halved({})); // what is cut away has no arrows
+  EXPECT_EQ(halved({{{1.5, 0, 0.5}, {0, -1, 0}}}), halved({})); // removed parts have no arrows
   EXPECT_NE(halved({{{0.5, 0, 0.5}, {0, -1, 0}}}), halved({}));
   EXPECT_NE(changed([](auto&, PictureOptions& o) { o.camera = camera("top"); }), plain);
   EXPECT_NE(changed([](auto&, PictureOptions& o) { o.crop = Bounds{{0, 0, 0}, {1, 1, 1}}; }), plain);
   EXPECT_NE(changed([](auto&, PictureOptions& o) { o.colormap = "magma"; }), plain);
-  // What lies outside the region leaves no trace, but for the values that the bar prints.
+  // Bodies outside the region have no effect, except on the values printed at the bar.
   const auto cropped = [](Panel& p, PictureOptions& o, bool more) {
     o.crop = Bounds{{0, 0, 0}, {1, 1, 1}};
     o.camera = camera("front");
@@ -127,7 +127,7 @@ TEST(SolidPicture, ShowsEverythingThatItIsGiven) {
             changed([&](Panel& p, PictureOptions& o) { cropped(p, o, false); }));
 }
 
-TEST(SolidPicture, IsTrimmedToWhatItShows) {
+TEST(SolidPicture, IsTrimmedToItsContent) {
   PictureOptions options = small();
   options.size = {1600, 1000};
   options.trim = true;
@@ -140,7 +140,7 @@ TEST(SolidPicture, IsTrimmedToWhatItShows) {
   EXPECT_LT(narrow, 440);
 }
 
-TEST(SolidPicture, RefusesWhatCannotBeDrawn) {
+TEST(SolidPicture, RejectsInvalidInput) {
   const Body good = block({0, 0, 0}, {2, 1, 1});
   EXPECT_TRUE(holds(refusal({"", {}}), {"view.picture.empty"}));
   EXPECT_TRUE(holds(refusal({"", {good}, {}, CutPlane{{0, 0, 0}, {0, 0, 0}}}), {"view.sheet.cut: state = ()"}));
@@ -177,7 +177,7 @@ TEST(Ribbon, LiesOnItsSurfaceWithItsWidth) {
   EXPECT_NEAR(high - low, 4, 1e-12);
 }
 
-TEST(Ribbon, EndsWhereItsSurfaceTurnsAway) {
+TEST(Ribbon, EndsWhereItsSurfaceFacesAway) {
   Points line(3, 2), normals(3, 2);
   line << 0, 10, 0, 0, 0, 0;
   normals << 0, 0, 0.8, -0.8, 0.3, -0.1;
@@ -192,7 +192,7 @@ TEST(Ribbon, EndsWhereItsSurfaceTurnsAway) {
   EXPECT_NEAR(farthest(false), 10, 1e-5);
 }
 
-TEST(Triad, HasRoomForItsArrows) {
+TEST(Triad, HasSpaceForItsArrows) {
   const Style style = style_for({1600, 1000});
   for (const std::string& name : camera_names()) {
     const Mat<3> axes = picture_axes(camera(name));

@@ -23,7 +23,7 @@ std::vector<Vec2> random_line(std::mt19937& random, int count) {
   return line;
 }
 
-TEST(ClipLine, KeepsWhatLiesInsideAsOftenSampledPointsDo) {
+TEST(ClipLine, AgreesWithDenseSampling) {
   std::mt19937 random(5);
   const Box box = {0, 1, -1, 2};
   for (int trial = 0; trial < 20; ++trial) {

@@ -58,13 +58,13 @@ double length_of(const SurfaceLine& line) {
   return (line.points.rightCols(pieces) - line.points.leftCols(pieces)).colwise().norm().sum();
 }
 
-TEST(MeshLine, ShowsOnEveryColorOfAMap) {
+TEST(MeshLine, IsVisibleOnEveryColorOfAMap) {
   for (const char* name : {"viridis", "magma", "inferno", "cividis", "coolwarm"})
     for (const Rgb& ground : colormap(name))
       EXPECT_GT(std::abs(lightness(tone_on(ground)) - lightness(ground)), 20) << name;
 }
 
-TEST(MeshLine, ChangesItsToneWhereTheFieldIsDark) {
+TEST(MeshLine, ChangesItsToneOnDarkColors) {
   PictureOptions options;
   options.bar = false;
   const Plate plate = make_plate(std::vector<Panel>{{"", {square(along_x)}}}, options);
@@ -84,7 +84,7 @@ TEST(MeshLine, ChangesItsToneWhereTheFieldIsDark) {
   EXPECT_EQ(inside[0].points.back(), inside[1].points.front());
 }
 
-TEST(MeshLine, KnowsWhatLiesBeneathItAfterACut) {
+TEST(MeshLine, UsesTheValuesBeneathItAfterACut) {
   const Body block = mapped_solid(block_map({0, 0, 0}, {2, 1, 1}), {2, 1, 1}, 4, along_x);
   const Ground ground(block.skin);
   for (const SurfaceLine& line : block.mesh_lines) {
@@ -97,7 +97,7 @@ TEST(MeshLine, KnowsWhatLiesBeneathItAfterACut) {
   EXPECT_EQ(ground.along(Points::Constant(3, 2, 0.123)).size(), 0);
 }
 
-TEST(Contours, AreOneLineWhereTheFieldHasTheirValue) {
+TEST(Contours, AreOneLineAtTheGivenValue) {
   const Body body = square(along_x, 7);
   const auto lines = zeros(body.skin, body.skin.values.array() - 0.3);
   ASSERT_EQ(lines.size(), 1U);
@@ -109,7 +109,7 @@ TEST(Contours, AreOneLineWhereTheFieldHasTheirValue) {
   EXPECT_NEAR(length_of(rings[0]), 0.8 * 3.14159265, 0.01);
 }
 
-TEST(Contours, AreDrawnAtTheirLevelsOnBodiesAndOnTheBar) {
+TEST(Contours, AreDrawnAtTheirLevelsOnBodiesAndBar) {
   PictureOptions options;
   options.contours = Contours{0, {0.25, 0.75}};
   for (const bool with : {true, false}) {
@@ -134,7 +134,7 @@ TEST(Contours, AreDrawnAtTheirLevelsOnBodiesAndOnTheBar) {
   EXPECT_GT(ink_of(), plain + 20);
 }
 
-TEST(Contours, StandAtTheBarsNumbersOrSpreadEvenly) {
+TEST(Contours, AreAtTheNumbersOfTheBarOrEvenlySpaced) {
   EXPECT_EQ(contour_levels({}, {0, 1}, {0, 1}), linear_ticks(0, 1, 9).at);
   EXPECT_EQ(contour_levels({3}, {0, 1}, {0, 1}), (std::vector<double>{0.25, 0.5, 0.75}));
   EXPECT_TRUE(holds(message_of([] {
@@ -143,7 +143,7 @@ TEST(Contours, StandAtTheBarsNumbersOrSpreadEvenly) {
                     {"view.contours.none: low = 0, high = 1"}));
 }
 
-TEST(Vectors, AreSampledOnAGridWhereTheEyeSeesThem) {
+TEST(Vectors, AreSampledOnAGridWhereVisible) {
   Surface near = square(along_x).skin;
   near.points *= 100;
   near.vectors = 2 * near.points; // linear, so that interpolation is exact
@@ -179,7 +179,7 @@ TEST(Vectors, HaveOneScaleAndAKey) {
   EXPECT_GT(shafts.size(), 50U);
 }
 
-TEST(Mirror, TakesAwayWhatLiesBeyondIt) {
+TEST(Mirror, RemovesTheFarSide) {
   Body body = square(along_x);
   body.skin.points.row(0).array() -= 0.3;
   body.mesh_lines[0].points.row(0).array() -= 0.3;
@@ -192,7 +192,7 @@ TEST(Mirror, TakesAwayWhatLiesBeyondIt) {
   join_at_mirror(block, 1);
   EXPECT_NEAR(block.skin.points.row(1).maxCoeff(), 0, 1e-9);
   EXPECT_NEAR(block.skin.points.row(1).minCoeff(), -3, 1e-9);
-  // Open at the mirror: its image closes it.
+  // Open at the mirror, where its image closes it.
   EXPECT_NEAR(area(block.skin), 2 * 3 * 3 + 2 * 3 * 1 + 3 * 1, 1e-9);
 }
 
@@ -208,10 +208,10 @@ TEST(ReferenceShape, IsDashedOverSolids) {
   EXPECT_EQ(dashed(), 0U);
   block.undeformed = block.skin;
   block.undeformed_rim = block.rim;
-  EXPECT_GE(dashed(), 9U); // three faces are seen
+  EXPECT_GE(dashed(), 9U); // three faces are visible
 }
 
-TEST(Axes, HaveTheNamesThatAreAskedFor) {
+TEST(Axes, HaveTheGivenNames) {
   PictureOptions options;
   options.unit = "m";
   options.axes = {"r / mm", "depth / mm"};

@@ -5,7 +5,7 @@
 namespace signorini::view {
 namespace text_test {
 
-TEST(TextRuns, RaiseAndLowerDigits) {
+TEST(TextRuns, HaveSuperscriptAndSubscriptDigits) {
   const auto runs = text_runs("σ₁₁ 10⁻³⁴");
   ASSERT_EQ(runs.size(), 4u);
   EXPECT_EQ(runs[0].string, "σ");
@@ -16,7 +16,7 @@ TEST(TextRuns, RaiseAndLowerDigits) {
   EXPECT_EQ(runs[3].level, 1);
 }
 
-/// The runs as one string: raised ones after ^, lowered ones after _, in brackets.
+/// The runs as one string: superscripts after ^, subscripts after _, in brackets.
 std::string levels(const std::string& utf8) {
   std::string result;
   for (const TextRun& run : text_runs(utf8))
@@ -24,7 +24,7 @@ std::string levels(const std::string& utf8) {
   return result;
 }
 
-TEST(TextRuns, FollowOneRuleOfMarkup) {
+TEST(TextRuns, FollowTheRulesOfMarkup) {
   const std::pair<const char*, const char*> cases[] = {{"mm^2, 10^-3 m^n", "mm^[2], 10^[−3] m^[n]"},
                                                        {"x_{max} and dP_{x y}", "x_[max] and dP_[x y]"},
                                                        {"e^{i φ}-1", "e^[i φ]-1"},
@@ -59,7 +59,7 @@ TEST(TextRuns, LowerTheIndexOfASingleLetter) {
     EXPECT_EQ(text_runs(plain).size(), 1u) << plain;
 }
 
-TEST(CodePoints, RoundTripAndMarkBrokenBytes) {
+TEST(CodePoints, RoundTripAndReplaceInvalidBytes) {
   const std::string all = "Aµ−𝄞";
   std::string again;
   for (char32_t p : code_points(all)) again += to_utf8(p);
@@ -68,8 +68,8 @@ TEST(CodePoints, RoundTripAndMarkBrokenBytes) {
   EXPECT_EQ(code_points("\xE2\x88"), (std::vector<char32_t>{0xFFFD}));
 }
 
-/// Liberation Sans, which the set-up installs, has the widths of Helvetica (Adobe's core font metrics).
-TEST(TextWidth, IsHelveticas) {
+/// Liberation Sans, which scripts/setup installs, has the widths of Helvetica (Adobe's core font metrics).
+TEST(TextWidth, IsThatOfHelvetica) {
   EXPECT_NEAR(text_width("0123456789", 100), 556, 0.5);
   EXPECT_NEAR(text_width("Wi", 10), 9.44 + 2.22, 0.02);
   EXPECT_NEAR(text_width("1²", 10), 5.56 * 1.7, 0.05);

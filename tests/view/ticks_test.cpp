@@ -11,19 +11,19 @@ namespace ticks_test {
 
 using Labels = std::vector<std::string>;
 
-TEST(LinearTicks, AreRoundNumbersWithTheSameDecimals) {
+TEST(LinearTicks, AreRoundNumbersWithEqualDecimals) {
   EXPECT_EQ(linear_ticks(0, 1, 6).labels, (Labels{"0.0", "0.2", "0.4", "0.6", "0.8", "1.0"}));
   EXPECT_EQ(linear_ticks(-0.27, 0.12, 5).labels, (Labels{"−0.2", "−0.1", "0.0", "0.1"}));
   EXPECT_EQ(linear_ticks(0, 296, 9).labels, (Labels{"0", "50", "100", "150", "200", "250"}));
 }
 
-TEST(LinearTicks, EndAlsoOnARangeAsNarrowAsRounding) {
+TEST(LinearTicks, TerminateForARangeAsNarrowAsRoundingError) {
   EXPECT_LE(linear_ticks(99.99999999999986, 100, 9).at.size(), 10U);
   EXPECT_LE(linear_ticks(1, 1 + 4e-16, 9).at.size(), 10U);
   EXPECT_LE(log_ticks(99.99999999999986, 100, 9).at.size(), 10U);
 }
 
-TEST(LinearTicks, ShareThePowerOfTenOfVeryLargeAndVerySmallNumbers) {
+TEST(LinearTicks, ShareAPowerOfTenForLargeAndSmallNumbers) {
   const Ticks large = linear_ticks(0, 2.4e6, 6);
   EXPECT_EQ(large.factor, "×10⁶");
   EXPECT_EQ(large.labels, (Labels{"0.0", "0.5", "1.0", "1.5", "2.0"}));
@@ -31,7 +31,7 @@ TEST(LinearTicks, ShareThePowerOfTenOfVeryLargeAndVerySmallNumbers) {
   EXPECT_EQ(linear_ticks(0, 0.01, 6).factor, "");
 }
 
-TEST(LinearTicks, StayInsideTheRangeAndBelowTheCountForAnyRange) {
+TEST(LinearTicks, StayInTheRangeAndBelowTheCount) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> exponent(-20, 20), fraction(-1, 1);
   for (int trial = 0; trial < 2000; ++trial) {
@@ -52,7 +52,7 @@ TEST(LinearTicks, StayInsideTheRangeAndBelowTheCountForAnyRange) {
   }
 }
 
-TEST(FrameTicks, StandApartOnLogAxesOfAnySpan) {
+TEST(FrameTicks, DoNotOverlapOnLogAxesOfAnySpan) {
   std::mt19937 random(6);
   std::uniform_real_distribution<double> size(300, 1400), exponent(-12, 9), width(0.02, 6);
   const Style style = style_for({1600, 1000});
@@ -71,7 +71,7 @@ TEST(FrameTicks, StandApartOnLogAxesOfAnySpan) {
   }
 }
 
-TEST(LogTicks, ArePowersOfTenWithTheirMultiplesAsMinorTicks) {
+TEST(LogTicks, ArePowersOfTenWithMinorTicksAtTheirMultiples) {
   const Ticks ticks = log_ticks(0.5, 200, 9);
   EXPECT_EQ(ticks.labels, (Labels{"10⁰", "10¹", "10²"}));
   EXPECT_EQ(ticks.minor.front(), 0.5);
@@ -79,7 +79,7 @@ TEST(LogTicks, ArePowersOfTenWithTheirMultiplesAsMinorTicks) {
   EXPECT_EQ(log_ticks(1e-12, 1e6, 7).labels, (Labels{"10⁻¹²", "10⁻⁹", "10⁻⁶", "10⁻³", "10⁰", "10³", "10⁶"}));
 }
 
-TEST(FrameTicks, StandApartOnAxesOfAnyLength) {
+TEST(FrameTicks, DoNotOverlapOnAxesOfAnyLength) {
   std::mt19937 random(4);
   std::uniform_real_distribution<double> size(8, 900), exponent(-6, 6), fraction(-1, 1);
   const Style style = style_for({1600, 1000});
@@ -97,15 +97,15 @@ TEST(FrameTicks, StandApartOnAxesOfAnyLength) {
   }
 }
 
-TEST(LogTicks, ShowMultiplesWhereFewPowersLieInTheRange) {
+TEST(LogTicks, ShowMultiplesIfFewPowersAreInTheRange) {
   EXPECT_EQ(log_ticks(0.015, 0.6, 9).labels, (Labels{"0.02", "0.05", "0.1", "0.2", "0.5"}));
   EXPECT_EQ(log_ticks(1.5e-7, 9e-7, 9).labels, (Labels{"2×10⁻⁷", "5×10⁻⁷"}));
   EXPECT_EQ(log_ticks(3.1, 4.4, 5).labels, (Labels{"3.5", "4.0"}));
   EXPECT_EQ(log_ticks(0.9, 12, 9).labels, (Labels{"1", "2", "5", "10"}));
-  EXPECT_EQ(log_ticks(0.9, 12, 3).labels, (Labels{"10⁰", "10¹"})); // where there is no room for more
+  EXPECT_EQ(log_ticks(0.9, 12, 3).labels, (Labels{"10⁰", "10¹"})); // if more do not fit
 }
 
-TEST(LogTicks, HaveMinorOnesInAnyRangeAndNoneBesideIt) {
+TEST(LogTicks, HaveMinorTicksWithinAnyRangeOnly) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> exponent(-9, 9), width(0.01, 3);
   for (int trial = 0; trial < 2000; ++trial) {
@@ -118,7 +118,7 @@ TEST(LogTicks, HaveMinorOnesInAnyRangeAndNoneBesideIt) {
       for (double major : ticks.at) ASSERT_GT(std::abs(v - major), 1e-6 * v);
     }
   }
-  EXPECT_EQ(log_ticks(3.1, 4.4, 5).minor.size(), 12u); // 3.1, 3.2 … 4.4 but 3.5 and 4.0
+  EXPECT_EQ(log_ticks(3.1, 4.4, 5).minor.size(), 12u); // 3.1, 3.2 … 4.4 without 3.5 and 4.0
 }
 
 } // namespace ticks_test

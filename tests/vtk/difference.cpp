@@ -1,7 +1,7 @@
-// How far pairs of PNG files look apart, as a table of Lua, for tests/lua/golden_test.lua.
+// Compares pairs of PNG files; prints a Lua table for tests/lua/golden_test.lua.
 //   difference <file> <file> …   per pair the largest difference between means over squares of 8 × 8 pixels, 0 to 255
-//                                (256 where sizes differ): other edges of letters change a mean by little, a line or a
-//                                text in another place by much
+//                                (256 for different sizes): antialiasing of letters changes a mean slightly, a moved
+//                                line or text strongly
 
 #include <vtkImageData.h>
 #include <vtkNew.h>

@@ -1,4 +1,4 @@
-// What VTK's own reader finds in a .vtu file, as a table of Lua, for tests/lua/vtu_test.lua.
+// Reads a .vtu file by VTK's own reader; prints a Lua table for tests/lua/vtu_test.lua.
 //   read_vtu <file> <place> …   evaluates every cell at all combinations of the places (numbers in [0, 1])
 
 #include <vtkCell.h>
@@ -26,7 +26,7 @@ void print(double value) {
     std::printf("0/0,");
 }
 
-/// The arrays of a cell's points, interpolated with the cell's functions.
+/// The point arrays of a cell, interpolated with the functions of the cell.
 void print_fields(vtkUnstructuredGrid* grid, vtkCell* cell, const std::vector<double>& functions) {
   vtkPointData* data = grid->GetPointData();
   for (int a = 0; a < data->GetNumberOfArrays(); ++a) {

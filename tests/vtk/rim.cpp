@@ -1,5 +1,5 @@
-// The outermost pixels of PNG files, as a table of Lua, for tests/lua/clipping_test.lua.
-//   rim <file> …   per file { width, height, pixels of the rim that are not white }
+// Counts non-white pixels at the edges of PNG files; prints a Lua table for tests/lua/clipping_test.lua.
+//   rim <file> …   per file { width, height, number of edge pixels that are not white }
 
 #include <vtkImageData.h>
 #include <vtkNew.h>
