@@ -1,5 +1,6 @@
--- Every code that the modules left of bind use has a wording in src/bind/wording, with placeholders for all of its
--- data; every wording has a use; and what those modules hand to require(), fail() and their like is codes, no text.
+-- Checks that every message code used by the modules left of bind has a sentence in src/bind/wording with placeholders
+-- for all of its data, that every sentence is used, and that these modules pass codes without text to require(), fail()
+-- and similar functions.
 --   build/signorini tests/architecture/wording.lua [folder of the sources]
 
 local source = arg and arg[1] or "src"
@@ -42,18 +43,18 @@ end
 --- Codes with the names of their data and the file that uses them: { [code] = { { names = …, file = … }, … } }.
 local function used_codes(file, text, module, uses)
   for code, place in text:gmatch('"(' .. module .. '%.[%w_]+%.[%w_]+)"()') do
-    local rest = text:sub(place):gsub('^%s*:%s*"[%w_.]+"', "") -- one of two codes with the same data
+    local rest = text:sub(place):gsub('^%s*:%s*"[%w_.]+"', "") -- first of two codes with the same data
     local list = rest:match "^%)?%s*,%s*(%b{})"
     uses[code] = uses[code] or {}
     table.insert(uses[code], { names = data_names(list or "{}"), file = file })
   end
 end
 
---- The rows of a file of wordings: { [code] = set of placeholders }.
+--- The rows of a file of sentences: { [code] = set of placeholders }.
 local function read_rows(text, rows)
   text = text:gsub('"%s*\n%s*"', "")
   for code, sentence in text:gmatch '{"([%w_.]+)",%s*"(.-[^\\])"}' do
-    if rows[code] then complain("%s has two wordings", code) end
+    if rows[code] then complain("%s has two sentences", code) end
     local names = {}
     for name in sentence:gsub("{{", ""):gsub("}}", ""):gmatch "{([%w_]+)" do names[name] = true end
     rows[code] = names
@@ -72,7 +73,7 @@ local function check(folder)
         if name == "require" or name == "fail" or name == "wrong" or name == "warn" or name == "Message" then
           for words in call:gsub('\\"', ""):gmatch '"([^"\n]*)"' do
             if words:find " " then
-              complain("%s: %s(… \"%s\" …): words belong into src/bind/wording", file, name, words)
+              complain("%s: %s(… \"%s\" …): text belongs in src/bind/wording", file, name, words)
             end
           end
         end
@@ -85,21 +86,21 @@ local function check(folder)
   for code, places in pairs(uses) do
     for _, use in ipairs(places) do
       if not rows[code] then
-        complain("%s: %s has no wording", use.file, code)
+        complain("%s: %s has no sentence", use.file, code)
       elseif sorted(rows[code]) ~= sorted(use.names) then
-        complain("%s: %s has the data (%s), its wording the placeholders (%s)", use.file, code, sorted(use.names),
+        complain("%s: %s has the data (%s), its sentence the placeholders (%s)", use.file, code, sorted(use.names),
           sorted(rows[code]))
       end
     end
   end
   for code in pairs(rows) do
-    if not uses[code] then complain("the wording of %s has no use", code) end
+    if not uses[code] then complain("the sentence of %s is not used", code) end
   end
   table.sort(wrong)
   return table.concat(wrong, "\n")
 end
 
--- The test can fail: a tree with one mistake of each kind is refused, the same tree without them is not.
+-- Shows that the test can fail: it rejects a tree with one mistake of each kind, and accepts it without these.
 local trial = os.tmpname()
 os.remove(trial)
 os.execute(("mkdir -p %s/base %s/bind/wording"):format(trial, trial))
