@@ -32,7 +32,7 @@ struct Part {
 struct Ranges {
   std::optional<Range> given;
   std::map<std::string, Range> by_label;
-  bool beside = false;                  ///< several parts: ranges must be known before drawing
+  bool several_parts = false;           ///< ranges must then be known before drawing
   std::optional<view::Box> extent = {}; ///< shown by all parts
 
   std::optional<Range> of(const view::PictureOptions& options) const {
@@ -98,7 +98,7 @@ void align_plates(Plates& plates, const Ranges& ranges) {
   }
   const view::PictureOptions& first = film[0].options;
   const bool moves = film.size() > 1, ranged = first.range || first.field_label.empty();
-  if (moves || (!ranged && (film[0].inset || ranges.beside))) {
+  if (moves || (!ranged && (film[0].inset || ranges.several_parts))) {
     std::vector<view::Panel> all;
     for (const auto& one : film) all.insert(all.end(), one.panels.begin(), one.panels.end());
     view::PictureOptions whole = first;
@@ -195,7 +195,7 @@ view::PictureOptions aligned(const Film<StatePicture>& states) {
 
 Ranges ranges_of(const Film<SheetPicture>& film, const Ranges& outer) {
   Ranges ranges = film[0]->own_ranges ? Ranges{} : outer;
-  ranges.beside = film[0]->parts.size() > 1;
+  ranges.several_parts = film[0]->parts.size() > 1;
   if (film[0]->range) ranges.given = film[0]->range;
   if (film[0]->own_ranges || ranges.given || !ranges.by_label.empty()) return ranges;
   StatesByLabel found;

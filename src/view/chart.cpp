@@ -64,12 +64,12 @@ Range chart_xrange(const std::vector<Series>& series, const ChartOptions& option
       if (drawn(s, i)) xs.take(s.x[i]);
   for (const Name& rule : options.vlines) xs.take(rule.at);
   const auto& names = options.xticks;
-  double air = 0.02;
+  double margin = 0.02;
   if (names.size() >= 2) {
     xs.take(names.front().at), xs.take(names.back().at);
-    air = 0.3 / (names.size() - 1);
+    margin = 0.3 / (names.size() - 1);
   }
-  return axis_range(xs, options.xrange, options.log_x, "x", air);
+  return axis_range(xs, options.xrange, options.log_x, "x", margin);
 }
 
 Range chart_yrange(const std::vector<Series>& series, const ChartOptions& options, const Range& xs) {

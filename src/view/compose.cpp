@@ -106,9 +106,9 @@ std::optional<std::array<int, 2>> room_of(const Frame& frame, double share) {
 /// Places a detail in corner 0 to 3 of a frame: north-east, south-east, north-west, south-west.
 Placing placed(const Frame& frame, int corner, Plate detail) {
   const auto& [left, right, bottom, top] = frame.box;
-  const double width = detail.drawing.size[0], height = detail.drawing.size[1], air = 0.012 * (right - left);
-  const double x = corner < 2 ? right - air - width : left + air,
-               y = corner % 2 == 0 ? top - air - height : bottom + air;
+  const double width = detail.drawing.size[0], height = detail.drawing.size[1], margin = 0.012 * (right - left);
+  const double x = corner < 2 ? right - margin - width : left + margin,
+               y = corner % 2 == 0 ? top - margin - height : bottom + margin;
   const Box marked = clipped(place_of(detail.frames.front(), frame), frame.box);
   return {{{static_cast<int>(std::round(x)), static_cast<int>(std::round(y))}, std::move(detail)}, marked};
 }
@@ -179,7 +179,7 @@ std::array<std::array<Vec2, 2>, 2> joins(const Box& from, const Box& to) {
 
 void draw_joins(Drawing& drawing, const Placing& placing) {
   const double width = std::max(1.0, 1.5e-3 * drawing.size[0]);
-  const Box inset = aired(box_of(placing.inset), width);
+  const Box inset = enlarged(box_of(placing.inset), width);
   for (const Box& box : {placing.marked, inset})
     drawing.marks.push_back(Stroke{outline_of(box), frame_color, 1.4 * width});
   for (const auto& [from, to] : joins(placing.marked, inset))

@@ -131,19 +131,19 @@ void Range::take(double value) {
 }
 
 Range axis_range(const Range& values, const std::optional<std::array<double, 2>>& given, bool log,
-                 const std::string& axis, double air) {
+                 const std::string& axis, double margin) {
   if (given) {
     const auto [low, high] = *given;
     require(!log || low > 0, "view.axis.range_log", {{"axis", axis}, {"low", low}, {"high", high}});
     return {low, high};
   }
   if (log) {
-    const double factor = values.high / values.low < 1 + 1e-9 ? 2 : std::pow(values.high / values.low, air);
+    const double factor = values.high / values.low < 1 + 1e-9 ? 2 : std::pow(values.high / values.low, margin);
     return {values.low / factor, values.high * factor};
   }
   const double width = values.high - values.low;
   const double room = width > 1e-9 * std::max(std::abs(values.low), std::abs(values.high))
-                          ? air * width
+                          ? margin * width
                           : std::max(0.1 * std::abs(values.high), 1e-9);
   return {values.low - room, values.high + room};
 }

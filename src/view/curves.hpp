@@ -18,7 +18,7 @@ struct Range {
 /// differ by rounding error only, are widened on both sides. `axis`: name of the axis in the Error on a given range ≤ 0
 /// on a log axis.
 Range axis_range(const Range& values, const std::optional<std::array<double, 2>>& given, bool log,
-                 const std::string& axis, double air);
+                 const std::string& axis, double margin);
 
 /// Whether both coordinates of the point are finite.
 bool drawn(const Series& s, std::size_t point);

@@ -76,8 +76,8 @@ Box clipped(const Box& box, const Box& frame) {
           std::min(box[3], frame[3])};
 }
 
-Box aired(const Box& box, double air) {
-  return {box[0] - air, box[1] + air, box[2] - air, box[3] + air};
+Box enlarged(const Box& box, double margin) {
+  return {box[0] - margin, box[1] + margin, box[2] - margin, box[3] + margin};
 }
 
 bool overlap(const Box& a, const Box& b) {

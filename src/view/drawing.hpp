@@ -84,7 +84,7 @@ void draw_arrow(Drawing& drawing, std::vector<Vec2> line, double head, double wi
 
 /// The intersection of two boxes, and a box enlarged on all sides.
 Box clipped(const Box& box, const Box& frame);
-Box aired(const Box& box, double air);
+Box enlarged(const Box& box, double margin);
 
 bool overlap(const Box& a, const Box& b);
 bool holds(const Box& box, const Vec2& point);

@@ -45,13 +45,13 @@ template <class Needed> void thin_out(Ticks& ticks, const Scale& scale, Needed n
 }
 
 /// Draws a name below a point of the frame's lower side, or left of a point of its left side.
-void draw_name(Drawing& drawing, const FittedText& name, const Vec2& at, bool upright, bool beside,
+void draw_name(Drawing& drawing, const FittedText& name, const Vec2& at, bool upright, bool at_left,
                const Style& style) {
   const double tick = style.tick_size, middle = 0.5 * (digit_height * name.size - name.depth());
-  const Vec2 start = upright  ? Vec2{at[0] + middle, at[1] - 0.5 * tick}
-                     : beside ? Vec2{at[0] - 0.45 * tick, at[1] - middle}
-                              : Vec2{at[0], at[1] - 1.2 * tick};
-  draw_lines(drawing, name, start, upright || beside ? Align::right : Align::center, ink, upright);
+  const Vec2 start = upright   ? Vec2{at[0] + middle, at[1] - 0.5 * tick}
+                     : at_left ? Vec2{at[0] - 0.45 * tick, at[1] - middle}
+                               : Vec2{at[0], at[1] - 1.2 * tick};
+  draw_lines(drawing, name, start, upright || at_left ? Align::right : Align::center, ink, upright);
 }
 
 /// Fits a title into `above` pixels over the box.

@@ -129,17 +129,17 @@ HeatmapLayout lay_out(const std::vector<Heat>& maps, const HeatmapOptions& optio
     const double below = style.margin + room_below(style, options.xlabel) + depth;
     return (top - head - below - (rows - 1) * row_gap) / rows;
   };
-  const auto beside = [&](double height) {
+  const auto names_at = [&](double height) {
     return stacked_names(cell_names(options.y), {0, along, false, 0, height}, 0.3 * wide, style);
   };
-  Ticks yticks = beside(height_with(0));
+  Ticks yticks = names_at(height_with(0));
   const double left = style.margin + room_left(style, yticks, options.ylabel);
   const double width = (right - left - (columns - 1) * column_gap) / columns;
   require(width >= 0.1 * wide, "view.heatmap.width", {{"width", options.size[0]}, {"height", options.size[1]}});
   const Ticks xticks = named_ticks(cell_names(options.x), {0, across, false, 0, width}, 0.35 * high, style, true);
   const double height = height_with(xticks.depth);
   require(height >= 0.1 * high, "view.heatmap.height", {{"width", options.size[0]}, {"height", options.size[1]}});
-  yticks = beside(height);
+  yticks = names_at(height);
 
   for (int m = 0; m < count; ++m) {
     const int column = m % columns, row = m / columns;
@@ -191,9 +191,9 @@ void draw_text(Drawing& drawing, const std::string& string, const Box& cell, con
   const double width = text_width(string, size), middle = 0.5 * (cell[0] + cell[1]), base = 0.5 * (cell[2] + cell[3]);
   if (string.empty() || size == 0 || width > 0.96 * (cell[1] - cell[0])) return;
   if (look.hatch != Hatch::none) { // hatch lines behind letters impair legibility
-    const double air = 0.2 * size;
+    const double margin = 0.2 * size;
     fill_box(drawing,
-             {std::max(cell[0], middle - 0.5 * width - air), std::min(cell[1], middle + 0.5 * width + air),
+             {std::max(cell[0], middle - 0.5 * width - margin), std::min(cell[1], middle + 0.5 * width + margin),
               std::max(cell[2], base - 0.6 * size), std::min(cell[3], base + 0.6 * size)},
              look.color);
   }

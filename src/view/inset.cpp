@@ -26,8 +26,8 @@ Range inset_yrange(const std::vector<Series>& series, const ChartOptions& option
 /// Outline of the region in the chart, slightly enlarged, so that it does not coincide with the enclosed curves.
 Box marked_box(const Frame& region, const Frame& chart, const Style& style) {
   const Box box =
-      clipped(aired({chart.x(region.x.low), chart.x(region.x.high), chart.y(region.y.low), chart.y(region.y.high)},
-                    6 * style.unit),
+      clipped(enlarged({chart.x(region.x.low), chart.x(region.x.high), chart.y(region.y.low), chart.y(region.y.high)},
+                       6 * style.unit),
               chart.box);
   require(box[0] < box[1] && box[2] < box[3], "view.inset.outside_chart");
   return box;
@@ -80,14 +80,14 @@ PlacedInset place_inset(const std::vector<Series>& series, const ChartOptions& o
     lines.insert(lines.end(), {outline_of(box), {{left, bottom}, {right, top}}, {{left, top}, {right, bottom}}});
   }
   inset.hidden = std::numeric_limits<double>::infinity();
-  const double gap = 0.8 * style.tick_size, air = 5 * style.unit, width = chart.box[1] - chart.box[0],
+  const double gap = 0.8 * style.tick_size, margin = 5 * style.unit, width = chart.box[1] - chart.box[0],
                height = chart.box[3] - chart.box[2];
   for (const Vec2& part : sizes) {
     const bool last = &part == &sizes[std::size(sizes) - 1];
     for (Corner corner : corners) {
       if (corner != options.inset->place.value_or(corner)) continue;
       const Box box = corner_box(corner, {part[0] * width, part[1] * height}, chart.box, gap);
-      const double hidden = covered(lines, aired(box, air));
+      const double hidden = covered(lines, enlarged(box, margin));
       if (hidden < inset.hidden && (hidden == 0 || last)) inset.hidden = hidden, inset.outer = box;
     }
     if (inset.hidden == 0) break;

@@ -157,7 +157,7 @@ Legend make_legend(const std::vector<Series>& series, const ChartOptions& option
 std::optional<Legend> legend_within(const std::vector<Series>& series, const ChartOptions& options, const Box& frame,
                                     const Lines& lines, bool always, const Style& style) {
   const auto& [left, right, bottom, top] = frame;
-  const double pad = 0.4 * style.label_size, air = 0.5 * style.tick_size, gap = 12 * style.unit;
+  const double pad = 0.4 * style.label_size, margin = 0.5 * style.tick_size, gap = 12 * style.unit;
   Legend legend = chart_legend(series, options, style);
   if (legend.rows.empty() || !fit_names(legend, 0.9 * style.label_size, 0.5 * (right - left), 1, style))
     return std::nullopt;
@@ -166,7 +166,7 @@ std::optional<Legend> legend_within(const std::vector<Series>& series, const Cha
   double least = std::numeric_limits<double>::infinity();
   for (Corner corner : corners) {
     const Box box = corner_box(corner, {width, height}, frame, gap);
-    const double hidden = covered(lines, aired(box, air));
+    const double hidden = covered(lines, enlarged(box, margin));
     if (hidden >= least || (hidden > 0 && !always)) continue;
     least = hidden;
     legend.within = box;

@@ -104,16 +104,16 @@ std::optional<Box> find_room(const FittedText& label, const Vec2& at, const Box&
                              const Style& style) {
   // right, left, then the corners, above, below
   static constexpr double directions[][2] = {{1, 0}, {-1, 0}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}, {0, 1}, {0, -1}};
-  const double air = 0.2 * label.size, across = 0.5 * label.width() + air,
-               along = 0.5 * (label.size + label.depth()) + air;
+  const double margin = 0.2 * label.size, across = 0.5 * label.width() + margin,
+               along = 0.5 * (label.size + label.depth()) + margin;
   for (int step = 0; step <= 9; ++step) {
-    const double reach = arm(style) + 1.5 * air + 0.7 * step * label.size;
+    const double reach = arm(style) + 1.5 * margin + 0.7 * step * label.size;
     for (const auto& [dx, dy] : directions) {
-      const Vec2 middle = {pushed(at[0] + dx * (reach + across - air), box[0] + across, box[1] - across),
-                           pushed(at[1] + dy * (reach + along - air), box[2] + along, box[3] - along)};
-      const Box aired = {middle[0] - across, middle[0] + across, middle[1] - along, middle[1] + along};
-      const Box place = {aired[0] + air, aired[1] - air, aired[2] + air, aired[3] - air};
-      if (holds(box, {place[0], place[2]}) && holds(box, {place[1], place[3]}) && taken.free(aired) &&
+      const Vec2 middle = {pushed(at[0] + dx * (reach + across - margin), box[0] + across, box[1] - across),
+                           pushed(at[1] + dy * (reach + along - margin), box[2] + along, box[3] - along)};
+      const Box enlarged = {middle[0] - across, middle[0] + across, middle[1] - along, middle[1] + along};
+      const Box place = {enlarged[0] + margin, enlarged[1] - margin, enlarged[2] + margin, enlarged[3] - margin};
+      if (holds(box, {place[0], place[2]}) && holds(box, {place[1], place[3]}) && taken.free(enlarged) &&
           taken.free(leader(at, place, label.size, style), style))
         return place;
     }

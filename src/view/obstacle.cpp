@@ -298,13 +298,13 @@ RigidSurface shown(const Rigid& rigid, const Bounds& box, const std::vector<Wind
   (points.colwise() - box.center()).colwise().squaredNorm().minCoeff(&nearest);
   const Vec<3> point = points.col(nearest), apart = (box.low - point).cwiseMax(point - box.high);
   if (apart.maxCoeff() > 0.5 * box.size()) return {};
-  Bounds own, room = box;
+  Bounds own, region = box;
   own.take(points);
-  room.take(own.size() <= box.size() ? points : Points(point));
-  const double air = 0.05 * box.size();
-  room.low.array() -= air;
-  room.high.array() += air;
-  return within(std::move(surface), room);
+  region.take(own.size() <= box.size() ? points : Points(point));
+  const double margin = 0.05 * box.size();
+  region.low.array() -= margin;
+  region.high.array() += margin;
+  return within(std::move(surface), region);
 }
 
 } // namespace signorini::view

@@ -133,8 +133,8 @@ Box paper_box(const Scene& scene) {
   require(!all.empty(), "view.solids.cut_away");
   const Bounds bodies = all;
   for (const Outline& outline : scene.outlines) all.take(worth_showing(outline, bodies));
-  const double air = (scene.plane ? 0.03 : 0.015) * std::max((all.high - all.low).head<2>().maxCoeff(), 1e-12);
-  return {all.low[0] - air, all.high[0] + air, all.low[1] - air, all.high[1] + air};
+  const double margin = (scene.plane ? 0.03 : 0.015) * std::max((all.high - all.low).head<2>().maxCoeff(), 1e-12);
+  return {all.low[0] - margin, all.high[0] + margin, all.low[1] - margin, all.high[1] + margin};
 }
 
 /// The projection of a box in space.

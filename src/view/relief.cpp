@@ -14,7 +14,7 @@ void add_triangle(Ink& ink, const Vec<3>& a, const Vec<3>& b, const Vec<3>& c, c
 
 /// The point of the surface at the offset (x, y) pixels from `point`: z = −(n_x x + n_y y)/n_z, if the surface is not
 /// too steep.
-Vec<3> beside(const Vec<3>& point, const Vec<3>& normal, double x, double y) {
+Vec<3> on_surface(const Vec<3>& point, const Vec<3>& normal, double x, double y) {
   constexpr double steepest = 0.15;
   return point + Vec<3>(x, y, -(normal[0] * x + normal[1] * y) / std::max(std::abs(normal[2]), steepest));
 }
@@ -24,7 +24,7 @@ void add_joint(Ink& ink, const Vec<3>& point, const Vec<3>& normal, double radiu
   const int corners = std::clamp(static_cast<int>(4 * std::sqrt(radius)) + 4, 6, 24);
   const auto corner = [&](int k) {
     const double angle = 2 * std::numbers::pi * k / corners;
-    return beside(point, normal, radius * std::cos(angle), radius * std::sin(angle));
+    return on_surface(point, normal, radius * std::cos(angle), radius * std::sin(angle));
   };
   for (int k = 0; k < corners; ++k) add_triangle(ink, point, corner(k), corner(k + 1), color);
 }
@@ -52,8 +52,8 @@ void add_ribbon(Ink& ink, const Points& points, const Points& normals, const Pen
     const Vec<2> along = (b - a).head<2>();
     if (along.norm() == 0) continue;
     const double x = -half * along[1] / along.norm(), y = half * along[0] / along.norm();
-    const Vec<3> a1 = beside(a, na, x, y), a2 = beside(a, na, -x, -y), b1 = beside(b, nb, x, y),
-                 b2 = beside(b, nb, -x, -y);
+    const Vec<3> a1 = on_surface(a, na, x, y), a2 = on_surface(a, na, -x, -y), b1 = on_surface(b, nb, x, y),
+                 b2 = on_surface(b, nb, -x, -y);
     add_triangle(ink, a1, a2, b2, pen.color);
     add_triangle(ink, a1, b2, b1, pen.color);
   }

@@ -41,10 +41,10 @@ int hidden_by_rules(const Box& box, bool far, bool vertical, const Name& own, co
                     const Frame& frame, double gap) {
   int hidden = 0;
   const auto count = [&](const std::vector<Name>& rules, const Scale& scale, double from, double to, bool along) {
-    const double air = along && !far ? gap : 0.2 * gap;
+    const double margin = along && !far ? gap : 0.2 * gap;
     for (const Name& rule : rules) {
       const double at = scale(rule.at);
-      if (!(along && rule.at == own.at) && crosses(scale, rule.at) && at > from - air && at < to + air) ++hidden;
+      if (!(along && rule.at == own.at) && crosses(scale, rule.at) && at > from - margin && at < to + margin) ++hidden;
     }
   };
   count(options.vlines, frame.x, box[0], box[1], vertical);

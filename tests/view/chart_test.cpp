@@ -181,8 +181,8 @@ TEST(Chart, OmitsMarkersOnRequest) {
   ChartOptions options;
   options.legend = LegendPlace::none;
   const auto polygons = [&] {
-    draw_chart({first, second}, options, scratch("told.svg"));
-    return count_of(file_bytes(scratch("told.svg")), filled);
+    draw_chart({first, second}, options, scratch("markers.svg"));
+    return count_of(file_bytes(scratch("markers.svg")), filled);
   };
   EXPECT_EQ(polygons(), 2 * 2 * 3); // several curves have markers, with rims
   first.markers = second.markers = false;
@@ -246,9 +246,9 @@ TEST(Chart, PutsALegendWithLongNamesBelow) {
     draw_chart(series, options, scratch("legend.svg"));
     return file_bytes(scratch("legend.svg"));
   };
-  const std::string beside = legend("N2", {1600, 1000});
-  EXPECT_LT(number_at(beside, "N2 0", "y"), 100);
-  const std::string words = "a name that is too long to stand beside the chart as it takes more than half of all room";
+  const std::string outside = legend("N2", {1600, 1000});
+  EXPECT_LT(number_at(outside, "N2 0", "y"), 100);
+  const std::string words = "a name that is too long to be next to the chart as it takes more than half of all room";
   const std::string below = legend(words, {1600, 1000});
   EXPECT_GT(number_at(below, words + " 0", "y"), number_at(below, "abscissa", "y"));
   EXPECT_GE(number_at(below, words + " 2", "font-size"), 18);

@@ -31,17 +31,17 @@ TEST(Rigid, IsShownCompletelyIfSmall) {
 }
 
 TEST(Rigid, IsCutToTheBoxOfTheBodies) {
-  const double air = 0.05 * 4;
+  const double margin = 0.05 * 4;
   const RigidSurface ball = shown(RigidBall{{2, 1, 51}, 50}, box);
-  EXPECT_LE(extent(ball).high[0], 4 + air + 1e-9);
-  EXPECT_NEAR(extent(ball).low[1], -air, 1e-9);
+  EXPECT_LE(extent(ball).high[0], 4 + margin + 1e-9);
+  EXPECT_NEAR(extent(ball).low[1], -margin, 1e-9);
   EXPECT_FALSE(ball.rim.empty());
   const RigidSurface floor = shown(RigidPlane{{100, 100, -0.5}, {0, 0, 3}}, box);
-  EXPECT_LT((extent(floor).low - Vec<3>(-air, -air, -0.5)).norm(), 1e-9);
-  EXPECT_LT((extent(floor).high - Vec<3>(4 + air, 2 + air, -0.5)).norm(), 1e-9);
+  EXPECT_LT((extent(floor).low - Vec<3>(-margin, -margin, -0.5)).norm(), 1e-9);
+  EXPECT_LT((extent(floor).high - Vec<3>(4 + margin, 2 + margin, -0.5)).norm(), 1e-9);
   const RigidSurface cylinder = shown(RigidCylinder{{2, 70, 1.5}, {0, 0.1, 0}, 0.5}, box);
-  EXPECT_LT((extent(cylinder).low - Vec<3>(1.5, -air, 1)).norm(), 1e-9);
-  EXPECT_LT((extent(cylinder).high - Vec<3>(2.5, 2 + air, 2)).norm(), 1e-9);
+  EXPECT_LT((extent(cylinder).low - Vec<3>(1.5, -margin, 1)).norm(), 1e-9);
+  EXPECT_LT((extent(cylinder).high - Vec<3>(2.5, 2 + margin, 2)).norm(), 1e-9);
 }
 
 TEST(Rigid, IsRoundInMagnifiedRegions) {

@@ -114,8 +114,8 @@ std::string worded_in_one(const std::vector<Message>& messages) {
 }
 
 void warn(const std::string& sentence) {
-  static std::set<std::string> said;
-  if (said.insert(sentence).second) std::cerr << "signorini: warning: " << sentence << std::endl;
+  static std::set<std::string> printed;
+  if (printed.insert(sentence).second) std::cerr << "signorini: warning: " << sentence << std::endl;
 }
 
 void word_warnings() {
