@@ -19,7 +19,7 @@ std::string name_on_top(lua_State* L, bool powers = false) {
   return lua_type(L, -1) == LUA_TNUMBER ? number_text(lua_tonumber(L, -1), powers) : to<std::string>(L, -1);
 }
 
-/// Names of columns or rows. If one number needs a power of ten, large numbers are all written that way.
+/// Names of columns or rows. If one number needs a power of ten, all large and small ones are written that way.
 std::vector<std::string> read_names(const Arguments& a, const char* key) {
   lua_State* L = a.state();
   bool powers = false;

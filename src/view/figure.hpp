@@ -20,17 +20,17 @@ struct Plate {
 };
 
 struct PlacedPlate {
-  std::array<int, 2> at; ///< bottom left corner in the sheet, pixels
+  std::array<int, 2> at; ///< bottom left corner in the figure, pixels
   Plate plate;
 };
 
-/// Plates on a sheet of this size; later ones cover earlier ones.
+/// A figure of this size, made of plates; later ones cover earlier ones.
 struct Figure {
   std::array<int, 2> size; ///< pixels
   std::vector<PlacedPlate> plates;
 };
 
-/// A sheet with one plate.
+/// A figure with one plate.
 Figure figure_of(Plate plate);
 
 enum class Format { png, svg, pdf };
