@@ -16,7 +16,7 @@ int parse_count(const char* option, const std::string& word, int most) {
   int count = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), count);
   if (error != std::errc() || end != word.data() + word.size() || count < 1 || count > most)
-    throw UsageError(text(option, " takes a whole number from 1 to ", most, ", got '", word, "'"));
+    throw UsageError(text(option, " must be an integer from 1 to ", most, ", got '", word, "'"));
   return count;
 }
 
@@ -29,7 +29,7 @@ CommandLine parse(const std::vector<std::string>& words) {
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::string& word = words[i];
     const auto value = [&](const char* what) -> const std::string& {
-      if (i + 1 == words.size()) throw UsageError(text(word, " needs ", what, " behind it"));
+      if (i + 1 == words.size()) throw UsageError(text(word, " must be followed by ", what));
       return words[++i];
     };
     // Words after the script are its arguments, except this option, which applies to every study.
@@ -61,11 +61,13 @@ CommandLine parse(const std::vector<std::string>& words) {
     else if (word == "--")
       line.script = value("a script");
     else if (word.empty())
-      throw UsageError("the name of the script is empty, '': leave it out for the prompt, or give a file's name");
-    else if (word.starts_with("-") && word != "-")
-      throw UsageError(text("unknown option '", word, "'", bind::did_you_mean(word, known),
-                            "; options stand before the script, --help lists them"));
-    else
+      throw UsageError(
+          "the script name must not be empty, got ''. Hint: omit it for the prompt, or give the name of a file");
+    else if (word.starts_with("-") && word != "-") {
+      const std::string meant = bind::did_you_mean(word, known);
+      throw UsageError(text("unknown option '", word, "'", meant, meant.empty() ? "." : "",
+                            " Hint: options precede the script, --help lists them"));
+    } else
       line.script = word;
   }
   return line;
@@ -76,24 +78,24 @@ const char* usage() {
          "\n"
          "  signorini                       prompt with history, completion and help()\n"
          "  signorini study.lua [args…]     run a script; its arguments are in `arg`\n"
-         "  signorini hertz2d.lua [args…]   also one that comes along; help \"gallery\" at the prompt lists them\n"
-         "  echo 'code' | signorini -       run what standard input says\n"
+         "  signorini hertz2d.lua [args…]   run a supplied script; help \"gallery\" at the prompt lists them\n"
+         "  echo 'code' | signorini -       run standard input\n"
          "\n"
          "  -e 'code'       run code (may be repeated, before the script)\n"
-         "  -i              go to the prompt afterwards, also after an error\n"
-         "  -q              no progress, no greeting\n"
-         "  --threads N     threads of assembly and contact search; BLAS uses one (1)\n"
-         "  --jobs N        cases of a study side by side, also behind the script (as many as there are processors)\n"
-         "  --new FILE      write a commented study to begin with, such as study.lua\n"
+         "  -i              continue at the prompt, also after an error\n"
+         "  -q              no progress display, no banner\n"
+         "  --threads N     threads of assembly and contact search; BLAS uses one (default: 1)\n"
+         "  --jobs N        parallel cases of a study, also after the script (default: number of processors)\n"
+         "  --new FILE      write a commented starter study, such as study.lua\n"
          "  --version       version\n"
          "  --help          this text\n"
          "  --doctor        versions of all libraries, and a test picture\n"
          "\n"
-         "Exit status: 0 when all went well, 1 after an error, also in a case of a study, 2 for a wrong command line, "
+         "Exit status: 0 on success, 1 after an error, also in a case of a study, 2 for an invalid command line, "
          "130 after Ctrl-C.\n"
-         "SIGNORINI_HOME: the folder that holds lua/, if it is not where the program was installed.\n"
-         "SIGNORINI_KERNEL: sse2, avx2 or avx512, the widest vector instructions of the element kernels (the "
-         "processor's).\n";
+         "SIGNORINI_HOME: the folder that contains lua/, if it differs from that of the installation.\n"
+         "SIGNORINI_KERNEL: sse2, avx2 or avx512, the widest vector instructions of the element kernels "
+         "(default: those of the processor).\n";
 }
 
 } // namespace signorini::repl

@@ -147,8 +147,8 @@ void add_syntax_hint(lua_State* L) {
                        *comma = ".*'\\}' expected (\\(to close .*\\) )?near '.*'";
   const std::string message = lua_tostring(L, -1);
   const char* hint = !match(message, beyond_ascii).empty()
-                         ? "; names are of the letters a-z, A-Z, digits and _; other characters stand in quotes"
-                     : !match(message, comma).empty() ? "; is a comma missing before it?"
+                         ? ". Hint: names consist of a-z, A-Z, digits and _; put other characters in quotes"
+                     : !match(message, comma).empty() ? ". Hint: a comma may be missing before it"
                                                       : nullptr;
   if (!hint) return;
   lua_pop(L, 1);

@@ -88,10 +88,10 @@ check.case("a wrong command line ends with status 2 and a hint", function()
   for arguments, hint in pairs {
     [{ "--doctr" }] = "unknown option '--doctr'; did you mean '--doctor'?",
     [{ "-x" }] = "unknown option '-x'",
-    [{ "--threads", "0" }] = "--threads takes a whole number from 1 to 1024, got '0'",
+    [{ "--threads", "0" }] = "--threads must be an integer from 1 to 1024, got '0'",
     [{ "--threads", "2x" }] = "got '2x'",
-    [{ "--threads" }] = "--threads needs a number behind it",
-    [{ "-e" }] = "-e needs code",
+    [{ "--threads" }] = "--threads must be followed by a number",
+    [{ "-e" }] = "-e must be followed by code",
   } do
     local result = run(arguments)
     check.equal(result.status, 2)
@@ -162,14 +162,15 @@ end)
 
 check.case("where entries of a table have no comma in between, the message asks for it", function()
   for _, case in ipairs { { { "-e", "f{ a=1 b=2 }" } }, { { "-" }, "f{ a=1\n b=2 }" } } do
-    check.holds(run(case[1], case[2]).output, ": '}' expected", "near 'b'; is a comma missing before it?")
+    check.holds(run(case[1], case[2]).output, ": '}' expected", "near 'b'. Hint: a comma may be missing before it")
   end
-  check.equal(run { "-e", "f(1 2)" }.output:find "is a comma", nil)
-  check.holds(run({}, "f{ a=1 b=2 }\n").output, "prompt:1: '}' expected near 'b'; is a comma missing before it?\n")
+  check.equal(run { "-e", "f(1 2)" }.output:find "a comma may", nil)
+  check.holds(run({}, "f{ a=1 b=2 }\n").output,
+    "prompt:1: '}' expected near 'b'. Hint: a comma may be missing before it\n")
 end)
 
 check.case("a name of other letters than Lua's is told which it may have", function()
-  local hint = "; names are of the letters a-z, A-Z, digits and _; other characters stand in quotes\n"
+  local hint = ". Hint: names consist of a-z, A-Z, digits and _; put other characters in quotes\n"
   check.equal(run({}, "ü = 3\n").output, "prompt:1: unexpected symbol near '<\\195>'" .. hint)
   for _, code in ipairs { "größe = 1", "x = 3 × 4", "x = “a”", "t = { α = 1 }" } do
     check.holds(run({}, code .. "\n").output, "prompt:1: ", hint)
@@ -248,7 +249,7 @@ end)
 check.case("a script without a name", function()
   local result = run { "" }
   check.equal(result.status, 2)
-  check.holds(result.output, "the name of the script is empty, ''")
+  check.holds(result.output, "the script name must not be empty, got ''")
 end)
 
 check.case("a quotation mark that is left open is an error of its line, and the next line is one of its own", function()

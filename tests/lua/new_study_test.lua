@@ -44,7 +44,7 @@ check.case("a file that exists stays, a folder must be there, and the name ends 
   check.equal(core.exists(folder .. "/mine"), false)
   output, status = run "--new"
   check.equal(status, 2)
-  check.holds(output, "--new needs the name of a file")
+  check.holds(output, "--new must be followed by the name of a file")
 end)
 
 check.done()
