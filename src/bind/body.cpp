@@ -92,7 +92,7 @@ int place_names(lua_State* L) {
   return 1;
 }
 
-template <int D> Place<D> face(const Body<D>& body, const std::string& name) {
+template <int D> BoundaryPart<D> face(const Body<D>& body, const std::string& name) {
   const Side side = nurbs::side_of(name, D);
   return {body, "face", name, side, body->space().face_functions(side)};
 }
@@ -108,7 +108,7 @@ template <int D> int push_meeting(lua_State* L, const char* kind, int count, con
     const std::vector<int> others = body->space().face_functions(side);
     std::erase_if(common, [&](int f) { return std::find(others.begin(), others.end(), f) == others.end(); });
   }
-  push_object(L, Place<D>{body, kind, name, {}, std::move(common)});
+  push_object(L, BoundaryPart<D>{body, kind, name, {}, std::move(common)});
   return 1;
 }
 
@@ -121,7 +121,7 @@ template <int D> int corner(lua_State* L) {
   return push_meeting<D>(L, "corner", D, corner_names(D));
 }
 
-template <int D> std::string place_text(const Place<D>& place) {
+template <int D> std::string place_text(const BoundaryPart<D>& place) {
   return text(place.kind, " '", place.name, "' of a body, ", counted(place.functions.size(), "control point"));
 }
 
@@ -277,7 +277,7 @@ void open_body(lua_State* L) {
   register_functions(L, "core", body_core_entries);
   register_type<solid::Material>(L, material_entries);
   register_type<Body<2>, Body<3>>(L, body_entries<2>, body_entries<3>);
-  register_type<Place<2>, Place<3>>(L, place_entries<2>, place_entries<3>);
+  register_type<BoundaryPart<2>, BoundaryPart<3>>(L, place_entries<2>, place_entries<3>);
 }
 
 } // namespace signorini::bind

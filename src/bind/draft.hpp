@@ -11,7 +11,7 @@ template <int D> struct Draft {
   std::vector<Rigid<D>> obstacles = {}; ///< those of the scene
 
   /// Index of the place's body. Throws when the body is not in the scene.
-  int index_of(const Place<D>& place, const std::string& where) const;
+  int index_of(const BoundaryPart<D>& place, const std::string& where) const;
   /// Index of an obstacle; new ones are appended. Throws when it does not fit the kind of scene.
   int index_of(const Rigid<D>& rigid, const std::string& where);
   /// The face at a stack index. Throws for other values.
@@ -20,7 +20,7 @@ template <int D> struct Draft {
 
 /// Throws like reject(), for a place of the wrong kind.
 template <int D>
-[[noreturn]] void reject_place(const Place<D>& place, const std::string& where, const std::string& expected,
+[[noreturn]] void reject_place(const BoundaryPart<D>& place, const std::string& where, const std::string& expected,
                                const std::string& cure) {
   fail(where, " must be ", expected, ", got the ", place.kind, " '", place.name, "': ", cure);
 }

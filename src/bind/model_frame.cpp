@@ -152,7 +152,7 @@ void add_mirror_image(view::Panel& panel, int axis, double sign) {
 /// The lattices of the elements that one of the planes intersects. Inside bodies the contact pressure is drawn as zero.
 std::vector<view::Lattice> inside_of(const model::Model<3>& model, int b, const Showing& showing,
                                      const model::Field<3>* field, bool valued,
-                                     const std::vector<tessellation::Plane>& planes) {
+                                     const std::vector<tessellation::CutPlane>& planes) {
   std::vector<view::Lattice> result;
   for (tessellation::Inside& inside :
        tessellation::crossed_elements(model, b, field, divisions_for(model, b), showing.deformed, planes)) {
@@ -180,9 +180,9 @@ view::CutPlane plane_of(const Cut& cut, const std::vector<view::Body>& bodies, c
 void cut_open(view::Panel& panel, const model::Model<3>& model, const Cut& cut, const Showing& showing,
               const model::Field<3>* field) {
   panel.cut = plane_of(cut, panel.bodies, showing.mirror);
-  std::vector<tessellation::Plane> planes = {{panel.cut->point, panel.cut->normal}};
+  std::vector<tessellation::CutPlane> planes = {{panel.cut->point, panel.cut->normal}};
   for (char letter : showing.mirror)
-    add_images(planes, [&](tessellation::Plane image) {
+    add_images(planes, [&](tessellation::CutPlane image) {
       image.point[letter - 'x'] *= -1;
       image.normal[letter - 'x'] *= -1;
       return image;

@@ -166,7 +166,7 @@ constexpr Function scene_functions[] = {{"model", call<make_model>}};
 
 } // namespace
 
-template <int D> int Draft<D>::index_of(const Place<D>& place, const std::string& where) const {
+template <int D> int Draft<D>::index_of(const BoundaryPart<D>& place, const std::string& where) const {
   const auto found = std::ranges::find(scene.bodies, place.body, &model::NamedBody<D>::body);
   require(found != scene.bodies.end(), where, " is on a body that is not in bodies: add it there");
   return static_cast<int>(found - scene.bodies.begin());
@@ -183,7 +183,7 @@ template <int D> int Draft<D>::index_of(const Rigid<D>& rigid, const std::string
 }
 
 template <int D> model::FaceReference Draft<D>::face(lua_State* L, int index, const std::string& where) const {
-  const Place<D>& place = read_object<Place<D>>(L, index, {where});
+  const BoundaryPart<D>& place = read_object<BoundaryPart<D>>(L, index, {where});
   if (!place.side) reject_place(place, where, "a face", text(with_article(place.kind), " has no surface"));
   return {index_of(place, where), *place.side};
 }

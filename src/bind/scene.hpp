@@ -18,7 +18,7 @@ template <int D> using Rigid = std::shared_ptr<const RigidShape<D>>;
 template <int D> using Body = std::shared_ptr<const solid::Body<D>>;
 
 /// Control points of a body for supports, drives or contact: a face, an edge, or a corner.
-template <int D> struct Place {
+template <int D> struct BoundaryPart {
   Body<D> body;
   const char* kind;                ///< "face", "edge" or "corner"
   std::string name;                ///< "south", "south-front", "south-west"
@@ -39,7 +39,7 @@ template <> struct Type<solid::Material> { static constexpr auto name = "materia
 /// For types that exist in the plane and in space.
 template <int D> struct TypeIn { static constexpr int dimension = D; };
 template <int D> struct Type<Body<D>> : TypeIn<D> { static constexpr auto name = "body"; };
-template <int D> struct Type<Place<D>> : TypeIn<D> { static constexpr auto name = "face"; };
+template <int D> struct Type<BoundaryPart<D>> : TypeIn<D> { static constexpr auto name = "face"; };
 template <int D> struct Type<Rigid<D>> : TypeIn<D> { static constexpr auto name = "obstacle"; };
 template <int D> struct Type<Snapshot<D>> : TypeIn<D> { static constexpr auto name = "snapshot"; };
 template <int D> struct Type<Model<D>> : TypeIn<D> { static constexpr auto name = "model"; };

@@ -53,7 +53,7 @@ template <int D> double face_area(const solid::Body<D>& body, nurbs::Side side) 
 /// Calls visit(place) for each face in `on`; other values are errors.
 template <int D, class Visit> void each_face(const Arguments& a, const char* expected, const char* cure, Visit visit) {
   a.list("on", [&](int, int index, const std::string&) {
-    const Place<D>* place = test_object<Place<D>>(a.state(), index);
+    const BoundaryPart<D>* place = test_object<BoundaryPart<D>>(a.state(), index);
     if (!place) reject(a.state(), index, {a.name("on")}, expected, cure);
     if (!place->side) reject_place(*place, a.name("on"), expected, cure);
     visit(*place);
@@ -76,7 +76,7 @@ template <int D> void read_rotation(const Arguments& a, model::Support<D>& suppo
                             : "what rotates are faces of bodies; give other things a support of their own";
   if (D == 2 && lua_rawlen(L, a.push("on")) > 1) a.refuse("on", expected, cure);
   double size = 0;
-  each_face<D>(a, expected, cure, [&](const Place<D>& face) {
+  each_face<D>(a, expected, cure, [&](const BoundaryPart<D>& face) {
     const double area = face_area(*face.body, *face.side);
     support.center += area * model::face_centroid(*face.body, *face.side);
     size += area;
@@ -109,7 +109,7 @@ template <int D> void read_symmetry(const Arguments& a, const Draft<D>& draft, m
   if (support.rotates) reject_symmetry("holds a plane, which rotate turns: take one of the two out");
   std::optional<AxisPlane> plane;
   const char* cure = "what lies in a plane of symmetry are faces of bodies; give other things a support of their own";
-  each_face<D>(a, "a face, or a list of faces", cure, [&](const Place<D>& face) {
+  each_face<D>(a, "a face, or a list of faces", cure, [&](const BoundaryPart<D>& face) {
     const std::string words =
         worded(model::face_message(draft.scene, {draft.index_of(face, a.name("on")), *face.side}));
     const MatrixX points = face.body->space().points();
@@ -148,7 +148,7 @@ template <int D> model::Support<D> read_support(Draft<D>& draft, const Arguments
       support.obstacles.push_back(obstacle);
       return;
     }
-    const Place<D>& place = read_object<Place<D>>(a.state(), index, {on});
+    const BoundaryPart<D>& place = read_object<BoundaryPart<D>>(a.state(), index, {on});
     const int body = draft.index_of(place, on);
     const std::string words = text(place.kind, " '", place.name, "' of body '", draft.scene.bodies[at(body)].name, "'");
     if (!listed.insert(words).second) reject_twice(a, words);

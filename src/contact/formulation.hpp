@@ -21,7 +21,7 @@ template <int D> struct ContactSetting {
 
 /// What a step asks of contact points, whatever their gaps and friction say.
 struct Controls {
-  std::vector<Held> held = {}; ///< keeps points in a state: one entry per point; empty frees all
+  std::vector<FixedContactState> fixed_states = {}; ///< keeps points in a state: one entry per point; empty frees all
   /// For the first guess of a step, which starts where states are undecided: what only rounding error decides is
   /// decided by a rule. Points that are free and nearer than this distance to touching, on either side, touch and
   /// stick. Points whose slip is that near to Coulomb's cone, as all are that slipped in the last step, go on slipping

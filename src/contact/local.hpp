@@ -11,7 +11,7 @@ namespace signorini::contact {
 enum class ContactState { open, stick, slip, adhesion };
 
 /// What a point is told to be, whatever its gap and friction say: touching leaves the choice of stick or slip.
-enum class Held : unsigned char { free, open, touching, stick };
+enum class FixedContactState : unsigned char { free, open, touching, stick };
 
 /// "open", "stick", "slip", "adhesion".
 const char* name_of(ContactState state);
@@ -29,7 +29,7 @@ template <int D> struct LocalGeometry {
   bool revolved = false;    ///< axisymmetric: the first coordinate is the radius, areas are those of the full circle
   double reference_measure; ///< reference area per parametric area
   double multiplier = 0;    ///< λ_N of the augmented Lagrangian method, a pressure
-  Held held = Held::free;
+  FixedContactState fixed_state = FixedContactState::free;
   /// A slip within this distance of Coulomb's cone sticks; negative: slips. See Controls::guessed.
   double tie = 0;
   double fade = 1; ///< part of the area that counts: less than 1 beyond an open end of the master

@@ -20,7 +20,7 @@ template <int D> void penalty_force(const PenaltyLaw& law, const LocalGeometry<D
   // ε_N g²/2, and with friction |t_T|²/(2 ε_T)
   result.potential = 0.5 * law.normal * g * g;
   // A point that is held may pull, and then has no friction to limit.
-  const bool sticks = geometry.held == Held::stick;
+  const bool sticks = geometry.fixed_state == FixedContactState::stick;
   if (law.friction > 0 && geometry.slip_point && (result.pressure > 0 || sticks)) {
     // Trial t_T = ε_T (xᵐ(ξ̄) − xᵐ(ξ_sl)) (thesis 3.74), both on the current master
     const Vec<D> trial = law.tangential * (master.position - *geometry.slip_point);

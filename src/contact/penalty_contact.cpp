@@ -31,8 +31,9 @@ template <int D> void PenaltyContact<D>::evaluate_point(std::size_t i, const Tri
   PointHistory<D>& point = trial.present.points[i];
   const Controls& controls = trial.controls;
   const double travel = this->travel_;
-  Held held = controls.held.empty() ? Held::free : controls.held[i];
-  if (held == Held::free ? travel + controls.guessed < point.cleared : held == Held::open) return;
+  FixedContactState fixed = controls.fixed_states.empty() ? FixedContactState::free : controls.fixed_states[i];
+  if (fixed == FixedContactState::free ? travel + controls.guessed < point.cleared : fixed == FixedContactState::open)
+    return;
   if (!this->find_foot(i, trial, part, at)) return;
 
   const PenaltyLaw law = scaled(trial.penalty_factor);
@@ -41,14 +42,14 @@ template <int D> void PenaltyContact<D>::evaluate_point(std::size_t i, const Tri
   // t_N = λ_N − ε_N g > 0 below a distance of λ_N/ε_N
   const double distance = gap - point.multiplier / law.normal;
   point.cleared = foot == Foot::regular && at.foot.settled && distance > 0 ? travel + distance : 0;
-  if (held == Held::free && std::abs(distance) < controls.guessed) held = Held::stick;
-  if (held == Held::free && distance >= 0) return;
-  if (held == Held::free && controls.landing) held = Held::stick;
+  if (fixed == FixedContactState::free && std::abs(distance) < controls.guessed) fixed = FixedContactState::stick;
+  if (fixed == FixedContactState::free && distance >= 0) return;
+  if (fixed == FixedContactState::free && controls.landing) fixed = FixedContactState::stick;
   if (foot != Foot::regular && gap == 0) return; // no direction
 
   LocalGeometry<D> geometry = this->geometry(i, trial, at);
   geometry.multiplier = point.multiplier;
-  geometry.held = held;
+  geometry.fixed_state = fixed;
   geometry.tie = controls.onward ? -controls.guessed : controls.guessed;
   if (frictional() && !point.slips) remember_touch(i, trial);
   if (frictional() && point.slips) {

@@ -17,8 +17,8 @@ template <int D> unsigned char code(const contact::PointResult<D>& result) {
 }
 
 /// One that slips is held sticking: were it to slip on, its friction would follow each turn of its way.
-contact::Held held_state(contact::ContactState state) {
-  return state == contact::ContactState::open ? contact::Held::open : contact::Held::stick;
+contact::FixedContactState fixed_state_for(contact::ContactState state) {
+  return state == contact::ContactState::open ? contact::FixedContactState::open : contact::FixedContactState::stick;
 }
 
 } // namespace
@@ -35,11 +35,12 @@ void ActiveSet<D>::begin(const contact::Formulations<D>& contacts, const Histori
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     first_.push_back(first_.back() + static_cast<int>(histories[k].results.size()));
     frictional_.push_back(contacts[k]->friction() > 0);
-    controls[k].held.clear();
+    controls[k].fixed_states.clear();
     if (!frozen_) continue;
     for (const auto& result : histories[k].results)
-      controls[k].held.push_back(result.state == contact::ContactState::open ? contact::Held::open
-                                                                             : contact::Held::touching);
+      controls[k].fixed_states.push_back(result.state == contact::ContactState::open
+                                             ? contact::FixedContactState::open
+                                             : contact::FixedContactState::touching);
   }
   counts_.assign(at(first_.back()), 0);
 }
@@ -56,10 +57,10 @@ template <int D> void ActiveSet<D>::note(const Histories& histories, double resi
       const auto& results = histories[k].results;
       const int* counts = counts_.data() + first_[k];
       if (std::none_of(counts, counts + results.size(), [&](int count) { return count > options_.changes; })) continue;
-      std::vector<contact::Held>& held = controls[k].held;
-      held.assign(results.size(), contact::Held::free);
+      std::vector<contact::FixedContactState>& fixed = controls[k].fixed_states;
+      fixed.assign(results.size(), contact::FixedContactState::free);
       for (std::size_t i = 0; i < results.size(); ++i)
-        if (counts[i] > options_.changes) held[i] = held_state(results[i].state);
+        if (counts[i] > options_.changes) fixed[i] = fixed_state_for(results[i].state);
     }
   }
   entries_.push_back(std::move(entry));
@@ -69,19 +70,19 @@ template <int D> void ActiveSet<D>::note(const Histories& histories, double resi
 template <int D> void ActiveSet<D>::thaw(double ratio, Controls& controls) {
   if (!frozen_ || ratio >= options_.freeze) return;
   frozen_ = false;
-  for (auto& control : controls) control.held.clear();
+  for (auto& control : controls) control.fixed_states.clear();
 }
 
 template <int D> bool ActiveSet<D>::release(Controls& controls) {
-  bool held = false;
+  bool fixed = false;
   for (auto& control : controls) {
-    held = held || !control.held.empty();
-    control.held.clear();
+    fixed = fixed || !control.fixed_states.empty();
+    control.fixed_states.clear();
   }
   std::fill(counts_.begin(), counts_.end(), 0);
-  if (held && !frozen_) ++rounds_;
+  if (fixed && !frozen_) ++rounds_;
   frozen_ = false;
-  return held;
+  return fixed;
 }
 
 template <int D> int ActiveSet<D>::period() const {

@@ -34,7 +34,7 @@ struct ObstacleReference {
 enum class Hold { free, fixed, driven };
 
 /// Control points of one body that a support holds.
-struct Held {
+struct SupportedControlPoints {
   int body;
   std::vector<int> functions;
 };
@@ -46,7 +46,7 @@ struct Held {
 /// unknowns.
 template <int D> struct Support {
   std::string name;
-  std::vector<Held> on;
+  std::vector<SupportedControlPoints> on;
   std::array<Hold, D> hold{};
   std::vector<int> obstacles = {};
   bool rotates = false;

@@ -14,8 +14,8 @@ auto members(FaceReference& face) {
   return std::tie(body, side);
 }
 
-auto members(Held& held) {
-  auto& [body, functions] = held;
+auto members(SupportedControlPoints& points) {
+  auto& [body, functions] = points;
   return std::tie(body, functions);
 }
 

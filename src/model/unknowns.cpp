@@ -51,8 +51,8 @@ template <int D> Unknowns<D>::Unknowns(const Scene<D>& scene, const contact::For
     for (int c = 0; c < D; ++c) {
       const Hold hold = support.hold[at(c)];
       std::vector<int> list;
-      for (const Held& held : support.on)
-        for (int function : held.functions) list.push_back(offset(held.body) + D * function + c);
+      for (const SupportedControlPoints& points : support.on)
+        for (int function : points.functions) list.push_back(offset(points.body) + D * function + c);
       for (int obstacle : support.obstacles) list.push_back(obstacle_offset(obstacle) + c);
       for (const std::vector<int>& group : mates) {
         const auto in_group = [&](int dof) { return leader[at(dof)] == group.front(); };

@@ -188,7 +188,7 @@ VectorX contact_pressure(const Model<3>& model, int body, const Sampling<3>& sam
 }
 
 std::vector<Inside> crossed_elements(const Model<3>& model, int body, const Field<3>* field, int divisions,
-                                     bool deformed, const std::vector<Plane>& planes) {
+                                     bool deformed, const std::vector<CutPlane>& planes) {
   const solid::Body<3>& solid = *model.system.scene.bodies[at(body)].body;
   const nurbs::Discretization& space = solid.space();
   Points control = space.points();
@@ -199,7 +199,7 @@ std::vector<Inside> crossed_elements(const Model<3>& model, int body, const Fiel
   for (int e = 0; e < space.elements(); ++e) {
     // An element lies in the hull of its control points.
     const std::vector<int> functions = space.basis(e, space.parameter(e, Vec<3>::Constant(0.5))).functions;
-    const bool crossed = std::any_of(planes.begin(), planes.end(), [&](const Plane& plane) {
+    const bool crossed = std::any_of(planes.begin(), planes.end(), [&](const CutPlane& plane) {
       double low = std::numeric_limits<double>::infinity(), high = -low;
       for (int f : functions) {
         const double distance = plane.normal.normalized().dot(control.col(f) - plane.point);

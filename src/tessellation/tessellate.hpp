@@ -58,13 +58,13 @@ struct Inside {
 };
 
 /// A plane in space.
-struct Plane {
+struct CutPlane {
   Vec<3> point, normal;
 };
 
 /// The elements of a solid that one of the planes at least may meet: it crosses or touches the hull of their control
 /// points. `field` may be null.
 std::vector<Inside> crossed_elements(const Model<3>& model, int body, const Field<3>* field, int divisions,
-                                     bool deformed, const std::vector<Plane>& planes);
+                                     bool deformed, const std::vector<CutPlane>& planes);
 
 } // namespace signorini::tessellation

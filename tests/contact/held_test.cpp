@@ -7,8 +7,8 @@ namespace held_test {
 
 using namespace test;
 
-std::vector<Held> all(const Pair<2>& pair, Held state) {
-  return std::vector<Held>(pair.results().size(), state);
+std::vector<FixedContactState> all(const Pair<2>& pair, FixedContactState state) {
+  return std::vector<FixedContactState>(pair.results().size(), state);
 }
 
 /// A die pressed into a slab by 0.05.
@@ -20,29 +20,29 @@ Couple pressed(double mu = 0.2) {
   return couple;
 }
 
-TEST(Held, OpenStaysOpenThoughItPenetrates) {
+TEST(FixedContactState, OpenStaysOpenThoughItPenetrates) {
   Couple couple = pressed();
   const VectorX before = couple.dense().force;
   ASSERT_GT(couple.pair.resultant().active, 5);
-  couple.pair.hold(all(couple.pair, Held::open));
+  couple.pair.fix_states(all(couple.pair, FixedContactState::open));
   EXPECT_TRUE(couple.pair.holds());
   couple.evaluate();
   EXPECT_EQ(couple.pair.resultant().active, 0);
   EXPECT_TRUE(couple.pair.blocks().empty());
-  couple.pair.hold({});
+  couple.pair.fix_states({});
   EXPECT_FALSE(couple.pair.holds());
   couple.evaluate();
   EXPECT_LT((couple.dense().force - before).norm(), 1e-13 * before.norm());
 }
 
-TEST(Held, TouchingPullsWhereThereIsAGap) {
+TEST(FixedContactState, TouchingPullsWhereThereIsAGap) {
   for (double mu : {0.0, 0.2}) {
     Couple couple = pressed(mu);
     couple.pair.accept();
     couple.move_die(0.01, 0.06);
     couple.evaluate();
     ASSERT_EQ(couple.pair.resultant().active, 0);
-    couple.pair.hold(all(couple.pair, Held::touching));
+    couple.pair.fix_states(all(couple.pair, FixedContactState::touching));
     couple.evaluate();
     const std::vector<double> gaps = couple.pair.gaps();
     int pulling = 0;
@@ -58,19 +58,19 @@ TEST(Held, TouchingPullsWhereThereIsAGap) {
     EXPECT_EQ(pulling, static_cast<int>(gaps.size()));
     EXPECT_LT(couple.pair.resultant().force(1), 0);
     EXPECT_EQ(couple.pair.resultant().max_penetration, 0);
-    couple.pair.hold({});
+    couple.pair.fix_states({});
     couple.evaluate();
     EXPECT_EQ(couple.pair.resultant().active, 0);
   }
 }
 
-TEST(Held, StickIsKeptWhateverCoulombSays) {
+TEST(FixedContactState, StickIsKeptWhateverCoulombSays) {
   Couple couple = pressed();
   couple.pair.accept();
   for (double drag : {1e-3, 0.2}) {
     Couple dragged = couple;
     dragged.move_die(drag, 0);
-    dragged.pair.hold(all(dragged.pair, Held::stick));
+    dragged.pair.fix_states(all(dragged.pair, FixedContactState::stick));
     dragged.evaluate();
     int deep = 0;
     for (const auto& point : dragged.pair.results()) {
@@ -83,7 +83,7 @@ TEST(Held, StickIsKeptWhateverCoulombSays) {
   }
 }
 
-TEST(Held, WhileABodyLandsTouchingPointsStickAndOthersStayOpen) {
+TEST(FixedContactState, WhileABodyLandsTouchingPointsStickAndOthersStayOpen) {
   Couple couple = pressed();
   couple.pair.accept();
   couple.move_die(0.2, 0);
@@ -100,7 +100,7 @@ TEST(Held, WhileABodyLandsTouchingPointsStickAndOthersStayOpen) {
 }
 
 /// After a step that slipped all its points lie on Coulomb's cone, to rounding.
-TEST(Held, TheFirstGuessGoesOnSlippingWhereThePathDoesAndSticksWhereItTurns) {
+TEST(FixedContactState, TheFirstGuessGoesOnSlippingWhereThePathDoesAndSticksWhereItTurns) {
   Couple couple = pressed();
   couple.pair.accept();
   couple.move_die(0.1, 0);
@@ -129,7 +129,7 @@ TEST(Held, TheFirstGuessGoesOnSlippingWhereThePathDoesAndSticksWhereItTurns) {
   EXPECT_EQ(couple.pair.resultant().slipping, 0);
 }
 
-TEST(Held, TangentIsTheForcesDerivativeInEveryMixture) {
+TEST(FixedContactState, TangentIsTheForcesDerivativeInEveryMixture) {
   Random random(11);
   Census census;
   for (int trial = 0; trial < 12; ++trial) {
@@ -142,10 +142,10 @@ TEST(Held, TangentIsTheForcesDerivativeInEveryMixture) {
     couple.pair.accept();
     couple.move_die(0.03, 0);
     couple.shake(random, 0.0005);
-    std::vector<Held> held;
+    std::vector<FixedContactState> states;
     for (std::size_t i = 0; i < couple.pair.results().size(); ++i)
-      held.push_back(static_cast<Held>(integer(random, 0, 3)));
-    couple.pair.hold(held);
+      states.push_back(static_cast<FixedContactState>(integer(random, 0, 3)));
+    couple.pair.fix_states(states);
     compare_with_differences(couple, census);
   }
   EXPECT_GE(census.states, 8) << census.stepped_over << " states lay on a change of state";
@@ -153,18 +153,18 @@ TEST(Held, TangentIsTheForcesDerivativeInEveryMixture) {
   EXPECT_GT(census.stick, 50);
 }
 
-TEST(Held, TangentIsTheForcesDerivativeInSpace) {
+TEST(FixedContactState, TangentIsTheForcesDerivativeInSpace) {
   Random random(12);
   Census3 census;
   const auto plate = wavy_plate(random, 2, 0.1, 2, 3);
-  for (Held state : {Held::touching, Held::stick}) {
+  for (FixedContactState state : {FixedContactState::touching, FixedContactState::stick}) {
     Couple3 couple("N2", plate, PenaltyLaw{100, 100, 0.3}, {1, 1, 0.2}, 3);
     couple.touch();
     couple.move_die({0, 0, -0.03});
     couple.evaluate();
     couple.pair.accept();
     couple.move_die({0.02, -0.01, 0.01});
-    couple.pair.hold(std::vector<Held>(couple.pair.results().size(), state));
+    couple.pair.fix_states(std::vector<FixedContactState>(couple.pair.results().size(), state));
     compare_with_differences(couple, random, census);
     bool pulls = false;
     for (const auto& point : couple.pair.results()) pulls = pulls || point.pressure < 0;
@@ -173,12 +173,12 @@ TEST(Held, TangentIsTheForcesDerivativeInSpace) {
   EXPECT_GE(census.compared, 2) << census.stepped_over << " states lay on a change of state";
 }
 
-TEST(Held, AdhesionIsAlwaysFree) {
+TEST(FixedContactState, AdhesionIsAlwaysFree) {
   Couple couple("N2", slab("N2"), Adhesion{0.02, 0.05}, 1.4, 1.02);
   couple.evaluate();
   const VectorX before = couple.dense().force;
   ASSERT_GT(before.norm(), 0);
-  couple.pair.hold(all(couple.pair, Held::open));
+  couple.pair.fix_states(all(couple.pair, FixedContactState::open));
   couple.evaluate();
   EXPECT_LT((couple.dense().force - before).norm(), 1e-13 * before.norm());
 }

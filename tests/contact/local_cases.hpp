@@ -36,7 +36,7 @@ template <int D> struct Situation {
   Foot foot = Foot::regular;
   bool slips = false, revolved = false;
   double reference_measure = 1, multiplier = 0;
-  Held held = Held::free;
+  FixedContactState fixed_state = FixedContactState::free;
 };
 
 template <int D> struct Outcome {
@@ -120,7 +120,7 @@ template <int D, class Law> Outcome<D> evaluate(const Law& law, const Variables<
   geometry.revolved = situation.revolved;
   geometry.reference_measure = situation.reference_measure;
   geometry.multiplier = situation.multiplier;
-  geometry.held = situation.held;
+  geometry.fixed_state = situation.fixed_state;
   outcome.gap = geometry.gap;
   apply(law, geometry, outcome.force);
   return outcome;

@@ -53,8 +53,8 @@ public:
     go(accepted_place_);
     formulation_->stand();
   }
-  void hold(std::vector<Held> held) { controls_.held = std::move(held); }
-  bool holds() const { return !controls_.held.empty(); }
+  void fix_states(std::vector<FixedContactState> states) { controls_.fixed_states = std::move(states); }
+  bool holds() const { return !controls_.fixed_states.empty(); }
   void guess(double distance, bool onward = false) {
     controls_.guessed = distance;
     controls_.onward = onward;

@@ -83,11 +83,13 @@ TEST(Penalty, FrictionOpposesTheMotion) {
   }
 }
 
-// ── Points that are held, and points with a multiplier ───────────────────────────────────────────────────────────────
+// ── Points that are fixed_state, and points with a multiplier
+// ───────────────────────────────────────────────────────────────
 
 /// At a gap of ±0.05 with the slip point 0.01 or 0.3 away; returns the force of the last trial.
 template <int D>
-void held_or_augmented(Foot foot, double gap, double reach, Held held, double multiplier, ContactState expected) {
+void fixed_or_augmented(Foot foot, double gap, double reach, FixedContactState fixed_state, double multiplier,
+                        ContactState expected) {
   Random random(static_cast<unsigned>(D));
   const PenaltyLaw law{100, 80, 0.3};
   for (int trial = 0; trial < 20; ++trial) {
@@ -98,7 +100,7 @@ void held_or_augmented(Foot foot, double gap, double reach, Held held, double mu
     EXPECT_NEAR(at.force.pressure, multiplier - 100 * at.gap, 1e-14 * (multiplier + 100));
     if (at.force.state == ContactState::slip) {
       EXPECT_NEAR(at.force.friction.norm(), 0.3 * std::abs(at.force.pressure), 1e-12);
-    } else if (held == Held::touching && at.force.pressure < 0) {
+    } else if (fixed_state == FixedContactState::touching && at.force.pressure < 0) {
       EXPECT_EQ(at.force.friction.norm(), 0); // it pulls
     } else if (foot == Foot::regular) {
       EXPECT_NEAR(at.force.friction.norm(), 80 * reach, 1e-12);
@@ -110,10 +112,10 @@ void held_or_augmented(Foot foot, double gap, double reach, Held held, double mu
 template <int D> void held_points() {
   const ContactState stick = ContactState::stick;
   for (Foot foot : {Foot::regular, Foot::corner}) {
-    held_or_augmented<D>(foot, 0.05, 0.01, Held::touching, 0, stick);
-    held_or_augmented<D>(foot, 0.05, 0.3, Held::touching, 0, stick);
+    fixed_or_augmented<D>(foot, 0.05, 0.01, FixedContactState::touching, 0, stick);
+    fixed_or_augmented<D>(foot, 0.05, 0.3, FixedContactState::touching, 0, stick);
     for (double gap : {-0.05, 0.05}) // beyond Coulomb's cone
-      held_or_augmented<D>(foot, gap, 0.3, Held::stick, 0, stick);
+      fixed_or_augmented<D>(foot, gap, 0.3, FixedContactState::stick, 0, stick);
   }
 }
 
@@ -123,20 +125,20 @@ TEST(Penalty, HeldPointsPullAndStickWhereTheyAreTold) {
 }
 
 TEST(Penalty, HeldTouchingLeavesStickOrSlipToCoulomb) {
-  held_or_augmented<2>(Foot::regular, -0.05, 0.01, Held::touching, 0, ContactState::stick);
-  held_or_augmented<2>(Foot::regular, -0.05, 0.3, Held::touching, 0, ContactState::slip);
-  held_or_augmented<3>(Foot::regular, -0.05, 0.01, Held::touching, 0, ContactState::stick);
-  held_or_augmented<3>(Foot::regular, -0.05, 0.3, Held::touching, 0, ContactState::slip);
+  fixed_or_augmented<2>(Foot::regular, -0.05, 0.01, FixedContactState::touching, 0, ContactState::stick);
+  fixed_or_augmented<2>(Foot::regular, -0.05, 0.3, FixedContactState::touching, 0, ContactState::slip);
+  fixed_or_augmented<3>(Foot::regular, -0.05, 0.01, FixedContactState::touching, 0, ContactState::stick);
+  fixed_or_augmented<3>(Foot::regular, -0.05, 0.3, FixedContactState::touching, 0, ContactState::slip);
 }
 
 /// λ = 9 presses up to a gap of 0.09.
 TEST(Penalty, AMultiplierAddsToThePressureAndToFrictionsLimit) {
   for (Foot foot : {Foot::regular, Foot::corner})
     for (double gap : {-0.03, 0.03}) {
-      held_or_augmented<2>(foot, gap, 0.005, Held::free, 9, ContactState::stick);
-      held_or_augmented<2>(foot, gap, 0.3, Held::free, 9, ContactState::slip);
-      held_or_augmented<3>(foot, gap, 0.005, Held::free, 9, ContactState::stick);
-      held_or_augmented<3>(foot, gap, 0.3, Held::free, 9, ContactState::slip);
+      fixed_or_augmented<2>(foot, gap, 0.005, FixedContactState::free, 9, ContactState::stick);
+      fixed_or_augmented<2>(foot, gap, 0.3, FixedContactState::free, 9, ContactState::slip);
+      fixed_or_augmented<3>(foot, gap, 0.005, FixedContactState::free, 9, ContactState::stick);
+      fixed_or_augmented<3>(foot, gap, 0.3, FixedContactState::free, 9, ContactState::slip);
     }
 }
 

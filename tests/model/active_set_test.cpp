@@ -62,7 +62,7 @@ struct Strip {
     accepted = present;
   }
   int touching() const { return resultant(present[0]).active; }
-  bool holds() const { return !controls[0].held.empty(); }
+  bool holds() const { return !controls[0].fixed_states.empty(); }
 };
 
 const contact::PenaltyLaw law{100};

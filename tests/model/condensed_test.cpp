@@ -17,7 +17,7 @@ Scene<2> roller(const solid::Material& material, const contact::PenaltyLaw& law)
   Scene<2> scene;
   const nurbs::Patch arc = nurbs::half_annulus(0.3, 1, Eigen::Vector2d(0, 1));
   scene.bodies.push_back({"roller", make_body(arc, {24, 3}, "N2-N2.1", "south", material)});
-  scene.supports = {{"hub", {held(scene, 0, "north")}, {Hold::driven, Hold::driven}}};
+  scene.supports = {{"hub", {face_points(scene, 0, "north")}, {Hold::driven, Hold::driven}}};
   scene.obstacles = {contact::make_plane<2>({0, 0}, {0, 1})};
   scene.contacts = {{"floor", {0, nurbs::side_of("south", 2)}, ObstacleReference{0}, law, 9}};
   return scene;

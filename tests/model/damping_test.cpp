@@ -61,7 +61,7 @@ TEST(Damping, ABodyOfRevolutionMovesAlongItsAxisOnly) {
   scene.kind = solid::Kind::axisymmetric;
   scene.bodies.push_back({"disc", make_body(nurbs::rectangle(1, 1, Eigen::Vector2d(0, 0)), {2, 2}, "N2", "south",
                                             solid::neo_hookean(1, 0.3), {}, solid::Kind::axisymmetric)});
-  scene.supports = {{"axis", {held(scene, 0, "west")}, {fixed, free_to_move}}};
+  scene.supports = {{"axis", {face_points(scene, 0, "west")}, {fixed, free_to_move}}};
   const auto loose = loose_of(scene);
   ASSERT_EQ(loose.size(), 1u);
   EXPECT_EQ(Vec<2>(loose[0].motion.head<2>()), Vec<2>(0, 1));
@@ -92,7 +92,9 @@ Scene<3> block_above_plane(double gap) {
   scene.bodies.push_back(
       {"block", std::make_shared<const solid::Body<3>>(std::make_shared<const nurbs::Discretization>(patch, plan),
                                                        solid::neo_hookean(1, 0.3))});
-  const auto face = [&](nurbs::Side side) { return Held{0, scene.bodies[0].body->space().face_functions(side)}; };
+  const auto face = [&](nurbs::Side side) {
+    return SupportedControlPoints{0, scene.bodies[0].body->space().face_functions(side)};
+  };
   scene.supports = {{"x", {face(west)}, {fixed, free_to_move, free_to_move}},
                     {"y", {face(south)}, {free_to_move, fixed, free_to_move}}};
   scene.loads = {{"weight", {{0, back}}, true, {0}}};
@@ -120,7 +122,7 @@ Scene<2> above_plane(double gap, const std::vector<Grip>& grips) {
   scene.bodies[0].body =
       make_body(nurbs::rectangle(1, 1, Eigen::Vector2d(0, gap)), {3, 2}, "N2", "south", solid::neo_hookean(1, 0.3));
   scene.supports.clear();
-  for (const Grip& grip : grips) scene.supports.push_back({grip.name, {held(scene, 0, grip.face)}, grip.hold});
+  for (const Grip& grip : grips) scene.supports.push_back({grip.name, {face_points(scene, 0, grip.face)}, grip.hold});
   scene.loads = {{"weight", {{0, nurbs::side_of("north", 2)}}, true, {0}}};
   scene.obstacles = {contact::make_plane<2>({0, 0}, {0, 1})};
   scene.contacts = {{"floor", {0, nurbs::side_of("south", 2)}, ObstacleReference{0}, contact::PenaltyLaw{50}, 4}};
@@ -204,7 +206,8 @@ TEST(Damping, ADiscDoesSo) {
     Scene<2> result;
     result.bodies.push_back({"ring", make_body(nurbs::half_annulus(0.3, 0.5, Eigen::Vector2d(0, 0.5 + gap)), {8, 2},
                                                "N2", "south", solid::neo_hookean(1, 0.3))});
-    result.supports = {{"walls", {held(result, 0, "west"), held(result, 0, "east")}, {fixed, free_to_move}}};
+    result.supports = {
+        {"walls", {face_points(result, 0, "west"), face_points(result, 0, "east")}, {fixed, free_to_move}}};
     result.loads = {{"weight", {{0, nurbs::side_of("west", 2)}, {0, nurbs::side_of("east", 2)}}, true, {0}}};
     result.obstacles = {contact::make_plane<2>({0, 0}, {0, 1})};
     result.contacts = {{"floor", {0, nurbs::side_of("south", 2)}, ObstacleReference{0}, contact::PenaltyLaw{50}, 9}};

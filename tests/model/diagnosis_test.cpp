@@ -161,8 +161,8 @@ TEST(Diagnosis, AnIndefiniteTangentIsFoundBehindAStall) {
     Scene<2> scene;
     scene.bodies.push_back({"column", make_body(nurbs::rectangle(0.5, 10, Eigen::Vector2d(0, 0)), {1, 8}, "N3", "west",
                                                 solid::neo_hookean(1, 0.3))});
-    scene.supports = {{"bed", {held(scene, 0, "south")}, {fixed, fixed}},
-                      {"top", {held(scene, 0, "north")}, {free_to_move, driven}}};
+    scene.supports = {{"bed", {face_points(scene, 0, "south")}, {fixed, fixed}},
+                      {"top", {face_points(scene, 0, "north")}, {free_to_move, driven}}};
     Model<2> model(std::move(scene));
     set_target(model, 0, 0, -depth);
     StepOptions options;
@@ -266,8 +266,8 @@ TEST(Diagnosis, PointsThatLeaveTheMasterAreNamed) {
   scene.bodies.push_back({"bar", make_body(nurbs::rectangle(0.1, 2, Eigen::Vector2d(-0.105, 0.1)), {2, 8}, "N2",
                                            "south", solid::linear_elastic(1, 0.3))});
   scene.bodies.push_back({"ramp", make_body(ramp, {100, 2}, "N2", "north", solid::linear_elastic(100, 0.3))});
-  scene.supports = {{"top", {held(scene, 0, "north")}, {fixed, driven}},
-                    {"bed", {held(scene, 1, "south")}, {fixed, fixed}}};
+  scene.supports = {{"top", {face_points(scene, 0, "north")}, {fixed, driven}},
+                    {"bed", {face_points(scene, 1, "south")}, {fixed, fixed}}};
   scene.contacts = {{"edge",
                      {0, nurbs::side_of("south", 2)},
                      FaceReference{1, nurbs::side_of("north", 2)},

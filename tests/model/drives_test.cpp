@@ -21,11 +21,11 @@ Scene<2> busy(std::array<Hold, 2> hold = {Hold::driven, Hold::free}) {
   const nurbs::Patch arc = nurbs::half_annulus(0.6, 1, Eigen::Vector2d(0.5, 2));
   scene.bodies.push_back({"shell", make_body(arc, {4, 1}, "N2", "north", solid::neo_hookean(1, 0.3))});
   scene.obstacles = {contact::make_ball<2>({0.5, 2.0}, 0.5)};
-  Support<2> edge{"edge", {held(scene, 0, "south")}, hold};
+  Support<2> edge{"edge", {face_points(scene, 0, "south")}, hold};
   edge.rotates = true;
   edge.center = face_centroid(*scene.bodies[0].body, nurbs::side_of("south", 2));
   Support<2> roll{"roll", {}, {Hold::driven, Hold::driven}, {0}};
-  scene.supports = {{"idle", {held(scene, 0, "north")}, {Hold::free, Hold::free}}, edge, roll};
+  scene.supports = {{"idle", {face_points(scene, 0, "north")}, {Hold::free, Hold::free}}, edge, roll};
   scene.loads = {{"push", {{0, nurbs::side_of("west", 2)}}, false, {0.25, -0.5}},
                  {"gas", {{0, nurbs::side_of("north", 2)}, {0, nurbs::side_of("east", 2)}}, true, {3}}};
   scene.contacts = {
@@ -161,7 +161,7 @@ TEST(Unknowns, TurningFaceSharesItsFreeTranslations) {
 TEST(Unknowns, TurningFaceTakesNoOtherSupport) {
   const auto build = [](std::array<Hold, 2> hold, bool first) {
     Scene<2> scene = busy({Hold::free, Hold::fixed});
-    const Support<2> other{"bolt", {held(scene, 0, "west")}, hold};
+    const Support<2> other{"bolt", {face_points(scene, 0, "west")}, hold};
     scene.supports.insert(first ? scene.supports.begin() : scene.supports.end(), other);
     Unknowns<2>{scene};
   };

@@ -23,7 +23,7 @@ Scene<2> disc(const solid::Material& material, solid::Kind kind, const std::vect
   Scene<2> scene;
   scene.kind = kind;
   scene.bodies.push_back({"disc", std::make_shared<const solid::Body<2>>(space, material, kind)});
-  for (const Grip& grip : grips) scene.supports.push_back({grip.name, {held(scene, 0, grip.face)}, grip.hold});
+  for (const Grip& grip : grips) scene.supports.push_back({grip.name, {face_points(scene, 0, grip.face)}, grip.hold});
   return scene;
 }
 

@@ -150,8 +150,8 @@ TEST(Loads, AboutAnAxisTheyActOnTheFullCircle) {
     scene.kind = solid::Kind::axisymmetric;
     scene.bodies.push_back({"disc", make_body(nurbs::rectangle(1.5, 1, Eigen::Vector2d(0, 0)), {2, 2}, "N2", "north",
                                               material, {}, solid::Kind::axisymmetric)});
-    scene.supports = {{"axis", {held(scene, 0, "west")}, {Hold::fixed, Hold::free}},
-                      {"bed", {held(scene, 0, "south")}, {Hold::free, Hold::fixed}}};
+    scene.supports = {{"axis", {face_points(scene, 0, "west")}, {Hold::fixed, Hold::free}},
+                      {"bed", {face_points(scene, 0, "south")}, {Hold::free, Hold::fixed}}};
     scene.loads = {{"pull", {face("north")}, false, {0, 0.3}}};
     Model<2> model(std::move(scene));
     ASSERT_EQ(solve_step(model, {}).outcome, solve::Outcome::converged);

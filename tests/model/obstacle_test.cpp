@@ -19,7 +19,7 @@ Scene<2> indented(bool disc_moves, double mu) {
   scene.bodies.push_back({"slab", make_body(block, {10, 3}, "N2", "north", solid::neo_hookean(1, 0.3))});
   const Hold moved = Hold::driven, still = Hold::fixed;
   const Hold bottom = disc_moves ? still : moved, disc = disc_moves ? moved : still;
-  scene.supports = {{"bed", {held(scene, 0, "south")}, {bottom, bottom}}, {"roll", {}, {disc, disc}, {0}}};
+  scene.supports = {{"bed", {face_points(scene, 0, "south")}, {bottom, bottom}}, {"roll", {}, {disc, disc}, {0}}};
   scene.obstacles = {contact::make_ball<2>({0, 0.4}, 0.4)};
   scene.contacts = {{"rub", {0, nurbs::side_of("north", 2)}, ObstacleReference{0}, contact::PenaltyLaw{50, 50, mu}, 9}};
   return scene;
@@ -82,8 +82,8 @@ TEST(Obstacle, CylinderOnAPlaneAboutItsAxis) {
   scene.kind = solid::Kind::axisymmetric;
   scene.bodies.push_back({"cylinder", make_body(nurbs::rectangle(radius, 1, Eigen::Vector2d(0, 0)), {3, 2}, "N2",
                                                 "south", material, {}, solid::Kind::axisymmetric)});
-  scene.supports = {{"axis", {held(scene, 0, "west"), held(scene, 0, "east")}, {Hold::fixed, Hold::free}},
-                    {"top", {held(scene, 0, "north")}, {Hold::free, Hold::driven}}};
+  scene.supports = {{"axis", {face_points(scene, 0, "west"), face_points(scene, 0, "east")}, {Hold::fixed, Hold::free}},
+                    {"top", {face_points(scene, 0, "north")}, {Hold::free, Hold::driven}}};
   scene.obstacles = {contact::make_plane<2>({0, 0}, {0, 1})};
   scene.contacts = {{"floor", {0, nurbs::side_of("south", 2)}, ObstacleReference{0}, contact::PenaltyLaw{penalty}, 4}};
   Model<2> model(std::move(scene));

@@ -135,9 +135,10 @@ Scene<2> blocks(const solid::Material& material, double width) {
       {"lower", make_body(nurbs::rectangle(2, 1, Eigen::Vector2d(0, 0)), {3, 2}, "N2", "north", material)});
   scene.bodies.push_back(
       {"upper", make_body(nurbs::rectangle(width, 1, Eigen::Vector2d(0, 1)), {6, 2}, "N2", "south", material)});
-  scene.supports = {{"floor", {held(scene, 0, "south")}, {Hold::free, Hold::fixed}},
-                    {"lid", {held(scene, 1, "north")}, {Hold::free, Hold::driven}},
-                    {"left", {held(scene, 0, "west"), held(scene, 1, "west")}, {Hold::fixed, Hold::free}}};
+  scene.supports = {
+      {"floor", {face_points(scene, 0, "south")}, {Hold::free, Hold::fixed}},
+      {"lid", {face_points(scene, 1, "north")}, {Hold::free, Hold::driven}},
+      {"left", {face_points(scene, 0, "west"), face_points(scene, 1, "west")}, {Hold::fixed, Hold::free}}};
   scene.contacts = {{"between",
                      {1, nurbs::side_of("south", 2)},
                      FaceReference{0, nurbs::side_of("north", 2)},

@@ -16,8 +16,8 @@ Scene<2> strip(std::vector<int> elements, const std::string& label, const std::s
   Scene<2> scene;
   scene.bodies.push_back({"strip", make_body(nurbs::rectangle(8, 1, Eigen::Vector2d(0, 0)), std::move(elements), label,
                                              contact, solid::neo_hookean(1, 0.3))});
-  scene.supports.push_back({"wall", {held(scene, 0, "west")}, {Hold::fixed, Hold::fixed}});
-  scene.supports.push_back({"edge", {held(scene, 0, "east")}, {Hold::free, Hold::free}, {}, true, {8, 0.5}});
+  scene.supports.push_back({"wall", {face_points(scene, 0, "west")}, {Hold::fixed, Hold::fixed}});
+  scene.supports.push_back({"edge", {face_points(scene, 0, "east")}, {Hold::free, Hold::free}, {}, true, {8, 0.5}});
   return scene;
 }
 

@@ -97,10 +97,10 @@ TEST(Predictor, SupportsThatTurn) {
     Scene<2> strip;
     strip.bodies.push_back({"strip", make_body(nurbs::rectangle(6, 1, Eigen::Vector2d(0, 0)), {6, 1}, "N2", "south",
                                                solid::neo_hookean(2, 0.3), 2)});
-    Support<2> east{"east", {held(strip, 0, "east")}, {Hold::free, Hold::free}};
+    Support<2> east{"east", {face_points(strip, 0, "east")}, {Hold::free, Hold::free}};
     east.rotates = true;
     east.center = face_centroid(*strip.bodies[0].body, nurbs::side_of("east", 2));
-    strip.supports = {{"west", {held(strip, 0, "west")}, {Hold::fixed, Hold::fixed}}, east};
+    strip.supports = {{"west", {face_points(strip, 0, "west")}, {Hold::fixed, Hold::fixed}}, east};
     return strip;
   };
   const auto iterations = compare(

@@ -24,7 +24,7 @@ inline std::shared_ptr<const solid::Body<2>> make_body(const nurbs::Patch& patch
                                                 kind);
 }
 
-inline Held held(const Scene<2>& scene, int body, const std::string& face) {
+inline SupportedControlPoints face_points(const Scene<2>& scene, int body, const std::string& face) {
   return {body, scene.bodies[static_cast<std::size_t>(body)].body->space().face_functions(nurbs::side_of(face, 2))};
 }
 
@@ -39,8 +39,9 @@ inline Scene<2> ironing(const std::string& label) {
   scene.bodies.push_back({"die", make_body(arc, {6, 2}, label, "south", solid::neo_hookean(1000, 0.3))});
   const nurbs::Patch block = nurbs::rectangle(3, 1, Eigen::Vector2d(0, 0));
   scene.bodies.push_back({"slab", make_body(block, {8, 3}, label, "north", solid::neo_hookean(1, 0.3))});
-  scene.supports.push_back({"bed", {held(scene, 1, "south")}, {Hold::fixed, Hold::fixed}});
-  scene.supports.push_back({"grip", {held(scene, 0, "west"), held(scene, 0, "east")}, {Hold::driven, Hold::driven}});
+  scene.supports.push_back({"bed", {face_points(scene, 1, "south")}, {Hold::fixed, Hold::fixed}});
+  scene.supports.push_back(
+      {"grip", {face_points(scene, 0, "west"), face_points(scene, 0, "east")}, {Hold::driven, Hold::driven}});
   const nurbs::Side south = nurbs::side_of("south", 2), north = nurbs::side_of("north", 2);
   const int degree = scene.bodies[0].body->space().face(south).direction(0).degree();
   scene.contacts.push_back(
@@ -53,7 +54,7 @@ inline Scene<2> ironing_on(nurbs::Discretization slab) {
   Scene<2> scene = ironing("N2");
   const solid::Material material = scene.bodies[1].body->material();
   scene.bodies[1].body = std::make_shared<const solid::Body<2>>(std::move(slab), material);
-  scene.supports[0].on = {held(scene, 1, "south")};
+  scene.supports[0].on = {face_points(scene, 1, "south")};
   return scene;
 }
 
@@ -61,7 +62,7 @@ inline Scene<2> ironing_on(nurbs::Discretization slab) {
 inline const std::vector<int> mixed_degrees{2, 4, 2, 3, 4, 2, 2, 4};
 
 /// The one control point of a body that lies at X.
-inline Held corner(const Scene<2>& scene, int body, const Vec<2>& place) {
+inline SupportedControlPoints corner(const Scene<2>& scene, int body, const Vec<2>& place) {
   const MatrixX points = scene.bodies[static_cast<std::size_t>(body)].body->space().points();
   Eigen::Index function;
   (points.colwise() - place).colwise().norm().minCoeff(&function);
@@ -77,7 +78,7 @@ inline Scene<2> square(const std::vector<Grip>& grips, const solid::Material& ma
   Scene<2> scene;
   scene.bodies.push_back(
       {"block", make_body(nurbs::rectangle(1, 1, Eigen::Vector2d(0, 0)), {2, 2}, "N2", "north", material)});
-  for (const Grip& grip : grips) scene.supports.push_back({grip.name, {held(scene, 0, grip.face)}, grip.hold});
+  for (const Grip& grip : grips) scene.supports.push_back({grip.name, {face_points(scene, 0, grip.face)}, grip.hold});
   return scene;
 }
 

@@ -28,14 +28,14 @@ Scene<3> one_body(const nurbs::Patch& patch, std::vector<int> elements, nurbs::S
   return scene;
 }
 
-Held held(const Scene<3>& scene, nurbs::Side side) {
+SupportedControlPoints face_points(const Scene<3>& scene, nurbs::Side side) {
   return {0, scene.bodies[0].body->space().face_functions(side)};
 }
 
 /// A hollow octant at rest.
 Scene<3> octant() {
   Scene<3> scene = one_body(nurbs::sphere_octant(0.5, 1, Eigen::Vector3d(0, 0, 0)), {2, 2, 2}, front);
-  scene.supports.push_back({"hold", {held(scene, back)}, {Hold::fixed, Hold::fixed, Hold::fixed}});
+  scene.supports.push_back({"hold", {face_points(scene, back)}, {Hold::fixed, Hold::fixed, Hold::fixed}});
   return scene;
 }
 
@@ -43,9 +43,9 @@ Scene<3> octant() {
 Scene<3> pressed(const contact::Obstacle<3>& obstacle) {
   Scene<3> scene = one_body(nurbs::block({2, 1, 1}, Eigen::Vector3d(0, 0, 0)), {4, 2, 2}, back);
   scene.obstacles.push_back(obstacle);
-  scene.supports.push_back({"bed", {held(scene, front)}, {Hold::free, Hold::free, Hold::fixed}});
-  scene.supports.push_back({"left", {held(scene, west)}, {Hold::fixed, Hold::free, Hold::free}});
-  scene.supports.push_back({"near", {held(scene, south)}, {Hold::free, Hold::fixed, Hold::free}});
+  scene.supports.push_back({"bed", {face_points(scene, front)}, {Hold::free, Hold::free, Hold::fixed}});
+  scene.supports.push_back({"left", {face_points(scene, west)}, {Hold::fixed, Hold::free, Hold::free}});
+  scene.supports.push_back({"near", {face_points(scene, south)}, {Hold::free, Hold::fixed, Hold::free}});
   scene.supports.push_back({"tool", {}, {Hold::fixed, Hold::fixed, Hold::driven}, {0}});
   scene.contacts.push_back({"touch", {0, back}, ObstacleReference{0}, contact::PenaltyLaw{50, 0, 0}, 5});
   return scene;
@@ -179,7 +179,7 @@ TEST(Skin, InterpolatesBetweenContactPoints) {
 TEST(Inside, SamplesTheElementsThatAPlaneMeets) {
   Model<3> model(pressed(contact::make_ball<3>({1, 0.5, 1.6}, 0.6)));
   press(model, 0.1);
-  const auto count = [&](const std::vector<Plane>& planes) {
+  const auto count = [&](const std::vector<CutPlane>& planes) {
     return crossed_elements(model, 0, nullptr, 2, false, planes).size();
   };
   EXPECT_EQ(count({{{0, 0, 0.25}, {0, 0, 7}}}), 8u);
