@@ -8,7 +8,7 @@ namespace signorini::contact {
 
 template <int D> class AdhesiveContact final : public GaussPointContact<D> {
 public:
-  /// Throws Error on constants without sense, and when no contact point is left.
+  /// Throws Error if a constant is invalid or no contact point is left.
   AdhesiveContact(ContactSetting<D> setting, const Adhesion& law);
 
   bool has_potential() const override { return true; }
@@ -17,7 +17,7 @@ public:
 private:
   using typename GaussPointContact<D>::Part;
   using typename GaussPointContact<D>::Feet;
-  /// The law acts at any gap, whatever the controls say.
+  /// Ignores the controls: adhesion acts at any gap.
   void evaluate_point(std::size_t i, const Trial<D>& trial, Part& part, Feet& at) override;
 
   Adhesion law_;

@@ -1,5 +1,5 @@
 #pragma once
-// The blocks that contact points add to: residual and tangent by slave, master and slip-point element.
+// Sums of contact points: residual and tangent by slave, master and slip-point element.
 
 #include "contact/block.hpp"
 #include "contact/contact_points.hpp"
@@ -9,22 +9,22 @@
 
 namespace signorini::contact {
 
-/// Adds up the contributions of all points that share a slave, a master and a slip-point element. Points come slave
-/// element by slave element, with close_element() after each.
+/// Sums the contributions of all points that share a slave, a master and a slip-point element. Points must be added
+/// slave element by slave element, with close_element() after each.
 template <int D> class BlockSums {
 public:
-  /// Both must stay.
+  /// Keeps references to both.
   BlockSums(const Surface<D>& slave, const Master<D>& master);
 
-  /// Adds point i, where the local force acts. `master` holds the closest point with its functions, `slip_point` the
-  /// slip point, null where it plays no part.
+  /// Adds the local force at point i. `master` holds the closest point with its functions, `slip_point` the slip point
+  /// (null if not used).
   void add(const ContactPoints<D>& points, std::size_t i, const FacePoint<D>& master, const FacePoint<D>* slip_point,
            const LocalForce<D>& force, bool tangent);
   void close_element(bool tangent);
 
-  /// Moves the blocks behind others; returns how many there were.
+  /// Appends the blocks to `to` by moving them; returns their number.
   std::size_t hand_over(std::vector<Block>& to);
-  /// Takes a block back, for its memory.
+  /// Takes a block back to reuse its memory.
   void recycle(Block&& block) { spare_.push_back(std::move(block)); }
   double memory() const;
 
@@ -36,9 +36,9 @@ private:
   const Surface<D>& slave_;
   const Master<D>& master_;
   std::vector<Block> blocks_, spare_;
-  std::size_t first_ = 0;          ///< block of the present slave element
+  std::size_t first_ = 0;          ///< first block of the current slave element
   std::vector<double> columns_;    ///< working space of add(): ∂force and ∂ξ̄ by column
-  std::vector<Products> products_; ///< of the last blocks, those of the present slave element
+  std::vector<Products> products_; ///< of the blocks of the current slave element
 };
 
 } // namespace signorini::contact

@@ -1,5 +1,5 @@
 #pragma once
-// The Gauss points of a slave face: constant data.
+// Constant data of the Gauss points of a slave face.
 
 #include "contact/surface.hpp"
 
@@ -8,20 +8,20 @@
 
 namespace signorini::contact {
 
-/// Says for a point of the reference configuration whether the contact acts there; empty: everywhere.
+/// Predicate of a point in the reference configuration: whether the contact acts there; empty: everywhere.
 template <int D> using Region = std::function<bool(const Vec<D>&)>;
 
 struct ContactPoint {
   int element;           ///< of the slave face
-  int number;            ///< there, ξ¹ running fastest; those that a region leaves out are counted
+  int number;            ///< index in the element, ξ¹ fastest, points outside the region included
   double weight;         ///< parametric
   double reference_area; ///< per parametric area
   std::size_t values;    ///< offset into ContactPoints::values
 };
 
 template <int D> struct ContactPoints {
-  /// `per_direction` Gauss points per slave element and direction, element by element; those outside `where` are left
-  /// out. `revolved`: the scene is axisymmetric about the second axis. Throws Error when no point is left.
+  /// `per_direction` Gauss points per slave element and direction, element by element, without those outside `where`.
+  /// `revolved`: the scene is axisymmetric about the second axis. Throws Error if no point is left.
   ContactPoints(const Surface<D>& slave, int per_direction, bool revolved, const Region<D>& where);
 
   std::size_t size() const { return list.size(); }

@@ -1,12 +1,12 @@
 #pragma once
-// Gauss-point-to-surface contact: a traction at each Gauss point of the slave face, opposite at its closest point.
+// Gauss-point-to-surface contact: a traction at each Gauss point of the slave face, the opposite at its foot point.
 
 #include "contact/block_sums.hpp"
 #include "contact/formulation.hpp"
 
 namespace signorini::contact {
 
-/// What the laws of such contacts share: projection, local geometry, blocks, threads.
+/// Common part of Gauss-point formulations: projection, local geometry, blocks, threads.
 template <int D> class GaussPointContact : public Formulation<D> {
 public:
   explicit GaussPointContact(ContactSetting<D> setting);
@@ -23,21 +23,21 @@ protected:
     BlockSums<D> sums;
     bool tangent = false;
     double search_seconds = 0; ///< since the last gather()
-    std::size_t blocks = 0;    ///< how many it gave to the last gather()
+    std::size_t blocks = 0;    ///< number of blocks in the last gather()
   };
 
-  /// Working space: where the master is met.
+  /// Working space: foot point and slip point on the master.
   struct Feet {
     FacePoint<D> foot, slip_point;
   };
 
-  /// Adds one contact point to results and blocks; `result` is that of an open point, with its position.
+  /// Adds one contact point to results and blocks. On entry its result is that of an open point, with its position.
   virtual void evaluate_point(std::size_t i, const Trial<D>& trial, Part& part, Feet& at) = 0;
-  /// Finds the closest point, into at.foot. False where that is an open end of the master.
+  /// Writes the closest point to at.foot. Returns false if it is an open end of the master.
   bool find_foot(std::size_t i, const Trial<D>& trial, Part& part, Feet& at) const;
-  /// The geometry at at.foot, whose functions are found as well.
+  /// The geometry at at.foot, whose functions are evaluated as well.
   LocalGeometry<D> geometry(std::size_t i, const Trial<D>& trial, Feet& at) const;
-  /// Writes down what the law gave and adds it to the blocks.
+  /// Stores the result of the law and adds it to the blocks.
   void record(std::size_t i, const Trial<D>& trial, const LocalGeometry<D>& geometry, const LocalForce<D>& force,
               Part& part, const Feet& at) const;
 

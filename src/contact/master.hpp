@@ -1,58 +1,59 @@
 #pragma once
-// What a slave face is projected onto: the face of another body in motion, or a rigid obstacle.
+// Master side of a contact: the moving face of a body, or a rigid obstacle.
 
 #include "contact/obstacle.hpp"
 #include "contact/projection.hpp"
 
 namespace signorini::contact {
 
-/// Position, kinematics and functions of a master. A rigid one has a single node, its translation: that function is 1
-/// everywhere, so that the same residual and tangent serve both.
+/// Position, kinematics and functions of a master. A rigid one has a single node, its translation, whose shape function
+/// is 1 everywhere, so that the same residual and tangent serve both.
 ///
-/// A traction that ends with the face would jump whenever a point passes the end, which is where a block that digs its
-/// edge into a slab carries most, and nothing would hold a point at a plane of symmetry that rounding, or a small slope
-/// of the face, projects beyond it. So the face goes on by a part of its last element, over which the traction fades.
+/// If the traction ended with the face, it would jump whenever a point passes the end, where for example the edge of a
+/// block pressed into a slab carries most load; and a point at a plane of symmetry that rounding error or a small slope
+/// of the face projects beyond the end would lose contact. Therefore the face is extended by a fraction of its last
+/// element, over which the traction fades to zero.
 template <int D> class Master {
 public:
   Master(Surface<D> face);
   Master(Obstacle<D> obstacle);
 
   bool rigid() const { return rigid_; }
-  /// The face in motion, or the rigid curve; null for a shape in closed form.
+  /// The moving face, or the rigid NURBS curve or surface; null for a closed-form shape.
   const Surface<D>* surface() const { return surface_ ? &*surface_ : nullptr; }
   /// Number of functions on an element; 1 when rigid.
   int functions_on(int element) const { return rigid_ ? 1 : surface_->functions_on(element); }
-  /// On the element that has most.
+  /// Largest number of functions on an element.
   int most_functions() const { return rigid_ ? 1 : surface_->most_functions(); }
 
-  /// Takes over displacements, D values per function of the body, or the obstacle's translation. Returns a bound on how
-  /// far any point moved.
+  /// Sets displacements, D values per function of the body, or the obstacle's translation. Returns an upper bound of
+  /// the distance that any point moved.
   double move(const double* displacement);
 
-  /// The closest point to x, see projection.hpp; `point` holds the geometry there (order 2), no functions. Shapes in
-  /// closed form have no ends.
+  /// The closest point to x, see projection.hpp; `point` receives the geometry there (order 2) without functions.
+  /// Closed-form shapes have no ends.
   Projection<D> project(const Vec<D>& x, const Projection<D>& seed, FacePoint<D>& point) const;
-  /// Outward unit normal at a closest point that is no corner.
+  /// Outward unit normal at a closest point other than a corner.
   Vec<D> normal(const FacePoint<D>& point) const;
-  /// How much of a traction acts at a closest point, with its derivatives: less than 1 beyond an open end.
+  /// Factor on the traction at a closest point, below 1 beyond an open end; `rate` receives its derivatives.
   double fade(const FaceCoordinates<D>& xi, FaceCoordinates<D>& rate) const;
-  /// The functions at point.element, point.xi, with first derivatives when `order` is 1.
+  /// Evaluates the functions at point.element, point.xi, with first derivatives if `order` is 1.
   void functions(FacePoint<D>& point, int order) const;
-  /// Geometry of order 0 and functions without derivatives at a coordinate, and the element it lies in.
+  /// Sets the element that contains xi, the position and the functions there, without derivatives.
   void locate(const FaceCoordinates<D>& xi, FacePoint<D>& point) const;
-  /// The slip point's coordinate after a step (slip.hpp); `foot` as projected.
+  /// The slip point's coordinate after a step (slip.hpp); `foot` is the projected point.
   FaceCoordinates<D> advance(const FaceCoordinates<D>& slip, const FacePoint<D>& foot, double length) const;
 
 private:
   void place(FacePoint<D>& point) const;
 
   bool rigid_;
-  std::optional<Obstacle<D>> shape_; ///< in closed form
+  std::optional<Obstacle<D>> shape_; ///< a closed-form shape
   std::optional<Surface<D>> surface_;
   ElementBoxes<D> boxes_;
   Vec<D> translation_ = Vec<D>::Zero();               ///< of a rigid master
   Eigen::Matrix<double, D, Eigen::Dynamic> previous_; ///< control points before the last move
-  std::vector<double> displacements_;                 ///< working space: a rigid face's, all alike
+  std::vector<double> displacements_;                 ///< working space: equal displacements of a rigid face
 };
 
 } // namespace signorini::contact

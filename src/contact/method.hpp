@@ -1,5 +1,5 @@
 #pragma once
-// What a contact is said to be, and the formulation that follows from it.
+// Contact method as the user specifies it, and the formulation made from it.
 
 #include "contact/adhesion.hpp"
 #include "contact/formulation.hpp"
@@ -12,10 +12,10 @@ namespace signorini::contact {
 /// Makes a user-defined formulation. Scenes with one can be solved, but not saved.
 template <int D> using Maker = std::function<std::unique_ptr<Formulation<D>>(ContactSetting<D>)>;
 
-/// What acts between a slave face and its master: one entry per formulation, with its constants.
+/// Contact law between a slave face and its master: one alternative per formulation, with its constants.
 template <int D> using Method = std::variant<PenaltyLaw, Adhesion, Maker<D>>;
 
-/// Throws Error on constants without sense.
+/// Throws Error if a constant is invalid.
 template <int D> std::unique_ptr<Formulation<D>> make_formulation(const Method<D>& method, ContactSetting<D> setting);
 
 } // namespace signorini::contact

@@ -1,5 +1,5 @@
 #pragma once
-// The penalty law at one contact point: traction of normal contact and Coulomb friction with its exact linearization.
+// Penalty law at one contact point: normal contact and Coulomb friction with the consistent tangent.
 
 #include "contact/local.hpp"
 
@@ -12,7 +12,7 @@ struct PenaltyLaw {
   double friction = 0;   ///< Coulomb's μ ≥ 0
 };
 
-/// Evaluates the law at a touching point: t_N = λ_N − ε_N g > 0, or at one that is held.
+/// Evaluates the law (return mapping) at a closed point, t_N = λ_N − ε_N g > 0, or at one with a fixed state.
 template <int D> void penalty_force(const PenaltyLaw& law, const LocalGeometry<D>& geometry, LocalForce<D>& result);
 
 } // namespace signorini::contact

@@ -1,5 +1,5 @@
 #pragma once
-// Gauss-point penalty contact with Coulomb friction, where asked for by the augmented Lagrangian method.
+// Gauss-point penalty contact with Coulomb friction, optionally with the augmented Lagrangian method.
 
 #include "contact/gauss_point_contact.hpp"
 #include "contact/penalty.hpp"
@@ -8,10 +8,10 @@ namespace signorini::contact {
 
 template <int D> class PenaltyContact final : public GaussPointContact<D> {
 public:
-  /// Throws Error on constants without sense, and when no contact point is left.
+  /// Throws Error if a constant is invalid or no contact point is left.
   PenaltyContact(ContactSetting<D> setting, const PenaltyLaw& law);
 
-  bool has_potential() const override { return false; } // tractions act on the current area
+  bool has_potential() const override { return false; } // because tractions act on the current area
   double friction() const override { return law_.friction; }
   double penalty() const override { return law_.normal; }
   void augment(History<D>& history) const override;
@@ -28,7 +28,7 @@ private:
   void remember_touch(std::size_t i, const Trial<D>& trial) const;
   void advance_slip_point(std::size_t i, History<D>& history, const PenaltyLaw& law) const;
 
-  PenaltyLaw law_; ///< as it was given
+  PenaltyLaw law_; ///< without penalty factor
 };
 
 } // namespace signorini::contact

@@ -1,5 +1,5 @@
 #pragma once
-// The tangent of many contact points of one group as products of tall matrices.
+// Tangent of many contact points of one block as products of tall matrices.
 
 #include <vector>
 
@@ -8,18 +8,18 @@ namespace signorini::contact {
 /// Sums rank-one terms of contact points into a dense block,
 ///   K_(a,i),c += left_a ∂T_i,c            for all row nodes a (−R_A of the slave, R̄_A of the master),
 ///   K_(m,i),c += rates_mα (T_i ∂ξ̄^α_c)    for the master's nodes m (R̄_m,α),
-/// as matrix products over all points: most of the work of a contact in space.
+/// as matrix products over all points: most of the work of contact in 3D.
 class Products {
 public:
-  /// Row nodes (the master's are the last ones) and columns of the block that is added to, 3 rows per row node.
+  /// Starts a block with 3 rows per row node (the master's nodes are the last ones) and `columns` columns.
   void start(int nodes, int master_nodes, int columns, double* block);
-  /// Room for another point's factors, in this order: `nodes` values left; 2 × `master_nodes` rates; 3 × `columns`
-  /// values ∂T_i; 2 × 3 × `columns` values T_i ∂ξ̄^α, α slowest.
+  /// Memory for the factors of another point: `nodes` values left; 2 × `master_nodes` rates; 3 × `columns` values ∂T_i;
+  /// 2 × 3 × `columns` values T_i ∂ξ̄^α, α slowest.
   struct Room {
     double *left, *rates, *traction, *turn;
   };
   Room add();
-  /// Adds what is still due to the block.
+  /// Adds the collected products to the block.
   void finish();
 
 private:

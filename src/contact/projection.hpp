@@ -6,12 +6,12 @@
 
 namespace signorini::contact {
 
-/// What kind of point of the master is the closest.
+/// Kind of the closest point.
 enum class Foot {
-  none,    ///< an open end of the master: no contact there (its normal would be arbitrary)
-  regular, ///< the connecting line is normal to the master
+  none,    ///< an open end of the master: no contact, because the normal would be arbitrary
+  regular, ///< the line to the closest point is normal to the master
   edge,    ///< of a surface: on a kink between two elements (C⁰ knot), free to move along it
-  corner   ///< a kink of a curve, or where kinks of a surface cross: the normal is the connecting line itself
+  corner   ///< a kink of a curve, or a crossing of kinks of a surface: the normal is the line to the closest point
 };
 
 template <int D> struct Projection {
@@ -23,24 +23,23 @@ template <int D> struct Projection {
   double gap = 0;
 };
 
-/// The closest point of `surface` to x. Starts from the element and parameter of `seed` (when it has any), walks
-/// downhill across element borders, then looks into every element whose box is nearer than what was found. `point`
-/// holds the face's geometry at the closest point, order 2; its functions are left alone.
+/// The closest point of `surface` to x. Starts at the element and parameter of `seed` (if any), descends across element
+/// borders, then searches every element whose box is nearer than the point found. `point` receives the face's geometry
+/// at the closest point (order 2); its functions are unchanged.
 ///
-/// Rules where the connecting line is not normal to the face: an open border of the master is no contact (Foot::none);
-/// at a kink the kink itself is the master point, with gap −distance when x lies on the inside (Foot::edge, corner).
-/// A border of a surface that is collapsed to one point, such as a sphere's pole, is no open border: where it is the
-/// closest, it is a corner.
+/// Rules if the line to the closest point is not normal to the face: at an open border there is no contact
+/// (Foot::none); at a kink the foot point is on the kink, with gap −distance if x lies inside (Foot::edge, corner). A
+/// border of a surface that is collapsed to one point, such as a sphere's pole, is not open: as closest point it is a
+/// corner.
 ///
-/// point.settled says whether the search ended where its steps are below `foot_tolerance` of an element, and not
-/// because it ran out of iterations or of moves from one element to the next.
+/// point.settled is true if the last step was below `foot_tolerance`, false if the search reached its limit of
+/// iterations or of moves between elements.
 Projection<2> project(const Surface<2>& surface, const ElementBoxes<2>& boxes, const Vec<2>& x,
                       const Projection<2>& seed, FacePoint<2>& point);
 Projection<3> project(const Surface<3>& surface, const ElementBoxes<3>& boxes, const Vec<3>& x,
                       const Projection<3>& seed, FacePoint<3>& point);
 
-/// The local minimum of the distance that the walk downhill from an element and parameter leads to; geometry in `point`
-/// (order 2).
+/// The local minimum of the distance reached by descent from an element and parameter; geometry in `point` (order 2).
 Foot walk(const Surface<3>& surface, const Vec<3>& x, int element, const FaceCoordinates<3>& start, FacePoint<3>& point,
           int& along);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Which elements of a face may be near a point: a tree of bounding boxes.
+// Search for the elements of a face near a point: a tree of bounding boxes.
 
 #include "contact/surface.hpp"
 
@@ -7,20 +7,20 @@
 
 namespace signorini::contact {
 
-/// Bounding boxes of a face's elements, gathered in a binary tree that halves the grid of elements; moving the face
-/// changes the boxes, never the tree.
+/// Bounding boxes of a face's elements in a binary tree that halves the grid of elements; moving the face changes the
+/// boxes, not the tree.
 template <int D> class ElementBoxes {
 public:
-  /// Takes over the surface's present shape; always the same surface.
+  /// Computes the boxes of the surface's current shape. Must always be called with the same surface.
   void update(const Surface<D>& surface);
-  /// Square of the diagonal of an element's box.
+  /// Squared diagonal of an element's box.
   double diagonal2(int element) const {
     const Box& box = nodes_[at(leaves_[at(element)])].box;
     return (box.upper - box.lower).squaredNorm();
   }
 
-  /// Calls visit(element) for the elements whose boxes are nearer to x than `distance2()` says (square of a distance,
-  /// asked again before every visit), boxes near x first.
+  /// Calls visit(element) for the elements whose boxes are nearer to x than `distance2()` (a squared distance,
+  /// evaluated again before every visit), boxes near x first.
   template <class Distance2, class Visit> void near(const Vec<D>& x, Distance2 distance2, Visit visit) const {
     if (!nodes_.empty()) descend(0, nodes_[0].box.distance2(x), x, distance2, visit);
   }
@@ -28,10 +28,10 @@ public:
 private:
   struct Box {
     Vec<D> lower, upper;
-    /// Square of a lower bound of the distance from x to what is inside.
+    /// Squared lower bound of the distance from x to the element.
     double distance2(const Vec<D>& x) const { return (lower - x).cwiseMax(x - upper).cwiseMax(0.0).squaredNorm(); }
   };
-  /// Children follow their parent; the first one directly.
+  /// The first child follows its parent directly.
   struct Node {
     int element; ///< of a leaf; −1 otherwise
     int second;  ///< index of the second child

@@ -1,5 +1,5 @@
 #pragma once
-// A contact face in motion: the NURBS face of a body evaluated at the current control points.
+// Moving contact face: the NURBS face of a body, evaluated at the current control points.
 
 #include "base/eigen.hpp"
 #include "base/index.hpp"
@@ -10,7 +10,7 @@
 
 namespace signorini::contact {
 
-/// Most functions that live on one element of a face of a body in D dimensions.
+/// Largest number of functions on one element of a face of a body in D dimensions.
 template <int D>
 inline constexpr int most_face_functions = D == 2 ? nurbs::max_degree + 1
                                                   : (nurbs::max_degree + 1) * (nurbs::max_degree + 1);
@@ -19,7 +19,7 @@ inline constexpr int most_face_functions = D == 2 ? nurbs::max_degree + 1
 template <int D> using FaceCoordinates = Eigen::Matrix<double, D - 1, 1>;
 
 /// The face at one parametric point: position, tangents τ_α, second derivatives x_,αβ (2D: x_,11; 3D: x_,11 x_,12
-/// x_,22), and, where asked for, the rational functions with first derivatives.
+/// x_,22), and on request the rational functions with first derivatives.
 template <int D> struct FacePoint {
   static constexpr int tangents = D - 1;
   static constexpr int seconds = (D - 1) * D / 2;
@@ -28,12 +28,12 @@ template <int D> struct FacePoint {
   Vec<D> position;
   std::array<Vec<D>, tangents> tangent;
   std::array<Vec<D>, seconds> second;
-  bool settled = true; ///< false: the search that ended here ran out of iterations, see projection.hpp
+  bool settled = true; ///< whether the search for this point converged, see projection.hpp
   std::array<double, most_face_functions<D>> value;
   std::array<std::array<double, most_face_functions<D>>, tangents> derivative;
 };
 
-/// Normal times the surface measure: the tangent turned by −90° (2D), τ₁×τ₂ (3D).
+/// Normal times the surface measure: the tangent rotated by −90° (2D), τ₁×τ₂ (3D).
 template <int D> Vec<D> normal_of(const std::array<Vec<D>, D - 1>& tangent) {
   if constexpr (D == 2)
     return {tangent[0](1), -tangent[0](0)};
@@ -41,70 +41,69 @@ template <int D> Vec<D> normal_of(const std::array<Vec<D>, D - 1>& tangent) {
     return tangent[0].cross(tangent[1]);
 }
 
-/// A face of a body; all face-local indices count the face's own control points.
+/// A face of a body; face-local indices number the control points of the face.
 template <int D> class Surface {
 public:
-  /// `side` must be a tensor-product face of the body. Throws Error otherwise (see Discretization::face).
+  /// Throws Error unless `side` is a tensor-product face of the body (see Discretization::face).
   Surface(const nurbs::Discretization& body, nurbs::Side side);
-  /// A patch of its own, whose outside is on the right of its direction (2D), or where τ₁×τ₂ points (3D).
+  /// A patch without a body, with the outside on the right of its direction (2D), or with outward normal τ₁×τ₂ (3D).
   explicit Surface(const nurbs::Patch& patch);
 
   int elements() const { return static_cast<int>(elements_.size()); }
   /// Number of functions on an element.
   int functions_on(int element) const { return elements_[at(element)].functions; }
-  /// On the element that has most.
+  /// Largest number of functions on an element.
   int most_functions() const { return most_functions_; }
   /// Control points of the face.
   int functions() const { return static_cast<int>(functions_.size()); }
   /// Face-local indices of the functions of an element.
   const int* nodes(int element) const { return nodes_.data() + elements_[at(element)].nodes; }
-  /// The body's function behind face-local index i.
+  /// The body's function of face-local index i.
   int body_function(int i) const { return functions_[at(i)]; }
   /// Degree of an element along the face's direction α.
   int degree(int element, int alpha) const { return direction(alpha).degree(index(element, alpha)); }
   const nurbs::Space1D& direction(int alpha) const { return spaces_[at(alpha)]; }
-  /// Parameters between which an element lies in direction α.
+  /// Parametric interval of an element in direction α.
   std::array<double, 2> interval(int element, int alpha) const {
     return direction(alpha).interval(index(element, alpha));
   }
-  /// The element that holds xi.
+  /// The element that contains xi.
   int find_element(const FaceCoordinates<D>& xi) const;
   /// The element that shares the border of `element` at the start or end of direction α; −1 at the face's end.
   int neighbor(int element, int alpha, bool at_end) const;
 
-  /// Lets the face go on along its tangents beyond its open ends, by a part of its last elements; to be called once,
-  /// before move(). A seam and a border that is one point, such as a pole, are no ends.
+  /// Extends the face along its tangents beyond its open ends, by a fraction of its last elements; to be called once,
+  /// before move(). A seam and a border collapsed to one point, such as a pole, are not open ends.
   void extend(double part);
-  /// How much of a traction acts at xi: all of it on the face itself, none at the end of what extend() has added, with
-  /// continuous first derivatives `rate` by xi.
+  /// Factor on the traction at xi: 1 on the face itself, falling to 0 at the end of the extension, with continuous
+  /// first derivatives `rate` with respect to xi.
   double fade(const FaceCoordinates<D>& xi, FaceCoordinates<D>& rate) const;
 
-  /// Takes over current control points: reference positions plus displacement (D values per function of the body).
+  /// Sets the current control points: reference positions plus displacement (D values per function of the body).
   void move(const double* displacement);
   /// Current control points, D × functions.
   const Eigen::Matrix<double, D, Eigen::Dynamic>& points() const { return points_; }
 
-  /// The box of an element's Bézier points: as a NURBS lies in their hull, it holds the element.
+  /// Bounding box of an element's Bézier points, which contains the element (convex hull property).
   void bounds(int element, Vec<D>& lower, Vec<D>& upper) const;
 
-  /// The face's geometry at xi on an element's polynomial pieces. `order` 0: position, 1: also tangents, 2: also second
-  /// derivatives. Leaves the functions of `point` alone.
+  /// Evaluates the face's geometry at xi with the polynomial pieces of an element. `order` 0: position, 1: also
+  /// tangents, 2: also second derivatives. The functions of `point` are unchanged.
   void locate(int element, const FaceCoordinates<D>& xi, int order, FacePoint<D>& point) const;
-  /// The functions at point.element, point.xi, with first derivatives when `order` is 1.
+  /// Evaluates the functions at point.element, point.xi, with first derivatives if `order` is 1.
   void functions(FacePoint<D>& point, int order) const;
 
   /// Outward normal times the surface measure.
   Vec<D> outward(const std::array<Vec<D>, D - 1>& tangent) const { return orientation_ * normal_of<D>(tangent); }
 
 private:
-  /// One element: its place along every direction, how many functions and Bézier points it has, and where its parts of
-  /// the tables begin.
+  /// Indices per direction, numbers of functions and Bézier points, and offsets into the tables.
   struct Element {
     std::array<int, D - 1> index;
     int functions, points;
     std::size_t nodes, extraction, bezier;
   };
-  /// Bernstein polynomials of every direction, ∂^k in row k.
+  /// Bernstein polynomials of each direction, ∂^k in row k.
   using Bernsteins = std::array<std::array<double, 3 * (nurbs::max_degree + 1)>, D - 1>;
 
   Surface(const nurbs::Row& row, std::vector<int> functions, double orientation);
@@ -118,17 +117,17 @@ private:
 
   std::vector<nurbs::Space1D> spaces_;                ///< one per direction
   std::array<std::array<double, 2>, D - 1> ends_;     ///< of the face itself
-  std::array<std::array<double, 2>, D - 1> beyond_{}; ///< parametric length that was added at each of them
+  std::array<std::array<double, 2>, D - 1> beyond_{}; ///< parametric length of the extension at each end
   std::vector<int> functions_, nodes_;
   VectorX weights_;
-  bool polynomial_; ///< all weights equal: no quotient to take
+  bool polynomial_; ///< all weights are equal: not rational
   double orientation_;
   Eigen::Matrix<double, D, Eigen::Dynamic> reference_, points_;
   std::vector<Element> elements_;
   int most_functions_ = 0;
-  /// Bézier extraction of every element, functions × points, as products of its directions' (nurbs/space1d.hpp).
+  /// Bézier extraction of each element, functions × points: products over the directions (nurbs/space1d.hpp).
   std::vector<double> extraction_;
-  /// Bézier points of every element: D rows of w x and, unless polynomial_, one row of w.
+  /// Bézier points of each element: D rows of w x and, unless polynomial_, one row of w.
   std::vector<double> bezier_;
   int rows_; ///< D or D+1
 };

@@ -83,8 +83,7 @@ TEST(Penalty, FrictionOpposesTheMotion) {
   }
 }
 
-// ── Points that are fixed_state, and points with a multiplier
-// ───────────────────────────────────────────────────────────────
+// ── Points with a fixed state or a multiplier ────────────────────────────────────────────────────────────────────────
 
 /// At a gap of ±0.05 with the slip point 0.01 or 0.3 away; returns the force of the last trial.
 template <int D>
@@ -94,14 +93,14 @@ void fixed_or_augmented(Foot foot, double gap, double reach, FixedContactState f
   const PenaltyLaw law{100, 80, 0.3};
   for (int trial = 0; trial < 20; ++trial) {
     const Variables<D> q = random_variables<D>(random, foot, gap, reach);
-    const Situation<D> situation{random_curvature<D>(random), foot, reach > 0, false, 1, multiplier, held};
+    const Situation<D> situation{random_curvature<D>(random), foot, reach > 0, false, 1, multiplier, fixed_state};
     const Outcome<D> at = evaluate<D>(law, q, situation);
     EXPECT_EQ(at.force.state, expected);
     EXPECT_NEAR(at.force.pressure, multiplier - 100 * at.gap, 1e-14 * (multiplier + 100));
     if (at.force.state == ContactState::slip) {
       EXPECT_NEAR(at.force.friction.norm(), 0.3 * std::abs(at.force.pressure), 1e-12);
     } else if (fixed_state == FixedContactState::touching && at.force.pressure < 0) {
-      EXPECT_EQ(at.force.friction.norm(), 0); // it pulls
+      EXPECT_EQ(at.force.friction.norm(), 0); // in tension
     } else if (foot == Foot::regular) {
       EXPECT_NEAR(at.force.friction.norm(), 80 * reach, 1e-12);
     }
@@ -109,7 +108,7 @@ void fixed_or_augmented(Foot foot, double gap, double reach, FixedContactState f
   }
 }
 
-template <int D> void held_points() {
+template <int D> void points_with_fixed_state() {
   const ContactState stick = ContactState::stick;
   for (Foot foot : {Foot::regular, Foot::corner}) {
     fixed_or_augmented<D>(foot, 0.05, 0.01, FixedContactState::touching, 0, stick);
@@ -119,12 +118,12 @@ template <int D> void held_points() {
   }
 }
 
-TEST(Penalty, HeldPointsPullAndStickWhereTheyAreTold) {
-  held_points<2>();
-  held_points<3>();
+TEST(Penalty, PointsWithAFixedStateMayPullAndStick) {
+  points_with_fixed_state<2>();
+  points_with_fixed_state<3>();
 }
 
-TEST(Penalty, HeldTouchingLeavesStickOrSlipToCoulomb) {
+TEST(Penalty, FixedTouchingPointsFollowCoulombsLaw) {
   fixed_or_augmented<2>(Foot::regular, -0.05, 0.01, FixedContactState::touching, 0, ContactState::stick);
   fixed_or_augmented<2>(Foot::regular, -0.05, 0.3, FixedContactState::touching, 0, ContactState::slip);
   fixed_or_augmented<3>(Foot::regular, -0.05, 0.01, FixedContactState::touching, 0, ContactState::stick);
