@@ -13,7 +13,7 @@ double strength(const Adhesion& law) {
   return law.hamaker / (2 * std::numbers::pi * law.distance * law.distance * law.distance);
 }
 
-/// T′(r) where the law is not extended.
+/// T′(r) of the law without extension.
 double slope(const Adhesion& law, double r) {
   const double q = law.distance / r, q3 = q * q * q, q9 = q3 * q3 * q3;
   // d/dr (r₀/r)ⁿ = −n (r₀/r)ⁿ/r

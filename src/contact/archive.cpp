@@ -35,7 +35,7 @@ template <int D> auto members(PointResult<D>& result) {
   return std::tie(state, gap, pressure, tangents, friction, force, area, potential);
 }
 
-/// Settling clears no point.
+/// `cleared` is not stored, because settling resets it.
 template <int D> auto members(PointHistory<D>& point) {
   auto& [projection, cleared, slips, slip, limit, multiplier] = point;
   auto& [foot, element, along, xi, gap] = projection;

@@ -10,9 +10,9 @@ BlockSums<D>::BlockSums(const Surface<D>& slave, const Master<D>& master)
     : slave_(slave), master_(master),
       columns_(at(D * (slave.most_functions() + 2 * master.most_functions()) * (2 * D - 1))) {}
 
-/// Index of the block with these elements; a new one where there is none.
+/// Index of the block with these elements, which is created if necessary.
 template <int D> std::size_t BlockSums<D>::find(int slave_element, int master_element, int slip_element, bool tangent) {
-  // Points come element by element, so a block to add to is among the last ones.
+  // Points are added element by element, so only the last blocks need to be searched.
   for (std::size_t index = blocks_.size(); index-- > first_;)
     if (blocks_[index].master_element == master_element && blocks_[index].slip_element == slip_element) return index;
   if (spare_.empty()) {
@@ -38,8 +38,7 @@ template <int D> std::size_t BlockSums<D>::find(int slave_element, int master_el
   return blocks_.size() - 1;
 }
 
-/// ∂T/∂x_B and ∂ξ̄/∂x_B of every column node B, times the point's weight: the local derivatives times the functions that
-/// carry the variables.
+/// ∂T/∂x_B and ∂ξ̄/∂x_B of every column node B times the point's weight, by the chain rule from the local variables.
 template <int D>
 void BlockSums<D>::fill_columns(const Block& block, const double* r, double w, const FacePoint<D>& master,
                                 const FacePoint<D>* slip_point, const LocalForce<D>& force) {
@@ -88,7 +87,7 @@ void BlockSums<D>::fill_columns(const Block& block, const double* r, double w, c
 template <int D>
 void BlockSums<D>::add(const ContactPoints<D>& points, std::size_t point, const FacePoint<D>& master,
                        const FacePoint<D>* slip_point, const LocalForce<D>& force, bool tangent) {
-  const bool rigid = master_.rigid(); // one node, whatever the element
+  const bool rigid = master_.rigid(); // one node for all elements
   const bool own_columns = slip_point && !rigid && slip_point->element != master.element;
   const std::size_t index =
       find(points.list[point].element, rigid ? 0 : master.element, own_columns ? slip_point->element : -1, tangent);

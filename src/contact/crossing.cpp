@@ -13,7 +13,7 @@ bool has_crossed(const Master<D>& before, const Master<D>& now, const Vec<D>& fr
   before.locate(found.xi, foot_before);
   const Vec<D> way = (from - foot_before.position) - (to - foot.position);
   const double length = way.norm();
-  // A gap changes by no more than the way: its length can be skipped.
+  // The gap changes by at most the distance moved, so steps of the gap's length cannot miss the master.
   for (double s = std::max(found.gap, length / crossing_pieces); s < length;
        s += std::max(found.gap, length / crossing_pieces)) {
     found = now.project(to + (s / length) * way, found, point);

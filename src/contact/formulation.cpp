@@ -19,7 +19,7 @@ template <int D> void Formulation<D>::move(const double* slave_displacement, con
     const ScopedTimer timer(times_search_ ? &search_seconds_ : nullptr);
     master_moved = master_.move(master_displacement);
   }
-  // A surface point is a convex combination of control points: none moves farther than the farthest of those.
+  // A surface point is a convex combination of control points, so their largest displacement is a bound.
   travel_ += std::sqrt((slave_.points() - previous_slave_).colwise().squaredNorm().maxCoeff()) + master_moved;
   previous_slave_ = slave_.points();
   take_back(blocks_);
@@ -68,8 +68,8 @@ template <int D> void Formulation<D>::commit(History<D>& present, const History<
   stand();
 }
 
-/// Whether a point has gone through the master since the accepted state. Hardly any is looked at: one that is farther
-/// from the master than the two have moved towards each other cannot have.
+/// Whether a point has passed through the master since the accepted state. Points whose distance exceeds the approach
+/// of slave and master need no test.
 template <int D>
 bool Formulation<D>::has_crossed(std::size_t i, const History<D>& present, const History<D>& accepted) const {
   const PointHistory<D>& point = present.points[i];

@@ -8,7 +8,7 @@ namespace signorini::contact {
 
 template <int D>
 GaussPointContact<D>::GaussPointContact(ContactSetting<D> setting) : Formulation<D>(std::move(setting)) {
-  // Pieces of whole elements with about equally many points
+  // Whole elements with about the same number of points per piece
   constexpr std::size_t pieces = contact_pieces<D>;
   const auto& list = this->points_.list;
   for (std::size_t i = 1, first = 0; i <= list.size(); ++i)

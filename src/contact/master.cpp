@@ -6,7 +6,7 @@ namespace signorini::contact {
 
 namespace {
 
-/// Calls what(shape) with the shape in closed form; a patch is none.
+/// Calls what(shape) with the closed-form shape; `obstacle` must not be a patch.
 template <int D, class What> auto with_shape(const Obstacle<D>& obstacle, const What& what) {
   if (const auto* ball = std::get_if<Ball<D>>(&obstacle)) return what(*ball);
   if constexpr (D == 3)
@@ -37,7 +37,7 @@ template <int D> double Master<D>::move(const double* displacement) {
   if (!rigid_) {
     surface_->move(displacement);
     boxes_.update(*surface_);
-    // A surface point is a convex combination of control points: none moves farther than the farthest of those.
+    // A surface point is a convex combination of control points, so their largest displacement is a bound.
     const double distance = std::sqrt((surface_->points() - previous_).colwise().squaredNorm().maxCoeff());
     previous_ = surface_->points();
     return distance;
@@ -53,7 +53,7 @@ template <int D> double Master<D>::move(const double* displacement) {
   return distance;
 }
 
-/// Geometry of order 2 of a shape in closed form at point.xi.
+/// Geometry of order 2 of a closed-form shape at point.xi.
 template <int D> void Master<D>::place(FacePoint<D>& point) const {
   point.element = 0;
   with_shape<D>(*shape_, [&](const auto& shape) { contact::locate(shape, point); });

@@ -11,12 +11,12 @@ namespace signorini::contact {
 
 namespace {
 
-/// The direction whose turn by −90° is the normal.
+/// The direction that, rotated by −90°, is the normal.
 std::array<Vec<2>, 1> across(const Vec<2>& normal) {
   return {Vec<2>(-normal(1), normal(0))};
 }
 
-/// Unit vectors a, b with a × b = axis: the first from the coordinate axis that `axis` leans to least.
+/// Unit vectors a, b with a × b = axis; a is built from the coordinate axis with the largest angle to `axis`.
 std::array<Vec<3>, 2> across(const Vec<3>& axis) {
   int least;
   axis.cwiseAbs().minCoeff(&least);
@@ -110,13 +110,13 @@ FaceCoordinates<2> advance_slip(const Plane<2>&, const FaceCoordinates<2>& slip,
 
 FaceCoordinates<2> advance_slip(const Ball<2>& ball, const FaceCoordinates<2>& slip, const FacePoint<2>& foot,
                                 double length) {
-  // The shorter way round; a chord of length L spans the angle 2 asin(L/2R).
+  // Along the shorter arc; a chord of length L spans the angle 2 asin(L/2R).
   const double angle = std::remainder(slip(0) - foot.xi(0), 2 * std::numbers::pi);
   const double limit = 2 * std::asin(std::min(1.0, length / (2 * ball.radius)));
   return std::abs(angle) > limit ? FaceCoordinates<2>(foot.xi(0) + std::copysign(limit, angle)) : slip;
 }
 
-// ── In space ─────────────────────────────────────────────────────────────────────────────────────────────────────────
+// ── 3D ───────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 FaceCoordinates<3> closest(const Ball<3>& ball, const Vec<3>& x) {
   const Vec<3> out = x - ball.center;
@@ -163,7 +163,7 @@ FaceCoordinates<3> advance_slip(const Ball<3>& ball, const FaceCoordinates<3>& s
   to.xi = slip;
   locate(ball, from);
   locate(ball, to);
-  // On the great circle; a chord of length L spans the angle 2 asin(L/2R).
+  // Along the great circle; a chord of length L spans the angle 2 asin(L/2R).
   const Vec<3> a = (from.position - ball.center) / ball.radius, b = (to.position - ball.center) / ball.radius;
   const double angle = std::atan2(a.cross(b).norm(), a.dot(b));
   const double limit = 2 * std::asin(std::min(1.0, length / (2 * ball.radius)));
@@ -174,8 +174,7 @@ FaceCoordinates<3> advance_slip(const Ball<3>& ball, const FaceCoordinates<3>& s
 
 FaceCoordinates<3> advance_slip(const Cylinder& cylinder, const FaceCoordinates<3>& slip, const FacePoint<3>& foot,
                                 double length) {
-  // Along the helix, the shorter way round; a fraction t of it is the chord √((2R sin(tα/2))² + (tz)²), which grows
-  // with t.
+  // Along the shorter helix; its fraction t has the chord √((2R sin(tα/2))² + (tz)²), which increases with t.
   const double angle = std::remainder(slip(0) - foot.xi(0), 2 * std::numbers::pi), height = slip(1) - foot.xi(1);
   const auto chord = [&](double t) { return std::hypot(2 * cylinder.radius * std::sin(t * angle / 2), t * height); };
   if (!(chord(1) > length)) return slip;

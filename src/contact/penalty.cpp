@@ -19,7 +19,7 @@ template <int D> void penalty_force(const PenaltyLaw& law, const LocalGeometry<D
   result.friction.setZero();
   // ε_N g²/2, and with friction |t_T|²/(2 ε_T)
   result.potential = 0.5 * law.normal * g * g;
-  // A point that is held may pull, and then has no friction to limit.
+  // A point with a fixed state may be in tension, where Coulomb's limit does not exist.
   const bool sticks = geometry.fixed_state == FixedContactState::stick;
   if (law.friction > 0 && geometry.slip_point && (result.pressure > 0 || sticks)) {
     // Trial t_T = ε_T (xᵐ(ξ̄) − xᵐ(ξ_sl)) (thesis 3.74), both on the current master
@@ -31,7 +31,8 @@ template <int D> void penalty_force(const PenaltyLaw& law, const LocalGeometry<D
       trial_rows.noalias() += (law.tangential * master.tangent[at(a)]) * result.shift.row(a);
 
     const double magnitude = trial.norm(), limit = law.friction * result.pressure;
-    // (ε_T + μ ε_N) |tie|: change of |t| − μ t_N due to an error |tie| in gap and slip. Below it |t| has no direction.
+    // (ε_T + μ ε_N) |tie|: change of |t| − μ t_N due to an error |tie| of gap and slip. Below it the direction of t is
+    // undefined.
     const double tie = (law.tangential + law.friction * law.normal) * geometry.tie;
     if (sticks || magnitude <= limit + tie || magnitude <= -tie) {
       result.friction = trial;

@@ -61,7 +61,7 @@ template <int D> void PenaltyContact<D>::evaluate_point(std::size_t i, const Tri
   this->record(i, trial, geometry, force, part, at);
 }
 
-/// A point that touches first slips from where it would have touched in the accepted state.
+/// A newly closed point slips from its foot point in the accepted state.
 template <int D> void PenaltyContact<D>::remember_touch(std::size_t i, const Trial<D>& trial) const {
   PointHistory<D>& point = trial.present.points[i];
   FacePoint<D> foot;
@@ -78,7 +78,7 @@ template <int D> void PenaltyContact<D>::commit_points(History<D>& present, doub
   for (std::size_t i = 0; i < this->points_.size(); ++i) advance_slip_point(i, present, law);
 }
 
-/// Moves a point's slip point to where it stands at the end of an accepted step.
+/// Updates a point's slip point at the end of an accepted step.
 template <int D>
 void PenaltyContact<D>::advance_slip_point(std::size_t i, History<D>& history, const PenaltyLaw& law) const {
   const Master<D>& master = this->master();
@@ -89,14 +89,14 @@ void PenaltyContact<D>::advance_slip_point(std::size_t i, History<D>& history, c
   if (result.state == ContactState::open) {
     point.slips = false;
   } else if (!point.slips) {
-    // It came from beyond the master's end: friction counts from here.
+    // The point was beyond the master's end before: friction starts at its present foot point.
     point.slips = true;
     point.slip = point.projection.xi;
   } else if (result.state == ContactState::slip) {
     FacePoint<D> foot, slip_point;
     master.locate(point.projection.xi, foot);
     master.locate(point.slip, slip_point);
-    // |x̄ᵐ − xᵐ(ξ_sl)| falls to μ t_N/ε_T; the difference is the slip Δγ.
+    // |x̄ᵐ − xᵐ(ξ_sl)| decreases to μ t_N/ε_T; the difference is the slip Δγ.
     const double length = law.friction * result.pressure / law.tangential;
     const double before = (slip_point.position - foot.position).norm(), slipped = std::max(before - length, 0.0);
     history.dissipated += 0.5 * (limit_before + limit) * slipped;
@@ -112,7 +112,7 @@ template <int D> void PenaltyContact<D>::augment(History<D>& history) const {
   for (std::size_t i = 0; i < history.points.size(); ++i) history.points[i].multiplier = history.results[i].pressure;
 }
 
-/// A point that is drawn off presses on at a gap as long as its multiplier is not taken back.
+/// Includes positive gaps: an opening point keeps its pressure until its multiplier is reduced.
 template <int D> double PenaltyContact<D>::violation(const History<D>& history) const {
   double farthest = 0;
   for (const PointResult<D>& point : history.results)

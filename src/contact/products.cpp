@@ -5,7 +5,7 @@
 #include <cstddef>
 
 extern "C" {
-/// BLAS: C ← α A B + β C with A or B transposed where asked, column by column.
+/// BLAS: C ← α A B + β C, A or B optionally transposed, column-major.
 void dgemm_(const char* transpose_a, const char* transpose_b, const int* m, const int* n, const int* k,
             const double* alpha, const double* a, const int* lda, const double* b, const int* ldb, const double* beta,
             double* c, const int* ldc);
@@ -15,7 +15,7 @@ namespace signorini::contact {
 
 namespace {
 
-/// Makes room for one more row of `count` values; where the new row begins. Keeps what is there, and its memory.
+/// Grows the array by one row of `count` values and returns the start of that row; never shrinks it.
 double* extend(std::vector<double>& values, int points, int count) {
   const std::size_t from = static_cast<std::size_t>(points) * static_cast<std::size_t>(count);
   if (values.size() < from + static_cast<std::size_t>(count))
@@ -23,7 +23,7 @@ double* extend(std::vector<double>& values, int points, int count) {
   return values.data() + from;
 }
 
-/// C_rc += Σ_k A_kr B_kc, all row by row, rows of B and C `step` values apart.
+/// C_rc += Σ_k A_kr B_kc, row-major, with row stride `step` of B and C.
 void add_product(int rows, int columns, int depth, const double* a, const double* b, int step, double* c) {
   const double one = 1;
   dgemm_("N", "T", &columns, &rows, &depth, &one, b, &step, a, &rows, &one, c, &step);

@@ -10,7 +10,7 @@ namespace {
 
 using CurveCoordinates = FaceCoordinates<2>;
 
-/// Where a search within one element ended: inside, or held back at its start or end.
+/// Where a search within one element ended.
 enum class Stop { inside, start, end };
 
 /// Half the derivative of the squared distance, −(x − x(ξ))·τ.
@@ -19,7 +19,8 @@ double slope(const Vec<2>& x, const FacePoint<2>& point) {
 }
 
 /// Minimizes the distance within one element by Newton's method, safeguarded by Gauss–Newton, the element's ends and,
-/// once the slope has been seen with both signs, bisection. Leaves the face at the minimum in `point` (order 2).
+/// once both signs of the slope have occurred, bisection. Leaves the face's geometry at the minimum in `point` (order
+/// 2).
 Stop descend(const Surface<2>& surface, const Vec<2>& x, int element, double start, FacePoint<2>& point) {
   const auto [a, b] = surface.interval(element, 0);
   double xi = std::clamp(start, a, b), low = a, high = b;
@@ -32,21 +33,21 @@ Stop descend(const Surface<2>& surface, const Vec<2>& x, int element, double sta
     if (xi >= b && gradient < 0) return Stop::end;
     (gradient > 0 ? high : low) = xi;
     (gradient > 0 ? rises : falls) = true;
-    // ξ ← ξ − f'/f'',  f' = (x(ξ) − x)·τ,  f'' = τ·τ + (x(ξ) − x)·x_,11; where f'' is small or negative and the step
-    // long, τ·τ instead
+    // ξ ← ξ − f'/f'',  f' = (x(ξ) − x)·τ,  f'' = τ·τ + (x(ξ) − x)·x_,11; τ·τ in place of f'' if that is negative, or
+    // small and the step long
     const double metric = point.tangent[0].squaredNorm();
     const double curvature = metric + (point.position - x).dot(point.second[0]);
     const bool trusted = curvature > trusted_curvature * metric ||
                          (curvature > 0 && std::abs(gradient) < short_step * (b - a) * curvature);
-    const double slowness = trusted ? curvature : metric; // 0 where the parametrization stands still
+    const double slowness = trusted ? curvature : metric; // 0 where the parametrization is singular
     const double step = slowness > 0 ? -gradient / slowness : 0;
     double next = std::clamp(xi + step, a, b);
-    // The step just taken squares the error: from 1e-8 of the element it goes to rounding. A step out of the element
-    // is none to end with: at the end itself the slope decides.
+    // Each step squares the error: after one of 1e-8 of the element rounding error is left. A step out of the element
+    // does not end the search; at the element's end the slope decides.
     const bool done = (std::abs(step) <= last_step * (b - a) && next == xi + step) || iteration == most_foot_iterations;
     point.settled = std::abs(step) <= foot_tolerance * (b - a);
     if (done && std::abs(next - xi) <= 1e-12 * (b - a)) {
-      // A first-order shift is exact to rounding here.
+      // A first-order shift is exact up to rounding error.
       point.position += (next - xi) * point.tangent[0];
       point.tangent[0] += (next - xi) * point.second[0];
       point.xi(0) = next;
@@ -62,7 +63,7 @@ Stop descend(const Surface<2>& surface, const Vec<2>& x, int element, double sta
   }
 }
 
-/// Follows the curve downhill from one element to the next until the distance grows both ways.
+/// Descends along the curve from one element to the next until the distance increases in both directions.
 Foot walk(const Surface<2>& surface, const Vec<2>& x, int element, double start, FacePoint<2>& point) {
   Stop stop = descend(surface, x, element, start, point);
   for (int moves = 0; stop != Stop::inside && moves < surface.elements(); ++moves) {
@@ -73,7 +74,8 @@ Foot walk(const Surface<2>& surface, const Vec<2>& x, int element, double start,
     FacePoint<2> beyond;
     const Stop other = descend(surface, x, next, border, beyond);
     if (other == (forward ? Stop::start : Stop::end)) {
-      // Both sides climb away from the border. On a smooth curve that is rounding at a minimum on the border itself.
+      // The distance increases on both sides of the border: a kink, or on a smooth curve a minimum at the border up to
+      // rounding error.
       const double sine = std::abs(point.tangent[0].normalized().dot(
           Vec<2>(-beyond.tangent[0].normalized()(1), beyond.tangent[0].normalized()(0))));
       return sine < same_place ? Foot::regular : Foot::corner;
@@ -87,8 +89,8 @@ Foot walk(const Surface<2>& surface, const Vec<2>& x, int element, double start,
   return Foot::none;
 }
 
-/// Calls search(ξ) at those of 3(degree+1) equidistant points of an element that are nearer to x than their neighbors:
-/// the squared distance to one polynomial piece can have several minima, and one descent starts near each.
+/// Calls search(ξ) at those of 3(degree+1) equidistant points of an element that are nearer to x than their neighbors,
+/// because the squared distance to one polynomial piece can have several minima.
 template <class Search> void each_dip(const Surface<2>& surface, const Vec<2>& x, int element, Search search) {
   const auto [a, b] = surface.interval(element, 0);
   constexpr double far = std::numeric_limits<double>::infinity();
@@ -108,7 +110,7 @@ template <class Search> void each_dip(const Surface<2>& surface, const Vec<2>& x
   }
 }
 
-/// Signed gap at the closest point. At a corner the two one-sided normals decide which side x is on.
+/// Signed gap at the closest point. At a corner the sum of the two one-sided normals determines the side of x.
 double signed_gap(const Surface<2>& surface, const Vec<2>& x, Foot foot, const FacePoint<2>& point) {
   const Vec<2> difference = x - point.position;
   Vec<2> normal = surface.outward(point.tangent).normalized();
@@ -131,16 +133,17 @@ Projection<2> project(const Surface<2>& surface, const ElementBoxes<2>& boxes, c
                       const Projection<2>& seed, FacePoint<2>& point) {
   Projection<2> best;
   double nearest = std::numeric_limits<double>::infinity();
-  int settled = -1; // an element that needs no second look
+  int settled = -1; // element that needs no further search
   if (seed.element >= 0) {
     best.foot = walk(surface, x, seed.element, seed.xi(0), point);
     nearest = (x - point.position).squaredNorm();
-    // A foot much nearer than the element is long is the only one on it; a curve does not fold within one element.
+    // A foot point much nearer than the element's length is the only one on it, because a curve does not fold within
+    // one element.
     if (nearest < boxes.diagonal2(point.element) * near_foot) settled = point.element;
   }
 
   FacePoint<2> candidate;
-  // A minimum on a border is reached from both sides; the factor lets rounding not choose between them.
+  // A minimum on a border is reached from both sides; the factor keeps rounding error from choosing one.
   boxes.near(
       x, [&] { return nearest * (1 - same_distance); },
       [&](int e) {

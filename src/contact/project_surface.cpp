@@ -13,13 +13,13 @@ namespace {
 using Coordinates = FaceCoordinates<3>;
 using Interval = std::array<double, 2>;
 
-/// Per direction: 0 where a search ended inside an element, −1 (+1) where the element's start (end) held it back.
+/// Active bound per direction: −1 (+1) if the element's start (end) stops the search, 0 if none does.
 using EdgeStop = std::array<int, 2>;
 
-/// Newton's direction for the squared distance in the directions that are not held; Gauss–Newton's where the curvature
-/// of the distance is negative, or small and the step longer than a hundredth of the element (`size`).
+/// Newton step for the squared distance in the directions without an active bound. Gauss–Newton step where the distance
+/// has negative curvature, or small curvature and the step exceeds a hundredth of the element's length `size`.
 Coordinates newton_step(const Vec<3>& difference, const FacePoint<3>& point, const Coordinates& gradient,
-                        const EdgeStop& held, const Coordinates& size) {
+                        const EdgeStop& active, const Coordinates& size) {
   // f = |x(ξ) − x|²/2,  f_,α = (x(ξ) − x)·τ_α,  f_,αβ = τ_α·τ_β + (x(ξ) − x)·x_,αβ
   Mat<2> metric, hessian;
   for (int a = 0; a < 2; ++a)
@@ -28,9 +28,9 @@ Coordinates newton_step(const Vec<3>& difference, const FacePoint<3>& point, con
       hessian(a, b) = metric(a, b) + difference.dot(point.second[at(a + b)]);
     }
   for (int a = 0; a < 2; ++a)
-    if (held[at(a)] != 0) {
+    if (active[at(a)] != 0) {
       const int b = 1 - a;
-      if (held[at(b)] != 0) return Coordinates::Zero();
+      if (active[at(b)] != 0) return Coordinates::Zero();
       Coordinates step = Coordinates::Zero();
       if (hessian(b, b) > 0) step(b) = -gradient(b) / hessian(b, b);
       if (hessian(b, b) > trusted_curvature * metric(b, b) ||
@@ -50,7 +50,7 @@ Coordinates newton_step(const Vec<3>& difference, const FacePoint<3>& point, con
   return -metric.inverse() * gradient;
 }
 
-/// How much of the step stays inside the element: at most 1, less where a border is met.
+/// Largest fraction of the step, at most 1, that stays inside the element.
 double allowed(const Coordinates& xi, const Coordinates& step, const std::array<Interval, 2>& box) {
   double fraction = 1;
   for (int a = 0; a < 2; ++a) {
@@ -60,8 +60,8 @@ double allowed(const Coordinates& xi, const Coordinates& step, const std::array<
   return fraction;
 }
 
-/// Minimizes the distance within one element by Newton's method with held borders and step halving. Leaves the face at
-/// the minimum in `point` (order 2).
+/// Minimizes the distance within one element by Newton's method with active bounds and step halving. Returns the bounds
+/// active at the minimum and leaves the face's geometry there in `point` (order 2).
 EdgeStop descend(const Surface<3>& surface, const Vec<3>& x, int element, const Coordinates& start,
                  FacePoint<3>& point) {
   const std::array<Interval, 2> box = {surface.interval(element, 0), surface.interval(element, 1)};
@@ -72,21 +72,23 @@ EdgeStop descend(const Surface<3>& surface, const Vec<3>& x, int element, const 
   for (int iteration = 0;; ++iteration) {
     const Vec<3> difference = point.position - x;
     const Coordinates gradient(difference.dot(point.tangent[0]), difference.dot(point.tangent[1]));
-    // A border holds when the distance falls beyond it, and when the step would lead out.
-    EdgeStop held{};
+    // A bound is active if the distance decreases beyond it, and also if the step would cross it.
+    EdgeStop active{};
     for (int a = 0; a < 2; ++a)
-      held[at(a)] = xi(a) <= box[at(a)][0] && gradient(a) > 0 ? -1 : xi(a) >= box[at(a)][1] && gradient(a) < 0 ? 1 : 0;
-    EdgeStop still = held;
-    Coordinates step = newton_step(difference, point, gradient, held, length);
+      active[at(a)] = xi(a) <= box[at(a)][0] && gradient(a) > 0   ? -1
+                      : xi(a) >= box[at(a)][1] && gradient(a) < 0 ? 1
+                                                                  : 0;
+    EdgeStop extended = active;
+    Coordinates step = newton_step(difference, point, gradient, active, length);
     for (int a : {0, 1, 0})
       if ((xi(a) <= box[at(a)][0] && step(a) < 0) || (xi(a) >= box[at(a)][1] && step(a) > 0)) {
-        still[at(a)] = step(a) < 0 ? -1 : 1;
-        step = newton_step(difference, point, gradient, still, length);
+        extended[at(a)] = step(a) < 0 ? -1 : 1;
+        step = newton_step(difference, point, gradient, extended, length);
       }
     const double size = step.cwiseQuotient(length).cwiseAbs().maxCoeff(); // of the step, in elements
     const double fraction = allowed(xi, step, box);
     if (size <= last_step || iteration == most_foot_iterations) {
-      // The step just taken squares the error: to rounding, and so is a first-order shift of the geometry.
+      // The last step squares the error down to rounding error, which is also the error of the first-order shift below.
       point.settled = size <= foot_tolerance;
       step *= fraction;
       xi += step;
@@ -95,15 +97,15 @@ EdgeStop descend(const Surface<3>& surface, const Vec<3>& x, int element, const 
       for (int a = 0; a < 2; ++a) point.position += step(a) * point.tangent[at(a)];
       for (int a = 0; a < 2; ++a)
         for (int b = 0; b < 2; ++b) point.tangent[at(a)] += step(b) * point.second[at(a + b)];
-      return held;
+      return active;
     }
-    // Halved until the distance falls enough
+    // Backtracking until Armijo's condition holds
     const double before = difference.squaredNorm() / 2, slope = gradient.dot(step);
     double scale = fraction;
     for (int halving = 0;; ++halving, scale /= 2) {
       Coordinates next = xi + scale * step;
       for (int a = 0; a < 2; ++a) {
-        // On the border exactly where the step ends there
+        // Steps that end at a border must end exactly on it.
         const double from = box[at(a)][0], to = box[at(a)][1], slack = 1e-14 * length(a);
         next(a) = next(a) < from + slack ? from : next(a) > to - slack ? to : next(a);
       }
@@ -117,7 +119,7 @@ EdgeStop descend(const Surface<3>& surface, const Vec<3>& x, int element, const 
   }
 }
 
-/// Whether the border of an element at the start or end of direction α is collapsed to one point.
+/// Whether an element's border at the start or end of direction α is collapsed to one point.
 bool collapsed(const Surface<3>& surface, int element, int alpha, bool at_end) {
   Vec<3> lower, upper;
   surface.bounds(element, lower, upper);
@@ -135,7 +137,7 @@ bool collapsed(const Surface<3>& surface, int element, int alpha, bool at_end) {
   return true;
 }
 
-/// Unit normal near a point of an element: moved inward by a little where the tangents do not span a plane.
+/// Unit normal at a point of an element, or slightly inward where the tangents do not span a plane.
 Vec<3> normal_near(const Surface<3>& surface, int element, Coordinates xi) {
   FacePoint<3> point;
   for (double t : {0.0, 1e-6, 1e-3}) {
@@ -152,8 +154,8 @@ Vec<3> normal_near(const Surface<3>& surface, int element, Coordinates xi) {
   return Vec<3>::Zero();
 }
 
-/// Signed gap at a closest point. Where the connecting line is not the normal, those of the elements around decide
-/// which side x is on.
+/// Signed gap at a closest point. If the line to the closest point is not normal to the face, the normals of the
+/// adjacent elements determine the side of x.
 double signed_gap(const Surface<3>& surface, const Vec<3>& x, Foot foot, const FacePoint<3>& point) {
   const Vec<3> difference = x - point.position;
   if (foot == Foot::regular) return difference.dot(surface.outward(point.tangent).normalized());
@@ -169,8 +171,8 @@ double signed_gap(const Surface<3>& surface, const Vec<3>& x, Foot foot, const F
   return std::copysign(difference.norm(), difference.dot(normal));
 }
 
-/// Calls search(ξ) at those points of a grid on an element that are nearer to x than their neighbors: the squared
-/// distance to one polynomial piece can have several minima, and one descent starts near each.
+/// Calls search(ξ) at the points of a grid on an element that are nearer to x than their neighbors, because the squared
+/// distance to one polynomial piece can have several minima.
 template <class Search> void each_dip(const Surface<3>& surface, const Vec<3>& x, int element, Search search) {
   constexpr int most = 3 * (nurbs::max_degree + 1);
   const int n0 = 3 * surface.degree(element, 0) + 3, n1 = 3 * surface.degree(element, 1) + 3;
@@ -189,7 +191,7 @@ template <class Search> void each_dip(const Surface<3>& surface, const Vec<3>& x
       bool least = true;
       for (int k = std::max(j - 1, 0); k <= std::min(j + 1, n1 - 1); ++k)
         for (int l = std::max(i - 1, 0); l <= std::min(i + 1, n0 - 1); ++l) {
-          // Of equal ones the first counts.
+          // Of equal distances the first is taken.
           const double here = distances[i + n0 * j], there = distances[l + n0 * k];
           least = least && (here < there || (here == there && i + n0 * j <= l + n0 * k));
         }
@@ -223,29 +225,29 @@ bool degenerate(const Surface<3>& surface, const FacePoint<3>& point) {
 
 Foot walk(const Surface<3>& surface, const Vec<3>& x, int element, const Coordinates& start, FacePoint<3>& point,
           int& along) {
-  EdgeStop held = descend(surface, x, element, start, point);
+  EdgeStop active = descend(surface, x, element, start, point);
   FacePoint<3> beyond;
   bool moved = true;
   for (int moves = 0; moved && moves < 2 * surface.elements() + 8; ++moves) {
     moved = false;
     for (int a = 0; a < 2 && !moved; ++a) {
-      if (held[at(a)] == 0) continue;
-      const int next = surface.neighbor(point.element, a, held[at(a)] > 0);
+      if (active[at(a)] == 0) continue;
+      const int next = surface.neighbor(point.element, a, active[at(a)] > 0);
       if (next < 0) continue;
       const EdgeStop other = descend(surface, x, next, point.xi, beyond);
-      // Two elements that send each other back differ by rounding only.
+      // Two elements that lead to each other in turn differ by rounding error only.
       if ((beyond.position - x).squaredNorm() >= (point.position - x).squaredNorm() * (1 - 1e-14)) continue;
       point = beyond;
-      held = other;
+      active = other;
       moved = true;
     }
   }
   if (moved) point.settled = false;
-  // What holds at the minimum: the face's own border, a kink, or nothing but rounding
+  // An active bound at the minimum is the border of the face, a kink, or due to rounding error.
   bool kink[2] = {false, false}, pole = false;
   for (int a = 0; a < 2; ++a) {
-    if (held[at(a)] == 0) continue;
-    const bool at_end = held[at(a)] > 0;
+    if (active[at(a)] == 0) continue;
+    const bool at_end = active[at(a)] > 0;
     const int next = surface.neighbor(point.element, a, at_end);
     if (next < 0) {
       if (!collapsed(surface, point.element, a, at_end)) return Foot::none;
@@ -265,18 +267,18 @@ Projection<3> project(const Surface<3>& surface, const ElementBoxes<3>& boxes, c
                       const Projection<3>& seed, FacePoint<3>& point) {
   Projection<3> best;
   double nearest = std::numeric_limits<double>::infinity();
-  bool settled = false; // no second look at the element of the foot and those around it
+  bool settled = false; // the foot point's element and its neighbors need no further search
   if (seed.element >= 0) {
     best.foot = walk(surface, x, seed.element, seed.xi, point, best.along);
     nearest = (x - point.position).squaredNorm();
-    // A regular foot much nearer than the elements are long is the only one on them: a surface does not fold within
-    // elements that meet smoothly.
+    // A regular foot point much nearer than the elements' length is the only one on them, because a surface does not
+    // fold within smoothly joined elements.
     settled = best.foot == Foot::regular && nearest < boxes.diagonal2(point.element) * near_foot;
   }
   const int home = settled ? point.element : -1;
 
   FacePoint<3> candidate;
-  // A minimum on a border is reached from both sides; the factor lets rounding not choose between them.
+  // A minimum on a border is reached from both sides; the factor keeps rounding error from choosing one.
   boxes.near(
       x, [&] { return nearest * (1 - same_distance); },
       [&](int e) {

@@ -19,7 +19,7 @@ template <int D> void ElementBoxes<D>::update(const Surface<D>& surface) {
   }
 }
 
-/// The tree over the elements first … last − 1 of either direction.
+/// Builds the tree of the elements first … last − 1 in both directions.
 template <int D>
 void ElementBoxes<D>::build(const Surface<D>& surface, std::array<int, 2> first, std::array<int, 2> last) {
   const std::size_t index = nodes_.size();

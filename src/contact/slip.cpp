@@ -8,9 +8,10 @@ namespace signorini::contact {
 FaceCoordinates<2> advance_slip(const Surface<2>& surface, const FaceCoordinates<2>& slip, const FacePoint<2>& foot,
                                 double length) {
   const nurbs::Space1D& space = surface.direction(0);
-  // h(ξ) = |x(ξ) − x̄| − L is positive at the old slip point and −L at the foot: bracketed Newton, bisection as guard.
+  // h(ξ) = |x(ξ) − x̄| − L is positive at the old slip point and −L at the foot point: Newton's method with bisection as
+  // safeguard.
   double outer = slip(0), inner = foot.xi(0);
-  // On a closed curve the short way may lead over the seam, where the parameter jumps by the period.
+  // On a closed curve the shorter path may cross the seam, where the parameter jumps by the period.
   const auto& ends = surface.points();
   const double period = space.last() - space.first();
   if (ends.col(0).isApprox(ends.col(ends.cols() - 1)) && std::abs(outer - inner) > 0.5 * period)
@@ -27,7 +28,7 @@ FaceCoordinates<2> advance_slip(const Surface<2>& surface, const FaceCoordinates
   locate(slip(0), 0, point);
   const double present = (point.position - foot.position).norm();
   if (!(present > length)) return slip;
-  double xi = inner + (outer - inner) * length / present; // where it were on a straight line of even speed
+  double xi = inner + (outer - inner) * length / present; // exact for a straight line with linear parametrization
   for (int iteration = 0; iteration < 100; ++iteration) {
     locate(xi, 1, point);
     const Vec<2> chord = point.position - foot.position;
@@ -51,8 +52,8 @@ FaceCoordinates<3> advance_slip(const Surface<3>& surface, const FaceCoordinates
   const Vec<3> chord = point.position - foot.position;
   const double present = chord.norm();
   if (!(present > length)) return slip;
-  // x(ξ) is the closest to y = x̄ + c (x_sl − x̄)/|x_sl − x̄|; c, the length on the chord, is a little less than that
-  // between the points of a curved surface.
+  // x(ξ) is the closest point to y = x̄ + c (x_sl − x̄)/|x_sl − x̄|; on a curved surface c, the length on the chord, is
+  // slightly less than |x(ξ) − x̄|.
   double on_chord = length;
   FaceCoordinates<3> xi = foot.xi;
   int along;

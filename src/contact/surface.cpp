@@ -11,7 +11,7 @@ namespace {
 
 constexpr int row = nurbs::max_degree + 1;
 
-/// Value and derivatives up to the second: how many there are.
+/// Number of values and derivatives up to the second.
 template <int D> constexpr int derivatives = D == 2 ? 3 : 6;
 
 /// 0, 1, … count − 1.
@@ -21,8 +21,8 @@ std::vector<int> numbers(int count) {
   return list;
 }
 
-/// A space that goes on along its tangent beyond its ends, by `lengths` that are a part of the elements there (0: it
-/// ends): the Bézier points of a new element are
+/// A space extended along its tangent beyond its ends by elements of the given `lengths`, `part` of the last elements
+/// (0: no extension). The Bézier points of a new element are
 ///     Q_k = Q_end + k part (Q_end − Q_next).
 nurbs::Space1D extended(const nurbs::Space1D& space, double part, std::array<double, 2> lengths) {
   std::vector<double> breaks = space.breaks();
@@ -104,7 +104,7 @@ template <int D> std::array<bool, 2> Surface<D>::open_ends(int alpha) const {
   const double size = (reference_.rowwise().maxCoeff() - reference_.rowwise().minCoeff()).norm();
   const auto apart = [&](int i, int j) { return (reference_.col(i) - reference_.col(j)).norm() > same_place * size; };
   bool seam = true;
-  std::array<bool, 2> points{D == 3, D == 3}; // borders that are one point; the end of a curve always is
+  std::array<bool, 2> points{D == 3, D == 3}; // whether a border is collapsed to one point; false for ends of curves
   for (int i = 0; i < across; ++i) {
     seam = seam && !apart(i * step, last + i * step);
     points[0] = points[0] && !apart(0, i * step);
@@ -125,7 +125,7 @@ template <int D> void Surface<D>::extend(double part) {
     spaces_[at(a)] = extended(own[at(a)], part, beyond_[at(a)]);
   }
   tabulate();
-  // Weights that fall steeply towards an end would become negative beyond it.
+  // Weights that decrease steeply towards an end become negative beyond it; then a shorter extension is tried.
   for (const Element& element : elements_)
     for (int k = 0; k < element.points && !polynomial_; ++k)
       if (bezier_[element.bezier + at(D * element.points + k)] <= 0) {
@@ -141,7 +141,7 @@ template <int D> double Surface<D>::fade(const FaceCoordinates<D>& xi, FaceCoord
     const bool behind = xi(a) > ends_[at(a)][1];
     const double length = beyond_[at(a)][behind], out = behind ? xi(a) - ends_[at(a)][1] : ends_[at(a)][0] - xi(a);
     if (out <= 0 || length == 0) continue;
-    // w = (1 − s)² (1 + 2s),  s the way out in parts of what was added
+    // w = (1 − s)² (1 + 2s),  s the distance from the end relative to the extension
     const double s = std::min(out / length, 1.0), w = (1 - s) * (1 - s) * (1 + 2 * s);
     rate *= w;
     rate(a) = product * (behind ? -6 : 6) * s * (1 - s) / length;
@@ -150,7 +150,7 @@ template <int D> double Surface<D>::fade(const FaceCoordinates<D>& xi, FaceCoord
   return product;
 }
 
-/// P is the degree in every direction where the compiler may know it, 0 elsewhere.
+/// P is the degree in every direction if it is known at compile time, otherwise 0.
 template <int D>
 template <int P>
 void Surface<D>::bernsteins(int element, const FaceCoordinates<D>& xi, int order, Bernsteins& out) const {
@@ -213,8 +213,8 @@ void Surface<D>::locate_with(int element, const FaceCoordinates<D>& xi, int orde
   const int nu = P > 0 ? P + 1 : degree(element, 0) + 1;
   const int nv = D == 2 ? 1 : P > 0 ? P + 1 : degree(element, D - 2) + 1;
   const double *u = b[0].data(), *v = b[D - 2].data(), *q = bezier_.data() + elements_[at(element)].bezier;
-  // Derivatives of W x and of W, in the order value; ,1 (,2); ,11 (,12 ,22): first along ξ¹ for every row of Bézier
-  // points, then across
+  // Derivatives of W x and of W, in the order value; ,1 (,2); ,11 (,12 ,22): first in ξ¹ for every row of Bézier
+  // points, then in ξ²
   constexpr int orders[2][6][2] = {{{0, 0}, {1, 0}, {2, 0}}, {{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}}};
   const int count = D == 2 ? order + 1 : (order + 1) * (order + 2) / 2;
   double sums[(D + 1) * derivatives<D>] = {};
@@ -253,7 +253,7 @@ void Surface<D>::locate_with(int element, const FaceCoordinates<D>& xi, int orde
   }
 }
 
-/// Calls run<P>(), P the degree in every direction where the compiler may know it.
+/// Calls run<P>(), P the degree in every direction if the code is specialized for it, otherwise 0.
 template <int D> template <class Run> void Surface<D>::with_degree(int element, const Run& run) const {
   if (const int p = degree(element, 0); p == degree(element, D - 2)) switch (p) {
     case 1:
