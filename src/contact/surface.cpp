@@ -1,5 +1,6 @@
 #include "contact/surface.hpp"
 
+#include "contact/constants.hpp"
 #include "nurbs/bezier.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Van der Waals adhesion at one point: the law against its formula and its own derivative, the tangent of the force
-// against finite differences in the plane and in space.
+// Van der Waals adhesion at one point: the law against its formula and its derivative, the tangent of the force against
+// finite differences in 2D and 3D.
 #include "contact/local_cases.hpp"
 
 #include <cmath>
@@ -37,8 +37,8 @@ TEST(Adhesion, TractionIsThePublishedFunction) {
   }
 }
 
-/// Below r_eq the law goes on along its tangent (thesis 3.87), through zero and beyond.
-TEST(Adhesion, GoesOnAlongItsTangentBelowEquilibrium) {
+/// Below r_eq the law is extended by its tangent (thesis 3.87), also to r ≤ 0.
+TEST(Adhesion, IsExtendedByItsTangentBelowEquilibrium) {
   for (const Adhesion& law : laws) {
     const double nearest = equilibrium_distance(law), slope = stiffness(law, nearest), r0 = law.distance;
     EXPECT_LT(slope, 0);
@@ -46,7 +46,7 @@ TEST(Adhesion, GoesOnAlongItsTangentBelowEquilibrium) {
       EXPECT_NEAR(traction(law, r), slope * (r - nearest), 1e-15 * std::abs(slope) * r0);
       EXPECT_EQ(stiffness(law, r), slope);
     }
-    // Continuous with its derivative: differences over the seam are of first and of second order.
+    // Continuously differentiable: differences across r_eq are of first and second order.
     for (double h : {1e-4 * r0, 1e-5 * r0}) {
       EXPECT_NEAR(traction(law, nearest + h) - traction(law, nearest - h), 2 * h * slope,
                   20 * h * h * std::abs(slope) / r0);
@@ -82,7 +82,7 @@ template <int D> void tangent_and_shift(Foot foot) {
   const Adhesion law{0.1, 0.1};
   int below = 0, attracting = 0, open = 0;
   for (int trial = 0; trial < 150; ++trial) {
-    // A regular foot may be penetrated; at a corner the point is outside the kink.
+    // A regular foot point may be penetrated; at a corner the slave point is outside the kink.
     const double gap = law.distance * (foot == Foot::regular ? uniform(random, -0.3, 1.2) : uniform(random, 0.3, 1.2));
     const Variables<D> q = random_variables<D>(random, foot, gap, 0);
     const Situation<D> situation{random_curvature<D>(random), foot, false, D == 2 && trial % 2 == 0,
@@ -112,7 +112,7 @@ TEST(Adhesion, TangentIsTheForcesDerivativeAtACorner) {
   tangent_and_shift<3>(Foot::corner);
 }
 
-/// On a flat rigid master the tangent is T′ n̄ ⊗ n̄ per reference area: the slave's own stretch plays no part.
+/// On a flat rigid master the tangent is T′ n̄ ⊗ n̄ per reference area, independent of the slave's stretch.
 TEST(Adhesion, OnAFlatRigidMasterTheTangentIsThePublishedOne) {
   Random random(3);
   const Adhesion law{0.1, 0.4};

@@ -1,4 +1,4 @@
-// Adhesive contacts, and contacts that act on a part of a face only.
+// Adhesive contacts, and contacts limited to a part of a face.
 #include "contact/couple.hpp"
 
 #include <cmath>
@@ -39,7 +39,7 @@ TEST(AdhesivePair, TangentIsTheForcesDerivative) {
 TEST(AdhesivePair, UniformGapActsOnTheReferenceLength) {
   for (double r : {0.02, 0.03, 0.038, 0.1}) {
     Couple couple(strip("N2"), "south", make_plane<2>({0, -r}, {0, 1}), law, 4);
-    // Stretched along the substrate to twice its length: the traction's total stays.
+    // Stretching the strip along the substrate to twice its length leaves the resultant unchanged.
     const MatrixX points = couple.die.points();
     for (int a = 0; a < points.cols(); ++a) couple.u(2 * a) = points(0, a);
     couple.evaluate();
@@ -58,8 +58,8 @@ TEST(AdhesivePair, UniformGapActsOnTheReferenceLength) {
   }
 }
 
-/// It has no history: accepted or rolled back, the same displacements give the same forces.
-TEST(AdhesivePair, ForgetsItsPath) {
+/// Adhesion has no history: after accepting or rolling back the same displacements give the same forces.
+TEST(AdhesivePair, IsIndependentOfThePath) {
   Random random(2);
   Couple couple("N2", wavy(random, 3, 0.1, 3, 4), law, 1.3, 0.1);
   couple.touch();
@@ -78,7 +78,7 @@ TEST(AdhesivePair, ForgetsItsPath) {
   EXPECT_NEAR((after.tangent - before.tangent).norm(), 0, 1e-10 * before.tangent.norm());
 }
 
-/// What lies outside the region takes no part; what lies inside acts as it does alone.
+/// Points outside the region are ignored; points inside act as without the others.
 TEST(AdhesivePair, WhereLimitsTheContactToAPartOfTheFace) {
   const auto face = [&] { return Surface<2>(strip("N2"), nurbs::side_of("south", 2)); };
   const Region<2> left = [](const Vec<2>& x) { return x(0) <= 1.5; };
@@ -95,7 +95,7 @@ TEST(AdhesivePair, WhereLimitsTheContactToAPartOfTheFace) {
     ASSERT_EQ(part.results().size(), 12u);
     ASSERT_EQ(part.reference_positions().size(), 12u);
     for (std::size_t i = 0; i < part.results().size(); ++i) {
-      // Of three elements, the left ones; limits are of the reference positions, not of the present ones.
+      // The left ones of three elements; limits refer to reference positions, not to current ones.
       EXPECT_TRUE(left(part.reference_positions()[i]));
       EXPECT_EQ(part.reference_positions()[i], whole.reference_positions()[i]);
       EXPECT_EQ(part.results()[i].force, whole.results()[i].force);

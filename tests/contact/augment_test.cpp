@@ -1,4 +1,4 @@
-// Multipliers of the augmented Lagrangian method, and penalties that are scaled.
+// Multipliers of the augmented Lagrangian method, and scaled penalty parameters.
 #include "contact/couple.hpp"
 #include "contact/couple3d.hpp"
 
@@ -21,7 +21,7 @@ std::vector<double> pressures(const Pair<2>& pair) {
   return result;
 }
 
-/// Each is `factor` times the other, to rounding.
+/// Each value is `factor` times the other, up to rounding error.
 void expect_times(const std::vector<double>& values, double factor, const std::vector<double>& others) {
   ASSERT_EQ(values.size(), others.size());
   for (std::size_t i = 0; i < values.size(); ++i) EXPECT_NEAR(values[i], factor * others[i], 1e-13 * factor * 5) << i;
@@ -39,7 +39,7 @@ TEST(Augment, PressuresOfTheLastEvaluationBecomeMultipliers) {
   }
 }
 
-TEST(Augment, RollBackForgetsAcceptKeepsAndHistoryCarries) {
+TEST(Augment, RollBackRestoresAcceptedMultipliersAndHistoryContainsThem) {
   Couple couple = pressed();
   const std::vector<double> plain = pressures(couple.pair);
   couple.pair.accept();
@@ -84,7 +84,7 @@ struct Flat {
   }
 };
 
-TEST(Augment, PressesUntilTheGapIsTheMultiplierOverThePenalty) {
+TEST(Augment, IsClosedUpToAGapOfMultiplierOverPenalty) {
   Flat flat;
   EXPECT_NEAR(flat.at(-0.01), 1, 1e-13);
   flat.couple.pair.augment();
@@ -92,13 +92,13 @@ TEST(Augment, PressesUntilTheGapIsTheMultiplierOverThePenalty) {
   EXPECT_NEAR(flat.at(0.0099), 0.01, 1e-12);
   EXPECT_EQ(flat.at(0.0101), 0);
   EXPECT_EQ(flat.couple.pair.resultant().active, 0);
-  // Gone far and come back, in strides that skipping far points must not sleep through
+  // After large motions away and back skipped points must be projected in time.
   Random random(3);
   for (int round = 0; round < 50; ++round) {
     const double gap = uniform(random, -0.01, round % 5 == 0 ? 0.2 : 0.03);
     EXPECT_NEAR(flat.at(gap), std::max(0.0, 1 - 100 * gap), 1e-12) << gap;
   }
-  // Open ones lose their multipliers.
+  // Open points lose their multipliers.
   flat.at(0.02);
   flat.couple.pair.augment();
   EXPECT_EQ(flat.at(0.005), 0);
@@ -122,7 +122,7 @@ TEST(Augment, TangentIsTheForcesDerivative) {
       couple.shake(random, 0.0005);
       compare_with_differences(couple, census);
     }
-    EXPECT_GT(couple.pair.resultant().active, 3); // lifted by more than it was pressed in
+    EXPECT_GT(couple.pair.resultant().active, 3); // although lifted by more than the penetration
   }
   EXPECT_GE(census.states, 15) << census.stepped_over << " states lay on a change of state";
   EXPECT_GT(census.slip, 30);
@@ -143,7 +143,7 @@ TEST(Augment, TangentIsTheForcesDerivativeInSpace) {
     couple.move_die(by);
     compare_with_differences(couple, random, census);
   }
-  EXPECT_GT(couple.pair.resultant().active, 2); // lifted by more than it was pressed in
+  EXPECT_GT(couple.pair.resultant().active, 2); // although lifted by more than the penetration
   EXPECT_GE(census.compared, 2) << census.stepped_over << " states lay on a change of state";
   EXPECT_GT(census.slip, 0);
 }
@@ -173,13 +173,13 @@ TEST(ScalePenalty, ForcesFollowAndFrictionToo) {
   }
   EXPECT_GT(sticking, 3);
   EXPECT_GT(slipping, 1);
-  // Factors multiply what was given, not each other.
+  // Factors multiply the given penalty, not the previous factor.
   couple.pair.scale_penalty(1);
   couple.evaluate();
   EXPECT_LT((couple.dense().force - plain.force).norm(), 1e-13 * plain.force.norm());
 }
 
-/// With λ = 1 and ε = 100 a point is open at a gap of 0.05, with ε = 10 it presses there.
+/// With λ = 1 a point with a gap of 0.05 is open if ε = 100, closed if ε = 10.
 TEST(ScalePenalty, ASofterPenaltyReachesFarther) {
   Flat flat;
   flat.at(-0.01);

@@ -1,5 +1,5 @@
 #pragma once
-// A face above a master, with all displacements in one vector, and its tangent against finite differences.
+// A face above a master, with all displacements in one vector, and a comparison of its tangent with finite differences.
 
 #include "contact/faces.hpp"
 
@@ -73,7 +73,7 @@ inline nurbs::Discretization slab(const std::string& label) {
   return discretize(nurbs::rectangle(3, 1, Eigen::Vector2d(0, 0)), {8, 3}, label, "north");
 }
 
-/// What finite differences must not step over.
+/// Discrete state, which finite differences must not change.
 inline std::vector<int> signature(const Pair<2>& pair) {
   std::vector<int> result;
   for (const auto& point : pair.results()) result.push_back(static_cast<int>(point.state));
@@ -82,7 +82,7 @@ inline std::vector<int> signature(const Pair<2>& pair) {
   return result;
 }
 
-/// How much was tested in which state.
+/// Number of points tested per state.
 struct Census {
   int states = 0, stepped_over = 0, open = 0, stick = 0, slip = 0, adhesion = 0, elsewhere = 0;
 
@@ -135,7 +135,7 @@ inline void compare_with_differences(Couple& couple, Census& census) {
   census.add(here);
 }
 
-/// Presses, then drags by `drags` with a comparison after each, from random displaced states.
+/// Presses, then drags by `drags` with a comparison after each, starting from random displacements.
 inline Census press_and_drag(Couple couple, unsigned seed, double depth, const std::vector<double>& drags) {
   Random random(seed);
   Census census;

@@ -1,5 +1,5 @@
 #pragma once
-// An indenter above a master in space, with all displacements in one vector, and its tangent against finite
+// An indenter above a master in 3D, with all displacements in one vector, and a comparison of its tangent with finite
 // differences.
 
 #include "contact/faces3d.hpp"
@@ -80,7 +80,7 @@ struct Census3 {
   int compared = 0, stepped_over = 0, stick = 0, slip = 0, elsewhere = 0;
 };
 
-/// Tangent times random directions against differences of the force; both faces, or face and obstacle, move.
+/// Compares the tangent times random directions with differences of the force; both faces, or face and obstacle, move.
 inline void compare_with_differences(Couple3& couple, Random& random, Census3& census) {
   couple.evaluate();
   const Dense at = couple.dense();

@@ -1,4 +1,4 @@
-// Points that pass through a master in one step are told from those that it pushes, passes by or leaves.
+// Points that pass through a master in one step are distinguished from points that it pushes, passes or leaves.
 #include "contact/crossing.hpp"
 
 #include "contact/faces.hpp"
@@ -16,8 +16,8 @@ template <int D> Vec<D> any(Random& random, double size) {
   return x;
 }
 
-/// Points on straight ways past a ball that has moved as well: they cross where the way, as seen from the ball, cuts it
-/// and ends where the ball lies behind the face.
+/// Points on straight paths past a moving ball: they cross if the path relative to the ball intersects it and ends with
+/// the ball behind the face.
 template <int D> void compare_with_balls() {
   Random random(3);
   int crossed = 0, passed = 0;
@@ -41,13 +41,13 @@ template <int D> void compare_with_balls() {
   EXPECT_GT(passed, 200);
 }
 
-TEST(Crossing, IsWhereAStraightWayCutsABallAndEndsBehindTheFace) {
+TEST(Crossing, IsDetectedIfAStraightPathIntersectsABallThatEndsBehindTheFace) {
   compare_with_balls<2>();
   compare_with_balls<3>();
 }
 
-/// A rigid roller above a flat strip that does not deform; returns how many points have crossed after steps to these
-/// places of its center.
+/// A rigid roller above a flat undeformed strip; returns the number of points crossed after steps to these positions of
+/// its center.
 std::size_t crossed(const std::vector<Vec<2>>& places, const Law& law) {
   const nurbs::Discretization strip =
       discretize(nurbs::rectangle(4, 1, Eigen::Vector2d(0, -1)), {16, 1}, "N2", "north");
@@ -64,15 +64,15 @@ std::size_t crossed(const std::vector<Vec<2>>& places, const Law& law) {
 TEST(Crossing, PairCountsPointsThatTheMasterHasPassed) {
   for (const Law& law : {Law(PenaltyLaw{1}), Law(PenaltyLaw{1, 1, 0.3})}) {
     const std::size_t wide = crossed({{2, 1}, {2, -2}}, law), inside = crossed({{2, 1}, {2, -0.6}}, law);
-    EXPECT_GT(wide, 8U); // those within its width, 1, of 12 points per length
+    EXPECT_GT(wide, 8U); // 12 points per length, within its width of 1
     EXPECT_LT(wide, 48U);
     EXPECT_GT(inside, 8U);
-    EXPECT_EQ(crossed({{2, 1}, {2, -2}, {2, -3}}, law), wide);  // each step counts for itself
-    EXPECT_EQ(crossed({{2, 1}, {2, 0.4}, {2, -2}}, law), wide); // out of contact, to the wrong side
+    EXPECT_EQ(crossed({{2, 1}, {2, -2}, {2, -3}}, law), wide);  // the last step does not cross
+    EXPECT_EQ(crossed({{2, 1}, {2, 0.4}, {2, -2}}, law), wide); // starts in contact
   }
 }
 
-TEST(Crossing, NothingElseIsTakenForIt) {
+TEST(Crossing, IgnoresOtherMotions) {
   for (const Law& law : {Law(PenaltyLaw{1}), Law(PenaltyLaw{1, 1, 0.3})}) {
     EXPECT_EQ(crossed({{2, 1}, {2, 0.4}, {2, 1}, {2, 3}}, law), 0U);          // down and up
     EXPECT_EQ(crossed({{1, 0.4}, {3, 0.4}, {1, 0.3}, {3.4, 0.45}}, law), 0U); // along, farther than its width

@@ -1,5 +1,5 @@
-// Faces whose elements differ in degree and number of functions, as slave and as master: geometry, functions,
-// projection and the tangent of the contact.
+// Faces with elements of different degree and number of functions, as slave and as master: geometry, functions,
+// projection and contact tangent.
 #include "contact/couple.hpp"
 
 #include "nurbs/joins.hpp"
@@ -76,7 +76,7 @@ TEST(Degrees, TangentIsTheForcesDerivative) {
   Census sum;
   Random random(3);
   unsigned seed = 0;
-  // Small drags stick, longer ones slip, the last leaves slip points behind in elements with other functions.
+  // Small drags stick, longer ones slip; after the last, slip points lie in elements with other functions.
   for (const char* label : {"N2", "N2-N2.2"})
     for (double x : {0.8, 1.6})
       sum.add(press_and_drag(Couple(label, base, {100, 50, 0.3}, x, 1.0), ++seed, 0.05, {3e-4, 0.02, -0.06, 0.45}));

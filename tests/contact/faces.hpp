@@ -21,8 +21,8 @@ inline nurbs::Discretization discretize(const nurbs::Patch& patch, std::vector<i
   return {patch, plan};
 }
 
-/// A strip of unit thickness below a curve, without any refinement: the curve is its north face, outward is up for a
-/// curve that runs to the right.
+/// A strip of unit thickness below a curve, without refinement. The curve is its north face, with the outside above for
+/// a curve that runs to the right.
 inline nurbs::Discretization below(const nurbs::KnotVector& knots, const MatrixX& points, const VectorX& weights) {
   const int n = knots.functions();
   MatrixX both(2, 2 * n);
@@ -57,8 +57,8 @@ inline nurbs::Discretization polyline(const std::vector<Eigen::Vector2d>& points
   return below({1, knots}, columns, VectorX::Ones(columns.cols()));
 }
 
-/// Residual and tangent of a contact over all degrees of freedom, the slave body's before the master body's or the
-/// obstacle's translation.
+/// Residual and tangent of a contact over all degrees of freedom: those of the slave body, then those of the master
+/// body or the obstacle's translation.
 struct Dense {
   VectorX force;
   MatrixX tangent;

@@ -5,8 +5,8 @@
 
 namespace signorini::contact::test {
 
-/// A plate of unit thickness below a surface, without any refinement: the surface is its back face, outward is up where
-/// ξ¹, ξ² run like x, y.
+/// A plate of unit thickness below a surface, without refinement. The surface is its back face, with the outside above
+/// if ξ¹, ξ² run like x, y.
 inline nurbs::Discretization below(const std::vector<nurbs::KnotVector>& knots, const MatrixX& points,
                                    const VectorX& weights) {
   const int n = static_cast<int>(points.cols());

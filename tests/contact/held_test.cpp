@@ -1,4 +1,4 @@
-// Contact points that are told what to be, in a whole contact.
+// A contact with points fixed to states.
 #include "contact/couple.hpp"
 #include "contact/couple3d.hpp"
 
@@ -20,7 +20,7 @@ Couple pressed(double mu = 0.2) {
   return couple;
 }
 
-TEST(FixedContactState, OpenStaysOpenThoughItPenetrates) {
+TEST(FixedContactState, OpenPointsStayOpenWhenTheyPenetrate) {
   Couple couple = pressed();
   const VectorX before = couple.dense().force;
   ASSERT_GT(couple.pair.resultant().active, 5);
@@ -35,7 +35,7 @@ TEST(FixedContactState, OpenStaysOpenThoughItPenetrates) {
   EXPECT_LT((couple.dense().force - before).norm(), 1e-13 * before.norm());
 }
 
-TEST(FixedContactState, TouchingPullsWhereThereIsAGap) {
+TEST(FixedContactState, TouchingPointsAreInTensionAtAGap) {
   for (double mu : {0.0, 0.2}) {
     Couple couple = pressed(mu);
     couple.pair.accept();
@@ -64,7 +64,7 @@ TEST(FixedContactState, TouchingPullsWhereThereIsAGap) {
   }
 }
 
-TEST(FixedContactState, StickIsKeptWhateverCoulombSays) {
+TEST(FixedContactState, StickingPointsIgnoreCoulombsLimit) {
   Couple couple = pressed();
   couple.pair.accept();
   for (double drag : {1e-3, 0.2}) {
@@ -83,7 +83,7 @@ TEST(FixedContactState, StickIsKeptWhateverCoulombSays) {
   }
 }
 
-TEST(FixedContactState, WhileABodyLandsTouchingPointsStickAndOthersStayOpen) {
+TEST(FixedContactState, TouchingPointsStickWhileABodyComesIntoContact) {
   Couple couple = pressed();
   couple.pair.accept();
   couple.move_die(0.2, 0);
@@ -99,8 +99,8 @@ TEST(FixedContactState, WhileABodyLandsTouchingPointsStickAndOthersStayOpen) {
   EXPECT_GT(couple.pair.resultant().slipping, 5);
 }
 
-/// After a step that slipped all its points lie on Coulomb's cone, to rounding.
-TEST(FixedContactState, TheFirstGuessGoesOnSlippingWhereThePathDoesAndSticksWhereItTurns) {
+/// After a step that slipped, all its points lie on Coulomb's cone up to rounding error.
+TEST(FixedContactState, TheFirstGuessSlipsOnAStraightPathAndSticksAtATurningPoint) {
   Couple couple = pressed();
   couple.pair.accept();
   couple.move_die(0.1, 0);
@@ -118,7 +118,7 @@ TEST(FixedContactState, TheFirstGuessGoesOnSlippingWhereThePathDoesAndSticksWher
     here.evaluate();
     EXPECT_EQ(here.pair.resultant().slipping, 0) << shift;
   }
-  // What is farther off the cone than the rule's distance is left to Coulomb's law.
+  // Points farther from the cone than the contact tolerance follow Coulomb's law.
   couple.pair.guess(1e-12, false);
   couple.move_die(1e-9, 0);
   couple.evaluate();
@@ -153,7 +153,7 @@ TEST(FixedContactState, TangentIsTheForcesDerivativeInEveryMixture) {
   EXPECT_GT(census.stick, 50);
 }
 
-TEST(FixedContactState, TangentIsTheForcesDerivativeInSpace) {
+TEST(FixedContactState, TangentIsTheForcesDerivativeIn3D) {
   Random random(12);
   Census3 census;
   const auto plate = wavy_plate(random, 2, 0.1, 2, 3);
@@ -173,7 +173,7 @@ TEST(FixedContactState, TangentIsTheForcesDerivativeInSpace) {
   EXPECT_GE(census.compared, 2) << census.stepped_over << " states lay on a change of state";
 }
 
-TEST(FixedContactState, AdhesionIsAlwaysFree) {
+TEST(FixedContactState, AdhesionIgnoresIt) {
   Couple couple("N2", slab("N2"), Adhesion{0.02, 0.05}, 1.4, 1.02);
   couple.evaluate();
   const VectorX before = couple.dense().force;

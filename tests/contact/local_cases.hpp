@@ -1,5 +1,5 @@
 #pragma once
-// A law at one contact point as a function of its local variables, on a master that is quadratic about its foot:
+// A law at one contact point as a function of its local variables, on a master that is quadratic about the foot point:
 // x(η) = x̄ + τ_α η^α + ½ x_,αβ η^α η^β.
 
 #include "contact/adhesion.hpp"
@@ -30,7 +30,7 @@ template <int D> Second<D> random_curvature(Random& random) {
   return second;
 }
 
-/// What stays when the local variables change.
+/// Parameters that are constant while the local variables change.
 template <int D> struct Situation {
   Second<D> second;
   Foot foot = Foot::regular;
@@ -65,7 +65,7 @@ template <int D> Vec<D> upward(const std::array<Vec<D>, D - 1>& tangent) {
     return tangent[0].cross(tangent[1]).normalized();
 }
 
-/// The law for local variables q; the foot is found by Newton's method on (xˢ − x(η))·x_,α = 0.
+/// The law for local variables q, with the foot point by Newton's method on (xˢ − x(η))·x_,α = 0.
 template <int D, class Law> Outcome<D> evaluate(const Law& law, const Variables<D>& q, const Situation<D>& situation) {
   using Force = LocalForce<D>;
   constexpr int tangents = D - 1;
@@ -126,8 +126,8 @@ template <int D, class Law> Outcome<D> evaluate(const Law& law, const Variables<
   return outcome;
 }
 
-/// Variables near a foot at η = 0 with a given gap and the slip point at `reach` from the foot; at a corner the slave
-/// point is off the normal by 0.6 of the gap. All of the first coordinates are positive.
+/// Variables near a foot point at η = 0 with a given gap and the slip point at distance `reach` from it; at a corner
+/// the slave point is off the normal by 0.6 of the gap. All first coordinates are positive.
 template <int D> Variables<D> random_variables(Random& random, Foot foot, double gap, double reach) {
   using Force = LocalForce<D>;
   Variables<D> q;
@@ -147,7 +147,7 @@ template <int D> Variables<D> random_variables(Random& random, Foot foot, double
   return q;
 }
 
-/// Force and shift against differences by every local variable.
+/// Compares the derivatives of force and shift with finite differences in every local variable.
 template <int D, class Law>
 void compare_with_differences(const Law& law, const Variables<D>& q, const Situation<D>& situation, double step) {
   const Outcome<D> at = evaluate<D>(law, q, situation);

@@ -1,4 +1,4 @@
-// Planes, balls and cylinders in space: closest points, geometry against differences, slip points on the shortest way;
+// Planes, balls and cylinders in 3D: closest points, geometry against differences, slip points on the shortest path;
 // and slip points on surfaces.
 #include "contact/master.hpp"
 #include "contact/slip.hpp"
@@ -21,7 +21,7 @@ Vec<3> anywhere(Random& random, double size) {
   return {uniform(random, -size, size), uniform(random, -size, size), uniform(random, -size, size)};
 }
 
-/// A random shape and its signed distance in closed form.
+/// A random shape and its closed-form signed distance.
 struct Shape {
   Obstacle<3> shape;
   std::function<double(const Vec<3>&)> gap;
@@ -57,8 +57,8 @@ TEST(ObstacleInSpace, GapIsTheSignedDistance) {
     }
 }
 
-TEST(ObstacleInSpace, NormalTurnsAsTangentsAndSecondDerivativesSay) {
-  // The closest point moves by τ_α δξ^α and the normal by −m^{αβ} (n·x_,βγ) τ_α δξ^γ: against differences of x.
+TEST(ObstacleInSpace, DerivativeOfTheNormalFollowsFromTangentsAndSecondDerivatives) {
+  // Changes of the closest point, τ_α δξ^α, and of the normal, −m^{αβ} (n·x_,βγ) τ_α δξ^γ, against differences in x.
   Random random(2);
   for (int trial = 0; trial < 30; ++trial)
     for (const Shape& shape : shapes(random)) {
@@ -87,7 +87,7 @@ TEST(ObstacleInSpace, NormalTurnsAsTangentsAndSecondDerivativesSay) {
     }
 }
 
-TEST(ObstacleInSpace, SlipPointFollowsOnTheShortestWay) {
+TEST(ObstacleInSpace, SlipPointFollowsOnTheShortestPath) {
   Random random(3);
   for (int trial = 0; trial < 50; ++trial)
     for (const Shape& shape : shapes(random)) {
@@ -99,7 +99,7 @@ TEST(ObstacleInSpace, SlipPointFollowsOnTheShortestWay) {
       const FaceCoordinates<3> moved = master.advance(old.xi, foot, length);
       master.locate(moved, after);
       EXPECT_NEAR((after.position - foot.position).norm(), length, 1e-12) << "trial " << trial;
-      // Between the two, but for the curvature
+      // Between the two, up to the curvature
       EXPECT_LE((after.position - slip.position).norm(), before - length + 0.05 * before);
       EXPECT_EQ((master.advance(old.xi, foot, 1.001 * before) - old.xi).norm(), 0);
       EXPECT_TRUE(at.xi.allFinite());
@@ -126,7 +126,7 @@ TEST(ObstacleInSpace, SlipPointOnASurfaceKeepsLengthAndDirection) {
     surface.locate(surface.find_element(moved), moved, 1, after);
     const Vec<3> rest = after.position - foot.position;
     EXPECT_NEAR(rest.norm(), length, 1e-12);
-    // It lies below the chord: what is off it is along the normal.
+    // The slip point's offset from the chord is along the normal.
     const Vec<3> off = rest - chord * chord.dot(rest) / chord.squaredNorm();
     const Vec<3> normal = surface.outward(after.tangent).normalized();
     EXPECT_LE((off - normal * normal.dot(off)).norm(), 0.3 * off.norm() + 1e-12);

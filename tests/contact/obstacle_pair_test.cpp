@@ -1,4 +1,4 @@
-// A face on a rigid obstacle: forces and tangents with the obstacle's translation, in closed form and as a curve, and
+// A face on a rigid obstacle, a closed-form shape or a curve: forces and tangents with the obstacle's translation, and
 // friction around a disc.
 #include "contact/couple.hpp"
 
@@ -11,7 +11,7 @@ namespace obstacle_pair_test {
 
 using namespace test;
 
-/// Runs from right to left, so that its outside is above.
+/// A curve from right to left, so that its outside is above.
 nurbs::Patch reversed(const nurbs::Patch& curve) {
   std::vector<double> knots = curve.direction(0).knots();
   std::reverse(knots.begin(), knots.end());
@@ -19,7 +19,7 @@ nurbs::Patch reversed(const nurbs::Patch& curve) {
   return {{nurbs::KnotVector(curve.direction(0).degree(), knots)}, curve.homogeneous().rowwise().reverse()};
 }
 
-/// What lies with its top at (1.3, 0): a plane, a disc, and a wavy curve.
+/// Obstacles with their top at (1.3, 0): a plane, a disc, and a wavy curve.
 std::vector<Obstacle<2>> obstacles(Random& random) {
   return {make_plane<2>({1.3, 0}, {0.1, 2}), make_ball<2>({1.3, -2}, 2), make_ball<2>({1.3, -0.4}, 0.4),
           reversed(nurbs::test::patch_of(wavy(random, 3, 0.15, 3, 6).face(nurbs::side_of("north", 2))))};
@@ -38,7 +38,7 @@ TEST(ObstaclePair, TangentIsTheForcesDerivativeInEveryState) {
   EXPECT_GT(sum.open, 500);
   EXPECT_GT(sum.stick, 100);
   EXPECT_GT(sum.slip, 100);
-  EXPECT_EQ(sum.elsewhere, 0); // one node, wherever the slip point is
+  EXPECT_EQ(sum.elsewhere, 0); // one node for all slip points
 }
 
 /// Presses and drags back and forth, with friction; calls look(couple) in every state.
@@ -67,13 +67,13 @@ TEST(ObstaclePair, ForceOnTheObstacleIsMinusThatOnTheBody) {
         ASSERT_GT(size, 0);
         EXPECT_NEAR((on_die + at.force.tail<2>()).norm(), 0, 1e-14 * size);
         EXPECT_NEAR((now.pair.resultant().force - at.force.tail<2>()).norm(), 0, 1e-14 * size);
-        // Moving both together changes nothing.
+        // A common translation changes nothing.
         for (int c = 0; c < 2; ++c) {
           for (int i = c; i < now.u.size(); i += 2) together(i) = 1;
           EXPECT_NEAR((at.tangent * together).norm(), 0, 1e-13 * at.tangent.norm());
         }
         if (const auto* ball = std::get_if<Ball<2>>(&obstacle); ball && mu == 0) {
-          // Without friction all forces go through the center.
+          // Without friction all forces pass through the center.
           const MatrixX points = now.die.points();
           double moment = 0;
           for (int a = 0; a < now.die.functions(); ++a) {
@@ -107,7 +107,7 @@ TEST(ObstaclePair, OnlyTheRelativeMotionCounts) {
   }
 }
 
-/// The same disc, and the same plane, in closed form and as exact NURBS curves, along a path with stick and slip.
+/// A disc and a plane, as closed-form shapes and as exact NURBS curves, along a path with stick and slip.
 TEST(ObstaclePair, CurvesAgreeWithClosedForms) {
   const Eigen::Vector2d center(1.3, -2);
   const std::vector<std::pair<Obstacle<2>, Obstacle<2>>> twins = {
@@ -136,11 +136,11 @@ TEST(ObstaclePair, CurvesAgreeWithClosedForms) {
 
 constexpr double radius = 0.8;
 
-/// A die that is dragged around a disc from an angle on, at a constant depth: by `turn` degrees per step. The forces
-/// in the frame of the first contact point.
+/// A die dragged around a disc at constant depth, by `turn` degrees per step. Returns the forces in the frame of the
+/// first contact point.
 std::vector<Resultant<2>> around(const Obstacle<2>& disc, double start, double turn, int steps) {
   constexpr double depth = 0.03;
-  // The half annulus bulges downwards; turned, it faces the disc.
+  // The half annulus bulges downwards; rotated, it faces the disc.
   const nurbs::Patch arc = nurbs::half_annulus(0.3, 0.5, Eigen::Vector2d(0, 0));
   const auto direction = [](double degrees) { return Vec<2>(nurbs::direction_of(degrees)); };
   const nurbs::Patch facing =
@@ -151,7 +151,7 @@ std::vector<Resultant<2>> around(const Obstacle<2>& disc, double start, double t
   const MatrixX points = couple.die.points();
   std::vector<Resultant<2>> results;
   for (int step = 0; step <= steps; ++step) {
-    // The die as a whole turns about the disc's center and is pressed towards it.
+    // The die rotates about the disc's center as a rigid body and is pressed towards it.
     const Mat<2> rotation = nurbs::rotation(step * turn, Eigen::Vector3d(0, 0, 1)).topLeftCorner<2, 2>();
     const Vec<2> press = -depth * direction(start + step * turn);
     for (int a = 0; a < points.cols(); ++a)
@@ -159,7 +159,7 @@ std::vector<Resultant<2>> around(const Obstacle<2>& disc, double start, double t
     couple.evaluate();
     Resultant<2> resultant = couple.pair.resultant();
     couple.pair.accept();
-    // Accepting leaves every slipping point on the cone.
+    // After accepting, every slipping point is on the cone.
     const auto before = couple.pair.results();
     couple.evaluate();
     for (std::size_t i = 0; i < before.size(); ++i) {
@@ -176,8 +176,8 @@ std::vector<Resultant<2>> around(const Obstacle<2>& disc, double start, double t
   return results;
 }
 
-/// Where on the disc it begins must not matter, not even where the angle jumps from π to −π, or a closed curve ends.
-TEST(ObstaclePair, FrictionAroundADiscKnowsNoSeam) {
+/// Results must not depend on the start angle, also where the angle jumps from π to −π or a closed curve ends.
+TEST(ObstaclePair, FrictionAroundADiscIsIndependentOfTheSeam) {
   constexpr int steps = 40;
   const Obstacle<2> ball = make_ball<2>({0, 0}, radius), circle = nurbs::circle(Eigen::Vector2d(0, 0), radius);
   for (double turn : {1.0, -1.0}) {
@@ -188,9 +188,9 @@ TEST(ObstaclePair, FrictionAroundADiscKnowsNoSeam) {
         EXPECT_EQ(across[k].active, seamless[k].active);
         EXPECT_NEAR((across[k].force - seamless[k].force).norm(), 0, 1e-11 * seamless[k].force.norm());
       }
-    EXPECT_LT(seamless[0].slipping, seamless[0].active / 2); // the edges alone, by the pressing
+    EXPECT_LT(seamless[0].slipping, seamless[0].active / 2); // only the edges slip during pressing
     EXPECT_NEAR(seamless[0].force(1), 0, 1e-12 * seamless[0].force(0));
-    // All slip, against the motion: μ times the force that pushes the die away, but for the normals' spread
+    // All points slip, with friction against the motion: μ times the normal force, up to the spread of the normals
     EXPECT_EQ(seamless[steps].slipping, seamless[steps].active);
     EXPECT_GT(seamless[steps].force(0), 0);
     EXPECT_NEAR(seamless[steps].force(1) * turn, -0.2 * seamless[steps].force(0), 0.01 * seamless[steps].force(0));

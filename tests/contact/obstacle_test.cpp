@@ -1,5 +1,5 @@
-// Rigid masters in closed form: closest points against brute force, their geometry against differences, slip points,
-// and the same shapes as NURBS curves.
+// Closed-form rigid masters: closest points against brute force, geometry against differences, slip points, and the
+// same shapes as NURBS curves.
 #include "contact/master.hpp"
 
 #include "contact/faces.hpp"
@@ -16,7 +16,7 @@ namespace obstacle_test {
 using namespace test;
 using std::numbers::pi;
 
-/// A shape, and where it stands.
+/// A shape and its translation.
 struct Case {
   Obstacle<2> shape;
   Vec<2> translation;
@@ -73,7 +73,7 @@ TEST(Obstacle, ClosestPointIsTheGlobalMinimum) {
     EXPECT_NEAR((x - point.position - found.gap * normal).norm(), 0, 1e-14);
     EXPECT_NEAR(std::abs(found.gap), least_distance(master, x), 1e-9);
     EXPECT_NEAR((position(master, found.xi(0)) - point.position).norm(), 0, 1e-15);
-    // Inside is where the gap is negative, seen from the shape's own description.
+    // The gap is negative inside the shape by its definition.
     if (plane) {
       const auto& [through, out] = std::get<Plane<2>>(obstacle.shape);
       EXPECT_NEAR(found.gap, (x - obstacle.translation - through).dot(out), 1e-14);
@@ -122,7 +122,8 @@ TEST(Obstacle, HasOneNodeThatCarriesItsTranslation) {
   }
 }
 
-/// The slip point ends at the given distance from the foot, between where it was and the foot, the short way round.
+/// The slip point ends at the given distance from the foot point, on the shorter path between its old position and the
+/// foot point.
 TEST(Obstacle, SlipPointFollowsUntilItIsAtTheGivenDistance) {
   Random random(4);
   for (int trial = 0; trial < 200; ++trial) {
@@ -130,7 +131,7 @@ TEST(Obstacle, SlipPointFollowsUntilItIsAtTheGivenDistance) {
     const Case obstacle = plane ? random_plane(random) : random_ball(random);
     const Master<2> master = obstacle.master();
     FacePoint<2> foot;
-    // On the ball the feet gather around the seam at ±π, slip points lie on both sides of it.
+    // On the ball the foot points are near the seam at ±π, with slip points on both sides of it.
     foot.xi(0) = plane ? uniform(random, -2, 2) : std::remainder(pi + uniform(random, -0.5, 0.5), 2 * pi);
     const double apart = uniform(random, -1.5, 1.5);
     const double slip = plane ? foot.xi(0) + apart : std::remainder(foot.xi(0) + apart, 2 * pi);
@@ -139,7 +140,8 @@ TEST(Obstacle, SlipPointFollowsUntilItIsAtTheGivenDistance) {
     const double length = uniform(random, 0, 1) * before;
     const double after = master.advance(FaceCoordinates<2>(slip), foot, length)(0);
     EXPECT_NEAR((position(master, after) - foot.position).norm(), length, 1e-14);
-    // On the way: the chords from the old slip point to it and from it to the foot turn by less than a right angle.
+    // On that path: the chords from the old slip point to it and from it to the foot point form less than a right
+    // angle.
     EXPECT_GE((position(master, after) - position(master, slip)).dot(foot.position - position(master, slip)), 0);
     EXPECT_EQ(master.advance(FaceCoordinates<2>(slip), foot, 2 * before)(0), slip);
   }
@@ -148,7 +150,7 @@ TEST(Obstacle, SlipPointFollowsUntilItIsAtTheGivenDistance) {
 TEST(Obstacle, CurvesAgreeWithClosedForms) {
   Random random(5);
   const Eigen::Vector2d center(0.4, -0.3);
-  // Both curves run from right to left: their outside, on the right, is above.
+  // Both curves run from right to left, with the outside above.
   const Master<2> arc(nurbs::arc(center, 1.3, 10, 170)),
       line(nurbs::line(Eigen::Vector2d(4, 1), Eigen::Vector2d(-4, -1)));
   const Master<2> ball(make_ball<2>(center, 1.3)), plane(make_plane<2>({0, 0}, {-1, 4}));

@@ -1,4 +1,4 @@
-// Beyond the open ends of a master: its face goes on along its tangents, and the traction fades there.
+// Beyond its open ends a master's face is extended along its tangents, and the traction fades.
 #include "contact/couple.hpp"
 #include "contact/couple3d.hpp"
 
@@ -12,7 +12,7 @@ namespace open_end_test {
 
 using namespace test;
 
-/// Checks that functions and their derivatives add up to position and tangents at a point that has been located.
+/// Checks that functions and their derivatives reproduce position and tangents at a located point.
 template <int D> void expect_own_functions(const Surface<D>& face, FacePoint<D>& point) {
   face.functions(point, 1);
   Vec<D> sum = Vec<D>::Zero(), slope = Vec<D>::Zero();
@@ -24,7 +24,7 @@ template <int D> void expect_own_functions(const Surface<D>& face, FacePoint<D>&
   EXPECT_LT((slope - point.tangent[0]).norm(), 1e-11);
 }
 
-TEST(OpenEnd, TheFaceGoesOnAlongItsTangents) {
+TEST(OpenEnd, TheFaceIsExtendedAlongItsTangents) {
   Random random(1);
   for (int degree : {1, 2, 3}) {
     const auto plate = wavy_plate(random, 3, 0.1, degree, 3);
@@ -44,8 +44,8 @@ TEST(OpenEnd, TheFaceGoesOnAlongItsTangents) {
       longer.locate(longer.find_element(xi), xi, 2, other);
       expect_own_functions(longer, other);
       const Eigen::Vector2d out = xi - nearest;
-      if (out(0) != 0 && out(1) != 0) continue; // at the corners the continuations of both directions meet
-      // Straight on: x(ξ_end + t) − x_end is parallel to τ_end and points the same way as t τ_end
+      if (out(0) != 0 && out(1) != 0) continue; // at the corners the extensions of both directions meet
+      // The extension is straight: x(ξ_end + t) − x_end is parallel to t τ_end, in the same sense.
       const Vec<3> tangent = out(0) * point.tangent[0] + out(1) * point.tangent[1],
                    way = other.position - point.position;
       EXPECT_LE(way.cross(tangent).norm(), 1e-12 * tangent.norm());
@@ -54,7 +54,7 @@ TEST(OpenEnd, TheFaceGoesOnAlongItsTangents) {
   }
 }
 
-TEST(OpenEnd, AnArcGoesOnAlongItsTangents) {
+TEST(OpenEnd, AnArcIsExtendedAlongItsTangents) {
   const double h = std::sqrt(0.5);
   MatrixX points(2, 3);
   points << 1, 1, 0, 0, 1, 1;
@@ -87,7 +87,7 @@ TEST(OpenEnd, WeightsStayPositive) {
   EXPECT_GT((end.position - point.position).dot(end.tangent[0]), 0);
 }
 
-TEST(OpenEnd, SeamsAndPolesAreNone) {
+TEST(OpenEnd, SeamsAndPolesAreNotOpen) {
   // A closed square
   MatrixX points(2, 5);
   points << 0, 1, 1, 0, 0, 0, 0, 1, 1, 0;
@@ -109,7 +109,7 @@ TEST(OpenEnd, SeamsAndPolesAreNone) {
   EXPECT_LT(ball.direction(0).first(), west);
 }
 
-TEST(OpenEnd, TheFadeFallsFromOneToZeroWithContinuousSlope) {
+TEST(OpenEnd, TheFadeDecreasesFromOneToZeroWithContinuousSlope) {
   Random random(2);
   Surface<3> face = top_of(wavy_plate(random, 3, 0.1, 2, 3));
   std::array<double, 2> from, to;
@@ -139,7 +139,7 @@ TEST(OpenEnd, TheFadeFallsFromOneToZeroWithContinuousSlope) {
   }
 }
 
-/// How many touching points lie beyond x = 3, where the slab ends.
+/// Number of touching points beyond the slab's end, x = 3.
 template <int D> int beyond(const Pair<D>& pair, double end = 3) {
   int count = 0;
   for (const auto& point : pair.results())
@@ -193,7 +193,7 @@ TEST(OpenEnd, TangentIsTheForcesDerivativeWithAdhesionAndOnRigidCurves) {
   EXPECT_GE(sum.states, 6) << sum.stepped_over << " states lay on a change of state";
 }
 
-TEST(OpenEnd, TangentIsTheForcesDerivativeInSpace) {
+TEST(OpenEnd, TangentIsTheForcesDerivativeIn3D) {
   Census3 sum;
   Random random(3);
   int past = 0;
@@ -214,7 +214,7 @@ TEST(OpenEnd, TangentIsTheForcesDerivativeInSpace) {
   EXPECT_GT(past, 20);
 }
 
-/// The largest change of the force from one step to the next while the die is dragged off the slab's end.
+/// Largest change of the force between steps while the die is dragged off the slab's end.
 double largest_jump(int steps) {
   Couple couple("N2", slab("N2"), PenaltyLaw{100, 100, 0}, 2.8, 0.95);
   double jump = 0;
@@ -225,7 +225,7 @@ double largest_jump(int steps) {
     if (step > 0) jump = std::max(jump, (force - before).norm());
     before = force;
   }
-  EXPECT_EQ(before.norm(), 0); // off the end, and beyond where the traction fades
+  EXPECT_EQ(before.norm(), 0); // beyond the extension
   return jump;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// One contact with the state that a model keeps for it, to be evaluated, accepted and rolled back by itself.
+// One contact with the state that a model holds for it, which can be evaluated, accepted and rolled back alone.
 
 #include "contact/method.hpp"
 

@@ -13,7 +13,7 @@ namespace pair3d_test {
 
 using namespace test;
 
-/// Presses, drags back and forth, twists, with a comparison after each, from random displaced states.
+/// Presses, drags back and forth, twists, with a comparison after each, starting from random displacements.
 void wander(Couple3 couple, unsigned seed, double depth, Census3& census) {
   Random random(seed);
   couple.shake(random, 0.003);
@@ -49,7 +49,7 @@ TEST(SolidPair, TangentIsTheForcesDerivativeInEveryState) {
 }
 
 TEST(SolidPair, TangentIsTheForcesDerivativeOnEdgesAndCorners) {
-  // A pit of four planes: its kinks and its deepest point are master points of what dips below.
+  // A pit of four planes: its kinks and its deepest point are the foot points of penetrating points.
   const nurbs::KnotVector two(1, {0, 0, 1, 2, 2});
   MatrixX points(3, 9);
   for (int j = 0; j < 3; ++j)
@@ -132,7 +132,7 @@ TEST(SolidPair, ForcesBalanceAndWithoutFrictionMomentsToo) {
 }
 
 TEST(SolidPair, SlipFollowsAnyDirectionAtCoulombsLimit) {
-  // On a plane of control points that do not move: the traction is along the motion, whatever its direction.
+  // On a plane with fixed control points the traction is parallel to the motion in any direction.
   Random random(6);
   const double mu = 0.25;
   for (const Obstacle<3>& obstacle : obstacles(random)) {
@@ -155,8 +155,8 @@ TEST(SolidPair, SlipFollowsAnyDirectionAtCoulombsLimit) {
       }
       const Resultant<3> here = couple.pair.resultant();
       couple.pair.accept();
-      // The accepted slip points hold the same forces; on curved faces but for the chord to the slip point, which leans
-      // less when it is shorter.
+      // The accepted slip points give the same forces; on curved faces up to the chord to the slip point, whose
+      // inclination decreases with its length.
       couple.evaluate();
       const double tolerance = std::holds_alternative<Plane<3>>(obstacle) ? 1e-12 : 5e-3;
       EXPECT_LE((couple.pair.resultant().force - here.force).norm(), tolerance * here.force.norm()) << "step " << step;
@@ -165,7 +165,7 @@ TEST(SolidPair, SlipFollowsAnyDirectionAtCoulombsLimit) {
 }
 
 TEST(SolidPair, TwistingIsMuTimesPressureTimesRadius) {
-  // Far beyond sticking every point slips around the axis: M = μ ∫ p r da.
+  // Far beyond the limit of sticking every point slips around the axis: M = μ ∫ p r da.
   const double mu = 0.4;
   Couple3 couple("N2", make_plane<3>({0, 0, 0}, {0, 0, 1}), PenaltyLaw{100, 1e4, mu}, {0, 0, 0.1});
   couple.touch();

@@ -1,5 +1,5 @@
-// A whole contact: assembled force and tangent against finite differences in every state, balance of forces and
-// moments, Coulomb's law, history, and that skipping far points loses none.
+// An assembled contact: force and tangent against finite differences in every state, balance of forces and moments,
+// Coulomb's law, history, and skipping of far points.
 #include "contact/couple.hpp"
 
 #include <cmath>
@@ -13,7 +13,7 @@ TEST(Pair, TangentIsTheForcesDerivativeInEveryState) {
   Census sum;
   unsigned seed = 0;
   for (const char* label : {"N2", "N4", "N2-N2.2", "L1"}) {
-    // Small drags stick, longer ones slip, one of more than an element leaves the slip point behind in another.
+    // Small drags stick, longer ones slip; after one longer than an element the slip point lies in another element.
     if (std::string(label) != "L1")
       sum.add(press_and_drag(Couple(label, slab(label), {100, 100, 0.2}, 0.8, 1.0), ++seed, 0.06, {3e-4, 0.02, 0.5}));
     sum.add(press_and_drag(Couple("N2", slab(label), {100, 50, 0.4}, 1.6, 1.0), ++seed, 0.04, {-2e-4, -0.05, -0.45}));
@@ -30,7 +30,7 @@ TEST(Pair, TangentIsTheForcesDerivativeInEveryState) {
 }
 
 TEST(Pair, TangentIsTheForcesDerivativeAtACorner) {
-  // A valley whose vertex is the master point of what dips below it
+  // A valley whose vertex is the foot point of penetrating points
   const auto valley = polyline({{0, 1.6}, {1.5, 1}, {3, 1.6}});
   for (double drag : {2e-4, 0.02}) {
     Couple couple("N2", valley, {100, 100, 0.2}, 1.5, 1.0);
@@ -151,8 +151,8 @@ TEST(Pair, RollbackRestoresBitByBit) {
   }
 }
 
-/// On the cone before, on it afterwards: on a straight master with the same traction, on a curved one of the same size
-/// (the chord to the slip point turns as that follows the curve).
+/// The traction is on the cone before and after accepting: on a straight master it is the same, on a curved one it has
+/// the same magnitude (the chord to the slip point rotates as that follows the curve).
 TEST(Pair, AcceptedSlipKeepsTheTraction) {
   Random random(6);
   for (bool straight : {true, false}) {
@@ -181,10 +181,10 @@ TEST(Pair, AcceptedSlipKeepsTheTraction) {
   }
 }
 
-TEST(Pair, FirstTouchCountsFromThereWhenAccepted) {
+TEST(Pair, FrictionStartsAtTheAcceptedFirstContact) {
   Couple couple("N2", slab("N2"), {100, 100, 0.2}, 1.3, 0.95);
   couple.evaluate();
-  // Rounding of the positions times the penalty
+  // Rounding error of positions times the penalty parameter
   for (const auto& point : couple.pair.results()) EXPECT_NEAR(point.friction.norm(), 0, 1e-13);
   couple.pair.accept();
   couple.move_die(1e-3, 0);
@@ -198,7 +198,7 @@ TEST(Pair, FirstTouchCountsFromThereWhenAccepted) {
   EXPECT_GT(sticking, 3);
 }
 
-TEST(Pair, SkippingFarPointsLosesNoContact) {
+TEST(Pair, SkippingFarPointsMissesNoContact) {
   Random random(8);
   for (double mu : {0.0, 0.2})
     for (int trial = 0; trial < 4; ++trial) {

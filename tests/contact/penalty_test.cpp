@@ -1,4 +1,4 @@
-// The penalty law's tangent and the foot's shift against finite differences, in the plane, about an axis and in space.
+// The penalty law's tangent and the shift of the foot point against finite differences: 2D, axisymmetric and 3D.
 #include "contact/local_cases.hpp"
 
 #include <numbers>
@@ -85,7 +85,7 @@ TEST(Penalty, FrictionOpposesTheMotion) {
 
 // ── Points with a fixed state or a multiplier ────────────────────────────────────────────────────────────────────────
 
-/// At a gap of ±0.05 with the slip point 0.01 or 0.3 away; returns the force of the last trial.
+/// Checks state and force at a given gap, with the slip point at distance `reach`.
 template <int D>
 void fixed_or_augmented(Foot foot, double gap, double reach, FixedContactState fixed_state, double multiplier,
                         ContactState expected) {
@@ -130,8 +130,8 @@ TEST(Penalty, FixedTouchingPointsFollowCoulombsLaw) {
   fixed_or_augmented<3>(Foot::regular, -0.05, 0.3, FixedContactState::touching, 0, ContactState::slip);
 }
 
-/// λ = 9 presses up to a gap of 0.09.
-TEST(Penalty, AMultiplierAddsToThePressureAndToFrictionsLimit) {
+/// λ = 9 closes the contact up to a gap of 0.09.
+TEST(Penalty, AMultiplierAddsToPressureAndFrictionLimit) {
   for (Foot foot : {Foot::regular, Foot::corner})
     for (double gap : {-0.03, 0.03}) {
       fixed_or_augmented<2>(foot, gap, 0.005, FixedContactState::free, 9, ContactState::stick);

@@ -1,4 +1,4 @@
-// The products of many contact points against their sum term by term.
+// The products of many contact points against the sum of their terms.
 #include "contact/products.hpp"
 
 #include "nurbs/random_patch.hpp"
@@ -11,7 +11,7 @@ namespace products_test {
 using nurbs::test::Random;
 using nurbs::test::uniform;
 
-TEST(Products, AddUpEveryPointsTerms) {
+TEST(Products, SumTheTermsOfAllPoints) {
   Random random(1);
   Products products;
   for (int round = 0; round < 6; ++round) {

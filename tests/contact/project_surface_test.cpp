@@ -21,7 +21,7 @@ double distance2(const Surface<3>& surface, int element, const Coordinates& xi, 
   return (x - point.position).squaredNorm();
 }
 
-/// Dense samples of every element; around the best ones ever finer grids.
+/// Dense samples of every element, with successively finer grids around the best ones.
 double least_distance(const Surface<3>& surface, const Vec<3>& x) {
   constexpr int samples = 24;
   double least = std::numeric_limits<double>::infinity();
@@ -113,7 +113,7 @@ TEST(ProjectionOnSurface, IsTheGlobalMinimumFromAnySeed) {
   EXPECT_GT(borders, 50);
 }
 
-TEST(ProjectionOnSurface, FollowsAPointAcrossElementsFromItsLastFoot) {
+TEST(ProjectionOnSurface, FollowsAPointAcrossElementsFromItsLastFootPoint) {
   Random random(2);
   const Surface<3> surface = top_of(wavy_plate(random, 3, 0.05, 2, 6));
   ElementBoxes<3> boxes;
@@ -131,7 +131,7 @@ TEST(ProjectionOnSurface, FollowsAPointAcrossElementsFromItsLastFoot) {
 }
 
 TEST(ProjectionOnSurface, SphereGivesItsRadialGapUpToThePole) {
-  // The octant's outer face: ξ² runs into the lower pole, a collapsed border.
+  // The octant's outer face: ξ² ends at the lower pole, a collapsed border.
   nurbs::Plan plan;
   plan.elements = {3, 4, 1};
   plan.contact = {nurbs::side_of("front", 3)};
@@ -159,7 +159,7 @@ TEST(ProjectionOnSurface, SphereGivesItsRadialGapUpToThePole) {
   EXPECT_NEAR(below.gap, 0.25, 1e-12);
 }
 
-TEST(ProjectionOnSurface, OpenBordersAreNoContact) {
+TEST(ProjectionOnSurface, HasNoContactAtOpenBorders) {
   const Surface<3> flat =
       top_of(below({nurbs::KnotVector::single(1), nurbs::KnotVector::single(1)},
                    (MatrixX(3, 4) << 0, 3, 0, 3, 0, 0, 2, 2, 0, 0, 0, 0).finished(), VectorX::Ones(4)));
@@ -174,7 +174,7 @@ TEST(ProjectionOnSurface, OpenBordersAreNoContact) {
 }
 
 TEST(ProjectionOnSurface, ValleyIsAnEdgeInside) {
-  // Two planes that meet along x = 1; material fills the outside of the notch.
+  // Two planes that meet along x = 1, with material outside the notch
   const nurbs::KnotVector two(1, {0, 0, 1, 2, 2});
   const Surface<3> valley = top_of(
       below({two, nurbs::KnotVector::single(1)},

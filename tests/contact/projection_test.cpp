@@ -19,7 +19,7 @@ double distance(const Surface<2>& surface, int element, double xi, const Vec<2>&
   return (x - point.position).norm();
 }
 
-/// Dense samples of every element, each dip refined by golden section.
+/// Dense samples of every element, each local minimum refined by golden section search.
 double least_distance(const Surface<2>& surface, const Vec<2>& x) {
   constexpr int samples = 200;
   const double golden = (std::sqrt(5.0) - 1) / 2;
@@ -102,7 +102,7 @@ TEST(Projection, IsTheGlobalMinimumFromAnySeed) {
   EXPECT_GT(ends, 100);
 }
 
-TEST(Projection, OpenEndsAreNoContact) {
+TEST(Projection, HasNoContactAtOpenEnds) {
   const Surface<2> flat(discretize(nurbs::rectangle(3, 1, Eigen::Vector2d(0, 0)), {8, 3}, "N2", "north"),
                         nurbs::side_of("north", 2));
   for (const Vec<2>& x : {Vec<2>(-0.1, 0.9), Vec<2>(3.2, 0.5), Vec<2>(3.01, 1.5)})
@@ -113,8 +113,8 @@ TEST(Projection, OpenEndsAreNoContact) {
 }
 
 TEST(Projection, ValleyIsACornerInside) {
-  // Material fills the outside of the notch: below the valley the vertex is the closest point, wherever x lies in the
-  // cone between the faces' normals.
+  // Material is outside the notch: below the valley the vertex is the closest point for all x in the cone between the
+  // faces' normals.
   const Vec<2> vertex(1, 0);
   const Surface<2> valley(polyline({{0, 1}, vertex, {2, 1}}), nurbs::side_of("north", 2));
   for (const Vec<2>& x : {Vec<2>(1, -0.2), Vec<2>(1.1, -0.15), Vec<2>(0.95, -0.3)}) {
@@ -145,7 +145,7 @@ TEST(Projection, RidgeIsACornerOutside) {
   EXPECT_NEAR(inside.gap, -0.3 / std::sqrt(2.0), 1e-15);
 }
 
-/// A collinear vertex is no kink, and sliding over it or over a smooth border changes nothing.
+/// A collinear vertex is not a kink, and sliding across it or across a smooth border changes nothing.
 TEST(Projection, CrossesBordersSmoothly) {
   const Surface<2> straight(polyline({{0, 0}, {1, 0}, {2, 0}}), nurbs::side_of("north", 2));
   const Projection<2> on_border = project_from(straight, Vec<2>(1, -0.1));

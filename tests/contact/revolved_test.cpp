@@ -1,4 +1,4 @@
-// Contact about an axis: tangents, and the forces and areas of the full circle.
+// Axisymmetric contact: tangents, and forces and areas of the full circle.
 #include "contact/couple.hpp"
 
 #include <cmath>
@@ -42,7 +42,7 @@ TEST(Revolved, UniformPressureOnAFlatRing) {
     EXPECT_NEAR(sum.force(1), penalty * depth * area, 1e-13 * penalty * depth * area);
     EXPECT_NEAR(sum.force(0), 0, 1e-15);
     EXPECT_NEAR(sum.max_pressure, penalty * depth, 1e-13);
-    // Of the current area: the same ring moved outwards
+    // The pressure acts on the current area: the same ring moved outwards
     couple.move_die(0.3, 0);
     couple.evaluate();
     const double wider = pi * (std::pow(outer + 0.3, 2) - std::pow(inner + 0.3, 2));
@@ -50,7 +50,7 @@ TEST(Revolved, UniformPressureOnAFlatRing) {
   }
 }
 
-/// Adhesion acts on the reference area, whatever the ring's present radius.
+/// Adhesion acts on the reference area, independent of the ring's current radius.
 TEST(Revolved, AdhesionActsOnTheReferenceArea) {
   const Adhesion law{0.1, 0.4};
   const auto ring = discretize(nurbs::rectangle(2, 0.5, Eigen::Vector2d(1, 0)), {4, 2}, "N2", "south");
@@ -63,8 +63,8 @@ TEST(Revolved, AdhesionActsOnTheReferenceArea) {
 }
 
 /// A sphere's cap pressed into a plane by d has the area 2πR dz per height dz below the plane: F = ∫ ε (d − z) 2πR dz =
-/// ε π R d². The contact's edge cuts elements: errors are of the order of the points' distance for the area, which
-/// jumps there, and of its square for the force, whose slope does.
+/// ε π R d². The edge of the contact area lies inside elements, so the error of the area, whose integrand jumps there,
+/// is of the order of the points' distance, and that of the force, whose integrand has a kink, of its square.
 TEST(Revolved, SphericalCapConvergesToItsExactForce) {
   const double radius = 0.5, depth = 0.1, penalty = 100;
   const double force = penalty * pi * radius * depth * depth, area = 2 * pi * radius * depth;

@@ -31,7 +31,7 @@ TEST(Slip, PointFollowsUntilItIsAtTheGivenDistance) {
   }
 }
 
-TEST(Slip, StaysWhereItIsAtFullLength) {
+TEST(Slip, PointStaysAtTheFullDistance) {
   const Surface<2> flat(discretize(nurbs::rectangle(3, 1, Eigen::Vector2d(0, 0)), {8, 3}, "N2", "north"),
                         nurbs::side_of("north", 2));
   FacePoint<2> foot;

@@ -1,4 +1,4 @@
-// Contact faces against the patches they come from, at rest and displaced, and which way is out.
+// Contact faces against their patches, undeformed and displaced, and the direction of outward normals.
 #include "contact/surface.hpp"
 
 #include "contact/faces.hpp"
@@ -43,7 +43,7 @@ template <int D> void agrees_with_its_patch(Random& random, const nurbs::Discret
     for (std::size_t k = 0; k < FacePoint<D>::seconds; ++k)
       EXPECT_NEAR((point.second[k] - expected[D + k].value).norm(), 0, 1e-11 * (1 + expected[D + k].value.norm()));
 
-    // The functions carry position and tangents, and are the patch's.
+    // The functions reproduce position and tangents, and agree with those of the patch.
     Vec<D> position = Vec<D>::Zero(), tangent = Vec<D>::Zero();
     const auto basis = nurbs::rational_basis(patch, xi);
     ASSERT_EQ(basis.size(), static_cast<std::size_t>(surface.functions_on(e)));
@@ -56,7 +56,7 @@ template <int D> void agrees_with_its_patch(Random& random, const nurbs::Discret
     EXPECT_NEAR((position - point.position).norm(), 0, 1e-14);
     EXPECT_NEAR((tangent - point.tangent[D - 2]).norm(), 0, 1e-12 * (1 + tangent.norm()));
 
-    // The element's box holds it.
+    // The element's box contains it.
     Vec<D> lower, upper;
     surface.bounds(e, lower, upper);
     EXPECT_GE((point.position - lower).minCoeff(), -1e-14);
@@ -64,7 +64,7 @@ template <int D> void agrees_with_its_patch(Random& random, const nurbs::Discret
   }
 }
 
-TEST(Surface, AgreesWithItsPatchInThePlane) {
+TEST(Surface, AgreesWithItsPatchIn2D) {
   Random random(1);
   for (int trial = 0; trial < 10; ++trial)
     agrees_with_its_patch<2>(random, wavy(random, 3, 0.5, integer(random, 1, 4), integer(random, 0, 4)),
@@ -78,7 +78,7 @@ TEST(Surface, AgreesWithItsPatchInThePlane) {
                            nurbs::side_of("north", 2));
 }
 
-TEST(Surface, AgreesWithItsPatchInSpace) {
+TEST(Surface, AgreesWithItsPatchIn3D) {
   Random random(2);
   const nurbs::Patch shell = nurbs::half_cylinder_shell(0.4, 0.6, 1, Eigen::Vector3d(0, 0, 0));
   for (const char* label : {"N2", "N2-N2.1", "N3"}) {

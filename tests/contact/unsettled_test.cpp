@@ -1,4 +1,4 @@
-// Searches that end at their limit of iterations are counted.
+// Counts of searches that end at their limit of iterations.
 
 #include "contact/faces.hpp"
 
@@ -10,14 +10,14 @@ namespace unsettled_test {
 using namespace test;
 
 /// The line y = 0 from x = 1 to −1, outward up, as x = −(2ξ − 1)⁷: at ξ = 1/2 six derivatives vanish, so that Newton's
-/// method for the closest point to (0, y) takes off 1/13 of the distance in each iteration.
+/// method for the closest point to (0, y) reduces the distance by 1/13 in each iteration.
 nurbs::Patch singular_line() {
   MatrixX points = MatrixX::Zero(2, 8);
   for (int i = 0; i < 8; ++i) points(0, i) = i % 2 == 0 ? 1 : -1; // Bernstein coefficients
   return nurbs::make_patch({nurbs::KnotVector::single(7)}, points, VectorX::Ones(8));
 }
 
-TEST(Unsettled, ProjectionSaysThatItRanOutOfIterations) {
+TEST(Unsettled, ProjectionReportsItsLimitOfIterations) {
   const Surface<2> line(singular_line());
   ElementBoxes<2> boxes;
   boxes.update(line);
@@ -52,7 +52,7 @@ TEST(Unsettled, PairCountsAcceptedStatesOnly) {
   EXPECT_EQ(pair.formulation().unsettled().count, 1u);
 }
 
-/// A roof: two planes that meet at a right angle above the y-axis, outward up.
+/// A roof: two planes that meet at a right angle above the y-axis, with the outside above.
 nurbs::Patch roof() {
   MatrixX points(3, 6);
   points << -1, 0, 1, -1, 0, 1, -1, -1, -1, 1, 1, 1, -1, 0, -1, -1, 0, -1;
@@ -60,11 +60,11 @@ nurbs::Patch roof() {
                            VectorX::Ones(6));
 }
 
-/// Presses a contact point on the left plane of the roof, then on the right one, in one step across the ridge: returns
-/// how many points were not settled then. `length`: distance from the foot at which friction lets the slip point lie.
+/// Presses a contact point on the left plane of the roof, then on the right one, in one step across the ridge. Returns
+/// the number of unsettled points. `length`: distance of the slip point from the foot point that friction allows.
 std::size_t unsettled_across(double length) {
   constexpr double depth = 0.1, tangential = 1;
-  const auto place = [](double x) -> Vec<3> { // whose foot is at x, z = −|x|
+  const auto place = [](double x) -> Vec<3> { // its foot point is at x, z = −|x|
     return Vec<3>(x, 0, -std::abs(x)) - depth / std::sqrt(2.0) * Vec<3>(x < 0 ? -1 : 1, 0, 1);
   };
   const Vec<3> start = place(-0.4);
@@ -87,9 +87,10 @@ std::size_t unsettled_across(double length) {
   return pair.formulation().unsettled().count;
 }
 
-TEST(Unsettled, PairCountsSlipPointsThatWereNotFound) {
-  // The slip point is looked for below the chord from one plane to the other, 0.8 long. Its middle is as near to a
-  // point 0.4/√2 from the foot as to one on the other plane, 0.4 √5/√2 from it: those in between are closest to none.
+TEST(Unsettled, PairCountsSlipPointsNotFound) {
+  // The slip point is the projection of a point of the chord, 0.8 long, between the planes. The chord's midpoint is as
+  // near to a point 0.4/√2 from the foot point as to one on the other plane, 0.4 √5/√2 from it; points in between are
+  // not the closest to any point of the chord.
   EXPECT_EQ(unsettled_across(0.2), 0u);
   EXPECT_EQ(unsettled_across(0.6), 1u);
 }
