@@ -9,14 +9,14 @@ namespace {
 
 constexpr unsigned char beyond = 255;
 
-/// Under adhesion a point's state says no more than how far away it is: nothing changes there by leaps.
+/// State as a code. Adhesive states count as open, because the traction is continuous in them.
 template <int D> unsigned char code(const contact::PointResult<D>& result) {
   if (result.beyond) return beyond;
   const bool smooth = result.state == contact::ContactState::adhesion;
   return static_cast<unsigned char>(smooth ? contact::ContactState::open : result.state);
 }
 
-/// One that slips is held sticking: were it to slip on, its friction would follow each turn of its way.
+/// Slipping points are fixed to stick, because the direction of slip would change in every iteration.
 contact::FixedContactState fixed_state_for(contact::ContactState state) {
   return state == contact::ContactState::open ? contact::FixedContactState::open : contact::FixedContactState::stick;
 }
@@ -99,13 +99,14 @@ template <int D> int ActiveSet<D>::period() const {
   return 0;
 }
 
-/// How often each point's state changed in the last evaluations; `stray`: to or from beyond the master's end.
-template <int D> std::vector<int> ActiveSet<D>::changes(bool stray) const {
+/// Number of changes of each point's state in the last evaluations; `past_end`: only changes to or from beyond the
+/// master's end.
+template <int D> std::vector<int> ActiveSet<D>::changes(bool past_end) const {
   std::vector<int> sums(counts_.size(), 0);
   for (std::size_t k = entries_.size() - std::min(entries_.size(), recent_evaluations) + 1; k < entries_.size(); ++k)
     for (std::size_t i = 0; i < sums.size(); ++i) {
       const unsigned char now = entries_[k].states[i], before = entries_[k - 1].states[i];
-      sums[i] += now != before && (!stray || now == beyond || before == beyond);
+      sums[i] += now != before && (!past_end || now == beyond || before == beyond);
     }
   return sums;
 }
@@ -123,7 +124,7 @@ template <int D> std::vector<PointIndex> ActiveSet<D>::points_with(const std::ve
   return points;
 }
 
-template <int D> std::vector<PointIndex> ActiveSet<D>::restless() const {
+template <int D> std::vector<PointIndex> ActiveSet<D>::cycling_points() const {
   return points_with(changes(false), 2);
 }
 
@@ -135,7 +136,7 @@ template <int D> std::string ActiveSet<D>::alternating(const PointIndex& index) 
     const auto state = static_cast<contact::ContactState>(code);
     return state == contact::ContactState::stick && !frictional ? "touching" : name_of(state);
   };
-  // Backward, so that each state stands where it was met last
+  // Backward, so that states are in the order of their last occurrence
   std::vector<unsigned char> met;
   std::string names;
   for (std::size_t k = 0; k < std::min(entries_.size(), recent_evaluations); ++k) {
@@ -147,7 +148,7 @@ template <int D> std::string ActiveSet<D>::alternating(const PointIndex& index) 
   return names;
 }
 
-template <int D> std::vector<PointIndex> ActiveSet<D>::strays() const {
+template <int D> std::vector<PointIndex> ActiveSet<D>::cycling_past_end() const {
   return points_with(changes(true), 2);
 }
 

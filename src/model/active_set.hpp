@@ -1,5 +1,6 @@
 #pragma once
-// States of contact points (open, stick, slip) over the iterations of a step: holds them back, finds those that cycle.
+// Active set of a step: records the states of contact points (open, stick, slip) over the iterations, fixes states, and
+// detects set cycling.
 
 #include "contact/formulation.hpp"
 #include "model/constants.hpp"
@@ -10,7 +11,7 @@
 
 namespace signorini::model {
 
-/// A contact point: index of its contact, and of the point there.
+/// A contact point: index of the contact, and index of the point in it.
 struct PointIndex {
   int contact, point;
 };
@@ -20,35 +21,36 @@ public:
   using Histories = std::vector<contact::History<D>>;
   using Controls = std::vector<contact::Controls>;
 
-  /// Starts a step from the states of the last evaluation: who touches and who does not is held when options.freeze
-  /// says so.
+  /// Starts a step from the states of the last evaluation. If options.freeze > 0, the active set is frozen: points stay
+  /// open or closed.
   void begin(const contact::Formulations<D>& contacts, const Histories& histories, const ActiveSetOptions& options,
              Controls& controls);
-  /// Notes the states of an evaluation with its residual, and holds points that have changed too often.
+  /// Records the states of an evaluation with its residual, and fixes points whose state has changed too often.
   void note(const Histories& histories, double residual, Controls& controls);
-  /// Frees what is frozen when `ratio`, |f·Δu| over its first value, is small enough.
+  /// Ends the freeze if `ratio`, |f·Δu| over its first value, is below options.freeze.
   void thaw(double ratio, Controls& controls);
-  /// Frees all; returns whether any point was held. Those that change too often may be held again `rounds` times.
+  /// Frees all points; returns whether any was fixed. Points that change too often may be fixed again in `most_rounds`
+  /// rounds.
   bool release(Controls& controls);
   bool exhausted() const { return rounds_ > most_rounds; }
 
-  /// The number of iterations after which residuals and states have come back twice, to 1e-9; 0 when they have not. An
-  /// iteration that depends on nothing but its state will go on so for ever.
+  /// Period of set cycling: the number of iterations after which residuals (to 1e-9) and states have repeated twice; 0
+  /// if they have not. An iteration that depends on its state alone then repeats forever.
   int period() const;
-  /// Points whose state changed at least twice in the last evaluations, those that changed most first.
-  std::vector<PointIndex> restless() const;
-  /// The states between which a point went in the last evaluations, the present one last: "stick / slip",
+  /// Points whose state changed at least twice in the last evaluations, those with most changes first.
+  std::vector<PointIndex> cycling_points() const;
+  /// The states between which a point alternated in the last evaluations, the current one last: "stick / slip",
   /// "open / stick / slip", "beyond / open", without friction "open / touching".
   std::string alternating(const PointIndex& index) const;
-  /// Those among them whose closest point was an open end of the master in between.
-  std::vector<PointIndex> strays() const;
+  /// Those among the cycling points whose closest point was in between an open end of the master.
+  std::vector<PointIndex> cycling_past_end() const;
 
 private:
   struct Entry {
     double residual;
     std::vector<unsigned char> states; ///< of all points, contact after contact; see code()
   };
-  std::vector<int> changes(bool stray) const;
+  std::vector<int> changes(bool past_end) const;
   std::vector<PointIndex> points_with(const std::vector<int>& changes, int least) const;
 
   ActiveSetOptions options_;

@@ -6,16 +6,16 @@
 
 namespace signorini::model {
 
-/// The way that an arc follows.
+/// Data of an arc-length increment.
 struct Arc {
-  VectorX direction; ///< of the targets: where λ = 1 leads to
+  VectorX direction; ///< of the targets, up to λ = 1
   double length;
-  VectorX tangent = {}; ///< t with the weights of the inner product; found by the predictor
+  VectorX tangent = {}; ///< t times the weights of the inner product, from the predictor
 };
 
 namespace {
 
-/// Brings the prescribed displacements and loads to other targets.
+/// Sets prescribed displacements and loads to the values at `targets`.
 template <int D> void move_targets(Model<D>& model, const VectorX& targets) {
   const Drives<D>& drives = model.system.drives;
   model.present.displacement += drives.displacement(targets) - drives.displacement(model.present.targets);
@@ -39,7 +39,7 @@ template <int D> bool advance(Model<D>& model, const StepOptions& options, Arc& 
   const VectorX rate = free_rate + system.drives.rate(present.targets, arc.direction);
   double lambda;
   if (arc.tangent.size() == 0) {
-    // Predictor: along the curve's tangent, on in the sense of the last step
+    // Predictor: along the curve's tangent, in the sense of the last step
     const VectorX weighted = system.path_weights().cwiseProduct(rate);
     const double speed = std::sqrt(rate.dot(weighted));
     const bool back = weighted.dot(model.way.increment) < 0;

@@ -43,7 +43,7 @@ template <int D> void Assembly<D>::build_bulk() {
   }
   bulk_pattern_ = solve::couple(unknowns_.size(), groups);
 
-  // Positions in the order in which scatter walks through ElementArrays::blocks
+  // Positions in the order in which scatter() reads ElementArrays::blocks
   int trash = bulk_pattern_.entries(), first_trash = trash;
   const auto find = [&](int row, int column) {
     return row < 0 || column < 0 ? trash : bulk_pattern_.find(row, column);
@@ -70,8 +70,8 @@ template <int D> void Assembly<D>::build_bulk() {
   }
 }
 
-/// Makes the pattern cover the bulk and, where wanted, all present contact blocks with the master elements next to
-/// them: so that sliding on by part of an element does not need a new pattern.
+/// Sets the pattern to that of the bodies and, if `contacts`, of all current contact blocks with the adjacent master
+/// elements, so that sliding by a part of an element does not need a new pattern.
 template <int D> void Assembly<D>::cover(bool contacts) {
   std::vector<Nodes> groups;
   for (std::size_t k = 0; k < contacts_.size() && contacts; ++k)
@@ -96,7 +96,7 @@ template <int D> void Assembly<D>::cover(bool contacts) {
   ++version_;
 }
 
-/// The tangent of linear bodies.
+/// Computes the tangent of linear bodies.
 template <int D> void Assembly<D>::build_constant() {
   constant_.assign(at(pattern_.entries()) + arrays_.size(), 0.0);
   const VectorX rest = VectorX::Zero(unknowns_.dofs());
@@ -110,8 +110,8 @@ template <int D> void Assembly<D>::build_constant() {
   }
 }
 
-/// Keeps contact_unknowns() ahead of the contacts: when one reaches an unknown beyond them, they become those of all
-/// present blocks and of the slave elements around, a quarter of the contact's width.
+/// Extends contact_unknowns() if a contact acts on others: to the unknowns of all current blocks and of the slave
+/// elements around them, a quarter of the contact's width.
 template <int D> void Assembly<D>::watch_contacts() {
   const auto all_known = [&](std::size_t k, const contact::Block& block) {
     const Nodes& list = placements_[k].find(block.key())->second.columns;
@@ -151,7 +151,7 @@ template <int D> void Assembly<D>::watch_contacts() {
   ++contact_version_;
 }
 
-/// Finds the places of all present blocks; false when the pattern does not hold them.
+/// Determines the positions of all current blocks; returns false if the pattern does not contain them.
 template <int D> bool Assembly<D>::locate() {
   for (std::size_t k = 0; k < contacts_.size(); ++k)
     for (const contact::Block& block : contacts_[k]->blocks()) {
@@ -192,7 +192,7 @@ std::optional<BodyInversion> Assembly<D>::assemble(const States<D>& states, cons
   return std::nullopt;
 }
 
-/// A share of a body, and what adding it up took.
+/// Assembly of a share of a body, and the time for it.
 template <int D> struct Assembly<D>::Task {
   std::size_t body, share;
   solid::ElementArrays<D>* arrays;
@@ -200,8 +200,8 @@ template <int D> struct Assembly<D>::Task {
   std::optional<BodyInversion> inverted = {};
 };
 
-/// Evaluates the contacts and adds up all bodies. Contacts and shares of bodies are tasks side by side; when the
-/// contacts turn out to need a new pattern, the bodies are added up once more.
+/// Evaluates the contacts and assembles all bodies. Contacts and shares of bodies are parallel tasks; if the contacts
+/// then need a new pattern, the bodies are assembled again.
 template <int D> std::optional<BodyInversion> Assembly<D>::add_bulk(const Request& request, Timings& timings) {
   std::vector<Task> tasks;
   for (std::size_t b = 0; b < partitions_.size(); ++b)
@@ -249,7 +249,7 @@ template <int D> std::optional<BodyInversion> Assembly<D>::add_bulk(const Reques
   for (Task& task : tasks)
     if (task.share == 0) add_elements(partitions_[task.body].rest, request, task);
 
-  // What passed on the clock is shared out by what the tasks took.
+  // The elapsed time is divided in proportion to the times of the tasks.
   double bulk = 0, contact = 0;
   for (const Task& task : tasks) bulk += task.seconds;
   for (const ContactTask& task : contact_tasks) contact += task.seconds;
@@ -310,7 +310,7 @@ template <int D> void Assembly<D>::scatter(int b, int e, const solid::ElementArr
         for (std::size_t k = 0; k < n * n; ++k) values[position[k]] += block[k];
 }
 
-/// Adds the element's tangent times `direction` to the product.
+/// Adds the element's tangent times `direction` to product().
 template <int D>
 void Assembly<D>::multiply(int b, int e, const solid::ElementArrays<D>& arrays, const VectorX& direction) {
   const auto functions = scene_.bodies[at(b)].body->functions_of(e);

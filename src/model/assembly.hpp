@@ -1,5 +1,5 @@
 #pragma once
-// Puts the elements' and contacts' contributions into one residual and one tangent of fixed sparse pattern.
+// Assembly of the elements' and contacts' contributions into one residual and one sparse tangent.
 
 #include "model/partition.hpp"
 #include "model/state.hpp"
@@ -11,19 +11,19 @@
 
 namespace signorini::model {
 
-/// Which element of which body turned inside out.
+/// An inverted element of a body.
 struct BodyInversion {
   int body;
   solid::Inversion inversion;
 };
 
-/// Seconds spent, summed over a model's life.
+/// Seconds spent, summed over a model's lifetime.
 struct Timings {
   double bulk = 0, contact = 0, linear = 0;
-  double factorization = 0, solution = 0; ///< what linear consists of, but for a few vectors
+  double factorization = 0, solution = 0; ///< parts of `linear`, without some vector operations
 };
 
-/// A state that is tried out, next to the accepted one that it started from.
+/// A trial state and the accepted state.
 template <int D> struct States {
   State<D>& present;
   const State<D>& accepted;
@@ -34,39 +34,39 @@ template <int D> class Assembly {
 public:
   Assembly(const Scene<D>& scene, const Unknowns<D>& unknowns, const contact::Formulations<D>& contacts);
 
-  /// Force f_int + f_c of all degrees of freedom, into the present state, and tangent of the unknowns there. Contacts
-  /// write into it where their searches ended and what their points did. The full tangent times `direction` (all
-  /// degrees of freedom, may be null) goes to product(): how prescribed displacements enter a linear solve. Returns
-  /// where an element is inverted; the results are then meaningless.
+  /// Assembles the force f_int + f_c of all degrees of freedom, into the present state, and the tangent of the
+  /// unknowns. Contacts write foot points and results into the present state. product() becomes the full tangent times
+  /// `direction` (all degrees of freedom, may be null), by which prescribed displacements enter a linear solve. If an
+  /// element is inverted, returns it, and the results are undefined.
   ///
-  /// Without `tangent` the residual alone is computed, and values() no longer belong to it; there must be no direction.
+  /// Without `tangent` only the force is computed, values() are not updated, and `direction` must be null.
   std::optional<BodyInversion> assemble(const States<D>& states, const VectorX* direction, bool tangent,
                                         Timings& timings);
 
-  /// Moves the contacts' faces to where the bodies and obstacles are at `displacement`.
+  /// Moves the contacts' faces to the positions of bodies and obstacles at `displacement`.
   void move(const VectorX& displacement) const;
-  /// Goes back to the pattern of the bodies alone, and to no contact unknowns: as newly made.
+  /// Resets the pattern to that of the bodies, without contact unknowns, as after construction.
   void forget_contacts();
 
   const VectorX& product() const { return product_; }
-  /// Values of the tangent in the order of pattern(), and others behind them.
+  /// Values of the tangent in the order of pattern(), followed by unused values.
   const std::vector<double>& values() const { return values_; }
   const solve::Pattern& pattern() const { return pattern_; }
-  /// Grows by one whenever the pattern is a new one.
+  /// Incremented whenever the pattern changes.
   int pattern_version() const { return version_; }
-  /// The tangent of bodies that are all linear elastic, to which contacts add; otherwise empty.
+  /// The constant tangent of the bodies if all are linear elastic; otherwise empty.
   const std::vector<double>& constant_values() const { return constant_; }
-  /// The unknowns that contacts have added to or may soon, sorted; they grow in leaps, each with a new version. Kept
-  /// where bodies are linear, and in space.
+  /// The unknowns on which contacts act or may soon act, sorted. The list is extended in large pieces, each with a new
+  /// contact_version(). Maintained for linear bodies and in 3D.
   const std::vector<int>& contact_unknowns() const { return contact_unknowns_; }
   int contact_version() const { return contact_version_; }
   /// 2-norm of the last tangent's diagonal; 0 before the first.
   double diagonal_norm() const { return diagonal_norm_; }
   /// The last tangent's diagonal, by unknown.
   VectorX diagonal() const;
-  /// Adds to it.
+  /// Adds a vector, by unknown, to the tangent's diagonal.
   void add_diagonal(const VectorX& shift);
-  /// Bytes of the tangent, its patterns and the places of the elements' entries in it.
+  /// Bytes of the tangent, its patterns and the positions of the elements' entries.
   double memory() const;
 
 private:
@@ -76,7 +76,7 @@ private:
   void cover(bool contacts);
   bool locate();
   void watch_contacts();
-  /// What an assembly is asked for.
+  /// Arguments of assemble().
   struct Request {
     const States<D>& states;
     const VectorX* direction;
@@ -92,7 +92,7 @@ private:
   void add_contacts(const Request& request);
   void find_diagonal_norm();
 
-  /// Where a contact block's entries go; found once per pattern.
+  /// Positions of a contact block's entries, determined once per pattern.
   struct Placement {
     Nodes rows, columns;        ///< degrees of freedom
     std::vector<int> positions; ///< in values_, row by row
@@ -104,12 +104,12 @@ private:
   solve::Pattern bulk_pattern_, pattern_;
   std::vector<int> bulk_positions_, positions_;          ///< per element and block entry: in bulk_pattern_, in pattern_
   std::vector<std::vector<std::size_t>> first_position_; ///< [body][element]
-  std::vector<std::vector<char>> holds_;                 ///< [body][element]: has degrees of freedom that are held
+  std::vector<std::vector<char>> holds_;                 ///< [body][element]: has supported degrees of freedom
   std::vector<std::unordered_map<std::uint64_t, Placement>> placements_; ///< per contact, by Block::key()
   std::vector<Partition> partitions_;                                    ///< per body
   std::vector<solid::ElementArrays<D>> arrays_;                          ///< per body and share of its partition
   std::vector<int> diagonal_;
-  std::vector<double> values_;   ///< one more than entries: what belongs to prescribed degrees of freedom lands there
+  std::vector<double> values_;   ///< after the entries one per share, for those of prescribed degrees of freedom
   std::vector<double> constant_; ///< bulk values of linear bodies, in the order of pattern_
   bool linear_ = true;
   std::vector<int> contact_unknowns_;

@@ -23,7 +23,7 @@ template <int D> void write_state(ArchiveWriter& to, const Snapshot<D>& kept) {
     if (!values.empty()) to.put(values);
 }
 
-/// Into a snapshot of a model of the same scene.
+/// Reads the state into a snapshot of a model of the same scene.
 template <int D> void read_state(ArchiveReader& from, Snapshot<D>& kept) {
   auto& [displacement, targets, force, factor, contacts, internal] = kept.state;
   auto& [increment, previous, bend, force_scale, work] = kept.way;
@@ -49,7 +49,7 @@ template <int D> void take_state(Model<D>& model, std::string_view bytes) {
   settle(model);
 }
 
-/// A file taken apart.
+/// Parts of a file.
 struct Content {
   std::string bytes;
   int dimension;
@@ -72,7 +72,7 @@ template <int D> std::shared_ptr<Model<D>> load_model(const Content& content) {
   return model;
 }
 
-/// The names of parts that the two do not have alike.
+/// Names of the parts that differ.
 std::vector<std::string> differences(const Parts& here, const Parts& there) {
   const auto twin = [](const Parts& parts, const ScenePart& part) {
     return std::find_if(parts.begin(), parts.end(), [&](const ScenePart& other) { return other.name == part.name; });
@@ -122,7 +122,7 @@ template <int D> void restore(Model<D>& model, const std::string& file) {
   const auto differ = differences(scene_parts(model), ArchiveReader(content.scene).get<Parts>());
   require(differ.empty(), "model.checkpoint.scene", {{"file", file}, {"differences", differ}});
   take_state(model, content.state);
-  remove_leftovers(file); // what is taken up may have ended in the middle of writing
+  remove_leftovers(file); // of a run that was interrupted while writing
 }
 
 template void save(Model<2>&, const std::string&, const std::string&, bool);

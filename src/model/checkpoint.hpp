@@ -1,5 +1,5 @@
 #pragma once
-// Checkpoints: files that hold a model, its scene and its accepted state, from which it goes on with the same bits.
+// Checkpoints: files with a model's scene and accepted state, from which it continues with bitwise equal results.
 
 #include "model/model.hpp"
 
@@ -9,22 +9,22 @@
 
 namespace signorini::model {
 
-/// Writes the scene and the accepted state, with a text for the caller's own use; the file is whole or the old one;
-/// `durable`: on the disk on return, so that it outlives the machine's power, not only the process. The model is
-/// settled first (Model::settle): from here on it and one that is loaded from the file give the same bits on one kind
-/// of processor. Call it when no step is pending. Throws Error when the file cannot be written.
+/// Writes the scene, the accepted state and a text of the caller atomically; `durable`: the data are on disk on return,
+/// so that the file survives a power failure, too. The model is settled first (settle() in model.hpp), so that it and
+/// a model loaded from the file give bitwise equal results on the same kind of processor. No step may be pending.
+/// Throws Error if the file cannot be written.
 template <int D> void save(Model<D>& model, const std::string& file, const std::string& text = {}, bool durable = true);
 
-/// A model's scene and a state of it, as bytes to compare.
+/// A model's scene and a state of it as bytes, for comparison.
 template <int D> std::string content(const Model<D>& model, const Snapshot<D>& state);
 
 using AnyModel = std::variant<std::shared_ptr<Model<2>>, std::shared_ptr<Model<3>>>;
-/// The model of a file, made anew. Throws Error when the file is missing, foreign, of another format, or damaged.
+/// Makes the model of a file. Throws Error if the file is missing, not a checkpoint, of another format, or damaged.
 AnyModel load(const std::string& file);
-/// The text of a file. Throws as load() does.
+/// The text of a file. Throws like load().
 std::string load_text(const std::string& file);
-/// Brings a model to the state of a file. Throws Error as load() does, and when the file is of another scene: it says
-/// what differs. The model is then as it was.
+/// Restores a model to the state of a file. Throws Error like load(), and if the file's scene differs, with the names
+/// of the parts that differ; the model is then unchanged.
 template <int D> void restore(Model<D>& model, const std::string& file);
 
 } // namespace signorini::model

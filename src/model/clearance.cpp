@@ -17,10 +17,11 @@ double size_of(const MatrixX& points) {
   return (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
 }
 
-/// Pieces of an element's border per direction: a chord's sagitta is below 1 % of an arc of 90°.
+/// Pieces of an element's border per direction. On an arc of 90° the sagitta of a chord is 0.5 % (2D) or 2 % (3D) of
+/// the radius.
 template <int D> constexpr int pieces = D == 2 ? 8 : 4;
 
-/// The angle at which a line of points is seen from the origin, positive counter-clockwise.
+/// Angle subtended at the origin by a line of points, positive counter-clockwise.
 double angle_of(const std::vector<Vec<2>>& line) {
   double angle = 0;
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
@@ -30,13 +31,13 @@ double angle_of(const std::vector<Vec<2>>& line) {
   return angle;
 }
 
-/// Solid angle of a triangle seen from the origin (A. van Oosterom and J. Strackee, IEEE Trans. Biomed. Eng. 30, 1983).
+/// Solid angle of a triangle at the origin (A. van Oosterom and J. Strackee, IEEE Trans. Biomed. Eng. 30, 1983).
 double solid_angle(const Vec<3>& a, const Vec<3>& b, const Vec<3>& c) {
   const double la = a.norm(), lb = b.norm(), lc = c.norm();
   return 2 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
 }
 
-/// The same of a grid of points, as triangles.
+/// The same for a grid of points, divided into triangles.
 double angle_of(const std::vector<Vec<3>>& grid) {
   constexpr std::size_t columns = pieces<3> + 1;
   double angle = 0;
@@ -48,7 +49,7 @@ double angle_of(const std::vector<Vec<3>>& grid) {
   return angle;
 }
 
-/// Whether x lies inside a body: its boundary winds around x, or fills the full solid angle around it.
+/// Whether x lies inside a body, by the winding number (2D) or solid angle (3D) of its boundary about x.
 template <int D> bool inside(const nurbs::Discretization& space, const Vec<D>& x) {
   const MatrixX points = space.points();
   double angle = 0;
@@ -56,7 +57,7 @@ template <int D> bool inside(const nurbs::Discretization& space, const Vec<D>& x
     for (int across = 0; across < D; ++across)
       for (const bool at_end : {false, true}) {
         if (!space.touches(e, {across, at_end})) continue;
-        std::vector<Vec<D>> seen; // from x
+        std::vector<Vec<D>> seen; // relative to x
         for (int j = 0; j <= (D == 2 ? 0 : pieces<D>); ++j)
           for (int i = 0; i <= pieces<D>; ++i) {
             Vec<D> fractions;
@@ -70,7 +71,7 @@ template <int D> bool inside(const nurbs::Discretization& space, const Vec<D>& x
   return std::abs(angle) > 1; // 2π or 4π inside, 0 outside
 }
 
-/// In percent, with one digit behind the point.
+/// In percent, rounded to one decimal.
 double percent(double part) {
   return std::round(1000 * part) / 10;
 }
@@ -83,7 +84,7 @@ Message check_overlap(const Scene<D>& scene, const Contact<D>& contact, const Fa
   const double part = depth / std::min(thickness(scene, contact.slave), behind);
   if (part <= meant_overlap) return {};
   const Message slave_face = face_message(scene, contact.slave), master_face = face_message(scene, master);
-  // Behind the whole of the master's body: its back is what the slave sees.
+  // If the slave lies behind the master's body, the opposite face was probably meant.
   const std::string other = nurbs::name_of({master.side.direction, !master.side.at_end});
   require(part <= mistaken_overlap, "model.clearance.overlap",
           {{"contact", contact.name},
@@ -121,13 +122,13 @@ std::vector<Message> check_clearance(const Scene<D>& scene, const std::vector<co
       continue;
     }
     const contact::Obstacle<D>& obstacle = scene.obstacles[at(std::get<ObstacleReference>(contact.master).obstacle)];
-    // A thin body lies behind an obstacle before it is 1 % of its length deep.
+    // For thin bodies 1 % of the size exceeds the thickness.
     const double size = size_of(named.body->space().points());
     require(deepest.gap > -obstacle_overlap * size &&
                 (deepest.gap >= 0 || deepest.gap > -mistaken_overlap * thickness(scene, contact.slave)),
             std::holds_alternative<nurbs::Patch>(obstacle) ? "model.clearance.inside_patch" : "model.clearance.inside",
             {{"contact", contact.name}, {"body", named.name}, {"depth", -deepest.gap}, {"at", deepest.position}});
-    // The face of a body that only touches a plane turned round has no gap that tells; the body's middle does.
+    // A body that touches a plane of wrong orientation has zero gaps, but its middle lies behind the plane.
     if (const auto* plane = std::get_if<contact::Plane<D>>(&obstacle)) {
       const Vec<D> middle = named.body->reference_point(named.body->elements() / 2, 0);
       require(plane->normal.dot(middle - plane->point) > 0, "model.clearance.middle",

@@ -29,7 +29,7 @@ FacePressure<D>::FacePressure(const Model<D>& model, int contact)
 template <int D> double FacePressure<D>::at_place(int e, const contact::FaceCoordinates<D>& fraction) const {
   double sum = 0;
   std::array<int, D - 1> first;
-  std::array<double, D - 1> weight; // of the point behind the first
+  std::array<double, D - 1> weight; // of the point after the first
   for (std::size_t d = 0; d < D - 1; ++d) {
     const double place = fraction(static_cast<int>(d));
     int i = 0;
@@ -58,7 +58,7 @@ double end_of(const nurbs::Discretization& space, nurbs::Side side) {
   return side.at_end ? space.interval(space.elements() - 1, side.direction)[1] : space.interval(0, side.direction)[0];
 }
 
-/// Says on which faces of a body the pressure is known.
+/// Throws the Error that lists the faces of a body with a contact pressure.
 template <int D> [[noreturn]] void refuse(const Model<D>& model, int body) {
   std::vector<Message> places;
   for (const auto& contact : model.system.scene.contacts) {
@@ -76,7 +76,7 @@ template <int D> [[noreturn]] void refuse(const Model<D>& model, int body) {
 
 template <int D> double sample_contact_pressure(const Model<D>& model, int body, const VectorX& xi) {
   const nurbs::Discretization& space = model.system.scene.bodies[at(body)].body->space();
-  space.find_element(xi); // refuses what lies outside
+  space.find_element(xi); // throws Error outside
   double sum = 0;
   bool found = false;
   for (std::size_t c = 0; c < model.system.scene.contacts.size(); ++c) {

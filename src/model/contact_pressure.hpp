@@ -1,32 +1,32 @@
 #pragma once
-// The pressure of a contact between its contact points, for pictures and samples.
+// Interpolated contact pressure, for pictures and samples.
 
 #include "model/model.hpp"
 
 namespace signorini::model {
 
-/// The pressures at the contact points of each slave element, one column per element; 0 at those that a region leaves
-/// out.
+/// The pressures at the contact points, one column per slave element; 0 at points outside the region.
 template <int D> MatrixX contact_point_pressures(const Model<D>& model, int contact);
 
-/// The pressures at the contact points of a slave face: between an element's points linear in each direction, beyond
-/// the outer ones constant; 0 where the contact does not act.
+/// Contact pressure on a slave face: linear in each direction between the contact points of an element, constant beyond
+/// the outer ones, 0 at points outside the region.
 template <int D> class FacePressure {
 public:
   FacePressure(const Model<D>& model, int contact);
 
   const nurbs::Side& side() const { return side_; }
-  /// In element e of the face, ξ¹ running fastest; fractions of its way in the face's directions.
+  /// At fractions of the parametric intervals of the face's element e (ξ¹ fastest).
   double at_place(int e, const contact::FaceCoordinates<D>& fraction) const;
 
 private:
   nurbs::Side side_;
   int points_;                 ///< per element and direction
-  std::vector<double> places_; ///< of these in a direction, as fractions of the element
+  std::vector<double> places_; ///< of the points in one direction, as fractions of the element
   MatrixX values_;             ///< contact_point_pressures()
 };
 
-/// The sum of the contacts in which faces of the body that xi lies on are slaves. Throws Error when there is none.
+/// Contact pressure at a parametric point, summed over the contacts whose slave face contains it. Throws Error if there
+/// is none or xi lies outside the body.
 template <int D> double sample_contact_pressure(const Model<D>& model, int body, const VectorX& xi);
 
 } // namespace signorini::model

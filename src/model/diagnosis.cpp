@@ -36,7 +36,7 @@ template <int D> TroubleSpot control_point(const Model<D>& model, int body, int 
           {}};
 }
 
-/// Control points in the order of their share of a vector of unknowns, largest first, with that share.
+/// The three control points with the largest shares of a vector of unknowns, and these shares.
 template <int D, class What> std::vector<TroubleSpot> largest(const Model<D>& model, const VectorX& values, What what) {
   struct Share {
     int body, function;
@@ -72,7 +72,7 @@ template <int D> TroubleSpot contact_point(const Model<D>& model, const PointInd
           std::move(what)};
 }
 
-/// Names points of contacts, each with a message about it.
+/// Adds contact points, each with a message.
 template <int D, class What>
 void add_points(Diagnosis& diagnosis, const Model<D>& model, const std::vector<PointIndex>& points, What what) {
   for (std::size_t k = 0; k < std::min(points.size(), most_places); ++k)
@@ -84,7 +84,7 @@ void add_points(Diagnosis& diagnosis, const Model<D>& model, const std::vector<P
       {{"count", points.size()}, {"contact", first.where}, {"element", first.index}, {"place", first.reference}}));
 }
 
-/// The contact points that press and are not on the master, the farthest first.
+/// The contact points that are not open, those with the largest |gap| first.
 template <int D> std::vector<PointIndex> farthest(const Model<D>& model) {
   const auto& contacts = model.present.contacts;
   const auto result = [&](const PointIndex& p) { return contacts[at(p.contact)].results[at(p.point)]; };
@@ -98,7 +98,7 @@ template <int D> std::vector<PointIndex> farthest(const Model<D>& model) {
   return points;
 }
 
-/// The element that is inverted: its Gauss point.
+/// The inverted Gauss point of an element.
 template <int D> TroubleSpot inverted_element(const Model<D>& model) {
   const auto& [body, inversion] = *model.inversion;
   const auto& named = model.system.scene.bodies[at(body)];
@@ -120,7 +120,7 @@ template <int D> TroubleSpot inverted_element(const Model<D>& model) {
           Message("model.spot.jacobian", {{"jacobian", inversion.jacobian}})};
 }
 
-/// How a body's control points move, a column for each, in a direction of all degrees of freedom.
+/// Displacements of a body's control points, one column each, in a direction of all degrees of freedom.
 template <int D>
 Eigen::Map<const Eigen::Matrix<double, D, Eigen::Dynamic>> moves_of(const Model<D>& model, std::size_t body,
                                                                     const VectorX& all) {
@@ -128,7 +128,7 @@ Eigen::Map<const Eigen::Matrix<double, D, Eigen::Dynamic>> moves_of(const Model<
           model.system.scene.bodies[body].body->functions()};
 }
 
-/// Whether a direction moves a body as a whole, and how; nothing when it deforms it.
+/// Message about the body that a direction moves as a rigid body; empty if there is none.
 template <int D> Message rigid_part(const Model<D>& model, const VectorX& direction) {
   const VectorX all = model.system.unknowns.spread(direction);
   for (std::size_t b = 0; b < model.system.scene.bodies.size(); ++b) {
@@ -138,7 +138,7 @@ template <int D> Message rigid_part(const Model<D>& model, const VectorX& direct
     if (own.norm() < own_part * all.norm()) continue;
     if ((own.colwise() - mean).norm() <= deformed_part * own.norm())
       return Message("model.diagnosis.moves", {{"body", named.name}, {"direction", Vec<D>(mean / mean.norm())}});
-    // what u = Σ_m a_m m leaves over the rigid motions m, in the sense of least squares
+    // least-squares residual of u = Σ_m a_m m with the rigid-body modes m
     const std::vector<VectorX> motions = rigid_motions<D>(named.body->space().points(), model.system.scene.kind);
     MatrixX columns(own.size(), static_cast<Eigen::Index>(motions.size()));
     for (std::size_t m = 0; m < motions.size(); ++m) columns.col(static_cast<Eigen::Index>(m)) = motions[m];
@@ -162,7 +162,7 @@ template <int D> void add_direction(Diagnosis& diagnosis, const Model<D>& model,
   diagnosis.messages.push_back(std::move(rigid));
 }
 
-/// Whether a displacement d slides along a contact of a body that has no friction: all points that touch let it pass.
+/// Whether a displacement d of a body is tangential at all touching points of a frictionless contact.
 template <int D> bool slides(const Model<D>& model, std::size_t contact, std::size_t body, const Vec<D>& d) {
   const Contact<D>& named = model.system.scene.contacts[contact];
   const auto* face = std::get_if<FaceReference>(&named.master);
@@ -178,7 +178,7 @@ template <int D> bool slides(const Model<D>& model, std::size_t contact, std::si
   return touches;
 }
 
-/// What to do about a body that slides on contact without friction; nothing where none does.
+/// Remedy for a body that slides in frictionless contact; empty if there is none.
 template <int D> std::vector<Message> cure_of_sliding(const Model<D>& model, const VectorX& direction) {
   const VectorX all = model.system.unknowns.spread(direction);
   for (std::size_t b = 0; b < model.system.scene.bodies.size(); ++b) {
@@ -194,8 +194,7 @@ template <int D> std::vector<Message> cure_of_sliding(const Model<D>& model, con
   return {};
 }
 
-/// One thing that may help, by its code. `control`: the one that it turns on, if any; the code in place of that where
-/// it is on.
+/// A remedy by its message code. `control`: the control that it turns on, if any; `when_on`: the code if that is on.
 struct Advice {
   const char *control, *code, *when_on = nullptr;
 };
@@ -230,7 +229,7 @@ std::vector<Advice> cures(Outcome outcome) {
   }
 }
 
-/// Nothing has led up to a limit of stability, and an arc has no direction, before a step was accepted.
+/// Before the first accepted step there is no path to a limit point, and arc length has no direction.
 std::vector<Advice> first_step_cures() {
   return {{"", "model.cure.first_step"},
           smaller_steps,
@@ -245,7 +244,7 @@ std::vector<Message> offered(const std::vector<Advice>& list, const ControlsOn& 
   return cures;
 }
 
-/// Adds what a penalty far above the bodies' stiffness has to do with a failure.
+/// Adds reason and remedy if a penalty parameter is far above the bodies' stiffness.
 template <int D> void add_stiffness(Diagnosis& diagnosis, const Model<D>& model) {
   const Scene<D>& scene = model.system.scene;
   PenaltyRatio worst{0, 0, ""};
@@ -277,8 +276,8 @@ template <int D> Diagnosis diagnose(const Model<D>& model, const solve::NewtonRe
   const auto states = [&](const PointIndex& point) {
     return Message("model.spot.states", {{"states", set.alternating(point)}});
   };
-  if (report.outcome == Outcome::cycling) add_points(diagnosis, model, set.restless(), states);
-  if (report.outcome == Outcome::lost_projection) add_points(diagnosis, model, set.strays(), states);
+  if (report.outcome == Outcome::cycling) add_points(diagnosis, model, set.cycling_points(), states);
+  if (report.outcome == Outcome::lost_projection) add_points(diagnosis, model, set.cycling_past_end(), states);
   if (report.outcome == Outcome::penetration)
     add_points(diagnosis, model, farthest(model), [&](const PointIndex& point) {
       return Message("model.spot.gap",

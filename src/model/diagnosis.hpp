@@ -1,5 +1,5 @@
 #pragma once
-// Why a step failed: where in the model, and what may help.
+// Diagnosis of failed steps: reason, places in the model, and remedies.
 
 #include "model/model.hpp"
 
@@ -7,32 +7,31 @@
 
 namespace signorini::model {
 
-/// A place that has to do with a failure.
+/// A place related to a failure.
 struct TroubleSpot {
   std::string kind;  ///< "element", "contact point", "control point"
   std::string where; ///< name of the body, or of the contact
   int index;         ///< of the element (of the slave face for a contact point), of the control point; from 0
-  VectorX reference; ///< X, of a control point its own position
+  VectorX reference; ///< X; for a control point its position
   VectorX current;   ///< x in the accepted state
-  double value;      ///< J, gap, unbalanced force, part of the direction
-  Message what;      ///< J, the gap, the states between which a contact point alternates
+  double value;      ///< J, gap, unbalanced force, or component of the direction
+  Message what;      ///< J, gap, or the states between which a contact point alternates
 };
 
 struct Diagnosis {
-  solve::Outcome outcome;              ///< the report's, or `indefinite` where that is found to be behind it
-  std::vector<Message> messages;       ///< what happened
-  std::vector<Message> cures;          ///< what may help
-  std::vector<TroubleSpot> places;     ///< the worst first
+  solve::Outcome outcome;              ///< the report's, or `indefinite` if that is the cause
+  std::vector<Message> messages;       ///< reasons
+  std::vector<Message> cures;          ///< remedies
+  std::vector<TroubleSpot> places;     ///< worst first
   std::vector<TroubleSpot> unbalanced; ///< control points with the largest unbalanced forces
 };
 
-/// Controls that the caller has turned on already: "step", "line_search", "damping", "active_set_changes",
-/// "arc_length", "penalty", "pseudo_transient".
+/// Controls that are already on: "step", "line_search", "damping", "active_set_changes", "arc_length", "penalty",
+/// "pseudo_transient".
 using ControlsOn = std::set<std::string>;
 
-/// Looks at the state in which a step failed: call it before the roll-back. Costs a few factorizations where the
-/// tangent is looked into (its null vector, its directions of negative stiffness), else next to nothing. The cure does
-/// not name what is on.
+/// Diagnoses the state in which a step failed; to be called before the roll-back. Costs a few factorizations if the
+/// tangent is analyzed (null vector, directions of negative stiffness). Remedies do not include controls that are on.
 template <int D>
 Diagnosis diagnose(const Model<D>& model, const solve::NewtonReport& report, const ControlsOn& on = {});
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double radians_per_degree = std::numbers::pi / 180;
 
-/// Components of a support that a path moves.
+/// Components of a support that a path controls.
 template <int D> std::vector<std::string> moved_components(const Support<D>& support) {
   std::vector<std::string> names;
   for (int c = 0; c < D; ++c)
@@ -31,7 +31,7 @@ template <int D> std::vector<std::string> load_components(const Load& load) {
   return names;
 }
 
-/// R(θ) r, or its derivative by θ, as R′ = R(θ + 90°) across the axis.
+/// R(θ) r, or its derivative with respect to θ, by R′ = R(θ + 90°) normal to the axis.
 template <int D> Vec<D> turned(double degrees, const Vec<D>& axis, const Vec<D>& arm, bool derivative) {
   const double angle = degrees * radians_per_degree, c = std::cos(angle), s = std::sin(angle);
   if constexpr (D == 2) {
@@ -92,7 +92,7 @@ template <int D> int Drives<D>::target(int drive, int component) const {
   return found.first + component;
 }
 
-/// Enters the degrees of freedom that a support moves.
+/// Adds the degrees of freedom that a support moves.
 template <int D> void Drives<D>::follow(int s, const Drive& drive) {
   const Support<D>& support = scene_.supports[at(s)];
   for (int c = 0, next = drive.first; c < D; ++c) {

@@ -1,11 +1,13 @@
 #pragma once
-// What a path moves: displacements and angles of supports, sizes of loads; and what that prescribes to a body.
+// Quantities that a path controls: displacements and angles of supports, magnitudes of loads; and the displacements and
+// forces that they prescribe.
 
 #include "model/unknowns.hpp"
 
 namespace signorini::model {
 
-/// A support that drives or turns, or a load: a name and its components, such as {"x", "y"}, {"angle"}, {"pressure"}.
+/// A support with driven components or rotation, or a load: its name and components, such as {"x", "y"}, {"angle"},
+/// {"pressure"}.
 struct Drive {
   std::string name;
   int support; ///< index into Scene::supports; −1 for a load
@@ -17,25 +19,25 @@ struct Drive {
 /// The scene's targets are one vector, drive after drive, component after component: lengths, degrees, forces per area.
 template <int D> class Drives {
 public:
-  /// Throws Error for a load on a face that carries no tensor product.
+  /// Throws Error for a load on a face that is not a tensor-product face.
   Drives(const Scene<D>& scene, const Unknowns<D>& unknowns);
 
   /// Supports before loads.
   const std::vector<Drive>& all() const { return all_; }
-  /// Index of a drive's component in the targets. Throws Error when there is no such drive or component.
+  /// Index of a drive's component in the targets. Throws Error if there is no such drive or component.
   int target(int drive, int component) const;
-  /// Targets before any path: no displacement, loads as declared.
+  /// Initial targets: zero displacements and the loads' start values.
   const VectorX& start() const { return start_; }
 
-  /// Displacement of the held degrees of freedom at given targets, as far as it is prescribed; 0 elsewhere.
+  /// Prescribed displacement at given targets, by degree of freedom; 0 where none is prescribed.
   VectorX displacement(const VectorX& targets) const;
   /// Its derivative along a direction of the targets.
   VectorX rate(const VectorX& targets, const VectorX& direction) const;
   /// External force on all degrees of freedom; linear in the targets.
   VectorX force(const VectorX& targets) const;
 
-  /// Moment about the center (in space: the axis) of a support that rotates, conjugate to its angle in radians: Σ (R(θ)
-  /// r_A) × f_A.
+  /// Moment Σ (R(θ) r_A) × f_A of a rotating support about its center (3D: its axis), conjugate to its angle in
+  /// radians.
   double moment(int support, const VectorX& targets, const VectorX& force) const;
   /// Resultant of a load at given targets, D components.
   Vec<D> resultant(int load, const VectorX& targets) const;
@@ -45,7 +47,7 @@ private:
   struct Follower {
     int dof, component;
     int target; ///< of the translation; −1: none
-    int angle;  ///< target of the angle in degrees; −1: does not turn
+    int angle;  ///< target of the angle in degrees; −1: no rotation
     Vec<D> arm; ///< r = X − X_c
     Vec<D> axis;
   };

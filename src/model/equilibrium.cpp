@@ -32,7 +32,7 @@ template <int D> void take_residual(Model<D>& model) {
 
 namespace {
 
-/// Adds to the tangent what keeps loose bodies from flying off.
+/// Adds the damping of unconstrained bodies to the tangent.
 template <int D> void damp(Model<D>& model) {
   System<D>& system = model.system;
   if (system.loose().empty()) return;
@@ -78,9 +78,9 @@ template <int D> double largest_position(const Model<D>& model) {
   return model.system.size + displacement.template lpNorm<Eigen::Infinity>();
 }
 
-/// ε |K| (|X| + |u|), in space four times as much, where a row adds up some ten times as many products. Rows err
-/// independently of each other: |K| is the 2-norm of the diagonal. Gaps are differences of positions, wrong by
-/// ε (|X| + |u|) each, and contact multiplies them by its own stiffness.
+/// ε |K| (|X| + |u|), in 3D four times as much, because a row sums about ten times as many products. Errors of rows are
+/// independent, hence |K| is the 2-norm of the diagonal. Gaps are differences of positions with errors of ε (|X| +
+/// |u|), which contact multiplies by its stiffness.
 template <int D> double rounding_floor(const Model<D>& model) {
   const System<D>& system = model.system;
   const State<D>& state = model.present;

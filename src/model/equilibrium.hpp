@@ -1,39 +1,40 @@
 #pragma once
-// What all steppers share: the residual and tangent of the present state, Newton's linear systems, and what counts as
+// Common part of all steppers: residual and tangent of the present state, Newton's linear systems, and the measure of
 // equilibrium.
 
 #include "model/model.hpp"
 
 namespace signorini::model {
 
-/// Residual, and on request tangent, at the present state; the full tangent times `direction` (all degrees of freedom,
-/// may be null) goes to Assembly::product(). Returns converged, or why there are none.
+/// Evaluates the residual, and on request the tangent, of the present state; Assembly::product() becomes the full
+/// tangent times `direction` (all degrees of freedom, may be null). Returns `converged`, or on failure the outcome and
+/// its reason `why`.
 template <int D> solve::Outcome evaluate(Model<D>& model, const VectorX* direction, bool tangent, Message& why);
-/// The residual that belongs to the present state's force.
+/// Computes the residual from the present state's force.
 template <int D> void take_residual(Model<D>& model);
 
-/// Factors the tangent, damped where the options say so; false when it is singular.
+/// Factors the tangent, with damping if options.damping; returns false if it is singular.
 template <int D> bool factor(Model<D>& model, const StepOptions& options);
-/// Overwrites b by K⁻¹ b; call it after factor().
+/// Overwrites b by K⁻¹ b; requires factor(). Returns false if the tangent is singular.
 template <int D> bool solve_for(Model<D>& model, VectorX& b);
 
-/// What Newton's loop needs, around a way to assemble and one to advance.
+/// The interface that Newton's loop needs, with given functions `assemble` and `advance`.
 template <int D>
 solve::NewtonSystem newton_system(Model<D>& model, std::function<solve::Outcome(bool, Message&)> assemble,
                                   std::function<bool(double&)> advance);
 
-/// Size of the forces of the run so far: of supports and loads, in the accepted states and now.
+/// Largest norm of the forces of supports and loads, over the accepted states and the present one.
 template <int D> double force_norm(const Model<D>& model);
-/// |X| + |u|: what rounding errors of positions are measured against.
+/// |X| + |u|, the scale of rounding errors of positions.
 template <int D> double largest_position(const Model<D>& model);
-/// What rounding error leaves of the residual.
+/// Estimated rounding error of the residual.
 template <int D> double rounding_floor(const Model<D>& model);
 
-/// Starts a step with the active set's rules. With damping, lets the points of contacts that hold a loose body, and do
-/// not touch yet, stick where they land; returns whether there are any.
+/// Starts the active set of a step. With damping, sets Controls::landing of open contacts of unconstrained bodies;
+/// returns whether there are any.
 template <int D> bool begin_contacts(Model<D>& model, const ActiveSetOptions& options, bool damping);
 
-/// Compares the residual after move_by() with the default tolerance: the step has converged, or throws Error.
+/// Marks a step of move_by() as converged if the residual is below the default tolerance, otherwise throws Error.
 template <int D> void judge_lead(Model<D>& model);
 
 } // namespace signorini::model

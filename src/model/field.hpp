@@ -1,5 +1,5 @@
 #pragma once
-// The fields that can be sampled in a deformed body, by name.
+// Scalar fields of a deformed body, by name.
 
 #include "solid/material.hpp"
 
@@ -15,7 +15,7 @@ template <int D> struct FieldPoint {
   double hoop = 1;    ///< F₃₃ of a plane body: the hoop stretch when it is axisymmetric, 1 in plane strain
 };
 
-/// A scalar field: what users call it, how a color bar calls it, how it is computed.
+/// A scalar field: name for scripts, label for color bars, and function.
 template <int D> struct Field {
   std::string name, label;
   double (*value)(const solid::Material& material, const FieldPoint<D>& point);
@@ -27,7 +27,7 @@ template <int D> struct Field {
 /// F33 the hoop stretch.
 template <int D> const std::vector<Field<D>>& fields();
 
-/// Throws Error that lists the known names.
+/// The field of a name. Throws Error with the known names if there is none.
 template <int D> const Field<D>& find_field(const std::string& name);
 
 } // namespace signorini::model

@@ -1,23 +1,23 @@
 #pragma once
-// Which linear solver suits a scene, where the user leaves the choice open.
+// Automatic choice of the linear solver for a scene.
 
 #include "model/system.hpp"
 #include "solve/linear.hpp"
 
 namespace signorini::model {
 
-/// What the choice of a linear solver asks of a scene.
+/// Properties of a scene that decide the choice.
 struct LinearFacts {
-  bool constant_bulk; ///< bodies that are all linear elastic, and a contact: only the contacts' part changes
+  bool constant_bulk; ///< all bodies are linear elastic and there is contact: only the contacts' part changes
   bool potential;     ///< the tangent is symmetric: all contacts have a potential
 };
 
 template <int D> LinearFacts linear_facts(const System<D>& system);
 
-/// Whether the bodies' part of the tangent is factored once: not where loose bodies are damped, which changes it.
+/// Whether the bodies' part of the tangent is constant; damping of unconstrained bodies changes it.
 bool can_condense(const LinearFacts& facts, bool damps);
 
-/// What a path begins with; `automatic` stands for solve::make_automatic.
+/// The first solver of a path; `automatic` means solve::make_automatic.
 solve::LinearKind first_choice(const LinearFacts& facts, bool damps);
 
 } // namespace signorini::model

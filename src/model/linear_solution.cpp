@@ -7,7 +7,7 @@ namespace signorini::model {
 
 namespace {
 
-/// What two solvers have done in turn; size and cost are those of the later one.
+/// Sums of the statistics of two successive solvers; size and cost are those of the later one.
 solve::SolverStatistics sum(const solve::SolverStatistics& before, const solve::SolverStatistics& now) {
   solve::SolverStatistics result = now;
   result.factorizations += before.factorizations;
@@ -22,10 +22,10 @@ solve::LinearSolver& LinearSolution::solver(const Tangent& tangent, const Linear
   const bool open = request.kind == solve::LinearKind::automatic;
   const bool condense = (open || request.kind == solve::LinearKind::condensed) && can_condense(facts_, request.damps);
   require(condense || request.kind != solve::LinearKind::condensed, "model.linear.condensed");
-  // A solver that keeps the bodies' factors knows nothing of damping.
+  // A solver with constant factors of the bodies cannot take damping into account.
   const bool same = solver_ && asked_ == request.kind && condense == (solver_->kind() == solve::LinearKind::condensed);
   const bool same_contacts = contact_version_ == tangent.contact_version;
-  // A growing pattern need not make an end of what a solver has.
+  // A solver may survive a growing pattern.
   const bool fits =
       same && (pattern_version_ == tangent.pattern_version || (!condense && solver_->adopt(tangent.pattern)));
   if (!fits || (condense && !same_contacts)) {

@@ -112,7 +112,7 @@ template <int D> solve::Outcome assemble_step(Model<D>& model, bool tangent, Mes
   const bool repeats = step.pseudo_time.damping() == 0;
   if (const int period = repeats ? set.period() : 0; period > 0) {
     why = Message("model.step.cycling", {{"period", period}});
-    return set.strays().empty() ? solve::Outcome::cycling : solve::Outcome::lost_projection;
+    return set.cycling_past_end().empty() ? solve::Outcome::cycling : solve::Outcome::lost_projection;
   }
   return outcome;
 }
@@ -159,8 +159,8 @@ template <int D> solve::Outcome conclude(Model<D>& model, const AugmentationOpti
 template <int D> void classify(const ActiveSet<D>& set, solve::NewtonReport& report) {
   const bool stalls =
       report.outcome == solve::Outcome::iteration_limit || report.outcome == solve::Outcome::line_search;
-  if (!stalls || set.restless().empty()) return;
-  report.outcome = set.strays().empty() ? solve::Outcome::cycling : solve::Outcome::lost_projection;
+  if (!stalls || set.cycling_points().empty()) return;
+  report.outcome = set.cycling_past_end().empty() ? solve::Outcome::cycling : solve::Outcome::lost_projection;
   report.messages.emplace_back("model.step.changing");
 }
 

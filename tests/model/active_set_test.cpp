@@ -192,20 +192,20 @@ TEST(ActiveSet, RestlessPointsAreThoseThatChangedMostFirst) {
     set.note(strip.present, 1, strip.controls);
   };
   go(1), go(1.5);
-  EXPECT_TRUE(set.restless().empty()); // once is no unrest
+  EXPECT_TRUE(set.cycling_points().empty()); // once is no unrest
   go(1), go(1.5), go(2), go(1.5), go(1);
   // Element 3 (x from 1 to 1.5) changed four times, element 4 twice.
-  const std::vector<PointIndex> restless = set.restless();
+  const std::vector<PointIndex> restless = set.cycling_points();
   ASSERT_EQ(restless.size(), 6u);
   for (int i = 0; i < 6; ++i) {
     EXPECT_EQ(restless[static_cast<std::size_t>(i)].contact, 0);
     EXPECT_EQ(restless[static_cast<std::size_t>(i)].point, 6 + i);
     EXPECT_EQ(strip.contacts[0]->points().list[static_cast<std::size_t>(6 + i)].element, i < 3 ? 2 : 3);
   }
-  EXPECT_TRUE(set.strays().empty());
+  EXPECT_TRUE(set.cycling_past_end().empty());
   // What is long ago is forgotten.
   for (int k = 0; k < 8; ++k) go(1);
-  EXPECT_TRUE(set.restless().empty());
+  EXPECT_TRUE(set.cycling_points().empty());
 }
 
 TEST(ActiveSet, NamesAllStatesThatAlternateInACycle) {
@@ -248,10 +248,10 @@ TEST(ActiveSet, StraysComeAndGoBeyondTheMastersEnd) {
   }
   // At the right end 2.3 … 2.8 comes and goes; at the left one 0 … 0.2.
   std::vector<int> points;
-  for (const PointIndex& index : set.strays()) points.push_back(index.point);
+  for (const PointIndex& index : set.cycling_past_end()) points.push_back(index.point);
   std::sort(points.begin(), points.end());
   EXPECT_EQ(points, (std::vector<int>{0, 14, 15, 16}));
-  EXPECT_EQ(set.restless().size(), 4u);
+  EXPECT_EQ(set.cycling_points().size(), 4u);
 }
 
 TEST(ActiveSet, AdhesionNeverCounts) {
@@ -268,7 +268,7 @@ TEST(ActiveSet, AdhesionNeverCounts) {
   }
   EXPECT_GT(adhesive, 0);
   EXPECT_LT(adhesive, 12 * 18);
-  EXPECT_TRUE(set.restless().empty());
+  EXPECT_TRUE(set.cycling_points().empty());
 }
 
 } // namespace active_set_test

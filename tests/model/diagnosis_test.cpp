@@ -227,7 +227,7 @@ TEST(Diagnosis, CyclingPointsAreNamed) {
   EXPECT_TRUE(holds(told(report.messages), "model.step.cycling: period = ")) << told(report.messages);
   const Diagnosis diagnosis = diagnose(model, report);
   EXPECT_EQ(diagnosis.outcome, Outcome::cycling);
-  const auto restless = model.active_set.restless();
+  const auto restless = model.active_set.cycling_points();
   ASSERT_EQ(diagnosis.places.size(), restless.size());
   for (std::size_t k = 0; k < restless.size(); ++k) {
     const TroubleSpot& spot = diagnosis.places[k];
