@@ -1,4 +1,3 @@
-// How a step is solved by iteration at prescribed targets.
 #include "model/load_step.hpp"
 
 #include "base/error.hpp"
@@ -39,22 +38,22 @@ template <int D> bool advance(Model<D>& model, const StepOptions& options, doubl
   return true;
 }
 
-/// Whether the state could be moved on to the targets as the last step went: where the path goes straight on, and the
-/// last two steps went alike.
+/// Linear predictor; returns false without a change if the path is not straight or the rates of the last two steps
+/// differ too much.
 template <int D> bool predict(Model<D>& model, const VectorX& increment) {
   const Way& way = model.way;
   const VectorX& accepted = model.accepted.targets;
   if (way.bend > most_bent || model.present.targets != accepted) return false;
   const std::optional<double> ratio = straight_ratio(model, model.targets);
   if (!ratio) return false;
-  // Free ones by as much as in the last step, prescribed ones exactly
+  // Free displacements by extrapolation of the last step, prescribed ones exactly
   const Drives<D>& drives = model.system.drives;
   const VectorX prescribed = drives.displacement(accepted) - drives.displacement(way.previous_targets);
   model.present.displacement += *ratio * (way.increment - prescribed) + increment;
   return true;
 }
 
-/// Whether contact has brought the fall to an end, near the state where all points stick.
+/// Whether an unconstrained body has come into contact, near the state with all points sticking.
 template <int D> bool has_landed(Model<D>& model) {
   const auto& contacts = model.present.contacts;
   if (std::none_of(contacts.begin(), contacts.end(), [](const auto& one) { return resultant(one).active > 0; }))
@@ -85,7 +84,8 @@ template <int D> Step begin_step(Model<D>& model, const StepOptions& options) {
   return step;
 }
 
-/// Lets a rule decide what only rounding error decides, where a step to other targets begins.
+/// Sets the contact tolerance for the first guess of a step to other targets, where otherwise rounding error would
+/// decide the states of points.
 template <int D> void guess(Model<D>& model, bool wanted) {
   const double distance = wanted ? gap_rounding * largest_position(model) : 0;
   const bool onward = wanted && straight_ratio(model, model.targets).value_or(-1) > 0;
@@ -108,7 +108,7 @@ template <int D> solve::Outcome assemble_step(Model<D>& model, bool tangent, Mes
   if (first) model.unbalanced += model.system.unknowns.gather(model.system.assembly.product());
   if (outcome != solve::Outcome::converged || !std::exchange(step.moved, false)) return outcome;
   set.note(model.present.contacts, model.unbalanced.norm(), model.controls);
-  // What repeats under one damping need not under the next.
+  // With pseudo-time damping, which changes, repeated states do not imply a cycle.
   const bool repeats = step.pseudo_time.damping() == 0;
   if (const int period = repeats ? set.period() : 0; period > 0) {
     why = Message("model.step.cycling", {{"period", period}});
@@ -126,7 +126,7 @@ template <int D> solve::Trial retreat(Model<D>& model, double part) {
   return {model.unbalanced.norm(), model.residual.dot(model.step->move)};
 }
 
-/// What remains to be done where the residual is small: landing, points that are held, augmentation.
+/// After convergence of the residual: ends landing, frees fixed points, or augments; converged if nothing remains.
 template <int D> solve::Outcome conclude(Model<D>& model, const AugmentationOptions& augmented, Message& why) {
   if (model.step->landing) {
     end_landing(model);
@@ -155,7 +155,7 @@ template <int D> solve::Outcome conclude(Model<D>& model, const AugmentationOpti
   return solve::Outcome::iterating;
 }
 
-/// Tells where contact is why there was no convergence.
+/// Changes the outcome if set cycling is the cause of the failure.
 template <int D> void classify(const ActiveSet<D>& set, solve::NewtonReport& report) {
   const bool stalls =
       report.outcome == solve::Outcome::iteration_limit || report.outcome == solve::Outcome::line_search;
@@ -171,7 +171,7 @@ template <int D> const solve::NewtonReport& iterate(Model<D>& model, const StepO
   Step& step = *model.step;
   solve::NewtonReport& report = step.report;
   if (report.outcome != solve::Outcome::iterating) return report;
-  // The move that brings in prescribed displacements has to be whole.
+  // The move that applies prescribed displacements must be a full Newton step.
   const bool flows = options.pseudo_transient && !(step.pending && report.iterations == 0);
   solve::NewtonSystem newton = newton_system<D>(
       model, [&](bool tangent, Message& why) { return assemble_step(model, tangent, why); },

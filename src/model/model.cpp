@@ -17,7 +17,7 @@ Model<D>::Model(Scene<D> scene)
     : system(std::move(scene)), accepted(system.start()), present(accepted),
       targets(accepted.targets), way{accepted.displacement, targets}, external(system.drives.force(targets)),
       controls(system.contacts.size()), linear(linear_facts(system)) {
-  // Friction at points that touch later counts from where they would touch now.
+  // Friction at points that close later starts from their foot points in the initial state.
   Message why;
   evaluate(*this, nullptr, false, why);
   system.commit(present, accepted);
@@ -41,7 +41,7 @@ template <int D> void set_penalty_factor(Model<D>& model, double factor) {
   for (State<D>* state : {&model.accepted, &model.present})
     for (auto& history : state->contacts) look_again(history);
   model.present.penalty_factor = factor;
-  model.step.reset(); // as for new targets: what has converged is no equilibrium any more
+  model.step.reset(); // as for new targets: the present state is not in equilibrium any more
 }
 
 template <int D> std::optional<double> straight_ratio(const Model<D>& model, const VectorX& targets) {
@@ -71,7 +71,7 @@ template <int D> void accept(Model<D>& model) {
   State<D>&accepted = model.accepted, &present = model.present;
   Way& way = model.way;
   model.system.commit(present, accepted);
-  // How far this step's rate of displacement, Δu for the same Δtargets, is from the last one's
+  // Relative difference of the rates of displacement, Δu for the same Δtargets, of this step and the last one
   const auto displacements = model.system.unknowns.displacements();
   const VectorX increment = present.displacement - accepted.displacement;
   const std::optional<double> ratio = straight_ratio(model, model.targets);
@@ -90,12 +90,12 @@ template <int D> void accept(Model<D>& model) {
 template <int D> void rollback(Model<D>& model) {
   model.step.reset();
   model.inversion.reset();
-  for (auto& history : model.accepted.contacts) look_again(history); // the penalty may have been another
+  for (auto& history : model.accepted.contacts) look_again(history); // the penalty factor may have changed
   model.present = model.accepted;
   model.targets = model.accepted.targets;
   model.controls.assign(model.system.contacts.size(), {});
   model.external = model.system.drives.force(model.targets);
-  // Reactions and contact results belong to the state again, with the bits that they had.
+  // Reactions and contact results are those of the accepted state, bitwise.
   take_residual(model);
   model.system.stand(model.accepted);
 }

@@ -9,16 +9,16 @@ namespace signorini::model {
 
 namespace {
 
-/// The slabs of a body across one parametric direction.
+/// The slabs of a body normal to one parametric direction.
 struct Slabs {
   int direction, count;
-  std::vector<int> reach; ///< per slab: the last one that it has a control point in common with
+  std::vector<int> reach; ///< per slab: the last slab with a common control point
 };
 
 template <int D> Slabs slabs_across(const solid::Body<D>& body, int direction) {
   const nurbs::Discretization& space = body.space();
   Slabs slabs{direction, space.elements(direction), std::vector<int>(at(space.elements(direction)), 0)};
-  std::vector<int> last(at(body.functions()), 0); // slab of each control point
+  std::vector<int> last(at(body.functions()), 0); // last slab of each control point
   for (int e = 0; e < body.elements(); ++e)
     for (int function : body.functions_of(e))
       last[at(function)] = std::max(last[at(function)], space.element_index(e, direction));
@@ -30,13 +30,14 @@ template <int D> Slabs slabs_across(const solid::Body<D>& body, int direction) {
   return slabs;
 }
 
-/// First slabs of a number of even shares, each followed by the first slab of its tail; empty when tails would meet.
+/// First slab of each of a number of equal shares, followed by the first slab of its tail; empty if tails would
+/// overlap.
 std::vector<int> cut(const Slabs& slabs, int shares) {
   std::vector<int> starts;
   for (int k = 0; k < shares; ++k) {
     const int first = slabs.count * k / shares, end = slabs.count * (k + 1) / shares;
-    // The head ends before the first slab that reaches what follows the share; nothing follows the last one, whose tail
-    // is as long as the one before, so that tails are as even as heads.
+    // The head ends before the first slab that reaches the next share. The last share has none; its tail is as long as
+    // the previous one, so that tails are as equal as heads.
     int tail = first;
     if (k + 1 == shares && k > 0)
       tail = std::max(first, end - (first - starts[at(2 * k - 1)]));
@@ -50,7 +51,7 @@ std::vector<int> cut(const Slabs& slabs, int shares) {
   return starts;
 }
 
-/// What two threads take, in parts of what one takes, that are given heads, and then tails, where they are free.
+/// Time of two threads relative to that of one, if heads, then tails, are assigned to the first free thread.
 double time_on_two(const Slabs& slabs, std::vector<int> starts) {
   starts.push_back(slabs.count);
   int sum = 0;
@@ -63,7 +64,7 @@ double time_on_two(const Slabs& slabs, std::vector<int> starts) {
   return static_cast<double>(sum) / slabs.count;
 }
 
-/// Whether an element adds to an unknown that several control points share.
+/// Per element: whether it has an unknown that several control points share.
 template <int D>
 std::vector<char> on_shared_unknowns(const Unknowns<D>& unknowns, const solid::Body<D>& body, int offset) {
   std::vector<int> owner(at(unknowns.size()), -1);
@@ -106,7 +107,7 @@ template <int D> Partition partition(const Unknowns<D>& unknowns, const solid::B
   const std::vector<char> in_rest =
       shares > 1 ? on_shared_unknowns(unknowns, body, offset) : std::vector<char>(at(body.elements()), false);
   for (int e = 0; e < body.elements(); ++e) {
-    // The heads' and tails' first slabs take turns.
+    // First slabs of heads and tails alternate in `starts`.
     const int slab = space.element_index(e, best.direction);
     const int piece = static_cast<int>(std::upper_bound(starts.begin(), starts.end(), slab) - starts.begin()) - 1;
     result.share.push_back(piece / 2);

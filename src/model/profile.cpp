@@ -6,7 +6,7 @@ namespace signorini::model {
 
 namespace {
 
-/// Appends the components of a vector to lists of their own.
+/// Appends the components of a vector to separate lists.
 template <int D> void append(const Vec<D>& v, std::array<std::vector<double>*, 3> lists) {
   for (std::size_t i = 0; i < D; ++i) lists[i]->push_back(v(static_cast<int>(i)));
 }
@@ -26,7 +26,7 @@ template <int D> Profile profile(const Model<D>& model, int contact) {
     result.area.push_back(point.area);
     result.pressure.push_back(point.pressure);
     if constexpr (D == 2) {
-      // Friction acts along the master, which meets the slave's tangent at a small angle: that gives the sign alone.
+      // t_T is tangential to the master, at a small angle to the slave's tangent, which gives only the sign.
       result.traction.push_back(
           touching ? std::copysign(point.friction.norm(), point.friction.dot(point.tangents.col(0))) : 0.0);
     } else {

@@ -1,16 +1,16 @@
 #pragma once
-// What happens along a contact: one entry per contact point.
+// Results along a contact, one entry per contact point.
 
 #include "model/model.hpp"
 
 namespace signorini::model {
 
-/// Contact points in the order of the slave face's parameters: current and reference position, and the area that the
-/// traction acts on. In the plane z and the components of the traction are empty.
+/// Contact points in the order of the slave face's parameters: current and reference position, and the area on which
+/// the traction acts. In 2D z and the components of the traction are empty.
 struct Profile {
   std::vector<double> x, y, z, reference_x, reference_y, reference_z, area;
   std::vector<double> pressure, gap;
-  std::vector<double> traction; ///< tangential: in the plane signed along the slave face's direction, in space |t_T|
+  std::vector<double> traction; ///< tangential: signed along the slave face's direction (2D), |t_T| (3D)
   std::vector<double> traction_x, traction_y, traction_z; ///< t_T; the traction on the slave is t_N n̄ − t_T
   std::vector<std::string> state;                         ///< "open", "stick", "slip", "adhesion"
 };

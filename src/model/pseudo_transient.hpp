@@ -1,12 +1,12 @@
 #pragma once
-// How a step moves by pseudo-transient continuation, see solve/pseudo_time.hpp.
+// Moves of a step by pseudo-transient continuation, see solve/pseudo_time.hpp.
 
 #include "model/model.hpp"
 
 namespace signorini::model {
 
-/// One move in pseudo-time, with |f·Δu| in `energy`. D is the diagonal of the tangent at the first of them, |K_ii|.
-/// Returns false where bodies move on and on, since nothing holds them.
+/// One move in pseudo-time; `energy` becomes |f·Δu|. D is the diagonal |K_ii| of the tangent at the first move. Returns
+/// false if bodies move too far (unconstrained bodies) or no damping gives an acceptable move.
 template <int D> bool advance_in_pseudo_time(Model<D>& model, const StepOptions& options, double& energy);
 
 } // namespace signorini::model

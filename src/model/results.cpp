@@ -12,7 +12,7 @@ Eigen::Map<const Eigen::Matrix<double, D, Eigen::Dynamic>> body_displacement(con
 }
 
 template <int D> Vec<D> reaction(const Model<D>& model, int index) {
-  // In equilibrium f_int + f_c − f_ext = 0 but for what the supports add.
+  // In equilibrium f_int + f_c − f_ext is the reaction of the supports.
   const Support<D>& support = model.system.scene.supports[at(index)];
   Vec<D> sum = Vec<D>::Zero();
   for (int c = 0; c < D; ++c)
@@ -46,7 +46,7 @@ template <int D> std::vector<Message> warnings(const Model<D>& model) {
   std::vector<Message> warnings = model.scene_warnings;
   for (std::size_t b = 0; b < model.system.scene.bodies.size(); ++b) {
     const auto& [name, body] = model.system.scene.bodies[b];
-    if (!body->linear()) continue; // others refuse to be inverted
+    if (!body->linear()) continue; // nonlinear materials reject inverted elements
     const auto worst = solid::worst_inversion(*body, body_displacement(model, static_cast<int>(b)).data());
     if (worst)
       warnings.push_back(Message(

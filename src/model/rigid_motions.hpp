@@ -1,13 +1,13 @@
 #pragma once
-// Motions of a body as a whole.
+// Rigid-body modes.
 
 #include "solid/body.hpp"
 
 namespace signorini::model {
 
-/// Translations along the axes, then rotations about them (in the plane about z) around the middle of the control
-/// points (dimension × functions); of a body of revolution the translation along its axis. Each by degree of freedom,
-/// one unit of length at most.
+/// Linearized rigid-body modes of control points (dimension × functions): translations along the axes, then rotations
+/// about axes (2D: z) through the middle of the points; of a body of revolution the translation along its axis. Each by
+/// degree of freedom, with a largest component of at most 1.
 template <int D> std::vector<VectorX> rigid_motions(const MatrixX& points, solid::Kind kind);
 
 } // namespace signorini::model

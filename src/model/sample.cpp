@@ -27,7 +27,7 @@ template <int D> BodyPoint<D> body_point(const Model<D>& model, int body, int e,
   }
   point.state.deformation = Mat<D>::Identity() + rate * jacobian.inverse();
   if (model.system.scene.bodies[at(body)].body->kind() == solid::Kind::axisymmetric) {
-    // F_θθ = 1 + u_r/R → 1 + ∂u_r/∂R on the axis; nearer than this the quotient is rounding
+    // F_θθ = 1 + u_r/R → 1 + ∂u_r/∂R on the axis; at smaller radii the quotient is rounding error
     const double radius = point.reference(0), size = jacobian.cwiseAbs().maxCoeff();
     point.state.hoop = radius > 1e-8 * size ? 1 + point.state.displacement(0) / radius : point.state.deformation(0, 0);
   }
@@ -36,15 +36,15 @@ template <int D> BodyPoint<D> body_point(const Model<D>& model, int body, int e,
 
 namespace {
 
-/// Position and displacement of a point, everything else that of a point beside it.
+/// A point with the gradients of a nearby point.
 template <int D> BodyPoint<D> with_gradients(const BodyPoint<D>& point, BodyPoint<D> beside) {
   beside.reference = point.reference;
   beside.state.displacement = point.state.displacement;
   return beside;
 }
 
-/// xi moved to the nearest place between the first and the last Gauss points of an element, and, where it lies outside
-/// of them in two directions or more, the point of the element's border behind it.
+/// xi clamped to the box of an element's Gauss points and, if it lies outside in two or more directions, the
+/// corresponding point of the element's border.
 template <int D> struct GaussBox {
   VectorX inside;
   std::optional<VectorX> border;
@@ -63,7 +63,7 @@ template <int D> GaussBox<D> gauss_box(const nurbs::Discretization& space, int e
   return {inside, outside > 1 ? std::optional(border) : std::nullopt};
 }
 
-/// Whether the columns of ∂X/∂ξ are parallel, none of them being zero as at a pole: four arcs of a disc meet so.
+/// Whether the columns of ∂X/∂ξ are nonzero (unlike at a pole) but parallel, as at the corners of a disc of four arcs.
 template <int D> bool is_flat_corner(const Mat<D>& jacobian) {
   const auto lengths = jacobian.colwise().norm();
   return lengths.minCoeff() > 1e-6 * lengths.maxCoeff() && std::abs(jacobian.determinant()) < 1e-8 * lengths.prod();
@@ -75,7 +75,7 @@ template <int D> BodyPoint<D> regular_point(const Model<D>& model, int body, int
   BodyPoint<D> point = body_point(model, body, e, xi);
   const solid::Body<D>& solid = *model.system.scene.bodies[at(body)].body;
   const nurbs::Discretization& space = solid.space();
-  // Towards a flat corner F grows without bound, and between the Gauss points nothing keeps det F positive.
+  // F is unbounded towards a flat corner, and det F may be negative between Gauss points.
   const GaussBox<D> box = gauss_box<D>(space, e, xi);
   const bool flat = box.border && is_flat_corner<D>(body_point(model, body, e, *box.border).jacobian);
   if (flat || (!solid.linear() && point.state.deformation.determinant() <= 0))

@@ -1,5 +1,5 @@
 #pragma once
-// What a model is made of: named bodies, supports, loads, obstacles and contacts, as plain values.
+// Scene of a model: named bodies, supports, loads, obstacles and contacts, as plain values.
 
 #include "base/message.hpp"
 #include "contact/method.hpp"
@@ -30,19 +30,19 @@ struct ObstacleReference {
   bool operator==(const ObstacleReference&) const = default;
 };
 
-/// What a support does to one displacement component of its control points.
+/// Constraint of one displacement component by a support.
 enum class Hold { free, fixed, driven };
 
-/// Control points of one body that a support holds.
+/// Control points of one body on which a support acts.
 struct SupportedControlPoints {
   int body;
   std::vector<int> functions;
 };
 
-/// Holds control points and obstacles component by component. One that rotates moves its control points as a rigid
-/// body,
+/// Constrains control points and obstacles component by component. A rotating support moves its control points as a
+/// rigid body,
 ///   x = X_c + c + R(θ)(X − X_c),
-/// with a prescribed angle θ, in space about `axis`; `hold` then speaks of the translation c, whose free components are
+/// with a prescribed angle θ, in 3D about `axis`; `hold` then refers to the translation c, whose free components are
 /// unknowns.
 template <int D> struct Support {
   std::string name;
@@ -50,16 +50,16 @@ template <int D> struct Support {
   std::array<Hold, D> hold{};
   std::vector<int> obstacles = {};
   bool rotates = false;
-  Vec<D> center = Vec<D>::Zero(); ///< X_c, of a support that rotates
-  Vec<D> axis = Vec<D>::Zero();   ///< in space: unit vector; in the plane unused
+  Vec<D> center = Vec<D>::Zero(); ///< X_c, if it rotates
+  Vec<D> axis = Vec<D>::Zero();   ///< unit vector (3D); unused in 2D
 };
 
 /// A dead load: force per reference area, on faces.
 struct Load {
   std::string name;
   std::vector<FaceReference> on;
-  bool pressure;             ///< one number, against the outward reference normal; otherwise a traction of D components
-  std::vector<double> start; ///< what acts before a path changes it
+  bool pressure;             ///< one value, against the outward reference normal; otherwise a traction of D components
+  std::vector<double> start; ///< initial value
 };
 
 template <int D> struct Contact {
@@ -73,11 +73,11 @@ template <int D> struct Contact {
 
 template <int D> struct Scene {
   std::vector<NamedBody<D>> bodies;
-  std::vector<contact::Obstacle<D>> obstacles = {}; ///< where no support drives them they stay
+  std::vector<contact::Obstacle<D>> obstacles = {}; ///< fixed unless a support drives them
   std::vector<Support<D>> supports;
   std::vector<Load> loads = {};
   std::vector<Contact<D>> contacts;
-  solid::Kind kind = solid::Kind::plane_strain; ///< of all bodies alike
+  solid::Kind kind = solid::Kind::plane_strain; ///< of all bodies
 };
 
 /// A face and its body, for messages.

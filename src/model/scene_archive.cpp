@@ -43,7 +43,7 @@ namespace {
 
 template <int D> using Places = Eigen::Matrix<double, D, Eigen::Dynamic>;
 
-/// Reference positions of the points that a region has left; no columns where all take part.
+/// Reference positions of the contact points in the region; no columns if it contains all.
 template <int D> Places<D> kept_points(const Contact<D>& contact, const contact::Formulation<D>& formulation) {
   std::size_t all = at(formulation.slave().elements());
   for (int d = 0; d < D - 1; ++d) all *= at(contact.points);
@@ -53,7 +53,7 @@ template <int D> Places<D> kept_points(const Contact<D>& contact, const contact:
   return kept;
 }
 
-/// The region that consists of these points. The same faces give the same points, bit by bit.
+/// The region of exactly these points, whose coordinates are bitwise reproducible.
 template <int D> contact::Region<D> region_of(const Places<D>& kept) {
   if (kept.cols() == 0) return {};
   const auto before = [](const Vec<D>& a, const Vec<D>& b) {

@@ -1,12 +1,12 @@
 #pragma once
-// Scenes in files, part by part, so that two of them can be compared.
+// Input and output of scenes in parts, so that two scenes can be compared.
 
 #include "base/archive.hpp"
 #include "model/model.hpp"
 
 namespace signorini::model {
 
-/// A part of a scene as users call it ("body 'slab'", "the kind of scene"), and its bytes.
+/// A part of a scene: its name for users ("body 'slab'", "the kind of scene") and its bytes.
 struct ScenePart {
   std::string name, bytes;
 };
@@ -15,9 +15,9 @@ inline auto members(ScenePart& part) {
   return std::tie(name, bytes);
 }
 
-/// All parts of a model's scene. Of a contact that a region limits, the points that are left are kept.
+/// All parts of a model's scene. A region of a contact is stored as the list of its contact points.
 template <int D> std::vector<ScenePart> scene_parts(const Model<D>& model);
-/// The scene again, to make a model of that has the same bits.
+/// The scene of these parts; a model of it gives bitwise equal results.
 template <int D> Scene<D> read_scene(const std::vector<ScenePart>& parts);
 
 } // namespace signorini::model

@@ -22,7 +22,7 @@ template <int D> PenaltyRatio element_stiffness(const Scene<D>& scene, const Fac
   return {0, named.body->material().constants().youngs_modulus / height, named.name};
 }
 
-/// The lowest degree of a body's functions, and a direction that has it.
+/// The lowest degree of a body's functions, and a direction with this degree.
 template <int D> std::pair<int, int> lowest_degree(const nurbs::Discretization& space) {
   std::pair<int, int> lowest{nurbs::max_degree, 0};
   for (int e = 0; e < space.elements(); ++e)
@@ -30,8 +30,8 @@ template <int D> std::pair<int, int> lowest_degree(const nurbs::Discretization& 
   return lowest;
 }
 
-/// Nearly incompressible: of a cantilever of 20 × 2 elements, degree 1 through the thickness leaves 0.67 of the
-/// deflection at ν = 0.45, 0.26 at 0.49; errors of force measured by scripts/stability/locking.lua are 14 % for L1 at
+/// Volumetric locking: a cantilever of 20 × 2 elements with degree 1 in the thickness direction has 0.67 of the exact
+/// deflection at ν = 0.45, 0.26 at 0.49; errors of force according to scripts/stability/locking.lua are 14 % for L1 at
 /// ν = 0.49, 3 % for N2 at 0.499.
 template <int D> void warn_of_locking(const Scene<D>& scene, std::vector<Message>& warnings) {
   for (const NamedBody<D>& named : scene.bodies) {
@@ -67,7 +67,7 @@ void warn_of_stiffness(const Scene<D>& scene, const Contact<D>& contact, const c
                                                          {"stiffness", penalty.stiffness}}));
 }
 
-/// Places of the points that a contact integrates over; elements alone where another contact has other points.
+/// Contact points as pairs of element and index; without `points` only elements, with index 0.
 template <int D> std::set<std::pair<int, int>> places(const contact::Formulation<D>& contact, bool points) {
   std::set<std::pair<int, int>> result;
   for (const contact::ContactPoint& point : contact.points().list)
@@ -75,7 +75,7 @@ template <int D> std::set<std::pair<int, int>> places(const contact::Formulation
   return result;
 }
 
-/// Whether two contacts act on the same points. Laws that differ in kind may do so: adhesion beside a penalty.
+/// Whether two contacts act on the same points. Different kinds of laws may do so: adhesion and penalty.
 template <int D>
 bool act_twice(const Contact<D>& a, const Contact<D>& b, const contact::Formulation<D>& first,
                const contact::Formulation<D>& second) {

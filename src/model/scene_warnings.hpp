@@ -1,5 +1,5 @@
 #pragma once
-// Constants and contacts of a scene that are legal but hardly meant.
+// Warnings about valid but suspicious constants and contacts of a scene.
 
 #include "model/scene.hpp"
 
@@ -7,7 +7,7 @@ namespace signorini::model {
 
 /// A contact's penalty compared with the stiffness of an element behind its faces, E/h of the softest of its bodies.
 struct PenaltyRatio {
-  double ratio;     ///< ε_N h/E; 0 where there is no penalty
+  double ratio;     ///< ε_N h/E; 0 without penalty
   double stiffness; ///< E/h
   std::string body;
 };
@@ -15,8 +15,8 @@ template <int D>
 PenaltyRatio penalty_ratio(const Scene<D>& scene, const Contact<D>& contact,
                            const contact::Formulation<D>& formulation);
 
-/// Warnings of Poisson's ratios that lock, coefficients of friction that look like angles, penalties that are out
-/// of range, and contacts that act twice between the same points. `contacts` are the scene's.
+/// Warnings about Poisson's ratios that cause locking, coefficients of friction that look like angles, penalty
+/// parameters out of range, and duplicate contacts between the same points. `contacts` are those of the scene.
 template <int D> std::vector<Message> scene_warnings(const Scene<D>& scene, const contact::Formulations<D>& contacts);
 
 } // namespace signorini::model

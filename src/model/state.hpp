@@ -1,5 +1,5 @@
 #pragma once
-// Where a model stands: a plain value. To accept a state, and to return to it, are assignments.
+// State of a model: a plain value. Accepting and restoring a state are assignments.
 
 #include "base/eigen.hpp"
 #include "contact/history.hpp"
@@ -7,19 +7,19 @@
 namespace signorini::model {
 
 template <int D> struct State {
-  VectorX displacement; ///< of all degrees of freedom (Unknowns), with the values of the contacts' own unknowns behind
-  VectorX targets;      ///< that the prescribed displacements have (Drives)
-  VectorX force;        ///< f_int + f_c of all degrees of freedom in the last evaluation
-  double penalty_factor = 1; ///< of all contacts' penalty parameters
+  VectorX displacement;      ///< of all degrees of freedom (Unknowns), followed by the contacts' additional unknowns
+  VectorX targets;           ///< of the prescribed displacements (Drives)
+  VectorX force;             ///< f_int + f_c of all degrees of freedom in the last evaluation
+  double penalty_factor = 1; ///< on all penalty parameters
   std::vector<contact::History<D>> contacts;
-  std::vector<std::vector<double>> internal; ///< the materials' internal variables, by body; empty for most
+  std::vector<std::vector<double>> internal; ///< internal variables of the materials, by body; empty without any
 };
 
-/// What the steps up to the accepted state leave to the next one.
+/// History of the path up to the accepted state, which the next step uses.
 struct Way {
   VectorX increment;        ///< displacement of the last accepted step
-  VectorX previous_targets; ///< before it
-  double bend = 1;          ///< relative difference of the last two steps' rates; 1 where there are none to compare
+  VectorX previous_targets; ///< before that step
+  double bend = 1;          ///< relative difference of the last two steps' rates; 1 without two comparable steps
   double force_scale = 0;   ///< largest norm of the forces of supports and loads in the accepted states
   double work = 0;          ///< of supports and loads in all accepted steps, by the trapezoidal rule
 };

@@ -1,5 +1,5 @@
 #pragma once
-// A step under way.
+// State of the current step.
 
 #include "base/eigen.hpp"
 #include "solve/newton.hpp"
@@ -8,20 +8,20 @@
 namespace signorini::model {
 
 struct Step {
-  VectorX increment = {}; ///< prescribed displacements that wait for the first solve
-  bool pending = false;   ///< whether there are any
+  VectorX increment = {}; ///< of prescribed displacements, to be applied with the first solution
+  bool pending = false;   ///< whether `increment` is nonzero
   solve::NewtonReport report = {};
-  bool moved = true;    ///< the state has moved since the active set took note of it
-  bool lead = false;    ///< the last to move the state was move_by()
-  bool landing = false; ///< bodies that only contact will hold have not settled on it yet, see contact::Controls
-  double impact = 0;    ///< largest |f·Δu| since they touch
+  bool moved = true;    ///< the state has changed since the active set recorded it
+  bool lead = false;    ///< the last change of the state was by move_by()
+  bool landing = false; ///< unconstrained bodies are coming into contact, see contact::Controls
+  double impact = 0;    ///< largest |f·Δu| since their first contact
   int augmentations = 0;
   VectorX before = {}, move = {}; ///< for line search: the state before the last move, and the move
   double slope = 0;               ///< f·Δu in that state
   solve::PseudoTime pseudo_time = {};
   VectorX viscosity = {}; ///< D of pseudo-transient continuation, by unknown
-  VectorX origin = {};    ///< where that began
-  double fraction = 0;    ///< λ of an arc: 0 at the accepted state, 1 at the targets
+  VectorX origin = {};    ///< displacement at its start
+  double fraction = 0;    ///< λ of an arc-length increment: 0 at the accepted state, 1 at the targets
 };
 
 } // namespace signorini::model

@@ -1,33 +1,33 @@
 #pragma once
-// How a step is solved: Newton's tests, where it starts, what it does about changing contacts.
+// Options of a step: Newton's method, predictor, active set, augmentation.
 
 #include "solve/linear.hpp"
 #include "solve/newton.hpp"
 
 namespace signorini::model {
 
-/// The first guess of a step at new targets.
+/// First guess of a step at new targets.
 enum class Predictor {
-  tangent,  ///< the accepted state; the first solve takes prescribed displacements along, by its tangent
-  constant, ///< the accepted state, prescribed displacements imposed
-  linear ///< goes on as the last step did, prescribed displacements imposed, where the last two went alike and the path
-         ///< goes straight on; elsewhere as `tangent`
+  tangent,  ///< the accepted state; the first solution includes the prescribed displacements, by its tangent
+  constant, ///< the accepted state with prescribed displacements imposed
+  linear ///< extrapolation of the last step with prescribed displacements imposed, if the path is straight and the last
+         ///< two steps have similar rates; otherwise as `tangent`
 };
 
-/// What Newton's iteration does about points whose state (open, stick, slip) keeps changing.
+/// Treatment of points whose state (open, stick, slip) changes repeatedly (set cycling).
 struct ActiveSetOptions {
-  /// ε_acts: the points that touch are those of the accepted state until |f·Δu| has fallen below this part of its first
-  /// value (thesis 4.5.2); 0: never held.
+  /// ε_acts: the active set of the accepted state is frozen until |f·Δu| is below this fraction of its first value
+  /// (thesis 4.5.2); 0: no freeze.
   double freeze = 0;
-  /// A point whose state has changed more often than this in a step is held until the others have converged, then
-  /// freed; 0: never held.
+  /// A point whose state has changed more often than this in a step is fixed until the others have converged, then
+  /// freed; 0: points are not fixed.
   int changes = 0;
 };
 
-/// Augmented Lagrangian contact: pressures are augmented (Uzawa) until penetrations are small.
+/// Augmented Lagrangian method: Uzawa augmentations until penetrations are below a tolerance.
 struct AugmentationOptions {
-  double penetration = 0; ///< largest that may remain, as a part of the bodies' size; 0: plain penalty
-  int loops = 100;        ///< most augmentations in a step
+  double penetration = 0; ///< tolerance relative to the bodies' extent; 0: penalty method
+  int loops = 100;        ///< limit of augmentations in a step
 };
 
 struct StepOptions {
@@ -36,9 +36,9 @@ struct StepOptions {
   Predictor predictor = Predictor::tangent;
   ActiveSetOptions active_set = {};
   AugmentationOptions augmented = {};
-  bool damping = false; ///< of bodies that only contact holds, see damping.hpp
-  /// Moves damped by pseudo-transient continuation (solve/pseudo_time.hpp), with up to 40 times newton.iterations; no
-  /// line search next to it.
+  bool damping = false; ///< of unconstrained bodies, see damping.hpp
+  /// Pseudo-transient continuation (solve/pseudo_time.hpp), with up to 40 times newton.iterations moves; not combined
+  /// with line search.
   bool pseudo_transient = false;
 };
 

@@ -38,7 +38,7 @@ template <int D> contact::Formulations<D> make_contacts(const Scene<D>& scene) {
   return contacts;
 }
 
-/// Regions may refer to what only lives while the model is made.
+/// Removes regions, which may refer to objects that exist only during construction.
 template <int D> Scene<D> without_regions(Scene<D> scene) {
   for (Contact<D>& contact : scene.contacts) contact.where = {};
   return scene;

@@ -1,5 +1,5 @@
 #pragma once
-// What turns a scene and a state into residual and tangent.
+// System: turns a scene and a state into residual and tangent.
 
 #include "model/assembly.hpp"
 #include "model/damping.hpp"
@@ -8,33 +8,33 @@
 namespace signorini::model {
 
 template <int D> struct System {
-  /// Throws Error for a scene without bodies, a contact of a face with itself, faces that carry no tensor product, or
-  /// supports that contradict each other.
+  /// Throws Error for a scene without bodies, a contact of a face with itself, faces other than tensor-product faces,
+  /// or contradictory supports.
   explicit System(Scene<D> given);
   System(const System&) = delete;
   System& operator=(const System&) = delete;
 
-  contact::Formulations<D> contacts; ///< in the scene's order; they hold where the faces stand now
+  contact::Formulations<D> contacts; ///< in the scene's order, with the current positions of their faces
   const Scene<D> scene;
   const Unknowns<D> unknowns;
   const Drives<D> drives;
-  Assembly<D> assembly; ///< holds the tangent of the last evaluation that wanted one
+  Assembly<D> assembly; ///< with the tangent of the last evaluation with tangent
   double size = 0;      ///< largest coordinate of a control point or an obstacle
-  double extent = 0;    ///< largest diameter of a body about its middle: what penetrations are measured against
+  double extent = 0;    ///< largest diameter of a body about its middle, the scale of penetrations
 
-  /// The scene as it was given, not evaluated yet.
+  /// The initial state, not evaluated yet.
   State<D> start() const;
-  /// What accepting leaves behind in contacts, such as slip points that advance; the caller then makes `present` the
-  /// accepted state.
+  /// Updates the contacts at the end of an accepted step, for example by advancing slip points; the caller then makes
+  /// `present` the accepted state.
   void commit(State<D>& present, const State<D>& accepted);
   /// Moves the contacts' faces back to the accepted state.
   void stand(const State<D>& accepted);
-  /// Drops all that evaluations of other states have left behind and that rounding may depend on later.
+  /// Drops everything from past evaluations that affects rounding later.
   void settle(State<D>& accepted);
 
-  /// Rigid motions that no support stops; found when first asked for.
+  /// Rigid-body modes that no support prevents; computed on first use.
   const std::vector<LooseMotion>& loose();
-  /// See path_norm.hpp; found when first asked for.
+  /// See path_norm.hpp; computed on first use.
   const VectorX& path_weights();
 
 private:

@@ -10,7 +10,7 @@ namespace signorini::model {
 
 namespace {
 
-/// The code of what a support does to a component.
+/// Message code of the constraint of a component.
 template <int D> const char* verb(const Support<D>& support, int component) {
   if (support.rotates) return "model.verb.turns";
   return support.hold[at(component)] == Hold::driven ? "model.verb.drives" : "model.verb.fixes";
@@ -31,10 +31,10 @@ template <int D> Unknowns<D>::Unknowns(const Scene<D>& scene, const contact::For
   obstacles_ = count;
   count += D * static_cast<int>(scene.obstacles.size());
 
-  // Control points that are one point of a body move as one: the first of them leads.
+  // Coincident control points of a body share the unknowns of the first of them.
   std::vector<int> leader(at(count));
   std::iota(leader.begin(), leader.end(), 0);
-  std::vector<std::vector<int>> mates; // degrees of freedom of each such point's component, the leader first
+  std::vector<std::vector<int>> mates; // coincident degrees of freedom, the leader first
   for (int b = 0; b < static_cast<int>(scene.bodies.size()); ++b)
     for (const std::vector<int>& group : nurbs::coincident_functions(scene.bodies[at(b)].body->space()))
       for (int c = 0; c < D; ++c) {
@@ -45,7 +45,7 @@ template <int D> Unknowns<D>::Unknowns(const Scene<D>& scene, const contact::For
         }
       }
 
-  // Who holds each degree of freedom, and how
+  // The support of each degree of freedom
   std::vector<const Support<D>*> holder(at(count), nullptr);
   for (const Support<D>& support : scene.supports)
     for (int c = 0; c < D; ++c) {

@@ -31,7 +31,7 @@ MatrixX times(const solve::Pattern& pattern, const std::vector<double>& values, 
   return product;
 }
 
-/// Directions that prefer nothing, the same for each call.
+/// Deterministic start vectors without preferred direction.
 MatrixX some_directions(int size, int count) {
   MatrixX x(size, count);
   for (int j = 0; j < count; ++j)
@@ -39,9 +39,9 @@ MatrixX some_directions(int size, int count) {
   return x;
 }
 
-/// Ritz pair of least stiffness in the space that inverse iteration of `matrix` leads to.
+/// Ritz pair with the lowest value in the space obtained by inverse iteration of `matrix`.
 WeakDirection iterate(const solve::Pattern& pattern, const std::vector<double>& matrix, int count, int rounds) {
-  constexpr double relative_shift = 1e-12; // regular, where the matrix is not
+  constexpr double relative_shift = 1e-12; // makes a singular matrix regular
   const std::vector<double> regular = shifted(pattern, matrix, relative_shift * largest_entry(pattern, matrix));
   const auto solver = solve::make_solver(solve::LinearKind::umfpack, pattern);
   count = std::min(count, pattern.size);

@@ -1,5 +1,5 @@
 #pragma once
-// Directions in which a tangent is weakest.
+// Directions of smallest stiffness of a tangent.
 
 #include "base/eigen.hpp"
 #include "solve/pattern.hpp"
@@ -13,12 +13,12 @@ struct WeakDirection {
   double stiffness;  ///< uᵀ K u
 };
 
-/// The direction that a singular K, or one nearly so, maps closest to nothing: inverse iteration with K + σI. `values`
-/// in the order of the pattern.
+/// Approximate null vector of a singular or nearly singular K, by inverse iteration with K + σI. `values` in the order
+/// of the pattern.
 WeakDirection null_direction(const solve::Pattern& pattern, const std::vector<double>& values);
 
-/// The direction of lowest stiffness among those nearest to none of the symmetric part of K: subspace iteration with
-/// its inverse (K.-J. Bathe, Finite Element Procedures, 1996, 11.6).
+/// The eigenvector with the lowest eigenvalue among those of the symmetric part of K with smallest magnitude, by
+/// inverse subspace iteration (K.-J. Bathe, Finite Element Procedures, 1996, 11.6).
 WeakDirection softest_direction(const solve::Pattern& pattern, const std::vector<double>& values);
 
 } // namespace signorini::model

@@ -20,8 +20,8 @@ using model::FieldPoint;
 
 namespace {
 
-/// Bernstein coefficients of degree `degree` of the polynomial that is nearest to values at places in [0, 1]; it passes
-/// through them where they are no more than degree+1.
+/// Matrix from values at `places` in [0, 1] to Bernstein coefficients of their least-squares fit, which interpolates up
+/// to degree+1 values.
 MatrixX fit(int degree, const std::vector<double>& places) {
   const int n = static_cast<int>(places.size()), own = std::min(degree, n - 1);
   MatrixX values(n, own + 1);
@@ -33,7 +33,7 @@ MatrixX fit(int degree, const std::vector<double>& places) {
   return nurbs::bernstein_elevation(own, degree).transpose().lazyProduct(pseudo_inverse(values));
 }
 
-/// The tensor product of matrices, the first one's indices running fastest.
+/// Kronecker product of matrices, the indices of the first one fastest.
 MatrixX tensor_product(const std::vector<MatrixX>& factors) {
   MatrixX result = MatrixX::Ones(1, 1);
   for (const MatrixX& factor : factors) {
@@ -46,8 +46,8 @@ MatrixX tensor_product(const std::vector<MatrixX>& factors) {
   return result;
 }
 
-/// What projects values at a lattice of places onto a cell: Bernstein coefficients from values, and Bernstein
-/// polynomials at the places.
+/// Projection of values at a lattice of points onto a cell: the matrix from values to Bernstein coefficients, and the
+/// Bernstein polynomials at the points.
 struct Projector {
   MatrixX fit, values;
 
@@ -75,7 +75,7 @@ struct Projector {
   }
 };
 
-/// A field of the cells and the scalar fields that are its components; null is 0.
+/// A field of the cells and the scalar fields of its components; null: zero.
 template <int D> struct Composition {
   const char* name;
   std::vector<const Field<D>*> components;
@@ -96,7 +96,7 @@ template <int D> const std::vector<Composition<D>>& compositions() {
   return all;
 }
 
-/// All components of all compositions at a point, one below the other.
+/// All components of all compositions at a point, stacked.
 template <int D> VectorX composed(const solid::Material& material, const FieldPoint<D>& point) {
   std::vector<double> values;
   for (const Composition<D>& composition : compositions<D>())
@@ -108,7 +108,7 @@ int points_of(const std::vector<int>& degrees) {
   return std::accumulate(degrees.begin(), degrees.end(), 1, [](int product, int p) { return product * (p + 1); });
 }
 
-/// Where a cell's points on a side stand among all its points.
+/// Indices of a cell's points on a side among all its points.
 std::vector<int> points_on(nurbs::Side side, const std::vector<int>& degrees) {
   int stride = 1;
   for (int d = 0; d < side.direction; ++d) stride *= degrees[at(d)] + 1;

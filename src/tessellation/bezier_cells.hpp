@@ -1,5 +1,5 @@
 #pragma once
-// The present state of a model as rational Bézier cells: its exact geometry and displacement, and fields in the same
+// The present state of a model as rational Bézier cells with exact geometry and displacement, and fields in the same
 // bases.
 
 #include "model/field.hpp"
@@ -9,13 +9,13 @@ namespace signorini::tessellation {
 
 using model::Model;
 
-/// A field at the control points of cells: value(t) = Σ_k w_k B_k(t) c_k / Σ_k w_k B_k(t), as the geometry.
+/// Field coefficients at the control points of cells: value(t) = Σ_k w_k B_k(t) c_k / Σ_k w_k B_k(t), as the geometry.
 struct CellField {
   std::string name;
   MatrixX values; ///< components × points
 };
 
-/// Cells one behind the other, each with control points of its own, so that fields may jump between them.
+/// List of cells without common control points, so that fields may be discontinuous between them.
 struct BezierCells {
   std::vector<std::vector<int>> degrees; ///< per cell, one per parametric direction
   MatrixX points;                        ///< 3 × points, in each cell ξ¹ fastest
@@ -24,13 +24,13 @@ struct BezierCells {
 };
 
 /// The elements of a body. Fields: displacement (3 components, exact); stress (Cauchy: xx, yy, zz, xy, yz, xz),
-/// von_mises, pressure (−tr σ/3) and F (9 components, row by row), so that they take their exact values at the (p+1)
+/// von_mises, pressure (−tr σ/3) and F (9 components, row by row), which interpolate the exact values at the (p+1)
 /// Gauss points per direction of each element, p the cell's degrees.
 template <int D> BezierCells bezier_cells(const Model<D>& model, int body, bool deformed);
 
-/// The sides of a body's cells on the slave face of a contact, with all its fields and contact_pressure: the polynomial
-/// of the cell's degrees that is nearest to the pressures at the contact points of an element, in the sense of least
-/// squares. `cells` are those of the slave's body.
+/// The sides of a body's cells on the slave face of a contact, with all fields and contact_pressure, the least-squares
+/// fit of the cell's degrees to the pressures at the contact points of an element. `cells` are those of the slave's
+/// body.
 template <int D> BezierCells contact_cells(const Model<D>& model, int contact, const BezierCells& cells);
 
 } // namespace signorini::tessellation

@@ -4,7 +4,7 @@ namespace signorini::tessellation {
 
 namespace {
 
-/// Goes on with a line; neighbors share a point.
+/// Appends a piece to a line; adjacent pieces share a point.
 void append(SkinLine& line, const SkinLine& piece) {
   const auto add = [](Points& points, const Points& more) {
     if (more.cols() == 0) return;

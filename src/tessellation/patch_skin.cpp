@@ -7,7 +7,7 @@ namespace signorini::tessellation {
 
 namespace {
 
-/// At a fraction of an element's interval.
+/// Parameter at a fraction of an element's interval.
 double parameter(const nurbs::KnotVector& knots, std::size_t e, double fraction) {
   const double from = knots.breaks()[e], to = knots.breaks()[e + 1];
   return from + (to - from) * fraction;
@@ -26,7 +26,7 @@ std::vector<std::vector<double>> even(const nurbs::KnotVector& knots) {
   return {at(knots.elements()), even_cuts(pieces)};
 }
 
-/// Of both directions of a surface; a curve is a surface of one row.
+/// Fractions in both directions of a surface; a curve is a surface of one row.
 Sampling<2> sampling_of(const nurbs::Patch& patch, const std::vector<Window>& windows) {
   const bool surface = patch.parametric_dimension() == 2;
   Sampling<2> all = {even(patch.direction(0)), surface ? even(patch.direction(1)) : Sampling<2>::value_type{{0.0}}};
@@ -40,8 +40,8 @@ Sampling<2> sampling_of(const nurbs::Patch& patch, const std::vector<Window>& wi
   return all;
 }
 
-/// Zero in the plane and of curves. At a pole, where the derivatives do not span a plane, the normal of a point beside
-/// it.
+/// Unit normal; zero in 2D and for curves. At a pole, where the derivatives do not span a plane, that of a nearby
+/// point.
 Vec<3> normal_at(const nurbs::Patch& patch, const VectorX& xi) {
   if (patch.dimension() == 2 || xi.size() == 1) return Vec<3>::Zero();
   const auto cross = [&](const VectorX& place) {

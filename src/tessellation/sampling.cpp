@@ -8,7 +8,7 @@ namespace signorini::tessellation {
 using model::BodyPoint;
 namespace {
 
-/// What a picture shows of a body: element by element, a piece of it that runs along two directions.
+/// Visible part of a body: pieces of elements in two directions.
 template <int D> struct Pieces {
   const Model<D>& model;
   int body;
@@ -22,7 +22,7 @@ template <int D> struct Pieces {
     return result;
   }
 
-  /// Cuts the piece of element e along two directions, which in a solid has fixed `fractions` in the third one.
+  /// Divides the piece of element e in two directions; in a solid, `fractions` fixes the third one.
   void cut(Sampling<D>& sampling, int e, std::array<int, 2> along, Vec<D> fractions,
            const std::vector<Window>& windows) const {
     const nurbs::Discretization& space = model.system.scene.bodies[at(body)].body->space();

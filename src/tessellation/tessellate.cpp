@@ -21,7 +21,7 @@ struct SkinPoint {
   double value;
 };
 
-/// One side of a solid, its elements counted with the first of its two directions fastest.
+/// One side of a solid; its elements are numbered with the first of its two directions fastest.
 struct SkinSide {
   const Model<3>& model;
   int body;
@@ -30,14 +30,14 @@ struct SkinSide {
 
   const solid::Body<3>& solid() const { return *model.system.scene.bodies[at(body)].body; }
   const nurbs::Discretization& space() const { return solid().space(); }
-  /// The side's own directions 0 and 1 among the solid's.
+  /// The solid's direction of the side's direction 0 or 1.
   int along(int i) const { return i == 0 ? (side.direction == 0 ? 1 : 0) : (side.direction == 2 ? 1 : 2); }
   int elements(int i) const { return space().elements(along(i)); }
 
-  /// The solid's element behind the side's element (i, j).
+  /// The solid's element at the side's element (i, j).
   int element(int i, int j) const { return space().element_behind(side, i + elements(0) * j); }
 
-  /// At the fractions s and t of element e's way along the side.
+  /// The point at fractions s and t of element e's intervals on the side.
   VectorX parameter(int e, double s, double t) const {
     Vec<3> fractions;
     fractions(side.direction) = side.at_end;
@@ -73,7 +73,7 @@ template <class Visit> void each_side_element(const Model<3>& model, int body, b
       for (int i = 0; i < side.elements(0); ++i) visit(side, i, j);
 }
 
-/// Control points, in the plane with z = 0, and the lines that join them within every row.
+/// Control points (2D: with z = 0), and the lines that connect them within each row.
 template <int D> void add_control_points(Skin& result, const Model<D>& model, int body, bool deformed) {
   const nurbs::Discretization& space = model.system.scene.bodies[at(body)].body->space();
   result.control_points.setZero(3, space.functions());
@@ -197,7 +197,7 @@ std::vector<Inside> crossed_elements(const Model<3>& model, int body, const Fiel
   const int side = divisions + 1;
   std::vector<Inside> result;
   for (int e = 0; e < space.elements(); ++e) {
-    // An element lies in the hull of its control points.
+    // An element lies in the convex hull of its control points.
     const std::vector<int> functions = space.basis(e, space.parameter(e, Vec<3>::Constant(0.5))).functions;
     const bool crossed = std::any_of(planes.begin(), planes.end(), [&](const CutPlane& plane) {
       double low = std::numeric_limits<double>::infinity(), high = -low;

@@ -1,5 +1,5 @@
 #pragma once
-// Bodies as points, triangles and lines over their true curved geometry, for pictures.
+// Tessellation of the exact geometry of bodies into points, triangles and lines, for pictures.
 
 #include "model/sample.hpp"
 #include "tessellation/sampling.hpp"
@@ -13,57 +13,56 @@ using Triangles = Eigen::Matrix<int, 3, Eigen::Dynamic>;
 
 /// A line on a surface.
 struct SkinLine {
-  Points points, normals; ///< one unit normal of the surface that it belongs to per point; none in the plane
+  Points points, normals; ///< normals: unit normal of its surface per point; none in 2D
   double spacing;         ///< distance to the next line of its kind, through the middle of an element
 };
 
-/// A plane body, the six sides of a solid, or a patch as triangles.
+/// Triangles of a plane body, of the six sides of a solid, or of a patch.
 struct Skin {
-  Points points, normals; ///< outward unit normals, one per point; none of plane bodies, whose points have z = 0
+  Points points, normals; ///< outward unit normals, one per point; none for plane bodies, whose points have z = 0
   Triangles triangles;
   VectorX values;                   ///< of the field, per point; empty without a field
   std::vector<SkinLine> mesh_lines; ///< borders between elements
-  std::vector<SkinLine> rim;        ///< in the plane four sides; of a solid's sides, once for each of two that meet
+  std::vector<SkinLine> rim;        ///< four sides (2D); edges of a solid, once for each of the two sides
   Points control_points;
-  std::vector<std::array<int, 2>> net_lines; ///< control points joined within every row
+  std::vector<std::array<int, 2>> net_lines; ///< lines of the control net within each row
 };
 
-/// Cuts every element into quadrilaterals of two triangles, points row by row. Points on element borders are doubled,
-/// so that fields may jump there. `field` may be null.
+/// Divides every element into quadrilaterals of two triangles, points row by row. Points on element borders are
+/// duplicated, so that fields may be discontinuous there. `field` may be null.
 Skin tessellate(const Model<2>& model, int body, const Field<2>* field, const Sampling<2>& sampling, bool deformed);
 
-/// Cuts the sides of the elements at the surface as the plane tessellation does.
+/// The same for the sides of the elements at the surface.
 Skin tessellate(const Model<3>& model, int body, const Field<3>* field, const Sampling<3>& sampling, bool deformed);
 
-/// A curve or a surface in 2D or 3D, finer where windows need it; a curve has points and a rim of one line alone.
-/// `sign`: of the normals ∂x/∂ξ¹ × ∂x/∂ξ², which are zero for curves and in the plane.
+/// A curve or surface in 2D or 3D, finer where windows need it; a curve has only points and a rim of one line. `sign`:
+/// of the normals ∂x/∂ξ¹ × ∂x/∂ξ², which are zero for curves and in 2D.
 Skin tessellate(const nurbs::Patch& patch, double sign = 1, const std::vector<Window>& windows = {});
 
-/// The point in space, z = 0 for those of the plane.
+/// The point in 3D coordinates; z = 0 for 2D patches.
 Vec<3> place(const nurbs::Patch& patch, const VectorX& xi);
 
-/// Elements that have a side on the surface, once per side.
+/// Number of element sides on the surface.
 int surface_elements(const nurbs::Discretization& space);
 
-/// The pressure of the contacts in which faces of the body are slaves, at the points of its skin: between a face
-/// element's contact points linear, beyond the outer ones constant; 0 elsewhere. Empty when no face of the body is
-/// slave.
+/// Contact pressure on the slave faces of the body at the points of its skin: linear between the contact points of a
+/// face element, constant beyond the outer ones; 0 on other faces. Empty if no face of the body is a slave.
 VectorX contact_pressure(const Model<3>& model, int body, const Sampling<3>& sampling);
 
-/// An element sampled at (divisions + 1)³ points evenly spread over its parameters, ξ¹ running fastest.
+/// An element sampled at (divisions + 1)³ points, uniform in its parameters, ξ¹ fastest.
 struct Inside {
   int divisions;
   Points points;
   VectorX values; ///< empty without a field
 };
 
-/// A plane in space.
+/// A plane that cuts a solid open in a picture.
 struct CutPlane {
   Vec<3> point, normal;
 };
 
-/// The elements of a solid that one of the planes at least may meet: it crosses or touches the hull of their control
-/// points. `field` may be null.
+/// The elements of a solid that may intersect at least one of the planes, because it intersects or touches the convex
+/// hull of their control points. `field` may be null.
 std::vector<Inside> crossed_elements(const Model<3>& model, int body, const Field<3>* field, int divisions,
                                      bool deformed, const std::vector<CutPlane>& planes);
 
