@@ -1,5 +1,5 @@
-// States of contact points over iterations: held back, held still, found cycling, on a strip whose touching part is
-// told.
+// Active set over iterations: freezing, fixing of points and detection of cycling, on a strip with a given contact
+// area.
 #include "model/active_set.hpp"
 
 #include "contact/faces.hpp"
@@ -28,7 +28,7 @@ struct Strip {
     add(contact::Master<2>(contact::make_plane<2>({0, 0}, {0, 1})), law);
     touch(0);
   }
-  /// Above a strip from 0 to `length`
+  /// Above a strip from 0 to `length`.
   Strip(const contact::Method<2>& law, double length)
       : base(discretize(nurbs::rectangle(length, 1, Eigen::Vector2d(0, -1)), {2, 1}, "N2", "north")) {
     u = VectorX::Zero(2 * strip.functions());
@@ -67,7 +67,7 @@ struct Strip {
 
 const contact::PenaltyLaw law{100};
 
-TEST(ActiveSet, FreezesWhoTouchesUntilTheEnergyHasFallen) {
+TEST(ActiveSet, IsFrozenUntilTheEnergyHasDecreased) {
   Strip strip(law);
   strip.touch(1.5);
   ASSERT_EQ(strip.touching(), 9);
@@ -90,7 +90,7 @@ TEST(ActiveSet, FreezesWhoTouchesUntilTheEnergyHasFallen) {
   EXPECT_EQ(strip.touching(), 3);
 }
 
-TEST(ActiveSet, ReleaseFreesWhatIsStillFrozenWithoutCountingARound) {
+TEST(ActiveSet, ReleaseEndsTheFreezeWithoutCountingARound) {
   Strip strip(law);
   strip.touch(1.5);
   ActiveSet<2> set;
@@ -106,7 +106,7 @@ TEST(ActiveSet, ReleaseFreesWhatIsStillFrozenWithoutCountingARound) {
   }
 }
 
-TEST(ActiveSet, HoldsPointsThatChangeTooOftenAndFreesThemForSomeRounds) {
+TEST(ActiveSet, FixesPointsThatChangeTooOftenAndFreesThemForSomeRounds) {
   Strip strip(law);
   strip.touch(1.5);
   ActiveSet<2> set;
@@ -122,13 +122,13 @@ TEST(ActiveSet, HoldsPointsThatChangeTooOftenAndFreesThemForSomeRounds) {
   EXPECT_EQ(go(1.5), 9);
   EXPECT_FALSE(strip.holds()); // two changes are allowed
   EXPECT_EQ(go(2), 12);
-  EXPECT_TRUE(strip.holds()); // in the state that the last change led to
+  EXPECT_TRUE(strip.holds()); // in the state after the last change
   EXPECT_EQ(go(1.5), 12);
   EXPECT_EQ(go(0.5), 6); // the others are free
   EXPECT_TRUE(set.release(strip.controls));
   EXPECT_FALSE(set.exhausted());
   EXPECT_EQ(go(0.5), 3);
-  // Six rounds of the same in one step
+  // Six such rounds in one step
   set.begin(strip.contacts, strip.present, {0, 1}, strip.controls);
   for (int round = 1; round <= 6; ++round) {
     for (double end : {1.5, 2.0, 1.5}) go(end);
@@ -141,7 +141,7 @@ TEST(ActiveSet, HoldsPointsThatChangeTooOftenAndFreesThemForSomeRounds) {
   EXPECT_FALSE(set.exhausted());
 }
 
-/// What period() says after each of these: where the strip touches, and the residual.
+/// Expected period() after an evaluation with a given end of contact and residual.
 std::vector<int> periods(const std::vector<std::pair<double, double>>& path) {
   Strip strip(law);
   ActiveSet<2> set;
@@ -155,7 +155,7 @@ std::vector<int> periods(const std::vector<std::pair<double, double>>& path) {
   return result;
 }
 
-TEST(ActiveSet, FindsCyclesOnceTheyHaveComeTwice) {
+TEST(ActiveSet, DetectsCyclesAfterTwoRepetitions) {
   EXPECT_EQ(periods({{1, 5}, {2, 1}, {1, 2}, {2, 1}, {1, 2}, {2, 1}, {1, 2}}), (std::vector<int>{0, 0, 0, 0, 0, 0, 2}));
   EXPECT_EQ(periods({{1, 1}, {2, 2}, {0.5, 3}, {1, 1}, {2, 2}, {0.5, 3}, {1, 1}, {2, 2}, {0.5, 3}}),
             (std::vector<int>{0, 0, 0, 0, 0, 0, 0, 0, 3}));
@@ -165,7 +165,7 @@ TEST(ActiveSet, FindsCyclesOnceTheyHaveComeTwice) {
   EXPECT_EQ(periods(long_way).back(), 8);
 }
 
-TEST(ActiveSet, TakesNothingElseForACycle) {
+TEST(ActiveSet, DetectsNoOtherSequencesAsCycles) {
   const auto none = [](const std::vector<std::pair<double, double>>& path) {
     for (int period : periods(path)) EXPECT_EQ(period, 0);
   };
@@ -183,7 +183,7 @@ TEST(ActiveSet, TakesNothingElseForACycle) {
   none(states_only);
 }
 
-TEST(ActiveSet, RestlessPointsAreThoseThatChangedMostFirst) {
+TEST(ActiveSet, ListsCyclingPointsByNumberOfChanges) {
   Strip strip(law);
   ActiveSet<2> set;
   set.begin(strip.contacts, strip.present, {}, strip.controls);
@@ -192,7 +192,7 @@ TEST(ActiveSet, RestlessPointsAreThoseThatChangedMostFirst) {
     set.note(strip.present, 1, strip.controls);
   };
   go(1), go(1.5);
-  EXPECT_TRUE(set.cycling_points().empty()); // once is no unrest
+  EXPECT_TRUE(set.cycling_points().empty()); // one change is not cycling
   go(1), go(1.5), go(2), go(1.5), go(1);
   // Element 3 (x from 1 to 1.5) changed four times, element 4 twice.
   const std::vector<PointIndex> restless = set.cycling_points();
@@ -203,14 +203,14 @@ TEST(ActiveSet, RestlessPointsAreThoseThatChangedMostFirst) {
     EXPECT_EQ(strip.contacts[0]->points().list[static_cast<std::size_t>(6 + i)].element, i < 3 ? 2 : 3);
   }
   EXPECT_TRUE(set.cycling_past_end().empty());
-  // What is long ago is forgotten.
+  // Old evaluations are ignored.
   for (int k = 0; k < 8; ++k) go(1);
   EXPECT_TRUE(set.cycling_points().empty());
 }
 
 TEST(ActiveSet, NamesAllStatesThatAlternateInACycle) {
   Strip strip(contact::PenaltyLaw{100, 100, 0.1});
-  strip.accept(); // slip points: where the strip touches now
+  strip.accept(); // sets slip points to the present foot points
   ActiveSet<2> set;
   set.begin(strip.contacts, strip.present, {}, strip.controls);
   const PointIndex first{0, 0};
@@ -220,7 +220,7 @@ TEST(ActiveSet, NamesAllStatesThatAlternateInACycle) {
     set.note(strip.present, 1, strip.controls);
     return strip.present[0].results[0].state;
   };
-  // Period 3: the last two states of a round are the same.
+  // Period 3: the last two states of a round are equal.
   for (int round = 0; round < 3; ++round) {
     EXPECT_EQ(go(0, -0.01), ContactState::stick);
     EXPECT_EQ(go(0.1, -0.01), ContactState::slip);
@@ -230,23 +230,23 @@ TEST(ActiveSet, NamesAllStatesThatAlternateInACycle) {
   // Three states in one round
   for (int round = 0; round < 3; ++round) go(0, 0.01), go(0, -0.01), go(0.1, -0.01);
   EXPECT_EQ(set.alternating(first), "open / stick / slip");
-  // Period 2, as the last two states had it
+  // Period 2, in the order of the last two states
   for (int round = 0; round < 4; ++round) go(0.1, -0.01), go(0, -0.01);
   EXPECT_EQ(set.alternating(first), "slip / stick");
 }
 
-TEST(ActiveSet, StraysComeAndGoBeyondTheMastersEnd) {
+TEST(ActiveSet, ListsPointsThatCyclePastTheMastersEnd) {
   Strip strip(law, 2);
   ActiveSet<2> set;
   strip.shift(0);
   set.begin(strip.contacts, strip.present, {}, strip.controls);
-  // The master, 0 … 2, goes on beyond its ends by 0.3 of an element, 0.3.
+  // The master, 0 … 2, is extended beyond its ends by 0.3 of an element, 0.3.
   for (double x : {0.0, -0.5, 0.0, -0.5}) {
     strip.shift(x);
     EXPECT_EQ(strip.touching(), x == 0 ? 14 : 16);
     set.note(strip.present, 1, strip.controls);
   }
-  // At the right end 2.3 … 2.8 comes and goes; at the left one 0 … 0.2.
+  // At the right end the part 2.3 … 2.8 alternates, at the left end 0 … 0.2.
   std::vector<int> points;
   for (const PointIndex& index : set.cycling_past_end()) points.push_back(index.point);
   std::sort(points.begin(), points.end());
@@ -254,13 +254,13 @@ TEST(ActiveSet, StraysComeAndGoBeyondTheMastersEnd) {
   EXPECT_EQ(set.cycling_points().size(), 4u);
 }
 
-TEST(ActiveSet, AdhesionNeverCounts) {
+TEST(ActiveSet, IgnoresAdhesion) {
   Strip strip(contact::Adhesion{0.02, 0.05});
   ActiveSet<2> set;
   set.begin(strip.contacts, strip.present, {0, 1}, strip.controls);
   int adhesive = 0;
   for (int k = 0; k < 12; ++k) {
-    strip.touch(k % 2 == 0 ? -1 : -4); // near the plane, and farther than where it pulls most
+    strip.touch(k % 2 == 0 ? -1 : -4); // near the plane, and beyond the distance of the strongest attraction
     adhesive += strip.touching();
     set.note(strip.present, 1 + k % 2, strip.controls);
     EXPECT_EQ(set.period(), 0);

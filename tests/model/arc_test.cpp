@@ -1,4 +1,4 @@
-// Paths that turn back: an adhesive bar that snaps off, whose path is known, and a shallow arch that snaps through.
+// Paths with turning points: an adhesive bar with snap-back, whose path is known, and a shallow arch with snap-through.
 #include "model/bench.hpp"
 #include "model/path_norm.hpp"
 #include "model/scenes.hpp"
@@ -18,7 +18,7 @@ using namespace test;
 constexpr contact::Adhesion film{0.1, 0.4};
 constexpr double bar_length = 10;
 
-/// A column that sticks to a rigid plane, drawn at its top: too soft to follow the film's falling traction.
+/// A column adhering to a rigid plane, pulled at its top: too soft to follow the decreasing adhesive traction.
 Scene<2> bar(const solid::Material& material) {
   Scene<2> scene;
   scene.bodies.push_back(
@@ -36,8 +36,8 @@ double distance(const Model<2>& model) {
   return contact::equilibrium_distance(film) + body_displacement(model, 0)(1, 0);
 }
 
-/// A shallow clamped arch of thickness 0.3 and rise 1.5 over a span of about 12, in some unit of length, its left half;
-/// loaded from above.
+/// Left half of a shallow clamped arch of thickness 0.3 and rise 1.5 over a span of about 12, in a given unit of
+/// length, loaded from above.
 Scene<2> arch(double unit = 1, int elements = 8) {
   constexpr double half_angle = 28;
   const double radius = 12.5 * unit;
@@ -52,7 +52,7 @@ Scene<2> arch(double unit = 1, int elements = 8) {
   return scene;
 }
 
-/// A strip whose east end turns with free translation.
+/// A strip whose east end rotates with free translation.
 Scene<2> strip() {
   Scene<2> scene;
   scene.bodies.push_back({"strip", make_body(nurbs::rectangle(6, 1, Eigen::Vector2d(0, 0)), {6, 1}, "N2", "south",
@@ -64,14 +64,13 @@ Scene<2> strip() {
   return scene;
 }
 
-/// A model on its way along one target of its first drive, and the same parts to take its path's tangent from by dense
-/// algebra.
+/// A model on a path of one target of its first drive, and the parts to compute the path's tangent with dense algebra.
 struct Walk {
   Model<2> model;
   Bench bench;
   Drives<2> drives;
   int component;
-  double sense;    ///< of the target, at the beginning
+  double sense;    ///< of the target's change at the start
   VectorX weights; ///< of the path's norm
   VectorX targets, last_increment;
 
@@ -81,7 +80,7 @@ struct Walk {
   double norm(const VectorX& u) const { return std::sqrt(weights.dot(u.cwiseAbs2())); }
   double target() const { return accepted_target(model, 0, component); }
 
-  /// Unit tangent of the solution curve at the accepted state, on in the sense of the last step:
+  /// Unit tangent of the solution curve at the accepted state, in the sense of the last step:
   ///   K δ = −(K_p ∂u_p − ∂f_ext) for a unit of the target.
   VectorX tangent() {
     const VectorX unit = VectorX::Unit(targets.size(), component);
@@ -93,7 +92,7 @@ struct Walk {
     const double along = last_increment.size() > 0 ? t.dot(weights.cwiseProduct(last_increment)) : sense;
     return std::copysign(1 / norm(t), along) * t;
   }
-  /// One accepted arc, and what holds of every one: its length along the tangent, its end an equilibrium.
+  /// Solves and accepts one increment; checks its length along the tangent and the equilibrium at its end.
   void arc(double length) {
     const double from = target();
     const VectorX before = model.present.displacement, t = tangent();
@@ -111,7 +110,7 @@ struct Walk {
   }
 };
 
-/// Extremes of the targets on the way: how often they turn.
+/// Number of turning points of the targets.
 int turns(const std::vector<double>& values) {
   int count = 0;
   for (std::size_t i = 2; i < values.size(); ++i)
@@ -119,13 +118,13 @@ int turns(const std::vector<double>& values) {
   return count;
 }
 
-/// A uniform bar: σ = −T(r), so its top stands at u = r − r_eq − L T(r)/(λ + 2μ), which falls where the film's traction
-/// falls faster than the bar unloads.
+/// A uniform bar: σ = −T(r), so the displacement of its top is u = r − r_eq − L T(r)/(λ + 2μ), which decreases where
+/// the adhesive traction decreases faster than the bar unloads.
 TEST(Arc, FollowsAnAdhesiveBarThroughItsSnapBack) {
   const solid::LinearElastic material = solid::linear_elastic(2, 0.2);
   const double modulus = material.lambda + 2 * material.mu, nearest = contact::equilibrium_distance(film);
   const auto exact = [&](double r) { return r - nearest - bar_length * contact::traction(film, r) / modulus; };
-  double highest = 0, lowest = 1; // on the way to r = 0.75, beyond which the top rises for good
+  double highest = 0, lowest = 1; // up to r = 0.75, beyond which u increases monotonically
   for (double r = nearest; r < 0.75; r += 1e-5) {
     highest = std::max(highest, exact(r));
     if (r > 0.4) lowest = std::min(lowest, exact(r));
@@ -140,13 +139,13 @@ TEST(Arc, FollowsAnAdhesiveBarThroughItsSnapBack) {
     EXPECT_NEAR(tops.back(), exact(distance(walk.model)), 1e-9);
     EXPECT_NEAR(reaction(walk.model, 1)(1), -2 * contact::traction(film, distance(walk.model)), 1e-9);
   }
-  ASSERT_GT(tops.size(), 50u); // otherwise it stopped at a failure
+  ASSERT_GT(tops.size(), 50u); // fewer: an increment failed
   EXPECT_EQ(turns(tops), 2);
   EXPECT_NEAR(*std::max_element(tops.begin(), tops.end()), highest, 0.01 * highest);
-  const auto falling = std::adjacent_find(tops.begin(), tops.end(), std::greater<>()); // the first turn
+  const auto falling = std::adjacent_find(tops.begin(), tops.end(), std::greater<>()); // the first turning point
   EXPECT_NEAR(*std::min_element(falling, tops.end()), lowest, 0.01 * lowest);
 
-  // Under displacement control the states between are not to be had: the bar lets go, or Newton's method gives up.
+  // Displacement control cannot reach the states between: the bar snaps off, or Newton's method fails.
   Model<2> driven(bar(material));
   for (double top = 0.02;; top += 0.02) {
     set_target(driven, 0, 0, top);
@@ -171,7 +170,7 @@ TEST(Arc, FollowsAnArchThroughItsLimitLoad) {
     loads.push_back(-walk.target());
     sags.push_back(sag(walk.model));
     if (step % 3 > 0) continue;
-    // The load alone leads away from there and back again.
+    // Two load-controlled steps, away and back, must return to the same state.
     const Snapshot<2> here = snapshot(walk.model);
     bool there_and_back = true;
     for (double factor : {0.999, 1.0}) {
@@ -187,14 +186,14 @@ TEST(Arc, FollowsAnArchThroughItsLimitLoad) {
     }
     restore(walk.model, here);
   }
-  ASSERT_EQ(loads.size(), 45u); // otherwise it stopped at a failure
+  ASSERT_EQ(loads.size(), 45u); // fewer: an increment failed
   EXPECT_EQ(confirmed, 15);
   EXPECT_EQ(turns(loads), 2);
   const auto limit = std::max_element(loads.begin(), loads.begin() + 10);
   EXPECT_LT(*std::min_element(limit, loads.end()), 0.3 * *limit);
   for (std::size_t i = 1; i < sags.size(); ++i) EXPECT_GT(sags[i], sags[i - 1]);
 
-  // Under load control the arch leaps over the falling branch, or Newton's method gives up.
+  // Load control snaps through past the descending branch, or Newton's method fails.
   Model<2> loaded(arch());
   for (double load = 0.01;; load += 0.01) {
     set_target(loaded, 0, 1, -load);
@@ -208,7 +207,8 @@ TEST(Arc, FollowsAnArchThroughItsLimitLoad) {
   EXPECT_LT(sag(loaded), 0.3);
 }
 
-/// Where the path does not turn, arcs end where steps to the same targets do; turning a face is no straight motion.
+/// Without turning points increments end in the same states as steps to the same targets; rotation of a face is a
+/// nonlinear motion.
 TEST(Arc, AgreesWithStepsToTheSameAngles) {
   Walk walk(strip(), 0, 1);
   Model<2> stepped(strip());
@@ -244,7 +244,7 @@ TEST(Arc, RollbackReturnsToTheAcceptedState) {
   EXPECT_EQ(solve_arc(model, cut, 1).outcome, solve::Outcome::iteration_limit);
   rollback(model);
   unchanged();
-  // One that converges but is not taken; every matrix has factors of its own, so that the same one follows
+  // An increment that converges but is not accepted; the direct solver factors every matrix, so the same one follows
   StepOptions afresh;
   afresh.linear = solve::LinearKind::umfpack;
   set_target(model, 0, 1, target - 1);
@@ -258,7 +258,7 @@ TEST(Arc, RollbackReturnsToTheAcceptedState) {
   EXPECT_EQ(model.present.displacement, first);
 }
 
-/// ∫ |u|² dV / V of a rigid translation is |u|², of any mesh and in any unit.
+/// ∫ |u|² dV / V of a rigid translation is |u|² for any mesh and unit.
 TEST(Arc, TheNormIsTheRootMeanSquareOverTheBodies) {
   for (const Scene<2>& scene : {arch(), arch(1000), arch(1, 32), strip(), bar(solid::neo_hookean(1, 0.3))}) {
     const Unknowns<2> unknowns(scene);
@@ -269,7 +269,7 @@ TEST(Arc, TheNormIsTheRootMeanSquareOverTheBodies) {
   }
 }
 
-TEST(Arc, AnArcOfTheSameLengthLeadsAsFarOnAnyMeshAndInAnyUnit) {
+TEST(Arc, IncrementsOfEqualLengthAreIndependentOfMeshAndUnit) {
   const auto loads = [](double unit, int elements) {
     Walk walk(arch(unit, elements), 1, -1);
     std::vector<double> values;

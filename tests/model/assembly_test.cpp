@@ -1,4 +1,4 @@
-// The whole assembled tangent against finite differences of the residual, in states of the ironing problem.
+// The assembled tangent against finite differences of the residual, in states of the ironing problem.
 #include "model/bench.hpp"
 #include "model/scenes.hpp"
 
@@ -57,7 +57,7 @@ TEST(Assembly, TangentIsTheResidualsDerivativeInEveryState) {
     check(2e-4);
     move_die(0.03, 0);
     check(1e-3);
-    move_die(0.4, 0); // the slip points stay behind in other elements
+    move_die(0.4, 0); // slip points remain in other elements
     check(1e-3);
     EXPECT_GE(compared, 8) << label;
     EXPECT_GT(seen.open, 50) << label;
@@ -67,7 +67,7 @@ TEST(Assembly, TangentIsTheResidualsDerivativeInEveryState) {
   }
 }
 
-TEST(Assembly, ResidualAloneIsTheSameToTheLastBit) {
+TEST(Assembly, ResidualWithoutTangentIsBitwiseTheSame) {
   nurbs::test::Random random(5);
   Bench bench(ironing("N2-N2.2")), alone(ironing("N2-N2.2"));
   VectorX u = VectorX::Zero(bench.unknowns.dofs());

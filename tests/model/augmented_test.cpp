@@ -1,4 +1,4 @@
-// The augmented Lagrangian method where the exact state is known: a block between walls, pressed flat on a plane.
+// The augmented Lagrangian method for a known exact state: a block between walls, pressed onto a plane.
 #include "model/scenes.hpp"
 #include "told.hpp"
 
@@ -49,7 +49,7 @@ TEST(Augmented, PressureIsExactAtAModeratePenalty) {
         EXPECT_LE(floor.max_penetration, std::sqrt(2) * tolerance);
         EXPECT_EQ(floor.active, 8);
         const double p = exact_pressure(depth);
-        // What is left of the penetration moves the pressure by less than λ + 2μ at this strain.
+        // The remaining penetration changes the pressure with a stiffness below λ + 2μ.
         EXPECT_NEAR(floor.max_pressure, p, 20 * tolerance + 1e-9);
         EXPECT_NEAR(-reaction(model, 2)(1), p, 20 * tolerance + 1e-9);
         if (tolerance < 1e-6) {
@@ -58,14 +58,14 @@ TEST(Augmented, PressureIsExactAtAModeratePenalty) {
         accept(model);
       }
     }
-  // Plain penalty is far from it.
+  // The penalty method alone has a large error.
   Model<2> plain(pressed_block(10));
   set_target(plain, 0, 0, -0.2);
   ASSERT_EQ(solve_step(plain, {}).outcome, solve::Outcome::converged);
   EXPECT_GT(std::abs(resultant(plain.present.contacts[0]).max_pressure / exact_pressure(0.2) - 1), 0.1);
 }
 
-TEST(Augmented, ABlockThatIsDrawnOffLetsGo) {
+TEST(Augmented, ASeparatedBlockHasNoPressure) {
   Model<2> model(pressed_block(40));
   for (double depth : {0.2, 0.05, -0.01}) {
     set_target(model, 0, 0, -depth);
@@ -77,7 +77,7 @@ TEST(Augmented, ABlockThatIsDrawnOffLetsGo) {
   }
 }
 
-TEST(Augmented, TooFewLoopsFailAndSaySo) {
+TEST(Augmented, TooFewLoopsAreReported) {
   Model<2> model(pressed_block(10));
   set_target(model, 0, 0, -0.2);
   const solve::NewtonReport report = solve_step(model, augmented(1e-8, 3));
@@ -85,7 +85,7 @@ TEST(Augmented, TooFewLoopsFailAndSaySo) {
   EXPECT_NE(told(report.messages).find("loops = 3, enough = 1.41421"), std::string::npos) << told(report.messages);
 }
 
-TEST(Augmented, RollBackAndRestoreBringMultipliersBack) {
+TEST(Augmented, RollBackAndRestoreIncludeMultipliers) {
   Model<2> model(pressed_block(40));
   set_target(model, 0, 0, -0.1);
   ASSERT_EQ(solve_step(model, augmented(1e-8)).outcome, solve::Outcome::converged);
@@ -107,8 +107,8 @@ TEST(Augmented, RollBackAndRestoreBringMultipliersBack) {
   EXPECT_EQ(resultant(model.present.contacts[0]).max_pressure, deeper);
 }
 
-/// A penalty that has grown goes back with the state that it belonged to.
-TEST(PenaltyFactor, GoesBackWithTheState) {
+/// The penalty factor is restored with its state.
+TEST(PenaltyFactor, IsRestoredWithTheState) {
   Model<2> model(pressed_block(40));
   set_penalty_factor(model, 0.5);
   set_target(model, 0, 0, -0.1);

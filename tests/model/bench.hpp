@@ -1,5 +1,6 @@
 #pragma once
-// A model's parts, so that states can be set that are no equilibria, and its tangent against finite differences.
+// The parts of a model, for states that are not in equilibrium, and a comparison of its tangent with finite
+// differences.
 
 #include "model/system.hpp"
 
@@ -43,7 +44,7 @@ struct Bench {
         full(pattern.rows[static_cast<std::size_t>(k)], j) = assembly.values()[static_cast<std::size_t>(k)];
     return full;
   }
-  /// What finite differences must not step over.
+  /// Discrete state, which finite differences must not change.
   std::vector<int> signature() const {
     std::vector<int> result;
     for (std::size_t k = 0; k < system.contacts.size(); ++k) {
@@ -55,8 +56,8 @@ struct Bench {
   }
 };
 
-/// Compares at u; false when a difference steps over a change of state. Also: product() is the tangent's along a
-/// direction of everything that is prescribed.
+/// Compares tangent and finite differences at u; returns false if a difference changes the discrete state. Also
+/// compares product() in a direction of all prescribed degrees of freedom.
 inline bool compare(Bench& bench, const VectorX& u) {
   bench.residual(u);
   const MatrixX tangent = bench.tangent();

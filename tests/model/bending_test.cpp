@@ -1,4 +1,4 @@
-// Strips bent by turning their ends: moments against beam theory, and as the rate of the stored energy.
+// Strips bent by rotation of their ends: moments against beam theory and against the rate of the stored energy.
 #include "model/scenes.hpp"
 #include "told.hpp"
 
@@ -15,7 +15,7 @@ using std::numbers::pi;
 
 constexpr double youngs_modulus = 2, poissons_ratio = 0.3;
 
-/// A strip of unit height; its east end turns with free translation, its west end is clamped or turns too.
+/// A strip of unit height; its east end rotates with free translation, its west end is clamped or rotates, too.
 Scene<2> strip(double length, int elements, const std::string& label, const solid::Material& material, bool both) {
   Scene<2> scene;
   scene.bodies.push_back({"strip", make_body(nurbs::rectangle(length, 1, Eigen::Vector2d(0, 0)), {elements, 2}, label,
@@ -41,7 +41,7 @@ double beam_moment(double curvature) {
   return youngs_modulus / (1 - poissons_ratio * poissons_ratio) / 12 * curvature;
 }
 
-/// At one curvature the ends' disturbance, about a height long, fades with H/L.
+/// At a given curvature the effect of the disturbances at the ends, about one height long, decreases with H/L.
 TEST(Bending, MomentApproachesBeamTheoryAsTheStripBecomesSlender) {
   constexpr double curvature = 0.005;
   for (const solid::Material& material : {solid::Material(solid::neo_hookean(youngs_modulus, poissons_ratio)),
@@ -50,12 +50,12 @@ TEST(Bending, MomentApproachesBeamTheoryAsTheStripBecomesSlender) {
     std::vector<double> errors;
     for (int length : {10, 20, 40}) {
       Model<2> model(strip(length, 2 * length, "N3", material, false));
-      // Hooke's law is for small turns: its error grows with the square of the angle
+      // Hooke's law is limited to small rotations: its error increases with the square of the angle.
       const double bend = linear ? 1e-3 * curvature : curvature;
       set_target(model, 0, 0, bend * length * 180 / pi);
       solve(model);
       errors.push_back(moment(model, 1) / beam_moment(bend) - 1);
-      EXPECT_NEAR(moment(model, 0), 0, 1e-15); // does not turn
+      EXPECT_NEAR(moment(model, 0), 0, 1e-15); // no rotating support
       EXPECT_NEAR(reaction(model, 1).norm(), 0, 1e-9 * moment(model, 1));
       EXPECT_NEAR(reaction(model, 0).norm(), 0, 1e-9 * moment(model, 1));
     }
@@ -65,7 +65,7 @@ TEST(Bending, MomentApproachesBeamTheoryAsTheStripBecomesSlender) {
   }
 }
 
-/// Bent into more than half a circle, both ends turning: still beam theory, up to (κH)².
+/// Bent into more than half a circle by rotation of both ends: beam theory up to (κH)².
 TEST(Bending, LargeRotationsAgreeWithBeamTheory) {
   constexpr double length = 40, step = 5;
   Model<2> model(strip(length, 40, "N2", solid::neo_hookean(youngs_modulus, poissons_ratio), true));
@@ -80,8 +80,8 @@ TEST(Bending, LargeRotationsAgreeWithBeamTheory) {
   }
 }
 
-/// M = dW/dθ along an accepted path: central differences of the energy over the steps, whose error falls with the
-/// square of the step.
+/// M = dW/dθ along an accepted path, by central differences of the energy over the steps, whose error decreases with
+/// the square of the step.
 TEST(Bending, MomentIsTheRateOfTheStoredEnergy) {
   std::vector<double> errors;
   for (double step : {8.0, 4.0, 2.0}) {

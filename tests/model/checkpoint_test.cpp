@@ -1,4 +1,4 @@
-// Saved models: the same bits afterwards, whatever came before; wrong files.
+// Saved models: bitwise equal results after any history; invalid files.
 #include "model/checkpoint.hpp"
 
 #include "base/archive.hpp"
@@ -22,7 +22,7 @@ template <class Matrix> bool same_bits(const Matrix& a, const Matrix& b) {
          std::memcmp(a.data(), b.data(), sizeof(double) * static_cast<std::size_t>(a.size())) == 0;
 }
 
-/// All that users see of a state, as one list of numbers.
+/// All results of a state as one list of numbers.
 template <int D> VectorX seen(Model<D>& model) {
   std::vector<double> numbers(model.present.displacement.begin(), model.present.displacement.end());
   const auto append = [&](const auto& values) { numbers.insert(numbers.end(), values.begin(), values.end()); };
@@ -42,7 +42,7 @@ template <int D> VectorX seen(Model<D>& model) {
   return Eigen::Map<VectorX>(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
 }
 
-/// Steps of the ironing path, larger than published so that contact is soon wide.
+/// Steps of the ironing path, larger than published, so that the contact area grows quickly.
 void iron(Model<2>& model, int from, int to, const StepOptions& options = {}) {
   for (int step = from; step <= to; ++step) {
     const double press = std::min(step, 5) / 5.0, slide = std::max(step - 5, 0) / 40.0;
@@ -56,7 +56,7 @@ std::shared_ptr<Model<2>> load_plane(const std::string& file) {
   return std::get<std::shared_ptr<Model<2>>>(load(file));
 }
 
-TEST(Rollback, GivesBackTheBitsOfTheAcceptedState) {
+TEST(Rollback, RestoresTheAcceptedStateBitwise) {
   Model<2> model(ironing("N2"));
   iron(model, 1, 9);
   const VectorX before = seen(model);
@@ -77,7 +77,7 @@ TEST(Rollback, GivesBackTheBitsOfTheAcceptedState) {
   EXPECT_TRUE(same_bits(seen(model), before));
 }
 
-/// Of a failed attempt nothing is left, not even where no other follows.
+/// A failed attempt leaves no trace, also without another attempt.
 TEST(Rollback, AcceptingAfterwardsChangesNothing) {
   Model<2> model(ironing("N2"));
   iron(model, 1, 5);
@@ -93,7 +93,7 @@ TEST(Rollback, AcceptingAfterwardsChangesNothing) {
   EXPECT_EQ(energies(model).work, work);
 }
 
-TEST(Checkpoint, TheSavedAndTheLoadedModelGoOnWithTheSameBits) {
+TEST(Checkpoint, TheSavedAndTheLoadedModelContinueBitwiseEqual) {
   const ScratchFolder folder;
   for (const auto linear : {solve::LinearKind::automatic, solve::LinearKind::umfpack, solve::LinearKind::kept}) {
     StepOptions options;
@@ -110,14 +110,14 @@ TEST(Checkpoint, TheSavedAndTheLoadedModelGoOnWithTheSameBits) {
     iron(model, 9, 14, options);
     iron(*loaded, 9, 14, options);
     EXPECT_TRUE(same_bits(seen(model), seen(*loaded)));
-    // That takes settling: without, rounding depends on the past.
+    // This requires settling: otherwise rounding error depends on the past.
     EXPECT_FALSE(same_bits(seen(model), seen(undisturbed)));
     EXPECT_LT((model.present.displacement - undisturbed.present.displacement).norm(), 1e-9);
   }
 }
 
 /// Failed attempts, other states and other solvers before a restore leave no trace.
-TEST(Checkpoint, RestoringForgetsWhatWasBefore) {
+TEST(Checkpoint, RestoredModelsAreIndependentOfTheirPast) {
   const ScratchFolder folder;
   Model<2> model(ironing("N2")), other(ironing("N2"));
   iron(model, 1, 8);
@@ -178,7 +178,7 @@ TEST(Checkpoint, NamesThePartsOfAnotherScene) {
   holds(refused([](Scene<2>& s) { s = ironing("N2-N3"); }), "body 'die', body 'slab'");
 }
 
-TEST(Checkpoint, FilesOfAnotherKindAreRefused) {
+TEST(Checkpoint, FilesOfAnotherKindAreErrors) {
   const ScratchFolder folder;
   write_archive(folder.file("a"), {"something else", 1}, {});
   EXPECT_NE(message_of([&] { load(folder.file("a")); }).find("base.archive.kind"), std::string::npos);

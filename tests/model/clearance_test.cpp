@@ -1,4 +1,4 @@
-// Scenes that begin with an obstacle inside a body are refused; touching ones, and ones that overlap a little, are not.
+// Initial penetration: an obstacle inside a body is an error; contact and small overlap are not.
 #include "model/scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@ namespace clearance_test {
 
 using namespace test;
 
-/// A model of a square [0, 1]² whose face meets an obstacle.
+/// A model of a square [0, 1]² with contact between a face and an obstacle.
 void build(const contact::Obstacle<2>& obstacle, const std::string& face = "south") {
   Scene<2> scene = square({{"top", "north", {Hold::fixed, Hold::fixed}}});
   scene.obstacles = {obstacle};
@@ -26,28 +26,28 @@ contact::Obstacle<2> ball(double x, double y, double radius) {
 TEST(Clearance, ApartTouchingAndSlightlyOverlappingIsFine) {
   build(plane(-0.3, 1));
   build(plane(0, 1));
-  build(plane(0.009, 1)); // of a size of √2
+  build(plane(0.009, 1)); // the body's size is √2
   build(ball(0.5, -1, 1));
   build(ball(0.5, -1, 1.01));
   build(ball(0.5, -2, 1));
-  build(ball(0.5, 2, 0.3)); // beside another face
+  build(ball(0.5, 2, 0.3)); // next to another face
   build(ball(-0.4, 0.5, 0.3), "west");
   build(nurbs::line(Eigen::Vector2d(2, 0), Eigen::Vector2d(-1, 0)));
 }
 
-TEST(Clearance, ObstacleThatReachesIntoTheBodyIsAnError) {
+TEST(Clearance, ObstacleInsideTheBodyIsAnError) {
   EXPECT_ERROR(build(plane(0.02, 1)), "model.clearance.inside");
   EXPECT_ERROR(build(ball(0.5, -1, 1.2)), "model.clearance.inside");
-  EXPECT_ERROR(build(ball(0.5, 0.2, 3)), "model.clearance.inside"); // swallows it
+  EXPECT_ERROR(build(ball(0.5, 0.2, 3)), "model.clearance.inside"); // contains the body
 }
 
-TEST(Clearance, NormalTurnedRoundIsAnError) {
+TEST(Clearance, ReversedNormalIsAnError) {
   EXPECT_ERROR(build(plane(-0.3, -1)), "model.clearance.inside");
   EXPECT_ERROR(build(plane(0, -1)), "model.clearance.middle"); // only touches
   EXPECT_ERROR(build(nurbs::line(Eigen::Vector2d(-1, -0.3), Eigen::Vector2d(2, -0.3))), "model.clearance.inside_patch");
 }
 
-/// A disc in the middle of the body touches no face.
+/// A disc in the middle of the body penetrates no face.
 TEST(Clearance, DiscInTheBodyIsAnError) {
   EXPECT_ERROR(build(ball(0.5, 0.5, 0.1)),
                "model.clearance.center: contact = floor, body = block, center = (0.5, 0.5)");
@@ -55,7 +55,7 @@ TEST(Clearance, DiscInTheBodyIsAnError) {
                "model.clearance.center: contact = floor, body = block, center = (0.02, 0.98)");
 }
 
-/// What counts is the curved body itself, not the hull of its control points.
+/// The check uses the curved body, not the hull of its control points.
 TEST(Clearance, DiscInAHoleIsFine) {
   const auto shell = [](const Vec<2>& center, double radius) {
     Scene<2> scene;

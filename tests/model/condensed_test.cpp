@@ -1,4 +1,4 @@
-// Linear elastic scenes solved with the bulk condensed onto the contact unknowns, beside the plain way.
+// Linear elastic scenes solved with static condensation of the bulk, compared with the standard solution.
 #include "model/bench.hpp"
 #include "model/scenes.hpp"
 #include "told.hpp"
@@ -33,12 +33,12 @@ Scene<2> linear_ironing(double mu) {
   return scene;
 }
 
-/// The most points in contact and slipping along a path, and how often iterations differed.
+/// Largest numbers of active and slipping points along a path, and number of steps with different iterations.
 struct Seen {
   int active = 0, slipping = 0, other_iterations = 0;
 };
 
-/// The same path by both solvers: the same displacements and forces.
+/// Compares displacements and forces of both solvers along a path.
 Seen compare_solvers(const Scene<2>& scene, const std::vector<Vec<2>>& path) {
   Model<2> condensed(scene), plain(scene);
   StepOptions by_condensed, by_plain;
@@ -76,8 +76,8 @@ std::vector<Vec<2>> press_and_drag(double depth, int presses, double way, int dr
   return path;
 }
 
-/// With friction a step begins with slipping points on Coulomb's cone, where rounding decides which tangent the first
-/// iteration takes: a few steps end an iteration earlier or later, without friction none.
+/// With friction a step starts with slipping points on Coulomb's cone, where rounding error decides which tangent the
+/// first iteration uses: a few steps take one iteration more or less; without friction none do.
 TEST(Condensed, LinearBodyOnARigidPlane) {
   for (double mu : {0.0, 0.3}) {
     const Seen seen = compare_solvers(roller(soft, {100, 100, mu}), press_and_drag(0.1, 8, 0.2, 8));
@@ -96,7 +96,7 @@ TEST(Condensed, TwoLinearBodies) {
   }
 }
 
-/// In one step from the first touch to a wide contact: far beyond the unknowns that were watched before.
+/// One step from first contact to a wide contact area, far beyond the previous contact unknowns.
 TEST(Condensed, ContactGrowsBeyondTheWatchedUnknowns) {
   const Seen seen =
       compare_solvers(roller(soft, {100, 100, 0.3}), {{0, -0.001}, {0, -0.15}, {0.3, -0.15}, {0, -0.002}});
@@ -112,10 +112,10 @@ TEST(Condensed, ContactGrowsBeyondTheWatchedUnknowns) {
   EXPECT_EQ(sink(-0.01), std::pair(0, std::size_t(0)));
   const auto few = sink(0.001), more = sink(0.0012), many = sink(0.2);
   EXPECT_EQ(few.first, 1);
-  EXPECT_EQ(more, few); // a little on: the margin holds
+  EXPECT_EQ(more, few); // small steps stay within the margin
   EXPECT_EQ(many.first, 2);
   EXPECT_GT(many.second, 2 * few.second);
-  // All unknowns that contacts add to are watched.
+  // All unknowns on which contacts act are contact unknowns.
   const MatrixX with = bench.tangent();
   std::vector<char> watched(static_cast<std::size_t>(bench.unknowns.size()), false);
   for (int i : bench.assembly.contact_unknowns()) watched[static_cast<std::size_t>(i)] = true;
@@ -130,9 +130,9 @@ TEST(Condensed, ContactGrowsBeyondTheWatchedUnknowns) {
       }
 }
 
-/// Nothing but the plane keeps a block from falling, and with friction from sliding: the bulk's stiffness alone is
+/// A block supported only by contact with a plane, with friction also against sliding: the bulk's stiffness is
 /// singular.
-TEST(Condensed, BodyThatOnlyTheContactHolds) {
+TEST(Condensed, BodySupportedByContactOnly) {
   const auto scene = [](double mu) {
     Scene<2> block =
         square({{"guide", "west", {mu > 0 ? Hold::free : Hold::fixed, Hold::free}}}, solid::linear_elastic(100, 0.3));
@@ -175,7 +175,7 @@ TEST(Condensed, NeedsLinearBodiesAndAContact) {
       step(
           square({{"bed", "south", {Hold::fixed, Hold::fixed}}, {"top", "north", {Hold::driven, Hold::driven}}}, soft)),
       message);
-  // Without a word it is taken where it can be.
+  // The automatic choice is condensation where possible.
   Model<2> linear(roller(soft, {100})), other(roller(solid::neo_hookean(1, 0.3), {100}));
   step_to(linear, 0, 0, -0.01);
   step_to(other, 0, 0, -0.01);

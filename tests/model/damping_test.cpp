@@ -1,4 +1,4 @@
-// Bodies that only contact holds: what of them is loose, how far damping lets them go, where they come to rest.
+// Unconstrained bodies, supported by contact only: rigid-body modes, damped motion, final state.
 #include "model/damping.hpp"
 
 #include "model/scenes.hpp"
@@ -25,9 +25,9 @@ std::vector<LooseMotion> loose_of(const Scene<2>& scene) {
   return loose_motions(scene, Unknowns<2>(scene));
 }
 
-// ── Loose motions ────────────────────────────────────────────────────────────────────────────────────────────────────
+// ── Rigid-body modes ─────────────────────────────────────────────────────────────────────────────────────────────────
 
-TEST(Damping, AFreeBodyHasAllRigidMotions) {
+TEST(Damping, AFreeBodyHasAllRigidBodyModes) {
   const Scene<2> scene = square({});
   const auto loose = loose_of(scene);
   ASSERT_EQ(loose.size(), 3u);
@@ -36,19 +36,19 @@ TEST(Damping, AFreeBodyHasAllRigidMotions) {
   for (int a = 0; a < points.cols(); ++a) {
     EXPECT_EQ(at(0, a), Vec<2>(1, 0));
     EXPECT_EQ(at(1, a), Vec<2>(0, 1));
-    // About the middle, the farthest along an axis by one: u = (−y, x)/0.5
+    // About the middle, with largest component 1: u = (−y, x)/0.5
     const Vec<2> arm = points.col(a) - Vec<2>(0.5, 0.5);
     EXPECT_NEAR((at(2, a) - Vec<2>(-arm(1), arm(0)) / 0.5).norm(), 0, 1e-14);
   }
 }
 
-TEST(Damping, SupportsStopMotions) {
-  // Held in x along its west face: only y is left, for turning moves that face in x.
+TEST(Damping, SupportsPreventModes) {
+  // Fixed in x on its west face: only translation in y is free, because rotation moves that face in x.
   const auto along = loose_of(square({{"wall", "west", {fixed, free_to_move}}}));
   ASSERT_EQ(along.size(), 1u);
   EXPECT_EQ(along[0].motion(1), 1);
   EXPECT_EQ(along[0].motion(0), 0);
-  // Driven is held too; at one point no motion is left in which that takes no part.
+  // Driven components are prescribed, too. A pinned corner leaves no mode, because rotations are about the middle.
   EXPECT_EQ(loose_of(square({{"wall", "west", {Hold::driven, free_to_move}}})).size(), 1u);
   Scene<2> pinned = square({});
   pinned.supports = {{"pin", {corner(pinned, 0, {0, 0})}, {fixed, fixed}}};
@@ -56,7 +56,7 @@ TEST(Damping, SupportsStopMotions) {
   EXPECT_TRUE(loose_of(square({{"bed", "south", {fixed, fixed}}})).empty());
 }
 
-TEST(Damping, ABodyOfRevolutionMovesAlongItsAxisOnly) {
+TEST(Damping, ABodyOfRevolutionTranslatesAlongItsAxisOnly) {
   Scene<2> scene;
   scene.kind = solid::Kind::axisymmetric;
   scene.bodies.push_back({"disc", make_body(nurbs::rectangle(1, 1, Eigen::Vector2d(0, 0)), {2, 2}, "N2", "south",
@@ -67,7 +67,7 @@ TEST(Damping, ABodyOfRevolutionMovesAlongItsAxisOnly) {
   EXPECT_EQ(Vec<2>(loose[0].motion.head<2>()), Vec<2>(0, 1));
 }
 
-TEST(Damping, EachBodyHasItsOwn) {
+TEST(Damping, EachBodyHasItsOwnModes) {
   Scene<2> scene = ironing("N2");
   EXPECT_TRUE(loose_of(scene).empty());
   scene.supports.pop_back(); // the die's grip
@@ -76,7 +76,7 @@ TEST(Damping, EachBodyHasItsOwn) {
   for (const LooseMotion& motion : loose) EXPECT_EQ(motion.body, 0);
 }
 
-// ── In space ─────────────────────────────────────────────────────────────────────────────────────────────────────────
+// ── 3D ───────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 const nurbs::Side west{0, false}, south{1, false}, front{2, false}, back{2, true};
 
@@ -103,7 +103,7 @@ Scene<3> block_above_plane(double gap) {
   return scene;
 }
 
-TEST(Damping, MotionsInSpace) {
+TEST(Damping, RigidBodyModesIn3D) {
   Scene<3> scene = block_above_plane(0.1);
   EXPECT_EQ(loose_motions(scene, Unknowns<3>(scene)).size(), 1u); // along z
   scene.supports.pop_back();
@@ -114,9 +114,9 @@ TEST(Damping, MotionsInSpace) {
   for (const LooseMotion& motion : loose) EXPECT_NEAR(motion.motion.cwiseAbs().maxCoeff(), 1, 1e-14);
 }
 
-// ── How far a body goes ──────────────────────────────────────────────────────────────────────────────────────────────
+// ── Length of moves ──────────────────────────────────────────────────────────────────────────────────────────────────
 
-/// A free square `gap` above a plane, with a pressure from above that is not there at first.
+/// A free square `gap` above a plane, with a pressure from above that is zero at first.
 Scene<2> above_plane(double gap, const std::vector<Grip>& grips) {
   Scene<2> scene = square(grips);
   scene.bodies[0].body =
@@ -137,7 +137,7 @@ TEST(Damping, AFreeBodyTravelsOneStrideInOneSolve) {
       set_target(model, 0, 0, weight);
       const solve::NewtonReport& report = iterate(model, damped());
       ASSERT_EQ(report.outcome, solve::Outcome::iterating) << told(report.messages);
-      // The shift is a multiple of the diagonal, so that it may stand for it.
+      // The shift is a multiple of the diagonal, so it can replace it.
       const VectorX diagonal = model.system.assembly.diagonal();
       double travel = 0, sum = 0;
       for (int i = 0; i < model.system.unknowns.size(); ++i)
@@ -146,7 +146,7 @@ TEST(Damping, AFreeBodyTravelsOneStrideInOneSolve) {
     }
 }
 
-TEST(Damping, StridesAreTheGapsOfWhatTouchesNothing) {
+TEST(Damping, StridesAreTheGapsOfOpenContacts) {
   Scene<2> scene = above_plane(0.2, {});
   Model<2> model(scene);
   EXPECT_NEAR(strides(model.system.scene, model.system.contacts, model.present, 1e-3)[0], 0.2, 1e-14);
@@ -157,8 +157,8 @@ TEST(Damping, StridesAreTheGapsOfWhatTouchesNothing) {
   EXPECT_EQ(strides<2>(scene, {}, {}, 1e-3)[0], 1e-3);
 }
 
-/// Σ |f·m|/(stride Σ K m²), the largest of all motions, and 10⁻¹⁰ where no force works.
-TEST(Damping, TheFactorIsThatOfTheMotionWithMostWork) {
+/// |f·m|/(stride Σ K m²), the largest of all modes, and 10⁻¹⁰ if no force does work.
+TEST(Damping, TheFactorIsThatOfTheModeWithMostWork) {
   const Scene<2> scene = square({});
   const Unknowns<2> unknowns(scene);
   const auto loose = loose_motions(scene, unknowns);
@@ -173,9 +173,9 @@ TEST(Damping, TheFactorIsThatOfTheMotionWithMostWork) {
             1e-13 * factor * diagonal.norm());
 }
 
-// ── Where it comes to rest ───────────────────────────────────────────────────────────────────────────────────────────
+// ── Final state ──────────────────────────────────────────────────────────────────────────────────────────────────────
 
-/// Where the control points are, each from the plane.
+/// Positions of the control points relative to the plane.
 template <int D> MatrixX places(const Model<D>& model) {
   return MatrixX(model.system.scene.bodies[0].body->space().points()) + MatrixX(body_displacement(model, 0));
 }
@@ -195,13 +195,13 @@ template <int D> void expect_the_same_rest(const std::function<Scene<D>(double)>
   EXPECT_EQ(failed.outcome, solve::Outcome::singular_tangent) << told(failed.messages);
 }
 
-TEST(Damping, ASquareFallsOnAPlaneAndRestsWhereItRestsOtherwise) {
+TEST(Damping, ASquareReachesTheSameStateAsWithoutAGap) {
   const auto scene = [](double gap) { return above_plane(gap, {{"wall", "west", {fixed, free_to_move}}}); };
   for (double gap : {0.05, 0.4}) expect_the_same_rest<2>(scene, 0.1, gap);
 }
 
-TEST(Damping, ADiscDoesSo) {
-  // Half of a ring, pressed down at its ends, which glide along walls
+TEST(Damping, ADiscReachesTheSameStateAsWithoutAGap) {
+  // Half of a ring, pressed down at its ends, which slide along walls
   const auto scene = [](double gap) {
     Scene<2> result;
     result.bodies.push_back({"ring", make_body(nurbs::half_annulus(0.3, 0.5, Eigen::Vector2d(0, 0.5 + gap)), {8, 2},
@@ -216,11 +216,11 @@ TEST(Damping, ADiscDoesSo) {
   expect_the_same_rest<2>(scene, 0.02, 0.1);
 }
 
-TEST(Damping, ABlockInSpaceDoesSo) {
+TEST(Damping, ABlockReachesTheSameStateAsWithoutAGap) {
   expect_the_same_rest<3>(block_above_plane, 0.05, 0.1);
 }
 
-TEST(Damping, ABlockWithFrictionLandsFromAnyHeightUnderItsFullLoad) {
+TEST(Damping, ABlockWithFrictionComesIntoContactFromAnyHeightUnderFullLoad) {
   for (double mu : {0.1, 0.3, 0.8})
     for (double gap : {1e-6, 1e-3, 1e-2, 0.3})
       for (double load : {1e-3, 1e-2, 5e-2}) {
@@ -231,14 +231,14 @@ TEST(Damping, ABlockWithFrictionLandsFromAnyHeightUnderItsFullLoad) {
         const solve::NewtonReport report = solve_step(model, damped());
         ASSERT_EQ(report.outcome, solve::Outcome::converged)
             << told(report.messages) << mu << " " << gap << " " << load;
-        // As the pressure follows the face, its resultant is the load but for the face's stretch; nothing pulls aside.
+        // The resultant is the load up to the face's stretch, without lateral force.
         const auto floor = resultant(model.present.contacts[0]);
         EXPECT_NEAR(floor.force(1) / load_resultant(model, 0)(1), -1, 1e-8);
         EXPECT_NEAR(floor.force(0) / floor.force(1), 0, 1e-6);
       }
 }
 
-TEST(Damping, ChangesNoBitWhereSupportsHoldAllBodies) {
+TEST(Damping, ChangesNothingIfSupportsConstrainAllBodies) {
   Model<2> plain(ironing("N2")), with(ironing("N2"));
   EXPECT_TRUE(with.system.loose().empty());
   for (int step : {2, 4, 6, 8, 10, 12}) {

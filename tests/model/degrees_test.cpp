@@ -1,4 +1,4 @@
-// A body with a row of several degrees through a whole model: steps and checkpoints.
+// A model with a row of several degrees: steps and checkpoints.
 #include "model/checkpoint.hpp"
 #include "model/scenes.hpp"
 #include "nurbs/joins.hpp"
@@ -34,8 +34,8 @@ TEST(Degrees, AFaceOfSeveralDegreesInARun) {
   EXPECT_EQ(loaded->present.displacement, model.present.displacement);
 }
 
-/// The same functions as a table and as knots lead to the same run, but for rounding.
-TEST(Degrees, ATableOfASplineRunsAsItsKnots) {
+/// The same functions as a table and by knots give the same run up to rounding error.
+TEST(Degrees, ATableOfASplineGivesTheSameRunAsItsKnots) {
   Model<2> by_knots(ironing("N2"));
   const nurbs::Discretization& space = by_knots.system.scene.bodies[1].body->space();
   std::vector<nurbs::Row> rows;

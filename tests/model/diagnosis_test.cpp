@@ -1,4 +1,4 @@
-// Why steps fail: the outcome, the place, the words, each provoked on purpose.
+// Diagnosis of provoked failures: outcome, places, messages.
 #include "model/diagnosis.hpp"
 
 #include "model/scenes.hpp"
@@ -59,7 +59,7 @@ TEST(WeakDirections, NullVectorOfAChainOfSprings) {
   EXPECT_NEAR(weak.stiffness, 0, 1e-9);
 }
 
-TEST(WeakDirections, NullVectorOfAMatrixThatIsNotSymmetric) {
+TEST(WeakDirections, NullVectorOfAnUnsymmetricMatrix) {
   constexpr int n = 9;
   VectorX sizes = VectorX::LinSpaced(n, 1, 5);
   sizes(4) = 0;
@@ -69,7 +69,7 @@ TEST(WeakDirections, NullVectorOfAMatrixThatIsNotSymmetric) {
   EXPECT_NEAR(std::abs(weak.direction.dot(right.col(4))), 1, 1e-9);
 }
 
-TEST(WeakDirections, SoftestIsTheMostNegativeOfThoseNearNothing) {
+TEST(WeakDirections, SoftestHasTheLowestOfTheEigenvaluesNearZero) {
   for (int n : {5, 40}) {
     VectorX stiffness = VectorX::LinSpaced(n, 2, 50);
     stiffness(1) = -0.5, stiffness(3) = 0.2;
@@ -81,7 +81,7 @@ TEST(WeakDirections, SoftestIsTheMostNegativeOfThoseNearNothing) {
   }
 }
 
-TEST(WeakDirections, SoftestLooksAtTheSymmetricPart) {
+TEST(WeakDirections, SoftestUsesTheSymmetricPart) {
   constexpr int n = 10;
   const MatrixX axes = turned(n);
   MatrixX skew = turned(n);
@@ -91,7 +91,7 @@ TEST(WeakDirections, SoftestLooksAtTheSymmetricPart) {
   EXPECT_NEAR(softest_direction(matrix.pattern, matrix.values).stiffness, 0.7, 1e-9);
 }
 
-// ── Steps that fail ──────────────────────────────────────────────────────────────────────────────────────────────────
+// ── Failed steps ─────────────────────────────────────────────────────────────────────────────────────────────────────
 
 bool holds(const std::string& whole, const std::string& part) {
   return whole.find(part) != std::string::npos;
@@ -116,14 +116,14 @@ TEST(Diagnosis, AnInvertedElementIsNamedWithItsPoint) {
   EXPECT_NEAR(spot.value, -0.2, 1e-9);
   EXPECT_EQ(bare_text(spot.what), "model.spot.jacobian: jacobian = -0.2");
   EXPECT_NEAR(spot.current(0), spot.reference(0), 1e-9);
-  EXPECT_NEAR(spot.current(1), spot.reference(1), 1e-9); // in the accepted state, not in the one that failed
+  EXPECT_NEAR(spot.current(1), spot.reference(1), 1e-9); // in the accepted state, not in the failed one
   EXPECT_TRUE(spot.reference(0) > 0 && spot.reference(0) < 0.5 && spot.reference(1) > 0 && spot.reference(1) < 0.5);
   EXPECT_TRUE(holds(told(diagnosis.messages), "model.step.inverted: element = 0, body = block, jacobian = -0.2"))
       << told(diagnosis.messages);
   EXPECT_TRUE(holds(told(diagnosis.cures), "model.cure.step")) << told(diagnosis.cures);
 }
 
-/// A square under a traction; the diagnosis of its first step.
+/// Diagnosis of the first step of a square under a traction.
 Diagnosis under_traction(const std::vector<Grip>& grips, bool pinned = false) {
   Scene<2> scene = square(grips);
   if (pinned) scene.supports.push_back({"pin", {corner(scene, 0, {0, 0})}, {fixed, fixed}});
@@ -146,7 +146,7 @@ TEST(Diagnosis, ASingularTangentIsNamedWithItsMotion) {
   ASSERT_EQ(along.places.size(), 3u);
   EXPECT_EQ(along.places[0].kind, "control point");
   EXPECT_EQ(along.places[0].where, "block");
-  EXPECT_NEAR(along.places[0].value, 1 / std::sqrt(12.0), 1e-6); // 12 control points move alike
+  EXPECT_NEAR(along.places[0].value, 1 / std::sqrt(12.0), 1e-6); // 12 control points with equal motion
   EXPECT_TRUE(holds(told(along.cures), "model.cure.support"));
 
   // About the pinned corner the opposite one moves most.
@@ -155,8 +155,8 @@ TEST(Diagnosis, ASingularTangentIsNamedWithItsMotion) {
   EXPECT_EQ(turning.places[0].reference, VectorX(Eigen::Vector2d(1, 1)));
 }
 
-/// A column pressed far beyond Euler's load, straight for want of anything that bends it: its top would swerve.
-TEST(Diagnosis, AnIndefiniteTangentIsFoundBehindAStall) {
+/// A perfect column compressed far beyond Euler's load, whose top would move sideways.
+TEST(Diagnosis, AnIndefiniteTangentIsDetectedAfterAStall) {
   const auto press = [](double depth, int iterations) {
     Scene<2> scene;
     scene.bodies.push_back({"column", make_body(nurbs::rectangle(0.5, 10, Eigen::Vector2d(0, 0)), {1, 8}, "N3", "west",
@@ -171,7 +171,7 @@ TEST(Diagnosis, AnIndefiniteTangentIsFoundBehindAStall) {
     EXPECT_EQ(report.outcome, Outcome::iteration_limit);
     return diagnose(model, report);
   };
-  // Clamped below and held upright only in y above: buckles at a shortening of about (π t)²/(48 L) = 0.005.
+  // Clamped below and driven only in y above: buckles at a shortening of about (π t)²/(48 L) = 0.005.
   const Diagnosis beyond = press(0.1, 1);
   EXPECT_EQ(beyond.outcome, Outcome::indefinite);
   EXPECT_TRUE(holds(told(beyond.messages), "model.diagnosis.indefinite")) << told(beyond.messages);
@@ -207,7 +207,7 @@ TEST(Diagnosis, UnbalancedForcesAreTheLargestOnes) {
   }
 }
 
-/// Pressing of deep ironing with hard contact comes to a state between whose two sides one point goes back and forth.
+/// Pressing of deep ironing with a high penalty reaches a state at which one point alternates between two states.
 TEST(Diagnosis, CyclingPointsAreNamed) {
   Scene<2> scene = ironing("N4");
   const nurbs::Patch arc = nurbs::half_annulus(0.3, 0.5, Eigen::Vector2d(0.75, 1.5));
@@ -223,7 +223,7 @@ TEST(Diagnosis, CyclingPointsAreNamed) {
     accept(model);
   }
   ASSERT_EQ(report.outcome, Outcome::cycling) << told(report.messages);
-  EXPECT_GT(step, 20); // which step and which period depends on rounding error
+  EXPECT_GT(step, 20); // step and period depend on rounding error
   EXPECT_TRUE(holds(told(report.messages), "model.step.cycling: period = ")) << told(report.messages);
   const Diagnosis diagnosis = diagnose(model, report);
   EXPECT_EQ(diagnosis.outcome, Outcome::cycling);
@@ -244,7 +244,7 @@ TEST(Diagnosis, CyclingPointsAreNamed) {
       << told(diagnosis.messages);
   EXPECT_TRUE(holds(told(diagnosis.cures), "model.cure.active_set"));
 
-  // Line search goes through.
+  // The path converges with line search.
   for (const auto kind : {solve::LineSearchKind::residual, solve::LineSearchKind::energy}) {
     rollback(model);
     StepOptions options;
@@ -253,7 +253,7 @@ TEST(Diagnosis, CyclingPointsAreNamed) {
   }
 }
 
-/// A soft bar that stands on a ramp is pushed over the ramp's lower end, lets go, comes back, …
+/// A soft bar on a ramp is pushed over the ramp's lower end, separates, comes back, …
 TEST(Diagnosis, PointsThatLeaveTheMasterAreNamed) {
   const double angle = -25 * std::acos(-1) / 180, cosine = std::cos(angle), sine = std::sin(angle);
   const nurbs::Patch level = nurbs::rectangle(2, 0.5, Eigen::Vector2d(-2, -0.5));
@@ -294,7 +294,7 @@ TEST(Diagnosis, PointsThatLeaveTheMasterAreNamed) {
   EXPECT_TRUE(holds(told(diagnosis.cures), "model.cure.extend_master"));
 }
 
-TEST(Diagnosis, PenetrationThatRemainsIsNamedWithItsPoints) {
+TEST(Diagnosis, RemainingPenetrationIsNamedWithItsPoints) {
   Scene<2> scene = square({{"top", "north", {fixed, driven}}});
   scene.obstacles = {contact::make_plane<2>({0, 0}, {0, 1})};
   scene.contacts = {{"floor", {0, nurbs::side_of("south", 2)}, ObstacleReference{0}, contact::PenaltyLaw{10}, 4}};
@@ -314,11 +314,11 @@ TEST(Diagnosis, PenetrationThatRemainsIsNamedWithItsPoints) {
   EXPECT_TRUE(holds(told(diagnosis.cures), "model.cure.penalty"));
 }
 
-TEST(Diagnosis, LineSearchAndNumbersThatAreNone) {
+TEST(Diagnosis, LineSearchAndNonfiniteNumbers) {
   Scene<2> scene = square({{"bed", "south", {fixed, fixed}}});
   scene.loads = {{"wind", {{0, nurbs::side_of("north", 2)}}, false, {0, 0}}};
   Model<2> model(std::move(scene));
-  set_target(model, 0, 0, 1e200); // its square is no number
+  set_target(model, 0, 0, 1e200); // its square overflows
   const solve::NewtonReport none = solve_step(model, {});
   EXPECT_EQ(none.outcome, Outcome::not_finite);
   const Diagnosis diagnosis = diagnose(model, none);
@@ -328,7 +328,7 @@ TEST(Diagnosis, LineSearchAndNumbersThatAreNone) {
   set_target(model, 0, 0, 0.05);
   EXPECT_EQ(solve_step(model, {}).outcome, Outcome::converged);
 
-  // What a report says of line search is looked into like any stall.
+  // A failed line search is diagnosed like any stall.
   solve::NewtonReport stalled = model.step->report;
   stalled.outcome = Outcome::line_search;
   const Diagnosis search = diagnose(model, stalled);

@@ -1,5 +1,5 @@
-// What a path prescribes: displacements by translation and rotation with their rates, moments, and the unknowns that a
-// turning face shares.
+// Prescribed displacements by translation and rotation with their rates, moments, and the shared unknowns of a rotating
+// face.
 #include "model/bench.hpp"
 #include "model/scenes.hpp"
 
@@ -14,8 +14,7 @@ using nurbs::test::Random;
 using nurbs::test::uniform;
 using std::numbers::pi;
 
-/// A half annulus whose outer arc turns and is driven along x, above a disc that is driven too, with a load; enough of
-/// everything that a path moves.
+/// A half annulus whose outer arc rotates and is driven along x, above a driven disc, with a load: all kinds of drives.
 Scene<2> busy(std::array<Hold, 2> hold = {Hold::driven, Hold::free}) {
   Scene<2> scene;
   const nurbs::Patch arc = nurbs::half_annulus(0.6, 1, Eigen::Vector2d(0.5, 2));
@@ -33,7 +32,7 @@ Scene<2> busy(std::array<Hold, 2> hold = {Hold::driven, Hold::free}) {
   return scene;
 }
 
-TEST(Drives, ListWhatAPathMoves) {
+TEST(Drives, ListSupportsAndLoadsWithTheirComponents) {
   const Scene<2> scene = busy();
   const Unknowns<2> unknowns(scene);
   const Drives<2> drives(scene, unknowns);
@@ -53,7 +52,7 @@ TEST(Drives, ListWhatAPathMoves) {
 TEST(Drives, CenterIsTheCentroidOfTheFace) {
   const Scene<2> scene = busy();
   const solid::Body<2>& shell = *scene.bodies[0].body;
-  // Of a half circle's arc: 2R/π below its center
+  // The centroid of a semicircular arc is 2R/π below its center.
   EXPECT_NEAR((face_centroid(shell, nurbs::side_of("south", 2)) - Vec<2>(0.5, 2 - 2 / pi)).norm(), 0, 1e-6);
   EXPECT_NEAR((face_centroid(shell, nurbs::side_of("west", 2)) - Vec<2>(-0.3, 2)).norm(), 0, 1e-14);
 }
@@ -82,7 +81,7 @@ TEST(Drives, RateIsTheDisplacementsDerivative) {
   }
 }
 
-/// Turned by θ counter-clockwise about the centroid, moved along x by the target; distances stay.
+/// Rotation by θ counter-clockwise about the centroid and translation along x by the target; distances are constant.
 TEST(Drives, RotationIsRigidAboutTheCenter) {
   const Scene<2> scene = busy();
   const Unknowns<2> unknowns(scene);
@@ -109,7 +108,7 @@ TEST(Drives, RotationIsRigidAboutTheCenter) {
   }
 }
 
-TEST(Drives, MomentIsThatOfTheForcesAboutTheTurnedArms) {
+TEST(Drives, MomentUsesTheRotatedArms) {
   Random random(2);
   const Scene<2> scene = busy();
   const Unknowns<2> unknowns(scene);
@@ -131,7 +130,7 @@ TEST(Drives, MomentIsThatOfTheForcesAboutTheTurnedArms) {
   }
 }
 
-TEST(Unknowns, TurningFaceSharesItsFreeTranslations) {
+TEST(Unknowns, RotatingFaceSharesItsFreeTranslations) {
   const Scene<2> driven = busy(), free = busy({Hold::free, Hold::free}), fixed = busy({Hold::fixed, Hold::fixed});
   const int face = static_cast<int>(free.supports[1].on[0].functions.size());
   const Unknowns<2> none(fixed), one(driven), two(free);
@@ -148,17 +147,17 @@ TEST(Unknowns, TurningFaceSharesItsFreeTranslations) {
     }
   }
   EXPECT_NE(two.unknown(two.of_support(1, 0)[0]), two.unknown(two.of_support(1, 1)[0]));
-  // Forces add up, displacements are one and the same.
+  // Forces are summed, displacements are equal.
   VectorX forces = VectorX::Zero(two.dofs());
   for (int dof : two.of_support(1, 1)) forces(dof) = 2;
   EXPECT_EQ(two.gather(forces).sum(), 2 * face);
   EXPECT_EQ(two.gather(forces).maxCoeff(), 2 * face);
   EXPECT_EQ(two.spread(VectorX::Ones(two.size())).sum(), two.dofs() - 2);
-  // Obstacles are held, by a support or not.
+  // Obstacles are prescribed with or without a support.
   for (int c = 0; c < 2; ++c) EXPECT_EQ(two.unknown(two.obstacle_offset(0) + c), -1);
 }
 
-TEST(Unknowns, TurningFaceTakesNoOtherSupport) {
+TEST(Unknowns, RotatingFaceAllowsNoOtherSupport) {
   const auto build = [](std::array<Hold, 2> hold, bool first) {
     Scene<2> scene = busy({Hold::free, Hold::fixed});
     const Support<2> other{"bolt", {face_points(scene, 0, "west")}, hold};

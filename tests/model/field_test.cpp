@@ -1,4 +1,4 @@
-// Fields of both laws in the plane and around an axis, on the axis too.
+// Fields of both laws in plane strain and axisymmetric, also on the axis.
 #include "model/sample.hpp"
 #include "model/scenes.hpp"
 
@@ -11,7 +11,7 @@ namespace field_test {
 
 using namespace test;
 
-/// A disc of radius 1.5 and height 0.5 (a rectangle in the plane) with given supports on its faces.
+/// A disc of radius 1.5 and height 0.5 (plane strain: a rectangle) with given supports on its faces.
 Scene<2> disc(const solid::Material& material, solid::Kind kind, const std::vector<Grip>& grips) {
   nurbs::Plan plan;
   plan.elements = {3, 2};
@@ -31,8 +31,8 @@ double value(const Model<2>& model, const std::string& field, double xi, double 
   return sample(model, 0, find_field<2>(field), Eigen::Vector2d(xi, eta));
 }
 
-/// The rim moves by 0.3 of 1.5 between lids that keep their height: a = 1.2 along r, 1 along z, and around the axis
-/// again a, or 1 in plane strain.
+/// The rim moves by 0.3 of 1.5 between lids at constant height: stretches are a = 1.2 along r, 1 along z, and a again
+/// in the hoop direction, or 1 in plane strain.
 TEST(Field, StressesAreThoseOfTheHomogeneousState) {
   const auto rubber = solid::neo_hookean(2, 0.3);
   const auto steel = solid::linear_elastic(2, 0.3);
@@ -63,8 +63,8 @@ TEST(Field, StressesAreThoseOfTheHomogeneousState) {
   }
 }
 
-/// Pressed against a rough bottom the state varies: on the axis radial and hoop stress are one, and values near it go
-/// over into values on it.
+/// Pressed against a rough bottom the state is inhomogeneous: on the axis radial and hoop stress are equal, and values
+/// near it approach values on it.
 TEST(Field, StressesAreContinuousUpToTheAxis) {
   Model<2> model(disc(solid::neo_hookean(2, 0.3), solid::Kind::axisymmetric,
                       {{"top", "north", {Hold::free, Hold::driven}},

@@ -1,5 +1,5 @@
-// The published ironing problem at mesh m1 with plain Newton: every label converges, quadratically, in few iterations,
-// and forces balance.
+// The published ironing problem at mesh m1 with Newton's method alone: every discretization converges quadratically in
+// few iterations, and forces balance.
 #include "model/arc.hpp"
 #include "model/load_step.hpp"
 #include "model/results.hpp"
@@ -32,10 +32,10 @@ TEST_P(Ironing, ConvergesQuadraticallyAndBalances) {
     const auto contact = resultant(model.present.contacts[0]);
     const Vec<2> by_bed = reaction(model, bed), by_grip = reaction(model, grip);
     const double scale = by_grip.norm();
-    // What the free control points lack to equilibrium is all that may be missing: |Σ r| ≤ √n |r|.
+    // Forces balance up to the residual of the free control points: |Σ r| ≤ √n |r|.
     const double missing = std::sqrt(model.system.unknowns.size()) * report.residuals.back() + 1e-12 * scale;
     EXPECT_LT((by_bed + by_grip).norm(), missing) << "step " << step;
-    // The die is held by its grip against what the slab exerts on it.
+    // The grip's reaction balances the slab's force on the die.
     EXPECT_LT((contact.force + by_grip).norm(), missing) << "step " << step;
     EXPECT_GT(contact.active, 0);
     if (step > 60) {

@@ -1,4 +1,4 @@
-// Dead loads in a model: exact states under tractions and pressures, loads as targets, and what acts from the start.
+// Dead loads: exact states under tractions and pressures, loads as targets, and initial loads.
 #include "model/sample.hpp"
 #include "model/scenes.hpp"
 #include "told.hpp"
@@ -22,7 +22,7 @@ double value(const Model<2>& model, const std::string& field, const Vec<2>& xi) 
   return sample(model, 0, find_field<2>(field), xi);
 }
 
-/// P at a place, from the deformation gradient there.
+/// P at a point, from its deformation gradient.
 Mat<2> stress(const Model<2>& model, const Vec<2>& xi) {
   Mat<2> f;
   f << value(model, "F11", xi), value(model, "F12", xi), value(model, "F21", xi), value(model, "F22", xi);
@@ -37,7 +37,7 @@ void expect_stress(const Model<2>& model, const Mat<2>& expected, double scale) 
     }
 }
 
-/// Drawn at its east side, free to contract: P = diag(t, 0) everywhere.
+/// A bar pulled at its east side, free to contract: P = diag(t, 0) everywhere.
 Scene<2> bar(const solid::Material& material, const Vec<2>& start) {
   Scene<2> scene =
       square({{"wall", "west", {Hold::fixed, Hold::free}}, {"bed", "south", {Hold::free, Hold::fixed}}}, material);
@@ -70,7 +70,7 @@ TEST(Loads, TractionOnABarGivesItsStressAndReaction) {
     }
 }
 
-/// A pressure on all sides: P = −p I for both laws, and nothing for the supports that keep the block in place.
+/// A pressure on all sides: P = −p I for both laws, with zero reactions of the supports.
 TEST(Loads, PressureAllAroundIsHydrostatic) {
   for (const solid::Material& material : laws) {
     Scene<2> scene = square({}, material);
@@ -92,15 +92,15 @@ TEST(Loads, PressureAllAroundIsHydrostatic) {
   }
 }
 
-/// What a load is declared with acts from the first step on, without being a target.
-TEST(Loads, DeclaredValueActsFromTheStart) {
+/// The start value of a load acts from the first step without being set as target.
+TEST(Loads, StartValueActsFromTheFirstStep) {
   for (const solid::Material& material : laws) {
     Model<2> model(bar(material, {0.3, 0}));
     EXPECT_EQ(accepted_target(model, 0, 0), 0.3);
     ASSERT_EQ(solve_step(model, {}).outcome, solve::Outcome::converged);
     accept(model);
     expect_stress(model, Vec<2>(0.3, 0).asDiagonal(), 0.3);
-    // Taken away again
+    // Removed again
     set_target(model, 0, 0, 0);
     ASSERT_EQ(solve_step(model, {}).outcome, solve::Outcome::converged);
     accept(model);
@@ -108,7 +108,7 @@ TEST(Loads, DeclaredValueActsFromTheStart) {
   }
 }
 
-TEST(Loads, RollbackTakesTheLoadBack) {
+TEST(Loads, RollbackRestoresTheLoad) {
   Model<2> model(bar(laws[0], {0.2, 0}));
   ASSERT_EQ(solve_step(model, {}).outcome, solve::Outcome::converged);
   accept(model);
@@ -122,14 +122,14 @@ TEST(Loads, RollbackTakesTheLoadBack) {
   EXPECT_EQ(model.present.displacement, accepted);
   EXPECT_EQ(reaction(model, 0), force);
   EXPECT_EQ(load_resultant(model, 0), load);
-  // The target went back too: the next step stays where it is.
+  // The target is restored, too: the next step changes nothing.
   const auto report = solve_step(model, {});
   EXPECT_EQ(report.outcome, solve::Outcome::converged);
   EXPECT_EQ(report.iterations, 0);
 }
 
-/// A load on a face that a support holds goes into the support; two loads add up.
-TEST(Loads, ReactionsAnswerAllLoads) {
+/// A load on a supported face acts on the support; two loads are summed.
+TEST(Loads, ReactionsBalanceAllLoads) {
   for (const solid::Material& material : laws) {
     Scene<2> scene = square({{"bed", "south", {Hold::fixed, Hold::fixed}}}, material);
     scene.loads = {{"wind", {face("west"), face("south")}, false, {0.05, -0.02}},
@@ -143,8 +143,8 @@ TEST(Loads, ReactionsAnswerAllLoads) {
   }
 }
 
-/// Forces about an axis are those of the full circle: a disc of radius 1.5 drawn at both ends.
-TEST(Loads, AboutAnAxisTheyActOnTheFullCircle) {
+/// Axisymmetric forces are those of the full circle: a disc of radius 1.5 pulled at both ends.
+TEST(Loads, AxisymmetricLoadsActOnTheFullCircle) {
   for (const solid::Material& material : laws) {
     Scene<2> scene;
     scene.kind = solid::Kind::axisymmetric;
@@ -159,7 +159,7 @@ TEST(Loads, AboutAnAxisTheyActOnTheFullCircle) {
     const double force = 0.3 * std::acos(-1.0) * 1.5 * 1.5;
     EXPECT_NEAR(load_resultant(model, 0)(1), force, 1e-12);
     EXPECT_NEAR(reaction(model, 1)(1), -force, 1e-9);
-    // Uniaxial: no stress across the axis, force over reference area along it
+    // Uniaxial: no stress normal to the axis, force over reference area along it
     for (double x : {0.0, 0.7}) {
       EXPECT_NEAR(value(model, "sxx", {x, 0.4}), 0, 1e-9);
       EXPECT_NEAR(value(model, "szz", {x, 0.4}), 0, 1e-9);

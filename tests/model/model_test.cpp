@@ -1,4 +1,4 @@
-// Supports, reactions, accept and roll-back, and the solve's independence of what must not matter.
+// Supports, reactions, accept and roll-back, and independence of the solution of solver and history.
 #include "model/arc.hpp"
 #include "model/load_step.hpp"
 #include "model/results.hpp"
@@ -16,7 +16,7 @@ namespace model_test {
 
 using namespace test;
 
-TEST(Unknowns, NumberWhatIsFree) {
+TEST(Unknowns, NumberFreeComponents) {
   const Scene<2> scene =
       square({{"bed", "south", {Hold::fixed, Hold::fixed}}, {"top", "north", {Hold::free, Hold::driven}}});
   const Unknowns<2> unknowns(scene);
@@ -53,7 +53,7 @@ TEST(Unknowns, SupportsMustNotContradictEachOther) {
   build({{"bed", "south", {fixed, fixed}}, {"wall", "west", {fixed, free}}, {"top", "north", {free, driven}}});
 }
 
-TEST(Model, ScenesThatMakeNoSenseAreErrors) {
+TEST(Model, InvalidScenesAreErrors) {
   EXPECT_ERROR(Model<2>(Scene<2>{}), "model.scene.no_body");
   Scene<2> self = ironing("N2");
   self.contacts[0].master = self.contacts[0].slave;
@@ -95,7 +95,7 @@ TEST(Model, PrescribedDisplacementsAreReached) {
   }
 }
 
-TEST(Model, BodyThatNothingHoldsIsSingular) {
+TEST(Model, UnconstrainedBodyIsSingular) {
   for (auto kind : {solve::LinearKind::klu, solve::LinearKind::umfpack}) {
     Model<2> model(
         square({{"side", "west", {Hold::driven, Hold::free}}, {"other", "east", {Hold::fixed, Hold::free}}}));
@@ -146,15 +146,14 @@ TEST(Model, SolutionDoesNotDependOnTheLinearSolver) {
   EXPECT_NEAR((reaction(klu, grip) - reaction(umfpack, grip)).norm(), 0, 1e-9 * reaction(klu, grip).norm());
 }
 
-/// Equal to what Newton's tolerance promises, a residual of 1e-10 of the forces: the failed attempt may have met other
-/// elements and so another ordering of the unknowns, whose rounding can end an iteration earlier or later.
-/// Displacements of the attempt that were left behind show in the first digits. (Pairs are held to the last bit in
-/// pair_test.cpp.)
+/// Equal up to Newton's tolerance, a residual of 1e-10 of the forces: contact elements of the failed attempt may change
+/// the ordering of the unknowns, whose rounding error can change the number of iterations. Remaining displacements of
+/// the attempt would change the first digits. (pair_test.cpp compares contacts bitwise.)
 TEST(Model, FailedAttemptLeavesNoTrace) {
   Model<2> straight(ironing("N2")), tried(ironing("N2"));
   iron(straight, 1, 52);
   iron(tried, 1, 50);
-  // Far too long a step, cut off in the middle of its iterations
+  // A step that is far too long, with a low limit of iterations
   StepOptions cut;
   cut.newton.iterations = 3;
   EXPECT_NE(ironing_step(tried, 150, cut).outcome, solve::Outcome::converged);
@@ -165,8 +164,8 @@ TEST(Model, FailedAttemptLeavesNoTrace) {
   EXPECT_NEAR((reaction(straight, grip) - reaction(tried, grip)).norm(), 0, 1e-9 * reaction(straight, grip).norm());
 }
 
-/// A kept state comes back with all that the next step depends on, the slip points too.
-TEST(Model, RestoredStateGoesOnAsBefore) {
+/// A snapshot contains all data that the next step depends on, including slip points.
+TEST(Model, RestoredStateContinuesAsBefore) {
   Model<2> model(ironing("N2"));
   iron(model, 1, 60);
   const Snapshot<2> kept = snapshot(model);
@@ -183,7 +182,7 @@ TEST(Model, RestoredStateGoesOnAsBefore) {
   EXPECT_NEAR((reaction(model, grip) - force).norm(), 0, 1e-9 * force.norm());
 }
 
-/// What begins a step, what ends it, and that nothing happens afterwards.
+/// Start and end of a step; further iterations do nothing.
 TEST(Model, IterationByIterationIsOneStep) {
   Model<2> whole(ironing("N2")), pieces(ironing("N2"));
   EXPECT_FALSE(pieces.step.has_value());
@@ -197,14 +196,14 @@ TEST(Model, IterationByIterationIsOneStep) {
     ASSERT_EQ(report.outcome, solve::Outcome::converged);
     set_target(pieces, drive_of_grip, 1, -0.23 * (step / 46.0));
     EXPECT_EQ(iterate_on(), report.iterations);
-    for (const auto& residuals : {pieces.step->report.residuals, iterate(pieces, {}).residuals}) // it is over
+    for (const auto& residuals : {pieces.step->report.residuals, iterate(pieces, {}).residuals}) // at the end
       EXPECT_EQ(residuals, report.residuals);
     EXPECT_EQ(pieces.present.displacement, whole.present.displacement);
     accept(whole);
     accept(pieces);
     EXPECT_FALSE(pieces.step.has_value());
   }
-  // Half a step, then other targets: another step, from where that one went. A roll-back begins anew.
+  // Other targets during a step begin another step from its present state. A roll-back starts again.
   set_target(pieces, drive_of_grip, 1, -0.04);
   iterate(pieces, {});
   set_target(pieces, drive_of_grip, 1, -0.045);

@@ -1,4 +1,4 @@
-// Models with rigid obstacles: driven ones, their reactions, and exact states on a plane.
+// Models with rigid obstacles: driven obstacles, their reactions, and exact states on a plane.
 #include "model/scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace obstacle_test {
 using namespace test;
 using std::numbers::pi;
 
-/// A slab, clamped below, under a disc that presses into it and slides; or the slab is moved and the disc stays.
+/// A slab, clamped below, under a disc that is pressed into it and slides; or a fixed disc and a moving slab.
 Scene<2> indented(bool disc_moves, double mu) {
   Scene<2> scene;
   const nurbs::Patch block = nurbs::rectangle(2, 1, Eigen::Vector2d(-1, -1));
@@ -25,8 +25,8 @@ Scene<2> indented(bool disc_moves, double mu) {
   return scene;
 }
 
-/// Only the relative motion counts; what the support of the disc exerts is what the contact passes on to the bed.
-TEST(Obstacle, DrivenOneDoesWhatADrivenBodyDoes) {
+/// Only the relative motion matters; the reaction of the disc's support is transferred by contact to the bed.
+TEST(Obstacle, DrivenObstacleIsEquivalentToADrivenBody) {
   for (double mu : {0.0, 0.3}) {
     Model<2> by_disc(indented(true, mu)), by_slab(indented(false, mu));
     for (int k = 1; k <= 12; ++k) {
@@ -74,8 +74,8 @@ TEST(Obstacle, BlockBetweenWallsOnAPlaneIsUniform) {
   EXPECT_NEAR(reaction(model, 2)(1), -p, 1e-9);
 }
 
-/// About an axis forces are those of the full circle.
-TEST(Obstacle, CylinderOnAPlaneAboutItsAxis) {
+/// Axisymmetric forces are those of the full circle.
+TEST(Obstacle, AxisymmetricCylinderOnAPlane) {
   constexpr double radius = 1.5, penalty = 40, depth = 0.05;
   const solid::LinearElastic material = solid::linear_elastic(2, 0.3);
   Scene<2> scene;

@@ -1,4 +1,4 @@
-// A contact formulation that the program does not have: one pressure per slave element as an unknown, without friction.
+// A user-defined contact formulation: one pressure per slave element as additional unknown, without friction.
 #include "model/scenes.hpp"
 
 #include "model/bench.hpp"
@@ -17,7 +17,7 @@ using contact::ContactState;
 constexpr double stiffness = 100; ///< c, pressure per length: scales the unknowns, results do not depend on it
 
 /// With z_e = p_e/c, ḡ_e the mean gap of slave element e, all per reference area:
-///   f = ∓∫ R_A c z_e n̄ dA,   0 = −c ∫ g dA where z_e − ḡ_e > 0, else 0 = −c ∫ z_e dA.
+///   f = ∓∫ R_A c z_e n̄ dA,   0 = −c ∫ g dA if z_e − ḡ_e > 0, otherwise 0 = −c ∫ z_e dA.
 class ElementPressures final : public contact::Formulation<2> {
 public:
   explicit ElementPressures(contact::ContactSetting<2> setting) : Formulation(std::move(setting)) {}
@@ -27,7 +27,7 @@ public:
     for (int e = 0; e < slave().elements(); ++e) names.push_back(text("pressure of element ", e + 1));
     return names;
   }
-  bool has_potential() const override { return false; } // where it does not touch, z = 0 stands alone
+  bool has_potential() const override { return false; } // unsymmetric where open: 0 = −c ∫ z_e dA is independent of u
   double stiffness(const contact::History<2>&, double) const override { return 0; }
   int parts() const override { return 1; }
   void gather() override {}
@@ -87,7 +87,7 @@ private:
     const int last = block.columns - 1;
     Eigen::Map<VectorX> force(block.force.data(), block.rows);
     Eigen::Map<Eigen::Matrix<double, -1, -1, Eigen::RowMajor>> matrix(block.matrix.data(), block.rows, block.columns);
-    // By the control points: the local variables xˢ, x̄ᵐ, τ are sums with these factors.
+    // Derivatives with respect to control points: xˢ, x̄ᵐ, τ are sums with these factors.
     MatrixX nodes = MatrixX::Zero(Force::columns, block.columns);
     const double* r = points_.functions(i);
     for (int c = 0; c < 2; ++c) {
@@ -127,8 +127,8 @@ contact::Maker<2> element_pressures() {
 
 enum Grips { floor, lid };
 
-/// Two blocks one upon the other, with free sides. Two elements of the slave lie on each of the master where both are
-/// equally wide, so that the integrals are exact.
+/// Two stacked blocks with free sides. If both are equally wide, two slave elements lie on each master element, so that
+/// the integrals are exact.
 Scene<2> blocks(const solid::Material& material, double width) {
   Scene<2> scene;
   scene.bodies.push_back(
@@ -147,7 +147,8 @@ Scene<2> blocks(const solid::Material& material, double width) {
   return scene;
 }
 
-/// Reference stress of a block between smooth plates with free sides, stretched to `f` across: P_xx = 0 gives F_xx.
+/// Nominal stress of a block with free sides between smooth plates, with stretch `f` normal to them: P_xx = 0 gives
+/// F_xx.
 double uniaxial(const solid::Material& material, double f) {
   const auto stress = [&](double g) { return material.stress(Eigen::Vector3d(g, f, 1).asDiagonal().toDenseMatrix()); };
   double low = 1, high = 2;
@@ -158,7 +159,7 @@ double uniaxial(const solid::Material& material, double f) {
   return stress(low)(1, 1);
 }
 
-TEST(OwnFormulation, MultipliersPressTwoBlocksAsIfTheyWereOne) {
+TEST(OwnFormulation, MultipliersMakeTwoBlocksDeformAsOne) {
   const solid::Material material = solid::neo_hookean(1, 0.3);
   Model<2> model(blocks(material, 2));
   EXPECT_EQ(model.system.unknowns.dofs(), model.system.unknowns.displacements() + 6);
@@ -175,13 +176,13 @@ TEST(OwnFormulation, MultipliersPressTwoBlocksAsIfTheyWereOne) {
       EXPECT_NEAR(point.gap, 0, 1e-12);
     }
   }
-  // A step that is rolled back leaves its multipliers behind, too.
+  // A roll-back restores the multipliers, too.
   const VectorX before = model.accepted.displacement;
   set_target(model, 0, 0, -0.8);
   solve_step(model, {});
   rollback(model);
   EXPECT_EQ(model.present.displacement, before);
-  // Drawn off, they let go.
+  // After separation the pressures are zero.
   set_target(model, 0, 0, 0.1);
   ASSERT_EQ(solve_step(model, {}).outcome, solve::Outcome::converged);
   accept(model);

@@ -21,7 +21,7 @@ Scene<2> strip(std::vector<int> elements, const std::string& label, const std::s
   return scene;
 }
 
-/// A block whose back rotates about an axis that leaves nothing of it at rest.
+/// A block whose back rotates about an axis that moves all its points.
 Scene<3> block(std::vector<int> elements, const std::string& label, const std::string& contact) {
   Scene<3> scene;
   nurbs::Plan plan;
@@ -41,7 +41,7 @@ Scene<3> block(std::vector<int> elements, const std::string& label, const std::s
   return scene;
 }
 
-/// Everything that elements add to: degrees of freedom, and unknowns as negative numbers.
+/// Degrees of freedom of elements, and their unknowns as negative numbers.
 template <int D>
 std::set<int> reach(const Scene<D>& scene, const Unknowns<D>& unknowns, const std::vector<int>& elements) {
   std::set<int> all;
@@ -72,12 +72,12 @@ template <int D> void expect_apart_and_whole(const Scene<D>& scene, std::size_t 
       }
     }
   }
-  EXPECT_FALSE(parts.rest.empty()) << what; // the face that rotates
+  EXPECT_FALSE(parts.rest.empty()) << what; // at the rotating face
   for (int e : parts.rest) ++times[static_cast<std::size_t>(e)];
   for (int n : times) ASSERT_EQ(n, 1) << what;
 }
 
-TEST(Partition, SharesMeetNoneOfTheirNeighborsAndHoldEveryElementOnce) {
+TEST(Partition, SharesAreDisjointAndContainEveryElementOnce) {
   expect_apart_and_whole(strip({40, 8}, "N2", "south"), 4, "40x8");
   expect_apart_and_whole(strip({80, 4}, "N2-N2.2", "south"), 4, "80x4");
   expect_apart_and_whole(strip({300, 1}, "N4", "north"), 4, "300x1");
@@ -87,7 +87,7 @@ TEST(Partition, SharesMeetNoneOfTheirNeighborsAndHoldEveryElementOnce) {
   expect_apart_and_whole(block({7, 7, 6}, "N2-N4", "west"), 4, "7x7x6");
 }
 
-/// Time on two threads that take the next task where they are free, in elements.
+/// Time of two threads, in elements, if each free thread takes the next task.
 int on_two(const std::vector<std::vector<int>>& tasks) {
   int busy[2] = {0, 0};
   for (const auto& task : tasks) busy[busy[0] <= busy[1] ? 0 : 1] += static_cast<int>(task.size());
@@ -143,7 +143,7 @@ template <int D> std::vector<double> added_up(const Scene<D>& scene, int threads
   return all;
 }
 
-TEST(Partition, ResidualAndTangentAreTheSameBitsForAnyNumberOfThreads) {
+TEST(Partition, ResidualAndTangentAreBitwiseEqualForAnyNumberOfThreads) {
   const Scene<2> plane = strip({40, 8}, "N2-N2.1", "south");
   const Scene<3> space = block({16, 6, 3}, "N2-N2.1", "front");
   const std::vector<double> in_plane = added_up(plane, 1), in_space = added_up(space, 1);

@@ -1,4 +1,4 @@
-// Where a step begins: other first guesses, the same states.
+// Different predictors lead to the same states.
 #include "model/scenes.hpp"
 
 #include "model/drives.hpp"
@@ -19,7 +19,7 @@ StepOptions with(Predictor predictor) {
 
 constexpr Predictor all[] = {Predictor::tangent, Predictor::constant, Predictor::linear};
 
-/// Iterations of steps along a path, accepted one by one.
+/// Numbers of iterations of the accepted steps of a path.
 int walk(Model<2>& model, const std::function<void(int)>& set_targets, int steps, Predictor predictor) {
   int iterations = 0;
   for (int step = 1; step <= steps; ++step) {
@@ -32,7 +32,7 @@ int walk(Model<2>& model, const std::function<void(int)>& set_targets, int steps
   return iterations;
 }
 
-/// The states are the same to `tolerance`; returns the iterations of tangent, constant and linear.
+/// Checks that states are equal up to `tolerance`; returns the iterations of `tangent`, `constant` and `linear`.
 std::vector<int> compare(const std::function<Scene<2>()>& scene, const std::function<void(Model<2>&, int)>& set_targets,
                          int steps, double tolerance) {
   std::vector<int> iterations;
@@ -53,17 +53,17 @@ void iron(Model<2>& model, int step) {
   set_target(model, drive_of_grip, 1, -0.23 * press);
 }
 
-TEST(Predictor, IroningEndsInTheSameStateWithFewerIterationsByTheLinearOne) {
+TEST(Predictor, LinearPredictorSavesIterationsInIroning) {
   const auto iterations = compare([] { return ironing("N2"); }, iron, 86, 1e-9);
   EXPECT_LT(iterations[2], 0.9 * iterations[0]);
 }
 
-/// Where no two steps in a row have gone alike, at the path's beginning and where it bends, the linear one begins as
-/// the tangent one does.
-TEST(Predictor, LinearIsTangentWhereThePathBends) {
+/// Without two similar steps before, at the start of the path and where it is not straight, the linear predictor is the
+/// tangent one.
+TEST(Predictor, LinearIsTangentWhereThePathIsNotStraight) {
   Model<2> linear(ironing("N2")), tangent(ironing("N2"));
   for (int step = 1; step <= 50; ++step) {
-    restore(linear, snapshot(tangent)); // both from the same state: the tangent one's
+    restore(linear, snapshot(tangent)); // both start from the state of `tangent`
     iron(linear, step);
     iron(tangent, step);
     const double first = solve_step(linear, with(Predictor::linear)).residuals.front();
@@ -78,7 +78,7 @@ TEST(Predictor, LinearIsTangentWhereThePathBends) {
   }
 }
 
-TEST(Predictor, PrescribedDisplacementsAreMetFromTheFirstGuessOn) {
+TEST(Predictor, FirstGuessesSatisfyPrescribedDisplacements) {
   Model<2> model(ironing("N2"));
   for (int step = 1; step <= 3; ++step) {
     iron(model, step);
@@ -91,8 +91,8 @@ TEST(Predictor, PrescribedDisplacementsAreMetFromTheFirstGuessOn) {
   }
 }
 
-/// A strip whose end turns: positions that depend on the target in a curve.
-TEST(Predictor, SupportsThatTurn) {
+/// A strip with a rotating end: positions are nonlinear functions of the target.
+TEST(Predictor, RotatingSupports) {
   const auto scene = [] {
     Scene<2> strip;
     strip.bodies.push_back({"strip", make_body(nurbs::rectangle(6, 1, Eigen::Vector2d(0, 0)), {6, 1}, "N2", "south",
@@ -117,7 +117,7 @@ TEST(Predictor, Loads) {
   const auto set = [](Model<2>& model, int step) { set_target(model, 0, 1, 0.02 * step); };
   const auto iterations = compare(scene, set, 10, 1e-9);
   EXPECT_LE(iterations[2], iterations[0]);
-  // It leaves less to do from the third step on.
+  // The linear predictor saves iterations from the third step on.
   Model<2> model(scene());
   for (int step = 1; step <= 5; ++step) {
     set(model, step);
@@ -134,7 +134,7 @@ TEST(Predictor, Loads) {
   }
 }
 
-TEST(Predictor, ARestoredStateGoesOnAsItDid) {
+TEST(Predictor, RestoredStatesContinueAsBefore) {
   Model<2> model(ironing("N2"));
   walk(
       model, [&](int step) { iron(model, step); }, 5, Predictor::linear);

@@ -1,5 +1,5 @@
 #pragma once
-// Newton's method on a model converges quadratically: measured from starts that the test makes.
+// Measurement of the quadratic convergence of Newton's method on a model, from starts made by the test.
 
 #include "model/arc.hpp"
 #include "model/load_step.hpp"
@@ -15,8 +15,8 @@
 
 namespace signorini::model::test {
 
-/// States of all contact points and the elements that they lie in: where these are the same, the residual is a smooth
-/// function of the displacement.
+/// States and elements of all contact points; as long as they do not change, the residual is a smooth function of the
+/// displacement.
 template <int D> std::vector<int> smooth_piece(const Model<D>& model) {
   std::vector<int> result;
   for (std::size_t k = 0; k < model.system.contacts.size(); ++k) {
@@ -27,11 +27,11 @@ template <int D> std::vector<int> smooth_piece(const Model<D>& model) {
   return result;
 }
 
-/// Call it after a step that has converged, before it is accepted. Starts Newton's method at u + h d, u the solution
-/// and d half as the step went, half as u itself, so that gaps and slips change, and looks at the residual r(h) after
-/// one iteration: it is of order h² with the consistent tangent, of order h with any other. h is 1/8, 1/64 …
-/// 1/32768; left out are those where contact points change their states or elements on the way. Rounding error adds
-/// some ε |K| |x|. Returns how many pairs of h were compared; the solution is restored.
+/// To be called after a step has converged, before it is accepted. Starts Newton's method at u + h d, u the solution
+/// and d the mean of the step's increment and u, so that gaps and slips change, and checks the residual r(h) after one
+/// iteration: it is of order h² with the consistent tangent, of order h with any other. h is 1/8, 1/64 … 1/32768,
+/// without those where contact points change their states or elements. Rounding error adds about ε |K| |x|. Returns the
+/// number of pairs of h compared; restores the solution.
 template <int D> int compare_starts(Model<D>& model) {
   const VectorX whole = model.system.unknowns.gather(model.present.displacement),
                 last = whole - model.system.unknowns.gather(model.accepted.displacement);
@@ -50,12 +50,12 @@ template <int D> int compare_starts(Model<D>& model) {
     position = std::max(position, body.body->space().points().cwiseAbs().maxCoeff());
   const double rounding = std::numeric_limits<double>::epsilon() * stiffness * position;
 
-  constexpr double factor = 8, least = 32; // of 64, what r(h) falls by
+  constexpr double factor = 8, least = 32; // least reduction of r(h), which is 64 in theory
   constexpr int sizes = 5;
-  StepOptions exact; // linear solutions: an iterative solver's tolerance is no part of this
+  StepOptions exact; // direct linear solver, without the tolerance of an iterative one
   exact.linear = solve::LinearKind::umfpack;
   int pairs = 0;
-  double before = 0; // r(8 h), 0 where its piece is another one
+  double before = 0; // r(8 h), 0 if its discrete state differs
   for (int k = 1; k <= sizes; ++k) {
     const double h = std::pow(factor, -k);
     move_by(model, h * direction);

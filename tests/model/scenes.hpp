@@ -1,5 +1,5 @@
 #pragma once
-// Scenes for tests: the published ironing problem, and small ones of one body.
+// Scenes for tests: the published ironing problem, and small scenes of one body.
 
 #include "model/arc.hpp"
 #include "model/load_step.hpp"
@@ -58,10 +58,10 @@ inline Scene<2> ironing_on(nurbs::Discretization slab) {
   return scene;
 }
 
-/// Of a slab's contact row, to go with nurbs::test::strip(3, …).
+/// Degrees of a slab's contact row by element, to be used with nurbs::test::strip(3, …).
 inline const std::vector<int> mixed_degrees{2, 4, 2, 3, 4, 2, 2, 4};
 
-/// The one control point of a body that lies at X.
+/// The control point of a body at X.
 inline SupportedControlPoints corner(const Scene<2>& scene, int body, const Vec<2>& place) {
   const MatrixX points = scene.bodies[static_cast<std::size_t>(body)].body->space().points();
   Eigen::Index function;
@@ -88,7 +88,7 @@ inline solve::NewtonReport step_to(Model<2>& model, int drive, double x, double 
   return solve_step(model, options);
 }
 
-/// Solves step 1 … 296 of the published path: 46 of pressing to −0.23, then 250 of sliding to 1.5.
+/// Solves step 1 … 296 of the published path: 46 steps of pressing to −0.23, then 250 of sliding to 1.5.
 inline solve::NewtonReport ironing_step(Model<2>& model, int step, const StepOptions& options = {}) {
   const double press = std::min(step, 46) / 46.0, slide = std::max(step - 46, 0) / 250.0;
   return step_to(model, drive_of_grip, 1.5 * slide, -0.23 * press, options);

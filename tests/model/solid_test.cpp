@@ -1,5 +1,5 @@
-// Whole models of solids: Newton's convergence on frictional ironing and twisting with the exact tangent, balance of
-// forces, moments and energy, and a pole that stays one point.
+// Models of solids: quadratic convergence of frictional ironing and twisting with the consistent tangent, balance of
+// forces, moments and energy, and a pole that remains one point.
 #include "model/arc.hpp"
 #include "model/load_step.hpp"
 #include "model/results.hpp"
@@ -36,7 +36,7 @@ SupportedControlPoints face_points(const Scene<3>& scene, int body, nurbs::Side 
   return {body, scene.bodies[static_cast<std::size_t>(body)].body->space().face_functions(side)};
 }
 
-/// A small indenter with a spherical cap on a block; its top is driven, or turned about the vertical.
+/// A small indenter with a spherical cap on a block; its top is translated, or rotated about the vertical.
 Scene<3> indentation(const std::string& label, double mu, bool turns) {
   Scene<3> scene;
   const nurbs::Patch cap = nurbs::spherical_indenter(1, 1, 0.8, 1.2, 2, Eigen::Vector3d(0.6, 0.5, 1));
@@ -88,7 +88,7 @@ TEST(SolidModel, IroningConvergesQuadraticallyAndItsEnergyBalances) {
     EXPECT_GT(contact.slipping, 0);
     EXPECT_LT(contact.force(0), 0);
     EXPECT_LT(contact.force(1), 0);
-    // Work in = stored + contact springs + friction. The springs' own area and stretch are not part of it.
+    // Work = stored energy + penalty springs + friction, without the change of the springs' area.
     const Energies e = energies(model);
     EXPECT_GT(e.friction, 0.05 * e.work);
     EXPECT_NEAR(e.work, e.stored + e.contact + e.friction, 5e-3 * e.work)
@@ -96,7 +96,7 @@ TEST(SolidModel, IroningConvergesQuadraticallyAndItsEnergyBalances) {
   }
 }
 
-TEST(SolidModel, TwistingTurnsAgainstAMoment) {
+TEST(SolidModel, TwistingNeedsAMoment) {
   Model<3> model(indentation("N2", 0.3, true));
   int iterations = 0;
   for (int i = 1; i <= 6; ++i) step(model, {0, 0, -0.02 * i, 0}, iterations);
@@ -117,7 +117,7 @@ TEST(SolidModel, TwistingTurnsAgainstAMoment) {
   EXPECT_NEAR(energies(model).work - work_before, work, 2e-3 * work);
 }
 
-TEST(SolidModel, ThreadsChangeNoBit) {
+TEST(SolidModel, ResultsAreBitwiseIndependentOfThreads) {
   std::vector<VectorX> results;
   for (int threads : {1, 2, 3}) {
     set_worker_threads(threads);
@@ -131,7 +131,7 @@ TEST(SolidModel, ThreadsChangeNoBit) {
   for (const VectorX& other : results) EXPECT_EQ((other - results[0]).norm(), 0);
 }
 
-TEST(SolidModel, APoleStaysOnePoint) {
+TEST(SolidModel, APoleRemainsOnePoint) {
   Scene<3> scene;
   const nurbs::Patch octant = nurbs::sphere_octant(0.5, 1, Eigen::Vector3d::Zero());
   scene.bodies.push_back({"ball", make_solid(octant, {2, 3, 1}, "N2-N2.1", front, solid::neo_hookean(1, 0.3))});
@@ -154,7 +154,7 @@ TEST(SolidModel, APoleStaysOnePoint) {
   for (const auto& group : groups)
     for (int function : group) {
       EXPECT_EQ((u.col(function) - u.col(group.front())).norm(), 0);
-      EXPECT_EQ(u.col(function).head<2>().norm(), 0); // both symmetry planes hold it
+      EXPECT_EQ(u.col(function).head<2>().norm(), 0); // fixed by both symmetry planes
     }
 }
 

@@ -12,8 +12,8 @@ namespace degrees_test {
 using namespace model;
 using namespace model::test;
 
-/// The picture's points on the face are the contact's master points.
-TEST(Degrees, APictureHasTheFaceThatContactsSee) {
+/// The picture's points on the face lie on the contact's master surface.
+TEST(Degrees, APictureShowsTheContactFace) {
   const nurbs::Side north{1, true};
   Model<2> model(ironing_on(nurbs::test::strip(3, mixed_degrees)));
   for (int step = 1; step <= 4; ++step) {

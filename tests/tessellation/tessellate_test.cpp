@@ -33,14 +33,14 @@ SupportedControlPoints face_points(const Scene<3>& scene, nurbs::Side side) {
   return {0, scene.bodies[0].body->space().face_functions(side)};
 }
 
-/// A hollow octant at rest.
+/// An undeformed hollow octant.
 Scene<3> octant() {
   Scene<3> scene = one_body(nurbs::sphere_octant(0.5, 1, Eigen::Vector3d(0, 0, 0)), {2, 2, 2}, front);
   scene.supports.push_back({"hold", {face_points(scene, back)}, {Hold::fixed, Hold::fixed, Hold::fixed}});
   return scene;
 }
 
-/// A block 2 × 1 × 1 on smooth planes under a rigid obstacle, pressed by a little.
+/// A block 2 × 1 × 1 on smooth planes under a rigid obstacle.
 Scene<3> pressed(const contact::Obstacle<3>& obstacle) {
   Scene<3> scene = one_body(nurbs::block({2, 1, 1}, Eigen::Vector3d(0, 0, 0)), {4, 2, 2}, back);
   scene.obstacles.push_back(obstacle);
@@ -88,7 +88,7 @@ TEST(Skin, EnclosesTheBodyWithExactNormals) {
   for (int divisions : {2, 4, 8}) {
     const Skin skin = tessellate(model, 0, &find_field<3>("von_mises"), evenly(model, divisions), true);
     errors.push_back(std::abs(volume(skin) - exact));
-    EXPECT_TRUE(skin.values.allFinite()); // at the pole too, where ∂X/∂ξ is singular
+    EXPECT_TRUE(skin.values.allFinite()); // also at the pole, where ∂X/∂ξ is singular
     EXPECT_LT(skin.values.cwiseAbs().maxCoeff(), 1e-12);
     for (Eigen::Index i = 0; i < skin.points.cols(); ++i) {
       EXPECT_NEAR(skin.normals.col(i).norm(), 1, 1e-12);
@@ -96,7 +96,7 @@ TEST(Skin, EnclosesTheBodyWithExactNormals) {
       const double along = n.dot(x) / x.norm();
       // Outer sphere, inner sphere, or a plane through the center
       const bool spherical = std::abs(std::abs(along) - 1) < 1e-3;
-      // On the axis the map is collapsed: the normal is that of a point a little inwards.
+      // On the axis the map is singular: the normal is that of a point slightly inside.
       const double tolerance = x.head<2>().norm() < 1e-9 ? 1e-4 : 1e-9;
       EXPECT_TRUE(spherical || std::abs(along) < tolerance) << along;
       if (spherical) {
@@ -108,7 +108,7 @@ TEST(Skin, EnclosesTheBodyWithExactNormals) {
   EXPECT_NEAR(std::log2(errors[1] / errors[2]), 2, 0.1);
 }
 
-TEST(Skin, HasTheBordersOfElementsAndSides) {
+TEST(Skin, ContainsBordersOfElementsAndSides) {
   const Scene<3> scene = one_body(nurbs::block({2, 1, 3}, Eigen::Vector3d(0, 0, 0)), {4, 2, 3}, back);
   const Model<3> model(scene);
   const Skin skin = tessellate(model, 0, nullptr, evenly(model, 3), false);
@@ -123,7 +123,7 @@ TEST(Skin, HasTheBordersOfElementsAndSides) {
   EXPECT_EQ(surface_elements(scene.bodies[0].body->space()), 2 * (8 + 6 + 12));
 }
 
-TEST(Skin, CarriesFieldsAndContactPressure) {
+TEST(Skin, ContainsFieldsAndContactPressure) {
   Model<3> model(pressed(contact::make_plane<3>({0, 0, 1}, {0, 0, -1})));
   press(model, 0.2);
   const int divisions = 3;
@@ -163,7 +163,7 @@ TEST(Skin, InterpolatesBetweenContactPoints) {
   }
   EXPECT_GT(largest, 0);
   EXPECT_EQ(pressure.head(first).cwiseAbs().maxCoeff(), 0);
-  // Where the contact does not act there is none.
+  // Zero outside the contact's region
   Scene<3> scene = pressed(contact::make_ball<3>({0.75, 0.25, 1.6}, 0.6));
   scene.contacts[0].where = [](const Vec<3>& place) { return place(0) < 1; };
   Model<3> half(scene);
@@ -177,7 +177,7 @@ TEST(Skin, InterpolatesBetweenContactPoints) {
   EXPECT_GT(partial.maxCoeff(), 0);
 }
 
-TEST(Inside, SamplesTheElementsThatAPlaneMeets) {
+TEST(Inside, SamplesTheElementsThatAPlaneIntersects) {
   Model<3> model(pressed(contact::make_ball<3>({1, 0.5, 1.6}, 0.6)));
   press(model, 0.1);
   const auto count = [&](const std::vector<CutPlane>& planes) {
@@ -187,7 +187,7 @@ TEST(Inside, SamplesTheElementsThatAPlaneMeets) {
   EXPECT_EQ(count({{{0, 0, 0.5}, {0, 0, 1}}}), 16u); // both sides of a border
   EXPECT_EQ(count({{{0, 0, 1}, {0, 0, 1}}}), 8u);
   EXPECT_EQ(count({{{0, 0, 1.1}, {0, 0, 1}}}), 0u);
-  // Along the face control points reach beyond their element: its neighbors may be taken as well.
+  // Control points of an element may lie outside it, so neighbors may be included as well.
   EXPECT_GE(count({{{0.25, 0, 0}, {1, 0, 0}}, {{1.75, 0, 0}, {1, 0, 0}}}), 8u);
   EXPECT_LE(count({{{0.25, 0, 0}, {1, 0, 0}}, {{1.75, 0, 0}, {1, 0, 0}}}), 16u);
 
@@ -202,7 +202,7 @@ TEST(Inside, SamplesTheElementsThatAPlaneMeets) {
   EXPECT_NEAR(last.points(2, 26), 1 + last.values[26], 1e-12);
 }
 
-/// A half annulus of radii 0.5 and 1 at rest, two elements round and one through.
+/// An undeformed half annulus of radii 0.5 and 1 with two elements in hoop and one in thickness direction.
 Model<2> annulus() {
   nurbs::Plan plan;
   plan.elements = {2, 1};
@@ -216,7 +216,7 @@ Model<2> annulus() {
   return Model<2>(scene);
 }
 
-/// How far the outline within a box lies from circles of radii 0.5 and 1, by its points and the middles of its pieces.
+/// Largest distance of the outline within a box from circles of radii 0.5 and 1, at points and midpoints of its pieces.
 double departure(const Skin& drawn, const Vec<2>& low, const Vec<2>& high) {
   double largest = 0;
   for (Eigen::Index t = 0; t < drawn.triangles.cols(); ++t)
@@ -231,14 +231,14 @@ double departure(const Skin& drawn, const Vec<2>& low, const Vec<2>& high) {
   return largest;
 }
 
-TEST(Sampling, FollowsArcsWithinHalfAPixelOfWhatIsMagnified) {
+TEST(Sampling, FollowsMagnifiedArcsWithinHalfAPixel) {
   const Model<2> model = annulus();
   const auto& stress = find_field<2>("sxx");
   const int divisions = 12;
   const Skin whole =
       tessellate(model, 0, &stress, even_sampling<2>(model.system.scene.bodies[0].body->space(), divisions), true);
   for (double side : {0.1, 0.02, 0.001}) {
-    // About the lowest quarter of the outer arc, for 1600 × 1000 pixels
+    // Around the lowest quarter of the outer arc, for 1600 × 1000 pixels
     const Vec<2> middle(-std::sqrt(0.5), -std::sqrt(0.5)), half(0.5 * side, 0.3 * side);
     const Vec<2> low = middle - half, high = middle + half;
     const Window window =
@@ -248,7 +248,7 @@ TEST(Sampling, FollowsArcsWithinHalfAPixelOfWhatIsMagnified) {
     const double pixel = side / 1600;
     EXPECT_LT(departure(fine, low, high), 0.5 * pixel) << side;
     EXPECT_GT(departure(whole, middle.array() - 0.2, middle.array() + 0.2), 10 * pixel) << side;
-    // About as many quadrilaterals as the picture of a fine mesh has at most
+    // At most about as many quadrilaterals as in the picture of a fine mesh
     EXPECT_LT(fine.triangles.cols(), 20000) << side;
     EXPECT_EQ(fine.values.size(), fine.points.cols());
   }
