@@ -74,14 +74,14 @@ template <int D> std::shared_ptr<Model<D>> load_model(const Content& content) {
 
 /// Names of the parts that differ.
 std::vector<std::string> differences(const Parts& here, const Parts& there) {
-  const auto twin = [](const Parts& parts, const ScenePart& part) {
+  const auto match = [](const Parts& parts, const ScenePart& part) {
     return std::find_if(parts.begin(), parts.end(), [&](const ScenePart& other) { return other.name == part.name; });
   };
   std::vector<std::string> names;
   for (const ScenePart& part : there)
-    if (const auto own = twin(here, part); own == here.end() || own->bytes != part.bytes) names.push_back(part.name);
+    if (const auto own = match(here, part); own == here.end() || own->bytes != part.bytes) names.push_back(part.name);
   for (const ScenePart& part : here)
-    if (twin(there, part) == there.end()) names.push_back(part.name);
+    if (match(there, part) == there.end()) names.push_back(part.name);
   return names;
 }
 

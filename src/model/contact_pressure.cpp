@@ -59,7 +59,7 @@ double end_of(const nurbs::Discretization& space, nurbs::Side side) {
 }
 
 /// Throws the Error that lists the faces of a body with a contact pressure.
-template <int D> [[noreturn]] void refuse(const Model<D>& model, int body) {
+template <int D> [[noreturn]] void throw_without_pressure(const Model<D>& model, int body) {
   std::vector<Message> places;
   for (const auto& contact : model.system.scene.contacts) {
     const auto [on, side] = contact.slave;
@@ -97,7 +97,7 @@ template <int D> double sample_contact_pressure(const Model<D>& model, int body,
     }
     sum += FacePressure<D>(model, static_cast<int>(c)).at_place(e, fraction);
   }
-  if (!found) refuse(model, body);
+  if (!found) throw_without_pressure(model, body);
   return sum;
 }
 

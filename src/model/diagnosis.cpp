@@ -200,8 +200,8 @@ struct Advice {
 };
 
 constexpr Advice smaller_steps{"step", "model.cure.step", "model.cure.step_min"};
-constexpr Advice flow{"pseudo_transient", "model.cure.pseudo_transient"};
-constexpr Advice search{"line_search", "model.cure.line_search"};
+constexpr Advice pseudo_transient{"pseudo_transient", "model.cure.pseudo_transient"};
+constexpr Advice line_search{"line_search", "model.cure.line_search"};
 
 std::vector<Advice> cures(Outcome outcome) {
   switch (outcome) {
@@ -209,17 +209,21 @@ std::vector<Advice> cures(Outcome outcome) {
     return {{"", "model.cure.iterations"}, smaller_steps, {"", "model.cure.tolerance"}};
   case Outcome::diverged:
   case Outcome::not_finite:
-    return {smaller_steps, search};
+    return {smaller_steps, line_search};
   case Outcome::cycling:
-    return {smaller_steps, search, {"", "model.cure.points"}, {"active_set_changes", "model.cure.active_set"}, flow};
+    return {smaller_steps,
+            line_search,
+            {"", "model.cure.points"},
+            {"active_set_changes", "model.cure.active_set"},
+            pseudo_transient};
   case Outcome::lost_projection:
     return {{"", "model.cure.extend_master"}, {"", "model.cure.end_path"}};
   case Outcome::inverted_element:
-    return {smaller_steps, search, {"", "model.cure.mesh"}};
+    return {smaller_steps, line_search, {"", "model.cure.mesh"}};
   case Outcome::singular_tangent:
     return {{"", "model.cure.support"}, {"damping", "model.cure.damping"}};
   case Outcome::indefinite:
-    return {{"arc_length", "model.cure.arc_length", "model.cure.stability"}, flow};
+    return {{"arc_length", "model.cure.arc_length", "model.cure.stability"}, pseudo_transient};
   case Outcome::line_search:
     return {smaller_steps, {"", "model.cure.no_line_search"}};
   case Outcome::penetration:

@@ -112,9 +112,9 @@ template <int D> void judge_lead(Model<D>& model) {
   Message why;
   const solve::Outcome outcome = evaluate(model, nullptr, true, why);
   require(outcome == solve::Outcome::converged, "model.step.no_residual", {{"why", why}});
-  const double enough = solve::NewtonOptions{}.tolerance * force_norm(model) + rounding_floor(model);
-  require(model.unbalanced.norm() <= enough, "model.step.unbalanced",
-          {{"residual", model.unbalanced.norm()}, {"enough", enough}});
+  const double tolerance = solve::NewtonOptions{}.tolerance * force_norm(model) + rounding_floor(model);
+  require(model.unbalanced.norm() <= tolerance, "model.step.unbalanced",
+          {{"residual", model.unbalanced.norm()}, {"enough", tolerance}});
   model.step->report.outcome = solve::Outcome::converged;
 }
 

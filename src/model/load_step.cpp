@@ -143,10 +143,11 @@ template <int D> solve::Outcome conclude(Model<D>& model, const AugmentationOpti
   double farthest = 0;
   for (std::size_t k = 0; k < contacts.size(); ++k)
     farthest = std::max(farthest, contacts[k]->violation(model.present.contacts[k]));
-  const double enough = augmented.penetration * model.system.extent;
-  if (farthest <= enough) return solve::Outcome::converged;
+  const double tolerance = augmented.penetration * model.system.extent;
+  if (farthest <= tolerance) return solve::Outcome::converged;
   if (model.step->augmentations == augmented.loops) {
-    why = Message("model.step.penetration", {{"distance", farthest}, {"loops", augmented.loops}, {"enough", enough}});
+    why =
+        Message("model.step.penetration", {{"distance", farthest}, {"loops", augmented.loops}, {"enough", tolerance}});
     return solve::Outcome::penetration;
   }
   for (std::size_t k = 0; k < contacts.size(); ++k) contacts[k]->augment(model.present.contacts[k]);
@@ -172,11 +173,11 @@ template <int D> const solve::NewtonReport& iterate(Model<D>& model, const StepO
   solve::NewtonReport& report = step.report;
   if (report.outcome != solve::Outcome::iterating) return report;
   // The move that applies prescribed displacements must be a full Newton step.
-  const bool flows = options.pseudo_transient && !(step.pending && report.iterations == 0);
+  const bool pseudo = options.pseudo_transient && !(step.pending && report.iterations == 0);
   solve::NewtonSystem newton = newton_system<D>(
       model, [&](bool tangent, Message& why) { return assemble_step(model, tangent, why); },
       [&](double& energy) {
-        return flows ? advance_in_pseudo_time(model, options, energy) : advance(model, options, energy);
+        return pseudo ? advance_in_pseudo_time(model, options, energy) : advance(model, options, energy);
       });
   newton.retreat = [&](double part) { return retreat(model, part); };
   newton.slope = [&] { return step.slope; };

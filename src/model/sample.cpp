@@ -37,10 +37,10 @@ template <int D> BodyPoint<D> body_point(const Model<D>& model, int body, int e,
 namespace {
 
 /// A point with the gradients of a nearby point.
-template <int D> BodyPoint<D> with_gradients(const BodyPoint<D>& point, BodyPoint<D> beside) {
-  beside.reference = point.reference;
-  beside.state.displacement = point.state.displacement;
-  return beside;
+template <int D> BodyPoint<D> with_gradients(const BodyPoint<D>& point, BodyPoint<D> nearby) {
+  nearby.reference = point.reference;
+  nearby.state.displacement = point.state.displacement;
+  return nearby;
 }
 
 /// xi clamped to the box of an element's Gauss points and, if it lies outside in two or more directions, the

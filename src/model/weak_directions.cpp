@@ -32,7 +32,7 @@ MatrixX times(const solve::Pattern& pattern, const std::vector<double>& values, 
 }
 
 /// Deterministic start vectors without preferred direction.
-MatrixX some_directions(int size, int count) {
+MatrixX start_vectors(int size, int count) {
   MatrixX x(size, count);
   for (int j = 0; j < count; ++j)
     for (int i = 0; i < size; ++i) x(i, j) = std::sin(1.0 + 0.7 * (i + 1) * (j + 1) + 0.01 * i * i);
@@ -45,7 +45,7 @@ WeakDirection iterate(const solve::Pattern& pattern, const std::vector<double>& 
   const std::vector<double> regular = shifted(pattern, matrix, relative_shift * largest_entry(pattern, matrix));
   const auto solver = solve::make_solver(solve::LinearKind::umfpack, pattern);
   count = std::min(count, pattern.size);
-  MatrixX x = orthonormal(some_directions(pattern.size, count));
+  MatrixX x = orthonormal(start_vectors(pattern.size, count));
   if (!solver->factor(regular.data())) return {VectorX::Zero(pattern.size), 0};
   for (int round = 0; round < rounds; ++round) {
     for (int j = 0; j < count; ++j)

@@ -129,7 +129,7 @@ TEST(Augment, TangentIsTheForcesDerivative) {
   EXPECT_GT(census.stick, 30);
 }
 
-TEST(Augment, TangentIsTheForcesDerivativeInSpace) {
+TEST(Augment, TangentIsTheForcesDerivativeIn3D) {
   Random random(22);
   Census3 census;
   const auto plate = wavy_plate(random, 2, 0.1, 2, 3);
@@ -180,7 +180,7 @@ TEST(ScalePenalty, ForcesFollowAndFrictionToo) {
 }
 
 /// With λ = 1 a point with a gap of 0.05 is open if ε = 100, closed if ε = 10.
-TEST(ScalePenalty, ASofterPenaltyReachesFarther) {
+TEST(ScalePenalty, ASofterPenaltyClosesLargerGaps) {
   Flat flat;
   flat.at(-0.01);
   flat.couple.pair.augment();
@@ -195,7 +195,7 @@ TEST(ScalePenalty, ASofterPenaltyReachesFarther) {
   EXPECT_NEAR(flat.at(0.12), 0.4, 1e-13);
 }
 
-TEST(ScalePenalty, AdhesionHasNone) {
+TEST(ScalePenalty, DoesNotAffectAdhesion) {
   Couple couple("N2", slab("N2"), Adhesion{0.02, 0.05}, 1.4, 1.02);
   couple.evaluate();
   const VectorX before = couple.dense().force;

@@ -37,7 +37,7 @@ std::vector<Shape> shapes(Random& random) {
       {cylinder, [=](const Vec<3>& x) { return (x - cylinder.point).cross(cylinder.axis).norm() - cylinder.radius; }}};
 }
 
-TEST(ObstacleInSpace, GapIsTheSignedDistance) {
+TEST(ObstacleIn3D, GapIsTheSignedDistance) {
   Random random(1);
   for (int trial = 0; trial < 50; ++trial)
     for (const Shape& shape : shapes(random)) {
@@ -57,7 +57,7 @@ TEST(ObstacleInSpace, GapIsTheSignedDistance) {
     }
 }
 
-TEST(ObstacleInSpace, DerivativeOfTheNormalFollowsFromTangentsAndSecondDerivatives) {
+TEST(ObstacleIn3D, DerivativeOfTheNormalFollowsFromTangentsAndSecondDerivatives) {
   // Changes of the closest point, τ_α δξ^α, and of the normal, −m^{αβ} (n·x_,βγ) τ_α δξ^γ, against differences in x.
   Random random(2);
   for (int trial = 0; trial < 30; ++trial)
@@ -87,7 +87,7 @@ TEST(ObstacleInSpace, DerivativeOfTheNormalFollowsFromTangentsAndSecondDerivativ
     }
 }
 
-TEST(ObstacleInSpace, SlipPointFollowsOnTheShortestPath) {
+TEST(ObstacleIn3D, SlipPointFollowsOnTheShortestPath) {
   Random random(3);
   for (int trial = 0; trial < 50; ++trial)
     for (const Shape& shape : shapes(random)) {
@@ -106,7 +106,7 @@ TEST(ObstacleInSpace, SlipPointFollowsOnTheShortestPath) {
     }
 }
 
-TEST(ObstacleInSpace, SlipPointOnASurfaceKeepsLengthAndDirection) {
+TEST(ObstacleIn3D, SlipPointOnASurfaceKeepsLengthAndDirection) {
   Random random(4);
   for (int trial = 0; trial < 60; ++trial) {
     const Surface<3> surface = top_of(wavy_plate(random, 3, 0.05, integer(random, 2, 3), 3));
@@ -133,7 +133,7 @@ TEST(ObstacleInSpace, SlipPointOnASurfaceKeepsLengthAndDirection) {
   }
 }
 
-TEST(ObstacleInSpace, ErrorsNameTheArgument) {
+TEST(ObstacleIn3D, ErrorsNameTheArgument) {
   EXPECT_ERROR(make_cylinder({0, 0, 0}, {0, 0, 0}, 1), "contact.cylinder.axis");
   EXPECT_ERROR(make_cylinder({0, 0, 0}, {0, 0, 1}, -1), "contact.obstacle.radius: radius = -1");
   EXPECT_ERROR(make_ball<3>({0, 0, 0}, 0), "contact.obstacle.radius: radius = 0");

@@ -86,7 +86,7 @@ TEST(ObstaclePair, ForceOnTheObstacleIsMinusThatOnTheBody) {
     }
 }
 
-TEST(ObstaclePair, OnlyTheRelativeMotionCounts) {
+TEST(ObstaclePair, OnlyRelativeMotionMatters) {
   Random random(3);
   for (const Obstacle<2>& obstacle : obstacles(random)) {
     Couple die("N2", obstacle, PenaltyLaw{100, 100, 0.3}, 1.3, 0.1), moved = die;

@@ -100,7 +100,7 @@ TEST(Obstacle, GeometryIsTheDerivativeOfThePosition) {
   }
 }
 
-TEST(Obstacle, HasOneNodeThatCarriesItsTranslation) {
+TEST(Obstacle, HasOneNodeForItsTranslation) {
   Random random(3);
   const nurbs::Patch arc = nurbs::arc(Eigen::Vector2d(0, 0), 1, 20, 160);
   for (const Obstacle<2>& shape : {random_plane(random).shape, random_ball(random).shape, Obstacle<2>(arc)}) {

@@ -126,7 +126,7 @@ bool same(const std::vector<Block>& a, const std::vector<Block>& b) {
   });
 }
 
-TEST(Pair, RollbackRestoresBitByBit) {
+TEST(Pair, RollbackRestoresBitwise) {
   Random random(5);
   for (int trial = 0; trial < 10; ++trial) {
     Couple couple("N2-N2.1", trial % 2 == 0 ? slab("N2") : wavy(random, 3, 0.15, 3, 6), {100, 100, 0.2}, 1.3,
@@ -227,7 +227,7 @@ TEST(Pair, SkippingFarPointsMissesNoContact) {
     }
 }
 
-TEST(Pair, GapsAreKnownForOpenPointsToo) {
+TEST(Pair, GapsIncludeOpenPoints) {
   Couple couple("N2", slab("N2"), {100, 100, 0.2}, 1.3, 1.1);
   couple.evaluate();
   const std::vector<double> gaps = couple.pair.gaps();

@@ -41,7 +41,7 @@ TEST(Penalty, CornerStickAndSlip) {
   tangent_and_shift<3>(Foot::corner, 0.3, ContactState::slip);
 }
 
-TEST(Penalty, AboutAnAxis) {
+TEST(Penalty, Axisymmetric) {
   for (Foot foot : {Foot::regular, Foot::corner}) {
     tangent_and_shift<2>(foot, 0, ContactState::stick, true);
     tangent_and_shift<2>(foot, 0.01, ContactState::stick, true);
@@ -50,7 +50,7 @@ TEST(Penalty, AboutAnAxis) {
 }
 
 /// The same traction on the full circle's area 2πr ds.
-TEST(Penalty, AreaAboutAnAxisIsThatOfTheFullCircle) {
+TEST(Penalty, AxisymmetricAreaIsThatOfTheFullCircle) {
   Random random(5);
   const PenaltyLaw law{100, 80, 0.3};
   for (int trial = 0; trial < 20; ++trial) {

@@ -245,16 +245,16 @@ TEST(Arc, RollbackReturnsToTheAcceptedState) {
   rollback(model);
   unchanged();
   // An increment that converges but is not accepted; the direct solver factors every matrix, so the same one follows
-  StepOptions afresh;
-  afresh.linear = solve::LinearKind::umfpack;
+  StepOptions direct;
+  direct.linear = solve::LinearKind::umfpack;
   set_target(model, 0, 1, target - 1);
-  ASSERT_EQ(solve_arc(model, afresh, 0.06).outcome, solve::Outcome::converged);
+  ASSERT_EQ(solve_arc(model, direct, 0.06).outcome, solve::Outcome::converged);
   const VectorX first = model.present.displacement;
   EXPECT_GT(walk.norm(first - accepted), 0.059);
   rollback(model);
   unchanged();
   set_target(model, 0, 1, target - 1);
-  ASSERT_EQ(solve_arc(model, afresh, 0.06).outcome, solve::Outcome::converged);
+  ASSERT_EQ(solve_arc(model, direct, 0.06).outcome, solve::Outcome::converged);
   EXPECT_EQ(model.present.displacement, first);
 }
 

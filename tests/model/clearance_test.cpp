@@ -23,7 +23,7 @@ contact::Obstacle<2> ball(double x, double y, double radius) {
   return contact::make_ball<2>({x, y}, radius);
 }
 
-TEST(Clearance, ApartTouchingAndSlightlyOverlappingIsFine) {
+TEST(Clearance, SmallOverlapIsAllowed) {
   build(plane(-0.3, 1));
   build(plane(0, 1));
   build(plane(0.009, 1)); // the body's size is √2

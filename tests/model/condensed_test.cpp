@@ -97,7 +97,7 @@ TEST(Condensed, TwoLinearBodies) {
 }
 
 /// One step from first contact to a wide contact area, far beyond the previous contact unknowns.
-TEST(Condensed, ContactGrowsBeyondTheWatchedUnknowns) {
+TEST(Condensed, ContactGrowsBeyondTheContactUnknowns) {
   const Seen seen =
       compare_solvers(roller(soft, {100, 100, 0.3}), {{0, -0.001}, {0, -0.15}, {0.3, -0.15}, {0, -0.002}});
   EXPECT_GT(seen.active, 50);

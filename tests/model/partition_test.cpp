@@ -94,7 +94,7 @@ int on_two(const std::vector<std::vector<int>>& tasks) {
   return std::max(busy[0], busy[1]);
 }
 
-TEST(Partition, TwoThreadsHalveTheWorkOfAnyShape) {
+TEST(Partition, TwoThreadsHalveTheTimeForAnyShape) {
   struct Case {
     std::vector<int> elements;
     const char* label;
@@ -112,7 +112,7 @@ TEST(Partition, TwoThreadsHalveTheWorkOfAnyShape) {
   }
 }
 
-TEST(Partition, AFewElementsStayTogether) {
+TEST(Partition, FewElementsAreNotDivided) {
   const Scene<2> scene = strip({8, 3}, "N2", "south");
   const Partition parts = partition(Unknowns<2>(scene), *scene.bodies[0].body, 0);
   ASSERT_EQ(parts.heads.size(), 1u);
