@@ -110,16 +110,16 @@ void BlockSums<D>::add(const ContactPoints<D>& points, std::size_t point, const 
   const double* __restrict dxi = dt + D * width;
   // ∂f_A = −R_A ∂T on the slave, R̄_A ∂T + T R̄_A,α ∂ξ̄^α on the master
   if constexpr (D == 3) {
-    const Products::Room room = products_[index - first_].add();
-    for (int a = 0; a < ns; ++a) room.left[a] = -r[a];
-    std::copy_n(master.value.data(), nm, room.left + ns);
+    const Products::Factors factors = products_[index - first_].add();
+    for (int a = 0; a < ns; ++a) factors.left[a] = -r[a];
+    std::copy_n(master.value.data(), nm, factors.left + ns);
     for (std::size_t k = 0; k < 2; ++k) {
-      std::copy_n(master.derivative[k].data(), nm, room.rates + k * at(nm));
-      double* turn = room.turn + k * 3 * at(width);
+      std::copy_n(master.derivative[k].data(), nm, factors.rates + k * at(nm));
+      double* turn = factors.turn + k * 3 * at(width);
       for (int i = 0; i < 3; ++i)
         for (int c = 0; c < width; ++c) *turn++ = force.force(i) * dxi[static_cast<int>(k) * width + c];
     }
-    std::copy_n(dt, 3 * width, room.traction);
+    std::copy_n(dt, 3 * width, factors.traction);
   } else {
     double* __restrict matrix = block.matrix.data();
     for (int a = 0; a < ns; ++a)

@@ -39,12 +39,12 @@ void Products::start(int nodes, int master_nodes, int columns, double* block) {
   points_ = 0;
 }
 
-Products::Room Products::add() {
+Products::Factors Products::add() {
   if (points_ > 0 && (points_ + 1) * nodes_ * columns_ > most_multiplications) finish();
-  const Room room{extend(left_, points_, nodes_), extend(rates_, points_, 2 * master_nodes_),
-                  extend(traction_, points_, 3 * columns_), extend(turn_, points_, 6 * columns_)};
+  const Factors factors{extend(left_, points_, nodes_), extend(rates_, points_, 2 * master_nodes_),
+                        extend(traction_, points_, 3 * columns_), extend(turn_, points_, 6 * columns_)};
   ++points_;
-  return room;
+  return factors;
 }
 
 void Products::finish() {

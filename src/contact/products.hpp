@@ -15,10 +15,10 @@ public:
   void start(int nodes, int master_nodes, int columns, double* block);
   /// Memory for the factors of another point: `nodes` values left; 2 × `master_nodes` rates; 3 × `columns` values ∂T_i;
   /// 2 × 3 × `columns` values T_i ∂ξ̄^α, α slowest.
-  struct Room {
+  struct Factors {
     double *left, *rates, *traction, *turn;
   };
-  Room add();
+  Factors add();
   /// Adds the collected products to the block.
   void finish();
 

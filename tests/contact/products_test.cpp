@@ -20,22 +20,22 @@ TEST(Products, SumTheTermsOfAllPoints) {
     products.start(nodes, master, columns, block.data());
     const auto value = [](double* values, int i) -> double& { return values[i]; };
     for (int p = 0; p < points; ++p) {
-      const Products::Room room = products.add();
+      const Products::Factors factors = products.add();
       const auto fill = [&](double* values, int count) {
         for (int i = 0; i < count; ++i) values[i] = uniform(random, -1, 1);
       };
-      fill(room.left, nodes);
-      fill(room.rates, 2 * master);
-      fill(room.traction, 3 * columns);
-      fill(room.turn, 6 * columns);
+      fill(factors.left, nodes);
+      fill(factors.rates, 2 * master);
+      fill(factors.traction, 3 * columns);
+      fill(factors.turn, 6 * columns);
       for (int a = 0; a < nodes; ++a)
         for (int i = 0; i < 3; ++i)
           for (int c = 0; c < columns; ++c) {
             double& sum = value(expected.data(), (3 * a + i) * columns + c);
-            sum += room.left[a] * room.traction[i * columns + c];
+            sum += factors.left[a] * factors.traction[i * columns + c];
             const int m = a - (nodes - master);
             for (int k = 0; k < 2 && m >= 0; ++k)
-              sum += room.rates[k * master + m] * room.turn[(3 * k + i) * columns + c];
+              sum += factors.rates[k * master + m] * factors.turn[(3 * k + i) * columns + c];
           }
     }
     products.finish();
