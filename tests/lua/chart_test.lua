@@ -122,7 +122,7 @@ check.case("characters that no font has become boxes, with a warning for each te
   end
   local output, lines = said "Druck p_n und \u{F0000}"
   check.equal(lines, 1)
-  check.holds(output, "signorini: warning: no installed font shows '\u{F0000}' of the text 'Druck p_n und", "boxes")
+  check.holds(output, "signorini: warning: no installed font contains '\u{F0000}' of the text 'Druck p_n und", "boxes")
   local drawn = core.read_file(folder .. "/signs.png")
   said "Druck p_n und "
   check.equal(core.read_file(folder .. "/signs.png") == drawn, false) -- there is a box
@@ -161,10 +161,10 @@ check.case("wrong arguments", function()
     { { [1] = { y = { 1, 2, 3 }, width = -1 } }, "[1].width must be a positive number" },
     { { xticks = { 1, 2 } }, "xticks[1] must be a pair {position, text}" },
     { { xticks = { { 1, 2 } } }, "xticks[1][2] must be a string" },
-    { { xticks = { { 2, "b" }, { 1, "a" } } }, "xticks must rise" },
+    { { xticks = { { 2, "b" }, { 1, "a" } } }, "xticks must increase" },
     { { hlines = { { "4" } } }, "hlines[1][1] must be a number" },
     { { hlines = { { 4, "four", 5 } } }, "hlines[1] must be a pair" },
-    { { inset = { xrange = { 7, 8 } } }, "sg.chart", "inset: no curve runs between x = 7 and 8" },
+    { { inset = { xrange = { 7, 8 } } }, "sg.chart", "inset: the chart has no curve between x = 7 and 8" },
     { { inset = { xrange = { 2, 1 } } }, "inset.xrange must rise" },
     { { inset = { yrange = { 1, 2 } } }, "inset.xrange", "is missing" },
     { { inset = { xrange = { 1, 2 }, place = "middle" } }, "inset.place must be 'north-east', 'north-west'" },

@@ -196,15 +196,15 @@ check.case("wrong files are errors at the user's own line that name the cure", f
     check.fails(function() sg.load(file) end, "checkpoint_test.lua:", "sg.load: ", file, ...)
   end
   write "{ \"a\": 1 }"
-  refused "is not a checkpoint of signorini"
+  refused "is not a checkpoint written by signorini"
   write(good:sub(1, -100))
-  refused("is damaged: it is cut off after", "take an older copy")
+  refused("is damaged: it is truncated after", "use an older copy")
   for _, at in ipairs { 60, #good // 2, #good } do
     write(good:sub(1, at - 1) .. string.char(good:byte(at) ~ 16) .. good:sub(at + 1))
     refused "is damaged: its checksum is wrong"
   end
   write(good:gsub("^(SIGNORINI checkpoint\n)\1", "%1\7"))
-  refused "was written in format 7, this program reads format 1"
+  refused "was written in format 7, but this program reads format 1"
   os.remove(file)
   refused("cannot read", "No such file")
   check.fails(function() sg.load(3) end, "path must be a string")
@@ -212,7 +212,7 @@ check.case("wrong files are errors at the user's own line that name the cure", f
   check.fails(function() model:save "nowhere/at/all.sgn" end, "checkpoint_test.lua:",
     "model:save: cannot write 'nowhere/at/all.sgn'", "create it first")
   check.fails(function() model:save "/proc/a.sgn" end, "model:save: cannot write '/proc/a.sgn'",
-    "choose a file in a folder")
+    "choose a folder with write permission")
 end)
 
 os.remove(file)

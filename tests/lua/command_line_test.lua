@@ -119,7 +119,7 @@ check.case("more threads than the system starts are an error that says how many 
   -- a stack of 8 MB each, and 4 GB for all
   local result = run({ "--threads", "1024", "-e", "print(1)" }, nil, "ulimit -s 8192; ulimit -v 4000000;")
   check.equal(result.status, 1)
-  check.holds(result.output, "signorini: the system started only ", " of 1024 threads", "Hint: ask for fewer")
+  check.holds(result.output, "signorini: the system started only ", " of 1024 threads", "Hint: use fewer threads")
 end)
 
 check.case("the library is found by SIGNORINI_HOME, or the message says where it was looked for", function()

@@ -134,7 +134,7 @@ check.case("points that are held do no harm: where they cannot be freed the run 
     local run = deep():run({ { name = "press", steps = 46, grip = {0, -0.5} } },
       sg.plain{ newton = { active_set_changes = changes } })
     check.equal({ run.reason, run.steps < 46, run.places[1].contact }, { "cycling", true, "interface" })
-    check.holds(run.report, "points that were held do not keep their states when they are freed")
+    check.holds(run.report, "contact points whose state was fixed change it again when they are released")
   end
   local run = ironing{ E = 1e4, mu = 0.1, label = "N6", points = 7 }:run({ { steps = 46, grip = {0, -0.5} } },
     sg.plain{ newton = { active_set_changes = 4 } })
@@ -297,9 +297,9 @@ check.case("only a step that has converged is accepted", function()
   end
   model:accept() -- what is accepted already
   model:set_target("grip", {0, -0.01})
-  refused("no step has been solved since targets or penalties were changed", "Hint: solve one, or call")
+  refused("no step has been solved since targets or penalties were changed", "Hint: solve a step, or call")
   check.equal(model:iterate{}.reason, "iterating")
-  refused("the step is not in equilibrium yet", "iterate on")
+  refused("the step is not in equilibrium yet", "iterate until")
   repeat local result = model:iterate{} until result.reason ~= "iterating"
   model:set_penalty_factor(2) -- the state belongs to another penalty
   refused "no step has been solved since targets or penalties were changed"

@@ -54,9 +54,9 @@ local wrong = {
   { "an unknown label in a list", [[sg.body(with({"N2", "Q2"}, "back"))]],
     "order must be a discretization label, got 'Q2'" },
   { "a layer in one direction without a contact face", [[sg.body(with({"N2", "N2-N4", "N2"}))]],
-    "'N2-N4' has a layer, but the body names no contact face" },
+    "'N2-N4' has a layer, but the body has no contact face" },
   { "layers of different depths", [[sg.body(with({"N2-N4x2", "N2-N4"}, "back"))]], "N2-N4x2", "give both the same xr" },
-  { "L and N elements in one body", [[sg.body(with({"L2", "N2"}, "back"))]], "'L2' and 'N2' cannot be mixed" },
+  { "L and N elements in one body", [[sg.body(with({"L2", "N2"}, "back"))]], "'L2' and 'N2' cannot be combined" },
   -- Faces, edges, corners
   { "a solid's face of a plane body", [[flat:face "front"]],
     "body:face: face must be one of west, east, south, north, the ends of xi1 and xi2, got 'front'" },

@@ -76,7 +76,7 @@ check.case("wrong arguments of methods", function()
   check.fails(function() p:refine { grading = { false, false } } end, "grading needs elements")
   check.fails(function() p:translate { 1 } end, "by must be a list of 2 numbers")
   check.fails(function() p:rotate { angle = 90, axis = { 0, 0, 1 } } end,
-    "axis is for patches in 3D", "leave the axis out")
+    "axis is for patches in 3D", "omit axis")
   check.fails(function() p:refinne {} end, "a patch has no method 'refinne'; did you mean 'refine'?")
   check.fails(function() p.face("north") end, "patch:face must be called on a patch", "colon")
 end)
@@ -111,7 +111,7 @@ check.case("messages name the cure that helps", function()
     "file must be a name that ends with .xml, .txt or .mesh (where the patches go)")
   check.equal(select(2, message:gsub("a name that ends", "")), 1)
   check.fails(function() sg.nurbs.line { from = { 0, 1.5 }, to = { 0, 1.5 } } end,
-    "two different ends, got (0, 1.5) twice")
+    "the ends of a line must differ, got (0, 1.5) twice")
   check.equal(tostring(sg.rigid.plane { point = { 0, -1 }, normal = { 0, 1 } }),
     "rigid plane through (0, -1), normal (0, 1)")
 end)
@@ -195,7 +195,7 @@ end)
 
 check.case("numbers that no axis can hold are refused, and nothing hangs", function()
   local file = os.tmpname()
-  local wide, decades = "must lie within ±1e300 and spread over 1e-300", "at most"
+  local wide, decades = "must be within ±1e300 and span at least 1e-300", "at most"
   local huge, tiny = { 1e308, -1e308, 1 }, { 1e-320, 0, 0 }
   check.fails(function() sg.chart { file = file .. ".png", x = { 1, 2, 3 }, { y = huge } } end, "sg.chart: ", wide)
   check.fails(function() sg.chart { file = file .. ".png", x = huge, { y = { 1, 2, 3 } } } end, wide)

@@ -56,7 +56,7 @@ check.case("wrong calls and wrong files are errors at the user's line", function
   fails(function() sg.nurbs.write(folder .. "/c.xml", {}) end, "sg.nurbs.write: patches", "at least one patch")
   fails(function() sg.nurbs.write(folder .. "/c.xml", { square, 1 }) end, "patches[2]", "a patch")
   fails(function() sg.nurbs.write(folder .. "/c.mesh", { square, square }) end,
-    "holds one patch, because it must know how patches meet; got 2")
+    "only one patch here, because signorini does not know how patches are joined; got 2")
   fails(function() square:write(folder .. "/none/c.xml") end, "cannot write", "none")
   check.equal(core.exists(folder .. "/c.xml"), false)
 end)

@@ -50,14 +50,14 @@ check.case("arcs need a step that was accepted: without one the run fails, and s
     bed = { on = column:face "south", fix = "xy" }, top = { on = column:face "north", drive = "y" } } }
   local run = model:run({ { steps = 1, top = -0.1 } }, { arc_length = true, newton = { iterations = 1 } })
   check.equal({ run.failed, run.reason, run.steps, #run.controls }, { true, "indefinite", 0, 0 })
-  check.holds(run.report, "arcs can only begin where a step was accepted")
+  check.holds(run.report, "arc length can only start after an accepted step")
 end)
 
 check.case("a load along a contact without friction: the cure is not damping", function()
   for _, options in ipairs { {}, sg.robust{} } do
     local run = scene(0, nil, { load = true }):run({ { name = "push", steps = 1, push = {0.01, -0.1} } }, options)
     check.equal({ run.failed, run.cause }, { true, "singular" })
-    check.holds(run.report, "contact 'c' is frictionless, so nothing holds body 'block' along it")
+    check.holds(run.report, "contact 'c' is frictionless, so nothing holds body 'block' tangentially")
     check.equal(run.report:find("damping = true", 1, true), nil)
   end
 end)

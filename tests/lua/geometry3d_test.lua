@@ -112,9 +112,9 @@ check.case("what cannot be a volume says so", function()
   check.fails(function() sg.nurbs.extrude { patch = cube, along = { 1, 0, 0 } } end, "got a volume")
   check.fails(function() sg.nurbs.extrude { patch = square, along = { 0, 0, 0 } } end, "along must not be zero")
   check.fails(function() sg.nurbs.revolve { patch = square, angle = 0 } end,
-    "angle must lie between -360 and 360 degrees and not be 0, got 0")
+    "angle must be in -360 … 360 degrees and not zero, got 0")
   check.fails(function() sg.nurbs.line { from = { 0, 0, 0 }, to = { 0, 0, 0 } } end,
-    "a line must have two different ends, got (0, 0, 0) twice")
+    "the ends of a line must differ, got (0, 0, 0) twice")
   check.fails(function() sg.shapes.block { size = { 1, 0, 1 } } end, "size")
   check.fails(function()
     sg.shapes.spherical_indenter { width = 10, depth = 10, height = 11, radius = 7, elements = 1 }
@@ -141,8 +141,8 @@ check.case("left-handed and crossing volumes are no bodies", function()
   check.fails(function() turned(square, -90) end, "sg.body: the patch's map is not right-handed (Jacobian -", cure)
   check.fails(function() turned(square:translate { -2.5, 0, 0 }, 90) end, "the patch's map is not right-handed", cure)
   local flat = sg.nurbs.ruled { a = square, b = square:translate { 1, 0, 0.5 } }
-  check.fails(function() solid(flat, { 1, 1, 1 }, "N1") end, "the patch's map has no volume (Jacobian 0) near (2.42",
-    "folded flat")
+  check.fails(function() solid(flat, { 1, 1, 1 }, "N1") end, "the patch's map is degenerate (Jacobian 0) near (2.42",
+    "collapsed to a surface")
   local points = sg.shapes.block { size = { 1, 1, 1 } }:points()
   points[1], points[2] = points[2], points[1]
   local U = { 0, 0, 1, 1 }
@@ -158,11 +158,11 @@ check.case("between plane and space", function()
   check.equal(raised:to_plane():points(), ring:points())
   check.equal(ring:to_plane():points(), ring:points())
   check.near(ring:to_space() { 0, 0 }, { 0, -2, 0 })
-  check.fails(function() raised:to_space { z = 1 } end, "patch:to_space: the patch lies in 3D already",
+  check.fails(function() raised:to_space { z = 1 } end, "patch:to_space: the patch is in 3D already",
     "patch:translate")
   check.fails(function() raised:rotate { angle = 30, axis = { 1, 0, 0 } }:to_plane() end,
-    "patch:to_plane: the control points must have one z for all, but z goes from 1.59", "to 2.59", "patch:rotate")
-  check.fails(function() sg.shapes.block { size = { 1, 1, 1 } }:to_plane() end, "patch:to_plane: a volume does not fit")
+    "patch:to_plane: all control points must have the same z, but z ranges from 1.59", "to 2.59", "patch:rotate")
+  check.fails(function() sg.shapes.block { size = { 1, 1, 1 } }:to_plane() end, "patch:to_plane: a volume cannot be converted")
   check.fails(function() solid(raised, { 1, 1 }, "N2") end, "this one is a surface in 3D", "patch:to_plane()")
   local file = os.tmpname()
   raised:write(file, "gismo") -- with geoDim 3

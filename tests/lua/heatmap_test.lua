@@ -118,7 +118,7 @@ check.case("wrong arguments", function()
     { { values = { { 1, 2, 3, 4 }, { 1 } } }, "values[1] must be a list of 3 entries, one for each x" },
     { { values = { { 1, 2, 3 }, 7 } }, "values[2] must be a list of 3 entries" },
     { { values = { { 1, "held", 3 }, { 4, 5, 6 } } }, "values[1][2] must be a number, nil or nan", "categories" },
-    { { values = { {}, {} } }, "all blank" },
+    { { values = { {}, {} } }, "all cells of the map are blank" },
     { { log = true, values = { { 1, 0, 3 }, { 4, 5, 6 } } },
       "values[1][2] must be above 0 on a logarithmic scale, got 0" },
     { { range = { 2, 1 } }, "range must rise" },

@@ -43,7 +43,7 @@ check.case("an error comes with its traceback, a crash with its signal, an endle
     return "fine"
   end)
   check.holds(results[1], "failed: ", "jobs_test.lua:", "no luck", "traceback", "in upvalue 'broken'")
-  check.equal({ results[2], results[4] }, { "died of signal 11", "fine" })
+  check.equal({ results[2], results[4] }, { "terminated by signal 11", "fine" })
   check.holds(results[3], "failed: ", "must return a string, got the number 7")
   check.equal(gather(1, 1, function() while true do end end, 0.01), { "time" })
 end)
@@ -58,8 +58,8 @@ check.case("jobs draw, and leave, where something was drawn before them", functi
     if i == 3 then os.exit(0, true) end
     return "drawn"
   end, 20)
-  check.equal(results, { "drawn", "left with status 7 before it returned anything",
-                         "left with status 0 before it returned anything" })
+  check.equal(results, { "drawn", "exited with status 7 before it returned a result",
+                         "exited with status 0 before it returned a result" })
   os.remove(file)
 end)
 

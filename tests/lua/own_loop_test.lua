@@ -114,7 +114,7 @@ check.case("moves are accepted in equilibrium only, and rolled back", function()
   model:move(zeros(model))
   check.fails(function() model:accept() end, "own_loop_test.lua:",
     "model:accept: the state is not in equilibrium yet: its residual is ",
-    "Hint: move on, or call model:rollback()")
+    "Hint: continue to iterate, or call model:rollback()")
   model:rollback()
   check.equal(model:displacements(), accepted)
   local change = zeros(model)

@@ -96,7 +96,7 @@ check.case("contact pressure is drawn along slave faces, and sampled there", fun
     end
     check.equal(made:sample("ring", "contact_pressure", { 0, 0 }), profile.pressure[1])
     check.fails(function() return made:sample("ring", "contact_pressure", { 0.5, 0.5 }) end,
-      "model:sample: contact_pressure is known on slave faces alone; on this body give xi[2] = 0 (contact 'ground')")
+      "model:sample: contact_pressure is defined on slave faces only; on this body give xi[2] = 0 (contact 'ground')")
   end
 end)
 
@@ -256,11 +256,11 @@ check.case("wrong arguments", function()
     { { model = model, columns = 2 }, "columns has no meaning without states or fields" },
     { { model = model, crop = { 0, 1 } }, "crop must be a list of 4 numbers" },
     { { model = model, crop = { 10, 11, 0, 1 } },
-      "crop = {10, 11, 0, 1} shows nothing: all that is drawn lies in x = ", "y = " },
+      "crop = {10, 11, 0, 1} shows nothing: everything drawn is within x = ", "y = " },
     { { model = model, inset = { 10, 11, 0, 1 } }, "inset = {10, 11, 0, 1} shows nothing" },
     { { model = model, inset = { 1, 0, 0, 1 } }, "inset is {1, 0, 0, 1}; expected {xmin, xmax, ymin, ymax}" },
     { { model = model, crop = { 0, 1, 0, 1 }, inset = { 2, 3, 0, 1 }, size = 1200 },
-      "inset lies outside of what the picture shows" },
+      "inset is outside of what the picture shows" },
     { { model = model, marks = "here" }, "marks must be a list of marks { x = {…}, text = … }" },
     { { model = model, marks = { x = { 1, 2 } } }, "marks must be a list of marks" },
     { { model = model, marks = { { text = "here" } } }, "marks[1].x", "is missing" },
@@ -273,7 +273,7 @@ check.case("wrong arguments", function()
     { { model = model, field = "uy", contours = false }, "contours must be true, a whole number from 1 to 100 or" },
     { { model = model, field = "uy", contours = 0 }, "contours must be" },
     { { model = model, field = "uy", contours = {} }, "contours must be" },
-    { { model = model, field = "uy", contours = { 7 } }, "contours must hold a value of the field" },
+    { { model = model, field = "uy", contours = { 7 } }, "contours must contain a value of the field" },
     { { model = model, vectors = "velocity" }, "vectors must be 'displacement' or 'traction'" },
     { { model = model, vectors = "traction" }, "the model has no contact" },
     { { model = model, vectors = "traction", deformed = false }, "tractions act in the present state" },

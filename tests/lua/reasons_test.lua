@@ -138,7 +138,7 @@ check.case("iterations: too few, with the largest unbalanced forces", function()
     bed = { on = body:face "south", fix = "xy" }, top = { on = body:face "north", drive = "xy" } } }
   local run = model:run({ { name = "shear", steps = 1, top = {0.3, 0} } }, sg.plain{ newton = { iterations = 2 } })
   local place = expect(run, "iterations", 0,
-    "step 1 (stage 'shear', 1 of 1) was not reached: no convergence in 2 iterations",
+    "step 1 (stage 'shear', 1 of 1) was not reached: no convergence after 2 iterations",
     "Worst places: control point", "What may help: allow more iterations")
   check.equal({ place.kind, place.body }, { "control point", "block" })
   check.near(place.X[2], 0.5, 1e-12) -- neither held face
@@ -156,7 +156,7 @@ check.case("diverged: a soft body falls onto one that is harder than numbers can
     contacts = { floor = { slave = upper:face "south", master = lower:face "north", penalty = 1e15 } },
   }
   local run = model:run({ { steps = 1, pull = {0, -1} } }, sg.plain{})
-  local place = expect(run, "diverged", 0, "the residual grew to", "this range of stiffness is the cause",
+  local place = expect(run, "diverged", 0, "the residual grew to", "at this ratio the body's stiffness is lost",
     "What may help: lower the penalty of contact 'floor'")
   check.equal(place.kind, "control point")
   check.near(place.X[2], place.body == "upper" and 1.5 or 1, 1e-12) -- on the faces that meet
@@ -178,7 +178,7 @@ end)
 check.case("lost_projection: a bar slides off the end of a ramp", function()
   local run = bar_on_ramp():run({ { name = "lower", steps = 4, top = -0.25 } }, sg.plain{})
   local place = expect(run, "lost_projection", 1, "of contact 'edge'", "touching / beyond",
-    "What may help: extend the master face beyond where the slave face reaches")
+    "What may help: extend the master face beyond the reach of the slave face")
   check.equal({ place.kind, place.contact, place.element }, { "contact point", "edge", 1 })
   check.near(place.X[2], 0.1, 1e-12)
 end)
@@ -197,12 +197,12 @@ check.case("singular: nothing holds a body, and what it does is named", function
   local run = windy(function(body) return { wall = { on = body:face "west", fix = "x" } } end)
     :run({ { steps = 1, wind = {0, -0.1} } }, sg.plain{})
   local place = expect(run, "singular", 0,
-    "the tangent is singular; in its direction body 'block' moves as a whole along (0, ",
-    "hold the body with a support", "damping = true")
+    "the tangent is singular; its critical direction is a rigid-body translation of body 'block' along (0, ",
+    "add a support to the body", "damping = true")
   check.equal({ place.kind, place.body }, { "control point", "block" })
   run = windy(function(body) return { pin = { on = body:corner "south-west", fix = "xy" } } end)
     :run({ { steps = 1, wind = {0.1, 0} } }, sg.plain{})
-  place = expect(run, "singular", 0, "body 'block' turns as a whole")
+  place = expect(run, "singular", 0, "rigid-body rotation of body 'block'")
   check.near(place.X, { 1, 1 }, 1e-12) -- farthest from the pin
 end)
 
@@ -211,8 +211,8 @@ check.case("indefinite: a column beyond Euler's load", function()
   local model = sg.model{ bodies = { column = body }, supports = {
     bed = { on = body:face "south", fix = "xy" }, top = { on = body:face "north", drive = "y" } } }
   local run = model:run({ { steps = 1, top = -0.1 } }, sg.plain{ newton = { iterations = 1 } })
-  local place = expect(run, "indefinite", 0, "no convergence in 1 iteration;", "the tangent is indefinite there",
-    "of body 'column'", "limit of stability", "take smaller steps", "arcs can only begin where a step was accepted")
+  local place = expect(run, "indefinite", 0, "no convergence after 1 iteration:", "the tangent is indefinite there",
+    "of body 'column'", "limit or turning point", "take smaller steps", "arc length can only start after an accepted step")
   check.equal({ place.kind, place.body, place.X[2] > 8 }, { "control point", "column", true }) -- it swerves at the top
 end)
 
@@ -225,8 +225,8 @@ end)
 check.case("line_search: no part of the move helps where a point comes and goes", function()
   local run = bar_on_ramp():run({ { name = "lower", steps = 2, top = -0.15 } },
     sg.plain{ newton = { line_search = "residual" } })
-  local place = expect(run, "line_search", 1, "line search: no part of the move down to 1/128",
-    "What may help: take smaller steps", "take no line search")
+  local place = expect(run, "line_search", 1, "line search failed: no step length down to 1/128",
+    "What may help: take smaller steps", "do without the line search")
   check.equal({ place.kind, place.body }, { "control point", "ramp" })
   check.near(place.X, { 0, 0 }, 1e-9) -- its end
 end)
@@ -239,8 +239,8 @@ check.case("penetration: one augmentation is not enough", function()
                            master = sg.rigid.plane{ point = {0, 0}, normal = {0, 1} } } },
   }
   local run = model:run({ { name = "press", steps = 2, top = -0.1 } }, sg.plain{ augmented = { loops = 1 } })
-  local place = expect(run, "penetration", 0, "off the master after 1 augmentation, asked was 1.41421",
-    "Worst places: contact point in slave element", "raise the penalty; allow more loops")
+  local place = expect(run, "penetration", 0, "off the master after 1 augmentation; the tolerance is 1.41421",
+    "Worst places: contact point in slave element", "raise the penalty; allow more augmentations")
   check.equal({ place.kind, place.contact, place.text }, { "contact point", "floor", ("gap %.6g"):format(place.value) })
   check.equal({ place.X[2], math.abs(place.value) > 1e-6 }, { 0.0, true })
 end)

@@ -80,7 +80,7 @@ check.case("errors, crashes and endless loops are outcomes of their cells alone"
     { "completed", "error", "error", "crashed", "time" })
   check.holds(map:cell("wrong", 4).report, "the slab is missing", "stability_map_test.lua:", "traceback")
   check.holds(map:cell("none", 4).report, "scene must return a model")
-  check.equal({ map:cell("crash", 4).report, map:cell("endless", 4).wall }, { "died of signal 11", 0.5 })
+  check.equal({ map:cell("crash", 4).report, map:cell("endless", 4).wall }, { "terminated by signal 11", 0.5 })
   check.holds(tostring(map), "1 of 5 cells held", "error at wrong, 4: ", "the slab is missing")
 end)
 
@@ -183,7 +183,7 @@ check.case("a file that is not this map's, has lost its folder or is in use is n
   core.mkdir(file .. ".cells")
   local lock = core.lock(file .. ".cells/lock")
   check.fails(function() make{ file = file } end, "stability_map_test.lua:", "sg.stability_map: '" .. file,
-    "is held by process")
+    "is locked by process")
   lock:release()
   remove(file)
 end)

@@ -115,7 +115,7 @@ check.case("figures, failures, errors and crashes become rows; what is done does
   check.equal(first:row{ a = 5 }.list, { 0.1, 0.2 })
   check.equal({ first.rows[2].failed, first.rows[2].reason, first.rows[2].at }, { true, "cycling", 0.5 })
   check.holds(first.rows[3].reason, "study_test.lua", "no luck")
-  check.equal(first.rows[4].reason, "died of signal 11")
+  check.equal(first.rows[4].reason, "terminated by signal 11")
   check.holds(tostring(first), "noted: 5 of 5 cases are done, 1 failed, 1 ended by an error, 1 crashed\n", "cycling",
     "8.33333", "  N ")
   check.equal({ first.rows[1].outcome, first.rows[2].outcome, first.rows[3].outcome, first.rows[4].outcome },
@@ -284,7 +284,7 @@ check.case("two studies cannot use a folder: neither of different names, nor the
   check.fails(function() other:read() end, "holds the study 'noted'")
   local lock = core.lock(folder .. "/lock")
   check.fails(function() noted(folder, { { a = 2 } }, function() return {} end):execute{} end,
-    "study:execute: '" .. folder .. "/lock' is held by process", "choose another folder")
+    "study:execute: '" .. folder .. "/lock' is locked by process", "choose another folder")
   lock:release()
   check.equal(files_in(folder), 1)
 end)
