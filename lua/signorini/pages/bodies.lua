@@ -6,7 +6,7 @@ local t = require "signorini.types"
 
 local thesis = "V. Agrawal, thesis, IIT Guwahati, 2020"
 
-local cure = "0.5 is incompressible, which a displacement formulation cannot take: try 0.49"
+local cure = "0.5 is incompressible, which a displacement formulation cannot represent: use 0.49"
 local constants = {
   { "E", t.positive, "Young's modulus", unit = "force per area" },
   { "nu", { kind = "number", above = -1, below = 0.5, cure = cure }, "Poisson's ratio" },
@@ -15,7 +15,7 @@ local in_2d = "In 2D the material is in plane strain, unless the model is axisym
 
 local label = t.name({ "N1", "N2", "N3", "N4", "N2-N2.1", "N2-N2.2", "N2-N4", "L1", "L2" }, "label") -- the usual ones
 
---- A label for all directions that it is about, along the contact face or all, or a list of one for each.
+--- One label for all directions (along the contact face, if any), or a list with one per direction.
 local order = t.by({ kind = "list", of = label, single = true,
                      ending = ", one per direction (along the contact face, if any)" }, function(_, given, raw)
   local directions = core.patch_sizes(given.patch)
@@ -25,7 +25,7 @@ local order = t.by({ kind = "list", of = label, single = true,
 end)
 
 local name_of_face = "west, east (ends of xi1), south, north (xi2), front, back (xi3)"
-local driven = [[A support drives it: see help "obstacle".]]
+local driven = [[A support can move it: see help "obstacle".]]
 
 return {
   title = "Materials, bodies, obstacles", word = "bodies",
@@ -39,7 +39,7 @@ return {
     named = constants,
     more = "Source: linear elasticity; its use: share/doc/theory.md, Bodies.",
     example = "sg.linear_elastic{ E = 1, nu = 0.3 }" },
-  { "material", "What sg.neo_hookean and sg.linear_elastic return; print(material) shows the law and its constants." },
+  { "material", "The result of sg.neo_hookean or sg.linear_elastic; print(material) shows law and constants." },
   { "sg.body", "Returns a solid body: a patch with a discretization and a material.",
     named = {
       { "patch", t.object "patch", "shape: a surface in the plane, a volume in 3D" },
@@ -48,22 +48,23 @@ return {
       { "contact", t.one_or_more(patch_types.any_face), "face that carries the layer, or two opposite ones",
         otherwise = "none" },
       { "material", { kind = "object", name = "material",
-                      cure = "make one, as in material = sg.neo_hookean{ E = 1, nu = 0.3 }" }, "its law" },
+                      cure = "for example material = sg.neo_hookean{ E = 1, nu = 0.3 }" }, "the material" },
       { "through", patch_types.degree, [[Degree in the thickness direction, from the contact face to the opposite one,
-at least the geometry's own. Degree 1 takes about half of the unknowns and of the time, as the published studies do, but
-locks in bending and for nu near 0.5]], otherwise = "that of the label's bulk" },
-      { "grading", patch_types.grading, "where elements crowd; false: nowhere", otherwise = "uniform elements" },
+at least the geometry's own. Degree 1, as in the published studies, takes about half of the unknowns and of the time,
+but locks in bending and for nu near 0.5]], otherwise = "that of the label's bulk" },
+      { "grading", patch_types.grading, "where elements are concentrated; false: uniform",
+        otherwise = "uniform elements" },
     },
-    more = [[Where a patch is folded so that two opposite faces are one, as in a full ring, the body is joined at that
-seam. print(body) shows the degrees, and along which direction it is closed.
+    more = [[Where two opposite faces of the patch coincide, as in a full ring, the body is joined at this seam.
+print(body) shows the degrees and the closed directions.
 Source: k-refinement 2.3.3, varying-order layers (5.1) to (5.6) of ]] .. thesis .. ".",
     example = { [[
 sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = {8, 3}, order = "N2-N2.2",
          contact = "north", material = sg.neo_hookean{ E = 1, nu = 0.3 } }]], [[
 sg.body{ patch = sg.shapes.block{ size = {4, 4, 2} }, elements = {4, 4, 2}, order = {"N2-N4", "N2"},
          contact = "back", material = sg.neo_hookean{ E = 1, nu = 0.3 } }]] } },
-  { "body", [[What sg.body returns, an immutable value. print(body) shows its elements and degrees per direction, of its
-rows of control points one after the other where these differ, and its size; tostring(body) the first line of that.]],
+  { "body", [[The result of sg.body, an immutable value. print(body) shows elements and degrees per direction (per row
+of control points where these differ) and the size; tostring(body) shows the first line only.]],
     more = "Methods: face, edge, corner, dofs, points." },
   { "body:dofs", [[Returns the numbers of degrees of freedom { interface, bulk, total }: those of the contact faces'
 control points, of all others, of all.]],
@@ -87,10 +88,10 @@ or along the direction of the contact face.]],
               { "normal", t.point_like "point", "direction out of the obstacle, towards the body" } },
     example = { "sg.rigid.plane{ point = {0, -1}, normal = {0, 1} }",
                 "sg.rigid.plane{ point = {0, 0, -1}, normal = {0, 0, 1} }" } },
-  { "sg.rigid.cylinder", [[Returns a rigid cylinder without ends as an obstacle. In the plane its axis is normal to it,
-and it is a disc. ]] .. driven,
+  { "sg.rigid.cylinder", [[Returns a rigid cylinder of infinite length as an obstacle; in the plane, a
+disc. ]] .. driven,
     named = { { "center", t.point, "a point of the axis", unit = "length" },
-              { "axis", t.space_point, "direction of the axis: needed in 3D, none in 2D", optional = true },
+              { "axis", t.space_point, "direction of the axis; needed in 3D, not allowed in 2D", optional = true },
               { "radius", t.positive, "", unit = "length" } },
     example = { "sg.rigid.cylinder{ center = {0, 2}, radius = 1 }",
                 "sg.rigid.cylinder{ center = {0, 0, 2}, axis = {0, 1, 0}, radius = 1 }" } },
@@ -98,14 +99,14 @@ and it is a disc. ]] .. driven,
     "Returns a rigid sphere in 3D, or on the axis of an axisymmetric model, as an obstacle. " .. driven,
     named = { { "center", t.point, "", unit = "length" }, { "radius", t.positive, "", unit = "length" } },
     example = "sg.rigid.sphere{ center = {0, 0, 2}, radius = 1 }" },
-  { "sg.rigid.surface", [[Returns an obstacle that any NURBS bounds: a curve in the plane, its outside on the right of
-its direction, or a surface in 3D, its outside where the product of its tangents along xi1 and xi2 points.
-patch:reverse(1) turns it to the other side. ]] .. driven,
+  { "sg.rigid.surface", [[Returns an obstacle bounded by a NURBS: a curve in the plane, whose outside is on the right of
+its direction, or a surface in 3D, whose outward normal is the cross product of its tangents along xi1 and xi2.
+patch:reverse(1) exchanges inside and outside. ]] .. driven,
     arguments = { { "patch", t.object "patch", "curve in the plane, or surface in 3D" } },
     example = { "sg.rigid.surface(sg.nurbs.arc{ center = {0, 0}, radius = 1, from = 0, to = 180 })",
                 'sg.rigid.surface(sg.shapes.block{ size = {9, 9, 1}, corner = {0, 0, -1} }:face "back")' } },
-  { "obstacle", [[What sg.rigid.* return: a rigid master without unknowns; print(obstacle) shows its shape. It stands
-still unless a support drives it: supports = { push = { on = obstacle, drive = "y" } }; stages then give its
+  { "obstacle", [[The result of sg.rigid.*: a rigid master without unknowns; print(obstacle) shows its shape. It is
+fixed unless a support drives it: supports = { push = { on = obstacle, drive = "y" } }; stages then give its
 displacement, push = {-0.1}, and run:column "push.fy" returns the force on it.]],
     example = [[
 disc = sg.rigid.cylinder{ center = {1.5, 2}, radius = 1 }

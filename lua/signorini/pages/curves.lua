@@ -8,7 +8,7 @@ local points = { "points", t.points, "control points, fastest in xi1", unit = "l
 local weights = { "weights", t.numbers(), "one per control point", otherwise = "1 each" }
 local radius = { "radius", t.positive, "", unit = "length" }
 local center = { "center", t.point, "center of the circle", default = { 0, 0 }, unit = "length" }
-local file = { "file", t.text, "file of patches" }
+local file = { "file", t.text, "name of the patch file" }
 
 --- The rows of a tensor product of so many directions.
 local function tensor(directions)
@@ -40,32 +40,32 @@ sg.nurbs.volume{ degrees = {1, 1, 1}, knots = {{0, 0, 1, 1}, {0, 0, 1, 1}, {0, 0
     named = { { "from", t.point, "first end", unit = "length" },
               { "to", t.point_like "from", "other end", unit = "length" } },
     example = "sg.nurbs.line{ from = {0, 0}, to = {3, 0} }" },
-  { "sg.nurbs.arc", [[Returns an exact circular arc of degree 2, one segment per started quarter turn; counterclockwise
-where the angle rises. A center in 3D gives an arc parallel to the x-y plane.]],
+  { "sg.nurbs.arc", [[Returns an exact circular arc of degree 2, one segment per 90 degrees or part of them;
+counterclockwise if the angle increases. A center in 3D gives an arc parallel to the x-y plane.]],
     named = { radius, { "from", t.number, "first angle", unit = "degrees" },
               { "to", t.number, "last angle", unit = "degrees" }, center },
     example = "sg.nurbs.arc{ radius = 0.5, from = 180, to = 360 }" },
   { "sg.nurbs.circle", "Returns a full circle of four exact quarter arcs of degree 2.",
     named = { radius, center },
     example = "sg.nurbs.circle{ radius = 1 }" },
-  { "sg.nurbs.ruled", [[Returns the surface or volume of straight lines between two curves or two surfaces, which are
-first brought to common degrees and knots; the new direction is the last one.]],
-    named = { { "a", patch, "where it starts" }, { "b", patch, "where it ends" } },
+  { "sg.nurbs.ruled", [[Returns the ruled surface between two curves, or the ruled volume between two surfaces, which
+are first brought to common degrees and knots; the new direction is the last one.]],
+    named = { { "a", patch, "start" }, { "b", patch, "end" } },
     example = "sg.nurbs.ruled{ a = sg.nurbs.circle{ radius = 2 }, b = sg.nurbs.circle{ radius = 1 } }" },
-  { "sg.nurbs.extrude", "Sweeps a curve or a surface along a vector; the new direction is the last one, of degree 1.",
-    named = { { "patch", patch, "what is swept" },
-              { "along", t.point, "vector of the sweep; where it has 3 numbers, a plane patch lies in z = 0",
+  { "sg.nurbs.extrude", "Extrudes a curve or a surface along a vector; the new direction is the last one, of degree 1.",
+    named = { { "patch", patch, "curve or surface to extrude" },
+              { "along", t.point, "extrusion vector; if it has 3 numbers, a plane patch is placed in z = 0",
                 unit = "length" } },
     example = { "sg.nurbs.extrude{ patch = sg.nurbs.line{ from = {0, 0}, to = {1, 0} }, along = {0, 2} }",
                 "sg.nurbs.extrude{ patch = sg.shapes.quarter_annulus{ inner = 1, outer = 2 }, along = {0, 0, 1} }" } },
   { "sg.nurbs.revolve", "Revolves a curve or a surface about an axis, exactly; the new direction is the last one.",
-    named = { { "patch", patch, "what is revolved; a plane patch lies in z = 0" },
+    named = { { "patch", patch, "curve or surface to revolve; a plane patch is placed in z = 0" },
               { "point", patch_types.vector_or_space, "a point of the axis",
                 otherwise = "the origin", unit = "length" },
               { "axis", patch_types.vector_or_space, "direction of the axis",
-                otherwise = "{0, 0, 1}, of a plane patch {0, -1, 0}" },
+                otherwise = "{0, 0, 1}, for a plane patch {0, -1, 0}" },
               { "angle", t.number, "", default = 360, unit = "degrees" } },
-    more = [[With the default axis of a plane patch, x is the radius as in axisymmetric models, and what is right-handed
+    more = [[With the default axis of a plane patch, x is the radius as in axisymmetric models, and a right-handed patch
 at x > 0 gives a right-handed volume.]],
     example = {
       "sg.nurbs.revolve{ patch = sg.nurbs.line{ from = {1, 0, 0}, to = {1, 0, 2} }, angle = 180 }",
@@ -74,15 +74,15 @@ at x > 0 gives a right-handed volume.]],
 boundary surfaces, whose corners meet. west and east run along xi2, south and north along xi1.]],
     named = { { "west", patch, "where xi1 starts" }, { "east", patch, "where xi1 ends" },
               { "south", patch, "where xi2 starts" }, { "north", patch, "where xi2 ends" },
-              { "front", patch, "where xi3 starts, of a volume", optional = true },
-              { "back", patch, "where xi3 ends, of a volume", optional = true } },
+              { "front", patch, "where xi3 starts; for volumes", optional = true },
+              { "back", patch, "where xi3 ends; for volumes", optional = true } },
     example = [[
 line = sg.nurbs.line
 sg.nurbs.coons{ west = line{ from = {0, 0}, to = {0, 1} }, east = line{ from = {1, 0}, to = {1, 2} },
                 south = line{ from = {0, 0}, to = {1, 0} }, north = line{ from = {0, 1}, to = {1, 2} } }]],
   },
-  { "sg.nurbs.read", [[Returns all patches of a file as a list, in the file's order. The beginning of the file tells its
-format:]],
+  { "sg.nurbs.read", [[Returns all patches of a file as a list, in the file's order. The format is detected from the
+beginning of the file:]],
     arguments = { file },
     more = [[
   G+Smo's XML: geometries BSpline, Nurbs, TensorBSpline2 and 3, TensorNurbs2 and 3
@@ -92,9 +92,9 @@ Interfaces between patches and boundaries are not read. Errors in a file are rep
     example = [=[
 sg.shapes.half_annulus{ inner = 1, outer = 2 }:write "bracket.xml"
 bracket = sg.nurbs.read("bracket.xml")[1]]=] },
-  { "sg.nurbs.write", [[Writes a patch or a list of patches to a file, whole or not at all; knots, weights and control
-points come back to the last bit.]],
-    arguments = { file, { "patches", t.one_or_more(patch), "what is written" }, patch_types.form },
+  { "sg.nurbs.write", [[Writes a patch or a list of patches to a file, atomically; knots, weights and control points are
+read back bitwise identical.]],
+    arguments = { file, { "patches", t.one_or_more(patch), "patches to write" }, patch_types.form },
     more = [[
   "gismo":   .xml, G+Smo's XML
   "geopdes": .txt, text file of GeoPDEs, version 2.1, without interfaces

@@ -1,4 +1,4 @@
--- Pages: the low-level methods of a model, for loops of a user's own.
+-- Pages: the low-level methods of a model, for user-defined solution loops.
 
 local rows = require "signorini.pages.step_rows"
 local t = require "signorini.types"
@@ -11,7 +11,7 @@ local function names(part, parts, list)
 end
 
 return {
-  title = "Low-level methods: your own loops",
+  title = "Low-level methods: user-defined loops",
   word = "methods",
   also = "verbs",
   names("body", "bodies", '{"die", "slab"}'),
@@ -21,11 +21,11 @@ return {
   { "model:body", "Returns a body of the model.",
     arguments = { { "name", t.name(function(model) return model:body_names() end), "name of a body" } },
     example = "model:body \"slab\"" },
-  { "model:driven_names", [[Returns the names of everything that stages can move: supports that drive or rotate, then
-loads.]],
+  { "model:driven_names", [[Returns the names of the supports and loads that stages can change: supports that drive or
+rotate, then loads.]],
     example = "model:driven_names()  --> {\"grip\"}" },
-  { "model:driven", [[Returns the components that stages move, in order: {"x", "y"} (in 3D also "z") of a driven support
-or a traction, {"angle"} of a support that rotates (after its driven components), {"pressure"}.]],
+  { "model:driven", [[Returns the components that stages prescribe, in order: {"x", "y"} (in 3D also "z") of a driven
+support or a traction, {"angle"} of a support that rotates (after its driven components), {"pressure"}.]],
     arguments = { driven },
     example = "model:driven \"grip\"  --> {\"x\", \"y\"}" },
   { "model:set_target", "Sets the components of a support or load at the end of the next step.",
@@ -35,102 +35,103 @@ or a traction, {"angle"} of a support that rotates (after its driven components)
   { "model:target", "Returns the components of a support or load in the last accepted state.",
     arguments = { driven },
     example = "model:target \"grip\"" },
-  { "model:solve_step", [[Runs Newton's method from the present state, after model:accept and model:rollback the
-accepted one, to the targets; accepts nothing. Returns { converged, reason, iterations, message, residuals, energies,
-parts }; reason is "converged", "iterations", "diverged", "cycling", "lost_projection", "inverted", "singular", "nan",
-"line_search", "penetration" or "interrupted".]], named = rows.step, may_be_empty = true,
+  { "model:solve_step", [[Runs Newton's method from the present state (after model:accept and model:rollback: the
+accepted one) to the targets, without accepting the result. Returns { converged, reason, iterations, message, residuals,
+energies, parts }; reason is "converged", "iterations", "diverged", "cycling", "lost_projection", "inverted",
+"singular", "nan", "line_search", "penetration" or "interrupted".]], named = rows.step, may_be_empty = true,
     more = "Source of freeze_active_set: V. Agrawal, thesis, IIT Guwahati 2020, 4.5.2.",
     example = [[
 model:set_target("grip", {0, -0.11})
 if model:solve_step{}.converged then model:accept() else model:rollback() end]] },
-  { "model:iterate", [[Takes one iteration of model:solve_step: evaluates, and unless that ends it solves and moves. The
-first one after model:accept, rollback, restore, set_target or set_penalty_factor begins a step. Returns what
-model:solve_step returns, so far; reason is "iterating" while it goes on.]],
+  { "model:iterate", [[Performs one iteration of model:solve_step: evaluates the residual and, unless that ends the
+step, solves and updates the unknowns. The first iteration after model:accept, rollback, restore, set_target or
+set_penalty_factor starts a step. Returns the result of model:solve_step so far; reason is "iterating" until the step
+ends.]],
     named = "model:solve_step", may_be_empty = true,
     example = [[
 model:set_target("grip", {0, -0.12})
 repeat local now = model:iterate{} until now.reason ~= "iterating"]] },
-  { "model:solve_arc", [[Goes a given distance from the accepted state along the path that leads to the targets
-(arc-length continuation); how far along it is an unknown, so that turning points can be passed. The distance is a root
-mean square over the volume of all bodies, a length that does not depend on the mesh (a rigid obstacle counts like all
-bodies together). Accepts nothing; the targets become those reached. Returns what model:solve_step returns and fraction:
-0 at the accepted state, 1 at the targets.]], named = rows.arc,
+  { "model:solve_arc", [[Solves one arc-length increment: follows the path towards the targets by a given distance from
+the accepted state. The fraction of the targets is an unknown, so that turning points can be passed. The distance is the
+root mean square of the displacement over the volume of all bodies, independent of the mesh (a rigid obstacle counts as
+much as all bodies together). The result is not accepted; the targets become those reached. Returns the result of
+model:solve_step and fraction: 0 at the accepted state, 1 at the targets.]], named = rows.arc,
     example = [[
 model:set_target("grip", {0, -0.13})
 local result = model:solve_arc{ length = 0.01 }
 if result.converged then model:accept() else model:rollback() end]] },
-  { "model:last_length", [[Returns the root mean square over all bodies of the last accepted step's displacement, the
-scale for arc lengths.]],
+  { "model:last_length", [[Returns the root mean square over all bodies of the last accepted step's displacement, a
+scale for `length` of model:solve_arc.]],
     example = "model:last_length()" },
-  { "model:set_penalty_factor", [[Multiplies the penalty parameters of all contacts, as sg.model got them, from now on:
-for penalties that grow along the path. model:rollback returns to that of the accepted state.]],
+  { "model:set_penalty_factor", [[Sets the factor by which the penalty parameters of all contacts, as given to sg.model,
+are multiplied, for example to increase penalties along the path. model:rollback restores the factor of the accepted
+state.]],
     arguments = { { "factor", t.positive, "of all penalty parameters" } },
     example = "model:set_penalty_factor(0.5)" },
-  { "model:penalty_factor", "Returns the factor that model:set_penalty_factor set last; 1 at first.",
+  { "model:penalty_factor", "Returns the factor set by model:set_penalty_factor; initially 1.",
     example = "finer:penalty_factor()  --> 1.0" },
-  { "model:accept", [[Makes the present state the accepted one; slip points advance. An error when the step under way
-has not converged, or new targets wait for one.]],
+  { "model:accept", [[Makes the present state the accepted one and updates the slip points. It is an error if the
+current step has not converged, or if targets were changed and not solved for.]],
     example = [[
 model:rollback()
 model:set_target("grip", {0, -0.1})
 if model:solve_step{}.converged then model:accept() end]] },
-  { "model:rollback", [[Returns to the accepted state: displacements, targets, penalties, contact. Call it after a step
-that failed.]],
+  { "model:rollback", [[Returns to the accepted state: displacements, targets, penalties, contact. Call it after a
+failed step.]],
     example = "model:rollback()" },
   { "model:snapshot", [[Returns a copy of the accepted state with its contact history, for model:restore. Call it
 between steps.]],
     example = "before = model:snapshot()" },
-  { "model:restore", "Returns to a state that model:snapshot() has kept.",
+  { "model:restore", "Returns to a state saved by model:snapshot().",
     arguments = { { "snapshot", t.object "snapshot", "made by model:snapshot()" } },
     example = "model:restore(model:snapshot())" },
-  { "snapshot", "A kept state of a model, made by model:snapshot, for model:restore." },
+  { "snapshot", "A saved state of a model, made by model:snapshot, for model:restore." },
   { "model:residual", [[Returns the unbalanced force f_int + f_c - f_ext at the present displacements and the present
-targets' loads: one number for each unknown (see model:unknowns). Prescribed displacements that no iteration has brought
-in yet do not count.]],
+targets' loads: one number for each unknown (see model:unknowns). Prescribed displacements that no iteration has applied
+yet are not included.]],
     example = "#model:residual()" },
   { "model:tangent", [[Returns the consistent tangent, the derivative of model:residual, as triplets { size, rows,
-columns, values }: entry k of the matrix stands in rows[k], columns[k], counted from 1; column after column, rows
-rising.]],
+columns, values }: entry k of the matrix is in row rows[k] and column columns[k], counted from 1; sorted by column, then
+by row.]],
     example = "model:tangent().size" },
-  { "model:unknowns", [[Returns the meaning of each unknown: a list of { body, point, component }; of control points
-that move as one the first.]],
+  { "model:unknowns", [[Returns the meaning of each unknown: a list of { body, point, component }; for control points
+that share an unknown, the first one.]],
     example = "model:unknowns()[1].body  --> \"die\"" },
-  { "model:displacements", [[Returns the present displacement of each unknown, in the order of model:unknowns: of
-control points that move as one that of the first.]],
+  { "model:displacements", [[Returns the present displacement of each unknown, in the order of model:unknowns.]],
     example = "#model:displacements()" },
-  { "model:move", [[Adds a Δu of your own to the unknowns. The first move after model:set_target also brings the
-prescribed displacements to their targets: begin a step with a move of zeros. model:accept takes the state if its
-residual is as small as model:solve_step{} wants it; model:rollback drops it; model:iterate and model:solve_step go on
-from it.]],
-    arguments = { { "du", t.numbers(), "the change of each unknown, in the order of model:residual" } },
+  { "model:move", [[Adds a given increment Δu to the unknowns. The first move after model:set_target also sets the
+prescribed displacements to their targets: start a step with a move of zeros. model:accept accepts the state if its
+residual is within the tolerance of model:solve_step{}; model:rollback discards it; model:iterate and model:solve_step
+continue from it.]],
+    arguments = { { "du", t.numbers(), "increment of each unknown, in the order of model:residual" } },
     example = [[
 local zeros = {}
 for i = 1, #model:residual() do zeros[i] = 0 end
 model:move(zeros)
 model:rollback()]] },
-  { "model:loose_bodies", [[Returns the names of the bodies with rigid-body modes that no support stops: only contact
-can hold them.]],
+  { "model:loose_bodies", [[Returns the names of the unconstrained bodies: those with rigid-body modes that no support
+prevents.]],
     example = "model:loose_bodies()" },
-  { "model:diagnose", [[Finds out why the last solve_step, iterate or solve_arc failed; call it before model:rollback.
+  { "model:diagnose", [[Diagnoses why the last solve_step, iterate or solve_arc failed; call it before model:rollback.
 Returns { reason, message, cure, places, unbalanced }: reason is one of model:solve_step's, or "indefinite"; places is a
-list of { kind, body or contact, element or point, X, x, value, text }, the worst first: the element that is inverted,
-contact points whose states cycle or that leave the master, control points that move most in the direction of a singular
-or indefinite tangent; unbalanced: where the largest unbalanced forces are.]],
+list of { kind, body or contact, element or point, X, x, value, text }, the worst first: the inverted element, contact
+points whose states cycle or that leave the master, control points that move most in the critical direction of a
+singular or indefinite tangent; unbalanced: places of the largest unbalanced forces.]],
     arguments = { { "on", t.list(t.choice { "step", "line_search", "damping", "active_set_changes", "arc_length",
-      "penalty", "pseudo_transient" }), "controls that are on already, which the cure need not name", default = {} } },
+      "penalty", "pseudo_transient" }), "controls in use, which the cure does not suggest again", default = {} } },
   },
-  { "model:timings", [[Returns seconds so far: { bulk, contact, linear, factorization, solution, search }. linear
-consists of factorization and solution, except for a few vectors (with linear = "kept" a solution renews the
-factorization when it pays). search is part of contact, summed over threads: closest points and the tree of boxes, while
-model:time_search(true).]],
+  { "model:timings", [[Returns the times used so far, in seconds: { bulk, contact, linear, factorization, solution,
+search }. linear is the sum of factorization and solution, except for a few vector operations (with linear = "kept", a
+solution may renew the factorization). search is part of contact, summed over threads: closest-point projection and
+bounding-box tree, measured after model:time_search(true).]],
     example = "model:timings().linear" },
-  { "model:time_search", [[Says whether model:timings takes account of the contacts' search from now on. A clock is read
-twice for each contact point that is projected, about 50 ns.]],
-    arguments = { { "wanted", t.flag, "whether to take the time; at first it is not taken" } },
+  { "model:time_search", [[Switches the timing of contact search in model:timings on or off. It reads a clock twice per
+projected contact point, about 50 ns.]],
+    arguments = { { "wanted", t.flag, "whether to measure; initially false" } },
     example = "model:time_search(true)" },
   { "model:solver", [[Returns { linear, unknowns, patterns, factorizations, solutions, iterations, factor_memory, memory
-}: the linear solver in use, the size of its systems, how many sparse patterns were analyzed; then what was done since
-the model was made: numerical factorizations, right-hand sides, iterations of GMRES with a lagged factorization; bytes
-of the present factors, and of the bodies' tables with the tangent and its patterns.]],
+}: the linear solver in use, the size of its systems, the number of sparse patterns analyzed; since the model was made,
+the numbers of numerical factorizations, right-hand sides, and GMRES iterations with a lagged factorization; bytes of
+the present factors, and of the bodies' tables, the tangent and its patterns.]],
     example = "model:solver().linear" },
 }

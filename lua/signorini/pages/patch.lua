@@ -6,7 +6,7 @@ local t = require "signorini.types"
 
 local xi = { "xi", patch_types.parameters, "parametric coordinates" }
 local dir = { "dir", patch_types.direction, "parametric direction" }
-local axis = { "axis", t.space_point, "direction of the axis: needed in 3D, none in 2D", optional = true }
+local axis = { "axis", t.space_point, "direction of the axis; needed in 3D, not allowed in 2D", optional = true }
 
 --- A point that is the origin by default.
 local function point(key, text)
@@ -16,47 +16,48 @@ end
 return {
   title = "Shapes and patches", word = "patches",
   { "patch", [[A NURBS curve, surface or volume, an immutable value: methods that change something return a new patch.
-Make one with sg.shapes.* or sg.nurbs.*. Called as a function it returns the point at xi, {x, y} or {x, y, z}.]],
+sg.shapes.* and sg.nurbs.* make patches. Called as a function, a patch returns the point at xi, {x, y} or {x, y, z}.]],
     head = "patch(xi)",
     arguments = { xi },
     more = [[Methods: evaluate, derivatives, basis, insert, elevate, refine, face, degrees, elements, knots, points,
-weights, translate, rotate, scale, mirror, reverse, swap, to_plane, to_space, write; help "patch:refine" tells more.]],
+weights, translate, rotate, scale, mirror, reverse, swap, to_plane, to_space, write; see for example help
+"patch:refine".]],
     example = "sg.shapes.rectangle{ width = 3, height = 1 }{0.5, 0.5}  --> {1.5, 0.5}" },
   { "patch:evaluate", "Returns the point at xi, {x, y} or {x, y, z}, as patch(xi) does.",
     arguments = { xi },
     example = "patch:evaluate{0.5, 0.5}  --> {1.5, 0.5}" },
   { "patch:derivatives", [[Returns all partial derivatives of the map at xi up to total order n: a list of { orders =
-{1, 0}, value = {x, y} }, by total order, then falling in xi1.]],
+{1, 0}, value = {x, y} }, sorted by total order, then by decreasing order in xi1.]],
     arguments = { xi, { "n", t.integer(0, core.max_degree), "highest total order" } },
     more = "Source: Piegl & Tiller, The NURBS Book, eq. (4.20).",
     example = "patch:derivatives({0.5, 0.5}, 1)[2].value  --> {3.0, 0.0}" },
-  { "patch:basis", [[Returns the rational functions that do not vanish at xi as a list of { index, value }; index counts
-the control points from 1, fastest in xi1. The values add up to 1.]],
+  { "patch:basis", [[Returns the rational basis functions that are nonzero at xi, as a list of { index, value }; index
+is the number of the control point from 1, fastest in xi1. The values add up to 1.]],
     arguments = { xi },
     example = "patch:basis({0.5, 0.5})[1].value  --> 0.25" },
-  { "patch:insert", "Inserts knots in one direction: the same shape.",
-    arguments = { dir, { "knots", t.numbers(), "knots to insert, repeated ones as often as they stand here" } },
+  { "patch:insert", "Inserts knots in one direction; the shape is unchanged.",
+    arguments = { dir, { "knots", t.numbers(), "knots to insert, with repetitions" } },
     example = "patch:insert(1, {0.25, 0.5}):elements()  --> {3, 1}" },
-  { "patch:elevate", "Raises the degree in one direction and keeps the continuity: the same shape.",
+  { "patch:elevate", "Raises the degree in one direction and keeps the continuity; the shape is unchanged.",
     arguments = { dir, { "times", patch_types.degree, "by how much", default = 1 } },
     example = "patch:elevate(1, 2):degrees()  --> {3, 1}" },
-  { "patch:refine", [[k-refines: raises the degrees first, then inserts knots until each direction has its number of
-elements (non-empty knot spans); the patch's own knots stay, and so does the shape. A curve takes plain values, no
-lists.]],
+  { "patch:refine", [[Applies k-refinement: raises the degrees first, then inserts knots until each direction has the
+given number of elements (nonempty knot spans); existing knots and the shape are unchanged. For a curve, arguments are
+values instead of lists.]],
     named = { { "elements", patch_types.elements, "knot spans", otherwise = "the patch's own" },
               { "degree", patch_types.per_direction(patch_types.degree), "polynomial degrees",
                 otherwise = "the patch's own" },
-              { "grading", patch_types.grading, "where elements crowd; false: nowhere",
+              { "grading", patch_types.grading, "where elements are concentrated; false: uniform",
                 otherwise = "uniform elements" } },
     more = [[grading = { { elements = 0.8, length = 0.1, at = "start" }, false } puts 80 % of the elements of the first
-direction into a tenth of its length at its start and leaves the second one uniform.]],
+direction into the first tenth of its length and leaves the second direction uniform.]],
     example = "patch:refine{ elements = {8, 3}, degree = {2, 2} }" },
   { "patch:face", "Returns a side as a patch of one direction less.",
     arguments = { { "name", patch_types.face, "west, east (ends of xi1), south, north (xi2), front, back (xi3)" } },
     example = 'patch:face "south"' },
   { "patch:degrees", "Returns the list of the polynomial degrees, one per direction.",
     example = "patch:degrees()  --> {1, 1}" },
-  { "patch:elements", "Returns the list of the numbers of elements (non-empty knot spans), one per direction.",
+  { "patch:elements", "Returns the list of the numbers of elements (nonempty knot spans), one per direction.",
     example = "patch:elements()  --> {1, 1}" },
   { "patch:knots", "Returns the knot vector of a direction.",
     arguments = { dir },
@@ -70,38 +71,39 @@ direction into a tenth of its length at its start and leaves the second one unif
     example = "patch:translate{1, 0}{0, 0}  --> {1.0, 0.0}" },
   { "patch:rotate", "Rotates the patch about a center, in 3D about an axis through it.",
     named = { { "angle", t.number, "counterclockwise", unit = "degrees" }, axis,
-              point("center", "the point that stays") },
+              point("center", "the fixed point") },
     example = "patch:rotate{ angle = 30, center = {1.5, 0.5} }" },
   { "patch:scale", "Scales the patch about a center.",
     named = { { "factor", patch_types.factor, "for all coordinates, or one for each in a list" },
-              point("center", "the point that stays") },
+              point("center", "the fixed point") },
     example = "patch:scale{ factor = {2, 1} }{1, 1}  --> {6.0, 1.0}" },
-  { "patch:mirror", [[Returns the mirror image across a line, in 3D across a plane. The direction that runs most along
-the normal is reversed, so that the image of a body is right-handed again and the outside of an obstacle stays outside;
-curves in 3D keep their direction.]],
-    named = { { "normal", patch_types.vector, "direction across the mirror" },
-              point("point", "a point of the mirror") },
+  { "patch:mirror", [[Returns the mirror image across a line, in 3D across a plane. The parametric direction closest to
+the normal is reversed, so that the image of a body is right-handed again and an obstacle keeps its outside; curves in
+3D keep their direction.]],
+    named = { { "normal", patch_types.vector, "normal of the mirror" },
+              point("point", "a point on the mirror") },
     example = "patch:mirror{ normal = {1, 0} }{0, 0}  --> {-3.0, 0.0}" },
-  { "patch:reverse", [[Reverses a direction: the same shape, whose two faces there exchange their names. A left-handed
-patch becomes right-handed, as sg.body needs it, and sg.rigid.surface has its outside on the other side.]],
+  { "patch:reverse", [[Reverses a parametric direction; the shape is unchanged, the two faces at its ends exchange their
+names. A left-handed patch becomes right-handed, as sg.body requires, and for sg.rigid.surface inside and outside are
+exchanged.]],
     arguments = { dir },
     more = "Source: as nrbreverse of the NURBS toolbox.",
     example = "patch:reverse(1){0, 0}  --> {3.0, 0.0}" },
-  { "patch:swap", [[Exchanges two directions: the same shape. A right-handed patch becomes left-handed and the other way
-round; patch:reverse changes that again.]],
+  { "patch:swap", [[Exchanges two parametric directions; the shape is unchanged. A right-handed patch becomes
+left-handed and vice versa; patch:reverse undoes this.]],
     arguments = { { "i", patch_types.one_of_two, "parametric direction" },
                   { "j", patch_types.one_of_two, "parametric direction" } },
     more = "Source: as nrbpermute and nrbtransp of the NURBS toolbox for two directions.",
     example = "patch:swap(1, 2){1, 0}  --> {0.0, 1.0}" },
-  { "patch:to_plane", [[Returns a flat curve or surface in 3D, z the same everywhere, as one in the plane, for plane
-bodies: programs such as G+Smo write flat patches with three coordinates. It is an error where z changes; a plane patch
-stays as it is.]],
+  { "patch:to_plane", [[Converts a flat curve or surface in 3D with constant z to the plane, for plane bodies: programs
+such as G+Smo write flat patches with three coordinates. It is an error if z is not constant; a plane patch is returned
+unchanged.]],
     example = "sg.nurbs.line{ from = {0, 0, 4}, to = {3, 1, 4} }:to_plane()(1)  --> {3.0, 1.0}" },
-  { "patch:to_space", "Returns a curve or surface in the plane as one in 3D.",
+  { "patch:to_space", "Converts a curve or surface in the plane to 3D.",
     named = { { "z", t.number, "z of all points", default = 0, unit = "length" } },
     may_be_empty = true,
     example = "patch:to_space{ z = 2 }{1, 1}  --> {3.0, 1.0, 2.0}" },
   { "patch:write", "Writes the patch to a file for other programs, as sg.nurbs.write does.",
-    arguments = { { "file", t.text, "where the patch goes" }, patch_types.form },
+    arguments = { { "file", t.text, "name of the file" }, patch_types.form },
     example = 'patch:write "slab.xml"' },
 }

@@ -17,9 +17,9 @@ return {
               { "height", t.positive, "size along y", unit = "length" },
               { "corner", t.plane_point, "lower left corner", default = { 0, 0 }, unit = "length" } },
     example = "sg.shapes.rectangle{ width = 3, height = 1 }" },
-  { "sg.shapes.half_annulus", [[Returns the half ring below its center: xi1 along the arc from the left end over the
-bottom to the right end (two quarter arcs, degree 2), xi2 from the outer (south) to the inner radius (north). The flat
-ends are west and east.]],
+  { "sg.shapes.half_annulus", [[Returns the lower half of a ring: xi1 along the arc from the left end over the bottom to
+the right end (two quarter arcs, degree 2), xi2 from the outer (south) to the inner radius (north). The flat ends are
+west and east.]],
     named = { inner, outer, center_in_plane },
     example = "sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = {0.75, 1.5} }" },
   { "sg.shapes.quarter_annulus", [[Returns a quarter ring, counterclockwise: xi1 along the arc (degree 2), xi2 from the
@@ -29,22 +29,22 @@ outer (south) to the inner radius (north).]],
     example = "sg.shapes.quarter_annulus{ inner = 0.5, outer = 1, start = 0 }" },
   { "sg.shapes.block", "Returns a block of degree 1; xi1, xi2, xi3 along x, y, z.",
     named = { { "size", t.space_point, "sizes along x, y, z", unit = "length" },
-              { "corner", t.space_point, "corner of least x, y, z", default = { 0, 0, 0 }, unit = "length" } },
+              { "corner", t.space_point, "corner with the smallest x, y, z", default = { 0, 0, 0 }, unit = "length" } },
     example = "sg.shapes.block{ size = {6, 4, 2} }" },
   { "sg.shapes.half_cylinder_shell", [[Returns the lower half of a pipe along y: xi1 along the arc (degree 2), xi2 along
 y, xi3 from the outer (front) to the inner radius (back). With its center at the origin, west (x < 0) and east (x > 0)
-lie in z = 0, south in y = 0, north in y = width.]],
+are in z = 0, south in y = 0, north in y = width.]],
     named = { inner, outer, { "width", t.positive, "size along y", unit = "length" },
               { "center", t.space_point, "start of the axis", default = { 0, 0, 0 }, unit = "length" } },
     example = "sg.shapes.half_cylinder_shell{ inner = 0.3, outer = 0.5, width = 2 }" },
   { "sg.shapes.sphere_octant", [[Returns the lower octant of a hollow sphere: xi1 around the z axis, xi2 from the
-equator to the pole, xi3 from the outer (front) to the inner radius (back). With its center at the origin it fills x, y
-> 0 and z < 0: west lies in y = 0, east in x = 0, south in z = 0; north is the axis x = y = 0, where the map is
-degenerate. Symmetry needs west fixed along y and east along x.]],
+equator to the pole, xi3 from the outer (front) to the inner radius (back). With its center at the origin it occupies x,
+y > 0 and z < 0: west is in y = 0, east in x = 0, south in z = 0; north is the axis x = y = 0, where the map is
+degenerate. For symmetry, fix west along y and east along x.]],
     named = { inner, outer, center_in_space },
     example = "sg.shapes.sphere_octant{ inner = 0.5, outer = 1 }" },
   { "sg.shapes.hollow_hemisphere", [[Returns the lower half of a hollow sphere, exact, of degree 2; xi3 from the outer
-(front) to the inner radius (back). The map has poles, where an edge is one point.]],
+(front) to the inner radius (back). The map has poles, where an edge collapses to a point.]],
     named = { inner, outer, center_in_space,
               { "poles", t.choice { "ends", "bottom" }, [["ends": at both ends of the ring's diameter along y, none
 where it touches a plane below. xi1 runs from -x over the bottom to x, xi2 from -y to y; the flat ring on top, in z = 0
@@ -53,10 +53,10 @@ x = z = 0. "bottom": one pole, at the lowest point. xi1 runs once around the z a
 ring down to the pole; the flat ring in z = 0 is one face, south, and the mesh the same at every angle; north is the
 axis x = y = 0, west and east are the seam in y = 0.]], default = "ends" } },
     example = "sg.shapes.hollow_hemisphere{ inner = 2/3, outer = 1, center = {0, 0, 3} }" },
-  { "sg.shapes.spherical_indenter", [[Returns a block with a flat top whose bottom (front) bulges down as a spherical
-cap, approximated by biquadratic spans that pass through the sphere. west, east, south and north lie in x = 0, x =
-width, y = 0 and y = depth, back in z = height. The cap's own knots keep their continuity under every label: with
-elements = 1 labels count as on a block.]],
+  { "sg.shapes.spherical_indenter", [[Returns a block with a flat top whose bottom (front) is a spherical cap,
+approximated by biquadratic spans that interpolate the sphere. west, east, south and north are in x = 0, x = width, y =
+0 and y = depth, back in z = height. The cap's own knots keep their continuity with every order label; with elements =
+1, labels have the same functions as on a block.]],
     named = { { "width", t.positive, "size along x", unit = "length" },
               { "depth", t.positive, "size along y", unit = "length" },
               { "height", t.positive, "from the cap's lowest point to the flat top", unit = "length" },

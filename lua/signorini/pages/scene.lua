@@ -9,7 +9,7 @@ local faces = t.worded(t.one_or_more(face), "a face or a list of faces")
 
 local slave = t.object "face"
 slave.cure = function(value)
-  return require("signorini.pages").kind(value) == "obstacle" and "an obstacle can only be the master: swap the two"
+  return require("signorini.pages").kind(value) == "obstacle" and "an obstacle can only be the master: exchange the two"
     or nil
 end
 
@@ -17,31 +17,31 @@ local region = { kind = "function", cure = "write a function of a reference posi
   .. "function(X) return X[1] <= 150 end" }
 
 local contact = {
-  { "slave", slave, [[face that is integrated over; pressures are known at its contact points. Take the finer mesh, of
-equal meshes the softer body; the published ironing studies take the stiff die]] },
-  { "master", t.either(face, obstacle), [[face of the other body that these points are projected onto, or an obstacle.
-Beyond an open end of the master the traction fades over a fifth of its last element]] },
-  { "penalty", t.positive, [[normal penalty: p = -penalty g where the gap g is negative. Needed without adhesion. 100 E
-divided by a length of the scene is a usual choice; model:contact_resultant(name).max_penetration tells what it leaves,
-and augmented = true of model:run removes that]], unit = "pressure per length", optional = true },
+  { "slave", slave, [[face over which contact is integrated; pressures are computed at its contact points. Use the finer
+mesh, of equal meshes the softer body (the published ironing studies use the stiff die)]] },
+  { "master", t.either(face, obstacle), [[face of the other body onto which these points are projected, or an obstacle.
+Beyond an open end of the master the traction decreases to zero over a fifth of its last element]] },
+  { "penalty", t.positive, [[normal penalty: p = -penalty g where the gap g is negative. Needed without adhesion. 100
+E/h with the element size h is a usual choice; model:contact_resultant(name).max_penetration is the penetration that
+remains, and augmented = true of model:run removes it]], unit = "pressure per length", optional = true },
   { "friction", t.named {
     { "mu", t.non_negative, "Coulomb's coefficient of friction, tan of the angle of friction, not the angle" },
-    { "penalty", t.positive, "tangential penalty, of elastic slip", unit = "pressure per length" },
+    { "penalty", t.positive, "tangential penalty, stiffness of elastic slip", unit = "pressure per length" },
   }, "Coulomb friction", otherwise = "none" },
   { "points", t.integer(1, 100), "Gauss points per slave element and direction",
     otherwise = "3 (p + 1), p the higher degree along the face" },
   { "adhesion", t.named {
     { "hamaker", t.positive, "Hamaker's constant", unit = "force times length" },
     { "r0", t.positive, "equilibrium distance of the potential", unit = "length" },
-  }, "van der Waals forces in place of penalty and friction; they vanish at the distance 15^(-1/6) r0",
+  }, "van der Waals forces in place of penalty and friction; the force is zero at the distance 15^(-1/6) r0",
     optional = true },
   { "where", region, [[function(X) that returns true where the contact acts; X = {x, y}, in 3D {x, y, z}, is a reference
-position of the slave face. Called while the model is made]], otherwise = "everywhere" },
+position of the slave face. Called when the model is made]], otherwise = "everywhere" },
 }
 contact.conflict = function(values)
   for _, other in ipairs { "penalty", "friction" } do
     if values.adhesion and values[other] then
-      return ("it has both adhesion and %s: the van der Waals law repels by itself; take one of the two out")
+      return ("it has both adhesion and %s, but the van der Waals law is repulsive already: remove one of the two")
         :format(other)
     end
   end
@@ -52,7 +52,7 @@ contact.conflict = function(values)
 end
 
 local load = {
-  { "on", faces, "where" },
+  { "on", faces, "loaded faces" },
   { "traction", t.point, "dead load {tx, ty}, in 3D {tx, ty, tz}", unit = "force per reference area", optional = true },
   { "pressure", t.number, "dead load against the outward normal of the reference shape",
     unit = "force per reference area", optional = true },
@@ -66,19 +66,19 @@ end
 return {
   title = "Models and load paths",
   word = "solving",
-  { "sg.model", [[Returns a model: a scene of plane bodies or of solids with its state. All parts are tables by name.
-Plane strain is of unit depth; in an axisymmetric model x is the radius, y the axis, forces are those over the full
+  { "sg.model", [[Returns a model: a scene of plane bodies or of solids with its state. All parts are tables with names
+as keys. Plane strain has unit depth; in an axisymmetric model x is the radius, y the axis, and forces refer to the full
 circle.]],
     named = {
       { "bodies", t.map(t.object "body", 1), "the bodies" },
-      { "supports", t.map(t.either(t.named "support", t.named "load")), "supports, and loads, of the bodies",
+      { "supports", t.map(t.either(t.named "support", t.named "load")), "supports of the bodies; may include loads",
         optional = true },
-      { "loads", t.map(t.named "load"), "forces from outside", optional = true },
+      { "loads", t.map(t.named "load"), "external forces", optional = true },
       { "contacts", t.map(t.named "contact"), "pairs of faces that may touch", optional = true },
       { "kind", t.choice { "plane_strain", "axisymmetric" }, "plane strain, or a section of bodies of revolution",
-        otherwise = '"plane_strain", of bodies in the plane' },
+        otherwise = '"plane_strain" for plane bodies' },
     },
-    more = 'On the load path: help "stage".',
+    more = 'The load path: help "stage".',
     example = { [[
 sg.model{
   bodies   = { die = die, slab = slab },
@@ -92,34 +92,35 @@ sg.model{ bodies = { slab = slab }, supports = { bed = { on = slab:face "south",
 sg.model{ bodies = { cube = cube }, loads = { push = { on = cube:face "east", traction = {0, 0, -1} } },
           supports = { bed = { on = cube:face "front", fix = "xyz" },
                        grip = { on = cube:face "back", drive = "z", fix = "xy", rotate = "z" } } }]] } },
-  { "support", "Holds or moves faces, edges, corners or obstacles. A support must hold something.",
+  { "support", "Fixes or prescribes displacements of faces, edges, corners or obstacles; at least one component.",
     head = "supports = { <name> = { on, fix, drive, free, rotate, symmetry } }, in sg.model{ … }",
     named = {
       { "on", t.worded(t.one_or_more(t.either(face, obstacle)),
-        "a face or a list of faces, an edge, a corner or an obstacle"), "where; the reactions of a list add up" },
-      { "fix", axes, "components that stay where they are", optional = true },
-      { "drive", axes, "components that stages move", unit = "length", optional = true },
-      { "free", axes, "components of neither, only to say so: unlisted components are free", optional = true },
+        "a face or a list of faces, an edge, a corner or an obstacle"), "where; the reaction of a list is the sum" },
+      { "fix", axes, "components with zero displacement", optional = true },
+      { "drive", axes, "components that stages prescribe", unit = "length", optional = true },
+      { "free", axes, "free components, for documentation: unlisted components are free", optional = true },
       { "rotate", t.worded(t.either(t.flag, t.choice { "x", "y", "z" }, t.space_point),
-        "true in the plane; in 3D 'x', 'y', 'z' or a vector {ax, ay, az}"), [[the face turns as a rigid body about its
-centroid, in 3D about the axis through it, by an angle in degrees that stages give behind the driven components; in 3D a
-list of faces turns as one]], otherwise = "it does not" },
-      { "symmetry", t.flag, [[holds the normal component on flat faces in a plane of symmetry x, y or z = c, in an
-axisymmetric model on the axis or y = c: the model is half of the scene, its forces are half of the whole one's]],
+        "true in the plane; in 3D 'x', 'y', 'z' or a vector {ax, ay, az}"), [[the face rotates as a rigid body about its
+centroid, in 3D about the axis through it, by an angle in degrees that stages give after the driven components; in 3D a
+list of faces rotates as one]], otherwise = "no rotation" },
+      { "symmetry", t.flag, [[fixes the normal component on flat faces in a plane of symmetry x, y or z = c, in an
+axisymmetric model on the axis or y = c: the model is half of the scene, and its forces are half of those of the full
+scene]],
         default = false },
     },
-    more = [[model:reaction(name) is the force that it exerts, with the moment last where it rotates; a run has them as
-columns <name>.fx, .fy, .fz, .moment, and what is driven as <name>.ux … .angle.]],
+    more = [[model:reaction(name) is the force that it exerts, followed by the moment if it rotates; the columns of a
+run are <name>.fx, .fy, .fz, .moment, and for driven components <name>.ux … .angle.]],
     example = [[
 supports = { bed  = { on = slab:face "south", fix = "xy" },
              grip = { on = { die:face "west", die:face "east" }, drive = "xy" } }]] },
-  { "load", "Loads faces. Loads are dead: neither direction nor size follows the deformation.",
+  { "load", "Applies a dead load to faces: neither direction nor magnitude follows the deformation.",
     head = "loads = { <name> = { on, traction or pressure } }, in sg.model{ … }",
     named = load,
     more = [[The value given here acts from the first step on; stages give new ones. model:reaction(name) is the force;
-a run has columns <name>.fx …, and .tx … or .pressure.]],
+the columns of a run are <name>.fx …, and .tx … or .pressure.]],
     example = [[loads = { push = { on = die:face "east", traction = {0, -1} } }]] },
-  { "contact", "Lets the face of a body touch another body or an obstacle.",
+  { "contact", "Defines contact between the face of a body and another body or an obstacle.",
     head = "contacts = { <name> = { slave, master, penalty, friction, points, adhesion, where } }, in sg.model{ … }",
     named = contact,
     more = [[Results: model:profile(name), model:contact_resultant(name), the columns <name>.fx … of a run.

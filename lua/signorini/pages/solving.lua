@@ -3,8 +3,7 @@
 local rows = require "signorini.pages.step_rows"
 local t = require "signorini.types"
 
---- The cure where the stages are not a list of them: options or parts of a stage that stand among the stages, where
---- they would be without effect.
+--- The hint if the stages are not a list: options or parts of a stage among the stages have no effect.
 local function cure_of_stages(value)
   for key in next, type(value) == "table" and value or {} do
     if math.type(key) ~= "integer" or key < 1 or key > #value then
@@ -23,36 +22,36 @@ local stages = t.worded(t.list(t.named("stage", t.any), nil, 1), "a list of stag
 stages.cure = cure_of_stages
 stages.of.names = function(model) return model:driven_names() end
 
-local a_step = { "step", t.count, "number of the step; a step that was not reached follows the last row" }
+local a_step = { "step", t.count, "number of the step; a failed step follows the last row" }
 
 return {
   title = "Models and load paths",
   word = "solving",
-  { "model", [[A scene with its accepted state and the present one, made by sg.model; print(model) shows its size and
-its parts, their positions and the contacts that touch; tostring(model) its size. model:run takes it along a load path;
-help "results" and help "methods" list the other methods.]] },
-  { "model:warnings", [[Returns a list of sentences on what is probably unintended. About the scene, which sg.model
-prints as well: bodies that overlap before the first step by more than 1 % of the thickness of the thinner one,
-Poisson's ratios that lock, mu above 3, penalties above 1e8 times the stiffness of an element, contacts that act twice.
-About the present state: linear elastic bodies that are turned inside out. run.warnings begins with them.]],
+  { "model", [[A scene with its accepted and its present state, made by sg.model; print(model) shows its size and its
+parts, their positions and the contacts that touch; tostring(model) shows its size. model:run solves it along a load
+path; help "results" and help "methods" list the other methods.]] },
+  { "model:warnings", [[Returns a list of sentences on what is probably unintended. About the scene (sg.model prints
+these, too): bodies that overlap before the first step by more than 1 % of the thickness of the thinner one, Poisson's
+ratios that lock, mu above 3, penalties above 1e8 times the stiffness of an element, contacts that act twice. About the
+present state: inverted linear elastic bodies. run.warnings starts with these.]],
     example = "model:warnings()  --> {}" },
-  { "model:run", "Takes a model along its load path and returns a run.",
-    arguments = { { "stages", stages, "pieces of the load path" },
+  { "model:run", "Solves a model along its load path and returns a run.",
+    arguments = { { "stages", stages, "parts of the load path" },
                   { "options", t.named(rows.run), "controls, records and files of the run", default = {} } },
     rows = rows.run,
     more = [[
-A step that is not reached ends the run, a result: run.failed, run.reason, run.cause (what was behind minimum_step),
-run.report (in words, with the worst places and what may help), run.places (for sg.picture's marks); the last accepted
-state is kept. Reasons: completed, stopped, interrupted, cut, iterations, diverged, cycling, lost_projection, inverted,
-singular, indefinite, nan, line_search, penetration, turning_point, minimum_step, strayed.
+A failed step ends the run; this is a result, not an error: run.failed, run.reason, run.cause (the reason behind
+minimum_step), run.report (in words, with the worst places and what may help), run.places (for sg.picture's marks). The
+model keeps the last accepted state. Reasons: completed, stopped, interrupted, cut, iterations, diverged, cycling,
+lost_projection, inverted, singular, indefinite, nan, line_search, penetration, turning_point, minimum_step, strayed.
 run:column "grip.fx" is a list over the steps; print(run) is a short table; run:csv(file) writes all columns: step,
-increments, iterations, wall; <support>.fx, .fy, in 3D .fz, .moment where it rotates, .ux, .uy, .uz, .angle where
-driven; <load>.fx …, .tx … or .pressure; <contact>.fx …, .area, .max_pressure, .max_penetration.
+increments, iterations, wall; <support>.fx, .fy, in 3D .fz, .moment if it rotates, .ux, .uy, .uz, .angle if driven;
+<load>.fx …, .tx … or .pressure; <contact>.fx …, .area, .max_pressure, .max_penetration.
 Source: Newton's steps (4.33) to (4.35), freeze_active_set 4.5.2 of V. Agrawal, thesis, IIT Guwahati, 2020; augmented:
 J. C. Simo, T. A. Laursen, Comput. Struct. 42 (1992); arc_length: E. Riks, J. Appl. Mech. 39 (1972), H. B. Keller,
 1977.]],
     example = "model:run{ { name = \"press\", steps = 46, grip = {0, -0.23} } }" },
-  { "stage", "A piece of the load path: leads in equal steps to the values at its end.",
+  { "stage", "A part of the load path: leads in equal steps to the values at its end.",
     head = "model:run{ { name, steps, <support or load> = {…} }, … }: stages, a list",
     named = {
       { "name", t.text, "name in reports and on_step", otherwise = '"stage 1" and so on' },
@@ -60,77 +59,77 @@ J. C. Simo, T. A. Laursen, Comput. Struct. 42 (1992); arc_length: E. Riks, J. Ap
     },
     more = [[
 Any other key is the name of a driven support or a load: the values at the stage's end, in the order of its driven
-components (lengths, then the angle in degrees) or of the traction; a single one needs no braces. What a stage does not
-name stays where it is. Values count from the reference state, not from the stage before. model:driven(name) lists the
-components. Options are the second argument, model:run({ … }, { step = { min = 1/256 } }): help "model:run".]],
+components (lengths, then the angle in degrees) or of the traction; a single value needs no braces. Supports and loads
+that a stage does not name keep their values. Values are measured from the reference state, not from the previous stage.
+model:driven(name) lists the components. Options are the second argument, model:run({ … }, { step = { min = 1/256 } }):
+help "model:run".]],
     example = [[
 model:run{ { name = "press", steps = 46,  grip = {0, -0.23} },
            { name = "slide", steps = 250, grip = {1.5, -0.23} } }]] },
-  { "sg.robust", [[Returns the default controls of model:run, written out: each step starts from the linear predictor
-(predictor = "linear"), a step that fails is tried again with other controls (rescue = true), then cut in half (step = {
-adaptive = true }). Given options replace these. Next to arc_length = true these controls act before arc length does,
-and may leave the path that it would follow.]], named = "model:run", may_be_empty = true, as_given = true,
+  { "sg.robust", [[Returns the default controls of model:run explicitly: each step starts from the linear predictor
+(predictor = "linear"), a failed step is tried again with fallbacks (rescue = true), then cut in half (step = { adaptive
+= true }). Given options replace these. Together with arc_length = true these controls are tried before arc length, and
+may leave the path that arc length would follow.]], named = "model:run", may_be_empty = true, as_given = true,
     example = "model:run(stages, sg.robust{ arc_length = true, step = { adaptive = true, min = 1/256 } })" },
   { "sg.plain", [[Returns options of model:run for plain Newton iterations: each step is solved once, as a whole, from
 the last accepted state (predictor = "tangent", rescue = false, step = { adaptive = false }). Given options replace
-these. Use it to compare with other programs or published iteration counts, and to see where Newton's method fails.]],
+these. Use it to compare with other programs or published iteration counts, and to find where Newton's method fails.]],
     named = "model:run", may_be_empty = true, as_given = true,
     example = "model:run(stages, sg.plain{ newton = { iterations = 50 } })" },
-  { "run", "The result of model:run; print(run) shows a short table, with unusual controls, fallbacks and cuts.",
+  { "run", "The result of model:run; print(run) shows a short table, with fallbacks, cuts and other controls.",
     fields = {
-      { "failed", t.flag, "whether a step was not reached" },
-      { "reason", t.text, "why the run ended, see help \"model:run\"" },
+      { "failed", t.flag, "whether a step failed" },
+      { "reason", t.text, "reason why the run ended, see help \"model:run\"" },
       { "cause", t.text, "reason behind \"minimum_step\", of a run that failed" },
       { "report", t.text, "the failure in words, of a run that failed" },
       { "places", t.list(t.any), "worst places, for sg.picture's marks" },
-      { "steps", t.integer(0), "steps that were reached" },
+      { "steps", t.integer(0), "converged steps" },
       { "iterations", t.integer(0), "Newton iterations" },
-      { "cutbacks", t.integer(0), "attempts that were cut in half" },
-      { "rescues", t.integer(0), "steps that fallbacks have carried" },
-      { "fallbacks", t.map(t.integer(0)), "how often each fallback helped" },
+      { "cutbacks", t.integer(0), "increments cut in half" },
+      { "rescues", t.integer(0), "steps solved by fallbacks" },
+      { "fallbacks", t.map(t.integer(0)), "successes of each fallback" },
       { "wall", t.number, "wall time", unit = "s" },
       { "timings", t.map(t.number), "bulk, contact, linear, rest", unit = "s" },
-      { "stages", t.list(t.any), "accounts of the stages" },
-      { "controls", t.list(t.any), "where arc length took over" },
+      { "stages", t.list(t.any), "statistics of the stages" },
+      { "controls", t.list(t.any), "where arc length was used" },
       { "warnings", t.list(t.text), [[model:warnings(); loads that act in full from the first step, a newton.tolerance
-above 1e-3, contacts that never touched, were penetrated by more than 2 % of the smallest body's size, whose closest
-points were not found, or whose points have gone through the master in one step; fallbacks that may have changed to
-another branch of solutions, steps that probably have, as displacements and released energy show; stages in which more
-than a tenth of the work is missing from the energy balance]] },
+above 1e-3, contacts that never touched, with penetration above 2 % of the smallest body's size, whose closest points
+were not found, or whose points passed through the master in one step; fallbacks that may have changed to another branch
+of solutions, steps that probably did, judged by displacements and released energy; stages in which more than a tenth of
+the work is missing from the energy balance]] },
     } },
   { "run:columns", "Returns the names of all columns, in order.",
     example = "for _, name in ipairs(run:columns()) do print(name) end" },
-  { "run:column", [[Returns the values of a column, one per step that was reached: "step", the "increments" it was made
-of, "iterations" and "wall" (s) with those of failed attempts, "<support>.fx" (reaction), "<support>.ux" (where a driven
-component stands), "<contact>.area" and so on; those that on_step returns are nan where it returned none.]],
+  { "run:column", [[Returns the values of a column, one per converged step: "step", its "increments", "iterations" and
+"wall" (s) including failed attempts, "<support>.fx" (reaction), "<support>.ux" (value of a driven component),
+"<contact>.area" and so on; columns that on_step returns are nan where it returned none.]],
     arguments = { { "name", t.name(function(run) return run:columns() end), "a column" } },
     example = "run:column \"grip.fy\"" },
-  { "run:attempts", [[Returns the attempts at a step that was reached or missed: a list of { from, to, converged,
-reason, iterations, residuals, rescue, again }, where from and to are parts of the step, and again says that it began at
-the step's start although a part was accepted.]],
+  { "run:attempts", [[Returns the attempts at a converged or failed step: a list of { from, to, converged, reason,
+iterations, residuals, rescue, again }, where from and to are fractions of the step, and again tells whether the attempt
+started at the step's start although a part was accepted.]],
     arguments = { a_step },
     example = "run:attempts(1)[1].iterations" },
   { "run:residuals", "Returns the residual norms of the iterations of a step's last attempt.",
     arguments = { a_step },
     example = "run:residuals(run.steps)" },
   { "run:states", [[Returns the states that a run has kept, in order, for sg.picture{ states = run:states() }: those
-that the option `states` of model:run asked for; without it the start, the end of each stage and the last one that was
-reached.]],
+selected by the option `states` of model:run; by default the start, the end of each stage and the last accepted one.]],
     example = "sg.picture{ states = run:states(), field = \"uy\", file = \"states.png\" }" },
-  { "run:csv", "Writes all columns to a CSV file; a figure that on_step did not return is left out.",
+  { "run:csv", "Writes all columns to a CSV file; a value that on_step did not return is an empty field.",
     arguments = { { "file", t.text, "name of the file" } },
     example = "run:csv \"run.csv\"" },
   { "state", "An entry of run:states().",
     fields = { { "step", t.integer(0), "number of the step; 0 is the start" },
                { "stage", t.text, "name of the stage" },
                { "title", t.text, "of a picture" },
-               { "snapshot", t.object "snapshot", "the state, to which model:restore(state.snapshot) returns" } },
+               { "snapshot", t.object "snapshot", "the state, for model:restore(state.snapshot)" } },
     example = "local states = run:states(); print(states[#states].title)" },
   { "model:cost", [[Returns the size of a model in numbers, before a solve or after it; print(model:cost()) shows
 tables.]],
     fields = {
       { "unknowns", t.integer(0), "size of the linear system" },
-      { "obstacles", t.integer(0), "rigid obstacles, which have no unknowns" },
+      { "obstacles", t.integer(0), "rigid obstacles (without unknowns)" },
       { "bodies", t.map(t.named {
         { "unknowns", t.integer(0), "those of the body" },
         { "contact_layer", t.integer(0), "unknowns on the faces that `contact` names" },
@@ -143,23 +142,23 @@ tables.]],
         { "points", t.integer(0), "contact points" },
         { "rigid", t.flag, "whether the master is an obstacle" },
       }), "contacts by name" },
-      { "nonzeros", t.integer(0), "nonzeros of the tangent; they grow where contacts touch" },
+      { "nonzeros", t.integer(0), "nonzeros of the tangent, which increase when contacts touch" },
       { "memory", t.number, "sum of memory_of", unit = "bytes" },
       { "memory_of", t.map(t.number), [[bodies (tables of Gauss points), contacts (points with their history), tangent
 (with its patterns), factors]], unit = "bytes" },
-      { "linear", t.text, "solver of the factors" },
-      { "factors_are", t.choice { "measured", "counted" }, [["measured" after a factorization, before that "counted":
-from the pattern in the order of nested dissection]] },
+      { "linear", t.text, "linear solver" },
+      { "factors_are", t.choice { "measured", "counted" }, [["measured" after a factorization; before that "counted"
+from the pattern in nested-dissection order]] },
     },
     example = "print(model:cost())" },
-  { "model:save", [[Writes the model with its accepted state to a file for sg.load, whole or not at all. From here on
-the model and one that is loaded give the same bits; for that the model drops factorizations and patterns, so that the
-next step takes a little longer. An error while a step, targets or penalties are not accepted.]],
+  { "model:save", [[Writes the model with its accepted state to a file for sg.load, atomically. From here on the model
+and a loaded copy give bitwise identical results; for this the model discards factorizations and patterns, so that the
+next step takes slightly longer. It is an error if a step, targets or penalties are not accepted yet.]],
     arguments = { { "path", t.text, "the checkpoint's file" } },
     example = "model:save \"pressed.sgn\"" },
   { "sg.load", [[Returns the model that model:save(path), or a run with checkpoints, has saved: bodies, supports, loads,
-contacts, and the accepted state with its contact history. It needs nothing of the script that made it, and goes on with
-the same bits as the model that was saved.]],
+contacts, and the accepted state with its contact history. It does not need the script that made it, and its results are
+bitwise identical to those of the saved model.]],
     arguments = { { "path", t.text, "the checkpoint's file" } },
     example = "model = sg.load \"pressed.sgn\"" },
 }
