@@ -1,5 +1,5 @@
--- help(): the pages of the functions (signorini.pages), a few texts on whole subjects, and the headers of the scripts
--- that come along.
+-- help(): the pages of the functions (signorini.pages), texts on subjects, headers of the supplied scripts, and answers
+-- to terms of other programs (signorini.help.synonyms).
 
 local core = require "signorini.core"
 local cut = require "signorini.cut"
@@ -7,9 +7,11 @@ local pages = require "signorini.pages"
 local scripts = require "signorini.help.scripts"
 local lists = require "signorini.lists"
 local meant = require "signorini.meant"
+local synonyms = require "signorini.help.synonyms"
 local texts = require "signorini.help.texts"
+local wrapped = require "signorini.show.wrapped"
 
-local width, widest_head = 118, 46 -- characters of a line, and of what stands on its left
+local width, widest_head = 118, 46 -- characters of a line, and of its left column
 
 --- Lines of two columns, { left, right } each.
 local function two_columns(entries)
@@ -22,7 +24,7 @@ local function two_columns(entries)
   return table.concat(lines, "\n")
 end
 
---- Pages in a line each: how to call the function, and the first sentence.
+--- One line per page: how to call the function, and the first sentence.
 local function list(title, found)
   return title .. "\n" .. two_columns(lists.map(found, function(page)
     return { pages.short_head(page, widest_head), pages.summary(page) }
@@ -35,11 +37,11 @@ end
 
 --- Every script, with how to run them.
 local function all_scripts()
-  return script_list("Scripts that come along; signorini <name> runs one, signorini <name> help lists its arguments,\n"
-    .. "help \"<name>\" shows what it solves:", scripts.all())
+  return script_list("Supplied scripts; signorini <name> runs one, signorini <name> help lists its arguments,\n"
+    .. "help \"<name>\" describes it:", scripts.all())
 end
 
---- The pages of what a table holds, such as sg.nurbs.
+--- The pages of the functions in a table such as sg.nurbs.
 local function table_page(value)
   local names = {}
   local function collect(entries, depth)
@@ -50,11 +52,11 @@ local function table_page(value)
   end
   collect(value, 1)
   local found = lists.map(lists.filter(lists.sorted_names(names), pages.find), pages.find)
-  if #found == 0 then return "This table has no help page. help() shows where to begin." end
-  return list("It holds:", found)
+  if #found == 0 then return "This table has no help page. help() lists topics." end
+  return list("Functions:", found)
 end
 
---- Everything with a word in it: pages, the one that is called so in full, and scripts.
+--- Everything that contains a word: pages (in full the one with this name) and scripts.
 local function search(word)
   local parts = {}
   local names = lists.filter(pages.names(), function(name)
@@ -69,19 +71,38 @@ local function search(word)
   return #parts > 0 and table.concat(parts, "\n\n") or nil
 end
 
+--- A term as synonyms are compared: lower case, single blanks, without the plural's s.
+local function normalized(term)
+  return (term:lower():gsub("[-_%s]+", " "):gsub("^ ", ""):gsub(" $", ""):gsub("s$", ""))
+end
+
+--- The answer to a term that other programs use, with its pages, or nil.
+local function synonym_page(word)
+  for _, entry in ipairs(synonyms) do
+    for term in entry[1]:gmatch "[^,]+" do
+      if normalized(term) == normalized(word) then
+        local answer = {}
+        for part in entry[2]:gmatch "%S+" do answer[#answer + 1] = part end
+        return table.concat(wrapped(answer, width, "", ""), "\n") .. "\n"
+          .. list("See:", lists.map({ table.unpack(entry, 3) }, pages.find))
+      end
+    end
+  end
+end
+
 --- The words of pages, texts and groups.
 local function words()
   local groups = lists.map(pages.groups(), function(group) return group.word end)
   return lists.unique(lists.joined({ "gallery" }, pages.names(), lists.sorted_names(texts), groups))
 end
 
---- What to say of a word that nothing has.
+--- The answer for an unknown word.
 local function no_page(word)
   local known = lists.joined(words(), lists.map(pages.names(), function(name) return name:match "[^.:]+$" end),
     lists.map(scripts.all(), function(script) return script.name end))
   table.sort(known)
   local hint = meant(word, known)
-  return ("There is no page on '%s'%s"):format(word, hint ~= "" and hint or ". help() shows where to begin.")
+  return ("There is no page on '%s'%s"):format(word, hint ~= "" and hint or ". help() lists topics.")
 end
 
 --- The group of pages of a word such as "patches".
@@ -109,8 +130,12 @@ end
 local function word_page(word)
   if not word:find "%w" or word == "exit" or word == "quit" then return texts.prompt end -- also ?_
   if word == "gallery" then return all_scripts() end
-  return texts[word] or pages.text(word) or pages.text("sg." .. word) or pages.text(spelled_out(word))
-    or group_page(word) or script_page(word) or search(word) or no_page(word)
+  local page = texts[word] or pages.text(word) or pages.text("sg." .. word) or pages.text(spelled_out(word))
+    or group_page(word) or script_page(word)
+  if page then return page end
+  local answer, found = synonym_page(word), search(word)
+  if answer and found then return answer .. "\n\n" .. found end
+  return answer or found or no_page(word)
 end
 
 local function value_page(value)
@@ -122,7 +147,7 @@ end
 
 local help = {}
 
---- What Tab offers behind help ".
+--- Completions of help ".
 function help.words()
   local known = words()
   table.sort(known)
@@ -133,11 +158,11 @@ end
 function help.show(...)
   local value = ...
   if select("#", ...) == 0 then return print(texts.start) end
-  if value == nil then return print "help(nil): this name stands for nothing. help() shows where to begin." end
+  if value == nil then return print "help(nil): this name is not defined. help() lists topics." end
   print(type(value) == "string" and word_page(value) or value_page(value))
 end
 
---- What a path of names such as "sg.shapes", "run:column" or "x.y" stands for among the globals, or nil.
+--- The global value of a path of names such as "sg.shapes", "run:column" or "x.y", or nil.
 local function look_up(path)
   local value = _G
   for name in path:gmatch "[^.:]+" do
@@ -148,7 +173,7 @@ local function look_up(path)
   return value
 end
 
---- What ?query at the prompt shows: the page of that name, else of the value that it stands for, else a search.
+--- Answers ?query at the prompt: the page of that name, else of the value with that name, else a search.
 function help.ask(query)
   local word = query:match "^%s*(.-)[%s()]*$"
   if word == "" then return help.show() end

@@ -128,7 +128,7 @@ local wrong = {
   { "a misspelt constant", "sg.model(with{ adhesion = { hamacker = 0.1, r0 = 0.4 } })",
     "contacts.f.adhesion: unknown argument 'hamacker'", "did you mean 'hamaker'?" },
   { "an obstacle as slave", "sg.model(with{ slave = plane, master = low, adhesion = film })",
-    "contacts.f.slave must be a face, got an obstacle", "an obstacle can only be the master: swap the two" },
+    "contacts.f.slave must be a face, got an obstacle", "an obstacle can only be the master: exchange the two" },
   { "adhesion and penalty", "sg.model(with{ adhesion = film, penalty = 10 })",
     "contacts.f: it has both adhesion and penalty", "remove one of the two" },
   { "adhesion and friction", "sg.model(with{ adhesion = film, friction = { mu = 0.1, penalty = 1 } })",

@@ -48,7 +48,7 @@ check.case("wrong arguments", function()
   end
   check.fails(function() sg.cheapest({}, {}) end, "sg.cheapest: study must be a study, got an empty table")
   fails(nil, "error (", "is missing")
-  fails({ error = "dPx" }, "at_most (largest error that is allowed) is missing: it must be a positive number")
+  fails({ error = "dPx" }, "at_most (tolerance of the error) is missing: it must be a positive number")
   fails({ error = "dPx", at_most = "5%" },
     "at_most must be a positive number (largest error that is allowed), got the string '5%'")
   fails({ error = "dPx", at_most = 0 / 0 }, "at_most must be a finite number (largest error that is allowed), got nan")

@@ -222,7 +222,7 @@ check.case("exit and quit leave the prompt, and only that", function()
   check.holds(run({ "-e", "exit()" }).output, hint)
   check.holds(run({}, "x = exit()\n").output, hint)
   for _, query in ipairs { "?exit", "?quit()", 'help "exit"', "help quit" } do
-    check.holds(run({}, query .. "\n").output, "At the prompt:\n", "Ctrl-D, exit, quit      leaves;")
+    check.holds(run({}, query .. "\n").output, "At the prompt:\n", "Ctrl-D, exit, quit      ends the prompt;")
   end
 end)
 
@@ -275,9 +275,9 @@ check.case("help shows groups, types of Lua objects, and what a query at the pro
     '?\n?labels\n?sg.shapes.block\n? patch:refine\nx = sg.median\n?x\n?sg.nurbs\n?refin\n'
     .. 'help "studies"\nhelp "rectangel"\n ?sg.bdy\nhelp sg.mkdir\nhelp\nhelp(sg.reference "hertz2d_dofs_table7_4")\n')
   check.holds(output, "signorini: isogeometric", "N2-N2.2x2", "sg.shapes.block{ size", "patch:refine{ elements",
-    "sg.median(numbers)", "It holds:\n  sg.nurbs.arc{", "Pages with 'refin':", "Studies:\n  sg.study{",
+    "sg.median(numbers)", "Functions:\n  sg.nurbs.arc{", "Pages with 'refin':", "Studies:\n  sg.study{",
     "did you mean 'rectangle'?", "did you mean 'sg.body'?",
-    "sg.mkdir(path)\n", "mkdir \"out/study\"\nsignorini: isogeometric", "data\nWhat sg.csv.read")
+    "sg.mkdir(path)\n", "mkdir \"out/study\"\nsignorini: isogeometric", "data\nThe result of sg.csv.read")
 end)
 
 check.case("a script that comes along runs by its name, unless there is a file of that name", function()
@@ -305,7 +305,7 @@ end)
 check.case("help takes a method by the letter that pages call its object by, and closes what a list cuts off",
   function()
   local output = check.program({}, '?m:iterate\nhelp "m:run"\nhelp "p:insert"\nhelp "pictures"\nhelp "m:nonsense"\n')
-  check.holds(output, "model:iterate{ … }\n", "model:run(stages, ", "\nTakes a model along",
+  check.holds(output, "model:iterate{ … }\n", "model:run(stages, ", "\nSolves a model along",
     "patch:insert(",
     "  sg.picture{ model,", ", … }    Returns a picture", "no page on 'm:nonsense'")
 end)

@@ -125,7 +125,7 @@ check.case("wrong geometry", function()
   check.fails(function() sg.nurbs.surface { degrees = { 1, 1 }, knots = { { 0, 0, 1, 1 } }, points = { { 0, 0 } } } end,
     "knots must be a list of 2 lists of numbers (open knot vectors, one per direction)")
   check.fails(function() sg.nurbs.ruled { a = p, b = 3 } end, "b must be a patch", "got the number 3")
-  check.fails(function() sg.nurbs.extrude { along = { 0, 0, 1 } } end, "patch (what is swept) is missing")
+  check.fails(function() sg.nurbs.extrude { along = { 0, 0, 1 } } end, "patch (curve or surface to extrude) is missing")
 end)
 
 check.case("the message begins with the user's line, also in functions, coroutines and tail calls", function()

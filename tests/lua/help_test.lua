@@ -1,5 +1,5 @@
 -- Help: every public name has a page, and heads list the arguments that functions take, their examples run, and
--- share/doc/reference.md holds them all.
+-- share/doc/reference.md contains all pages; terms of other programs lead to pages.
 
 local check = require "check"
 local core = require "signorini.core"
@@ -167,6 +167,35 @@ check.case("a word finds pages of the language only", function()
   local output = check.program({}, 'help "core"\nhelp "remove_leftovers"\nhelp "_"\nhelp "jobs"\n')
   check.equal(output:find("core.", 1, true), nil)
   check.holds(output, "At the prompt:", "no page on 'remove_leftovers'", "study:execute{ jobs, limit, again = false }")
+end)
+
+check.case("terms of other programs lead to pages, none of which has the term as its name", function()
+  local seen, count = {}, 0
+  local names = {}
+  for _, name in ipairs(pages.names()) do names[name], names[name:match "[^.:]+$"] = true, true end
+  for _, group in ipairs(pages.groups()) do names[group.word] = true end
+  for name in pairs(require "signorini.help.texts") do names[name] = true end
+  for _, entry in ipairs(require "signorini.help.synonyms") do
+    if #entry < 3 or not entry[2]:find "%.$" then error(entry[1] .. " has no answer or no page") end
+    for i = 3, #entry do
+      if not pages.find(entry[i]) then error(("%s leads to '%s', which is not a page"):format(entry[1], entry[i])) end
+    end
+    for term in entry[1]:gmatch "[^,]+" do
+      term = term:match "^%s*(.*)$"
+      if term ~= term:lower() or seen[term] then error(term .. " occurs twice or with capitals") end
+      if names[term] or scripts.of(term) then error(term .. " has a page of its own") end
+      seen[term], count = true, count + 1
+    end
+  end
+  check.equal(count > 100, true)
+  for _, term in ipairs { "dirichlet", "neumann", "gravity", "tied", "hyperelastic", "rubber", "plot", "export", "output",
+    "python", "restart", "plane stress", "mortar", "convergence", "progress", "verbose", "boundary condition" } do
+    if not seen[term] then error("help has no answer to " .. term) end
+  end
+  local output = check.program({}, 'help "Boundary-Conditions"\nhelp "body force"\nhelp "mortar"\n?restart\n')
+  check.holds(output, "Displacements are prescribed by supports", "See:\n  support{ on, fix",
+    "Body forces such as gravity are not available. Loads are tractions", "Contact is Gauss-point-to-surface",
+    "Scripts with 'mortar':", "  model:save(path) ")
 end)
 
 check.case("share/doc/reference.md holds what is on the pages", function()

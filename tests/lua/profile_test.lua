@@ -134,7 +134,7 @@ check.case("wrong inputs name the argument, what came, what was expected, and th
   local function fails(options, ...)
     check.fails(function() sg.profile_error(options) end, "sg.profile_error: ", ...)
   end
-  fails({ profile = p, reference = 3 }, "reference must be a contact profile", "take what model:profile returns",
+  fails({ profile = p, reference = 3 }, "reference must be a contact profile", "use the result of model:profile",
     "or a function of the coordinate")
   fails({ reference = r }, "profile (the measured profile) is missing")
   fails({ profile = p, reference = r, coordinate = "z" }, "profile has no list 'z'",

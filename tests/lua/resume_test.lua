@@ -156,7 +156,7 @@ check.case("wrong options", function()
   local function refused(options, ...)
     check.fails(function() model:run(path, options) end, "resume_test.lua:", "model:run: ", ...)
   end
-  refused({ resume = true }, "resume = true needs the file to take up from: add checkpoint = \"run.sgn\"")
+  refused({ resume = true }, "resume = true needs a checkpoint file: add checkpoint = \"run.sgn\"")
   refused({ checkpoint = 3 }, "checkpoint must be a string or a table of named arguments, got the number 3")
   refused({ checkpoint = { every = 2 } }, "checkpoint.file (the checkpoint's file) is missing: it must be a string")
   refused({ checkpoint = { file = file, every = 0 } }, "checkpoint.every must be a whole number, 1 or more")

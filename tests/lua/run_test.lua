@@ -142,7 +142,7 @@ end)
 check.case("wrong stages and options are refused before the first step", function()
   local model = model_of()
   local wrong = {
-    { nil, "stages (pieces of the load path) is missing" },
+    { nil, "stages (parts of the load path) is missing" },
     { {}, "stages must be a list of stages", "write model:run{ {" },
     { { steps = 2, grip = { 0, 1 } }, "stages must be a list of stages" },
     { { { grip = { 0, 1 } } }, "stages[1].steps (number of steps) is missing" },
@@ -339,7 +339,7 @@ check.case("keys among the stages that would be without effect", function()
     [7] = "stages are counted from 1 without gaps", [true] = "counted from 1 without gaps",
   } do
     check.fails(function() model_of():run{ stage, [key] = { 1 } } end,
-      "model:run: stages must be a list of stages (pieces of the load path), got ", message)
+      "model:run: stages must be a list of stages (parts of the load path), got ", message)
   end
   check.fails(function() model_of():run({ stage }, { step = { adaptive = false, min = 0.1 } }) end,
     "model:run: options.step: min has no effect with adaptive = false")

@@ -49,7 +49,7 @@ end)
 check.case("wrong arguments are errors at the user's line", function()
   local function run() return {} end
   for _, wrong in ipairs {
-    { { cases = sg.grid{ a = { 1 } }, run = run }, "name (shown in tables and charts; names the folder) is missing" },
+    { { cases = sg.grid{ a = { 1 } }, run = run }, "name (name in tables, charts and of the folder) is missing" },
     { { name = "s", run = run }, "cases", "is missing: it must be a list" },
     { { name = "s", cases = {}, run = run }, "cases must be a list of at least one value", "got an empty table" },
     { { name = "s", cases = { 3 }, run = run }, "cases[1] must be a table of parameters", "the number 3" },

@@ -9,9 +9,9 @@ local texts = require "signorini.help.texts"
 local head = [[
 # Reference
 
-Every function of the language, as `help` shows it at the prompt; `scripts/reference` writes this page from the same
-tables. Named arguments stand in braces with their defaults; those without one, unless the text says so, are needed.
-Units are yours, as long as they are consistent; angles are degrees; directions and indices count from 1.
+All functions of the Lua interface, as shown by `help` at the prompt; `scripts/reference` generates this page from the
+same tables. Named arguments are in braces with their defaults; those without a default are required unless stated
+otherwise. Any consistent units can be used; angles are in degrees; directions and indices count from 1.
 ]]
 
 local function add(lines, ...)

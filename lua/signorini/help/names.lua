@@ -1,10 +1,10 @@
--- Which value a page is about: "sg.csv.read", "model:run" and "run" stand for entries of the language and of its types.
+-- The values of page names such as "sg.csv.read", "model:run" and "run".
 
 local core = require "signorini.core"
 
 local names = {}
 
---- What a page's name stands for, or nil: a function, or the methods' table of a type.
+--- The value with a page's name, or nil: a function, or the table of methods of a type.
 function names.value(name)
   local type_name, method = name:match "^([%w_]+):([%w_]+)$"
   if type_name or rawget(core.types, name) then

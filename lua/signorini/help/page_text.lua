@@ -1,4 +1,4 @@
--- A page as help shows it: how to call the function, what it does, its arguments in a list, and examples.
+-- Text of a help page: how to call the function, its description, list of arguments, and examples.
 
 local describe = require "signorini.describe"
 local lists = require "signorini.lists"
@@ -9,14 +9,14 @@ local width = 118 -- characters of a line
 local widest_key = 14
 local long = 100 -- characters of a row's text
 
---- Adds the words of a text to lines, further ones indented; `first` stands before the first one.
+--- Adds the words of a text to lines; the first line begins with `first`, further ones with `indent`.
 local function add_wrapped(lines, first, text, indent)
   local words = {}
   for word in text:gmatch "%S+" do words[#words + 1] = word end
   for _, line in ipairs(wrapped(words, width, first, indent)) do lines[#lines + 1] = line end
 end
 
---- Paragraphs: lines that begin with a blank stand as they are, others are filled; a source begins a line.
+--- Paragraphs: lines that begin with a blank are kept, others are filled; a source starts a new line.
 local function add_text(lines, text)
   local paragraph = {}
   local function flush()
@@ -35,14 +35,14 @@ local function add_text(lines, text)
   flush()
 end
 
---- The rows of the table that a type holds, behind lists, maps and alternatives; nil where it holds none.
+--- The rows of the table inside a type (list, map or alternative), or nil.
 local function rows_inside(type)
   if type.kind == "named" then return type.rows end
   if type.kind == "list" or type.kind == "map" or type.kind == "switch" then return rows_inside(type.of) end
   return type.kind == "either" and lists.map(lists.filter(type, rows_inside), rows_inside)[1] or nil
 end
 
---- What a row asks for: type, unit, default.
+--- Type, unit and default of a row.
 local function terms(row)
   local parts = { describe.one(row[2]), row.unit }
   if row.default ~= nil then
@@ -55,7 +55,7 @@ end
 
 local function capitalized(word) return word:sub(1, 1):upper() .. word:sub(2) end
 
---- The text of a row with its terms: behind a short text, in front of a long one.
+--- The text of a row with its terms: after a short text, before a long one.
 local function row_text(row)
   local text = row[3] or ""
   if text == "" then return terms(row) end
@@ -92,7 +92,7 @@ function page_text.examples(page)
   return type(page.example) == "table" and page.example or { page.example }
 end
 
---- The text of a page, without its examples where these stand elsewhere.
+--- The text of a page, optionally without its examples.
 function page_text.whole(page, without_examples)
   local lines = {}
   local head = pages.head(page)

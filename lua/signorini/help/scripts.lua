@@ -1,4 +1,4 @@
--- The scripts that come along, as help finds and lists them: by the first sentence of their headers.
+-- The supplied scripts with their headers, for help.
 
 local core = require "signorini.core"
 
@@ -6,7 +6,7 @@ local filter = require("signorini.lists").filter
 
 local scripts = {}
 
---- The comment at the beginning of a script, without its dashes.
+--- The header comment of a script, without its dashes.
 local function header(text)
   local lines = {}
   for line in text:gmatch "([^\n]*)\n" do
@@ -16,7 +16,7 @@ local function header(text)
   return table.concat(lines, "\n")
 end
 
---- All that can be run, in order: { name, path, header, title }.
+--- All scripts that can be run, in order: { name, path, header, title }.
 function scripts.all()
   local list = {}
   if not core.exists(core.home .. "/scripts") then return list end
@@ -32,7 +32,7 @@ function scripts.all()
   return list
 end
 
---- The script of a name, with or without its folder and ending; or nothing.
+--- The script with a name, with or without folder and ending, or nil.
 function scripts.of(name)
   return filter(scripts.all(), function(script)
     local short = script.name:match "([^/]*)%.lua$"
@@ -40,7 +40,7 @@ function scripts.of(name)
   end)[1]
 end
 
---- Those whose headers have a word.
+--- The scripts whose headers contain a word.
 function scripts.with(word)
   return filter(scripts.all(), function(script)
     return (script.name .. "\n" .. script.header):lower():find(word:lower(), 1, true)

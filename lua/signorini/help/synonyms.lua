@@ -1,0 +1,93 @@
+-- Terms of the field and of other programs that have no page of their own: { words, answer, page, … }. words: separated
+-- by commas, in lower case; answer: a sentence, for features that are not available with the alternative; pages: names
+-- of help pages, listed below the answer.
+
+return {
+  -- Boundary conditions and loads
+  { "dirichlet, boundary condition, prescribed displacement, essential boundary condition, constraint, clamp, bc",
+    "Displacements are prescribed by supports: `fix` sets components to zero, `drive` leaves them to the stages.",
+    "support", "stage" },
+  { "neumann, natural boundary condition, surface load, distributed load, force",
+    "Forces are applied as dead tractions or pressures on faces.", "load", "stage" },
+  { "gravity, body force, weight, self weight, volume force, body load",
+    "Body forces such as gravity are not available. Loads are tractions and pressures on faces.", "load" },
+  { "follower load, follower, live load, fluid pressure",
+    "Follower loads are not available. Loads are dead: they keep direction and magnitude.", "load" },
+  { "point load, concentrated force, nodal force",
+    "Point loads are not available. Use a traction on a face, or prescribe the displacement of an edge or corner.",
+    "load", "support" },
+  { "spring, foundation", "Springs are not available. Use an additional elastic body.", "sg.body" },
+  { "multi point constraint, mpc, rigid coupling, kinematic coupling, remote displacement",
+    "A support with `rotate` couples a face as a rigid body; other multi-point constraints are not available.",
+    "support" },
+  { "initial condition, prestress, residual stress, thermal, temperature",
+    "Initial stresses and temperatures are not available. Models start from the stress-free reference shape.",
+    "sg.model" },
+  -- Contact
+  { "tied, tie, bonded, glue, mesh tying, multipatch, multi patch",
+    "Tied contact and bodies of several patches are not available. Model the part as one patch.", "sg.body",
+    "sg.nurbs.coons" },
+  { "mortar, segment to segment, node to surface, nts, gpts, contact formulation",
+    "Contact is Gauss-point-to-surface with a penalty; mortar and node-to-surface contact are not available.",
+    "contact" },
+  { "lagrange multiplier, augmented lagrangian, uzawa",
+    "Contact uses a penalty; `augmented = true` adds the augmented Lagrangian method (Uzawa). Lagrange multipliers as "
+      .. "unknowns are not available.", "contact", "model:run" },
+  { "self contact", "Self-contact is not available. A contact is between the faces of two bodies, or with an obstacle.",
+    "contact" },
+  { "rigid body, rigid wall, analytical rigid surface, indenter, tool", "Rigid bodies are obstacles, the master of a "
+    .. "contact.", "obstacle", "sg.rigid.plane", "sg.rigid.cylinder", "sg.rigid.sphere", "sg.rigid.surface" },
+  -- Bodies
+  { "hyperelastic, hyperelasticity, rubber, elastomer, nonlinear elastic, large deformation, finite strain",
+    "The material for large strains is the compressible neo-Hookean one.", "sg.neo_hookean" },
+  { "mooney, mooney rivlin, ogden, incompressible, plasticity, plastic, viscoelastic, viscoelasticity, damage, steel",
+    "The available materials are neo-Hookean and linear elastic; nu must be below 0.5.", "sg.neo_hookean",
+    "sg.linear_elastic" },
+  { "plane stress", "Plane stress is not available. Models are in plane strain, axisymmetric or in 3D.", "sg.model" },
+  { "shell, beam, membrane, truss, plate", "Structural elements are not available. Bodies are plane, axisymmetric or "
+    .. "3D solids.", "sg.body" },
+  { "mesh, meshing, node, element size, mesh refinement",
+    "The mesh of a body is the knot spans of its NURBS patch: `elements`, `grading` and `order` of sg.body.", "sg.body",
+    "patch:refine" },
+  { "cad, step file, iges, abaqus, stl, gmsh, import",
+    "Geometry is read from NURBS files of G+Smo, GeoPDEs and MFEM; other CAD and mesh files are not supported.",
+    "sg.nurbs.read" },
+  -- Solution
+  { "dynamics, dynamic, inertia, transient, explicit, vibration, modal, eigenvalue, buckling",
+    "Analyses are quasi-static; dynamics and eigenvalue analyses are not available. Arc length follows paths past "
+      .. "limit points.",
+    "model:run" },
+  { "convergence, diverges, does not converge, not converging",
+    "A failed run states the reason and possible remedies in run.report; sg.robust{} lists the default controls.",
+    "model:run", "run", "model:diagnose", "sg.robust", "sg.stability_map" },
+  { "mesh convergence, convergence study, error estimate, accuracy",
+    "Compare discretizations by a study, or let sg.recommend choose one.", "sg.recommend", "sg.work_precision",
+    "sg.study" },
+  { "riks, arc length, snap through, snap back, limit point, continuation",
+    "`arc_length = true` of model:run follows the path where steps fail.", "model:run", "model:solve_arc" },
+  { "load step, time step, increment, time, amplitude, step size",
+    "Stages divide the load path into steps; the option `step` of model:run controls increments.", "stage",
+    "model:run" },
+  { "restart, resume, checkpoint, load state",
+    "`checkpoint` and `resume = true` of model:run continue a run; model:save and sg.load write and read a model.",
+    "model:run", "model:save", "sg.load" },
+  { "progress, verbose, verbosity, quiet, silent, log file, monitor",
+    "Runs show their progress on standard error unless the program was started with -q. on_step and on_iteration of "
+      .. "model:run report more.", "model:run", "run:attempts", "run:residuals" },
+  { "parallel, mpi, cores, gpu, multithreading",
+    "The options --threads and --jobs of the program set the threads of assembly and the number of cases of a study "
+      .. "solved in parallel; MPI and GPUs are not supported.", "model:run", "study:execute" },
+  -- Results and interfaces
+  { "plot, plotting, graph, image, visualization, postprocessing, animation",
+    "sg.picture draws states, sg.chart curves, sg.heatmap maps, sg.film animations.", "sg.picture", "sg.chart",
+    "sg.heatmap", "sg.film" },
+  { "export, output, write results, results file", "Results are written as CSV tables, VTU files for ParaView, and "
+    .. "pictures.", "run:csv", "sg.csv.write", "sg.vtu", "sg.pvd", "picture:write", "sg.nurbs.write" },
+  { "reaction force, contact force, contact pressure, contact stress", "Forces and pressures are results of the model, "
+    .. "and columns of a run.", "model:reaction", "model:contact_resultant", "model:profile", "run:column" },
+  { "python, numpy, matlab, julia, api",
+    "Scripts are in Lua only. CSV and VTU files of results can be read in Python and other programs.", "run:csv",
+    "sg.vtu" },
+  { "gui, graphical interface", "A graphical interface is not available: use scripts or the prompt, and pictures or "
+    .. "ParaView.", "sg.picture", "sg.vtu" },
+}
