@@ -1,26 +1,26 @@
--- A study to begin with: a half ring is pressed into a slab and dragged along it. Change what you like, then run
+-- A study as a starting point: a half ring is pressed into a slab and dragged along it. Edit it, then run
 --     signorini <this file>             writes pictures and tables to out/starter
 --     signorini <this file> help        lists the arguments below
--- At the prompt, signorini alone, help() shows where to begin, and ?sg.body what one function takes.
--- Units are yours, as long as they are consistent: here lengths in mm, forces in N per mm of depth, pressures in N/mm².
+-- At the prompt (start signorini without a script), help() lists topics, and ?sg.body describes one function.
+-- Any consistent units can be used: here lengths in mm, forces in N per mm of depth, pressures in N/mm².
 
 local sg = require "signorini"
 
--- What can be given behind the file's name, such as orders=N2,N2-N2.2 steps=20; the defaults give the types.
+-- Arguments that can follow the file's name, such as orders=N2,N2-N2.2 steps=20; the defaults determine the types.
 local options = sg.arguments{
-  orders  = { "N2", "N2-N2.2" },     -- discretizations: degree 2 throughout; degree 4 on the faces that touch
-  meshes  = { 1, 2 },                -- 1 is coarse; twice as many elements in each direction with 2
-  steps   = 10,                      -- load steps of each stage
+  orders  = { "N2", "N2-N2.2" },     -- discretizations: degree 2 throughout; degree 4 on the contact faces
+  meshes  = { 1, 2 },                -- 1 is coarse; 2 has twice as many elements in each direction
+  steps   = 10,                      -- steps of each stage
   out     = "out/starter",
 }
 
--- The scene: bodies, what holds or moves them, and where they touch.
+-- The scene: bodies, supports that fix or drive them, and contacts.
 local function scene(order, mesh)
   local die = sg.body{
     patch    = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = {0.75, 1.5} },
-    elements = {6 * mesh, mesh},     -- along the arc, through the wall
+    elements = {6 * mesh, mesh},     -- along the arc, across the wall
     order    = order,
-    contact  = "south",              -- the face that carries the layer: the outer arc
+    contact  = "south",              -- face that carries the layer: the outer arc
     material = sg.neo_hookean{ E = 1000, nu = 0.3 },
   }
   local slab = sg.body{
@@ -45,7 +45,7 @@ local stages = {
 
 local files = sg.files(options.out)
 
--- One case: solve it, keep its forces and its picture, return the figures to compare.
+-- One case: solve it, write its forces and its picture, return the figures to compare.
 local function solve(case)
   local model = scene(case.order, case.mesh)
   local run = model:run(stages)
@@ -55,11 +55,11 @@ local function solve(case)
   sg.picture{ model = model, field = "uy", file = name .. ".png" }
   local forces = run:column "grip.fx"
   return { force = forces[#forces], pressure = run:column "interface.max_pressure"[#forces],
-           wall = run.wall }           -- seconds of the solve alone, without the picture
+           wall = run.wall }           -- seconds of the solution, without the picture
 end
 
--- All combinations, side by side in processes of their own. What is done stays in the study's folder: a second call
--- takes it from there, unless the scene above has changed.
+-- All combinations, in parallel processes. Finished cases are kept in the study's folder: a second call reuses them,
+-- unless the scene above has changed.
 local study = sg.study{
   name = "starter", folder = options.out .. "/cases", cases = sg.grid{ order = options.orders, mesh = options.meshes },
   run = solve, units = { force = "N/mm", pressure = "N/mm²" },

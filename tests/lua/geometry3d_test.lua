@@ -162,7 +162,8 @@ check.case("between plane and space", function()
     "patch:translate")
   check.fails(function() raised:rotate { angle = 30, axis = { 1, 0, 0 } }:to_plane() end,
     "patch:to_plane: all control points must have the same z, but z ranges from 1.59", "to 2.59", "patch:rotate")
-  check.fails(function() sg.shapes.block { size = { 1, 1, 1 } }:to_plane() end, "patch:to_plane: a volume cannot be converted")
+  check.fails(function() sg.shapes.block { size = { 1, 1, 1 } }:to_plane() end,
+    "patch:to_plane: a volume cannot be converted")
   check.fails(function() solid(raised, { 1, 1 }, "N2") end, "this one is a surface in 3D", "patch:to_plane()")
   local file = os.tmpname()
   raised:write(file, "gismo") -- with geoDim 3

@@ -212,7 +212,8 @@ check.case("indefinite: a column beyond Euler's load", function()
     bed = { on = body:face "south", fix = "xy" }, top = { on = body:face "north", drive = "y" } } }
   local run = model:run({ { steps = 1, top = -0.1 } }, sg.plain{ newton = { iterations = 1 } })
   local place = expect(run, "indefinite", 0, "no convergence after 1 iteration:", "the tangent is indefinite there",
-    "of body 'column'", "limit or turning point", "take smaller steps", "arc length can only start after an accepted step")
+    "of body 'column'", "limit or turning point", "take smaller steps",
+    "arc length can only start after an accepted step")
   check.equal({ place.kind, place.body, place.X[2] > 8 }, { "control point", "column", true }) -- it swerves at the top
 end)
 

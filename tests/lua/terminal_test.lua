@@ -17,7 +17,7 @@ check.case("a session: expressions, several lines, Ctrl-C in a loop and at the p
     "abc def", { "abc def", "\3" }, "40 + 2\n",
     "for i = 7, 8 do\n", "print(i) end\n", "for\n", "\3", "'still here'\n", "\4")
   check.equal(status, 0)
-  check.holds(output, "help() helps", "sg> 1 + 1\n2\n", "^Cinterrupted\n", "abc def^C\n", "sg> 40 + 2\n42\n",
+  check.holds(output, "help() shows help", "sg> 1 + 1\n2\n", "^Cinterrupted\n", "abc def^C\n", "sg> 40 + 2\n42\n",
     "..> print(i) end\n7\n8\n", 'sg> \'still here\'\n"still here"\n')
 end)
 

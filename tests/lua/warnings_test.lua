@@ -70,7 +70,8 @@ check.case("a penalty beyond what rounding allows is named before the run and as
     "10 to 1000 times E/h = 4 is usual")
   local run = model:run{ { steps = 2, push = -0.05 } }
   check.equal(run.failed, true)
-  check.holds(run.report, "at this ratio the body's stiffness is lost", "What may help: lower the penalty of contact 'c'")
+  check.holds(run.report, "at this ratio the body's stiffness is lost",
+    "What may help: lower the penalty of contact 'c'")
   check.equal(run.report:find("add a support to the body", 1, true), nil)
 end)
 
