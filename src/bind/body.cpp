@@ -113,7 +113,7 @@ template <int D> int push_meeting(lua_State* L, const char* kind, int count, con
 }
 
 template <int D> int edge(lua_State* L) {
-  require(D == 3, "a plane body has faces and corners, no edges: write b:face \"south\" or b:corner \"south-west\"");
+  require(D == 3, "a plane body has faces and corners, but no edges: use b:face \"south\" or b:corner \"south-west\"");
   return push_meeting<D>(L, "edge", 2, meeting_names(D, 2));
 }
 
@@ -157,10 +157,9 @@ int dimension_of(const Arguments& a, const nurbs::Patch& patch) {
   const char* kinds[] = {"curve", "surface", "volume"};
   a.refuse("patch", "a surface in the plane, or a volume in 3D",
            text("this one is a ", kinds[dimensions - 1], patch.dimension() == 2 ? " in the plane" : " in 3D",
-                dimensions == 2
-                    ? ": make a volume of it with sg.nurbs.extrude, or bring a flat one into the plane with "
-                      "patch:to_plane()"
-                    : ""));
+                dimensions == 2 ? ": make a volume with sg.nurbs.extrude, or convert a flat surface to the plane with "
+                                  "patch:to_plane()"
+                                : ""));
 }
 
 /// Checks the size of a body before it is created: refuses bodies that do not fit, warns of large ones.
@@ -174,18 +173,18 @@ void check_size(const nurbs::Plan& plan, int dimensions) {
   const double unknowns = dimensions * points, table = 8 * elements * functions * functions * dimensions; // bytes
   const std::string list = listed(plan.elements);
   const auto refuse = [&](const auto&... why) {
-    fail("elements = {", list, "} make ", why..., ": take fewer elements");
+    fail("elements = {", list, "} make ", why..., ": use fewer elements");
   };
   const auto count = [](double value) { return text(static_cast<long long>(value)); };
   if (unknowns > most_unknowns)
-    refuse("at least ", count(unknowns), " unknowns, and ", count(most_unknowns), " is the most");
+    refuse("at least ", count(unknowns), " unknowns, more than the maximum of ", count(most_unknowns));
   if (table > main_memory())
     refuse("at least ", count(unknowns), " unknowns, and tables at Gauss points of ", count(std::ceil(table / 1e9)),
            " GB, more than the ", count(main_memory() / 1e9), " GB of this machine");
   constexpr double many_unknowns = 1e6;
   if (unknowns > many_unknowns)
     warn(text("sg.body: elements = {", list, "} make at least ", count(unknowns), " unknowns and tables of ",
-              number(std::round(table / 1e8) / 10), " GB: making them takes a while, and solving much longer"));
+              number(std::round(table / 1e8) / 10), " GB: making the body takes a while, solving takes much longer"));
 }
 
 template <int D> int push_body(lua_State* L, const nurbs::Patch& patch, const nurbs::Plan& plan, const Arguments& a) {

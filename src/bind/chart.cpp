@@ -22,7 +22,7 @@ std::vector<int> read_kinds(const Arguments& chart, const Arguments& curve, std:
     const int place = place_of(name, known);
     if (place == static_cast<int>(known.size())) {
       if (chart.has("marks"))
-        chart.fail(curve.name("marks"), "[", kinds.size() + 1, "] is '", name, "', which the chart's marks do not list",
+        chart.fail(curve.name("marks"), "[", kinds.size() + 1, "] is '", name, "', which is not in the chart's marks",
                    did_you_mean(name, known), "; known: ", listed(known));
       known.push_back(name);
     }
@@ -55,10 +55,10 @@ view::Series read_series(lua_State* L, const Arguments& chart, int number, const
       fail("marks", " must have as many names as the curve has points, ", series.y.size(), ", got ",
            series.marks.size());
   }
-  if (series.arrows && !series.line) fail("arrows", " stand on the line, which line = false takes away");
+  if (series.arrows && !series.line) fail("arrows", " need a line, but line = false");
   const bool marked = series.markers.value_or(false) && series.marker != view::no_marker;
   if (!series.line && series.marks.empty() && !marked)
-    fail("line", " = false shows neither line nor markers: set markers = true");
+    fail("line", " = false without markers shows nothing: set markers = true");
   return series;
 }
 
@@ -105,7 +105,7 @@ int chart(lua_State* L) {
   options.legend = read_legend(a);
   for (std::size_t i = 0; i < options.marks.size(); ++i)
     if (place_of(options.marks[i], options.marks) < static_cast<int>(i))
-      a.fail("marks[", i + 1, "] is '", options.marks[i], "' once more: name each kind of points once");
+      a.fail("marks[", i + 1, "] is '", options.marks[i], "' again: name each kind of points once");
   const auto log = a.get<std::string>("log");
   options.log_x = log == "x" || log == "xy";
   options.log_y = log == "y" || log == "xy";
@@ -120,7 +120,7 @@ int chart(lua_State* L) {
     series.push_back(read_series(L, a, static_cast<int>(i), x, options.marks));
     lua_pop(L, 1);
   }
-  if (series.empty()) a.fail("no curve is given: add { y = {…}, label = … } to its arguments");
+  if (series.empty()) a.fail("at least one curve is needed, got none: add { y = {…}, label = … }");
   const std::string curves = text(series.size(), series.size() == 1 ? " curve" : " curves");
   return push_flat(L, a, options, text("chart of ", curves),
                    [series](const view::ChartOptions& sized) { return view::chart_figure(series, sized); });

@@ -268,8 +268,8 @@ void check_kinds(const Film<Picture>& film) {
   for (const Picture* one : film)
     require(one->content->index() == film[0]->content->index() && parts(*one) == parts(*film[0]) &&
                 solid(*one) == solid(*film[0]),
-            "the pictures of a film must show the same in the same arrangement, but a ", one->description,
-            " stands where the first one has a ", film[0]->description);
+            "the pictures of a film must have the same contents and arrangement, but a ", one->description,
+            " takes the place of a ", film[0]->description);
 }
 
 Part part_of(const Film<Picture>& film, const Ranges& ranges) {

@@ -36,8 +36,8 @@ void mkdir(const std::string& path) {
   std::error_code error;
   std::filesystem::create_directories(path, error);
   if (error || !std::filesystem::is_directory(path))
-    fail("cannot make the folder '", path, "' (", error ? error.message() : "it is a file",
-         "): choose a place that can be written to");
+    fail("cannot create the folder '", path, "' (", error ? error.message() : "it is a file",
+         "): choose a place with write permission");
 }
 
 /// core.describe(value): a value as error messages print it.

@@ -37,7 +37,7 @@ Patch extrude(const Arguments& a) {
   const auto along = a.get<VectorX>("along");
   if (patch.parametric_dimension() == 2 && patch.dimension() == 2 && along.size() == 2)
     a.refuse("along", "a list of 3 numbers {x, y, z}",
-             "a plane surface lies in z = 0 and is swept out of its plane, as by {0, 0, 1}");
+             "a plane surface lies in z = 0 and must be extruded out of its plane, for example by {0, 0, 1}");
   return nurbs::extrude(patch, along);
 }
 
@@ -52,8 +52,8 @@ Patch revolve(const Arguments& a) {
   // A right-handed section at x > 0 gives a right-handed volume about −y.
   const VectorX axis = vector("axis", plane ? Vec<3>(0, -1, 0) : Vec<3>(0, 0, 1));
   if (plane && patch.parametric_dimension() == 2 && axis(0) == 0 && axis(1) == 0)
-    a.fail("axis is normal to the plane of the patch, z = 0, in which the patch would only turn: give an axis in the ",
-           "plane, as {0, -1}, or leave it out");
+    a.fail("axis must not be normal to the plane of the patch, z = 0: give an axis in the plane, such as {0, -1}, or ",
+           "omit it");
   return nurbs::revolve(plane ? nurbs::to_space(patch) : patch, vector("point", VectorX::Zero(3)), axis,
                         a.get<double>("angle"));
 }

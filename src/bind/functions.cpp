@@ -141,9 +141,7 @@ void make_metatable(lua_State* L, const char* name, const Implementation& type) 
 
 int raise(lua_State* L, const std::exception& error) {
   std::string message = user_position(L), reason = worded(error);
-  if (dynamic_cast<const std::bad_alloc*>(&error))
-    reason =
-        "what was asked for does not fit into the memory of this machine: ask for fewer elements, points or pixels";
+  if (dynamic_cast<const std::bad_alloc*>(&error)) reason = "not enough memory: use fewer elements, points or pixels";
   if (!dynamic_cast<const ArgumentError*>(&error) && lua_isstring(L, lua_upvalueindex(1))) {
     // Errors of lower modules lack the name of the function.
     message += std::string(function_name(L)) + ": ";

@@ -140,7 +140,7 @@ double read_member(lua_State* L, const std::string& path, const std::vector<view
   const auto name = to<std::string>(L, -1);
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end())
-    throw ArgumentError(text(function_name(L), ": ", path, " is '", name, "', which is no category",
+    throw ArgumentError(text(function_name(L), ": ", path, " is '", name, "', which is not a category",
                              did_you_mean(name, names), "; known: ", listed(names)));
   return static_cast<double>(found - names.begin());
 }
@@ -150,7 +150,7 @@ double read_cell(lua_State* L, const std::string& path) {
   if (is_gap(L)) return blank;
   if (lua_type(L, -1) != LUA_TNUMBER)
     reject(L, -1, {path}, "a number, nil or nan",
-           lua_type(L, -1) == LUA_TSTRING ? "to map names, list them in categories = { { name = … }, … }" : "");
+           lua_type(L, -1) == LUA_TSTRING ? "for names, give categories = { { name = … }, … }" : "");
   return lua_tonumber(L, -1);
 }
 

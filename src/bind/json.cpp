@@ -39,7 +39,7 @@ struct Reader {
     const auto length = static_cast<lua_Integer>(lua_rawlen(L, index));
     const std::set<std::string> names = keys_of(L, index, length, path);
     if (!names.empty() && length > 0)
-      throw ArgumentError(text(path, " has names and a list in one table: put the list under a name"));
+      throw ArgumentError(text(path, " mixes names and a list in one table: put the list under a name"));
     Json json = names.empty() ? Json::array() : Json::object();
     for (lua_Integer i = 1; i <= length; ++i) {
       lua_rawgeti(L, index, i);
@@ -115,7 +115,7 @@ int write_json(lua_State* L) {
 /// core.read_json(text): the value of a JSON text; null becomes nil.
 int read_json(lua_State* L) {
   const Json json = Json::parse(to<std::string>(L, 1), nullptr, false);
-  require(!json.is_discarded(), "the text is no JSON");
+  require(!json.is_discarded(), "the text is not valid JSON");
   push_json(L, json);
   return 1;
 }

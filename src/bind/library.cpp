@@ -42,8 +42,8 @@ fs::path find_home() {
   for (const fs::path& place : places)
     if (fs::exists(place / "lua/signorini.lua")) return fs::canonical(place);
   const auto normal = [](const fs::path& place) { return place.lexically_normal().string(); };
-  fail("the library lua/signorini.lua is not in ", joined_by(", ", places, normal),
-       ": install the program with cmake --install, or set SIGNORINI_HOME to the folder that holds lua/");
+  fail("the library lua/signorini.lua was not found in ", joined_by(", ", places, normal),
+       ": install the program with cmake --install, or set SIGNORINI_HOME to the folder that contains lua/");
 }
 
 fs::path find_share() {
@@ -59,9 +59,9 @@ std::string find_script(const std::string& name) {
 }
 
 void write_new_study(const std::string& file) {
-  require(file.ends_with(".lua"), "--new takes the name of a Lua file, got '", file, "': write ", file, ".lua");
-  require(!std::filesystem::exists(file), "--new: there is a file '", file,
-          "' already, which stays as it is: choose another name");
+  require(file.ends_with(".lua"), "--new needs the name of a Lua file, got '", file, "': write ", file, ".lua");
+  require(!std::filesystem::exists(file), "--new: the file '", file,
+          "' exists already and is not overwritten: choose another name");
   write_whole(file, read_whole((find_share() / "starter.lua").string()));
 }
 

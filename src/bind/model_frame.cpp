@@ -212,7 +212,7 @@ view::Body picture_body(tessellation::Skin skin, const Showing& showing) {
 template <int D> view::Panel show(const model::Model<D>& model, const Showing& showing, const std::optional<Cut>& cut) {
   const bool pressure = showing.field == pressure_name;
   require(D == 2 || !pressure || !model.system.contacts.empty(), "field '", pressure_name,
-          "': the model has no contact, and so no pressure; name contacts in sg.model, or draw another field");
+          "' needs a contact, and the model has none: add contacts to sg.model, or draw another field");
   const model::Field<D>* field = showing.field.empty() || pressure ? nullptr : &model::find_field<D>(showing.field);
   view::Panel panel;
   panel.windows = showing.windows;

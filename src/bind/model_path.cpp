@@ -30,7 +30,7 @@ template <int D> std::vector<std::string> driven(const model::Model<D>& model, c
 template <int D> void set_target(model::Model<D>& model, const std::string& name, lua_State* L) {
   const int drive = find_drive(model, name);
   require(drive >= 0, "name '", name,
-          "': this support drives nothing: give it drive = \"x\", \"xy\" or the like in sg.model");
+          "': this support has no driven component: add drive = \"x\" or similar in sg.model");
   const auto values = to<std::vector<double>>(L, 3);
   const std::size_t count = driven(model, name).size();
   if (values.size() != count)
@@ -101,7 +101,7 @@ template <int D> Snapshot<D> snapshot(const Model<D>& model) {
 }
 
 template <int D> void restore(const Model<D>& model, const Snapshot<D>& snapshot, lua_State* L) {
-  if (snapshot.model != model) reject(L, 2, {"snapshot"}, "a snapshot of this model", "it was taken of another model");
+  if (snapshot.model != model) reject(L, 2, {"snapshot"}, "a snapshot of this model", "it belongs to another model");
   model::restore(*model, snapshot.state);
 }
 
@@ -155,7 +155,8 @@ template <int D> int unknowns(const model::Model<D>& model, lua_State* L) {
 
 template <int D> void move(model::Model<D>& model, const VectorX& change, lua_State* L) {
   const int count = model.system.unknowns.size();
-  if (change.size() != count) reject(L, 2, {"du"}, text("a list of ", count, " numbers, as model:residual() is"));
+  if (change.size() != count)
+    reject(L, 2, {"du"}, text("a list of ", count, " numbers, as many as model:residual() has"));
   model::move_by(model, change);
 }
 

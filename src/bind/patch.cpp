@@ -34,7 +34,7 @@ int basis(const Patch& patch, const VectorX& xi, lua_State* L) {
 
 Patch refine(const Patch& patch, const Arguments& a) {
   const auto elements = a.get<std::vector<int>>("elements", {}), degree = a.get<std::vector<int>>("degree", {});
-  if (a.has("grading") && elements.empty()) a.fail("grading needs elements, the number of those that it distributes");
+  if (a.has("grading") && elements.empty()) a.fail("grading needs elements, the number of elements to distribute");
   auto gradings = gradings_of(a, "grading");
   gradings.resize(patch.directions().size());
   Patch refined = patch;
@@ -48,7 +48,7 @@ Patch refine(const Patch& patch, const Arguments& a) {
 
 Patch face_of_patch(const Patch& patch, const std::string& name) {
   require(patch.parametric_dimension() > 1,
-          "a curve has two end points, and no faces: evaluate it at its first and last knot, as in curve(0)");
+          "a curve has end points, but no faces: evaluate it at its first and last knot, as in curve(0)");
   return nurbs::face(patch, nurbs::side_of(name, patch.parametric_dimension()));
 }
 
@@ -89,7 +89,7 @@ Patch mirror(const Patch& patch, const Arguments& a) {
 }
 
 int swap(const Patch& patch, lua_State* L) {
-  require(patch.parametric_dimension() > 1, "a curve has one parametric direction, and nothing to exchange it with");
+  require(patch.parametric_dimension() > 1, "a curve has only one parametric direction, two are needed");
   const int i = direction_at(L, 2), j = direction_at(L, 3);
   if (i == j) reject(L, 3, {"j"}, "another direction than i");
   push(L, nurbs::swap_directions(patch, i, j));
@@ -103,8 +103,8 @@ int write_to(lua_State* L, int file_index, const std::vector<Patch>& patches) {
   const auto file = to<std::string>(L, file_index);
   const auto form = lua_isnoneornil(L, 3) ? exchange::form_named_by(file) : to<std::string>(L, 3);
   if (form.empty())
-    reject(L, file_index, {"file", "where the patches go"}, "a name that ends with .xml, .txt or .mesh",
-           "or give the format as well: " + one_of(exchange::forms()));
+    reject(L, file_index, {"file", "name of the file"}, "a name that ends with .xml, .txt or .mesh",
+           "or give also the format: " + one_of(exchange::forms()));
   exchange::write_patches(file, patches, form);
   return 0;
 }
@@ -163,7 +163,7 @@ std::vector<Patch> patches_of(const Arguments& a, const char* key) {
   a.list(key, [&](int, int index, const std::string& path) {
     patches.push_back(read_object<Patch>(a.state(), index));
     const int first = patches.front().dimension(), own = patches.back().dimension();
-    require(own == first, path, " is in ", own, "D and patch[1] in ", first, "D; keep them in files of their own");
+    require(own == first, path, " is in ", own, "D and patch[1] in ", first, "D: write them to separate files");
   });
   return patches;
 }

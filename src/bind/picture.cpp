@@ -45,7 +45,7 @@ void write_picture(const Picture& picture, const std::string& file) {
 /// Writes a series of files, or a film.
 void write_film(const std::vector<Picture>& pictures, const std::string& file, double rate) {
   require(!view::is_film(file) || !pictures[0].transparent,
-          "transparent has no meaning for a film: draw a series of pictures, file = \"x-%04d.png\"");
+          "transparent is not available for films: draw a series of pictures, file = \"x-%04d.png\"");
   const view::Format format = view::series_format(file);
   const auto figures = figures_of(pictures);
   std::optional<std::array<int, 2>> size;
@@ -54,7 +54,7 @@ void write_film(const std::vector<Picture>& pictures, const std::string& file, d
     if (!size) size = figure.size;
     require(figure.size == *size, "picture ", i + 1, " has ", figure.size[0], " × ", figure.size[1],
             " pixels and the first one ", (*size)[0], " × ", (*size)[1],
-            ": give the pictures of a film one size {width, height}");
+            ": use the same size {width, height} for all pictures of a film");
     return view::bytes_of(figure, format, pictures[0].transparent);
   });
 }
@@ -67,7 +67,7 @@ void check_ending(const std::string& file, bool may_be_series) {
     else if (!file.empty())
       view::format_of(file);
   } catch (const Error& error) {
-    fail(worded(error), may_be_series ? "; several states may also make a series, \"x-%04d.png\", or a film, .mp4 or "
+    fail(worded(error), may_be_series ? "; for several states also a series, \"x-%04d.png\", or a film, .mp4 or "
                                         ".ogv"
                                       : "");
   }
@@ -115,7 +115,7 @@ int picture_of_many(lua_State* L, const Arguments& a, const std::string& file) {
     return sheet;
   };
   if (view::is_series(file)) {
-    if (columns) a.fail("columns has no meaning for a series, whose pictures show one state each: leave it out");
+    if (columns) a.fail("columns is not available for a series, whose pictures show one state each: omit it");
     std::vector<Picture> film;
     for (const auto& pictures : by_state) film.push_back(on_paper(make_sheet({pictures, title})));
     write_film(film, file, a.get<double>("fps"));
@@ -162,7 +162,8 @@ std::vector<Picture> read_pictures(lua_State* L) {
     }
   };
   add(1);
-  if (pictures.empty()) throw ArgumentError(text(function_name(L), ": no picture is given: the list of them is empty"));
+  if (pictures.empty())
+    throw ArgumentError(text(function_name(L), ": at least one picture is needed, got an empty list"));
   return pictures;
 }
 

@@ -75,7 +75,8 @@ view::Body pressure_band(const model::Model<2>& model, int contact, const Showin
 template <int D>
 std::vector<view::PointVector> tractions(const model::Model<D>& model, const std::vector<int>& bodies) {
   const auto& contacts = model.system.scene.contacts;
-  require(!contacts.empty(), "vectors = \"traction\": the model has no contact; name contacts in sg.model");
+  require(!contacts.empty(),
+          "vectors = \"traction\" needs a contact, and the model has none: add contacts to sg.model");
   std::vector<view::PointVector> vectors;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     if (std::count(bodies.begin(), bodies.end(), contacts[c].slave.body) == 0) continue;

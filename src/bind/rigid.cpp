@@ -31,8 +31,7 @@ int cylinder(const Arguments& a, lua_State* L) {
   const auto center = a.get<VectorX>("center"), axis = a.get<VectorX>("axis", {});
   const bool plane = center.size() == 2;
   if (plane && axis.size() > 0)
-    a.fail("axis is for cylinders in 3D, whose center is {x, y, z}: in the plane the axis is normal to it, leave axis ",
-           "out");
+    a.fail("axis is for cylinders in 3D, whose center is {x, y, z}; a cylinder in the plane is a disc: omit axis");
   if (plane) return round<RigidForm::cylinder>(a, L);
   if (axis.size() == 0) a.refuse("axis", "a list of 3 numbers {x, y, z}, its direction");
   return push_obstacle<3>(L, RigidForm::cylinder, contact::make_cylinder(center, axis, a.get<double>("radius")));

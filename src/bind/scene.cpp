@@ -57,8 +57,8 @@ template <int D> contact::Region<D> read_region(const Arguments& a, const std::s
     push(L, VectorX(place));
     lua_call(L, 1, 1);
     if (!lua_isboolean(L, -1))
-      fail(name, " must return true or false, it returned ", describe(L, -1),
-           ": write a comparison behind return, as in return X[1] <= 150");
+      fail(name, " must return true or false, got ", describe(L, -1),
+           ": return a comparison, as in return X[1] <= 150");
     const bool acts = lua_toboolean(L, -1) != 0;
     lua_settop(L, top);
     return acts;
@@ -75,7 +75,7 @@ template <int D> model::Contact<D> read_contact(Draft<D>& draft, const Arguments
     contact.master = draft.face(L, master, a.name("master"));
   const auto* face = std::get_if<model::FaceReference>(&contact.master);
   require(!face || contact.slave != *face, a.name("master"), " is the same face as ", a.name("slave"),
-          "; a face cannot touch itself: name a face of the other body");
+          "; self-contact is not available: use a face of the other body");
   contact.method = read_method<D>(a);
   contact.points = a.has("points") ? a.get<int>("points") : default_points(draft.scene, contact.slave);
   contact.where = read_region<D>(a, name);
@@ -87,8 +87,7 @@ template <int D> std::vector<model::NamedBody<D>> read_bodies(const Arguments& a
   a.each("bodies", [&](const std::string& name, int index, const std::string& path) {
     const Body<D>& body = read_object<Body<D>>(a.state(), index, {path});
     for (const auto& other : bodies)
-      if (other.body == body)
-        a.fail(path, " is the same body as bodies.", other.name, ": make one with sg.body for each");
+      if (other.body == body) a.fail(path, " is the same body as bodies.", other.name, ": make each with sg.body");
     bodies.push_back({name, body});
   });
   return bodies;
@@ -100,7 +99,7 @@ void check_name(const Arguments& a, const model::Scene<D>& scene, const std::str
   const auto clash = [&](const auto& items, const char* kind) {
     if (std::any_of(items.begin(), items.end(), [&](const auto& item) { return item.name == name; }))
       a.fail(path, " has the name of a ", kind, ": columns such as '", name,
-             ".fx' would mean both; choose another name");
+             ".fx' would be ambiguous; choose another name");
   };
   clash(scene.supports, "support");
   clash(scene.loads, "load");
@@ -129,8 +128,7 @@ void revolve(model::Scene<2>& scene) {
 template <int D> int push_model(const Arguments& a, lua_State* L) {
   Draft<D> draft;
   model::Scene<D>& scene = draft.scene;
-  if (D == 3 && a.has("kind"))
-    a.fail("kind says what the plane stands for, but the bodies are solids in 3D: leave it out");
+  if (D == 3 && a.has("kind")) a.fail("kind is for plane models, but the bodies are solids in 3D: omit it");
   if (a.get<std::string>("kind") == "axisymmetric") scene.kind = solid::Kind::axisymmetric;
   scene.bodies = read_bodies<D>(a);
   const auto each = [&](const char* key, const auto& add) {
@@ -168,7 +166,7 @@ constexpr Function scene_functions[] = {{"model", call<make_model>}};
 
 template <int D> int Draft<D>::index_of(const BoundaryPart<D>& place, const std::string& where) const {
   const auto found = std::ranges::find(scene.bodies, place.body, &model::NamedBody<D>::body);
-  require(found != scene.bodies.end(), where, " is on a body that is not in bodies: add it there");
+  require(found != scene.bodies.end(), where, " is on a body that is not in bodies: add the body");
   return static_cast<int>(found - scene.bodies.begin());
 }
 

@@ -14,7 +14,7 @@ bool has_type(lua_State* L, int index, const char* name) {
 void reject_dimension(const Argument& argument, const char* name, int expected) {
   const char *plane = "in the plane", *space = "in 3D";
   fail(argument.name, " must be ", with_article(name), " ", expected == 2 ? plane : space, ", got one ",
-       expected == 2 ? space : plane, ": the parts of a model are all in the plane, or all in 3D");
+       expected == 2 ? space : plane, ": all parts of a model must be in the plane, or all in 3D");
 }
 
 void count_memory(lua_State* L, double bytes) {

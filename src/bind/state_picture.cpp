@@ -31,8 +31,8 @@ std::optional<Cut> read_cut(const Arguments& a) {
   const bool along_axis = is_string(c, "normal");
   Cut cut{along_axis ? axis_of(c.get<std::string>("normal")) : read_direction(c, "normal")};
   if (c.has("at")) {
-    if (!along_axis) c.fail("at needs an axis as normal, such as \"y\"; with a vector give point");
-    if (c.has("point")) c.fail("has both at and point: leave one of them out");
+    if (!along_axis) c.fail("at needs an axis as normal, such as \"y\"; with a vector use point");
+    if (c.has("point")) c.fail("has both at and point: remove one of the two");
     cut.point = c.get<double>("at") * cut.normal.cwiseAbs();
   }
   if (c.has("point")) cut.point = c.get<VectorX>("point");
@@ -134,12 +134,12 @@ void read_lines(const Arguments& a, view::PictureOptions& options, const Showing
 StatePicture read_view(const Arguments& a, Showing& showing, bool solid, const std::optional<Cut>& cut,
                        const std::array<int, 2>& size) {
   for (const char* key : {"cut", "camera", "ruler"})
-    if (!solid && a.has(key)) a.fail(key, " is for models of solids, this one is plane: leave it out");
+    if (!solid && a.has(key)) a.fail(key, " is for models of solids, but this model is plane: omit it");
   if (!solid && showing.mirror.find('z') != std::string::npos) a.refuse("mirror", "'x', 'y' or 'xy' of plane models");
   if (!showing.deformed && a.has("marks"))
-    a.fail("marks stand in the present state, which deformed = false hides: leave one of them out");
+    a.fail("marks are in the present state, which deformed = false hides: remove one of the two");
   if (!showing.deformed && showing.vectors == "traction")
-    a.fail("tractions act in the present state, which deformed = false hides: leave one of them out");
+    a.fail("tractions act in the present state, which deformed = false hides: remove one of the two");
   StatePicture picture;
   view::PictureOptions& options = picture.options;
   a.read("colormap", options.colormap, "bar", options.bar, "unit", options.unit, "ruler", options.ruler, "range",
@@ -218,7 +218,7 @@ Picture read_kept(const Arguments& a, const Snapshot<D>& kept, const std::string
                   const std::array<int, 2>& size) {
   if (a.has("model")) {
     const auto* named = test_object<Model<D>>(a.state(), a.push("model"));
-    if (!named || *named != kept.model) a.fail("model is another one than that of the kept state: leave it out");
+    if (!named || *named != kept.model) a.fail("model is not the model of the kept state: omit it");
   }
   const Return<D> back(kept.model);
   model::restore(*kept.model, kept.state);

@@ -14,7 +14,7 @@ using model::Hold;
 namespace {
 
 [[noreturn]] void reject_twice(const Arguments& a, const std::string& what) {
-  fail(a.name("on"), " lists ", what, " twice, expected once: take one of the two out");
+  fail(a.name("on"), " lists ", what, " twice, expected once: remove one of the two");
 }
 
 /// Reads components named by letters, such as "x" or "xy".
@@ -22,15 +22,15 @@ template <int D> void read_components(const Arguments& a, const char* key, Hold 
   if (!a.has(key)) return;
   const auto letters = a.get<std::string>(key);
   if (D == 2 && letters.find('z') != std::string::npos)
-    a.refuse(key, "'x', 'y' or 'xy'", "the bodies are plane, so nothing moves along z");
+    a.refuse(key, "'x', 'y' or 'xy'", "the bodies are plane and have no component z");
   for (char letter : letters) {
     Hold& component = support.hold[at(letter - 'x')];
     if (component != Hold::free && hold == Hold::free)
       a.fail("it frees ", letter, ", which it also ", component == Hold::fixed ? "fixes" : "drives",
-             ": free lists components that neither fix nor drive names, take it out of one of the two");
+             ": free is for components that are in neither fix nor drive, remove it from one of the two");
     if (component != Hold::free)
       a.fail("it both fixes and drives ", letter,
-             ": a component is either fixed or driven, take it out of one of the two");
+             ": a component is either fixed or driven, remove it from one of the two");
     component = hold;
   }
 }
@@ -39,10 +39,10 @@ template <int D> void read_components(const Arguments& a, const char* key, Hold 
 Vec<3> read_axis(const Arguments& a, int index) {
   lua_State* L = a.state();
   const char* expected = "'x', 'y', 'z', or a vector {x, y, z}";
-  if (lua_isboolean(L, index)) a.refuse("rotate", expected, "in 3D a face turns about an axis, as in rotate = \"z\"");
+  if (lua_isboolean(L, index)) a.refuse("rotate", expected, "in 3D a face rotates about an axis, as in rotate = \"z\"");
   if (lua_isstring(L, index)) return Vec<3>::Unit(*lua_tostring(L, index) - 'x');
   const Vec<3> axis = to<VectorX>(L, index);
-  if (!(axis.norm() > 0)) a.refuse("rotate", expected, "all of its components are 0, so it has no direction");
+  if (!(axis.norm() > 0)) a.refuse("rotate", expected, "a zero vector has no direction");
   return axis.normalized();
 }
 
@@ -69,11 +69,10 @@ template <int D> void read_rotation(const Arguments& a, model::Support<D>& suppo
   if constexpr (D == 3)
     support.axis = read_axis(a, given);
   else if (!lua_isboolean(L, given))
-    a.refuse("rotate", "true or false",
-             "the bodies are plane, so a face can only turn in the plane: write rotate = true");
+    a.refuse("rotate", "true or false", "plane bodies can only rotate in the plane: write rotate = true");
   const char* expected = D == 2 ? "one face" : "a face, or a list of faces";
-  const char* cure = D == 2 ? "what rotates is one face of a body; give other faces a support of their own"
-                            : "what rotates are faces of bodies; give other things a support of their own";
+  const char* cure = D == 2 ? "only one face of a body can rotate; use separate supports for other faces"
+                            : "only faces of bodies can rotate; use separate supports for others";
   if (D == 2 && lua_rawlen(L, a.push("on")) > 1) a.refuse("on", expected, cure);
   double size = 0;
   each_face<D>(a, expected, cure, [&](const BoundaryPart<D>& face) {
@@ -106,7 +105,7 @@ template <int D> void read_symmetry(const Arguments& a, const Draft<D>& draft, m
   if (!a.get<bool>("symmetry")) return;
   constexpr double flat = 1e-9; // relative to the body's size: rounding error of a plane
   const auto reject_symmetry = [&](const auto&... words) { fail(a.name("symmetry"), " ", words...); };
-  if (support.rotates) reject_symmetry("holds a plane, which rotate turns: take one of the two out");
+  if (support.rotates) reject_symmetry("cannot be combined with rotate: remove one of the two");
   std::optional<AxisPlane> plane;
   const char* cure = "what lies in a plane of symmetry are faces of bodies; give other things a support of their own";
   each_face<D>(a, "a face, or a list of faces", cure, [&](const BoundaryPart<D>& face) {
@@ -116,22 +115,22 @@ template <int D> void read_symmetry(const Arguments& a, const Draft<D>& draft, m
     const double tolerance = flat * (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
     const std::optional<AxisPlane> found = plane_of<D>(points(Eigen::all, face.functions), tolerance);
     if (!found)
-      reject_symmetry("needs a flat face across ", D == 2 ? "x or y" : "x, y or z", ", but ", words,
-                      " is curved or inclined: turn an inclined plane across an axis by patch:rotate, of all bodies "
-                      "alike");
+      reject_symmetry(
+          "needs a flat face across ", D == 2 ? "x or y" : "x, y or z", ", but ", words,
+          " is curved or inclined: rotate all bodies with patch:rotate so that the plane is normal to an axis");
     if (draft.scene.kind == solid::Kind::axisymmetric && found->axis == 0 && std::abs(found->place) > tolerance)
       reject_symmetry("needs the axis x = 0 or a face across y, but ", words, " is a cylinder of radius ",
-                      number(found->place), ": fix = \"x\" holds its radius");
+                      number(found->place), ": use fix = \"x\" to fix its radius");
     if (plane && (plane->axis != found->axis || std::abs(plane->place - found->place) > tolerance))
       reject_symmetry("needs faces in one plane, but ", words, " lies in ", found->words(), ", the one before in ",
-                      plane->words(), ": give each plane a support of its own");
+                      plane->words(), ": use a separate support for each plane");
     plane = found;
   });
   const std::string normal = model::component_name(plane->axis);
   for (const char* key : {"drive", "free"})
     if (a.has(key) && a.get<std::string>(key).find(normal) != std::string::npos)
       reject_symmetry("holds ", normal, " on the plane ", plane->words(), ", but ", key, " names ", normal,
-                      " as well: take one of the two out");
+                      ", too: remove one of the two");
   support.hold[at(plane->axis)] = Hold::fixed;
 }
 
@@ -160,8 +159,8 @@ template <int D> model::Support<D> read_support(Draft<D>& draft, const Arguments
   read_rotation(a, support);
   read_symmetry(a, draft, support);
   if (support.hold == std::array<Hold, D>{} && !support.rotates)
-    a.fail("it holds nothing: add fix = \"xy\", drive = \"xy\", ", D == 2 ? "rotate = true" : "rotate = \"z\"",
-           " or symmetry = true");
+    a.fail("it must hold at least one component: add fix = \"xy\", drive = \"xy\", ",
+           D == 2 ? "rotate = true" : "rotate = \"z\"", " or symmetry = true");
   return support;
 }
 

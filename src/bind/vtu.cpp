@@ -107,7 +107,7 @@ exchange::BezierGrid grid_of(const std::vector<nurbs::Patch>& patches) {
 exchange::BezierGrid read_grid(const Arguments& a) {
   if (a.has("patch")) {
     for (const char* key : {"model", "deformed"})
-      if (a.has(key)) a.fail(key, " is for models, and patch is not part of one: leave one of them out");
+      if (a.has(key)) a.fail(key, " is for models, not for patches: remove one of the two");
     return grid_of(patches_of(a, "patch"));
   }
   if (!a.has("model")) a.refuse("model", "a model");

@@ -213,7 +213,7 @@ check.case("files: a folder, paths that are kept, what is left out, and the list
   assert(io.open(folder .. "/deep/x", "w")):close() -- the folder is there
   check.fails(function() files(3) end, "sg.files: the name of a file must be a string, got the number 3")
   check.fails(function() sg.files() end, "sg.files: folder (name of the folder) is missing")
-  check.fails(function() sg.files(folder .. "/deep/x") end, "cannot make the folder")
+  check.fails(function() sg.files(folder .. "/deep/x") end, "cannot create the folder")
 end)
 
 check.case("the median leaves the list as it is", function()

@@ -151,13 +151,13 @@ check.case("wrong arguments", function()
     { { [1] = { x = { 1 } } }, "[1].y", "is missing" },
     { { [1] = { y = { 1, 2 } } }, "[1].y must have as many values as x, 3, got 2" },
     { { [1] = { y = { 1, "2", 3 } } }, "[1].y[2] must be a number", "remove the quotes" },
-    { { [1] = { y = { 1, 2, 3 }, line = false } }, "neither line nor markers" },
+    { { [1] = { y = { 1, 2, 3 }, line = false } }, "without markers shows nothing" },
     { { file = folder .. "/chart.gif" }, "sg.chart", "chart.gif" },
     { { file = folder .. "/none/chart.png" }, "sg.chart", "none" },
     { { log = "y", [1] = { y = { 0, 1, 2 } } }, "sg.chart", "log" },
     { { [1] = { y = { 1, 2, 3 }, color = 0 } }, "[1].color must be the number of a curve", "give a value from 1" },
     { { [1] = { y = { 1, 2, 3 }, marker = "star" } }, "[1].marker must be 'circle', 'square'", "'none'" },
-    { { [1] = { y = { 1, 2, 3 }, line = false, markers = true, marker = "none" } }, "neither line nor markers" },
+    { { [1] = { y = { 1, 2, 3 }, line = false, markers = true, marker = "none" } }, "without markers shows nothing" },
     { { [1] = { y = { 1, 2, 3 }, width = -1 } }, "[1].width must be a positive number" },
     { { xticks = { 1, 2 } }, "xticks[1] must be a pair {position, text}" },
     { { xticks = { { 1, 2 } } }, "xticks[1][2] must be a string" },
@@ -171,7 +171,7 @@ check.case("wrong arguments", function()
     { { inset = { range = { 1, 2 } } }, "unknown argument 'range'", "xrange" },
   }
   for _, case in ipairs(wrong) do check.fails(function() sg.chart(chart(case[1])) end, table.unpack(case, 2)) end
-  check.fails(function() sg.chart { file = "a.png" } end, "no curve is given")
+  check.fails(function() sg.chart { file = "a.png" } end, "at least one curve is needed, got none")
   check.fails(function() sg.chart { file = "a.png", { y = { 1 } } } end, "[1].x is missing")
   check.fails(function() sg.chart(3) end, "sg.chart takes a table of named arguments, got the number 3")
 end)

@@ -50,10 +50,10 @@ check.case("wrong arguments", function()
   fails(nil, "error (", "is missing")
   fails({ error = "dPx" }, "at_most (tolerance of the error) is missing: it must be a positive number")
   fails({ error = "dPx", at_most = "5%" },
-    "at_most must be a positive number (largest error that is allowed), got the string '5%'")
-  fails({ error = "dPx", at_most = 0 / 0 }, "at_most must be a finite number (largest error that is allowed), got nan")
+    "at_most must be a positive number (tolerance of the error), got the string '5%'")
+  fails({ error = "dPx", at_most = 0 / 0 }, "at_most must be a finite number (tolerance of the error), got nan")
   fails({ error = "dPx", at_most = 0 },
-    "at_most must be a positive number (largest error that is allowed), got the number 0")
+    "at_most must be a positive number (tolerance of the error), got the number 0")
   fails({ error = "dPx", atmost = 1 }, "unknown argument 'atmost'", "did you mean 'at_most'?")
   fails({ error = "dPx", at_most = 1, cost = "time" }, "cost must be")
   fails({ error = "dPx", at_most = 1, cost = "order" },

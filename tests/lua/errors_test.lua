@@ -101,7 +101,7 @@ check.case("messages name the cure that helps", function()
     "xi must be a number (parametric coordinates), got the string '0.5': remove the quotes")
   check.near(c(1 + 1e-13), { 2, 0 }, 1e-12)
   check.fails(function() c(1 + 1e-10) end, "xi = 1 is outside the knots, [0, 1], by 1.0000")
-  check.fails(function() c:face "south" end, "patch:face: a curve has two end points, and no faces")
+  check.fails(function() c:face "south" end, "patch:face: a curve has end points, but no faces")
   check.fails(function() p:face "top" end, "face must be one of ",
     "the ends of xi1 and xi2, got 'top'. Hint: did you mean 'north'?")
   local message = check.fails(function() p:face "nonsense" end, "the ends of xi1 and xi2, got 'nonsense'")

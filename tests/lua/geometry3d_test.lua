@@ -181,7 +181,7 @@ check.case("plane patches are swept out of their plane", function()
   check.near(sg.nurbs.revolve { patch = section, point = { 3, 0 }, axis = { 0, -1 }, angle = 90 } { 1, 0, 1 },
     { 3, 0, 1 })
   check.fails(function() sg.nurbs.revolve { patch = section, axis = { 0, 0, 1 } } end,
-    "axis is normal to the plane of the patch")
+    "axis must not be normal to the plane of the patch")
   local disc = sg.nurbs.revolve { patch = sg.nurbs.line { from = { 1, 0 }, to = { 2, 0 } }, axis = { 0, 0, 1 },
     angle = 90 }
   check.near(disc { 1, 1 }, { 0, 2, 0 })

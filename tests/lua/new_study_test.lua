@@ -34,7 +34,7 @@ check.case("a file that exists stays, a folder must be there, and the name ends 
   core.write_file(folder .. "/mine.lua", "-- mine")
   local output, status = run "--new mine.lua"
   check.equal(status, 1)
-  check.holds(output, "there is a file 'mine.lua' already", "choose another name")
+  check.holds(output, "the file 'mine.lua' exists already", "choose another name")
   check.equal(core.read_file(folder .. "/mine.lua"), "-- mine")
   for arguments, words in pairs { ["--new mine"] = "write mine.lua", ["--new no/folder.lua"] = "no/folder.lua" } do
     output, status = run(arguments)

@@ -138,7 +138,7 @@ check.case("wrong moves", function()
   local model = scene()
   local count = #model:residual()
   check.fails(function() model:move { 1, 2 } end,
-    ("model:move: du must be a list of %d numbers, as model:residual() is"):format(count),
+    ("model:move: du must be a list of %d numbers, as many as model:residual() has"):format(count),
     "got a list of 2 values")
   local change = zeros(model)
   change[3] = 0 / 0

@@ -232,7 +232,7 @@ check.case("wrong arguments", function()
   sg.sheet{ solid, flat, file = file }
   check.equal(check.png(file).width > check.png(file).height, true)
   check.fails(function() sg.film{ solid, flat, file = folder .. "/x-%d.png" } end,
-    "sg.film: the pictures of a film must show the same in the same arrangement")
+    "sg.film: the pictures of a film must have the same contents and arrangement")
 end)
 
 check.done()

@@ -134,7 +134,7 @@ check.case("films are made by VTK alone, of even size, whole or not at all", fun
   check.fails(function() sg.picture(film) end, "sg.picture: fps must be a whole number from 1 to 5000",
     "got 2.5")
   film.fps, film.transparent = 5, true
-  check.fails(function() sg.picture(film) end, "sg.picture: transparent has no meaning for a film", "x-%04d.png")
+  check.fails(function() sg.picture(film) end, "sg.picture: transparent is not available for films", "x-%04d.png")
   film.transparent, film.field = nil, "w"
   check.fails(function() sg.picture(film) end, "unknown field 'w'")
   check.equal(bytes "film/x'y.ogv" == first, true)
@@ -186,13 +186,13 @@ check.case("wrong arguments", function()
     { { states = {} }, "states must be a list of at least one state" },
     { { states = { 3 } }, "states[1] must be a state", "got the number 3" },
     { { states = { {} } }, "states[1] must be a state" },
-    { { states = states, model = other }, "model is another one than that of the kept state" },
+    { { states = states, model = other }, "model is not the model of the kept state" },
     { { model = model, field = "uy", fields = { "ux" } }, "fields cannot be combined with field" },
     { { model = model, fields = {} }, "fields must be a list of at least one name" },
     { { model = model, fields = { "ux", 3 } }, "fields[2] must be a name" },
     { { model = model, fields = { "ux", "uz" } }, "unknown field 'uz'" },
     { { model = model, fields = { "ux", "uy" }, label = "u" },
-      "label cannot be combined with fields, each of which has a color bar of its own" },
+      "label cannot be combined with fields, each of which has its own color bar" },
     { { model = model, fps = 3 }, "fps has no meaning without states" },
     { { model = model, scale = 0 }, "scale must be a positive number" },
     { { model = model, scale = 9 }, "makes 14400 pixels of 1600" },

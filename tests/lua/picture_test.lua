@@ -268,14 +268,14 @@ check.case("wrong arguments", function()
     { { model = model, marks = { { x = { 0 / 0, 2 } } } }, "marks[1].x[1] must be a finite number" },
     { { model = model, marks = { { x = { 1, 2 }, text = 3 } } }, "marks[1].text must be a string" },
     { { model = model, marks = { { x = { 1, 2 }, txt = "a" } } }, "marks[1]: unknown argument 'txt'", "'text'?" },
-    { { model = model, marks = { { x = { 1, 2 } } }, deformed = false }, "marks stand in the present state" },
+    { { model = model, marks = { { x = { 1, 2 } } }, deformed = false }, "marks are in the present state" },
     { { model = model, contours = true }, "contours has no meaning without field or fields" },
     { { model = model, field = "uy", contours = false }, "contours must be true, a whole number from 1 to 100 or" },
     { { model = model, field = "uy", contours = 0 }, "contours must be" },
     { { model = model, field = "uy", contours = {} }, "contours must be" },
     { { model = model, field = "uy", contours = { 7 } }, "contours must contain a value of the field" },
     { { model = model, vectors = "velocity" }, "vectors must be 'displacement' or 'traction'" },
-    { { model = model, vectors = "traction" }, "the model has no contact" },
+    { { model = model, vectors = "traction" }, "needs a contact, and the model has none" },
     { { model = model, vectors = "traction", deformed = false }, "tractions act in the present state" },
     { { model = model, axes = { "x" } }, "axes must be a list of 2 names" },
     { { model = model, axes = { "x", 2 } }, "axes[2] must be a string" },
@@ -287,7 +287,7 @@ check.case("wrong arguments", function()
   end
   check.fails(function() sg.sheet{ model } end, "sg.sheet: [1] must be a picture", "got a model")
   check.fails(function() sg.sheet{ { pictures[1], 3 } } end, "sg.sheet: [1][2] must be a picture", "got the number 3")
-  check.fails(function() sg.sheet{ {}, title = "none" } end, "sg.sheet: no picture is given")
+  check.fails(function() sg.sheet{ {}, title = "none" } end, "sg.sheet: at least one picture is needed")
   check.fails(function() sg.sheet{ pictures, range = "all" } end, "sg.sheet: range must be 'shared' or 'own'")
   check.fails(function() sg.sheet{ pictures, colums = 2 } end, "sg.sheet: unknown argument 'colums'", "'columns'?")
   check.fails(function() pictures[1]:write "a.gif" end, "picture:write: file 'a.gif' of a figure must end in .png")

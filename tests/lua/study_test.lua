@@ -38,7 +38,7 @@ check.case("a grid holds all combinations, the last name fastest", function()
   check.fails(function() sg.grid{ a = { 1, 0 / 0 } } end,
     "sg.grid: parameters.a[2] must be a value (a finite number", "got nan")
   check.fails(function() sg.grid{ a = { { name = "m1", 1 } } } end,
-    "it has names and a list in one table: put the list")
+    "it mixes names and a list in one table: put the list")
   check.equal(tostring(sg.grid{ a = { 0.5 }, mesh = { { 6, 2 }, { name = "m1", die = 1 } } }),
     "2 cases\n  a  mesh\n0.5  6×2\n0.5  m1")
   local list = {}
@@ -347,13 +347,13 @@ check.case("a folder that cannot be written to is an error before any case runs"
   check.shell(("mkdir -p %s; echo x >%s"):format(scratch, folder))
   local function execute(where) noted(where, { { a = 1 } }, function() return {} end):execute{} end
   check.fails(function() execute(folder) end, "study_test.lua",
-    "study:execute: cannot make the folder '" .. folder .. "/cases'")
+    "study:execute: cannot create the folder '" .. folder .. "/cases'")
   check.equal(calls(folder), 0)
   local inside = new_folder()
   local output = with_disk(inside, "ro", ([[%s -e "require(\"signorini\").study{ name = \"s\", folder = \"%s\",
     cases = { { a = 1 } }, run = function() print(1) return {} end }:execute{}"]]):format(arg[-1], inside))
   if output then
-    check.holds(output, "cannot make the folder '" .. inside .. "/cases'", "Read-only", "choose a place")
+    check.holds(output, "cannot create the folder '" .. inside .. "/cases'", "Read-only", "choose a place")
   end
 end)
 
