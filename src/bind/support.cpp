@@ -107,7 +107,7 @@ template <int D> void read_symmetry(const Arguments& a, const Draft<D>& draft, m
   const auto reject_symmetry = [&](const auto&... words) { fail(a.name("symmetry"), " ", words...); };
   if (support.rotates) reject_symmetry("cannot be combined with rotate: remove one of the two");
   std::optional<AxisPlane> plane;
-  const char* cure = "what lies in a plane of symmetry are faces of bodies; give other things a support of their own";
+  const char* cure = "only faces of bodies can be in a plane of symmetry; use separate supports for others";
   each_face<D>(a, "a face, or a list of faces", cure, [&](const BoundaryPart<D>& face) {
     const std::string words =
         worded(model::face_message(draft.scene, {draft.index_of(face, a.name("on")), *face.side}));

@@ -144,7 +144,7 @@ check.case("wrong inputs name the argument, what came, what was expected, and th
   fails({ profile = p, reference = r, quadrature = "gauss" }, "quadrature must be 'profile', 'reference' or 'union'")
   fails({ profile = p, reference = r, edge = "round" }, "edge must be 'point' or 'gap'")
   fails({ profile = p, reference = r, normalize = -1 }, "normalize must be a positive number")
-  fails({ profile = p, reference = r, normalize = 1 }, "unknown argument 'normalize'", "did you mean 'normalize'")
+  fails({ profile = p, reference = r, normalise = 1 }, "unknown argument 'normalise'", "did you mean 'normalize'")
   fails({ profile = p, reference = math.sqrt, quadrature = "reference" }, "for a function, which has no points")
   fails({ profile = p, reference = function() return 0 / 0 end }, "reference(0) must be a finite number")
   fails({ profile = sampled(11, 1, function() return 0 end), reference = r }, "profile carries no pressure")

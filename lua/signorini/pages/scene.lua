@@ -21,9 +21,10 @@ local contact = {
 mesh, of equal meshes the softer body (the published ironing studies use the stiff die)]] },
   { "master", t.either(face, obstacle), [[face of the other body onto which these points are projected, or an obstacle.
 Beyond an open end of the master the traction decreases to zero over 0.3 of its last element]] },
-  { "penalty", t.positive, [[normal penalty: p = -penalty g where the gap g is negative. Needed without adhesion. 100
-E/h with the element size h is a usual choice; model:contact_resultant(name).max_penetration is the penetration that
-remains, and augmented = true of model:run removes it]], unit = "pressure per length", optional = true },
+  { "penalty", t.positive, [[normal penalty: p = -penalty g where the gap g is negative. Needed without adhesion. 100 E
+divided by a characteristic length of the scene is a usual choice; model:contact_resultant(name).max_penetration is the
+penetration that remains, and augmented = true of model:run removes
+it]], unit = "pressure per length", optional = true },
   { "friction", t.named {
     { "mu", t.non_negative, "Coulomb's coefficient of friction, tan of the angle of friction, not the angle" },
     { "penalty", t.positive, "tangential penalty, stiffness of elastic slip", unit = "pressure per length" },

@@ -131,7 +131,7 @@ from start to end, those of the listed steps (0 is the start), or those for whic
 run has those since its resumption]], otherwise = "the start and the end of each stage" },
   { "on_step", t.callback, [[function(info), called after each step with info.step, info.stage, info["grip.fx"] …;
 returns nothing, "stop" to end the run, "cut" to repeat the step in halves, or a table of numbers, which become columns
-of the run]], optional = true },
+of the run (nan elsewhere)]], optional = true },
   { "on_iteration", t.callback, [[function(info), called after each iteration with stage, step, from, to (parts of the
 step), iteration, residual, energy, reason; returns nothing, "stop", or "cut" to abandon the attempt]],
     optional = true },
